@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "support/check.h"
+#include "support/diagnostics/diagnostic.h"
+
+namespace glider::support {
+
+const std::vector<CatalogueRow>& catalogue() {
+  static const std::vector<CatalogueRow> rows = {
+#define DIAGNOSTIC(number, name, slug, severity, message, hint) \
+  {DiagnosticId::name, #name, slug, Severity::severity, message, hint},
+#include "support/diagnostics/catalogue.def"
+#undef DIAGNOSTIC
+  };
+  return rows;
+}
+
+const CatalogueRow& catalogueRow(DiagnosticId id) {
+  auto row = std::ranges::find(catalogue(), id, &CatalogueRow::id);
+  CHECK(row != catalogue().end(), "a diagnostic without a row");
+  return *row;
+}
+
+std::string code(DiagnosticId id) { return fmt::format("GL{:04}", static_cast<unsigned>(id)); }
+
+}  // namespace glider::support

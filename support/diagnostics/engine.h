@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "support/diagnostics/diagnostic.h"
+
+namespace glider::support {
+
+/// Adds notes, a hint and fix-its to the diagnostic just reported. Valid until the next report.
+class DiagnosticBuilder {
+ public:
+  explicit DiagnosticBuilder(Diagnostic& diagnostic) : diagnostic_(diagnostic) {}
+  DiagnosticBuilder& note(SourceRange range, std::string message);
+  /// Replaces the catalogue's hint (for a suggestion that depends on the place).
+  DiagnosticBuilder& hint(std::string hint);
+  DiagnosticBuilder& fix(SourceRange range, std::string replacement);
+
+ private:
+  Diagnostic& diagnostic_;
+};
+
+/// Gathers the diagnostics of one compilation.
+class DiagnosticEngine {
+ public:
+  /// Reports row `id` at `range`; `args` fill the row's message and hint in order.
+  template <typename... Args>
+  DiagnosticBuilder report(DiagnosticId id, SourceRange range, Args&&... args) {
+    const CatalogueRow& row = catalogueRow(id);
+    return add({id, row.severity, range, fmt::format(fmt::runtime(row.message), args...),
+                fmt::format(fmt::runtime(row.hint), args...), {}, {}});
+  }
+  /// As the above, for a diagnostic that another stage or library has put together.
+  DiagnosticBuilder add(Diagnostic diagnostic);
+
+  [[nodiscard]] bool hasErrors() const { return errors_ > 0; }
+  [[nodiscard]] size_t errorCount() const { return errors_; }
+  [[nodiscard]] size_t warningCount() const { return warnings_; }
+  /// All diagnostics sorted by file and position, exact duplicates dropped.
+  [[nodiscard]] std::vector<Diagnostic> sorted() const;
+
+ private:
+  std::vector<Diagnostic> diagnostics_;
+  size_t errors_ = 0;
+  size_t warnings_ = 0;
+};
+
+}  // namespace glider::support

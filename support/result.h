@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <expected>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "support/diagnostics/diagnostic.h"
+
+namespace glider::support {
+
+/// The world failed: a file, a port, a tool. `id` is a row of the catalogue (mostly GL9xxx).
+struct Failure {
+  DiagnosticId id;
+  std::string message;
+  std::string hint;
+};
+
+/// What a function that meets the world returns.
+template <typename T>
+using Result = std::expected<T, Failure>;
+
+/// The failure of row `id`, its message and hint filled with `args`.
+template <typename... Args>
+[[nodiscard]] std::unexpected<Failure> fail(DiagnosticId id, Args&&... args) {
+  const CatalogueRow& row = catalogueRow(id);
+  return std::unexpected(Failure{id, fmt::format(fmt::runtime(row.message), args...),
+                                 fmt::format(fmt::runtime(row.hint), args...)});
+}
+
+}  // namespace glider::support

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "support/result.h"
+
+namespace glider::support {
+
+/// One quantity recorded at every flight-control cycle. NaN is "not known".
+struct TraceColumn {
+  std::string name;  ///< "m_depth", "true_x", "state"…; the vehicle's own name where it has one
+  std::string unit;  ///< as in the language; "" for a plain number, "id" for an index into Trace::names
+};
+
+/// What happened between cycles.
+struct TraceEvent {
+  double time_s = 0;       ///< vehicle time since the mission start
+  double mission_time_s;   ///< the SBC's missiontime; NaN when it was not in control
+  std::string kind;        ///< "transition", "control", "hook", "behaviour", "abort", "link", "log"
+  std::string what;        ///< one line: "s1 → s2 (call)"
+  std::string why;         ///< one line: the guard and the values that fired it; "" if there is none
+};
+
+/// The water's temperature on a grid along the flight, the background of the picture.
+struct TraceField {
+  std::string unit = "degC";
+  std::vector<double> times_s;
+  std::vector<double> depths_m;
+  std::vector<double> values;  ///< times × depths, depth fastest
+};
+
+/// One flight: the only trace format of verifier, simulator and report.
+struct Trace {
+  std::string mission;   ///< name of the mission
+  std::string scenario;  ///< name of the scenario
+  std::string way;       ///< "in-process", "host", "ts7800", "ts5500", "none" (no SBC)
+  uint64_t seed = 0;
+  std::vector<std::string> state_names;  ///< for the column "state"
+  std::vector<TraceColumn> columns;      ///< columns[0] is "time" in s
+  std::vector<double> rows;              ///< row-major, columns.size() values a row
+  std::vector<TraceEvent> events;        ///< in order of time
+  TraceField field;
+
+  [[nodiscard]] size_t rowCount() const { return columns.empty() ? 0 : rows.size() / columns.size(); }
+  /// The number of column `name`; -1 if there is none.
+  [[nodiscard]] int column(std::string_view name) const;
+  [[nodiscard]] double at(size_t row, int column) const {
+    return rows[row * columns.size() + static_cast<size_t>(column)];
+  }
+};
+
+/// The rows as CSV: a header `name (unit)`, shortest round-trip decimals, an empty cell for NaN. Byte-identical for
+/// identical rows.
+std::string traceToCsv(const Trace& trace);
+/// The whole trace as one JSON object (NaN is null): what the report page reads.
+std::string traceToJson(const Trace& trace);
+
+}  // namespace glider::support

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <stdint.h>
+
+#include "hooks/protocol/values.h"
+
+/// The behaviour `hookbeh` of the layered control: takes the SBC's instructions from the sensor array, bounds them by
+/// its own b_args, and runs sub-behaviours. It never trusts the SBC. Portable: no heap, no libc.
+namespace glider::hooks {
+
+/// The b_args, from the mission file.
+struct HookbehArgs {
+  double start_secs = 0;            ///< ready from this time of the vehicle's mission, s
+  double greatest_depth_m = 30;     ///< deeper targets are refused; below it hookbeh climbs whatever the SBC says
+  double least_altitude_m = 5;      ///< closer to the bottom it climbs; negative: no altimeter wanted
+  double steepest_pitch_rad = 0.61; ///< magnitude
+  double shallowest_pitch_rad = 0.19;
+  double silence_secs = 24;         ///< without a changed heartbeat for this long the SBC is lost
+  double dive_pump_cc = -230;
+  double climb_pump_cc = 230;
+  double hold_secs = 12;            ///< after a target is reached, the commands stay this long, then hookbeh hovers there
+};
+
+/// What hookbeh reads of the sensor array in one cycle; NaN for a value never set.
+struct HookbehInputs {
+  double time_s = 0;  ///< of the vehicle's mission
+  double depth_m = 0;
+  double depth_rate_mps = 0;
+  double altitude_m = 0;
+  double latitude_ddmm = 0;
+  double longitude_ddmm = 0;
+  double heartbeat = 0;
+  double session = 0, sequence = 0, control = 0, vertical = 0, lateral = 0;
+  double hook_depth_m = 0, hook_pitch_rad = 0, hook_heading_rad = 0;
+  double hook_latitude_ddmm = 0, hook_longitude_ddmm = 0;
+  double check = 0;
+};
+
+enum class HeadingMode : uint8_t { CentreFin, Heading, Waypoint };
+
+/// What it commands and tells in one cycle. When `commanding`, heading, pitch and pump all are commanded.
+struct HookbehOutputs {
+  bool commanding = false;
+  HeadingMode heading_mode = HeadingMode::CentreFin;
+  double heading_rad = 0;
+  double latitude_ddmm = 0, longitude_ddmm = 0;
+  double pitch_rad = 0;
+  double pump_cc = 0;
+  // Written back to the sensor array:
+  HookState state = HookState::Waiting;
+  uint16_t answered_sequence = 0;
+  HookAnswer answer = HookAnswer::None;
+  uint32_t session = 0;
+  /// The sub-behaviour at work ("dive_to", "climb_to", "hover", "hold", "surface", "climb: too deep"…), for logs.
+  const char* doing = "";
+};
+
+class Hookbeh {
+ public:
+  explicit Hookbeh(const HookbehArgs& args) : args_(args) {}
+  /// One control cycle.
+  HookbehOutputs cycle(const HookbehInputs& inputs);
+
+ private:
+  HookbehArgs args_;
+};
+
+}  // namespace glider::hooks

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <stdint.h>
+
+/// The values that cross the hook, as they stand in the vehicle's sensor array. One list for both sides.
+namespace glider::hooks {
+
+/// `x_hook_state`: what hookbeh is doing. Absent: the mission file has no hookbeh.
+enum class HookState : uint8_t {
+  Absent = 0,
+  Waiting = 1,   ///< its start condition is not met yet
+  Ready = 2,     ///< wants the handshake
+  Active = 3,    ///< commands heading, pitch and pump as the SBC instructs
+  Silent = 4,    ///< lost the SBC; only a new handshake re-activates it
+  Complete = 5,  ///< the SBC gave control back
+};
+
+/// `x_hook_answer`: hookbeh's answer to the instruction with `x_hook_sequence`.
+enum class HookAnswer : uint8_t {
+  None = 0,
+  Accepted = 1,
+  BadCheck = 2,      ///< the check value does not match: something was lost on the way
+  TooDeep = 3,       ///< beyond the b_arg for greatest depth
+  BadPitch = 4,      ///< outside the b_args for pitch
+  BadCommand = 5,    ///< no such control, vertical or lateral, or a value that is not finite
+  NotOnEarth = 6,    ///< the waypoint is no position
+  WrongSession = 7,  ///< not from the session in control, or from one that was lost
+  NotReady = 8,      ///< hookbeh waits or is complete
+};
+
+/// `sci_hook_control`.
+enum class HookControl : uint8_t {
+  None = 0,
+  Take = 1,      ///< the handshake: with the first instruction of a new session
+  Steer = 2,     ///< a further instruction
+  GiveBack = 3,  ///< `exit`: the layered control flies on alone
+};
+
+/// `sci_hook_vertical`.
+enum class HookVertical : uint8_t { None = 0, Descend = 1, Ascend = 2, Hover = 3, Surface = 4 };
+
+/// `sci_hook_lateral`.
+enum class HookLateral : uint8_t { Drift = 0, Heading = 1, Waypoint = 2 };
+
+/// One instruction, in the units of the sensor array (m, rad, ddmm.mmmm). Its numbers must be as the array can hold
+/// them (float32 but for the position), or the check value cannot match: see roundToArray.
+struct Instruction {
+  uint32_t session = 0;   ///< 1…16777215
+  uint16_t sequence = 0;  ///< 1…65535, then 1 again: 0 is "none yet"
+  HookControl control = HookControl::None;
+  HookVertical vertical = HookVertical::None;
+  HookLateral lateral = HookLateral::Drift;
+  double depth_m = 0;
+  double pitch_rad = 0;  ///< nose up positive: negative to descend
+  double heading_rad = 0;
+  double latitude_ddmm = 0;
+  double longitude_ddmm = 0;
+};
+
+/// The same instruction with every number as the sensor array stores it.
+Instruction roundToArray(const Instruction& instruction);
+/// `sci_hook_check`: CRC-16/CCITT-FALSE over all fields, sequence included, in the byte layout of protocol/README.md.
+uint16_t checkValue(const Instruction& instruction);
+
+}  // namespace glider::hooks

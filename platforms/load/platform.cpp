@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "platforms/load/platform.h"
+
+#include <algorithm>
+
+#include "platforms/load/toml_reader.h"
+
+namespace glider::platforms {
+namespace {
+
+/// Sets kind, dimension and factor from the sensor's unit; false when the unit is none.
+bool interpretUnit(PlatformSensor& sensor) {
+  if (sensor.unit == "lat" || sensor.unit == "lon") {
+    sensor.kind = sensor.unit == "lat" ? SensorKind::Latitude : SensorKind::Longitude;
+    return true;
+  }
+  if (sensor.unit == "1" || sensor.unit == "timestamp") {
+    sensor.dimension = sensor.unit == "1" ? support::dimension::number : support::dimension::time;
+    return true;
+  }
+  const auto unit = support::parseUnit(sensor.unit);
+  if (unit) {
+    sensor.dimension = unit->dimension;
+    sensor.to_si = unit->to_si;
+  }
+  return unit.has_value();
+}
+
+PlatformSensor readSensor(TomlReader& reader, size_t id) {
+  reader.only({"name", "alias", "unit", "lowest", "highest", "stale_after_s", "computer", "bytes", "what"});
+  PlatformSensor sensor;
+  sensor.id = static_cast<uint16_t>(id);
+  sensor.name = reader.text("name");
+  sensor.alias = reader.textOr("alias", "");
+  sensor.unit = reader.text("unit");
+  sensor.lowest = reader.number("lowest");
+  sensor.highest = reader.number("highest");
+  sensor.stale_after_s = reader.number("stale_after_s");
+  const std::string computer = reader.text("computer");
+  sensor.computer = computer == "science" ? Computer::Science : Computer::Flight;
+  const int64_t bytes = reader.integer("bytes");
+  sensor.bytes = static_cast<uint8_t>(bytes);
+  sensor.what = reader.text("what");
+  if (!interpretUnit(sensor)) {
+    reader.refuse("unit", "is no unit of the language, nor `lat`, `lon`, `timestamp` or `1`");
+  }
+  if (!(sensor.lowest < sensor.highest)) {
+    reader.refuse("highest", "must be above `lowest`");
+  }
+  if (!(sensor.stale_after_s > 0)) {
+    reader.refuse("stale_after_s", "must be above 0");
+  }
+  if (computer != "flight" && computer != "science") {
+    reader.refuse("computer", "must be \"flight\" or \"science\"");
+  }
+  if (bytes != 1 && bytes != 4 && bytes != 8) {
+    reader.refuse("bytes", "must be 1, 4 or 8");
+  }
+  return sensor;
+}
+
+support::Result<void> readSensors(const std::string& file, const toml::table& root, Platform& platform) {
+  constexpr size_t kMostSensors = 4096;
+  const toml::array* list = root["sensor"].as_array();
+  if (list == nullptr || list->empty() || list->size() > kMostSensors) {
+    return support::fail(support::DiagnosticId::badDataFile, file, "it must have between 1 and 4096 [[sensor]] tables");
+  }
+  for (const toml::node& node : *list) {
+    const toml::table* table = node.as_table();
+    if (table == nullptr) {
+      return support::fail(support::DiagnosticId::badDataFile, file, "`sensor` must be [[sensor]] tables");
+    }
+    TomlReader reader(file, *table, fmt::format("sensor {}", platform.sensors.size()));
+    PlatformSensor sensor = readSensor(reader, platform.sensors.size());
+    const bool taken = platform.find(sensor.name) != nullptr ||
+                       (!sensor.alias.empty() && platform.find(sensor.alias) != nullptr);
+    if (taken) {
+      reader.refuse("name", "or its alias is taken by an earlier sensor");
+    }
+    if (reader.failure()) {
+      return std::unexpected(*reader.failure());
+    }
+    platform.sensors.push_back(std::move(sensor));
+  }
+  return {};
+}
+
+}  // namespace
+
+const PlatformSensor* Platform::find(std::string_view wanted) const {
+  auto found = std::ranges::find_if(sensors, [&](const PlatformSensor& sensor) {
+    return sensor.name == wanted || (!sensor.alias.empty() && sensor.alias == wanted);
+  });
+  return found == sensors.end() ? nullptr : &*found;
+}
+
+support::Result<Platform> loadPlatform(const std::filesystem::path& path) {
+  auto root = parseToml(path);
+  if (!root) {
+    return std::unexpected(root.error());
+  }
+  Platform platform;
+  TomlReader reader(path.string(), *root, "the platform");
+  reader.only({"name", "description", "envelope", "sensor"});
+  platform.name = reader.text("name");
+  platform.description = reader.text("description");
+  static const toml::table kNone;
+  const toml::table* envelope = (*root)["envelope"].as_table();
+  TomlReader bounds(path.string(), envelope != nullptr ? *envelope : kNone, "[envelope]");
+  bounds.only({"greatest_depth_m", "steepest_pitch_rad", "cycle_s"});
+  platform.envelope = {bounds.number("greatest_depth_m"), bounds.number("steepest_pitch_rad"), bounds.number("cycle_s")};
+  for (const TomlReader* part : {&reader, &bounds}) {
+    if (part->failure()) {
+      return std::unexpected(*part->failure());
+    }
+  }
+  if (auto read = readSensors(path.string(), *root, platform); !read) {
+    return std::unexpected(read.error());
+  }
+  return platform;
+}
+
+}  // namespace glider::platforms

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "platforms/load/toml_reader.h"
+
+#include <algorithm>
+
+#include "support/files.h"
+
+namespace glider::platforms {
+
+using support::DiagnosticId;
+
+const toml::node* TomlReader::node(std::string_view key) {
+  const toml::node* found = table_.get(key);
+  if (found == nullptr) {
+    fail(&table_, fmt::format("{} has no `{}`", where_, key));
+  }
+  return found;
+}
+
+void TomlReader::fail(const toml::node* at, std::string why) {
+  if (!failure_) {
+    const auto line = at != nullptr ? at->source().begin.line : 0;
+    failure_ = support::fail(DiagnosticId::badDataFile, fmt::format("{}:{}", file_, line), why).error();
+  }
+}
+
+void TomlReader::refuse(std::string_view key, std::string_view why) {
+  const toml::node* at = table_.get(key);
+  fail(at != nullptr ? at : &table_, fmt::format("`{}` of {} {}", key, where_, why));
+}
+
+std::string TomlReader::text(std::string_view key) {
+  const toml::node* found = node(key);
+  const auto value = found != nullptr ? found->value_exact<std::string>() : std::nullopt;
+  if (found != nullptr && !value) {
+    refuse(key, "must be a text in quotes");
+  }
+  return value.value_or("");
+}
+
+std::string TomlReader::textOr(std::string_view key, std::string fallback) {
+  return table_.contains(key) ? text(key) : std::move(fallback);
+}
+
+double TomlReader::number(std::string_view key) {
+  const toml::node* found = node(key);
+  const auto value = found != nullptr ? found->value<double>() : std::nullopt;
+  if (found != nullptr && (!value || !found->is_number() || !(*value - *value == 0))) {
+    refuse(key, "must be a finite number");
+    return 0;
+  }
+  return value.value_or(0);
+}
+
+double TomlReader::numberOr(std::string_view key, double fallback) {
+  return table_.contains(key) ? number(key) : fallback;
+}
+
+int64_t TomlReader::integer(std::string_view key) {
+  const toml::node* found = node(key);
+  const auto value = found != nullptr ? found->value_exact<int64_t>() : std::nullopt;
+  if (found != nullptr && !value) {
+    refuse(key, "must be a whole number");
+  }
+  return value.value_or(0);
+}
+
+bool TomlReader::flagOr(std::string_view key, bool fallback) {
+  const toml::node* found = table_.get(key);
+  const auto value = found != nullptr ? found->value_exact<bool>() : std::optional(fallback);
+  if (!value) {
+    refuse(key, "must be true or false");
+  }
+  return value.value_or(fallback);
+}
+
+void TomlReader::only(std::initializer_list<std::string_view> known) {
+  for (const auto& [key, value] : table_) {
+    if (std::ranges::find(known, key.str()) == known.end()) {
+      fail(&value, fmt::format("{} has a key `{}` that means nothing here", where_, key.str()));
+    }
+  }
+}
+
+support::Result<toml::table> parseToml(const std::filesystem::path& path) {
+  auto text = support::readFile(path);
+  if (!text) {
+    return std::unexpected(text.error());
+  }
+  try {
+    return toml::parse(*text, path.string());
+  } catch (const toml::parse_error& error) {
+    return support::fail(DiagnosticId::badDataFile, fmt::format("{}:{}", path.string(), error.source().begin.line),
+                         std::string(error.description()));
+  }
+}
+
+}  // namespace glider::platforms

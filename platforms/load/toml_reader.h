@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <filesystem>
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <toml++/toml.h>
+
+#include "support/result.h"
+
+namespace glider::platforms {
+
+/// Strict reading of one TOML table: a missing, unknown or wrongly typed key is GL5001 with file and line. The first
+/// failure is kept; later reads give default values, so a reader checks once at its end.
+class TomlReader {
+ public:
+  TomlReader(std::string file, const toml::table& table, std::string where)
+      : file_(std::move(file)), table_(table), where_(std::move(where)) {}
+
+  std::string text(std::string_view key);
+  std::string textOr(std::string_view key, std::string fallback);
+  double number(std::string_view key);
+  double numberOr(std::string_view key, double fallback);
+  int64_t integer(std::string_view key);
+  bool flagOr(std::string_view key, bool fallback);
+  /// Refuses keys that are not in `known`.
+  void only(std::initializer_list<std::string_view> known);
+  /// Notes a failure of the caller's own check about `key`.
+  void refuse(std::string_view key, std::string_view why);
+
+  [[nodiscard]] const std::optional<support::Failure>& failure() const { return failure_; }
+
+ private:
+  const toml::node* node(std::string_view key);
+  void fail(const toml::node* at, std::string why);
+
+  std::string file_;
+  const toml::table& table_;
+  std::string where_;
+  std::optional<support::Failure> failure_;
+};
+
+/// Parses a whole TOML file. GL9001, GL5001.
+support::Result<toml::table> parseToml(const std::filesystem::path& path);
+
+}  // namespace glider::platforms

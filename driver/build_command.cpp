@@ -1,13 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <map>
-#include <memory>
-#include <string>
-
-#include <CLI/CLI.hpp>
-#include <fmt/format.h>
-
 #include "codegen/codegen.h"
 #include "driver/boards.h"
 #include "driver/commands.h"
@@ -18,13 +11,21 @@
 #include "ir/text/print.h"
 #include "support/files.h"
 
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <map>
+#include <memory>
+#include <string>
+
 namespace glider::driver {
 namespace {
 
 enum class Emit : uint8_t { Ast, Ir, Llvm, Asm, Obj, Exe };
 
-const std::map<std::string, Emit> kEmits = {{"ast", Emit::Ast},   {"ir", Emit::Ir},   {"llvm", Emit::Llvm},
-                                            {"asm", Emit::Asm},   {"obj", Emit::Obj}, {"exe", Emit::Exe}};
+const std::map<std::string, Emit> kEmits = {{"ast", Emit::Ast},   {"ir", Emit::Ir},
+                                            {"llvm", Emit::Llvm}, {"asm", Emit::Asm},
+                                            {"obj", Emit::Obj},   {"exe", Emit::Exe}};
 
 struct BuildOptions {
   std::string mission;
@@ -34,7 +35,8 @@ struct BuildOptions {
   std::string output;
 };
 
-/// The file to write when none is named: beside where the command runs, named after mission and target.
+/// The file to write when none is named: beside where the command runs, named after mission and
+/// target.
 std::string outputName(const BuildOptions& options) {
   const std::string stem = std::filesystem::path(options.mission).stem().string();
   const std::string built = fmt::format("{}-{}", stem, options.target);
@@ -55,7 +57,8 @@ std::string outputName(const BuildOptions& options) {
   return built;
 }
 
-codegen::CodegenOptions codegenOptions(const BuildOptions& options, const Compilation& compilation) {
+codegen::CodegenOptions codegenOptions(const BuildOptions& options,
+                                       const Compilation& compilation) {
   codegen::CodegenOptions result;
   result.optimisation_level = static_cast<int>(options.level);
   result.sources = &compilation.sources;
@@ -101,8 +104,8 @@ support::Result<void> buildExecutable(const BuildOptions& options, const Compila
   if (!board) {
     return std::unexpected(board.error());
   }
-  return codegen::linkExecutable(*compilation.mission, compilation.facts, *board, codegenOptions(options, compilation),
-                                 options.output);
+  return codegen::linkExecutable(*compilation.mission, compilation.facts, *board,
+                                 codegenOptions(options, compilation), options.output);
 }
 
 int build(BuildOptions options) {
@@ -123,7 +126,8 @@ int build(BuildOptions options) {
   if (options.emit == Emit::Exe && options.output == "-") {
     options.output = "/dev/stdout";
   }
-  const auto built = options.emit == Emit::Exe ? buildExecutable(options, compilation) : buildProduct(options, compilation);
+  const auto built = options.emit == Emit::Exe ? buildExecutable(options, compilation)
+                                               : buildProduct(options, compilation);
   return built ? kFine : reportFailure(built.error());
 }
 
@@ -131,16 +135,23 @@ int build(BuildOptions options) {
 
 void addBuildCommand(CLI::App& app, int& status) {
   auto options = std::make_shared<BuildOptions>();
-  CLI::App* command = app.add_subcommand("build", "Compile a mission for the computer in the payload bay");
-  command->add_option("MISSION", options->mission, "The mission file (or the IR's text form, FILE.ir)")->required();
-  command->add_option("--target", options->target, "What to build for (see `glidercc targets`)")->capture_default_str();
-  command->add_option("--emit", options->emit, "What to write: ast, ir, llvm, asm, obj or exe (default)")
+  CLI::App* command =
+      app.add_subcommand("build", "Compile a mission for the computer in the payload bay");
+  command
+      ->add_option("MISSION", options->mission, "The mission file (or the IR's text form, FILE.ir)")
+      ->required();
+  command->add_option("--target", options->target, "What to build for (see `glidercc targets`)")
+      ->capture_default_str();
+  command
+      ->add_option("--emit", options->emit,
+                   "What to write: ast, ir, llvm, asm, obj or exe (default)")
       ->transform(CLI::Transformer(kEmits))
       ->option_text("STAGE");
   command->add_option("-O", options->level, "Optimisation level, 0 to 3")
       ->check(CLI::Range(0, 3))
       ->capture_default_str();
-  command->add_option("-o", options->output, "The file to write; `-` is standard output")->option_text("FILE");
+  command->add_option("-o", options->output, "The file to write; `-` is standard output")
+      ->option_text("FILE");
   command->callback([options, &status] { status = build(*options); });
 }
 

@@ -28,7 +28,8 @@ Result<void> choosePlatform(Compilation& compilation) {
   const std::filesystem::path file = shareDirectory() / "platforms" / (name + ".toml");
   std::error_code ignored;
   if (compilation.ast->platform && !std::filesystem::exists(file, ignored)) {
-    compilation.diagnostics.report(support::DiagnosticId::unknownPlatform, compilation.ast->platform->range, name);
+    compilation.diagnostics.report(support::DiagnosticId::unknownPlatform,
+                                   compilation.ast->platform->range, name);
     return {};
   }
   auto platform = platforms::loadPlatform(file);

@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Every mission in the documents is checked: a block ```mission must be fine, a block ```mission GL2003 must give
-// that diagnostic (and fail if it is an error).
+// Every mission in the documents is checked: a block ```mission must be fine, a block ```mission
+// GL2003 must give that diagnostic (and fail if it is an error).
+
+#include "tests/support/command.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +12,6 @@
 #include <fstream>
 #include <string>
 #include <vector>
-
-#include "tests/support/command.h"
 
 namespace glider::tests {
 namespace {
@@ -32,7 +32,8 @@ std::vector<Example> examplesOf(const std::filesystem::path& path) {
   for (int number = 1; std::getline(file, line); ++number) {
     if (!inside && line.starts_with(fence + "mission")) {
       const std::string rest = line.substr(fence.size() + 7);
-      examples.push_back({path.filename().string(), number, rest.empty() ? "" : rest.substr(1), ""});
+      examples.push_back(
+          {path.filename().string(), number, rest.empty() ? "" : rest.substr(1), ""});
       inside = true;
     } else if (inside && line.starts_with(fence)) {
       inside = false;
@@ -66,7 +67,8 @@ TEST(Documents, EveryMissionDoesWhatTheTextSays) {
     const TemporaryFolder folder;
     const auto path = folder.write("example.mission", example.text);
     const Outcome outcome = runShell("$GLIDERCC check " + path.string());
-    const std::string place = example.file + ":" + std::to_string(example.line) + "\n" + outcome.err;
+    const std::string place =
+        example.file + ":" + std::to_string(example.line) + "\n" + outcome.err;
     if (example.expected.empty()) {
       EXPECT_EQ(outcome.status, 0) << place;
       EXPECT_EQ(outcome.err, "") << place;

@@ -3,12 +3,12 @@
 
 // The paper's Figure 2, flown all four ways.
 
+#include "tests/flights/flight.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-
-#include "tests/flights/flight.h"
 
 namespace glider::tests {
 namespace {
@@ -16,12 +16,15 @@ namespace {
 constexpr double kCycle = 4;
 
 Flight flyFigure2(const std::string& way) {
-  return fly(project("missions/figure2.mission") + " --scenario " + project("scenarios/default.toml") + way);
+  return fly(project("missions/figure2.mission") + " --scenario " +
+             project("scenarios/default.toml") + way);
 }
 
 void expectFigure2(const std::vector<Event>& transitions) {
-  const std::pair<const char*, double> expected[] = {
-      {"s1 → s2 (call)", 500}, {"s2 → s1 (return)", 1500}, {"s1 → s3 (goto)", 2000}, {"s3 (exit)", 2500}};
+  const std::pair<const char*, double> expected[] = {{"s1 → s2 (call)", 500},
+                                                     {"s2 → s1 (return)", 1500},
+                                                     {"s1 → s3 (goto)", 2000},
+                                                     {"s3 (exit)", 2500}};
   ASSERT_EQ(transitions.size(), std::size(expected));
   for (size_t i = 0; i < transitions.size(); ++i) {
     EXPECT_EQ(transitions[i].what, expected[i].first);
@@ -42,8 +45,8 @@ TEST(Figure2, YosBetweenTheOrderedDepths) {
   const auto mission_time = flight.column("missiontime");
   const auto depth = flight.column("true_depth");
   ASSERT_FALSE(depth.empty());
-  // 5 to 10 m in s1 once it is down there. A turn is seen at the next cycle, commanded at the one after, and the pump then
-  // needs twelve seconds more: about 4 m at 0.17 m/s.
+  // 5 to 10 m in s1 once it is down there. A turn is seen at the next cycle, commanded at the one
+  // after, and the pump then needs twelve seconds more: about 4 m at 0.17 m/s.
   double shallowest = 1e9;
   double deepest = 0;
   int turns = 0;

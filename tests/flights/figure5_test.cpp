@@ -3,18 +3,19 @@
 
 // The paper's Figure 5: three layered yos, the SBC tracking the thermocline in between.
 
+#include "tests/flights/flight.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "tests/flights/flight.h"
-
 namespace glider::tests {
 namespace {
 
 Flight flyFigure5(const std::string& more = "") {
-  return fly(project("missions/figure5.mission") + " --scenario " + project("scenarios/figure5.toml") + more);
+  return fly(project("missions/figure5.mission") + " --scenario " +
+             project("scenarios/figure5.toml") + more);
 }
 
 /// The turns of the true depth (a change of direction of at least 2 m).
@@ -43,7 +44,9 @@ TEST(Figure5, HookbehHoldsControlFrom260To1460Seconds) {
   const auto active = flight.column("hook_active");
   const auto first = static_cast<size_t>(std::ranges::find(active, 1.0) - active.begin());
   ASSERT_LT(first, active.size());
-  const auto last = static_cast<size_t>(active.rend() - std::ranges::find(active.rbegin(), active.rend(), 1.0)) - 1;
+  const auto last =
+      static_cast<size_t>(active.rend() - std::ranges::find(active.rbegin(), active.rend(), 1.0)) -
+      1;
   EXPECT_GE(time[first], 260);
   EXPECT_LE(time[first], 268);
   EXPECT_GE(time[last], 1452);
@@ -63,7 +66,9 @@ TEST(Figure5, TheOrderedRangeHoldsTheIsotherm) {
     ++detected;
   }
   ASSERT_LT(detected, active.size());
-  const auto last = static_cast<size_t>(active.rend() - std::ranges::find(active.rbegin(), active.rend(), 1.0)) - 1;
+  const auto last =
+      static_cast<size_t>(active.rend() - std::ranges::find(active.rbegin(), active.rend(), 1.0)) -
+      1;
   const auto turns = deepTurns(depth, detected, last);
   ASSERT_GE(turns.size(), 3U);
   size_t ticks = 0;
@@ -73,7 +78,8 @@ TEST(Figure5, TheOrderedRangeHoldsTheIsotherm) {
     inside += top[i] <= isotherm[i] && isotherm[i] <= bottom[i] ? 1 : 0;
     EXPECT_LE(bottom[i] - top[i], 12) << "at tick " << i;
   }
-  EXPECT_GE(static_cast<double>(inside), 0.9 * static_cast<double>(ticks)) << inside << " of " << ticks;
+  EXPECT_GE(static_cast<double>(inside), 0.9 * static_cast<double>(ticks))
+      << inside << " of " << ticks;
 }
 
 TEST(Figure5, TheLayeredYoThenCompletesItsThree) {
@@ -87,7 +93,9 @@ TEST(Figure5, TheLayeredYoThenCompletesItsThree) {
   EXPECT_EQ(layered, 3U);
 }
 
-TEST(Figure5, TwiceIsTheSameToTheByte) { EXPECT_EQ(flyFigure5().csv, flyFigure5().csv); }
+TEST(Figure5, TwiceIsTheSameToTheByte) {
+  EXPECT_EQ(flyFigure5().csv, flyFigure5().csv);
+}
 
 TEST(Figure5, WithoutHookbehTheSbcChangesNothing) {
   const std::string scenario = " --scenario " + project("scenarios/layered.toml");

@@ -32,7 +32,9 @@ std::vector<std::string> splitCsv(const std::string& line) {
   return fields;
 }
 
-double number(const std::string& text) { return text.empty() ? NAN : std::stod(text); }
+double number(const std::string& text) {
+  return text.empty() ? NAN : std::stod(text);
+}
 
 void readTrace(Flight& flight) {
   std::istringstream lines(flight.csv);
@@ -65,7 +67,8 @@ void readEvents(Flight& flight, const std::string& csv) {
 
 std::vector<Event> Flight::transitions() const {
   std::vector<Event> found;
-  std::ranges::copy_if(events, std::back_inserter(found), [](const Event& e) { return e.kind == "transition"; });
+  std::ranges::copy_if(events, std::back_inserter(found),
+                       [](const Event& e) { return e.kind == "transition"; });
   return found;
 }
 
@@ -93,6 +96,8 @@ Flight fly(const std::string& arguments) {
   return flight;
 }
 
-std::string project(const std::string& path) { return std::string(GLIDER_SOURCE_DIR) + "/" + path; }
+std::string project(const std::string& path) {
+  return std::string(GLIDER_SOURCE_DIR) + "/" + path;
+}
 
 }  // namespace glider::tests

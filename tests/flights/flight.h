@@ -3,10 +3,10 @@
 
 #pragma once
 
+#include "tests/support/command.h"
+
 #include <string>
 #include <vector>
-
-#include "tests/support/command.h"
 
 namespace glider::tests {
 
@@ -20,10 +20,10 @@ struct Event {
 /// What `glidercc sim` wrote.
 struct Flight {
   Outcome outcome;
-  std::string csv;     ///< trace.csv, whole
+  std::string csv;  ///< trace.csv, whole
   std::vector<Event> events;
-  std::vector<std::string> columns;         ///< names without units
-  std::vector<std::vector<double>> rows;    ///< NaN for an empty cell
+  std::vector<std::string> columns;       ///< names without units
+  std::vector<std::vector<double>> rows;  ///< NaN for an empty cell
 
   /// The events of kind "transition".
   [[nodiscard]] std::vector<Event> transitions() const;

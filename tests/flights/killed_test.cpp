@@ -3,11 +3,11 @@
 
 // The SBC dies in flight: the layered control brings the glider up.
 
+#include "tests/flights/flight.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
-
-#include "tests/flights/flight.h"
 
 namespace glider::tests {
 namespace {
@@ -15,15 +15,16 @@ namespace {
 class Killed : public testing::TestWithParam<const char*> {};
 
 TEST_P(Killed, UnderTheSkeletonTheGliderClimbsWithinTheStatedSeconds) {
-  const Flight flight = fly(project("missions/figure2.mission") + " --scenario " + project("scenarios/default.toml") +
-                            " --kill-sbc-at 800" + GetParam());
+  const Flight flight = fly(project("missions/figure2.mission") + " --scenario " +
+                            project("scenarios/default.toml") + " --kill-sbc-at 800" + GetParam());
   const auto time = flight.column("time");
   const auto depth = flight.column("true_depth");
-  const auto killed =
-      std::ranges::find_if(flight.events, [](const Event& e) { return e.kind == "link" && e.time_s >= 800; });
+  const auto killed = std::ranges::find_if(
+      flight.events, [](const Event& e) { return e.kind == "link" && e.time_s >= 800; });
   ASSERT_NE(killed, flight.events.end());
   EXPECT_NE(killed->what.find("SBC"), std::string::npos) << killed->what;
-  // silence_secs of skeleton.mi is 24; a cycle to notice, a cycle for the surface behaviour, 20 s for pump and pitch.
+  // silence_secs of skeleton.mi is 24; a cycle to notice, a cycle for the surface behaviour, 20 s
+  // for pump and pitch.
   const double deadline = 800 + 24 + 8 + 20;
   for (size_t i = 1; i < time.size(); ++i) {
     if (time[i] > deadline && depth[i] > 0.5) {

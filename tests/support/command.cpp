@@ -3,12 +3,11 @@
 
 #include "tests/support/command.h"
 
-#include <sys/wait.h>
-
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
+#include <sys/wait.h>
 
 namespace glider::tests {
 
@@ -25,7 +24,8 @@ TemporaryFolder::~TemporaryFolder() {
   std::filesystem::remove_all(path_, ignored);
 }
 
-std::filesystem::path TemporaryFolder::write(const std::string& name, const std::string& text) const {
+std::filesystem::path TemporaryFolder::write(const std::string& name,
+                                             const std::string& text) const {
   std::ofstream(path_ / name, std::ios::binary) << text;
   return path_ / name;
 }
@@ -39,8 +39,8 @@ Outcome runShell(const std::string& line) {
   const TemporaryFolder folder;
   const std::string out = (folder.path() / "out").string();
   const std::string err = (folder.path() / "err").string();
-  const std::string whole =
-      "export GLIDERCC='" GLIDER_BINARY_DIR "/bin/glidercc'; { " + line + "\n} </dev/null >" + out + " 2>" + err;
+  const std::string whole = "export GLIDERCC='" GLIDER_BINARY_DIR "/bin/glidercc'; { " + line +
+                            "\n} </dev/null >" + out + " 2>" + err;
   const int status = std::system(whole.c_str());
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   return {code, slurp(out), slurp(err)};

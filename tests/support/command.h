@@ -15,7 +15,8 @@ struct Outcome {
   std::string err;
 };
 
-/// Runs a shell command line with standard input closed; GLIDERCC in its environment names the built command.
+/// Runs a shell command line with standard input closed; GLIDERCC in its environment names the
+/// built command.
 Outcome runShell(const std::string& line);
 
 /// A new empty folder, removed with everything in it at the end of the scope.

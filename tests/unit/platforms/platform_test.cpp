@@ -3,18 +3,20 @@
 
 #include "platforms/load/platform.h"
 
-#include <gtest/gtest.h>
-
 #include "platforms/slocum_sensors.h"
 #include "tests/support/command.h"
+
+#include <gtest/gtest.h>
 
 namespace glider::platforms {
 namespace {
 
 constexpr const char* kHead =
-    "name = \"p\"\ndescription = \"d\"\n[envelope]\ngreatest_depth_m = 1.0\nsteepest_pitch_rad = 1.0\ncycle_s = 4.0\n";
+    "name = \"p\"\ndescription = \"d\"\n[envelope]\ngreatest_depth_m = 1.0\nsteepest_pitch_rad = "
+    "1.0\ncycle_s = 4.0\n";
 constexpr const char* kSensor =
-    "[[sensor]]\nname = \"a\"\nunit = \"m\"\nlowest = 0.0\nhighest = 1.0\nstale_after_s = 1.0\ncomputer = \"flight\"\n"
+    "[[sensor]]\nname = \"a\"\nunit = \"m\"\nlowest = 0.0\nhighest = 1.0\nstale_after_s = "
+    "1.0\ncomputer = \"flight\"\n"
     "bytes = 4\nwhat = \"w\"\n";
 
 support::Result<Platform> load(const std::string& text) {
@@ -48,7 +50,8 @@ TEST(Platform, MistakesInTheFileAreNamedWithTheirLine) {
     const auto platform = load(text);
     ASSERT_FALSE(platform) << text;
     EXPECT_EQ(support::code(platform.error().id), "GL5001");
-    EXPECT_NE(platform.error().message.find(expected), std::string::npos) << platform.error().message;
+    EXPECT_NE(platform.error().message.find(expected), std::string::npos)
+        << platform.error().message;
   }
 }
 

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "support/diagnostics/engine.h"
+#include "support/diagnostics/render.h"
+
 #include <gtest/gtest.h>
 
 #include <set>
-
-#include "support/diagnostics/engine.h"
-#include "support/diagnostics/render.h"
 
 namespace glider::support {
 namespace {
@@ -15,10 +15,13 @@ TEST(Diagnostics, ShowPlaceCaretHintAndId) {
   SourceManager sources;
   const uint32_t file = sources.add("a.mission", "mission m\n\tgoto s9\n");
   DiagnosticEngine engine;
-  engine.report(DiagnosticId::unknownState, {file, 16, 18}, "s9").hint("states: s1").note({file, 8, 9}, "in this mission");
+  engine.report(DiagnosticId::unknownState, {file, 16, 18}, "s9")
+      .hint("states: s1")
+      .note({file, 8, 9}, "in this mission");
   EXPECT_TRUE(engine.hasErrors());
   const std::string text = render(engine, sources, false);
-  EXPECT_EQ(text.substr(0, text.find('\n')), "a.mission:2:7: error: " + engine.sorted()[0].message + " [GL2001 unknown-state]");
+  EXPECT_EQ(text.substr(0, text.find('\n')),
+            "a.mission:2:7: error: " + engine.sorted()[0].message + " [GL2001 unknown-state]");
   EXPECT_NE(text.find("    2 |  goto s9\n      |       ^~\n"), std::string::npos) << text;
   EXPECT_NE(text.find("= hint: states: s1"), std::string::npos) << text;
   EXPECT_NE(text.find("a.mission:1:9: note: in this mission"), std::string::npos) << text;

@@ -3,9 +3,9 @@
 
 #include "support/files.h"
 
-#include <gtest/gtest.h>
-
 #include "tests/support/command.h"
+
+#include <gtest/gtest.h>
 
 namespace glider::support {
 namespace {

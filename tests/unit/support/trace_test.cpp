@@ -4,10 +4,9 @@
 #include "support/trace/trace.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <cmath>
-
-#include <nlohmann/json.hpp>
 
 namespace glider::support {
 namespace {

@@ -19,8 +19,8 @@ TEST(Units, ConvertToSi) {
 }
 
 TEST(Units, EveryNamedDimensionHasItsBareUnit) {
-  for (const char* name : {"length", "time", "angle", "temperature", "speed", "pressure", "conductivity", "voltage", "current",
-                           "power", "energy", "charge"}) {
+  for (const char* name : {"length", "time", "angle", "temperature", "speed", "pressure",
+                           "conductivity", "voltage", "current", "power", "energy", "charge"}) {
     const auto dimension = findDimension(name);
     ASSERT_TRUE(dimension) << name;
     ASSERT_TRUE(bareUnit(*dimension)) << name;

@@ -3,14 +3,15 @@
 
 #pragma once
 
-#include <stdint.h>
-
 #include "hooks/protocol/values.h"
 #include "hooks/transport/byte_stream.h"
 #include "hooks/transport/clock.h"
 
-/// The SBC's side of the 115200 line. It only ever speaks in answer to a frame of the vehicle; every answer ends with a
-/// Done message, which is the heartbeat at sea and the lockstep in virtual time. No heap; one object a glider.
+#include <stdint.h>
+
+/// The SBC's side of the 115200 line. It only ever speaks in answer to a frame of the vehicle;
+/// every answer ends with a Done message, which is the heartbeat at sea and the lockstep in virtual
+/// time. No heap; one object a glider.
 namespace glider::hooks {
 
 inline constexpr uint32_t kMostSubscriptions = 64;
@@ -60,7 +61,8 @@ enum class ClientEvent : uint8_t {
   Nothing,     ///< no complete frame is there
   Handled,     ///< a frame was dealt with inside the client (hello, resubscription)
   Tick,        ///< tick() is new: the caller must call done()
-  SilentLink,  ///< no frame for 12 s of the SBC's own clock (never in virtual time): a tick of the clock alone
+  SilentLink,  ///< no frame for 12 s of the SBC's own clock (never in virtual time): a tick of the
+               ///< clock alone
   Closed,      ///< the stream's other end is gone
 };
 
@@ -71,11 +73,12 @@ class Client {
   /// Reads what is there and handles at most one frame; never blocks.
   ClientEvent poll(const GliderByteStream& stream, const GliderClock& clock);
   [[nodiscard]] const VehicleTick& tick() const { return tick_; }
-  /// True when the vehicle said that its time is virtual: the SBC's clock then stands still between frames.
+  /// True when the vehicle said that its time is virtual: the SBC's clock then stands still between
+  /// frames.
   [[nodiscard]] bool virtualTime() const { return virtual_time_; }
 
-  /// Adds to the answer of this tick. `instruction`: session, sequence and check are filled in by the client (Take opens a new
-  /// session); returns its sequence number.
+  /// Adds to the answer of this tick. `instruction`: session, sequence and check are filled in by
+  /// the client (Take opens a new session); returns its sequence number.
   uint16_t instruct(Instruction instruction);
   void notify(const TransitionNotice& notice);
   /// Ends and sends the answer.

@@ -3,25 +3,28 @@
 
 #pragma once
 
-#include <stdint.h>
-
 #include "hooks/protocol/values.h"
 
-/// The behaviour `hookbeh` of the layered control: takes the SBC's instructions from the sensor array, bounds them by
-/// its own b_args, and runs sub-behaviours. It never trusts the SBC. Portable: no heap, no libc.
+#include <stdint.h>
+
+/// The behaviour `hookbeh` of the layered control: takes the SBC's instructions from the sensor
+/// array, bounds them by its own b_args, and runs sub-behaviours. It never trusts the SBC.
+/// Portable: no heap, no libc.
 namespace glider::hooks {
 
 /// The b_args, from the mission file.
 struct HookbehArgs {
-  double start_secs = 0;            ///< ready from this time of the vehicle's mission, s
-  double greatest_depth_m = 30;     ///< deeper targets are refused; below it hookbeh climbs whatever the SBC says
-  double least_altitude_m = 5;      ///< closer to the bottom it climbs; negative: no altimeter wanted
-  double steepest_pitch_rad = 0.61; ///< magnitude
+  double start_secs = 0;  ///< ready from this time of the vehicle's mission, s
+  double greatest_depth_m =
+      30;  ///< deeper targets are refused; below it hookbeh climbs whatever the SBC says
+  double least_altitude_m = 5;  ///< closer to the bottom it climbs; negative: no altimeter wanted
+  double steepest_pitch_rad = 0.61;  ///< magnitude
   double shallowest_pitch_rad = 0.19;
-  double silence_secs = 24;         ///< without a changed heartbeat for this long the SBC is lost
+  double silence_secs = 24;  ///< without a changed heartbeat for this long the SBC is lost
   double dive_pump_cc = -230;
   double climb_pump_cc = 230;
-  double hold_secs = 12;            ///< after a target is reached, the commands stay this long, then hookbeh hovers there
+  double hold_secs =
+      12;  ///< after a target is reached, the commands stay this long, then hookbeh hovers there
 };
 
 /// What hookbeh reads of the sensor array in one cycle; NaN for a value never set.
@@ -41,7 +44,8 @@ struct HookbehInputs {
 
 enum class HeadingMode : uint8_t { CentreFin, Heading, Waypoint };
 
-/// What it commands and tells in one cycle. When `commanding`, heading, pitch and pump all are commanded.
+/// What it commands and tells in one cycle. When `commanding`, heading, pitch and pump all are
+/// commanded.
 struct HookbehOutputs {
   bool commanding = false;
   HeadingMode heading_mode = HeadingMode::CentreFin;
@@ -54,7 +58,8 @@ struct HookbehOutputs {
   uint16_t answered_sequence = 0;
   HookAnswer answer = HookAnswer::None;
   uint32_t session = 0;
-  /// The sub-behaviour at work ("dive_to", "climb_to", "hover", "hold", "surface", "climb: too deep"…), for logs.
+  /// The sub-behaviour at work ("dive_to", "climb_to", "hover", "hold", "surface", "climb: too
+  /// deep"…), for logs.
   const char* doing = "";
 };
 

@@ -3,20 +3,22 @@
 
 #pragma once
 
-#include <stdint.h>
-
 #include "hooks/clothesline/clothesline.h"
 #include "hooks/protocol/values.h"
 #include "hooks/transport/byte_stream.h"
 
-/// The proglet `hookprog` on the science computer: proxy of the SBC (115200 baud) for the flight controller's data memory
-/// (9600 baud). Portable: no heap, no libc. It forwards nothing to the flight controller until that reports a hookbeh.
+#include <stdint.h>
+
+/// The proglet `hookprog` on the science computer: proxy of the SBC (115200 baud) for the flight
+/// controller's data memory (9600 baud). Portable: no heap, no libc. It forwards nothing to the
+/// flight controller until that reports a hookbeh.
 namespace glider::hooks {
 
 /// The science computer's own sensors, as hookprog sees them.
 struct ScienceSensors {
   void* self;
-  /// The newest value of sensor `id` and, in `fresh`, whether it is newer than the last call for it; NaN if never set.
+  /// The newest value of sensor `id` and, in `fresh`, whether it is newer than the last call for
+  /// it; NaN if never set.
   double (*get)(void* self, uint16_t id, bool* fresh);
 };
 
@@ -35,7 +37,8 @@ struct HookprogEvent {
 class Hookprog {
  public:
   explicit Hookprog(const HookprogOptions& options);
-  /// One science cycle (1 s): takes the flight controller's updates, serves the SBC, forwards its writes.
+  /// One science cycle (1 s): takes the flight controller's updates, serves the SBC, forwards its
+  /// writes.
   void run(double science_time_s, const ScienceSensors& own, const GliderByteStream& sbc,
            const GliderByteStream& flight);
   /// Takes the oldest event; Kind::None when there is none.

@@ -3,6 +3,7 @@
 
 #pragma once
 
+<<<<<<< HEAD
 #include "hooks/protocol/values.h"
 
 #include <stdint.h>
@@ -26,6 +27,20 @@ struct HookbehArgs {
   double hold_secs =
       12;  ///< after a target is reached, the commands stay this long, then hookbeh hovers there
 };
+=======
+#include "hooks/hookbeh/args.h"
+#include "hooks/hookbeh/command.h"
+#include "hooks/hookbeh/guard.h"
+#include "hooks/hookbeh/pilot.h"
+#include "hooks/protocol/values.h"
+
+#include <stdint.h>
+
+/// The behaviour `hookbeh` of the layered control: takes the SBC's instructions from the sensor
+/// array, bounds them by its own b_args, and runs sub-behaviours. It never trusts the SBC.
+/// Portable: no heap, no libc.
+namespace glider::hooks {
+>>>>>>> hooks
 
 /// What hookbeh reads of the sensor array in one cycle; NaN for a value never set.
 struct HookbehInputs {
@@ -42,8 +57,11 @@ struct HookbehInputs {
   double check = 0;
 };
 
+<<<<<<< HEAD
 enum class HeadingMode : uint8_t { CentreFin, Heading, Waypoint };
 
+=======
+>>>>>>> hooks
 /// What it commands and tells in one cycle. When `commanding`, heading, pitch and pump all are
 /// commanded.
 struct HookbehOutputs {
@@ -70,7 +88,32 @@ class Hookbeh {
   HookbehOutputs cycle(const HookbehInputs& inputs);
 
  private:
+  void advanceClock(double time_s);
+  void watchHeartbeat(double heartbeat);
+  void readInstruction(const HookbehInputs& inputs);
+  HookAnswer decide(const Instruction& instruction);
+  HookAnswer take(const Instruction& instruction);
+  HookAnswer giveBack();
+  void command(const Surroundings& now, HookbehOutputs& outputs);
+
   HookbehArgs args_;
+  HookState state_ = HookState::Waiting;
+  Guard guard_;
+  Pilot pilot_;
+
+  bool clock_known_ = false;
+  double last_time_s_ = 0;
+  double step_s_ = 0;     // since the cycle before
+  double heartbeat_ = 0;  // the newest seen, when `heartbeat_known_`
+  bool heartbeat_known_ = false;
+  double silence_s_ = 0;  // since it changed
+
+  bool settled_known_ = false;
+  uint16_t settled_sequence_ = 0;  // its instruction was decided on: once
+  uint16_t answered_sequence_ = 0;
+  HookAnswer answer_ = HookAnswer::None;
+  uint32_t session_ = 0;       // in control
+  uint32_t lost_session_ = 0;  // newest that was lost
 };
 
 }  // namespace glider::hooks

@@ -3,12 +3,9 @@
 
 #pragma once
 
-<<<<<<< HEAD
-=======
 #include "hooks/protocol/frame_reader.h"
 #include "hooks/protocol/messages.h"
 #include "hooks/protocol/send_queue.h"
->>>>>>> hooks
 #include "hooks/protocol/values.h"
 #include "hooks/transport/byte_stream.h"
 #include "hooks/transport/clock.h"
@@ -45,14 +42,6 @@ struct ClientOptions {
 };
 
 enum class ClientEvent : uint8_t {
-<<<<<<< HEAD
-  Nothing,     ///< no complete frame is there
-  Handled,     ///< a frame was dealt with inside the client (hello, resubscription)
-  Tick,        ///< tick() is new: the caller must call done()
-  SilentLink,  ///< no frame for 12 s of the SBC's own clock (never in virtual time): a tick of the
-               ///< clock alone
-  Closed,      ///< the stream's other end is gone
-=======
   Nothing,  ///< no complete frame is there
   Handled,  ///< a frame was dealt with, and answered, inside the client (hello, welcome, a tick's
             ///< first part)
@@ -69,7 +58,6 @@ struct Refusal {
   bool refused = false;
   uint8_t version = 0;
   uint32_t dictionary = 0;  ///< 0 when the version differs
->>>>>>> hooks
 };
 
 class Client {
@@ -83,10 +71,6 @@ class Client {
   /// frames.
   [[nodiscard]] bool virtualTime() const { return virtual_time_; }
 
-<<<<<<< HEAD
-  /// Adds to the answer of this tick. `instruction`: session, sequence and check are filled in by
-  /// the client (Take opens a new session); returns its sequence number.
-=======
   [[nodiscard]] const Refusal& refusal() const { return refusal_; }
   /// True while the vehicle serves this program's subscription.
   [[nodiscard]] bool linked() const { return linked_; }
@@ -96,7 +80,6 @@ class Client {
   /// a session whose Take was never accepted goes as Take); its numbers are rounded to the sensor
   /// array. Of several only the newest is sent; it is repeated until hookbeh answers it. Returns
   /// its sequence number: answered when tick().answered_sequence equals it.
->>>>>>> hooks
   uint16_t instruct(Instruction instruction);
   /// Tells of a transition, with the answer of this tick; of more than kMostNotices in one answer
   /// the rest is left out.

@@ -3,11 +3,8 @@
 
 #pragma once
 
-<<<<<<< HEAD
-=======
 #include "hooks/protocol/frame_reader.h"
 #include "hooks/protocol/messages.h"
->>>>>>> hooks
 #include "hooks/transport/byte_stream.h"
 
 #include <stdint.h>
@@ -21,13 +18,6 @@ using SensorUpdate = SensorValue;
 class Clothesline {
  public:
   static constexpr uint32_t kMostUpdates = 128;
-<<<<<<< HEAD
-  /// Queues `count` updates to go in order (a sequence sensor goes last); false when the queue has
-  /// no room for all.
-  bool send(const SensorUpdate* updates, uint32_t count);
-  /// Writes what the stream takes of the queue, reads what is there; fills `updates` with at most
-  /// `capacity` that came in whole, checked frames. Returns their number.
-=======
   /// Queues `count` updates to go in order (a sequence sensor goes last); false, with nothing
   /// queued, when there is no room for all or one of them is no sensor. Those of one call travel in
   /// one frame if they fit one, so that they arrive together or not at all.
@@ -35,7 +25,6 @@ class Clothesline {
   /// Writes what the stream takes of the queue, reads what is there; fills `updates` with at most
   /// `capacity` that came in whole, checked frames. Returns their number: call again while it
   /// equals `capacity`.
->>>>>>> hooks
   uint32_t poll(const GliderByteStream& stream, SensorUpdate* updates, uint32_t capacity);
   /// Frames thrown away since the start, for logs.
   [[nodiscard]] uint32_t badFrames() const { return reader_.badFrames() + malformed_; }

@@ -3,31 +3,6 @@
 
 #pragma once
 
-<<<<<<< HEAD
-#include "hooks/protocol/values.h"
-
-#include <stdint.h>
-
-/// The behaviour `hookbeh` of the layered control: takes the SBC's instructions from the sensor
-/// array, bounds them by its own b_args, and runs sub-behaviours. It never trusts the SBC.
-/// Portable: no heap, no libc.
-namespace glider::hooks {
-
-/// The b_args, from the mission file.
-struct HookbehArgs {
-  double start_secs = 0;  ///< ready from this time of the vehicle's mission, s
-  double greatest_depth_m =
-      30;  ///< deeper targets are refused; below it hookbeh climbs whatever the SBC says
-  double least_altitude_m = 5;  ///< closer to the bottom it climbs; negative: no altimeter wanted
-  double steepest_pitch_rad = 0.61;  ///< magnitude
-  double shallowest_pitch_rad = 0.19;
-  double silence_secs = 24;  ///< without a changed heartbeat for this long the SBC is lost
-  double dive_pump_cc = -230;
-  double climb_pump_cc = 230;
-  double hold_secs =
-      12;  ///< after a target is reached, the commands stay this long, then hookbeh hovers there
-};
-=======
 #include "hooks/hookbeh/args.h"
 #include "hooks/hookbeh/command.h"
 #include "hooks/hookbeh/guard.h"
@@ -40,7 +15,6 @@ struct HookbehArgs {
 /// array, bounds them by its own b_args, and runs sub-behaviours. It never trusts the SBC.
 /// Portable: no heap, no libc.
 namespace glider::hooks {
->>>>>>> hooks
 
 /// What hookbeh reads of the sensor array in one cycle; NaN for a value never set.
 struct HookbehInputs {
@@ -57,11 +31,6 @@ struct HookbehInputs {
   double check = 0;
 };
 
-<<<<<<< HEAD
-enum class HeadingMode : uint8_t { CentreFin, Heading, Waypoint };
-
-=======
->>>>>>> hooks
 /// What it commands and tells in one cycle. When `commanding`, heading, pitch and pump all are
 /// commanded.
 struct HookbehOutputs {

@@ -61,7 +61,7 @@ class Control {
       hooks::HookControl::None;  ///< the instruction that has no answer yet
   uint16_t pending_sequence_ = 0;
   bool garbled_told_ = false;  ///< about the pending one
-  bool ours_ = false;  ///< a handshake of ours was accepted
+  bool ours_ = false;          ///< a handshake of ours was accepted
   bool out_of_bounds_ =
       false;  ///< the handshake's command was refused: only another one is worth a new one
   bool released_ = false;

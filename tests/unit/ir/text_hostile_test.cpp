@@ -64,7 +64,7 @@ TEST(IrTextHostile, BytesChangedLostAndDoubled) {
 
 TEST(IrTextHostile, WordsExchanged) {
   random_missions::Random random(2);
-  for (int round = 0; round < 3000; ++round) {
+  for (int round = 0; round < 1500; ++round) {
     std::vector<std::string> words;
     std::istringstream in(print(random_missions::randomMission(random.below(20))));
     for (std::string word; in >> word;) {

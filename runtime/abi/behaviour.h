@@ -23,6 +23,13 @@ extern "C" {
    subscribe it. */
 double gliderRead(const GliderContext* context, uint32_t id);
 
+/* Seconds since the newest frame that held the sensor; 0 if this tick's did. Of one never seen or
+ * not subscribed: NaN. */
+double gliderAge(const GliderContext* context, uint32_t id);
+
+/* Seconds since control was given. */
+double gliderMissionTime(const GliderContext* context);
+
 /* Vehicle commands. One equal to that in force changes nothing; one with an unknown (NaN) value
    changes nothing and is counted and logged. Depths in m, pitch in rad (magnitude; the sign follows
    from the direction), heading in rad clockwise from north, positions in degrees. */

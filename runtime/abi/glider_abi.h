@@ -74,8 +74,10 @@ typedef double(GliderLogValue)(const GliderContext* context, uint32_t item);
 #undef FIELD
 #undef STRUCT_END
 
-/* The one symbol that generated code defines. */
+/* What generated code defines: the mission, and in an executable for a board also the memory of its
+   one context, gliderMission.context_bytes long and aligned for a double. */
 extern const GliderMission gliderMission;
+extern uint8_t gliderContextMemory[];
 
 /* The smallest and largest finite magnitude rule of ir/README.md, used wherever the runtime
  * computes a reading. */

@@ -39,3 +39,13 @@ as_root() {
     die "'$1' needs root and there is no sudo" "run scripts/setup once as root"
   fi
 }
+
+# configure_release: cmake's preset release in build/, with ccache where there is one.
+configure_release() {
+  local launcher=()
+  if command -v ccache >/dev/null; then
+    launcher=(-DCMAKE_C_COMPILER_LAUNCHER=ccache -DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+  fi
+  say "configuring"
+  cmake --preset release "${launcher[@]}"
+}

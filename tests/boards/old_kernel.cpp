@@ -50,14 +50,14 @@ std::vector<sock_filter> makeFilter(const std::vector<unsigned>& numbers) {
     return sock_filter{BPF_LD | BPF_W | BPF_ABS, 0, 0, static_cast<unsigned>(offset)};
   };
   const auto allow = sock_filter{BPF_RET | BPF_K, 0, 0, SECCOMP_RET_ALLOW};
-  const auto skipUnless = [](unsigned value) {
+  const auto skip_unless = [](unsigned value) {
     return sock_filter{BPF_JMP | BPF_JEQ | BPF_K, 0, 1, value};
   };
   std::vector<sock_filter> filter = {load(offsetof(seccomp_data, arch)),
-                                     skipUnless(AUDIT_ARCH_X86_64), allow,
+                                     skip_unless(AUDIT_ARCH_X86_64), allow,
                                      load(offsetof(seccomp_data, nr))};
   for (unsigned number : numbers) {
-    filter.push_back(skipUnless(number));
+    filter.push_back(skip_unless(number));
     filter.push_back(allow);
   }
   filter.push_back({BPF_RET | BPF_K, 0, 0, SECCOMP_RET_ERRNO | ENOSYS});

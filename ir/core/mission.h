@@ -133,7 +133,7 @@ struct Mission {
 /// What the verifier found out and codegen needs: only for missions without errors.
 struct MissionFacts {
   uint32_t stack_depth = 0;            ///< greatest number of frames on the call stack
-  std::vector<StateId> deepest_path;   ///< a chain of calls that reaches it, outermost first
+  std::vector<StateId> deepest_path;   ///< the states of such a stack, outermost first, then the current
 };
 
 }  // namespace glider::ir

@@ -63,6 +63,16 @@ Result<Unit> compile(const ir::Mission& mission, const ir::MissionFacts& facts, 
   return unit;
 }
 
+Result<std::string> compileAlone(const ir::Mission& mission, const ir::MissionFacts& facts,
+                                 const Board& board, const CodegenOptions& options,
+                                 llvm::CodeGenFileType type) {
+  auto unit = compile(mission, facts, board, options);
+  if (!unit) {
+    return std::unexpected(unit.error());
+  }
+  return emitCode(*unit->module, *unit->machine, type);
+}
+
 /// Mission and runtime as one object.
 Result<std::string> compileProgram(const ir::Mission& mission, const ir::MissionFacts& facts,
                                    const Board& board, const CodegenOptions& options,
@@ -122,23 +132,20 @@ const std::vector<std::string>& sharedEntryPoints() {
 Result<std::string> emitLlvm(const ir::Mission& mission, const ir::MissionFacts& facts,
                              const Board& board, const CodegenOptions& options) {
   auto unit = compile(mission, facts, board, options);
-  return unit.transform([](Unit& made) { return printModule(*made.module); });
+  if (!unit) {
+    return std::unexpected(unit.error());
+  }
+  return printModule(*unit->module);
 }
 
 Result<std::string> emitAssembly(const ir::Mission& mission, const ir::MissionFacts& facts,
                                  const Board& board, const CodegenOptions& options) {
-  auto unit = compile(mission, facts, board, options);
-  return unit.transform([](Unit& made) {
-    return emitCode(*made.module, *made.machine, llvm::CodeGenFileType::AssemblyFile);
-  });
+  return compileAlone(mission, facts, board, options, llvm::CodeGenFileType::AssemblyFile);
 }
 
 Result<std::string> emitObject(const ir::Mission& mission, const ir::MissionFacts& facts,
                                const Board& board, const CodegenOptions& options) {
-  auto unit = compile(mission, facts, board, options);
-  return unit.transform([](Unit& made) {
-    return emitCode(*made.module, *made.machine, llvm::CodeGenFileType::ObjectFile);
-  });
+  return compileAlone(mission, facts, board, options, llvm::CodeGenFileType::ObjectFile);
 }
 
 Result<void> linkExecutable(const ir::Mission& mission, const ir::MissionFacts& facts,

@@ -33,11 +33,11 @@ std::vector<std::string> arguments(const LinkJob& job, const Board& board,
   const bool shared = job.kind == ProgramKind::SharedObject;
   std::vector<std::string> all{"ld.lld", "-o", output, "--gc-sections", "--threads=1",
                                "--build-id=none"};
-  auto add = [&](std::initializer_list<const char*> more) { all.insert(all.end(), more); };
+  auto add = [&](std::initializer_list<std::string> more) { all.insert(all.end(), more); };
   if (shared) {
     add({"-shared", "-Bsymbolic", "-z", "defs"});
   } else if (board.relocation == platforms::Relocation::PositionIndependent) {
-    add({"-pie", "-z", "now", "--dynamic-linker", board.link.dynamic_linker.c_str()});
+    add({"-pie", "-z", "now", "--dynamic-linker", board.link.dynamic_linker});
   } else {
     add({"-static"});
   }

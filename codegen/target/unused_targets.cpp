@@ -13,3 +13,5 @@
   void LLVMInitialize##target##AsmPrinter() {}         \
   void LLVMInitialize##target##AsmParser() {}          \
   }
+
+#include "codegen/target/unused_targets.def"

@@ -24,11 +24,12 @@ Result<uint32_t> addSource(support::SourceManager& sources, const std::filesyste
 
 /// The platform that the mission names, or the default.
 Result<void> choosePlatform(Compilation& compilation) {
-  const std::string name = compilation.ast->platform ? compilation.ast->platform->text : "slocum";
+  const std::string name = frontend::platformName(*compilation.ast);
   const std::filesystem::path file = shareDirectory() / "platforms" / (name + ".toml");
   std::error_code ignored;
   if (compilation.ast->platform && !std::filesystem::exists(file, ignored)) {
-    compilation.diagnostics.report(support::DiagnosticId::unknownPlatform, compilation.ast->platform->range, name);
+    compilation.diagnostics.report(support::DiagnosticId::unknownPlatform,
+                                   compilation.ast->platform->range, name);
     return {};
   }
   auto platform = platforms::loadPlatform(file);
@@ -61,7 +62,7 @@ Result<void> analyse(Compilation& compilation, uint32_t file) {
     return std::unexpected(library.error());
   }
   if (*library) {
-    const frontend::AnalysisInputs inputs{*compilation.platform, {&**library}};
+    const frontend::AnalysisInputs inputs{*compilation.platform, {&**library}, compilation.sources};
     compilation.mission = frontend::analyse(*compilation.ast, inputs, compilation.diagnostics);
   }
   return {};

@@ -3,9 +3,9 @@
 
 #include "platforms/load/toml_reader.h"
 
-#include <algorithm>
-
 #include "support/files.h"
+
+#include <algorithm>
 
 namespace glider::platforms {
 
@@ -22,7 +22,8 @@ const toml::node* TomlReader::node(std::string_view key) {
 void TomlReader::fail(const toml::node* at, std::string why) {
   if (!failure_) {
     const auto line = at != nullptr ? at->source().begin.line : 0;
-    failure_ = support::fail(DiagnosticId::badDataFile, fmt::format("{}:{}", file_, line), why).error();
+    failure_ =
+        support::fail(DiagnosticId::badDataFile, fmt::format("{}:{}", file_, line), why).error();
   }
 }
 
@@ -107,7 +108,8 @@ support::Result<toml::table> parseToml(const std::filesystem::path& path) {
   try {
     return toml::parse(*text, path.string());
   } catch (const toml::parse_error& error) {
-    return support::fail(DiagnosticId::badDataFile, fmt::format("{}:{}", path.string(), error.source().begin.line),
+    return support::fail(DiagnosticId::badDataFile,
+                         fmt::format("{}:{}", path.string(), error.source().begin.line),
                          std::string(error.description()));
   }
 }

@@ -3,6 +3,10 @@
 
 #pragma once
 
+#include "support/result.h"
+
+#include <toml++/toml.h>
+
 #include <filesystem>
 #include <initializer_list>
 #include <optional>
@@ -10,14 +14,11 @@
 #include <string_view>
 #include <vector>
 
-#include <toml++/toml.h>
-
-#include "support/result.h"
-
 namespace glider::platforms {
 
-/// Strict reading of one TOML table: a missing, unknown or wrongly typed key is GL5001 with file and line. The first
-/// failure is kept; later reads give default values, so a reader checks once at its end.
+/// Strict reading of one TOML table: a missing, unknown or wrongly typed key is GL5001 with file
+/// and line. The first failure is kept; later reads give default values, so a reader checks once at
+/// its end.
 class TomlReader {
  public:
   TomlReader(std::string file, const toml::table& table, std::string where)

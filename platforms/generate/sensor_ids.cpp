@@ -46,6 +46,16 @@ std::string header(const glider::platforms::Platform& platform) {
                        s.computer == glider::platforms::Computer::Science ? 1 : 0,
                        s.id + 1U == platform.sensors.size() ? "" : " \\");
   }
+  out +=
+      "\n/* X(number, name, factor to SI units, lowest and highest plausible value, stale after s, "
+      "1 "
+      "if ddmm.mmmm) */\n#define GLIDER_SENSOR_TABLE(X) \\\n";
+  for (const auto& s : platform.sensors) {
+    out += fmt::format("  X({}, {}, {}, {}, {}, {}, {}){}\n", s.id, s.name, s.to_si, s.lowest,
+                       s.highest, s.stale_after_s,
+                       s.kind == glider::platforms::SensorKind::Quantity ? 0 : 1,
+                       s.id + 1U == platform.sensors.size() ? "" : " \\");
+  }
   out += "\nenum GliderSensorNumber {\n";
   for (const auto& s : platform.sensors) {
     out += fmt::format("  GLIDER_{} = {},\n", upper(s.name), s.id);

@@ -3,6 +3,8 @@
 
 #include "ir/verify/passes.h"
 
+#include <fmt/format.h>
+
 namespace glider::ir {
 
 void passes::emptyReturns(Verification& v) {
@@ -14,6 +16,11 @@ void passes::emptyReturns(Verification& v) {
     const State& state = v.structure.mission.states[s];
     auto report = v.diagnostics.report(support::DiagnosticId::emptyReturn,
                                        state.cases[*returns].range, state.name);
+    if (s == 0) {
+      report.hint(fmt::format(
+          "the mission starts in `{}` with nothing to return to: write `exit` to end it, or `goto`",
+          state.name));
+    }
     notePath(report, v.structure, v.structure.pathTo({s, false}));
   }
 }

@@ -50,11 +50,20 @@ std::vector<bool> leadingTo(const Structure& structure, std::vector<bool> goals)
   return goals;
 }
 
-std::vector<bool> withExit(const Structure& structure, bool dead_ends_too) {
+/// A return that a `goto` to its state brings to an empty stack.
+bool goesToReturn(const Structure& structure, const Edge& edge) {
+  return !edge.call && structure.moves[edge.to].return_case;
+}
+
+/// The states with an `exit`; with `mistakes_too` also those where a run ends in a mistake that has
+/// its own report (a state nothing leaves, a return with an empty stack).
+std::vector<bool> endings(const Structure& structure, bool mistakes_too) {
   std::vector<bool> goals(structure.size());
   for (uint32_t s : structure.order) {
     const Moves& moves = structure.moves[s];
-    goals[s] = moves.exit_case.has_value() || (dead_ends_too && !moves.leaves());
+    const auto empty = [&](const Edge& edge) { return goesToReturn(structure, edge); };
+    goals[s] = moves.exit_case ||
+               (mistakes_too && (!moves.leaves() || std::ranges::any_of(moves.edges, empty)));
   }
   return goals;
 }
@@ -115,7 +124,7 @@ void reportStates(Verification& v, const std::vector<bool>& endless) {
 }  // namespace
 
 std::vector<bool> statesWithoutEnd(const Structure& structure) {
-  const std::vector<bool> ends = leadingTo(structure, withExit(structure, true));
+  const std::vector<bool> ends = leadingTo(structure, endings(structure, true));
   std::vector<bool> endless(structure.size());
   std::deque<uint32_t> pending;
   for (uint32_t s : structure.order) {
@@ -140,7 +149,7 @@ std::vector<bool> statesWithoutEnd(const Structure& structure) {
 }
 
 void passes::missingExits(Verification& v) {
-  if (!leadingTo(v.structure, withExit(v.structure, false)).front()) {
+  if (!leadingTo(v.structure, endings(v.structure, false)).front()) {
     reportWholeMission(v);
     return;
   }

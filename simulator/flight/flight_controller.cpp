@@ -160,6 +160,9 @@ void FlightController::noteOrder() {
     return;
   }
   ordered_sequence_ = sequence;
+  if (array_.get(GLIDER_SCI_HOOK_VERTICAL) == static_cast<double>(hooks::HookVertical::None)) {
+    return;  // turns only: the vertical command in force stays
+  }
   order_.vertical = array_.get(GLIDER_SCI_HOOK_VERTICAL);
   order_.depth_m = array_.get(GLIDER_SCI_HOOK_DEPTH);
   if (order_.vertical == static_cast<double>(hooks::HookVertical::Ascend)) {

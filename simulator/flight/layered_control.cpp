@@ -65,8 +65,8 @@ bool LayeredControl::nothingLeftToFly(bool sbc_gone) const {
   return std::ranges::all_of(layers_, [&](const Layer& layer) {
     const Behaviour& behaviour = *layer.behaviour;
     if (&behaviour == hookbeh_) {
-      const bool gone = hookbeh_->silent() && sbc_gone;
-      return gone || hookbeh_->hookState() == hooks::HookState::Complete;
+      const hooks::HookState state = hookbeh_->hookState();
+      return state == hooks::HookState::Complete || (sbc_gone && state != hooks::HookState::Active);
     }
     return !behaviour.flies() || behaviour.state() == Behaviour::State::Complete;
   });

@@ -19,8 +19,6 @@ class HookbehAdapter final : public Behaviour {
   [[nodiscard]] bool flies() const override { return true; }
   void tell(double time_s, Journal& journal) override;
   [[nodiscard]] hooks::HookState hookState() const { return state_; }
-  /// Lost the SBC and waits for a new handshake.
-  [[nodiscard]] bool silent() const { return state_ == hooks::HookState::Silent; }
 
  protected:
   [[nodiscard]] bool starts(const Situation&, const Commands&) const override { return true; }

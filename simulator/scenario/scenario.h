@@ -12,6 +12,7 @@
 #include "simulator/vehicle/vehicle.h"
 #include "slocum/mission_files/mission_file.h"
 #include "support/diagnostics/engine.h"
+#include "support/result.h"
 
 namespace glider::simulator {
 

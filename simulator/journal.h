@@ -3,11 +3,11 @@
 
 #pragma once
 
+#include "support/trace/trace.h"
+
 #include <limits>
 #include <string>
 #include <vector>
-
-#include "support/trace/trace.h"
 
 namespace glider::simulator {
 
@@ -15,7 +15,8 @@ namespace glider::simulator {
 class Journal {
  public:
   void add(double time_s, std::string kind, std::string what, std::string why = "") {
-    events_.push_back({time_s, std::numeric_limits<double>::quiet_NaN(), std::move(kind), std::move(what), std::move(why)});
+    events_.push_back({time_s, std::numeric_limits<double>::quiet_NaN(), std::move(kind),
+                       std::move(what), std::move(why)});
   }
   std::vector<support::TraceEvent>& events() { return events_; }
 

@@ -3,11 +3,11 @@
 
 #include "simulator/mission_story.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-
-#include <fmt/format.h>
 
 namespace glider::simulator {
 
@@ -25,7 +25,8 @@ std::string MissionStory::stateName(uint32_t state) const {
   return state < state_names_.size() ? state_names_[state] : fmt::format("state {}", state);
 }
 
-void MissionStory::learnOrigin(double cycle_s, const hooks::Hookprog::SbcView& view, bool in_control) {
+void MissionStory::learnOrigin(double cycle_s, const hooks::Hookprog::SbcView& view,
+                               bool in_control) {
   constexpr uint8_t kFlying = 1;
   flying_ = in_control && view.known && view.phase == kFlying;
   if (!flying_) {
@@ -33,7 +34,8 @@ void MissionStory::learnOrigin(double cycle_s, const hooks::Hookprog::SbcView& v
     return;
   }
   state_ = view.state;
-  // What the SBC says lags behind the cycle that it answers, never ahead: the least difference is the true one.
+  // What the SBC says lags behind the cycle that it answers, never ahead: the least difference is
+  // the true one.
   origin_s_ = std::min(origin_s_, cycle_s - view.mission_time_s);
 }
 
@@ -51,15 +53,18 @@ std::string MissionStory::why(const hooks::HookprogEvent& event, const ScienceCo
     const auto& sensor = platform_.sensors[id];
     const bool of_science = sensor.computer == platforms::Computer::Science;
     const double value = of_science ? science.value(id) : flight.array().get(id);
-    values += fmt::format("{}{} {:.6g}{}{}", values.empty() ? "" : ", ", sensor.alias.empty() ? sensor.name : sensor.alias,
-                          value, sensor.unit == "1" ? "" : " ", sensor.unit == "1" ? "" : sensor.unit);
+    values += fmt::format("{}{} {:.6g}{}{}", values.empty() ? "" : ", ",
+                          sensor.alias.empty() ? sensor.name : sensor.alias, value,
+                          sensor.unit == "1" ? "" : " ", sensor.unit == "1" ? "" : sensor.unit);
   }
   return values.empty() ? text.guard : fmt::format("{} ({})", text.guard, values);
 }
 
-void MissionStory::transition(double now_s, const hooks::HookprogEvent& event, const ScienceComputer& science,
-                              const FlightController& flight, Journal& journal) const {
-  const double time = std::isfinite(origin_s_) ? std::min(now_s, origin_s_ + event.mission_time_s) : now_s;
+void MissionStory::transition(double now_s, const hooks::HookprogEvent& event,
+                              const ScienceComputer& science, const FlightController& flight,
+                              Journal& journal) const {
+  const double time =
+      std::isfinite(origin_s_) ? std::min(now_s, origin_s_ + event.mission_time_s) : now_s;
   const char* kind = event.a < kTransitions.size() ? kTransitions[event.a] : "?";
   const std::string to = event.a == kExit ? "end" : stateName(event.c);
   journal.add(time, "transition", fmt::format("{} → {} ({})", stateName(event.b), to, kind),
@@ -67,19 +72,22 @@ void MissionStory::transition(double now_s, const hooks::HookprogEvent& event, c
   journal.events().back().mission_time_s = event.mission_time_s;
 }
 
-void MissionStory::follow(double now_s, double cycle_s, ScienceComputer& science, const FlightController& flight,
-                          Journal& journal) {
+void MissionStory::follow(double now_s, double cycle_s, ScienceComputer& science,
+                          const FlightController& flight, Journal& journal) {
   learnOrigin(cycle_s, science.sbc(), flight.hookActive());
   for (auto event = science.nextEvent(); event.kind != Kind::None; event = science.nextEvent()) {
     switch (event.kind) {
-      case Kind::None: break;
+      case Kind::None:
+        break;
       case Kind::SbcHello:
         journal.add(now_s, "link", fmt::format("the SBC answers: mission {}", event.text));
         break;
       case Kind::SbcLost:
         journal.add(now_s, "link", "hookprog has no answer from the SBC", "none for 12 s");
         break;
-      case Kind::SbcTransition: transition(now_s, event, science, flight, journal); break;
+      case Kind::SbcTransition:
+        transition(now_s, event, science, flight, journal);
+        break;
       case Kind::BadFrame:
         journal.add(now_s, "link", fmt::format("{} damaged frames on the serial lines", event.a));
         break;

@@ -3,26 +3,29 @@
 
 #pragma once
 
-#include <limits>
-#include <string>
-#include <vector>
-
 #include "hooks/hookprog/hookprog.h"
 #include "platforms/load/platform.h"
 #include "simulator/flight/flight_controller.h"
 #include "simulator/science/science_computer.h"
 
+#include <limits>
+#include <string>
+#include <vector>
+
 namespace glider::simulator {
 
-/// Follows the SBC's mission through what hookprog sees of it: which state, since when, why it changed.
+/// Follows the SBC's mission through what hookprog sees of it: which state, since when, why it
+/// changed.
 class MissionStory {
  public:
   MissionStory(const platforms::Platform& platform, const std::vector<std::string>& state_names,
                const GuardResolver& explain)
       : platform_(platform), state_names_(state_names), explain_(explain) {}
 
-  /// After each science cycle: takes hookprog's news into `journal`. `cycle_s` is the time of the newest control cycle.
-  void follow(double now_s, double cycle_s, ScienceComputer& science, const FlightController& flight, Journal& journal);
+  /// After each science cycle: takes hookprog's news into `journal`. `cycle_s` is the time of the
+  /// newest control cycle.
+  void follow(double now_s, double cycle_s, ScienceComputer& science,
+              const FlightController& flight, Journal& journal);
 
   /// True while the mission is known to be in control.
   [[nodiscard]] bool flying() const { return flying_; }

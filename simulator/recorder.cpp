@@ -3,10 +3,10 @@
 
 #include "simulator/recorder.h"
 
+#include "simulator/flight/position.h"
+
 #include <algorithm>
 #include <cmath>
-
-#include "simulator/flight/position.h"
 
 namespace glider::simulator {
 namespace {
@@ -14,15 +14,36 @@ namespace {
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 const std::vector<support::TraceColumn>& columns() {
-  static const std::vector<support::TraceColumn> kColumns = {
-      {"time", "s"},           {"missiontime", "s"},     {"state", "id"},        {"m_depth", "m"},
-      {"true_depth", "m"},     {"m_pitch", "rad"},       {"c_pitch", "rad"},     {"m_heading", "rad"},
-      {"c_heading", "rad"},    {"m_lat", "deg"},         {"m_lon", "deg"},       {"true_lat", "deg"},
-      {"true_lon", "deg"},     {"m_x_lmc", "m"},         {"m_y_lmc", "m"},       {"true_x", "m"},
-      {"true_y", "m"},         {"sci_water_temp", "degC"}, {"m_ballast_pumped", "cc"}, {"c_ballast_pumped", "cc"},
-      {"m_battery", "V"},      {"m_depth_rate", "m/s"},  {"hook_active", ""},    {"hook_vertical", ""},
-      {"hook_depth", "m"},     {"order_top", "m"},       {"order_bottom", "m"},  {"isotherm_depth", "m"},
-      {"water_depth", "m"},    {"layer", ""}};
+  static const std::vector<support::TraceColumn> kColumns = {{"time", "s"},
+                                                             {"missiontime", "s"},
+                                                             {"state", "id"},
+                                                             {"m_depth", "m"},
+                                                             {"true_depth", "m"},
+                                                             {"m_pitch", "rad"},
+                                                             {"c_pitch", "rad"},
+                                                             {"m_heading", "rad"},
+                                                             {"c_heading", "rad"},
+                                                             {"m_lat", "deg"},
+                                                             {"m_lon", "deg"},
+                                                             {"true_lat", "deg"},
+                                                             {"true_lon", "deg"},
+                                                             {"m_x_lmc", "m"},
+                                                             {"m_y_lmc", "m"},
+                                                             {"true_x", "m"},
+                                                             {"true_y", "m"},
+                                                             {"sci_water_temp", "degC"},
+                                                             {"m_ballast_pumped", "cc"},
+                                                             {"c_ballast_pumped", "cc"},
+                                                             {"m_battery", "V"},
+                                                             {"m_depth_rate", "m/s"},
+                                                             {"hook_active", ""},
+                                                             {"hook_vertical", ""},
+                                                             {"hook_depth", "m"},
+                                                             {"order_top", "m"},
+                                                             {"order_bottom", "m"},
+                                                             {"isotherm_depth", "m"},
+                                                             {"water_depth", "m"},
+                                                             {"layer", ""}};
   return kColumns;
 }
 
@@ -31,7 +52,8 @@ constexpr size_t kMostTimes = 400, kDepths = 80;
 
 }  // namespace
 
-Recorder::Recorder(support::Trace& trace, const Ocean& ocean, const LocalFrame& frame, double isotherm_degC)
+Recorder::Recorder(support::Trace& trace, const Ocean& ocean, const LocalFrame& frame,
+                   double isotherm_degC)
     : trace_(trace), ocean_(ocean), frame_(frame), isotherm_(isotherm_degC) {
   trace_.columns = columns();
 }
@@ -42,7 +64,8 @@ void Recorder::row(double now_s, const FlightController& flight, const ScienceCo
   const HookOrder& order = flight.order();
   const double x = vehicle.x(), y = vehicle.y();
   const GeoPosition truth = frame_.position(x, y);
-  const double isotherm = std::isnan(isotherm_) ? kNaN : ocean_.isothermDepth(isotherm_, x, y, now_s);
+  const double isotherm =
+      std::isnan(isotherm_) ? kNaN : ocean_.isothermDepth(isotherm_, x, y, now_s);
   const double row[] = {now_s,
                         kNaN,
                         kNaN,

@@ -1,17 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <algorithm>
-#include <cmath>
-
-#include <fmt/format.h>
-
 #include "platforms/slocum_sensors.h"
 #include "simulator/mission_story.h"
 #include "simulator/recorder.h"
 #include "simulator/science/sbc_link.h"
 #include "simulator/science/serial_line.h"
 #include "simulator/simulator.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
 
 namespace glider::simulator {
 namespace {
@@ -32,7 +32,8 @@ support::Result<void> checkPlatform(const platforms::Platform& platform) {
 #define GLIDER_WANTED(number, name, bytes, science) Wanted{number, #name, bytes},
   for (const Wanted& wanted : {GLIDER_SENSOR_LIST(GLIDER_WANTED)}) {
 #undef GLIDER_WANTED
-    const bool same = wanted.id < platform.sensors.size() && platform.sensors[wanted.id].name == wanted.name &&
+    const bool same = wanted.id < platform.sensors.size() &&
+                      platform.sensors[wanted.id].name == wanted.name &&
                       platform.sensors[wanted.id].bytes == wanted.bytes;
     if (!same) {
       return support::fail(support::DiagnosticId::platformLacksSensor, platform.name, wanted.name);
@@ -78,7 +79,8 @@ class Simulation {
   }
 
   support::Trace fly() {
-    const auto steps_per_cycle = static_cast<int64_t>(setup_.platform.envelope.cycle_s / Vehicle::kStep);
+    const auto steps_per_cycle =
+        static_cast<int64_t>(setup_.platform.envelope.cycle_s / Vehicle::kStep);
     const auto most_steps = static_cast<int64_t>(duration_s_ / Vehicle::kStep);
     for (int64_t step = 0; step <= most_steps; ++step) {
       const double now = static_cast<double>(step) * Vehicle::kStep;
@@ -108,7 +110,8 @@ class Simulation {
     recorder_.row(now, flight_, science_, vehicle_);
     cycle_s_ = now;
     if (setup_.progress && number % kProgressCycles == 0) {
-      setup_.progress({now, duration_s_, vehicle_.depth(), story_.flying() ? story_.stateName(story_.state()) : ""});
+      setup_.progress({now, duration_s_, vehicle_.depth(),
+                       story_.flying() ? story_.stateName(story_.state()) : ""});
     }
     if (!flight_.end().empty()) {
       journal_.add(now, "log", flight_.end());
@@ -117,7 +120,8 @@ class Simulation {
   }
 
   void scienceCycle(double now) {
-    const double temperature = ocean_.temperature(vehicle_.depth(), vehicle_.x(), vehicle_.y(), now);
+    const double temperature =
+        ocean_.temperature(vehicle_.depth(), vehicle_.x(), vehicle_.y(), now);
     science_.run(now, {temperature, vehicle_.depth()}, sbc_line_.left(), clothesline_.right());
     story_.follow(now, cycle_s_, science_, flight_, journal_);
   }

@@ -3,6 +3,12 @@
 
 #pragma once
 
+#include "platforms/load/platform.h"
+#include "simulator/sbc_port.h"
+#include "simulator/scenario/scenario.h"
+#include "simulator/science/science_computer.h"
+#include "support/trace/trace.h"
+
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -10,14 +16,9 @@
 #include <string>
 #include <vector>
 
-#include "platforms/load/platform.h"
-#include "simulator/sbc_port.h"
-#include "simulator/scenario/scenario.h"
-#include "simulator/science/science_computer.h"
-#include "support/trace/trace.h"
-
-/// The shoe-box simulator: a vehicle in an ocean, its flight controller with a skeleton mission, its science computer with
-/// hookprog, and both serial lines, in virtual time. Needs: platforms, hooks, slocum/mission_files.
+/// The shoe-box simulator: a vehicle in an ocean, its flight controller with a skeleton mission,
+/// its science computer with hookprog, and both serial lines, in virtual time. Needs: platforms,
+/// hooks, slocum/mission_files.
 namespace glider::simulator {
 
 /// How far a flight is.
@@ -38,11 +39,13 @@ struct SimulationSetup {
   std::optional<uint64_t> seed;          ///< instead of the scenario's
   std::optional<double> duration_s;      ///< instead of the scenario's
   std::optional<double> kill_sbc_at_s;   ///< vehicle time at which the SBC loses its power
-  std::function<void(const Progress&)> progress;  ///< called about every 100 s of virtual time; may be empty
+  std::function<void(const Progress&)>
+      progress;  ///< called about every 100 s of virtual time; may be empty
 };
 
-/// Flies the mission until it has ended, or is aborted and at the surface, or the time is over. The trace has a row a control
-/// cycle; the same setup gives the same rows, byte for byte. GL5121 when the platform lacks a sensor.
+/// Flies the mission until it has ended, or is aborted and at the surface, or the time is over. The
+/// trace has a row a control cycle; the same setup gives the same rows, byte for byte. GL5121 when
+/// the platform lacks a sensor.
 support::Result<support::Trace> simulate(SimulationSetup setup);
 
 }  // namespace glider::simulator

@@ -14,16 +14,26 @@ namespace glider::simulator {
 
 bool When::met(const Situation& situation, const Commands& below) const {
   switch (code_) {
-    case 0: return true;
-    case 1: return below.anyIdle();
-    case 2: return !below.pitch;
-    case 3: return !below.heading;
-    case 4: return !below.pump_cc;
-    case 6: return situation.time_s - ended_s_ >= secs_;
-    case 7: return situation.waypoint_distance_m < distance_;
-    case 9: return situation.time_s - started_s_ >= secs_;
-    case 12: return situation.silent_s > secs_;
-    default: return false;  // 5: never
+    case 0:
+      return true;
+    case 1:
+      return below.anyIdle();
+    case 2:
+      return !below.pitch;
+    case 3:
+      return !below.heading;
+    case 4:
+      return !below.pump_cc;
+    case 6:
+      return situation.time_s - ended_s_ >= secs_;
+    case 7:
+      return situation.waypoint_distance_m < distance_;
+    case 9:
+      return situation.time_s - started_s_ >= secs_;
+    case 12:
+      return situation.silent_s > secs_;
+    default:
+      return false;  // 5: never
   }
 }
 

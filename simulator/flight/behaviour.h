@@ -3,13 +3,13 @@
 
 #pragma once
 
-#include <memory>
-#include <string>
-
 #include "simulator/flight/commands.h"
 #include "simulator/flight/situation.h"
 #include "simulator/journal.h"
 #include "slocum/mission_files/mission_file.h"
+
+#include <memory>
+#include <string>
 
 namespace glider::simulator {
 
@@ -42,14 +42,18 @@ class Behaviour {
 
   /// One control cycle: may start, fly and end.
   void run(const Situation& situation, Commands& commands);
-  /// Told after each cycle whether this behaviour was active and its pitch and pump were not those flown.
+  /// Told after each cycle whether this behaviour was active and its pitch and pump were not those
+  /// flown.
   void noteOverridden(bool overridden) { overridden_ = overridden; }
 
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] State state() const { return state_; }
   [[nodiscard]] bool overridden() const { return overridden_; }
-  /// Steers pitch and pump: a mission is over when no such behaviour is left but those that bring the vehicle up.
+  /// Steers pitch and pump: a mission is over when no such behaviour is left but those that bring
+  /// the vehicle up.
   [[nodiscard]] virtual bool flies() const { return false; }
+  /// Busy with what must be brought to its end before the mission may count as over.
+  [[nodiscard]] virtual bool atWork() const { return false; }
   /// An abort that the behaviour calls for in this cycle, and why.
   [[nodiscard]] virtual Abort abort(std::string& /*why*/) const { return Abort::None; }
   /// True when its end ends the whole mission.
@@ -72,7 +76,8 @@ class Behaviour {
   bool overridden_ = false;
 };
 
-/// The behaviour that `block` describes; null for one that has no effect here. `block` has passed checkSkeleton.
+/// The behaviour that `block` describes; null for one that has no effect here. `block` has passed
+/// checkSkeleton.
 std::unique_ptr<Behaviour> makeBehaviour(const slocum::BehaviourBlock& block);
 
 }  // namespace glider::simulator

@@ -7,16 +7,26 @@ namespace glider::simulator {
 
 const char* abortName(Abort abort) {
   switch (abort) {
-    case Abort::None: return "none";
-    case Abort::StackIdle: return "MS_ABORT_STACK_IS_IDLE";
-    case Abort::HeadingIdle: return "MS_ABORT_HEADING_IS_IDLE";
-    case Abort::PitchIdle: return "MS_ABORT_PITCH_IS_IDLE";
-    case Abort::PumpIdle: return "MS_ABORT_BPUMP_IS_IDLE";
-    case Abort::Overdepth: return "MS_ABORT_OVERDEPTH";
-    case Abort::Overtime: return "MS_ABORT_OVERTIME";
-    case Abort::Undervolts: return "MS_ABORT_UNDERVOLTS";
-    case Abort::SameDepth: return "MS_ABORT_SAMEDEPTH";
-    case Abort::WaypointTooFar: return "MS_ABORT_WPT_TOOFAR";
+    case Abort::None:
+      return "none";
+    case Abort::StackIdle:
+      return "MS_ABORT_STACK_IS_IDLE";
+    case Abort::HeadingIdle:
+      return "MS_ABORT_HEADING_IS_IDLE";
+    case Abort::PitchIdle:
+      return "MS_ABORT_PITCH_IS_IDLE";
+    case Abort::PumpIdle:
+      return "MS_ABORT_BPUMP_IS_IDLE";
+    case Abort::Overdepth:
+      return "MS_ABORT_OVERDEPTH";
+    case Abort::Overtime:
+      return "MS_ABORT_OVERTIME";
+    case Abort::Undervolts:
+      return "MS_ABORT_UNDERVOLTS";
+    case Abort::SameDepth:
+      return "MS_ABORT_SAMEDEPTH";
+    case Abort::WaypointTooFar:
+      return "MS_ABORT_WPT_TOOFAR";
   }
   return "unknown";
 }

@@ -39,8 +39,9 @@ const char* abortName(Abort abort);
 
 constexpr int kNoLayer = -1;
 
-/// The command record of one cycle: a slot a channel, and which behaviour (by its place in the mission file, from 0) filled it.
-/// Behaviours run from the lowest priority up, and later runners overwrite.
+/// The command record of one cycle: a slot a channel, and which behaviour (by its place in the
+/// mission file, from 0) filled it. Behaviours run from the lowest priority up, and later runners
+/// overwrite.
 struct Commands {
   std::optional<HeadingCommand> heading;
   std::optional<PitchCommand> pitch;

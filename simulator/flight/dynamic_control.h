@@ -8,7 +8,8 @@
 
 namespace glider::simulator {
 
-/// Turns the commands in force into motor positions, cycle by cycle: pitch servo, heading autopilot, pump.
+/// Turns the commands in force into motor positions, cycle by cycle: pitch servo, heading
+/// autopilot, pump.
 class DynamicControl {
  public:
   struct Measured {
@@ -17,13 +18,18 @@ class DynamicControl {
   /// One cycle of `seconds`. All three slots are filled.
   void cycle(const Commands& commands, const Measured& measured, double seconds, Vehicle& vehicle);
 
-  [[nodiscard]] double pitchCommand() const { return pitch_value_; }      ///< rad; NaN at a battery position
-  [[nodiscard]] double headingCommand() const { return heading_value_; }  ///< rad; NaN for a fixed fin
-  [[nodiscard]] double pumpCommand() const { return pump_cc_; }           ///< within the pump's limits
+  [[nodiscard]] double pitchCommand() const {
+    return pitch_value_;
+  }  ///< rad; NaN at a battery position
+  [[nodiscard]] double headingCommand() const {
+    return heading_value_;
+  }                                                              ///< rad; NaN for a fixed fin
+  [[nodiscard]] double pumpCommand() const { return pump_cc_; }  ///< within the pump's limits
 
  private:
   void holdPitch(const PitchCommand& command, const Measured& measured, Vehicle& vehicle);
-  void holdHeading(const HeadingCommand& command, const Measured& measured, double seconds, Vehicle& vehicle);
+  void holdHeading(const HeadingCommand& command, const Measured& measured, double seconds,
+                   Vehicle& vehicle);
 
   PitchCommand pitch_in_force_{PitchCommand::Mode::Servo, 1e9};  ///< none yet
   double battery_in_ = 0, next_servo_s_ = 0;

@@ -3,13 +3,13 @@
 
 #include "simulator/flight/flight_controller.h"
 
-#include <array>
-#include <cmath>
+#include "platforms/slocum_sensors.h"
+#include "simulator/flight/position.h"
 
 #include <fmt/format.h>
 
-#include "platforms/slocum_sensors.h"
-#include "simulator/flight/position.h"
+#include <array>
+#include <cmath>
 
 namespace glider::simulator {
 namespace {
@@ -33,8 +33,8 @@ double depthState(const Situation& s) {
 
 }  // namespace
 
-FlightController::FlightController(const platforms::Platform& platform, const Scenario& scenario, uint64_t seed,
-                                   const LocalFrame& frame, Journal& journal)
+FlightController::FlightController(const platforms::Platform& platform, const Scenario& scenario,
+                                   uint64_t seed, const LocalFrame& frame, Journal& journal)
     : array_(platform),
       navigator_(frame),
       depth_sensor_(seed, scenario.sensors.depth_m),
@@ -65,7 +65,8 @@ void FlightController::readSensors(double now_s, const Ocean& ocean, const Vehic
   a.set(GLIDER_M_PITCH, attitude_.pitch(vehicle.pitch()));
   a.set(GLIDER_M_ROLL, 0);
   a.set(GLIDER_M_HEADING, attitude_.heading(vehicle.heading()));
-  const double altitude = altimeter_.altitude(vehicle.depth(), ocean.waterDepth(vehicle.x(), vehicle.y()));
+  const double altitude =
+      altimeter_.altitude(vehicle.depth(), ocean.waterDepth(vehicle.x(), vehicle.y()));
   if (!std::isnan(altitude)) {
     a.set(GLIDER_M_ALTITUDE, altitude);
     a.set(GLIDER_M_WATER_DEPTH, depth + altitude);
@@ -99,10 +100,12 @@ void FlightController::readSensors(double now_s, const Ocean& ocean, const Vehic
 
 void FlightController::receive(const GliderByteStream& stream) {
   std::array<hooks::SensorUpdate, hooks::Clothesline::kMostUpdates> updates;
-  // The line carries at most a few frames a cycle; the bound holds against a line that never falls silent.
+  // The line carries at most a few frames a cycle; the bound holds against a line that never falls
+  // silent.
   constexpr int kMostRounds = 16;
   for (int round = 0; round < kMostRounds; ++round) {
-    const uint32_t count = clothesline_.poll(stream, updates.data(), static_cast<uint32_t>(updates.size()));
+    const uint32_t count =
+        clothesline_.poll(stream, updates.data(), static_cast<uint32_t>(updates.size()));
     for (uint32_t i = 0; i < count; ++i) {
       const uint16_t id = updates[i].id;
       // Science may write its own sensors only.
@@ -155,7 +158,8 @@ void FlightController::noteOrder() {
     return;
   }
   const double sequence = array_.get(GLIDER_X_HOOK_SEQUENCE);
-  const bool accepted = array_.get(GLIDER_X_HOOK_ANSWER) == static_cast<double>(hooks::HookAnswer::Accepted);
+  const bool accepted =
+      array_.get(GLIDER_X_HOOK_ANSWER) == static_cast<double>(hooks::HookAnswer::Accepted);
   if (!accepted || sequence == ordered_sequence_) {
     return;
   }
@@ -206,11 +210,13 @@ void FlightController::control(const Commands& commands, const Situation& s, Veh
   double distance = kNaN;
   double bearing = 0;
   if (commands.heading->mode == HeadingCommand::Mode::Waypoint) {
-    navigator_.toWaypoint(commands.heading->latitude_ddmm, commands.heading->longitude_ddmm, distance, bearing);
+    navigator_.toWaypoint(commands.heading->latitude_ddmm, commands.heading->longitude_ddmm,
+                          distance, bearing);
   }
   array_.set(GLIDER_M_DIST_TO_WPT, distance);
-  dynamics_.cycle(commands, {s.time_s, array_.get(GLIDER_M_PITCH), array_.get(GLIDER_M_HEADING), bearing}, cycle_s_,
-                  vehicle);
+  dynamics_.cycle(commands,
+                  {s.time_s, array_.get(GLIDER_M_PITCH), array_.get(GLIDER_M_HEADING), bearing},
+                  cycle_s_, vehicle);
   array_.set(GLIDER_C_PITCH, dynamics_.pitchCommand());
   array_.set(GLIDER_C_HEADING, dynamics_.headingCommand());
   array_.set(GLIDER_C_BALLAST_PUMPED, dynamics_.pumpCommand());
@@ -227,7 +233,8 @@ void FlightController::judgeEnd(const Situation& s) {
   }
 }
 
-void FlightController::cycle(double now_s, const Ocean& ocean, Vehicle& vehicle, const GliderByteStream& clothesline) {
+void FlightController::cycle(double now_s, const Ocean& ocean, Vehicle& vehicle,
+                             const GliderByteStream& clothesline) {
   array_.beginCycle();
   readSensors(now_s, ocean, vehicle);
   receive(clothesline);

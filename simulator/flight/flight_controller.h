@@ -3,9 +3,6 @@
 
 #pragma once
 
-#include <limits>
-#include <string>
-
 #include "hooks/clothesline/clothesline.h"
 #include "simulator/flight/dynamic_control.h"
 #include "simulator/flight/layered_control.h"
@@ -15,6 +12,9 @@
 #include "simulator/sensors/attitude_sensor.h"
 #include "simulator/sensors/depth_sensor.h"
 #include "simulator/sensors/gps.h"
+
+#include <limits>
+#include <string>
 
 namespace glider::simulator {
 
@@ -26,24 +26,28 @@ struct HookOrder {
   double bottom_m = std::numeric_limits<double>::quiet_NaN();  ///< target of the last descend
 };
 
-/// The flight controller: every four seconds sensors → layered control → dynamic control → devices → clothesline.
+/// The flight controller: every four seconds sensors → layered control → dynamic control → devices
+/// → clothesline.
 class FlightController {
  public:
-  FlightController(const platforms::Platform& platform, const Scenario& scenario, uint64_t seed, const LocalFrame& frame,
-                   Journal& journal);
+  FlightController(const platforms::Platform& platform, const Scenario& scenario, uint64_t seed,
+                   const LocalFrame& frame, Journal& journal);
 
   /// The control cycle at time `now_s` of the mission.
-  void cycle(double now_s, const Ocean& ocean, Vehicle& vehicle, const GliderByteStream& clothesline);
+  void cycle(double now_s, const Ocean& ocean, Vehicle& vehicle,
+             const GliderByteStream& clothesline);
 
   [[nodiscard]] const SensorArray& array() const { return array_; }
   [[nodiscard]] const HookOrder& order() const { return order_; }
   [[nodiscard]] bool hookActive() const;
   [[nodiscard]] bool hasHookbeh() const { return layers_.hookbeh() != nullptr; }
-  /// The behaviour that commands the pitch, by its place in the mission file; kNoLayer after an abort.
+  /// The behaviour that commands the pitch, by its place in the mission file; kNoLayer after an
+  /// abort.
   [[nodiscard]] int layer() const { return layer_; }
   /// Why the mission is over; empty while it is not.
   [[nodiscard]] const std::string& end() const { return end_; }
-  /// Ends the mission at the surface when nothing is left to fly; `sbc_gone`: the SBC will not come back.
+  /// Ends the mission at the surface when nothing is left to fly; `sbc_gone`: the SBC will not come
+  /// back.
   void noteSbcGone(bool sbc_gone) { sbc_gone_ = sbc_gone; }
 
  private:

@@ -22,6 +22,7 @@ LayeredControl::LayeredControl(const slocum::MissionFile& mission) {
 }
 
 void LayeredControl::tell(Layer& layer, double time_s, Journal& journal) {
+  layer.behaviour->tell(time_s, journal);
   // What is always active tells of itself, if at all.
   const std::string& name = layer.behaviour->name();
   const bool quiet = name == "abend" || name == "hookbeh";
@@ -33,7 +34,6 @@ void LayeredControl::tell(Layer& layer, double time_s, Journal& journal) {
     journal.add(time_s, "behaviour", name + " " + what);
   }
   layer.told = now;
-  layer.behaviour->tell(time_s, journal);
 }
 
 LayeredControl::Decision LayeredControl::cycle(const Situation& situation, Journal& journal) {
@@ -58,7 +58,8 @@ LayeredControl::Decision LayeredControl::cycle(const Situation& situation, Journ
 }
 
 bool LayeredControl::quit() const {
-  return std::ranges::any_of(layers_, [](const Layer& layer) { return layer.behaviour->endsMission(); });
+  return std::ranges::any_of(layers_,
+                             [](const Layer& layer) { return layer.behaviour->endsMission(); });
 }
 
 bool LayeredControl::nothingLeftToFly(bool sbc_gone) const {
@@ -68,7 +69,8 @@ bool LayeredControl::nothingLeftToFly(bool sbc_gone) const {
       const hooks::HookState state = hookbeh_->hookState();
       return state == hooks::HookState::Complete || (sbc_gone && state != hooks::HookState::Active);
     }
-    return !behaviour.flies() || behaviour.state() == Behaviour::State::Complete;
+    return behaviour.flies() ? behaviour.state() == Behaviour::State::Complete
+                             : !behaviour.atWork();
   });
 }
 

@@ -3,16 +3,17 @@
 
 #pragma once
 
-#include <memory>
-#include <vector>
-
 #include "simulator/flight/behaviour.h"
 #include "simulator/flight/behaviours/hookbeh_adapter.h"
 
+#include <memory>
+#include <vector>
+
 namespace glider::simulator {
 
-/// The behaviours of a mission in layers: the first of the file has the highest priority. In each cycle they run from the last
-/// to the first, and later runners overwrite, so that a behaviour's start condition sees what those below command.
+/// The behaviours of a mission in layers: the first of the file has the highest priority. In each
+/// cycle they run from the last to the first, and later runners overwrite, so that a behaviour's
+/// start condition sees what those below command.
 class LayeredControl {
  public:
   explicit LayeredControl(const slocum::MissionFile& mission);
@@ -26,7 +27,8 @@ class LayeredControl {
 
   /// True when a behaviour has ended the mission.
   [[nodiscard]] bool quit() const;
-  /// True when no behaviour that flies can ever fly again; `sbc_gone`: nor can the SBC take control anew.
+  /// True when no behaviour that flies can ever fly again; `sbc_gone`: nor can the SBC take control
+  /// anew.
   [[nodiscard]] bool nothingLeftToFly(bool sbc_gone) const;
   /// The mission's hookbeh; null without one.
   [[nodiscard]] const HookbehAdapter* hookbeh() const { return hookbeh_; }
@@ -34,9 +36,8 @@ class LayeredControl {
  private:
   struct Layer {
     std::unique_ptr<Behaviour> behaviour;
-    int number = 0;  ///< place in the mission file
+    int number = 0;                                     ///< place in the mission file
     Behaviour::State told = Behaviour::State::Waiting;  ///< what the journal knows
-    bool started = false;                               ///< of `told` active
   };
   static void tell(Layer& layer, double time_s, Journal& journal);
 

@@ -3,15 +3,16 @@
 
 #include "simulator/flight/navigator.h"
 
+#include "simulator/flight/position.h"
+
 #include <cmath>
 #include <numbers>
-
-#include "simulator/flight/position.h"
 
 namespace glider::simulator {
 namespace {
 
-// Nearer to level than this the speed cannot be told from depth rate and pitch: the last one is kept.
+// Nearer to level than this the speed cannot be told from depth rate and pitch: the last one is
+// kept.
 constexpr double kLeastPitch = 11 * std::numbers::pi / 180;
 constexpr double kMostSpeed = 0.8;  // m/s; what lies above is an inflection, not flight
 
@@ -29,7 +30,8 @@ void LocalFrame::locate(GeoPosition position, double& x, double& y) const {
   frame_.Forward(position.latitude_deg, position.longitude_deg, 0, x, y, up);
 }
 
-void Navigator::reckon(double depth_rate, double pitch, double heading, bool at_surface, double seconds) {
+void Navigator::reckon(double depth_rate, double pitch, double heading, bool at_surface,
+                       double seconds) {
   if (at_surface) {
     speed_ = 0;
   } else if (std::fabs(pitch) >= kLeastPitch) {
@@ -40,7 +42,8 @@ void Navigator::reckon(double depth_rate, double pitch, double heading, bool at_
   y_ += speed_ * std::cos(heading) * seconds;
 }
 
-void Navigator::toWaypoint(double latitude_ddmm, double longitude_ddmm, double& distance, double& bearing) const {
+void Navigator::toWaypoint(double latitude_ddmm, double longitude_ddmm, double& distance,
+                           double& bearing) const {
   double x = 0, y = 0;
   frame_.locate({fromDdmm(latitude_ddmm), fromDdmm(longitude_ddmm)}, x, y);
   distance = std::hypot(x - x_, y - y_);

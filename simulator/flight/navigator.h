@@ -3,11 +3,11 @@
 
 #pragma once
 
-#include <optional>
+#include "simulator/sensors/gps.h"
 
 #include <GeographicLib/LocalCartesian.hpp>
 
-#include "simulator/sensors/gps.h"
+#include <optional>
 
 namespace glider::simulator {
 
@@ -27,7 +27,8 @@ class LocalFrame {
   GeographicLib::LocalCartesian frame_;
 };
 
-/// Dead reckoning: horizontal speed from depth rate and pitch, as the vehicle does with an angle of attack of 0; a GPS fix sets it right.
+/// Dead reckoning: horizontal speed from depth rate and pitch, as the vehicle does with an angle of
+/// attack of 0; a GPS fix sets it right.
 class Navigator {
  public:
   explicit Navigator(const LocalFrame& frame) : frame_(frame) {}
@@ -41,7 +42,8 @@ class Navigator {
   [[nodiscard]] double speed() const { return speed_; }  ///< horizontal, through the water
   [[nodiscard]] GeoPosition position() const { return frame_.position(x_, y_); }
   /// Distance and bearing (0…2 pi) from the reckoned position to a waypoint in ddmm.mmmm.
-  void toWaypoint(double latitude_ddmm, double longitude_ddmm, double& distance, double& bearing) const;
+  void toWaypoint(double latitude_ddmm, double longitude_ddmm, double& distance,
+                  double& bearing) const;
 
  private:
   const LocalFrame& frame_;

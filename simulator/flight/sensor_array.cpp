@@ -32,6 +32,8 @@ void SensorArray::set(uint16_t id, double value) {
   fresh_[id] = 1;
 }
 
-void SensorArray::beginCycle() { std::ranges::fill(fresh_, uint8_t{0}); }
+void SensorArray::beginCycle() {
+  std::ranges::fill(fresh_, uint8_t{0});
+}
 
 }  // namespace glider::simulator

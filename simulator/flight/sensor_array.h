@@ -3,14 +3,15 @@
 
 #pragma once
 
+#include "platforms/load/platform.h"
+
 #include <cstdint>
 #include <vector>
 
-#include "platforms/load/platform.h"
-
 namespace glider::simulator {
 
-/// The flight controller's data memory: every sensor of the platform by its number, as its width can hold it.
+/// The flight controller's data memory: every sensor of the platform by its number, as its width
+/// can hold it.
 class SensorArray {
  public:
   explicit SensorArray(const platforms::Platform& platform);

@@ -3,15 +3,14 @@
 
 #include "simulator/flight/skeleton.h"
 
+#include "slocum/mission_files/behaviour_catalogue.h"
+
 #include <algorithm>
 #include <array>
-#include <initializer_list>
 #include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include "slocum/mission_files/behaviour_catalogue.h"
 
 namespace glider::simulator {
 
@@ -20,7 +19,8 @@ using support::DiagnosticId;
 
 namespace {
 
-/// Behaviours that command neither heading nor pitch nor pump: their work is always done in this simulator.
+/// Behaviours that command neither heading nor pitch nor pump: their work is always done in this
+/// simulator.
 struct Idle {
   std::string_view name, why;
 };
@@ -33,26 +33,37 @@ constexpr auto kIdle = std::to_array<Idle>({
 /// The codes that this simulator models for an enumerated b_arg.
 struct Codes {
   std::string_view behaviour, argument;
-  std::initializer_list<int> codes;
+  std::vector<int> codes;
 };
-constexpr std::initializer_list<int> kStart = {0, 1, 2, 3, 4, 5, 6, 7, 9, 12};
-constexpr std::initializer_list<int> kStop = {1, 2, 3, 4, 5, 7, 9};
-constexpr std::initializer_list<int> kFlag = {0, 1};
-constexpr std::initializer_list<int> kPump = {2};
-constexpr std::initializer_list<int> kPitch = {1, 2, 3};
-constexpr std::initializer_list<int> kEnd = {0, 2};
+const std::vector<int> kStart = {0, 1, 2, 3, 4, 5, 6, 7, 9, 12};
+const std::vector<int> kStop = {1, 2, 3, 4, 5, 7, 9};
+const std::vector<int> kFlag = {0, 1};
+const std::vector<int> kPump = {2};
+const std::vector<int> kPitch = {1, 2, 3};
+const std::vector<int> kEnd = {0, 2};
 const auto kCodes = std::to_array<Codes>({
-    {"surface", "start_when", kStart}, {"surface", "end_action", {0, 1, 2}},
-    {"surface", "c_use_bpump", {2, 3}}, {"surface", "c_use_pitch", kPitch},
-    {"yo", "start_when", kStart},      {"yo", "end_action", kEnd},
-    {"yo", "stop_when", {5}},          {"yo", "start_diving", kFlag},
-    {"yo", "d_use_bpump", kPump},      {"yo", "c_use_bpump", kPump},
-    {"yo", "d_use_pitch", kPitch},     {"yo", "c_use_pitch", kPitch},
-    {"yo", "d_use_thruster", {0}},     {"yo", "c_use_thruster", {0}},
-    {"set_heading", "start_when", kStart}, {"set_heading", "stop_when", kStop},
-    {"set_heading", "end_action", kEnd},   {"set_heading", "use_heading", {1, 4}},
-    {"goto_wpt", "start_when", kStart},    {"goto_wpt", "stop_when", kStop},
-    {"goto_wpt", "end_action", kEnd},      {"goto_wpt", "wpt_units", {2}},
+    {"surface", "start_when", kStart},
+    {"surface", "end_action", {0, 1, 2}},
+    {"surface", "c_use_bpump", {2, 3}},
+    {"surface", "c_use_pitch", kPitch},
+    {"yo", "start_when", kStart},
+    {"yo", "end_action", kEnd},
+    {"yo", "stop_when", {5}},
+    {"yo", "start_diving", kFlag},
+    {"yo", "d_use_bpump", kPump},
+    {"yo", "c_use_bpump", kPump},
+    {"yo", "d_use_pitch", kPitch},
+    {"yo", "c_use_pitch", kPitch},
+    {"yo", "d_use_thruster", {0}},
+    {"yo", "c_use_thruster", {0}},
+    {"set_heading", "start_when", kStart},
+    {"set_heading", "stop_when", kStop},
+    {"set_heading", "end_action", kEnd},
+    {"set_heading", "use_heading", {1, 4}},
+    {"goto_wpt", "start_when", kStart},
+    {"goto_wpt", "stop_when", kStop},
+    {"goto_wpt", "end_action", kEnd},
+    {"goto_wpt", "wpt_units", {2}},
 });
 
 /// Bounds of a number.
@@ -63,18 +74,27 @@ struct Bounds {
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 constexpr double kSteep = 1.2;  // rad
 constexpr auto kBounds = std::to_array<Bounds>({
-    {"yo", "num_half_cycles_to_do", -1, 1e6}, {"yo", "d_target_depth", 0, 2000},
-    {"yo", "c_target_depth", 0, 2000},        {"yo", "d_pitch_value", -kSteep, kSteep},
-    {"yo", "c_pitch_value", -kSteep, kSteep}, {"surface", "c_pitch_value", -kSteep, kSteep},
-    {"surface", "gps_wait_time", 0, kNoLimit}, {"surface", "keystroke_wait_time", 0, kNoLimit},
-    {"goto_wpt", "wpt_x", -18000, 18000},     {"goto_wpt", "wpt_y", -9000, 9000},
-    {"hookbeh", "start_secs", 0, kNoLimit},   {"hookbeh", "max_depth", 1, 2000},
-    {"hookbeh", "max_pitch", 0.1, kSteep},    {"hookbeh", "min_pitch", 0, kSteep},
-    {"hookbeh", "silence_secs", 8, 3600},     {"hookbeh", "hold_secs", 0, 3600},
-    {"hookbeh", "d_bpump_value", -1000, 0},   {"hookbeh", "c_bpump_value", 0, 1000},
+    {"yo", "num_half_cycles_to_do", -1, 1e6},
+    {"yo", "d_target_depth", 0, 2000},
+    {"yo", "c_target_depth", 0, 2000},
+    {"yo", "d_pitch_value", -kSteep, kSteep},
+    {"yo", "c_pitch_value", -kSteep, kSteep},
+    {"surface", "c_pitch_value", -kSteep, kSteep},
+    {"surface", "gps_wait_time", 0, kNoLimit},
+    {"surface", "keystroke_wait_time", 0, kNoLimit},
+    {"goto_wpt", "wpt_x", -18000, 18000},
+    {"goto_wpt", "wpt_y", -9000, 9000},
+    {"hookbeh", "start_secs", 0, kNoLimit},
+    {"hookbeh", "max_depth", 1, 2000},
+    {"hookbeh", "max_pitch", 0.1, kSteep},
+    {"hookbeh", "min_pitch", 0, kSteep},
+    {"hookbeh", "silence_secs", 8, 3600},
+    {"hookbeh", "hold_secs", 0, 3600},
+    {"hookbeh", "d_bpump_value", -1000, 0},
+    {"hookbeh", "c_bpump_value", 0, 1000},
 });
 
-std::string listOf(std::initializer_list<int> codes) {
+std::string listOf(const std::vector<int>& codes) {
   std::string out = "it is one of ";
   const char* separator = "";
   for (const int code : codes) {
@@ -93,8 +113,8 @@ std::string flown() {
   return out;
 }
 
-void refuse(const slocum::BehaviourBlock& block, const slocum::Setting& given, const std::string& why,
-            DiagnosticEngine& diagnostics) {
+void refuse(const slocum::BehaviourBlock& block, const slocum::Setting& given,
+            const std::string& why, DiagnosticEngine& diagnostics) {
   diagnostics.report(DiagnosticId::argumentValue, given.value_range, given.name, given.value, why)
       .note(block.range, "in this behaviour");
 }
@@ -103,14 +123,16 @@ void checkValues(const slocum::BehaviourBlock& block, DiagnosticEngine& diagnost
   for (const slocum::Setting& given : block.arguments) {
     for (const Codes& row : kCodes) {
       const auto isValue = [&](int code) { return given.value == code; };
-      if (row.behaviour == block.name && row.argument == given.name && std::ranges::none_of(row.codes, isValue)) {
+      if (row.behaviour == block.name && row.argument == given.name &&
+          std::ranges::none_of(row.codes, isValue)) {
         refuse(block, given, listOf(row.codes), diagnostics);
       }
     }
     for (const Bounds& row : kBounds) {
       const bool within = given.value >= row.lowest && given.value <= row.highest;
       if (row.behaviour == block.name && row.argument == given.name && !within) {
-        refuse(block, given, fmt::format("it must be between {} and {}", row.lowest, row.highest), diagnostics);
+        refuse(block, given, fmt::format("it must be between {} and {}", row.lowest, row.highest),
+               diagnostics);
       }
     }
   }
@@ -131,7 +153,8 @@ void checkBehaviour(const slocum::BehaviourBlock& block, DiagnosticEngine& diagn
 
 }  // namespace
 
-void checkSkeleton(const slocum::MissionFile& mission, support::SourceRange place, DiagnosticEngine& diagnostics) {
+void checkSkeleton(const slocum::MissionFile& mission, support::SourceRange place,
+                   DiagnosticEngine& diagnostics) {
   if (mission.behaviours.empty()) {
     diagnostics.report(DiagnosticId::noBehaviours, place);
   }

@@ -31,12 +31,15 @@ double Ocean::shape(double z, double water_depth) const {
 
 double Ocean::temperature(double z, double x, double y, double t) const {
   const double lowered = wave(x, t).lowered * shape(z, waterDepth(x, y));
-  const double layer = (z - settings_.thermocline_depth_m - lowered) / settings_.thermocline_thickness_m;
+  const double layer =
+      (z - settings_.thermocline_depth_m - lowered) / settings_.thermocline_thickness_m;
   const double contrast = settings_.surface_temperature - settings_.bottom_temperature;
   return settings_.bottom_temperature + contrast / 2 * (1 - std::tanh(layer));
 }
 
-double Ocean::density(double /*z*/) const { return settings_.density; }
+double Ocean::density(double /*z*/) const {
+  return settings_.density;
+}
 
 double Ocean::verticalCurrent(double z, double x, double y, double t) const {
   const double sinking = wave(x, t).rate;
@@ -48,7 +51,8 @@ double Ocean::waterDepth(double x, double y) const {
     return settings_.water_depth_m;
   }
   return settings_.water_depth_m -
-         settings_.bottom_height_m * std::sin(kTurn * std::hypot(x, y) / settings_.bottom_wavelength_m);
+         settings_.bottom_height_m *
+             std::sin(kTurn * std::hypot(x, y) / settings_.bottom_wavelength_m);
 }
 
 double Ocean::isothermDepth(double temperature, double x, double y, double t) const {
@@ -56,7 +60,8 @@ double Ocean::isothermDepth(double temperature, double x, double y, double t) co
   const double inner = 1 - 2 * (temperature - settings_.bottom_temperature) / contrast;
   const double z0 = settings_.thermocline_depth_m;
   const double bottom = waterDepth(x, y);
-  // The depth at which the water at rest has this temperature; then the wave's shape solved for z, layer by layer.
+  // The depth at which the water at rest has this temperature; then the wave's shape solved for z,
+  // layer by layer.
   const double rest = z0 + settings_.thermocline_thickness_m * std::atanh(inner);
   const double lowered = wave(x, t).lowered;
   const double below = bottom - z0;

@@ -30,20 +30,21 @@ struct OceanSettings {
   WaveSettings wave;
   double density = 1025;  ///< kg/m3, the same everywhere
   Current current;
-  double water_depth_m = 60;  ///< mean
-  double bottom_height_m = 0; ///< amplitude of the bottom's waves
+  double water_depth_m = 60;   ///< mean
+  double bottom_height_m = 0;  ///< amplitude of the bottom's waves
   double bottom_wavelength_m = 1000;
 };
 
-/// The true ocean. Depth z in m down, x and y in m east and north of the mission's start, t in s since then.
-/// T(z) = Tb + (Ts - Tb)/2 (1 - tanh((z - z0 - eta)/d)); eta(z, x, t) has the shape of the lowest mode between two layers: full at
-/// the thermocline and straight to 0 at surface and bottom.
+/// The true ocean. Depth z in m down, x and y in m east and north of the mission's start, t in s
+/// since then. T(z) = Tb + (Ts - Tb)/2 (1 - tanh((z - z0 - eta)/d)); eta(z, x, t) has the shape of
+/// the lowest mode between two layers: full at the thermocline and straight to 0 at surface and
+/// bottom.
 class Ocean {
  public:
   explicit Ocean(const OceanSettings& settings) : settings_(settings) {}
 
   [[nodiscard]] double temperature(double z, double x, double y, double t) const;  ///< degC
-  [[nodiscard]] double density(double z) const;                          ///< kg/m3
+  [[nodiscard]] double density(double z) const;                                    ///< kg/m3
   [[nodiscard]] Current current() const { return settings_.current; }
   /// The water's own speed up (m/s) as the wave passes.
   [[nodiscard]] double verticalCurrent(double z, double x, double y, double t) const;

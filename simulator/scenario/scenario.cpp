@@ -3,14 +3,14 @@
 
 #include "simulator/scenario/scenario.h"
 
-#include <cmath>
-#include <limits>
-
 #include "platforms/load/toml_reader.h"
 #include "simulator/flight/skeleton.h"
 #include "slocum/mission_files/argument_files.h"
 #include "slocum/mission_files/read.h"
 #include "support/files.h"
+
+#include <cmath>
+#include <limits>
 
 namespace glider::simulator {
 
@@ -24,7 +24,8 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 /// A reader of number fields with bounds; tables that are left out give every default.
 class Fields {
  public:
-  Fields(const std::string& file, const toml::node_view<const toml::node>& at, const std::string& where)
+  Fields(const std::string& file, const toml::node_view<const toml::node>& at,
+         const std::string& where)
       : reader_(file, at.as_table() != nullptr ? *at.as_table() : none(), where) {}
 
   /// Puts the number `key`, if it is there, into `into`.
@@ -70,8 +71,8 @@ class ScenarioReader {
 
   void head() {
     TomlReader r(file_, root_, "the scenario");
-    r.only({"name", "description", "seed", "skeleton", "duration_s", "isotherm_degC", "start", "ocean", "vehicle",
-            "sensors"});
+    r.only({"name", "description", "seed", "skeleton", "duration_s", "isotherm_degC", "start",
+            "ocean", "vehicle", "sensors"});
     for (const char* table : {"start", "ocean", "vehicle", "sensors"}) {
       if (root_.contains(table) && !root_[table].is_table()) {
         r.refuse(table, "must be a table");
@@ -111,9 +112,10 @@ class ScenarioReader {
   void ocean() {
     OceanSettings& o = scenario_.ocean;
     Fields f = fields("ocean");
-    f.reader().only({"surface_temp_degC", "bottom_temp_degC", "thermocline_depth_m", "thermocline_thickness_m",
-                     "density_kgm3", "current_east_mps", "current_north_mps", "water_depth_m", "bottom_height_m",
-                     "bottom_wavelength_m", "conductivity_Spm", "wave"});
+    f.reader().only({"surface_temp_degC", "bottom_temp_degC", "thermocline_depth_m",
+                     "thermocline_thickness_m", "density_kgm3", "current_east_mps",
+                     "current_north_mps", "water_depth_m", "bottom_height_m", "bottom_wavelength_m",
+                     "conductivity_Spm", "wave"});
     f.number("surface_temp_degC", o.surface_temperature, -2, 40);
     f.number("bottom_temp_degC", o.bottom_temperature, -2, 40);
     f.number("water_depth_m", o.water_depth_m, 5, 11000);
@@ -136,12 +138,19 @@ class ScenarioReader {
     if (!at) {
       return;
     }
+    if (!at.is_table()) {
+      Fields ocean = fields("ocean");
+      ocean.reader().refuse("wave", "must be a table");
+      keep(ocean.reader());
+      return;
+    }
     const OceanSettings& o = scenario_.ocean;
     WaveSettings& w = scenario_.ocean.wave;
     Fields f(file_, at, "[ocean.wave]");
     f.reader().only({"amplitude_m", "period_s", "wavelength_m", "phase_rad", "start_s", "count"});
     // Larger waves would fold the water over.
-    const double most = 0.95 * std::min(o.thermocline_depth_m, o.water_depth_m - o.bottom_height_m - o.thermocline_depth_m);
+    const double most = 0.95 * std::min(o.thermocline_depth_m, o.water_depth_m - o.bottom_height_m -
+                                                                   o.thermocline_depth_m);
     f.number("amplitude_m", w.amplitude_m, 0, most);
     f.number("period_s", w.period_s, 10, 1e6);
     f.number("wavelength_m", w.wavelength_m, 0, 1e6);
@@ -157,7 +166,8 @@ class ScenarioReader {
     f.reader().only({"mass_kg", "hull_volume_m3", "drag", "induced_drag", "wing_lift", "hull_lift",
                      "reference_area_m2", "compressibility_per_Pa"});
     f.number("mass_kg", c.mass_kg, 30, 200);
-    c.hull_volume_m3 = c.mass_kg / scenario_.ocean.density;  // neutral, unless the scenario says otherwise
+    c.hull_volume_m3 =
+        c.mass_kg / scenario_.ocean.density;  // neutral, unless the scenario says otherwise
     f.number("hull_volume_m3", c.hull_volume_m3, 0.02, 0.3);
     f.number("drag", c.drag, 0.01, 2);
     f.number("induced_drag", c.induced_drag, 0.1, 100);
@@ -171,8 +181,8 @@ class ScenarioReader {
   void sensors() {
     SensorSettings& s = scenario_.sensors;
     Fields f = fields("sensors");
-    f.reader().only({"depth_m", "pitch_rad", "heading_rad", "altitude_m", "gps_m", "temperature_degC",
-                     "ctd_dropout", "stale_water"});
+    f.reader().only({"depth_m", "pitch_rad", "heading_rad", "altitude_m", "gps_m",
+                     "temperature_degC", "ctd_dropout", "stale_water"});
     f.number("depth_m", s.depth_m, 0, 10);
     f.number("pitch_rad", s.pitch_rad, 0, 1);
     f.number("heading_rad", s.heading_rad, 0, 1);
@@ -223,19 +233,22 @@ support::Result<void> loadSkeleton(Scenario& scenario, support::SourceManager& s
   const std::string name = scenario.skeleton_path.string();
   const uint32_t file = sources.add(name, std::move(*text));
   if (auto mission = slocum::readMission(sources, file, diagnostics)) {
-    slocum::applyArgumentFiles(*mission, scenario.skeleton_path.parent_path(), sources, diagnostics);
+    slocum::applyArgumentFiles(*mission, scenario.skeleton_path.parent_path(), sources,
+                               diagnostics);
     checkSkeleton(*mission, {file, 0, 0}, diagnostics);
     scenario.skeleton = std::move(*mission);
   }
   if (diagnostics.errorCount() != errors_before) {
-    return support::fail(DiagnosticId::skeletonMistakes, name, diagnostics.errorCount() - errors_before);
+    return support::fail(DiagnosticId::skeletonMistakes, name,
+                         diagnostics.errorCount() - errors_before);
   }
   return {};
 }
 
 }  // namespace
 
-support::Result<Scenario> loadScenario(const std::filesystem::path& path, support::SourceManager& sources,
+support::Result<Scenario> loadScenario(const std::filesystem::path& path,
+                                       support::SourceManager& sources,
                                        support::DiagnosticEngine& diagnostics) {
   auto root = platforms::parseToml(path);
   if (!root) {

@@ -3,16 +3,16 @@
 
 #pragma once
 
-#include <cstdint>
-#include <filesystem>
-#include <string>
-
 #include "simulator/ocean/ocean.h"
 #include "simulator/sensors/settings.h"
 #include "simulator/vehicle/vehicle.h"
 #include "slocum/mission_files/mission_file.h"
 #include "support/diagnostics/engine.h"
 #include "support/result.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
 
 namespace glider::simulator {
 
@@ -31,9 +31,11 @@ struct Scenario {
   SensorSettings sensors;
 };
 
-/// Reads and checks scenario `path` and its skeleton mission with its argument files, which lie beside it. GL9001, GL5001; mistakes in the
-/// mission files go to `diagnostics`, then the failure is GL5120.
-support::Result<Scenario> loadScenario(const std::filesystem::path& path, support::SourceManager& sources,
+/// Reads and checks scenario `path` and its skeleton mission with its argument files, which lie
+/// beside it. GL9001, GL5001; mistakes in the mission files go to `diagnostics`, then the failure
+/// is GL5120.
+support::Result<Scenario> loadScenario(const std::filesystem::path& path,
+                                       support::SourceManager& sources,
                                        support::DiagnosticEngine& diagnostics);
 
 }  // namespace glider::simulator

@@ -3,19 +3,19 @@
 
 #include "simulator/science/process_sbc_port.h"
 
+#include <fmt/format.h>
+
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <cstring>
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
-
-#include <array>
-#include <cerrno>
-#include <chrono>
-#include <cstring>
-
-#include <fmt/format.h>
+#include <utility>
 
 namespace glider::simulator {
 namespace {
@@ -27,7 +27,8 @@ double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// What the child does between fork and exec: only calls that are safe there. `report` takes errno if exec fails.
+/// What the child does between fork and exec: only calls that are safe there. `report` takes errno
+/// if exec fails.
 [[noreturn]] void becomeProgram(char* const* arguments, pid_t parent, int report) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() == parent) {
@@ -72,9 +73,8 @@ pid_t spawn(const std::vector<std::string>& command) {
 
 }  // namespace
 
-support::Result<std::unique_ptr<ProcessSbcPort>> ProcessSbcPort::start(std::string way,
-                                                                       std::vector<std::string> command,
-                                                                       double hang_secs) {
+support::Result<std::unique_ptr<ProcessSbcPort>> ProcessSbcPort::start(
+    std::string way, std::vector<std::string> command, double hang_secs) {
   auto pty = hooks::Pty::open();
   if (!pty) {
     return std::unexpected(pty.error());
@@ -87,15 +87,19 @@ support::Result<std::unique_ptr<ProcessSbcPort>> ProcessSbcPort::start(std::stri
   if (command.empty()) {
     return support::fail(support::DiagnosticId::sbcNotStarted, "", "no program is named");
   }
-  std::unique_ptr<ProcessSbcPort> port(new ProcessSbcPort(std::move(way), std::move(*pty), hang_secs));
+  std::unique_ptr<ProcessSbcPort> port(
+      new ProcessSbcPort(std::move(way), std::move(*pty), hang_secs));
   port->pid_ = spawn(command);
   if (port->pid_ < 0) {
-    return support::fail(support::DiagnosticId::sbcNotStarted, command.front(), std::strerror(errno));
+    return support::fail(support::DiagnosticId::sbcNotStarted, command.front(),
+                         std::strerror(errno));
   }
   return port;
 }
 
-ProcessSbcPort::~ProcessSbcPort() { kill(); }
+ProcessSbcPort::~ProcessSbcPort() {
+  kill();
+}
 
 void ProcessSbcPort::reap(bool block) {
   if (pid_ <= 0) {
@@ -124,13 +128,16 @@ void ProcessSbcPort::destroy(std::string epitaph) {
   }
 }
 
-void ProcessSbcPort::kill() { destroy("killed"); }
+void ProcessSbcPort::kill() {
+  destroy("killed");
+}
 
 void ProcessSbcPort::read() {
   std::array<uint8_t, 4096> bytes;
   const GliderByteStream stream = pty_.stream();
   int32_t count = 0;
-  while ((count = stream.read(stream.self, bytes.data(), static_cast<uint32_t>(bytes.size()))) > 0) {
+  while ((count = stream.read(stream.self, bytes.data(), static_cast<uint32_t>(bytes.size()))) >
+         0) {
     lockstep_.fromSbc(bytes.data(), static_cast<uint32_t>(count));
     received_.insert(received_.end(), bytes.begin(), bytes.begin() + count);
     if (!heard_) {
@@ -154,7 +161,8 @@ void ProcessSbcPort::deliver(std::span<const uint8_t> bytes, double /*now_s*/) {
   const GliderByteStream stream = pty_.stream();
   auto last_progress = Clock::now();
   while (alive() && !bytes.empty()) {
-    const int32_t taken = stream.write(stream.self, bytes.data(), static_cast<uint32_t>(bytes.size()));
+    const int32_t taken =
+        stream.write(stream.self, bytes.data(), static_cast<uint32_t>(bytes.size()));
     if (taken < 0) {
       destroy("closed its serial port");
       return;

@@ -3,28 +3,30 @@
 
 #pragma once
 
-#include <sys/types.h>
-
-#include <memory>
-#include <string>
-#include <vector>
-
 #include "hooks/protocol/lockstep.h"
 #include "hooks/transport/host/pty.h"
 #include "simulator/sbc_port.h"
 #include "support/result.h"
 
+#include <memory>
+#include <string>
+#include <sys/types.h>
+#include <vector>
+
 namespace glider::simulator {
 
-/// An SBC that is a program of its own behind a pseudo-terminal: the host's binary, or a board's under an emulator.
+/// An SBC that is a program of its own behind a pseudo-terminal: the host's binary, or a board's
+/// under an emulator.
 class ProcessSbcPort final : public SbcPort {
  public:
   /// Seconds of real time without an answer after which the program counts as hung.
   static constexpr double kHangSecs = 10;
 
-  /// Starts `command`, a program found by PATH and its arguments; the argument "{port}" stands for the terminal's name. Its
-  /// standard output is thrown away. It dies with this process. GL9150 when it cannot be started, GL9106 without a terminal.
-  static support::Result<std::unique_ptr<ProcessSbcPort>> start(std::string way, std::vector<std::string> command,
+  /// Starts `command`, a program found by PATH and its arguments; the argument "{port}" stands for
+  /// the terminal's name. Its standard output is thrown away. It dies with this process. GL9150
+  /// when it cannot be started, GL9106 without a terminal.
+  static support::Result<std::unique_ptr<ProcessSbcPort>> start(std::string way,
+                                                                std::vector<std::string> command,
                                                                 double hang_secs = kHangSecs);
   ~ProcessSbcPort() override;
 
@@ -40,7 +42,8 @@ class ProcessSbcPort final : public SbcPort {
  private:
   ProcessSbcPort(std::string way, hooks::Pty pty, double hang_secs)
       : way_(std::move(way)), pty_(std::move(pty)), hang_secs_(hang_secs) {}
-  /// Waits up to `milliseconds` for the terminal to be readable, or writable too; reads what is there.
+  /// Waits up to `milliseconds` for the terminal to be readable, or writable too; reads what is
+  /// there.
   void wait(bool to_write, int milliseconds);
   void read();
   /// Takes the program's end if it has ended; `block` waits for it.

@@ -16,7 +16,8 @@ void SbcLink::pump(double now_s) {
     waiting_.insert(waiting_.end(), answer.begin(), answer.end());
   }
   if (!waiting_.empty()) {
-    const int32_t taken = end_.write(end_.self, waiting_.data(), static_cast<uint32_t>(waiting_.size()));
+    const int32_t taken =
+        end_.write(end_.self, waiting_.data(), static_cast<uint32_t>(waiting_.size()));
     waiting_.erase(waiting_.begin(), waiting_.begin() + taken);
   }
   noteDeath(now_s);

@@ -3,11 +3,11 @@
 
 #pragma once
 
-#include <vector>
-
 #include "simulator/journal.h"
 #include "simulator/sbc_port.h"
 #include "simulator/science/serial_line.h"
+
+#include <vector>
 
 namespace glider::simulator {
 
@@ -15,7 +15,8 @@ namespace glider::simulator {
 class SbcLink {
  public:
   /// `port` may be null: a line with nobody at its other end.
-  SbcLink(SbcPort* port, SerialLine& line, Journal& journal) : port_(port), end_(line.right()), journal_(journal) {}
+  SbcLink(SbcPort* port, SerialLine& line, Journal& journal)
+      : port_(port), end_(line.right()), journal_(journal) {}
 
   /// Hands over what has arrived by `now_s` and puts the answers on the line.
   void pump(double now_s);

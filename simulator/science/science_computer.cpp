@@ -17,7 +17,8 @@ ScienceComputer::ScienceComputer(uint64_t seed, const SensorSettings& settings)
 
 void ScienceComputer::set(uint16_t id, double value) {
   // As a 4-byte sensor holds it; the clock is the only wider one.
-  values_[id] = id == GLIDER_SCI_M_PRESENT_TIME ? value : static_cast<double>(static_cast<float>(value));
+  values_[id] =
+      id == GLIDER_SCI_M_PRESENT_TIME ? value : static_cast<double>(static_cast<float>(value));
   fresh_[id] = true;
 }
 

@@ -3,20 +3,21 @@
 
 #pragma once
 
-#include <array>
-#include <functional>
-#include <string>
-#include <vector>
-
 #include "hooks/hookprog/hookprog.h"
 #include "platforms/load/platform.h"
 #include "platforms/slocum_sensors.h"
 #include "simulator/journal.h"
 #include "simulator/sensors/ctd.h"
 
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
 namespace glider::simulator {
 
-/// Explains case `fired_case` of mission state `state`: the guard's text and the platform's numbers of the sensors in it.
+/// Explains case `fired_case` of mission state `state`: the guard's text and the platform's numbers
+/// of the sensors in it.
 struct GuardText {
   std::string guard;
   std::vector<uint16_t> sensors;
@@ -32,7 +33,8 @@ class ScienceComputer {
     double temperature_degC = 0, depth_m = 0;
   };
   /// The science cycle at time `now_s`. `sbc` is the 115200 line, `flight` the clothesline.
-  void run(double now_s, const Water& truth, const GliderByteStream& sbc, const GliderByteStream& flight);
+  void run(double now_s, const Water& truth, const GliderByteStream& sbc,
+           const GliderByteStream& flight);
 
   [[nodiscard]] hooks::HookprogEvent nextEvent() { return hookprog_.nextEvent(); }
   [[nodiscard]] hooks::Hookprog::SbcView sbc() const { return hookprog_.sbc(); }

@@ -3,16 +3,16 @@
 
 #pragma once
 
+#include "hooks/transport/byte_stream.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <deque>
 
-#include "hooks/transport/byte_stream.h"
-
 namespace glider::simulator {
 
-/// A serial line in virtual time: what one end writes the other end can read once it has arrived, ten bits a byte (8N1). Both
-/// ends point into it, so it must not move.
+/// A serial line in virtual time: what one end writes the other end can read once it has arrived,
+/// ten bits a byte (8N1). Both ends point into it, so it must not move.
 class SerialLine {
  public:
   /// Bytes that may be under way in each direction: a UART's driver queue.

@@ -3,9 +3,9 @@
 
 #pragma once
 
-#include <limits>
-
 #include "simulator/sensors/noise.h"
+
+#include <limits>
 
 namespace glider::simulator {
 

@@ -3,11 +3,11 @@
 
 #pragma once
 
-#include <algorithm>
-#include <limits>
-
 #include "simulator/sensors/noise.h"
 #include "simulator/sensors/settings.h"
+
+#include <algorithm>
+#include <limits>
 
 namespace glider::simulator {
 
@@ -23,9 +23,10 @@ class Ctd {
   double temperature(double truth, double now_s) {
     const double noise = temperature_noise_.normal(settings_.temperature_degC);
     const bool lost = dropout_.uniform() < settings_.ctd_dropout;
-    const bool stale = std::ranges::any_of(settings_.stale_water, [&](const StaleWater& stale_water) {
-      return now_s >= stale_water.from_s && now_s < stale_water.to_s;
-    });
+    const bool stale =
+        std::ranges::any_of(settings_.stale_water, [&](const StaleWater& stale_water) {
+          return now_s >= stale_water.from_s && now_s < stale_water.to_s;
+        });
     if (!stale || std::isnan(in_duct_)) {
       in_duct_ = truth;
     }

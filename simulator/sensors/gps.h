@@ -3,9 +3,9 @@
 
 #pragma once
 
-#include <optional>
-
 #include "simulator/sensors/noise.h"
+
+#include <optional>
 
 namespace glider::simulator {
 
@@ -15,7 +15,8 @@ class Gps {
   struct Fix {
     double x = 0, y = 0;  ///< m east and north of the start
   };
-  Gps(uint64_t seed, double noise_m) : noise_(seed, static_cast<uint32_t>(NoiseStream::Gps)), sd_(noise_m) {}
+  Gps(uint64_t seed, double noise_m)
+      : noise_(seed, static_cast<uint32_t>(NoiseStream::Gps)), sd_(noise_m) {}
 
   /// The fix at `now_s`, if there is one. Call once a cycle.
   std::optional<Fix> fix(double x, double y, double depth_m, double now_s) {

@@ -3,16 +3,17 @@
 
 #pragma once
 
+#include <Random123/philox.h>
+
 #include <cmath>
 #include <cstdint>
 #include <numbers>
 
-#include <Random123/philox.h>
-
 namespace glider::simulator {
 
-/// The random numbers of one sensor: Philox, counter-based (Salmon et al. 2011, doi 10.1145/2063384.2063405), so that sensors do not
-/// disturb each other and a seed gives the same flight everywhere.
+/// The random numbers of one sensor: Philox, counter-based (Salmon et al. 2011,
+/// doi 10.1145/2063384.2063405), so that sensors do not disturb each other and a seed gives the
+/// same flight everywhere.
 class Noise {
  public:
   Noise(uint64_t seed, uint32_t stream)
@@ -21,7 +22,9 @@ class Noise {
   /// Gaussian with standard deviation `sd` (Box-Muller).
   double normal(double sd) {
     const Draw draw = next();
-    return sd == 0 ? 0 : sd * std::sqrt(-2 * std::log(draw.a)) * std::cos(2 * std::numbers::pi * draw.b);
+    return sd == 0
+               ? 0
+               : sd * std::sqrt(-2 * std::log(draw.a)) * std::cos(2 * std::numbers::pi * draw.b);
   }
   /// Even in (0, 1).
   double uniform() { return next().a; }

@@ -7,7 +7,8 @@
 
 namespace glider::simulator {
 
-/// A time in which the water in the CTD's duct does not change: the sensor goes on giving its last temperature.
+/// A time in which the water in the CTD's duct does not change: the sensor goes on giving its last
+/// temperature.
 struct StaleWater {
   double from_s = 0;
   double to_s = 0;
@@ -21,8 +22,8 @@ struct SensorSettings {
   double altitude_m = 0.1;
   double gps_m = 3;
   double temperature_degC = 0.002;
-  double ctd_dropout = 0;  ///< share of readings that are NaN
-  double conductivity = 4; ///< S/m, the same everywhere, as in the vehicle's own simulator
+  double ctd_dropout = 0;   ///< share of readings that are NaN
+  double conductivity = 4;  ///< S/m, the same everywhere, as in the vehicle's own simulator
   std::vector<StaleWater> stale_water;
 };
 

@@ -9,8 +9,8 @@
 namespace glider::simulator {
 namespace {
 
-// A stalled hull moves broadside: 1.5 m long, 0.22 m wide (the vehicle's geometry); cross-flow drag of a cylinder 1.1, as
-// in Hall and Anstee's (DSTO-TR-2576) model of a hull of this shape.
+// A stalled hull moves broadside: 1.5 m long, 0.22 m wide (the vehicle's geometry); cross-flow drag
+// of a cylinder 1.1, as in Hall and Anstee's (DSTO-TR-2576) model of a hull of this shape.
 constexpr double kBroadsideArea = 1.5 * 0.22;
 constexpr double kBroadsideDrag = 1.1;
 
@@ -24,14 +24,15 @@ SteadyFlight broadside(double buoyancy, double density) {
 
 }  // namespace
 
-double netBuoyancy(const FlightCoefficients& c, double density, double pressure_pa, double pumped_m3) {
+double netBuoyancy(const FlightCoefficients& c, double density, double pressure_pa,
+                   double pumped_m3) {
   const double hull = c.hull_volume_m3 * (1 - c.compressibility_per_pa * pressure_pa);
   return kGravity * density * (hull + pumped_m3) - c.mass_kg * kGravity;
 }
 
 double angleOfAttack(const FlightCoefficients& c, double pitch) {
-  // Roots of h(a) = C_D0 + C_D1 a^2 - (a_h + a_w) a tan(pitch + a), for a pitch made positive. Newton's steps from 0, where h is
-  // positive and falls, come to the smallest root first.
+  // Roots of h(a) = C_D0 + C_D1 a^2 - (a_h + a_w) a tan(pitch + a), for a pitch made positive.
+  // Newton's steps from 0, where h is positive and falls, come to the smallest root first.
   constexpr int kMostSteps = 60;
   constexpr double kQuarterTurn = 1.57;
   const double theta = std::fabs(pitch);
@@ -53,12 +54,14 @@ double angleOfAttack(const FlightCoefficients& c, double pitch) {
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-SteadyFlight steadyFlight(const FlightCoefficients& c, double pitch, double buoyancy, double density) {
+SteadyFlight steadyFlight(const FlightCoefficients& c, double pitch, double buoyancy,
+                          double density) {
   const double attack = std::fabs(pitch) < kStallPitch ? std::numeric_limits<double>::quiet_NaN()
                                                        : angleOfAttack(c, pitch);
   const double glide = pitch + attack;
-  const double squared = 2 * buoyancy * std::sin(glide) /
-                         (density * c.reference_area_m2 * (c.drag + c.induced_drag * attack * attack));
+  const double squared =
+      2 * buoyancy * std::sin(glide) /
+      (density * c.reference_area_m2 * (c.drag + c.induced_drag * attack * attack));
   if (!(squared >= 0)) {
     return broadside(buoyancy, density);
   }

@@ -11,7 +11,7 @@ namespace glider::simulator {
 struct RateLimited {
   double position = 0;
   double target = 0;
-  double rate = 1;    ///< per s
+  double rate = 1;  ///< per s
   double lowest = 0;
   double highest = 0;
 

@@ -15,7 +15,8 @@ constexpr double kPumpRate = 37.5;     // cc/s
 constexpr double kBatteryRate = 0.15;  // in/s
 constexpr double kFinRate = 0.098;     // rad/s
 
-// Trim: tan pitch = T1 V + T2 x + T3, V in m3, x the battery's position in m; a published Slocum fit.
+// Trim: tan pitch = T1 V + T2 x + T3, V in m3, x the battery's position in m; a published Slocum
+// fit.
 constexpr double kTrimPump = 1235;
 constexpr double kTrimBattery = -28.8;
 constexpr double kTrimOffset = 0.14;
@@ -26,14 +27,17 @@ constexpr double kPitchLag = 3;  // s, the hull's swing after weight and volume 
 constexpr double kYawGain = 0.5;  // rad s/m2
 constexpr double kYawLag = 15;    // s
 
-// Mass and added mass (0.92 of it across the hull) against a drag that is quadratic around 0.35 m/s.
+// Mass and added mass (0.92 of it across the hull) against a drag that is quadratic around 0.35
+// m/s.
 constexpr double kSpeedLag = 8;  // s
 
 constexpr double kPascalPerDbar = 1e4;
 constexpr double kCubicMetresPerCc = 1e-6;
 
 /// The share of a first-order lag's distance that one step covers.
-double share(double lag) { return 1 - std::exp(-Vehicle::kStep / lag); }
+double share(double lag) {
+  return 1 - std::exp(-Vehicle::kStep / lag);
+}
 
 }  // namespace
 
@@ -47,8 +51,9 @@ Vehicle::Vehicle(const VehicleSettings& settings)
 
 void Vehicle::movePitch() {
   static const double kShare = share(kPitchLag);
-  const double wanted = std::atan(kTrimPump * pump_.position * kCubicMetresPerCc +
-                                  kTrimBattery * battery_position_.position * kMetresPerInch + kTrimOffset);
+  const double wanted =
+      std::atan(kTrimPump * pump_.position * kCubicMetresPerCc +
+                kTrimBattery * battery_position_.position * kMetresPerInch + kTrimOffset);
   pitch_ += (wanted - pitch_) * kShare;
 }
 

@@ -16,12 +16,12 @@ struct VehicleSettings {
   double initial_heading_rad = 0;
 };
 
-/// The true vehicle in the true ocean. Positions in m: x east, y north of the start, depth down. Moved in steps of a
-/// fixed length of virtual time.
+/// The true vehicle in the true ocean. Positions in m: x east, y north of the start, depth down.
+/// Moved in steps of a fixed length of virtual time.
 class Vehicle {
  public:
-  static constexpr double kStep = 0.25;         ///< s
-  static constexpr double kPumpLimitCc = 233;   ///< safety limit 243 less a dead zone of 10
+  static constexpr double kStep = 0.25;        ///< s
+  static constexpr double kPumpLimitCc = 233;  ///< safety limit 243 less a dead zone of 10
   static constexpr double kBatteryLimitIn = 1.425;
   static constexpr double kFinLimitRad = 0.45;  ///< 0.47 less 0.02
 
@@ -39,7 +39,7 @@ class Vehicle {
   [[nodiscard]] double y() const { return y_; }
   [[nodiscard]] double depth() const { return depth_; }
   [[nodiscard]] double pitch() const { return pitch_; }
-  [[nodiscard]] double heading() const { return heading_; }       ///< 0…2 pi, clockwise from north
+  [[nodiscard]] double heading() const { return heading_; }  ///< 0…2 pi, clockwise from north
   [[nodiscard]] double pumpedCc() const { return pump_.position; }
   [[nodiscard]] double batteryPositionIn() const { return battery_position_.position; }
   [[nodiscard]] double fin() const { return fin_.position; }

@@ -3,10 +3,10 @@
 
 #include "slocum/mission_files/argument_files.h"
 
-#include <algorithm>
-
 #include "slocum/mission_files/read.h"
 #include "support/files.h"
+
+#include <algorithm>
 
 namespace glider::slocum {
 
@@ -18,9 +18,12 @@ std::string argumentFileName(std::string_view behaviour, int number) {
 
 namespace {
 
-void apply(BehaviourBlock& block, const ArgumentFile& file, support::DiagnosticEngine& diagnostics) {
+void apply(BehaviourBlock& block, const ArgumentFile& file,
+           support::DiagnosticEngine& diagnostics) {
   if (file.behaviour != block.name) {
-    diagnostics.report(DiagnosticId::argumentFileBehaviour, file.behaviour_range, file.behaviour, block.name)
+    diagnostics
+        .report(DiagnosticId::argumentFileBehaviour, file.behaviour_range, file.behaviour,
+                block.name)
         .note(block.range, "it is read here");
     return;
   }
@@ -36,23 +39,28 @@ void apply(BehaviourBlock& block, const ArgumentFile& file, support::DiagnosticE
 
 }  // namespace
 
-void applyArgumentFiles(MissionFile& mission, const std::filesystem::path& folder, support::SourceManager& sources,
-                        support::DiagnosticEngine& diagnostics) {
+void applyArgumentFiles(MissionFile& mission, const std::filesystem::path& folder,
+                        support::SourceManager& sources, support::DiagnosticEngine& diagnostics) {
   for (BehaviourBlock& block : mission.behaviours) {
     const Setting* from_file = block.find("args_from_file");
     if (from_file == nullptr || from_file->value < 0) {
       continue;
     }
     if (from_file->value > 99 || from_file->value != static_cast<int>(from_file->value)) {
-      diagnostics.report(DiagnosticId::argumentValue, from_file->value_range, from_file->name, from_file->value,
-                         "it is a whole number from 0 to 99, or -1 for none");
+      diagnostics.report(DiagnosticId::argumentValue, from_file->value_range, from_file->name,
+                         from_file->value, "it is a whole number from 0 to 99, or -1 for none");
       continue;
     }
     const auto path = folder / argumentFileName(block.name, static_cast<int>(from_file->value));
     auto text = support::readFile(path);
     if (!text) {
-      diagnostics.add({text.error().id, support::Severity::Error, from_file->value_range, text.error().message,
-                       text.error().hint, {}, {}});
+      diagnostics.add({text.error().id,
+                       support::Severity::Error,
+                       from_file->value_range,
+                       text.error().message,
+                       text.error().hint,
+                       {},
+                       {}});
       continue;
     }
     const uint32_t file = sources.add(path.string(), std::move(*text));

@@ -3,13 +3,14 @@
 
 #include "slocum/mission_files/behaviour_catalogue.h"
 
+#include "support/check.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
-
-#include "support/check.h"
 
 namespace glider::slocum {
 
@@ -70,7 +71,8 @@ std::string suggestion(const KnownBehaviour& known, std::string_view name) {
   constexpr size_t kLongestName = 64;  // bounds the work on hostile input
   if (name.size() <= kLongestName) {
     const auto nearest = std::ranges::min_element(
-        known.arguments, {}, [&](const KnownArgument& argument) { return distance(argument.name, name); });
+        known.arguments, {},
+        [&](const KnownArgument& argument) { return distance(argument.name, name); });
     if (nearest != known.arguments.end() && distance(nearest->name, name) <= 3) {
       return "did you mean `" + std::string(nearest->name) + "`?";
     }
@@ -122,13 +124,14 @@ void checkArguments(const BehaviourBlock& block, support::DiagnosticEngine& diag
   }
   for (const Setting& given : block.arguments) {
     if (known->find(given.name) == nullptr) {
-      diagnostics.report(DiagnosticId::unknownBehaviourArgument, given.name_range, block.name, given.name,
-                         suggestion(*known, given.name));
+      diagnostics.report(DiagnosticId::unknownBehaviourArgument, given.name_range, block.name,
+                         given.name, suggestion(*known, given.name));
     }
   }
   for (const KnownArgument& argument : known->arguments) {
     if (std::isnan(argument.fallback) && block.find(argument.name) == nullptr) {
-      diagnostics.report(DiagnosticId::missingArgument, block.range, block.name, argument.name, argument.unit);
+      diagnostics.report(DiagnosticId::missingArgument, block.range, block.name, argument.name,
+                         argument.unit);
     }
   }
 }

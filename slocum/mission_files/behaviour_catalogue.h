@@ -3,12 +3,12 @@
 
 #pragma once
 
+#include "slocum/mission_files/mission_file.h"
+#include "support/diagnostics/engine.h"
+
 #include <optional>
 #include <span>
 #include <string_view>
-
-#include "slocum/mission_files/mission_file.h"
-#include "support/diagnostics/engine.h"
 
 namespace glider::slocum {
 
@@ -31,8 +31,8 @@ std::span<const KnownBehaviour> knownBehaviours();
 /// The row of `name`; null if glidercc does not know the behaviour.
 const KnownBehaviour* findBehaviour(std::string_view name);
 
-/// Reports b_args that a known behaviour does not have (GL5104) and needed ones that are missing (GL5106). Says nothing of
-/// behaviours that are not known.
+/// Reports b_args that a known behaviour does not have (GL5104) and needed ones that are missing
+/// (GL5106). Says nothing of behaviours that are not known.
 void checkArguments(const BehaviourBlock& block, support::DiagnosticEngine& diagnostics);
 
 }  // namespace glider::slocum

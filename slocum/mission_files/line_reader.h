@@ -3,14 +3,14 @@
 
 #pragma once
 
+#include "slocum/mission_files/mission_file.h"
+#include "support/diagnostics/engine.h"
+
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include "slocum/mission_files/mission_file.h"
-#include "support/diagnostics/engine.h"
 
 namespace glider::slocum {
 
@@ -26,10 +26,12 @@ struct Piece {
 std::string quoted(std::string_view text);
 std::string lowerCase(std::string_view text);
 
-/// Hands out the lines of a mission file: comments cut off, trimmed, empty ones skipped, CR dropped.
+/// Hands out the lines of a mission file: comments cut off, trimmed, empty ones skipped, CR
+/// dropped.
 class LineReader {
  public:
-  LineReader(const support::SourceManager& sources, uint32_t file, support::DiagnosticEngine& diagnostics);
+  LineReader(const support::SourceManager& sources, uint32_t file,
+             support::DiagnosticEngine& diagnostics);
 
   /// Reports GL5109 and returns false for what is no text or too large to be a mission.
   bool acceptable();

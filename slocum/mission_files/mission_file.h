@@ -3,18 +3,20 @@
 
 #pragma once
 
+#include "support/source_manager.h"
+
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "support/source_manager.h"
-
-/// The Slocum's own mission files as plain data. Names are kept in lower case: the vehicle does not tell cases apart.
+/// The Slocum's own mission files as plain data. Names are kept in lower case: the vehicle does not
+/// tell cases apart.
 namespace glider::slocum {
 
-/// `name(unit) value` of a sensor or b_arg line. The unit is a description only and means nothing to the vehicle.
+/// `name(unit) value` of a sensor or b_arg line. The unit is a description only and means nothing
+/// to the vehicle.
 struct Setting {
   std::string name;
   std::string unit;

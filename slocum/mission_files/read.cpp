@@ -3,10 +3,10 @@
 
 #include "slocum/mission_files/read.h"
 
+#include "slocum/mission_files/line_reader.h"
+
 #include <algorithm>
 #include <cmath>
-
-#include "slocum/mission_files/line_reader.h"
 
 namespace glider::slocum {
 
@@ -46,7 +46,8 @@ SetupLine setupLine(const std::vector<Piece>& words, support::SourceRange range)
 }
 
 /// Appends unless the list has it already (GL5105).
-void append(std::vector<Setting>& list, std::optional<Setting> setting, DiagnosticEngine& diagnostics) {
+void append(std::vector<Setting>& list, std::optional<Setting> setting,
+            DiagnosticEngine& diagnostics) {
   if (!setting) {
     return;
   }
@@ -62,7 +63,8 @@ void append(std::vector<Setting>& list, std::optional<Setting> setting, Diagnost
 /// Reads a .mi line by line.
 class MissionReader {
  public:
-  MissionReader(LineReader& lines, DiagnosticEngine& diagnostics) : lines_(lines), diagnostics_(diagnostics) {}
+  MissionReader(LineReader& lines, DiagnosticEngine& diagnostics)
+      : lines_(lines), diagnostics_(diagnostics) {}
 
   void line(Piece line) {
     const std::string word = keyword(line);
@@ -75,8 +77,8 @@ class MissionReader {
     } else if (const auto words = lines_.words(line); isSetup(words)) {
       mission.setup.push_back(setupLine(words, line.range));
     } else {
-      diagnostics_.report(DiagnosticId::missionFileSyntax, line.range, "`sensor:`, `behavior:` or `b_arg:`",
-                          quoted(line.text));
+      diagnostics_.report(DiagnosticId::missionFileSyntax, line.range,
+                          "`sensor:`, `behavior:` or `b_arg:`", quoted(line.text));
     }
   }
 
@@ -87,8 +89,8 @@ class MissionReader {
     const auto words = lines_.words(rest);
     if (words.size() != 1) {
       const Piece found = words.empty() ? rest : words[1];
-      diagnostics_.report(DiagnosticId::missionFileSyntax, found.range, "one name after `behavior:`",
-                          quoted(found.text));
+      diagnostics_.report(DiagnosticId::missionFileSyntax, found.range,
+                          "one name after `behavior:`", quoted(found.text));
       // Its arguments must not be taken for those of the behaviour above.
       if (words.empty()) {
         mission.behaviours.push_back({"", rest.range, {}});
@@ -102,7 +104,8 @@ class MissionReader {
     const auto setting = lines_.setting(rest);
     if (mission.behaviours.empty()) {
       if (setting) {
-        diagnostics_.report(DiagnosticId::argumentOutsideBehaviour, setting->name_range, setting->name);
+        diagnostics_.report(DiagnosticId::argumentOutsideBehaviour, setting->name_range,
+                            setting->name);
       }
       return;
     }
@@ -122,7 +125,8 @@ bool isCoordinate(double ddmm, double most) {
 /// Reads a .ma line by line.
 class ArgumentReader {
  public:
-  ArgumentReader(LineReader& lines, DiagnosticEngine& diagnostics) : lines_(lines), diagnostics_(diagnostics) {}
+  ArgumentReader(LineReader& lines, DiagnosticEngine& diagnostics)
+      : lines_(lines), diagnostics_(diagnostics) {}
 
   void line(Piece line) {
     const std::string word = lowerCase(line.text);
@@ -142,9 +146,11 @@ class ArgumentReader {
   /// At the end of the file.
   void finish(support::SourceRange end) {
     if (file.behaviour.empty()) {
-      diagnostics_.report(DiagnosticId::argumentFileTag, end, "behavior_name=", "the end of the file");
+      diagnostics_.report(DiagnosticId::argumentFileTag, end,
+                          "behavior_name=", "the end of the file");
     } else if (!within_.empty()) {
-      diagnostics_.report(DiagnosticId::argumentFileTag, end, "<end:" + within_ + ">", "the end of the file");
+      diagnostics_.report(DiagnosticId::argumentFileTag, end, "<end:" + within_ + ">",
+                          "the end of the file");
     }
   }
 
@@ -158,7 +164,8 @@ class ArgumentReader {
   void name(Piece line, const std::string& word) {
     const size_t equals = word.find('=');
     const Piece rest = lines_.trimmed(
-        line.range.begin + (equals == std::string::npos ? line.text.size() : equals + 1), line.range.end);
+        line.range.begin + (equals == std::string::npos ? line.text.size() : equals + 1),
+        line.range.end);
     if (!word.starts_with("behavior_name") || lines_.words(rest).size() != 1) {
       expected("behavior_name=", line);
       file.behaviour.assign(1, '?');  // reported once; the rest is still read for its own mistakes
@@ -216,7 +223,8 @@ std::optional<MissionFile> readMission(const support::SourceManager& sources, ui
   while (const auto line = lines.next()) {
     reader.line(*line);
   }
-  return diagnostics.errorCount() == errors_before ? std::optional(std::move(reader.mission)) : std::nullopt;
+  return diagnostics.errorCount() == errors_before ? std::optional(std::move(reader.mission))
+                                                   : std::nullopt;
 }
 
 std::optional<ArgumentFile> readArguments(const support::SourceManager& sources, uint32_t file,
@@ -232,7 +240,8 @@ std::optional<ArgumentFile> readArguments(const support::SourceManager& sources,
   }
   const auto end = static_cast<uint32_t>(sources.text(file).size());
   reader.finish({file, end, end});
-  return diagnostics.errorCount() == errors_before ? std::optional(std::move(reader.file)) : std::nullopt;
+  return diagnostics.errorCount() == errors_before ? std::optional(std::move(reader.file))
+                                                   : std::nullopt;
 }
 
 }  // namespace glider::slocum

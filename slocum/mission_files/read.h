@@ -3,15 +3,15 @@
 
 #pragma once
 
-#include <optional>
-
 #include "slocum/mission_files/mission_file.h"
 #include "support/diagnostics/engine.h"
 
+#include <optional>
+
 namespace glider::slocum {
 
-/// Reads the .mi file `file`. Every mistake is reported (GL5100-5109); empty when there was an error. Which behaviours
-/// exist is not this function's matter: see checkArguments.
+/// Reads the .mi file `file`. Every mistake is reported (GL5100-5109); empty when there was an
+/// error. Which behaviours exist is not this function's matter: see checkArguments.
 std::optional<MissionFile> readMission(const support::SourceManager& sources, uint32_t file,
                                        support::DiagnosticEngine& diagnostics);
 

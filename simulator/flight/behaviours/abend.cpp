@@ -3,9 +3,9 @@
 
 #include "simulator/flight/behaviours/abend.h"
 
-#include <cmath>
-
 #include <fmt/format.h>
+
+#include <cmath>
 
 namespace glider::simulator {
 
@@ -37,19 +37,23 @@ Behaviour::Outcome Abend::fly(const Situation& s, Commands& /*commands*/) {
     }
   };
   if (overdepth_ >= 0 && s.depth_m > overdepth_) {
-    found(Abort::Overdepth, fmt::format("m_depth {:.1f} m > overdepth {} m", s.depth_m, overdepth_));
+    found(Abort::Overdepth,
+          fmt::format("m_depth {:.1f} m > overdepth {} m", s.depth_m, overdepth_));
   }
   if (overtime_ >= 0 && s.time_s > overtime_) {
     found(Abort::Overtime, fmt::format("{:.0f} s > overtime {} s", s.time_s, overtime_));
   }
   if (undervolts_ >= 0 && s.voltage < undervolts_) {
-    found(Abort::Undervolts, fmt::format("m_battery {:.2f} V < undervolts {} V", s.voltage, undervolts_));
+    found(Abort::Undervolts,
+          fmt::format("m_battery {:.2f} V < undervolts {} V", s.voltage, undervolts_));
   }
   if (same_depth_for_ >= 0 && same_for > same_depth_for_) {
-    found(Abort::SameDepth, fmt::format("within {} m of {:.1f} m for {:.0f} s", kSameDepth, reference_depth_, same_for));
+    found(Abort::SameDepth, fmt::format("within {} m of {:.1f} m for {:.0f} s", kSameDepth,
+                                        reference_depth_, same_for));
   }
   if (waypoint_distance_ >= 0 && s.waypoint_distance_m > waypoint_distance_) {
-    found(Abort::WaypointTooFar, fmt::format("the waypoint is {:.0f} m away", s.waypoint_distance_m));
+    found(Abort::WaypointTooFar,
+          fmt::format("the waypoint is {:.0f} m away", s.waypoint_distance_m));
   }
   return Outcome::Continue;
 }

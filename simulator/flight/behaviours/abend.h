@@ -7,8 +7,8 @@
 
 namespace glider::simulator {
 
-/// Watches the vehicle's limits and aborts the mission: overdepth, overtime, undervolts, samedepth_for, max_wpt_distance. The
-/// other limits of a real abend watch what is not simulated.
+/// Watches the vehicle's limits and aborts the mission: overdepth, overtime, undervolts,
+/// samedepth_for, max_wpt_distance. The other limits of a real abend watch what is not simulated.
 class Abend final : public Behaviour {
  public:
   explicit Abend(const slocum::BehaviourBlock& block);

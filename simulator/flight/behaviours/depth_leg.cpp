@@ -3,15 +3,16 @@
 
 #include "simulator/flight/behaviours/depth_leg.h"
 
-#include <cmath>
+#include "simulator/flight/behaviours/arguments.h"
 
 #include <fmt/format.h>
 
-#include "simulator/flight/behaviours/arguments.h"
+#include <cmath>
 
 namespace glider::simulator {
 
-// Slower than a quarter of the nominal 0.19 m/s is hovering; a leg that has not gained a metre is stalled.
+// Slower than a quarter of the nominal 0.19 m/s is hovering; a leg that has not gained a metre is
+// stalled.
 constexpr double kHoverRate = 0.25 * 0.19;
 constexpr double kProgress = 1;  // m
 
@@ -55,7 +56,8 @@ bool DepthLeg::stuck(const Situation& s) {
   if (std::fabs(s.depth_rate_mps) >= kHoverRate) {
     moving_s_ = s.time_s;
   }
-  const double gain = direction_ == Direction::Dive ? s.depth_m - best_depth_ : best_depth_ - s.depth_m;
+  const double gain =
+      direction_ == Direction::Dive ? s.depth_m - best_depth_ : best_depth_ - s.depth_m;
   if (gain >= kProgress) {
     best_depth_ = s.depth_m;
     deepest_s_ = s.time_s;

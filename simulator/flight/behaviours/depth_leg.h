@@ -3,9 +3,9 @@
 
 #pragma once
 
-#include <string>
-
 #include "simulator/flight/behaviour.h"
+
+#include <string>
 
 namespace glider::simulator {
 
@@ -18,11 +18,13 @@ class DepthLeg {
   DepthLeg(const slocum::BehaviourBlock& block, Direction direction);
 
   void begin(const Situation& situation);
-  /// True when the leg is over. While `overridden` only truly reaching the target counts: how the vehicle moves is then not
-  /// this leg's doing.
+  /// True when the leg is over. While `overridden` only truly reaching the target counts: how the
+  /// vehicle moves is then not this leg's doing.
   bool over(const Situation& situation, bool overridden);
   void command(Commands& commands) const;
-  [[nodiscard]] const char* name() const { return direction_ == Direction::Dive ? "dive_to" : "climb_to"; }
+  [[nodiscard]] const char* name() const {
+    return direction_ == Direction::Dive ? "dive_to" : "climb_to";
+  }
   /// Why it is over.
   [[nodiscard]] const std::string& why() const { return why_; }
 

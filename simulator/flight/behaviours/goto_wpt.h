@@ -5,6 +5,8 @@
 
 #include "simulator/flight/behaviours/arguments.h"
 
+#include <utility>
+
 namespace glider::simulator {
 
 /// Steers to a waypoint in longitude (wpt_x) and latitude (wpt_y), ddmm.mmmm.
@@ -18,7 +20,9 @@ class GotoWpt final : public Behaviour {
         command_{HeadingCommand::Mode::Waypoint, 0, block.value("wpt_y"), block.value("wpt_x")} {}
 
  protected:
-  [[nodiscard]] bool starts(const Situation& s, const Commands& below) const override { return start_.met(s, below); }
+  [[nodiscard]] bool starts(const Situation& s, const Commands& below) const override {
+    return start_.met(s, below);
+  }
   void begin(const Situation& s) override { start_.noteStart(s.time_s), fresh_ = true; }
   Outcome fly(const Situation& s, Commands& commands) override {
     // The distance known in the first cycle is still that of the waypoint before.

@@ -3,9 +3,9 @@
 
 #include "simulator/flight/behaviours/hookbeh_adapter.h"
 
-#include <fmt/format.h>
-
 #include "platforms/slocum_sensors.h"
+
+#include <fmt/format.h>
 
 namespace glider::simulator {
 
@@ -54,37 +54,54 @@ hooks::HookbehInputs inputs(const Situation& s) {
 
 HeadingCommand heading(const hooks::HookbehOutputs& out) {
   switch (out.heading_mode) {
-    case hooks::HeadingMode::Heading: return {HeadingCommand::Mode::Heading, out.heading_rad, 0, 0};
+    case hooks::HeadingMode::Heading:
+      return {HeadingCommand::Mode::Heading, out.heading_rad, 0, 0};
     case hooks::HeadingMode::Waypoint:
       return {HeadingCommand::Mode::Waypoint, 0, out.latitude_ddmm, out.longitude_ddmm};
-    case hooks::HeadingMode::CentreFin: break;
+    case hooks::HeadingMode::CentreFin:
+      break;
   }
   return {HeadingCommand::Mode::Fin, 0, 0, 0};
 }
 
 const char* describe(HookAnswer answer) {
   switch (answer) {
-    case HookAnswer::None: return "no answer";
-    case HookAnswer::Accepted: return "accepted";
-    case HookAnswer::BadCheck: return "its check value does not match";
-    case HookAnswer::TooDeep: return "deeper than max_depth";
-    case HookAnswer::BadPitch: return "its pitch is outside min_pitch and max_pitch";
-    case HookAnswer::BadCommand: return "it is no command";
-    case HookAnswer::NotOnEarth: return "its waypoint is no position";
-    case HookAnswer::WrongSession: return "it is from a session that is not in control";
-    case HookAnswer::NotReady: return "hookbeh is not ready";
+    case HookAnswer::None:
+      return "no answer";
+    case HookAnswer::Accepted:
+      return "accepted";
+    case HookAnswer::BadCheck:
+      return "its check value does not match";
+    case HookAnswer::TooDeep:
+      return "deeper than max_depth";
+    case HookAnswer::BadPitch:
+      return "its pitch is outside min_pitch and max_pitch";
+    case HookAnswer::BadCommand:
+      return "it is no command";
+    case HookAnswer::NotOnEarth:
+      return "its waypoint is no position";
+    case HookAnswer::WrongSession:
+      return "it is from a session that is not in control";
+    case HookAnswer::NotReady:
+      return "hookbeh is not ready";
   }
   return "unknown answer";
 }
 
 const char* describe(HookState state) {
   switch (state) {
-    case HookState::Absent: return "absent";
-    case HookState::Waiting: return "waits";
-    case HookState::Ready: return "is ready for the SBC";
-    case HookState::Active: return "the SBC takes control";
-    case HookState::Silent: return "the SBC is silent, control taken away";
-    case HookState::Complete: return "the SBC gives control back";
+    case HookState::Absent:
+      return "absent";
+    case HookState::Waiting:
+      return "waits";
+    case HookState::Ready:
+      return "is ready for the SBC";
+    case HookState::Active:
+      return "the SBC takes control";
+    case HookState::Silent:
+      return "the SBC is silent, control taken away";
+    case HookState::Complete:
+      return "the SBC gives control back";
   }
   return "unknown state";
 }
@@ -99,9 +116,10 @@ void HookbehAdapter::note(const hooks::HookbehInputs& in, const hooks::HookbehOu
     news_.push_back({"control", fmt::format("hookbeh: {}", describe(out.state))});
   }
   if (out.answered_sequence != answered_ && out.answer != HookAnswer::Accepted) {
-    news_.push_back({"hook", fmt::format("instruction {} refused: {} (vertical {}, depth {} m, pitch {} rad)",
-                                         out.answered_sequence, describe(out.answer), in.vertical, in.hook_depth_m,
-                                         in.hook_pitch_rad)});
+    news_.push_back(
+        {"hook", fmt::format("instruction {} refused: {} (vertical {}, depth {} m, pitch {} rad)",
+                             out.answered_sequence, describe(out.answer), in.vertical,
+                             in.hook_depth_m, in.hook_pitch_rad)});
   }
   if (out.commanding && doing_ != out.doing) {
     news_.push_back({"hook", fmt::format("hookbeh: {} (m_depth {:.1f} m)", out.doing, in.depth_m)});

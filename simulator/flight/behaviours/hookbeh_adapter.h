@@ -3,16 +3,17 @@
 
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "hooks/hookbeh/hookbeh.h"
 #include "simulator/flight/behaviour.h"
 
+#include <string>
+#include <vector>
+
 namespace glider::simulator {
 
-/// The behaviour hookbeh in this layered control: hooks::Hookbeh between the sensor array and the command record. It runs in
-/// every cycle, for it has states of its own; it is complete when the SBC has given control back.
+/// The behaviour hookbeh in this layered control: hooks::Hookbeh between the sensor array and the
+/// command record. It runs in every cycle, for it has states of its own; it is complete when the
+/// SBC has given control back.
 class HookbehAdapter final : public Behaviour {
  public:
   explicit HookbehAdapter(const slocum::BehaviourBlock& block);

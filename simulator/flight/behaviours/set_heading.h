@@ -15,12 +15,17 @@ class SetHeading final : public Behaviour {
         start_(startCondition(block)),
         stop_(stopCondition(block)),
         resumes_(block.value("end_action") == 2),
-        command_{block.value("use_heading") == 4 ? HeadingCommand::Mode::Fin : HeadingCommand::Mode::Heading,
+        command_{block.value("use_heading") == 4 ? HeadingCommand::Mode::Fin
+                                                 : HeadingCommand::Mode::Heading,
                  block.value("heading_value"), 0, 0} {}
 
  protected:
-  [[nodiscard]] bool starts(const Situation& s, const Commands& below) const override { return start_.met(s, below); }
-  void begin(const Situation& s) override { start_.noteStart(s.time_s), stop_.noteEnd(s.time_s), stop_.noteStart(s.time_s); }
+  [[nodiscard]] bool starts(const Situation& s, const Commands& below) const override {
+    return start_.met(s, below);
+  }
+  void begin(const Situation& s) override {
+    start_.noteStart(s.time_s), stop_.noteEnd(s.time_s), stop_.noteStart(s.time_s);
+  }
   Outcome fly(const Situation& s, Commands& commands) override {
     if (stop_.met(s, commands)) {
       return Outcome::Done;

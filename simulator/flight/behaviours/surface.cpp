@@ -3,10 +3,10 @@
 
 #include "simulator/flight/behaviours/surface.h"
 
+#include "simulator/flight/behaviours/arguments.h"
+
 #include <cmath>
 #include <limits>
-
-#include "simulator/flight/behaviours/arguments.h"
 
 namespace glider::simulator {
 

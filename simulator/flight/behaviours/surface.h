@@ -7,15 +7,20 @@
 
 namespace glider::simulator {
 
-/// Brings the vehicle to the surface, waits there for a fix and for an operator (there is none), then ends, resumes or
-/// quits the mission.
+/// Brings the vehicle to the surface, waits there for a fix and for an operator (there is none),
+/// then ends, resumes or quits the mission.
 class Surface final : public Behaviour {
  public:
   explicit Surface(const slocum::BehaviourBlock& block);
-  [[nodiscard]] bool endsMission() const override { return state() == State::Complete && end_action_ == 0; }
+  [[nodiscard]] bool atWork() const override { return state() == State::Active; }
+  [[nodiscard]] bool endsMission() const override {
+    return state() == State::Complete && end_action_ == 0;
+  }
 
  protected:
-  [[nodiscard]] bool starts(const Situation& s, const Commands& below) const override { return start_.met(s, below); }
+  [[nodiscard]] bool starts(const Situation& s, const Commands& below) const override {
+    return start_.met(s, below);
+  }
   void begin(const Situation& situation) override;
   Outcome fly(const Situation& situation, Commands& commands) override;
   [[nodiscard]] bool resumes() const override { return end_action_ != 0; }

@@ -3,9 +3,9 @@
 
 #include "simulator/flight/behaviours/yo.h"
 
-#include <fmt/format.h>
-
 #include "simulator/flight/behaviours/arguments.h"
+
+#include <fmt/format.h>
 
 namespace glider::simulator {
 
@@ -26,11 +26,12 @@ void Yo::begin(const Situation& situation) {
 }
 
 Behaviour::Outcome Yo::fly(const Situation& situation, Commands& commands) {
-  // A leg whose target is already passed ends in the cycle that began it; two in a row mean that the targets contradict
-  // each other, and then the second one flies on for a cycle.
+  // A leg whose target is already passed ends in the cycle that began it; two in a row mean that
+  // the targets contradict each other, and then the second one flies on for a cycle.
   for (int legs = 0; legs < 2 && leg_->over(situation, overridden()); ++legs) {
     ++half_cycles_;
-    news_.emplace_back(fmt::format("yo: {} over, half cycle {}", leg_->name(), half_cycles_), leg_->why());
+    news_.emplace_back(fmt::format("yo: {} over, half cycle {}", leg_->name(), half_cycles_),
+                       leg_->why());
     if (half_cycles_to_do_ >= 0 && half_cycles_ >= half_cycles_to_do_) {
       return Outcome::Done;
     }

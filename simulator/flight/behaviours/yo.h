@@ -15,7 +15,9 @@ class Yo final : public Behaviour {
   void tell(double time_s, Journal& journal) override;
 
  protected:
-  [[nodiscard]] bool starts(const Situation& s, const Commands& below) const override { return start_.met(s, below); }
+  [[nodiscard]] bool starts(const Situation& s, const Commands& below) const override {
+    return start_.met(s, below);
+  }
   void begin(const Situation& situation) override;
   Outcome fly(const Situation& situation, Commands& commands) override;
   [[nodiscard]] bool resumes() const override { return end_action_ == 2; }

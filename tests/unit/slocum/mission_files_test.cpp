@@ -1,17 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <algorithm>
-#include <filesystem>
-#include <string>
-
-#include <gtest/gtest.h>
-
 #include "slocum/mission_files/argument_files.h"
 #include "slocum/mission_files/behaviour_catalogue.h"
 #include "slocum/mission_files/read.h"
 #include "support/diagnostics/render.h"
 #include "support/files.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
 
 namespace glider::slocum {
 namespace {
@@ -37,7 +37,8 @@ struct Reading {
 
 Reading mission(std::string text) {
   Reading out;
-  out.mission = readMission(out.sources, out.sources.add("test.mi", std::move(text)), out.diagnostics);
+  out.mission =
+      readMission(out.sources, out.sources.add("test.mi", std::move(text)), out.diagnostics);
   if (out.mission) {
     for (const BehaviourBlock& block : out.mission->behaviours) {
       checkArguments(block, out.diagnostics);
@@ -48,7 +49,8 @@ Reading mission(std::string text) {
 
 Reading arguments(std::string text) {
   Reading out;
-  out.arguments = readArguments(out.sources, out.sources.add("test.ma", std::move(text)), out.diagnostics);
+  out.arguments =
+      readArguments(out.sources, out.sources.add("test.ma", std::move(text)), out.diagnostics);
   return out;
 }
 
@@ -82,7 +84,9 @@ TEST(MissionFile, PointsAtEachMistake) {
   EXPECT_EQ(mission("behavior: yo\n b_arg: d_target_depth(m) nan\n").codes(), "GL5102");
   EXPECT_EQ(mission("behavior: yo\n b_arg: d_target_depth(m) 1e999\n").codes(), "GL5102");
   EXPECT_EQ(mission("behavior: yo\n b_arg: d_target_dept(m) 3\n").codes(), "GL5104");
-  EXPECT_EQ(mission("behavior: yo\n b_arg: d_target_depth(m) 3\n b_arg: D_TARGET_DEPTH(m) 4\n").codes(), "GL5105");
+  EXPECT_EQ(
+      mission("behavior: yo\n b_arg: d_target_depth(m) 3\n b_arg: D_TARGET_DEPTH(m) 4\n").codes(),
+      "GL5105");
   EXPECT_EQ(mission("behavior: set_heading\n").codes(), "GL5106");
   // accepts: GL5100 GL5101 GL5102 GL5104 GL5105 GL5106
   EXPECT_EQ(mission("behavior: set_heading\n b_arg: heading_value(X) 1.5\n"
@@ -93,7 +97,8 @@ TEST(MissionFile, PointsAtEachMistake) {
 
 TEST(MissionFile, ShowsPlaceCaretAndSuggestion) {
   const std::string text = mission("behavior: yo\n  b_arg: d_target_dept(m) 3\n").text();
-  EXPECT_NE(text.find("test.mi:2:10: error: behaviour `yo` has no argument `d_target_dept`"), std::string::npos)
+  EXPECT_NE(text.find("test.mi:2:10: error: behaviour `yo` has no argument `d_target_dept`"),
+            std::string::npos)
       << text;
   EXPECT_NE(text.find("did you mean `d_target_depth`?"), std::string::npos) << text;
 }
@@ -101,8 +106,10 @@ TEST(MissionFile, ShowsPlaceCaretAndSuggestion) {
 TEST(MissionFile, SurvivesHostileInput) {
   EXPECT_EQ(mission(std::string("behavior: yo\0", 13)).codes(), "GL5109");
   EXPECT_EQ(mission(std::string((size_t{1} << 20U) + 1, ' ')).codes(), "GL5109");
-  EXPECT_TRUE(mission("").mission) << "an empty file is a mission without behaviours";  // accepts: GL5109
-  EXPECT_EQ(mission("behavior: " + std::string(100000, 'x') + "\n b_arg: " + std::string(100000, 'y') + "(m) 3\n")
+  EXPECT_TRUE(mission("").mission)
+      << "an empty file is a mission without behaviours";  // accepts: GL5109
+  EXPECT_EQ(mission("behavior: " + std::string(100000, 'x') +
+                    "\n b_arg: " + std::string(100000, 'y') + "(m) 3\n")
                 .codes(),
             "");
   EXPECT_EQ(mission("\xff\xfe\x01:\n").codes(), "GL5100");
@@ -130,23 +137,34 @@ TEST(ArgumentFile, ReadsArgumentsAndWaypointsLongitudeFirst) {
 TEST(ArgumentFile, PointsAtEachMistake) {
   EXPECT_EQ(arguments("").codes(), "GL5112");
   EXPECT_EQ(arguments("<start:b_arg>\n<end:b_arg>\n").codes(), "GL5112 GL5112");
-  EXPECT_EQ(arguments("behavior_name=yo\n<start:b_arg>\nb_arg: d_target_depth(m) 3\n").codes(), "GL5112");
+  EXPECT_EQ(arguments("behavior_name=yo\n<start:b_arg>\nb_arg: d_target_depth(m) 3\n").codes(),
+            "GL5112");
   EXPECT_EQ(arguments("behavior_name=yo\nb_arg: d_target_depth(m) 3\n").codes(), "GL5112");
-  EXPECT_EQ(arguments("behavior_name=goto_list\n<start:waypoints>\n-7360.0 3910.5\n<end:waypoints>\n").codes(),
-            "GL5114");
-  EXPECT_EQ(arguments("behavior_name=goto_list\n<start:waypoints>\n3910.5 -7349.5 1\n<end:waypoints>\n").codes(),
-            "GL5100");
+  EXPECT_EQ(
+      arguments("behavior_name=goto_list\n<start:waypoints>\n-7360.0 3910.5\n<end:waypoints>\n")
+          .codes(),
+      "GL5114");
+  EXPECT_EQ(
+      arguments("behavior_name=goto_list\n<start:waypoints>\n3910.5 -7349.5 1\n<end:waypoints>\n")
+          .codes(),
+      "GL5100");
   // accepts: GL5112 GL5114
-  EXPECT_EQ(arguments("behavior_name=goto_list\n<start:waypoints>\n-7359.9 3910.5\n<end:waypoints>\n").codes(), "");
+  EXPECT_EQ(
+      arguments("behavior_name=goto_list\n<start:waypoints>\n-7359.9 3910.5\n<end:waypoints>\n")
+          .codes(),
+      "");
 }
 
 TEST(ArgumentFile, GoesBeforeTheMissionFile) {
   const fs::path folder = fs::path(testing::TempDir()) / "argument_files";
   fs::create_directories(folder);
   ASSERT_TRUE(support::writeFileAtomically(
-      folder / "yo07.ma", "behavior_name=yo\n<start:b_arg>\nb_arg: d_target_depth(m) 44\n<end:b_arg>\n"));
+      folder / "yo07.ma",
+      "behavior_name=yo\n<start:b_arg>\nb_arg: d_target_depth(m) 44\n<end:b_arg>\n"));
   ASSERT_TRUE(support::writeFileAtomically(folder / "surfac07.ma", "behavior_name=yo\n"));
-  Reading r = mission("behavior: yo\n b_arg: args_from_file(enum) 7\n b_arg: d_target_depth(m) 3\n");  // accepts: GL5113
+  Reading r = mission(
+      "behavior: yo\n b_arg: args_from_file(enum) 7\n b_arg: d_target_depth(m) 3\n");  // accepts:
+                                                                                       // GL5113
   applyArgumentFiles(*r.mission, folder, r.sources, r.diagnostics);
   EXPECT_EQ(r.mission->behaviours[0].value("d_target_depth"), 44);
   EXPECT_EQ(r.codes(), "");

@@ -3,11 +3,11 @@
 
 #include "report/thin.h"
 
+#include "report/figures.h"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
-
-#include "report/figures.h"
 
 namespace glider::report {
 
@@ -15,7 +15,8 @@ namespace {
 
 using support::Trace;
 
-void keepExtremes(const Trace& trace, int depth, size_t begin, size_t end, std::vector<bool>& keep) {
+void keepExtremes(const Trace& trace, int depth, size_t begin, size_t end,
+                  std::vector<bool>& keep) {
   keep[begin] = true;
   if (depth < 0) {
     return;

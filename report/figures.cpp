@@ -33,27 +33,6 @@ Range rangeOf(const Trace& trace, int column) {
   return range;
 }
 
-/// Counts lower turning points: down by kYoDepth from the last top, then up by kYoDepth from the
-/// bottom.
-size_t countYos(const Trace& trace, int depth) {
-  size_t yos = 0;
-  bool diving = false;
-  double extreme = kNaN;  // the shallowest point since the last bottom, or the deepest of this dive
-  for (size_t row = 0; depth >= 0 && row < trace.rowCount(); ++row) {
-    const double here = trace.at(row, depth);
-    if (std::isnan(here)) {
-      continue;
-    }
-    extreme = diving ? std::fmax(extreme, here) : std::fmin(extreme, here);
-    if (std::abs(here - extreme) >= kYoDepth) {
-      yos += diving ? 1 : 0;
-      diving = !diving;
-      extreme = here;
-    }
-  }
-  return yos;
-}
-
 void measureTrack(const Trace& trace, int east, int north, FlightFigures& figures) {
   double first_x = kNaN;
   double first_y = kNaN;
@@ -147,6 +126,31 @@ const char* trackSourceName(TrackSource source) {
 
 }  // namespace
 
+std::vector<TurningPoint> turningPoints(const Trace& trace) {
+  const int depth = depthColumn(trace);
+  std::vector<TurningPoint> points;
+  bool diving = false;
+  double extreme = kNaN;  // the shallowest depth of this climb, or the deepest of this dive
+  size_t extreme_row = 0;
+  for (size_t row = 0; depth >= 0 && row < trace.rowCount(); ++row) {
+    const double here = trace.at(row, depth);
+    if (std::isnan(here)) {
+      continue;
+    }
+    const bool further = diving ? here >= extreme : here <= extreme;
+    if (further || std::isnan(extreme)) {
+      extreme = here;
+      extreme_row = row;
+    } else if (std::abs(here - extreme) >= kYoDepth) {
+      points.push_back({extreme_row, diving});
+      diving = !diving;
+      extreme = here;
+      extreme_row = row;
+    }
+  }
+  return points;
+}
+
 int depthColumn(const Trace& trace) {
   const int measured = trace.column("m_depth");
   return measured >= 0 ? measured : trace.column("true_depth");
@@ -168,7 +172,8 @@ FlightFigures flightFigures(const Trace& trace) {
   const Range depths = rangeOf(trace, depthColumn(trace));
   figures.shallowest_m = depths.least;
   figures.deepest_m = depths.greatest;
-  figures.yos = countYos(trace, depthColumn(trace));
+  const auto turns = turningPoints(trace);
+  figures.yos = static_cast<size_t>(std::ranges::count_if(turns, &TurningPoint::at_bottom));
   const Range temperatures = rangeOf(trace, trace.column("sci_water_temp"));
   figures.coldest_degC = temperatures.least;
   figures.warmest_degC = temperatures.greatest;

@@ -52,6 +52,16 @@ FlightFigures flightFigures(const support::Trace& trace);
 /// The same as a JSON object; NaN is null.
 std::string figuresToJson(const FlightFigures& figures);
 
+/// Where a dive turned into a climb, or a climb into a dive.
+struct TurningPoint {
+  size_t row = 0;
+  bool at_bottom = false;
+};
+
+/// The turning points of the depth, with at least kYoDepth of change on both sides; the first may
+/// be the start.
+std::vector<TurningPoint> turningPoints(const support::Trace& trace);
+
 /// The column that the report calls depth: m_depth, else true_depth, else -1.
 int depthColumn(const support::Trace& trace);
 /// The name of state number `id` of the column "state"; `state 7` for one that the trace does not

@@ -67,6 +67,9 @@ Trace thinned(const Trace& trace, size_t most) {
   for (size_t i = 0; i < stretches; ++i) {
     keepExtremes(trace, depth, i * count / stretches, (i + 1) * count / stretches, keep);
   }
+  for (const TurningPoint& point : turningPoints(trace)) {
+    keep[point.row] = true;
+  }
   keepChanges(trace, trace.column("state"), keep);
   keepChanges(trace, trace.column("hook_active"), keep);
 

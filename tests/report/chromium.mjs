@@ -71,7 +71,7 @@ export class Chromium {
 
   async close() {
     const ended = new Promise((resolve) => this.#process.once("exit", resolve));
-    await this.send("Browser.close").catch(() => this.#process.kill("SIGKILL"));
+    await this.send("Browser.close").catch(() => process.kill(-this.#process.pid, "SIGKILL"));
     await ended;
     rmSync(this.#profile, { recursive: true, force: true, maxRetries: 10, retryDelay: 100 });
   }
@@ -108,7 +108,8 @@ class Page {
   /** Waits until `expression` is true in the page. */
   async until(expression) {
     for (let tries = 0; tries < 300; ++tries) {
-      if (await this.eval(expression)) return;
+      // While the page is being opened there may be no document to ask.
+      if (await this.eval(expression).catch(() => false)) return;
       await new Promise((resolve) => setTimeout(resolve, 50));
     }
     throw new Error(`never true: ${expression}; ${this.complaints.join("; ")}`);

@@ -119,8 +119,8 @@ export class TimeChart {
       series: [{}, ...seriesOf(o.lines)],
       axes: axes(o.height),
       hooks: {
-        drawClear: [(u: uPlot) => { this.thinLines(u); o.paintUnder?.(u); }],
-        draw: [(u: uPlot) => o.paintOver?.(u)],
+        drawClear: [(u: uPlot) => { this.thinLines(u); u.ctx.globalAlpha = 1; o.paintUnder?.(u); }],
+        draw: [(u: uPlot) => { u.ctx.globalAlpha = 1; o.paintOver?.(u); }],
         setSelect: [(u: uPlot) => this.takeSelection(u)],
       },
     };

@@ -77,6 +77,21 @@ bool TomlReader::flagOr(std::string_view key, bool fallback) {
   return value.value_or(fallback);
 }
 
+std::vector<std::string> TomlReader::texts(std::string_view key) {
+  const toml::node* found = node(key);
+  const toml::array* list = found != nullptr ? found->as_array() : nullptr;
+  std::vector<std::string> texts;
+  for (size_t i = 0; list != nullptr && i < list->size(); ++i) {
+    if (const auto text = list->get(i)->value_exact<std::string>()) {
+      texts.push_back(*text);
+    }
+  }
+  if (found != nullptr && (list == nullptr || texts.size() != list->size())) {
+    refuse(key, "must be a list of texts in quotes");
+  }
+  return texts;
+}
+
 void TomlReader::only(std::initializer_list<std::string_view> known) {
   for (const auto& [key, value] : table_) {
     if (std::ranges::find(known, key.str()) == known.end()) {

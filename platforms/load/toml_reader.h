@@ -12,6 +12,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace glider::platforms {
 
@@ -29,6 +30,8 @@ class TomlReader {
   double numberOr(std::string_view key, double fallback);
   int64_t integer(std::string_view key);
   bool flagOr(std::string_view key, bool fallback);
+  /// A list of texts, which may be empty.
+  std::vector<std::string> texts(std::string_view key);
   /// Refuses keys that are not in `known`.
   void only(std::initializer_list<std::string_view> known);
   /// Notes a failure of the caller's own check about `key`.

@@ -87,25 +87,4 @@ Result<std::unique_ptr<Compilation>> compileMission(const std::filesystem::path&
   return compilation;
 }
 
-std::string guardText(const Compilation& compilation, uint32_t state, uint32_t fired_case) {
-  const ir::Mission& mission = *compilation.mission;
-  if (state >= mission.states.size() || fired_case >= mission.states[state].cases.size()) {
-    return {};
-  }
-  const support::SourceRange range = mission[mission.states[state].cases[fired_case].guard].range;
-  if (!range.valid()) {
-    return {};
-  }
-  std::string text;
-  for (const char c : compilation.sources.text(range)) {
-    const bool blank = c == ' ' || c == '\n' || c == '\t' || c == '\r';
-    if (!blank) {
-      text += c;
-    } else if (!text.empty() && text.back() != ' ') {
-      text += ' ';
-    }
-  }
-  return text;
-}
-
 }  // namespace glider::driver

@@ -33,8 +33,4 @@ struct Compilation {
 /// platform data) are a Failure.
 support::Result<std::unique_ptr<Compilation>> compileMission(const std::filesystem::path& path);
 
-/// As text for events and reports: the source of the guard of case `fired_case` of `state`, on one
-/// line.
-std::string guardText(const Compilation& compilation, uint32_t state, uint32_t fired_case);
-
 }  // namespace glider::driver

@@ -36,7 +36,7 @@ as_root() {
   elif command -v sudo >/dev/null; then
     sudo -- "$@"
   else
-    die "'$1' needs root and there is no sudo" "run scripts/setup once as root"
+    die "this needs root, and there is no sudo: $*" "run scripts/setup once as root"
   fi
 }
 

@@ -13,6 +13,13 @@ namespace glider::runtime {
 /// Writes the pieces of a message to standard error; a null piece ends it.
 void say(const char* const* pieces);
 
+/// Says `pieces` (C strings) as one line on standard error.
+template <typename... Pieces>
+void tell(Pieces... pieces) {
+  const char* const list[] = {pieces..., "\n", nullptr};
+  say(list);
+}
+
 /// Standard input and output as a byte stream that never blocks.
 GliderByteStream standardStream();
 

@@ -90,7 +90,7 @@ bool GliderRuntime::acceptable(const GliderMission& mission) {
 GliderRuntimeStatus GliderRuntime::poll(const GliderByteStream& stream, const GliderClock& clock) {
   switch (client_.poll(stream, clock)) {
     case ClientEvent::Nothing:
-      return kGliderRuntimeNothing;
+      return kGliderRuntimeIdle;
     case ClientEvent::Closed:
       return kGliderRuntimeLinkClosed;
     case ClientEvent::Tick:

@@ -82,7 +82,7 @@ Result<std::string> compileProgram(const ir::Mission& mission, const ir::Mission
   if (!unit) {
     return std::unexpected(unit.error());
   }
-  if (auto joined = joinRuntime(*unit->module, board, entry_points, kept); !joined) {
+  if (auto joined = joinRuntime(*unit->module, board.folder / "runtime.bc", entry_points, kept); !joined) {
     return std::unexpected(joined.error());
   }
   optimise(*unit->module, *unit->machine, options.optimisation_level);

@@ -47,10 +47,10 @@ void wantSymbol(llvm::Module& module, const std::string& name) {
 
 }  // namespace
 
-support::Result<void> joinRuntime(llvm::Module& mission, const platforms::Board& board,
+support::Result<void> joinRuntime(llvm::Module& mission, const std::filesystem::path& runtime_file,
                                   const std::vector<std::string>& entry_points,
                                   const std::vector<std::string>& kept) {
-  const std::string path = (board.folder / "runtime.bc").string();
+  const std::string path = runtime_file.string();
   auto bitcode = support::readFile(path);
   if (!bitcode) {
     return std::unexpected(bitcode.error());
@@ -59,7 +59,7 @@ support::Result<void> joinRuntime(llvm::Module& mission, const platforms::Board&
   llvm::LLVMContext& context = mission.getContext();
   context.setDiagnosticHandler(std::make_unique<Listener>(trouble));
   auto runtime = llvm::getOwningLazyBitcodeModule(
-      llvm::MemoryBuffer::getMemBufferCopy(*bitcode, "runtime.bc"), context);
+      llvm::MemoryBuffer::getMemBufferCopy(*bitcode, path), context);
   if (!runtime) {
     return support::fail(support::DiagnosticId::badRuntime, path,
                          llvm::toString(runtime.takeError()));

@@ -10,8 +10,8 @@
 
 namespace glider::simulator {
 
-/// The SBC end of the 115200 line in virtual time: in process, or a program behind a pty. The simulator never links the
-/// runtime; this is where they meet.
+/// The SBC end of the 115200 line in virtual time: in process, or a program behind a pty. The
+/// simulator never links the runtime; this is where they meet.
 class SbcPort {
  public:
   SbcPort() = default;
@@ -23,13 +23,15 @@ class SbcPort {
   [[nodiscard]] virtual std::string way() const = 0;
   /// Hands over bytes that have arrived at the SBC by virtual time `now_s`.
   virtual void deliver(std::span<const uint8_t> bytes, double now_s) = 0;
-  /// Lockstep: waits until the SBC has ended its answers to all whole frames delivered so far (each ends with a Done
-  /// message), or is gone, or has not answered for ten seconds of real time; returns what it sent since the last call.
+  /// Lockstep: waits until the SBC has ended its answers to all whole frames delivered so far (each
+  /// ends with a Done message), or is gone, or has not answered for ten seconds of real time;
+  /// returns what it sent since the last call.
   virtual std::vector<uint8_t> collect() = 0;
   /// Cuts its power.
   virtual void kill() = 0;
   [[nodiscard]] virtual bool alive() const = 0;
-  /// Why it is not alive, for the trace: "killed", "exited with status 1", "hung"; empty while it is.
+  /// Why it is not alive, for the trace: "killed", "exited with status 1", "hung"; empty while it
+  /// is.
   [[nodiscard]] virtual std::string epitaph() const = 0;
 };
 

@@ -3,22 +3,21 @@
 
 #pragma once
 
-#include <stdint.h>
-
+#include "hooks/protocol/frame_reader.h"
+#include "hooks/protocol/messages.h"
+#include "hooks/protocol/send_queue.h"
 #include "hooks/protocol/values.h"
 #include "hooks/transport/byte_stream.h"
 #include "hooks/transport/clock.h"
 
-/// The SBC's side of the 115200 line. It only ever speaks in answer to a frame of the vehicle; every answer ends with a
-/// Done message, which is the heartbeat at sea and the lockstep in virtual time. No heap; one object a glider.
+#include <stdint.h>
+
+/// The SBC's side of the 115200 line. It only ever speaks in answer to a frame of the vehicle;
+/// every answer ends with a Done message, which is the heartbeat at sea and the lockstep in virtual
+/// time. No heap; one object a glider.
 namespace glider::hooks {
 
-inline constexpr uint32_t kMostSubscriptions = 64;
-
-struct Reading {
-  uint16_t id = 0;   ///< number in the platform file
-  double value = 0;  ///< in the vehicle's unit
-};
+using Reading = SensorValue;
 
 /// One control cycle of the vehicle as its frame tells it.
 struct VehicleTick {
@@ -32,36 +31,33 @@ struct VehicleTick {
   Reading readings[kMostSubscriptions];  ///< those fresh in this cycle
 };
 
-/// A transition of the mission, told to the vehicle's side for logs and the simulator's trace.
-struct TransitionNotice {
-  double mission_time_s = 0;
-  uint8_t transition = 0;  ///< GliderTransition
-  uint32_t from = 0;
-  uint32_t to = 0;
-  uint32_t fired_case = 0;  ///< of state `from`
-};
-
-/// What the heartbeat says of the mission.
-struct MissionStatus {
-  double mission_time_s = 0;
-  uint32_t state = 0;
-  uint8_t stack_depth = 0;
-  uint8_t phase = 0;  ///< 0 waiting for control, 1 flying, 2 finished
-};
-
 struct ClientOptions {
-  const char* mission_name = "";
-  uint32_t session = 1;  ///< first session number; each new handshake counts up
-  const uint16_t* sensors = nullptr;
-  uint32_t sensor_count = 0;  ///< at most kMostSubscriptions
+  const char* mission_name = "";  ///< must live as long as the client; 47 bytes of it are told
+  /// First session number, 1…16777215; each new handshake counts up. A program that starts again
+  /// should go on where it was (its checkpoint, or the time): hookbeh refuses numbers that were
+  /// lost, and the client then works its way up.
+  uint32_t session = 1;
+  const uint16_t* sensors = nullptr;  ///< subscribed; must live as long as the client
+  uint32_t sensor_count = 0;          ///< at most kMostSubscriptions
 };
 
 enum class ClientEvent : uint8_t {
-  Nothing,     ///< no complete frame is there
-  Handled,     ///< a frame was dealt with inside the client (hello, resubscription)
-  Tick,        ///< tick() is new: the caller must call done()
-  SilentLink,  ///< no frame for 12 s of the SBC's own clock (never in virtual time): a tick of the clock alone
-  Closed,      ///< the stream's other end is gone
+  Nothing,  ///< no complete frame is there
+  Handled,  ///< a frame was dealt with, and answered, inside the client (hello, welcome, a tick's
+            ///< first part)
+  Tick,     ///< tick() is new: the caller must call done()
+  SilentLink,  ///< no frame for 12 s of the SBC's own clock (never in virtual time): a tick of the
+               ///< clock alone
+  Refused,  ///< another protocol version or sensor dictionary, told once for each that is met: see
+            ///< refusal()
+  Closed,   ///< the stream's other end is gone
+};
+
+/// Why there is no link: what the vehicle says it speaks.
+struct Refusal {
+  bool refused = false;
+  uint8_t version = 0;
+  uint32_t dictionary = 0;  ///< 0 when the version differs
 };
 
 class Client {
@@ -71,20 +67,78 @@ class Client {
   /// Reads what is there and handles at most one frame; never blocks.
   ClientEvent poll(const GliderByteStream& stream, const GliderClock& clock);
   [[nodiscard]] const VehicleTick& tick() const { return tick_; }
-  /// True when the vehicle said that its time is virtual: the SBC's clock then stands still between frames.
+  /// True when the vehicle said that its time is virtual: the SBC's clock then stands still between
+  /// frames.
   [[nodiscard]] bool virtualTime() const { return virtual_time_; }
 
-  /// Adds to the answer of this tick. `instruction`: session, sequence and check are filled in by the client (Take opens a new
-  /// session); returns its sequence number.
+  [[nodiscard]] const Refusal& refusal() const { return refusal_; }
+  /// True while the vehicle serves this program's subscription.
+  [[nodiscard]] bool linked() const { return linked_; }
+
+  /// Adds to the answer of this tick, or of the next one when called between ticks. `instruction`:
+  /// session, sequence and check are filled in by the client (Take opens a new session; a Steer of
+  /// a session whose Take was never accepted goes as Take); its numbers are rounded to the sensor
+  /// array. Of several only the newest is sent; it is repeated until hookbeh answers it. Returns
+  /// its sequence number: answered when tick().answered_sequence equals it.
   uint16_t instruct(Instruction instruction);
+  /// Tells of a transition, with the answer of this tick; of more than kMostNotices in one answer
+  /// the rest is left out.
   void notify(const TransitionNotice& notice);
-  /// Ends and sends the answer.
+  /// Ends and sends the answer. Without a tick to answer it only remembers `status` for the next
+  /// one.
   void done(const MissionStatus& status, const GliderByteStream& stream);
 
+  static constexpr uint32_t kMostNotices = 8;
+  /// Seconds of the SBC's own clock without a frame that make a SilentLink; again after each
+  /// further such time.
+  static constexpr double kSilenceSecs = 12;
+  /// Ticks without hookbeh's answer after which an instruction is written again.
+  static constexpr uint32_t kPatienceTicks = 3;
+
  private:
-  // The hooks engineer fills this in; plain arrays only.
-  VehicleTick tick_;
+  ClientEvent handle(const Frame& frame, const GliderByteStream& stream);
+  ClientEvent handleBeacon(const Frame& frame, const GliderByteStream& stream);
+  ClientEvent handleWelcome(const Frame& frame, const GliderByteStream& stream);
+  ClientEvent handleTick(const Frame& frame, const GliderByteStream& stream);
+  ClientEvent refuse(uint8_t version, uint32_t dictionary);
+  void gatherTick(const TickHead& head, const SensorList& readings);
+  void followInstruction();
+  void learnSession(uint32_t session);
+  void queue(Frame& frame);
+  void queueHello();
+  void queueSubscribe();
+  void queueInstruction();
+  void answer(const GliderByteStream& stream);
+
+  ClientOptions options_;
+  FrameReader reader_;
+  SendQueue<2048> out_;
+  uint8_t out_sequence_ = 0;
+
+  bool heard_ = false;  // a moment to count silence from is set
+  double last_frame_s_ = 0;
+  bool linked_ = false;
   bool virtual_time_ = false;
+  Refusal refusal_;
+  uint32_t link_ = 0;  // 0: no Hello sent yet
+  uint32_t next_session_ = 1;
+  bool resubscribe_ = false;
+
+  VehicleTick tick_;
+  VehicleTick gathering_;  // parts of a tick before its last one
+  bool must_answer_ = false;
+  uint8_t answered_frame_ = 0;
+  MissionStatus status_;
+  TransitionNotice notices_[kMostNotices];
+  uint32_t notice_count_ = 0;
+
+  Instruction pending_;
+  bool waiting_ = false;   // hookbeh has not answered `pending_` yet
+  bool due_ = false;       // write `pending_` in the next answer
+  uint32_t patience_ = 0;  // ticks since it was written
+  uint32_t session_ = 0;   // of the newest Take, 0 before the first
+  bool taken_ = false;     // hookbeh was seen active in `session_`
+  uint16_t sequence_ = 0;
 };
 
 }  // namespace glider::hooks

@@ -3,27 +3,55 @@
 
 #pragma once
 
-#include <stdint.h>
-
+#include "hooks/protocol/frame_reader.h"
+#include "hooks/protocol/messages.h"
 #include "hooks/transport/byte_stream.h"
 
-/// The 9600-baud line between flight controller and science computer, one object at each end: carries sensor updates
-/// as frames of the hook protocol.
+#include <stdint.h>
+
+/// The 9600-baud line between flight controller and science computer, one object at each end:
+/// carries sensor updates as frames of the hook protocol.
 namespace glider::hooks {
 
-struct SensorUpdate {
-  uint16_t id = 0;
-  double value = 0;
-};
+using SensorUpdate = SensorValue;
 
 class Clothesline {
  public:
   static constexpr uint32_t kMostUpdates = 128;
-  /// Queues `count` updates to go in order (a sequence sensor goes last); false when the queue has no room for all.
+  /// Queues `count` updates to go in order (a sequence sensor goes last); false, with nothing
+  /// queued, when there is no room for all or one of them is no sensor. Those of one call travel in
+  /// one frame if they fit one, so that they arrive together or not at all.
   bool send(const SensorUpdate* updates, uint32_t count);
-  /// Writes what the stream takes of the queue, reads what is there; fills `updates` with at most `capacity` that
-  /// came in whole, checked frames. Returns their number.
+  /// Writes what the stream takes of the queue, reads what is there; fills `updates` with at most
+  /// `capacity` that came in whole, checked frames. Returns their number: call again while it
+  /// equals `capacity`.
   uint32_t poll(const GliderByteStream& stream, SensorUpdate* updates, uint32_t capacity);
+  /// Frames thrown away since the start, for logs.
+  [[nodiscard]] uint32_t badFrames() const { return reader_.badFrames() + malformed_; }
+
+ private:
+  struct Queued {
+    SensorUpdate update;
+    bool starts_group = false;
+  };
+  void flush(const GliderByteStream& stream);
+  /// Moves the next group of the queue, or as much of it as one frame holds, into `out_`.
+  void encodeNext();
+  [[nodiscard]] const Queued& queued(uint32_t index) const {
+    return queue_[(first_ + index) % kMostUpdates];
+  }
+
+  Queued queue_[kMostUpdates];
+  uint32_t first_ = 0;
+  uint32_t count_ = 0;
+  uint8_t out_[kMostEncodedBytes] = {};
+  uint32_t out_next_ = 0;
+  uint32_t out_end_ = 0;
+  uint8_t sequence_ = 0;
+  FrameReader reader_;
+  SensorList received_;
+  uint32_t received_next_ = 0;
+  uint32_t malformed_ = 0;
 };
 
 }  // namespace glider::hooks

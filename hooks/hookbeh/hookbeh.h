@@ -3,26 +3,18 @@
 
 #pragma once
 
-#include <stdint.h>
-
+#include "hooks/hookbeh/args.h"
+#include "hooks/hookbeh/command.h"
+#include "hooks/hookbeh/guard.h"
+#include "hooks/hookbeh/pilot.h"
 #include "hooks/protocol/values.h"
 
-/// The behaviour `hookbeh` of the layered control: takes the SBC's instructions from the sensor array, bounds them by
-/// its own b_args, and runs sub-behaviours. It never trusts the SBC. Portable: no heap, no libc.
-namespace glider::hooks {
+#include <stdint.h>
 
-/// The b_args, from the mission file.
-struct HookbehArgs {
-  double start_secs = 0;            ///< ready from this time of the vehicle's mission, s
-  double greatest_depth_m = 30;     ///< deeper targets are refused; below it hookbeh climbs whatever the SBC says
-  double least_altitude_m = 5;      ///< closer to the bottom it climbs; negative: no altimeter wanted
-  double steepest_pitch_rad = 0.61; ///< magnitude
-  double shallowest_pitch_rad = 0.19;
-  double silence_secs = 24;         ///< without a changed heartbeat for this long the SBC is lost
-  double dive_pump_cc = -230;
-  double climb_pump_cc = 230;
-  double hold_secs = 12;            ///< after a target is reached, the commands stay this long, then hookbeh hovers there
-};
+/// The behaviour `hookbeh` of the layered control: takes the SBC's instructions from the sensor
+/// array, bounds them by its own b_args, and runs sub-behaviours. It never trusts the SBC.
+/// Portable: no heap, no libc.
+namespace glider::hooks {
 
 /// What hookbeh reads of the sensor array in one cycle; NaN for a value never set.
 struct HookbehInputs {
@@ -39,9 +31,8 @@ struct HookbehInputs {
   double check = 0;
 };
 
-enum class HeadingMode : uint8_t { CentreFin, Heading, Waypoint };
-
-/// What it commands and tells in one cycle. When `commanding`, heading, pitch and pump all are commanded.
+/// What it commands and tells in one cycle. When `commanding`, heading, pitch and pump all are
+/// commanded.
 struct HookbehOutputs {
   bool commanding = false;
   HeadingMode heading_mode = HeadingMode::CentreFin;
@@ -54,7 +45,8 @@ struct HookbehOutputs {
   uint16_t answered_sequence = 0;
   HookAnswer answer = HookAnswer::None;
   uint32_t session = 0;
-  /// The sub-behaviour at work ("dive_to", "climb_to", "hover", "hold", "surface", "climb: too deep"…), for logs.
+  /// The sub-behaviour at work ("dive_to", "climb_to", "hover", "hold", "surface", "climb: too
+  /// deep"…), for logs.
   const char* doing = "";
 };
 
@@ -65,7 +57,32 @@ class Hookbeh {
   HookbehOutputs cycle(const HookbehInputs& inputs);
 
  private:
+  void advanceClock(double time_s);
+  void watchHeartbeat(double heartbeat);
+  void readInstruction(const HookbehInputs& inputs);
+  HookAnswer decide(const Instruction& instruction);
+  HookAnswer take(const Instruction& instruction);
+  HookAnswer giveBack();
+  void command(const Surroundings& now, HookbehOutputs& outputs);
+
   HookbehArgs args_;
+  HookState state_ = HookState::Waiting;
+  Guard guard_;
+  Pilot pilot_;
+
+  bool clock_known_ = false;
+  double last_time_s_ = 0;
+  double step_s_ = 0;     // since the cycle before
+  double heartbeat_ = 0;  // the newest seen, when `heartbeat_known_`
+  bool heartbeat_known_ = false;
+  double silence_s_ = 0;  // since it changed
+
+  bool settled_known_ = false;
+  uint16_t settled_sequence_ = 0;  // its instruction was decided on: once
+  uint16_t answered_sequence_ = 0;
+  HookAnswer answer_ = HookAnswer::None;
+  uint32_t session_ = 0;       // in control
+  uint32_t lost_session_ = 0;  // newest that was lost
 };
 
 }  // namespace glider::hooks

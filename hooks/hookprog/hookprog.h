@@ -3,20 +3,26 @@
 
 #pragma once
 
-#include <stdint.h>
-
 #include "hooks/clothesline/clothesline.h"
+#include "hooks/protocol/frame_reader.h"
+#include "hooks/protocol/messages.h"
+#include "hooks/protocol/send_queue.h"
 #include "hooks/protocol/values.h"
 #include "hooks/transport/byte_stream.h"
+#include "platforms/slocum_sensors.h"
 
-/// The proglet `hookprog` on the science computer: proxy of the SBC (115200 baud) for the flight controller's data memory
-/// (9600 baud). Portable: no heap, no libc. It forwards nothing to the flight controller until that reports a hookbeh.
+#include <stdint.h>
+
+/// The proglet `hookprog` on the science computer: proxy of the SBC (115200 baud) for the flight
+/// controller's data memory (9600 baud). Portable: no heap, no libc. It forwards nothing to the
+/// flight controller until that reports a hookbeh.
 namespace glider::hooks {
 
 /// The science computer's own sensors, as hookprog sees them.
 struct ScienceSensors {
   void* self;
-  /// The newest value of sensor `id` and, in `fresh`, whether it is newer than the last call for it; NaN if never set.
+  /// The newest value of sensor `id` and, in `fresh`, whether it is newer than the last call for
+  /// it; NaN if never set.
   double (*get)(void* self, uint16_t id, bool* fresh);
 };
 
@@ -26,16 +32,28 @@ struct HookprogOptions {
 
 /// Things worth a line in the vehicle's log or the simulator's trace.
 struct HookprogEvent {
-  enum class Kind : uint8_t { None, SbcHello, SbcLost, SbcTransition, BadFrame } kind = Kind::None;
-  double mission_time_s = 0;
-  uint32_t a = 0, b = 0, c = 0, d = 0;  ///< SbcTransition: transition, from, to, fired case
-  char text[48] = {};                   ///< SbcHello: the mission's name
+  enum class Kind : uint8_t {
+    None,
+    SbcHello,       ///< a link: a = its number; text = the mission's name
+    SbcLost,        ///< no answer for 12 s, or the line is closed: a = the link's number
+    SbcTransition,  ///< a transition, b from, c to, d fired case
+    BadFrame,       ///< a = frames thrown away on both lines since the last such event
+    SbcRefused,  ///< speaks another protocol (a = its version) or has another sensor dictionary (b
+                 ///< = its hash)
+    RefusedWrite,  ///< the SBC tried to write sensor a, which is not the hook's; nothing of that
+                   ///< frame was written
+  } kind = Kind::None;
+  double mission_time_s =
+      0;  ///< SbcTransition: the mission's own; else m_present_secs_into_mission
+  uint32_t a = 0, b = 0, c = 0, d = 0;
+  char text[48] = {};
 };
 
 class Hookprog {
  public:
   explicit Hookprog(const HookprogOptions& options);
-  /// One science cycle (1 s): takes the flight controller's updates, serves the SBC, forwards its writes.
+  /// One science cycle (1 s): takes the flight controller's updates, serves the SBC, forwards its
+  /// writes.
   void run(double science_time_s, const ScienceSensors& own, const GliderByteStream& sbc,
            const GliderByteStream& flight);
   /// Takes the oldest event; Kind::None when there is none.
@@ -48,7 +66,66 @@ class Hookprog {
     uint8_t stack_depth = 0;
     uint8_t phase = 0;
   };
-  [[nodiscard]] SbcView sbc() const;
+  [[nodiscard]] SbcView sbc() const { return view_; }
+
+  /// Science seconds without an answer after which the SBC is lost.
+  static constexpr double kLostSecs = 12;
+
+ private:
+  static constexpr uint32_t kMostEvents = 32;
+
+  void takeFlight(const GliderByteStream& flight);
+  void takeUpdate(const SensorUpdate& update);
+  void serveSbc(const GliderByteStream& sbc);
+  void handle(const Frame& frame);
+  void handleHello(const Hello& hello);
+  void handleWrite(const SensorList& list);
+  void handleTransition(const TransitionNotice& notice);
+  void handleDone(const Done& done);
+  void sendCycle(const ScienceSensors& own);
+  void sendBeacon();
+  void sendTick(const ScienceSensors& own);
+  bool readingFor(uint16_t id, const ScienceSensors& own, double* value);
+  [[nodiscard]] TickHead tickHead() const;
+  void send(Frame& frame);
+  void loseSbc();
+  void countBadFrames();
+  void event(HookprogEvent::Kind kind, uint32_t a = 0, uint32_t b = 0);
+  void push(const HookprogEvent& event);
+  [[nodiscard]] double newest(uint16_t id) const { return values_[id]; }
+  /// 0 when unknown, negative or too large.
+  [[nodiscard]] uint32_t newestWhole(uint16_t id) const;
+  [[nodiscard]] HookState hookState() const;
+  [[nodiscard]] double missionTime() const;
+
+  HookprogOptions options_;
+  Clothesline clothesline_;
+  FrameReader reader_;
+  SendQueue<2048> out_;
+  uint8_t out_sequence_ = 0;
+  double now_s_ = 0;
+
+  // The flight controller's data memory, as far as it was reported.
+  double values_[GLIDER_SENSOR_COUNT];
+  bool fresh_[GLIDER_SENSOR_COUNT] = {};
+  bool time_is_new_ = false;
+  bool cycle_is_new_ = false;
+
+  uint32_t link_ = 0;     // 0: none
+  bool waiting_ = false;  // for an answer
+  double waiting_since_s_ = 0;
+  Subscribe subscribed_;
+  uint32_t newest_session_ = 0;
+  uint32_t heartbeat_ = 0;
+  uint8_t refused_version_ = 0;  // told already
+  uint32_t refused_dictionary_ = 0;
+  uint32_t malformed_ = 0;
+  uint32_t bad_frames_told_ = 0;
+  SbcView view_;
+
+  HookprogEvent events_[kMostEvents];
+  uint32_t event_first_ = 0;
+  uint32_t event_count_ = 0;
 };
 
 }  // namespace glider::hooks

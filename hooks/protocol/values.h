@@ -5,7 +5,8 @@
 
 #include <stdint.h>
 
-/// The values that cross the hook, as they stand in the vehicle's sensor array. One list for both sides.
+/// The values that cross the hook, as they stand in the vehicle's sensor array. One list for both
+/// sides.
 namespace glider::hooks {
 
 /// `x_hook_state`: what hookbeh is doing. Absent: the mission file has no hookbeh.
@@ -45,8 +46,9 @@ enum class HookVertical : uint8_t { None = 0, Descend = 1, Ascend = 2, Hover = 3
 /// `sci_hook_lateral`.
 enum class HookLateral : uint8_t { Drift = 0, Heading = 1, Waypoint = 2 };
 
-/// One instruction, in the units of the sensor array (m, rad, ddmm.mmmm). Its numbers must be as the array can hold
-/// them (float32 but for the position), or the check value cannot match: see roundToArray.
+/// One instruction, in the units of the sensor array (m, rad, ddmm.mmmm). Its numbers must be as
+/// the array can hold them (float32 but for the position), or the check value cannot match: see
+/// roundToArray.
 struct Instruction {
   uint32_t session = 0;   ///< 1…16777215
   uint16_t sequence = 0;  ///< 1…65535, then 1 again: 0 is "none yet"
@@ -62,7 +64,8 @@ struct Instruction {
 
 /// The same instruction with every number as the sensor array stores it.
 Instruction roundToArray(const Instruction& instruction);
-/// `sci_hook_check`: CRC-16/CCITT-FALSE over all fields, sequence included, in the byte layout of protocol/README.md.
+/// `sci_hook_check`: CRC-16/CCITT-FALSE over all fields, sequence included, in the byte layout of
+/// protocol/README.md.
 uint16_t checkValue(const Instruction& instruction);
 
 }  // namespace glider::hooks

@@ -6,8 +6,9 @@
 
 #include <stdint.h>
 
-/* The one way bytes enter and leave a program on board: plain C, so that a mission, a hook and a host program built by
-   different compilers can share it. Implementations: memory.h, termios.h, host/. */
+/* The one way bytes enter and leave a program on board: plain C, so that a mission, a hook and a
+   host program built by different compilers can share it. Implementations: memory.h, termios.h,
+   host/. */
 
 #ifdef __cplusplus
 extern "C" {
@@ -21,9 +22,11 @@ enum GliderStreamStatus {
 
 typedef struct GliderByteStream {
   void* self;
-  /* Takes up to `capacity` bytes that are there now. Returns how many, 0 for none yet, or a status. Never blocks. */
+  /* Takes up to `capacity` bytes that are there now. Returns how many, 0 for none yet, or a status.
+   * Never blocks. */
   int32_t (*read)(void* self, uint8_t* bytes, uint32_t capacity);
-  /* Hands over up to `count` bytes. Returns how many were taken (0: no room now), or a status. Never blocks. */
+  /* Hands over up to `count` bytes. Returns how many were taken (0: no room now), or a status.
+   * Never blocks. */
   int32_t (*write)(void* self, const uint8_t* bytes, uint32_t count);
 } GliderByteStream;
 

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace glider::driver {
+
+/// Each adds one subcommand to `app`; running it sets `status` to an ExitCode.
+void addCheckCommand(CLI::App& app, int& status);
+void addBuildCommand(CLI::App& app, int& status);
+void addSimCommand(CLI::App& app, int& status);
+void addTargetsCommand(CLI::App& app, int& status);
+
+}  // namespace glider::driver

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "driver/compilation.h"
+
+#include "driver/share.h"
+#include "ir/text/read.h"
+#include "ir/verify/verify.h"
+#include "support/files.h"
+
+namespace glider::driver {
+namespace {
+
+using support::Result;
+
+/// Reads `path` into the sources; the number of the file.
+Result<uint32_t> addSource(support::SourceManager& sources, const std::filesystem::path& path) {
+  auto text = support::readFile(path);
+  if (!text) {
+    return std::unexpected(text.error());
+  }
+  return sources.add(path.string(), std::move(*text));
+}
+
+/// The platform that the mission names, or the default.
+Result<void> choosePlatform(Compilation& compilation) {
+  const std::string name = frontend::platformName(*compilation.ast);
+  const std::filesystem::path file = shareDirectory() / "platforms" / (name + ".toml");
+  std::error_code ignored;
+  if (compilation.ast->platform && !std::filesystem::exists(file, ignored)) {
+    compilation.diagnostics.report(support::DiagnosticId::unknownPlatform,
+                                   compilation.ast->platform->range, name);
+    return {};
+  }
+  auto platform = platforms::loadPlatform(file);
+  if (!platform) {
+    return std::unexpected(platform.error());
+  }
+  compilation.platform = std::move(*platform);
+  return {};
+}
+
+/// The library's declarations; our own file, so a mistake in it is shown like any other.
+Result<std::optional<ast::File>> loadLibrary(Compilation& compilation) {
+  auto file = addSource(compilation.sources, shareDirectory() / "library" / "standard.mission");
+  if (!file) {
+    return std::unexpected(file.error());
+  }
+  return frontend::parse(compilation.sources, *file, compilation.diagnostics);
+}
+
+Result<void> analyse(Compilation& compilation, uint32_t file) {
+  compilation.ast = frontend::parse(compilation.sources, file, compilation.diagnostics);
+  if (!compilation.ast) {
+    return {};
+  }
+  if (auto chosen = choosePlatform(compilation); !chosen || !compilation.platform) {
+    return chosen;
+  }
+  auto library = loadLibrary(compilation);
+  if (!library) {
+    return std::unexpected(library.error());
+  }
+  if (*library) {
+    const frontend::AnalysisInputs inputs{*compilation.platform, {&**library}, compilation.sources};
+    compilation.mission = frontend::analyse(*compilation.ast, inputs, compilation.diagnostics);
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Compilation>> compileMission(const std::filesystem::path& path) {
+  auto compilation = std::make_unique<Compilation>();
+  auto file = addSource(compilation->sources, path);
+  if (!file) {
+    return std::unexpected(file.error());
+  }
+  if (path.extension() == ".ir") {
+    compilation->mission = ir::read(compilation->sources, *file, compilation->diagnostics);
+  } else if (auto analysed = analyse(*compilation, *file); !analysed) {
+    return std::unexpected(analysed.error());
+  }
+  if (compilation->ok()) {
+    compilation->facts = ir::verify(*compilation->mission, compilation->diagnostics);
+  }
+  return compilation;
+}
+
+}  // namespace glider::driver

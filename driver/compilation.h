@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "frontend/frontend.h"
+#include "ir/core/mission.h"
+#include "platforms/load/platform.h"
+#include "support/diagnostics/engine.h"
+#include "support/result.h"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+namespace glider::driver {
+
+/// One mission on its way through the stages; what a stage could not make is empty, and the
+/// diagnostics say why.
+struct Compilation {
+  support::SourceManager sources;
+  support::DiagnosticEngine diagnostics;
+  std::optional<ast::File> ast;
+  std::optional<platforms::Platform> platform;
+  std::optional<ir::Mission> mission;
+  ir::MissionFacts facts;  ///< meaningful when ok()
+
+  [[nodiscard]] bool ok() const { return mission.has_value() && !diagnostics.hasErrors(); }
+};
+
+/// Reads `path`, parses, analyses and verifies it; a file ending in `.ir` is read as the IR's text
+/// form. The mission's mistakes stand in Compilation::diagnostics; only the world's failures (file,
+/// platform data) are a Failure.
+support::Result<std::unique_ptr<Compilation>> compileMission(const std::filesystem::path& path);
+
+}  // namespace glider::driver

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+namespace glider::driver {
+
+/// What the command tells the shell.
+enum ExitCode : int {
+  kFine = 0,
+  kMissionHasErrors = 1,  ///< the mission is wrong, or its flight ended in an abort
+  kWorldFailed = 2,       ///< bad usage, or a file, port or tool failed
+};
+
+}  // namespace glider::driver

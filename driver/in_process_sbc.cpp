@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "driver/in_process_sbc.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace glider::driver {
+
+InProcessSbc::InProcessSbc(codegen::LoadedMission mission) : mission_(std::move(mission)) {
+  // operator new aligns for every fundamental type, which is what the runtime asks for.
+  runtime_memory_ = std::make_unique<std::byte[]>(mission_.runtimeSize());
+  context_memory_ = std::make_unique<std::byte[]>(mission_.mission().context_bytes);
+  runtime_ = mission_.init(runtime_memory_.get(), context_memory_.get());
+}
+
+int32_t InProcessSbc::readBytes(void* self, uint8_t* bytes, uint32_t capacity) {
+  auto& sbc = *static_cast<InProcessSbc*>(self);
+  const size_t count = std::min<size_t>(capacity, sbc.to_sbc_.size() - sbc.taken_);
+  if (count > 0) {
+    std::memcpy(bytes, sbc.to_sbc_.data() + sbc.taken_, count);
+  }
+  sbc.taken_ += count;
+  return static_cast<int32_t>(count);
+}
+
+int32_t InProcessSbc::writeBytes(void* self, const uint8_t* bytes, uint32_t count) {
+  auto& sbc = *static_cast<InProcessSbc*>(self);
+  sbc.from_sbc_.insert(sbc.from_sbc_.end(), bytes, bytes + count);
+  return static_cast<int32_t>(count);
+}
+
+double InProcessSbc::now(void* self) {
+  return static_cast<InProcessSbc*>(self)->now_s_;
+}
+
+void InProcessSbc::deliver(std::span<const uint8_t> bytes, double now_s) {
+  now_s_ = now_s;
+  if (!killed_) {
+    to_sbc_.insert(to_sbc_.end(), bytes.begin(), bytes.end());
+  }
+}
+
+std::vector<uint8_t> InProcessSbc::collect() {
+  const GliderByteStream stream{this, readBytes, writeBytes};
+  const GliderClock clock{this, now};
+  while (!killed_ && mission_.poll(runtime_, stream, clock) != kGliderRuntimeIdle) {
+  }
+  to_sbc_.erase(to_sbc_.begin(), to_sbc_.begin() + static_cast<ptrdiff_t>(taken_));
+  taken_ = 0;
+  return std::exchange(from_sbc_, {});
+}
+
+}  // namespace glider::driver

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "driver/terminal.h"
+
+#include "driver/exit_code.h"
+#include "support/diagnostics/render.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <unistd.h>
+
+namespace glider::driver {
+namespace {
+
+bool colourWanted() {
+  return ::isatty(STDERR_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr;
+}
+
+}  // namespace
+
+int reportFailure(const support::Failure& failure) {
+  const auto& row = support::catalogueRow(failure.id);
+  fmt::print(stderr, "glidercc: error: {} [{} {}]\n", failure.message, support::code(failure.id),
+             row.slug);
+  if (!failure.hint.empty()) {
+    fmt::print(stderr, "  hint: {}\n", failure.hint);
+  }
+  return kWorldFailed;
+}
+
+void reportDiagnostics(const support::DiagnosticEngine& diagnostics,
+                       const support::SourceManager& sources) {
+  const std::string text = support::render(diagnostics, sources, colourWanted());
+  std::fputs(text.c_str(), stderr);
+}
+
+support::Result<void> printOut(std::string_view text) {
+  const bool written =
+      std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
+  if (!written) {
+    return support::fail(support::DiagnosticId::cannotWrite, "standard output",
+                         std::strerror(errno));
+  }
+  return {};
+}
+
+ProgressLine::ProgressLine() : terminal_(::isatty(STDERR_FILENO) != 0) {}
+
+void ProgressLine::show(std::string_view text) {
+  if (terminal_) {
+    fmt::print(stderr, "\r\x1b[K{}", text);
+    std::fflush(stderr);
+    shown_ = true;
+  }
+}
+
+void ProgressLine::clear() {
+  if (shown_) {
+    fmt::print(stderr, "\r\x1b[K");
+    std::fflush(stderr);
+    shown_ = false;
+  }
+}
+
+}  // namespace glider::driver

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "support/diagnostics/engine.h"
+#include "support/result.h"
+
+#include <string_view>
+
+namespace glider::driver {
+
+/// Prints a failure of the world as `glidercc: error: … [GL9001 slug]` with its hint; returns the
+/// exit code for it.
+int reportFailure(const support::Failure& failure);
+/// Prints the diagnostics to standard error, in colour on a terminal (unless NO_COLOR is set).
+void reportDiagnostics(const support::DiagnosticEngine& diagnostics,
+                       const support::SourceManager& sources);
+/// Writes `text` to standard output. GL9002 when that fails (a full disk, a closed pipe).
+support::Result<void> printOut(std::string_view text);
+
+/// One line on a terminal that is written over: shown only when standard error is one.
+class ProgressLine {
+ public:
+  ProgressLine();
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+  ~ProgressLine() { clear(); }
+  void show(std::string_view text);
+  void clear();
+
+ private:
+  bool terminal_;
+  bool shown_ = false;
+};
+
+}  // namespace glider::driver

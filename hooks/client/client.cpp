@@ -1,0 +1,269 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "hooks/client/client.h"
+
+#include "platforms/slocum_sensors.h"
+
+namespace glider::hooks {
+
+Client::Client(const ClientOptions& options)
+    : options_(options),
+      next_session_(options.session == 0 ? 1 : (options.session - 1) % kMostSession + 1) {
+  if (options_.sensor_count > kMostSubscriptions) {
+    options_.sensor_count = kMostSubscriptions;
+  }
+}
+
+ClientEvent Client::poll(const GliderByteStream& stream, const GliderClock& clock) {
+  (void)out_.flush(stream);  // a closed stream shows when it is read
+  const FrameReader::Result result = reader_.next(stream);
+  const double now = clock.now(clock.self);
+  if (result == FrameReader::Result::Frame) {
+    heard_ = true;
+    last_frame_s_ = now;
+    return handle(reader_.frame(), stream);
+  }
+  if (result == FrameReader::Result::Closed) {
+    return ClientEvent::Closed;
+  }
+  // Before the first frame there is no mission time to go on with, and nobody has said yet whether
+  // time is virtual.
+  if (heard_ && !virtual_time_ && now - last_frame_s_ >= kSilenceSecs) {
+    last_frame_s_ = now;
+    return ClientEvent::SilentLink;
+  }
+  return ClientEvent::Nothing;
+}
+
+ClientEvent Client::handle(const Frame& frame, const GliderByteStream& stream) {
+  must_answer_ = expectsAnswer(frame);
+  answered_frame_ = frame.sequence;
+  switch (frame.type) {
+    case MessageType::Beacon:
+      return handleBeacon(frame, stream);
+    case MessageType::Welcome:
+      return handleWelcome(frame, stream);
+    case MessageType::Tick:
+      return handleTick(frame, stream);
+    default:
+      return ClientEvent::Handled;  // not meant for us: an echo of our own words, perhaps
+  }
+}
+
+ClientEvent Client::handleBeacon(const Frame& frame, const GliderByteStream& stream) {
+  Beacon beacon;
+  ClientEvent event = ClientEvent::Handled;
+  if (decode(frame, beacon)) {
+    linked_ = false;
+    if (beacon.version != kProtocolVersion || beacon.dictionary != dictionaryHash()) {
+      event = refuse(beacon.version, beacon.dictionary);
+    } else {
+      refusal_ = Refusal{};
+      virtual_time_ = beacon.virtual_time;
+    }
+    queueHello();  // also when refusing: the vehicle's log is to say why there is no link
+    queueSubscribe();
+  }
+  answer(stream);
+  return event;
+}
+
+ClientEvent Client::refuse(uint8_t version, uint32_t dictionary) {
+  const bool told =
+      refusal_.refused && refusal_.version == version && refusal_.dictionary == dictionary;
+  refusal_ = {true, version, dictionary};
+  return told ? ClientEvent::Handled : ClientEvent::Refused;
+}
+
+ClientEvent Client::handleWelcome(const Frame& frame, const GliderByteStream& stream) {
+  Welcome welcome;
+  if (decode(frame, welcome) && welcome.link == link_ && !refusal_.refused) {
+    linked_ = true;
+    virtual_time_ = welcome.virtual_time;
+    learnSession(welcome.newest_session);
+  }
+  answer(stream);
+  return ClientEvent::Handled;
+}
+
+ClientEvent Client::handleTick(const Frame& frame, const GliderByteStream& stream) {
+  TickHead head;
+  SensorList readings;
+  const bool good = decode(frame, head, readings) && !refusal_.refused;
+  if (good) {
+    virtual_time_ = head.virtual_time;
+  }
+  if (!good || link_ == 0 || head.link != link_) {
+    if (good && must_answer_) {
+      queueHello();  // the vehicle talks to who was here before us
+      queueSubscribe();
+    }
+    answer(stream);
+    return ClientEvent::Handled;
+  }
+  gatherTick(head, readings);
+  if (head.more) {
+    return ClientEvent::Handled;
+  }
+  linked_ = true;
+  tick_ = gathering_;
+  gathering_ = VehicleTick{};
+  resubscribe_ = head.subscription != subscriptionCheck(options_.sensors, options_.sensor_count);
+  learnSession(head.session);
+  followInstruction();
+  return ClientEvent::Tick;
+}
+
+void Client::gatherTick(const TickHead& head, const SensorList& readings) {
+  if (!head.continues || head.cycle != gathering_.cycle) {
+    gathering_ = VehicleTick{};
+  }
+  gathering_.vehicle_time_s = head.vehicle_time_s;
+  gathering_.cycle = head.cycle;
+  gathering_.hook_state = head.hook_state;
+  gathering_.answer = head.answer;
+  gathering_.answered_sequence = head.answered_sequence;
+  gathering_.session = head.session;
+  for (uint32_t i = 0; i < readings.count && gathering_.reading_count < kMostSubscriptions; ++i) {
+    gathering_.readings[gathering_.reading_count++] = readings.values[i];
+  }
+}
+
+void Client::followInstruction() {
+  if (session_ != 0 && tick_.session == session_ && tick_.hook_state == HookState::Active) {
+    taken_ = true;
+  }
+  if (!waiting_) {
+    return;
+  }
+  ++patience_;
+  if (tick_.answered_sequence == sequence_ && tick_.answer == HookAnswer::BadCheck) {
+    due_ = true;
+  } else if (tick_.answered_sequence == sequence_ && tick_.answer != HookAnswer::None) {
+    waiting_ = false;
+  } else if (patience_ >= kPatienceTicks) {
+    due_ = true;
+  }
+}
+
+void Client::learnSession(uint32_t session) {
+  if (session != 0 && !isNewerSession(next_session_, session)) {
+    next_session_ = nextSession(session);
+  }
+}
+
+uint16_t Client::instruct(Instruction instruction) {
+  if (instruction.control == HookControl::Take) {
+    session_ = next_session_;
+    next_session_ = nextSession(next_session_);
+    taken_ = false;
+  } else if (instruction.control == HookControl::Steer && !taken_) {
+    instruction.control = HookControl::Take;
+  }
+  do {
+    sequence_ = sequence_ == UINT16_MAX ? uint16_t{1} : static_cast<uint16_t>(sequence_ + 1);
+    // A number that still lies in the sensor array from an earlier program would not be seen as
+    // new.
+  } while (sequence_ == tick_.answered_sequence);
+  instruction.session = session_;
+  instruction.sequence = sequence_;
+  pending_ = roundToArray(instruction);
+  waiting_ = true;
+  due_ = true;
+  return sequence_;
+}
+
+void Client::notify(const TransitionNotice& notice) {
+  if (notice_count_ < kMostNotices) {
+    notices_[notice_count_++] = notice;
+  }
+}
+
+void Client::done(const MissionStatus& status, const GliderByteStream& stream) {
+  status_ = status;
+  if (!must_answer_) {
+    return;
+  }
+  if (resubscribe_) {
+    queueSubscribe();
+    resubscribe_ = false;
+  }
+  for (uint32_t i = 0; i < notice_count_; ++i) {
+    Frame frame;
+    encode(notices_[i], frame);
+    queue(frame);
+  }
+  notice_count_ = 0;
+  if (waiting_ && due_) {
+    queueInstruction();
+  }
+  answer(stream);
+}
+
+void Client::queue(Frame& frame) {
+  frame.sequence = ++out_sequence_;
+  (void)out_.add(
+      frame);  // no room: the line has been stuck for many answers, and what matters is repeated
+}
+
+void Client::queueHello() {
+  Hello hello;
+  link_ = link_ == 0 ? next_session_ : nextSession(link_);
+  hello.link = link_;
+  hello.dictionary = dictionaryHash();
+  const char* name = options_.mission_name == nullptr ? "" : options_.mission_name;
+  for (uint32_t i = 0; i < kMostNameBytes && name[i] != 0; ++i) {
+    hello.mission_name[i] = name[i];
+  }
+  Frame frame;
+  encode(hello, frame);
+  queue(frame);
+}
+
+void Client::queueSubscribe() {
+  Subscribe subscribe;
+  subscribe.count = static_cast<uint8_t>(options_.sensor_count);
+  for (uint32_t i = 0; i < options_.sensor_count; ++i) {
+    subscribe.ids[i] = options_.sensors[i];
+  }
+  Frame frame;
+  encode(subscribe, frame);
+  queue(frame);
+}
+
+void Client::queueInstruction() {
+  const SensorValue values[] = {
+      {GLIDER_SCI_HOOK_SESSION, static_cast<double>(pending_.session)},
+      {GLIDER_SCI_HOOK_CONTROL, static_cast<double>(pending_.control)},
+      {GLIDER_SCI_HOOK_VERTICAL, static_cast<double>(pending_.vertical)},
+      {GLIDER_SCI_HOOK_DEPTH, pending_.depth_m},
+      {GLIDER_SCI_HOOK_PITCH, pending_.pitch_rad},
+      {GLIDER_SCI_HOOK_LATERAL, static_cast<double>(pending_.lateral)},
+      {GLIDER_SCI_HOOK_HEADING, pending_.heading_rad},
+      {GLIDER_SCI_HOOK_LAT, pending_.latitude_ddmm},
+      {GLIDER_SCI_HOOK_LON, pending_.longitude_ddmm},
+      {GLIDER_SCI_HOOK_CHECK, static_cast<double>(checkValue(pending_))},
+      {GLIDER_SCI_HOOK_SEQUENCE, static_cast<double>(pending_.sequence)},
+  };
+  Frame frame;
+  encodeEmptyList(MessageType::Write, frame);
+  for (const SensorValue& value : values) {
+    (void)appendValue(frame, value);
+  }
+  queue(frame);
+  due_ = false;
+  patience_ = 0;
+}
+
+void Client::answer(const GliderByteStream& stream) {
+  if (must_answer_) {
+    Frame frame;
+    encode(Done{answered_frame_, session_, status_}, frame);
+    queue(frame);
+    must_answer_ = false;
+  }
+  (void)out_.flush(stream);
+}
+
+}  // namespace glider::hooks

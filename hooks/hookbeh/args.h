@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+namespace glider::hooks {
+
+/// The b_args, from the mission file.
+struct HookbehArgs {
+  double start_secs = 0;  ///< ready from this time of the vehicle's mission, s
+  double greatest_depth_m =
+      30;  ///< deeper targets are refused; below it hookbeh climbs whatever the SBC says
+  double least_altitude_m = 5;  ///< closer to the bottom it climbs; negative: no altimeter wanted
+  double steepest_pitch_rad = 0.61;  ///< magnitude
+  double shallowest_pitch_rad = 0.19;
+  double silence_secs = 24;  ///< without a changed heartbeat for this long the SBC is lost
+  double dive_pump_cc = -230;
+  double climb_pump_cc = 230;
+  double hold_secs =
+      12;  ///< after a target is reached, the commands stay this long, then hookbeh hovers there
+};
+
+}  // namespace glider::hooks

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "hooks/hookbeh/bounds.h"
+
+namespace glider::hooks {
+namespace {
+
+constexpr double kFullCircle = 6.283185307179586;
+
+double asFloat32(double value) {
+  return static_cast<double>(static_cast<float>(value));
+}
+
+/// `pitch` is how steep in the wanted direction: positive.
+bool pitchFits(double pitch, const HookbehArgs& args) {
+  return pitch >= asFloat32(args.shallowest_pitch_rad) &&
+         pitch <= asFloat32(args.steepest_pitch_rad);
+}
+
+/// A position as ddmm.mmmm. Sixty minutes are let through: rounding makes them of 59.99999999.
+bool isAngle(double ddmm, int most_degrees) {
+  const double magnitude = ddmm < 0 ? -ddmm : ddmm;
+  if (!(magnitude <= most_degrees * 100.0)) {
+    return false;
+  }
+  const int degrees = static_cast<int>(magnitude / 100.0);
+  return magnitude - degrees * 100.0 <= 60.0;
+}
+
+HookAnswer checkDepth(double depth, const HookbehArgs& args) {
+  if (!isFinite(depth) || depth < 0) {
+    return HookAnswer::BadCommand;
+  }
+  return depth <= asFloat32(args.greatest_depth_m) ? HookAnswer::Accepted : HookAnswer::TooDeep;
+}
+
+HookAnswer checkSlope(double depth, double steepness, const HookbehArgs& args) {
+  const HookAnswer answer = checkDepth(depth, args);
+  if (answer != HookAnswer::Accepted) {
+    return answer;
+  }
+  return pitchFits(steepness, args) ? HookAnswer::Accepted : HookAnswer::BadPitch;
+}
+
+HookAnswer checkVertical(const Instruction& instruction, const HookbehArgs& args) {
+  switch (instruction.vertical) {
+    case HookVertical::None:
+    case HookVertical::Surface:
+      return HookAnswer::Accepted;
+    case HookVertical::Descend:
+      return checkSlope(instruction.depth_m, -instruction.pitch_rad, args);
+    case HookVertical::Ascend:
+      return checkSlope(instruction.depth_m, instruction.pitch_rad, args);
+    case HookVertical::Hover:
+      return checkDepth(instruction.depth_m, args);
+  }
+  return HookAnswer::BadCommand;
+}
+
+HookAnswer checkLateral(const Instruction& instruction) {
+  switch (instruction.lateral) {
+    case HookLateral::Drift:
+      return HookAnswer::Accepted;
+    case HookLateral::Heading: {
+      const double heading = instruction.heading_rad;
+      const double limit = asFloat32(kFullCircle);
+      return heading >= -limit && heading <= limit ? HookAnswer::Accepted : HookAnswer::BadCommand;
+    }
+    case HookLateral::Waypoint:
+      return isAngle(instruction.latitude_ddmm, 90) && isAngle(instruction.longitude_ddmm, 180)
+                 ? HookAnswer::Accepted
+                 : HookAnswer::NotOnEarth;
+  }
+  return HookAnswer::BadCommand;
+}
+
+}  // namespace
+
+HookAnswer checkBounds(const Instruction& instruction, const HookbehArgs& args) {
+  const HookAnswer vertical = checkVertical(instruction, args);
+  return vertical == HookAnswer::Accepted ? checkLateral(instruction) : vertical;
+}
+
+bool isFinite(double value) {
+  return value - value == 0;
+}
+
+}  // namespace glider::hooks

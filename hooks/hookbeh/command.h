@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <stdint.h>
+
+namespace glider::hooks {
+
+enum class HeadingMode : uint8_t { CentreFin, Heading, Waypoint };
+
+/// What a sub-behaviour wants of pitch and pump in one cycle.
+struct VerticalCommand {
+  double pitch_rad = 0;  ///< nose up positive
+  double pump_cc = 0;    ///< positive lifts
+  const char* doing = "";
+};
+
+/// What it wants of the heading.
+struct LateralCommand {
+  HeadingMode mode = HeadingMode::CentreFin;
+  double heading_rad = 0;
+  double latitude_ddmm = 0;
+  double longitude_ddmm = 0;
+};
+
+/// What the vehicle knows of itself in one cycle; NaN for unknown.
+struct Surroundings {
+  double depth_m = 0;
+  double depth_rate_mps = 0;  ///< positive when sinking
+  double altitude_m = 0;
+  double latitude_ddmm = 0;
+  double longitude_ddmm = 0;
+};
+
+}  // namespace glider::hooks

@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "hooks/hookbeh/hookbeh.h"
+
+#include "hooks/hookbeh/bounds.h"
+#include "hooks/protocol/messages.h"
+
+namespace glider::hooks {
+namespace {
+
+/// What a control cycle takes when the clock does not say (unknown, stopped or turned back).
+constexpr double kNominalCycleSecs = 4.0;
+
+/// The sensor's value when it is a whole number from `lowest` to `highest`.
+bool isWhole(double value, uint32_t lowest, uint32_t highest, uint32_t* whole) {
+  if (!(value >= lowest && value <= highest)) {
+    return false;
+  }
+  *whole = static_cast<uint32_t>(value);
+  return static_cast<double>(*whole) == value;
+}
+
+/// The instruction as it lies in the sensor array. False when no instruction of any SBC looks like
+/// that.
+bool gather(const HookbehInputs& inputs, uint16_t sequence, Instruction* instruction) {
+  uint32_t session = 0;
+  uint32_t control = 0;
+  uint32_t vertical = 0;
+  uint32_t lateral = 0;
+  if (!isWhole(inputs.session, 1, kMostSession, &session) ||
+      !isWhole(inputs.control, 0, 127, &control) || !isWhole(inputs.vertical, 0, 127, &vertical) ||
+      !isWhole(inputs.lateral, 0, 127, &lateral)) {
+    return false;
+  }
+  instruction->session = session;
+  instruction->sequence = sequence;
+  instruction->control = static_cast<HookControl>(control);
+  instruction->vertical = static_cast<HookVertical>(vertical);
+  instruction->lateral = static_cast<HookLateral>(lateral);
+  instruction->depth_m = inputs.hook_depth_m;
+  instruction->pitch_rad = inputs.hook_pitch_rad;
+  instruction->heading_rad = inputs.hook_heading_rad;
+  instruction->latitude_ddmm = inputs.hook_latitude_ddmm;
+  instruction->longitude_ddmm = inputs.hook_longitude_ddmm;
+  return inputs.check == checkValue(*instruction);
+}
+
+}  // namespace
+
+HookbehOutputs Hookbeh::cycle(const HookbehInputs& inputs) {
+  const Surroundings now{inputs.depth_m, inputs.depth_rate_mps, inputs.altitude_m,
+                         inputs.latitude_ddmm, inputs.longitude_ddmm};
+  advanceClock(inputs.time_s);
+  guard_.observe(now, step_s_);
+  if (state_ == HookState::Waiting && inputs.time_s >= args_.start_secs) {
+    state_ = HookState::Ready;
+  }
+  watchHeartbeat(inputs.heartbeat);
+  readInstruction(inputs);
+
+  HookbehOutputs outputs;
+  if (state_ == HookState::Active) {
+    command(now, outputs);
+  }
+  outputs.state = state_;
+  outputs.answered_sequence = answered_sequence_;
+  outputs.answer = answer_;
+  outputs.session = session_;
+  return outputs;
+}
+
+void Hookbeh::advanceClock(double time_s) {
+  // Silence and holding must end even when the clock stands still or turns back, so each cycle
+  // counts for something.
+  const double step = time_s - last_time_s_;
+  step_s_ = clock_known_ && step > 0 ? step : kNominalCycleSecs;
+  clock_known_ = isFinite(time_s);
+  last_time_s_ = clock_known_ ? time_s : 0;
+}
+
+void Hookbeh::watchHeartbeat(double heartbeat) {
+  if (isFinite(heartbeat) && (!heartbeat_known_ || heartbeat != heartbeat_)) {
+    heartbeat_ = heartbeat;
+    heartbeat_known_ = true;
+    silence_s_ = 0;
+  } else {
+    silence_s_ += step_s_;
+  }
+  if (state_ == HookState::Active && !(silence_s_ < args_.silence_secs)) {
+    state_ = HookState::Silent;
+    lost_session_ = session_;
+    session_ = 0;
+  }
+}
+
+void Hookbeh::readInstruction(const HookbehInputs& inputs) {
+  uint32_t whole = 0;
+  const bool there = isWhole(inputs.sequence, 1, UINT16_MAX, &whole);
+  const auto sequence = static_cast<uint16_t>(whole);
+  if (!settled_known_) {
+    // What lies in the sensor array from an earlier mission was never meant for this one. Its
+    // number is told, so that the SBC does not happen to begin with it.
+    settled_known_ = true;
+    settled_sequence_ = sequence;
+    answered_sequence_ = sequence;
+    return;
+  }
+  if (!there || sequence == settled_sequence_) {
+    return;
+  }
+  answered_sequence_ = sequence;
+  Instruction instruction;
+  if (!gather(inputs, sequence, &instruction)) {
+    answer_ = HookAnswer::BadCheck;  // not settled: the missing part may still come
+    return;
+  }
+  settled_sequence_ = sequence;
+  answer_ = decide(instruction);
+}
+
+HookAnswer Hookbeh::decide(const Instruction& instruction) {
+  if (instruction.control != HookControl::Take && instruction.control != HookControl::Steer &&
+      instruction.control != HookControl::GiveBack) {
+    return HookAnswer::BadCommand;
+  }
+  if (state_ == HookState::Waiting || state_ == HookState::Complete) {
+    return HookAnswer::NotReady;
+  }
+  if (state_ != HookState::Active && instruction.control == HookControl::Take) {
+    return take(instruction);
+  }
+  if (state_ != HookState::Active || instruction.session != session_) {
+    return HookAnswer::WrongSession;
+  }
+  if (instruction.control == HookControl::GiveBack) {
+    return giveBack();
+  }
+  // A Take of the session in control is one whose answer the SBC has not seen: as good as a Steer.
+  const HookAnswer answer = checkBounds(instruction, args_);
+  if (answer == HookAnswer::Accepted) {
+    pilot_.follow(instruction);
+  }
+  return answer;
+}
+
+HookAnswer Hookbeh::take(const Instruction& instruction) {
+  if (!isNewerSession(instruction.session, lost_session_)) {
+    return HookAnswer::WrongSession;
+  }
+  const HookAnswer answer = checkBounds(instruction, args_);
+  if (answer == HookAnswer::Accepted) {
+    state_ = HookState::Active;
+    session_ = instruction.session;
+    silence_s_ = 0;
+    guard_.reset();
+    pilot_.begin(instruction);
+  }
+  return answer;
+}
+
+HookAnswer Hookbeh::giveBack() {
+  state_ = HookState::Complete;
+  session_ = 0;
+  return HookAnswer::Accepted;
+}
+
+void Hookbeh::command(const Surroundings& now, HookbehOutputs& outputs) {
+  VerticalCommand vertical = pilot_.vertical(now, step_s_, args_);
+  const char* climb = guard_.mustClimb(args_, pilot_.inForce());
+  if (climb != nullptr) {
+    vertical = SurfaceNow{climb}.command(args_);
+  }
+  const LateralCommand lateral = pilot_.lateral(now);
+  outputs.commanding = true;
+  outputs.heading_mode = lateral.mode;
+  outputs.heading_rad = lateral.heading_rad;
+  outputs.latitude_ddmm = lateral.latitude_ddmm;
+  outputs.longitude_ddmm = lateral.longitude_ddmm;
+  outputs.pitch_rad = vertical.pitch_rad;
+  outputs.pump_cc = vertical.pump_cc;
+  outputs.doing = vertical.doing;
+}
+
+}  // namespace glider::hooks

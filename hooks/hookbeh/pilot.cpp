@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "hooks/hookbeh/pilot.h"
+
+#include "hooks/hookbeh/bounds.h"
+
+namespace glider::hooks {
+namespace {
+
+constexpr double kFullCircle = 6.283185307179586;
+/// Farther from its depth than this, hover gets there by diving or climbing.
+constexpr double kHoverReachM = 2.0;
+/// Shallower than this, hovering means floating.
+constexpr double kSurfaceM = 1.0;
+
+bool sameVertical(const Instruction& a, const Instruction& b) {
+  return a.vertical == b.vertical && a.depth_m == b.depth_m && a.pitch_rad == b.pitch_rad;
+}
+
+}  // namespace
+
+void Pilot::begin(const Instruction& instruction) {
+  in_force_ = instruction;
+  stage_ = Stage::Choose;
+}
+
+void Pilot::follow(const Instruction& instruction) {
+  const Instruction before = in_force_;
+  in_force_ = instruction;
+  if (instruction.vertical == HookVertical::None) {
+    in_force_.vertical = before.vertical;
+    in_force_.depth_m = before.depth_m;
+    in_force_.pitch_rad = before.pitch_rad;
+  } else if (!sameVertical(instruction, before)) {
+    stage_ = Stage::Choose;
+  }
+}
+
+VerticalCommand Pilot::vertical(const Surroundings& now, double step_s, const HookbehArgs& args) {
+  if (stage_ == Stage::Choose) {
+    choose(now, args);
+    step_s = 0;
+  }
+  advance(now, step_s, args);
+  switch (stage_) {
+    case Stage::Dive:
+      return dive_.command(args);
+    case Stage::Climb:
+      return climb_.command(args);
+    case Stage::Holding:
+      return hold_.command();
+    case Stage::Hovering:
+      return hover_.command(now, args);
+    case Stage::Choose:
+    case Stage::Surfacing:
+      break;
+  }
+  return surface_.command(args);
+}
+
+void Pilot::choose(const Surroundings& now, const HookbehArgs& args) {
+  const Instruction& want = in_force_;
+  switch (want.vertical) {
+    case HookVertical::Descend:
+      dive_ = {want.depth_m, want.pitch_rad};
+      stage_ = Stage::Dive;
+      break;
+    case HookVertical::Ascend:
+      climb_ = {want.depth_m, want.pitch_rad};
+      stage_ = Stage::Climb;
+      break;
+    case HookVertical::Hover:
+      if (now.depth_m < want.depth_m - kHoverReachM) {
+        dive_ = {want.depth_m - kHoverReachM, -usualPitch(args)};
+        stage_ = Stage::Dive;
+      } else if (now.depth_m > want.depth_m + kHoverReachM) {
+        climb_ = {want.depth_m + kHoverReachM, usualPitch(args)};
+        stage_ = Stage::Climb;
+      } else {
+        hoverOrSurface();
+      }
+      break;
+    case HookVertical::None:
+    case HookVertical::Surface:
+      // A mission that has given no vertical command yet (its sensors are unknown) floats up
+      // meanwhile.
+      stage_ = Stage::Surfacing;
+      break;
+  }
+}
+
+void Pilot::advance(const Surroundings& now, double step_s, const HookbehArgs& args) {
+  if (stage_ == Stage::Dive && dive_.reached(now.depth_m)) {
+    arrive(dive_.command(args), args);
+  } else if (stage_ == Stage::Climb && climb_.reached(now.depth_m)) {
+    arrive(climb_.command(args), args);
+  } else if (stage_ == Stage::Holding) {
+    hold_.left_s -= step_s;
+    if (!(hold_.left_s > 0)) {
+      hoverOrSurface();
+    }
+  }
+}
+
+void Pilot::arrive(const VerticalCommand& kept, const HookbehArgs& args) {
+  if (in_force_.vertical == HookVertical::Hover || !(args.hold_secs > 0)) {
+    hoverOrSurface();
+    return;
+  }
+  hold_ = {kept, args.hold_secs};
+  stage_ = Stage::Holding;
+}
+
+void Pilot::hoverOrSurface() {
+  hover_ = {in_force_.depth_m};
+  stage_ = in_force_.depth_m < kSurfaceM ? Stage::Surfacing : Stage::Hovering;
+}
+
+LateralCommand Pilot::lateral(const Surroundings& now) const {
+  switch (in_force_.lateral) {
+    case HookLateral::Heading: {
+      const double heading = in_force_.heading_rad;
+      return {HeadingMode::Heading, heading < 0 ? heading + kFullCircle : heading, 0, 0};
+    }
+    case HookLateral::Waypoint:
+      // Who does not know where it is cannot steer to a place: straight on until it does.
+      if (isFinite(now.latitude_ddmm) && isFinite(now.longitude_ddmm)) {
+        return {HeadingMode::Waypoint, 0, in_force_.latitude_ddmm, in_force_.longitude_ddmm};
+      }
+      break;
+    case HookLateral::Drift:
+      break;
+  }
+  return {};
+}
+
+}  // namespace glider::hooks

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "hooks/hookbeh/args.h"
+#include "hooks/hookbeh/command.h"
+
+/// The sub-behaviours that hookbeh generates, each a small value with its command for one cycle.
+namespace glider::hooks {
+
+/// Sinks at a given pitch until `depth >= target`.
+struct DiveTo {
+  double target_m = 0;
+  double pitch_rad = 0;  ///< negative
+  [[nodiscard]] bool reached(double depth_m) const { return depth_m >= target_m; }
+  [[nodiscard]] VerticalCommand command(const HookbehArgs& args) const {
+    return {pitch_rad, args.dive_pump_cc, "dive_to"};
+  }
+};
+
+/// Rises at a given pitch until `depth <= target`.
+struct ClimbTo {
+  double target_m = 0;
+  double pitch_rad = 0;  ///< positive
+  [[nodiscard]] bool reached(double depth_m) const { return depth_m <= target_m; }
+  [[nodiscard]] VerticalCommand command(const HookbehArgs& args) const {
+    return {pitch_rad, args.climb_pump_cc, "climb_to"};
+  }
+};
+
+/// Keeps what was commanded while the SBC makes up its mind.
+struct Hold {
+  VerticalCommand kept;
+  double left_s = 0;
+  [[nodiscard]] VerticalCommand command() const { return {kept.pitch_rad, kept.pump_cc, "hold"}; }
+};
+
+/// Level, at a depth, by the pump: proportional to the error with damping by the rate of depth.
+struct Hover {
+  double target_m = 0;
+  [[nodiscard]] VerticalCommand command(const Surroundings& now, const HookbehArgs& args) const;
+};
+
+/// Rises to the surface and stays there.
+struct SurfaceNow {
+  const char* doing = "surface";
+  [[nodiscard]] VerticalCommand command(const HookbehArgs& args) const;
+};
+
+/// The magnitude of pitch for what the SBC gives none for: 26 degrees, as in the vendor's yo,
+/// inside the b_args.
+double usualPitch(const HookbehArgs& args);
+
+}  // namespace glider::hooks

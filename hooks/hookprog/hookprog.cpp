@@ -1,0 +1,313 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "hooks/hookprog/hookprog.h"
+
+namespace glider::hooks {
+
+using Kind = HookprogEvent::Kind;
+
+Hookprog::Hookprog(const HookprogOptions& options) : options_(options) {
+  for (double& value : values_) {
+    value = __builtin_nan("");
+  }
+}
+
+void Hookprog::run(double science_time_s, const ScienceSensors& own, const GliderByteStream& sbc,
+                   const GliderByteStream& flight) {
+  now_s_ = science_time_s;
+  serveSbc(sbc);
+  takeFlight(flight);
+  if (time_is_new_ && cycle_is_new_) {
+    sendCycle(own);
+  }
+  const bool open = out_.flush(sbc);
+  if (link_ != 0 && (!open || (waiting_ && now_s_ - waiting_since_s_ >= kLostSecs))) {
+    loseSbc();
+  }
+  countBadFrames();
+}
+
+HookprogEvent Hookprog::nextEvent() {
+  if (event_count_ == 0) {
+    return {};
+  }
+  const HookprogEvent oldest = events_[event_first_];
+  event_first_ = (event_first_ + 1) % kMostEvents;
+  --event_count_;
+  return oldest;
+}
+
+void Hookprog::takeFlight(const GliderByteStream& flight) {
+  SensorUpdate updates[32];
+  uint32_t count = 0;
+  // The line brings 960 bytes a second; a few rounds take all that can have come.
+  for (int round = 0; round < 64; ++round) {
+    count = clothesline_.poll(flight, updates, 32);
+    for (uint32_t i = 0; i < count; ++i) {
+      takeUpdate(updates[i]);
+    }
+    if (count < 32) {
+      break;
+    }
+  }
+}
+
+void Hookprog::takeUpdate(const SensorUpdate& update) {
+  if (update.id == GLIDER_M_PRESENT_SECS_INTO_MISSION) {
+    time_is_new_ = update.value - update.value == 0;
+  }
+  if (update.id == GLIDER_M_CYCLE_NUMBER && update.value != newest(GLIDER_M_CYCLE_NUMBER)) {
+    cycle_is_new_ = update.value == update.value;
+  }
+  values_[update.id] = update.value;
+  fresh_[update.id] = true;
+}
+
+void Hookprog::serveSbc(const GliderByteStream& sbc) {
+  // Bounded: an SBC that never stops talking must not keep the science computer from its
+  // instruments.
+  for (int frames = 0; frames < 64; ++frames) {
+    const FrameReader::Result result = reader_.next(sbc);
+    if (result == FrameReader::Result::Closed && link_ != 0) {
+      loseSbc();
+    }
+    if (result != FrameReader::Result::Frame) {
+      return;
+    }
+    handle(reader_.frame());
+  }
+}
+
+void Hookprog::handle(const Frame& frame) {
+  Hello hello;
+  if (decode(frame, hello)) {
+    handleHello(hello);
+    return;
+  }
+  if (link_ == 0) {
+    return;  // the rest of an answer that belongs to no link
+  }
+  Subscribe subscribe;
+  TransitionNotice notice;
+  Done done;
+  SensorList list;
+  if (decode(frame, subscribe)) {
+    subscribed_ = subscribe;
+  } else if (decode(frame, notice)) {
+    handleTransition(notice);
+  } else if (decode(frame, done)) {
+    handleDone(done);
+  } else if (frame.type == MessageType::Write && decodeList(frame, list)) {
+    handleWrite(list);
+  } else {
+    ++malformed_;
+  }
+}
+
+void Hookprog::handleHello(const Hello& hello) {
+  if (hello.version != kProtocolVersion || hello.dictionary != dictionaryHash()) {
+    link_ = 0;
+    view_ = SbcView{};
+    if (hello.version != refused_version_ || hello.dictionary != refused_dictionary_) {
+      event(Kind::SbcRefused, hello.version, hello.dictionary);
+    }
+    refused_version_ = hello.version;
+    refused_dictionary_ = hello.dictionary;
+    return;
+  }
+  refused_version_ = 0;
+  refused_dictionary_ = 0;
+  link_ = hello.link;
+  waiting_ = false;
+  subscribed_ = Subscribe{};
+  HookprogEvent told;
+  told.kind = Kind::SbcHello;
+  told.mission_time_s = missionTime();
+  told.a = link_;
+  for (uint32_t i = 0; i < kMostNameBytes; ++i) {
+    told.text[i] = hello.mission_name[i];
+  }
+  push(told);
+  Frame frame;
+  encode(Welcome{options_.virtual_time, link_, newest_session_}, frame);
+  send(frame);
+}
+
+void Hookprog::handleWrite(const SensorList& list) {
+  SensorUpdate ordered[kMostListed];
+  uint32_t count = 0;
+  const SensorUpdate* sequence = nullptr;
+  for (uint32_t i = 0; i < list.count; ++i) {
+    const SensorValue& value = list.values[i];
+    if (!isInstructionSensor(value.id)) {
+      event(Kind::RefusedWrite, value.id);
+      return;
+    }
+    if (value.id == GLIDER_SCI_HOOK_SEQUENCE) {
+      sequence = &value;
+    } else {
+      ordered[count++] = value;
+    }
+    if (value.id == GLIDER_SCI_HOOK_SESSION && value.value >= 1 && value.value <= kMostSession) {
+      newest_session_ = static_cast<uint32_t>(value.value);
+    }
+  }
+  if (sequence != nullptr) {
+    ordered[count++] = *sequence;
+  }
+  if (hookState() != HookState::Absent) {
+    (void)clothesline_.send(ordered, count);  // no room: the SBC gets no answer and writes it again
+  }
+}
+
+void Hookprog::handleTransition(const TransitionNotice& notice) {
+  HookprogEvent told;
+  told.kind = Kind::SbcTransition;
+  told.mission_time_s = notice.mission_time_s;
+  told.a = notice.transition;
+  told.b = notice.from;
+  told.c = notice.to;
+  told.d = notice.fired_case;
+  push(told);
+}
+
+void Hookprog::handleDone(const Done& done) {
+  waiting_ = false;
+  view_ = {true, done.status.mission_time_s, done.status.state, done.status.stack_depth,
+           done.status.phase};
+  // A program that was started again answers too, but it does not steer what its predecessor set
+  // going: only the answers of the session in control keep that session alive.
+  const uint32_t in_control = newestWhole(GLIDER_X_HOOK_SESSION);
+  if (in_control != 0 && done.session != in_control) {
+    return;
+  }
+  heartbeat_ = nextSession(heartbeat_);
+  if (hookState() != HookState::Absent) {
+    const SensorUpdate beat{GLIDER_SCI_HOOK_HEARTBEAT, static_cast<double>(heartbeat_)};
+    (void)clothesline_.send(&beat,
+                            1);  // no room: the line is stuck, and that is what silence is for
+  }
+}
+
+void Hookprog::sendCycle(const ScienceSensors& own) {
+  time_is_new_ = false;
+  cycle_is_new_ = false;
+  if (link_ == 0) {
+    sendBeacon();
+  } else {
+    sendTick(own);
+    if (!waiting_) {
+      waiting_ = true;
+      waiting_since_s_ = now_s_;
+    }
+  }
+  for (bool& fresh : fresh_) {
+    fresh = false;
+  }
+}
+
+void Hookprog::sendBeacon() {
+  Frame frame;
+  encode(Beacon{kProtocolVersion, options_.virtual_time, dictionaryHash(), hookState()}, frame);
+  send(frame);
+}
+
+void Hookprog::sendTick(const ScienceSensors& own) {
+  TickHead head = tickHead();
+  Frame frame;
+  encode(head, frame);
+  for (uint32_t i = 0; i < subscribed_.count; ++i) {
+    SensorValue value{subscribed_.ids[i], 0};
+    if (!readingFor(value.id, own, &value.value) || appendValue(frame, value)) {
+      continue;
+    }
+    markMore(frame);
+    send(frame);
+    head.continues = true;
+    encode(head, frame);
+    (void)appendValue(frame, value);
+  }
+  send(frame);
+}
+
+bool Hookprog::readingFor(uint16_t id, const ScienceSensors& own, double* value) {
+  if (!isScienceSensor(id)) {
+    *value = newest(id);
+    return fresh_[id];
+  }
+  bool fresh = false;
+  *value = own.get(own.self, id, &fresh);
+  return fresh;
+}
+
+TickHead Hookprog::tickHead() const {
+  TickHead head;
+  head.virtual_time = options_.virtual_time;
+  head.link = link_;
+  head.vehicle_time_s = missionTime();
+  head.cycle = newestWhole(GLIDER_M_CYCLE_NUMBER);
+  head.subscription = subscriptionCheck(subscribed_.ids, subscribed_.count);
+  head.hook_state = hookState();
+  const uint32_t answer = newestWhole(GLIDER_X_HOOK_ANSWER);
+  head.answer = answer <= static_cast<uint32_t>(HookAnswer::NotReady)
+                    ? static_cast<HookAnswer>(answer)
+                    : HookAnswer::None;
+  head.answered_sequence = static_cast<uint16_t>(newestWhole(GLIDER_X_HOOK_SEQUENCE));
+  head.session = newestWhole(GLIDER_X_HOOK_SESSION);
+  return head;
+}
+
+HookState Hookprog::hookState() const {
+  const uint32_t state = newestWhole(GLIDER_X_HOOK_STATE);
+  return state <= static_cast<uint32_t>(HookState::Complete) ? static_cast<HookState>(state)
+                                                             : HookState::Absent;
+}
+
+double Hookprog::missionTime() const {
+  const double time = newest(GLIDER_M_PRESENT_SECS_INTO_MISSION);
+  return time == time ? time : 0;
+}
+
+uint32_t Hookprog::newestWhole(uint16_t id) const {
+  const double value = newest(id);
+  return value >= 0 && value <= kMostSession ? static_cast<uint32_t>(value) : 0;
+}
+
+void Hookprog::send(Frame& frame) {
+  frame.sequence = ++out_sequence_;
+  (void)out_.add(frame);  // no room: nobody reads the line; the next cycle brings newer values
+}
+
+void Hookprog::loseSbc() {
+  event(Kind::SbcLost, link_);
+  link_ = 0;
+  waiting_ = false;
+  view_ = SbcView{};
+}
+
+void Hookprog::countBadFrames() {
+  const uint32_t bad = reader_.badFrames() + clothesline_.badFrames() + malformed_;
+  if (bad != bad_frames_told_) {
+    event(Kind::BadFrame, bad - bad_frames_told_);
+    bad_frames_told_ = bad;
+  }
+}
+
+void Hookprog::event(Kind kind, uint32_t a, uint32_t b) {
+  HookprogEvent told;
+  told.kind = kind;
+  told.mission_time_s = missionTime();
+  told.a = a;
+  told.b = b;
+  push(told);
+}
+
+void Hookprog::push(const HookprogEvent& event) {
+  if (event_count_ < kMostEvents) {
+    events_[(event_first_ + event_count_) % kMostEvents] = event;
+    ++event_count_;
+  }
+}
+
+}  // namespace glider::hooks

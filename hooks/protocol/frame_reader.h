@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "hooks/protocol/frame.h"
+#include "hooks/transport/byte_stream.h"
+
+#include <stdint.h>
+
+namespace glider::hooks {
+
+/// Reads a stream into whole frames, one at a time; bytes behind a frame wait for the next call.
+class FrameReader {
+ public:
+  enum class Result : uint8_t { Nothing, Frame, Closed };
+
+  /// The next whole frame, if its bytes are there; at most `kMostBytes` are looked at, so that a
+  /// stream full of noise cannot hold its reader. Closed: the other end is gone and all it sent was
+  /// read.
+  Result next(const GliderByteStream& stream) {
+    for (uint32_t looked = 0; looked < kMostBytes; ++looked) {
+      if (at_ == count_) {
+        const int32_t got = stream.read(stream.self, bytes_, sizeof bytes_);
+        if (got <= 0) {
+          return got < 0 ? Result::Closed : Result::Nothing;
+        }
+        at_ = 0;
+        count_ =
+            static_cast<uint32_t>(got) < sizeof bytes_ ? static_cast<uint32_t>(got) : sizeof bytes_;
+      }
+      if (decoder_.push(bytes_[at_++])) {
+        return Result::Frame;
+      }
+    }
+    return Result::Nothing;
+  }
+
+  [[nodiscard]] const Frame& frame() const { return decoder_.frame(); }
+  [[nodiscard]] uint32_t badFrames() const { return decoder_.badFrames(); }
+
+ private:
+  static constexpr uint32_t kMostBytes = 8192;
+
+  FrameDecoder decoder_;
+  uint8_t bytes_[256] = {};
+  uint32_t at_ = 0;
+  uint32_t count_ = 0;
+};
+
+}  // namespace glider::hooks

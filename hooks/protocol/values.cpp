@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "hooks/protocol/values.h"
+
+#include "hooks/protocol/bytes.h"
+#include "hooks/protocol/frame.h"
+
+namespace glider::hooks {
+namespace {
+
+double asFloat32(double value) {
+  return static_cast<double>(static_cast<float>(value));
+}
+
+}  // namespace
+
+Instruction roundToArray(const Instruction& instruction) {
+  Instruction rounded = instruction;
+  rounded.depth_m = asFloat32(instruction.depth_m);
+  rounded.pitch_rad = asFloat32(instruction.pitch_rad);
+  rounded.heading_rad = asFloat32(instruction.heading_rad);
+  return rounded;
+}
+
+uint16_t checkValue(const Instruction& instruction) {
+  uint8_t bytes[37];
+  ByteWriter out(bytes, sizeof bytes);
+  out.u32(instruction.session);
+  out.u16(instruction.sequence);
+  out.u8(static_cast<uint8_t>(instruction.control));
+  out.u8(static_cast<uint8_t>(instruction.vertical));
+  out.u8(static_cast<uint8_t>(instruction.lateral));
+  out.f32(static_cast<float>(instruction.depth_m));
+  out.f32(static_cast<float>(instruction.pitch_rad));
+  out.f32(static_cast<float>(instruction.heading_rad));
+  out.f64(instruction.latitude_ddmm);
+  out.f64(instruction.longitude_ddmm);
+  return crc16(bytes, out.size());
+}
+
+}  // namespace glider::hooks

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "hooks/transport/clock.h"
+
+#include <stdint.h>
+
+namespace glider::hooks {
+
+/// The time since it was made, by CLOCK_MONOTONIC, or by times(2) on kernels that have none
+/// (Linux 2.4).
+class SystemClock {
+ public:
+  SystemClock();
+  SystemClock(const SystemClock&) = delete;
+  SystemClock& operator=(const SystemClock&) = delete;
+  /// Seconds, never going back.
+  double now();
+  /// Points into this object.
+  [[nodiscard]] GliderClock clock();
+
+ private:
+  /// Adds up the kernel's ticks, whose counter wraps on 32-bit boards.
+  double byTicks();
+
+  bool monotonic_ = false;
+  double start_s_ = 0;
+  uint32_t last_ticks_ = 0;
+  double ticks_ = 0;
+  double ticks_a_second_ = 100;
+};
+
+}  // namespace glider::hooks

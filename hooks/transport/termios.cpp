@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "hooks/transport/termios.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <termios.h>
+#include <unistd.h>
+
+namespace glider::hooks {
+namespace {
+
+struct Speed {
+  uint32_t baud;
+  speed_t code;
+};
+
+constexpr Speed kSpeeds[] = {{1200, B1200},   {2400, B2400},     {4800, B4800},
+                             {9600, B9600},   {19200, B19200},   {38400, B38400},
+                             {57600, B57600}, {115200, B115200}, {230400, B230400}};
+
+bool speedCode(uint32_t baud, speed_t* code) {
+  for (const Speed& speed : kSpeeds) {
+    if (speed.baud == baud) {
+      *code = speed.code;
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Raw, 8N1, no flow control. VMIN 1 lets read tell "nothing yet" (EAGAIN) from "hung up" (0).
+int setRaw(int fd, uint32_t baud) {
+  speed_t code = B0;
+  if (!speedCode(baud, &code)) {
+    return EINVAL;
+  }
+  termios settings{};
+  if (tcgetattr(fd, &settings) != 0) {
+    return errno;
+  }
+  settings.c_iflag = 0;
+  settings.c_oflag = 0;
+  settings.c_lflag = 0;
+  settings.c_cflag = CS8 | CREAD | CLOCAL;
+  settings.c_cc[VMIN] = 1;
+  settings.c_cc[VTIME] = 0;
+  if (cfsetispeed(&settings, code) != 0 || cfsetospeed(&settings, code) != 0 ||
+      tcsetattr(fd, TCSANOW, &settings) != 0) {
+    return errno;
+  }
+  // tcsetattr is content when any of its changes was made: look whether the speed was one of them.
+  termios made{};
+  if (tcgetattr(fd, &made) != 0) {
+    return errno;
+  }
+  return cfgetospeed(&made) == code ? 0 : EINVAL;
+}
+
+int32_t statusOf(int error) {
+  if (error == EAGAIN || error == EINTR) {
+    return 0;
+  }
+  return error == EIO ? kGliderStreamClosed
+                      : kGliderStreamFailed;  // EIO: the other side of a pty has gone
+}
+
+}  // namespace
+
+bool isPseudoTerminal(const char* path) {
+  const char* prefix = "/dev/pts/";
+  while (*prefix != 0 && *path == *prefix) {
+    ++path;
+    ++prefix;
+  }
+  return *prefix == 0;
+}
+
+int SerialDevice::open(const char* path, uint32_t baud) {
+  close();
+  const int fd = ::open(path, O_RDWR | O_NOCTTY | O_NONBLOCK);
+  if (fd < 0) {
+    return errno;
+  }
+  const int error = setRaw(fd, baud);
+  if (error != 0) {
+    ::close(fd);
+    return error;
+  }
+  if (!isPseudoTerminal(path)) {
+    (void)tcflush(fd, TCIFLUSH);
+  }
+  fd_ = fd;
+  return 0;
+}
+
+void SerialDevice::close() {
+  if (fd_ >= 0) {
+    ::close(fd_);
+    fd_ = -1;
+  }
+}
+
+GliderByteStream SerialDevice::stream() {
+  return {this, &SerialDevice::read, &SerialDevice::write};
+}
+
+int32_t SerialDevice::read(void* self, uint8_t* bytes, uint32_t capacity) {
+  const int fd = static_cast<const SerialDevice*>(self)->fd_;
+  if (capacity == 0) {
+    return 0;
+  }
+  const ssize_t got = ::read(fd, bytes, capacity);
+  if (got < 0) {
+    return statusOf(errno);
+  }
+  return got == 0 ? kGliderStreamClosed : static_cast<int32_t>(got);
+}
+
+int32_t SerialDevice::write(void* self, const uint8_t* bytes, uint32_t count) {
+  const ssize_t taken = ::write(static_cast<const SerialDevice*>(self)->fd_, bytes, count);
+  return taken < 0 ? statusOf(errno) : static_cast<int32_t>(taken);
+}
+
+}  // namespace glider::hooks

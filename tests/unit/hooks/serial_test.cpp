@@ -15,6 +15,7 @@
 #include <fstream>
 #include <poll.h>
 #include <string>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -158,6 +159,37 @@ TEST(SerialPort, ASpeedOfNoLineIsGL9104) {
   const auto port = SerialPort::open(pty->name(), 12345);
   EXPECT_EQ(codeOf(port), "GL9104");
   EXPECT_NE(port.error().message.find("12345 baud"), std::string::npos);
+}
+
+/// Leaves the program no file descriptor to open.
+class NoDescriptors {
+ public:
+  NoDescriptors() {
+    EXPECT_EQ(::getrlimit(RLIMIT_NOFILE, &before_), 0);
+    rlimit none = before_;
+    none.rlim_cur = 0;
+    EXPECT_EQ(::setrlimit(RLIMIT_NOFILE, &none), 0);
+  }
+  NoDescriptors(const NoDescriptors&) = delete;
+  NoDescriptors& operator=(const NoDescriptors&) = delete;
+  ~NoDescriptors() { ::setrlimit(RLIMIT_NOFILE, &before_); }
+
+ private:
+  rlimit before_{};
+};
+
+TEST(SerialPort, AnythingElseIsGL9105) {
+  auto pty = Pty::open();
+  ASSERT_TRUE(pty);
+  const NoDescriptors none;
+  EXPECT_EQ(codeOf(SerialPort::open(pty->name(), 115200)), "GL9105");
+}
+
+TEST(Pty, NoneToBeHadIsGL9106) {
+  const NoDescriptors none;
+  const auto pty = Pty::open();
+  ASSERT_FALSE(pty);
+  EXPECT_EQ(support::code(pty.error().id), "GL9106");
 }
 
 }  // namespace

@@ -71,8 +71,8 @@ TEST(Page, NamesNoPlaceOutsideItself) {
 }
 
 TEST(Page, OfALongFlightIsThinnedButCountsAllRows) {
-  const auto data = nlohmann::json::parse(dataOf(renderPage(longTrace(100'000))));
-  EXPECT_EQ(data.at("figures").at("rows"), 100'000);
+  const auto data = nlohmann::json::parse(dataOf(renderPage(longTrace(40'000))));
+  EXPECT_EQ(data.at("figures").at("rows"), 40'000);
   const auto& trace = data.at("trace");
   EXPECT_LE(trace.at("rows").size() / trace.at("columns").size(), kPageRows);
 }

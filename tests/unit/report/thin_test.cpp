@@ -19,7 +19,7 @@ TEST(Thin, AShortTraceComesBackUnchanged) {
 }
 
 TEST(Thin, ALongTraceKeepsEndsExtremesAndEveryChangeOfState) {
-  const support::Trace trace = longTrace(100'000);
+  const support::Trace trace = longTrace(40'000);
   const support::Trace thin = thinned(trace, 9000);
   EXPECT_LT(thin.rowCount(), 10'000U);
   const FlightFigures before = flightFigures(trace);

@@ -72,11 +72,11 @@ std::string buildProgram(std::span<const Trial> trials, const Board& board, int 
   auto module = joinMissions(trials, *machine, context);
   const fs::path runtime =
       fs::path(GLIDER_BINARY_DIR) / "tests" / "judged" / (board.name + ".bc");
-  sure(codegen::joinRuntime(*module, runtime, {"main"}, {}));
+  sure(codegen::joinRuntime(*module, runtime, {"main"}));
   codegen::optimise(*module, *machine, level);
   const std::string object =
       codegen::emitCode(*module, *machine, llvm::CodeGenFileType::ObjectFile);
-  return sure(codegen::link({codegen::ProgramKind::Executable, object, {}, false}, board));
+  return sure(codegen::link({codegen::ProgramKind::Executable, object, {}, {}, false}, board));
 }
 
 Words fly(std::span<const Trial> trials, const Board& board, const std::string& program) {

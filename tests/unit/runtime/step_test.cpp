@@ -201,8 +201,8 @@ TEST(Readings, BecomeSiUnitsAndDegrees) {
 }
 
 TEST(Settle, DecidesOnTheBitPattern) {
-  const double least = std::numeric_limits<double>::min();
-  const double below = std::nextafter(least, 0);
+  const double below = std::numeric_limits<double>::min();
+  const double least = std::nextafter(below, 1);
   auto bits = [](double x) { return std::bit_cast<uint64_t>(x); };
   EXPECT_EQ(bits(gliderSettle(least)), bits(least));
   EXPECT_EQ(bits(gliderSettle(-least)), bits(-least));

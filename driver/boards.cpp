@@ -3,18 +3,19 @@
 
 #include "driver/boards.h"
 
-#include <algorithm>
+#include "driver/share.h"
 
 #include <fmt/ranges.h>
 
-#include "driver/share.h"
+#include <algorithm>
 
 namespace glider::driver {
 
 std::vector<std::string> targetNames() {
   std::vector<std::string> names;
   std::error_code ignored;
-  for (const auto& entry : std::filesystem::directory_iterator(shareDirectory() / "boards", ignored)) {
+  for (const auto& entry :
+       std::filesystem::directory_iterator(shareDirectory() / "boards", ignored)) {
     if (std::filesystem::exists(entry.path() / "board.toml", ignored)) {
       names.push_back(entry.path().filename().string());
     }
@@ -23,7 +24,9 @@ std::vector<std::string> targetNames() {
   return names;
 }
 
-std::filesystem::path boardDirectory(const std::string& target) { return shareDirectory() / "boards" / target; }
+std::filesystem::path boardDirectory(const std::string& target) {
+  return shareDirectory() / "boards" / target;
+}
 
 support::Result<platforms::Board> loadTarget(const std::string& name) {
   const std::vector<std::string> names = targetNames();

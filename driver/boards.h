@@ -3,16 +3,17 @@
 
 #pragma once
 
+#include "platforms/load/board.h"
+#include "support/result.h"
+
 #include <filesystem>
 #include <string>
 #include <vector>
 
-#include "platforms/load/board.h"
-#include "support/result.h"
-
 namespace glider::driver {
 
-/// The names of all targets that this installation can build for, sorted: the folders of share/glidercc/boards.
+/// The names of all targets that this installation can build for, sorted: the folders of
+/// share/glidercc/boards.
 std::vector<std::string> targetNames();
 /// The folder that holds what `target` is linked with.
 std::filesystem::path boardDirectory(const std::string& target);

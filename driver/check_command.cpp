@@ -1,23 +1,25 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <memory>
-#include <string>
-
-#include <CLI/CLI.hpp>
-#include <fmt/format.h>
-
 #include "driver/commands.h"
 #include "driver/compilation.h"
 #include "driver/exit_code.h"
 #include "driver/terminal.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <memory>
+#include <string>
 
 namespace glider::driver {
 namespace {
 
 /// "1 error, 2 warnings" as a pilot would write it; empty if there is neither.
 std::string counted(size_t errors, size_t warnings) {
-  auto part = [](size_t n, const char* word) { return fmt::format("{} {}{}", n, word, n == 1 ? "" : "s"); };
+  auto part = [](size_t n, const char* word) {
+    return fmt::format("{} {}{}", n, word, n == 1 ? "" : "s");
+  };
   std::string text = errors > 0 ? part(errors, "error") : "";
   if (warnings > 0) {
     text += (text.empty() ? "" : ", ") + part(warnings, "warning");
@@ -44,14 +46,15 @@ int check(const std::string& path) {
   }
   const Compilation& compilation = **compiled;
   reportDiagnostics(compilation.diagnostics, compilation.sources);
-  const std::string found = counted(compilation.diagnostics.errorCount(), compilation.diagnostics.warningCount());
+  const std::string found =
+      counted(compilation.diagnostics.errorCount(), compilation.diagnostics.warningCount());
   if (!compilation.ok()) {
     fmt::print(stderr, "{}: {}\n", path, found);
     return kMissionHasErrors;
   }
-  const std::string text = fmt::format("{}: {}; mission {}, {} states, {}\n", path, found.empty() ? "fine" : found,
-                                       compilation.mission->name, compilation.mission->states.size(),
-                                       stackLine(compilation));
+  const std::string text = fmt::format("{}: {}; mission {}, {} states, {}\n", path,
+                                       found.empty() ? "fine" : found, compilation.mission->name,
+                                       compilation.mission->states.size(), stackLine(compilation));
   const auto printed = printOut(text);
   return printed ? kFine : reportFailure(printed.error());
 }

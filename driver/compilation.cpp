@@ -22,13 +22,24 @@ Result<uint32_t> addSource(support::SourceManager& sources, const std::filesyste
   return sources.add(path.string(), std::move(*text));
 }
 
+/// Where the mission names its platform; nowhere if it leaves that to the default.
+support::SourceRange platformRange(const ast::File& file) {
+  for (const ast::Item& item : file.items) {
+    if (const auto* line = std::get_if<ast::PlatformLine>(&item)) {
+      return line->name.where;
+    }
+  }
+  return {};
+}
+
 /// The platform that the mission names, or the default.
 Result<void> choosePlatform(Compilation& compilation) {
-  const std::string name = compilation.ast->platform ? compilation.ast->platform->text : "slocum";
+  const std::string name = frontend::platformName(*compilation.ast);
   const std::filesystem::path file = shareDirectory() / "platforms" / (name + ".toml");
+  const support::SourceRange range = platformRange(*compilation.ast);
   std::error_code ignored;
-  if (compilation.ast->platform && !std::filesystem::exists(file, ignored)) {
-    compilation.diagnostics.report(support::DiagnosticId::unknownPlatform, compilation.ast->platform->range, name);
+  if (range.valid() && !std::filesystem::exists(file, ignored)) {
+    compilation.diagnostics.report(support::DiagnosticId::unknownPlatform, range, name);
     return {};
   }
   auto platform = platforms::loadPlatform(file);
@@ -61,7 +72,7 @@ Result<void> analyse(Compilation& compilation, uint32_t file) {
     return std::unexpected(library.error());
   }
   if (*library) {
-    const frontend::AnalysisInputs inputs{*compilation.platform, {&**library}};
+    const frontend::AnalysisInputs inputs{*compilation.platform, {&**library}, compilation.sources};
     compilation.mission = frontend::analyse(*compilation.ast, inputs, compilation.diagnostics);
   }
   return {};
@@ -84,27 +95,6 @@ Result<std::unique_ptr<Compilation>> compileMission(const std::filesystem::path&
     compilation->facts = ir::verify(*compilation->mission, compilation->diagnostics);
   }
   return compilation;
-}
-
-std::string guardText(const Compilation& compilation, uint32_t state, uint32_t fired_case) {
-  const ir::Mission& mission = *compilation.mission;
-  if (state >= mission.states.size() || fired_case >= mission.states[state].cases.size()) {
-    return {};
-  }
-  const support::SourceRange range = mission[mission.states[state].cases[fired_case].guard].range;
-  if (!range.valid()) {
-    return {};
-  }
-  std::string text;
-  for (const char c : compilation.sources.text(range)) {
-    const bool blank = c == ' ' || c == '\n' || c == '\t' || c == '\r';
-    if (!blank) {
-      text += c;
-    } else if (!text.empty() && text.back() != ' ') {
-      text += ' ';
-    }
-  }
-  return text;
 }
 
 }  // namespace glider::driver

@@ -3,19 +3,20 @@
 
 #pragma once
 
-#include <filesystem>
-#include <memory>
-#include <optional>
-
 #include "frontend/frontend.h"
 #include "ir/core/mission.h"
 #include "platforms/load/platform.h"
 #include "support/diagnostics/engine.h"
 #include "support/result.h"
 
+#include <filesystem>
+#include <memory>
+#include <optional>
+
 namespace glider::driver {
 
-/// One mission on its way through the stages; what a stage could not make is empty, and the diagnostics say why.
+/// One mission on its way through the stages; what a stage could not make is empty, and the
+/// diagnostics say why.
 struct Compilation {
   support::SourceManager sources;
   support::DiagnosticEngine diagnostics;
@@ -27,11 +28,9 @@ struct Compilation {
   [[nodiscard]] bool ok() const { return mission.has_value() && !diagnostics.hasErrors(); }
 };
 
-/// Reads `path`, parses, analyses and verifies it; a file ending in `.ir` is read as the IR's text form. The mission's
-/// mistakes stand in Compilation::diagnostics; only the world's failures (file, platform data) are a Failure.
+/// Reads `path`, parses, analyses and verifies it; a file ending in `.ir` is read as the IR's text
+/// form. The mission's mistakes stand in Compilation::diagnostics; only the world's failures (file,
+/// platform data) are a Failure.
 support::Result<std::unique_ptr<Compilation>> compileMission(const std::filesystem::path& path);
-
-/// As text for events and reports: the source of the guard of case `fired_case` of `state`, on one line.
-std::string guardText(const Compilation& compilation, uint32_t state, uint32_t fired_case);
 
 }  // namespace glider::driver

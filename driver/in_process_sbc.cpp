@@ -31,7 +31,9 @@ int32_t InProcessSbc::writeBytes(void* self, const uint8_t* bytes, uint32_t coun
   return static_cast<int32_t>(count);
 }
 
-double InProcessSbc::now(void* self) { return static_cast<InProcessSbc*>(self)->now_s_; }
+double InProcessSbc::now(void* self) {
+  return static_cast<InProcessSbc*>(self)->now_s_;
+}
 
 void InProcessSbc::deliver(std::span<const uint8_t> bytes, double now_s) {
   now_s_ = now_s;

@@ -3,19 +3,20 @@
 
 #pragma once
 
-#include <cstdint>
-#include <memory>
-#include <string>
-#include <vector>
-
 #include "codegen/load/loaded_mission.h"
 #include "hooks/transport/byte_stream.h"
 #include "runtime/abi/runtime.h"
 #include "simulator/sbc_port.h"
 
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
 namespace glider::driver {
 
-/// An SBC within this process: the compiled mission, loaded as a shared object, speaks the real protocol over memory.
+/// An SBC within this process: the compiled mission, loaded as a shared object, speaks the real
+/// protocol over memory.
 class InProcessSbc final : public simulator::SbcPort {
  public:
   explicit InProcessSbc(codegen::LoadedMission mission);

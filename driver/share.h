@@ -7,8 +7,9 @@
 
 namespace glider::driver {
 
-/// Where the command's data lie (platforms, library, boards, scenarios): share/glidercc beside the bin/ that holds the
-/// running program, so that a build tree and an installation are found alike. GLIDERCC_SHARE overrides.
+/// Where the command's data lie (platforms, library, boards, scenarios): share/glidercc beside the
+/// bin/ that holds the running program, so that a build tree and an installation are found alike.
+/// GLIDERCC_SHARE overrides.
 std::filesystem::path shareDirectory();
 
 }  // namespace glider::driver

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <CLI/CLI.hpp>
-#include <fmt/format.h>
-
 #include "driver/boards.h"
 #include "driver/commands.h"
 #include "driver/exit_code.h"
 #include "driver/terminal.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 namespace glider::driver {
 namespace {
@@ -28,7 +28,8 @@ int listTargets() {
 }  // namespace
 
 void addTargetsCommand(CLI::App& app, int& status) {
-  CLI::App* command = app.add_subcommand("targets", "List the computers that missions can be built for");
+  CLI::App* command =
+      app.add_subcommand("targets", "List the computers that missions can be built for");
   command->callback([&status] { status = listTargets(); });
 }
 

@@ -3,41 +3,46 @@
 
 #include "driver/terminal.h"
 
-#include <unistd.h>
+#include "driver/exit_code.h"
+#include "support/diagnostics/render.h"
 
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-
-#include "driver/exit_code.h"
-#include "support/diagnostics/render.h"
+#include <unistd.h>
 
 namespace glider::driver {
 namespace {
 
-bool colourWanted() { return ::isatty(STDERR_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr; }
+bool colourWanted() {
+  return ::isatty(STDERR_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr;
+}
 
 }  // namespace
 
 int reportFailure(const support::Failure& failure) {
   const auto& row = support::catalogueRow(failure.id);
-  fmt::print(stderr, "glidercc: error: {} [{} {}]\n", failure.message, support::code(failure.id), row.slug);
+  fmt::print(stderr, "glidercc: error: {} [{} {}]\n", failure.message, support::code(failure.id),
+             row.slug);
   if (!failure.hint.empty()) {
     fmt::print(stderr, "  hint: {}\n", failure.hint);
   }
   return kWorldFailed;
 }
 
-void reportDiagnostics(const support::DiagnosticEngine& diagnostics, const support::SourceManager& sources) {
+void reportDiagnostics(const support::DiagnosticEngine& diagnostics,
+                       const support::SourceManager& sources) {
   const std::string text = support::render(diagnostics, sources, colourWanted());
   std::fputs(text.c_str(), stderr);
 }
 
 support::Result<void> printOut(std::string_view text) {
-  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
+  const bool written =
+      std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
   if (!written) {
-    return support::fail(support::DiagnosticId::cannotWrite, "standard output", std::strerror(errno));
+    return support::fail(support::DiagnosticId::cannotWrite, "standard output",
+                         std::strerror(errno));
   }
   return {};
 }

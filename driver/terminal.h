@@ -3,17 +3,19 @@
 
 #pragma once
 
-#include <string_view>
-
 #include "support/diagnostics/engine.h"
 #include "support/result.h"
 
+#include <string_view>
+
 namespace glider::driver {
 
-/// Prints a failure of the world as `glidercc: error: … [GL9001 slug]` with its hint; returns the exit code for it.
+/// Prints a failure of the world as `glidercc: error: … [GL9001 slug]` with its hint; returns the
+/// exit code for it.
 int reportFailure(const support::Failure& failure);
 /// Prints the diagnostics to standard error, in colour on a terminal (unless NO_COLOR is set).
-void reportDiagnostics(const support::DiagnosticEngine& diagnostics, const support::SourceManager& sources);
+void reportDiagnostics(const support::DiagnosticEngine& diagnostics,
+                       const support::SourceManager& sources);
 /// Writes `text` to standard output. GL9002 when that fails (a full disk, a closed pipe).
 support::Result<void> printOut(std::string_view text);
 

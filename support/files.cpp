@@ -3,13 +3,12 @@
 
 #include "support/files.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
 #include <vector>
 
 namespace glider::support {
@@ -54,9 +53,10 @@ bool writeAll(int fd, std::string_view content) {
   return true;
 }
 
-/// A device or pipe (`-o /dev/stdout`, /dev/full) cannot be replaced by a rename, so it is written to directly.
+/// A device or pipe (`-o /dev/stdout`, /dev/full) cannot be replaced by a rename, so it is written
+/// to directly.
 bool isSpecialFile(const std::filesystem::path& path) {
-  struct stat status {};
+  struct stat status{};
   return ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
 }
 
@@ -96,7 +96,8 @@ Result<std::string> readFile(const std::filesystem::path& path) {
   }
 }
 
-Result<void> writeFileAtomically(const std::filesystem::path& path, std::string_view content, bool executable) {
+Result<void> writeFileAtomically(const std::filesystem::path& path, std::string_view content,
+                                 bool executable) {
   if (isSpecialFile(path)) {
     return writeSpecial(path, content);
   }
@@ -113,8 +114,9 @@ Result<void> writeFileAtomically(const std::filesystem::path& path, std::string_
   const mode_t mask = ::umask(0);
   ::umask(mask);
   const mode_t mode = (executable ? 0777U : 0666U) & ~mask;
-  if (!writeAll(file.get(), content) || ::fchmod(file.get(), mode) != 0 || ::fsync(file.get()) != 0 ||
-      file.close() != 0 || ::rename(temporary.c_str(), path.c_str()) != 0) {
+  if (!writeAll(file.get(), content) || ::fchmod(file.get(), mode) != 0 ||
+      ::fsync(file.get()) != 0 || file.close() != 0 ||
+      ::rename(temporary.c_str(), path.c_str()) != 0) {
     return failed();
   }
   return {};

@@ -3,13 +3,13 @@
 
 #pragma once
 
-#include <expected>
-#include <string>
-#include <utility>
+#include "support/diagnostics/diagnostic.h"
 
 #include <fmt/format.h>
 
-#include "support/diagnostics/diagnostic.h"
+#include <expected>
+#include <string>
+#include <utility>
 
 namespace glider::support {
 

@@ -3,17 +3,18 @@
 
 #pragma once
 
+#include "support/source_manager.h"
+#include "support/units/units.h"
+
 #include <array>
 #include <compare>
 #include <cstdint>
 #include <string>
 #include <vector>
 
-#include "support/source_manager.h"
-#include "support/units/units.h"
-
-/// The typed mission IR: what the frontend lowers to, the verifier proves things of, the interpreter `ir/eval` runs
-/// and codegen compiles. Everything is an index into a vector of Mission. ir/README.md states what a tick means.
+/// The typed mission IR: what the frontend lowers to, the verifier proves things of, the
+/// interpreter `ir/eval` runs and codegen compiles. Everything is an index into a vector of
+/// Mission. ir/README.md states what a tick means.
 namespace glider::ir {
 
 template <typename Tag>
@@ -35,7 +36,8 @@ enum class Op : uint8_t {
 
 enum class TypeKind : uint8_t { Bool, Quantity, Latitude, Longitude };
 
-/// The type of an expression or parameter. Latitudes and longitudes are numbers in degrees, north and east positive.
+/// The type of an expression or parameter. Latitudes and longitudes are numbers in degrees, north
+/// and east positive.
 struct Type {
   TypeKind kind = TypeKind::Quantity;
   support::Dimension dimension;  ///< of a Quantity
@@ -53,19 +55,22 @@ struct Expr {
 };
 
 /// How the vehicle writes a sensor's value down.
-enum class Encoding : uint8_t { Linear, DegreesMinutes };  ///< DegreesMinutes: ddmm.mmmm, becomes degrees
+enum class Encoding : uint8_t {
+  Linear,
+  DegreesMinutes
+};  ///< DegreesMinutes: ddmm.mmmm, becomes degrees
 
 /// A vehicle's sensor that this mission subscribes.
 struct Sensor {
-  std::string name;            ///< as written in the mission: "depth"
-  std::string vehicle_name;    ///< "m_depth"
-  uint16_t id = 0;             ///< number in the platform file: the id on the wire
+  std::string name;          ///< as written in the mission: "depth"
+  std::string vehicle_name;  ///< "m_depth"
+  uint16_t id = 0;           ///< number in the platform file: the id on the wire
   Type type;
   Encoding encoding = Encoding::Linear;
-  double to_si = 1;            ///< factor from the vehicle's unit
-  double lowest = 0;           ///< plausible range in the vehicle's unit; a reading outside is unknown
+  double to_si = 1;   ///< factor from the vehicle's unit
+  double lowest = 0;  ///< plausible range in the vehicle's unit; a reading outside is unknown
   double highest = 0;
-  double stale_after_s = 0;    ///< a reading older than this is unknown
+  double stale_after_s = 0;  ///< a reading older than this is unknown
 };
 
 enum class BehaviourKind : uint8_t { Profile, Route };
@@ -113,7 +118,7 @@ struct State {
   Activity route;
   std::vector<LogItem> log;
   std::vector<Case> cases;
-  support::SourceRange range;       ///< of its name
+  support::SourceRange range;  ///< of its name
 };
 
 struct Mission {
@@ -127,13 +132,16 @@ struct Mission {
   [[nodiscard]] const Expr& operator[](ExprId id) const { return exprs.at(id.index); }
   [[nodiscard]] const State& operator[](StateId id) const { return states.at(id.index); }
   [[nodiscard]] const Sensor& operator[](SensorId id) const { return sensors.at(id.index); }
-  [[nodiscard]] const Behaviour& operator[](BehaviourId id) const { return behaviours.at(id.index); }
+  [[nodiscard]] const Behaviour& operator[](BehaviourId id) const {
+    return behaviours.at(id.index);
+  }
 };
 
 /// What the verifier found out and codegen needs: only for missions without errors.
 struct MissionFacts {
-  uint32_t stack_depth = 0;            ///< greatest number of frames on the call stack
-  std::vector<StateId> deepest_path;   ///< a chain of calls that reaches it, outermost first
+  uint32_t stack_depth = 0;  ///< greatest number of frames on the call stack
+  std::vector<StateId>
+      deepest_path;  ///< the states of such a stack, outermost first, then the current
 };
 
 }  // namespace glider::ir

@@ -1,14 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Writes the C header of a platform's sensor numbers, so that code on board and the platform file never differ:
+// Writes the C header of a platform's sensor numbers, so that code on board and the platform file
+// never differ:
 //   glider_sensor_ids platforms/slocum.toml generated/platforms/slocum_sensors.h
-
-#include <cctype>
-#include <cstdio>
 
 #include "platforms/load/platform.h"
 #include "support/files.h"
+
+#include <cctype>
+#include <cstdio>
 
 namespace {
 
@@ -35,8 +36,9 @@ uint32_t dictionaryHash(const glider::platforms::Platform& platform) {
 
 std::string header(const glider::platforms::Platform& platform) {
   const std::string guard = fmt::format("GLIDER_GENERATED_{}_SENSORS_H", upper(platform.name));
-  std::string out = fmt::format("/* Generated from platforms/{}.toml. */\n#ifndef {}\n#define {}\n\n", platform.name, guard,
-                                guard);
+  std::string out =
+      fmt::format("/* Generated from platforms/{}.toml. */\n#ifndef {}\n#define {}\n\n",
+                  platform.name, guard, guard);
   out += "/* X(number, name, bytes in the sensor array, 1 if the science computer has it) */\n";
   out += "#define GLIDER_SENSOR_LIST(X) \\\n";
   for (const auto& s : platform.sensors) {
@@ -44,12 +46,23 @@ std::string header(const glider::platforms::Platform& platform) {
                        s.computer == glider::platforms::Computer::Science ? 1 : 0,
                        s.id + 1U == platform.sensors.size() ? "" : " \\");
   }
+  out +=
+      "\n/* X(number, name, factor to SI units, lowest and highest plausible value, stale after s, "
+      "1 "
+      "if ddmm.mmmm) */\n#define GLIDER_SENSOR_TABLE(X) \\\n";
+  for (const auto& s : platform.sensors) {
+    out += fmt::format("  X({}, {}, {}, {}, {}, {}, {}){}\n", s.id, s.name, s.to_si, s.lowest,
+                       s.highest, s.stale_after_s,
+                       s.kind == glider::platforms::SensorKind::Quantity ? 0 : 1,
+                       s.id + 1U == platform.sensors.size() ? "" : " \\");
+  }
   out += "\nenum GliderSensorNumber {\n";
   for (const auto& s : platform.sensors) {
     out += fmt::format("  GLIDER_{} = {},\n", upper(s.name), s.id);
   }
   out += fmt::format("  GLIDER_SENSOR_COUNT = {}\n}};\n\n", platform.sensors.size());
-  out += fmt::format("#define GLIDER_DICTIONARY_HASH 0x{:08X}u\n\n#endif\n", dictionaryHash(platform));
+  out +=
+      fmt::format("#define GLIDER_DICTIONARY_HASH 0x{:08X}u\n\n#endif\n", dictionaryHash(platform));
   return out;
 }
 

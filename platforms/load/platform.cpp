@@ -3,9 +3,9 @@
 
 #include "platforms/load/platform.h"
 
-#include <algorithm>
-
 #include "platforms/load/toml_reader.h"
+
+#include <algorithm>
 
 namespace glider::platforms {
 namespace {
@@ -29,7 +29,8 @@ bool interpretUnit(PlatformSensor& sensor) {
 }
 
 PlatformSensor readSensor(TomlReader& reader, size_t id) {
-  reader.only({"name", "alias", "unit", "lowest", "highest", "stale_after_s", "computer", "bytes", "what"});
+  reader.only(
+      {"name", "alias", "unit", "lowest", "highest", "stale_after_s", "computer", "bytes", "what"});
   PlatformSensor sensor;
   sensor.id = static_cast<uint16_t>(id);
   sensor.name = reader.text("name");
@@ -61,16 +62,19 @@ PlatformSensor readSensor(TomlReader& reader, size_t id) {
   return sensor;
 }
 
-support::Result<void> readSensors(const std::string& file, const toml::table& root, Platform& platform) {
+support::Result<void> readSensors(const std::string& file, const toml::table& root,
+                                  Platform& platform) {
   constexpr size_t kMostSensors = 4096;
   const toml::array* list = root["sensor"].as_array();
   if (list == nullptr || list->empty() || list->size() > kMostSensors) {
-    return support::fail(support::DiagnosticId::badDataFile, file, "it must have between 1 and 4096 [[sensor]] tables");
+    return support::fail(support::DiagnosticId::badDataFile, file,
+                         "it must have between 1 and 4096 [[sensor]] tables");
   }
   for (const toml::node& node : *list) {
     const toml::table* table = node.as_table();
     if (table == nullptr) {
-      return support::fail(support::DiagnosticId::badDataFile, file, "`sensor` must be [[sensor]] tables");
+      return support::fail(support::DiagnosticId::badDataFile, file,
+                           "`sensor` must be [[sensor]] tables");
     }
     TomlReader reader(file, *table, fmt::format("sensor {}", platform.sensors.size()));
     PlatformSensor sensor = readSensor(reader, platform.sensors.size());
@@ -110,7 +114,8 @@ support::Result<Platform> loadPlatform(const std::filesystem::path& path) {
   const toml::table* envelope = (*root)["envelope"].as_table();
   TomlReader bounds(path.string(), envelope != nullptr ? *envelope : kNone, "[envelope]");
   bounds.only({"greatest_depth_m", "steepest_pitch_rad", "cycle_s"});
-  platform.envelope = {bounds.number("greatest_depth_m"), bounds.number("steepest_pitch_rad"), bounds.number("cycle_s")};
+  platform.envelope = {bounds.number("greatest_depth_m"), bounds.number("steepest_pitch_rad"),
+                       bounds.number("cycle_s")};
   for (const TomlReader* part : {&reader, &bounds}) {
     if (part->failure()) {
       return std::unexpected(*part->failure());

@@ -3,14 +3,14 @@
 
 #pragma once
 
+#include "support/result.h"
+#include "support/units/units.h"
+
 #include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include "support/result.h"
-#include "support/units/units.h"
 
 namespace glider::platforms {
 
@@ -20,19 +20,19 @@ enum class Computer : uint8_t { Flight, Science };
 enum class SensorKind : uint8_t { Quantity, Latitude, Longitude };
 
 struct PlatformSensor {
-  uint16_t id = 0;           ///< place in the file: the number on the wire
-  std::string name;          ///< the vehicle's own: "m_depth"
-  std::string alias;         ///< the language's: "depth"; empty if it has none
-  std::string unit;          ///< as in the file
+  uint16_t id = 0;    ///< place in the file: the number on the wire
+  std::string name;   ///< the vehicle's own: "m_depth"
+  std::string alias;  ///< the language's: "depth"; empty if it has none
+  std::string unit;   ///< as in the file
   SensorKind kind = SensorKind::Quantity;
   support::Dimension dimension;  ///< of a Quantity
-  double to_si = 1;          ///< factor from the vehicle's unit
-  double lowest = 0;         ///< plausible range, in the vehicle's unit
+  double to_si = 1;              ///< factor from the vehicle's unit
+  double lowest = 0;             ///< plausible range, in the vehicle's unit
   double highest = 0;
   double stale_after_s = 0;
   Computer computer = Computer::Flight;
-  uint8_t bytes = 4;         ///< width in the sensor array: 1 (int8), 4 (float32) or 8 (float64)
-  std::string what;          ///< one line of explanation
+  uint8_t bytes = 4;  ///< width in the sensor array: 1 (int8), 4 (float32) or 8 (float64)
+  std::string what;   ///< one line of explanation
 };
 
 struct Envelope {
@@ -52,7 +52,8 @@ struct Platform {
   [[nodiscard]] const PlatformSensor* find(std::string_view name) const;
 };
 
-/// Reads and checks a platform file. GL9001 if it cannot be read, GL5001 (with line) if it is not right.
+/// Reads and checks a platform file. GL9001 if it cannot be read, GL5001 (with line) if it is not
+/// right.
 support::Result<Platform> loadPlatform(const std::filesystem::path& path);
 
 }  // namespace glider::platforms

@@ -3,9 +3,9 @@
 
 #include "platforms/load/toml_reader.h"
 
-#include <algorithm>
-
 #include "support/files.h"
+
+#include <algorithm>
 
 namespace glider::platforms {
 
@@ -22,7 +22,8 @@ const toml::node* TomlReader::node(std::string_view key) {
 void TomlReader::fail(const toml::node* at, std::string why) {
   if (!failure_) {
     const auto line = at != nullptr ? at->source().begin.line : 0;
-    failure_ = support::fail(DiagnosticId::badDataFile, fmt::format("{}:{}", file_, line), why).error();
+    failure_ =
+        support::fail(DiagnosticId::badDataFile, fmt::format("{}:{}", file_, line), why).error();
   }
 }
 
@@ -76,6 +77,21 @@ bool TomlReader::flagOr(std::string_view key, bool fallback) {
   return value.value_or(fallback);
 }
 
+std::vector<std::string> TomlReader::texts(std::string_view key) {
+  const toml::node* found = node(key);
+  const toml::array* list = found != nullptr ? found->as_array() : nullptr;
+  std::vector<std::string> texts;
+  for (size_t i = 0; list != nullptr && i < list->size(); ++i) {
+    if (const auto text = list->get(i)->value_exact<std::string>()) {
+      texts.push_back(*text);
+    }
+  }
+  if (found != nullptr && (list == nullptr || texts.size() != list->size())) {
+    refuse(key, "must be a list of texts in quotes");
+  }
+  return texts;
+}
+
 void TomlReader::only(std::initializer_list<std::string_view> known) {
   for (const auto& [key, value] : table_) {
     if (std::ranges::find(known, key.str()) == known.end()) {
@@ -92,7 +108,8 @@ support::Result<toml::table> parseToml(const std::filesystem::path& path) {
   try {
     return toml::parse(*text, path.string());
   } catch (const toml::parse_error& error) {
-    return support::fail(DiagnosticId::badDataFile, fmt::format("{}:{}", path.string(), error.source().begin.line),
+    return support::fail(DiagnosticId::badDataFile,
+                         fmt::format("{}:{}", path.string(), error.source().begin.line),
                          std::string(error.description()));
   }
 }

@@ -3,20 +3,22 @@
 
 #pragma once
 
+#include "support/result.h"
+
+#include <toml++/toml.h>
+
 #include <filesystem>
 #include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
-
-#include <toml++/toml.h>
-
-#include "support/result.h"
+#include <vector>
 
 namespace glider::platforms {
 
-/// Strict reading of one TOML table: a missing, unknown or wrongly typed key is GL5001 with file and line. The first
-/// failure is kept; later reads give default values, so a reader checks once at its end.
+/// Strict reading of one TOML table: a missing, unknown or wrongly typed key is GL5001 with file
+/// and line. The first failure is kept; later reads give default values, so a reader checks once at
+/// its end.
 class TomlReader {
  public:
   TomlReader(std::string file, const toml::table& table, std::string where)
@@ -28,6 +30,8 @@ class TomlReader {
   double numberOr(std::string_view key, double fallback);
   int64_t integer(std::string_view key);
   bool flagOr(std::string_view key, bool fallback);
+  /// A list of texts, which may be empty.
+  std::vector<std::string> texts(std::string_view key);
   /// Refuses keys that are not in `known`.
   void only(std::initializer_list<std::string_view> known);
   /// Notes a failure of the caller's own check about `key`.

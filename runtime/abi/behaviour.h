@@ -8,8 +8,9 @@
 
    `extern flightprofile yo(top: length, …)` binds to
        void gliderProfileYo(GliderContext*, GliderBehaviourMemory*, uint32_t phase, double top, …)
-   and `extern flightroute nav(…)` to gliderRouteNav: one double a parameter, SI units (positions: degrees), NaN for
-   unknown. The memory is zero when the mission starts, and the state's own: it lives on through calls and re-entry. */
+   and `extern flightroute nav(…)` to gliderRouteNav: one double a parameter, SI units (positions:
+   degrees), NaN for unknown. The memory is zero when the mission starts, and the state's own: it
+   lives on through calls and re-entry. */
 
 #include "runtime/abi/glider_abi.h"
 
@@ -17,13 +18,21 @@
 extern "C" {
 #endif
 
-/* This tick's reading of the sensor with platform number `id` (generated/platforms/slocum_sensors.h), SI units; NaN if it is
-   unknown or this mission does not subscribe it. */
+/* This tick's reading of the sensor with platform number `id`
+   (generated/platforms/slocum_sensors.h), SI units; NaN if it is unknown or this mission does not
+   subscribe it. */
 double gliderRead(const GliderContext* context, uint32_t id);
 
-/* Vehicle commands. One equal to that in force changes nothing; one with an unknown (NaN) value changes nothing and is
-   counted and logged. Depths in m, pitch in rad (magnitude; the sign follows from the direction), heading in rad
-   clockwise from north, positions in degrees. */
+/* Seconds since the newest frame that held the sensor; 0 if this tick's did. Of one never seen or
+ * not subscribed: NaN. */
+double gliderAge(const GliderContext* context, uint32_t id);
+
+/* Seconds since control was given. */
+double gliderMissionTime(const GliderContext* context);
+
+/* Vehicle commands. One equal to that in force changes nothing; one with an unknown (NaN) value
+   changes nothing and is counted and logged. Depths in m, pitch in rad (magnitude; the sign follows
+   from the direction), heading in rad clockwise from north, positions in degrees. */
 void gliderDescend(GliderContext* context, double depth, double pitch);
 void gliderAscend(GliderContext* context, double depth, double pitch);
 void gliderHover(GliderContext* context, double depth);

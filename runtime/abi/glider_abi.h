@@ -4,7 +4,8 @@
 #ifndef GLIDER_RUNTIME_ABI_GLIDER_ABI_H
 #define GLIDER_RUNTIME_ABI_GLIDER_ABI_H
 
-/* The plain C contract between generated missions, behaviours written in C or C++, and the runtime. */
+/* The plain C contract between generated missions, behaviours written in C or C++, and the runtime.
+ */
 
 #include <stdint.h>
 
@@ -27,7 +28,8 @@ typedef enum GliderTransition {
 
 typedef enum GliderEncoding { kGliderLinear, kGliderDegreesMinutes } GliderEncoding;
 
-/* Why a behaviour runs: its state was entered by goto or call, resumed by return, or stays current. */
+/* Why a behaviour runs: its state was entered by goto or call, resumed by return, or stays current.
+ */
 typedef enum GliderPhase { kGliderEnter, kGliderResume, kGliderTick } GliderPhase;
 
 typedef enum GliderVertical {
@@ -64,16 +66,21 @@ typedef double(GliderLogValue)(const GliderContext* context, uint32_t item);
 #define GLIDER_ABI_PTR(pointee) pointee*
 #define STRUCT(name) typedef struct name {
 #define FIELD(type, name) GLIDER_ABI_##type name;
-#define STRUCT_END(name) } name;
+#define STRUCT_END(name) \
+  }                      \
+  name;
 #include "runtime/abi/abi_structs.def"
 #undef STRUCT
 #undef FIELD
 #undef STRUCT_END
 
-/* The one symbol that generated code defines. */
+/* What generated code defines: the mission, and in an executable for a board also the memory of its
+   one context, gliderMission.context_bytes long and aligned for a double. */
 extern const GliderMission gliderMission;
+extern uint8_t gliderContextMemory[];
 
-/* The smallest and largest finite magnitude rule of ir/README.md, used wherever the runtime computes a reading. */
+/* The smallest and largest finite magnitude rule of ir/README.md, used wherever the runtime
+ * computes a reading. */
 double gliderSettle(double value);
 
 #ifdef __cplusplus

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <algorithm>
+#include "support/check.h"
+#include "support/diagnostics/diagnostic.h"
 
 #include <fmt/format.h>
 
-#include "support/check.h"
-#include "support/diagnostics/diagnostic.h"
+#include <algorithm>
 
 namespace glider::support {
 
@@ -26,6 +26,8 @@ const CatalogueRow& catalogueRow(DiagnosticId id) {
   return *row;
 }
 
-std::string code(DiagnosticId id) { return fmt::format("GL{:04}", static_cast<unsigned>(id)); }
+std::string code(DiagnosticId id) {
+  return fmt::format("GL{:04}", static_cast<unsigned>(id));
+}
 
 }  // namespace glider::support

@@ -3,12 +3,12 @@
 
 #pragma once
 
+#include "support/source_manager.h"
+
 #include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include "support/source_manager.h"
 
 namespace glider::support {
 

@@ -3,13 +3,13 @@
 
 #pragma once
 
-#include <string>
-#include <utility>
-#include <vector>
+#include "support/diagnostics/diagnostic.h"
 
 #include <fmt/format.h>
 
-#include "support/diagnostics/diagnostic.h"
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace glider::support {
 
@@ -33,8 +33,13 @@ class DiagnosticEngine {
   template <typename... Args>
   DiagnosticBuilder report(DiagnosticId id, SourceRange range, Args&&... args) {
     const CatalogueRow& row = catalogueRow(id);
-    return add({id, row.severity, range, fmt::format(fmt::runtime(row.message), args...),
-                fmt::format(fmt::runtime(row.hint), args...), {}, {}});
+    return add({id,
+                row.severity,
+                range,
+                fmt::format(fmt::runtime(row.message), args...),
+                fmt::format(fmt::runtime(row.hint), args...),
+                {},
+                {}});
   }
   /// As the above, for a diagnostic that another stage or library has put together.
   DiagnosticBuilder add(Diagnostic diagnostic);

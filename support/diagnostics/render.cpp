@@ -3,10 +3,10 @@
 
 #include "support/diagnostics/render.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string_view>
-
-#include <fmt/format.h>
 
 namespace glider::support {
 namespace {
@@ -15,7 +15,8 @@ struct Palette {
   std::string_view bold, error, warning, note, caret, reset;
 };
 constexpr Palette kPlain{};
-constexpr Palette kColour{"\x1b[1m", "\x1b[1;31m", "\x1b[1;35m", "\x1b[1;36m", "\x1b[1;32m", "\x1b[0m"};
+constexpr Palette kColour{"\x1b[1m",    "\x1b[1;31m", "\x1b[1;35m",
+                          "\x1b[1;36m", "\x1b[1;32m", "\x1b[0m"};
 
 std::string_view word(Severity severity) {
   switch (severity) {
@@ -33,8 +34,8 @@ std::string_view colourOf(Severity severity, const Palette& p) {
   return severity == Severity::Error ? p.error : severity == Severity::Warning ? p.warning : p.note;
 }
 
-/// A source line made safe for a terminal: a tab is one blank (so the caret stays under its place), other control
-/// characters are shown as '?'.
+/// A source line made safe for a terminal: a tab is one blank (so the caret stays under its place),
+/// other control characters are shown as '?'.
 std::string printable(std::string_view line) {
   std::string out;
   for (char c : line) {
@@ -52,23 +53,25 @@ std::string excerpt(const SourceManager& sources, SourceRange range, const Palet
   if (line.empty() || line.size() > kLongestLine) {
     return {};
   }
-  const uint32_t width = end.line == begin.line && end.column > begin.column ? end.column - begin.column
+  const uint32_t width = end.line == begin.line && end.column > begin.column
+                             ? end.column - begin.column
                          : end.line > begin.line && line.size() + 1 > begin.column
                              ? static_cast<uint32_t>(line.size()) + 1 - begin.column
                              : 1;
   return fmt::format("{:>5} | {}\n      | {}{}{}{}{}\n", begin.line, printable(line),
-                     std::string(begin.column - 1, ' '), p.caret, "^", std::string(width - 1, '~'), p.reset);
+                     std::string(begin.column - 1, ' '), p.caret, "^", std::string(width - 1, '~'),
+                     p.reset);
 }
 
-std::string block(const SourceManager& sources, SourceRange range, Severity severity, std::string_view message,
-                  std::string_view tag, const Palette& p) {
+std::string block(const SourceManager& sources, SourceRange range, Severity severity,
+                  std::string_view message, std::string_view tag, const Palette& p) {
   std::string where;
   if (range.valid()) {
     const LineColumn at = sources.place(range.file, range.begin);
     where = fmt::format("{}:{}:{}: ", sources.name(range.file), at.line, at.column);
   }
-  std::string out = fmt::format("{}{}{}{}{}: {}{}{}{}\n", p.bold, where, colourOf(severity, p), word(severity), p.reset,
-                                p.bold, message, p.reset, tag);
+  std::string out = fmt::format("{}{}{}{}{}: {}{}{}{}\n", p.bold, where, colourOf(severity, p),
+                                word(severity), p.reset, p.bold, message, p.reset, tag);
   return range.valid() ? out + excerpt(sources, range, p) : out;
 }
 

@@ -3,11 +3,11 @@
 
 #include "support/trace/trace.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
 
 namespace glider::support {
 

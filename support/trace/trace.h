@@ -3,27 +3,28 @@
 
 #pragma once
 
+#include "support/result.h"
+
 #include <cstdint>
 #include <string>
 #include <vector>
-
-#include "support/result.h"
 
 namespace glider::support {
 
 /// One quantity recorded at every flight-control cycle. NaN is "not known".
 struct TraceColumn {
   std::string name;  ///< "m_depth", "true_x", "state"…; the vehicle's own name where it has one
-  std::string unit;  ///< as in the language; "" for a plain number, "id" for an index into Trace::names
+  std::string
+      unit;  ///< as in the language; "" for a plain number, "id" for an index into Trace::names
 };
 
 /// What happened between cycles.
 struct TraceEvent {
-  double time_s = 0;       ///< vehicle time since the mission start
-  double mission_time_s;   ///< the SBC's missiontime; NaN when it was not in control
-  std::string kind;        ///< "transition", "control", "hook", "behaviour", "abort", "link", "log"
-  std::string what;        ///< one line: "s1 → s2 (call)"
-  std::string why;         ///< one line: the guard and the values that fired it; "" if there is none
+  double time_s = 0;      ///< vehicle time since the mission start
+  double mission_time_s;  ///< the SBC's missiontime; NaN when it was not in control
+  std::string kind;       ///< "transition", "control", "hook", "behaviour", "abort", "link", "log"
+  std::string what;       ///< one line: "s1 → s2 (call)"
+  std::string why;        ///< one line: the guard and the values that fired it; "" if there is none
 };
 
 /// The water's temperature on a grid along the flight, the background of the picture.
@@ -46,7 +47,9 @@ struct Trace {
   std::vector<TraceEvent> events;        ///< in order of time
   TraceField field;
 
-  [[nodiscard]] size_t rowCount() const { return columns.empty() ? 0 : rows.size() / columns.size(); }
+  [[nodiscard]] size_t rowCount() const {
+    return columns.empty() ? 0 : rows.size() / columns.size();
+  }
   /// The number of column `name`; -1 if there is none.
   [[nodiscard]] int column(std::string_view name) const;
   [[nodiscard]] double at(size_t row, int column) const {
@@ -54,8 +57,8 @@ struct Trace {
   }
 };
 
-/// The rows as CSV: a header `name (unit)`, shortest round-trip decimals, an empty cell for NaN. Byte-identical for
-/// identical rows.
+/// The rows as CSV: a header `name (unit)`, shortest round-trip decimals, an empty cell for NaN.
+/// Byte-identical for identical rows.
 std::string traceToCsv(const Trace& trace);
 /// The whole trace as one JSON object (NaN is null): what the report page reads.
 std::string traceToJson(const Trace& trace);

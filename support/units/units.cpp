@@ -3,10 +3,10 @@
 
 #include "support/units/units.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <vector>
-
-#include <fmt/format.h>
 
 namespace glider::support {
 namespace {
@@ -59,7 +59,8 @@ std::string compound(Dimension dimension) {
     if (power == 0) {
       continue;
     }
-    side += fmt::format("{}{}{}", side.empty() ? "" : "*", kBase[i], power > 1 ? fmt::format("^{}", power) : "");
+    side += fmt::format("{}{}{}", side.empty() ? "" : "*", kBase[i],
+                        power > 1 ? fmt::format("^{}", power) : "");
   }
   above = above.empty() ? "1" : above;
   return below.empty() ? above : above + "/" + below;
@@ -67,8 +68,12 @@ std::string compound(Dimension dimension) {
 
 }  // namespace
 
-std::optional<Dimension> product(Dimension a, Dimension b) { return combine(a, b, 1); }
-std::optional<Dimension> quotient(Dimension a, Dimension b) { return combine(a, b, -1); }
+std::optional<Dimension> product(Dimension a, Dimension b) {
+  return combine(a, b, 1);
+}
+std::optional<Dimension> quotient(Dimension a, Dimension b) {
+  return combine(a, b, -1);
+}
 
 std::optional<Dimension> squareRoot(Dimension a) {
   for (int8_t& exponent : a.exponents) {
@@ -99,7 +104,8 @@ std::optional<Unit> parseUnit(std::string_view spelling) {
     return std::nullopt;
   }
   const bool divides = spelling[split] == '/';
-  auto dim = divides ? quotient(left->dimension, right->dimension) : product(left->dimension, right->dimension);
+  auto dim = divides ? quotient(left->dimension, right->dimension)
+                     : product(left->dimension, right->dimension);
   if (!dim) {
     return std::nullopt;
   }

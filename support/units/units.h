@@ -11,8 +11,9 @@
 
 namespace glider::support {
 
-/// A physical dimension: exponents of metre, kilogram, second, ampere, kelvin and radian. Values of a dimension are
-/// always held in the coherent SI unit (a pressure in Pa, a charge in A·s); units exist at the edges only.
+/// A physical dimension: exponents of metre, kilogram, second, ampere, kelvin and radian. Values of
+/// a dimension are always held in the coherent SI unit (a pressure in Pa, a charge in A·s); units
+/// exist at the edges only.
 struct Dimension {
   std::array<int8_t, 6> exponents{};
 
@@ -20,14 +21,16 @@ struct Dimension {
   [[nodiscard]] bool dimensionless() const { return *this == Dimension{}; }
 };
 
-/// The dimension of a product, a quotient. Empty when an exponent leaves [-12, 12]: no physical quantity does.
+/// The dimension of a product, a quotient. Empty when an exponent leaves [-12, 12]: no physical
+/// quantity does.
 std::optional<Dimension> product(Dimension a, Dimension b);
 std::optional<Dimension> quotient(Dimension a, Dimension b);
 /// The dimension of a square root; empty when an exponent is odd.
 std::optional<Dimension> squareRoot(Dimension a);
 
 namespace dimension {
-#define DIMENSION(name, m, kg, s, a, k, rad, unit) inline constexpr Dimension name{{m, kg, s, a, k, rad}};
+#define DIMENSION(name, m, kg, s, a, k, rad, unit) \
+  inline constexpr Dimension name{{m, kg, s, a, k, rad}};
 #include "support/units/dimensions.def"
 #undef DIMENSION
 }  // namespace dimension

@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "codegen/codegen.h"
+
+#include <llvm/IR/LLVMContext.h>
+
+#include <memory>
+#include <utility>
+
+#include "codegen/link/debug_file.h"
+#include "codegen/link/lld.h"
+#include "codegen/lower/context_size.h"
+#include "codegen/lower/lower_mission.h"
+#include "codegen/program/emit.h"
+#include "codegen/program/optimise.h"
+#include "codegen/program/program.h"
+#include "codegen/target/machine.h"
+#include "support/files.h"
+
+namespace glider::codegen {
+namespace {
+
+using platforms::Board;
+using support::DiagnosticId;
+using support::Result;
+
+/// Half of what the smallest board, the TS-5500, has.
+constexpr uint64_t kMostContextBytes = uint64_t{32} << 20U;
+
+/// A module, and before it what it cannot live without.
+struct Unit {
+  std::unique_ptr<llvm::LLVMContext> context;
+  std::unique_ptr<llvm::TargetMachine> machine;
+  std::unique_ptr<llvm::Module> module;
+};
+
+Result<Unit> lower(const ir::Mission& mission, const ir::MissionFacts& facts, const Board& board,
+                   const CodegenOptions& options, ProgramKind kind) {
+  Unit unit{std::make_unique<llvm::LLVMContext>(), nullptr, nullptr};
+  auto machine = makeMachine(board, options.optimisation_level, kind);
+  if (!machine) {
+    return std::unexpected(machine.error());
+  }
+  unit.machine = std::move(*machine);
+  const uint64_t bytes = contextBytes(mission, facts, unit.machine->createDataLayout(),
+                                      makeAbiTypes(*unit.context));
+  if (bytes > kMostContextBytes) {
+    return support::fail(DiagnosticId::missionTooLarge, bytes, kMostContextBytes);
+  }
+  unit.module = lowerMission(mission, facts, *unit.machine,
+                             options.debug ? options.sources : nullptr, *unit.context);
+  return unit;
+}
+
+/// The mission alone, optimised.
+Result<Unit> compile(const ir::Mission& mission, const ir::MissionFacts& facts, const Board& board,
+                     const CodegenOptions& options) {
+  auto unit = lower(mission, facts, board, options, ProgramKind::Executable);
+  if (unit) {
+    optimise(*unit->module, *unit->machine, options.optimisation_level);
+  }
+  return unit;
+}
+
+Result<std::string> compileAlone(const ir::Mission& mission, const ir::MissionFacts& facts,
+                                 const Board& board, const CodegenOptions& options,
+                                 llvm::CodeGenFileType type) {
+  auto unit = compile(mission, facts, board, options);
+  if (!unit) {
+    return std::unexpected(unit.error());
+  }
+  return emitCode(*unit->module, *unit->machine, type);
+}
+
+/// Mission and runtime as one object.
+Result<std::string> compileProgram(const ir::Mission& mission, const ir::MissionFacts& facts,
+                                   const Board& board, const CodegenOptions& options,
+                                   ProgramKind kind, const std::vector<std::string>& entry_points,
+                                   const std::vector<std::string>& kept) {
+  auto unit = lower(mission, facts, board, options, kind);
+  if (!unit) {
+    return std::unexpected(unit.error());
+  }
+  if (auto joined = joinRuntime(*unit->module, board.folder / "runtime.bc", entry_points, kept); !joined) {
+    return std::unexpected(joined.error());
+  }
+  optimise(*unit->module, *unit->machine, options.optimisation_level);
+  return emitCode(*unit->module, *unit->machine, llvm::CodeGenFileType::ObjectFile);
+}
+
+Result<void> checkSize(size_t bytes, const Board& board) {
+  if (board.max_executable_bytes != 0 && bytes > board.max_executable_bytes) {
+    return support::fail(DiagnosticId::executableTooLarge, bytes, board.max_executable_bytes,
+                         board.name);
+  }
+  return {};
+}
+
+/// Both files or neither, as far as a file system can promise that: the executable comes last.
+Result<void> writeBoth(const SplitExecutable& split, const std::filesystem::path& output,
+                       const std::filesystem::path& debug_output) {
+  if (auto written = support::writeFileAtomically(debug_output, split.debug); !written) {
+    return written;
+  }
+  auto written = support::writeFileAtomically(output, split.stripped, true);
+  if (!written) {
+    std::error_code ignored;
+    std::filesystem::remove(debug_output, ignored);
+  }
+  return written;
+}
+
+/// A debug file stands beside a file, not beside a device or pipe.
+bool canStandBeside(const std::filesystem::path& output) {
+  std::error_code ignored;
+  const auto status = std::filesystem::status(output, ignored);
+  return !std::filesystem::exists(status) || std::filesystem::is_regular_file(status);
+}
+
+const std::vector<std::string>& sharedEntryPoints() {
+  static const std::vector<std::string> names{
+#define ENTRY_POINT(result, name, parameters) #name,
+#include "runtime/abi/entry_points.def"
+#undef ENTRY_POINT
+  };
+  return names;
+}
+
+}  // namespace
+
+Result<std::string> emitLlvm(const ir::Mission& mission, const ir::MissionFacts& facts,
+                             const Board& board, const CodegenOptions& options) {
+  auto unit = compile(mission, facts, board, options);
+  if (!unit) {
+    return std::unexpected(unit.error());
+  }
+  return printModule(*unit->module);
+}
+
+Result<std::string> emitAssembly(const ir::Mission& mission, const ir::MissionFacts& facts,
+                                 const Board& board, const CodegenOptions& options) {
+  return compileAlone(mission, facts, board, options, llvm::CodeGenFileType::AssemblyFile);
+}
+
+Result<std::string> emitObject(const ir::Mission& mission, const ir::MissionFacts& facts,
+                               const Board& board, const CodegenOptions& options) {
+  return compileAlone(mission, facts, board, options, llvm::CodeGenFileType::ObjectFile);
+}
+
+Result<void> linkExecutable(const ir::Mission& mission, const ir::MissionFacts& facts,
+                            const Board& board, const CodegenOptions& options,
+                            const std::filesystem::path& output) {
+  auto object = compileProgram(mission, facts, board, options, ProgramKind::Executable, {"main"}, {});
+  if (!object) {
+    return std::unexpected(object.error());
+  }
+  const bool split_wanted = options.debug && canStandBeside(output);
+  auto linked =
+      link({ProgramKind::Executable, *object, options.further_inputs, split_wanted}, board);
+  if (!linked) {
+    return std::unexpected(linked.error());
+  }
+  if (!split_wanted) {
+    const auto fits = checkSize(linked->size(), board);
+    return fits ? support::writeFileAtomically(output, *linked, true) : fits;
+  }
+  std::filesystem::path debug_output = output;
+  debug_output += ".debug";
+  const SplitExecutable split = splitDebug(*linked, debug_output.filename().string());
+  const auto fits = checkSize(split.stripped.size(), board);
+  return fits ? writeBoth(split, output, debug_output) : fits;
+}
+
+Result<std::string> linkShared(const ir::Mission& mission, const ir::MissionFacts& facts,
+                               const Board& host, const CodegenOptions& options) {
+  auto object = compileProgram(mission, facts, host, options, ProgramKind::SharedObject,
+                               sharedEntryPoints(), {"gliderMission"});
+  if (!object) {
+    return std::unexpected(object.error());
+  }
+  return link({ProgramKind::SharedObject, *object, options.further_inputs, options.debug}, host);
+}
+
+}  // namespace glider::codegen

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "codegen/target/machine.h"
+#include "platforms/load/board.h"
+#include "support/result.h"
+
+namespace glider::codegen {
+
+/// What to link into one file.
+struct LinkJob {
+  ProgramKind kind = ProgramKind::Executable;
+  std::string_view object;                            ///< content of the mission's object
+  std::vector<std::filesystem::path> further_inputs;  ///< the user's own objects and archives
+  bool keep_debug = false;                            ///< else symbols and line tables are left out
+};
+
+/// Links in this process with lld, which writes nothing to the terminal; the content of the linked file. Not for two
+/// threads at a time. GL4003 for a symbol that nothing defines, GL4004 for whatever else lld refuses, GL9001 for an input that is
+/// missing, GL9002 if there is no room for temporary files.
+support::Result<std::string> link(const LinkJob& job, const platforms::Board& board);
+
+}  // namespace glider::codegen

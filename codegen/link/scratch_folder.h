@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <filesystem>
+
+#include "support/result.h"
+
+namespace glider::codegen {
+
+/// A new folder for files that only we see, removed with all it holds at the end of the scope.
+class ScratchFolder {
+ public:
+  /// In the system's folder for temporary files. GL9002 if none can be made.
+  static support::Result<ScratchFolder> make();
+  ScratchFolder(ScratchFolder&& other) noexcept;
+  ScratchFolder& operator=(ScratchFolder&&) = delete;
+  ~ScratchFolder();
+
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  explicit ScratchFolder(std::filesystem::path path) : path_(std::move(path)) {}
+
+  std::filesystem::path path_;  ///< empty after a move
+};
+
+}  // namespace glider::codegen

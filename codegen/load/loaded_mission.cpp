@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "codegen/load/loaded_mission.h"
+
+#include <dlfcn.h>
+
+#include "codegen/link/scratch_folder.h"
+#include "support/files.h"
+
+namespace glider::codegen {
+
+using support::DiagnosticId;
+
+void LoadedMission::Unloader::operator()(void* handle) const { ::dlclose(handle); }
+
+support::Result<LoadedMission> LoadedMission::load(std::string_view shared_object) {
+  auto scratch = ScratchFolder::make();
+  if (!scratch) {
+    return std::unexpected(scratch.error());
+  }
+  const std::filesystem::path file = scratch->path() / "mission.so";
+  if (auto written = support::writeFileAtomically(file, shared_object, true); !written) {
+    return std::unexpected(written.error());
+  }
+  LoadedMission loaded;
+  loaded.handle_.reset(::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL));
+  if (!loaded.handle_) {
+    return support::fail(DiagnosticId::cannotLoadMission, ::dlerror());
+  }
+  const char* missing = nullptr;
+  auto find = [&]<typename Pointer>(const char* name, Pointer& pointer) {
+    pointer = reinterpret_cast<Pointer>(::dlsym(loaded.handle_.get(), name));
+    if (pointer == nullptr) {
+      missing = name;
+    }
+  };
+  find("gliderMission", loaded.mission_);
+#define ENTRY_POINT(result, name, parameters) find(#name, loaded.entries_.name);
+#include "runtime/abi/entry_points.def"
+#undef ENTRY_POINT
+  if (missing != nullptr) {
+    return support::fail(DiagnosticId::cannotLoadMission,
+                         fmt::format("it has no `{}`", missing));
+  }
+  return loaded;
+}
+
+}  // namespace glider::codegen

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "codegen/program/optimise.h"
+
+#include <llvm/Analysis/CGSCCPassManager.h>
+#include <llvm/Analysis/LoopAnalysisManager.h>
+#include <llvm/IR/PassManager.h>
+#include <llvm/Passes/PassBuilder.h>
+#include <llvm/Transforms/IPO/GlobalDCE.h>
+
+namespace glider::codegen {
+namespace {
+
+/// The boards' memory is small and their code runs once in four seconds: what makes code larger stays out.
+llvm::PipelineTuningOptions tuning(int level) {
+  llvm::PipelineTuningOptions options;
+  options.LoopInterleaving = false;
+  options.LoopVectorization = false;
+  options.SLPVectorization = false;
+  options.LoopUnrolling = level > 2;
+  return options;
+}
+
+llvm::ModulePassManager passes(llvm::PassBuilder& builder, int level) {
+  switch (level) {
+    case 0:
+      return builder.buildO0DefaultPipeline(llvm::OptimizationLevel::O0);
+    case 1:
+      return builder.buildPerModuleDefaultPipeline(llvm::OptimizationLevel::O1);
+    case 2:
+      return builder.buildPerModuleDefaultPipeline(llvm::OptimizationLevel::O2);
+    default:
+      return builder.buildPerModuleDefaultPipeline(llvm::OptimizationLevel::O3);
+  }
+}
+
+}  // namespace
+
+void optimise(llvm::Module& module, llvm::TargetMachine& machine, int level) {
+  llvm::LoopAnalysisManager loops;
+  llvm::FunctionAnalysisManager functions;
+  llvm::CGSCCAnalysisManager components;
+  llvm::ModuleAnalysisManager modules;
+  llvm::PassBuilder builder(&machine, tuning(level));
+  builder.registerModuleAnalyses(modules);
+  builder.registerCGSCCAnalyses(components);
+  builder.registerFunctionAnalyses(functions);
+  builder.registerLoopAnalyses(loops);
+  builder.crossRegisterProxies(loops, functions, components, modules);
+  llvm::ModulePassManager manager;
+  manager.addPass(llvm::GlobalDCEPass());  // what the runtime has and this mission does not use
+  manager.addPass(passes(builder, level));
+  manager.run(module, modules);
+}
+
+}  // namespace glider::codegen

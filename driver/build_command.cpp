@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "codegen/codegen.h"
+#include "driver/boards.h"
+#include "driver/commands.h"
+#include "driver/compilation.h"
+#include "driver/exit_code.h"
+#include "driver/terminal.h"
+#include "frontend/ast/print.h"
+#include "ir/text/print.h"
+#include "support/files.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <map>
+#include <memory>
+#include <string>
+
+namespace glider::driver {
+namespace {
+
+enum class Emit : uint8_t { Ast, Ir, Llvm, Asm, Obj, Exe };
+
+const std::map<std::string, Emit> kEmits = {{"ast", Emit::Ast},   {"ir", Emit::Ir},
+                                            {"llvm", Emit::Llvm}, {"asm", Emit::Asm},
+                                            {"obj", Emit::Obj},   {"exe", Emit::Exe}};
+
+struct BuildOptions {
+  std::string mission;
+  std::string target = "host";
+  Emit emit = Emit::Exe;
+  unsigned level = 2;
+  std::string output;
+};
+
+/// The file to write when none is named: beside where the command runs, named after mission and
+/// target.
+std::string outputName(const BuildOptions& options) {
+  const std::string stem = std::filesystem::path(options.mission).stem().string();
+  const std::string built = fmt::format("{}-{}", stem, options.target);
+  switch (options.emit) {
+    case Emit::Ast:
+      return stem + ".ast";
+    case Emit::Ir:
+      return stem + ".ir";
+    case Emit::Llvm:
+      return built + ".ll";
+    case Emit::Asm:
+      return built + ".s";
+    case Emit::Obj:
+      return built + ".o";
+    case Emit::Exe:
+      return built;
+  }
+  return built;
+}
+
+codegen::CodegenOptions codegenOptions(const BuildOptions& options,
+                                       const Compilation& compilation) {
+  codegen::CodegenOptions result;
+  result.optimisation_level = static_cast<int>(options.level);
+  result.sources = &compilation.sources;
+  return result;
+}
+
+/// The product of every stage but the last as text or bytes.
+support::Result<std::string> produce(const BuildOptions& options, const Compilation& compilation) {
+  if (options.emit == Emit::Ast) {
+    return compilation.ast ? ast::print(*compilation.ast) : std::string();
+  }
+  if (options.emit == Emit::Ir) {
+    return ir::print(*compilation.mission);
+  }
+  const auto board = loadTarget(options.target);
+  if (!board) {
+    return std::unexpected(board.error());
+  }
+  const codegen::CodegenOptions how = codegenOptions(options, compilation);
+  switch (options.emit) {
+    case Emit::Llvm:
+      return codegen::emitLlvm(*compilation.mission, compilation.facts, *board, how);
+    case Emit::Asm:
+      return codegen::emitAssembly(*compilation.mission, compilation.facts, *board, how);
+    default:
+      return codegen::emitObject(*compilation.mission, compilation.facts, *board, how);
+  }
+}
+
+support::Result<void> buildProduct(const BuildOptions& options, const Compilation& compilation) {
+  const auto product = produce(options, compilation);
+  if (!product) {
+    return std::unexpected(product.error());
+  }
+  if (options.output == "-") {
+    return printOut(*product);
+  }
+  return support::writeFileAtomically(options.output, *product);
+}
+
+support::Result<void> buildExecutable(const BuildOptions& options, const Compilation& compilation) {
+  const auto board = loadTarget(options.target);
+  if (!board) {
+    return std::unexpected(board.error());
+  }
+  return codegen::linkExecutable(*compilation.mission, compilation.facts, *board,
+                                 codegenOptions(options, compilation), options.output);
+}
+
+int build(BuildOptions options) {
+  // The target first: a typing error there should not cost a compilation.
+  if (const auto board = loadTarget(options.target); !board) {
+    return reportFailure(board.error());
+  }
+  auto compiled = compileMission(options.mission);
+  if (!compiled) {
+    return reportFailure(compiled.error());
+  }
+  const Compilation& compilation = **compiled;
+  reportDiagnostics(compilation.diagnostics, compilation.sources);
+  if (!compilation.ok()) {
+    return kMissionHasErrors;
+  }
+  options.output = options.output.empty() ? outputName(options) : options.output;
+  if (options.emit == Emit::Exe && options.output == "-") {
+    options.output = "/dev/stdout";
+  }
+  const auto built = options.emit == Emit::Exe ? buildExecutable(options, compilation)
+                                               : buildProduct(options, compilation);
+  return built ? kFine : reportFailure(built.error());
+}
+
+}  // namespace
+
+void addBuildCommand(CLI::App& app, int& status) {
+  auto options = std::make_shared<BuildOptions>();
+  CLI::App* command =
+      app.add_subcommand("build", "Compile a mission for the computer in the payload bay");
+  command
+      ->add_option("MISSION", options->mission, "The mission file (or the IR's text form, FILE.ir)")
+      ->required();
+  command->add_option("--target", options->target, "What to build for (see `glidercc targets`)")
+      ->capture_default_str();
+  command
+      ->add_option("--emit", options->emit,
+                   "What to write: ast, ir, llvm, asm, obj or exe (default)")
+      ->transform(CLI::Transformer(kEmits))
+      ->option_text("STAGE");
+  command->add_option("-O", options->level, "Optimisation level, 0 to 3")
+      ->check(CLI::Range(0, 3))
+      ->capture_default_str();
+  command->add_option("-o", options->output, "The file to write; `-` is standard output")
+      ->option_text("FILE");
+  command->callback([options, &status] { status = build(*options); });
+}
+
+}  // namespace glider::driver

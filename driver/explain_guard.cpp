@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "driver/explain_guard.h"
+
+#include <algorithm>
+
+namespace glider::driver {
+namespace {
+
+/// `text` on one line, every stretch of white space one blank.
+std::string onOneLine(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    const bool blank = c == ' ' || c == '\n' || c == '\t' || c == '\r';
+    if (!blank) {
+      out += c;
+    } else if (!out.empty() && out.back() != ' ') {
+      out += ' ';
+    }
+  }
+  return out;
+}
+
+/// Adds the sensors that `root` reads, in the order of their first use.
+void addSensors(const ir::Mission& mission, ir::ExprId root, std::vector<uint16_t>& sensors) {
+  std::vector<ir::ExprId> open = {root};
+  while (!open.empty()) {
+    const ir::Expr& expr = mission[open.back()];
+    open.pop_back();
+    if (expr.sensor.valid()) {
+      const uint16_t id = mission[expr.sensor].id;
+      if (std::ranges::find(sensors, id) == sensors.end()) {
+        sensors.push_back(id);
+      }
+    }
+    for (auto operand = expr.operands.rbegin(); operand != expr.operands.rend(); ++operand) {
+      if (operand->valid()) {
+        open.push_back(*operand);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+simulator::GuardText explainGuard(const Compilation& compilation, uint32_t state,
+                                  uint32_t fired_case) {
+  const ir::Mission& mission = *compilation.mission;
+  simulator::GuardText text;
+  if (state >= mission.states.size() || fired_case >= mission.states[state].cases.size()) {
+    return text;
+  }
+  const ir::ExprId guard = mission.states[state].cases[fired_case].guard;
+  const support::SourceRange range = mission[guard].range;
+  text.guard = range.valid() ? onOneLine(compilation.sources.text(range)) : "";
+  addSensors(mission, guard, text.sensors);
+  return text;
+}
+
+}  // namespace glider::driver

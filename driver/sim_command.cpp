@@ -1,0 +1,239 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "driver/commands.h"
+#include "driver/compilation.h"
+#include "driver/exit_code.h"
+#include "driver/explain_guard.h"
+#include "driver/flight_files.h"
+#include "driver/sbc_choice.h"
+#include "driver/share.h"
+#include "driver/terminal.h"
+#include "report/summary.h"
+#include "simulator/simulator.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace glider::driver {
+namespace {
+
+struct SimOptions {
+  std::string mission;
+  std::string scenario = "default";
+  std::string board;
+  std::string program;
+  bool without_sbc = false;
+  std::optional<uint64_t> seed;
+  std::optional<double> kill_sbc_at_s;
+  std::string output;
+};
+
+/// The scenarios that come with glidercc, by name.
+std::vector<std::string> scenarioNames() {
+  std::vector<std::string> names;
+  std::error_code ignored;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(shareDirectory() / "scenarios", ignored)) {
+    if (entry.path().extension() == ".toml") {
+      names.push_back(entry.path().stem().string());
+    }
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+/// A file as it is; a bare name among those that come with glidercc.
+support::Result<std::filesystem::path> scenarioPath(const std::string& wanted) {
+  if (wanted.ends_with(".toml")) {
+    return wanted;
+  }
+  const auto names = scenarioNames();
+  if (std::ranges::find(names, wanted) == names.end()) {
+    return support::fail(support::DiagnosticId::unknownScenario, wanted,
+                         fmt::to_string(fmt::join(names, ", ")));
+  }
+  return shareDirectory() / "scenarios" / (wanted + ".toml");
+}
+
+std::string outputFolder(const SimOptions& options) {
+  if (!options.output.empty()) {
+    return options.output;
+  }
+  const std::string named = options.mission.empty() ? options.program : options.mission;
+  const std::string stem = std::filesystem::path(named).stem().string();
+  return (stem.empty() ? "layered" : stem) + "-flight";
+}
+
+/// Compiles the mission if there is one; empty with `status` set when it has errors or cannot be
+/// read.
+std::unique_ptr<Compilation> compileForFlight(const SimOptions& options, int& status) {
+  auto compiled = compileMission(options.mission);
+  if (!compiled) {
+    status = reportFailure(compiled.error());
+    return nullptr;
+  }
+  reportDiagnostics((*compiled)->diagnostics, (*compiled)->sources);
+  status = (*compiled)->ok() ? kFine : kMissionHasErrors;
+  return status == kFine ? std::move(*compiled) : nullptr;
+}
+
+support::Result<std::unique_ptr<simulator::SbcPort>> chooseSbc(const SimOptions& options,
+                                                               const Compilation* compilation) {
+  if (options.without_sbc) {
+    return nullptr;
+  }
+  if (!options.program.empty()) {
+    return sbcProgram(options.program);
+  }
+  if (options.board.empty()) {
+    return sbcInProcess(*compilation);
+  }
+  return sbcOnBoard(*compilation, options.board, outputFolder(options));
+}
+
+void describeMission(simulator::SimulationSetup& setup, const Compilation& compilation) {
+  setup.mission_name = compilation.mission->name;
+  for (const ir::State& state : compilation.mission->states) {
+    setup.state_names.push_back(state.name);
+  }
+  setup.explain = [&compilation](uint32_t state, uint32_t fired_case) {
+    return explainGuard(compilation, state, fired_case);
+  };
+}
+
+void showProgress(simulator::SimulationSetup& setup, ProgressLine& line) {
+  setup.progress = [&line](const simulator::Progress& progress) {
+    line.show(fmt::format("{:6.0f} of at most {:.0f} s, depth {:5.1f} m{}{}", progress.time_s,
+                          progress.duration_s, progress.depth_m,
+                          progress.state.empty() ? "" : ", state ", progress.state));
+  };
+}
+
+bool aborted(const support::Trace& trace) {
+  return std::ranges::any_of(trace.events, [](const auto& event) { return event.kind == "abort"; });
+}
+
+/// Flies and writes; the flight has been set up.
+int flyAndReport(simulator::SimulationSetup setup, const SimOptions& options) {
+  ProgressLine line;
+  showProgress(setup, line);
+  const auto begin = std::chrono::steady_clock::now();
+  const auto trace = simulator::simulate(std::move(setup));
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+  line.clear();
+  if (!trace) {
+    return reportFailure(trace.error());
+  }
+  const std::string folder = outputFolder(options);
+  if (auto written = writeFlight(*trace, folder); !written) {
+    return reportFailure(written.error());
+  }
+  const double flown = trace->rowCount() == 0 ? 0 : trace->at(trace->rowCount() - 1, 0);
+  const auto printed =
+      printOut(report::summarize(*trace) +
+               fmt::format("\nflown {:.0f} s in {:.2f} s; report: {}\n", flown, took.count(),
+                           (std::filesystem::path(folder) / "report.html").string()));
+  if (!printed) {
+    return reportFailure(printed.error());
+  }
+  return aborted(*trace) ? kMissionHasErrors : kFine;
+}
+
+/// Loads the scenario; its mistakes are shown as a mission's are.
+support::Result<simulator::Scenario> chooseScenario(const SimOptions& options) {
+  const auto path = scenarioPath(options.scenario);
+  if (!path) {
+    return std::unexpected(path.error());
+  }
+  support::SourceManager sources;
+  support::DiagnosticEngine diagnostics;
+  auto scenario = simulator::loadScenario(*path, sources, diagnostics);
+  reportDiagnostics(diagnostics, sources);
+  return scenario;
+}
+
+int sim(const SimOptions& options) {
+  auto scenario = chooseScenario(options);
+  if (!scenario) {
+    return reportFailure(scenario.error());
+  }
+  int status = kFine;
+  const std::unique_ptr<Compilation> compilation =
+      options.mission.empty() ? nullptr : compileForFlight(options, status);
+  if (status != kFine) {
+    return status;
+  }
+  auto platform = platforms::loadPlatform(shareDirectory() / "platforms" / "slocum.toml");
+  if (!platform) {
+    return reportFailure(platform.error());
+  }
+  if (auto made = makeFolder(outputFolder(options)); !made) {
+    return reportFailure(made.error());
+  }
+  auto sbc = chooseSbc(options, compilation.get());
+  if (!sbc) {
+    return reportFailure(sbc.error());
+  }
+  simulator::SimulationSetup setup;
+  setup.platform = std::move(*platform);
+  setup.scenario = std::move(*scenario);
+  setup.sbc = std::move(*sbc);
+  setup.seed = options.seed;
+  setup.kill_sbc_at_s = options.kill_sbc_at_s;
+  if (compilation != nullptr) {
+    describeMission(setup, *compilation);
+  }
+  return flyAndReport(std::move(setup), options);
+}
+
+void addOptions(CLI::App& command, SimOptions& options) {
+  auto* mission = command.add_option("MISSION", options.mission, "The mission file");
+  command
+      .add_option("--scenario", options.scenario,
+                  "The world to fly in: a .toml file, or the name of one that comes with glidercc")
+      ->capture_default_str();
+  auto* board = command.add_option(
+      "--board", options.board,
+      "Fly the binary of this target behind a serial line (see `glidercc targets`); "
+      "without it the mission flies in this process");
+  auto* program =
+      command
+          .add_option("--sbc", options.program, "Fly this program as the SBC instead of a mission")
+          ->option_text("PROGRAM");
+  auto* without = command.add_flag("--no-sbc", options.without_sbc, "Fly without an SBC");
+  command.add_option("--seed", options.seed, "Seed of all noise, instead of the scenario's")
+      ->option_text("N");
+  command
+      .add_option("--kill-sbc-at", options.kill_sbc_at_s,
+                  "Cut the SBC's power at this time of the vehicle, s")
+      ->option_text("SECONDS");
+  command.add_option("-o", options.output, "Folder for report.html, trace.csv and events.csv")
+      ->option_text("FOLDER");
+  program->excludes(mission)->excludes(board);
+  without->excludes(mission)->excludes(board)->excludes(program);
+}
+
+}  // namespace
+
+void addSimCommand(CLI::App& app, int& status) {
+  auto options = std::make_shared<SimOptions>();
+  CLI::App* command =
+      app.add_subcommand("sim", "Fly a mission in the shoe-box simulator and write its report");
+  addOptions(*command, *options);
+  command->callback([options, &status] {
+    if (options->mission.empty() && options->program.empty() && !options->without_sbc) {
+      throw CLI::RequiredError("MISSION (or --sbc PROGRAM, or --no-sbc)");
+    }
+    status = sim(*options);
+  });
+}
+
+}  // namespace glider::driver

@@ -1,0 +1,357 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "frontend/ast/box.h"
+
+/// A mission as it was written: plain values, compared without regard to places and comments. `print` (print.h) writes
+/// one down; parsing that gives an equal one.
+namespace glider::ast {
+
+struct Expr;
+
+struct Name {
+  std::string text;
+  Where where;
+  bool operator==(const Name&) const = default;
+};
+
+/// `5`, `.5 degC/m`, `39.2 N`. A letter of a position stands in `unit`, as does the ambiguous `W` or `S`.
+struct Literal {
+  std::string digits;  ///< as written: minutes of a position are read from it exactly
+  std::string unit;    ///< "" for a bare number; blanks removed
+  Where unit_where;
+  bool operator==(const Literal&) const = default;
+};
+
+/// `39.2 N 73.9 W`
+struct Position {
+  Literal latitude;
+  Literal longitude;
+  Where latitude_where;
+  Where longitude_where;
+  bool operator==(const Position&) const = default;
+};
+
+struct Truth {
+  bool value = false;
+  bool operator==(const Truth&) const = default;
+};
+
+/// `depth`
+struct NameUse {
+  std::string name;
+  bool operator==(const NameUse&) const = default;
+};
+
+/// An argument; `10 m of depth` names a stretch.
+struct Argument {
+  Box<Expr> value;
+  std::optional<Name> of;
+  bool operator==(const Argument&) const = default;
+};
+
+/// `clamp(depth, 3 m, 24 m)`
+struct Invocation {
+  Name function;
+  std::vector<Argument> arguments;
+  bool operator==(const Invocation&) const = default;
+};
+
+/// `[39.2 N 73.9 W, 39.3 N 73.9 W]`
+struct List {
+  std::vector<Expr> items;
+  bool operator==(const List&) const;
+};
+
+/// `track[2]`
+struct Index {
+  Name list;
+  Box<Expr> position;
+  bool operator==(const Index&) const = default;
+};
+
+enum class UnaryOp : uint8_t { Negate, Not };
+enum class BinaryOp : uint8_t {
+  Multiply, Divide, Add, Subtract,
+  Less, LessEqual, Greater, GreaterEqual, Equal, NotEqual,
+  And, Or
+};
+
+struct Unary {
+  UnaryOp op;
+  Box<Expr> operand;
+  bool operator==(const Unary&) const = default;
+};
+
+struct Binary {
+  BinaryOp op;
+  Box<Expr> left;
+  Box<Expr> right;
+  Where op_where;
+  bool operator==(const Binary&) const = default;
+};
+
+struct Expr {
+  std::variant<Literal, Position, Truth, NameUse, Invocation, List, Index, Unary, Binary> node;
+  Where where;
+  bool operator==(const Expr&) const = default;
+};
+
+inline bool List::operator==(const List& other) const { return items == other.items; }
+
+/// `length`, `temperature/length`: blanks removed.
+struct TypeName {
+  std::string text;
+  Where where;
+  bool operator==(const TypeName&) const = default;
+};
+
+struct Formal {
+  Name name;
+  TypeName type;
+  bool operator==(const Formal&) const = default;
+};
+
+/// A profile, route or state by name, with its arguments: `yo(5 m, 10 m, 26 deg, 26 deg)`, `noheading`.
+struct Use {
+  Name name;
+  bool parenthesised = false;  ///< `f()` is not `f`
+  std::vector<Argument> arguments;
+  Where where;
+  bool operator==(const Use&) const = default;
+};
+
+struct Statement;
+
+struct Set {
+  Name variable;
+  Expr value;
+  bool operator==(const Set&) const = default;
+};
+struct If {
+  Expr condition;
+  std::vector<Statement> then;
+  std::optional<std::vector<Statement>> otherwise;
+  bool operator==(const If&) const;
+};
+struct Log {
+  std::string text;  ///< with its quotes, as written
+  std::vector<Expr> values;
+  bool operator==(const Log&) const = default;
+};
+struct Command {
+  Invocation call;
+  bool operator==(const Command&) const = default;
+};
+
+struct Statement {
+  std::variant<Set, If, Log, Command> node;
+  Where where;
+  bool operator==(const Statement&) const = default;
+};
+
+inline bool If::operator==(const If& other) const {
+  return condition == other.condition && then == other.then && otherwise == other.otherwise;
+}
+
+/// `do … end`
+struct Block {
+  std::vector<Statement> statements;
+  Where where;
+  bool operator==(const Block&) const = default;
+};
+
+enum class Transition : uint8_t { Goto, Call, Return, Exit, Stay, Done };
+
+struct Case {
+  Expr guard;
+  std::optional<Block> action;
+  Transition transition = Transition::Stay;
+  std::optional<Use> target;  ///< of goto and call
+  Where transition_where;     ///< the word
+  Where where;
+  bool operator==(const Case&) const = default;
+};
+
+/// `lowest .. highest`
+struct Range {
+  Expr lowest;
+  Expr highest;
+  bool operator==(const Range&) const = default;
+};
+
+struct Const {
+  Name name;
+  std::optional<TypeName> type;
+  Expr value;
+  Where where;
+  bool operator==(const Const&) const = default;
+};
+struct Param {
+  Name name;
+  TypeName type;
+  Expr value;
+  std::optional<Range> range;
+  std::optional<Expr> condition;
+  Where where;
+  bool operator==(const Param&) const = default;
+};
+struct Var {
+  Name name;
+  TypeName type;
+  Expr value;
+  std::optional<Range> range;
+  Where where;
+  bool operator==(const Var&) const = default;
+};
+
+struct SensorItem {
+  Name name;
+  std::optional<Expr> every;  ///< applies to the items before, back to the previous `every`
+  bool operator==(const SensorItem&) const = default;
+};
+
+// What stands between `begin` and `end` of a state or behaviour, in the order written, repetitions included.
+struct RouteMember {
+  Use use;
+  bool operator==(const RouteMember&) const = default;
+};
+struct ProfileMember {
+  Use use;
+  bool operator==(const ProfileMember&) const = default;
+};
+struct SensorsMember {
+  std::vector<SensorItem> items;
+  bool operator==(const SensorsMember&) const = default;
+};
+struct EntryMember {
+  Block block;
+  bool operator==(const EntryMember&) const = default;
+};
+struct EventsMember {
+  std::vector<Case> cases;
+  bool operator==(const EventsMember&) const = default;
+};
+
+struct Member {
+  std::variant<RouteMember, ProfileMember, SensorsMember, Var, EntryMember, EventsMember> node;
+  Where where;
+  Where keyword;  ///< its first word
+  bool operator==(const Member&) const = default;
+};
+
+struct State {
+  Name name;
+  std::optional<std::vector<Formal>> formals;
+  std::vector<Member> members;
+  Where where;
+  bool operator==(const State&) const = default;
+};
+
+enum class BehaviourKind : uint8_t { Profile, Route };
+
+/// A flightprofile or flightroute written in the language.
+struct Behaviour {
+  BehaviourKind kind = BehaviourKind::Profile;
+  Name name;
+  std::optional<std::vector<Formal>> formals;
+  std::vector<Member> members;
+  Where where;
+  bool operator==(const Behaviour&) const = default;
+};
+
+/// A flightprofile or flightroute in C or C++.
+struct ExternBehaviour {
+  BehaviourKind kind = BehaviourKind::Profile;
+  Name name;
+  std::optional<std::vector<Formal>> formals;
+  std::vector<Name> reads;
+  Where where;
+  bool operator==(const ExternBehaviour&) const = default;
+};
+struct ExternFunction {
+  Name name;
+  std::vector<Formal> formals;
+  TypeName result;
+  Where where;
+  bool operator==(const ExternFunction&) const = default;
+};
+struct ExternSensor {
+  Name name;
+  TypeName type;
+  Where where;
+  bool operator==(const ExternSensor&) const = default;
+};
+
+struct Always {
+  std::vector<Case> cases;
+  Where where;
+  bool operator==(const Always&) const = default;
+};
+
+struct AlwaysPromise {
+  Expr condition;
+  bool operator==(const AlwaysPromise&) const = default;
+};
+struct ExitPromise {
+  Expr within;
+  bool operator==(const ExitPromise&) const = default;
+};
+struct StackPromise {
+  Expr depth;
+  bool operator==(const StackPromise&) const = default;
+};
+struct ReachPromise {
+  Name state;
+  bool operator==(const ReachPromise&) const = default;
+};
+struct NeverPromise {
+  Name state;
+  Name after;
+  bool operator==(const NeverPromise&) const = default;
+};
+struct SurfacesPromise {
+  Expr every;
+  bool operator==(const SurfacesPromise&) const = default;
+};
+struct Requirement {
+  std::variant<AlwaysPromise, ExitPromise, StackPromise, ReachPromise, NeverPromise, SurfacesPromise> node;
+  Where where;
+  bool operator==(const Requirement&) const = default;
+};
+
+struct MissionLine {
+  Name name;
+  Where where;
+  bool operator==(const MissionLine&) const = default;
+};
+struct PlatformLine {
+  Name name;
+  Where where;
+  bool operator==(const PlatformLine&) const = default;
+};
+struct Import {
+  std::string path;  ///< with its quotes, as written
+  Where where;
+  bool operator==(const Import&) const = default;
+};
+
+using Item = std::variant<MissionLine, PlatformLine, Import, Const, Param, Var, Always, State, Behaviour, ExternFunction,
+                          ExternBehaviour, ExternSensor, Requirement>;
+
+/// A mission file or a library file.
+struct File {
+  uint32_t file = support::SourceRange::kNoFile;
+  std::vector<Item> items;
+  bool operator==(const File& other) const { return items == other.items; }
+};
+
+}  // namespace glider::ast

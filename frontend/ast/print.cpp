@@ -1,0 +1,194 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "frontend/ast/print.h"
+
+#include <fmt/format.h>
+
+#include "frontend/ast/print_parts.h"
+
+namespace glider::ast {
+namespace {
+
+std::string printUse(const Use& use) {
+  return use.name.text + (use.parenthesised ? printArguments(use.arguments) : "");
+}
+
+std::string printFormals(const std::vector<Formal>& formals) {
+  std::string out;
+  for (const Formal& formal : formals) {
+    out += fmt::format("{}{}: {}", out.empty() ? "" : ", ", formal.name.text, formal.type.text);
+  }
+  return "(" + out + ")";
+}
+
+std::string printFormals(const std::optional<std::vector<Formal>>& formals) {
+  return formals ? printFormals(*formals) : "";
+}
+
+std::string_view word(BehaviourKind kind) {
+  return kind == BehaviourKind::Profile ? "flightprofile" : "flightroute";
+}
+
+std::string_view word(Transition transition) {
+  constexpr std::string_view kWords[] = {"goto", "call", "return", "exit", "stay", "done"};
+  return kWords[static_cast<size_t>(transition)];
+}
+
+std::string printRange(const std::optional<Range>& range) {
+  return range ? fmt::format(" in {} .. {}", print(range->lowest), print(range->highest)) : "";
+}
+
+class FilePrinter {
+ public:
+  void item(const Item& node) {
+    std::visit([this](const auto& n) { write(n); }, node);
+  }
+  std::string take() { return std::move(out_); }
+
+ private:
+  void line(std::string_view text) {
+    out_.append(2 * indent_, ' ');
+    out_ += text;
+    out_ += '\n';
+  }
+  void gap() { out_ += out_.empty() ? "" : "\n"; }
+
+  void write(const MissionLine& n) { line("mission " + n.name.text); }
+  void write(const PlatformLine& n) { line("platform " + n.name.text); }
+  void write(const Import& n) { line("import " + n.path); }
+  void write(const Const& n) {
+    const std::string type = n.type ? ": " + n.type->text : "";
+    line(fmt::format("const {}{} = {}", n.name.text, type, print(n.value)));
+  }
+  void write(const Param& n) {
+    const std::string where = n.condition ? " where " + print(*n.condition) : "";
+    line(fmt::format("param {}: {} = {}{}{}", n.name.text, n.type.text, print(n.value), printRange(n.range), where));
+  }
+  void write(const Var& n) {
+    line(fmt::format("var {}: {} = {}{}", n.name.text, n.type.text, print(n.value), printRange(n.range)));
+  }
+  void write(const Always& n) {
+    gap();
+    line("always");
+    cases(n.cases);
+  }
+  void write(const State& n) {
+    gap();
+    line("state " + n.name.text + printFormals(n.formals));
+    members(n.members);
+  }
+  void write(const Behaviour& n) {
+    gap();
+    line(fmt::format("{} {}{}", word(n.kind), n.name.text, printFormals(n.formals)));
+    members(n.members);
+  }
+  void write(const ExternFunction& n) {
+    line(fmt::format("extern function {}{}: {}", n.name.text, printFormals(n.formals), n.result.text));
+  }
+  void write(const ExternBehaviour& n) {
+    std::string reads;
+    for (const Name& sensor : n.reads) {
+      reads += (reads.empty() ? " reads " : ", ") + sensor.text;
+    }
+    line(fmt::format("extern {} {}{}{}", word(n.kind), n.name.text, printFormals(n.formals), reads));
+  }
+  void write(const ExternSensor& n) { line(fmt::format("extern sensor {}: {}", n.name.text, n.type.text)); }
+  void write(const Requirement& n) {
+    std::visit([this](const auto& p) { line("require " + promise(p)); }, n.node);
+  }
+
+  static std::string promise(const AlwaysPromise& p) { return "always " + print(p.condition); }
+  static std::string promise(const ExitPromise& p) { return "exit within " + print(p.within); }
+  static std::string promise(const StackPromise& p) { return "stack <= " + print(p.depth); }
+  static std::string promise(const ReachPromise& p) { return "reach " + p.state.text; }
+  static std::string promise(const NeverPromise& p) { return "never " + p.state.text + " after " + p.after.text; }
+  static std::string promise(const SurfacesPromise& p) { return "surfaces every " + print(p.every); }
+
+  void members(const std::vector<Member>& list) {
+    line("begin");
+    ++indent_;
+    for (const Member& member : list) {
+      std::visit([this](const auto& n) { writeMember(n); }, member.node);
+    }
+    --indent_;
+    line("end");
+  }
+  void writeMember(const RouteMember& n) { line("flightroute " + printUse(n.use)); }
+  void writeMember(const ProfileMember& n) { line("flightprofile " + printUse(n.use)); }
+  void writeMember(const SensorsMember& n) {
+    std::string text;
+    for (const SensorItem& item : n.items) {
+      text += (text.empty() ? "" : ", ") + item.name.text;
+      text += item.every ? " every " + print(*item.every) : "";
+    }
+    line("sensors " + text);
+  }
+  void writeMember(const Var& n) { write(n); }
+  void writeMember(const EntryMember& n) {
+    line("entry do");
+    statements(n.block.statements);
+    line("end");
+  }
+  void writeMember(const EventsMember& n) {
+    line("events");
+    cases(n.cases);
+  }
+
+  void cases(const std::vector<Case>& list) {
+    ++indent_;
+    for (const Case& c : list) {
+      const std::string target = c.target ? " " + printUse(*c.target) : "";
+      const std::string transition = std::string(word(c.transition)) + target;
+      if (c.action) {
+        line(fmt::format("case {} do", print(c.guard)));
+        statements(c.action->statements);
+        line("end " + transition);
+      } else {
+        line(fmt::format("case {} {}", print(c.guard), transition));
+      }
+    }
+    --indent_;
+  }
+
+  void statements(const std::vector<Statement>& list) {
+    ++indent_;
+    for (const Statement& statement : list) {
+      std::visit([this](const auto& n) { writeStatement(n); }, statement.node);
+    }
+    --indent_;
+  }
+  void writeStatement(const Set& n) { line(fmt::format("set {} = {}", n.variable.text, print(n.value))); }
+  void writeStatement(const If& n) {
+    line("if " + print(n.condition) + " then");
+    statements(n.then);
+    if (n.otherwise) {
+      line("else");
+      statements(*n.otherwise);
+    }
+    line("end");
+  }
+  void writeStatement(const Log& n) {
+    std::string text = "log " + n.text;
+    for (const Expr& value : n.values) {
+      text += ", " + print(value);
+    }
+    line(text);
+  }
+  void writeStatement(const Command& n) { line(n.call.function.text + printArguments(n.call.arguments)); }
+
+  std::string out_;
+  size_t indent_ = 0;
+};
+
+}  // namespace
+
+std::string print(const File& file) {
+  FilePrinter printer;
+  for (const Item& item : file.items) {
+    printer.item(item);
+  }
+  return printer.take();
+}
+
+}  // namespace glider::ast

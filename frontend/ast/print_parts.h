@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "frontend/ast/ast.h"
+
+namespace glider::ast {
+
+/// "(5 m, 10 m of depth)"
+std::string printArguments(const std::vector<Argument>& arguments);
+
+}  // namespace glider::ast

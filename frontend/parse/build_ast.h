@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <string>
+
+#include "frontend/ast/ast.h"
+#include "frontend/parse/lexeme.h"
+#include "grammar/GliderParser.h"
+
+namespace glider::frontend {
+
+/// Makes the AST of a parse tree that has no errors in it.
+class AstBuilder {
+ public:
+  explicit AstBuilder(Source source) : source_(source) {}
+  ast::File file(grammar::GliderParser::FileContext* tree);
+
+ private:
+  using Parser = grammar::GliderParser;
+  using Rule = antlr4::ParserRuleContext;
+
+  // Places and words.
+  [[nodiscard]] ast::Where where(const Rule* rule) const;
+  [[nodiscard]] ast::Where where(const antlr4::Token* token) const;
+  [[nodiscard]] std::string text(const Rule* rule) const;
+  [[nodiscard]] std::string text(const antlr4::Token* token) const;
+  /// The words of `rule` without the blanks between them.
+  [[nodiscard]] std::string joined(Rule* rule) const;
+  [[nodiscard]] ast::Name name(const Rule* rule) const { return {text(rule), where(rule)}; }
+
+  // Items.
+  ast::Item item(Parser::ItemContext* rule);
+  ast::Const constant(Parser::ConstantContext* rule);
+  ast::Param parameter(Parser::ParameterContext* rule);
+  ast::Var variable(Parser::VariableContext* rule);
+  ast::State state(Parser::StateContext* rule);
+  ast::Behaviour behaviour(Parser::BehaviourContext* rule);
+  ast::Item external(Parser::ExternalContext* rule);
+  ast::Requirement requirement(Parser::RequirementContext* rule);
+  ast::TypeName type(Parser::TypeContext* rule);
+  std::optional<ast::Range> range(Parser::RangeContext* rule);
+  std::optional<std::vector<ast::Formal>> formals(Parser::FormalsContext* rule);
+
+  // What stands inside states.
+  ast::Member member(Parser::MemberContext* rule);
+  ast::Use use(Rule* whole, Rule* name, Parser::ArgumentsContext* arguments);
+  std::vector<ast::Case> cases(const std::vector<Parser::EventCaseContext*>& rules);
+  ast::Block block(Parser::BlockContext* rule);
+  std::vector<ast::Statement> statements(const std::vector<Parser::StatementContext*>& rules);
+  ast::Statement statement(Parser::StatementContext* rule);
+  ast::If ifStatement(Parser::IfStatementContext* rule);
+
+  // Expressions.
+  ast::Expr expr(Parser::ExprContext* rule);
+  ast::Expr primary(Parser::PrimaryContext* rule);
+  ast::Expr literal(Parser::LiteralContext* rule);
+  std::vector<ast::Argument> arguments(Parser::ArgumentsContext* rule);
+
+  Source source_;
+};
+
+}  // namespace glider::frontend

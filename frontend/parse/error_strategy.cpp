@@ -1,0 +1,230 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "frontend/parse/error_strategy.h"
+
+#include <string>
+
+#include <fmt/format.h>
+
+#include "frontend/parse/lexeme_source.h"
+#include "frontend/parse/token_kinds.h"
+#include "frontend/spelling.h"
+#include "grammar/GliderParser.h"
+
+namespace glider::frontend {
+
+using grammar::GliderParser;
+using support::DiagnosticId;
+
+namespace {
+
+/// A keyword that begins something: a good place to go on reading.
+bool isBoundary(size_t type) {
+  const auto t = static_cast<uint32_t>(type);
+  return t == kEof || (isHardKeyword(t) && !oneOf(t, {GliderLexer::TRUE, GliderLexer::FALSE, GliderLexer::EVERY}));
+}
+
+/// Ends the events of a state, or begins the next of its cases.
+bool endsCase(size_t type) {
+  const auto t = static_cast<uint32_t>(type);
+  return startsItem(t) || startsMember(t) || oneOf(t, {kEof, GliderLexer::CASE, GliderLexer::END, GliderLexer::VAR});
+}
+
+/// Skips to a token that `stop` takes, leaping over whole blocks; the end of an outer block is never passed.
+template <typename Stop>
+void skipTo(antlr4::Parser* parser, Stop stop) {
+  size_t deep = 0;
+  for (;;) {
+    const size_t type = parser->getTokenStream()->LA(1);
+    if (type == antlr4::Token::EOF || (deep == 0 && (stop(type) || type == GliderParser::END))) {
+      return;
+    }
+    deep += type == GliderParser::BEGIN || type == GliderParser::DO || type == GliderParser::IF ? 1U : 0U;
+    deep -= type == GliderParser::END ? 1U : 0U;
+    parser->consume();
+  }
+}
+
+bool isLoop(const antlr4::atn::ATNState* state) {
+  const auto type = const_cast<antlr4::atn::ATNState*>(state)->getStateType();
+  return type == antlr4::atn::ATNState::STAR_LOOP_ENTRY || type == antlr4::atn::ATNState::STAR_LOOP_BACK ||
+         type == antlr4::atn::ATNState::PLUS_LOOP_BACK;
+}
+
+/// "`,` or `)`" of a set of tokens, without operators (which go on after every value) if anything else is in it.
+std::string listOf(const antlr4::misc::IntervalSet& set) {
+  constexpr size_t kMost = 6;
+  std::vector<std::string> words;
+  for (const ssize_t type : set.toList()) {
+    const auto t = static_cast<uint32_t>(type);
+    const bool alias = (isName(t) && t != GliderLexer::NAME) || t == GliderLexer::MIN || isOperator(t);
+    if (type > 0 && !alias) {
+      words.push_back(describeType(t));
+    }
+  }
+  if (words.empty() || words.size() > kMost) {
+    return "something else";
+  }
+  std::string out;
+  for (size_t i = 0; i < words.size(); ++i) {
+    out += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + words[i];
+  }
+  return out;
+}
+
+}  // namespace
+
+void ErrorStrategy::reportMatch(antlr4::Parser* parser) {
+  if (errorRecoveryMode && isBoundary(parser->getTokenStream()->LA(1))) {
+    endErrorCondition(parser);
+  }
+}
+
+void ErrorStrategy::reportError(antlr4::Parser* parser, const antlr4::RecognitionException& error) {
+  complain(parser, error.getOffendingToken());
+}
+
+antlr4::Token* ErrorStrategy::recoverInline(antlr4::Parser* parser) { throw antlr4::InputMismatchException(parser); }
+
+void ErrorStrategy::recover(antlr4::Parser* parser, std::exception_ptr) {
+  const size_t rule = parser->getContext()->getRuleIndex();
+  const auto index = static_cast<int>(parser->getTokenStream()->index());
+  if (lastErrorIndex == index && lastErrorStates.contains(static_cast<ssize_t>(parser->getState()))) {
+    parser->consume();  // the same rule failed here before: never stand still
+  }
+  if (lastErrorIndex != index) {
+    lastErrorStates.clear();
+  }
+  lastErrorIndex = index;
+  lastErrorStates.add(static_cast<ssize_t>(parser->getState()));
+  if (rule == GliderParser::RuleTransition || rule == GliderParser::RuleTarget) {
+    skipTo(parser, endsCase);
+  } else {
+    skipTo(parser, isBoundary);
+  }
+}
+
+void ErrorStrategy::sync(antlr4::Parser* parser) {
+  const auto& atn = parser->getInterpreter<antlr4::atn::ParserATNSimulator>()->atn;
+  const antlr4::atn::ATNState* state = atn.states[parser->getState()];
+  if (!isLoop(state)) {
+    return;
+  }
+  const size_t found = parser->getTokenStream()->LA(1);
+  const auto next = atn.nextTokens(const_cast<antlr4::atn::ATNState*>(state));
+  if (next.contains(found) && isBoundary(found)) {
+    endErrorCondition(parser);  // back in step
+  }
+  const bool cases = next.contains(size_t{GliderParser::CASE});
+  const bool mayEnd = next.contains(antlr4::Token::EPSILON) && !(cases && !endsCase(found));
+  if (mayEnd || next.contains(found) || found == antlr4::Token::EOF) {
+    return;
+  }
+  complain(parser, parser->getCurrentToken());
+  if (cases) {
+    skipTo(parser, endsCase);
+  } else {
+    // A list of arguments ends at the next keyword at the latest; a body of a state only at what may stand in it.
+    const bool body = next.contains(size_t{GliderParser::END}) || next.contains(size_t{GliderParser::STATE});
+    skipTo(parser, [&](size_t type) { return next.contains(type) || (!body && isBoundary(type)); });
+  }
+}
+
+void ErrorStrategy::complain(antlr4::Parser* parser, const antlr4::Token* found) {
+  if (inErrorRecoveryMode(parser)) {
+    return;
+  }
+  beginErrorCondition(parser);
+  const antlr4::Token* before = parser->getTokenStream()->LT(-1);
+  if (before != nullptr && before->getStartIndex() == before->getStopIndex()) {
+    return;  // after something missing that repair put in: reported already
+  }
+  if (reporter_.full()) {
+    throw antlr4::ParseCancellationException();
+  }
+  complainInRule(parser, parser->getContext()->getRuleIndex(), lexemeOf(found));
+}
+
+void ErrorStrategy::expected(std::string_view what, const Lexeme& found) {
+  reporter_.at(found, DiagnosticId::unexpectedToken, what, describe(reporter_.source(), found));
+}
+
+bool ErrorStrategy::misspelled(const Lexeme& found, const std::vector<std::string_view>& keywords) {
+  const std::string_view word = reporter_.source().text(found);
+  const std::string_view meant = found.type == GliderLexer::NAME ? closest(word, keywords) : std::string_view{};
+  if (!meant.empty()) {
+    reporter_.at(found, DiagnosticId::misspelledKeyword, word, meant)
+        .fix(reporter_.source().range(found), std::string(meant));
+  }
+  return !meant.empty();
+}
+
+void ErrorStrategy::complainOfTransition(const Lexeme& before, const Lexeme& found) {
+  if (isBoundary(found.type)) {
+    reporter_.at(before, DiagnosticId::missingTransition);
+  } else if (found.type == GliderLexer::NAME) {
+    const std::string_view word = reporter_.source().text(found);
+    auto report = reporter_.at(found, DiagnosticId::wrongTransition, word);
+    const std::string_view meant = closest(word, {"goto", "call", "return", "exit", "stay"});
+    if (!meant.empty()) {
+      report.hint(fmt::format("did you mean `{}`?", meant)).fix(reporter_.source().range(found), std::string(meant));
+    }
+  } else {
+    expected("an operator, or `goto`, `call`, `return`, `exit` or `stay`", found);
+  }
+}
+
+void ErrorStrategy::complainInRule(antlr4::Parser* parser, size_t rule, const Lexeme& found) {
+  const antlr4::Token* before = parser->getTokenStream()->LT(-1);
+  const size_t last = before == nullptr ? 0 : before->getType();
+  switch (rule) {
+    case GliderParser::RuleTransition:
+      return complainOfTransition(lexemeOf(before), found);
+    case GliderParser::RuleExpr:
+    case GliderParser::RulePrimary:
+      if (last == GliderParser::NUMBER) {
+        return expected("an operator, or the end of the value", lexemeOf(before));
+      }
+      return expected(last == GliderParser::CASE ? "a condition" : "a value", found);
+    case GliderParser::RuleArguments:
+      return expected(last == GliderParser::LPAREN ? "a value or `)`" : "`,` or `)`", found);
+    case GliderParser::RuleFormals:
+      return expected(last == GliderParser::LPAREN ? "a name or `)`" : "`,` or `)`", found);
+    case GliderParser::RulePromise:
+      return expected("`always`, `exit within`, `stack <=`, `reach`, `never` or `surfaces every`", found);
+    case GliderParser::RuleDeclaration:
+      if (last == GliderParser::EXTERN) {
+        return expected("`function`, `flightprofile`, `flightroute` or `sensor`", found);
+      }
+      return expected(listOf(parser->getExpectedTokens()), found);
+    case GliderParser::RuleFile:
+    case GliderParser::RuleItem:
+      if (!misspelled(found, {"mission", "platform", "import", "const", "param", "var", "always", "state",
+                              "flightprofile", "flightroute", "extern", "require"})) {
+        expected("`state` or another declaration", found);
+      }
+      return;
+    case GliderParser::RuleState:
+    case GliderParser::RuleBehaviour:
+      if (!misspelled(found, {"flightroute", "flightprofile", "sensors", "entry", "events", "var", "end"})) {
+        expected("`flightroute`, `flightprofile`, `sensors`, `events` or `end`", found);
+      }
+      return;
+    case GliderParser::RuleMember:
+      return expected("`case` or `end`", found);
+    case GliderParser::RuleBlock:
+    case GliderParser::RuleStatement: {
+      const auto set = parser->getExpectedTokens();
+      const bool statement = set.contains(size_t{GliderParser::SET});
+      return expected(statement ? "`set`, `if`, `log`, a command or `end`" : listOf(set), found);
+    }
+    case GliderParser::RuleName:
+    case GliderParser::RuleAnyName:
+      return expected("a name", found);
+    default:
+      return expected(listOf(parser->getExpectedTokens()), found);
+  }
+}
+
+}  // namespace glider::frontend

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <antlr4-runtime.h>
+
+#include "frontend/parse/reporter.h"
+
+namespace glider::frontend {
+
+/// What the parser does at a token that fits nowhere: says in a pilot's words what was expected, skips to the next
+/// keyword that makes sense, and says nothing more until that has been read.
+class ErrorStrategy final : public antlr4::DefaultErrorStrategy {
+ public:
+  explicit ErrorStrategy(SyntaxReporter& reporter) : reporter_(reporter) {}
+
+  void reportMatch(antlr4::Parser* parser) override;
+  void reportError(antlr4::Parser* parser, const antlr4::RecognitionException& error) override;
+  void recover(antlr4::Parser* parser, std::exception_ptr error) override;
+  antlr4::Token* recoverInline(antlr4::Parser* parser) override;
+  void sync(antlr4::Parser* parser) override;
+
+ private:
+  void complain(antlr4::Parser* parser, const antlr4::Token* found);
+  void complainInRule(antlr4::Parser* parser, size_t rule, const Lexeme& found);
+  void complainOfTransition(const Lexeme& before, const Lexeme& found);
+  void expected(std::string_view what, const Lexeme& found);
+  bool misspelled(const Lexeme& found, const std::vector<std::string_view>& keywords);
+
+  SyntaxReporter& reporter_;
+};
+
+}  // namespace glider::frontend

@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "frontend/parse/lexeme.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "frontend/parse/byte_char_stream.h"
+#include "grammar/GliderLexer.h"
+
+namespace glider::frontend {
+
+using grammar::GliderLexer;
+
+std::vector<Lexeme> lex(std::string_view text, size_t start) {
+  ByteCharStream stream(text, start);
+  GliderLexer lexer(&stream);
+  lexer.removeErrorListeners();
+  constexpr size_t kBytesPerToken = 4;
+  std::vector<Lexeme> lexemes;
+  lexemes.reserve(text.size() / kBytesPerToken + 1);
+  for (;;) {
+    const auto token = lexer.nextToken();
+    if (token->getType() == antlr4::Token::EOF) {
+      break;
+    }
+    lexemes.push_back({static_cast<uint32_t>(token->getType()), static_cast<uint32_t>(token->getStartIndex()),
+                       static_cast<uint32_t>(token->getStopIndex() + 1)});
+  }
+  const auto end = static_cast<uint32_t>(text.size());
+  lexemes.push_back({static_cast<uint32_t>(antlr4::Token::EOF), end, end});
+  return lexemes;
+}
+
+bool isHardKeyword(uint32_t type) { return type >= GliderLexer::MISSION && type <= GliderLexer::NOT_WORD; }
+
+bool isName(uint32_t type) {
+  return type == GliderLexer::NAME || (type >= GliderLexer::IN && type <= GliderLexer::SURFACES);
+}
+
+bool isAnyName(uint32_t type) {
+  return isName(type) || type == GliderLexer::UNIT || type == GliderLexer::COMPASS || type == GliderLexer::MIN;
+}
+
+namespace {
+
+/// "`begin`" as ANTLR's vocabulary has it, without quotes; empty for a token that is spelled in many ways.
+std::string spelling(size_t type) {
+  static ByteCharStream empty("", 0);
+  static const GliderLexer lexer(&empty);
+  const std::string literal = lexer.getVocabulary().getLiteralName(type);
+  return literal.size() > 2 ? literal.substr(1, literal.size() - 2) : std::string();
+}
+
+const std::vector<std::string>& keywordSpellings() {
+  static const std::vector<std::string> words = [] {
+    std::vector<std::string> list;
+    for (size_t type = GliderLexer::MISSION; type <= GliderLexer::NOT_WORD; ++type) {
+      list.push_back(spelling(type));
+    }
+    return list;
+  }();
+  return words;
+}
+
+}  // namespace
+
+const std::vector<std::string_view>& hardKeywords() {
+  static const std::vector<std::string_view> words(keywordSpellings().begin(), keywordSpellings().end());
+  return words;
+}
+
+uint32_t keywordType(std::string_view word) {
+  const auto found = std::ranges::find(hardKeywords(), word);
+  return found == hardKeywords().end()
+             ? 0
+             : static_cast<uint32_t>(GliderLexer::MISSION + (found - hardKeywords().begin()));
+}
+
+std::string describe(const Source& source, const Lexeme& lexeme) {
+  constexpr size_t kLongestShown = 40;
+  if (lexeme.type == static_cast<uint32_t>(antlr4::Token::EOF)) {
+    return "the end of the file";
+  }
+  std::string text(source.text(lexeme));
+  if (text.empty()) {
+    return describeType(lexeme.type);
+  }
+  if (text.size() > kLongestShown) {
+    size_t cut = kLongestShown;
+    while (cut > 0 && (static_cast<unsigned char>(text[cut]) & 0xC0U) == 0x80U) {
+      --cut;  // not in the middle of a character
+    }
+    text = text.substr(0, cut) + "…";
+  }
+  switch (lexeme.type) {
+    case GliderLexer::NUMBER:
+      return fmt::format("the number `{}`", text);
+    case GliderLexer::STRING:
+      return fmt::format("the text `{}`", text);
+    case GliderLexer::UNIT:
+      return fmt::format("the unit `{}`", text);
+    default:
+      return fmt::format("`{}`", text);
+  }
+}
+
+std::string describeType(uint32_t type) {
+  switch (type) {
+    case static_cast<uint32_t>(antlr4::Token::EOF):
+      return "the end of the file";
+    case GliderLexer::NAME:
+      return "a name";
+    case GliderLexer::NUMBER:
+      return "a number";
+    case GliderLexer::STRING:
+      return "a text in quotes";
+    case GliderLexer::UNIT:
+    case GliderLexer::MIN:
+      return "a unit";
+    case GliderLexer::COMPASS:
+      return "`N`, `S`, `E` or `W`";
+    default:
+      return "`" + spelling(type) + "`";
+  }
+}
+
+}  // namespace glider::frontend

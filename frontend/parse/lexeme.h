@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "support/source_manager.h"
+
+namespace glider::frontend {
+
+/// A token: its type in the grammar and its bytes. One that repair put in is empty.
+struct Lexeme {
+  uint32_t type = 0;
+  uint32_t begin = 0;
+  uint32_t end = 0;
+};
+
+/// The text that tokens are of.
+struct Source {
+  const support::SourceManager& sources;
+  uint32_t file;
+
+  [[nodiscard]] std::string_view text() const { return sources.text(file); }
+  [[nodiscard]] std::string_view text(const Lexeme& lexeme) const {
+    return text().substr(lexeme.begin, lexeme.end - lexeme.begin);
+  }
+  [[nodiscard]] support::SourceRange range(const Lexeme& lexeme) const { return {file, lexeme.begin, lexeme.end}; }
+};
+
+/// The tokens of a file, one of type end-of-file last. `start` skips a byte order mark.
+std::vector<Lexeme> lex(std::string_view text, size_t start);
+
+bool isHardKeyword(uint32_t type);
+/// May stand where the grammar says `name` (soft keywords included).
+bool isName(uint32_t type);
+/// May stand where the grammar says `anyName` (units included).
+bool isAnyName(uint32_t type);
+/// All hard keywords, as written.
+const std::vector<std::string_view>& hardKeywords();
+/// The type of the hard keyword spelled `word`; 0 if it is none.
+uint32_t keywordType(std::string_view word);
+/// The token as a pilot would say it: "`begin`", "the number `5`", "the end of the file".
+std::string describe(const Source& source, const Lexeme& lexeme);
+/// A token type likewise: "a name", "`)`".
+std::string describeType(uint32_t type);
+
+}  // namespace glider::frontend

@@ -1,0 +1,463 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "frontend/parse/repair.h"
+
+#include <string>
+
+#include <fmt/format.h>
+
+#include "frontend/parse/repair_values.h"
+#include "frontend/parse/repair_words.h"
+#include "frontend/parse/token_kinds.h"
+#include "frontend/spelling.h"
+
+namespace glider::frontend {
+
+using support::DiagnosticId;
+
+namespace {
+
+std::string nameOwner(uint32_t keyword) {
+  switch (keyword) {
+    case GliderLexer::MISSION:
+      return "the mission";
+    case GliderLexer::PLATFORM:
+      return "the platform";
+    case GliderLexer::FLIGHTPROFILE:
+      return "a flightprofile";
+    case GliderLexer::FLIGHTROUTE:
+      return "a flightroute";
+    case GliderLexer::CONST:
+      return "a constant";
+    case GliderLexer::PARAM:
+      return "a parameter";
+    case GliderLexer::VAR:
+    case GliderLexer::SET:
+      return "a variable";
+    default:
+      return "a state";
+  }
+}
+
+/// Was keyword `t`, after `before` and ahead of `next`, meant as a name? If not, the name is missing.
+bool meantAsName(uint32_t before, uint32_t t, uint32_t next) {
+  switch (before) {
+    case GliderLexer::STATE:
+      return next == GliderLexer::BEGIN || next == GliderLexer::LPAREN;
+    case GliderLexer::GOTO:
+    case GliderLexer::CALL:
+      return oneOf(next, {GliderLexer::CASE, GliderLexer::END, GliderLexer::LPAREN});
+    case GliderLexer::MISSION:
+    case GliderLexer::PLATFORM:
+      return !startsItem(t) || startsItem(next);
+    case GliderLexer::FLIGHTPROFILE:
+    case GliderLexer::FLIGHTROUTE:
+      return next == GliderLexer::LPAREN;
+    default:
+      return oneOf(next, {GliderLexer::ASSIGN, GliderLexer::EQ, GliderLexer::COLON});
+  }
+}
+
+/// The second pass of repair: walks the tokens once, with the open blocks on a stack.
+class StructureRepair {
+ public:
+  StructureRepair(const std::vector<Lexeme>& in, bool cut, SyntaxReporter& reporter)
+      : in_(in), cut_(cut), reporter_(reporter), source_(reporter.source()), values_(reporter, out_) {
+    out_.reserve(in.size());
+  }
+
+  Repaired run() {
+    for (at_ = 0; at_ < in_.size() && ok_; ++at_) {
+      step(in_[at_]);
+      ok_ = ok_ && !reporter_.full();
+    }
+    return {std::move(out_), ok_};
+  }
+
+ private:
+  enum class BlockKind : uint8_t { Members, Do, If };
+  struct Block {
+    BlockKind kind;
+    Lexeme opener;
+    std::string what;     ///< "state `s1`"
+    bool events = false;  ///< `events` was seen
+    bool silent = false;  ///< reported already: a missing `end` is no news
+    bool then = false;    ///< `then` was seen
+  };
+
+  [[nodiscard]] uint32_t previous() const { return out_.empty() ? 0 : out_.back().type; }
+  [[nodiscard]] const Lexeme& peek(size_t k) const { return in_[std::min(at_ + k, in_.size() - 1)]; }
+  void insert(uint32_t type) {
+    const uint32_t place = out_.empty() ? 0 : out_.back().end;
+    out_.push_back({type, place, place});
+  }
+
+  void step(Lexeme t) {
+    const bool skipping = skipping_ || skipping_in_block_;
+    if (!skipping && (t.type == GliderLexer::NAME || t.type == GliderLexer::SENSOR) && at_ != begin_at_ && !values_.inParentheses()) {
+      correct(t);
+    }
+    const bool keyword =
+        t.type == kEof || (isHardKeyword(t.type) && t.type != GliderLexer::TRUE && t.type != GliderLexer::FALSE);
+    if (keyword && wantsName(previous()) && !skipping && becomesName(t)) {
+      return;
+    }
+    if (at_ == begin_at_ && supplyBegin(t)) {
+      return;
+    }
+    if (keyword) {
+      structural(t);
+    } else if (!skipping) {
+      if (t.type == GliderLexer::ASSIGN) {
+        supplyKeyword();
+      }
+      ok_ = values_.take(t, peek(1)) && ok_;
+      noteHeader(1);
+    }
+  }
+
+  // --- misspelled keywords ---
+
+  /// If the name `t` stands where only a keyword makes sense and is spelled much like it, makes it that keyword.
+  void correct(Lexeme& t) {
+    const bool possible = out_.empty() || endsValue(previous()) || isTransition(previous()) ||
+                          oneOf(previous(), {GliderLexer::BEGIN, GliderLexer::END, GliderLexer::EVENTS});
+    if (!possible || previous() == GliderLexer::GOTO || previous() == GliderLexer::CALL) {
+      return;
+    }
+    const std::string_view word = blocks_.empty() ? meantAtTop(t) : meantInBlock(t);
+    if (!word.empty()) {
+      reporter_.at(t, DiagnosticId::misspelledKeyword, source_.text(t), word).fix(source_.range(t), std::string(word));
+      t.type = keywordType(word);
+    }
+  }
+
+  [[nodiscard]] std::string_view meantAtTop(const Lexeme& t) const {
+    if (!isAnyName(peek(1).type) || peek(afterFormals(2)).type != GliderLexer::BEGIN) {
+      return {};
+    }
+    const std::string_view near = closest(source_.text(t), {"state", "flightprofile", "flightroute"});
+    return near.empty() ? "state" : near;
+  }
+
+  [[nodiscard]] std::string_view meantInBlock(const Lexeme& t) const {
+    const std::string_view word = source_.text(t);
+    const uint32_t next = peek(1).type;
+    auto near = [&](std::string_view keyword) { return closest(word, {keyword}) == keyword; };
+    const bool leaves = startsItem(next) || startsMember(next) || isTransition(next) ||
+                        oneOf(next, {kEof, GliderLexer::END, GliderLexer::CASE});
+    if (leaves && near("end")) {
+      return "end";
+    }
+    if (blocks_.back().kind != BlockKind::Members) {
+      return {};
+    }
+    if (next == GliderLexer::CASE && near("events")) {
+      return "events";
+    }
+    if (next == GliderLexer::DO && near("entry")) {
+      return "entry";
+    }
+    if (blocks_.back().events && near("case") && (startsValue(next) || next == GliderLexer::NOT)) {
+      return "case";
+    }
+    return isAnyName(next) ? closest(word, {"flightroute", "flightprofile", "sensors"}) : std::string_view{};
+  }
+
+  /// `x = 5` without `set` or `const`: the name before the `=` that comes now begins a line.
+  void supplyKeyword() {
+    const size_t n = out_.size();
+    if (n == 0 || !isName(out_[n - 1].type) || values_.inParentheses()) {
+      return;
+    }
+    const uint32_t before = n == 1 ? uint32_t{GliderLexer::END} : out_[n - 2].type;
+    const bool action = !blocks_.empty() && blocks_.back().kind != BlockKind::Members;
+    const bool begins =
+        endsValue(before) || oneOf(before, {GliderLexer::END, GliderLexer::DO, GliderLexer::THEN, GliderLexer::ELSE});
+    if (!begins || (!action && !blocks_.empty())) {
+      return;
+    }
+    const Lexeme name = out_.back();
+    const std::string_view keyword = action ? "set" : "const";
+    reporter_.at(name, DiagnosticId::missingKeyword, source_.text(name), keyword)
+        .fix({source_.file, name.begin, name.begin}, std::string(keyword) + " ");
+    out_.back() = {keywordType(keyword), name.begin, name.begin};
+    values_.keyword(out_.back());
+    out_.push_back(name);
+  }
+
+  // --- names ---
+
+  /// Reports a keyword, or nothing, where a name belongs. True if `t` was used up as that name.
+  bool becomesName(const Lexeme& t) {
+    const uint32_t before = previous();
+    const bool name = t.type != kEof && meantAsName(before, t.type, peek(1).type);
+    if (name) {
+      reporter_.at(t, DiagnosticId::keywordAsName, source_.text(t));
+      out_.push_back({GliderLexer::NAME, t.begin, t.end});
+    } else {
+      reporter_.at(t, DiagnosticId::missingName, nameOwner(before), source_.text(out_.back()), describe(source_, t));
+      insert(GliderLexer::NAME);
+    }
+    noteHeader(name ? 1 : 0);
+    return name;
+  }
+
+  /// If the token just put out names a state or a behaviour: finds out whether `begin` follows, from `ahead` tokens on.
+  void noteHeader(size_t ahead) {
+    const size_t n = out_.size();
+    if (n < 2 || !isAnyName(out_[n - 1].type)) {
+      return;
+    }
+    const Lexeme& keyword = out_[n - 2];
+    const bool defines =
+        isBehaviourWord(keyword.type) && blocks_.empty() && (n < 3 || out_[n - 3].type != GliderLexer::EXTERN);
+    if (keyword.type != GliderLexer::STATE && !defines) {
+      return;
+    }
+    const std::string_view name = source_.text(out_[n - 1]);
+    header_ = std::string(source_.text(keyword)) + (name.empty() ? "" : fmt::format(" `{}`", name));
+    header_at_ = {keyword.type, keyword.begin, out_[n - 1].end};
+    const size_t k = afterFormals(ahead);
+    begin_at_ = peek(k).type == GliderLexer::BEGIN ? SIZE_MAX : std::min(at_ + k, in_.size() - 1);
+  }
+
+  /// How far ahead the first token after a list of formals stands, if one begins `k` tokens ahead.
+  [[nodiscard]] size_t afterFormals(size_t k) const {
+    if (peek(k).type != GliderLexer::LPAREN) {
+      return k;
+    }
+    while (!oneOf(peek(k).type, {GliderLexer::RPAREN, kEof}) && !isHardKeyword(peek(k).type)) {
+      ++k;
+    }
+    return peek(k).type == GliderLexer::RPAREN ? k + 1 : k;
+  }
+
+  /// `t` stands where `begin` is due. True if it was used up as that.
+  bool supplyBegin(const Lexeme& t) {
+    begin_at_ = SIZE_MAX;
+    const bool misspelled = t.type == GliderLexer::NAME && closest(source_.text(t), {"begin"}) == "begin";
+    if (t.type == kEof && header_at_.end == out_.back().begin) {
+      // The file ends before the name already.
+    } else if (misspelled) {
+      reporter_.at(t, DiagnosticId::misspelledKeyword, source_.text(t), "begin").fix(source_.range(t), "begin");
+    } else {
+      reporter_.at(t, DiagnosticId::missingBegin, header_, describe(source_, t))
+          .note(source_.range(header_at_), header_ + " is named here");
+    }
+    values_.keyword({GliderLexer::BEGIN, t.begin, t.begin});
+    open(BlockKind::Members, header_at_, header_);
+    blocks_.back().silent = !misspelled && (t.type == kEof || startsItem(t.type));
+    header_.clear();
+    insert(GliderLexer::BEGIN);
+    return misspelled;
+  }
+
+  // --- blocks ---
+
+  void structural(const Lexeme& t) {
+    values_.keyword(t);
+    if (skipping_ && !(startsItem(t.type) || t.type == kEof)) {
+      return;
+    }
+    skipping_ = false;
+    if (skipping_in_block_ && !(startsMember(t.type) || oneOf(t.type, {GliderLexer::END, GliderLexer::STATE, kEof}))) {
+      return;
+    }
+    skipping_in_block_ = false;
+    const bool promise = previous() == GliderLexer::REQUIRE;
+    if (promise || (blocks_.empty() ? topLevel(t) : inBlock(t))) {
+      out_.push_back(t);
+    }
+  }
+
+  /// True if `t` may be kept where no block is open.
+  bool topLevel(const Lexeme& t) {
+    const bool partOfCase = isTransition(t.type) || oneOf(t.type, {GliderLexer::CASE, GliderLexer::DO});
+    in_always_ = t.type == GliderLexer::ALWAYS || (in_always_ && partOfCase);
+    switch (t.type) {
+      case GliderLexer::END:
+        reporter_.at(t, DiagnosticId::strayEnd).fix(source_.range(t), "");
+        return false;
+      case GliderLexer::CASE:
+        return in_always_ || outside(t);
+      case GliderLexer::EVENTS:
+      case GliderLexer::SENSORS:
+      case GliderLexer::ENTRY:
+        return outside(t);
+      case GliderLexer::DO:
+        open(BlockKind::Do, t, "this `do`");
+        return true;
+      case GliderLexer::BEGIN:
+        return openMembers(t);
+      default:
+        return !isBehaviourWord(t.type) || previous() == GliderLexer::EXTERN || definesBehaviour() || outside(t);
+    }
+  }
+
+  /// `flightprofile yo(…) begin`, not a use that slipped out of its state.
+  [[nodiscard]] bool definesBehaviour() const { return peek(afterFormals(2)).type == GliderLexer::BEGIN; }
+
+  bool outside(const Lexeme& t) {
+    reporter_.at(t, DiagnosticId::outsideState, source_.text(t));
+    skipping_ = true;
+    return false;
+  }
+
+  bool openMembers(const Lexeme& t) {
+    if (header_.empty()) {
+      reporter_.at(t, DiagnosticId::secondBegin).fix(source_.range(t), "");
+      return false;
+    }
+    open(BlockKind::Members, header_at_, header_);
+    header_.clear();
+    return true;
+  }
+
+  void open(BlockKind kind, const Lexeme& opener, std::string what) {
+    blocks_.push_back({kind, opener, std::move(what)});
+    if (blocks_.size() > kDeepestNesting) {
+      reporter_.at(opener, DiagnosticId::nestedTooDeep, kDeepestNesting, "blocks");
+      ok_ = false;
+    }
+  }
+
+  /// True if `t` may be kept inside the block on top.
+  bool inBlock(const Lexeme& t) {
+    if (startsItem(t.type) || t.type == kEof) {
+      if (stillInside(t)) {
+        reporter_.at(t, DiagnosticId::insideState, source_.text(t), blocks_.front().what);
+        skipping_in_block_ = true;
+        return false;
+      }
+      closeUntil(0, t);
+      return topLevel(t);
+    }
+    if (startsMember(t.type) || isTransition(t.type) || t.type == GliderLexer::CASE) {
+      closeActions(t);
+      if (blocks_.empty()) {
+        return topLevel(t);
+      }
+    }
+    return insideMembers(t);
+  }
+
+  /// `if depth > 5 m set …`
+  void wantThen(const Lexeme& t) {
+    Block& block = blocks_.back();
+    if (block.kind != BlockKind::If || block.then) {
+      return;
+    }
+    block.then = true;
+    if (t.type != GliderLexer::THEN) {
+      reporter_.at(t, DiagnosticId::unexpectedToken, "`then`", describe(source_, t));
+      insert(GliderLexer::THEN);
+    }
+  }
+
+  bool insideMembers(const Lexeme& t) {
+    wantThen(t);
+    switch (t.type) {
+      case GliderLexer::END:
+        blocks_.pop_back();
+        return true;
+      case GliderLexer::DO:
+        open(BlockKind::Do, t, "this `do`");
+        return true;
+      case GliderLexer::IF:
+        open(BlockKind::If, t, "this `if`");
+        return true;
+      case GliderLexer::BEGIN:
+        reporter_.at(t, DiagnosticId::secondBegin).fix(source_.range(t), "");
+        return false;
+      case GliderLexer::EVENTS:
+        blocks_.back().events = true;
+        return true;
+      case GliderLexer::CASE:
+        wantEvents(t);
+        return true;
+      default:
+        return true;
+    }
+  }
+
+  /// Does an `end` of the open block still come before the next state, so that `t` was written inside it?
+  [[nodiscard]] bool stillInside(const Lexeme& t) const {
+    constexpr size_t kFarthest = 1000;
+    if (t.type == GliderLexer::STATE || t.type == kEof) {
+      return false;
+    }
+    size_t deep = 0;
+    for (size_t k = 1; k < kFarthest; ++k) {
+      const uint32_t type = peek(k).type;
+      if (type == GliderLexer::END && deep == 0) {
+        return true;
+      }
+      if (type == kEof || type == GliderLexer::STATE) {
+        return false;
+      }
+      deep += oneOf(type, {GliderLexer::BEGIN, GliderLexer::DO, GliderLexer::IF}) ? 1U : 0U;
+      deep -= type == GliderLexer::END ? 1U : 0U;
+    }
+    return false;
+  }
+
+  void wantEvents(const Lexeme& t) {
+    if (!blocks_.back().events) {
+      reporter_.at(t, DiagnosticId::caseOutsideEvents).fix({source_.file, t.begin, t.begin}, "events ");
+      insert(GliderLexer::EVENTS);
+      blocks_.back().events = true;
+    }
+  }
+
+  void closeActions(const Lexeme& found) {
+    size_t keep = blocks_.size();
+    while (keep > 0 && blocks_[keep - 1].kind != BlockKind::Members) {
+      --keep;
+    }
+    closeUntil(keep, found);
+  }
+
+  /// Closes the blocks above `keep`, each reported as having no `end` before `found`.
+  void closeUntil(size_t keep, const Lexeme& found) {
+    while (blocks_.size() > keep) {
+      const Block& block = blocks_.back();
+      if (!cut_ && !block.silent) {
+        reporter_.at(found, DiagnosticId::missingEnd, block.what, describe(source_, found))
+            .note(source_.range(block.opener), block.what + " begins here");
+      }
+      insert(GliderLexer::END);
+      blocks_.pop_back();
+    }
+  }
+
+  const std::vector<Lexeme>& in_;
+  const bool cut_;
+  SyntaxReporter& reporter_;
+  const Source& source_;
+  std::vector<Lexeme> out_;
+  ValueRepair values_;
+  size_t at_ = 0;
+  bool ok_ = true;
+
+  std::vector<Block> blocks_;
+  std::string header_;  ///< "state `s1`" until its `begin`
+  Lexeme header_at_;
+  size_t begin_at_ = SIZE_MAX;  ///< where in `in_` a `begin` is due but does not stand
+  bool in_always_ = false;
+  bool skipping_ = false;           ///< what follows stands outside every state: up to the next item
+  bool skipping_in_block_ = false;  ///< what follows may not stand in a state: up to its next member
+};
+
+}  // namespace
+
+Repaired repair(const std::vector<Lexeme>& lexemes, SyntaxReporter& reporter) {
+  WordRepair words(reporter);
+  const std::vector<Lexeme> clean = words.run(lexemes);
+  Repaired repaired = StructureRepair(clean, words.cut(), reporter).run();
+  repaired.parseable = repaired.parseable && !words.cut();
+  return repaired;
+}
+
+}  // namespace glider::frontend

@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "frontend/parse/repair_values.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include <fmt/format.h>
+
+#include "frontend/parse/token_kinds.h"
+#include "frontend/spelling.h"
+
+namespace glider::frontend {
+
+using support::DiagnosticId;
+
+namespace {
+
+bool isKeywordInCapitals(std::string_view word) {
+  std::string small(word);
+  std::ranges::transform(small, small.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return keywordType(small) != 0;
+}
+
+}  // namespace
+
+void ValueRepair::insert(uint32_t type) {
+  const uint32_t place = out_.empty() ? 0 : out_.back().end;
+  out_.push_back({type, place, place});
+}
+
+void ValueRepair::keyword(const Lexeme& found) {
+  operators_ = 0;
+  if (found.type == GliderLexer::EVERY) {
+    return;
+  }
+  while (!parentheses_.empty()) {
+    const Lexeme opener = parentheses_.back().opener;
+    const bool round = opener.type == GliderLexer::LPAREN;
+    reporter_.at(opener, DiagnosticId::missingParenthesis, source_.text(opener), round ? ")" : "]",
+                 describe(source_, found));
+    insert(round ? GliderLexer::RPAREN : GliderLexer::RBRACKET);
+    parentheses_.pop_back();
+  }
+  in_sensors_ = found.type == GliderLexer::SENSORS;
+  assignable_ = oneOf(found.type, {GliderLexer::CONST, GliderLexer::PARAM, GliderLexer::VAR, GliderLexer::SET});
+}
+
+bool ValueRepair::take(Lexeme t, const Lexeme& next) {
+  switch (t.type) {
+    case GliderLexer::LPAREN:
+    case GliderLexer::LBRACKET:
+      return open(t);
+    case GliderLexer::RPAREN:
+    case GliderLexer::RBRACKET:
+      return close(t);
+    case GliderLexer::ASSIGN:
+    case GliderLexer::EQ:
+      t = equals(t);
+      break;
+    case GliderLexer::COMMA:
+      endOfItem();
+      break;
+    default:
+      if (unknownUnit(t, next)) {
+        return true;
+      }
+      missingComma(t, next);
+  }
+  out_.push_back(t);
+  return countOperator(t);
+}
+
+bool ValueRepair::open(const Lexeme& t) {
+  parentheses_.push_back({t, 0, 0});
+  out_.push_back(t);
+  if (parentheses_.size() > kDeepestNesting) {
+    reporter_.at(t, DiagnosticId::nestedTooDeep, kDeepestNesting, "parentheses");
+    return false;
+  }
+  return true;
+}
+
+bool ValueRepair::close(const Lexeme& t) {
+  const uint32_t opens = t.type == GliderLexer::RPAREN ? GliderLexer::LPAREN : GliderLexer::LBRACKET;
+  if (parentheses_.empty() || parentheses_.back().opener.type != opens) {
+    reporter_.at(t, DiagnosticId::strayParenthesis, source_.text(t)).fix(source_.range(t), "");
+    return true;
+  }
+  endOfItem();
+  const size_t inside = parentheses_.back().most;
+  parentheses_.pop_back();
+  (parentheses_.empty() ? operators_ : parentheses_.back().operators) += inside;
+  out_.push_back(t);
+  return true;
+}
+
+void ValueRepair::endOfItem() {
+  if (parentheses_.empty()) {
+    operators_ = 0;
+    return;
+  }
+  Parenthesis& p = parentheses_.back();
+  p.most = std::max(p.most, p.operators);
+  p.operators = 0;
+}
+
+bool ValueRepair::countOperator(const Lexeme& t) {
+  size_t& count = parentheses_.empty() ? operators_ : parentheses_.back().operators;
+  count += isOperator(t.type) ? 1U : 0U;
+  if (count > kMostOperators) {
+    reporter_.at(t, DiagnosticId::expressionTooLong, kMostOperators);
+    return false;
+  }
+  return true;
+}
+
+/// The one `=` after `const`, `param`, `var` and `set` gives a value; every other was meant to compare.
+Lexeme ValueRepair::equals(Lexeme t) {
+  const bool gives = assignable_ && parentheses_.empty();
+  if (gives && t.type == GliderLexer::EQ) {
+    reporter_.at(t, DiagnosticId::equalForAssign).fix(source_.range(t), "=");
+    t.type = GliderLexer::ASSIGN;
+  } else if (!gives && t.type == GliderLexer::ASSIGN) {
+    reporter_.at(t, DiagnosticId::assignForEqual).fix(source_.range(t), "==");
+    t.type = GliderLexer::EQ;
+  }
+  assignable_ = assignable_ && !gives;
+  return t;
+}
+
+/// A word after a number that is no unit is reported and left out.
+bool ValueRepair::unknownUnit(const Lexeme& t, const Lexeme& next) {
+  if (previous() != GliderLexer::NUMBER || t.type != GliderLexer::NAME || next.type == GliderLexer::LPAREN) {
+    return false;
+  }
+  const std::string_view word = source_.text(t);
+  const std::string_view unit = unitForWord(word);
+  const bool perhapsKeyword =
+      isAnyName(next.type) || !closest(word, hardKeywords()).empty() || isKeywordInCapitals(word);
+  if (unit.empty() && parentheses_.empty() && perhapsKeyword) {
+    return false;  // `case depth > 5 jump s3`, `case depth > 5 retrun`: the parser knows what belongs there
+  }
+  constexpr std::string_view kAll =
+      "units: mm cm m km nmi ft, s min h day, rad deg, degC, m/s cm/s kn, bar dbar, S/m, V A W J kJ MJ Ah %";
+  auto report = reporter_.at(t, DiagnosticId::unknownUnit, word,
+                             unit.empty() ? std::string(kAll) : fmt::format("write `{}`", unit));
+  if (!unit.empty()) {
+    report.fix(source_.range(t), std::string(unit));
+  }
+  return true;
+}
+
+/// Two values side by side in an argument list or a `sensors` list.
+void ValueRepair::missingComma(const Lexeme& t, const Lexeme& next) {
+  const bool inList = !parentheses_.empty() || in_sensors_;
+  if (!inList || !endsValue(previous()) || !startsValue(t.type) || belongTogether(t, next)) {
+    return;
+  }
+  const Lexeme& before = out_.back();
+  reporter_
+      .at(t, DiagnosticId::missingComma, fmt::format("`{}`", source_.text(before)),
+          fmt::format("`{}`", source_.text(t)))
+      .fix({source_.file, before.end, before.end}, ",");
+  endOfItem();
+  insert(GliderLexer::COMMA);
+}
+
+/// `10 m of depth`, and the second half of `39.2 N 73.9 W`.
+bool ValueRepair::belongTogether(const Lexeme& t, const Lexeme& next) const {
+  const size_t n = out_.size();
+  if (t.type == GliderLexer::OF || (previous() == GliderLexer::OF && n > 1 && endsValue(out_[n - 2].type))) {
+    return true;
+  }
+  auto isPair = [&](size_t end) {
+    return end >= 2 && out_[end - 1].type == GliderLexer::COMPASS && out_[end - 2].type == GliderLexer::NUMBER;
+  };
+  const bool letter = isPair(n);
+  const bool second = letter && isPair(n - 2);
+  return letter && !second && t.type == GliderLexer::NUMBER && next.type == GliderLexer::COMPASS;
+}
+
+}  // namespace glider::frontend

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "frontend/parse/lexeme.h"
+#include "frontend/parse/reporter.h"
+
+namespace glider::frontend {
+
+/// How deep blocks and parentheses may nest, and how many operators an expression may have: everything behind the
+/// parser may then recurse over the tree.
+inline constexpr size_t kDeepestNesting = 200;
+inline constexpr size_t kMostOperators = 1000;
+
+/// The part of repair that looks between keywords: parentheses, `=` and `==`, units, missing commas, and the limits.
+class ValueRepair {
+ public:
+  ValueRepair(SyntaxReporter& reporter, std::vector<Lexeme>& out)
+      : reporter_(reporter), source_(reporter.source()), out_(out) {}
+
+  /// Takes `t`, which no keyword is; `next` comes after it. False if a limit was passed: nothing more is worth reading.
+  bool take(Lexeme t, const Lexeme& next);
+  /// Closes what is open before the keyword `found`, which begins a new expression.
+  void keyword(const Lexeme& found);
+  [[nodiscard]] bool inParentheses() const { return !parentheses_.empty(); }
+
+ private:
+  struct Parenthesis {
+    Lexeme opener;
+    size_t operators = 0;  ///< of the item being read
+    size_t most = 0;       ///< of the items before it
+  };
+
+  bool open(const Lexeme& t);
+  bool close(const Lexeme& t);
+  void endOfItem();
+  bool countOperator(const Lexeme& t);
+  Lexeme equals(Lexeme t);
+  bool unknownUnit(const Lexeme& t, const Lexeme& next);
+  void missingComma(const Lexeme& t, const Lexeme& next);
+  [[nodiscard]] bool belongTogether(const Lexeme& t, const Lexeme& next) const;
+  [[nodiscard]] uint32_t previous() const { return out_.empty() ? 0 : out_.back().type; }
+  void insert(uint32_t type);
+
+  SyntaxReporter& reporter_;
+  const Source& source_;
+  std::vector<Lexeme>& out_;
+  std::vector<Parenthesis> parentheses_;
+  size_t operators_ = 0;
+  bool assignable_ = false;  ///< the `=` of `const`, `param`, `var` or `set` is still to come
+  bool in_sensors_ = false;
+};
+
+}  // namespace glider::frontend

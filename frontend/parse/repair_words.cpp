@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "frontend/parse/repair_words.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "frontend/parse/token_kinds.h"
+
+namespace glider::frontend {
+
+using support::DiagnosticId;
+
+namespace {
+
+/// What word processors and web pages put in place of ASCII, and the token that was meant (0: none).
+struct Lookalike {
+  std::string_view text;
+  std::string_view meant;
+  uint32_t type;
+};
+const Lookalike kLookalikes[] = {
+    {"≥", ">=", GliderLexer::GE},   {"≤", "<=", GliderLexer::LE},   {"≠", "!=", GliderLexer::NE},
+    {"–", "-", GliderLexer::MINUS}, {"−", "-", GliderLexer::MINUS}, {"×", "*", GliderLexer::TIMES},
+    {"·", "*", GliderLexer::TIMES}, {"°", "deg", GliderLexer::UNIT}, {"“", "\"", 0},
+    {"”", "\"", 0},                 {"\xC2\xA0", "a blank", 0}};
+
+bool isLookalike(std::string_view text) {
+  return std::ranges::find(kLookalikes, text, &Lookalike::text) != std::end(kLookalikes);
+}
+
+/// What was meant, with its type in the grammar.
+struct Meant {
+  std::string_view text;
+  uint32_t type;
+};
+
+Meant comparison(std::string_view wrong) {
+  if (wrong == "=>") {
+    return {">=", GliderLexer::GE};
+  }
+  if (wrong == "=<") {
+    return {"<=", GliderLexer::LE};
+  }
+  return wrong == "===" ? Meant{"==", GliderLexer::EQ} : Meant{"!=", GliderLexer::NE};
+}
+
+Meant meantBy(uint32_t type, std::string_view text) {
+  switch (type) {
+    case GliderLexer::AND_WORD:
+    case GliderLexer::ONE_AMPERSAND:
+      return {"&&", GliderLexer::AND};
+    case GliderLexer::OR_WORD:
+    case GliderLexer::ONE_BAR:
+      return {"||", GliderLexer::OR};
+    case GliderLexer::NOT_WORD:
+      return {"!", GliderLexer::NOT};
+    default:
+      return comparison(text);
+  }
+}
+
+}  // namespace
+
+std::vector<Lexeme> WordRepair::run(const std::vector<Lexeme>& lexemes) {
+  std::vector<Lexeme> out;
+  out.reserve(lexemes.size());
+  for (size_t i = 0; i < lexemes.size() && !reporter_.full(); ++i) {
+    const Lexeme& lexeme = lexemes[i];
+    const Lexeme& next = lexemes[std::min(i + 1, lexemes.size() - 1)];
+    if (lexeme.type == GliderLexer::OPEN_COMMENT) {
+      reporter_.at(lexeme, DiagnosticId::openComment);
+      cut_ = true;
+      break;
+    }
+    if (lexeme.type == GliderLexer::OPEN_STRING) {
+      openString(lexeme, out);
+    } else if (partOfToken(lexeme, next, out)) {
+      continue;
+    } else if (auto kept = one(lexeme)) {
+      out.push_back(*kept);
+    }
+  }
+  if (out.empty() || out.back().type != lexemes.back().type) {
+    out.push_back(lexemes.back());
+  }
+  return out;
+}
+
+/// A foreign character right behind or before a name belongs to it: one mistake, not three. Likewise the point of `5.`.
+bool WordRepair::partOfToken(const Lexeme& lexeme, const Lexeme& next, std::vector<Lexeme>& out) {
+  const bool behind = !out.empty() && out.back().end == lexeme.begin;
+  if (behind && lexeme.begin == name_end_ && oneOf(lexeme.type, {GliderLexer::NAME, GliderLexer::NUMBER})) {
+    out.back().end = lexeme.end;
+    return true;
+  }
+  if (lexeme.type != GliderLexer::FOREIGN) {
+    return false;
+  }
+  const std::string_view text = reporter_.source().text(lexeme);
+  if (text == "." && behind && out.back().type == GliderLexer::NUMBER) {
+    const Lexeme whole{GliderLexer::NUMBER, out.back().begin, lexeme.end};
+    reporter_.at(whole, DiagnosticId::pointWithoutDigits, reporter_.source().text(whole))
+        .fix({reporter_.source().file, lexeme.end, lexeme.end}, "0");
+    return true;
+  }
+  const bool letters = static_cast<unsigned char>(text.front()) >= 0x80U && !isLookalike(text);
+  const bool after = behind && isAnyName(out.back().type);
+  const bool before = next.begin == lexeme.end && isAnyName(next.type);
+  if (!letters || (!after && !before)) {
+    return false;
+  }
+  foreign(lexeme);
+  if (after) {
+    out.back() = {GliderLexer::NAME, out.back().begin, lexeme.end};
+  } else {
+    out.push_back({GliderLexer::NAME, lexeme.begin, lexeme.end});
+  }
+  name_end_ = lexeme.end;
+  return true;
+}
+
+/// A text that never closes was meant to end before a comma, or before the `end` of its block, on its line.
+void WordRepair::openString(const Lexeme& lexeme, std::vector<Lexeme>& out) {
+  reporter_.at(lexeme, DiagnosticId::openString);
+  const std::string_view text = reporter_.source().text(lexeme);
+  const size_t cut = std::min({text.find(','), text.find(" end"), text.size()});
+  const auto at = static_cast<uint32_t>(lexeme.begin + cut);
+  out.push_back({GliderLexer::STRING, lexeme.begin, at});
+  for (const Lexeme& rest : lex(reporter_.source().text().substr(0, lexeme.end), at)) {
+    if (rest.type != kEof) {
+      out.push_back(rest);
+    }
+  }
+}
+
+std::optional<Lexeme> WordRepair::one(const Lexeme& lexeme) {
+  switch (lexeme.type) {
+    case GliderLexer::SEMICOLON:
+      reporter_.at(lexeme, DiagnosticId::semicolon).fix(reporter_.source().range(lexeme), "");
+      return std::nullopt;
+    case GliderLexer::FOREIGN:
+      return foreign(lexeme);
+    case GliderLexer::AND_WORD:
+    case GliderLexer::OR_WORD:
+    case GliderLexer::NOT_WORD:
+      return replaced(lexeme, DiagnosticId::wordOperator, lexeme.type);
+    case GliderLexer::ONE_AMPERSAND:
+    case GliderLexer::ONE_BAR:
+      return replaced(lexeme, DiagnosticId::singleAmpersand, lexeme.type);
+    case GliderLexer::WRONG_COMPARISON:
+      return replaced(lexeme, DiagnosticId::wrongComparison, lexeme.type);
+    default:
+      return lexeme;
+  }
+}
+
+Lexeme WordRepair::replaced(const Lexeme& lexeme, DiagnosticId id, uint32_t type) {
+  const std::string_view text = reporter_.source().text(lexeme);
+  const Meant meant = meantBy(type, text);
+  reporter_.at(lexeme, id, text, meant.text).fix(reporter_.source().range(lexeme), std::string(meant.text));
+  return {meant.type, lexeme.begin, lexeme.end};
+}
+
+std::optional<Lexeme> WordRepair::foreign(const Lexeme& lexeme) {
+  const std::string_view text = reporter_.source().text(lexeme);
+  for (const Lookalike& row : kLookalikes) {
+    if (row.text == text) {
+      auto report = reporter_.at(lexeme, DiagnosticId::foreignCharacter, text, fmt::format("write `{}`", row.meant));
+      if (row.type == 0) {
+        return std::nullopt;
+      }
+      report.fix(reporter_.source().range(lexeme), (row.type == GliderLexer::UNIT ? " " : "") + std::string(row.meant));
+      return Lexeme{row.type, lexeme.begin, lexeme.end};
+    }
+  }
+  const bool ascii = static_cast<unsigned char>(text.front()) < 0x80U;
+  const bool control = ascii && (text.front() < ' ' || text.front() == 0x7F);
+  const std::string shown = control ? fmt::format("\\x{:02x}", text.front()) : std::string(text.substr(0, 40));
+  reporter_.at(lexeme, DiagnosticId::foreignCharacter, shown,
+               ascii ? "delete it" : "outside comments and texts the language is written in ASCII letters");
+  return std::nullopt;
+}
+
+}  // namespace glider::frontend

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "frontend/parse/lexeme.h"
+#include "frontend/parse/reporter.h"
+
+namespace glider::frontend {
+
+/// First pass of repair: single tokens that are never right (`;`, `=>`, `&`, `and`, foreign characters, `5.`, open
+/// strings). Each is reported and replaced by what was meant, or dropped. Stops at a comment that is never closed.
+class WordRepair {
+ public:
+  explicit WordRepair(SyntaxReporter& reporter) : reporter_(reporter) {}
+  /// The tokens without such; `cut` tells whether an open comment swallowed the rest.
+  std::vector<Lexeme> run(const std::vector<Lexeme>& lexemes);
+  [[nodiscard]] bool cut() const { return cut_; }
+
+ private:
+  std::optional<Lexeme> one(const Lexeme& lexeme);
+  std::optional<Lexeme> foreign(const Lexeme& lexeme);
+  bool partOfToken(const Lexeme& lexeme, const Lexeme& next, std::vector<Lexeme>& out);
+  void openString(const Lexeme& lexeme, std::vector<Lexeme>& out);
+  Lexeme replaced(const Lexeme& lexeme, support::DiagnosticId id, uint32_t type);
+
+  SyntaxReporter& reporter_;
+  bool cut_ = false;
+  uint32_t name_end_ = UINT32_MAX;  ///< where a name with foreign letters in it goes on
+};
+
+}  // namespace glider::frontend

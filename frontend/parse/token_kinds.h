@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <initializer_list>
+
+#include "frontend/parse/lexeme.h"
+#include "grammar/GliderLexer.h"
+
+/// Groups of tokens that repair and recovery go by.
+namespace glider::frontend {
+
+using grammar::GliderLexer;
+
+inline constexpr auto kEof = static_cast<uint32_t>(antlr4::Token::EOF);
+
+inline bool oneOf(uint32_t type, std::initializer_list<uint32_t> types) {
+  return std::ranges::find(types, type) != types.end();
+}
+
+/// Begins a thing that stands at the top level only.
+inline bool startsItem(uint32_t type) {
+  return oneOf(type,
+               {GliderLexer::MISSION, GliderLexer::PLATFORM, GliderLexer::IMPORT, GliderLexer::CONST, GliderLexer::PARAM,
+                GliderLexer::STATE, GliderLexer::ALWAYS, GliderLexer::EXTERN, GliderLexer::REQUIRE});
+}
+
+inline bool isBehaviourWord(uint32_t type) {
+  return type == GliderLexer::FLIGHTPROFILE || type == GliderLexer::FLIGHTROUTE;
+}
+
+/// Begins a thing that stands directly inside a state.
+inline bool startsMember(uint32_t type) {
+  return isBehaviourWord(type) || oneOf(type, {GliderLexer::SENSORS, GliderLexer::ENTRY, GliderLexer::EVENTS});
+}
+
+inline bool isTransition(uint32_t type) {
+  return oneOf(type, {GliderLexer::GOTO, GliderLexer::CALL, GliderLexer::RETURN, GliderLexer::EXIT, GliderLexer::STAY});
+}
+
+inline bool endsValue(uint32_t type) {
+  return isAnyName(type) || oneOf(type, {GliderLexer::NUMBER, GliderLexer::STRING, GliderLexer::TRUE,
+                                         GliderLexer::FALSE, GliderLexer::RPAREN, GliderLexer::RBRACKET});
+}
+
+inline bool startsValue(uint32_t type) {
+  return isName(type) ||
+         oneOf(type, {GliderLexer::NUMBER, GliderLexer::STRING, GliderLexer::TRUE, GliderLexer::FALSE});
+}
+
+inline bool isOperator(uint32_t type) { return type >= GliderLexer::OR && type <= GliderLexer::DIVIDE; }
+
+/// Wants a name after it.
+inline bool wantsName(uint32_t type) {
+  return isBehaviourWord(type) ||
+         oneOf(type, {GliderLexer::MISSION, GliderLexer::PLATFORM, GliderLexer::CONST, GliderLexer::PARAM,
+                      GliderLexer::VAR, GliderLexer::STATE, GliderLexer::GOTO, GliderLexer::CALL, GliderLexer::SET});
+}
+
+}  // namespace glider::frontend

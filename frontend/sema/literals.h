@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+namespace glider::frontend {
+
+/// The number written `digits`; empty if a double cannot hold it. Too small for a double gives 0.
+std::optional<double> parseNumber(std::string_view digits);
+
+/// A bare position: ddmm.mmmm as the vehicle writes it.
+struct DegreesMinutes {
+  double degrees = 0;  ///< whole
+  double minutes = 0;
+  [[nodiscard]] double value() const { return degrees + minutes / 60.0; }
+};
+/// Splits `digits` (ddmm.mmmm, without sign) into degrees and minutes, the minutes read from their own digits so that
+/// nothing is lost. Empty if a double cannot hold it.
+std::optional<DegreesMinutes> parseDegreesMinutes(std::string_view digits);
+
+}  // namespace glider::frontend

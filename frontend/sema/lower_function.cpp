@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "frontend/sema/lower_expr.h"
+#include "frontend/spelling.h"
+
+namespace glider::frontend {
+
+using support::DiagnosticId;
+
+namespace {
+
+struct Function {
+  std::string_view name;
+  ir::Op op;
+  size_t fewest;
+  size_t most;
+};
+
+constexpr Function kFunctions[] = {
+#define FUNCTION(name, op, fewest, most) {#name, ir::Op::op, fewest, most},
+#define LATER_FUNCTION(name)
+#include "frontend/sema/functions.def"
+#undef LATER_FUNCTION
+#undef FUNCTION
+};
+
+constexpr std::string_view kLater[] = {
+#define FUNCTION(name, op, fewest, most)
+#define LATER_FUNCTION(name) #name,
+#include "frontend/sema/functions.def"
+#undef LATER_FUNCTION
+#undef FUNCTION
+};
+
+std::string suggestFunction(std::string_view wrong) {
+  std::vector<std::string_view> names;
+  for (const Function& function : kFunctions) {
+    names.push_back(function.name);
+  }
+  names.insert(names.end(), std::begin(kLater), std::end(kLater));
+  return didYouMean(wrong, names, "functions: abs min max clamp sqrt known age");
+}
+
+std::string countOf(size_t n) { return n == 1 ? "1 argument" : fmt::format("{} arguments", n); }
+
+}  // namespace
+
+ExprLowering::Result ExprLowering::visit(const ast::Invocation& node, const ast::Expr& expr,
+                                         std::optional<ir::Type> want) {
+  const std::string& name = node.function.text;
+  if (std::ranges::find(kLater, name) != std::end(kLater)) {
+    scope_.notYet(node.function.where, "`" + name + "`");
+    return std::nullopt;
+  }
+  const auto* function = std::ranges::find(kFunctions, std::string_view(name), &Function::name);
+  if (function == std::end(kFunctions)) {
+    if (!scope_.later_functions.contains(name)) {
+      const bool value = findClock(name) || scope_.platform().find(name) != nullptr || scope_.constants.contains(name);
+      scope_.report(DiagnosticId::unknownFunction, node.function.where, name,
+                    value ? "`" + name + "` is a value: write it without parentheses" : suggestFunction(name));
+    }
+    return std::nullopt;
+  }
+  for (const ast::Argument& argument : node.arguments) {
+    if (argument.of) {
+      scope_.notYet(argument.of->where, "a stretch with `of`");
+      return std::nullopt;
+    }
+  }
+  if (node.arguments.size() != function->fewest) {
+    constexpr std::string_view kSignatures[] = {"(x)", "(x, y)", "(x, lowest, highest)"};
+    scope_.report(DiagnosticId::wrongArgumentCount, expr.where, name, countOf(function->fewest),
+                  node.arguments.empty() ? "none" : countOf(node.arguments.size()),
+                  fmt::format("write `{}{}`", name, kSignatures[function->fewest - 1]));
+    return std::nullopt;
+  }
+  if (function->op == ir::Op::Age) {
+    return ageOf(node, expr);
+  }
+  return node.arguments.size() == 1 ? callOne(function->op, node, expr, want)
+                                    : callMany(function->op, node, expr, want);
+}
+
+ExprLowering::Result ExprLowering::ageOf(const ast::Invocation& node, const ast::Expr& expr) {
+  const ast::Expr& argument = *node.arguments.front().value;
+  const auto* use = std::get_if<ast::NameUse>(&argument.node);
+  const platforms::PlatformSensor* sensor =
+      use != nullptr && !scope_.constants.contains(use->name) ? scope_.platform().find(use->name) : nullptr;
+  if (sensor == nullptr) {
+    scope_.report(DiagnosticId::ageOfWhat, argument.where, scope_.text(argument.where));
+    return std::nullopt;
+  }
+  const ir::SensorId id = scope_.subscribe(*sensor, use->name);
+  reads_.push_back({sensor, use->name, argument.where});
+  const Value value = emit(ir::Op::Age, quantity(support::dimension::time), expr.where, {});
+  scope_.mission.exprs[value.id.index].sensor = id;
+  return value;
+}
+
+ExprLowering::Result ExprLowering::callOne(ir::Op op, const ast::Invocation& node, const ast::Expr& expr,
+                                           std::optional<ir::Type> want) {
+  const ast::Expr& argument = *node.arguments.front().value;
+  const bool keeps = op == ir::Op::Abs;
+  const Result value = lower(argument, keeps ? want : std::nullopt);
+  if (!value || !numeric(*value, argument, node.function.text, op == ir::Op::Known)) {
+    return std::nullopt;
+  }
+  if (op == ir::Op::Known) {
+    return emit(op, boolean(), expr.where, {value->id});
+  }
+  if (keeps) {
+    return emit(op, value->type, expr.where, {value->id});
+  }
+  const auto root = support::squareRoot(value->type.dimension);
+  if (!root) {
+    scope_.report(DiagnosticId::noSquareRoot, argument.where, scope_.text(argument.where), describe(value->type));
+    return std::nullopt;
+  }
+  return emit(op, quantity(*root), expr.where, {value->id});
+}
+
+/// min, max and clamp: all arguments of one kind, and bare numbers take the unit of the others.
+ExprLowering::Result ExprLowering::callMany(ir::Op op, const ast::Invocation& node, const ast::Expr& expr,
+                                            std::optional<ir::Type> want) {
+  const auto leads = [](const ast::Argument& argument) { return !takesUnitOfContext(*argument.value); };
+  const auto leader = std::ranges::find_if(node.arguments, leads);
+  const size_t first = leader == node.arguments.end() ? 0 : static_cast<size_t>(leader - node.arguments.begin());
+  const ast::Expr& model = *node.arguments[first].value;
+  const Result led = lower(model, want);
+  if (!led || !numeric(*led, model, node.function.text, true)) {
+    return std::nullopt;
+  }
+  std::array<ir::ExprId, 3> operands;
+  bool good = true;
+  for (size_t i = 0; i < node.arguments.size(); ++i) {
+    const ast::Expr& argument = *node.arguments[i].value;
+    const Result value = i == first ? led : lower(argument, led->type);
+    if (!value) {
+      good = false;
+    } else if (value->longitude.valid() || value->type != led->type) {
+      scope_.report(DiagnosticId::typesDiffer, argument.where, scope_.text(model.where), describe(led->type),
+                    scope_.text(argument.where),
+                    value->longitude.valid() ? "a position" : describe(value->type), node.function.text);
+      good = false;
+    } else {
+      operands[i] = value->id;
+    }
+  }
+  if (!good) {
+    return std::nullopt;
+  }
+  const Value result = emit(op, led->type, expr.where, {});
+  scope_.mission.exprs[result.id.index].operands = operands;
+  return result;
+}
+
+}  // namespace glider::frontend

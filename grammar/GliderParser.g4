@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// The mission language, whole (docs/language.md). Newlines are free. frontend/parse repairs and reports the usual
+// mistakes on the tokens before this grammar sees them, so it describes right missions only.
+parser grammar GliderParser;
+options { tokenVocab = GliderLexer; }
+
+file : item* EOF ;
+
+item
+  : missionLine | platformLine | importLine
+  | constant | parameter | variable
+  | always | state | behaviour | external | requirement
+  ;
+
+missionLine : MISSION anyName ;
+platformLine : PLATFORM name ;
+importLine : IMPORT STRING ;
+
+constant : CONST anyName (COLON type)? ASSIGN expr ;
+parameter : PARAM anyName COLON type ASSIGN expr range? (WHERE expr)? ;
+variable : VAR anyName COLON type ASSIGN expr range? ;
+range : IN expr RANGE expr ;
+type : name ((TIMES | DIVIDE) name)* ;
+
+always : ALWAYS eventCase+ ;
+state : STATE anyName formals? BEGIN member* END ;
+behaviour : (FLIGHTPROFILE | FLIGHTROUTE) name formals? BEGIN member* END ;
+formals : LPAREN (formal (COMMA formal)*)? RPAREN ;
+formal : anyName COLON type ;
+
+member
+  : FLIGHTROUTE use       # routeMember
+  | FLIGHTPROFILE use     # profileMember
+  | SENSORS sensorItem (COMMA sensorItem)*  # sensorsMember
+  | variable              # variableMember
+  | ENTRY block           # entryMember
+  | EVENTS eventCase*     # eventsMember
+  ;
+sensorItem : anyName (EVERY expr)? ;
+use : name arguments? ;
+target : anyName arguments? ;
+
+eventCase : CASE expr block? transition ;
+transition : GOTO target | CALL target | RETURN | EXIT | STAY | DONE ;
+
+block : DO statement* END ;
+statement
+  : SET name ASSIGN expr                                   # setStatement
+  | IF expr THEN statement* (ELSE statement*)? END         # ifStatement
+  | LOG STRING (COMMA expr)*                               # logStatement
+  | NAME arguments                                         # commandStatement
+  ;
+
+external : EXTERN declaration ;
+declaration
+  : FUNCTION name formals COLON type                       # externFunction
+  | (FLIGHTPROFILE | FLIGHTROUTE) name formals? reads?     # externBehaviour
+  | SENSOR name COLON type                                 # externSensor
+  ;
+reads : READS name (COMMA name)* ;
+
+requirement : REQUIRE promise ;
+promise
+  : ALWAYS expr              # alwaysPromise
+  | EXIT WITHIN expr         # exitPromise
+  | STACK LE expr            # stackPromise
+  | REACH anyName            # reachPromise
+  | NEVER anyName AFTER anyName  # neverPromise
+  | SURFACES EVERY expr      # surfacesPromise
+  ;
+
+expr
+  : primary                                        # primaryExpr
+  | (MINUS | NOT) expr                             # unaryExpr
+  | expr (TIMES | DIVIDE) expr                     # binaryExpr
+  | expr (PLUS | MINUS) expr                       # binaryExpr
+  | expr (LT | LE | GT | GE | EQ | NE) expr        # binaryExpr
+  | expr AND expr                                  # binaryExpr
+  | expr OR expr                                   # binaryExpr
+  ;
+primary
+  : NUMBER unit? (NUMBER COMPASS)?                 # literal
+  | (TRUE | FALSE)                                 # truth
+  | LPAREN expr RPAREN                             # parenthesis
+  | LBRACKET (expr (COMMA expr)*)? RBRACKET        # list
+  | name LBRACKET expr RBRACKET                    # index
+  | (name | MIN) arguments                         # invocation
+  | name                                           # nameUse
+  ;
+unit : unitName ((TIMES | DIVIDE) unitName)* ;
+unitName : UNIT | COMPASS | MIN ;
+arguments : LPAREN (argument (COMMA argument)*)? RPAREN ;
+argument : expr (OF name)? ;
+
+name
+  : NAME | IN | OF | WHERE | DONE | FUNCTION | SENSOR | READS | WITHIN | STACK | REACH | NEVER | AFTER | SURFACES
+  ;
+// A unit's name may name a mission or a state; elsewhere the frontend says why not.
+anyName : name | UNIT | COMPASS | MIN ;

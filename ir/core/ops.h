@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "ir/core/mission.h"
+
+#include <optional>
+#include <string_view>
+
+namespace glider::ir {
+
+/// A row of ops.def.
+struct OpInfo {
+  Op op;
+  std::string_view text;  ///< spelling in the text form
+  uint32_t operands;
+};
+
+/// The row of `op`.
+const OpInfo& opInfo(Op op);
+/// The row spelled `text`; null if there is none.
+const OpInfo* findOp(std::string_view text);
+/// The number of operations.
+size_t opCount();
+
+/// The type that `expr` must have in `mission`, given its operands' types (or its sensor's): sums,
+/// minima and the like want one type, products and quotients multiply dimensions, comparisons
+/// compare like with like. A Constant keeps its own. Empty if the operands do not fit. Operands and
+/// sensor must be in range.
+std::optional<Type> resultType(const Mission& mission, const Expr& expr);
+
+}  // namespace glider::ir

@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/eval/arithmetic.h"
+
+#include "support/check.h"
+
+#include <bit>
+#include <cmath>
+
+namespace glider::ir {
+namespace {
+
+constexpr uint64_t kSignBit = 1ULL << 63;
+constexpr uint64_t kExponentBits = 0x7FFULL << 52;
+
+uint64_t bits(double value) {
+  return std::bit_cast<uint64_t>(value);
+}
+
+bool isFinite(double value) {
+  return (bits(value) & kExponentBits) != kExponentBits;
+}
+
+/// ddmm.mmmm to degrees, the sign kept; unknown from 60 minutes on.
+double degreesMinutes(double raw) {
+  const double magnitude = std::bit_cast<double>(bits(raw) & ~kSignBit);
+  const double minutes = std::fmod(magnitude, 100);    // exact
+  const double degrees = (magnitude - minutes) / 100;  // exact: a multiple of 100
+  if (!(minutes < 60)) {
+    return kUnknown;
+  }
+  const double value = degrees + minutes / 60;
+  return settle(std::bit_cast<double>(bits(value) | (bits(raw) & kSignBit)));
+}
+
+}  // namespace
+
+const double kUnknown = std::bit_cast<double>(0x7FF8000000000000ULL);
+
+bool isKnown(double value) {
+  return (bits(value) & ~kSignBit) <= kExponentBits;
+}
+
+double settle(double value) {
+  const uint64_t exponent = bits(value) & kExponentBits;
+  if (exponent == kExponentBits) {
+    return kUnknown;
+  }
+  return exponent == 0 ? 0.0 : value;
+}
+
+double binary(Op op, double a, double b) {
+  if (!isKnown(a) || !isKnown(b)) {
+    return kUnknown;
+  }
+  switch (op) {
+    case Op::Add:
+      return settle(a + b);
+    case Op::Subtract:
+      return settle(a - b);
+    case Op::Multiply:
+      return settle(a * b);
+    case Op::Divide:
+      return settle(a / b);
+    case Op::Min:
+      return b < a ? b : a;
+    case Op::Max:
+      return a < b ? b : a;
+    default:
+      CHECK(false, "not an operation on two numbers");
+  }
+}
+
+double unary(Op op, double a) {
+  if (!isKnown(a)) {
+    return kUnknown;
+  }
+  switch (op) {
+    case Op::Negate:
+      return std::bit_cast<double>(bits(a) ^ kSignBit);
+    case Op::Abs:
+      return std::bit_cast<double>(bits(a) & ~kSignBit);
+    case Op::Sqrt:
+      return settle(std::sqrt(a));
+    default:
+      CHECK(false, "not an operation on one number");
+  }
+}
+
+double clamp(double x, double lowest, double highest) {
+  if (!isKnown(x) || !isKnown(lowest) || !isKnown(highest)) {
+    return kUnknown;
+  }
+  return x < lowest ? lowest : highest < x ? highest : x;
+}
+
+Truth compare(Op op, double a, double b) {
+  if (!isKnown(a) || !isKnown(b)) {
+    return Truth::Unknown;
+  }
+  switch (op) {
+    case Op::Less:
+      return truth(a < b);
+    case Op::LessEqual:
+      return truth(a <= b);
+    case Op::Greater:
+      return truth(a > b);
+    case Op::GreaterEqual:
+      return truth(a >= b);
+    case Op::Equal:
+      return truth(a == b);
+    case Op::NotEqual:
+      return truth(a != b);
+    default:
+      CHECK(false, "not a comparison");
+  }
+}
+
+double reading(const Sensor& sensor, double raw, double age_s) {
+  const bool plausible = isFinite(raw) && raw >= sensor.lowest && raw <= sensor.highest;
+  if (!plausible || age_s > sensor.stale_after_s) {
+    return kUnknown;
+  }
+  return sensor.encoding == Encoding::DegreesMinutes ? degreesMinutes(raw)
+                                                     : settle(raw * sensor.to_si);
+}
+
+}  // namespace glider::ir

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "ir/core/mission.h"
+#include "ir/core/truth.h"
+
+/// The operations of ir/README.md on single values. A number is a double; NaN is unknown and comes
+/// out as `kUnknown`.
+namespace glider::ir {
+
+/// The one NaN that the interpreter makes: quiet, positive, without payload.
+extern const double kUnknown;
+
+/// Whether `value` is a number, judged by its bits.
+bool isKnown(double value);
+
+/// What an IEEE result becomes: an infinity or NaN unknown, a magnitude under 2^-1022 (minus zero
+/// included) +0.
+double settle(double value);
+
+/// Add, Subtract, Multiply, Divide, Min or Max.
+double binary(Op op, double a, double b);
+/// Negate, Abs or Sqrt.
+double unary(Op op, double a);
+double clamp(double x, double lowest, double highest);
+/// Less, LessEqual, Greater, GreaterEqual, Equal or NotEqual.
+Truth compare(Op op, double a, double b);
+
+/// A sensor's value in SI units (positions: degrees) from what the vehicle reported, `age_s`
+/// seconds ago.
+double reading(const Sensor& sensor, double raw, double age_s);
+
+}  // namespace glider::ir

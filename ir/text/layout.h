@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "ir/core/mission.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace glider::ir::text {
+
+/// Which expressions are written inside their user and which get a name of their own, so that a
+/// reader who numbers expressions as it meets their ends gives each the number it has in the
+/// mission. `Mission::exprs` falls into trees of consecutive numbers; `first` is where the tree of
+/// each expression begins.
+struct Layout {
+  std::vector<uint32_t> uses;   ///< by operands, guards, arguments and log items
+  std::vector<uint32_t> first;  ///< the lowest number in the tree that ends here
+  std::vector<bool> inside;     ///< written inside its user
+};
+
+Layout layOut(const Mission& mission);
+
+}  // namespace glider::ir::text

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "ir/core/mission.h"
+#include "support/diagnostics/engine.h"
+
+#include <optional>
+
+namespace glider::ir {
+
+/// The mission whose text form (see `print`) is file `file` of `sources`, its ranges pointing into
+/// that text; or nothing and exactly one or more errors GL18xx in `diagnostics`. Any bytes are
+/// taken: memory and time grow with the text's length only. What it returns passes `validate`.
+std::optional<Mission> read(const support::SourceManager& sources, uint32_t file,
+                            support::DiagnosticEngine& diagnostics);
+
+}  // namespace glider::ir

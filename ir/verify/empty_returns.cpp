@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/verify/passes.h"
+
+#include <fmt/format.h>
+
+namespace glider::ir {
+
+void passes::emptyReturns(Verification& v) {
+  for (uint32_t s = 0; s < v.structure.size(); ++s) {
+    const std::optional<uint32_t> returns = v.structure.moves[s].return_case;
+    if (!returns || !v.structure.at({s, false})) {
+      continue;
+    }
+    const State& state = v.structure.mission.states[s];
+    auto report = v.diagnostics.report(support::DiagnosticId::emptyReturn,
+                                       state.cases[*returns].range, state.name);
+    if (s == 0) {
+      report.hint(fmt::format(
+          "the mission starts in `{}` with nothing to return to: write `exit` to end it, or `goto`",
+          state.name));
+    }
+    notePath(report, v.structure, v.structure.pathTo({s, false}));
+  }
+}
+
+}  // namespace glider::ir

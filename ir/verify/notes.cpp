@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/verify/passes.h"
+
+#include <fmt/format.h>
+
+namespace glider::ir {
+namespace {
+
+/// Of a longer path only this many steps at either end are told.
+constexpr size_t kEnds = 5;
+
+std::string step(const Structure& structure, const Edge& edge) {
+  const std::string& from = structure.mission.states[edge.from].name;
+  const std::string& to = structure.mission.states[edge.to].name;
+  return edge.call ? fmt::format("state `{}` calls `{}` and waits on the call stack", from, to)
+                   : fmt::format("state `{}` goes to `{}`, which empties the call stack", from, to);
+}
+
+}  // namespace
+
+void notePath(support::DiagnosticBuilder& report, const Structure& structure,
+              const std::vector<Edge>& path) {
+  const State& first = structure.mission.states.front();
+  report.note(first.range, fmt::format("the mission starts in state `{}`", first.name));
+  for (size_t i = 0; i < path.size(); ++i) {
+    const Edge& edge = path[i];
+    const support::SourceRange range =
+        structure.mission.states[edge.from].cases[edge.case_index].range;
+    if (path.size() > 2 * kEnds && i == kEnds) {
+      const size_t left_out = path.size() - 2 * kEnds;
+      report.note(range, fmt::format("{} transitions, of which this is the first", left_out));
+      i += left_out - 1;
+    } else {
+      report.note(range, step(structure, edge));
+    }
+  }
+}
+
+void noteDeadCase(support::DiagnosticBuilder& report, const Structure& structure, uint32_t state,
+                  uint32_t case_index) {
+  const bool hidden = structure.moves[state].dead[case_index] == Dead::Hidden;
+  report.note(structure.mission.states[state].cases[case_index].range,
+              hidden ? "this case never fires: an earlier case of the state always does"
+                     : "this case never fires: its guard is always false");
+}
+
+}  // namespace glider::ir

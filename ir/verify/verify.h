@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "ir/core/mission.h"
+#include "support/diagnostics/engine.h"
+
+#include <span>
+#include <string_view>
+
+namespace glider::ir {
+
+/// A row of verify_passes.def.
+struct VerifyPass {
+  std::string_view name;
+  std::string_view purpose;
+};
+
+/// The checks in the order in which `verify` makes them.
+std::span<const VerifyPass> verifyPasses();
+
+/// Checks `mission` (which must be valid) on its pushdown structure, exactly: guards are not
+/// interpreted, except those that are always true or always false whatever the sensors say. Reports
+/// GL3xxx; the facts are meaningful only if none of what was reported is an error. Time and memory
+/// are linear in the mission.
+MissionFacts verify(const Mission& mission, support::DiagnosticEngine& diagnostics);
+
+}  // namespace glider::ir

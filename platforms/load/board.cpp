@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "platforms/load/board.h"
+
+#include "platforms/load/toml_reader.h"
+
+namespace glider::platforms {
+namespace {
+
+const toml::table kNoTable;
+
+/// The sub-table `key`, or an empty one; one that is no table is refused.
+const toml::table& subtable(TomlReader& reader, const toml::table& root, std::string_view key) {
+  const toml::table* found = root[key].as_table();
+  if (found == nullptr && root.contains(key)) {
+    reader.refuse(key, "must be a table");
+  }
+  return found != nullptr ? *found : kNoTable;
+}
+
+/// Link inputs and lists lie in the board's own folder; a path would lead out of it.
+bool isFileName(const std::string& name) {
+  return !name.empty() && name.front() != '-' && name.find('/') == std::string::npos && name != "." && name != "..";
+}
+
+std::vector<std::string> fileNames(TomlReader& reader, std::string_view key) {
+  std::vector<std::string> names = reader.texts(key);
+  for (const std::string& name : names) {
+    if (!isFileName(name)) {
+      reader.refuse(key, "must hold names of files in the board's folder");
+    }
+  }
+  return names;
+}
+
+void readMachine(TomlReader& reader, Board& board) {
+  board.triple = reader.text("triple");
+  board.cpu = reader.text("cpu");
+  board.features = reader.text("features");
+  const std::string float_abi = reader.text("float_abi");
+  if (float_abi != "soft" && float_abi != "hard") {
+    reader.refuse("float_abi", "must be \"soft\" or \"hard\"");
+  }
+  board.float_abi = float_abi == "soft" ? FloatAbi::Soft : FloatAbi::Hard;
+  const std::string relocation = reader.text("relocation");
+  if (relocation != "static" && relocation != "pic") {
+    reader.refuse("relocation", "must be \"static\" or \"pic\"");
+  }
+  board.relocation = relocation == "pic" ? Relocation::PositionIndependent : Relocation::Static;
+  reader.texts("clang_flags");  // for the build of the runtime only
+  const int64_t limit = reader.integer("max_executable_bytes");
+  if (limit < 0) {
+    reader.refuse("max_executable_bytes", "must not be negative");
+  }
+  board.max_executable_bytes = static_cast<uint64_t>(limit);
+}
+
+void readKernel(TomlReader& reader, Board& board) {
+  reader.only({"release", "system_calls"});
+  board.kernel.release = reader.text("release");
+  board.kernel.system_calls = reader.text("system_calls");
+  if (!isFileName(board.kernel.system_calls)) {
+    reader.refuse("system_calls", "must be the name of a file in the board's folder");
+  }
+}
+
+void readLink(TomlReader& reader, Board& board) {
+  reader.only({"dynamic_linker", "before", "after"});
+  board.link.dynamic_linker = reader.text("dynamic_linker");
+  board.link.before = fileNames(reader, "before");
+  board.link.after = fileNames(reader, "after");
+}
+
+}  // namespace
+
+support::Result<Board> loadBoard(const std::filesystem::path& path) {
+  auto root = parseToml(path);
+  if (!root) {
+    return std::unexpected(root.error());
+  }
+  const std::string file = path.string();
+  Board board;
+  board.folder = path.parent_path();
+  TomlReader top(file, *root, "the board");
+  top.only({"name", "description", "triple", "cpu", "features", "float_abi", "relocation", "clang_flags",
+            "max_executable_bytes", "kernel", "emulator", "link"});
+  board.name = top.text("name");
+  board.description = top.text("description");
+  readMachine(top, board);
+  TomlReader kernel(file, subtable(top, *root, "kernel"), "[kernel]");
+  if (root->contains("kernel")) {
+    readKernel(kernel, board);
+  }
+  TomlReader emulator(file, subtable(top, *root, "emulator"), "[emulator]");
+  emulator.only({"command"});
+  board.emulator = emulator.texts("command");
+  TomlReader link(file, subtable(top, *root, "link"), "[link]");
+  readLink(link, board);
+  for (const TomlReader* part : {&top, &kernel, &emulator, &link}) {
+    if (part->failure()) {
+      return std::unexpected(*part->failure());
+    }
+  }
+  return board;
+}
+
+}  // namespace glider::platforms

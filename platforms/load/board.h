@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "support/result.h"
+
+namespace glider::platforms {
+
+enum class FloatAbi : uint8_t { Soft, Hard };
+enum class Relocation : uint8_t { Static, PositionIndependent };
+
+/// The kernel that a board runs; an empty release means this machine's.
+struct Kernel {
+  std::string release;
+  std::string system_calls;  ///< file in the board's folder that lists what it has
+};
+
+/// What lld is given round the mission's objects: names of files in the board's folder.
+struct LinkInputs {
+  std::string dynamic_linker;  ///< absolute, of the target; empty for a static executable
+  std::vector<std::string> before;
+  std::vector<std::string> after;
+};
+
+/// A single board computer as data: platforms/boards/<name>.toml.
+struct Board {
+  std::filesystem::path folder;  ///< where the file stood, with the link inputs and the runtime beside it
+  std::string name;
+  std::string description;
+  std::string triple;    ///< as LLVM names the machine
+  std::string cpu;
+  std::string features;
+  FloatAbi float_abi = FloatAbi::Hard;
+  Relocation relocation = Relocation::Static;
+  uint64_t max_executable_bytes = 0;  ///< of the stripped executable; 0: no limit
+  Kernel kernel;
+  std::vector<std::string> emulator;  ///< command that runs its executables here; empty: they run by themselves
+  LinkInputs link;
+};
+
+/// Reads and checks a board file. GL9001 if it cannot be read, GL5001 (with line) if it is not right.
+support::Result<Board> loadBoard(const std::filesystem::path& path);
+
+}  // namespace glider::platforms

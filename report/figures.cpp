@@ -1,0 +1,211 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "report/figures.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace glider::report {
+
+namespace {
+
+using support::Trace;
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+struct Range {
+  double least = kNaN;
+  double greatest = kNaN;
+};
+
+Range rangeOf(const Trace& trace, int column) {
+  Range range;
+  for (size_t row = 0; column >= 0 && row < trace.rowCount(); ++row) {
+    // fmin and fmax pass over NaN.
+    range.least = std::fmin(range.least, trace.at(row, column));
+    range.greatest = std::fmax(range.greatest, trace.at(row, column));
+  }
+  return range;
+}
+
+void measureTrack(const Trace& trace, int east, int north, FlightFigures& figures) {
+  double first_x = kNaN;
+  double first_y = kNaN;
+  double last_x = kNaN;
+  double last_y = kNaN;
+  double sum = 0;
+  for (size_t row = 0; row < trace.rowCount(); ++row) {
+    const double x = trace.at(row, east);
+    const double y = trace.at(row, north);
+    if (!std::isfinite(x) || !std::isfinite(y)) {
+      continue;
+    }
+    if (std::isnan(first_x)) {
+      first_x = x;
+      first_y = y;
+    } else {
+      sum += std::hypot(x - last_x, y - last_y);
+    }
+    last_x = x;
+    last_y = y;
+  }
+  if (!std::isnan(first_x)) {
+    figures.distance_m = sum;
+    figures.made_good_m = std::hypot(last_x - first_x, last_y - first_y);
+  }
+}
+
+void measureTrack(const Trace& trace, FlightFigures& figures) {
+  figures.distance_m = kNaN;
+  figures.made_good_m = kNaN;
+  const struct {
+    TrackSource source;
+    int east;
+    int north;
+  } candidates[] = {
+      {TrackSource::True, trace.column("true_x"), trace.column("true_y")},
+      {TrackSource::DeadReckoned, trace.column("m_x_lmc"), trace.column("m_y_lmc")},
+  };
+  for (const auto& candidate : candidates) {
+    if (candidate.east >= 0 && candidate.north >= 0 && std::isnan(figures.distance_m)) {
+      measureTrack(trace, candidate.east, candidate.north, figures);
+      figures.track = std::isnan(figures.distance_m) ? TrackSource::None : candidate.source;
+    }
+  }
+}
+
+void measureStates(const Trace& trace, int time, FlightFigures& figures) {
+  const int state = trace.column("state");
+  const int active = trace.column("hook_active");
+  if (time < 0 || (state < 0 && active < 0)) {
+    figures.layered_s = kNaN;
+    figures.stateless_s = kNaN;
+    return;
+  }
+  std::map<double, StateFigures> by_id;
+  double before = kNaN;
+  for (size_t row = 0; row < trace.rowCount(); ++row) {
+    const double id = state < 0 ? kNaN : trace.at(row, state);
+    const bool last = row + 1 == trace.rowCount();
+    const double held = last ? 0.0 : trace.at(row + 1, time) - trace.at(row, time);
+    const double held_s = std::isnan(held) ? 0.0 : held;
+    if (!std::isnan(id)) {
+      StateFigures& entry = by_id[id];
+      entry.visits += id == before ? 0 : 1;
+      entry.time_s += held_s;
+    } else if (active >= 0 && trace.at(row, active) > 0) {
+      figures.stateless_s += held_s;
+    } else {
+      figures.layered_s += held_s;
+    }
+    before = id;
+  }
+  for (auto& [id, entry] : by_id) {
+    entry.id = id;
+    entry.name = stateName(trace, id);
+    figures.states.push_back(std::move(entry));
+  }
+}
+
+const char* trackSourceName(TrackSource source) {
+  switch (source) {
+    case TrackSource::True:
+      return "true";
+    case TrackSource::DeadReckoned:
+      return "dead-reckoned";
+    case TrackSource::None:
+      break;
+  }
+  return "none";
+}
+
+}  // namespace
+
+std::vector<TurningPoint> turningPoints(const Trace& trace) {
+  const int depth = depthColumn(trace);
+  std::vector<TurningPoint> points;
+  bool diving = false;
+  double extreme = kNaN;  // the shallowest depth of this climb, or the deepest of this dive
+  size_t extreme_row = 0;
+  for (size_t row = 0; depth >= 0 && row < trace.rowCount(); ++row) {
+    const double here = trace.at(row, depth);
+    if (std::isnan(here)) {
+      continue;
+    }
+    const bool further = diving ? here >= extreme : here <= extreme;
+    if (further || std::isnan(extreme)) {
+      extreme = here;
+      extreme_row = row;
+    } else if (std::abs(here - extreme) >= kYoDepth) {
+      points.push_back({extreme_row, diving});
+      diving = !diving;
+      extreme = here;
+      extreme_row = row;
+    }
+  }
+  return points;
+}
+
+int depthColumn(const Trace& trace) {
+  const int measured = trace.column("m_depth");
+  return measured >= 0 ? measured : trace.column("true_depth");
+}
+
+std::string stateName(const Trace& trace, double id) {
+  if (id >= 0 && id < static_cast<double>(trace.state_names.size()) && std::floor(id) == id) {
+    return trace.state_names[static_cast<size_t>(id)];
+  }
+  return fmt::format("state {}", id);
+}
+
+FlightFigures flightFigures(const Trace& trace) {
+  FlightFigures figures;
+  figures.rows = trace.rowCount();
+  const int time = trace.column("time");
+  const Range times = rangeOf(trace, time);
+  figures.duration_s = times.greatest - times.least;
+  const Range depths = rangeOf(trace, depthColumn(trace));
+  figures.shallowest_m = depths.least;
+  figures.deepest_m = depths.greatest;
+  const auto turns = turningPoints(trace);
+  figures.yos = static_cast<size_t>(std::ranges::count_if(turns, &TurningPoint::at_bottom));
+  const Range temperatures = rangeOf(trace, trace.column("sci_water_temp"));
+  figures.coldest_degC = temperatures.least;
+  figures.warmest_degC = temperatures.greatest;
+  measureTrack(trace, figures);
+  measureStates(trace, time, figures);
+  for (const support::TraceEvent& event : trace.events) {
+    ++figures.events[event.kind];
+  }
+  return figures;
+}
+
+std::string figuresToJson(const FlightFigures& figures) {
+  using nlohmann::json;
+  json states = json::array();
+  for (const StateFigures& state : figures.states) {
+    states.push_back(
+        {{"id", state.id}, {"name", state.name}, {"visits", state.visits}, {"time", state.time_s}});
+  }
+  const json out = {{"rows", figures.rows},
+                    {"duration", figures.duration_s},
+                    {"shallowest", figures.shallowest_m},
+                    {"deepest", figures.deepest_m},
+                    {"yos", figures.yos},
+                    {"distance", figures.distance_m},
+                    {"madeGood", figures.made_good_m},
+                    {"track", trackSourceName(figures.track)},
+                    {"coldest", figures.coldest_degC},
+                    {"warmest", figures.warmest_degC},
+                    {"states", states},
+                    {"layered", figures.layered_s},
+                    {"stateless", figures.stateless_s}};
+  return out.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+}  // namespace glider::report

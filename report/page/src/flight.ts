@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+/** The flight as the compiler's side wrote it into the page, and the quick look-ups that all views share. */
+
+export interface Column { name: string; unit: string }
+
+export interface FlightEvent {
+  time: number | null;
+  missionTime: number | null;
+  kind: string;
+  what: string;
+  why: string;
+}
+
+export interface Field { unit: string; times: number[]; depths: number[]; values: (number | null)[] }
+
+export interface Figures {
+  rows: number;
+  duration: number | null;
+  shallowest: number | null;
+  deepest: number | null;
+  yos: number;
+  distance: number | null;
+  madeGood: number | null;
+  track: "none" | "true" | "dead-reckoned";
+  coldest: number | null;
+  warmest: number | null;
+  states: { id: number; name: string; visits: number; time: number }[];
+  layered: number | null;
+  stateless: number | null;
+}
+
+interface TraceJson {
+  mission: string;
+  scenario: string;
+  way: string;
+  seed: number;
+  states: string[];
+  columns: Column[];
+  rows: (number | null)[];
+  events: FlightEvent[];
+  field: Field;
+}
+
+export type Values = (number | null)[];
+
+export type Pilot = number | "sbc" | "layered";
+
+/** A stretch of time in which something stayed the same. `to` is where the next one begins. */
+export interface Span<T> { from: number; to: number; value: T }
+
+export class Flight {
+  readonly figures: Figures;
+  readonly mission: string;
+  readonly scenario: string;
+  readonly way: string;
+  readonly seed: number;
+  readonly stateNames: string[];
+  readonly columns: Column[];
+  readonly events: FlightEvent[];
+  readonly field: Field | null;
+  /** Vehicle time of each row, ascending, s. */
+  readonly times: number[];
+  /** The columns that have a value somewhere. */
+  private readonly values = new Map<string, Values>();
+
+  constructor(json: { figures: Figures; trace: TraceJson }) {
+    const t = json.trace;
+    this.figures = json.figures;
+    this.mission = t.mission;
+    this.scenario = t.scenario;
+    this.way = t.way;
+    this.seed = t.seed;
+    this.stateNames = t.states;
+    this.columns = t.columns;
+    this.events = t.events;
+    this.field = soundField(t.field);
+    const rows = rowsInOrder(t);
+    const width = t.columns.length;
+    t.columns.forEach((column, c) => {
+      const values = rows.map((row) => t.rows[row * width + c]);
+      if (!this.values.has(column.name) && values.some((v) => v !== null)) this.values.set(column.name, values);
+    });
+    this.times = (this.values.get("time") ?? []) as number[];
+  }
+
+  /** The values of a column, or null when the trace has none or never a value in it. */
+  column(name: string): Values | null { return this.values.get(name) ?? null; }
+
+  /** The first of `names` that has values. */
+  firstOf(...names: string[]): string | null {
+    return names.find((name) => this.column(name) !== null) ?? null;
+  }
+
+  /** The row whose time is nearest to `time`; -1 when there are no rows. */
+  rowAt(time: number): number {
+    const above = lowerBound(this.times, time);
+    if (above === 0) return this.times.length === 0 ? -1 : 0;
+    if (above === this.times.length) return above - 1;
+    return time - this.times[above - 1] <= this.times[above] - time ? above - 1 : above;
+  }
+
+  /** True while hookbeh flies: the column hook_active, or a current state where there is none. */
+  inControl(row: number): boolean {
+    const active = this.column("hook_active");
+    return active ? (active[row] ?? 0) > 0 : (this.column("state")?.[row] ?? null) !== null;
+  }
+
+  /** Who decides: the number of a state, `sbc` for a mission without states, or the vehicle's own layered control. */
+  pilot(row: number): Pilot {
+    const state = this.column("state")?.[row] ?? null;
+    return state !== null ? state : this.inControl(row) ? "sbc" : "layered";
+  }
+
+  pilotName(pilot: Pilot): string {
+    return pilot === "sbc" ? "SBC" : pilot === "layered" ? "layered control" : this.stateNames[pilot] ?? `state ${pilot}`;
+  }
+
+  /** Runs of rows for which `of` gives the same. */
+  spans<T>(of: (row: number) => T): Span<T>[] {
+    const out: Span<T>[] = [];
+    this.times.forEach((time, row) => {
+      const value = of(row);
+      const open = out[out.length - 1];
+      if (open) open.to = time;
+      if (!open || open.value !== value) out.push({ from: time, to: time, value });
+    });
+    return out;
+  }
+}
+
+/** The first index whose value is not below `x`. */
+export function lowerBound(sorted: ArrayLike<number>, x: number): number {
+  let low = 0;
+  let high = sorted.length;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (sorted[middle] < x) low = middle + 1;
+    else high = middle;
+  }
+  return low;
+}
+
+/** The rows that have a time, by time: charts and look-ups need them ascending. */
+function rowsInOrder(t: TraceJson): number[] {
+  const width = t.columns.length;
+  const time = t.columns.findIndex((c) => c.name === "time");
+  if (time < 0) return [];
+  const at = (row: number) => t.rows[row * width + time] as number;
+  const rows: number[] = [];
+  for (let row = 0; (row + 1) * width <= t.rows.length; ++row) {
+    if (t.rows[row * width + time] !== null) rows.push(row);
+  }
+  return rows.sort((a, b) => at(a) - at(b));
+}
+
+/** The field if its parts fit together, else null. */
+function soundField(field: Field): Field | null {
+  const { times, depths, values } = field;
+  const ascending = (list: number[]) => list.every((v, i) => v !== null && (i === 0 || v > list[i - 1]));
+  const sound = times.length > 0 && depths.length > 1 && values.length === times.length * depths.length &&
+    ascending(times) && ascending(depths);
+  return sound ? field : null;
+}

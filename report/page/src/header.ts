@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+/** The head of the page: which flight this is, and what it came to. */
+
+import { element, swatch } from "./dom";
+import { Figures, Flight } from "./flight";
+import { clock, fixed, length } from "./format";
+import { layeredColour, pilotColour } from "./palette";
+
+const ways = new Map(Object.entries({
+  "in-process": "flown in process",
+  host: "flown by the host binary",
+  ts7800: "flown by the TS-7800 (ARM9) binary",
+  ts5500: "flown by the TS-5500 (486) binary",
+  none: "flown by layered control alone",
+}));
+
+function figuresOf(f: Figures): [string, string][] {
+  const out: [string, string][] = [];
+  if (f.duration !== null) out.push(["duration", clock(f.duration)]);
+  if (f.deepest !== null) out.push(["deepest", `${fixed(f.deepest, 1)} m`]);
+  if (f.deepest !== null && f.shallowest !== null) out.push(["depth range", `${fixed(f.shallowest, 1)}–${fixed(f.deepest, 1)} m`]);
+  out.push(["yos", String(f.yos)]);
+  if (f.distance !== null) out.push([f.track === "dead-reckoned" ? "dead-reckoned track" : "over ground", length(f.distance)]);
+  if (f.madeGood !== null) out.push(["made good", length(f.madeGood)]);
+  if (f.warmest !== null && f.coldest !== null) out.push(["water measured", `${fixed(f.coldest, 1)}–${fixed(f.warmest, 1)} °C`]);
+  return out;
+}
+
+/** A bar cut in proportion to the time in each state, with its legend. */
+function timeShares(flight: Flight): HTMLElement | null {
+  const f = flight.figures;
+  const parts = f.states.map((s) => ({ ...s, colour: pilotColour(s.id) }));
+  if (f.stateless) parts.push({ id: -1, name: "SBC", visits: 0, time: f.stateless, colour: pilotColour("sbc") });
+  if (parts.length === 0) return null;
+  if (f.layered) parts.push({ id: -1, name: "layered control", visits: 0, time: f.layered, colour: layeredColour });
+  const bar = element("div", { class: "shares", "aria-hidden": "true" });
+  const list = element("ul", { class: "share-list" });
+  for (const part of parts) {
+    const piece = element("i");
+    piece.style.flexGrow = String(part.time);
+    piece.style.background = part.colour;
+    bar.append(piece);
+    const visits = part.visits === 0 ? "" : part.visits === 1 ? ", 1 visit" : `, ${part.visits} visits`;
+    list.append(element("li", {}, swatch(part.colour), element("b", {}, part.name), ` ${clock(part.time)}${visits}`));
+  }
+  return element("div", {}, bar, list);
+}
+
+export function header(host: HTMLElement, flight: Flight): void {
+  const title = flight.mission === "" ? "A flight" : flight.mission;
+  document.title = `${title}: flight report`;
+  const facts = [flight.scenario === "" ? "" : `scenario ${flight.scenario}`, ways.get(flight.way) ?? flight.way, `seed ${flight.seed}`,
+    `${flight.events.length} event${flight.events.length === 1 ? "" : "s"}`];
+  const tiles = element("dl", { class: "tiles" }, ...figuresOf(flight.figures).map(([name, value]) =>
+    element("div", {}, element("dt", {}, name), element("dd", {}, value))));
+  const shares = timeShares(flight);
+  host.replaceChildren(element("h1", {}, title), element("p", { class: "facts" }, facts.filter((x) => x !== "").join(" · ")),
+    tiles, ...(shares ? [shares] : []));
+}

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+/** All values of the row under the cursor, in groups, whatever columns there are. */
+
+import { element, swatch } from "./dom";
+import { Flight } from "./flight";
+import { clock, degreesMinutes, fixed, quantity } from "./format";
+import { pilotColour } from "./palette";
+import { View } from "./view";
+
+const groups: [string, Record<string, string>][] = [
+  ["Depth and attitude", {
+    m_depth: "depth", true_depth: "true depth", m_depth_rate: "depth rate", water_depth: "water depth", m_altitude: "altitude",
+    m_pitch: "pitch", c_pitch: "pitch ordered", m_roll: "roll", m_heading: "heading", c_heading: "heading ordered",
+  }],
+  ["Orders of the SBC", {
+    hook_active: "hookbeh", hook_vertical: "vertical", hook_depth: "target depth", order_top: "range from", order_bottom: "range to",
+    layer: "commanding layer",
+  }],
+  ["Water", { sci_water_temp: "temperature", sci_water_cond: "conductivity", sci_water_pressure: "pressure", isotherm_depth: "marked isotherm" }],
+  ["Vehicle", {
+    m_ballast_pumped: "pump", c_ballast_pumped: "pump ordered", m_battpos: "battery position", m_battery: "battery", m_speed: "speed",
+  }],
+  ["Position", {
+    m_lat: "latitude", m_lon: "longitude", true_lat: "true latitude", true_lon: "true longitude",
+    m_x_lmc: "east", m_y_lmc: "north", true_x: "true east", true_y: "true north",
+    c_wpt_x_lmc: "waypoint east", c_wpt_y_lmc: "waypoint north", c_wpt_lat: "waypoint latitude", c_wpt_lon: "waypoint longitude",
+  }],
+];
+const apart = new Set(["time", "missiontime", "state"]);
+const verticals = ["none", "descend", "ascend", "hover", "surface"];
+
+function valueText(name: string, unit: string, value: number): string {
+  if (name === "hook_active") return value > 0 ? "in control" : "not in control";
+  if (name === "hook_vertical") return verticals[value] ?? String(value);
+  if (/(^|_)lat$/.test(name)) return degreesMinutes(value, "N", "S");
+  if (/(^|_)lon$/.test(name)) return degreesMinutes(value, "E", "W");
+  return quantity(value, unit);
+}
+
+/** The columns of each group that the trace has, the rest under their own names at the end. */
+function present(flight: Flight): [string, { name: string; label: string; unit: string }[]][] {
+  const left = flight.columns.filter((c) => !apart.has(c.name) && flight.column(c.name) !== null);
+  const out = groups.map(([title, labels]) => [title, Object.entries(labels).flatMap(([name, label]) => {
+    const at = left.findIndex((c) => c.name === name);
+    return at < 0 ? [] : [{ name, label, unit: left.splice(at, 1)[0].unit }];
+  })] as [string, { name: string; label: string; unit: string }[]]);
+  out.push(["Other", left.map((c) => ({ name: c.name, label: c.name, unit: c.unit }))]);
+  return out.filter(([, list]) => list.length > 0);
+}
+
+export function readout(host: HTMLElement, flight: Flight, view: View): void {
+  const now = element("p", { class: "now" });
+  const state = element("p", { class: "state" });
+  host.replaceChildren(now, state);
+  const cells: { cell: HTMLElement; update: (row: number) => string }[] = [];
+  for (const [title, list] of present(flight)) {
+    const terms = element("dl");
+    for (const { name, label, unit } of list) {
+      const cell = element("dd", { "data-column": name });
+      const values = flight.column(name) ?? [];
+      cells.push({ cell, update: (row) => (values[row] == null ? "–" : valueText(name, unit, values[row] as number)) });
+      const term = element("dt", { title: name }, label);
+      terms.append(element("div", {}, term, cell));
+    }
+    host.append(element("h3", {}, title), terms);
+  }
+  const mission = flight.column("missiontime");
+  view.onCursor(() => {
+    const row = view.row;
+    const at = mission?.[row] ?? null;
+    now.replaceChildren(element("b", {}, clock(view.time)), element("span", {},
+      `${fixed(view.time, 0)} s${at === null ? "" : `, mission time ${fixed(at, 0)} s`}`));
+    const pilot = flight.pilot(row);
+    state.replaceChildren(swatch(pilotColour(pilot)), flight.pilotName(pilot),
+      ...(pilot !== "layered" && !flight.inControl(row) ? [element("span", {}, " (not in control)")] : []));
+    for (const { cell, update } of cells) {
+      const text = update(row);
+      if (cell.textContent !== text) cell.textContent = text;
+    }
+  });
+}

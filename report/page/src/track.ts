@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+/** Where the glider was, in metres east and north, whatever columns say so. */
+
+import { Flight, Values } from "./flight";
+
+export interface Point { row: number; x: number; y: number }
+export interface Track { name: string; points: Point[] }
+/** The place of a point on Earth, and metres per degree there. */
+export interface Anchor { x: number; y: number; lat: number; lon: number; perLat: number; perLon: number }
+export interface Place { x: number; y: number }
+
+const radians = Math.PI / 180;
+
+/** Lengths of a degree on the WGS 84 ellipsoid at latitude `lat`, m: the usual series (e.g. Snyder 1987, eq. 3-18 ff.). */
+function metresPerDegree(lat: number): { perLat: number; perLon: number } {
+  const p = lat * radians;
+  return {
+    perLat: 111132.954 - 559.822 * Math.cos(2 * p) + 1.175 * Math.cos(4 * p),
+    perLon: 111412.84 * Math.cos(p) - 93.5 * Math.cos(3 * p) + 0.118 * Math.cos(5 * p),
+  };
+}
+
+function pairs(a: Values, b: Values): Point[] {
+  const out: Point[] = [];
+  a.forEach((x, row) => {
+    const y = b[row];
+    if (x !== null && y !== null) out.push({ row, x, y });
+  });
+  return out;
+}
+
+function pointsOf(flight: Flight, east: string, north: string): Point[] {
+  const [x, y] = [flight.column(east), flight.column(north)];
+  return x && y ? pairs(x, y) : [];
+}
+
+/** A place known both in metres and in degrees; from degrees alone the first one becomes the origin. */
+export function anchorOf(flight: Flight): Anchor | null {
+  const tries = [["true_lat", "true_lon", "true_x", "true_y"], ["m_lat", "m_lon", "m_x_lmc", "m_y_lmc"]];
+  for (const [lat, lon, x, y] of tries) {
+    const degrees = pointsOf(flight, lon, lat);
+    const metres = new Map(pointsOf(flight, x, y).map((p) => [p.row, p]));
+    const both = degrees.find((p) => metres.has(p.row));
+    const at = both && metres.get(both.row);
+    if (both && at) return { x: at.x, y: at.y, lat: both.y, lon: both.x, ...metresPerDegree(both.y) };
+  }
+  for (const [lat, lon] of tries) {
+    const first = pointsOf(flight, lon, lat)[0];
+    if (first) return { x: 0, y: 0, lat: first.y, lon: first.x, ...metresPerDegree(first.y) };
+  }
+  return null;
+}
+
+function fromDegrees(points: Point[], anchor: Anchor | null): Point[] {
+  if (!anchor) return [];
+  return points.map((p) => ({
+    row: p.row,
+    x: anchor.x + (p.x - anchor.lon) * anchor.perLon,
+    y: anchor.y + (p.y - anchor.lat) * anchor.perLat,
+  }));
+}
+
+/** The true track and the dead-reckoned one, those there are, the true one first. */
+export function tracksOf(flight: Flight, anchor: Anchor | null): Track[] {
+  const one = (name: string, x: string, y: string, lat: string, lon: string): Track => {
+    const metres = pointsOf(flight, x, y);
+    return { name, points: metres.length > 0 ? metres : fromDegrees(pointsOf(flight, lon, lat), anchor) };
+  };
+  return [
+    one("true track", "true_x", "true_y", "true_lat", "true_lon"),
+    one("dead reckoned", "m_x_lmc", "m_y_lmc", "m_lat", "m_lon"),
+  ].filter((t) => t.points.length > 0);
+}
+
+/** A flight that names more waypoints than this is steered towards moving points, which are no waypoints. */
+const mostWaypoints = 100;
+
+/** The different waypoints that were steered for, in order; the first mostWaypoints of them. */
+export function waypointsOf(flight: Flight, anchor: Anchor | null): Place[] {
+  const metres = pointsOf(flight, "c_wpt_x_lmc", "c_wpt_y_lmc");
+  const all = metres.length > 0 ? metres : fromDegrees(pointsOf(flight, "c_wpt_lon", "c_wpt_lat"), anchor);
+  const out: Place[] = [];
+  for (const { x, y } of all) {
+    if (out.length === mostWaypoints) break;
+    if (!out.some((p) => Math.hypot(p.x - x, p.y - y) < 1)) out.push({ x, y });
+  }
+  return out;
+}

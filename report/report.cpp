@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "report/report.h"
+
+#include "report/page.h"
+#include "support/files.h"
+
+namespace glider::report {
+
+support::Result<void> writeReport(const support::Trace& trace, const std::filesystem::path& path) {
+  auto written = support::writeFileAtomically(path, renderPage(trace));
+  if (!written) {
+    return support::fail(support::DiagnosticId::reportNotWritten, written.error().message);
+  }
+  return {};
+}
+
+}  // namespace glider::report

@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "report/summary.h"
+
+#include "report/figures.h"
+#include "report/text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace glider::report {
+
+namespace {
+
+using support::Trace;
+using support::TraceEvent;
+
+constexpr size_t kWidth = 100;
+constexpr size_t kMostEvents = 60;  // of each of the two lists; the page and the CSV have them all
+constexpr size_t kMostStates = 40;
+
+std::string wayName(const std::string& way) {
+  if (way == "in-process") {
+    return "in process";
+  }
+  if (way == "none") {
+    return "by layered control alone";
+  }
+  return way.empty() ? "" : "on " + plain(way);
+}
+
+std::string heading(const Trace& trace) {
+  std::string out = trace.mission.empty() ? "flight" : plain(trace.mission);
+  const std::string way = wayName(trace.way);
+  out += trace.scenario.empty() ? "" : fmt::format(", scenario {}", plain(trace.scenario));
+  out += way.empty() ? "" : fmt::format(", flown {}", way);
+  out += fmt::format(", seed {}", trace.seed);
+  return wrapped(out, kWidth, 2);
+}
+
+std::string figureLines(const FlightFigures& figures) {
+  std::string out;
+  const auto line = [&out](std::string_view label, const std::string& value) {
+    out += fmt::format("  {:<13}{}\n", label, value);
+  };
+  if (std::isfinite(figures.duration_s)) {
+    line("duration",
+         fmt::format("{} ({:.0f} s)", clockText(figures.duration_s), figures.duration_s));
+  }
+  if (std::isfinite(figures.deepest_m)) {
+    line("depth", fmt::format("{:.1f} to {:.1f} m, {} yo{}", figures.shallowest_m,
+                              figures.deepest_m, figures.yos, figures.yos == 1 ? "" : "s"));
+  }
+  if (std::isfinite(figures.distance_m)) {
+    line("distance",
+         fmt::format("{:.0f} m over ground{}, {:.0f} m made good", figures.distance_m,
+                     figures.track == TrackSource::DeadReckoned ? " (dead reckoned)" : "",
+                     figures.made_good_m));
+  }
+  if (std::isfinite(figures.warmest_degC)) {
+    line("temperature",
+         fmt::format("{:.1f} to {:.1f} degC", figures.coldest_degC, figures.warmest_degC));
+  }
+  return out;
+}
+
+std::string stateLines(const FlightFigures& figures) {
+  if (figures.states.empty() && !(figures.stateless_s > 0)) {
+    return "";
+  }
+  size_t column = std::string_view("(layered control)").size();
+  for (const StateFigures& state : figures.states) {
+    column = std::max(column, std::min<size_t>(width(plain(state.name)), 56));
+  }
+  std::string out = fmt::format("\n{} visits       time  share\n", padded("states", column + 2));
+  const auto line = [&](const std::string& name, const std::string& visits, double time_s) {
+    const double share = figures.duration_s > 0 ? 100.0 * time_s / figures.duration_s : 0.0;
+    out += fmt::format("  {}{:>7} {:>8.0f} s {:>4.0f} %\n", padded(cut(name, column), column),
+                       visits, time_s, share);
+  };
+  for (size_t i = 0; i < std::min(figures.states.size(), kMostStates); ++i) {
+    const StateFigures& state = figures.states[i];
+    line(plain(state.name), fmt::format("{}", state.visits), state.time_s);
+  }
+  if (figures.states.size() > kMostStates) {
+    out += fmt::format("  and {} more\n", figures.states.size() - kMostStates);
+  }
+  if (figures.stateless_s > 0) {
+    line("(SBC, no state)", "", figures.stateless_s);
+  }
+  if (figures.layered_s > 0) {
+    line("(layered control)", "", figures.layered_s);
+  }
+  return out;
+}
+
+std::string secondsText(double seconds) {
+  return std::isfinite(seconds) ? fmt::format("{:.0f} s", seconds) : "-";
+}
+
+std::string eventLine(const TraceEvent& event, bool with_kind) {
+  const std::string times =
+      fmt::format("  {:>9} {:>9}  ", secondsText(event.time_s), secondsText(event.mission_time_s));
+  const std::string kind = with_kind ? padded(cut(plain(event.kind), 12), 12) : "";
+  const size_t indent = times.size() + width(kind);
+  const std::string what = plain(event.what);
+  const std::string why = plain(event.why);
+  if (indent + width(what) + 2 + width(why) <= kWidth) {
+    return fmt::format("{}{}{}{}\n", times, kind, what, why.empty() ? "" : "  " + why);
+  }
+  std::string out = wrapped(times + kind + what, kWidth, indent + 2);
+  if (!why.empty()) {
+    out += wrapped(std::string(indent + 2, ' ') + why, kWidth, indent + 2);
+  }
+  return out;
+}
+
+std::string eventLines(const Trace& trace, bool transitions) {
+  std::string out;
+  size_t count = 0;
+  for (const TraceEvent& event : trace.events) {
+    if ((event.kind == "transition") != transitions) {
+      continue;
+    }
+    if (++count <= kMostEvents) {
+      out += eventLine(event, !transitions);
+    }
+  }
+  if (count == 0) {
+    return "";
+  }
+  if (count > kMostEvents) {
+    out += fmt::format("  and {} more: see the report\n", count - kMostEvents);
+  }
+  return fmt::format("\n{}\n       time   mission\n{}",
+                     transitions ? "transitions" : "other events", out);
+}
+
+}  // namespace
+
+std::string summarize(const Trace& trace) {
+  const FlightFigures figures = flightFigures(trace);
+  std::string out = heading(trace);
+  out += figures.rows == 0 ? "  nothing was recorded\n" : figureLines(figures);
+  out += stateLines(figures);
+  out += eventLines(trace, true);
+  out += eventLines(trace, false);
+  return out;
+}
+
+}  // namespace glider::report

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#ifndef GLIDER_RUNTIME_ABI_RUNTIME_H
+#define GLIDER_RUNTIME_ABI_RUNTIME_H
+
+/* The event runtime as a plain C interface: what a board's main program, the in-process driver and
+   the judges of generated code call. A host shared object of a mission exports what
+   entry_points.def lists, and `gliderMission`.
+
+   All memory is the caller's; nothing here allocates, blocks or touches the operating system. */
+
+#include "hooks/transport/byte_stream.h"
+#include "hooks/transport/clock.h"
+#include "runtime/abi/glider_abi.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct GliderRuntime GliderRuntime;
+
+/* One sensor of a frame, in the vehicle's unit. */
+typedef struct GliderUpdate {
+  double value;
+  uint32_t id; /* number in the platform file */
+  uint32_t reserved;
+} GliderUpdate;
+
+/* Where the mission log goes. */
+typedef struct GliderLogSink {
+  void* self;
+  /* Takes the bytes of whole lines; returns how many were taken. Fewer, or a negative number, is a
+     failure, which is counted and never stops the mission. NULL: there is no log. */
+  int32_t (*write)(void* self, const uint8_t* bytes, uint32_t count);
+} GliderLogSink;
+
+typedef struct GliderRuntimeOptions {
+  GliderLogSink log;
+} GliderRuntimeOptions;
+
+typedef enum GliderRuntimeStatus {
+  kGliderRuntimeIdle,       /* no whole frame is there: wait for bytes, or for the clock */
+  kGliderRuntimeProgressed, /* a frame, or a tick of the clock alone, was dealt with: poll again */
+  kGliderRuntimeFinished,   /* the mission has ended and the vehicle has its own control back */
+  kGliderRuntimeLinkClosed  /* the stream's other end has gone */
+} GliderRuntimeStatus;
+
+#define ENTRY_POINT(result, name, parameters) result name parameters;
+
+/* gliderRuntimeSize: bytes of memory that gliderRuntimeInit wants, aligned for a double.
+
+   gliderRuntimeInit: makes a runtime in `memory` that waits for control of the vehicle.
+   `context_memory` holds mission->context_bytes, aligned for a double; `options` may be NULL.
+   Returns NULL if the mission was made for another ABI, describes itself wrongly, or subscribes
+   more sensors than the link carries.
+
+   gliderRuntimePoll: handles at most one frame of the vehicle, or, after 12 s of silence by
+   `clock`, a tick of the clock alone. Never blocks.
+
+   gliderRuntimeContext: the running mission's state, for tests and displays; NULL before control
+   was given.
+
+   gliderStart, gliderStep: the tick of ir/README.md with no link and no log: pure and
+   deterministic. gliderStart makes the context in `context_memory` and runs the start with the
+   frame in which control was given. A mission time smaller than the last counts as that. */
+#include "runtime/abi/entry_points.def"
+#undef ENTRY_POINT
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "runtime/board/files.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <string.h>
+#include <unistd.h>
+
+namespace glider::runtime {
+namespace {
+
+bool tryAgain() {
+  return errno == EAGAIN || errno == EINTR;
+}
+
+int32_t readInput(void*, uint8_t* bytes, uint32_t capacity) {
+  const ssize_t got = read(STDIN_FILENO, bytes, capacity);
+  if (got > 0) {
+    return static_cast<int32_t>(got);
+  }
+  if (got == 0) {
+    return kGliderStreamClosed;
+  }
+  return tryAgain() ? 0 : static_cast<int32_t>(kGliderStreamFailed);
+}
+
+int32_t writeOutput(void*, const uint8_t* bytes, uint32_t count) {
+  const ssize_t taken = write(STDOUT_FILENO, bytes, count);
+  if (taken >= 0) {
+    return static_cast<int32_t>(taken);
+  }
+  if (errno == EPIPE) {
+    return kGliderStreamClosed;
+  }
+  return tryAgain() ? 0 : static_cast<int32_t>(kGliderStreamFailed);
+}
+
+/// The log of a full card is given up at once, never waited for.
+int32_t writeLog(void* self, const uint8_t* bytes, uint32_t count) {
+  const int descriptor = *static_cast<const int*>(self);
+  uint32_t written = 0;
+  while (written < count) {
+    const ssize_t taken = write(descriptor, bytes + written, count - written);
+    if (taken <= 0 && !(taken < 0 && errno == EINTR)) {
+      break;
+    }
+    written += taken > 0 ? static_cast<uint32_t>(taken) : 0U;
+  }
+  return static_cast<int32_t>(written);
+}
+
+void dontBlock(int descriptor) {
+  const int flags = fcntl(descriptor, F_GETFL);
+  if (flags >= 0) {
+    (void)fcntl(descriptor, F_SETFL, flags | O_NONBLOCK);
+  }
+}
+
+}  // namespace
+
+void say(const char* const* pieces) {
+  for (; *pieces != nullptr; ++pieces) {
+    // Nobody may be listening on a vehicle.
+    (void)!write(STDERR_FILENO, *pieces, strlen(*pieces));
+  }
+}
+
+GliderByteStream standardStream() {
+  dontBlock(STDIN_FILENO);
+  dontBlock(STDOUT_FILENO);
+  return {nullptr, readInput, writeOutput};
+}
+
+GliderLogSink openLog(const char* path) {
+  static int descriptor = -1;
+  descriptor = open(path, O_WRONLY | O_CREAT | O_TRUNC, 0644);
+  return {&descriptor, descriptor >= 0 ? writeLog : nullptr};
+}
+
+}  // namespace glider::runtime

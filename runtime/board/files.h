@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "hooks/transport/byte_stream.h"
+#include "runtime/abi/runtime.h"
+
+/// The operating system's files, of which a board needs three: messages, standard input and output
+/// as a stream, the log.
+namespace glider::runtime {
+
+/// Writes the pieces of a message to standard error; a null piece ends it.
+void say(const char* const* pieces);
+
+/// Says `pieces` (C strings) as one line on standard error.
+template <typename... Pieces>
+void tell(Pieces... pieces) {
+  const char* const list[] = {pieces..., "\n", nullptr};
+  say(list);
+}
+
+/// Standard input and output as a byte stream that never blocks.
+GliderByteStream standardStream();
+
+/// Opens the log anew and makes a sink of it; a null write function if it cannot be opened.
+GliderLogSink openLog(const char* path);
+
+}  // namespace glider::runtime

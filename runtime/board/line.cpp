@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "runtime/board/line.h"
+
+#include "runtime/board/files.h"
+
+#include <poll.h>
+#include <unistd.h>
+
+namespace glider::runtime {
+namespace {
+
+/// Silence is counted in seconds: so long to sleep when no byte comes, ms.
+constexpr int kNapMs = 1000;
+
+const char* portOf(const Options& options) {
+  return options.port != nullptr ? options.port : defaultPort();
+}
+
+void tellHelp(const char* mission_name) {
+  tell(
+      "mission ", mission_name,
+      ": takes part in steering a glider over a serial line\n"
+      "  --port PATH  the line to the science computer (else ",
+      defaultPort(),
+      ")\n"
+      "  --baud N     its speed, bits/s (else 115200)\n"
+      "  --stdio      standard input and output instead of a port\n"
+      "  --log FILE   write the mission's log\n"
+      "  --version    which mission and runtime this is\n"
+      "status: 0 the mission ended and gave control back, 1 wrong use, 2 no port or its link lost");
+}
+
+}  // namespace
+
+int tellWish(const Options& options, const char* mission_name) {
+  switch (options.wish) {
+    case Options::Wish::Help:
+      tellHelp(mission_name);
+      return kDone;
+    case Options::Wish::Version: {
+      const char abi[] = {static_cast<char>('0' + GLIDER_ABI_VERSION), '\0'};
+      tell("mission ", mission_name, ", glidercc runtime, ABI ", abi);
+      return kDone;
+    }
+    default:
+      tell("error: cannot make sense of `", options.wrong, "`; --help says what there is");
+      return kWrongUse;
+  }
+}
+
+OpenPort openLine(const Options& options) {
+  if (options.stdio) {
+    return {standardStream(), STDIN_FILENO, nullptr};
+  }
+  const OpenPort port = openPort(portOf(options), options.baud);
+  if (port.problem != nullptr) {
+    tell("error: cannot open `", portOf(options), "`: ", port.problem);
+  }
+  return port;
+}
+
+GliderLogSink openLogOf(const Options& options) {
+  if (options.log == nullptr) {
+    return {};
+  }
+  const GliderLogSink sink = openLog(options.log);
+  if (sink.write == nullptr) {
+    tell("warning: cannot write the log `", options.log, "`; the mission flies without");
+  }
+  return sink;
+}
+
+void waitForLine(int descriptor) {
+  pollfd wanted{descriptor, POLLIN, 0};
+  if (poll(&wanted, 1, kNapMs) < 0) {
+    (void)poll(nullptr, 0, 10);  // never spin, whatever poll has against the line
+  }
+}
+
+}  // namespace glider::runtime

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// The program of a mission on an SBC. Static memory only; what it needs of the operating system,
+// Linux 2.4 has.
+
+#include "hooks/transport/system_clock.h"
+#include "runtime/board/arithmetic.h"
+#include "runtime/board/files.h"
+#include "runtime/board/line.h"
+#include "runtime/core/runtime.h"
+
+#include <signal.h>
+
+namespace glider::runtime {
+namespace {
+
+int fly(GliderRuntime* runtime, const OpenPort& line) {
+  static hooks::SystemClock system_clock;
+  const GliderClock clock = system_clock.clock();
+  while (true) {
+    switch (gliderRuntimePoll(runtime, &line.stream, &clock)) {
+      case kGliderRuntimeIdle:
+        waitForLine(line.descriptor);
+        break;
+      case kGliderRuntimeProgressed:
+        break;
+      case kGliderRuntimeFinished:
+        return kDone;
+      case kGliderRuntimeLinkClosed:
+        tell("error: the line to the vehicle is closed");
+        return kNoLink;
+    }
+  }
+}
+
+int run(const Options& options) {
+  const OpenPort line = openLine(options);
+  if (line.problem != nullptr) {
+    return kNoLink;
+  }
+  alignas(GliderRuntime) static uint8_t memory[sizeof(GliderRuntime)];
+  const GliderRuntimeOptions runtime_options{openLogOf(options)};
+  GliderRuntime* runtime =
+      gliderRuntimeInit(memory, gliderContextMemory, &gliderMission, &runtime_options);
+  if (runtime == nullptr) {
+    tell("error: this mission was made for another runtime");
+    return kWrongUse;
+  }
+  return fly(runtime, line);
+}
+
+}  // namespace
+}  // namespace glider::runtime
+
+int main(int argc, char** argv) {
+  using namespace glider::runtime;
+  useDoublePrecision();
+  signal(SIGPIPE, SIG_IGN);
+  const Options options = readOptions(argc, argv);
+  return options.wish == Options::Wish::Fly ? run(options) : tellWish(options, gliderMission.name);
+}

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "runtime/board/options.h"
+
+#include <string.h>
+
+namespace glider::runtime {
+namespace {
+
+bool readBaud(const char* text, uint32_t& baud) {
+  uint32_t value = 0;
+  for (const char* c = text; *c != '\0'; ++c) {
+    if (*c < '0' || *c > '9' || value > 4000000U) {
+      return false;
+    }
+    value = value * 10U + static_cast<uint32_t>(*c - '0');
+  }
+  baud = value;
+  return value > 0;
+}
+
+bool is(const char* argument, const char* name) {
+  return strcmp(argument, name) == 0;
+}
+
+/// True if `argument` is an option that takes `value` and the value is good.
+bool withValue(const char* argument, const char* value, Options& options) {
+  if (is(argument, "--port")) {
+    options.port = value;
+    return true;
+  }
+  if (is(argument, "--log")) {
+    options.log = value;
+    return true;
+  }
+  return is(argument, "--baud") && readBaud(value, options.baud);
+}
+
+bool withoutValue(const char* argument, Options& options) {
+  if (is(argument, "--stdio")) {
+    options.stdio = true;
+    return true;
+  }
+  if (is(argument, "--help") || is(argument, "-h")) {
+    options.wish = Options::Wish::Help;
+    return true;
+  }
+  if (is(argument, "--version")) {
+    options.wish = Options::Wish::Version;
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+Options readOptions(int argc, char** argv) {
+  Options options;
+  for (int i = 1; i < argc; ++i) {
+    if (withoutValue(argv[i], options)) {
+      continue;
+    }
+    if (i + 1 < argc && withValue(argv[i], argv[i + 1], options)) {
+      ++i;
+      continue;
+    }
+    options.wish = Options::Wish::Wrong;
+    options.wrong = argv[i];
+    return options;
+  }
+  return options;
+}
+
+}  // namespace glider::runtime

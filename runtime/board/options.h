@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <stdint.h>
+
+/// The command line of a mission's program.
+namespace glider::runtime {
+
+struct Options {
+  enum class Wish : uint8_t { Fly, Help, Version, Wrong };
+  Wish wish = Wish::Fly;
+  const char* wrong = "";      ///< the argument that is not understood
+  const char* port = nullptr;  ///< null: the board's default
+  uint32_t baud = 115200;
+  bool stdio = false;         ///< the protocol runs over standard input and output
+  const char* log = nullptr;  ///< null: no log
+};
+
+Options readOptions(int argc, char** argv);
+
+}  // namespace glider::runtime

@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "runtime/abi/behaviour.h"
+#include "runtime/c/glider.h"
+#include "runtime/c/program.h"
+
+using glider::runtime::Program;
+
+namespace {
+
+constexpr uint32_t kMostLists = 16;
+constexpr uint32_t kMostEvents = 16;
+
+bool fires(const gliderEvent& tested) {
+  if (tested.op == CUSTOM) {
+    return tested.test(tested.data) != 0;
+  }
+  const double value = gliderSensor(tested.sensor);
+  switch (tested.op) {  // no comparison with an unknown reading, NaN, is true
+    case LEQ:
+      return value <= *tested.limit;
+    case LESS:
+      return value < *tested.limit;
+    case GEQ:
+      return value >= *tested.limit;
+    default:
+      return value > *tested.limit;
+  }
+}
+
+bool subscribe(const gliderEvent& added) {
+  if (added.op == CUSTOM && added.test == thermoMet) {
+    return Program::instance().use(GLIDER_M_DEPTH) &&
+           Program::instance().use(GLIDER_SCI_WATER_TEMP);
+  }
+  return added.sensor == MISSION_TIME || Program::instance().use(added.sensor);
+}
+
+}  // namespace
+
+struct gliderEventList {
+  event events[kMostEvents];
+  uint32_t count;
+};
+
+extern "C" eventList newEventList(void) {
+  static gliderEventList lists[kMostLists];
+  static uint32_t used = 0;
+  return used < kMostLists ? &lists[used++] : nullptr;
+}
+
+extern "C" int addEvent(eventList list, event added) {
+  if (list == nullptr || list->count == kMostEvents || !subscribe(*added)) {
+    return -1;
+  }
+  list->events[list->count++] = added;
+  return 0;
+}
+
+extern "C" int useSensor(uint32_t sensor) {
+  return Program::instance().use(sensor) ? 0 : -1;
+}
+
+extern "C" eventList gliderRun(eventList list) {
+  static gliderEventList fired;
+  fired.count = 0;
+  while (fired.count == 0) {
+    if (!Program::instance().nextTick()) {
+      return nullptr;
+    }
+    for (uint32_t i = 0; list != nullptr && i < list->count; ++i) {
+      if (fires(*list->events[i])) {
+        fired.events[fired.count++] = list->events[i];
+      }
+    }
+  }
+  return &fired;
+}
+
+extern "C" event nextEvent(eventList fired, event previous) {
+  if (fired == nullptr) {
+    return nullptr;
+  }
+  uint32_t next = 0;
+  for (uint32_t i = 0; previous != nullptr && i < fired->count; ++i) {
+    if (fired->events[i] == previous) {
+      next = i + 1;
+    }
+  }
+  return next < fired->count ? fired->events[next] : nullptr;
+}
+
+extern "C" double gliderSensor(uint32_t sensor) {
+  const GliderContext& context = Program::instance().context();
+  return sensor == MISSION_TIME ? gliderMissionTime(&context) : gliderRead(&context, sensor);
+}
+
+extern "C" void giveBack(void) {
+  Program::instance().giveBack();
+}
+
+extern "C" int gliderExitStatus(void) {
+  return Program::instance().released() ? 0 : 2;
+}

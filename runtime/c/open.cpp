@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "hooks/transport/system_clock.h"
+#include "runtime/board/arithmetic.h"
+#include "runtime/board/files.h"
+#include "runtime/board/line.h"
+#include "runtime/board/options.h"
+#include "runtime/c/glider.h"
+#include "runtime/c/program.h"
+
+#include <signal.h>
+
+namespace {
+
+int line_descriptor = -1;
+
+int waitForBytes() {
+  glider::runtime::waitForLine(line_descriptor);
+  return 1;
+}
+
+}  // namespace
+
+extern "C" int gliderOpen(int argc, char** argv, const char* mission_name) {
+  using namespace glider::runtime;
+  static glider::hooks::SystemClock clock;
+  useDoublePrecision();
+  signal(SIGPIPE, SIG_IGN);
+  const Options options = readOptions(argc, argv);
+  if (options.wish != Options::Wish::Fly) {
+    return tellWish(options, mission_name);
+  }
+  const OpenPort line = openLine(options);
+  if (line.problem != nullptr) {
+    return kNoLink;
+  }
+  line_descriptor = line.descriptor;
+  Program::instance().attach(
+      {line.stream, clock.clock(), waitForBytes, mission_name, openLogOf(options)});
+  return kDone;
+}

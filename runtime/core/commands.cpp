@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// The vehicle commands of behaviour.h: each sets what is in force, or is refused and counted. What
+// a command does not use stands at 0, so that equal commands are equal contexts.
+
+#include "runtime/abi/behaviour.h"
+#include "runtime/core/numbers.h"
+
+#include <math.h>
+
+namespace glider::runtime {
+namespace {
+
+/// False, and counted, if a value is unknown (or infinite, which only foreign code can compute).
+bool known(GliderContext& context, double a, double b) {
+  if (isFinite(a) && isFinite(b)) {
+    return true;
+  }
+  ++context.refused_commands;
+  return false;
+}
+
+void setVertical(GliderContext& context, GliderVertical vertical, double depth, double pitch) {
+  context.vertical = vertical;
+  context.depth = depth;
+  context.pitch = pitch;
+}
+
+void setLateral(GliderContext& context, GliderLateral lateral, double heading, double latitude,
+                double longitude) {
+  context.lateral = lateral;
+  context.heading = heading;
+  context.latitude = latitude;
+  context.longitude = longitude;
+}
+
+/// The same direction in [0, 2 pi).
+double wrapped(double heading) {
+  const double rest = fmod(heading, kTwoPi);
+  const double positive = rest < 0.0 ? rest + kTwoPi : rest;
+  return positive < kTwoPi ? positive : 0.0;
+}
+
+}  // namespace
+}  // namespace glider::runtime
+
+using glider::runtime::known;
+using glider::runtime::magnitude;
+using glider::runtime::negated;
+using glider::runtime::setLateral;
+using glider::runtime::setVertical;
+
+extern "C" void gliderDescend(GliderContext* context, double depth, double pitch) {
+  if (known(*context, depth, pitch)) {
+    setVertical(*context, kGliderDescend, depth, negated(magnitude(pitch)));
+  }
+}
+
+extern "C" void gliderAscend(GliderContext* context, double depth, double pitch) {
+  if (known(*context, depth, pitch)) {
+    setVertical(*context, kGliderAscend, depth, magnitude(pitch));
+  }
+}
+
+extern "C" void gliderHover(GliderContext* context, double depth) {
+  if (known(*context, depth, 0.0)) {
+    setVertical(*context, kGliderHover, depth, 0.0);
+  }
+}
+
+extern "C" void gliderSurface(GliderContext* context) {
+  setVertical(*context, kGliderSurface, 0.0, 0.0);
+}
+
+extern "C" void gliderDriftFree(GliderContext* context) {
+  setLateral(*context, kGliderDrift, 0.0, 0.0, 0.0);
+}
+
+extern "C" void gliderSteer(GliderContext* context, double heading) {
+  if (known(*context, heading, 0.0)) {
+    setLateral(*context, kGliderHeading, glider::runtime::wrapped(heading), 0.0, 0.0);
+  }
+}
+
+extern "C" void gliderSteerTo(GliderContext* context, double latitude, double longitude) {
+  if (known(*context, latitude, longitude)) {
+    setLateral(*context, kGliderWaypoint, 0.0, latitude, longitude);
+  }
+}

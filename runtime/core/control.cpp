@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "runtime/core/control.h"
+
+#include "runtime/core/instruction.h"
+
+namespace glider::runtime {
+
+using hooks::HookAnswer;
+using hooks::HookControl;
+using hooks::HookState;
+using Kind = ControlNews::Kind;
+
+ControlNews Control::observe(const hooks::VehicleTick& tick) {
+  state_ = tick.hook_state;
+  const ControlNews answer = settlePending(tick);
+  return answer.kind != Kind::None ? answer : noticeLoss();
+}
+
+ControlNews Control::settlePending(const hooks::VehicleTick& tick) {
+  const bool answered = pending_ != HookControl::None && tick.answer != HookAnswer::None &&
+                        tick.answered_sequence == pending_sequence_;
+  if (!answered) {
+    return {};
+  }
+  if (tick.answer != HookAnswer::Accepted) {
+    return refused(tick.answer);
+  }
+  const HookControl accepted = pending_;
+  pending_ = HookControl::None;
+  switch (accepted) {
+    case HookControl::Take:
+      ours_ = true;
+      unconfirmed_ = 0;
+      return {Kind::Taken, pending_sequence_, tick.answer};
+    case HookControl::GiveBack:
+      released_ = true;
+      return {Kind::Released, pending_sequence_, tick.answer};
+    default:
+      return {};
+  }
+}
+
+ControlNews Control::refused(HookAnswer answer) {
+  if (answer == HookAnswer::BadCheck) {  // something was lost on the way: the client sends it again
+    const bool told = garbled_told_;
+    garbled_told_ = true;
+    return told ? ControlNews{} : ControlNews{Kind::Refused, pending_sequence_, answer};
+  }
+  if (pending_ == HookControl::GiveBack) {
+    released_ = true;  // not ours any more: nothing to give back
+  } else if (pending_ == HookControl::Take) {
+    out_of_bounds_ = answer != HookAnswer::WrongSession && answer != HookAnswer::NotReady;
+  }
+  pending_ = HookControl::None;
+  return {Kind::Refused, pending_sequence_, answer};
+}
+
+/// A handshake that was accepted counts until the vehicle's state has had time to say otherwise:
+/// answer and state may come in different frames.
+ControlNews Control::noticeLoss() {
+  if (!ours_) {
+    return {};
+  }
+  if (state_ == HookState::Active) {
+    unconfirmed_ = kConfirmTicks;  // from now on any other state is a loss at once
+    return {};
+  }
+  if (unconfirmed_ < kConfirmTicks) {
+    ++unconfirmed_;
+    return {};
+  }
+  ours_ = false;
+  pending_ = HookControl::None;
+  return {Kind::Lost, 0, HookAnswer::None};
+}
+
+bool Control::mayTake() const {
+  // Active, but not for us: a session from before this program was restarted.
+  return !ours_ &&
+         (state_ == HookState::Ready || state_ == HookState::Silent || state_ == HookState::Active);
+}
+
+bool Control::choose(const hooks::Instruction& wanted, bool finished, hooks::Instruction& out) {
+  if (finished) {
+    return chooseGiveBack(out);
+  }
+  if (wanted.vertical == hooks::HookVertical::None) {
+    return false;
+  }
+  if (!ours_ && pending_ != HookControl::Take) {
+    return chooseTake(wanted, out);
+  }
+  out = wanted;
+  // Of a session that is still being taken the client makes a handshake of it.
+  out.control = HookControl::Steer;
+  return !sameCommand(wanted, instructed_);
+}
+
+bool Control::chooseTake(const hooks::Instruction& wanted, hooks::Instruction& out) const {
+  const bool hopeless = out_of_bounds_ && sameCommand(wanted, instructed_);
+  out = wanted;
+  out.control = HookControl::Take;
+  return mayTake() && !hopeless;
+}
+
+bool Control::chooseGiveBack(hooks::Instruction& out) {
+  const bool taken = ours_ || pending_ == HookControl::Take;
+  if (!taken || ++giving_back_ > kGiveBackTicks) {
+    released_ = true;
+  }
+  if (released_ || pending_ == HookControl::GiveBack) {
+    return false;
+  }
+  out = {};
+  out.control = HookControl::GiveBack;
+  return true;
+}
+
+void Control::sent(const hooks::Instruction& instruction, uint16_t sequence) {
+  const bool takes = instruction.control == HookControl::Take ||
+                     (instruction.control == HookControl::Steer && !ours_);
+  pending_ = takes ? HookControl::Take : instruction.control;
+  pending_sequence_ = sequence;
+  garbled_told_ = false;
+  if (instruction.control != HookControl::GiveBack) {
+    out_of_bounds_ = false;
+    instructed_ = instruction;
+  }
+}
+
+}  // namespace glider::runtime

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "runtime/core/instruction.h"
+
+#include "runtime/core/numbers.h"
+
+#include <math.h>
+
+namespace glider::runtime {
+namespace {
+
+hooks::HookVertical verticalOf(uint32_t vertical) {
+  switch (vertical) {
+    case kGliderDescend:
+      return hooks::HookVertical::Descend;
+    case kGliderAscend:
+      return hooks::HookVertical::Ascend;
+    case kGliderHover:
+      return hooks::HookVertical::Hover;
+    case kGliderSurface:
+      return hooks::HookVertical::Surface;
+    default:
+      return hooks::HookVertical::None;
+  }
+}
+
+hooks::HookLateral lateralOf(uint32_t lateral) {
+  switch (lateral) {
+    case kGliderHeading:
+      return hooks::HookLateral::Heading;
+    case kGliderWaypoint:
+      return hooks::HookLateral::Waypoint;
+    default:
+      return hooks::HookLateral::Drift;
+  }
+}
+
+}  // namespace
+
+double degreesMinutesOf(double degrees) {
+  const double size = magnitude(degrees);
+  const double minutes = fmod(size, 1.0) * 60.0;
+  const double whole = size - fmod(size, 1.0);
+  double value = whole * 100.0 + minutes;
+  if (value - whole * 100.0 >= 60.0) {  // 59.9999… rounded up to a minute that is none
+    value = (whole + 1.0) * 100.0;
+  }
+  return doubleOf(bitsOf(value) | (bitsOf(degrees) & kSignBit));
+}
+
+hooks::Instruction instructionFor(const GliderContext& context) {
+  hooks::Instruction instruction;
+  instruction.vertical = verticalOf(context.vertical);
+  instruction.lateral = lateralOf(context.lateral);
+  instruction.depth_m = context.depth;
+  instruction.pitch_rad = context.pitch;
+  instruction.heading_rad = context.heading;
+  instruction.latitude_ddmm = degreesMinutesOf(context.latitude);
+  instruction.longitude_ddmm = degreesMinutesOf(context.longitude);
+  hooks::Instruction rounded = hooks::roundToArray(instruction);
+  if (rounded.heading_rad >=
+      kTwoPi) {  // just under a full turn, rounded up past the sensor's range
+    rounded.heading_rad = 0.0;
+  }
+  return rounded;
+}
+
+bool sameCommand(const hooks::Instruction& a, const hooks::Instruction& b) {
+  return a.vertical == b.vertical && a.lateral == b.lateral && a.depth_m == b.depth_m &&
+         a.pitch_rad == b.pitch_rad && a.heading_rad == b.heading_rad &&
+         a.latitude_ddmm == b.latitude_ddmm && a.longitude_ddmm == b.longitude_ddmm;
+}
+
+}  // namespace glider::runtime

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "runtime/abi/runtime.h"
+
+/// Steps 1 and 2 of a tick (ir/README.md): from the vehicle's raw values to this tick's readings.
+namespace glider::runtime {
+
+/// Replaces the raw value of every sensor that the frame holds; its time is the context's mission
+/// time.
+void takeUpdates(GliderContext& context, const GliderUpdate* updates, uint32_t count);
+
+/// Makes each sensor's reading of this tick: SI units, NaN if it is unknown.
+void refreshReadings(GliderContext& context);
+
+/// The raw value in SI units, ddmm.mmmm in degrees; NaN if it is not plausible or, at `age`
+/// seconds, stale.
+double readingOf(const GliderSensorInfo& sensor, double raw, double age);
+
+}  // namespace glider::runtime

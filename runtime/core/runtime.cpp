@@ -1,0 +1,251 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "runtime/core/runtime.h"
+
+#include "runtime/abi/context_layout.h"
+#include "runtime/core/instruction.h"
+#include "runtime/core/numbers.h"
+
+#include <new>
+
+using glider::hooks::ClientEvent;
+using glider::hooks::HookAnswer;
+using glider::hooks::Instruction;
+using glider::runtime::ControlNews;
+
+namespace {
+
+const char* nameOf(HookAnswer answer) {
+  switch (answer) {
+    case HookAnswer::BadCheck:
+      return "garbled";
+    case HookAnswer::TooDeep:
+      return "too deep";
+    case HookAnswer::BadPitch:
+      return "pitch out of bounds";
+    case HookAnswer::BadCommand:
+      return "no such command";
+    case HookAnswer::NotOnEarth:
+      return "not on earth";
+    case HookAnswer::WrongSession:
+      return "wrong session";
+    case HookAnswer::NotReady:
+      return "not ready";
+    default:
+      return "";
+  }
+}
+
+const char* nameOf(ControlNews::Kind kind) {
+  switch (kind) {
+    case ControlNews::Kind::Taken:
+      return "control taken";
+    case ControlNews::Kind::Refused:
+      return "instruction refused";
+    case ControlNews::Kind::Lost:
+      return "control lost";
+    case ControlNews::Kind::Released:
+      return "control given back";
+    default:
+      return "";
+  }
+}
+
+}  // namespace
+
+GliderRuntime::GliderRuntime(void* context_memory, const GliderMission& mission,
+                             const GliderLogSink& log)
+    : context_memory_(context_memory),
+      mission_(mission),
+      client_(subscribe(mission, sensors_)),
+      log_(log) {}
+
+glider::hooks::ClientOptions GliderRuntime::subscribe(const GliderMission& mission,
+                                                      uint16_t* sensors) {
+  glider::hooks::ClientOptions options;
+  options.mission_name = mission.name;
+  options.sensors = sensors;
+  for (uint32_t i = 0; i < mission.sensor_count; ++i) {
+    const auto id = static_cast<uint16_t>(mission.sensors[i].id);
+    bool known = false;
+    for (uint32_t k = 0; k < options.sensor_count; ++k) {
+      known = known || sensors[k] == id;
+    }
+    if (!known) {
+      sensors[options.sensor_count++] = id;
+    }
+  }
+  return options;
+}
+
+bool GliderRuntime::acceptable(const GliderMission& mission) {
+  return mission.abi_version == GLIDER_ABI_VERSION && mission.state_count > 0 &&
+         mission.sensor_count <= glider::hooks::kMostSubscriptions &&
+         mission.context_bytes ==
+             gliderContextLayout(mission.sensor_count, mission.stack_limit, mission.memory_count)
+                 .bytes;
+}
+
+GliderRuntimeStatus GliderRuntime::poll(const GliderByteStream& stream, const GliderClock& clock) {
+  switch (client_.poll(stream, clock)) {
+    case ClientEvent::Nothing:
+      return kGliderRuntimeIdle;
+    case ClientEvent::Closed:
+      return kGliderRuntimeLinkClosed;
+    case ClientEvent::Tick:
+      answerTick(stream, clock.now(clock.self));
+      return control_.released() ? kGliderRuntimeFinished : kGliderRuntimeProgressed;
+    case ClientEvent::SilentLink:
+      tickOfClockAlone(clock.now(clock.self));
+      return kGliderRuntimeProgressed;
+    case ClientEvent::Refused:
+      logRefusedLink();
+      return kGliderRuntimeProgressed;
+    default:
+      return kGliderRuntimeProgressed;
+  }
+}
+
+void GliderRuntime::answerTick(const GliderByteStream& stream, double sbc_time) {
+  const glider::hooks::VehicleTick& tick = client_.tick();
+  const ControlNews news = control_.observe(tick);
+  const uint32_t count = gatherUpdates();
+  if (context_ != nullptr) {
+    stepMission(clock_.atFrame(tick.vehicle_time_s, sbc_time), count);
+  } else if (control_.mayTake()) {
+    clock_.start(tick.vehicle_time_s, sbc_time);
+    startMission(count);
+  }
+  if (context_ != nullptr) {
+    command();
+  }
+  client_.done(status(), stream);
+  logNews(news);
+  log_.flush();
+}
+
+/// Flies on by its own clock; what it commands now goes with the next answer, for the SBC never
+/// speaks first.
+void GliderRuntime::tickOfClockAlone(double sbc_time) {
+  if (context_ == nullptr || finished()) {
+    return;
+  }
+  stepMission(clock_.withoutFrame(sbc_time), 0);
+  log_.event(context_->mission_time, "silent link", "", glider::runtime::unknown());
+  log_.flush();
+}
+
+uint32_t GliderRuntime::gatherUpdates() {
+  const glider::hooks::VehicleTick& tick = client_.tick();
+  for (uint32_t i = 0; i < tick.reading_count; ++i) {
+    updates_[i] = {tick.readings[i].value, tick.readings[i].id, 0};
+  }
+  return tick.reading_count;
+}
+
+void GliderRuntime::startMission(uint32_t update_count) {
+  log_.begin(mission_);
+  context_ = gliderStart(context_memory_, &mission_, updates_, update_count);
+  log_.values(*context_);
+  logRefusedCommands();
+}
+
+void GliderRuntime::stepMission(double mission_time, uint32_t update_count) {
+  if (finished()) {
+    return;
+  }
+  const uint32_t from = context_->state;
+  gliderStep(context_, mission_time, updates_, update_count);
+  noteTransition(from);
+  if (!finished()) {
+    log_.values(*context_);
+  }
+  logRefusedCommands();
+}
+
+void GliderRuntime::noteTransition(uint32_t from) {
+  const uint32_t fired = context_->fired_case;
+  if (fired == GLIDER_NO_CASE) {
+    return;
+  }
+  const uint32_t transition = mission_.states[from].cases[fired].transition;
+  if (transition == kGliderStay) {
+    return;
+  }
+  glider::hooks::TransitionNotice notice;
+  notice.mission_time_s = context_->mission_time;
+  notice.transition = static_cast<uint8_t>(transition);
+  notice.from = from;
+  notice.to = context_->state;
+  notice.fired_case = fired;
+  client_.notify(notice);
+  log_.transition(*context_, from, fired);
+}
+
+void GliderRuntime::command() {
+  Instruction instruction;
+  if (control_.choose(glider::runtime::instructionFor(*context_), finished(), instruction)) {
+    control_.sent(instruction, client_.instruct(instruction));
+  }
+}
+
+void GliderRuntime::logNews(const ControlNews& news) {
+  if (news.kind != ControlNews::Kind::None && context_ != nullptr) {
+    log_.event(context_->mission_time, nameOf(news.kind),
+               news.kind == ControlNews::Kind::Refused ? nameOf(news.answer) : "",
+               static_cast<double>(news.sequence));
+  }
+}
+
+void GliderRuntime::logRefusedCommands() {
+  if (context_->refused_commands != logged_refusals_) {
+    log_.event(context_->mission_time, "command with an unknown value", "",
+               static_cast<double>(context_->refused_commands - logged_refusals_));
+    logged_refusals_ = context_->refused_commands;
+  }
+}
+
+void GliderRuntime::logRefusedLink() {
+  const glider::hooks::Refusal& refusal = client_.refusal();
+  log_.event(0.0, "link refused",
+             refusal.dictionary != 0 ? "another sensor dictionary" : "another protocol version",
+             static_cast<double>(refusal.dictionary != 0 ? refusal.dictionary : refusal.version));
+  log_.flush();
+}
+
+glider::hooks::MissionStatus GliderRuntime::status() const {
+  glider::hooks::MissionStatus status;
+  if (context_ != nullptr) {
+    status.mission_time_s = context_->mission_time;
+    status.state = context_->state;
+    status.stack_depth = static_cast<uint8_t>(context_->stack_depth);
+    status.phase = finished() ? 2 : 1;
+  }
+  return status;
+}
+
+extern "C" uint32_t gliderRuntimeSize(void) {
+  return sizeof(GliderRuntime);
+}
+
+extern "C" GliderRuntime* gliderRuntimeInit(void* memory, void* context_memory,
+                                            const GliderMission* mission,
+                                            const GliderRuntimeOptions* options) {
+  if (memory == nullptr || context_memory == nullptr || mission == nullptr ||
+      !GliderRuntime::acceptable(*mission)) {
+    return nullptr;
+  }
+  const GliderLogSink log = options != nullptr ? options->log : GliderLogSink{};
+  return new (memory) GliderRuntime(context_memory, *mission, log);
+}
+
+extern "C" GliderRuntimeStatus gliderRuntimePoll(GliderRuntime* runtime,
+                                                 const GliderByteStream* stream,
+                                                 const GliderClock* clock) {
+  return runtime->poll(*stream, *clock);
+}
+
+extern "C" const GliderContext* gliderRuntimeContext(const GliderRuntime* runtime) {
+  return runtime->context();
+}

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "hooks/client/client.h"
+#include "runtime/abi/runtime.h"
+#include "runtime/core/control.h"
+#include "runtime/core/mission_clock.h"
+#include "runtime/log/mission_log.h"
+
+/// Joins the link to the mission: every tick of the vehicle is a step of the mission, its commands,
+/// and an answer.
+struct GliderRuntime {
+ public:
+  /// `mission` must be one that acceptable() takes. `context_memory` holds its context_bytes.
+  GliderRuntime(void* context_memory, const GliderMission& mission, const GliderLogSink& log);
+  GliderRuntime(const GliderRuntime&) = delete;
+  GliderRuntime& operator=(const GliderRuntime&) = delete;
+
+  /// True if this runtime can fly the mission.
+  static bool acceptable(const GliderMission& mission);
+
+  GliderRuntimeStatus poll(const GliderByteStream& stream, const GliderClock& clock);
+  [[nodiscard]] const GliderContext* context() const { return context_; }
+
+ private:
+  static glider::hooks::ClientOptions subscribe(const GliderMission& mission, uint16_t* sensors);
+  void answerTick(const GliderByteStream& stream, double sbc_time);
+  void tickOfClockAlone(double sbc_time);
+  void startMission(uint32_t update_count);
+  void stepMission(double mission_time, uint32_t update_count);
+  void noteTransition(uint32_t from);
+  void command();
+  void logNews(const glider::runtime::ControlNews& news);
+  void logRefusedCommands();
+  void logRefusedLink();
+  uint32_t gatherUpdates();
+  [[nodiscard]] bool finished() const { return context_ != nullptr && context_->finished != 0; }
+  [[nodiscard]] glider::hooks::MissionStatus status() const;
+
+  void* context_memory_;
+  const GliderMission& mission_;
+  GliderContext* context_ = nullptr;  ///< once control was given
+  uint16_t sensors_[glider::hooks::kMostSubscriptions] = {};
+  glider::hooks::Client client_;
+  glider::runtime::Control control_;
+  glider::runtime::MissionClock clock_;
+  glider::runtime::MissionLog log_;
+  GliderUpdate updates_[glider::hooks::kMostSubscriptions] = {};
+  uint32_t logged_refusals_ = 0;
+};

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#ifndef GLIDER_RUNTIME_LIBRARY_LIBRARY_H
+#define GLIDER_RUNTIME_LIBRARY_LIBRARY_H
+
+/* The profiles and routes that come with the runtime, as `extern flightprofile` and `extern
+   flightroute` bind to them. Depths in m, pitches in rad (magnitudes), positions in degrees,
+   headings in rad clockwise from north. */
+
+#include "runtime/abi/behaviour.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Climbs and dives between two depths. An unknown depth makes it climb. */
+void gliderProfileYo(GliderContext* context, GliderBehaviourMemory* memory, uint32_t phase,
+                     double top, double bottom, double dive, double climb);
+/* A yo between top and bottom until the temperature differs by `dtemp` within `ddepth` metres; then
+   one at most ddepth wide round that thermocline, following it (runtime/library/thermocline.h). */
+void gliderProfileThermotrackyo(GliderContext* context, GliderBehaviourMemory* memory,
+                                uint32_t phase, double top, double bottom, double dive,
+                                double climb, double dtemp, double ddepth);
+/* Climbs to the surface and stays there. */
+void gliderProfileSurfaced(GliderContext* context, GliderBehaviourMemory* memory, uint32_t phase);
+
+void gliderRouteNoheading(GliderContext* context, GliderBehaviourMemory* memory, uint32_t phase);
+void gliderRouteNav(GliderContext* context, GliderBehaviourMemory* memory, uint32_t phase,
+                    double latitude, double longitude);
+void gliderRouteHeading(GliderContext* context, GliderBehaviourMemory* memory, uint32_t phase,
+                        double to);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,207 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// The glidercc command as a user meets it: exit codes, clear words, nothing half-written.
+
+#include "tests/support/command.h"
+
+#include <gtest/gtest.h>
+
+#include <gmock/gmock.h>
+
+namespace glider::tests {
+namespace {
+
+using testing::HasSubstr;
+
+const std::string kFigure2 = GLIDER_SOURCE_DIR "/missions/figure2.mission";
+const std::string kFigure5 = GLIDER_SOURCE_DIR "/missions/figure5.mission";
+
+/// No ANTLR, LLVM, lld or C++ phrase may reach a pilot.
+void expectPilotsWords(const std::string& text) {
+  for (const char* phrase :
+       {"no viable alternative", "mismatched input", "extraneous input", "std::", "what()",
+        "ld.lld", "lld:", "LLVM ERROR", "terminate called"}) {
+    EXPECT_EQ(text.find(phrase), std::string::npos) << text;
+  }
+}
+
+void expectFailure(const Outcome& outcome, int status, const std::string& id) {
+  EXPECT_EQ(outcome.status, status) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("[" + id + " "));
+  expectPilotsWords(outcome.err);
+}
+
+TEST(Command, CheckSaysThatFigure2IsFine) {
+  const Outcome outcome = runShell("$GLIDERCC check " + kFigure2);
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_THAT(outcome.out, HasSubstr("fine"));
+  EXPECT_THAT(outcome.out, HasSubstr("greatest call depth 1 (s1 calls s2)"));
+}
+
+TEST(Command, HelpAndVersion) {
+  for (const char* arguments :
+       {"--help", "check --help", "build --help", "sim --help", "targets --help"}) {
+    const Outcome outcome = runShell(std::string("$GLIDERCC ") + arguments);
+    EXPECT_EQ(outcome.status, 0) << arguments;
+    EXPECT_FALSE(outcome.out.empty()) << arguments;
+  }
+  EXPECT_THAT(runShell("$GLIDERCC --version").out, HasSubstr("glidercc 0."));
+}
+
+TEST(Command, WrongUsageIsTwo) {
+  for (const char* arguments :
+       {"", "fly", "check", "build", "check a b", "build x --nonsense", "sim"}) {
+    const Outcome outcome = runShell(std::string("$GLIDERCC ") + arguments);
+    EXPECT_EQ(outcome.status, 2) << arguments;
+    EXPECT_FALSE(outcome.err.empty()) << arguments;
+  }
+  EXPECT_EQ(runShell("$GLIDERCC build " + kFigure2 + " -O9").status, 2);
+  EXPECT_EQ(runShell("$GLIDERCC build " + kFigure2 + " --emit=poem").status, 2);
+}
+
+// accepts: GL9001
+TEST(Command, MissingFile) {
+  expectFailure(runShell("$GLIDERCC check /nonexistent/m.mission"), 2, "GL9001");
+}
+
+TEST(Command, AFolderIsNoMission) {
+  expectFailure(runShell("$GLIDERCC check /"), 2, "GL9001");
+}
+
+// accepts: GL4001
+TEST(Command, UnknownTargetNamesThoseThereAre) {
+  const Outcome outcome = runShell("cd /tmp && $GLIDERCC build " + kFigure2 + " --target ts9999");
+  expectFailure(outcome, 2, "GL4001");
+  EXPECT_THAT(outcome.err, HasSubstr("ts5500"));
+}
+
+// accepts: GL9301
+TEST(Command, UnknownPlatform) {
+  const TemporaryFolder folder;
+  const auto mission =
+      folder.write("m.mission",
+                   "mission m\nplatform seaglider\nstate s begin flightprofile surfaced\n"
+                   "sensors missiontime\nevents case missiontime > 5 exit end\n");
+  const Outcome outcome = runShell("$GLIDERCC check " + mission.string());
+  expectFailure(outcome, 1, "GL9301");
+}
+
+// accepts: GL9302
+TEST(Command, UnknownScenarioNamesThoseThereAre) {
+  const Outcome outcome = runShell("cd /tmp && $GLIDERCC sim " + kFigure2 + " --scenario nowhere");
+  expectFailure(outcome, 2, "GL9302");
+  EXPECT_THAT(outcome.err, HasSubstr("figure5"));
+}
+
+// accepts: GL9002
+TEST(Command, FullDiskLeavesNoHalfWrittenFile) {
+  for (const char* emit : {"ir", "obj", "asm", "exe"}) {
+    const Outcome outcome =
+        runShell("$GLIDERCC build " + kFigure2 + " --emit=" + emit + " -o /dev/full");
+    expectFailure(outcome, 2, "GL9002");
+  }
+  const TemporaryFolder folder;
+  const std::string small = folder.path().string() + "/small";
+  // A file system of 16 KiB: the executable does not fit.
+  const Outcome outcome =
+      runShell("mkdir " + small + " && mount -t tmpfs -o size=16k none " + small +
+               " || exit 77; $GLIDERCC build " + kFigure2 + " --target ts7800 -o " + small +
+               "/m; s=$?; ls -A " + small + "; umount " + small + "; exit $s");
+  if (outcome.status == 77) {
+    GTEST_SKIP() << "a small file system cannot be mounted here";
+  }
+  expectFailure(outcome, 2, "GL9002");
+  EXPECT_EQ(outcome.out, "") << "something was left behind";
+}
+
+TEST(Command, AFolderThatIsNotThereCannotBeWrittenTo) {
+  expectFailure(runShell("$GLIDERCC build " + kFigure2 + " -o /nonexistent/m"), 2, "GL9002");
+}
+
+TEST(Command, AFailedBuildKeepsTheOldFile) {
+  const TemporaryFolder folder;
+  const auto output = folder.write("m", "old");
+  const auto mission = folder.write("m.mission", "mission m\nstate s begin end\n");
+  EXPECT_EQ(runShell("$GLIDERCC build " + mission.string() + " -o " + output.string()).status, 1);
+  EXPECT_EQ(slurp(output), "old");
+}
+
+TEST(Command, EveryStageCanBeWritten) {
+  const std::pair<const char*, const char*> stages[] = {{"ast", "mission sampleMission"},
+                                                        {"ir", "sampleMission"},
+                                                        {"llvm", "gliderMission"},
+                                                        {"asm", "gliderMission"}};
+  for (const auto& [stage, expected] : stages) {
+    const Outcome outcome =
+        runShell("$GLIDERCC build " + kFigure2 + " --target ts7800 --emit=" + stage + " -o -");
+    EXPECT_EQ(outcome.status, 0) << stage << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr(expected)) << stage;
+  }
+  EXPECT_EQ(
+      runShell("$GLIDERCC build " + kFigure2 + " --target ts7800 --emit=obj -o -").out.substr(1, 3),
+      "ELF");
+}
+
+TEST(Command, TheAstAndTheIrAreReadBack) {
+  const TemporaryFolder folder;
+  const std::string ast = folder.path() / "a.mission";
+  const std::string ir = folder.path() / "a.ir";
+  ASSERT_EQ(runShell("$GLIDERCC build " + kFigure2 + " --emit=ast -o " + ast).status, 0);
+  ASSERT_EQ(runShell("$GLIDERCC build " + kFigure2 + " --emit=ir -o " + ir).status, 0);
+  EXPECT_EQ(runShell("$GLIDERCC build " + ast + " --emit=ir -o -").out, slurp(ir));
+  EXPECT_EQ(runShell("$GLIDERCC build " + ir + " --emit=ir -o -").out, slurp(ir));
+  EXPECT_EQ(runShell("$GLIDERCC check " + ir).status, 0);
+}
+
+TEST(Command, ManyMistakesAreReportedInOneRun) {
+  const TemporaryFolder folder;
+  const auto mission = folder.write(
+      "m.mission",
+      "mission m\nstate s\nbegin\n  flightprofile yo(5, 10, .4)\n  sensors deepth\n"
+      "  events\n    case missiontime = 5 exit\n    case depth > 3 s goto nowhere\nend\n");
+  const Outcome outcome = runShell("$GLIDERCC check " + mission.string());
+  EXPECT_EQ(outcome.status, 1);
+  expectPilotsWords(outcome.err);
+  for (const char* line : {":4:", ":5:", ":7:", ":8:"}) {
+    EXPECT_THAT(outcome.err, HasSubstr("m.mission" + std::string(line))) << outcome.err;
+  }
+}
+
+TEST(Command, AClosedPipeIsNoCrash) {
+  const Outcome outcome = runShell("set -o pipefail 2>/dev/null; $GLIDERCC build " + kFigure2 +
+                                   " --emit=asm -o - | head -c 1 >/dev/null");
+  EXPECT_LT(outcome.status, 128);
+}
+
+TEST(Command, HostileMissionsEndInDiagnostics) {
+  const TemporaryFolder folder;
+  const std::string texts[] = {"",
+                               std::string(1, '\0'),
+                               std::string(200000, '('),
+                               "mission",
+                               "\xFF\xFE\x00",
+                               "mission m " + std::string(100000, 'x'),
+                               "mission m\nstate s begin flightprofile yo("};
+  for (const std::string& text : texts) {
+    const auto mission = folder.write("m.mission", text);
+    const Outcome outcome = runShell("$GLIDERCC check " + mission.string());
+    EXPECT_EQ(outcome.status, 1) << text.substr(0, 40);
+    expectPilotsWords(outcome.err);
+    EXPECT_LT(outcome.err.size(), 100000U);
+  }
+}
+
+TEST(Command, APortThatIsNotThereIsNamed) {
+  const TemporaryFolder folder;
+  const std::string program = folder.path() / "m";
+  ASSERT_EQ(runShell("$GLIDERCC build " + kFigure5 + " -o " + program).status, 0);
+  const Outcome outcome = runShell(program + " --port /dev/ttyNOSUCH");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("/dev/ttyNOSUCH"));
+  EXPECT_EQ(runShell(program + " --help").status, 0);
+}
+
+}  // namespace
+}  // namespace glider::tests

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Every mission in the documents is checked: a block ```mission must be fine, a block ```mission
+// GL2003 must give that diagnostic (and fail if it is an error).
+
+#include "tests/support/command.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace glider::tests {
+namespace {
+
+struct Example {
+  std::string file;
+  int line = 0;
+  std::string expected;  ///< "" or an id
+  std::string text;
+};
+
+std::vector<Example> examplesOf(const std::filesystem::path& path) {
+  const std::string fence = "```";
+  std::vector<Example> examples;
+  std::ifstream file(path);
+  std::string line;
+  bool inside = false;
+  for (int number = 1; std::getline(file, line); ++number) {
+    if (!inside && line.starts_with(fence + "mission")) {
+      const std::string rest = line.substr(fence.size() + 7);
+      examples.push_back(
+          {path.filename().string(), number, rest.empty() ? "" : rest.substr(1), ""});
+      inside = true;
+    } else if (inside && line.starts_with(fence)) {
+      inside = false;
+    } else if (inside) {
+      examples.back().text += line + "\n";
+    }
+  }
+  return examples;
+}
+
+std::vector<Example> allExamples() {
+  std::vector<Example> all;
+  const std::filesystem::path root = GLIDER_SOURCE_DIR;
+  std::vector<std::filesystem::path> pages = {root / "README.md"};
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(root / "docs")) {
+    if (entry.path().extension() == ".md") {
+      pages.push_back(entry.path());
+    }
+  }
+  for (const auto& page : pages) {
+    const auto examples = examplesOf(page);
+    all.insert(all.end(), examples.begin(), examples.end());
+  }
+  return all;
+}
+
+TEST(Documents, EveryMissionDoesWhatTheTextSays) {
+  const auto examples = allExamples();
+  ASSERT_GE(examples.size(), 5U) << "the documents have lost their examples";
+  for (const Example& example : examples) {
+    const TemporaryFolder folder;
+    const auto path = folder.write("example.mission", example.text);
+    const Outcome outcome = runShell("$GLIDERCC check " + path.string());
+    const std::string place =
+        example.file + ":" + std::to_string(example.line) + "\n" + outcome.err;
+    if (example.expected.empty()) {
+      EXPECT_EQ(outcome.status, 0) << place;
+      EXPECT_EQ(outcome.err, "") << place;
+    } else {
+      EXPECT_NE(outcome.err.find("[" + example.expected + " "), std::string::npos) << place;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace glider::tests

@@ -1,0 +1,222 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "tests/random_missions/random_expressions.h"
+
+#include "ir/core/ops.h"
+#include "support/check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace glider::random_missions {
+namespace {
+
+using ir::ExprId;
+using ir::Op;
+using ir::Type;
+using ir::TypeKind;
+namespace dimension = support::dimension;
+
+using Limits = std::numeric_limits<double>;
+
+constexpr Type quantity(support::Dimension of) {
+  return {TypeKind::Quantity, of};
+}
+constexpr Type kNumber = quantity(dimension::number);
+constexpr Type kLength = quantity(dimension::length);
+constexpr Type kTime = quantity(dimension::time);
+constexpr Type kSpeed = quantity(dimension::speed);
+
+constexpr Type kCompared[] = {kNumber,
+                              kLength,
+                              kTime,
+                              kSpeed,
+                              quantity(dimension::temperature),
+                              quantity(dimension::angle),
+                              {TypeKind::Latitude, {}},
+                              {TypeKind::Longitude, {}}};
+
+/// Where arithmetic goes wrong first.
+constexpr double kSpecial[] = {0.0,
+                               -0.0,
+                               1.0,
+                               Limits::min(),
+                               -Limits::min(),
+                               Limits::denorm_min(),
+                               -Limits::denorm_min(),
+                               0x1.8p-1023,
+                               Limits::max(),
+                               -Limits::max(),
+                               1e-200,
+                               1e200,
+                               0x1.fffffffffffffp-1,
+                               1e22};
+
+}  // namespace
+
+ExprId ExpressionMaker::add(Op op, std::array<ExprId, 3> operands, ir::SensorId sensor) {
+  ir::Expr e;
+  e.op = op;
+  e.operands = operands;
+  e.sensor = sensor;
+  const std::optional<Type> type = ir::resultType(m_, e);
+  CHECK(type.has_value(), "a random expression whose operands do not fit");
+  e.type = *type;
+  m_.exprs.push_back(e);
+  return {static_cast<uint32_t>(m_.exprs.size() - 1)};
+}
+
+double ExpressionMaker::plainValue(Type type) {
+  std::vector<double> thresholds;
+  for (const ir::Sensor& s : m_.sensors) {
+    if (s.type == type && s.encoding == ir::Encoding::Linear) {
+      thresholds.push_back(s.to_si *
+                           random_.uniform(std::max(s.lowest, -1e3), std::min(s.highest, 1e3)));
+    }
+  }
+  if (!thresholds.empty() && random_.chance(0.7)) {
+    return random_.pick(thresholds);
+  }
+  if (type == kTime) {
+    return 4.0 * random_.between(0, 60);
+  }
+  const double largest = type.kind == TypeKind::Longitude  ? 180
+                         : type.kind == TypeKind::Latitude ? 90
+                                                           : 50;
+  return random_.chance(0.5) ? std::round(random_.uniform(-largest, largest))
+                             : random_.uniform(-largest, largest);
+}
+
+ExprId ExpressionMaker::constant(Type type) {
+  ir::Expr e;
+  e.op = Op::Constant;
+  e.type = type;
+  e.number = random_.chance(0.12) ? random_.pick(kSpecial) : plainValue(type);
+  if (!std::isfinite(e.number)) {
+    e.number = 1;  // a threshold of a sensor with a huge factor
+  }
+  m_.exprs.push_back(e);
+  return {static_cast<uint32_t>(m_.exprs.size() - 1)};
+}
+
+ExprId ExpressionMaker::leaf(Type type) {
+  if (type == kTime && random_.chance(0.6)) {
+    constexpr Op kClocks[] = {Op::MissionTime, Op::StateTime, Op::ResumeTime, Op::Age};
+    const Op op = random_.pick(kClocks);
+    return add(op, {},
+               op == Op::Age ? ir::SensorId{random_.below(m_.sensors.size())} : ir::SensorId{});
+  }
+  std::vector<uint32_t> fitting;
+  for (uint32_t i = 0; i < m_.sensors.size(); ++i) {
+    if (m_.sensors[i].type == type) {
+      fitting.push_back(i);
+    }
+  }
+  if (!fitting.empty() && random_.chance(0.75)) {
+    return add(Op::Sensor, {}, {random_.pick(fitting)});
+  }
+  return constant(type);
+}
+
+ExprId ExpressionMaker::product(Type type, uint32_t depth) {
+  if (type == kLength && random_.chance(0.5)) {
+    const ExprId speed = number(kSpeed, depth);
+    return add(Op::Multiply, {speed, number(kTime, depth)});
+  }
+  const ExprId factor = number(kNumber, depth);
+  return add(Op::Multiply, {factor, number(type, depth)});
+}
+
+ExprId ExpressionMaker::quotient(Type type, uint32_t depth) {
+  if (type == kSpeed && random_.chance(0.5)) {
+    const ExprId length = number(kLength, depth);
+    return add(Op::Divide, {length, number(kTime, depth)});
+  }
+  if (type == kNumber && random_.chance(0.5)) {
+    const ExprId length = number(kLength, depth);
+    return add(Op::Divide, {length, number(kLength, depth)});
+  }
+  const ExprId dividend = number(type, depth);
+  return add(Op::Divide, {dividend, number(kNumber, depth)});
+}
+
+ExprId ExpressionMaker::root(Type type, uint32_t depth) {
+  if (type == kNumber) {
+    return add(Op::Sqrt, {number(kNumber, depth)});
+  }
+  const ExprId a = number(type, depth);
+  const ExprId b = number(type, depth);
+  return add(Op::Sqrt, {add(Op::Multiply, {a, b})});
+}
+
+ExprId ExpressionMaker::number(Type type, uint32_t depth) {
+  if (random_.chance(0.1)) {
+    for (int tries = 0; tries < 8 && !m_.exprs.empty(); ++tries) {
+      const ExprId old{random_.below(m_.exprs.size())};
+      if (m_[old].type == type) {
+        return old;
+      }
+    }
+  }
+  if (depth == 0 || random_.chance(0.3)) {
+    return leaf(type);
+  }
+  constexpr Op kOps[] = {Op::Negate, Op::Abs,   Op::Add,      Op::Subtract, Op::Min,
+                         Op::Max,    Op::Clamp, Op::Multiply, Op::Divide,   Op::Sqrt};
+  const bool position = type.kind != TypeKind::Quantity;
+  const Op op = kOps[random_.below(std::size(kOps) - (position ? 3 : 0))];
+  switch (op) {
+    case Op::Multiply:
+      return product(type, depth - 1);
+    case Op::Divide:
+      return quotient(type, depth - 1);
+    case Op::Sqrt:
+      return root(type, depth - 1);
+    default:
+      break;
+  }
+  std::array<ExprId, 3> operands;
+  for (uint32_t i = 0; i < ir::opInfo(op).operands; ++i) {
+    operands.at(i) = number(type, depth - 1);
+  }
+  return add(op, operands);
+}
+
+ExprId ExpressionMaker::comparison() {
+  constexpr Op kOps[] = {Op::Less,         Op::LessEqual, Op::Greater,
+                         Op::GreaterEqual, Op::Equal,     Op::NotEqual};
+  // A type that a sensor has is likelier to make a guard that changes.
+  const Type type = random_.chance(0.6) ? random_.pick(m_.sensors).type : random_.pick(kCompared);
+  const ExprId left = random_.chance(0.6) ? leaf(type) : number(type, random_.between(1, 3));
+  const ExprId right = random_.chance(0.6) ? constant(type) : number(type, 1);
+  return add(random_.pick(kOps), {left, right});
+}
+
+ExprId ExpressionMaker::guard(uint32_t depth) {
+  if (depth == 0 || random_.chance(0.35)) {
+    if (random_.chance(0.04)) {
+      return add(random_.chance(0.5) ? Op::True : Op::False, {});
+    }
+    return random_.chance(0.08) ? add(Op::Known, {number(random_.pick(m_.sensors).type, 2)})
+                                : comparison();
+  }
+  if (random_.chance(0.2)) {
+    return add(Op::Not, {guard(depth - 1)});
+  }
+  const Op op = random_.chance(0.5) ? Op::And : Op::Or;
+  const ExprId left = guard(depth - 1);
+  return add(op, {left, guard(depth - 1)});
+}
+
+ExprId ExpressionMaker::since(Op clock, double seconds) {
+  const ExprId now = add(clock, {});
+  ir::Expr e;
+  e.type = kTime;
+  e.number = seconds;
+  m_.exprs.push_back(e);
+  return add(Op::GreaterEqual, {now, {now.index + 1}});
+}
+
+}  // namespace glider::random_missions

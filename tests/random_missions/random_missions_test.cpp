@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/core/ops.h"
+#include "ir/core/validate.h"
+#include "ir/text/print.h"
+#include "ir/verify/verify.h"
+#include "tests/random_missions/random_mission.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <bit>
+#include <set>
+
+namespace glider::random_missions {
+namespace {
+
+constexpr uint64_t kMissions = 200;
+constexpr size_t kTicks = 300;
+
+/// What happened over many missions: whether they are worth running two things against each other.
+struct Statistics {
+  std::set<ir::Op> ops;
+  std::set<ir::Transition> fired;
+  size_t several = 0, left_first = 0, called = 0, returned = 0, exited = 0, transitions = 0,
+         ticks = 0;
+  size_t deepest = 0, states = 0, states_visited = 0;
+  size_t guards = 0, unknown_guards = 0, true_guards = 0;
+  size_t arguments = 0, unknown_arguments = 0, readings = 0, unknown_readings = 0,
+         subnormal_arguments = 0;
+
+  void run(uint64_t seed) {
+    const ir::Mission mission = randomMission(seed);
+    support::DiagnosticEngine diagnostics;
+    const ir::MissionFacts facts = ir::verify(mission, diagnostics);
+    ASSERT_FALSE(diagnostics.hasErrors()) << ir::print(mission);
+    for (const ir::Expr& e : mission.exprs) {
+      ops.insert(e.op);
+    }
+    ir::Interpreter interpreter(mission, facts.stack_depth);
+    ir::TickResult last;
+    std::set<uint32_t> visited;
+    bool calls = false;
+    bool returns = false;
+    const std::vector<StreamTick> stream = randomStream(mission, seed, kTicks);
+    for (size_t i = 0; i < stream.size() && !last.finished; ++i) {
+      const ir::TickResult now = i == 0 ? interpreter.start(stream[i].frame)
+                                        : interpreter.tick(stream[i].mission_time, stream[i].frame);
+      if (now.fired_case) {
+        const ir::Transition transition = mission[last.state].cases[*now.fired_case].transition;
+        fired.insert(transition);
+        transitions += transition != ir::Transition::Stay;
+        calls |= transition == ir::Transition::Call;
+        returns |= transition == ir::Transition::Return;
+      }
+      count(mission, interpreter, now);
+      visited.insert(now.state.index);
+      deepest = std::max(deepest, now.stack.size());
+      last = now;
+    }
+    several += mission.states.size() > 1;
+    left_first += visited.size() > 1;
+    called += calls;
+    returned += returns;
+    exited += last.finished;
+    states += mission.states.size();
+    states_visited += visited.size();
+  }
+
+  void count(const ir::Mission& mission, const ir::Interpreter& interpreter,
+             const ir::TickResult& now) {
+    ++ticks;
+    for (const ir::Case& c : mission[now.state].cases) {
+      const ir::Truth truth = interpreter.truthOf(c.guard);
+      ++guards;
+      unknown_guards += truth == ir::Truth::Unknown;
+      true_guards += truth == ir::Truth::True;
+    }
+    for (uint32_t i = 0; i < mission.sensors.size(); ++i) {
+      const double value = interpreter.readingOf({i});
+      ++readings;
+      unknown_readings += value != value;
+    }
+    for (const auto& run : {now.profile, now.route}) {
+      for (double value : run ? run->arguments : std::vector<double>()) {
+        ++arguments;
+        unknown_arguments += value != value;
+        subnormal_arguments += value != 0 && std::abs(value) < 0x1p-1022;
+      }
+    }
+  }
+};
+
+TEST(RandomMissions, AreWorthRunning) {
+  Statistics s;
+  for (uint64_t seed = 0; seed < kMissions; ++seed) {
+    s.run(seed);
+    ASSERT_FALSE(HasFatalFailure());
+  }
+  EXPECT_EQ(s.ops.size(), ir::opCount());
+  EXPECT_EQ(s.fired.size(), 5u) << "every transition fires";
+  EXPECT_GT(s.several, kMissions * 8 / 10);
+  EXPECT_GT(s.left_first, s.several * 8 / 10);
+  EXPECT_GT(s.called, kMissions / 2);
+  EXPECT_GT(s.returned, kMissions * 4 / 10);
+  EXPECT_GT(s.exited, kMissions / 20);
+  EXPECT_LT(s.exited, kMissions * 6 / 10);
+  EXPECT_GT(s.transitions, s.ticks / 20);
+  EXPECT_GT(s.ticks, kMissions * kTicks / 2);
+  EXPECT_GE(s.deepest, 4u);
+  EXPECT_GT(s.states_visited * 2, s.states);
+  EXPECT_GT(s.unknown_guards, s.guards / 20);
+  EXPECT_GT(s.true_guards, s.guards / 10);
+  EXPECT_GT(s.unknown_readings, s.readings / 20);
+  EXPECT_LT(s.unknown_readings, s.readings / 2);
+  EXPECT_GT(s.unknown_arguments, s.arguments / 50);
+  EXPECT_GT(s.subnormal_arguments, 0u);
+}
+
+TEST(RandomMissions, AreTheSameForASeed) {
+  EXPECT_EQ(ir::print(randomMission(7)), ir::print(randomMission(7)));
+  EXPECT_NE(ir::print(randomMission(7)), ir::print(randomMission(8)));
+  const ir::Mission mission = randomMission(7);
+  const auto a = randomStream(mission, 1, 100);
+  const auto b = randomStream(mission, 1, 100);
+  ASSERT_EQ(a.size(), 101u);
+  ASSERT_EQ(a.size(), b.size());
+  for (size_t i = 0; i < a.size(); ++i) {
+    ASSERT_EQ(a[i].frame.size(), b[i].frame.size());
+    for (size_t k = 0; k < a[i].frame.size(); ++k) {
+      EXPECT_EQ(std::bit_cast<uint64_t>(a[i].frame[k].raw),
+                std::bit_cast<uint64_t>(b[i].frame[k].raw));
+    }
+  }
+}
+
+TEST(RandomMissions, StreamsHoldEverySpecialReading) {
+  bool signalling = false, subnormal = false, infinite = false, minus_zero = false,
+       backwards = false, gap = false;
+  for (uint64_t seed = 0; seed < 20; ++seed) {
+    const auto stream = randomStream(randomMission(seed), seed, kTicks);
+    for (size_t i = 1; i < stream.size(); ++i) {
+      backwards |= stream[i].mission_time < stream[i - 1].mission_time;
+      gap |= stream[i].mission_time > stream[i - 1].mission_time + 600;
+      for (const ir::SensorUpdate& update : stream[i].frame) {
+        const auto bits = std::bit_cast<uint64_t>(update.raw);
+        signalling |= std::isnan(update.raw) && (bits >> 51 & 1) == 0;
+        subnormal |= update.raw != 0 && std::abs(update.raw) < 0x1p-1022;
+        infinite |= std::isinf(update.raw);
+        minus_zero |= bits == 1ULL << 63;
+      }
+    }
+  }
+  EXPECT_TRUE(signalling && subnormal && infinite && minus_zero && backwards && gap);
+}
+
+}  // namespace
+}  // namespace glider::random_missions

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Writes one report for each sample flight into the folder given, for the browser test and for
+// looking at.
+
+#include "report/report.h"
+#include "report/summary.h"
+#include "tests/report/sample_trace.h"
+
+#include <filesystem>
+#include <iostream>
+#include <string>
+#include <utility>
+
+namespace {
+
+glider::support::Trace oneRow() {
+  glider::support::Trace trace = glider::report::sampleTrace();
+  trace.rows.resize(trace.columns.size());
+  trace.events.resize(1);
+  return trace;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using namespace glider::report;
+  if (argc != 2) {
+    std::cerr << "usage: write_sample_reports FOLDER\n";
+    return 2;
+  }
+  const std::filesystem::path folder = argv[1];
+  std::filesystem::create_directories(folder);
+  const std::pair<const char*, glider::support::Trace> samples[] = {
+      {"sample", sampleTrace()},
+      {"hostile", hostileTrace()},
+      {"bare", bareTrace()},
+      {"one_row", oneRow()},
+      {"empty", {}},
+      {"long", longTrace(100'000)},
+  };
+  for (const auto& [name, trace] : samples) {
+    const auto path = folder / (std::string(name) + ".html");
+    if (auto written = writeReport(trace, path); !written) {
+      std::cerr << written.error().message << '\n';
+      return 1;
+    }
+    std::cout << path.string() << ": " << std::filesystem::file_size(path) << " bytes\n";
+  }
+  std::cout << summarize(sampleTrace());
+}

@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/eval/interpreter.h"
+
+#include "tests/unit/ir/missions.h"
+
+#include <limits>
+
+namespace glider::ir {
+namespace {
+
+constexpr SensorId kDepth{0}, kTemp{1};
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+using Updates = std::vector<SensorUpdate>;
+
+TickResult tick(Interpreter& i, double time, const Updates& frame = {}) {
+  return i.tick(time, frame);
+}
+
+TEST(Interpreter, FliesFigure2) {
+  const Mission m = missionOf(
+      kHeader +
+      stateText("s1",
+                "case (ge missiontime 2000:time) goto s3 "
+                "case (and (ge missiontime 500:time) (lt missiontime 1500:time)) call s2") +
+      stateText("s2", "case (ge missiontime 1500:time) return") +
+      stateText("s3", "case (ge missiontime 2500:time) exit"));
+  Interpreter i(m, 1);
+  EXPECT_EQ(i.start().state.index, 0u);
+  std::vector<std::pair<double, uint32_t>> changes;
+  uint32_t state = 0;
+  double time = 4;
+  for (; time < 3000; time += 4) {
+    const TickResult r = tick(i, time);
+    if (r.state.index != state) {
+      changes.emplace_back(time, state = r.state.index);
+    }
+    EXPECT_EQ(r.stack.size(), state == 1 ? 1u : 0u);
+    if (r.finished) {
+      break;
+    }
+  }
+  EXPECT_EQ(changes, (std::vector<std::pair<double, uint32_t>>{{500, 1}, {1500, 0}, {2000, 2}}));
+  EXPECT_EQ(time, 2500);
+}
+
+TEST(Interpreter, TellsClocksApart) {
+  const Mission m =
+      missionOf(kHeader +
+                "state a route drift () profile to (1:length, statetime) log r every 0 resumetime "
+                "case (eq missiontime 4:time) call b case (eq missiontime 16:time) goto a "
+                "state b route drift () profile to (2:length, statetime) log r every 0 resumetime "
+                "case (ge statetime 4:time) return");
+  Interpreter i(m, 1);
+  const ExprId clock_a = m.states[0].log[0].value, clock_b = m.states[1].log[0].value;
+  EXPECT_EQ(i.start().profile->phase, Phase::Enter);
+  TickResult r = tick(i, 4);  // a calls b
+  EXPECT_EQ(r.fired_case, 0u);
+  EXPECT_EQ(r.profile->phase, Phase::Enter);
+  EXPECT_EQ(r.profile->arguments, (std::vector<double>{2, 0}));
+  EXPECT_EQ(r.stack.at(0).entered, 0);
+  r = tick(i, 6);
+  EXPECT_EQ(r.fired_case, std::nullopt);
+  EXPECT_EQ(r.profile->phase, Phase::Tick);
+  EXPECT_EQ(i.number(clock_b), 2);
+  r = tick(i, 8);  // back in a: its time runs on, its resume time starts anew
+  EXPECT_EQ(r.state.index, 0u);
+  EXPECT_EQ(r.profile->phase, Phase::Resume);
+  EXPECT_EQ(r.route->phase, Phase::Resume);
+  EXPECT_EQ(r.profile->arguments, (std::vector<double>{1, 8}));
+  EXPECT_EQ(i.number(clock_a), 0);
+  tick(i, 12);
+  EXPECT_EQ(i.number(clock_a), 4);
+  r = tick(i, 16);  // goto itself enters it again
+  EXPECT_EQ(r.profile->phase, Phase::Enter);
+  EXPECT_EQ(r.profile->arguments.at(1), 0);
+}
+
+TEST(Interpreter, TriesGuardsOnTheTickAfterTheEntry) {
+  const Mission m =
+      missionOf(kHeader + stateText("a", "case true goto b") + stateText("b", "case true exit"));
+  Interpreter i(m, 0);
+  EXPECT_EQ(i.start().state.index, 0u);
+  EXPECT_EQ(tick(i, 4).state.index, 1u);
+  const TickResult last = tick(i, 8);
+  EXPECT_TRUE(last.finished);
+  EXPECT_EQ(last.fired_case, 0u);
+  EXPECT_FALSE(last.profile || last.route);
+  const TickResult after = tick(i, 12);
+  EXPECT_TRUE(after.finished);
+  EXPECT_EQ(after.fired_case, std::nullopt);
+  EXPECT_EQ(after.state.index, 1u);
+}
+
+TEST(Interpreter, TakesTheFirstTrueCaseAndStayEndsTheList) {
+  const Mission m = missionOf(kHeader +
+                              stateText("a",
+                                        "case (gt (sensor temp) 5:temperature) stay "
+                                        "case (gt (sensor depth) 5:length) goto b case true stay") +
+                              stateText("b", ""));
+  Interpreter i(m, 0);
+  i.start();
+  EXPECT_EQ(tick(i, 4, {{kTemp, 9}, {kDepth, 9}}).fired_case, 0u);
+  EXPECT_EQ(tick(i, 8, {{kTemp, 1}, {kDepth, 1}}).fired_case, 2u);
+  const TickResult r = tick(i, 12, {{kDepth, 9}});
+  EXPECT_EQ(r.fired_case, 1u);
+  EXPECT_EQ(r.state.index, 1u);
+}
+
+TEST(Interpreter, UnknownSilencesAGuardAndItsOpposite) {
+  const Mission m =
+      missionOf(kHeader + stateText("a",
+                                    "case (gt (sensor temp) 5:temperature) exit "
+                                    "case (not (gt (sensor temp) 5:temperature)) exit "
+                                    "case (not (known (sensor temp))) stay"));
+  Interpreter i(m, 0);
+  i.start();
+  EXPECT_EQ(tick(i, 4).fired_case, 2u) << "never seen";
+  EXPECT_EQ(tick(i, 8, {{kTemp, kNaN}}).fired_case, 2u);
+  EXPECT_EQ(tick(i, 12, {{kTemp, 41}}).fired_case, 2u) << "beyond its range";
+  EXPECT_EQ(tick(i, 16, {{kTemp, 3}}).fired_case, 1u);
+}
+
+TEST(Interpreter, ReadingsAgeAndGoStale) {
+  const Mission m = missionOf(
+      kHeader + "state a route drift () profile to ((sensor depth), (age depth)) case false exit");
+  Interpreter i(m, 0);
+  TickResult r = i.start();
+  EXPECT_NE(r.profile->arguments[0], r.profile->arguments[0]);
+  EXPECT_EQ(tick(i, 8).profile->arguments[1], 8) << "of one never seen, since mission time 0";
+  EXPECT_EQ(tick(i, 10, {{kDepth, 7}}).profile->arguments, (std::vector<double>{7, 0}));
+  EXPECT_EQ(tick(i, 30).profile->arguments, (std::vector<double>{7, 20}));
+  r = tick(i, 31);
+  EXPECT_NE(r.profile->arguments[0], r.profile->arguments[0]) << "stale after 20 s";
+  EXPECT_EQ(r.profile->arguments[1], 21);
+  r = tick(i, 40, {{kDepth, kNaN}});
+  EXPECT_NE(r.profile->arguments[0], r.profile->arguments[0]);
+  EXPECT_EQ(r.profile->arguments[1], 0) << "a frame held it, if only as NaN";
+  EXPECT_EQ(tick(i, 44, {{kDepth, 1}, {kDepth, 2}}).profile->arguments[0], 2);
+}
+
+TEST(Interpreter, MissionTimeNeverGoesBack) {
+  const Mission m = missionOf(
+      kHeader + "state a route drift () profile to (1:length, missiontime) case false exit");
+  Interpreter i(m, 0);
+  i.start();
+  EXPECT_EQ(tick(i, 8).profile->arguments[1], 8);
+  EXPECT_EQ(tick(i, 4, {{kDepth, 1}}).profile->arguments[1], 8);
+  EXPECT_EQ(tick(i, 12).profile->arguments[1], 12);
+}
+
+TEST(InterpreterDeathTest, RefusesWhatVerificationRulesOut) {
+  const Mission m = missionOf(kHeader + stateText("a", "case true return"));
+  Interpreter i(m, 0);
+  i.start();
+  EXPECT_DEATH(tick(i, 4), "nowhere to go");
+  const Mission n = missionOf(kHeader + stateText("a", "case true call b") + stateText("b", ""));
+  Interpreter k(n, 0);
+  k.start();
+  EXPECT_DEATH(tick(k, 4), "deeper than");
+}
+
+}  // namespace
+}  // namespace glider::ir

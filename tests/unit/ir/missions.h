@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "ir/text/read.h"
+#include "support/diagnostics/render.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace glider::ir {
+
+/// The mission of this text, which must be right.
+inline Mission missionOf(const std::string& text) {
+  support::SourceManager sources;
+  support::DiagnosticEngine diagnostics;
+  std::optional<Mission> mission = read(sources, sources.add("test", text), diagnostics);
+  EXPECT_TRUE(mission.has_value()) << support::render(diagnostics, sources, false);
+  return mission.value_or(Mission());
+}
+
+/// The start of a text with two behaviours and two sensors.
+inline const std::string kHeader = R"(glider_ir 1
+mission m platform slocum
+sensor depth: length vehicle m_depth id 1 encoding linear to_si 1 lowest -1 highest 100 stale_after 20
+sensor temp: temperature vehicle sci_water_temp id 2 encoding linear to_si 1 lowest -2 highest 40 stale_after 20
+behaviour profile glide symbol gliderProfileGlide () reads (depth)
+behaviour profile to symbol gliderProfileTo (target: length, since: time) reads ()
+behaviour route drift symbol gliderRouteDrift () reads ()
+)";
+
+/// A state that drifts.
+inline std::string stateText(const std::string& name, const std::string& cases) {
+  return "state " + name + " route drift () profile glide () " + cases + "\n";
+}
+
+}  // namespace glider::ir

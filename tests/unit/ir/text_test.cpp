@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/core/ops.h"
+#include "ir/core/validate.h"
+#include "ir/text/print.h"
+#include "tests/random_missions/random_mission.h"
+#include "tests/unit/ir/missions.h"
+
+#include <bit>
+#include <limits>
+#include <regex>
+#include <tuple>
+
+namespace glider::ir {
+namespace {
+
+uint64_t bits(double value) {
+  return std::bit_cast<uint64_t>(value);
+}
+
+void expectSame(const Activity& a, const Activity& b) {
+  EXPECT_EQ(a.behaviour, b.behaviour);
+  EXPECT_EQ(a.arguments, b.arguments);
+}
+
+void expectSame(const State& a, const State& b) {
+  EXPECT_EQ(a.name, b.name);
+  expectSame(a.profile, b.profile);
+  expectSame(a.route, b.route);
+  ASSERT_EQ(a.log.size(), b.log.size());
+  for (size_t i = 0; i < a.log.size(); ++i) {
+    EXPECT_EQ(a.log[i].name, b.log[i].name);
+    EXPECT_EQ(a.log[i].value, b.log[i].value);
+    EXPECT_EQ(bits(a.log[i].period_s), bits(b.log[i].period_s));
+  }
+  ASSERT_EQ(a.cases.size(), b.cases.size());
+  for (size_t i = 0; i < a.cases.size(); ++i) {
+    EXPECT_EQ(a.cases[i].guard, b.cases[i].guard);
+    EXPECT_EQ(a.cases[i].transition, b.cases[i].transition);
+    EXPECT_EQ(a.cases[i].target, b.cases[i].target);
+  }
+}
+
+void expectSame(const Sensor& a, const Sensor& b) {
+  EXPECT_EQ(std::tie(a.name, a.vehicle_name, a.id, a.type, a.encoding),
+            std::tie(b.name, b.vehicle_name, b.id, b.type, b.encoding));
+  for (auto number : {&Sensor::to_si, &Sensor::lowest, &Sensor::highest, &Sensor::stale_after_s}) {
+    EXPECT_EQ(bits(a.*number), bits(b.*number));
+  }
+}
+
+void expectSame(const Behaviour& a, const Behaviour& b) {
+  EXPECT_EQ(std::tie(a.name, a.symbol, a.kind, a.reads),
+            std::tie(b.name, b.symbol, b.kind, b.reads));
+  ASSERT_EQ(a.parameters.size(), b.parameters.size());
+  for (size_t i = 0; i < a.parameters.size(); ++i) {
+    EXPECT_EQ(a.parameters[i].name, b.parameters[i].name);
+    EXPECT_EQ(a.parameters[i].type, b.parameters[i].type);
+  }
+}
+
+void expectSame(const Expr& a, const Expr& b) {
+  EXPECT_EQ(std::tie(a.op, a.type, a.operands, a.sensor),
+            std::tie(b.op, b.type, b.operands, b.sensor));
+  EXPECT_EQ(bits(a.number), bits(b.number));
+}
+
+template <typename T>
+void expectSame(const std::vector<T>& a, const std::vector<T>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (size_t i = 0; i < a.size(); ++i) {
+    expectSame(a[i], b[i]);
+  }
+}
+
+/// Everything but source ranges.
+void expectSame(const Mission& a, const Mission& b) {
+  EXPECT_EQ(std::tie(a.name, a.platform), std::tie(b.name, b.platform));
+  expectSame(a.sensors, b.sensors);
+  expectSame(a.behaviours, b.behaviours);
+  expectSame(a.exprs, b.exprs);
+  expectSame(a.states, b.states);
+}
+
+TEST(IrText, RandomMissionsComeBack) {
+  for (uint64_t seed = 0; seed < 300; ++seed) {
+    const Mission mission = random_missions::randomMission(seed);
+    const std::string text = print(mission);
+    const Mission again = missionOf(text);
+    expectSame(mission, again);
+    EXPECT_EQ(text, print(again));
+    ASSERT_FALSE(HasFailure()) << text;
+  }
+}
+
+TEST(IrText, ReadsLikeTheMission) {
+  const std::string text = R"(glider_ir 1
+mission m platform slocum
+
+sensor depth: length vehicle m_depth id 1 encoding linear to_si 1 lowest -1 highest 100 stale_after 20
+behaviour profile yo symbol gliderProfileYo (top: length, bottom: length) reads (depth)
+behaviour route drift symbol gliderRouteDrift () reads ()
+
+state s1
+  route drift ()
+  profile yo (5:length, (add (sensor depth) 2.5:length))
+  log depth every 8 (sensor depth)
+  case (and (ge missiontime 500:time) (lt missiontime 1500:time)) call s2
+  let %11 = (le (sensor depth) 0.1:length)
+  case (not %11) stay
+
+state s2
+  route drift ()
+  profile yo (5:length, 20:length)
+  case %11 return
+)";
+  const std::string printed = print(missionOf(text));
+  EXPECT_EQ(std::regex_replace(printed, std::regex("%[0-9]+"), "%11"), text);
+}
+
+/// A mission that only a machine would make: names with anything in them, expressions in no order
+/// that a text could have, used often or never, chains longer than a reader nests.
+Mission strange() {
+  Mission m = missionOf(kHeader + stateText("a", "case true exit"));
+  m.name = "";
+  m.platform = "\"quotes\\\n\xff\x01 and blanks";
+  m.states[0].name = "state";
+  m.sensors[0].name = "case";
+  m.sensors[0].lowest = -std::numeric_limits<double>::infinity();
+  m.sensors[0].highest = std::numeric_limits<double>::denorm_min();
+  m.sensors[0].type.dimension = {{-12, 12, 0, 3, 0, 1}};
+  m.exprs.clear();
+  for (double number : {-0.0, 0x1p-1074, 0.1, std::numeric_limits<double>::max()}) {
+    Expr e;
+    e.number = number;
+    e.type = {TypeKind::Quantity, support::dimension::length};
+    m.exprs.push_back(e);
+  }
+  Expr less;
+  less.op = Op::Less;
+  less.operands = {ExprId{2}, ExprId{0}};
+  less.type = {TypeKind::Bool, {}};
+  m.exprs.push_back(less);
+  for (uint32_t i = 0; i < 1000; ++i) {
+    Expr e;
+    e.op = Op::Not;
+    e.operands = {ExprId{4 + i}};
+    e.type = {TypeKind::Bool, {}};
+    m.exprs.push_back(e);
+  }
+  m.states[0].cases[0].guard = {1004};
+  m.states[0].cases.push_back({{500}, Transition::Goto, {0}, {}});
+  m.states[0].log = {{"two words", {3}, 0.1}, {"", {1}, 1e-7}};
+  return m;
+}
+
+TEST(IrText, StrangeMissionsComeBack) {
+  const Mission mission = strange();
+  ASSERT_TRUE(validate(mission).empty());
+  expectSame(mission, missionOf(print(mission)));
+}
+
+TEST(IrText, RangesPointIntoTheText) {
+  support::SourceManager sources;
+  support::DiagnosticEngine diagnostics;
+  const uint32_t file =
+      sources.add("test", kHeader + stateText("a", "case (not (known (sensor depth))) goto a"));
+  const auto m = read(sources, file, diagnostics);
+  ASSERT_TRUE(m.has_value());
+  EXPECT_EQ(sources.text(m->states[0].range), "a");
+  EXPECT_EQ(sources.text(m->states[0].cases[0].range), "case (not (known (sensor depth))) goto a");
+  EXPECT_EQ(sources.text(m->exprs[1].range), "(known (sensor depth))");
+  EXPECT_EQ(sources.text(m->states[0].profile.range), "profile glide ()");
+}
+
+TEST(IrText, EveryOperationHasItsOwnSpelling) {
+  for (size_t i = 0; i < opCount(); ++i) {
+    const OpInfo& info = opInfo(static_cast<Op>(i));
+    EXPECT_EQ(info.op, static_cast<Op>(i));
+    EXPECT_EQ(findOp(info.text)->op, info.op);
+  }
+  EXPECT_EQ(findOp("nonsense"), nullptr);
+}
+
+}  // namespace
+}  // namespace glider::ir

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "platforms/load/platform.h"
+
+#include "platforms/slocum_sensors.h"
+#include "tests/support/command.h"
+
+#include <gtest/gtest.h>
+
+namespace glider::platforms {
+namespace {
+
+constexpr const char* kHead =
+    "name = \"p\"\ndescription = \"d\"\n[envelope]\ngreatest_depth_m = 1.0\nsteepest_pitch_rad = "
+    "1.0\ncycle_s = 4.0\n";
+constexpr const char* kSensor =
+    "[[sensor]]\nname = \"a\"\nunit = \"m\"\nlowest = 0.0\nhighest = 1.0\nstale_after_s = "
+    "1.0\ncomputer = \"flight\"\n"
+    "bytes = 4\nwhat = \"w\"\n";
+
+support::Result<Platform> load(const std::string& text) {
+  const tests::TemporaryFolder folder;
+  return loadPlatform(folder.write("p.toml", text));
+}
+
+TEST(Platform, TheSlocumLoadsAndItsNumbersAreTheHeaders) {
+  const auto platform = loadPlatform(GLIDER_SOURCE_DIR "/platforms/slocum.toml");
+  ASSERT_TRUE(platform) << platform.error().message;
+  EXPECT_EQ(platform->sensors.size(), size_t{GLIDER_SENSOR_COUNT});
+  EXPECT_EQ(platform->find("temp"), platform->find("sci_water_temp"));
+  EXPECT_EQ(platform->find("m_depth")->id, GLIDER_M_DEPTH);
+  EXPECT_EQ(platform->find("pressure")->to_si, 1e5);
+  EXPECT_EQ(platform->find("nothing"), nullptr);
+}
+
+// accepts: GL5001
+TEST(Platform, MistakesInTheFileAreNamedWithTheirLine) {
+  ASSERT_TRUE(load(std::string(kHead) + kSensor));
+  const std::pair<std::string, std::string> bad[] = {
+      {"", "has no `name`"},
+      {"name = 3\ndescription = \"d\"\n", "must be a text"},
+      {kHead, "[[sensor]]"},
+      {std::string(kHead) + "sensor = 5\n", "means nothing here"},
+      {std::string(kHead) + kSensor + kSensor, "taken"},
+      {std::string(kHead) + kSensor + "colour = 1\n", "`colour`"},
+      {std::string("name = "), "p.toml:1"},
+  };
+  for (const auto& [text, expected] : bad) {
+    const auto platform = load(text);
+    ASSERT_FALSE(platform) << text;
+    EXPECT_EQ(support::code(platform.error().id), "GL5001");
+    EXPECT_NE(platform.error().message.find(expected), std::string::npos)
+        << platform.error().message;
+  }
+}
+
+TEST(Platform, ValuesOutsideTheirMeaningAreRefused) {
+  auto with = [&](const std::string& from, const std::string& to) {
+    std::string text = std::string(kHead) + kSensor;
+    text.replace(text.rfind(from), from.size(), to);
+    return load(text);
+  };
+  EXPECT_FALSE(with("unit = \"m\"", "unit = \"furlong\""));
+  EXPECT_FALSE(with("highest = 1.0", "highest = 0.0"));
+  EXPECT_FALSE(with("highest = 1.0", "highest = nan"));
+  EXPECT_FALSE(with("stale_after_s = 1.0", "stale_after_s = -1.0"));
+  EXPECT_FALSE(with("bytes = 4", "bytes = 3"));
+  EXPECT_FALSE(with("\"flight\"", "\"kitchen\""));
+}
+
+}  // namespace
+}  // namespace glider::platforms

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "platforms/slocum_sensors.h"
+#include "runtime/abi/context_layout.h"
+#include "runtime/abi/runtime.h"
+
+#include <functional>
+#include <vector>
+
+/// A mission made by hand, as generated code would describe it, whose guards and flying the test
+/// gives.
+namespace glider::runtime::testing {
+
+struct BenchMission {
+  std::vector<GliderSensorInfo> sensors;
+  std::vector<GliderStateInfo> states;
+  GliderMission mission{};
+
+  std::function<uint32_t(const GliderContext&)> guards = [](const GliderContext&) {
+    return GLIDER_NO_CASE;
+  };
+  std::function<void(GliderContext&, uint32_t)> fly = [](GliderContext&, uint32_t) {};
+  std::function<double(const GliderContext&, uint32_t)> log_value = [](const GliderContext&,
+                                                                       uint32_t) { return 0.0; };
+
+  /// Fills in `mission` and makes this the bench mission that its functions ask.
+  const GliderMission& finish(uint32_t stack_limit) {
+    active() = this;
+    mission.abi_version = GLIDER_ABI_VERSION;
+    mission.state_count = static_cast<uint32_t>(states.size());
+    mission.sensor_count = static_cast<uint32_t>(sensors.size());
+    mission.stack_limit = stack_limit;
+    mission.memory_count = 2 * mission.state_count;
+    mission.context_bytes = static_cast<uint32_t>(
+        gliderContextLayout(mission.sensor_count, stack_limit, mission.memory_count).bytes);
+    mission.name = "bench";
+    mission.states = states.data();
+    mission.sensors = sensors.data();
+    mission.guards = [](const GliderContext* c) { return active()->guards(*c); };
+    mission.fly = [](GliderContext* c, uint32_t phase) { active()->fly(*c, phase); };
+    mission.log_value = [](const GliderContext* c, uint32_t i) {
+      return active()->log_value(*c, i);
+    };
+    memory.assign(mission.context_bytes / sizeof(double), 0.0);
+    return mission;
+  }
+  GliderContext* start(const std::vector<GliderUpdate>& frame = {}) {
+    return gliderStart(memory.data(), &mission, frame.data(), static_cast<uint32_t>(frame.size()));
+  }
+
+  static BenchMission*& active() {
+    static BenchMission* mission = nullptr;
+    return mission;
+  }
+  std::vector<double> memory;  ///< of the context
+};
+
+inline GliderSensorInfo depthSensor() {
+  return {"m_depth", 1, 0, 1200, 20, GLIDER_M_DEPTH, kGliderLinear};
+}
+inline GliderSensorInfo temperatureSensor() {
+  return {"sci_water_temp", 1, -5, 45, 20, GLIDER_SCI_WATER_TEMP, kGliderLinear};
+}
+inline GliderUpdate update(uint32_t id, double value) {
+  return {value, id, 0};
+}
+inline void step(GliderContext* context, double time, const std::vector<GliderUpdate>& frame = {}) {
+  gliderStep(context, time, frame.data(), static_cast<uint32_t>(frame.size()));
+}
+
+}  // namespace glider::runtime::testing

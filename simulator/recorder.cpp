@@ -13,39 +13,60 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-const std::vector<support::TraceColumn>& columns() {
-  static const std::vector<support::TraceColumn> kColumns = {{"time", "s"},
-                                                             {"missiontime", "s"},
-                                                             {"state", "id"},
-                                                             {"m_depth", "m"},
-                                                             {"true_depth", "m"},
-                                                             {"m_pitch", "rad"},
-                                                             {"c_pitch", "rad"},
-                                                             {"m_heading", "rad"},
-                                                             {"c_heading", "rad"},
-                                                             {"m_lat", "deg"},
-                                                             {"m_lon", "deg"},
-                                                             {"true_lat", "deg"},
-                                                             {"true_lon", "deg"},
-                                                             {"m_x_lmc", "m"},
-                                                             {"m_y_lmc", "m"},
-                                                             {"true_x", "m"},
-                                                             {"true_y", "m"},
-                                                             {"sci_water_temp", "degC"},
-                                                             {"m_ballast_pumped", "cc"},
-                                                             {"c_ballast_pumped", "cc"},
-                                                             {"m_battery", "V"},
-                                                             {"m_depth_rate", "m/s"},
-                                                             {"hook_active", ""},
-                                                             {"hook_vertical", ""},
-                                                             {"hook_depth", "m"},
-                                                             {"order_top", "m"},
-                                                             {"order_bottom", "m"},
-                                                             {"isotherm_depth", "m"},
-                                                             {"water_depth", "m"},
-                                                             {"layer", ""}};
-  return kColumns;
-}
+/// What a row is made from.
+struct Moment {
+  double now_s;
+  const FlightController& flight;
+  const ScienceComputer& science;
+  const Vehicle& vehicle;
+  GeoPosition truth;
+  double isotherm_m, water_depth_m;
+
+  [[nodiscard]] double get(uint16_t id) const { return flight.array().get(id); }
+};
+
+struct Column {
+  const char* name;
+  const char* unit;
+  double (*value)(const Moment& m);
+};
+
+// missiontime and state are filled in by Recorder::mission.
+#define COLUMN(name, unit, value) \
+  {name, unit, []([[maybe_unused]] const Moment& m) -> double { return value; }}
+constexpr Column kColumns[] = {
+    COLUMN("time", "s", m.now_s),
+    COLUMN("missiontime", "s", kNaN),
+    COLUMN("state", "id", kNaN),
+    COLUMN("m_depth", "m", m.get(GLIDER_M_DEPTH)),
+    COLUMN("true_depth", "m", m.vehicle.depth()),
+    COLUMN("m_pitch", "rad", m.get(GLIDER_M_PITCH)),
+    COLUMN("c_pitch", "rad", m.get(GLIDER_C_PITCH)),
+    COLUMN("m_heading", "rad", m.get(GLIDER_M_HEADING)),
+    COLUMN("c_heading", "rad", m.get(GLIDER_C_HEADING)),
+    COLUMN("m_lat", "deg", fromDdmm(m.get(GLIDER_M_LAT))),
+    COLUMN("m_lon", "deg", fromDdmm(m.get(GLIDER_M_LON))),
+    COLUMN("true_lat", "deg", m.truth.latitude_deg),
+    COLUMN("true_lon", "deg", m.truth.longitude_deg),
+    COLUMN("m_x_lmc", "m", m.get(GLIDER_M_X_LMC)),
+    COLUMN("m_y_lmc", "m", m.get(GLIDER_M_Y_LMC)),
+    COLUMN("true_x", "m", m.vehicle.x()),
+    COLUMN("true_y", "m", m.vehicle.y()),
+    COLUMN("sci_water_temp", "degC", m.science.value(GLIDER_SCI_WATER_TEMP)),
+    COLUMN("m_ballast_pumped", "cc", m.get(GLIDER_M_BALLAST_PUMPED)),
+    COLUMN("c_ballast_pumped", "cc", m.get(GLIDER_C_BALLAST_PUMPED)),
+    COLUMN("m_battery", "V", m.get(GLIDER_M_BATTERY)),
+    COLUMN("m_depth_rate", "m/s", m.get(GLIDER_M_DEPTH_RATE)),
+    COLUMN("hook_active", "", m.flight.hookActive() ? 1 : 0),
+    COLUMN("hook_vertical", "", m.flight.order().vertical),
+    COLUMN("hook_depth", "m", m.flight.order().depth_m),
+    COLUMN("order_top", "m", m.flight.order().top_m),
+    COLUMN("order_bottom", "m", m.flight.order().bottom_m),
+    COLUMN("isotherm_depth", "m", m.isotherm_m),
+    COLUMN("water_depth", "m", m.water_depth_m),
+    COLUMN("layer", "", m.flight.layer() == kNoLayer ? kNaN : m.flight.layer()),
+};
+#undef COLUMN
 
 constexpr size_t kMissionTimeColumn = 1, kStateColumn = 2;
 constexpr size_t kMostTimes = 400, kDepths = 80;
@@ -55,48 +76,21 @@ constexpr size_t kMostTimes = 400, kDepths = 80;
 Recorder::Recorder(support::Trace& trace, const Ocean& ocean, const LocalFrame& frame,
                    double isotherm_degC)
     : trace_(trace), ocean_(ocean), frame_(frame), isotherm_(isotherm_degC) {
-  trace_.columns = columns();
+  for (const Column& column : kColumns) {
+    trace_.columns.push_back({column.name, column.unit});
+  }
 }
 
 void Recorder::row(double now_s, const FlightController& flight, const ScienceComputer& science,
                    const Vehicle& vehicle) {
-  const SensorArray& a = flight.array();
-  const HookOrder& order = flight.order();
   const double x = vehicle.x(), y = vehicle.y();
-  const GeoPosition truth = frame_.position(x, y);
   const double isotherm =
       std::isnan(isotherm_) ? kNaN : ocean_.isothermDepth(isotherm_, x, y, now_s);
-  const double row[] = {now_s,
-                        kNaN,
-                        kNaN,
-                        a.get(GLIDER_M_DEPTH),
-                        vehicle.depth(),
-                        a.get(GLIDER_M_PITCH),
-                        a.get(GLIDER_C_PITCH),
-                        a.get(GLIDER_M_HEADING),
-                        a.get(GLIDER_C_HEADING),
-                        fromDdmm(a.get(GLIDER_M_LAT)),
-                        fromDdmm(a.get(GLIDER_M_LON)),
-                        truth.latitude_deg,
-                        truth.longitude_deg,
-                        a.get(GLIDER_M_X_LMC),
-                        a.get(GLIDER_M_Y_LMC),
-                        x,
-                        y,
-                        science.value(GLIDER_SCI_WATER_TEMP),
-                        a.get(GLIDER_M_BALLAST_PUMPED),
-                        a.get(GLIDER_C_BALLAST_PUMPED),
-                        a.get(GLIDER_M_BATTERY),
-                        a.get(GLIDER_M_DEPTH_RATE),
-                        flight.hookActive() ? 1.0 : 0.0,
-                        order.vertical,
-                        order.depth_m,
-                        order.top_m,
-                        order.bottom_m,
-                        isotherm,
-                        ocean_.waterDepth(x, y),
-                        flight.layer() == kNoLayer ? kNaN : flight.layer()};
-  trace_.rows.insert(trace_.rows.end(), std::begin(row), std::end(row));
+  const Moment moment{
+      now_s, flight, science, vehicle, frame_.position(x, y), isotherm, ocean_.waterDepth(x, y)};
+  for (const Column& column : kColumns) {
+    trace_.rows.push_back(column.value(moment));
+  }
 }
 
 void Recorder::mission(double mission_time_s, uint32_t state) {

@@ -33,15 +33,17 @@ double depthState(const Situation& s) {
 
 }  // namespace
 
-FlightController::FlightController(const platforms::Platform& platform, const Scenario& scenario,
-                                   uint64_t seed, const LocalFrame& frame, Journal& journal)
+FlightController::FlightController(const platforms::Platform& platform,
+                                   const slocum::MissionFile& mission,
+                                   const SensorSettings& sensors, uint64_t seed,
+                                   const LocalFrame& frame, Journal& journal)
     : array_(platform),
       navigator_(frame),
-      depth_sensor_(seed, scenario.sensors.depth_m),
-      attitude_(seed, scenario.sensors.pitch_rad, scenario.sensors.heading_rad),
-      altimeter_(seed, scenario.sensors.altitude_m),
-      gps_(seed, scenario.sensors.gps_m),
-      layers_(scenario.skeleton),
+      depth_sensor_(seed, sensors.depth_m),
+      attitude_(seed, sensors.pitch_rad, sensors.heading_rad),
+      altimeter_(seed, sensors.altitude_m),
+      gps_(seed, sensors.gps_m),
+      layers_(mission),
       journal_(journal),
       cycle_s_(platform.envelope.cycle_s) {}
 

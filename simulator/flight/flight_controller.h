@@ -7,11 +7,11 @@
 #include "simulator/flight/dynamic_control.h"
 #include "simulator/flight/layered_control.h"
 #include "simulator/flight/navigator.h"
-#include "simulator/scenario/scenario.h"
 #include "simulator/sensors/altimeter.h"
 #include "simulator/sensors/attitude_sensor.h"
 #include "simulator/sensors/depth_sensor.h"
 #include "simulator/sensors/gps.h"
+#include "simulator/sensors/settings.h"
 
 #include <limits>
 #include <string>
@@ -30,8 +30,9 @@ struct HookOrder {
 /// → clothesline.
 class FlightController {
  public:
-  FlightController(const platforms::Platform& platform, const Scenario& scenario, uint64_t seed,
-                   const LocalFrame& frame, Journal& journal);
+  FlightController(const platforms::Platform& platform, const slocum::MissionFile& mission,
+                   const SensorSettings& sensors, uint64_t seed, const LocalFrame& frame,
+                   Journal& journal);
 
   /// The control cycle at time `now_s` of the mission.
   void cycle(double now_s, const Ocean& ocean, Vehicle& vehicle,

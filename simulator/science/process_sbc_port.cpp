@@ -128,6 +128,17 @@ void ProcessSbcPort::destroy(std::string epitaph) {
   }
 }
 
+void ProcessSbcPort::closed() {
+  // A program that ends closes its port a moment before its end can be taken.
+  constexpr double kGraceSecs = 1;
+  constexpr useconds_t kPause = 2000;
+  const auto start = Clock::now();
+  for (reap(false); alive() && secondsSince(start) < kGraceSecs; reap(false)) {
+    ::usleep(kPause);
+  }
+  destroy("closed its serial port");
+}
+
 void ProcessSbcPort::kill() {
   destroy("killed");
 }
@@ -146,7 +157,7 @@ void ProcessSbcPort::read() {
     }
   }
   if (count < 0 && alive()) {
-    destroy("closed its serial port");
+    closed();
   }
 }
 
@@ -164,7 +175,7 @@ void ProcessSbcPort::deliver(std::span<const uint8_t> bytes, double /*now_s*/) {
     const int32_t taken =
         stream.write(stream.self, bytes.data(), static_cast<uint32_t>(bytes.size()));
     if (taken < 0) {
-      destroy("closed its serial port");
+      closed();
       return;
     }
     if (taken > 0) {

@@ -49,6 +49,8 @@ class ProcessSbcPort final : public SbcPort {
   /// Takes the program's end if it has ended; `block` waits for it.
   void reap(bool block);
   void destroy(std::string epitaph);
+  /// The program has let go of the terminal: it has ended, or it will be ended.
+  void closed();
 
   std::string way_;
   hooks::Pty pty_;

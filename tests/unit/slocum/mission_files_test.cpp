@@ -155,6 +155,7 @@ TEST(ArgumentFile, PointsAtEachMistake) {
       "");
 }
 
+// accepts: GL5113
 TEST(ArgumentFile, GoesBeforeTheMissionFile) {
   const fs::path folder = fs::path(testing::TempDir()) / "argument_files";
   fs::create_directories(folder);
@@ -164,7 +165,6 @@ TEST(ArgumentFile, GoesBeforeTheMissionFile) {
   ASSERT_TRUE(support::writeFileAtomically(folder / "surfac07.ma", "behavior_name=yo\n"));
   Reading r = mission(
       "behavior: yo\n b_arg: args_from_file(enum) 7\n b_arg: d_target_depth(m) 3\n");  // accepts:
-                                                                                       // GL5113
   applyArgumentFiles(*r.mission, folder, r.sources, r.diagnostics);
   EXPECT_EQ(r.mission->behaviours[0].value("d_target_depth"), 44);
   EXPECT_EQ(r.codes(), "");

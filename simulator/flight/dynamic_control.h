@@ -23,7 +23,7 @@ class DynamicControl {
   }  ///< rad; NaN at a battery position
   [[nodiscard]] double headingCommand() const {
     return heading_value_;
-  }                                                              ///< rad; NaN for a fixed fin
+  }  ///< rad; NaN for a fixed fin
   [[nodiscard]] double pumpCommand() const { return pump_cc_; }  ///< within the pump's limits
 
  private:

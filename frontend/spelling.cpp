@@ -25,6 +25,12 @@ constexpr std::pair<std::string_view, std::string_view> kUnitWords[] = {
     {"watts", "W"},       {"w", "W"},          {"joule", "J"},      {"joules", "J"},     {"percent", "%"},
     {"mps", "m/s"}};
 
+constexpr std::string_view kUnits[] = {
+#define UNIT(spelling, dim, to_si) spelling,
+#include "support/units/units.def"
+#undef UNIT
+};
+
 std::string lower(std::string_view word) {
   std::string out(word);
   std::ranges::transform(out, out.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -85,7 +91,15 @@ std::string didYouMean(std::string_view word, const std::vector<std::string_view
 std::string_view unitForWord(std::string_view word) {
   const std::string wanted = lower(word);
   const auto* found = std::ranges::find(kUnitWords, wanted, [](const auto& row) { return row.first; });
-  return found == std::end(kUnitWords) ? std::string_view{} : found->second;
+  if (found != std::end(kUnitWords)) {
+    return found->second;
+  }
+  for (std::string_view unit : kUnits) {
+    if (lower(unit) == wanted) {
+      return unit;
+    }
+  }
+  return {};
 }
 
 }  // namespace glider::frontend

@@ -66,7 +66,6 @@ COMPASS : 'N' | 'S' | 'E' | 'W' ;
 
 NAME : [A-Za-z_] [A-Za-z_0-9]* ;
 NUMBER : ([0-9]+ ('.' [0-9]+)? | '.' [0-9]+) ([eE] [+\-]? [0-9]+)? ;
-POINT_WITHOUT_DIGITS : [0-9]+ '.' ;
 STRING : '"' (~["\\\r\n] | '\\' ~[\r\n])* '"' ;
 
 OR : '||' ;

@@ -53,10 +53,11 @@ statement
   | NAME arguments                                         # commandStatement
   ;
 
-external
-  : EXTERN FUNCTION name formals COLON type                # externFunction
-  | EXTERN (FLIGHTPROFILE | FLIGHTROUTE) name formals? reads?  # externBehaviour
-  | EXTERN SENSOR name COLON type                          # externSensor
+external : EXTERN declaration ;
+declaration
+  : FUNCTION name formals COLON type                       # externFunction
+  | (FLIGHTPROFILE | FLIGHTROUTE) name formals? reads?     # externBehaviour
+  | SENSOR name COLON type                                 # externSensor
   ;
 reads : READS name (COMMA name)* ;
 

@@ -138,13 +138,14 @@ ast::Behaviour AstBuilder::behaviour(Parser::BehaviourContext* rule) {
 }
 
 ast::Item AstBuilder::external(Parser::ExternalContext* rule) {
-  if (auto* f = dynamic_cast<Parser::ExternFunctionContext*>(rule)) {
+  Parser::DeclarationContext* declaration = rule->declaration();
+  if (auto* f = dynamic_cast<Parser::ExternFunctionContext*>(declaration)) {
     return ast::ExternFunction{name(f->name()), *formals(f->formals()), type(f->type()), where(rule)};
   }
-  if (auto* s = dynamic_cast<Parser::ExternSensorContext*>(rule)) {
+  if (auto* s = dynamic_cast<Parser::ExternSensorContext*>(declaration)) {
     return ast::ExternSensor{name(s->name()), type(s->type()), where(rule)};
   }
-  auto* b = dynamic_cast<Parser::ExternBehaviourContext*>(rule);
+  auto* b = dynamic_cast<Parser::ExternBehaviourContext*>(declaration);
   CHECK(b != nullptr, "an `extern` that the grammar lacks");
   const auto kind = b->FLIGHTPROFILE() != nullptr ? ast::BehaviourKind::Profile : ast::BehaviourKind::Route;
   ast::ExternBehaviour result{kind, name(b->name()), formals(b->formals()), {}, where(rule)};

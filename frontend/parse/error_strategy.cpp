@@ -93,6 +93,9 @@ void ErrorStrategy::recover(antlr4::Parser* parser, std::exception_ptr) {
   if (lastErrorIndex == index && lastErrorStates.contains(static_cast<ssize_t>(parser->getState()))) {
     parser->consume();  // the same rule failed here before: never stand still
   }
+  if (lastErrorIndex != index) {
+    lastErrorStates.clear();
+  }
   lastErrorIndex = index;
   lastErrorStates.add(static_cast<ssize_t>(parser->getState()));
   if (rule == GliderParser::RuleTransition || rule == GliderParser::RuleTarget) {
@@ -110,6 +113,9 @@ void ErrorStrategy::sync(antlr4::Parser* parser) {
   }
   const size_t found = parser->getTokenStream()->LA(1);
   const auto next = atn.nextTokens(const_cast<antlr4::atn::ATNState*>(state));
+  if (next.contains(found) && isBoundary(found)) {
+    endErrorCondition(parser);  // back in step
+  }
   const bool cases = next.contains(size_t{GliderParser::CASE});
   const bool mayEnd = next.contains(antlr4::Token::EPSILON) && !(cases && !endsCase(found));
   if (mayEnd || next.contains(found) || found == antlr4::Token::EOF) {
@@ -119,7 +125,9 @@ void ErrorStrategy::sync(antlr4::Parser* parser) {
   if (cases) {
     skipTo(parser, endsCase);
   } else {
-    skipTo(parser, [&](size_t type) { return next.contains(type); });
+    // A list of arguments ends at the next keyword at the latest; a body of a state only at what may stand in it.
+    const bool body = next.contains(size_t{GliderParser::END}) || next.contains(size_t{GliderParser::STATE});
+    skipTo(parser, [&](size_t type) { return next.contains(type) || (!body && isBoundary(type)); });
   }
 }
 
@@ -128,6 +136,10 @@ void ErrorStrategy::complain(antlr4::Parser* parser, const antlr4::Token* found)
     return;
   }
   beginErrorCondition(parser);
+  const antlr4::Token* before = parser->getTokenStream()->LT(-1);
+  if (before != nullptr && before->getStartIndex() == before->getStopIndex()) {
+    return;  // after something missing that repair put in: reported already
+  }
   if (reporter_.full()) {
     throw antlr4::ParseCancellationException();
   }
@@ -148,9 +160,9 @@ bool ErrorStrategy::misspelled(const Lexeme& found, const std::vector<std::strin
   return !meant.empty();
 }
 
-void ErrorStrategy::complainOfTransition(const Lexeme& found) {
+void ErrorStrategy::complainOfTransition(const Lexeme& before, const Lexeme& found) {
   if (isBoundary(found.type)) {
-    reporter_.at(found, DiagnosticId::missingTransition, describe(reporter_.source(), found));
+    reporter_.at(before, DiagnosticId::missingTransition);
   } else if (found.type == GliderLexer::NAME) {
     const std::string_view word = reporter_.source().text(found);
     auto report = reporter_.at(found, DiagnosticId::wrongTransition, word);
@@ -165,12 +177,27 @@ void ErrorStrategy::complainOfTransition(const Lexeme& found) {
 
 void ErrorStrategy::complainInRule(antlr4::Parser* parser, size_t rule, const Lexeme& found) {
   const antlr4::Token* before = parser->getTokenStream()->LT(-1);
+  const size_t last = before == nullptr ? 0 : before->getType();
   switch (rule) {
     case GliderParser::RuleTransition:
-      return complainOfTransition(found);
+      return complainOfTransition(lexemeOf(before), found);
     case GliderParser::RuleExpr:
     case GliderParser::RulePrimary:
-      return expected(before != nullptr && before->getType() == GliderParser::CASE ? "a condition" : "a value", found);
+      if (last == GliderParser::NUMBER) {
+        return expected("an operator, or the end of the value", lexemeOf(before));
+      }
+      return expected(last == GliderParser::CASE ? "a condition" : "a value", found);
+    case GliderParser::RuleArguments:
+      return expected(last == GliderParser::LPAREN ? "a value or `)`" : "`,` or `)`", found);
+    case GliderParser::RuleFormals:
+      return expected(last == GliderParser::LPAREN ? "a name or `)`" : "`,` or `)`", found);
+    case GliderParser::RulePromise:
+      return expected("`always`, `exit within`, `stack <=`, `reach`, `never` or `surfaces every`", found);
+    case GliderParser::RuleDeclaration:
+      if (last == GliderParser::EXTERN) {
+        return expected("`function`, `flightprofile`, `flightroute` or `sensor`", found);
+      }
+      return expected(listOf(parser->getExpectedTokens()), found);
     case GliderParser::RuleFile:
     case GliderParser::RuleItem:
       if (!misspelled(found, {"mission", "platform", "import", "const", "param", "var", "always", "state",
@@ -187,8 +214,11 @@ void ErrorStrategy::complainInRule(antlr4::Parser* parser, size_t rule, const Le
     case GliderParser::RuleMember:
       return expected("`case` or `end`", found);
     case GliderParser::RuleBlock:
-    case GliderParser::RuleStatement:
-      return expected("`set`, `if`, `log`, a command or `end`", found);
+    case GliderParser::RuleStatement: {
+      const auto set = parser->getExpectedTokens();
+      const bool statement = set.contains(size_t{GliderParser::SET});
+      return expected(statement ? "`set`, `if`, `log`, a command or `end`" : listOf(set), found);
+    }
     case GliderParser::RuleName:
     case GliderParser::RuleAnyName:
       return expected("a name", found);

@@ -24,7 +24,7 @@ class ErrorStrategy final : public antlr4::DefaultErrorStrategy {
  private:
   void complain(antlr4::Parser* parser, const antlr4::Token* found);
   void complainInRule(antlr4::Parser* parser, size_t rule, const Lexeme& found);
-  void complainOfTransition(const Lexeme& found);
+  void complainOfTransition(const Lexeme& before, const Lexeme& found);
   void expected(std::string_view what, const Lexeme& found);
   bool misspelled(const Lexeme& found, const std::vector<std::string_view>& keywords);
 

@@ -83,6 +83,7 @@ class StructureRepair {
     std::string what;     ///< "state `s1`"
     bool events = false;  ///< `events` was seen
     bool silent = false;  ///< reported already: a missing `end` is no news
+    bool then = false;    ///< `then` was seen
   };
 
   [[nodiscard]] uint32_t previous() const { return out_.empty() ? 0 : out_.back().type; }
@@ -94,7 +95,7 @@ class StructureRepair {
 
   void step(Lexeme t) {
     const bool skipping = skipping_ || skipping_in_block_;
-    if (!skipping && t.type == GliderLexer::NAME && at_ != begin_at_ && !values_.inParentheses()) {
+    if (!skipping && (t.type == GliderLexer::NAME || t.type == GliderLexer::SENSOR) && at_ != begin_at_ && !values_.inParentheses()) {
       correct(t);
     }
     const bool keyword =
@@ -108,6 +109,9 @@ class StructureRepair {
     if (keyword) {
       structural(t);
     } else if (!skipping) {
+      if (t.type == GliderLexer::ASSIGN) {
+        supplyKeyword();
+      }
       ok_ = values_.take(t, peek(1)) && ok_;
       noteHeader(1);
     }
@@ -161,6 +165,28 @@ class StructureRepair {
     return isAnyName(next) ? closest(word, {"flightroute", "flightprofile", "sensors"}) : std::string_view{};
   }
 
+  /// `x = 5` without `set` or `const`: the name before the `=` that comes now begins a line.
+  void supplyKeyword() {
+    const size_t n = out_.size();
+    if (n == 0 || !isName(out_[n - 1].type) || values_.inParentheses()) {
+      return;
+    }
+    const uint32_t before = n == 1 ? uint32_t{GliderLexer::END} : out_[n - 2].type;
+    const bool action = !blocks_.empty() && blocks_.back().kind != BlockKind::Members;
+    const bool begins =
+        endsValue(before) || oneOf(before, {GliderLexer::END, GliderLexer::DO, GliderLexer::THEN, GliderLexer::ELSE});
+    if (!begins || (!action && !blocks_.empty())) {
+      return;
+    }
+    const Lexeme name = out_.back();
+    const std::string_view keyword = action ? "set" : "const";
+    reporter_.at(name, DiagnosticId::missingKeyword, source_.text(name), keyword)
+        .fix({source_.file, name.begin, name.begin}, std::string(keyword) + " ");
+    out_.back() = {keywordType(keyword), name.begin, name.begin};
+    values_.keyword(out_.back());
+    out_.push_back(name);
+  }
+
   // --- names ---
 
   /// Reports a keyword, or nothing, where a name belongs. True if `t` was used up as that name.
@@ -212,7 +238,9 @@ class StructureRepair {
   bool supplyBegin(const Lexeme& t) {
     begin_at_ = SIZE_MAX;
     const bool misspelled = t.type == GliderLexer::NAME && closest(source_.text(t), {"begin"}) == "begin";
-    if (misspelled) {
+    if (t.type == kEof && header_at_.end == out_.back().begin) {
+      // The file ends before the name already.
+    } else if (misspelled) {
       reporter_.at(t, DiagnosticId::misspelledKeyword, source_.text(t), "begin").fix(source_.range(t), "begin");
     } else {
       reporter_.at(t, DiagnosticId::missingBegin, header_, describe(source_, t))
@@ -315,7 +343,21 @@ class StructureRepair {
     return insideMembers(t);
   }
 
+  /// `if depth > 5 m set …`
+  void wantThen(const Lexeme& t) {
+    Block& block = blocks_.back();
+    if (block.kind != BlockKind::If || block.then) {
+      return;
+    }
+    block.then = true;
+    if (t.type != GliderLexer::THEN) {
+      reporter_.at(t, DiagnosticId::unexpectedToken, "`then`", describe(source_, t));
+      insert(GliderLexer::THEN);
+    }
+  }
+
   bool insideMembers(const Lexeme& t) {
+    wantThen(t);
     switch (t.type) {
       case GliderLexer::END:
         blocks_.pop_back();
@@ -413,7 +455,9 @@ class StructureRepair {
 Repaired repair(const std::vector<Lexeme>& lexemes, SyntaxReporter& reporter) {
   WordRepair words(reporter);
   const std::vector<Lexeme> clean = words.run(lexemes);
-  return StructureRepair(clean, words.cut(), reporter).run();
+  Repaired repaired = StructureRepair(clean, words.cut(), reporter).run();
+  repaired.parseable = repaired.parseable && !words.cut();
+  return repaired;
 }
 
 }  // namespace glider::frontend

@@ -7,11 +7,10 @@
 
 #include <fmt/format.h>
 
-#include "grammar/GliderLexer.h"
+#include "frontend/parse/token_kinds.h"
 
 namespace glider::frontend {
 
-using grammar::GliderLexer;
 using support::DiagnosticId;
 
 namespace {
@@ -27,6 +26,10 @@ const Lookalike kLookalikes[] = {
     {"–", "-", GliderLexer::MINUS}, {"−", "-", GliderLexer::MINUS}, {"×", "*", GliderLexer::TIMES},
     {"·", "*", GliderLexer::TIMES}, {"°", "deg", GliderLexer::UNIT}, {"“", "\"", 0},
     {"”", "\"", 0},                 {"\xC2\xA0", "a blank", 0}};
+
+bool isLookalike(std::string_view text) {
+  return std::ranges::find(kLookalikes, text, &Lookalike::text) != std::end(kLookalikes);
+}
 
 /// What was meant, with its type in the grammar.
 struct Meant {
@@ -64,16 +67,19 @@ Meant meantBy(uint32_t type, std::string_view text) {
 std::vector<Lexeme> WordRepair::run(const std::vector<Lexeme>& lexemes) {
   std::vector<Lexeme> out;
   out.reserve(lexemes.size());
-  for (const Lexeme& lexeme : lexemes) {
-    if (reporter_.full()) {
-      break;
-    }
+  for (size_t i = 0; i < lexemes.size() && !reporter_.full(); ++i) {
+    const Lexeme& lexeme = lexemes[i];
+    const Lexeme& next = lexemes[std::min(i + 1, lexemes.size() - 1)];
     if (lexeme.type == GliderLexer::OPEN_COMMENT) {
       reporter_.at(lexeme, DiagnosticId::openComment);
       cut_ = true;
       break;
     }
-    if (auto kept = one(lexeme)) {
+    if (lexeme.type == GliderLexer::OPEN_STRING) {
+      openString(lexeme, out);
+    } else if (partOfToken(lexeme, next, out)) {
+      continue;
+    } else if (auto kept = one(lexeme)) {
       out.push_back(*kept);
     }
   }
@@ -83,6 +89,53 @@ std::vector<Lexeme> WordRepair::run(const std::vector<Lexeme>& lexemes) {
   return out;
 }
 
+/// A foreign character right behind or before a name belongs to it: one mistake, not three. Likewise the point of `5.`.
+bool WordRepair::partOfToken(const Lexeme& lexeme, const Lexeme& next, std::vector<Lexeme>& out) {
+  const bool behind = !out.empty() && out.back().end == lexeme.begin;
+  if (behind && lexeme.begin == name_end_ && oneOf(lexeme.type, {GliderLexer::NAME, GliderLexer::NUMBER})) {
+    out.back().end = lexeme.end;
+    return true;
+  }
+  if (lexeme.type != GliderLexer::FOREIGN) {
+    return false;
+  }
+  const std::string_view text = reporter_.source().text(lexeme);
+  if (text == "." && behind && out.back().type == GliderLexer::NUMBER) {
+    const Lexeme whole{GliderLexer::NUMBER, out.back().begin, lexeme.end};
+    reporter_.at(whole, DiagnosticId::pointWithoutDigits, reporter_.source().text(whole))
+        .fix({reporter_.source().file, lexeme.end, lexeme.end}, "0");
+    return true;
+  }
+  const bool letters = static_cast<unsigned char>(text.front()) >= 0x80U && !isLookalike(text);
+  const bool after = behind && isAnyName(out.back().type);
+  const bool before = next.begin == lexeme.end && isAnyName(next.type);
+  if (!letters || (!after && !before)) {
+    return false;
+  }
+  foreign(lexeme);
+  if (after) {
+    out.back() = {GliderLexer::NAME, out.back().begin, lexeme.end};
+  } else {
+    out.push_back({GliderLexer::NAME, lexeme.begin, lexeme.end});
+  }
+  name_end_ = lexeme.end;
+  return true;
+}
+
+/// A text that never closes was meant to end before a comma, or before the `end` of its block, on its line.
+void WordRepair::openString(const Lexeme& lexeme, std::vector<Lexeme>& out) {
+  reporter_.at(lexeme, DiagnosticId::openString);
+  const std::string_view text = reporter_.source().text(lexeme);
+  const size_t cut = std::min({text.find(','), text.find(" end"), text.size()});
+  const auto at = static_cast<uint32_t>(lexeme.begin + cut);
+  out.push_back({GliderLexer::STRING, lexeme.begin, at});
+  for (const Lexeme& rest : lex(reporter_.source().text().substr(0, lexeme.end), at)) {
+    if (rest.type != kEof) {
+      out.push_back(rest);
+    }
+  }
+}
+
 std::optional<Lexeme> WordRepair::one(const Lexeme& lexeme) {
   switch (lexeme.type) {
     case GliderLexer::SEMICOLON:
@@ -90,14 +143,6 @@ std::optional<Lexeme> WordRepair::one(const Lexeme& lexeme) {
       return std::nullopt;
     case GliderLexer::FOREIGN:
       return foreign(lexeme);
-    case GliderLexer::POINT_WITHOUT_DIGITS: {
-      reporter_.at(lexeme, DiagnosticId::pointWithoutDigits, reporter_.source().text(lexeme))
-          .fix({reporter_.source().file, lexeme.end, lexeme.end}, "0");
-      return Lexeme{GliderLexer::NUMBER, lexeme.begin, lexeme.end - 1};
-    }
-    case GliderLexer::OPEN_STRING:
-      reporter_.at(lexeme, DiagnosticId::openString);
-      return Lexeme{GliderLexer::STRING, lexeme.begin, lexeme.end};
     case GliderLexer::AND_WORD:
     case GliderLexer::OR_WORD:
     case GliderLexer::NOT_WORD:

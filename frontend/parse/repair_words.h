@@ -23,10 +23,13 @@ class WordRepair {
  private:
   std::optional<Lexeme> one(const Lexeme& lexeme);
   std::optional<Lexeme> foreign(const Lexeme& lexeme);
+  bool partOfToken(const Lexeme& lexeme, const Lexeme& next, std::vector<Lexeme>& out);
+  void openString(const Lexeme& lexeme, std::vector<Lexeme>& out);
   Lexeme replaced(const Lexeme& lexeme, support::DiagnosticId id, uint32_t type);
 
   SyntaxReporter& reporter_;
   bool cut_ = false;
+  uint32_t name_end_ = UINT32_MAX;  ///< where a name with foreign letters in it goes on
 };
 
 }  // namespace glider::frontend

@@ -20,19 +20,30 @@ class Declarations {
  public:
   Declarations(bool library, Scope& scope) : library_(library), scope_(scope) {}
 
-  void visit(const ast::Const& node) {
-    Constant constant;
-    constant.name = &node.name;
+  /// Enters the names of constants, so that one used too early is known as such.
+  void enterConstant(const ast::Const& node) {
     if (scope_.refuseName(node.name, "a constant")) {
       return;
     }
+    Constant constant;
+    constant.name = &node.name;
+    const auto [place, fresh] = scope_.constants.emplace(node.name.text, constant);
+    if (!fresh) {
+      scope_.report(DiagnosticId::duplicateName, node.name.where, node.name.text)
+          .note(place->second.name->where, "the first is here");
+    }
+  }
+
+  void visit(const ast::Const& node) {
+    const auto place = scope_.constants.find(node.name.text);
+    if (place == scope_.constants.end() || place->second.name != &node.name) {
+      return;  // refused
+    }
     const auto type = node.type ? findTypeOf(*node.type) : std::optional<ir::Type>();
     if (!node.type || type) {
-      work(node, type, constant);
+      work(node, type, place->second);
     }
-    if (!alreadyDefined(node.name)) {
-      scope_.constants.emplace(node.name.text, constant);
-    }
+    place->second.worked_out = true;
   }
 
   void visit(const ast::Param& node) {
@@ -93,16 +104,6 @@ class Declarations {
     scope_.later_values.emplace(name.text, &name);
   }
 
-  bool alreadyDefined(const ast::Name& name) {
-    const auto constant = scope_.constants.find(name.text);
-    if (constant == scope_.constants.end()) {
-      return false;
-    }
-    scope_.report(DiagnosticId::duplicateName, name.where, name.text)
-        .note(constant->second.name->where, "the first is here");
-    return true;
-  }
-
   std::optional<ir::Type> findTypeOf(const ast::TypeName& name) {
     const TypeLookup found = findType(name.text);
     if (found.status == NamedType::Known) {
@@ -134,8 +135,7 @@ class Declarations {
   void work(const ast::Const& node, std::optional<ir::Type> type, Constant& constant) {
     const size_t before = scope_.mission.exprs.size();
     ExprLowering lowering(scope_);
-    const auto value = type && type->kind == ir::TypeKind::Bool ? lowering.lower(node.value, std::nullopt)
-                                                                : lowering.lower(node.value, type);
+    const auto value = lowering.lower(node.value, type);
     if (value && (!type || sameType(node, *value, *type))) {
       settleConstant(node, *value, constant);
     }
@@ -208,6 +208,11 @@ class Declarations {
 
 void declare(const ast::File& file, bool library, Scope& scope) {
   Declarations declarations(library, scope);
+  for (const ast::Item& item : file.items) {
+    if (const auto* constant = std::get_if<ast::Const>(&item)) {
+      declarations.enterConstant(*constant);
+    }
+  }
   for (const ast::Item& item : file.items) {
     std::visit([&](const auto& node) { declarations.visit(node); }, item);
   }

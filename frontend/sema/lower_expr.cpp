@@ -100,7 +100,7 @@ ExprLowering::Result ExprLowering::constant(const Constant& constant, const supp
 
 ExprLowering::Result ExprLowering::visit(const ast::NameUse& node, const ast::Expr& expr, std::optional<ir::Type>) {
   if (const auto found = scope_.constants.find(node.name); found != scope_.constants.end()) {
-    if (found->second.name->where.begin > expr.where.begin && found->second.name->where.file == expr.where.file) {
+    if (!found->second.worked_out) {
       scope_.report(DiagnosticId::usedBeforeDefined, expr.where, node.name)
           .note(found->second.name->where, "it is defined here");
       return std::nullopt;

@@ -101,17 +101,22 @@ ExprLowering::Result ExprLowering::barePosition(const ast::Literal& node, const 
   }
   const bool latitude = want.kind == ir::TypeKind::Latitude;
   const std::string text = scope_.text(range);
+  const char letter = latitude ? (negative ? 'S' : 'N') : (negative ? 'W' : 'E');
+  const std::string better = fmt::format("{} {}", node.digits, letter);
+  const bool decimal = parts->degrees == 0 && parts->minutes > 0;
   if (parts->minutes >= 60) {
-    scope_.report(DiagnosticId::minutesOver60, range, text, parts->degrees, parts->minutes);
+    auto report = scope_.report(DiagnosticId::minutesOver60, range, text, parts->degrees, parts->minutes,
+                                "positions without a letter are ddmm.mmmm; decimal degrees need `N`, `S`, `E` or `W`");
+    if (decimal) {
+      report.hint(fmt::format("write decimal degrees with their letter: `{}`", better)).fix(range, better);
+    }
     return std::nullopt;
   }
   const double degrees = negative ? -parts->value() : parts->value();
   if (!checkOnEarth(range, latitude, degrees)) {
     return std::nullopt;
   }
-  if (parts->degrees == 0 && parts->minutes > 0) {
-    const char letter = latitude ? (negative ? 'S' : 'N') : (negative ? 'W' : 'E');
-    const std::string better = fmt::format("{} {}", node.digits, letter);
+  if (decimal) {
     scope_.report(DiagnosticId::decimalPosition, range, text, parts->minutes, degrees, better).fix(range, better);
   }
   return emitNumber(degrees, want, range);

@@ -21,7 +21,8 @@ struct Constant {
   bool position = false;  ///< `number` is the latitude, `second` the longitude
   double number = 0;      ///< SI units or degrees; 1 and 0 for true and false
   double second = 0;
-  bool valid = false;     ///< false: its definition was wrong, and said to be so
+  bool worked_out = false;  ///< its definition was reached
+  bool valid = false;       ///< worked out, and right; what was wrong was said
 };
 
 /// A flightprofile or flightroute that a mission may use.

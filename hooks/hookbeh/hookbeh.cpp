@@ -5,6 +5,7 @@
 
 #include "hooks/hookbeh/bounds.h"
 #include "hooks/protocol/messages.h"
+#include "hooks/protocol/numbers.h"
 
 namespace glider::hooks {
 namespace {

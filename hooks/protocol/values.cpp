@@ -5,18 +5,9 @@
 
 #include "hooks/protocol/bytes.h"
 #include "hooks/protocol/frame.h"
+#include "hooks/protocol/numbers.h"
 
 namespace glider::hooks {
-namespace {
-
-/// Through memory: g++ 12 at -O2 drops the conversion there and back when it does it for two
-/// neighbouring fields at once.
-double asFloat32(double value) {
-  const volatile float rounded = static_cast<float>(value);
-  return static_cast<double>(rounded);
-}
-
-}  // namespace
 
 Instruction roundToArray(const Instruction& instruction) {
   Instruction rounded = instruction;

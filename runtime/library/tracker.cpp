@@ -3,7 +3,7 @@
 
 #include "runtime/library/tracker.h"
 
-#include "runtime/core/numbers.h"
+#include "runtime/numbers/numbers.h"
 
 namespace glider::runtime {
 namespace {
@@ -66,7 +66,9 @@ void ThermoclineTracker::follow(const Crossing& crossing, double reach) {
       magnitude(crossing.depth - centre_) <= reach && crossing.steepness <= kSteepest;
   const bool confirmed = magnitude(crossing.depth - candidate_) <= reach;
   if (tracking_ == 0 || expected || confirmed) {
-    centre_ = crossing.depth;
+    if (tracking_ == 0 || magnitude(crossing.depth - centre_) >= kLeastMove) {
+      centre_ = crossing.depth;
+    }
     tracking_ = 1;
     outlier_ = unknown();
   } else {

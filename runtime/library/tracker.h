@@ -25,6 +25,9 @@ class ThermoclineTracker {
   /// Steeper than any thermocline that is not met twice, K/m.
   static constexpr double kSteepest = 10;
 
+  /// A smaller move of the thermocline, m, is not worth a message to the vehicle.
+  static constexpr double kLeastMove = 0.2;
+
   /// Forgets everything: searches.
   void start(double time);
   /// A dive or climb begins now. When the last dive and climb both met no thermocline, it searches

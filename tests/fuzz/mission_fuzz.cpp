@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// What a fuzzer feeds: bytes to the lexer, parser and analysis, with the promises that must hold for any bytes.
+
+#include <cstddef>
+#include <cstdint>
+
+#include "frontend/frontend.h"
+#include "support/check.h"
+#include "support/diagnostics/render.h"
+#include "support/files.h"
+
+namespace {
+
+using namespace glider;
+
+const platforms::Platform& slocum() {
+  static const platforms::Platform platform = [] {
+    auto loaded = platforms::loadPlatform(GLIDER_SOURCE_DIR "/platforms/slocum.toml");
+    CHECK(loaded.has_value(), "the platform file does not load");
+    return *loaded;
+  }();
+  return platform;
+}
+
+const ast::File& library(support::SourceManager& sources) {
+  static const std::string text = *support::readFile(GLIDER_SOURCE_DIR "/missions/library/standard.mission");
+  static const ast::File file = [] {
+    support::SourceManager first;
+    support::DiagnosticEngine diagnostics;
+    return *frontend::parse(first, first.add("standard.mission", text), diagnostics);
+  }();
+  sources.add("standard.mission", text);  // number 0, as when it was parsed
+  return file;
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  support::SourceManager sources;
+  support::DiagnosticEngine diagnostics;
+  const ast::File& standard = library(sources);
+  const uint32_t file = sources.add("fuzz.mission", std::string(reinterpret_cast<const char*>(data), size));
+  const auto parsed = frontend::parse(sources, file, diagnostics);
+  CHECK(parsed || diagnostics.hasErrors(), "nothing came of a text, and nothing was said about it");
+  if (parsed) {
+    const bool sound = !diagnostics.hasErrors();
+    const auto mission = frontend::analyse(*parsed, {slocum(), {&standard}, sources}, diagnostics);
+    CHECK(mission.has_value() != diagnostics.hasErrors(), "a mission came of a mistake, or none of none");
+    if (sound) {
+      support::SourceManager again;
+      support::DiagnosticEngine quiet;
+      const auto reread = frontend::parse(again, again.add("printed", ast::print(*parsed)), quiet);
+      CHECK(reread && !quiet.hasErrors() && *reread == *parsed, "what was printed reads back otherwise");
+    }
+  }
+  support::render(diagnostics, sources, false);
+  for (const support::Diagnostic& d : diagnostics.sorted()) {
+    CHECK(d.range.begin <= d.range.end && d.range.end <= sources.text(d.range.file).size(), "a place outside the file");
+  }
+  return 0;
+}

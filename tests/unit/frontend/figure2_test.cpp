@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "tests/unit/frontend/compile.h"
+
+namespace glider::frontend {
+namespace {
+
+using testing_support::readSource;
+using testing_support::FrontendRun;
+
+TEST(Figure2, MeansWhatThePaperSays) {
+  FrontendRun run(readSource("missions/figure2.mission"));
+  const auto mission = run.compile();
+  ASSERT_TRUE(mission.has_value()) << run.said();
+  EXPECT_EQ(run.said(), "");
+  EXPECT_EQ(mission->name, "sampleMission");
+  EXPECT_EQ(mission->platform, "slocum");
+  ASSERT_EQ(mission->states.size(), 3U);
+
+  const ir::State& s1 = mission->states[0];
+  EXPECT_EQ((*mission)[s1.profile.behaviour].symbol, "gliderProfileYo");
+  EXPECT_EQ((*mission)[s1.route.behaviour].symbol, "gliderRouteNav");
+  EXPECT_EQ((*mission)[s1.route.arguments[0]].number, 39 + 10.5 / 60);
+  EXPECT_EQ((*mission)[s1.route.arguments[1]].type.kind, ir::TypeKind::Longitude);
+  EXPECT_EQ((*mission)[s1.route.arguments[1]].number, -(73 + 49.8058 / 60));
+  EXPECT_EQ((*mission)[s1.profile.arguments[1]].number, 10);
+  EXPECT_EQ((*mission)[s1.profile.arguments[2]].number, .454);
+  ASSERT_EQ(s1.cases.size(), 2U);
+  EXPECT_EQ(s1.cases[0].transition, ir::Transition::Goto);
+  EXPECT_EQ((*mission)[s1.cases[0].target].name, "s3");
+  EXPECT_EQ(s1.cases[1].transition, ir::Transition::Call);
+  EXPECT_EQ((*mission)[s1.cases[1].guard].op, ir::Op::And);
+
+  const ir::State& s2 = mission->states[1];
+  EXPECT_EQ((*mission)[s2.route.behaviour].symbol, "gliderRouteNoheading");
+  EXPECT_EQ((*mission)[s2.profile.behaviour].symbol, "gliderProfileThermotrackyo");
+  ASSERT_EQ(s2.log.size(), 4U);
+  EXPECT_EQ((*mission)[s2.log[0].value].op, ir::Op::MissionTime);
+  EXPECT_EQ(s2.cases[0].transition, ir::Transition::Return);
+  EXPECT_EQ(mission->states[2].cases[0].transition, ir::Transition::Exit);
+}
+
+TEST(Figure2, OperandsStandBeforeWhatUsesThem) {
+  FrontendRun run(readSource("missions/figure2.mission"));
+  const auto mission = run.compile();
+  ASSERT_TRUE(mission.has_value());
+  for (uint32_t i = 0; i < mission->exprs.size(); ++i) {
+    for (const ir::ExprId operand : mission->exprs[i].operands) {
+      EXPECT_TRUE(!operand.valid() || operand.index < i);
+    }
+  }
+}
+
+TEST(Figure2, SubscribesEverySensorThatIsListedOrReadByAProfile) {
+  FrontendRun run(readSource("missions/figure5.mission"));
+  const auto mission = run.compile();
+  ASSERT_TRUE(mission.has_value()) << run.said();
+  EXPECT_EQ(run.said(), "");
+  std::string names;
+  for (const ir::Sensor& sensor : mission->sensors) {
+    names += sensor.vehicle_name + " ";
+  }
+  EXPECT_EQ(names, "m_depth m_pitch sci_water_temp ");
+}
+
+}  // namespace
+}  // namespace glider::frontend

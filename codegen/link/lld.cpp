@@ -82,19 +82,26 @@ std::string firstComplaint(const std::string& said) {
   return said.substr(begin, said.find('\n', begin) - begin);
 }
 
-support::Failure explain(const std::string& said, const Board& board) {
+support::Failure explain(const std::string& said, const Board& board,
+                         const std::filesystem::path& output) {
   const std::string complaint = firstComplaint(said);
+  const size_t reason = complaint.rfind(": ");
+  if (complaint.find(output.string()) != std::string::npos && reason != std::string::npos) {
+    return support::fail(DiagnosticId::cannotWrite, output.string(), complaint.substr(reason + 2))
+        .error();
+  }
   if (complaint.starts_with(kUndefined)) {
     return support::fail(DiagnosticId::unboundSymbol, complaint.substr(kUndefined.size())).error();
   }
   return support::fail(DiagnosticId::linkFailed, board.name, complaint).error();
 }
 
-Result<void> runLld(const std::vector<std::string>& arguments, const Board& board) {
+Result<void> runLld(const LinkJob& job, const Board& board, const ScratchFiles& files) {
   static bool can_run = true;
   CHECK(can_run, "lld has failed in a way that it does not recover from");
+  const std::vector<std::string> words = arguments(job, board, files);
   std::vector<const char*> pointers;
-  std::ranges::transform(arguments, std::back_inserter(pointers),
+  std::ranges::transform(words, std::back_inserter(pointers),
                          [](const std::string& argument) { return argument.c_str(); });
   std::string said;
   llvm::raw_string_ostream stream(said);
@@ -102,7 +109,7 @@ Result<void> runLld(const std::vector<std::string>& arguments, const Board& boar
       lld::lldMain(pointers, stream, stream, {{lld::Gnu, &lld::elf::link}});
   can_run = result.canRunAgain;
   if (result.retCode != 0) {
-    return std::unexpected(explain(said, board));
+    return std::unexpected(explain(said, board, files.output));
   }
   return {};
 }
@@ -123,7 +130,7 @@ Result<std::string> link(const LinkJob& job, const Board& board) {
     return std::unexpected(exports.error());
   }
   const std::filesystem::path output = scratch->path() / "linked";
-  const auto linked = runLld(arguments(job, board, {*object, *exports, output}), board);
+  const auto linked = runLld(job, board, {*object, *exports, output});
   if (!linked) {
     return std::unexpected(linked.error());
   }

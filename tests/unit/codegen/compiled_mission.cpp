@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "ir/text/read.h"
 #include "ir/verify/verify.h"
 #include "support/check.h"

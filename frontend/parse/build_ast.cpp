@@ -28,6 +28,9 @@ std::string AstBuilder::text(const antlr4::Token* token) const {
 std::string AstBuilder::text(const Rule* rule) const { return std::string(source_.sources.text(where(rule))); }
 
 std::string AstBuilder::joined(Rule* rule) const {
+  if (rule->children.size() == 1) {
+    return text(rule);
+  }
   std::string out;
   for (antlr4::tree::ParseTree* child : rule->children) {
     auto* word = dynamic_cast<antlr4::tree::TerminalNode*>(child);
@@ -36,47 +39,33 @@ std::string AstBuilder::joined(Rule* rule) const {
   return out;
 }
 
-ast::File AstBuilder::file(GliderParser::FileContext* tree) {
-  ast::File result;
-  result.file = source_.file;
-  for (auto* rule : tree->item()) {
-    result.items.push_back(item(rule));
-  }
-  return result;
-}
-
 ast::Item AstBuilder::item(Parser::ItemContext* rule) {
-  if (auto* r = rule->missionLine()) {
-    return ast::MissionLine{name(r->anyName()), where(r)};
+  auto* child = static_cast<Rule*>(rule->children.front());  // every alternative is one rule
+  switch (child->getRuleIndex()) {
+    case GliderParser::RuleMissionLine:
+      return ast::MissionLine{name(static_cast<Parser::MissionLineContext*>(child)->anyName()), where(child)};
+    case GliderParser::RulePlatformLine:
+      return ast::PlatformLine{name(static_cast<Parser::PlatformLineContext*>(child)->name()), where(child)};
+    case GliderParser::RuleImportLine:
+      return ast::Import{text(child->stop), where(child)};
+    case GliderParser::RuleConstant:
+      return constant(static_cast<Parser::ConstantContext*>(child));
+    case GliderParser::RuleParameter:
+      return parameter(static_cast<Parser::ParameterContext*>(child));
+    case GliderParser::RuleVariable:
+      return variable(static_cast<Parser::VariableContext*>(child));
+    case GliderParser::RuleAlways:
+      return ast::Always{cases(static_cast<Parser::AlwaysContext*>(child)->eventCase()), where(child->start)};
+    case GliderParser::RuleState:
+      return state(static_cast<Parser::StateContext*>(child));
+    case GliderParser::RuleBehaviour:
+      return behaviour(static_cast<Parser::BehaviourContext*>(child));
+    case GliderParser::RuleExternal:
+      return external(static_cast<Parser::ExternalContext*>(child));
+    default:
+      CHECK(child->getRuleIndex() == GliderParser::RuleRequirement, "an item that the grammar lacks");
+      return requirement(static_cast<Parser::RequirementContext*>(child));
   }
-  if (auto* r = rule->platformLine()) {
-    return ast::PlatformLine{name(r->name()), where(r)};
-  }
-  if (auto* r = rule->importLine()) {
-    return ast::Import{text(r->STRING()->getSymbol()), where(r)};
-  }
-  if (auto* r = rule->constant()) {
-    return constant(r);
-  }
-  if (auto* r = rule->parameter()) {
-    return parameter(r);
-  }
-  if (auto* r = rule->variable()) {
-    return variable(r);
-  }
-  if (auto* r = rule->always()) {
-    return ast::Always{cases(r->eventCase()), where(r->ALWAYS()->getSymbol())};
-  }
-  if (auto* r = rule->state()) {
-    return state(r);
-  }
-  if (auto* r = rule->behaviour()) {
-    return behaviour(r);
-  }
-  if (auto* r = rule->external()) {
-    return external(r);
-  }
-  return requirement(rule->requirement());
 }
 
 ast::TypeName AstBuilder::type(Parser::TypeContext* rule) { return {joined(rule), where(rule)}; }

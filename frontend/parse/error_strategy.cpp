@@ -22,7 +22,7 @@ namespace {
 /// A keyword that begins something: a good place to go on reading.
 bool isBoundary(size_t type) {
   const auto t = static_cast<uint32_t>(type);
-  return t == kEof || (isHardKeyword(t) && !oneOf(t, {GliderLexer::TRUE, GliderLexer::FALSE, GliderLexer::EVERY}));
+  return t == kEof || (isHardKeyword(t) && !oneOf(t, {GliderLexer::TRUE, GliderLexer::FALSE, GliderLexer::EVERY, GliderLexer::NOT_WORD}));
 }
 
 /// Ends the events of a state, or begins the next of its cases.
@@ -132,6 +132,7 @@ void ErrorStrategy::sync(antlr4::Parser* parser) {
 }
 
 void ErrorStrategy::complain(antlr4::Parser* parser, const antlr4::Token* found) {
+  failed_ = true;
   if (inErrorRecoveryMode(parser)) {
     return;
   }

@@ -15,6 +15,9 @@ class ErrorStrategy final : public antlr4::DefaultErrorStrategy {
  public:
   explicit ErrorStrategy(SyntaxReporter& reporter) : reporter_(reporter) {}
 
+  /// Whether any token fitted nowhere: then the tree has holes.
+  [[nodiscard]] bool failed() const { return failed_; }
+
   void reportMatch(antlr4::Parser* parser) override;
   void reportError(antlr4::Parser* parser, const antlr4::RecognitionException& error) override;
   void recover(antlr4::Parser* parser, std::exception_ptr error) override;
@@ -29,6 +32,7 @@ class ErrorStrategy final : public antlr4::DefaultErrorStrategy {
   bool misspelled(const Lexeme& found, const std::vector<std::string_view>& keywords);
 
   SyntaxReporter& reporter_;
+  bool failed_ = false;
 };
 
 }  // namespace glider::frontend

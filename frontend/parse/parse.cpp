@@ -70,42 +70,75 @@ bool checkEncoding(const Source& source, SyntaxReporter& reporter) {
   return true;
 }
 
-/// The parse tree with what it lives on.
+/// One reading of repaired tokens.
 class Parse {
  public:
   Parse(const std::vector<Lexeme>& lexemes, SyntaxReporter& reporter)
-      : source_(lexemes), tokens_(&source_), parser_(&tokens_), reporter_(reporter) {
+      : source_(lexemes), tokens_(&source_), parser_(&tokens_), reporter_(reporter), builder_(reporter.source()) {
     parser_.removeErrorListeners();
   }
 
-  /// Null if the tokens do not make a mission; reported.
-  GliderParser::FileContext* tree() {
-    auto* simulator = parser_.getInterpreter<antlr4::atn::ParserATNSimulator>();
+  /// Empty if the tokens do not make a mission; reported.
+  std::optional<ast::File> run() {
     // Right missions, nearly all, parse in the faster mode; only what fails there is read again in full.
-    simulator->setPredictionMode(antlr4::atn::PredictionMode::SLL);
-    parser_.setErrorHandler(std::make_shared<antlr4::BailErrorStrategy>());
-    try {
-      return parser_.file();
-    } catch (const antlr4::ParseCancellationException&) {
+    if (auto file = fast()) {
+      return file;
     }
-    tokens_.seek(0);
-    parser_.reset();
-    simulator->setPredictionMode(antlr4::atn::PredictionMode::LL);
-    parser_.setErrorHandler(std::make_shared<ErrorStrategy>(reporter_));
-    const size_t before = reporter_.count();
-    try {
-      GliderParser::FileContext* tree = parser_.file();
-      return reporter_.count() == before ? tree : nullptr;
-    } catch (const antlr4::ParseCancellationException&) {
-      return nullptr;  // too many mistakes
-    }
+    return thorough();
   }
 
  private:
+  void mode(antlr4::atn::PredictionMode mode, const std::shared_ptr<antlr4::ANTLRErrorStrategy>& strategy) {
+    tokens_.seek(0);
+    parser_.reset();
+    parser_.getInterpreter<antlr4::atn::ParserATNSimulator>()->setPredictionMode(mode);
+    parser_.setErrorHandler(strategy);
+  }
+
+  [[nodiscard]] ast::File emptyFile() const {
+    ast::File file;
+    file.file = reporter_.source().file;
+    return file;
+  }
+
+  /// Item by item, so that the parse tree of a large mission never stands in memory whole.
+  std::optional<ast::File> fast() {
+    mode(antlr4::atn::PredictionMode::SLL, std::make_shared<antlr4::BailErrorStrategy>());
+    ast::File file = emptyFile();
+    try {
+      while (tokens_.LA(1) != antlr4::Token::EOF) {
+        file.items.push_back(builder_.item(parser_.item()));
+        parser_.getTreeTracker().reset();
+      }
+    } catch (const antlr4::ParseCancellationException&) {
+      return std::nullopt;
+    }
+    return file;
+  }
+
+  std::optional<ast::File> thorough() {
+    const auto strategy = std::make_shared<ErrorStrategy>(reporter_);
+    mode(antlr4::atn::PredictionMode::LL, strategy);
+    ast::File file = emptyFile();
+    try {
+      GliderParser::FileContext* tree = parser_.file();
+      if (strategy->failed()) {
+        return std::nullopt;
+      }
+      for (GliderParser::ItemContext* item : tree->item()) {
+        file.items.push_back(builder_.item(item));
+      }
+    } catch (const antlr4::ParseCancellationException&) {
+      return std::nullopt;  // too many mistakes
+    }
+    return file;
+  }
+
   LexemeSource source_;
   antlr4::CommonTokenStream tokens_;
   GliderParser parser_;
   SyntaxReporter& reporter_;
+  AstBuilder builder_;
 };
 
 }  // namespace
@@ -126,10 +159,7 @@ std::optional<ast::File> parse(const support::SourceManager& sources, uint32_t f
   Repaired repaired = repair(lexemes, reporter);
   std::optional<ast::File> result;
   if (repaired.parseable) {
-    Parse run(repaired.lexemes, reporter);
-    if (GliderParser::FileContext* tree = run.tree()) {
-      result = AstBuilder(source).file(tree);
-    }
+    result = Parse(repaired.lexemes, reporter).run();
   }
   if (reporter.full()) {
     reporter.at(lexemes.back(), DiagnosticId::tooManyMistakes, SyntaxReporter::kMostMistakes);

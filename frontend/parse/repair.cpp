@@ -99,7 +99,8 @@ class StructureRepair {
       correct(t);
     }
     const bool keyword =
-        t.type == kEof || (isHardKeyword(t.type) && t.type != GliderLexer::TRUE && t.type != GliderLexer::FALSE);
+        t.type == kEof ||
+        (isHardKeyword(t.type) && !oneOf(t.type, {GliderLexer::TRUE, GliderLexer::FALSE, GliderLexer::NOT_WORD}));
     if (keyword && wantsName(previous()) && !skipping && becomesName(t)) {
       return;
     }

@@ -55,8 +55,6 @@ Meant meantBy(uint32_t type, std::string_view text) {
     case GliderLexer::OR_WORD:
     case GliderLexer::ONE_BAR:
       return {"||", GliderLexer::OR};
-    case GliderLexer::NOT_WORD:
-      return {"!", GliderLexer::NOT};
     default:
       return comparison(text);
   }
@@ -145,8 +143,10 @@ std::optional<Lexeme> WordRepair::one(const Lexeme& lexeme) {
       return foreign(lexeme);
     case GliderLexer::AND_WORD:
     case GliderLexer::OR_WORD:
-    case GliderLexer::NOT_WORD:
       return replaced(lexeme, DiagnosticId::wordOperator, lexeme.type);
+    case GliderLexer::NOT_WORD:  // kept: it reaches further than `!` does
+      reporter_.at(lexeme, DiagnosticId::wordOperator, "not", "!(…)");
+      return lexeme;
     case GliderLexer::ONE_AMPERSAND:
     case GliderLexer::ONE_BAR:
       return replaced(lexeme, DiagnosticId::singleAmpersand, lexeme.type);

@@ -51,7 +51,9 @@ inline bool startsValue(uint32_t type) {
          oneOf(type, {GliderLexer::NUMBER, GliderLexer::STRING, GliderLexer::TRUE, GliderLexer::FALSE});
 }
 
-inline bool isOperator(uint32_t type) { return type >= GliderLexer::OR && type <= GliderLexer::DIVIDE; }
+inline bool isOperator(uint32_t type) {
+  return (type >= GliderLexer::OR && type <= GliderLexer::DIVIDE) || type == GliderLexer::NOT_WORD;
+}
 
 /// Wants a name after it.
 inline bool wantsName(uint32_t type) {

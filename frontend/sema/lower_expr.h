@@ -70,6 +70,7 @@ class ExprLowering {
   Result comparison(ir::Op op, const ast::Binary& node, const ast::Expr& expr);
   Result sum(ir::Op op, const ast::Binary& node, const ast::Expr& expr, std::optional<ir::Type> want);
   Result scaling(ir::Op op, const ast::Binary& node, const ast::Expr& expr);
+  /// Refuses `5 m < depth < 10 m` and `!depth > 5 m`.
   bool chained(const ast::Binary& node, const ast::Expr& expr);
   void warnOfEquality(ir::Op op, const Value& left, const Value& right, const ast::Binary& node);
   /// Both sides in one type; bare numbers take the other's.

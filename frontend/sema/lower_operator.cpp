@@ -157,6 +157,14 @@ ExprLowering::Result ExprLowering::scaling(ir::Op op, const ast::Binary& node, c
 }
 
 bool ExprLowering::chained(const ast::Binary& node, const ast::Expr& expr) {
+  const auto* unary = std::get_if<ast::Unary>(&node.left->node);
+  if (unary != nullptr && unary->op == ast::UnaryOp::Not) {
+    const std::string first = scope_.text(unary->operand->where);
+    const std::string second = scope_.text(node.right->where);
+    scope_.report(DiagnosticId::notBeforeComparison, expr.where, first, rowOf(node.op).text, second)
+        .fix(expr.where, fmt::format("!({} {} {})", first, rowOf(node.op).text, second));
+    return true;
+  }
   const auto* inner = std::get_if<ast::Binary>(&node.left->node);
   if (inner == nullptr || !isComparison(inner->op)) {
     return false;

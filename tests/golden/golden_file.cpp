@@ -42,8 +42,7 @@ std::vector<std::filesystem::path> goldensIn(const std::filesystem::path& folder
   std::vector<std::filesystem::path> found;
   if (std::filesystem::is_directory(folder)) {
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-      const auto extension = entry.path().extension();
-      if (extension == ".mission" || extension == ".ir") {
+      if (entry.path().extension() == ".mission") {
         found.push_back(entry.path());
       }
     }

@@ -21,9 +21,6 @@ class Golden : public testing::TestWithParam<std::filesystem::path> {};
 TEST_P(Golden, SaysWhatIsExpected) {
   const std::filesystem::path path = GetParam();
   const std::string stage = path.parent_path().filename();
-  if (!hasStage(stage)) {
-    GTEST_SKIP() << "this build has no stage " << stage;
-  }
   const std::string name = path.filename();
   const GoldenFile golden(path);
   const Outcome outcome = run(stage, name, golden.input());
@@ -38,7 +35,7 @@ TEST_P(Golden, SaysWhatIsExpected) {
 
 std::vector<std::filesystem::path> all() {
   std::vector<std::filesystem::path> found;
-  for (const char* stage : {"parse", "sema", "ir", "verify"}) {
+  for (const char* stage : {"parse", "sema", "verify"}) {
     const auto some = goldensIn(std::filesystem::path(GLIDER_SOURCE_DIR) / "tests" / "golden" / stage);
     found.insert(found.end(), some.begin(), some.end());
   }

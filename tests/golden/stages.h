@@ -16,7 +16,5 @@ struct Outcome {
 
 /// Runs the compiler up to `stage` ("parse", "sema", "verify") on `input`, called `name` in messages.
 Outcome run(const std::string& stage, const std::string& name, const std::string& input);
-/// Whether `stage` is built into this program.
-bool hasStage(const std::string& stage);
 
 }  // namespace glider::golden

@@ -45,7 +45,7 @@ TEST_P(Fixes, LeaveNothingToSay) {
 INSTANTIATE_TEST_SUITE_P(
     All, Fixes,
     testing::Values(mission("depth > 5 m;"), mission("depth => 5 m"), mission("depth > 5 m & temp < 3"),
-                    mission("depth > 5 m and not temp < 3"), mission("depth ≥ 5 m"), mission("depth > 5 metres"),
+                    mission("depth > 5 m and temp < 3"), mission("!depth > 5 m"), mission("depth ≥ 5 m"), mission("depth > 5 metres"),
                     mission("depth > 5. "), mission("max(depth 5 m) > 3"), mission("depth > 5 m) "),
                     mission("5 m < depth < 10 m"), mission("pitch > 5 deg"), mission("pitch > 5 deg", ""),
                     mission("depth > 5 m", "sensors depth temp"), mission("depth > 5 m", "sensors depth begin"),

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <fmt/format.h>
-
 #include "frontend/sema/lower_state.h"
 #include "frontend/spelling.h"
+
+#include <fmt/format.h>
 
 namespace glider::frontend {
 
@@ -43,7 +43,8 @@ ir::Activity StateLowering::activity(const ast::Use& use, ir::BehaviourKind kind
   }
   BehaviourDeclaration& declaration = found->second;
   if (declaration.kind != kind) {
-    scope_.report(DiagnosticId::wrongBehaviour, use.name.where, use.name.text, word(declaration.kind), word(kind));
+    scope_.report(DiagnosticId::wrongBehaviour, use.name.where, use.name.text,
+                  word(declaration.kind), word(kind));
     return result;
   }
   if (!declaration.usable) {
@@ -63,13 +64,15 @@ bool StateLowering::isPosition(const ast::Expr& expr) const {
   return found != scope_.constants.end() && found->second.position;
 }
 
-std::vector<ir::ExprId> StateLowering::arguments(const ast::Use& use, const BehaviourDeclaration& declaration) {
+std::vector<ir::ExprId> StateLowering::arguments(const ast::Use& use,
+                                                 const BehaviourDeclaration& declaration) {
   const auto& parameters = declaration.parameters;
   // A position fills a latitude and the longitude after it.
   size_t filled = 0;
   for (const ast::Argument& argument : use.arguments) {
-    const bool pair = filled + 1 < parameters.size() && parameters[filled].type.kind == ir::TypeKind::Latitude &&
-                      parameters[filled + 1].type.kind == ir::TypeKind::Longitude && isPosition(*argument.value);
+    const bool pair =
+        filled + 1 < parameters.size() && parameters[filled].type.kind == ir::TypeKind::Latitude &&
+        parameters[filled + 1].type.kind == ir::TypeKind::Longitude && isPosition(*argument.value);
     filled += pair ? 2U : 1U;
   }
   if (wrongCount(use, declaration, filled)) {
@@ -89,13 +92,15 @@ std::vector<ir::ExprId> StateLowering::arguments(const ast::Use& use, const Beha
       result.push_back(value ? value->longitude : ir::ExprId());
     } else {
       const std::string what = fmt::format("`{}` of `{}`", parameter.name, use.name.text);
-      result.push_back(lowering.lowerAs(*argument.value, parameter.type, what).value_or(ir::ExprId()));
+      result.push_back(
+          lowering.lowerAs(*argument.value, parameter.type, what).value_or(ir::ExprId()));
     }
   }
   return result;
 }
 
-bool StateLowering::wrongCount(const ast::Use& use, const BehaviourDeclaration& declaration, size_t filled) {
+bool StateLowering::wrongCount(const ast::Use& use, const BehaviourDeclaration& declaration,
+                               size_t filled) {
   const size_t wanted = declaration.parameters.size();
   if (filled == wanted) {
     return false;
@@ -106,8 +111,8 @@ bool StateLowering::wrongCount(const ast::Use& use, const BehaviourDeclaration& 
     const bool minus = difference != nullptr && difference->op == ast::BinaryOp::Subtract;
     if (minus && filled + 1 == wanted) {
       scope_
-          .report(DiagnosticId::missingCommaBeforeMinus, argument.value->where, use.name.text, takes,
-                  scope_.text(argument.value->where), scope_.text(difference->left->where),
+          .report(DiagnosticId::missingCommaBeforeMinus, argument.value->where, use.name.text,
+                  takes, scope_.text(argument.value->where), scope_.text(difference->left->where),
                   scope_.text(difference->right->where))
           .fix(difference->op_where, ", -")
           .note(declaration.name->where, "declared as `" + declaration.signature + "`");
@@ -116,7 +121,8 @@ bool StateLowering::wrongCount(const ast::Use& use, const BehaviourDeclaration& 
   }
   scope_
       .report(DiagnosticId::wrongArgumentCount, use.where, use.name.text, takes,
-              use.arguments.empty() ? "none" : countOf(filled), "write `" + declaration.signature + "`")
+              use.arguments.empty() ? "none" : countOf(filled),
+              "write `" + declaration.signature + "`")
       .note(declaration.name->where, "declared here");
   return true;
 }

@@ -3,11 +3,11 @@
 
 #pragma once
 
-#include <string>
-
 #include "frontend/ast/ast.h"
 #include "frontend/parse/lexeme.h"
 #include "grammar/GliderParser.h"
+
+#include <string>
 
 namespace glider::frontend {
 

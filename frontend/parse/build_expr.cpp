@@ -43,20 +43,24 @@ ast::BinaryOp binaryOp(size_t token) {
 }  // namespace
 
 ast::Expr AstBuilder::expr(Parser::ExprContext* rule) {
-  // The alternatives differ in their number of parts: a primary, a sign before one, an operator between two.
+  // The alternatives differ in their number of parts: a primary, a sign before one, an operator
+  // between two.
   auto part = [&](size_t i) { return static_cast<Parser::ExprContext*>(rule->children[i]); };
   switch (rule->children.size()) {
     case 1:
       return primary(static_cast<Parser::PrimaryContext*>(rule->children[0]));
     case 2: {
       const bool negate = rule->start->getType() == GliderParser::MINUS;
-      return {ast::Unary{negate ? ast::UnaryOp::Negate : ast::UnaryOp::Not, expr(part(1))}, where(rule)};
+      return {ast::Unary{negate ? ast::UnaryOp::Negate : ast::UnaryOp::Not, expr(part(1))},
+              where(rule)};
     }
     default: {
       CHECK(rule->children.size() == 3, "an expression that the grammar lacks");
-      const antlr4::Token* op = static_cast<antlr4::tree::TerminalNode*>(rule->children[1])->getSymbol();
+      const antlr4::Token* op =
+          static_cast<antlr4::tree::TerminalNode*>(rule->children[1])->getSymbol();
       ast::Expr left = expr(part(0));
-      return {ast::Binary{binaryOp(op->getType()), std::move(left), expr(part(2)), where(op)}, where(rule)};
+      return {ast::Binary{binaryOp(op->getType()), std::move(left), expr(part(2)), where(op)},
+              where(rule)};
     }
   }
 }
@@ -92,7 +96,8 @@ ast::Expr AstBuilder::named(Parser::PrimaryContext* rule) {
   }
   const antlr4::Token* function = rule->start;
   auto* call = static_cast<Parser::InvocationContext*>(rule);
-  return {ast::Invocation{{text(function), where(function)}, arguments(call->arguments())}, where(rule)};
+  return {ast::Invocation{{text(function), where(function)}, arguments(call->arguments())},
+          where(rule)};
 }
 
 ast::Expr AstBuilder::literal(Parser::LiteralContext* rule) {

@@ -3,14 +3,14 @@
 
 #pragma once
 
-#include <antlr4-runtime.h>
-
 #include "frontend/parse/reporter.h"
+
+#include <antlr4-runtime.h>
 
 namespace glider::frontend {
 
-/// What the parser does at a token that fits nowhere: says in a pilot's words what was expected, skips to the next
-/// keyword that makes sense, and says nothing more until that has been read.
+/// What the parser does at a token that fits nowhere: says in a pilot's words what was expected,
+/// skips to the next keyword that makes sense, and says nothing more until that has been read.
 class ErrorStrategy final : public antlr4::DefaultErrorStrategy {
  public:
   explicit ErrorStrategy(SyntaxReporter& reporter) : reporter_(reporter) {}

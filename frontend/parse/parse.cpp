@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <memory>
-
 #include "frontend/frontend.h"
 #include "frontend/parse/build_ast.h"
 #include "frontend/parse/error_strategy.h"
 #include "frontend/parse/lexeme_source.h"
 #include "frontend/parse/repair.h"
 #include "frontend/parse/token_kinds.h"
+
+#include <memory>
 
 namespace glider::frontend {
 
@@ -20,10 +20,15 @@ namespace {
 constexpr size_t kLargestFile = 8U << 20U;
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
-/// The length of the UTF-8 character at `at`; 0 if there is none (RFC 3629, table 3-7 of the Unicode standard).
+/// The length of the UTF-8 character at `at`; 0 if there is none (RFC 3629, table 3-7 of the
+/// Unicode standard).
 size_t characterLength(std::string_view text, size_t at) {
-  auto byte = [&](size_t k) { return at + k < text.size() ? static_cast<unsigned char>(text[at + k]) : 0U; };
-  auto follows = [&](size_t k, unsigned low, unsigned high) { return byte(k) >= low && byte(k) <= high; };
+  auto byte = [&](size_t k) {
+    return at + k < text.size() ? static_cast<unsigned char>(text[at + k]) : 0U;
+  };
+  auto follows = [&](size_t k, unsigned low, unsigned high) {
+    return byte(k) >= low && byte(k) <= high;
+  };
   const unsigned b = byte(0);
   if (b < 0x80U) {
     return 1;
@@ -45,8 +50,12 @@ size_t characterLength(std::string_view text, size_t at) {
 /// Checks that the file is text at all. False if it is not worth reading.
 bool checkEncoding(const Source& source, SyntaxReporter& reporter) {
   const std::string_view text = source.text();
-  auto line = [&](size_t at) { return source.sources.place(source.file, static_cast<uint32_t>(at)).line; };
-  auto at = [](size_t place) { return Lexeme{0, static_cast<uint32_t>(place), static_cast<uint32_t>(place)}; };
+  auto line = [&](size_t at) {
+    return source.sources.place(source.file, static_cast<uint32_t>(at)).line;
+  };
+  auto at = [](size_t place) {
+    return Lexeme{0, static_cast<uint32_t>(place), static_cast<uint32_t>(place)};
+  };
   if (text.size() > kLargestFile) {
     reporter.at(at(0), DiagnosticId::fileTooLarge, text.size(), kLargestFile);
     return false;
@@ -74,13 +83,18 @@ bool checkEncoding(const Source& source, SyntaxReporter& reporter) {
 class Parse {
  public:
   Parse(const std::vector<Lexeme>& lexemes, SyntaxReporter& reporter)
-      : source_(lexemes), tokens_(&source_), parser_(&tokens_), reporter_(reporter), builder_(reporter.source()) {
+      : source_(lexemes),
+        tokens_(&source_),
+        parser_(&tokens_),
+        reporter_(reporter),
+        builder_(reporter.source()) {
     parser_.removeErrorListeners();
   }
 
   /// Empty if the tokens do not make a mission; reported.
   std::optional<ast::File> run() {
-    // Right missions, nearly all, parse in the faster mode; only what fails there is read again in full.
+    // Right missions, nearly all, parse in the faster mode; only what fails there is read again in
+    // full.
     if (auto file = fast()) {
       return file;
     }
@@ -88,7 +102,8 @@ class Parse {
   }
 
  private:
-  void mode(antlr4::atn::PredictionMode mode, const std::shared_ptr<antlr4::ANTLRErrorStrategy>& strategy) {
+  void mode(antlr4::atn::PredictionMode mode,
+            const std::shared_ptr<antlr4::ANTLRErrorStrategy>& strategy) {
     tokens_.seek(0);
     parser_.reset();
     parser_.getInterpreter<antlr4::atn::ParserATNSimulator>()->setPredictionMode(mode);

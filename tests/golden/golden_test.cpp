@@ -1,17 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// One test a golden: tests/golden/<stage>/{ok,warn,fail}_*. With GLIDER_UPDATE_GOLDENS set, what is expected is
-// rewritten instead (scripts/update_goldens).
+// One test a golden: tests/golden/<stage>/{ok,warn,fail}_*. With GLIDER_UPDATE_GOLDENS set, what is
+// expected is rewritten instead (scripts/update_goldens).
+
+#include "tests/golden/golden_file.h"
+#include "tests/golden/stages.h"
+
+#include <gtest/gtest.h>
 
 #include <cctype>
 #include <cstdlib>
 #include <string>
-
-#include <gtest/gtest.h>
-
-#include "tests/golden/golden_file.h"
-#include "tests/golden/stages.h"
 
 namespace glider::golden {
 namespace {
@@ -36,14 +36,16 @@ TEST_P(Golden, SaysWhatIsExpected) {
 std::vector<std::filesystem::path> all() {
   std::vector<std::filesystem::path> found;
   for (const char* stage : {"parse", "sema", "verify"}) {
-    const auto some = goldensIn(std::filesystem::path(GLIDER_SOURCE_DIR) / "tests" / "golden" / stage);
+    const auto some =
+        goldensIn(std::filesystem::path(GLIDER_SOURCE_DIR) / "tests" / "golden" / stage);
     found.insert(found.end(), some.begin(), some.end());
   }
   return found;
 }
 
 std::string testName(const testing::TestParamInfo<std::filesystem::path>& info) {
-  std::string name = info.param.parent_path().filename().string() + "_" + info.param.stem().string();
+  std::string name =
+      info.param.parent_path().filename().string() + "_" + info.param.stem().string();
   for (char& c : name) {
     c = std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
   }

@@ -3,15 +3,14 @@
 
 #include "tests/golden/stages.h"
 
-#include <optional>
-
 #include "frontend/frontend.h"
+#include "ir/text/print.h"
+#include "ir/verify/verify.h"
 #include "support/check.h"
 #include "support/diagnostics/render.h"
 #include "support/files.h"
 
-#include "ir/text/print.h"
-#include "ir/verify/verify.h"
+#include <optional>
 
 namespace glider::golden {
 namespace {
@@ -27,7 +26,8 @@ const platforms::Platform& slocum() {
 
 class Compilation {
  public:
-  Compilation(const std::string& name, const std::string& input) : file_(sources_.add(name, input)) {}
+  Compilation(const std::string& name, const std::string& input)
+      : file_(sources_.add(name, input)) {}
 
   void parse() {
     ast_ = frontend::parse(sources_, file_, diagnostics_);
@@ -57,7 +57,8 @@ class Compilation {
 
   [[nodiscard]] Outcome outcome() const {
     const bool warned = diagnostics_.errorCount() + diagnostics_.warningCount() > 0;
-    return {support::render(diagnostics_, sources_, false) + product_, warned, diagnostics_.hasErrors()};
+    return {support::render(diagnostics_, sources_, false) + product_, warned,
+            diagnostics_.hasErrors()};
   }
 
  private:

@@ -6,8 +6,8 @@
 namespace glider::frontend {
 namespace {
 
-using testing_support::readSource;
 using testing_support::FrontendRun;
+using testing_support::readSource;
 
 TEST(Figure2, MeansWhatThePaperSays) {
   FrontendRun run(readSource("missions/figure2.mission"));

@@ -3,9 +3,9 @@
 
 #include "frontend/sema/literals.h"
 
-#include <numbers>
-
 #include "tests/unit/frontend/compile.h"
+
+#include <numbers>
 
 namespace glider::frontend {
 namespace {
@@ -37,7 +37,8 @@ TEST(Literals, DegreesAndMinutes) {
 
 /// The value of `const x = <text>`, as a sensor is compared with it.
 double constant(const std::string& text) {
-  FrontendRun run("mission t\nconst x = " + text + "\nstate s begin flightprofile surfaced events case x == x exit end");
+  FrontendRun run("mission t\nconst x = " + text +
+                  "\nstate s begin flightprofile surfaced events case x == x exit end");
   const auto mission = run.compile();
   EXPECT_TRUE(mission.has_value()) << run.said();
   return mission ? mission->exprs.front().number : 0;

@@ -3,14 +3,14 @@
 
 // Every operation on every pair of awkward operands, on every board, against ir/eval.
 
+#include "ir/core/ops.h"
+#include "tests/differential/judge.h"
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
-
-#include "ir/core/ops.h"
-#include "tests/differential/judge.h"
 
 namespace glider::differential {
 namespace {
@@ -19,13 +19,33 @@ using ir::ExprId;
 using ir::Op;
 using Limits = std::numeric_limits<double>;
 
-/// Ends of the range, values whose products fall just under the smallest normal number (where a 486 rounds twice), values that
-/// do not come out even in binary, unknown.
-const std::vector<double> kOperands{
-    0.0, -0.0, 1.0, -1.0, 3.0, 0.1, -1.0 / 3.0, 6.5e7, 0x1.fffffffffffffp-1,
-    1.0 - 0x3p-53, 1.0 - 0x5p-53, Limits::min(), -Limits::min(), 0x1.0000000000001p-1022,
-    0x1.0000000000002p-1022, 0x1p-511, -0x1.7p-512, 0x1.6a09e667f3bcdp-511, Limits::max(),
-    -Limits::max(), 0x1p512, 1.3407807929942597e154, 1e-300, 1e300, Limits::quiet_NaN()};
+/// Ends of the range, values whose products fall just under the smallest normal number (where a 486
+/// rounds twice), values that do not come out even in binary, unknown.
+const std::vector<double> kOperands{0.0,
+                                    -0.0,
+                                    1.0,
+                                    -1.0,
+                                    3.0,
+                                    0.1,
+                                    -1.0 / 3.0,
+                                    6.5e7,
+                                    0x1.fffffffffffffp-1,
+                                    1.0 - 0x3p-53,
+                                    1.0 - 0x5p-53,
+                                    Limits::min(),
+                                    -Limits::min(),
+                                    0x1.0000000000001p-1022,
+                                    0x1.0000000000002p-1022,
+                                    0x1p-511,
+                                    -0x1.7p-512,
+                                    0x1.6a09e667f3bcdp-511,
+                                    Limits::max(),
+                                    -Limits::max(),
+                                    0x1p512,
+                                    1.3407807929942597e154,
+                                    1e-300,
+                                    1e300,
+                                    Limits::quiet_NaN()};
 
 class Maker {
  public:

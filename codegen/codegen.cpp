@@ -3,11 +3,6 @@
 
 #include "codegen/codegen.h"
 
-#include <llvm/IR/LLVMContext.h>
-
-#include <memory>
-#include <utility>
-
 #include "codegen/link/debug_file.h"
 #include "codegen/link/lld.h"
 #include "codegen/lower/context_size.h"
@@ -17,6 +12,11 @@
 #include "codegen/program/program.h"
 #include "codegen/target/machine.h"
 #include "support/files.h"
+
+#include <llvm/IR/LLVMContext.h>
+
+#include <memory>
+#include <utility>
 
 namespace glider::codegen {
 namespace {
@@ -43,8 +43,9 @@ Result<Unit> lower(const ir::Mission& mission, const ir::MissionFacts& facts, co
     return std::unexpected(machine.error());
   }
   unit.machine = std::move(*machine);
-  const uint64_t bytes = contextBytes(mission, facts, unit.machine->createDataLayout(),
-                                      makeAbiTypes(*unit.context));
+  llvm::LLVMContext scratch;  // the module's own is to hold each type once
+  const uint64_t bytes =
+      contextBytes(mission, facts, unit.machine->createDataLayout(), makeAbiTypes(scratch));
   if (bytes > kMostContextBytes) {
     return support::fail(DiagnosticId::missionTooLarge, bytes, kMostContextBytes);
   }
@@ -73,8 +74,9 @@ Result<std::string> compileAlone(const ir::Mission& mission, const ir::MissionFa
   return emitCode(*unit->module, *unit->machine, type);
 }
 
-/// From this level on mission and runtime are optimised as one program. Below, the mission is compiled alone and linked
-/// with the object that the build has made of the same bitcode: a tenth of the time, for the same behaviour.
+/// From this level on mission and runtime are optimised as one program. Below, the mission is
+/// compiled alone and linked with the object that the build has made of the same bitcode: a tenth
+/// of the time, for the same behaviour.
 constexpr int kWholeProgramLevel = 3;
 
 /// What a program is linked from, besides the board's own inputs.
@@ -172,8 +174,8 @@ Result<void> linkExecutable(const ir::Mission& mission, const ir::MissionFacts& 
     return std::unexpected(parts.error());
   }
   const bool split_wanted = options.debug && canStandBeside(output);
-  auto linked =
-      link({ProgramKind::Executable, parts->object, parts->further_inputs, {}, split_wanted}, board);
+  auto linked = link(
+      {ProgramKind::Executable, parts->object, parts->further_inputs, {}, split_wanted}, board);
   if (!linked) {
     return std::unexpected(linked.error());
   }
@@ -190,8 +192,8 @@ Result<void> linkExecutable(const ir::Mission& mission, const ir::MissionFacts& 
 
 Result<std::string> linkShared(const ir::Mission& mission, const ir::MissionFacts& facts,
                                const Board& host, const CodegenOptions& options) {
-  auto parts = compileProgram(mission, facts, host, options, ProgramKind::SharedObject,
-                              sharedSymbols());
+  auto parts =
+      compileProgram(mission, facts, host, options, ProgramKind::SharedObject, sharedSymbols());
   if (!parts) {
     return std::unexpected(parts.error());
   }

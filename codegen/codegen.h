@@ -3,17 +3,17 @@
 
 #pragma once
 
-#include <filesystem>
-#include <string>
-#include <vector>
-
 #include "ir/core/mission.h"
 #include "platforms/load/board.h"
 #include "support/result.h"
 #include "support/source_manager.h"
 
-/// From a mission without errors (and the verifier's facts) to machine code for a board. None of these functions
-/// may run in two threads at a time: lld is not made for that.
+#include <filesystem>
+#include <string>
+#include <vector>
+
+/// From a mission without errors (and the verifier's facts) to machine code for a board. None of
+/// these functions may run in two threads at a time: lld is not made for that.
 namespace glider::codegen {
 
 struct CodegenOptions {
@@ -25,25 +25,26 @@ struct CodegenOptions {
   std::vector<std::filesystem::path> further_inputs;
 };
 
-/// The mission alone (no runtime), optimised: LLVM's text, assembly, a relocatable ELF object. GL4002, GL4006.
+/// The mission alone (no runtime), optimised: LLVM's text, assembly, a relocatable ELF object.
+/// GL4002, GL4006.
 support::Result<std::string> emitLlvm(const ir::Mission& mission, const ir::MissionFacts& facts,
                                       const platforms::Board& board, const CodegenOptions& options);
-support::Result<std::string> emitAssembly(const ir::Mission& mission,
-                                          const ir::MissionFacts& facts,
+support::Result<std::string> emitAssembly(const ir::Mission& mission, const ir::MissionFacts& facts,
                                           const platforms::Board& board,
                                           const CodegenOptions& options);
 support::Result<std::string> emitObject(const ir::Mission& mission, const ir::MissionFacts& facts,
                                         const platforms::Board& board,
                                         const CodegenOptions& options);
 
-/// Writes the board's executable to `output`, stripped, and with options.debug its line tables to `output`.debug; both
-/// whole or not at all. GL4002 to GL4006, GL9001, GL9002, GL9050.
+/// Writes the board's executable to `output`, stripped, and with options.debug its line tables to
+/// `output`.debug; both whole or not at all. GL4002 to GL4006, GL9001, GL9002, GL9050.
 support::Result<void> linkExecutable(const ir::Mission& mission, const ir::MissionFacts& facts,
                                      const platforms::Board& board, const CodegenOptions& options,
                                      const std::filesystem::path& output);
 
-/// The content of a shared object for this machine that exports `gliderMission` and runtime/abi/entry_points.def: what
-/// load/loaded_mission.h loads. `host` must be the host's board. Errors as linkExecutable.
+/// The content of a shared object for this machine that exports `gliderMission` and
+/// runtime/abi/entry_points.def: what load/loaded_mission.h loads. `host` must be the host's board.
+/// Errors as linkExecutable.
 support::Result<std::string> linkShared(const ir::Mission& mission, const ir::MissionFacts& facts,
                                         const platforms::Board& host,
                                         const CodegenOptions& options);

@@ -3,6 +3,8 @@
 
 #include "codegen/link/debug_file.h"
 
+#include "support/check.h"
+
 #include <llvm/ADT/ArrayRef.h>
 #include <llvm/ADT/SmallVector.h>
 #include <llvm/ObjCopy/CommonConfig.h>
@@ -13,8 +15,6 @@
 #include <llvm/Support/Error.h>
 #include <llvm/Support/MemoryBuffer.h>
 #include <llvm/Support/raw_ostream.h>
-
-#include "support/check.h"
 
 namespace glider::codegen {
 namespace {

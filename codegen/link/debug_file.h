@@ -14,8 +14,8 @@ struct SplitExecutable {
   std::string debug;     ///< symbols and line tables only
 };
 
-/// Splits the linked ELF file `linked`; `debug_name` is the file name under which the debug part will lie beside the
-/// executable.
+/// Splits the linked ELF file `linked`; `debug_name` is the file name under which the debug part
+/// will lie beside the executable.
 SplitExecutable splitDebug(std::string_view linked, const std::string& debug_name);
 
 }  // namespace glider::codegen

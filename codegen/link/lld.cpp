@@ -3,15 +3,15 @@
 
 #include "codegen/link/lld.h"
 
+#include "codegen/link/scratch_folder.h"
+#include "support/check.h"
+#include "support/files.h"
+
 #include <fmt/ranges.h>
 #include <lld/Common/Driver.h>
 #include <llvm/Support/raw_ostream.h>
 
 #include <algorithm>
-
-#include "codegen/link/scratch_folder.h"
-#include "support/check.h"
-#include "support/files.h"
 
 LLD_HAS_DRIVER(elf)
 
@@ -45,8 +45,8 @@ std::string exportList(const std::vector<std::string>& names) {
 std::vector<std::string> arguments(const LinkJob& job, const Board& board,
                                    const ScratchFiles& files) {
   const bool shared = job.kind == ProgramKind::SharedObject;
-  std::vector<std::string> all{"ld.lld", "-o", files.output.string(), "--gc-sections", "--threads=1",
-                               "--build-id=none"};
+  std::vector<std::string> all{"ld.lld",        "-o",          files.output.string(),
+                               "--gc-sections", "--threads=1", "--build-id=none"};
   auto add = [&](std::initializer_list<std::string> more) { all.insert(all.end(), more); };
   if (shared) {
     add({"-shared", "-Bsymbolic", "-z", "defs", "--version-script", files.exports.string()});
@@ -105,8 +105,7 @@ Result<void> runLld(const LinkJob& job, const Board& board, const ScratchFiles& 
                          [](const std::string& argument) { return argument.c_str(); });
   std::string said;
   llvm::raw_string_ostream stream(said);
-  const lld::Result result =
-      lld::lldMain(pointers, stream, stream, {{lld::Gnu, &lld::elf::link}});
+  const lld::Result result = lld::lldMain(pointers, stream, stream, {{lld::Gnu, &lld::elf::link}});
   can_run = result.canRunAgain;
   if (result.retCode != 0) {
     return std::unexpected(explain(said, board, files.output));

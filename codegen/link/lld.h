@@ -3,14 +3,14 @@
 
 #pragma once
 
+#include "codegen/target/machine.h"
+#include "platforms/load/board.h"
+#include "support/result.h"
+
 #include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include "codegen/target/machine.h"
-#include "platforms/load/board.h"
-#include "support/result.h"
 
 namespace glider::codegen {
 
@@ -23,9 +23,10 @@ struct LinkJob {
   bool keep_debug = false;                            ///< else symbols and line tables are left out
 };
 
-/// Links in this process with lld, which writes nothing to the terminal; the content of the linked file. Not for two
-/// threads at a time. GL4003 for a symbol that nothing defines, GL4004 for whatever else lld refuses, GL9001 for an input that is
-/// missing, GL9002 if there is no room for temporary files.
+/// Links in this process with lld, which writes nothing to the terminal; the content of the linked
+/// file. Not for two threads at a time. GL4003 for a symbol that nothing defines, GL4004 for
+/// whatever else lld refuses, GL9001 for an input that is missing, GL9002 if there is no room for
+/// temporary files.
 support::Result<std::string> link(const LinkJob& job, const platforms::Board& board);
 
 }  // namespace glider::codegen

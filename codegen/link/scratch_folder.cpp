@@ -25,11 +25,12 @@ support::Result<ScratchFolder> ScratchFolder::make() {
 
 support::Result<std::filesystem::path> ScratchFolder::write(const std::string& name,
                                                             std::string_view content) const {
-  // Not support::writeFileAtomically: nobody else reads it, and waiting for the disk would take longer than to compile.
+  // Not support::writeFileAtomically: nobody else reads it, and waiting for the disk would take
+  // longer than to compile.
   const std::filesystem::path file = path_ / name;
   std::FILE* stream = std::fopen(file.c_str(), "wbe");
-  bool written = stream != nullptr &&
-                 std::fwrite(content.data(), 1, content.size(), stream) == content.size();
+  bool written =
+      stream != nullptr && std::fwrite(content.data(), 1, content.size(), stream) == content.size();
   written = (stream == nullptr || std::fclose(stream) == 0) && written;
   if (!written) {
     return support::fail(support::DiagnosticId::cannotWrite, file.string(), std::strerror(errno));

@@ -3,11 +3,11 @@
 
 #pragma once
 
+#include "support/result.h"
+
 #include <filesystem>
 #include <string>
 #include <string_view>
-
-#include "support/result.h"
 
 namespace glider::codegen {
 

@@ -3,15 +3,17 @@
 
 #include "codegen/load/loaded_mission.h"
 
-#include <dlfcn.h>
-
 #include "codegen/link/scratch_folder.h"
+
+#include <dlfcn.h>
 
 namespace glider::codegen {
 
 using support::DiagnosticId;
 
-void LoadedMission::Unloader::operator()(void* handle) const { ::dlclose(handle); }
+void LoadedMission::Unloader::operator()(void* handle) const {
+  ::dlclose(handle);
+}
 
 support::Result<LoadedMission> LoadedMission::load(std::string_view shared_object) {
   auto scratch = ScratchFolder::make();
@@ -39,8 +41,7 @@ support::Result<LoadedMission> LoadedMission::load(std::string_view shared_objec
 #include "runtime/abi/entry_points.def"
 #undef ENTRY_POINT
   if (missing != nullptr) {
-    return support::fail(DiagnosticId::cannotLoadMission,
-                         fmt::format("it has no `{}`", missing));
+    return support::fail(DiagnosticId::cannotLoadMission, fmt::format("it has no `{}`", missing));
   }
   return loaded;
 }

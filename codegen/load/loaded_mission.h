@@ -3,19 +3,21 @@
 
 #pragma once
 
-#include <memory>
-#include <string_view>
-
 #include "runtime/abi/runtime.h"
 #include "support/result.h"
 
+#include <memory>
+#include <string_view>
+
 namespace glider::codegen {
 
-/// A mission compiled by codegen::linkShared, loaded into this process for as long as this object lives. Its functions
-/// keep no state of their own: every runtime stands in memory that the caller gives.
+/// A mission compiled by codegen::linkShared, loaded into this process for as long as this object
+/// lives. Its functions keep no state of their own: every runtime stands in memory that the caller
+/// gives.
 class LoadedMission {
  public:
-  /// GL9002 if there is no room for a temporary file (gone again on return), GL9051 if it is not such a mission.
+  /// GL9002 if there is no room for a temporary file (gone again on return), GL9051 if it is not
+  /// such a mission.
   static support::Result<LoadedMission> load(std::string_view shared_object);
 
   [[nodiscard]] const GliderMission& mission() const { return *mission_; }

@@ -21,9 +21,14 @@ struct AbiTypes {
 
 /// The number of each field within its struct: field::GliderContext::state.
 namespace field {
-#define STRUCT(name) namespace name { enum : unsigned {
+#define STRUCT(name) \
+  namespace name {   \
+  enum : unsigned {
 #define FIELD(type, name) name,
-#define STRUCT_END(name) }; }
+#define STRUCT_END(name) \
+  }                      \
+  ;                      \
+  }
 #include "runtime/abi/abi_structs.def"
 #undef STRUCT
 #undef FIELD

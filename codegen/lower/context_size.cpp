@@ -3,9 +3,9 @@
 
 #include "codegen/lower/context_size.h"
 
-#include <llvm/Support/MathExtras.h>
-
 #include "runtime/abi/glider_abi.h"
+
+#include <llvm/Support/MathExtras.h>
 
 namespace glider::codegen {
 

@@ -47,7 +47,8 @@ void DebugInfo::describe(llvm::Function& function, const std::string& name,
 
 void DebugInfo::locate(llvm::IRBuilder<>& builder, support::SourceRange range) {
   llvm::DISubprogram* scope = builder.GetInsertBlock()->getParent()->getSubprogram();
-  // A line of another file than the function's own would need a scope of its own: the line of the use stands for it.
+  // A line of another file than the function's own would need a scope of its own: the line of the
+  // use stands for it.
   if (scope == nullptr || !range.valid() || fileOf(range.file) != scope->getFile()) {
     return;
   }

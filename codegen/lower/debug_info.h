@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include "support/source_manager.h"
+
 #include <llvm/IR/DIBuilder.h>
 #include <llvm/IR/IRBuilder.h>
 #include <llvm/IR/Module.h>
@@ -10,21 +12,20 @@
 #include <map>
 #include <string>
 
-#include "support/source_manager.h"
-
 namespace glider::codegen {
 
-/// Line tables: which generated code stands for which line of the mission. Without sources it does nothing.
+/// Line tables: which generated code stands for which line of the mission. Without sources it does
+/// nothing.
 class DebugInfo {
  public:
-  /// `sources` may be null, else it holds the files of the ranges given below; `main` is a place in the mission's
-  /// main file, or nowhere, which also means no line tables.
+  /// `sources` may be null, else it holds the files of the ranges given below; `main` is a place in
+  /// the mission's main file, or nowhere, which also means no line tables.
   DebugInfo(llvm::Module& module, const support::SourceManager* sources, support::SourceRange main);
 
   /// Gives `function` line tables under `name`, which a debugger shows, starting at `range`.
   void describe(llvm::Function& function, const std::string& name, support::SourceRange range);
-  /// What `builder` makes from now on stands for `range`; nowhere means the place before holds on. The builder must
-  /// stand in a function.
+  /// What `builder` makes from now on stands for `range`; nowhere means the place before holds on.
+  /// The builder must stand in a function.
   void locate(llvm::IRBuilder<>& builder, support::SourceRange range);
   /// Once, when all functions are there.
   void finish();

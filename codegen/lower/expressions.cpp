@@ -3,13 +3,13 @@
 
 #include "codegen/lower/expressions.h"
 
+#include "ir/core/ops.h"
+#include "support/check.h"
+
 #include <llvm/IR/Intrinsics.h>
 
 #include <algorithm>
 #include <vector>
-
-#include "ir/core/ops.h"
-#include "support/check.h"
 
 namespace glider::codegen {
 
@@ -28,7 +28,8 @@ Value* Expressions::isTrue(ir::ExprId id) {
   return lowered.value;
 }
 
-/// Without recursion, whatever the depth: operands have smaller ids, so the order of ids is an order of evaluation.
+/// Without recursion, whatever the depth: operands have smaller ids, so the order of ids is an
+/// order of evaluation.
 const Expressions::Lowered& Expressions::lower(ir::ExprId root) {
   std::vector<uint32_t> needed;
   std::vector<uint32_t> open{root.index};
@@ -137,8 +138,7 @@ Value* Expressions::arithmetic(const ir::Expr& expr) {
 }
 
 Value* Expressions::smallerOrLarger(Op op, Value* a, Value* b) {
-  Value* take_b =
-      op == Op::Min ? builder_.CreateFCmpOLT(b, a) : builder_.CreateFCmpOLT(a, b);
+  Value* take_b = op == Op::Min ? builder_.CreateFCmpOLT(b, a) : builder_.CreateFCmpOLT(a, b);
   return unknownIf(builder_.CreateFCmpUNO(a, b), builder_.CreateSelect(take_b, b, a));
 }
 
@@ -189,14 +189,14 @@ Expressions::Lowered Expressions::logic(const ir::Expr& expr) {
   return {builder_.CreateOr(a.value, b.value), builder_.CreateAnd(a.is_false, b.is_false)};
 }
 
-/// The runtime's own function, so that there is one such rule. A call also takes the value through memory on the 486,
-/// which rounds it to 64 bits.
+/// The runtime's own function, so that there is one such rule. A call also takes the value through
+/// memory on the 486, which rounds it to 64 bits.
 Value* Expressions::settle(Value* value) {
   llvm::Type* number = builder_.getDoubleTy();
-  llvm::CallInst* call = builder_.CreateCall(
-      lowering_.module.getOrInsertFunction("gliderSettle",
-                                           llvm::FunctionType::get(number, {number}, false)),
-      {value});
+  llvm::CallInst* call =
+      builder_.CreateCall(lowering_.module.getOrInsertFunction(
+                              "gliderSettle", llvm::FunctionType::get(number, {number}, false)),
+                          {value});
   call->setDoesNotThrow();
   call->setDoesNotAccessMemory();
   call->addFnAttr(llvm::Attribute::WillReturn);
@@ -209,8 +209,8 @@ Value* Expressions::timeSince(Value* then) {
 
 Value* Expressions::readingField(ir::SensorId sensor, unsigned index) {
   Value* readings = contextField(field::GliderContext::readings);
-  Value* reading = builder_.CreateConstInBoundsGEP1_32(lowering_.types.GliderReading, readings,
-                                                       sensor.index);
+  Value* reading =
+      builder_.CreateConstInBoundsGEP1_32(lowering_.types.GliderReading, readings, sensor.index);
   return loadField(builder_, lowering_.types.GliderReading, reading, index);
 }
 

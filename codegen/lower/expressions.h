@@ -3,16 +3,17 @@
 
 #pragma once
 
-#include <unordered_map>
-
 #include "codegen/lower/lowering.h"
+
+#include <unordered_map>
 
 namespace glider::codegen {
 
-/// Makes code for expressions within one function, each expression once: call it only where everything made before
-/// dominates the builder's place.
+/// Makes code for expressions within one function, each expression once: call it only where
+/// everything made before dominates the builder's place.
 ///
-/// A number is a double with NaN for unknown. A truth value is a pair of bits, and unknown is neither.
+/// A number is a double with NaN for unknown. A truth value is a pair of bits, and unknown is
+/// neither.
 class Expressions {
  public:
   /// `context` is the function's GliderContext*; all three outlive this object.

@@ -27,9 +27,9 @@ void callBehaviour(Lowering& lowering, llvm::IRBuilder<>& builder, const ir::Act
   llvm::Value* memory = loadField(builder, lowering.types.GliderContext, function->getArg(0),
                                   field::GliderContext::memory);
   auto* block_type = llvm::ArrayType::get(builder.getInt8Ty(), GLIDER_BEHAVIOUR_MEMORY_BYTES);
-  std::vector<llvm::Value*> arguments{
-      function->getArg(0), builder.CreateConstInBoundsGEP1_32(block_type, memory, block),
-      function->getArg(1)};
+  std::vector<llvm::Value*> arguments{function->getArg(0),
+                                      builder.CreateConstInBoundsGEP1_32(block_type, memory, block),
+                                      function->getArg(1)};
   std::vector<llvm::Type*> types{builder.getPtrTy(), builder.getPtrTy(), builder.getInt32Ty()};
   arguments.insert(arguments.end(), values.begin(), values.end());
   types.resize(arguments.size(), builder.getDoubleTy());
@@ -45,11 +45,11 @@ void callBehaviour(Lowering& lowering, llvm::IRBuilder<>& builder, const ir::Act
 llvm::Function* lowerStateFly(Lowering& lowering, uint32_t index) {
   const ir::State& state = lowering.mission.states[index];
   llvm::IRBuilder<> builder(lowering.module.getContext());
-  llvm::Function* function = makeFunction(
-      lowering,
-      llvm::FunctionType::get(builder.getVoidTy(), {builder.getPtrTy(), builder.getInt32Ty()},
-                              false),
-      "fly." + state.name);
+  llvm::Function* function =
+      makeFunction(lowering,
+                   llvm::FunctionType::get(builder.getVoidTy(),
+                                           {builder.getPtrTy(), builder.getInt32Ty()}, false),
+                   "fly." + state.name);
   lowering.debug.describe(*function, state.name + " flies", state.range);
   builder.SetInsertPoint(&function->getEntryBlock());
   lowering.debug.locate(builder, state.range);

@@ -7,8 +7,8 @@ namespace glider::codegen {
 
 llvm::Function* makeFunction(Lowering& lowering, llvm::FunctionType* type,
                              const std::string& name) {
-  auto* function = llvm::Function::Create(type, llvm::GlobalValue::InternalLinkage, name,
-                                          lowering.module);
+  auto* function =
+      llvm::Function::Create(type, llvm::GlobalValue::InternalLinkage, name, lowering.module);
   function->setDoesNotThrow();
   function->setDSOLocal(true);
   llvm::BasicBlock::Create(lowering.module.getContext(), "entry", function);
@@ -34,8 +34,7 @@ llvm::Function* makeDispatcher(Lowering& lowering, const std::string& name,
       name + ".table");
   llvm::Value* state = loadField(builder, lowering.types.GliderContext, function->getArg(0),
                                  field::GliderContext::state);
-  llvm::Value* slot =
-      builder.CreateInBoundsGEP(table_type, table, {builder.getInt32(0), state});
+  llvm::Value* slot = builder.CreateInBoundsGEP(table_type, table, {builder.getInt32(0), state});
   std::vector<llvm::Value*> arguments;
   for (llvm::Argument& argument : function->args()) {
     arguments.push_back(&argument);

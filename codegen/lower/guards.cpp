@@ -8,7 +8,8 @@
 namespace glider::codegen {
 namespace {
 
-/// The cases in order. What an earlier guard has worked out serves the later ones, whose blocks it dominates.
+/// The cases in order. What an earlier guard has worked out serves the later ones, whose blocks it
+/// dominates.
 llvm::Function* lowerStateGuards(Lowering& lowering, const ir::State& state) {
   llvm::LLVMContext& context = lowering.module.getContext();
   llvm::IRBuilder<> builder(context);

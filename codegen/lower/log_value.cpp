@@ -10,11 +10,11 @@ namespace {
 llvm::Function* lowerStateLog(Lowering& lowering, const ir::State& state) {
   llvm::LLVMContext& context = lowering.module.getContext();
   llvm::IRBuilder<> builder(context);
-  llvm::Function* function = makeFunction(
-      lowering,
-      llvm::FunctionType::get(builder.getDoubleTy(), {builder.getPtrTy(), builder.getInt32Ty()},
-                              false),
-      "log." + state.name);
+  llvm::Function* function =
+      makeFunction(lowering,
+                   llvm::FunctionType::get(builder.getDoubleTy(),
+                                           {builder.getPtrTy(), builder.getInt32Ty()}, false),
+                   "log." + state.name);
   auto* none = llvm::BasicBlock::Create(context, "none", function);
   builder.SetInsertPoint(&function->getEntryBlock());
   llvm::SwitchInst* choice =

@@ -3,17 +3,18 @@
 
 #include "codegen/lower/lower_mission.h"
 
-#include <llvm/IR/Verifier.h>
-#include <llvm/Support/raw_ostream.h>
-
 #include "codegen/lower/lowering.h"
 #include "ir/core/validate.h"
 #include "support/check.h"
 
+#include <llvm/IR/Verifier.h>
+#include <llvm/Support/raw_ostream.h>
+
 namespace glider::codegen {
 namespace {
 
-/// The flags that clang gives the runtime for the same machine: position independence is a property of the module too.
+/// The flags that clang gives the runtime for the same machine: position independence is a property
+/// of the module too.
 void setRelocation(llvm::Module& module, const llvm::TargetMachine& machine) {
   if (machine.getRelocationModel() == llvm::Reloc::PIC_) {
     module.setPICLevel(llvm::PICLevel::BigPIC);

@@ -3,14 +3,14 @@
 
 #pragma once
 
+#include "codegen/lower/abi_types.h"
+#include "codegen/lower/debug_info.h"
+#include "ir/core/mission.h"
+
 #include <llvm/IR/IRBuilder.h>
 #include <llvm/IR/Module.h>
 
 #include <vector>
-
-#include "codegen/lower/abi_types.h"
-#include "codegen/lower/debug_info.h"
-#include "ir/core/mission.h"
 
 /// What the parts of the lowering share; one file a function family. lower_mission.h is the way in.
 namespace glider::codegen {
@@ -25,8 +25,8 @@ struct Lowering {
 
 /// A function of the generated module: internal, does not unwind, strict IEEE.
 llvm::Function* makeFunction(Lowering& lowering, llvm::FunctionType* type, const std::string& name);
-/// A function called `name` that goes on to by_state[current state] with the same arguments; the context is the first.
-/// One function a state keeps the work linear in their number.
+/// A function called `name` that goes on to by_state[current state] with the same arguments; the
+/// context is the first. One function a state keeps the work linear in their number.
 llvm::Function* makeDispatcher(Lowering& lowering, const std::string& name,
                                const std::vector<llvm::Function*>& by_state);
 /// A field of the struct that `base` points to.

@@ -1,14 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "codegen/lower/context_size.h"
 #include "codegen/lower/lowering.h"
+#include "runtime/abi/glider_abi.h"
 
 #include <llvm/Support/Alignment.h>
 
 #include <map>
-
-#include "codegen/lower/context_size.h"
-#include "runtime/abi/glider_abi.h"
 
 namespace glider::codegen {
 namespace {
@@ -53,9 +52,8 @@ llvm::Constant* Tables::text(const std::string& text) {
   llvm::Constant*& found = texts_[text];
   if (found == nullptr) {
     llvm::Constant* bytes = llvm::ConstantDataArray::getString(context(), text);
-    auto* variable =
-        new llvm::GlobalVariable(lowering_.module, bytes->getType(), true,
-                                 llvm::GlobalValue::PrivateLinkage, bytes, "text");
+    auto* variable = new llvm::GlobalVariable(lowering_.module, bytes->getType(), true,
+                                              llvm::GlobalValue::PrivateLinkage, bytes, "text");
     variable->setUnnamedAddr(llvm::GlobalValue::UnnamedAddr::Global);
     variable->setAlignment(llvm::Align(1));
     found = variable;
@@ -69,9 +67,9 @@ llvm::Constant* Tables::array(llvm::StructType* type, const std::vector<llvm::Co
     return llvm::ConstantPointerNull::get(llvm::PointerType::getUnqual(context()));
   }
   auto* array_type = llvm::ArrayType::get(type, elements.size());
-  auto* variable = new llvm::GlobalVariable(
-      lowering_.module, array_type, true, llvm::GlobalValue::PrivateLinkage,
-      llvm::ConstantArray::get(array_type, elements), name);
+  auto* variable = new llvm::GlobalVariable(lowering_.module, array_type, true,
+                                            llvm::GlobalValue::PrivateLinkage,
+                                            llvm::ConstantArray::get(array_type, elements), name);
   variable->setUnnamedAddr(llvm::GlobalValue::UnnamedAddr::Global);
   return variable;
 }
@@ -91,9 +89,9 @@ llvm::Constant* Tables::sensors() {
 llvm::Constant* Tables::cases(const ir::State& state) {
   std::vector<llvm::Constant*> rows;
   for (const ir::Case& item : state.cases) {
-    rows.push_back(llvm::ConstantStruct::get(
-        lowering_.types.GliderCaseInfo,
-        {word(static_cast<size_t>(item.transition)), word(item.target.valid() ? item.target.index : 0)}));
+    rows.push_back(llvm::ConstantStruct::get(lowering_.types.GliderCaseInfo,
+                                             {word(static_cast<size_t>(item.transition)),
+                                              word(item.target.valid() ? item.target.index : 0)}));
   }
   return array(lowering_.types.GliderCaseInfo, rows, "cases." + state.name);
 }
@@ -110,17 +108,17 @@ llvm::Constant* Tables::log(const ir::State& state) {
 llvm::Constant* Tables::states() {
   std::vector<llvm::Constant*> rows;
   for (const ir::State& state : lowering_.mission.states) {
-    rows.push_back(llvm::ConstantStruct::get(
-        lowering_.types.GliderStateInfo, {text(state.name), cases(state), log(state),
-                                          word(state.cases.size()), word(state.log.size())}));
+    rows.push_back(llvm::ConstantStruct::get(lowering_.types.GliderStateInfo,
+                                             {text(state.name), cases(state), log(state),
+                                              word(state.cases.size()), word(state.log.size())}));
   }
   return array(lowering_.types.GliderStateInfo, rows, "states");
 }
 
 llvm::Constant* Tables::mission(const MissionFunctions& functions) {
   const ir::Mission& mission = lowering_.mission;
-  const uint64_t bytes = contextBytes(mission, lowering_.facts, lowering_.module.getDataLayout(),
-                                      lowering_.types);
+  const uint64_t bytes =
+      contextBytes(mission, lowering_.facts, lowering_.module.getDataLayout(), lowering_.types);
   return llvm::ConstantStruct::get(
       lowering_.types.GliderMission,
       {word(GLIDER_ABI_VERSION), word(mission.states.size()), word(mission.sensors.size()),
@@ -139,10 +137,9 @@ void lowerTables(Lowering& lowering, const MissionFunctions& functions) {
   auto* memory_type = llvm::ArrayType::get(
       llvm::Type::getInt8Ty(module.getContext()),
       contextBytes(lowering.mission, lowering.facts, module.getDataLayout(), lowering.types));
-  auto* memory = new llvm::GlobalVariable(module, memory_type, false,
-                                          llvm::GlobalValue::ExternalLinkage,
-                                          llvm::ConstantAggregateZero::get(memory_type),
-                                          "gliderContextMemory");
+  auto* memory = new llvm::GlobalVariable(
+      module, memory_type, false, llvm::GlobalValue::ExternalLinkage,
+      llvm::ConstantAggregateZero::get(memory_type), "gliderContextMemory");
   memory->setAlignment(llvm::Align(8));
 }
 

@@ -3,11 +3,11 @@
 
 #include "codegen/program/emit.h"
 
+#include "support/check.h"
+
 #include <llvm/ADT/SmallVector.h>
 #include <llvm/IR/LegacyPassManager.h>
 #include <llvm/Support/raw_ostream.h>
-
-#include "support/check.h"
 
 namespace glider::codegen {
 

@@ -15,7 +15,8 @@
 namespace glider::codegen {
 namespace {
 
-/// The boards' memory is small and their code runs once in four seconds: what makes code larger stays out.
+/// The boards' memory is small and their code runs once in four seconds: what makes code larger
+/// stays out.
 llvm::PipelineTuningOptions tuning() {
   llvm::PipelineTuningOptions options;
   options.LoopInterleaving = false;
@@ -24,8 +25,8 @@ llvm::PipelineTuningOptions tuning() {
   return options;
 }
 
-/// For a mission alone, which is many small functions without loops or local memory: LLVM's own pipeline would find
-/// nothing more in them and take ten times as long.
+/// For a mission alone, which is many small functions without loops or local memory: LLVM's own
+/// pipeline would find nothing more in them and take ten times as long.
 llvm::ModulePassManager leanPasses(int level) {
   llvm::FunctionPassManager passes;
   passes.addPass(llvm::EarlyCSEPass(true));

@@ -3,6 +3,8 @@
 
 #include "codegen/program/program.h"
 
+#include "support/files.h"
+
 #include <llvm/Bitcode/BitcodeReader.h>
 #include <llvm/IR/DiagnosticHandler.h>
 #include <llvm/IR/DiagnosticInfo.h>
@@ -14,8 +16,6 @@
 #include <llvm/Transforms/IPO/Internalize.h>
 
 #include <algorithm>
-
-#include "support/files.h"
 
 namespace glider::codegen {
 namespace {
@@ -40,8 +40,9 @@ class Listener final : public llvm::DiagnosticHandler {
 /// Declares `name` as something undefined, so that linking brings its definition in.
 void wantSymbol(llvm::Module& module, const std::string& name) {
   if (module.getNamedValue(name) == nullptr) {
-    llvm::Function::Create(llvm::FunctionType::get(llvm::Type::getVoidTy(module.getContext()), false),
-                           llvm::GlobalValue::ExternalLinkage, name, module);
+    llvm::Function::Create(
+        llvm::FunctionType::get(llvm::Type::getVoidTy(module.getContext()), false),
+        llvm::GlobalValue::ExternalLinkage, name, module);
   }
 }
 

@@ -45,8 +45,8 @@ void initialise(const llvm::Triple& triple) {
 llvm::TargetOptions targetOptions(const Board& board) {
   llvm::TargetOptions options;
   options.AllowFPOpFusion = llvm::FPOpFusion::Strict;
-  options.FloatABIType = board.float_abi == platforms::FloatAbi::Soft ? llvm::FloatABI::Soft
-                                                                      : llvm::FloatABI::Hard;
+  options.FloatABIType =
+      board.float_abi == platforms::FloatAbi::Soft ? llvm::FloatABI::Soft : llvm::FloatABI::Hard;
   options.FunctionSections = true;  // for --gc-sections
   options.DataSections = true;
   return options;
@@ -79,10 +79,9 @@ support::Result<std::unique_ptr<llvm::TargetMachine>> makeMachine(const Board& b
   const llvm::Triple triple(llvm::Triple::normalize(board.triple));
   initialise(triple);
   std::string ignored;
-  const llvm::Target* target =
-      triple.isX86() || triple.isARM()
-          ? llvm::TargetRegistry::lookupTarget(triple.str(), ignored)
-          : nullptr;
+  const llvm::Target* target = triple.isX86() || triple.isARM()
+                                   ? llvm::TargetRegistry::lookupTarget(triple.str(), ignored)
+                                   : nullptr;
   const bool pic = kind == ProgramKind::SharedObject ||
                    board.relocation == platforms::Relocation::PositionIndependent;
   std::unique_ptr<llvm::TargetMachine> machine;

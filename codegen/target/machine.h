@@ -3,12 +3,12 @@
 
 #pragma once
 
+#include "platforms/load/board.h"
+#include "support/result.h"
+
 #include <llvm/Target/TargetMachine.h>
 
 #include <memory>
-
-#include "platforms/load/board.h"
-#include "support/result.h"
 
 namespace glider::codegen {
 

@@ -21,7 +21,8 @@ const toml::table& subtable(TomlReader& reader, const toml::table& root, std::st
 
 /// Link inputs and lists lie in the board's own folder; a path would lead out of it.
 bool isFileName(const std::string& name) {
-  return !name.empty() && name.front() != '-' && name.find('/') == std::string::npos && name != "." && name != "..";
+  return !name.empty() && name.front() != '-' && name.find('/') == std::string::npos &&
+         name != "." && name != "..";
 }
 
 std::vector<std::string> fileNames(TomlReader& reader, std::string_view key) {
@@ -83,8 +84,8 @@ support::Result<Board> loadBoard(const std::filesystem::path& path) {
   Board board;
   board.folder = path.parent_path();
   TomlReader top(file, *root, "the board");
-  top.only({"name", "description", "triple", "cpu", "features", "float_abi", "relocation", "clang_flags",
-            "max_executable_bytes", "kernel", "emulator", "link"});
+  top.only({"name", "description", "triple", "cpu", "features", "float_abi", "relocation",
+            "clang_flags", "max_executable_bytes", "kernel", "emulator", "link"});
   board.name = top.text("name");
   board.description = top.text("description");
   readMachine(top, board);

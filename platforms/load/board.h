@@ -3,12 +3,12 @@
 
 #pragma once
 
+#include "support/result.h"
+
 #include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
-
-#include "support/result.h"
 
 namespace glider::platforms {
 
@@ -30,21 +30,24 @@ struct LinkInputs {
 
 /// A single board computer as data: platforms/boards/<name>.toml.
 struct Board {
-  std::filesystem::path folder;  ///< where the file stood, with the link inputs and the runtime beside it
+  std::filesystem::path
+      folder;  ///< where the file stood, with the link inputs and the runtime beside it
   std::string name;
   std::string description;
-  std::string triple;    ///< as LLVM names the machine
+  std::string triple;  ///< as LLVM names the machine
   std::string cpu;
   std::string features;
   FloatAbi float_abi = FloatAbi::Hard;
   Relocation relocation = Relocation::Static;
   uint64_t max_executable_bytes = 0;  ///< of the stripped executable; 0: no limit
   Kernel kernel;
-  std::vector<std::string> emulator;  ///< command that runs its executables here; empty: they run by themselves
+  std::vector<std::string>
+      emulator;  ///< command that runs its executables here; empty: they run by themselves
   LinkInputs link;
 };
 
-/// Reads and checks a board file. GL9001 if it cannot be read, GL5001 (with line) if it is not right.
+/// Reads and checks a board file. GL9001 if it cannot be read, GL5001 (with line) if it is not
+/// right.
 support::Result<Board> loadBoard(const std::filesystem::path& path);
 
 }  // namespace glider::platforms

@@ -3,14 +3,6 @@
 
 #include "tests/differential/judge.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-#include <llvm/IR/Constants.h>
-#include <llvm/Linker/Linker.h>
-
-#include <cstdlib>
-#include <cstring>
-
 #include "codegen/link/lld.h"
 #include "codegen/link/scratch_folder.h"
 #include "codegen/lower/lower_mission.h"
@@ -21,6 +13,14 @@
 #include "platforms/load/board.h"
 #include "support/check.h"
 #include "support/files.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <llvm/IR/Constants.h>
+#include <llvm/Linker/Linker.h>
+
+#include <cstdlib>
+#include <cstring>
 
 namespace glider::differential {
 namespace {
@@ -70,8 +70,7 @@ std::string buildProgram(std::span<const Trial> trials, const Board& board, int 
   llvm::LLVMContext context;
   auto machine = sure(codegen::makeMachine(board, level, codegen::ProgramKind::Executable));
   auto module = joinMissions(trials, *machine, context);
-  const fs::path runtime =
-      fs::path(GLIDER_BINARY_DIR) / "tests" / "judged" / (board.name + ".bc");
+  const fs::path runtime = fs::path(GLIDER_BINARY_DIR) / "tests" / "judged" / (board.name + ".bc");
   sure(codegen::joinRuntime(*module, runtime, {"main"}));
   codegen::optimise(*module, *machine, level);
   const std::string object =
@@ -87,12 +86,10 @@ Words fly(std::span<const Trial> trials, const Board& board, const std::string& 
   const auto scratch = sure(codegen::ScratchFolder::make());
   auto file = [&](const char* name) { return (scratch.path() / name).string(); };
   sure(support::writeFileAtomically(file("judged"), program, true));
-  sure(support::writeFileAtomically(
-      file("streams"),
-      {reinterpret_cast<const char*>(streams.data()), streams.size() * sizeof(uint64_t)}));
-  const std::string command =
-      fmt::format("{} {} {} {}", fmt::join(board.emulator, " "), file("judged"), file("streams"),
-                  file("records"));
+  sure(support::writeFileAtomically(file("streams"), {reinterpret_cast<const char*>(streams.data()),
+                                                      streams.size() * sizeof(uint64_t)}));
+  const std::string command = fmt::format("{} {} {} {}", fmt::join(board.emulator, " "),
+                                          file("judged"), file("streams"), file("records"));
   CHECK(std::system(command.c_str()) == 0, "the judged program failed");
   const std::string bytes = sure(support::readFile(file("records")));
   Words words(bytes.size() / sizeof(uint64_t));
@@ -118,8 +115,8 @@ std::string compare(const Trial& trial, std::span<const uint64_t>& words) {
 }  // namespace
 
 std::string judge(std::span<const Trial> trials, const std::string& board_name, int level) {
-  const Board board = sure(platforms::loadBoard(fs::path(GLIDER_BINARY_DIR) /
-                                                "share/glidercc/boards" / board_name / "board.toml"));
+  const Board board = sure(platforms::loadBoard(
+      fs::path(GLIDER_BINARY_DIR) / "share/glidercc/boards" / board_name / "board.toml"));
   const Words words = fly(trials, board, buildProgram(trials, board, level));
   std::span<const uint64_t> rest = words;
   for (const Trial& trial : trials) {

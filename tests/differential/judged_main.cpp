@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Runs compiled missions on a board: reads a file of sensor streams, writes a file of what each tick did. It steps the
-// missions with the product's own runtime core; profiles and routes record how they are called. records.h says
-// what the files hold.
+// Runs compiled missions on a board: reads a file of sensor streams, writes a file of what each
+// tick did. It steps the missions with the product's own runtime core; profiles and routes record
+// how they are called. records.h says what the files hold.
 
 #include "runtime/abi/context_layout.h"
 #include "runtime/abi/runtime.h"
@@ -57,8 +57,7 @@ void putNumber(double value) {
   put((bits & ~(uint64_t{1} << 63)) > exponent ? 0x7FF8000000000000U : bits);
 }
 
-void putCall(const GliderContext* context, const GliderBehaviourMemory* memory,
-                    uint32_t phase) {
+void putCall(const GliderContext* context, const GliderBehaviourMemory* memory, uint32_t phase) {
   put(static_cast<uint64_t>(memory - context->memory));
   put(phase);
 }
@@ -122,8 +121,9 @@ void fly(const GliderMission* mission) {
 
 }  // namespace
 
-extern "C" void gliderProfileRecord(GliderContext* context, GliderBehaviourMemory* memory, uint32_t phase,
-                         double number, double length, double time, double temperature) {
+extern "C" void gliderProfileRecord(GliderContext* context, GliderBehaviourMemory* memory,
+                                    uint32_t phase, double number, double length, double time,
+                                    double temperature) {
   putCall(context, memory, phase);
   putNumber(number);
   putNumber(length);
@@ -131,8 +131,9 @@ extern "C" void gliderProfileRecord(GliderContext* context, GliderBehaviourMemor
   putNumber(temperature);
 }
 
-extern "C" void gliderRouteRecord(GliderContext* context, GliderBehaviourMemory* memory, uint32_t phase,
-                       double number, double latitude, double longitude) {
+extern "C" void gliderRouteRecord(GliderContext* context, GliderBehaviourMemory* memory,
+                                  uint32_t phase, double number, double latitude,
+                                  double longitude) {
   putCall(context, memory, phase);
   putNumber(number);
   putNumber(latitude);

@@ -3,14 +3,14 @@
 
 // Every operation on every pair of awkward operands, on every board, against ir/eval.
 
+#include "ir/core/ops.h"
+#include "tests/differential/judge.h"
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
-
-#include "ir/core/ops.h"
-#include "tests/differential/judge.h"
 
 namespace glider::differential {
 namespace {
@@ -19,41 +19,67 @@ using ir::ExprId;
 using ir::Op;
 using Limits = std::numeric_limits<double>;
 
-/// Ends of the range, values whose products fall just under the smallest normal number (where a 486 rounds twice), values that
-/// do not come out even in binary, unknown.
-const std::vector<double> kOperands{
-    0.0, -0.0, 1.0, -1.0, 3.0, 0.1, -1.0 / 3.0, 6.5e7, 0x1.fffffffffffffp-1,
-    1.0 - 0x3p-53, 1.0 - 0x5p-53, Limits::min(), -Limits::min(), 0x1.0000000000001p-1022,
-    0x1.0000000000002p-1022, 0x1p-511, -0x1.7p-512, 0x1.6a09e667f3bcdp-511, Limits::max(),
-    -Limits::max(), 0x1p512, 1.3407807929942597e154, 1e-300, 1e300, Limits::quiet_NaN()};
+/// Ends of the range, values whose products fall just under the smallest normal number (where a 486
+/// rounds twice), values that do not come out even in binary, unknown.
+const std::vector<double> kOperands{0.0,
+                                    -0.0,
+                                    1.0,
+                                    -1.0,
+                                    3.0,
+                                    0.1,
+                                    -1.0 / 3.0,
+                                    6.5e7,
+                                    0x1.fffffffffffffp-1,
+                                    1.0 - 0x3p-53,
+                                    1.0 - 0x5p-53,
+                                    Limits::min(),
+                                    -Limits::min(),
+                                    0x1.0000000000001p-1022,
+                                    0x1.0000000000002p-1022,
+                                    0x1p-511,
+                                    -0x1.7p-512,
+                                    0x1.6a09e667f3bcdp-511,
+                                    Limits::max(),
+                                    -Limits::max(),
+                                    0x1p512,
+                                    1.3407807929942597e154,
+                                    1e-300,
+                                    1e300,
+                                    Limits::quiet_NaN()};
 
+ir::Sensor plainSensor(uint16_t id) {
+  ir::Sensor sensor;
+  sensor.name = sensor.vehicle_name = std::string(1, static_cast<char>('a' + id));
+  sensor.id = id;
+  sensor.lowest = -Limits::max();
+  sensor.highest = Limits::max();
+  sensor.stale_after_s = 1e9;
+  return sensor;
+}
+
+ir::Behaviour recorder(ir::BehaviourKind kind) {
+  const bool profile = kind == ir::BehaviourKind::Profile;
+  ir::Behaviour behaviour;
+  behaviour.name = profile ? "p" : "r";
+  behaviour.symbol = profile ? "gliderProfileRecord" : "gliderRouteRecord";
+  behaviour.kind = kind;
+  behaviour.parameters.resize(profile ? 4 : 3);
+  for (size_t i = 0; i < behaviour.parameters.size(); ++i) {
+    behaviour.parameters[i].name = fmt::format("x{}", i);
+  }
+  return behaviour;
+}
+
+/// Makes a mission of one state that reads three sensors.
 class Maker {
  public:
   Maker() {
     mission_.name = "operations";
     mission_.platform = "slocum";
-    for (uint16_t i = 0; i < 3; ++i) {
-      ir::Sensor sensor;
-      sensor.name = sensor.vehicle_name = std::string(1, static_cast<char>('a' + i));
-      sensor.id = i;
-      sensor.lowest = -Limits::max();
-      sensor.highest = Limits::max();
-      sensor.stale_after_s = 1e9;
-      mission_.sensors.push_back(sensor);
-    }
-    for (const auto kind : {ir::BehaviourKind::Profile, ir::BehaviourKind::Route}) {
-      const bool profile = kind == ir::BehaviourKind::Profile;
-      ir::Behaviour behaviour;
-      behaviour.name = profile ? "p" : "r";
-      behaviour.symbol = profile ? "gliderProfileRecord" : "gliderRouteRecord";
-      behaviour.kind = kind;
-      behaviour.parameters.resize(profile ? 4 : 3);
-      for (size_t i = 0; i < behaviour.parameters.size(); ++i) {
-        behaviour.parameters[i].name = fmt::format("x{}", i);
-      }
-      mission_.behaviours.push_back(behaviour);
-    }
-    for (uint32_t i = 0; i < 3; ++i) {
+    mission_.behaviours = {recorder(ir::BehaviourKind::Profile),
+                           recorder(ir::BehaviourKind::Route)};
+    for (uint16_t i = 0; i < operands_.size(); ++i) {
+      mission_.sensors.push_back(plainSensor(i));
       ir::Expr sensor;
       sensor.op = Op::Sensor;
       sensor.sensor = {i};

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Random missions on every board against ir/eval. GLIDER_DIFFERENTIAL_COUNT and GLIDER_DIFFERENTIAL_SEED widen it:
-// scripts/soak/differential.
+// Random missions on every board against ir/eval. GLIDER_DIFFERENTIAL_COUNT and
+// GLIDER_DIFFERENTIAL_SEED widen it: scripts/soak/differential.
+
+#include "tests/differential/judge.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-
-#include "tests/differential/judge.h"
 
 namespace glider::differential {
 namespace {

@@ -3,11 +3,11 @@
 
 #include "tests/differential/records.h"
 
-#include <bit>
-
 #include "ir/eval/interpreter.h"
 #include "ir/verify/verify.h"
 #include "support/check.h"
+
+#include <bit>
 
 namespace glider::differential {
 namespace {
@@ -74,9 +74,8 @@ std::vector<Words> expectedRecords(const Trial& trial) {
   ir::Interpreter interpreter(trial.mission, trial.stack_depth);
   std::vector<Words> records;
   for (const random_missions::StreamTick& tick : trial.stream) {
-    const ir::TickResult result = records.empty()
-                                      ? interpreter.start(tick.frame)
-                                      : interpreter.tick(tick.mission_time, tick.frame);
+    const ir::TickResult result = records.empty() ? interpreter.start(tick.frame)
+                                                  : interpreter.tick(tick.mission_time, tick.frame);
     records.push_back(record(trial.mission, interpreter, result));
   }
   return records;

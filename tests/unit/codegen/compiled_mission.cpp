@@ -3,15 +3,15 @@
 
 #include "tests/unit/codegen/compiled_mission.h"
 
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-
 #include "ir/text/read.h"
 #include "ir/verify/verify.h"
 #include "support/check.h"
 #include "support/files.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
 
 namespace glider::codegen_tests {
 

@@ -3,13 +3,13 @@
 
 #pragma once
 
-#include <filesystem>
-#include <string>
-
 #include "codegen/codegen.h"
 #include "ir/core/mission.h"
 #include "platforms/load/board.h"
 #include "support/source_manager.h"
+
+#include <filesystem>
+#include <string>
 
 namespace glider::codegen_tests {
 

@@ -3,15 +3,15 @@
 
 // linkExecutable: what comes out, and what happens when the world does not play along.
 
-#include <gmock/gmock.h>
+#include "support/files.h"
+#include "tests/unit/codegen/compiled_mission.h"
+
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 
 #include <csignal>
 #include <cstdlib>
-
-#include "support/files.h"
-#include "tests/unit/codegen/compiled_mission.h"
+#include <gmock/gmock.h>
+#include <sys/resource.h>
 
 namespace glider::codegen_tests {
 namespace {
@@ -161,7 +161,8 @@ TEST(LinkExecutable, RefusesARuntimeThatIsNone) {  // GL9050; accepts: GL9050 in
   }
 }
 
-/// For as long as it lives no file of this process may grow beyond `bytes`: a full disk, to a program.
+/// For as long as it lives no file of this process may grow beyond `bytes`: a full disk, to a
+/// program.
 class FullDisk {
  public:
   explicit FullDisk(rlim_t bytes) {

@@ -3,12 +3,12 @@
 
 // The work of codegen grows no faster than the mission.
 
+#include "tests/unit/codegen/compiled_mission.h"
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <ctime>
-
-#include "tests/unit/codegen/compiled_mission.h"
 
 namespace glider::codegen_tests {
 namespace {

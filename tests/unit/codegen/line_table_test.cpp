@@ -3,17 +3,16 @@
 
 // The line tables of a mission: each guard stands for its line.
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
+#include "support/files.h"
+#include "tests/unit/codegen/compiled_mission.h"
 
+#include <gtest/gtest.h>
 #include <llvm/DebugInfo/DWARF/DWARFContext.h>
 #include <llvm/Object/ELFObjectFile.h>
 #include <llvm/Support/MemoryBuffer.h>
 
+#include <gmock/gmock.h>
 #include <set>
-
-#include "support/files.h"
-#include "tests/unit/codegen/compiled_mission.h"
 
 namespace glider::codegen_tests {
 namespace {
@@ -22,8 +21,7 @@ namespace {
 std::set<unsigned> linesOf(const std::string& bytes, const std::string& source) {
   auto object = llvm::object::createBinary(llvm::MemoryBufferRef(bytes, "debug"));
   EXPECT_TRUE(static_cast<bool>(object));
-  auto context =
-      llvm::DWARFContext::create(*llvm::cast<llvm::object::ObjectFile>(object->get()));
+  auto context = llvm::DWARFContext::create(*llvm::cast<llvm::object::ObjectFile>(object->get()));
   std::set<unsigned> lines;
   for (const auto& unit : context->compile_units()) {
     const auto* table = context->getLineTableForUnit(unit.get());
@@ -51,8 +49,8 @@ TEST(LineTables, HoldGuardsAndActivitiesOfEveryBoard) {
       options.optimisation_level = level;
       options.sources = &checked.sources;
       const auto output = testFolder() / "figure2";
-      ASSERT_TRUE(codegen::linkExecutable(checked.mission, checked.facts, board(name), options,
-                                          output));
+      ASSERT_TRUE(
+          codegen::linkExecutable(checked.mission, checked.facts, board(name), options, output));
       const std::set<unsigned> lines =
           linesOf(support::readFile(output.string() + ".debug").value(), "figure2.ir");
       for (const ir::State& state : checked.mission.states) {

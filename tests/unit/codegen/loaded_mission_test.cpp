@@ -3,13 +3,14 @@
 
 // linkShared and LoadedMission: Figure 2 flown in this process, tick by tick.
 
+#include "codegen/load/loaded_mission.h"
+
+#include "platforms/slocum_sensors.h"
+#include "tests/unit/codegen/compiled_mission.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
-
-#include "codegen/load/loaded_mission.h"
-#include "platforms/slocum_sensors.h"
-#include "tests/unit/codegen/compiled_mission.h"
 
 namespace glider::codegen_tests {
 namespace {
@@ -66,7 +67,9 @@ TEST(LoadedMission, TwoLiveSideBySide) {
 }
 
 TEST(LoadedMission, RefusesWhatIsNoMission) {  // GL9051; accepts: GL9051 above
-  for (const char* bytes : {"", "hello", "\x7f" "ELF"}) {
+  for (const char* bytes : {"", "hello",
+                            "\x7f"
+                            "ELF"}) {
     const auto loaded = codegen::LoadedMission::load(bytes);
     ASSERT_FALSE(loaded.has_value());
     EXPECT_EQ(loaded.error().id, DiagnosticId::cannotLoadMission);

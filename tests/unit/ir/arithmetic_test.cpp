@@ -24,8 +24,8 @@ TEST(Settle, KeepsNormalNumbersAndDropsTheRest) {
   for (double kept : {1.0, -1.0, smallest_kept, -smallest_kept, Limits::max(), -Limits::max()}) {
     EXPECT_EQ(bits(settle(kept)), bits(kept));
   }
-  for (double gone : {0.0, -0.0, Limits::denorm_min(), -Limits::denorm_min(), Limits::min(),
-                      -Limits::min()}) {
+  for (double gone :
+       {0.0, -0.0, Limits::denorm_min(), -Limits::denorm_min(), Limits::min(), -Limits::min()}) {
     EXPECT_EQ(bits(settle(gone)), 0u);
   }
   const double signalling = std::bit_cast<double>(0x7FF0000000000001ULL);

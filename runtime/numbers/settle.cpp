@@ -5,9 +5,9 @@
 
 #include <string.h>
 
-/// The rule of ir/README.md, decided on the bit pattern. Never inlined: the call takes the value through
-/// memory, which rounds what a 486 holds in a wider register; inlined, an optimiser may decide on the
-/// register instead.
+/// The rule of ir/README.md, decided on the bit pattern. Never inlined: the call takes the value
+/// through memory, which rounds what a 486 holds in a wider register; inlined, an optimiser may
+/// decide on the register instead.
 extern "C" [[gnu::noinline]] double gliderSettle(double value) {
   constexpr uint64_t kSign = 0x8000000000000000U;
   constexpr uint64_t kInfinity = 0x7FF0000000000000U;

@@ -43,8 +43,9 @@ Result<Unit> lower(const ir::Mission& mission, const ir::MissionFacts& facts, co
     return std::unexpected(machine.error());
   }
   unit.machine = std::move(*machine);
+  llvm::LLVMContext scratch;  // the module's own is to hold each type once
   const uint64_t bytes =
-      contextBytes(mission, facts, unit.machine->createDataLayout(), makeAbiTypes(*unit.context));
+      contextBytes(mission, facts, unit.machine->createDataLayout(), makeAbiTypes(scratch));
   if (bytes > kMostContextBytes) {
     return support::fail(DiagnosticId::missionTooLarge, bytes, kMostContextBytes);
   }

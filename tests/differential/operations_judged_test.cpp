@@ -47,33 +47,39 @@ const std::vector<double> kOperands{0.0,
                                     1e300,
                                     Limits::quiet_NaN()};
 
+ir::Sensor plainSensor(uint16_t id) {
+  ir::Sensor sensor;
+  sensor.name = sensor.vehicle_name = std::string(1, static_cast<char>('a' + id));
+  sensor.id = id;
+  sensor.lowest = -Limits::max();
+  sensor.highest = Limits::max();
+  sensor.stale_after_s = 1e9;
+  return sensor;
+}
+
+ir::Behaviour recorder(ir::BehaviourKind kind) {
+  const bool profile = kind == ir::BehaviourKind::Profile;
+  ir::Behaviour behaviour;
+  behaviour.name = profile ? "p" : "r";
+  behaviour.symbol = profile ? "gliderProfileRecord" : "gliderRouteRecord";
+  behaviour.kind = kind;
+  behaviour.parameters.resize(profile ? 4 : 3);
+  for (size_t i = 0; i < behaviour.parameters.size(); ++i) {
+    behaviour.parameters[i].name = fmt::format("x{}", i);
+  }
+  return behaviour;
+}
+
+/// Makes a mission of one state that reads three sensors.
 class Maker {
  public:
   Maker() {
     mission_.name = "operations";
     mission_.platform = "slocum";
-    for (uint16_t i = 0; i < 3; ++i) {
-      ir::Sensor sensor;
-      sensor.name = sensor.vehicle_name = std::string(1, static_cast<char>('a' + i));
-      sensor.id = i;
-      sensor.lowest = -Limits::max();
-      sensor.highest = Limits::max();
-      sensor.stale_after_s = 1e9;
-      mission_.sensors.push_back(sensor);
-    }
-    for (const auto kind : {ir::BehaviourKind::Profile, ir::BehaviourKind::Route}) {
-      const bool profile = kind == ir::BehaviourKind::Profile;
-      ir::Behaviour behaviour;
-      behaviour.name = profile ? "p" : "r";
-      behaviour.symbol = profile ? "gliderProfileRecord" : "gliderRouteRecord";
-      behaviour.kind = kind;
-      behaviour.parameters.resize(profile ? 4 : 3);
-      for (size_t i = 0; i < behaviour.parameters.size(); ++i) {
-        behaviour.parameters[i].name = fmt::format("x{}", i);
-      }
-      mission_.behaviours.push_back(behaviour);
-    }
-    for (uint32_t i = 0; i < 3; ++i) {
+    mission_.behaviours = {recorder(ir::BehaviourKind::Profile),
+                           recorder(ir::BehaviourKind::Route)};
+    for (uint16_t i = 0; i < operands_.size(); ++i) {
+      mission_.sensors.push_back(plainSensor(i));
       ir::Expr sensor;
       sensor.op = Op::Sensor;
       sensor.sensor = {i};

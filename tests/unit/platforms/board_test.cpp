@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "platforms/load/board.h"
+
+#include "tests/support/command.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <gmock/gmock.h>
+
+namespace glider::platforms {
+namespace {
+
+const std::string kGood = R"(name = "b"
+description = "d"
+triple = "i486-unknown-linux-musl"
+cpu = "i486"
+features = "+x87"
+float_abi = "hard"
+relocation = "static"
+clang_flags = []
+max_executable_bytes = 65536
+[kernel]
+release = "2.4.23"
+system_calls = "calls"
+[emulator]
+command = ["qemu-i386", "-cpu", "486"]
+[link]
+dynamic_linker = ""
+before = ["crt1.o"]
+after = ["libc.a"]
+)";
+
+support::Result<Board> load(const std::string& text) {
+  const tests::TemporaryFolder folder;
+  return loadBoard(folder.write("board.toml", text));
+}
+
+std::string with(const std::string& from, const std::string& to) {
+  std::string text = kGood;
+  const size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+TEST(Board, OursLoad) {
+  for (const char* name : {"host", "ts7800", "ts5500"}) {
+    const auto board =
+        loadBoard(fmt::format("{}/platforms/boards/{}.toml", GLIDER_SOURCE_DIR, name));
+    ASSERT_TRUE(board) << board.error().message;
+    EXPECT_EQ(board->name, name);
+    EXPECT_EQ(board->folder, GLIDER_SOURCE_DIR "/platforms/boards");
+    EXPECT_EQ(board->max_executable_bytes, board->name == "host" ? 0u : 65536u);
+    EXPECT_EQ(board->relocation,
+              board->name == "host" ? Relocation::PositionIndependent : Relocation::Static);
+    EXPECT_EQ(board->float_abi, board->name == "ts7800" ? FloatAbi::Soft : FloatAbi::Hard);
+  }
+}
+
+TEST(Board, WhatTheFileSaysIsReadOut) {
+  const auto board = load(kGood);
+  ASSERT_TRUE(board) << board.error().message;
+  EXPECT_EQ(board->triple, "i486-unknown-linux-musl");
+  EXPECT_EQ(board->kernel.release, "2.4.23");
+  EXPECT_THAT(board->emulator, testing::ElementsAre("qemu-i386", "-cpu", "486"));
+  EXPECT_THAT(board->link.before, testing::ElementsAre("crt1.o"));
+  EXPECT_THAT(board->link.after, testing::ElementsAre("libc.a"));
+}
+
+// accepts: GL5001; refused: GL5001
+TEST(Board, MistakesAreNamedWithTheirLine) {
+  const std::pair<std::string, std::string> bad[] = {
+      {with("cpu = \"i486\"", "cpu = 486"), ":4"},
+      {with("cpu = \"i486\"", "cpus = \"i486\""), ":4"},
+      {with("float_abi = \"hard\"", "float_abi = \"medium\""), ":6"},
+      {with("relocation = \"static\"", "relocation = \"\""), ":7"},
+      {with("clang_flags = []", "clang_flags = [1]"), ":8"},
+      {with("65536", "-1"), ":9"},
+      {with("65536", "64.5"), ":9"},
+      {with("release = \"2.4.23\"", "release = 2"), ":11"},
+      {with("\"calls\"", "\"../calls\""), ":12"},
+      {with("[\"qemu-i386\", \"-cpu\", \"486\"]", "\"qemu-i386\""), ":14"},
+      {with("[\"crt1.o\"]", "[\"/etc/crt1.o\"]"), ":17"},
+      {with("[\"libc.a\"]", "[\"--script=x\"]"), ":18"},
+      {with("[link]", "[linking]"), ":15"},
+      {kGood + "[more]\n", ":19"},
+      {"kernel = 3\n" + with("[kernel]", "[kernels]"), ""},
+      {"not toml", ":1"},
+      {"", ""},
+  };
+  for (const auto& [text, line] : bad) {
+    const auto board = load(text);
+    ASSERT_FALSE(board) << text;
+    EXPECT_EQ(board.error().id, support::DiagnosticId::badDataFile);
+    EXPECT_THAT(board.error().message, testing::HasSubstr("board.toml" + line));
+  }
+}
+
+TEST(Board, AMissingFileIsNamed) {
+  const auto board = loadBoard("/nonexistent/board.toml");
+  ASSERT_FALSE(board);
+  EXPECT_EQ(board.error().id, support::DiagnosticId::cannotRead);
+}
+
+}  // namespace
+}  // namespace glider::platforms

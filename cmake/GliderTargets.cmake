@@ -4,7 +4,7 @@
 # Warnings for our own code; generated and third-party code does not link this target.
 add_library(glider_warnings INTERFACE)
 target_compile_options(glider_warnings INTERFACE
-  -Wall -Wextra -Wpedantic -Werror -Wshadow -Wconversion -Wsign-conversion -Wnon-virtual-dtor
+  -Wall -Wextra -Wpedantic -Werror -Wshadow -Wconversion -Wsign-conversion $<$<COMPILE_LANGUAGE:CXX>:-Wnon-virtual-dtor>
   -ffp-contract=off)
 # g++ 12's vectoriser drops the rounding of two neighbouring (double)(float)x, which is how a value enters
 # the vehicle's float32 sensor array (tests/unit/hooks/values_test.cpp fails without this).

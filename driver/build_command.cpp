@@ -68,7 +68,7 @@ codegen::CodegenOptions codegenOptions(const BuildOptions& options,
 /// The product of every stage but the last as text or bytes.
 support::Result<std::string> produce(const BuildOptions& options, const Compilation& compilation) {
   if (options.emit == Emit::Ast) {
-    return compilation.ast ? frontend::print(*compilation.ast) : std::string();
+    return compilation.ast ? ast::print(*compilation.ast) : std::string();
   }
   if (options.emit == Emit::Ir) {
     return ir::print(*compilation.mission);

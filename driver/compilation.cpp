@@ -22,14 +22,24 @@ Result<uint32_t> addSource(support::SourceManager& sources, const std::filesyste
   return sources.add(path.string(), std::move(*text));
 }
 
+/// Where the mission names its platform; nowhere if it leaves that to the default.
+support::SourceRange platformRange(const ast::File& file) {
+  for (const ast::Item& item : file.items) {
+    if (const auto* line = std::get_if<ast::PlatformLine>(&item)) {
+      return line->name.where;
+    }
+  }
+  return {};
+}
+
 /// The platform that the mission names, or the default.
 Result<void> choosePlatform(Compilation& compilation) {
   const std::string name = frontend::platformName(*compilation.ast);
   const std::filesystem::path file = shareDirectory() / "platforms" / (name + ".toml");
+  const support::SourceRange range = platformRange(*compilation.ast);
   std::error_code ignored;
-  if (compilation.ast->platform && !std::filesystem::exists(file, ignored)) {
-    compilation.diagnostics.report(support::DiagnosticId::unknownPlatform,
-                                   compilation.ast->platform->range, name);
+  if (range.valid() && !std::filesystem::exists(file, ignored)) {
+    compilation.diagnostics.report(support::DiagnosticId::unknownPlatform, range, name);
     return {};
   }
   auto platform = platforms::loadPlatform(file);

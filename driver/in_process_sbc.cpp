@@ -45,7 +45,7 @@ void InProcessSbc::deliver(std::span<const uint8_t> bytes, double now_s) {
 std::vector<uint8_t> InProcessSbc::collect() {
   const GliderByteStream stream{this, readBytes, writeBytes};
   const GliderClock clock{this, now};
-  while (!killed_ && mission_.poll(runtime_, stream, clock) != kGliderRuntimeIdle) {
+  while (!killed_ && mission_.poll(runtime_, stream, clock) == kGliderRuntimeProgressed) {
   }
   to_sbc_.erase(to_sbc_.begin(), to_sbc_.begin() + static_cast<ptrdiff_t>(taken_));
   taken_ = 0;

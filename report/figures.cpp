@@ -3,12 +3,12 @@
 
 #include "report/figures.h"
 
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 namespace glider::report {
 
@@ -31,26 +31,6 @@ Range rangeOf(const Trace& trace, int column) {
     range.greatest = std::fmax(range.greatest, trace.at(row, column));
   }
   return range;
-}
-
-/// Counts lower turning points: down by kYoDepth from the last top, then up by kYoDepth from the bottom.
-size_t countYos(const Trace& trace, int depth) {
-  size_t yos = 0;
-  bool diving = false;
-  double extreme = kNaN;  // the shallowest point since the last bottom, or the deepest of this dive
-  for (size_t row = 0; depth >= 0 && row < trace.rowCount(); ++row) {
-    const double here = trace.at(row, depth);
-    if (std::isnan(here)) {
-      continue;
-    }
-    extreme = diving ? std::fmax(extreme, here) : std::fmin(extreme, here);
-    if (std::abs(here - extreme) >= kYoDepth) {
-      yos += diving ? 1 : 0;
-      diving = !diving;
-      extreme = here;
-    }
-  }
-  return yos;
 }
 
 void measureTrack(const Trace& trace, int east, int north, FlightFigures& figures) {
@@ -101,27 +81,32 @@ void measureTrack(const Trace& trace, FlightFigures& figures) {
 
 void measureStates(const Trace& trace, int time, FlightFigures& figures) {
   const int state = trace.column("state");
-  if (state < 0 || time < 0) {
+  const int active = trace.column("hook_active");
+  if (time < 0 || (state < 0 && active < 0)) {
     figures.layered_s = kNaN;
+    figures.stateless_s = kNaN;
     return;
   }
   std::map<double, StateFigures> by_id;
   double before = kNaN;
   for (size_t row = 0; row < trace.rowCount(); ++row) {
-    const double id = trace.at(row, state);
-    const double held =
-        row + 1 < trace.rowCount() ? trace.at(row + 1, time) - trace.at(row, time) : 0.0;
+    const double id = state < 0 ? kNaN : trace.at(row, state);
+    const bool last = row + 1 == trace.rowCount();
+    const double held = last ? 0.0 : trace.at(row + 1, time) - trace.at(row, time);
     const double held_s = std::isnan(held) ? 0.0 : held;
-    if (std::isnan(id)) {
-      figures.layered_s += held_s;
-    } else {
+    if (!std::isnan(id)) {
       StateFigures& entry = by_id[id];
       entry.visits += id == before ? 0 : 1;
       entry.time_s += held_s;
+    } else if (active >= 0 && trace.at(row, active) > 0) {
+      figures.stateless_s += held_s;
+    } else {
+      figures.layered_s += held_s;
     }
     before = id;
   }
   for (auto& [id, entry] : by_id) {
+    entry.id = id;
     entry.name = stateName(trace, id);
     figures.states.push_back(std::move(entry));
   }
@@ -129,14 +114,42 @@ void measureStates(const Trace& trace, int time, FlightFigures& figures) {
 
 const char* trackSourceName(TrackSource source) {
   switch (source) {
-    case TrackSource::True: return "true";
-    case TrackSource::DeadReckoned: return "dead-reckoned";
-    case TrackSource::None: break;
+    case TrackSource::True:
+      return "true";
+    case TrackSource::DeadReckoned:
+      return "dead-reckoned";
+    case TrackSource::None:
+      break;
   }
   return "none";
 }
 
 }  // namespace
+
+std::vector<TurningPoint> turningPoints(const Trace& trace) {
+  const int depth = depthColumn(trace);
+  std::vector<TurningPoint> points;
+  bool diving = false;
+  double extreme = kNaN;  // the shallowest depth of this climb, or the deepest of this dive
+  size_t extreme_row = 0;
+  for (size_t row = 0; depth >= 0 && row < trace.rowCount(); ++row) {
+    const double here = trace.at(row, depth);
+    if (std::isnan(here)) {
+      continue;
+    }
+    const bool further = diving ? here >= extreme : here <= extreme;
+    if (further || std::isnan(extreme)) {
+      extreme = here;
+      extreme_row = row;
+    } else if (std::abs(here - extreme) >= kYoDepth) {
+      points.push_back({extreme_row, diving});
+      diving = !diving;
+      extreme = here;
+      extreme_row = row;
+    }
+  }
+  return points;
+}
 
 int depthColumn(const Trace& trace) {
   const int measured = trace.column("m_depth");
@@ -159,7 +172,8 @@ FlightFigures flightFigures(const Trace& trace) {
   const Range depths = rangeOf(trace, depthColumn(trace));
   figures.shallowest_m = depths.least;
   figures.deepest_m = depths.greatest;
-  figures.yos = countYos(trace, depthColumn(trace));
+  const auto turns = turningPoints(trace);
+  figures.yos = static_cast<size_t>(std::ranges::count_if(turns, &TurningPoint::at_bottom));
   const Range temperatures = rangeOf(trace, trace.column("sci_water_temp"));
   figures.coldest_degC = temperatures.least;
   figures.warmest_degC = temperatures.greatest;
@@ -175,7 +189,8 @@ std::string figuresToJson(const FlightFigures& figures) {
   using nlohmann::json;
   json states = json::array();
   for (const StateFigures& state : figures.states) {
-    states.push_back({{"name", state.name}, {"visits", state.visits}, {"time", state.time_s}});
+    states.push_back(
+        {{"id", state.id}, {"name", state.name}, {"visits", state.visits}, {"time", state.time_s}});
   }
   const json out = {{"rows", figures.rows},
                     {"duration", figures.duration_s},
@@ -188,7 +203,8 @@ std::string figuresToJson(const FlightFigures& figures) {
                     {"coldest", figures.coldest_degC},
                     {"warmest", figures.warmest_degC},
                     {"states", states},
-                    {"layered", figures.layered_s}};
+                    {"layered", figures.layered_s},
+                    {"stateless", figures.stateless_s}};
   return out.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 

@@ -3,16 +3,17 @@
 
 #pragma once
 
+#include "support/trace/trace.h"
+
 #include <array>
 #include <cstddef>
 #include <string>
 #include <string_view>
 
-#include "support/trace/trace.h"
-
 namespace glider::report {
 
-/// The most rows that a page carries (a day and a half of 4 s cycles); of a longer flight it carries about as many.
+/// The most rows that a page carries (a day and a half of 4 s cycles); of a longer flight it
+/// carries about as many.
 inline constexpr size_t kPageRows = 32768;
 
 /// The built page, cut where the title and the flight's data go. Written by report/page/build.mjs.
@@ -21,8 +22,8 @@ extern const std::array<std::string_view, 3> kPageParts;
 /// The whole page for `trace`, as HTML.
 std::string renderPage(const support::Trace& trace);
 
-/// `json` such that it may stand inside a script element: no `<`, and no line separator that ends a line in older
-/// JavaScript. Only for JSON, where these characters occur in strings alone.
+/// `json` such that it may stand inside a script element: no `<`, and no line separator that ends a
+/// line in older JavaScript. Only for JSON, where these characters occur in strings alone.
 std::string escapeForScript(std::string_view json);
 /// `text` as the content of an HTML element or a quoted attribute.
 std::string escapeHtml(std::string_view text);

@@ -3,17 +3,17 @@
 
 #pragma once
 
-#include <filesystem>
-
 #include "support/result.h"
 #include "support/trace/trace.h"
 
+#include <filesystem>
+
 namespace glider::report {
 
-/// Writes `trace` to `path` as one web page that needs nothing else: no network, no other file. A flight of more than
-/// kPageRows rows is thinned (report/thin.h); its figures are still those of all rows. Columns the page knows are
-/// listed in report/README.md, each may be absent. The file appears whole or not at all; GL9201 when it cannot be
-/// written.
+/// Writes `trace` to `path` as one web page that needs nothing else: no network, no other file. A
+/// flight of more than kPageRows rows is thinned (report/thin.h); its figures are still those of
+/// all rows. Columns the page knows are listed in report/README.md, each may be absent. The file
+/// appears whole or not at all; GL9201 when it cannot be written.
 support::Result<void> writeReport(const support::Trace& trace, const std::filesystem::path& path);
 
 }  // namespace glider::report

@@ -3,13 +3,13 @@
 
 #include "report/summary.h"
 
-#include <algorithm>
-#include <cmath>
+#include "report/figures.h"
+#include "report/text.h"
 
 #include <fmt/format.h>
 
-#include "report/figures.h"
-#include "report/text.h"
+#include <algorithm>
+#include <cmath>
 
 namespace glider::report {
 
@@ -47,11 +47,12 @@ std::string figureLines(const FlightFigures& figures) {
     out += fmt::format("  {:<13}{}\n", label, value);
   };
   if (std::isfinite(figures.duration_s)) {
-    line("duration", fmt::format("{} ({:.0f} s)", clockText(figures.duration_s), figures.duration_s));
+    line("duration",
+         fmt::format("{} ({:.0f} s)", clockText(figures.duration_s), figures.duration_s));
   }
   if (std::isfinite(figures.deepest_m)) {
-    line("depth", fmt::format("{:.1f} to {:.1f} m, {} yo{}", figures.shallowest_m, figures.deepest_m,
-                              figures.yos, figures.yos == 1 ? "" : "s"));
+    line("depth", fmt::format("{:.1f} to {:.1f} m, {} yo{}", figures.shallowest_m,
+                              figures.deepest_m, figures.yos, figures.yos == 1 ? "" : "s"));
   }
   if (std::isfinite(figures.distance_m)) {
     line("distance",
@@ -67,7 +68,7 @@ std::string figureLines(const FlightFigures& figures) {
 }
 
 std::string stateLines(const FlightFigures& figures) {
-  if (figures.states.empty()) {
+  if (figures.states.empty() && !(figures.stateless_s > 0)) {
     return "";
   }
   size_t column = std::string_view("(layered control)").size();
@@ -77,8 +78,8 @@ std::string stateLines(const FlightFigures& figures) {
   std::string out = fmt::format("\n{} visits       time  share\n", padded("states", column + 2));
   const auto line = [&](const std::string& name, const std::string& visits, double time_s) {
     const double share = figures.duration_s > 0 ? 100.0 * time_s / figures.duration_s : 0.0;
-    out += fmt::format("  {}{:>7} {:>8.0f} s {:>4.0f} %\n", padded(cut(name, column), column), visits,
-                       time_s, share);
+    out += fmt::format("  {}{:>7} {:>8.0f} s {:>4.0f} %\n", padded(cut(name, column), column),
+                       visits, time_s, share);
   };
   for (size_t i = 0; i < std::min(figures.states.size(), kMostStates); ++i) {
     const StateFigures& state = figures.states[i];
@@ -86,6 +87,9 @@ std::string stateLines(const FlightFigures& figures) {
   }
   if (figures.states.size() > kMostStates) {
     out += fmt::format("  and {} more\n", figures.states.size() - kMostStates);
+  }
+  if (figures.stateless_s > 0) {
+    line("(SBC, no state)", "", figures.stateless_s);
   }
   if (figures.layered_s > 0) {
     line("(layered control)", "", figures.layered_s);
@@ -98,8 +102,8 @@ std::string secondsText(double seconds) {
 }
 
 std::string eventLine(const TraceEvent& event, bool with_kind) {
-  const std::string times = fmt::format("  {:>9} {:>9}  ", secondsText(event.time_s),
-                                        secondsText(event.mission_time_s));
+  const std::string times =
+      fmt::format("  {:>9} {:>9}  ", secondsText(event.time_s), secondsText(event.mission_time_s));
   const std::string kind = with_kind ? padded(cut(plain(event.kind), 12), 12) : "";
   const size_t indent = times.size() + width(kind);
   const std::string what = plain(event.what);
@@ -118,7 +122,8 @@ std::string eventLines(const Trace& trace, bool transitions) {
   std::string out;
   size_t count = 0;
   for (const TraceEvent& event : trace.events) {
-    if ((event.kind == "transition") != transitions) {
+    // Routine steering would bury what matters; the report has it.
+    if ((event.kind == "transition") != transitions || event.kind == "steering") {
       continue;
     }
     if (++count <= kMostEvents) {

@@ -3,14 +3,15 @@
 
 #pragma once
 
-#include <string>
-
 #include "support/trace/trace.h"
+
+#include <string>
 
 namespace glider::report {
 
-/// What a flight came to, as plain aligned text of at most 100 columns for a terminal: figures, time in each state,
-/// transitions and other events with vehicle time, mission time and reason. Control characters in names are shown as
+/// What a flight came to, as plain aligned text of at most 100 columns for a terminal: figures,
+/// time in each state, transitions and other events with vehicle time, mission time and reason.
+/// Control characters in names are shown as
 /// `?`. Ends with a newline.
 std::string summarize(const support::Trace& trace);
 

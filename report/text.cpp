@@ -3,16 +3,18 @@
 
 #include "report/text.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-
-#include <fmt/format.h>
 
 namespace glider::report {
 
 namespace {
 
-bool continuesCodePoint(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
+bool continuesCodePoint(char c) {
+  return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
+}
 
 /// The number of bytes of the first `columns` code points.
 size_t bytesOf(std::string_view text, size_t columns) {

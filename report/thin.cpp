@@ -3,11 +3,11 @@
 
 #include "report/thin.h"
 
+#include "report/figures.h"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
-
-#include "report/figures.h"
 
 namespace glider::report {
 
@@ -15,7 +15,8 @@ namespace {
 
 using support::Trace;
 
-void keepExtremes(const Trace& trace, int depth, size_t begin, size_t end, std::vector<bool>& keep) {
+void keepExtremes(const Trace& trace, int depth, size_t begin, size_t end,
+                  std::vector<bool>& keep) {
   keep[begin] = true;
   if (depth < 0) {
     return;
@@ -65,6 +66,9 @@ Trace thinned(const Trace& trace, size_t most) {
   const int depth = depthColumn(trace);
   for (size_t i = 0; i < stretches; ++i) {
     keepExtremes(trace, depth, i * count / stretches, (i + 1) * count / stretches, keep);
+  }
+  for (const TurningPoint& point : turningPoints(trace)) {
+    keep[point.row] = true;
   }
   keepChanges(trace, trace.column("state"), keep);
   keepChanges(trace, trace.column("hook_active"), keep);

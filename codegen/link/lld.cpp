@@ -3,6 +3,7 @@
 
 #include "codegen/link/lld.h"
 
+#include <fmt/ranges.h>
 #include <lld/Common/Driver.h>
 #include <llvm/Support/raw_ostream.h>
 
@@ -28,14 +29,27 @@ bool isLibrary(const std::string& name) {
   return name.ends_with(".a") || name.find(".so") != std::string::npos;
 }
 
+/// The files in our scratch folder.
+struct ScratchFiles {
+  std::filesystem::path object;
+  std::filesystem::path exports;
+  std::filesystem::path output;
+};
+
+/// A version script: what a shared object shows, so that --gc-sections can drop all else.
+std::string exportList(const std::vector<std::string>& names) {
+  return fmt::format("{{ {}local: *; }};\n",
+                     names.empty() ? "" : fmt::format("global: {}; ", fmt::join(names, "; ")));
+}
+
 std::vector<std::string> arguments(const LinkJob& job, const Board& board,
-                                   const std::string& object, const std::string& output) {
+                                   const ScratchFiles& files) {
   const bool shared = job.kind == ProgramKind::SharedObject;
-  std::vector<std::string> all{"ld.lld", "-o", output, "--gc-sections", "--threads=1",
+  std::vector<std::string> all{"ld.lld", "-o", files.output.string(), "--gc-sections", "--threads=1",
                                "--build-id=none"};
   auto add = [&](std::initializer_list<std::string> more) { all.insert(all.end(), more); };
   if (shared) {
-    add({"-shared", "-Bsymbolic", "-z", "defs"});
+    add({"-shared", "-Bsymbolic", "-z", "defs", "--version-script", files.exports.string()});
   } else if (board.relocation == platforms::Relocation::PositionIndependent) {
     add({"-pie", "-z", "now", "--dynamic-linker", board.link.dynamic_linker});
   } else {
@@ -52,7 +66,7 @@ std::vector<std::string> arguments(const LinkJob& job, const Board& board,
     }
   };
   addInputs(board.link.before);
-  all.push_back(object);
+  all.push_back(files.object.string());
   for (const auto& input : job.further_inputs) {
     all.push_back(input.string());
   }
@@ -68,19 +82,26 @@ std::string firstComplaint(const std::string& said) {
   return said.substr(begin, said.find('\n', begin) - begin);
 }
 
-support::Failure explain(const std::string& said, const Board& board) {
+support::Failure explain(const std::string& said, const Board& board,
+                         const std::filesystem::path& output) {
   const std::string complaint = firstComplaint(said);
+  const size_t reason = complaint.rfind(": ");
+  if (complaint.find(output.string()) != std::string::npos && reason != std::string::npos) {
+    return support::fail(DiagnosticId::cannotWrite, output.string(), complaint.substr(reason + 2))
+        .error();
+  }
   if (complaint.starts_with(kUndefined)) {
     return support::fail(DiagnosticId::unboundSymbol, complaint.substr(kUndefined.size())).error();
   }
   return support::fail(DiagnosticId::linkFailed, board.name, complaint).error();
 }
 
-Result<void> runLld(const std::vector<std::string>& arguments, const Board& board) {
+Result<void> runLld(const LinkJob& job, const Board& board, const ScratchFiles& files) {
   static bool can_run = true;
   CHECK(can_run, "lld has failed in a way that it does not recover from");
+  const std::vector<std::string> words = arguments(job, board, files);
   std::vector<const char*> pointers;
-  std::ranges::transform(arguments, std::back_inserter(pointers),
+  std::ranges::transform(words, std::back_inserter(pointers),
                          [](const std::string& argument) { return argument.c_str(); });
   std::string said;
   llvm::raw_string_ostream stream(said);
@@ -88,7 +109,7 @@ Result<void> runLld(const std::vector<std::string>& arguments, const Board& boar
       lld::lldMain(pointers, stream, stream, {{lld::Gnu, &lld::elf::link}});
   can_run = result.canRunAgain;
   if (result.retCode != 0) {
-    return std::unexpected(explain(said, board));
+    return std::unexpected(explain(said, board, files.output));
   }
   return {};
 }
@@ -100,13 +121,17 @@ Result<std::string> link(const LinkJob& job, const Board& board) {
   if (!scratch) {
     return std::unexpected(scratch.error());
   }
-  const std::filesystem::path object = scratch->path() / "mission.o";
-  const std::filesystem::path output = scratch->path() / "linked";
-  if (auto written = support::writeFileAtomically(object, job.object); !written) {
-    return std::unexpected(written.error());
+  const auto object = scratch->write("mission.o", job.object);
+  if (!object) {
+    return std::unexpected(object.error());
   }
-  if (auto linked = runLld(arguments(job, board, object.string(), output.string()), board);
-      !linked) {
+  const auto exports = scratch->write("exports", exportList(job.exports));
+  if (!exports) {
+    return std::unexpected(exports.error());
+  }
+  const std::filesystem::path output = scratch->path() / "linked";
+  const auto linked = runLld(job, board, {*object, *exports, output});
+  if (!linked) {
     return std::unexpected(linked.error());
   }
   return support::readFile(output);

@@ -18,7 +18,8 @@ namespace glider::codegen {
 struct LinkJob {
   ProgramKind kind = ProgramKind::Executable;
   std::string_view object;                            ///< content of the mission's object
-  std::vector<std::filesystem::path> further_inputs;  ///< the user's own objects and archives
+  std::vector<std::filesystem::path> further_inputs;  ///< objects and archives besides
+  std::vector<std::string> exports;                   ///< of a shared object
   bool keep_debug = false;                            ///< else symbols and line tables are left out
 };
 

@@ -4,6 +4,7 @@
 #include "codegen/link/scratch_folder.h"
 
 #include <cerrno>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <string>
@@ -20,6 +21,20 @@ support::Result<ScratchFolder> ScratchFolder::make() {
                          error ? error.message() : std::strerror(errno));
   }
   return ScratchFolder(name);
+}
+
+support::Result<std::filesystem::path> ScratchFolder::write(const std::string& name,
+                                                            std::string_view content) const {
+  // Not support::writeFileAtomically: nobody else reads it, and waiting for the disk would take longer than to compile.
+  const std::filesystem::path file = path_ / name;
+  std::FILE* stream = std::fopen(file.c_str(), "wbe");
+  bool written = stream != nullptr &&
+                 std::fwrite(content.data(), 1, content.size(), stream) == content.size();
+  written = (stream == nullptr || std::fclose(stream) == 0) && written;
+  if (!written) {
+    return support::fail(support::DiagnosticId::cannotWrite, file.string(), std::strerror(errno));
+  }
+  return file;
 }
 
 ScratchFolder::ScratchFolder(ScratchFolder&& other) noexcept

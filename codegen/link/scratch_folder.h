@@ -4,6 +4,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <string_view>
 
 #include "support/result.h"
 
@@ -19,6 +21,9 @@ class ScratchFolder {
   ~ScratchFolder();
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  /// Writes a file `name` of this folder; its path. GL9002 if there is no room.
+  support::Result<std::filesystem::path> write(const std::string& name,
+                                               std::string_view content) const;
 
  private:
   explicit ScratchFolder(std::filesystem::path path) : path_(std::move(path)) {}

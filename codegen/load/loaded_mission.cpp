@@ -6,7 +6,6 @@
 #include <dlfcn.h>
 
 #include "codegen/link/scratch_folder.h"
-#include "support/files.h"
 
 namespace glider::codegen {
 
@@ -19,12 +18,12 @@ support::Result<LoadedMission> LoadedMission::load(std::string_view shared_objec
   if (!scratch) {
     return std::unexpected(scratch.error());
   }
-  const std::filesystem::path file = scratch->path() / "mission.so";
-  if (auto written = support::writeFileAtomically(file, shared_object, true); !written) {
-    return std::unexpected(written.error());
+  const auto file = scratch->write("mission.so", shared_object);
+  if (!file) {
+    return std::unexpected(file.error());
   }
   LoadedMission loaded;
-  loaded.handle_.reset(::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL));
+  loaded.handle_.reset(::dlopen(file->c_str(), RTLD_NOW | RTLD_LOCAL));
   if (!loaded.handle_) {
     return support::fail(DiagnosticId::cannotLoadMission, ::dlerror());
   }

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "ir/core/ops.h"
 #include "support/check.h"
 
 namespace glider::codegen {
@@ -15,29 +16,10 @@ namespace glider::codegen {
 using ir::Op;
 using llvm::Value;
 
-namespace {
-
-unsigned operandCount(Op op) {
-  static constexpr unsigned kCounts[] = {
-#define OP(name, text, operands, result) operands,
-#include "ir/core/ops.def"
-#undef OP
-  };
-  return kCounts[static_cast<size_t>(op)];
-}
-
-}  // namespace
-
 Value* Expressions::number(ir::ExprId id) {
   const Lowered& lowered = lower(id);
-  if (lowered.is_false == nullptr) {
-    return lowered.value;
-  }
-  Value* unknown_or_zero =
-      builder_.CreateSelect(lowered.is_false, llvm::ConstantFP::get(builder_.getDoubleTy(), 0.0),
-                            llvm::ConstantFP::getNaN(builder_.getDoubleTy()));
-  return builder_.CreateSelect(lowered.value, llvm::ConstantFP::get(builder_.getDoubleTy(), 1.0),
-                               unknown_or_zero);
+  CHECK(lowered.is_false == nullptr, "a truth value where a number belongs");
+  return lowered.value;
 }
 
 Value* Expressions::isTrue(ir::ExprId id) {
@@ -59,7 +41,7 @@ const Expressions::Lowered& Expressions::lower(ir::ExprId root) {
     }
     needed.push_back(index);
     const ir::Expr& expr = lowering_.mission[ir::ExprId{index}];
-    for (unsigned i = 0; i < operandCount(expr.op); ++i) {
+    for (uint32_t i = 0; i < ir::opInfo(expr.op).operands; ++i) {
       open.push_back(expr.operands.at(i).index);
     }
   }

@@ -3,7 +3,6 @@
 
 #pragma once
 
-#include <optional>
 #include <unordered_map>
 
 #include "codegen/lower/lowering.h"
@@ -20,7 +19,7 @@ class Expressions {
   Expressions(Lowering& lowering, llvm::IRBuilder<>& builder, llvm::Value* context)
       : lowering_(lowering), builder_(builder), context_(context) {}
 
-  /// The value of a numeric expression; of a truth value 1, 0 or NaN.
+  /// The value of a numeric expression.
   llvm::Value* number(ir::ExprId id);
   /// The bit that says that a truth value is true.
   llvm::Value* isTrue(ir::ExprId id);

@@ -34,9 +34,14 @@ llvm::Function* lowerStateLog(Lowering& lowering, const ir::State& state) {
 }  // namespace
 
 llvm::Function* lowerLogValue(Lowering& lowering) {
+  // One function serves all states that log nothing.
   std::vector<llvm::Function*> by_state;
+  llvm::Function* nothing = nullptr;
   for (const ir::State& state : lowering.mission.states) {
-    by_state.push_back(lowerStateLog(lowering, state));
+    if (state.log.empty()) {
+      nothing = nothing != nullptr ? nothing : lowerStateLog(lowering, state);
+    }
+    by_state.push_back(state.log.empty() ? nothing : lowerStateLog(lowering, state));
   }
   return makeDispatcher(lowering, "log_value", by_state);
 }

@@ -7,6 +7,7 @@
 #include <llvm/Support/raw_ostream.h>
 
 #include "codegen/lower/lowering.h"
+#include "ir/core/validate.h"
 #include "support/check.h"
 
 namespace glider::codegen {
@@ -26,7 +27,7 @@ std::unique_ptr<llvm::Module> lowerMission(const ir::Mission& mission,
                                            const llvm::TargetMachine& machine,
                                            const support::SourceManager* sources,
                                            llvm::LLVMContext& context) {
-  CHECK(!mission.states.empty(), "a mission without a state");
+  CHECK(ir::validate(mission).empty(), "a mission that does not hold together");
   auto module = std::make_unique<llvm::Module>(mission.name, context);
   module->setTargetTriple(machine.getTargetTriple().str());
   module->setDataLayout(machine.createDataLayout());

@@ -8,18 +8,36 @@
 #include <llvm/IR/PassManager.h>
 #include <llvm/Passes/PassBuilder.h>
 #include <llvm/Transforms/IPO/GlobalDCE.h>
+#include <llvm/Transforms/InstCombine/InstCombine.h>
+#include <llvm/Transforms/Scalar/EarlyCSE.h>
+#include <llvm/Transforms/Scalar/SimplifyCFG.h>
 
 namespace glider::codegen {
 namespace {
 
 /// The boards' memory is small and their code runs once in four seconds: what makes code larger stays out.
-llvm::PipelineTuningOptions tuning(int level) {
+llvm::PipelineTuningOptions tuning() {
   llvm::PipelineTuningOptions options;
   options.LoopInterleaving = false;
   options.LoopVectorization = false;
   options.SLPVectorization = false;
-  options.LoopUnrolling = level > 2;
   return options;
+}
+
+/// For a mission alone, which is many small functions without loops or local memory: LLVM's own pipeline would find
+/// nothing more in them and take ten times as long.
+llvm::ModulePassManager leanPasses(int level) {
+  llvm::FunctionPassManager passes;
+  passes.addPass(llvm::EarlyCSEPass(true));
+  passes.addPass(llvm::SimplifyCFGPass());
+  if (level > 1) {
+    passes.addPass(llvm::InstCombinePass());
+    passes.addPass(llvm::EarlyCSEPass(true));
+    passes.addPass(llvm::SimplifyCFGPass());
+  }
+  llvm::ModulePassManager manager;
+  manager.addPass(llvm::createModuleToFunctionPassAdaptor(std::move(passes)));
+  return manager;
 }
 
 llvm::ModulePassManager passes(llvm::PassBuilder& builder, int level) {
@@ -27,9 +45,8 @@ llvm::ModulePassManager passes(llvm::PassBuilder& builder, int level) {
     case 0:
       return builder.buildO0DefaultPipeline(llvm::OptimizationLevel::O0);
     case 1:
-      return builder.buildPerModuleDefaultPipeline(llvm::OptimizationLevel::O1);
     case 2:
-      return builder.buildPerModuleDefaultPipeline(llvm::OptimizationLevel::O2);
+      return leanPasses(level);
     default:
       return builder.buildPerModuleDefaultPipeline(llvm::OptimizationLevel::O3);
   }
@@ -42,7 +59,7 @@ void optimise(llvm::Module& module, llvm::TargetMachine& machine, int level) {
   llvm::FunctionAnalysisManager functions;
   llvm::CGSCCAnalysisManager components;
   llvm::ModuleAnalysisManager modules;
-  llvm::PassBuilder builder(&machine, tuning(level));
+  llvm::PassBuilder builder(&machine, tuning());
   builder.registerModuleAnalyses(modules);
   builder.registerCGSCCAnalyses(components);
   builder.registerFunctionAnalyses(functions);

@@ -47,10 +47,9 @@ void wantSymbol(llvm::Module& module, const std::string& name) {
 
 }  // namespace
 
-support::Result<void> joinRuntime(llvm::Module& mission, const platforms::Board& board,
-                                  const std::vector<std::string>& entry_points,
-                                  const std::vector<std::string>& kept) {
-  const std::string path = (board.folder / "runtime.bc").string();
+support::Result<void> joinRuntime(llvm::Module& mission, const std::filesystem::path& runtime_file,
+                                  const std::vector<std::string>& visible) {
+  const std::string path = runtime_file.string();
   auto bitcode = support::readFile(path);
   if (!bitcode) {
     return std::unexpected(bitcode.error());
@@ -59,26 +58,25 @@ support::Result<void> joinRuntime(llvm::Module& mission, const platforms::Board&
   llvm::LLVMContext& context = mission.getContext();
   context.setDiagnosticHandler(std::make_unique<Listener>(trouble));
   auto runtime = llvm::getOwningLazyBitcodeModule(
-      llvm::MemoryBuffer::getMemBufferCopy(*bitcode, "runtime.bc"), context);
+      llvm::MemoryBuffer::getMemBufferCopy(*bitcode, path), context);
   if (!runtime) {
     return support::fail(support::DiagnosticId::badRuntime, path,
                          llvm::toString(runtime.takeError()));
   }
-  for (const std::string& name : entry_points) {
+  for (const std::string& name : visible) {
     wantSymbol(mission, name);
   }
   if (llvm::Linker::linkModules(mission, std::move(*runtime), llvm::Linker::LinkOnlyNeeded)) {
     return support::fail(support::DiagnosticId::badRuntime, path, trouble);
   }
-  for (const std::string& name : entry_points) {
+  for (const std::string& name : visible) {
     if (mission.getNamedValue(name)->isDeclaration()) {
       return support::fail(support::DiagnosticId::badRuntime, path,
                            "it does not define `" + name + "`");
     }
   }
   llvm::internalizeModule(mission, [&](const llvm::GlobalValue& value) {
-    return std::ranges::find(entry_points, value.getName()) != entry_points.end() ||
-           std::ranges::find(kept, value.getName()) != kept.end();
+    return std::ranges::find(visible, value.getName()) != visible.end();
   });
   return {};
 }

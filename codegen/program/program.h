@@ -5,19 +5,18 @@
 
 #include <llvm/IR/Module.h>
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
-#include "platforms/load/board.h"
 #include "support/result.h"
 
 namespace glider::codegen {
 
-/// Adds to the mission what it and `entry_points` need of the board's runtime (runtime.bc), and makes everything but the
-/// entry points internal, so that mission and runtime are optimised as one program. `kept` are symbols of the mission
-/// that stay visible. GL9001 if the runtime cannot be read, GL9050 if it is not right.
-support::Result<void> joinRuntime(llvm::Module& mission, const platforms::Board& board,
-                                  const std::vector<std::string>& entry_points,
-                                  const std::vector<std::string>& kept);
+/// Adds to the mission what it and the symbols `visible` need of the bitcode file `runtime`, and makes all but those
+/// symbols internal, so that mission and runtime are optimised as one program. GL9001 if the file cannot be read, GL9050
+/// if it is not right, or if the two do not define all of `visible`.
+support::Result<void> joinRuntime(llvm::Module& mission, const std::filesystem::path& runtime,
+                                  const std::vector<std::string>& visible);
 
 }  // namespace glider::codegen

@@ -65,6 +65,13 @@ llvm::CodeGenOptLevel codegenLevel(int level) {
   }
 }
 
+/// Asked beforehand, because a machine with an unknown cpu complains on the terminal.
+bool hasCpu(const llvm::Target& target, const llvm::Triple& triple, const std::string& cpu) {
+  const std::unique_ptr<llvm::MCSubtargetInfo> info(
+      target.createMCSubtargetInfo(triple.str(), "", ""));
+  return info && info->isCPUStringValid(cpu);
+}
+
 }  // namespace
 
 support::Result<std::unique_ptr<llvm::TargetMachine>> makeMachine(const Board& board, int level,
@@ -79,12 +86,12 @@ support::Result<std::unique_ptr<llvm::TargetMachine>> makeMachine(const Board& b
   const bool pic = kind == ProgramKind::SharedObject ||
                    board.relocation == platforms::Relocation::PositionIndependent;
   std::unique_ptr<llvm::TargetMachine> machine;
-  if (target != nullptr) {
+  if (target != nullptr && hasCpu(*target, triple, board.cpu)) {
     machine.reset(target->createTargetMachine(
         triple.str(), board.cpu, board.features, targetOptions(board),
         pic ? llvm::Reloc::PIC_ : llvm::Reloc::Static, std::nullopt, codegenLevel(level)));
   }
-  if (!machine || !machine->getMCSubtargetInfo()->isCPUStringValid(board.cpu)) {
+  if (!machine) {
     return support::fail(support::DiagnosticId::unsupportedMachine, board.name, board.triple,
                          board.cpu);
   }

@@ -16,7 +16,7 @@ double settle(double value) {
   if (!std::isfinite(value)) {
     return kUnknown;
   }
-  return std::fabs(value) < DBL_MIN ? 0.0 : value;
+  return std::fabs(value) <= DBL_MIN ? 0.0 : value;
 }
 
 double truth(bool value) {

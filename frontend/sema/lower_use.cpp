@@ -37,7 +37,7 @@ ir::Activity StateLowering::activity(const ast::Use& use, ir::BehaviourKind kind
     for (std::string_view name : names) {
       all += (all.empty() ? "there are: " : ", ") + std::string(name);
     }
-    scope_.report(DiagnosticId::unknownBehaviour, use.name.where, word(kind), use.name.text,
+    scope_.report(DiagnosticId::unknownProfileOrRoute, use.name.where, word(kind), use.name.text,
                   didYouMean(use.name.text, names, all));
     return result;
   }

@@ -3,14 +3,12 @@
 
 #include "hooks/hookbeh/bounds.h"
 
+#include "hooks/protocol/numbers.h"
+
 namespace glider::hooks {
 namespace {
 
 constexpr double kFullCircle = 6.283185307179586;
-
-double asFloat32(double value) {
-  return static_cast<double>(static_cast<float>(value));
-}
 
 /// `pitch` is how steep in the wanted direction: positive.
 bool pitchFits(double pitch, const HookbehArgs& args) {
@@ -80,10 +78,6 @@ HookAnswer checkLateral(const Instruction& instruction) {
 HookAnswer checkBounds(const Instruction& instruction, const HookbehArgs& args) {
   const HookAnswer vertical = checkVertical(instruction, args);
   return vertical == HookAnswer::Accepted ? checkLateral(instruction) : vertical;
-}
-
-bool isFinite(double value) {
-  return value - value == 0;
 }
 
 }  // namespace glider::hooks

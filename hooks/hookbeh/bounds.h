@@ -14,7 +14,4 @@ namespace glider::hooks {
 /// depth passes.
 HookAnswer checkBounds(const Instruction& instruction, const HookbehArgs& args);
 
-/// False for NaN and the infinities.
-bool isFinite(double value);
-
 }  // namespace glider::hooks

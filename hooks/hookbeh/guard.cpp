@@ -3,7 +3,7 @@
 
 #include "hooks/hookbeh/guard.h"
 
-#include "hooks/hookbeh/bounds.h"
+#include "hooks/protocol/numbers.h"
 
 namespace glider::hooks {
 namespace {

@@ -5,6 +5,7 @@
 
 #include "hooks/hookbeh/bounds.h"
 #include "hooks/protocol/messages.h"
+#include "hooks/protocol/numbers.h"
 
 namespace glider::hooks {
 namespace {
@@ -180,6 +181,7 @@ void Hookbeh::command(const Surroundings& now, HookbehOutputs& outputs) {
   outputs.pitch_rad = vertical.pitch_rad;
   outputs.pump_cc = vertical.pump_cc;
   outputs.doing = vertical.doing;
+  outputs.guarding = climb != nullptr;
 }
 
 }  // namespace glider::hooks

@@ -3,7 +3,7 @@
 
 #include "hooks/hookbeh/pilot.h"
 
-#include "hooks/hookbeh/bounds.h"
+#include "hooks/protocol/numbers.h"
 
 namespace glider::hooks {
 namespace {

@@ -4,6 +4,7 @@
 #include "hooks/protocol/messages.h"
 
 #include "hooks/protocol/bytes.h"
+#include "hooks/protocol/numbers.h"
 
 namespace glider::hooks {
 namespace {
@@ -25,10 +26,6 @@ void finish(Frame& frame, const ByteWriter& writer) {
 
 ByteReader reader(const Frame& frame) {
   return {frame.payload, frame.size};
-}
-
-bool isFinite(double value) {
-  return value - value == 0;
 }
 
 bool isHookState(uint8_t value) {

@@ -5,15 +5,9 @@
 
 #include "hooks/protocol/bytes.h"
 #include "hooks/protocol/frame.h"
+#include "hooks/protocol/numbers.h"
 
 namespace glider::hooks {
-namespace {
-
-double asFloat32(double value) {
-  return static_cast<double>(static_cast<float>(value));
-}
-
-}  // namespace
 
 Instruction roundToArray(const Instruction& instruction) {
   Instruction rounded = instruction;

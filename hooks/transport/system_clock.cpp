@@ -32,7 +32,8 @@ double now(void* self) {
 
 }  // namespace
 
-SystemClock::SystemClock() : monotonic_(monotonicSeconds(&start_s_)), last_ticks_(kernelTicks()) {
+SystemClock::SystemClock() : last_ticks_(kernelTicks()) {
+  monotonic_ = monotonicSeconds(&start_s_);
   const long rate = sysconf(_SC_CLK_TCK);
   if (rate > 0) {
     ticks_a_second_ = static_cast<double>(rate);
@@ -41,10 +42,10 @@ SystemClock::SystemClock() : monotonic_(monotonicSeconds(&start_s_)), last_ticks
 
 double SystemClock::now() {
   double seconds = 0;
-  if (monotonic_ && monotonicSeconds(&seconds)) {
-    return seconds - start_s_;
-  }
-  return byTicks();
+  const bool fine = monotonic_ && monotonicSeconds(&seconds);
+  const double passed = fine ? seconds - start_s_ : byTicks();
+  newest_s_ = passed > newest_s_ ? passed : newest_s_;
+  return newest_s_;
 }
 
 double SystemClock::byTicks() {

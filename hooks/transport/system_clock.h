@@ -27,6 +27,7 @@ class SystemClock {
 
   bool monotonic_ = false;
   double start_s_ = 0;
+  double newest_s_ = 0;
   uint32_t last_ticks_ = 0;
   double ticks_ = 0;
   double ticks_a_second_ = 100;

@@ -43,11 +43,12 @@ bool isKnown(double value) {
 }
 
 double settle(double value) {
-  const uint64_t exponent = bits(value) & kExponentBits;
-  if (exponent == kExponentBits) {
+  constexpr uint64_t kSmallestNormal = 1ULL << 52;
+  const uint64_t magnitude = bits(value) & ~kSignBit;
+  if (magnitude >= kExponentBits) {
     return kUnknown;
   }
-  return exponent == 0 ? 0.0 : value;
+  return magnitude <= kSmallestNormal ? 0.0 : value;
 }
 
 double binary(Op op, double a, double b) {

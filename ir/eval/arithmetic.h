@@ -16,8 +16,8 @@ extern const double kUnknown;
 /// Whether `value` is a number, judged by its bits.
 bool isKnown(double value);
 
-/// What an IEEE result becomes: an infinity or NaN unknown, a magnitude under 2^-1022 (minus zero
-/// included) +0.
+/// What an IEEE result becomes: an infinity or NaN unknown, a magnitude of 2^-1022 or less (minus
+/// zero included) +0.
 double settle(double value);
 
 /// Add, Subtract, Multiply, Divide, Min or Max.

@@ -62,6 +62,12 @@ std::string Cursor::name(std::string_view what) {
   return take().text;
 }
 
+Token Cursor::nameToken(std::string_view what) {
+  Token token = token_;
+  token.text = name(what);
+  return token;
+}
+
 double Cursor::number(bool infinite) {
   // "inf" without a sign is a word to the lexer.
   if (token_.kind != TokenKind::Number && !(infinite && token_.isWord("inf"))) {

@@ -36,6 +36,8 @@ class Cursor {
   void expect(char mark);
   /// A word or string; `what` says of what, "the name of a state".
   std::string name(std::string_view what);
+  /// The same together with its place.
+  Token nameToken(std::string_view what);
   /// A number, never NaN; an infinity only if `infinite`.
   double number(bool infinite);
   /// A whole number in [lowest, highest].

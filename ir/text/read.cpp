@@ -3,14 +3,11 @@
 
 #include "ir/text/read.h"
 
-#include "ir/core/ops.h"
 #include "ir/core/validate.h"
 #include "ir/text/cursor.h"
-#include "ir/text/print.h"
+#include "ir/text/expression_reader.h"
+#include "ir/text/names.h"
 
-#include <fmt/format.h>
-
-#include <unordered_map>
 #include <utility>
 
 namespace glider::ir {
@@ -20,8 +17,6 @@ using support::DiagnosticId;
 using support::SourceRange;
 using text::Token;
 using text::TokenKind;
-
-constexpr uint32_t kDeepestNesting = 200;
 
 class Reader {
  public:
@@ -43,7 +38,6 @@ class Reader {
   }
 
  private:
-  using Names = std::unordered_map<std::string, uint32_t>;
   struct Target {
     StateId state;
     size_t case_index;
@@ -68,7 +62,7 @@ class Reader {
     } else if (in_.accept("behaviour")) {
       behaviour();
     } else if (in_.accept("let")) {
-      let();
+      expressions_.let();
     } else if (in_.accept("state")) {
       state();
     } else {
@@ -76,32 +70,9 @@ class Reader {
     }
   }
 
-  void define(Names& names, std::string_view what, const Token& name, size_t index) {
-    if (!names.emplace(name.text, static_cast<uint32_t>(index)).second) {
-      in_.fail(DiagnosticId::irDefinedTwice, name.range, what, name.text);
-    }
-  }
-
-  /// The number of the `what` called `name`; UINT32_MAX after reporting that there is none.
-  uint32_t find(const Names& names, std::string_view what, const Token& name) {
-    auto found = names.find(name.text);
-    if (found != names.end()) {
-      return found->second;
-    }
-    in_.fail(DiagnosticId::irUnknownName, name.range, what, name.text);
-    return UINT32_MAX;
-  }
-
-  /// Takes a name together with its place.
-  Token nameToken(std::string_view what) {
-    Token token = in_.peek();
-    token.text = in_.name(what);
-    return token;
-  }
-
   void sensor() {
-    const Token name = nameToken("the sensor's name");
-    define(sensors_, "sensor", name, m_.sensors.size());
+    const Token name = in_.nameToken("the sensor's name");
+    sensors_.define(name, m_.sensors.size());
     Sensor s;
     s.name = name.text;
     in_.expect(':');
@@ -126,7 +97,7 @@ class Reader {
     m_.sensors.push_back(std::move(s));
   }
 
-  SensorId sensorName() { return {find(sensors_, "sensor", nameToken("the name of a sensor"))}; }
+  SensorId sensorName() { return {sensors_.find(in_.nameToken("the name of a sensor"))}; }
 
   void behaviour() {
     Behaviour b;
@@ -135,8 +106,8 @@ class Reader {
       in_.expect("route");
     }
     b.kind = profile ? BehaviourKind::Profile : BehaviourKind::Route;
-    const Token name = nameToken("the behaviour's name");
-    define(profile ? profiles_ : routes_, "behaviour", name, m_.behaviours.size());
+    const Token name = in_.nameToken("the behaviour's name");
+    (profile ? profiles_ : routes_).define(name, m_.behaviours.size());
     b.name = name.text;
     in_.expect("symbol");
     b.symbol = in_.name("the behaviour's symbol");
@@ -165,97 +136,10 @@ class Reader {
     in_.expect(')');
   }
 
-  void let() {
-    const Token name = in_.peek();
-    if (name.kind != TokenKind::Name) {
-      in_.failExpecting("a name like `%1`");
-    }
-    in_.take();
-    in_.expect('=');
-    const ExprId value = expression(0);
-    define(lets_, "expression", name, value.index);
-  }
-
-  ExprId add(Expr e, SourceRange begin) {
-    e.range = in_.since(begin);
-    if (in_.failed()) {
-      return {};
-    }
-    const std::optional<Type> type = resultType(m_, e);
-    if (!type) {
-      std::string operands;
-      for (uint32_t i = 0; i < opInfo(e.op).operands; ++i) {
-        operands += (i == 0 ? "" : " and ") + typeText(m_[e.operands.at(i)].type);
-      }
-      in_.fail(DiagnosticId::irOperands, e.range, opInfo(e.op).text, operands);
-      return {};
-    }
-    e.type = *type;
-    m_.exprs.push_back(e);
-    return {static_cast<uint32_t>(m_.exprs.size() - 1)};
-  }
-
-  ExprId expression(uint32_t depth) {
-    const Token token = in_.peek();
-    if (token.kind == TokenKind::Number) {
-      return constant(token.range);
-    }
-    if (token.kind == TokenKind::Name) {
-      in_.take();
-      return {find(lets_, "expression", token)};
-    }
-    if (in_.accept('(')) {
-      return operation(token.range, depth + 1);
-    }
-    const OpInfo* op = token.kind == TokenKind::Word ? findOp(token.text) : nullptr;
-    if (op == nullptr || op->operands > 0 || named(op->op) || op->op == Op::Constant) {
-      in_.failExpecting("an expression");
-      return {};
-    }
-    in_.take();
-    Expr e;
-    e.op = op->op;
-    return add(e, token.range);
-  }
-
-  static bool named(Op op) { return op == Op::Sensor || op == Op::Age; }
-
-  ExprId constant(SourceRange begin) {
-    Expr e;
-    e.number = in_.number(false);
-    if (in_.accept(':')) {
-      e.type = in_.type();
-    }
-    return add(e, begin);
-  }
-
-  ExprId operation(SourceRange begin, uint32_t depth) {
-    if (depth > kDeepestNesting) {
-      in_.fail(DiagnosticId::irTooDeep, begin, kDeepestNesting);
-      return {};
-    }
-    const OpInfo* op = in_.peek().kind == TokenKind::Word ? findOp(in_.peek().text) : nullptr;
-    if (op == nullptr || (op->operands == 0 && !named(op->op))) {
-      in_.failExpecting("an operation");
-      return {};
-    }
-    in_.take();
-    Expr e;
-    e.op = op->op;
-    if (named(op->op)) {
-      e.sensor = sensorName();
-    }
-    for (uint32_t i = 0; i < op->operands; ++i) {
-      e.operands.at(i) = expression(depth);
-    }
-    in_.expect(')');
-    return add(e, begin);
-  }
-
   void state() {
-    const Token name = nameToken("the state's name");
+    const Token name = in_.nameToken("the state's name");
     const StateId id{static_cast<uint32_t>(m_.states.size())};
-    define(states_, "state", name, id.index);
+    states_.define(name, id.index);
     m_.states.push_back({});
     State& s = m_.states.back();
     s.name = name.text;
@@ -271,20 +155,20 @@ class Reader {
       } else if (in_.accept("case")) {
         stateCase(id, s, begin);
       } else if (in_.accept("let")) {
-        let();
+        expressions_.let();
       } else {
         return;
       }
     }
   }
 
-  void activity(Activity& a, const Names& names, std::string_view what, SourceRange begin) {
-    const Token name = nameToken("the behaviour's name");
+  void activity(Activity& a, text::Names& names, std::string_view what, SourceRange begin) {
+    const Token name = in_.nameToken("the behaviour's name");
     if (a.behaviour.valid()) {
       in_.fail(DiagnosticId::irDefinedTwice, begin, what, name.text);
     }
-    a.behaviour = {find(names, what, name)};
-    list([&] { a.arguments.push_back(expression(0)); });
+    a.behaviour = {names.find(name)};
+    list([&] { a.arguments.push_back(expressions_.expression()); });
     a.range = in_.since(begin);
   }
 
@@ -293,13 +177,13 @@ class Reader {
     item.name = in_.name("the name of a log item");
     in_.expect("every");
     item.period_s = in_.number(false);
-    item.value = expression(0);
+    item.value = expressions_.expression();
     s.log.push_back(std::move(item));
   }
 
   void stateCase(StateId id, State& s, SourceRange begin) {
     Case c;
-    c.guard = expression(0);
+    c.guard = expressions_.expression();
     if (in_.accept("goto")) {
       c.transition = Transition::Goto;
     } else if (in_.accept("call")) {
@@ -312,7 +196,7 @@ class Reader {
       in_.failExpecting("`goto`, `call`, `return`, `exit` or `stay`");
     }
     if (c.transition == Transition::Goto || c.transition == Transition::Call) {
-      targets_.push_back({id, s.cases.size(), nameToken("the name of a state")});
+      targets_.push_back({id, s.cases.size(), in_.nameToken("the name of a state")});
     }
     c.range = in_.since(begin);
     s.cases.push_back(c);
@@ -322,14 +206,18 @@ class Reader {
   void targets() {
     for (const Target& t : targets_) {
       if (!in_.failed()) {
-        m_.states[t.state.index].cases[t.case_index].target = {find(states_, "state", t.name)};
+        m_.states[t.state.index].cases[t.case_index].target = {states_.find(t.name)};
       }
     }
   }
 
   text::Cursor in_;
   Mission m_;
-  Names sensors_, profiles_, routes_, states_, lets_;
+  text::Names sensors_{in_, "sensor"};
+  text::Names profiles_{in_, "profile"};
+  text::Names routes_{in_, "route"};
+  text::Names states_{in_, "state"};
+  text::ExpressionReader expressions_{in_, m_, sensors_};
   std::vector<Target> targets_;
 };
 

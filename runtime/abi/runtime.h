@@ -40,7 +40,7 @@ typedef struct GliderRuntimeOptions {
 } GliderRuntimeOptions;
 
 typedef enum GliderRuntimeStatus {
-  kGliderRuntimeNothing,    /* no whole frame is there: wait for bytes, or for the clock */
+  kGliderRuntimeIdle,       /* no whole frame is there: wait for bytes, or for the clock */
   kGliderRuntimeProgressed, /* a frame, or a tick of the clock alone, was dealt with: poll again */
   kGliderRuntimeFinished,   /* the mission has ended and the vehicle has its own control back */
   kGliderRuntimeLinkClosed  /* the stream's other end has gone */

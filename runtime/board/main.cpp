@@ -20,7 +20,7 @@ int fly(GliderRuntime* runtime, const OpenPort& line) {
   const GliderClock clock = system_clock.clock();
   while (true) {
     switch (gliderRuntimePoll(runtime, &line.stream, &clock)) {
-      case kGliderRuntimeNothing:
+      case kGliderRuntimeIdle:
         waitForLine(line.descriptor);
         break;
       case kGliderRuntimeProgressed:

@@ -91,14 +91,14 @@ extern "C" int thermoMet(const void* thermo) {
 extern "C" int trackThermo(double* min, double* max, double dtemp, double ddepth) {
   Program& program = Program::instance();
   const glider::runtime::Stretch met = program.column().steepest(ddepth, program.legBegan());
-  double centre = 0;
-  if (!(met.difference > 0.0 && met.difference >= dtemp) ||
-      !program.column().crossing(met.middle, program.legBegan(), centre)) {
+  const glider::runtime::Crossing crossing =
+      program.column().crossing(met.middle, program.legBegan());
+  if (!(met.difference > 0.0 && met.difference >= dtemp) || !crossing.found) {
     return 0;
   }
   const double half = glider::runtime::ThermoclineTracker::kHalfWindow * ddepth;
   const Limits& limits = program.limits();
-  *min = within(centre - half, limits.shallowest, limits.deepest);
-  *max = within(centre + half, limits.shallowest, limits.deepest);
+  *min = within(crossing.depth - half, limits.shallowest, limits.deepest);
+  *max = within(crossing.depth + half, limits.shallowest, limits.deepest);
   return 1;
 }

@@ -20,8 +20,6 @@
    One mission a program; all memory is static. Depths in m, angles in rad, positions in degrees,
    temperatures in degC, times in s. */
 
-#include "hooks/transport/byte_stream.h"
-#include "hooks/transport/clock.h"
 #include "platforms/slocum_sensors.h"
 
 #include <stddef.h>
@@ -71,11 +69,6 @@ int useSensor(uint32_t sensor);
 /* Opens the link that the command line names (--port PATH, --baud N, --stdio, --log FILE). Returns
    0; or, having said why, an exit status. */
 int gliderOpen(int argc, char** argv, const char* mission_name);
-/* For programs with a link of their own: `wait` is called when no byte is there, and may end the
- * mission by returning 0. */
-void gliderAttach(const GliderByteStream* stream, const GliderClock* clock, int (*wait)(void),
-                  const char* mission_name);
-
 /* Answers the vehicle's tick under way with the commands in force, then runs until a tick on which
    events of `list` are true. Returns them, valid until the next call, or NULL when the mission is
    over: control was given back, or the link is lost. */

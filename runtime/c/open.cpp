@@ -22,11 +22,6 @@ int waitForBytes() {
 
 }  // namespace
 
-extern "C" void gliderAttach(const GliderByteStream* stream, const GliderClock* clock,
-                             int (*wait)(void), const char* mission_name) {
-  glider::runtime::Program::instance().attach({*stream, *clock, wait, mission_name, {}});
-}
-
 extern "C" int gliderOpen(int argc, char** argv, const char* mission_name) {
   using namespace glider::runtime;
   static glider::hooks::SystemClock clock;

@@ -7,7 +7,7 @@
 #include "runtime/abi/behaviour.h"
 #include "runtime/abi/context_layout.h"
 #include "runtime/core/instruction.h"
-#include "runtime/core/numbers.h"
+#include "runtime/numbers/numbers.h"
 
 #include <new>
 
@@ -74,8 +74,8 @@ void Program::open() {
   options.sensors = ids_;
   options.sensor_count = mission_.sensor_count;
   mission_.name = link_.mission_name;
-  client_ = new (client_memory_) hooks::Client(options);
-  log_ = new (log_memory_) MissionLog(link_.log);
+  client_ = ::new (client_memory_) hooks::Client(options);
+  log_ = ::new (log_memory_) MissionLog(link_.log);
 }
 
 bool Program::nextTick() {

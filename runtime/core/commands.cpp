@@ -5,7 +5,7 @@
 // a command does not use stands at 0, so that equal commands are equal contexts.
 
 #include "runtime/abi/behaviour.h"
-#include "runtime/core/numbers.h"
+#include "runtime/numbers/numbers.h"
 
 #include <math.h>
 

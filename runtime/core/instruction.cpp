@@ -3,7 +3,7 @@
 
 #include "runtime/core/instruction.h"
 
-#include "runtime/core/numbers.h"
+#include "runtime/numbers/numbers.h"
 
 #include <math.h>
 

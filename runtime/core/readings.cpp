@@ -4,7 +4,7 @@
 #include "runtime/core/readings.h"
 
 #include "runtime/abi/behaviour.h"
-#include "runtime/core/numbers.h"
+#include "runtime/numbers/numbers.h"
 
 #include <math.h>
 

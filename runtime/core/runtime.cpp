@@ -5,7 +5,7 @@
 
 #include "runtime/abi/context_layout.h"
 #include "runtime/core/instruction.h"
-#include "runtime/core/numbers.h"
+#include "runtime/numbers/numbers.h"
 
 #include <new>
 
@@ -90,7 +90,7 @@ bool GliderRuntime::acceptable(const GliderMission& mission) {
 GliderRuntimeStatus GliderRuntime::poll(const GliderByteStream& stream, const GliderClock& clock) {
   switch (client_.poll(stream, clock)) {
     case ClientEvent::Nothing:
-      return kGliderRuntimeNothing;
+      return kGliderRuntimeIdle;
     case ClientEvent::Closed:
       return kGliderRuntimeLinkClosed;
     case ClientEvent::Tick:
@@ -237,7 +237,7 @@ extern "C" GliderRuntime* gliderRuntimeInit(void* memory, void* context_memory,
     return nullptr;
   }
   const GliderLogSink log = options != nullptr ? options->log : GliderLogSink{};
-  return new (memory) GliderRuntime(context_memory, *mission, log);
+  return ::new (memory) GliderRuntime(context_memory, *mission, log);
 }
 
 extern "C" GliderRuntimeStatus gliderRuntimePoll(GliderRuntime* runtime,

@@ -73,11 +73,12 @@ Stretch WaterColumn::steepest(double length, double since) const {
   return best;
 }
 
-bool WaterColumn::crossing(double middle, double since, double& depth) const {
+Crossing WaterColumn::crossing(double middle, double since) const {
   const auto wanted = static_cast<float>(middle);
   const auto from = static_cast<float>(since);
   const Bin* above = nullptr;
   float newest = -1.0F;
+  Crossing last;
   for (int32_t number = newest_ - kHalf; number < newest_ + kHalf; ++number) {
     const Bin* below = at(number, from);
     if (below == nullptr) {
@@ -87,14 +88,21 @@ bool WaterColumn::crossing(double middle, double since, double& depth) const {
                         (above->temperature < wanted) != (below->temperature < wanted);
     if (passes && least(above->time, below->time) >= newest) {
       newest = least(above->time, below->time);
-      const double share = (middle - static_cast<double>(above->temperature)) /
-                           static_cast<double>(below->temperature - above->temperature);
-      depth = static_cast<double>(above->depth) +
-              share * static_cast<double>(below->depth - above->depth);
+      last = between(*above, *below, middle);
     }
     above = below;
   }
-  return newest >= 0.0F;
+  return last;
+}
+
+Crossing WaterColumn::between(const Bin& above, const Bin& below, double middle) {
+  const double gap = static_cast<double>(below.depth - above.depth);
+  const double rise = static_cast<double>(below.temperature - above.temperature);
+  const double share = (middle - static_cast<double>(above.temperature)) / rise;
+  // Readings closer than a bin differ by their noise.
+  const double width = gap < kBinMetres ? kBinMetres : gap;
+  return {true, static_cast<double>(above.depth) + share * gap,
+          (rise < 0.0 ? -rise : rise) / width};
 }
 
 }  // namespace glider::runtime

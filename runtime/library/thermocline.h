@@ -18,6 +18,13 @@ struct Stretch {
   double middle = 0;      ///< degC, halfway between them
 };
 
+/// Where the temperature passes a value.
+struct Crossing {
+  bool found = false;
+  double depth = 0;      ///< m
+  double steepness = 0;  ///< K/m between the readings on its two sides, never negative
+};
+
 class WaterColumn {
  public:
   static constexpr double kBinMetres = 0.5;
@@ -32,9 +39,9 @@ class WaterColumn {
   /// Of the stretches at most `length` m long, the one with the greatest difference among readings
   /// not before `since`.
   [[nodiscard]] Stretch steepest(double length, double since) const;
-  /// True if the temperature passes `middle` between neighbouring readings not before `since`; then
-  /// `depth` is where, m. Of several places the one read last.
-  [[nodiscard]] bool crossing(double middle, double since, double& depth) const;
+  /// Where the temperature passes `middle` between neighbouring readings not before `since`; of
+  /// several places the one read last.
+  [[nodiscard]] Crossing crossing(double middle, double since) const;
 
  private:
   struct Bin {
@@ -44,6 +51,7 @@ class WaterColumn {
   };
   /// The bin of half metre `number` if it holds a reading not before `since`.
   [[nodiscard]] const Bin* at(int32_t number, float since) const;
+  static Crossing between(const Bin& above, const Bin& below, double middle);
 
   Bin bins_[kBins];  ///< by number of the half metre, going round
   int32_t newest_;   ///< number of the newest reading's half metre; the stretch is 16 m up and down

@@ -3,7 +3,7 @@
 
 #include "runtime/library/tracker.h"
 
-#include "runtime/core/numbers.h"
+#include "runtime/numbers/numbers.h"
 
 namespace glider::runtime {
 namespace {
@@ -50,24 +50,29 @@ void ThermoclineTracker::record(double time, double depth, double temperature,
     met_ = 1;
     middle_ = stretch.middle;
   }
-  double found = 0.0;
-  if ((meets || tracking_ != 0) && column_.crossing(middle_, since, found)) {
-    follow(found, kHalfWindow * wanted.ddepth);
+  if (meets || tracking_ != 0) {
+    const Crossing crossing = column_.crossing(middle_, since);
+    if (crossing.found) {
+      follow(crossing, kHalfWindow * wanted.ddepth);
+    }
   }
 }
 
-/// Moves the window to a crossing at `depth`. While tracking, one further than `reach` from the
-/// centre must be met by two legs in turn: old water flushed out of the CTD at once looks like a
-/// thermocline where there is none.
-void ThermoclineTracker::follow(double depth, double reach) {
-  const bool credible = tracking_ == 0 || magnitude(depth - centre_) <= reach ||
-                        magnitude(depth - candidate_) <= reach;
-  if (credible) {
-    centre_ = depth;
+/// Moves the window to a crossing. While tracking, one further than `reach` from the centre, or
+/// steeper than water is, must be met by two legs in turn: old water that is flushed out of the CTD
+/// at once looks like a thermocline where there is none.
+void ThermoclineTracker::follow(const Crossing& crossing, double reach) {
+  const bool expected =
+      magnitude(crossing.depth - centre_) <= reach && crossing.steepness <= kSteepest;
+  const bool confirmed = magnitude(crossing.depth - candidate_) <= reach;
+  if (tracking_ == 0 || expected || confirmed) {
+    if (tracking_ == 0 || magnitude(crossing.depth - centre_) >= kLeastMove) {
+      centre_ = crossing.depth;
+    }
     tracking_ = 1;
     outlier_ = unknown();
   } else {
-    outlier_ = depth;
+    outlier_ = crossing.depth;
   }
 }
 

@@ -22,6 +22,12 @@ class ThermoclineTracker {
   /// the thermocline, and both together are to stay within about ddepth.
   static constexpr double kHalfWindow = 0.4;
 
+  /// Steeper than any thermocline that is not met twice, K/m.
+  static constexpr double kSteepest = 10;
+
+  /// A smaller move of the thermocline, m, is not worth a message to the vehicle.
+  static constexpr double kLeastMove = 0.2;
+
   /// Forgets everything: searches.
   void start(double time);
   /// A dive or climb begins now. When the last dive and climb both met no thermocline, it searches
@@ -37,7 +43,7 @@ class ThermoclineTracker {
   [[nodiscard]] YoRange window(const YoRange& full, const ThermoclineWanted& wanted) const;
 
  private:
-  void follow(double depth, double reach);
+  void follow(const Crossing& crossing, double reach);
 
   double leg_began_;
   double middle_;     ///< degC, the temperature halfway through the thermocline

@@ -3,7 +3,7 @@
 
 #include "runtime/log/format.h"
 
-#include "runtime/core/numbers.h"
+#include "runtime/numbers/numbers.h"
 
 namespace glider::runtime {
 namespace {

@@ -7,7 +7,7 @@
 #include "runtime/log/format.h"
 
 /// The mission's log on the SBC: lines of comma-separated values, handed on at the end of every
-/// tick. docs: log/README.md.
+/// tick. runtime/README.md has its format.
 namespace glider::runtime {
 
 class MissionLog {

@@ -3,6 +3,8 @@
 
 #include "tests/report/sample_trace.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,8 +13,6 @@
 #include <utility>
 #include <vector>
 
-#include <fmt/format.h>
-
 namespace glider::report {
 
 namespace {
@@ -20,11 +20,11 @@ namespace {
 using support::Trace;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kCycle = 4;           // s
-constexpr double kControlFrom = 260;   // s
-constexpr double kControlTo = 1460;    // s
-constexpr double kDuration = 2440;     // s
-constexpr double kPitch = 0.454;       // rad
+constexpr double kCycle = 4;          // s
+constexpr double kControlFrom = 260;  // s
+constexpr double kControlTo = 1460;   // s
+constexpr double kDuration = 2440;    // s
+constexpr double kPitch = 0.454;      // rad
 constexpr double kDegree = std::numbers::pi / 180;
 
 /// Depth of the middle of the thermocline, m: one internal wave passes.
@@ -52,7 +52,9 @@ struct Cell {
   double value;
 };
 
-double waver(double time_s, double period_s) { return std::sin(2 * std::numbers::pi * time_s / period_s); }
+double waver(double time_s, double period_s) {
+  return std::sin(2 * std::numbers::pi * time_s / period_s);
+}
 
 std::vector<Cell> cells(const Flown& g) {
   const double inside = g.control ? 1 : kNaN;
@@ -218,7 +220,9 @@ class Sample {
 
 }  // namespace
 
-Trace sampleTrace() { return Sample().make(); }
+Trace sampleTrace() {
+  return Sample().make();
+}
 
 Trace longTrace(size_t rows) {
   Trace trace = sampleTrace();
@@ -229,7 +233,8 @@ Trace longTrace(size_t rows) {
     for (size_t i = 0; i < once.size() && trace.rowCount() < rows; i += width) {
       const auto from = once.begin() + static_cast<std::ptrdiff_t>(i);
       trace.rows.insert(trace.rows.end(), from, from + static_cast<std::ptrdiff_t>(width));
-      trace.rows[trace.rows.size() - width + time] += static_cast<double>(lap) * (kDuration + kCycle);
+      trace.rows[trace.rows.size() - width + time] +=
+          static_cast<double>(lap) * (kDuration + kCycle);
     }
   }
   return trace;

@@ -3,22 +3,23 @@
 
 #pragma once
 
-#include <cstddef>
-
 #include "support/trace/trace.h"
+
+#include <cstddef>
 
 namespace glider::report {
 
-/// A flight like that of the paper's Figure 5, by plain kinematics: three layered yos between 3 m and 28 m; from 260 s
-/// to 1460 s a mission searches for the thermocline (24 degC over 7 degC, one internal wave) and tracks it. Every column
-/// that the report knows is there. The same on every call.
+/// A flight like that of the paper's Figure 5, by plain kinematics: three layered yos between 3 m
+/// and 28 m; from 260 s to 1460 s a mission searches for the thermocline (24 degC over 7 degC, one
+/// internal wave) and tracks it. Every column that the report knows is there. The same on every
+/// call.
 support::Trace sampleTrace();
 
 /// The sample with `rows` rows, by repeating it in time.
 support::Trace longTrace(size_t rows);
 
-/// The sample with names that are markup, script, escape sequences and not ASCII; each `<script>` would set
-/// window.glider_was_here.
+/// The sample with names that are markup, script, escape sequences and not ASCII; each `<script>`
+/// would set window.glider_was_here.
 support::Trace hostileTrace();
 
 /// The sample without field, states and events, with a gap of unknown depths.

@@ -1,16 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Writes one report for each sample flight into the folder given, for the browser test and for looking at.
+// Writes one report for each sample flight into the folder given, for the browser test and for
+// looking at.
+
+#include "report/report.h"
+#include "report/summary.h"
+#include "tests/report/sample_trace.h"
 
 #include <filesystem>
 #include <iostream>
 #include <string>
 #include <utility>
-
-#include "report/report.h"
-#include "report/summary.h"
-#include "tests/report/sample_trace.h"
 
 namespace {
 
@@ -32,8 +33,12 @@ int main(int argc, char** argv) {
   const std::filesystem::path folder = argv[1];
   std::filesystem::create_directories(folder);
   const std::pair<const char*, glider::support::Trace> samples[] = {
-      {"sample", sampleTrace()}, {"hostile", hostileTrace()}, {"bare", bareTrace()},
-      {"one_row", oneRow()},     {"empty", {}},               {"long", longTrace(100'000)},
+      {"sample", sampleTrace()},
+      {"hostile", hostileTrace()},
+      {"bare", bareTrace()},
+      {"one_row", oneRow()},
+      {"empty", {}},
+      {"long", longTrace(100'000)},
   };
   for (const auto& [name, trace] : samples) {
     const auto path = folder / (std::string(name) + ".html");

@@ -121,7 +121,7 @@ support::Result<SerialPort> SerialPort::open(const std::string& path, uint32_t b
   std::error_code error;
   const std::filesystem::path device = std::filesystem::canonical(path, error);
   if (error) {
-    return failureOf(error.value() == ENOTDIR ? ENOENT : error.value(), path, baud);
+    return failureOf(error.value() == EACCES ? EACCES : ENOENT, path, baud);
   }
   if (!std::filesystem::is_character_file(device, error)) {
     return fail(DiagnosticId::portNotSerial, path);

@@ -8,7 +8,7 @@ import { FieldImage, fieldImage } from "./field_image";
 import { Flight, Values } from "./flight";
 import { clock, fixed, niceStep, quantity } from "./format";
 import { css, theme, thermal } from "./palette";
-import { controlSpans, markedEvents, paintControl, paintEvents, paintStates, stripHeight } from "./strip";
+import { markedEvents, paintControl, paintEvents, paintStates, stripHeight } from "./strip";
 import { Line, TimeChart } from "./time_chart";
 import { View } from "./view";
 
@@ -20,16 +20,16 @@ function linesOf(flight: Flight, onField: boolean): Line[] {
     const values = flight.column(name);
     if (values) lines.push({ ...line, values });
   };
-  const [dark, light] = onField ? ["#0d1117", "rgb(255 255 255 / .88)"] : ["ink", "panel"];
-  const edge = onField ? { halo: { colour: "rgb(8 12 20 / .6)", width: 3.4 } } : {};
-  const pale = onField ? "#ffffff" : "muted";
-  add("isotherm_depth", { label: "marked isotherm", colour: pale, width: 1.4, dash: [1.5, 4], ...edge });
-  add("order_top", { label: "ordered range", colour: pale, width: 1.5, stepped: true, ...edge });
-  add("order_bottom", { label: "ordered range", colour: pale, width: 1.5, stepped: true, ...edge });
-  add("hook_depth", { label: "commanded target", colour: onField ? "#7fe3c0" : "kind-hook", width: 1.5, dash: [6, 4], stepped: true, hidden: true, ...edge });
+  // On the field, light lines with a dark edge read on warm and on cold water alike.
+  const edge = (width: number) => (onField ? { halo: { colour: "rgb(7 12 22 / .78)", width } } : {});
+  const [main, order, pale] = onField ? ["#ffffff", "#9df5d8", "#ffffff"] : ["ink", "kind-hook", "muted"];
+  add("isotherm_depth", { label: "marked isotherm", colour: pale, width: 1.5, dash: [1.5, 4.5], ...edge(3) });
+  add("order_top", { label: "ordered range", colour: order, width: 1.5, stepped: true, ...edge(3.5) });
+  add("order_bottom", { label: "ordered range", colour: order, width: 1.5, stepped: true, ...edge(3.5) });
+  add("hook_depth", { label: "commanded target", colour: order, width: 1.5, dash: [6, 4], stepped: true, hidden: true, ...edge(3.5) });
   const measured = flight.column("m_depth") !== null;
-  add("true_depth", { label: "true depth", colour: dark, width: measured ? 1.2 : 2.2, hidden: measured, halo: { colour: light, width: 4.6 } });
-  add("m_depth", { label: "measured depth", colour: dark, width: 2.2, halo: { colour: light, width: 5 } });
+  add("true_depth", { label: "true depth", colour: measured ? "#ffb3c7" : main, width: measured ? 1.3 : 2.4, hidden: measured, ...edge(4.8) });
+  add("m_depth", { label: "measured depth", colour: main, width: 2.4, ...edge(5) });
   return lines;
 }
 
@@ -103,6 +103,7 @@ function paintColourBar(u: uPlot, field: FieldImage, unit: string): void {
   ctx.fillStyle = ctx.strokeStyle = theme("muted");
   ctx.font = `${12 * scale}px system-ui, sans-serif`;
   ctx.textBaseline = "middle";
+  ctx.textAlign = "left";
   const step = niceStep(Math.max(high - low, 1e-6), 8);
   const digits = Math.max(0, Math.ceil(-Math.log10(step) - 1e-9));
   for (let value = Math.ceil(low / step) * step; high > low && value <= high + step * 1e-6; value += step) {
@@ -115,19 +116,17 @@ function paintColourBar(u: uPlot, field: FieldImage, unit: string): void {
   ctx.restore();
 }
 
-export function depthChart(host: HTMLElement, flight: Flight, view: View): { chart: TimeChart; lines: Line[] } {
+export function depthChart(host: HTMLElement, flight: Flight, view: View): { chart: TimeChart; lines: Line[]; onField: boolean } {
   const field = flight.field ? fieldImage(flight.field) : null;
   const lines = linesOf(flight, field !== null);
   const seabed = flight.column("water_depth");
-  const states = flight.spans("state");
-  const control = controlSpans(flight);
+  const states = flight.spans((row) => flight.pilot(row));
+  const control = flight.spans((row) => flight.inControl(row));
   const events = markedEvents(flight);
   const depth = flight.firstOf("m_depth", "true_depth");
   const describe = (row: number) => {
     const value = depth ? flight.column(depth)?.[row] ?? null : null;
-    const state = flight.column("state")?.[row] ?? null;
-    return [value === null ? "depth not known" : `depth ${quantity(value, "m")}`,
-      state === null ? "layered control" : `state ${flight.stateName(state)}`].join(", ");
+    return `${value === null ? "depth not known" : `depth ${quantity(value, "m")}`}, ${flight.pilotName(flight.pilot(row))}`;
   };
   const chart = new TimeChart(host, flight, view, {
     label: "Depth", height: 480, inverted: true, range: depthRange(lines), lines,
@@ -137,14 +136,14 @@ export function depthChart(host: HTMLElement, flight: Flight, view: View): { cha
       if (seabed) paintSeabed(u, flight.times, seabed);
     },
     paintOver: (u) => {
-      paintStates(u, states, (id) => flight.stateName(id));
+      paintStates(u, states, (pilot) => flight.pilotName(pilot));
       paintControl(u, control);
       paintEvents(u, events);
       if (field && flight.field) paintColourBar(u, field, flight.field.unit);
     },
   });
   attachTips(chart.plot, events);
-  return { chart, lines };
+  return { chart, lines, onField: field !== null };
 }
 
 /** What happened under the pointer, as a small note beside it. */

@@ -18,12 +18,12 @@ function badge(kind: string): HTMLElement {
 }
 
 function rowOf(event: FlightEvent, view: View): HTMLElement {
-  const seconds = (v: number | null) => (v === null ? "–" : fixed(v, 0));
+  const seconds = (v: number | null) => (v === null ? "–" : `${fixed(v, 0)} s`);
   const { time } = event;
   const when = time === null ? element("span", {}, "–")
     : element("button", { type: "button", title: "show this moment in the charts" }, clock(time));
   const row = element("tr", { "data-kind": event.kind },
-    element("td", { class: "number" }, when), element("td", { class: "number" }, seconds(time)),
+    element("td", { class: "number" }, when, element("span", { class: "aside" }, time === null ? "" : ` ${seconds(time)}`)),
     element("td", { class: "number" }, seconds(event.missionTime)), element("td", {}, badge(event.kind)),
     element("td", { class: "what" }, event.what), element("td", { class: "why" }, event.why));
   if (time !== null) row.addEventListener("click", () => view.moveTo(time, true));
@@ -54,7 +54,7 @@ export function eventList(host: HTMLElement, flight: Flight, view: View): void {
     });
     filters.append(button);
   }
-  const heads = ["time", "time (s)", "mission time (s)", "kind", "what", "why"];
+  const heads = ["vehicle time", "mission time", "kind", "what", "why"];
   const table = element("table", {}, element("thead", {}, element("tr", {}, ...heads.map((h) => element("th", { scope: "col" }, h)))), body);
   host.replaceChildren(filters, element("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": "Events" }, table), more);
   fill();

@@ -26,8 +26,9 @@ export interface Figures {
   track: "none" | "true" | "dead-reckoned";
   coldest: number | null;
   warmest: number | null;
-  states: { name: string; visits: number; time: number }[];
+  states: { id: number; name: string; visits: number; time: number }[];
   layered: number | null;
+  stateless: number | null;
 }
 
 interface TraceJson {
@@ -44,6 +45,8 @@ interface TraceJson {
 
 export type Values = (number | null)[];
 
+export type Pilot = number | "sbc" | "layered";
+
 /** A stretch of time in which something stayed the same. `to` is where the next one begins. */
 export interface Span<T> { from: number; to: number; value: T }
 
@@ -59,6 +62,7 @@ export class Flight {
   readonly field: Field | null;
   /** Vehicle time of each row, ascending, s. */
   readonly times: number[];
+  /** The columns that have a value somewhere. */
   private readonly values = new Map<string, Values>();
 
   constructor(json: { figures: Figures; trace: TraceJson }) {
@@ -75,18 +79,14 @@ export class Flight {
     const rows = rowsInOrder(t);
     const width = t.columns.length;
     t.columns.forEach((column, c) => {
-      if (!this.values.has(column.name)) {
-        this.values.set(column.name, rows.map((row) => t.rows[row * width + c]));
-      }
+      const values = rows.map((row) => t.rows[row * width + c]);
+      if (!this.values.has(column.name) && values.some((v) => v !== null)) this.values.set(column.name, values);
     });
     this.times = (this.values.get("time") ?? []) as number[];
   }
 
   /** The values of a column, or null when the trace has none or never a value in it. */
-  column(name: string): Values | null {
-    const values = this.values.get(name);
-    return values && values.some((v) => v !== null) ? values : null;
-  }
+  column(name: string): Values | null { return this.values.get(name) ?? null; }
 
   /** The first of `names` that has values. */
   firstOf(...names: string[]): string | null {
@@ -101,17 +101,30 @@ export class Flight {
     return time - this.times[above - 1] <= this.times[above] - time ? above - 1 : above;
   }
 
-  stateName(id: number): string { return this.stateNames[id] ?? `state ${id}`; }
+  /** True while hookbeh flies: the column hook_active, or a current state where there is none. */
+  inControl(row: number): boolean {
+    const active = this.column("hook_active");
+    return active ? (active[row] ?? 0) > 0 : (this.column("state")?.[row] ?? null) !== null;
+  }
 
-  /** Runs of equal values of `column`, null included. */
-  spans(column: string): Span<number | null>[] {
-    const values = this.values.get(column);
-    const out: Span<number | null>[] = [];
-    if (!values) return out;
-    values.forEach((value, row) => {
+  /** Who decides: the number of a state, `sbc` for a mission without states, or the vehicle's own layered control. */
+  pilot(row: number): Pilot {
+    const state = this.column("state")?.[row] ?? null;
+    return state !== null ? state : this.inControl(row) ? "sbc" : "layered";
+  }
+
+  pilotName(pilot: Pilot): string {
+    return pilot === "sbc" ? "SBC" : pilot === "layered" ? "layered control" : this.stateNames[pilot] ?? `state ${pilot}`;
+  }
+
+  /** Runs of rows for which `of` gives the same. */
+  spans<T>(of: (row: number) => T): Span<T>[] {
+    const out: Span<T>[] = [];
+    this.times.forEach((time, row) => {
+      const value = of(row);
       const open = out[out.length - 1];
-      if (open) open.to = this.times[row];
-      if (!open || open.value !== value) out.push({ from: this.times[row], to: this.times[row], value });
+      if (open) open.to = time;
+      if (!open || open.value !== value) out.push({ from: time, to: time, value });
     });
     return out;
   }

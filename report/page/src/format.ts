@@ -29,23 +29,22 @@ export function degreesMinutes(degrees: number, positive: string, negative: stri
   return `${Math.floor(thousandths / 60000)}° ${minutes}′ ${degrees < 0 ? negative : positive}`;
 }
 
-const shownUnits: Record<string, string> = { degC: "°C", cc: "cm³", deg: "°", id: "" };
+const shownUnits = new Map([["degC", "°C"], ["cc", "cm³"], ["deg", "°"], ["rad", "°"], ["id", ""]]);
 
 /** The unit in which values of `unit` are shown: angles in degrees. */
 export function shownUnit(unit: string): string {
-  return unit === "rad" ? "°" : shownUnits[unit] ?? unit;
+  return shownUnits.get(unit) ?? unit;
 }
 
 /** What a value in `unit` is multiplied by to be shown in shownUnit(unit). */
 export function shownFactor(unit: string): number { return unit === "rad" ? 180 / Math.PI : 1; }
 
-const digitsOf: Record<string, number> = {
-  m: 1, rad: 1, degC: 2, s: 0, V: 2, cc: 0, "m/s": 3, A: 3, W: 2, bar: 2, dbar: 2, "S/m": 3,
-};
+const digitsOf = new Map([["m", 1], ["rad", 1], ["degC", 2], ["s", 0], ["V", 2], ["cc", 0], ["m/s", 3], ["A", 3], ["W", 2], ["bar", 2],
+  ["dbar", 2], ["S/m", 3]]);
 
 /** A value of a column as text with its shown unit. */
 export function quantity(value: number, unit: string): string {
-  const digits = digitsOf[unit];
+  const digits = digitsOf.get(unit);
   const number = digits === undefined ? String(Number(value.toPrecision(6))).replace("-", "−")
     : fixed(value * shownFactor(unit), digits);
   const shown = shownUnit(unit);

@@ -6,19 +6,15 @@
 import { element, swatch } from "./dom";
 import { Figures, Flight } from "./flight";
 import { clock, fixed, length } from "./format";
-import { layeredColour, stateColour } from "./palette";
+import { layeredColour, pilotColour } from "./palette";
 
-const ways: Record<string, string> = {
+const ways = new Map(Object.entries({
   "in-process": "flown in process",
   host: "flown by the host binary",
   ts7800: "flown by the TS-7800 (ARM9) binary",
   ts5500: "flown by the TS-5500 (486) binary",
   none: "flown by layered control alone",
-};
-
-function wayText(way: string): string {
-  return Object.prototype.hasOwnProperty.call(ways, way) ? ways[way] : way;
-}
+}));
 
 function figuresOf(f: Figures): [string, string][] {
   const out: [string, string][] = [];
@@ -35,9 +31,10 @@ function figuresOf(f: Figures): [string, string][] {
 /** A bar cut in proportion to the time in each state, with its legend. */
 function timeShares(flight: Flight): HTMLElement | null {
   const f = flight.figures;
-  const parts = f.states.map((s) => ({ ...s, colour: stateColour(flight.stateNames.indexOf(s.name)) }));
+  const parts = f.states.map((s) => ({ ...s, colour: pilotColour(s.id) }));
+  if (f.stateless) parts.push({ id: -1, name: "SBC", visits: 0, time: f.stateless, colour: pilotColour("sbc") });
   if (parts.length === 0) return null;
-  if (f.layered) parts.push({ name: "layered control", visits: 0, time: f.layered, colour: layeredColour });
+  if (f.layered) parts.push({ id: -1, name: "layered control", visits: 0, time: f.layered, colour: layeredColour });
   const bar = element("div", { class: "shares", "aria-hidden": "true" });
   const list = element("ul", { class: "share-list" });
   for (const part of parts) {
@@ -54,7 +51,7 @@ function timeShares(flight: Flight): HTMLElement | null {
 export function header(host: HTMLElement, flight: Flight): void {
   const title = flight.mission === "" ? "A flight" : flight.mission;
   document.title = `${title}: flight report`;
-  const facts = [flight.scenario === "" ? "" : `scenario ${flight.scenario}`, wayText(flight.way), `seed ${flight.seed}`,
+  const facts = [flight.scenario === "" ? "" : `scenario ${flight.scenario}`, ways.get(flight.way) ?? flight.way, `seed ${flight.seed}`,
     `${flight.events.length} event${flight.events.length === 1 ? "" : "s"}`];
   const tiles = element("dl", { class: "tiles" }, ...figuresOf(flight.figures).map(([name, value]) =>
     element("div", {}, element("dt", {}, name), element("dd", {}, value))));

@@ -15,16 +15,16 @@ export interface Kind {
 
 const log: Kind = { colour: "kind-log", glyph: "·", marked: false, flagged: false };
 
-const kinds: Record<string, Kind> = {
+const kinds = new Map<string, Kind>(Object.entries({
   transition: { colour: "kind-transition", glyph: "▼", marked: true, flagged: false },
   control: { colour: "kind-control", glyph: "⚑", marked: true, flagged: true },
+  steering: { colour: "kind-behaviour", glyph: "·", marked: false, flagged: false },
   hook: { colour: "kind-hook", glyph: "◆", marked: false, flagged: false },
   behaviour: { colour: "kind-behaviour", glyph: "●", marked: false, flagged: false },
   abort: { colour: "kind-abort", glyph: "✖", marked: true, flagged: true },
   link: { colour: "kind-link", glyph: "≈", marked: true, flagged: false },
-  log,
-};
+}));
 
 export function kindOf(name: string): Kind {
-  return Object.prototype.hasOwnProperty.call(kinds, name) ? kinds[name] : log;
+  return kinds.get(name) ?? log;
 }

@@ -19,11 +19,11 @@ function lineColour(line: Line): string {
 }
 
 /** A key to the lines; `toggle` makes them buttons. */
-function legend(lines: Line[], toggle?: (label: string, show: boolean) => void): HTMLElement {
+function legend(lines: Line[], onField = false, toggle?: (label: string, show: boolean) => void): HTMLElement {
   const out = element("div", { class: "legend" });
   for (const label of new Set(lines.map((l) => l.label))) {
     const line = lines.find((l) => l.label === label) as Line;
-    const mark = swatch(lineColour(line), `line${line.dash ? " dashed" : ""}${toggle ? " on-field" : ""}`);
+    const mark = swatch(lineColour(line), `line${line.dash ? " dashed" : ""}${onField ? " on-field" : ""}`);
     if (!toggle) {
       out.append(element("span", {}, mark, label));
       continue;
@@ -53,8 +53,8 @@ function zoomButtons(view: View): HTMLElement {
 
 function timeCharts(flight: Flight, view: View): TimeChart[] {
   const host = byId("depth");
-  const { chart, lines } = depthChart(host, flight, view);
-  byId("depth-head").append(legend(lines, (label, show) => chart.toggle(label, show)), zoomButtons(view));
+  const { chart, lines, onField } = depthChart(host, flight, view);
+  byId("depth-head").append(legend(lines, onField, (label, show) => chart.toggle(label, show)), zoomButtons(view));
   const others = otherCharts(flight, view, (title, shown) => {
     const place = element("div", { class: "chart" });
     byId("others").append(element("div", { class: "head" }, element("h3", {}, title), legend(shown)), place);
@@ -65,11 +65,10 @@ function timeCharts(flight: Flight, view: View): TimeChart[] {
 
 /** Canvases keep the colours they were drawn in: draw again when the theme changes and for paper. */
 function followTheme(charts: TimeChart[]): void {
-  const again = () => charts.forEach((chart) => chart.redraw());
   const root = document.documentElement;
-  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", again);
-  addEventListener("beforeprint", () => { root.classList.add("paper"); again(); });
-  addEventListener("afterprint", () => { root.classList.remove("paper"); again(); });
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => charts.forEach((chart) => chart.redraw()));
+  addEventListener("beforeprint", () => { root.classList.add("paper"); charts.forEach((chart) => chart.toPaper()); });
+  addEventListener("afterprint", () => { root.classList.remove("paper"); charts.forEach((chart) => chart.toScreen()); });
 }
 
 function start(): void {

@@ -4,20 +4,20 @@
 /** The track seen from above: equal scales, a grid in metres, degrees where they are known. */
 
 import { svg } from "./dom";
-import { Flight } from "./flight";
+import { Flight, Pilot } from "./flight";
 import { degreesMinutes, fixed, length, niceStep } from "./format";
-import { stateColour } from "./palette";
+import { pilotColour } from "./palette";
 import { Anchor, anchorOf, Place, Point, Track, tracksOf, waypointsOf } from "./track";
 import { View } from "./view";
 
-const size = { width: 640, height: 520 };
 const edge = { left: 58, right: 14, top: 26, bottom: 40 };
 /** A waypoint further off than this many times the track's extent is only pointed at. */
 const farFactor = 1.2;
 
-interface Frame { x: (east: number) => number; y: (north: number) => number; scale: number; west: number; east: number; south: number; north: number }
+interface Size { width: number; height: number }
+interface Frame extends Size { x: (east: number) => number; y: (north: number) => number; scale: number; west: number; east: number; south: number; north: number }
 
-function frameFor(places: Place[]): Frame {
+function frameFor(places: Place[], size: Size): Frame {
   const xs = places.map((p) => p.x);
   const ys = places.map((p) => p.y);
   const [west, east] = [xs.reduce((a, b) => Math.min(a, b)), xs.reduce((a, b) => Math.max(a, b))];
@@ -26,6 +26,7 @@ function frameFor(places: Place[]): Frame {
   const perMetre = Math.min(w / Math.max(east - west, 10), h / Math.max(north - south, 10)) * 0.86;
   const [cx, cy] = [(west + east) / 2, (south + north) / 2];
   return {
+    ...size,
     x: (v) => edge.left + w / 2 + (v - cx) * perMetre,
     y: (v) => edge.top + h / 2 - (v - cy) * perMetre,
     scale: perMetre,
@@ -50,16 +51,16 @@ function grid(frame: Frame): SVGElement {
   const inKm = step >= 1000;
   const label = (v: number) => fixed(inKm ? v / 1000 : v, 0);
   for (let v = Math.ceil(frame.west / step) * step; v <= frame.east; v += step) {
-    out.append(svg("line", { x1: frame.x(v), x2: frame.x(v), y1: edge.top, y2: size.height - edge.bottom }));
-    out.append(text(frame.x(v), size.height - edge.bottom + 16, label(v), { "text-anchor": "middle" }));
+    out.append(svg("line", { x1: frame.x(v), x2: frame.x(v), y1: edge.top, y2: frame.height - edge.bottom }));
+    out.append(text(frame.x(v), frame.height - edge.bottom + 16, label(v), { "text-anchor": "middle" }));
   }
   for (let v = Math.ceil(frame.south / step) * step; v <= frame.north; v += step) {
-    out.append(svg("line", { x1: edge.left, x2: size.width - edge.right, y1: frame.y(v), y2: frame.y(v) }));
+    out.append(svg("line", { x1: edge.left, x2: frame.width - edge.right, y1: frame.y(v), y2: frame.y(v) }));
     out.append(text(edge.left - 7, frame.y(v) + 4, label(v), { "text-anchor": "end" }));
   }
   const unit = inKm ? "km" : "m";
-  out.append(text((edge.left + size.width - edge.right) / 2, size.height - 6, `east (${unit})`, { "text-anchor": "middle" }));
-  const middle = (edge.top + size.height - edge.bottom) / 2;
+  out.append(text((edge.left + frame.width - edge.right) / 2, frame.height - 6, `east (${unit})`, { "text-anchor": "middle" }));
+  const middle = (edge.top + frame.height - edge.bottom) / 2;
   out.append(text(14, middle, `north (${unit})`, { "text-anchor": "middle", transform: `rotate(-90 14 ${middle})` }));
   return out;
 }
@@ -67,7 +68,7 @@ function grid(frame: Frame): SVGElement {
 function scaleBar(frame: Frame): SVGElement {
   const metres = niceStep(frame.east - frame.west, 5);
   const width = metres * frame.scale;
-  const [right, y] = [size.width - edge.right - 14, size.height - edge.bottom - 16];
+  const [right, y] = [frame.width - edge.right - 14, frame.height - edge.bottom - 16];
   return svg("g", { class: "scale" },
     svg("path", { d: `M${right - width} ${y - 5}v5h${width}v-5`, fill: "none" }),
     text(right - width / 2, y - 8, length(metres), { "text-anchor": "middle" }));
@@ -87,24 +88,23 @@ function path(points: Point[], frame: Frame): string {
 }
 
 /** The track cut where the state changes; a piece begins at the last point of the one before. */
-function pieces(track: Track, flight: Flight): { state: number | null; points: Point[] }[] {
-  const states = flight.column("state");
-  const out: { state: number | null; points: Point[] }[] = [];
+function pieces(track: Track, flight: Flight): { pilot: Pilot; points: Point[] }[] {
+  const out: { pilot: Pilot; points: Point[] }[] = [];
   for (const point of track.points) {
-    const state = states ? states[point.row] : null;
+    const pilot = flight.pilot(point.row);
     const open = out[out.length - 1];
     open?.points.push(point);
-    if (!open || open.state !== state) out.push({ state, points: [point] });
+    if (!open || open.pilot !== pilot) out.push({ pilot, points: [point] });
   }
   return out;
 }
 
-function farWaypoint(place: Place, from: Place): SVGElement {
+function farWaypoint(place: Place, frame: Frame, from: Place): SVGElement {
   const [dx, dy] = [place.x - from.x, -(place.y - from.y)];
   const far = Math.hypot(dx, dy);
   const [ux, uy] = [dx / far, dy / far];
-  const middle = { x: (edge.left + size.width - edge.right) / 2, y: (edge.top + size.height - edge.bottom) / 2 };
-  const half = { x: (size.width - edge.left - edge.right) / 2 - 20, y: (size.height - edge.top - edge.bottom) / 2 - 20 };
+  const middle = { x: (edge.left + frame.width - edge.right) / 2, y: (edge.top + frame.height - edge.bottom) / 2 };
+  const half = { x: (frame.width - edge.left - edge.right) / 2 - 20, y: (frame.height - edge.top - edge.bottom) / 2 - 20 };
   const reach = Math.min(Math.abs(half.x / ux), Math.abs(half.y / uy));
   const [x, y] = [middle.x + ux * reach, middle.y + uy * reach];
   const turn = (Math.atan2(uy, ux) * 180) / Math.PI;
@@ -118,7 +118,7 @@ function waypoints(places: Place[], frame: Frame, near: Set<Place>, from: Place)
     ? svg("g", { class: "waypoint" },
       svg("path", { d: "M0 -7L7 0L0 7L-7 0Z", transform: `translate(${frame.x(place.x)} ${frame.y(place.y)})` }),
       text(frame.x(place.x) + 10, frame.y(place.y) + 4, `waypoint ${i + 1}`))
-    : farWaypoint(place, from)));
+    : farWaypoint(place, frame, from)));
 }
 
 function caption(anchor: Anchor | null, start: Point): string {
@@ -132,62 +132,92 @@ function endMarks(frame: Frame, points: Point[]): SVGElement[] {
   const [first, last] = [points[0], points[points.length - 1]];
   const place = (p: Point) => ({ x: frame.x(p.x), y: frame.y(p.y) });
   const [a, b] = [place(first), place(last)];
-  const close = Math.hypot(a.x - b.x, a.y - b.y) < 30;
+  // Start's name stands above its mark, the end's below, both towards the middle of the map.
+  const inward = (x: number) => (x > frame.width / 2 ? "end" : "start");
   return [
     svg("circle", { class: "start", cx: a.x, cy: a.y, r: 6 }),
-    text(a.x - 10, a.y - 9, "start", { class: "place", "text-anchor": "end" }),
+    text(a.x, a.y - 12, "start", { class: "place", "text-anchor": inward(a.x) }),
     svg("rect", { class: "end", x: b.x - 5, y: b.y - 5, width: 10, height: 10 }),
-    text(b.x + 10, b.y + (close ? 18 : 4), "end", { class: "place" }),
+    text(b.x, b.y + 21, "end", { class: "place", "text-anchor": inward(b.x) }),
   ];
 }
 
-/** Draws the map into `host`; false when the flight has no positions. */
-export function trackMap(host: HTMLElement, flight: Flight, view: View): boolean {
+/** What the map shows, apart from its size. */
+interface Chart { flight: Flight; anchor: Anchor | null; tracks: Track[]; waypoints: Place[]; near: Set<Place> }
+
+function chartOf(flight: Flight): Chart | null {
   const anchor = anchorOf(flight);
   const tracks = tracksOf(flight, anchor);
-  if (tracks.length === 0) return false;
-  const [main, other] = tracks;
+  if (tracks.length === 0) return null;
   const flown = tracks.flatMap((t) => t.points as Place[]);
-  const all = waypointsOf(flight, anchor);
-  const start = main.points[0];
-  const reach = extent(flown) * farFactor;
-  const near = new Set(all.filter((p) => flown.some((q) => Math.hypot(p.x - q.x, p.y - q.y) < reach)));
-  const frame = frameFor([...flown, ...near]);
+  const [places, reach] = [waypointsOf(flight, anchor), extent(flown) * farFactor];
+  const near = new Set(places.filter((p) => flown.some((q) => Math.hypot(p.x - q.x, p.y - q.y) < reach)));
+  return { flight, anchor, tracks, waypoints: places, near };
+}
 
-  const picture = svg("svg", { viewBox: `0 0 ${size.width} ${size.height}`, role: "img", "aria-label": "Track of the glider seen from above" });
-  const clip = svg("clipPath", { id: "map-frame" },
-    svg("rect", { x: edge.left, y: edge.top, width: size.width - edge.left - edge.right, height: size.height - edge.top - edge.bottom }));
-  picture.append(svg("defs", {}, clip), grid(frame));
-  if (other) picture.append(svg("path", { class: "reckoned", d: path(other.points, frame) }));
-  const cut = pieces(main, flight);
-  const layer = (name: string) => svg("g", { class: name });
-  const [faded, shown] = [layer("track faded"), layer("track")];
-  const draw = (into: SVGElement, keep: (p: Point) => boolean) => into.replaceChildren(...cut.map((piece) =>
-    svg("path", { d: path(piece.points.filter(keep), frame), stroke: stateColour(piece.state) })));
-  draw(faded, () => true);
-  picture.append(faded, shown, ...waypoints(all, frame, near, start), ...endMarks(frame, main.points), scaleBar(frame));
-  picture.append(svg("rect", { class: "frame", x: edge.left, y: edge.top, width: size.width - edge.left - edge.right, height: size.height - edge.top - edge.bottom }));
-  picture.append(text(edge.left, edge.top - 9, caption(anchor, start)));
+const frameBox = (frame: Frame) =>
+  ({ x: edge.left, y: edge.top, width: frame.width - edge.left - edge.right, height: frame.height - edge.top - edge.bottom });
+
+/** The picture, with an empty layer for the part of the track that is in range, and the cursor's mark. */
+function picture(chart: Chart, frame: Frame): { root: SVGSVGElement; shown: SVGElement; here: SVGElement } {
+  const [main, other] = chart.tracks;
+  const root = svg("svg", { viewBox: `0 0 ${frame.width} ${frame.height}`, role: "img", "aria-label": "Track of the glider seen from above" });
+  const shown = svg("g", { class: "track" });
   const here = svg("circle", { class: "here", r: 5.5 });
-  picture.append(here);
-  host.replaceChildren(picture);
+  root.append(grid(frame));
+  if (other) root.append(svg("path", { class: "reckoned", d: path(other.points, frame) }));
+  root.append(svg("g", { class: "track faded" }, ...strokes(chart, frame, () => true)), shown,
+    ...waypoints(chart.waypoints, frame, chart.near, main.points[0]), ...endMarks(frame, main.points), scaleBar(frame),
+    svg("rect", { class: "frame", ...frameBox(frame) }), text(edge.left, edge.top - 9, caption(chart.anchor, main.points[0])), here);
+  return { root, shown, here };
+}
 
-  view.onRange(() => draw(shown, (p) => flight.times[p.row] >= view.range[0] && flight.times[p.row] <= view.range[1]));
-  view.onCursor(() => {
-    const at = nearestRow(main.points, view.row);
-    here.setAttribute("cx", String(frame.x(at.x)));
-    here.setAttribute("cy", String(frame.y(at.y)));
-  });
-  picture.addEventListener("pointermove", (event) => {
-    const box = picture.getBoundingClientRect();
-    const x = ((event.clientX - box.left) / box.width) * size.width;
-    const y = ((event.clientY - box.top) / box.height) * size.height;
-    let best = main.points[0];
-    const distance = (p: Point) => Math.hypot(frame.x(p.x) - x, frame.y(p.y) - y);
-    for (const p of main.points) if (distance(p) < distance(best)) best = p;
-    if (distance(best) < 24) view.moveToRow(best.row);
-  });
+function strokes(chart: Chart, frame: Frame, keep: (p: Point) => boolean): SVGElement[] {
+  return pieces(chart.tracks[0], chart.flight).map((piece) =>
+    svg("path", { d: path(piece.points.filter(keep), frame), stroke: pilotColour(piece.pilot) }));
+}
+
+/** Draws the map into `host`, again whenever its width changes; false when the flight has no positions. */
+export function trackMap(host: HTMLElement, flight: Flight, view: View): boolean {
+  const chart = chartOf(flight);
+  if (!chart) return false;
+  const points = chart.tracks[0].points;
+  const everywhere = [...chart.tracks.flatMap((t) => t.points as Place[]), ...chart.near];
+  let frame = frameFor(everywhere, { width: 640, height: 480 });
+  let drawn = picture(chart, frame);
+  const showRange = () => drawn.shown.replaceChildren(...strokes(chart, frame,
+    (p) => flight.times[p.row] >= view.range[0] && flight.times[p.row] <= view.range[1]));
+  const showCursor = () => {
+    const at = nearestRow(points, view.row);
+    drawn.here.setAttribute("cx", String(frame.x(at.x)));
+    drawn.here.setAttribute("cy", String(frame.y(at.y)));
+  };
+  const draw = (width: number) => {
+    frame = frameFor(everywhere, { width, height: Math.min(Math.max(width * 0.8, 300), 520) });
+    drawn = picture(chart, frame);
+    drawn.root.addEventListener("pointermove", (event) => pointAt(event, points, frame, drawn.root, view));
+    host.replaceChildren(drawn.root);
+    showRange();
+    showCursor();
+  };
+  draw(640);
+  new ResizeObserver(() => {
+    if (host.clientWidth > 0 && host.clientWidth !== frame.width) draw(host.clientWidth);
+  }).observe(host);
+  view.onRange(showRange);
+  view.onCursor(showCursor);
   return true;
+}
+
+/** Moves the cursor to the point of the track under the pointer, if one is near. */
+function pointAt(event: PointerEvent, points: Point[], frame: Frame, root: SVGSVGElement, view: View): void {
+  const box = root.getBoundingClientRect();
+  const x = ((event.clientX - box.left) / box.width) * frame.width;
+  const y = ((event.clientY - box.top) / box.height) * frame.height;
+  const distance = (p: Point) => Math.hypot(frame.x(p.x) - x, frame.y(p.y) - y);
+  let best = points[0];
+  for (const p of points) if (distance(p) < distance(best)) best = p;
+  if (distance(best) < 24) view.moveToRow(best.row);
 }
 
 /** The point of the row nearest to `row`; `points` ascend by row. */

@@ -3,6 +3,8 @@
 
 /** Colours: the thermal scale, the states' (told apart by colour-blind eyes: Okabe and Ito 2008), the theme's. */
 
+import { Pilot } from "./flight";
+
 type Rgb = [number, number, number];
 
 /** Cold to warm, rising in lightness throughout so that it also reads in grey. */
@@ -31,9 +33,10 @@ export function thermal(x: number): Rgb {
 
 export const css = (rgb: Rgb): string => `rgb(${rgb[0]} ${rgb[1]} ${rgb[2]})`;
 
-/** The colour of state `id`; null is layered control. */
-export function stateColour(id: number | null): string {
-  return id === null ? layeredColour : stateColours[((id % stateColours.length) + stateColours.length) % stateColours.length] ?? layeredColour;
+/** The colour of whoever decides; states beyond the seventh begin again. */
+export function pilotColour(pilot: Pilot): string {
+  if (pilot === "sbc") return stateColours[0];
+  return pilot === "layered" || !(pilot >= 0) ? layeredColour : stateColours[Math.floor(pilot) % stateColours.length];
 }
 
 /** Black or white, whichever is read more easily on `hex` (relative luminance, WCAG 2). */

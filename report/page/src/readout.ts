@@ -6,8 +6,7 @@
 import { element, swatch } from "./dom";
 import { Flight } from "./flight";
 import { clock, degreesMinutes, fixed, quantity } from "./format";
-import { stateColour } from "./palette";
-import { controlSpans } from "./strip";
+import { pilotColour } from "./palette";
 import { View } from "./view";
 
 const groups: [string, Record<string, string>][] = [
@@ -26,6 +25,7 @@ const groups: [string, Record<string, string>][] = [
   ["Position", {
     m_lat: "latitude", m_lon: "longitude", true_lat: "true latitude", true_lon: "true longitude",
     m_x_lmc: "east", m_y_lmc: "north", true_x: "true east", true_y: "true north",
+    c_wpt_x_lmc: "waypoint east", c_wpt_y_lmc: "waypoint north", c_wpt_lat: "waypoint latitude", c_wpt_lon: "waypoint longitude",
   }],
 ];
 const apart = new Set(["time", "missiontime", "state"]);
@@ -66,18 +66,15 @@ export function readout(host: HTMLElement, flight: Flight, view: View): void {
     }
     host.append(element("h3", {}, title), terms);
   }
-  const control = controlSpans(flight);
-  const states = flight.column("state");
   const mission = flight.column("missiontime");
   view.onCursor(() => {
     const row = view.row;
     const at = mission?.[row] ?? null;
     now.replaceChildren(element("b", {}, clock(view.time)), element("span", {},
       `${fixed(view.time, 0)} s${at === null ? "" : `, mission time ${fixed(at, 0)} s`}`));
-    const id = states?.[row] ?? null;
-    const flies = control.find((s) => view.time >= s.from && view.time < s.to)?.value ?? id !== null;
-    state.replaceChildren(swatch(stateColour(id)), id === null ? "layered control" : flight.stateName(id),
-      ...(id !== null && !flies ? [element("span", {}, " (not in control)")] : []));
+    const pilot = flight.pilot(row);
+    state.replaceChildren(swatch(pilotColour(pilot)), flight.pilotName(pilot),
+      ...(pilot !== "layered" && !flight.inControl(row) ? [element("span", {}, " (not in control)")] : []));
     for (const { cell, update } of cells) {
       const text = update(row);
       if (cell.textContent !== text) cell.textContent = text;

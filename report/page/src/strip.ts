@@ -4,23 +4,15 @@
 /** What lies above the depth plot: the states by name, who is in control, and the marks of events. */
 
 import uPlot from "uplot";
-import { Flight, FlightEvent, Span } from "./flight";
+import { Flight, FlightEvent, Pilot, Span } from "./flight";
 import { kindOf } from "./kinds";
-import { inkOn, layeredColour, stateColour, theme } from "./palette";
+import { inkOn, layeredColour, pilotColour, theme } from "./palette";
 
 /** Heights above the plot, CSS pixels. */
 const states = { from: 60, to: 38 };
 const control = { from: 33, to: 27 };
-const marks = { middle: 12, size: 5.5 };
+const marks = { flag: 18, other: 7, size: 5.5 };
 export const stripHeight = 66;
-
-/** True while hookbeh flies: the column hook_active, or a current state where there is none. */
-export function controlSpans(flight: Flight): Span<boolean>[] {
-  if (flight.column("hook_active")) {
-    return flight.spans("hook_active").map((s) => ({ ...s, value: s.value !== null && s.value > 0 }));
-  }
-  return flight.spans("state").map((s) => ({ ...s, value: s.value !== null }));
-}
 
 /** The events that are marked on the chart, those with a time and of a kind that is. */
 export function markedEvents(flight: Flight): (FlightEvent & { time: number })[] {
@@ -47,7 +39,7 @@ function paintName(ctx: CanvasRenderingContext2D, name: string, left: number, wi
   if (text !== "" && room > 6 * scale) ctx.fillText(text, left + width / 2, middle);
 }
 
-export function paintStates(u: uPlot, spans: Span<number | null>[], nameOf: (id: number) => string): void {
+export function paintStates(u: uPlot, spans: Span<Pilot>[], nameOf: (pilot: Pilot) => string): void {
   const { ctx } = u;
   const scale = devicePixelRatio;
   ctx.save();
@@ -57,15 +49,15 @@ export function paintStates(u: uPlot, spans: Span<number | null>[], nameOf: (id:
   for (const span of spans) {
     const part = across(u, span.from, span.to);
     if (!part) continue;
-    const colour = stateColour(span.value);
+    const colour = pilotColour(span.value);
     const top = u.bbox.top - states.from * scale;
     const height = (states.from - states.to) * scale;
-    ctx.globalAlpha = span.value === null ? 0.35 : 1;
+    ctx.globalAlpha = span.value === "layered" ? 0.35 : 1;
     ctx.fillStyle = colour;
     ctx.fillRect(part.left, top, Math.max(part.width - scale, scale), height);
     ctx.globalAlpha = 1;
-    ctx.fillStyle = span.value === null ? theme("ink") : inkOn(colour);
-    paintName(ctx, span.value === null ? "layered control" : nameOf(span.value), part.left, part.width, top + height / 2);
+    ctx.fillStyle = span.value === "layered" ? theme("ink") : inkOn(colour);
+    paintName(ctx, nameOf(span.value), part.left, part.width, top + height / 2);
   }
   ctx.restore();
 }
@@ -132,7 +124,7 @@ export function paintEvents(u: uPlot, events: (FlightEvent & { time: number })[]
     taken.add(`${event.kind}${x}`);
     const kind = kindOf(event.kind);
     ctx.strokeStyle = ctx.fillStyle = theme(kind.colour);
-    paintMark(ctx, event.kind, x, u.bbox.top - marks.middle * scale, marks.size * scale);
+    paintMark(ctx, event.kind, x, u.bbox.top - (kind.flagged ? marks.flag : marks.other) * scale, marks.size * scale);
     for (const [width, colour] of [[3, theme("line-halo")], [1.25, theme(kind.flagged ? kind.colour : "event-line")]] as const) {
       ctx.beginPath();
       ctx.lineWidth = width * scale;

@@ -4,6 +4,7 @@
 /** One chart over time: a uPlot whose cursor and range are those of the View, usable by mouse, touch and keys. */
 
 import uPlot from "uplot";
+import { element } from "./dom";
 import { Flight, Values } from "./flight";
 import { clock, fixed } from "./format";
 import { theme } from "./palette";
@@ -58,7 +59,7 @@ function seriesOf(lines: Line[]): uPlot.Series[] {
   ]);
 }
 
-function axes(): uPlot.Axis[] {
+function axes(height: number): uPlot.Axis[] {
   const common = {
     stroke: () => theme("muted"),
     grid: { stroke: () => theme("grid"), width: 1 },
@@ -67,7 +68,7 @@ function axes(): uPlot.Axis[] {
   };
   return [
     { ...common, incrs: steps, space: 70, size: 30, values: (_: uPlot, at: number[]) => at.map(clock) },
-    { ...common, size: 52, space: 34, values: (_: uPlot, at: number[]) => {
+    { ...common, size: 52, space: height > 200 ? 36 : 24, values: (_: uPlot, at: number[]) => {
       const step = at.length > 1 ? Math.abs(at[1] - at[0]) : 1;
       const digits = Math.max(0, Math.ceil(-Math.log10(step) - 1e-9));
       return at.map((v) => fixed(v, digits));
@@ -77,15 +78,14 @@ function axes(): uPlot.Axis[] {
 
 export class TimeChart {
   readonly plot: uPlot;
-  private readonly line: HTMLElement;
+  private readonly line = element("div", { class: "cursor" });
+  private readonly dot = element("div", { class: "dot" });
 
-  constructor(private readonly host: HTMLElement, flight: Flight, private readonly view: View,
+  constructor(private readonly host: HTMLElement, private readonly flight: Flight, private readonly view: View,
               private readonly options: ChartOptions) {
     const data = options.lines.flatMap((line) => (line.halo ? [line.values, line.values] : [line.values]));
     this.plot = new uPlot(this.config(), [flight.times, ...data] as uPlot.AlignedData, host);
-    this.line = document.createElement("div");
-    this.line.className = "cursor";
-    this.plot.over.append(this.line);
+    this.plot.over.append(this.line, this.dot);
     this.listen();
     view.onCursor(() => this.showCursor());
     view.onRange(() => this.showRange());
@@ -102,6 +102,11 @@ export class TimeChart {
 
   redraw(): void { this.plot.redraw(false, true); }
 
+  /** As wide as a sheet of A4 or Letter between its margins, and drawn anew. */
+  toPaper(): void { this.plot.setSize({ width: 690, height: this.options.height }); }
+
+  toScreen(): void { this.plot.setSize({ width: this.host.clientWidth, height: this.options.height }); }
+
   private config(): uPlot.Options {
     const o = this.options;
     return {
@@ -112,13 +117,21 @@ export class TimeChart {
       cursor: { x: false, y: false, points: { show: false }, drag: { x: true, y: false, setScale: false } },
       scales: { x: { time: false, range: () => this.view.range }, y: { range: o.range, dir: o.inverted ? -1 : 1 } },
       series: [{}, ...seriesOf(o.lines)],
-      axes: axes(),
+      axes: axes(o.height),
       hooks: {
-        drawClear: [(u: uPlot) => o.paintUnder?.(u)],
-        draw: [(u: uPlot) => o.paintOver?.(u)],
+        drawClear: [(u: uPlot) => { this.thinLines(u); u.ctx.globalAlpha = 1; o.paintUnder?.(u); }],
+        draw: [(u: uPlot) => { u.ctx.globalAlpha = 1; o.paintOver?.(u); }],
         setSelect: [(u: uPlot) => this.takeSelection(u)],
       },
     };
+  }
+
+  /** Where many rows share a pixel, lines let the ground through; halos would cover all. */
+  private thinLines(u: uPlot): void {
+    const [from, to] = this.view.range.map((time) => this.flight.rowAt(time));
+    const dense = to - from > 3 * u.over.clientWidth;
+    const isHalo = this.options.lines.flatMap((line) => (line.halo ? [true, false] : [false]));
+    u.series.slice(1).forEach((series, i) => { series.alpha = !dense ? 1 : isHalo[i] ? 0 : 0.5; });
   }
 
   private takeSelection(u: uPlot): void {
@@ -177,6 +190,9 @@ export class TimeChart {
     const shown = view.row >= 0 && view.time >= view.range[0] && view.time <= view.range[1];
     this.line.style.display = shown ? "" : "none";
     this.line.style.transform = `translateX(${left}px)`;
+    const value = this.options.lines[this.options.lines.length - 1]?.values[view.row] ?? null;
+    this.dot.style.display = shown && value !== null ? "" : "none";
+    this.dot.style.transform = `translate(${left}px, ${plot.valToPos(value ?? 0, "y")}px)`;
     plot.over.setAttribute("aria-valuemin", String(view.full[0]));
     plot.over.setAttribute("aria-valuemax", String(view.full[1]));
     plot.over.setAttribute("aria-valuenow", String(view.time));

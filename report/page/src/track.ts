@@ -74,12 +74,16 @@ export function tracksOf(flight: Flight, anchor: Anchor | null): Track[] {
   ].filter((t) => t.points.length > 0);
 }
 
-/** The different waypoints that were steered for, in order. */
+/** A flight that names more waypoints than this is steered towards moving points, which are no waypoints. */
+const mostWaypoints = 100;
+
+/** The different waypoints that were steered for, in order; the first mostWaypoints of them. */
 export function waypointsOf(flight: Flight, anchor: Anchor | null): Place[] {
   const metres = pointsOf(flight, "c_wpt_x_lmc", "c_wpt_y_lmc");
   const all = metres.length > 0 ? metres : fromDegrees(pointsOf(flight, "c_wpt_lon", "c_wpt_lat"), anchor);
   const out: Place[] = [];
   for (const { x, y } of all) {
+    if (out.length === mostWaypoints) break;
     if (!out.some((p) => Math.hypot(p.x - x, p.y - y) < 1)) out.push({ x, y });
   }
   return out;

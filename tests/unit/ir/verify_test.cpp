@@ -76,7 +76,7 @@ TEST(Verify, LongChainsOfCallsAreFast) {
 
 /// Every state calls, goes to and returns everywhere: many errors, each with a short path.
 TEST(Verify, TangledMissionsAreFast) {
-  constexpr int kStates = 300;
+  constexpr int kStates = 150;
   std::string text = kHeader;
   for (int i = 0; i < kStates; ++i) {
     std::string cases;

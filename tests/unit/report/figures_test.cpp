@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "report/figures.h"
+
+#include "tests/unit/report/small_trace.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace glider::report {
+namespace {
+
+TEST(Figures, CountsVisitsAndTimeOfEachState) {
+  auto trace =
+      smallTrace({{"time", "s"}, {"state", "id"}},
+                 {{0, kUnknown}, {4, 0}, {8, 0}, {12, 1}, {20, 0}, {24, kUnknown}, {30, kUnknown}});
+  trace.state_names = {"search", "track"};
+  const FlightFigures figures = flightFigures(trace);
+  ASSERT_EQ(figures.states.size(), 2U);
+  EXPECT_EQ(figures.states[0].name, "search");
+  EXPECT_EQ(figures.states[0].visits, 2U);
+  EXPECT_DOUBLE_EQ(figures.states[0].time_s, 12);
+  EXPECT_EQ(figures.states[1].visits, 1U);
+  EXPECT_DOUBLE_EQ(figures.states[1].time_s, 8);
+  EXPECT_DOUBLE_EQ(figures.layered_s, 10);
+  EXPECT_DOUBLE_EQ(figures.duration_s, 30);
+}
+
+TEST(Figures, AMissionWithoutStatesIsNotLayeredControl) {
+  const auto trace =
+      smallTrace({{"time", "s"}, {"hook_active", ""}}, {{0, 0}, {4, 1}, {12, 0}, {14, 0}});
+  const FlightFigures figures = flightFigures(trace);
+  EXPECT_TRUE(figures.states.empty());
+  EXPECT_DOUBLE_EQ(figures.stateless_s, 8);
+  EXPECT_DOUBLE_EQ(figures.layered_s, 6);
+}
+
+TEST(Figures, AStateThatTheTraceDoesNotNameHasItsNumber) {
+  const auto trace = smallTrace({{"time", "s"}, {"state", "id"}}, {{0, 7}, {4, -1}, {8, 1e300}});
+  const FlightFigures figures = flightFigures(trace);
+  ASSERT_EQ(figures.states.size(), 3U);
+  EXPECT_EQ(figures.states[0].name, "state -1");
+  EXPECT_EQ(figures.states[1].name, "state 7");
+}
+
+TEST(Figures, AYoIsADiveAndAClimbOfAtLeastTwoMetres) {
+  const auto trace = smallTrace({{"time", "s"}, {"m_depth", "m"}}, {{0, 0},
+                                                                    {1, 5},
+                                                                    {2, kUnknown},
+                                                                    {3, 10},
+                                                                    {4, 9},
+                                                                    {5, 10.5},
+                                                                    {6, 8},
+                                                                    {7, 3},
+                                                                    {8, 4},
+                                                                    {9, 3.5},
+                                                                    {10, 9},
+                                                                    {11, 7.2}});
+  const FlightFigures figures = flightFigures(trace);
+  EXPECT_EQ(figures.yos, 1U) << "ripples of 1 m and the last, half-climbed dive are none";
+  EXPECT_DOUBLE_EQ(figures.deepest_m, 10.5);
+  EXPECT_DOUBLE_EQ(figures.shallowest_m, 0);
+}
+
+TEST(Figures, DistanceFollowsTheTrueTrackAndPassesOverGaps) {
+  const auto trace = smallTrace(
+      {{"time", "s"}, {"true_x", "m"}, {"true_y", "m"}, {"m_x_lmc", "m"}, {"m_y_lmc", "m"}},
+      {{0, 0, 0, 0, 0}, {4, 3, 4, 0, 0}, {8, kUnknown, 4, 0, 0}, {12, 6, 0, 99, 99}});
+  const FlightFigures figures = flightFigures(trace);
+  EXPECT_EQ(figures.track, TrackSource::True);
+  EXPECT_DOUBLE_EQ(figures.distance_m, 10);
+  EXPECT_DOUBLE_EQ(figures.made_good_m, 6);
+}
+
+TEST(Figures, WithoutATrueTrackTheDeadReckonedOneServes) {
+  const auto trace = smallTrace(
+      {{"time", "s"}, {"true_x", "m"}, {"true_y", "m"}, {"m_x_lmc", "m"}, {"m_y_lmc", "m"}},
+      {{0, kUnknown, kUnknown, 0, 0}, {4, kUnknown, kUnknown, 5, 12}});
+  const FlightFigures figures = flightFigures(trace);
+  EXPECT_EQ(figures.track, TrackSource::DeadReckoned);
+  EXPECT_DOUBLE_EQ(figures.distance_m, 13);
+}
+
+TEST(Figures, WhatIsNotThereIsNullInJson) {
+  const auto json = nlohmann::json::parse(figuresToJson(flightFigures({})));
+  for (const char* key : {"duration", "deepest", "distance", "layered", "warmest"}) {
+    EXPECT_TRUE(json.at(key).is_null()) << key;
+  }
+  EXPECT_EQ(json.at("track"), "none");
+  EXPECT_EQ(json.at("yos"), 0);
+}
+
+}  // namespace
+}  // namespace glider::report

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/text/expression_reader.h"
+
+#include "ir/core/ops.h"
+#include "ir/text/print.h"
+
+namespace glider::ir::text {
+namespace {
+
+using support::DiagnosticId;
+using support::SourceRange;
+
+constexpr uint32_t kDeepestNesting = 200;
+
+bool named(Op op) {
+  return op == Op::Sensor || op == Op::Age;
+}
+
+}  // namespace
+
+void ExpressionReader::let() {
+  const Token name = in_.peek();
+  if (name.kind != TokenKind::Name) {
+    in_.failExpecting("a name like `%1`");
+  }
+  in_.take();
+  in_.expect('=');
+  const ExprId value = nested(0);
+  lets_.define(name, value.index);
+}
+
+ExprId ExpressionReader::add(Expr e, SourceRange begin) {
+  e.range = in_.since(begin);
+  if (in_.failed()) {
+    return {};
+  }
+  const std::optional<Type> type = resultType(m_, e);
+  if (!type) {
+    std::string operands;
+    for (uint32_t i = 0; i < opInfo(e.op).operands; ++i) {
+      operands += (i == 0 ? "" : " and ") + typeText(m_[e.operands.at(i)].type);
+    }
+    in_.fail(DiagnosticId::irOperands, e.range, opInfo(e.op).text, operands);
+    return {};
+  }
+  e.type = *type;
+  m_.exprs.push_back(e);
+  return {static_cast<uint32_t>(m_.exprs.size() - 1)};
+}
+
+ExprId ExpressionReader::nested(uint32_t depth) {
+  const Token token = in_.peek();
+  if (token.kind == TokenKind::Number) {
+    return constant(token.range);
+  }
+  if (token.kind == TokenKind::Name) {
+    in_.take();
+    return {lets_.find(token)};
+  }
+  if (in_.accept('(')) {
+    return operation(token.range, depth + 1);
+  }
+  const OpInfo* op = token.kind == TokenKind::Word ? findOp(token.text) : nullptr;
+  if (op == nullptr || op->operands > 0 || named(op->op) || op->op == Op::Constant) {
+    in_.failExpecting("an expression");
+    return {};
+  }
+  in_.take();
+  Expr e;
+  e.op = op->op;
+  return add(e, token.range);
+}
+
+ExprId ExpressionReader::constant(SourceRange begin) {
+  Expr e;
+  e.number = in_.number(false);
+  if (in_.accept(':')) {
+    e.type = in_.type();
+  }
+  return add(e, begin);
+}
+
+ExprId ExpressionReader::operation(SourceRange begin, uint32_t depth) {
+  if (depth > kDeepestNesting) {
+    in_.fail(DiagnosticId::irTooDeep, begin, kDeepestNesting);
+    return {};
+  }
+  const OpInfo* op = in_.peek().kind == TokenKind::Word ? findOp(in_.peek().text) : nullptr;
+  if (op == nullptr || (op->operands == 0 && !named(op->op))) {
+    in_.failExpecting("an operation");
+    return {};
+  }
+  in_.take();
+  Expr e;
+  e.op = op->op;
+  if (named(op->op)) {
+    e.sensor = {sensors_.find(in_.nameToken("the name of a sensor"))};
+  }
+  for (uint32_t i = 0; i < op->operands; ++i) {
+    e.operands.at(i) = nested(depth);
+  }
+  in_.expect(')');
+  return add(e, begin);
+}
+
+}  // namespace glider::ir::text

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "ir/text/names.h"
+
+namespace glider::ir::text {
+
+/// Reads expressions into a mission, each numbered when it ends.
+class ExpressionReader {
+ public:
+  ExpressionReader(Cursor& in, Mission& mission, Names& sensors)
+      : in_(in), m_(mission), sensors_(sensors), lets_(in, "expression") {}
+
+  /// What follows the word `let`: `%name = expression`.
+  void let();
+  /// An expression; invalid after a mistake.
+  ExprId expression() { return nested(0); }
+
+ private:
+  ExprId nested(uint32_t depth);
+  ExprId constant(support::SourceRange begin);
+  ExprId operation(support::SourceRange begin, uint32_t depth);
+  ExprId add(Expr e, support::SourceRange begin);
+
+  Cursor& in_;
+  Mission& m_;
+  Names& sensors_;
+  Names lets_;
+};
+
+}  // namespace glider::ir::text

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "simulator/flight/commands.h"
+#include "simulator/flight/situation.h"
+#include "simulator/journal.h"
+#include "slocum/mission_files/mission_file.h"
+
+#include <memory>
+#include <string>
+
+namespace glider::simulator {
+
+/// start_when and stop_when, with the codes of the vehicle's release 10.05.
+class When {
+ public:
+  When(int code, double secs, double distance) : code_(code), secs_(secs), distance_(distance) {}
+
+  /// True when the condition holds, given what lower behaviours have commanded in this cycle.
+  [[nodiscard]] bool met(const Situation& situation, const Commands& below) const;
+  void noteStart(double time_s) { started_s_ = time_s; }
+  void noteEnd(double time_s) { ended_s_ = time_s; }
+
+ private:
+  int code_;
+  double secs_, distance_;
+  double started_s_ = 0, ended_s_ = 0;  ///< the mission's start counts as the first
+};
+
+/// One behaviour of the mission. waiting → active → complete, or waiting again.
+class Behaviour {
+ public:
+  enum class State : uint8_t { Waiting, Active, Complete };
+  enum class Outcome : uint8_t { Continue, Done };
+
+  explicit Behaviour(std::string name) : name_(std::move(name)) {}
+  Behaviour(const Behaviour&) = delete;
+  Behaviour& operator=(const Behaviour&) = delete;
+  virtual ~Behaviour() = default;
+
+  /// One control cycle: may start, fly and end.
+  void run(const Situation& situation, Commands& commands);
+  /// Told after each cycle whether this behaviour was active and its pitch and pump were not those
+  /// flown.
+  void noteOverridden(bool overridden) { overridden_ = overridden; }
+
+  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] State state() const { return state_; }
+  [[nodiscard]] bool overridden() const { return overridden_; }
+  /// Steers pitch and pump: a mission is over when no such behaviour is left but those that bring
+  /// the vehicle up.
+  [[nodiscard]] virtual bool flies() const { return false; }
+  /// Busy with what must be brought to its end before the mission may count as over.
+  [[nodiscard]] virtual bool atWork() const { return false; }
+  /// An abort that the behaviour calls for in this cycle, and why.
+  [[nodiscard]] virtual Abort abort(std::string& /*why*/) const { return Abort::None; }
+  /// True when its end ends the whole mission.
+  [[nodiscard]] virtual bool endsMission() const { return false; }
+  /// Lines for the trace since the last call: sub-behaviours, answers.
+  virtual void tell(double /*time_s*/, Journal& /*journal*/) {}
+
+ protected:
+  [[nodiscard]] virtual bool starts(const Situation& situation, const Commands& below) const = 0;
+  virtual void begin(const Situation& /*situation*/) {}
+  /// Commands what it wants. Who is done and should not fly in this cycle commands nothing.
+  virtual Outcome fly(const Situation& situation, Commands& commands) = 0;
+  /// After Done: true to wait for the next start (end_action 2), false for complete.
+  [[nodiscard]] virtual bool resumes() const { return false; }
+  virtual void ended(const Situation& /*situation*/) {}
+
+ private:
+  std::string name_;
+  State state_ = State::Waiting;
+  bool overridden_ = false;
+};
+
+/// The behaviour that `block` describes; null for one that has no effect here. `block` has passed
+/// checkSkeleton.
+std::unique_ptr<Behaviour> makeBehaviour(const slocum::BehaviourBlock& block);
+
+}  // namespace glider::simulator

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "simulator/flight/behaviour.h"
+
+#include <string>
+
+namespace glider::simulator {
+
+/// The sub-behaviours dive_to and climb_to of a yo: one half cycle to a depth or an altitude.
+class DepthLeg {
+ public:
+  enum class Direction : uint8_t { Dive, Climb };
+
+  /// Reads the arguments with prefix `d_` or `c_`.
+  DepthLeg(const slocum::BehaviourBlock& block, Direction direction);
+
+  void begin(const Situation& situation);
+  /// True when the leg is over. While `overridden` only truly reaching the target counts: how the
+  /// vehicle moves is then not this leg's doing.
+  bool over(const Situation& situation, bool overridden);
+  void command(Commands& commands) const;
+  [[nodiscard]] const char* name() const {
+    return direction_ == Direction::Dive ? "dive_to" : "climb_to";
+  }
+  /// Why it is over.
+  [[nodiscard]] const std::string& why() const { return why_; }
+
+ private:
+  [[nodiscard]] bool reached(const Situation& situation);
+  [[nodiscard]] bool stuck(const Situation& situation);
+
+  Direction direction_;
+  double target_depth_, target_altitude_, pump_cc_, hover_for_s_, stalled_for_s_;
+  PitchCommand pitch_;
+  double moving_s_ = 0;   ///< when it last moved
+  double deepest_s_ = 0;  ///< when it last made way
+  double best_depth_ = 0;
+  std::string why_;
+};
+
+}  // namespace glider::simulator

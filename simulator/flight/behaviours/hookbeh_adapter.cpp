@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "simulator/flight/behaviours/hookbeh_adapter.h"
+
+#include "platforms/slocum_sensors.h"
+
+#include <fmt/format.h>
+
+namespace glider::simulator {
+
+using hooks::HookAnswer;
+using hooks::HookState;
+
+namespace {
+
+hooks::HookbehArgs arguments(const slocum::BehaviourBlock& block) {
+  hooks::HookbehArgs args;
+  args.start_secs = block.value("start_secs");
+  args.greatest_depth_m = block.value("max_depth");
+  args.least_altitude_m = block.value("min_altitude");
+  args.steepest_pitch_rad = block.value("max_pitch");
+  args.shallowest_pitch_rad = block.value("min_pitch");
+  args.silence_secs = block.value("silence_secs");
+  args.dive_pump_cc = block.value("d_bpump_value");
+  args.climb_pump_cc = block.value("c_bpump_value");
+  args.hold_secs = block.value("hold_secs");
+  return args;
+}
+
+hooks::HookbehInputs inputs(const Situation& s) {
+  const SensorArray& a = *s.array;
+  hooks::HookbehInputs in;
+  in.time_s = s.time_s;
+  in.depth_m = s.depth_m;
+  in.depth_rate_mps = s.depth_rate_mps;
+  in.altitude_m = s.altitude_m;
+  in.latitude_ddmm = s.latitude_ddmm;
+  in.longitude_ddmm = s.longitude_ddmm;
+  in.heartbeat = a.get(GLIDER_SCI_HOOK_HEARTBEAT);
+  in.session = a.get(GLIDER_SCI_HOOK_SESSION);
+  in.sequence = a.get(GLIDER_SCI_HOOK_SEQUENCE);
+  in.control = a.get(GLIDER_SCI_HOOK_CONTROL);
+  in.vertical = a.get(GLIDER_SCI_HOOK_VERTICAL);
+  in.lateral = a.get(GLIDER_SCI_HOOK_LATERAL);
+  in.hook_depth_m = a.get(GLIDER_SCI_HOOK_DEPTH);
+  in.hook_pitch_rad = a.get(GLIDER_SCI_HOOK_PITCH);
+  in.hook_heading_rad = a.get(GLIDER_SCI_HOOK_HEADING);
+  in.hook_latitude_ddmm = a.get(GLIDER_SCI_HOOK_LAT);
+  in.hook_longitude_ddmm = a.get(GLIDER_SCI_HOOK_LON);
+  in.check = a.get(GLIDER_SCI_HOOK_CHECK);
+  return in;
+}
+
+HeadingCommand heading(const hooks::HookbehOutputs& out) {
+  switch (out.heading_mode) {
+    case hooks::HeadingMode::Heading:
+      return {HeadingCommand::Mode::Heading, out.heading_rad, 0, 0};
+    case hooks::HeadingMode::Waypoint:
+      return {HeadingCommand::Mode::Waypoint, 0, out.latitude_ddmm, out.longitude_ddmm};
+    case hooks::HeadingMode::CentreFin:
+      break;
+  }
+  return {HeadingCommand::Mode::Fin, 0, 0, 0};
+}
+
+const char* describe(HookAnswer answer) {
+  switch (answer) {
+    case HookAnswer::None:
+      return "no answer";
+    case HookAnswer::Accepted:
+      return "accepted";
+    case HookAnswer::BadCheck:
+      return "its check value does not match";
+    case HookAnswer::TooDeep:
+      return "deeper than max_depth";
+    case HookAnswer::BadPitch:
+      return "its pitch is outside min_pitch and max_pitch";
+    case HookAnswer::BadCommand:
+      return "it is no command";
+    case HookAnswer::NotOnEarth:
+      return "its waypoint is no position";
+    case HookAnswer::WrongSession:
+      return "it is from a session that is not in control";
+    case HookAnswer::NotReady:
+      return "hookbeh is not ready";
+  }
+  return "unknown answer";
+}
+
+const char* describe(HookState state) {
+  switch (state) {
+    case HookState::Absent:
+      return "absent";
+    case HookState::Waiting:
+      return "waits";
+    case HookState::Ready:
+      return "is ready for the SBC";
+    case HookState::Active:
+      return "the SBC takes control";
+    case HookState::Silent:
+      return "the SBC is silent, control taken away";
+    case HookState::Complete:
+      return "the SBC gives control back";
+  }
+  return "unknown state";
+}
+
+}  // namespace
+
+HookbehAdapter::HookbehAdapter(const slocum::BehaviourBlock& block)
+    : Behaviour(block.name), hookbeh_(arguments(block)) {}
+
+void HookbehAdapter::note(const hooks::HookbehInputs& in, const hooks::HookbehOutputs& out) {
+  if (out.state != state_) {
+    news_.push_back({"control", fmt::format("hookbeh: {}", describe(out.state))});
+  }
+  if (out.answered_sequence != answered_ && out.answer != HookAnswer::Accepted) {
+    news_.push_back(
+        {"hook", fmt::format("instruction {} refused: {} (vertical {}, depth {} m, pitch {} rad)",
+                             out.answered_sequence, describe(out.answer), in.vertical,
+                             in.hook_depth_m, in.hook_pitch_rad)});
+  }
+  if (out.commanding && doing_ != out.doing) {
+    const char* kind = out.guarding ? "hook" : "steering";
+    news_.push_back({kind, fmt::format("hookbeh: {} (m_depth {:.1f} m)", out.doing, in.depth_m)});
+  }
+  state_ = out.state;
+  answered_ = out.answered_sequence;
+  doing_ = out.commanding ? out.doing : "";
+}
+
+Behaviour::Outcome HookbehAdapter::fly(const Situation& situation, Commands& commands) {
+  const hooks::HookbehInputs in = inputs(situation);
+  const hooks::HookbehOutputs out = hookbeh_.cycle(in);
+  SensorArray& array = *situation.array;
+  array.set(GLIDER_X_HOOK_STATE, static_cast<double>(out.state));
+  array.set(GLIDER_X_HOOK_ANSWER, static_cast<double>(out.answer));
+  array.set(GLIDER_X_HOOK_SEQUENCE, out.answered_sequence);
+  array.set(GLIDER_X_HOOK_SESSION, out.session);
+  if (out.commanding) {
+    commands.steer(heading(out));
+    commands.point({PitchCommand::Mode::Servo, out.pitch_rad});
+    commands.pump(out.pump_cc);
+  }
+  note(in, out);
+  // Complete, it still tells its state in every cycle, so it never is Done for the stack.
+  return Outcome::Continue;
+}
+
+void HookbehAdapter::tell(double time_s, Journal& journal) {
+  for (Line& line : news_) {
+    journal.add(time_s, line.kind, std::move(line.what));
+  }
+  news_.clear();
+}
+
+}  // namespace glider::simulator

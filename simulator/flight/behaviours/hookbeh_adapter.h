@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "hooks/hookbeh/hookbeh.h"
+#include "simulator/flight/behaviour.h"
+
+#include <string>
+#include <vector>
+
+namespace glider::simulator {
+
+/// The behaviour hookbeh in this layered control: hooks::Hookbeh between the sensor array and the
+/// command record. It runs in every cycle, for it has states of its own; it is complete when the
+/// SBC has given control back.
+class HookbehAdapter final : public Behaviour {
+ public:
+  explicit HookbehAdapter(const slocum::BehaviourBlock& block);
+  [[nodiscard]] bool flies() const override { return true; }
+  void tell(double time_s, Journal& journal) override;
+  [[nodiscard]] hooks::HookState hookState() const { return state_; }
+
+ protected:
+  [[nodiscard]] bool starts(const Situation&, const Commands&) const override { return true; }
+  Outcome fly(const Situation& situation, Commands& commands) override;
+
+ private:
+  struct Line {
+    const char* kind;
+    std::string what;
+  };
+  void note(const hooks::HookbehInputs& in, const hooks::HookbehOutputs& out);
+
+  hooks::Hookbeh hookbeh_;
+  hooks::HookState state_ = hooks::HookState::Waiting;
+  uint16_t answered_ = 0;
+  std::string doing_;
+  std::vector<Line> news_;
+};
+
+}  // namespace glider::simulator

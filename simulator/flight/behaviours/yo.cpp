@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "simulator/flight/behaviours/yo.h"
+
+#include "simulator/flight/behaviours/arguments.h"
+
+#include <fmt/format.h>
+
+namespace glider::simulator {
+
+Yo::Yo(const slocum::BehaviourBlock& block)
+    : Behaviour(block.name),
+      start_(startCondition(block)),
+      dive_(block, DepthLeg::Direction::Dive),
+      climb_(block, DepthLeg::Direction::Climb),
+      starts_diving_(block.value("start_diving") != 0),
+      half_cycles_to_do_(static_cast<int>(block.value("num_half_cycles_to_do"))),
+      end_action_(static_cast<int>(block.value("end_action"))) {}
+
+void Yo::begin(const Situation& situation) {
+  start_.noteStart(situation.time_s);
+  half_cycles_ = 0;
+  leg_ = starts_diving_ ? &dive_ : &climb_;
+  leg_->begin(situation);
+}
+
+Behaviour::Outcome Yo::fly(const Situation& situation, Commands& commands) {
+  // A leg whose target is already passed ends in the cycle that began it; two in a row mean that
+  // the targets contradict each other, and then the second one flies on for a cycle.
+  for (int legs = 0; legs < 2 && leg_->over(situation, overridden()); ++legs) {
+    ++half_cycles_;
+    news_.emplace_back(fmt::format("yo: {} over, half cycle {}", leg_->name(), half_cycles_),
+                       leg_->why());
+    if (half_cycles_to_do_ >= 0 && half_cycles_ >= half_cycles_to_do_) {
+      return Outcome::Done;
+    }
+    leg_ = leg_ == &dive_ ? &climb_ : &dive_;
+    leg_->begin(situation);
+  }
+  leg_->command(commands);
+  return Outcome::Continue;
+}
+
+void Yo::tell(double time_s, Journal& journal) {
+  for (auto& [what, why] : news_) {
+    journal.add(time_s, "behaviour", std::move(what), std::move(why));
+  }
+  news_.clear();
+}
+
+}  // namespace glider::simulator

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+namespace glider::simulator {
+
+struct HeadingCommand {
+  enum class Mode : uint8_t { Waypoint, Heading, Fin } mode = Mode::Fin;
+  double value_rad = 0;  ///< heading or fin
+  double latitude_ddmm = 0, longitude_ddmm = 0;
+};
+
+struct PitchCommand {
+  /// At a battery position (in); once from the calibration curve (rad); held by the servo (rad).
+  enum class Mode : uint8_t { BatteryPosition, Curve, Servo } mode = Mode::Servo;
+  double value = 0;
+  bool operator==(const PitchCommand&) const = default;
+};
+
+/// Why a mission is aborted: `x_mission_status`.
+enum class Abort : int8_t {
+  None = 0,
+  StackIdle = 1,
+  HeadingIdle = 2,
+  PitchIdle = 3,
+  PumpIdle = 4,
+  Overdepth = 7,
+  Overtime = 8,
+  Undervolts = 9,
+  SameDepth = 10,
+  WaypointTooFar = 18,
+};
+/// "MS_ABORT_OVERDEPTH".
+const char* abortName(Abort abort);
+
+constexpr int kNoLayer = -1;
+
+/// The command record of one cycle: a slot a channel, and which behaviour (by its place in the
+/// mission file, from 0) filled it. Behaviours run from the lowest priority up, and later runners
+/// overwrite.
+struct Commands {
+  std::optional<HeadingCommand> heading;
+  std::optional<PitchCommand> pitch;
+  std::optional<double> pump_cc;
+  int heading_layer = kNoLayer, pitch_layer = kNoLayer, pump_layer = kNoLayer;
+
+  /// `layer` of what is commanded from now on.
+  int layer = kNoLayer;
+  void steer(HeadingCommand command) { heading = command, heading_layer = layer; }
+  void point(PitchCommand command) { pitch = command, pitch_layer = layer; }
+  void pump(double cc) { pump_cc = cc, pump_layer = layer; }
+
+  [[nodiscard]] bool anyIdle() const { return !heading || !pitch || !pump_cc; }
+  /// The abort that idle slots call for.
+  [[nodiscard]] Abort idleAbort() const;
+};
+
+}  // namespace glider::simulator

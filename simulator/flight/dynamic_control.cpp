@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "simulator/flight/dynamic_control.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace glider::simulator {
+namespace {
+
+// The vendor's calibration curve: pitch = slope * battery position + offset.
+constexpr double kCurveSlope = -1.2565;  // rad/in
+constexpr double kCurveOffset = 0.055;   // rad
+// Pitch servo: deadband, largest step and range of periods as in the vehicle. Its gain there is 3
+// in/rad; half of that suits this hull, which tilts more slowly than its battery moves.
+constexpr double kServoGain = 1.5;         // in/rad
+constexpr double kServoDeadband = 0.0524;  // rad
+constexpr double kServoStep = 0.2;         // in
+constexpr double kServoPeriod = 16;        // s
+constexpr double kInflection = 24;  // s, pump, battery and hull need it before the servo may judge
+// Heading autopilot, as in the vehicle: PD on heading, in shares of the fin's range, with a
+// deadband.
+constexpr double kHeadingGain = 1.5;      // per rad
+constexpr double kHeadingRateGain = 4.0;  // per rad/s
+constexpr double kHeadingDeadband = 0.087;
+
+double wrapped(double angle) {
+  return std::remainder(angle, 2 * std::numbers::pi);
+}
+
+}  // namespace
+
+void DynamicControl::holdPitch(const PitchCommand& command, const Measured& m, Vehicle& vehicle) {
+  const bool servo = command.mode == PitchCommand::Mode::Servo;
+  const bool battery = command.mode == PitchCommand::Mode::BatteryPosition;
+  pitch_value_ = battery ? std::numeric_limits<double>::quiet_NaN() : command.value;
+  if (command != pitch_in_force_) {
+    pitch_in_force_ = command;
+    battery_in_ = battery ? command.value : (command.value - kCurveOffset) / kCurveSlope;
+    next_servo_s_ = m.time_s + kInflection;
+  } else if (servo && m.time_s >= next_servo_s_) {
+    const double error = command.value - m.pitch;
+    if (std::fabs(error) > kServoDeadband) {
+      battery_in_ -= std::clamp(kServoGain * error, -kServoStep, kServoStep);
+    }
+    next_servo_s_ = m.time_s + kServoPeriod;
+  }
+  battery_in_ = std::clamp(battery_in_, -Vehicle::kBatteryLimitIn, Vehicle::kBatteryLimitIn);
+  vehicle.commandBatteryPosition(battery_in_);
+}
+
+void DynamicControl::holdHeading(const HeadingCommand& command, const Measured& m, double seconds,
+                                 Vehicle& vehicle) {
+  const double rate = heading_known_ ? wrapped(m.heading - last_heading_) / seconds : 0;
+  last_heading_ = m.heading;
+  heading_known_ = true;
+  if (command.mode == HeadingCommand::Mode::Fin) {
+    heading_value_ = std::numeric_limits<double>::quiet_NaN();
+    vehicle.commandFin(command.value_rad);
+    return;
+  }
+  heading_value_ =
+      command.mode == HeadingCommand::Mode::Waypoint ? m.waypoint_bearing : command.value_rad;
+  const double error = wrapped(heading_value_ - m.heading);
+  const double wanted = std::fabs(error) > kHeadingDeadband ? kHeadingGain * error : 0;
+  vehicle.commandFin(Vehicle::kFinLimitRad *
+                     std::clamp(wanted - kHeadingRateGain * rate, -1.0, 1.0));
+}
+
+void DynamicControl::cycle(const Commands& commands, const Measured& measured, double seconds,
+                           Vehicle& vehicle) {
+  holdHeading(*commands.heading, measured, seconds, vehicle);
+  holdPitch(*commands.pitch, measured, vehicle);
+  pump_cc_ = std::clamp(*commands.pump_cc, -Vehicle::kPumpLimitCc, Vehicle::kPumpLimitCc);
+  vehicle.commandPump(pump_cc_);
+}
+
+}  // namespace glider::simulator

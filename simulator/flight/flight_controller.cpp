@@ -1,0 +1,252 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "simulator/flight/flight_controller.h"
+
+#include "platforms/slocum_sensors.h"
+#include "simulator/flight/position.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+namespace glider::simulator {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+// The pilot's clock at the mission's start: nothing may depend on the wall clock of the machine.
+constexpr double kStartOfMission = 1.25e9;  // s since 1970, in 2009
+constexpr double kAbortPitch = 0.4538;      // rad, the vehicle's nominal
+constexpr double kAbortPump = 1000;         // cc: as far out as it goes
+constexpr double kSettledAtSurface = 12;    // s; a mission ends only then
+constexpr double kVacuum = 8;               // inHg
+constexpr double kDryVoltage = 2.49;        // V, leak detector
+
+/// 0 surface, 1 diving, 2 climbing, 3 hovering: by a quarter of the nominal 0.19 m/s.
+double depthState(const Situation& s) {
+  if (s.at_surface) {
+    return 0;
+  }
+  return std::fabs(s.depth_rate_mps) < 0.25 * 0.19 ? 3 : s.depth_rate_mps > 0 ? 1 : 2;
+}
+
+}  // namespace
+
+FlightController::FlightController(const platforms::Platform& platform,
+                                   const slocum::MissionFile& mission,
+                                   const SensorSettings& sensors, uint64_t seed,
+                                   const LocalFrame& frame, Journal& journal)
+    : array_(platform),
+      navigator_(frame),
+      depth_sensor_(seed, sensors.depth_m),
+      attitude_(seed, sensors.pitch_rad, sensors.heading_rad),
+      altimeter_(seed, sensors.altitude_m),
+      gps_(seed, sensors.gps_m),
+      layers_(mission),
+      journal_(journal),
+      cycle_s_(platform.envelope.cycle_s) {}
+
+bool FlightController::hookActive() const {
+  return layers_.hookbeh() != nullptr && abort_ == Abort::None &&
+         layers_.hookbeh()->hookState() == hooks::HookState::Active;
+}
+
+void FlightController::readSensors(double now_s, const Ocean& ocean, const Vehicle& vehicle) {
+  SensorArray& a = array_;
+  a.set(GLIDER_M_PRESENT_TIME, kStartOfMission + now_s);
+  a.set(GLIDER_M_PRESENT_SECS_INTO_MISSION, now_s);
+  a.set(GLIDER_M_CYCLE_NUMBER, cycles_);
+  const double bar = depth_sensor_.pressure(vehicle.depth());
+  const double depth = std::max(0.0, bar * DepthSensor::kMetresPerBar);
+  const double rate = cycles_ == 0 ? 0 : (depth - last_depth_) / cycle_s_;
+  last_depth_ = depth;
+  a.set(GLIDER_M_PRESSURE, bar);
+  a.set(GLIDER_M_DEPTH, depth);
+  a.set(GLIDER_M_DEPTH_RATE, rate);
+  a.set(GLIDER_M_PITCH, attitude_.pitch(vehicle.pitch()));
+  a.set(GLIDER_M_ROLL, 0);
+  a.set(GLIDER_M_HEADING, attitude_.heading(vehicle.heading()));
+  const double altitude =
+      altimeter_.altitude(vehicle.depth(), ocean.waterDepth(vehicle.x(), vehicle.y()));
+  if (!std::isnan(altitude)) {
+    a.set(GLIDER_M_ALTITUDE, altitude);
+    a.set(GLIDER_M_WATER_DEPTH, depth + altitude);
+  }
+  a.set(GLIDER_M_BATTERY, vehicle.battery().voltage());
+  a.set(GLIDER_M_COULOMB_AMPHR_TOTAL, vehicle.battery().ampHours());
+  a.set(GLIDER_M_VACUUM, kVacuum);
+  a.set(GLIDER_M_LEAKDETECT_VOLTAGE, kDryVoltage);
+  a.set(GLIDER_M_BALLAST_PUMPED, vehicle.pumpedCc());
+  a.set(GLIDER_M_BATTPOS, vehicle.batteryPositionIn());
+  a.set(GLIDER_M_FIN, vehicle.fin());
+
+  navigator_.reckon(rate, a.get(GLIDER_M_PITCH), a.get(GLIDER_M_HEADING), depth < kSurfaceDepth,
+                    cycles_ == 0 ? 0 : cycle_s_);
+  const auto fix = gps_.fix(vehicle.x(), vehicle.y(), vehicle.depth(), now_s);
+  has_fix_ = fix.has_value();
+  if (fix) {
+    navigator_.fix(*fix);
+  }
+  const GeoPosition position = navigator_.position();
+  a.set(GLIDER_M_X_LMC, navigator_.x());
+  a.set(GLIDER_M_Y_LMC, navigator_.y());
+  a.set(GLIDER_M_LAT, toDdmm(position.latitude_deg));
+  a.set(GLIDER_M_LON, toDdmm(position.longitude_deg));
+  a.set(GLIDER_M_SPEED, navigator_.speed());
+  if (fix) {
+    a.set(GLIDER_M_GPS_LAT, a.get(GLIDER_M_LAT));
+    a.set(GLIDER_M_GPS_LON, a.get(GLIDER_M_LON));
+  }
+}
+
+void FlightController::receive(const GliderByteStream& stream) {
+  std::array<hooks::SensorUpdate, hooks::Clothesline::kMostUpdates> updates;
+  // The line carries at most a few frames a cycle; the bound holds against a line that never falls
+  // silent.
+  constexpr int kMostRounds = 16;
+  for (int round = 0; round < kMostRounds; ++round) {
+    const uint32_t count =
+        clothesline_.poll(stream, updates.data(), static_cast<uint32_t>(updates.size()));
+    for (uint32_t i = 0; i < count; ++i) {
+      const uint16_t id = updates[i].id;
+      // Science may write its own sensors only.
+      if (id < array_.size() && array_.ofScience(id)) {
+        array_.set(id, updates[i].value);
+      }
+    }
+    if (count == 0) {
+      return;
+    }
+  }
+}
+
+void FlightController::send(const GliderByteStream& stream) {
+  std::array<hooks::SensorUpdate, hooks::Clothesline::kMostUpdates> updates;
+  uint32_t count = 0;
+  for (uint16_t id = 0; id < array_.size() && count < updates.size(); ++id) {
+    if (!array_.ofScience(id) && array_.fresh(id) && !std::isnan(array_.get(id))) {
+      updates[count++] = {id, array_.get(id)};
+    }
+  }
+  // A full queue drops this cycle's report whole: the next one says the same, newer.
+  clothesline_.send(updates.data(), count);
+  clothesline_.poll(stream, updates.data(), 0);
+}
+
+Situation FlightController::situation(double now_s) {
+  Situation s;
+  s.time_s = now_s;
+  s.depth_m = array_.get(GLIDER_M_DEPTH);
+  s.depth_rate_mps = array_.get(GLIDER_M_DEPTH_RATE);
+  s.altitude_m = array_.fresh(GLIDER_M_ALTITUDE) ? array_.get(GLIDER_M_ALTITUDE) : kNaN;
+  s.voltage = array_.get(GLIDER_M_BATTERY);
+  s.latitude_ddmm = array_.get(GLIDER_M_LAT);
+  s.longitude_ddmm = array_.get(GLIDER_M_LON);
+  s.waypoint_distance_m = array_.get(GLIDER_M_DIST_TO_WPT);
+  s.at_surface = s.depth_m < kSurfaceDepth;
+  s.gps_fix = has_fix_;
+  s.array = &array_;
+  (s.at_surface ? surfaced_s_ : submerged_s_) = now_s;
+  s.silent_s = now_s - surfaced_s_;
+  array_.set(GLIDER_M_DEPTH_STATE, depthState(s));
+  return s;
+}
+
+void FlightController::noteOrder() {
+  if (!hookActive()) {
+    order_ = {};
+    ordered_sequence_ = kNaN;
+    return;
+  }
+  const double sequence = array_.get(GLIDER_X_HOOK_SEQUENCE);
+  const bool accepted =
+      array_.get(GLIDER_X_HOOK_ANSWER) == static_cast<double>(hooks::HookAnswer::Accepted);
+  if (!accepted || sequence == ordered_sequence_) {
+    return;
+  }
+  ordered_sequence_ = sequence;
+  if (array_.get(GLIDER_SCI_HOOK_VERTICAL) == static_cast<double>(hooks::HookVertical::None)) {
+    return;  // turns only: the vertical command in force stays
+  }
+  order_.vertical = array_.get(GLIDER_SCI_HOOK_VERTICAL);
+  order_.depth_m = array_.get(GLIDER_SCI_HOOK_DEPTH);
+  if (order_.vertical == static_cast<double>(hooks::HookVertical::Ascend)) {
+    order_.top_m = order_.depth_m;
+  } else if (order_.vertical == static_cast<double>(hooks::HookVertical::Descend)) {
+    order_.bottom_m = order_.depth_m;
+  }
+}
+
+void FlightController::startAbort(Abort abort, const std::string& why, double now_s) {
+  abort_ = abort;
+  journal_.add(now_s, "abort", abortName(abort), why);
+  if (layers_.hookbeh() != nullptr) {
+    // Behaviours run no more: the SBC must see that its time is over.
+    array_.set(GLIDER_X_HOOK_STATE, static_cast<double>(hooks::HookState::Complete));
+    array_.set(GLIDER_X_HOOK_SESSION, 0);
+  }
+}
+
+Commands FlightController::decide(const Situation& s) {
+  if (abort_ == Abort::None) {
+    LayeredControl::Decision decision = layers_.cycle(s, journal_);
+    if (decision.abort == Abort::None && !layers_.quit()) {
+      layer_ = decision.commands.pitch_layer;
+      return decision.commands;
+    }
+    if (decision.abort != Abort::None) {
+      startAbort(decision.abort, decision.why, s.time_s);
+    }
+  }
+  // Aborted, or over: pump out, nose up.
+  layer_ = kNoLayer;
+  Commands commands;
+  commands.steer({HeadingCommand::Mode::Fin, 0, 0, 0});
+  commands.point({PitchCommand::Mode::Servo, kAbortPitch});
+  commands.pump(kAbortPump);
+  return commands;
+}
+
+void FlightController::control(const Commands& commands, const Situation& s, Vehicle& vehicle) {
+  double distance = kNaN;
+  double bearing = 0;
+  if (commands.heading->mode == HeadingCommand::Mode::Waypoint) {
+    navigator_.toWaypoint(commands.heading->latitude_ddmm, commands.heading->longitude_ddmm,
+                          distance, bearing);
+  }
+  array_.set(GLIDER_M_DIST_TO_WPT, distance);
+  dynamics_.cycle(commands,
+                  {s.time_s, array_.get(GLIDER_M_PITCH), array_.get(GLIDER_M_HEADING), bearing},
+                  cycle_s_, vehicle);
+  array_.set(GLIDER_C_PITCH, dynamics_.pitchCommand());
+  array_.set(GLIDER_C_HEADING, dynamics_.headingCommand());
+  array_.set(GLIDER_C_BALLAST_PUMPED, dynamics_.pumpCommand());
+  array_.set(GLIDER_X_MISSION_STATUS, static_cast<double>(abort_));
+}
+
+void FlightController::judgeEnd(const Situation& s) {
+  if (layers_.quit()) {
+    end_ = "the mission has ended normally";
+  } else if (s.time_s - submerged_s_ >= kSettledAtSurface && abort_ != Abort::None) {
+    end_ = fmt::format("aborted ({}) and at the surface", abortName(abort_));
+  } else if (s.time_s - submerged_s_ >= kSettledAtSurface && layers_.nothingLeftToFly(sbc_gone_)) {
+    end_ = "at the surface, and nothing is left to fly";
+  }
+}
+
+void FlightController::cycle(double now_s, const Ocean& ocean, Vehicle& vehicle,
+                             const GliderByteStream& clothesline) {
+  array_.beginCycle();
+  readSensors(now_s, ocean, vehicle);
+  receive(clothesline);
+  const Situation s = situation(now_s);
+  const Commands commands = decide(s);
+  noteOrder();
+  control(commands, s, vehicle);
+  judgeEnd(s);
+  send(clothesline);
+  ++cycles_;
+}
+
+}  // namespace glider::simulator

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "hooks/clothesline/clothesline.h"
+#include "simulator/flight/dynamic_control.h"
+#include "simulator/flight/layered_control.h"
+#include "simulator/flight/navigator.h"
+#include "simulator/sensors/altimeter.h"
+#include "simulator/sensors/attitude_sensor.h"
+#include "simulator/sensors/depth_sensor.h"
+#include "simulator/sensors/gps.h"
+#include "simulator/sensors/settings.h"
+
+#include <limits>
+#include <string>
+
+namespace glider::simulator {
+
+/// The instruction of the SBC that hookbeh obeys, for the trace. NaN: none.
+struct HookOrder {
+  double vertical = std::numeric_limits<double>::quiet_NaN();
+  double depth_m = std::numeric_limits<double>::quiet_NaN();
+  double top_m = std::numeric_limits<double>::quiet_NaN();     ///< target of the last ascend
+  double bottom_m = std::numeric_limits<double>::quiet_NaN();  ///< target of the last descend
+};
+
+/// The flight controller: every four seconds sensors → layered control → dynamic control → devices
+/// → clothesline.
+class FlightController {
+ public:
+  FlightController(const platforms::Platform& platform, const slocum::MissionFile& mission,
+                   const SensorSettings& sensors, uint64_t seed, const LocalFrame& frame,
+                   Journal& journal);
+
+  /// The control cycle at time `now_s` of the mission.
+  void cycle(double now_s, const Ocean& ocean, Vehicle& vehicle,
+             const GliderByteStream& clothesline);
+
+  [[nodiscard]] const SensorArray& array() const { return array_; }
+  [[nodiscard]] const HookOrder& order() const { return order_; }
+  [[nodiscard]] bool hookActive() const;
+  [[nodiscard]] bool hasHookbeh() const { return layers_.hookbeh() != nullptr; }
+  /// The behaviour that commands the pitch, by its place in the mission file; kNoLayer after an
+  /// abort.
+  [[nodiscard]] int layer() const { return layer_; }
+  /// Why the mission is over; empty while it is not.
+  [[nodiscard]] const std::string& end() const { return end_; }
+  /// Ends the mission at the surface when nothing is left to fly; `sbc_gone`: the SBC will not come
+  /// back.
+  void noteSbcGone(bool sbc_gone) { sbc_gone_ = sbc_gone; }
+
+ private:
+  void readSensors(double now_s, const Ocean& ocean, const Vehicle& vehicle);
+  void receive(const GliderByteStream& clothesline);
+  void send(const GliderByteStream& clothesline);
+  [[nodiscard]] Situation situation(double now_s);
+  void noteOrder();
+  void startAbort(Abort abort, const std::string& why, double now_s);
+  [[nodiscard]] Commands decide(const Situation& situation);
+  void control(const Commands& commands, const Situation& situation, Vehicle& vehicle);
+  void judgeEnd(const Situation& situation);
+
+  SensorArray array_;
+  Navigator navigator_;
+  DepthSensor depth_sensor_;
+  AttitudeSensor attitude_;
+  Altimeter altimeter_;
+  Gps gps_;
+  LayeredControl layers_;
+  DynamicControl dynamics_;
+  hooks::Clothesline clothesline_;
+  Journal& journal_;
+  double cycle_s_;
+
+  uint32_t cycles_ = 0;
+  double last_depth_ = 0, surfaced_s_ = 0, submerged_s_ = 0;
+  bool has_fix_ = false;
+  Abort abort_ = Abort::None;
+  HookOrder order_;
+  double ordered_sequence_ = std::numeric_limits<double>::quiet_NaN();
+  int layer_ = kNoLayer;
+  bool sbc_gone_ = false;
+  std::string end_;
+};
+
+}  // namespace glider::simulator

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "simulator/flight/layered_control.h"
+
+#include <algorithm>
+#include <ranges>
+
+namespace glider::simulator {
+
+LayeredControl::LayeredControl(const slocum::MissionFile& mission) {
+  for (size_t i = 0; i < mission.behaviours.size(); ++i) {
+    auto behaviour = makeBehaviour(mission.behaviours[i]);
+    if (behaviour == nullptr) {
+      continue;  // checkSkeleton has warned
+    }
+    if (auto* hookbeh = dynamic_cast<HookbehAdapter*>(behaviour.get())) {
+      hookbeh_ = hookbeh;
+    }
+    layers_.push_back({std::move(behaviour), static_cast<int>(i)});
+  }
+}
+
+void LayeredControl::tell(Layer& layer, double time_s, Journal& journal) {
+  layer.behaviour->tell(time_s, journal);
+  // What is always active tells of itself, if at all.
+  const std::string& name = layer.behaviour->name();
+  const bool quiet = name == "abend" || name == "hookbeh";
+  const Behaviour::State now = layer.behaviour->state();
+  if (now != layer.told && !quiet) {
+    const char* what = now == Behaviour::State::Active     ? "started"
+                       : now == Behaviour::State::Complete ? "completed"
+                                                           : "done, waits for its next start";
+    journal.add(time_s, "behaviour", name + " " + what);
+  }
+  layer.told = now;
+}
+
+LayeredControl::Decision LayeredControl::cycle(const Situation& situation, Journal& journal) {
+  Decision decision;
+  for (Layer& layer : layers_ | std::views::reverse) {
+    decision.commands.layer = layer.number;
+    layer.behaviour->run(situation, decision.commands);
+    tell(layer, situation.time_s, journal);
+    if (decision.abort == Abort::None) {
+      decision.abort = layer.behaviour->abort(decision.why);
+    }
+  }
+  for (Layer& layer : layers_) {
+    const Commands& c = decision.commands;
+    layer.behaviour->noteOverridden(c.pitch_layer != layer.number || c.pump_layer != layer.number);
+  }
+  if (decision.abort == Abort::None && !quit()) {
+    decision.abort = decision.commands.idleAbort();
+    decision.why = "nothing commands what is idle";
+  }
+  return decision;
+}
+
+bool LayeredControl::quit() const {
+  return std::ranges::any_of(layers_,
+                             [](const Layer& layer) { return layer.behaviour->endsMission(); });
+}
+
+bool LayeredControl::nothingLeftToFly(bool sbc_gone) const {
+  return std::ranges::all_of(layers_, [&](const Layer& layer) {
+    const Behaviour& behaviour = *layer.behaviour;
+    if (&behaviour == hookbeh_) {
+      const hooks::HookState state = hookbeh_->hookState();
+      return state == hooks::HookState::Complete || (sbc_gone && state != hooks::HookState::Active);
+    }
+    return behaviour.flies() ? behaviour.state() == Behaviour::State::Complete
+                             : !behaviour.atWork();
+  });
+}
+
+}  // namespace glider::simulator

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "simulator/flight/behaviour.h"
+#include "simulator/flight/behaviours/hookbeh_adapter.h"
+
+#include <memory>
+#include <vector>
+
+namespace glider::simulator {
+
+/// The behaviours of a mission in layers: the first of the file has the highest priority. In each
+/// cycle they run from the last to the first, and later runners overwrite, so that a behaviour's
+/// start condition sees what those below command.
+class LayeredControl {
+ public:
+  explicit LayeredControl(const slocum::MissionFile& mission);
+
+  struct Decision {
+    Commands commands;
+    Abort abort = Abort::None;
+    std::string why;
+  };
+  Decision cycle(const Situation& situation, Journal& journal);
+
+  /// True when a behaviour has ended the mission.
+  [[nodiscard]] bool quit() const;
+  /// True when no behaviour that flies can ever fly again; `sbc_gone`: nor can the SBC take control
+  /// anew.
+  [[nodiscard]] bool nothingLeftToFly(bool sbc_gone) const;
+  /// The mission's hookbeh; null without one.
+  [[nodiscard]] const HookbehAdapter* hookbeh() const { return hookbeh_; }
+
+ private:
+  struct Layer {
+    std::unique_ptr<Behaviour> behaviour;
+    int number = 0;                                     ///< place in the mission file
+    Behaviour::State told = Behaviour::State::Waiting;  ///< what the journal knows
+  };
+  static void tell(Layer& layer, double time_s, Journal& journal);
+
+  std::vector<Layer> layers_;
+  HookbehAdapter* hookbeh_ = nullptr;
+};
+
+}  // namespace glider::simulator

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "simulator/flight/navigator.h"
+
+#include "simulator/flight/position.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace glider::simulator {
+namespace {
+
+// Nearer to level than this the speed cannot be told from depth rate and pitch: the last one is
+// kept.
+constexpr double kLeastPitch = 11 * std::numbers::pi / 180;
+constexpr double kMostSpeed = 0.8;  // m/s; what lies above is an inflection, not flight
+
+}  // namespace
+
+GeoPosition LocalFrame::position(double x, double y) const {
+  GeoPosition out;
+  double height = 0;
+  frame_.Reverse(x, y, 0, out.latitude_deg, out.longitude_deg, height);
+  return out;
+}
+
+void LocalFrame::locate(GeoPosition position, double& x, double& y) const {
+  double up = 0;
+  frame_.Forward(position.latitude_deg, position.longitude_deg, 0, x, y, up);
+}
+
+void Navigator::reckon(double depth_rate, double pitch, double heading, bool at_surface,
+                       double seconds) {
+  if (at_surface) {
+    speed_ = 0;
+  } else if (std::fabs(pitch) >= kLeastPitch) {
+    const double speed = -depth_rate / std::tan(pitch);
+    speed_ = speed >= 0 && speed <= kMostSpeed ? speed : speed_;
+  }
+  x_ += speed_ * std::sin(heading) * seconds;
+  y_ += speed_ * std::cos(heading) * seconds;
+}
+
+void Navigator::toWaypoint(double latitude_ddmm, double longitude_ddmm, double& distance,
+                           double& bearing) const {
+  double x = 0, y = 0;
+  frame_.locate({fromDdmm(latitude_ddmm), fromDdmm(longitude_ddmm)}, x, y);
+  distance = std::hypot(x - x_, y - y_);
+  const double angle = std::atan2(x - x_, y - y_);
+  bearing = angle < 0 ? angle + 2 * std::numbers::pi : angle;
+}
+
+}  // namespace glider::simulator

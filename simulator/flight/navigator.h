@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "simulator/sensors/gps.h"
+
+#include <GeographicLib/LocalCartesian.hpp>
+
+#include <optional>
+
+namespace glider::simulator {
+
+struct GeoPosition {
+  double latitude_deg = 0, longitude_deg = 0;
+};
+
+/// Metres east and north of a place on the ellipsoid, to degrees and back.
+class LocalFrame {
+ public:
+  LocalFrame(double latitude_deg, double longitude_deg) : frame_(latitude_deg, longitude_deg) {}
+  [[nodiscard]] GeoPosition position(double x, double y) const;
+  /// x and y of a position.
+  void locate(GeoPosition position, double& x, double& y) const;
+
+ private:
+  GeographicLib::LocalCartesian frame_;
+};
+
+/// Dead reckoning: horizontal speed from depth rate and pitch, as the vehicle does with an angle of
+/// attack of 0; a GPS fix sets it right.
+class Navigator {
+ public:
+  explicit Navigator(const LocalFrame& frame) : frame_(frame) {}
+
+  /// One control cycle of `seconds`.
+  void reckon(double depth_rate, double pitch, double heading, bool at_surface, double seconds);
+  void fix(Gps::Fix fix) { x_ = fix.x, y_ = fix.y; }
+
+  [[nodiscard]] double x() const { return x_; }
+  [[nodiscard]] double y() const { return y_; }
+  [[nodiscard]] double speed() const { return speed_; }  ///< horizontal, through the water
+  [[nodiscard]] GeoPosition position() const { return frame_.position(x_, y_); }
+  /// Distance and bearing (0…2 pi) from the reckoned position to a waypoint in ddmm.mmmm.
+  void toWaypoint(double latitude_ddmm, double longitude_ddmm, double& distance,
+                  double& bearing) const;
+
+ private:
+  const LocalFrame& frame_;
+  double x_ = 0, y_ = 0, speed_ = 0;
+};
+
+}  // namespace glider::simulator

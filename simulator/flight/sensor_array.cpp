@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "simulator/flight/sensor_array.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace glider::simulator {
+
+SensorArray::SensorArray(const platforms::Platform& platform)
+    : values_(platform.sensors.size(), std::numeric_limits<double>::quiet_NaN()),
+      fresh_(platform.sensors.size(), 0) {
+  for (const auto& sensor : platform.sensors) {
+    bytes_.push_back(sensor.bytes);
+    science_.push_back(sensor.computer == platforms::Computer::Science ? 1 : 0);
+  }
+}
+
+void SensorArray::set(uint16_t id, double value) {
+  if (id >= values_.size()) {
+    return;  // a number from the line that this vehicle does not have
+  }
+  constexpr double kLowest = -128, kHighest = 127;
+  if (bytes_[id] == 4) {
+    value = static_cast<double>(static_cast<float>(value));
+  } else if (bytes_[id] == 1 && !std::isnan(value)) {
+    value = std::clamp(std::nearbyint(value), kLowest, kHighest);
+  }
+  values_[id] = value;
+  fresh_[id] = 1;
+}
+
+void SensorArray::beginCycle() {
+  std::ranges::fill(fresh_, uint8_t{0});
+}
+
+}  // namespace glider::simulator

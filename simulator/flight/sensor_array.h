@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "platforms/load/platform.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace glider::simulator {
+
+/// The flight controller's data memory: every sensor of the platform by its number, as its width
+/// can hold it.
+class SensorArray {
+ public:
+  explicit SensorArray(const platforms::Platform& platform);
+
+  /// Stores `value` as the sensor's width holds it and marks it fresh. NaN is stored as never set.
+  void set(uint16_t id, double value);
+  /// NaN when never set.
+  [[nodiscard]] double get(uint16_t id) const { return values_[id]; }
+  /// Set since beginCycle.
+  [[nodiscard]] bool fresh(uint16_t id) const { return fresh_[id] != 0; }
+  void beginCycle();
+  [[nodiscard]] uint16_t size() const { return static_cast<uint16_t>(values_.size()); }
+  /// True for a sensor of the science computer.
+  [[nodiscard]] bool ofScience(uint16_t id) const { return science_[id] != 0; }
+
+ private:
+  std::vector<double> values_;
+  std::vector<uint8_t> bytes_, fresh_, science_;
+};
+
+}  // namespace glider::simulator

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "simulator/flight/sensor_array.h"
+
+namespace glider::simulator {
+
+/// What behaviours know in one control cycle. NaN for what is not known.
+struct Situation {
+  double time_s = 0;  ///< of the mission
+  double depth_m = 0;
+  double depth_rate_mps = 0;  ///< positive when sinking
+  double altitude_m = 0;
+  double voltage = 0;
+  double latitude_ddmm = 0, longitude_ddmm = 0;
+  double waypoint_distance_m = 0;  ///< to the waypoint in force in the last cycle
+  double silent_s = 0;             ///< since the vehicle was last at the surface
+  bool at_surface = false;
+  bool gps_fix = false;
+  SensorArray* array = nullptr;
+};
+
+/// Shallower than this the vehicle counts as at the surface.
+constexpr double kSurfaceDepth = 0.5;  // m
+
+}  // namespace glider::simulator

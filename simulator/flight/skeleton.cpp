@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "simulator/flight/skeleton.h"
+
+#include "slocum/mission_files/behaviour_catalogue.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace glider::simulator {
+
+using support::DiagnosticEngine;
+using support::DiagnosticId;
+
+namespace {
+
+/// Behaviours that command neither heading nor pitch nor pump: their work is always done in this
+/// simulator.
+struct Idle {
+  std::string_view name, why;
+};
+constexpr auto kIdle = std::to_array<Idle>({
+    {"sample", "the simulated CTD always samples"},
+    {"sensors_in", "every simulated sensor is always on"},
+    {"prepare_to_dive", "the simulated vehicle starts with a fix"},
+});
+
+/// The codes that this simulator models for an enumerated b_arg.
+struct Codes {
+  std::string_view behaviour, argument;
+  std::vector<int> codes;
+};
+const std::vector<int> kStart = {0, 1, 2, 3, 4, 5, 6, 7, 9, 12};
+const std::vector<int> kStop = {1, 2, 3, 4, 5, 7, 9};
+const std::vector<int> kFlag = {0, 1};
+const std::vector<int> kPump = {2};
+const std::vector<int> kPitch = {1, 2, 3};
+const std::vector<int> kEnd = {0, 2};
+const auto kCodes = std::to_array<Codes>({
+    {"surface", "start_when", kStart},
+    {"surface", "end_action", {0, 1, 2}},
+    {"surface", "c_use_bpump", {2, 3}},
+    {"surface", "c_use_pitch", kPitch},
+    {"yo", "start_when", kStart},
+    {"yo", "end_action", kEnd},
+    {"yo", "stop_when", {5}},
+    {"yo", "start_diving", kFlag},
+    {"yo", "d_use_bpump", kPump},
+    {"yo", "c_use_bpump", kPump},
+    {"yo", "d_use_pitch", kPitch},
+    {"yo", "c_use_pitch", kPitch},
+    {"yo", "d_use_thruster", {0}},
+    {"yo", "c_use_thruster", {0}},
+    {"set_heading", "start_when", kStart},
+    {"set_heading", "stop_when", kStop},
+    {"set_heading", "end_action", kEnd},
+    {"set_heading", "use_heading", {1, 4}},
+    {"goto_wpt", "start_when", kStart},
+    {"goto_wpt", "stop_when", kStop},
+    {"goto_wpt", "end_action", kEnd},
+    {"goto_wpt", "wpt_units", {2}},
+});
+
+/// Bounds of a number.
+struct Bounds {
+  std::string_view behaviour, argument;
+  double lowest, highest;
+};
+constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+constexpr double kSteep = 1.2;  // rad
+constexpr auto kBounds = std::to_array<Bounds>({
+    {"yo", "num_half_cycles_to_do", -1, 1e6},
+    {"yo", "d_target_depth", 0, 2000},
+    {"yo", "c_target_depth", 0, 2000},
+    {"yo", "d_pitch_value", -kSteep, kSteep},
+    {"yo", "c_pitch_value", -kSteep, kSteep},
+    {"surface", "c_pitch_value", -kSteep, kSteep},
+    {"surface", "gps_wait_time", 0, kNoLimit},
+    {"surface", "keystroke_wait_time", 0, kNoLimit},
+    {"goto_wpt", "wpt_x", -18000, 18000},
+    {"goto_wpt", "wpt_y", -9000, 9000},
+    {"hookbeh", "start_secs", 0, kNoLimit},
+    {"hookbeh", "max_depth", 1, 2000},
+    {"hookbeh", "max_pitch", 0.1, kSteep},
+    {"hookbeh", "min_pitch", 0, kSteep},
+    {"hookbeh", "silence_secs", 8, 3600},
+    {"hookbeh", "hold_secs", 0, 3600},
+    {"hookbeh", "d_bpump_value", -1000, 0},
+    {"hookbeh", "c_bpump_value", 0, 1000},
+});
+
+std::string listOf(const std::vector<int>& codes) {
+  std::string out = "it is one of ";
+  const char* separator = "";
+  for (const int code : codes) {
+    out += separator + std::to_string(code);
+    separator = ", ";
+  }
+  return out;
+}
+
+/// The behaviours that this simulator flies.
+std::string flown() {
+  std::string out;
+  for (const auto& known : slocum::knownBehaviours()) {
+    out += (out.empty() ? "`" : ", `") + std::string(known.name) + "`";
+  }
+  return out;
+}
+
+void refuse(const slocum::BehaviourBlock& block, const slocum::Setting& given,
+            const std::string& why, DiagnosticEngine& diagnostics) {
+  diagnostics.report(DiagnosticId::argumentValue, given.value_range, given.name, given.value, why)
+      .note(block.range, "in this behaviour");
+}
+
+void checkValues(const slocum::BehaviourBlock& block, DiagnosticEngine& diagnostics) {
+  for (const slocum::Setting& given : block.arguments) {
+    for (const Codes& row : kCodes) {
+      const auto isValue = [&](int code) { return given.value == code; };
+      if (row.behaviour == block.name && row.argument == given.name &&
+          std::ranges::none_of(row.codes, isValue)) {
+        refuse(block, given, listOf(row.codes), diagnostics);
+      }
+    }
+    for (const Bounds& row : kBounds) {
+      const bool within = given.value >= row.lowest && given.value <= row.highest;
+      if (row.behaviour == block.name && row.argument == given.name && !within) {
+        refuse(block, given, fmt::format("it must be between {} and {}", row.lowest, row.highest),
+               diagnostics);
+      }
+    }
+  }
+}
+
+void checkBehaviour(const slocum::BehaviourBlock& block, DiagnosticEngine& diagnostics) {
+  if (const auto idle = std::ranges::find(kIdle, block.name, &Idle::name); idle != kIdle.end()) {
+    diagnostics.report(DiagnosticId::behaviourWithoutEffect, block.range, block.name, idle->why);
+    return;
+  }
+  if (slocum::findBehaviour(block.name) == nullptr) {
+    diagnostics.report(DiagnosticId::unknownBehaviour, block.range, block.name, flown());
+    return;
+  }
+  slocum::checkArguments(block, diagnostics);
+  checkValues(block, diagnostics);
+}
+
+}  // namespace
+
+void checkSkeleton(const slocum::MissionFile& mission, support::SourceRange place,
+                   DiagnosticEngine& diagnostics) {
+  if (mission.behaviours.empty()) {
+    diagnostics.report(DiagnosticId::noBehaviours, place);
+  }
+  for (const slocum::Setting& sensor : mission.sensors) {
+    diagnostics.report(DiagnosticId::sensorWithoutEffect, sensor.name_range, sensor.name);
+  }
+  const slocum::BehaviourBlock* hookbeh = nullptr;
+  for (const slocum::BehaviourBlock& block : mission.behaviours) {
+    checkBehaviour(block, diagnostics);
+    if (block.name == "hookbeh" && hookbeh != nullptr) {
+      diagnostics.report(DiagnosticId::duplicateArgument, block.range, block.name)
+          .note(hookbeh->range, "the first is here");
+    }
+    hookbeh = block.name == "hookbeh" ? &block : hookbeh;
+  }
+}
+
+}  // namespace glider::simulator

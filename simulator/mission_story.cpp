@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "simulator/mission_story.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace glider::simulator {
+
+using Kind = hooks::HookprogEvent::Kind;
+
+namespace {
+
+/// GliderTransition, as the notice carries it.
+constexpr std::array<const char*, 5> kTransitions = {"goto", "call", "return", "exit", "stay"};
+constexpr uint32_t kExit = 3;
+
+}  // namespace
+
+std::string MissionStory::stateName(uint32_t state) const {
+  return state < state_names_.size() ? state_names_[state] : fmt::format("state {}", state);
+}
+
+void MissionStory::learnOrigin(double cycle_s, const hooks::Hookprog::SbcView& view,
+                               bool in_control) {
+  constexpr uint8_t kFlying = 1;
+  flying_ = in_control && view.known && view.phase == kFlying;
+  if (!flying_) {
+    origin_s_ = in_control ? origin_s_ : std::numeric_limits<double>::infinity();
+    return;
+  }
+  state_ = view.state;
+  // What the SBC says lags behind the cycle that it answers, never ahead: the least difference is
+  // the true one.
+  origin_s_ = std::min(origin_s_, cycle_s - view.mission_time_s);
+}
+
+std::string MissionStory::why(const hooks::HookprogEvent& event, const ScienceComputer& science,
+                              const FlightController& flight) const {
+  if (!explain_) {
+    return "";
+  }
+  const GuardText text = explain_(event.b, event.d);
+  std::string values;
+  for (const uint16_t id : text.sensors) {
+    if (id >= platform_.sensors.size()) {
+      continue;
+    }
+    const auto& sensor = platform_.sensors[id];
+    const bool of_science = sensor.computer == platforms::Computer::Science;
+    const double value = of_science ? science.value(id) : flight.array().get(id);
+    values += fmt::format("{}{} {:.6g}{}{}", values.empty() ? "" : ", ",
+                          sensor.alias.empty() ? sensor.name : sensor.alias, value,
+                          sensor.unit == "1" ? "" : " ", sensor.unit == "1" ? "" : sensor.unit);
+  }
+  return values.empty() ? text.guard : fmt::format("{} ({})", text.guard, values);
+}
+
+void MissionStory::transition(double now_s, const hooks::HookprogEvent& event,
+                              const ScienceComputer& science, const FlightController& flight,
+                              Journal& journal) const {
+  const double time =
+      std::isfinite(origin_s_) ? std::min(now_s, origin_s_ + event.mission_time_s) : now_s;
+  const char* kind = event.a < kTransitions.size() ? kTransitions[event.a] : "?";
+  const std::string to = event.a == kExit ? "end" : stateName(event.c);
+  journal.add(time, "transition", fmt::format("{} → {} ({})", stateName(event.b), to, kind),
+              why(event, science, flight));
+  journal.events().back().mission_time_s = event.mission_time_s;
+}
+
+void MissionStory::follow(double now_s, double cycle_s, ScienceComputer& science,
+                          const FlightController& flight, Journal& journal) {
+  learnOrigin(cycle_s, science.sbc(), flight.hookActive());
+  for (auto event = science.nextEvent(); event.kind != Kind::None; event = science.nextEvent()) {
+    switch (event.kind) {
+      case Kind::None:
+        break;
+      case Kind::SbcHello:
+        journal.add(now_s, "link", fmt::format("the SBC answers: mission {}", event.text));
+        break;
+      case Kind::SbcLost:
+        journal.add(now_s, "link", "hookprog has no answer from the SBC", "none for 12 s");
+        break;
+      case Kind::SbcTransition:
+        transition(now_s, event, science, flight, journal);
+        break;
+      case Kind::BadFrame:
+        journal.add(now_s, "link", fmt::format("{} damaged frames on the serial lines", event.a));
+        break;
+      case Kind::SbcRefused:
+        journal.add(now_s, "link", "hookprog refuses the SBC",
+                    fmt::format("it speaks protocol {}, or its sensor list differs", event.a));
+        break;
+      case Kind::RefusedWrite:
+        journal.add(now_s, "hook", fmt::format("the SBC may not write sensor {}", event.a));
+        break;
+    }
+  }
+}
+
+}  // namespace glider::simulator

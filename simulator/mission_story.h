@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "hooks/hookprog/hookprog.h"
+#include "platforms/load/platform.h"
+#include "simulator/flight/flight_controller.h"
+#include "simulator/science/science_computer.h"
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace glider::simulator {
+
+/// Follows the SBC's mission through what hookprog sees of it: which state, since when, why it
+/// changed.
+class MissionStory {
+ public:
+  MissionStory(const platforms::Platform& platform, const std::vector<std::string>& state_names,
+               const GuardResolver& explain)
+      : platform_(platform), state_names_(state_names), explain_(explain) {}
+
+  /// After each science cycle: takes hookprog's news into `journal`. `cycle_s` is the time of the
+  /// newest control cycle.
+  void follow(double now_s, double cycle_s, ScienceComputer& science,
+              const FlightController& flight, Journal& journal);
+
+  /// True while the mission is known to be in control.
+  [[nodiscard]] bool flying() const { return flying_; }
+  /// Mission time in the control cycle at `time_s`.
+  [[nodiscard]] double missionTime(double time_s) const { return time_s - origin_s_; }
+  [[nodiscard]] uint32_t state() const { return state_; }
+  [[nodiscard]] std::string stateName(uint32_t state) const;
+
+ private:
+  void learnOrigin(double cycle_s, const hooks::Hookprog::SbcView& view, bool in_control);
+  void transition(double now_s, const hooks::HookprogEvent& event, const ScienceComputer& science,
+                  const FlightController& flight, Journal& journal) const;
+  [[nodiscard]] std::string why(const hooks::HookprogEvent& event, const ScienceComputer& science,
+                                const FlightController& flight) const;
+
+  const platforms::Platform& platform_;
+  const std::vector<std::string>& state_names_;
+  const GuardResolver& explain_;
+  bool flying_ = false;
+  uint32_t state_ = 0;
+  double origin_s_ = std::numeric_limits<double>::infinity();  ///< vehicle time at mission time 0
+};
+
+}  // namespace glider::simulator

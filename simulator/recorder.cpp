@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "simulator/recorder.h"
+
+#include "simulator/flight/position.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace glider::simulator {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+/// What a row is made from.
+struct Moment {
+  double now_s;
+  const FlightController& flight;
+  const ScienceComputer& science;
+  const Vehicle& vehicle;
+  GeoPosition truth;
+  double isotherm_m, water_depth_m;
+
+  [[nodiscard]] double get(uint16_t id) const { return flight.array().get(id); }
+};
+
+struct Column {
+  const char* name;
+  const char* unit;
+  double (*value)(const Moment& m);
+};
+
+// missiontime and state are filled in by Recorder::mission.
+#define COLUMN(name, unit, value) \
+  {name, unit, []([[maybe_unused]] const Moment& m) -> double { return value; }}
+constexpr Column kColumns[] = {
+    COLUMN("time", "s", m.now_s),
+    COLUMN("missiontime", "s", kNaN),
+    COLUMN("state", "id", kNaN),
+    COLUMN("m_depth", "m", m.get(GLIDER_M_DEPTH)),
+    COLUMN("true_depth", "m", m.vehicle.depth()),
+    COLUMN("m_pitch", "rad", m.get(GLIDER_M_PITCH)),
+    COLUMN("c_pitch", "rad", m.get(GLIDER_C_PITCH)),
+    COLUMN("m_heading", "rad", m.get(GLIDER_M_HEADING)),
+    COLUMN("c_heading", "rad", m.get(GLIDER_C_HEADING)),
+    COLUMN("m_lat", "deg", fromDdmm(m.get(GLIDER_M_LAT))),
+    COLUMN("m_lon", "deg", fromDdmm(m.get(GLIDER_M_LON))),
+    COLUMN("true_lat", "deg", m.truth.latitude_deg),
+    COLUMN("true_lon", "deg", m.truth.longitude_deg),
+    COLUMN("m_x_lmc", "m", m.get(GLIDER_M_X_LMC)),
+    COLUMN("m_y_lmc", "m", m.get(GLIDER_M_Y_LMC)),
+    COLUMN("true_x", "m", m.vehicle.x()),
+    COLUMN("true_y", "m", m.vehicle.y()),
+    COLUMN("sci_water_temp", "degC", m.science.value(GLIDER_SCI_WATER_TEMP)),
+    COLUMN("m_ballast_pumped", "cc", m.get(GLIDER_M_BALLAST_PUMPED)),
+    COLUMN("c_ballast_pumped", "cc", m.get(GLIDER_C_BALLAST_PUMPED)),
+    COLUMN("m_battery", "V", m.get(GLIDER_M_BATTERY)),
+    COLUMN("m_depth_rate", "m/s", m.get(GLIDER_M_DEPTH_RATE)),
+    COLUMN("hook_active", "", m.flight.hookActive() ? 1 : 0),
+    COLUMN("hook_vertical", "", m.flight.order().vertical),
+    COLUMN("hook_depth", "m", m.flight.order().depth_m),
+    COLUMN("order_top", "m", m.flight.order().top_m),
+    COLUMN("order_bottom", "m", m.flight.order().bottom_m),
+    COLUMN("isotherm_depth", "m", m.isotherm_m),
+    COLUMN("water_depth", "m", m.water_depth_m),
+    COLUMN("layer", "", m.flight.layer() == kNoLayer ? kNaN : m.flight.layer()),
+};
+#undef COLUMN
+
+constexpr size_t kMissionTimeColumn = 1, kStateColumn = 2;
+constexpr size_t kMostTimes = 400, kDepths = 80;
+
+}  // namespace
+
+Recorder::Recorder(support::Trace& trace, const Ocean& ocean, const LocalFrame& frame,
+                   double isotherm_degC)
+    : trace_(trace), ocean_(ocean), frame_(frame), isotherm_(isotherm_degC) {
+  for (const Column& column : kColumns) {
+    trace_.columns.push_back({column.name, column.unit});
+  }
+}
+
+void Recorder::row(double now_s, const FlightController& flight, const ScienceComputer& science,
+                   const Vehicle& vehicle) {
+  const double x = vehicle.x(), y = vehicle.y();
+  const double isotherm =
+      std::isnan(isotherm_) ? kNaN : ocean_.isothermDepth(isotherm_, x, y, now_s);
+  const Moment moment{
+      now_s, flight, science, vehicle, frame_.position(x, y), isotherm, ocean_.waterDepth(x, y)};
+  for (const Column& column : kColumns) {
+    trace_.rows.push_back(column.value(moment));
+  }
+}
+
+void Recorder::mission(double mission_time_s, uint32_t state) {
+  const size_t first = trace_.rows.size() - trace_.columns.size();
+  trace_.rows[first + kMissionTimeColumn] = mission_time_s;
+  trace_.rows[first + kStateColumn] = state;
+}
+
+void Recorder::field() {
+  const size_t rows = trace_.rowCount();
+  if (rows == 0) {
+    return;
+  }
+  const int time = trace_.column("time"), depth = trace_.column("true_depth");
+  const int x = trace_.column("true_x"), y = trace_.column("true_y");
+  double deepest = 1;
+  for (size_t i = 0; i < rows; ++i) {
+    deepest = std::max(deepest, trace_.at(i, depth));
+  }
+  constexpr double kMargin = 1.15;  // of water below the deepest point
+  const double bottom = std::min(deepest * kMargin + 1, ocean_.waterDepth(0, 0));
+  for (size_t j = 0; j < kDepths; ++j) {
+    trace_.field.depths_m.push_back(bottom * static_cast<double>(j) / (kDepths - 1));
+  }
+  const size_t times = std::min(rows, kMostTimes);
+  for (size_t i = 0; i < times; ++i) {
+    const size_t row = times == 1 ? 0 : i * (rows - 1) / (times - 1);
+    const double t = trace_.at(row, time);
+    trace_.field.times_s.push_back(t);
+    for (const double z : trace_.field.depths_m) {
+      trace_.field.values.push_back(ocean_.temperature(z, trace_.at(row, x), trace_.at(row, y), t));
+    }
+  }
+}
+
+}  // namespace glider::simulator

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "simulator/ocean/ocean.h"
+#include "simulator/sensors/settings.h"
+#include "simulator/vehicle/vehicle.h"
+#include "slocum/mission_files/mission_file.h"
+#include "support/diagnostics/engine.h"
+#include "support/result.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace glider::simulator {
+
+/// A world and a vehicle in it with the mission file that it flies: scenarios/<name>.toml.
+struct Scenario {
+  std::string name;
+  std::string description;
+  uint64_t seed = 1;
+  double latitude_deg = 0, longitude_deg = 0;  ///< of the start
+  double duration_s = 0;                       ///< at most
+  double isotherm_degC = 0;                    ///< NaN: none is marked
+  std::filesystem::path skeleton_path;
+  slocum::MissionFile skeleton;
+  OceanSettings ocean;
+  VehicleSettings vehicle;
+  SensorSettings sensors;
+};
+
+/// Reads and checks scenario `path` and its skeleton mission with its argument files, which lie
+/// beside it. GL9001, GL5001; mistakes in the mission files go to `diagnostics`, then the failure
+/// is GL5120.
+support::Result<Scenario> loadScenario(const std::filesystem::path& path,
+                                       support::SourceManager& sources,
+                                       support::DiagnosticEngine& diagnostics);
+
+}  // namespace glider::simulator

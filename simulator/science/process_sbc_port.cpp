@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "simulator/science/process_sbc_port.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <utility>
+
+namespace glider::simulator {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr int kSlice = 50;  // ms between looks at whether the program still runs
+
+double secondsSince(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// What the child does between fork and exec: only calls that are safe there. `report` takes errno
+/// if exec fails.
+[[noreturn]] void becomeProgram(char* const* arguments, pid_t parent, int report) {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (::getppid() == parent) {
+    const int nowhere = ::open("/dev/null", O_RDWR);
+    ::dup2(nowhere, STDIN_FILENO);
+    ::dup2(nowhere, STDOUT_FILENO);
+    ::execvp(arguments[0], arguments);
+  }
+  const int error = errno;
+  [[maybe_unused]] const ssize_t told = ::write(report, &error, sizeof error);
+  ::_exit(127);
+}
+
+/// Forks and executes; returns the process, or -1 with errno set.
+pid_t spawn(const std::vector<std::string>& command) {
+  std::vector<char*> arguments;
+  for (const std::string& argument : command) {
+    arguments.push_back(const_cast<char*>(argument.c_str()));  // exec does not write to them
+  }
+  arguments.push_back(nullptr);
+  std::array<int, 2> report{};
+  if (::pipe2(report.data(), O_CLOEXEC) != 0) {
+    return -1;
+  }
+  const pid_t parent = ::getpid();
+  const pid_t pid = ::fork();
+  if (pid == 0) {
+    becomeProgram(arguments.data(), parent, report[1]);
+  }
+  int error = pid < 0 ? errno : 0;
+  ::close(report[1]);
+  ssize_t got = 0;
+  while (pid > 0 && (got = ::read(report[0], &error, sizeof error)) < 0 && errno == EINTR) {
+  }
+  ::close(report[0]);
+  if (pid > 0 && got > 0) {
+    ::waitpid(pid, nullptr, 0);
+  }
+  errno = error;
+  return error != 0 ? -1 : pid;
+}
+
+}  // namespace
+
+support::Result<std::unique_ptr<ProcessSbcPort>> ProcessSbcPort::start(
+    std::string way, std::vector<std::string> command, double hang_secs) {
+  auto pty = hooks::Pty::open();
+  if (!pty) {
+    return std::unexpected(pty.error());
+  }
+  for (std::string& argument : command) {
+    if (argument == "{port}") {
+      argument = pty->name();
+    }
+  }
+  if (command.empty()) {
+    return support::fail(support::DiagnosticId::sbcNotStarted, "", "no program is named");
+  }
+  std::unique_ptr<ProcessSbcPort> port(
+      new ProcessSbcPort(std::move(way), std::move(*pty), hang_secs));
+  port->pid_ = spawn(command);
+  if (port->pid_ < 0) {
+    return support::fail(support::DiagnosticId::sbcNotStarted, command.front(),
+                         std::strerror(errno));
+  }
+  return port;
+}
+
+ProcessSbcPort::~ProcessSbcPort() {
+  kill();
+}
+
+void ProcessSbcPort::reap(bool block) {
+  if (pid_ <= 0) {
+    return;
+  }
+  int status = 0;
+  pid_t ended = 0;
+  while ((ended = ::waitpid(pid_, &status, block ? 0 : WNOHANG)) < 0 && errno == EINTR) {
+  }
+  if (ended == 0) {
+    return;
+  }
+  pid_ = 0;
+  if (epitaph_.empty()) {
+    epitaph_ = WIFEXITED(status) ? fmt::format("exited with status {}", WEXITSTATUS(status))
+                                 : fmt::format("ended by signal {}", WTERMSIG(status));
+  }
+}
+
+void ProcessSbcPort::destroy(std::string epitaph) {
+  reap(false);  // if it has just ended by itself, that is what is told
+  if (pid_ > 0) {
+    epitaph_ = std::move(epitaph);
+    ::kill(pid_, SIGKILL);
+    reap(true);
+  }
+}
+
+void ProcessSbcPort::closed() {
+  // A program that ends closes its port a moment before its end can be taken.
+  constexpr double kGraceSecs = 1;
+  constexpr useconds_t kPause = 2000;
+  const auto start = Clock::now();
+  for (reap(false); alive() && secondsSince(start) < kGraceSecs; reap(false)) {
+    ::usleep(kPause);
+  }
+  destroy("closed its serial port");
+}
+
+void ProcessSbcPort::kill() {
+  destroy("killed");
+}
+
+void ProcessSbcPort::read() {
+  std::array<uint8_t, 4096> bytes;
+  const GliderByteStream stream = pty_.stream();
+  int32_t count = 0;
+  while ((count = stream.read(stream.self, bytes.data(), static_cast<uint32_t>(bytes.size()))) >
+         0) {
+    lockstep_.fromSbc(bytes.data(), static_cast<uint32_t>(count));
+    received_.insert(received_.end(), bytes.begin(), bytes.begin() + count);
+    if (!heard_) {
+      heard_ = true;
+      pty_.releaseUserSide();  // from now on the program's end closes the line
+    }
+  }
+  if (count < 0 && alive()) {
+    closed();
+  }
+}
+
+void ProcessSbcPort::wait(bool to_write, int milliseconds) {
+  pollfd poll{pty_.descriptor(), static_cast<short>(POLLIN | (to_write ? POLLOUT : 0)), 0};
+  ::poll(&poll, 1, milliseconds);
+  read();
+  reap(false);
+}
+
+void ProcessSbcPort::deliver(std::span<const uint8_t> bytes, double /*now_s*/) {
+  const GliderByteStream stream = pty_.stream();
+  auto last_progress = Clock::now();
+  while (alive() && !bytes.empty()) {
+    const int32_t taken =
+        stream.write(stream.self, bytes.data(), static_cast<uint32_t>(bytes.size()));
+    if (taken < 0) {
+      closed();
+      return;
+    }
+    if (taken > 0) {
+      lockstep_.toSbc(bytes.data(), static_cast<uint32_t>(taken));
+      bytes = bytes.subspan(static_cast<size_t>(taken));
+      last_progress = Clock::now();
+    } else if (secondsSince(last_progress) > hang_secs_) {
+      destroy("hung");
+    } else {
+      wait(true, kSlice);
+    }
+  }
+}
+
+std::vector<uint8_t> ProcessSbcPort::collect() {
+  const auto start = Clock::now();
+  while (alive() && !lockstep_.settled()) {
+    if (secondsSince(start) > hang_secs_) {
+      destroy("hung");
+    } else {
+      wait(false, kSlice);
+    }
+  }
+  return std::exchange(received_, {});
+}
+
+}  // namespace glider::simulator

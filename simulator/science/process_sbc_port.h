@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "hooks/protocol/lockstep.h"
+#include "hooks/transport/host/pty.h"
+#include "simulator/sbc_port.h"
+#include "support/result.h"
+
+#include <memory>
+#include <string>
+#include <sys/types.h>
+#include <vector>
+
+namespace glider::simulator {
+
+/// An SBC that is a program of its own behind a pseudo-terminal: the host's binary, or a board's
+/// under an emulator.
+class ProcessSbcPort final : public SbcPort {
+ public:
+  /// Seconds of real time without an answer after which the program counts as hung.
+  static constexpr double kHangSecs = 10;
+
+  /// Starts `command`, a program found by PATH and its arguments; the argument "{port}" stands for
+  /// the terminal's name. Its standard output is thrown away. It dies with this process. GL9150
+  /// when it cannot be started, GL9106 without a terminal.
+  static support::Result<std::unique_ptr<ProcessSbcPort>> start(std::string way,
+                                                                std::vector<std::string> command,
+                                                                double hang_secs = kHangSecs);
+  ~ProcessSbcPort() override;
+
+  [[nodiscard]] std::string way() const override { return way_; }
+  void deliver(std::span<const uint8_t> bytes, double now_s) override;
+  std::vector<uint8_t> collect() override;
+  void kill() override;
+  [[nodiscard]] bool alive() const override { return pid_ > 0; }
+  [[nodiscard]] std::string epitaph() const override { return epitaph_; }
+  /// For tests and logs; 0 when it is gone.
+  [[nodiscard]] pid_t pid() const { return pid_; }
+
+ private:
+  ProcessSbcPort(std::string way, hooks::Pty pty, double hang_secs)
+      : way_(std::move(way)), pty_(std::move(pty)), hang_secs_(hang_secs) {}
+  /// Waits up to `milliseconds` for the terminal to be readable, or writable too; reads what is
+  /// there.
+  void wait(bool to_write, int milliseconds);
+  void read();
+  /// Takes the program's end if it has ended; `block` waits for it.
+  void reap(bool block);
+  void destroy(std::string epitaph);
+  /// The program has let go of the terminal: it has ended, or it will be ended.
+  void closed();
+
+  std::string way_;
+  hooks::Pty pty_;
+  double hang_secs_;
+  hooks::Lockstep lockstep_;
+  std::vector<uint8_t> received_;
+  bool heard_ = false;  ///< it has opened the terminal and spoken
+  pid_t pid_ = 0;
+  std::string epitaph_;
+};
+
+}  // namespace glider::simulator

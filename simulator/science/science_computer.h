@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "hooks/hookprog/hookprog.h"
+#include "platforms/load/platform.h"
+#include "platforms/slocum_sensors.h"
+#include "simulator/journal.h"
+#include "simulator/sensors/ctd.h"
+
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace glider::simulator {
+
+/// Explains case `fired_case` of mission state `state`: the guard's text and the platform's numbers
+/// of the sensors in it.
+struct GuardText {
+  std::string guard;
+  std::vector<uint16_t> sensors;
+};
+using GuardResolver = std::function<GuardText(uint32_t state, uint32_t fired_case)>;
+
+/// The science computer: runs the CTD and hookprog once a second.
+class ScienceComputer {
+ public:
+  ScienceComputer(uint64_t seed, const SensorSettings& settings);
+
+  struct Water {
+    double temperature_degC = 0, depth_m = 0;
+  };
+  /// The science cycle at time `now_s`. `sbc` is the 115200 line, `flight` the clothesline.
+  void run(double now_s, const Water& truth, const GliderByteStream& sbc,
+           const GliderByteStream& flight);
+
+  [[nodiscard]] hooks::HookprogEvent nextEvent() { return hookprog_.nextEvent(); }
+  [[nodiscard]] hooks::Hookprog::SbcView sbc() const { return hookprog_.sbc(); }
+  /// The newest good reading of one of its own sensors, NaN before the first.
+  [[nodiscard]] double value(uint16_t id) const { return values_[id]; }
+
+ private:
+  void set(uint16_t id, double value);
+  static double get(void* self, uint16_t id, bool* fresh);
+
+  Ctd ctd_;
+  double conductivity_;
+  hooks::Hookprog hookprog_{{.virtual_time = true}};
+  std::array<double, GLIDER_SENSOR_COUNT> values_;
+  std::array<bool, GLIDER_SENSOR_COUNT> fresh_{};
+};
+
+}  // namespace glider::simulator

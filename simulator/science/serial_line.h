@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "hooks/transport/byte_stream.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+
+namespace glider::simulator {
+
+/// A serial line in virtual time: what one end writes the other end can read once it has arrived,
+/// ten bits a byte (8N1). Both ends point into it, so it must not move.
+class SerialLine {
+ public:
+  /// Bytes that may be under way in each direction: a UART's driver queue.
+  static constexpr size_t kCapacity = 4096;
+
+  explicit SerialLine(double baud) : byte_time_s_(10 / baud) {
+    left_ = {this, &to_left_, &to_right_};
+    right_ = {this, &to_right_, &to_left_};
+  }
+  SerialLine(const SerialLine&) = delete;
+  SerialLine& operator=(const SerialLine&) = delete;
+
+  /// Sets the time; it never goes back.
+  void setNow(double now_s) { now_s_ = now_s; }
+  [[nodiscard]] GliderByteStream left() { return {&left_, read, write}; }
+  [[nodiscard]] GliderByteStream right() { return {&right_, read, write}; }
+
+ private:
+  struct Byte {
+    uint8_t value;
+    double arrives_s;
+  };
+  struct Direction {
+    std::deque<Byte> bytes;
+    double free_s = 0;  ///< when the wire is free again
+  };
+  struct End {
+    SerialLine* line = nullptr;
+    Direction* in = nullptr;
+    Direction* out = nullptr;
+  };
+  static int32_t read(void* self, uint8_t* bytes, uint32_t capacity);
+  static int32_t write(void* self, const uint8_t* bytes, uint32_t count);
+
+  double byte_time_s_;
+  double now_s_ = 0;
+  Direction to_left_, to_right_;
+  End left_, right_;
+};
+
+}  // namespace glider::simulator

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <Random123/philox.h>
+
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
+namespace glider::simulator {
+
+/// The random numbers of one sensor: Philox, counter-based (Salmon et al. 2011,
+/// doi 10.1145/2063384.2063405), so that sensors do not disturb each other and a seed gives the
+/// same flight everywhere.
+class Noise {
+ public:
+  Noise(uint64_t seed, uint32_t stream)
+      : key_{{static_cast<uint32_t>(seed), static_cast<uint32_t>(seed >> 32U)}}, stream_(stream) {}
+
+  /// Gaussian with standard deviation `sd` (Box-Muller).
+  double normal(double sd) {
+    const Draw draw = next();
+    return sd == 0
+               ? 0
+               : sd * std::sqrt(-2 * std::log(draw.a)) * std::cos(2 * std::numbers::pi * draw.b);
+  }
+  /// Even in (0, 1).
+  double uniform() { return next().a; }
+
+ private:
+  struct Draw {
+    double a, b;  ///< both in (0, 1)
+  };
+  Draw next() {
+    const r123::Philox4x32::ctr_type counter{
+        {static_cast<uint32_t>(count_), static_cast<uint32_t>(count_ >> 32U), stream_, 0}};
+    ++count_;
+    const auto bits = r123::Philox4x32()(counter, key_);
+    return {unit(bits[0], bits[1]), unit(bits[2], bits[3])};
+  }
+  static double unit(uint32_t high, uint32_t low) {
+    const uint64_t all = (static_cast<uint64_t>(high) << 32U) | low;
+    return (static_cast<double>(all >> 12U) + 0.5) * 0x1p-52;
+  }
+
+  r123::Philox4x32::key_type key_;
+  uint32_t stream_;
+  uint64_t count_ = 0;
+};
+
+/// The streams, one a sensor.
+enum class NoiseStream : uint32_t { Depth, Pitch, Heading, Altitude, Gps, Temperature, CtdDropout };
+
+}  // namespace glider::simulator

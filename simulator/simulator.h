@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "platforms/load/platform.h"
+#include "simulator/sbc_port.h"
+#include "simulator/scenario/scenario.h"
+#include "simulator/science/science_computer.h"
+#include "support/trace/trace.h"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// The shoe-box simulator: a vehicle in an ocean, its flight controller with a skeleton mission,
+/// its science computer with hookprog, and both serial lines, in virtual time. Needs: platforms,
+/// hooks, slocum/mission_files.
+namespace glider::simulator {
+
+/// How far a flight is.
+struct Progress {
+  double time_s = 0;
+  double duration_s = 0;  ///< at most
+  double depth_m = 0;
+  std::string state;  ///< of the SBC's mission; "" while it is not in control
+};
+
+struct SimulationSetup {
+  platforms::Platform platform;
+  Scenario scenario;
+  std::unique_ptr<SbcPort> sbc;          ///< null: no SBC on board
+  std::string mission_name;              ///< for the trace
+  std::vector<std::string> state_names;  ///< of the SBC's mission, by number
+  GuardResolver explain;                 ///< texts for transitions; may be empty
+  std::optional<uint64_t> seed;          ///< instead of the scenario's
+  std::optional<double> duration_s;      ///< instead of the scenario's
+  std::optional<double> kill_sbc_at_s;   ///< vehicle time at which the SBC loses its power
+  std::function<void(const Progress&)>
+      progress;  ///< called about every 100 s of virtual time; may be empty
+};
+
+/// Flies the mission until it has ended, or is aborted and at the surface, or the time is over. The
+/// trace has a row a control cycle; the same setup gives the same rows, byte for byte. GL5121 when
+/// the platform lacks a sensor.
+support::Result<support::Trace> simulate(SimulationSetup setup);
+
+}  // namespace glider::simulator

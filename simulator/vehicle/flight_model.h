@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+/// The steady flight of a buoyancy glider: Merckelbach et al. 2019, J. Atmos. Oceanic Technol. 36,
+/// 281-296, doi 10.1175/JTECH-D-18-0168.1. Signs: z up, pitch nose up, angle of attack with the
+/// sign of the pitch.
+namespace glider::simulator {
+
+inline constexpr double kGravity = 9.81;  ///< m/s2, as in the source
+
+/// Coefficients with the source's values for a Slocum.
+struct FlightCoefficients {
+  double mass_kg = 65;
+  double hull_volume_m3 = 65.0 / 1025.0;
+  double reference_area_m2 = 0.1;
+  double drag = 0.15;  ///< C_D0
+  double induced_drag =
+      10.4926354534;                ///< C_D1, rad^-2: hull 9.7 + wing a_w^2/(pi e AR), e 0.8, AR 7
+  double wing_lift = 3.7342698373;  ///< a_w, rad^-1: AR 7, sweep 43 deg
+  double hull_lift = 3.8;           ///< a_h, rad^-1
+  double compressibility_per_pa = 5e-10;
+};
+
+/// Below this pitch (magnitude) there is no attached glide: physics of the source ends between 9
+/// and 11 degrees.
+inline constexpr double kStallPitch = 11 * 3.14159265358979323846 / 180;
+
+/// Net upward force (N) in water of `density` (kg/m3) at gauge pressure `pressure` (Pa) with
+/// `pumped` (m3) of buoyancy volume.
+double netBuoyancy(const FlightCoefficients& c, double density, double pressure_pa,
+                   double pumped_m3);
+
+/// Angle of attack (rad) of a glide at `pitch` (rad): the smallest root of the force balance. NaN
+/// where there is none.
+double angleOfAttack(const FlightCoefficients& c, double pitch);
+
+/// A steady flight through the water.
+struct SteadyFlight {
+  double attack = 0;      ///< rad
+  double speed = 0;       ///< m/s along the path
+  double horizontal = 0;  ///< m/s ahead
+  double vertical = 0;    ///< m/s up
+  bool stalled = false;   ///< pitch too shallow, or against the buoyancy: sinks or rises broadside
+};
+
+/// The flight that balances the net force `buoyancy` (N up) at `pitch` in water of `density`.
+SteadyFlight steadyFlight(const FlightCoefficients& c, double pitch, double buoyancy,
+                          double density);
+
+}  // namespace glider::simulator

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <algorithm>
+
+namespace glider::simulator {
+
+/// A motor that moves at a constant rate between two stops.
+struct RateLimited {
+  double position = 0;
+  double target = 0;
+  double rate = 1;  ///< per s
+  double lowest = 0;
+  double highest = 0;
+
+  /// Moves for `seconds`; returns how far.
+  double step(double seconds) {
+    const double wanted = std::clamp(target, lowest, highest);
+    const double moved = std::clamp(wanted - position, -rate * seconds, rate * seconds);
+    position += moved;
+    return moved;
+  }
+};
+
+}  // namespace glider::simulator

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "slocum/mission_files/mission_file.h"
+#include "support/diagnostics/engine.h"
+
+#include <filesystem>
+#include <string>
+
+namespace glider::slocum {
+
+/// The vehicle's name for argument file `number` of `behaviour`: its first six letters and two
+/// digits, "goto_l10.ma".
+std::string argumentFileName(std::string_view behaviour, int number);
+
+/// Reads the .ma file of every behaviour whose `args_from_file` is 0 or more from `folder`; what it
+/// sets goes before what the mission file says, as on the vehicle. GL5107 for a number that is
+/// none, GL5113, and the diagnostics of readArguments; a file that is not there is GL9001.
+void applyArgumentFiles(MissionFile& mission, const std::filesystem::path& folder,
+                        support::SourceManager& sources, support::DiagnosticEngine& diagnostics);
+
+}  // namespace glider::slocum

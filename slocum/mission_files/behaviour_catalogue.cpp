@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "slocum/mission_files/behaviour_catalogue.h"
+
+#include "support/check.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace glider::slocum {
+
+using support::DiagnosticId;
+
+namespace {
+
+constexpr double NEEDED = std::numeric_limits<double>::quiet_NaN();
+
+struct Row {
+  std::string_view behaviour;  ///< empty in an argument's row
+  KnownArgument argument;
+};
+
+constexpr auto kRows = std::to_array<Row>({
+#define BEHAVIOUR(name) {#name, {}},
+#define ARGUMENT(name, unit, fallback) {{}, {#name, #unit, fallback}},
+#include "slocum/mission_files/behaviours.def"
+#undef BEHAVIOUR
+#undef ARGUMENT
+});
+
+struct Catalogue {
+  std::vector<KnownArgument> arguments;
+  std::vector<KnownBehaviour> behaviours;
+
+  Catalogue() {
+    arguments.reserve(kRows.size());  // the spans below stay valid
+    for (const Row& row : kRows) {
+      if (!row.behaviour.empty()) {
+        behaviours.push_back({row.behaviour, {arguments.data() + arguments.size(), 0}});
+        continue;
+      }
+      arguments.push_back(row.argument);
+      auto& list = behaviours.back().arguments;
+      list = {list.data(), list.size() + 1};
+    }
+  }
+};
+
+/// Number of single-letter changes between two names, for "did you mean".
+size_t distance(std::string_view a, std::string_view b) {
+  std::vector<size_t> row(b.size() + 1);
+  for (size_t j = 0; j <= b.size(); ++j) {
+    row[j] = j;
+  }
+  for (size_t i = 1; i <= a.size(); ++i) {
+    size_t diagonal = std::exchange(row[0], i);
+    for (size_t j = 1; j <= b.size(); ++j) {
+      const size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = std::exchange(row[j], std::min({row[j] + 1, row[j - 1] + 1, replaced}));
+    }
+  }
+  return row.back();
+}
+
+std::string suggestion(const KnownBehaviour& known, std::string_view name) {
+  constexpr size_t kLongestName = 64;  // bounds the work on hostile input
+  if (name.size() <= kLongestName) {
+    const auto nearest = std::ranges::min_element(
+        known.arguments, {},
+        [&](const KnownArgument& argument) { return distance(argument.name, name); });
+    if (nearest != known.arguments.end() && distance(nearest->name, name) <= 3) {
+      return "did you mean `" + std::string(nearest->name) + "`?";
+    }
+  }
+  std::string all = "it has: ";
+  for (const KnownArgument& argument : known.arguments) {
+    all += (&argument == known.arguments.data() ? "" : ", ") + std::string(argument.name);
+  }
+  return all;
+}
+
+}  // namespace
+
+const KnownArgument* KnownBehaviour::find(std::string_view argument) const {
+  const auto found = std::ranges::find(arguments, argument, &KnownArgument::name);
+  return found == arguments.end() ? nullptr : &*found;
+}
+
+std::span<const KnownBehaviour> knownBehaviours() {
+  static const Catalogue catalogue;
+  return catalogue.behaviours;
+}
+
+const KnownBehaviour* findBehaviour(std::string_view name) {
+  const auto all = knownBehaviours();
+  const auto found = std::ranges::find(all, name, &KnownBehaviour::name);
+  return found == all.end() ? nullptr : &*found;
+}
+
+const Setting* BehaviourBlock::find(std::string_view argument) const {
+  const auto found = std::ranges::find(arguments, argument, &Setting::name);
+  return found == arguments.end() ? nullptr : &*found;
+}
+
+double BehaviourBlock::value(std::string_view argument) const {
+  if (const Setting* given = find(argument)) {
+    return given->value;
+  }
+  const KnownBehaviour* known = findBehaviour(name);
+  const KnownArgument* row = known != nullptr ? known->find(argument) : nullptr;
+  CHECK(row != nullptr, "the catalogue lacks a b_arg that the code reads");
+  return row->fallback;
+}
+
+void checkArguments(const BehaviourBlock& block, support::DiagnosticEngine& diagnostics) {
+  const KnownBehaviour* known = findBehaviour(block.name);
+  if (known == nullptr) {
+    return;
+  }
+  for (const Setting& given : block.arguments) {
+    if (known->find(given.name) == nullptr) {
+      diagnostics.report(DiagnosticId::unknownBehaviourArgument, given.name_range, block.name,
+                         given.name, suggestion(*known, given.name));
+    }
+  }
+  for (const KnownArgument& argument : known->arguments) {
+    if (std::isnan(argument.fallback) && block.find(argument.name) == nullptr) {
+      diagnostics.report(DiagnosticId::missingArgument, block.range, block.name, argument.name,
+                         argument.unit);
+    }
+  }
+}
+
+}  // namespace glider::slocum

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "slocum/mission_files/mission_file.h"
+#include "support/diagnostics/engine.h"
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace glider::slocum {
+
+/// One b_arg of a behaviour that glidercc knows.
+struct KnownArgument {
+  std::string_view name;
+  std::string_view unit;
+  double fallback;  ///< NaN: the mission file must give it
+};
+
+struct KnownBehaviour {
+  std::string_view name;
+  std::span<const KnownArgument> arguments;
+
+  [[nodiscard]] const KnownArgument* find(std::string_view argument) const;
+};
+
+/// All rows of behaviours.def.
+std::span<const KnownBehaviour> knownBehaviours();
+/// The row of `name`; null if glidercc does not know the behaviour.
+const KnownBehaviour* findBehaviour(std::string_view name);
+
+/// Reports b_args that a known behaviour does not have (GL5104) and needed ones that are missing
+/// (GL5106). Says nothing of behaviours that are not known.
+void checkArguments(const BehaviourBlock& block, support::DiagnosticEngine& diagnostics);
+
+}  // namespace glider::slocum

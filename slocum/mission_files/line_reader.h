@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "slocum/mission_files/mission_file.h"
+#include "support/diagnostics/engine.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace glider::slocum {
+
+/// A stretch of one line with its place in the file.
+struct Piece {
+  std::string_view text;
+  support::SourceRange range;
+
+  [[nodiscard]] bool empty() const { return text.empty(); }
+};
+
+/// "'x'" in backquotes for a message: shortened, with unprintable bytes replaced.
+std::string quoted(std::string_view text);
+std::string lowerCase(std::string_view text);
+
+/// Hands out the lines of a mission file: comments cut off, trimmed, empty ones skipped, CR
+/// dropped.
+class LineReader {
+ public:
+  LineReader(const support::SourceManager& sources, uint32_t file,
+             support::DiagnosticEngine& diagnostics);
+
+  /// Reports GL5109 and returns false for what is no text or too large to be a mission.
+  bool acceptable();
+  /// The next line that says something; empty at the end.
+  std::optional<Piece> next();
+  /// Splits at blanks and tabs.
+  [[nodiscard]] std::vector<Piece> words(Piece line) const;
+  /// Reads `name(unit) value`; reports and returns nothing when it is not that.
+  std::optional<Setting> setting(Piece rest);
+  /// A finite decimal number in `piece`; reports GL5102 and returns nothing if it is none.
+  std::optional<double> number(Piece piece);
+  [[nodiscard]] Piece trimmed(size_t begin, size_t end) const;
+
+ private:
+  const std::string& text_;
+  uint32_t file_;
+  support::DiagnosticEngine& diagnostics_;
+  size_t position_ = 0;
+};
+
+}  // namespace glider::slocum

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "slocum/mission_files/mission_file.h"
+#include "support/diagnostics/engine.h"
+
+#include <optional>
+
+namespace glider::slocum {
+
+/// Reads the .mi file `file`. Every mistake is reported (GL5100-5109); empty when there was an
+/// error. Which behaviours exist is not this function's matter: see checkArguments.
+std::optional<MissionFile> readMission(const support::SourceManager& sources, uint32_t file,
+                                       support::DiagnosticEngine& diagnostics);
+
+/// Reads the .ma file `file`. GL5100-5114; empty when there was an error.
+std::optional<ArgumentFile> readArguments(const support::SourceManager& sources, uint32_t file,
+                                          support::DiagnosticEngine& diagnostics);
+
+}  // namespace glider::slocum

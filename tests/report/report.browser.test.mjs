@@ -1,0 +1,207 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Opens the sample reports in a headless browser, as a pilot would, and looks at what is there. With GLIDER_SHOTS set to
+// a folder it also leaves a picture of each page there.
+
+import assert from "node:assert/strict";
+import { existsSync, mkdirSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { after, before, describe, test } from "node:test";
+import { pathToFileURL } from "node:url";
+import { Chromium } from "./chromium.mjs";
+
+const program = process.env.GLIDER_CHROMIUM ?? "";
+const samples = process.env.GLIDER_SAMPLES ?? "";
+const shots = process.env.GLIDER_SHOTS;
+if (program === "" || !existsSync(program)) {
+  console.log("SKIPPED: no browser (chromium) is installed");
+  process.exit(0);
+}
+
+let browser;
+before(() => { browser = new Chromium(program); });
+after(() => browser.close());
+
+/** Opens sample `name`, gives it to `look`, and checks what must hold of every page. */
+async function withPage(name, look, size = []) {
+  const page = await browser.open(pathToFileURL(join(samples, `${name}.html`)).href, ...size);
+  await page.until("document.readyState === 'complete'");
+  await look(page);
+  assert.deepEqual(page.complaints, [], "the page complained");
+  assert.deepEqual(page.requests, [], "the page asked for something");
+  await page.close();
+}
+
+const ready = (page) => page.until("document.documentElement.dataset.ready === 'yes'");
+const settle = (page) => page.eval("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done(true))))");
+
+async function picture(page, name) {
+  if (!shots) return;
+  mkdirSync(shots, { recursive: true });
+  const { data } = await page.send("Page.captureScreenshot", { captureBeyondViewport: true });
+  writeFileSync(join(shots, `${name}.png`), Buffer.from(data, "base64"));
+}
+
+/** The number of different colours on canvas `index`: 1 when it is blank. */
+const colours = (page, index) => page.eval(`(() => {
+  const canvas = document.querySelectorAll("canvas")[${index}];
+  const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+  return new Set(new Uint32Array(data.buffer)).size;
+})()`);
+const text = (page, selector) => page.eval(`document.querySelector(${JSON.stringify(selector)}).innerText`);
+const count = (page, selector) => page.eval(`document.querySelectorAll(${JSON.stringify(selector)}).length`);
+const boxOf = (page, selector) => page.eval(`(() => {
+  const { left, top, width, height } = document.querySelector(${JSON.stringify(selector)}).getBoundingClientRect();
+  return { left, top, width, height };
+})()`);
+const value = (page, column) => text(page, `[data-column="${column}"]`);
+
+describe("the sample flight", () => {
+  test("is drawn with all its parts", () => withPage("sample", async (page) => {
+    await ready(page);
+    await settle(page);
+    assert.equal(await page.eval("document.title"), "thermoclineSurvey: flight report");
+    assert.equal(await count(page, "canvas"), 6, "depth, pitch, heading, pump, vertical speed, battery");
+    assert.ok(await colours(page, 0) > 500, "the depth chart has no temperature field");
+    for (let i = 1; i < 6; ++i) assert.ok(await colours(page, i) > 3, `chart ${i} is blank`);
+    assert.match(await text(page, "#header"), /scenario shelf-summer · flown in process · seed 7 · 28 events/);
+    assert.match(await text(page, "#header"), /deepest\s*28\.8 m/);
+    assert.match(await text(page, "#header"), /track 16:56, 1 visit/);
+    assert.equal(await count(page, "#events tbody tr"), 28);
+    assert.match(await text(page, "#events tbody"), /search → track \(call\)/);
+    assert.ok(await count(page, "#map .track path") >= 4, "the track has no states");
+    assert.match(await text(page, "#map"), /39° 10\.500′ N/);
+    assert.match(await text(page, "#map"), /waypoint, 4696 m/);
+    await picture(page, "sample");
+  }));
+
+  test("tells the values under the mouse", () => withPage("sample", async (page) => {
+    await ready(page);
+    const plot = await boxOf(page, "#depth .u-over");
+    await page.mouse("mouseMoved", plot.left + plot.width / 2, plot.top + plot.height / 2);
+    assert.match(await text(page, ".now"), /20:20\s*1220 s, mission time 960 s/);
+    assert.match(await text(page, "#readout .state"), /track/);
+    const depth = await value(page, "m_depth");
+    assert.match(depth, /^\d+\.\d m$/);
+    await page.mouse("mouseMoved", plot.left + plot.width * 0.9, plot.top + plot.height / 2);
+    assert.match(await text(page, "#readout .state"), /layered control/);
+    assert.notEqual(await value(page, "m_depth"), depth);
+    assert.equal(await value(page, "order_top"), "–");
+    assert.equal(await value(page, "c_pitch"), "−26.0°");
+  }));
+
+  test("explains an event under the mouse", () => withPage("sample", async (page) => {
+    await ready(page);
+    const plot = await boxOf(page, "#depth .u-over");
+    await page.mouse("mouseMoved", plot.left + plot.width * (444 / 2440), plot.top + 60);
+    const tip = await text(page, ".tip");
+    assert.match(tip, /search → track \(call\)/);
+    assert.match(tip, /transition at 7:24, mission time 184 s/);
+    assert.match(tip, /spread\(temp, 10 m of depth\) >= 6 degC/);
+    await page.mouse("mouseMoved", plot.left + plot.width * 0.75, plot.top + 60);
+    assert.equal(await page.eval("document.querySelector('.tip').hidden"), true);
+  }));
+
+  test("zooms by dragging, in all charts, and back by keys", () => withPage("sample", async (page) => {
+    await ready(page);
+    const plot = await boxOf(page, "#depth .u-over");
+    const [y, from, to] = [plot.top + 80, plot.left + plot.width * 0.25, plot.left + plot.width * 0.5];
+    await page.mouse("mouseMoved", from, y);
+    await page.mouse("mousePressed", from, y, { button: "left", clickCount: 1 });
+    await page.mouse("mouseMoved", to, y, { button: "left", buttons: 1 });
+    await page.mouse("mouseReleased", to, y, { button: "left", clickCount: 1 });
+    const pitch = await boxOf(page, "#others .u-over");
+    await page.mouse("mouseMoved", pitch.left + 1, pitch.top + 20);
+    assert.match(await text(page, ".now"), /^10:[01]\d/);
+    await picture(page, "zoomed");
+    await page.eval("document.querySelector('#depth .u-over').focus()");
+    await page.key("0");
+    await page.key("Home");
+    await page.key("ArrowRight");
+    assert.match(await text(page, ".now"), /^0:04/);
+    const words = await page.eval("document.querySelector('#depth .u-over').getAttribute('aria-valuetext')");
+    assert.match(words, /^0:04, depth 1\.\d m, layered control$/);
+  }));
+
+  test("finds an event from the list and filters by kind", () => withPage("sample", async (page) => {
+    await ready(page);
+    await page.eval("[...document.querySelectorAll('#events tbody tr')].find((r) => r.innerText.includes('track → exit')).querySelector('button').click()");
+    assert.match(await text(page, ".now"), /^24:20/);
+    await page.eval("[...document.querySelectorAll('.filters button')].find((b) => b.innerText.includes('hook')).click()");
+    assert.equal(await count(page, "#events tbody tr"), 12);
+    assert.equal(await count(page, "#events tbody tr[data-kind=hook]"), 0);
+  }));
+
+  test("takes or leaves lines", () => withPage("sample", async (page) => {
+    await ready(page);
+    const pixels = "document.querySelector('canvas').toDataURL()";
+    await settle(page);
+    const before = await page.eval(pixels);
+    await page.eval("[...document.querySelectorAll('#depth-head .legend button')].find((b) => b.innerText.includes('ordered')).click()");
+    await settle(page);
+    assert.notEqual(await page.eval(pixels), before);
+  }));
+
+  test("follows the dark theme and fits a telephone", () => withPage("sample", async (page) => {
+    await ready(page);
+    const ground = "getComputedStyle(document.body).backgroundColor";
+    const light = await page.eval(ground);
+    await page.send("Emulation.setEmulatedMedia", { features: [{ name: "prefers-color-scheme", value: "dark" }] });
+    await settle(page);
+    assert.notEqual(await page.eval(ground), light);
+    assert.ok(await page.eval("document.documentElement.scrollWidth <= innerWidth"), "the page is wider than the screen");
+    await picture(page, "telephone");
+  }, [400, 800]));
+
+  test("prints", () => withPage("sample", async (page) => {
+    await ready(page);
+    const { data } = await page.send("Page.printToPDF", { printBackground: true });
+    const pdf = Buffer.from(data, "base64");
+    assert.ok(pdf.length > 20_000, "the print is empty");
+    if (shots) writeFileSync(join(shots, "sample.pdf"), pdf);
+  }));
+});
+
+describe("other flights", () => {
+  test("markup and script in names are shown, not obeyed", () => withPage("hostile", async (page) => {
+    await ready(page);
+    assert.equal(await page.eval("window.glider_was_here"), undefined);
+    assert.equal(await count(page, "img"), 0);
+    assert.equal(await count(page, "body script"), 2);
+    assert.match(await text(page, "h1"), /^<\/script><script>window\.glider_was_here = 1<\/script><\/title><!-- ünïcødé 海洋/);
+    assert.equal(await count(page, "#events tbody tr"), 29);
+    await picture(page, "hostile");
+  }));
+
+  test("no field, no states, no events, unknown depths", () => withPage("bare", async (page) => {
+    await ready(page);
+    assert.equal(await page.eval("document.querySelector('#events-card').hidden"), true);
+    assert.ok(await colours(page, 0) > 3);
+    const plot = await boxOf(page, "#depth .u-over");
+    await page.mouse("mouseMoved", plot.left + plot.width * (230 / 610), plot.top + 40);
+    assert.equal(await value(page, "m_depth"), "–");
+    await picture(page, "bare");
+  }));
+
+  test("a single row", () => withPage("one_row", async (page) => {
+    await ready(page);
+    assert.equal(await value(page, "m_depth"), "1.2 m");
+    await picture(page, "one_row");
+  }));
+
+  test("nothing at all", () => withPage("empty", async (page) => {
+    assert.match(await text(page, "body"), /This flight recorded nothing/);
+    assert.equal(await count(page, "canvas"), 0);
+  }));
+
+  test("100,000 rows", () => withPage("long", async (page) => {
+    await ready(page);
+    assert.match(await text(page, "#thinned"), /of 100000 rows are drawn/);
+    const start = Date.now();
+    const plot = await boxOf(page, "#depth .u-over");
+    for (let i = 0; i < 20; ++i) await page.mouse("mouseMoved", plot.left + 20 + i * 20, plot.top + 80);
+    assert.ok(Date.now() - start < 5000, "moving the cursor is slow");
+    await picture(page, "long");
+  }));
+});

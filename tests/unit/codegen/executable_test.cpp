@@ -1,0 +1,218 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// linkExecutable: what comes out, and what happens when the world does not play along.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <csignal>
+#include <cstdlib>
+
+#include "support/files.h"
+#include "tests/unit/codegen/compiled_mission.h"
+
+namespace glider::codegen_tests {
+namespace {
+
+namespace fs = std::filesystem;
+using support::DiagnosticId;
+
+codegen::CodegenOptions optionsFor(const Checked& checked, int level = 2) {
+  codegen::CodegenOptions options;
+  options.optimisation_level = level;
+  options.sources = &checked.sources;
+  return options;
+}
+
+support::Result<void> build(const Checked& checked, const platforms::Board& target,
+                            const fs::path& output) {
+  return codegen::linkExecutable(checked.mission, checked.facts, target, optionsFor(checked),
+                                 output);
+}
+
+std::vector<std::string> namesIn(const fs::path& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    names.push_back(entry.path().filename());
+  }
+  return names;
+}
+
+class OnBoard : public testing::TestWithParam<std::tuple<const char*, int>> {};
+
+TEST_P(OnBoard, Figure2FitsAndStarts) {
+  const auto [name, level] = GetParam();
+  const Checked checked = figure2();
+  const platforms::Board target = board(name);
+  const fs::path output = testFolder() / "figure2";
+  const auto built = codegen::linkExecutable(checked.mission, checked.facts, target,
+                                             optionsFor(checked, level), output);
+  ASSERT_TRUE(built.has_value()) << built.error().message;
+  if (target.max_executable_bytes != 0) {
+    EXPECT_LE(fs::file_size(output), target.max_executable_bytes);
+  }
+  EXPECT_GT(fs::file_size(output.string() + ".debug"), 0u);
+  // Without a port to open it ends by itself, and says why: it ran to its own code.
+  std::string command;
+  for (const std::string& word : target.emulator) {
+    command += word + " ";
+  }
+  const std::string said = output.string() + ".said";
+  const int status = std::system(
+      (command + output.string() + " --port /nonexistent/port > " + said + " 2>&1").c_str());
+  EXPECT_TRUE(WIFEXITED(status));
+  EXPECT_NE(WEXITSTATUS(status), 0);
+  EXPECT_THAT(support::readFile(said).value_or(""), testing::HasSubstr("/nonexistent/port"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Boards, OnBoard,
+                         testing::Combine(testing::ValuesIn(kBoards), testing::Values(0, 1, 2, 3)),
+                         [](const auto& param) {
+                           return std::string(std::get<0>(param.param)) + "_O" +
+                                  std::to_string(std::get<1>(param.param));
+                         });
+
+TEST(LinkExecutable, GivesTheSameBytesTwice) {
+  const Checked checked = figure2();
+  const fs::path folder = testFolder();
+  for (const char* name : {"first", "second"}) {
+    fs::create_directory(folder / name);
+    ASSERT_TRUE(build(checked, board("ts7800"), folder / name / "figure2"));
+  }
+  for (const char* file : {"figure2", "figure2.debug"}) {
+    EXPECT_EQ(support::readFile(folder / "first" / file).value_or("1"),
+              support::readFile(folder / "second" / file).value_or("2"));
+  }
+}
+
+TEST(LinkExecutable, RefusesAMachineWithoutCodeGenerator) {  // GL4002
+  platforms::Board target = board("ts7800");
+  target.triple = "m68k-unknown-linux-gnu";
+  const auto built = build(figure2(), target, testFolder() / "figure2");
+  ASSERT_FALSE(built.has_value());
+  EXPECT_EQ(built.error().id, DiagnosticId::unsupportedMachine);
+  target = board("ts7800");  // accepts: GL4002 in OnBoard; a wrong cpu of a right machine is as bad
+  target.cpu = "pdp11";
+  EXPECT_FALSE(build(figure2(), target, testFolder() / "figure2").has_value());
+}
+
+TEST(LinkExecutable, NamesABehaviourThatNothingDefines) {  // GL4003; accepts: GL4003 in OnBoard
+  Checked checked = figure2();
+  checked.mission.behaviours.front().symbol = "gliderProfileMine";
+  const fs::path folder = testFolder();
+  const auto built = build(checked, board("ts5500"), folder / "figure2");
+  ASSERT_FALSE(built.has_value());
+  EXPECT_EQ(built.error().id, DiagnosticId::unboundSymbol);
+  EXPECT_EQ(built.error().message, "no linked file defines `gliderProfileMine`");
+  EXPECT_THAT(namesIn(folder), testing::IsEmpty());
+}
+
+TEST(LinkExecutable, SaysWhatTheLinkerRefuses) {  // GL4004; accepts: GL4004 in OnBoard
+  const Checked checked = figure2();
+  const fs::path folder = testFolder();
+  codegen::CodegenOptions options = optionsFor(checked);
+  options.further_inputs = {folder / "absent.o"};
+  testing::internal::CaptureStderr();
+  const auto built = codegen::linkExecutable(checked.mission, checked.facts, board("host"), options,
+                                             folder / "figure2");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  ASSERT_FALSE(built.has_value());
+  EXPECT_EQ(built.error().id, DiagnosticId::linkFailed);
+  EXPECT_THAT(built.error().message, testing::HasSubstr("absent.o"));
+  EXPECT_TRUE(build(checked, board("host"), folder / "figure2")) << "lld does not run again";
+}
+
+TEST(LinkExecutable, HoldsTheBoardsLimit) {  // GL4005; accepts: GL4005 in OnBoard
+  platforms::Board target = board("ts5500");
+  target.max_executable_bytes = 10'000;
+  const fs::path folder = testFolder();
+  const auto built = build(figure2(), target, folder / "figure2");
+  ASSERT_FALSE(built.has_value());
+  EXPECT_EQ(built.error().id, DiagnosticId::executableTooLarge);
+  EXPECT_THAT(namesIn(folder), testing::IsEmpty());
+}
+
+TEST(LinkExecutable, RefusesMoreMemoryThanABoardHas) {  // GL4006; accepts: GL4006 in OnBoard
+  Checked checked = figure2();
+  checked.facts.stack_depth = 3'000'000;
+  const auto built = build(checked, board("ts5500"), testFolder() / "figure2");
+  ASSERT_FALSE(built.has_value());
+  EXPECT_EQ(built.error().id, DiagnosticId::missionTooLarge);
+}
+
+TEST(LinkExecutable, RefusesARuntimeThatIsNone) {  // GL9050; accepts: GL9050 in OnBoard
+  const Checked checked = figure2();
+  platforms::Board target = board("ts7800");
+  target.folder = testFolder();
+  const auto at_o3 = [&] {
+    return codegen::linkExecutable(checked.mission, checked.facts, target, optionsFor(checked, 3),
+                                   target.folder / "figure2");
+  };
+  EXPECT_EQ(at_o3().error().id, DiagnosticId::cannotRead);
+  const std::string whole = support::readFile(board("ts7800").folder / "runtime.bc").value();
+  for (const std::string& bytes : {std::string(), std::string("hello"), whole.substr(0, 1000),
+                                   whole.substr(0, whole.size() / 2)}) {
+    ASSERT_TRUE(support::writeFileAtomically(target.folder / "runtime.bc", bytes));
+    const auto built = at_o3();
+    ASSERT_FALSE(built.has_value());
+    EXPECT_EQ(built.error().id, DiagnosticId::badRuntime) << built.error().message;
+  }
+}
+
+/// For as long as it lives no file of this process may grow beyond `bytes`: a full disk, to a program.
+class FullDisk {
+ public:
+  explicit FullDisk(rlim_t bytes) {
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limit{bytes, before_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+    handler_ = std::signal(SIGXFSZ, SIG_IGN);
+  }
+  ~FullDisk() {
+    ::setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+  FullDisk(const FullDisk&) = delete;
+  FullDisk& operator=(const FullDisk&) = delete;
+
+ private:
+  rlimit before_{};
+  void (*handler_)(int) = SIG_DFL;
+};
+
+TEST(LinkExecutable, LeavesNothingOnAFullDisk) {
+  const Checked checked = figure2();
+  const platforms::Board target = board("ts7800");
+  const fs::path folder = testFolder();
+  for (const rlim_t room : {rlim_t{100}, rlim_t{20'000}, rlim_t{45'000}}) {
+    support::Result<void> built;
+    {
+      const FullDisk full(room);
+      built = build(checked, target, folder / "figure2");
+    }
+    ASSERT_FALSE(built.has_value()) << room;
+    EXPECT_EQ(built.error().id, DiagnosticId::cannotWrite) << built.error().message;
+    EXPECT_THAT(namesIn(folder), testing::IsEmpty()) << room;
+  }
+}
+
+TEST(LinkExecutable, SaysWhereItCannotWrite) {
+  EXPECT_EQ(build(figure2(), board("ts5500"), "/dev/full").error().id, DiagnosticId::cannotWrite);
+  EXPECT_EQ(build(figure2(), board("ts5500"), testFolder() / "no" / "figure2").error().id,
+            DiagnosticId::cannotWrite);
+}
+
+TEST(LinkExecutable, NeedsSomewhereForTemporaryFiles) {
+  const char* before = std::getenv("TMPDIR");
+  const std::string old = before != nullptr ? before : "/tmp";
+  ::setenv("TMPDIR", "/nonexistent", 1);
+  const auto built = build(figure2(), board("ts5500"), testFolder() / "figure2");
+  ::setenv("TMPDIR", old.c_str(), 1);
+  ASSERT_FALSE(built.has_value());
+  EXPECT_EQ(built.error().id, DiagnosticId::cannotWrite);
+}
+
+}  // namespace
+}  // namespace glider::codegen_tests

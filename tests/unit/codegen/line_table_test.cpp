@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// The line tables of a mission: each guard stands for its line.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <llvm/DebugInfo/DWARF/DWARFContext.h>
+#include <llvm/Object/ELFObjectFile.h>
+#include <llvm/Support/MemoryBuffer.h>
+
+#include <set>
+
+#include "support/files.h"
+#include "tests/unit/codegen/compiled_mission.h"
+
+namespace glider::codegen_tests {
+namespace {
+
+/// The lines of `source` that code of the ELF file `bytes` stands for.
+std::set<unsigned> linesOf(const std::string& bytes, const std::string& source) {
+  auto object = llvm::object::createBinary(llvm::MemoryBufferRef(bytes, "debug"));
+  EXPECT_TRUE(static_cast<bool>(object));
+  auto context =
+      llvm::DWARFContext::create(*llvm::cast<llvm::object::ObjectFile>(object->get()));
+  std::set<unsigned> lines;
+  for (const auto& unit : context->compile_units()) {
+    const auto* table = context->getLineTableForUnit(unit.get());
+    for (const auto& row : table->Rows) {
+      std::string name;
+      table->getFileNameByIndex(row.File, "", llvm::DILineInfoSpecifier::FileLineInfoKind::RawValue,
+                                name);
+      if (name == source && !row.EndSequence) {
+        lines.insert(row.Line);
+      }
+    }
+  }
+  return lines;
+}
+
+unsigned lineOf(const Checked& checked, const support::SourceRange& range) {
+  return checked.sources.place(range.file, range.begin).line;
+}
+
+TEST(LineTables, HoldGuardsAndActivitiesOfEveryBoard) {
+  const Checked checked = figure2();
+  for (const char* name : kBoards) {
+    for (const int level : {0, 2, 3}) {
+      codegen::CodegenOptions options;
+      options.optimisation_level = level;
+      options.sources = &checked.sources;
+      const auto output = testFolder() / "figure2";
+      ASSERT_TRUE(codegen::linkExecutable(checked.mission, checked.facts, board(name), options,
+                                          output));
+      const std::set<unsigned> lines =
+          linesOf(support::readFile(output.string() + ".debug").value(), "figure2.ir");
+      for (const ir::State& state : checked.mission.states) {
+        EXPECT_THAT(lines, testing::Contains(lineOf(checked, state.profile.range)));
+        // Above -O0 the guards of a state may become one, which stands for its first line.
+        for (size_t i = 0; i < (level == 0 ? state.cases.size() : 1); ++i) {
+          EXPECT_THAT(lines, testing::Contains(lineOf(checked, state.cases[i].range)))
+              << name << level;
+        }
+      }
+      EXPECT_THAT(linesOf(support::readFile(output).value(), "figure2.ir"), testing::IsEmpty());
+    }
+  }
+}
+
+TEST(LineTables, AreLeftOutWhenNotWanted) {
+  const Checked checked = figure2();
+  codegen::CodegenOptions options;
+  options.sources = &checked.sources;
+  options.debug = false;
+  const auto folder = testFolder();
+  ASSERT_TRUE(codegen::linkExecutable(checked.mission, checked.facts, board("ts7800"), options,
+                                      folder / "figure2"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "figure2.debug"));
+}
+
+}  // namespace
+}  // namespace glider::codegen_tests

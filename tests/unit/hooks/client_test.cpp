@@ -1,0 +1,313 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "hooks/client/client.h"
+
+#include "tests/unit/hooks/line_ends.h"
+
+#include <gtest/gtest.h>
+
+namespace glider::hooks {
+namespace {
+
+using Type = MessageType;
+
+/// A client whose vehicle is the test.
+class ClientTest : public testing::Test {
+ protected:
+  ClientTest() : client_(options()) {}
+
+  static ClientOptions options() {
+    static const uint16_t sensors[] = {GLIDER_M_DEPTH, GLIDER_SCI_WATER_TEMP};
+    ClientOptions options;
+    options.mission_name = "survey";
+    options.session = 5;
+    options.sensors = sensors;
+    options.sensor_count = 2;
+    return options;
+  }
+
+  ClientEvent poll() { return client_.poll(sbc_, clock_.clock()); }
+  std::vector<Frame> answers() { return framesAt(vehicle_); }
+
+  void beacon() {
+    putMessage(vehicle_, Beacon{kProtocolVersion, false, dictionaryHash(), HookState::Ready}, 7);
+  }
+
+  Hello link() {
+    beacon();
+    EXPECT_EQ(poll(), ClientEvent::Handled);
+    const auto frames = answers();
+    Hello hello;
+    EXPECT_TRUE(decode(frames.at(0), hello));
+    head_.link = hello.link;
+    head_.subscription = subscriptionCheck(options().sensors, 2);
+    head_.hook_state = HookState::Ready;
+    return hello;
+  }
+
+  /// One cycle of the vehicle; returns the frames of the answer.
+  std::vector<Frame> tick() {
+    ++head_.cycle;
+    putMessage(vehicle_, head_, static_cast<uint8_t>(head_.cycle));
+    EXPECT_EQ(poll(), ClientEvent::Tick);
+    client_.done({}, sbc_);
+    return answers();
+  }
+
+  static SensorList written(const Frame& frame) {
+    SensorList list;
+    EXPECT_TRUE(decodeList(frame, list));
+    return list;
+  }
+
+  static Instruction descend(HookControl control) {
+    Instruction instruction;
+    instruction.control = control;
+    instruction.vertical = HookVertical::Descend;
+    instruction.depth_m = 20.1;
+    instruction.pitch_rad = -0.4;
+    return instruction;
+  }
+
+  MemoryLine line_;
+  GliderByteStream vehicle_ = line_.left();
+  GliderByteStream sbc_ = line_.right();
+  HandClock clock_;
+  Client client_;
+  TickHead head_;
+};
+
+TEST_F(ClientTest, SaysNothingUnlessSpokenTo) {
+  EXPECT_EQ(poll(), ClientEvent::Nothing);
+  client_.notify({});
+  client_.instruct(descend(HookControl::Take));
+  client_.done({}, sbc_);
+  EXPECT_TRUE(answers().empty());
+}
+
+TEST_F(ClientTest, AnswersABeaconWithHelloAndSubscription) {
+  beacon();
+  EXPECT_EQ(poll(), ClientEvent::Handled);
+  const auto frames = answers();
+  ASSERT_EQ(typesOf(frames), (std::vector{Type::Hello, Type::Subscribe, Type::Done}));
+  Hello hello;
+  ASSERT_TRUE(decode(frames[0], hello));
+  EXPECT_STREQ(hello.mission_name, "survey");
+  EXPECT_EQ(hello.link, 5U);
+  Subscribe subscribe;
+  ASSERT_TRUE(decode(frames[1], subscribe));
+  EXPECT_EQ(subscribe.count, 2);
+  Done done;
+  ASSERT_TRUE(decode(frames[2], done));
+  EXPECT_EQ(done.answered, 7);
+  EXPECT_FALSE(client_.linked());
+}
+
+TEST_F(ClientTest, WelcomeMakesTheLinkAndTeachesTheSession) {
+  const auto hello = link();
+  putMessage(vehicle_, Welcome{true, hello.link, 41}, 8);
+  EXPECT_EQ(poll(), ClientEvent::Handled);
+  EXPECT_EQ(typesOf(answers()), (std::vector{Type::Done}));
+  EXPECT_TRUE(client_.linked());
+  EXPECT_TRUE(client_.virtualTime());
+  client_.instruct(descend(HookControl::Take));
+  const auto list = written(tick().at(0));
+  EXPECT_EQ(list.values[0].id, GLIDER_SCI_HOOK_SESSION);
+  EXPECT_EQ(list.values[0].value, 42) << "newer than any the vehicle knows";
+}
+
+TEST_F(ClientTest, ATickOfAnotherLinkIsAnsweredWithHello) {
+  head_.link = 99;
+  putMessage(vehicle_, head_);
+  EXPECT_EQ(poll(), ClientEvent::Handled);
+  EXPECT_EQ(typesOf(answers()), (std::vector{Type::Hello, Type::Subscribe, Type::Done}));
+}
+
+TEST_F(ClientTest, ALostSubscriptionIsRepeated) {
+  link();
+  head_.subscription = 0xFFFF;
+  EXPECT_EQ(typesOf(tick()), (std::vector{Type::Subscribe, Type::Done}));
+  head_.subscription = subscriptionCheck(options().sensors, 2);
+  EXPECT_EQ(typesOf(tick()), (std::vector{Type::Done}));
+}
+
+TEST_F(ClientTest, AnotherDictionaryOrVersionIsRefusedOnce) {
+  putMessage(vehicle_, Beacon{kProtocolVersion, false, dictionaryHash() + 1, HookState::Ready});
+  EXPECT_EQ(poll(), ClientEvent::Refused);
+  EXPECT_TRUE(client_.refusal().refused);
+  EXPECT_EQ(client_.refusal().dictionary, dictionaryHash() + 1);
+  EXPECT_EQ(typesOf(answers()).back(), Type::Done);
+  putMessage(vehicle_, Beacon{kProtocolVersion, false, dictionaryHash() + 1, HookState::Ready});
+  EXPECT_EQ(poll(), ClientEvent::Handled) << "told once";
+  putMessage(vehicle_, Beacon{2, false, 0, HookState::Ready});
+  EXPECT_EQ(poll(), ClientEvent::Refused);
+  EXPECT_EQ(client_.refusal().version, 2);
+  answers();
+  putMessage(vehicle_, head_);
+  EXPECT_EQ(poll(), ClientEvent::Handled);
+  EXPECT_EQ(typesOf(answers()), (std::vector{Type::Done})) << "no tick of a stranger is believed";
+  link();
+  EXPECT_FALSE(client_.refusal().refused);
+}
+
+TEST_F(ClientTest, PartsOfATickAreOneTick) {
+  link();
+  head_.cycle = 3;
+  head_.vehicle_time_s = 12;
+  Frame first;
+  encode(head_, first);
+  ASSERT_TRUE(appendValue(first, {GLIDER_M_DEPTH, 12}));
+  markMore(first);
+  put(vehicle_, first);
+  EXPECT_EQ(poll(), ClientEvent::Handled);
+  EXPECT_TRUE(answers().empty()) << "only the last part is answered";
+  head_.continues = true;
+  Frame last;
+  encode(head_, last);
+  ASSERT_TRUE(appendValue(last, {GLIDER_SCI_WATER_TEMP, 17}));
+  put(vehicle_, last);
+  EXPECT_EQ(poll(), ClientEvent::Tick);
+  ASSERT_EQ(client_.tick().reading_count, 2U);
+  EXPECT_EQ(client_.tick().readings[0].value, 12);
+  EXPECT_EQ(client_.tick().readings[1].value, 17);
+  EXPECT_EQ(client_.tick().vehicle_time_s, 12);
+}
+
+TEST_F(ClientTest, ReadingsOfAnEarlierCycleDoNotMixIn) {
+  link();
+  head_.cycle = 3;
+  Frame first;
+  encode(head_, first);
+  ASSERT_TRUE(appendValue(first, {GLIDER_M_DEPTH, 12}));
+  markMore(first);
+  put(vehicle_, first);
+  poll();
+  tick();  // the rest of cycle 3 was lost; this is cycle 4
+  EXPECT_EQ(client_.tick().cycle, 4U);
+  EXPECT_EQ(client_.tick().reading_count, 0U);
+}
+
+TEST_F(ClientTest, AnInstructionGoesRoundedAndCheckedWithItsSequenceLast) {
+  link();
+  const uint16_t sequence = client_.instruct(descend(HookControl::Take));
+  const auto frames = tick();
+  ASSERT_EQ(typesOf(frames), (std::vector{Type::Write, Type::Done}));
+  const auto list = written(frames[0]);
+  ASSERT_EQ(list.count, 11U);
+  EXPECT_EQ(list.values[3].id, GLIDER_SCI_HOOK_DEPTH);
+  EXPECT_EQ(list.values[3].value, static_cast<double>(20.1F));
+  EXPECT_EQ(list.values[10].id, GLIDER_SCI_HOOK_SEQUENCE);
+  EXPECT_EQ(list.values[10].value, sequence);
+  Done done;
+  ASSERT_TRUE(decode(frames[1], done));
+  EXPECT_EQ(done.session, 5U);
+  EXPECT_EQ(typesOf(tick()), (std::vector{Type::Done})) << "sent once, then waited for";
+}
+
+TEST_F(ClientTest, AnUnansweredInstructionIsWrittenAgainWithTheSameNumber) {
+  link();
+  const uint16_t sequence = client_.instruct(descend(HookControl::Take));
+  for (int round = 0; round < 3; ++round) {
+    const auto frames = tick();
+    ASSERT_EQ(typesOf(frames), (std::vector{Type::Write, Type::Done}));
+    EXPECT_EQ(written(frames[0]).values[10].value, sequence);
+    EXPECT_EQ(typesOf(tick()), (std::vector{Type::Done}));
+    EXPECT_EQ(typesOf(tick()), (std::vector{Type::Done}));
+  }
+  head_.answered_sequence = sequence;
+  head_.answer = HookAnswer::Accepted;
+  for (int i = 0; i < 5; ++i) {
+    EXPECT_EQ(typesOf(tick()), (std::vector{Type::Done}));
+  }
+}
+
+TEST_F(ClientTest, ABadCheckIsRepairedAtOnceARefusalIsNotRepeated) {
+  link();
+  const uint16_t sequence = client_.instruct(descend(HookControl::Take));
+  tick();
+  head_.answered_sequence = sequence;
+  head_.answer = HookAnswer::BadCheck;
+  EXPECT_EQ(typesOf(tick()), (std::vector{Type::Write, Type::Done}));
+  head_.answer = HookAnswer::TooDeep;
+  for (int i = 0; i < 5; ++i) {
+    EXPECT_EQ(typesOf(tick()), (std::vector{Type::Done}));
+  }
+}
+
+TEST_F(ClientTest, ASteerBeforeItsTakeWasAcceptedGoesAsTake) {
+  link();
+  client_.instruct(descend(HookControl::Take));
+  tick();
+  client_.instruct(descend(HookControl::Steer));
+  auto list = written(tick().at(0));
+  EXPECT_EQ(list.values[0].value, 5);
+  EXPECT_EQ(list.values[1].value, static_cast<double>(HookControl::Take));
+  head_.hook_state = HookState::Active;
+  head_.session = 5;
+  tick();
+  client_.instruct(descend(HookControl::Steer));
+  list = written(tick().at(0));
+  EXPECT_EQ(list.values[1].value, static_cast<double>(HookControl::Steer));
+}
+
+TEST_F(ClientTest, EachTakeOpensANewSession) {
+  link();
+  client_.instruct(descend(HookControl::Take));
+  EXPECT_EQ(written(tick().at(0)).values[0].value, 5);
+  client_.instruct(descend(HookControl::Take));
+  EXPECT_EQ(written(tick().at(0)).values[0].value, 6);
+}
+
+TEST_F(ClientTest, SequenceAvoidsTheOneThatLiesInTheArray) {
+  link();
+  head_.answered_sequence = 1;
+  tick();
+  EXPECT_EQ(client_.instruct(descend(HookControl::Take)), 2);
+}
+
+TEST_F(ClientTest, TransitionsTravelBeforeDoneAndAreBounded) {
+  link();
+  for (uint32_t i = 0; i < 20; ++i) {
+    client_.notify({100.0 + i, 0, i, i + 1, 0});
+  }
+  const auto frames = tick();
+  ASSERT_EQ(frames.size(), Client::kMostNotices + 1);
+  EXPECT_EQ(frames.back().type, Type::Done);
+  TransitionNotice notice;
+  ASSERT_TRUE(decode(frames[0], notice));
+  EXPECT_EQ(notice.mission_time_s, 100);
+}
+
+TEST_F(ClientTest, SilenceIsToldEveryTwelveSecondsButNeverInVirtualTimeOrBeforeTheFirstFrame) {
+  clock_.seconds = 100;
+  EXPECT_EQ(poll(), ClientEvent::Nothing);
+  link();
+  clock_.seconds = 111.9;
+  EXPECT_EQ(poll(), ClientEvent::Nothing);
+  clock_.seconds = 112;
+  EXPECT_EQ(poll(), ClientEvent::SilentLink);
+  EXPECT_EQ(poll(), ClientEvent::Nothing);
+  clock_.seconds = 124;
+  EXPECT_EQ(poll(), ClientEvent::SilentLink);
+  head_.virtual_time = true;
+  tick();
+  clock_.seconds = 1000;
+  EXPECT_EQ(poll(), ClientEvent::Nothing);
+}
+
+TEST_F(ClientTest, NoiseIsNoFrame) {
+  link();
+  const uint8_t noise[] = {1, 2, 3, 4, 5, 0, 0, 255, 0};
+  vehicle_.write(vehicle_.self, noise, sizeof noise);
+  EXPECT_EQ(poll(), ClientEvent::Nothing);
+  tick();
+}
+
+TEST_F(ClientTest, AClosedLineIsTold) {
+  line_.close();
+  EXPECT_EQ(poll(), ClientEvent::Closed);
+}
+
+}  // namespace
+}  // namespace glider::hooks

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "hooks/clothesline/clothesline.h"
+
+#include "hooks/transport/memory.h"
+#include "platforms/slocum_sensors.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+namespace glider::hooks {
+namespace {
+
+std::vector<SensorUpdate> drain(Clothesline& end, const GliderByteStream& stream,
+                                uint32_t capacity = 16) {
+  std::vector<SensorUpdate> all;
+  std::vector<SensorUpdate> some(capacity);
+  uint32_t count = 0;
+  do {
+    count = end.poll(stream, some.data(), capacity);
+    all.insert(all.end(), some.begin(), some.begin() + count);
+  } while (count == capacity);
+  return all;
+}
+
+std::vector<SensorUpdate> flightCycle() {
+  std::vector<SensorUpdate> cycle;
+  for (uint16_t id = 0; id < sensorCount(); ++id) {
+    if (!isScienceSensor(id) && id != GLIDER_M_PRESENT_SECS_INTO_MISSION &&
+        id != GLIDER_M_CYCLE_NUMBER) {
+      cycle.push_back({id, 1});
+    }
+  }
+  cycle.push_back({GLIDER_M_PRESENT_SECS_INTO_MISSION, 4});
+  cycle.push_back({GLIDER_M_CYCLE_NUMBER, 1});
+  return cycle;
+}
+
+TEST(Clothesline, UpdatesArriveInOrderWhateverTheCapacity) {
+  for (const uint32_t capacity : {1U, 3U, 128U}) {
+    MemoryLine line;
+    Clothesline flight;
+    Clothesline science;
+    const auto cycle = flightCycle();
+    ASSERT_TRUE(flight.send(cycle.data(), static_cast<uint32_t>(cycle.size())));
+    EXPECT_TRUE(drain(flight, line.left()).empty());
+    const auto got = drain(science, line.right(), capacity);
+    ASSERT_EQ(got.size(), cycle.size());
+    for (size_t i = 0; i < got.size(); ++i) {
+      EXPECT_EQ(got[i].id, cycle[i].id);
+      EXPECT_EQ(got[i].value, cycle[i].value);
+    }
+  }
+}
+
+TEST(Clothesline, AWholeFlightCycleTakesAThirdOfASecond) {
+  MemoryLine line;
+  Clothesline flight;
+  const auto cycle = flightCycle();
+  ASSERT_TRUE(flight.send(cycle.data(), static_cast<uint32_t>(cycle.size())));
+  drain(flight, line.left());
+  std::vector<uint8_t> bytes(4096);
+  const GliderByteStream right = line.right();
+  const int32_t count = right.read(right.self, bytes.data(), 4096);
+  EXPECT_GT(count, 100);
+  EXPECT_LT(count, 320) << "at 960 bytes/s";
+}
+
+TEST(Clothesline, OneCallIsOneFrame) {
+  // The second call of three does not fit behind the first: it must not be torn apart.
+  MemoryLine line;
+  Clothesline flight;
+  const std::vector<SensorUpdate> thirty(30, {GLIDER_M_DEPTH, 1});
+  ASSERT_TRUE(flight.send(thirty.data(), 30));
+  ASSERT_TRUE(flight.send(thirty.data(), 30));
+  drain(flight, line.left());
+  std::vector<uint8_t> bytes(4096);
+  const GliderByteStream right = line.right();
+  const int32_t count = right.read(right.self, bytes.data(), 4096);
+  FrameDecoder decoder;
+  std::vector<uint32_t> sizes;
+  for (int32_t i = 0; i < count; ++i) {
+    if (decoder.push(bytes[static_cast<size_t>(i)])) {
+      SensorList list;
+      ASSERT_TRUE(decodeList(decoder.frame(), list));
+      sizes.push_back(list.count);
+    }
+  }
+  EXPECT_EQ(sizes, (std::vector<uint32_t>{30, 30}));
+}
+
+TEST(Clothesline, TheQueueIsBoundedAndTakesAllOrNothing) {
+  Clothesline flight;
+  const std::vector<SensorUpdate> many(100, {GLIDER_M_DEPTH, 1});
+  EXPECT_TRUE(flight.send(many.data(), 100));
+  EXPECT_FALSE(flight.send(many.data(), 29));
+  EXPECT_TRUE(flight.send(many.data(), 28));
+  EXPECT_FALSE(flight.send(many.data(), 1));
+}
+
+TEST(Clothesline, NoSuchSensorIsNotSent) {
+  Clothesline flight;
+  const SensorUpdate wrong[] = {{GLIDER_M_DEPTH, 1}, {GLIDER_SENSOR_COUNT, 1}};
+  EXPECT_FALSE(flight.send(wrong, 2));
+  MemoryLine line;
+  drain(flight, line.left());
+  uint8_t byte = 0;
+  const GliderByteStream right = line.right();
+  EXPECT_EQ(right.read(right.self, &byte, 1), 0);
+}
+
+TEST(Clothesline, NoiseAndStrangersAreCountedNotBelieved) {
+  MemoryLine line;
+  Clothesline science;
+  const GliderByteStream left = line.left();
+  const uint8_t noise[] = {9, 8, 7, 0};
+  left.write(left.self, noise, 4);
+  Frame stranger;
+  encode(Beacon{}, stranger);
+  uint8_t bytes[kMostEncodedBytes];
+  left.write(left.self, bytes, encodeFrame(stranger, bytes));
+  EXPECT_TRUE(drain(science, line.right()).empty());
+  EXPECT_EQ(science.badFrames(), 2U);
+}
+
+}  // namespace
+}  // namespace glider::hooks

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "hooks/protocol/messages.h"
+#include "platforms/slocum_sensors.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace glider::hooks {
+
+/// The frames that hooks/protocol/README.md shows.
+inline std::vector<std::pair<std::string, Frame>> exampleFrames() {
+  std::vector<std::pair<std::string, Frame>> examples;
+  auto add = [&](const char* name, uint8_t sequence, auto&& fill) {
+    Frame frame;
+    fill(frame);
+    frame.sequence = sequence;
+    examples.emplace_back(name, frame);
+  };
+  add("Beacon", 1, [](Frame& f) { encode(Beacon{1, true, 0x12345678, HookState::Ready}, f); });
+  add("Welcome", 2, [](Frame& f) { encode(Welcome{true, 7, 6}, f); });
+  add("Tick", 3, [](Frame& f) {
+    const uint16_t ids[] = {GLIDER_M_DEPTH, GLIDER_M_LAT};
+    TickHead head;
+    head.virtual_time = true;
+    head.link = 7;
+    head.vehicle_time_s = 264;
+    head.cycle = 66;
+    head.subscription = subscriptionCheck(ids, 2);
+    head.hook_state = HookState::Active;
+    head.answer = HookAnswer::Accepted;
+    head.answered_sequence = 258;
+    head.session = 7;
+    encode(head, f);
+    (void)appendValue(f, {GLIDER_M_DEPTH, 12.5});
+    (void)appendValue(f, {GLIDER_M_LAT, 3910.5});
+  });
+  add("Hello", 1, [](Frame& f) {
+    Hello hello;
+    hello.dictionary = 0x12345678;
+    hello.link = 7;
+    for (int i = 0; i < 6; ++i) {
+      hello.mission_name[i] = "survey"[i];
+    }
+    encode(hello, f);
+  });
+  add("Subscribe", 2, [](Frame& f) { encode(Subscribe{2, {GLIDER_M_DEPTH, GLIDER_M_LAT}}, f); });
+  add("Write", 3, [](Frame& f) {
+    encodeEmptyList(MessageType::Write, f);
+    (void)appendValue(f, {GLIDER_SCI_HOOK_CONTROL, 2});
+    (void)appendValue(f, {GLIDER_SCI_HOOK_DEPTH, 20});
+    (void)appendValue(f, {GLIDER_SCI_HOOK_SEQUENCE, 258});
+  });
+  add("Transition", 4, [](Frame& f) { encode(TransitionNotice{500, 1, 0, 1, 1}, f); });
+  add("Done", 5, [](Frame& f) { encode(Done{3, 7, {500, 1, 1, 1}}, f); });
+  add("Sensors", 6, [](Frame& f) {
+    encodeEmptyList(MessageType::Sensors, f);
+    (void)appendValue(f, {GLIDER_SCI_HOOK_HEARTBEAT, 42});
+  });
+  return examples;
+}
+
+}  // namespace glider::hooks

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "hooks/hookbeh/hookbeh.h"
+
+#include <limits>
+
+namespace glider::hooks {
+
+inline constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+/// A hookbeh on the bench: the test is the sensor array and the SBC. Every cycle takes 4 s and
+/// beats the heart, unless `alive` is false.
+class HookbehBench {
+ public:
+  explicit HookbehBench(const HookbehArgs& args = {}) : hookbeh(args) {
+    inputs.depth_m = 10;
+    inputs.altitude_m = kNan;
+    inputs.latitude_ddmm = 3910;
+    inputs.longitude_ddmm = -7350;
+    inputs.heartbeat = inputs.session = inputs.sequence = inputs.control = inputs.vertical =
+        inputs.lateral = kNan;
+    inputs.check = kNan;
+  }
+
+  HookbehOutputs cycle() {
+    inputs.time_s += 4;
+    if (alive) {
+      inputs.heartbeat = ++beats;
+    }
+    return hookbeh.cycle(inputs);
+  }
+
+  /// Writes an instruction to the sensor array, with the next sequence number.
+  void write(Instruction instruction) {
+    instruction.sequence = ++sequence;
+    instruction = roundToArray(instruction);
+    inputs.session = instruction.session;
+    inputs.sequence = instruction.sequence;
+    inputs.control = static_cast<double>(instruction.control);
+    inputs.vertical = static_cast<double>(instruction.vertical);
+    inputs.lateral = static_cast<double>(instruction.lateral);
+    inputs.hook_depth_m = instruction.depth_m;
+    inputs.hook_pitch_rad = instruction.pitch_rad;
+    inputs.hook_heading_rad = instruction.heading_rad;
+    inputs.hook_latitude_ddmm = instruction.latitude_ddmm;
+    inputs.hook_longitude_ddmm = instruction.longitude_ddmm;
+    inputs.check = checkValue(instruction);
+  }
+
+  HookbehOutputs give(const Instruction& instruction) {
+    write(instruction);
+    return cycle();
+  }
+
+  static Instruction descend(double depth, HookControl control = HookControl::Steer,
+                             uint32_t session = 1) {
+    Instruction instruction;
+    instruction.session = session;
+    instruction.control = control;
+    instruction.vertical = HookVertical::Descend;
+    instruction.depth_m = depth;
+    instruction.pitch_rad = -0.4;
+    return instruction;
+  }
+  static Instruction ascend(double depth) {
+    Instruction instruction = descend(depth);
+    instruction.vertical = HookVertical::Ascend;
+    instruction.pitch_rad = 0.4;
+    return instruction;
+  }
+  static Instruction vertical(HookVertical vertical, double depth = 0) {
+    Instruction instruction = descend(depth);
+    instruction.vertical = vertical;
+    return instruction;
+  }
+  static Instruction take(double depth = 20, uint32_t session = 1) {
+    return descend(depth, HookControl::Take, session);
+  }
+  static Instruction giveBack(uint32_t session = 1) {
+    Instruction instruction;
+    instruction.session = session;
+    instruction.control = HookControl::GiveBack;
+    return instruction;
+  }
+
+  Hookbeh hookbeh;
+  HookbehInputs inputs;
+  bool alive = true;
+  double beats = 0;
+  uint16_t sequence = 0;
+};
+
+}  // namespace glider::hooks

@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "tests/unit/hooks/hookbeh_bench.h"
+
+#include <gtest/gtest.h>
+
+namespace glider::hooks {
+namespace {
+
+using Bench = HookbehBench;
+
+Bench diving() {
+  Bench bench;
+  bench.cycle();
+  bench.give(Bench::take(29));
+  return bench;
+}
+
+TEST(HookbehGuard, TooDeepClimbsWhateverTheSbcSays) {
+  Bench bench = diving();
+  bench.inputs.depth_m = 30.1;
+  HookbehOutputs out = bench.cycle();
+  EXPECT_STREQ(out.doing, "climb: too deep");
+  EXPECT_EQ(out.pump_cc, 230);
+  EXPECT_GT(out.pitch_rad, 0);
+  bench.inputs.depth_m = 20;
+  EXPECT_STREQ(bench.cycle().doing, "climb: too deep") << "the dive is still in force";
+  EXPECT_STREQ(bench.give(Bench::descend(25)).doing, "climb: too deep") << "and so is another";
+  EXPECT_STREQ(bench.give(Bench::ascend(5)).doing, "climb_to");
+  EXPECT_STREQ(bench.give(Bench::descend(25)).doing, "dive_to") << "free again";
+}
+
+TEST(HookbehGuard, AnOrderUpwardsDoesNotEndItBeforeTheDepthIsSafe) {
+  Bench bench = diving();
+  bench.inputs.depth_m = 30.1;
+  bench.cycle();
+  EXPECT_STREQ(bench.give(Bench::ascend(5)).doing, "climb: too deep");
+  bench.inputs.depth_m = 29.5;
+  EXPECT_STREQ(bench.cycle().doing, "climb: too deep");
+  bench.inputs.depth_m = 29;
+  EXPECT_STREQ(bench.cycle().doing, "climb_to");
+}
+
+TEST(HookbehGuard, HoverEndsItOnlyAboveWhereItBegan) {
+  Bench bench = diving();
+  bench.inputs.depth_m = 30.1;
+  bench.cycle();
+  bench.inputs.depth_m = 20;
+  EXPECT_STREQ(bench.give(Bench::vertical(HookVertical::Hover, 29.5)).doing, "climb: too deep");
+  EXPECT_STREQ(bench.give(Bench::vertical(HookVertical::Hover, 20)).doing, "hover");
+}
+
+TEST(HookbehGuard, TooNearTheBottomClimbs) {
+  Bench bench = diving();
+  bench.inputs.depth_m = 15;
+  bench.inputs.altitude_m = 5.5;
+  EXPECT_STREQ(bench.cycle().doing, "dive_to");
+  bench.inputs.depth_m = 15.4;
+  bench.inputs.altitude_m = 4.9;
+  EXPECT_STREQ(bench.cycle().doing, "climb: too near the bottom");
+  bench.inputs.depth_m = 10;
+  EXPECT_STREQ(bench.cycle().doing, "climb: too near the bottom");
+  EXPECT_STREQ(bench.give(Bench::ascend(5)).doing, "climb_to");
+}
+
+TEST(HookbehGuard, AStuckAltimeterDoesNotHideTheBottom) {
+  Bench bench = diving();
+  bench.inputs.depth_m = 12;
+  bench.inputs.altitude_m = 10;
+  EXPECT_STREQ(bench.cycle().doing, "dive_to");
+  bench.inputs.depth_m = 17.5;  // the altitude still says 10
+  EXPECT_STREQ(bench.cycle().doing, "climb: too near the bottom");
+}
+
+TEST(HookbehGuard, AnEchoIsForgottenAfterTenMinutes) {
+  Bench bench = diving();
+  bench.inputs.depth_m = 12;
+  bench.inputs.altitude_m = 6;
+  bench.cycle();
+  for (int i = 0; i < 151; ++i) {
+    bench.cycle();
+  }
+  bench.inputs.depth_m = 15;
+  EXPECT_STREQ(bench.give(Bench::descend(25)).doing, "dive_to");
+}
+
+TEST(HookbehGuard, NoAltimeterWanted) {
+  HookbehArgs args;
+  args.least_altitude_m = -1;
+  Bench bench(args);
+  bench.cycle();
+  bench.give(Bench::take(20));
+  bench.inputs.altitude_m = 0.5;
+  EXPECT_STREQ(bench.cycle().doing, "dive_to");
+}
+
+TEST(HookbehGuard, NoEchoIsNoBottom) {
+  Bench bench = diving();
+  for (const double altitude : {kNan, -1.0}) {
+    bench.inputs.altitude_m = altitude;
+    EXPECT_STREQ(bench.cycle().doing, "dive_to");
+  }
+}
+
+TEST(HookbehGuard, UnknownDepthClimbsUntilItIsKnown) {
+  Bench bench = diving();
+  bench.inputs.depth_m = kNan;
+  const HookbehOutputs out = bench.cycle();
+  EXPECT_STREQ(out.doing, "climb: depth unknown");
+  EXPECT_EQ(out.pump_cc, 230);
+  bench.inputs.depth_m = 12;
+  EXPECT_STREQ(bench.cycle().doing, "dive_to");
+}
+
+TEST(HookbehGuard, ANewSessionStartsWithoutTheOldReasons) {
+  Bench bench = diving();
+  bench.inputs.depth_m = 30.1;
+  bench.cycle();
+  bench.alive = false;
+  bench.inputs.depth_m = 10;
+  for (int i = 0; i < 6; ++i) {
+    bench.cycle();
+  }
+  bench.alive = true;
+  EXPECT_STREQ(bench.give(Bench::take(20, 2)).doing, "dive_to");
+}
+
+TEST(HookbehGuard, ANanAmongTheArgsIsABrokenLimit) {
+  HookbehArgs args;
+  args.least_altitude_m = kNan;
+  Bench bench(args);
+  bench.inputs.altitude_m = 50;
+  bench.cycle();
+  EXPECT_STREQ(bench.give(Bench::take(20)).doing, "climb: too near the bottom");
+}
+
+}  // namespace
+}  // namespace glider::hooks

@@ -1,0 +1,400 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "hooks/client/client.h"
+#include "hooks/hookbeh/hookbeh.h"
+#include "hooks/hookprog/hookprog.h"
+#include "tests/unit/hooks/line_ends.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <random>
+#include <set>
+#include <string>
+
+/// Client, hookprog, clothesline and hookbeh joined over lines that lose and flip bytes.
+namespace glider::hooks {
+namespace {
+
+/// A serial line with a speed and noise, between two ends in memory.
+class NoisyLine {
+ public:
+  NoisyLine(double bytes_a_second, double damage, uint32_t seed)
+      : speed_(bytes_a_second), damage_(damage), random_(seed) {}
+  GliderByteStream left() { return left_.left(); }
+  GliderByteStream right() { return right_.right(); }
+  /// Moves what the line carries in `seconds`.
+  void carry(double seconds) {
+    move(left_.right(), right_.left(), seconds);
+    move(right_.left(), left_.right(), seconds);
+  }
+  void setDamage(double damage) { damage_ = damage; }
+
+ private:
+  void move(const GliderByteStream& from, const GliderByteStream& to, double seconds) {
+    uint8_t byte = 0;
+    for (double budget = speed_ * seconds; budget >= 1 && from.read(from.self, &byte, 1) == 1;
+         --budget) {
+      if (chance_(random_) < damage_) {
+        if (random_() % 2 == 0) {
+          continue;
+        }
+        byte = static_cast<uint8_t>(byte ^ (1U << random_() % 8));
+      }
+      to.write(to.self, &byte, 1);
+    }
+  }
+
+  double speed_;
+  double damage_;
+  std::mt19937 random_;
+  std::uniform_real_distribution<double> chance_{0, 1};
+  MemoryLine left_;
+  MemoryLine right_;
+};
+
+/// The flight controller: a sensor array, hookbeh, a clothesline, and a vehicle that moves as it is
+/// told.
+class FlightController {
+ public:
+  explicit FlightController(bool with_hookbeh = true)
+      : hookbeh_(args()), with_hookbeh_(with_hookbeh) {}
+
+  static HookbehArgs args() {
+    HookbehArgs args;
+    args.start_secs = 60;
+    return args;
+  }
+
+  void cycle(const GliderByteStream& line) {
+    time += 4;
+    ++cycle_;
+    depth = std::max(0.0, depth + (outputs.commanding ? (outputs.pump_cc < 0 ? 0.8 : -0.8) : 0.0));
+    SensorUpdate updates[64];
+    for (uint32_t count = 64; count == 64;) {
+      count = clothesline_.poll(line, updates, 64);
+      for (uint32_t i = 0; i < count; ++i) {
+        array_[updates[i].id] = updates[i].value;
+      }
+      received += count;
+    }
+    if (with_hookbeh_) {
+      outputs = hookbeh_.cycle(inputs());
+    }
+    report(line);
+  }
+
+  HookbehOutputs outputs;
+  double time = 0;
+  double depth = 10;
+  uint32_t received = 0;
+
+ private:
+  double get(uint16_t id) const {
+    const auto found = array_.find(id);
+    return found == array_.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
+  }
+
+  HookbehInputs inputs() const {
+    HookbehInputs in;
+    in.time_s = time;
+    in.depth_m = depth;
+    in.altitude_m = std::numeric_limits<double>::quiet_NaN();
+    in.heartbeat = get(GLIDER_SCI_HOOK_HEARTBEAT);
+    in.session = get(GLIDER_SCI_HOOK_SESSION);
+    in.sequence = get(GLIDER_SCI_HOOK_SEQUENCE);
+    in.control = get(GLIDER_SCI_HOOK_CONTROL);
+    in.vertical = get(GLIDER_SCI_HOOK_VERTICAL);
+    in.lateral = get(GLIDER_SCI_HOOK_LATERAL);
+    in.hook_depth_m = get(GLIDER_SCI_HOOK_DEPTH);
+    in.hook_pitch_rad = get(GLIDER_SCI_HOOK_PITCH);
+    in.hook_heading_rad = get(GLIDER_SCI_HOOK_HEADING);
+    in.hook_latitude_ddmm = get(GLIDER_SCI_HOOK_LAT);
+    in.hook_longitude_ddmm = get(GLIDER_SCI_HOOK_LON);
+    in.check = get(GLIDER_SCI_HOOK_CHECK);
+    return in;
+  }
+
+  void report(const GliderByteStream& line) {
+    std::vector<SensorUpdate> report{
+        {GLIDER_M_DEPTH, depth}, {GLIDER_M_PITCH, 0.1}, {GLIDER_M_LAT, 3910}};
+    if (with_hookbeh_) {
+      report.push_back({GLIDER_X_HOOK_STATE, static_cast<double>(outputs.state)});
+      report.push_back({GLIDER_X_HOOK_SEQUENCE, static_cast<double>(outputs.answered_sequence)});
+      report.push_back({GLIDER_X_HOOK_ANSWER, static_cast<double>(outputs.answer)});
+      report.push_back({GLIDER_X_HOOK_SESSION, static_cast<double>(outputs.session)});
+    }
+    report.push_back({GLIDER_M_PRESENT_SECS_INTO_MISSION, time});
+    report.push_back({GLIDER_M_CYCLE_NUMBER, cycle_});
+    clothesline_.send(report.data(), static_cast<uint32_t>(report.size()));
+    SensorUpdate unused[1];
+    clothesline_.poll(line, unused, 0);
+  }
+
+  Clothesline clothesline_;
+  Hookbeh hookbeh_;
+  bool with_hookbeh_;
+  std::map<uint16_t, double> array_;
+  double cycle_ = 0;
+};
+
+/// A mission on the SBC: takes control, flies a yo whose pitch differs each time, gives back after
+/// a while.
+class Mission {
+ public:
+  explicit Mission(double give_back_s, uint32_t session = 1)
+      : give_back_s_(give_back_s), client_(options(session)) {}
+
+  static ClientOptions options(uint32_t session) {
+    static const uint16_t sensors[] = {GLIDER_M_DEPTH, GLIDER_M_LAT};
+    ClientOptions options;
+    options.mission_name = "yo";
+    options.session = session;
+    options.sensors = sensors;
+    options.sensor_count = 2;
+    return options;
+  }
+
+  void step(const GliderByteStream& line, double now) {
+    clock_.seconds = now;
+    while (true) {
+      const ClientEvent event = client_.poll(line, clock_.clock());
+      if (event == ClientEvent::Tick) {
+        decide();
+        client_.done({now, 0, 0, 1}, line);
+      } else if (event != ClientEvent::Handled) {
+        return;
+      }
+    }
+  }
+
+  /// What was told to hookbeh under each sequence number.
+  std::map<uint16_t, Instruction> told;
+  bool finished = false;
+
+ private:
+  void decide() {
+    const VehicleTick& tick = client_.tick();
+    for (uint32_t i = 0; i < tick.reading_count; ++i) {
+      if (tick.readings[i].id == GLIDER_M_DEPTH) {
+        depth_ = tick.readings[i].value;
+      }
+    }
+    if (finished || tick.hook_state == HookState::Waiting) {
+      return;
+    }
+    if (tick.vehicle_time_s >= give_back_s_) {
+      finished = true;
+      tell(HookControl::GiveBack);
+    } else if ((tick.hook_state == HookState::Ready && !asked_) ||
+               tick.hook_state == HookState::Silent) {
+      asked_ = true;
+      down_ = true;
+      tell(HookControl::Take);
+    } else if (depth_ >= 20 && down_) {
+      down_ = false;
+      tell(HookControl::Steer);
+    } else if (depth_ <= 5 && !down_) {
+      down_ = true;
+      tell(HookControl::Steer);
+    }
+  }
+
+  void tell(HookControl control) {
+    Instruction instruction;
+    instruction.control = control;
+    instruction.vertical = down_ ? HookVertical::Descend : HookVertical::Ascend;
+    instruction.depth_m = down_ ? 20.1 : 5.1;
+    turn_ = (turn_ + 1) % 20;
+    instruction.pitch_rad = (down_ ? -1 : 1) * (0.2 + 0.01 * turn_);
+    const uint16_t sequence = client_.instruct(instruction);
+    told[sequence] = roundToArray(instruction);
+  }
+
+  double give_back_s_;
+  Client client_;
+  HandClock clock_;
+  double depth_ = 10;
+  bool down_ = true;
+  bool asked_ = false;
+  int turn_ = 0;
+};
+
+/// The whole vehicle for some seconds.
+class Vehicle {
+ public:
+  Vehicle(double damage, uint32_t seed, bool with_hookbeh = true)
+      : sbc_line(11520, damage, seed),
+        flight_line(960, damage, seed + 1000),
+        flight(with_hookbeh) {}
+
+  /// One second; `mission` may be null: no SBC.
+  void second(Mission* mission) {
+    if (now_ % 4 == 0) {
+      flight.cycle(flight_line.right());
+    }
+    flight_line.carry(1);
+    hookprog.run(now_,
+                 {nullptr,
+                  [](void*, uint16_t, bool* fresh) {
+                    *fresh = false;
+                    return 0.0;
+                  }},
+                 sbc_line.left(), flight_line.left());
+    sbc_line.carry(0.5);
+    if (mission != nullptr) {
+      mission->step(sbc_line.right(), now_);
+    }
+    sbc_line.carry(0.5);
+    ++now_;
+  }
+
+  NoisyLine sbc_line;
+  NoisyLine flight_line;
+  FlightController flight;
+  Hookprog hookprog{HookprogOptions{}};
+
+ private:
+  int now_ = 0;
+};
+
+/// Checks in every second that what hookbeh does is what the mission last told and hookbeh
+/// accepted.
+class Witness {
+ public:
+  void look(const FlightController& flight, const Mission& mission) {
+    const HookbehOutputs& out = flight.outputs;
+    if (out.answer == HookAnswer::Accepted && out.answered_sequence != accepted_) {
+      accepted_ = out.answered_sequence;
+      ASSERT_TRUE(mission.told.contains(accepted_)) << "an instruction nobody gave";
+      ASSERT_TRUE(seen_.insert(accepted_).second) << "a command twice";
+    }
+    if (!out.commanding) {
+      return;
+    }
+    const std::string doing = out.doing;
+    if (doing == "dive_to" || doing == "climb_to" || doing == "hold") {
+      ASSERT_TRUE(mission.told.contains(accepted_));
+      EXPECT_EQ(out.pitch_rad, mission.told.at(accepted_).pitch_rad)
+          << "at " << flight.time << " s";
+    }
+  }
+  [[nodiscard]] size_t accepted() const { return seen_.size(); }
+
+ private:
+  uint16_t accepted_ = 0;
+  std::set<uint16_t> seen_;
+};
+
+TEST(Joined, ACleanFlightTakesSteersAndGivesBack) {
+  Vehicle vehicle(0, 1);
+  Mission mission(1200);
+  Witness witness;
+  double active_from = 0;
+  double deepest = 0;
+  for (int i = 0; i < 1300; ++i) {
+    vehicle.second(&mission);
+    witness.look(vehicle.flight, mission);
+    if (vehicle.flight.outputs.state == HookState::Active) {
+      active_from = active_from == 0 ? vehicle.flight.time : active_from;
+      deepest = std::max(deepest, vehicle.flight.depth);
+      EXPECT_STRNE(vehicle.flight.outputs.doing, "hover") << "the next leg comes in time";
+    }
+  }
+  EXPECT_EQ(active_from, 64) << "one cycle after it was ready";
+  EXPECT_EQ(vehicle.flight.outputs.state, HookState::Complete);
+  EXPECT_GE(witness.accepted(), 14U);
+  EXPECT_GE(deepest, 20);
+  EXPECT_LE(deepest, 23);
+}
+
+TEST(Joined, DamagedLinesNeverGiveAWrongOrDoubledCommand) {
+  for (uint32_t seed = 1; seed <= 30; ++seed) {
+    const double damage = seed % 3 == 0 ? 0.01 : 0.001;
+    Vehicle vehicle(damage, seed);
+    Mission mission(1200);
+    Witness witness;
+    for (int i = 0; i < 1600; ++i) {
+      if (i == 1250) {
+        vehicle.sbc_line.setDamage(0);
+        vehicle.flight_line.setDamage(0);
+      }
+      vehicle.second(&mission);
+      witness.look(vehicle.flight, mission);
+      if (testing::Test::HasFatalFailure()) {
+        FAIL() << "seed " << seed;
+      }
+    }
+    EXPECT_GE(witness.accepted(), damage > 0.005 ? 1U : 8U) << "seed " << seed;
+    EXPECT_TRUE(vehicle.flight.outputs.state == HookState::Complete ||
+                vehicle.flight.outputs.state == HookState::Silent)
+        << "seed " << seed;
+  }
+}
+
+TEST(Joined, AKilledSbcIsSilentInTime) {
+  for (uint32_t seed = 1; seed <= 12; ++seed) {
+    Vehicle vehicle(0, seed);
+    Mission mission(5000);
+    const int killed = 400 + static_cast<int>(seed) * 7;
+    double silent_at = 0;
+    for (int i = 0; i < 600; ++i) {
+      vehicle.second(i < killed ? &mission : nullptr);
+      if (silent_at == 0 && vehicle.flight.outputs.state == HookState::Silent) {
+        silent_at = vehicle.flight.time;
+        EXPECT_FALSE(vehicle.flight.outputs.commanding);
+      }
+    }
+    // 24 s from the last beat's arrival, which is at most a cycle after the SBC died, and a cycle
+    // to notice.
+    EXPECT_GT(silent_at, killed);
+    EXPECT_LE(silent_at, killed + 24 + 8);
+  }
+}
+
+TEST(Joined, ACutClotheslineIsSilence) {
+  Vehicle vehicle(0, 1);
+  Mission mission(5000);
+  for (int i = 0; i < 400; ++i) {
+    vehicle.second(&mission);
+  }
+  EXPECT_EQ(vehicle.flight.outputs.state, HookState::Active);
+  vehicle.flight_line.setDamage(1);
+  for (int i = 0; i < 32; ++i) {
+    vehicle.second(&mission);
+  }
+  EXPECT_EQ(vehicle.flight.outputs.state, HookState::Silent);
+}
+
+TEST(Joined, ARestartedSbcTakesControlAgainAfterTheSilence) {
+  Vehicle vehicle(0, 1);
+  Mission first(5000);
+  for (int i = 0; i < 400; ++i) {
+    vehicle.second(&first);
+  }
+  Mission second(800);  // it has forgotten its session numbers
+  bool was_silent = false;
+  bool active_again = false;
+  for (int i = 0; i < 600; ++i) {
+    vehicle.second(&second);
+    was_silent |= vehicle.flight.outputs.state == HookState::Silent;
+    active_again |= was_silent && vehicle.flight.outputs.state == HookState::Active;
+  }
+  EXPECT_TRUE(was_silent) << "what it does not steer it must not keep alive";
+  EXPECT_TRUE(active_again);
+  EXPECT_EQ(vehicle.flight.outputs.state, HookState::Complete);
+}
+
+TEST(Joined, WithoutAHookbehTheFlightControllerHearsNothing) {
+  Vehicle vehicle(0, 1, false);
+  Mission mission(500);
+  for (int i = 0; i < 600; ++i) {
+    vehicle.second(&mission);
+  }
+  EXPECT_EQ(vehicle.flight.received, 0U);
+}
+
+}  // namespace
+}  // namespace glider::hooks

@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "hooks/transport/host/pty.h"
+#include "hooks/transport/host/serial_port.h"
+#include "hooks/transport/termios.h"
+#include "support/diagnostics/diagnostic.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdlib>
+#include <fcntl.h>
+#include <filesystem>
+#include <fstream>
+#include <poll.h>
+#include <string>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace glider::hooks {
+namespace {
+
+/// Writes all byte values one way and reads them at the other end.
+void expectEveryByteCrosses(const GliderByteStream& from, const GliderByteStream& to,
+                            int to_descriptor) {
+  std::array<uint8_t, 256> sent{};
+  for (size_t i = 0; i < sent.size(); ++i) {
+    sent[i] = static_cast<uint8_t>(i);
+  }
+  ASSERT_EQ(from.write(from.self, sent.data(), 256), 256);
+  std::string got;
+  while (got.size() < sent.size()) {
+    pollfd ready{to_descriptor, POLLIN, 0};
+    ASSERT_EQ(::poll(&ready, 1, 2000), 1);
+    std::array<uint8_t, 64> some{};
+    const int32_t count = to.read(to.self, some.data(), 64);
+    ASSERT_GT(count, 0);
+    got.append(reinterpret_cast<const char*>(some.data()), static_cast<size_t>(count));
+  }
+  EXPECT_EQ(got, std::string(reinterpret_cast<const char*>(sent.data()), sent.size()));
+}
+
+std::string codeOf(const support::Result<SerialPort>& result) {
+  return result ? "opened" : support::code(result.error().id);
+}
+
+TEST(SerialDevice, CarriesEveryByteOverAPtyBothWays) {
+  auto pty = Pty::open();
+  ASSERT_TRUE(pty);
+  SerialDevice device;
+  ASSERT_EQ(device.open(pty->name().c_str(), 115200), 0);
+  expectEveryByteCrosses(pty->stream(), device.stream(), device.descriptor());
+  expectEveryByteCrosses(device.stream(), pty->stream(), pty->descriptor());
+  uint8_t byte = 0;
+  EXPECT_EQ(device.stream().read(&device, &byte, 1), 0) << "nothing yet is not the end";
+  EXPECT_EQ(pty->stream().read(&*pty, &byte, 1), 0);
+}
+
+TEST(SerialDevice, KeepsWhatThePeerSaidBeforeItWasOpened) {
+  auto pty = Pty::open();
+  ASSERT_TRUE(pty);
+  const uint8_t word[] = {1, 2, 0};
+  ASSERT_EQ(pty->stream().write(&*pty, word, 3), 3);
+  SerialDevice device;
+  ASSERT_EQ(device.open(pty->name().c_str(), 115200), 0);
+  uint8_t got[3] = {};
+  EXPECT_EQ(device.stream().read(&device, got, 3), 3);
+}
+
+TEST(SerialDevice, TheOtherEndsDeathIsClosed) {
+  SerialDevice device;
+  {
+    auto pty = Pty::open();
+    ASSERT_TRUE(pty);
+    ASSERT_EQ(device.open(pty->name().c_str(), 9600), 0);
+  }
+  uint8_t byte = 0;
+  EXPECT_EQ(device.stream().read(&device, &byte, 1), kGliderStreamClosed);
+  EXPECT_EQ(device.stream().write(&device, &byte, 1), kGliderStreamClosed);
+
+  auto pty = Pty::open();
+  ASSERT_TRUE(pty);
+  ASSERT_EQ(device.open(pty->name().c_str(), 9600), 0);
+  pty->releaseUserSide();
+  EXPECT_EQ(pty->stream().read(&*pty, &byte, 1), 0);
+  device.close();
+  EXPECT_EQ(pty->stream().read(&*pty, &byte, 1), kGliderStreamClosed);
+}
+
+TEST(SerialDevice, SaysWhatFailed) {
+  SerialDevice device;
+  EXPECT_EQ(device.open("/dev/there-is-none", 9600), ENOENT);
+  EXPECT_EQ(device.open("/dev/null", 9600), ENOTTY);
+  auto pty = Pty::open();
+  ASSERT_TRUE(pty);
+  EXPECT_EQ(device.open(pty->name().c_str(), 12345), EINVAL);
+  EXPECT_FALSE(device.isOpen());
+}
+
+// accepts: GL9100 GL9101 GL9102 GL9103 GL9104 GL9105 GL9106
+TEST(SerialPort, OpensAPtyByNameAndByLink) {
+  auto pty = Pty::open();
+  ASSERT_TRUE(pty);
+  const std::string link = testing::TempDir() + "glider-port-" + std::to_string(getpid());
+  std::filesystem::create_symlink(pty->name(), link);
+  {
+    auto port = SerialPort::open(link, 115200);
+    ASSERT_EQ(codeOf(port), "opened");
+    const SerialPort moved = std::move(*port);
+    expectEveryByteCrosses(moved.stream(), pty->stream(), pty->descriptor());
+  }
+  EXPECT_EQ(codeOf(SerialPort::open(pty->name(), 9600)), "opened") << "free again";
+  std::filesystem::remove(link);
+}
+
+TEST(SerialPort, MissingIsGL9100) {
+  EXPECT_EQ(codeOf(SerialPort::open("/dev/there-is-none", 115200)), "GL9100");
+  EXPECT_EQ(codeOf(SerialPort::open("/dev/null/below", 115200)), "GL9100");
+  EXPECT_EQ(codeOf(SerialPort::open("", 115200)), "GL9100");
+}
+
+TEST(SerialPort, NoPermissionIsGL9101) {
+  auto pty = Pty::open();
+  ASSERT_TRUE(pty);
+  ASSERT_EQ(::chmod(pty->name().c_str(), 0), 0);
+  const bool root = ::geteuid() == 0;
+  if (root) {
+    ASSERT_EQ(::seteuid(65534), 0);  // root may do anything
+  }
+  const std::string code = codeOf(SerialPort::open(pty->name(), 115200));
+  if (root) {
+    ASSERT_EQ(::seteuid(0), 0);
+  }
+  EXPECT_EQ(code, "GL9101");
+}
+
+TEST(SerialPort, InUseIsGL9102) {
+  auto pty = Pty::open();
+  ASSERT_TRUE(pty);
+  const auto first = SerialPort::open(pty->name(), 115200);
+  ASSERT_TRUE(first);
+  EXPECT_EQ(codeOf(SerialPort::open(pty->name(), 115200)), "GL9102");
+}
+
+TEST(SerialPort, NotSerialIsGL9103) {
+  EXPECT_EQ(codeOf(SerialPort::open("/dev/null", 115200)), "GL9103");
+  EXPECT_EQ(codeOf(SerialPort::open("/tmp", 115200)), "GL9103");
+  const std::string file = testing::TempDir() + "glider-file-" + std::to_string(getpid());
+  std::ofstream(file) << "x";
+  EXPECT_EQ(codeOf(SerialPort::open(file, 115200)), "GL9103");
+  std::filesystem::remove(file);
+}
+
+TEST(SerialPort, ASpeedOfNoLineIsGL9104) {
+  auto pty = Pty::open();
+  ASSERT_TRUE(pty);
+  const auto port = SerialPort::open(pty->name(), 12345);
+  EXPECT_EQ(codeOf(port), "GL9104");
+  EXPECT_NE(port.error().message.find("12345 baud"), std::string::npos);
+}
+
+/// Leaves the program no file descriptor to open.
+class NoDescriptors {
+ public:
+  NoDescriptors() {
+    EXPECT_EQ(::getrlimit(RLIMIT_NOFILE, &before_), 0);
+    rlimit none = before_;
+    none.rlim_cur = 0;
+    EXPECT_EQ(::setrlimit(RLIMIT_NOFILE, &none), 0);
+  }
+  NoDescriptors(const NoDescriptors&) = delete;
+  NoDescriptors& operator=(const NoDescriptors&) = delete;
+  ~NoDescriptors() { ::setrlimit(RLIMIT_NOFILE, &before_); }
+
+ private:
+  rlimit before_{};
+};
+
+TEST(SerialPort, AnythingElseIsGL9105) {
+  auto pty = Pty::open();
+  ASSERT_TRUE(pty);
+  const NoDescriptors none;
+  EXPECT_EQ(codeOf(SerialPort::open(pty->name(), 115200)), "GL9105");
+}
+
+TEST(Pty, NoneToBeHadIsGL9106) {
+  const NoDescriptors none;
+  const auto pty = Pty::open();
+  ASSERT_FALSE(pty);
+  EXPECT_EQ(support::code(pty.error().id), "GL9106");
+}
+
+}  // namespace
+}  // namespace glider::hooks

@@ -1,0 +1,210 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// The missions in C as programs of their own, over a pseudo-terminal, in lockstep with a vehicle on
+// the bench.
+
+#include "hooks/protocol/lockstep.h"
+#include "hooks/transport/host/pty.h"
+#include "tests/unit/runtime/vehicle_bench.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <poll.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+extern char** environ;
+
+namespace glider::runtime::testing {
+namespace {
+
+/// A C mission's process at the far end of the vehicle's line.
+class CMission {
+ public:
+  CMission(const char* program, VehicleBench& vehicle) : vehicle_(vehicle) {
+    auto opened = hooks::Pty::open();
+    if (!opened) {
+      return;
+    }
+    pty_.emplace(std::move(*opened));
+    std::string path = program;
+    std::string option = "--port";
+    std::string port = pty_->name();
+    char* arguments[] = {path.data(), option.data(), port.data(), nullptr};
+    if (posix_spawn(&process_, program, nullptr, nullptr, arguments, environ) != 0) {
+      process_ = -1;
+    }
+    vehicle_.sbc = [this] { exchange(); };
+  }
+  CMission(const CMission&) = delete;
+  CMission& operator=(const CMission&) = delete;
+  ~CMission() { (void)exitStatus(); }
+
+  [[nodiscard]] bool started() const { return process_ > 0; }
+  bool hung = false;  ///< a frame got no answer in 10 s
+
+  void hangUp() {
+    over_ = true;
+    pty_.reset();
+  }
+  /// Waits for its end; kills it if it does not come.
+  int exitStatus() {
+    if (process_ <= 0) {
+      return status_;
+    }
+    int status = 0;
+    pid_t ended = 0;
+    for (int i = 0; i < 500 && ended == 0; ++i) {
+      ended = waitpid(process_, &status, WNOHANG);
+      usleep(ended == 0 ? 10000 : 0);
+    }
+    if (ended == 0) {
+      kill(process_, SIGKILL);
+      waitpid(process_, &status, 0);
+    }
+    process_ = -1;
+    status_ = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    return status_;
+  }
+
+ private:
+  void exchange() {
+    if (over_) {
+      return;
+    }
+    const GliderByteStream line = vehicle_.sbcEnd();
+    const GliderByteStream pty = pty_->stream();
+    uint8_t bytes[512];
+    for (int32_t got = 1; got > 0;) {
+      got = line.read(line.self, bytes, sizeof bytes);
+      if (got > 0) {
+        lockstep_.toSbc(bytes, static_cast<uint32_t>(got));
+        (void)pty.write(pty.self, bytes, static_cast<uint32_t>(got));
+      }
+    }
+    while (!lockstep_.settled() && !over_) {
+      hear(line, pty);
+    }
+  }
+
+  void hear(const GliderByteStream& line, const GliderByteStream& pty) {
+    uint8_t bytes[512];
+    pollfd wanted{pty_->descriptor(), POLLIN, 0};
+    hung = hung || ::poll(&wanted, 1, 10000) == 0;
+    const int32_t got = hung ? -1 : pty.read(pty.self, bytes, sizeof bytes);
+    over_ = got < 0;
+    if (got > 0) {
+      if (!heard_) {
+        heard_ = true;
+        pty_->releaseUserSide();  // from now on its end shows as a closed line
+      }
+      lockstep_.fromSbc(bytes, static_cast<uint32_t>(got));
+      (void)line.write(line.self, bytes, static_cast<uint32_t>(got));
+    }
+  }
+
+  VehicleBench& vehicle_;
+  std::optional<hooks::Pty> pty_;
+  hooks::Lockstep lockstep_;
+  pid_t process_ = -1;
+  int status_ = -1;
+  bool heard_ = false;
+  bool over_ = false;
+};
+
+/// A glider that does what hookbeh says, in water with a thermocline at 14 m; remembers what it was
+/// ordered.
+class Diver {
+ public:
+  explicit Diver(VehicleBench& vehicle) : vehicle_(vehicle) {
+    vehicle.depth = [this](double t) { return move(t); };
+    vehicle.temperature = [this](double) { return 15.5 - 8.5 * std::tanh((depth_ - 14) / 2.5); };
+  }
+  double shallowest = 1e9;  ///< since the last forget()
+  double deepest = 0;
+  void forget() {
+    shallowest = 1e9;
+    deepest = 0;
+  }
+
+ private:
+  double move(double t) {
+    const double speed =
+        vehicle_.hookbeh().commanding ? (vehicle_.hookbeh().pump_cc < 0 ? 0.17 : -0.17) : 0.0;
+    depth_ = std::max(0.0, depth_ + speed * (t - time_));
+    time_ = t;
+    shallowest = std::min(shallowest, depth_);
+    deepest = std::max(deepest, depth_);
+    return depth_;
+  }
+  VehicleBench& vehicle_;
+  double depth_ = 6;
+  double time_ = 0;
+};
+
+TEST(CMission, Figure3TracksTheThermoclineAndGivesBack) {
+  VehicleBench vehicle({});
+  Diver diver(vehicle);
+  CMission mission(GLIDER_FIGURE3, vehicle);
+  ASSERT_TRUE(mission.started());
+  vehicle.run(400);
+  EXPECT_EQ(vehicle.hookbeh().state, hooks::HookState::Active);
+  diver.forget();
+  vehicle.run(900);
+  EXPECT_GT(diver.shallowest, 8) << "no longer the whole range of 5…20 m";
+  EXPECT_LT(diver.deepest, 20);
+  EXPECT_LT(diver.shallowest, 13);
+  EXPECT_GT(diver.deepest, 15);
+  vehicle.run(1100);
+  EXPECT_EQ(vehicle.hookbeh().state, hooks::HookState::Complete);
+  EXPECT_FALSE(mission.hung);
+  EXPECT_EQ(mission.exitStatus(), 0);
+}
+
+TEST(CMission, Figure2FliesItsStates) {
+  VehicleBench vehicle({});
+  Diver diver(vehicle);
+  CMission mission(GLIDER_FIGURE2, vehicle);
+  ASSERT_TRUE(mission.started());
+  vehicle.run(200);
+  diver.forget();
+  vehicle.run(480);
+  EXPECT_LT(diver.deepest, 13) << "s1: 5…10 m";
+  vehicle.run(800);
+  EXPECT_GT(diver.deepest, 15) << "s2 looks for the thermocline";
+  EXPECT_EQ(vehicle.array(GLIDER_SCI_HOOK_LATERAL), 0) << "noheading";
+  vehicle.run(1700);
+  diver.forget();
+  vehicle.run(1980);
+  EXPECT_LT(diver.deepest, 13) << "s1 again";
+  EXPECT_NEAR(vehicle.array(GLIDER_SCI_HOOK_LON), -7349.8058, 1e-6);
+  vehicle.run(2400);
+  EXPECT_GT(diver.deepest, 19) << "s3: 5…20 m";
+  EXPECT_NEAR(vehicle.array(GLIDER_SCI_HOOK_LON), -7349.5058, 1e-6);
+  vehicle.run(2600);
+  EXPECT_EQ(vehicle.hookbeh().state, hooks::HookState::Complete);
+  EXPECT_FALSE(mission.hung);
+  EXPECT_EQ(mission.exitStatus(), 0);
+}
+
+TEST(CMission, EndsWithStatus2WhenTheLineIsLost) {
+  VehicleBench vehicle({});
+  int status = 0;
+  {
+    auto mission = std::make_unique<CMission>(GLIDER_FIGURE3, vehicle);
+    ASSERT_TRUE(mission->started());
+    vehicle.run(60);
+    mission->hangUp();
+    status = mission->exitStatus();
+  }
+  EXPECT_EQ(status, 2);
+}
+
+}  // namespace
+}  // namespace glider::runtime::testing

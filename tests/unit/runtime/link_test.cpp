@@ -1,0 +1,251 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "runtime/library/library.h"
+#include "tests/unit/runtime/bench_mission.h"
+#include "tests/unit/runtime/vehicle_bench.h"
+
+#include <gtest/gtest.h>
+
+#include <gmock/gmock.h>
+
+namespace glider::runtime::testing {
+namespace {
+
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using Kind = hooks::HookprogEvent::Kind;
+
+/// Two states: a yo until `turn` s, then one with other depths until `end` s, then exit.
+class LinkTest : public ::testing::Test {
+ protected:
+  LinkTest() {
+    mission_.sensors = {depthSensor(), temperatureSensor()};
+    mission_.states = {{"first", &to_second_, log_, 1, 1}, {"second", &leave_, log_, 1, 1}};
+    mission_.guards = [this](const GliderContext& c) {
+      const double limit = c.state == 0 ? turn : end;
+      return c.mission_time >= limit ? 0U : GLIDER_NO_CASE;
+    };
+    mission_.fly = [this](GliderContext& c, uint32_t phase) {
+      gliderProfileYo(&c, &c.memory[c.state], phase, 5, c.state == 0 ? first_bottom : 15, .454,
+                      .454);
+      gliderRouteNoheading(&c, &c.memory[2], phase);
+    };
+    mission_.log_value = [](const GliderContext& c, uint32_t) { return c.readings[0].value; };
+    mission_.finish(1);
+  }
+
+  void boot(VehicleBench& vehicle) {
+    runtime_memory_.assign(gliderRuntimeSize() / sizeof(double) + 1, 0.0);
+    const GliderRuntimeOptions options{{this, &LinkTest::writeLog}};
+    runtime_ = gliderRuntimeInit(runtime_memory_.data(), mission_.memory.data(), &mission_.mission,
+                                 &options);
+    ASSERT_NE(runtime_, nullptr);
+    vehicle.sbc = [this, &vehicle] { poll(vehicle); };
+  }
+
+  void poll(VehicleBench& vehicle) {
+    const GliderByteStream stream = vehicle.sbcEnd();
+    const GliderClock clock{&sbc_time_, [](void* t) { return *static_cast<double*>(t); }};
+    sbc_time_ = vehicle.now();
+    for (int i = 0; i < 100; ++i) {
+      status_ = gliderRuntimePoll(runtime_, &stream, &clock);
+      finished_ = finished_ || status_ == kGliderRuntimeFinished;
+      if (status_ == kGliderRuntimeIdle || status_ == kGliderRuntimeLinkClosed) {
+        return;
+      }
+    }
+    FAIL() << "the runtime never comes to rest";
+  }
+
+  static int32_t writeLog(void* self, const uint8_t* bytes, uint32_t count) {
+    static_cast<LinkTest*>(self)->log_text_.append(reinterpret_cast<const char*>(bytes), count);
+    return static_cast<int32_t>(count);
+  }
+
+  double turn = 100;
+  double end = 200;
+  double first_bottom = 12;
+  GliderCaseInfo to_second_{kGliderGoto, 1};
+  GliderCaseInfo leave_{kGliderExit, 0};
+  GliderLogInfo log_[1] = {{"depth", 8}};
+  BenchMission mission_;
+  std::vector<double> runtime_memory_;
+  GliderRuntime* runtime_ = nullptr;
+  GliderRuntimeStatus status_ = kGliderRuntimeIdle;
+  bool finished_ = false;
+  double sbc_time_ = 0;
+  std::string log_text_;
+};
+
+TEST_F(LinkTest, WaitsForHookbehThenTakesFliesAndGivesBack) {
+  VehicleBench vehicle({.start_secs = 60});
+  boot(vehicle);
+  vehicle.run(60);
+  EXPECT_EQ(gliderRuntimeContext(runtime_), nullptr) << "hookbeh was not ready";
+  EXPECT_EQ(vehicle.sbcView().phase, 0);
+  vehicle.run(90);
+  EXPECT_EQ(vehicle.hookbeh().state, hooks::HookState::Active);
+  EXPECT_THAT(vehicle.doings, ElementsAre("dive_to"));
+  EXPECT_EQ(vehicle.array(GLIDER_SCI_HOOK_DEPTH), 12);
+  EXPECT_EQ(vehicle.array(GLIDER_SCI_HOOK_PITCH), static_cast<double>(-.454F));
+  vehicle.run(200);
+  EXPECT_EQ(vehicle.array(GLIDER_SCI_HOOK_DEPTH), 15) << "the second state's order";
+  EXPECT_FALSE(finished_);
+  vehicle.run(300);
+  EXPECT_TRUE(finished_);
+  EXPECT_EQ(vehicle.hookbeh().state, hooks::HookState::Complete);
+  EXPECT_THAT(vehicle.answers, ElementsAre(hooks::HookAnswer::Accepted, hooks::HookAnswer::Accepted,
+                                           hooks::HookAnswer::Accepted))
+      << "take, one steer, give back";
+}
+
+TEST_F(LinkTest, MissionTimeCountsFromControlAndTransitionsAreTold) {
+  VehicleBench vehicle({.start_secs = 60});
+  boot(vehicle);
+  vehicle.run(300);
+  std::vector<hooks::HookprogEvent> transitions;
+  for (const auto& event : vehicle.events) {
+    if (event.kind == Kind::SbcTransition) {
+      transitions.push_back(event);
+    }
+  }
+  ASSERT_EQ(transitions.size(), 2U);
+  EXPECT_EQ(transitions[0].mission_time_s, 100);
+  EXPECT_EQ(transitions[0].a, static_cast<uint32_t>(kGliderGoto));
+  EXPECT_EQ(transitions[0].b, 0U);
+  EXPECT_EQ(transitions[0].c, 1U);
+  EXPECT_EQ(transitions[1].mission_time_s, 200);
+  EXPECT_EQ(transitions[1].a, static_cast<uint32_t>(kGliderExit));
+}
+
+TEST_F(LinkTest, LogsTheFlight) {
+  VehicleBench vehicle({.start_secs = 60});
+  boot(vehicle);
+  vehicle.run(300);
+  EXPECT_THAT(log_text_, ::testing::StartsWith("time_s,record,name,value,from,to\n"
+                                               "0,mission,bench,,,\n"
+                                               "0,state,first,,,\n"
+                                               "0,value,depth,10,,\n"));
+  EXPECT_THAT(log_text_, HasSubstr("\n8,value,depth,10,,\n"));
+  EXPECT_THAT(log_text_, ::testing::Not(HasSubstr("\n4,value,"))) << "every 8 s";
+  EXPECT_THAT(log_text_, HasSubstr(",event,control taken,1,,\n"));
+  EXPECT_THAT(log_text_, HasSubstr("\n100,transition,goto,1,first,second\n100,value,depth,10,,\n"));
+  EXPECT_THAT(log_text_, HasSubstr("\n200,transition,exit,1,second,\n"));
+  EXPECT_THAT(log_text_, HasSubstr(",event,control given back,"));
+}
+
+TEST_F(LinkTest, ARefusedInstructionIsRecordedAndTheMissionFliesOn) {
+  VehicleBench vehicle({.greatest_depth_m = 14});
+  boot(vehicle);
+  vehicle.run(160);
+  EXPECT_THAT(vehicle.answers, ElementsAre(hooks::HookAnswer::Accepted, hooks::HookAnswer::TooDeep))
+      << "refused once, not sent again";
+  EXPECT_THAT(log_text_, HasSubstr(",event,instruction refused,2,too deep,\n"));
+  EXPECT_EQ(vehicle.hookbeh().state, hooks::HookState::Active);
+  vehicle.run(300);
+  EXPECT_TRUE(finished_);
+}
+
+TEST_F(LinkTest, AHandshakeOutOfBoundsIsTriedAgainOnlyWithAnotherCommand) {
+  first_bottom = 14.5;
+  VehicleBench vehicle({.greatest_depth_m = 14});
+  vehicle.depth = [](double t) { return t < 60 ? 10.0 : 14.6; };
+  boot(vehicle);
+  vehicle.run(60);
+  EXPECT_THAT(vehicle.answers, ElementsAre(hooks::HookAnswer::TooDeep));
+  vehicle.run(90);
+  EXPECT_THAT(vehicle.answers, ElementsAre(hooks::HookAnswer::TooDeep, hooks::HookAnswer::Accepted))
+      << "the climb is within bounds";
+}
+
+TEST_F(LinkTest, AfterSilenceControlIsTakenAnewAndTheMissionGoesOn) {
+  VehicleBench vehicle({.silence_secs = 24});
+  boot(vehicle);
+  vehicle.run(60);
+  const uint32_t before = vehicle.hookbeh().session;
+  vehicle.line_is_cut = true;
+  vehicle.run(100);
+  EXPECT_EQ(vehicle.hookbeh().state, hooks::HookState::Silent);
+  EXPECT_FALSE(vehicle.hookbeh().commanding);
+  vehicle.line_is_cut = false;
+  vehicle.run(140);
+  EXPECT_EQ(vehicle.hookbeh().state, hooks::HookState::Active);
+  EXPECT_GT(vehicle.hookbeh().session, before);
+  EXPECT_THAT(log_text_, HasSubstr(",event,control lost,"));
+  EXPECT_EQ(gliderRuntimeContext(runtime_)->state, 1U) << "mission time ran on";
+  EXPECT_EQ(vehicle.array(GLIDER_SCI_HOOK_DEPTH), 15) << "the commands in force, sent again";
+  vehicle.run(300);
+  EXPECT_TRUE(finished_);
+}
+
+TEST_F(LinkTest, ARestartedProgramTakesControlOfAVehicleThatStillObeysTheOldOne) {
+  VehicleBench vehicle({.silence_secs = 24});
+  boot(vehicle);
+  vehicle.run(60);
+  boot(vehicle);  // forgets everything, within the seconds of silence
+  vehicle.run(200);
+  EXPECT_EQ(vehicle.hookbeh().state, hooks::HookState::Active);
+  EXPECT_THAT(log_text_, HasSubstr("control taken"));
+  EXPECT_GE(gliderRuntimeContext(runtime_)->mission_time, 100);
+  EXPECT_EQ(vehicle.array(GLIDER_SCI_HOOK_DEPTH), 15);
+  vehicle.run(400);
+  EXPECT_TRUE(finished_);
+}
+
+TEST_F(LinkTest, InRealTimeASilentLinkMakesTicksOfTheClockAlone) {
+  VehicleBench vehicle({.silence_secs = 24}, false);
+  boot(vehicle);
+  vehicle.run(60);
+  const double before = gliderRuntimeContext(runtime_)->mission_time;
+  sbc_time_ = 60;
+  const GliderByteStream stream = vehicle.sbcEnd();
+  const GliderClock clock{&sbc_time_, [](void* t) { return *static_cast<double*>(t); }};
+  for (; sbc_time_ < 130; sbc_time_ += 1) {
+    (void)gliderRuntimePoll(runtime_, &stream, &clock);
+  }
+  EXPECT_NEAR(gliderRuntimeContext(runtime_)->mission_time, before + 60, 12.1);
+  EXPECT_EQ(gliderRuntimeContext(runtime_)->state, 1U)
+      << "its clock is enough for missiontime >= 100";
+  EXPECT_THAT(log_text_, HasSubstr(",event,silent link,"));
+}
+
+TEST_F(LinkTest, SaysWhenTheLineIsClosed) {
+  VehicleBench vehicle({});
+  boot(vehicle);
+  vehicle.run(20);
+  vehicle.closeLine();
+  poll(vehicle);
+  EXPECT_EQ(status_, kGliderRuntimeLinkClosed);
+}
+
+TEST_F(LinkTest, ALogThatFailsNeverStopsTheMission) {
+  VehicleBench vehicle({});
+  boot(vehicle);
+  const GliderRuntimeOptions full{{this, [](void*, const uint8_t*, uint32_t) { return -1; }}};
+  runtime_ =
+      gliderRuntimeInit(runtime_memory_.data(), mission_.memory.data(), &mission_.mission, &full);
+  vehicle.run(300);
+  EXPECT_TRUE(finished_);
+}
+
+TEST_F(LinkTest, RefusesAMissionOfAnotherAbi) {
+  runtime_memory_.assign(gliderRuntimeSize() / sizeof(double) + 1, 0.0);
+  auto init = [&](const GliderMission& m) {
+    return gliderRuntimeInit(runtime_memory_.data(), mission_.memory.data(), &m, nullptr);
+  };
+  GliderMission other = mission_.mission;
+  EXPECT_NE(init(other), nullptr);
+  other.abi_version = 2;
+  EXPECT_EQ(init(other), nullptr);
+  other = mission_.mission;
+  other.context_bytes -= 8;
+  EXPECT_EQ(init(other), nullptr);
+  other = mission_.mission;
+  other.sensor_count = 65;
+  EXPECT_EQ(init(other), nullptr);
+}
+
+}  // namespace
+}  // namespace glider::runtime::testing

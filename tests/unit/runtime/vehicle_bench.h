@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "hooks/clothesline/clothesline.h"
+#include "hooks/hookbeh/hookbeh.h"
+#include "hooks/hookprog/hookprog.h"
+#include "hooks/transport/memory.h"
+#include "platforms/slocum_sensors.h"
+
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+/// A vehicle on the bench: sensor array, hookbeh, clothesline and hookprog as they are on board,
+/// with no water round them. The SBC is polled after every second.
+namespace glider::runtime::testing {
+
+class VehicleBench {
+ public:
+  explicit VehicleBench(const hooks::HookbehArgs& args, bool virtual_time = true)
+      : hookbeh_(args), hookprog_({.virtual_time = virtual_time}) {
+    for (double& value : array_) {
+      value = NAN;
+    }
+  }
+
+  /// Polls the SBC until it has nothing to do.
+  std::function<void()> sbc = [] {};
+  /// Depth and temperature at a vehicle time.
+  std::function<double(double)> depth = [](double) { return 10.0; };
+  std::function<double(double)> temperature = [](double) { return 20.0; };
+  bool line_is_cut = false;  ///< the SBC is not polled, and hears nothing of it
+
+  [[nodiscard]] GliderByteStream sbcEnd() { return sbc_line_.right(); }
+  void closeLine() { sbc_line_.close(); }
+  [[nodiscard]] double now() const { return now_; }
+  [[nodiscard]] const hooks::HookbehOutputs& hookbeh() const { return outputs_; }
+  [[nodiscard]] double array(uint16_t id) const { return array_[id]; }
+  void set(uint16_t id, double value) { array_[id] = value; }
+
+  void run(double until) {
+    for (; now_ < until; now_ += 1) {
+      if (std::fmod(now_, 4) == 0) {
+        controlCycle();
+      }
+      const hooks::ScienceSensors own{this, &VehicleBench::scienceSensor};
+      hookprog_.run(now_, own, sbc_line_.left(), clothesline_.left());
+      if (!line_is_cut) {
+        sbc();
+      }
+      hookprog_.run(now_, own, sbc_line_.left(), clothesline_.left());
+      for (hooks::HookprogEvent e = hookprog_.nextEvent();
+           e.kind != hooks::HookprogEvent::Kind::None; e = hookprog_.nextEvent()) {
+        events.push_back(e);
+      }
+    }
+  }
+
+  std::vector<hooks::HookprogEvent> events;
+  std::vector<std::string> doings;         ///< what hookbeh did, each change once
+  std::vector<hooks::HookAnswer> answers;  ///< each new one
+  [[nodiscard]] hooks::Hookprog::SbcView sbcView() const { return hookprog_.sbc(); }
+
+ private:
+  static double scienceSensor(void* self, uint16_t id, bool* fresh) {
+    auto& bench = *static_cast<VehicleBench*>(self);
+    *fresh = id == GLIDER_SCI_WATER_TEMP;
+    return id == GLIDER_SCI_WATER_TEMP ? bench.temperature(bench.now_) : NAN;
+  }
+
+  void controlCycle() {
+    receive();
+    array_[GLIDER_M_PRESENT_SECS_INTO_MISSION] = now_;
+    array_[GLIDER_M_CYCLE_NUMBER] = now_ / 4;
+    array_[GLIDER_M_DEPTH] = depth(now_);
+    outputs_ = hookbeh_.cycle(inputs());
+    if (outputs_.commanding && (doings.empty() || doings.back() != outputs_.doing)) {
+      doings.emplace_back(outputs_.doing);
+    }
+    if (outputs_.answer != hooks::HookAnswer::None &&
+        outputs_.answered_sequence != array_[GLIDER_X_HOOK_SEQUENCE]) {
+      answers.push_back(outputs_.answer);
+    }
+    array_[GLIDER_X_HOOK_STATE] = static_cast<double>(outputs_.state);
+    array_[GLIDER_X_HOOK_ANSWER] = static_cast<double>(outputs_.answer);
+    array_[GLIDER_X_HOOK_SEQUENCE] = outputs_.answered_sequence;
+    array_[GLIDER_X_HOOK_SESSION] = outputs_.session;
+    report();
+  }
+
+  void receive() {
+    hooks::SensorUpdate updates[64];
+    for (uint32_t count = 64; count == 64;) {
+      count = flight_.poll(clothesline_.right(), updates, 64);
+      for (uint32_t i = 0; i < count; ++i) {
+        array_[updates[i].id] = updates[i].value;
+      }
+    }
+  }
+
+  void report() {
+    const uint16_t told[] = {GLIDER_M_DEPTH,        GLIDER_X_HOOK_STATE,
+                             GLIDER_X_HOOK_ANSWER,  GLIDER_X_HOOK_SEQUENCE,
+                             GLIDER_X_HOOK_SESSION, GLIDER_M_PRESENT_SECS_INTO_MISSION,
+                             GLIDER_M_CYCLE_NUMBER};
+    std::vector<hooks::SensorUpdate> updates;
+    for (const uint16_t id : told) {
+      updates.push_back({id, array_[id]});
+    }
+    (void)flight_.send(updates.data(), static_cast<uint32_t>(updates.size()));
+    hooks::SensorUpdate none[1];
+    (void)flight_.poll(clothesline_.right(), none, 0);
+  }
+
+  [[nodiscard]] hooks::HookbehInputs inputs() const {
+    hooks::HookbehInputs in;
+    in.time_s = now_;
+    in.depth_m = array_[GLIDER_M_DEPTH];
+    in.depth_rate_mps = array_[GLIDER_M_DEPTH_RATE];
+    in.altitude_m = NAN;
+    in.latitude_ddmm = 3910;
+    in.longitude_ddmm = -7349;
+    in.heartbeat = array_[GLIDER_SCI_HOOK_HEARTBEAT];
+    in.session = array_[GLIDER_SCI_HOOK_SESSION];
+    in.sequence = array_[GLIDER_SCI_HOOK_SEQUENCE];
+    in.control = array_[GLIDER_SCI_HOOK_CONTROL];
+    in.vertical = array_[GLIDER_SCI_HOOK_VERTICAL];
+    in.lateral = array_[GLIDER_SCI_HOOK_LATERAL];
+    in.hook_depth_m = array_[GLIDER_SCI_HOOK_DEPTH];
+    in.hook_pitch_rad = array_[GLIDER_SCI_HOOK_PITCH];
+    in.hook_heading_rad = array_[GLIDER_SCI_HOOK_HEADING];
+    in.hook_latitude_ddmm = array_[GLIDER_SCI_HOOK_LAT];
+    in.hook_longitude_ddmm = array_[GLIDER_SCI_HOOK_LON];
+    in.check = array_[GLIDER_SCI_HOOK_CHECK];
+    return in;
+  }
+
+  double now_ = 0;
+  double array_[GLIDER_SENSOR_COUNT];
+  hooks::Hookbeh hookbeh_;
+  hooks::Hookprog hookprog_;
+  hooks::Clothesline flight_;
+  hooks::MemoryLine sbc_line_;
+  hooks::MemoryLine clothesline_;
+  hooks::HookbehOutputs outputs_;
+};
+
+}  // namespace glider::runtime::testing

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "hooks/client/client.h"
+#include "simulator/sbc_port.h"
+
+#include <deque>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace glider::simulator {
+
+/// A pilot in a few lines, on the real client: dives and climbs between two depths, gives back
+/// after a while.
+class FakePilot {
+ public:
+  struct Plan {
+    double top_m = 5, bottom_m = 20;
+    double give_back_s = 1e9;  ///< mission time
+    double pitch_rad = 0.4538;
+  };
+  explicit FakePilot(Plan plan);
+  /// Answers all frames that are there.
+  void poll(const GliderByteStream& stream, const GliderClock& clock);
+  [[nodiscard]] int ticks() const { return ticks_; }
+  [[nodiscard]] bool closed() const { return closed_; }
+
+ private:
+  void tick(const GliderByteStream& stream);
+  void steer(double depth);
+
+  Plan plan_;
+  hooks::Client client_;
+  bool taken_ = false, diving_ = true, given_back_ = false, closed_ = false;
+  double start_s_ = 0;
+  int ticks_ = 0;
+};
+
+/// The pilot as an SBC in memory. `silent_from_s`: from then on it hears but does not answer, as a
+/// hung board would.
+class FakeSbc final : public SbcPort {
+ public:
+  explicit FakeSbc(FakePilot::Plan plan, double silent_from_s = 1e9)
+      : pilot_(plan), silent_from_s_(silent_from_s) {}
+
+  [[nodiscard]] std::string way() const override { return "in-process"; }
+  void deliver(std::span<const uint8_t> bytes, double now_s) override;
+  std::vector<uint8_t> collect() override;
+  void kill() override { killed_ = true; }
+  [[nodiscard]] bool alive() const override { return !killed_; }
+  [[nodiscard]] std::string epitaph() const override { return killed_ ? "killed" : ""; }
+
+ private:
+  static int32_t read(void* self, uint8_t* bytes, uint32_t capacity);
+  static int32_t write(void* self, const uint8_t* bytes, uint32_t count);
+  static double now(void* self) { return static_cast<FakeSbc*>(self)->now_s_; }
+
+  FakePilot pilot_;
+  double silent_from_s_;
+  std::deque<uint8_t> in_;
+  std::vector<uint8_t> out_;
+  double now_s_ = 0;
+  bool killed_ = false;
+};
+
+}  // namespace glider::simulator

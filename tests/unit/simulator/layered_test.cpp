@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "tests/unit/simulator/flights.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace glider::simulator {
+namespace {
+
+const std::string kYo =
+    "behavior: yo\n b_arg: num_half_cycles_to_do(nodim) 4\n b_arg: end_action(enum) 0\n"
+    " b_arg: d_target_depth(m) 20\n b_arg: c_target_depth(m) 3\n";
+const std::string kHeading = "behavior: set_heading\n b_arg: heading_value(rad) 1.0\n";
+const std::string kSurface =
+    "behavior: surface\n b_arg: start_when(enum) 1\n b_arg: end_action(enum) 0\n b_arg: "
+    "gps_wait_time(s) 60\n";
+
+TEST(Layered, FliesThreeYosAndSurfaces) {
+  const support::Trace trace = fly(shippedSetup("layered"));
+  const std::string events = eventText(trace);
+  const auto* over = findEvent(trace, "climb_to over, half cycle 6");
+  ASSERT_NE(over, nullptr) << events;
+  EXPECT_EQ(findEvent(trace, "half cycle 7"), nullptr);
+  const auto* surface = findEvent(trace, "surface started");
+  ASSERT_NE(surface, nullptr) << events;
+  EXPECT_EQ(surface->time_s, over->time_s) << "in the same cycle, or the stack would be idle";
+  ASSERT_NE(findEvent(trace, "the mission has ended normally"), nullptr) << events;
+  for (const auto& event : trace.events) {
+    EXPECT_NE(event.kind, "abort") << event.what;
+  }
+  double deepest = 0;
+  for (size_t row = 0; row < trace.rowCount(); ++row) {
+    deepest = std::max(deepest, trace.at(row, trace.column("true_depth")));
+  }
+  EXPECT_GT(deepest, 30);
+  EXPECT_LT(deepest, 33.5) << "overshoot of an inflection";
+}
+
+TEST(Layered, YoHasTheSpeedsOfAGlider) {
+  const support::Trace trace = fly(shippedSetup("layered"));
+  double down = 0, up = 0, ahead = 0;
+  int downs = 0, ups = 0;
+  for (size_t row = 1; row + 1 < trace.rowCount(); ++row) {
+    const double depth = trace.at(row, trace.column("true_depth"));
+    const double rate = (depth - trace.at(row - 1, trace.column("true_depth"))) / 4;
+    if (depth > 10 && depth < 25 && std::fabs(rate) > 0.05) {
+      (rate > 0 ? down : up) += std::fabs(rate);
+      ++(rate > 0 ? downs : ups);
+      ahead +=
+          std::hypot(
+              trace.at(row, trace.column("true_x")) - trace.at(row - 1, trace.column("true_x")),
+              trace.at(row, trace.column("true_y")) - trace.at(row - 1, trace.column("true_y"))) /
+          4;
+    }
+  }
+  EXPECT_GT(down / downs, 0.13);
+  EXPECT_LT(down / downs, 0.21);
+  EXPECT_GT(up / ups, 0.13);
+  EXPECT_LT(up / ups, 0.21);
+  EXPECT_GT(ahead / (downs + ups), 0.28);
+  EXPECT_LT(ahead / (downs + ups), 0.42);
+  const double first = findEvent(trace, "half cycle 2")->time_s,
+               second = findEvent(trace, "half cycle 4")->time_s;
+  EXPECT_GT(second - first, 250);
+  EXPECT_LT(second - first, 480);
+  // Dead reckoning knows no angle of attack, so it overrates the speed, but it must stay near the
+  // truth.
+  const size_t last = trace.rowCount() - 20;
+  const double run = trace.at(last, trace.column("true_x"));
+  EXPECT_NEAR(trace.at(last, trace.column("m_x_lmc")), run, 0.3 * run);
+  EXPECT_NEAR(trace.at(last, trace.column("m_heading")), 1.5708, 0.15);
+}
+
+TEST(Layered, IdleStackAborts) {
+  const support::Trace nothing = fly(setupWith("behavior: abend\n"));
+  ASSERT_NE(findEvent(nothing, "MS_ABORT_STACK_IS_IDLE"), nullptr) << eventText(nothing);
+  EXPECT_EQ(findEvent(nothing, "MS_ABORT_STACK_IS_IDLE")->time_s, 0);
+  const support::Trace no_heading = fly(setupWith(kYo));
+  ASSERT_NE(findEvent(no_heading, "MS_ABORT_HEADING_IS_IDLE"), nullptr) << eventText(no_heading);
+  const support::Trace no_pitch = fly(setupWith(kHeading));
+  ASSERT_NE(findEvent(no_pitch, "MS_ABORT_PITCH_IS_IDLE"), nullptr) << eventText(no_pitch);
+}
+
+TEST(Layered, AbortBringsTheVehicleUp) {
+  const support::Trace trace = fly(setupWith(kHeading + kYo));
+  const auto* abort = findEvent(trace, "MS_ABORT_PITCH_IS_IDLE");
+  ASSERT_NE(abort, nullptr) << "when the yo is over nothing commands pitch" << eventText(trace);
+  EXPECT_GT(abort->time_s, 300);
+  EXPECT_NE(findEvent(trace, "aborted (MS_ABORT_PITCH_IS_IDLE) and at the surface"), nullptr)
+      << eventText(trace);
+  EXPECT_EQ(trace.at(trace.rowCount() - 1, trace.column("true_depth")), 0);
+}
+
+TEST(Layered, AbendWatchesDepthAndTime) {
+  const std::string deep = "behavior: abend\n b_arg: overdepth(m) 12\n" + kSurface + kHeading + kYo;
+  const support::Trace overdepth = fly(setupWith(deep));
+  ASSERT_NE(findEvent(overdepth, "MS_ABORT_OVERDEPTH"), nullptr) << eventText(overdepth);
+  EXPECT_NEAR(valueAt(overdepth, "m_depth", findEvent(overdepth, "MS_ABORT_OVERDEPTH")->time_s),
+              12.4, 0.5);
+  const support::Trace overtime =
+      fly(setupWith("behavior: abend\n b_arg: overtime(s) 100\n" + kSurface + kHeading + kYo));
+  ASSERT_NE(findEvent(overtime, "MS_ABORT_OVERTIME"), nullptr);
+  EXPECT_EQ(findEvent(overtime, "MS_ABORT_OVERTIME")->time_s, 104);
+}
+
+TEST(Layered, HigherBehavioursWin) {
+  const std::string east = "behavior: set_heading\n b_arg: heading_value(rad) 1.5\n";
+  const std::string south = "behavior: set_heading\n b_arg: heading_value(rad) 3.1\n";
+  const support::Trace trace = fly(setupWith(kSurface + east + south + kYo));
+  EXPECT_NEAR(valueAt(trace, "c_heading", 200), 1.5, 1e-6);
+  EXPECT_EQ(valueAt(trace, "layer", 200), 3) << "the yo commands the pitch";
+  // A start condition sees only what is below: this heading has nothing below it that steers.
+  const std::string idle =
+      "behavior: set_heading\n b_arg: heading_value(rad) 2.0\n b_arg: start_when(enum) 3\n";
+  EXPECT_NEAR(valueAt(fly(setupWith(kSurface + south + idle + kYo)), "c_heading", 200), 3.1, 1e-6);
+  EXPECT_NEAR(valueAt(fly(setupWith(kSurface + idle + south + kYo)), "c_heading", 200), 3.1, 1e-6);
+}
+
+TEST(Layered, SurfacesWithoutCommunication) {
+  const std::string silent =
+      "behavior: surface\n b_arg: start_when(enum) 12\n b_arg: when_secs(s) 150\n b_arg: "
+      "end_action(enum) 0\n";
+  const support::Trace trace = fly(setupWith(silent + kHeading + kYo));
+  const auto* started = findEvent(trace, "surface started");
+  ASSERT_NE(started, nullptr) << eventText(trace);
+  EXPECT_NEAR(started->time_s, 160, 30);
+  EXPECT_NE(findEvent(trace, "ended normally"), nullptr);
+}
+
+TEST(Layered, SteersToAWaypoint) {
+  const std::string there =
+      "behavior: goto_wpt\n b_arg: wpt_units(enum) 2\n b_arg: wpt_x(lon) -7350.1\n b_arg: "
+      "wpt_y(lat) 3911.0\n"
+      " b_arg: stop_when(enum) 5\n";
+  const support::Trace trace = fly(setupWith(kSurface + there + kYo));
+  EXPECT_GT(std::cos(valueAt(trace, "c_heading", 200)), 0.99) << "due north";
+  EXPECT_GT(valueAt(trace, "true_y", 500), 60);
+}
+
+TEST(Simulator, IsDeterministicForASeed) {
+  const std::string first = traceToCsv(fly(shippedSetup("layered")));
+  EXPECT_EQ(first, traceToCsv(fly(shippedSetup("layered"))));
+  SimulationSetup other = shippedSetup("layered");
+  other.seed = 99;
+  EXPECT_NE(first, traceToCsv(fly(std::move(other))));
+}
+
+TEST(Simulator, EndsWithItsTimeAndReportsProgress) {
+  SimulationSetup setup = shippedSetup("layered");
+  setup.duration_s = 400;
+  int calls = 0;
+  setup.progress = [&](const Progress& progress) {
+    EXPECT_EQ(progress.duration_s, 400);
+    ++calls;
+  };
+  const support::Trace trace = fly(std::move(setup));
+  EXPECT_EQ(trace.rowCount(), 101U);
+  EXPECT_EQ(calls, 5);
+  EXPECT_NE(findEvent(trace, "time of 400 s is over"), nullptr);
+  EXPECT_EQ(trace.field.depths_m.size(), 80U);
+  EXPECT_EQ(trace.field.times_s.size(), 101U);
+  EXPECT_EQ(trace.field.values.size(), 101U * 80U);
+}
+
+TEST(Simulator, RefusesAPlatformWithoutItsSensors) {
+  SimulationSetup setup = shippedSetup("layered");
+  setup.platform.sensors.resize(10);
+  const auto result = simulate(std::move(setup));
+  ASSERT_FALSE(result);
+  EXPECT_EQ(support::code(result.error().id), "GL5121");  // accepts: GL5121 — every other test here
+}
+
+TEST(Simulator, IsMuchFasterThanRealTime) {
+  const auto start = std::chrono::steady_clock::now();
+  const support::Trace trace = fly(shippedSetup("layered"));
+  const double real =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double simulated = trace.at(trace.rowCount() - 1, 0);
+  RecordProperty("times_real_time", static_cast<int>(simulated / real));
+  std::printf("%.0f times real time\n", simulated / real);
+  EXPECT_GT(simulated / real, 200)
+      << "far below the aim of 10,000, so that a busy or sanitized build passes";
+}
+
+}  // namespace
+}  // namespace glider::simulator

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "simulator/science/process_sbc_port.h"
+#include "tests/unit/simulator/fake_sbc.h"
+#include "tests/unit/simulator/flights.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <signal.h>
+
+namespace glider::simulator {
+namespace {
+
+const std::string kProgram = std::string(GLIDER_BINARY_DIR) + "/tests/simulator_sbc_program";
+
+size_t openDescriptors() {
+  size_t count = 0;
+  for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator("/proc/self/fd")) {
+    ++count;
+  }
+  return count;
+}
+
+SimulationSetup setupFor(std::unique_ptr<SbcPort> sbc) {
+  SimulationSetup setup = shippedSetup("default");
+  setup.duration_s = 600;
+  setup.sbc = std::move(sbc);
+  return setup;
+}
+
+std::unique_ptr<ProcessSbcPort> start(std::vector<std::string> command, double hang_secs = 10) {
+  auto port = ProcessSbcPort::start("host", std::move(command), hang_secs);
+  EXPECT_TRUE(port) << port.error().message;
+  return std::move(*port);
+}
+
+TEST(ProcessSbc, FliesTheSameAsInProcess) {
+  const size_t before = openDescriptors();
+  const support::Trace over_pty = fly(setupFor(start({kProgram, "{port}"})));
+  const support::Trace in_process = fly(setupFor(std::make_unique<FakeSbc>(FakePilot::Plan{})));
+  EXPECT_NE(findEvent(over_pty, "takes control"), nullptr) << eventText(over_pty);
+  EXPECT_EQ(traceToCsv(over_pty), traceToCsv(in_process));
+  EXPECT_EQ(over_pty.way, "host");
+  EXPECT_EQ(openDescriptors(), before) << "a descriptor has leaked";
+}
+
+TEST(ProcessSbc, KilledLeavesNoZombie) {
+  auto port = start({kProgram, "{port}"});
+  const pid_t pid = port->pid();
+  port->kill();
+  EXPECT_FALSE(port->alive());
+  EXPECT_EQ(port->epitaph(), "killed");
+  EXPECT_NE(::kill(pid, 0), 0) << "it is reaped";
+  SimulationSetup setup = setupFor(start({kProgram, "{port}"}));
+  setup.kill_sbc_at_s = 200;
+  const support::Trace trace = fly(std::move(setup));
+  ASSERT_NE(findEvent(trace, "the SBC is gone"), nullptr) << eventText(trace);
+  EXPECT_EQ(findEvent(trace, "the SBC is gone")->why, "killed");
+  EXPECT_NE(findEvent(trace, "the SBC is silent"), nullptr);
+}
+
+TEST(ProcessSbc, TellsHowAProgramEnded) {
+  const support::Trace ended = fly(setupFor(start({kProgram, "{port}", "exit", "20"})));
+  ASSERT_NE(findEvent(ended, "the SBC is gone"), nullptr) << eventText(ended);
+  EXPECT_EQ(findEvent(ended, "the SBC is gone")->why, "exited with status 7");
+  const support::Trace never = fly(setupFor(start({"/bin/true"})));
+  ASSERT_NE(findEvent(never, "the SBC is gone"), nullptr) << eventText(never);
+  EXPECT_EQ(findEvent(never, "the SBC is gone")->why, "exited with status 0");
+}
+
+TEST(ProcessSbc, EndsAHungProgram) {
+  const support::Trace trace = fly(setupFor(start({kProgram, "{port}", "hang", "20"}, 0.3)));
+  ASSERT_NE(findEvent(trace, "the SBC is gone"), nullptr) << eventText(trace);
+  EXPECT_EQ(findEvent(trace, "the SBC is gone")->why, "hung");
+}
+
+TEST(ProcessSbc, SaysWhyItCannotStart) {
+  const size_t before = openDescriptors();
+  const auto missing = ProcessSbcPort::start("host", {"/no/such/program", "{port}"});
+  ASSERT_FALSE(missing);
+  EXPECT_EQ(support::code(missing.error().id), "GL9150");  // accepts: GL9150 — the tests above
+  EXPECT_NE(missing.error().message.find("/no/such/program"), std::string::npos);
+  EXPECT_FALSE(ProcessSbcPort::start("host", {}));
+  EXPECT_EQ(openDescriptors(), before);
+}
+
+}  // namespace
+}  // namespace glider::simulator

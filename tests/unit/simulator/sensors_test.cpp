@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "simulator/sensors/altimeter.h"
+#include "simulator/sensors/attitude_sensor.h"
+#include "simulator/sensors/ctd.h"
+#include "simulator/sensors/depth_sensor.h"
+#include "simulator/sensors/gps.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace glider::simulator {
+namespace {
+
+TEST(Noise, IsGaussianAndRepeatable) {
+  Noise a(7, 1), b(7, 1), other_stream(7, 2), other_seed(8, 1);
+  double sum = 0, squares = 0;
+  bool differs = false;
+  constexpr int kCount = 20000;
+  for (int i = 0; i < kCount; ++i) {
+    const double x = a.normal(2);
+    EXPECT_EQ(x, b.normal(2));
+    differs = differs || (x != other_stream.normal(2) && x != other_seed.normal(2));
+    sum += x;
+    squares += x * x;
+  }
+  EXPECT_TRUE(differs);
+  EXPECT_NEAR(sum / kCount, 0, 0.05);
+  EXPECT_NEAR(std::sqrt(squares / kCount), 2, 0.05);
+}
+
+TEST(Sensors, ReadTheTruthWithoutNoise) {
+  EXPECT_EQ(DepthSensor(1, 0).pressure(12.5), 1.25);
+  EXPECT_EQ(AttitudeSensor(1, 0, 0).pitch(-0.4), -0.4);
+  EXPECT_NEAR(AttitudeSensor(1, 0, 0).heading(-0.1), 2 * std::numbers::pi - 0.1, 1e-12);
+  EXPECT_EQ(Altimeter(1, 0).altitude(20, 50), 30);
+}
+
+TEST(Altimeter, HasNoEchoTooNearTooFarOrAtTheSurface) {
+  Altimeter altimeter(1, 0);
+  EXPECT_TRUE(std::isnan(altimeter.altitude(49, 50)));
+  EXPECT_TRUE(std::isnan(altimeter.altitude(20, 200)));
+  EXPECT_TRUE(std::isnan(altimeter.altitude(1, 50)));
+}
+
+TEST(Gps, NeedsTimeAtTheSurface) {
+  Gps gps(1, 0);
+  EXPECT_TRUE(gps.fix(3, 4, 0, 0)) << "the mission starts with a fix";
+  EXPECT_FALSE(gps.fix(3, 4, 10, 100));
+  EXPECT_FALSE(gps.fix(3, 4, 0, 110));
+  const auto fix = gps.fix(3, 4, 0, 121);
+  ASSERT_TRUE(fix);
+  EXPECT_EQ(fix->x, 3);
+  EXPECT_EQ(fix->y, 4);
+}
+
+TEST(Ctd, KeepsStaleWaterAndLosesReadings) {
+  SensorSettings settings;
+  settings.temperature_degC = 0;
+  settings.stale_water = {{10, 20}};
+  Ctd ctd(1, settings);
+  EXPECT_EQ(ctd.temperature(18, 9), 18);
+  EXPECT_EQ(ctd.temperature(12, 10), 18) << "the old water is still in the duct";
+  EXPECT_EQ(ctd.temperature(9, 19), 18);
+  EXPECT_EQ(ctd.temperature(9, 20), 9);
+  settings.ctd_dropout = 0.5;
+  Ctd failing(1, settings);
+  int lost = 0;
+  for (int i = 0; i < 1000; ++i) {
+    lost += std::isnan(failing.temperature(9, 30 + i)) ? 1 : 0;
+  }
+  EXPECT_NEAR(lost, 500, 60);
+}
+
+}  // namespace
+}  // namespace glider::simulator

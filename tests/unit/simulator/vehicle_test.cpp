@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "simulator/vehicle/vehicle.h"
+
+#include "simulator/flight/navigator.h"
+#include "simulator/flight/position.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace glider::simulator {
+namespace {
+
+OceanSettings still() {
+  OceanSettings settings;
+  settings.density = 1025;
+  settings.water_depth_m = 100;
+  return settings;
+}
+
+void fly(Vehicle& vehicle, const Ocean& ocean, double seconds) {
+  for (double t = 0; t < seconds; t += Vehicle::kStep) {
+    vehicle.step(ocean, t);
+  }
+}
+
+TEST(Vehicle, FloatsPumpedOut) {
+  Vehicle vehicle({});
+  const Ocean ocean(still());
+  fly(vehicle, ocean, 100);
+  EXPECT_EQ(vehicle.depth(), 0);
+  EXPECT_EQ(vehicle.x(), 0);
+}
+
+TEST(Vehicle, PumpMovesAtItsRateBetweenItsStops) {
+  Vehicle vehicle({});
+  const Ocean ocean(still());
+  vehicle.commandPump(-1000);
+  fly(vehicle, ocean, 4);
+  EXPECT_NEAR(vehicle.pumpedCc(), 233 - 4 * 37.5, 1e-9);
+  fly(vehicle, ocean, 20);
+  EXPECT_EQ(vehicle.pumpedCc(), -233);
+}
+
+TEST(Vehicle, DivesAtTheModelsSpeedAndStopsAtTheBottom) {
+  Vehicle vehicle({.flight = {}, .initial_heading_rad = std::numbers::pi / 2});
+  const Ocean ocean(still());
+  vehicle.commandPump(-233);
+  vehicle.commandBatteryPosition(0.47);
+  fly(vehicle, ocean, 120);
+  const double before = vehicle.depth();
+  fly(vehicle, ocean, 40);
+  const double rate = (vehicle.depth() - before) / 40;
+  EXPECT_NEAR(vehicle.pitch(), -26 * std::numbers::pi / 180, 0.02);
+  EXPECT_GT(rate, 0.15);
+  EXPECT_LT(rate, 0.20);
+  EXPECT_GT(vehicle.x(), 20) << "heading east";
+  EXPECT_NEAR(vehicle.y(), 0, 1e-9);
+  fly(vehicle, ocean, 2000);
+  EXPECT_EQ(vehicle.depth(), 100);
+}
+
+TEST(Vehicle, TurnsWithItsFinAndDriftsWithTheCurrent) {
+  OceanSettings settings = still();
+  settings.current = {0.1, -0.2};
+  const Ocean ocean(settings);
+  Vehicle drifting({});
+  fly(drifting, ocean, 100);
+  EXPECT_NEAR(drifting.x(), 10, 1e-9);
+  EXPECT_NEAR(drifting.y(), -20, 1e-9);
+  Vehicle turning({});
+  turning.commandPump(-233);
+  turning.commandBatteryPosition(0.47);
+  turning.commandFin(0.45);
+  fly(turning, ocean, 150);
+  EXPECT_GT(turning.heading(), 0.5) << "to starboard";
+}
+
+TEST(Navigator, ReckonsFromDepthRateAndPitchUntilAFix) {
+  const LocalFrame frame(39, -73);
+  Navigator navigator(frame);
+  for (int i = 0; i < 100; ++i) {
+    navigator.reckon(0.17, -0.454, std::numbers::pi / 2, false, 4);
+  }
+  EXPECT_NEAR(navigator.speed(), 0.17 / std::tan(0.454), 1e-12);
+  EXPECT_NEAR(navigator.x(), 400 * navigator.speed(), 1e-9);
+  navigator.reckon(0.17, -0.01, 0, false, 4);
+  EXPECT_NEAR(navigator.speed(), 0.17 / std::tan(0.454), 1e-12) << "level: the last speed is kept";
+  navigator.fix({5, 6});
+  EXPECT_EQ(navigator.x(), 5);
+  const GeoPosition there = frame.position(1005, 6);
+  double distance = 0, bearing = 0;
+  navigator.toWaypoint(toDdmm(there.latitude_deg), toDdmm(there.longitude_deg), distance, bearing);
+  EXPECT_NEAR(distance, 1000, 0.01);
+  EXPECT_NEAR(bearing, std::numbers::pi / 2, 1e-6);
+}
+
+TEST(Position, WritesDegreesAndMinutes) {
+  EXPECT_NEAR(toDdmm(-73.830097), -7349.80582, 1e-8);
+  EXPECT_NEAR(fromDdmm(3910.5), 39.175, 1e-12);
+  EXPECT_NEAR(fromDdmm(toDdmm(-0.25)), -0.25, 1e-15);
+}
+
+}  // namespace
+}  // namespace glider::simulator

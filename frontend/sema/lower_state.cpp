@@ -19,15 +19,17 @@ ir::State StateLowering::run() {
   if (state_.formals) {
     scope_.notYet(state_.name.where, "a state with parameters");
   }
-  // What the state reads is checked against its `sensors`, wherever they stand.
-  for (const ast::Member& member : state_.members) {
-    if (std::holds_alternative<ast::SensorsMember>(member.node)) {
-      std::visit([&](const auto& node) { visit(node, member); }, member.node);
-    }
-  }
-  for (const ast::Member& member : state_.members) {
-    if (!std::holds_alternative<ast::SensorsMember>(member.node)) {
-      std::visit([&](const auto& node) { visit(node, member); }, member.node);
+  // In one order, however they were written: names first, and what guards read is checked against
+  // `sensors`.
+  constexpr size_t kOrder[] = {3, 0, 1, 2, 4, 5};
+  static_assert(
+      std::is_same_v<std::variant_alternative_t<kOrder[0], decltype(ast::Member::node)>, ast::Var>);
+  static_assert(std::size(kOrder) == std::variant_size_v<decltype(ast::Member::node)>);
+  for (const size_t kind : kOrder) {
+    for (const ast::Member& member : state_.members) {
+      if (member.node.index() == kind) {
+        std::visit([&](const auto& node) { visit(node, member); }, member.node);
+      }
     }
   }
   defaults();

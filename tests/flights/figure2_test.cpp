@@ -24,7 +24,7 @@ void expectFigure2(const std::vector<Event>& transitions) {
   const std::pair<const char*, double> expected[] = {{"s1 → s2 (call)", 500},
                                                      {"s2 → s1 (return)", 1500},
                                                      {"s1 → s3 (goto)", 2000},
-                                                     {"s3 (exit)", 2500}};
+                                                     {"s3 → end (exit)", 2500}};
   ASSERT_EQ(transitions.size(), std::size(expected));
   for (size_t i = 0; i < transitions.size(); ++i) {
     EXPECT_EQ(transitions[i].what, expected[i].first);

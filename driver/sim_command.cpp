@@ -139,7 +139,7 @@ int flyAndReport(simulator::SimulationSetup setup, const SimOptions& options) {
   const double flown = trace->rowCount() == 0 ? 0 : trace->at(trace->rowCount() - 1, 0);
   const auto printed =
       printOut(report::summarize(*trace) +
-               fmt::format("\nflown {:.0f} s in {:.2f} s; report: {}\n", flown, took.count(),
+               fmt::format("\nflown {:.0f} s in {:.4f} s; report: {}\n", flown, took.count(),
                            (std::filesystem::path(folder) / "report.html").string()));
   if (!printed) {
     return reportFailure(printed.error());

@@ -3,11 +3,6 @@
 
 #pragma once
 
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "frontend/ast/ast.h"
 #include "frontend/ast/print.h"
 #include "ir/core/mission.h"
@@ -15,26 +10,31 @@
 #include "support/diagnostics/engine.h"
 #include "support/source_manager.h"
 
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
 namespace glider::frontend {
 
-/// Reads a mission or library file; every mistake in its text is reported (GL1xxx). Empty if its structure could not be
-/// made out; a file whose every mistake was plain enough to be read past (`=` for `==`) is still given, so that
-/// `analyse` can report what else is wrong with it.
+/// Reads a mission or library file; every mistake in its text is reported (GL1xxx). Empty if its
+/// structure could not be made out; a file whose every mistake was plain enough to be read past
+/// (`=` for `==`) is still given, so that `analyse` can report what else is wrong with it.
 std::optional<ast::File> parse(const support::SourceManager& sources, uint32_t file,
                                support::DiagnosticEngine& diagnostics);
 
 /// What a mission is compiled against.
 struct AnalysisInputs {
-  const platforms::Platform& platform;          ///< the one that platformName() names
-  std::vector<const ast::File*> library;        ///< parsed library files, the standard one first
-  const support::SourceManager& sources;        ///< holds the texts of the mission and the library
+  const platforms::Platform& platform;    ///< the one that platformName() names
+  std::vector<const ast::File*> library;  ///< parsed library files, the standard one first
+  const support::SourceManager& sources;  ///< holds the texts of the mission and the library
 };
 
 /// The platform that `mission` asks for: "slocum" if it does not say.
 std::string platformName(const ast::File& mission);
 
-/// Gives names, types and units their meaning (GL2xxx) and lowers the mission to IR. Empty if anything was wrong with
-/// it, now or in `parse`: then `diagnostics` has errors.
+/// Gives names, types and units their meaning (GL2xxx) and lowers the mission to IR. Empty if
+/// anything was wrong with it, now or in `parse`: then `diagnostics` has errors.
 std::optional<ir::Mission> analyse(const ast::File& mission, const AnalysisInputs& inputs,
                                    support::DiagnosticEngine& diagnostics);
 

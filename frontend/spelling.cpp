@@ -13,17 +13,19 @@ namespace {
 constexpr size_t kLongestWord = 64;
 
 constexpr std::pair<std::string_view, std::string_view> kUnitWords[] = {
-    {"meter", "m"},       {"meters", "m"},     {"metre", "m"},      {"metres", "m"},     {"kilometer", "km"},
-    {"kilometers", "km"}, {"kilometre", "km"}, {"kilometres", "km"}, {"nm", "nmi"},      {"feet", "ft"},
-    {"foot", "ft"},       {"sec", "s"},        {"secs", "s"},       {"second", "s"},     {"seconds", "s"},
-    {"mins", "min"},      {"minute", "min"},   {"minutes", "min"},  {"hr", "h"},         {"hrs", "h"},
-    {"hour", "h"},        {"hours", "h"},      {"d", "day"},        {"days", "day"},     {"degree", "deg"},
-    {"degrees", "deg"},   {"degs", "deg"},     {"radian", "rad"},   {"radians", "rad"},  {"c", "degC"},
-    {"celsius", "degC"},  {"degreec", "degC"}, {"degc", "degC"},    {"knot", "kn"},      {"knots", "kn"},
-    {"kt", "kn"},         {"kts", "kn"},       {"bars", "bar"},     {"decibar", "dbar"}, {"volt", "V"},
-    {"volts", "V"},       {"v", "V"},          {"amp", "A"},        {"amps", "A"},       {"watt", "W"},
-    {"watts", "W"},       {"w", "W"},          {"joule", "J"},      {"joules", "J"},     {"percent", "%"},
-    {"mps", "m/s"}};
+    {"meter", "m"},      {"meters", "m"},      {"metre", "m"},      {"metres", "m"},
+    {"kilometer", "km"}, {"kilometers", "km"}, {"kilometre", "km"}, {"kilometres", "km"},
+    {"nm", "nmi"},       {"feet", "ft"},       {"foot", "ft"},      {"sec", "s"},
+    {"secs", "s"},       {"second", "s"},      {"seconds", "s"},    {"mins", "min"},
+    {"minute", "min"},   {"minutes", "min"},   {"hr", "h"},         {"hrs", "h"},
+    {"hour", "h"},       {"hours", "h"},       {"d", "day"},        {"days", "day"},
+    {"degree", "deg"},   {"degrees", "deg"},   {"degs", "deg"},     {"radian", "rad"},
+    {"radians", "rad"},  {"c", "degC"},        {"celsius", "degC"}, {"degreec", "degC"},
+    {"degc", "degC"},    {"knot", "kn"},       {"knots", "kn"},     {"kt", "kn"},
+    {"kts", "kn"},       {"bars", "bar"},      {"decibar", "dbar"}, {"volt", "V"},
+    {"volts", "V"},      {"v", "V"},           {"amp", "A"},        {"amps", "A"},
+    {"watt", "W"},       {"watts", "W"},       {"w", "W"},          {"joule", "J"},
+    {"joules", "J"},     {"percent", "%"},     {"mps", "m/s"}};
 
 constexpr std::string_view kUnits[] = {
 #define UNIT(spelling, dim, to_si) spelling,
@@ -33,7 +35,8 @@ constexpr std::string_view kUnits[] = {
 
 std::string lower(std::string_view word) {
   std::string out(word);
-  std::ranges::transform(out, out.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::ranges::transform(out, out.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return out;
 }
 
@@ -90,7 +93,8 @@ std::string didYouMean(std::string_view word, const std::vector<std::string_view
 
 std::string_view unitForWord(std::string_view word) {
   const std::string wanted = lower(word);
-  const auto* found = std::ranges::find(kUnitWords, wanted, [](const auto& row) { return row.first; });
+  const auto* found =
+      std::ranges::find(kUnitWords, wanted, [](const auto& row) { return row.first; });
   if (found != std::end(kUnitWords)) {
     return found->second;
   }

@@ -77,6 +77,7 @@ expr
   | expr (TIMES | DIVIDE) expr                     # binaryExpr
   | expr (PLUS | MINUS) expr                       # binaryExpr
   | expr (LT | LE | GT | GE | EQ | NE) expr        # binaryExpr
+  | NOT_WORD expr                                  # unaryExpr
   | expr AND expr                                  # binaryExpr
   | expr OR expr                                   # binaryExpr
   ;

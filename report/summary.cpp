@@ -122,7 +122,8 @@ std::string eventLines(const Trace& trace, bool transitions) {
   std::string out;
   size_t count = 0;
   for (const TraceEvent& event : trace.events) {
-    if ((event.kind == "transition") != transitions) {
+    // Routine steering would bury what matters; the report has it.
+    if ((event.kind == "transition") != transitions || event.kind == "steering") {
       continue;
     }
     if (++count <= kMostEvents) {

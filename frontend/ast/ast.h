@@ -3,16 +3,16 @@
 
 #pragma once
 
+#include "frontend/ast/box.h"
+
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
-#include "frontend/ast/box.h"
-
-/// A mission as it was written: plain values, compared without regard to places and comments. `print` (print.h) writes
-/// one down; parsing that gives an equal one.
+/// A mission as it was written: plain values, compared without regard to places and comments.
+/// `print` (print.h) writes one down; parsing that gives an equal one.
 namespace glider::ast {
 
 struct Expr;
@@ -23,7 +23,8 @@ struct Name {
   bool operator==(const Name&) const = default;
 };
 
-/// `5`, `.5 degC/m`, `39.2 N`. A letter of a position stands in `unit`, as does the ambiguous `W` or `S`.
+/// `5`, `.5 degC/m`, `39.2 N`. A letter of a position stands in `unit`, as does the ambiguous `W`
+/// or `S`.
 struct Literal {
   std::string digits;  ///< as written: minutes of a position are read from it exactly
   std::string unit;    ///< "" for a bare number; blanks removed
@@ -80,9 +81,18 @@ struct Index {
 
 enum class UnaryOp : uint8_t { Negate, Not };
 enum class BinaryOp : uint8_t {
-  Multiply, Divide, Add, Subtract,
-  Less, LessEqual, Greater, GreaterEqual, Equal, NotEqual,
-  And, Or
+  Multiply,
+  Divide,
+  Add,
+  Subtract,
+  Less,
+  LessEqual,
+  Greater,
+  GreaterEqual,
+  Equal,
+  NotEqual,
+  And,
+  Or
 };
 
 struct Unary {
@@ -105,7 +115,9 @@ struct Expr {
   bool operator==(const Expr&) const = default;
 };
 
-inline bool List::operator==(const List& other) const { return items == other.items; }
+inline bool List::operator==(const List& other) const {
+  return items == other.items;
+}
 
 /// `length`, `temperature/length`: blanks removed.
 struct TypeName {
@@ -120,7 +132,8 @@ struct Formal {
   bool operator==(const Formal&) const = default;
 };
 
-/// A profile, route or state by name, with its arguments: `yo(5 m, 10 m, 26 deg, 26 deg)`, `noheading`.
+/// A profile, route or state by name, with its arguments: `yo(5 m, 10 m, 26 deg, 26 deg)`,
+/// `noheading`.
 struct Use {
   Name name;
   bool parenthesised = false;  ///< `f()` is not `f`
@@ -219,7 +232,8 @@ struct SensorItem {
   bool operator==(const SensorItem&) const = default;
 };
 
-// What stands between `begin` and `end` of a state or behaviour, in the order written, repetitions included.
+// What stands between `begin` and `end` of a state or behaviour, in the order written, repetitions
+// included.
 struct RouteMember {
   Use use;
   bool operator==(const RouteMember&) const = default;
@@ -323,7 +337,9 @@ struct SurfacesPromise {
   bool operator==(const SurfacesPromise&) const = default;
 };
 struct Requirement {
-  std::variant<AlwaysPromise, ExitPromise, StackPromise, ReachPromise, NeverPromise, SurfacesPromise> node;
+  std::variant<AlwaysPromise, ExitPromise, StackPromise, ReachPromise, NeverPromise,
+               SurfacesPromise>
+      node;
   Where where;
   bool operator==(const Requirement&) const = default;
 };
@@ -344,8 +360,8 @@ struct Import {
   bool operator==(const Import&) const = default;
 };
 
-using Item = std::variant<MissionLine, PlatformLine, Import, Const, Param, Var, Always, State, Behaviour, ExternFunction,
-                          ExternBehaviour, ExternSensor, Requirement>;
+using Item = std::variant<MissionLine, PlatformLine, Import, Const, Param, Var, Always, State,
+                          Behaviour, ExternFunction, ExternBehaviour, ExternSensor, Requirement>;
 
 /// A mission file or a library file.
 struct File {

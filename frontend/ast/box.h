@@ -3,18 +3,20 @@
 
 #pragma once
 
+#include "support/source_manager.h"
+
 #include <memory>
 #include <utility>
 
-#include "support/source_manager.h"
-
 namespace glider::ast {
 
-/// A T held by value on the heap, so that a node may hold nodes of its own kind. Never empty, except when moved from.
+/// A T held by value on the heap, so that a node may hold nodes of its own kind. Never empty,
+/// except when moved from.
 template <typename T>
 class Box {
  public:
-  Box(T value) : value_(std::make_unique<T>(std::move(value))) {}  // NOLINT: a box of T is made from a T
+  Box(T value)
+      : value_(std::make_unique<T>(std::move(value))) {}  // NOLINT: a box of T is made from a T
   Box(const Box& other) : value_(std::make_unique<T>(*other)) {}
   Box(Box&&) noexcept = default;
   Box& operator=(const Box& other) { return *this = Box(other); }
@@ -31,10 +33,12 @@ class Box {
   std::unique_ptr<T> value_;
 };
 
-/// Where a node stands in its file. Two nodes that differ only here are the same mission, so all are equal.
+/// Where a node stands in its file. Two nodes that differ only here are the same mission, so all
+/// are equal.
 struct Where : support::SourceRange {
   Where() = default;
-  Where(support::SourceRange range) : support::SourceRange(range) {}  // NOLINT: a place, nothing more
+  Where(support::SourceRange range)
+      : support::SourceRange(range) {}  // NOLINT: a place, nothing more
   bool operator==(const Where&) const { return true; }
 };
 

@@ -3,9 +3,9 @@
 
 #include "frontend/ast/print.h"
 
-#include <fmt/format.h>
-
 #include "frontend/ast/print_parts.h"
+
+#include <fmt/format.h>
 
 namespace glider::ast {
 namespace {
@@ -63,10 +63,12 @@ class FilePrinter {
   }
   void write(const Param& n) {
     const std::string where = n.condition ? " where " + print(*n.condition) : "";
-    line(fmt::format("param {}: {} = {}{}{}", n.name.text, n.type.text, print(n.value), printRange(n.range), where));
+    line(fmt::format("param {}: {} = {}{}{}", n.name.text, n.type.text, print(n.value),
+                     printRange(n.range), where));
   }
   void write(const Var& n) {
-    line(fmt::format("var {}: {} = {}{}", n.name.text, n.type.text, print(n.value), printRange(n.range)));
+    line(fmt::format("var {}: {} = {}{}", n.name.text, n.type.text, print(n.value),
+                     printRange(n.range)));
   }
   void write(const Always& n) {
     gap();
@@ -84,16 +86,20 @@ class FilePrinter {
     members(n.members);
   }
   void write(const ExternFunction& n) {
-    line(fmt::format("extern function {}{}: {}", n.name.text, printFormals(n.formals), n.result.text));
+    line(fmt::format("extern function {}{}: {}", n.name.text, printFormals(n.formals),
+                     n.result.text));
   }
   void write(const ExternBehaviour& n) {
     std::string reads;
     for (const Name& sensor : n.reads) {
       reads += (reads.empty() ? " reads " : ", ") + sensor.text;
     }
-    line(fmt::format("extern {} {}{}{}", word(n.kind), n.name.text, printFormals(n.formals), reads));
+    line(
+        fmt::format("extern {} {}{}{}", word(n.kind), n.name.text, printFormals(n.formals), reads));
   }
-  void write(const ExternSensor& n) { line(fmt::format("extern sensor {}: {}", n.name.text, n.type.text)); }
+  void write(const ExternSensor& n) {
+    line(fmt::format("extern sensor {}: {}", n.name.text, n.type.text));
+  }
   void write(const Requirement& n) {
     std::visit([this](const auto& p) { line("require " + promise(p)); }, n.node);
   }
@@ -102,8 +108,12 @@ class FilePrinter {
   static std::string promise(const ExitPromise& p) { return "exit within " + print(p.within); }
   static std::string promise(const StackPromise& p) { return "stack <= " + print(p.depth); }
   static std::string promise(const ReachPromise& p) { return "reach " + p.state.text; }
-  static std::string promise(const NeverPromise& p) { return "never " + p.state.text + " after " + p.after.text; }
-  static std::string promise(const SurfacesPromise& p) { return "surfaces every " + print(p.every); }
+  static std::string promise(const NeverPromise& p) {
+    return "never " + p.state.text + " after " + p.after.text;
+  }
+  static std::string promise(const SurfacesPromise& p) {
+    return "surfaces every " + print(p.every);
+  }
 
   void members(const std::vector<Member>& list) {
     line("begin");
@@ -158,7 +168,9 @@ class FilePrinter {
     }
     --indent_;
   }
-  void writeStatement(const Set& n) { line(fmt::format("set {} = {}", n.variable.text, print(n.value))); }
+  void writeStatement(const Set& n) {
+    line(fmt::format("set {} = {}", n.variable.text, print(n.value)));
+  }
   void writeStatement(const If& n) {
     line("if " + print(n.condition) + " then");
     statements(n.then);
@@ -175,7 +187,9 @@ class FilePrinter {
     }
     line(text);
   }
-  void writeStatement(const Command& n) { line(n.call.function.text + printArguments(n.call.arguments)); }
+  void writeStatement(const Command& n) {
+    line(n.call.function.text + printArguments(n.call.arguments));
+  }
 
   std::string out_;
   size_t indent_ = 0;

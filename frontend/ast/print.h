@@ -3,9 +3,9 @@
 
 #pragma once
 
-#include <string>
-
 #include "frontend/ast/ast.h"
+
+#include <string>
 
 namespace glider::ast {
 

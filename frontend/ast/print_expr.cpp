@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <string_view>
-
 #include "frontend/ast/print.h"
 #include "frontend/ast/print_parts.h"
+
+#include <string_view>
 
 namespace glider::ast {
 namespace {
@@ -71,10 +71,14 @@ class ExprPrinter {
   }
 
   void write(const Literal& node) { out_ += printLiteral(node); }
-  void write(const Position& node) { out_ += printLiteral(node.latitude) + " " + printLiteral(node.longitude); }
+  void write(const Position& node) {
+    out_ += printLiteral(node.latitude) + " " + printLiteral(node.longitude);
+  }
   void write(const Truth& node) { out_ += node.value ? "true" : "false"; }
   void write(const NameUse& node) { out_ += node.name; }
-  void write(const Invocation& node) { out_ += node.function.text + printArguments(node.arguments); }
+  void write(const Invocation& node) {
+    out_ += node.function.text + printArguments(node.arguments);
+  }
   void write(const List& node) {
     out_ += "[";
     for (size_t i = 0; i < node.items.size(); ++i) {

@@ -3,10 +3,10 @@
 
 #pragma once
 
+#include "frontend/ast/ast.h"
+
 #include <string>
 #include <vector>
-
-#include "frontend/ast/ast.h"
 
 namespace glider::ast {
 

@@ -25,9 +25,14 @@ std::string AstBuilder::text(const antlr4::Token* token) const {
   return std::string(source_.sources.text(where(token)));
 }
 
-std::string AstBuilder::text(const Rule* rule) const { return std::string(source_.sources.text(where(rule))); }
+std::string AstBuilder::text(const Rule* rule) const {
+  return std::string(source_.sources.text(where(rule)));
+}
 
 std::string AstBuilder::joined(Rule* rule) const {
+  if (rule->children.size() == 1) {
+    return text(rule);
+  }
   std::string out;
   for (antlr4::tree::ParseTree* child : rule->children) {
     auto* word = dynamic_cast<antlr4::tree::TerminalNode*>(child);
@@ -36,50 +41,42 @@ std::string AstBuilder::joined(Rule* rule) const {
   return out;
 }
 
-ast::File AstBuilder::file(GliderParser::FileContext* tree) {
-  ast::File result;
-  result.file = source_.file;
-  for (auto* rule : tree->item()) {
-    result.items.push_back(item(rule));
-  }
-  return result;
-}
-
 ast::Item AstBuilder::item(Parser::ItemContext* rule) {
-  if (auto* r = rule->missionLine()) {
-    return ast::MissionLine{name(r->anyName()), where(r)};
+  auto* child = static_cast<Rule*>(rule->children.front());  // every alternative is one rule
+  switch (child->getRuleIndex()) {
+    case GliderParser::RuleMissionLine:
+      return ast::MissionLine{name(static_cast<Parser::MissionLineContext*>(child)->anyName()),
+                              where(child)};
+    case GliderParser::RulePlatformLine:
+      return ast::PlatformLine{name(static_cast<Parser::PlatformLineContext*>(child)->name()),
+                               where(child)};
+    case GliderParser::RuleImportLine:
+      return ast::Import{text(child->stop), where(child)};
+    case GliderParser::RuleConstant:
+      return constant(static_cast<Parser::ConstantContext*>(child));
+    case GliderParser::RuleParameter:
+      return parameter(static_cast<Parser::ParameterContext*>(child));
+    case GliderParser::RuleVariable:
+      return variable(static_cast<Parser::VariableContext*>(child));
+    case GliderParser::RuleAlways:
+      return ast::Always{cases(static_cast<Parser::AlwaysContext*>(child)->eventCase()),
+                         where(child->start)};
+    case GliderParser::RuleState:
+      return state(static_cast<Parser::StateContext*>(child));
+    case GliderParser::RuleBehaviour:
+      return behaviour(static_cast<Parser::BehaviourContext*>(child));
+    case GliderParser::RuleExternal:
+      return external(static_cast<Parser::ExternalContext*>(child));
+    default:
+      CHECK(child->getRuleIndex() == GliderParser::RuleRequirement,
+            "an item that the grammar lacks");
+      return requirement(static_cast<Parser::RequirementContext*>(child));
   }
-  if (auto* r = rule->platformLine()) {
-    return ast::PlatformLine{name(r->name()), where(r)};
-  }
-  if (auto* r = rule->importLine()) {
-    return ast::Import{text(r->STRING()->getSymbol()), where(r)};
-  }
-  if (auto* r = rule->constant()) {
-    return constant(r);
-  }
-  if (auto* r = rule->parameter()) {
-    return parameter(r);
-  }
-  if (auto* r = rule->variable()) {
-    return variable(r);
-  }
-  if (auto* r = rule->always()) {
-    return ast::Always{cases(r->eventCase()), where(r->ALWAYS()->getSymbol())};
-  }
-  if (auto* r = rule->state()) {
-    return state(r);
-  }
-  if (auto* r = rule->behaviour()) {
-    return behaviour(r);
-  }
-  if (auto* r = rule->external()) {
-    return external(r);
-  }
-  return requirement(rule->requirement());
 }
 
-ast::TypeName AstBuilder::type(Parser::TypeContext* rule) { return {joined(rule), where(rule)}; }
+ast::TypeName AstBuilder::type(Parser::TypeContext* rule) {
+  return {joined(rule), where(rule)};
+}
 
 std::optional<ast::Range> AstBuilder::range(Parser::RangeContext* rule) {
   if (rule == nullptr) {
@@ -101,12 +98,13 @@ ast::Param AstBuilder::parameter(Parser::ParameterContext* rule) {
   if (rule->expr().size() > 1) {
     condition = expr(rule->expr(1));
   }
-  return {name(rule->anyName()), type(rule->type()), expr(rule->expr(0)), range(rule->range()), std::move(condition),
-          where(rule)};
+  return {name(rule->anyName()), type(rule->type()),   expr(rule->expr(0)),
+          range(rule->range()),  std::move(condition), where(rule)};
 }
 
 ast::Var AstBuilder::variable(Parser::VariableContext* rule) {
-  return {name(rule->anyName()), type(rule->type()), expr(rule->expr()), range(rule->range()), where(rule)};
+  return {name(rule->anyName()), type(rule->type()), expr(rule->expr()), range(rule->range()),
+          where(rule)};
 }
 
 std::optional<std::vector<ast::Formal>> AstBuilder::formals(Parser::FormalsContext* rule) {
@@ -129,7 +127,8 @@ ast::State AstBuilder::state(Parser::StateContext* rule) {
 }
 
 ast::Behaviour AstBuilder::behaviour(Parser::BehaviourContext* rule) {
-  const auto kind = rule->FLIGHTPROFILE() != nullptr ? ast::BehaviourKind::Profile : ast::BehaviourKind::Route;
+  const auto kind =
+      rule->FLIGHTPROFILE() != nullptr ? ast::BehaviourKind::Profile : ast::BehaviourKind::Route;
   ast::Behaviour result{kind, name(rule->name()), formals(rule->formals()), {}, where(rule)};
   for (auto* m : rule->member()) {
     result.members.push_back(member(m));
@@ -140,14 +139,16 @@ ast::Behaviour AstBuilder::behaviour(Parser::BehaviourContext* rule) {
 ast::Item AstBuilder::external(Parser::ExternalContext* rule) {
   Parser::DeclarationContext* declaration = rule->declaration();
   if (auto* f = dynamic_cast<Parser::ExternFunctionContext*>(declaration)) {
-    return ast::ExternFunction{name(f->name()), *formals(f->formals()), type(f->type()), where(rule)};
+    return ast::ExternFunction{name(f->name()), *formals(f->formals()), type(f->type()),
+                               where(rule)};
   }
   if (auto* s = dynamic_cast<Parser::ExternSensorContext*>(declaration)) {
     return ast::ExternSensor{name(s->name()), type(s->type()), where(rule)};
   }
   auto* b = dynamic_cast<Parser::ExternBehaviourContext*>(declaration);
   CHECK(b != nullptr, "an `extern` that the grammar lacks");
-  const auto kind = b->FLIGHTPROFILE() != nullptr ? ast::BehaviourKind::Profile : ast::BehaviourKind::Route;
+  const auto kind =
+      b->FLIGHTPROFILE() != nullptr ? ast::BehaviourKind::Profile : ast::BehaviourKind::Route;
   ast::ExternBehaviour result{kind, name(b->name()), formals(b->formals()), {}, where(rule)};
   if (b->reads() != nullptr) {
     for (auto* sensor : b->reads()->name()) {
@@ -183,10 +184,12 @@ ast::Member AstBuilder::member(Parser::MemberContext* rule) {
   const ast::Where whole = where(rule);
   const ast::Where keyword = where(rule->start);
   if (auto* m = dynamic_cast<Parser::RouteMemberContext*>(rule)) {
-    return {ast::RouteMember{use(m->use(), m->use()->name(), m->use()->arguments())}, whole, keyword};
+    return {ast::RouteMember{use(m->use(), m->use()->name(), m->use()->arguments())}, whole,
+            keyword};
   }
   if (auto* m = dynamic_cast<Parser::ProfileMemberContext*>(rule)) {
-    return {ast::ProfileMember{use(m->use(), m->use()->name(), m->use()->arguments())}, whole, keyword};
+    return {ast::ProfileMember{use(m->use(), m->use()->name(), m->use()->arguments())}, whole,
+            keyword};
   }
   if (auto* m = dynamic_cast<Parser::SensorsMemberContext*>(rule)) {
     ast::SensorsMember list;
@@ -221,7 +224,8 @@ ast::Use AstBuilder::use(Rule* whole, Rule* name, Parser::ArgumentsContext* list
 std::vector<ast::Case> AstBuilder::cases(const std::vector<Parser::EventCaseContext*>& rules) {
   std::vector<ast::Case> list;
   for (auto* rule : rules) {
-    ast::Case result{expr(rule->expr()), std::nullopt, ast::Transition::Stay, std::nullopt, {}, where(rule)};
+    ast::Case result{expr(rule->expr()), std::nullopt, ast::Transition::Stay,
+                     std::nullopt,       {},           where(rule)};
     if (rule->block() != nullptr) {
       result.action = block(rule->block());
     }
@@ -229,8 +233,9 @@ std::vector<ast::Case> AstBuilder::cases(const std::vector<Parser::EventCaseCont
     result.transition_where = where(transition->start);
     // The grammar lists the transitions in the order of the enumeration.
     const bool done = transition->DONE() != nullptr;
-    result.transition = done ? ast::Transition::Done
-                             : static_cast<ast::Transition>(transition->start->getType() - GliderParser::GOTO);
+    result.transition =
+        done ? ast::Transition::Done
+             : static_cast<ast::Transition>(transition->start->getType() - GliderParser::GOTO);
     if (auto* target = transition->target()) {
       result.target = use(target, target->anyName(), target->arguments());
     }
@@ -239,9 +244,12 @@ std::vector<ast::Case> AstBuilder::cases(const std::vector<Parser::EventCaseCont
   return list;
 }
 
-ast::Block AstBuilder::block(Parser::BlockContext* rule) { return {statements(rule->statement()), where(rule)}; }
+ast::Block AstBuilder::block(Parser::BlockContext* rule) {
+  return {statements(rule->statement()), where(rule)};
+}
 
-std::vector<ast::Statement> AstBuilder::statements(const std::vector<Parser::StatementContext*>& rules) {
+std::vector<ast::Statement> AstBuilder::statements(
+    const std::vector<Parser::StatementContext*>& rules) {
   std::vector<ast::Statement> list;
   for (auto* rule : rules) {
     list.push_back(statement(rule));

@@ -3,19 +3,19 @@
 
 #pragma once
 
-#include <string>
-
 #include "frontend/ast/ast.h"
 #include "frontend/parse/lexeme.h"
 #include "grammar/GliderParser.h"
 
+#include <string>
+
 namespace glider::frontend {
 
-/// Makes the AST of a parse tree that has no errors in it.
+/// Makes the AST of parse trees that have no errors in them.
 class AstBuilder {
  public:
   explicit AstBuilder(Source source) : source_(source) {}
-  ast::File file(grammar::GliderParser::FileContext* tree);
+  ast::Item item(grammar::GliderParser::ItemContext* rule);
 
  private:
   using Parser = grammar::GliderParser;
@@ -31,7 +31,6 @@ class AstBuilder {
   [[nodiscard]] ast::Name name(const Rule* rule) const { return {text(rule), where(rule)}; }
 
   // Items.
-  ast::Item item(Parser::ItemContext* rule);
   ast::Const constant(Parser::ConstantContext* rule);
   ast::Param parameter(Parser::ParameterContext* rule);
   ast::Var variable(Parser::VariableContext* rule);
@@ -55,6 +54,7 @@ class AstBuilder {
   // Expressions.
   ast::Expr expr(Parser::ExprContext* rule);
   ast::Expr primary(Parser::PrimaryContext* rule);
+  ast::Expr named(Parser::PrimaryContext* rule);
   ast::Expr literal(Parser::LiteralContext* rule);
   std::vector<ast::Argument> arguments(Parser::ArgumentsContext* rule);
 

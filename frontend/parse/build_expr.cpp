@@ -40,54 +40,64 @@ ast::BinaryOp binaryOp(size_t token) {
   }
 }
 
-antlr4::Token* tokenAt(const antlr4::ParserRuleContext* rule, size_t child) {
-  auto* node = dynamic_cast<antlr4::tree::TerminalNode*>(rule->children.at(child));
-  CHECK(node != nullptr, "a word was expected in the parse tree");
-  return node->getSymbol();
-}
-
 }  // namespace
 
 ast::Expr AstBuilder::expr(Parser::ExprContext* rule) {
-  if (auto* p = dynamic_cast<Parser::PrimaryExprContext*>(rule)) {
-    return primary(p->primary());
+  // The alternatives differ in their number of parts: a primary, a sign before one, an operator
+  // between two.
+  auto part = [&](size_t i) { return static_cast<Parser::ExprContext*>(rule->children[i]); };
+  switch (rule->children.size()) {
+    case 1:
+      return primary(static_cast<Parser::PrimaryContext*>(rule->children[0]));
+    case 2: {
+      const bool negate = rule->start->getType() == GliderParser::MINUS;
+      return {ast::Unary{negate ? ast::UnaryOp::Negate : ast::UnaryOp::Not, expr(part(1))},
+              where(rule)};
+    }
+    default: {
+      CHECK(rule->children.size() == 3, "an expression that the grammar lacks");
+      const antlr4::Token* op =
+          static_cast<antlr4::tree::TerminalNode*>(rule->children[1])->getSymbol();
+      ast::Expr left = expr(part(0));
+      return {ast::Binary{binaryOp(op->getType()), std::move(left), expr(part(2)), where(op)},
+              where(rule)};
+    }
   }
-  if (auto* u = dynamic_cast<Parser::UnaryExprContext*>(rule)) {
-    const bool negate = tokenAt(u, 0)->getType() == GliderParser::MINUS;
-    return {ast::Unary{negate ? ast::UnaryOp::Negate : ast::UnaryOp::Not, expr(u->expr())}, where(rule)};
-  }
-  auto* b = dynamic_cast<Parser::BinaryExprContext*>(rule);
-  CHECK(b != nullptr, "an expression that the grammar lacks");
-  const antlr4::Token* op = tokenAt(b, 1);
-  ast::Expr left = expr(b->expr(0));
-  return {ast::Binary{binaryOp(op->getType()), std::move(left), expr(b->expr(1)), where(op)}, where(rule)};
 }
 
 ast::Expr AstBuilder::primary(Parser::PrimaryContext* rule) {
-  if (auto* p = dynamic_cast<Parser::LiteralContext*>(rule)) {
-    return literal(p);
-  }
-  if (auto* p = dynamic_cast<Parser::TruthContext*>(rule)) {
-    return {ast::Truth{p->TRUE() != nullptr}, where(rule)};
-  }
-  if (auto* p = dynamic_cast<Parser::ParenthesisContext*>(rule)) {
-    return expr(p->expr());
-  }
-  if (auto* p = dynamic_cast<Parser::ListContext*>(rule)) {
-    ast::List list;
-    for (auto* item : p->expr()) {
-      list.items.push_back(expr(item));
+  switch (rule->start->getType()) {
+    case GliderParser::NUMBER:
+      return literal(static_cast<Parser::LiteralContext*>(rule));
+    case GliderParser::TRUE:
+    case GliderParser::FALSE:
+      return {ast::Truth{rule->start->getType() == GliderParser::TRUE}, where(rule)};
+    case GliderParser::LPAREN:
+      return expr(static_cast<Parser::ParenthesisContext*>(rule)->expr());
+    case GliderParser::LBRACKET: {
+      ast::List list;
+      for (auto* item : static_cast<Parser::ListContext*>(rule)->expr()) {
+        list.items.push_back(expr(item));
+      }
+      return {std::move(list), where(rule)};
     }
-    return {std::move(list), where(rule)};
+    default:
+      return named(rule);
   }
-  if (auto* p = dynamic_cast<Parser::IndexContext*>(rule)) {
-    return {ast::Index{name(p->name()), expr(p->expr())}, where(rule)};
+}
+
+/// What begins with a name.
+ast::Expr AstBuilder::named(Parser::PrimaryContext* rule) {
+  if (rule->children.size() == 1) {
+    return {ast::NameUse{text(rule)}, where(rule)};
   }
-  if (auto* p = dynamic_cast<Parser::InvocationContext*>(rule)) {
-    const antlr4::Token* function = p->getStart();
-    return {ast::Invocation{{text(function), where(function)}, arguments(p->arguments())}, where(rule)};
+  if (auto* index = dynamic_cast<Parser::IndexContext*>(rule)) {
+    return {ast::Index{name(index->name()), expr(index->expr())}, where(rule)};
   }
-  return {ast::NameUse{text(rule)}, where(rule)};
+  const antlr4::Token* function = rule->start;
+  auto* call = static_cast<Parser::InvocationContext*>(rule);
+  return {ast::Invocation{{text(function), where(function)}, arguments(call->arguments())},
+          where(rule)};
 }
 
 ast::Expr AstBuilder::literal(Parser::LiteralContext* rule) {

@@ -3,14 +3,15 @@
 
 #pragma once
 
+#include <antlr4-runtime.h>
+
 #include <string>
 #include <string_view>
 
-#include <antlr4-runtime.h>
-
 namespace glider::frontend {
 
-/// A text as ANTLR's lexer reads it: one symbol a byte, so that a token's place is a byte offset of the source file.
+/// A text as ANTLR's lexer reads it: one symbol a byte, so that a token's place is a byte offset of
+/// the source file.
 class ByteCharStream final : public antlr4::CharStream {
  public:
   /// `text` must outlive the stream; reading begins at byte `start`.
@@ -28,7 +29,8 @@ class ByteCharStream final : public antlr4::CharStream {
   size_t size() override { return text_.size(); }
   std::string getSourceName() const override { return "mission"; }
   std::string getText(const antlr4::misc::Interval& interval) override {
-    return std::string(text_.substr(static_cast<size_t>(interval.a), static_cast<size_t>(interval.b - interval.a + 1)));
+    return std::string(text_.substr(static_cast<size_t>(interval.a),
+                                    static_cast<size_t>(interval.b - interval.a + 1)));
   }
   std::string toString() const override { return std::string(text_); }
 

@@ -3,14 +3,14 @@
 
 #include "frontend/parse/error_strategy.h"
 
-#include <string>
-
-#include <fmt/format.h>
-
 #include "frontend/parse/lexeme_source.h"
 #include "frontend/parse/token_kinds.h"
 #include "frontend/spelling.h"
 #include "grammar/GliderParser.h"
+
+#include <fmt/format.h>
+
+#include <string>
 
 namespace glider::frontend {
 
@@ -22,16 +22,19 @@ namespace {
 /// A keyword that begins something: a good place to go on reading.
 bool isBoundary(size_t type) {
   const auto t = static_cast<uint32_t>(type);
-  return t == kEof || (isHardKeyword(t) && !oneOf(t, {GliderLexer::TRUE, GliderLexer::FALSE, GliderLexer::EVERY}));
+  return t == kEof || (isHardKeyword(t) && !oneOf(t, {GliderLexer::TRUE, GliderLexer::FALSE,
+                                                      GliderLexer::EVERY, GliderLexer::NOT_WORD}));
 }
 
 /// Ends the events of a state, or begins the next of its cases.
 bool endsCase(size_t type) {
   const auto t = static_cast<uint32_t>(type);
-  return startsItem(t) || startsMember(t) || oneOf(t, {kEof, GliderLexer::CASE, GliderLexer::END, GliderLexer::VAR});
+  return startsItem(t) || startsMember(t) ||
+         oneOf(t, {kEof, GliderLexer::CASE, GliderLexer::END, GliderLexer::VAR});
 }
 
-/// Skips to a token that `stop` takes, leaping over whole blocks; the end of an outer block is never passed.
+/// Skips to a token that `stop` takes, leaping over whole blocks; the end of an outer block is
+/// never passed.
 template <typename Stop>
 void skipTo(antlr4::Parser* parser, Stop stop) {
   size_t deep = 0;
@@ -40,7 +43,9 @@ void skipTo(antlr4::Parser* parser, Stop stop) {
     if (type == antlr4::Token::EOF || (deep == 0 && (stop(type) || type == GliderParser::END))) {
       return;
     }
-    deep += type == GliderParser::BEGIN || type == GliderParser::DO || type == GliderParser::IF ? 1U : 0U;
+    deep += type == GliderParser::BEGIN || type == GliderParser::DO || type == GliderParser::IF
+                ? 1U
+                : 0U;
     deep -= type == GliderParser::END ? 1U : 0U;
     parser->consume();
   }
@@ -48,17 +53,20 @@ void skipTo(antlr4::Parser* parser, Stop stop) {
 
 bool isLoop(const antlr4::atn::ATNState* state) {
   const auto type = const_cast<antlr4::atn::ATNState*>(state)->getStateType();
-  return type == antlr4::atn::ATNState::STAR_LOOP_ENTRY || type == antlr4::atn::ATNState::STAR_LOOP_BACK ||
+  return type == antlr4::atn::ATNState::STAR_LOOP_ENTRY ||
+         type == antlr4::atn::ATNState::STAR_LOOP_BACK ||
          type == antlr4::atn::ATNState::PLUS_LOOP_BACK;
 }
 
-/// "`,` or `)`" of a set of tokens, without operators (which go on after every value) if anything else is in it.
+/// "`,` or `)`" of a set of tokens, without operators (which go on after every value) if anything
+/// else is in it.
 std::string listOf(const antlr4::misc::IntervalSet& set) {
   constexpr size_t kMost = 6;
   std::vector<std::string> words;
   for (const ssize_t type : set.toList()) {
     const auto t = static_cast<uint32_t>(type);
-    const bool alias = (isName(t) && t != GliderLexer::NAME) || t == GliderLexer::MIN || isOperator(t);
+    const bool alias =
+        (isName(t) && t != GliderLexer::NAME) || t == GliderLexer::MIN || isOperator(t);
     if (type > 0 && !alias) {
       words.push_back(describeType(t));
     }
@@ -85,12 +93,15 @@ void ErrorStrategy::reportError(antlr4::Parser* parser, const antlr4::Recognitio
   complain(parser, error.getOffendingToken());
 }
 
-antlr4::Token* ErrorStrategy::recoverInline(antlr4::Parser* parser) { throw antlr4::InputMismatchException(parser); }
+antlr4::Token* ErrorStrategy::recoverInline(antlr4::Parser* parser) {
+  throw antlr4::InputMismatchException(parser);
+}
 
 void ErrorStrategy::recover(antlr4::Parser* parser, std::exception_ptr) {
   const size_t rule = parser->getContext()->getRuleIndex();
   const auto index = static_cast<int>(parser->getTokenStream()->index());
-  if (lastErrorIndex == index && lastErrorStates.contains(static_cast<ssize_t>(parser->getState()))) {
+  if (lastErrorIndex == index &&
+      lastErrorStates.contains(static_cast<ssize_t>(parser->getState()))) {
     parser->consume();  // the same rule failed here before: never stand still
   }
   if (lastErrorIndex != index) {
@@ -125,13 +136,16 @@ void ErrorStrategy::sync(antlr4::Parser* parser) {
   if (cases) {
     skipTo(parser, endsCase);
   } else {
-    // A list of arguments ends at the next keyword at the latest; a body of a state only at what may stand in it.
-    const bool body = next.contains(size_t{GliderParser::END}) || next.contains(size_t{GliderParser::STATE});
+    // A list of arguments ends at the next keyword at the latest; a body of a state only at what
+    // may stand in it.
+    const bool body =
+        next.contains(size_t{GliderParser::END}) || next.contains(size_t{GliderParser::STATE});
     skipTo(parser, [&](size_t type) { return next.contains(type) || (!body && isBoundary(type)); });
   }
 }
 
 void ErrorStrategy::complain(antlr4::Parser* parser, const antlr4::Token* found) {
+  failed_ = true;
   if (inErrorRecoveryMode(parser)) {
     return;
   }
@@ -152,7 +166,8 @@ void ErrorStrategy::expected(std::string_view what, const Lexeme& found) {
 
 bool ErrorStrategy::misspelled(const Lexeme& found, const std::vector<std::string_view>& keywords) {
   const std::string_view word = reporter_.source().text(found);
-  const std::string_view meant = found.type == GliderLexer::NAME ? closest(word, keywords) : std::string_view{};
+  const std::string_view meant =
+      found.type == GliderLexer::NAME ? closest(word, keywords) : std::string_view{};
   if (!meant.empty()) {
     reporter_.at(found, DiagnosticId::misspelledKeyword, word, meant)
         .fix(reporter_.source().range(found), std::string(meant));
@@ -168,7 +183,8 @@ void ErrorStrategy::complainOfTransition(const Lexeme& before, const Lexeme& fou
     auto report = reporter_.at(found, DiagnosticId::wrongTransition, word);
     const std::string_view meant = closest(word, {"goto", "call", "return", "exit", "stay"});
     if (!meant.empty()) {
-      report.hint(fmt::format("did you mean `{}`?", meant)).fix(reporter_.source().range(found), std::string(meant));
+      report.hint(fmt::format("did you mean `{}`?", meant))
+          .fix(reporter_.source().range(found), std::string(meant));
     }
   } else {
     expected("an operator, or `goto`, `call`, `return`, `exit` or `stay`", found);
@@ -192,7 +208,8 @@ void ErrorStrategy::complainInRule(antlr4::Parser* parser, size_t rule, const Le
     case GliderParser::RuleFormals:
       return expected(last == GliderParser::LPAREN ? "a name or `)`" : "`,` or `)`", found);
     case GliderParser::RulePromise:
-      return expected("`always`, `exit within`, `stack <=`, `reach`, `never` or `surfaces every`", found);
+      return expected("`always`, `exit within`, `stack <=`, `reach`, `never` or `surfaces every`",
+                      found);
     case GliderParser::RuleDeclaration:
       if (last == GliderParser::EXTERN) {
         return expected("`function`, `flightprofile`, `flightroute` or `sensor`", found);
@@ -200,14 +217,15 @@ void ErrorStrategy::complainInRule(antlr4::Parser* parser, size_t rule, const Le
       return expected(listOf(parser->getExpectedTokens()), found);
     case GliderParser::RuleFile:
     case GliderParser::RuleItem:
-      if (!misspelled(found, {"mission", "platform", "import", "const", "param", "var", "always", "state",
-                              "flightprofile", "flightroute", "extern", "require"})) {
+      if (!misspelled(found, {"mission", "platform", "import", "const", "param", "var", "always",
+                              "state", "flightprofile", "flightroute", "extern", "require"})) {
         expected("`state` or another declaration", found);
       }
       return;
     case GliderParser::RuleState:
     case GliderParser::RuleBehaviour:
-      if (!misspelled(found, {"flightroute", "flightprofile", "sensors", "entry", "events", "var", "end"})) {
+      if (!misspelled(found, {"flightroute", "flightprofile", "sensors", "entry", "events", "var",
+                              "end"})) {
         expected("`flightroute`, `flightprofile`, `sensors`, `events` or `end`", found);
       }
       return;

@@ -3,17 +3,20 @@
 
 #pragma once
 
-#include <antlr4-runtime.h>
-
 #include "frontend/parse/reporter.h"
+
+#include <antlr4-runtime.h>
 
 namespace glider::frontend {
 
-/// What the parser does at a token that fits nowhere: says in a pilot's words what was expected, skips to the next
-/// keyword that makes sense, and says nothing more until that has been read.
+/// What the parser does at a token that fits nowhere: says in a pilot's words what was expected,
+/// skips to the next keyword that makes sense, and says nothing more until that has been read.
 class ErrorStrategy final : public antlr4::DefaultErrorStrategy {
  public:
   explicit ErrorStrategy(SyntaxReporter& reporter) : reporter_(reporter) {}
+
+  /// Whether any token fitted nowhere: then the tree has holes.
+  [[nodiscard]] bool failed() const { return failed_; }
 
   void reportMatch(antlr4::Parser* parser) override;
   void reportError(antlr4::Parser* parser, const antlr4::RecognitionException& error) override;
@@ -29,6 +32,7 @@ class ErrorStrategy final : public antlr4::DefaultErrorStrategy {
   bool misspelled(const Lexeme& found, const std::vector<std::string_view>& keywords);
 
   SyntaxReporter& reporter_;
+  bool failed_ = false;
 };
 
 }  // namespace glider::frontend

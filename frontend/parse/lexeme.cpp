@@ -3,12 +3,12 @@
 
 #include "frontend/parse/lexeme.h"
 
-#include <algorithm>
+#include "frontend/parse/byte_char_stream.h"
+#include "grammar/GliderLexer.h"
 
 #include <fmt/format.h>
 
-#include "frontend/parse/byte_char_stream.h"
-#include "grammar/GliderLexer.h"
+#include <algorithm>
 
 namespace glider::frontend {
 
@@ -26,7 +26,8 @@ std::vector<Lexeme> lex(std::string_view text, size_t start) {
     if (token->getType() == antlr4::Token::EOF) {
       break;
     }
-    lexemes.push_back({static_cast<uint32_t>(token->getType()), static_cast<uint32_t>(token->getStartIndex()),
+    lexemes.push_back({static_cast<uint32_t>(token->getType()),
+                       static_cast<uint32_t>(token->getStartIndex()),
                        static_cast<uint32_t>(token->getStopIndex() + 1)});
   }
   const auto end = static_cast<uint32_t>(text.size());
@@ -34,19 +35,23 @@ std::vector<Lexeme> lex(std::string_view text, size_t start) {
   return lexemes;
 }
 
-bool isHardKeyword(uint32_t type) { return type >= GliderLexer::MISSION && type <= GliderLexer::NOT_WORD; }
+bool isHardKeyword(uint32_t type) {
+  return type >= GliderLexer::MISSION && type <= GliderLexer::NOT_WORD;
+}
 
 bool isName(uint32_t type) {
   return type == GliderLexer::NAME || (type >= GliderLexer::IN && type <= GliderLexer::SURFACES);
 }
 
 bool isAnyName(uint32_t type) {
-  return isName(type) || type == GliderLexer::UNIT || type == GliderLexer::COMPASS || type == GliderLexer::MIN;
+  return isName(type) || type == GliderLexer::UNIT || type == GliderLexer::COMPASS ||
+         type == GliderLexer::MIN;
 }
 
 namespace {
 
-/// "`begin`" as ANTLR's vocabulary has it, without quotes; empty for a token that is spelled in many ways.
+/// "`begin`" as ANTLR's vocabulary has it, without quotes; empty for a token that is spelled in
+/// many ways.
 std::string spelling(size_t type) {
   static ByteCharStream empty("", 0);
   static const GliderLexer lexer(&empty);
@@ -68,7 +73,8 @@ const std::vector<std::string>& keywordSpellings() {
 }  // namespace
 
 const std::vector<std::string_view>& hardKeywords() {
-  static const std::vector<std::string_view> words(keywordSpellings().begin(), keywordSpellings().end());
+  static const std::vector<std::string_view> words(keywordSpellings().begin(),
+                                                   keywordSpellings().end());
   return words;
 }
 

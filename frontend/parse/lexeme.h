@@ -3,12 +3,12 @@
 
 #pragma once
 
+#include "support/source_manager.h"
+
 #include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include "support/source_manager.h"
 
 namespace glider::frontend {
 
@@ -28,7 +28,9 @@ struct Source {
   [[nodiscard]] std::string_view text(const Lexeme& lexeme) const {
     return text().substr(lexeme.begin, lexeme.end - lexeme.begin);
   }
-  [[nodiscard]] support::SourceRange range(const Lexeme& lexeme) const { return {file, lexeme.begin, lexeme.end}; }
+  [[nodiscard]] support::SourceRange range(const Lexeme& lexeme) const {
+    return {file, lexeme.begin, lexeme.end};
+  }
 };
 
 /// The tokens of a file, one of type end-of-file last. `start` skips a byte order mark.

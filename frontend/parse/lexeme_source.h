@@ -3,13 +3,13 @@
 
 #pragma once
 
-#include <memory>
-#include <string>
-#include <vector>
+#include "frontend/parse/lexeme.h"
 
 #include <antlr4-runtime.h>
 
-#include "frontend/parse/lexeme.h"
+#include <memory>
+#include <string>
+#include <vector>
 
 namespace glider::frontend {
 

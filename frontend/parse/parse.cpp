@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <memory>
-
 #include "frontend/frontend.h"
 #include "frontend/parse/build_ast.h"
 #include "frontend/parse/error_strategy.h"
 #include "frontend/parse/lexeme_source.h"
 #include "frontend/parse/repair.h"
 #include "frontend/parse/token_kinds.h"
+
+#include <memory>
 
 namespace glider::frontend {
 
@@ -20,10 +20,15 @@ namespace {
 constexpr size_t kLargestFile = 8U << 20U;
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
-/// The length of the UTF-8 character at `at`; 0 if there is none (RFC 3629, table 3-7 of the Unicode standard).
+/// The length of the UTF-8 character at `at`; 0 if there is none (RFC 3629, table 3-7 of the
+/// Unicode standard).
 size_t characterLength(std::string_view text, size_t at) {
-  auto byte = [&](size_t k) { return at + k < text.size() ? static_cast<unsigned char>(text[at + k]) : 0U; };
-  auto follows = [&](size_t k, unsigned low, unsigned high) { return byte(k) >= low && byte(k) <= high; };
+  auto byte = [&](size_t k) {
+    return at + k < text.size() ? static_cast<unsigned char>(text[at + k]) : 0U;
+  };
+  auto follows = [&](size_t k, unsigned low, unsigned high) {
+    return byte(k) >= low && byte(k) <= high;
+  };
   const unsigned b = byte(0);
   if (b < 0x80U) {
     return 1;
@@ -45,8 +50,12 @@ size_t characterLength(std::string_view text, size_t at) {
 /// Checks that the file is text at all. False if it is not worth reading.
 bool checkEncoding(const Source& source, SyntaxReporter& reporter) {
   const std::string_view text = source.text();
-  auto line = [&](size_t at) { return source.sources.place(source.file, static_cast<uint32_t>(at)).line; };
-  auto at = [](size_t place) { return Lexeme{0, static_cast<uint32_t>(place), static_cast<uint32_t>(place)}; };
+  auto line = [&](size_t at) {
+    return source.sources.place(source.file, static_cast<uint32_t>(at)).line;
+  };
+  auto at = [](size_t place) {
+    return Lexeme{0, static_cast<uint32_t>(place), static_cast<uint32_t>(place)};
+  };
   if (text.size() > kLargestFile) {
     reporter.at(at(0), DiagnosticId::fileTooLarge, text.size(), kLargestFile);
     return false;
@@ -70,42 +79,81 @@ bool checkEncoding(const Source& source, SyntaxReporter& reporter) {
   return true;
 }
 
-/// The parse tree with what it lives on.
+/// One reading of repaired tokens.
 class Parse {
  public:
   Parse(const std::vector<Lexeme>& lexemes, SyntaxReporter& reporter)
-      : source_(lexemes), tokens_(&source_), parser_(&tokens_), reporter_(reporter) {
+      : source_(lexemes),
+        tokens_(&source_),
+        parser_(&tokens_),
+        reporter_(reporter),
+        builder_(reporter.source()) {
     parser_.removeErrorListeners();
   }
 
-  /// Null if the tokens do not make a mission; reported.
-  GliderParser::FileContext* tree() {
-    auto* simulator = parser_.getInterpreter<antlr4::atn::ParserATNSimulator>();
-    // Right missions, nearly all, parse in the faster mode; only what fails there is read again in full.
-    simulator->setPredictionMode(antlr4::atn::PredictionMode::SLL);
-    parser_.setErrorHandler(std::make_shared<antlr4::BailErrorStrategy>());
-    try {
-      return parser_.file();
-    } catch (const antlr4::ParseCancellationException&) {
+  /// Empty if the tokens do not make a mission; reported.
+  std::optional<ast::File> run() {
+    // Right missions, nearly all, parse in the faster mode; only what fails there is read again in
+    // full.
+    if (auto file = fast()) {
+      return file;
     }
-    tokens_.seek(0);
-    parser_.reset();
-    simulator->setPredictionMode(antlr4::atn::PredictionMode::LL);
-    parser_.setErrorHandler(std::make_shared<ErrorStrategy>(reporter_));
-    const size_t before = reporter_.count();
-    try {
-      GliderParser::FileContext* tree = parser_.file();
-      return reporter_.count() == before ? tree : nullptr;
-    } catch (const antlr4::ParseCancellationException&) {
-      return nullptr;  // too many mistakes
-    }
+    return thorough();
   }
 
  private:
+  void mode(antlr4::atn::PredictionMode mode,
+            const std::shared_ptr<antlr4::ANTLRErrorStrategy>& strategy) {
+    tokens_.seek(0);
+    parser_.reset();
+    parser_.getInterpreter<antlr4::atn::ParserATNSimulator>()->setPredictionMode(mode);
+    parser_.setErrorHandler(strategy);
+  }
+
+  [[nodiscard]] ast::File emptyFile() const {
+    ast::File file;
+    file.file = reporter_.source().file;
+    return file;
+  }
+
+  /// Item by item, so that the parse tree of a large mission never stands in memory whole.
+  std::optional<ast::File> fast() {
+    mode(antlr4::atn::PredictionMode::SLL, std::make_shared<antlr4::BailErrorStrategy>());
+    ast::File file = emptyFile();
+    try {
+      while (tokens_.LA(1) != antlr4::Token::EOF) {
+        file.items.push_back(builder_.item(parser_.item()));
+        parser_.getTreeTracker().reset();
+      }
+    } catch (const antlr4::ParseCancellationException&) {
+      return std::nullopt;
+    }
+    return file;
+  }
+
+  std::optional<ast::File> thorough() {
+    const auto strategy = std::make_shared<ErrorStrategy>(reporter_);
+    mode(antlr4::atn::PredictionMode::LL, strategy);
+    ast::File file = emptyFile();
+    try {
+      GliderParser::FileContext* tree = parser_.file();
+      if (strategy->failed()) {
+        return std::nullopt;
+      }
+      for (GliderParser::ItemContext* item : tree->item()) {
+        file.items.push_back(builder_.item(item));
+      }
+    } catch (const antlr4::ParseCancellationException&) {
+      return std::nullopt;  // too many mistakes
+    }
+    return file;
+  }
+
   LexemeSource source_;
   antlr4::CommonTokenStream tokens_;
   GliderParser parser_;
   SyntaxReporter& reporter_;
+  AstBuilder builder_;
 };
 
 }  // namespace
@@ -126,10 +174,7 @@ std::optional<ast::File> parse(const support::SourceManager& sources, uint32_t f
   Repaired repaired = repair(lexemes, reporter);
   std::optional<ast::File> result;
   if (repaired.parseable) {
-    Parse run(repaired.lexemes, reporter);
-    if (GliderParser::FileContext* tree = run.tree()) {
-      result = AstBuilder(source).file(tree);
-    }
+    result = Parse(repaired.lexemes, reporter).run();
   }
   if (reporter.full()) {
     reporter.at(lexemes.back(), DiagnosticId::tooManyMistakes, SyntaxReporter::kMostMistakes);

@@ -3,14 +3,14 @@
 
 #include "frontend/parse/repair.h"
 
-#include <string>
-
-#include <fmt/format.h>
-
 #include "frontend/parse/repair_values.h"
 #include "frontend/parse/repair_words.h"
 #include "frontend/parse/token_kinds.h"
 #include "frontend/spelling.h"
+
+#include <fmt/format.h>
+
+#include <string>
 
 namespace glider::frontend {
 
@@ -40,7 +40,8 @@ std::string nameOwner(uint32_t keyword) {
   }
 }
 
-/// Was keyword `t`, after `before` and ahead of `next`, meant as a name? If not, the name is missing.
+/// Was keyword `t`, after `before` and ahead of `next`, meant as a name? If not, the name is
+/// missing.
 bool meantAsName(uint32_t before, uint32_t t, uint32_t next) {
   switch (before) {
     case GliderLexer::STATE:
@@ -63,7 +64,11 @@ bool meantAsName(uint32_t before, uint32_t t, uint32_t next) {
 class StructureRepair {
  public:
   StructureRepair(const std::vector<Lexeme>& in, bool cut, SyntaxReporter& reporter)
-      : in_(in), cut_(cut), reporter_(reporter), source_(reporter.source()), values_(reporter, out_) {
+      : in_(in),
+        cut_(cut),
+        reporter_(reporter),
+        source_(reporter.source()),
+        values_(reporter, out_) {
     out_.reserve(in.size());
   }
 
@@ -87,7 +92,9 @@ class StructureRepair {
   };
 
   [[nodiscard]] uint32_t previous() const { return out_.empty() ? 0 : out_.back().type; }
-  [[nodiscard]] const Lexeme& peek(size_t k) const { return in_[std::min(at_ + k, in_.size() - 1)]; }
+  [[nodiscard]] const Lexeme& peek(size_t k) const {
+    return in_[std::min(at_ + k, in_.size() - 1)];
+  }
   void insert(uint32_t type) {
     const uint32_t place = out_.empty() ? 0 : out_.back().end;
     out_.push_back({type, place, place});
@@ -95,11 +102,14 @@ class StructureRepair {
 
   void step(Lexeme t) {
     const bool skipping = skipping_ || skipping_in_block_;
-    if (!skipping && (t.type == GliderLexer::NAME || t.type == GliderLexer::SENSOR) && at_ != begin_at_ && !values_.inParentheses()) {
+    if (!skipping && (t.type == GliderLexer::NAME || t.type == GliderLexer::SENSOR) &&
+        at_ != begin_at_ && !values_.inParentheses()) {
       correct(t);
     }
     const bool keyword =
-        t.type == kEof || (isHardKeyword(t.type) && t.type != GliderLexer::TRUE && t.type != GliderLexer::FALSE);
+        t.type == kEof ||
+        (isHardKeyword(t.type) &&
+         !oneOf(t.type, {GliderLexer::TRUE, GliderLexer::FALSE, GliderLexer::NOT_WORD}));
     if (keyword && wantsName(previous()) && !skipping && becomesName(t)) {
       return;
     }
@@ -119,16 +129,19 @@ class StructureRepair {
 
   // --- misspelled keywords ---
 
-  /// If the name `t` stands where only a keyword makes sense and is spelled much like it, makes it that keyword.
+  /// If the name `t` stands where only a keyword makes sense and is spelled much like it, makes it
+  /// that keyword.
   void correct(Lexeme& t) {
-    const bool possible = out_.empty() || endsValue(previous()) || isTransition(previous()) ||
-                          oneOf(previous(), {GliderLexer::BEGIN, GliderLexer::END, GliderLexer::EVENTS});
+    const bool possible =
+        out_.empty() || endsValue(previous()) || isTransition(previous()) ||
+        oneOf(previous(), {GliderLexer::BEGIN, GliderLexer::END, GliderLexer::EVENTS});
     if (!possible || previous() == GliderLexer::GOTO || previous() == GliderLexer::CALL) {
       return;
     }
     const std::string_view word = blocks_.empty() ? meantAtTop(t) : meantInBlock(t);
     if (!word.empty()) {
-      reporter_.at(t, DiagnosticId::misspelledKeyword, source_.text(t), word).fix(source_.range(t), std::string(word));
+      reporter_.at(t, DiagnosticId::misspelledKeyword, source_.text(t), word)
+          .fix(source_.range(t), std::string(word));
       t.type = keywordType(word);
     }
   }
@@ -137,7 +150,8 @@ class StructureRepair {
     if (!isAnyName(peek(1).type) || peek(afterFormals(2)).type != GliderLexer::BEGIN) {
       return {};
     }
-    const std::string_view near = closest(source_.text(t), {"state", "flightprofile", "flightroute"});
+    const std::string_view near =
+        closest(source_.text(t), {"state", "flightprofile", "flightroute"});
     return near.empty() ? "state" : near;
   }
 
@@ -162,7 +176,8 @@ class StructureRepair {
     if (blocks_.back().events && near("case") && (startsValue(next) || next == GliderLexer::NOT)) {
       return "case";
     }
-    return isAnyName(next) ? closest(word, {"flightroute", "flightprofile", "sensors"}) : std::string_view{};
+    return isAnyName(next) ? closest(word, {"flightroute", "flightprofile", "sensors"})
+                           : std::string_view{};
   }
 
   /// `x = 5` without `set` or `const`: the name before the `=` that comes now begins a line.
@@ -173,8 +188,8 @@ class StructureRepair {
     }
     const uint32_t before = n == 1 ? uint32_t{GliderLexer::END} : out_[n - 2].type;
     const bool action = !blocks_.empty() && blocks_.back().kind != BlockKind::Members;
-    const bool begins =
-        endsValue(before) || oneOf(before, {GliderLexer::END, GliderLexer::DO, GliderLexer::THEN, GliderLexer::ELSE});
+    const bool begins = endsValue(before) || oneOf(before, {GliderLexer::END, GliderLexer::DO,
+                                                            GliderLexer::THEN, GliderLexer::ELSE});
     if (!begins || (!action && !blocks_.empty())) {
       return;
     }
@@ -197,22 +212,24 @@ class StructureRepair {
       reporter_.at(t, DiagnosticId::keywordAsName, source_.text(t));
       out_.push_back({GliderLexer::NAME, t.begin, t.end});
     } else {
-      reporter_.at(t, DiagnosticId::missingName, nameOwner(before), source_.text(out_.back()), describe(source_, t));
+      reporter_.at(t, DiagnosticId::missingName, nameOwner(before), source_.text(out_.back()),
+                   describe(source_, t));
       insert(GliderLexer::NAME);
     }
     noteHeader(name ? 1 : 0);
     return name;
   }
 
-  /// If the token just put out names a state or a behaviour: finds out whether `begin` follows, from `ahead` tokens on.
+  /// If the token just put out names a state or a behaviour: finds out whether `begin` follows,
+  /// from `ahead` tokens on.
   void noteHeader(size_t ahead) {
     const size_t n = out_.size();
     if (n < 2 || !isAnyName(out_[n - 1].type)) {
       return;
     }
     const Lexeme& keyword = out_[n - 2];
-    const bool defines =
-        isBehaviourWord(keyword.type) && blocks_.empty() && (n < 3 || out_[n - 3].type != GliderLexer::EXTERN);
+    const bool defines = isBehaviourWord(keyword.type) && blocks_.empty() &&
+                         (n < 3 || out_[n - 3].type != GliderLexer::EXTERN);
     if (keyword.type != GliderLexer::STATE && !defines) {
       return;
     }
@@ -237,11 +254,13 @@ class StructureRepair {
   /// `t` stands where `begin` is due. True if it was used up as that.
   bool supplyBegin(const Lexeme& t) {
     begin_at_ = SIZE_MAX;
-    const bool misspelled = t.type == GliderLexer::NAME && closest(source_.text(t), {"begin"}) == "begin";
+    const bool misspelled =
+        t.type == GliderLexer::NAME && closest(source_.text(t), {"begin"}) == "begin";
     if (t.type == kEof && header_at_.end == out_.back().begin) {
       // The file ends before the name already.
     } else if (misspelled) {
-      reporter_.at(t, DiagnosticId::misspelledKeyword, source_.text(t), "begin").fix(source_.range(t), "begin");
+      reporter_.at(t, DiagnosticId::misspelledKeyword, source_.text(t), "begin")
+          .fix(source_.range(t), "begin");
     } else {
       reporter_.at(t, DiagnosticId::missingBegin, header_, describe(source_, t))
           .note(source_.range(header_at_), header_ + " is named here");
@@ -262,7 +281,8 @@ class StructureRepair {
       return;
     }
     skipping_ = false;
-    if (skipping_in_block_ && !(startsMember(t.type) || oneOf(t.type, {GliderLexer::END, GliderLexer::STATE, kEof}))) {
+    if (skipping_in_block_ &&
+        !(startsMember(t.type) || oneOf(t.type, {GliderLexer::END, GliderLexer::STATE, kEof}))) {
       return;
     }
     skipping_in_block_ = false;
@@ -274,7 +294,8 @@ class StructureRepair {
 
   /// True if `t` may be kept where no block is open.
   bool topLevel(const Lexeme& t) {
-    const bool partOfCase = isTransition(t.type) || oneOf(t.type, {GliderLexer::CASE, GliderLexer::DO});
+    const bool partOfCase =
+        isTransition(t.type) || oneOf(t.type, {GliderLexer::CASE, GliderLexer::DO});
     in_always_ = t.type == GliderLexer::ALWAYS || (in_always_ && partOfCase);
     switch (t.type) {
       case GliderLexer::END:
@@ -292,12 +313,15 @@ class StructureRepair {
       case GliderLexer::BEGIN:
         return openMembers(t);
       default:
-        return !isBehaviourWord(t.type) || previous() == GliderLexer::EXTERN || definesBehaviour() || outside(t);
+        return !isBehaviourWord(t.type) || previous() == GliderLexer::EXTERN ||
+               definesBehaviour() || outside(t);
     }
   }
 
   /// `flightprofile yo(…) begin`, not a use that slipped out of its state.
-  [[nodiscard]] bool definesBehaviour() const { return peek(afterFormals(2)).type == GliderLexer::BEGIN; }
+  [[nodiscard]] bool definesBehaviour() const {
+    return peek(afterFormals(2)).type == GliderLexer::BEGIN;
+  }
 
   bool outside(const Lexeme& t) {
     reporter_.at(t, DiagnosticId::outsideState, source_.text(t));
@@ -382,7 +406,8 @@ class StructureRepair {
     }
   }
 
-  /// Does an `end` of the open block still come before the next state, so that `t` was written inside it?
+  /// Does an `end` of the open block still come before the next state, so that `t` was written
+  /// inside it?
   [[nodiscard]] bool stillInside(const Lexeme& t) const {
     constexpr size_t kFarthest = 1000;
     if (t.type == GliderLexer::STATE || t.type == kEof) {
@@ -405,7 +430,8 @@ class StructureRepair {
 
   void wantEvents(const Lexeme& t) {
     if (!blocks_.back().events) {
-      reporter_.at(t, DiagnosticId::caseOutsideEvents).fix({source_.file, t.begin, t.begin}, "events ");
+      reporter_.at(t, DiagnosticId::caseOutsideEvents)
+          .fix({source_.file, t.begin, t.begin}, "events ");
       insert(GliderLexer::EVENTS);
       blocks_.back().events = true;
     }
@@ -446,8 +472,9 @@ class StructureRepair {
   Lexeme header_at_;
   size_t begin_at_ = SIZE_MAX;  ///< where in `in_` a `begin` is due but does not stand
   bool in_always_ = false;
-  bool skipping_ = false;           ///< what follows stands outside every state: up to the next item
-  bool skipping_in_block_ = false;  ///< what follows may not stand in a state: up to its next member
+  bool skipping_ = false;  ///< what follows stands outside every state: up to the next item
+  bool skipping_in_block_ =
+      false;  ///< what follows may not stand in a state: up to its next member
 };
 
 }  // namespace

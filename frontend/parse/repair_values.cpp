@@ -3,13 +3,13 @@
 
 #include "frontend/parse/repair_values.h"
 
-#include <algorithm>
-#include <cctype>
+#include "frontend/parse/token_kinds.h"
+#include "frontend/spelling.h"
 
 #include <fmt/format.h>
 
-#include "frontend/parse/token_kinds.h"
-#include "frontend/spelling.h"
+#include <algorithm>
+#include <cctype>
 
 namespace glider::frontend {
 
@@ -19,7 +19,8 @@ namespace {
 
 bool isKeywordInCapitals(std::string_view word) {
   std::string small(word);
-  std::ranges::transform(small, small.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::ranges::transform(small, small.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return keywordType(small) != 0;
 }
 
@@ -44,7 +45,8 @@ void ValueRepair::keyword(const Lexeme& found) {
     parentheses_.pop_back();
   }
   in_sensors_ = found.type == GliderLexer::SENSORS;
-  assignable_ = oneOf(found.type, {GliderLexer::CONST, GliderLexer::PARAM, GliderLexer::VAR, GliderLexer::SET});
+  assignable_ = oneOf(found.type,
+                      {GliderLexer::CONST, GliderLexer::PARAM, GliderLexer::VAR, GliderLexer::SET});
 }
 
 bool ValueRepair::take(Lexeme t, const Lexeme& next) {
@@ -83,7 +85,8 @@ bool ValueRepair::open(const Lexeme& t) {
 }
 
 bool ValueRepair::close(const Lexeme& t) {
-  const uint32_t opens = t.type == GliderLexer::RPAREN ? GliderLexer::LPAREN : GliderLexer::LBRACKET;
+  const uint32_t opens =
+      t.type == GliderLexer::RPAREN ? GliderLexer::LPAREN : GliderLexer::LBRACKET;
   if (parentheses_.empty() || parentheses_.back().opener.type != opens) {
     reporter_.at(t, DiagnosticId::strayParenthesis, source_.text(t)).fix(source_.range(t), "");
     return true;
@@ -116,7 +119,8 @@ bool ValueRepair::countOperator(const Lexeme& t) {
   return true;
 }
 
-/// The one `=` after `const`, `param`, `var` and `set` gives a value; every other was meant to compare.
+/// The one `=` after `const`, `param`, `var` and `set` gives a value; every other was meant to
+/// compare.
 Lexeme ValueRepair::equals(Lexeme t) {
   const bool gives = assignable_ && parentheses_.empty();
   if (gives && t.type == GliderLexer::EQ) {
@@ -132,7 +136,8 @@ Lexeme ValueRepair::equals(Lexeme t) {
 
 /// A word after a number that is no unit is reported and left out.
 bool ValueRepair::unknownUnit(const Lexeme& t, const Lexeme& next) {
-  if (previous() != GliderLexer::NUMBER || t.type != GliderLexer::NAME || next.type == GliderLexer::LPAREN) {
+  if (previous() != GliderLexer::NUMBER || t.type != GliderLexer::NAME ||
+      next.type == GliderLexer::LPAREN) {
     return false;
   }
   const std::string_view word = source_.text(t);
@@ -140,10 +145,12 @@ bool ValueRepair::unknownUnit(const Lexeme& t, const Lexeme& next) {
   const bool perhapsKeyword =
       isAnyName(next.type) || !closest(word, hardKeywords()).empty() || isKeywordInCapitals(word);
   if (unit.empty() && parentheses_.empty() && perhapsKeyword) {
-    return false;  // `case depth > 5 jump s3`, `case depth > 5 retrun`: the parser knows what belongs there
+    return false;  // `case depth > 5 jump s3`, `case depth > 5 retrun`: the parser knows what
+                   // belongs there
   }
   constexpr std::string_view kAll =
-      "units: mm cm m km nmi ft, s min h day, rad deg, degC, m/s cm/s kn, bar dbar, S/m, V A W J kJ MJ Ah %";
+      "units: mm cm m km nmi ft, s min h day, rad deg, degC, m/s cm/s kn, bar dbar, S/m, V A W J "
+      "kJ MJ Ah %";
   auto report = reporter_.at(t, DiagnosticId::unknownUnit, word,
                              unit.empty() ? std::string(kAll) : fmt::format("write `{}`", unit));
   if (!unit.empty()) {
@@ -170,11 +177,13 @@ void ValueRepair::missingComma(const Lexeme& t, const Lexeme& next) {
 /// `10 m of depth`, and the second half of `39.2 N 73.9 W`.
 bool ValueRepair::belongTogether(const Lexeme& t, const Lexeme& next) const {
   const size_t n = out_.size();
-  if (t.type == GliderLexer::OF || (previous() == GliderLexer::OF && n > 1 && endsValue(out_[n - 2].type))) {
+  if (t.type == GliderLexer::OF ||
+      (previous() == GliderLexer::OF && n > 1 && endsValue(out_[n - 2].type))) {
     return true;
   }
   auto isPair = [&](size_t end) {
-    return end >= 2 && out_[end - 1].type == GliderLexer::COMPASS && out_[end - 2].type == GliderLexer::NUMBER;
+    return end >= 2 && out_[end - 1].type == GliderLexer::COMPASS &&
+           out_[end - 2].type == GliderLexer::NUMBER;
   };
   const bool letter = isPair(n);
   const bool second = letter && isPair(n - 2);

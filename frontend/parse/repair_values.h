@@ -3,26 +3,28 @@
 
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
 #include "frontend/parse/lexeme.h"
 #include "frontend/parse/reporter.h"
 
+#include <cstdint>
+#include <vector>
+
 namespace glider::frontend {
 
-/// How deep blocks and parentheses may nest, and how many operators an expression may have: everything behind the
-/// parser may then recurse over the tree.
+/// How deep blocks and parentheses may nest, and how many operators an expression may have:
+/// everything behind the parser may then recurse over the tree.
 inline constexpr size_t kDeepestNesting = 200;
 inline constexpr size_t kMostOperators = 1000;
 
-/// The part of repair that looks between keywords: parentheses, `=` and `==`, units, missing commas, and the limits.
+/// The part of repair that looks between keywords: parentheses, `=` and `==`, units, missing
+/// commas, and the limits.
 class ValueRepair {
  public:
   ValueRepair(SyntaxReporter& reporter, std::vector<Lexeme>& out)
       : reporter_(reporter), source_(reporter.source()), out_(out) {}
 
-  /// Takes `t`, which no keyword is; `next` comes after it. False if a limit was passed: nothing more is worth reading.
+  /// Takes `t`, which no keyword is; `next` comes after it. False if a limit was passed: nothing
+  /// more is worth reading.
   bool take(Lexeme t, const Lexeme& next);
   /// Closes what is open before the keyword `found`, which begins a new expression.
   void keyword(const Lexeme& found);

@@ -3,11 +3,11 @@
 
 #include "frontend/parse/repair_words.h"
 
-#include <algorithm>
+#include "frontend/parse/token_kinds.h"
 
 #include <fmt/format.h>
 
-#include "frontend/parse/token_kinds.h"
+#include <algorithm>
 
 namespace glider::frontend {
 
@@ -15,17 +15,24 @@ using support::DiagnosticId;
 
 namespace {
 
-/// What word processors and web pages put in place of ASCII, and the token that was meant (0: none).
+/// What word processors and web pages put in place of ASCII, and the token that was meant (0:
+/// none).
 struct Lookalike {
   std::string_view text;
   std::string_view meant;
   uint32_t type;
 };
-const Lookalike kLookalikes[] = {
-    {"≥", ">=", GliderLexer::GE},   {"≤", "<=", GliderLexer::LE},   {"≠", "!=", GliderLexer::NE},
-    {"–", "-", GliderLexer::MINUS}, {"−", "-", GliderLexer::MINUS}, {"×", "*", GliderLexer::TIMES},
-    {"·", "*", GliderLexer::TIMES}, {"°", "deg", GliderLexer::UNIT}, {"“", "\"", 0},
-    {"”", "\"", 0},                 {"\xC2\xA0", "a blank", 0}};
+const Lookalike kLookalikes[] = {{"≥", ">=", GliderLexer::GE},
+                                 {"≤", "<=", GliderLexer::LE},
+                                 {"≠", "!=", GliderLexer::NE},
+                                 {"–", "-", GliderLexer::MINUS},
+                                 {"−", "-", GliderLexer::MINUS},
+                                 {"×", "*", GliderLexer::TIMES},
+                                 {"·", "*", GliderLexer::TIMES},
+                                 {"°", "deg", GliderLexer::UNIT},
+                                 {"“", "\"", 0},
+                                 {"”", "\"", 0},
+                                 {"\xC2\xA0", "a blank", 0}};
 
 bool isLookalike(std::string_view text) {
   return std::ranges::find(kLookalikes, text, &Lookalike::text) != std::end(kLookalikes);
@@ -55,8 +62,6 @@ Meant meantBy(uint32_t type, std::string_view text) {
     case GliderLexer::OR_WORD:
     case GliderLexer::ONE_BAR:
       return {"||", GliderLexer::OR};
-    case GliderLexer::NOT_WORD:
-      return {"!", GliderLexer::NOT};
     default:
       return comparison(text);
   }
@@ -89,10 +94,12 @@ std::vector<Lexeme> WordRepair::run(const std::vector<Lexeme>& lexemes) {
   return out;
 }
 
-/// A foreign character right behind or before a name belongs to it: one mistake, not three. Likewise the point of `5.`.
+/// A foreign character right behind or before a name belongs to it: one mistake, not three.
+/// Likewise the point of `5.`.
 bool WordRepair::partOfToken(const Lexeme& lexeme, const Lexeme& next, std::vector<Lexeme>& out) {
   const bool behind = !out.empty() && out.back().end == lexeme.begin;
-  if (behind && lexeme.begin == name_end_ && oneOf(lexeme.type, {GliderLexer::NAME, GliderLexer::NUMBER})) {
+  if (behind && lexeme.begin == name_end_ &&
+      oneOf(lexeme.type, {GliderLexer::NAME, GliderLexer::NUMBER})) {
     out.back().end = lexeme.end;
     return true;
   }
@@ -122,7 +129,8 @@ bool WordRepair::partOfToken(const Lexeme& lexeme, const Lexeme& next, std::vect
   return true;
 }
 
-/// A text that never closes was meant to end before a comma, or before the `end` of its block, on its line.
+/// A text that never closes was meant to end before a comma, or before the `end` of its block, on
+/// its line.
 void WordRepair::openString(const Lexeme& lexeme, std::vector<Lexeme>& out) {
   reporter_.at(lexeme, DiagnosticId::openString);
   const std::string_view text = reporter_.source().text(lexeme);
@@ -145,8 +153,10 @@ std::optional<Lexeme> WordRepair::one(const Lexeme& lexeme) {
       return foreign(lexeme);
     case GliderLexer::AND_WORD:
     case GliderLexer::OR_WORD:
-    case GliderLexer::NOT_WORD:
       return replaced(lexeme, DiagnosticId::wordOperator, lexeme.type);
+    case GliderLexer::NOT_WORD:  // kept: it reaches further than `!` does
+      reporter_.at(lexeme, DiagnosticId::wordOperator, "not", "!(…)");
+      return lexeme;
     case GliderLexer::ONE_AMPERSAND:
     case GliderLexer::ONE_BAR:
       return replaced(lexeme, DiagnosticId::singleAmpersand, lexeme.type);
@@ -160,7 +170,8 @@ std::optional<Lexeme> WordRepair::one(const Lexeme& lexeme) {
 Lexeme WordRepair::replaced(const Lexeme& lexeme, DiagnosticId id, uint32_t type) {
   const std::string_view text = reporter_.source().text(lexeme);
   const Meant meant = meantBy(type, text);
-  reporter_.at(lexeme, id, text, meant.text).fix(reporter_.source().range(lexeme), std::string(meant.text));
+  reporter_.at(lexeme, id, text, meant.text)
+      .fix(reporter_.source().range(lexeme), std::string(meant.text));
   return {meant.type, lexeme.begin, lexeme.end};
 }
 
@@ -168,19 +179,23 @@ std::optional<Lexeme> WordRepair::foreign(const Lexeme& lexeme) {
   const std::string_view text = reporter_.source().text(lexeme);
   for (const Lookalike& row : kLookalikes) {
     if (row.text == text) {
-      auto report = reporter_.at(lexeme, DiagnosticId::foreignCharacter, text, fmt::format("write `{}`", row.meant));
+      auto report = reporter_.at(lexeme, DiagnosticId::foreignCharacter, text,
+                                 fmt::format("write `{}`", row.meant));
       if (row.type == 0) {
         return std::nullopt;
       }
-      report.fix(reporter_.source().range(lexeme), (row.type == GliderLexer::UNIT ? " " : "") + std::string(row.meant));
+      report.fix(reporter_.source().range(lexeme),
+                 (row.type == GliderLexer::UNIT ? " " : "") + std::string(row.meant));
       return Lexeme{row.type, lexeme.begin, lexeme.end};
     }
   }
   const bool ascii = static_cast<unsigned char>(text.front()) < 0x80U;
   const bool control = ascii && (text.front() < ' ' || text.front() == 0x7F);
-  const std::string shown = control ? fmt::format("\\x{:02x}", text.front()) : std::string(text.substr(0, 40));
-  reporter_.at(lexeme, DiagnosticId::foreignCharacter, shown,
-               ascii ? "delete it" : "outside comments and texts the language is written in ASCII letters");
+  const std::string shown =
+      control ? fmt::format("\\x{:02x}", text.front()) : std::string(text.substr(0, 40));
+  reporter_.at(
+      lexeme, DiagnosticId::foreignCharacter, shown,
+      ascii ? "delete it" : "outside comments and texts the language is written in ASCII letters");
   return std::nullopt;
 }
 

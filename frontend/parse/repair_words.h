@@ -3,16 +3,17 @@
 
 #pragma once
 
-#include <optional>
-#include <vector>
-
 #include "frontend/parse/lexeme.h"
 #include "frontend/parse/reporter.h"
 
+#include <optional>
+#include <vector>
+
 namespace glider::frontend {
 
-/// First pass of repair: single tokens that are never right (`;`, `=>`, `&`, `and`, foreign characters, `5.`, open
-/// strings). Each is reported and replaced by what was meant, or dropped. Stops at a comment that is never closed.
+/// First pass of repair: single tokens that are never right (`;`, `=>`, `&`, `and`, foreign
+/// characters, `5.`, open strings). Each is reported and replaced by what was meant, or dropped.
+/// Stops at a comment that is never closed.
 class WordRepair {
  public:
   explicit WordRepair(SyntaxReporter& reporter) : reporter_(reporter) {}

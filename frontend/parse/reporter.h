@@ -3,10 +3,10 @@
 
 #pragma once
 
-#include <utility>
-
 #include "frontend/parse/lexeme.h"
 #include "support/diagnostics/engine.h"
+
+#include <utility>
 
 namespace glider::frontend {
 

@@ -3,12 +3,12 @@
 
 #pragma once
 
+#include "frontend/parse/lexeme.h"
+#include "grammar/GliderLexer.h"
+
 #include <algorithm>
 #include <cstdint>
 #include <initializer_list>
-
-#include "frontend/parse/lexeme.h"
-#include "grammar/GliderLexer.h"
 
 /// Groups of tokens that repair and recovery go by.
 namespace glider::frontend {
@@ -23,9 +23,9 @@ inline bool oneOf(uint32_t type, std::initializer_list<uint32_t> types) {
 
 /// Begins a thing that stands at the top level only.
 inline bool startsItem(uint32_t type) {
-  return oneOf(type,
-               {GliderLexer::MISSION, GliderLexer::PLATFORM, GliderLexer::IMPORT, GliderLexer::CONST, GliderLexer::PARAM,
-                GliderLexer::STATE, GliderLexer::ALWAYS, GliderLexer::EXTERN, GliderLexer::REQUIRE});
+  return oneOf(type, {GliderLexer::MISSION, GliderLexer::PLATFORM, GliderLexer::IMPORT,
+                      GliderLexer::CONST, GliderLexer::PARAM, GliderLexer::STATE,
+                      GliderLexer::ALWAYS, GliderLexer::EXTERN, GliderLexer::REQUIRE});
 }
 
 inline bool isBehaviourWord(uint32_t type) {
@@ -34,30 +34,36 @@ inline bool isBehaviourWord(uint32_t type) {
 
 /// Begins a thing that stands directly inside a state.
 inline bool startsMember(uint32_t type) {
-  return isBehaviourWord(type) || oneOf(type, {GliderLexer::SENSORS, GliderLexer::ENTRY, GliderLexer::EVENTS});
+  return isBehaviourWord(type) ||
+         oneOf(type, {GliderLexer::SENSORS, GliderLexer::ENTRY, GliderLexer::EVENTS});
 }
 
 inline bool isTransition(uint32_t type) {
-  return oneOf(type, {GliderLexer::GOTO, GliderLexer::CALL, GliderLexer::RETURN, GliderLexer::EXIT, GliderLexer::STAY});
+  return oneOf(type, {GliderLexer::GOTO, GliderLexer::CALL, GliderLexer::RETURN, GliderLexer::EXIT,
+                      GliderLexer::STAY});
 }
 
 inline bool endsValue(uint32_t type) {
-  return isAnyName(type) || oneOf(type, {GliderLexer::NUMBER, GliderLexer::STRING, GliderLexer::TRUE,
-                                         GliderLexer::FALSE, GliderLexer::RPAREN, GliderLexer::RBRACKET});
+  return isAnyName(type) ||
+         oneOf(type, {GliderLexer::NUMBER, GliderLexer::STRING, GliderLexer::TRUE,
+                      GliderLexer::FALSE, GliderLexer::RPAREN, GliderLexer::RBRACKET});
 }
 
 inline bool startsValue(uint32_t type) {
-  return isName(type) ||
-         oneOf(type, {GliderLexer::NUMBER, GliderLexer::STRING, GliderLexer::TRUE, GliderLexer::FALSE});
+  return isName(type) || oneOf(type, {GliderLexer::NUMBER, GliderLexer::STRING, GliderLexer::TRUE,
+                                      GliderLexer::FALSE});
 }
 
-inline bool isOperator(uint32_t type) { return type >= GliderLexer::OR && type <= GliderLexer::DIVIDE; }
+inline bool isOperator(uint32_t type) {
+  return (type >= GliderLexer::OR && type <= GliderLexer::DIVIDE) || type == GliderLexer::NOT_WORD;
+}
 
 /// Wants a name after it.
 inline bool wantsName(uint32_t type) {
   return isBehaviourWord(type) ||
-         oneOf(type, {GliderLexer::MISSION, GliderLexer::PLATFORM, GliderLexer::CONST, GliderLexer::PARAM,
-                      GliderLexer::VAR, GliderLexer::STATE, GliderLexer::GOTO, GliderLexer::CALL, GliderLexer::SET});
+         oneOf(type, {GliderLexer::MISSION, GliderLexer::PLATFORM, GliderLexer::CONST,
+                      GliderLexer::PARAM, GliderLexer::VAR, GliderLexer::STATE, GliderLexer::GOTO,
+                      GliderLexer::CALL, GliderLexer::SET});
 }
 
 }  // namespace glider::frontend

@@ -8,11 +8,13 @@
 
 namespace glider::frontend {
 
-/// Enters what a file declares outside its states into `scope`: constants (worked out), external behaviours, and the
-/// names of what is not compiled yet, each refused once. `library`: the file is no mission, so it has no states.
+/// Enters what a file declares outside its states into `scope`: constants (worked out), external
+/// behaviours, and the names of what is not compiled yet, each refused once. `library`: the file is
+/// no mission, so it has no states.
 void declare(const ast::File& file, bool library, Scope& scope);
 
-/// Checks that the file is one mission: its `mission` line, the order of its head, that it has a state.
+/// Checks that the file is one mission: its `mission` line, the order of its head, that it has a
+/// state.
 void checkHead(const ast::File& file, Scope& scope);
 
 }  // namespace glider::frontend

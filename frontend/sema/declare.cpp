@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <cmath>
-
-#include <fmt/format.h>
-
 #include "frontend/sema/declarations.h"
 #include "frontend/sema/evaluate.h"
 #include "frontend/sema/lower_expr.h"
 #include "frontend/spelling.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
 
 namespace glider::frontend {
 
@@ -49,8 +49,12 @@ class Declarations {
   void visit(const ast::Param& node) {
     laterValue(node.name, node.where, "`param`", "use `const` for now");
   }
-  void visit(const ast::Var& node) { laterValue(node.name, node.where, "`var`", "use `const` for now"); }
-  void visit(const ast::ExternSensor& node) { laterValue(node.name, node.where, "`extern sensor`", ""); }
+  void visit(const ast::Var& node) {
+    laterValue(node.name, node.where, "`var`", "use `const` for now");
+  }
+  void visit(const ast::ExternSensor& node) {
+    laterValue(node.name, node.where, "`extern sensor`", "");
+  }
   void visit(const ast::ExternFunction& node) {
     scope_.notYet(node.where, "`extern function`");
     scope_.later_functions.emplace(node.name.text, &node.name);
@@ -61,7 +65,9 @@ class Declarations {
 
   void visit(const ast::Behaviour& node) {
     const bool profile = node.kind == ast::BehaviourKind::Profile;
-    scope_.notYet(node.name.where, profile ? "a flightprofile written in the language" : "a flightroute written in the language",
+    scope_.notYet(node.name.where,
+                  profile ? "a flightprofile written in the language"
+                          : "a flightroute written in the language",
                   "write it in C and declare it with `extern` for now");
     BehaviourDeclaration declaration;
     declaration.usable = false;
@@ -79,8 +85,8 @@ class Declarations {
     for (const ast::Name& sensor : node.reads) {
       const platforms::PlatformSensor* found = scope_.platform().find(sensor.text);
       if (found == nullptr) {
-        scope_.report(DiagnosticId::unknownSensor, sensor.where, scope_.platform().name, sensor.text,
-                      scope_.suggestSensor(sensor.text));
+        scope_.report(DiagnosticId::unknownSensor, sensor.where, scope_.platform().name,
+                      sensor.text, scope_.suggestSensor(sensor.text));
         declaration.usable = false;
       } else {
         declaration.reads.push_back(found);
@@ -114,11 +120,7 @@ class Declarations {
       return std::nullopt;
     }
     static const std::vector<std::string_view> kTypes = {
-        "bool",
-        "latitude",
-        "longitude",
-        "position",
-        "path",
+        "bool", "latitude", "longitude", "position", "path",
 #define DIMENSION(name, m, kg, s, a, k, rad, unit) #name,
 #include "support/units/dimensions.def"
 #undef DIMENSION
@@ -127,7 +129,8 @@ class Declarations {
     for (std::string_view type : kTypes) {
       all += (all.empty() ? "types: " : ", ") + std::string(type);
     }
-    scope_.report(DiagnosticId::unknownType, name.where, name.text, didYouMean(name.text, kTypes, all));
+    scope_.report(DiagnosticId::unknownType, name.where, name.text,
+                  didYouMean(name.text, kTypes, all));
     return std::nullopt;
   }
 
@@ -146,15 +149,17 @@ class Declarations {
     if (!value.longitude.valid() && value.type == type) {
       return true;
     }
-    scope_.report(DiagnosticId::wrongType, node.value.where, "`" + node.name.text + "`", describe(type),
-                  scope_.text(node.value.where), value.longitude.valid() ? "a position" : describe(value.type));
+    scope_.report(DiagnosticId::wrongType, node.value.where, "`" + node.name.text + "`",
+                  describe(type), scope_.text(node.value.where),
+                  value.longitude.valid() ? "a position" : describe(value.type));
     return false;
   }
 
   void settleConstant(const ast::Const& node, const Value& value, Constant& constant) {
     const auto number = evaluate(scope_.mission, value.id);
     if (!number) {
-      scope_.report(DiagnosticId::notConstant, node.value.where, scope_.text(node.value.where), "a constant");
+      scope_.report(DiagnosticId::notConstant, node.value.where, scope_.text(node.value.where),
+                    "a constant");
       return;
     }
     if (std::isnan(*number)) {
@@ -192,7 +197,8 @@ class Declarations {
 
   void enter(const ast::Name& name, ast::BehaviourKind kind, BehaviourDeclaration declaration) {
     declaration.name = &name;
-    declaration.kind = kind == ast::BehaviourKind::Profile ? ir::BehaviourKind::Profile : ir::BehaviourKind::Route;
+    declaration.kind =
+        kind == ast::BehaviourKind::Profile ? ir::BehaviourKind::Profile : ir::BehaviourKind::Route;
     const auto [place, fresh] = scope_.behaviours.emplace(name.text, std::move(declaration));
     if (!fresh) {
       scope_.report(DiagnosticId::duplicateName, name.where, name.text)

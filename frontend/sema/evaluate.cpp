@@ -19,7 +19,9 @@ double settle(double value) {
   return std::fabs(value) <= DBL_MIN ? 0.0 : value;
 }
 
-double truth(bool value) { return value ? 1.0 : 0.0; }
+double truth(bool value) {
+  return value ? 1.0 : 0.0;
+}
 
 double logical(ir::Op op, double a, double b) {
   // The value that decides alone: false for `and`, true for `or`.

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <algorithm>
-
 #include "frontend/sema/declarations.h"
+
+#include <algorithm>
 
 namespace glider::frontend {
 
@@ -35,7 +35,8 @@ class HeadCheck {
       return;
     }
     if (others_ > imports_) {
-      scope_.report(DiagnosticId::headerOrder, line.where, "platform", "right after the `mission` line");
+      scope_.report(DiagnosticId::headerOrder, line.where, "platform",
+                    "right after the `mission` line");
     }
     platform_ = &line;
   }
@@ -73,8 +74,8 @@ void checkHead(const ast::File& file, Scope& scope) {
   if (check.mission() == nullptr) {
     scope.report(DiagnosticId::noMissionLine, start);
   }
-  const bool anyState =
-      std::ranges::any_of(file.items, [](const ast::Item& item) { return std::holds_alternative<ast::State>(item); });
+  const bool anyState = std::ranges::any_of(
+      file.items, [](const ast::Item& item) { return std::holds_alternative<ast::State>(item); });
   if (!anyState && check.mission() != nullptr) {
     scope.report(DiagnosticId::noState, check.mission()->where, check.mission()->name.text);
   }

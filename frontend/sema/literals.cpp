@@ -3,8 +3,8 @@
 
 #include "frontend/sema/literals.h"
 
-#include <charconv>
 #include <cfloat>
+#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <string>

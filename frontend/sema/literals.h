@@ -17,8 +17,8 @@ struct DegreesMinutes {
   double minutes = 0;
   [[nodiscard]] double value() const { return degrees + minutes / 60.0; }
 };
-/// Splits `digits` (ddmm.mmmm, without sign) into degrees and minutes, the minutes read from their own digits so that
-/// nothing is lost. Empty if a double cannot hold it.
+/// Splits `digits` (ddmm.mmmm, without sign) into degrees and minutes, the minutes read from their
+/// own digits so that nothing is lost. Empty if a double cannot hold it.
 std::optional<DegreesMinutes> parseDegreesMinutes(std::string_view digits);
 
 }  // namespace glider::frontend

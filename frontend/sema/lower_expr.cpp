@@ -3,9 +3,9 @@
 
 #include "frontend/sema/lower_expr.h"
 
-#include <cmath>
-
 #include <fmt/format.h>
+
+#include <cmath>
 
 namespace glider::frontend {
 
@@ -15,13 +15,15 @@ std::optional<Value> ExprLowering::lower(const ast::Expr& expr, std::optional<ir
   return std::visit([&](const auto& node) { return visit(node, expr, want); }, expr.node);
 }
 
-std::optional<ir::ExprId> ExprLowering::lowerAs(const ast::Expr& expr, const ir::Type& want, const std::string& what) {
+std::optional<ir::ExprId> ExprLowering::lowerAs(const ast::Expr& expr, const ir::Type& want,
+                                                const std::string& what) {
   const Result value = lower(expr, want);
   if (!value) {
     return std::nullopt;
   }
   if (value->longitude.valid() || value->type != want) {
-    scope_.report(DiagnosticId::wrongType, expr.where, what, describe(want), scope_.text(expr.where),
+    scope_.report(DiagnosticId::wrongType, expr.where, what, describe(want),
+                  scope_.text(expr.where),
                   value->longitude.valid() ? "a position" : describe(value->type));
     return std::nullopt;
   }
@@ -56,7 +58,8 @@ Value ExprLowering::emit(ir::Op op, const ir::Type& type, const support::SourceR
   return {push(expr), type, {}};
 }
 
-Value ExprLowering::emitNumber(double value, const ir::Type& type, const support::SourceRange& range) {
+Value ExprLowering::emitNumber(double value, const ir::Type& type,
+                               const support::SourceRange& range) {
   ir::Expr expr;
   expr.op = ir::Op::Constant;
   expr.type = type;
@@ -65,16 +68,19 @@ Value ExprLowering::emitNumber(double value, const ir::Type& type, const support
   return {push(expr), type, {}};
 }
 
-ExprLowering::Result ExprLowering::visit(const ast::Truth& node, const ast::Expr& expr, std::optional<ir::Type>) {
+ExprLowering::Result ExprLowering::visit(const ast::Truth& node, const ast::Expr& expr,
+                                         std::optional<ir::Type>) {
   return emit(node.value ? ir::Op::True : ir::Op::False, boolean(), expr.where, {});
 }
 
-ExprLowering::Result ExprLowering::visit(const ast::List&, const ast::Expr& expr, std::optional<ir::Type>) {
+ExprLowering::Result ExprLowering::visit(const ast::List&, const ast::Expr& expr,
+                                         std::optional<ir::Type>) {
   scope_.notYet(expr.where, "a list of positions");
   return std::nullopt;
 }
 
-ExprLowering::Result ExprLowering::visit(const ast::Index&, const ast::Expr& expr, std::optional<ir::Type>) {
+ExprLowering::Result ExprLowering::visit(const ast::Index&, const ast::Expr& expr,
+                                         std::optional<ir::Type>) {
   scope_.notYet(expr.where, "picking from a list with `[`");
   return std::nullopt;
 }
@@ -84,7 +90,8 @@ ExprLowering::Result ExprLowering::clock(Clock clock, const support::SourceRange
   return emit(kOps[static_cast<size_t>(clock)], quantity(support::dimension::time), range, {});
 }
 
-ExprLowering::Result ExprLowering::constant(const Constant& constant, const support::SourceRange& range) {
+ExprLowering::Result ExprLowering::constant(const Constant& constant,
+                                            const support::SourceRange& range) {
   if (!constant.valid) {
     return std::nullopt;
   }
@@ -98,7 +105,8 @@ ExprLowering::Result ExprLowering::constant(const Constant& constant, const supp
   return value;
 }
 
-ExprLowering::Result ExprLowering::visit(const ast::NameUse& node, const ast::Expr& expr, std::optional<ir::Type>) {
+ExprLowering::Result ExprLowering::visit(const ast::NameUse& node, const ast::Expr& expr,
+                                         std::optional<ir::Type>) {
   if (const auto found = scope_.constants.find(node.name); found != scope_.constants.end()) {
     if (!found->second.worked_out) {
       scope_.report(DiagnosticId::usedBeforeDefined, expr.where, node.name)
@@ -126,9 +134,11 @@ ExprLowering::Result ExprLowering::visit(const ast::NameUse& node, const ast::Ex
     return std::nullopt;
   }
   const bool behaviour = scope_.behaviours.contains(node.name);
-  const std::string hint = scope_.states.contains(node.name) ? "`" + node.name + "` is a state: only `goto` and `call` take it"
-                           : behaviour ? "`" + node.name + "` says how the vehicle flies; it has no value"
-                                       : scope_.suggestName(node.name);
+  const std::string hint = scope_.states.contains(node.name)
+                               ? "`" + node.name + "` is a state: only `goto` and `call` take it"
+                           : behaviour
+                               ? "`" + node.name + "` says how the vehicle flies; it has no value"
+                               : scope_.suggestName(node.name);
   scope_.report(DiagnosticId::unknownName, expr.where, node.name, hint);
   return std::nullopt;
 }

@@ -3,13 +3,13 @@
 
 #pragma once
 
+#include "frontend/ast/ast.h"
+#include "frontend/sema/scope.h"
+
 #include <optional>
 #include <set>
 #include <string>
 #include <vector>
-
-#include "frontend/ast/ast.h"
-#include "frontend/sema/scope.h"
 
 namespace glider::frontend {
 
@@ -27,16 +27,18 @@ struct SensorRead {
   support::SourceRange range;
 };
 
-/// Types expressions and lowers them to IR. What is wrong is reported once; then the result is empty, and so is that of
-/// everything around it.
+/// Types expressions and lowers them to IR. What is wrong is reported once; then the result is
+/// empty, and so is that of everything around it.
 class ExprLowering {
  public:
   explicit ExprLowering(Scope& scope) : scope_(scope) {}
 
-  /// `want` is what the context expects: a bare number takes its unit. The result may be of another type.
+  /// `want` is what the context expects: a bare number takes its unit. The result may be of another
+  /// type.
   std::optional<Value> lower(const ast::Expr& expr, std::optional<ir::Type> want);
   /// As lower, and refuses what is not of type `want`; `what` names it: "`top` of `yo`".
-  std::optional<ir::ExprId> lowerAs(const ast::Expr& expr, const ir::Type& want, const std::string& what);
+  std::optional<ir::ExprId> lowerAs(const ast::Expr& expr, const ir::Type& want,
+                                    const std::string& what);
   /// A guard or an operand of `&&`.
   std::optional<ir::ExprId> lowerCondition(const ast::Expr& expr);
 
@@ -57,19 +59,24 @@ class ExprLowering {
   Result visit(const ast::Binary& node, const ast::Expr& expr, std::optional<ir::Type> want);
 
   // Literals (lower_literal.cpp).
-  Result bareLiteral(const ast::Literal& node, const support::SourceRange& range, std::optional<ir::Type> want,
-                     bool negative);
-  Result barePosition(const ast::Literal& node, const support::SourceRange& range, ir::Type want, bool negative);
-  Result letterLiteral(const ast::Literal& node, const support::SourceRange& range, std::optional<ir::Type> want);
-  Result compass(const ast::Literal& node, const support::SourceRange& range, bool latitude, double sign);
+  Result bareLiteral(const ast::Literal& node, const support::SourceRange& range,
+                     std::optional<ir::Type> want, bool negative);
+  Result barePosition(const ast::Literal& node, const support::SourceRange& range, ir::Type want,
+                      bool negative);
+  Result letterLiteral(const ast::Literal& node, const support::SourceRange& range,
+                       std::optional<ir::Type> want);
+  Result compass(const ast::Literal& node, const support::SourceRange& range, bool latitude,
+                 double sign);
   std::optional<double> number(const ast::Literal& node, const support::SourceRange& range);
   bool checkOnEarth(const support::SourceRange& range, bool latitude, double degrees);
 
   // Operators (lower_operator.cpp).
   Result condition(ir::Op op, const ast::Binary& node, const ast::Expr& expr);
   Result comparison(ir::Op op, const ast::Binary& node, const ast::Expr& expr);
-  Result sum(ir::Op op, const ast::Binary& node, const ast::Expr& expr, std::optional<ir::Type> want);
+  Result sum(ir::Op op, const ast::Binary& node, const ast::Expr& expr,
+             std::optional<ir::Type> want);
   Result scaling(ir::Op op, const ast::Binary& node, const ast::Expr& expr);
+  /// Refuses `5 m < depth < 10 m` and `!depth > 5 m`.
   bool chained(const ast::Binary& node, const ast::Expr& expr);
   void warnOfEquality(ir::Op op, const Value& left, const Value& right, const ast::Binary& node);
   /// Both sides in one type; bare numbers take the other's.
@@ -77,19 +84,23 @@ class ExprLowering {
     Value left;
     Value right;
   };
-  std::optional<Pair> alike(const ast::Expr& left, const ast::Expr& right, std::optional<ir::Type> want,
-                            std::string_view op);
-  /// Refuses a condition, a position and, unless `earth`, a latitude or longitude where `op` wants numbers.
+  std::optional<Pair> alike(const ast::Expr& left, const ast::Expr& right,
+                            std::optional<ir::Type> want, std::string_view op);
+  /// Refuses a condition, a position and, unless `earth`, a latitude or longitude where `op` wants
+  /// numbers.
   bool numeric(const Value& value, const ast::Expr& expr, std::string_view op, bool earth);
 
   // Functions (lower_function.cpp).
-  Result callMany(ir::Op op, const ast::Invocation& node, const ast::Expr& expr, std::optional<ir::Type> want);
-  Result callOne(ir::Op op, const ast::Invocation& node, const ast::Expr& expr, std::optional<ir::Type> want);
+  Result callMany(ir::Op op, const ast::Invocation& node, const ast::Expr& expr,
+                  std::optional<ir::Type> want);
+  Result callOne(ir::Op op, const ast::Invocation& node, const ast::Expr& expr,
+                 std::optional<ir::Type> want);
   Result ageOf(const ast::Invocation& node, const ast::Expr& expr);
 
   Result constant(const Constant& constant, const support::SourceRange& range);
   Result clock(Clock clock, const support::SourceRange& range);
-  Value emit(ir::Op op, const ir::Type& type, const support::SourceRange& range, std::initializer_list<ir::ExprId> operands);
+  Value emit(ir::Op op, const ir::Type& type, const support::SourceRange& range,
+             std::initializer_list<ir::ExprId> operands);
   Value emitNumber(double value, const ir::Type& type, const support::SourceRange& range);
   ir::ExprId push(ir::Expr expr);
 

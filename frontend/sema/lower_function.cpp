@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <algorithm>
-#include <iterator>
+#include "frontend/sema/lower_expr.h"
+#include "frontend/spelling.h"
 
 #include <fmt/format.h>
 
-#include "frontend/sema/lower_expr.h"
-#include "frontend/spelling.h"
+#include <algorithm>
+#include <iterator>
 
 namespace glider::frontend {
 
@@ -47,7 +47,9 @@ std::string suggestFunction(std::string_view wrong) {
   return didYouMean(wrong, names, "functions: abs min max clamp sqrt known age");
 }
 
-std::string countOf(size_t n) { return n == 1 ? "1 argument" : fmt::format("{} arguments", n); }
+std::string countOf(size_t n) {
+  return n == 1 ? "1 argument" : fmt::format("{} arguments", n);
+}
 
 }  // namespace
 
@@ -61,9 +63,11 @@ ExprLowering::Result ExprLowering::visit(const ast::Invocation& node, const ast:
   const auto* function = std::ranges::find(kFunctions, std::string_view(name), &Function::name);
   if (function == std::end(kFunctions)) {
     if (!scope_.later_functions.contains(name)) {
-      const bool value = findClock(name) || scope_.platform().find(name) != nullptr || scope_.constants.contains(name);
+      const bool value = findClock(name) || scope_.platform().find(name) != nullptr ||
+                         scope_.constants.contains(name);
       scope_.report(DiagnosticId::unknownFunction, node.function.where, name,
-                    value ? "`" + name + "` is a value: write it without parentheses" : suggestFunction(name));
+                    value ? "`" + name + "` is a value: write it without parentheses"
+                          : suggestFunction(name));
     }
     return std::nullopt;
   }
@@ -90,8 +94,9 @@ ExprLowering::Result ExprLowering::visit(const ast::Invocation& node, const ast:
 ExprLowering::Result ExprLowering::ageOf(const ast::Invocation& node, const ast::Expr& expr) {
   const ast::Expr& argument = *node.arguments.front().value;
   const auto* use = std::get_if<ast::NameUse>(&argument.node);
-  const platforms::PlatformSensor* sensor =
-      use != nullptr && !scope_.constants.contains(use->name) ? scope_.platform().find(use->name) : nullptr;
+  const platforms::PlatformSensor* sensor = use != nullptr && !scope_.constants.contains(use->name)
+                                                ? scope_.platform().find(use->name)
+                                                : nullptr;
   if (sensor == nullptr) {
     scope_.report(DiagnosticId::ageOfWhat, argument.where, scope_.text(argument.where));
     return std::nullopt;
@@ -103,8 +108,8 @@ ExprLowering::Result ExprLowering::ageOf(const ast::Invocation& node, const ast:
   return value;
 }
 
-ExprLowering::Result ExprLowering::callOne(ir::Op op, const ast::Invocation& node, const ast::Expr& expr,
-                                           std::optional<ir::Type> want) {
+ExprLowering::Result ExprLowering::callOne(ir::Op op, const ast::Invocation& node,
+                                           const ast::Expr& expr, std::optional<ir::Type> want) {
   const ast::Expr& argument = *node.arguments.front().value;
   const bool keeps = op == ir::Op::Abs;
   const Result value = lower(argument, keeps ? want : std::nullopt);
@@ -119,18 +124,22 @@ ExprLowering::Result ExprLowering::callOne(ir::Op op, const ast::Invocation& nod
   }
   const auto root = support::squareRoot(value->type.dimension);
   if (!root) {
-    scope_.report(DiagnosticId::noSquareRoot, argument.where, scope_.text(argument.where), describe(value->type));
+    scope_.report(DiagnosticId::noSquareRoot, argument.where, scope_.text(argument.where),
+                  describe(value->type));
     return std::nullopt;
   }
   return emit(op, quantity(*root), expr.where, {value->id});
 }
 
 /// min, max and clamp: all arguments of one kind, and bare numbers take the unit of the others.
-ExprLowering::Result ExprLowering::callMany(ir::Op op, const ast::Invocation& node, const ast::Expr& expr,
-                                            std::optional<ir::Type> want) {
-  const auto leads = [](const ast::Argument& argument) { return !takesUnitOfContext(*argument.value); };
+ExprLowering::Result ExprLowering::callMany(ir::Op op, const ast::Invocation& node,
+                                            const ast::Expr& expr, std::optional<ir::Type> want) {
+  const auto leads = [](const ast::Argument& argument) {
+    return !takesUnitOfContext(*argument.value);
+  };
   const auto leader = std::ranges::find_if(node.arguments, leads);
-  const size_t first = leader == node.arguments.end() ? 0 : static_cast<size_t>(leader - node.arguments.begin());
+  const size_t first =
+      leader == node.arguments.end() ? 0 : static_cast<size_t>(leader - node.arguments.begin());
   const ast::Expr& model = *node.arguments[first].value;
   const Result led = lower(model, want);
   if (!led || !numeric(*led, model, node.function.text, true)) {
@@ -144,9 +153,10 @@ ExprLowering::Result ExprLowering::callMany(ir::Op op, const ast::Invocation& no
     if (!value) {
       good = false;
     } else if (value->longitude.valid() || value->type != led->type) {
-      scope_.report(DiagnosticId::typesDiffer, argument.where, scope_.text(model.where), describe(led->type),
-                    scope_.text(argument.where),
-                    value->longitude.valid() ? "a position" : describe(value->type), node.function.text);
+      scope_.report(DiagnosticId::typesDiffer, argument.where, scope_.text(model.where),
+                    describe(led->type), scope_.text(argument.where),
+                    value->longitude.valid() ? "a position" : describe(value->type),
+                    node.function.text);
       good = false;
     } else {
       operands[i] = value->id;

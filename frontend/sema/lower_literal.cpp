@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <cmath>
-
-#include <fmt/format.h>
-
 #include "frontend/sema/literals.h"
 #include "frontend/sema/lower_expr.h"
 #include "support/units/units.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
 
 namespace glider::frontend {
 
@@ -18,7 +18,9 @@ namespace {
 constexpr ir::Type kLatitude{ir::TypeKind::Latitude, {}};
 constexpr ir::Type kLongitude{ir::TypeKind::Longitude, {}};
 
-bool isLetter(const std::string& unit) { return unit == "N" || unit == "S" || unit == "E" || unit == "W"; }
+bool isLetter(const std::string& unit) {
+  return unit == "N" || unit == "S" || unit == "E" || unit == "W";
+}
 
 }  // namespace
 
@@ -36,7 +38,8 @@ bool takesUnitOfContext(const ast::Expr& expr) {
   return false;
 }
 
-std::optional<double> ExprLowering::number(const ast::Literal& node, const support::SourceRange& range) {
+std::optional<double> ExprLowering::number(const ast::Literal& node,
+                                           const support::SourceRange& range) {
   const std::optional<double> value = parseNumber(node.digits);
   if (!value) {
     scope_.report(DiagnosticId::numberTooLarge, range, node.digits);
@@ -44,7 +47,8 @@ std::optional<double> ExprLowering::number(const ast::Literal& node, const suppo
   return value;
 }
 
-ExprLowering::Result ExprLowering::visit(const ast::Literal& node, const ast::Expr& expr, std::optional<ir::Type> want) {
+ExprLowering::Result ExprLowering::visit(const ast::Literal& node, const ast::Expr& expr,
+                                         std::optional<ir::Type> want) {
   if (node.unit.empty()) {
     return bareLiteral(node, expr.where, want, false);
   }
@@ -69,7 +73,8 @@ ExprLowering::Result ExprLowering::visit(const ast::Literal& node, const ast::Ex
   return emitNumber(si, quantity(unit->dimension), expr.where);
 }
 
-ExprLowering::Result ExprLowering::bareLiteral(const ast::Literal& node, const support::SourceRange& range,
+ExprLowering::Result ExprLowering::bareLiteral(const ast::Literal& node,
+                                               const support::SourceRange& range,
                                                std::optional<ir::Type> want, bool negative) {
   if (want && (want->kind == ir::TypeKind::Latitude || want->kind == ir::TypeKind::Longitude)) {
     return barePosition(node, range, *want, negative);
@@ -81,7 +86,8 @@ ExprLowering::Result ExprLowering::bareLiteral(const ast::Literal& node, const s
   const ir::Type type = want && want->kind == ir::TypeKind::Quantity ? *want : plainNumber();
   const auto unit = support::bareUnit(type.dimension);
   if (!unit) {
-    scope_.report(DiagnosticId::needsUnit, range, scope_.text(range), support::unitName(type.dimension));
+    scope_.report(DiagnosticId::needsUnit, range, scope_.text(range),
+                  support::unitName(type.dimension));
     return std::nullopt;
   }
   const double si = *value * unit->to_si;
@@ -92,8 +98,9 @@ ExprLowering::Result ExprLowering::bareLiteral(const ast::Literal& node, const s
   return emitNumber(negative ? -si : si, type, range);
 }
 
-ExprLowering::Result ExprLowering::barePosition(const ast::Literal& node, const support::SourceRange& range,
-                                                ir::Type want, bool negative) {
+ExprLowering::Result ExprLowering::barePosition(const ast::Literal& node,
+                                                const support::SourceRange& range, ir::Type want,
+                                                bool negative) {
   const auto parts = parseDegreesMinutes(node.digits);
   if (!parts) {
     scope_.report(DiagnosticId::numberTooLarge, range, node.digits);
@@ -105,10 +112,12 @@ ExprLowering::Result ExprLowering::barePosition(const ast::Literal& node, const 
   const std::string better = fmt::format("{} {}", node.digits, letter);
   const bool decimal = parts->degrees == 0 && parts->minutes > 0;
   if (parts->minutes >= 60) {
-    auto report = scope_.report(DiagnosticId::minutesOver60, range, text, parts->degrees, parts->minutes,
-                                "positions without a letter are ddmm.mmmm; decimal degrees need `N`, `S`, `E` or `W`");
+    auto report = scope_.report(
+        DiagnosticId::minutesOver60, range, text, parts->degrees, parts->minutes,
+        "positions without a letter are ddmm.mmmm; decimal degrees need `N`, `S`, `E` or `W`");
     if (decimal) {
-      report.hint(fmt::format("write decimal degrees with their letter: `{}`", better)).fix(range, better);
+      report.hint(fmt::format("write decimal degrees with their letter: `{}`", better))
+          .fix(range, better);
     }
     return std::nullopt;
   }
@@ -117,7 +126,8 @@ ExprLowering::Result ExprLowering::barePosition(const ast::Literal& node, const 
     return std::nullopt;
   }
   if (decimal) {
-    scope_.report(DiagnosticId::decimalPosition, range, text, parts->minutes, degrees, better).fix(range, better);
+    scope_.report(DiagnosticId::decimalPosition, range, text, parts->minutes, degrees, better)
+        .fix(range, better);
   }
   return emitNumber(degrees, want, range);
 }
@@ -127,14 +137,16 @@ bool ExprLowering::checkOnEarth(const support::SourceRange& range, bool latitude
   if (std::fabs(degrees) <= greatest) {
     return true;
   }
-  scope_.report(DiagnosticId::notOnEarth, range, scope_.text(range), latitude ? "latitude" : "longitude",
-                std::fabs(degrees), greatest);
+  scope_.report(DiagnosticId::notOnEarth, range, scope_.text(range),
+                latitude ? "latitude" : "longitude", std::fabs(degrees), greatest);
   return false;
 }
 
-ExprLowering::Result ExprLowering::letterLiteral(const ast::Literal& node, const support::SourceRange& range,
+ExprLowering::Result ExprLowering::letterLiteral(const ast::Literal& node,
+                                                 const support::SourceRange& range,
                                                  std::optional<ir::Type> want) {
-  const bool earth = want && (want->kind == ir::TypeKind::Latitude || want->kind == ir::TypeKind::Longitude);
+  const bool earth =
+      want && (want->kind == ir::TypeKind::Latitude || want->kind == ir::TypeKind::Longitude);
   if (node.unit == "N" || node.unit == "E") {
     return compass(node, range, node.unit == "N", 1);
   }
@@ -143,17 +155,21 @@ ExprLowering::Result ExprLowering::letterLiteral(const ast::Literal& node, const
   }
   if (node.unit == "W" && want && want->kind == ir::TypeKind::Quantity) {
     const std::optional<double> value = number(node, range);
-    return value ? Result(emitNumber(*value, quantity(support::dimension::power), range)) : std::nullopt;
+    return value ? Result(emitNumber(*value, quantity(support::dimension::power), range))
+                 : std::nullopt;
   }
   const bool watt = node.unit == "W";
   scope_.report(DiagnosticId::ambiguousLetter, range, scope_.text(range),
                 watt ? "watts or west" : "south or siemens",
-                watt ? "say which by a type, as in `const x: power = 5 W`, or write a whole position, as in `39.2 N 73.9 W`"
-                     : "conductivities are in `S/m`; for a latitude say so, as in `const x: latitude = 33.9 S`");
+                watt ? "say which by a type, as in `const x: power = 5 W`, or write a whole "
+                       "position, as in `39.2 N 73.9 W`"
+                     : "conductivities are in `S/m`; for a latitude say so, as in `const x: "
+                       "latitude = 33.9 S`");
   return std::nullopt;
 }
 
-ExprLowering::Result ExprLowering::compass(const ast::Literal& node, const support::SourceRange& range, bool latitude,
+ExprLowering::Result ExprLowering::compass(const ast::Literal& node,
+                                           const support::SourceRange& range, bool latitude,
                                            double sign) {
   const std::optional<double> value = number(node, range);
   if (!value || !checkOnEarth(range, latitude, *value)) {
@@ -162,7 +178,8 @@ ExprLowering::Result ExprLowering::compass(const ast::Literal& node, const suppo
   return emitNumber(sign * *value, latitude ? kLatitude : kLongitude, range);
 }
 
-ExprLowering::Result ExprLowering::visit(const ast::Position& node, const ast::Expr&, std::optional<ir::Type>) {
+ExprLowering::Result ExprLowering::visit(const ast::Position& node, const ast::Expr&,
+                                         std::optional<ir::Type>) {
   // Either order is clear from the letters.
   const bool swapped = node.latitude.unit == "E" || node.latitude.unit == "W";
   const ast::Literal& latitude = swapped ? node.longitude : node.latitude;
@@ -177,10 +194,11 @@ ExprLowering::Result ExprLowering::visit(const ast::Position& node, const ast::E
   if (isLetter(longitude.unit)) {
     second = letterLiteral(longitude, longitude_where, kLongitude);
   }
-  auto check = [&](const Result& half, const ir::Type& type, const support::SourceRange& where, const char* letters) {
+  auto check = [&](const Result& half, const ir::Type& type, const support::SourceRange& where,
+                   const char* letters) {
     if (half && half->type != type) {
-      scope_.report(DiagnosticId::wrongType, where, "this half of the position", describe(type), scope_.text(where),
-                    fmt::format("{} ({})", describe(half->type), letters));
+      scope_.report(DiagnosticId::wrongType, where, "this half of the position", describe(type),
+                    scope_.text(where), fmt::format("{} ({})", describe(half->type), letters));
       return false;
     }
     return half.has_value();
@@ -190,7 +208,8 @@ ExprLowering::Result ExprLowering::visit(const ast::Position& node, const ast::E
                   "a position is written like `39.2 N 73.9 W`");
     return std::nullopt;
   }
-  if (!check(first, kLatitude, latitude_where, "`E` and `W`") || !check(second, kLongitude, longitude_where, "`N` and `S`")) {
+  if (!check(first, kLatitude, latitude_where, "`E` and `W`") ||
+      !check(second, kLongitude, longitude_where, "`N` and `S`")) {
     return std::nullopt;
   }
   first->longitude = second->id;

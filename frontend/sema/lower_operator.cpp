@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include <array>
+#include "frontend/sema/evaluate.h"
+#include "frontend/sema/lower_expr.h"
 
 #include <fmt/format.h>
 
-#include "frontend/sema/evaluate.h"
-#include "frontend/sema/lower_expr.h"
+#include <array>
 
 namespace glider::frontend {
 
@@ -21,17 +21,23 @@ struct OperatorRow {
 
 /// In the order of ast::BinaryOp.
 constexpr OperatorRow kOperators[] = {
-    {ir::Op::Multiply, "*"},      {ir::Op::Divide, "/"},        {ir::Op::Add, "+"},   {ir::Op::Subtract, "-"},
-    {ir::Op::Less, "<"},          {ir::Op::LessEqual, "<="},    {ir::Op::Greater, ">"}, {ir::Op::GreaterEqual, ">="},
-    {ir::Op::Equal, "=="},        {ir::Op::NotEqual, "!="},     {ir::Op::And, "&&"},  {ir::Op::Or, "||"}};
+    {ir::Op::Multiply, "*"},  {ir::Op::Divide, "/"},        {ir::Op::Add, "+"},
+    {ir::Op::Subtract, "-"},  {ir::Op::Less, "<"},          {ir::Op::LessEqual, "<="},
+    {ir::Op::Greater, ">"},   {ir::Op::GreaterEqual, ">="}, {ir::Op::Equal, "=="},
+    {ir::Op::NotEqual, "!="}, {ir::Op::And, "&&"},          {ir::Op::Or, "||"}};
 
-const OperatorRow& rowOf(ast::BinaryOp op) { return kOperators[static_cast<size_t>(op)]; }
+const OperatorRow& rowOf(ast::BinaryOp op) {
+  return kOperators[static_cast<size_t>(op)];
+}
 
-bool isComparison(ast::BinaryOp op) { return op >= ast::BinaryOp::Less && op <= ast::BinaryOp::NotEqual; }
+bool isComparison(ast::BinaryOp op) {
+  return op >= ast::BinaryOp::Less && op <= ast::BinaryOp::NotEqual;
+}
 
 }  // namespace
 
-ExprLowering::Result ExprLowering::visit(const ast::Binary& node, const ast::Expr& expr, std::optional<ir::Type> want) {
+ExprLowering::Result ExprLowering::visit(const ast::Binary& node, const ast::Expr& expr,
+                                         std::optional<ir::Type> want) {
   const ir::Op op = rowOf(node.op).op;
   switch (node.op) {
     case ast::BinaryOp::And:
@@ -48,7 +54,8 @@ ExprLowering::Result ExprLowering::visit(const ast::Binary& node, const ast::Exp
   }
 }
 
-ExprLowering::Result ExprLowering::visit(const ast::Unary& node, const ast::Expr& expr, std::optional<ir::Type> want) {
+ExprLowering::Result ExprLowering::visit(const ast::Unary& node, const ast::Expr& expr,
+                                         std::optional<ir::Type> want) {
   if (node.op == ast::UnaryOp::Not) {
     const auto operand = lowerCondition(*node.operand);
     return operand ? Result(emit(ir::Op::Not, boolean(), expr.where, {*operand})) : std::nullopt;
@@ -63,12 +70,15 @@ ExprLowering::Result ExprLowering::visit(const ast::Unary& node, const ast::Expr
     return std::nullopt;
   }
   const auto* literal = std::get_if<ast::Literal>(&node.operand->node);
-  const bool earth = operand->type.kind == ir::TypeKind::Latitude || operand->type.kind == ir::TypeKind::Longitude;
+  const bool earth =
+      operand->type.kind == ir::TypeKind::Latitude || operand->type.kind == ir::TypeKind::Longitude;
   if (literal != nullptr && earth) {
     constexpr std::string_view kLetters = "NSEW";
     constexpr std::string_view kOpposite = "SNWE";
-    const std::string better = fmt::format("{} {}", literal->digits, kOpposite[kLetters.find(literal->unit)]);
-    scope_.report(DiagnosticId::signAndLetter, expr.where, scope_.text(expr.where), better).fix(expr.where, better);
+    const std::string better =
+        fmt::format("{} {}", literal->digits, kOpposite[kLetters.find(literal->unit)]);
+    scope_.report(DiagnosticId::signAndLetter, expr.where, scope_.text(expr.where), better)
+        .fix(expr.where, better);
     return std::nullopt;
   }
   if (!numeric(*operand, *node.operand, "-", false)) {
@@ -77,8 +87,10 @@ ExprLowering::Result ExprLowering::visit(const ast::Unary& node, const ast::Expr
   return emit(ir::Op::Negate, operand->type, expr.where, {operand->id});
 }
 
-bool ExprLowering::numeric(const Value& value, const ast::Expr& expr, std::string_view op, bool earth) {
-  if (value.longitude.valid() || (!earth && value.type.kind != ir::TypeKind::Quantity && value.type != boolean())) {
+bool ExprLowering::numeric(const Value& value, const ast::Expr& expr, std::string_view op,
+                           bool earth) {
+  if (value.longitude.valid() ||
+      (!earth && value.type.kind != ir::TypeKind::Quantity && value.type != boolean())) {
     scope_.report(DiagnosticId::positionArithmetic, expr.where, scope_.text(expr.where),
                   value.longitude.valid() ? "a position" : describe(value.type), op);
     return false;
@@ -90,7 +102,8 @@ bool ExprLowering::numeric(const Value& value, const ast::Expr& expr, std::strin
   return true;
 }
 
-ExprLowering::Result ExprLowering::condition(ir::Op op, const ast::Binary& node, const ast::Expr& expr) {
+ExprLowering::Result ExprLowering::condition(ir::Op op, const ast::Binary& node,
+                                             const ast::Expr& expr) {
   const auto left = lowerCondition(*node.left);
   const auto right = lowerCondition(*node.right);
   if (!left || !right) {
@@ -100,7 +113,8 @@ ExprLowering::Result ExprLowering::condition(ir::Op op, const ast::Binary& node,
 }
 
 std::optional<ExprLowering::Pair> ExprLowering::alike(const ast::Expr& left, const ast::Expr& right,
-                                                      std::optional<ir::Type> want, std::string_view op) {
+                                                      std::optional<ir::Type> want,
+                                                      std::string_view op) {
   // The side that has a unit of its own goes first, and the bare numbers of the other take it.
   const bool rightFirst = takesUnitOfContext(left) && !takesUnitOfContext(right);
   const ast::Expr& first = rightFirst ? right : left;
@@ -117,8 +131,11 @@ std::optional<ExprLowering::Pair> ExprLowering::alike(const ast::Expr& left, con
   if (one->longitude.valid() != two->longitude.valid() || one->type != two->type) {
     const Value& l = rightFirst ? *two : *one;
     const Value& r = rightFirst ? *one : *two;
-    auto say = [](const Value& v) { return v.longitude.valid() ? std::string("a position") : describe(v.type); };
-    scope_.report(DiagnosticId::typesDiffer, support::SourceRange{left.where.file, left.where.begin, right.where.end},
+    auto say = [](const Value& v) {
+      return v.longitude.valid() ? std::string("a position") : describe(v.type);
+    };
+    scope_.report(DiagnosticId::typesDiffer,
+                  support::SourceRange{left.where.file, left.where.begin, right.where.end},
                   scope_.text(left.where), say(l), scope_.text(right.where), say(r), op);
     return std::nullopt;
   }
@@ -135,11 +152,13 @@ ExprLowering::Result ExprLowering::sum(ir::Op op, const ast::Binary& node, const
   return emit(op, pair->left.type, expr.where, {pair->left.id, pair->right.id});
 }
 
-ExprLowering::Result ExprLowering::scaling(ir::Op op, const ast::Binary& node, const ast::Expr& expr) {
+ExprLowering::Result ExprLowering::scaling(ir::Op op, const ast::Binary& node,
+                                           const ast::Expr& expr) {
   const std::string_view text = rowOf(node.op).text;
   const Result left = lower(*node.left, std::nullopt);
   const Result right = lower(*node.right, std::nullopt);
-  if (!left || !right || !numeric(*left, *node.left, text, false) || !numeric(*right, *node.right, text, false)) {
+  if (!left || !right || !numeric(*left, *node.left, text, false) ||
+      !numeric(*right, *node.right, text, false)) {
     return std::nullopt;
   }
   const bool divides = op == ir::Op::Divide;
@@ -157,19 +176,28 @@ ExprLowering::Result ExprLowering::scaling(ir::Op op, const ast::Binary& node, c
 }
 
 bool ExprLowering::chained(const ast::Binary& node, const ast::Expr& expr) {
+  const auto* unary = std::get_if<ast::Unary>(&node.left->node);
+  if (unary != nullptr && unary->op == ast::UnaryOp::Not) {
+    const std::string first = scope_.text(unary->operand->where);
+    const std::string second = scope_.text(node.right->where);
+    scope_.report(DiagnosticId::notBeforeComparison, expr.where, first, rowOf(node.op).text, second)
+        .fix(expr.where, fmt::format("!({} {} {})", first, rowOf(node.op).text, second));
+    return true;
+  }
   const auto* inner = std::get_if<ast::Binary>(&node.left->node);
   if (inner == nullptr || !isComparison(inner->op)) {
     return false;
   }
   const std::string first = scope_.text(node.left->where);
-  const std::string second =
-      fmt::format("{} {} {}", scope_.text(inner->right->where), rowOf(node.op).text, scope_.text(node.right->where));
+  const std::string second = fmt::format("{} {} {}", scope_.text(inner->right->where),
+                                         rowOf(node.op).text, scope_.text(node.right->where));
   scope_.report(DiagnosticId::chainedComparison, expr.where, scope_.text(expr.where), first, second)
       .fix(expr.where, first + " && " + second);
   return true;
 }
 
-ExprLowering::Result ExprLowering::comparison(ir::Op op, const ast::Binary& node, const ast::Expr& expr) {
+ExprLowering::Result ExprLowering::comparison(ir::Op op, const ast::Binary& node,
+                                              const ast::Expr& expr) {
   if (chained(node, expr)) {
     return std::nullopt;
   }
@@ -182,13 +210,14 @@ ExprLowering::Result ExprLowering::comparison(ir::Op op, const ast::Binary& node
   return emit(op, boolean(), expr.where, {pair->left.id, pair->right.id});
 }
 
-void ExprLowering::warnOfEquality(ir::Op op, const Value& left, const Value& right, const ast::Binary& node) {
+void ExprLowering::warnOfEquality(ir::Op op, const Value& left, const Value& right,
+                                  const ast::Binary& node) {
   const bool equality = op == ir::Op::Equal || op == ir::Op::NotEqual;
   if (!equality || (evaluate(scope_.mission, left.id) && evaluate(scope_.mission, right.id))) {
     return;
   }
-  scope_.report(DiagnosticId::measuredEquality, node.op_where, op == ir::Op::Equal ? "==" : "!=",
-                op == ir::Op::Equal ? "true" : "false");
+  scope_.report(DiagnosticId::measuredEquality, node.op_where,
+                op == ir::Op::Equal ? "==" : "!=", op == ir::Op::Equal ? "true" : "false");
 }
 
 }  // namespace glider::frontend

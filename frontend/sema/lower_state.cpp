@@ -3,11 +3,11 @@
 
 #include "frontend/sema/lower_state.h"
 
-#include <cmath>
-
 #include "frontend/sema/evaluate.h"
 #include "frontend/spelling.h"
 #include "support/check.h"
+
+#include <cmath>
 
 namespace glider::frontend {
 
@@ -19,15 +19,17 @@ ir::State StateLowering::run() {
   if (state_.formals) {
     scope_.notYet(state_.name.where, "a state with parameters");
   }
-  // What the state reads is checked against its `sensors`, wherever they stand.
-  for (const ast::Member& member : state_.members) {
-    if (std::holds_alternative<ast::SensorsMember>(member.node)) {
-      std::visit([&](const auto& node) { visit(node, member); }, member.node);
-    }
-  }
-  for (const ast::Member& member : state_.members) {
-    if (!std::holds_alternative<ast::SensorsMember>(member.node)) {
-      std::visit([&](const auto& node) { visit(node, member); }, member.node);
+  // In one order, however they were written: names first, and what guards read is checked against
+  // `sensors`.
+  constexpr size_t kOrder[] = {3, 0, 1, 2, 4, 5};
+  static_assert(
+      std::is_same_v<std::variant_alternative_t<kOrder[0], decltype(ast::Member::node)>, ast::Var>);
+  static_assert(std::size(kOrder) == std::variant_size_v<decltype(ast::Member::node)>);
+  for (const size_t kind : kOrder) {
+    for (const ast::Member& member : state_.members) {
+      if (member.node.index() == kind) {
+        std::visit([&](const auto& node) { visit(node, member); }, member.node);
+      }
     }
   }
   defaults();
@@ -47,8 +49,9 @@ void StateLowering::defaults() {
 bool StateLowering::first(const ast::Member& member) {
   const auto [place, fresh] = seen_.emplace(member.node.index(), &member);
   if (!fresh) {
-    scope_.report(DiagnosticId::memberTwice, member.keyword, "state `" + state_.name.text + "`",
-                  scope_.text(member.keyword))
+    scope_
+        .report(DiagnosticId::memberTwice, member.keyword, "state `" + state_.name.text + "`",
+                scope_.text(member.keyword))
         .note(place->second->keyword, "the first is here");
   }
   return fresh;
@@ -98,8 +101,8 @@ void StateLowering::lowerItem(const ast::SensorItem& item) {
     if (scope_.constants.contains(item.name.text)) {
       scope_.report(DiagnosticId::notLogged, item.name.where, item.name.text);
     } else if (!scope_.later_values.contains(item.name.text)) {
-      scope_.report(DiagnosticId::unknownSensor, item.name.where, scope_.platform().name, item.name.text,
-                    scope_.suggestSensor(item.name.text));
+      scope_.report(DiagnosticId::unknownSensor, item.name.where, scope_.platform().name,
+                    item.name.text, scope_.suggestSensor(item.name.text));
     }
     return;
   }
@@ -119,11 +122,13 @@ void StateLowering::lowerItem(const ast::SensorItem& item) {
 void StateLowering::setPeriod(const ast::Expr& every, size_t from) {
   ExprLowering lowering(scope_);
   const size_t before = scope_.mission.exprs.size();
-  const auto value = lowering.lowerAs(every, quantity(support::dimension::time), "the time of `every`");
+  const auto value =
+      lowering.lowerAs(every, quantity(support::dimension::time), "the time of `every`");
   const auto period = value ? evaluate(scope_.mission, *value) : std::optional(1.0);
   scope_.mission.exprs.resize(before);
   if (!period) {
-    scope_.report(DiagnosticId::notConstant, every.where, scope_.text(every.where), "the time of `every`");
+    scope_.report(DiagnosticId::notConstant, every.where, scope_.text(every.where),
+                  "the time of `every`");
     return;
   }
   if (!(*period > 0)) {
@@ -190,7 +195,8 @@ void StateLowering::warnOfUnlisted(const std::vector<SensorRead>& reads) {
     if (listed_.contains(read.sensor->name) || !warned_.emplace(read.sensor->name, true).second) {
       continue;
     }
-    auto warning = scope_.report(DiagnosticId::unlistedSensor, read.range, state_.name.text, read.written);
+    auto warning =
+        scope_.report(DiagnosticId::unlistedSensor, read.range, state_.name.text, read.written);
     if (list != seen_.end()) {
       const uint32_t end = list->second->where.end;
       warning.fix({read.range.file, end, end}, ", " + read.written);

@@ -3,13 +3,13 @@
 
 #pragma once
 
-#include <map>
-#include <string>
-#include <vector>
-
 #include "frontend/ast/ast.h"
 #include "frontend/sema/lower_expr.h"
 #include "frontend/sema/scope.h"
+
+#include <map>
+#include <string>
+#include <vector>
 
 namespace glider::frontend {
 
@@ -46,7 +46,7 @@ class StateLowering {
   const ast::State& state_;
   Scope& scope_;
   ir::State result_;
-  std::map<size_t, const ast::Member*> seen_;  ///< by the index of the member's alternative
+  std::map<size_t, const ast::Member*> seen_;       ///< by the index of the member's alternative
   std::map<std::string, const ast::Name*> listed_;  ///< by the vehicle's name, or the clock's
   std::map<std::string, bool> warned_;
 };

@@ -3,9 +3,9 @@
 
 #include "frontend/sema/scope.h"
 
-#include <cctype>
-
 #include "frontend/spelling.h"
+
+#include <cctype>
 
 namespace glider::frontend {
 
@@ -44,7 +44,8 @@ std::optional<Clock> findClock(std::string_view name) {
   return std::nullopt;
 }
 
-void Scope::notYet(const support::SourceRange& range, std::string_view what, std::string_view hint) {
+void Scope::notYet(const support::SourceRange& range, std::string_view what,
+                   std::string_view hint) {
   report(DiagnosticId::notYet, range, what, hint);
 }
 
@@ -71,8 +72,8 @@ ir::SensorId Scope::subscribe(const platforms::PlatformSensor& sensor, std::stri
   const bool minutes = sensor.kind != platforms::SensorKind::Quantity;
   const ir::SensorId id{static_cast<uint32_t>(mission.sensors.size())};
   mission.sensors.push_back({std::string(written), sensor.name, sensor.id, typeOf(sensor),
-                             minutes ? ir::Encoding::DegreesMinutes : ir::Encoding::Linear, sensor.to_si, sensor.lowest,
-                             sensor.highest, sensor.stale_after_s});
+                             minutes ? ir::Encoding::DegreesMinutes : ir::Encoding::Linear,
+                             sensor.to_si, sensor.lowest, sensor.highest, sensor.stale_after_s});
   subscribed_.emplace(sensor.id, id);
   return id;
 }
@@ -81,10 +82,14 @@ ir::BehaviourId Scope::use(BehaviourDeclaration& declaration) {
   if (declaration.id.valid()) {
     return declaration.id;
   }
-  ir::Behaviour behaviour{declaration.name->text, symbolOf(declaration.kind, declaration.name->text), declaration.kind,
-                          declaration.parameters, {}};
+  ir::Behaviour behaviour{declaration.name->text,
+                          symbolOf(declaration.kind, declaration.name->text),
+                          declaration.kind,
+                          declaration.parameters,
+                          {}};
   for (const platforms::PlatformSensor* sensor : declaration.reads) {
-    behaviour.reads.push_back(subscribe(*sensor, sensor->alias.empty() ? sensor->name : sensor->alias));
+    behaviour.reads.push_back(
+        subscribe(*sensor, sensor->alias.empty() ? sensor->name : sensor->alias));
   }
   declaration.id = {static_cast<uint32_t>(mission.behaviours.size())};
   mission.behaviours.push_back(std::move(behaviour));
@@ -118,7 +123,8 @@ bool Scope::refuseName(const ast::Name& name, std::string_view owner) {
   }
   if (findClock(name.text) || platform().find(name.text) != nullptr) {
     report(DiagnosticId::nameTaken, name.where, name.text,
-           findClock(name.text) ? std::string("a clock") : "a sensor of platform `" + platform().name + "`");
+           findClock(name.text) ? std::string("a clock")
+                                : "a sensor of platform `" + platform().name + "`");
     return true;
   }
   return false;

@@ -3,14 +3,14 @@
 
 #pragma once
 
+#include "frontend/frontend.h"
+#include "frontend/sema/types.h"
+
 #include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include "frontend/frontend.h"
-#include "frontend/sema/types.h"
 
 namespace glider::frontend {
 
@@ -47,7 +47,8 @@ class Scope {
       : inputs_(inputs), diagnostics_(diagnostics) {}
 
   template <typename... Args>
-  support::DiagnosticBuilder report(support::DiagnosticId id, const support::SourceRange& range, Args&&... args) {
+  support::DiagnosticBuilder report(support::DiagnosticId id, const support::SourceRange& range,
+                                    Args&&... args) {
     return diagnostics_.report(id, range, std::forward<Args>(args)...);
   }
   /// `what` belongs to the language but is not compiled yet.
@@ -57,7 +58,8 @@ class Scope {
   [[nodiscard]] const platforms::Platform& platform() const { return inputs_.platform; }
   [[nodiscard]] support::DiagnosticEngine& diagnostics() { return diagnostics_; }
 
-  /// The mission's subscription of a sensor, made on first use; `written` is how the mission calls it.
+  /// The mission's subscription of a sensor, made on first use; `written` is how the mission calls
+  /// it.
   ir::SensorId subscribe(const platforms::PlatformSensor& sensor, std::string_view written);
   /// The mission's use of a behaviour, made on first use.
   ir::BehaviourId use(BehaviourDeclaration& declaration);

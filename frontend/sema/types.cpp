@@ -3,9 +3,9 @@
 
 #include "frontend/sema/types.h"
 
-#include <fmt/format.h>
-
 #include "support/units/units.h"
+
+#include <fmt/format.h>
 
 namespace glider::frontend {
 
@@ -37,7 +37,8 @@ TypeLookup findType(std::string_view name) {
     return {NamedType::Known, boolean()};
   }
   if (name == "latitude" || name == "longitude") {
-    return {NamedType::Known, {name == "latitude" ? ir::TypeKind::Latitude : ir::TypeKind::Longitude, {}}};
+    return {NamedType::Known,
+            {name == "latitude" ? ir::TypeKind::Latitude : ir::TypeKind::Longitude, {}}};
   }
   if (name == "position" || name == "path") {
     return {NamedType::Later, {}};
@@ -60,7 +61,8 @@ TypeLookup findType(std::string_view name) {
 }
 
 bool isUnitName(std::string_view name) {
-  return support::findUnit(name).has_value() || name == "N" || name == "S" || name == "E" || name == "W";
+  return support::findUnit(name).has_value() || name == "N" || name == "S" || name == "E" ||
+         name == "W";
 }
 
 }  // namespace glider::frontend

@@ -3,15 +3,16 @@
 
 #pragma once
 
+#include "ir/core/mission.h"
+
 #include <optional>
 #include <string>
 #include <string_view>
 
-#include "ir/core/mission.h"
-
 namespace glider::frontend {
 
-/// "a length (m)", "an angle (rad)", "a latitude", "a condition", "a plain number", "a quantity in degC/m".
+/// "a length (m)", "an angle (rad)", "a latitude", "a condition", "a plain number", "a quantity in
+/// degC/m".
 std::string describe(const ir::Type& type);
 
 /// What a type's name in the language means.
@@ -26,8 +27,14 @@ TypeLookup findType(std::string_view name);
 /// Whether `name` is a unit or a letter of positions, which name no value.
 bool isUnitName(std::string_view name);
 
-inline ir::Type quantity(support::Dimension dimension) { return {ir::TypeKind::Quantity, dimension}; }
-inline ir::Type plainNumber() { return quantity(support::dimension::number); }
-inline ir::Type boolean() { return {ir::TypeKind::Bool, {}}; }
+inline ir::Type quantity(support::Dimension dimension) {
+  return {ir::TypeKind::Quantity, dimension};
+}
+inline ir::Type plainNumber() {
+  return quantity(support::dimension::number);
+}
+inline ir::Type boolean() {
+  return {ir::TypeKind::Bool, {}};
+}
 
 }  // namespace glider::frontend

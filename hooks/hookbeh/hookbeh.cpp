@@ -181,6 +181,7 @@ void Hookbeh::command(const Surroundings& now, HookbehOutputs& outputs) {
   outputs.pitch_rad = vertical.pitch_rad;
   outputs.pump_cc = vertical.pump_cc;
   outputs.doing = vertical.doing;
+  outputs.guarding = climb != nullptr;
 }
 
 }  // namespace glider::hooks

@@ -48,6 +48,7 @@ struct HookbehOutputs {
   /// The sub-behaviour at work ("dive_to", "climb_to", "hover", "hold", "surface", "climb: too
   /// deep"…), for logs.
   const char* doing = "";
+  bool guarding = false;  ///< it climbs by its own bounds, whatever the SBC says
 };
 
 class Hookbeh {

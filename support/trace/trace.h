@@ -24,7 +24,8 @@ struct TraceEvent {
   double time_s = 0;  ///< vehicle time since the mission start
   double mission_time_s = std::numeric_limits<double>::quiet_NaN();  ///< the SBC's missiontime; NaN
                                                                      ///< when it was not in control
-  std::string kind;  ///< "transition", "control", "hook", "behaviour", "abort", "link", "log"
+  std::string kind;  ///< "transition", "control", "hook", "steering", "behaviour", "abort",
+                     ///< "link", "log"
   std::string what;  ///< one line: "s1 → s2 (call)"
   std::string why;   ///< one line: the guard and the values that fired it; "" if there is none
 };

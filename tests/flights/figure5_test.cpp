@@ -37,6 +37,15 @@ std::vector<size_t> deepTurns(const std::vector<double>& depth, size_t begin, si
   return turns;
 }
 
+/// The last place of `value`; 0 if there is none.
+size_t lastOf(const std::vector<double>& values, double value) {
+  size_t last = 0;
+  for (size_t i = 0; i < values.size(); ++i) {
+    last = values[i] == value ? i : last;
+  }
+  return last;
+}
+
 TEST(Figure5, HookbehHoldsControlFrom260To1460Seconds) {
   const Flight flight = flyFigure5();
   ASSERT_EQ(flight.outcome.status, 0) << flight.outcome.err;
@@ -44,9 +53,7 @@ TEST(Figure5, HookbehHoldsControlFrom260To1460Seconds) {
   const auto active = flight.column("hook_active");
   const auto first = static_cast<size_t>(std::ranges::find(active, 1.0) - active.begin());
   ASSERT_LT(first, active.size());
-  const auto last =
-      static_cast<size_t>(active.rend() - std::ranges::find(active.rbegin(), active.rend(), 1.0)) -
-      1;
+  const size_t last = lastOf(active, 1.0);
   EXPECT_GE(time[first], 260);
   EXPECT_LE(time[first], 268);
   EXPECT_GE(time[last], 1452);
@@ -66,16 +73,14 @@ TEST(Figure5, TheOrderedRangeHoldsTheIsotherm) {
     ++detected;
   }
   ASSERT_LT(detected, active.size());
-  const auto last =
-      static_cast<size_t>(active.rend() - std::ranges::find(active.rbegin(), active.rend(), 1.0)) -
-      1;
+  const size_t last = lastOf(active, 1.0);
   const auto turns = deepTurns(depth, detected, last);
   ASSERT_GE(turns.size(), 3U);
   size_t ticks = 0;
   size_t inside = 0;
   for (size_t i = turns[0]; i <= last; ++i) {
     ++ticks;
-    inside += top[i] <= isotherm[i] && isotherm[i] <= bottom[i] ? 1 : 0;
+    inside += top[i] <= isotherm[i] && isotherm[i] <= bottom[i] ? 1U : 0U;
     EXPECT_LE(bottom[i] - top[i], 12) << "at tick " << i;
   }
   EXPECT_GE(static_cast<double>(inside), 0.9 * static_cast<double>(ticks))
@@ -88,7 +93,7 @@ TEST(Figure5, TheLayeredYoThenCompletesItsThree) {
   const auto active = flight.column("hook_active");
   size_t layered = 0;
   for (const size_t turn : deepTurns(depth, 0, depth.size())) {
-    layered += active[turn] == 0 ? 1 : 0;
+    layered += active[turn] == 0 ? 1U : 0U;
   }
   EXPECT_EQ(layered, 3U);
 }

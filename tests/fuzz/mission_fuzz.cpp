@@ -1,15 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// What a fuzzer feeds: bytes to the lexer, parser and analysis, with the promises that must hold for any bytes.
-
-#include <cstddef>
-#include <cstdint>
+// What a fuzzer feeds: bytes to the lexer, parser and analysis, with the promises that must hold
+// for any bytes.
 
 #include "frontend/frontend.h"
 #include "support/check.h"
 #include "support/diagnostics/render.h"
 #include "support/files.h"
+
+#include <cstddef>
+#include <cstdint>
 
 namespace {
 
@@ -25,7 +26,8 @@ const platforms::Platform& slocum() {
 }
 
 const ast::File& library(support::SourceManager& sources) {
-  static const std::string text = *support::readFile(GLIDER_SOURCE_DIR "/missions/library/standard.mission");
+  static const std::string text =
+      *support::readFile(GLIDER_SOURCE_DIR "/missions/library/standard.mission");
   static const ast::File file = [] {
     support::SourceManager first;
     support::DiagnosticEngine diagnostics;
@@ -41,23 +43,27 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   support::SourceManager sources;
   support::DiagnosticEngine diagnostics;
   const ast::File& standard = library(sources);
-  const uint32_t file = sources.add("fuzz.mission", std::string(reinterpret_cast<const char*>(data), size));
+  const uint32_t file =
+      sources.add("fuzz.mission", std::string(reinterpret_cast<const char*>(data), size));
   const auto parsed = frontend::parse(sources, file, diagnostics);
   CHECK(parsed || diagnostics.hasErrors(), "nothing came of a text, and nothing was said about it");
   if (parsed) {
     const bool sound = !diagnostics.hasErrors();
     const auto mission = frontend::analyse(*parsed, {slocum(), {&standard}, sources}, diagnostics);
-    CHECK(mission.has_value() != diagnostics.hasErrors(), "a mission came of a mistake, or none of none");
+    CHECK(mission.has_value() != diagnostics.hasErrors(),
+          "a mission came of a mistake, or none of none");
     if (sound) {
       support::SourceManager again;
       support::DiagnosticEngine quiet;
       const auto reread = frontend::parse(again, again.add("printed", ast::print(*parsed)), quiet);
-      CHECK(reread && !quiet.hasErrors() && *reread == *parsed, "what was printed reads back otherwise");
+      CHECK(reread && !quiet.hasErrors() && *reread == *parsed,
+            "what was printed reads back otherwise");
     }
   }
   support::render(diagnostics, sources, false);
   for (const support::Diagnostic& d : diagnostics.sorted()) {
-    CHECK(d.range.begin <= d.range.end && d.range.end <= sources.text(d.range.file).size(), "a place outside the file");
+    CHECK(d.range.begin <= d.range.end && d.range.end <= sources.text(d.range.file).size(),
+          "a place outside the file");
   }
   return 0;
 }

@@ -1,8 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Mutations of every mission and golden of the project, the same on every run: bytes changed, words moved, doubled,
-// dropped and exchanged between files. GLIDER_FUZZ_ROUNDS sets how many (default 1,500).
+// Mutations of every mission and golden of the project, the same on every run: bytes changed, words
+// moved, doubled, dropped and exchanged between files. GLIDER_FUZZ_ROUNDS sets how many (default
+// 1,500).
+
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -14,8 +17,6 @@
 #include <string>
 #include <vector>
 
-#include <gtest/gtest.h>
-
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size);
 
 namespace {
@@ -24,7 +25,8 @@ std::vector<std::string> seeds() {
   constexpr size_t kLargest = 6000;
   std::vector<std::filesystem::path> paths;
   for (const char* folder : {"missions", "tests/golden"}) {
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(std::filesystem::path(GLIDER_SOURCE_DIR) / folder)) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(
+             std::filesystem::path(GLIDER_SOURCE_DIR) / folder)) {
       if (entry.path().extension() == ".mission" && entry.file_size() < kLargest) {
         paths.push_back(entry.path());
       }
@@ -91,7 +93,8 @@ TEST(MissionFuzz, NothingBreaksTheFrontend) {
   const std::vector<std::string> all = seeds();
   ASSERT_GT(all.size(), 20U);
   const char* rounds = std::getenv("GLIDER_FUZZ_ROUNDS");
-  const unsigned count = rounds != nullptr ? static_cast<unsigned>(std::strtoul(rounds, nullptr, 10)) : 1500;
+  const unsigned count =
+      rounds != nullptr ? static_cast<unsigned>(std::strtoul(rounds, nullptr, 10)) : 10000;
   for (unsigned round = 0; round < count; ++round) {
     Mutator mutator(round);
     std::string text = all[mutator.pick(all.size())];

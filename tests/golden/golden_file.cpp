@@ -24,9 +24,30 @@ GoldenFile::GoldenFile(std::filesystem::path path) : path_(std::move(path)) {
   input_ = all.substr(0, split);
   std::istringstream rest(all.substr(split));
   for (std::string line; std::getline(rest, line);) {
-    const size_t skip = line.starts_with(std::string(kMark) + " ") ? kMark.size() + 1 : kMark.size();
+    const size_t skip =
+        line.starts_with(std::string(kMark) + " ") ? kMark.size() + 1 : kMark.size();
     expected_ += line.substr(std::min(skip, line.size())) + "\n";
   }
+}
+
+std::string GoldenFile::input() const {
+  constexpr std::string_view kRepeat = "//@repeat ";
+  if (input_.find(kRepeat) == std::string::npos) {
+    return input_;
+  }
+  std::string out;
+  std::istringstream lines(input_);
+  for (std::string line; std::getline(lines, line); out += '\n') {
+    const size_t colon = line.find(": ");
+    if (!line.starts_with(kRepeat) || colon == std::string::npos) {
+      out += line;
+      continue;
+    }
+    for (unsigned long n = std::stoul(line.substr(kRepeat.size())); n > 0; --n) {
+      out += line.substr(colon + 2);
+    }
+  }
+  return out;
 }
 
 void GoldenFile::update(const std::string& actual) const {
@@ -42,8 +63,7 @@ std::vector<std::filesystem::path> goldensIn(const std::filesystem::path& folder
   std::vector<std::filesystem::path> found;
   if (std::filesystem::is_directory(folder)) {
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-      const auto extension = entry.path().extension();
-      if (extension == ".mission" || extension == ".ir") {
+      if (entry.path().extension() == ".mission") {
         found.push_back(entry.path());
       }
     }

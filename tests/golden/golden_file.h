@@ -10,12 +10,14 @@
 
 namespace glider::golden {
 
-/// One golden: a mission, and below it, in `//|` comments, what the stage says about it (README.md).
+/// One golden: a mission, and below it, in `//|` comments, what the stage says about it
+/// (README.md).
 class GoldenFile {
  public:
   explicit GoldenFile(std::filesystem::path path);
 
-  [[nodiscard]] const std::string& input() const { return input_; }
+  /// The mission; a line `//@repeat N: text` stands for N times `text`, on one line.
+  [[nodiscard]] std::string input() const;
   [[nodiscard]] const std::string& expected() const { return expected_; }
   /// Writes the file anew with `actual` as what is expected.
   void update(const std::string& actual) const;

@@ -1,17 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// One test a golden: tests/golden/<stage>/{ok,warn,fail}_*. With GLIDER_UPDATE_GOLDENS set, what is expected is
-// rewritten instead (scripts/update_goldens).
+// One test a golden: tests/golden/<stage>/{ok,warn,fail}_*. With GLIDER_UPDATE_GOLDENS set, what is
+// expected is rewritten instead (scripts/update_goldens).
+
+#include "tests/golden/golden_file.h"
+#include "tests/golden/stages.h"
+
+#include <gtest/gtest.h>
 
 #include <cctype>
 #include <cstdlib>
 #include <string>
-
-#include <gtest/gtest.h>
-
-#include "tests/golden/golden_file.h"
-#include "tests/golden/stages.h"
 
 namespace glider::golden {
 namespace {
@@ -21,9 +21,6 @@ class Golden : public testing::TestWithParam<std::filesystem::path> {};
 TEST_P(Golden, SaysWhatIsExpected) {
   const std::filesystem::path path = GetParam();
   const std::string stage = path.parent_path().filename();
-  if (!hasStage(stage)) {
-    GTEST_SKIP() << "this build has no stage " << stage;
-  }
   const std::string name = path.filename();
   const GoldenFile golden(path);
   const Outcome outcome = run(stage, name, golden.input());
@@ -38,15 +35,17 @@ TEST_P(Golden, SaysWhatIsExpected) {
 
 std::vector<std::filesystem::path> all() {
   std::vector<std::filesystem::path> found;
-  for (const char* stage : {"parse", "sema", "ir", "verify"}) {
-    const auto some = goldensIn(std::filesystem::path(GLIDER_SOURCE_DIR) / "tests" / "golden" / stage);
+  for (const char* stage : {"parse", "sema", "verify"}) {
+    const auto some =
+        goldensIn(std::filesystem::path(GLIDER_SOURCE_DIR) / "tests" / "golden" / stage);
     found.insert(found.end(), some.begin(), some.end());
   }
   return found;
 }
 
 std::string testName(const testing::TestParamInfo<std::filesystem::path>& info) {
-  std::string name = info.param.parent_path().filename().string() + "_" + info.param.stem().string();
+  std::string name =
+      info.param.parent_path().filename().string() + "_" + info.param.stem().string();
   for (char& c : name) {
     c = std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
   }

@@ -3,22 +3,14 @@
 
 #include "tests/golden/stages.h"
 
-#include <optional>
-
 #include "frontend/frontend.h"
+#include "ir/text/print.h"
+#include "ir/verify/verify.h"
 #include "support/check.h"
 #include "support/diagnostics/render.h"
 #include "support/files.h"
 
-#if __has_include("ir/text/print.h") && __has_include("ir/text/read.h")
-#include "ir/text/print.h"
-#include "ir/text/read.h"
-#define GLIDER_HAS_IR_TEXT 1
-#endif
-#if __has_include("ir/verify/verify.h")
-#include "ir/verify/verify.h"
-#define GLIDER_HAS_VERIFY 1
-#endif
+#include <optional>
 
 namespace glider::golden {
 namespace {
@@ -34,7 +26,8 @@ const platforms::Platform& slocum() {
 
 class Compilation {
  public:
-  Compilation(const std::string& name, const std::string& input) : file_(sources_.add(name, input)) {}
+  Compilation(const std::string& name, const std::string& input)
+      : file_(sources_.add(name, input)) {}
 
   void parse() {
     ast_ = frontend::parse(sources_, file_, diagnostics_);
@@ -55,35 +48,25 @@ class Compilation {
     showIr();
   }
 
-  void readIr() {
-#ifdef GLIDER_HAS_IR_TEXT
-    mission_ = ir::read(sources_, file_, diagnostics_);
-#endif
-    showIr();
-  }
-
   void verify() {
     product_.clear();
-#ifdef GLIDER_HAS_VERIFY
     if (mission_) {
       ir::verify(*mission_, diagnostics_);
     }
-#endif
   }
 
   [[nodiscard]] Outcome outcome() const {
     const bool warned = diagnostics_.errorCount() + diagnostics_.warningCount() > 0;
-    return {support::render(diagnostics_, sources_, false) + product_, warned, diagnostics_.hasErrors()};
+    return {support::render(diagnostics_, sources_, false) + product_, warned,
+            diagnostics_.hasErrors()};
   }
 
  private:
   void showIr() {
     product_.clear();
-#ifdef GLIDER_HAS_IR_TEXT
     if (mission_) {
       product_ = "--- ir\n" + ir::print(*mission_);
     }
-#endif
   }
 
   support::SourceManager sources_;
@@ -98,32 +81,14 @@ class Compilation {
 
 Outcome run(const std::string& stage, const std::string& name, const std::string& input) {
   Compilation compilation(name, input);
-  if (name.ends_with(".ir")) {
-    compilation.readIr();
-  } else {
-    compilation.parse();
-    if (stage != "parse") {
-      compilation.analyse();
-    }
+  compilation.parse();
+  if (stage != "parse") {
+    compilation.analyse();
   }
   if (stage == "verify") {
     compilation.verify();
   }
   return compilation.outcome();
-}
-
-bool hasStage(const std::string& stage) {
-#ifndef GLIDER_HAS_VERIFY
-  if (stage == "verify") {
-    return false;
-  }
-#endif
-#ifndef GLIDER_HAS_IR_TEXT
-  if (stage == "ir") {
-    return false;
-  }
-#endif
-  return true;
 }
 
 }  // namespace glider::golden

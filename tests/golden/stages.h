@@ -9,14 +9,14 @@ namespace glider::golden {
 
 /// What one stage of the compiler said about a golden's input.
 struct Outcome {
-  std::string text;       ///< diagnostics as a pilot reads them, then the product ("ast", "ir") if there is one
-  bool warned = false;    ///< there was a diagnostic
-  bool refused = false;   ///< there was an error
+  std::string
+      text;  ///< diagnostics as a pilot reads them, then the product ("ast", "ir") if there is one
+  bool warned = false;   ///< there was a diagnostic
+  bool refused = false;  ///< there was an error
 };
 
-/// Runs the compiler up to `stage` ("parse", "sema", "verify") on `input`, called `name` in messages.
+/// Runs the compiler up to `stage` ("parse", "sema", "verify") on `input`, called `name` in
+/// messages.
 Outcome run(const std::string& stage, const std::string& name, const std::string& input);
-/// Whether `stage` is built into this program.
-bool hasStage(const std::string& stage);
 
 }  // namespace glider::golden

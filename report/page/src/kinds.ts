@@ -18,6 +18,7 @@ const log: Kind = { colour: "kind-log", glyph: "·", marked: false, flagged: fal
 const kinds = new Map<string, Kind>(Object.entries({
   transition: { colour: "kind-transition", glyph: "▼", marked: true, flagged: false },
   control: { colour: "kind-control", glyph: "⚑", marked: true, flagged: true },
+  steering: { colour: "kind-behaviour", glyph: "·", marked: false, flagged: false },
   hook: { colour: "kind-hook", glyph: "◆", marked: false, flagged: false },
   behaviour: { colour: "kind-behaviour", glyph: "●", marked: false, flagged: false },
   abort: { colour: "kind-abort", glyph: "✖", marked: true, flagged: true },

@@ -122,7 +122,8 @@ void HookbehAdapter::note(const hooks::HookbehInputs& in, const hooks::HookbehOu
                              in.hook_depth_m, in.hook_pitch_rad)});
   }
   if (out.commanding && doing_ != out.doing) {
-    news_.push_back({"hook", fmt::format("hookbeh: {} (m_depth {:.1f} m)", out.doing, in.depth_m)});
+    const char* kind = out.guarding ? "hook" : "steering";
+    news_.push_back({kind, fmt::format("hookbeh: {} (m_depth {:.1f} m)", out.doing, in.depth_m)});
   }
   state_ = out.state;
   answered_ = out.answered_sequence;

@@ -3,14 +3,14 @@
 
 #pragma once
 
-#include <optional>
-#include <string>
-
-#include <gtest/gtest.h>
-
 #include "frontend/frontend.h"
 #include "support/diagnostics/render.h"
 #include "support/files.h"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <string>
 
 namespace glider::frontend::testing_support {
 
@@ -29,11 +29,13 @@ struct FrontendRun {
   std::optional<ir::Mission> compile() {
     auto platform = platforms::loadPlatform(GLIDER_SOURCE_DIR "/platforms/slocum.toml");
     EXPECT_TRUE(platform.has_value());
-    const uint32_t library = sources.add("standard.mission", readSource("missions/library/standard.mission"));
+    const uint32_t library =
+        sources.add("standard.mission", readSource("missions/library/standard.mission"));
     const auto standard = frontend::parse(sources, library, diagnostics);
     EXPECT_TRUE(standard.has_value());
     const auto mission = parse();
-    return mission ? analyse(*mission, {*platform, {&*standard}, sources}, diagnostics) : std::nullopt;
+    return mission ? analyse(*mission, {*platform, {&*standard}, sources}, diagnostics)
+                   : std::nullopt;
   }
 
   [[nodiscard]] std::string said() const { return support::render(diagnostics, sources, false); }

@@ -6,8 +6,8 @@
 namespace glider::frontend {
 namespace {
 
-using testing_support::readSource;
 using testing_support::FrontendRun;
+using testing_support::readSource;
 
 TEST(Figure2, MeansWhatThePaperSays) {
   FrontendRun run(readSource("missions/figure2.mission"));
@@ -61,7 +61,7 @@ TEST(Figure2, SubscribesEverySensorThatIsListedOrReadByAProfile) {
   for (const ir::Sensor& sensor : mission->sensors) {
     names += sensor.vehicle_name + " ";
   }
-  EXPECT_EQ(names, "m_depth m_pitch sci_water_temp ");
+  EXPECT_EQ(names, "m_depth sci_water_temp m_pitch ");
 }
 
 }  // namespace

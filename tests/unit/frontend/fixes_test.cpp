@@ -3,9 +3,9 @@
 
 // Fix-its, applied, give a mission without that mistake.
 
-#include <algorithm>
-
 #include "tests/unit/frontend/compile.h"
+
+#include <algorithm>
 
 namespace glider::frontend {
 namespace {
@@ -13,8 +13,8 @@ namespace {
 using testing_support::FrontendRun;
 
 std::string mission(const std::string& guard, const std::string& sensors = "sensors depth, temp") {
-  return "mission test\nstate s1\nbegin\n  flightprofile surfaced\n  " + sensors + "\n  events\n    case " + guard +
-         " exit\nend\n";
+  return "mission test\nstate s1\nbegin\n  flightprofile surfaced\n  " + sensors +
+         "\n  events\n    case " + guard + " exit\nend\n";
 }
 
 /// The text with every fix-it applied, last place first.
@@ -24,7 +24,8 @@ std::string fixed(FrontendRun& run) {
   for (const support::Diagnostic& d : run.diagnostics.sorted()) {
     fixes.insert(fixes.end(), d.fixes.begin(), d.fixes.end());
   }
-  std::ranges::sort(fixes, [](const auto& a, const auto& b) { return a.range.begin > b.range.begin; });
+  std::ranges::sort(fixes,
+                    [](const auto& a, const auto& b) { return a.range.begin > b.range.begin; });
   for (const support::FixIt& fix : fixes) {
     text.replace(fix.range.begin, fix.range.end - fix.range.begin, fix.replacement);
   }
@@ -44,16 +45,18 @@ TEST_P(Fixes, LeaveNothingToSay) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, Fixes,
-    testing::Values(mission("depth > 5 m;"), mission("depth => 5 m"), mission("depth > 5 m & temp < 3"),
-                    mission("depth > 5 m and not temp < 3"), mission("depth ≥ 5 m"), mission("depth > 5 metres"),
+    testing::Values(mission("depth > 5 m;"), mission("depth => 5 m"),
+                    mission("depth > 5 m & temp < 3"), mission("depth > 5 m and temp < 3"),
+                    mission("!depth > 5 m"), mission("depth ≥ 5 m"), mission("depth > 5 metres"),
                     mission("depth > 5. "), mission("max(depth 5 m) > 3"), mission("depth > 5 m) "),
-                    mission("5 m < depth < 10 m"), mission("pitch > 5 deg"), mission("pitch > 5 deg", ""),
-                    mission("depth > 5 m", "sensors depth temp"), mission("depth > 5 m", "sensors depth begin"),
+                    mission("5 m < depth < 10 m"), mission("pitch > 5 deg"),
+                    mission("pitch > 5 deg", ""), mission("depth > 5 m", "sensors depth temp"),
+                    mission("depth > 5 m", "sensors depth begin"),
                     mission("depth > 5 m", "flightroute nav(3910.5 -7349.8)"),
                     mission("depth > 5 m", "flightroute nav(39.1, -73.8)"),
                     mission("depth > 5 m", "flightroute nav(39.1, -53.8)"),
-                    mission("depth > 5 m", "flightroute nav(-39.1 N, 73.8 W)"), mission("true") + "end\n",
-                    mission("true").replace(22, 5, "begni")));
+                    mission("depth > 5 m", "flightroute nav(-39.1 N, 73.8 W)"),
+                    mission("true") + "end\n", mission("true").replace(22, 5, "begni")));
 
 }  // namespace
 }  // namespace glider::frontend

@@ -9,10 +9,11 @@ namespace glider::frontend {
 namespace {
 
 using support::DiagnosticId;
-using testing_support::readSource;
 using testing_support::FrontendRun;
+using testing_support::readSource;
 
-constexpr std::string_view kMission = "mission test\nstate s1\nbegin\n  flightprofile surfaced\nend\n";
+constexpr std::string_view kMission =
+    "mission test\nstate s1\nbegin\n  flightprofile surfaced\nend\n";
 
 std::string repeat(std::string_view text, size_t times) {
   std::string out;
@@ -53,7 +54,8 @@ TEST(Hostile, ByteOrderMarkOfUtf8IsSkipped) {
 // GL1014, accepts: GL1014
 TEST(Hostile, BadUtf8) {
   // Latin-1, a cut character, an overlong one, a surrogate, beyond U+10FFFF, a stray continuation.
-  for (const char* text : {"# \xE9\n", "# \xE2\x82", "# \xC0\x80\n", "# \xED\xA0\x80\n", "# \xF4\x90\x80\x80\n", "# \x80\n"}) {
+  for (const char* text : {"# \xE9\n", "# \xE2\x82", "# \xC0\x80\n", "# \xED\xA0\x80\n",
+                           "# \xF4\x90\x80\x80\n", "# \x80\n"}) {
     FrontendRun run(std::string(kMission) + text);
     run.parse();
     EXPECT_TRUE(run.says(DiagnosticId::notUtf8)) << text;
@@ -73,9 +75,36 @@ TEST(Hostile, TenMegabytes) {
 }
 
 TEST(Hostile, MuchOfOneThing) {
-  for (std::string_view piece :
-       {"(", ")", "[", "{", "@", "mission ", "state ", "begin ", "end ", "if ", "do ", "case ", "\"", "\"\n", "/*", "1 ", "x ",
-        "- ", "! ", "= ", ", ", "const x = ", "state s begin ", "goto ", "flightprofile ", "é", "\xFF", "5 N ", "a.b", "every "}) {
+  for (std::string_view piece : {"(",
+                                 ")",
+                                 "[",
+                                 "{",
+                                 "@",
+                                 "mission ",
+                                 "state ",
+                                 "begin ",
+                                 "end ",
+                                 "if ",
+                                 "do ",
+                                 "case ",
+                                 "\"",
+                                 "\"\n",
+                                 "/*",
+                                 "1 ",
+                                 "x ",
+                                 "- ",
+                                 "! ",
+                                 "= ",
+                                 ", ",
+                                 "const x = ",
+                                 "state s begin ",
+                                 "goto ",
+                                 "flightprofile ",
+                                 "é",
+                                 "\xFF",
+                                 "5 N ",
+                                 "a.b",
+                                 "every "}) {
     FrontendRun run("mission test state s begin events case " + repeat(piece, 20'000));
     run.parse();
     EXPECT_TRUE(run.diagnostics.hasErrors()) << piece;
@@ -85,17 +114,19 @@ TEST(Hostile, MuchOfOneThing) {
 
 TEST(Hostile, NestedInEveryWay) {
   const std::string head = "mission test\nconst a = ";
-  for (const std::string& text :
-       {head + repeat("(", 10'000) + "5" + repeat(")", 10'000), head + repeat("abs(", 10'000) + "5" + repeat(")", 10'000),
-        head + repeat("[", 10'000) + repeat("]", 10'000),
-        "mission m state s begin entry do " + repeat("if true then ", 10'000) + repeat("end ", 10'002)}) {
+  for (const std::string& text : {head + repeat("(", 10'000) + "5" + repeat(")", 10'000),
+                                  head + repeat("abs(", 10'000) + "5" + repeat(")", 10'000),
+                                  head + repeat("[", 10'000) + repeat("]", 10'000),
+                                  "mission m state s begin entry do " +
+                                      repeat("if true then ", 10'000) + repeat("end ", 10'002)}) {
     FrontendRun run(text);
     EXPECT_FALSE(run.parse().has_value());
     EXPECT_TRUE(run.says(DiagnosticId::nestedTooDeep));
     EXPECT_EQ(run.diagnostics.errorCount(), 1U) << run.said();
   }
   for (const std::string& text :
-       {head + "1" + repeat(" + 1", 100'000), head + repeat("-", 100'000) + "1", head + repeat("!", 100'000) + "true",
+       {head + "1" + repeat(" + 1", 100'000), head + repeat("-", 100'000) + "1",
+        head + repeat("!", 100'000) + "true",
         head + repeat("(1 + ", 190) + "1" + repeat(" + 1)", 190) + repeat(" * 1", 1000)}) {
     FrontendRun run(text);
     EXPECT_FALSE(run.parse().has_value());
@@ -105,8 +136,9 @@ TEST(Hostile, NestedInEveryWay) {
 
 TEST(Hostile, TheDeepestThatIsAllowed) {
   const std::string tail = "\nstate s1 begin flightprofile surfaced events case a > 0 exit end\n";
-  for (const std::string& text : {"1" + repeat(" + 1", 1000), repeat("(", 200) + "5" + repeat(")", 200),
-                                  repeat("-", 1000) + "1", repeat("(1 + ", 200) + "1" + repeat(")", 200)}) {
+  for (const std::string& text :
+       {"1" + repeat(" + 1", 1000), repeat("(", 200) + "5" + repeat(")", 200),
+        repeat("-", 1000) + "1", repeat("(1 + ", 200) + "1" + repeat(")", 200)}) {
     FrontendRun run("mission test\nconst a = " + text + tail);
     EXPECT_TRUE(run.compile().has_value()) << run.said().substr(0, 2000);
   }
@@ -127,7 +159,8 @@ TEST(Hostile, NoWordOfTheParserGeneratorReachesThePilot) {
     FrontendRun run(whole.substr(0, at) + whole.substr(at + 11));
     run.parse();
     const std::string said = run.said();
-    for (std::string_view word : {"viable", "mismatched", "extraneous", "<EOF>", "LPAREN", "NAME", "token recognition"}) {
+    for (std::string_view word :
+         {"viable", "mismatched", "extraneous", "<EOF>", "LPAREN", "NAME", "token recognition"}) {
       EXPECT_EQ(said.find(word), std::string::npos) << said;
     }
   }

@@ -3,15 +3,15 @@
 
 // parse(print(ast)) == ast, for the whole language.
 
-#include <random>
-
 #include "tests/unit/frontend/compile.h"
+
+#include <random>
 
 namespace glider::frontend {
 namespace {
 
-using testing_support::readSource;
 using testing_support::FrontendRun;
+using testing_support::readSource;
 
 void expectRoundTrip(const std::string& text) {
   FrontendRun first(text);
@@ -37,9 +37,12 @@ TEST(Print, FilesComeBackEqual) {
 }
 
 TEST(Print, DifferentMissionsDiffer) {
-  const auto parsed = [](const std::string& expr) { return *FrontendRun("mission m const a = " + expr).parse(); };
+  const auto parsed = [](const std::string& expr) {
+    return *FrontendRun("mission m const a = " + expr).parse();
+  };
   EXPECT_TRUE(parsed("1 + 2") == parsed(" (1) /* one */ +\n2"));
-  for (const char* other : {"1 - 2", "1 + 3", "1 + 2 m", "(1 + 2) + 3", "true", "-(1 + 2)", "f(1, 2)", "[1, 2]", "a[1]"}) {
+  for (const char* other : {"1 - 2", "1 + 3", "1 + 2 m", "(1 + 2) + 3", "true", "-(1 + 2)",
+                            "f(1, 2)", "[1, 2]", "a[1]"}) {
     EXPECT_FALSE(parsed("1 + 2") == parsed(other)) << other;
   }
 }
@@ -47,8 +50,10 @@ TEST(Print, DifferentMissionsDiffer) {
 /// A random expression, without regard to types.
 std::string randomExpr(std::mt19937& random, int depth) {
   const auto pick = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
-  static const char* const kLeaves[] = {"5", "depth", ".5 degC/m", "39.2 N 73.9 W", "true", "3 W", "2 min", "track[1]", "1e3 %"};
-  static const char* const kOps[] = {"+", "-", "*", "/", "<", "<=", ">", ">=", "==", "!=", "&&", "||"};
+  static const char* const kLeaves[] = {"5",   "depth", ".5 degC/m", "39.2 N 73.9 W", "true",
+                                        "3 W", "2 min", "track[1]",  "1e3 %"};
+  static const char* const kOps[] = {
+      "+", "-", "*", "/", "<", "<=", ">", ">=", "==", "!=", "&&", "||"};
   if (depth == 0) {
     return kLeaves[pick(std::size(kLeaves))];
   }
@@ -58,7 +63,8 @@ std::string randomExpr(std::mt19937& random, int depth) {
     case 1:
       return "!" + randomExpr(random, depth - 1);
     case 2:
-      return "min(" + randomExpr(random, depth - 1) + ", " + randomExpr(random, depth - 1) + " of depth)";
+      return "min(" + randomExpr(random, depth - 1) + ", " + randomExpr(random, depth - 1) +
+             " of depth)";
     case 3:
       return "[" + randomExpr(random, depth - 1) + "]";
     default:

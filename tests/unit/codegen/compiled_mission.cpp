@@ -30,8 +30,8 @@ Checked checkedMission(const std::string& text, const std::string& name) {
 }
 
 Checked figure2() {
-  const auto text = support::readFile(GLIDER_SOURCE_DIR "/tests/golden/verify/figure2.ir");
-  CHECK(text.has_value(), "figure2.ir is missing");
+  const auto text = support::readFile(GLIDER_SOURCE_DIR "/tests/golden/verify/ok_figure2.ir");
+  CHECK(text.has_value(), "ok_figure2.ir is missing");
   return checkedMission(*text, "figure2.ir");
 }
 

@@ -22,7 +22,7 @@ struct Checked {
 
 /// The mission of `text`, which must be right; `name` is its file's.
 Checked checkedMission(const std::string& text, const std::string& name = "mission.ir");
-/// The paper's Figure 2, from the verifier's goldens.
+/// The paper's Figure 2, from the goldens.
 Checked figure2();
 
 /// A board as built into the shared data; it must be there.

@@ -15,13 +15,13 @@ TEST(Diagnostics, ShowPlaceCaretHintAndId) {
   SourceManager sources;
   const uint32_t file = sources.add("a.mission", "mission m\n\tgoto s9\n");
   DiagnosticEngine engine;
-  engine.report(DiagnosticId::unknownState, {file, 16, 18}, "s9")
+  engine.report(DiagnosticId::cannotRead, {file, 16, 18}, "s9", "gone")
       .hint("states: s1")
       .note({file, 8, 9}, "in this mission");
   EXPECT_TRUE(engine.hasErrors());
   const std::string text = render(engine, sources, false);
   EXPECT_EQ(text.substr(0, text.find('\n')),
-            "a.mission:2:7: error: " + engine.sorted()[0].message + " [GL2001 unknown-state]");
+            "a.mission:2:7: error: " + engine.sorted()[0].message + " [GL9001 cannot-read]");
   EXPECT_NE(text.find("    2 |  goto s9\n      |       ^~\n"), std::string::npos) << text;
   EXPECT_NE(text.find("= hint: states: s1"), std::string::npos) << text;
   EXPECT_NE(text.find("a.mission:1:9: note: in this mission"), std::string::npos) << text;
@@ -39,9 +39,9 @@ TEST(Diagnostics, AreSortedAndNotRepeated) {
   SourceManager sources;
   const uint32_t file = sources.add("a", "0123456789");
   DiagnosticEngine engine;
-  engine.report(DiagnosticId::unknownState, {file, 5, 6}, "b");
-  engine.report(DiagnosticId::unknownState, {file, 1, 2}, "a");
-  engine.report(DiagnosticId::unknownState, {file, 5, 6}, "b");
+  engine.report(DiagnosticId::cannotRead, {file, 5, 6}, "b", "gone");
+  engine.report(DiagnosticId::cannotRead, {file, 1, 2}, "a", "gone");
+  engine.report(DiagnosticId::cannotRead, {file, 5, 6}, "b", "gone");
   ASSERT_EQ(engine.sorted().size(), 2U);
   EXPECT_EQ(engine.sorted()[0].range.begin, 1U);
 }

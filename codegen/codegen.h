@@ -12,8 +12,7 @@
 #include <string>
 #include <vector>
 
-/// From a mission without errors (and the verifier's facts) to machine code for a board. None of
-/// these functions may run in two threads at a time: lld is not made for that.
+/// From a mission without errors (and the verifier's facts) to machine code for a board.
 namespace glider::codegen {
 
 struct CodegenOptions {

@@ -4,7 +4,6 @@
 #include "codegen/link/lld.h"
 
 #include "codegen/link/scratch_folder.h"
-#include "support/check.h"
 #include "support/files.h"
 
 #include <fmt/ranges.h>
@@ -12,6 +11,10 @@
 #include <llvm/Support/raw_ostream.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <sys/wait.h>
+#include <unistd.h>
 
 LLD_HAS_DRIVER(elf)
 
@@ -96,21 +99,43 @@ support::Failure explain(const std::string& said, const Board& board,
   return support::fail(DiagnosticId::linkFailed, board.name, complaint).error();
 }
 
-Result<void> runLld(const LinkJob& job, const Board& board, const ScratchFiles& files) {
-  static bool can_run = true;
-  CHECK(can_run, "lld has failed in a way that it does not recover from");
-  const std::vector<std::string> words = arguments(job, board, files);
+/// Runs lld; never returns. What it says goes to `said`, its verdict is the exit status.
+[[noreturn]] void runLldAndExit(const std::vector<std::string>& words,
+                                const std::filesystem::path& said) {
   std::vector<const char*> pointers;
   std::ranges::transform(words, std::back_inserter(pointers),
-                         [](const std::string& argument) { return argument.c_str(); });
-  std::string said;
-  llvm::raw_string_ostream stream(said);
+                         [](const std::string& word) { return word.c_str(); });
+  std::error_code error;
+  llvm::raw_fd_ostream stream(said.string(), error);
   const lld::Result result = lld::lldMain(pointers, stream, stream, {{lld::Gnu, &lld::elf::link}});
-  can_run = result.canRunAgain;
-  if (result.retCode != 0) {
-    return std::unexpected(explain(said, board, files.output));
+  stream.close();
+  stream.clear_error();  // a full disk: the verdict stands
+  ::_exit(result.retCode != 0 || error ? EXIT_FAILURE : EXIT_SUCCESS);
+}
+
+/// In a child of this process: lld keeps pointers into its last run in static variables and writes
+/// through them in the next (`_GLOBAL_OFFSET_TABLE_` and its like), so a process may run it once.
+/// It also keeps whatever may befall lld there.
+Result<void> runLld(const LinkJob& job, const Board& board, const ScratchFiles& files) {
+  const std::vector<std::string> words = arguments(job, board, files);
+  const std::filesystem::path said = files.output.parent_path() / "said";
+  const pid_t child = ::fork();
+  if (child == 0) {
+    runLldAndExit(words, said);
   }
-  return {};
+  int status = 0;
+  while (child > 0 && ::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (child > 0 && WIFEXITED(status) && WEXITSTATUS(status) == EXIT_SUCCESS) {
+    return {};
+  }
+  const std::string text = support::readFile(said).value_or("");
+  if (!text.empty()) {
+    return std::unexpected(explain(text, board, files.output));
+  }
+  return support::fail(
+      DiagnosticId::linkFailed, board.name,
+      child < 0 ? "no process could be started for the linker" : "the linker ended without a word");
 }
 
 }  // namespace

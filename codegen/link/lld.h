@@ -23,10 +23,9 @@ struct LinkJob {
   bool keep_debug = false;                            ///< else symbols and line tables are left out
 };
 
-/// Links in this process with lld, which writes nothing to the terminal; the content of the linked
-/// file. Not for two threads at a time. GL4003 for a symbol that nothing defines, GL4004 for
-/// whatever else lld refuses, GL9001 for an input that is missing, GL9002 if there is no room for
-/// temporary files.
+/// Links with the lld that is part of this program and writes nothing to the terminal; the content
+/// of the linked file. GL4003 for a symbol that nothing defines, GL4004 for whatever else lld
+/// refuses, GL9002 if there is no room for temporary files.
 support::Result<std::string> link(const LinkJob& job, const platforms::Board& board);
 
 }  // namespace glider::codegen

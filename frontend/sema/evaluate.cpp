@@ -3,85 +3,52 @@
 
 #include "frontend/sema/evaluate.h"
 
-#include <cfloat>
-#include <cmath>
-#include <limits>
+#include "ir/core/ops.h"
+#include "ir/core/truth.h"
+#include "ir/eval/arithmetic.h"
+
+#include <array>
 
 namespace glider::frontend {
 namespace {
 
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-
-double settle(double value) {
-  if (!std::isfinite(value)) {
-    return kUnknown;
+double asNumber(ir::Truth truth) {
+  if (truth == ir::Truth::Unknown) {
+    return ir::kUnknown;
   }
-  return std::fabs(value) <= DBL_MIN ? 0.0 : value;
+  return truth == ir::Truth::True ? 1.0 : 0.0;
 }
 
-double truth(bool value) {
-  return value ? 1.0 : 0.0;
+ir::Truth asTruth(double condition) {
+  return ir::isKnown(condition) ? ir::truth(condition != 0) : ir::Truth::Unknown;
 }
 
-double logical(ir::Op op, double a, double b) {
-  // The value that decides alone: false for `and`, true for `or`.
-  const double decisive = op == ir::Op::And ? 0.0 : 1.0;
-  if (a == decisive || b == decisive) {
-    return decisive;
-  }
-  return std::isnan(a) || std::isnan(b) ? kUnknown : 1.0 - decisive;
-}
-
-double strict(ir::Op op, double a, double b, double c) {
+double apply(ir::Op op, double a, double b, double c) {
   switch (op) {
     case ir::Op::Negate:
-      return -a;
     case ir::Op::Abs:
-      return std::fabs(a);
     case ir::Op::Sqrt:
-      return settle(std::sqrt(a));
+      return ir::unary(op, a);
     case ir::Op::Add:
-      return settle(a + b);
     case ir::Op::Subtract:
-      return settle(a - b);
     case ir::Op::Multiply:
-      return settle(a * b);
     case ir::Op::Divide:
-      return settle(a / b);
     case ir::Op::Min:
-      return b < a ? b : a;
     case ir::Op::Max:
-      return a < b ? b : a;
+      return ir::binary(op, a, b);
     case ir::Op::Clamp:
-      return a < b ? b : c < a ? c : a;
-    case ir::Op::Less:
-      return truth(a < b);
-    case ir::Op::LessEqual:
-      return truth(a <= b);
-    case ir::Op::Greater:
-      return truth(a > b);
-    case ir::Op::GreaterEqual:
-      return truth(a >= b);
-    case ir::Op::Equal:
-      return truth(a == b);
-    case ir::Op::NotEqual:
-      return truth(a != b);
+      return ir::clamp(a, b, c);
+    case ir::Op::Known:
+      return asNumber(ir::truth(ir::isKnown(a)));
     case ir::Op::Not:
-      return 1.0 - a;
+      return asNumber(ir::logicalNot(asTruth(a)));
+    case ir::Op::And:
+      return asNumber(ir::logicalAnd(asTruth(a), asTruth(b)));
+    case ir::Op::Or:
+      return asNumber(ir::logicalOr(asTruth(a), asTruth(b)));
     default:
-      return kUnknown;
+      return asNumber(ir::compare(op, a, b));
   }
-}
-
-size_t operandCount(ir::Op op) {
-  switch (op) {
-#define OP(name, text, operands, result) \
-  case ir::Op::name:                     \
-    return operands;
-#include "ir/core/ops.def"
-#undef OP
-  }
-  return 0;
 }
 
 }  // namespace
@@ -93,7 +60,7 @@ std::optional<double> evaluate(const ir::Mission& mission, ir::ExprId id) {
       return expr.number;
     case ir::Op::True:
     case ir::Op::False:
-      return truth(expr.op == ir::Op::True);
+      return asNumber(ir::truth(expr.op == ir::Op::True));
     case ir::Op::Sensor:
     case ir::Op::Age:
     case ir::Op::MissionTime:
@@ -103,23 +70,15 @@ std::optional<double> evaluate(const ir::Mission& mission, ir::ExprId id) {
     default:
       break;
   }
-  double values[3] = {0, 0, 0};
-  bool unknown = false;
-  for (size_t i = 0; i < operandCount(expr.op); ++i) {
+  std::array<double, 3> values{};
+  for (size_t i = 0; i < ir::opInfo(expr.op).operands; ++i) {
     const std::optional<double> value = evaluate(mission, expr.operands[i]);
     if (!value) {
       return std::nullopt;
     }
     values[i] = *value;
-    unknown = unknown || std::isnan(*value);
   }
-  if (expr.op == ir::Op::Known) {
-    return truth(!unknown);
-  }
-  if (expr.op == ir::Op::And || expr.op == ir::Op::Or) {
-    return logical(expr.op, values[0], values[1]);
-  }
-  return unknown ? kUnknown : strict(expr.op, values[0], values[1], values[2]);
+  return apply(expr.op, values[0], values[1], values[2]);
 }
 
 }  // namespace glider::frontend

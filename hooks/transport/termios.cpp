@@ -3,6 +3,8 @@
 
 #include "hooks/transport/termios.h"
 
+#include "hooks/transport/descriptor.h"
+
 #include <errno.h>
 #include <fcntl.h>
 #include <termios.h>
@@ -58,14 +60,6 @@ int setRaw(int fd, uint32_t baud) {
   return cfgetospeed(&made) == code ? 0 : EINVAL;
 }
 
-int32_t statusOf(int error) {
-  if (error == EAGAIN || error == EINTR) {
-    return 0;
-  }
-  return error == EIO ? kGliderStreamClosed
-                      : kGliderStreamFailed;  // EIO: the other side of a pty has gone
-}
-
 }  // namespace
 
 bool isPseudoTerminal(const char* path) {
@@ -107,20 +101,11 @@ GliderByteStream SerialDevice::stream() {
 }
 
 int32_t SerialDevice::read(void* self, uint8_t* bytes, uint32_t capacity) {
-  const int fd = static_cast<const SerialDevice*>(self)->fd_;
-  if (capacity == 0) {
-    return 0;
-  }
-  const ssize_t got = ::read(fd, bytes, capacity);
-  if (got < 0) {
-    return statusOf(errno);
-  }
-  return got == 0 ? kGliderStreamClosed : static_cast<int32_t>(got);
+  return readDescriptor(static_cast<const SerialDevice*>(self)->fd_, bytes, capacity);
 }
 
 int32_t SerialDevice::write(void* self, const uint8_t* bytes, uint32_t count) {
-  const ssize_t taken = ::write(static_cast<const SerialDevice*>(self)->fd_, bytes, count);
-  return taken < 0 ? statusOf(errno) : static_cast<int32_t>(taken);
+  return writeDescriptor(static_cast<const SerialDevice*>(self)->fd_, bytes, count);
 }
 
 }  // namespace glider::hooks

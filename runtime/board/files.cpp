@@ -3,6 +3,8 @@
 
 #include "runtime/board/files.h"
 
+#include "hooks/transport/descriptor.h"
+
 #include <errno.h>
 #include <fcntl.h>
 #include <string.h>
@@ -11,30 +13,12 @@
 namespace glider::runtime {
 namespace {
 
-bool tryAgain() {
-  return errno == EAGAIN || errno == EINTR;
-}
-
 int32_t readInput(void*, uint8_t* bytes, uint32_t capacity) {
-  const ssize_t got = read(STDIN_FILENO, bytes, capacity);
-  if (got > 0) {
-    return static_cast<int32_t>(got);
-  }
-  if (got == 0) {
-    return kGliderStreamClosed;
-  }
-  return tryAgain() ? 0 : static_cast<int32_t>(kGliderStreamFailed);
+  return hooks::readDescriptor(STDIN_FILENO, bytes, capacity);
 }
 
 int32_t writeOutput(void*, const uint8_t* bytes, uint32_t count) {
-  const ssize_t taken = write(STDOUT_FILENO, bytes, count);
-  if (taken >= 0) {
-    return static_cast<int32_t>(taken);
-  }
-  if (errno == EPIPE) {
-    return kGliderStreamClosed;
-  }
-  return tryAgain() ? 0 : static_cast<int32_t>(kGliderStreamFailed);
+  return hooks::writeDescriptor(STDOUT_FILENO, bytes, count);
 }
 
 /// The log of a full card is given up at once, never waited for.

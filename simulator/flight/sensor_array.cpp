@@ -3,6 +3,8 @@
 
 #include "simulator/flight/sensor_array.h"
 
+#include "hooks/protocol/numbers.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -24,7 +26,7 @@ void SensorArray::set(uint16_t id, double value) {
   }
   constexpr double kLowest = -128, kHighest = 127;
   if (bytes_[id] == 4) {
-    value = static_cast<double>(static_cast<float>(value));
+    value = hooks::asFloat32(value);
   } else if (bytes_[id] == 1 && !std::isnan(value)) {
     value = std::clamp(std::nearbyint(value), kLowest, kHighest);
   }

@@ -3,6 +3,8 @@
 
 #include "simulator/science/science_computer.h"
 
+#include "hooks/protocol/numbers.h"
+
 #include <cmath>
 #include <limits>
 
@@ -17,8 +19,7 @@ ScienceComputer::ScienceComputer(uint64_t seed, const SensorSettings& settings)
 
 void ScienceComputer::set(uint16_t id, double value) {
   // As a 4-byte sensor holds it; the clock is the only wider one.
-  values_[id] =
-      id == GLIDER_SCI_M_PRESENT_TIME ? value : static_cast<double>(static_cast<float>(value));
+  values_[id] = id == GLIDER_SCI_M_PRESENT_TIME ? value : hooks::asFloat32(value);
   fresh_[id] = true;
 }
 

@@ -3,6 +3,8 @@
 
 #include "hooks/transport/host/pty.h"
 
+#include "hooks/transport/descriptor.h"
+
 #include <array>
 #include <cerrno>
 #include <cstdlib>
@@ -26,13 +28,6 @@ bool setRaw(int fd) {
   }
   cfmakeraw(&settings);
   return tcsetattr(fd, TCSANOW, &settings) == 0;
-}
-
-int32_t statusOf(int error) {
-  if (error == EAGAIN || error == EINTR) {
-    return 0;
-  }
-  return error == EIO ? kGliderStreamClosed : kGliderStreamFailed;
 }
 
 }  // namespace
@@ -94,16 +89,11 @@ GliderByteStream Pty::stream() {
 }
 
 int32_t Pty::read(void* self, uint8_t* bytes, uint32_t capacity) {
-  if (capacity == 0) {
-    return 0;
-  }
-  const ssize_t got = ::read(static_cast<const Pty*>(self)->master_, bytes, capacity);
-  return got > 0 ? static_cast<int32_t>(got) : got == 0 ? kGliderStreamClosed : statusOf(errno);
+  return readDescriptor(static_cast<const Pty*>(self)->master_, bytes, capacity);
 }
 
 int32_t Pty::write(void* self, const uint8_t* bytes, uint32_t count) {
-  const ssize_t taken = ::write(static_cast<const Pty*>(self)->master_, bytes, count);
-  return taken < 0 ? statusOf(errno) : static_cast<int32_t>(taken);
+  return writeDescriptor(static_cast<const Pty*>(self)->master_, bytes, count);
 }
 
 }  // namespace glider::hooks

@@ -74,16 +74,26 @@ Result<std::string> compileAlone(const ir::Mission& mission, const ir::MissionFa
   return emitCode(*unit->module, *unit->machine, type);
 }
 
-/// From this level on mission and runtime are optimised as one program. Below, the mission is
-/// compiled alone and linked with the object that the build has made of the same bitcode: a tenth
-/// of the time, for the same behaviour.
+/// From this level on the whole program, mission and runtime, is optimised and compiled as one.
+/// From kImportLevel on the mission is optimised with the bodies of the runtime's tick, whose code
+/// comes from the object that the build has made of the same bitcode: a tenth of the time.
 constexpr int kWholeProgramLevel = 3;
+constexpr int kImportLevel = 2;
 
 /// What a program is linked from, besides the board's own inputs.
 struct ProgramParts {
   std::string object;
   std::vector<std::filesystem::path> further_inputs;
 };
+
+/// Brings mission and runtime together as `level` says; `visible` is what the program exports.
+Result<void> bringTogether(llvm::Module& module, const Board& board, int level,
+                           const std::vector<std::string>& visible) {
+  if (level >= kWholeProgramLevel) {
+    return joinRuntime(module, {board.folder / "system.bc", board.folder / "tick.bc"}, visible);
+  }
+  return level >= kImportLevel ? importRuntime(module, board.folder / "tick.bc") : Result<void>{};
+}
 
 Result<ProgramParts> compileProgram(const ir::Mission& mission, const ir::MissionFacts& facts,
                                     const Board& board, const CodegenOptions& options,
@@ -93,11 +103,11 @@ Result<ProgramParts> compileProgram(const ir::Mission& mission, const ir::Missio
     return std::unexpected(unit.error());
   }
   ProgramParts parts{"", options.further_inputs};
-  if (options.optimisation_level >= kWholeProgramLevel) {
-    if (auto joined = joinRuntime(*unit->module, board.folder / "runtime.bc", visible); !joined) {
-      return std::unexpected(joined.error());
-    }
-  } else {
+  const int level = options.optimisation_level;
+  if (auto together = bringTogether(*unit->module, board, level, visible); !together) {
+    return std::unexpected(together.error());
+  }
+  if (level < kWholeProgramLevel) {
     parts.further_inputs.push_back(board.folder / "runtime.o");
   }
   optimise(*unit->module, *unit->machine, options.optimisation_level);
@@ -116,10 +126,13 @@ Result<void> checkSize(size_t bytes, const Board& board) {
 /// Both files or neither, as far as a file system can promise that: the executable comes last.
 Result<void> writeBoth(const SplitExecutable& split, const std::filesystem::path& output,
                        const std::filesystem::path& debug_output) {
-  if (auto written = support::writeFileAtomically(debug_output, split.debug); !written) {
+  if (auto written =
+          support::writeFileAtomically(debug_output, split.debug, support::FileKind::Product);
+      !written) {
     return written;
   }
-  auto written = support::writeFileAtomically(output, split.stripped, true);
+  auto written =
+      support::writeFileAtomically(output, split.stripped, support::FileKind::ExecutableProduct);
   if (!written) {
     std::error_code ignored;
     std::filesystem::remove(debug_output, ignored);
@@ -181,7 +194,9 @@ Result<void> linkExecutable(const ir::Mission& mission, const ir::MissionFacts& 
   }
   if (!split_wanted) {
     const auto fits = checkSize(linked->size(), board);
-    return fits ? support::writeFileAtomically(output, *linked, true) : fits;
+    return fits
+               ? support::writeFileAtomically(output, *linked, support::FileKind::ExecutableProduct)
+               : fits;
   }
   std::filesystem::path debug_output = output;
   debug_output += ".debug";

@@ -96,7 +96,7 @@ support::Result<void> buildProduct(const BuildOptions& options, const Compilatio
   if (options.output == "-") {
     return printOut(*product);
   }
-  return support::writeFileAtomically(options.output, *product);
+  return support::writeFileAtomically(options.output, *product, support::FileKind::Product);
 }
 
 support::Result<void> buildExecutable(const BuildOptions& options, const Compilation& compilation) {

@@ -97,7 +97,7 @@ Result<std::string> readFile(const std::filesystem::path& path) {
 }
 
 Result<void> writeFileAtomically(const std::filesystem::path& path, std::string_view content,
-                                 bool executable) {
+                                 FileKind kind) {
   if (isSpecialFile(path)) {
     return writeSpecial(path, content);
   }
@@ -113,9 +113,9 @@ Result<void> writeFileAtomically(const std::filesystem::path& path, std::string_
   }
   const mode_t mask = ::umask(0);
   ::umask(mask);
-  const mode_t mode = (executable ? 0777U : 0666U) & ~mask;
+  const mode_t mode = (kind == FileKind::ExecutableProduct ? 0777U : 0666U) & ~mask;
   if (!writeAll(file.get(), content) || ::fchmod(file.get(), mode) != 0 ||
-      ::fsync(file.get()) != 0 || file.close() != 0 ||
+      (kind == FileKind::Document && ::fsync(file.get()) != 0) || file.close() != 0 ||
       ::rename(temporary.c_str(), path.c_str()) != 0) {
     return failed();
   }

@@ -5,6 +5,7 @@
 
 #include "support/result.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -15,10 +16,14 @@ namespace glider::support {
 /// an I/O error).
 Result<std::string> readFile(const std::filesystem::path& path);
 
+/// What is written, and so how: a product can be made again, so it does not wait for the disk, and
+/// a power cut may lose it.
+enum class FileKind : uint8_t { Document, Product, ExecutableProduct };
+
 /// Writes `content` to `path` so that a reader sees the old file or the new one, never a part: a
-/// temporary file beside it, flushed, then renamed. GL9002 on failure, with nothing left behind.
-/// `executable` sets mode 755.
+/// temporary file beside it, flushed to the disk if it is a document, then renamed. GL9002 on
+/// failure, with nothing left behind. An executable gets mode 755.
 Result<void> writeFileAtomically(const std::filesystem::path& path, std::string_view content,
-                                 bool executable = false);
+                                 FileKind kind = FileKind::Document);
 
 }  // namespace glider::support

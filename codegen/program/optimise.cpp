@@ -4,10 +4,13 @@
 #include "codegen/program/optimise.h"
 
 #include <llvm/Analysis/CGSCCPassManager.h>
+#include <llvm/Analysis/InlineCost.h>
 #include <llvm/Analysis/LoopAnalysisManager.h>
 #include <llvm/IR/PassManager.h>
 #include <llvm/Passes/PassBuilder.h>
+#include <llvm/Transforms/IPO/ElimAvailExtern.h>
 #include <llvm/Transforms/IPO/GlobalDCE.h>
+#include <llvm/Transforms/IPO/Inliner.h>
 #include <llvm/Transforms/InstCombine/InstCombine.h>
 #include <llvm/Transforms/Scalar/EarlyCSE.h>
 #include <llvm/Transforms/Scalar/SimplifyCFG.h>
@@ -25,19 +28,32 @@ llvm::PipelineTuningOptions tuning() {
   return options;
 }
 
-/// For a mission alone, which is many small functions without loops or local memory: LLVM's own
-/// pipeline would find nothing more in them and take ten times as long.
-llvm::ModulePassManager leanPasses(int level) {
+llvm::FunctionPassManager simplify(bool thoroughly) {
   llvm::FunctionPassManager passes;
   passes.addPass(llvm::EarlyCSEPass(true));
   passes.addPass(llvm::SimplifyCFGPass());
-  if (level > 1) {
+  if (thoroughly) {
     passes.addPass(llvm::InstCombinePass());
     passes.addPass(llvm::EarlyCSEPass(true));
     passes.addPass(llvm::SimplifyCFGPass());
   }
+  return passes;
+}
+
+/// For a mission and its tick: the tick comes optimised, and a mission is many small functions
+/// without loops or local memory. LLVM's own pipeline would find little more and take ten times as
+/// long.
+llvm::ModulePassManager leanPasses(int level) {
   llvm::ModulePassManager manager;
-  manager.addPass(llvm::createModuleToFunctionPassAdaptor(std::move(passes)));
+  if (level > 1) {
+    llvm::ModuleInlinerWrapperPass inliner(llvm::getInlineParams(static_cast<unsigned>(level), 0));
+    inliner.getPM().addPass(llvm::createCGSCCToFunctionPassAdaptor(simplify(true)));
+    manager.addPass(std::move(inliner));
+    manager.addPass(llvm::EliminateAvailableExternallyPass());
+    manager.addPass(llvm::GlobalDCEPass());  // what was inlined everywhere
+  } else {
+    manager.addPass(llvm::createModuleToFunctionPassAdaptor(simplify(false)));
+  }
   return manager;
 }
 

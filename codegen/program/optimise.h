@@ -8,8 +8,9 @@
 
 namespace glider::codegen {
 
-/// Optimises in place at `level` (0 to 3; 3 is meant for a whole program, the others for a mission
-/// alone). No pass may change the meaning of floating-point arithmetic.
+/// Optimises in place at `level` (0 to 3; 3 is meant for a whole program, 2 for a mission with
+/// imported bodies, which it drops in the end). No pass may change the meaning of floating-point
+/// arithmetic.
 void optimise(llvm::Module& module, llvm::TargetMachine& machine, int level);
 
 }  // namespace glider::codegen

@@ -16,6 +16,7 @@
 #include <llvm/Transforms/IPO/Internalize.h>
 
 #include <algorithm>
+#include <set>
 
 namespace glider::codegen {
 namespace {
@@ -37,6 +38,22 @@ class Listener final : public llvm::DiagnosticHandler {
   std::string& text_;
 };
 
+/// Listens to a context for as long as it lives.
+class Listening {
+ public:
+  explicit Listening(llvm::LLVMContext& context) : context_(context) {
+    context.setDiagnosticHandler(std::make_unique<Listener>(heard_));
+  }
+  ~Listening() { context_.setDiagnosticHandler(std::make_unique<llvm::DiagnosticHandler>()); }
+  Listening(const Listening&) = delete;
+  Listening& operator=(const Listening&) = delete;
+  [[nodiscard]] const std::string& heard() const { return heard_; }
+
+ private:
+  llvm::LLVMContext& context_;
+  std::string heard_;
+};
+
 /// Declares `name` as something undefined, so that linking brings its definition in.
 void wantSymbol(llvm::Module& module, const std::string& name) {
   if (module.getNamedValue(name) == nullptr) {
@@ -46,36 +63,76 @@ void wantSymbol(llvm::Module& module, const std::string& name) {
   }
 }
 
-}  // namespace
+/// clang writes the machine down on every function. It is the mission's machine: said once, by the
+/// TargetMachine, it need not be parsed for each function and keeps none from being inlined.
+void forgetMachine(llvm::Module& module) {
+  for (llvm::Function& function : module) {
+    for (const char* attribute : {"target-cpu", "target-features", "tune-cpu"}) {
+      function.removeFnAttr(attribute);
+    }
+  }
+}
 
-support::Result<void> joinRuntime(llvm::Module& mission, const std::filesystem::path& runtime_file,
-                                  const std::vector<std::string>& visible) {
-  const std::string path = runtime_file.string();
-  auto bitcode = support::readFile(path);
+/// Adds what `mission` needs of the bitcode file `part`.
+support::Result<void> joinPart(llvm::Module& mission, const std::string& part,
+                               const std::string& trouble) {
+  auto bitcode = support::readFile(part);
   if (!bitcode) {
     return std::unexpected(bitcode.error());
   }
-  std::string trouble;
-  llvm::LLVMContext& context = mission.getContext();
-  context.setDiagnosticHandler(std::make_unique<Listener>(trouble));
-  auto runtime = llvm::getOwningLazyBitcodeModule(
-      llvm::MemoryBuffer::getMemBufferCopy(*bitcode, path), context);
-  if (!runtime) {
-    return support::fail(support::DiagnosticId::badRuntime, path,
-                         llvm::toString(runtime.takeError()));
+  auto module = llvm::getOwningLazyBitcodeModule(
+      llvm::MemoryBuffer::getMemBufferCopy(*bitcode, part), mission.getContext());
+  if (!module) {
+    return support::fail(support::DiagnosticId::badRuntime, part,
+                         llvm::toString(module.takeError()));
   }
+  if (llvm::Linker::linkModules(mission, std::move(*module), llvm::Linker::LinkOnlyNeeded)) {
+    return support::fail(support::DiagnosticId::badRuntime, part, trouble);
+  }
+  return {};
+}
+
+}  // namespace
+
+support::Result<void> importRuntime(llvm::Module& mission, const std::filesystem::path& part) {
+  std::set<const llvm::Function*> own;
+  for (const llvm::Function& function : mission) {
+    if (!function.isDeclaration()) {
+      own.insert(&function);
+    }
+  }
+  const Listening listening(mission.getContext());
+  if (auto joined = joinPart(mission, part.string(), listening.heard()); !joined) {
+    return joined;
+  }
+  forgetMachine(mission);
+  for (llvm::Function& function : mission) {
+    if (function.hasExternalLinkage() && !function.isDeclaration() && !own.contains(&function)) {
+      function.setLinkage(llvm::GlobalValue::AvailableExternallyLinkage);
+    }
+  }
+  return {};
+}
+
+support::Result<void> joinRuntime(llvm::Module& mission,
+                                  const std::vector<std::filesystem::path>& parts,
+                                  const std::vector<std::string>& visible) {
+  const Listening listening(mission.getContext());
   for (const std::string& name : visible) {
     wantSymbol(mission, name);
   }
-  if (llvm::Linker::linkModules(mission, std::move(*runtime), llvm::Linker::LinkOnlyNeeded)) {
-    return support::fail(support::DiagnosticId::badRuntime, path, trouble);
+  for (const std::filesystem::path& part : parts) {
+    if (auto joined = joinPart(mission, part.string(), listening.heard()); !joined) {
+      return joined;
+    }
   }
   for (const std::string& name : visible) {
     if (mission.getNamedValue(name)->isDeclaration()) {
-      return support::fail(support::DiagnosticId::badRuntime, path,
+      return support::fail(support::DiagnosticId::badRuntime, parts.back().string(),
                            "it does not define `" + name + "`");
     }
   }
+  forgetMachine(mission);
   llvm::internalizeModule(mission, [&](const llvm::GlobalValue& value) {
     return std::ranges::find(visible, value.getName()) != visible.end();
   });

@@ -13,11 +13,17 @@
 
 namespace glider::codegen {
 
-/// Adds to the mission what it and the symbols `visible` need of the bitcode file `runtime`, and
-/// makes all but those symbols internal, so that mission and runtime are optimised as one program.
-/// GL9001 if the file cannot be read, GL9050 if it is not right, or if the two do not define all of
-/// `visible`.
-support::Result<void> joinRuntime(llvm::Module& mission, const std::filesystem::path& runtime,
+/// Adds to the mission what it and the symbols `visible` need of the bitcode files `parts` of the
+/// runtime, users before what they use, and makes all but those symbols internal, so that all is
+/// optimised as one program. GL9001 if a file cannot be read, GL9050 if it is not right, or if
+/// together they do not define all of `visible`.
+support::Result<void> joinRuntime(llvm::Module& mission,
+                                  const std::vector<std::filesystem::path>& parts,
                                   const std::vector<std::string>& visible);
+
+/// Lets the mission be optimised with what it needs of the bitcode file `part`: the functions stand
+/// in the module to be inlined and reasoned about, but their code is that of the runtime's object,
+/// which the program is linked with (LLVM's available_externally). Errors as above.
+support::Result<void> importRuntime(llvm::Module& mission, const std::filesystem::path& part);
 
 }  // namespace glider::codegen

@@ -71,7 +71,7 @@ std::string buildProgram(std::span<const Trial> trials, const Board& board, int 
   auto machine = sure(codegen::makeMachine(board, level, codegen::ProgramKind::Executable));
   auto module = joinMissions(trials, *machine, context);
   const fs::path runtime = fs::path(GLIDER_BINARY_DIR) / "tests" / "judged" / (board.name + ".bc");
-  sure(codegen::joinRuntime(*module, runtime, {"main"}));
+  sure(codegen::joinRuntime(*module, {runtime}, {"main"}));
   codegen::optimise(*module, *machine, level);
   const std::string object =
       codegen::emitCode(*module, *machine, llvm::CodeGenFileType::ObjectFile);
@@ -85,7 +85,7 @@ Words fly(std::span<const Trial> trials, const Board& board, const std::string& 
   }
   const auto scratch = sure(codegen::ScratchFolder::make());
   auto file = [&](const char* name) { return (scratch.path() / name).string(); };
-  sure(support::writeFileAtomically(file("judged"), program, true));
+  sure(support::writeFileAtomically(file("judged"), program, support::FileKind::ExecutableProduct));
   sure(support::writeFileAtomically(file("streams"), {reinterpret_cast<const char*>(streams.data()),
                                                       streams.size() * sizeof(uint64_t)}));
   const std::string command = fmt::format("{} {} {} {}", fmt::join(board.emulator, " "),

@@ -9,6 +9,7 @@
 #include <array>
 #include <compare>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,9 @@ using ExprId = Id<struct ExprTag>;
 using StateId = Id<struct StateTag>;
 using SensorId = Id<struct SensorTag>;
 using BehaviourId = Id<struct BehaviourTag>;
+using VariableId = Id<struct VariableTag>;
+using TemporalId = Id<struct TemporalTag>;
+using BlockId = Id<struct BlockTag>;
 
 enum class Op : uint8_t {
 #define OP(name, text, operands, result) name,
@@ -48,9 +52,11 @@ struct Type {
 struct Expr {
   Op op = Op::Constant;
   Type type;
-  std::array<ExprId, 3> operands;
-  double number = 0;  ///< Constant: the value in SI units (finite), or degrees
-  SensorId sensor;    ///< Sensor, Age
+  std::array<ExprId, 4> operands;
+  double number = 0;    ///< Constant: the value in SI units (finite), or degrees
+  SensorId sensor;      ///< Sensor, Age
+  VariableId variable;  ///< Variable
+  TemporalId temporal;  ///< Temporal
   support::SourceRange range;
 };
 
@@ -80,28 +86,101 @@ struct Parameter {
   Type type;
 };
 
-/// A flightprofile or flightroute that a C function implements (ABI: runtime/abi/behaviour.h).
+/// A flightprofile or flightroute: of a C function (ABI: runtime/abi/behaviour.h), or written in
+/// the language, whose body stands in each Activity, made for that use.
 struct Behaviour {
   std::string name;    ///< "yo"
-  std::string symbol;  ///< "gliderProfileYo"
+  std::string symbol;  ///< "gliderProfileYo"; empty: written in the language
   BehaviourKind kind = BehaviourKind::Profile;
-  std::vector<Parameter> parameters;
-  std::vector<SensorId> reads;
+  std::vector<Parameter> parameters;  ///< of a C function
+  std::vector<SensorId> reads;        ///< of a C function
 };
 
-/// A use of a behaviour by a state; the arguments are evaluated anew on every tick.
-struct Activity {
-  BehaviourId behaviour;
-  std::vector<ExprId> arguments;
+/// What lives longer than a tick. It holds a number (NaN: unknown) or a truth value, also kept as a
+/// number: 0 false, 1 true, NaN unknown.
+enum class VariableKind : uint8_t {
+  Parameter,  ///< set when the mission is launched, then fixed; these stand first in the vector
+  Mission,    ///< starts with the mission
+  Argument,   ///< a state's parameter, given by who goes to or calls it
+  State,      ///< starts when its state is entered by goto or call
+  Profile,    ///< of a profile written in the language: as State
+  Route
+};
+
+struct Variable {
+  std::string name;  ///< unique: "upper", "leg.to", "search.profile.done"
+  Type type;
+  VariableKind kind = VariableKind::Mission;
+  StateId owner;   ///< of all kinds but Parameter and Mission
+  ExprId initial;  ///< of all kinds but Argument; a Parameter's is a Constant, True or False
+  double lowest = -kEndless;  ///< its value, when known, lies between these (SI units, degrees)
+  double highest = kEndless;
+  support::SourceRange range;
+
+  static constexpr double kEndless = std::numeric_limits<double>::infinity();
+};
+
+/// The four lists of cases that a tick tries. All but Always belong to a state.
+enum class ListKind : uint8_t { Always, State, Profile, Route };
+
+/// A guard that is watched over time. It advances on every tick on which its list is current.
+enum class TemporalKind : uint8_t {
+  Became,  ///< true on the tick on which `operand` turns true
+  Held     ///< true while `operand` has been true for at least `duration`
+};
+
+struct Temporal {
+  TemporalKind kind = TemporalKind::Became;
+  ListKind list = ListKind::State;
+  StateId state;    ///< of every list but Always
+  ExprId operand;   ///< a truth value; the temporals in it stand before this one
+  ExprId duration;  ///< of Held: a time
   support::SourceRange range;
 };
 
-enum class Transition : uint8_t { Goto, Call, Return, Exit, Stay };
+/// What a statement makes the vehicle do: the functions of runtime/abi/behaviour.h.
+enum class Command : uint8_t {
+#define COMMAND(name, text, symbol, ...) name,
+#include "ir/core/commands.def"
+#undef COMMAND
+};
+
+enum class StatementKind : uint8_t { Set, If, Log, Command };
+
+struct Statement {
+  StatementKind kind = StatementKind::Set;
+  VariableId variable;         ///< Set
+  ExprId value;                ///< Set: what it becomes; If: the condition
+  BlockId then;                ///< If; both stand before the block that holds this statement
+  BlockId otherwise;           ///< If; may be invalid: nothing
+  std::string text;            ///< Log
+  std::vector<ExprId> values;  ///< Log; Command: its arguments
+  Command command = Command::Surface;
+  support::SourceRange range;
+};
+
+struct Block {
+  std::vector<Statement> statements;
+};
+
+enum class Transition : uint8_t { Goto, Call, Return, Exit, Stay, Done };
 
 struct Case {
   ExprId guard;
+  BlockId action;  ///< `do`; invalid: nothing
   Transition transition = Transition::Stay;
-  StateId target;  ///< of Goto and Call
+  StateId target;                 ///< of Goto and Call
+  std::vector<ExprId> arguments;  ///< for State::parameters of the target
+  support::SourceRange range;
+};
+
+/// A use of a behaviour by a state.
+struct Activity {
+  BehaviourId behaviour;
+  std::vector<ExprId> arguments;  ///< of a C function: evaluated anew each time it is called
+  BlockId entry;                  ///< of one in the language; invalid: nothing
+  std::vector<Case> cases;        ///< of one in the language; Stay or Done
+  VariableId done;  ///< of one in the language that has a Done: the truth value that it sets
   support::SourceRange range;
 };
 
@@ -116,7 +195,9 @@ struct State {
   std::string name;
   Activity profile;
   Activity route;
+  std::vector<VariableId> parameters;  ///< kind Argument
   std::vector<LogItem> log;
+  BlockId entry;  ///< invalid: nothing
   std::vector<Case> cases;
   support::SourceRange range;  ///< of its name
 };
@@ -127,7 +208,12 @@ struct Mission {
   std::vector<Sensor> sensors;
   std::vector<Behaviour> behaviours;
   std::vector<Expr> exprs;
-  std::vector<State> states;  ///< the first is where the mission starts
+  std::vector<Variable> variables;
+  std::vector<Temporal> temporals;
+  std::vector<Block> blocks;
+  std::vector<ExprId> conditions;  ///< what the parameters must satisfy together (`where`)
+  std::vector<Case> always;        ///< no Return, no Done
+  std::vector<State> states;       ///< the first is where the mission starts
 
   [[nodiscard]] const Expr& operator[](ExprId id) const { return exprs.at(id.index); }
   [[nodiscard]] const State& operator[](StateId id) const { return states.at(id.index); }
@@ -135,6 +221,9 @@ struct Mission {
   [[nodiscard]] const Behaviour& operator[](BehaviourId id) const {
     return behaviours.at(id.index);
   }
+  [[nodiscard]] const Variable& operator[](VariableId id) const { return variables.at(id.index); }
+  [[nodiscard]] const Temporal& operator[](TemporalId id) const { return temporals.at(id.index); }
+  [[nodiscard]] const Block& operator[](BlockId id) const { return blocks.at(id.index); }
 };
 
 /// What the verifier found out and codegen needs: only for missions without errors.

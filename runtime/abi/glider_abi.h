@@ -13,8 +13,12 @@
 extern "C" {
 #endif
 
-#define GLIDER_ABI_VERSION 1u
+#define GLIDER_ABI_VERSION 2u
 #define GLIDER_NO_CASE UINT32_MAX
+#define GLIDER_NO_LIST UINT32_MAX
+#define GLIDER_NO_LIMIT UINT32_MAX
+#define GLIDER_MOST_NOTES 16u
+#define GLIDER_MOST_NOTE_VALUES 64u
 /* What a behaviour may keep from tick to tick in each state that uses it. */
 #define GLIDER_BEHAVIOUR_MEMORY_BYTES 1024u
 
@@ -23,8 +27,22 @@ typedef enum GliderTransition {
   kGliderCall,
   kGliderReturn,
   kGliderExit,
-  kGliderStay
+  kGliderStay,
+  kGliderDone
 } GliderTransition;
+
+/* The lists of cases that a tick tries. */
+typedef enum GliderList {
+  kGliderListAlways,
+  kGliderListState,
+  kGliderListProfile,
+  kGliderListRoute
+} GliderList;
+
+typedef enum GliderNoteKind {
+  kGliderNoteLog,       /* a `log` statement */
+  kGliderNoteUnknownSet /* a `set` whose value was unknown */
+} GliderNoteKind;
 
 typedef enum GliderEncoding { kGliderLinear, kGliderDegreesMinutes } GliderEncoding;
 
@@ -54,10 +72,30 @@ typedef union GliderBehaviourMemory {
   double align;
 } GliderBehaviourMemory;
 
-/* The number of the current state's first case whose guard is true, or GLIDER_NO_CASE. */
-typedef uint32_t(GliderGuards)(const GliderContext* context);
-/* Runs the current state's profile, then its route, with their arguments evaluated now. */
-typedef void(GliderFly)(GliderContext* context, uint32_t phase);
+/* What the generated code of a mission does; ir/README.md says when. Current means the context's
+   state.
+
+   Begin: gives the mission's variables (not the parameters, which stand there already) their
+   initial values and starts the temporals of `always`.
+   Advance: advances the temporals of `always` and of the current state.
+   Guards: the number of the first case, from number `from` on, of `list` (Always or State) whose
+   guard is true, or GLIDER_NO_CASE.
+   Act: runs the `do` block of that case, then gives the arguments of its transition to the
+   parameters of its target.
+   Enter: phase enter or resume of the current state, whose context fields are set already:
+   variables, temporals, entries, C functions.
+   Fly: tries the current state's profile (kGliderListProfile) or route: fires a case and runs its
+   `do` block, or calls the C function with phase tick; returns the case that fired or
+   GLIDER_NO_CASE.
+   Condition: the number of the first `where` that the parameters do not satisfy (unknown included),
+   or GLIDER_NO_CASE. */
+typedef void(GliderBegin)(GliderContext* context);
+typedef void(GliderAdvance)(GliderContext* context);
+typedef uint32_t(GliderGuards)(const GliderContext* context, uint32_t list, uint32_t from);
+typedef void(GliderAct)(GliderContext* context, uint32_t list, uint32_t fired);
+typedef void(GliderEnter)(GliderContext* context, uint32_t phase);
+typedef uint32_t(GliderFly)(GliderContext* context, uint32_t list);
+typedef uint32_t(GliderCondition)(const GliderContext* context);
 /* The value of log item `item` of the current state, SI units; NaN: unknown. */
 typedef double(GliderLogValue)(const GliderContext* context, uint32_t item);
 
@@ -82,6 +120,17 @@ extern uint8_t gliderContextMemory[];
 /* The smallest and largest finite magnitude rule of ir/README.md, used wherever the runtime
  * computes a reading. */
 double gliderSettle(double value);
+
+/* The functions of the language, the same bits on every machine (runtime/numbers); angles in rad,
+   positions in degrees; NaN for an unknown argument; results are settled. gliderDistance: metres
+   along a sphere of the Earth's mean radius; gliderBearing: rad clockwise from north in [0, 2 pi),
+   from the first position to the second. */
+double gliderSin(double angle);
+double gliderCos(double angle);
+double gliderTan(double angle);
+double gliderAtan2(double y, double x);
+double gliderDistance(double latitude, double longitude, double to_latitude, double to_longitude);
+double gliderBearing(double latitude, double longitude, double to_latitude, double to_longitude);
 
 #ifdef __cplusplus
 }

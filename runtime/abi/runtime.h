@@ -37,6 +37,7 @@ typedef struct GliderLogSink {
 
 typedef struct GliderRuntimeOptions {
   GliderLogSink log;
+  const double* parameters; /* as gliderStart's; outlives the runtime */
 } GliderRuntimeOptions;
 
 typedef enum GliderRuntimeStatus {
@@ -63,7 +64,8 @@ typedef enum GliderRuntimeStatus {
 
    gliderStart, gliderStep: the tick of ir/README.md with no link and no log: pure and
    deterministic. gliderStart makes the context in `context_memory` and runs the start with the
-   frame in which control was given. A mission time smaller than the last counts as that. */
+   frame in which control was given. `parameters` holds parameter_count values within their ranges,
+   SI units; NULL: the defaults. A mission time smaller than the last counts as that. */
 #include "runtime/abi/entry_points.def"
 #undef ENTRY_POINT
 

@@ -16,7 +16,8 @@ inline constexpr double kSineRest[] = {
     0x1.71de3a545e700p-19,
     -0x1.ae64540f0ba18p-26,
     0x1.61217c1864fa2p-33,
-    -0x1.ab161757f0c64p-41};
+    -0x1.ab161757f0c64p-41,
+};
 
 /// (cos x - 1 + x^2/2) / x^4 of x^2, |x| <= pi/4, constant term first; off by at most 2^-59 of the function.
 inline constexpr double kCosineRest[] = {
@@ -26,7 +27,8 @@ inline constexpr double kCosineRest[] = {
     -0x1.27e4fb7711e1dp-22,
     0x1.1eed8de9ef73ep-29,
     -0x1.9394b76d1f266p-37,
-    0x1.ab76cf6e9b366p-45};
+    0x1.ab76cf6e9b366p-45,
+};
 
 /// (atan x - x) / x^3 of x^2, |x| <= 1/16, constant term first; off by at most 2^-63 of the function.
 inline constexpr double kArctangentRest[] = {
@@ -35,7 +37,8 @@ inline constexpr double kArctangentRest[] = {
     -0x1.249249245a669p-3,
     0x1.c71c6feaeee60p-4,
     -0x1.745981dd28093p-4,
-    0x1.37e423f27216fp-4};
+    0x1.37e423f27216fp-4,
+};
 
 /// 2/pi
 inline constexpr double kTwoOverPi = 0x1.45f306dc9c883p-1;
@@ -45,22 +48,26 @@ inline constexpr double kHalfPiPieces[] = {
     0x1.921fb54400000p+0,
     0x1.0b4611a600000p-34,
     0x1.3198a2e000000p-69,
-    0x1.b839a25204a22p-104};
+    0x1.b839a25204a22p-104,
+};
 
 /// pi/2 as the sum of two doubles.
 inline constexpr double kHalfPi[] = {
     0x1.921fb54442d18p+0,
-    0x1.1a62633145c07p-54};
+    0x1.1a62633145c07p-54,
+};
 
 /// pi as the sum of two doubles.
 inline constexpr double kPi[] = {
     0x1.921fb54442d18p+1,
-    0x1.1a62633145c07p-53};
+    0x1.1a62633145c07p-53,
+};
 
 /// pi/180 as the sum of two doubles.
 inline constexpr double kDegree[] = {
     0x1.1df46a2529d39p-6,
-    0x1.5c1d8becdd291p-62};
+    0x1.5c1d8becdd291p-62,
+};
 
 /// atan(k/8), k from 0 to 8
 inline constexpr double kArctangentHigh[] = {
@@ -72,7 +79,8 @@ inline constexpr double kArctangentHigh[] = {
     0x1.1e00babdefeb4p-1,
     0x1.4978fa3269ee1p-1,
     0x1.700a7c5784634p-1,
-    0x1.921fb54442d18p-1};
+    0x1.921fb54442d18p-1,
+};
 
 /// and what is missing from them.
 inline constexpr double kArctangentLow[] = {
@@ -84,6 +92,7 @@ inline constexpr double kArctangentLow[] = {
     -0x1.928df287a668fp-58,
     0x1.2419a87f2a458p-56,
     -0x1.8c34d25aadef6p-56,
-    0x1.1a62633145c07p-55};
+    0x1.1a62633145c07p-55,
+};
 
 }  // namespace glider::runtime

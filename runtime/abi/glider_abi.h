@@ -121,6 +121,11 @@ extern uint8_t gliderContextMemory[];
  * computes a reading. */
 double gliderSettle(double value);
 
+/* Leaves a note of `kind` (GliderNoteKind) with `count` values, for this tick; `text` outlives the
+   mission. Beyond what there is room for it is counted as lost. */
+void gliderNote(GliderContext* context, uint32_t kind, const char* text, const double* values,
+                uint32_t count);
+
 /* The functions of the language, the same bits on every machine (runtime/numbers); angles in rad,
    positions in degrees; NaN for an unknown argument; results are settled. gliderDistance: metres
    along a sphere of the Earth's mean radius; gliderBearing: rad clockwise from north in [0, 2 pi),

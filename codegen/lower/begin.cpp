@@ -16,6 +16,7 @@ llvm::Function* lowerBegin(Lowering& lowering) {
       assign(body, {i}, body.expressions.asNumber(mission.variables[i].initial));
     }
   }
+  body.expressions.forget();  // temporals that initial values have read
   lowerTemporals(body, lowering.index.always_temporals, Moment::Start);
   body.builder.CreateRetVoid();
   return body.function;

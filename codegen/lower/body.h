@@ -54,9 +54,12 @@ void lowerBlock(Body& body, ir::BlockId block);
 /// Gives a variable a value.
 void assign(Body& body, ir::VariableId variable, llvm::Value* value);
 
-enum class Moment : uint8_t { Start, Advance };
-/// Starts or advances temporals, in their order.
+/// Start: their list becomes current by goto or call, or the mission begins. Resume: by return.
+enum class Moment : uint8_t { Start, Resume, Advance };
+/// Starts, resumes or advances temporals, in their order.
 void lowerTemporals(Body& body, const std::vector<ir::TemporalId>& temporals, Moment moment);
+/// The same for one that is a window.
+void lowerWindow(Body& body, ir::TemporalId id, Moment moment);
 
 /// Calls an activity's C function (runtime/abi/behaviour.h) with its arguments, evaluated here.
 void callBehaviour(Body& body, const ir::Activity& activity, uint32_t memory_block,

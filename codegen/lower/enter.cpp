@@ -15,31 +15,34 @@ void enterActivity(Body& body, const ir::Activity& activity, uint32_t memory_blo
   }
 }
 
-/// On enter everything; on resume what lies at `start` and at `fly`.
+/// The variables start, then the temporals, then the state's entry runs.
+void enterState(Body& body, uint32_t index) {
+  const Lowering& lowering = body.lowering;
+  for (const ir::VariableId variable : lowering.index.state_variables[index]) {
+    assign(body, variable, body.expressions.asNumber(lowering.mission[variable].initial));
+  }
+  body.expressions.forget();  // temporals that initial values have read
+  lowerTemporals(body, lowering.index.state_temporals[index], Moment::Start);
+  lowerBlock(body, lowering.mission.states[index].entry);
+}
+
 llvm::Function* lowerState(Lowering& lowering, uint32_t index) {
   const ir::State& state = lowering.mission.states[index];
   Body body(lowering, "enter." + state.name, Body::Result::None, 1, state.name + " begins",
             state.range);
   llvm::IRBuilder<>& builder = body.builder;
-  llvm::BasicBlock* fresh = body.block("fresh");
-  llvm::BasicBlock* start = body.block("start");
-  llvm::BasicBlock* entry = body.block("entry_block");
+  llvm::BasicBlock* enter = body.block("enter");
+  llvm::BasicBlock* resume = body.block("resume");
   llvm::BasicBlock* fly = body.block("fly");
-  llvm::Value* entered =
-      builder.CreateICmpEQ(body.function->getArg(1), builder.getInt32(kGliderEnter));
-  builder.CreateCondBr(entered, fresh, start);
-  builder.SetInsertPoint(fresh);
-  for (const ir::VariableId variable : lowering.index.state_variables[index]) {
-    assign(body, variable, body.expressions.asNumber(lowering.mission[variable].initial));
-  }
-  builder.CreateBr(start);
-  builder.SetInsertPoint(start);
+  builder.CreateCondBr(
+      builder.CreateICmpEQ(body.function->getArg(1), builder.getInt32(kGliderEnter)), enter,
+      resume);
+  builder.SetInsertPoint(enter);
+  enterState(body, index);
+  builder.CreateBr(fly);
+  builder.SetInsertPoint(resume);
   body.expressions.forget();
-  lowerTemporals(body, lowering.index.state_temporals[index], Moment::Start);
-  builder.CreateCondBr(entered, entry, fly);
-  builder.SetInsertPoint(entry);
-  body.expressions.forget();
-  lowerBlock(body, state.entry);
+  lowerTemporals(body, lowering.index.state_temporals[index], Moment::Resume);
   builder.CreateBr(fly);
   builder.SetInsertPoint(fly);
   body.expressions.forget();

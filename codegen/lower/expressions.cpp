@@ -109,9 +109,7 @@ Expressions::Lowered Expressions::lowerOne(const ir::Expr& expr) {
     case Op::Variable:
       return variable(expr);
     case Op::Temporal:
-      return truthIn(builder_.CreateLoad(
-          builder_.getDoubleTy(),
-          temporalSlot(lowering_.index.temporal_slots.at(expr.temporal.index))));
+      return temporal(expr);
     case Op::Less:
     case Op::LessEqual:
     case Op::Greater:
@@ -150,7 +148,7 @@ Value* Expressions::leaf(const ir::Expr& expr) {
     case Op::ResumeTime:
       return timeSince(contextField(context::resumed));
     default:
-      return timeSince(readingField(expr.sensor, field::GliderReading::updated));
+      return age(expr.sensor);
   }
 }
 
@@ -158,6 +156,16 @@ Expressions::Lowered Expressions::variable(const ir::Expr& expr) {
   loaded_.insert(expr.variable.index);
   Value* held = builder_.CreateLoad(builder_.getDoubleTy(), placeOf(expr.variable));
   return expr.type.kind == ir::TypeKind::Bool ? truthIn(held) : Lowered{held, nullptr};
+}
+
+Expressions::Lowered Expressions::temporal(const ir::Expr& expr) {
+  const uint32_t slot = lowering_.index.temporal_slots.at(expr.temporal.index);
+  Value* value = builder_.CreateLoad(builder_.getDoubleTy(), temporalSlot(slot));
+  return expr.type.kind == ir::TypeKind::Bool ? truthIn(value) : Lowered{value, nullptr};
+}
+
+Value* Expressions::age(ir::SensorId sensor) {
+  return timeSince(readingField(sensor, field::GliderReading::updated));
 }
 
 Expressions::Lowered Expressions::truthIn(Value* held) {

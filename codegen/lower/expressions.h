@@ -36,6 +36,8 @@ class Expressions {
   llvm::Value* temporalSlot(uint32_t slot);
   /// Must be told of every change of a variable's value.
   void changed(ir::VariableId id);
+  /// The age of a sensor's newest reading, s.
+  llvm::Value* age(ir::SensorId sensor);
   /// Mission time, s.
   llvm::Value* missionTime() { return contextField(field::GliderContext::mission_time); }
   /// Mission time less `then`, settled.
@@ -64,6 +66,7 @@ class Expressions {
   Lowered lowerOne(const ir::Expr& expr);
   llvm::Value* leaf(const ir::Expr& expr);
   Lowered variable(const ir::Expr& expr);
+  Lowered temporal(const ir::Expr& expr);
   llvm::Value* arithmetic(const ir::Expr& expr);
   llvm::Value* function(const ir::Expr& expr);
   llvm::Value* smallerOrLarger(ir::Op op, llvm::Value* a, llvm::Value* b);

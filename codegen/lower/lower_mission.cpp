@@ -35,7 +35,7 @@ std::unique_ptr<llvm::Module> lowerMission(const ir::Mission& mission,
   setRelocation(*module, machine);
   Lowering lowering{mission, facts, *module, makeAbiTypes(context),
                     DebugInfo(*module, sources, mission.states.front().range),
-                    indexMission(mission), {}};
+                    indexMission(mission)};
   MissionFunctions functions;
   functions.begin = lowerBegin(lowering);
   functions.advance = lowerAdvance(lowering);

@@ -25,7 +25,9 @@ struct Lowering {
   AbiTypes types;
   DebugInfo debug;
   MissionIndex index;
-  std::map<std::string, llvm::Constant*> texts;  ///< of text()
+  std::map<std::string, llvm::Constant*> texts{};  ///< of text()
+  std::vector<llvm::Constant*> window_shapes =
+      std::vector<llvm::Constant*>(mission.temporals.size());  ///< null: not made yet
 };
 
 /// A constant string; equal ones are one.

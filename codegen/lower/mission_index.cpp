@@ -3,13 +3,24 @@
 
 #include "codegen/lower/mission_index.h"
 
+#include "ir/core/window_shape.h"
+#include "runtime/abi/window.h"
+
 namespace glider::codegen {
 namespace {
 
-// What a temporal keeps: its value; of Became also whether the operand was true, of Held also that
-// and since when.
-constexpr uint32_t kSlotsOfBecame = 2;
-constexpr uint32_t kSlotsOfHeld = 3;
+/// What a temporal keeps: its value; of Became also whether the operand was true, of Held that and
+/// since when; of a window what runtime/abi/window.h says.
+uint32_t slotsOf(const ir::Temporal& temporal) {
+  switch (temporal.kind) {
+    case ir::TemporalKind::Became:
+      return 2;
+    case ir::TemporalKind::Held:
+      return 3;
+    default:
+      return GLIDER_WINDOW_HEADER + GLIDER_WINDOW_SLOT * ir::windowShape(temporal).bins;
+  }
+}
 
 void indexVariables(const ir::Mission& mission, MissionIndex& index) {
   index.state_variables.resize(mission.states.size());
@@ -36,7 +47,7 @@ void indexTemporals(const ir::Mission& mission, MissionIndex& index) {
   for (uint32_t i = 0; i < mission.temporals.size(); ++i) {
     const ir::Temporal& temporal = mission.temporals[i];
     index.temporal_slots.push_back(index.slot_count);
-    index.slot_count += temporal.kind == ir::TemporalKind::Became ? kSlotsOfBecame : kSlotsOfHeld;
+    index.slot_count += slotsOf(temporal);
     if (temporal.list == ir::ListKind::Always) {
       index.always_temporals.push_back({i});
     } else {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "codegen/lower/body.h"
+#include "ir/core/ops.h"
 
 namespace glider::codegen {
 namespace {
@@ -13,9 +14,10 @@ constexpr uint32_t kValue = 0;
 constexpr uint32_t kWasTrue = 1;
 constexpr uint32_t kSince = 2;  // of Held only
 
-class Temporals {
+/// `became` and `held`, which start anew on return.
+class Guards {
  public:
-  explicit Temporals(Body& body) : body_(body), builder_(body.builder) {}
+  explicit Guards(Body& body) : body_(body), builder_(body.builder) {}
 
   void lower(ir::TemporalId id, Moment moment) {
     const ir::Temporal& temporal = body_.lowering.mission[id];
@@ -80,7 +82,11 @@ class Temporals {
 
 void lowerTemporals(Body& body, const std::vector<ir::TemporalId>& temporals, Moment moment) {
   for (const ir::TemporalId id : temporals) {
-    Temporals(body).lower(id, moment);
+    if (ir::isWindow(body.lowering.mission[id].kind)) {
+      lowerWindow(body, id, moment);
+    } else {
+      Guards(body).lower(id, moment);
+    }
   }
 }
 

@@ -94,7 +94,7 @@ endforeach()
 function(glider_board_flags board out_c out_cxx)
   glider_board_field(${board} triple triple)
   glider_board_field(${board} clang_flags machine)
-  set(common --target=${triple} ${machine} -D_DEFAULT_SOURCE -O2 -gline-tables-only -ffp-contract=off
+  set(common --target=${triple} ${machine} -D_DEFAULT_SOURCE -O2 -gline-tables-only -ffp-contract=off -fno-math-errno
     -ffunction-sections -fdata-sections -fno-stack-protector
     -fno-unwind-tables -fno-asynchronous-unwind-tables
     -fdebug-compilation-dir=.

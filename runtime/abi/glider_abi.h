@@ -122,9 +122,11 @@ extern uint8_t gliderContextMemory[];
 double gliderSettle(double value);
 
 /* The functions of the language, the same bits on every machine (runtime/numbers); angles in rad,
-   positions in degrees; NaN for an unknown argument; results are settled. gliderDistance: metres
-   along a sphere of the Earth's mean radius; gliderBearing: rad clockwise from north in [0, 2 pi),
-   from the first position to the second. */
+   positions in degrees; NaN for an unknown argument; results are settled. gliderSin, gliderCos and
+   gliderTan take angles up to 2^20 rad; one beyond is unknown. gliderAtan2: in (-pi, pi]; of (0, 0)
+   unknown. gliderDistance: metres along a sphere of the Earth's mean radius; gliderBearing: rad
+   clockwise from north in [0, 2 pi), from the first position to the second, unknown between
+   positions that are one place. Unknown too beyond 90 degrees of latitude or 360 of longitude. */
 double gliderSin(double angle);
 double gliderCos(double angle);
 double gliderTan(double angle);

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <stdint.h>
+
+namespace glider::runtime {
+
+/// The polynomial's value by Horner's rule; the constant term stands first.
+template <uint32_t kCount>
+double polynomial(const double (&coefficients)[kCount], double x) {
+  double value = coefficients[kCount - 1];
+  for (uint32_t i = kCount - 1; i > 0; --i) {
+    value = value * x + coefficients[i - 1];
+  }
+  return value;
+}
+
+}  // namespace glider::runtime

@@ -92,9 +92,7 @@ class Declarations {
     enter(node.name, node.kind, std::move(declaration));
   }
 
-  void visit(const ast::State& node) {
-    inMission(node.name.where, "a state");
-  }
+  void visit(const ast::State& node) { inMission(node.name.where, "a state"); }
   void visit(const ast::MissionLine&) {}
   void visit(const ast::PlatformLine&) {}
 

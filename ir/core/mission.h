@@ -123,18 +123,25 @@ struct Variable {
 /// The four lists of cases that a tick tries. All but Always belong to a state.
 enum class ListKind : uint8_t { Always, State, Profile, Route };
 
-/// A guard that is watched over time. It advances on every tick on which its list is current.
+/// What is watched over time. It advances on every tick on which its list is current.
 enum class TemporalKind : uint8_t {
   Became,  ///< true on the tick on which `operand` turns true
-  Held     ///< true while `operand` has been true for at least `duration`
+  Held,    ///< true while `operand` has been true for at least `duration`
+  Mean,    ///< windows over the last `length` of time, or of what they are stretched along
+  Lowest,
+  Highest,
+  Spread,  ///< highest less lowest
+  Slope    ///< of the line of least squares against time, or against what it is stretched along
 };
 
 struct Temporal {
   TemporalKind kind = TemporalKind::Became;
   ListKind list = ListKind::State;
   StateId state;    ///< of every list but Always
-  ExprId operand;   ///< a truth value; the temporals in it stand before this one
+  ExprId operand;   ///< a truth value; of a window a number; temporals in it stand before this one
   ExprId duration;  ///< of Held: a time
+  double length = 0;  ///< of a window: s, or the SI unit of `along`; positive
+  ExprId along;       ///< of a window over a stretch: an expression that is a Sensor
   support::SourceRange range;
 };
 

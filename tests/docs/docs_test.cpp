@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // Every mission in the documents is checked: a block ```mission must be fine, a block ```mission
-// GL2003 must give that diagnostic (and fail if it is an error).
+// GL2003 must give that diagnostic (and fail if it is an error). A block ```fragment is a mission
+// without its first line.
 
 #include "tests/support/command.h"
 
@@ -30,10 +31,12 @@ std::vector<Example> examplesOf(const std::filesystem::path& path) {
   std::string line;
   bool inside = false;
   for (int number = 1; std::getline(file, line); ++number) {
-    if (!inside && line.starts_with(fence + "mission")) {
-      const std::string rest = line.substr(fence.size() + 7);
-      examples.push_back(
-          {path.filename().string(), number, rest.empty() ? "" : rest.substr(1), ""});
+    const bool fragment = line.starts_with(fence + "fragment");
+    if (!inside && (fragment || line.starts_with(fence + "mission"))) {
+      const size_t space = line.find(' ');
+      examples.push_back({path.filename().string(), number,
+                          space == std::string::npos ? "" : line.substr(space + 1),
+                          fragment ? "mission fragment\n" : ""});
       inside = true;
     } else if (inside && line.starts_with(fence)) {
       inside = false;

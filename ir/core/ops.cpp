@@ -16,7 +16,12 @@ constexpr auto kOps = std::to_array<OpInfo>({
 });
 
 constexpr Type kBool{TypeKind::Bool, {}};
+constexpr Type kNumber{TypeKind::Quantity, support::dimension::number};
 constexpr Type kTime{TypeKind::Quantity, support::dimension::time};
+constexpr Type kLength{TypeKind::Quantity, support::dimension::length};
+constexpr Type kAngle{TypeKind::Quantity, support::dimension::angle};
+constexpr Type kLatitude{TypeKind::Latitude, {}};
+constexpr Type kLongitude{TypeKind::Longitude, {}};
 
 std::optional<Type> quantity(std::optional<support::Dimension> dimension) {
   return dimension ? std::optional(Type{TypeKind::Quantity, *dimension}) : std::nullopt;
@@ -36,6 +41,30 @@ std::optional<Type> arithmetic(Op op, Type a, Type b) {
     default:  // Negate, Abs, Add, Subtract, Min, Max, Clamp
       return a == b ? std::optional(a) : std::nullopt;
   }
+}
+
+/// Of what runtime/numbers computes.
+std::optional<Type> geometry(const Mission& mission, const Expr& expr) {
+  auto operand = [&](uint32_t i) { return mission[expr.operands.at(i)].type; };
+  auto from = [](bool fits, Type type) { return fits ? std::optional(type) : std::nullopt; };
+  switch (expr.op) {
+    case Op::Sin:
+    case Op::Cos:
+    case Op::Tan:
+      return from(operand(0) == kAngle, kNumber);
+    case Op::Atan2:
+      return from(operand(0) == operand(1) && operand(0).kind == TypeKind::Quantity, kAngle);
+    default: {  // Distance, Bearing
+      const bool positions = operand(0) == kLatitude && operand(1) == kLongitude &&
+                             operand(2) == kLatitude && operand(3) == kLongitude;
+      return from(positions, expr.op == Op::Distance ? kLength : kAngle);
+    }
+  }
+}
+
+bool isGeometry(Op op) {
+  return op == Op::Sin || op == Op::Cos || op == Op::Tan || op == Op::Atan2 || op == Op::Distance ||
+         op == Op::Bearing;
 }
 
 bool comparison(Op op) {
@@ -58,6 +87,18 @@ size_t opCount() {
   return kOps.size();
 }
 
+const std::vector<CommandInfo>& commands() {
+  constexpr Type length = kLength, angle = kAngle, latitude = kLatitude, longitude = kLongitude;
+  static const std::vector<CommandInfo> kCommands = {
+#define PARAMETER(name, type) Parameter{#name, type},
+#define COMMAND(name, text, symbol, ...) {Command::name, text, symbol, {__VA_ARGS__}},
+#include "ir/core/commands.def"
+#undef COMMAND
+#undef PARAMETER
+  };
+  return kCommands;
+}
+
 std::optional<Type> resultType(const Mission& mission, const Expr& expr) {
   const uint32_t count = opInfo(expr.op).operands;
   auto operand = [&](uint32_t i) { return mission[expr.operands.at(i)].type; };
@@ -73,7 +114,10 @@ std::optional<Type> resultType(const Mission& mission, const Expr& expr) {
       return kTime;
     case Op::True:
     case Op::False:
+    case Op::Temporal:
       return kBool;
+    case Op::Variable:
+      return mission[expr.variable].type;
     case Op::Not:
     case Op::And:
     case Op::Or:
@@ -81,6 +125,9 @@ std::optional<Type> resultType(const Mission& mission, const Expr& expr) {
                                                                 : std::nullopt;
     default:
       break;
+  }
+  if (isGeometry(expr.op)) {
+    return geometry(mission, expr);
   }
   for (uint32_t i = 0; i < count; ++i) {
     if (operand(i).kind == TypeKind::Bool) {

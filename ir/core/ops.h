@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <string_view>
+#include <vector>
 
 namespace glider::ir {
 
@@ -24,10 +25,21 @@ const OpInfo* findOp(std::string_view text);
 /// The number of operations.
 size_t opCount();
 
-/// The type that `expr` must have in `mission`, given its operands' types (or its sensor's): sums,
-/// minima and the like want one type, products and quotients multiply dimensions, comparisons
-/// compare like with like. A Constant keeps its own. Empty if the operands do not fit. Operands and
-/// sensor must be in range.
+/// A row of commands.def.
+struct CommandInfo {
+  Command command;
+  std::string_view text;    ///< spelling, in the language and in the text form
+  std::string_view symbol;  ///< C function of runtime/abi/behaviour.h
+  std::vector<Parameter> parameters;
+};
+
+/// The rows of commands.def, in the order of Command.
+const std::vector<CommandInfo>& commands();
+
+/// The type that `expr` must have in `mission`, given its operands' types (or its sensor's or
+/// variable's): sums, minima and the like want one type, products and quotients multiply
+/// dimensions, comparisons compare like with like. A Constant keeps its own. Empty if the operands
+/// do not fit. Operands, sensor and variable must be in range.
 std::optional<Type> resultType(const Mission& mission, const Expr& expr);
 
 }  // namespace glider::ir

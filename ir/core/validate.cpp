@@ -4,6 +4,7 @@
 #include "ir/core/validate.h"
 
 #include "ir/core/ops.h"
+#include "ir/core/validate_code.h"
 
 #include <fmt/format.h>
 
@@ -22,6 +23,7 @@ bool sound(Type type) {
   return support::product(type.dimension, {}).has_value();
 }
 
+/// What stands by itself: sensors, behaviours, expressions.
 class Validator {
  public:
   explicit Validator(const Mission& mission) : m_(mission) {}
@@ -29,8 +31,9 @@ class Validator {
   std::vector<Defect> run() {
     sensors();
     behaviours();
-    if (expressions()) {
-      states();
+    variables();
+    if (defects_.empty() && expressions()) {
+      validateCode(m_, defects_);
     }
     return std::move(defects_);
   }
@@ -69,6 +72,8 @@ class Validator {
     for (const Behaviour& b : m_.behaviours) {
       require(names.insert({b.kind, b.name}).second, {},
               fmt::format("two behaviours of one kind are named `{}`", b.name));
+      require(!b.symbol.empty() || (b.parameters.empty() && b.reads.empty()), {},
+              fmt::format("`{}` has parameters or sensors but no C function", b.name));
       for (const Parameter& p : b.parameters) {
         require(p.type.kind != TypeKind::Bool && sound(p.type), {},
                 fmt::format("parameter `{}` of `{}` is no number", p.name, b.name));
@@ -80,8 +85,20 @@ class Validator {
     }
   }
 
-  /// Whether operands and sensor of expression `i` are there, and no more than there should be.
-  bool complete(uint32_t i, const Expr& e) const {
+  void variables() {
+    std::set<std::string_view> names;
+    for (const Variable& v : m_.variables) {
+      require(names.insert(v.name).second, v.range,
+              fmt::format("two variables are named `{}`", v.name));
+      require(sound(v.type), v.range, fmt::format("variable `{}` has no type", v.name));
+      const bool endless = v.lowest == -Variable::kEndless && v.highest == Variable::kEndless;
+      require(v.type.kind == TypeKind::Bool ? endless : v.lowest <= v.highest, v.range,
+              fmt::format("variable `{}` has the range {} to {}", v.name, v.lowest, v.highest));
+    }
+  }
+
+  /// Whether the operands of expression `i` are there, and no more than there should be.
+  bool hasOperands(uint32_t i, const Expr& e) const {
     const uint32_t count = opInfo(e.op).operands;
     for (uint32_t k = 0; k < e.operands.size(); ++k) {
       const ExprId operand = e.operands.at(k);
@@ -89,15 +106,24 @@ class Validator {
         return false;
       }
     }
-    const bool reads = e.op == Op::Sensor || e.op == Op::Age;
-    return reads ? e.sensor.index < m_.sensors.size() : !e.sensor.valid();
+    return true;
+  }
+
+  /// The same of what a leaf names.
+  bool hasLeaf(const Expr& e) const {
+    auto fits = [](bool wanted, auto id, size_t count) {
+      return wanted ? id.index < count : !id.valid();
+    };
+    return fits(e.op == Op::Sensor || e.op == Op::Age, e.sensor, m_.sensors.size()) &&
+           fits(e.op == Op::Variable, e.variable, m_.variables.size()) &&
+           fits(e.op == Op::Temporal, e.temporal, m_.temporals.size());
   }
 
   bool expressions() {
     for (uint32_t i = 0; i < m_.exprs.size(); ++i) {
       const Expr& e = m_.exprs[i];
       const bool known = static_cast<size_t>(e.op) < opCount();
-      if (!known || !complete(i, e)) {
+      if (!known || !hasOperands(i, e) || !hasLeaf(e)) {
         require(false, e.range,
                 fmt::format("expression {} lacks an operand or has one too many", i));
         return false;
@@ -109,50 +135,6 @@ class Validator {
               fmt::format("expression {} holds the number {}", i, e.number));
     }
     return true;
-  }
-
-  /// Whether `id` is an expression of numbers (or of truth).
-  bool expression(ExprId id, bool truth) const {
-    return id.index < m_.exprs.size() && (m_[id].type.kind == TypeKind::Bool) == truth;
-  }
-
-  void states() {
-    require(!m_.states.empty(), {}, "a mission needs at least one state");
-    std::set<std::string_view> names;
-    for (const State& s : m_.states) {
-      require(names.insert(s.name).second, s.range,
-              fmt::format("two states are named `{}`", s.name));
-      activity(s, s.route, BehaviourKind::Route, "route");
-      activity(s, s.profile, BehaviourKind::Profile, "profile");
-      for (const LogItem& item : s.log) {
-        require(expression(item.value, false), s.range,
-                fmt::format("state `{}` logs `{}`, which is no number", s.name, item.name));
-        require(item.period_s >= 0 && std::isfinite(item.period_s), s.range,
-                fmt::format("state `{}` logs `{}` every {} s", s.name, item.name, item.period_s));
-      }
-      for (const Case& c : s.cases) {
-        require(expression(c.guard, true), c.range,
-                fmt::format("a guard of state `{}` is not true or false", s.name));
-        const bool targeted = c.transition == Transition::Goto || c.transition == Transition::Call;
-        require(targeted ? c.target.index < m_.states.size() : !c.target.valid(), c.range,
-                fmt::format("a case of state `{}` has no target, or one too many", s.name));
-      }
-    }
-  }
-
-  void activity(const State& s, const Activity& a, BehaviourKind kind, std::string_view what) {
-    if (a.behaviour.index >= m_.behaviours.size() || m_[a.behaviour].kind != kind) {
-      require(false, s.range, fmt::format("state `{}` has no {}", s.name, what));
-      return;
-    }
-    const Behaviour& b = m_[a.behaviour];
-    bool fits = a.arguments.size() == b.parameters.size();
-    for (size_t i = 0; fits && i < a.arguments.size(); ++i) {
-      fits = expression(a.arguments[i], false) && m_[a.arguments[i]].type == b.parameters[i].type;
-    }
-    require(fits, a.range,
-            fmt::format("the arguments of `{}` in state `{}` do not fit its parameters", b.name,
-                        s.name));
   }
 
   const Mission& m_;

@@ -3,6 +3,7 @@
 
 #include "ir/eval/arithmetic.h"
 
+#include "runtime/abi/glider_abi.h"
 #include "support/check.h"
 
 #include <bit>
@@ -68,6 +69,8 @@ double binary(Op op, double a, double b) {
       return b < a ? b : a;
     case Op::Max:
       return a < b ? b : a;
+    case Op::Atan2:
+      return settle(gliderAtan2(a, b));
     default:
       CHECK(false, "not an operation on two numbers");
   }
@@ -84,9 +87,26 @@ double unary(Op op, double a) {
       return std::bit_cast<double>(bits(a) & ~kSignBit);
     case Op::Sqrt:
       return settle(std::sqrt(a));
+    case Op::Sin:
+      return settle(gliderSin(a));
+    case Op::Cos:
+      return settle(gliderCos(a));
+    case Op::Tan:
+      return settle(gliderTan(a));
     default:
       CHECK(false, "not an operation on one number");
   }
+}
+
+double onEarth(Op op, Position from, Position to) {
+  for (double value : {from.latitude, from.longitude, to.latitude, to.longitude}) {
+    if (!isKnown(value)) {
+      return kUnknown;
+    }
+  }
+  CHECK(op == Op::Distance || op == Op::Bearing, "not an operation on two positions");
+  auto* function = op == Op::Distance ? gliderDistance : gliderBearing;
+  return settle(function(from.latitude, from.longitude, to.latitude, to.longitude));
 }
 
 double clamp(double x, double lowest, double highest) {

@@ -20,10 +20,17 @@ bool isKnown(double value);
 /// zero included) +0.
 double settle(double value);
 
-/// Add, Subtract, Multiply, Divide, Min or Max.
+/// Add, Subtract, Multiply, Divide, Min, Max or Atan2.
 double binary(Op op, double a, double b);
-/// Negate, Abs or Sqrt.
+/// Negate, Abs, Sqrt, Sin, Cos or Tan.
 double unary(Op op, double a);
+/// Degrees, north and east positive.
+struct Position {
+  double latitude = 0;
+  double longitude = 0;
+};
+/// Distance (m) or Bearing (rad).
+double onEarth(Op op, Position from, Position to);
 double clamp(double x, double lowest, double highest);
 /// Less, LessEqual, Greater, GreaterEqual, Equal or NotEqual.
 Truth compare(Op op, double a, double b);

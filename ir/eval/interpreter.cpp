@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+// The tick of ir/README.md: time, readings, temporals, lists, transitions.
+
 #include "ir/eval/interpreter.h"
 
 #include "ir/core/validate.h"
@@ -9,41 +11,77 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <utility>
 
 namespace glider::ir {
+
+std::vector<double> defaultParameters(const Mission& mission) {
+  std::vector<double> values;
+  for (const Variable& v : mission.variables) {
+    if (v.kind == VariableKind::Parameter) {
+      values.push_back(asNumber(evaluate(mission, v.initial, {})));
+    }
+  }
+  return values;
+}
+
+std::optional<uint32_t> failedCondition(const Mission& mission,
+                                        std::span<const double> parameters) {
+  auto leaves = [&](const Expr& e) { return asValue(parameters[e.variable.index], e.type); };
+  for (uint32_t i = 0; i < mission.conditions.size(); ++i) {
+    if (std::get<Truth>(evaluate(mission, mission.conditions[i], leaves)) != Truth::True) {
+      return i;
+    }
+  }
+  return std::nullopt;
+}
 
 Interpreter::Interpreter(const Mission& mission, uint32_t stack_depth)
     : mission_(mission),
       stack_depth_(stack_depth),
       sensors_(mission.sensors.size()),
-      values_(mission.exprs.size()) {
+      variables_(mission.variables.size(), kUnknown),
+      temporals_(mission.temporals.size()) {
   CHECK(validate(mission).empty(), "a mission that does not hold together");
 }
 
 TickResult Interpreter::start(std::span<const SensorUpdate> frame) {
+  return start(frame, defaultParameters(mission_));
+}
+
+TickResult Interpreter::start(std::span<const SensorUpdate> frame,
+                              std::span<const double> parameters) {
   CHECK(!started_, "a mission starts once");
+  CHECK(parameters.size() == defaultParameters(mission_).size(), "a value for each parameter");
   started_ = true;
   take(0, frame);
-  evaluateAll();
-  return result(std::nullopt, Phase::Enter);
+  for (uint32_t i = 0; i < parameters.size(); ++i) {
+    CHECK(isKnown(parameters[i]), "a parameter is known");
+    assign({i}, parameters[i]);
+  }
+  initialise(false);
+  startTemporals(true);
+  enter({0});
+  return result();
 }
 
 TickResult Interpreter::tick(double mission_time, std::span<const SensorUpdate> frame) {
   CHECK(started_, "a tick before the start");
   CHECK(std::isfinite(mission_time), "mission time is a number");
   if (finished_) {
-    return result(std::nullopt, Phase::Tick);
+    return result();
   }
   take(mission_time, frame);
-  evaluateAll();
-  const std::optional<uint32_t> fired = firstTrueCase();
-  Phase phase = Phase::Tick;
-  if (fired) {
-    phase = fire(mission_[state_].cases[*fired]);
-    evaluateAll();  // `statetime` and `resumetime` may have started anew
+  advanceTemporals();
+  const bool own_first = std::exchange(just_returned_, false);
+  const ListKind first = own_first ? ListKind::State : ListKind::Always;
+  const ListKind second = own_first ? ListKind::Always : ListKind::State;
+  for (ListKind list : {first, second, ListKind::Profile, ListKind::Route}) {
+    if (tryList(list)) {
+      break;
+    }
   }
-  return result(fired, phase);
+  return result();
 }
 
 /// Steps 1 and 2 of a tick.
@@ -65,115 +103,207 @@ double Interpreter::age(SensorId id) const {
   return settle(mission_time_ - sensors_.at(id.index).updated);
 }
 
-/// Operands stand before their users, so one pass in order is enough.
-void Interpreter::evaluateAll() {
-  for (size_t i = 0; i < values_.size(); ++i) {
-    values_[i] = valueOf(mission_.exprs[i]);
-  }
+Value Interpreter::evaluate(ExprId id) const {
+  return ir::evaluate(mission_, id, [this](const Expr& e) { return leaf(e); });
 }
 
-Value Interpreter::valueOf(const Expr& e) const {
-  auto a = [&](size_t i) { return number(e.operands.at(i)); };
-  auto t = [&](size_t i) { return truthOf(e.operands.at(i)); };
+Value Interpreter::leaf(const Expr& e) const {
   switch (e.op) {
-    case Op::Constant:
-      return e.number;
-    case Op::True:
-      return Truth::True;
-    case Op::False:
-      return Truth::False;
     case Op::Sensor:
       return readingOf(e.sensor);
+    case Op::Age:
+      return age(e.sensor);
     case Op::MissionTime:
       return mission_time_;
     case Op::StateTime:
       return settle(mission_time_ - entered_);
     case Op::ResumeTime:
       return settle(mission_time_ - resumed_);
-    case Op::Age:
-      return age(e.sensor);
-    case Op::Negate:
-    case Op::Abs:
-    case Op::Sqrt:
-      return unary(e.op, a(0));
-    case Op::Add:
-    case Op::Subtract:
-    case Op::Multiply:
-    case Op::Divide:
-    case Op::Min:
-    case Op::Max:
-      return binary(e.op, a(0), a(1));
-    case Op::Clamp:
-      return clamp(a(0), a(1), a(2));
-    case Op::Less:
-    case Op::LessEqual:
-    case Op::Greater:
-    case Op::GreaterEqual:
-    case Op::Equal:
-    case Op::NotEqual:
-      return compare(e.op, a(0), a(1));
-    case Op::Known:
-      return truth(isKnown(a(0)));
-    case Op::Not:
-      return logicalNot(t(0));
-    case Op::And:
-      return logicalAnd(t(0), t(1));
-    case Op::Or:
-      return logicalOr(t(0), t(1));
+    case Op::Variable:
+      return asValue(variables_.at(e.variable.index), e.type);
+    case Op::Temporal:
+      return temporals_.at(e.temporal.index).value;
+    default:
+      CHECK(false, "not a leaf");
   }
-  CHECK(false, "an operation without a meaning");
 }
 
-std::optional<uint32_t> Interpreter::firstTrueCase() const {
-  const std::vector<Case>& cases = mission_[state_].cases;
-  auto holds = [&](const Case& c) { return truthOf(c.guard) == Truth::True; };
-  auto found = std::ranges::find_if(cases, holds);
-  return found == cases.end() ? std::nullopt
-                              : std::optional(static_cast<uint32_t>(found - cases.begin()));
+bool Interpreter::current(const Temporal& temporal) const {
+  return temporal.list == ListKind::Always || temporal.state == state_;
 }
 
-/// Step 3: the transition; returns why the behaviours run next.
-Phase Interpreter::fire(const Case& fired) {
-  switch (fired.transition) {
-    case Transition::Stay:
-      return Phase::Tick;
-    case Transition::Exit:
-      finished_ = true;
-      return Phase::Tick;
-    case Transition::Return:
-      CHECK(!stack_.empty(), "a return with nowhere to go");
-      state_ = stack_.back().state;
-      entered_ = stack_.back().entered;
-      resumed_ = mission_time_;
-      stack_.pop_back();
-      return Phase::Resume;
-    case Transition::Goto:
-      stack_.clear();
-      break;
-    case Transition::Call:
-      CHECK(stack_.size() < stack_depth_, "a call deeper than the verified stack");
-      stack_.push_back({state_, entered_});
-      break;
+/// Step 3.
+void Interpreter::advanceTemporals() {
+  for (uint32_t i = 0; i < temporals_.size(); ++i) {
+    if (current(mission_.temporals[i])) {
+      update(i, false);
+    }
   }
-  state_ = fired.target;
+}
+
+/// Those of `always`, or those of the current state.
+void Interpreter::startTemporals(bool always) {
+  for (uint32_t i = 0; i < temporals_.size(); ++i) {
+    const Temporal& t = mission_.temporals[i];
+    if (current(t) && (t.list == ListKind::Always) == always) {
+      update(i, true);
+    }
+  }
+}
+
+/// A temporal starts, or advances.
+void Interpreter::update(uint32_t temporal, bool start) {
+  const Temporal& t = mission_.temporals[temporal];
+  TemporalState& state = temporals_[temporal];
+  const Truth operand = truthOf(t.operand);
+  const bool turned = operand == Truth::True && !state.was_true && !start;
+  if (t.kind == TemporalKind::Became) {
+    state.value = operand == Truth::Unknown ? Truth::Unknown : truth(turned);
+  } else {
+    if (start || turned) {
+      state.since = mission_time_;
+    }
+    const double held = settle(mission_time_ - state.since);
+    state.value = operand == Truth::True ? compare(Op::GreaterEqual, held, number(t.duration))
+                                         : operand;
+  }
+  state.was_true = operand == Truth::True;
+}
+
+const Activity& Interpreter::activity(ListKind list) const {
+  return list == ListKind::Profile ? mission_[state_].profile : mission_[state_].route;
+}
+
+const std::vector<Case>& Interpreter::casesOf(ListKind list) const {
+  switch (list) {
+    case ListKind::Always:
+      return mission_.always;
+    case ListKind::State:
+      return mission_[state_].cases;
+    default:
+      return activity(list).cases;
+  }
+}
+
+/// The rule of `always`.
+bool Interpreter::mayFire(ListKind list, uint32_t number) const {
+  if (list != ListKind::Always) {
+    return true;
+  }
+  const StateId target = mission_.always[number].target;
+  const bool in_use =
+      target == state_ || std::ranges::find(stack_, target, &Frame::state) != stack_.end();
+  return number < limit_ && !(target.valid() && in_use);
+}
+
+/// Step 4 for one list: true if that ended the tick.
+bool Interpreter::tryList(ListKind list) {
+  const bool behaviour = list == ListKind::Profile || list == ListKind::Route;
+  if (behaviour && !mission_[activity(list).behaviour].symbol.empty()) {
+    call(list, Phase::Tick);
+    return false;
+  }
+  const std::vector<Case>& cases = casesOf(list);
+  for (uint32_t i = 0; i < cases.size(); ++i) {
+    if (mayFire(list, i) && truthOf(cases[i].guard) == Truth::True) {
+      return fire({list, i}, cases[i]);
+    }
+  }
+  return false;
+}
+
+bool Interpreter::fire(CaseOf of, const Case& fired) {
+  told_.fired.at(static_cast<size_t>(of.list)) = of.number;
+  run(fired.action);
+  if (fired.transition == Transition::Done) {
+    variables_.at(activity(of.list).done.index) = 1;
+  }
+  if (fired.transition == Transition::Stay || fired.transition == Transition::Done) {
+    return false;
+  }
+  told_.moved = of;
+  move(of, fired);
+  return true;
+}
+
+void Interpreter::move(CaseOf of, const Case& fired) {
+  if (fired.transition == Transition::Exit) {
+    finished_ = true;
+    return;
+  }
+  if (fired.transition == Transition::Return) {
+    resume();
+    return;
+  }
+  const std::vector<double> arguments = numbers(fired.arguments);
+  const bool always = of.list == ListKind::Always;
+  if (fired.transition == Transition::Call) {
+    CHECK(stack_.size() < stack_depth_, "a call deeper than the verified stack");
+    stack_.push_back({state_, entered_, limit_});
+    limit_ = always ? of.number : limit_;
+  } else {
+    stack_.clear();
+    limit_ = always ? of.number : kNoLimit;
+  }
+  const std::vector<VariableId>& parameters = mission_[fired.target].parameters;
+  for (size_t i = 0; i < parameters.size(); ++i) {
+    assign(parameters[i], arguments[i]);
+  }
+  enter(fired.target);
+}
+
+/// The parameters have their arguments.
+void Interpreter::enter(StateId target) {
+  state_ = target;
   entered_ = resumed_ = mission_time_;
-  return Phase::Enter;
+  initialise(true);
+  startTemporals(false);
+  run(mission_[state_].entry);
+  startActivity(ListKind::Profile, Phase::Enter);
+  startActivity(ListKind::Route, Phase::Enter);
 }
 
-ActivityRun Interpreter::run(const Activity& activity, Phase phase) const {
-  ActivityRun run{activity.behaviour, phase, {}};
-  std::ranges::transform(activity.arguments, std::back_inserter(run.arguments),
-                         [&](ExprId id) { return number(id); });
-  return run;
+void Interpreter::resume() {
+  CHECK(!stack_.empty(), "a return with nowhere to go");
+  state_ = stack_.back().state;
+  entered_ = stack_.back().entered;
+  limit_ = stack_.back().limit;
+  stack_.pop_back();
+  resumed_ = mission_time_;
+  just_returned_ = true;
+  startTemporals(false);
+  startActivity(ListKind::Profile, Phase::Resume);
+  startActivity(ListKind::Route, Phase::Resume);
 }
 
-/// Step 4, and the report of the tick.
-TickResult Interpreter::result(std::optional<uint32_t> fired, Phase phase) const {
-  TickResult result{state_, finished_, fired, stack_, {}, {}};
-  if (!finished_) {
-    result.profile = run(mission_[state_].profile, phase);
-    result.route = run(mission_[state_].route, phase);
+void Interpreter::startActivity(ListKind list, Phase phase) {
+  if (mission_[activity(list).behaviour].symbol.empty()) {
+    run(activity(list).entry);
+  } else {
+    call(list, phase);
   }
+}
+
+/// Variables of the current state, or those of the mission, start.
+void Interpreter::initialise(bool of_state) {
+  for (uint32_t i = 0; i < variables_.size(); ++i) {
+    const Variable& v = mission_.variables[i];
+    const bool starts = of_state ? v.owner == state_ && v.kind != VariableKind::Argument
+                                 : v.kind == VariableKind::Mission;
+    if (starts) {
+      assign({i}, asNumber(evaluate(v.initial)));
+    }
+  }
+}
+
+TickResult Interpreter::result() {
+  TickResult result = std::exchange(told_, {});
+  result.state = state_;
+  result.finished = finished_;
+  result.limit = limit_;
+  result.just_returned = just_returned_;
+  result.stack = stack_;
+  result.variables = variables_;
   return result;
 }
 

@@ -5,10 +5,11 @@
 
 #include "ir/core/mission.h"
 #include "ir/core/truth.h"
+#include "ir/eval/evaluate.h"
+#include "ir/eval/tick_result.h"
 
 #include <optional>
 #include <span>
-#include <variant>
 #include <vector>
 
 namespace glider::ir {
@@ -19,53 +20,33 @@ struct SensorUpdate {
   double raw = 0;
 };
 
-/// Why a behaviour runs.
-enum class Phase : uint8_t { Enter, Resume, Tick };
+/// The values that the parameters of `mission` have if nobody sets them.
+std::vector<double> defaultParameters(const Mission& mission);
 
-/// A state that waits for a return, and the mission time (s) at which it was entered.
-struct Frame {
-  StateId state;
-  double entered = 0;
-};
-
-/// A run of a profile or route with the arguments it was given, SI units (positions: degrees); NaN:
-/// unknown.
-struct ActivityRun {
-  BehaviourId behaviour;
-  Phase phase = Phase::Tick;
-  std::vector<double> arguments;
-};
-
-/// What a tick did.
-struct TickResult {
-  StateId state;                       ///< current after the tick
-  bool finished = false;               ///< an `exit` has fired in this tick or earlier
-  std::optional<uint32_t> fired_case;  ///< of the state that was current before; empty if none
-  std::vector<Frame> stack;            ///< outermost first
-  std::optional<ActivityRun> profile;  ///< both empty once finished
-  std::optional<ActivityRun> route;
-};
-
-/// A number (NaN: unknown, always the same NaN) or a truth value.
-using Value = std::variant<double, Truth>;
+/// The first of `mission`'s conditions that these values of its parameters do not satisfy, unknown
+/// included; empty if all hold.
+std::optional<uint32_t> failedCondition(const Mission& mission, std::span<const double> parameters);
 
 /// Runs a mission as ir/README.md says, for obviousness and not for speed: the judge of generated
 /// code.
 class Interpreter {
  public:
   /// `mission` must be valid, free of verification errors, and outlive this; `stack_depth` is
-  /// MissionFacts'. A call deeper than that, or a return without a caller, is our own bug and ends
-  /// the program.
+  /// MissionFacts'. What verification rules out (a call deeper than that, a return without a
+  /// caller, a variable that leaves its range) is our own bug and ends the program.
   Interpreter(const Mission& mission, uint32_t stack_depth);
 
-  /// The tick at mission time 0 that enters the first state, with the readings of its frame. Once,
-  /// before any `tick`.
+  /// The tick at mission time 0 that enters the first state, with the readings of its frame and
+  /// one value, within its range, for each parameter (SI units, degrees; a truth value 0 or 1).
+  /// Once, before any `tick`.
+  TickResult start(std::span<const SensorUpdate> frame, std::span<const double> parameters);
+  /// The same with the parameters' defaults.
   TickResult start(std::span<const SensorUpdate> frame = {});
   /// A tick at `mission_time` (s, finite; one smaller than before counts as the one before). A
   /// sensor that the frame holds twice keeps the later value.
   TickResult tick(double mission_time, std::span<const SensorUpdate> frame);
-  /// The value of an expression after the latest tick, in the state that it left current.
-  [[nodiscard]] Value evaluate(ExprId id) const { return values_.at(id.index); }
+  /// The value of an expression now, after the latest tick, in the state that it left current.
+  [[nodiscard]] Value evaluate(ExprId id) const;
   /// The same for one that is known to be a number (a log item, an argument) or a truth value (a
   /// guard).
   [[nodiscard]] double number(ExprId id) const { return std::get<double>(evaluate(id)); }
@@ -80,27 +61,55 @@ class Interpreter {
     bool seen = false;
     double value = 0;
   };
+  struct TemporalState {
+    bool was_true = false;  ///< the operand, when this last advanced or started
+    double since = 0;
+    Truth value = Truth::Unknown;
+  };
 
   void take(double mission_time, std::span<const SensorUpdate> frame);
-  void evaluateAll();
-  [[nodiscard]] Value valueOf(const Expr& expr) const;
+  [[nodiscard]] Value leaf(const Expr& expr) const;
   [[nodiscard]] double age(SensorId id) const;
-  [[nodiscard]] std::optional<uint32_t> firstTrueCase() const;
-  Phase fire(const Case& fired);
-  [[nodiscard]] ActivityRun run(const Activity& activity, Phase phase) const;
-  [[nodiscard]] TickResult result(std::optional<uint32_t> fired, Phase phase) const;
+
+  [[nodiscard]] bool current(const Temporal& temporal) const;
+  void advanceTemporals();
+  void startTemporals(bool always);
+  void update(uint32_t temporal, bool start);
+
+  bool tryList(ListKind list);
+  [[nodiscard]] const std::vector<Case>& casesOf(ListKind list) const;
+  [[nodiscard]] bool mayFire(ListKind list, uint32_t number) const;
+  bool fire(CaseOf of, const Case& fired);
+  void move(CaseOf of, const Case& fired);
+  void enter(StateId target);
+  void resume();
+  void startActivity(ListKind list, Phase phase);
+  void initialise(bool of_state);
+
+  [[nodiscard]] const Activity& activity(ListKind list) const;
+  void call(ListKind list, Phase phase);
+  void run(BlockId block);
+  void execute(const Statement& statement);
+  void assign(VariableId id, double value);
+  void note(NoteKind kind, const std::string& text, std::vector<double> values);
+  [[nodiscard]] std::vector<double> numbers(std::span<const ExprId> ids) const;
+  TickResult result();
 
   const Mission& mission_;
   uint32_t stack_depth_;
   std::vector<SensorState> sensors_;
-  std::vector<Value> values_;  ///< of every expression, now
+  std::vector<double> variables_;
+  std::vector<TemporalState> temporals_;
   std::vector<Frame> stack_;
   StateId state_{0};
+  Limit limit_ = kNoLimit;
+  bool just_returned_ = false;
   double mission_time_ = 0;
   double entered_ = 0;
   double resumed_ = 0;
   bool started_ = false;
   bool finished_ = false;
+  TickResult told_;  ///< of the tick that is running
 };
 
 }  // namespace glider::ir

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/core/scopes.h"
+
+#include "ir/core/ops.h"
+
+#include <algorithm>
+
+namespace glider::ir {
+namespace {
+
+void readState(Reads& reads, StateId state) {
+  if (state.valid()) {
+    reads.two_states |= reads.state.valid() && reads.state != state;
+    reads.state = state;
+  }
+}
+
+void join(Reads& reads, const Reads& operand) {
+  readState(reads, operand.state);
+  reads.two_states |= operand.two_states;
+  reads.variables_end = std::max(reads.variables_end, operand.variables_end);
+  reads.temporals_end = std::max(reads.temporals_end, operand.temporals_end);
+  reads.moment |= operand.moment;
+  reads.mission |= operand.mission;
+}
+
+}  // namespace
+
+std::vector<Reads> readsOf(const Mission& mission) {
+  std::vector<Reads> all(mission.exprs.size());
+  for (size_t i = 0; i < all.size(); ++i) {
+    const Expr& e = mission.exprs[i];
+    Reads& reads = all[i];
+    for (uint32_t k = 0; k < opInfo(e.op).operands; ++k) {
+      join(reads, all[e.operands.at(k).index]);
+    }
+    if (e.op == Op::Variable) {
+      const Variable& v = mission[e.variable];
+      readState(reads, v.owner);
+      reads.variables_end = e.variable.index + 1;
+      reads.mission = v.kind == VariableKind::Mission;
+    } else if (e.op == Op::Temporal) {
+      readState(reads, mission[e.temporal].state);
+      reads.temporals_end = e.temporal.index + 1;
+    } else {
+      reads.moment |= e.sensor.valid() || e.op == Op::MissionTime || e.op == Op::StateTime ||
+                      e.op == Op::ResumeTime;
+    }
+  }
+  return all;
+}
+
+}  // namespace glider::ir

@@ -1,0 +1,353 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/core/validate_code.h"
+
+#include "ir/core/ops.h"
+#include "ir/core/scopes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace glider::ir {
+namespace {
+
+using support::SourceRange;
+
+constexpr Type kBool{TypeKind::Bool, {}};
+constexpr Type kTime{TypeKind::Quantity, support::dimension::time};
+constexpr StateId kNoState;
+
+bool ownedByState(VariableKind kind) {
+  return kind != VariableKind::Parameter && kind != VariableKind::Mission;
+}
+
+class CodeValidator {
+ public:
+  CodeValidator(const Mission& mission, std::vector<Defect>& defects)
+      : m_(mission), defects_(defects), reads_(readsOf(mission)), block_uses_(m_.blocks.size()) {}
+
+  void run() {
+    variables();
+    temporals();
+    for (ExprId condition : m_.conditions) {
+      expression(condition, kNoState, kBool, {}, "a condition of the parameters");
+      require(launchTime(condition), {}, "a condition reads what is no parameter");
+    }
+    require(!m_.states.empty(), {}, "a mission needs at least one state");
+    for (uint32_t i = 0; i < m_.blocks.size(); ++i) {
+      nestedBlocks(i);
+    }
+    for (const Case& c : m_.always) {
+      oneCase(c, kNoState, ListKind::Always, "`always`");
+    }
+    std::set<std::string_view> names;
+    for (uint32_t i = 0; i < m_.states.size(); ++i) {
+      const State& s = m_.states[i];
+      require(names.insert(s.name).second, s.range,
+              fmt::format("two states are named `{}`", s.name));
+      state({i});
+    }
+    for (size_t i = 0; i < block_uses_.size(); ++i) {
+      require(block_uses_[i] == 1, {}, fmt::format("block {} is used {} times", i, block_uses_[i]));
+    }
+  }
+
+ private:
+  void require(bool holds, SourceRange range, std::string message) {
+    if (!holds) {
+      defects_.push_back({range, std::move(message)});
+    }
+  }
+
+  bool exists(ExprId id) const { return id.index < m_.exprs.size(); }
+
+  /// Whether what stands in `state` (kNoState: in `always`) may read what this one does.
+  bool inScope(ExprId id, StateId state) const {
+    const Reads& reads = reads_[id.index];
+    return !reads.two_states && (!reads.state.valid() || reads.state == state);
+  }
+
+  /// Whether an expression's value is settled when the mission is launched.
+  bool launchTime(ExprId id) const {
+    const Reads* reads = exists(id) ? &reads_[id.index] : nullptr;
+    return reads != nullptr && !reads->state.valid() && !reads->moment && !reads->mission &&
+           reads->temporals_end == 0;
+  }
+
+  void expression(ExprId id, StateId state, Type type, SourceRange range, std::string_view what) {
+    if (!exists(id) || m_[id].type != type) {
+      require(false, range, fmt::format("{} is missing or of the wrong type", what));
+    } else {
+      require(inScope(id, state), range, fmt::format("{} reads another state's variables", what));
+    }
+  }
+
+  void numberOrTruth(ExprId id, StateId state, SourceRange range, std::string_view what) {
+    expression(id, state, exists(id) ? m_[id].type : kBool, range, what);
+  }
+
+  void variables() {
+    bool parameters = true;
+    for (uint32_t i = 0; i < m_.variables.size(); ++i) {
+      const Variable& v = m_.variables[i];
+      const bool known = v.kind <= VariableKind::Route;
+      require(known && (ownedByState(v.kind) ? v.owner.index < m_.states.size() : !v.owner.valid()),
+              v.range, fmt::format("variable `{}` has no owner, or one too many", v.name));
+      require(parameters || v.kind != VariableKind::Parameter, v.range,
+              fmt::format("parameter `{}` does not stand before the variables", v.name));
+      parameters &= v.kind == VariableKind::Parameter;
+      if (v.kind == VariableKind::Argument) {
+        require(!v.initial.valid(), v.range,
+                fmt::format("argument `{}` has an initial value", v.name));
+      } else {
+        initial(i, v);
+      }
+    }
+  }
+
+  void initial(uint32_t number, const Variable& v) {
+    const std::string what = fmt::format("the initial value of `{}`", v.name);
+    expression(v.initial, v.owner, v.type, v.range, what);
+    if (!exists(v.initial)) {
+      return;
+    }
+    const Reads& reads = reads_[v.initial.index];
+    require(reads.variables_end <= number, v.range, what + " reads a variable that comes later");
+    require(reads.temporals_end == 0, v.range, what + " watches a guard over time");
+    const Op op = m_[v.initial].op;
+    require(v.kind != VariableKind::Parameter || op == Op::Constant || op == Op::True ||
+                op == Op::False,
+            v.range, what + " is no constant");
+  }
+
+  void temporals() {
+    for (uint32_t i = 0; i < m_.temporals.size(); ++i) {
+      const Temporal& w = m_.temporals[i];
+      const bool always = w.list == ListKind::Always;
+      if (w.list > ListKind::Route || w.kind > TemporalKind::Held ||
+          (always ? w.state.valid() : w.state.index >= m_.states.size())) {
+        require(false, w.range, fmt::format("temporal {} has no list", i));
+        continue;
+      }
+      expression(w.operand, w.state, kBool, w.range, fmt::format("what temporal {} watches", i));
+      if (w.kind == TemporalKind::Held) {
+        expression(w.duration, w.state, kTime, w.range, fmt::format("the time of temporal {}", i));
+      } else {
+        require(!w.duration.valid(), w.range, fmt::format("temporal {} has a time", i));
+      }
+      for (ExprId id : {w.operand, w.duration}) {
+        require(!exists(id) || reads_[id.index].temporals_end <= i, w.range,
+                fmt::format("temporal {} watches itself or a later one", i));
+      }
+    }
+  }
+
+  /// Counts the uses of blocks by block `i`, which must stand after them.
+  void nestedBlocks(uint32_t i) {
+    for (const Statement& s : m_.blocks[i].statements) {
+      if (s.kind != StatementKind::If) {
+        require(!s.then.valid() && !s.otherwise.valid(), s.range,
+                "a statement other than `if` has blocks");
+        continue;
+      }
+      for (BlockId id : {s.then, s.otherwise}) {
+        const bool earlier = id.index < i;
+        require(earlier || (id == s.otherwise && !id.valid()), s.range,
+                fmt::format("block {} holds one that does not stand before it", i));
+        block_uses_[earlier ? id.index : 0] += earlier ? 1 : 0;
+      }
+    }
+  }
+
+  /// Of a `do` or `entry`; `state` is where it runs.
+  void action(BlockId id, StateId state, SourceRange range) {
+    if (!id.valid()) {
+      return;
+    }
+    if (id.index >= m_.blocks.size()) {
+      require(false, range, "a block that is not there");
+      return;
+    }
+    ++block_uses_[id.index];
+    std::vector<BlockId> pending = {id};
+    while (!pending.empty()) {
+      const Block& block = m_[pending.back()];
+      const uint32_t number = pending.back().index;
+      pending.pop_back();
+      for (const Statement& s : block.statements) {
+        statement(s, state);
+        for (BlockId nested : {s.then, s.otherwise}) {
+          if (nested.index < number) {  // else a defect that nestedBlocks reports
+            pending.push_back(nested);
+          }
+        }
+      }
+    }
+  }
+
+  void statement(const Statement& s, StateId state) {
+    switch (s.kind) {
+      case StatementKind::Set:
+        set(s, state);
+        return;
+      case StatementKind::If:
+        expression(s.value, state, kBool, s.range, "the condition of an `if`");
+        return;
+      case StatementKind::Log:
+        for (ExprId value : s.values) {
+          numberOrTruth(value, state, s.range, "a value of `log`");
+        }
+        return;
+      case StatementKind::Command:
+        command(s, state);
+        return;
+    }
+    require(false, s.range, "a statement of no kind");
+  }
+
+  void set(const Statement& s, StateId state) {
+    if (s.variable.index >= m_.variables.size()) {
+      require(false, s.range, "`set` of a variable that is not there");
+      return;
+    }
+    const Variable& v = m_[s.variable];
+    require(v.kind != VariableKind::Parameter && v.kind != VariableKind::Argument, s.range,
+            fmt::format("`{}` cannot be set", v.name));
+    require(!v.owner.valid() || v.owner == state, s.range,
+            fmt::format("`{}` belongs to another state", v.name));
+    expression(s.value, state, v.type, s.range, fmt::format("what `{}` is set to", v.name));
+  }
+
+  void command(const Statement& s, StateId state) {
+    if (static_cast<size_t>(s.command) >= commands().size()) {
+      require(false, s.range, "a command that is not there");
+      return;
+    }
+    const CommandInfo& info = commands()[static_cast<size_t>(s.command)];
+    arguments(s.values, info.parameters, state, s.range, fmt::format("`{}`", info.text));
+  }
+
+  /// `parameters` have a `type`.
+  template <typename Parameters>
+  void arguments(const std::vector<ExprId>& values, const Parameters& parameters, StateId state,
+                 SourceRange range, const std::string& what) {
+    if (values.size() != parameters.size()) {
+      require(false, range,
+              fmt::format("{} takes {} arguments, not {}", what, parameters.size(), values.size()));
+      return;
+    }
+    for (size_t i = 0; i < values.size(); ++i) {
+      expression(values[i], state, parameters[i].type, range, "an argument of " + what);
+    }
+  }
+
+  void oneCase(const Case& c, StateId state, ListKind list, const std::string& where) {
+    expression(c.guard, state, kBool, c.range, "a guard of " + where);
+    action(c.action, state, c.range);
+    const bool behaviour = list == ListKind::Profile || list == ListKind::Route;
+    const bool allowed =
+        behaviour ? c.transition == Transition::Stay || c.transition == Transition::Done
+                  : c.transition < Transition::Done &&
+                        (list == ListKind::State || c.transition != Transition::Return);
+    require(allowed, c.range, fmt::format("a case of {} has a transition it cannot have", where));
+    const bool targeted = c.transition == Transition::Goto || c.transition == Transition::Call;
+    if (!targeted || c.target.index >= m_.states.size()) {
+      require(!targeted && !c.target.valid() && c.arguments.empty(), c.range,
+              fmt::format("a case of {} has no target, or one too many", where));
+      return;
+    }
+    std::vector<Parameter> parameters;
+    for (VariableId id : m_[c.target].parameters) {
+      if (id.index < m_.variables.size()) {
+        parameters.push_back({m_[id].name, m_[id].type});
+      }
+    }
+    arguments(c.arguments, parameters, state, c.range,
+              fmt::format("state `{}`", m_[c.target].name));
+  }
+
+  void state(StateId id) {
+    const State& s = m_[id];
+    const std::string where = fmt::format("state `{}`", s.name);
+    activity(id, s.route, BehaviourKind::Route, "route");
+    activity(id, s.profile, BehaviourKind::Profile, "profile");
+    parameters(id, where);
+    for (const LogItem& item : s.log) {
+      const bool number = exists(item.value) && m_[item.value].type.kind != TypeKind::Bool;
+      require(number && inScope(item.value, id), s.range,
+              fmt::format("{} logs `{}`, which is no number of its own", where, item.name));
+      require(item.period_s >= 0 && std::isfinite(item.period_s), s.range,
+              fmt::format("{} logs `{}` every {} s", where, item.name, item.period_s));
+    }
+    action(s.entry, id, s.range);
+    for (const Case& c : s.cases) {
+      oneCase(c, id, ListKind::State, where);
+    }
+  }
+
+  /// A state's parameters are the arguments that it owns, each once; the first state has none.
+  void parameters(StateId id, const std::string& where) {
+    const State& s = m_[id];
+    std::set<uint32_t> own;
+    for (VariableId p : s.parameters) {
+      const bool there = p.index < m_.variables.size();
+      require(there && m_[p].kind == VariableKind::Argument && m_[p].owner == id &&
+                  own.insert(p.index).second,
+              s.range, fmt::format("{} has a parameter that is not its own", where));
+    }
+    require(id.index != 0 || s.parameters.empty(), s.range,
+            fmt::format("{} is where the mission starts, but has parameters", where));
+    const auto owned = std::ranges::count_if(m_.variables, [&](const Variable& v) {
+      return v.kind == VariableKind::Argument && v.owner == id;
+    });
+    require(static_cast<size_t>(owned) == own.size(), s.range,
+            fmt::format("{} lacks one of its parameters", where));
+  }
+
+  void activity(StateId id, const Activity& a, BehaviourKind kind, std::string_view what) {
+    const State& s = m_[id];
+    if (a.behaviour.index >= m_.behaviours.size() || m_[a.behaviour].kind != kind) {
+      require(false, s.range, fmt::format("state `{}` has no {}", s.name, what));
+      return;
+    }
+    const Behaviour& b = m_[a.behaviour];
+    const std::string where = fmt::format("`{}` in state `{}`", b.name, s.name);
+    if (!b.symbol.empty()) {
+      require(!a.entry.valid() && a.cases.empty() && !a.done.valid(), a.range,
+              fmt::format("{} is a C function with a body", where));
+      arguments(a.arguments, b.parameters, id, a.range, where);
+      return;
+    }
+    require(a.arguments.empty(), a.range, fmt::format("{} has arguments and a body", where));
+    action(a.entry, id, a.range);
+    const bool profile = kind == BehaviourKind::Profile;
+    for (const Case& c : a.cases) {
+      oneCase(c, id, profile ? ListKind::Profile : ListKind::Route, where);
+      require(c.transition != Transition::Done || a.done.valid(), c.range,
+              fmt::format("{} has a `done` that nothing keeps", where));
+    }
+    if (a.done.valid()) {
+      const Variable* v = a.done.index < m_.variables.size() ? &m_[a.done] : nullptr;
+      require(v != nullptr && v->type == kBool && v->owner == id &&
+                  v->kind == (profile ? VariableKind::Profile : VariableKind::Route),
+              a.range, fmt::format("{} keeps its `done` in what is no variable of it", where));
+    }
+  }
+
+  const Mission& m_;
+  std::vector<Defect>& defects_;
+  const std::vector<Reads> reads_;
+  std::vector<uint32_t> block_uses_;
+};
+
+}  // namespace
+
+void validateCode(const Mission& mission, std::vector<Defect>& defects) {
+  CodeValidator(mission, defects).run();
+}
+
+}  // namespace glider::ir

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/eval/evaluate.h"
+
+#include "ir/core/ops.h"
+#include "ir/eval/arithmetic.h"
+#include "support/check.h"
+
+#include <map>
+
+namespace glider::ir {
+namespace {
+
+using Values = std::map<uint32_t, Value>;
+
+Value valueOf(const Expr& e, const Values& values, const Leaves& leaves) {
+  auto a = [&](size_t i) { return std::get<double>(values.at(e.operands.at(i).index)); };
+  auto t = [&](size_t i) { return std::get<Truth>(values.at(e.operands.at(i).index)); };
+  switch (e.op) {
+    case Op::Constant:
+      return e.number;
+    case Op::True:
+      return Truth::True;
+    case Op::False:
+      return Truth::False;
+    case Op::Sensor:
+    case Op::Age:
+    case Op::MissionTime:
+    case Op::StateTime:
+    case Op::ResumeTime:
+    case Op::Variable:
+    case Op::Temporal:
+      return leaves(e);
+    case Op::Negate:
+    case Op::Abs:
+    case Op::Sqrt:
+    case Op::Sin:
+    case Op::Cos:
+    case Op::Tan:
+      return unary(e.op, a(0));
+    case Op::Add:
+    case Op::Subtract:
+    case Op::Multiply:
+    case Op::Divide:
+    case Op::Min:
+    case Op::Max:
+    case Op::Atan2:
+      return binary(e.op, a(0), a(1));
+    case Op::Distance:
+    case Op::Bearing:
+      return onEarth(e.op, {a(0), a(1)}, {a(2), a(3)});
+    case Op::Clamp:
+      return clamp(a(0), a(1), a(2));
+    case Op::Less:
+    case Op::LessEqual:
+    case Op::Greater:
+    case Op::GreaterEqual:
+    case Op::Equal:
+    case Op::NotEqual:
+      return compare(e.op, a(0), a(1));
+    case Op::Known:
+      return truth(isKnown(a(0)));
+    case Op::Not:
+      return logicalNot(t(0));
+    case Op::And:
+      return logicalAnd(t(0), t(1));
+    case Op::Or:
+      return logicalOr(t(0), t(1));
+  }
+  CHECK(false, "an operation without a meaning");
+}
+
+}  // namespace
+
+double asNumber(Value value) {
+  if (const double* number = std::get_if<double>(&value)) {
+    return *number;
+  }
+  const Truth truth = std::get<Truth>(value);
+  return truth == Truth::Unknown ? kUnknown : truth == Truth::True ? 1 : 0;
+}
+
+Value asValue(double number, Type type) {
+  if (type.kind != TypeKind::Bool) {
+    return number;
+  }
+  return isKnown(number) ? truth(number != 0) : Truth::Unknown;
+}
+
+Value evaluate(const Mission& mission, ExprId id, const Leaves& leaves) {
+  // Operands have smaller numbers than their users. So all that is needed is found from the
+  // greatest number down, and evaluated from the smallest up.
+  Values values{{id.index, Truth::Unknown}};
+  for (auto it = values.rbegin(); it != values.rend(); ++it) {
+    const Expr& e = mission.exprs.at(it->first);
+    for (uint32_t k = 0; k < opInfo(e.op).operands; ++k) {
+      values.emplace(e.operands.at(k).index, Truth::Unknown);
+    }
+  }
+  for (auto& [number, value] : values) {
+    value = valueOf(mission.exprs[number], values, leaves);
+  }
+  return values.at(id.index);
+}
+
+}  // namespace glider::ir

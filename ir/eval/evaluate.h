@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "ir/core/mission.h"
+#include "ir/core/truth.h"
+
+#include <functional>
+#include <variant>
+
+namespace glider::ir {
+
+/// A number (NaN: unknown, always the same NaN) or a truth value.
+using Value = std::variant<double, Truth>;
+
+/// How a variable of type bool is kept: 0 false, 1 true, NaN unknown.
+double asNumber(Value value);
+/// A variable's value as an expression of `type` sees it.
+Value asValue(double number, Type type);
+
+/// What Sensor, Age, Variable, Temporal and the clocks are worth now.
+using Leaves = std::function<Value(const Expr&)>;
+
+/// The value of expression `id`: each operation under it once, operands first, whatever its depth.
+Value evaluate(const Mission& mission, ExprId id, const Leaves& leaves);
+
+}  // namespace glider::ir

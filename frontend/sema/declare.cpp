@@ -18,7 +18,7 @@ namespace {
 
 class Declarations {
  public:
-  Declarations(bool library, Scope& scope) : library_(library), scope_(scope) {}
+  explicit Declarations(Scope& scope) : scope_(scope) {}
 
   /// Enters the names of constants, so that one used too early is known as such.
   void enterConstant(const ast::Const& node) {
@@ -60,7 +60,7 @@ class Declarations {
     scope_.later_functions.emplace(node.name.text, &node.name);
   }
   void visit(const ast::Always& node) { scope_.notYet(node.where, "`always`"); }
-  void visit(const ast::Import& node) { scope_.notYet(node.where, "`import`"); }
+  void visit(const ast::Import&) {}
   void visit(const ast::Requirement& node) { scope_.notYet(node.where, "`require`"); }
 
   void visit(const ast::Behaviour& node) {
@@ -95,11 +95,7 @@ class Declarations {
     enter(node.name, node.kind, std::move(declaration));
   }
 
-  void visit(const ast::State& node) {
-    if (library_) {
-      scope_.notYet(node.name.where, "a state in a library");
-    }
-  }
+  void visit(const ast::State&) {}
   void visit(const ast::MissionLine&) {}
   void visit(const ast::PlatformLine&) {}
 
@@ -206,21 +202,22 @@ class Declarations {
     }
   }
 
-  bool library_;
   Scope& scope_;
 };
 
 }  // namespace
 
 void declare(const ast::File& file, bool library, Scope& scope) {
-  Declarations declarations(library, scope);
+  Declarations declarations(scope);
   for (const ast::Item& item : file.items) {
     if (const auto* constant = std::get_if<ast::Const>(&item)) {
       declarations.enterConstant(*constant);
     }
   }
   for (const ast::Item& item : file.items) {
-    std::visit([&](const auto& node) { declarations.visit(node); }, item);
+    if (!library || mayBeImported(item)) {
+      std::visit([&](const auto& node) { declarations.visit(node); }, item);
+    }
   }
 }
 

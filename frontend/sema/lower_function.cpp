@@ -145,7 +145,7 @@ ExprLowering::Result ExprLowering::callMany(ir::Op op, const ast::Invocation& no
   if (!led || !numeric(*led, model, node.function.text, true)) {
     return std::nullopt;
   }
-  std::array<ir::ExprId, 3> operands;
+  std::array<ir::ExprId, 4> operands;
   bool good = true;
   for (size_t i = 0; i < node.arguments.size(); ++i) {
     const ast::Expr& argument = *node.arguments[i].value;

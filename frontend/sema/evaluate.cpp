@@ -66,6 +66,8 @@ std::optional<double> evaluate(const ir::Mission& mission, ir::ExprId id) {
     case ir::Op::MissionTime:
     case ir::Op::StateTime:
     case ir::Op::ResumeTime:
+    case ir::Op::Variable:
+    case ir::Op::Temporal:
       return std::nullopt;
     default:
       break;

@@ -63,7 +63,7 @@ void checkImported(const ast::File& file, Scope& scope) {
     }
     others = others || import == nullptr;
     if (const auto refused = std::visit(Judge(), item)) {
-      scope.report(DiagnosticId::notInImport, refused->where, refused->what);
+      scope.report(DiagnosticId::notInLibrary, refused->where, refused->what);
       if (std::holds_alternative<ast::MissionLine>(item)) {
         return;  // what else a mission has need not be said
       }

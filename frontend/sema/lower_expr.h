@@ -39,6 +39,9 @@ class ExprLowering {
   /// As lower, and refuses what is not of type `want`; `what` names it: "`top` of `yo`".
   std::optional<ir::ExprId> lowerAs(const ast::Expr& expr, const ir::Type& want,
                                     const std::string& what);
+  /// As lowerAs, for a position too.
+  std::optional<Value> lowerDeclared(const ast::Expr& expr, const DeclaredType& want,
+                                     const std::string& what);
   /// A guard or an operand of `&&`.
   std::optional<ir::ExprId> lowerCondition(const ast::Expr& expr);
 
@@ -95,8 +98,19 @@ class ExprLowering {
                   std::optional<ir::Type> want);
   Result callOne(ir::Op op, const ast::Invocation& node, const ast::Expr& expr,
                  std::optional<ir::Type> want);
+  /// Refuses `10 m of depth` where no function takes it.
+  bool stretched(const ast::Invocation& node);
   Result ageOf(const ast::Invocation& node, const ast::Expr& expr);
 
+  // Over time (lower_temporal.cpp).
+  Result overTime(ir::TemporalKind kind, const ast::Invocation& node, const ast::Expr& expr);
+
+  // Names (lower_name.cpp).
+  Result variable(Named& named, const support::SourceRange& range);
+  Result sensor(const platforms::PlatformSensor& sensor, const std::string& written,
+                const support::SourceRange& range);
+  Result finished(const ast::NameUse& node, const support::SourceRange& range);
+  Result unknown(const ast::NameUse& node, const support::SourceRange& range);
   Result constant(const Constant& constant, const support::SourceRange& range);
   Result clock(Clock clock, const support::SourceRange& range);
   Value emit(ir::Op op, const ir::Type& type, const support::SourceRange& range,
@@ -107,6 +121,12 @@ class ExprLowering {
   Scope& scope_;
   std::vector<SensorRead> reads_;
 };
+
+/// Whether `name` is a function of expressions.
+bool isFunctionName(std::string_view name);
+
+/// Whether an expression is plainly a position: a literal, or the name of one.
+bool isPosition(const ast::Expr& expr, Scope& scope);
 
 /// Whether an expression is a bare number, or bare numbers added up: it has no unit of its own.
 bool takesUnitOfContext(const ast::Expr& expr);

@@ -44,7 +44,8 @@ std::string suggestFunction(std::string_view wrong) {
     names.push_back(function.name);
   }
   names.insert(names.end(), std::begin(kLater), std::end(kLater));
-  return didYouMean(wrong, names, "functions: abs min max clamp sqrt known age");
+  names.insert(names.end(), {"became", "held"});
+  return didYouMean(wrong, names, "functions: abs min max clamp sqrt known age became held");
 }
 
 std::string countOf(size_t n) {
@@ -53,6 +54,12 @@ std::string countOf(size_t n) {
 
 }  // namespace
 
+bool isFunctionName(std::string_view name) {
+  return name == "became" || name == "held" ||
+         std::ranges::find(kFunctions, name, &Function::name) != std::end(kFunctions) ||
+         std::ranges::find(kLater, name) != std::end(kLater);
+}
+
 ExprLowering::Result ExprLowering::visit(const ast::Invocation& node, const ast::Expr& expr,
                                          std::optional<ir::Type> want) {
   const std::string& name = node.function.text;
@@ -60,22 +67,25 @@ ExprLowering::Result ExprLowering::visit(const ast::Invocation& node, const ast:
     scope_.notYet(node.function.where, "`" + name + "`");
     return std::nullopt;
   }
+  if (name == "became" || name == "held") {
+    const bool held = name == "held";
+    return stretched(node) ? std::nullopt
+                           : overTime(held ? ir::TemporalKind::Held : ir::TemporalKind::Became, node,
+                                      expr);
+  }
   const auto* function = std::ranges::find(kFunctions, std::string_view(name), &Function::name);
   if (function == std::end(kFunctions)) {
     if (!scope_.later_functions.contains(name)) {
       const bool value = findClock(name) || scope_.platform().find(name) != nullptr ||
-                         scope_.constants.contains(name);
+                         scope_.findConstant(name) != nullptr || scope_.findNamed(name) != nullptr;
       scope_.report(DiagnosticId::unknownFunction, node.function.where, name,
                     value ? "`" + name + "` is a value: write it without parentheses"
                           : suggestFunction(name));
     }
     return std::nullopt;
   }
-  for (const ast::Argument& argument : node.arguments) {
-    if (argument.of) {
-      scope_.notYet(argument.of->where, "a stretch with `of`");
-      return std::nullopt;
-    }
+  if (stretched(node)) {
+    return std::nullopt;
   }
   if (node.arguments.size() != function->fewest) {
     constexpr std::string_view kSignatures[] = {"(x)", "(x, y)", "(x, lowest, highest)"};
@@ -91,12 +101,21 @@ ExprLowering::Result ExprLowering::visit(const ast::Invocation& node, const ast:
                                     : callMany(function->op, node, expr, want);
 }
 
+bool ExprLowering::stretched(const ast::Invocation& node) {
+  for (const ast::Argument& argument : node.arguments) {
+    if (argument.of) {
+      scope_.notYet(argument.of->where, "a stretch with `of`");
+      return true;
+    }
+  }
+  return false;
+}
+
 ExprLowering::Result ExprLowering::ageOf(const ast::Invocation& node, const ast::Expr& expr) {
   const ast::Expr& argument = *node.arguments.front().value;
   const auto* use = std::get_if<ast::NameUse>(&argument.node);
-  const platforms::PlatformSensor* sensor = use != nullptr && !scope_.constants.contains(use->name)
-                                                ? scope_.platform().find(use->name)
-                                                : nullptr;
+  const platforms::PlatformSensor* sensor =
+      use != nullptr ? scope_.platform().find(use->name) : nullptr;
   if (sensor == nullptr) {
     scope_.report(DiagnosticId::ageOfWhat, argument.where, scope_.text(argument.where));
     return std::nullopt;

@@ -70,12 +70,34 @@ bool isGeometry(Op op) {
          op == Op::Bearing;
 }
 
+/// Of a truth value that is watched, or a window.
+std::optional<Type> watched(const Mission& mission, const Temporal& t) {
+  if (!isWindow(t.kind)) {
+    return kBool;
+  }
+  const Type value = mission[t.operand].type;
+  if (value.kind == TypeKind::Bool) {
+    return std::nullopt;
+  }
+  const Type along = t.along.valid() ? mission[t.along].type : kTime;
+  if (t.kind == TemporalKind::Slope) {
+    const bool quantities = value.kind == TypeKind::Quantity && along.kind == TypeKind::Quantity;
+    return quantities ? quantity(support::quotient(value.dimension, along.dimension))
+                      : std::nullopt;
+  }
+  return value;
+}
+
 bool comparison(Op op) {
   return op == Op::Less || op == Op::LessEqual || op == Op::Greater || op == Op::GreaterEqual ||
          op == Op::Equal || op == Op::NotEqual;
 }
 
 }  // namespace
+
+bool isWindow(TemporalKind kind) {
+  return kind != TemporalKind::Became && kind != TemporalKind::Held;
+}
 
 const OpInfo& opInfo(Op op) {
   return kOps.at(static_cast<size_t>(op));
@@ -117,8 +139,9 @@ std::optional<Type> resultType(const Mission& mission, const Expr& expr) {
       return kTime;
     case Op::True:
     case Op::False:
-    case Op::Temporal:
       return kBool;
+    case Op::Temporal:
+      return watched(mission, mission[expr.temporal]);
     case Op::Variable:
       return mission[expr.variable].type;
     case Op::Not:

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <utility>
@@ -119,11 +120,28 @@ class Validator {
            fits(e.op == Op::Temporal, e.temporal, m_.temporals.size());
   }
 
+  /// Whether what `e` watches, or an earlier temporal does, stands before expression `i`.
+  bool watchedBefore(uint32_t i, const Expr& e) const {
+    return e.op != Op::Temporal || watched_end_[e.temporal.index] <= i;
+  }
+
+  /// For each temporal, one more than the greatest number in it and those before it.
+  void watchedEnds() {
+    uint32_t end = 0;
+    for (const Temporal& t : m_.temporals) {
+      for (ExprId id : {t.operand, t.duration, t.along}) {
+        end = id.valid() ? std::max(end, id.index + 1) : end;
+      }
+      watched_end_.push_back(t.operand.valid() ? end : UINT32_MAX);
+    }
+  }
+
   bool expressions() {
+    watchedEnds();
     for (uint32_t i = 0; i < m_.exprs.size(); ++i) {
       const Expr& e = m_.exprs[i];
       const bool known = static_cast<size_t>(e.op) < opCount();
-      if (!known || !hasOperands(i, e) || !hasLeaf(e)) {
+      if (!known || !hasOperands(i, e) || !hasLeaf(e) || !watchedBefore(i, e)) {
         require(false, e.range,
                 fmt::format("expression {} lacks an operand or has one too many", i));
         return false;
@@ -139,6 +157,7 @@ class Validator {
 
   const Mission& m_;
   std::vector<Defect> defects_;
+  std::vector<uint32_t> watched_end_;
 };
 
 }  // namespace

@@ -128,22 +128,37 @@ class CodeValidator {
     for (uint32_t i = 0; i < m_.temporals.size(); ++i) {
       const Temporal& w = m_.temporals[i];
       const bool always = w.list == ListKind::Always;
-      if (w.list > ListKind::Route || w.kind > TemporalKind::Held ||
+      if (w.list > ListKind::Route || w.kind > TemporalKind::Slope ||
           (always ? w.state.valid() : w.state.index >= m_.states.size())) {
         require(false, w.range, fmt::format("temporal {} has no list", i));
         continue;
       }
-      expression(w.operand, w.state, kBool, w.range, fmt::format("what temporal {} watches", i));
-      if (w.kind == TemporalKind::Held) {
-        expression(w.duration, w.state, kTime, w.range, fmt::format("the time of temporal {}", i));
-      } else {
-        require(!w.duration.valid(), w.range, fmt::format("temporal {} has a time", i));
-      }
-      for (ExprId id : {w.operand, w.duration}) {
+      isWindow(w.kind) ? window(i, w) : guard(i, w);
+      for (ExprId id : {w.operand, w.duration, w.along}) {
         require(!exists(id) || reads_[id.index].temporals_end <= i, w.range,
                 fmt::format("temporal {} watches itself or a later one", i));
       }
     }
+  }
+
+  void guard(uint32_t i, const Temporal& w) {
+    expression(w.operand, w.state, kBool, w.range, fmt::format("what temporal {} watches", i));
+    if (w.kind == TemporalKind::Held) {
+      expression(w.duration, w.state, kTime, w.range, fmt::format("the time of temporal {}", i));
+    }
+    require((w.kind == TemporalKind::Held || !w.duration.valid()) && !w.along.valid() &&
+                w.length == 0,
+            w.range, fmt::format("temporal {} has what only others have", i));
+  }
+
+  void window(uint32_t i, const Temporal& w) {
+    numberOrTruth(w.operand, w.state, w.range, fmt::format("what temporal {} watches", i));
+    require(exists(w.operand) && m_[w.operand].type != kBool && !w.duration.valid(), w.range,
+            fmt::format("window {} is over no number", i));
+    require(!w.along.valid() || (exists(w.along) && m_[w.along].op == Op::Sensor), w.range,
+            fmt::format("window {} is not stretched along a sensor", i));
+    require(std::isfinite(w.length) && w.length > 0, w.range,
+            fmt::format("window {} has the length {}", i, w.length));
   }
 
   /// Counts the uses of blocks by block `i`, which must stand after them.

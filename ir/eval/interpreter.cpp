@@ -60,7 +60,7 @@ TickResult Interpreter::start(std::span<const SensorUpdate> frame,
     assign({i}, parameters[i]);
   }
   initialise(false);
-  startTemporals(true);
+  startTemporals(true, Moment::Start);
   enter({0});
   return result();
 }
@@ -126,48 +126,6 @@ Value Interpreter::leaf(const Expr& e) const {
     default:
       CHECK(false, "not a leaf");
   }
-}
-
-bool Interpreter::current(const Temporal& temporal) const {
-  return temporal.list == ListKind::Always || temporal.state == state_;
-}
-
-/// Step 3.
-void Interpreter::advanceTemporals() {
-  for (uint32_t i = 0; i < temporals_.size(); ++i) {
-    if (current(mission_.temporals[i])) {
-      update(i, false);
-    }
-  }
-}
-
-/// Those of `always`, or those of the current state.
-void Interpreter::startTemporals(bool always) {
-  for (uint32_t i = 0; i < temporals_.size(); ++i) {
-    const Temporal& t = mission_.temporals[i];
-    if (current(t) && (t.list == ListKind::Always) == always) {
-      update(i, true);
-    }
-  }
-}
-
-/// A temporal starts, or advances.
-void Interpreter::update(uint32_t temporal, bool start) {
-  const Temporal& t = mission_.temporals[temporal];
-  TemporalState& state = temporals_[temporal];
-  const Truth operand = truthOf(t.operand);
-  const bool turned = operand == Truth::True && !state.was_true && !start;
-  if (t.kind == TemporalKind::Became) {
-    state.value = operand == Truth::Unknown ? Truth::Unknown : truth(turned);
-  } else {
-    if (start || turned) {
-      state.since = mission_time_;
-    }
-    const double held = settle(mission_time_ - state.since);
-    state.value = operand == Truth::True ? compare(Op::GreaterEqual, held, number(t.duration))
-                                         : operand;
-  }
-  state.was_true = operand == Truth::True;
 }
 
 const Activity& Interpreter::activity(ListKind list) const {
@@ -257,7 +215,7 @@ void Interpreter::enter(StateId target) {
   state_ = target;
   entered_ = resumed_ = mission_time_;
   initialise(true);
-  startTemporals(false);
+  startTemporals(false, Moment::Start);
   run(mission_[state_].entry);
   startActivity(ListKind::Profile, Phase::Enter);
   startActivity(ListKind::Route, Phase::Enter);
@@ -271,7 +229,7 @@ void Interpreter::resume() {
   stack_.pop_back();
   resumed_ = mission_time_;
   just_returned_ = true;
-  startTemporals(false);
+  startTemporals(false, Moment::Resume);
   startActivity(ListKind::Profile, Phase::Resume);
   startActivity(ListKind::Route, Phase::Resume);
 }

@@ -7,6 +7,7 @@
 #include "ir/core/truth.h"
 #include "ir/eval/evaluate.h"
 #include "ir/eval/tick_result.h"
+#include "ir/eval/window.h"
 
 #include <optional>
 #include <span>
@@ -64,8 +65,10 @@ class Interpreter {
   struct TemporalState {
     bool was_true = false;  ///< the operand, when this last advanced or started
     double since = 0;
-    Truth value = Truth::Unknown;
+    Value value = Truth::Unknown;
+    std::optional<PlainWindow> window;  ///< of a window
   };
+  enum class Moment : uint8_t { Start, Resume, Advance };
 
   void take(double mission_time, std::span<const SensorUpdate> frame);
   [[nodiscard]] Value leaf(const Expr& expr) const;
@@ -73,8 +76,11 @@ class Interpreter {
 
   [[nodiscard]] bool current(const Temporal& temporal) const;
   void advanceTemporals();
-  void startTemporals(bool always);
-  void update(uint32_t temporal, bool start);
+  void startTemporals(bool always, Moment moment);
+  void update(uint32_t temporal, Moment moment);
+  void updateGuard(const Temporal& temporal, TemporalState& state, bool start);
+  void updateWindow(const Temporal& temporal, TemporalState& state, bool start);
+  [[nodiscard]] bool fresh(const Temporal& window) const;
 
   bool tryList(ListKind list);
   [[nodiscard]] const std::vector<Case>& casesOf(ListKind list) const;

@@ -4,6 +4,7 @@
 #include "driver/compilation.h"
 
 #include "driver/share.h"
+#include "frontend/import/imports.h"
 #include "ir/text/read.h"
 #include "ir/verify/verify.h"
 #include "support/files.h"
@@ -71,10 +72,16 @@ Result<void> analyse(Compilation& compilation, uint32_t file) {
   if (!library) {
     return std::unexpected(library.error());
   }
-  if (*library) {
-    const frontend::AnalysisInputs inputs{*compilation.platform, {&**library}, compilation.sources};
-    compilation.mission = frontend::analyse(*compilation.ast, inputs, compilation.diagnostics);
+  const auto imports =
+      frontend::loadImports(*compilation.ast, compilation.sources, compilation.diagnostics);
+  if (!*library || !imports) {
+    return {};
   }
+  frontend::AnalysisInputs inputs{*compilation.platform, {&**library}, compilation.sources};
+  for (const ast::File& import : *imports) {
+    inputs.library.push_back(&import);
+  }
+  compilation.mission = frontend::analyse(*compilation.ast, inputs, compilation.diagnostics);
   return {};
 }
 

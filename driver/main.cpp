@@ -32,6 +32,7 @@ int run(int argc, char** argv) {
   addCheckCommand(app, status);
   addBuildCommand(app, status);
   addSimCommand(app, status);
+  addFmtCommand(app, status);
   addTargetsCommand(app, status);
   try {
     app.parse(argc, argv);

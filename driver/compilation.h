@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
 
 namespace glider::driver {
 
@@ -19,6 +20,7 @@ namespace glider::driver {
 /// diagnostics say why.
 struct Compilation {
   support::SourceManager sources;
+  uint32_t file = 0;  ///< the mission's, in `sources`
   support::DiagnosticEngine diagnostics;
   std::optional<ast::File> ast;
   std::optional<platforms::Platform> platform;
@@ -32,5 +34,9 @@ struct Compilation {
 /// form. The mission's mistakes stand in Compilation::diagnostics; only the world's failures (file,
 /// platform data) are a Failure.
 support::Result<std::unique_ptr<Compilation>> compileMission(const std::filesystem::path& path);
+
+/// The same for a `text` that stands in for the file at `path`.
+support::Result<std::unique_ptr<Compilation>> compileText(const std::filesystem::path& path,
+                                                          std::string text);
 
 }  // namespace glider::driver

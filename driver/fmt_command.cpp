@@ -4,6 +4,7 @@
 #include "driver/commands.h"
 #include "driver/exit_code.h"
 #include "driver/line_diff.h"
+#include "driver/rewrite.h"
 #include "driver/terminal.h"
 #include "frontend/format/format.h"
 #include "support/files.h"
@@ -38,7 +39,7 @@ support::Result<void> put(const FmtOptions& options, const std::string& path,
   if (standard) {
     return printOut(after);
   }
-  return before == after ? support::Result<void>{} : support::writeFileAtomically(path, after);
+  return before == after ? support::Result<void>{} : rewriteFile(path, after);
 }
 
 int format(const FmtOptions& options, const std::string& path) {

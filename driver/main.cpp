@@ -33,6 +33,8 @@ int run(int argc, char** argv) {
   addBuildCommand(app, status);
   addSimCommand(app, status);
   addFmtCommand(app, status);
+  addFixCommand(app, status);
+  addExplainCommand(app, status);
   addTargetsCommand(app, status);
   try {
     app.parse(argc, argv);

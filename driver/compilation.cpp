@@ -59,8 +59,8 @@ Result<std::optional<ast::File>> loadLibrary(Compilation& compilation) {
   return frontend::parse(compilation.sources, *file, compilation.diagnostics);
 }
 
-Result<void> analyse(Compilation& compilation) {
-  compilation.ast = frontend::parse(compilation.sources, compilation.file, compilation.diagnostics);
+Result<void> analyse(Compilation& compilation, uint32_t file) {
+  compilation.ast = frontend::parse(compilation.sources, file, compilation.diagnostics);
   if (!compilation.ast) {
     return {};
   }
@@ -91,11 +91,10 @@ Result<std::unique_ptr<Compilation>> compileMission(const std::filesystem::path&
 Result<std::unique_ptr<Compilation>> compileText(const std::filesystem::path& path,
                                                  std::string text) {
   auto compilation = std::make_unique<Compilation>();
-  compilation->file = compilation->sources.add(path.string(), std::move(text));
+  const uint32_t file = compilation->sources.add(path.string(), std::move(text));
   if (path.extension() == ".ir") {
-    compilation->mission =
-        ir::read(compilation->sources, compilation->file, compilation->diagnostics);
-  } else if (auto analysed = analyse(*compilation); !analysed) {
+    compilation->mission = ir::read(compilation->sources, file, compilation->diagnostics);
+  } else if (auto analysed = analyse(*compilation, file); !analysed) {
     return std::unexpected(analysed.error());
   }
   if (compilation->ok()) {

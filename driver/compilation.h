@@ -20,7 +20,6 @@ namespace glider::driver {
 /// diagnostics say why.
 struct Compilation {
   support::SourceManager sources;
-  uint32_t file = 0;  ///< the mission's, in `sources`
   support::DiagnosticEngine diagnostics;
   std::optional<ast::File> ast;
   std::optional<platforms::Platform> platform;
@@ -35,7 +34,7 @@ struct Compilation {
 /// platform data) are a Failure.
 support::Result<std::unique_ptr<Compilation>> compileMission(const std::filesystem::path& path);
 
-/// The same for a `text` that stands in for the file at `path`.
+/// The same for a `text` that stands in for the file at `path`; it is file 0 of the sources.
 support::Result<std::unique_ptr<Compilation>> compileText(const std::filesystem::path& path,
                                                           std::string text);
 

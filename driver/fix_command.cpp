@@ -14,7 +14,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -23,92 +22,64 @@ namespace glider::driver {
 namespace {
 
 using support::Diagnostic;
+using support::Fixing;
 using support::Result;
 
-/// Fix-its that undo each other must not go on for ever.
-constexpr int kMostRounds = 100;
-
-/// A mission's errors, stage by stage: while one stage has errors, those of the next are hidden.
-using Errors = std::array<size_t, 3>;
-
-Errors errorsOf(const Compilation& compilation) {
-  constexpr size_t kPerStage = 1000;
-  Errors errors{};
-  for (const Diagnostic& diagnostic : compilation.diagnostics.sorted()) {
-    const size_t stage = static_cast<size_t>(diagnostic.id) / kPerStage;  // GL1xxx is syntax
-    const bool error = diagnostic.severity == support::Severity::Error;
-    errors[std::clamp<size_t>(stage, 1, errors.size()) - 1] += error ? 1U : 0U;
-  }
-  return errors;
-}
-
-/// A mission on its way to have no more fix-its.
-struct Fixing {
-  std::unique_ptr<Compilation> last;
-  std::string report;
-  Errors before{};
-};
-
-std::string reportOf(const Compilation& compilation, const std::vector<Diagnostic>& fixed) {
+std::string reportOf(const std::string& path, const Fixing& fixing) {
   std::string out;
-  for (const Diagnostic& diagnostic : fixed) {
-    const support::LineColumn at =
-        compilation.sources.place(compilation.file, diagnostic.range.begin);
-    out += fmt::format("{}:{}:{}: fixed [{} {}] {}\n", compilation.sources.name(compilation.file),
-                       at.line, at.column, support::code(diagnostic.id),
-                       support::catalogueRow(diagnostic.id).slug, diagnostic.message);
+  for (const Fixing::Round& round : fixing.rounds) {
+    support::SourceManager sources;
+    const uint32_t file = sources.add(path, round.before);
+    for (const Diagnostic& diagnostic : round.fixed) {
+      const support::LineColumn at = sources.place(file, diagnostic.range.begin);
+      out += fmt::format("{}:{}:{}: fixed [{} {}] {}\n", path, at.line, at.column,
+                         support::code(diagnostic.id), support::catalogueRow(diagnostic.id).slug,
+                         diagnostic.message);
+    }
   }
-  return out;
+  return out.empty() ? path + ": nothing to fix\n" : out;
 }
 
-/// Applies fix-its, round after round, until none is left.
-Result<Fixing> applyAll(const std::string& path, const std::string& text) {
-  auto compiled = compileText(path, text);
-  if (!compiled) {
-    return std::unexpected(compiled.error());
-  }
-  Fixing fixing{std::move(*compiled), {}, {}};
-  fixing.before = errorsOf(*fixing.last);
-  for (int round = 0; round < kMostRounds; ++round) {
-    const Compilation& last = *fixing.last;
-    const support::FixedText next =
-        support::applyFixes(last.sources.text(last.file), last.file, last.diagnostics.sorted());
-    if (next.fixed.empty()) {
-      break;
+/// Puts the fixed text in its place, or shows what that would change.
+Result<void> put(const std::string& path, const std::string& before, const Fixing& fixing,
+                 bool dry_run) {
+  if (!dry_run && fixing.text != before) {
+    if (auto written = rewriteFile(path, fixing.text); !written) {
+      return written;
     }
-    fixing.report += reportOf(last, next.fixed);
-    compiled = compileText(path, next.text);
-    if (!compiled) {
-      return std::unexpected(compiled.error());
-    }
-    fixing.last = std::move(*compiled);
   }
-  return fixing;
+  return printOut(reportOf(path, fixing) + (dry_run ? lineDiff(path, before, fixing.text) : ""));
 }
 
 int fix(const std::string& path, bool dry_run) {
   const auto text = support::readFile(path);
-  const auto fixing = text ? applyAll(path, *text) : std::unexpected(text.error());
+  if (!text) {
+    return reportFailure(text.error());
+  }
+  std::unique_ptr<Compilation> last;
+  const auto check = [&](const std::string& candidate) -> Result<std::vector<Diagnostic>> {
+    auto compiled = compileText(path, candidate);
+    if (!compiled) {
+      return std::unexpected(compiled.error());
+    }
+    last = std::move(*compiled);
+    return last->diagnostics.sorted();
+  };
+  constexpr uint32_t kFile = 0;  // compileText adds the mission first
+  const auto fixing = support::fixAll(*text, kFile, check);
   if (!fixing) {
     return reportFailure(fixing.error());
   }
-  const Compilation& last = *fixing->last;
-  if (errorsOf(last) > fixing->before) {
+  if (fixing->worse) {
     reportFailure(support::fail(support::DiagnosticId::fixesNotKept, path).error());
     return kMissionHasErrors;
   }
-  const std::string& fixed = last.sources.text(last.file);
-  const auto written = dry_run || fixed == *text ? Result<void>{} : rewriteFile(path, fixed);
-  if (!written) {
-    return reportFailure(written.error());
+  const auto done = put(path, *text, *fixing, dry_run);
+  if (!done) {
+    return reportFailure(done.error());
   }
-  std::string report = fixing->report.empty() ? path + ": nothing to fix\n" : fixing->report;
-  const auto printed = printOut(dry_run ? report + lineDiff(path, *text, fixed) : report);
-  reportDiagnostics(last.diagnostics, last.sources);
-  if (!printed) {
-    return reportFailure(printed.error());
-  }
-  return last.diagnostics.hasErrors() ? kMissionHasErrors : kFine;
+  reportDiagnostics(last->diagnostics, last->sources);
+  return last->diagnostics.hasErrors() ? kMissionHasErrors : kFine;
 }
 
 }  // namespace

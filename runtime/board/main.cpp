@@ -40,7 +40,7 @@ int run(const Options& options) {
     return kNoLink;
   }
   alignas(GliderRuntime) static uint8_t memory[sizeof(GliderRuntime)];
-  const GliderRuntimeOptions runtime_options{openLogOf(options)};
+  const GliderRuntimeOptions runtime_options{openLogOf(options), nullptr};
   GliderRuntime* runtime =
       gliderRuntimeInit(memory, gliderContextMemory, &gliderMission, &runtime_options);
   if (runtime == nullptr) {

@@ -38,7 +38,7 @@ class LinkTest : public ::testing::Test {
 
   void boot(VehicleBench& vehicle) {
     runtime_memory_.assign(gliderRuntimeSize() / sizeof(double) + 1, 0.0);
-    const GliderRuntimeOptions options{{this, &LinkTest::writeLog}};
+    const GliderRuntimeOptions options{{this, &LinkTest::writeLog}, nullptr};
     runtime_ = gliderRuntimeInit(runtime_memory_.data(), mission_.memory.data(), &mission_.mission,
                                  &options);
     ASSERT_NE(runtime_, nullptr);
@@ -223,7 +223,7 @@ TEST_F(LinkTest, SaysWhenTheLineIsClosed) {
 TEST_F(LinkTest, ALogThatFailsNeverStopsTheMission) {
   VehicleBench vehicle({});
   boot(vehicle);
-  const GliderRuntimeOptions full{{this, [](void*, const uint8_t*, uint32_t) { return -1; }}};
+  const GliderRuntimeOptions full{{this, [](void*, const uint8_t*, uint32_t) { return -1; }}, nullptr};
   runtime_ =
       gliderRuntimeInit(runtime_memory_.data(), mission_.memory.data(), &mission_.mission, &full);
   vehicle.run(300);

@@ -237,7 +237,7 @@ TEST_F(LinkTest, RefusesAMissionOfAnotherAbi) {
   };
   GliderMission other = mission_.mission;
   EXPECT_NE(init(other), nullptr);
-  other.abi_version = 2;
+  other.abi_version = GLIDER_ABI_VERSION - 1;
   EXPECT_EQ(init(other), nullptr);
   other = mission_.mission;
   other.context_bytes -= 8;

@@ -27,9 +27,9 @@ std::string at(int time) {
   return fmt::format("(eq missiontime {}:time)", time);
 }
 
-class Run {
+class Flight {
  public:
-  explicit Run(const std::string& text, uint32_t depth = 3)
+  explicit Flight(const std::string& text, uint32_t depth = 3)
       : mission_(missionOf(text)), interpreter_(mission_, depth) {}
 
   const TickResult& start(const Updates& frame = {}) { return last_ = interpreter_.start(frame); }
@@ -73,10 +73,10 @@ std::string log(const std::string& text) {
 }
 
 TEST(Tick, TriesTheFourListsInTurnAndStayGoesOn) {
-  Run run(kWritten + "always case true " + log("always") + "stay case true " + log("no") +
-          "stay state a route way begin case true " + log("route") +
-          "stay end profile yo begin case true " + log("profile") + "stay end case true " +
-          log("state") + "stay");
+  Flight run(kWritten + "always case true " + log("always") + "stay case true " + log("no") +
+             "stay state a route way begin case true " + log("route") +
+             "stay end profile yo begin case true " + log("profile") + "stay end case true " +
+             log("state") + "stay");
   run.start();
   EXPECT_EQ(run.notes(), "");
   run.tick(4);
@@ -86,11 +86,11 @@ TEST(Tick, TriesTheFourListsInTurnAndStayGoesOn) {
 }
 
 TEST(Tick, ATransitionEndsItAndEntriesRunInOrder) {
-  Run run(kWritten + "state a route way begin case true " + log("no") +
-          "stay end profile yo begin end case true " + log("leave") + "goto b " +
-          "state b route way begin entry " + log("route") + "case true " + log("late") +
-          "stay end profile yo begin entry " + log("profile") + "end entry " + log("state") +
-          "case true exit");
+  Flight run(kWritten + "state a route way begin case true " + log("no") +
+             "stay end profile yo begin end case true " + log("leave") + "goto b " +
+             "state b route way begin entry " + log("route") + "case true " + log("late") +
+             "stay end profile yo begin entry " + log("profile") + "end entry " + log("state") +
+             "case true exit");
   run.start();
   run.tick(4);
   EXPECT_EQ(run.notes(), "leave;state;profile;route;");
@@ -104,9 +104,9 @@ TEST(Tick, ATransitionEndsItAndEntriesRunInOrder) {
 }
 
 TEST(Tick, AfterAReturnTheStatesOwnCasesComeBeforeAlways) {
-  Run run(kHeader + "always case (ge missiontime 4:time) call avoid " +
-          stateText("a", "case " + at(12) + " goto b") + stateText("avoid", "case true return") +
-          stateText("b", "case false exit"));
+  Flight run(kHeader + "always case (ge missiontime 4:time) call avoid " +
+             stateText("a", "case " + at(12) + " goto b") + stateText("avoid", "case true return") +
+             stateText("b", "case false exit"));
   run.start();
   run.tick(4);
   EXPECT_EQ(run.state(), "avoid");
@@ -123,8 +123,8 @@ TEST(Tick, AfterAReturnTheStatesOwnCasesComeBeforeAlways) {
 }
 
 TEST(Tick, AfterAReturnAlwaysComesNextIfTheStateStays) {
-  Run run(kHeader + "always case (ge missiontime 4:time) call avoid " +
-          stateText("a", "case true stay") + stateText("avoid", "case true return"));
+  Flight run(kHeader + "always case (ge missiontime 4:time) call avoid " +
+             stateText("a", "case true stay") + stateText("avoid", "case true return"));
   run.start();
   run.tick(4);
   run.tick(8);
@@ -134,10 +134,10 @@ TEST(Tick, AfterAReturnAlwaysComesNextIfTheStateStays) {
 }
 
 TEST(Tick, OnlyEarlierCasesOfAlwaysInterruptWhatAlwaysEntered) {
-  Run run(kHeader + "always case " + at(12) +
-          " call first case (ge missiontime 4:time) call second " + "case " + at(8) + " exit " +
-          stateText("a", "") + stateText("first", "") +
-          stateText("second", "case " + at(20) + " goto a"));
+  Flight run(kHeader + "always case " + at(12) +
+             " call first case (ge missiontime 4:time) call second " + "case " + at(8) + " exit " +
+             stateText("a", "") + stateText("first", "") +
+             stateText("second", "case " + at(20) + " goto a"));
   run.start();
   run.tick(4);
   EXPECT_EQ(run.state(), "second");
@@ -151,8 +151,8 @@ TEST(Tick, OnlyEarlierCasesOfAlwaysInterruptWhatAlwaysEntered) {
 }
 
 TEST(Tick, AnAlwaysCaseWhoseTargetIsInUseFallsThrough) {
-  Run run(kHeader + "always case true goto a case " + at(8) + " call b " +
-          stateText("a", "case " + at(4) + " call c") + stateText("b", "") + stateText("c", ""));
+  Flight run(kHeader + "always case true goto a case " + at(8) + " call b " +
+             stateText("a", "case " + at(4) + " call c") + stateText("b", "") + stateText("c", ""));
   run.start();
   run.tick(4);
   EXPECT_EQ(run.state(), "c") << "a is current";
@@ -163,9 +163,9 @@ TEST(Tick, AnAlwaysCaseWhoseTargetIsInUseFallsThrough) {
 }
 
 TEST(Tick, LimitsAreKeptByCallsAndForgottenByGotos) {
-  Run run(kHeader + "always case false exit case " + at(4) + " goto h " + stateText("a", "") +
-          stateText("h", "case " + at(8) + " call k case " + at(16) + " goto a") +
-          stateText("k", "case " + at(12) + " return"));
+  Flight run(kHeader + "always case false exit case " + at(4) + " goto h " + stateText("a", "") +
+             stateText("h", "case " + at(8) + " call k case " + at(16) + " goto a") +
+             stateText("k", "case " + at(12) + " return"));
   run.start();
   EXPECT_EQ(run.tick(4).limit, 1u);
   EXPECT_EQ(run.tick(8).limit, 1u);
@@ -175,9 +175,10 @@ TEST(Tick, LimitsAreKeptByCallsAndForgottenByGotos) {
 }
 
 TEST(Tick, DoneIsSeenByTheState) {
-  Run run(kWritten + "variable d: bool profile of a variable v: bool state of a " +
-          "state a initial d false initial v false route drift () profile yo done d begin case " +
-          at(4) + " done end case (var d) do set v true end stay case " + at(12) + " goto a");
+  Flight run(
+      kWritten + "variable d: bool profile of a variable v: bool state of a " +
+      "state a initial d false initial v false route drift () profile yo done d begin case " +
+      at(4) + " done end case (var d) do set v true end stay case " + at(12) + " goto a");
   run.start();
   EXPECT_EQ(run.variable("d"), 0);
   run.tick(4);
@@ -190,7 +191,7 @@ TEST(Tick, DoneIsSeenByTheState) {
 }
 
 TEST(Tick, ArgumentsAreEvaluatedInTheOldStateAllBeforeAnyIsGiven) {
-  Run run(
+  Flight run(
       kHeader +
       "variable x: time argument of leg variable y: time argument of leg "
       "variable z: time state of leg " +
@@ -210,10 +211,10 @@ TEST(Tick, ArgumentsAreEvaluatedInTheOldStateAllBeforeAnyIsGiven) {
 }
 
 TEST(Tick, VariablesLiveThroughCallsAndStartAnewByGoto) {
-  Run run(kHeader + "variable n: number state of a variable m: number mission initial m 0 " +
-          "state a initial n 0 route drift () profile glide () case " + at(4) +
-          " do set n 7 set m 7 end call b case " + at(12) + " goto a " +
-          stateText("b", "case " + at(8) + " return"));
+  Flight run(kHeader + "variable n: number state of a variable m: number mission initial m 0 " +
+             "state a initial n 0 route drift () profile glide () case " + at(4) +
+             " do set n 7 set m 7 end call b case " + at(12) + " goto a " +
+             stateText("b", "case " + at(8) + " return"));
   run.start();
   run.tick(4);
   run.tick(8);
@@ -224,7 +225,7 @@ TEST(Tick, VariablesLiveThroughCallsAndStartAnewByGoto) {
 }
 
 TEST(Tick, ASetSeenByLaterLists) {
-  Run run(
+  Flight run(
       kHeader + "variable x: length mission initial x 1:length " +
       "state a route drift () profile to ((var x), 0:time) case true do set x 2:length end stay");
   run.start();
@@ -235,8 +236,8 @@ TEST(Tick, ASetSeenByLaterLists) {
 }
 
 TEST(Tick, AnUnknownSetOrInitialValue) {
-  Run run(kHeader + "variable x: length mission initial x (sensor depth) " +
-          stateText("a", "case true do set x (add (sensor depth) 1:length) end stay"));
+  Flight run(kHeader + "variable x: length mission initial x (sensor depth) " +
+             stateText("a", "case true do set x (add (sensor depth) 1:length) end stay"));
   run.start();
   EXPECT_NE(run.variable("x"), run.variable("x"));
   run.tick(4, {{kDepth, 5}});
@@ -248,9 +249,9 @@ TEST(Tick, AnUnknownSetOrInitialValue) {
 }
 
 TEST(Tick, AnUnknownIfTakesNeitherBranch) {
-  Run run(kHeader + stateText("a",
-                              "case true do if (gt (sensor depth) 5:length) log deep () "
-                              "else log shallow () end log after () end stay"));
+  Flight run(kHeader + stateText("a",
+                                 "case true do if (gt (sensor depth) 5:length) log deep () "
+                                 "else log shallow () end log after () end stay"));
   run.start();
   run.tick(4);
   EXPECT_EQ(run.notes(), "after;");
@@ -261,8 +262,9 @@ TEST(Tick, AnUnknownIfTakesNeitherBranch) {
 }
 
 TEST(Tick, CommandsWithAnUnknownArgumentAreRefused) {
-  Run run(kHeader +
-          stateText("a", "case true do descend ((sensor depth), 0.4:angle) surface () end stay"));
+  Flight run(
+      kHeader +
+      stateText("a", "case true do descend ((sensor depth), 0.4:angle) surface () end stay"));
   run.start();
   run.tick(4);
   const auto& first = std::get<CommandRun>(run.last().actions.at(0));
@@ -284,8 +286,8 @@ TEST(Tick, KeepsSixteenNotesAndSixtyFourValues) {
     wide += fmt::format("{}{}", i == 0 ? "" : ", ", i);
   }
   wide += ") ";
-  Run run(kHeader + stateText("a", "case " + at(4) + " do " + many + "end stay case " + at(8) +
-                                       " do " + wide + wide + "log x () log y (1) end stay"));
+  Flight run(kHeader + stateText("a", "case " + at(4) + " do " + many + "end stay case " + at(8) +
+                                          " do " + wide + wide + "log x () log y (1) end stay"));
   run.start();
   run.tick(4);
   EXPECT_EQ(run.last().notes.size(), 16u);
@@ -300,8 +302,9 @@ TEST(Tick, KeepsSixteenNotesAndSixtyFourValues) {
 }
 
 TEST(Tick, Became) {
-  Run run(kHeader + "temporal became state a (gt (sensor depth) 5:length) " +
-          stateText("a", "case (temporal 0) do log turned () end stay case " + at(20) + " goto a"));
+  Flight run(
+      kHeader + "temporal became state a (gt (sensor depth) 5:length) " +
+      stateText("a", "case (temporal 0) do log turned () end stay case " + at(20) + " goto a"));
   run.start({{kDepth, 9}});
   run.tick(4, {{kDepth, 9}});
   EXPECT_EQ(run.notes(), "") << "true at the entry counts as already true";
@@ -316,8 +319,8 @@ TEST(Tick, Became) {
 }
 
 TEST(Tick, HeldCountsFromTheEntryAndFromTheTurn) {
-  Run run(kHeader + "temporal held state a (gt (sensor depth) 5:length) for 8:time " +
-          stateText("a", "case (temporal 0) do log held () end stay"));
+  Flight run(kHeader + "temporal held state a (gt (sensor depth) 5:length) for 8:time " +
+             stateText("a", "case (temporal 0) do log held () end stay"));
   run.start({{kDepth, 9}});
   EXPECT_EQ(run.tick(4, {{kDepth, 9}}).notes.size(), 0u);
   EXPECT_EQ(run.tick(8, {{kDepth, 9}}).notes.size(), 1u);
@@ -328,12 +331,12 @@ TEST(Tick, HeldCountsFromTheEntryAndFromTheTurn) {
 }
 
 TEST(Tick, TemporalsNestAndStartAnewOnReturnButThoseOfAlwaysDoNot) {
-  Run run(kHeader + "temporal held always (gt (sensor depth) 5:length) for 12:time " +
-          "temporal held state a (gt (sensor depth) 5:length) for 12:time " +
-          "temporal became state a (temporal 1) " + "always case (temporal 0) " + log("always") +
-          "stay " +
-          stateText("a", "case (temporal 2) " + log("own") + "stay case " + at(4) + " call b") +
-          stateText("b", "case " + at(8) + " return"));
+  Flight run(kHeader + "temporal held always (gt (sensor depth) 5:length) for 12:time " +
+             "temporal held state a (gt (sensor depth) 5:length) for 12:time " +
+             "temporal became state a (temporal 1) " + "always case (temporal 0) " + log("always") +
+             "stay " +
+             stateText("a", "case (temporal 2) " + log("own") + "stay case " + at(4) + " call b") +
+             stateText("b", "case " + at(8) + " return"));
   run.start({{kDepth, 9}});
   run.tick(4, {{kDepth, 9}});
   run.tick(8, {{kDepth, 9}});
@@ -347,9 +350,9 @@ TEST(Tick, TemporalsNestAndStartAnewOnReturnButThoseOfAlwaysDoNot) {
 }
 
 TEST(Tick, WindowsAreUnknownUntilCoveredAndSurviveCalls) {
-  Run run(kHeader + "temporal mean state a (sensor depth) over 8 " +
-          "state a route drift () profile to ((temporal 0), 0:time) case " + at(4) + " call b " +
-          stateText("b", "case " + at(8) + " return"));
+  Flight run(kHeader + "temporal mean state a (sensor depth) over 8 " +
+             "state a route drift () profile to ((temporal 0), 0:time) case " + at(4) + " call b " +
+             stateText("b", "case " + at(8) + " return"));
   auto mean = [&] { return std::get<ActivityRun>(run.last().actions.at(0)).arguments.at(0); };
   run.start({{kDepth, 2}});
   EXPECT_NE(mean(), mean());
@@ -363,10 +366,10 @@ TEST(Tick, ParametersComeBeforeTheVariablesThatReadThem) {
       kHeader + "variable p: length parameter lowest 10 highest 30 variable q: bool parameter " +
       "variable x: length mission initial p 20:length initial q false " +
       "initial x (mul 2 (var p)) condition (ge (var p) 15:length) " + stateText("a", "");
-  Run run(text);
+  Flight run(text);
   run.start();
   EXPECT_EQ(run.variable("x"), 40);
-  Run other(text);
+  Flight other(text);
   other.start({}, {30, 1});
   EXPECT_EQ(other.variable("x"), 60);
   EXPECT_EQ(other.variable("q"), 1);
@@ -392,8 +395,8 @@ TEST(Tick, DeepExpressionsNeedNoDeepStack) {
 }
 
 TEST(TickDeathTest, RefusesAVariableOutsideItsRange) {
-  Run run(kHeader + "variable x: length mission lowest 0 highest 5 initial x 1:length " +
-          stateText("a", "case true do set x (sensor depth) end stay"));
+  Flight run(kHeader + "variable x: length mission lowest 0 highest 5 initial x 1:length " +
+             stateText("a", "case true do set x (sensor depth) end stay"));
   run.start();
   EXPECT_DEATH(run.tick(4, {{kDepth, 9}}), "outside its range");
 }

@@ -284,6 +284,11 @@ ExprId ExpressionMaker::number(Type type, uint32_t depth) {
       return *made;
     }
   }
+  if (random_.chance(0.05)) {
+    const ExprId condition = guard(0);
+    const ExprId a = number(type, depth - 1);
+    return add(Op::Select, {condition, a, number(type, depth - 1)});
+  }
   if (random_.chance(0.12)) {
     if (const auto made = geometry(type, depth - 1)) {
       return *made;

@@ -54,7 +54,8 @@ struct Statistics {
     const ir::Mission mission = randomMission(seed);
     support::DiagnosticEngine diagnostics;
     const ir::MissionFacts facts = ir::verify(mission, diagnostics);
-    ASSERT_FALSE(diagnostics.hasErrors()) << ir::print(mission);
+    ASSERT_FALSE(diagnostics.hasErrors())
+        << seed << ": " << diagnostics.sorted().front().message << ir::print(mission);
     for (const ir::Expr& e : mission.exprs) {
       ops.insert(e.op);
     }

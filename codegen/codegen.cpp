@@ -11,6 +11,7 @@
 #include "codegen/program/optimise.h"
 #include "codegen/program/program.h"
 #include "codegen/target/machine.h"
+#include "runtime/abi/glider_abi.h"
 #include "support/files.h"
 
 #include <llvm/IR/LLVMContext.h>
@@ -43,9 +44,14 @@ Result<Unit> lower(const ir::Mission& mission, const ir::MissionFacts& facts, co
     return std::unexpected(machine.error());
   }
   unit.machine = std::move(*machine);
+  const MissionIndex index = indexMission(mission);
+  if (index.parameter_count > GLIDER_MOST_PARAMETERS) {
+    return support::fail(DiagnosticId::tooManyParameters, index.parameter_count,
+                         GLIDER_MOST_PARAMETERS);
+  }
   llvm::LLVMContext scratch;  // the module's own is to hold each type once
   const uint64_t bytes =
-      contextBytes(mission, facts, indexMission(mission), unit.machine->createDataLayout(),
+      contextBytes(mission, facts, index, unit.machine->createDataLayout(),
                    makeAbiTypes(scratch));
   if (bytes > kMostContextBytes) {
     return support::fail(DiagnosticId::missionTooLarge, bytes, kMostContextBytes);

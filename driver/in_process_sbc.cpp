@@ -8,11 +8,13 @@
 
 namespace glider::driver {
 
-InProcessSbc::InProcessSbc(codegen::LoadedMission mission) : mission_(std::move(mission)) {
+InProcessSbc::InProcessSbc(codegen::LoadedMission mission, std::vector<double> parameters)
+    : mission_(std::move(mission)), parameters_(std::move(parameters)) {
   // operator new aligns for every fundamental type, which is what the runtime asks for.
   runtime_memory_ = std::make_unique<std::byte[]>(mission_.runtimeSize());
   context_memory_ = std::make_unique<std::byte[]>(mission_.mission().context_bytes);
-  runtime_ = mission_.init(runtime_memory_.get(), context_memory_.get());
+  const GliderRuntimeOptions options{{}, parameters_.data()};
+  runtime_ = mission_.init(runtime_memory_.get(), context_memory_.get(), &options);
 }
 
 int32_t InProcessSbc::readBytes(void* self, uint8_t* bytes, uint32_t capacity) {

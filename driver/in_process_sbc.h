@@ -19,7 +19,8 @@ namespace glider::driver {
 /// protocol over memory.
 class InProcessSbc final : public simulator::SbcPort {
  public:
-  explicit InProcessSbc(codegen::LoadedMission mission);
+  /// `parameters`: one value each, as the mission allows them.
+  InProcessSbc(codegen::LoadedMission mission, std::vector<double> parameters);
 
   [[nodiscard]] std::string way() const override { return "in-process"; }
   void deliver(std::span<const uint8_t> bytes, double now_s) override;
@@ -34,6 +35,7 @@ class InProcessSbc final : public simulator::SbcPort {
   static double now(void* self);
 
   codegen::LoadedMission mission_;
+  std::vector<double> parameters_;
   std::unique_ptr<std::byte[]> runtime_memory_;
   std::unique_ptr<std::byte[]> context_memory_;
   GliderRuntime* runtime_ = nullptr;

@@ -31,6 +31,7 @@ int run(int argc, char** argv) {
   int status = kFine;
   addCheckCommand(app, status);
   addBuildCommand(app, status);
+  addParamsCommand(app, status);
   addSimCommand(app, status);
   addFmtCommand(app, status);
   addFixCommand(app, status);

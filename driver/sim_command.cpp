@@ -34,6 +34,7 @@ struct SimOptions {
   std::optional<uint64_t> seed;
   std::optional<double> kill_sbc_at_s;
   std::string output;
+  LaunchChoice launch;
 };
 
 /// The scenarios that come with glidercc, by name.
@@ -94,9 +95,9 @@ support::Result<std::unique_ptr<simulator::SbcPort>> chooseSbc(const SimOptions&
     return sbcProgram(options.program);
   }
   if (options.board.empty()) {
-    return sbcInProcess(*compilation);
+    return sbcInProcess(*compilation, options.launch);
   }
-  return sbcOnBoard(*compilation, options.board, outputFolder(options));
+  return sbcOnBoard(*compilation, options.launch, options.board, outputFolder(options));
 }
 
 void describeMission(simulator::SimulationSetup& setup, const Compilation& compilation) {
@@ -228,6 +229,7 @@ void addSimCommand(CLI::App& app, int& status) {
   CLI::App* command =
       app.add_subcommand("sim", "Fly a mission in the shoe-box simulator and write its report");
   addOptions(*command, *options);
+  addLaunchOptions(*command, options->launch);
   command->callback([options, &status] {
     if (options->mission.empty() && options->program.empty() && !options->without_sbc) {
       throw CLI::RequiredError("MISSION (or --sbc PROGRAM, or --no-sbc)");

@@ -57,6 +57,25 @@ GliderByteStream standardStream() {
   return {nullptr, readInput, writeOutput};
 }
 
+const char* readFile(const char* path, char* bytes, uint32_t capacity, uint32_t& size) {
+  const int descriptor = open(path, O_RDONLY);
+  if (descriptor < 0) {
+    return errno == ENOENT ? "there is no such file" : "it cannot be opened";
+  }
+  size = 0;
+  ssize_t taken = 1;
+  while (taken != 0 && size < capacity) {
+    taken = read(descriptor, bytes + size, capacity - size);
+    if (taken < 0 && errno != EINTR) {
+      close(descriptor);
+      return "it cannot be read";
+    }
+    size += taken > 0 ? static_cast<uint32_t>(taken) : 0U;
+  }
+  close(descriptor);
+  return taken == 0 ? nullptr : "it is too long";
+}
+
 GliderLogSink openLog(const char* path) {
   static int descriptor = -1;
   descriptor = open(path, O_WRONLY | O_CREAT | O_TRUNC, 0644);

@@ -107,6 +107,7 @@ glider::hooks::ClientOptions GliderRuntime::subscribe(const GliderMission& missi
 bool GliderRuntime::acceptable(const GliderMission& mission) {
   return mission.abi_version == GLIDER_ABI_VERSION && mission.state_count > 0 &&
          mission.sensor_count <= glider::hooks::kMostSubscriptions &&
+         mission.parameter_count <= GLIDER_MOST_PARAMETERS &&
          mission.parameter_count <= mission.variable_count &&
          mission.context_bytes ==
              gliderContextLayout(mission.sensor_count, mission.stack_limit, mission.memory_count,

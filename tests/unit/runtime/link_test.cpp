@@ -38,7 +38,7 @@ class LinkTest : public ::testing::Test {
 
   void boot(VehicleBench& vehicle) {
     runtime_memory_.assign(gliderRuntimeSize() / sizeof(double) + 1, 0.0);
-    const GliderRuntimeOptions options{{this, &LinkTest::writeLog}};
+    const GliderRuntimeOptions options{{this, &LinkTest::writeLog}, nullptr};
     runtime_ = gliderRuntimeInit(runtime_memory_.data(), mission_.memory.data(), &mission_.mission,
                                  &options);
     ASSERT_NE(runtime_, nullptr);
@@ -223,7 +223,7 @@ TEST_F(LinkTest, SaysWhenTheLineIsClosed) {
 TEST_F(LinkTest, ALogThatFailsNeverStopsTheMission) {
   VehicleBench vehicle({});
   boot(vehicle);
-  const GliderRuntimeOptions full{{this, [](void*, const uint8_t*, uint32_t) { return -1; }}};
+  const GliderRuntimeOptions full{{this, [](void*, const uint8_t*, uint32_t) { return -1; }}, nullptr};
   runtime_ =
       gliderRuntimeInit(runtime_memory_.data(), mission_.memory.data(), &mission_.mission, &full);
   vehicle.run(300);
@@ -237,7 +237,7 @@ TEST_F(LinkTest, RefusesAMissionOfAnotherAbi) {
   };
   GliderMission other = mission_.mission;
   EXPECT_NE(init(other), nullptr);
-  other.abi_version = 2;
+  other.abi_version = GLIDER_ABI_VERSION - 1;
   EXPECT_EQ(init(other), nullptr);
   other = mission_.mission;
   other.context_bytes -= 8;

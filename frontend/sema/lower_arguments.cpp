@@ -119,10 +119,9 @@ class ArgumentLowering {
         return;
       }
     }
-    auto report =
-        scope_.report(DiagnosticId::wrongArgumentCount, where_, callee_.name, takes,
-                      arguments_.empty() ? "none" : countOf(filled_),
-                      "write `" + callee_.signature.text + "`");
+    auto report = scope_.report(DiagnosticId::wrongArgumentCount, where_, callee_.name, takes,
+                                arguments_.empty() ? "none" : countOf(filled_),
+                                "write `" + callee_.signature.text + "`");
     noteDeclaration(report, "declared here");
   }
 

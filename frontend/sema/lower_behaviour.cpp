@@ -153,8 +153,8 @@ void BehaviourLowering::body(ir::Activity& activity, ir::StateId state, const st
   if (saysDone(*declaration_.body)) {
     activity.done = makeDone(owner, declaration_.name->where, scope_);
   }
-  scope_.context.list = declaration_.kind == ir::BehaviourKind::Profile ? ir::ListKind::Profile
-                                                                        : ir::ListKind::Route;
+  scope_.context.list =
+      declaration_.kind == ir::BehaviourKind::Profile ? ir::ListKind::Profile : ir::ListKind::Route;
   if (const ast::Block* entry = entryOf(*declaration_.body)) {
     activity.entry = StatementLowering(scope_).lower(entry->statements);
   }

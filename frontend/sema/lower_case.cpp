@@ -102,10 +102,10 @@ void warnOfConstant(const ast::Case& node, const ir::Case& lowered, Scope& scope
   if (!value || (always && lowered.transition == ir::Transition::Stay)) {
     return;
   }
-  scope.report(DiagnosticId::constantAlways, node.guard.where, scope.text(node.guard.where),
-               always ? "always true" : "never true",
-               always ? "it fires on every tick, and no case after it is tried"
-                      : "this case never fires");
+  scope.report(
+      DiagnosticId::constantAlways, node.guard.where, scope.text(node.guard.where),
+      always ? "always true" : "never true",
+      always ? "it fires on every tick, and no case after it is tried" : "this case never fires");
 }
 
 }  // namespace

@@ -69,9 +69,9 @@ ExprLowering::Result ExprLowering::visit(const ast::Invocation& node, const ast:
   }
   if (name == "became" || name == "held") {
     const bool held = name == "held";
-    return stretched(node) ? std::nullopt
-                           : overTime(held ? ir::TemporalKind::Held : ir::TemporalKind::Became, node,
-                                      expr);
+    return stretched(node)
+               ? std::nullopt
+               : overTime(held ? ir::TemporalKind::Held : ir::TemporalKind::Became, node, expr);
   }
   const auto* function = std::ranges::find(kFunctions, std::string_view(name), &Function::name);
   if (function == std::end(kFunctions)) {

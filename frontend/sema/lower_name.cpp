@@ -60,8 +60,7 @@ ExprLowering::Result ExprLowering::variable(Named& named, const support::SourceR
     return std::nullopt;
   }
   if (!scope_.context.constant.empty()) {
-    scope_
-        .report(DiagnosticId::notConstant, range, named.name->text, scope_.context.constant)
+    scope_.report(DiagnosticId::notConstant, range, named.name->text, scope_.context.constant)
         .note(named.name->where, fmt::format("it is {}", describe(named.kind)));
     return std::nullopt;
   }
@@ -137,8 +136,7 @@ ExprLowering::Result ExprLowering::finished(const ast::NameUse& node,
   if (!activity.done.valid()) {
     scope_
         .report(DiagnosticId::neverDone, range, node.name,
-                profile ? "flightprofile" : "flightroute",
-                scope_.mission[activity.behaviour].name)
+                profile ? "flightprofile" : "flightroute", scope_.mission[activity.behaviour].name)
         .note(activity.range, "it is used here");
     return emit(ir::Op::False, boolean(), range, {});
   }
@@ -167,12 +165,11 @@ ExprLowering::Result ExprLowering::unknown(const ast::NameUse& node,
         .note(owner->names.find(node.name)->second.name->where, "it is defined here");
     return std::nullopt;
   }
-  const std::string hint =
-      scope_.states.contains(node.name)
-          ? "`" + node.name + "` is a state: only `goto` and `call` take it"
-      : scope_.behaviours.contains(node.name)
-          ? "`" + node.name + "` says how the vehicle flies; it has no value"
-          : scope_.suggestName(node.name);
+  const std::string hint = scope_.states.contains(node.name)
+                               ? "`" + node.name + "` is a state: only `goto` and `call` take it"
+                           : scope_.behaviours.contains(node.name)
+                               ? "`" + node.name + "` says how the vehicle flies; it has no value"
+                               : scope_.suggestName(node.name);
   scope_.report(DiagnosticId::unknownName, range, node.name, hint);
   return std::nullopt;
 }

@@ -92,13 +92,13 @@ ir::State StateLowering::run() {
   visitAll(indexOf<ast::Var>());
   scope_.context.list = ir::ListKind::State;
   visitAll(indexOf<ast::RouteMember>());
-  if (!seen_.contains(indexOf<ast::RouteMember>())) {
-    const ast::Use none{{"noheading", state_.name.where}, false, {}, state_.name.where};
-    result_.route = activity(none, ir::BehaviourKind::Route);
-  }
   visitAll(indexOf<ast::ProfileMember>());
   if (!seen_.contains(indexOf<ast::ProfileMember>())) {
     scope_.report(DiagnosticId::noFlightprofile, state_.name.where, state_.name.text);
+  }
+  if (!seen_.contains(indexOf<ast::RouteMember>())) {
+    const ast::Use none{{"noheading", state_.name.where}, false, {}, state_.name.where};
+    result_.route = activity(none, ir::BehaviourKind::Route);
   }
   scope_.context.activities = &result_;
   visitAll(indexOf<ast::SensorsMember>());

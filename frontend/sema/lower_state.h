@@ -13,11 +13,12 @@
 
 namespace glider::frontend {
 
-/// Numbers the states of a mission and types their parameters, so that cases may name those that come
-/// later.
+/// Numbers the states of a mission and types their parameters, so that cases may name those that
+/// come later.
 void declareStates(const ast::File& file, Scope& scope);
 
-/// Lowers one state. Names of states, constants, variables and behaviours stand in the scope before.
+/// Lowers one state. Names of states, constants, variables and behaviours stand in the scope
+/// before.
 class StateLowering {
  public:
   StateLowering(ir::StateId id, Scope& scope)

@@ -184,11 +184,11 @@ void StatementLowering::visit(const ast::Command& node, const ast::Statement& st
     }
     const bool function = isFunctionName(name);
     const bool behaviour = scope_.behaviours.contains(name);
-    scope_.report(
-        DiagnosticId::unknownCommand, node.call.function.where, name,
-        function    ? "`" + name + "` is a function: `set` a variable to it"
-        : behaviour ? "`" + name + "` says how a state flies: give it to a state's `flight…` line"
-                    : didYouMean(name, known, all));
+    scope_.report(DiagnosticId::unknownCommand, node.call.function.where, name,
+                  function ? "`" + name + "` is a function: `set` a variable to it"
+                  : behaviour
+                      ? "`" + name + "` says how a state flies: give it to a state's `flight…` line"
+                      : didYouMean(name, known, all));
     return;
   }
   ir::Statement result = statementOf(ir::StatementKind::Command, statement.where);

@@ -36,8 +36,7 @@ ExprLowering::Result ExprLowering::overTime(ir::TemporalKind kind, const ast::In
   const auto operand = lowerCondition(*node.arguments.front().value);
   if (held) {
     const ast::Expr& time = *node.arguments.back().value;
-    const auto duration =
-        lowerAs(time, quantity(support::dimension::time), "the time of `held`");
+    const auto duration = lowerAs(time, quantity(support::dimension::time), "the time of `held`");
     if (!duration) {
       return std::nullopt;
     }

@@ -134,12 +134,12 @@ bool Scope::refuseName(const ast::Name& name, std::string_view owner) {
     return true;
   }
   const bool done = name.text == "profiledone" || name.text == "routedone";
-  const std::string what =
-      findClock(name.text)                       ? "a clock"
-      : platform().find(name.text) != nullptr    ? "a sensor of platform `" + platform().name + "`"
-      : isFunctionName(name.text)                ? "a function"
-      : done                                     ? "a word of the language"
-                                                 : "";
+  const std::string what = findClock(name.text) ? "a clock"
+                           : platform().find(name.text) != nullptr
+                               ? "a sensor of platform `" + platform().name + "`"
+                           : isFunctionName(name.text) ? "a function"
+                           : done                      ? "a word of the language"
+                                                       : "";
   if (!what.empty()) {
     report(DiagnosticId::nameTaken, name.where, name.text, what);
   }

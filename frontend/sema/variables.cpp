@@ -103,8 +103,7 @@ class DeclarationLowering {
     const support::SourceRange where{range->lowest.where.file, range->lowest.where.begin,
                                      range->highest.where.end};
     if (named_.type.position || named_.type.type == boolean()) {
-      scope_.report(DiagnosticId::rangeOfWhat, where, named_.name->text,
-                    describe(named_.type));
+      scope_.report(DiagnosticId::rangeOfWhat, where, named_.name->text, describe(named_.type));
       return std::nullopt;
     }
     const auto lowest = constant(range->lowest, "a range");
@@ -162,8 +161,8 @@ void make(Named& named, ir::Variable model, ir::ExprId longitude_start, Scope& s
   named.reached = true;
 }
 
-/// Whether an expression depends on nothing but constants and the mission's parameters; if not, what
-/// it depends on.
+/// Whether an expression depends on nothing but constants and the mission's parameters; if not,
+/// what it depends on.
 std::optional<support::SourceRange> notAtStart(const ir::Mission& mission, ir::ExprId id) {
   const ir::Expr& expr = mission[id];
   switch (expr.op) {
@@ -252,9 +251,9 @@ bool lowerParam(const ast::Param& node, Named& named, Scope& scope) {
   model.initial = constantExpr(start->first, named.type.type, node.value.where, scope);
   model.lowest = bounds->lowest;
   model.highest = bounds->highest;
-  const ir::ExprId second =
-      named.type.position ? constantExpr(start->second, longitude(), node.value.where, scope)
-                          : ir::ExprId();
+  const ir::ExprId second = named.type.position
+                                ? constantExpr(start->second, longitude(), node.value.where, scope)
+                                : ir::ExprId();
   make(named, std::move(model), second, scope);
   return true;
 }

@@ -146,9 +146,9 @@ class CodeValidator {
     if (w.kind == TemporalKind::Held) {
       expression(w.duration, w.state, kTime, w.range, fmt::format("the time of temporal {}", i));
     }
-    require((w.kind == TemporalKind::Held || !w.duration.valid()) && !w.along.valid() &&
-                w.length == 0,
-            w.range, fmt::format("temporal {} has what only others have", i));
+    require(
+        (w.kind == TemporalKind::Held || !w.duration.valid()) && !w.along.valid() && w.length == 0,
+        w.range, fmt::format("temporal {} has what only others have", i));
   }
 
   void window(uint32_t i, const Temporal& w) {
@@ -264,10 +264,10 @@ class CodeValidator {
     expression(c.guard, state, kBool, c.range, "a guard of " + where);
     action(c.action, state, c.range);
     const bool behaviour = list == ListKind::Profile || list == ListKind::Route;
-    const bool allowed =
-        behaviour ? c.transition == Transition::Stay || c.transition == Transition::Done
-                  : c.transition < Transition::Done &&
-                        (list == ListKind::State || c.transition != Transition::Return);
+    const bool allowed = behaviour
+                             ? c.transition == Transition::Stay || c.transition == Transition::Done
+                             : c.transition < Transition::Done &&
+                                   (list == ListKind::State || c.transition != Transition::Return);
     require(allowed, c.range, fmt::format("a case of {} has a transition it cannot have", where));
     const bool targeted = c.transition == Transition::Goto || c.transition == Transition::Call;
     if (!targeted || c.target.index >= m_.states.size()) {

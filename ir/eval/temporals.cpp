@@ -74,8 +74,8 @@ void Interpreter::updateGuard(const Temporal& t, TemporalState& state, bool star
       state.since = mission_time_;
     }
     const double held = settle(mission_time_ - state.since);
-    state.value = operand == Truth::True ? compare(Op::GreaterEqual, held, number(t.duration))
-                                         : operand;
+    state.value =
+        operand == Truth::True ? compare(Op::GreaterEqual, held, number(t.duration)) : operand;
   }
   state.was_true = operand == Truth::True;
 }

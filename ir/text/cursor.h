@@ -42,8 +42,10 @@ class Cursor {
   double number(bool infinite);
   /// A whole number in [lowest, highest].
   int64_t integer(int64_t lowest, int64_t highest);
-  /// A type as `typeText` writes it.
+  /// A type of numbers as `typeText` writes it.
   Type type();
+  /// The same, or `bool`.
+  Type typeOrBool() { return accept("bool") ? Type{TypeKind::Bool, {}} : type(); }
 
   /// Reports the first mistake of the text.
   template <typename... Args>

@@ -14,8 +14,9 @@ using support::SourceRange;
 
 constexpr uint32_t kDeepestNesting = 200;
 
+/// Leaves that say of what.
 bool named(Op op) {
-  return op == Op::Sensor || op == Op::Age;
+  return op == Op::Sensor || op == Op::Age || op == Op::Variable || op == Op::Temporal;
 }
 
 }  // namespace
@@ -82,6 +83,20 @@ ExprId ExpressionReader::constant(SourceRange begin) {
   return add(e, begin);
 }
 
+void ExpressionReader::leaf(Expr& e) {
+  if (e.op == Op::Sensor || e.op == Op::Age) {
+    e.sensor = {sensors_.find(in_.nameToken("the name of a sensor"))};
+  } else if (e.op == Op::Variable) {
+    e.variable = {variables_.find(in_.nameToken("the name of a variable"))};
+  } else if (e.op == Op::Temporal) {
+    const Token number = in_.peek();
+    e.temporal = {static_cast<uint32_t>(in_.integer(0, UINT32_MAX))};
+    if (e.temporal.index >= m_.temporals.size()) {
+      in_.fail(DiagnosticId::irUnknownName, number.range, "temporal", number.text);
+    }
+  }
+}
+
 ExprId ExpressionReader::operation(SourceRange begin, uint32_t depth) {
   if (depth > kDeepestNesting) {
     in_.fail(DiagnosticId::irTooDeep, begin, kDeepestNesting);
@@ -95,9 +110,7 @@ ExprId ExpressionReader::operation(SourceRange begin, uint32_t depth) {
   in_.take();
   Expr e;
   e.op = op->op;
-  if (named(op->op)) {
-    e.sensor = {sensors_.find(in_.nameToken("the name of a sensor"))};
-  }
+  leaf(e);
   for (uint32_t i = 0; i < op->operands; ++i) {
     e.operands.at(i) = nested(depth);
   }

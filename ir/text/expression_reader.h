@@ -10,8 +10,8 @@ namespace glider::ir::text {
 /// Reads expressions into a mission, each numbered when it ends.
 class ExpressionReader {
  public:
-  ExpressionReader(Cursor& in, Mission& mission, Names& sensors)
-      : in_(in), m_(mission), sensors_(sensors), lets_(in, "expression") {}
+  ExpressionReader(Cursor& in, Mission& mission, Names& sensors, Names& variables)
+      : in_(in), m_(mission), sensors_(sensors), variables_(variables), lets_(in, "expression") {}
 
   /// What follows the word `let`: `%name = expression`.
   void let();
@@ -21,12 +21,14 @@ class ExpressionReader {
  private:
   ExprId nested(uint32_t depth);
   ExprId constant(support::SourceRange begin);
+  void leaf(Expr& e);
   ExprId operation(support::SourceRange begin, uint32_t depth);
   ExprId add(Expr e, support::SourceRange begin);
 
   Cursor& in_;
   Mission& m_;
   Names& sensors_;
+  Names& variables_;
   Names lets_;
 };
 

@@ -15,15 +15,41 @@ constexpr uint32_t kDeepest = 32;
 
 std::vector<uint32_t> countUses(const Mission& mission) {
   std::vector<uint32_t> uses(mission.exprs.size());
-  auto count = [&](ExprId id) { ++uses[id.index]; };
+  auto count = [&](ExprId id) {
+    if (id.valid()) {
+      ++uses[id.index];
+    }
+  };
+  auto countCases = [&](const std::vector<Case>& cases) {
+    for (const Case& c : cases) {
+      count(c.guard);
+      std::ranges::for_each(c.arguments, count);
+    }
+  };
   for (const Expr& e : mission.exprs) {
     std::for_each_n(e.operands.begin(), opInfo(e.op).operands, count);
   }
+  std::ranges::for_each(mission.variables, count, &Variable::initial);
+  for (const Temporal& t : mission.temporals) {
+    count(t.operand);
+    count(t.duration);
+    count(t.along);
+  }
+  std::ranges::for_each(mission.conditions, count);
+  for (const Block& block : mission.blocks) {
+    for (const Statement& s : block.statements) {
+      count(s.value);
+      std::ranges::for_each(s.values, count);
+    }
+  }
+  countCases(mission.always);
   for (const State& s : mission.states) {
-    std::ranges::for_each(s.route.arguments, count);
-    std::ranges::for_each(s.profile.arguments, count);
+    for (const Activity* a : {&s.route, &s.profile}) {
+      std::ranges::for_each(a->arguments, count);
+      countCases(a->cases);
+    }
     std::ranges::for_each(s.log, count, &LogItem::value);
-    std::ranges::for_each(s.cases, count, &Case::guard);
+    countCases(s.cases);
   }
   return uses;
 }
@@ -48,6 +74,29 @@ Layout layOut(const Mission& mission) {
     layout.first[i] = first;
   }
   return layout;
+}
+
+std::vector<uint32_t> layOutBlocks(const Mission& mission) {
+  constexpr uint32_t kNo = UINT32_MAX;
+  std::vector<uint32_t> first(mission.blocks.size());
+  std::vector<uint32_t> depth(mission.blocks.size(), 1);
+  for (uint32_t i = 0; i < first.size(); ++i) {
+    std::vector<uint32_t> nested;
+    for (const Statement& s : mission.blocks[i].statements) {
+      for (BlockId id : {s.then, s.otherwise}) {
+        if (id.valid()) {
+          nested.push_back(id.index);
+          depth[i] = std::max(depth[i], depth[id.index] + 1);
+        }
+      }
+    }
+    uint32_t next = i;
+    for (size_t k = nested.size(); k-- > 0 && next != kNo;) {
+      next = nested[k] + 1 == next ? first[nested[k]] : kNo;
+    }
+    first[i] = depth[i] < kDeepest ? next : kNo;
+  }
+  return first;
 }
 
 }  // namespace glider::ir::text

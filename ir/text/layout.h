@@ -15,11 +15,15 @@ namespace glider::ir::text {
 /// mission. `Mission::exprs` falls into trees of consecutive numbers; `first` is where the tree of
 /// each expression begins.
 struct Layout {
-  std::vector<uint32_t> uses;   ///< by operands, guards, arguments and log items
+  std::vector<uint32_t> uses;   ///< by operands and by all that stands outside expressions
   std::vector<uint32_t> first;  ///< the lowest number in the tree that ends here
   std::vector<bool> inside;     ///< written inside its user
 };
 
 Layout layOut(const Mission& mission);
+
+/// For each block, the lowest number in the tree of blocks that ends there if all of them are
+/// written inside their user; UINT32_MAX where their numbers are not such.
+std::vector<uint32_t> layOutBlocks(const Mission& mission);
 
 }  // namespace glider::ir::text

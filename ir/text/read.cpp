@@ -4,10 +4,13 @@
 #include "ir/text/read.h"
 
 #include "ir/core/validate.h"
+#include "ir/text/code_reader.h"
 #include "ir/text/cursor.h"
-#include "ir/text/expression_reader.h"
 #include "ir/text/names.h"
 
+#include <algorithm>
+#include <functional>
+#include <iterator>
 #include <utility>
 
 namespace glider::ir {
@@ -28,7 +31,7 @@ class Reader {
     while (!in_.failed() && in_.peek().kind != TokenKind::End) {
       item();
     }
-    targets();
+    code_.findTargets(states_);
     if (!in_.failed()) {
       for (const Defect& defect : validate(m_)) {
         in_.fail(DiagnosticId::irInvalid, defect.range, defect.message);
@@ -38,12 +41,6 @@ class Reader {
   }
 
  private:
-  struct Target {
-    StateId state;
-    size_t case_index;
-    Token name;
-  };
-
   void header() {
     in_.expect("glider_ir");
     const Token version = in_.take();
@@ -61,12 +58,14 @@ class Reader {
       sensor();
     } else if (in_.accept("behaviour")) {
       behaviour();
-    } else if (in_.accept("let")) {
-      expressions_.let();
+    } else if (in_.accept("variable")) {
+      variable();
+    } else if (in_.accept("always")) {
+      always();
     } else if (in_.accept("state")) {
       state();
-    } else {
-      in_.failExpecting("`sensor`, `behaviour`, `let` or `state`");
+    } else if (!code_.definition()) {
+      in_.failExpecting("`sensor`, `behaviour`, `variable`, `let`, `always` or `state`");
     }
   }
 
@@ -111,7 +110,7 @@ class Reader {
     b.name = name.text;
     in_.expect("symbol");
     b.symbol = in_.name("the behaviour's symbol");
-    list([&] {
+    code_.list([&] {
       Parameter p;
       p.name = in_.name("a parameter's name");
       in_.expect(':');
@@ -119,57 +118,115 @@ class Reader {
       b.parameters.push_back(std::move(p));
     });
     in_.expect("reads");
-    list([&] { b.reads.push_back(sensorName()); });
+    code_.list([&] { b.reads.push_back(sensorName()); });
     m_.behaviours.push_back(std::move(b));
   }
 
-  /// `(`, what `element` reads any number of times with commas between, `)`.
-  template <typename Element>
-  void list(Element element) {
-    in_.expect('(');
-    if (in_.accept(')')) {
+  void variable() {
+    constexpr std::string_view kKinds[] = {"parameter", "mission", "argument",
+                                           "state",     "profile", "route"};
+    const Token name = in_.nameToken("the variable's name");
+    const size_t number = m_.variables.size();
+    variables_.define(name, number);
+    Variable v;
+    v.name = name.text;
+    v.range = name.range;
+    in_.expect(':');
+    v.type = in_.typeOrBool();
+    const auto* kind =
+        std::ranges::find_if(kKinds, [&](std::string_view word) { return in_.accept(word); });
+    if (kind == std::end(kKinds)) {
+      in_.failExpecting("`parameter`, `mission`, `argument`, `state`, `profile` or `route`");
       return;
     }
-    do {
-      element();
-    } while (in_.accept(','));
-    in_.expect(')');
+    v.kind = static_cast<VariableKind>(kind - std::begin(kKinds));
+    if (in_.accept("of")) {
+      code_.stateName([this, number](StateId id) { m_.variables[number].owner = id; });
+    }
+    if (in_.accept("lowest")) {
+      v.lowest = in_.number(true);
+      in_.expect("highest");
+      v.highest = in_.number(true);
+    }
+    m_.variables.push_back(std::move(v));
   }
 
-  void state() {
-    const Token name = in_.nameToken("the state's name");
-    const StateId id{static_cast<uint32_t>(m_.states.size())};
-    states_.define(name, id.index);
-    m_.states.push_back({});
-    State& s = m_.states.back();
-    s.name = name.text;
-    s.range = name.range;
-    while (true) {
+  void always() {
+    while (!in_.failed()) {
       const SourceRange begin = in_.peek().range;
-      if (in_.accept("route")) {
-        activity(s.route, routes_, "route", begin);
-      } else if (in_.accept("profile")) {
-        activity(s.profile, profiles_, "profile", begin);
-      } else if (in_.accept("log")) {
-        log(s);
-      } else if (in_.accept("case")) {
-        stateCase(id, s, begin);
-      } else if (in_.accept("let")) {
-        expressions_.let();
-      } else {
+      if (in_.accept("case")) {
+        code_.caseInto([this]() -> std::vector<Case>& { return m_.always; }, begin);
+      } else if (!code_.definition()) {
         return;
       }
     }
   }
 
-  void activity(Activity& a, text::Names& names, std::string_view what, SourceRange begin) {
+  void state() {
+    const Token name = in_.nameToken("the state's name");
+    const size_t number = m_.states.size();
+    states_.define(name, number);
+    m_.states.push_back({});
+    State& s = m_.states.back();
+    s.name = name.text;
+    s.range = name.range;
+    if (in_.peek().isMark('(')) {
+      code_.list([&] { s.parameters.push_back(code_.variableName()); });
+    }
+    while (!in_.failed()) {
+      const SourceRange begin = in_.peek().range;
+      if (in_.accept("route")) {
+        activity(s.route, number, routes_, "route", begin);
+      } else if (in_.accept("profile")) {
+        activity(s.profile, number, profiles_, "profile", begin);
+      } else if (in_.accept("log")) {
+        log(s);
+      } else if (in_.accept("entry")) {
+        code_.entry(s.entry);
+      } else if (in_.accept("case")) {
+        code_.caseInto([this, number]() -> std::vector<Case>& { return m_.states[number].cases; },
+                       begin);
+      } else if (!code_.definition()) {
+        return;
+      }
+    }
+  }
+
+  /// A use of a behaviour by state `state`: arguments, or a body.
+  void activity(Activity& a, size_t state, text::Names& names, std::string_view what,
+                SourceRange begin) {
     const Token name = in_.nameToken("the behaviour's name");
     if (a.behaviour.valid()) {
       in_.fail(DiagnosticId::irDefinedTwice, begin, what, name.text);
     }
     a.behaviour = {names.find(name)};
-    list([&] { a.arguments.push_back(expressions_.expression()); });
+    if (in_.peek().isMark('(')) {
+      a.arguments = code_.expressionList();
+    } else {
+      body(a, [this, state, what]() -> std::vector<Case>& {
+        State& s = m_.states[state];
+        return (what == "route" ? s.route : s.profile).cases;
+      });
+    }
     a.range = in_.since(begin);
+  }
+
+  template <typename Cases>
+  void body(Activity& a, Cases cases) {
+    if (in_.accept("done")) {
+      a.done = code_.variableName();
+    }
+    in_.expect("begin");
+    while (!in_.failed() && !in_.accept("end")) {
+      const SourceRange begin = in_.peek().range;
+      if (in_.accept("entry")) {
+        code_.entry(a.entry);
+      } else if (in_.accept("case")) {
+        code_.caseInto(cases, begin);
+      } else if (!code_.definition()) {
+        in_.failExpecting("`entry`, `case` or `end`");
+      }
+    }
   }
 
   void log(State& s) {
@@ -177,38 +234,8 @@ class Reader {
     item.name = in_.name("the name of a log item");
     in_.expect("every");
     item.period_s = in_.number(false);
-    item.value = expressions_.expression();
+    item.value = code_.expression();
     s.log.push_back(std::move(item));
-  }
-
-  void stateCase(StateId id, State& s, SourceRange begin) {
-    Case c;
-    c.guard = expressions_.expression();
-    if (in_.accept("goto")) {
-      c.transition = Transition::Goto;
-    } else if (in_.accept("call")) {
-      c.transition = Transition::Call;
-    } else if (in_.accept("return")) {
-      c.transition = Transition::Return;
-    } else if (in_.accept("exit")) {
-      c.transition = Transition::Exit;
-    } else if (!in_.accept("stay")) {
-      in_.failExpecting("`goto`, `call`, `return`, `exit` or `stay`");
-    }
-    if (c.transition == Transition::Goto || c.transition == Transition::Call) {
-      targets_.push_back({id, s.cases.size(), in_.nameToken("the name of a state")});
-    }
-    c.range = in_.since(begin);
-    s.cases.push_back(c);
-  }
-
-  /// States may be named before they are defined, so targets are found at the end.
-  void targets() {
-    for (const Target& t : targets_) {
-      if (!in_.failed()) {
-        m_.states[t.state.index].cases[t.case_index].target = {states_.find(t.name)};
-      }
-    }
   }
 
   text::Cursor in_;
@@ -217,8 +244,8 @@ class Reader {
   text::Names profiles_{in_, "profile"};
   text::Names routes_{in_, "route"};
   text::Names states_{in_, "state"};
-  text::ExpressionReader expressions_{in_, m_, sensors_};
-  std::vector<Target> targets_;
+  text::Names variables_{in_, "variable"};
+  text::CodeReader code_{in_, m_, sensors_, variables_};
 };
 
 }  // namespace

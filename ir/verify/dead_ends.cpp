@@ -8,15 +8,20 @@ namespace glider::ir {
 void passes::deadEnds(Verification& v) {
   for (uint32_t s = 0; s < v.structure.size(); ++s) {
     const State& state = v.structure.mission.states[s];
-    if (!v.structure.reached(s) || v.structure.moves[s].leaves()) {
+    if (!v.structure.reached(s) || !v.structure.deadEnd(s)) {
       continue;
     }
     auto report =
         v.diagnostics.report(support::DiagnosticId::deadEndState, state.range, state.name);
     for (uint32_t c = 0; c < state.cases.size(); ++c) {
       if (state.cases[c].transition != Transition::Stay) {
-        noteDeadCase(report, v.structure, s, c);
+        noteDeadCase(report, state.cases[c], v.structure.moves[s].dead[c]);
       }
+    }
+    if (v.structure.lowestLimit(s) != kEndlessLimit) {
+      report.note(
+          v.structure.mission.always[v.structure.lowestLimit(s)].range,
+          "entered by way of this case, which only earlier cases of `always` may interrupt");
     }
   }
 }

@@ -10,7 +10,7 @@ namespace glider::ir {
 void passes::emptyReturns(Verification& v) {
   for (uint32_t s = 0; s < v.structure.size(); ++s) {
     const std::optional<uint32_t> returns = v.structure.moves[s].return_case;
-    if (!returns || !v.structure.at({s, false})) {
+    if (!returns || !v.structure.meetsEmptyStack(s)) {
       continue;
     }
     const State& state = v.structure.mission.states[s];
@@ -21,7 +21,7 @@ void passes::emptyReturns(Verification& v) {
           "the mission starts in `{}` with nothing to return to: write `exit` to end it, or `goto`",
           state.name));
     }
-    notePath(report, v.structure, v.structure.pathTo({s, false}));
+    notePath(report, v.structure, v.structure.pathTo(v.structure.root(s)));
   }
 }
 

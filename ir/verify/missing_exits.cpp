@@ -16,74 +16,114 @@ using support::DiagnosticId;
 
 /// Who goes to or calls a state.
 struct Users {
-  std::vector<std::vector<uint32_t>> all;
+  std::vector<std::vector<Edge>> all;
   explicit Users(const Structure& structure) : all(structure.size()) {
     for (uint32_t s : structure.order) {
       for (const Edge& edge : structure.moves[s].edges) {
-        all[edge.to].push_back(s);
+        all[edge.to].push_back(edge);
       }
     }
   }
 };
 
-/// The reached states from which one of `goals` is reached without a return below where they began.
-/// A call leads to the called state; that it may come back gains nothing, for the caller's own
-/// cases are counted anyway.
-std::vector<bool> leadingTo(const Structure& structure, std::vector<bool> goals) {
-  const Users users(structure);
-  std::deque<uint32_t> pending;
-  for (uint32_t s : structure.order) {
-    if (goals[s]) {
-      pending.push_back(s);
+/// For each state the smallest limit with which a run that is there can end without a return below
+/// where it began: by an `exit`, or by a mistake that has its own report (a state nothing leaves, a
+/// return with an empty stack). What a call leads to is counted; that it may come back gains
+/// nothing, for the caller's own cases are counted anyway. That a case of `always` may not fire
+/// because its target is on the stack is left out: at worst a warning is missing.
+class Ends {
+ public:
+  explicit Ends(const Structure& structure) : s_(structure), users_(structure) {
+    const uint64_t by_always = s_.always.exit_case ? *s_.always.exit_case + uint64_t{1} : kNever;
+    limits_.assign(s_.size(), kNever);
+    for (uint32_t state : s_.order) {
+      lower(state, s_.moves[state].exit_case || s_.deadEnd(state) ? 0 : by_always);
+      for (const Edge& edge : s_.moves[state].edges) {
+        lower(state, goesToReturn(edge) ? 0 : kNever);
+      }
+    }
+    for (const Edge& edge : s_.always.edges) {
+      if (goesToReturn(edge)) {
+        interrupt(edge);
+      }
+    }
+    spread();
+  }
+
+  [[nodiscard]] bool canEnd(uint32_t state, uint32_t limit) const {
+    return limits_[state] <= limit;
+  }
+
+ private:
+  static constexpr uint64_t kNever = UINT64_MAX;
+
+  /// A return that a `goto` to its state brings to an empty stack.
+  [[nodiscard]] bool goesToReturn(const Edge& edge) const {
+    return !edge.call && s_.moves[edge.to].return_case;
+  }
+
+  void lower(uint32_t state, uint64_t limit) {
+    if (limit < limits_[state]) {
+      limits_[state] = limit;
+      pending_.push_back(state);
     }
   }
-  while (!pending.empty()) {
-    const uint32_t state = pending.front();
-    pending.pop_front();
-    for (uint32_t user : users.all[state]) {
-      if (!goals[user]) {
-        goals[user] = true;
-        pending.push_back(user);
+
+  /// A case of `always` ends what it interrupts: all but its target, with a greater limit.
+  void interrupt(const Edge& edge) {
+    for (uint32_t state : s_.order) {
+      if (state != edge.to) {
+        lower(state, edge.case_index + uint64_t{1});
       }
     }
   }
-  return goals;
-}
 
-/// A return that a `goto` to its state brings to an empty stack.
-bool goesToReturn(const Structure& structure, const Edge& edge) {
-  return !edge.call && structure.moves[edge.to].return_case;
-}
-
-/// The states with an `exit`; with `mistakes_too` also those where a run ends in a mistake that has
-/// its own report (a state nothing leaves, a return with an empty stack).
-std::vector<bool> endings(const Structure& structure, bool mistakes_too) {
-  std::vector<bool> goals(structure.size());
-  for (uint32_t s : structure.order) {
-    const Moves& moves = structure.moves[s];
-    const auto empty = [&](const Edge& edge) { return goesToReturn(structure, edge); };
-    goals[s] = moves.exit_case ||
-               (mistakes_too && (!moves.leaves() || std::ranges::any_of(moves.edges, empty)));
+  void spread() {
+    std::vector<bool> done(s_.always.edges.size());
+    while (!pending_.empty()) {
+      const uint32_t state = pending_.front();
+      pending_.pop_front();
+      for (const Edge& edge : users_.all[state]) {
+        lower(edge.from, edge.call ? limits_[state] : canEnd(state, kEndlessLimit) ? 0 : kNever);
+      }
+      for (size_t i = 0; i < done.size(); ++i) {
+        const Edge& edge = s_.always.edges[i];
+        if (edge.to == state && !done[i] && canEnd(state, edge.case_index)) {
+          done[i] = true;
+          interrupt(edge);
+        }
+      }
+    }
   }
-  return goals;
+
+  const Structure& s_;
+  const Users users_;
+  std::vector<uint64_t> limits_;
+  std::deque<uint32_t> pending_;
+};
+
+void noteExits(support::DiagnosticBuilder& report, const std::vector<Case>& cases,
+               const Moves& moves, const std::string& nowhere) {
+  for (uint32_t c = 0; c < cases.size(); ++c) {
+    if (cases[c].transition != Transition::Exit) {
+      continue;
+    }
+    if (moves.dead[c] != Dead::No) {
+      noteDeadCase(report, cases[c], moves.dead[c]);
+    } else {
+      report.note(cases[c].range, nowhere);
+    }
+  }
 }
 
 void reportWholeMission(Verification& v) {
   const Mission& m = v.structure.mission;
   auto report = v.diagnostics.report(DiagnosticId::missionWithoutEnd, m.states.front().range);
+  noteExits(report, m.always, v.structure.always, "");
   for (uint32_t s = 0; s < v.structure.size(); ++s) {
-    for (uint32_t c = 0; c < m.states[s].cases.size(); ++c) {
-      if (m.states[s].cases[c].transition != Transition::Exit) {
-        continue;
-      }
-      if (v.structure.moves[s].dead[c] != Dead::No) {
-        noteDeadCase(report, v.structure, s, c);
-      } else {
-        report.note(m.states[s].cases[c].range,
-                    fmt::format("this `exit` does not count: nothing leads to state `{}`",
-                                m.states[s].name));
-      }
-    }
+    noteExits(
+        report, m.states[s].cases, v.structure.moves[s],
+        fmt::format("this `exit` does not count: nothing leads to state `{}`", m.states[s].name));
   }
 }
 
@@ -109,7 +149,7 @@ void reportStates(Verification& v, const std::vector<bool>& endless) {
         }
       };
       std::ranges::for_each(v.structure.moves[group[i]].edges, join, &Edge::to);
-      std::ranges::for_each(users.all[group[i]], join);
+      std::ranges::for_each(users.all[group[i]], join, &Edge::from);
     }
     const State& state = m.states[first];
     auto report = v.diagnostics.report(DiagnosticId::noWayToExit, state.range, state.name);
@@ -124,12 +164,12 @@ void reportStates(Verification& v, const std::vector<bool>& endless) {
 }  // namespace
 
 std::vector<bool> statesWithoutEnd(const Structure& structure) {
-  const std::vector<bool> ends = leadingTo(structure, endings(structure, true));
+  const Ends ends(structure);
   std::vector<bool> endless(structure.size());
   std::deque<uint32_t> pending;
   for (uint32_t s : structure.order) {
     // One that returns goes on with its caller, or is an error of its own.
-    if (!ends[s] && !structure.moves[s].return_case) {
+    if (!ends.canEnd(s, structure.lowestLimit(s)) && !structure.moves[s].return_case) {
       endless[s] = true;
       pending.push_back(s);
     }
@@ -149,11 +189,13 @@ std::vector<bool> statesWithoutEnd(const Structure& structure) {
 }
 
 void passes::missingExits(Verification& v) {
-  if (!leadingTo(v.structure, endings(v.structure, false)).front()) {
+  const Structure& s = v.structure;
+  auto exits = [&](uint32_t state) { return s.moves[state].exit_case.has_value(); };
+  if (!s.always.exit_case && std::ranges::none_of(s.order, exits)) {
     reportWholeMission(v);
     return;
   }
-  reportStates(v, statesWithoutEnd(v.structure));
+  reportStates(v, statesWithoutEnd(s));
 }
 
 }  // namespace glider::ir

@@ -14,6 +14,15 @@ constexpr size_t kEnds = 5;
 std::string step(const Structure& structure, const Edge& edge) {
   const std::string& from = structure.mission.states[edge.from].name;
   const std::string& to = structure.mission.states[edge.to].name;
+  if (edge.always) {
+    return edge.call
+               ? fmt::format("in state `{}`, `always` calls `{}`; `{}` waits on the call stack",
+                             from, to, from)
+               : fmt::format(
+                     "in state `{}`, `always` goes to `{}`, which empties the call "
+                     "stack",
+                     from, to);
+  }
   return edge.call ? fmt::format("state `{}` calls `{}` and waits on the call stack", from, to)
                    : fmt::format("state `{}` goes to `{}`, which empties the call stack", from, to);
 }
@@ -26,8 +35,7 @@ void notePath(support::DiagnosticBuilder& report, const Structure& structure,
   report.note(first.range, fmt::format("the mission starts in state `{}`", first.name));
   for (size_t i = 0; i < path.size(); ++i) {
     const Edge& edge = path[i];
-    const support::SourceRange range =
-        structure.mission.states[edge.from].cases[edge.case_index].range;
+    const support::SourceRange range = structure.caseOf(edge).range;
     if (path.size() > 2 * kEnds && i == kEnds) {
       const size_t left_out = path.size() - 2 * kEnds;
       report.note(range, fmt::format("{} transitions, of which this is the first", left_out));
@@ -38,12 +46,10 @@ void notePath(support::DiagnosticBuilder& report, const Structure& structure,
   }
 }
 
-void noteDeadCase(support::DiagnosticBuilder& report, const Structure& structure, uint32_t state,
-                  uint32_t case_index) {
-  const bool hidden = structure.moves[state].dead[case_index] == Dead::Hidden;
-  report.note(structure.mission.states[state].cases[case_index].range,
-              hidden ? "this case never fires: an earlier case of the state always does"
-                     : "this case never fires: its guard is always false");
+void noteDeadCase(support::DiagnosticBuilder& report, const Case& c, Dead why) {
+  report.note(c.range, why == Dead::Hidden
+                           ? "this case never fires: an earlier case of the list always does"
+                           : "this case never fires: its guard is always false");
 }
 
 }  // namespace glider::ir

@@ -16,6 +16,7 @@ struct Verification {
   const Structure& structure;
   support::DiagnosticEngine& diagnostics;
   MissionFacts facts;
+  bool recursive = false;  ///< a state could stand on the call stack twice
 };
 
 namespace passes {
@@ -33,8 +34,7 @@ std::vector<bool> statesWithoutEnd(const Structure& structure);
 void notePath(support::DiagnosticBuilder& report, const Structure& structure,
               const std::vector<Edge>& path);
 
-/// Adds a note that says why case `case_index` of `state` never fires.
-void noteDeadCase(support::DiagnosticBuilder& report, const Structure& structure, uint32_t state,
-                  uint32_t case_index);
+/// Adds a note that says why `c` never fires.
+void noteDeadCase(support::DiagnosticBuilder& report, const Case& c, Dead why);
 
 }  // namespace glider::ir

@@ -5,12 +5,33 @@
 
 #include <fmt/format.h>
 
+#include <deque>
+#include <optional>
+#include <set>
+#include <utility>
+
 namespace glider::ir {
 namespace {
 
-/// Walks the calls depth first from every state that meets an empty stack, so that the walk's own
-/// stack is a call stack that can come about; a call of a state on it is the mistake. Without the
-/// calls that it reports none is left that could put a state on the stack twice.
+/// Tells of `closing`, a call of a state that can be on the call stack; `path` leads to where it is
+/// made.
+void reportCall(Verification& v, const Edge& closing, const std::vector<Edge>& path) {
+  const Mission& m = v.structure.mission;
+  const State& from = m.states[closing.from];
+  const std::string& to = m.states[closing.to].name;
+  auto report = v.diagnostics.report(
+      support::DiagnosticId::recursiveCall, from.cases[closing.case_index].range, from.name,
+      closing.from == closing.to ? "itself"
+                                 : fmt::format("`{}`, which can be on the call stack", to),
+      to);
+  notePath(report, v.structure, path);
+  v.recursive = true;
+}
+
+/// Walks the states' own calls depth first from every state that meets an empty stack or that
+/// `always` calls, so that the walk's own stack is a call stack that can come about; a call of a
+/// state on it is the mistake. Without the calls that it reports the states' own calls are none
+/// that could put a state on the stack twice.
 class CallWalk {
  public:
   explicit CallWalk(Verification& verification)
@@ -18,8 +39,13 @@ class CallWalk {
 
   void run() {
     for (uint32_t s : v_.structure.order) {
-      if (v_.structure.at({s, false}) && marks_[s] == Mark::New) {
-        from(s);
+      if (v_.structure.meetsEmptyStack(s)) {
+        from(v_.structure.root(s));
+      }
+    }
+    for (const Edge& edge : v_.structure.always.edges) {
+      if (edge.call && v_.structure.at({edge.to, Arrived::Called})) {
+        from({edge.to, Arrived::Called});
       }
     }
   }
@@ -31,9 +57,12 @@ class CallWalk {
     size_t next_edge = 0;
   };
 
-  void from(uint32_t root) {
-    levels_ = {{root}};
-    marks_[root] = Mark::OnStack;
+  void from(Place root) {
+    if (marks_[root.state] != Mark::New) {
+      return;
+    }
+    levels_ = {{root.state}};
+    marks_[root.state] = Mark::OnStack;
     while (!levels_.empty()) {
       Level& level = levels_.back();
       const std::vector<Edge>& edges = v_.structure.moves[level.state].edges;
@@ -47,7 +76,7 @@ class CallWalk {
         continue;
       }
       if (marks_[edge.to] == Mark::OnStack) {
-        report(edge);
+        report(root, edge);
       } else if (marks_[edge.to] == Mark::New) {
         marks_[edge.to] = Mark::OnStack;
         levels_.push_back({edge.to});
@@ -55,20 +84,12 @@ class CallWalk {
     }
   }
 
-  void report(const Edge& closing) {
-    const Mission& m = v_.structure.mission;
-    const State& from = m.states[closing.from];
-    const std::string& to = m.states[closing.to].name;
-    auto report = v_.diagnostics.report(
-        support::DiagnosticId::recursiveCall, from.cases[closing.case_index].range, from.name,
-        closing.from == closing.to ? "itself"
-                                   : fmt::format("`{}`, which can be on the call stack", to),
-        to);
-    std::vector<Edge> path = v_.structure.pathTo({levels_.front().state, false});
+  void report(Place root, const Edge& closing) {
+    std::vector<Edge> path = v_.structure.pathTo(root);
     for (size_t i = 0; i + 1 < levels_.size(); ++i) {
       path.push_back(v_.structure.moves[levels_[i].state].edges[levels_[i].next_edge - 1]);
     }
-    notePath(report, v_.structure, path);
+    reportCall(v_, closing, path);
   }
 
   Verification& v_;
@@ -76,10 +97,128 @@ class CallWalk {
   std::vector<Level> levels_;
 };
 
+/// The states to which calls of states lead from some beginnings, each with how.
+class CallReach {
+ public:
+  explicit CallReach(const Structure& structure) : s_(structure), how_(structure.size()) {}
+
+  [[nodiscard]] bool has(uint32_t state) const { return how_[state].has_value(); }
+
+  /// `path` leads to `state`, from the start or from another beginning.
+  void begin(uint32_t state, std::vector<Edge> path) {
+    if (!has(state)) {
+      how_[state] = How{std::move(path), std::nullopt};
+      pending_.push_back(state);
+    }
+  }
+
+  /// Follows calls; `visit` sees each and says whether to go on with it.
+  template <typename Visit>
+  void follow(Visit visit) {
+    while (!pending_.empty()) {
+      const uint32_t state = pending_.front();
+      pending_.pop_front();
+      for (const Edge& edge : s_.moves[state].edges) {
+        if (edge.call && visit(edge) && !has(edge.to)) {
+          how_[edge.to] = How{{}, edge};
+          pending_.push_back(edge.to);
+        }
+      }
+    }
+  }
+
+  [[nodiscard]] std::vector<Edge> pathTo(uint32_t state) const {
+    std::vector<Edge> calls;
+    while (how_[state]->by) {
+      calls.push_back(*how_[state]->by);
+      state = how_[state]->by->from;
+    }
+    std::vector<Edge> path = how_[state]->beginning;
+    path.insert(path.end(), calls.rbegin(), calls.rend());
+    return path;
+  }
+
+ private:
+  struct How {
+    std::vector<Edge> beginning;
+    std::optional<Edge> by;
+  };
+  const Structure& s_;
+  std::vector<std::optional<How>> how_;
+  std::deque<uint32_t> pending_;
+};
+
+/// The mistakes in which case `always` comes between: it interrupts a stack, and the state that it
+/// calls leads by calls to one that is on it. README says which states can be on it.
+class Interruption {
+ public:
+  Interruption(Verification& v, const Edge& always)
+      : v_(v), s_(v.structure), always_(always), below_(v.structure) {}
+
+  void run(std::set<std::pair<uint32_t, uint32_t>>& told) {
+    findBelow();
+    CallReach above(s_);
+    above.begin(always_.to, {});
+    above.follow([&](const Edge& edge) {
+      if (!below_.has(edge.to)) {
+        return true;
+      }
+      if (told.insert({edge.from, edge.case_index}).second) {
+        report(edge, above.pathTo(edge.from));
+      }
+      return false;
+    });
+  }
+
+ private:
+  /// Every state that can be current, or wait, where the case may fire, with a stack that does not
+  /// hold its target.
+  void findBelow() {
+    for (uint32_t root : s_.order) {
+      const std::optional<uint32_t> limit = s_.rootLimit(root);
+      if (root != always_.to && limit && *limit > always_.case_index) {
+        below_.begin(root, s_.pathTo(s_.root(root)));
+      }
+    }
+    for (const Edge& other : s_.always.edges) {
+      const auto root = s_.otherRoot(other.case_index, always_.to, other.to);
+      if (other.call && other.case_index > always_.case_index && other.to != always_.to && root) {
+        std::vector<Edge> path = s_.pathTo(s_.root(*root));
+        path.push_back(from(*root, other));
+        below_.begin(other.to, std::move(path));
+      }
+    }
+    below_.follow([&](const Edge& edge) { return edge.to != always_.to; });
+  }
+
+  static Edge from(uint32_t state, Edge always) {
+    always.from = state;
+    return always;
+  }
+
+  void report(const Edge& closing, const std::vector<Edge>& above) {
+    std::vector<Edge> path = below_.pathTo(closing.to);
+    path.push_back(from(closing.to, always_));
+    path.insert(path.end(), above.begin(), above.end());
+    reportCall(v_, closing, path);
+  }
+
+  Verification& v_;
+  const Structure& s_;
+  Edge always_;
+  CallReach below_;
+};
+
 }  // namespace
 
 void passes::recursiveCalls(Verification& v) {
   CallWalk(v).run();
+  std::set<std::pair<uint32_t, uint32_t>> told;
+  for (const Edge& edge : v.structure.always.edges) {
+    if (edge.call) {
+      Interruption(v, edge).run(told);
+    }
+  }
 }
 
 }  // namespace glider::ir

@@ -40,21 +40,27 @@ std::vector<Truth> constantTruths(const Mission& mission) {
   return truths;
 }
 
-Moves movesOf(const Mission& mission, uint32_t state, const std::vector<Truth>& truths) {
+/// Whether nothing after `c` in its list can fire if its guard is always true. One of `always` with
+/// a target may not fire at times.
+bool hidesLater(const Case& c, bool always) {
+  return !always || !c.target.valid();
+}
+
+Moves movesOf(const std::vector<Case>& cases, uint32_t state, bool always,
+              const std::vector<Truth>& truths) {
   Moves moves;
   Dead from_here = Dead::No;
-  const std::vector<Case>& cases = mission.states[state].cases;
   for (uint32_t i = 0; i < cases.size(); ++i) {
     const Case& c = cases[i];
     const Truth guard = truths[c.guard.index];
     const Dead dead = guard == Truth::False ? Dead::AlwaysFalse : from_here;
     moves.dead.push_back(dead);
-    from_here = guard == Truth::True ? Dead::Hidden : from_here;
+    from_here = guard == Truth::True && hidesLater(c, always) ? Dead::Hidden : from_here;
     if (dead != Dead::No) {
       continue;
     }
     if (c.target.valid()) {
-      moves.edges.push_back({state, i, c.target.index, c.transition == Transition::Call});
+      moves.edges.push_back({state, i, c.target.index, c.transition == Transition::Call, always});
     } else if (c.transition == Transition::Return && !moves.return_case) {
       moves.return_case = i;
     } else if (c.transition == Transition::Exit && !moves.exit_case) {
@@ -69,14 +75,28 @@ Moves movesOf(const Mission& mission, uint32_t state, const std::vector<Truth>& 
 Structure::Structure(const Mission& of) : mission(of) {
   const std::vector<Truth> truths = constantTruths(mission);
   for (uint32_t s = 0; s < mission.states.size(); ++s) {
-    moves.push_back(movesOf(mission, s, truths));
+    moves.push_back(movesOf(mission.states[s].cases, s, false, truths));
   }
-  arrivals_.resize(2 * moves.size());
-  nearest_called_.resize(moves.size());
+  always = movesOf(mission.always, 0, true, truths);
+  arrivals_.resize(std::size(kArrivals) * moves.size());
+  nearest_.resize(moves.size());
   explore();
+  findRoots();
+  findLimits();
 }
 
-/// Breadth first, so that the paths are shortest.
+bool Structure::reached(uint32_t state) const {
+  return meetsEmptyStack(state) || at({state, Arrived::Called});
+}
+
+const Case& Structure::caseOf(const Edge& edge) const {
+  return edge.always ? mission.always[edge.case_index]
+                     : mission.states[edge.from].cases[edge.case_index];
+}
+
+/// Breadth first, so that the paths are shortest. The start, which every case of `always` may
+/// interrupt, is enough to reach their targets from; the last comes first, so that a state that
+/// only they lead to is met with the greatest limit.
 void Structure::explore() {
   std::deque<Place> pending = {Place{}};
   arrivals_[index({})].reached = true;
@@ -85,24 +105,108 @@ void Structure::explore() {
     const Place place = pending.front();
     pending.pop_front();
     for (const Edge& edge : moves[place.state].edges) {
-      const Place next{edge.to, edge.call};
-      if (at(next)) {
-        continue;
+      visit(edge, place, pending);
+    }
+    if (index(place) == index({})) {
+      for (size_t i = always.edges.size(); i-- > 0;) {
+        if (always.edges[i].to != 0) {
+          visit(always.edges[i], place, pending);
+        }
       }
-      if (!reached(edge.to)) {
-        order.push_back(edge.to);
-        nearest_called_[edge.to] = edge.call;
-      }
-      arrivals_[index(next)] = {true, place, edge};
-      pending.push_back(next);
     }
   }
+}
+
+void Structure::visit(const Edge& edge, Place before, std::deque<Place>& pending) {
+  const Arrived by_goto = edge.always ? Arrived::Limited : Arrived::Free;
+  const Place next{edge.to, edge.call ? Arrived::Called : by_goto};
+  if (at(next)) {
+    return;
+  }
+  if (!reached(edge.to)) {
+    order.push_back(edge.to);
+    nearest_[edge.to] = next.arrived;
+  }
+  arrivals_[index(next)] = {true, before, edge};
+  pending.push_back(next);
+}
+
+std::optional<uint32_t> Structure::rootLimit(uint32_t state) const {
+  if (at({state, Arrived::Free})) {
+    return kEndlessLimit;
+  }
+  return at({state, Arrived::Limited}) ? std::optional(limits_[state]) : std::nullopt;
+}
+
+void Structure::findRoots() {
+  limits_.resize(size());
+  for (const Edge& edge : always.edges) {
+    if (!edge.call) {
+      limits_[edge.to] = edge.case_index;  // in the end the greatest
+    }
+  }
+  for (uint32_t s : order) {
+    if (meetsEmptyStack(s)) {
+      highest_roots_.push_back(s);
+    }
+  }
+  auto higher = [&](uint32_t a, uint32_t b) { return *rootLimit(a) > *rootLimit(b); };
+  std::ranges::stable_sort(highest_roots_, higher);
+  highest_roots_.resize(std::min<size_t>(highest_roots_.size(), 3));
+}
+
+std::optional<uint32_t> Structure::otherRoot(uint32_t limit, uint32_t not_this,
+                                             uint32_t nor_this) const {
+  for (uint32_t root : highest_roots_) {
+    if (root != not_this && root != nor_this && *rootLimit(root) > limit) {
+      return root;
+    }
+  }
+  return std::nullopt;
+}
+
+/// A call hands the limit on, so the smallest of a state is that of the first case of `always` from
+/// whose target calls lead to it.
+void Structure::findLimits() {
+  lowest_limit_.assign(size(), kEndlessLimit);
+  for (const Edge& start : always.edges) {
+    if (lowest_limit_[start.to] != kEndlessLimit ||
+        !otherRoot(start.case_index, start.to, start.to)) {
+      continue;
+    }
+    std::vector<uint32_t> pending = {start.to};
+    lowest_limit_[start.to] = start.case_index;
+    while (!pending.empty()) {
+      const uint32_t state = pending.back();
+      pending.pop_back();
+      for (const Edge& edge : moves[state].edges) {
+        if (edge.call && lowest_limit_[edge.to] == kEndlessLimit) {
+          lowest_limit_[edge.to] = start.case_index;
+          pending.push_back(edge.to);
+        }
+      }
+    }
+  }
+}
+
+bool Structure::deadEnd(uint32_t state) const {
+  if (moves[state].leaves()) {
+    return false;
+  }
+  auto leads_away = [&](const Edge& edge) { return edge.to != state; };
+  if (!always.exit_case && std::ranges::none_of(always.edges, leads_away)) {
+    return true;
+  }
+  const bool before_all = always.edges.empty() || lowestLimit(state) <= always.edges[0].case_index;
+  return before_all && lowestLimit(state) <= always.exit_case.value_or(kEndlessLimit) &&
+         lowestLimit(state) != kEndlessLimit;
 }
 
 std::vector<Edge> Structure::pathTo(Place place) const {
   std::vector<Edge> path;
   for (const Arrival* a = &arrivals_[index(place)]; a->edge; a = &arrivals_[index(a->before)]) {
     path.push_back(*a->edge);
+    path.back().from = a->before.state;
   }
   std::ranges::reverse(path);
   return path;

@@ -6,6 +6,8 @@
 #include "ir/core/mission.h"
 
 #include <cstdint>
+#include <deque>
+#include <iterator>
 #include <optional>
 #include <vector>
 
@@ -16,15 +18,16 @@ enum class Dead : uint8_t { No, AlwaysFalse, Hidden };
 
 /// A `goto` or `call` that can fire.
 struct Edge {
-  uint32_t from = 0;
+  uint32_t from = 0;  ///< the state that is current then
   uint32_t case_index = 0;
   uint32_t to = 0;
   bool call = false;
+  bool always = false;  ///< a case of `always`, not of the state
 };
 
-/// What the live cases of a state can do.
+/// What the live cases of a list can do.
 struct Moves {
-  std::vector<Edge> edges;
+  std::vector<Edge> edges;              ///< of `always`: `from` means nothing
   std::optional<uint32_t> return_case;  ///< the first
   std::optional<uint32_t> exit_case;
   std::vector<Dead> dead;  ///< of every case
@@ -32,39 +35,57 @@ struct Moves {
   [[nodiscard]] bool leaves() const { return !edges.empty() || return_case || exit_case; }
 };
 
-/// A state together with whether it was entered with an empty call stack (at the start or by
-/// `goto`) or by `call`.
+/// How a state became current: by the start or a `goto` of a state, so that every case of `always`
+/// may interrupt it; by a `goto` of `always`, so that only earlier ones may; by a `call`.
+enum class Arrived : uint8_t { Free, Limited, Called };
+constexpr Arrived kArrivals[] = {Arrived::Free, Arrived::Limited, Arrived::Called};
+
 struct Place {
   uint32_t state = 0;
-  bool called = false;
+  Arrived arrived = Arrived::Free;
 };
 
-/// The mission as a pushdown system, where every live case may fire at any tick.
-///
-/// What makes the checks exact and linear: between a call and its return only the called state
-/// itself is ever current at that height of the stack, for a `goto` throws the stack away and a
-/// `return` comes back to it. So a state is reached exactly if a path of gotos and calls leads to
-/// it; it meets an empty stack exactly if it is the first or a reached state goes to it; and the
-/// stacks that can lie under a state are exactly the chains of calls from a state that meets an
-/// empty stack.
+/// Every case of `always` may fire.
+constexpr uint32_t kEndlessLimit = UINT32_MAX;
+
+/// The mission as a pushdown system, where every live case may fire at any tick; ir/README.md, "The
+/// checks", says why what stands here is exact.
 class Structure {
  public:
   explicit Structure(const Mission& mission);
 
   const Mission& mission;
-  std::vector<Moves> moves;     ///< of every state
+  std::vector<Moves> moves;  ///< of every state
+  Moves always;
   std::vector<uint32_t> order;  ///< the reached states, nearest to the start first
 
   [[nodiscard]] uint32_t size() const { return static_cast<uint32_t>(moves.size()); }
-  [[nodiscard]] bool reached(uint32_t state) const {
-    return at({state, false}) || at({state, true});
-  }
+  [[nodiscard]] bool reached(uint32_t state) const;
   /// Whether the place is reached.
   [[nodiscard]] bool at(Place place) const { return arrivals_[index(place)].reached; }
-  /// How a reached place is reached with the fewest transitions, the first of them first.
+  /// Whether the state can be current with an empty stack.
+  [[nodiscard]] bool meetsEmptyStack(uint32_t state) const {
+    return at({state, Arrived::Free}) || at({state, Arrived::Limited});
+  }
+  /// How a state that meets an empty stack does so with the greatest limit.
+  [[nodiscard]] Place root(uint32_t state) const {
+    return {state, at({state, Arrived::Free}) ? Arrived::Free : Arrived::Limited};
+  }
+  /// The greatest limit with which the state meets an empty stack; empty: it does not.
+  [[nodiscard]] std::optional<uint32_t> rootLimit(uint32_t state) const;
+  /// A state, neither of these two, that meets an empty stack with a limit above `limit`.
+  [[nodiscard]] std::optional<uint32_t> otherRoot(uint32_t limit, uint32_t not_this,
+                                                  uint32_t nor_this) const;
+  /// The smallest limit with which a reached state can be current.
+  [[nodiscard]] uint32_t lowestLimit(uint32_t state) const { return lowest_limit_[state]; }
+  /// Whether there is a moment from which on nothing ever leaves the reached state.
+  [[nodiscard]] bool deadEnd(uint32_t state) const;
+  /// How a reached place is reached, the first transition first.
   [[nodiscard]] std::vector<Edge> pathTo(Place place) const;
-  /// The reached one of a reached state's two places that is nearer to the start.
-  [[nodiscard]] Place nearest(uint32_t state) const { return {state, nearest_called_[state]}; }
+  /// The place of a reached state that is nearest to the start.
+  [[nodiscard]] Place nearest(uint32_t state) const { return {state, nearest_[state]}; }
+  /// The case of an edge.
+  [[nodiscard]] const Case& caseOf(const Edge& edge) const;
 
  private:
   struct Arrival {
@@ -73,11 +94,19 @@ class Structure {
     std::optional<Edge> edge;  ///< none: the start
   };
 
-  static size_t index(Place place) { return 2 * size_t{place.state} + (place.called ? 1 : 0); }
+  static size_t index(Place place) {
+    return std::size(kArrivals) * place.state + static_cast<size_t>(place.arrived);
+  }
   void explore();
+  void visit(const Edge& edge, Place before, std::deque<Place>& pending);
+  void findRoots();
+  void findLimits();
 
   std::vector<Arrival> arrivals_;
-  std::vector<bool> nearest_called_;
+  std::vector<Arrived> nearest_;
+  std::vector<uint32_t> highest_roots_;  ///< the three that have the greatest limits
+  std::vector<uint32_t> limits_;         ///< of states that meet an empty stack with a limit
+  std::vector<uint32_t> lowest_limit_;
 };
 
 }  // namespace glider::ir

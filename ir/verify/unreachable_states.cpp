@@ -5,20 +5,35 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+
 namespace glider::ir {
 namespace {
 
-/// For every state the cases that name it, as (state, case).
-using Namings = std::vector<std::vector<std::pair<uint32_t, uint32_t>>>;
+/// A case that names a state; without a state of its own one of `always`.
+struct Naming {
+  std::optional<uint32_t> from;
+  const Case* by = nullptr;
+  Dead dead = Dead::No;
+};
 
-Namings namings(const Mission& mission) {
-  Namings result(mission.states.size());
-  for (uint32_t s = 0; s < mission.states.size(); ++s) {
-    for (uint32_t c = 0; c < mission.states[s].cases.size(); ++c) {
-      if (const StateId target = mission.states[s].cases[c].target; target.valid()) {
-        result[target.index].emplace_back(s, c);
-      }
+/// For every state the cases that name it.
+using Namings = std::vector<std::vector<Naming>>;
+
+void addNamings(Namings& result, const std::vector<Case>& cases, const Moves& moves,
+                std::optional<uint32_t> from) {
+  for (size_t i = 0; i < cases.size(); ++i) {
+    if (cases[i].target.valid()) {
+      result[cases[i].target.index].push_back({from, &cases[i], moves.dead[i]});
     }
+  }
+}
+
+Namings namings(const Structure& structure) {
+  Namings result(structure.size());
+  addNamings(result, structure.mission.always, structure.always, std::nullopt);
+  for (uint32_t s = 0; s < structure.size(); ++s) {
+    addNamings(result, structure.mission.states[s].cases, structure.moves[s], s);
   }
   return result;
 }
@@ -33,14 +48,14 @@ void noteWhy(support::DiagnosticBuilder& report, const Structure& structure, uin
                             m.states.front().name, m.states[state].name));
   }
   for (size_t i = 0; i < named[state].size() && i < kMost; ++i) {
-    const auto [from, index] = named[state][i];
-    if (structure.moves[from].dead[index] != Dead::No) {
-      noteDeadCase(report, structure, from, index);
+    const Naming& naming = named[state][i];
+    if (naming.dead != Dead::No || !naming.from) {
+      noteDeadCase(report, *naming.by, naming.dead);
     } else {
-      report.note(m.states[from].cases[index].range,
-                  from == state
-                      ? "only its own case leads to it"
-                      : fmt::format("nothing leads to state `{}` either", m.states[from].name));
+      report.note(naming.by->range, *naming.from == state
+                                        ? "only its own case leads to it"
+                                        : fmt::format("nothing leads to state `{}` either",
+                                                      m.states[*naming.from].name));
     }
   }
 }
@@ -49,7 +64,7 @@ void noteWhy(support::DiagnosticBuilder& report, const Structure& structure, uin
 
 void passes::unreachableStates(Verification& v) {
   const Mission& m = v.structure.mission;
-  const Namings named = namings(m);
+  const Namings named = namings(v.structure);
   for (uint32_t s = 0; s < v.structure.size(); ++s) {
     if (!v.structure.reached(s)) {
       auto report = v.diagnostics.report(support::DiagnosticId::unreachableState, m.states[s].range,

@@ -21,9 +21,9 @@ struct VerifyPass {
 std::span<const VerifyPass> verifyPasses();
 
 /// Checks `mission` (which must be valid) on its pushdown structure, exactly: guards are not
-/// interpreted, except those that are always true or always false whatever the sensors say. Reports
-/// GL3xxx; the facts are meaningful only if none of what was reported is an error. Time and memory
-/// are linear in the mission.
+/// interpreted, except those that are always true or always false whatever the sensors say. Checks
+/// by intervals that no variable leaves its range. Reports GL3xxx; the facts are meaningful only if
+/// none of what was reported is an error. Time and memory are linear in the mission.
 MissionFacts verify(const Mission& mission, support::DiagnosticEngine& diagnostics);
 
 }  // namespace glider::ir

@@ -5,6 +5,7 @@
 
 #include "frontend/frontend.h"
 #include "frontend/import/imports.h"
+#include "ir/core/validate.h"
 #include "ir/text/print.h"
 #include "ir/verify/verify.h"
 #include "support/check.h"
@@ -71,7 +72,10 @@ class Compilation {
   void showIr() {
     product_.clear();
     if (mission_) {
-      product_ = "--- ir\n" + ir::print(*mission_);
+      for (const ir::Defect& defect : ir::validate(*mission_)) {
+        product_ += "--- invalid: " + defect.message + "\n";
+      }
+      product_ += "--- ir\n" + ir::print(*mission_);
     }
   }
 

@@ -15,6 +15,18 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 using Updates = std::vector<SensorUpdate>;
 
+/// The call of the profile in this tick.
+ActivityRun runOf(const TickResult& result, ListKind list = ListKind::Profile) {
+  for (const Action& action : result.actions) {
+    const auto* run = std::get_if<ActivityRun>(&action);
+    if (run != nullptr && run->list == list) {
+      return *run;
+    }
+  }
+  ADD_FAILURE() << "it was not called";
+  return {};
+}
+
 TickResult tick(Interpreter& i, double time, const Updates& frame = {}) {
   return i.tick(time, frame);
 }
@@ -55,27 +67,27 @@ TEST(Interpreter, TellsClocksApart) {
                 "case (ge statetime 4:time) return");
   Interpreter i(m, 1);
   const ExprId clock_a = m.states[0].log[0].value, clock_b = m.states[1].log[0].value;
-  EXPECT_EQ(i.start().profile->phase, Phase::Enter);
+  EXPECT_EQ(runOf(i.start()).phase, Phase::Enter);
   TickResult r = tick(i, 4);  // a calls b
-  EXPECT_EQ(r.fired_case, 0u);
-  EXPECT_EQ(r.profile->phase, Phase::Enter);
-  EXPECT_EQ(r.profile->arguments, (std::vector<double>{2, 0}));
+  EXPECT_EQ(r.firedIn(ListKind::State), 0u);
+  EXPECT_EQ(runOf(r).phase, Phase::Enter);
+  EXPECT_EQ(runOf(r).arguments, (std::vector<double>{2, 0}));
   EXPECT_EQ(r.stack.at(0).entered, 0);
   r = tick(i, 6);
-  EXPECT_EQ(r.fired_case, std::nullopt);
-  EXPECT_EQ(r.profile->phase, Phase::Tick);
+  EXPECT_EQ(r.firedIn(ListKind::State), std::nullopt);
+  EXPECT_EQ(runOf(r).phase, Phase::Tick);
   EXPECT_EQ(i.number(clock_b), 2);
   r = tick(i, 8);  // back in a: its time runs on, its resume time starts anew
   EXPECT_EQ(r.state.index, 0u);
-  EXPECT_EQ(r.profile->phase, Phase::Resume);
-  EXPECT_EQ(r.route->phase, Phase::Resume);
-  EXPECT_EQ(r.profile->arguments, (std::vector<double>{1, 8}));
+  EXPECT_EQ(runOf(r).phase, Phase::Resume);
+  EXPECT_EQ(runOf(r, ListKind::Route).phase, Phase::Resume);
+  EXPECT_EQ(runOf(r).arguments, (std::vector<double>{1, 8}));
   EXPECT_EQ(i.number(clock_a), 0);
   tick(i, 12);
   EXPECT_EQ(i.number(clock_a), 4);
   r = tick(i, 16);  // goto itself enters it again
-  EXPECT_EQ(r.profile->phase, Phase::Enter);
-  EXPECT_EQ(r.profile->arguments.at(1), 0);
+  EXPECT_EQ(runOf(r).phase, Phase::Enter);
+  EXPECT_EQ(runOf(r).arguments.at(1), 0);
 }
 
 TEST(Interpreter, TriesGuardsOnTheTickAfterTheEntry) {
@@ -86,11 +98,11 @@ TEST(Interpreter, TriesGuardsOnTheTickAfterTheEntry) {
   EXPECT_EQ(tick(i, 4).state.index, 1u);
   const TickResult last = tick(i, 8);
   EXPECT_TRUE(last.finished);
-  EXPECT_EQ(last.fired_case, 0u);
-  EXPECT_FALSE(last.profile || last.route);
+  EXPECT_EQ(last.firedIn(ListKind::State), 0u);
+  EXPECT_TRUE(last.actions.empty());
   const TickResult after = tick(i, 12);
   EXPECT_TRUE(after.finished);
-  EXPECT_EQ(after.fired_case, std::nullopt);
+  EXPECT_EQ(after.firedIn(ListKind::State), std::nullopt);
   EXPECT_EQ(after.state.index, 1u);
 }
 
@@ -102,10 +114,10 @@ TEST(Interpreter, TakesTheFirstTrueCaseAndStayEndsTheList) {
                               stateText("b", ""));
   Interpreter i(m, 0);
   i.start();
-  EXPECT_EQ(tick(i, 4, {{kTemp, 9}, {kDepth, 9}}).fired_case, 0u);
-  EXPECT_EQ(tick(i, 8, {{kTemp, 1}, {kDepth, 1}}).fired_case, 2u);
+  EXPECT_EQ(tick(i, 4, {{kTemp, 9}, {kDepth, 9}}).firedIn(ListKind::State), 0u);
+  EXPECT_EQ(tick(i, 8, {{kTemp, 1}, {kDepth, 1}}).firedIn(ListKind::State), 2u);
   const TickResult r = tick(i, 12, {{kDepth, 9}});
-  EXPECT_EQ(r.fired_case, 1u);
+  EXPECT_EQ(r.firedIn(ListKind::State), 1u);
   EXPECT_EQ(r.state.index, 1u);
 }
 
@@ -117,10 +129,10 @@ TEST(Interpreter, UnknownSilencesAGuardAndItsOpposite) {
                                     "case (not (known (sensor temp))) stay"));
   Interpreter i(m, 0);
   i.start();
-  EXPECT_EQ(tick(i, 4).fired_case, 2u) << "never seen";
-  EXPECT_EQ(tick(i, 8, {{kTemp, kNaN}}).fired_case, 2u);
-  EXPECT_EQ(tick(i, 12, {{kTemp, 41}}).fired_case, 2u) << "beyond its range";
-  EXPECT_EQ(tick(i, 16, {{kTemp, 3}}).fired_case, 1u);
+  EXPECT_EQ(tick(i, 4).firedIn(ListKind::State), 2u) << "never seen";
+  EXPECT_EQ(tick(i, 8, {{kTemp, kNaN}}).firedIn(ListKind::State), 2u);
+  EXPECT_EQ(tick(i, 12, {{kTemp, 41}}).firedIn(ListKind::State), 2u) << "beyond its range";
+  EXPECT_EQ(tick(i, 16, {{kTemp, 3}}).firedIn(ListKind::State), 1u);
 }
 
 TEST(Interpreter, ReadingsAgeAndGoStale) {
@@ -128,17 +140,17 @@ TEST(Interpreter, ReadingsAgeAndGoStale) {
       kHeader + "state a route drift () profile to ((sensor depth), (age depth)) case false exit");
   Interpreter i(m, 0);
   TickResult r = i.start();
-  EXPECT_NE(r.profile->arguments[0], r.profile->arguments[0]);
-  EXPECT_EQ(tick(i, 8).profile->arguments[1], 8) << "of one never seen, since mission time 0";
-  EXPECT_EQ(tick(i, 10, {{kDepth, 7}}).profile->arguments, (std::vector<double>{7, 0}));
-  EXPECT_EQ(tick(i, 30).profile->arguments, (std::vector<double>{7, 20}));
+  EXPECT_NE(runOf(r).arguments[0], runOf(r).arguments[0]);
+  EXPECT_EQ(runOf(tick(i, 8)).arguments[1], 8) << "of one never seen, since mission time 0";
+  EXPECT_EQ(runOf(tick(i, 10, {{kDepth, 7}})).arguments, (std::vector<double>{7, 0}));
+  EXPECT_EQ(runOf(tick(i, 30)).arguments, (std::vector<double>{7, 20}));
   r = tick(i, 31);
-  EXPECT_NE(r.profile->arguments[0], r.profile->arguments[0]) << "stale after 20 s";
-  EXPECT_EQ(r.profile->arguments[1], 21);
+  EXPECT_NE(runOf(r).arguments[0], runOf(r).arguments[0]) << "stale after 20 s";
+  EXPECT_EQ(runOf(r).arguments[1], 21);
   r = tick(i, 40, {{kDepth, kNaN}});
-  EXPECT_NE(r.profile->arguments[0], r.profile->arguments[0]);
-  EXPECT_EQ(r.profile->arguments[1], 0) << "a frame held it, if only as NaN";
-  EXPECT_EQ(tick(i, 44, {{kDepth, 1}, {kDepth, 2}}).profile->arguments[0], 2);
+  EXPECT_NE(runOf(r).arguments[0], runOf(r).arguments[0]);
+  EXPECT_EQ(runOf(r).arguments[1], 0) << "a frame held it, if only as NaN";
+  EXPECT_EQ(runOf(tick(i, 44, {{kDepth, 1}, {kDepth, 2}})).arguments[0], 2);
 }
 
 TEST(Interpreter, MissionTimeNeverGoesBack) {
@@ -146,9 +158,9 @@ TEST(Interpreter, MissionTimeNeverGoesBack) {
       kHeader + "state a route drift () profile to (1:length, missiontime) case false exit");
   Interpreter i(m, 0);
   i.start();
-  EXPECT_EQ(tick(i, 8).profile->arguments[1], 8);
-  EXPECT_EQ(tick(i, 4, {{kDepth, 1}}).profile->arguments[1], 8);
-  EXPECT_EQ(tick(i, 12).profile->arguments[1], 12);
+  EXPECT_EQ(runOf(tick(i, 8)).arguments[1], 8);
+  EXPECT_EQ(runOf(tick(i, 4, {{kDepth, 1}})).arguments[1], 8);
+  EXPECT_EQ(runOf(tick(i, 12)).arguments[1], 12);
 }
 
 TEST(InterpreterDeathTest, RefusesWhatVerificationRulesOut) {

@@ -19,27 +19,54 @@ uint64_t bits(double value) {
   return std::bit_cast<uint64_t>(value);
 }
 
+template <typename T>
+void expectSame(const std::vector<T>& a, const std::vector<T>& b);
+
+void expectSame(const Case& a, const Case& b) {
+  EXPECT_EQ(std::tie(a.guard, a.action, a.transition, a.target, a.arguments),
+            std::tie(b.guard, b.action, b.transition, b.target, b.arguments));
+}
+
 void expectSame(const Activity& a, const Activity& b) {
-  EXPECT_EQ(a.behaviour, b.behaviour);
-  EXPECT_EQ(a.arguments, b.arguments);
+  EXPECT_EQ(std::tie(a.behaviour, a.arguments, a.entry, a.done),
+            std::tie(b.behaviour, b.arguments, b.entry, b.done));
+  expectSame(a.cases, b.cases);
+}
+
+void expectSame(const LogItem& a, const LogItem& b) {
+  EXPECT_EQ(std::tie(a.name, a.value), std::tie(b.name, b.value));
+  EXPECT_EQ(bits(a.period_s), bits(b.period_s));
 }
 
 void expectSame(const State& a, const State& b) {
-  EXPECT_EQ(a.name, b.name);
+  EXPECT_EQ(std::tie(a.name, a.parameters, a.entry), std::tie(b.name, b.parameters, b.entry));
   expectSame(a.profile, b.profile);
   expectSame(a.route, b.route);
-  ASSERT_EQ(a.log.size(), b.log.size());
-  for (size_t i = 0; i < a.log.size(); ++i) {
-    EXPECT_EQ(a.log[i].name, b.log[i].name);
-    EXPECT_EQ(a.log[i].value, b.log[i].value);
-    EXPECT_EQ(bits(a.log[i].period_s), bits(b.log[i].period_s));
-  }
-  ASSERT_EQ(a.cases.size(), b.cases.size());
-  for (size_t i = 0; i < a.cases.size(); ++i) {
-    EXPECT_EQ(a.cases[i].guard, b.cases[i].guard);
-    EXPECT_EQ(a.cases[i].transition, b.cases[i].transition);
-    EXPECT_EQ(a.cases[i].target, b.cases[i].target);
-  }
+  expectSame(a.log, b.log);
+  expectSame(a.cases, b.cases);
+}
+
+void expectSame(const Variable& a, const Variable& b) {
+  EXPECT_EQ(std::tie(a.name, a.type, a.kind, a.owner, a.initial),
+            std::tie(b.name, b.type, b.kind, b.owner, b.initial));
+  EXPECT_EQ(bits(a.lowest), bits(b.lowest));
+  EXPECT_EQ(bits(a.highest), bits(b.highest));
+}
+
+void expectSame(const Temporal& a, const Temporal& b) {
+  EXPECT_EQ(std::tie(a.kind, a.list, a.state, a.operand, a.duration, a.along),
+            std::tie(b.kind, b.list, b.state, b.operand, b.duration, b.along));
+  EXPECT_EQ(bits(a.length), bits(b.length));
+}
+
+void expectSame(const Statement& a, const Statement& b) {
+  EXPECT_EQ(
+      std::tie(a.kind, a.variable, a.value, a.then, a.otherwise, a.text, a.values, a.command),
+      std::tie(b.kind, b.variable, b.value, b.then, b.otherwise, b.text, b.values, b.command));
+}
+
+void expectSame(const Block& a, const Block& b) {
+  expectSame(a.statements, b.statements);
 }
 
 void expectSame(const Sensor& a, const Sensor& b) {
@@ -61,8 +88,8 @@ void expectSame(const Behaviour& a, const Behaviour& b) {
 }
 
 void expectSame(const Expr& a, const Expr& b) {
-  EXPECT_EQ(std::tie(a.op, a.type, a.operands, a.sensor),
-            std::tie(b.op, b.type, b.operands, b.sensor));
+  EXPECT_EQ(std::tie(a.op, a.type, a.operands, a.sensor, a.variable, a.temporal),
+            std::tie(b.op, b.type, b.operands, b.sensor, b.variable, b.temporal));
   EXPECT_EQ(bits(a.number), bits(b.number));
 }
 
@@ -76,7 +103,11 @@ void expectSame(const std::vector<T>& a, const std::vector<T>& b) {
 
 /// Everything but source ranges.
 void expectSame(const Mission& a, const Mission& b) {
-  EXPECT_EQ(std::tie(a.name, a.platform), std::tie(b.name, b.platform));
+  EXPECT_EQ(std::tie(a.name, a.platform, a.conditions), std::tie(b.name, b.platform, b.conditions));
+  expectSame(a.variables, b.variables);
+  expectSame(a.temporals, b.temporals);
+  expectSame(a.blocks, b.blocks);
+  expectSame(a.always, b.always);
   expectSame(a.sensors, b.sensors);
   expectSame(a.behaviours, b.behaviours);
   expectSame(a.exprs, b.exprs);
@@ -150,7 +181,7 @@ Mission strange() {
     m.exprs.push_back(e);
   }
   m.states[0].cases[0].guard = {1004};
-  m.states[0].cases.push_back({{500}, Transition::Goto, {0}, {}});
+  m.states[0].cases.push_back({{500}, {}, Transition::Goto, {0}, {}, {}});
   m.states[0].log = {{"two words", {3}, 0.1}, {"", {1}, 1e-7}};
   return m;
 }
@@ -159,6 +190,88 @@ TEST(IrText, StrangeMissionsComeBack) {
   const Mission mission = strange();
   ASSERT_TRUE(validate(mission).empty());
   expectSame(mission, missionOf(print(mission)));
+}
+
+/// Everything that the text form has beyond `ReadsLikeTheMission`.
+const char* const kWhole = R"(glider_ir 1
+mission m platform slocum
+
+sensor depth: length vehicle m_depth id 1 encoding linear to_si 1 lowest -1 highest 100 stale_after 20
+behaviour profile yo symbol "" () reads ()
+behaviour route drift symbol gliderRouteDrift () reads ()
+variable bottom: length parameter lowest 10 highest 30
+variable fast: bool mission
+variable upper: length mission lowest 3 highest 24
+variable "leg.to": latitude argument of leg lowest -90 highest 90
+variable "leg.count": number state of leg
+variable "leg.profile.done": bool profile of leg
+initial bottom 25:length
+initial fast false
+initial upper (min 5:length (var bottom))
+condition (ge (var bottom) (mul 2 5:length))
+
+always
+  temporal held always (lt (sensor depth) 4:length) for 30:time
+  case (temporal 0) do
+    set upper 3:length
+  end exit
+  temporal slope always (sensor depth) over 60
+  case (lt (temporal 1) 0:speed) stay
+
+state s1
+  route drift ()
+  profile yo begin
+  end
+  temporal became state s1 (ge (sensor depth) (var bottom))
+  case (temporal 2) do
+    set upper (clamp (sensor depth) 3:length 24:length)
+    if (var fast)
+      log "met at " ((var upper), (sin 1:angle))
+      steer_to (39:latitude, -73:longitude)
+    else
+      if (known (sensor depth))
+        surface ()
+      end
+    end
+  end call leg (39.5:latitude)
+
+state leg ("leg.to")
+  initial "leg.count" 0
+  initial "leg.profile.done" false
+  route drift ()
+  profile yo done "leg.profile.done" begin
+    entry do
+      descend ((var upper), 0.4:angle)
+    end
+    case (ge (sensor depth) 20:length) do
+    end done
+  end
+  entry do
+    set "leg.count" (add (var "leg.count") 1)
+  end
+  temporal mean route leg (sensor depth) over 10 along (sensor depth)
+  case (gt (distance 1:latitude 2:longitude (var "leg.to") 3:longitude) (temporal 3)) return
+)";
+
+TEST(IrText, WholeLanguageReadsLikeTheMission) {
+  const Mission mission = missionOf(kWhole);
+  EXPECT_EQ(print(mission), kWhole);
+  EXPECT_EQ(mission.temporals.size(), 4u);
+  EXPECT_EQ(mission.blocks.size(), 7u);
+  EXPECT_EQ(mission.states[1].profile.cases[0].transition, Transition::Done);
+}
+
+TEST(IrText, BlocksOutOfOrderComeBack) {
+  Mission mission = missionOf(kHeader + R"(variable x: length mission
+initial x 0:length
+state a route drift () profile glide () entry do set x 1:length end
+  case true do if true set x 2:length else set x 3:length end end stay
+  case false do set x 4:length end exit
+)");
+  std::swap(mission.states[0].entry, mission.states[0].cases[1].action);
+  const std::string text = print(mission);
+  EXPECT_NE(text.find("run"), std::string::npos);
+  expectSame(mission, missionOf(text));
 }
 
 TEST(IrText, RangesPointIntoTheText) {

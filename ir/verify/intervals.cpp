@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/verify/intervals.h"
+
+#include "ir/core/ops.h"
+#include "ir/eval/arithmetic.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace glider::ir {
+namespace {
+
+constexpr double kMost = std::numeric_limits<double>::max();
+constexpr Interval kAny{-kMost, kMost, false};
+constexpr Interval kNowhere{0, 0, true};
+/// Half the circumference of a sphere of the Earth's mean radius (6371 km; IUGG), and a little
+/// more.
+constexpr double kFarthest = 2.0016e7;
+
+/// From `low` to `high` if there is anything; what is not finite is not known.
+Interval between(double low, double high) {
+  return low <= high ? Interval{std::max(low, -kMost), std::min(high, kMost), false} : kNowhere;
+}
+
+Interval hull(const Interval& a, const Interval& b) {
+  if (a.empty || b.empty) {
+    return a.empty ? b : a;
+  }
+  return {std::min(a.lowest, b.lowest), std::max(a.highest, b.highest), false};
+}
+
+/// The hull of an operation on the ends; an end that overflows stands for the greatest number.
+template <typename Operation>
+Interval ofEnds(const Interval& a, const Interval& b, Operation operation) {
+  const std::array<double, 4> ends = {operation(a.lowest, b.lowest), operation(a.lowest, b.highest),
+                                      operation(a.highest, b.lowest),
+                                      operation(a.highest, b.highest)};
+  return between(std::ranges::min(ends), std::ranges::max(ends));
+}
+
+/// A magnitude so small that it settles is 0.
+Interval settled(Interval x) {
+  x.lowest = settle(x.lowest);
+  x.highest = settle(x.highest);
+  return x;
+}
+
+Interval divided(const Interval& a, const Interval& b) {
+  if (b.lowest <= 0 && b.highest >= 0) {
+    return kAny;
+  }
+  return settled(ofEnds(a, b, [](double x, double y) { return x / y; }));
+}
+
+Interval magnitude(const Interval& x) {
+  const double least =
+      x.lowest <= 0 && x.highest >= 0 ? 0 : std::min(std::fabs(x.lowest), std::fabs(x.highest));
+  return {least, std::max(std::fabs(x.lowest), std::fabs(x.highest)), false};
+}
+
+Interval root(const Interval& x) {
+  return x.highest < 0 ? kNowhere
+                       : Interval{std::sqrt(std::max(x.lowest, 0.0)), std::sqrt(x.highest), false};
+}
+
+/// x < l ? l : h < x ? h : x
+Interval clamped(const Interval& x, const Interval& l, const Interval& h) {
+  Interval result = between(std::max(x.lowest, l.lowest), std::min(x.highest, h.highest));
+  if (x.lowest < l.highest) {
+    result = hull(result, between(std::max(l.lowest, x.lowest), l.highest));
+  }
+  if (h.lowest < x.highest) {
+    result = hull(result, between(h.lowest, std::min(h.highest, x.highest)));
+  }
+  return result;
+}
+
+/// The reading of ddmm.mmmm nearest to `raw` that has fewer than 60 minutes.
+double degrees(double raw) {
+  const double whole = std::floor(std::fabs(raw) / 100);
+  const double minutes = std::fabs(raw) - 100 * whole;
+  return std::copysign(whole + std::min(minutes, 60.0) / 60, raw);
+}
+
+Interval readings(const Sensor& s) {
+  const Interval raw = between(s.lowest, s.highest);
+  if (raw.empty) {
+    return raw;
+  }
+  if (s.encoding == Encoding::DegreesMinutes) {
+    return {degrees(raw.lowest), degrees(raw.highest), false};
+  }
+  const Interval factor{s.to_si, s.to_si, false};
+  return settled(ofEnds(raw, factor, [](double x, double y) { return x * y; }));
+}
+
+class Analysis {
+ public:
+  explicit Analysis(const Mission& mission) : m_(mission) {}
+
+  std::vector<Interval> run() {
+    for (const Expr& e : m_.exprs) {
+      all_.push_back(e.type.kind == TypeKind::Bool ? kAny : of(e));
+    }
+    return std::move(all_);
+  }
+
+ private:
+  [[nodiscard]] const Interval& operand(const Expr& e, size_t i) const {
+    return all_[e.operands.at(i).index];
+  }
+
+  [[nodiscard]] Interval of(const Expr& e) const {
+    const uint32_t count = opInfo(e.op).operands;
+    if (count == 0) {
+      return leaf(e);
+    }
+    for (uint32_t i = 0; i < count; ++i) {
+      if (operand(e, i).empty) {
+        return kNowhere;
+      }
+    }
+    const Interval& a = operand(e, 0);
+    return count == 1 ? unary(e.op, a) : several(e, a, operand(e, 1));
+  }
+
+  [[nodiscard]] Interval leaf(const Expr& e) const {
+    switch (e.op) {
+      case Op::Constant:
+        return {e.number, e.number, false};
+      case Op::Sensor:
+        return readings(m_[e.sensor]);
+      case Op::Variable:
+        return between(m_[e.variable].lowest, m_[e.variable].highest);
+      case Op::Temporal:
+        return window(m_[e.temporal]);
+      default:  // clocks, Age
+        return {0, kMost, false};
+    }
+  }
+
+  /// A mean is worked out by sums that may round past the readings.
+  [[nodiscard]] Interval window(const Temporal& t) const {
+    const Interval& x = all_[t.operand.index];
+    switch (t.kind) {
+      case TemporalKind::Lowest:
+      case TemporalKind::Highest:
+        return x;
+      case TemporalKind::Spread:
+        return x.empty ? x : between(0, x.highest - x.lowest);
+      default:
+        return kAny;
+    }
+  }
+
+  static Interval unary(Op op, const Interval& x) {
+    switch (op) {
+      case Op::Negate:
+        return {-x.highest, -x.lowest, false};
+      case Op::Abs:
+        return magnitude(x);
+      case Op::Sqrt:
+        return root(x);
+      case Op::Sin:
+      case Op::Cos:
+        return {-1, 1, false};
+      default:  // Tan
+        return kAny;
+    }
+  }
+
+  [[nodiscard]] Interval several(const Expr& e, const Interval& a, const Interval& b) const {
+    switch (e.op) {
+      case Op::Add:
+        return settled(between(a.lowest + b.lowest, a.highest + b.highest));
+      case Op::Subtract:
+        return settled(between(a.lowest - b.highest, a.highest - b.lowest));
+      case Op::Multiply:
+        return settled(ofEnds(a, b, [](double x, double y) { return x * y; }));
+      case Op::Divide:
+        return divided(a, b);
+      case Op::Min:
+        return {std::min(a.lowest, b.lowest), std::min(a.highest, b.highest), false};
+      case Op::Max:
+        return {std::max(a.lowest, b.lowest), std::max(a.highest, b.highest), false};
+      case Op::Atan2:
+        return {-std::numbers::pi, std::numbers::pi, false};
+      case Op::Distance:
+        return {0, kFarthest, false};
+      case Op::Bearing:
+        return {0, 2 * std::numbers::pi, false};
+      default:  // Clamp
+        return clamped(a, b, operand(e, 2));
+    }
+  }
+
+  const Mission& m_;
+  std::vector<Interval> all_;
+};
+
+}  // namespace
+
+std::vector<Interval> intervalsOf(const Mission& mission) {
+  return Analysis(mission).run();
+}
+
+}  // namespace glider::ir

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "ir/core/mission.h"
+
+#include <vector>
+
+namespace glider::ir {
+
+/// Where the known values of a number lie: finite, lowest <= highest; or nowhere, if it never is
+/// known.
+struct Interval {
+  double lowest = 0;
+  double highest = 0;
+  bool empty = false;
+
+  [[nodiscard]] bool within(double low, double high) const {
+    return empty || (low <= lowest && highest <= high);
+  }
+};
+
+/// Of every expression of a valid mission; of one that is a truth value it means nothing. Readings
+/// lie in their sensor's range, variables in theirs; nothing is assumed of how values depend on
+/// each other. Bounds are worked out with the mission's own arithmetic, in which every operation is
+/// monotone, so they are exact where an operation is.
+std::vector<Interval> intervalsOf(const Mission& mission);
+
+}  // namespace glider::ir

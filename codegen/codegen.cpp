@@ -45,7 +45,8 @@ Result<Unit> lower(const ir::Mission& mission, const ir::MissionFacts& facts, co
   unit.machine = std::move(*machine);
   llvm::LLVMContext scratch;  // the module's own is to hold each type once
   const uint64_t bytes =
-      contextBytes(mission, facts, unit.machine->createDataLayout(), makeAbiTypes(scratch));
+      contextBytes(mission, facts, indexMission(mission), unit.machine->createDataLayout(),
+                   makeAbiTypes(scratch));
   if (bytes > kMostContextBytes) {
     return support::fail(DiagnosticId::missionTooLarge, bytes, kMostContextBytes);
   }

@@ -104,8 +104,8 @@ void describeMission(simulator::SimulationSetup& setup, const Compilation& compi
   for (const ir::State& state : compilation.mission->states) {
     setup.state_names.push_back(state.name);
   }
-  setup.explain = [&compilation](uint32_t state, uint32_t fired_case) {
-    return explainGuard(compilation, state, fired_case);
+  setup.explain = [&compilation](uint32_t list, uint32_t state, uint32_t fired_case) {
+    return explainGuard(compilation, list, state, fired_case);
   };
 }
 

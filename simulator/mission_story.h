@@ -38,6 +38,7 @@ class MissionStory {
   void learnOrigin(double cycle_s, const hooks::Hookprog::SbcView& view, bool in_control);
   void transition(double now_s, const hooks::HookprogEvent& event, const ScienceComputer& science,
                   const FlightController& flight, Journal& journal) const;
+  void note(double now_s, const hooks::HookprogEvent& event, Journal& journal) const;
   [[nodiscard]] std::string why(const hooks::HookprogEvent& event, const ScienceComputer& science,
                                 const FlightController& flight) const;
 

@@ -180,6 +180,12 @@ void Client::notify(const TransitionNotice& notice) {
   }
 }
 
+void Client::notify(const MissionNote& note) {
+  if (note_count_ < kMostNotes) {
+    notes_[note_count_++] = note;
+  }
+}
+
 void Client::done(const MissionStatus& status, const GliderByteStream& stream) {
   status_ = status;
   if (!must_answer_) {
@@ -198,7 +204,19 @@ void Client::done(const MissionStatus& status, const GliderByteStream& stream) {
   if (waiting_ && due_) {
     queueInstruction();
   }
+  queueNotes();
   answer(stream);
+}
+
+/// They come last before Done, and leave room for it and for the next answers.
+void Client::queueNotes() {
+  constexpr uint32_t kReserve = 1024;
+  for (uint32_t i = 0; i < note_count_ && out_.room() > kReserve; ++i) {
+    Frame frame;
+    encode(notes_[i], frame);
+    queue(frame);
+  }
+  note_count_ = 0;
 }
 
 void Client::queue(Frame& frame) {

@@ -84,11 +84,14 @@ class Client {
   /// Tells of a transition, with the answer of this tick; of more than kMostNotices in one answer
   /// the rest is left out.
   void notify(const TransitionNotice& notice);
+  /// Tells of a note, after all that matters more: one for which the line has no room is left out.
+  void notify(const MissionNote& note);
   /// Ends and sends the answer. Without a tick to answer it only remembers `status` for the next
   /// one.
   void done(const MissionStatus& status, const GliderByteStream& stream);
 
   static constexpr uint32_t kMostNotices = 8;
+  static constexpr uint32_t kMostNotes = 8;
   /// Seconds of the SBC's own clock without a frame that make a SilentLink; again after each
   /// further such time.
   static constexpr double kSilenceSecs = 12;
@@ -108,6 +111,7 @@ class Client {
   void queueHello();
   void queueSubscribe();
   void queueInstruction();
+  void queueNotes();
   void answer(const GliderByteStream& stream);
 
   ClientOptions options_;
@@ -131,6 +135,8 @@ class Client {
   MissionStatus status_;
   TransitionNotice notices_[kMostNotices];
   uint32_t notice_count_ = 0;
+  MissionNote notes_[kMostNotes];
+  uint32_t note_count_ = 0;
 
   Instruction pending_;
   bool waiting_ = false;   // hookbeh has not answered `pending_` yet

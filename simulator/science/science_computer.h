@@ -16,13 +16,13 @@
 
 namespace glider::simulator {
 
-/// Explains case `fired_case` of mission state `state`: the guard's text and the platform's numbers
-/// of the sensors in it.
+/// Explains case `fired_case` of `list` (GliderList) in mission state `state`: the guard's text and
+/// the platform's numbers of the sensors in it.
 struct GuardText {
   std::string guard;
   std::vector<uint16_t> sensors;
 };
-using GuardResolver = std::function<GuardText(uint32_t state, uint32_t fired_case)>;
+using GuardResolver = std::function<GuardText(uint32_t list, uint32_t state, uint32_t fired_case)>;
 
 /// The science computer: runs the CTD and hookprog once a second.
 class ScienceComputer {

@@ -13,6 +13,7 @@ namespace glider::driver {
 void addCheckCommand(CLI::App& app, int& status);
 void addBuildCommand(CLI::App& app, int& status);
 void addSimCommand(CLI::App& app, int& status);
+void addPlatformCommand(CLI::App& app, int& status);
 void addTargetsCommand(CLI::App& app, int& status);
 
 }  // namespace glider::driver

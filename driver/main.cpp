@@ -33,6 +33,7 @@ int run(int argc, char** argv) {
   addBuildCommand(app, status);
   addSimCommand(app, status);
   addTargetsCommand(app, status);
+  addPlatformCommand(app, status);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

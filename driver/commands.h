@@ -17,6 +17,7 @@ void addSimCommand(CLI::App& app, int& status);
 void addExplainCommand(CLI::App& app, int& status);
 void addFixCommand(CLI::App& app, int& status);
 void addFmtCommand(CLI::App& app, int& status);
+void addPlatformCommand(CLI::App& app, int& status);
 void addTargetsCommand(CLI::App& app, int& status);
 
 }  // namespace glider::driver

@@ -37,6 +37,7 @@ int run(int argc, char** argv) {
   addFixCommand(app, status);
   addExplainCommand(app, status);
   addTargetsCommand(app, status);
+  addPlatformCommand(app, status);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

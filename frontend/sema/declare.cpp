@@ -35,9 +35,13 @@ class Declarations {
     if (place == scope_.constants.end() || place->second.name != &node.name) {
       return;  // refused
     }
-    const auto type = node.type ? scope_.declaredType(*node.type) : std::nullopt;
-    if (!node.type || type) {
-      work(node, type, place->second);
+    if (isPath(node.value, scope_) || (node.type && node.type->text == "path")) {
+      workPath(node, place->second);
+    } else {
+      const auto type = node.type ? scope_.declaredType(*node.type) : std::nullopt;
+      if (!node.type || type) {
+        work(node, type, place->second);
+      }
     }
     place->second.worked_out = true;
   }
@@ -88,7 +92,7 @@ class Declarations {
     enter(node.name, node.kind, std::move(declaration));
   }
 
-  void visit(const ast::State& node) { inMission(node.name.where, "a state"); }
+  void visit(const ast::State&) {}
   void visit(const ast::MissionLine&) {}
   void visit(const ast::PlatformLine&) {}
 
@@ -106,6 +110,21 @@ class Declarations {
       settleConstant(node, *value, constant);
     }
     scope_.mission.exprs.resize(before);
+  }
+
+  void workPath(const ast::Const& node, Constant& constant) {
+    if (node.type && node.type->text != "path") {
+      if (const auto type = scope_.declaredType(*node.type)) {
+        scope_.report(DiagnosticId::wrongType, node.value.where, "`" + node.name.text + "`",
+                      describe(*type), scope_.text(node.value.where), "a path");
+      }
+      return;
+    }
+    ExprLowering lowering(scope_);
+    if (auto path = lowering.lowerPath(node.value)) {
+      constant.path = std::move(*path);
+      constant.valid = true;
+    }
   }
 
   void settleConstant(const ast::Const& node, const Value& value, Constant& constant) {

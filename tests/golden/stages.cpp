@@ -4,8 +4,8 @@
 #include "tests/golden/stages.h"
 
 #include "frontend/frontend.h"
-#include "ir/core/validate.h"
 #include "frontend/import/imports.h"
+#include "ir/core/validate.h"
 #include "ir/text/print.h"
 #include "ir/verify/verify.h"
 #include "support/check.h"

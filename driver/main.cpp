@@ -32,6 +32,9 @@ int run(int argc, char** argv) {
   addCheckCommand(app, status);
   addBuildCommand(app, status);
   addSimCommand(app, status);
+  addFmtCommand(app, status);
+  addFixCommand(app, status);
+  addExplainCommand(app, status);
   addTargetsCommand(app, status);
   try {
     app.parse(argc, argv);

@@ -52,7 +52,11 @@ bool isHardKeyword(uint32_t type) {
 }
 
 bool isName(uint32_t type) {
-  return type == GliderLexer::NAME || (type >= GliderLexer::IN && type <= GliderLexer::SURFACES);
+  return type == GliderLexer::NAME || isSoftKeyword(type);
+}
+
+bool isSoftKeyword(uint32_t type) {
+  return type >= GliderLexer::IN && type <= GliderLexer::SURFACES;
 }
 
 bool isAnyName(uint32_t type) {

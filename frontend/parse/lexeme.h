@@ -41,6 +41,8 @@ bool isHardKeyword(uint32_t type);
 bool isName(uint32_t type);
 /// May stand where the grammar says `anyName` (units included).
 bool isAnyName(uint32_t type);
+/// A word of the language in some places and a name elsewhere, such as `in`.
+bool isSoftKeyword(uint32_t type);
 /// All hard keywords, as written.
 const std::vector<std::string_view>& hardKeywords();
 /// The type of the hard keyword spelled `word`; 0 if it is none.

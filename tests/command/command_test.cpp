@@ -41,8 +41,8 @@ TEST(Command, CheckSaysThatFigure2IsFine) {
 }
 
 TEST(Command, HelpAndVersion) {
-  for (const char* arguments :
-       {"--help", "check --help", "build --help", "sim --help", "targets --help"}) {
+  for (const char* arguments : {"--help", "check --help", "build --help", "sim --help",
+                                "targets --help", "fmt --help", "fix --help", "explain --help"}) {
     const Outcome outcome = runShell(std::string("$GLIDERCC ") + arguments);
     EXPECT_EQ(outcome.status, 0) << arguments;
     EXPECT_FALSE(outcome.out.empty()) << arguments;

@@ -85,6 +85,21 @@ TEST(Worlds, Figure6IsTrackedDespiteItsLostClimb) {
   const Flight flight = fly(project("missions/figure5.mission") + world("figure6"));
   ASSERT_EQ(flight.outcome.status, 0) << flight.outcome.err;
   EXPECT_GT(shareTracked(flight), 0.9);
+  // The climb is lost: the CTD goes on reading the deep water above the thermocline, once.
+  const auto time = flight.column("time");
+  const auto depth = flight.column("true_depth");
+  const auto read = flight.column("sci_water_temp");
+  int lost = 0;
+  bool stale = false;
+  for (size_t i = 1; i < time.size(); ++i) {
+    const bool now_stale = depth[i] < 10 && read[i] < 14;
+    if (now_stale && !stale) {
+      ++lost;
+      EXPECT_NEAR(time[i], 700, 100);
+    }
+    stale = now_stale;
+  }
+  EXPECT_EQ(lost, 1);
 }
 
 TEST(Worlds, BloomIsFound) {

@@ -26,7 +26,6 @@ const char* transitionName(uint32_t transition) {
 }  // namespace
 
 void MissionLog::begin(const GliderMission& mission) {
-  text_.put("time_s,record,name,value,from,to\n");
   line({.time = 0.0, .record = "mission", .name = mission.name, .value = unknown()});
   line({.time = 0.0, .record = "state", .name = mission.states[0].name, .value = unknown()});
 }
@@ -70,6 +69,10 @@ void MissionLog::event(double time, const char* name, const char* detail, double
 void MissionLog::line(const Fields& fields) {
   if (sink_.write == nullptr) {
     return;
+  }
+  if (!headed_) {  // before whatever comes first: a link may be refused before the mission begins
+    text_.put("time_s,record,name,value,from,to\n");
+    headed_ = true;
   }
   const uint32_t before = text_.size();
   compose(fields);

@@ -34,13 +34,13 @@ Result<std::unique_ptr<SbcPort>> sbcInProcess(const Compilation& compilation) {
 }
 
 Result<std::unique_ptr<SbcPort>> sbcOnBoard(const Compilation& compilation,
-                                            const std::string& board,
+                                            const std::string& board, const std::string& name,
                                             const std::filesystem::path& folder) {
   const auto target = loadTarget(board);
   if (!target) {
     return std::unexpected(target.error());
   }
-  const std::filesystem::path binary = folder / (compilation.mission->name + "-" + board);
+  const std::filesystem::path binary = folder / (name + "-" + board);
   codegen::CodegenOptions options;
   options.sources = &compilation.sources;
   const auto built =
@@ -50,6 +50,8 @@ Result<std::unique_ptr<SbcPort>> sbcOnBoard(const Compilation& compilation,
   }
   std::vector<std::string> command = target->emulator;
   const std::filesystem::path log = folder / "mission-log.csv";
+  std::error_code ignored;
+  std::filesystem::remove(log, ignored);  // of an earlier flight: the program would write after it
   for (const std::string& word : {std::filesystem::absolute(binary).string(), std::string("--port"),
                                   std::string("{port}"), std::string("--log"), log.string()}) {
     command.push_back(word);
@@ -58,7 +60,12 @@ Result<std::unique_ptr<SbcPort>> sbcOnBoard(const Compilation& compilation,
 }
 
 Result<std::unique_ptr<SbcPort>> sbcProgram(const std::string& program) {
-  return ProcessSbcPort::start("program", {program, "--port", "{port}"});
+  // A file that lies here is meant, not one of that name somewhere in PATH.
+  std::error_code ignored;
+  const bool here = std::filesystem::is_regular_file(program, ignored);
+  return ProcessSbcPort::start(
+      "program",
+      {here ? std::filesystem::absolute(program).string() : program, "--port", "{port}"});
 }
 
 }  // namespace glider::driver

@@ -202,10 +202,12 @@ int sim(const SimOptions& options) {
   return flyAndReport(std::move(setup), options);
 }
 
-/// A whole number that has no sign: CLI11 would wrap `-1` round to a huge one.
+/// A whole number of 64 bits without a sign: CLI11 would wrap `-1` round, and cut a larger one.
 std::string checkSeed(const std::string& text) {
-  const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
-  return digits ? "" : fmt::format("`{}` is no whole number from 0 on", text);
+  uint64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool good = error == std::errc() && end == text.data() + text.size();
+  return good ? "" : fmt::format("`{}` is no whole number from 0 to 2^64-1", text);
 }
 
 /// A time that comes.

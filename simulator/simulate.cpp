@@ -124,7 +124,9 @@ class Simulation {
   void scienceCycle(double now) {
     science_.run(now, ocean_, {vehicle_.depth(), vehicle_.x(), vehicle_.y()}, sbc_line_.left(),
                  clothesline_.right());
-    story_.follow(now, cycle_s_, science_, flight_, journal_);
+    if (story_.follow(now, cycle_s_, science_, flight_, journal_)) {
+      flight_.noteTransition();
+    }
   }
 
   /// The SBC's answer to a control cycle is known only by the next one.

@@ -47,6 +47,26 @@ std::vector<Lexeme> lex(std::string_view text, size_t start) {
   return lexemes;
 }
 
+bool isStateName(const Source& source, std::string_view word) {
+  constexpr std::string_view kState = "state";
+  constexpr std::string_view kBlank = " \t\r\n";
+  const std::string_view text = source.text();
+  for (size_t at = text.find(kState); at != std::string_view::npos;
+       at = text.find(kState, at + 1)) {
+    const std::string_view rest = text.substr(at + kState.size());
+    const size_t name = rest.find_first_not_of(kBlank);
+    if (name == std::string_view::npos || name == 0) {
+      continue;
+    }
+    const std::string_view follows = rest.substr(name);
+    if (follows.starts_with(word) &&
+        (follows.size() == word.size() || kBlank.contains(follows[word.size()]))) {
+      return true;
+    }
+  }
+  return false;
+}
+
 bool isHardKeyword(uint32_t type) {
   return type >= GliderLexer::MISSION && type <= GliderLexer::NOT_WORD;
 }

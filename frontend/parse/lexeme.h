@@ -33,6 +33,9 @@ struct Source {
   }
 };
 
+/// True if the file defines a state called `word`: what was meant where no value fits.
+bool isStateName(const Source& source, std::string_view word);
+
 /// The tokens of a file, one of type end-of-file last. `start` skips a byte order mark.
 std::vector<Lexeme> lex(std::string_view text, size_t start);
 

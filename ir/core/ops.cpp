@@ -37,7 +37,10 @@ std::optional<Type> arithmetic(Op op, Type a, Type b) {
     case Op::Multiply:
       return quantities ? quantity(support::product(a.dimension, b.dimension)) : std::nullopt;
     case Op::Divide:
-      return quantities ? quantity(support::quotient(a.dimension, b.dimension)) : std::nullopt;
+      if (!quantities) {
+        return a == b ? std::optional(kNumber) : std::nullopt;
+      }
+      return quantity(support::quotient(a.dimension, b.dimension));
     default:  // Negate, Abs, Add, Subtract, Min, Max, Clamp
       return a == b ? std::optional(a) : std::nullopt;
   }
@@ -151,6 +154,11 @@ std::optional<Type> resultType(const Mission& mission, const Expr& expr) {
   }
   if (isGeometry(expr.op)) {
     return geometry(mission, expr);
+  }
+  if (expr.op == Op::Select) {
+    const bool fits =
+        operand(0) == kBool && operand(1) == operand(2) && operand(1).kind != TypeKind::Bool;
+    return fits ? std::optional(operand(1)) : std::nullopt;
   }
   for (uint32_t i = 0; i < count; ++i) {
     if (operand(i).kind == TypeKind::Bool) {

@@ -52,6 +52,8 @@ Value valueOf(const Expr& e, const Values& values, const Leaves& leaves) {
       return onEarth(e.op, {a(0), a(1)}, {a(2), a(3)});
     case Op::Clamp:
       return clamp(a(0), a(1), a(2));
+    case Op::Select:
+      return t(0) == Truth::Unknown ? kUnknown : t(0) == Truth::True ? a(1) : a(2);
     case Op::Less:
     case Op::LessEqual:
     case Op::Greater:

@@ -121,6 +121,11 @@ extern uint8_t gliderContextMemory[];
  * computes a reading. */
 double gliderSettle(double value);
 
+/* Leaves a note of `kind` (GliderNoteKind) with `count` values, for this tick; `text` outlives the
+   mission. Beyond what there is room for it is counted as lost. */
+void gliderNote(GliderContext* context, uint32_t kind, const char* text, const double* values,
+                uint32_t count);
+
 /* The functions of the language, the same bits on every machine (runtime/numbers); angles in rad,
    positions in degrees; NaN for an unknown argument; results are settled. gliderSin, gliderCos and
    gliderTan take angles up to 2^20 rad; one beyond is unknown. gliderAtan2: in (-pi, pi]; of (0, 0)

@@ -120,6 +120,13 @@ std::optional<Unit> bareUnit(Dimension dimension) {
   return name->unit.empty() ? Unit{"", dimension, 1.0} : findUnit(name->unit);
 }
 
+std::vector<Unit> unitsOf(Dimension dimension) {
+  std::vector<Unit> units;
+  std::ranges::copy_if(kUnits, std::back_inserter(units),
+                       [&](const Unit& unit) { return unit.dimension == dimension; });
+  return units;
+}
+
 std::string describe(Dimension dimension) {
   if (dimension.dimensionless()) {
     return "plain number";

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace glider::support {
 
@@ -47,6 +48,8 @@ std::optional<Unit> findUnit(std::string_view spelling);
 std::optional<Unit> parseUnit(std::string_view spelling);
 /// The unit a bare number takes where `dimension` is wanted; empty for unnamed dimensions.
 std::optional<Unit> bareUnit(Dimension dimension);
+/// The units of `dimension` that have a spelling of their own, in the order of units.def.
+std::vector<Unit> unitsOf(Dimension dimension);
 /// For messages: "length", or "m^2/s" for a dimension without a name, "plain number" for none.
 std::string describe(Dimension dimension);
 /// The unit to show values of `dimension` in: "m", "degC", "m^2/s", "" for a plain number.

@@ -5,8 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 namespace glider::frontend {
 
 using support::DiagnosticId;
@@ -152,22 +150,7 @@ ExprLowering::Result ExprLowering::finished(const ast::NameUse& node,
 
 ExprLowering::Result ExprLowering::unknown(const ast::NameUse& node,
                                            const support::SourceRange& range) {
-  if (scope_.context.isolated &&
-      (scope_.names.contains(node.name) || scope_.constants.contains(node.name))) {
-    const auto constant = scope_.constants.find(node.name);
-    const ast::Name* there = constant == scope_.constants.end()
-                                 ? scope_.names.find(node.name)->second.name
-                                 : constant->second.name;
-    scope_.report(DiagnosticId::ofTheMission, range, node.name)
-        .note(there->where, "it is defined here");
-    return std::nullopt;
-  }
-  const auto owner = std::ranges::find_if(
-      scope_.state_declarations,
-      [&](const StateDeclaration& state) { return state.names.contains(node.name); });
-  if (owner != scope_.state_declarations.end() && !scope_.context.isolated) {
-    scope_.report(DiagnosticId::ofAnotherState, range, node.name, owner->node->name.text)
-        .note(owner->names.find(node.name)->second.name->where, "it is defined here");
+  if (scope_.refuseUnseen(node.name, range)) {
     return std::nullopt;
   }
   const std::string hint = scope_.states.contains(node.name)

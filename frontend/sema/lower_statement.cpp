@@ -112,10 +112,12 @@ void StatementLowering::refuseSet(const ast::Name& name) {
         .note(constant->name->where, "it is declared here");
     return;
   }
-  const bool clock = findClock(name.text).has_value();
-  if (clock || scope_.platform().find(name.text) != nullptr) {
-    scope_.report(DiagnosticId::cannotSet, name.where, name.text, clock ? "a clock" : "a sensor",
-                  "only the vehicle changes it; keep a value of your own in a `var`");
+  if (const std::string what = scope_.takenBy(name.text); !what.empty()) {
+    scope_.report(DiagnosticId::cannotSet, name.where, name.text, what,
+                  "keep a value of your own in a `var`");
+    return;
+  }
+  if (scope_.refuseUnseen(name.text, name.where)) {
     return;
   }
   std::vector<std::string_view> known;
@@ -126,12 +128,9 @@ void StatementLowering::refuseSet(const ast::Name& name) {
       }
     }
   }
-  const std::string otherwise =
-      scope_.context.isolated && scope_.names.contains(name.text)
-          ? "a behaviour sees only its own; the mission's variables are not among them"
-          : fmt::format("declare it: `var {}: type = value`", name.text);
-  scope_.report(DiagnosticId::unknownVariable, name.where, name.text,
-                didYouMean(name.text, known, otherwise));
+  scope_.report(
+      DiagnosticId::unknownVariable, name.where, name.text,
+      didYouMean(name.text, known, fmt::format("declare it: `var {}: type = value`", name.text)));
 }
 
 void StatementLowering::visit(const ast::If& node, const ast::Statement& statement,

@@ -128,17 +128,47 @@ std::string Scope::suggestName(std::string_view wrong) const {
   return near.empty() ? suggestSensor(wrong) : near;
 }
 
+std::string Scope::takenBy(std::string_view name) const {
+  if (findClock(name)) {
+    return "a clock";
+  }
+  if (platform().find(name) != nullptr) {
+    return "a sensor of platform `" + platform().name + "`";
+  }
+  if (isFunctionName(name)) {
+    return "a function";
+  }
+  return name == "profiledone" || name == "routedone" ? "a word of the language" : "";
+}
+
+bool Scope::refuseUnseen(std::string_view name, const support::SourceRange& range) {
+  if (context.isolated) {
+    const auto constant = constants.find(name);
+    const auto named = names.find(name);
+    const ast::Name* there = constant != constants.end() ? constant->second.name
+                             : named != names.end()      ? named->second.name
+                                                         : nullptr;
+    if (there != nullptr) {
+      report(DiagnosticId::ofTheMission, range, name).note(there->where, "it is defined here");
+    }
+    return there != nullptr;
+  }
+  for (const StateDeclaration& state : state_declarations) {
+    if (const auto found = state.names.find(name); found != state.names.end()) {
+      report(DiagnosticId::ofAnotherState, range, name, state.node->name.text)
+          .note(found->second.name->where, "it is defined here");
+      return true;
+    }
+  }
+  return false;
+}
+
 bool Scope::refuseName(const ast::Name& name, std::string_view owner) {
   if (isUnitName(name.text)) {
     report(DiagnosticId::unitAsName, name.where, name.text, owner);
     return true;
   }
-  const std::string what = findClock(name.text) ? "a clock"
-                           : platform().find(name.text) != nullptr
-                               ? "a sensor of platform `" + platform().name + "`"
-                           : isFunctionName(name.text) ? "a function"
-                           : done                      ? "a word of the language"
-                                                       : "";
+  const std::string what = takenBy(name.text);
   if (!what.empty()) {
     report(DiagnosticId::nameTaken, name.where, name.text, what);
   }

@@ -88,14 +88,20 @@ Result<void> analyse(Compilation& compilation, uint32_t file) {
 }  // namespace
 
 Result<std::unique_ptr<Compilation>> compileMission(const std::filesystem::path& path) {
-  auto compilation = std::make_unique<Compilation>();
-  auto file = addSource(compilation->sources, path);
-  if (!file) {
-    return std::unexpected(file.error());
+  auto text = support::readFile(path);
+  if (!text) {
+    return std::unexpected(text.error());
   }
+  return compileText(path, std::move(*text));
+}
+
+Result<std::unique_ptr<Compilation>> compileText(const std::filesystem::path& path,
+                                                 std::string text) {
+  auto compilation = std::make_unique<Compilation>();
+  const uint32_t file = compilation->sources.add(path.string(), std::move(text));
   if (path.extension() == ".ir") {
-    compilation->mission = ir::read(compilation->sources, *file, compilation->diagnostics);
-  } else if (auto analysed = analyse(*compilation, *file); !analysed) {
+    compilation->mission = ir::read(compilation->sources, file, compilation->diagnostics);
+  } else if (auto analysed = analyse(*compilation, file); !analysed) {
     return std::unexpected(analysed.error());
   }
   if (compilation->ok()) {

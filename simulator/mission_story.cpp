@@ -87,8 +87,9 @@ void MissionStory::note(double now_s, const hooks::HookprogEvent& event, Journal
   journal.events().back().mission_time_s = event.mission_time_s;
 }
 
-void MissionStory::follow(double now_s, double cycle_s, ScienceComputer& science,
+bool MissionStory::follow(double now_s, double cycle_s, ScienceComputer& science,
                           const FlightController& flight, Journal& journal) {
+  bool in_another_state = false;
   learnOrigin(cycle_s, science.sbc(), flight.hookActive());
   for (auto event = science.nextEvent(); event.kind != Kind::None; event = science.nextEvent()) {
     switch (event.kind) {
@@ -102,6 +103,7 @@ void MissionStory::follow(double now_s, double cycle_s, ScienceComputer& science
         break;
       case Kind::SbcTransition:
         transition(now_s, event, science, flight, journal);
+        in_another_state = true;
         break;
       case Kind::SbcNote:
         note(now_s, event, journal);
@@ -118,6 +120,7 @@ void MissionStory::follow(double now_s, double cycle_s, ScienceComputer& science
         break;
     }
   }
+  return in_another_state;
 }
 
 }  // namespace glider::simulator

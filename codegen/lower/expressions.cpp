@@ -210,8 +210,7 @@ Value* Expressions::contextField(unsigned index) {
 }
 
 Value* Expressions::unknownIf(Value* condition, Value* otherwise) {
-  return builder_.CreateSelect(condition, llvm::ConstantFP::getNaN(builder_.getDoubleTy()),
-                               otherwise);
+  return builder_.CreateSelect(condition, unknown(), otherwise);
 }
 
 }  // namespace glider::codegen

@@ -80,6 +80,7 @@ class Expressions {
   llvm::Value* callPure(const char* name, llvm::ArrayRef<llvm::Value*> arguments);
   llvm::Value* readingField(ir::SensorId sensor, unsigned index);
   llvm::Value* contextField(unsigned index);
+  llvm::Value* unknown() { return llvm::ConstantFP::getNaN(builder_.getDoubleTy()); }
   llvm::Value* unknownIf(llvm::Value* condition, llvm::Value* otherwise);
   llvm::Value* operand(const ir::Expr& expr, size_t i) {
     return made_.at(expr.operands.at(i).index).value;

@@ -31,6 +31,11 @@ Value* Expressions::arithmetic(const ir::Expr& expr) {
       return settle(builder_.CreateFDiv(operand(0), operand(1)));
     case Op::Clamp:
       return clamp(operand(0), operand(1), operand(2));
+    case Op::Select: {
+      const Lowered& condition = made_.at(expr.operands[0].index);
+      return builder_.CreateSelect(condition.value, operand(1),
+                                   builder_.CreateSelect(condition.is_false, operand(2), unknown()));
+    }
     case Op::Min:
     case Op::Max:
       return smallerOrLarger(expr.op, operand(0), operand(1));

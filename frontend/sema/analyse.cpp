@@ -41,12 +41,12 @@ std::optional<ir::Mission> analyse(const ast::File& mission, const AnalysisInput
   for (uint32_t i = 0; i < scope.state_declarations.size(); ++i) {
     scope.mission.states.push_back(StateLowering({i}, scope).run());
   }
+  if (diagnostics.hasErrors()) {
+    return std::nullopt;
+  }
   warnOfUnused(scope.names, scope);
   for (const StateDeclaration& state : scope.state_declarations) {
     warnOfUnused(state.names, scope);
-  }
-  if (diagnostics.hasErrors()) {
-    return std::nullopt;
   }
   return std::move(scope.mission);
 }

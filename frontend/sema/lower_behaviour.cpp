@@ -68,9 +68,11 @@ void BehaviourLowering::check() {
     enterVariables();
     ir::Activity unused;
     body(unused, {}, "");
-    warnOfUnused(names_, scope_);
   }
   const bool good = scope_.diagnostics().errorCount() == before;
+  if (good) {
+    warnOfUnused(names_, scope_);
+  }
   declaration_.usable = declaration_.usable && good && declaration_.signature.valid;
 }
 

@@ -56,7 +56,10 @@ bool CaseLowering::allowed(const ast::Case& node) {
       [[fallthrough]];
     case ir::ListKind::State:
       if (done) {
-        scope_.report(DiagnosticId::doneOutsideBehaviour, node.transition_where);
+        auto report = scope_.report(DiagnosticId::doneOutsideBehaviour, node.transition_where);
+        if (scope_.context.list == ir::ListKind::Always) {
+          report.hint("write `goto`, `call`, `exit` or `stay`");
+        }
       }
       return !done;
     case ir::ListKind::Profile:

@@ -28,8 +28,16 @@ constexpr size_t indexOf() {
   }(std::make_index_sequence<std::variant_size_v<Node>>());
 }
 
-/// Enters a state's parameters, of which the first state can have none.
-void declareParameters(ir::StateId id, Scope& scope) {
+void enterVariables(StateDeclaration& state, Scope& scope) {
+  for (const ast::Member& member : state.node->members) {
+    if (const auto* variable = std::get_if<ast::Var>(&member.node)) {
+      enterName(variable->name, NamedKind::StateVariable, state.names, scope);
+    }
+  }
+}
+
+/// Enters the names of a state's parameters, of which the first state can have none, and variables.
+void declareNames(ir::StateId id, Scope& scope) {
   StateDeclaration& state = scope.state_declarations[id.index];
   const ast::Name& name = state.node->name;
   state.signature = scope.signatureOf(name, state.node->formals);
@@ -55,6 +63,7 @@ void declareParameters(ir::StateId id, Scope& scope) {
       state.parameters.push_back(named->longitude);
     }
   }
+  enterVariables(state, scope);
 }
 
 }  // namespace
@@ -74,7 +83,7 @@ void declareStates(const ast::File& file, Scope& scope) {
       continue;
     }
     scope.state_declarations.emplace_back().node = state;
-    declareParameters(id, scope);
+    declareNames(id, scope);
   }
 }
 
@@ -88,7 +97,6 @@ ir::State StateLowering::run() {
   const Scope::Within within(scope_, context);
   // In one order, however they were written: names first, and what guards read is checked against
   // `sensors`.
-  enterVariables();
   visitAll(indexOf<ast::Var>());
   scope_.context.list = ir::ListKind::State;
   visitAll(indexOf<ast::RouteMember>());
@@ -111,14 +119,6 @@ void StateLowering::visitAll(size_t kind) {
   for (const ast::Member& member : state_.members) {
     if (member.node.index() == kind) {
       std::visit([&](const auto& node) { visit(node, member); }, member.node);
-    }
-  }
-}
-
-void StateLowering::enterVariables() {
-  for (const ast::Member& member : state_.members) {
-    if (const auto* variable = std::get_if<ast::Var>(&member.node)) {
-      enterName(variable->name, NamedKind::StateVariable, declaration_.names, scope_);
     }
   }
 }

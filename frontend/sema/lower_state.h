@@ -40,7 +40,6 @@ class StateLowering {
   void visitAll(size_t kind);
   /// False, and reported, if the state has a member of this kind already.
   bool first(const ast::Member& member);
-  void enterVariables();
 
   // Behaviours (lower_use.cpp).
   ir::Activity activity(const ast::Use& use, ir::BehaviourKind kind);

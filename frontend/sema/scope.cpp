@@ -133,7 +133,6 @@ bool Scope::refuseName(const ast::Name& name, std::string_view owner) {
     report(DiagnosticId::unitAsName, name.where, name.text, owner);
     return true;
   }
-  const bool done = name.text == "profiledone" || name.text == "routedone";
   const std::string what = findClock(name.text) ? "a clock"
                            : platform().find(name.text) != nullptr
                                ? "a sensor of platform `" + platform().name + "`"

@@ -89,6 +89,10 @@ class Scope {
   /// "did you mean `temp`?" over sensors, clocks and constants.
   [[nodiscard]] std::string suggestName(std::string_view wrong) const;
   [[nodiscard]] std::string suggestSensor(std::string_view wrong) const;
+  /// What every mission has under this name, "a clock"; empty: nothing.
+  [[nodiscard]] std::string takenBy(std::string_view name) const;
+  /// True, and reported, if `name` is a value that is not seen from `context`.
+  bool refuseUnseen(std::string_view name, const support::SourceRange& range);
   /// True, and reported, if no value may be called `name` because a unit, sensor, clock or function
   /// is.
   bool refuseName(const ast::Name& name, std::string_view owner);

@@ -338,7 +338,10 @@ void warnOfUnused(const Names& names, Scope& scope) {
     if (!named.read) {
       scope.report(DiagnosticId::neverRead, named.name->where, name, describe(named.kind));
     } else if (isVariable(named.kind) && !named.written && named.starts_constant) {
-      scope.report(DiagnosticId::neverSet, named.name->where, name);
+      auto warning = scope.report(DiagnosticId::neverSet, named.name->where, name);
+      if (named.kind == NamedKind::BehaviourVariable) {
+        warning.hint("write its value where it is read");
+      }
     }
   }
 }

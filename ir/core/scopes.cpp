@@ -28,26 +28,30 @@ void join(Reads& reads, const Reads& operand) {
 
 }  // namespace
 
+Reads readsOf(const Mission& mission, const Expr& e, const std::vector<Reads>& operands) {
+  Reads reads;
+  for (uint32_t k = 0; k < opInfo(e.op).operands; ++k) {
+    join(reads, operands[e.operands.at(k).index]);
+  }
+  if (e.op == Op::Variable) {
+    const Variable& v = mission[e.variable];
+    readState(reads, v.owner);
+    reads.variables_end = e.variable.index + 1;
+    reads.mission = v.kind == VariableKind::Mission;
+  } else if (e.op == Op::Temporal) {
+    readState(reads, mission[e.temporal].state);
+    reads.temporals_end = e.temporal.index + 1;
+  } else {
+    reads.moment |= e.sensor.valid() || e.op == Op::MissionTime || e.op == Op::StateTime ||
+                    e.op == Op::ResumeTime;
+  }
+  return reads;
+}
+
 std::vector<Reads> readsOf(const Mission& mission) {
-  std::vector<Reads> all(mission.exprs.size());
-  for (size_t i = 0; i < all.size(); ++i) {
-    const Expr& e = mission.exprs[i];
-    Reads& reads = all[i];
-    for (uint32_t k = 0; k < opInfo(e.op).operands; ++k) {
-      join(reads, all[e.operands.at(k).index]);
-    }
-    if (e.op == Op::Variable) {
-      const Variable& v = mission[e.variable];
-      readState(reads, v.owner);
-      reads.variables_end = e.variable.index + 1;
-      reads.mission = v.kind == VariableKind::Mission;
-    } else if (e.op == Op::Temporal) {
-      readState(reads, mission[e.temporal].state);
-      reads.temporals_end = e.temporal.index + 1;
-    } else {
-      reads.moment |= e.sensor.valid() || e.op == Op::MissionTime || e.op == Op::StateTime ||
-                      e.op == Op::ResumeTime;
-    }
+  std::vector<Reads> all;
+  for (const Expr& e : mission.exprs) {
+    all.push_back(readsOf(mission, e, all));
   }
   return all;
 }

@@ -17,6 +17,9 @@ struct Reads {
   bool mission = false;        ///< a variable of the mission that is no parameter
 };
 
+/// Of an expression whose operands read what stands in `operands` at their numbers.
+Reads readsOf(const Mission& mission, const Expr& expr, const std::vector<Reads>& operands);
+
 /// Of every expression of `mission`, whose expressions must be sound.
 std::vector<Reads> readsOf(const Mission& mission);
 

@@ -108,6 +108,7 @@ void Printer::state(const State& s) {
     add(" ({})", fmt::join(names, ", "));
   }
   ++indent_;
+  initials();
   activity("route", s.route);
   activity("profile", s.profile);
   for (const LogItem& item : s.log) {
@@ -118,6 +119,17 @@ void Printer::state(const State& s) {
   entry(s.entry);
   cases(s.cases);
   --indent_;
+}
+
+/// Those that come next among the expressions.
+void Printer::initials() {
+  while (next_initial_ < m_.variables.size()) {
+    const ExprId id = m_.variables[next_initial_].initial;
+    if (id.valid() && layout_.first[id.index] != next_) {
+      return;
+    }
+    defineNext(id.valid() ? id.index + 1 : 0);
+  }
 }
 
 void Printer::activity(std::string_view what, const Activity& a) {

@@ -46,6 +46,7 @@ class Printer {
   void behaviour(const Behaviour& behaviour);
   void variable(const Variable& variable);
   void launch();
+  void initials();
   void state(const State& state);
   void activity(std::string_view what, const Activity& activity);
 

@@ -23,9 +23,10 @@ constexpr Interval kNowhere{0, 0, true};
 /// more.
 constexpr double kFarthest = 2.0016e7;
 
-/// From `low` to `high` if there is anything; what is not finite is not known.
+/// From `low` to `high` if there is anything finite; the rest is not known.
 Interval between(double low, double high) {
-  return low <= high ? Interval{std::max(low, -kMost), std::min(high, kMost), false} : kNowhere;
+  const bool any = low <= high && low <= kMost && high >= -kMost;
+  return any ? Interval{std::max(low, -kMost), std::min(high, kMost), false} : kNowhere;
 }
 
 Interval hull(const Interval& a, const Interval& b) {
@@ -122,7 +123,7 @@ class Analysis {
       return leaf(e);
     }
     for (uint32_t i = 0; i < count; ++i) {
-      if (operand(e, i).empty) {
+      if (operand(e, i).empty && e.op != Op::Select) {
         return kNowhere;
       }
     }
@@ -195,6 +196,8 @@ class Analysis {
         return {0, kFarthest, false};
       case Op::Bearing:
         return {0, 2 * std::numbers::pi, false};
+      case Op::Select:
+        return hull(b, operand(e, 2));
       default:  // Clamp
         return clamped(a, b, operand(e, 2));
     }

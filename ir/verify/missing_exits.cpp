@@ -109,7 +109,7 @@ void noteExits(support::DiagnosticBuilder& report, const std::vector<Case>& case
       continue;
     }
     if (moves.dead[c] != Dead::No) {
-      noteDeadCase(report, cases[c], moves.dead[c]);
+      noteDeadCase(report, cases[c], moves.dead[c], nowhere.empty() ? "`always`" : "the state");
     } else {
       report.note(cases[c].range, nowhere);
     }

@@ -46,10 +46,12 @@ void notePath(support::DiagnosticBuilder& report, const Structure& structure,
   }
 }
 
-void noteDeadCase(support::DiagnosticBuilder& report, const Case& c, Dead why) {
-  report.note(c.range, why == Dead::Hidden
-                           ? "this case never fires: an earlier case of the list always does"
-                           : "this case never fires: its guard is always false");
+void noteDeadCase(support::DiagnosticBuilder& report, const Case& c, Dead why,
+                  std::string_view list) {
+  report.note(c.range,
+              why == Dead::Hidden
+                  ? fmt::format("this case never fires: an earlier case of {} always does", list)
+                  : "this case never fires: its guard is always false");
 }
 
 }  // namespace glider::ir

@@ -7,6 +7,7 @@
 #include "ir/verify/structure.h"
 #include "support/diagnostics/engine.h"
 
+#include <string_view>
 #include <vector>
 
 namespace glider::ir {
@@ -34,7 +35,8 @@ std::vector<bool> statesWithoutEnd(const Structure& structure);
 void notePath(support::DiagnosticBuilder& report, const Structure& structure,
               const std::vector<Edge>& path);
 
-/// Adds a note that says why `c` never fires.
-void noteDeadCase(support::DiagnosticBuilder& report, const Case& c, Dead why);
+/// Adds a note that says why `c` of `list` never fires.
+void noteDeadCase(support::DiagnosticBuilder& report, const Case& c, Dead why,
+                  std::string_view list = "the state");
 
 }  // namespace glider::ir

@@ -50,7 +50,7 @@ void noteWhy(support::DiagnosticBuilder& report, const Structure& structure, uin
   for (size_t i = 0; i < named[state].size() && i < kMost; ++i) {
     const Naming& naming = named[state][i];
     if (naming.dead != Dead::No || !naming.from) {
-      noteDeadCase(report, *naming.by, naming.dead);
+      noteDeadCase(report, *naming.by, naming.dead, naming.from ? "the state" : "`always`");
     } else {
       report.note(naming.by->range, *naming.from == state
                                         ? "only its own case leads to it"

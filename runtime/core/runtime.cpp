@@ -107,6 +107,7 @@ glider::hooks::ClientOptions GliderRuntime::subscribe(const GliderMission& missi
 bool GliderRuntime::acceptable(const GliderMission& mission) {
   return mission.abi_version == GLIDER_ABI_VERSION && mission.state_count > 0 &&
          mission.sensor_count <= glider::hooks::kMostSubscriptions &&
+         mission.parameter_count <= GLIDER_MOST_PARAMETERS &&
          mission.parameter_count <= mission.variable_count &&
          mission.context_bytes ==
              gliderContextLayout(mission.sensor_count, mission.stack_limit, mission.memory_count,
@@ -250,9 +251,10 @@ void GliderRuntime::logRefusedCommands() {
 
 void GliderRuntime::logRefusedLink() {
   const glider::hooks::Refusal& refusal = client_.refusal();
+  const bool same_version = refusal.version == glider::hooks::kProtocolVersion;
   log_.event(0.0, "link refused",
-             refusal.dictionary != 0 ? "another sensor dictionary" : "another protocol version",
-             static_cast<double>(refusal.dictionary != 0 ? refusal.dictionary : refusal.version));
+             same_version ? "another sensor dictionary" : "another protocol version",
+             static_cast<double>(same_version ? refusal.dictionary : refusal.version));
   log_.flush();
 }
 

@@ -5,47 +5,17 @@
 // GL2003 must give that diagnostic (and fail if it is an error). A block ```fragment is a mission
 // without its first line.
 
+#include "tests/docs/examples.h"
 #include "tests/support/command.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
 namespace glider::tests {
 namespace {
-
-struct Example {
-  std::string file;
-  int line = 0;
-  std::string expected;  ///< "" or an id
-  std::string text;
-};
-
-std::vector<Example> examplesOf(const std::filesystem::path& path) {
-  const std::string fence = "```";
-  std::vector<Example> examples;
-  std::ifstream file(path);
-  std::string line;
-  bool inside = false;
-  for (int number = 1; std::getline(file, line); ++number) {
-    const bool fragment = line.starts_with(fence + "fragment");
-    if (!inside && (fragment || line.starts_with(fence + "mission"))) {
-      const size_t space = line.find(' ');
-      examples.push_back({path.filename().string(), number,
-                          space == std::string::npos ? "" : line.substr(space + 1),
-                          fragment ? "mission fragment\n" : ""});
-      inside = true;
-    } else if (inside && line.starts_with(fence)) {
-      inside = false;
-    } else if (inside) {
-      examples.back().text += line + "\n";
-    }
-  }
-  return examples;
-}
 
 std::vector<Example> allExamples() {
   std::vector<Example> all;

@@ -29,6 +29,10 @@ constexpr Type kLength = quantity(dimension::length);
 constexpr Type kTime = quantity(dimension::time);
 constexpr Type kSpeed = quantity(dimension::speed);
 
+constexpr Type kAngle = quantity(dimension::angle);
+constexpr Type kLatitude{TypeKind::Latitude, {}};
+constexpr Type kLongitude{TypeKind::Longitude, {}};
+
 constexpr Type kCompared[] = {kNumber,
                               kLength,
                               kTime,
@@ -56,16 +60,42 @@ constexpr double kSpecial[] = {0.0,
 
 }  // namespace
 
-ExprId ExpressionMaker::add(Op op, std::array<ExprId, 3> operands, ir::SensorId sensor) {
+ExprId ExpressionMaker::keep(ir::Expr e) {
+  const std::optional<Type> type = ir::resultType(m_, e);
+  CHECK(type.has_value(), "a random expression whose operands do not fit");
+  e.type = *type;
+  reads_.push_back(ir::readsOf(m_, e, reads_));
+  m_.exprs.push_back(e);
+  return {static_cast<uint32_t>(m_.exprs.size() - 1)};
+}
+
+ExprId ExpressionMaker::add(Op op, std::array<ExprId, 4> operands, ir::SensorId sensor) {
   ir::Expr e;
   e.op = op;
   e.operands = operands;
   e.sensor = sensor;
-  const std::optional<Type> type = ir::resultType(m_, e);
-  CHECK(type.has_value(), "a random expression whose operands do not fit");
-  e.type = *type;
-  m_.exprs.push_back(e);
-  return {static_cast<uint32_t>(m_.exprs.size() - 1)};
+  return keep(e);
+}
+
+ExprId ExpressionMaker::plain(Type type, double value) {
+  ir::Expr e;
+  e.type = type;
+  e.number = value;
+  return keep(e);
+}
+
+ExprId ExpressionMaker::variable(ir::VariableId id) {
+  ir::Expr e;
+  e.op = Op::Variable;
+  e.variable = id;
+  return keep(e);
+}
+
+bool ExpressionMaker::readable(ExprId id) const {
+  const ir::Reads& reads = reads_[id.index];
+  return (!reads.state.valid() || reads.state == scope_.state) &&
+         reads.variables_end <= scope_.variables_end &&
+         !(scope_.initial && reads.temporals_end > 0);
 }
 
 double ExpressionMaker::plainValue(Type type) {
@@ -90,18 +120,66 @@ double ExpressionMaker::plainValue(Type type) {
 }
 
 ExprId ExpressionMaker::constant(Type type) {
-  ir::Expr e;
-  e.op = Op::Constant;
-  e.type = type;
-  e.number = random_.chance(0.12) ? random_.pick(kSpecial) : plainValue(type);
-  if (!std::isfinite(e.number)) {
-    e.number = 1;  // a threshold of a sensor with a huge factor
+  const double value = random_.chance(0.12) ? random_.pick(kSpecial) : plainValue(type);
+  return plain(type, std::isfinite(value) ? value : 1);  // a sensor may have a huge factor
+}
+
+std::optional<ExprId> ExpressionMaker::anyVariable(Type type) {
+  std::vector<uint32_t> fitting;
+  for (uint32_t i = 0; i < m_.variables.size() && i < scope_.variables_end; ++i) {
+    const ir::Variable& v = m_.variables[i];
+    if (v.type == type && (!v.owner.valid() || v.owner == scope_.state)) {
+      fitting.push_back(i);
+    }
   }
-  m_.exprs.push_back(e);
-  return {static_cast<uint32_t>(m_.exprs.size() - 1)};
+  return fitting.empty() ? std::nullopt : std::optional(variable({random_.pick(fitting)}));
+}
+
+ExprId ExpressionMaker::temporal(ir::Temporal t) {
+  t.list = scope_.list;
+  t.state = scope_.state;
+  m_.temporals.push_back(t);
+  ir::Expr e;
+  e.op = Op::Temporal;
+  e.temporal = {static_cast<uint32_t>(m_.temporals.size() - 1)};
+  return keep(e);
+}
+
+/// `became` or `held`.
+ExprId ExpressionMaker::watched(uint32_t depth) {
+  ir::Temporal t;
+  t.kind = random_.chance(0.5) ? ir::TemporalKind::Became : ir::TemporalKind::Held;
+  t.operand = guard(depth);
+  if (t.kind == ir::TemporalKind::Held) {
+    t.duration = random_.chance(0.8) ? plain(kTime, 4.0 * random_.between(0, 10)) : leaf(kTime);
+  }
+  return temporal(t);
+}
+
+std::optional<ExprId> ExpressionMaker::window(Type type) {
+  ir::Temporal t;
+  constexpr ir::TemporalKind kKinds[] = {ir::TemporalKind::Mean, ir::TemporalKind::Lowest,
+                                         ir::TemporalKind::Highest, ir::TemporalKind::Spread};
+  t.kind = random_.pick(kKinds);
+  t.length = random_.uniform(1, 60);
+  if (type == kSpeed) {
+    t.kind = ir::TemporalKind::Slope;
+    t.operand = number(kLength, 1);
+    return temporal(t);
+  }
+  t.operand = number(type, 1);
+  if (random_.chance(0.5)) {
+    t.along = add(Op::Sensor, {}, {random_.below(m_.sensors.size())});
+  }
+  return temporal(t);
 }
 
 ExprId ExpressionMaker::leaf(Type type) {
+  if (random_.chance(0.35)) {
+    if (const auto variable = anyVariable(type)) {
+      return *variable;
+    }
+  }
   if (type == kTime && random_.chance(0.6)) {
     constexpr Op kClocks[] = {Op::MissionTime, Op::StateTime, Op::ResumeTime, Op::Age};
     const Op op = random_.pick(kClocks);
@@ -151,17 +229,70 @@ ExprId ExpressionMaker::root(Type type, uint32_t depth) {
   return add(Op::Sqrt, {add(Op::Multiply, {a, b})});
 }
 
+/// What runtime/numbers computes.
+std::optional<ExprId> ExpressionMaker::geometry(Type type, uint32_t depth) {
+  if (type == kNumber) {
+    constexpr Op kOps[] = {Op::Sin, Op::Cos, Op::Tan};
+    const Op op = random_.pick(kOps);
+    return add(op, {number(kAngle, depth)});
+  }
+  if (type == kAngle && random_.chance(0.5)) {
+    const Type of = random_.pick(std::array{kNumber, kLength});
+    const ExprId y = number(of, depth);
+    return add(Op::Atan2, {y, number(of, depth)});
+  }
+  if (type != kAngle && type != kLength) {
+    return std::nullopt;
+  }
+  std::array<ExprId, 4> operands;
+  for (uint32_t i = 0; i < 4; ++i) {
+    operands.at(i) = number(i % 2 == 0 ? kLatitude : kLongitude, depth);
+  }
+  return add(type == kAngle ? Op::Bearing : Op::Distance, operands);
+}
+
+ExprId ExpressionMaker::valueFor(const ir::Variable& v, uint32_t depth) {
+  if (v.type.kind == TypeKind::Bool) {
+    return guard(depth);
+  }
+  if (v.lowest == -ir::Variable::kEndless) {
+    return number(v.type, depth);
+  }
+  const ExprId value = number(v.type, depth);
+  const ExprId lowest = plain(v.type, v.lowest);
+  const ExprId highest = plain(v.type, v.highest);
+  if (random_.chance(0.3)) {
+    return add(Op::Min, {add(Op::Max, {value, lowest}), highest});
+  }
+  return add(Op::Clamp, {value, lowest, highest});
+}
+
 ExprId ExpressionMaker::number(Type type, uint32_t depth) {
   if (random_.chance(0.1)) {
     for (int tries = 0; tries < 8 && !m_.exprs.empty(); ++tries) {
       const ExprId old{random_.below(m_.exprs.size())};
-      if (m_[old].type == type) {
+      if (m_[old].type == type && readable(old)) {
         return old;
       }
     }
   }
   if (depth == 0 || random_.chance(0.3)) {
     return leaf(type);
+  }
+  if (!scope_.initial && random_.chance(0.05)) {
+    if (const auto made = window(type)) {
+      return *made;
+    }
+  }
+  if (random_.chance(0.05)) {
+    const ExprId condition = guard(0);
+    const ExprId a = number(type, depth - 1);
+    return add(Op::Select, {condition, a, number(type, depth - 1)});
+  }
+  if (random_.chance(0.12)) {
+    if (const auto made = geometry(type, depth - 1)) {
+      return *made;
+    }
   }
   constexpr Op kOps[] = {Op::Negate, Op::Abs,   Op::Add,      Op::Subtract, Op::Min,
                          Op::Max,    Op::Clamp, Op::Multiply, Op::Divide,   Op::Sqrt};
@@ -177,7 +308,7 @@ ExprId ExpressionMaker::number(Type type, uint32_t depth) {
     default:
       break;
   }
-  std::array<ExprId, 3> operands;
+  std::array<ExprId, 4> operands;
   for (uint32_t i = 0; i < ir::opInfo(op).operands; ++i) {
     operands.at(i) = number(type, depth - 1);
   }
@@ -197,10 +328,18 @@ ExprId ExpressionMaker::comparison() {
 ExprId ExpressionMaker::guard(uint32_t depth) {
   if (depth == 0 || random_.chance(0.35)) {
     if (random_.chance(0.04)) {
-      return add(random_.chance(0.5) ? Op::True : Op::False, {});
+      return truth(random_.chance(0.5));
+    }
+    if (random_.chance(0.2)) {
+      if (const auto variable = anyVariable({TypeKind::Bool, {}})) {
+        return *variable;
+      }
     }
     return random_.chance(0.08) ? add(Op::Known, {number(random_.pick(m_.sensors).type, 2)})
                                 : comparison();
+  }
+  if (!scope_.initial && random_.chance(0.2)) {
+    return watched(depth - 1);
   }
   if (random_.chance(0.2)) {
     return add(Op::Not, {guard(depth - 1)});
@@ -212,11 +351,7 @@ ExprId ExpressionMaker::guard(uint32_t depth) {
 
 ExprId ExpressionMaker::since(Op clock, double seconds) {
   const ExprId now = add(clock, {});
-  ir::Expr e;
-  e.type = kTime;
-  e.number = seconds;
-  m_.exprs.push_back(e);
-  return add(Op::GreaterEqual, {now, {now.index + 1}});
+  return add(Op::GreaterEqual, {now, plain(kTime, seconds)});
 }
 
 }  // namespace glider::random_missions

@@ -3,6 +3,10 @@
 
 #include "tests/random_missions/random_mission.h"
 
+#include "ir/core/ops.h"
+#include "ir/eval/interpreter.h"
+#include "ir/verify/verify.h"
+#include "tests/random_missions/random_blocks.h"
 #include "tests/random_missions/random_expressions.h"
 
 #include <fmt/format.h>
@@ -52,7 +56,8 @@ constexpr SensorKind kSensors[] = {
 
 class MissionMaker {
  public:
-  explicit MissionMaker(uint64_t seed) : random_(seed), expressions_(m_, random_) {
+  explicit MissionMaker(uint64_t seed)
+      : random_(seed), expressions_(m_, random_), blocks_(m_, random_, expressions_) {
     m_.name = fmt::format("random{}", seed);
     m_.platform = "slocum";
   }
@@ -60,7 +65,11 @@ class MissionMaker {
   ir::Mission run() {
     sensors();
     behaviours();
+    m_.states.resize(random_.between(1, kMostStates));
+    variables();
+    initialValues();
     states();
+    always();
     return std::move(m_);
   }
 
@@ -94,23 +103,120 @@ class MissionMaker {
                       "gliderRouteRecord",
                       ir::BehaviourKind::Route,
                       {{"a", quantity(dimension::number)}, {"b", kLatitude}, {"c", kLongitude}},
-                      {}}};
+                      {}},
+                     {"written", "", ir::BehaviourKind::Profile, {}, {}},
+                     {"written", "", ir::BehaviourKind::Route, {}, {}}};
   }
 
-  ir::Activity activity(uint32_t behaviour) {
-    ir::Activity activity{{behaviour}, {}, {}};
-    for (const ir::Parameter& p : m_.behaviours[behaviour].parameters) {
-      activity.arguments.push_back(expressions_.number(p.type, random_.between(0, 3)));
+  void variables() {
+    addVariables(ir::VariableKind::Parameter, {}, random_.below(4));
+    addVariables(ir::VariableKind::Mission, {}, random_.below(4));
+    for (uint32_t i = 0; i < m_.states.size(); ++i) {
+      addVariables(ir::VariableKind::Argument, {i}, i == 0 ? 0 : random_.below(3));
+      for (auto kind :
+           {ir::VariableKind::State, ir::VariableKind::Profile, ir::VariableKind::Route}) {
+        addVariables(kind, {i}, random_.below(3));
+      }
+    }
+  }
+
+  void addVariables(ir::VariableKind kind, ir::StateId owner, uint32_t count) {
+    constexpr Type kTypes[] = {{TypeKind::Bool, {}},
+                               quantity(dimension::length),
+                               quantity(dimension::number),
+                               quantity(dimension::time),
+                               quantity(dimension::angle),
+                               kLatitude,
+                               quantity(dimension::temperature)};
+    for (; count > 0; --count) {
+      ir::Variable v;
+      v.name = fmt::format("v{}", m_.variables.size());
+      v.type = random_.pick(kTypes);
+      v.kind = kind;
+      v.owner = owner;
+      if (v.type.kind != TypeKind::Bool &&
+          (kind == ir::VariableKind::Parameter || random_.chance(0.6))) {
+        v.lowest = random_.uniform(-60, 60);
+        v.highest = v.lowest + random_.uniform(0, 60);
+      }
+      if (kind == ir::VariableKind::Argument) {
+        m_.states[owner.index].parameters.push_back({static_cast<uint32_t>(m_.variables.size())});
+      }
+      m_.variables.push_back(v);
+    }
+  }
+
+  void initialValues() {
+    for (uint32_t i = 0; i < m_.variables.size(); ++i) {
+      ir::Variable& v = m_.variables[i];
+      const bool owned = v.owner.valid();
+      expressions_.stand({owned ? ir::ListKind::State : ir::ListKind::Always, v.owner, i, true});
+      if (v.kind == ir::VariableKind::Parameter) {
+        v.initial = v.type.kind == TypeKind::Bool
+                        ? expressions_.truth(random_.chance(0.5))
+                        : expressions_.plain(v.type, random_.uniform(v.lowest, v.highest));
+        condition({i});
+      } else if (v.kind != ir::VariableKind::Argument) {
+        v.initial = expressions_.valueFor(v, random_.between(0, 2));
+      }
+    }
+  }
+
+  /// That holds for the default.
+  void condition(ir::VariableId id) {
+    const ir::Variable& v = m_[id];
+    if (v.type.kind == TypeKind::Bool || random_.chance(0.5)) {
+      return;
+    }
+    const double lowest = random_.uniform(v.lowest, m_[v.initial].number);
+    const ir::ExprId value = expressions_.variable(id);
+    m_.conditions.push_back(expressions_.atLeast(value, expressions_.plain(v.type, lowest)));
+  }
+
+  void stand(ir::ListKind list, ir::StateId state) {
+    expressions_.stand({list, state, UINT32_MAX, false});
+  }
+
+  ir::Activity activity(ir::StateId state, ir::ListKind list) {
+    const bool profile = list == ir::ListKind::Profile;
+    stand(list, state);
+    ir::Activity activity;
+    if (random_.chance(0.5)) {
+      activity.behaviour = {profile ? 0U : 1U};
+      for (const ir::Parameter& p : m_[activity.behaviour].parameters) {
+        activity.arguments.push_back(expressions_.number(p.type, random_.between(0, 3)));
+      }
+      return activity;
+    }
+    activity.behaviour = {profile ? 2U : 3U};
+    if (random_.chance(0.6)) {
+      activity.entry = blocks_.block(2);
+    }
+    for (uint32_t i = 0; i < m_.variables.size(); ++i) {
+      const ir::Variable& v = m_.variables[i];
+      const auto kind = profile ? ir::VariableKind::Profile : ir::VariableKind::Route;
+      if (v.owner == state && v.kind == kind && v.type.kind == TypeKind::Bool) {
+        activity.done = {i};
+      }
+    }
+    for (uint32_t k = random_.below(4); k > 0; --k) {
+      ir::Case c;
+      c.guard = expressions_.guard(random_.between(0, 2));
+      c.action = action();
+      c.transition =
+          activity.done.valid() && random_.chance(0.4) ? Transition::Done : Transition::Stay;
+      activity.cases.push_back(c);
     }
     return activity;
   }
 
+  ir::BlockId action() { return random_.chance(0.5) ? blocks_.block(2) : ir::BlockId(); }
+
   /// Free of errors by construction: calls lead to states written later (in the order before
   /// shuffling) only, gotos to the states before `gone_to_` only, and only the others return.
   void states() {
-    const uint32_t count = random_.between(1, kMostStates);
+    const auto count = static_cast<uint32_t>(m_.states.size());
     gone_to_ = random_.between(1, count);
-    m_.states.resize(count);
     for (uint32_t i = 0; i < count; ++i) {
       names_.push_back({i});
     }
@@ -122,21 +228,25 @@ class MissionMaker {
     }
     for (uint32_t i = 1; i < count; ++i) {  // every state is led to
       const uint32_t from = random_.below(i);
+      stand(ir::ListKind::State, names_[from]);
       add(from, often(), i < gone_to_ ? Transition::Goto : Transition::Call, i);
     }
   }
 
   void state(uint32_t i) {
-    ir::State& s = m_.states[names_[i].index];
-    s.name = fmt::format("s{}", names_[i].index);
-    s.route = activity(1);
-    s.profile = activity(0);
+    const ir::StateId id = names_[i];
+    ir::State& s = m_.states[id.index];
+    s.name = fmt::format("s{}", id.index);
+    s.route = activity(id, ir::ListKind::Route);
+    s.profile = activity(id, ir::ListKind::Profile);
+    stand(ir::ListKind::State, id);
     for (uint32_t k = random_.below(4); k > 0; --k) {
       constexpr double kPeriods[] = {0, 4, 30.5};
       const Type type = random_.pick(m_.sensors).type;
       const ir::ExprId value = expressions_.number(type, random_.between(0, 2));
       s.log.push_back({fmt::format("log{}", k), value, random_.pick(kPeriods)});
     }
+    s.entry = action();
     for (uint32_t k = random_.below(5); k > 0; --k) {
       randomCase(i);
     }
@@ -154,9 +264,7 @@ class MissionMaker {
     const ir::ExprId guard = expressions_.guard(random_.between(0, 3));
     const double kind = random_.unit();
     if (kind < 0.08) {
-      const double late = random_.uniform(600, 4000);
-      add(i, expressions_.both(expressions_.since(ir::Op::MissionTime, late), guard),
-          Transition::Exit, 0);
+      add(i, late(guard), Transition::Exit, 0);
     } else if (kind < 0.2) {
       add(i, guard, Transition::Stay, 0);
     } else if (kind < 0.6 && i + 1 < count) {
@@ -168,6 +276,11 @@ class MissionMaker {
     }
   }
 
+  ir::ExprId late(ir::ExprId guard) {
+    const double time = random_.uniform(600, 4000);
+    return expressions_.both(expressions_.since(ir::Op::MissionTime, time), guard);
+  }
+
   /// A guard that comes true before long.
   ir::ExprId often() {
     if (random_.chance(0.4)) {
@@ -177,16 +290,63 @@ class MissionMaker {
     return expressions_.since(clock, random_.uniform(0, 60));
   }
 
+  ir::Case made(ir::ExprId guard, Transition transition, ir::StateId target) {
+    ir::Case c;
+    c.guard = guard;
+    c.action = random_.chance(0.4) ? blocks_.block(1) : ir::BlockId();
+    c.transition = transition;
+    if (transition == Transition::Goto || transition == Transition::Call) {
+      c.target = target;
+      for (ir::VariableId id : m_[target].parameters) {
+        c.arguments.push_back(expressions_.valueFor(m_[id], random_.between(0, 2)));
+      }
+    }
+    return c;
+  }
+
   void add(uint32_t from, ir::ExprId guard, Transition transition, uint32_t to) {
-    const bool targeted = transition == Transition::Goto || transition == Transition::Call;
+    const ir::Case c = made(guard, transition, names_[to]);
     std::vector<ir::Case>& cases = m_.states[names_[from].index].cases;
-    cases.insert(cases.begin() + random_.below(cases.size() + 1),
-                 {guard, transition, targeted ? names_[to] : ir::StateId{}, {}});
+    cases.insert(cases.begin() + random_.below(cases.size() + 1), c);
+  }
+
+  /// Cases anywhere to anywhere, but for those that would make a mistake.
+  void always() {
+    constexpr Transition kKinds[] = {Transition::Call, Transition::Call, Transition::Goto,
+                                     Transition::Stay, Transition::Exit};
+    stand(ir::ListKind::Always, {});
+    for (uint32_t k = random_.below(5); k > 0; --k) {
+      const Transition kind = random_.pick(kKinds);
+      ir::ExprId guard = random_.chance(0.5) ? expressions_.guard(1) : often();
+      guard = kind == Transition::Exit ? late(guard) : guard;
+      const ir::StateId target{random_.below(m_.states.size())};
+      if (kind == Transition::Call || kind == Transition::Goto) {
+        m_.always.push_back({guard, {}, kind, target, {}, {}});
+        const bool sound = mayAdd(target);
+        m_.always.pop_back();
+        if (!sound) {
+          continue;
+        }
+      }
+      m_.always.push_back(made(guard, kind, target));
+    }
+  }
+
+  /// Whether the mission is free of errors with its last case of `always`, arguments aside.
+  bool mayAdd(ir::StateId target) {
+    for (ir::VariableId id : m_[target].parameters) {
+      const ir::Variable& v = m_[id];
+      m_.always.back().arguments.push_back(expressions_.valueFor(v, 0));
+    }
+    support::DiagnosticEngine diagnostics;
+    ir::verify(m_, diagnostics);
+    return !diagnostics.hasErrors();
   }
 
   ir::Mission m_;
   Random random_;
   ExpressionMaker expressions_;
+  BlockMaker blocks_;
   std::vector<ir::StateId>
       names_;  ///< of each state in the order of making, its number in the mission
   uint32_t gone_to_ = 1;
@@ -196,6 +356,22 @@ class MissionMaker {
 
 ir::Mission randomMission(uint64_t seed) {
   return MissionMaker(seed).run();
+}
+
+std::vector<double> randomParameters(const ir::Mission& mission, uint64_t seed) {
+  Random random(seed);
+  for (int tries = 0; tries < 20; ++tries) {
+    std::vector<double> values = ir::defaultParameters(mission);
+    for (uint32_t i = 0; i < values.size(); ++i) {
+      const ir::Variable& v = mission.variables[i];
+      values[i] =
+          v.type.kind == TypeKind::Bool ? random.below(2) : random.uniform(v.lowest, v.highest);
+    }
+    if (!ir::failedCondition(mission, values)) {
+      return values;
+    }
+  }
+  return ir::defaultParameters(mission);
 }
 
 }  // namespace glider::random_missions

@@ -14,13 +14,17 @@
 namespace glider::random_missions {
 
 /// The mission of `seed`: valid, free of verification errors, of 1 to 12 states that lead to each
-/// other a lot, with every operation and many unknowns. All its states use one profile and one
-/// route, which a test implements to record its arguments (runtime/abi/behaviour.h):
+/// other a lot, with every construct, every operation and many unknowns. Its states use a profile
+/// and a route written in the language, or in C; a test implements the latter to record their
+/// arguments (runtime/abi/behaviour.h), as it does the vehicle's commands:
 ///     void gliderProfileRecord(GliderContext*, GliderBehaviourMemory*, uint32_t phase,
 ///                              double number, double length, double time, double temperature);
 ///     void gliderRouteRecord(GliderContext*, GliderBehaviourMemory*, uint32_t phase,
 ///                            double number, double latitude, double longitude);
 ir::Mission randomMission(uint64_t seed);
+
+/// Values for the parameters of `mission`, in their ranges, that satisfy its conditions.
+std::vector<double> randomParameters(const ir::Mission& mission, uint64_t seed);
 
 /// The mission time (s) and readings of one tick.
 struct StreamTick {

@@ -19,10 +19,30 @@ namespace {
 constexpr uint64_t kMissions = 200;
 constexpr size_t kTicks = 300;
 
+constexpr ir::ListKind kLists[] = {ir::ListKind::Always, ir::ListKind::State, ir::ListKind::Profile,
+                                   ir::ListKind::Route};
+
+const std::vector<ir::Case>& casesOf(const ir::Mission& mission, ir::StateId state,
+                                     ir::ListKind list) {
+  switch (list) {
+    case ir::ListKind::Always:
+      return mission.always;
+    case ir::ListKind::State:
+      return mission[state].cases;
+    case ir::ListKind::Profile:
+      return mission[state].profile.cases;
+    default:
+      return mission[state].route.cases;
+  }
+}
+
 /// What happened over many missions: whether they are worth running two things against each other.
 struct Statistics {
   std::set<ir::Op> ops;
-  std::set<ir::Transition> fired;
+  std::set<std::pair<ir::ListKind, ir::Transition>> fired;
+  std::set<ir::Command> commands;
+  size_t refused = 0, lost_notes = 0, unknown_sets = 0, logs = 0, variables = 0,
+         unknown_variables = 0;
   size_t several = 0, left_first = 0, called = 0, returned = 0, exited = 0, transitions = 0,
          ticks = 0;
   size_t deepest = 0, states = 0, states_visited = 0;
@@ -34,7 +54,8 @@ struct Statistics {
     const ir::Mission mission = randomMission(seed);
     support::DiagnosticEngine diagnostics;
     const ir::MissionFacts facts = ir::verify(mission, diagnostics);
-    ASSERT_FALSE(diagnostics.hasErrors()) << ir::print(mission);
+    ASSERT_FALSE(diagnostics.hasErrors())
+        << seed << ": " << diagnostics.sorted().front().message << ir::print(mission);
     for (const ir::Expr& e : mission.exprs) {
       ops.insert(e.op);
     }
@@ -45,15 +66,20 @@ struct Statistics {
     bool returns = false;
     const std::vector<StreamTick> stream = randomStream(mission, seed, kTicks);
     for (size_t i = 0; i < stream.size() && !last.finished; ++i) {
-      const ir::TickResult now = i == 0 ? interpreter.start(stream[i].frame)
-                                        : interpreter.tick(stream[i].mission_time, stream[i].frame);
-      if (now.fired_case) {
-        const ir::Transition transition = mission[last.state].cases[*now.fired_case].transition;
-        fired.insert(transition);
-        transitions += transition != ir::Transition::Stay;
-        calls |= transition == ir::Transition::Call;
-        returns |= transition == ir::Transition::Return;
+      const ir::TickResult now =
+          i == 0 ? interpreter.start(stream[i].frame, randomParameters(mission, seed))
+                 : interpreter.tick(stream[i].mission_time, stream[i].frame);
+      for (ir::ListKind list : kLists) {
+        if (now.firedIn(list)) {
+          const ir::Transition transition =
+              casesOf(mission, last.state, list)[*now.firedIn(list)].transition;
+          fired.insert({list, transition});
+          transitions += now.moved && now.moved->list == list;
+          calls |= transition == ir::Transition::Call;
+          returns |= transition == ir::Transition::Return;
+        }
       }
+      notes(now);
       count(mission, interpreter, now);
       visited.insert(now.state.index);
       deepest = std::max(deepest, now.stack.size());
@@ -66,6 +92,18 @@ struct Statistics {
     exited += last.finished;
     states += mission.states.size();
     states_visited += visited.size();
+  }
+
+  void notes(const ir::TickResult& now) {
+    lost_notes += now.lost_notes;
+    for (const ir::Note& note : now.notes) {
+      unknown_sets += note.kind == ir::NoteKind::UnknownSet;
+      logs += note.kind == ir::NoteKind::Log;
+    }
+    for (double value : now.variables) {
+      ++variables;
+      unknown_variables += value != value;
+    }
   }
 
   void count(const ir::Mission& mission, const ir::Interpreter& interpreter,
@@ -82,8 +120,13 @@ struct Statistics {
       ++readings;
       unknown_readings += value != value;
     }
-    for (const auto& run : {now.profile, now.route}) {
-      for (double value : run ? run->arguments : std::vector<double>()) {
+    for (const ir::Action& action : now.actions) {
+      if (const auto* command = std::get_if<ir::CommandRun>(&action)) {
+        commands.insert(command->command);
+        refused += command->refused;
+        continue;
+      }
+      for (double value : std::get<ir::ActivityRun>(action).arguments) {
         ++arguments;
         unknown_arguments += value != value;
         subnormal_arguments += value != 0 && std::abs(value) < 0x1p-1022;
@@ -99,7 +142,14 @@ TEST(RandomMissions, AreWorthRunning) {
     ASSERT_FALSE(HasFatalFailure());
   }
   EXPECT_EQ(s.ops.size(), ir::opCount());
-  EXPECT_EQ(s.fired.size(), 5u) << "every transition fires";
+  EXPECT_EQ(s.fired.size(), 13u) << "every transition of every list fires";
+  EXPECT_EQ(s.commands.size(), ir::commands().size());
+  EXPECT_GT(s.refused, 100u);
+  EXPECT_GT(s.lost_notes, 100u);
+  EXPECT_GT(s.unknown_sets, 100u);
+  EXPECT_GT(s.logs, 1000u);
+  EXPECT_GT(s.unknown_variables, s.variables / 50);
+  EXPECT_LT(s.unknown_variables, s.variables * 7 / 10);
   EXPECT_GT(s.several, kMissions * 8 / 10);
   EXPECT_GT(s.left_first, s.several * 8 / 10);
   EXPECT_GT(s.called, kMissions / 2);

@@ -257,7 +257,7 @@ TEST(IrText, WholeLanguageReadsLikeTheMission) {
   const Mission mission = missionOf(kWhole);
   EXPECT_EQ(print(mission), kWhole);
   EXPECT_EQ(mission.temporals.size(), 4u);
-  EXPECT_EQ(mission.blocks.size(), 7u);
+  EXPECT_EQ(mission.blocks.size(), 8u);
   EXPECT_EQ(mission.states[1].profile.cases[0].transition, Transition::Done);
 }
 

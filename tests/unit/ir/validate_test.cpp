@@ -18,8 +18,30 @@ Mission sound() {
       "case (lt (sensor depth) 5:length) goto a case true exit");
 }
 
+/// A mission with one of everything. Variables: p, m, t (argument of b), s (state b's), d (profile
+/// b's). Blocks: 0 and 1 nested in 2 (of `always`), 3 (entry of b), 4 (profile b's).
+Mission whole() {
+  return missionOf(kHeader + R"(behaviour profile yo symbol "" () reads ()
+variable p: length parameter lowest 1 highest 9
+variable m: length mission
+variable t: length argument of b
+variable s: bool state of b
+variable d: bool profile of b
+initial p 5:length initial m (var p) condition (gt (var p) 2:length)
+temporal held always (lt (sensor depth) 4:length) for 8:time
+temporal mean state b (sensor depth) over 60 along (sensor temp)
+always case (temporal 0) do if true set m 1:length else set m 2:length end end goto b ((var m))
+state a route drift () profile glide () case true call b ((sensor depth))
+state b (t) initial s false initial d (var s) route drift ()
+  profile yo done d begin case (var d) do surface () end done end
+  entry do set s true end
+  case (gt (temporal 1) (var t)) return
+)");
+}
+
 TEST(Validate, AcceptsASoundMission) {
   EXPECT_TRUE(validate(sound()).empty());
+  EXPECT_TRUE(validate(whole()).empty());
 }
 
 struct Damage {
@@ -83,6 +105,95 @@ const Damage kDamages[] = {
 };
 
 INSTANTIATE_TEST_SUITE_P(Damages, ValidateDamaged, testing::ValuesIn(kDamages),
+                         [](const auto& damage) { return damage.param.name; });
+
+class ValidateWholeDamaged : public testing::TestWithParam<Damage> {};
+
+TEST_P(ValidateWholeDamaged, IsFound) {
+  Mission m = whole();
+  GetParam().make(m);
+  EXPECT_FALSE(validate(m).empty());
+}
+
+Statement& statement(Mission& m, size_t block) {
+  return m.blocks[block].statements[0];
+}
+Case& doneCase(Mission& m) {
+  return m.states[1].profile.cases[0];
+}
+
+const Damage kWholeDamages[] = {
+    {"twoVariablesOfOneName", [](Mission& m) { m.variables[1].name = "p"; }},
+    {"parameterLate", [](Mission& m) { std::swap(m.variables[0].kind, m.variables[1].kind); }},
+    {"ownerMissing", [](Mission& m) { m.variables[3].owner = {}; }},
+    {"ownerOutOfRange", [](Mission& m) { m.variables[3].owner = {7}; }},
+    {"ownerOfMission", [](Mission& m) { m.variables[1].owner = {0}; }},
+    {"rangeTurnedRound", [](Mission& m) { m.variables[0].lowest = 10; }},
+    {"rangeNaN", [](Mission& m) { m.variables[0].lowest = kNaN; }},
+    {"rangeOfBool", [](Mission& m) { m.variables[3].highest = 1; }},
+    {"initialMissing", [](Mission& m) { m.variables[1].initial = {}; }},
+    {"initialOfArgument", [](Mission& m) { m.variables[2].initial = m.variables[1].initial; }},
+    {"initialOfOtherType", [](Mission& m) { m.variables[1].initial = m.variables[3].initial; }},
+    {"initialReadsALaterOne", [](Mission& m) { m.variables[3].initial = doneCase(m).guard; }},
+    {"initialOfParameterReads",
+     [](Mission& m) { m.variables[0].initial = m.always[0].arguments[0]; }},
+    {"conditionReadsASensor", [](Mission& m) { m.conditions[0] = m.temporals[0].operand; }},
+    {"conditionIsANumber", [](Mission& m) { m.conditions[0] = m.variables[0].initial; }},
+    {"temporalWithoutState", [](Mission& m) { m.temporals[1].state = {}; }},
+    {"temporalOfAlwaysWithState", [](Mission& m) { m.temporals[0].state = {0}; }},
+    {"temporalWithoutOperand", [](Mission& m) { m.temporals[0].operand = {}; }},
+    {"heldWithoutTime", [](Mission& m) { m.temporals[0].duration = {}; }},
+    {"heldIsUsedBeforeItsTime", [](Mission& m) { m.temporals[0].duration = {99}; }},
+    {"windowOfNoLength", [](Mission& m) { m.temporals[1].length = 0; }},
+    {"windowNaN", [](Mission& m) { m.temporals[1].length = kNaN; }},
+    {"windowOfTruth", [](Mission& m) { m.temporals[1].operand = m.temporals[0].operand; }},
+    {"windowAlongAVariable", [](Mission& m) { m.temporals[1].along = m.variables[1].initial; }},
+    {"temporalInAnotherState", [](Mission& m) { m.temporals[1].state = {0}; }},
+    {"blockUsedTwice", [](Mission& m) { m.states[0].entry = m.states[1].entry; }},
+    {"blockUnused", [](Mission& m) { m.states[1].entry = {}; }},
+    {"blockOutOfRange", [](Mission& m) { m.states[1].entry = {9}; }},
+    {"blockHoldsItself", [](Mission& m) { statement(m, 2).then = {2}; }},
+    {"ifWithoutThen", [](Mission& m) { statement(m, 2).then = {}; }},
+    {"ifOfANumber", [](Mission& m) { statement(m, 2).value = m.variables[1].initial; }},
+    {"setWithBlock", [](Mission& m) { statement(m, 3).then = {0}; }},
+    {"setOfAParameter", [](Mission& m) { statement(m, 0).variable = {0}; }},
+    {"setOfAnArgument", [](Mission& m) { statement(m, 0).variable = {2}; }},
+    {"setOfAnotherState", [](Mission& m) { statement(m, 0).variable = {3}; }},
+    {"setOfNothing", [](Mission& m) { statement(m, 0).variable = {}; }},
+    {"setOfOtherType", [](Mission& m) { statement(m, 3).value = statement(m, 0).value; }},
+    {"commandWithAnArgument",
+     [](Mission& m) { statement(m, 4).values = {m.variables[0].initial}; }},
+    {"commandOutOfRange", [](Mission& m) { statement(m, 4).command = static_cast<Command>(99); }},
+    {"returnInAlways",
+     [](Mission& m) {
+       m.always[0].transition = Transition::Return;
+       m.always[0].target = {};
+       m.always[0].arguments.clear();
+     }},
+    {"doneInState", [](Mission& m) { m.states[1].cases[0].transition = Transition::Done; }},
+    {"exitInProfile", [](Mission& m) { doneCase(m).transition = Transition::Exit; }},
+    {"doneKeptNowhere", [](Mission& m) { m.states[1].profile.done = {}; }},
+    {"doneKeptInAState", [](Mission& m) { m.states[1].profile.done = {3}; }},
+    {"argumentMissing", [](Mission& m) { m.always[0].arguments.clear(); }},
+    {"argumentOfOtherType", [](Mission& m) { m.always[0].arguments[0] = m.variables[3].initial; }},
+    {"argumentOfAnotherState",
+     [](Mission& m) {
+       m.states[0].cases[0].arguments[0] = m[m.states[1].cases[0].guard].operands[1];
+     }},
+    {"parameterOfAnotherState", [](Mission& m) { m.states[0].parameters = {{2}}; }},
+    {"parameterLeftOut", [](Mission& m) { m.states[1].parameters.clear(); }},
+    {"startWithParameters", [](Mission& m) { std::swap(m.states[0], m.states[1]); }},
+    {"functionWithABody", [](Mission& m) { m.states[1].profile.behaviour = {0}; }},
+    {"bodyWithArguments",
+     [](Mission& m) { m.states[1].profile.arguments = {m.variables[0].initial}; }},
+    {"variableMissing", [](Mission& m) { m.exprs[m.variables[1].initial.index].variable = {}; }},
+    {"logOfAnotherState",
+     [](Mission& m) {
+       m.states[0].log.push_back({"x", m[m.states[1].cases[0].guard].operands[1], 0});
+     }},
+};
+
+INSTANTIATE_TEST_SUITE_P(Damages, ValidateWholeDamaged, testing::ValuesIn(kWholeDamages),
                          [](const auto& damage) { return damage.param.name; });
 
 }  // namespace

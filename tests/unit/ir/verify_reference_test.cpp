@@ -12,28 +12,46 @@
 #include <algorithm>
 #include <deque>
 #include <map>
+#include <optional>
 #include <set>
 
 namespace glider::ir {
 namespace {
 
+constexpr const char* kGuards[] = {"(ge statetime 4:time)",
+                                   "(ge statetime 4:time)",
+                                   "(ge statetime 4:time)",
+                                   "true",
+                                   "false",
+                                   "(not (or true (ge statetime 4:time)))"};
+
+std::string guardText(random_missions::Random& random) {
+  return fmt::format("case {} ", random.chance(0.8) ? kGuards[0] : random.pick(kGuards));
+}
+
+std::string alwaysText(random_missions::Random& random, uint32_t states) {
+  std::string text = "always ";
+  for (uint32_t k = random.between(1, 4); k > 0; --k) {
+    constexpr const char* kKinds[] = {"call", "call", "goto", "exit", "stay"};
+    const std::string kind = random.pick(kKinds);
+    const bool targeted = kind == "call" || kind == "goto";
+    text += guardText(random) + kind +
+            (targeted ? fmt::format(" s{} ", random.below(states)) : std::string(" "));
+  }
+  return text;
+}
+
 /// A random mission of few states whose cases do anything, most of them mistaken. Half of them call
 /// later states only, and so without a cycle.
-Mission tangle(random_missions::Random& random) {
+Mission tangle(random_missions::Random& random, bool with_always) {
   const bool forward = random.chance(0.5);
-  const uint32_t states = random.between(1, forward ? 6 : 4);
-  const uint32_t most_cases = random.between(2, 5);
-  constexpr const char* kGuards[] = {"(ge statetime 4:time)",
-                                     "(ge statetime 4:time)",
-                                     "(ge statetime 4:time)",
-                                     "true",
-                                     "false",
-                                     "(not (or true (ge statetime 4:time)))"};
-  std::string text = kHeader;
+  const uint32_t states = random.between(1, with_always ? 5 : forward ? 6 : 4);
+  const uint32_t most_cases = random.between(1, with_always ? 3 : 5);
+  std::string text = kHeader + (with_always ? alwaysText(random, states) : "");
   for (uint32_t s = 0; s < states; ++s) {
     std::string cases;
     for (uint32_t k = random.below(most_cases + 1); k > 0; --k) {
-      cases += fmt::format("case {} ", random.chance(0.8) ? kGuards[0] : random.pick(kGuards));
+      cases += guardText(random);
       switch (random.below(8)) {
         case 0:
         case 1:
@@ -62,27 +80,35 @@ Mission tangle(random_missions::Random& random) {
   return missionOf(text);
 }
 
+/// A state that waits, or is current, with the limit that `always` has there.
+using Level = std::pair<uint32_t, uint32_t>;
 /// The stack, outermost first, with the current state last.
-using Configuration = std::vector<uint32_t>;
+using Configuration = std::vector<Level>;
+
+bool holds(const Configuration& configuration, uint32_t state) {
+  return std::ranges::find(configuration, state, &Level::first) != configuration.end();
+}
 
 /// What a mission can do, found by walking every configuration with at most twice as many states on
 /// the stack as the mission has: a shortest run to a state, or to a state with an empty stack,
-/// needs no more.
+/// needs no more. A call that puts a state on the stack twice is not followed if there is `always`,
+/// which would go on without end.
 struct Reference {
-  std::set<uint32_t> reached, empty_returns;
+  std::set<uint32_t> reached, empty_returns, stuck;
   bool recursive = false;
   size_t depth = 0;
   std::map<Configuration, std::set<Configuration>> next;
-  std::set<Configuration> ends;  ///< an exit, a dead end or a return to nowhere
+  std::set<Configuration> ends;     ///< an exit or a return to nowhere
+  std::set<Configuration> nowhere;  ///< where nothing can fire that leaves
 
   explicit Reference(const Mission& mission) {
     const size_t deepest = 2 * mission.states.size() + 1;
-    std::deque<Configuration> pending = {{0}};
-    next[{0}];
+    std::deque<Configuration> pending = {{{0, kEndlessLimit}}};
+    next[pending.front()];
     while (!pending.empty()) {
       const Configuration now = pending.front();
       pending.pop_front();
-      reached.insert(now.back());
+      reached.insert(now.back().first);
       depth = std::max(depth, now.size() - 1);
       for (const Configuration& then : step(mission, now)) {
         next[now].insert(then);
@@ -97,35 +123,55 @@ struct Reference {
   std::vector<Configuration> step(const Mission& mission, const Configuration& now) {
     std::vector<Configuration> result;
     bool leaves = false;
-    for (const Case& c : mission.states[now.back()].cases) {
+    for (const Case& c : mission.states[now.back().first].cases) {
       if (isFalse(mission, c.guard)) {
         continue;
       }
       leaves |= c.transition != Transition::Stay;
-      Configuration then = now;
-      if (c.transition == Transition::Goto) {
-        result.push_back({c.target.index});
-      } else if (c.transition == Transition::Call) {
-        recursive |= std::ranges::find(now, c.target.index) != now.end();
-        then.push_back(c.target.index);
-        result.push_back(then);
-      } else if (c.transition == Transition::Return && now.size() > 1) {
-        then.pop_back();
-        result.push_back(then);
-      } else if (c.transition == Transition::Return) {
-        empty_returns.insert(now.back());
-        ends.insert(now);
-      } else if (c.transition == Transition::Exit) {
-        ends.insert(now);
-      }
+      fire(mission, now, c, std::nullopt, result);
       if (mission[c.guard].op == Op::True) {
         break;
       }
     }
+    for (uint32_t i = 0; i < mission.always.size() && i < now.back().second; ++i) {
+      const Case& c = mission.always[i];
+      const bool in_use = c.target.valid() && holds(now, c.target.index);
+      if (!isFalse(mission, c.guard) && !in_use) {
+        leaves |= c.transition != Transition::Stay;
+        fire(mission, now, c, i, result);
+      }
+      if (mission[c.guard].op == Op::True && !c.target.valid()) {
+        break;
+      }
+    }
     if (!leaves) {
-      ends.insert(now);
+      nowhere.insert(now);
+      stuck.insert(now.back().first);
     }
     return result;
+  }
+
+  void fire(const Mission& mission, const Configuration& now, const Case& c,
+            std::optional<uint32_t> always, std::vector<Configuration>& result) {
+    Configuration then = now;
+    if (c.transition == Transition::Goto) {
+      result.push_back({{c.target.index, always.value_or(kEndlessLimit)}});
+    } else if (c.transition == Transition::Call) {
+      const bool twice = holds(now, c.target.index);
+      recursive |= twice;
+      then.emplace_back(c.target.index, always.value_or(now.back().second));
+      if (!twice || mission.always.empty()) {
+        result.push_back(then);
+      }
+    } else if (c.transition == Transition::Return && now.size() > 1) {
+      then.pop_back();
+      result.push_back(then);
+    } else if (c.transition == Transition::Return) {
+      empty_returns.insert(now.back().first);
+      ends.insert(now);
+    } else if (c.transition == Transition::Exit) {
+      ends.insert(now);
+    }
   }
 
   /// The two constant shapes that `tangle` makes.
@@ -133,9 +179,15 @@ struct Reference {
     return mission[guard].op == Op::False || mission[guard].op == Op::Not;
   }
 
-  /// The states that are current in a configuration from which none of `ends` is reached.
-  std::set<uint32_t> endless() const {
+  /// The states that are current in a configuration from which no end is reached; a dead end counts
+  /// as one if it is `told`.
+  std::set<uint32_t> endless(const std::set<uint32_t>& told) const {
     std::set<Configuration> good = ends;
+    for (const Configuration& c : nowhere) {
+      if (told.contains(c.back().first)) {
+        good.insert(c);
+      }
+    }
     for (bool grown = true; grown;) {
       grown = false;
       for (const auto& [from, to] : next) {
@@ -147,7 +199,7 @@ struct Reference {
     std::set<uint32_t> states;
     for (const auto& [configuration, to] : next) {
       if (!good.contains(configuration)) {
-        states.insert(configuration.back());
+        states.insert(configuration.back().first);
       }
     }
     return states;
@@ -170,42 +222,93 @@ size_t count(const support::DiagnosticEngine& diagnostics, support::DiagnosticId
   return static_cast<size_t>(std::ranges::count(all, id, &support::Diagnostic::id));
 }
 
-TEST(VerifyReference, AgreesWithEveryConfigurationOfRandomMissions) {
+std::set<uint32_t> deadEndsOf(const Structure& structure) {
+  std::set<uint32_t> states;
+  for (uint32_t s : structure.order) {
+    if (structure.deadEnd(s)) {
+      states.insert(s);
+    }
+  }
+  return states;
+}
+
+/// How often the random missions put each question.
+struct Statistics {
+  size_t recursive = 0, empty_returns = 0, deep = 0, endless = 0, unreached = 0, stuck = 0;
+  size_t missed_endless = 0, missed_stuck = 0;
+};
+
+/// What is exact with `always` and without.
+void compare(const Mission& mission, const Reference& reference, Statistics& s) {
   using support::DiagnosticId;
+  support::DiagnosticEngine diagnostics;
+  const MissionFacts facts = verify(mission, diagnostics);
+  const Structure structure(mission);
+  for (uint32_t i = 0; i < mission.states.size(); ++i) {
+    EXPECT_EQ(structure.reached(i), reference.reached.contains(i));
+  }
+  EXPECT_EQ(count(diagnostics, DiagnosticId::unreachableState),
+            mission.states.size() - reference.reached.size());
+  EXPECT_EQ(count(diagnostics, DiagnosticId::emptyReturn), reference.empty_returns.size());
+  EXPECT_EQ(count(diagnostics, DiagnosticId::recursiveCall) > 0, reference.recursive);
+  const std::set<uint32_t> dead = deadEndsOf(structure);
+  const std::set<uint32_t> endless = endlessOf(structure);
+  EXPECT_TRUE(std::ranges::includes(reference.stuck, dead));
+  s.missed_stuck += dead != reference.stuck;
+  if (!reference.recursive) {
+    EXPECT_EQ(facts.stack_depth, reference.depth);
+    ASSERT_EQ(facts.deepest_path.size(), reference.depth + 1);
+    const std::set<StateId> different(facts.deepest_path.begin(), facts.deepest_path.end());
+    EXPECT_EQ(different.size(), facts.deepest_path.size());
+    const std::set<uint32_t> expected = reference.endless(dead);
+    EXPECT_TRUE(std::ranges::includes(expected, endless));
+    s.missed_endless += endless != expected;
+    s.endless += !expected.empty();
+    s.deep += reference.depth > 1;
+  }
+  s.recursive += reference.recursive;
+  s.empty_returns += !reference.empty_returns.empty();
+  s.stuck += !reference.stuck.empty();
+  s.unreached += reference.reached.size() < mission.states.size();
+}
+
+TEST(VerifyReference, AgreesWithEveryConfigurationOfRandomMissions) {
   random_missions::Random random(20260101);
-  size_t recursive = 0, empty_returns = 0, deep = 0, endless = 0, unreached = 0;
+  Statistics s;
   for (int i = 0; i < 2000; ++i) {
-    const Mission mission = tangle(random);
-    const Reference reference(mission);
-    support::DiagnosticEngine diagnostics;
-    const MissionFacts facts = verify(mission, diagnostics);
-    const Structure structure(mission);
-    for (uint32_t s = 0; s < mission.states.size(); ++s) {
-      EXPECT_EQ(structure.reached(s), reference.reached.contains(s));
-    }
-    EXPECT_EQ(count(diagnostics, DiagnosticId::unreachableState),
-              mission.states.size() - reference.reached.size());
-    EXPECT_EQ(count(diagnostics, DiagnosticId::emptyReturn), reference.empty_returns.size());
-    EXPECT_EQ(count(diagnostics, DiagnosticId::recursiveCall) > 0, reference.recursive);
-    if (!reference.recursive) {
-      EXPECT_EQ(facts.stack_depth, reference.depth);
-      EXPECT_EQ(facts.deepest_path.size(), reference.depth + 1);
-      EXPECT_EQ(endlessOf(structure), reference.endless());
-      endless += !reference.endless().empty();
-      deep += reference.depth > 1;
-    }
-    recursive += reference.recursive;
-    empty_returns += !reference.empty_returns.empty();
-    unreached += reference.reached.size() < mission.states.size();
+    const Mission mission = tangle(random, false);
+    compare(mission, Reference(mission), s);
     ASSERT_FALSE(HasFailure()) << print(mission);
   }
+  EXPECT_EQ(s.missed_stuck, 0u);
+  EXPECT_EQ(s.missed_endless, 0u);
   // The missions must put the question.
-  EXPECT_GT(recursive, 200u);
-  EXPECT_LT(recursive, 1500u);
-  EXPECT_GT(empty_returns, 200u);
-  EXPECT_GT(deep, 100u);
-  EXPECT_GT(endless, 30u);
-  EXPECT_GT(unreached, 200u);
+  EXPECT_GT(s.recursive, 200u);
+  EXPECT_LT(s.recursive, 1500u);
+  EXPECT_GT(s.empty_returns, 200u);
+  EXPECT_GT(s.deep, 100u);
+  EXPECT_GT(s.endless, 30u);
+  EXPECT_GT(s.unreached, 200u);
+}
+
+/// Depth, recursion, empty returns and what is reached are exact with `always` too; no warning of
+/// a dead end or of a missing exit is false, and few are missed.
+TEST(VerifyReference, AgreesWithAlways) {
+  random_missions::Random random(20260102);
+  Statistics s;
+  for (int i = 0; i < 3000; ++i) {
+    const Mission mission = tangle(random, true);
+    compare(mission, Reference(mission), s);
+    ASSERT_FALSE(HasFailure()) << print(mission);
+  }
+  EXPECT_LT(s.missed_stuck * 10, s.stuck);
+  EXPECT_LT(s.missed_endless * 10, s.endless);
+  EXPECT_GT(s.recursive, 200u);
+  EXPECT_LT(s.recursive, 2500u);
+  EXPECT_GT(s.empty_returns, 200u);
+  EXPECT_GT(s.deep, 500u);
+  EXPECT_GT(s.endless, 30u);
+  EXPECT_GT(s.stuck, 100u);
 }
 
 }  // namespace

@@ -159,6 +159,11 @@ ExprLowering::Result ExprLowering::callOne(ir::Op op, const ast::Invocation& nod
     return angle ? Result(emit(op, plainNumber(), expr.where, {*angle})) : std::nullopt;
   }
   const Result value = lower(argument, keeps ? want : std::nullopt);
+  if (op == ir::Op::Known && value && value->longitude.valid()) {
+    const ir::ExprId north = emit(op, boolean(), expr.where, {value->id}).id;
+    const ir::ExprId east = emit(op, boolean(), expr.where, {value->longitude}).id;
+    return emit(ir::Op::And, boolean(), expr.where, {north, east});
+  }
   if (!value || !numeric(*value, argument, node.function.text, op == ir::Op::Known)) {
     return std::nullopt;
   }

@@ -59,6 +59,9 @@ class InsideLowering {
     if (a.number && b.number) {
       return known(ir::binary(op, *a.number, *b.number));
     }
+    if ((op == ir::Op::Subtract && b.number == 0) || (op == ir::Op::Multiply && a.number == 1)) {
+      return op == ir::Op::Subtract ? a : b;
+    }
     const ir::ExprId left = idOf(a);
     return {{}, lowering_.emit(op, plainNumber(), range_, {left, idOf(b)}).id};
   }

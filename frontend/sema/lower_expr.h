@@ -107,6 +107,17 @@ class ExprLowering {
   // Over time (lower_temporal.cpp).
   Result overTime(ir::TemporalKind kind, const ast::Invocation& node, const ast::Expr& expr);
 
+  // Windows (lower_window.cpp).
+  struct WindowLength {
+    double length;
+    ir::ExprId along;              ///< of a stretch
+    support::Dimension dimension;  ///< of what the length is measured in
+  };
+  Result window(const ast::Invocation& node, const ast::Expr& expr);
+  std::optional<WindowLength> windowLength(const ast::Argument& over, std::string_view function);
+  Result emitWindow(std::string_view name, const Value& operand, const WindowLength& length,
+                    const support::SourceRange& range);
+
   // Places (lower_earth.cpp, lower_inside.cpp).
   Result onEarth(const ast::Invocation& node, const ast::Expr& expr);
   Result betweenPlaces(ir::Op op, const ast::Invocation& node, const ast::Expr& expr);
@@ -149,6 +160,9 @@ bool isPosition(const ast::Expr& expr, Scope& scope);
 
 /// Whether an expression is plainly a path: a list, or the name of one.
 bool isPath(const ast::Expr& expr, const Scope& scope);
+
+/// Whether `name` is a function over a window: mean, lowest, highest, spread, rate, slope.
+bool isWindowName(std::string_view name);
 
 /// Whether an expression is a bare number, or bare numbers added up: it has no unit of its own.
 bool takesUnitOfContext(const ast::Expr& expr);

@@ -25,9 +25,7 @@ struct Function {
 constexpr Function kFunctions[] = {
 #define FUNCTION(name, op, fewest, most) {#name, ir::Op::op, fewest, most},
 #define EARTH_FUNCTION(name)
-#define LATER_FUNCTION(name)
 #include "frontend/sema/functions.def"
-#undef LATER_FUNCTION
 #undef EARTH_FUNCTION
 #undef FUNCTION
 };
@@ -35,19 +33,7 @@ constexpr Function kFunctions[] = {
 constexpr std::string_view kEarth[] = {
 #define FUNCTION(name, op, fewest, most)
 #define EARTH_FUNCTION(name) #name,
-#define LATER_FUNCTION(name)
 #include "frontend/sema/functions.def"
-#undef LATER_FUNCTION
-#undef EARTH_FUNCTION
-#undef FUNCTION
-};
-
-constexpr std::string_view kLater[] = {
-#define FUNCTION(name, op, fewest, most)
-#define EARTH_FUNCTION(name)
-#define LATER_FUNCTION(name) #name,
-#include "frontend/sema/functions.def"
-#undef LATER_FUNCTION
 #undef EARTH_FUNCTION
 #undef FUNCTION
 };
@@ -58,12 +44,12 @@ std::string suggestFunction(std::string_view wrong) {
     names.push_back(function.name);
   }
   names.insert(names.end(), std::begin(kEarth), std::end(kEarth));
-  names.insert(names.end(), std::begin(kLater), std::end(kLater));
-  names.insert(names.end(), {"became", "held"});
+  names.insert(names.end(),
+               {"became", "held", "mean", "lowest", "highest", "spread", "rate", "slope"});
   return didYouMean(
       wrong, names,
       "functions: abs min max clamp sqrt sin cos tan atan2 known age became held distance "
-      "bearing inside count");
+      "bearing inside count mean lowest highest spread rate slope");
 }
 
 std::string countOf(size_t n) {
@@ -73,18 +59,16 @@ std::string countOf(size_t n) {
 }  // namespace
 
 bool isFunctionName(std::string_view name) {
-  return name == "became" || name == "held" ||
+  return name == "became" || name == "held" || isWindowName(name) ||
          std::ranges::find(kFunctions, name, &Function::name) != std::end(kFunctions) ||
-         std::ranges::find(kEarth, name) != std::end(kEarth) ||
-         std::ranges::find(kLater, name) != std::end(kLater);
+         std::ranges::find(kEarth, name) != std::end(kEarth);
 }
 
 ExprLowering::Result ExprLowering::visit(const ast::Invocation& node, const ast::Expr& expr,
                                          std::optional<ir::Type> want) {
   const std::string& name = node.function.text;
-  if (std::ranges::find(kLater, name) != std::end(kLater)) {
-    scope_.notYet(node.function.where, "`" + name + "`");
-    return std::nullopt;
+  if (isWindowName(name)) {
+    return window(node, expr);
   }
   if (name == "became" || name == "held") {
     const bool held = name == "held";
@@ -126,7 +110,7 @@ ExprLowering::Result ExprLowering::visit(const ast::Invocation& node, const ast:
 bool ExprLowering::stretched(const ast::Invocation& node) {
   for (const ast::Argument& argument : node.arguments) {
     if (argument.of) {
-      scope_.notYet(argument.of->where, "a stretch with `of`");
+      scope_.report(DiagnosticId::ofOutsideWindow, argument.of->where, node.function.text);
       return true;
     }
   }

@@ -27,7 +27,7 @@ struct CodegenOptions {
 };
 
 /// The mission alone (no runtime), optimised: LLVM's text, assembly, a relocatable ELF object.
-/// GL4002, GL4006.
+/// GL4002, GL4006, GL4007.
 support::Result<std::string> emitLlvm(const ir::Mission& mission, const ir::MissionFacts& facts,
                                       const platforms::Board& board, const CodegenOptions& options);
 support::Result<std::string> emitAssembly(const ir::Mission& mission, const ir::MissionFacts& facts,
@@ -38,10 +38,16 @@ support::Result<std::string> emitObject(const ir::Mission& mission, const ir::Mi
                                         const CodegenOptions& options);
 
 /// Writes the board's executable to `output`, stripped, and with options.debug its line tables to
-/// `output`.debug; both whole or not at all. GL4002 to GL4006, GL9001, GL9002, GL9050.
+/// `output`.debug; both whole or not at all. GL4002 to GL4007, GL9001, GL9002, GL9050.
 support::Result<void> linkExecutable(const ir::Mission& mission, const ir::MissionFacts& facts,
                                      const platforms::Board& board, const CodegenOptions& options,
                                      const std::filesystem::path& output);
+
+/// The content of the board's executable, stripped, for a pipe or device. Errors as linkExecutable.
+support::Result<std::string> linkForStream(const ir::Mission& mission,
+                                           const ir::MissionFacts& facts,
+                                           const platforms::Board& board,
+                                           const CodegenOptions& options);
 
 /// The content of a shared object for this machine that exports `gliderMission` and
 /// runtime/abi/entry_points.def: what load/loaded_mission.h loads. `host` must be the host's board.

@@ -12,7 +12,12 @@ namespace glider::driver {
 /// Each adds one subcommand to `app`; running it sets `status` to an ExitCode.
 void addCheckCommand(CLI::App& app, int& status);
 void addBuildCommand(CLI::App& app, int& status);
+void addParamsCommand(CLI::App& app, int& status);
 void addSimCommand(CLI::App& app, int& status);
+void addExplainCommand(CLI::App& app, int& status);
+void addFixCommand(CLI::App& app, int& status);
+void addFmtCommand(CLI::App& app, int& status);
+void addPlatformCommand(CLI::App& app, int& status);
 void addTargetsCommand(CLI::App& app, int& status);
 
 }  // namespace glider::driver

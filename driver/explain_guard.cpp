@@ -44,14 +44,19 @@ void addSensors(const ir::Mission& mission, ir::ExprId root, std::vector<uint16_
 
 }  // namespace
 
-simulator::GuardText explainGuard(const Compilation& compilation, uint32_t state,
+simulator::GuardText explainGuard(const Compilation& compilation, uint32_t list, uint32_t state,
                                   uint32_t fired_case) {
   const ir::Mission& mission = *compilation.mission;
   simulator::GuardText text;
-  if (state >= mission.states.size() || fired_case >= mission.states[state].cases.size()) {
+  if (state >= mission.states.size()) {
     return text;
   }
-  const ir::ExprId guard = mission.states[state].cases[fired_case].guard;
+  const bool always = list == static_cast<uint32_t>(ir::ListKind::Always);
+  const std::vector<ir::Case>& cases = always ? mission.always : mission.states[state].cases;
+  if (fired_case >= cases.size()) {
+    return text;
+  }
+  const ir::ExprId guard = cases[fired_case].guard;
   const support::SourceRange range = mission[guard].range;
   text.guard = range.valid() ? onOneLine(compilation.sources.text(range)) : "";
   addSensors(mission, guard, text.sensors);

@@ -8,11 +8,13 @@
 
 namespace glider::driver {
 
-InProcessSbc::InProcessSbc(codegen::LoadedMission mission) : mission_(std::move(mission)) {
+InProcessSbc::InProcessSbc(codegen::LoadedMission mission, std::vector<double> parameters)
+    : mission_(std::move(mission)), parameters_(std::move(parameters)) {
   // operator new aligns for every fundamental type, which is what the runtime asks for.
   runtime_memory_ = std::make_unique<std::byte[]>(mission_.runtimeSize());
   context_memory_ = std::make_unique<std::byte[]>(mission_.mission().context_bytes);
-  runtime_ = mission_.init(runtime_memory_.get(), context_memory_.get());
+  const GliderRuntimeOptions options{{}, parameters_.data()};
+  runtime_ = mission_.init(runtime_memory_.get(), context_memory_.get(), &options);
 }
 
 int32_t InProcessSbc::readBytes(void* self, uint8_t* bytes, uint32_t capacity) {
@@ -37,7 +39,8 @@ double InProcessSbc::now(void* self) {
 
 void InProcessSbc::deliver(std::span<const uint8_t> bytes, double now_s) {
   now_s_ = now_s;
-  if (!killed_) {
+  if (alive()) {
+    lockstep_.toSbc(bytes.data(), static_cast<uint32_t>(bytes.size()));
     to_sbc_.insert(to_sbc_.end(), bytes.begin(), bytes.end());
   }
 }
@@ -45,8 +48,14 @@ void InProcessSbc::deliver(std::span<const uint8_t> bytes, double now_s) {
 std::vector<uint8_t> InProcessSbc::collect() {
   const GliderByteStream stream{this, readBytes, writeBytes};
   const GliderClock clock{this, now};
-  while (!killed_ && mission_.poll(runtime_, stream, clock) == kGliderRuntimeProgressed) {
+  GliderRuntimeStatus status = kGliderRuntimeProgressed;
+  while (alive() && !finished_ && status == kGliderRuntimeProgressed) {
+    status = mission_.poll(runtime_, stream, clock);
+    finished_ = status == kGliderRuntimeFinished;
   }
+  lockstep_.fromSbc(from_sbc_.data(), static_cast<uint32_t>(from_sbc_.size()));
+  // As the program on a board ends: it is missed when it does not answer any more.
+  ended_ = finished_ && !lockstep_.settled();
   to_sbc_.erase(to_sbc_.begin(), to_sbc_.begin() + static_cast<ptrdiff_t>(taken_));
   taken_ = 0;
   return std::exchange(from_sbc_, {});

@@ -4,7 +4,6 @@
 #include "driver/sbc_choice.h"
 
 #include "codegen/codegen.h"
-#include "codegen/load/loaded_mission.h"
 #include "driver/boards.h"
 #include "driver/in_process_sbc.h"
 #include "simulator/science/process_sbc_port.h"
@@ -15,32 +14,48 @@ using simulator::ProcessSbcPort;
 using simulator::SbcPort;
 using support::Result;
 
-Result<std::unique_ptr<SbcPort>> sbcInProcess(const Compilation& compilation) {
-  const auto host = loadTarget("host");
-  if (!host) {
-    return std::unexpected(host.error());
-  }
-  codegen::CodegenOptions options;
-  options.debug = false;
-  const auto object = codegen::linkShared(*compilation.mission, compilation.facts, *host, options);
-  if (!object) {
-    return std::unexpected(object.error());
-  }
-  auto loaded = codegen::LoadedMission::load(*object);
+Result<std::unique_ptr<SbcPort>> sbcInProcess(const Compilation& compilation,
+                                              const LaunchChoice& launch) {
+  auto loaded = loadHere(compilation);
   if (!loaded) {
     return std::unexpected(loaded.error());
   }
-  return std::make_unique<InProcessSbc>(std::move(*loaded));
+  auto parameters = chooseParameters(loaded->mission(), launch);
+  if (!parameters) {
+    return std::unexpected(parameters.error());
+  }
+  return std::make_unique<InProcessSbc>(std::move(*loaded), std::move(*parameters));
 }
 
+namespace {
+
+/// Whether the mission allows what the pilot says, before the board's program refuses it.
+Result<void> checkLaunch(const Compilation& compilation, const LaunchChoice& launch) {
+  if (launch.empty()) {
+    return {};
+  }
+  const auto loaded = loadHere(compilation);
+  if (!loaded) {
+    return std::unexpected(loaded.error());
+  }
+  const auto parameters = chooseParameters(loaded->mission(), launch);
+  return parameters ? Result<void>() : std::unexpected(parameters.error());
+}
+
+}  // namespace
+
 Result<std::unique_ptr<SbcPort>> sbcOnBoard(const Compilation& compilation,
-                                            const std::string& board,
+                                            const LaunchChoice& launch, const std::string& board,
+                                            const std::string& name,
                                             const std::filesystem::path& folder) {
+  if (auto allowed = checkLaunch(compilation, launch); !allowed) {
+    return std::unexpected(allowed.error());
+  }
   const auto target = loadTarget(board);
   if (!target) {
     return std::unexpected(target.error());
   }
-  const std::filesystem::path binary = folder / (compilation.mission->name + "-" + board);
+  const std::filesystem::path binary = folder / (name + "-" + board);
   codegen::CodegenOptions options;
   options.sources = &compilation.sources;
   const auto built =
@@ -50,15 +65,28 @@ Result<std::unique_ptr<SbcPort>> sbcOnBoard(const Compilation& compilation,
   }
   std::vector<std::string> command = target->emulator;
   const std::filesystem::path log = folder / "mission-log.csv";
+  std::error_code ignored;
+  std::filesystem::remove(log, ignored);  // of an earlier flight: the program would write after it
   for (const std::string& word : {std::filesystem::absolute(binary).string(), std::string("--port"),
                                   std::string("{port}"), std::string("--log"), log.string()}) {
     command.push_back(word);
+  }
+  if (!launch.file.empty()) {
+    command.insert(command.end(), {"--parameters", launch.file});
+  }
+  for (const std::string& setting : launch.settings) {
+    command.insert(command.end(), {"--set", setting});
   }
   return ProcessSbcPort::start(board, std::move(command));
 }
 
 Result<std::unique_ptr<SbcPort>> sbcProgram(const std::string& program) {
-  return ProcessSbcPort::start("program", {program, "--port", "{port}"});
+  // A file that lies here is meant, not one of that name somewhere in PATH.
+  std::error_code ignored;
+  const bool here = std::filesystem::is_regular_file(program, ignored);
+  return ProcessSbcPort::start(
+      "program",
+      {here ? std::filesystem::absolute(program).string() : program, "--port", "{port}"});
 }
 
 }  // namespace glider::driver

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "driver/compilation.h"
+#include "driver/launch_choice.h"
 #include "simulator/sbc_port.h"
 #include "support/result.h"
 
@@ -14,12 +15,15 @@
 namespace glider::driver {
 
 /// Compiles the mission for this process and loads it.
-support::Result<std::unique_ptr<simulator::SbcPort>> sbcInProcess(const Compilation& compilation);
+support::Result<std::unique_ptr<simulator::SbcPort>> sbcInProcess(const Compilation& compilation,
+                                                                  const LaunchChoice& launch);
 
-/// Builds the mission's binary for `board` into `folder` and starts it behind a pseudo-terminal,
-/// under the board's emulator if it has one.
+/// Builds the mission's binary for `board` into `folder` as `name`-`board` and starts it behind a
+/// pseudo-terminal, under the board's emulator if it has one.
 support::Result<std::unique_ptr<simulator::SbcPort>> sbcOnBoard(
-    const Compilation& compilation, const std::string& board, const std::filesystem::path& folder);
+    const Compilation& compilation, const LaunchChoice& launch, const std::string& board,
+    const std::string& name,
+    const std::filesystem::path& folder);
 
 /// Starts a program that somebody has built, with `--port PTY` as its only arguments.
 support::Result<std::unique_ptr<simulator::SbcPort>> sbcProgram(const std::string& program);

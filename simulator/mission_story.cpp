@@ -18,6 +18,8 @@ namespace {
 /// GliderTransition, as the notice carries it.
 constexpr std::array<const char*, 5> kTransitions = {"goto", "call", "return", "exit", "stay"};
 constexpr uint32_t kExit = 3;
+constexpr uint32_t kAlways = 0;      ///< GliderList
+constexpr uint32_t kUnknownSet = 1;  ///< GliderNoteKind
 
 }  // namespace
 
@@ -44,7 +46,7 @@ std::string MissionStory::why(const hooks::HookprogEvent& event, const ScienceCo
   if (!explain_) {
     return "";
   }
-  const GuardText text = explain_(event.b, event.d);
+  const GuardText text = explain_(event.e, event.b, event.d);
   std::string values;
   for (const uint16_t id : text.sensors) {
     if (id >= platform_.sensors.size()) {
@@ -67,13 +69,27 @@ void MissionStory::transition(double now_s, const hooks::HookprogEvent& event,
       std::isfinite(origin_s_) ? std::min(now_s, origin_s_ + event.mission_time_s) : now_s;
   const char* kind = event.a < kTransitions.size() ? kTransitions[event.a] : "?";
   const std::string to = event.a == kExit ? "end" : stateName(event.c);
-  journal.add(time, "transition", fmt::format("{} → {} ({})", stateName(event.b), to, kind),
+  const std::string interrupt = event.e == kAlways ? fmt::format(", always case {}", event.d + 1) : "";
+  journal.add(time, "transition",
+              fmt::format("{} → {} ({}{})", stateName(event.b), to, kind, interrupt),
               why(event, science, flight));
   journal.events().back().mission_time_s = event.mission_time_s;
 }
 
-void MissionStory::follow(double now_s, double cycle_s, ScienceComputer& science,
+void MissionStory::note(double now_s, const hooks::HookprogEvent& event, Journal& journal) const {
+  const double time =
+      std::isfinite(origin_s_) ? std::min(now_s, origin_s_ + event.mission_time_s) : now_s;
+  if (event.a == kUnknownSet) {
+    journal.add(time, "log", fmt::format("{} keeps its value", event.text), "the new one is unknown");
+  } else {
+    journal.add(time, "log", event.text);
+  }
+  journal.events().back().mission_time_s = event.mission_time_s;
+}
+
+bool MissionStory::follow(double now_s, double cycle_s, ScienceComputer& science,
                           const FlightController& flight, Journal& journal) {
+  bool in_another_state = false;
   learnOrigin(cycle_s, science.sbc(), flight.hookActive());
   for (auto event = science.nextEvent(); event.kind != Kind::None; event = science.nextEvent()) {
     switch (event.kind) {
@@ -87,6 +103,10 @@ void MissionStory::follow(double now_s, double cycle_s, ScienceComputer& science
         break;
       case Kind::SbcTransition:
         transition(now_s, event, science, flight, journal);
+        in_another_state = true;
+        break;
+      case Kind::SbcNote:
+        note(now_s, event, journal);
         break;
       case Kind::BadFrame:
         journal.add(now_s, "link", fmt::format("{} damaged frames on the serial lines", event.a));
@@ -100,6 +120,7 @@ void MissionStory::follow(double now_s, double cycle_s, ScienceComputer& science
         break;
     }
   }
+  return in_another_state;
 }
 
 }  // namespace glider::simulator

@@ -35,8 +35,9 @@ class LoadedMission {
   const GliderContext* context(const GliderRuntime* runtime) const {
     return entries_.gliderRuntimeContext(runtime);
   }
-  GliderContext* start(void* context_memory, const GliderUpdate* updates, uint32_t count) const {
-    return entries_.gliderStart(context_memory, mission_, updates, count);
+  GliderContext* start(void* context_memory, const double* parameters, const GliderUpdate* updates,
+                       uint32_t count) const {
+    return entries_.gliderStart(context_memory, mission_, parameters, updates, count);
   }
   void step(GliderContext* context, double mission_time, const GliderUpdate* updates,
             uint32_t count) const {

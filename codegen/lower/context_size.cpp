@@ -9,19 +9,19 @@
 
 namespace glider::codegen {
 
-uint32_t memoryCount(const ir::Mission& mission) {
-  return 2 * static_cast<uint32_t>(mission.states.size());
-}
-
 uint64_t contextBytes(const ir::Mission& mission, const ir::MissionFacts& facts,
-                      const llvm::DataLayout& layout, const AbiTypes& types) {
+                      const MissionIndex& index, const llvm::DataLayout& layout,
+                      const AbiTypes& types) {
   constexpr uint64_t kAlignment = 8;
   auto part = [&](llvm::StructType* type, uint64_t count) {
     return llvm::alignTo(count * layout.getTypeAllocSize(type).getFixedValue(), kAlignment);
   };
+  const uint64_t numbers =
+      mission.variables.size() + index.slot_count + uint64_t{GLIDER_MOST_NOTE_VALUES};
   return part(types.GliderContext, 1) + part(types.GliderReading, mission.sensors.size()) +
          part(types.GliderFrame, facts.stack_depth) +
-         uint64_t{memoryCount(mission)} * GLIDER_BEHAVIOUR_MEMORY_BYTES;
+         uint64_t{index.memory_count} * GLIDER_BEHAVIOUR_MEMORY_BYTES + numbers * sizeof(double) +
+         part(types.GliderNote, GLIDER_MOST_NOTES);
 }
 
 }  // namespace glider::codegen

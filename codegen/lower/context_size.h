@@ -4,7 +4,7 @@
 #pragma once
 
 #include "codegen/lower/abi_types.h"
-#include "ir/core/mission.h"
+#include "codegen/lower/mission_index.h"
 
 #include <llvm/IR/DataLayout.h>
 
@@ -12,12 +12,10 @@
 
 namespace glider::codegen {
 
-/// Blocks of behaviour memory that a running mission needs: two a state, profile then route.
-uint32_t memoryCount(const ir::Mission& mission);
-
 /// Bytes of a running mission's context with its arrays: the rule of runtime/abi/context_layout.h
 /// for the machine that `layout` describes.
 uint64_t contextBytes(const ir::Mission& mission, const ir::MissionFacts& facts,
-                      const llvm::DataLayout& layout, const AbiTypes& types);
+                      const MissionIndex& index, const llvm::DataLayout& layout,
+                      const AbiTypes& types);
 
 }  // namespace glider::codegen

@@ -6,8 +6,6 @@
 #include "ir/core/ops.h"
 #include "support/check.h"
 
-#include <llvm/IR/Intrinsics.h>
-
 #include <algorithm>
 #include <vector>
 
@@ -22,10 +20,49 @@ Value* Expressions::number(ir::ExprId id) {
   return lowered.value;
 }
 
-Value* Expressions::isTrue(ir::ExprId id) {
+const Expressions::Lowered& Expressions::truth(ir::ExprId id) {
   const Lowered& lowered = lower(id);
   CHECK(lowered.is_false != nullptr, "a number where a truth value belongs");
-  return lowered.value;
+  return lowered;
+}
+
+Value* Expressions::isTrue(ir::ExprId id) {
+  return truth(id).value;
+}
+
+Value* Expressions::isFalse(ir::ExprId id) {
+  return truth(id).is_false;
+}
+
+Value* Expressions::asNumber(ir::ExprId id) {
+  const Lowered& lowered = lower(id);
+  if (lowered.is_false == nullptr) {
+    return lowered.value;
+  }
+  llvm::Type* type = builder_.getDoubleTy();
+  Value* otherwise = builder_.CreateSelect(lowered.is_false, llvm::ConstantFP::get(type, 0.0),
+                                           llvm::ConstantFP::getNaN(type));
+  return builder_.CreateSelect(lowered.value, llvm::ConstantFP::get(type, 1.0), otherwise);
+}
+
+void Expressions::changed(ir::VariableId id) {
+  if (loaded_.contains(id.index)) {
+    forget();
+  }
+}
+
+void Expressions::forget() {
+  rollBack({0, generation_});
+  loaded_.clear();
+  ++generation_;
+}
+
+/// Entry by entry: to clear the map would cost its size each time.
+void Expressions::rollBack(Mark mark) {
+  const size_t keep = mark.generation == generation_ ? mark.made : 0;
+  for (; order_.size() > keep; order_.pop_back()) {
+    made_.erase(order_.back());
+  }
 }
 
 /// Without recursion, whatever the depth: operands have smaller ids, so the order of ids is an
@@ -33,11 +70,11 @@ Value* Expressions::isTrue(ir::ExprId id) {
 const Expressions::Lowered& Expressions::lower(ir::ExprId root) {
   std::vector<uint32_t> needed;
   std::vector<uint32_t> open{root.index};
-  std::unordered_map<uint32_t, bool> seen;
+  std::unordered_set<uint32_t> seen;
   while (!open.empty()) {
     const uint32_t index = open.back();
     open.pop_back();
-    if (made_.contains(index) || !seen.emplace(index, true).second) {
+    if (made_.contains(index) || !seen.insert(index).second) {
       continue;
     }
     needed.push_back(index);
@@ -51,6 +88,7 @@ const Expressions::Lowered& Expressions::lower(ir::ExprId root) {
     const ir::Expr& expr = lowering_.mission[ir::ExprId{index}];
     lowering_.debug.locate(builder_, expr.range);
     made_.emplace(index, lowerOne(expr));
+    order_.push_back(index);
   }
   return made_.at(root.index);
 }
@@ -68,17 +106,10 @@ Expressions::Lowered Expressions::lowerOne(const ir::Expr& expr) {
     case Op::ResumeTime:
     case Op::Age:
       return {leaf(expr), nullptr};
-    case Op::Negate:
-    case Op::Abs:
-    case Op::Sqrt:
-    case Op::Add:
-    case Op::Subtract:
-    case Op::Multiply:
-    case Op::Divide:
-    case Op::Min:
-    case Op::Max:
-    case Op::Clamp:
-      return {arithmetic(expr), nullptr};
+    case Op::Variable:
+      return variable(expr);
+    case Op::Temporal:
+      return temporal(expr);
     case Op::Less:
     case Op::LessEqual:
     case Op::Greater:
@@ -91,8 +122,27 @@ Expressions::Lowered Expressions::lowerOne(const ir::Expr& expr) {
     case Op::And:
     case Op::Or:
       return logic(expr);
+    case Op::Sin:
+    case Op::Cos:
+    case Op::Tan:
+    case Op::Atan2:
+    case Op::Distance:
+    case Op::Bearing:
+      return {function(expr), nullptr};
+    case Op::Select:
+      return {choice(expr), nullptr};
+    default:
+      return {arithmetic(expr), nullptr};
   }
-  CHECK(false, "an operation that codegen does not know");
+}
+
+Value* Expressions::choice(const ir::Expr& expr) {
+  const Lowered& condition = made_.at(expr.operands[0].index);
+  Value* yes = made_.at(expr.operands[1].index).value;
+  Value* no = made_.at(expr.operands[2].index).value;
+  Value* unknown = llvm::ConstantFP::getNaN(builder_.getDoubleTy());
+  return builder_.CreateSelect(condition.value, yes,
+                               builder_.CreateSelect(condition.is_false, no, unknown));
 }
 
 Value* Expressions::leaf(const ir::Expr& expr) {
@@ -103,104 +153,45 @@ Value* Expressions::leaf(const ir::Expr& expr) {
     case Op::Sensor:
       return readingField(expr.sensor, field::GliderReading::value);
     case Op::MissionTime:
-      return contextField(context::mission_time);
+      return missionTime();
     case Op::StateTime:
       return timeSince(contextField(context::entered));
     case Op::ResumeTime:
       return timeSince(contextField(context::resumed));
     default:
-      return timeSince(readingField(expr.sensor, field::GliderReading::updated));
+      return age(expr.sensor);
   }
 }
 
-Value* Expressions::arithmetic(const ir::Expr& expr) {
-  auto operand = [&](size_t i) { return made_.at(expr.operands.at(i).index).value; };
-  switch (expr.op) {
-    case Op::Negate:
-      return builder_.CreateFNeg(operand(0));
-    case Op::Abs:
-      return builder_.CreateUnaryIntrinsic(llvm::Intrinsic::fabs, operand(0));
-    case Op::Sqrt:
-      return settle(builder_.CreateUnaryIntrinsic(llvm::Intrinsic::sqrt, operand(0)));
-    case Op::Add:
-      return settle(builder_.CreateFAdd(operand(0), operand(1)));
-    case Op::Subtract:
-      return settle(builder_.CreateFSub(operand(0), operand(1)));
-    case Op::Multiply:
-      return settle(builder_.CreateFMul(operand(0), operand(1)));
-    case Op::Divide:
-      return settle(builder_.CreateFDiv(operand(0), operand(1)));
-    case Op::Clamp:
-      return clamp(operand(0), operand(1), operand(2));
-    default:
-      return smallerOrLarger(expr.op, operand(0), operand(1));
-  }
+Expressions::Lowered Expressions::variable(const ir::Expr& expr) {
+  loaded_.insert(expr.variable.index);
+  Value* held = builder_.CreateLoad(builder_.getDoubleTy(), placeOf(expr.variable));
+  return expr.type.kind == ir::TypeKind::Bool ? truthIn(held) : Lowered{held, nullptr};
 }
 
-Value* Expressions::smallerOrLarger(Op op, Value* a, Value* b) {
-  Value* take_b = op == Op::Min ? builder_.CreateFCmpOLT(b, a) : builder_.CreateFCmpOLT(a, b);
-  return unknownIf(builder_.CreateFCmpUNO(a, b), builder_.CreateSelect(take_b, b, a));
+Expressions::Lowered Expressions::temporal(const ir::Expr& expr) {
+  const uint32_t slot = lowering_.index.temporal_slots.at(expr.temporal.index);
+  Value* value = builder_.CreateLoad(builder_.getDoubleTy(), temporalSlot(slot));
+  return expr.type.kind == ir::TypeKind::Bool ? truthIn(value) : Lowered{value, nullptr};
 }
 
-Value* Expressions::clamp(Value* x, Value* lowest, Value* highest) {
-  Value* capped = builder_.CreateSelect(builder_.CreateFCmpOLT(highest, x), highest, x);
-  Value* clamped = builder_.CreateSelect(builder_.CreateFCmpOLT(x, lowest), lowest, capped);
-  Value* unknown = builder_.CreateOr(builder_.CreateFCmpUNO(x, lowest),
-                                     builder_.CreateFCmpUNO(highest, highest));
-  return unknownIf(unknown, clamped);
+Value* Expressions::age(ir::SensorId sensor) {
+  return timeSince(readingField(sensor, field::GliderReading::updated));
 }
 
-/// Ordered comparisons both ways: an unknown operand makes neither bit true.
-Expressions::Lowered Expressions::comparison(const ir::Expr& expr) {
-  using llvm::CmpInst;
-  Value* a = made_.at(expr.operands[0].index).value;
-  if (expr.op == Op::Known) {
-    return {builder_.CreateFCmpORD(a, a), builder_.CreateFCmpUNO(a, a)};
-  }
-  Value* b = made_.at(expr.operands[1].index).value;
-  auto both = [&](CmpInst::Predicate yes, CmpInst::Predicate no) {
-    return Lowered{builder_.CreateFCmp(yes, a, b), builder_.CreateFCmp(no, a, b)};
-  };
-  switch (expr.op) {
-    case Op::Less:
-      return both(CmpInst::FCMP_OLT, CmpInst::FCMP_OGE);
-    case Op::LessEqual:
-      return both(CmpInst::FCMP_OLE, CmpInst::FCMP_OGT);
-    case Op::Greater:
-      return both(CmpInst::FCMP_OGT, CmpInst::FCMP_OLE);
-    case Op::GreaterEqual:
-      return both(CmpInst::FCMP_OGE, CmpInst::FCMP_OLT);
-    case Op::Equal:
-      return both(CmpInst::FCMP_OEQ, CmpInst::FCMP_ONE);
-    default:
-      return both(CmpInst::FCMP_ONE, CmpInst::FCMP_OEQ);
-  }
+Expressions::Lowered Expressions::truthIn(Value* held) {
+  Value* zero = llvm::ConstantFP::get(builder_.getDoubleTy(), 0.0);
+  return {builder_.CreateFCmpONE(held, zero), builder_.CreateFCmpOEQ(held, zero)};
 }
 
-Expressions::Lowered Expressions::logic(const ir::Expr& expr) {
-  const Lowered& a = made_.at(expr.operands[0].index);
-  if (expr.op == Op::Not) {
-    return {a.is_false, a.value};
-  }
-  const Lowered& b = made_.at(expr.operands[1].index);
-  if (expr.op == Op::And) {
-    return {builder_.CreateAnd(a.value, b.value), builder_.CreateOr(a.is_false, b.is_false)};
-  }
-  return {builder_.CreateOr(a.value, b.value), builder_.CreateAnd(a.is_false, b.is_false)};
+Value* Expressions::placeOf(ir::VariableId id) {
+  return builder_.CreateConstInBoundsGEP1_32(
+      builder_.getDoubleTy(), contextField(field::GliderContext::variables), id.index);
 }
 
-/// The runtime's own function, so that there is one such rule. A call also takes the value through
-/// memory on the 486, which rounds it to 64 bits.
-Value* Expressions::settle(Value* value) {
-  llvm::Type* number = builder_.getDoubleTy();
-  llvm::CallInst* call =
-      builder_.CreateCall(lowering_.module.getOrInsertFunction(
-                              "gliderSettle", llvm::FunctionType::get(number, {number}, false)),
-                          {value});
-  call->setDoesNotThrow();
-  call->setDoesNotAccessMemory();
-  call->addFnAttr(llvm::Attribute::WillReturn);
-  return call;
+Value* Expressions::temporalSlot(uint32_t slot) {
+  return builder_.CreateConstInBoundsGEP1_32(
+      builder_.getDoubleTy(), contextField(field::GliderContext::temporals), slot);
 }
 
 Value* Expressions::timeSince(Value* then) {
@@ -219,8 +210,7 @@ Value* Expressions::contextField(unsigned index) {
 }
 
 Value* Expressions::unknownIf(Value* condition, Value* otherwise) {
-  return builder_.CreateSelect(condition, llvm::ConstantFP::getNaN(builder_.getDoubleTy()),
-                               otherwise);
+  return builder_.CreateSelect(condition, unknown(), otherwise);
 }
 
 }  // namespace glider::codegen

@@ -1,75 +1,88 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "codegen/lower/expressions.h"
-#include "codegen/lower/lowering.h"
+#include "codegen/lower/body.h"
 #include "runtime/abi/glider_abi.h"
 
 namespace glider::codegen {
 namespace {
 
-/// In the memory of GliderContext, two blocks a state: its profile's, then its route's.
-constexpr uint32_t kBlocksAState = 2;
-
-std::vector<llvm::Value*> evaluate(Expressions& expressions, const ir::Activity& activity) {
-  std::vector<llvm::Value*> values;
-  for (const ir::ExprId argument : activity.arguments) {
-    values.push_back(expressions.number(argument));
+/// The first case whose guard is true fires: its block, and of `done` the truth value.
+void lowerCases(Body& body, const ir::Activity& activity) {
+  llvm::IRBuilder<>& builder = body.builder;
+  for (uint32_t i = 0; i < activity.cases.size(); ++i) {
+    const ir::Case& item = activity.cases[i];
+    body.lowering.debug.locate(builder, item.range);
+    llvm::BasicBlock* fires = body.block("fires");
+    llvm::BasicBlock* next = body.block("next");
+    builder.CreateCondBr(body.expressions.isTrue(item.guard), fires, next);
+    const Expressions::Mark mark = body.expressions.mark();
+    builder.SetInsertPoint(fires);
+    lowerBlock(body, item.action);
+    if (item.transition == ir::Transition::Done) {
+      assign(body, activity.done, llvm::ConstantFP::get(builder.getDoubleTy(), 1.0));
+    }
+    builder.CreateRet(builder.getInt32(i));
+    builder.SetInsertPoint(next);
+    body.expressions.rollBack(mark);
   }
-  return values;
 }
 
-/// Calls the behaviour's C function (runtime/abi/behaviour.h) with its block of memory.
-void callBehaviour(Lowering& lowering, llvm::IRBuilder<>& builder, const ir::Activity& activity,
-                   const std::vector<llvm::Value*>& values, uint32_t block) {
-  llvm::Function* function = builder.GetInsertBlock()->getParent();
-  lowering.debug.locate(builder, activity.range);
-  llvm::Value* memory = loadField(builder, lowering.types.GliderContext, function->getArg(0),
-                                  field::GliderContext::memory);
+llvm::Function* lowerActivity(Lowering& lowering, const ir::Activity& activity,
+                              const std::string& name, const std::string& title,
+                              uint32_t memory_block) {
+  Body body(lowering, name, Body::Result::Word, 0, title, activity.range);
+  if (lowering.mission[activity.behaviour].symbol.empty()) {
+    lowerCases(body, activity);
+  } else {
+    callBehaviour(body, activity, memory_block, body.builder.getInt32(kGliderTick));
+  }
+  body.builder.CreateRet(body.builder.getInt32(GLIDER_NO_CASE));
+  return body.function;
+}
+
+}  // namespace
+
+void callBehaviour(Body& body, const ir::Activity& activity, uint32_t memory_block,
+                   llvm::Value* phase) {
+  llvm::IRBuilder<>& builder = body.builder;
+  body.lowering.debug.locate(builder, activity.range);
+  llvm::Value* memory = body.contextField(field::GliderContext::memory);
   auto* block_type = llvm::ArrayType::get(builder.getInt8Ty(), GLIDER_BEHAVIOUR_MEMORY_BYTES);
-  std::vector<llvm::Value*> arguments{function->getArg(0),
-                                      builder.CreateConstInBoundsGEP1_32(block_type, memory, block),
-                                      function->getArg(1)};
+  std::vector<llvm::Value*> arguments{
+      body.context(), builder.CreateConstInBoundsGEP1_32(block_type, memory, memory_block), phase};
   std::vector<llvm::Type*> types{builder.getPtrTy(), builder.getPtrTy(), builder.getInt32Ty()};
-  arguments.insert(arguments.end(), values.begin(), values.end());
+  for (const ir::ExprId argument : activity.arguments) {
+    arguments.push_back(body.expressions.asNumber(argument));
+  }
   types.resize(arguments.size(), builder.getDoubleTy());
+  body.lowering.debug.locate(builder, activity.range);
   builder
-      .CreateCall(lowering.module.getOrInsertFunction(
-                      lowering.mission[activity.behaviour].symbol,
+      .CreateCall(body.lowering.module.getOrInsertFunction(
+                      body.lowering.mission[activity.behaviour].symbol,
                       llvm::FunctionType::get(builder.getVoidTy(), types, false)),
                   arguments)
       ->setDoesNotThrow();
 }
 
-/// All arguments first, so that the route's are those of the same moment as the profile's.
-llvm::Function* lowerStateFly(Lowering& lowering, uint32_t index) {
-  const ir::State& state = lowering.mission.states[index];
-  llvm::IRBuilder<> builder(lowering.module.getContext());
-  llvm::Function* function =
-      makeFunction(lowering,
-                   llvm::FunctionType::get(builder.getVoidTy(),
-                                           {builder.getPtrTy(), builder.getInt32Ty()}, false),
-                   "fly." + state.name);
-  lowering.debug.describe(*function, state.name + " flies", state.range);
-  builder.SetInsertPoint(&function->getEntryBlock());
-  lowering.debug.locate(builder, state.range);
-  Expressions expressions(lowering, builder, function->getArg(0));
-  const std::vector<llvm::Value*> profile = evaluate(expressions, state.profile);
-  const std::vector<llvm::Value*> route = evaluate(expressions, state.route);
-  callBehaviour(lowering, builder, state.profile, profile, kBlocksAState * index);
-  callBehaviour(lowering, builder, state.route, route, kBlocksAState * index + 1);
-  builder.CreateRetVoid();
-  return function;
-}
-
-}  // namespace
-
 llvm::Function* lowerFly(Lowering& lowering) {
-  std::vector<llvm::Function*> by_state;
+  std::vector<llvm::Function*> functions;  // of each state its profile's, then its route's
   for (uint32_t i = 0; i < lowering.mission.states.size(); ++i) {
-    by_state.push_back(lowerStateFly(lowering, i));
+    const ir::State& state = lowering.mission.states[i];
+    const MissionIndex::Blocks& blocks = lowering.index.memory_blocks[i];
+    functions.push_back(lowerActivity(lowering, state.profile, "profile." + state.name,
+                                      state.name + " profile", blocks.profile));
+    functions.push_back(lowerActivity(lowering, state.route, "route." + state.name,
+                                      state.name + " route", blocks.route));
   }
-  return makeDispatcher(lowering, "fly", by_state);
+  Body body(lowering, "fly", Body::Result::Word, 1);
+  llvm::IRBuilder<>& builder = body.builder;
+  llvm::Value* state = body.contextField(field::GliderContext::state);
+  llvm::Value* which =
+      builder.CreateSub(body.function->getArg(1), builder.getInt32(kGliderListProfile));
+  llvm::Value* number = builder.CreateAdd(builder.CreateShl(state, 1), which);
+  returnResult(body, callFromTable(body, functions, number, {body.context()}));
+  return body.function;
 }
 
 }  // namespace glider::codegen

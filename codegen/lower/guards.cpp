@@ -1,47 +1,51 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "codegen/lower/expressions.h"
-#include "codegen/lower/lowering.h"
+#include "codegen/lower/body.h"
 #include "runtime/abi/glider_abi.h"
 
 namespace glider::codegen {
 namespace {
 
-/// The cases in order. What an earlier guard has worked out serves the later ones, whose blocks it
-/// dominates.
-llvm::Function* lowerStateGuards(Lowering& lowering, const ir::State& state) {
-  llvm::LLVMContext& context = lowering.module.getContext();
-  llvm::IRBuilder<> builder(context);
-  llvm::Function* function = makeFunction(
-      lowering, llvm::FunctionType::get(builder.getInt32Ty(), {builder.getPtrTy()}, false),
-      "guards." + state.name);
-  lowering.debug.describe(*function, state.name + " events", state.range);
-  builder.SetInsertPoint(&function->getEntryBlock());
-  lowering.debug.locate(builder, state.range);
-  Expressions expressions(lowering, builder, function->getArg(0));
-  for (uint32_t i = 0; i < state.cases.size(); ++i) {
-    lowering.debug.locate(builder, state.cases[i].range);
-    auto* fires = llvm::BasicBlock::Create(context, "fires", function);
-    auto* next = llvm::BasicBlock::Create(context, "next", function);
-    builder.CreateCondBr(expressions.isTrue(state.cases[i].guard), fires, next);
+/// The first case from number `from` on whose guard is true. What an earlier guard has worked out
+/// serves the later ones, whose blocks it dominates.
+llvm::Function* lowerList(Lowering& lowering, const std::vector<ir::Case>& cases,
+                          const std::string& name, const std::string& title,
+                          support::SourceRange range) {
+  Body body(lowering, name, Body::Result::Word, 1, title, range);
+  llvm::IRBuilder<>& builder = body.builder;
+  for (uint32_t i = 0; i < cases.size(); ++i) {
+    lowering.debug.locate(builder, cases[i].range);
+    llvm::Value* tried = builder.CreateICmpULE(body.function->getArg(1), builder.getInt32(i));
+    llvm::Value* is_true = body.expressions.isTrue(cases[i].guard);
+    llvm::BasicBlock* fires = body.block("fires");
+    llvm::BasicBlock* next = body.block("next");
+    builder.CreateCondBr(builder.CreateAnd(tried, is_true), fires, next);
     builder.SetInsertPoint(fires);
-    lowering.debug.locate(builder, state.cases[i].range);
+    lowering.debug.locate(builder, cases[i].range);
     builder.CreateRet(builder.getInt32(i));
     builder.SetInsertPoint(next);
   }
   builder.CreateRet(builder.getInt32(GLIDER_NO_CASE));
-  return function;
+  return body.function;
 }
 
 }  // namespace
 
 llvm::Function* lowerGuards(Lowering& lowering) {
-  std::vector<llvm::Function*> by_state;
-  for (const ir::State& state : lowering.mission.states) {
-    by_state.push_back(lowerStateGuards(lowering, state));
-  }
-  return makeDispatcher(lowering, "guards", by_state);
+  const ir::Mission& mission = lowering.mission;
+  const auto functions = forEachState(
+      lowering, [](const ir::State& state) { return state.cases.empty(); },
+      [&](uint32_t i) {
+        const ir::State& state = mission.states[i];
+        return lowerList(lowering, state.cases, "guards." + state.name, state.name + " events",
+                         state.range);
+      });
+  llvm::Function* always = lowerList(lowering, mission.always, "guards.always", "always",
+                                     mission.states.front().range);
+  Body body(lowering, "guards", Body::Result::Word, 2);
+  callListOrState(body, always, functions);
+  return body.function;
 }
 
 }  // namespace glider::codegen

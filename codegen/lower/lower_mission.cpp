@@ -34,10 +34,16 @@ std::unique_ptr<llvm::Module> lowerMission(const ir::Mission& mission,
   module->setDataLayout(machine.createDataLayout());
   setRelocation(*module, machine);
   Lowering lowering{mission, facts, *module, makeAbiTypes(context),
-                    DebugInfo(*module, sources, mission.states.front().range)};
+                    DebugInfo(*module, sources, mission.states.front().range),
+                    indexMission(mission)};
   MissionFunctions functions;
+  functions.begin = lowerBegin(lowering);
+  functions.advance = lowerAdvance(lowering);
   functions.guards = lowerGuards(lowering);
+  functions.act = lowerAct(lowering);
+  functions.enter = lowerEnter(lowering);
   functions.fly = lowerFly(lowering);
+  functions.condition = lowerCondition(lowering);
   functions.log_value = lowerLogValue(lowering);
   lowerTables(lowering, functions);
   lowering.debug.finish();

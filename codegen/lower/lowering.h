@@ -5,11 +5,14 @@
 
 #include "codegen/lower/abi_types.h"
 #include "codegen/lower/debug_info.h"
+#include "codegen/lower/mission_index.h"
 #include "ir/core/mission.h"
 
 #include <llvm/IR/IRBuilder.h>
 #include <llvm/IR/Module.h>
 
+#include <map>
+#include <string>
 #include <vector>
 
 /// What the parts of the lowering share; one file a function family. lower_mission.h is the way in.
@@ -21,29 +24,37 @@ struct Lowering {
   llvm::Module& module;
   AbiTypes types;
   DebugInfo debug;
+  MissionIndex index;
+  std::map<std::string, llvm::Constant*> texts{};  ///< of text()
+  std::vector<llvm::Constant*> window_shapes =
+      std::vector<llvm::Constant*>(mission.temporals.size());  ///< null: not made yet
 };
 
-/// A function of the generated module: internal, does not unwind, strict IEEE.
-llvm::Function* makeFunction(Lowering& lowering, llvm::FunctionType* type, const std::string& name);
-/// A function called `name` that goes on to by_state[current state] with the same arguments; the
-/// context is the first. One function a state keeps the work linear in their number.
-llvm::Function* makeDispatcher(Lowering& lowering, const std::string& name,
-                               const std::vector<llvm::Function*>& by_state);
+/// A constant string; equal ones are one.
+llvm::Constant* text(Lowering& lowering, const std::string& text);
 /// A field of the struct that `base` points to.
 llvm::Value* loadField(llvm::IRBuilder<>& builder, llvm::StructType* type, llvm::Value* base,
                        unsigned index);
 
-/// GliderGuards: the first case of the current state whose guard is true.
+/// The functions that a mission is made of, as runtime/abi/glider_abi.h describes them. Each goes
+/// on to a function of the current state: one a state keeps the work linear in their number.
+llvm::Function* lowerBegin(Lowering& lowering);
+llvm::Function* lowerAdvance(Lowering& lowering);
 llvm::Function* lowerGuards(Lowering& lowering);
-/// GliderFly: the current state's profile and route, their arguments evaluated first.
+llvm::Function* lowerAct(Lowering& lowering);
+llvm::Function* lowerEnter(Lowering& lowering);
 llvm::Function* lowerFly(Lowering& lowering);
-/// GliderLogValue: item of the current state.
+llvm::Function* lowerCondition(Lowering& lowering);
 llvm::Function* lowerLogValue(Lowering& lowering);
 
-/// The three functions that a mission is made of.
 struct MissionFunctions {
+  llvm::Function* begin = nullptr;
+  llvm::Function* advance = nullptr;
   llvm::Function* guards = nullptr;
+  llvm::Function* act = nullptr;
+  llvm::Function* enter = nullptr;
   llvm::Function* fly = nullptr;
+  llvm::Function* condition = nullptr;
   llvm::Function* log_value = nullptr;
 };
 /// The constant `gliderMission` with its tables, and `gliderContextMemory`.

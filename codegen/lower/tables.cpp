@@ -3,11 +3,10 @@
 
 #include "codegen/lower/context_size.h"
 #include "codegen/lower/lowering.h"
+#include "codegen/lower/unit_factors.h"
 #include "runtime/abi/glider_abi.h"
 
 #include <llvm/Support/Alignment.h>
-
-#include <map>
 
 namespace glider::codegen {
 namespace {
@@ -17,10 +16,16 @@ static_assert(static_cast<int>(ir::Transition::Call) == kGliderCall);
 static_assert(static_cast<int>(ir::Transition::Return) == kGliderReturn);
 static_assert(static_cast<int>(ir::Transition::Exit) == kGliderExit);
 static_assert(static_cast<int>(ir::Transition::Stay) == kGliderStay);
+static_assert(static_cast<int>(ir::Transition::Done) == kGliderDone);
 static_assert(static_cast<int>(ir::Encoding::Linear) == kGliderLinear);
 static_assert(static_cast<int>(ir::Encoding::DegreesMinutes) == kGliderDegreesMinutes);
 
-/// Makes the constants; equal names share one string.
+uint64_t bytesOf(const Lowering& lowering) {
+  return contextBytes(lowering.mission, lowering.facts, lowering.index,
+                      lowering.module.getDataLayout(), lowering.types);
+}
+
+/// Makes the constants.
 class Tables {
  public:
   explicit Tables(Lowering& lowering) : lowering_(lowering) {}
@@ -34,32 +39,19 @@ class Tables {
   llvm::Constant* number(double value) {
     return llvm::ConstantFP::get(llvm::Type::getDoubleTy(context()), value);
   }
-  llvm::Constant* text(const std::string& text);
+  llvm::Constant* text(const std::string& text) { return codegen::text(lowering_, text); }
   /// A constant array under `name`; null when it has no elements.
   llvm::Constant* array(llvm::StructType* type, const std::vector<llvm::Constant*>& elements,
                         const std::string& name);
   llvm::Constant* sensors();
   llvm::Constant* states();
-  llvm::Constant* cases(const ir::State& state);
+  llvm::Constant* parameters();
+  llvm::Constant* cases(const std::vector<ir::Case>& cases, const std::string& name);
   llvm::Constant* log(const ir::State& state);
   llvm::LLVMContext& context() { return lowering_.module.getContext(); }
 
   Lowering& lowering_;
-  std::map<std::string, llvm::Constant*> texts_;
 };
-
-llvm::Constant* Tables::text(const std::string& text) {
-  llvm::Constant*& found = texts_[text];
-  if (found == nullptr) {
-    llvm::Constant* bytes = llvm::ConstantDataArray::getString(context(), text);
-    auto* variable = new llvm::GlobalVariable(lowering_.module, bytes->getType(), true,
-                                              llvm::GlobalValue::PrivateLinkage, bytes, "text");
-    variable->setUnnamedAddr(llvm::GlobalValue::UnnamedAddr::Global);
-    variable->setAlignment(llvm::Align(1));
-    found = variable;
-  }
-  return found;
-}
 
 llvm::Constant* Tables::array(llvm::StructType* type, const std::vector<llvm::Constant*>& elements,
                               const std::string& name) {
@@ -86,14 +78,30 @@ llvm::Constant* Tables::sensors() {
   return array(lowering_.types.GliderSensorInfo, rows, "sensors");
 }
 
-llvm::Constant* Tables::cases(const ir::State& state) {
+llvm::Constant* Tables::parameters() {
   std::vector<llvm::Constant*> rows;
-  for (const ir::Case& item : state.cases) {
+  for (uint32_t i = 0; i < lowering_.index.parameter_count; ++i) {
+    const ir::Variable& parameter = lowering_.mission.variables[i];
+    const ir::Expr& initial = lowering_.mission[parameter.initial];
+    const double value = initial.op == ir::Op::Constant ? initial.number
+                         : initial.op == ir::Op::True   ? 1.0
+                                                        : 0.0;
+    rows.push_back(llvm::ConstantStruct::get(
+        lowering_.types.GliderParameterInfo,
+        {text(parameter.name), number(value), number(parameter.lowest), number(parameter.highest),
+         text(unitFactors(parameter.type))}));
+  }
+  return array(lowering_.types.GliderParameterInfo, rows, "parameters");
+}
+
+llvm::Constant* Tables::cases(const std::vector<ir::Case>& cases, const std::string& name) {
+  std::vector<llvm::Constant*> rows;
+  for (const ir::Case& item : cases) {
     rows.push_back(llvm::ConstantStruct::get(lowering_.types.GliderCaseInfo,
                                              {word(static_cast<size_t>(item.transition)),
                                               word(item.target.valid() ? item.target.index : 0)}));
   }
-  return array(lowering_.types.GliderCaseInfo, rows, "cases." + state.name);
+  return array(lowering_.types.GliderCaseInfo, rows, "cases." + name);
 }
 
 llvm::Constant* Tables::log(const ir::State& state) {
@@ -109,7 +117,8 @@ llvm::Constant* Tables::states() {
   std::vector<llvm::Constant*> rows;
   for (const ir::State& state : lowering_.mission.states) {
     rows.push_back(llvm::ConstantStruct::get(lowering_.types.GliderStateInfo,
-                                             {text(state.name), cases(state), log(state),
+                                             {text(state.name), cases(state.cases, state.name),
+                                              log(state),
                                               word(state.cases.size()), word(state.log.size())}));
   }
   return array(lowering_.types.GliderStateInfo, rows, "states");
@@ -117,13 +126,15 @@ llvm::Constant* Tables::states() {
 
 llvm::Constant* Tables::mission(const MissionFunctions& functions) {
   const ir::Mission& mission = lowering_.mission;
-  const uint64_t bytes =
-      contextBytes(mission, lowering_.facts, lowering_.module.getDataLayout(), lowering_.types);
+  const MissionIndex& index = lowering_.index;
   return llvm::ConstantStruct::get(
       lowering_.types.GliderMission,
       {word(GLIDER_ABI_VERSION), word(mission.states.size()), word(mission.sensors.size()),
-       word(lowering_.facts.stack_depth), word(memoryCount(mission)), word(bytes),
-       text(mission.name), states(), sensors(), functions.guards, functions.fly,
+       word(lowering_.facts.stack_depth), word(index.memory_count), word(mission.variables.size()),
+       word(index.slot_count), word(index.parameter_count), word(mission.always.size()),
+       word(bytesOf(lowering_)), text(mission.name), states(), sensors(),
+       cases(mission.always, "always"), parameters(), functions.begin, functions.advance,
+       functions.guards, functions.act, functions.enter, functions.fly, functions.condition,
        functions.log_value});
 }
 
@@ -136,7 +147,7 @@ void lowerTables(Lowering& lowering, const MissionFunctions& functions) {
                            "gliderMission");
   auto* memory_type = llvm::ArrayType::get(
       llvm::Type::getInt8Ty(module.getContext()),
-      contextBytes(lowering.mission, lowering.facts, module.getDataLayout(), lowering.types));
+      bytesOf(lowering));
   auto* memory = new llvm::GlobalVariable(
       module, memory_type, false, llvm::GlobalValue::ExternalLinkage,
       llvm::ConstantAggregateZero::get(memory_type), "gliderContextMemory");

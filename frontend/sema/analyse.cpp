@@ -26,6 +26,7 @@ std::optional<ir::Mission> analyse(const ast::File& mission, const AnalysisInput
   scope.mission.platform = inputs.platform.name;
   checkHead(mission, scope);
   for (const ast::File* library : inputs.library) {
+    checkImported(*library, scope);
     declare(*library, true, scope);
   }
   declare(mission, false, scope);

@@ -18,7 +18,7 @@ namespace {
 
 class Declarations {
  public:
-  Declarations(bool library, Scope& scope) : library_(library), scope_(scope) {}
+  explicit Declarations(Scope& scope) : scope_(scope) {}
 
   /// Enters the names of constants, so that one used too early is known as such.
   void enterConstant(const ast::Const& node) {
@@ -35,22 +35,22 @@ class Declarations {
     if (place == scope_.constants.end() || place->second.name != &node.name) {
       return;  // refused
     }
-    const auto type = node.type ? scope_.declaredType(*node.type) : std::nullopt;
-    if (!node.type || type) {
-      work(node, type, place->second);
+    if (isPath(node.value, scope_) || (node.type && node.type->text == "path")) {
+      workPath(node, place->second);
+    } else {
+      const auto type = node.type ? scope_.declaredType(*node.type) : std::nullopt;
+      if (!node.type || type) {
+        work(node, type, place->second);
+      }
     }
     place->second.worked_out = true;
   }
 
   void enterParameter(const ast::Param& node) {
-    if (inMission(node.where, "`param`")) {
-      enterName(node.name, NamedKind::Parameter, scope_.names, scope_);
-    }
+    enterName(node.name, NamedKind::Parameter, scope_.names, scope_);
   }
   void enterVariable(const ast::Var& node) {
-    if (inMission(node.where, "`var`")) {
-      enterName(node.name, NamedKind::MissionVariable, scope_.names, scope_);
-    }
+    enterName(node.name, NamedKind::MissionVariable, scope_.names, scope_);
   }
 
   void visit(const ast::Param&) {}
@@ -63,8 +63,8 @@ class Declarations {
     scope_.notYet(node.where, "`extern function`");
     scope_.later_functions.emplace(node.name.text, &node.name);
   }
-  void visit(const ast::Always& node) { inMission(node.where, "`always`"); }
-  void visit(const ast::Import& node) { scope_.notYet(node.where, "`import`"); }
+  void visit(const ast::Always&) {}
+  void visit(const ast::Import&) {}
   void visit(const ast::Requirement& node) { scope_.notYet(node.where, "`require`"); }
 
   void visit(const ast::Behaviour& node) {
@@ -92,19 +92,11 @@ class Declarations {
     enter(node.name, node.kind, std::move(declaration));
   }
 
-  void visit(const ast::State& node) { inMission(node.name.where, "a state"); }
+  void visit(const ast::State&) {}
   void visit(const ast::MissionLine&) {}
   void visit(const ast::PlatformLine&) {}
 
  private:
-  /// False, and reported, in a library.
-  bool inMission(const support::SourceRange& where, std::string_view what) {
-    if (library_) {
-      scope_.report(DiagnosticId::notInLibrary, where, what);
-    }
-    return !library_;
-  }
-
   /// Lowers the definition to IR, works its value out and takes the IR back.
   void work(const ast::Const& node, const std::optional<DeclaredType>& type, Constant& constant) {
     Context context;
@@ -118,6 +110,21 @@ class Declarations {
       settleConstant(node, *value, constant);
     }
     scope_.mission.exprs.resize(before);
+  }
+
+  void workPath(const ast::Const& node, Constant& constant) {
+    if (node.type && node.type->text != "path") {
+      if (const auto type = scope_.declaredType(*node.type)) {
+        scope_.report(DiagnosticId::wrongType, node.value.where, "`" + node.name.text + "`",
+                      describe(*type), scope_.text(node.value.where), "a path");
+      }
+      return;
+    }
+    ExprLowering lowering(scope_);
+    if (auto path = lowering.lowerPath(node.value)) {
+      constant.path = std::move(*path);
+      constant.valid = true;
+    }
   }
 
   void settleConstant(const ast::Const& node, const Value& value, Constant& constant) {
@@ -164,25 +171,30 @@ class Declarations {
     }
   }
 
-  bool library_;
   Scope& scope_;
 };
 
 }  // namespace
 
 void declare(const ast::File& file, bool library, Scope& scope) {
-  Declarations declarations(library, scope);
+  Declarations declarations(scope);
+  std::vector<const ast::Item*> items;
   for (const ast::Item& item : file.items) {
-    if (const auto* constant = std::get_if<ast::Const>(&item)) {
+    if (!library || mayBeImported(item)) {
+      items.push_back(&item);
+    }
+  }
+  for (const ast::Item* item : items) {
+    if (const auto* constant = std::get_if<ast::Const>(item)) {
       declarations.enterConstant(*constant);
-    } else if (const auto* parameter = std::get_if<ast::Param>(&item)) {
+    } else if (const auto* parameter = std::get_if<ast::Param>(item)) {
       declarations.enterParameter(*parameter);
-    } else if (const auto* variable = std::get_if<ast::Var>(&item)) {
+    } else if (const auto* variable = std::get_if<ast::Var>(item)) {
       declarations.enterVariable(*variable);
     }
   }
-  for (const ast::Item& item : file.items) {
-    std::visit([&](const auto& node) { declarations.visit(node); }, item);
+  for (const ast::Item* item : items) {
+    std::visit([&](const auto& node) { declarations.visit(node); }, *item);
   }
 }
 

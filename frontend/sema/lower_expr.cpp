@@ -79,16 +79,4 @@ ExprLowering::Result ExprLowering::visit(const ast::Truth& node, const ast::Expr
   return emit(node.value ? ir::Op::True : ir::Op::False, boolean(), expr.where, {});
 }
 
-ExprLowering::Result ExprLowering::visit(const ast::List&, const ast::Expr& expr,
-                                         std::optional<ir::Type>) {
-  scope_.notYet(expr.where, "a list of positions");
-  return std::nullopt;
-}
-
-ExprLowering::Result ExprLowering::visit(const ast::Index&, const ast::Expr& expr,
-                                         std::optional<ir::Type>) {
-  scope_.notYet(expr.where, "picking from a list with `[`");
-  return std::nullopt;
-}
-
 }  // namespace glider::frontend

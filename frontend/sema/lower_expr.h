@@ -42,6 +42,8 @@ class ExprLowering {
   /// As lowerAs, for a position too.
   std::optional<Value> lowerDeclared(const ast::Expr& expr, const DeclaredType& want,
                                      const std::string& what);
+  /// A list of positions, or the name of one; refuses what is none.
+  std::optional<Path> lowerPath(const ast::Expr& expr);
   /// A guard or an operand of `&&`.
   std::optional<ir::ExprId> lowerCondition(const ast::Expr& expr);
 
@@ -105,6 +107,23 @@ class ExprLowering {
   // Over time (lower_temporal.cpp).
   Result overTime(ir::TemporalKind kind, const ast::Invocation& node, const ast::Expr& expr);
 
+  // Places (lower_earth.cpp, lower_inside.cpp).
+  Result onEarth(const ast::Invocation& node, const ast::Expr& expr);
+  Result betweenPlaces(ir::Op op, const ast::Invocation& node, const ast::Expr& expr);
+  /// Where the vehicle is: the platform's `lat` and `lon`.
+  Result here(const support::SourceRange& range);
+  /// The arguments as positions, one or two arguments each; a path gives all of its own.
+  std::optional<std::vector<Value>> places(const ast::Invocation& node);
+  Result inside(const std::vector<Value>& corners, const support::SourceRange& range);
+  friend class InsideLowering;
+
+  // Paths (lower_path.cpp).
+  Result countOfPath(const ast::Invocation& node, const ast::Expr& expr);
+  Result chosen(const Path& path, const Value& index, const support::SourceRange& range);
+  Value emitPlace(const Place& place, const support::SourceRange& range);
+  void refusePath(const ast::Expr& expr);
+  std::optional<Place> constantPlace(const ast::Expr& expr);
+
   // Names (lower_name.cpp).
   Result variable(Named& named, const support::SourceRange& range);
   Result sensor(const platforms::PlatformSensor& sensor, const std::string& written,
@@ -127,6 +146,9 @@ bool isFunctionName(std::string_view name);
 
 /// Whether an expression is plainly a position: a literal, or the name of one.
 bool isPosition(const ast::Expr& expr, Scope& scope);
+
+/// Whether an expression is plainly a path: a list, or the name of one.
+bool isPath(const ast::Expr& expr, const Scope& scope);
 
 /// Whether an expression is a bare number, or bare numbers added up: it has no unit of its own.
 bool takesUnitOfContext(const ast::Expr& expr);

@@ -24,17 +24,31 @@ struct Function {
 
 constexpr Function kFunctions[] = {
 #define FUNCTION(name, op, fewest, most) {#name, ir::Op::op, fewest, most},
+#define EARTH_FUNCTION(name)
 #define LATER_FUNCTION(name)
 #include "frontend/sema/functions.def"
 #undef LATER_FUNCTION
+#undef EARTH_FUNCTION
+#undef FUNCTION
+};
+
+constexpr std::string_view kEarth[] = {
+#define FUNCTION(name, op, fewest, most)
+#define EARTH_FUNCTION(name) #name,
+#define LATER_FUNCTION(name)
+#include "frontend/sema/functions.def"
+#undef LATER_FUNCTION
+#undef EARTH_FUNCTION
 #undef FUNCTION
 };
 
 constexpr std::string_view kLater[] = {
 #define FUNCTION(name, op, fewest, most)
+#define EARTH_FUNCTION(name)
 #define LATER_FUNCTION(name) #name,
 #include "frontend/sema/functions.def"
 #undef LATER_FUNCTION
+#undef EARTH_FUNCTION
 #undef FUNCTION
 };
 
@@ -43,9 +57,13 @@ std::string suggestFunction(std::string_view wrong) {
   for (const Function& function : kFunctions) {
     names.push_back(function.name);
   }
+  names.insert(names.end(), std::begin(kEarth), std::end(kEarth));
   names.insert(names.end(), std::begin(kLater), std::end(kLater));
   names.insert(names.end(), {"became", "held"});
-  return didYouMean(wrong, names, "functions: abs min max clamp sqrt known age became held");
+  return didYouMean(
+      wrong, names,
+      "functions: abs min max clamp sqrt sin cos tan atan2 known age became held distance "
+      "bearing inside count");
 }
 
 std::string countOf(size_t n) {
@@ -57,6 +75,7 @@ std::string countOf(size_t n) {
 bool isFunctionName(std::string_view name) {
   return name == "became" || name == "held" ||
          std::ranges::find(kFunctions, name, &Function::name) != std::end(kFunctions) ||
+         std::ranges::find(kEarth, name) != std::end(kEarth) ||
          std::ranges::find(kLater, name) != std::end(kLater);
 }
 
@@ -72,6 +91,9 @@ ExprLowering::Result ExprLowering::visit(const ast::Invocation& node, const ast:
     return stretched(node)
                ? std::nullopt
                : overTime(held ? ir::TemporalKind::Held : ir::TemporalKind::Became, node, expr);
+  }
+  if (std::ranges::find(kEarth, name) != std::end(kEarth)) {
+    return stretched(node) ? std::nullopt : onEarth(node, expr);
   }
   const auto* function = std::ranges::find(kFunctions, std::string_view(name), &Function::name);
   if (function == std::end(kFunctions)) {
@@ -131,7 +153,17 @@ ExprLowering::Result ExprLowering::callOne(ir::Op op, const ast::Invocation& nod
                                            const ast::Expr& expr, std::optional<ir::Type> want) {
   const ast::Expr& argument = *node.arguments.front().value;
   const bool keeps = op == ir::Op::Abs;
+  if (op == ir::Op::Sin || op == ir::Op::Cos || op == ir::Op::Tan) {
+    const auto angle = lowerAs(argument, quantity(support::dimension::angle),
+                               "what `" + node.function.text + "` takes");
+    return angle ? Result(emit(op, plainNumber(), expr.where, {*angle})) : std::nullopt;
+  }
   const Result value = lower(argument, keeps ? want : std::nullopt);
+  if (op == ir::Op::Known && value && value->longitude.valid()) {
+    const ir::ExprId north = emit(op, boolean(), expr.where, {value->id}).id;
+    const ir::ExprId east = emit(op, boolean(), expr.where, {value->longitude}).id;
+    return emit(ir::Op::And, boolean(), expr.where, {north, east});
+  }
   if (!value || !numeric(*value, argument, node.function.text, op == ir::Op::Known)) {
     return std::nullopt;
   }
@@ -150,7 +182,8 @@ ExprLowering::Result ExprLowering::callOne(ir::Op op, const ast::Invocation& nod
   return emit(op, quantity(*root), expr.where, {value->id});
 }
 
-/// min, max and clamp: all arguments of one kind, and bare numbers take the unit of the others.
+/// min, max, clamp and atan2: all arguments of one kind, and bare numbers take the unit of the
+/// others.
 ExprLowering::Result ExprLowering::callMany(ir::Op op, const ast::Invocation& node,
                                             const ast::Expr& expr, std::optional<ir::Type> want) {
   const auto leads = [](const ast::Argument& argument) {
@@ -160,8 +193,9 @@ ExprLowering::Result ExprLowering::callMany(ir::Op op, const ast::Invocation& no
   const size_t first =
       leader == node.arguments.end() ? 0 : static_cast<size_t>(leader - node.arguments.begin());
   const ast::Expr& model = *node.arguments[first].value;
-  const Result led = lower(model, want);
-  if (!led || !numeric(*led, model, node.function.text, true)) {
+  const bool angle = op == ir::Op::Atan2;
+  const Result led = lower(model, angle ? std::nullopt : want);
+  if (!led || !numeric(*led, model, node.function.text, !angle)) {
     return std::nullopt;
   }
   std::array<ir::ExprId, 4> operands;
@@ -184,7 +218,8 @@ ExprLowering::Result ExprLowering::callMany(ir::Op op, const ast::Invocation& no
   if (!good) {
     return std::nullopt;
   }
-  const Value result = emit(op, led->type, expr.where, {});
+  const ir::Type type = angle ? quantity(support::dimension::angle) : led->type;
+  const Value result = emit(op, type, expr.where, {});
   scope_.mission.exprs[result.id.index].operands = operands;
   return result;
 }

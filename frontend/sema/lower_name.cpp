@@ -10,7 +10,8 @@ namespace glider::frontend {
 using support::DiagnosticId;
 
 bool isPosition(const ast::Expr& expr, Scope& scope) {
-  if (std::holds_alternative<ast::Position>(expr.node)) {
+  if (std::holds_alternative<ast::Position>(expr.node) ||
+      std::holds_alternative<ast::Index>(expr.node)) {
     return true;
   }
   const auto* use = std::get_if<ast::NameUse>(&expr.node);
@@ -33,6 +34,10 @@ ExprLowering::Result ExprLowering::visit(const ast::NameUse& node, const ast::Ex
     if (!found->worked_out) {
       scope_.report(DiagnosticId::usedBeforeDefined, expr.where, node.name)
           .note(found->name->where, "it is defined here");
+      return std::nullopt;
+    }
+    if (!found->path.empty()) {
+      refusePath(expr);
       return std::nullopt;
     }
     return constant(*found, expr.where);

@@ -5,6 +5,7 @@
 
 #include "frontend/frontend.h"
 #include "frontend/sema/names.h"
+#include "frontend/sema/paths.h"
 #include "frontend/sema/types.h"
 
 #include <map>
@@ -24,6 +25,7 @@ struct Constant {
   bool position = false;  ///< `number` is the latitude, `second` the longitude
   double number = 0;      ///< SI units or degrees; 1 and 0 for true and false
   double second = 0;
+  Path path;                ///< not empty: a path, and nothing else
   bool worked_out = false;  ///< its definition was reached
   bool valid = false;       ///< worked out, and right; what was wrong was said
 };

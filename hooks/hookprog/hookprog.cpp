@@ -91,11 +91,14 @@ void Hookprog::handle(const Frame& frame) {
   Subscribe subscribe;
   TransitionNotice notice;
   Done done;
+  MissionNote note;
   SensorList list;
   if (decode(frame, subscribe)) {
     subscribed_ = subscribe;
   } else if (decode(frame, notice)) {
     handleTransition(notice);
+  } else if (decode(frame, note)) {
+    handleNote(note);
   } else if (decode(frame, done)) {
     handleDone(done);
   } else if (frame.type == MessageType::Write && decodeList(frame, list)) {
@@ -169,6 +172,21 @@ void Hookprog::handleTransition(const TransitionNotice& notice) {
   told.b = notice.from;
   told.c = notice.to;
   told.d = notice.fired_case;
+  told.e = notice.list;
+  push(told);
+}
+
+void Hookprog::handleNote(const MissionNote& note) {
+  if (event_count_ >= kMostEvents - kRoomBesideNotes) {
+    return;
+  }
+  HookprogEvent told;
+  told.kind = Kind::SbcNote;
+  told.mission_time_s = note.mission_time_s;
+  told.a = note.kind;
+  for (uint32_t i = 0; i < kMostNoteBytes; ++i) {
+    told.text[i] = note.text[i];
+  }
   push(told);
 }
 
@@ -280,7 +298,10 @@ void Hookprog::send(Frame& frame) {
 }
 
 void Hookprog::loseSbc() {
-  event(Kind::SbcLost, link_);
+  constexpr uint8_t kFinished = 2;
+  if (view_.phase != kFinished) {  // who has done its work may go without an alarm
+    event(Kind::SbcLost, link_);
+  }
   link_ = 0;
   waiting_ = false;
   view_ = SbcView{};

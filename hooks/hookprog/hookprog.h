@@ -35,8 +35,10 @@ struct HookprogEvent {
   enum class Kind : uint8_t {
     None,
     SbcHello,       ///< a link: a = its number; text = the mission's name
-    SbcLost,        ///< no answer for 12 s, or the line is closed: a = the link's number
-    SbcTransition,  ///< a transition, b from, c to, d fired case
+    SbcLost,        ///< no answer for 12 s, or the line is closed, before its mission has finished:
+                    ///< a = the link's number
+    SbcTransition,  ///< a transition, b from, c to, d fired case, e its list
+    SbcNote,        ///< a word from the mission: a = its kind (GliderNoteKind); text
     BadFrame,       ///< a = frames thrown away on both lines since the last such event
     SbcRefused,  ///< speaks another protocol (a = its version) or has another sensor dictionary (b
                  ///< = its hash)
@@ -44,9 +46,10 @@ struct HookprogEvent {
                    ///< frame was written
   } kind = Kind::None;
   double mission_time_s =
-      0;  ///< SbcTransition: the mission's own; else m_present_secs_into_mission
-  uint32_t a = 0, b = 0, c = 0, d = 0;
-  char text[48] = {};
+      0;  ///< SbcTransition, SbcNote: the mission's own; else m_present_secs_into_mission
+  uint32_t a = 0, b = 0, c = 0, d = 0, e = 0;
+  char text[kMostNoteBytes + 1] = {};
+  static_assert(kMostNameBytes <= kMostNoteBytes);
 };
 
 class Hookprog {
@@ -73,6 +76,8 @@ class Hookprog {
 
  private:
   static constexpr uint32_t kMostEvents = 32;
+  /// Notes leave this much room for what matters more.
+  static constexpr uint32_t kRoomBesideNotes = 16;
 
   void takeFlight(const GliderByteStream& flight);
   void takeUpdate(const SensorUpdate& update);
@@ -81,6 +86,7 @@ class Hookprog {
   void handleHello(const Hello& hello);
   void handleWrite(const SensorList& list);
   void handleTransition(const TransitionNotice& notice);
+  void handleNote(const MissionNote& note);
   void handleDone(const Done& done);
   void sendCycle(const ScienceSensors& own);
   void sendBeacon();

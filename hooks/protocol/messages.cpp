@@ -12,6 +12,8 @@ namespace {
 constexpr uint8_t kFlagMore = 1;
 constexpr uint8_t kFlagContinues = 2;
 constexpr uint8_t kFlagVirtualTime = 4;
+constexpr uint8_t kMostList = 3;      // of a transition
+constexpr uint8_t kMostNoteKind = 1;
 constexpr uint32_t kTickCountAt = 27;  // where the number of readings stands in a Tick
 
 ByteWriter start(Frame& frame, MessageType type) {
@@ -26,6 +28,31 @@ void finish(Frame& frame, const ByteWriter& writer) {
 
 ByteReader reader(const Frame& frame) {
   return {frame.payload, frame.size};
+}
+
+/// Its length, then the text, at most `most` bytes of it.
+void writeText(ByteWriter& out, const char* text, uint32_t most) {
+  uint32_t length = 0;
+  while (length < most && text[length] != 0) {
+    ++length;
+  }
+  out.u8(static_cast<uint8_t>(length));
+  for (uint32_t i = 0; i < length; ++i) {
+    out.u8(static_cast<uint8_t>(text[i]));
+  }
+}
+
+/// The text that ends the frame, into `text`, which has room for `most` bytes and a zero.
+bool readText(ByteReader& in, char* text, uint32_t most) {
+  const uint8_t length = in.u8();
+  if (length > most) {
+    return false;
+  }
+  for (uint32_t i = 0; i < length; ++i) {
+    text[i] = static_cast<char>(in.u8());
+  }
+  text[length] = 0;
+  return in.exact();
 }
 
 bool isHookState(uint8_t value) {
@@ -124,14 +151,15 @@ void encode(const Hello& hello, Frame& frame) {
   out.u8(hello.version);
   out.u32(hello.dictionary);
   out.u32(hello.link);
-  uint32_t length = 0;
-  while (length < kMostNameBytes && hello.mission_name[length] != 0) {
-    ++length;
-  }
-  out.u8(static_cast<uint8_t>(length));
-  for (uint32_t i = 0; i < length; ++i) {
-    out.u8(static_cast<uint8_t>(hello.mission_name[i]));
-  }
+  writeText(out, hello.mission_name, kMostNameBytes);
+  finish(frame, out);
+}
+
+void encode(const MissionNote& note, Frame& frame) {
+  ByteWriter out = start(frame, MessageType::Note);
+  out.f64(note.mission_time_s);
+  out.u8(note.kind);
+  writeText(out, note.text, kMostNoteBytes);
   finish(frame, out);
 }
 
@@ -150,6 +178,7 @@ void encode(const TransitionNotice& notice, Frame& frame) {
   ByteWriter out = start(frame, MessageType::Transition);
   out.f64(notice.mission_time_s);
   out.u8(notice.transition);
+  out.u8(notice.list);
   out.u32(notice.from);
   out.u32(notice.to);
   out.u32(notice.fired_case);
@@ -249,15 +278,8 @@ bool decode(const Frame& frame, Hello& hello) {
   }
   hello.dictionary = in.u32();
   hello.link = in.u32();
-  const uint8_t length = in.u8();
-  if (length > kMostNameBytes || hello.link == 0 || hello.link > kMostSession) {
-    return false;
-  }
-  for (uint32_t i = 0; i < length; ++i) {
-    hello.mission_name[i] = static_cast<char>(in.u8());
-  }
-  hello.mission_name[length] = 0;
-  return in.exact();
+  return hello.link != 0 && hello.link <= kMostSession &&
+         readText(in, hello.mission_name, kMostNameBytes);
 }
 
 bool decode(const Frame& frame, Subscribe& subscribe) {
@@ -279,10 +301,20 @@ bool decode(const Frame& frame, TransitionNotice& notice) {
   ByteReader in = reader(frame);
   notice.mission_time_s = in.f64();
   notice.transition = in.u8();
+  notice.list = in.u8();
   notice.from = in.u32();
   notice.to = in.u32();
   notice.fired_case = in.u32();
-  return frame.type == MessageType::Transition && in.exact() && isFinite(notice.mission_time_s);
+  return frame.type == MessageType::Transition && in.exact() && notice.list <= kMostList &&
+         isFinite(notice.mission_time_s);
+}
+
+bool decode(const Frame& frame, MissionNote& note) {
+  ByteReader in = reader(frame);
+  note.mission_time_s = in.f64();
+  note.kind = in.u8();
+  return frame.type == MessageType::Note && isFinite(note.mission_time_s) &&
+         note.kind <= kMostNoteKind && readText(in, note.text, kMostNoteBytes);
 }
 
 bool decode(const Frame& frame, Done& done) {

@@ -15,9 +15,10 @@
 /// ours writes.
 namespace glider::hooks {
 
-inline constexpr uint8_t kProtocolVersion = 1;
+inline constexpr uint8_t kProtocolVersion = 2;
 inline constexpr uint32_t kMostSubscriptions = 64;
 inline constexpr uint32_t kMostNameBytes = 47;
+inline constexpr uint32_t kMostNoteBytes = 60;
 inline constexpr uint32_t kMostSession = 16777215;  ///< exact in a float32 sensor
 /// More readings than any frame can hold (1-byte sensors, shortest header).
 inline constexpr uint32_t kMostListed = kMostPayload / 3;
@@ -69,9 +70,17 @@ struct Subscribe {
 struct TransitionNotice {
   double mission_time_s = 0;
   uint8_t transition = 0;  ///< GliderTransition
+  uint8_t list = 1;        ///< GliderList: whose case made it
   uint32_t from = 0;
   uint32_t to = 0;
-  uint32_t fired_case = 0;  ///< of state `from`
+  uint32_t fired_case = 0;  ///< of `always`, or of state `from`
+};
+
+/// A word from the mission, for people: a `log` statement, a value that was unknown.
+struct MissionNote {
+  double mission_time_s = 0;
+  uint8_t kind = 0;  ///< GliderNoteKind
+  char text[kMostNoteBytes + 1] = {};
 };
 
 /// What the heartbeat says of the mission.
@@ -103,6 +112,7 @@ void encode(const Hello& hello, Frame& frame);
 void encode(const Subscribe& subscribe, Frame& frame);
 void encode(const TransitionNotice& notice, Frame& frame);
 void encode(const Done& done, Frame& frame);
+void encode(const MissionNote& note, Frame& frame);
 /// An empty Write or Sensors frame: append to it with appendValue.
 void encodeEmptyList(MessageType type, Frame& frame);
 /// Appends one reading to a Tick, Write or Sensors frame, in the sensor's width. False, with
@@ -118,6 +128,7 @@ void markMore(Frame& tick);
 [[nodiscard]] bool decode(const Frame& frame, Subscribe& subscribe);
 [[nodiscard]] bool decode(const Frame& frame, TransitionNotice& notice);
 [[nodiscard]] bool decode(const Frame& frame, Done& done);
+[[nodiscard]] bool decode(const Frame& frame, MissionNote& note);
 /// Of a Write or a Sensors frame.
 [[nodiscard]] bool decodeList(const Frame& frame, SensorList& list);
 

@@ -45,6 +45,7 @@ class SendQueue {
     return true;
   }
 
+  [[nodiscard]] uint32_t room() const { return kCapacity - end_; }
   [[nodiscard]] bool empty() const { return next_ == end_; }
 
  private:

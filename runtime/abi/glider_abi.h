@@ -17,6 +17,7 @@ extern "C" {
 #define GLIDER_NO_CASE UINT32_MAX
 #define GLIDER_NO_LIST UINT32_MAX
 #define GLIDER_NO_LIMIT UINT32_MAX
+#define GLIDER_MOST_PARAMETERS 64u
 #define GLIDER_MOST_NOTES 16u
 #define GLIDER_MOST_NOTE_VALUES 64u
 /* What a behaviour may keep from tick to tick in each state that uses it. */

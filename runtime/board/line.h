@@ -14,8 +14,9 @@ namespace glider::runtime {
 inline constexpr int kDone = 0;
 inline constexpr int kWrongUse = 1;
 inline constexpr int kNoLink = 2;
+inline constexpr int kBadParameters = 2;
 
-/// Answers --help, --version and what is neither; returns the exit status.
+/// Answers --help (but for the parameters), --version and what is neither; returns the exit status.
 int tellWish(const Options& options, const char* mission_name);
 
 /// Opens the line that the options name; says on standard error why it cannot.

@@ -8,6 +8,7 @@
 #include "runtime/board/arithmetic.h"
 #include "runtime/board/files.h"
 #include "runtime/board/line.h"
+#include "runtime/board/parameters.h"
 #include "runtime/core/runtime.h"
 
 #include <signal.h>
@@ -35,12 +36,16 @@ int fly(GliderRuntime* runtime, const OpenPort& line) {
 }
 
 int run(const Options& options) {
+  static Launch launch(gliderMission);
+  if (!setParameters(options, launch)) {
+    return kBadParameters;
+  }
   const OpenPort line = openLine(options);
   if (line.problem != nullptr) {
     return kNoLink;
   }
   alignas(GliderRuntime) static uint8_t memory[sizeof(GliderRuntime)];
-  const GliderRuntimeOptions runtime_options{openLogOf(options)};
+  const GliderRuntimeOptions runtime_options{openLogOf(options), launch.values()};
   GliderRuntime* runtime =
       gliderRuntimeInit(memory, gliderContextMemory, &gliderMission, &runtime_options);
   if (runtime == nullptr) {
@@ -58,5 +63,12 @@ int main(int argc, char** argv) {
   useDoublePrecision();
   signal(SIGPIPE, SIG_IGN);
   const Options options = readOptions(argc, argv);
-  return options.wish == Options::Wish::Fly ? run(options) : tellWish(options, gliderMission.name);
+  if (options.wish == Options::Wish::Fly) {
+    return run(options);
+  }
+  const int status = tellWish(options, gliderMission.name);
+  if (options.wish == Options::Wish::Help) {
+    tellParameters(gliderMission);
+  }
+  return status;
 }

@@ -34,6 +34,14 @@ bool withValue(const char* argument, const char* value, Options& options) {
     options.log = value;
     return true;
   }
+  if (is(argument, "--parameters")) {
+    options.parameters = value;
+    return true;
+  }
+  if (is(argument, "--set") && options.setting_count < Options::kMostSettings) {
+    options.settings[options.setting_count++] = value;
+    return true;
+  }
   return is(argument, "--baud") && readBaud(value, options.baud);
 }
 

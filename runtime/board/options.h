@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include "runtime/abi/glider_abi.h"
+
 #include <stdint.h>
 
 /// The command line of a mission's program.
@@ -16,6 +18,10 @@ struct Options {
   uint32_t baud = 115200;
   bool stdio = false;         ///< the protocol runs over standard input and output
   const char* log = nullptr;  ///< null: no log
+  const char* parameters = nullptr;  ///< a file of parameters; null: none
+  static constexpr uint32_t kMostSettings = GLIDER_MOST_PARAMETERS;
+  const char* settings[kMostSettings] = {};  ///< of --set, in order
+  uint32_t setting_count = 0;
 };
 
 Options readOptions(int argc, char** argv);

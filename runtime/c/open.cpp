@@ -31,6 +31,10 @@ extern "C" int gliderOpen(int argc, char** argv, const char* mission_name) {
   if (options.wish != Options::Wish::Fly) {
     return tellWish(options, mission_name);
   }
+  if (options.setting_count > 0 || options.parameters != nullptr) {
+    tell("error: a mission in C has no parameters");
+    return kBadParameters;
+  }
   const OpenPort line = openLine(options);
   if (line.problem != nullptr) {
     return kNoLink;

@@ -144,7 +144,7 @@ void Program::start(double vehicle_time, double sbc_time) {
   clock_.start(vehicle_time, sbc_time);
   context_ = gliderStart(&memory_, &mission_, updates_, client_->tick().reading_count);
   keepCommands(before, *context_);
-  log_->begin(mission_);
+  log_->begin(*context_);
   started_ = true;
 }
 

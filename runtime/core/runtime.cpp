@@ -52,14 +52,39 @@ const char* nameOf(ControlNews::Kind kind) {
   }
 }
 
+/// The text of a note with its values after it, as much as a notice holds.
+void writeNote(const GliderContext& context, const GliderNote& note, char* out) {
+  glider::runtime::Text text(out, glider::hooks::kMostNoteBytes);
+  text.put(note.text);
+  for (uint32_t i = 0; i < note.count; ++i) {
+    const double value = context.note_values[note.first + i];
+    text.put(' ');
+    value == value ? text.put(value) : text.put("unknown");
+  }
+}
+
+/// True if each list that the mission counts is there.
+bool hasTables(const GliderMission& mission) {
+  return mission.states != nullptr && (mission.sensors != nullptr || mission.sensor_count == 0) &&
+         (mission.always != nullptr || mission.always_count == 0) &&
+         (mission.parameters != nullptr || mission.parameter_count == 0);
+}
+
+bool hasCode(const GliderMission& mission) {
+  return mission.begin != nullptr && mission.advance != nullptr && mission.guards != nullptr &&
+         mission.act != nullptr && mission.enter != nullptr && mission.fly != nullptr &&
+         mission.condition != nullptr && mission.log_value != nullptr;
+}
+
 }  // namespace
 
 GliderRuntime::GliderRuntime(void* context_memory, const GliderMission& mission,
-                             const GliderLogSink& log)
+                             const GliderRuntimeOptions& options)
     : context_memory_(context_memory),
       mission_(mission),
+      parameters_(options.parameters),
       client_(subscribe(mission, sensors_)),
-      log_(log) {}
+      log_(options.log) {}
 
 glider::hooks::ClientOptions GliderRuntime::subscribe(const GliderMission& mission,
                                                       uint16_t* sensors) {
@@ -82,9 +107,13 @@ glider::hooks::ClientOptions GliderRuntime::subscribe(const GliderMission& missi
 bool GliderRuntime::acceptable(const GliderMission& mission) {
   return mission.abi_version == GLIDER_ABI_VERSION && mission.state_count > 0 &&
          mission.sensor_count <= glider::hooks::kMostSubscriptions &&
+         mission.parameter_count <= GLIDER_MOST_PARAMETERS &&
+         mission.parameter_count <= mission.variable_count &&
          mission.context_bytes ==
-             gliderContextLayout(mission.sensor_count, mission.stack_limit, mission.memory_count)
-                 .bytes;
+             gliderContextLayout(mission.sensor_count, mission.stack_limit, mission.memory_count,
+                                 mission.variable_count, mission.temporal_slots)
+                 .bytes &&
+         hasTables(mission) && hasCode(mission);
 }
 
 GliderRuntimeStatus GliderRuntime::poll(const GliderByteStream& stream, const GliderClock& clock) {
@@ -145,8 +174,9 @@ uint32_t GliderRuntime::gatherUpdates() {
 }
 
 void GliderRuntime::startMission(uint32_t update_count) {
-  log_.begin(mission_);
-  context_ = gliderStart(context_memory_, &mission_, updates_, update_count);
+  context_ = gliderStart(context_memory_, &mission_, parameters_, updates_, update_count);
+  log_.begin(*context_);
+  tellNotes();
   log_.values(*context_);
   logRefusedCommands();
 }
@@ -157,30 +187,43 @@ void GliderRuntime::stepMission(double mission_time, uint32_t update_count) {
   }
   const uint32_t from = context_->state;
   gliderStep(context_, mission_time, updates_, update_count);
-  noteTransition(from);
+  tellNotes();
+  tellTransition(from);
   if (!finished()) {
     log_.values(*context_);
   }
   logRefusedCommands();
 }
 
-void GliderRuntime::noteTransition(uint32_t from) {
-  const uint32_t fired = context_->fired_case;
-  if (fired == GLIDER_NO_CASE) {
-    return;
-  }
-  const uint32_t transition = mission_.states[from].cases[fired].transition;
-  if (transition == kGliderStay) {
+void GliderRuntime::tellTransition(uint32_t from) {
+  if (context_->moved_list == GLIDER_NO_LIST) {
     return;
   }
   glider::hooks::TransitionNotice notice;
   notice.mission_time_s = context_->mission_time;
-  notice.transition = static_cast<uint8_t>(transition);
+  notice.transition =
+      static_cast<uint8_t>(glider::runtime::madeCase(*context_, from).transition);
+  notice.list = static_cast<uint8_t>(context_->moved_list);
   notice.from = from;
   notice.to = context_->state;
-  notice.fired_case = fired;
+  notice.fired_case = context_->moved_case;
   client_.notify(notice);
-  log_.transition(*context_, from, fired);
+  log_.transition(*context_, from);
+}
+
+/// What `log` and unknown values left in this tick: to the log, and as texts to the vehicle.
+void GliderRuntime::tellNotes() {
+  for (uint32_t i = 0; i < context_->note_count; ++i) {
+    log_.note(*context_, i);
+    glider::hooks::MissionNote told;
+    told.mission_time_s = context_->mission_time;
+    told.kind = static_cast<uint8_t>(context_->notes[i].kind);
+    writeNote(*context_, context_->notes[i], told.text);
+    client_.notify(told);
+  }
+  if (context_->lost_notes != 0) {
+    log_.event(context_->mission_time, "notes lost", "", static_cast<double>(context_->lost_notes));
+  }
 }
 
 void GliderRuntime::command() {
@@ -208,9 +251,10 @@ void GliderRuntime::logRefusedCommands() {
 
 void GliderRuntime::logRefusedLink() {
   const glider::hooks::Refusal& refusal = client_.refusal();
+  const bool same_version = refusal.version == glider::hooks::kProtocolVersion;
   log_.event(0.0, "link refused",
-             refusal.dictionary != 0 ? "another sensor dictionary" : "another protocol version",
-             static_cast<double>(refusal.dictionary != 0 ? refusal.dictionary : refusal.version));
+             same_version ? "another sensor dictionary" : "another protocol version",
+             static_cast<double>(same_version ? refusal.dictionary : refusal.version));
   log_.flush();
 }
 
@@ -236,8 +280,9 @@ extern "C" GliderRuntime* gliderRuntimeInit(void* memory, void* context_memory,
       !GliderRuntime::acceptable(*mission)) {
     return nullptr;
   }
-  const GliderLogSink log = options != nullptr ? options->log : GliderLogSink{};
-  return ::new (memory) GliderRuntime(context_memory, *mission, log);
+  const GliderRuntimeOptions none{};
+  return ::new (memory)
+      GliderRuntime(context_memory, *mission, options != nullptr ? *options : none);
 }
 
 extern "C" GliderRuntimeStatus gliderRuntimePoll(GliderRuntime* runtime,

@@ -14,7 +14,8 @@
 struct GliderRuntime {
  public:
   /// `mission` must be one that acceptable() takes. `context_memory` holds its context_bytes.
-  GliderRuntime(void* context_memory, const GliderMission& mission, const GliderLogSink& log);
+  GliderRuntime(void* context_memory, const GliderMission& mission,
+                const GliderRuntimeOptions& options);
   GliderRuntime(const GliderRuntime&) = delete;
   GliderRuntime& operator=(const GliderRuntime&) = delete;
 
@@ -30,7 +31,8 @@ struct GliderRuntime {
   void tickOfClockAlone(double sbc_time);
   void startMission(uint32_t update_count);
   void stepMission(double mission_time, uint32_t update_count);
-  void noteTransition(uint32_t from);
+  void tellTransition(uint32_t from);
+  void tellNotes();
   void command();
   void logNews(const glider::runtime::ControlNews& news);
   void logRefusedCommands();
@@ -41,6 +43,7 @@ struct GliderRuntime {
 
   void* context_memory_;
   const GliderMission& mission_;
+  const double* parameters_;  ///< null: the defaults
   GliderContext* context_ = nullptr;  ///< once control was given
   uint16_t sensors_[glider::hooks::kMostSubscriptions] = {};
   glider::hooks::Client client_;

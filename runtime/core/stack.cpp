@@ -6,14 +6,29 @@
 namespace glider::runtime {
 namespace {
 
-Moved callState(GliderContext& context, uint32_t target) {
+bool hasTarget(const GliderCaseInfo& info) {
+  return info.transition == kGliderGoto || info.transition == kGliderCall;
+}
+
+Moved goTo(GliderContext& context, const Fired& fired) {
+  context.stack_depth = 0;
+  context.limit = fired.list == kGliderListAlways ? fired.index : GLIDER_NO_LIMIT;
+  enterState(context, fired.info.target);
+  return Moved::Entered;
+}
+
+Moved callState(GliderContext& context, const Fired& fired) {
   if (context.stack_depth >= context.mission->stack_limit) {
     return Moved::No;
   }
   GliderFrame& frame = context.frames[context.stack_depth++];
   frame.state = context.state;
   frame.entered = context.entered;
-  enterState(context, target);
+  frame.limit = context.limit;
+  if (fired.list == kGliderListAlways) {
+    context.limit = fired.index;
+  }
+  enterState(context, fired.info.target);
   return Moved::Entered;
 }
 
@@ -24,7 +39,9 @@ Moved returnToCaller(GliderContext& context) {
   const GliderFrame& frame = context.frames[--context.stack_depth];
   context.state = frame.state;
   context.entered = frame.entered;
+  context.limit = frame.limit;
   context.resumed = context.mission_time;
+  context.just_returned = 1;
   return Moved::Resumed;
 }
 
@@ -36,18 +53,28 @@ void enterState(GliderContext& context, uint32_t state) {
   context.resumed = context.mission_time;
 }
 
-Moved makeTransition(GliderContext& context, const GliderCaseInfo& fired) {
-  const bool has_target = fired.transition == kGliderGoto || fired.transition == kGliderCall;
-  if (has_target && fired.target >= context.mission->state_count) {
+bool mayInterrupt(const GliderContext& context, uint32_t index) {
+  const GliderCaseInfo& info = context.mission->always[index];
+  if (index >= context.limit || (hasTarget(info) && info.target == context.state)) {
+    return false;
+  }
+  for (uint32_t i = 0; hasTarget(info) && i < context.stack_depth; ++i) {
+    if (context.frames[i].state == info.target) {
+      return false;
+    }
+  }
+  return true;
+}
+
+Moved makeTransition(GliderContext& context, const Fired& fired) {
+  if (hasTarget(fired.info) && fired.info.target >= context.mission->state_count) {
     return Moved::No;
   }
-  switch (fired.transition) {
+  switch (fired.info.transition) {
     case kGliderGoto:
-      context.stack_depth = 0;
-      enterState(context, fired.target);
-      return Moved::Entered;
+      return goTo(context, fired);
     case kGliderCall:
-      return callState(context, fired.target);
+      return callState(context, fired);
     case kGliderReturn:
       return returnToCaller(context);
     case kGliderExit:

@@ -16,12 +16,23 @@ enum class Moved : uint8_t {
   Finished,  ///< exit
 };
 
+/// A case that fires: number `index` of `list`.
+struct Fired {
+  uint32_t list;   ///< GliderList
+  uint32_t index;  ///< its number
+  const GliderCaseInfo& info;
+};
+
 /// Makes the transition of `fired` at the context's mission time. A call on a full stack, a return
 /// on an empty one and a target that is no state change nothing: the verifier proves that none
 /// happens, and a vehicle must not depend on it.
-Moved makeTransition(GliderContext& context, const GliderCaseInfo& fired);
+Moved makeTransition(GliderContext& context, const Fired& fired);
 
 /// Makes `state` current, entered now.
 void enterState(GliderContext& context, uint32_t state);
+
+/// True if case `index` of `always` may fire now: it stands before the limit, and its target is
+/// neither current nor on the stack.
+bool mayInterrupt(const GliderContext& context, uint32_t index);
 
 }  // namespace glider::runtime

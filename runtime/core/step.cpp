@@ -1,30 +1,119 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+// The tick of ir/README.md.
+
 #include "runtime/abi/context_layout.h"
 #include "runtime/abi/runtime.h"
 #include "runtime/core/readings.h"
 #include "runtime/core/stack.h"
+#include "runtime/numbers/numbers.h"
 
 #include <string.h>
 
 namespace glider::runtime {
 namespace {
 
-/// The case whose guard is true; GLIDER_NO_CASE also for a number that the state does not have.
-uint32_t firingCase(const GliderContext& context) {
-  const uint32_t fired = context.mission->guards(&context);
-  return fired < context.mission->states[context.state].case_count ? fired : GLIDER_NO_CASE;
+/// Gives the context its arrays, in the memory behind it.
+GliderContext* layOut(void* memory, const GliderMission& mission) {
+  const GliderContextLayout layout =
+      gliderContextLayout(mission.sensor_count, mission.stack_limit, mission.memory_count,
+                          mission.variable_count, mission.temporal_slots);
+  auto* bytes = static_cast<uint8_t*>(memory);
+  memset(bytes, 0, layout.bytes);
+  auto* context = reinterpret_cast<GliderContext*>(bytes);
+  context->mission = &mission;
+  context->readings = reinterpret_cast<GliderReading*>(bytes + layout.readings);
+  context->frames = reinterpret_cast<GliderFrame*>(bytes + layout.frames);
+  context->memory = reinterpret_cast<GliderBehaviourMemory*>(bytes + layout.memory);
+  context->variables = reinterpret_cast<double*>(bytes + layout.variables);
+  context->temporals = reinterpret_cast<double*>(bytes + layout.temporals);
+  context->notes = reinterpret_cast<GliderNote*>(bytes + layout.notes);
+  context->note_values = reinterpret_cast<double*>(bytes + layout.note_values);
+  return context;
 }
 
-uint32_t phaseAfter(Moved moved) {
-  switch (moved) {
-    case Moved::Entered:
-      return kGliderEnter;
-    case Moved::Resumed:
-      return kGliderResume;
-    default:
-      return kGliderTick;
+/// Parameters get their values; what has not started yet is unknown.
+void setVariables(GliderContext& context, const double* parameters) {
+  const GliderMission& mission = *context.mission;
+  for (uint32_t i = 0; i < mission.variable_count; ++i) {
+    if (i >= mission.parameter_count) {
+      context.variables[i] = unknown();
+    } else {
+      context.variables[i] = parameters != nullptr ? parameters[i] : mission.parameters[i].initial;
+    }
+  }
+}
+
+/// Forgets what the tick before left for logs and displays.
+void clearRecords(GliderContext& context) {
+  context.moved_list = GLIDER_NO_LIST;
+  context.moved_case = GLIDER_NO_CASE;
+  context.fired_always = GLIDER_NO_CASE;
+  context.fired_state = GLIDER_NO_CASE;
+  context.fired_profile = GLIDER_NO_CASE;
+  context.fired_route = GLIDER_NO_CASE;
+  context.note_count = 0;
+  context.note_value_count = 0;
+  context.lost_notes = 0;
+}
+
+/// Fires a case: its block, its transition. True if the tick is over.
+bool fire(GliderContext& context, const Fired& fired) {
+  context.mission->act(&context, fired.list, fired.index);
+  const Moved moved = makeTransition(context, fired);
+  if (moved == Moved::No) {
+    return false;
+  }
+  context.moved_list = fired.list;
+  context.moved_case = fired.index;
+  if (moved != Moved::Finished) {
+    context.mission->enter(&context, moved == Moved::Entered ? kGliderEnter : kGliderResume);
+  }
+  return true;
+}
+
+/// True if a case of `always` ended the tick.
+bool tryAlways(GliderContext& context) {
+  const GliderMission& mission = *context.mission;
+  // Every round passes at least one case.
+  for (uint32_t from = 0; from < mission.always_count && from < context.limit;) {
+    const uint32_t found = mission.guards(&context, kGliderListAlways, from);
+    if (found < from || found >= mission.always_count) {
+      return false;
+    }
+    if (mayInterrupt(context, found)) {
+      context.fired_always = found;
+      return fire(context, {kGliderListAlways, found, mission.always[found]});
+    }
+    from = found + 1;
+  }
+  return false;
+}
+
+/// True if one of the state's own cases ended the tick.
+bool tryState(GliderContext& context) {
+  const GliderStateInfo& state = context.mission->states[context.state];
+  if (state.case_count == 0) {
+    return false;
+  }
+  const uint32_t found = context.mission->guards(&context, kGliderListState, 0);
+  if (found >= state.case_count) {
+    return false;
+  }
+  context.fired_state = found;
+  return fire(context, {kGliderListState, found, state.cases[found]});
+}
+
+/// Step 4 of a tick.
+void tryLists(GliderContext& context) {
+  const bool own_first = context.just_returned != 0;
+  context.just_returned = 0;
+  const bool over = own_first ? tryState(context) || tryAlways(context)
+                              : tryAlways(context) || tryState(context);
+  if (!over) {
+    context.fired_profile = context.mission->fly(&context, kGliderListProfile);
+    context.fired_route = context.mission->fly(&context, kGliderListRoute);
   }
 }
 
@@ -32,27 +121,23 @@ uint32_t phaseAfter(Moved moved) {
 }  // namespace glider::runtime
 
 extern "C" GliderContext* gliderStart(void* context_memory, const GliderMission* mission,
-                                      const GliderUpdate* updates, uint32_t count) {
-  const GliderContextLayout layout =
-      gliderContextLayout(mission->sensor_count, mission->stack_limit, mission->memory_count);
-  auto* bytes = static_cast<uint8_t*>(context_memory);
-  memset(bytes, 0, layout.bytes);
-  auto* context = reinterpret_cast<GliderContext*>(bytes);
-  context->mission = mission;
-  context->readings = reinterpret_cast<GliderReading*>(bytes + layout.readings);
-  context->frames = reinterpret_cast<GliderFrame*>(bytes + layout.frames);
-  context->memory = reinterpret_cast<GliderBehaviourMemory*>(bytes + layout.memory);
-  context->fired_case = GLIDER_NO_CASE;
+                                      const double* parameters, const GliderUpdate* updates,
+                                      uint32_t count) {
+  GliderContext* context = glider::runtime::layOut(context_memory, *mission);
+  context->limit = GLIDER_NO_LIMIT;
+  glider::runtime::clearRecords(*context);
   glider::runtime::takeUpdates(*context, updates, count);
   glider::runtime::refreshReadings(*context);
+  glider::runtime::setVariables(*context, parameters);
+  mission->begin(context);
   glider::runtime::enterState(*context, 0);
-  mission->fly(context, kGliderEnter);
+  mission->enter(context, kGliderEnter);
   return context;
 }
 
 extern "C" void gliderStep(GliderContext* context, double mission_time, const GliderUpdate* updates,
                            uint32_t count) {
-  using glider::runtime::Moved;
+  glider::runtime::clearRecords(*context);
   if (context->finished != 0) {
     return;
   }
@@ -61,13 +146,6 @@ extern "C" void gliderStep(GliderContext* context, double mission_time, const Gl
   }
   glider::runtime::takeUpdates(*context, updates, count);
   glider::runtime::refreshReadings(*context);
-  context->fired_case = glider::runtime::firingCase(*context);
-  Moved moved = Moved::No;
-  if (context->fired_case != GLIDER_NO_CASE) {
-    const GliderStateInfo& state = context->mission->states[context->state];
-    moved = glider::runtime::makeTransition(*context, state.cases[context->fired_case]);
-  }
-  if (moved != Moved::Finished) {
-    context->mission->fly(context, glider::runtime::phaseAfter(moved));
-  }
+  context->mission->advance(context);
+  glider::runtime::tryLists(*context);
 }

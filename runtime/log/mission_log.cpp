@@ -8,26 +8,47 @@
 namespace glider::runtime {
 namespace {
 
-const char* transitionName(uint32_t transition) {
+const char* transitionName(uint32_t transition, bool always) {
   switch (transition) {
     case kGliderGoto:
-      return "goto";
+      return always ? "always goto" : "goto";
     case kGliderCall:
-      return "call";
+      return always ? "always call" : "call";
     case kGliderReturn:
       return "return";
     case kGliderExit:
-      return "exit";
+      return always ? "always exit" : "exit";
     default:
       return "stay";
   }
 }
 
+bool needsQuotes(const char* name) {
+  for (; *name != '\0'; ++name) {
+    if (*name == ',' || *name == '"' || *name == '\n' || *name == '\r') {
+      return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
-void MissionLog::begin(const GliderMission& mission) {
-  text_.put("time_s,record,name,value,from,to\n");
+const GliderCaseInfo& madeCase(const GliderContext& context, uint32_t from) {
+  const GliderMission& mission = *context.mission;
+  return context.moved_list == kGliderListAlways ? mission.always[context.moved_case]
+                                                 : mission.states[from].cases[context.moved_case];
+}
+
+void MissionLog::begin(const GliderContext& context) {
+  const GliderMission& mission = *context.mission;
   line({.time = 0.0, .record = "mission", .name = mission.name, .value = unknown()});
+  for (uint32_t i = 0; i < mission.parameter_count; ++i) {
+    line({.time = 0.0,
+          .record = "parameter",
+          .name = mission.parameters[i].name,
+          .value = context.variables[i]});
+  }
   line({.time = 0.0, .record = "state", .name = mission.states[0].name, .value = unknown()});
 }
 
@@ -51,16 +72,31 @@ void MissionLog::values(const GliderContext& context) {
   last_written_state_ = context.state;
 }
 
-void MissionLog::transition(const GliderContext& context, uint32_t from, uint32_t fired) {
+void MissionLog::transition(const GliderContext& context, uint32_t from) {
   const GliderStateInfo* states = context.mission->states;
-  const GliderCaseInfo& made = states[from].cases[fired];
+  const uint32_t transition = madeCase(context, from).transition;
+  const bool always = context.moved_list == kGliderListAlways;
   line({.time = context.mission_time,
         .record = "transition",
-        .name = transitionName(made.transition),
-        .value = static_cast<double>(fired + 1),
+        .name = transitionName(transition, always),
+        .value = static_cast<double>(context.moved_case) + 1.0,
         .from = states[from].name,
-        .to = made.transition == kGliderExit ? "" : states[context.state].name});
+        .to = transition == kGliderExit ? "" : states[context.state].name});
   last_written_state_ = UINT32_MAX;  // an entered state logs all its items at once
+}
+
+void MissionLog::note(const GliderContext& context, uint32_t note) {
+  const GliderNote& told = context.notes[note];
+  if (told.kind == kGliderNoteUnknownSet) {
+    event(context.mission_time, "unknown set", told.text, unknown());
+    return;
+  }
+  for (uint32_t i = 0; i == 0 || i < told.count; ++i) {
+    line({.time = context.mission_time,
+          .record = "log",
+          .name = told.text,
+          .value = i < told.count ? context.note_values[told.first + i] : unknown()});
+  }
 }
 
 void MissionLog::event(double time, const char* name, const char* detail, double value) {
@@ -71,6 +107,10 @@ void MissionLog::line(const Fields& fields) {
   if (sink_.write == nullptr) {
     return;
   }
+  if (!headed_) {  // before whatever comes first: a link may be refused before the mission begins
+    text_.put("time_s,record,name,value,from,to\n");
+    headed_ = true;
+  }
   const uint32_t before = text_.size();
   compose(fields);
   if (text_.full()) {  // hand on the lines before, then this one fits
@@ -80,8 +120,25 @@ void MissionLog::line(const Fields& fields) {
   }
 }
 
+/// As comma-separated files have it: in quotes, each quote in it twice, where it must be.
+void MissionLog::putName(const char* name) {
+  if (!needsQuotes(name)) {
+    text_.put(name, kNameBytes);
+    return;
+  }
+  text_.put('"');
+  for (uint32_t i = 0; i < kNameBytes && name[i] != '\0'; ++i) {
+    if (name[i] == '"') {
+      text_.put('"');
+    }
+    text_.put(name[i]);
+  }
+  text_.put('"');
+}
+
 void MissionLog::compose(const Fields& fields) {
-  text_.put(fields.time).put(',').put(fields.record).put(',').put(fields.name, kNameBytes);
+  text_.put(fields.time).put(',').put(fields.record).put(',');
+  putName(fields.name);
   text_.put(',').put(fields.value).put(',').put(fields.from, kNameBytes);
   text_.put(',').put(fields.to, kNameBytes).put('\n');
 }

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // Runs compiled missions on a board: reads a file of sensor streams, writes a file of what each
-// tick did. It steps the missions with the product's own runtime core; profiles and routes record
-// how they are called. records.h says what the files hold.
+// tick did. It steps the missions with the product's own runtime core; behaviours in C and
+// commands record how they are called. records.h says what the files hold.
 
+#include "runtime/abi/behaviour.h"
 #include "runtime/abi/context_layout.h"
 #include "runtime/abi/runtime.h"
 #include "runtime/board/arithmetic.h"
@@ -21,7 +22,9 @@ extern const uint32_t judgedMissionCount;
 namespace {
 
 constexpr uint32_t kMostUpdates = 64;
-constexpr uint32_t kMostWords = 1024;
+constexpr uint32_t kMostWords = 4096;
+constexpr uint32_t kMostParameters = 64;
+constexpr uint64_t kCommands = 100;  // records.h
 
 FILE* streams;
 FILE* records;
@@ -57,20 +60,65 @@ void putNumber(double value) {
   put((bits & ~(uint64_t{1} << 63)) > exponent ? 0x7FF8000000000000U : bits);
 }
 
-void putCall(const GliderContext* context, const GliderBehaviourMemory* memory, uint32_t phase) {
-  put(static_cast<uint64_t>(memory - context->memory));
-  put(phase);
+/// An action: a call of a C function, or of a command, of which `number` is the list or the
+/// command's own number from kCommands on.
+void putAction(uint64_t number, uint64_t detail) {
+  put(number);
+  put(detail);
 }
 
-void writeTick(const GliderContext* context, uint32_t fired) {
+void putCommand(uint64_t command, uint32_t count, const double* arguments) {
+  putAction(kCommands + command, count);
+  for (uint32_t i = 0; i < count; ++i) {
+    putNumber(arguments[i]);
+  }
+}
+
+/// FNV-1a.
+uint64_t digest(const char* text) {
+  uint64_t hash = 0xcbf29ce484222325U;
+  for (; *text != '\0'; ++text) {
+    hash = (hash ^ static_cast<uint8_t>(*text)) * 0x100000001b3U;
+  }
+  return hash;
+}
+
+void putNotes(const GliderContext* context) {
+  put(context->note_count);
+  for (uint32_t i = 0; i < context->note_count; ++i) {
+    const GliderNote* note = &context->notes[i];
+    put(note->kind);
+    put(digest(note->text));
+    put(note->count);
+    for (uint32_t k = 0; k < note->count; ++k) {
+      putNumber(context->note_values[note->first + k]);
+    }
+  }
+  put(context->lost_notes);
+}
+
+void writeTick(const GliderContext* context) {
   put(context->state);
   put(context->finished);
-  put(fired);
+  put(context->limit);
+  put(context->just_returned);
+  put(context->fired_always);
+  put(context->fired_state);
+  put(context->fired_profile);
+  put(context->fired_route);
+  put(context->moved_list);
+  put(context->moved_case);
   put(context->stack_depth);
   for (uint32_t i = 0; i < context->stack_depth; ++i) {
     put(context->frames[i].state);
     putNumber(context->frames[i].entered);
+    put(context->frames[i].limit);
   }
+  for (uint32_t i = 0; i < context->mission->variable_count; ++i) {
+    putNumber(context->variables[i]);
+  }
+  putNotes(context);
+  put(context->mission->condition(context));
   const GliderStateInfo* state = &context->mission->states[context->state];
   for (uint32_t i = 0; i < state->log_count; ++i) {
     putNumber(context->mission->log_value(context, i));
@@ -83,10 +131,15 @@ void writeTick(const GliderContext* context, uint32_t fired) {
   word_count = 0;
 }
 
-double readTick(GliderUpdate* updates, uint32_t* count) {
-  double time;
+double nextNumber(void) {
   const uint64_t bits = next();
-  memcpy(&time, &bits, sizeof time);
+  double number;
+  memcpy(&number, &bits, sizeof number);
+  return number;
+}
+
+double readTick(GliderUpdate* updates, uint32_t* count) {
+  const double time = nextNumber();
   *count = static_cast<uint32_t>(next());
   if (*count > kMostUpdates) {
     giveUp("a frame holds too many sensors");
@@ -103,19 +156,27 @@ void fly(const GliderMission* mission) {
   GliderUpdate updates[kMostUpdates];
   uint32_t count;
   const GliderContextLayout layout =
-      gliderContextLayout(mission->sensor_count, mission->stack_limit, mission->memory_count);
+      gliderContextLayout(mission->sensor_count, mission->stack_limit, mission->memory_count,
+                          mission->variable_count, mission->temporal_slots);
   if (layout.bytes != mission->context_bytes || layout.bytes > sizeof context_memory) {
     giveUp("generated code and the runtime differ on the size of the context");
   }
+  double parameters[kMostParameters];
+  const uint64_t parameter_count = next();
+  if (parameter_count != mission->parameter_count || parameter_count > kMostParameters) {
+    giveUp("another number of parameters");
+  }
+  for (uint64_t i = 0; i < parameter_count; ++i) {
+    parameters[i] = nextNumber();
+  }
   const uint64_t ticks = next();
   readTick(updates, &count);
-  GliderContext* context = gliderStart(context_memory, mission, updates, count);
-  writeTick(context, context->fired_case);
+  GliderContext* context = gliderStart(context_memory, mission, parameters, updates, count);
+  writeTick(context);
   for (uint64_t i = 1; i < ticks; ++i) {
     const double time = readTick(updates, &count);
-    const uint32_t was_finished = context->finished;
     gliderStep(context, time, updates, count);
-    writeTick(context, was_finished != 0 ? GLIDER_NO_CASE : context->fired_case);
+    writeTick(context);
   }
 }
 
@@ -124,7 +185,8 @@ void fly(const GliderMission* mission) {
 extern "C" void gliderProfileRecord(GliderContext* context, GliderBehaviourMemory* memory,
                                     uint32_t phase, double number, double length, double time,
                                     double temperature) {
-  putCall(context, memory, phase);
+  putAction(kGliderListProfile, phase);
+  put(static_cast<uint64_t>(memory - context->memory));
   putNumber(number);
   putNumber(length);
   putNumber(time);
@@ -134,10 +196,37 @@ extern "C" void gliderProfileRecord(GliderContext* context, GliderBehaviourMemor
 extern "C" void gliderRouteRecord(GliderContext* context, GliderBehaviourMemory* memory,
                                   uint32_t phase, double number, double latitude,
                                   double longitude) {
-  putCall(context, memory, phase);
+  putAction(kGliderListRoute, phase);
+  put(static_cast<uint64_t>(memory - context->memory));
   putNumber(number);
   putNumber(latitude);
   putNumber(longitude);
+}
+
+// The commands, in the order of ir/core/commands.def.
+extern "C" void gliderDescend(GliderContext*, double depth, double pitch) {
+  const double arguments[] = {depth, pitch};
+  putCommand(0, 2, arguments);
+}
+extern "C" void gliderAscend(GliderContext*, double depth, double pitch) {
+  const double arguments[] = {depth, pitch};
+  putCommand(1, 2, arguments);
+}
+extern "C" void gliderHover(GliderContext*, double depth) {
+  putCommand(2, 1, &depth);
+}
+extern "C" void gliderSurface(GliderContext*) {
+  putCommand(3, 0, nullptr);
+}
+extern "C" void gliderSteer(GliderContext*, double heading) {
+  putCommand(4, 1, &heading);
+}
+extern "C" void gliderSteerTo(GliderContext*, double latitude, double longitude) {
+  const double arguments[] = {latitude, longitude};
+  putCommand(5, 2, arguments);
+}
+extern "C" void gliderDriftFree(GliderContext*) {
+  putCommand(6, 0, nullptr);
 }
 
 int main(int argc, char** argv) {

@@ -86,7 +86,12 @@ class Maker {
       operands_.at(i) = add(sensor);
     }
     const ExprId a = operands_[0];
-    mission_.states.push_back({"s", {{0}, {a, a, a, a}, {}}, {{1}, {a, a, a}, {}}, {}, {}, {}});
+    ir::State& state = mission_.states.emplace_back();
+    state.name = "s";
+    state.profile.behaviour = {0};
+    state.profile.arguments = {a, a, a, a};
+    state.route.behaviour = {1};
+    state.route.arguments = {a, a, a};
   }
 
   ExprId operation(Op op, const std::array<ExprId, 3>& operands) {
@@ -96,6 +101,13 @@ class Maker {
     return add(expr);
   }
   ExprId operation(Op op) { return operation(op, operands_); }
+  ExprId sensor(size_t i) const { return operands_.at(i); }
+  ExprId radian() {
+    ir::Expr expr;
+    expr.number = 1;
+    expr.type.dimension = support::dimension::angle;
+    return add(expr);
+  }
   ir::State& state() { return mission_.states.front(); }
   ir::Mission& mission() { return mission_; }
 
@@ -116,9 +128,18 @@ class Maker {
 ir::Mission numbers() {
   Maker maker;
   for (const Op op : {Op::Negate, Op::Abs, Op::Sqrt, Op::Add, Op::Subtract, Op::Multiply,
-                      Op::Divide, Op::Min, Op::Max, Op::Clamp}) {
+                      Op::Divide, Op::Min, Op::Max, Op::Clamp, Op::Atan2}) {
     maker.state().log.push_back({std::string(ir::opInfo(op).text), maker.operation(op), 0});
   }
+  const ExprId a = maker.sensor(0);
+  const ExprId angle = maker.operation(Op::Multiply, {a, maker.radian(), {}});
+  for (const Op op : {Op::Sin, Op::Cos, Op::Tan}) {
+    maker.state().log.push_back(
+        {std::string(ir::opInfo(op).text), maker.operation(op, {angle, {}, {}}), 0});
+  }
+  const ExprId less = maker.operation(Op::Less);
+  maker.state().log.push_back(
+      {"select", maker.operation(Op::Select, {less, a, maker.sensor(2)}), 0});
   return maker.mission();
 }
 
@@ -134,7 +155,8 @@ ir::Mission truth(Op op) {
   const ExprId guard = logical ? maker.operation(op, operands) : maker.operation(op);
   const ExprId negation = maker.operation(Op::Not, {guard, {}, {}});
   for (const ExprId id : {guard, negation}) {
-    maker.state().cases.push_back({id, ir::Transition::Stay, {}, {}});
+    ir::Case& added = maker.state().cases.emplace_back();
+    added.guard = id;
   }
   return maker.mission();
 }
@@ -154,10 +176,10 @@ std::vector<random_missions::StreamTick> allPairs() {
 class OperationsJudged : public testing::TestWithParam<std::tuple<const char*, int>> {};
 
 TEST_P(OperationsJudged, AgreeWithEval) {
-  std::vector<Trial> trials{{"numeric operations", numbers(), 0, allPairs()}};
+  std::vector<Trial> trials{{"numeric operations", numbers(), 0, allPairs(), {}}};
   for (const Op op : {Op::Less, Op::LessEqual, Op::Greater, Op::GreaterEqual, Op::Equal,
                       Op::NotEqual, Op::Known, Op::Not, Op::And, Op::Or}) {
-    trials.push_back({fmt::format("`{}`", ir::opInfo(op).text), truth(op), 0, allPairs()});
+    trials.push_back({fmt::format("`{}`", ir::opInfo(op).text), truth(op), 0, allPairs(), {}});
   }
   const auto [board, level] = GetParam();
   EXPECT_EQ(judge(trials, board, level), "");

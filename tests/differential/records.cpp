@@ -16,31 +16,95 @@ uint64_t wordOf(double value) {
   return value == value ? std::bit_cast<uint64_t>(value) : 0x7FF8000000000000ULL;
 }
 
-void appendRun(const ir::ActivityRun& run, uint64_t block, Words& words) {
-  words.push_back(block);
-  words.push_back(static_cast<uint64_t>(run.phase));
-  for (const double argument : run.arguments) {
-    words.push_back(wordOf(argument));
+constexpr uint64_t kCommands = 100;
+
+void appendNumbers(const std::vector<double>& numbers, Words& words) {
+  for (const double number : numbers) {
+    words.push_back(wordOf(number));
   }
 }
 
-Words record(const ir::Mission& mission, const ir::Interpreter& interpreter,
-             const ir::TickResult& tick) {
-  Words words;
-  if (tick.profile) {
-    appendRun(*tick.profile, uint64_t{2} * tick.state.index, words);
-    appendRun(*tick.route, uint64_t{2} * tick.state.index + 1, words);
+/// The block of memory of a use of a C function: they are counted state by state, profile first.
+uint64_t blockOf(const ir::Mission& mission, uint32_t state, ir::ListKind list) {
+  uint64_t block = 0;
+  auto count = [&](const ir::Activity& activity) {
+    block += mission[activity.behaviour].symbol.empty() ? 0U : 1U;
+  };
+  for (uint32_t i = 0; i < state; ++i) {
+    count(mission.states[i].profile);
+    count(mission.states[i].route);
   }
+  if (list == ir::ListKind::Route) {
+    count(mission.states[state].profile);
+  }
+  return block;
+}
+
+/// Actions of C functions are of the state that is current after the tick: one that a transition
+/// leaves has not come to its profile.
+void appendActions(const ir::Mission& mission, const ir::TickResult& tick, Words& words) {
+  for (const ir::Action& action : tick.actions) {
+    if (const auto* run = std::get_if<ir::ActivityRun>(&action)) {
+      words.push_back(static_cast<uint64_t>(run->list));
+      words.push_back(static_cast<uint64_t>(run->phase));
+      words.push_back(blockOf(mission, tick.state.index, run->list));
+      appendNumbers(run->arguments, words);
+    } else {
+      const auto& command = std::get<ir::CommandRun>(action);
+      words.push_back(kCommands + static_cast<uint64_t>(command.command));
+      words.push_back(command.arguments.size());
+      appendNumbers(command.arguments, words);
+    }
+  }
+}
+
+uint64_t digest(const std::string& text) {
+  uint64_t hash = 0xcbf29ce484222325U;
+  for (const char c : text) {
+    hash = (hash ^ static_cast<uint8_t>(c)) * 0x100000001b3U;
+  }
+  return hash;
+}
+
+void appendNotes(const ir::TickResult& tick, Words& words) {
+  words.push_back(tick.notes.size());
+  for (const ir::Note& note : tick.notes) {
+    words.push_back(static_cast<uint64_t>(note.kind));
+    words.push_back(digest(note.text));
+    words.push_back(note.values.size());
+    appendNumbers(note.values, words);
+  }
+  words.push_back(tick.lost_notes);
+}
+
+void appendMoves(const ir::TickResult& tick, Words& words) {
   words.push_back(tick.state.index);
   words.push_back(tick.finished ? 1 : 0);
-  words.push_back(tick.fired_case.value_or(UINT32_MAX));
+  words.push_back(tick.limit);
+  words.push_back(tick.just_returned ? 1 : 0);
+  for (const auto& fired : tick.fired) {
+    words.push_back(fired.value_or(UINT32_MAX));
+  }
+  words.push_back(tick.moved ? static_cast<uint64_t>(tick.moved->list) : UINT32_MAX);
+  words.push_back(tick.moved ? tick.moved->number : UINT32_MAX);
   words.push_back(tick.stack.size());
   for (const ir::Frame& frame : tick.stack) {
     words.push_back(frame.state.index);
     words.push_back(wordOf(frame.entered));
+    words.push_back(frame.limit);
   }
-  for (const ir::LogItem& item : mission[tick.state].log) {
-    words.push_back(wordOf(interpreter.number(item.value)));
+}
+
+Words record(const Trial& trial, const ir::Interpreter& interpreter, const ir::TickResult& tick) {
+  Words words;
+  appendActions(trial.mission, tick, words);
+  appendMoves(tick, words);
+  appendNumbers(tick.variables, words);
+  appendNotes(tick, words);
+  words.push_back(ir::failedCondition(trial.mission, trial.parameters).value_or(UINT32_MAX));
+  for (const ir::LogItem& item : trial.mission[tick.state].log) {
+    const ir::Value value = interpreter.evaluate(item.value);
+    words.push_back(wordOf(ir::asNumber(value)));
   }
   return words;
 }
@@ -55,10 +119,13 @@ Trial randomTrial(uint64_t seed, size_t ticks) {
   trial.stack_depth = ir::verify(trial.mission, diagnostics).stack_depth;
   CHECK(!diagnostics.hasErrors(), "a random mission with errors");
   trial.stream = random_missions::randomStream(trial.mission, seed, ticks);
+  trial.parameters = random_missions::randomParameters(trial.mission, seed);
   return trial;
 }
 
 void appendStream(const Trial& trial, Words& words) {
+  words.push_back(trial.parameters.size());
+  appendNumbers(trial.parameters, words);
   words.push_back(trial.stream.size());
   for (const random_missions::StreamTick& tick : trial.stream) {
     words.push_back(std::bit_cast<uint64_t>(tick.mission_time));
@@ -74,9 +141,9 @@ std::vector<Words> expectedRecords(const Trial& trial) {
   ir::Interpreter interpreter(trial.mission, trial.stack_depth);
   std::vector<Words> records;
   for (const random_missions::StreamTick& tick : trial.stream) {
-    const ir::TickResult result = records.empty() ? interpreter.start(tick.frame)
+    const ir::TickResult result = records.empty() ? interpreter.start(tick.frame, trial.parameters)
                                                   : interpreter.tick(tick.mission_time, tick.frame);
-    records.push_back(record(trial.mission, interpreter, result));
+    records.push_back(record(trial, interpreter, result));
   }
   return records;
 }

@@ -12,11 +12,14 @@
 /// What passes between a test and the judged program (judged_main.cpp), as little-endian words of
 /// 64 bits; a number is the bits of a double, with one NaN for all.
 ///
-/// Streams, for each mission: number of ticks, then for each: mission time, number of readings, for
-/// each: platform id, raw value. Records, for each tick: number of words that follow; for the
-/// profile and then the route, unless the mission is finished: its block of memory, the phase, its
-/// arguments; then state, finished, fired case (UINT32_MAX: none), depth of the stack, for each
-/// frame: state, time entered; then the value of each log item.
+/// Streams, for each mission: number of parameters and their values, number of ticks, then for
+/// each: mission time, number of readings, for each: platform id, raw value. Records, for each
+/// tick: number of words that follow; for each action in order: of a C function its list, phase,
+/// block of memory and arguments, of a command 100 and its number, how many arguments and they;
+/// then state, finished, limit, whether just returned, fired case of each list (UINT32_MAX: none),
+/// list and case of the transition, depth of the stack, for each frame: state, time entered, limit;
+/// the variables; number of notes, for each: kind, FNV-1a of the text, number of values and they;
+/// lost notes; the first condition that fails; the value of each log item.
 namespace glider::differential {
 
 using Words = std::vector<uint64_t>;
@@ -27,6 +30,7 @@ struct Trial {
   ir::Mission mission;
   uint32_t stack_depth = 0;
   std::vector<random_missions::StreamTick> stream;
+  std::vector<double> parameters{};
 };
 
 /// The trial of `seed`: a random mission, and `ticks` ticks after its start. Its verifier's facts

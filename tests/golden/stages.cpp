@@ -4,6 +4,7 @@
 #include "tests/golden/stages.h"
 
 #include "frontend/frontend.h"
+#include "frontend/import/imports.h"
 #include "ir/core/validate.h"
 #include "ir/text/print.h"
 #include "ir/verify/verify.h"
@@ -43,8 +44,13 @@ class Compilation {
     const uint32_t library = sources_.add("standard.mission", *text);
     const auto standard = frontend::parse(sources_, library, diagnostics_);
     CHECK(standard.has_value(), "the standard library does not parse");
-    if (ast_) {
-      mission_ = frontend::analyse(*ast_, {slocum(), {&*standard}, sources_}, diagnostics_);
+    const auto imports = ast_ ? frontend::loadImports(*ast_, sources_, diagnostics_) : std::nullopt;
+    if (imports) {
+      frontend::AnalysisInputs inputs{slocum(), {&*standard}, sources_};
+      for (const ast::File& import : *imports) {
+        inputs.library.push_back(&import);
+      }
+      mission_ = frontend::analyse(*ast_, inputs, diagnostics_);
     }
     showIr();
   }

@@ -39,7 +39,7 @@ TEST_P(Shared, Figure2ChangesStateWhenThePaperSays) {
   EXPECT_EQ(loaded.mission().stack_limit, 1u);
   std::vector<double> memory(loaded.mission().context_bytes / sizeof(double));
   GliderUpdate depth{8, GLIDER_M_DEPTH, 0};
-  GliderContext* context = loaded.start(memory.data(), &depth, 1);
+  GliderContext* context = loaded.start(memory.data(), nullptr, &depth, 1);
   EXPECT_EQ(context->vertical, kGliderDescend);
   EXPECT_EQ(context->depth, 10);
   std::vector<std::pair<double, uint32_t>> changes;

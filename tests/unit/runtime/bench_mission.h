@@ -19,10 +19,27 @@ struct BenchMission {
   std::vector<GliderStateInfo> states;
   GliderMission mission{};
 
+  std::vector<GliderCaseInfo> always;
+  std::vector<GliderParameterInfo> parameters;
+  uint32_t variable_count = 0;  ///< beside the parameters
+
+  /// The state's own cases: the one whose guard is true.
   std::function<uint32_t(const GliderContext&)> guards = [](const GliderContext&) {
     return GLIDER_NO_CASE;
   };
+  /// Those of `always`, from a number on.
+  std::function<uint32_t(const GliderContext&, uint32_t)> always_guards =
+      [](const GliderContext&, uint32_t) { return GLIDER_NO_CASE; };
+  /// A profile: its phases enter and resume, and a tick.
   std::function<void(GliderContext&, uint32_t)> fly = [](GliderContext&, uint32_t) {};
+  std::function<void(GliderContext&, uint32_t, uint32_t)> act = [](GliderContext&, uint32_t,
+                                                                   uint32_t) {};
+  std::function<uint32_t(GliderContext&)> route = [](GliderContext&) { return GLIDER_NO_CASE; };
+  std::function<void(GliderContext&)> begin = [](GliderContext&) {};
+  std::function<void(GliderContext&)> advance = [](GliderContext&) {};
+  std::function<uint32_t(const GliderContext&)> condition = [](const GliderContext&) {
+    return GLIDER_NO_CASE;
+  };
   std::function<double(const GliderContext&, uint32_t)> log_value = [](const GliderContext&,
                                                                        uint32_t) { return 0.0; };
 
@@ -34,21 +51,45 @@ struct BenchMission {
     mission.sensor_count = static_cast<uint32_t>(sensors.size());
     mission.stack_limit = stack_limit;
     mission.memory_count = 2 * mission.state_count;
+    mission.parameter_count = static_cast<uint32_t>(parameters.size());
+    mission.variable_count = mission.parameter_count + variable_count;
+    mission.always_count = static_cast<uint32_t>(always.size());
     mission.context_bytes = static_cast<uint32_t>(
-        gliderContextLayout(mission.sensor_count, stack_limit, mission.memory_count).bytes);
+        gliderContextLayout(mission.sensor_count, stack_limit, mission.memory_count,
+                            mission.variable_count, mission.temporal_slots)
+            .bytes);
+    mission.always = always.data();
+    mission.parameters = parameters.data();
     mission.name = "bench";
     mission.states = states.data();
     mission.sensors = sensors.data();
-    mission.guards = [](const GliderContext* c) { return active()->guards(*c); };
-    mission.fly = [](GliderContext* c, uint32_t phase) { active()->fly(*c, phase); };
+    mission.guards = [](const GliderContext* c, uint32_t list, uint32_t from) {
+      return list == kGliderListAlways ? active()->always_guards(*c, from) : active()->guards(*c);
+    };
+    mission.enter = [](GliderContext* c, uint32_t phase) { active()->fly(*c, phase); };
+    mission.fly = [](GliderContext* c, uint32_t list) {
+      if (list == kGliderListRoute) {
+        return active()->route(*c);
+      }
+      active()->fly(*c, kGliderTick);
+      return GLIDER_NO_CASE;
+    };
+    mission.begin = [](GliderContext* c) { active()->begin(*c); };
+    mission.advance = [](GliderContext* c) { active()->advance(*c); };
+    mission.act = [](GliderContext* c, uint32_t list, uint32_t fired) {
+      active()->act(*c, list, fired);
+    };
+    mission.condition = [](const GliderContext* c) { return active()->condition(*c); };
     mission.log_value = [](const GliderContext* c, uint32_t i) {
       return active()->log_value(*c, i);
     };
     memory.assign(mission.context_bytes / sizeof(double), 0.0);
     return mission;
   }
-  GliderContext* start(const std::vector<GliderUpdate>& frame = {}) {
-    return gliderStart(memory.data(), &mission, frame.data(), static_cast<uint32_t>(frame.size()));
+  GliderContext* start(const std::vector<GliderUpdate>& frame = {},
+                       const double* values = nullptr) {
+    return gliderStart(memory.data(), &mission, values, frame.data(),
+                       static_cast<uint32_t>(frame.size()));
   }
 
   static BenchMission*& active() {

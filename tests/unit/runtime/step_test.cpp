@@ -54,7 +54,7 @@ TEST_F(StepTest, TheStartEntersTheFirstStateAndTriesNoGuard) {
   EXPECT_EQ(c->mission_time, 0);
   EXPECT_EQ(c->entered, 0);
   EXPECT_EQ(c->resumed, 0);
-  EXPECT_EQ(c->fired_case, GLIDER_NO_CASE);
+  EXPECT_EQ(c->fired_state, GLIDER_NO_CASE);
   EXPECT_EQ(phase_, static_cast<uint32_t>(kGliderEnter));
   EXPECT_EQ(c->readings[0].value, 3) << "its frame counts";
 }
@@ -71,7 +71,7 @@ TEST_F(StepTest, GotoEmptiesTheStackAndEnters) {
   EXPECT_EQ(c->resumed, 8);
   EXPECT_EQ(phase_, static_cast<uint32_t>(kGliderEnter));
   EXPECT_EQ(flown_state_, 2U);
-  EXPECT_EQ(c->fired_case, static_cast<uint32_t>(ToC));
+  EXPECT_EQ(c->fired_state, static_cast<uint32_t>(ToC));
 }
 
 TEST_F(StepTest, CallRemembersAndReturnResumes) {
@@ -104,7 +104,7 @@ TEST_F(StepTest, StayFiresWithoutEffect) {
   GliderContext* c = bench_.start();
   fire = Rest;
   step(c, 4);
-  EXPECT_EQ(c->fired_case, static_cast<uint32_t>(Rest));
+  EXPECT_EQ(c->fired_state, static_cast<uint32_t>(Rest));
   EXPECT_EQ(c->state, 0U);
   EXPECT_EQ(c->entered, 0);
   EXPECT_EQ(phase_, static_cast<uint32_t>(kGliderTick));
@@ -138,7 +138,7 @@ TEST_F(StepTest, WhatTheVerifierRulesOutChangesNothing) {
   EXPECT_EQ(c->stack_depth, 2U);
   fire = 6;
   step(c, 20);
-  EXPECT_EQ(c->fired_case, GLIDER_NO_CASE) << "a case that is none";
+  EXPECT_EQ(c->fired_state, GLIDER_NO_CASE) << "a case that is none";
 }
 
 TEST_F(StepTest, MissionTimeNeverGoesBack) {

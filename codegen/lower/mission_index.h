@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "ir/core/mission.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace glider::codegen {
+
+/// What belongs to each state, and where things stand in a running mission's arrays: made once, so
+/// that lowering stays linear.
+struct MissionIndex {
+  /// The variables that start when the state is entered, in the order of the mission's vector.
+  std::vector<std::vector<ir::VariableId>> state_variables;
+  /// The temporals of the state's three lists, and of `always`, in the same way.
+  std::vector<std::vector<ir::TemporalId>> state_temporals;
+  std::vector<ir::TemporalId> always_temporals;
+  /// Each temporal's first slot in GliderContext::temporals; its value stands there.
+  std::vector<uint32_t> temporal_slots;
+  uint32_t slot_count = 0;
+  uint32_t parameter_count = 0;
+  /// Blocks of behaviour memory, one for each use of a C function: of each state its profile's and
+  /// its route's, UINT32_MAX for one that is written in the language.
+  struct Blocks {
+    uint32_t profile = UINT32_MAX;
+    uint32_t route = UINT32_MAX;
+  };
+  std::vector<Blocks> memory_blocks;
+  uint32_t memory_count = 0;
+};
+
+MissionIndex indexMission(const ir::Mission& mission);
+
+}  // namespace glider::codegen

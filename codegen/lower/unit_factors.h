@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "ir/core/mission.h"
+
+#include <string>
+
+namespace glider::codegen {
+
+/// The units in which a parameter of `type` may be given at launch, as GliderParameterInfo::units
+/// has them.
+std::string unitFactors(const ir::Type& type);
+
+}  // namespace glider::codegen

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "driver/compilation.h"
+#include "codegen/load/loaded_mission.h"
+#include "support/result.h"
+
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace glider::driver {
+
+/// What a pilot says of a mission's parameters.
+struct LaunchChoice {
+  std::vector<std::string> settings;  ///< of --set, "name=value"
+  std::string file;                   ///< of --parameters; empty: none
+
+  [[nodiscard]] bool empty() const { return settings.empty() && file.empty(); }
+};
+
+/// Adds --set and --parameters to `command`.
+void addLaunchOptions(CLI::App& command, LaunchChoice& choice);
+
+/// The value of each parameter, SI units or degrees: the defaults, then the file's, then those of
+/// --set. GL9052 for what the mission does not allow, and as support::readFile.
+support::Result<std::vector<double>> chooseParameters(const GliderMission& mission,
+                                                      const LaunchChoice& choice);
+
+/// The mission compiled for this process and loaded.
+support::Result<codegen::LoadedMission> loadHere(const Compilation& compilation);
+
+}  // namespace glider::driver

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "runtime/board/parameters.h"
+
+#include "runtime/board/files.h"
+
+#include <string.h>
+
+namespace glider::runtime {
+namespace {
+
+constexpr uint32_t kMostFileBytes = 16384;
+
+bool setFromFile(const char* path, Launch& launch) {
+  static char bytes[kMostFileBytes];
+  uint32_t size = 0;
+  if (const char* problem = readFile(path, bytes, kMostFileBytes, size)) {
+    tell("error: cannot read the parameters `", path, "`: ", problem);
+    return false;
+  }
+  if (!launch.setAll(path, {bytes, bytes + size})) {
+    tell("error: ", launch.problem());
+    return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+bool setParameters(const Options& options, Launch& launch) {
+  if (options.parameters != nullptr && !setFromFile(options.parameters, launch)) {
+    return false;
+  }
+  for (uint32_t i = 0; i < options.setting_count; ++i) {
+    const char* setting = options.settings[i];
+    if (!launch.set({setting, setting + strlen(setting)})) {
+      tell("error: ", launch.problem());
+      return false;
+    }
+  }
+  if (!launch.check()) {
+    tell("error: ", launch.problem());
+    return false;
+  }
+  return true;
+}
+
+void tellParameters(const GliderMission& mission) {
+  for (uint32_t i = 0; i < mission.parameter_count; ++i) {
+    const GliderParameterInfo& parameter = mission.parameters[i];
+    char line[120];
+    Text text(line, sizeof line - 1);
+    text.put(i == 0 ? "parameters:\n  " : "  ").put(parameter.name).put(" = ");
+    writeQuantity(parameter, parameter.initial, text);
+    const uint32_t before = text.size();
+    text.put(", ");
+    const uint32_t after = text.size();
+    writeRange(parameter, text);
+    text.cut(text.size() == after ? before : text.size());
+    line[text.size()] = '\0';
+    tell(line);
+  }
+}
+
+}  // namespace glider::runtime

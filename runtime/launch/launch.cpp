@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "runtime/launch/launch.h"
+
+#include "runtime/numbers/numbers.h"
+
+#include <string.h>
+
+namespace glider::runtime {
+namespace {
+
+/// At most so much of what a pilot wrote is said back.
+constexpr uint32_t kMostQuoted = 60;
+
+Text& quote(Text& text, const Piece& piece) {
+  text.put('`');
+  return text.put(piece.begin, piece.size() < kMostQuoted ? piece.size() : kMostQuoted).put('`');
+}
+
+Piece whole(const char* text) {
+  return {text, text + strlen(text)};
+}
+
+/// "m, cm, km"; a plain number's own unit has no name.
+void listUnits(const char* list, Text& text) {
+  Units units(list);
+  for (bool first = true; units.next();) {
+    if (!units.name().empty()) {
+      text.put(first ? "" : ", ").put(units.name().begin, units.name().size());
+      first = false;
+    }
+  }
+}
+
+bool isLimited(const GliderParameterInfo& parameter) {
+  return isFinite(parameter.lowest) || isFinite(parameter.highest);
+}
+
+}  // namespace
+
+void writeQuantity(const GliderParameterInfo& parameter, double value, Text& text) {
+  if (isTruth(parameter.units)) {
+    text.put(value != 0.0 ? "true" : "false");
+    return;
+  }
+  Units units(parameter.units);
+  const bool has_unit = units.next();
+  text.put(has_unit ? value / units.factor() : value);
+  if (has_unit && !units.name().empty()) {
+    text.put(' ').put(units.name().begin, units.name().size());
+  }
+}
+
+void writeRange(const GliderParameterInfo& parameter, Text& text) {
+  if (!isLimited(parameter) || isTruth(parameter.units)) {
+    return;
+  }
+  const bool from = isFinite(parameter.lowest);
+  const bool to = isFinite(parameter.highest);
+  if (from) {
+    text.put(to ? "" : "at least ");
+    writeQuantity(parameter, parameter.lowest, text);
+  }
+  if (to) {
+    text.put(from ? " to " : "at most ");
+    writeQuantity(parameter, parameter.highest, text);
+  }
+}
+
+Launch::Launch(const GliderMission& mission) : mission_(mission) {
+  for (uint32_t i = 0; i < mission.parameter_count && i < kMostParameters; ++i) {
+    values_[i] = mission.parameters[i].initial;
+  }
+}
+
+bool Launch::set(const Piece& setting) {
+  const auto* equals =
+      static_cast<const char*>(memchr(setting.begin, '=', setting.size()));
+  if (equals == nullptr) {
+    Text text(problem_, kProblemBytes);
+    quote(text, setting.trimmed()).put(" sets nothing; write `name=value`");
+    return refuse(text);
+  }
+  const Piece name = Piece{setting.begin, equals}.trimmed();
+  for (uint32_t i = 0; i < mission_.parameter_count && i < kMostParameters; ++i) {
+    if (name.is(mission_.parameters[i].name)) {
+      return assign(i, Piece{equals + 1, setting.end}.trimmed());
+    }
+  }
+  return refuseUnknown(name);
+}
+
+bool Launch::assign(uint32_t parameter, const Piece& given) {
+  const GliderParameterInfo& info = mission_.parameters[parameter];
+  double value = 0;
+  const Reading reading = readQuantity(given, info.units, value);
+  if (reading != Reading::Good || !(value >= info.lowest && value <= info.highest)) {
+    return refuseValue(info, given, reading);
+  }
+  values_[parameter] = value;
+  return true;
+}
+
+bool Launch::setAll(const char* file_name, const Piece& content) {
+  file_ = file_name;
+  line_ = 0;
+  bool good = true;
+  for (const char* begin = content.begin; good && begin != content.end;) {
+    ++line_;
+    const auto size = static_cast<size_t>(content.end - begin);
+    const auto* newline = static_cast<const char*>(memchr(begin, '\n', size));
+    const char* end = newline != nullptr ? newline : content.end;
+    const auto* comment =
+        static_cast<const char*>(memchr(begin, '#', static_cast<size_t>(end - begin)));
+    const Piece setting = Piece{begin, comment != nullptr ? comment : end}.trimmed();
+    good = setting.empty() || set(setting);
+    begin = newline != nullptr ? newline + 1 : content.end;
+  }
+  file_ = nullptr;
+  return good;
+}
+
+bool Launch::check() {
+  // A condition reads nothing but parameters.
+  GliderContext context{};
+  context.mission = &mission_;
+  context.variables = values_;
+  const uint32_t failed = mission_.condition(&context);
+  if (failed == GLIDER_NO_CASE) {
+    return true;
+  }
+  Text text(problem_, kProblemBytes);
+  text.put("these parameters together do not satisfy `where` number ").putCount(failed + 1);
+  text.put(" of the mission:");
+  for (uint32_t i = 0; i < mission_.parameter_count && i < kMostParameters; ++i) {
+    text.put(i == 0 ? " " : ", ").put(mission_.parameters[i].name).put(" = ");
+    writeQuantity(mission_.parameters[i], values_[i], text);
+  }
+  return refuse(text);
+}
+
+bool Launch::refuseUnknown(const Piece& name) {
+  Text text(problem_, kProblemBytes);
+  text.put("the mission has no parameter ");
+  quote(text, name);
+  text.put(mission_.parameter_count == 0 ? "; it has none" : "; it has ");
+  for (uint32_t i = 0; i < mission_.parameter_count; ++i) {
+    text.put(i == 0 ? "" : ", ").put(mission_.parameters[i].name);
+  }
+  return refuse(text);
+}
+
+bool Launch::refuseValue(const GliderParameterInfo& parameter, const Piece& given,
+                         Reading reading) {
+  Text text(problem_, kProblemBytes);
+  quote(text, whole(parameter.name)).put(" cannot be ");
+  quote(text, given);
+  switch (reading) {
+    case Reading::Good:
+      text.put(": outside its range, ");
+      writeRange(parameter, text);
+      break;
+    case Reading::TooManyDigits:
+      text.put(": numbers have at most 15 digits, and powers of ten up to 22");
+      break;
+    case Reading::NoSuchUnit:
+      text.put(": after the number its unit: ");
+      listUnits(parameter.units, text);
+      break;
+    case Reading::NotANumber:
+      text.put(isTruth(parameter.units) ? ": write `true` or `false`" : ": it is not a number");
+      break;
+  }
+  return refuse(text);
+}
+
+/// Ends the problem with a zero, and puts the place in front of it. Always false.
+bool Launch::refuse(Text& text) {
+  problem_[text.size()] = '\0';
+  if (file_ != nullptr) {
+    char place[kProblemBytes];
+    Text placed(place, kProblemBytes);
+    placed.put(file_, kMostQuoted).put(':').putCount(line_).put(": ").put(problem_);
+    memcpy(problem_, place, placed.size());
+    problem_[placed.size()] = '\0';
+  }
+  return false;
+}
+
+}  // namespace glider::runtime

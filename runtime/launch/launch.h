@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "runtime/abi/glider_abi.h"
+#include "runtime/launch/quantity.h"
+#include "runtime/log/format.h"
+
+/// The parameters of a mission at its launch: what a pilot says, held against what the mission
+/// allows. For boards and for the command alike.
+namespace glider::runtime {
+
+class Launch {
+ public:
+  /// A mission with more is refused where it is compiled.
+  static constexpr uint32_t kMostParameters = GLIDER_MOST_PARAMETERS;
+
+  /// All parameters have their defaults. `mission` outlives this.
+  explicit Launch(const GliderMission& mission);
+  Launch(const Launch&) = delete;
+  Launch& operator=(const Launch&) = delete;
+
+  /// Takes "name=value", with blanks where one likes; the later of two counts. False, with a
+  /// problem(), if there is no such parameter, or it cannot have that value.
+  bool set(const Piece& setting);
+  /// Takes the lines of a file, `name = value`, with comments from # on.
+  bool setAll(const char* file_name, const Piece& content);
+  /// Whether the parameters satisfy the mission's `where`s together.
+  bool check();
+
+  /// One value for each parameter: gliderStart's.
+  [[nodiscard]] const double* values() const { return values_; }
+  /// Why the latest call failed: one line, no full stop.
+  [[nodiscard]] const char* problem() const { return problem_; }
+
+ private:
+  bool refuse(Text& text);
+  bool refuseUnknown(const Piece& name);
+  bool refuseValue(const GliderParameterInfo& parameter, const Piece& given, Reading reading);
+  bool assign(uint32_t parameter, const Piece& given);
+
+  static constexpr uint32_t kProblemBytes = 400;
+  const GliderMission& mission_;
+  double values_[kMostParameters] = {};
+  char problem_[kProblemBytes + 1] = {};
+  const char* file_ = nullptr;  ///< whose line is being read
+  uint32_t line_ = 0;
+};
+
+/// Writes `value`, SI units or degrees, with the parameter's own unit: "25 m", "true".
+void writeQuantity(const GliderParameterInfo& parameter, double value, Text& text);
+/// Writes "10 m to 30 m"; nothing for a parameter without limits.
+void writeRange(const GliderParameterInfo& parameter, Text& text);
+
+}  // namespace glider::runtime

@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "runtime/launch/quantity.h"
+
+#include "runtime/abi/glider_abi.h"
+#include "runtime/numbers/numbers.h"
+
+#include <string.h>
+
+namespace glider::runtime {
+namespace {
+
+bool isBlank(char c) {
+  return c == ' ' || c == '\t' || c == '\r';
+}
+
+bool isDigit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+uint64_t hexadecimal(const char* digits, uint32_t count) {
+  uint64_t value = 0;
+  for (uint32_t i = 0; i < count; ++i) {
+    const char c = digits[i];
+    value = value << 4U | static_cast<uint64_t>(isDigit(c) ? c - '0' : c - 'a' + 10);
+  }
+  return value;
+}
+
+/// A decimal number, exactly: digits * 10^exponent.
+struct Decimal {
+  bool negative = false;
+  double digits = 0;  ///< a whole number, exact as far as kMostDigits
+  int32_t exponent = 0;
+  uint32_t seen = 0;         ///< digits of all kinds
+  uint32_t significant = 0;  ///< without leading zeros
+};
+
+constexpr uint32_t kMostDigits = 15;
+constexpr int32_t kMostPower = 22;
+constexpr int32_t kMostExponent = 1000;
+
+void takeDigits(Piece& text, Decimal& number, bool fraction) {
+  for (; !text.empty() && isDigit(*text.begin); ++text.begin) {
+    ++number.seen;
+    if (number.significant > 0 || *text.begin != '0') {
+      ++number.significant;
+    }
+    if (number.significant <= kMostDigits) {
+      number.digits = number.digits * 10.0 + static_cast<double>(*text.begin - '0');
+      number.exponent -= fraction ? 1 : 0;
+    }
+  }
+}
+
+bool takeSign(Piece& text) {
+  const bool negative = !text.empty() && *text.begin == '-';
+  if (negative || (!text.empty() && *text.begin == '+')) {
+    ++text.begin;
+  }
+  return negative;
+}
+
+/// "e-3"; anything else after a number is its unit.
+void takeExponent(Piece& text, Decimal& number) {
+  Piece rest = text;
+  if (rest.empty() || (*rest.begin != 'e' && *rest.begin != 'E')) {
+    return;
+  }
+  ++rest.begin;
+  const bool negative = takeSign(rest);
+  if (rest.empty() || !isDigit(*rest.begin)) {
+    return;
+  }
+  int32_t exponent = 0;
+  for (; !rest.empty() && isDigit(*rest.begin); ++rest.begin) {
+    exponent = exponent < kMostExponent ? exponent * 10 + (*rest.begin - '0') : exponent;
+  }
+  number.exponent += negative ? -exponent : exponent;
+  text = rest;
+}
+
+Decimal takeDecimal(Piece& text) {
+  Decimal number;
+  number.negative = takeSign(text);
+  takeDigits(text, number, false);
+  if (!text.empty() && *text.begin == '.') {
+    ++text.begin;
+    takeDigits(text, number, true);
+  }
+  if (number.seen > 0) {
+    takeExponent(text, number);
+  }
+  return number;
+}
+
+/// False if one operation does not give the nearest double.
+bool toDouble(const Decimal& number, double& value) {
+  if (number.significant == 0) {
+    value = 0;
+    return true;
+  }
+  const int32_t size = number.exponent < 0 ? -number.exponent : number.exponent;
+  if (number.significant > kMostDigits || size > kMostPower) {
+    return false;
+  }
+  double power = 1;  // exact up to 10^22
+  for (int32_t i = 0; i < size; ++i) {
+    power *= 10.0;
+  }
+  value = gliderSettle(number.exponent < 0 ? number.digits / power : number.digits * power);
+  value = number.negative ? negated(value) : value;
+  return true;
+}
+
+bool factorOf(const Piece& unit, const char* units, double& factor) {
+  Units known(units);
+  for (bool first = true; known.next(); first = false) {
+    const bool same = known.name().size() == unit.size() &&
+                      memcmp(known.name().begin, unit.begin, unit.size()) == 0;
+    if (same || (first && unit.empty())) {
+      factor = known.factor();
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+Piece Piece::trimmed() const {
+  Piece piece = *this;
+  while (!piece.empty() && isBlank(*piece.begin)) {
+    ++piece.begin;
+  }
+  while (!piece.empty() && isBlank(piece.end[-1])) {
+    --piece.end;
+  }
+  return piece;
+}
+
+bool Piece::is(const char* text) const {
+  return strlen(text) == size() && memcmp(begin, text, size()) == 0;
+}
+
+bool Units::next() {
+  constexpr uint32_t kDigits = 16;
+  const char* equals = strchr(rest_, '=');
+  if (equals == nullptr || strlen(equals + 1) < kDigits) {
+    return false;
+  }
+  name_ = {rest_, equals};
+  factor_ = doubleOf(hexadecimal(equals + 1, kDigits));
+  rest_ = equals + 1 + kDigits;
+  rest_ += *rest_ == ' ' ? 1 : 0;
+  return true;
+}
+
+bool isTruth(const char* units) {
+  return strcmp(units, "bool") == 0;
+}
+
+Reading readQuantity(const Piece& text, const char* units, double& value) {
+  Piece rest = text.trimmed();
+  if (isTruth(units)) {
+    value = rest.is("true") ? 1.0 : 0.0;
+    return rest.is("true") || rest.is("false") ? Reading::Good : Reading::NotANumber;
+  }
+  const Decimal number = takeDecimal(rest);
+  if (number.seen == 0) {
+    return Reading::NotANumber;
+  }
+  double factor = 1;
+  if (!factorOf(rest.trimmed(), units, factor)) {
+    return Reading::NoSuchUnit;
+  }
+  double plain = 0;
+  if (!toDouble(number, plain)) {
+    return Reading::TooManyDigits;
+  }
+  value = gliderSettle(plain * factor);
+  return Reading::Good;
+}
+
+}  // namespace glider::runtime

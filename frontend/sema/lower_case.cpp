@@ -13,9 +13,8 @@ namespace glider::frontend {
 
 using support::DiagnosticId;
 
-std::vector<ir::Case> CaseLowering::lower(
-    const std::vector<ast::Case>& cases,
-    const std::function<void(const std::vector<SensorRead>&)>& guard_reads) {
+std::vector<ir::Case> CaseLowering::lower(const std::vector<ast::Case>& cases,
+                                          const GuardReads& guard_reads) {
   std::vector<ir::Case> result;
   for (const ast::Case& node : cases) {
     ExprLowering lowering(scope_);

@@ -12,16 +12,16 @@
 
 namespace glider::frontend {
 
+/// Is told the sensors that each guard reads.
+using GuardReads = std::function<void(const std::vector<SensorRead>&)>;
+
 /// Lowers the cases of one list, in the scope's context; what may stand in them depends on the
 /// context's list.
 class CaseLowering {
  public:
   explicit CaseLowering(Scope& scope) : scope_(scope) {}
 
-  /// `guard_reads` is told the sensors that each guard reads.
-  std::vector<ir::Case> lower(
-      const std::vector<ast::Case>& cases,
-      const std::function<void(const std::vector<SensorRead>&)>& guard_reads);
+  std::vector<ir::Case> lower(const std::vector<ast::Case>& cases, const GuardReads& guard_reads);
 
  private:
   ir::Case lowerCase(const ast::Case& node, ir::ExprId guard);

@@ -48,7 +48,7 @@ ExprLowering::Result ExprLowering::visit(const ast::NameUse& node, const ast::Ex
   if (const platforms::PlatformSensor* found = scope_.platform().find(node.name)) {
     return sensor(*found, node.name, expr.where);
   }
-  if (scope_.later_values.contains(node.name)) {
+  if (scope_.later_values.contains(node.name) || scope_.refused_names.contains(node.name)) {
     return std::nullopt;  // its declaration was refused
   }
   if (node.name == "profiledone" || node.name == "routedone") {

@@ -112,6 +112,9 @@ void StatementLowering::refuseSet(const ast::Name& name) {
         .note(constant->name->where, "it is declared here");
     return;
   }
+  if (scope_.refused_names.contains(name.text)) {
+    return;
+  }
   if (const std::string what = scope_.takenBy(name.text); !what.empty()) {
     scope_.report(DiagnosticId::cannotSet, name.where, name.text, what,
                   "keep a value of your own in a `var`");

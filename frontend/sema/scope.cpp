@@ -171,6 +171,7 @@ bool Scope::refuseName(const ast::Name& name, std::string_view owner) {
   const std::string what = takenBy(name.text);
   if (!what.empty()) {
     report(DiagnosticId::nameTaken, name.where, name.text, what);
+    refused_names.insert(name.text);
   }
   return !what.empty();
 }

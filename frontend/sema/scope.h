@@ -152,6 +152,7 @@ class Scope {
   std::map<std::string, Constant, std::less<>> constants;
   Names names;  ///< the mission's parameters and variables
   std::map<std::string, const ast::Name*, std::less<>> later_values;  ///< extern sensor
+  std::set<std::string, std::less<>> refused_names;  ///< declared, but taken: uses say nothing more
   std::map<std::string, const ast::Name*, std::less<>> later_functions;
   std::map<std::string, ir::StateId, std::less<>> states;
   std::vector<StateDeclaration> state_declarations;  ///< by StateId

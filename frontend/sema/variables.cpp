@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace glider::frontend {
@@ -161,35 +162,41 @@ void make(Named& named, ir::Variable model, ir::ExprId longitude_start, Scope& s
   named.reached = true;
 }
 
-/// Whether an expression depends on nothing but constants and the mission's parameters; if not,
-/// what it depends on.
-std::optional<support::SourceRange> notAtStart(const ir::Mission& mission, ir::ExprId id) {
+/// The first node of an expression that is one of `ops`.
+const ir::Expr* firstOf(const ir::Mission& mission, ir::ExprId id,
+                        std::initializer_list<ir::Op> ops) {
   const ir::Expr& expr = mission[id];
-  switch (expr.op) {
-    case ir::Op::Sensor:
-    case ir::Op::Age:
-    case ir::Op::MissionTime:
-    case ir::Op::StateTime:
-    case ir::Op::ResumeTime:
-      return expr.range;
-    default:
-      break;
+  if (std::ranges::find(ops, expr.op) != ops.end()) {
+    return &expr;
   }
   for (const ir::ExprId operand : expr.operands) {
-    if (const auto found = operand.valid() ? notAtStart(mission, operand) : std::nullopt) {
+    const ir::Expr* found = operand.valid() ? firstOf(mission, operand, ops) : nullptr;
+    if (found != nullptr) {
       return found;
     }
   }
-  return std::nullopt;
+  return nullptr;
 }
 
-/// Reports what is not known when the mission starts.
+/// False, and reported, if an expression depends on more than constants and parameters.
 bool knownAtStart(ir::ExprId id, Scope& scope) {
-  const auto found = notAtStart(scope.mission, id);
-  if (found) {
-    scope.report(DiagnosticId::notAtStart, *found, scope.text(*found));
+  using enum ir::Op;
+  const ir::Expr* found =
+      firstOf(scope.mission, id, {Sensor, Age, MissionTime, StateTime, ResumeTime});
+  if (found != nullptr) {
+    scope.report(DiagnosticId::notAtStart, found->range, scope.text(found->range));
   }
-  return !found;
+  return found == nullptr;
+}
+
+/// False, and reported, if a variable's start watches something over time, as an argument may: it
+/// has no past when the variable starts.
+bool knownOnEntry(ir::ExprId id, Scope& scope) {
+  const ir::Expr* found = firstOf(scope.mission, id, {ir::Op::Temporal});
+  if (found != nullptr) {
+    scope.report(DiagnosticId::overTimeNowhere, found->range, scope.text(found->range));
+  }
+  return found == nullptr;
 }
 
 ir::ExprId constantExpr(double value, const ir::Type& type, const support::SourceRange& range,
@@ -215,7 +222,8 @@ bool lowerVar(const ast::Var& node, const VariableOwner& owner, Named& named, Sc
   const auto bounds = lowering.bounds(node.range);
   const auto start = lowering.start(node.value);
   const bool mission = owner.kind == ir::VariableKind::Mission;
-  if (!bounds || !start || (mission && !knownAtStart(start->id, scope))) {
+  if (!bounds || !start || (mission && !knownAtStart(start->id, scope)) ||
+      !knownOnEntry(start->id, scope)) {
     return false;
   }
   const auto known = evaluate(scope.mission, start->id);

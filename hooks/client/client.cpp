@@ -194,7 +194,7 @@ void Client::notify(const TransitionNotice& notice) {
   }
 }
 
-void Client::notify(const MissionNote& note) {
+void Client::tell(const MissionNote& note) {
   if (note_count_ < kMostNotes) {
     notes_[note_count_++] = note;
   }

@@ -91,7 +91,7 @@ class Client {
   /// the rest is left out.
   void notify(const TransitionNotice& notice);
   /// Tells of a note, after all that matters more: one for which the line has no room is left out.
-  void notify(const MissionNote& note);
+  void tell(const MissionNote& note);
   /// Ends and sends the answer. Without a tick to answer it only remembers `status` for the next
   /// one.
   void done(const MissionStatus& status, const GliderByteStream& stream);

@@ -178,10 +178,10 @@ void encode(const TransitionNotice& notice, Frame& frame) {
   ByteWriter out = start(frame, MessageType::Transition);
   out.f64(notice.mission_time_s);
   out.u8(notice.transition);
-  out.u8(notice.list);
   out.u32(notice.from);
   out.u32(notice.to);
   out.u32(notice.fired_case);
+  out.u8(notice.list);
   finish(frame, out);
 }
 
@@ -301,10 +301,10 @@ bool decode(const Frame& frame, TransitionNotice& notice) {
   ByteReader in = reader(frame);
   notice.mission_time_s = in.f64();
   notice.transition = in.u8();
-  notice.list = in.u8();
   notice.from = in.u32();
   notice.to = in.u32();
   notice.fired_case = in.u32();
+  notice.list = in.u8();
   return frame.type == MessageType::Transition && in.exact() && notice.list <= kMostList &&
          isFinite(notice.mission_time_s);
 }

@@ -70,10 +70,10 @@ struct Subscribe {
 struct TransitionNotice {
   double mission_time_s = 0;
   uint8_t transition = 0;  ///< GliderTransition
-  uint8_t list = 1;        ///< GliderList: whose case made it
   uint32_t from = 0;
   uint32_t to = 0;
   uint32_t fired_case = 0;  ///< of `always`, or of state `from`
+  uint8_t list = 1;         ///< GliderList: which of the two
 };
 
 /// A word from the mission, for people: a `log` statement, a value that was unknown.

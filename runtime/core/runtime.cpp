@@ -219,7 +219,7 @@ void GliderRuntime::tellNotes() {
     told.mission_time_s = context_->mission_time;
     told.kind = static_cast<uint8_t>(context_->notes[i].kind);
     writeNote(*context_, context_->notes[i], told.text);
-    client_.notify(told);
+    client_.tell(told);
   }
   if (context_->lost_notes != 0) {
     log_.event(context_->mission_time, "notes lost", "", static_cast<double>(context_->lost_notes));

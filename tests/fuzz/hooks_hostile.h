@@ -72,6 +72,12 @@ inline void decodeAll(const Frame& frame) {
   requireSame<Subscribe>(frame);
   requireSame<TransitionNotice>(frame);
   requireSame<Done>(frame);
+  MissionNote note;
+  if (decode(frame, note)) {  // a text with a zero inside ends there
+    Frame again;
+    encode(note, again);
+    require(again.size <= frame.size);
+  }
   TickHead head;
   SensorList list;
   if (decode(frame, head, list)) {

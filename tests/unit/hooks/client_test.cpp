@@ -279,6 +279,22 @@ TEST_F(ClientTest, TransitionsTravelBeforeDoneAndAreBounded) {
   EXPECT_EQ(notice.mission_time_s, 100);
 }
 
+TEST_F(ClientTest, NotesComeLastBeforeDoneAndAreBounded) {
+  link();
+  MissionNote note;
+  note.text[0] = 'x';
+  for (int i = 0; i < 20; ++i) {
+    client_.tell(note);
+  }
+  client_.notify({100.0, 0, 0, 1, 0});
+  const auto frames = tick();
+  ASSERT_EQ(frames.size(), Client::kMostNotes + 2);
+  EXPECT_EQ(frames.front().type, Type::Transition);
+  EXPECT_EQ(frames[1].type, Type::Note);
+  EXPECT_EQ(frames.back().type, Type::Done);
+  EXPECT_EQ(tick().size(), 1U) << "told once";
+}
+
 TEST_F(ClientTest, SilenceIsToldEveryTwelveSecondsButNeverInVirtualTimeOrBeforeTheFirstFrame) {
   clock_.seconds = 100;
   EXPECT_EQ(poll(), ClientEvent::Nothing);

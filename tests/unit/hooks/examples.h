@@ -55,11 +55,19 @@ inline std::vector<std::pair<std::string, Frame>> exampleFrames() {
     (void)appendValue(f, {GLIDER_SCI_HOOK_DEPTH, 20});
     (void)appendValue(f, {GLIDER_SCI_HOOK_SEQUENCE, 258});
   });
-  add("Transition", 4, [](Frame& f) { encode(TransitionNotice{500, 1, 0, 1, 1}, f); });
+  add("Transition", 4, [](Frame& f) { encode(TransitionNotice{500, 1, 0, 1, 1, 0}, f); });
   add("Done", 5, [](Frame& f) { encode(Done{3, 7, {500, 1, 1, 1}}, f); });
   add("Sensors", 6, [](Frame& f) {
     encodeEmptyList(MessageType::Sensors, f);
     (void)appendValue(f, {GLIDER_SCI_HOOK_HEARTBEAT, 42});
+  });
+  add("Note", 7, [](Frame& f) {
+    MissionNote note;
+    note.mission_time_s = 500;
+    for (int i = 0; i < 13; ++i) {
+      note.text[i] = "met it at 12 "[i];
+    }
+    encode(note, f);
   });
   return examples;
 }

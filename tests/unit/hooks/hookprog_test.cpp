@@ -346,7 +346,7 @@ TEST_F(HookprogTest, AClosedLineIsALostSbcToldOnce) {
 TEST_F(HookprogTest, TransitionsAreEvents) {
   hello();
   events();
-  say(TransitionNotice{500, 1, 0, 1, 2});
+  say(TransitionNotice{500, 1, 0, 1, 2, 0});
   say(answered(0, 500));
   run();
   EXPECT_EQ(events(), (std::vector{Kind::SbcTransition}));
@@ -354,6 +354,7 @@ TEST_F(HookprogTest, TransitionsAreEvents) {
   EXPECT_EQ(last_event_.a, 1U);
   EXPECT_EQ(last_event_.c, 1U);
   EXPECT_EQ(last_event_.d, 2U);
+  EXPECT_EQ(last_event_.e, 0U);
   EXPECT_EQ(hookprog_.sbc().mission_time_s, 500);
   EXPECT_EQ(hookprog_.sbc().state, 2U);
   EXPECT_EQ(hookprog_.sbc().stack_depth, 1);
@@ -376,6 +377,23 @@ TEST_F(HookprogTest, EventsAreBounded) {
   }
   run();
   EXPECT_EQ(events().size(), 32U);
+}
+
+TEST_F(HookprogTest, NotesAreToldAndLeaveRoomForOtherEvents) {
+  hello();
+  events();
+  MissionNote note;
+  note.mission_time_s = 500;
+  note.text[0] = 'x';
+  for (int i = 0; i < 40; ++i) {
+    say(note);
+  }
+  say(TransitionNotice{504, 1, 0, 1, 2});
+  run();
+  const auto told = events();
+  ASSERT_EQ(told.size(), 17U);
+  EXPECT_EQ(told.front(), Kind::SbcNote);
+  EXPECT_EQ(told.back(), Kind::SbcTransition);
 }
 
 }  // namespace

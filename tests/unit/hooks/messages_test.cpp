@@ -23,10 +23,11 @@ bool taken(const Frame& frame) {
   Hello hello;
   Subscribe subscribe;
   TransitionNotice notice;
+  MissionNote note;
   Done done;
   const int takers = decode(frame, beacon) + decode(frame, welcome) + decode(frame, head, list) +
                      decode(frame, hello) + decode(frame, subscribe) + decode(frame, notice) +
-                     decode(frame, done) + decodeList(frame, list);
+                     decode(frame, done) + decode(frame, note) + decodeList(frame, list);
   EXPECT_LE(takers, 1);
   return takers == 1;
 }

@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Parameters at launch: what a pilot writes, and what the mission allows.
+
+#include "runtime/launch/launch.h"
+
+#include "tests/unit/runtime/bench_mission.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <limits>
+#include <string>
+
+namespace glider::runtime::testing {
+namespace {
+
+constexpr double kEndless = std::numeric_limits<double>::infinity();
+constexpr const char* kLength = "m=3ff0000000000000 cm=3f847ae147ae147b km=408f400000000000";
+
+class LaunchTest : public ::testing::Test {
+ protected:
+  LaunchTest() {
+    bench_.states = {{"a", nullptr, nullptr, 0, 0}};
+    bench_.parameters = {{"bottom", 25, 10, 30, kLength},
+                         {"survey.top", 5, 1, kEndless, kLength},
+                         {"deep", 0, 0, 1, "bool"},
+                         {"lat", 39, -90, 90, "N=3ff0000000000000 S=bff0000000000000"},
+                         {"gain", 0.5, -kEndless, kEndless, "=3ff0000000000000 %=3f847ae147ae147b"}};
+    bench_.condition = [](const GliderContext& c) {
+      return c.variables[0] >= c.variables[1] + 5 ? GLIDER_NO_CASE : 0U;
+    };
+    bench_.finish(0);
+  }
+  /// The problem with a setting; empty if there is none.
+  static std::string set(Launch& launch, const std::string& setting) {
+    return launch.set({setting.data(), setting.data() + setting.size()}) ? "" : launch.problem();
+  }
+  BenchMission bench_;
+};
+
+TEST_F(LaunchTest, TakesValuesWithTheirUnits) {
+  Launch launch(bench_.mission);
+  EXPECT_EQ(launch.values()[0], 25);
+  const struct {
+    const char* setting;
+    int parameter;
+    double value;
+  } table[] = {{"bottom=20", 0, 20},          {"bottom = 20 m", 0, 20},   {"bottom=2000cm", 0, 20},
+               {" bottom =\t.02 km ", 0, 20}, {"bottom=1.25e1m", 0, 12.5}, {"survey.top=+3.", 1, 3},
+               {"deep=true", 2, 1},           {"deep = false", 2, 0},      {"lat=39.2 S", 3, -39.2},
+               {"lat=-39.2", 3, -39.2},       {"gain=-20%", 4, -0.2},      {"gain=0.1", 4, 0.1},
+               {"gain=-0", 4, 0},             {"gain=1e22", 4, 1e22},      {"gain=123456789.012345", 4, 123456789.012345},
+               {"gain=000000000000000000.5", 4, 0.5}};
+  for (const auto& row : table) {
+    EXPECT_EQ(set(launch, row.setting), "") << row.setting;
+    EXPECT_EQ(launch.values()[row.parameter], row.value) << row.setting;
+  }
+}
+
+TEST_F(LaunchTest, SaysWhatIsWrongAndChangesNothing) {
+  Launch launch(bench_.mission);
+  const std::pair<const char*, const char*> table[] = {
+      {"botom=20m", "the mission has no parameter `botom`; it has bottom, survey.top, deep, lat, gain"},
+      {"bottom", "`bottom` sets nothing; write `name=value`"},
+      {"", "`` sets nothing; write `name=value`"},
+      {"bottom=40m", "`bottom` cannot be `40m`: outside its range, 10 m to 30 m"},
+      {"survey.top=0", "`survey.top` cannot be `0`: outside its range, at least 1 m"},
+      {"bottom=20 kg", "`bottom` cannot be `20 kg`: after the number its unit: m, cm, km"},
+      {"bottom=20 m m", "`bottom` cannot be `20 m m`: after the number its unit: m, cm, km"},
+      {"bottom=", "`bottom` cannot be ``: it is not a number"},
+      {"bottom=m", "`bottom` cannot be `m`: it is not a number"},
+      {"bottom=nan", "`bottom` cannot be `nan`: it is not a number"},
+      {"bottom=.", "`bottom` cannot be `.`: it is not a number"},
+      {"bottom=1e", "`bottom` cannot be `1e`: after the number its unit: m, cm, km"},
+      {"gain=1.234567890123456", "`gain` cannot be `1.234567890123456`: numbers have at most 15 digits, and powers "
+                                 "of ten up to 22"},
+      {"gain=1e99999999999", "`gain` cannot be `1e99999999999`: numbers have at most 15 digits, and powers of ten "
+                             "up to 22"},
+      {"deep=1", "`deep` cannot be `1`: write `true` or `false`"}};
+  for (const auto& [setting, problem] : table) {
+    EXPECT_EQ(set(launch, setting), problem);
+    EXPECT_EQ(launch.values()[0], 25);
+  }
+}
+
+TEST_F(LaunchTest, APilotsNovelIsCutShort) {
+  Launch launch(bench_.mission);
+  const std::string problem = set(launch, std::string(100000, 'x') + "=1");
+  EXPECT_LT(problem.size(), 401U);
+  EXPECT_NE(problem.find("no parameter `xxx"), std::string::npos);
+}
+
+TEST_F(LaunchTest, ReadsAFile) {
+  Launch launch(bench_.mission);
+  auto all = [&](const std::string& text) {
+    return launch.setAll("dive.txt", {text.data(), text.data() + text.size()}) ? ""
+                                                                            : launch.problem();
+  };
+  EXPECT_STREQ(all("# a comment\r\n\n  bottom = 20 m # not 25\r\nsurvey.top=2"), "");
+  EXPECT_EQ(launch.values()[0], 20);
+  EXPECT_EQ(launch.values()[1], 2);
+  EXPECT_STREQ(all(""), "");
+  EXPECT_STREQ(all("\n\nbottom = 7\n"),
+               "dive.txt:3: `bottom` cannot be `7`: outside its range, 10 m to 30 m");
+  EXPECT_STREQ(all(std::string("bottom = 12\0m", 13).c_str()), "");
+}
+
+TEST_F(LaunchTest, ParametersMustFitTogether) {
+  Launch launch(bench_.mission);
+  EXPECT_TRUE(launch.check());
+  EXPECT_EQ(set(launch, "survey.top = 21 m"), "");
+  EXPECT_FALSE(launch.check());
+  EXPECT_STREQ(launch.problem(),
+               "these parameters together do not satisfy `where` number 1 of the mission: bottom = "
+               "25 m, survey.top = 21 m, deep = false, lat = 39 N, gain = 0.5");
+}
+
+TEST_F(LaunchTest, AMissionWithoutParametersSaysSo) {
+  BenchMission bench;
+  bench.states = {{"a", nullptr, nullptr, 0, 0}};
+  bench.finish(0);
+  Launch launch(bench.mission);
+  EXPECT_TRUE(launch.check());
+  EXPECT_EQ(set(launch, "bottom=2"), "the mission has no parameter `bottom`; it has none");
+}
+
+}  // namespace
+}  // namespace glider::runtime::testing

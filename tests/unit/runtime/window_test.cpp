@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "ir/eval/arithmetic.h"
 #include "ir/eval/window.h"
+
+#include "ir/eval/arithmetic.h"
 #include "runtime/abi/window.h"
 
 #include <gtest/gtest.h>

@@ -129,28 +129,31 @@ Result<void> checkSize(size_t bytes, const Board& board) {
   return {};
 }
 
-/// Both files or neither, as far as a file system can promise that: the executable comes last.
-Result<void> writeBoth(const SplitExecutable& split, const std::filesystem::path& output,
-                       const std::filesystem::path& debug_output) {
-  if (auto written =
-          support::writeFileAtomically(debug_output, split.debug, support::FileKind::Product);
-      !written) {
-    return written;
+/// The linked executable, with its symbols and line tables if they are `wanted`.
+Result<std::string> linkWhole(const ir::Mission& mission, const ir::MissionFacts& facts,
+                              const Board& board, const CodegenOptions& options, bool wanted) {
+  auto parts = compileProgram(mission, facts, board, options, ProgramKind::Executable, {"main"});
+  if (!parts) {
+    return std::unexpected(parts.error());
   }
-  auto written =
-      support::writeFileAtomically(output, split.stripped, support::FileKind::ExecutableProduct);
-  if (!written) {
-    std::error_code ignored;
-    std::filesystem::remove(debug_output, ignored);
-  }
-  return written;
+  return link({ProgramKind::Executable, parts->object, parts->further_inputs, {}, wanted}, board);
 }
 
-/// A debug file stands beside a file, not beside a device or pipe.
-bool canStandBeside(const std::filesystem::path& output) {
-  std::error_code ignored;
-  const auto status = std::filesystem::status(output, ignored);
-  return !std::filesystem::exists(status) || std::filesystem::is_regular_file(status);
+/// Both files or neither, as far as a file system can promise that: both lie there whole before the
+/// first is renamed.
+Result<void> writeBoth(const SplitExecutable& split, const std::filesystem::path& output,
+                       const std::filesystem::path& debug_output) {
+  auto executable =
+      support::StagedFile::write(output, split.stripped, support::FileKind::ExecutableProduct);
+  if (!executable) {
+    return std::unexpected(executable.error());
+  }
+  auto debug = support::StagedFile::write(debug_output, split.debug, support::FileKind::Product);
+  if (!debug) {
+    return std::unexpected(debug.error());
+  }
+  auto published = executable->publish();
+  return published ? debug->publish() : published;
 }
 
 /// What a shared object exports.
@@ -185,24 +188,30 @@ Result<std::string> emitObject(const ir::Mission& mission, const ir::MissionFact
   return compileAlone(mission, facts, board, options, llvm::CodeGenFileType::ObjectFile);
 }
 
+Result<std::string> linkForStream(const ir::Mission& mission, const ir::MissionFacts& facts,
+                                  const Board& board, const CodegenOptions& options) {
+  auto linked = linkWhole(mission, facts, board, options, false);
+  if (linked) {
+    if (auto fits = checkSize(linked->size(), board); !fits) {
+      return std::unexpected(fits.error());
+    }
+  }
+  return linked;
+}
+
 Result<void> linkExecutable(const ir::Mission& mission, const ir::MissionFacts& facts,
                             const Board& board, const CodegenOptions& options,
                             const std::filesystem::path& output) {
-  auto parts = compileProgram(mission, facts, board, options, ProgramKind::Executable, {"main"});
-  if (!parts) {
-    return std::unexpected(parts.error());
+  // A debug file stands beside a file, not beside a device or pipe.
+  if (!options.debug || !support::isReplaceable(output)) {
+    const auto linked = linkForStream(mission, facts, board, options);
+    return linked
+               ? support::writeFileAtomically(output, *linked, support::FileKind::ExecutableProduct)
+               : std::unexpected(linked.error());
   }
-  const bool split_wanted = options.debug && canStandBeside(output);
-  auto linked = link(
-      {ProgramKind::Executable, parts->object, parts->further_inputs, {}, split_wanted}, board);
+  const auto linked = linkWhole(mission, facts, board, options, true);
   if (!linked) {
     return std::unexpected(linked.error());
-  }
-  if (!split_wanted) {
-    const auto fits = checkSize(linked->size(), board);
-    return fits
-               ? support::writeFileAtomically(output, *linked, support::FileKind::ExecutableProduct)
-               : fits;
   }
   std::filesystem::path debug_output = output;
   debug_output += ".debug";

@@ -43,6 +43,12 @@ support::Result<void> linkExecutable(const ir::Mission& mission, const ir::Missi
                                      const platforms::Board& board, const CodegenOptions& options,
                                      const std::filesystem::path& output);
 
+/// The content of the board's executable, stripped, for a pipe or device. Errors as linkExecutable.
+support::Result<std::string> linkForStream(const ir::Mission& mission,
+                                           const ir::MissionFacts& facts,
+                                           const platforms::Board& board,
+                                           const CodegenOptions& options);
+
 /// The content of a shared object for this machine that exports `gliderMission` and
 /// runtime/abi/entry_points.def: what load/loaded_mission.h loads. `host` must be the host's board.
 /// Errors as linkExecutable.

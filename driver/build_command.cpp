@@ -17,12 +17,14 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace glider::driver {
 namespace {
 
 enum class Emit : uint8_t { Ast, Ir, Llvm, Asm, Obj, Exe };
 
+/// The values of `--emit`.
 const std::map<std::string, Emit> kEmits = {{"ast", Emit::Ast},   {"ir", Emit::Ir},
                                             {"llvm", Emit::Llvm}, {"asm", Emit::Asm},
                                             {"obj", Emit::Obj},   {"exe", Emit::Exe}};
@@ -68,7 +70,10 @@ codegen::CodegenOptions codegenOptions(const BuildOptions& options,
 /// The product of every stage but the last as text or bytes.
 support::Result<std::string> produce(const BuildOptions& options, const Compilation& compilation) {
   if (options.emit == Emit::Ast) {
-    return compilation.ast ? ast::print(*compilation.ast) : std::string();
+    if (!compilation.ast) {
+      return support::fail(support::DiagnosticId::noSyntaxTree, options.mission);
+    }
+    return ast::print(*compilation.ast);
   }
   if (options.emit == Emit::Ir) {
     return ir::print(*compilation.mission);
@@ -83,6 +88,8 @@ support::Result<std::string> produce(const BuildOptions& options, const Compilat
       return codegen::emitLlvm(*compilation.mission, compilation.facts, *board, how);
     case Emit::Asm:
       return codegen::emitAssembly(*compilation.mission, compilation.facts, *board, how);
+    case Emit::Exe:
+      return codegen::linkForStream(*compilation.mission, compilation.facts, *board, how);
     default:
       return codegen::emitObject(*compilation.mission, compilation.facts, *board, how);
   }
@@ -108,6 +115,16 @@ support::Result<void> buildExecutable(const BuildOptions& options, const Compila
                                  codegenOptions(options, compilation), options.output);
 }
 
+/// True if the build would write over the mission's own file.
+bool overwritesMission(const BuildOptions& options) {
+  std::error_code error;  // a file that is not there yet is not the mission
+  const auto isMission = [&](const std::string& file) {
+    return std::filesystem::equivalent(file, options.mission, error) && !error;
+  };
+  return isMission(options.output) ||
+         (options.emit == Emit::Exe && isMission(options.output + ".debug"));
+}
+
 int build(BuildOptions options) {
   // The target first: a typing error there should not cost a compilation.
   if (const auto board = loadTarget(options.target); !board) {
@@ -123,11 +140,13 @@ int build(BuildOptions options) {
     return kMissionHasErrors;
   }
   options.output = options.output.empty() ? outputName(options) : options.output;
-  if (options.emit == Emit::Exe && options.output == "-") {
-    options.output = "/dev/stdout";
+  if (overwritesMission(options)) {
+    return reportFailure(
+        support::fail(support::DiagnosticId::outputIsInput, options.mission).error());
   }
-  const auto built = options.emit == Emit::Exe ? buildExecutable(options, compilation)
-                                               : buildProduct(options, compilation);
+  const bool executable = options.emit == Emit::Exe && options.output != "-";
+  const auto built =
+      executable ? buildExecutable(options, compilation) : buildProduct(options, compilation);
   return built ? kFine : reportFailure(built.error());
 }
 
@@ -143,9 +162,10 @@ void addBuildCommand(CLI::App& app, int& status) {
   command->add_option("--target", options->target, "What to build for (see `glidercc targets`)")
       ->capture_default_str();
   command
-      ->add_option("--emit", options->emit,
-                   "What to write: ast, ir, llvm, asm, obj or exe (default)")
-      ->transform(CLI::Transformer(kEmits))
+      ->add_option_function<std::string>(
+          "--emit", [options](const std::string& stage) { options->emit = kEmits.at(stage); },
+          "What to write: ast, ir, llvm, asm, obj or exe (default)")
+      ->check(CLI::IsMember(std::vector<std::string>{"ast", "ir", "llvm", "asm", "obj", "exe"}))
       ->option_text("STAGE");
   command->add_option("-O", options->level, "Optimisation level, 0 to 3")
       ->check(CLI::Range(0, 3))

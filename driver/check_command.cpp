@@ -49,7 +49,7 @@ int check(const std::string& path) {
   const std::string found =
       counted(compilation.diagnostics.errorCount(), compilation.diagnostics.warningCount());
   if (!compilation.ok()) {
-    fmt::print(stderr, "{}: {}\n", path, found);
+    tell(fmt::format("{}: {}\n", path, found));
     return kMissionHasErrors;
   }
   const std::string text = fmt::format("{}: {}; mission {}, {} states, {}\n", path,

@@ -14,6 +14,10 @@ void addCheckCommand(CLI::App& app, int& status);
 void addBuildCommand(CLI::App& app, int& status);
 void addParamsCommand(CLI::App& app, int& status);
 void addSimCommand(CLI::App& app, int& status);
+void addExplainCommand(CLI::App& app, int& status);
+void addFixCommand(CLI::App& app, int& status);
+void addFmtCommand(CLI::App& app, int& status);
+void addPlatformCommand(CLI::App& app, int& status);
 void addTargetsCommand(CLI::App& app, int& status);
 
 }  // namespace glider::driver

@@ -4,6 +4,7 @@
 #include "driver/compilation.h"
 
 #include "driver/share.h"
+#include "frontend/import/imports.h"
 #include "ir/text/read.h"
 #include "ir/verify/verify.h"
 #include "support/files.h"
@@ -71,24 +72,36 @@ Result<void> analyse(Compilation& compilation, uint32_t file) {
   if (!library) {
     return std::unexpected(library.error());
   }
-  if (*library) {
-    const frontend::AnalysisInputs inputs{*compilation.platform, {&**library}, compilation.sources};
-    compilation.mission = frontend::analyse(*compilation.ast, inputs, compilation.diagnostics);
+  const auto imports =
+      frontend::loadImports(*compilation.ast, compilation.sources, compilation.diagnostics);
+  if (!*library || !imports) {
+    return {};
   }
+  frontend::AnalysisInputs inputs{*compilation.platform, {&**library}, compilation.sources};
+  for (const ast::File& import : *imports) {
+    inputs.library.push_back(&import);
+  }
+  compilation.mission = frontend::analyse(*compilation.ast, inputs, compilation.diagnostics);
   return {};
 }
 
 }  // namespace
 
 Result<std::unique_ptr<Compilation>> compileMission(const std::filesystem::path& path) {
-  auto compilation = std::make_unique<Compilation>();
-  auto file = addSource(compilation->sources, path);
-  if (!file) {
-    return std::unexpected(file.error());
+  auto text = support::readFile(path);
+  if (!text) {
+    return std::unexpected(text.error());
   }
+  return compileText(path, std::move(*text));
+}
+
+Result<std::unique_ptr<Compilation>> compileText(const std::filesystem::path& path,
+                                                 std::string text) {
+  auto compilation = std::make_unique<Compilation>();
+  const uint32_t file = compilation->sources.add(path.string(), std::move(text));
   if (path.extension() == ".ir") {
-    compilation->mission = ir::read(compilation->sources, *file, compilation->diagnostics);
-  } else if (auto analysed = analyse(*compilation, *file); !analysed) {
+    compilation->mission = ir::read(compilation->sources, file, compilation->diagnostics);
+  } else if (auto analysed = analyse(*compilation, file); !analysed) {
     return std::unexpected(analysed.error());
   }
   if (compilation->ok()) {

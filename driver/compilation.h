@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
 
 namespace glider::driver {
 
@@ -32,5 +33,9 @@ struct Compilation {
 /// form. The mission's mistakes stand in Compilation::diagnostics; only the world's failures (file,
 /// platform data) are a Failure.
 support::Result<std::unique_ptr<Compilation>> compileMission(const std::filesystem::path& path);
+
+/// The same for a `text` that stands in for the file at `path`; it is file 0 of the sources.
+support::Result<std::unique_ptr<Compilation>> compileText(const std::filesystem::path& path,
+                                                          std::string text);
 
 }  // namespace glider::driver

@@ -8,7 +8,8 @@ namespace glider::driver {
 /// What the command tells the shell.
 enum ExitCode : int {
   kFine = 0,
-  kMissionHasErrors = 1,  ///< the mission is wrong, or its flight ended in an abort
+  kMissionHasErrors = 1,  ///< the mission is wrong, or its flight ended in an abort or had
+                          ///< instructions refused
   kWorldFailed = 2,       ///< bad usage, or a file, port or tool failed
 };
 

@@ -39,7 +39,8 @@ double InProcessSbc::now(void* self) {
 
 void InProcessSbc::deliver(std::span<const uint8_t> bytes, double now_s) {
   now_s_ = now_s;
-  if (!killed_) {
+  if (alive()) {
+    lockstep_.toSbc(bytes.data(), static_cast<uint32_t>(bytes.size()));
     to_sbc_.insert(to_sbc_.end(), bytes.begin(), bytes.end());
   }
 }
@@ -47,8 +48,14 @@ void InProcessSbc::deliver(std::span<const uint8_t> bytes, double now_s) {
 std::vector<uint8_t> InProcessSbc::collect() {
   const GliderByteStream stream{this, readBytes, writeBytes};
   const GliderClock clock{this, now};
-  while (!killed_ && mission_.poll(runtime_, stream, clock) == kGliderRuntimeProgressed) {
+  GliderRuntimeStatus status = kGliderRuntimeProgressed;
+  while (alive() && !finished_ && status == kGliderRuntimeProgressed) {
+    status = mission_.poll(runtime_, stream, clock);
+    finished_ = status == kGliderRuntimeFinished;
   }
+  lockstep_.fromSbc(from_sbc_.data(), static_cast<uint32_t>(from_sbc_.size()));
+  // As the program on a board ends: it is missed when it does not answer any more.
+  ended_ = finished_ && !lockstep_.settled();
   to_sbc_.erase(to_sbc_.begin(), to_sbc_.begin() + static_cast<ptrdiff_t>(taken_));
   taken_ = 0;
   return std::exchange(from_sbc_, {});

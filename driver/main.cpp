@@ -3,9 +3,9 @@
 
 #include "driver/commands.h"
 #include "driver/exit_code.h"
+#include "driver/terminal.h"
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
 
 #include <csignal>
 #include <exception>
@@ -14,9 +14,20 @@
 namespace {
 
 constexpr const char* kFooter =
-    "Exit codes: 0 fine, 1 the mission has errors (or its flight ended in an abort), 2 wrong usage "
-    "or the world failed.\n"
+    "Exit codes: 0 fine, 1 the mission has errors (or its flight ended in an abort or had "
+    "instructions refused),\n2 wrong usage or the world failed.\n"
     "Try: glidercc check missions/figure2.mission";
+
+/// CLI11 would only say that a command is wanted.
+int tellUnknownCommand(const CLI::App& app, const std::string& word) {
+  std::string names;
+  for (const CLI::App* command : app.get_subcommands({})) {
+    names += (names.empty() ? "" : ", ") + command->get_name();
+  }
+  glider::driver::tell("glidercc: error: there is no command `" + word +
+                       "`\n  hint: there are: " + names + "\n");
+  return glider::driver::kWorldFailed;
+}
 
 int run(int argc, char** argv) {
   using namespace glider::driver;
@@ -33,9 +44,18 @@ int run(int argc, char** argv) {
   addBuildCommand(app, status);
   addParamsCommand(app, status);
   addSimCommand(app, status);
+  addFmtCommand(app, status);
+  addFixCommand(app, status);
+  addExplainCommand(app, status);
   addTargetsCommand(app, status);
+  addPlatformCommand(app, status);
   try {
     app.parse(argc, argv);
+  } catch (const CLI::RequiredError& error) {
+    if (argc > 1 && argv[1][0] != '-' && app.get_subcommands().empty()) {
+      return tellUnknownCommand(app, argv[1]);
+    }
+    return app.exit(error) == 0 ? kFine : kWorldFailed;
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kFine : kWorldFailed;
   }
@@ -50,7 +70,7 @@ int main(int argc, char** argv) {
   try {
     return run(argc, argv);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "glidercc: internal error: {}\n", error.what());
+    glider::driver::tell(std::string("glidercc: internal error: ") + error.what() + "\n");
     return glider::driver::kWorldFailed;
   }
 }

@@ -46,6 +46,7 @@ Result<void> checkLaunch(const Compilation& compilation, const LaunchChoice& lau
 
 Result<std::unique_ptr<SbcPort>> sbcOnBoard(const Compilation& compilation,
                                             const LaunchChoice& launch, const std::string& board,
+                                            const std::string& name,
                                             const std::filesystem::path& folder) {
   if (auto allowed = checkLaunch(compilation, launch); !allowed) {
     return std::unexpected(allowed.error());
@@ -54,7 +55,7 @@ Result<std::unique_ptr<SbcPort>> sbcOnBoard(const Compilation& compilation,
   if (!target) {
     return std::unexpected(target.error());
   }
-  const std::filesystem::path binary = folder / (compilation.mission->name + "-" + board);
+  const std::filesystem::path binary = folder / (name + "-" + board);
   codegen::CodegenOptions options;
   options.sources = &compilation.sources;
   const auto built =
@@ -64,6 +65,8 @@ Result<std::unique_ptr<SbcPort>> sbcOnBoard(const Compilation& compilation,
   }
   std::vector<std::string> command = target->emulator;
   const std::filesystem::path log = folder / "mission-log.csv";
+  std::error_code ignored;
+  std::filesystem::remove(log, ignored);  // of an earlier flight: the program would write after it
   for (const std::string& word : {std::filesystem::absolute(binary).string(), std::string("--port"),
                                   std::string("{port}"), std::string("--log"), log.string()}) {
     command.push_back(word);
@@ -78,7 +81,12 @@ Result<std::unique_ptr<SbcPort>> sbcOnBoard(const Compilation& compilation,
 }
 
 Result<std::unique_ptr<SbcPort>> sbcProgram(const std::string& program) {
-  return ProcessSbcPort::start("program", {program, "--port", "{port}"});
+  // A file that lies here is meant, not one of that name somewhere in PATH.
+  std::error_code ignored;
+  const bool here = std::filesystem::is_regular_file(program, ignored);
+  return ProcessSbcPort::start(
+      "program",
+      {here ? std::filesystem::absolute(program).string() : program, "--port", "{port}"});
 }
 
 }  // namespace glider::driver

@@ -18,10 +18,11 @@ namespace glider::driver {
 support::Result<std::unique_ptr<simulator::SbcPort>> sbcInProcess(const Compilation& compilation,
                                                                   const LaunchChoice& launch);
 
-/// Builds the mission's binary for `board` into `folder` and starts it behind a pseudo-terminal,
-/// under the board's emulator if it has one.
+/// Builds the mission's binary for `board` into `folder` as `name`-`board` and starts it behind a
+/// pseudo-terminal, under the board's emulator if it has one.
 support::Result<std::unique_ptr<simulator::SbcPort>> sbcOnBoard(
     const Compilation& compilation, const LaunchChoice& launch, const std::string& board,
+    const std::string& name,
     const std::filesystem::path& folder);
 
 /// Starts a program that somebody has built, with `--port PTY` as its only arguments.

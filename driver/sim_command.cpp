@@ -10,6 +10,7 @@
 #include "driver/share.h"
 #include "driver/terminal.h"
 #include "report/summary.h"
+#include "report/warnings.h"
 #include "simulator/simulator.h"
 
 #include <CLI/CLI.hpp>
@@ -17,7 +18,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <charconv>
 #include <chrono>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -64,13 +67,16 @@ support::Result<std::filesystem::path> scenarioPath(const std::string& wanted) {
   return shareDirectory() / "scenarios" / (wanted + ".toml");
 }
 
-std::string outputFolder(const SimOptions& options) {
-  if (!options.output.empty()) {
-    return options.output;
-  }
+/// What files of this flight are called: after the mission's file, whose name is one that a file
+/// can have.
+std::string stemOf(const SimOptions& options) {
   const std::string named = options.mission.empty() ? options.program : options.mission;
   const std::string stem = std::filesystem::path(named).stem().string();
-  return (stem.empty() ? "layered" : stem) + "-flight";
+  return stem.empty() ? "layered" : stem;
+}
+
+std::string outputFolder(const SimOptions& options) {
+  return options.output.empty() ? stemOf(options) + "-flight" : options.output;
 }
 
 /// Compiles the mission if there is one; empty with `status` set when it has errors or cannot be
@@ -97,7 +103,12 @@ support::Result<std::unique_ptr<simulator::SbcPort>> chooseSbc(const SimOptions&
   if (options.board.empty()) {
     return sbcInProcess(*compilation, options.launch);
   }
-  return sbcOnBoard(*compilation, options.launch, options.board, outputFolder(options));
+  // The board's binary is built where the report will be.
+  if (auto made = makeFolder(outputFolder(options)); !made) {
+    return std::unexpected(made.error());
+  }
+  return sbcOnBoard(*compilation, options.launch, options.board, stemOf(options),
+                    outputFolder(options));
 }
 
 void describeMission(simulator::SimulationSetup& setup, const Compilation& compilation) {
@@ -145,7 +156,8 @@ int flyAndReport(simulator::SimulationSetup setup, const SimOptions& options) {
   if (!printed) {
     return reportFailure(printed.error());
   }
-  return aborted(*trace) ? kMissionHasErrors : kFine;
+  const bool good = !aborted(*trace) && report::refusedInstructions(*trace) == 0;
+  return good ? kFine : kMissionHasErrors;
 }
 
 /// Loads the scenario; its mistakes are shown as a mission's are.
@@ -176,9 +188,6 @@ int sim(const SimOptions& options) {
   if (!platform) {
     return reportFailure(platform.error());
   }
-  if (auto made = makeFolder(outputFolder(options)); !made) {
-    return reportFailure(made.error());
-  }
   auto sbc = chooseSbc(options, compilation.get());
   if (!sbc) {
     return reportFailure(sbc.error());
@@ -193,6 +202,23 @@ int sim(const SimOptions& options) {
     describeMission(setup, *compilation);
   }
   return flyAndReport(std::move(setup), options);
+}
+
+/// A whole number of 64 bits without a sign: CLI11 would wrap `-1` round, and cut a larger one.
+std::string checkSeed(const std::string& text) {
+  uint64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool good = error == std::errc() && end == text.data() + text.size();
+  return good ? "" : fmt::format("`{}` is no whole number from 0 to 2^64-1", text);
+}
+
+/// A time that comes.
+std::string checkTime(const std::string& text) {
+  double value = -1;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool good = error == std::errc() && end == text.data() + text.size() &&
+                    std::isfinite(value) && value >= 0;
+  return good ? "" : fmt::format("`{}` is no time from 0 s on", text);
 }
 
 void addOptions(CLI::App& command, SimOptions& options) {
@@ -211,10 +237,12 @@ void addOptions(CLI::App& command, SimOptions& options) {
           ->option_text("PROGRAM");
   auto* without = command.add_flag("--no-sbc", options.without_sbc, "Fly without an SBC");
   command.add_option("--seed", options.seed, "Seed of all noise, instead of the scenario's")
+      ->check(CLI::Validator(checkSeed, "", "seed"))
       ->option_text("N");
   command
       .add_option("--kill-sbc-at", options.kill_sbc_at_s,
                   "Cut the SBC's power at this time of the vehicle, s")
+      ->check(CLI::Validator(checkTime, "", "time"))
       ->option_text("SECONDS");
   command.add_option("-o", options.output, "Folder for report.html, trace.csv and events.csv")
       ->option_text("FOLDER");

@@ -21,20 +21,26 @@ bool colourWanted() {
 
 }  // namespace
 
+void tell(std::string_view text) {
+  // Not fmt::print, which throws when the write fails: a failure must be told by the exit code
+  // then.
+  (void)std::fwrite(text.data(), 1, text.size(), stderr);
+  (void)std::fflush(stderr);
+}
+
 int reportFailure(const support::Failure& failure) {
   const auto& row = support::catalogueRow(failure.id);
-  fmt::print(stderr, "glidercc: error: {} [{} {}]\n", failure.message, support::code(failure.id),
-             row.slug);
+  tell(fmt::format("glidercc: error: {} [{} {}]\n", failure.message, support::code(failure.id),
+                   row.slug));
   if (!failure.hint.empty()) {
-    fmt::print(stderr, "  hint: {}\n", failure.hint);
+    tell(fmt::format("  hint: {}\n", failure.hint));
   }
   return kWorldFailed;
 }
 
 void reportDiagnostics(const support::DiagnosticEngine& diagnostics,
                        const support::SourceManager& sources) {
-  const std::string text = support::render(diagnostics, sources, colourWanted());
-  std::fputs(text.c_str(), stderr);
+  tell(support::render(diagnostics, sources, colourWanted()));
 }
 
 support::Result<void> printOut(std::string_view text) {
@@ -51,16 +57,14 @@ ProgressLine::ProgressLine() : terminal_(::isatty(STDERR_FILENO) != 0) {}
 
 void ProgressLine::show(std::string_view text) {
   if (terminal_) {
-    fmt::print(stderr, "\r\x1b[K{}", text);
-    std::fflush(stderr);
+    tell(fmt::format("\r\x1b[K{}", text));
     shown_ = true;
   }
 }
 
 void ProgressLine::clear() {
   if (shown_) {
-    fmt::print(stderr, "\r\x1b[K");
-    std::fflush(stderr);
+    tell("\r\x1b[K");
     shown_ = false;
   }
 }

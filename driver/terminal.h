@@ -10,6 +10,8 @@
 
 namespace glider::driver {
 
+/// Writes to standard error what can be written there: nobody may be listening.
+void tell(std::string_view text);
 /// Prints a failure of the world as `glidercc: error: … [GL9001 slug]` with its hint; returns the
 /// exit code for it.
 int reportFailure(const support::Failure& failure);

@@ -5,6 +5,7 @@
 
 #include "report/figures.h"
 #include "report/text.h"
+#include "report/warnings.h"
 
 #include <fmt/format.h>
 
@@ -145,6 +146,9 @@ std::string eventLines(const Trace& trace, bool transitions) {
 std::string summarize(const Trace& trace) {
   const FlightFigures figures = flightFigures(trace);
   std::string out = heading(trace);
+  for (const std::string& warning : flightWarnings(trace)) {
+    out += wrapped("  warning: " + warning, kWidth, 4);
+  }
   out += figures.rows == 0 ? "  nothing was recorded\n" : figureLines(figures);
   out += stateLines(figures);
   out += eventLines(trace, true);

@@ -89,8 +89,9 @@ void MissionStory::note(double now_s, const hooks::HookprogEvent& event, Journal
   journal.events().back().mission_time_s = event.mission_time_s;
 }
 
-void MissionStory::follow(double now_s, double cycle_s, ScienceComputer& science,
+bool MissionStory::follow(double now_s, double cycle_s, ScienceComputer& science,
                           const FlightController& flight, Journal& journal) {
+  bool in_another_state = false;
   learnOrigin(cycle_s, science.sbc(), flight.hookActive());
   for (auto event = science.nextEvent(); event.kind != Kind::None; event = science.nextEvent()) {
     switch (event.kind) {
@@ -104,6 +105,7 @@ void MissionStory::follow(double now_s, double cycle_s, ScienceComputer& science
         break;
       case Kind::SbcTransition:
         transition(now_s, event, science, flight, journal);
+        in_another_state = true;
         break;
       case Kind::SbcNote:
         note(now_s, event, journal);
@@ -120,6 +122,7 @@ void MissionStory::follow(double now_s, double cycle_s, ScienceComputer& science
         break;
     }
   }
+  return in_another_state;
 }
 
 }  // namespace glider::simulator

@@ -23,8 +23,8 @@ class MissionStory {
       : platform_(platform), state_names_(state_names), explain_(explain) {}
 
   /// After each science cycle: takes hookprog's news into `journal`. `cycle_s` is the time of the
-  /// newest control cycle.
-  void follow(double now_s, double cycle_s, ScienceComputer& science,
+  /// newest control cycle. Returns true if the mission has gone to another state.
+  bool follow(double now_s, double cycle_s, ScienceComputer& science,
               const FlightController& flight, Journal& journal);
 
   /// True while the mission is known to be in control.

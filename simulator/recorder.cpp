@@ -29,11 +29,27 @@ struct Column {
   const char* name;
   const char* unit;
   double (*value)(const Moment& m);
+  /// Whether a scenario calls for the column; null: each does.
+  bool (*wanted)(const Scenario& s) = nullptr;
 };
 
+/// A bottom or an altimeter of the scenario's own.
+bool wantsAltitude(const Scenario& s) {
+  const BottomSettings& bottom = s.ocean.bottom;
+  return bottom.slope != 0 || !bottom.seamounts.empty() || s.altimeter_given;
+}
+
+bool wantsChlorophyll(const Scenario& s) {
+  return !std::isnan(s.ocean.chlorophyll_ugpl);
+}
+
+bool wantsOxygen(const Scenario& s) {
+  return !std::isnan(s.ocean.surface_oxygen_uM);
+}
+
 // missiontime and state are filled in by Recorder::mission.
-#define COLUMN(name, unit, value) \
-  {name, unit, []([[maybe_unused]] const Moment& m) -> double { return value; }}
+#define COLUMN(name, unit, value, ...) \
+  {name, unit, []([[maybe_unused]] const Moment& m) -> double { return value; }, __VA_ARGS__}
 constexpr Column kColumns[] = {
     COLUMN("time", "s", m.now_s),
     COLUMN("missiontime", "s", kNaN),
@@ -65,6 +81,13 @@ constexpr Column kColumns[] = {
     COLUMN("isotherm_depth", "m", m.isotherm_m),
     COLUMN("water_depth", "m", m.water_depth_m),
     COLUMN("layer", "", m.flight.layer() == kNoLayer ? kNaN : m.flight.layer()),
+    // NaN in a cycle without an echo.
+    COLUMN("m_altitude", "m",
+           m.flight.array().fresh(GLIDER_M_ALTITUDE) ? m.get(GLIDER_M_ALTITUDE) : kNaN,
+           wantsAltitude),
+    COLUMN("sci_flbbcd_chlor_units", "ug/L", m.science.value(GLIDER_SCI_FLBBCD_CHLOR_UNITS),
+           wantsChlorophyll),
+    COLUMN("sci_oxy4_oxygen", "uM", m.science.value(GLIDER_SCI_OXY4_OXYGEN), wantsOxygen),
 };
 #undef COLUMN
 
@@ -74,10 +97,14 @@ constexpr size_t kMostTimes = 400, kDepths = 80;
 }  // namespace
 
 Recorder::Recorder(support::Trace& trace, const Ocean& ocean, const LocalFrame& frame,
-                   double isotherm_degC)
-    : trace_(trace), ocean_(ocean), frame_(frame), isotherm_(isotherm_degC) {
-  for (const Column& column : kColumns) {
-    trace_.columns.push_back({column.name, column.unit});
+                   const Scenario& scenario)
+    : trace_(trace), ocean_(ocean), frame_(frame), isotherm_(scenario.isotherm_degC) {
+  for (size_t i = 0; i < std::size(kColumns); ++i) {
+    const Column& column = kColumns[i];
+    if (column.wanted == nullptr || column.wanted(scenario)) {
+      columns_.push_back(i);
+      trace_.columns.push_back({column.name, column.unit});
+    }
   }
 }
 
@@ -88,8 +115,8 @@ void Recorder::row(double now_s, const FlightController& flight, const ScienceCo
       std::isnan(isotherm_) ? kNaN : ocean_.isothermDepth(isotherm_, x, y, now_s);
   const Moment moment{
       now_s, flight, science, vehicle, frame_.position(x, y), isotherm, ocean_.waterDepth(x, y)};
-  for (const Column& column : kColumns) {
-    trace_.rows.push_back(column.value(moment));
+  for (const size_t column : columns_) {
+    trace_.rows.push_back(kColumns[column].value(moment));
   }
 }
 
@@ -111,7 +138,8 @@ void Recorder::field() {
     deepest = std::max(deepest, trace_.at(i, depth));
   }
   constexpr double kMargin = 1.15;  // of water below the deepest point
-  const double bottom = std::min(deepest * kMargin + 1, ocean_.waterDepth(0, 0));
+  // The bottom may fall away from where it is at the start.
+  const double bottom = std::min(deepest * kMargin + 1, std::max(deepest, ocean_.waterDepth(0, 0)));
   for (size_t j = 0; j < kDepths; ++j) {
     trace_.field.depths_m.push_back(bottom * static_cast<double>(j) / (kDepths - 1));
   }

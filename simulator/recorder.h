@@ -4,8 +4,11 @@
 #pragma once
 
 #include "simulator/flight/flight_controller.h"
+#include "simulator/scenario/scenario.h"
 #include "simulator/science/science_computer.h"
 #include "support/trace/trace.h"
+
+#include <vector>
 
 namespace glider::simulator {
 
@@ -13,7 +16,7 @@ namespace glider::simulator {
 class Recorder {
  public:
   Recorder(support::Trace& trace, const Ocean& ocean, const LocalFrame& frame,
-           double isotherm_degC);
+           const Scenario& scenario);
 
   /// The row of the control cycle at `now_s`.
   void row(double now_s, const FlightController& flight, const ScienceComputer& science,
@@ -28,6 +31,7 @@ class Recorder {
   const Ocean& ocean_;
   const LocalFrame& frame_;
   double isotherm_;
+  std::vector<size_t> columns_;  ///< places in recorder.cpp's list of those that are written
 };
 
 }  // namespace glider::simulator

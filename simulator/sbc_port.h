@@ -29,6 +29,7 @@ class SbcPort {
   virtual std::vector<uint8_t> collect() = 0;
   /// Cuts its power.
   virtual void kill() = 0;
+  /// A program that has ended by itself counts as alive until it owes an answer.
   [[nodiscard]] virtual bool alive() const = 0;
   /// Why it is not alive, for the trace: "killed", "exited with status 1", "hung"; empty while it
   /// is.

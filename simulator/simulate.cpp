@@ -71,7 +71,7 @@ class Simulation {
         science_(seed_, setup_.scenario.sensors),
         link_(setup_.sbc.get(), sbc_line_, journal_),
         story_(setup_.platform, setup_.state_names, setup_.explain),
-        recorder_(trace_, ocean_, frame_, setup_.scenario.isotherm_degC) {
+        recorder_(trace_, ocean_, frame_, setup_.scenario) {
     trace_.mission = setup_.mission_name;
     trace_.scenario = setup_.scenario.name;
     trace_.way = setup_.sbc ? setup_.sbc->way() : "none";
@@ -97,6 +97,7 @@ class Simulation {
         scienceCycle(now);
       }
       link_.pump(now);
+      vehicle_.feedSbc(link_.alive());
       vehicle_.step(ocean_, now);
     }
     return finish();
@@ -121,10 +122,11 @@ class Simulation {
   }
 
   void scienceCycle(double now) {
-    const double temperature =
-        ocean_.temperature(vehicle_.depth(), vehicle_.x(), vehicle_.y(), now);
-    science_.run(now, {temperature, vehicle_.depth()}, sbc_line_.left(), clothesline_.right());
-    story_.follow(now, cycle_s_, science_, flight_, journal_);
+    science_.run(now, ocean_, {vehicle_.depth(), vehicle_.x(), vehicle_.y()}, sbc_line_.left(),
+                 clothesline_.right());
+    if (story_.follow(now, cycle_s_, science_, flight_, journal_)) {
+      flight_.noteTransition();
+    }
   }
 
   /// The SBC's answer to a control cycle is known only by the next one.

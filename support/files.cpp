@@ -9,6 +9,7 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <utility>
 #include <vector>
 
 namespace glider::support {
@@ -53,15 +54,38 @@ bool writeAll(int fd, std::string_view content) {
   return true;
 }
 
-/// A device or pipe (`-o /dev/stdout`, /dev/full) cannot be replaced by a rename, so it is written
-/// to directly.
+/// The names of open descriptors and of devices: what stands behind them must be written to, also
+/// when it is a regular file, for it is somebody's standard output.
+bool isDescriptorName(const std::filesystem::path& path) {
+  std::error_code error;
+  const auto folder = std::filesystem::canonical(path.parent_path(), error);
+  return !error && (folder == "/dev" || folder.native().starts_with("/proc/"));
+}
+
+/// A device or pipe (/dev/full, a FIFO) cannot be replaced by a rename.
 bool isSpecialFile(const std::filesystem::path& path) {
   struct stat status{};
   return ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
 }
 
+/// Where the symbolic links that `path` itself may be lead to: a rename would replace the link. A
+/// descriptor's name is no link to follow; one that leads nowhere yet is followed all the same.
+std::filesystem::path followLinks(std::filesystem::path path) {
+  constexpr int kMostLinks = 40;  // as many as Linux follows
+  std::error_code error;
+  for (int i = 0; i < kMostLinks && !isDescriptorName(path); ++i) {
+    const auto target = std::filesystem::read_symlink(path, error);
+    if (error) {
+      break;  // no link: the end
+    }
+    path = path.parent_path() / target;  // an absolute target replaces it all
+  }
+  return path;
+}
+
 Result<void> writeSpecial(const std::filesystem::path& path, std::string_view content) {
-  Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+  // Appended: a regular file behind the name may hold what was written there before.
+  Descriptor file(::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
   if (file.get() < 0 || !writeAll(file.get(), content) || file.close() != 0) {
     return fail(DiagnosticId::cannotWrite, path.string(), std::strerror(errno));
   }
@@ -96,30 +120,59 @@ Result<std::string> readFile(const std::filesystem::path& path) {
   }
 }
 
-Result<void> writeFileAtomically(const std::filesystem::path& path, std::string_view content,
-                                 FileKind kind) {
-  if (isSpecialFile(path)) {
-    return writeSpecial(path, content);
+bool isReplaceable(const std::filesystem::path& path) {
+  const auto end = followLinks(path);
+  return !isDescriptorName(end) && !isSpecialFile(end);
+}
+
+StagedFile::~StagedFile() {
+  if (!temporary_.empty()) {
+    ::unlink(temporary_.c_str());
   }
-  std::string temporary = path.string() + ".XXXXXX";
-  Descriptor file(::mkostemp(temporary.data(), O_CLOEXEC));
-  auto failed = [&]() -> Result<void> {
-    auto failure = fail(DiagnosticId::cannotWrite, path.string(), std::strerror(errno));
-    ::unlink(temporary.c_str());
-    return failure;
-  };
-  if (file.get() < 0) {
+}
+
+Result<StagedFile> StagedFile::write(const std::filesystem::path& path, std::string_view content,
+                                     FileKind kind) {
+  StagedFile staged;
+  staged.path_ = followLinks(path);
+  auto failed = [&] {
     return fail(DiagnosticId::cannotWrite, path.string(), std::strerror(errno));
+  };
+  if (std::filesystem::is_symlink(staged.path_)) {
+    errno = ELOOP;
+    return failed();
   }
+  std::string temporary = staged.path_.string() + ".XXXXXX";
+  Descriptor file(::mkostemp(temporary.data(), O_CLOEXEC));
+  if (file.get() < 0) {
+    return failed();
+  }
+  staged.temporary_ = std::move(temporary);
   const mode_t mask = ::umask(0);
   ::umask(mask);
   const mode_t mode = (kind == FileKind::ExecutableProduct ? 0777U : 0666U) & ~mask;
   if (!writeAll(file.get(), content) || ::fchmod(file.get(), mode) != 0 ||
-      (kind == FileKind::Document && ::fsync(file.get()) != 0) || file.close() != 0 ||
-      ::rename(temporary.c_str(), path.c_str()) != 0) {
+      (kind == FileKind::Document && ::fsync(file.get()) != 0) || file.close() != 0) {
     return failed();
   }
+  return staged;
+}
+
+Result<void> StagedFile::publish() {
+  if (::rename(temporary_.c_str(), path_.c_str()) != 0) {
+    return fail(DiagnosticId::cannotWrite, path_.string(), std::strerror(errno));
+  }
+  temporary_.clear();
   return {};
+}
+
+Result<void> writeFileAtomically(const std::filesystem::path& path, std::string_view content,
+                                 FileKind kind) {
+  if (!isReplaceable(path)) {
+    return writeSpecial(path, content);
+  }
+  auto staged = StagedFile::write(path, content, kind);
+  return staged ? staged->publish() : std::unexpected(staged.error());
 }
 
 }  // namespace glider::support

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace glider::support {
 
@@ -20,9 +21,34 @@ Result<std::string> readFile(const std::filesystem::path& path);
 /// a power cut may lose it.
 enum class FileKind : uint8_t { Document, Product, ExecutableProduct };
 
+/// True if a file can be put at `path` by a rename; false for what must be written to as it stands:
+/// a device, a pipe, the name of an open descriptor (/dev/stdout, /dev/fd/3).
+bool isReplaceable(const std::filesystem::path& path);
+
+/// A file's new content, whole, in a temporary file beside it: for several files that are to appear
+/// together. Unless published it is gone at the end of the scope.
+class StagedFile {
+ public:
+  /// Writes `content` to the temporary file, and to the disk if it is a document. Symbolic links
+  /// are followed: the file that `path` leads to will be replaced. GL9002.
+  static Result<StagedFile> write(const std::filesystem::path& path, std::string_view content,
+                                  FileKind kind);
+  StagedFile(StagedFile&& other) noexcept
+      : path_(std::move(other.path_)), temporary_(std::exchange(other.temporary_, {})) {}
+  StagedFile& operator=(StagedFile&&) = delete;
+  ~StagedFile();
+  /// Renames it to its place. GL9002.
+  Result<void> publish();
+
+ private:
+  StagedFile() = default;
+  std::filesystem::path path_;
+  std::string temporary_;
+};
+
 /// Writes `content` to `path` so that a reader sees the old file or the new one, never a part: a
-/// temporary file beside it, flushed to the disk if it is a document, then renamed. GL9002 on
-/// failure, with nothing left behind. An executable gets mode 755.
+/// staged file, published. What is not replaceable is written to directly. GL9002 on failure, with
+/// nothing left behind. An executable gets mode 755.
 Result<void> writeFileAtomically(const std::filesystem::path& path, std::string_view content,
                                  FileKind kind = FileKind::Document);
 

@@ -129,9 +129,20 @@ Expressions::Lowered Expressions::lowerOne(const ir::Expr& expr) {
     case Op::Distance:
     case Op::Bearing:
       return {function(expr), nullptr};
+    case Op::Select:
+      return {choice(expr), nullptr};
     default:
       return {arithmetic(expr), nullptr};
   }
+}
+
+Value* Expressions::choice(const ir::Expr& expr) {
+  const Lowered& condition = made_.at(expr.operands[0].index);
+  Value* yes = made_.at(expr.operands[1].index).value;
+  Value* no = made_.at(expr.operands[2].index).value;
+  Value* unknown = llvm::ConstantFP::getNaN(builder_.getDoubleTy());
+  return builder_.CreateSelect(condition.value, yes,
+                               builder_.CreateSelect(condition.is_false, no, unknown));
 }
 
 Value* Expressions::leaf(const ir::Expr& expr) {

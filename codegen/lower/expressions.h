@@ -64,6 +64,7 @@ class Expressions {
   const Lowered& lower(ir::ExprId root);
   const Lowered& truth(ir::ExprId id);
   Lowered lowerOne(const ir::Expr& expr);
+  llvm::Value* choice(const ir::Expr& expr);
   llvm::Value* leaf(const ir::Expr& expr);
   Lowered variable(const ir::Expr& expr);
   Lowered temporal(const ir::Expr& expr);

@@ -105,6 +105,9 @@ ast::Expr AstBuilder::literal(Parser::LiteralContext* rule) {
   ast::Literal first{text(digits), "", where(digits)};
   if (rule->unit() != nullptr) {
     first.unit = joined(rule->unit());
+    if (first.unit == "°") {
+      first.unit = "deg";  // what was meant; repair has said so
+    }
     first.unit_where = where(rule->unit());
   }
   if (rule->NUMBER().size() == 1) {

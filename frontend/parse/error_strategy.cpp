@@ -185,6 +185,8 @@ void ErrorStrategy::complainOfTransition(const Lexeme& before, const Lexeme& fou
     if (!meant.empty()) {
       report.hint(fmt::format("did you mean `{}`?", meant))
           .fix(reporter_.source().range(found), std::string(meant));
+    } else if (isStateName(reporter_.source(), word)) {
+      report.hint(fmt::format("write `goto {0}` or `call {0}`", word));
     }
   } else {
     expected("an operator, or `goto`, `call`, `return`, `exit` or `stay`", found);

@@ -14,6 +14,17 @@ namespace glider::frontend {
 
 using grammar::GliderLexer;
 
+namespace {
+
+/// Where the next token may begin. The grammar skips blanks too, but a token at a time, which is a
+/// quarter of the work on an indented mission.
+size_t pastBlanks(std::string_view text, size_t at) {
+  const size_t next = text.find_first_not_of(" \t\r\n\f", at);
+  return next == std::string_view::npos ? text.size() : next;
+}
+
+}  // namespace
+
 std::vector<Lexeme> lex(std::string_view text, size_t start) {
   ByteCharStream stream(text, start);
   GliderLexer lexer(&stream);
@@ -22,6 +33,7 @@ std::vector<Lexeme> lex(std::string_view text, size_t start) {
   std::vector<Lexeme> lexemes;
   lexemes.reserve(text.size() / kBytesPerToken + 1);
   for (;;) {
+    stream.seek(pastBlanks(text, stream.index()));
     const auto token = lexer.nextToken();
     if (token->getType() == antlr4::Token::EOF) {
       break;
@@ -35,12 +47,36 @@ std::vector<Lexeme> lex(std::string_view text, size_t start) {
   return lexemes;
 }
 
+bool isStateName(const Source& source, std::string_view word) {
+  constexpr std::string_view kState = "state";
+  constexpr std::string_view kBlank = " \t\r\n";
+  const std::string_view text = source.text();
+  for (size_t at = text.find(kState); at != std::string_view::npos;
+       at = text.find(kState, at + 1)) {
+    const std::string_view rest = text.substr(at + kState.size());
+    const size_t name = rest.find_first_not_of(kBlank);
+    if (name == std::string_view::npos || name == 0) {
+      continue;
+    }
+    const std::string_view follows = rest.substr(name);
+    if (follows.starts_with(word) &&
+        (follows.size() == word.size() || kBlank.contains(follows[word.size()]))) {
+      return true;
+    }
+  }
+  return false;
+}
+
 bool isHardKeyword(uint32_t type) {
   return type >= GliderLexer::MISSION && type <= GliderLexer::NOT_WORD;
 }
 
 bool isName(uint32_t type) {
-  return type == GliderLexer::NAME || (type >= GliderLexer::IN && type <= GliderLexer::SURFACES);
+  return type == GliderLexer::NAME || isSoftKeyword(type);
+}
+
+bool isSoftKeyword(uint32_t type) {
+  return type >= GliderLexer::IN && type <= GliderLexer::SURFACES;
 }
 
 bool isAnyName(uint32_t type) {

@@ -33,6 +33,9 @@ struct Source {
   }
 };
 
+/// True if the file defines a state called `word`: what was meant where no value fits.
+bool isStateName(const Source& source, std::string_view word);
+
 /// The tokens of a file, one of type end-of-file last. `start` skips a byte order mark.
 std::vector<Lexeme> lex(std::string_view text, size_t start);
 
@@ -41,6 +44,8 @@ bool isHardKeyword(uint32_t type);
 bool isName(uint32_t type);
 /// May stand where the grammar says `anyName` (units included).
 bool isAnyName(uint32_t type);
+/// A word of the language in some places and a name elsewhere, such as `in`.
+bool isSoftKeyword(uint32_t type);
 /// All hard keywords, as written.
 const std::vector<std::string_view>& hardKeywords();
 /// The type of the hard keyword spelled `word`; 0 if it is none.

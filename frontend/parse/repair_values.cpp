@@ -142,8 +142,8 @@ bool ValueRepair::unknownUnit(const Lexeme& t, const Lexeme& next) {
   }
   const std::string_view word = source_.text(t);
   const std::string_view unit = unitForWord(word);
-  const bool perhapsKeyword =
-      isAnyName(next.type) || !closest(word, hardKeywords()).empty() || isKeywordInCapitals(word);
+  const bool perhapsKeyword = isStateName(source_, word) || isAnyName(next.type) ||
+                              !closest(word, hardKeywords()).empty() || isKeywordInCapitals(word);
   if (unit.empty() && parentheses_.empty() && perhapsKeyword) {
     return false;  // `case depth > 5 jump s3`, `case depth > 5 retrun`: the parser knows what
                    // belongs there

@@ -3,6 +3,7 @@
 
 #include "frontend/parse/repair_words.h"
 
+#include "frontend/parse/repair_positions.h"
 #include "frontend/parse/token_kinds.h"
 
 #include <fmt/format.h>
@@ -79,6 +80,15 @@ std::vector<Lexeme> WordRepair::run(const std::vector<Lexeme>& lexemes) {
       reporter_.at(lexeme, DiagnosticId::openComment);
       cut_ = true;
       break;
+    }
+    if (const auto position = foreignPosition(lexemes, i, reporter_.source())) {
+      reporter_
+          .at(position->whole, DiagnosticId::positionForm, reporter_.source().text(position->whole),
+              position->better)
+          .fix(reporter_.source().range(position->whole), position->better);
+      out.insert(out.end(), {position->number, position->letter});
+      i += position->count - 1;
+      continue;
     }
     if (lexeme.type == GliderLexer::OPEN_STRING) {
       openString(lexeme, out);

@@ -3,12 +3,13 @@
 
 #include "frontend/frontend.h"
 #include "frontend/sema/declarations.h"
+#include "frontend/sema/lower_behaviour.h"
+#include "frontend/sema/lower_case.h"
 #include "frontend/sema/lower_state.h"
 #include "frontend/sema/scope.h"
+#include "frontend/sema/variables.h"
 
 namespace glider::frontend {
-
-using support::DiagnosticId;
 
 std::string platformName(const ast::File& mission) {
   for (const ast::Item& item : mission.items) {
@@ -19,44 +20,33 @@ std::string platformName(const ast::File& mission) {
   return "slocum";
 }
 
-namespace {
-
-/// Numbers the states, so that cases may name those that come later.
-std::vector<const ast::State*> enterStates(const ast::File& file, Scope& scope) {
-  std::vector<const ast::State*> states;
-  for (const ast::Item& item : file.items) {
-    const auto* state = std::get_if<ast::State>(&item);
-    if (state == nullptr) {
-      continue;
-    }
-    const ir::StateId id{static_cast<uint32_t>(states.size())};
-    const auto [place, fresh] = scope.states.emplace(state->name.text, id);
-    if (fresh) {
-      states.push_back(state);
-    } else {
-      scope.report(DiagnosticId::duplicateName, state->name.where, state->name.text)
-          .note(states[place->second.index]->name.where, "the first is here");
-    }
-  }
-  return states;
-}
-
-}  // namespace
-
 std::optional<ir::Mission> analyse(const ast::File& mission, const AnalysisInputs& inputs,
                                    support::DiagnosticEngine& diagnostics) {
   Scope scope(inputs, diagnostics);
   scope.mission.platform = inputs.platform.name;
   checkHead(mission, scope);
   for (const ast::File* library : inputs.library) {
+    checkImported(*library, scope);
     declare(*library, true, scope);
   }
   declare(mission, false, scope);
-  for (const ast::State* state : enterStates(mission, scope)) {
-    scope.mission.states.push_back(StateLowering(*state, scope).run());
+  declareValues(mission, scope);
+  declareStates(mission, scope);
+  for (auto& [name, behaviour] : scope.behaviours) {
+    if (behaviour.body != nullptr) {
+      BehaviourLowering(behaviour, scope).check();
+    }
+  }
+  lowerAlways(mission, scope);
+  for (uint32_t i = 0; i < scope.state_declarations.size(); ++i) {
+    scope.mission.states.push_back(StateLowering({i}, scope).run());
   }
   if (diagnostics.hasErrors()) {
     return std::nullopt;
+  }
+  warnOfUnused(scope.names, scope);
+  for (const StateDeclaration& state : scope.state_declarations) {
+    warnOfUnused(state.names, scope);
   }
   return std::move(scope.mission);
 }

@@ -4,11 +4,11 @@
 #include "frontend/sema/declarations.h"
 #include "frontend/sema/evaluate.h"
 #include "frontend/sema/lower_expr.h"
-#include "frontend/spelling.h"
-
-#include <fmt/format.h>
+#include "frontend/sema/variables.h"
 
 #include <cmath>
+#include <map>
+#include <type_traits>
 
 namespace glider::frontend {
 
@@ -18,20 +18,16 @@ namespace {
 
 class Declarations {
  public:
-  Declarations(bool library, Scope& scope) : library_(library), scope_(scope) {}
+  explicit Declarations(Scope& scope) : scope_(scope) {}
 
   /// Enters the names of constants, so that one used too early is known as such.
   void enterConstant(const ast::Const& node) {
-    if (scope_.refuseName(node.name, "a constant")) {
+    if (scope_.refuseName(node.name, "a constant") || scope_.refuseSecond(node.name)) {
       return;
     }
     Constant constant;
     constant.name = &node.name;
-    const auto [place, fresh] = scope_.constants.emplace(node.name.text, constant);
-    if (!fresh) {
-      scope_.report(DiagnosticId::duplicateName, node.name.where, node.name.text)
-          .note(place->second.name->where, "the first is here");
-    }
+    scope_.constants.emplace(node.name.text, constant);
   }
 
   void visit(const ast::Const& node) {
@@ -39,49 +35,50 @@ class Declarations {
     if (place == scope_.constants.end() || place->second.name != &node.name) {
       return;  // refused
     }
-    const auto type = node.type ? findTypeOf(*node.type) : std::optional<ir::Type>();
-    if (!node.type || type) {
-      work(node, type, place->second);
+    if (isPath(node.value, scope_) || (node.type && node.type->text == "path")) {
+      workPath(node, place->second);
+    } else {
+      const auto type = node.type ? scope_.declaredType(*node.type) : std::nullopt;
+      if (!node.type || type) {
+        work(node, type, place->second);
+      }
     }
     place->second.worked_out = true;
   }
 
-  void visit(const ast::Param& node) {
-    laterValue(node.name, node.where, "`param`", "use `const` for now");
+  void enterParameter(const ast::Param& node) {
+    enterName(node.name, NamedKind::Parameter, scope_.names, scope_);
   }
-  void visit(const ast::Var& node) {
-    laterValue(node.name, node.where, "`var`", "use `const` for now");
+  void enterVariable(const ast::Var& node) {
+    enterName(node.name, NamedKind::MissionVariable, scope_.names, scope_);
   }
+
+  void visit(const ast::Param&) {}
+  void visit(const ast::Var&) {}
   void visit(const ast::ExternSensor& node) {
-    laterValue(node.name, node.where, "`extern sensor`", "");
+    scope_.notYet(node.where, "`extern sensor`");
+    scope_.later_values.emplace(node.name.text, &node.name);
   }
   void visit(const ast::ExternFunction& node) {
     scope_.notYet(node.where, "`extern function`");
     scope_.later_functions.emplace(node.name.text, &node.name);
   }
-  void visit(const ast::Always& node) { scope_.notYet(node.where, "`always`"); }
-  void visit(const ast::Import& node) { scope_.notYet(node.where, "`import`"); }
+  void visit(const ast::Always&) {}
+  void visit(const ast::Import&) {}
   void visit(const ast::Requirement& node) { scope_.notYet(node.where, "`require`"); }
 
   void visit(const ast::Behaviour& node) {
-    const bool profile = node.kind == ast::BehaviourKind::Profile;
-    scope_.notYet(node.name.where,
-                  profile ? "a flightprofile written in the language"
-                          : "a flightroute written in the language",
-                  "write it in C and declare it with `extern` for now");
     BehaviourDeclaration declaration;
-    declaration.usable = false;
+    declaration.body = &node;
+    declaration.signature = scope_.signatureOf(node.name, node.formals);
     enter(node.name, node.kind, std::move(declaration));
   }
 
   void visit(const ast::ExternBehaviour& node) {
     BehaviourDeclaration declaration;
-    declaration.signature = node.name.text + signatureOf(node);
-    if (node.formals) {
-      for (const ast::Formal& formal : *node.formals) {
-        addParameter(formal, declaration);
-      }
-    }
+    declaration.signature = scope_.signatureOf(node.name, node.formals);
+    declaration.usable = declaration.signature.valid;
+    checkParameters(declaration.signature);
     for (const ast::Name& sensor : node.reads) {
       const platforms::PlatformSensor* found = scope_.platform().find(sensor.text);
       if (found == nullptr) {
@@ -95,64 +92,39 @@ class Declarations {
     enter(node.name, node.kind, std::move(declaration));
   }
 
-  void visit(const ast::State& node) {
-    if (library_) {
-      scope_.notYet(node.name.where, "a state in a library");
-    }
-  }
+  void visit(const ast::State&) {}
   void visit(const ast::MissionLine&) {}
   void visit(const ast::PlatformLine&) {}
 
  private:
-  void laterValue(const ast::Name& name, const support::SourceRange& where, std::string_view what,
-                  std::string_view hint) {
-    scope_.notYet(where, what, hint);
-    scope_.later_values.emplace(name.text, &name);
-  }
-
-  std::optional<ir::Type> findTypeOf(const ast::TypeName& name) {
-    const TypeLookup found = findType(name.text);
-    if (found.status == NamedType::Known) {
-      return found.type;
-    }
-    if (found.status == NamedType::Later) {
-      scope_.notYet(name.where, "type `" + name.text + "` here");
-      return std::nullopt;
-    }
-    static const std::vector<std::string_view> kTypes = {
-        "bool", "latitude", "longitude", "position", "path",
-#define DIMENSION(name, m, kg, s, a, k, rad, unit) #name,
-#include "support/units/dimensions.def"
-#undef DIMENSION
-    };
-    std::string all;
-    for (std::string_view type : kTypes) {
-      all += (all.empty() ? "types: " : ", ") + std::string(type);
-    }
-    scope_.report(DiagnosticId::unknownType, name.where, name.text,
-                  didYouMean(name.text, kTypes, all));
-    return std::nullopt;
-  }
-
   /// Lowers the definition to IR, works its value out and takes the IR back.
-  void work(const ast::Const& node, std::optional<ir::Type> type, Constant& constant) {
+  void work(const ast::Const& node, const std::optional<DeclaredType>& type, Constant& constant) {
+    Context context;
+    context.constant = "a constant";
+    const Scope::Within within(scope_, context);
     const size_t before = scope_.mission.exprs.size();
     ExprLowering lowering(scope_);
-    const auto value = lowering.lower(node.value, type);
-    if (value && (!type || sameType(node, *value, *type))) {
+    const auto value = type ? lowering.lowerDeclared(node.value, *type, "`" + node.name.text + "`")
+                            : lowering.lower(node.value, std::nullopt);
+    if (value) {
       settleConstant(node, *value, constant);
     }
     scope_.mission.exprs.resize(before);
   }
 
-  bool sameType(const ast::Const& node, const Value& value, const ir::Type& type) {
-    if (!value.longitude.valid() && value.type == type) {
-      return true;
+  void workPath(const ast::Const& node, Constant& constant) {
+    if (node.type && node.type->text != "path") {
+      if (const auto type = scope_.declaredType(*node.type)) {
+        scope_.report(DiagnosticId::wrongType, node.value.where, "`" + node.name.text + "`",
+                      describe(*type), scope_.text(node.value.where), "a path");
+      }
+      return;
     }
-    scope_.report(DiagnosticId::wrongType, node.value.where, "`" + node.name.text + "`",
-                  describe(type), scope_.text(node.value.where),
-                  value.longitude.valid() ? "a position" : describe(value.type));
-    return false;
+    ExprLowering lowering(scope_);
+    if (auto path = lowering.lowerPath(node.value)) {
+      constant.path = std::move(*path);
+      constant.valid = true;
+    }
   }
 
   void settleConstant(const ast::Const& node, const Value& value, Constant& constant) {
@@ -173,26 +145,19 @@ class Declarations {
     constant.valid = true;
   }
 
-  static std::string signatureOf(const ast::ExternBehaviour& node) {
-    std::string out;
-    for (const ast::Formal& formal : node.formals.value_or(std::vector<ast::Formal>())) {
-      out += fmt::format("{}{}: {}", out.empty() ? "" : ", ", formal.name.text, formal.type.text);
-    }
-    return out.empty() ? "" : "(" + out + ")";
-  }
-
-  void addParameter(const ast::Formal& formal, BehaviourDeclaration& declaration) {
-    if (isUnitName(formal.name.text)) {
-      scope_.report(DiagnosticId::unitAsName, formal.name.where, formal.name.text, "a parameter");
-    }
-    for (const ir::Parameter& other : declaration.parameters) {
-      if (other.name == formal.name.text) {
-        scope_.report(DiagnosticId::duplicateName, formal.name.where, formal.name.text);
+  void checkParameters(const Signature& signature) {
+    std::map<std::string_view, const ast::Name*> names;
+    for (const Signature::Formal& formal : signature.formals) {
+      if (isUnitName(formal.name->text)) {
+        scope_.report(DiagnosticId::unitAsName, formal.name->where, formal.name->text,
+                      "a parameter");
+      }
+      const auto [place, fresh] = names.emplace(formal.name->text, formal.name);
+      if (!fresh) {
+        scope_.report(DiagnosticId::duplicateName, formal.name->where, formal.name->text)
+            .note(place->second->where, "the first is here");
       }
     }
-    const auto type = findTypeOf(formal.type);
-    declaration.usable = declaration.usable && type.has_value();
-    declaration.parameters.push_back({formal.name.text, type.value_or(plainNumber())});
   }
 
   void enter(const ast::Name& name, ast::BehaviourKind kind, BehaviourDeclaration declaration) {
@@ -206,22 +171,51 @@ class Declarations {
     }
   }
 
-  bool library_;
   Scope& scope_;
 };
 
 }  // namespace
 
 void declare(const ast::File& file, bool library, Scope& scope) {
-  Declarations declarations(library, scope);
+  Declarations declarations(scope);
+  std::vector<const ast::Item*> items;
   for (const ast::Item& item : file.items) {
-    if (const auto* constant = std::get_if<ast::Const>(&item)) {
-      declarations.enterConstant(*constant);
+    if (!library || mayBeImported(item)) {
+      items.push_back(&item);
     }
   }
-  for (const ast::Item& item : file.items) {
-    std::visit([&](const auto& node) { declarations.visit(node); }, item);
+  for (const ast::Item* item : items) {
+    if (const auto* constant = std::get_if<ast::Const>(item)) {
+      declarations.enterConstant(*constant);
+    } else if (const auto* parameter = std::get_if<ast::Param>(item)) {
+      declarations.enterParameter(*parameter);
+    } else if (const auto* variable = std::get_if<ast::Var>(item)) {
+      declarations.enterVariable(*variable);
+    }
   }
+  for (const ast::Item* item : items) {
+    std::visit([&](const auto& node) { declarations.visit(node); }, *item);
+  }
+}
+
+void declareValues(const ast::File& mission, Scope& scope) {
+  const auto each = [&]<typename T>(std::type_identity<T>, auto lower) {
+    for (const ast::Item& item : mission.items) {
+      if (const auto* node = std::get_if<T>(&item)) {
+        lower(*node);
+      }
+    }
+  };
+  each(std::type_identity<ast::Param>(),
+       [&](const ast::Param& node) { lowerMissionParameter(node, scope); });
+  Context context;
+  context.at_start = true;
+  const Scope::Within within(scope, context);
+  each(std::type_identity<ast::Param>(),
+       [&](const ast::Param& node) { lowerMissionCondition(node, scope); });
+  each(std::type_identity<ast::Var>(), [&](const ast::Var& node) {
+    lowerVariable(node, {ir::VariableKind::Mission, {}, ""}, scope.names, scope);
+  });
 }
 
 }  // namespace glider::frontend

@@ -39,6 +39,11 @@ class ExprLowering {
   /// As lower, and refuses what is not of type `want`; `what` names it: "`top` of `yo`".
   std::optional<ir::ExprId> lowerAs(const ast::Expr& expr, const ir::Type& want,
                                     const std::string& what);
+  /// As lowerAs, for a position too.
+  std::optional<Value> lowerDeclared(const ast::Expr& expr, const DeclaredType& want,
+                                     const std::string& what);
+  /// A list of positions, or the name of one; refuses what is none.
+  std::optional<Path> lowerPath(const ast::Expr& expr);
   /// A guard or an operand of `&&`.
   std::optional<ir::ExprId> lowerCondition(const ast::Expr& expr);
 
@@ -95,8 +100,47 @@ class ExprLowering {
                   std::optional<ir::Type> want);
   Result callOne(ir::Op op, const ast::Invocation& node, const ast::Expr& expr,
                  std::optional<ir::Type> want);
+  /// Refuses `10 m of depth` where no function takes it.
+  bool stretched(const ast::Invocation& node);
   Result ageOf(const ast::Invocation& node, const ast::Expr& expr);
 
+  // Over time (lower_temporal.cpp).
+  Result overTime(ir::TemporalKind kind, const ast::Invocation& node, const ast::Expr& expr);
+
+  // Windows (lower_window.cpp).
+  struct WindowLength {
+    double length;
+    ir::ExprId along;              ///< of a stretch
+    support::Dimension dimension;  ///< of what the length is measured in
+  };
+  Result window(const ast::Invocation& node, const ast::Expr& expr);
+  std::optional<WindowLength> windowLength(const ast::Argument& over, std::string_view function);
+  Result emitWindow(std::string_view name, const Value& operand, const WindowLength& length,
+                    const support::SourceRange& range);
+
+  // Places (lower_earth.cpp, lower_inside.cpp).
+  Result onEarth(const ast::Invocation& node, const ast::Expr& expr);
+  Result betweenPlaces(ir::Op op, const ast::Invocation& node, const ast::Expr& expr);
+  /// Where the vehicle is: the platform's `lat` and `lon`.
+  Result here(const support::SourceRange& range);
+  /// The arguments as positions, one or two arguments each; a path gives all of its own.
+  std::optional<std::vector<Value>> places(const ast::Invocation& node);
+  Result inside(const std::vector<Value>& corners, const support::SourceRange& range);
+  friend class InsideLowering;
+
+  // Paths (lower_path.cpp).
+  Result countOfPath(const ast::Invocation& node, const ast::Expr& expr);
+  Result chosen(const Path& path, const Value& index, const support::SourceRange& range);
+  Value emitPlace(const Place& place, const support::SourceRange& range);
+  void refusePath(const ast::Expr& expr);
+  std::optional<Place> constantPlace(const ast::Expr& expr);
+
+  // Names (lower_name.cpp).
+  Result variable(Named& named, const support::SourceRange& range);
+  Result sensor(const platforms::PlatformSensor& sensor, const std::string& written,
+                const support::SourceRange& range);
+  Result finished(const ast::NameUse& node, const support::SourceRange& range);
+  Result unknown(const ast::NameUse& node, const support::SourceRange& range);
   Result constant(const Constant& constant, const support::SourceRange& range);
   Result clock(Clock clock, const support::SourceRange& range);
   Value emit(ir::Op op, const ir::Type& type, const support::SourceRange& range,
@@ -107,6 +151,18 @@ class ExprLowering {
   Scope& scope_;
   std::vector<SensorRead> reads_;
 };
+
+/// Whether `name` is a function of expressions.
+bool isFunctionName(std::string_view name);
+
+/// Whether an expression is plainly a position: a literal, or the name of one.
+bool isPosition(const ast::Expr& expr, Scope& scope);
+
+/// Whether an expression is plainly a path: a list, or the name of one.
+bool isPath(const ast::Expr& expr, const Scope& scope);
+
+/// Whether `name` is a function over a window: mean, lowest, highest, spread, rate, slope.
+bool isWindowName(std::string_view name);
 
 /// Whether an expression is a bare number, or bare numbers added up: it has no unit of its own.
 bool takesUnitOfContext(const ast::Expr& expr);

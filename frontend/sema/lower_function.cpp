@@ -24,17 +24,17 @@ struct Function {
 
 constexpr Function kFunctions[] = {
 #define FUNCTION(name, op, fewest, most) {#name, ir::Op::op, fewest, most},
-#define LATER_FUNCTION(name)
+#define EARTH_FUNCTION(name)
 #include "frontend/sema/functions.def"
-#undef LATER_FUNCTION
+#undef EARTH_FUNCTION
 #undef FUNCTION
 };
 
-constexpr std::string_view kLater[] = {
+constexpr std::string_view kEarth[] = {
 #define FUNCTION(name, op, fewest, most)
-#define LATER_FUNCTION(name) #name,
+#define EARTH_FUNCTION(name) #name,
 #include "frontend/sema/functions.def"
-#undef LATER_FUNCTION
+#undef EARTH_FUNCTION
 #undef FUNCTION
 };
 
@@ -43,8 +43,13 @@ std::string suggestFunction(std::string_view wrong) {
   for (const Function& function : kFunctions) {
     names.push_back(function.name);
   }
-  names.insert(names.end(), std::begin(kLater), std::end(kLater));
-  return didYouMean(wrong, names, "functions: abs min max clamp sqrt known age");
+  names.insert(names.end(), std::begin(kEarth), std::end(kEarth));
+  names.insert(names.end(),
+               {"became", "held", "mean", "lowest", "highest", "spread", "rate", "slope"});
+  return didYouMean(
+      wrong, names,
+      "functions: abs min max clamp sqrt sin cos tan atan2 known age became held distance "
+      "bearing inside count mean lowest highest spread rate slope");
 }
 
 std::string countOf(size_t n) {
@@ -53,29 +58,40 @@ std::string countOf(size_t n) {
 
 }  // namespace
 
+bool isFunctionName(std::string_view name) {
+  return name == "became" || name == "held" || isWindowName(name) ||
+         std::ranges::find(kFunctions, name, &Function::name) != std::end(kFunctions) ||
+         std::ranges::find(kEarth, name) != std::end(kEarth);
+}
+
 ExprLowering::Result ExprLowering::visit(const ast::Invocation& node, const ast::Expr& expr,
                                          std::optional<ir::Type> want) {
   const std::string& name = node.function.text;
-  if (std::ranges::find(kLater, name) != std::end(kLater)) {
-    scope_.notYet(node.function.where, "`" + name + "`");
-    return std::nullopt;
+  if (isWindowName(name)) {
+    return window(node, expr);
+  }
+  if (name == "became" || name == "held") {
+    const bool held = name == "held";
+    return stretched(node)
+               ? std::nullopt
+               : overTime(held ? ir::TemporalKind::Held : ir::TemporalKind::Became, node, expr);
+  }
+  if (std::ranges::find(kEarth, name) != std::end(kEarth)) {
+    return stretched(node) ? std::nullopt : onEarth(node, expr);
   }
   const auto* function = std::ranges::find(kFunctions, std::string_view(name), &Function::name);
   if (function == std::end(kFunctions)) {
     if (!scope_.later_functions.contains(name)) {
       const bool value = findClock(name) || scope_.platform().find(name) != nullptr ||
-                         scope_.constants.contains(name);
+                         scope_.findConstant(name) != nullptr || scope_.findNamed(name) != nullptr;
       scope_.report(DiagnosticId::unknownFunction, node.function.where, name,
                     value ? "`" + name + "` is a value: write it without parentheses"
                           : suggestFunction(name));
     }
     return std::nullopt;
   }
-  for (const ast::Argument& argument : node.arguments) {
-    if (argument.of) {
-      scope_.notYet(argument.of->where, "a stretch with `of`");
-      return std::nullopt;
-    }
+  if (stretched(node)) {
+    return std::nullopt;
   }
   if (node.arguments.size() != function->fewest) {
     constexpr std::string_view kSignatures[] = {"(x)", "(x, y)", "(x, lowest, highest)"};
@@ -91,12 +107,21 @@ ExprLowering::Result ExprLowering::visit(const ast::Invocation& node, const ast:
                                     : callMany(function->op, node, expr, want);
 }
 
+bool ExprLowering::stretched(const ast::Invocation& node) {
+  for (const ast::Argument& argument : node.arguments) {
+    if (argument.of) {
+      scope_.report(DiagnosticId::ofOutsideWindow, argument.of->where, node.function.text);
+      return true;
+    }
+  }
+  return false;
+}
+
 ExprLowering::Result ExprLowering::ageOf(const ast::Invocation& node, const ast::Expr& expr) {
   const ast::Expr& argument = *node.arguments.front().value;
   const auto* use = std::get_if<ast::NameUse>(&argument.node);
-  const platforms::PlatformSensor* sensor = use != nullptr && !scope_.constants.contains(use->name)
-                                                ? scope_.platform().find(use->name)
-                                                : nullptr;
+  const platforms::PlatformSensor* sensor =
+      use != nullptr ? scope_.platform().find(use->name) : nullptr;
   if (sensor == nullptr) {
     scope_.report(DiagnosticId::ageOfWhat, argument.where, scope_.text(argument.where));
     return std::nullopt;
@@ -112,7 +137,17 @@ ExprLowering::Result ExprLowering::callOne(ir::Op op, const ast::Invocation& nod
                                            const ast::Expr& expr, std::optional<ir::Type> want) {
   const ast::Expr& argument = *node.arguments.front().value;
   const bool keeps = op == ir::Op::Abs;
+  if (op == ir::Op::Sin || op == ir::Op::Cos || op == ir::Op::Tan) {
+    const auto angle = lowerAs(argument, quantity(support::dimension::angle),
+                               "what `" + node.function.text + "` takes");
+    return angle ? Result(emit(op, plainNumber(), expr.where, {*angle})) : std::nullopt;
+  }
   const Result value = lower(argument, keeps ? want : std::nullopt);
+  if (op == ir::Op::Known && value && value->longitude.valid()) {
+    const ir::ExprId north = emit(op, boolean(), expr.where, {value->id}).id;
+    const ir::ExprId east = emit(op, boolean(), expr.where, {value->longitude}).id;
+    return emit(ir::Op::And, boolean(), expr.where, {north, east});
+  }
   if (!value || !numeric(*value, argument, node.function.text, op == ir::Op::Known)) {
     return std::nullopt;
   }
@@ -131,7 +166,8 @@ ExprLowering::Result ExprLowering::callOne(ir::Op op, const ast::Invocation& nod
   return emit(op, quantity(*root), expr.where, {value->id});
 }
 
-/// min, max and clamp: all arguments of one kind, and bare numbers take the unit of the others.
+/// min, max, clamp and atan2: all arguments of one kind, and bare numbers take the unit of the
+/// others.
 ExprLowering::Result ExprLowering::callMany(ir::Op op, const ast::Invocation& node,
                                             const ast::Expr& expr, std::optional<ir::Type> want) {
   const auto leads = [](const ast::Argument& argument) {
@@ -141,11 +177,12 @@ ExprLowering::Result ExprLowering::callMany(ir::Op op, const ast::Invocation& no
   const size_t first =
       leader == node.arguments.end() ? 0 : static_cast<size_t>(leader - node.arguments.begin());
   const ast::Expr& model = *node.arguments[first].value;
-  const Result led = lower(model, want);
-  if (!led || !numeric(*led, model, node.function.text, true)) {
+  const bool angle = op == ir::Op::Atan2;
+  const Result led = lower(model, angle ? std::nullopt : want);
+  if (!led || !numeric(*led, model, node.function.text, !angle)) {
     return std::nullopt;
   }
-  std::array<ir::ExprId, 3> operands;
+  std::array<ir::ExprId, 4> operands;
   bool good = true;
   for (size_t i = 0; i < node.arguments.size(); ++i) {
     const ast::Expr& argument = *node.arguments[i].value;
@@ -165,7 +202,8 @@ ExprLowering::Result ExprLowering::callMany(ir::Op op, const ast::Invocation& no
   if (!good) {
     return std::nullopt;
   }
-  const Value result = emit(op, led->type, expr.where, {});
+  const ir::Type type = angle ? quantity(support::dimension::angle) : led->type;
+  const Value result = emit(op, type, expr.where, {});
   scope_.mission.exprs[result.id.index].operands = operands;
   return result;
 }

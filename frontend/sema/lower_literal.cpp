@@ -95,6 +95,11 @@ ExprLowering::Result ExprLowering::bareLiteral(const ast::Literal& node,
     scope_.report(DiagnosticId::numberTooLarge, range, node.digits);
     return std::nullopt;
   }
+  constexpr double kFullTurn = 6.283185307179586;
+  if (type.dimension == support::dimension::angle && si > kFullTurn) {
+    const std::string text = (negative ? "-" : "") + node.digits;
+    scope_.report(DiagnosticId::bareAngle, range, text).fix(range, text + " deg");
+  }
   return emitNumber(negative ? -si : si, type, range);
 }
 

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 namespace glider::frontend {
@@ -32,6 +33,23 @@ const OperatorRow& rowOf(ast::BinaryOp op) {
 
 bool isComparison(ast::BinaryOp op) {
   return op >= ast::BinaryOp::Less && op <= ast::BinaryOp::NotEqual;
+}
+
+/// Whether a reading or a clock is in the expression.
+bool measured(const ir::Mission& mission, ir::ExprId id) {
+  const ir::Expr& expr = mission[id];
+  switch (expr.op) {
+    case ir::Op::Sensor:
+    case ir::Op::Age:
+    case ir::Op::MissionTime:
+    case ir::Op::StateTime:
+    case ir::Op::ResumeTime:
+      return true;
+    default:
+      return std::ranges::any_of(expr.operands, [&](ir::ExprId operand) {
+        return operand.valid() && measured(mission, operand);
+      });
+  }
 }
 
 }  // namespace
@@ -213,7 +231,7 @@ ExprLowering::Result ExprLowering::comparison(ir::Op op, const ast::Binary& node
 void ExprLowering::warnOfEquality(ir::Op op, const Value& left, const Value& right,
                                   const ast::Binary& node) {
   const bool equality = op == ir::Op::Equal || op == ir::Op::NotEqual;
-  if (!equality || (evaluate(scope_.mission, left.id) && evaluate(scope_.mission, right.id))) {
+  if (!equality || !(measured(scope_.mission, left.id) || measured(scope_.mission, right.id))) {
     return;
   }
   scope_.report(DiagnosticId::measuredEquality, node.op_where,

@@ -4,45 +4,122 @@
 #include "frontend/sema/lower_state.h"
 
 #include "frontend/sema/evaluate.h"
-#include "frontend/spelling.h"
+#include "frontend/sema/lower_case.h"
+#include "frontend/sema/lower_statement.h"
+#include "frontend/sema/variables.h"
 #include "support/check.h"
 
-#include <cmath>
+#include <utility>
 
 namespace glider::frontend {
 
 using support::DiagnosticId;
 
+namespace {
+
+/// The place of a kind of member in ast::Member.
+template <typename T>
+constexpr size_t indexOf() {
+  using Node = decltype(ast::Member::node);
+  return []<size_t... k>(std::index_sequence<k...>) {
+    size_t found = 0;
+    ((std::is_same_v<std::variant_alternative_t<k, Node>, T> ? found = k : found), ...);
+    return found;
+  }(std::make_index_sequence<std::variant_size_v<Node>>());
+}
+
+void enterVariables(StateDeclaration& state, Scope& scope) {
+  for (const ast::Member& member : state.node->members) {
+    if (const auto* variable = std::get_if<ast::Var>(&member.node)) {
+      enterName(variable->name, NamedKind::StateVariable, state.names, scope);
+    }
+  }
+}
+
+/// Enters the names of a state's parameters, of which the first state can have none, and variables.
+void declareNames(ir::StateId id, Scope& scope) {
+  StateDeclaration& state = scope.state_declarations[id.index];
+  const ast::Name& name = state.node->name;
+  state.signature = scope.signatureOf(name, state.node->formals);
+  if (id.index == 0 && !state.signature.formals.empty()) {
+    scope.report(DiagnosticId::firstStateParameters, name.where, name.text);
+    state.signature.valid = false;
+  }
+  Context context;
+  context.names = &state.names;
+  const Scope::Within within(scope, context);
+  for (const Signature::Formal& formal : state.signature.formals) {
+    Named* named = enterName(*formal.name, NamedKind::StateParameter, state.names, scope);
+    if (named == nullptr) {
+      state.signature.valid = false;
+      continue;
+    }
+    named->type = formal.type;
+    named->valid = state.signature.valid;
+    makeParameter(*named, ir::VariableKind::Argument, id, name.text + "." + formal.name->text,
+                  scope);
+    state.parameters.push_back(named->variable);
+    if (formal.type.position) {
+      state.parameters.push_back(named->longitude);
+    }
+  }
+  enterVariables(state, scope);
+}
+
+}  // namespace
+
+void declareStates(const ast::File& file, Scope& scope) {
+  for (const ast::Item& item : file.items) {
+    const auto* state = std::get_if<ast::State>(&item);
+    if (state == nullptr) {
+      continue;
+    }
+    const ir::StateId id{static_cast<uint32_t>(scope.state_declarations.size())};
+    const auto [place, fresh] = scope.states.emplace(state->name.text, id);
+    if (!fresh) {
+      const StateDeclaration& other = scope.state_declarations[place->second.index];
+      scope.report(DiagnosticId::duplicateName, state->name.where, state->name.text)
+          .note(other.node->name.where, "the first is here");
+      continue;
+    }
+    scope.state_declarations.emplace_back().node = state;
+    declareNames(id, scope);
+  }
+}
+
 ir::State StateLowering::run() {
   result_.name = state_.name.text;
   result_.range = state_.name.where;
-  if (state_.formals) {
-    scope_.notYet(state_.name.where, "a state with parameters");
-  }
+  result_.parameters = declaration_.parameters;
+  Context context;
+  context.names = &declaration_.names;
+  context.state = id_;
+  const Scope::Within within(scope_, context);
   // In one order, however they were written: names first, and what guards read is checked against
   // `sensors`.
-  constexpr size_t kOrder[] = {3, 0, 1, 2, 4, 5};
-  static_assert(
-      std::is_same_v<std::variant_alternative_t<kOrder[0], decltype(ast::Member::node)>, ast::Var>);
-  static_assert(std::size(kOrder) == std::variant_size_v<decltype(ast::Member::node)>);
-  for (const size_t kind : kOrder) {
-    for (const ast::Member& member : state_.members) {
-      if (member.node.index() == kind) {
-        std::visit([&](const auto& node) { visit(node, member); }, member.node);
-      }
-    }
+  visitAll(indexOf<ast::Var>());
+  scope_.context.list = ir::ListKind::State;
+  visitAll(indexOf<ast::RouteMember>());
+  visitAll(indexOf<ast::ProfileMember>());
+  if (!seen_.contains(indexOf<ast::ProfileMember>())) {
+    scope_.report(DiagnosticId::noFlightprofile, state_.name.where, state_.name.text);
   }
-  defaults();
+  if (!seen_.contains(indexOf<ast::RouteMember>())) {
+    const ast::Use none{{"noheading", state_.name.where}, false, {}, state_.name.where};
+    result_.route = activity(none, ir::BehaviourKind::Route);
+  }
+  scope_.context.activities = &result_;
+  visitAll(indexOf<ast::SensorsMember>());
+  visitAll(indexOf<ast::EntryMember>());
+  visitAll(indexOf<ast::EventsMember>());
   return std::move(result_);
 }
 
-void StateLowering::defaults() {
-  if (!seen_.contains(ast::Member{ast::ProfileMember{}, {}, {}}.node.index())) {
-    scope_.report(DiagnosticId::noFlightprofile, state_.name.where, state_.name.text);
-  }
-  if (!seen_.contains(ast::Member{ast::RouteMember{}, {}, {}}.node.index())) {
-    const ast::Use none{{"noheading", state_.name.where}, false, {}, state_.name.where};
-    result_.route = activity(none, ir::BehaviourKind::Route);
+void StateLowering::visitAll(size_t kind) {
+  for (const ast::Member& member : state_.members) {
+    if (member.node.index() == kind) {
+      std::visit([&](const auto& node) { visit(node, member); }, member.node);
+    }
   }
 }
 
@@ -69,14 +146,14 @@ void StateLowering::visit(const ast::ProfileMember& node, const ast::Member& mem
   }
 }
 
-void StateLowering::visit(const ast::Var& node, const ast::Member& member) {
-  scope_.notYet(member.where, "`var`", "use `const` for now");
-  scope_.later_values.emplace(node.name.text, &node.name);
+void StateLowering::visit(const ast::Var& node, const ast::Member&) {
+  lowerVariable(node, {ir::VariableKind::State, id_, state_.name.text + "."}, declaration_.names,
+                scope_);
 }
 
-void StateLowering::visit(const ast::EntryMember&, const ast::Member& member) {
+void StateLowering::visit(const ast::EntryMember& node, const ast::Member& member) {
   if (first(member)) {
-    scope_.notYet(member.keyword, "`entry`");
+    result_.entry = StatementLowering(scope_).lower(node.block.statements);
   }
 }
 
@@ -98,8 +175,10 @@ void StateLowering::lowerItem(const ast::SensorItem& item) {
   const platforms::PlatformSensor* sensor = scope_.platform().find(item.name.text);
   const bool clock = findClock(item.name.text).has_value();
   if (sensor == nullptr && !clock) {
-    if (scope_.constants.contains(item.name.text)) {
-      scope_.report(DiagnosticId::notLogged, item.name.where, item.name.text);
+    const Named* named = scope_.findNamed(item.name.text);
+    if (named != nullptr || scope_.findConstant(item.name.text) != nullptr) {
+      scope_.report(DiagnosticId::notLogged, item.name.where, item.name.text,
+                    named != nullptr ? describe(named->kind) : "a constant");
     } else if (!scope_.later_values.contains(item.name.text)) {
       scope_.report(DiagnosticId::unknownSensor, item.name.where, scope_.platform().name,
                     item.name.text, scope_.suggestSensor(item.name.text));
@@ -142,55 +221,13 @@ void StateLowering::setPeriod(const ast::Expr& every, size_t from) {
 
 void StateLowering::visit(const ast::EventsMember& node, const ast::Member& member) {
   if (first(member)) {
-    for (const ast::Case& c : node.cases) {
-      lowerCase(c);
-    }
+    result_.cases = CaseLowering(scope_).lower(
+        node.cases, [&](const std::vector<SensorRead>& reads) { warnOfUnlisted(reads); });
   }
-}
-
-void StateLowering::lowerCase(const ast::Case& node) {
-  ExprLowering lowering(scope_);
-  ir::Case lowered;
-  lowered.range = node.where;
-  if (const auto guard = lowering.lowerCondition(node.guard)) {
-    lowered.guard = *guard;
-  }
-  warnOfUnlisted(lowering.reads());
-  if (node.action) {
-    scope_.notYet(node.action->where, "`do` in a case");
-  }
-  lowerTarget(node, lowered);
-  result_.cases.push_back(lowered);
-}
-
-void StateLowering::lowerTarget(const ast::Case& node, ir::Case& lowered) {
-  if (node.transition == ast::Transition::Done) {
-    scope_.report(DiagnosticId::doneOutsideBehaviour, node.transition_where);
-    return;
-  }
-  lowered.transition = static_cast<ir::Transition>(node.transition);
-  if (!node.target) {
-    return;
-  }
-  const ast::Use& target = *node.target;
-  if (target.parenthesised) {
-    scope_.notYet(target.where, "giving arguments to a state");
-  }
-  const auto found = scope_.states.find(target.name.text);
-  if (found != scope_.states.end()) {
-    lowered.target = found->second;
-    return;
-  }
-  std::vector<std::string_view> names;
-  for (const auto& [name, id] : scope_.states) {
-    names.push_back(name);
-  }
-  scope_.report(DiagnosticId::unknownState, target.name.where, target.name.text,
-                didYouMean(target.name.text, names, ""));
 }
 
 void StateLowering::warnOfUnlisted(const std::vector<SensorRead>& reads) {
-  const auto list = seen_.find(ast::Member{ast::SensorsMember{}, {}, {}}.node.index());
+  const auto list = seen_.find(indexOf<ast::SensorsMember>());
   for (const SensorRead& read : reads) {
     if (listed_.contains(read.sensor->name) || !warned_.emplace(read.sensor->name, true).second) {
       continue;
@@ -201,7 +238,7 @@ void StateLowering::warnOfUnlisted(const std::vector<SensorRead>& reads) {
       const uint32_t end = list->second->where.end;
       warning.fix({read.range.file, end, end}, ", " + read.written);
     } else {
-      const auto events = seen_.find(ast::Member{ast::EventsMember{}, {}, {}}.node.index());
+      const auto events = seen_.find(indexOf<ast::EventsMember>());
       CHECK(events != seen_.end(), "a guard outside events");
       const uint32_t begin = events->second->keyword.begin;
       warning.fix({read.range.file, begin, begin}, "sensors " + read.written + "\n  ");

@@ -13,10 +13,19 @@
 
 namespace glider::frontend {
 
-/// Lowers one state. Names of states, constants and behaviours stand in the scope before.
+/// Numbers the states of a mission and types their parameters, so that cases may name those that
+/// come later.
+void declareStates(const ast::File& file, Scope& scope);
+
+/// Lowers one state. Names of states, constants, variables and behaviours stand in the scope
+/// before.
 class StateLowering {
  public:
-  StateLowering(const ast::State& state, Scope& scope) : state_(state), scope_(scope) {}
+  StateLowering(ir::StateId id, Scope& scope)
+      : id_(id),
+        declaration_(scope.state_declarations[id.index]),
+        state_(*declaration_.node),
+        scope_(scope) {}
   ir::State run();
 
  private:
@@ -27,22 +36,22 @@ class StateLowering {
   void visit(const ast::EntryMember& node, const ast::Member& member);
   void visit(const ast::EventsMember& node, const ast::Member& member);
 
+  /// Visits the members of one alternative of ast::Member.
+  void visitAll(size_t kind);
   /// False, and reported, if the state has a member of this kind already.
   bool first(const ast::Member& member);
-  void defaults();
 
   // Behaviours (lower_use.cpp).
   ir::Activity activity(const ast::Use& use, ir::BehaviourKind kind);
-  std::vector<ir::ExprId> arguments(const ast::Use& use, const BehaviourDeclaration& declaration);
-  bool wrongCount(const ast::Use& use, const BehaviourDeclaration& declaration, size_t filled);
-  [[nodiscard]] bool isPosition(const ast::Expr& expr) const;
+  BehaviourDeclaration* find(const ast::Use& use, ir::BehaviourKind kind);
+  void useBody(const ast::Use& use, BehaviourDeclaration& declaration, ir::Activity& activity);
 
   void lowerItem(const ast::SensorItem& item);
   void setPeriod(const ast::Expr& every, size_t from);
-  void lowerCase(const ast::Case& node);
-  void lowerTarget(const ast::Case& node, ir::Case& lowered);
   void warnOfUnlisted(const std::vector<SensorRead>& reads);
 
+  ir::StateId id_;
+  StateDeclaration& declaration_;
   const ast::State& state_;
   Scope& scope_;
   ir::State result_;

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "frontend/sema/lower_arguments.h"
+#include "frontend/sema/lower_behaviour.h"
 #include "frontend/sema/lower_state.h"
 #include "frontend/spelling.h"
-
-#include <fmt/format.h>
 
 namespace glider::frontend {
 
@@ -16,15 +16,9 @@ std::string_view word(ir::BehaviourKind kind) {
   return kind == ir::BehaviourKind::Profile ? "flightprofile" : "flightroute";
 }
 
-std::string countOf(size_t n) {
-  return n == 0 ? "no arguments" : n == 1 ? "1 argument" : fmt::format("{} arguments", n);
-}
-
 }  // namespace
 
-ir::Activity StateLowering::activity(const ast::Use& use, ir::BehaviourKind kind) {
-  ir::Activity result;
-  result.range = use.where;
+BehaviourDeclaration* StateLowering::find(const ast::Use& use, ir::BehaviourKind kind) {
   const auto found = scope_.behaviours.find(use.name.text);
   if (found == scope_.behaviours.end()) {
     std::vector<std::string_view> names;
@@ -39,92 +33,53 @@ ir::Activity StateLowering::activity(const ast::Use& use, ir::BehaviourKind kind
     }
     scope_.report(DiagnosticId::unknownProfileOrRoute, use.name.where, word(kind), use.name.text,
                   didYouMean(use.name.text, names, all));
-    return result;
+    return nullptr;
   }
   BehaviourDeclaration& declaration = found->second;
   if (declaration.kind != kind) {
     scope_.report(DiagnosticId::wrongBehaviour, use.name.where, use.name.text,
                   word(declaration.kind), word(kind));
+    return nullptr;
+  }
+  return declaration.usable ? &declaration : nullptr;
+}
+
+ir::Activity StateLowering::activity(const ast::Use& use, ir::BehaviourKind kind) {
+  ir::Activity result;
+  result.range = use.where;
+  BehaviourDeclaration* declaration = find(use, kind);
+  if (declaration == nullptr) {
     return result;
   }
-  if (!declaration.usable) {
+  result.behaviour = scope_.use(*declaration);
+  if (declaration->body != nullptr) {
+    useBody(use, *declaration, result);
     return result;
   }
-  result.behaviour = scope_.use(declaration);
-  result.arguments = arguments(use, declaration);
+  const Callee callee{use.name.text, declaration->signature, declaration->name};
+  result.arguments =
+      lowerArguments(use.arguments, callee, use.where, scope_).value_or(result.arguments);
   return result;
 }
 
-bool StateLowering::isPosition(const ast::Expr& expr) const {
-  if (std::holds_alternative<ast::Position>(expr.node)) {
-    return true;
+void StateLowering::useBody(const ast::Use& use, BehaviourDeclaration& declaration,
+                            ir::Activity& activity) {
+  const size_t before = scope_.mission.exprs.size();
+  const size_t watched = scope_.mission.temporals.size();
+  const Callee callee{use.name.text, declaration.signature, declaration.name};
+  const auto arguments = lowerArguments(use.arguments, callee, use.where, scope_);
+  if (!arguments) {
+    return;
   }
-  const auto* use = std::get_if<ast::NameUse>(&expr.node);
-  const auto found = use == nullptr ? scope_.constants.end() : scope_.constants.find(use->name);
-  return found != scope_.constants.end() && found->second.position;
-}
-
-std::vector<ir::ExprId> StateLowering::arguments(const ast::Use& use,
-                                                 const BehaviourDeclaration& declaration) {
-  const auto& parameters = declaration.parameters;
-  // A position fills a latitude and the longitude after it.
-  size_t filled = 0;
-  for (const ast::Argument& argument : use.arguments) {
-    const bool pair =
-        filled + 1 < parameters.size() && parameters[filled].type.kind == ir::TypeKind::Latitude &&
-        parameters[filled + 1].type.kind == ir::TypeKind::Longitude && isPosition(*argument.value);
-    filled += pair ? 2U : 1U;
+  std::vector<Snippet> snippets;
+  for (const ir::ExprId argument : *arguments) {
+    snippets.push_back(copy(scope_.mission, argument));
   }
-  if (wrongCount(use, declaration, filled)) {
-    return {};
+  // What is watched over time stays where it is; all else stands where the body reads it.
+  if (scope_.mission.temporals.size() == watched) {
+    scope_.mission.exprs.resize(before);
   }
-  std::vector<ir::ExprId> result;
-  for (const ast::Argument& argument : use.arguments) {
-    if (argument.of) {
-      scope_.notYet(argument.of->where, "a stretch with `of`");
-      continue;
-    }
-    ExprLowering lowering(scope_);
-    const ir::Parameter& parameter = parameters[std::min(result.size(), parameters.size() - 1)];
-    if (parameter.type.kind == ir::TypeKind::Latitude && isPosition(*argument.value)) {
-      const auto value = lowering.lower(*argument.value, std::nullopt);
-      result.push_back(value ? value->id : ir::ExprId());
-      result.push_back(value ? value->longitude : ir::ExprId());
-    } else {
-      const std::string what = fmt::format("`{}` of `{}`", parameter.name, use.name.text);
-      result.push_back(
-          lowering.lowerAs(*argument.value, parameter.type, what).value_or(ir::ExprId()));
-    }
-  }
-  return result;
-}
-
-bool StateLowering::wrongCount(const ast::Use& use, const BehaviourDeclaration& declaration,
-                               size_t filled) {
-  const size_t wanted = declaration.parameters.size();
-  if (filled == wanted) {
-    return false;
-  }
-  const std::string takes = countOf(wanted);
-  for (const ast::Argument& argument : use.arguments) {
-    const auto* difference = std::get_if<ast::Binary>(&argument.value->node);
-    const bool minus = difference != nullptr && difference->op == ast::BinaryOp::Subtract;
-    if (minus && filled + 1 == wanted) {
-      scope_
-          .report(DiagnosticId::missingCommaBeforeMinus, argument.value->where, use.name.text,
-                  takes, scope_.text(argument.value->where), scope_.text(difference->left->where),
-                  scope_.text(difference->right->where))
-          .fix(difference->op_where, ", -")
-          .note(declaration.name->where, "declared as `" + declaration.signature + "`");
-      return true;
-    }
-  }
-  scope_
-      .report(DiagnosticId::wrongArgumentCount, use.where, use.name.text, takes,
-              use.arguments.empty() ? "none" : countOf(filled),
-              "write `" + declaration.signature + "`")
-      .note(declaration.name->where, "declared here");
-  return true;
+  BehaviourLowering(declaration, scope_).use(activity, snippets, id_, state_.name.text);
 }
 
 }  // namespace glider::frontend

@@ -3,7 +3,10 @@
 
 #include "frontend/sema/scope.h"
 
+#include "frontend/sema/lower_expr.h"
 #include "frontend/spelling.h"
+
+#include <fmt/format.h>
 
 #include <cctype>
 
@@ -82,11 +85,13 @@ ir::BehaviourId Scope::use(BehaviourDeclaration& declaration) {
   if (declaration.id.valid()) {
     return declaration.id;
   }
-  ir::Behaviour behaviour{declaration.name->text,
-                          symbolOf(declaration.kind, declaration.name->text),
-                          declaration.kind,
-                          declaration.parameters,
-                          {}};
+  ir::Behaviour behaviour;
+  behaviour.name = declaration.name->text;
+  behaviour.kind = declaration.kind;
+  if (declaration.body == nullptr) {
+    behaviour.symbol = symbolOf(declaration.kind, declaration.name->text);
+    behaviour.parameters = declaration.signature.slots;
+  }
   for (const platforms::PlatformSensor* sensor : declaration.reads) {
     behaviour.reads.push_back(
         subscribe(*sensor, sensor->alias.empty() ? sensor->name : sensor->alias));
@@ -97,23 +102,65 @@ ir::BehaviourId Scope::use(BehaviourDeclaration& declaration) {
 }
 
 std::string Scope::suggestSensor(std::string_view wrong) const {
-  std::vector<std::string_view> names(std::begin(kClocks), std::end(kClocks));
+  std::vector<std::string_view> known(std::begin(kClocks), std::end(kClocks));
   for (const platforms::PlatformSensor& sensor : platform().sensors) {
-    names.push_back(sensor.alias.empty() ? sensor.name : sensor.alias);
+    known.push_back(sensor.alias.empty() ? sensor.name : sensor.alias);
   }
   for (const platforms::PlatformSensor& sensor : platform().sensors) {
-    names.push_back(sensor.name);
+    known.push_back(sensor.name);
   }
-  return didYouMean(wrong, names, "its sensors stand in platforms/" + platform().name + ".toml");
+  return didYouMean(wrong, known, "its sensors stand in platforms/" + platform().name + ".toml");
 }
 
 std::string Scope::suggestName(std::string_view wrong) const {
-  std::vector<std::string_view> names;
-  for (const auto& [name, constant] : constants) {
-    names.push_back(name);
+  std::vector<std::string_view> known;
+  for (const Names* list : visibleNames()) {
+    for (const auto& [name, named] : *list) {
+      known.push_back(name);
+    }
   }
-  const std::string constant = didYouMean(wrong, names, "");
-  return constant.empty() ? suggestSensor(wrong) : constant;
+  for (const auto& [name, constant] : constants) {
+    if (!context.isolated) {
+      known.push_back(name);
+    }
+  }
+  const std::string near = didYouMean(wrong, known, "");
+  return near.empty() ? suggestSensor(wrong) : near;
+}
+
+std::string Scope::takenBy(std::string_view name) const {
+  if (findClock(name)) {
+    return "a clock";
+  }
+  if (platform().find(name) != nullptr) {
+    return "a sensor of platform `" + platform().name + "`";
+  }
+  if (isFunctionName(name)) {
+    return "a function";
+  }
+  return name == "profiledone" || name == "routedone" ? "a word of the language" : "";
+}
+
+bool Scope::refuseUnseen(std::string_view name, const support::SourceRange& range) {
+  if (context.isolated) {
+    const auto constant = constants.find(name);
+    const auto named = names.find(name);
+    const ast::Name* there = constant != constants.end() ? constant->second.name
+                             : named != names.end()      ? named->second.name
+                                                         : nullptr;
+    if (there != nullptr) {
+      report(DiagnosticId::ofTheMission, range, name).note(there->where, "it is defined here");
+    }
+    return there != nullptr;
+  }
+  for (const StateDeclaration& state : state_declarations) {
+    if (const auto found = state.names.find(name); found != state.names.end()) {
+      report(DiagnosticId::ofAnotherState, range, name, state.node->name.text)
+          .note(found->second.name->where, "it is defined here");
+      return true;
+    }
+  }
+  return false;
 }
 
 bool Scope::refuseName(const ast::Name& name, std::string_view owner) {
@@ -121,13 +168,108 @@ bool Scope::refuseName(const ast::Name& name, std::string_view owner) {
     report(DiagnosticId::unitAsName, name.where, name.text, owner);
     return true;
   }
-  if (findClock(name.text) || platform().find(name.text) != nullptr) {
-    report(DiagnosticId::nameTaken, name.where, name.text,
-           findClock(name.text) ? std::string("a clock")
-                                : "a sensor of platform `" + platform().name + "`");
-    return true;
+  const std::string what = takenBy(name.text);
+  if (!what.empty()) {
+    report(DiagnosticId::nameTaken, name.where, name.text, what);
+    refused_names.insert(name.text);
   }
-  return false;
+  return !what.empty();
+}
+
+bool Scope::refuseSecond(const ast::Name& name) {
+  const Named* named = findNamed(name.text);
+  const Constant* constant = findConstant(name.text);
+  const ast::Name* first = named != nullptr      ? named->name
+                           : constant != nullptr ? constant->name
+                                                 : nullptr;
+  if (first == nullptr) {
+    return false;
+  }
+  report(DiagnosticId::duplicateName, name.where, name.text)
+      .note(first->where, "the first is here");
+  return true;
+}
+
+Named* Scope::findNamed(std::string_view name) {
+  if (context.names != nullptr) {
+    if (const auto own = context.names->find(name); own != context.names->end()) {
+      return &own->second;
+    }
+  }
+  const auto found = context.isolated ? names.end() : names.find(name);
+  return found == names.end() ? nullptr : &found->second;
+}
+
+const Constant* Scope::findConstant(std::string_view name) const {
+  const auto found = context.isolated ? constants.end() : constants.find(name);
+  return found == constants.end() ? nullptr : &found->second;
+}
+
+std::vector<const Names*> Scope::visibleNames() const {
+  std::vector<const Names*> lists;
+  if (context.names != nullptr) {
+    lists.push_back(context.names);
+  }
+  if (!context.isolated) {
+    lists.push_back(&names);
+  }
+  return lists;
+}
+
+std::string Scope::freshName(std::string wish) {
+  while (!variable_names_.insert(wish).second) {
+    wish += '_';
+  }
+  return wish;
+}
+
+std::optional<DeclaredType> Scope::declaredType(const ast::TypeName& name) {
+  const TypeLookup found = findType(name.text);
+  if (found.status == NamedType::Known) {
+    return DeclaredType{found.type, found.position};
+  }
+  if (found.status == NamedType::Later) {
+    notYet(name.where, "type `" + name.text + "` here");
+    return std::nullopt;
+  }
+  static const std::vector<std::string_view> kTypes = {
+      "bool", "latitude", "longitude", "position", "path",
+#define DIMENSION(name, m, kg, s, a, k, rad, unit) #name,
+#include "support/units/dimensions.def"
+#undef DIMENSION
+  };
+  std::string all;
+  for (std::string_view type : kTypes) {
+    all += (all.empty() ? "types: " : ", ") + std::string(type);
+  }
+  report(DiagnosticId::unknownType, name.where, name.text, didYouMean(name.text, kTypes, all));
+  return std::nullopt;
+}
+
+Signature Scope::signatureOf(const ast::Name& name,
+                             const std::optional<std::vector<ast::Formal>>& formals) {
+  Signature result;
+  for (const ast::Formal& formal : formals.value_or(std::vector<ast::Formal>())) {
+    result.text += fmt::format("{}{}: {}", result.text.empty() ? "" : ", ", formal.name.text,
+                               formal.type.text);
+  }
+  result.text = name.text + (result.text.empty() ? "" : "(" + result.text + ")");
+  if (!formals) {
+    return result;
+  }
+  for (const ast::Formal& formal : *formals) {
+    const auto type = declaredType(formal.type);
+    result.valid = result.valid && type.has_value();
+    const DeclaredType known = type.value_or(DeclaredType{plainNumber(), false});
+    result.formals.push_back({&formal.name, known});
+    if (known.position) {
+      result.slots.push_back({formal.name.text + ".latitude", latitude()});
+      result.slots.push_back({formal.name.text + ".longitude", longitude()});
+    } else {
+      result.slots.push_back({formal.name.text, known.type});
+    }
+  }
+  return result;
 }
 
 }  // namespace glider::frontend

@@ -4,12 +4,16 @@
 #pragma once
 
 #include "frontend/frontend.h"
+#include "frontend/sema/names.h"
+#include "frontend/sema/paths.h"
 #include "frontend/sema/types.h"
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace glider::frontend {
@@ -21,6 +25,7 @@ struct Constant {
   bool position = false;  ///< `number` is the latitude, `second` the longitude
   double number = 0;      ///< SI units or degrees; 1 and 0 for true and false
   double second = 0;
+  Path path;                ///< not empty: a path, and nothing else
   bool worked_out = false;  ///< its definition was reached
   bool valid = false;       ///< worked out, and right; what was wrong was said
 };
@@ -29,11 +34,19 @@ struct Constant {
 struct BehaviourDeclaration {
   const ast::Name* name = nullptr;
   ir::BehaviourKind kind = ir::BehaviourKind::Profile;
-  std::vector<ir::Parameter> parameters;
+  const ast::Behaviour* body = nullptr;  ///< null: a C function
+  Signature signature;
   std::vector<const platforms::PlatformSensor*> reads;
-  std::string signature;  ///< "yo(top: length, …)"
-  bool usable = true;     ///< false: its declaration was refused, and said to be so
-  ir::BehaviourId id;     ///< once the mission uses it
+  bool usable = true;  ///< false: its declaration was refused, and said to be so
+  ir::BehaviourId id;  ///< once the mission uses it
+};
+
+/// A state, known before any is lowered, so that cases may name those that come later.
+struct StateDeclaration {
+  const ast::State* node = nullptr;
+  Signature signature;
+  std::vector<ir::VariableId> parameters;
+  Names names;  ///< its parameters and variables
 };
 
 /// The three clocks of the language: names that every mission has.
@@ -46,10 +59,20 @@ class Scope {
   Scope(const AnalysisInputs& inputs, support::DiagnosticEngine& diagnostics)
       : inputs_(inputs), diagnostics_(diagnostics) {}
 
+  /// Reports; in the body of a behaviour that is lowered for a use of it, a warning is dropped (it
+  /// was given at the definition) and an error names the use.
   template <typename... Args>
   support::DiagnosticBuilder report(support::DiagnosticId id, const support::SourceRange& range,
                                     Args&&... args) {
-    return diagnostics_.report(id, range, std::forward<Args>(args)...);
+    if (!context.use) {
+      return diagnostics_.report(id, range, std::forward<Args>(args)...);
+    }
+    if (support::catalogueRow(id).severity != support::Severity::Error) {
+      return support::DiagnosticBuilder(dropped_ = {});
+    }
+    auto builder = diagnostics_.report(id, range, std::forward<Args>(args)...);
+    builder.note(*context.use, "with what is given here");
+    return builder;
   }
   /// `what` belongs to the language but is not compiled yet.
   void notYet(const support::SourceRange& range, std::string_view what, std::string_view hint = "");
@@ -66,20 +89,81 @@ class Scope {
   /// "did you mean `temp`?" over sensors, clocks and constants.
   [[nodiscard]] std::string suggestName(std::string_view wrong) const;
   [[nodiscard]] std::string suggestSensor(std::string_view wrong) const;
-  /// True, and reported, if no value may be called `name` because a unit, sensor or clock is.
+  /// What every mission has under this name, "a clock"; empty: nothing.
+  [[nodiscard]] std::string takenBy(std::string_view name) const;
+  /// True, and reported, if `name` is a value that is not seen from `context`.
+  bool refuseUnseen(std::string_view name, const support::SourceRange& range);
+  /// True, and reported, if no value may be called `name` because a unit, sensor, clock or function
+  /// is.
   bool refuseName(const ast::Name& name, std::string_view owner);
+  /// True, and reported, if a constant, parameter or variable that is seen from `context` is called
+  /// so.
+  bool refuseSecond(const ast::Name& name);
+  /// The parameter or variable that `name` means in `context`; null if none.
+  Named* findNamed(std::string_view name);
+  /// The constant that `name` means in `context`; null if none.
+  const Constant* findConstant(std::string_view name) const;
+  /// The parameters and variables that are seen from `context`.
+  [[nodiscard]] std::vector<const Names*> visibleNames() const;
+  /// `wish`, or if a variable has that name already, one like it that none has.
+  std::string freshName(std::string wish);
+  /// The type that is written; empty, and reported, if there is none of that name.
+  std::optional<DeclaredType> declaredType(const ast::TypeName& name);
+  /// Types the parameters of `name`. Their names are checked by whoever enters them.
+  Signature signatureOf(const ast::Name& name,
+                        const std::optional<std::vector<ast::Formal>>& formals);
+
+  /// Lowers into an empty mission for as long as it lives: what is checked is not compiled.
+  class Scratch {
+   public:
+    explicit Scratch(Scope& scope) : scope_(scope) { swap(); }
+    Scratch(const Scratch&) = delete;
+    Scratch& operator=(const Scratch&) = delete;
+    ~Scratch() { swap(); }
+
+   private:
+    void swap() {
+      std::swap(scope_.mission, mission_);
+      std::swap(scope_.subscribed_, subscribed_);
+      std::swap(scope_.variable_names_, variable_names_);
+    }
+    Scope& scope_;
+    ir::Mission mission_;
+    std::map<uint16_t, ir::SensorId> subscribed_;
+    std::set<std::string, std::less<>> variable_names_;
+  };
+
+  /// Changes the context for as long as it lives.
+  class Within {
+   public:
+    Within(Scope& scope, Context context)
+        : scope_(scope), before_(std::exchange(scope.context, std::move(context))) {}
+    Within(const Within&) = delete;
+    Within& operator=(const Within&) = delete;
+    ~Within() { scope_.context = std::move(before_); }
+
+   private:
+    Scope& scope_;
+    Context before_;
+  };
 
   ir::Mission mission;
+  Context context;
   std::map<std::string, Constant, std::less<>> constants;
-  std::map<std::string, const ast::Name*, std::less<>> later_values;  ///< var, param, extern sensor
+  Names names;  ///< the mission's parameters and variables
+  std::map<std::string, const ast::Name*, std::less<>> later_values;  ///< extern sensor
+  std::set<std::string, std::less<>> refused_names;  ///< declared, but taken: uses say nothing more
   std::map<std::string, const ast::Name*, std::less<>> later_functions;
   std::map<std::string, ir::StateId, std::less<>> states;
+  std::vector<StateDeclaration> state_declarations;  ///< by StateId
   std::map<std::string, BehaviourDeclaration, std::less<>> behaviours;
 
  private:
   const AnalysisInputs& inputs_;
   support::DiagnosticEngine& diagnostics_;
+  support::Diagnostic dropped_;
   std::map<uint16_t, ir::SensorId> subscribed_;
+  std::set<std::string, std::less<>> variable_names_;
 };
 
 }  // namespace glider::frontend

@@ -32,6 +32,10 @@ std::string describe(const ir::Type& type) {
   return fmt::format("{} {} ({})", vowel ? "an" : "a", name, unit);
 }
 
+std::string describe(const DeclaredType& type) {
+  return type.position ? "a position" : describe(type.type);
+}
+
 TypeLookup findType(std::string_view name) {
   if (name == "bool") {
     return {NamedType::Known, boolean()};
@@ -40,7 +44,10 @@ TypeLookup findType(std::string_view name) {
     return {NamedType::Known,
             {name == "latitude" ? ir::TypeKind::Latitude : ir::TypeKind::Longitude, {}}};
   }
-  if (name == "position" || name == "path") {
+  if (name == "position") {
+    return {NamedType::Known, latitude(), true};
+  }
+  if (name == "path") {
     return {NamedType::Later, {}};
   }
   if (const auto dimension = support::findDimension(name)) {

@@ -15,13 +15,22 @@ namespace glider::frontend {
 /// degC/m".
 std::string describe(const ir::Type& type);
 
+/// A type as it is written: a position is two numbers to the IR.
+struct DeclaredType {
+  ir::Type type;  ///< of a position: a latitude
+  bool position = false;
+  bool operator==(const DeclaredType&) const = default;
+};
+std::string describe(const DeclaredType& type);
+
 /// What a type's name in the language means.
 enum class NamedType : uint8_t { Known, Later, Unknown };
 struct TypeLookup {
   NamedType status = NamedType::Unknown;
   ir::Type type;
+  bool position = false;
 };
-/// "length", "bool", "latitude", "temperature/length"; `position` and `path` come later.
+/// "length", "bool", "latitude", "position", "temperature/length"; `path` comes later.
 TypeLookup findType(std::string_view name);
 
 /// Whether `name` is a unit or a letter of positions, which name no value.
@@ -35,6 +44,12 @@ inline ir::Type plainNumber() {
 }
 inline ir::Type boolean() {
   return {ir::TypeKind::Bool, {}};
+}
+inline ir::Type latitude() {
+  return {ir::TypeKind::Latitude, {}};
+}
+inline ir::Type longitude() {
+  return {ir::TypeKind::Longitude, {}};
 }
 
 }  // namespace glider::frontend

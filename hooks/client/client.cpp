@@ -20,17 +20,21 @@ ClientEvent Client::poll(const GliderByteStream& stream, const GliderClock& cloc
   const FrameReader::Result result = reader_.next(stream);
   const double now = clock.now(clock.self);
   if (result == FrameReader::Result::Frame) {
+    const ClientEvent event = handle(reader_.frame(), stream);
+    if (!heard_ || event == ClientEvent::Tick) {
+      // Only ticks bring mission time: it must not stand still while Beacons come.
+      last_tick_s_ = now;
+    }
     heard_ = true;
-    last_frame_s_ = now;
-    return handle(reader_.frame(), stream);
+    return event;
   }
   if (result == FrameReader::Result::Closed) {
     return ClientEvent::Closed;
   }
   // Before the first frame there is no mission time to go on with, and nobody has said yet whether
   // time is virtual.
-  if (heard_ && !virtual_time_ && now - last_frame_s_ >= kSilenceSecs) {
-    last_frame_s_ = now;
+  if (heard_ && !virtual_time_ && now - last_tick_s_ >= kSilenceSecs) {
+    last_tick_s_ = now;
     return ClientEvent::SilentLink;
   }
   return ClientEvent::Nothing;
@@ -112,6 +116,7 @@ ClientEvent Client::handleTick(const Frame& frame, const GliderByteStream& strea
   resubscribe_ = head.subscription != subscriptionCheck(options_.sensors, options_.sensor_count);
   learnSession(head.session);
   followInstruction();
+  tick_.instruction_sequence = sequence_;
   return ClientEvent::Tick;
 }
 
@@ -131,16 +136,21 @@ void Client::gatherTick(const TickHead& head, const SensorList& readings) {
 }
 
 void Client::followInstruction() {
-  if (session_ != 0 && tick_.session == session_ && tick_.hook_state == HookState::Active) {
-    taken_ = true;
-  }
+  tick_.obeys_us =
+      session_ != 0 && tick_.session == session_ && tick_.hook_state == HookState::Active;
+  taken_ = taken_ || tick_.obeys_us;
   if (!waiting_) {
     return;
   }
   ++patience_;
   if (tick_.answered_sequence == sequence_ && tick_.answer == HookAnswer::BadCheck) {
     due_ = true;
-  } else if (tick_.answered_sequence == sequence_ && tick_.answer != HookAnswer::None) {
+  } else if (tick_.answered_sequence == sequence_ && tick_.answer == HookAnswer::None) {
+    // A hookbeh that has just started takes the number that it finds for an old one: under this
+    // number it will never look at the instruction.
+    renumber();
+    due_ = true;
+  } else if (tick_.answered_sequence == sequence_) {
     waiting_ = false;
   } else if (patience_ >= kPatienceTicks) {
     due_ = true;
@@ -161,17 +171,21 @@ uint16_t Client::instruct(Instruction instruction) {
   } else if (instruction.control == HookControl::Steer && !taken_) {
     instruction.control = HookControl::Take;
   }
+  instruction.session = session_;
+  pending_ = roundToArray(instruction);
+  renumber();
+  waiting_ = true;
+  due_ = true;
+  return sequence_;
+}
+
+void Client::renumber() {
   do {
     sequence_ = sequence_ == UINT16_MAX ? uint16_t{1} : static_cast<uint16_t>(sequence_ + 1);
     // A number that still lies in the sensor array from an earlier program would not be seen as
     // new.
   } while (sequence_ == tick_.answered_sequence);
-  instruction.session = session_;
-  instruction.sequence = sequence_;
-  pending_ = roundToArray(instruction);
-  waiting_ = true;
-  due_ = true;
-  return sequence_;
+  pending_.sequence = sequence_;
 }
 
 void Client::notify(const TransitionNotice& notice) {

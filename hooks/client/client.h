@@ -27,6 +27,11 @@ struct VehicleTick {
   HookAnswer answer = HookAnswer::None;
   uint16_t answered_sequence = 0;
   uint32_t session = 0;  ///< in control, 0 for none
+  /// The vehicle obeys this program: the session in control is that of its newest Take.
+  bool obeys_us = false;
+  /// Number under which the newest instruction goes from now on, 0 before the first: another than
+  /// instruct() returned if the vehicle had taken that one for an old one.
+  uint16_t instruction_sequence = 0;
   uint32_t reading_count = 0;
   Reading readings[kMostSubscriptions];  ///< those fresh in this cycle
 };
@@ -46,8 +51,8 @@ enum class ClientEvent : uint8_t {
   Handled,  ///< a frame was dealt with, and answered, inside the client (hello, welcome, a tick's
             ///< first part)
   Tick,     ///< tick() is new: the caller must call done()
-  SilentLink,  ///< no frame for 12 s of the SBC's own clock (never in virtual time): a tick of the
-               ///< clock alone
+  SilentLink,  ///< no whole tick for 12 s of the SBC's own clock (never in virtual time): a tick of
+               ///< the clock alone
   Refused,  ///< another protocol version or sensor dictionary, told once for each that is met: see
             ///< refusal()
   Closed,   ///< the stream's other end is gone
@@ -57,7 +62,7 @@ enum class ClientEvent : uint8_t {
 struct Refusal {
   bool refused = false;
   uint8_t version = 0;
-  uint32_t dictionary = 0;  ///< 0 when the version differs
+  uint32_t dictionary = 0;  ///< means something when the version is ours
 };
 
 class Client {
@@ -79,7 +84,8 @@ class Client {
   /// session, sequence and check are filled in by the client (Take opens a new session; a Steer of
   /// a session whose Take was never accepted goes as Take); its numbers are rounded to the sensor
   /// array. Of several only the newest is sent; it is repeated until hookbeh answers it. Returns
-  /// its sequence number: answered when tick().answered_sequence equals it.
+  /// its sequence number: answered when tick().answered_sequence equals it (see
+  /// VehicleTick::instruction_sequence).
   uint16_t instruct(Instruction instruction);
   /// Tells of a transition, with the answer of this tick; of more than kMostNotices in one answer
   /// the rest is left out.
@@ -92,7 +98,7 @@ class Client {
 
   static constexpr uint32_t kMostNotices = 8;
   static constexpr uint32_t kMostNotes = 8;
-  /// Seconds of the SBC's own clock without a frame that make a SilentLink; again after each
+  /// Seconds of the SBC's own clock without a whole tick that make a SilentLink; again after each
   /// further such time.
   static constexpr double kSilenceSecs = 12;
   /// Ticks without hookbeh's answer after which an instruction is written again.
@@ -106,6 +112,7 @@ class Client {
   ClientEvent refuse(uint8_t version, uint32_t dictionary);
   void gatherTick(const TickHead& head, const SensorList& readings);
   void followInstruction();
+  void renumber();
   void learnSession(uint32_t session);
   void queue(Frame& frame);
   void queueHello();
@@ -120,7 +127,7 @@ class Client {
   uint8_t out_sequence_ = 0;
 
   bool heard_ = false;  // a moment to count silence from is set
-  double last_frame_s_ = 0;
+  double last_tick_s_ = 0;
   bool linked_ = false;
   bool virtual_time_ = false;
   Refusal refusal_;

@@ -9,6 +9,10 @@ namespace glider::hooks {
 namespace {
 
 constexpr double kClearM = 1.0;
+/// So much of the depth where it came in, and at least so many metres, the guard climbs before it
+/// lets a dive that broke a limit be tried again: without that the pump would never rest.
+constexpr double kRetryShare = 0.5;
+constexpr double kRetryM = 5.0;
 /// An echo of the bottom is forgotten after this long: the vehicle has moved on, and the echo may
 /// have been a fish.
 constexpr double kBottomLastsSecs = 600.0;
@@ -41,39 +45,47 @@ const char* Guard::mustClimb(const HookbehArgs& args, const Instruction& in_forc
   }
   // All comparisons are written so that a NaN among the b_args counts as a broken limit.
   const char* broken = !(depth_m_ <= args.greatest_depth_m) ? "climb: too deep"
-                       : !clearOfBottom(args, 0)            ? "climb: too near the bottom"
+                       : !clearOfBottom(args, depth_m_, 0)  ? "climb: too near the bottom"
                                                             : nullptr;
   if (broken != nullptr) {
     if (tripped_ == nullptr || depth_m_ < tripped_depth_m_) {
       tripped_depth_m_ = depth_m_;
     }
     tripped_ = broken;
-  } else if (tripped_ != nullptr && depth_m_ <= args.greatest_depth_m - kClearM &&
-             clearOfBottom(args, kClearM) && leadsUp(in_force)) {
+  } else if (tripped_ != nullptr && keepsLimits(args, depth_m_, kClearM) &&
+             (mayGoOn(args, in_force) || hasClimbedFar())) {
     tripped_ = nullptr;
   }
   return tripped_;
 }
 
-bool Guard::clearOfBottom(const HookbehArgs& args, double margin_m) const {
+bool Guard::keepsLimits(const HookbehArgs& args, double depth_m, double margin_m) const {
+  return depth_m <= args.greatest_depth_m - margin_m && clearOfBottom(args, depth_m, margin_m);
+}
+
+bool Guard::clearOfBottom(const HookbehArgs& args, double depth_m, double margin_m) const {
   if (!bottom_known_ || args.least_altitude_m < 0) {
     return true;
   }
-  return bottom_m_ - depth_m_ >= args.least_altitude_m + margin_m;
+  return bottom_m_ - depth_m >= args.least_altitude_m + margin_m;
 }
 
-bool Guard::leadsUp(const Instruction& in_force) const {
+bool Guard::mayGoOn(const HookbehArgs& args, const Instruction& in_force) const {
   switch (in_force.vertical) {
     case HookVertical::Descend:
-      return false;
     case HookVertical::Hover:
-      return in_force.depth_m <= tripped_depth_m_ - kClearM;
+      return keepsLimits(args, in_force.depth_m, kClearM);
     case HookVertical::None:
     case HookVertical::Ascend:
     case HookVertical::Surface:
       return true;
   }
   return false;
+}
+
+bool Guard::hasClimbedFar() const {
+  const double share = kRetryShare * tripped_depth_m_;
+  return tripped_depth_m_ - depth_m_ >= (share > kRetryM ? share : kRetryM);
 }
 
 }  // namespace glider::hooks

@@ -16,14 +16,18 @@ class Guard {
   /// another behaviour flies, so that the bottom is known when it matters.
   void observe(const Surroundings& now, double step_s);
   /// Why hookbeh must climb now ("climb: too deep"…), or null. Once too deep or too near the bottom
-  /// it says so until the vehicle is a metre clear of the limit and `in_force` leads up.
+  /// it says so until the vehicle is a metre clear of the limits and `in_force` leads up or to a
+  /// depth that is a metre clear too; or until it has climbed half of the depth where the limit was
+  /// broken, at least 5 m: then the dive may be tried again, as far as the limit.
   const char* mustClimb(const HookbehArgs& args, const Instruction& in_force);
   /// Another SBC takes over: the reasons of the one before are forgotten, the bottom is not.
   void reset() { tripped_ = nullptr; }
 
  private:
-  [[nodiscard]] bool clearOfBottom(const HookbehArgs& args, double margin_m) const;
-  [[nodiscard]] bool leadsUp(const Instruction& in_force) const;
+  [[nodiscard]] bool keepsLimits(const HookbehArgs& args, double depth_m, double margin_m) const;
+  [[nodiscard]] bool clearOfBottom(const HookbehArgs& args, double depth_m, double margin_m) const;
+  [[nodiscard]] bool mayGoOn(const HookbehArgs& args, const Instruction& in_force) const;
+  [[nodiscard]] bool hasClimbedFar() const;
 
   double depth_m_ = 0;
   bool depth_known_ = false;

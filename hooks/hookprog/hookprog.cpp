@@ -298,7 +298,10 @@ void Hookprog::send(Frame& frame) {
 }
 
 void Hookprog::loseSbc() {
-  event(Kind::SbcLost, link_);
+  constexpr uint8_t kFinished = 2;
+  if (view_.phase != kFinished) {  // who has done its work may go without an alarm
+    event(Kind::SbcLost, link_);
+  }
   link_ = 0;
   waiting_ = false;
   view_ = SbcView{};

@@ -35,7 +35,8 @@ struct HookprogEvent {
   enum class Kind : uint8_t {
     None,
     SbcHello,       ///< a link: a = its number; text = the mission's name
-    SbcLost,        ///< no answer for 12 s, or the line is closed: a = the link's number
+    SbcLost,        ///< no answer for 12 s, or the line is closed, before its mission has finished:
+                    ///< a = the link's number
     SbcTransition,  ///< a transition, b from, c to, d fired case, e its list
     SbcNote,        ///< a word from the mission: a = its kind (GliderNoteKind); text
     BadFrame,       ///< a = frames thrown away on both lines since the last such event

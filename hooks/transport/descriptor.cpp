@@ -6,6 +6,7 @@
 #include "hooks/transport/byte_stream.h"
 
 #include <errno.h>
+#include <poll.h>
 #include <unistd.h>
 
 namespace glider::hooks {
@@ -29,6 +30,11 @@ int32_t readDescriptor(int descriptor, uint8_t* bytes, uint32_t capacity) {
     return statusOf(errno);
   }
   return got == 0 ? kGliderStreamClosed : static_cast<int32_t>(got);
+}
+
+bool isHungUp(int descriptor) {
+  pollfd state{descriptor, 0, 0};
+  return ::poll(&state, 1, 0) == 1 && (state.revents & (POLLHUP | POLLERR | POLLNVAL)) != 0;
 }
 
 int32_t writeDescriptor(int descriptor, const uint8_t* bytes, uint32_t count) {

@@ -91,6 +91,26 @@ support::Result<void> readSensors(const std::string& file, const toml::table& ro
   return {};
 }
 
+Envelope readEnvelope(TomlReader& reader) {
+  const std::pair<const char*, double Envelope::*> fields[] = {
+      {"greatest_depth_m", &Envelope::greatest_depth_m},
+      {"steepest_pitch_rad", &Envelope::steepest_pitch_rad},
+      {"vertical_rate_m_s", &Envelope::vertical_rate_m_s},
+      {"inflection_overshoot_m", &Envelope::inflection_overshoot_m},
+      {"drift_m_s", &Envelope::drift_m_s},
+      {"cycle_s", &Envelope::cycle_s}};
+  reader.only({"greatest_depth_m", "steepest_pitch_rad", "vertical_rate_m_s",
+               "inflection_overshoot_m", "drift_m_s", "cycle_s"});
+  Envelope envelope;
+  for (const auto& [key, field] : fields) {
+    envelope.*field = reader.number(key);
+    if (!(envelope.*field > 0)) {
+      reader.refuse(key, "must be above 0");
+    }
+  }
+  return envelope;
+}
+
 }  // namespace
 
 const PlatformSensor* Platform::find(std::string_view wanted) const {
@@ -113,9 +133,7 @@ support::Result<Platform> loadPlatform(const std::filesystem::path& path) {
   static const toml::table kNone;
   const toml::table* envelope = (*root)["envelope"].as_table();
   TomlReader bounds(path.string(), envelope != nullptr ? *envelope : kNone, "[envelope]");
-  bounds.only({"greatest_depth_m", "steepest_pitch_rad", "cycle_s"});
-  platform.envelope = {bounds.number("greatest_depth_m"), bounds.number("steepest_pitch_rad"),
-                       bounds.number("cycle_s")};
+  platform.envelope = readEnvelope(bounds);
   for (const TomlReader* part : {&reader, &bounds}) {
     if (part->failure()) {
       return std::unexpected(*part->failure());

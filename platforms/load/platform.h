@@ -38,6 +38,9 @@ struct PlatformSensor {
 struct Envelope {
   double greatest_depth_m = 0;
   double steepest_pitch_rad = 0;
+  double vertical_rate_m_s = 0;       ///< the fastest it sinks or climbs
+  double inflection_overshoot_m = 0;  ///< how far it goes past a target depth while it turns
+  double drift_m_s = 0;               ///< the strongest current that missions reckon with
   double cycle_s = 0;  ///< of the flight controller
 };
 

@@ -35,6 +35,15 @@ int32_t writeLog(void* self, const uint8_t* bytes, uint32_t count) {
   return static_cast<int32_t>(written);
 }
 
+/// The power may have been cut in the middle of the last flight's last line.
+void endLine(int descriptor) {
+  char last = '\n';
+  if (descriptor >= 0 && lseek(descriptor, -1, SEEK_END) >= 0 && read(descriptor, &last, 1) == 1 &&
+      last != '\n') {
+    (void)!write(descriptor, "\n", 1);
+  }
+}
+
 void dontBlock(int descriptor) {
   const int flags = fcntl(descriptor, F_GETFL);
   if (flags >= 0) {
@@ -78,7 +87,8 @@ const char* readFile(const char* path, char* bytes, uint32_t capacity, uint32_t&
 
 GliderLogSink openLog(const char* path) {
   static int descriptor = -1;
-  descriptor = open(path, O_WRONLY | O_CREAT | O_TRUNC, 0644);
+  descriptor = open(path, O_RDWR | O_CREAT | O_APPEND, 0644);
+  endLine(descriptor);
   return {&descriptor, descriptor >= 0 ? writeLog : nullptr};
 }
 

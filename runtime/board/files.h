@@ -27,7 +27,9 @@ GliderByteStream standardStream();
 /// read; one that has more than `capacity` bytes cannot.
 const char* readFile(const char* path, char* bytes, uint32_t capacity, uint32_t& size);
 
-/// Opens the log anew and makes a sink of it; a null write function if it cannot be opened.
+/// Opens the log and makes a sink of it that writes after what is there: a program that the board
+/// starts again must not wipe what the one before has seen. A null write function if it cannot be
+/// opened.
 GliderLogSink openLog(const char* path);
 
 }  // namespace glider::runtime

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "hooks/transport/descriptor.h"
 #include "hooks/transport/termios.h"
 #include "runtime/board/port.h"
 
@@ -14,7 +15,13 @@ namespace glider::runtime {
 namespace {
 
 int32_t readPort(void* self, uint8_t* bytes, uint32_t capacity) {
-  const int got = sp_nonblocking_read(static_cast<sp_port*>(self), bytes, capacity);
+  auto* port = static_cast<sp_port*>(self);
+  const int got = sp_nonblocking_read(port, bytes, capacity);
+  int descriptor = -1;
+  sp_get_port_handle(port, &descriptor);
+  if (got == 0 && hooks::isHungUp(descriptor)) {  // an unplugged adapter
+    return kGliderStreamClosed;
+  }
   return got >= 0 ? got : static_cast<int32_t>(kGliderStreamFailed);
 }
 

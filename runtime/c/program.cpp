@@ -46,8 +46,14 @@ Program::Program() {
   mission_.state_count = 1;
   mission_.states = &state_;
   mission_.sensors = sensors_;
-  mission_.guards = [](const GliderContext*) { return GLIDER_NO_CASE; };
-  mission_.fly = [](GliderContext*, uint32_t) {};
+  // What the program does stands in its own code, between the ticks.
+  mission_.begin = [](GliderContext*) {};
+  mission_.advance = [](GliderContext*) {};
+  mission_.guards = [](const GliderContext*, uint32_t, uint32_t) { return GLIDER_NO_CASE; };
+  mission_.act = [](GliderContext*, uint32_t, uint32_t) {};
+  mission_.enter = [](GliderContext*, uint32_t) {};
+  mission_.fly = [](GliderContext*, uint32_t) { return GLIDER_NO_CASE; };
+  mission_.condition = [](const GliderContext*) { return GLIDER_NO_CASE; };
   context_->mission = &mission_;
   context_->readings = memory_.readings;
   column_.clear();
@@ -142,7 +148,7 @@ bool Program::takeTick() {
 void Program::start(double vehicle_time, double sbc_time) {
   const GliderContext before = *context_;
   clock_.start(vehicle_time, sbc_time);
-  context_ = gliderStart(&memory_, &mission_, updates_, client_->tick().reading_count);
+  context_ = gliderStart(&memory_, &mission_, nullptr, updates_, client_->tick().reading_count);
   keepCommands(before, *context_);
   log_->begin(*context_);
   started_ = true;

@@ -63,6 +63,8 @@ class Program {
   struct Memory {
     GliderContext context;
     GliderReading readings[kMost];
+    GliderNote notes[GLIDER_MOST_NOTES];
+    double note_values[GLIDER_MOST_NOTE_VALUES];
   };
 
   Link link_;

@@ -14,8 +14,25 @@ using Kind = ControlNews::Kind;
 
 ControlNews Control::observe(const hooks::VehicleTick& tick) {
   state_ = tick.hook_state;
+  if (tick.instruction_sequence != 0) {
+    pending_sequence_ = tick.instruction_sequence;
+  }
+  if (overtaken(tick)) {
+    // The answer to the handshake was overtaken by that to the instruction after it, which was
+    // refused: control is ours all the same.
+    ours_ = true;
+    unconfirmed_ = 0;
+    pending_ = HookControl::Steer;
+    return {Kind::Taken, tick.answered_sequence, HookAnswer::Accepted};
+  }
   const ControlNews answer = settlePending(tick);
   return answer.kind != Kind::None ? answer : noticeLoss();
+}
+
+bool Control::overtaken(const hooks::VehicleTick& tick) const {
+  return !ours_ && pending_ == HookControl::Take && tick.obeys_us &&
+         tick.answered_sequence == pending_sequence_ && tick.answer != HookAnswer::None &&
+         tick.answer != HookAnswer::Accepted && tick.answer != HookAnswer::BadCheck;
 }
 
 ControlNews Control::settlePending(const hooks::VehicleTick& tick) {

@@ -49,6 +49,7 @@ class Control {
   [[nodiscard]] bool released() const { return released_; }
 
  private:
+  [[nodiscard]] bool overtaken(const hooks::VehicleTick& tick) const;
   ControlNews settlePending(const hooks::VehicleTick& tick);
   ControlNews refused(hooks::HookAnswer answer);
   ControlNews noticeLoss();

@@ -250,9 +250,10 @@ void GliderRuntime::logRefusedCommands() {
 
 void GliderRuntime::logRefusedLink() {
   const glider::hooks::Refusal& refusal = client_.refusal();
+  const bool same_version = refusal.version == glider::hooks::kProtocolVersion;
   log_.event(0.0, "link refused",
-             refusal.dictionary != 0 ? "another sensor dictionary" : "another protocol version",
-             static_cast<double>(refusal.dictionary != 0 ? refusal.dictionary : refusal.version));
+             same_version ? "another sensor dictionary" : "another protocol version",
+             static_cast<double>(same_version ? refusal.dictionary : refusal.version));
   log_.flush();
 }
 

@@ -42,7 +42,6 @@ const GliderCaseInfo& madeCase(const GliderContext& context, uint32_t from) {
 
 void MissionLog::begin(const GliderContext& context) {
   const GliderMission& mission = *context.mission;
-  text_.put("time_s,record,name,value,from,to\n");
   line({.time = 0.0, .record = "mission", .name = mission.name, .value = unknown()});
   for (uint32_t i = 0; i < mission.parameter_count; ++i) {
     line({.time = 0.0,
@@ -107,6 +106,10 @@ void MissionLog::event(double time, const char* name, const char* detail, double
 void MissionLog::line(const Fields& fields) {
   if (sink_.write == nullptr) {
     return;
+  }
+  if (!headed_) {  // before whatever comes first: a link may be refused before the mission begins
+    text_.put("time_s,record,name,value,from,to\n");
+    headed_ = true;
   }
   const uint32_t before = text_.size();
   compose(fields);

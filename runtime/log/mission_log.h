@@ -24,7 +24,7 @@ class MissionLog {
   MissionLog(const MissionLog&) = delete;
   MissionLog& operator=(const MissionLog&) = delete;
 
-  /// The header, that the mission begins, and with which parameters.
+  /// That the mission begins, and with which parameters.
   void begin(const GliderContext& context);
   /// The current state's items that are due.
   void values(const GliderContext& context);
@@ -60,7 +60,8 @@ class MissionLog {
   double written_[kMostItems] = {};  ///< mission time at which each item was last logged
   uint32_t last_written_state_ = UINT32_MAX;
   uint32_t failures_ = 0;
-  bool torn_ = false;  ///< the sink may stand in the middle of a line
+  bool headed_ = false;  ///< the header was written
+  bool torn_ = false;    ///< the sink may stand in the middle of a line
 };
 
 }  // namespace glider::runtime

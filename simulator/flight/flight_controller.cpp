@@ -41,7 +41,7 @@ FlightController::FlightController(const platforms::Platform& platform,
       navigator_(frame),
       depth_sensor_(seed, sensors.depth_m),
       attitude_(seed, sensors.pitch_rad, sensors.heading_rad),
-      altimeter_(seed, sensors.altitude_m),
+      altimeter_(seed, sensors.altimeter),
       gps_(seed, sensors.gps_m),
       layers_(mission),
       journal_(journal),
@@ -171,11 +171,20 @@ void FlightController::noteOrder() {
   }
   order_.vertical = array_.get(GLIDER_SCI_HOOK_VERTICAL);
   order_.depth_m = array_.get(GLIDER_SCI_HOOK_DEPTH);
+  noteRange();
+}
+
+void FlightController::noteRange() {
   if (order_.vertical == static_cast<double>(hooks::HookVertical::Ascend)) {
     order_.top_m = order_.depth_m;
   } else if (order_.vertical == static_cast<double>(hooks::HookVertical::Descend)) {
     order_.bottom_m = order_.depth_m;
   }
+}
+
+void FlightController::noteTransition() {
+  order_.top_m = order_.bottom_m = kNaN;
+  noteRange();
 }
 
 void FlightController::startAbort(Abort abort, const std::string& why, double now_s) {

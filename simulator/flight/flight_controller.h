@@ -22,8 +22,8 @@ namespace glider::simulator {
 struct HookOrder {
   double vertical = std::numeric_limits<double>::quiet_NaN();
   double depth_m = std::numeric_limits<double>::quiet_NaN();
-  double top_m = std::numeric_limits<double>::quiet_NaN();     ///< target of the last ascend
-  double bottom_m = std::numeric_limits<double>::quiet_NaN();  ///< target of the last descend
+  double top_m = std::numeric_limits<double>::quiet_NaN();  ///< target of the state's last ascend
+  double bottom_m = std::numeric_limits<double>::quiet_NaN();  ///< target of its last descend
 };
 
 /// The flight controller: every four seconds sensors → layered control → dynamic control → devices
@@ -47,6 +47,9 @@ class FlightController {
   [[nodiscard]] int layer() const { return layer_; }
   /// Why the mission is over; empty while it is not.
   [[nodiscard]] const std::string& end() const { return end_; }
+  /// The SBC's mission is in another state: of the range that the one before ordered only the
+  /// command in force still holds.
+  void noteTransition();
   /// Ends the mission at the surface when nothing is left to fly; `sbc_gone`: the SBC will not come
   /// back.
   void noteSbcGone(bool sbc_gone) { sbc_gone_ = sbc_gone; }
@@ -57,6 +60,7 @@ class FlightController {
   void send(const GliderByteStream& clothesline);
   [[nodiscard]] Situation situation(double now_s);
   void noteOrder();
+  void noteRange();
   void startAbort(Abort abort, const std::string& why, double now_s);
   [[nodiscard]] Commands decide(const Situation& situation);
   void control(const Commands& commands, const Situation& situation, Vehicle& vehicle);

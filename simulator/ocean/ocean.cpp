@@ -3,6 +3,7 @@
 
 #include "simulator/ocean/ocean.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -10,10 +11,14 @@
 namespace glider::simulator {
 
 constexpr double kTurn = 2 * std::numbers::pi;
+// A wave higher than the layer under it would fold the water over.
+constexpr double kHighestShareOfLayer = 0.95;
 
-Ocean::Wave Ocean::wave(double x, double t) const {
+Ocean::Wave Ocean::wave(double x, double t, double water_depth) const {
   const WaveSettings& w = settings_.wave;
-  if (w.amplitude_m == 0) {
+  const double lower_layer = std::max(water_depth - settings_.thermocline_depth_m, 0.0);
+  const double amplitude = std::min(w.amplitude_m, kHighestShareOfLayer * lower_layer);
+  if (amplitude == 0) {
     return {};
   }
   const double waves = (t - w.start_s) / w.period_s - (w.wavelength_m > 0 ? x / w.wavelength_m : 0);
@@ -21,53 +26,87 @@ Ocean::Wave Ocean::wave(double x, double t) const {
     return {};
   }
   const double angle = kTurn * waves + w.phase_rad;
-  return {w.amplitude_m * std::sin(angle), w.amplitude_m * std::cos(angle) * kTurn / w.period_s};
+  return {amplitude * std::sin(angle), amplitude * std::cos(angle) * kTurn / w.period_s};
 }
 
 double Ocean::shape(double z, double water_depth) const {
   const double z0 = settings_.thermocline_depth_m;
-  return z <= z0 ? z / z0 : (water_depth - z) / (water_depth - z0);
+  if (z <= z0) {
+    return z / z0;
+  }
+  return water_depth > z0 ? (water_depth - z) / (water_depth - z0) : 0;
+}
+
+double Ocean::frontStep(double x, double y) const {
+  const FrontSettings& f = settings_.front;
+  if (f.step_degC == 0) {
+    return 0;
+  }
+  const double beyond = (x - f.x) * std::sin(f.bearing_rad) + (y - f.y) * std::cos(f.bearing_rad);
+  return f.step_degC / 2 * (1 + std::tanh(beyond / f.width_m));
+}
+
+double Ocean::upperShare(double z, double x, double y, double t) const {
+  const double water_depth = waterDepth(x, y);
+  const double lowered = wave(x, t, water_depth).lowered * shape(z, water_depth);
+  const double layer =
+      (z - settings_.thermocline_depth_m - lowered) / settings_.thermocline_thickness_m;
+  return (1 - std::tanh(layer)) / 2;
 }
 
 double Ocean::temperature(double z, double x, double y, double t) const {
-  const double lowered = wave(x, t).lowered * shape(z, waterDepth(x, y));
-  const double layer =
-      (z - settings_.thermocline_depth_m - lowered) / settings_.thermocline_thickness_m;
   const double contrast = settings_.surface_temperature - settings_.bottom_temperature;
-  return settings_.bottom_temperature + contrast / 2 * (1 - std::tanh(layer));
+  return settings_.bottom_temperature + contrast * upperShare(z, x, y, t) + frontStep(x, y);
 }
 
 double Ocean::density(double /*z*/) const {
   return settings_.density;
 }
 
-double Ocean::verticalCurrent(double z, double x, double y, double t) const {
-  const double sinking = wave(x, t).rate;
-  return sinking == 0 ? 0 : -sinking * shape(z, waterDepth(x, y));
+Current Ocean::current(double z, double x, double y) const {
+  const Current& top = settings_.current;
+  const Current& bottom = settings_.bottom_current;
+  const double water_depth = waterDepth(x, y);
+  const double share = water_depth > 0 ? std::clamp(z / water_depth, 0.0, 1.0) : 0;
+  return {top.east + (bottom.east - top.east) * share,
+          top.north + (bottom.north - top.north) * share};
 }
 
-double Ocean::waterDepth(double x, double y) const {
-  if (settings_.bottom_height_m == 0) {
-    return settings_.water_depth_m;
-  }
-  return settings_.water_depth_m -
-         settings_.bottom_height_m *
-             std::sin(kTurn * std::hypot(x, y) / settings_.bottom_wavelength_m);
+double Ocean::verticalCurrent(double z, double x, double y, double t) const {
+  const double water_depth = waterDepth(x, y);
+  const double sinking = wave(x, t, water_depth).rate;
+  return sinking == 0 ? 0 : -sinking * shape(z, water_depth);
 }
 
 double Ocean::isothermDepth(double temperature, double x, double y, double t) const {
   const double contrast = settings_.surface_temperature - settings_.bottom_temperature;
-  const double inner = 1 - 2 * (temperature - settings_.bottom_temperature) / contrast;
+  const double above_bottom = temperature - frontStep(x, y) - settings_.bottom_temperature;
+  const double inner = 1 - 2 * above_bottom / contrast;
   const double z0 = settings_.thermocline_depth_m;
   const double bottom = waterDepth(x, y);
   // The depth at which the water at rest has this temperature; then the wave's shape solved for z,
   // layer by layer.
   const double rest = z0 + settings_.thermocline_thickness_m * std::atanh(inner);
-  const double lowered = wave(x, t).lowered;
+  const double lowered = wave(x, t, bottom).lowered;
   const double below = bottom - z0;
   const double z = rest <= z0 - lowered ? rest / (1 - lowered / z0)
                                         : (rest + lowered * bottom / below) / (1 + lowered / below);
   return z >= 0 && z <= bottom ? z : std::numeric_limits<double>::quiet_NaN();
+}
+
+double Ocean::chlorophyll(double z, double x, double y) const {
+  double sum = settings_.chlorophyll_ugpl;
+  for (const Patch& patch : settings_.patches) {
+    const double r = std::hypot(x - patch.x, y - patch.y) / patch.radius_m;
+    const double h = (z - patch.depth_m) / patch.thickness_m;
+    sum += patch.peak_ugpl * std::exp(-r * r - h * h);
+  }
+  return sum;
+}
+
+double Ocean::oxygen(double z, double x, double y, double t) const {
+  const double contrast = settings_.surface_oxygen_uM - settings_.bottom_oxygen_uM;
+  return settings_.bottom_oxygen_uM + contrast * upperShare(z, x, y, t);
 }
 
 }  // namespace glider::simulator

@@ -29,6 +29,7 @@ struct Scenario {
   OceanSettings ocean;
   VehicleSettings vehicle;
   SensorSettings sensors;
+  bool altimeter_given = false;  ///< [sensors.altimeter] is there
 };
 
 /// Reads and checks scenario `path` and its skeleton mission with its argument files, which lie

@@ -140,7 +140,11 @@ void ProcessSbcPort::closed() {
 }
 
 void ProcessSbcPort::kill() {
-  destroy("killed");
+  if (alive()) {
+    epitaph_ = "killed";  // also if it has just ended by itself, which nobody knows yet
+    ::kill(pid_, SIGKILL);
+    reap(true);
+  }
 }
 
 void ProcessSbcPort::read() {
@@ -156,7 +160,7 @@ void ProcessSbcPort::read() {
       pty_.releaseUserSide();  // from now on the program's end closes the line
     }
   }
-  if (count < 0 && alive()) {
+  if (count < 0 && missed()) {
     closed();
   }
 }
@@ -165,7 +169,9 @@ void ProcessSbcPort::wait(bool to_write, int milliseconds) {
   pollfd poll{pty_.descriptor(), static_cast<short>(POLLIN | (to_write ? POLLOUT : 0)), 0};
   ::poll(&poll, 1, milliseconds);
   read();
-  reap(false);
+  if (missed()) {
+    reap(false);
+  }
 }
 
 void ProcessSbcPort::deliver(std::span<const uint8_t> bytes, double /*now_s*/) {
@@ -175,7 +181,9 @@ void ProcessSbcPort::deliver(std::span<const uint8_t> bytes, double /*now_s*/) {
     const int32_t taken =
         stream.write(stream.self, bytes.data(), static_cast<uint32_t>(bytes.size()));
     if (taken < 0) {
-      closed();
+      // The line is closed. That shows when it does not answer a whole frame, as it would if the
+      // program had taken a little longer to end.
+      lockstep_.toSbc(bytes.data(), static_cast<uint32_t>(bytes.size()));
       return;
     }
     if (taken > 0) {

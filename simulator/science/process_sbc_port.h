@@ -46,6 +46,9 @@ class ProcessSbcPort final : public SbcPort {
   /// there.
   void wait(bool to_write, int milliseconds);
   void read();
+  /// True when it owes an answer. Only then its end is noticed: the moment at which a program ends
+  /// by itself is one of real time, and a flight must not depend on that.
+  [[nodiscard]] bool missed() const { return alive() && !lockstep_.settled(); }
   /// Takes the program's end if it has ended; `block` waits for it.
   void reap(bool block);
   void destroy(std::string epitaph);

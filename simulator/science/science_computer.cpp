@@ -13,7 +13,9 @@ namespace glider::simulator {
 constexpr double kStartOfMission = 1.25e9;  // s since 1970: the flight controller's clock, in step
 
 ScienceComputer::ScienceComputer(uint64_t seed, const SensorSettings& settings)
-    : ctd_(seed, settings), conductivity_(settings.conductivity) {
+    : ctd_(seed, settings.ctd),
+      fluorometer_(seed, NoiseStream::Chlorophyll, settings.chlorophyll_ugpl),
+      optode_(seed, NoiseStream::Oxygen, settings.oxygen_uM) {
   values_.fill(std::numeric_limits<double>::quiet_NaN());
 }
 
@@ -34,14 +36,29 @@ double ScienceComputer::get(void* self, uint16_t id, bool* fresh) {
   return science.values_[id];
 }
 
-void ScienceComputer::run(double now_s, const Water& truth, const GliderByteStream& sbc,
-                          const GliderByteStream& flight) {
+void ScienceComputer::readCtd(double now_s, const Ocean& ocean, const Place& place) {
+  const auto water = [&](double depth_m) {
+    return ocean.temperature(depth_m, place.x, place.y, now_s);
+  };
+  if (const auto reading = ctd_.read(water, place.depth_m, now_s)) {
+    set(GLIDER_SCI_WATER_TEMP, reading->temperature_degC);
+    set(GLIDER_SCI_WATER_COND, reading->conductivity);
+    set(GLIDER_SCI_WATER_PRESSURE, reading->depth_m / 10);
+  }
+}
+
+void ScienceComputer::run(double now_s, const Ocean& ocean, const Place& place,
+                          const GliderByteStream& sbc, const GliderByteStream& flight) {
   set(GLIDER_SCI_M_PRESENT_TIME, kStartOfMission + now_s);
-  const double temperature = ctd_.temperature(truth.temperature_degC, now_s);
-  if (!std::isnan(temperature)) {
-    set(GLIDER_SCI_WATER_TEMP, temperature);
-    set(GLIDER_SCI_WATER_COND, conductivity_);
-    set(GLIDER_SCI_WATER_PRESSURE, truth.depth_m / 10);
+  readCtd(now_s, ocean, place);
+  // A vehicle in water of which the scenario says nothing does not carry the sensor.
+  const double chlorophyll = ocean.chlorophyll(place.depth_m, place.x, place.y);
+  if (!std::isnan(chlorophyll)) {
+    set(GLIDER_SCI_FLBBCD_CHLOR_UNITS, fluorometer_.read(chlorophyll));
+  }
+  const double oxygen = ocean.oxygen(place.depth_m, place.x, place.y, now_s);
+  if (!std::isnan(oxygen)) {
+    set(GLIDER_SCI_OXY4_OXYGEN, optode_.read(oxygen));
   }
   hookprog_.run(now_s, {this, get}, sbc, flight);
 }

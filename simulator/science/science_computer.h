@@ -7,6 +7,8 @@
 #include "platforms/load/platform.h"
 #include "platforms/slocum_sensors.h"
 #include "simulator/journal.h"
+#include "simulator/ocean/ocean.h"
+#include "simulator/sensors/concentration_sensor.h"
 #include "simulator/sensors/ctd.h"
 
 #include <array>
@@ -24,16 +26,17 @@ struct GuardText {
 };
 using GuardResolver = std::function<GuardText(uint32_t list, uint32_t state, uint32_t fired_case)>;
 
-/// The science computer: runs the CTD and hookprog once a second.
+/// The science computer: runs its sensors and hookprog once a second.
 class ScienceComputer {
  public:
   ScienceComputer(uint64_t seed, const SensorSettings& settings);
 
-  struct Water {
-    double temperature_degC = 0, depth_m = 0;
+  /// Where the vehicle is: m down, east and north of the start.
+  struct Place {
+    double depth_m = 0, x = 0, y = 0;
   };
   /// The science cycle at time `now_s`. `sbc` is the 115200 line, `flight` the clothesline.
-  void run(double now_s, const Water& truth, const GliderByteStream& sbc,
+  void run(double now_s, const Ocean& ocean, const Place& place, const GliderByteStream& sbc,
            const GliderByteStream& flight);
 
   [[nodiscard]] hooks::HookprogEvent nextEvent() { return hookprog_.nextEvent(); }
@@ -42,11 +45,12 @@ class ScienceComputer {
   [[nodiscard]] double value(uint16_t id) const { return values_[id]; }
 
  private:
+  void readCtd(double now_s, const Ocean& ocean, const Place& place);
   void set(uint16_t id, double value);
   static double get(void* self, uint16_t id, bool* fresh);
 
   Ctd ctd_;
-  double conductivity_;
+  ConcentrationSensor fluorometer_, optode_;
   hooks::Hookprog hookprog_{{.virtual_time = true}};
   std::array<double, GLIDER_SENSOR_COUNT> values_;
   std::array<bool, GLIDER_SENSOR_COUNT> fresh_{};

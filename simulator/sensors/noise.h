@@ -51,6 +51,20 @@ class Noise {
 };
 
 /// The streams, one a sensor.
-enum class NoiseStream : uint32_t { Depth, Pitch, Heading, Altitude, Gps, Temperature, CtdDropout };
+/// One more goes to the end: the others' flights stay what they were.
+enum class NoiseStream : uint32_t {
+  Depth,
+  Pitch,
+  Heading,
+  Altitude,
+  Gps,
+  Temperature,
+  CtdDropout,
+  CtdDepth,
+  CtdRepeat,
+  AltimeterDropout,
+  Chlorophyll,
+  Oxygen,
+};
 
 }  // namespace glider::simulator

@@ -3,34 +3,55 @@
 
 #pragma once
 
+#include <algorithm>
+
 namespace glider::simulator {
 
-/// The batteries: an alkaline pack of 8 MJ that falls from 14.4 V to 10 V in a straight line, and
-/// what empties it.
+/// The pack and its loads; an alkaline pack of a shallow vehicle unless a scenario says otherwise.
+struct BatterySettings {
+  double capacity_j = 8e6;
+  double full_V = 14.4;
+  double empty_V = 10.0;
+  double start_V = 14.4;  ///< without load, when the flight begins
+  double hotel_W = 1.63;  ///< median of a real log, submerged with the pump still
+  double sbc_W = 0;       ///< more while the SBC is alive
+};
+
+/// The batteries, whose voltage falls in a straight line with the energy that is used, and what
+/// empties them. An empty pack stays at its last voltage.
 class Battery {
  public:
+  explicit Battery(const BatterySettings& settings = {})
+      : settings_(settings),
+        used_j_((settings.full_V - settings.start_V) / (settings.full_V - settings.empty_V) *
+                settings.capacity_j) {}
+
   /// The electronics draw their share for `seconds`.
-  void idle(double seconds) { used_j_ += kHotelPowerW * seconds; }
+  void idle(double seconds, bool sbc_alive) {
+    use((settings_.hotel_W + (sbc_alive ? settings_.sbc_W : 0)) * seconds);
+  }
   /// The pump moved by `moved_cc` (positive: out) at `depth_m`.
   void pump(double moved_cc, double depth_m) {
     // Fits over strokes in real logs of a shallow piston pump: outwards it works against the
     // pressure.
     const double per_cc = moved_cc > 0 ? 0.29 + 0.018 * depth_m : -0.40;
-    used_j_ += per_cc * moved_cc;
+    use(per_cc * moved_cc);
   }
 
   [[nodiscard]] double voltage() const {
-    return kFullV - (kFullV - kEmptyV) * used_j_ / kCapacityJ;
+    return settings_.full_V -
+           (settings_.full_V - settings_.empty_V) * used_j_ / settings_.capacity_j;
   }
-  [[nodiscard]] double ampHours() const { return used_j_ / (0.5 * (kFullV + voltage())) / 3600; }
+  /// Used since the pack was full.
+  [[nodiscard]] double ampHours() const {
+    return used_j_ / (0.5 * (settings_.full_V + voltage())) / 3600;
+  }
 
  private:
-  static constexpr double kHotelPowerW =
-      1.63;  // median of a real log, submerged with the pump still
-  static constexpr double kCapacityJ = 8e6;
-  static constexpr double kFullV = 14.4;
-  static constexpr double kEmptyV = 10.0;
-  double used_j_ = 0;
+  void use(double joules) { used_j_ = std::min(used_j_ + joules, settings_.capacity_j); }
+
+  BatterySettings settings_;
+  double used_j_;
 };
 
 }  // namespace glider::simulator

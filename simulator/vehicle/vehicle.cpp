@@ -47,6 +47,7 @@ Vehicle::Vehicle(const VehicleSettings& settings)
       pump_{kPumpLimitCc, kPumpLimitCc, kPumpRate, -kPumpLimitCc, kPumpLimitCc},
       battery_position_{0, 0, kBatteryRate, -kBatteryLimitIn, kBatteryLimitIn},
       fin_{0, 0, kFinRate, -kFinLimitRad, kFinLimitRad},
+      battery_(settings.battery),
       heading_(settings.initial_heading_rad) {}
 
 void Vehicle::movePitch() {
@@ -77,7 +78,7 @@ void Vehicle::limitDepth(double water_depth) {
 
 void Vehicle::step(const Ocean& ocean, double now_s) {
   static const double kShare = share(kSpeedLag);
-  battery_.idle(kStep);
+  battery_.idle(kStep, sbc_alive_);
   battery_.pump(pump_.step(kStep), depth_);
   battery_position_.step(kStep);
   fin_.step(kStep);
@@ -93,7 +94,7 @@ void Vehicle::step(const Ocean& ocean, double now_s) {
   up_ += (steady.vertical - up_) * kShare;
   turn(std::hypot(ahead_, up_));
 
-  const Current current = ocean.current();
+  const Current current = ocean.current(depth_, x_, y_);
   x_ += (ahead_ * std::sin(heading_) + current.east) * kStep;
   y_ += (ahead_ * std::cos(heading_) + current.north) * kStep;
   depth_ -= (up_ + ocean.verticalCurrent(depth_, x_, y_, now_s)) * kStep;

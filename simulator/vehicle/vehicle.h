@@ -14,6 +14,7 @@ namespace glider::simulator {
 struct VehicleSettings {
   FlightCoefficients flight;
   double initial_heading_rad = 0;
+  BatterySettings battery = {};
 };
 
 /// The true vehicle in the true ocean. Positions in m: x east, y north of the start, depth down.
@@ -31,6 +32,9 @@ class Vehicle {
   void commandPump(double cc) { pump_.target = cc; }
   void commandBatteryPosition(double inches) { battery_position_.target = inches; }
   void commandFin(double rad) { fin_.target = rad; }
+
+  /// Says whether the SBC draws its power.
+  void feedSbc(bool alive) { sbc_alive_ = alive; }
 
   /// Flies kStep seconds from time `now_s`.
   void step(const Ocean& ocean, double now_s);
@@ -55,6 +59,7 @@ class Vehicle {
   RateLimited battery_position_;
   RateLimited fin_;
   Battery battery_;
+  bool sbc_alive_ = false;
   double x_ = 0, y_ = 0, depth_ = 0;
   double pitch_ = 0;
   double heading_ = 0, turn_rate_ = 0;

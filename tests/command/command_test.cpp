@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <gmock/gmock.h>
 
 namespace glider::tests {
@@ -41,13 +42,27 @@ TEST(Command, CheckSaysThatFigure2IsFine) {
 }
 
 TEST(Command, HelpAndVersion) {
-  for (const char* arguments :
-       {"--help", "check --help", "build --help", "sim --help", "targets --help"}) {
+  for (const char* arguments : {"--help", "check --help", "build --help", "sim --help",
+                                "targets --help", "fmt --help", "fix --help", "explain --help"}) {
     const Outcome outcome = runShell(std::string("$GLIDERCC ") + arguments);
     EXPECT_EQ(outcome.status, 0) << arguments;
     EXPECT_FALSE(outcome.out.empty()) << arguments;
   }
   EXPECT_THAT(runShell("$GLIDERCC --version").out, HasSubstr("glidercc 0."));
+}
+
+TEST(Command, AMisspelledCommandIsNamed) {
+  const Outcome outcome = runShell("$GLIDERCC chek " + kFigure2);
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("`chek`"));
+  EXPECT_THAT(outcome.err, HasSubstr("check, build, sim"));
+}
+
+TEST(Command, AnSbcProgramThatLiesHereNeedsNoDot) {
+  const TemporaryFolder folder;
+  const Outcome outcome = runShell("cd " + folder.path().string() + "; $GLIDERCC build " +
+                                   kFigure2 + " -o f-host && $GLIDERCC sim --sbc f-host");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
 }
 
 TEST(Command, WrongUsageIsTwo) {
@@ -128,6 +143,66 @@ TEST(Command, AFailedBuildKeepsTheOldFile) {
   EXPECT_EQ(slurp(output), "old");
 }
 
+TEST(Command, StandardOutputStaysWhatItIs) {
+  // Never tried on /dev/stdout itself: what would replace it would replace the machine's.
+  const TemporaryFolder folder;
+  const std::string link = folder.path() / "stdout";
+  const std::string build = "cd " + folder.path().string() + "; $GLIDERCC build " + kFigure2;
+  const Outcome outcome =
+      runShell("ln -s /proc/self/fd/1 " + link + "; " + build + " -o - > whole; " + build +
+               " --emit ir -o " + link + " > out; test -h " + link);
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(slurp(folder.path() / "whole").substr(1, 3), "ELF");
+  EXPECT_THAT(slurp(folder.path() / "out"), HasSubstr("mission sampleMission"));
+  EXPECT_FALSE(std::filesystem::exists(link + ".debug"));
+}
+
+TEST(Command, AnOutputThatIsALinkStaysOne) {
+  const TemporaryFolder folder;
+  const Outcome outcome =
+      runShell("cd " + folder.path().string() + "; touch kept; ln -s kept link; $GLIDERCC build " +
+               kFigure2 + " -o link && test -h link && test -s kept && test -x kept");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+}
+
+// accepts: GL9350
+TEST(Command, ABuildNeverOverwritesItsSource) {
+  const TemporaryFolder folder;
+  const std::string source = slurp(kFigure2);
+  (void)folder.write("g.mission", source);
+  (void)folder.write("h.debug", source);
+  const std::string here = "cd " + folder.path().string() + "; $GLIDERCC build ";
+  expectFailure(runShell(here + "g.mission -o ./g.mission"), 2, "GL9350");
+  expectFailure(
+      runShell("ln " + (folder.path() / "g.mission").string() + " " +
+               (folder.path() / "hard").string() + "; " + here + "g.mission --emit ir -o hard"),
+      2, "GL9350");
+  expectFailure(runShell(here + "h.debug -o h"), 2, "GL9350");
+  EXPECT_EQ(slurp(folder.path() / "g.mission"), source);
+  EXPECT_EQ(slurp(folder.path() / "h.debug"), source);
+  EXPECT_EQ(runShell(here + "g.mission -o g").status, 0);
+}
+
+// accepts: GL9351
+TEST(Command, TheIrHasNoSyntaxTree) {
+  const TemporaryFolder folder;
+  const std::string ir = folder.path() / "a.ir";
+  ASSERT_EQ(runShell("$GLIDERCC build " + kFigure2 + " --emit ir -o " + ir).status, 0);
+  const Outcome outcome = runShell("cd " + folder.path().string() +
+                                   "; $GLIDERCC build a.ir --emit ast; s=$?; ls; exit $s");
+  expectFailure(outcome, 2, "GL9351");
+  EXPECT_EQ(outcome.out, "a.ir\n");
+}
+
+TEST(Command, TheStageToEmitIsOneByName) {
+  for (const char* stage : {"poem", "3", "9", "''"}) {
+    const Outcome outcome =
+        runShell("cd /tmp; $GLIDERCC build " + kFigure2 + " --emit " + stage + " -o /dev/null");
+    EXPECT_EQ(outcome.status, 2) << stage;
+    EXPECT_THAT(outcome.err, HasSubstr("ast,ir,llvm,asm,obj,exe")) << stage;
+  }
+}
+
 TEST(Command, EveryStageCanBeWritten) {
   const std::pair<const char*, const char*> stages[] = {{"ast", "mission sampleMission"},
                                                         {"ir", "sampleMission"},
@@ -191,6 +266,75 @@ TEST(Command, HostileMissionsEndInDiagnostics) {
     expectPilotsWords(outcome.err);
     EXPECT_LT(outcome.err.size(), 100000U);
   }
+}
+
+TEST(Command, AnErrorOutputThatIsFullIsNoCrash) {
+  EXPECT_EQ(runShell("$GLIDERCC check /nonexistent/m.mission 2>/dev/full").status, 2);
+  const TemporaryFolder folder;
+  const auto mission = folder.write("m.mission", "mission m\nstate s begin end\n");
+  EXPECT_EQ(runShell("$GLIDERCC check " + mission.string() + " 2>/dev/full").status, 1);
+  EXPECT_EQ(runShell("$GLIDERCC fly 2>/dev/full").status, 2);
+}
+
+TEST(Command, SeedAndTimesAreChecked) {
+  for (const char* option :
+       {"--seed -1", "--seed 1.5", "--seed ''", "--seed 99999999999999999999999",
+        "--kill-sbc-at -5", "--kill-sbc-at nan", "--kill-sbc-at inf", "--kill-sbc-at 5m"}) {
+    const TemporaryFolder folder;
+    const Outcome outcome = runShell("cd " + folder.path().string() + "; $GLIDERCC sim " +
+                                     kFigure2 + " " + option + "; s=$?; ls; exit $s");
+    EXPECT_EQ(outcome.status, 2) << option;
+    EXPECT_EQ(outcome.out, "") << option;
+  }
+}
+
+TEST(Command, AnSbcThatCannotBeStartedLeavesNoFolder) {
+  const TemporaryFolder folder;
+  const Outcome outcome = runShell("cd " + folder.path().string() +
+                                   "; $GLIDERCC sim --sbc /nonexistent; s=$?; ls; exit $s");
+  expectFailure(outcome, 2, "GL9150");
+  EXPECT_EQ(outcome.out, "");
+}
+
+TEST(Command, AVeryLongMissionNameStillFlies) {
+  const TemporaryFolder folder;
+  (void)folder.write("m.mission", "mission " + std::string(3000, 'x') +
+                                      "\nstate s begin flightprofile surfaced\nsensors missiontime"
+                                      "\nevents case missiontime > 5 exit end\n");
+  const Outcome outcome =
+      runShell("cd " + folder.path().string() + "; $GLIDERCC sim m.mission --board host");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "m-flight" / "m-host"));
+}
+
+TEST(Command, InstructionsThatAreAlwaysRefusedLeadTheSummary) {
+  const TemporaryFolder folder;
+  for (const char* profile : {"yo(5, 5000, 26 deg, 26 deg)", "yo(5, 20, 0 deg, 90 deg)"}) {
+    (void)folder.write("m.mission",
+                       std::string("mission m\nstate s begin flightroute noheading\n"
+                                   "flightprofile ") +
+                           profile +
+                           "\nsensors missiontime\nevents case missiontime > 60 exit end\n");
+    const Outcome outcome = runShell("cd " + folder.path().string() + "; $GLIDERCC sim m.mission");
+    EXPECT_EQ(outcome.status, 1) << profile;
+    const std::string head = outcome.out.substr(0, outcome.out.find("duration"));
+    EXPECT_THAT(head, HasSubstr("never in control")) << profile;
+    EXPECT_THAT(head, HasSubstr("instruction refused")) << profile;
+  }
+}
+
+TEST(Command, AMissionThatTheSimulatedTimeCutsShortIsCalledSo) {
+  const TemporaryFolder folder;
+  (void)folder.write("m.mission",
+                     "mission m\nstate here begin flightprofile surfaced\nsensors missiontime\n"
+                     "events case missiontime > 9 h goto there end\n"
+                     "state there begin flightprofile surfaced\nsensors missiontime\n"
+                     "events case missiontime > 10 h exit end\n");
+  const Outcome outcome = runShell("cd " + folder.path().string() + "; $GLIDERCC sim m.mission");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  const std::string head = outcome.out.substr(0, outcome.out.find("duration"));
+  EXPECT_THAT(head, HasSubstr("the mission had not ended"));
+  EXPECT_THAT(head, HasSubstr("never visited: there\n"));
 }
 
 TEST(Command, APortThatIsNotThereIsNamed) {

@@ -2,47 +2,20 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // Every mission in the documents is checked: a block ```mission must be fine, a block ```mission
-// GL2003 must give that diagnostic (and fail if it is an error).
+// GL2003 must give that diagnostic (and fail if it is an error). A block ```fragment is a mission
+// without its first line.
 
+#include "tests/docs/examples.h"
 #include "tests/support/command.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
 namespace glider::tests {
 namespace {
-
-struct Example {
-  std::string file;
-  int line = 0;
-  std::string expected;  ///< "" or an id
-  std::string text;
-};
-
-std::vector<Example> examplesOf(const std::filesystem::path& path) {
-  const std::string fence = "```";
-  std::vector<Example> examples;
-  std::ifstream file(path);
-  std::string line;
-  bool inside = false;
-  for (int number = 1; std::getline(file, line); ++number) {
-    if (!inside && line.starts_with(fence + "mission")) {
-      const std::string rest = line.substr(fence.size() + 7);
-      examples.push_back(
-          {path.filename().string(), number, rest.empty() ? "" : rest.substr(1), ""});
-      inside = true;
-    } else if (inside && line.starts_with(fence)) {
-      inside = false;
-    } else if (inside) {
-      examples.back().text += line + "\n";
-    }
-  }
-  return examples;
-}
 
 std::vector<Example> allExamples() {
   std::vector<Example> all;

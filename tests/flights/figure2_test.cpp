@@ -80,9 +80,63 @@ TEST_P(Figure2Ways, GiveTheSameTransitionsAtTheSameTimes) {
     EXPECT_EQ(seen[i].why, expected[i].why);
   }
   EXPECT_EQ(other.csv, in_process.csv);
+  ASSERT_EQ(other.events.size(), in_process.events.size());
+  for (size_t i = 0; i < other.events.size(); ++i) {
+    EXPECT_EQ(other.events[i].time_s, in_process.events[i].time_s) << in_process.events[i].what;
+    EXPECT_EQ(other.events[i].what, in_process.events[i].what);
+    EXPECT_EQ(other.events[i].why, in_process.events[i].why);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(, Figure2Ways, testing::Values("host", "ts7800", "ts5500"));
+
+TEST(Figure2, TheOrderedRangeIsTheCurrentStates) {
+  const Flight flight = flyFigure2("");
+  const auto state = flight.column("state");
+  const auto top = flight.column("order_top");
+  const auto bottom = flight.column("order_bottom");
+  // s1 orders 5 to 10 m, s3 5 to 20 m. After a transition the new order needs three rows to come.
+  for (size_t i = 3; i < state.size(); ++i) {
+    const bool settled =
+        state[i] == state[i - 1] && state[i] == state[i - 2] && state[i] == state[i - 3];
+    if (settled && (state[i] == 0 || state[i] == 2)) {
+      const double deepest = state[i] == 0 ? 10 : 20;
+      EXPECT_TRUE(std::isnan(bottom[i]) || bottom[i] == deepest) << bottom[i] << " in row " << i;
+      EXPECT_TRUE(std::isnan(top[i]) || top[i] == 5) << top[i] << " in row " << i;
+    }
+  }
+}
+
+/// Flies Figure 2's program for the host, which takes `secs` of real time to end.
+Flight flyLingering(const TemporaryFolder& folder, const std::string& secs) {
+  const std::string program = (folder.path() / "figure2").string();
+  EXPECT_EQ(
+      runShell("$GLIDERCC build " + project("missions/figure2.mission") + " -o " + program).status,
+      0);
+  const auto sbc = folder.write("sbc", "#!/bin/sh\n" + program + " \"$@\"\nsleep " + secs + "\n");
+  EXPECT_EQ(runShell("chmod +x " + sbc.string()).status, 0);
+  return fly("--sbc " + sbc.string() + " --scenario " + project("scenarios/default.toml"));
+}
+
+TEST(Figure2, DoesNotDependOnHowLongTheProgramTakesToEnd) {
+  const TemporaryFolder folder;
+  const Flight quick = flyLingering(folder, "0");
+  const Flight slow = flyLingering(folder, "0.4");
+  ASSERT_EQ(quick.outcome.status, 0) << quick.outcome.err;
+  EXPECT_EQ(slow.csv, quick.csv);
+  ASSERT_EQ(slow.events.size(), quick.events.size());
+  for (size_t i = 0; i < slow.events.size(); ++i) {
+    EXPECT_EQ(slow.events[i].time_s, quick.events[i].time_s) << quick.events[i].what;
+    EXPECT_EQ(slow.events[i].what, quick.events[i].what);
+  }
+}
+
+TEST(Figure2, AnSbcThatHasDoneItsWorkIsNotCalledLost) {
+  const Flight flight = flyFigure2("");
+  EXPECT_TRUE(std::ranges::none_of(flight.events, [](const Event& e) {
+    return e.what.find("no answer from the SBC") != std::string::npos;
+  }));
+}
 
 }  // namespace
 }  // namespace glider::tests

@@ -4,6 +4,7 @@
 // What a fuzzer feeds: bytes to the lexer, parser and analysis, with the promises that must hold
 // for any bytes.
 
+#include "frontend/format/format.h"
 #include "frontend/frontend.h"
 #include "support/check.h"
 #include "support/diagnostics/render.h"
@@ -37,6 +38,17 @@ const ast::File& library(support::SourceManager& sources) {
   return file;
 }
 
+/// A sound text can be laid out, which changes neither its AST nor, done again, anything.
+void checkFormat(const support::SourceManager& sources, uint32_t file, const ast::File& parsed) {
+  support::DiagnosticEngine quiet;
+  const auto once = frontend::format(sources, file, quiet);
+  CHECK(once.has_value(), "a sound text cannot be formatted");
+  support::SourceManager again;
+  const uint32_t formatted = again.add("formatted", *once);
+  CHECK(frontend::parse(again, formatted, quiet) == parsed, "formatting changes the mission");
+  CHECK(frontend::format(again, formatted, quiet) == once, "formatting again changes the text");
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
@@ -58,6 +70,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
       const auto reread = frontend::parse(again, again.add("printed", ast::print(*parsed)), quiet);
       CHECK(reread && !quiet.hasErrors() && *reread == *parsed,
             "what was printed reads back otherwise");
+      checkFormat(sources, file, *parsed);
     }
   }
   support::render(diagnostics, sources, false);

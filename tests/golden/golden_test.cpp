@@ -23,6 +23,7 @@ TEST_P(Golden, SaysWhatIsExpected) {
   const std::string stage = path.parent_path().filename();
   const std::string name = path.filename();
   const GoldenFile golden(path);
+  std::filesystem::current_path(path.parent_path());  // imports are looked for beside it
   const Outcome outcome = run(stage, name, golden.input());
   EXPECT_EQ(outcome.refused, name.starts_with("fail_")) << outcome.text;
   EXPECT_EQ(outcome.warned && !outcome.refused, name.starts_with("warn_")) << outcome.text;

@@ -4,6 +4,8 @@
 #include "tests/golden/stages.h"
 
 #include "frontend/frontend.h"
+#include "frontend/import/imports.h"
+#include "ir/core/validate.h"
 #include "ir/text/print.h"
 #include "ir/verify/verify.h"
 #include "support/check.h"
@@ -42,8 +44,13 @@ class Compilation {
     const uint32_t library = sources_.add("standard.mission", *text);
     const auto standard = frontend::parse(sources_, library, diagnostics_);
     CHECK(standard.has_value(), "the standard library does not parse");
-    if (ast_) {
-      mission_ = frontend::analyse(*ast_, {slocum(), {&*standard}, sources_}, diagnostics_);
+    const auto imports = ast_ ? frontend::loadImports(*ast_, sources_, diagnostics_) : std::nullopt;
+    if (imports) {
+      frontend::AnalysisInputs inputs{slocum(), {&*standard}, sources_};
+      for (const ast::File& import : *imports) {
+        inputs.library.push_back(&import);
+      }
+      mission_ = frontend::analyse(*ast_, inputs, diagnostics_);
     }
     showIr();
   }
@@ -65,7 +72,10 @@ class Compilation {
   void showIr() {
     product_.clear();
     if (mission_) {
-      product_ = "--- ir\n" + ir::print(*mission_);
+      for (const ir::Defect& defect : ir::validate(*mission_)) {
+        product_ += "--- invalid: " + defect.message + "\n";
+      }
+      product_ += "--- ir\n" + ir::print(*mission_);
     }
   }
 

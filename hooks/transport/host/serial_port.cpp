@@ -3,6 +3,7 @@
 
 #include "hooks/transport/host/serial_port.h"
 
+#include "hooks/transport/descriptor.h"
 #include "hooks/transport/termios.h"
 
 #include <libserialport.h>
@@ -105,7 +106,13 @@ class SerialPort::LibraryPort final : public SerialPort::Port {
 
  private:
   static int32_t read(void* self, uint8_t* bytes, uint32_t capacity) {
-    const auto got = sp_nonblocking_read(static_cast<LibraryPort*>(self)->port_, bytes, capacity);
+    sp_port* port = static_cast<LibraryPort*>(self)->port_;
+    const auto got = sp_nonblocking_read(port, bytes, capacity);
+    int descriptor = -1;
+    sp_get_port_handle(port, &descriptor);
+    if (got == 0 && isHungUp(descriptor)) {  // an unplugged adapter
+      return kGliderStreamClosed;
+    }
     return got >= 0 ? static_cast<int32_t>(got) : kGliderStreamFailed;
   }
   static int32_t write(void* self, const uint8_t* bytes, uint32_t count) {

@@ -17,6 +17,13 @@ export function fixed(value: number, digits: number): string {
   return (Number(text) === 0 ? text.replace("-", "") : text).replace("-", "−");
 }
 
+/** How many decimals the multiples of `step` need to be written without rounding: 1 for 2.5. */
+export function digitsFor(step: number): number {
+  let digits = 0;
+  for (let scaled = step; digits < 9 && Math.abs(scaled - Math.round(scaled)) > 1e-6 * scaled; scaled *= 10) digits += 1;
+  return digits;
+}
+
 /** A length in m below 10 km, else in km. */
 export function length(metres: number): string {
   return Math.abs(metres) < 10000 ? `${fixed(metres, 0)} m` : `${fixed(metres / 1000, 1)} km`;

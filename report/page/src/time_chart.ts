@@ -6,7 +6,7 @@
 import uPlot from "uplot";
 import { element } from "./dom";
 import { Flight, Values } from "./flight";
-import { clock, fixed } from "./format";
+import { clock, digitsFor, fixed } from "./format";
 import { theme } from "./palette";
 import { View } from "./view";
 
@@ -69,8 +69,7 @@ function axes(height: number): uPlot.Axis[] {
   return [
     { ...common, incrs: steps, space: 70, size: 30, values: (_: uPlot, at: number[]) => at.map(clock) },
     { ...common, size: 52, space: height > 200 ? 36 : 24, values: (_: uPlot, at: number[]) => {
-      const step = at.length > 1 ? Math.abs(at[1] - at[0]) : 1;
-      const digits = Math.max(0, Math.ceil(-Math.log10(step) - 1e-9));
+      const digits = digitsFor(at.length > 1 ? Math.abs(at[1] - at[0]) : 1);
       return at.map((v) => fixed(v, digits));
     } },
   ];

@@ -199,6 +199,24 @@ TEST(LinkExecutable, LeavesNothingOnAFullDisk) {
   }
 }
 
+TEST(LinkExecutable, AFailureKeepsBothOldFiles) {
+  const Checked checked = figure2();
+  const fs::path folder = testFolder();
+  for (const char* name : {"figure2", "figure2.debug"}) {
+    ASSERT_TRUE(support::writeFileAtomically(folder / name, "old"));
+  }
+  for (const rlim_t room : {rlim_t{20'000}, rlim_t{45'000}}) {
+    support::Result<void> built;
+    {
+      const FullDisk full(room);
+      built = build(checked, board("ts7800"), folder / "figure2");
+    }
+    ASSERT_FALSE(built.has_value()) << room;
+    EXPECT_EQ(support::readFile(folder / "figure2").value_or(""), "old") << room;
+    EXPECT_EQ(support::readFile(folder / "figure2.debug").value_or(""), "old") << room;
+  }
+}
+
 TEST(LinkExecutable, SaysWhereItCannotWrite) {
   EXPECT_EQ(build(figure2(), board("ts5500"), "/dev/full").error().id, DiagnosticId::cannotWrite);
   EXPECT_EQ(build(figure2(), board("ts5500"), testFolder() / "no" / "figure2").error().id,

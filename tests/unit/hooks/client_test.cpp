@@ -312,6 +312,38 @@ TEST_F(ClientTest, SilenceIsToldEveryTwelveSecondsButNeverInVirtualTimeOrBeforeT
   EXPECT_EQ(poll(), ClientEvent::Nothing);
 }
 
+TEST_F(ClientTest, BeaconsAreNoTicksSoSilenceGoesOnAmongThem) {
+  clock_.seconds = 100;
+  link();
+  tick();
+  int silent = 0;
+  for (int i = 0; i < 9; ++i) {
+    clock_.seconds += 4;
+    beacon();
+    EXPECT_EQ(poll(), ClientEvent::Handled);
+    silent += poll() == ClientEvent::SilentLink ? 1 : 0;
+  }
+  EXPECT_EQ(silent, 3);
+}
+
+TEST_F(ClientTest, ANumberThatTheVehicleFoundAtItsStartIsGivenUp) {
+  link();
+  const uint16_t dead = client_.instruct(descend(HookControl::Take));
+  tick();
+  head_.answered_sequence = dead;  // hookbeh began anew and took it for an old one
+  const auto frames = tick();
+  ASSERT_EQ(typesOf(frames), (std::vector{Type::Write, Type::Done}));
+  EXPECT_EQ(client_.tick().instruction_sequence, dead + 1);
+  const auto list = written(frames.at(0));
+  EXPECT_EQ(list.values[list.count - 1].value, dead + 1);
+  EXPECT_EQ(typesOf(tick()), (std::vector{Type::Done})) << "once, not again in every tick";
+  head_.answered_sequence = static_cast<uint16_t>(dead + 1);
+  head_.answer = HookAnswer::Accepted;
+  for (int i = 0; i < 5; ++i) {
+    EXPECT_EQ(typesOf(tick()), (std::vector{Type::Done}));
+  }
+}
+
 TEST_F(ClientTest, NoiseIsNoFrame) {
   link();
   const uint8_t noise[] = {1, 2, 3, 4, 5, 0, 0, 255, 0};

@@ -24,11 +24,61 @@ TEST(HookbehGuard, TooDeepClimbsWhateverTheSbcSays) {
   EXPECT_STREQ(out.doing, "climb: too deep");
   EXPECT_EQ(out.pump_cc, 230);
   EXPECT_GT(out.pitch_rad, 0);
+  EXPECT_STREQ(bench.give(Bench::descend(30)).doing, "climb: too deep") << "another dive";
   bench.inputs.depth_m = 20;
-  EXPECT_STREQ(bench.cycle().doing, "climb: too deep") << "the dive is still in force";
-  EXPECT_STREQ(bench.give(Bench::descend(25)).doing, "climb: too deep") << "and so is another";
+  EXPECT_STREQ(bench.cycle().doing, "climb: too deep") << "its target is no metre from the limit";
   EXPECT_STREQ(bench.give(Bench::ascend(5)).doing, "climb_to");
-  EXPECT_STREQ(bench.give(Bench::descend(25)).doing, "dive_to") << "free again";
+  EXPECT_STREQ(bench.give(Bench::descend(30)).doing, "dive_to") << "free again";
+}
+
+TEST(HookbehGuard, ADiveThatKeepsTheLimitsGoesOnOnceTheVehicleIsClear) {
+  Bench bench = diving();
+  bench.inputs.depth_m = 30.1;
+  bench.cycle();
+  bench.inputs.depth_m = 29.1;
+  EXPECT_STREQ(bench.give(Bench::descend(28)).doing, "climb: too deep");
+  bench.inputs.depth_m = 28.9;
+  EXPECT_FALSE(bench.cycle().guarding);
+}
+
+TEST(HookbehGuard, OverABumpTheDiveGoesOn) {
+  Bench bench = diving();
+  bench.inputs.depth_m = 15;
+  bench.inputs.altitude_m = 4.9;
+  EXPECT_STREQ(bench.cycle().doing, "climb: too near the bottom");
+  bench.inputs.depth_m = 13;
+  bench.inputs.altitude_m = 20.9;
+  EXPECT_STREQ(bench.cycle().doing, "climb: too near the bottom") << "29 m would be too near still";
+  bench.inputs.altitude_m = 22.5;
+  EXPECT_STREQ(bench.cycle().doing, "dive_to");
+}
+
+TEST(HookbehGuard, OverAShallowBottomTheDiveIsTriedAgainFromHalfItsDepth) {
+  Bench bench = diving();
+  for (int round = 0; round < 3; ++round) {
+    bench.inputs.depth_m = 17.1;
+    bench.inputs.altitude_m = 4.9;
+    EXPECT_STREQ(bench.cycle().doing, "climb: too near the bottom");
+    bench.inputs.depth_m = 8.7;
+    bench.inputs.altitude_m = 13.3;
+    EXPECT_STREQ(bench.cycle().doing, "climb: too near the bottom");
+    bench.inputs.depth_m = 8.5;
+    bench.inputs.altitude_m = 13.5;
+    EXPECT_STREQ(bench.cycle().doing, "dive_to");
+  }
+}
+
+TEST(HookbehGuard, InVeryShallowWaterItStaysUpUntilTheBottomIsForgotten) {
+  Bench bench = diving();
+  bench.inputs.depth_m = 4.9;
+  bench.inputs.altitude_m = 4.9;
+  bench.cycle();
+  bench.inputs.depth_m = 0;
+  for (int i = 0; i < 149; ++i) {
+    EXPECT_STREQ(bench.cycle().doing, "climb: too near the bottom") << i;
+  }
+  bench.cycle();
+  EXPECT_STREQ(bench.cycle().doing, "dive_to") << "after 10 minutes it tries again";
 }
 
 TEST(HookbehGuard, AnOrderUpwardsDoesNotEndItBeforeTheDepthIsSafe) {
@@ -42,7 +92,7 @@ TEST(HookbehGuard, AnOrderUpwardsDoesNotEndItBeforeTheDepthIsSafe) {
   EXPECT_STREQ(bench.cycle().doing, "climb_to");
 }
 
-TEST(HookbehGuard, HoverEndsItOnlyAboveWhereItBegan) {
+TEST(HookbehGuard, HoverEndsItOnlyAMetreClearOfTheLimit) {
   Bench bench = diving();
   bench.inputs.depth_m = 30.1;
   bench.cycle();

@@ -309,6 +309,21 @@ TEST_F(HookprogTest, TheSbcIsLostAfterTwelveSecondsWithoutAnswer) {
   EXPECT_EQ(typesOf(atSbc()), (std::vector{Type::Beacon}));
 }
 
+TEST_F(HookprogTest, AnSbcWhoseMissionHasFinishedMayGoWithoutAnAlarm) {
+  hello();
+  Done done = answered();
+  done.status.phase = 2;
+  say(done);
+  run();
+  events();
+  atSbc();
+  for (int i = 0; i < 20; ++i) {
+    cycle();
+  }
+  EXPECT_TRUE(events().empty());
+  EXPECT_EQ(typesOf(atSbc()).back(), Type::Beacon) << "another one may come";
+}
+
 TEST_F(HookprogTest, AQuietFlightControllerIsNotTheSbcsFault) {
   hello();
   events();

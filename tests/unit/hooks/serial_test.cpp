@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "hooks/transport/descriptor.h"
 #include "hooks/transport/host/pty.h"
 #include "hooks/transport/host/serial_port.h"
 #include "hooks/transport/termios.h"
@@ -13,6 +14,7 @@
 #include <fcntl.h>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <poll.h>
 #include <string>
 #include <sys/resource.h>
@@ -44,6 +46,17 @@ void expectEveryByteCrosses(const GliderByteStream& from, const GliderByteStream
 
 std::string codeOf(const support::Result<SerialPort>& result) {
   return result ? "opened" : support::code(result.error().id);
+}
+
+TEST(Descriptor, IsHungUpWhenItsFarEndHasGone) {
+  auto pty = std::make_unique<support::Result<Pty>>(Pty::open());
+  ASSERT_TRUE(*pty);
+  SerialDevice device;
+  ASSERT_EQ(device.open((*pty)->name().c_str(), 115200), 0);
+  EXPECT_FALSE(isHungUp(device.descriptor()));
+  pty.reset();
+  EXPECT_TRUE(isHungUp(device.descriptor()));
+  EXPECT_TRUE(isHungUp(1 << 20)) << "no descriptor at all";
 }
 
 TEST(SerialDevice, CarriesEveryByteOverAPtyBothWays) {

@@ -42,7 +42,7 @@ const Row kRows[] = {
     {"(div (var x) (sensor depth))", -kMost, kMost},
     {"(neg (sensor depth))", -100, 1},
     {"(abs (sensor depth))", 0, 100},
-    {"(sqrt (sensor depth))", 0, 10},
+    {"(sqrt (mul (sensor depth) 1:length))", 0, 10},
     {"(min (sensor depth) (var x))", -1, 24},
     {"(max (sensor depth) (var x))", 3, 100},
     {"(clamp (sensor depth) 3:length 24:length)", 3, 24},
@@ -51,7 +51,7 @@ const Row kRows[] = {
     {"(clamp (var x) -1000:length 1000:length)", 3, 24},
     {"(select (known (sensor depth)) (sensor depth) 500:length)", -1, 500},
     {"(mul 1e300 (mul 1e300 (sensor depth)))", -kMost, kMost},
-    {"(sin (mul 1:angle missiontime))", -1, 1},
+    {"(sin (div (mul 1:angle missiontime) 1:time))", -1, 1},
 };
 
 INSTANTIATE_TEST_SUITE_P(Rows, Intervals, testing::ValuesIn(kRows));

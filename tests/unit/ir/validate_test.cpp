@@ -19,7 +19,7 @@ Mission sound() {
 }
 
 /// A mission with one of everything. Variables: p, m, t (argument of b), s (state b's), d (profile
-/// b's). Blocks: 0 and 1 nested in 2 (of `always`), 3 (entry of b), 4 (profile b's).
+/// b's). Blocks: 0 and 1 nested in 2 (of `always`), 3 (profile b's), 4 (entry of b).
 Mission whole() {
   return missionOf(kHeader + R"(behaviour profile yo symbol "" () reads ()
 variable p: length parameter lowest 1 highest 9
@@ -149,6 +149,9 @@ const Damage kWholeDamages[] = {
     {"windowOfTruth", [](Mission& m) { m.temporals[1].operand = m.temporals[0].operand; }},
     {"windowAlongAVariable", [](Mission& m) { m.temporals[1].along = m.variables[1].initial; }},
     {"temporalInAnotherState", [](Mission& m) { m.temporals[1].state = {0}; }},
+};
+
+const Damage kCodeDamages[] = {
     {"blockUsedTwice", [](Mission& m) { m.states[0].entry = m.states[1].entry; }},
     {"blockUnused", [](Mission& m) { m.states[1].entry = {}; }},
     {"blockOutOfRange", [](Mission& m) { m.states[1].entry = {9}; }},
@@ -160,10 +163,10 @@ const Damage kWholeDamages[] = {
     {"setOfAnArgument", [](Mission& m) { statement(m, 0).variable = {2}; }},
     {"setOfAnotherState", [](Mission& m) { statement(m, 0).variable = {3}; }},
     {"setOfNothing", [](Mission& m) { statement(m, 0).variable = {}; }},
-    {"setOfOtherType", [](Mission& m) { statement(m, 3).value = statement(m, 0).value; }},
+    {"setOfOtherType", [](Mission& m) { statement(m, 4).value = statement(m, 0).value; }},
     {"commandWithAnArgument",
-     [](Mission& m) { statement(m, 4).values = {m.variables[0].initial}; }},
-    {"commandOutOfRange", [](Mission& m) { statement(m, 4).command = static_cast<Command>(99); }},
+     [](Mission& m) { statement(m, 3).values = {m.variables[0].initial}; }},
+    {"commandOutOfRange", [](Mission& m) { statement(m, 3).command = static_cast<Command>(99); }},
     {"returnInAlways",
      [](Mission& m) {
        m.always[0].transition = Transition::Return;
@@ -193,7 +196,9 @@ const Damage kWholeDamages[] = {
      }},
 };
 
-INSTANTIATE_TEST_SUITE_P(Damages, ValidateWholeDamaged, testing::ValuesIn(kWholeDamages),
+INSTANTIATE_TEST_SUITE_P(Values, ValidateWholeDamaged, testing::ValuesIn(kWholeDamages),
+                         [](const auto& damage) { return damage.param.name; });
+INSTANTIATE_TEST_SUITE_P(Code, ValidateWholeDamaged, testing::ValuesIn(kCodeDamages),
                          [](const auto& damage) { return damage.param.name; });
 
 }  // namespace

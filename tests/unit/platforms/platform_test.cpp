@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* kHead =
     "name = \"p\"\ndescription = \"d\"\n[envelope]\ngreatest_depth_m = 1.0\nsteepest_pitch_rad = "
-    "1.0\ncycle_s = 4.0\n";
+    "1.0\nvertical_rate_m_s = 0.4\ninflection_overshoot_m = 5.0\ndrift_m_s = 0.5\ncycle_s = 4.0\n";
 constexpr const char* kSensor =
     "[[sensor]]\nname = \"a\"\nunit = \"m\"\nlowest = 0.0\nhighest = 1.0\nstale_after_s = "
     "1.0\ncomputer = \"flight\"\n"
@@ -66,6 +66,8 @@ TEST(Platform, ValuesOutsideTheirMeaningAreRefused) {
   EXPECT_FALSE(with("highest = 1.0", "highest = nan"));
   EXPECT_FALSE(with("stale_after_s = 1.0", "stale_after_s = -1.0"));
   EXPECT_FALSE(with("bytes = 4", "bytes = 3"));
+  EXPECT_FALSE(with("drift_m_s = 0.5", "drift_m_s = 0.0"));
+  EXPECT_FALSE(with("vertical_rate_m_s = 0.4", "vertical_rate_m_s = -1.0"));
   EXPECT_FALSE(with("\"flight\"", "\"kitchen\""));
 }
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "runtime/core/control.h"
 #include "runtime/library/library.h"
 #include "tests/unit/runtime/bench_mission.h"
 #include "tests/unit/runtime/vehicle_bench.h"
@@ -158,6 +159,81 @@ TEST_F(LinkTest, AHandshakeOutOfBoundsIsTriedAgainOnlyWithAnotherCommand) {
   vehicle.run(90);
   EXPECT_THAT(vehicle.answers, ElementsAre(hooks::HookAnswer::TooDeep, hooks::HookAnswer::Accepted))
       << "the climb is within bounds";
+}
+
+/// A vehicle whose ticks the test makes by hand, for answers that come in an unlucky order.
+class HandMadeTicks {
+ public:
+  hooks::VehicleTick tick;
+  Control control;
+  /// The instruction that goes with the answer to this tick, under the next number; true if one
+  /// does.
+  bool answer(double depth) {
+    news = control.observe(tick);
+    hooks::Instruction wanted;
+    wanted.vertical = hooks::HookVertical::Descend;
+    wanted.depth_m = depth;
+    hooks::Instruction out;
+    const bool sends = control.choose(wanted, false, out);
+    if (sends) {
+      control.sent(out, ++sequence);
+      tick.instruction_sequence = sequence;
+      sent = out;
+    }
+    return sends;
+  }
+  uint16_t sequence = 0;
+  hooks::Instruction sent;
+  ControlNews news;
+};
+
+TEST(Control, ARefusalThatOvertakesTheAnswerToTheHandshakeLeavesControlOurs) {
+  HandMadeTicks vehicle;
+  vehicle.tick.hook_state = hooks::HookState::Ready;
+  ASSERT_TRUE(vehicle.answer(12));
+  ASSERT_TRUE(vehicle.answer(5000)) << "another command before the first was answered";
+  vehicle.tick.hook_state = hooks::HookState::Active;
+  vehicle.tick.obeys_us = true;
+  vehicle.tick.answered_sequence = 2;
+  vehicle.tick.answer = hooks::HookAnswer::TooDeep;
+  EXPECT_FALSE(vehicle.answer(5000));
+  EXPECT_EQ(vehicle.news.kind, ControlNews::Kind::Taken);
+  EXPECT_FALSE(vehicle.answer(5000));
+  EXPECT_EQ(vehicle.news.kind, ControlNews::Kind::Refused);
+  ASSERT_TRUE(vehicle.answer(15)) << "the next command";
+  EXPECT_EQ(vehicle.sent.control, hooks::HookControl::Steer) << "of the same session";
+}
+
+TEST(Control, FollowsANumberThatTheClientHadToReplace) {
+  HandMadeTicks vehicle;
+  vehicle.tick.hook_state = hooks::HookState::Ready;
+  ASSERT_TRUE(vehicle.answer(12));
+  vehicle.tick.instruction_sequence = 9;
+  EXPECT_FALSE(vehicle.answer(12));
+  vehicle.tick.answered_sequence = 9;
+  vehicle.tick.answer = hooks::HookAnswer::Accepted;
+  EXPECT_FALSE(vehicle.answer(12));
+  EXPECT_EQ(vehicle.news.kind, ControlNews::Kind::Taken);
+}
+
+TEST_F(LinkTest, ARefusedLinkIsLoggedBelowTheHeader) {
+  hooks::MemoryLine line;
+  const GliderRuntimeOptions options{{this, &LinkTest::writeLog}};
+  runtime_memory_.assign(gliderRuntimeSize() / sizeof(double) + 1, 0.0);
+  runtime_ = gliderRuntimeInit(runtime_memory_.data(), mission_.memory.data(), &mission_.mission,
+                               &options);
+  hooks::Frame frame;
+  encode(hooks::Beacon{hooks::kProtocolVersion, true, 0, hooks::HookState::Ready}, frame);
+  uint8_t bytes[hooks::kMostEncodedBytes];
+  const uint32_t size = encodeFrame(frame, bytes);
+  const GliderByteStream vehicle = line.left();
+  vehicle.write(vehicle.self, bytes, size);
+  const GliderByteStream stream = line.right();
+  const GliderClock clock{&sbc_time_, [](void* t) { return *static_cast<double*>(t); }};
+  (void)gliderRuntimePoll(runtime_, &stream, &clock);
+  EXPECT_EQ(log_text_,
+            "time_s,record,name,value,from,to\n"
+            "0,event,link refused,0,another sensor dictionary,\n");
 }
 
 TEST_F(LinkTest, AfterSilenceControlIsTakenAnewAndTheMissionGoesOn) {

@@ -94,7 +94,7 @@ TEST(MissionLog, HandsOverMoreThanItsBufferHolds) {
     log.event(i, "something with a name of some length", "detail", i);
   }
   log.flush();
-  EXPECT_EQ(std::count(disk.content.begin(), disk.content.end(), '\n'), 1000);
+  EXPECT_EQ(std::count(disk.content.begin(), disk.content.end(), '\n'), 1001) << "the header too";
   EXPECT_NE(disk.content.find("\n999,event,something with a name of some length,999,detail,\n"),
             std::string::npos);
   EXPECT_EQ(log.failures(), 0U);
@@ -103,6 +103,9 @@ TEST(MissionLog, HandsOverMoreThanItsBufferHolds) {
 TEST(MissionLog, AFullDiskIsCountedAndLaterLinesStartAtALinesBeginning) {
   Disk disk;
   MissionLog log({&disk, Disk::write});
+  log.event(0, "first", "", NAN);
+  log.flush();
+  const std::string before = disk.content;
   disk.room = 5;
   log.event(1, "lost", "", NAN);
   log.flush();
@@ -110,7 +113,7 @@ TEST(MissionLog, AFullDiskIsCountedAndLaterLinesStartAtALinesBeginning) {
   disk.room = 1000;
   log.event(2, "kept", "", NAN);
   log.flush();
-  EXPECT_EQ(disk.content, "1,eve\n2,event,kept,,,\n");
+  EXPECT_EQ(disk.content, before + "1,eve\n2,event,kept,,,\n");
 }
 
 TEST(MissionLog, NamesOfAnyLengthFit) {
@@ -119,7 +122,8 @@ TEST(MissionLog, NamesOfAnyLengthFit) {
   const std::string name(10000, 'x');
   log.event(1, name.c_str(), name.c_str(), 1);
   log.flush();
-  EXPECT_EQ(disk.content, "1,event," + std::string(MissionLog::kNameBytes, 'x') + ",1," +
+  EXPECT_EQ(disk.content, "time_s,record,name,value,from,to\n1,event," +
+                              std::string(MissionLog::kNameBytes, 'x') + ",1," +
                               std::string(MissionLog::kNameBytes, 'x') + ",\n");
 }
 

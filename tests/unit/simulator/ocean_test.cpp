@@ -17,7 +17,7 @@ OceanSettings twoLayers() {
   settings.bottom_temperature = 7;
   settings.thermocline_depth_m = 14;
   settings.thermocline_thickness_m = 2.5;
-  settings.water_depth_m = 60;
+  settings.bottom.depth_m = 60;
   settings.wave = {.amplitude_m = 4, .period_s = 1200, .start_s = 260, .count = 1};
   return settings;
 }
@@ -78,11 +78,102 @@ TEST(Ocean, WaterMovesWithTheWave) {
 
 TEST(Ocean, BottomMayBeWavy) {
   OceanSettings settings = twoLayers();
-  settings.bottom_height_m = 5;
-  settings.bottom_wavelength_m = 100;
+  settings.bottom.wave_height_m = 5;
+  settings.bottom.wave_length_m = 100;
   const Ocean ocean(settings);
   EXPECT_NEAR(ocean.waterDepth(25, 0), 55, 1e-9);
   EXPECT_NEAR(ocean.waterDepth(0, 75), 65, 1e-9);
+}
+
+TEST(Ocean, BottomSlopesTowardsItsBearing) {
+  OceanSettings settings = twoLayers();
+  settings.bottom.slope = 0.008;
+  settings.bottom.slope_bearing_rad = std::numbers::pi / 2;
+  const Ocean east(settings);
+  EXPECT_NEAR(east.waterDepth(1000, 0), 68, 1e-9);
+  EXPECT_NEAR(east.waterDepth(0, 1000), 60, 1e-9);
+  EXPECT_NEAR(east.waterDepth(-1000, 0), 52, 1e-9);
+  EXPECT_EQ(east.waterDepth(-9000, 0), 0) << "land";
+  settings.bottom.slope_bearing_rad = std::numbers::pi / 6;
+  EXPECT_NEAR(Ocean(settings).waterDepth(0, 1000), 60 + 8 * std::cos(std::numbers::pi / 6), 1e-9);
+}
+
+TEST(Ocean, BottomHasSeamounts) {
+  OceanSettings settings = twoLayers();
+  settings.bottom.seamounts = {{.x = 600, .y = -100, .radius_m = 200, .height_m = 20}};
+  const Ocean ocean(settings);
+  EXPECT_NEAR(ocean.waterDepth(600, -100), 40, 1e-9);
+  EXPECT_NEAR(ocean.waterDepth(600, 100), 60 - 20 / std::numbers::e, 1e-9);
+  EXPECT_NEAR(ocean.waterDepth(-2000, 0), 60, 1e-9);
+}
+
+TEST(Ocean, WaveEndsWhereTheBottomRisesToTheThermocline) {
+  OceanSettings settings = twoLayers();
+  settings.wave.count = 0;
+  settings.bottom.seamounts = {{.x = 0, .y = 0, .radius_m = 100, .height_m = 44},
+                               {.x = 5000, .y = 0, .radius_m = 100, .height_m = 55}};
+  const Ocean ocean(settings);
+  for (const double x : {0.0, 20.0, 50.0, 4950.0, 5000.0}) {
+    const double bottom = ocean.waterDepth(x, 0);
+    double above = ocean.temperature(0, x, 0, 1460 - 300);
+    for (double z = 0.25; z <= bottom; z += 0.25) {
+      const double here = ocean.temperature(z, x, 0, 1460 - 300);
+      ASSERT_LE(here, above) << "folded over at " << z << " m of " << bottom;
+      above = here;
+      ASSERT_TRUE(std::isfinite(ocean.verticalCurrent(z, x, 0, 1000)));
+    }
+  }
+  EXPECT_EQ(ocean.verticalCurrent(4, 5000, 0, 1000), 0);
+  EXPECT_TRUE(std::isnan(ocean.isothermDepth(15.5, 5000, 0, 1000))) << "it lies under the bottom";
+}
+
+TEST(Ocean, HasAFrontAcrossItsBearing) {
+  OceanSettings settings = twoLayers();
+  settings.wave.amplitude_m = 0;
+  settings.front = {
+      .x = 700, .y = 0, .bearing_rad = std::numbers::pi / 2, .width_m = 80, .step_degC = -6};
+  const Ocean ocean(settings);
+  EXPECT_NEAR(ocean.temperature(14, 0, 0, 0), 15.5, 1e-6);
+  EXPECT_NEAR(ocean.temperature(14, 700, 900, 0), 12.5, 1e-9) << "half the step on the front";
+  EXPECT_NEAR(ocean.temperature(14, 780, 0, 0), 15.5 - 3 * (1 + std::tanh(1)), 1e-9);
+  EXPECT_NEAR(ocean.temperature(60, 2000, 0, 0), 1, 1e-3);
+  const double z = ocean.isothermDepth(12, 700, 0, 0);
+  EXPECT_NEAR(ocean.temperature(z, 700, 0, 0), 12, 1e-9);
+}
+
+TEST(Ocean, CurrentIsStraightBetweenSurfaceAndBottom) {
+  OceanSettings settings = twoLayers();
+  settings.current = {0.1, 0};
+  settings.bottom_current = {-0.06, 0.02};
+  const Ocean ocean(settings);
+  EXPECT_EQ(ocean.current(0, 0, 0).east, 0.1);
+  EXPECT_NEAR(ocean.current(15, 0, 0).east, 0.06, 1e-12);
+  EXPECT_NEAR(ocean.current(15, 0, 0).north, 0.005, 1e-12);
+  EXPECT_NEAR(ocean.current(60, 0, 0).east, -0.06, 1e-12);
+}
+
+TEST(Ocean, HasPatchesOfChlorophyllOnABackground) {
+  OceanSettings settings = twoLayers();
+  EXPECT_TRUE(std::isnan(Ocean(settings).chlorophyll(5, 0, 0))) << "no fluorometer on board";
+  settings.chlorophyll_ugpl = 0.4;
+  settings.patches = {
+      {.x = 600, .y = 100, .radius_m = 250, .depth_m = 12, .thickness_m = 5, .peak_ugpl = 8}};
+  const Ocean ocean(settings);
+  EXPECT_NEAR(ocean.chlorophyll(12, 600, 100), 8.4, 1e-12);
+  EXPECT_NEAR(ocean.chlorophyll(12, 600, 350), 0.4 + 8 / std::numbers::e, 1e-12);
+  EXPECT_NEAR(ocean.chlorophyll(17, 350, 100), 0.4 + 8 * std::exp(-2), 1e-12);
+  EXPECT_NEAR(ocean.chlorophyll(12, -5000, 0), 0.4, 1e-12);
+}
+
+TEST(Ocean, OxygenFollowsTheThermocline) {
+  OceanSettings settings = twoLayers();
+  EXPECT_TRUE(std::isnan(Ocean(settings).oxygen(5, 0, 0, 0)));
+  settings.surface_oxygen_uM = 260;
+  settings.bottom_oxygen_uM = 170;
+  const Ocean ocean(settings);
+  EXPECT_NEAR(ocean.oxygen(14, 0, 0, 0), 215, 1e-9);
+  EXPECT_NEAR(ocean.oxygen(0, 0, 0, 0), 260, 0.01);
+  EXPECT_NEAR(ocean.oxygen(60, 0, 0, 0), 170, 0.01);
 }
 
 }  // namespace

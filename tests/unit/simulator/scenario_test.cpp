@@ -66,7 +66,103 @@ TEST_F(ScenarioFile, ReadsDefaultsAndValues) {
   EXPECT_EQ(scenario_.seed, 7U);
   EXPECT_EQ(scenario_.vehicle.flight.hull_volume_m3, 65.0 / 1020);
   EXPECT_EQ(scenario_.ocean.wave.amplitude_m, 3);
-  EXPECT_EQ(scenario_.sensors.stale_water.size(), 1U);
+  EXPECT_EQ(scenario_.sensors.ctd.stale_water.size(), 1U);
+}
+
+TEST_F(ScenarioFile, ReadsTheOceansTables) {
+  ASSERT_EQ(load(kHead + kStart +
+                 "[ocean]\nbottom_slope_m_per_km = 8\nbottom_slope_bearing_deg = 90\n"
+                 "current_east_mps = 0.1\nbottom_current_north_mps = 0.2\n"
+                 "surface_oxygen_uM = 260\nbottom_oxygen_uM = 170\n"
+                 "[ocean.front]\nlatitude_deg = 39\nlongitude_deg = -72.99\nbearing_deg = 90\n"
+                 "step_degC = -6\n"
+                 "[[ocean.patch]]\nlatitude_deg = 39.01\nlongitude_deg = -73\nradius_m = 300\n"
+                 "depth_m = 12\nthickness_m = 5\npeak_ugpl = 8\n"
+                 "[[ocean.seamount]]\nlatitude_deg = 39\nlongitude_deg = -73.01\n"
+                 "radius_m = 200\nheight_m = 20\n"),
+            "");
+  const OceanSettings& o = scenario_.ocean;
+  EXPECT_NEAR(o.bottom.slope, 0.008, 1e-15);
+  EXPECT_NEAR(o.bottom.slope_bearing_rad, 1.5707963, 1e-7);
+  EXPECT_EQ(o.bottom_current.east, 0.1) << "as at the surface, unless told otherwise";
+  EXPECT_EQ(o.bottom_current.north, 0.2);
+  EXPECT_EQ(o.surface_oxygen_uM, 260);
+  // At 39 N on the ellipsoid a degree of longitude has 86 627 m, one of latitude 111 015 m.
+  EXPECT_NEAR(o.front.x, 866.3, 0.1);
+  EXPECT_EQ(o.front.step_degC, -6);
+  ASSERT_EQ(o.patches.size(), 1U);
+  EXPECT_NEAR(o.patches[0].y, 1110.1, 0.2);
+  EXPECT_EQ(o.patches[0].peak_ugpl, 8);
+  EXPECT_EQ(o.chlorophyll_ugpl, 0) << "a patch puts a fluorometer on board";
+  ASSERT_EQ(o.bottom.seamounts.size(), 1U);
+  EXPECT_NEAR(o.bottom.seamounts[0].x, -866.3, 0.1);
+}
+
+TEST_F(ScenarioFile, ReadsTheBatteryAndTheSensorsTables) {
+  ASSERT_EQ(load(kHead + kStart +
+                 "[vehicle.battery]\ncapacity_kJ = 400\nstart_V = 11\nsbc_W = 3.42\n"
+                 "[sensors.ctd]\nnoise_degC = 0.2\nrepeat_fraction = 0.1\nlate_s = 2\n"
+                 "non_monotonic_m = 0.7\nstale_climb = true\nstale_climb_count = 1\n"
+                 "[sensors.altimeter]\nrange_m = 40\ndropout = 0.1\n"),
+            "");
+  EXPECT_EQ(scenario_.vehicle.battery.capacity_j, 4e5);
+  EXPECT_EQ(scenario_.vehicle.battery.start_V, 11);
+  EXPECT_EQ(scenario_.vehicle.battery.full_V, 14.4);
+  EXPECT_EQ(scenario_.vehicle.battery.sbc_W, 3.42);
+  const CtdSettings& ctd = scenario_.sensors.ctd;
+  EXPECT_EQ(ctd.noise_degC, 0.2);
+  EXPECT_EQ(ctd.repeat_fraction, 0.1);
+  EXPECT_EQ(ctd.late_s, 2);
+  EXPECT_EQ(ctd.non_monotonic_m, 0.7);
+  EXPECT_TRUE(ctd.stale_climbs.on);
+  EXPECT_EQ(ctd.stale_climbs.count, 1);
+  EXPECT_EQ(scenario_.sensors.altimeter.range_m, 40);
+  EXPECT_TRUE(scenario_.altimeter_given);
+  // A pack whose full voltage is given starts full.
+  ASSERT_EQ(load(kHead + kStart + "[vehicle.battery]\nfull_V = 16.8\n"), "");
+  EXPECT_EQ(scenario_.vehicle.battery.start_V, 16.8);
+}
+
+TEST_F(ScenarioFile, RefusesWrongTablesWithTheirLine) {
+  // The mistake is on line 9 of the file.
+  const std::string place = "latitude_deg = 39\nlongitude_deg = -73\n";
+  const std::pair<std::string, const char*> bad[] = {
+      {"[ocean]\nbottom_slope_m_per_km = -1\nbottom_slope_bearing_deg = 3\n", ":9:"},
+      {"[ocean]\nbottom_slope_m_per_km = 8\n", "needs `bottom_slope_bearing_deg`"},
+      {"[ocean]\nbottom_slope_bearing_deg = 361\nbottom_slope_m_per_km = 8\n", ":9:"},
+      {"[ocean]\nsurface_oxygen_uM = 200\n", "needs `bottom_oxygen_uM`"},
+      {"[ocean]\nchlorophyll_ugpl = -1\n", ":9:"},
+      {"[ocean]\nbottom_current_east_mps = 5\n", ":9:"},
+      {"[ocean]\nfront = 5\n", "`front` of [ocean] must be a table"},
+      {"[ocean.front]\ncolour = 5\n" + place + "step_degC = 1\nbearing_deg = 0\n", ":9:"},
+      {"[ocean.front]\n" + place + "bearing_deg = 90\n", "[ocean.front] has no `step_degC`"},
+      {"[ocean.front]\n" + place + "step_degC = 2\n", "[ocean.front] has no `bearing_deg`"},
+      {"[ocean]\npatch = 5\n", "[[ocean.patch]] tables"},
+      {"[ocean]\npatch = [1, 2]\n", "[[ocean.patch]] tables"},
+      {"[[ocean.patch]]\nlatitude_deg = 95\n", ":9:"},
+      {"[[ocean.patch]]\n" + place + "radius_m = 5\ndepth_m = 5\nthickness_m = 5\n",
+       "has no `peak_ugpl`"},
+      {"[[ocean.patch]]\nradius_m = 0\n" + place + "depth_m = 5\nthickness_m = 5\npeak_ugpl = 1\n",
+       ":9:"},
+      {"[[ocean.seamount]]\ndepth_m = 3\n" + place + "radius_m = 5\nheight_m = 5\n", ":9:"},
+      {"[[ocean.seamount]]\nheight_m = -3\n" + place + "radius_m = 5\n", ":9:"},
+      {"[vehicle]\nbattery = 12\n", "`battery` of [vehicle] must be a table"},
+      {"[vehicle.battery]\nstart_V = 15\n", ":9:"},
+      {"[vehicle.battery]\nempty_V = 15\n", "must be below `full_V`"},
+      {"[vehicle.battery]\nvolts = 15\n", ":9:"},
+      {"[sensors]\nctd = true\n", "`ctd` of [sensors] must be a table"},
+      {"[sensors.ctd]\nrepeat_fraction = 1.5\n", ":9:"},
+      {"[sensors.ctd]\nlate_s = nan\n", ":9:"},
+      {"[sensors.ctd]\nstale_climb = 1\n", "must be true or false"},
+      {"[sensors.ctd]\nstale_climb_s = 10\n", "means nothing without `stale_climb = true`"},
+      {"[sensors]\ntemperature_degC = 1\n[sensors.ctd]\nnoise_degC = 1\n", "says again"},
+      {"[sensors.altimeter]\nrange_m = 500\n", ":9:"},
+  };
+  for (const auto& [text, why] : bad) {
+    const std::string said = load(kHead + kStart + "\n" + text);
+    EXPECT_TRUE(said.starts_with("GL5001")) << text << "\n-> " << said;
+    EXPECT_NE(said.find(why), std::string::npos) << text << "\n-> " << said;
+  }
 }
 
 TEST_F(ScenarioFile, RefusesWhatIsNotRight) {
@@ -140,7 +236,8 @@ TEST(Skeleton, WarnsOfWhatHasNoEffect) {
 
 TEST(Scenarios, ShippedOnesLoadWithoutAWord) {
   const fs::path folder = fs::path(GLIDER_SOURCE_DIR) / "scenarios";
-  for (const char* name : {"default", "figure5", "layered"}) {
+  for (const char* name : {"bloom", "default", "figure5", "figure6", "first_deployment", "front",
+                           "layered", "low_battery", "shelf_slope"}) {
     support::SourceManager sources;
     support::DiagnosticEngine diagnostics;
     const auto scenario =

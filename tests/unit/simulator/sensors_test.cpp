@@ -3,7 +3,7 @@
 
 #include "simulator/sensors/altimeter.h"
 #include "simulator/sensors/attitude_sensor.h"
-#include "simulator/sensors/ctd.h"
+#include "simulator/sensors/concentration_sensor.h"
 #include "simulator/sensors/depth_sensor.h"
 #include "simulator/sensors/gps.h"
 
@@ -35,11 +35,11 @@ TEST(Sensors, ReadTheTruthWithoutNoise) {
   EXPECT_EQ(DepthSensor(1, 0).pressure(12.5), 1.25);
   EXPECT_EQ(AttitudeSensor(1, 0, 0).pitch(-0.4), -0.4);
   EXPECT_NEAR(AttitudeSensor(1, 0, 0).heading(-0.1), 2 * std::numbers::pi - 0.1, 1e-12);
-  EXPECT_EQ(Altimeter(1, 0).altitude(20, 50), 30);
+  EXPECT_EQ(Altimeter(1, {.noise_m = 0}).altitude(20, 50), 30);
 }
 
 TEST(Altimeter, HasNoEchoTooNearTooFarOrAtTheSurface) {
-  Altimeter altimeter(1, 0);
+  Altimeter altimeter(1, {.noise_m = 0});
   EXPECT_TRUE(std::isnan(altimeter.altitude(49, 50)));
   EXPECT_TRUE(std::isnan(altimeter.altitude(20, 200)));
   EXPECT_TRUE(std::isnan(altimeter.altitude(1, 50)));
@@ -56,22 +56,31 @@ TEST(Gps, NeedsTimeAtTheSurface) {
   EXPECT_EQ(fix->y, 4);
 }
 
-TEST(Ctd, KeepsStaleWaterAndLosesReadings) {
-  SensorSettings settings;
-  settings.temperature_degC = 0;
-  settings.stale_water = {{10, 20}};
-  Ctd ctd(1, settings);
-  EXPECT_EQ(ctd.temperature(18, 9), 18);
-  EXPECT_EQ(ctd.temperature(12, 10), 18) << "the old water is still in the duct";
-  EXPECT_EQ(ctd.temperature(9, 19), 18);
-  EXPECT_EQ(ctd.temperature(9, 20), 9);
-  settings.ctd_dropout = 0.5;
-  Ctd failing(1, settings);
+TEST(Altimeter, ReachesAsFarAsTheScenarioSaysAndLosesEchoes) {
+  Altimeter near(1, {.noise_m = 0, .range_m = 40});
+  EXPECT_EQ(near.altitude(20, 60), 40);
+  EXPECT_TRUE(std::isnan(near.altitude(20, 60.1)));
+  Altimeter failing(1, {.noise_m = 0, .dropout = 0.25}), same(1, {.noise_m = 0, .dropout = 0.25});
   int lost = 0;
   for (int i = 0; i < 1000; ++i) {
-    lost += std::isnan(failing.temperature(9, 30 + i)) ? 1 : 0;
+    const bool none = std::isnan(failing.altitude(20, 50));
+    EXPECT_EQ(none, std::isnan(same.altitude(20, 50)));
+    lost += none ? 1 : 0;
   }
-  EXPECT_NEAR(lost, 500, 60);
+  EXPECT_NEAR(lost, 250, 50);
+}
+
+TEST(ConcentrationSensor, IsNoisyAndNeverNegative) {
+  EXPECT_EQ(ConcentrationSensor(1, NoiseStream::Chlorophyll, 0).read(3.5), 3.5);
+  ConcentrationSensor a(1, NoiseStream::Chlorophyll, 0.5), b(1, NoiseStream::Chlorophyll, 0.5);
+  int zeros = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const double read = a.read(0);
+    EXPECT_EQ(read, b.read(0));
+    EXPECT_GE(read, 0);
+    zeros += read == 0 ? 1 : 0;
+  }
+  EXPECT_NEAR(zeros, 500, 60);
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ namespace {
 OceanSettings still() {
   OceanSettings settings;
   settings.density = 1025;
-  settings.water_depth_m = 100;
+  settings.bottom.depth_m = 100;
   return settings;
 }
 
@@ -65,7 +65,7 @@ TEST(Vehicle, DivesAtTheModelsSpeedAndStopsAtTheBottom) {
 
 TEST(Vehicle, TurnsWithItsFinAndDriftsWithTheCurrent) {
   OceanSettings settings = still();
-  settings.current = {0.1, -0.2};
+  settings.current = settings.bottom_current = {0.1, -0.2};
   const Ocean ocean(settings);
   Vehicle drifting({});
   fly(drifting, ocean, 100);
@@ -77,6 +77,51 @@ TEST(Vehicle, TurnsWithItsFinAndDriftsWithTheCurrent) {
   turning.commandFin(0.45);
   fly(turning, ocean, 150);
   EXPECT_GT(turning.heading(), 0.5) << "to starboard";
+}
+
+TEST(Battery, FallsInAStraightLineToItsEmptyVoltage) {
+  const BatterySettings small{
+      .capacity_j = 4000, .full_V = 14, .empty_V = 10, .start_V = 12, .hotel_W = 2, .sbc_W = 3};
+  Battery battery(small);
+  EXPECT_EQ(battery.voltage(), 12);
+  EXPECT_NEAR(battery.ampHours(), 2000 / 13.0 / 3600, 1e-12);
+  battery.idle(100, false);
+  EXPECT_NEAR(battery.voltage(), 12 - 4 * 200 / 4000.0, 1e-12);
+  battery.idle(100, true);
+  EXPECT_NEAR(battery.voltage(), 12 - 4 * 700 / 4000.0, 1e-12);
+  battery.pump(100, 10);
+  EXPECT_NEAR(battery.voltage(), 12 - 4 * (700 + 47) / 4000.0, 1e-12);
+  battery.pump(-100, 10);
+  EXPECT_NEAR(battery.voltage(), 12 - 4 * (700 + 47 + 40) / 4000.0, 1e-12);
+  battery.idle(1e6, true);
+  EXPECT_EQ(battery.voltage(), 10);
+}
+
+TEST(Vehicle, FeedsTheSbcFromItsBattery) {
+  const VehicleSettings settings{
+      .flight = {}, .initial_heading_rad = 0, .battery = {.capacity_j = 4400, .sbc_W = 3.37}};
+  Vehicle vehicle(settings);
+  const Ocean ocean(still());
+  fly(vehicle, ocean, 100);
+  EXPECT_NEAR(vehicle.battery().voltage(), 14.4 - 0.163, 1e-9);
+  vehicle.feedSbc(true);
+  fly(vehicle, ocean, 100);
+  EXPECT_NEAR(vehicle.battery().voltage(), 14.4 - 0.163 - 0.5, 1e-9);
+}
+
+TEST(Vehicle, DriftsWithTheCurrentOfItsDepth) {
+  OceanSettings settings = still();
+  settings.current = {0.1, 0};
+  settings.bottom_current = {-0.1, 0};
+  Vehicle vehicle({});
+  const Ocean ocean(settings);
+  vehicle.commandPump(-233);
+  vehicle.commandBatteryPosition(0.47);
+  fly(vehicle, ocean, 3000);
+  ASSERT_EQ(vehicle.depth(), 100);
+  const double before = vehicle.x();
+  fly(vehicle, ocean, 100);
+  EXPECT_NEAR(vehicle.x() - before, -10, 1e-6) << "heading north, it drifts west on the bottom";
 }
 
 TEST(Navigator, ReckonsFromDepthRateAndPitchUntilAFix) {

@@ -7,6 +7,11 @@
 
 #include <gtest/gtest.h>
 
+#include <fcntl.h>
+#include <string>
+#include <sys/stat.h>
+#include <unistd.h>
+
 namespace glider::support {
 namespace {
 
@@ -24,6 +29,59 @@ TEST(Files, FailedWriteLeavesNothingBehind) {
   EXPECT_EQ(failed.error().id, DiagnosticId::cannotWrite);
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
   EXPECT_FALSE(writeFileAtomically("/dev/full", "x"));
+}
+
+TEST(Files, ALinkStaysALinkAndItsTargetIsWritten) {
+  namespace fs = std::filesystem;
+  const tests::TemporaryFolder folder;
+  const auto file = folder.write("file", "old");
+  fs::create_directory(folder.path() / "sub");
+  fs::create_symlink("../file", folder.path() / "sub" / "near");
+  fs::create_symlink(folder.path() / "sub" / "near", folder.path() / "far");
+  fs::create_symlink("not-yet", folder.path() / "dangling");
+  ASSERT_TRUE(writeFileAtomically(folder.path() / "far", "new"));
+  EXPECT_TRUE(fs::is_symlink(folder.path() / "far"));
+  EXPECT_TRUE(fs::is_symlink(folder.path() / "sub" / "near"));
+  EXPECT_EQ(*readFile(file), "new");
+  ASSERT_TRUE(writeFileAtomically(folder.path() / "dangling", "there"));
+  EXPECT_TRUE(fs::is_symlink(folder.path() / "dangling"));
+  EXPECT_EQ(*readFile(folder.path() / "not-yet"), "there");
+  fs::create_symlink("round", folder.path() / "round");
+  EXPECT_FALSE(writeFileAtomically(folder.path() / "round", "x")) << "a link to itself";
+}
+
+/// As `-o /dev/stdout` when standard output is a file; here by a descriptor's name in a folder of
+/// the test, for /dev is not to be tried on.
+TEST(Files, TheNameOfADescriptorIsWrittenToAsItStands) {
+  const tests::TemporaryFolder folder;
+  const auto file = folder.write("out", "before,");
+  const int descriptor = ::open(file.c_str(), O_RDWR);
+  ASSERT_GE(descriptor, 0);
+  const auto link = folder.path() / "stdout";
+  std::filesystem::create_symlink("/proc/self/fd/" + std::to_string(descriptor), link);
+  for (const std::filesystem::path& name :
+       {link, std::filesystem::path("/dev/fd/" + std::to_string(descriptor))}) {
+    EXPECT_FALSE(isReplaceable(name));
+    EXPECT_TRUE(writeFileAtomically(name, "x"));
+  }
+  EXPECT_TRUE(std::filesystem::is_symlink(link));
+  struct stat open_file{};
+  struct stat named_file{};
+  ASSERT_EQ(::fstat(descriptor, &open_file), 0);
+  ASSERT_EQ(::stat(file.c_str(), &named_file), 0);
+  EXPECT_EQ(open_file.st_ino, named_file.st_ino) << "the file was replaced";
+  ::close(descriptor);
+  EXPECT_EQ(*readFile(file), "before,xx");
+}
+
+TEST(Files, WhatWasStagedAndNotPublishedIsGone) {
+  const tests::TemporaryFolder folder;
+  const auto path = folder.write("f", "old");
+  {
+    ASSERT_TRUE(StagedFile::write(path, "new", FileKind::Product));
+  }
+  EXPECT_EQ(*readFile(path), "old");
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
 }
 
 TEST(Files, ReadingWhatIsNoFileSaysWhy) {

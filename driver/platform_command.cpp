@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "driver/commands.h"
+#include "driver/exit_code.h"
+#include "driver/share.h"
+#include "driver/terminal.h"
+#include "ir/core/ops.h"
+#include "platforms/load/platform.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <memory>
+#include <numbers>
+#include <set>
+
+namespace glider::driver {
+namespace {
+
+using nlohmann::ordered_json;
+using platforms::Envelope;
+using platforms::Platform;
+using platforms::PlatformSensor;
+
+struct PlatformOptions {
+  std::string name = "slocum";
+  bool json = false;
+};
+
+support::Result<Platform> load(const std::string& name) {
+  const std::filesystem::path folder = shareDirectory() / "platforms";
+  std::error_code ignored;
+  std::set<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
+    if (entry.path().extension() == ".toml") {
+      names.insert(entry.path().stem());
+    }
+  }
+  if (names.contains(name) || names.empty()) {
+    return platforms::loadPlatform(folder / (name + ".toml"));
+  }
+  auto failure = support::fail(support::DiagnosticId::unknownPlatform, name);
+  failure.error().hint = fmt::format("there are: {}", fmt::join(names, ", "));
+  return failure;
+}
+
+/// "descend(to: length, pitch: angle)"
+std::string signatureOf(const ir::CommandInfo& command) {
+  std::string out;
+  for (const ir::Parameter& parameter : command.parameters) {
+    const std::string type = parameter.type.kind == ir::TypeKind::Latitude ? "latitude"
+                             : parameter.type.kind == ir::TypeKind::Longitude
+                                 ? "longitude"
+                                 : support::describe(parameter.type.dimension);
+    out += fmt::format("{}{}: {}", out.empty() ? "" : ", ", parameter.name, type);
+  }
+  return fmt::format("{}({})", command.text, out);
+}
+
+std::string_view computerOf(const PlatformSensor& sensor) {
+  return sensor.computer == platforms::Computer::Science ? "science" : "flight";
+}
+
+std::string_view unitOf(const PlatformSensor& sensor) {
+  return sensor.unit == "1"                               ? "-"
+         : sensor.unit == "timestamp"                     ? "s"
+         : sensor.kind != platforms::SensorKind::Quantity ? "ddmm.mm"
+                                                          : std::string_view(sensor.unit);
+}
+
+std::string envelopeText(const Envelope& envelope) {
+  return fmt::format(
+      "  greatest depth        {:.6g} m\n"
+      "  fastest up or down    {:.6g} m/s\n"
+      "  steepest pitch        {:.4g} deg\n"
+      "  overshoot of a turn   {:.6g} m\n"
+      "  strongest current     {:.6g} m/s\n"
+      "  a reading at most     every {:.6g} s\n",
+      envelope.greatest_depth_m, envelope.vertical_rate_m_s,
+      envelope.steepest_pitch_rad * 180 / std::numbers::pi, envelope.inflection_overshoot_m,
+      envelope.drift_m_s, envelope.cycle_s);
+}
+
+std::string text(const Platform& platform) {
+  std::string out = fmt::format("{}: {}\n\nEnvelope\n{}\nCommands\n", platform.name,
+                                platform.description, envelopeText(platform.envelope));
+  for (const ir::CommandInfo& command : ir::commands()) {
+    out += fmt::format("  {}\n", signatureOf(command));
+  }
+  out += fmt::format("\nSensors\n  {:<12} {:<27} {:<8} {:>12} {:>12} {:>10}  {:<8} {}\n", "name",
+                     "vehicle's name", "unit", "lowest", "highest", "stale, s", "computer", "");
+  for (const PlatformSensor& sensor : platform.sensors) {
+    out += fmt::format("  {:<12} {:<27} {:<8} {:>12.6g} {:>12.6g} {:>10.6g}  {:<8} {}\n",
+                       sensor.alias, sensor.name, unitOf(sensor), sensor.lowest, sensor.highest,
+                       sensor.stale_after_s, computerOf(sensor), sensor.what);
+  }
+  return out;
+}
+
+std::string json(const Platform& platform) {
+  const Envelope& envelope = platform.envelope;
+  ordered_json sensors = ordered_json::array();
+  for (const PlatformSensor& sensor : platform.sensors) {
+    ordered_json row{{"name", sensor.name},
+                     {"unit", sensor.unit},
+                     {"lowest", sensor.lowest},
+                     {"highest", sensor.highest},
+                     {"every_s", envelope.cycle_s},
+                     {"stale_after_s", sensor.stale_after_s},
+                     {"computer", computerOf(sensor)},
+                     {"what", sensor.what}};
+    if (!sensor.alias.empty()) {
+      row["alias"] = sensor.alias;
+    }
+    sensors.push_back(std::move(row));
+  }
+  ordered_json commands = ordered_json::array();
+  for (const ir::CommandInfo& command : ir::commands()) {
+    commands.push_back(signatureOf(command));
+  }
+  const ordered_json all{{"name", platform.name},
+                         {"description", platform.description},
+                         {"envelope",
+                          {{"greatest_depth_m", envelope.greatest_depth_m},
+                           {"steepest_pitch_rad", envelope.steepest_pitch_rad},
+                           {"vertical_rate_m_s", envelope.vertical_rate_m_s},
+                           {"inflection_overshoot_m", envelope.inflection_overshoot_m},
+                           {"drift_m_s", envelope.drift_m_s},
+                           {"cycle_s", envelope.cycle_s}}},
+                         {"commands", commands},
+                         {"sensors", sensors}};
+  return all.dump(2) + "\n";
+}
+
+int show(const PlatformOptions& options) {
+  const auto platform = load(options.name);
+  if (!platform) {
+    return reportFailure(platform.error());
+  }
+  const auto printed = printOut(options.json ? json(*platform) : text(*platform));
+  return printed ? kFine : reportFailure(printed.error());
+}
+
+}  // namespace
+
+void addPlatformCommand(CLI::App& app, int& status) {
+  CLI::App* command = app.add_subcommand(
+      "platform", "List a vehicle's sensors, the commands it obeys and what it can do");
+  auto options = std::make_shared<PlatformOptions>();
+  command->add_option("name", options->name, "The vehicle; slocum unless given");
+  command->add_flag("--json", options->json, "As JSON");
+  command->callback([options, &status] { status = show(*options); });
+}
+
+}  // namespace glider::driver

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "support/result.h"
+
+#include <filesystem>
+#include <string_view>
+
+namespace glider::driver {
+
+/// Puts `text` in the place of a file's content, atomically; a link to it stays a link, and its
+/// permissions stay. GL9002 on failure, with the file as it was.
+support::Result<void> rewriteFile(const std::filesystem::path& path, std::string_view text);
+
+}  // namespace glider::driver

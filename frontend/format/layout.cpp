@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "frontend/format/layout.h"
+
+#include <algorithm>
+#include <initializer_list>
+
+namespace glider::frontend::formatting {
+namespace {
+
+bool oneOf(const Token& token, std::initializer_list<std::string_view> words) {
+  return std::ranges::find(words, token.text) != words.end();
+}
+
+/// Goes through the tokens with the blocks that are open. Hard keywords name nothing, so each says
+/// by itself what begins.
+class Layout {
+ public:
+  explicit Layout(const std::vector<Token>& tokens) : tokens_(tokens) {}
+
+  std::vector<Line> run() {
+    for (at_ = 0; at_ + 1 < tokens_.size(); ++at_) {
+      if (frames_.empty()) {
+        topLevel();
+      } else if (frames_.back().kind == Kind::Body) {
+        body();
+      } else {
+        block();
+      }
+    }
+    startLine(0);
+    lines_.back().end = tokens_.size();
+    return std::move(lines_);
+  }
+
+ private:
+  enum class Kind : uint8_t { Body, Block };
+  struct Frame {
+    Kind kind;
+    size_t indent;
+    bool flat;  ///< stands on one line with what opens it
+  };
+
+  [[nodiscard]] const Token& token() const { return tokens_[at_]; }
+  [[nodiscard]] bool after(std::initializer_list<std::string_view> words) const {
+    return at_ > 0 && oneOf(tokens_[at_ - 1], words);
+  }
+
+  void startLine(size_t indent) {
+    if (!lines_.empty()) {
+      lines_.back().end = at_;
+    }
+    lines_.push_back({at_, at_, indent, indent, false});
+  }
+
+  void topLevel() {
+    const bool named = after({"require", "extern"});
+    const bool large =
+        !named && oneOf(token(), {"always", "state", "flightprofile", "flightroute"});
+    const bool small = oneOf(
+        token(), {"mission", "platform", "import", "const", "param", "var", "extern", "require"});
+    if (large || small) {
+      startLine(0);
+      lines_.back().apart = large || after_large_;
+      after_large_ = large;
+    } else if (token().is("begin")) {
+      startLine(0);
+      frames_.push_back({Kind::Body, 0, false});
+    } else if (token().is("case")) {
+      startLine(kIndent);
+    } else if (token().is("do")) {
+      openDo();
+    }
+  }
+
+  void body() {
+    if (oneOf(token(), {"flightroute", "flightprofile", "sensors", "var", "entry", "events"})) {
+      startLine(kIndent);
+    } else if (token().is("case")) {
+      startLine(2 * kIndent);
+    } else if (token().is("do")) {
+      openDo();
+    } else if (token().is("end")) {
+      close();
+    }
+  }
+
+  void block() {
+    if (token().is("end")) {
+      close();
+    } else if (token().is("else")) {
+      closeArm();
+    } else if (startsStatement(at_)) {
+      const Frame frame = frames_.back();
+      if (!frame.flat) {
+        startLine(frame.indent + kIndent);
+      }
+      if (token().is("if")) {
+        frames_.push_back({Kind::Block, lines_.back().indent, frame.flat || fits(at_)});
+      }
+    }
+  }
+
+  void openDo() { frames_.push_back({Kind::Block, lines_.back().indent, fits(at_)}); }
+
+  void close() {
+    closeArm();
+    frames_.pop_back();
+  }
+  void closeArm() {
+    const Frame& frame = frames_.back();
+    if (frame.flat) {
+      return;
+    }
+    const Line& last = lines_.back();
+    const bool opened = after({"begin", "do", "then", "else", "events"});
+    const size_t inner = opened ? last.indent + kIndent : last.indent;
+    startLine(frame.indent);
+    lines_.back().comment_indent = std::max(inner, frame.indent + kIndent);
+  }
+
+  /// Inside a block only.
+  [[nodiscard]] bool startsStatement(size_t i) const {
+    const Token& last = tokens_[i - 1];
+    const bool command = tokens_[i].depth == 0 && tokens_[i].name && tokens_[i + 1].is("(") &&
+                         (last.ends_value || oneOf(last, {"do", "then", "else", "end"}));
+    return command || oneOf(tokens_[i], {"set", "if", "log"});
+  }
+
+  /// The `do` or `if` at `open` was written on one line up to its `end`, has no more than one
+  /// statement in each arm, and fits on one line with what stands before and after it.
+  [[nodiscard]] bool fits(size_t open) const {
+    std::vector<size_t> statements;  // in the arms that are open
+    size_t i = open;
+    do {
+      const Token& next = tokens_[i];
+      if (i > open && next.broken()) {
+        return false;
+      }
+      if (i > open && startsStatement(i) && ++statements.back() > 1) {
+        return false;
+      }
+      if (oneOf(next, {"do", "if"})) {
+        statements.push_back(0);
+      } else if (next.is("else")) {
+        statements.back() = 0;
+      } else if (next.is("end")) {
+        statements.pop_back();
+      }
+      ++i;
+    } while (!statements.empty());
+    return fitsWhole(tokens_[open].is("do") && !after({"entry"}) ? pastTransition(i) : i);
+  }
+
+  /// The token after the transition that begins at `i`.
+  [[nodiscard]] size_t pastTransition(size_t i) const {
+    if (!oneOf(tokens_[i], {"goto", "call"})) {
+      return i + 1;
+    }
+    i += 2;
+    if (tokens_[i].is("(")) {
+      while (!(tokens_[i].is(")") && tokens_[i].depth == 0)) {
+        ++i;
+      }
+      ++i;
+    }
+    return i;
+  }
+
+  /// The line that was begun last fits on one line up to token `end`.
+  [[nodiscard]] bool fitsWhole(size_t end) const {
+    size_t columns = lines_.back().indent;
+    const size_t first = lines_.back().first;
+    for (size_t i = first; i < end; ++i) {
+      const Token& next = tokens_[i];
+      const bool must_break = i > first && tokens_[i - 1].opens() && next.broken();
+      if (must_break || (i > first && !next.rows.empty())) {
+        return false;
+      }
+      columns += width(next.text) + (i > first && !next.tight ? 1U : 0U);
+    }
+    return columns <= kColumns;
+  }
+
+  const std::vector<Token>& tokens_;
+  std::vector<Line> lines_;
+  std::vector<Frame> frames_;
+  size_t at_ = 0;
+  bool after_large_ = false;
+};
+
+}  // namespace
+
+size_t width(std::string_view text) {
+  return static_cast<size_t>(std::ranges::count_if(
+      text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
+std::vector<Line> layOut(const std::vector<Token>& tokens) {
+  return Layout(tokens).run();
+}
+
+}  // namespace glider::frontend::formatting

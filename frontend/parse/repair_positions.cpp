@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "frontend/parse/repair_positions.h"
+
+#include "frontend/parse/token_kinds.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <string_view>
+
+namespace glider::frontend {
+namespace {
+
+bool isDegreeSign(std::string_view text) {
+  return text == "°" || text == "º" || text == "deg";
+}
+
+bool isMinuteOrSecondSign(std::string_view text) {
+  constexpr std::array<std::string_view, 5> kSigns = {"'", "′", "’", "″", "''"};
+  return std::ranges::find(kSigns, text) != kSigns.end();
+}
+
+/// "39.175": degrees from parts of 1, 1/60 and 1/3600, without zeros at the end.
+std::string decimal(double degrees) {
+  std::string text = fmt::format("{:.6f}", degrees);
+  text.erase(text.find_last_not_of('0') + 1);
+  return text + (text.back() == '.' ? "0" : "");
+}
+
+/// `N39.175`: a name and a number without a blank between.
+std::optional<ForeignPosition> letterFirst(const std::vector<Lexeme>& lexemes, size_t at,
+                                           const Source& source) {
+  const Lexeme& name = lexemes[at];
+  const std::string_view text = source.text(name);
+  if (name.type != GliderLexer::NAME || at + 1 >= lexemes.size() || text.size() < 2 ||
+      std::string_view("NSEW").find(text[0]) == std::string_view::npos ||
+      text.find_first_not_of("0123456789", 1) != std::string_view::npos) {
+    return std::nullopt;
+  }
+  const Lexeme& rest = lexemes[at + 1];
+  if (rest.type != GliderLexer::NUMBER || rest.begin != name.end || source.text(rest)[0] != '.') {
+    return std::nullopt;
+  }
+  ForeignPosition found;
+  found.whole = {GliderLexer::NUMBER, name.begin, rest.end};
+  found.count = 2;
+  found.number = {GliderLexer::NUMBER, name.begin + 1, rest.end};
+  found.letter = {GliderLexer::COMPASS, name.begin, name.begin + 1};
+  found.better = fmt::format("{} {}", source.text(found.number), text[0]);
+  return found;
+}
+
+}  // namespace
+
+std::optional<ForeignPosition> foreignPosition(const std::vector<Lexeme>& lexemes, size_t at,
+                                               const Source& source) {
+  if (lexemes[at].type != GliderLexer::NUMBER) {
+    return letterFirst(lexemes, at, source);
+  }
+  double degrees = 0;
+  double part = 1;
+  bool sign = false;
+  size_t i = at;
+  for (int numbers = 0; numbers < 3 && lexemes[i].type == GliderLexer::NUMBER; ++numbers) {
+    degrees += std::strtod(std::string(source.text(lexemes[i])).c_str(), nullptr) * part;
+    part /= 60;
+    ++i;
+    const std::string_view next = source.text(lexemes[i]);  // the last token is the file's end
+    if (numbers == 0 ? isDegreeSign(next) : isMinuteOrSecondSign(next)) {
+      sign = true;
+      ++i;
+    }
+  }
+  const bool several = part < 0.5 / 60;
+  if (lexemes[i].type != GliderLexer::COMPASS || !(several || sign) || degrees > 180) {
+    return std::nullopt;
+  }
+  ForeignPosition found;
+  found.whole = {GliderLexer::NUMBER, lexemes[at].begin, lexemes[i].end};
+  found.count = i - at + 1;
+  found.number = lexemes[at];
+  found.letter = lexemes[i];
+  found.better = fmt::format("{} {}", decimal(degrees), source.text(lexemes[i]));
+  return found;
+}
+
+}  // namespace glider::frontend

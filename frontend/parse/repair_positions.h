@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "frontend/parse/lexeme.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace glider::frontend {
+
+/// Half of a position as charts and other tools write it: `39Â°10.5'N`, `39 10.5 N`, `N39.175`,
+/// `39.175Â°N`.
+struct ForeignPosition {
+  Lexeme whole;
+  size_t count = 0;    ///< tokens that it takes
+  Lexeme number;       ///< to go on with: its degrees
+  Lexeme letter;       ///< and N, S, E or W
+  std::string better;  ///< as the language writes it: "39.175 N"
+};
+
+/// The half of a position that begins with token `at` and is not written as in the language, if
+/// there is one.
+std::optional<ForeignPosition> foreignPosition(const std::vector<Lexeme>& lexemes, size_t at,
+                                               const Source& source);
+
+}  // namespace glider::frontend

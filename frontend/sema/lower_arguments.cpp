@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "frontend/sema/lower_arguments.h"
+
+#include "frontend/sema/lower_expr.h"
+
+#include <fmt/format.h>
+
+namespace glider::frontend {
+
+using support::DiagnosticId;
+
+namespace {
+
+std::string countOf(size_t n) {
+  return n == 0 ? "no arguments" : n == 1 ? "1 argument" : fmt::format("{} arguments", n);
+}
+
+class ArgumentLowering {
+ public:
+  ArgumentLowering(const std::vector<ast::Argument>& arguments, const Callee& callee,
+                   const support::SourceRange& where, Scope& scope)
+      : arguments_(arguments), callee_(callee), where_(where), scope_(scope) {}
+
+  std::optional<std::vector<ir::ExprId>> run() {
+    if (!plan()) {
+      wrongCount();
+      return std::nullopt;
+    }
+    bool good = true;
+    for (const Step& step : steps_) {
+      good = lower(step) && good;
+    }
+    return good ? std::optional(std::move(result_)) : std::nullopt;
+  }
+
+ private:
+  /// Which arguments make which formals.
+  struct Step {
+    size_t formal;
+    size_t formals;  ///< 2: a position for a latitude and a longitude
+    size_t argument;
+    size_t arguments;  ///< 2: a latitude and a longitude for a position
+  };
+
+  [[nodiscard]] const std::vector<Signature::Formal>& formals() const {
+    return callee_.signature.formals;
+  }
+
+  [[nodiscard]] bool latitudeAndLongitude(size_t formal) const {
+    return formal + 1 < formals().size() &&
+           formals()[formal].type == DeclaredType{latitude(), false} &&
+           formals()[formal + 1].type == DeclaredType{longitude(), false};
+  }
+
+  /// False if there are too few or too many arguments.
+  bool plan() {
+    size_t formal = 0;
+    size_t argument = 0;
+    while (formal < formals().size() && argument < arguments_.size()) {
+      const bool position = isPosition(*arguments_[argument].value, scope_);
+      const size_t left = arguments_.size() - argument;
+      const bool halves =
+          formals()[formal].type.position && !position && left > formals().size() - formal;
+      const bool pair = position && latitudeAndLongitude(formal);
+      steps_.push_back({formal, pair ? 2U : 1U, argument, halves ? 2U : 1U});
+      formal += steps_.back().formals;
+      argument += steps_.back().arguments;
+    }
+    filled_ = formal + (arguments_.size() - std::min(argument, arguments_.size()));
+    return formal == formals().size() && argument == arguments_.size();
+  }
+
+  bool lower(const Step& step) {
+    const Signature::Formal& formal = formals()[step.formal];
+    const std::string what = fmt::format("`{}` of `{}`", formal.name->text, callee_.name);
+    if (step.formals == 2) {
+      return add(step.argument, {latitude(), true}, what);
+    }
+    if (step.arguments == 2) {
+      const bool first = add(step.argument, {latitude(), false}, "the latitude of " + what);
+      return add(step.argument + 1, {longitude(), false}, "the longitude of " + what) && first;
+    }
+    return add(step.argument, formal.type, what);
+  }
+
+  bool add(size_t index, const DeclaredType& type, const std::string& what) {
+    const ast::Argument& argument = arguments_[index];
+    if (argument.of) {
+      scope_.notYet(argument.of->where, "a stretch with `of`");
+      return false;
+    }
+    ExprLowering lowering(scope_);
+    const auto value = lowering.lowerDeclared(*argument.value, type, what);
+    if (!value) {
+      return false;
+    }
+    result_.push_back(value->id);
+    if (type.position) {
+      result_.push_back(value->longitude);
+    }
+    return true;
+  }
+
+  void wrongCount() {
+    const size_t wanted = formals().size();
+    const std::string takes = countOf(wanted);
+    for (const ast::Argument& argument : arguments_) {
+      const auto* difference = std::get_if<ast::Binary>(&argument.value->node);
+      const bool minus = difference != nullptr && difference->op == ast::BinaryOp::Subtract;
+      if (minus && filled_ + 1 == wanted) {
+        auto report = scope_.report(DiagnosticId::missingCommaBeforeMinus, argument.value->where,
+                                    callee_.name, takes, scope_.text(argument.value->where),
+                                    scope_.text(difference->left->where),
+                                    scope_.text(difference->right->where));
+        report.fix(difference->op_where, ", -");
+        noteDeclaration(report, "declared as `" + callee_.signature.text + "`");
+        return;
+      }
+    }
+    auto report = scope_.report(DiagnosticId::wrongArgumentCount, where_, callee_.name, takes,
+                                arguments_.empty() ? "none" : countOf(filled_),
+                                "write `" + callee_.signature.text + "`");
+    noteDeclaration(report, "declared here");
+  }
+
+  void noteDeclaration(support::DiagnosticBuilder& report, const std::string& message) {
+    if (callee_.declared != nullptr) {
+      report.note(callee_.declared->where, message);
+    }
+  }
+
+  const std::vector<ast::Argument>& arguments_;
+  const Callee& callee_;
+  const support::SourceRange& where_;
+  Scope& scope_;
+  std::vector<Step> steps_;
+  size_t filled_ = 0;  ///< arguments, a position for two formals counted twice
+  std::vector<ir::ExprId> result_;
+};
+
+}  // namespace
+
+std::optional<std::vector<ir::ExprId>> lowerArguments(const std::vector<ast::Argument>& arguments,
+                                                      const Callee& callee,
+                                                      const support::SourceRange& where,
+                                                      Scope& scope) {
+  return ArgumentLowering(arguments, callee, where, scope).run();
+}
+
+}  // namespace glider::frontend

@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "frontend/sema/evaluate.h"
+#include "frontend/sema/lower_expr.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace glider::frontend {
+
+using support::DiagnosticId;
+
+namespace {
+
+const Constant* findPath(const ast::Expr& expr, const Scope& scope) {
+  const auto* use = std::get_if<ast::NameUse>(&expr.node);
+  const Constant* found = use == nullptr ? nullptr : scope.findConstant(use->name);
+  return found != nullptr && !found->path.empty() ? found : nullptr;
+}
+
+}  // namespace
+
+bool isPath(const ast::Expr& expr, const Scope& scope) {
+  return std::holds_alternative<ast::List>(expr.node) || findPath(expr, scope) != nullptr;
+}
+
+std::optional<Path> ExprLowering::lowerPath(const ast::Expr& expr) {
+  if (const Constant* constant = findPath(expr, scope_)) {
+    return constant->path;
+  }
+  const auto* list = std::get_if<ast::List>(&expr.node);
+  if (list == nullptr) {
+    scope_.report(DiagnosticId::notAPath, expr.where, scope_.text(expr.where));
+    return std::nullopt;
+  }
+  if (list->items.empty()) {
+    scope_.report(DiagnosticId::emptyPath, expr.where);
+    return std::nullopt;
+  }
+  Path path;
+  bool good = true;
+  for (const ast::Expr& item : list->items) {
+    const auto place = constantPlace(item);
+    good = good && place;
+    path.push_back(place.value_or(Place()));
+  }
+  return good ? std::optional(std::move(path)) : std::nullopt;
+}
+
+std::optional<Place> ExprLowering::constantPlace(const ast::Expr& expr) {
+  const size_t before = scope_.mission.exprs.size();
+  Context context = scope_.context;
+  context.constant = "a path";
+  const Scope::Within within(scope_, context);
+  const auto value = lowerDeclared(expr, {latitude(), true}, "what a path lists");
+  std::optional<Place> place;
+  if (value) {
+    const auto north = evaluate(scope_.mission, value->id);
+    const auto east = evaluate(scope_.mission, value->longitude);
+    if (north && east) {
+      place = {*north, *east};
+    } else {
+      scope_.report(DiagnosticId::notConstant, expr.where, scope_.text(expr.where), "a path");
+    }
+  }
+  scope_.mission.exprs.resize(before);
+  return place;
+}
+
+Value ExprLowering::emitPlace(const Place& place, const support::SourceRange& range) {
+  Value value = emitNumber(place.latitude, latitude(), range);
+  value.longitude = emitNumber(place.longitude, longitude(), range).id;
+  return value;
+}
+
+void ExprLowering::refusePath(const ast::Expr& expr) {
+  scope_.report(DiagnosticId::pathAsValue, expr.where, scope_.text(expr.where));
+}
+
+ExprLowering::Result ExprLowering::visit(const ast::List&, const ast::Expr& expr,
+                                         std::optional<ir::Type>) {
+  refusePath(expr);
+  return std::nullopt;
+}
+
+ExprLowering::Result ExprLowering::countOfPath(const ast::Invocation& node, const ast::Expr& expr) {
+  if (node.arguments.size() != 1) {
+    scope_.report(DiagnosticId::wrongArgumentCount, expr.where, "count", "1 argument",
+                  node.arguments.empty() ? "none" : fmt::format("{}", node.arguments.size()),
+                  "write `count(track)`");
+    return std::nullopt;
+  }
+  const auto path = lowerPath(*node.arguments.front().value);
+  return path ? Result(emitNumber(static_cast<double>(path->size()), plainNumber(), expr.where))
+              : std::nullopt;
+}
+
+ExprLowering::Result ExprLowering::visit(const ast::Index& node, const ast::Expr& expr,
+                                         std::optional<ir::Type>) {
+  const auto path = lowerPath({ast::NameUse{node.list.text}, node.list.where});
+  const auto number =
+      lowerAs(*node.position, plainNumber(), "the number in `" + node.list.text + "[…]`");
+  if (!path || !number) {
+    return std::nullopt;
+  }
+  const auto known = evaluate(scope_.mission, *number);
+  if (!known) {
+    return chosen(*path, {*number, plainNumber(), {}}, expr.where);
+  }
+  if (!(*known >= 0 && *known < static_cast<double>(path->size()) &&
+        *known == std::floor(*known))) {
+    scope_.report(DiagnosticId::outsidePath, node.position->where, node.list.text,
+                  path->size() == 1 ? "1 position" : fmt::format("{} positions", path->size()),
+                  *known);
+    return std::nullopt;
+  }
+  return emitPlace((*path)[static_cast<size_t>(*known)], expr.where);
+}
+
+/// The place whose number `index` is; unknown if it is the number of none. The last choice is
+/// between a place and itself, by a condition that is true or unknown.
+ExprLowering::Result ExprLowering::chosen(const Path& path, const Value& index,
+                                          const support::SourceRange& range) {
+  const auto is = [&](size_t number) {
+    const Value k = emitNumber(static_cast<double>(number), plainNumber(), range);
+    return emit(ir::Op::Equal, boolean(), range, {index.id, k.id}).id;
+  };
+  const Value zero = emitNumber(0, plainNumber(), range);
+  const Value nothing = emit(ir::Op::Divide, plainNumber(), range, {zero.id, zero.id});
+  const Value unknown = emit(ir::Op::Equal, boolean(), range, {nothing.id, zero.id});
+  const Value last = emit(ir::Op::Or, boolean(), range, {is(path.size() - 1), unknown.id});
+  const Value end = emitPlace(path.back(), range);
+  Value result = emit(ir::Op::Select, latitude(), range, {last.id, end.id, end.id});
+  result.longitude =
+      emit(ir::Op::Select, longitude(), range, {last.id, end.longitude, end.longitude}).id;
+  for (size_t k = path.size() - 1; k > 0; --k) {
+    const ir::ExprId here = is(k - 1);
+    const Value place = emitPlace(path[k - 1], range);
+    const ir::ExprId east = result.longitude;
+    result = emit(ir::Op::Select, latitude(), range, {here, place.id, result.id});
+    result.longitude = emit(ir::Op::Select, longitude(), range, {here, place.longitude, east}).id;
+  }
+  return result;
+}
+
+}  // namespace glider::frontend

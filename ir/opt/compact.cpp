@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/opt/compact.h"
+
+#include "ir/opt/references.h"
+
+#include <vector>
+
+namespace glider::ir::opt {
+namespace {
+
+/// What can be reached from the mission's body and variables.
+class Marker {
+ public:
+  explicit Marker(Mission& mission)
+      : exprs(mission.exprs.size()),
+        blocks(mission.blocks.size()),
+        temporals(mission.temporals.size()),
+        mission_(mission) {
+    References references(*this);
+    references.ofBody(mission);
+    for (Variable& variable : mission.variables) {
+      references.of(variable);
+    }
+    while (!pending_exprs_.empty() || !pending_blocks_.empty()) {
+      follow(references);
+    }
+  }
+
+  void operator()(ExprId& id) {
+    if (!exprs[id.index]) {
+      exprs[id.index] = true;
+      pending_exprs_.push_back(id);
+    }
+  }
+  void operator()(BlockId& id) {
+    if (!blocks[id.index]) {
+      blocks[id.index] = true;
+      pending_blocks_.push_back(id);
+    }
+  }
+  void operator()(StateId&) {}
+
+  std::vector<bool> exprs;
+  std::vector<bool> blocks;
+  std::vector<bool> temporals;
+
+ private:
+  void follow(References<Marker>& references) {
+    if (!pending_blocks_.empty()) {
+      Block& block = mission_.blocks[pending_blocks_.back().index];
+      pending_blocks_.pop_back();
+      references.of(block);
+      return;
+    }
+    Expr& expr = mission_.exprs[pending_exprs_.back().index];
+    pending_exprs_.pop_back();
+    for (ExprId& operand : expr.operands) {
+      if (operand.valid()) {
+        (*this)(operand);
+      }
+    }
+    if (expr.temporal.valid() && !temporals[expr.temporal.index]) {
+      temporals[expr.temporal.index] = true;
+      references.of(mission_.temporals[expr.temporal.index]);
+    }
+  }
+
+  Mission& mission_;
+  std::vector<ExprId> pending_exprs_;
+  std::vector<BlockId> pending_blocks_;
+};
+
+/// Keeps the marked elements; returns the new number of each.
+template <typename T>
+std::vector<uint32_t> keep(std::vector<T>& elements, const std::vector<bool>& marked) {
+  std::vector<uint32_t> numbers(elements.size(), UINT32_MAX);
+  uint32_t count = 0;
+  for (size_t i = 0; i < elements.size(); ++i) {
+    if (marked[i]) {
+      numbers[i] = count;
+      if (count != i) {
+        elements[count] = std::move(elements[i]);
+      }
+      ++count;
+    }
+  }
+  elements.resize(count);
+  return numbers;
+}
+
+struct Renumber {
+  std::vector<uint32_t> exprs;
+  std::vector<uint32_t> blocks;
+
+  void operator()(ExprId& id) const { id.index = exprs[id.index]; }
+  void operator()(BlockId& id) const { id.index = blocks[id.index]; }
+  void operator()(StateId&) const {}
+};
+
+}  // namespace
+
+void compact(Mission& mission) {
+  const Marker marked(mission);
+  Renumber renumber{keep(mission.exprs, marked.exprs), keep(mission.blocks, marked.blocks)};
+  const std::vector<uint32_t> temporals = keep(mission.temporals, marked.temporals);
+  for (Expr& expr : mission.exprs) {
+    for (ExprId& operand : expr.operands) {
+      if (operand.valid()) {
+        renumber(operand);
+      }
+    }
+    if (expr.temporal.valid()) {
+      expr.temporal.index = temporals[expr.temporal.index];
+    }
+  }
+  References references(renumber);
+  references.ofBody(mission);
+  for (Block& block : mission.blocks) {
+    references.of(block);
+  }
+  for (Temporal& temporal : mission.temporals) {
+    references.of(temporal);
+  }
+  for (Variable& variable : mission.variables) {
+    references.of(variable);
+  }
+}
+
+}  // namespace glider::ir::opt

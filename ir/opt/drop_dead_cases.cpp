@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/opt/compact.h"
+#include "ir/opt/passes.h"
+
+#include <algorithm>
+
+namespace glider::ir::opt {
+namespace {
+
+/// A case that never fires keeps its number, which the log names, but nothing else; what stands
+/// after one that always fires goes. In `always` a case may be passed over though its guard holds.
+void prune(const Mission& mission, std::vector<Case>& cases, bool may_be_passed_over) {
+  for (Case& c : cases) {
+    if (mission[c.guard].op == Op::False) {
+      c.action = {};
+      c.arguments.clear();
+      c.transition = Transition::Stay;
+      c.target = {};
+    }
+  }
+  const auto always =
+      std::ranges::find_if(cases, [&](const Case& c) { return mission[c.guard].op == Op::True; });
+  if (always != cases.end() && !may_be_passed_over) {
+    cases.erase(always + 1, cases.end());
+  }
+  while (!cases.empty() && mission[cases.back().guard].op == Op::False) {
+    cases.pop_back();
+  }
+}
+
+/// Puts the statements of `if true` and `if false` in the place of the `if`.
+void straighten(Mission& mission, Block& block) {
+  std::vector<Statement> straight;
+  for (Statement& statement : block.statements) {
+    const Op op = statement.kind == StatementKind::If ? mission[statement.value].op : Op::Constant;
+    if (op != Op::True && op != Op::False) {
+      straight.push_back(std::move(statement));
+      continue;
+    }
+    const BlockId taken = op == Op::True ? statement.then : statement.otherwise;
+    if (taken.valid()) {  // stands before this block, so it is straight already
+      const auto& inner = mission[taken].statements;
+      straight.insert(straight.end(), inner.begin(), inner.end());
+    }
+  }
+  block.statements = std::move(straight);
+}
+
+}  // namespace
+
+void dropDeadCases(Mission& mission) {
+  prune(mission, mission.always, true);
+  for (State& state : mission.states) {
+    prune(mission, state.cases, false);
+    prune(mission, state.profile.cases, false);
+    prune(mission, state.route.cases, false);
+  }
+  for (Block& block : mission.blocks) {
+    straighten(mission, block);
+  }
+  compact(mission);
+}
+
+}  // namespace glider::ir::opt

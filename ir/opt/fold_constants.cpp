@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/core/ops.h"
+#include "ir/eval/arithmetic.h"
+#include "ir/opt/passes.h"
+#include "ir/opt/replace.h"
+
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace glider::ir::opt {
+namespace {
+
+/// Folds in the order of the vector, so that operands are folded before their users.
+class Folder {
+ public:
+  explicit Folder(Mission& mission) : m_(mission), by_(mission.exprs.size()) {}
+
+  void run() {
+    for (uint32_t i = 0; i < by_.size(); ++i) {
+      by_[i] = {i};
+      Expr& expr = m_.exprs[i];
+      for (ExprId& operand : expr.operands) {
+        operand = operand.valid() ? by_[operand.index] : operand;
+      }
+      fold({i});
+    }
+    replace(m_, by_);
+  }
+
+ private:
+  [[nodiscard]] const Expr& operand(const Expr& expr, size_t i) const {
+    return m_[expr.operands.at(i)];
+  }
+
+  void fold(ExprId id) {
+    const Expr& expr = m_[id];
+    if (const auto same = sameAs(expr)) {
+      by_[id.index] = *same;
+    } else if (const auto value = truthOf(expr); value && *value != Truth::Unknown) {
+      become(id, *value == Truth::True ? Op::True : Op::False, 0);
+    } else if (const auto number = numberOf(expr); number && isKnown(*number)) {
+      become(id, Op::Constant, *number);
+    }
+  }
+
+  void become(ExprId id, Op op, double number) {
+    Expr& expr = m_.exprs[id.index];
+    expr.op = op;
+    expr.number = number;
+    expr.operands = {};
+  }
+
+  /// The operand that `expr` is the same as.
+  [[nodiscard]] std::optional<ExprId> sameAs(const Expr& expr) const {
+    auto is = [&](size_t i, Op op) { return operand(expr, i).op == op; };
+    if (expr.op == Op::Not && is(0, Op::Not)) {
+      return operand(expr, 0).operands[0];
+    }
+    if (expr.op == Op::And || expr.op == Op::Or) {
+      const Op neutral = expr.op == Op::And ? Op::True : Op::False;
+      const Op ruling = expr.op == Op::And ? Op::False : Op::True;
+      for (size_t i = 0; i < 2; ++i) {
+        if (is(i, neutral)) {
+          return expr.operands.at(1 - i);
+        }
+        if (is(i, ruling)) {
+          return expr.operands.at(i);
+        }
+      }
+      if (expr.operands[0] == expr.operands[1]) {
+        return expr.operands[0];
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// The operands' numbers if all are constants.
+  [[nodiscard]] std::optional<std::array<double, 4>> constants(const Expr& expr) const {
+    std::array<double, 4> numbers{};
+    const uint32_t count = opInfo(expr.op).operands;
+    for (uint32_t i = 0; i < count; ++i) {
+      if (operand(expr, i).op != Op::Constant) {
+        return std::nullopt;
+      }
+      numbers.at(i) = operand(expr, i).number;
+    }
+    return count == 0 ? std::nullopt : std::optional(numbers);
+  }
+
+  [[nodiscard]] std::optional<double> numberOf(const Expr& expr) const {
+    const auto n = constants(expr);
+    if (!n || expr.type.kind == TypeKind::Bool) {
+      return std::nullopt;
+    }
+    switch (expr.op) {
+      case Op::Negate:
+      case Op::Abs:
+      case Op::Sqrt:
+        return unary(expr.op, (*n)[0]);
+      case Op::Add:
+      case Op::Subtract:
+      case Op::Multiply:
+      case Op::Divide:
+      case Op::Min:
+      case Op::Max:
+        return binary(expr.op, (*n)[0], (*n)[1]);
+      case Op::Clamp:
+        return clamp((*n)[0], (*n)[1], (*n)[2]);
+      default:
+        return std::nullopt;
+    }
+  }
+
+  [[nodiscard]] std::optional<Truth> truthOf(const Expr& expr) const {
+    switch (expr.op) {
+      case Op::Not:
+        if (operand(expr, 0).op == Op::True || operand(expr, 0).op == Op::False) {
+          return truth(operand(expr, 0).op == Op::False);
+        }
+        return std::nullopt;
+      case Op::Known:
+        return constants(expr) ? std::optional(Truth::True) : std::nullopt;
+      case Op::Less:
+      case Op::LessEqual:
+      case Op::Greater:
+      case Op::GreaterEqual:
+      case Op::Equal:
+      case Op::NotEqual:
+        if (const auto n = constants(expr)) {
+          return compare(expr.op, (*n)[0], (*n)[1]);
+        }
+        return std::nullopt;
+      default:
+        return std::nullopt;
+    }
+  }
+
+  Mission& m_;
+  std::vector<ExprId> by_;
+};
+
+}  // namespace
+
+void foldConstants(Mission& mission) {
+  Folder(mission).run();
+}
+
+}  // namespace glider::ir::opt

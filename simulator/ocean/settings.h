@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <limits>
+#include <vector>
+
+/// What a scenario may say of the water. Positions are m east and north of the mission's start,
+/// bearings rad clockwise from north, depths m down.
+namespace glider::simulator {
+
+/// m/s, towards east and north.
+struct Current {
+  double east = 0;
+  double north = 0;
+};
+
+/// An internal wave that travels east: lowers the thermocline by
+/// amplitude · sin(2 pi ((t - start)/period - x/wavelength) + phase).
+struct WaveSettings {
+  double amplitude_m = 0;
+  double period_s = 1200;
+  double wavelength_m = 0;  ///< 0: the same everywhere
+  double phase_rad = 0;
+  double start_s = 0;
+  double count = 0;  ///< how many waves pass; 0: they never end, nor have a beginning
+};
+
+/// A front: beyond it, along the bearing, the water is warmer by the step at every depth.
+struct FrontSettings {
+  double x = 0, y = 0;  ///< a place on it
+  double bearing_rad = 0;
+  double width_m = 500;  ///< scale of the tanh
+  double step_degC = 0;  ///< 0: no front
+};
+
+/// Water rich in chlorophyll: peak · exp(-(r/radius)² - ((z - depth)/thickness)²).
+struct Patch {
+  double x = 0, y = 0;
+  double radius_m = 0;
+  double depth_m = 0;
+  double thickness_m = 0;
+  double peak_ugpl = 0;
+};
+
+/// A hill on the bottom: height · exp(-(r/radius)²).
+struct Seamount {
+  double x = 0, y = 0;
+  double radius_m = 0;
+  double height_m = 0;
+};
+
+struct BottomSettings {
+  double depth_m = 60;  ///< at the start, between the waves' crests and troughs
+  double wave_height_m = 0;
+  double wave_length_m = 1000;
+  double slope = 0;              ///< m of depth per m along the bearing
+  double slope_bearing_rad = 0;  ///< towards deeper water
+  std::vector<Seamount> seamounts = {};
+};
+
+struct OceanSettings {
+  double surface_temperature = 20;  ///< degC
+  double bottom_temperature = 10;   ///< degC
+  double thermocline_depth_m = 15;
+  double thermocline_thickness_m = 3;  ///< scale d of the tanh
+  WaveSettings wave;
+  FrontSettings front;
+  double density = 1025;   ///< kg/m3, the same everywhere
+  Current current;         ///< at the surface
+  Current bottom_current;  ///< at the bottom; straight between the two
+  BottomSettings bottom;
+  /// ug/L outside all patches; NaN: the vehicle carries no fluorometer.
+  double chlorophyll_ugpl = std::numeric_limits<double>::quiet_NaN();
+  std::vector<Patch> patches;
+  /// µM above and below the thermocline; NaN: the vehicle carries no optode.
+  double surface_oxygen_uM = std::numeric_limits<double>::quiet_NaN();
+  double bottom_oxygen_uM = std::numeric_limits<double>::quiet_NaN();
+};
+
+}  // namespace glider::simulator

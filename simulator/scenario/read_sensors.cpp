@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "simulator/scenario/read_sensors.h"
+
+namespace glider::simulator {
+namespace {
+
+void readStaleClimbs(Fields& f, StaleClimbs& stale) {
+  stale.on = f.reader().flagOr("stale_climb", false);
+  for (const char* key :
+       {"stale_climb_s", "stale_climb_flush_s", "stale_climb_after_s", "stale_climb_count"}) {
+    if (f.has(key) && !stale.on) {
+      f.reader().refuse(key, "means nothing without `stale_climb = true`");
+    }
+  }
+  f.number("stale_climb_s", stale.frozen_s, 0, 1e6);
+  f.number("stale_climb_flush_s", stale.flush_s, 0, 1e4);
+  f.number("stale_climb_after_s", stale.after_s, 0, 1e7);
+  f.number("stale_climb_count", stale.count, 0, 1e6);
+}
+
+void readCtd(Fields& f, bool noise_given, CtdSettings& ctd) {
+  f.reader().only({"noise_degC", "repeat_fraction", "late_s", "non_monotonic_m", "stale_climb",
+                   "stale_climb_s", "stale_climb_flush_s", "stale_climb_after_s",
+                   "stale_climb_count"});
+  if (f.has("noise_degC") && noise_given) {
+    f.reader().refuse("noise_degC", "says again what `temperature_degC` of [sensors] says");
+  }
+  f.number("noise_degC", ctd.noise_degC, 0, 10);
+  f.number("repeat_fraction", ctd.repeat_fraction, 0, 1);
+  f.number("late_s", ctd.late_s, 0, 600);
+  f.number("non_monotonic_m", ctd.non_monotonic_m, 0, 100);
+  readStaleClimbs(f, ctd.stale_climbs);
+}
+
+StaleWater readStaleWater(Fields& f) {
+  f.reader().only({"from_s", "to_s"});
+  const StaleWater stale{f.reader().number("from_s"), f.reader().number("to_s")};
+  if (!(stale.from_s < stale.to_s)) {
+    f.reader().refuse("to_s", "must be after `from_s`");
+  }
+  return stale;
+}
+
+}  // namespace
+
+void readSensors(ScenarioTables& tables, Scenario& scenario) {
+  SensorSettings& s = scenario.sensors;
+  bool noise_given = false;
+  tables.table("sensors", [&](Fields& f) {
+    f.reader().only({"depth_m", "pitch_rad", "heading_rad", "altitude_m", "gps_m",
+                     "temperature_degC", "chlorophyll_ugpl", "oxygen_uM", "ctd_dropout",
+                     "stale_water", "ctd", "altimeter"});
+    noise_given = f.has("temperature_degC");
+    f.number("depth_m", s.depth_m, 0, 10);
+    f.number("pitch_rad", s.pitch_rad, 0, 1);
+    f.number("heading_rad", s.heading_rad, 0, 1);
+    f.number("altitude_m", s.altimeter.noise_m, 0, 100);
+    f.number("gps_m", s.gps_m, 0, 10000);
+    f.number("temperature_degC", s.ctd.noise_degC, 0, 10);
+    f.number("chlorophyll_ugpl", s.chlorophyll_ugpl, 0, 100);
+    f.number("oxygen_uM", s.oxygen_uM, 0, 1000);
+    f.number("ctd_dropout", s.ctd.dropout, 0, 1);
+  });
+  tables.each("sensors", "stale_water",
+              [&](Fields& f) { s.ctd.stale_water.push_back(readStaleWater(f)); });
+  tables.part("sensors", "ctd", [&](Fields& f) { readCtd(f, noise_given, s.ctd); });
+  tables.part("sensors", "altimeter", [&](Fields& f) {
+    f.reader().only({"range_m", "dropout"});
+    f.number("range_m", s.altimeter.range_m, 2, 100);
+    f.number("dropout", s.altimeter.dropout, 0, 1);
+  });
+  scenario.altimeter_given = tables.has("sensors", "altimeter");
+}
+
+}  // namespace glider::simulator

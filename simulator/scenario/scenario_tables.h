@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "platforms/load/toml_reader.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace glider::simulator {
+
+/// One table of a scenario file: number fields with bounds beside what TomlReader reads.
+class Fields {
+ public:
+  Fields(const std::string& file, const toml::table& table, const std::string& where)
+      : table_(table), reader_(file, table, where) {}
+
+  /// Puts the number `key`, if it is there, into `into`; one outside lowest…highest is refused.
+  void number(const char* key, double& into, double lowest, double highest);
+  /// The same for a number that must be there.
+  double required(const char* key, double lowest, double highest);
+  /// A bearing in degrees clockwise from north, as rad.
+  void bearing(const char* key, double& into);
+  [[nodiscard]] bool has(const char* key) const { return table_.contains(key); }
+  platforms::TomlReader& reader() { return reader_; }
+
+ private:
+  const toml::table& table_;
+  platforms::TomlReader reader_;
+};
+
+/// A scenario file while it is read. Tables that are left out read as empty; the first failure is
+/// kept.
+class ScenarioTables {
+ public:
+  using Read = std::function<void(Fields&)>;
+
+  ScenarioTables(std::string file, const toml::table& root) : file_(std::move(file)), root_(root) {}
+
+  [[nodiscard]] const std::string& file() const { return file_; }
+  [[nodiscard]] const toml::table& root() const { return root_; }
+  [[nodiscard]] bool has(const char* table, const char* part) const {
+    return static_cast<bool>(root_[table][part]);
+  }
+  /// Reads what is not in a table.
+  void head(const Read& read);
+  /// Reads [table].
+  void table(const char* table, const Read& read);
+  /// Reads [table.part].
+  void part(const char* table, const char* part, const Read& read);
+  /// Reads each [[table.part]].
+  void each(const char* table, const char* part, const Read& read);
+  [[nodiscard]] const std::optional<support::Failure>& failure() const { return failure_; }
+
+ private:
+  void read(const toml::table& table, const std::string& where, const Read& read);
+  void refuse(const char* table, const char* part, const char* why);
+
+  std::string file_;
+  const toml::table& root_;
+  std::optional<support::Failure> failure_;
+};
+
+}  // namespace glider::simulator

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "simulator/sensors/ctd.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace glider::simulator {
+
+constexpr double kPeriod = 1;  // s between readings
+
+Ctd::Ctd(uint64_t seed, const CtdSettings& settings)
+    : settings_(settings),
+      temperature_noise_(seed, static_cast<uint32_t>(NoiseStream::Temperature)),
+      dropout_(seed, static_cast<uint32_t>(NoiseStream::CtdDropout)),
+      depth_noise_(seed, static_cast<uint32_t>(NoiseStream::CtdDepth)),
+      repeat_(seed, static_cast<uint32_t>(NoiseStream::CtdRepeat)) {}
+
+void Ctd::noteClimb(double depth_m, double now_s) {
+  const StaleClimbs& stale = settings_.stale_climbs;
+  const bool was_climbing = turns_.climbing();
+  turns_.note(depth_m, now_s);
+  if (turns_.climbing() && !was_climbing) {
+    stale_climb_ =
+        stale.on && now_s >= stale.after_s && (stale.count == 0 || stale_climbs_ < stale.count);
+    stale_climbs_ += stale_climb_ ? 1 : 0;
+  }
+  stale_climb_ = stale_climb_ && turns_.climbing();
+}
+
+double Ctd::renewed(double now_s) const {
+  const auto holds = [now_s](const StaleWater& s) { return now_s >= s.from_s && now_s < s.to_s; };
+  if (std::ranges::any_of(settings_.stale_water, holds)) {
+    return 0;
+  }
+  if (!stale_climb_) {
+    return 1;
+  }
+  const StaleClimbs& stale = settings_.stale_climbs;
+  if (now_s - turns_.since() < stale.frozen_s) {
+    return 0;
+  }
+  return stale.flush_s > 0 ? 1 - std::exp(-kPeriod / stale.flush_s) : 1;
+}
+
+void Ctd::flush(double outside_degC, double depth_m, double now_s) {
+  noteClimb(depth_m, now_s);
+  const double share = renewed(now_s);
+  if (share == 1 || std::isnan(in_duct_)) {
+    in_duct_ = outside_degC;
+  } else {
+    in_duct_ += (outside_degC - in_duct_) * share;
+  }
+}
+
+std::optional<Ctd::Reading> Ctd::due(double now_s) {
+  std::optional<Reading> newest;
+  while (!on_their_way_.empty() && on_their_way_.front().time_s + settings_.late_s <= now_s) {
+    newest = on_their_way_.front().reading;
+    on_their_way_.pop_front();
+  }
+  return newest;
+}
+
+std::optional<Ctd::Reading> Ctd::read(const Water& water, double depth_m, double now_s) {
+  const double noise = temperature_noise_.normal(settings_.noise_degC);
+  const double off = depth_noise_.normal(settings_.non_monotonic_m);
+  const bool lost = dropout_.uniform() < settings_.dropout;
+  const bool repeated = repeat_.uniform() < settings_.repeat_fraction;
+  flush(water(std::max(0.0, depth_m + off)), depth_m, now_s);
+  if (!lost) {
+    on_their_way_.push_back({now_s, {in_duct_ + noise, depth_m, settings_.conductivity}});
+  }
+  const std::optional<Reading> now = due(now_s);
+  if (!now || !repeated || !given_) {
+    given_ = now ? now : given_;
+    return now;
+  }
+  return given_;
+}
+
+}  // namespace glider::simulator

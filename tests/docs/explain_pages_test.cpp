@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// The pages of `glidercc explain`: what a page refuses is refused for that reason only, and what it
+// repairs is fine and laid out as `glidercc fmt` would.
+
+#include "frontend/format/format.h"
+#include "ir/verify/verify.h"
+#include "tests/docs/examples.h"
+#include "tests/unit/frontend/compile.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+namespace glider::tests {
+namespace {
+
+using frontend::testing_support::FrontendRun;
+using support::DiagnosticId;
+
+/// Mistakes that no page can show: they are about bytes and sizes.
+const std::set<DiagnosticId> kNotShown = {
+    DiagnosticId::notUtf8,           DiagnosticId::nulByte,      DiagnosticId::utf16,
+    DiagnosticId::nestedTooDeep,     DiagnosticId::fileTooLarge, DiagnosticId::tooManyMistakes,
+    DiagnosticId::expressionTooLong, DiagnosticId::notYet};
+/// Their repair needs a second file.
+const std::set<DiagnosticId> kNotRepaired = {DiagnosticId::openString};
+
+bool aboutMissions(DiagnosticId id) {
+  const auto number = static_cast<int>(id);
+  return number < 1800 || (number >= 2000 && number < 4000);
+}
+
+std::vector<std::string> idsOf(const std::string& text, std::string& said) {
+  FrontendRun run(text);
+  if (const auto mission = run.compile(); mission && !run.diagnostics.hasErrors()) {
+    ir::verify(*mission, run.diagnostics);
+  }
+  said = run.said();
+  std::vector<std::string> ids;
+  for (const support::Diagnostic& d : run.diagnostics.sorted()) {
+    ids.push_back(support::code(d.id));
+  }
+  return ids;
+}
+
+void expectFine(const Example& example) {
+  std::string said;
+  EXPECT_TRUE(idsOf(example.text, said).empty()) << said;
+  FrontendRun run(example.text);
+  EXPECT_EQ(frontend::format(run.sources, run.file, run.diagnostics), example.text);
+}
+
+TEST(ExplainPages, SayWhatIsTrue) {
+  const std::filesystem::path folder = GLIDER_SOURCE_DIR "/support/diagnostics/explain";
+  for (const support::CatalogueRow& row : support::catalogue()) {
+    const std::string code = support::code(row.id);
+    SCOPED_TRACE(code + " " + std::string(row.slug));
+    const auto page = folder / (code + ".md");
+    ASSERT_TRUE(std::filesystem::exists(page));
+    size_t refused = 0;
+    size_t repaired = 0;
+    for (const Example& example : examplesOf(page)) {
+      if (example.expected.empty()) {
+        ++repaired;
+        expectFine(example);
+        continue;
+      }
+      ++refused;
+      EXPECT_EQ(example.expected, code);
+      std::string said;
+      const auto ids = idsOf(example.text, said);
+      EXPECT_NE(std::ranges::find(ids, code), ids.end()) << said;
+    }
+    const bool shown = aboutMissions(row.id) && !kNotShown.contains(row.id);
+    EXPECT_EQ(refused, shown ? 1U : 0U);
+    EXPECT_EQ(repaired, shown && !kNotRepaired.contains(row.id) ? 1U : 0U);
+  }
+}
+
+}  // namespace
+}  // namespace glider::tests

@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Missions in the language, flown in the shipped worlds: the disturbances of the paper's two
+// deployments, and what their sensors let a mission react to.
+
+#include "tests/flights/flight.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace glider::tests {
+namespace {
+
+std::string world(const std::string& name) {
+  return " --scenario " + project("scenarios/" + name + ".toml");
+}
+
+/// Flies a yo to the east until `guard` and then gives back; 3000 s at most.
+Flight flyUntil(const std::string& guard, const std::string& name, int bottom_m = 25) {
+  const TemporaryFolder folder;
+  const auto mission = folder.write("until.mission",
+                                    "mission until\n"
+                                    "state a\nbegin\n  flightroute heading(90 deg)\n"
+                                    "  flightprofile yo(5 m, " +
+                                        std::to_string(bottom_m) +
+                                        " m, 26 deg, 26 deg)\n"
+                                        "  sensors missiontime, depth, temp, chlorophyll, oxygen, "
+                                        "altitude, battery\n"
+                                        "  events\n    case " +
+                                        guard +
+                                        " exit\n"
+                                        "    case missiontime >= 3000 s exit\nend\n");
+  Flight flight = fly(mission.string() + world(name));
+  EXPECT_EQ(flight.outcome.status, 0) << flight.outcome.err;
+  return flight;
+}
+
+/// The one transition of `flight`; its guard must be the one that was asked for.
+Event endOf(const Flight& flight, const std::string& guard) {
+  const auto transitions = flight.transitions();
+  EXPECT_EQ(transitions.size(), 1U);
+  const Event end = transitions.empty() ? Event{} : transitions.back();
+  EXPECT_NE(end.why.find(guard), std::string::npos) << end.why;
+  return end;
+}
+
+double valueAt(const Flight& flight, const std::string& column, double time_s) {
+  const auto times = flight.column("time");
+  const auto values = flight.column(column);
+  double value = NAN;
+  for (size_t i = 0; i < times.size() && times[i] <= time_s; ++i) {
+    value = values[i];
+  }
+  return value;
+}
+
+/// Of the ticks under control after the range was first narrowed, how many hold the isotherm.
+double shareTracked(const Flight& flight) {
+  const auto active = flight.column("hook_active");
+  const auto top = flight.column("order_top");
+  const auto bottom = flight.column("order_bottom");
+  const auto isotherm = flight.column("isotherm_depth");
+  bool detected = false;
+  int ticks = 0, inside = 0;
+  for (size_t i = 0; i < active.size(); ++i) {
+    detected = detected || (active[i] == 1 && bottom[i] - top[i] <= 12);
+    if (detected && active[i] == 1) {
+      ++ticks;
+      inside += top[i] <= isotherm[i] && isotherm[i] <= bottom[i] ? 1 : 0;
+    }
+  }
+  return ticks > 0 ? static_cast<double>(inside) / ticks : 0;
+}
+
+TEST(Worlds, FirstDeploymentIsTrackedDespiteItsReadings) {
+  const Flight flight = fly(project("missions/figure5.mission") + world("first_deployment"));
+  ASSERT_EQ(flight.outcome.status, 0) << flight.outcome.err;
+  EXPECT_GT(shareTracked(flight), 0.9);
+}
+
+TEST(Worlds, Figure6IsTrackedDespiteItsLostClimb) {
+  const Flight flight = fly(project("missions/figure5.mission") + world("figure6"));
+  ASSERT_EQ(flight.outcome.status, 0) << flight.outcome.err;
+  EXPECT_GT(shareTracked(flight), 0.9);
+  // The climb is lost: the CTD goes on reading the deep water above the thermocline, once.
+  const auto time = flight.column("time");
+  const auto depth = flight.column("true_depth");
+  const auto read = flight.column("sci_water_temp");
+  int lost = 0;
+  bool stale = false;
+  for (size_t i = 1; i < time.size(); ++i) {
+    const bool now_stale = depth[i] < 10 && read[i] < 14;
+    if (now_stale && !stale) {
+      ++lost;
+      EXPECT_NEAR(time[i], 700, 100);
+    }
+    stale = now_stale;
+  }
+  EXPECT_EQ(lost, 1);
+}
+
+TEST(Worlds, BloomIsFound) {
+  const Flight flight = flyUntil("chlorophyll > 4", "bloom", 20);
+  const Event end = endOf(flight, "chlorophyll > 4");
+  EXPECT_NEAR(valueAt(flight, "true_x", end.time_s), 400, 200);
+}
+
+TEST(Worlds, OxygenFallsBelowTheThermocline) {
+  const Flight flight = flyUntil("oxygen < 200", "bloom", 20);
+  EXPECT_GT(valueAt(flight, "true_depth", endOf(flight, "oxygen < 200").time_s), 14);
+}
+
+TEST(Worlds, SeamountIsHeard) {
+  const Flight flight = flyUntil("altitude < 12 m", "shelf_slope", 20);
+  const Event end = endOf(flight, "altitude < 12");
+  EXPECT_NEAR(valueAt(flight, "true_x", end.time_s), 600, 250);
+}
+
+TEST(Worlds, BatteryRunsLow) {
+  const Flight flight = flyUntil("battery < 11 V", "low_battery");
+  EXPECT_NEAR(endOf(flight, "battery < 11").time_s, 1800, 600);
+}
+
+TEST(Worlds, FrontIsCrossed) {
+  const Flight flight = flyUntil("depth < 8 m && temp < 18 degC", "front");
+  EXPECT_NEAR(valueAt(flight, "true_x", endOf(flight, "temp < 18").time_s), 720, 200);
+}
+
+}  // namespace
+}  // namespace glider::tests

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// How the report page writes numbers: src/format.ts by itself, without a browser.
+
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { createRequire } from "node:module";
+
+const page = new URL("../../report/page/", import.meta.url);
+const { buildSync } = createRequire(new URL("build.mjs", page))("esbuild");
+const bundled = buildSync({
+  entryPoints: [new URL("src/format.ts", page).pathname], bundle: true, format: "esm", write: false,
+});
+const text = bundled.outputFiles[0].text;
+const { digitsFor, fixed } = await import(`data:text/javascript,${encodeURIComponent(text)}`);
+
+test("an axis shows each of its steps without rounding", () => {
+  const cases = [[1, 0], [2, 0], [10, 0], [250, 0], [2.5, 1], [0.5, 1], [0.2, 1], [0.25, 2], [0.1, 1], [0.025, 3], [0.001, 3]];
+  for (const [step, digits] of cases) {
+    assert.equal(digitsFor(step), digits, `step ${step}`);
+  }
+  assert.deepEqual([0, 2.5, 5, 7.5].map((v) => fixed(v, digitsFor(2.5))), ["0.0", "2.5", "5.0", "7.5"]);
+});
+
+test("a step that is none ends", () => {
+  for (const step of [0, NaN, Infinity, 1 / 3]) {
+    assert.ok(digitsFor(step) <= 9);
+  }
+});

@@ -51,8 +51,7 @@ Result<Unit> lower(const ir::Mission& mission, const ir::MissionFacts& facts, co
   }
   llvm::LLVMContext scratch;  // the module's own is to hold each type once
   const uint64_t bytes =
-      contextBytes(mission, facts, index, unit.machine->createDataLayout(),
-                   makeAbiTypes(scratch));
+      contextBytes(mission, facts, index, unit.machine->createDataLayout(), makeAbiTypes(scratch));
   if (bytes > kMostContextBytes) {
     return support::fail(DiagnosticId::missionTooLarge, bytes, kMostContextBytes);
   }

@@ -16,8 +16,9 @@ using support::DiagnosticId;
 
 void addLaunchOptions(CLI::App& command, LaunchChoice& choice) {
   command
-      .add_option("--set", choice.settings,
-                  "Give a parameter of the mission a value, as in --set bottom=20m; may be repeated")
+      .add_option(
+          "--set", choice.settings,
+          "Give a parameter of the mission a value, as in --set bottom=20m; may be repeated")
       ->option_text("NAME=VALUE")
       ->take_all()
       ->allow_extra_args(false);

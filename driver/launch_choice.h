@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include "driver/compilation.h"
 #include "codegen/load/loaded_mission.h"
+#include "driver/compilation.h"
 #include "support/result.h"
 
 #include <string>

@@ -90,10 +90,10 @@ support::Result<std::string> describe(const Compilation& compilation, const Laun
   }
   std::vector<Row> rows{{"name", "type", "default", "range", "set to"}};
   for (size_t i = 0; i < values->size(); ++i) {
-    rows.push_back(
-        rowOf(compilation.mission->variables[i], mission.parameters[i], values->at(i)));
+    rows.push_back(rowOf(compilation.mission->variables[i], mission.parameters[i], values->at(i)));
   }
-  if (std::ranges::all_of(rows.begin() + 1, rows.end(), [](const Row& row) { return row[4].empty(); })) {
+  if (std::ranges::all_of(rows.begin() + 1, rows.end(),
+                          [](const Row& row) { return row[4].empty(); })) {
     rows.front()[4].clear();
   }
   return table(rows);

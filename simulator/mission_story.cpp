@@ -69,7 +69,8 @@ void MissionStory::transition(double now_s, const hooks::HookprogEvent& event,
       std::isfinite(origin_s_) ? std::min(now_s, origin_s_ + event.mission_time_s) : now_s;
   const char* kind = event.a < kTransitions.size() ? kTransitions[event.a] : "?";
   const std::string to = event.a == kExit ? "end" : stateName(event.c);
-  const std::string interrupt = event.e == kAlways ? fmt::format(", always case {}", event.d + 1) : "";
+  const std::string interrupt =
+      event.e == kAlways ? fmt::format(", always case {}", event.d + 1) : "";
   journal.add(time, "transition",
               fmt::format("{} → {} ({}{})", stateName(event.b), to, kind, interrupt),
               why(event, science, flight));
@@ -80,7 +81,8 @@ void MissionStory::note(double now_s, const hooks::HookprogEvent& event, Journal
   const double time =
       std::isfinite(origin_s_) ? std::min(now_s, origin_s_ + event.mission_time_s) : now_s;
   if (event.a == kUnknownSet) {
-    journal.add(time, "log", fmt::format("{} keeps its value", event.text), "the new one is unknown");
+    journal.add(time, "log", fmt::format("{} keeps its value", event.text),
+                "the new one is unknown");
   } else {
     journal.add(time, "log", event.text);
   }

@@ -55,8 +55,7 @@ llvm::Value* loadField(llvm::IRBuilder<>& builder, llvm::StructType* type, llvm:
 llvm::Constant* text(Lowering& lowering, const std::string& text) {
   llvm::Constant*& found = lowering.texts[text];
   if (found == nullptr) {
-    llvm::Constant* bytes =
-        llvm::ConstantDataArray::getString(lowering.module.getContext(), text);
+    llvm::Constant* bytes = llvm::ConstantDataArray::getString(lowering.module.getContext(), text);
     auto* variable = new llvm::GlobalVariable(lowering.module, bytes->getType(), true,
                                               llvm::GlobalValue::PrivateLinkage, bytes, "text");
     variable->setUnnamedAddr(llvm::GlobalValue::UnnamedAddr::Global);

@@ -190,8 +190,8 @@ Value* Expressions::placeOf(ir::VariableId id) {
 }
 
 Value* Expressions::temporalSlot(uint32_t slot) {
-  return builder_.CreateConstInBoundsGEP1_32(
-      builder_.getDoubleTy(), contextField(field::GliderContext::temporals), slot);
+  return builder_.CreateConstInBoundsGEP1_32(builder_.getDoubleTy(),
+                                             contextField(field::GliderContext::temporals), slot);
 }
 
 Value* Expressions::timeSince(Value* then) {

@@ -41,8 +41,8 @@ llvm::Function* lowerGuards(Lowering& lowering) {
         return lowerList(lowering, state.cases, "guards." + state.name, state.name + " events",
                          state.range);
       });
-  llvm::Function* always = lowerList(lowering, mission.always, "guards.always", "always",
-                                     mission.states.front().range);
+  llvm::Function* always =
+      lowerList(lowering, mission.always, "guards.always", "always", mission.states.front().range);
   Body body(lowering, "guards", Body::Result::Word, 2);
   callListOrState(body, always, functions);
   return body.function;

@@ -10,8 +10,8 @@ llvm::Function* lowerState(Lowering& lowering, const ir::State& state) {
   Body body(lowering, "log." + state.name, Body::Result::Number, 1);
   llvm::IRBuilder<>& builder = body.builder;
   llvm::BasicBlock* none = body.block("none");
-  llvm::SwitchInst* choice = builder.CreateSwitch(body.function->getArg(1), none,
-                                                  static_cast<unsigned>(state.log.size()));
+  llvm::SwitchInst* choice =
+      builder.CreateSwitch(body.function->getArg(1), none, static_cast<unsigned>(state.log.size()));
   builder.SetInsertPoint(none);
   builder.CreateRet(llvm::ConstantFP::getNaN(builder.getDoubleTy()));
   for (uint32_t i = 0; i < state.log.size(); ++i) {

@@ -33,7 +33,10 @@ std::unique_ptr<llvm::Module> lowerMission(const ir::Mission& mission,
   module->setTargetTriple(machine.getTargetTriple().str());
   module->setDataLayout(machine.createDataLayout());
   setRelocation(*module, machine);
-  Lowering lowering{mission, facts, *module, makeAbiTypes(context),
+  Lowering lowering{mission,
+                    facts,
+                    *module,
+                    makeAbiTypes(context),
                     DebugInfo(*module, sources, mission.states.front().range),
                     indexMission(mission)};
   MissionFunctions functions;

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "codegen/lower/expressions.h"
-
 #include "support/check.h"
 
 #include <llvm/IR/Intrinsics.h>
@@ -33,8 +32,9 @@ Value* Expressions::arithmetic(const ir::Expr& expr) {
       return clamp(operand(0), operand(1), operand(2));
     case Op::Select: {
       const Lowered& condition = made_.at(expr.operands[0].index);
-      return builder_.CreateSelect(condition.value, operand(1),
-                                   builder_.CreateSelect(condition.is_false, operand(2), unknown()));
+      return builder_.CreateSelect(
+          condition.value, operand(1),
+          builder_.CreateSelect(condition.is_false, operand(2), unknown()));
     }
     case Op::Min:
     case Op::Max:

@@ -51,20 +51,20 @@ void lowerSet(Body& body, const ir::Statement& statement) {
 llvm::Value* noteValues(Body& body, size_t count) {
   llvm::BasicBlock& entry = body.function->getEntryBlock();
   llvm::IRBuilder<> builder(&entry, entry.begin());
-  return builder.CreateAlloca(llvm::ArrayType::get(builder.getDoubleTy(), count), nullptr, "values");
+  return builder.CreateAlloca(llvm::ArrayType::get(builder.getDoubleTy(), count), nullptr,
+                              "values");
 }
 
 void lowerLog(Body& body, const ir::Statement& statement) {
   llvm::IRBuilder<>& builder = body.builder;
   const size_t count = statement.values.size();
-  llvm::Value* values = count == 0
-                            ? static_cast<llvm::Value*>(
-                                  llvm::ConstantPointerNull::get(builder.getPtrTy()))
-                            : noteValues(body, count);
+  llvm::Value* values =
+      count == 0 ? static_cast<llvm::Value*>(llvm::ConstantPointerNull::get(builder.getPtrTy()))
+                 : noteValues(body, count);
   for (size_t i = 0; i < count; ++i) {
     llvm::Value* value = body.expressions.asNumber(statement.values[i]);
-    builder.CreateStore(value, builder.CreateConstInBoundsGEP1_32(
-                                   builder.getDoubleTy(), values, static_cast<unsigned>(i)));
+    builder.CreateStore(value, builder.CreateConstInBoundsGEP1_32(builder.getDoubleTy(), values,
+                                                                  static_cast<unsigned>(i)));
   }
   lowerNote(body, kGliderNoteLog, statement.text, values, count);
 }
@@ -156,11 +156,10 @@ class Blocks {
     llvm::Value* is_false = body_.expressions.isFalse(statement.value);
     const Expressions::Mark mark = body_.expressions.mark();
     llvm::BasicBlock* then = body_.block("then");
+    llvm::BasicBlock* not_true = statement.otherwise.valid() ? body_.block("not_true") : nullptr;
+    llvm::BasicBlock* otherwise = not_true != nullptr ? body_.block("otherwise") : nullptr;
     llvm::BasicBlock* end = body_.block("end");
-    llvm::BasicBlock* otherwise = end;
-    if (statement.otherwise.valid()) {
-      otherwise = body_.block("otherwise");
-      llvm::BasicBlock* not_true = body_.block("not_true");
+    if (not_true != nullptr) {
       builder.CreateCondBr(is_true, then, not_true);
       builder.SetInsertPoint(not_true);
       builder.CreateCondBr(is_false, otherwise, end);
@@ -169,7 +168,7 @@ class Blocks {
     } else {
       builder.CreateCondBr(is_true, then, end);
     }
-    todo_.push_back({.join = end, .at = otherwise, .mark = mark});
+    todo_.push_back({.join = end, .at = not_true != nullptr ? otherwise : end, .mark = mark});
     open(statement.then);
     builder.SetInsertPoint(then);
   }

@@ -86,10 +86,10 @@ llvm::Constant* Tables::parameters() {
     const double value = initial.op == ir::Op::Constant ? initial.number
                          : initial.op == ir::Op::True   ? 1.0
                                                         : 0.0;
-    rows.push_back(llvm::ConstantStruct::get(
-        lowering_.types.GliderParameterInfo,
-        {text(parameter.name), number(value), number(parameter.lowest), number(parameter.highest),
-         text(unitFactors(parameter.type))}));
+    rows.push_back(
+        llvm::ConstantStruct::get(lowering_.types.GliderParameterInfo,
+                                  {text(parameter.name), number(value), number(parameter.lowest),
+                                   number(parameter.highest), text(unitFactors(parameter.type))}));
   }
   return array(lowering_.types.GliderParameterInfo, rows, "parameters");
 }
@@ -116,10 +116,10 @@ llvm::Constant* Tables::log(const ir::State& state) {
 llvm::Constant* Tables::states() {
   std::vector<llvm::Constant*> rows;
   for (const ir::State& state : lowering_.mission.states) {
-    rows.push_back(llvm::ConstantStruct::get(lowering_.types.GliderStateInfo,
-                                             {text(state.name), cases(state.cases, state.name),
-                                              log(state),
-                                              word(state.cases.size()), word(state.log.size())}));
+    rows.push_back(
+        llvm::ConstantStruct::get(lowering_.types.GliderStateInfo,
+                                  {text(state.name), cases(state.cases, state.name), log(state),
+                                   word(state.cases.size()), word(state.log.size())}));
   }
   return array(lowering_.types.GliderStateInfo, rows, "states");
 }
@@ -127,15 +127,30 @@ llvm::Constant* Tables::states() {
 llvm::Constant* Tables::mission(const MissionFunctions& functions) {
   const ir::Mission& mission = lowering_.mission;
   const MissionIndex& index = lowering_.index;
-  return llvm::ConstantStruct::get(
-      lowering_.types.GliderMission,
-      {word(GLIDER_ABI_VERSION), word(mission.states.size()), word(mission.sensors.size()),
-       word(lowering_.facts.stack_depth), word(index.memory_count), word(mission.variables.size()),
-       word(index.slot_count), word(index.parameter_count), word(mission.always.size()),
-       word(bytesOf(lowering_)), text(mission.name), states(), sensors(),
-       cases(mission.always, "always"), parameters(), functions.begin, functions.advance,
-       functions.guards, functions.act, functions.enter, functions.fly, functions.condition,
-       functions.log_value});
+  return llvm::ConstantStruct::get(lowering_.types.GliderMission,
+                                   {word(GLIDER_ABI_VERSION),
+                                    word(mission.states.size()),
+                                    word(mission.sensors.size()),
+                                    word(lowering_.facts.stack_depth),
+                                    word(index.memory_count),
+                                    word(mission.variables.size()),
+                                    word(index.slot_count),
+                                    word(index.parameter_count),
+                                    word(mission.always.size()),
+                                    word(bytesOf(lowering_)),
+                                    text(mission.name),
+                                    states(),
+                                    sensors(),
+                                    cases(mission.always, "always"),
+                                    parameters(),
+                                    functions.begin,
+                                    functions.advance,
+                                    functions.guards,
+                                    functions.act,
+                                    functions.enter,
+                                    functions.fly,
+                                    functions.condition,
+                                    functions.log_value});
 }
 
 }  // namespace
@@ -145,9 +160,8 @@ void lowerTables(Lowering& lowering, const MissionFunctions& functions) {
   new llvm::GlobalVariable(module, lowering.types.GliderMission, true,
                            llvm::GlobalValue::ExternalLinkage, Tables(lowering).mission(functions),
                            "gliderMission");
-  auto* memory_type = llvm::ArrayType::get(
-      llvm::Type::getInt8Ty(module.getContext()),
-      bytesOf(lowering));
+  auto* memory_type =
+      llvm::ArrayType::get(llvm::Type::getInt8Ty(module.getContext()), bytesOf(lowering));
   auto* memory = new llvm::GlobalVariable(
       module, memory_type, false, llvm::GlobalValue::ExternalLinkage,
       llvm::ConstantAggregateZero::get(memory_type), "gliderContextMemory");

@@ -52,8 +52,7 @@ class Guards {
       since = builder_.CreateSelect(turned, now, load(kSince));
     }
     store(kSince, since);
-    Value* long_enough =
-        builder_.CreateFCmpOGE(body_.expressions.timeSince(since), duration);
+    Value* long_enough = builder_.CreateFCmpOGE(body_.expressions.timeSince(since), duration);
     Value* when_true = builder_.CreateSelect(builder_.CreateFCmpORD(duration, duration),
                                              truth(long_enough), unknown());
     Value* otherwise = builder_.CreateSelect(is_false_, number(0), unknown());
@@ -62,7 +61,8 @@ class Guards {
 
   Value* wasTrue() { return builder_.CreateFCmpONE(load(kWasTrue), number(0)); }
   Value* load(uint32_t slot) {
-    return builder_.CreateLoad(builder_.getDoubleTy(), body_.expressions.temporalSlot(slot_ + slot));
+    return builder_.CreateLoad(builder_.getDoubleTy(),
+                               body_.expressions.temporalSlot(slot_ + slot));
   }
   void store(uint32_t slot, Value* value) {
     builder_.CreateStore(value, body_.expressions.temporalSlot(slot_ + slot));

@@ -32,9 +32,9 @@ llvm::Constant* shapeOf(Lowering& lowering, const ir::Temporal& window) {
   };
   const uint32_t kind =
       static_cast<uint32_t>(shape.kind) - static_cast<uint32_t>(ir::TemporalKind::Mean);
-  llvm::Constant* value = llvm::ConstantStruct::getAnon(
-      {number(shape.length), number(shape.bin), word(shape.bins), word(kGliderMean + kind),
-       word(shape.stretch ? 1 : 0), word(0)});
+  llvm::Constant* value = llvm::ConstantStruct::getAnon({number(shape.length), number(shape.bin),
+                                                         word(shape.bins), word(kGliderMean + kind),
+                                                         word(shape.stretch ? 1 : 0), word(0)});
   auto* variable = new llvm::GlobalVariable(lowering.module, value->getType(), true,
                                             llvm::GlobalValue::PrivateLinkage, value, "window");
   variable->setUnnamedAddr(llvm::GlobalValue::UnnamedAddr::Global);

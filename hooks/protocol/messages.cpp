@@ -12,7 +12,7 @@ namespace {
 constexpr uint8_t kFlagMore = 1;
 constexpr uint8_t kFlagContinues = 2;
 constexpr uint8_t kFlagVirtualTime = 4;
-constexpr uint8_t kMostList = 3;      // of a transition
+constexpr uint8_t kMostList = 3;  // of a transition
 constexpr uint8_t kMostNoteKind = 1;
 constexpr uint32_t kTickCountAt = 27;  // where the number of readings stands in a Tick
 

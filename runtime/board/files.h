@@ -23,8 +23,8 @@ void tell(Pieces... pieces) {
 /// Standard input and output as a byte stream that never blocks.
 GliderByteStream standardStream();
 
-/// Reads a file into `bytes`, and how many bytes it has into `size`. Null, or why it cannot be read;
-/// one that has more than `capacity` bytes cannot.
+/// Reads a file into `bytes`, and how many bytes it has into `size`. Null, or why it cannot be
+/// read; one that has more than `capacity` bytes cannot.
 const char* readFile(const char* path, char* bytes, uint32_t capacity, uint32_t& size);
 
 /// Opens the log and makes a sink of it that writes after what is there: a program that the board

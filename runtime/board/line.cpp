@@ -31,7 +31,8 @@ void tellHelp(const char* mission_name) {
       "  --set NAME=VALUE   give a parameter of the mission a value, as in --set bottom=20m\n"
       "  --parameters FILE  take them from a file with lines `NAME = VALUE`; --set goes before it\n"
       "  --version    which mission and runtime this is\n"
-      "status: 0 the mission ended and gave control back, 1 wrong use, 2 no port or its link lost, or\n"
+      "status: 0 the mission ended and gave control back, 1 wrong use, 2 no port or its link lost, "
+      "or\n"
       "parameters that the mission does not allow");
 }
 

@@ -9,8 +9,8 @@
 /// The parameters of a mission on a board: from the command line and a file.
 namespace glider::runtime {
 
-/// Gives `launch` what the options say, the file first. False, having said why on standard error, if
-/// the mission does not allow that.
+/// Gives `launch` what the options say, the file first. False, having said why on standard error,
+/// if the mission does not allow that.
 bool setParameters(const Options& options, Launch& launch);
 
 /// Lists the parameters with their defaults and ranges, for --help.

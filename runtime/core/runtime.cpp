@@ -109,10 +109,10 @@ bool GliderRuntime::acceptable(const GliderMission& mission) {
          mission.sensor_count <= glider::hooks::kMostSubscriptions &&
          mission.parameter_count <= GLIDER_MOST_PARAMETERS &&
          mission.parameter_count <= mission.variable_count &&
-         mission.context_bytes ==
-             gliderContextLayout(mission.sensor_count, mission.stack_limit, mission.memory_count,
-                                 mission.variable_count, mission.temporal_slots)
-                 .bytes &&
+         mission.context_bytes == gliderContextLayout(mission.sensor_count, mission.stack_limit,
+                                                      mission.memory_count, mission.variable_count,
+                                                      mission.temporal_slots)
+                                      .bytes &&
          hasTables(mission) && hasCode(mission);
 }
 
@@ -201,8 +201,7 @@ void GliderRuntime::tellTransition(uint32_t from) {
   }
   glider::hooks::TransitionNotice notice;
   notice.mission_time_s = context_->mission_time;
-  notice.transition =
-      static_cast<uint8_t>(glider::runtime::madeCase(*context_, from).transition);
+  notice.transition = static_cast<uint8_t>(glider::runtime::madeCase(*context_, from).transition);
   notice.list = static_cast<uint8_t>(context_->moved_list);
   notice.from = from;
   notice.to = context_->state;

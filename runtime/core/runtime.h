@@ -43,7 +43,7 @@ struct GliderRuntime {
 
   void* context_memory_;
   const GliderMission& mission_;
-  const double* parameters_;  ///< null: the defaults
+  const double* parameters_;          ///< null: the defaults
   GliderContext* context_ = nullptr;  ///< once control was given
   uint16_t sensors_[glider::hooks::kMostSubscriptions] = {};
   glider::hooks::Client client_;

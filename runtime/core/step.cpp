@@ -109,8 +109,8 @@ bool tryState(GliderContext& context) {
 void tryLists(GliderContext& context) {
   const bool own_first = context.just_returned != 0;
   context.just_returned = 0;
-  const bool over = own_first ? tryState(context) || tryAlways(context)
-                              : tryAlways(context) || tryState(context);
+  const bool over =
+      own_first ? tryState(context) || tryAlways(context) : tryAlways(context) || tryState(context);
   if (!over) {
     context.fired_profile = context.mission->fly(&context, kGliderListProfile);
     context.fired_route = context.mission->fly(&context, kGliderListRoute);

@@ -75,8 +75,7 @@ Launch::Launch(const GliderMission& mission) : mission_(mission) {
 }
 
 bool Launch::set(const Piece& setting) {
-  const auto* equals =
-      static_cast<const char*>(memchr(setting.begin, '=', setting.size()));
+  const auto* equals = static_cast<const char*>(memchr(setting.begin, '=', setting.size()));
   if (equals == nullptr) {
     Text text(problem_, kProblemBytes);
     quote(text, setting.trimmed()).put(" sets nothing; write `name=value`");

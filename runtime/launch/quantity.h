@@ -47,9 +47,9 @@ enum class Reading : uint8_t {
   NoSuchUnit,
 };
 
-/// Reads "20", "20 m", "-1.5e3cm", "39.2 N", or of a truth value "true" or "false", into `value`, in
-/// SI units or degrees. The nearest double, on every board: at most 15 digits and powers of ten up
-/// to 22, which one correctly rounded operation turns into a double (W. D. Clinger, How to read
+/// Reads "20", "20 m", "-1.5e3cm", "39.2 N", or of a truth value "true" or "false", into `value`,
+/// in SI units or degrees. The nearest double, on every board: at most 15 digits and powers of ten
+/// up to 22, which one correctly rounded operation turns into a double (W. D. Clinger, How to read
 /// floating point numbers accurately, PLDI 1990).
 Reading readQuantity(const Piece& text, const char* units, double& value);
 

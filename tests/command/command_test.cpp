@@ -347,5 +347,59 @@ TEST(Command, APortThatIsNotThereIsNamed) {
   EXPECT_EQ(runShell(program + " --help").status, 0);
 }
 
+const std::string kParameters = GLIDER_SOURCE_DIR "/tests/command/parameters.ir";
+
+TEST(Command, ParamsListsThemAndWhatDiffers) {
+  const Outcome plain = runShell("$GLIDERCC params " + kParameters);
+  EXPECT_EQ(plain.status, 0) << plain.err;
+  EXPECT_EQ(plain.out,
+            "name    type    default  range\n"
+            "bottom  length  25 m     10 m to 30 m\n"
+            "top     length  5 m      1 m to 20 m\n"
+            "eager   bool    false\n");
+  const Outcome set = runShell("$GLIDERCC params " + kParameters + " --set bottom=2000cm");
+  EXPECT_THAT(set.out, HasSubstr("default  range         set to\n"));
+  EXPECT_THAT(set.out, HasSubstr("10 m to 30 m  20 m\n"));
+  EXPECT_THAT(runShell("$GLIDERCC params " + kFigure2).out, HasSubstr("has no parameters"));
+}
+
+TEST(Command, ParametersThatCannotBeAreRefusedBeforeAnythingHappens) {  // accepts: GL9052 above
+  for (const char* setting : {"botom=20m", "bottom=31m", "bottom=20kg", "bottom", "top=20m"}) {
+    const std::string options = std::string(" --set ") + setting + " -o refused-flight";
+    expectFailure(runShell("$GLIDERCC sim " + kParameters + options), 2, "GL9052");
+    expectFailure(runShell("$GLIDERCC sim --board host " + kParameters + options), 2, "GL9052");
+  }
+  expectFailure(runShell("$GLIDERCC params " + kParameters + " --parameters nowhere"), 2, "GL9001");
+}
+
+TEST(Command, ABoardsProgramTakesParametersAndSaysWhatItAllows) {
+  const std::string build =
+      "$GLIDERCC build " + kParameters + " --target host -o p > /dev/null && ./p ";
+  const Outcome help = runShell(build + "--help");
+  EXPECT_THAT(help.err, HasSubstr("bottom = 25 m, 10 m to 30 m\n  top = 5 m"));
+  const Outcome wrong =
+      runShell(build + "--set bottom=40m --log l.csv --port /dev/null; s=$?; ls l.csv; exit $s");
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_THAT(wrong.err,
+              HasSubstr("error: `bottom` cannot be `40m`: outside its range, 10 m to 30 m"));
+  EXPECT_EQ(wrong.out, "") << "no log was opened";
+  const Outcome file =
+      runShell("printf '# for today\\ntop = 21 m\\n' > f; " + build + "--parameters f");
+  EXPECT_EQ(file.status, 2);
+  EXPECT_THAT(file.err, HasSubstr("error: f:2: `top` cannot be `21 m`"));
+}
+
+TEST(Command, ParametersReachTheFlightAndItsStory) {
+  for (const char* board : {"", " --board host"}) {
+    const Outcome flown = runShell("$GLIDERCC sim " + kParameters + board +
+                                   " --set eager=true --set bottom=12m -o flown > /dev/null && cat "
+                                   "flown/events.csv");
+    EXPECT_EQ(flown.status, 0) << flown.err;
+    EXPECT_THAT(flown.out, HasSubstr("deep enough, at "));
+    EXPECT_THAT(flown.out, HasSubstr("survey → rest (call)"));
+    EXPECT_THAT(flown.out, HasSubstr("(exit, always case 1)"));
+  }
+}
+
 }  // namespace
 }  // namespace glider::tests

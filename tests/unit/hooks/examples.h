@@ -21,7 +21,8 @@ inline std::vector<std::pair<std::string, Frame>> exampleFrames() {
     frame.sequence = sequence;
     examples.emplace_back(name, frame);
   };
-  add("Beacon", 1, [](Frame& f) { encode(Beacon{1, true, 0x12345678, HookState::Ready}, f); });
+  add("Beacon", 1,
+      [](Frame& f) { encode(Beacon{kProtocolVersion, true, 0x12345678, HookState::Ready}, f); });
   add("Welcome", 2, [](Frame& f) { encode(Welcome{true, 7, 6}, f); });
   add("Tick", 3, [](Frame& f) {
     const uint16_t ids[] = {GLIDER_M_DEPTH, GLIDER_M_LAT};

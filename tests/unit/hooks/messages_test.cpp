@@ -67,14 +67,14 @@ TEST(Messages, AnotherVersionsHelloAndBeaconAreStillReadAsSuch) {
   Frame frame;
   frame.type = MessageType::Beacon;
   frame.size = 3;
-  frame.payload[0] = 2;
+  frame.payload[0] = kProtocolVersion + 1;
   Beacon beacon;
   ASSERT_TRUE(decode(frame, beacon));
-  EXPECT_EQ(beacon.version, 2);
+  EXPECT_EQ(beacon.version, kProtocolVersion + 1);
   frame.type = MessageType::Hello;
   Hello hello;
   ASSERT_TRUE(decode(frame, hello));
-  EXPECT_EQ(hello.version, 2);
+  EXPECT_EQ(hello.version, kProtocolVersion + 1);
 }
 
 TEST(Messages, ValuesThatNoSenderWritesAreRefused) {

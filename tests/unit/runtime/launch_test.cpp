@@ -23,11 +23,12 @@ class LaunchTest : public ::testing::Test {
  protected:
   LaunchTest() {
     bench_.states = {{"a", nullptr, nullptr, 0, 0}};
-    bench_.parameters = {{"bottom", 25, 10, 30, kLength},
-                         {"survey.top", 5, 1, kEndless, kLength},
-                         {"deep", 0, 0, 1, "bool"},
-                         {"lat", 39, -90, 90, "N=3ff0000000000000 S=bff0000000000000"},
-                         {"gain", 0.5, -kEndless, kEndless, "=3ff0000000000000 %=3f847ae147ae147b"}};
+    bench_.parameters = {
+        {"bottom", 25, 10, 30, kLength},
+        {"survey.top", 5, 1, kEndless, kLength},
+        {"deep", 0, 0, 1, "bool"},
+        {"lat", 39, -90, 90, "N=3ff0000000000000 S=bff0000000000000"},
+        {"gain", 0.5, -kEndless, kEndless, "=3ff0000000000000 %=3f847ae147ae147b"}};
     bench_.condition = [](const GliderContext& c) {
       return c.variables[0] >= c.variables[1] + 5 ? GLIDER_NO_CASE : 0U;
     };
@@ -47,11 +48,21 @@ TEST_F(LaunchTest, TakesValuesWithTheirUnits) {
     const char* setting;
     int parameter;
     double value;
-  } table[] = {{"bottom=20", 0, 20},          {"bottom = 20 m", 0, 20},   {"bottom=2000cm", 0, 20},
-               {" bottom =\t.02 km ", 0, 20}, {"bottom=1.25e1m", 0, 12.5}, {"survey.top=+3.", 1, 3},
-               {"deep=true", 2, 1},           {"deep = false", 2, 0},      {"lat=39.2 S", 3, -39.2},
-               {"lat=-39.2", 3, -39.2},       {"gain=-20%", 4, -0.2},      {"gain=0.1", 4, 0.1},
-               {"gain=-0", 4, 0},             {"gain=1e22", 4, 1e22},      {"gain=123456789.012345", 4, 123456789.012345},
+  } table[] = {{"bottom=20", 0, 20},
+               {"bottom = 20 m", 0, 20},
+               {"bottom=2000cm", 0, 20},
+               {" bottom =\t.02 km ", 0, 20},
+               {"bottom=1.25e1m", 0, 12.5},
+               {"survey.top=+3.", 1, 3},
+               {"deep=true", 2, 1},
+               {"deep = false", 2, 0},
+               {"lat=39.2 S", 3, -39.2},
+               {"lat=-39.2", 3, -39.2},
+               {"gain=-20%", 4, -0.2},
+               {"gain=0.1", 4, 0.1},
+               {"gain=-0", 4, 0},
+               {"gain=1e22", 4, 1e22},
+               {"gain=123456789.012345", 4, 123456789.012345},
                {"gain=000000000000000000.5", 4, 0.5}};
   for (const auto& row : table) {
     EXPECT_EQ(set(launch, row.setting), "") << row.setting;
@@ -62,7 +73,8 @@ TEST_F(LaunchTest, TakesValuesWithTheirUnits) {
 TEST_F(LaunchTest, SaysWhatIsWrongAndChangesNothing) {
   Launch launch(bench_.mission);
   const std::pair<const char*, const char*> table[] = {
-      {"botom=20m", "the mission has no parameter `botom`; it has bottom, survey.top, deep, lat, gain"},
+      {"botom=20m",
+       "the mission has no parameter `botom`; it has bottom, survey.top, deep, lat, gain"},
       {"bottom", "`bottom` sets nothing; write `name=value`"},
       {"", "`` sets nothing; write `name=value`"},
       {"bottom=40m", "`bottom` cannot be `40m`: outside its range, 10 m to 30 m"},
@@ -74,10 +86,12 @@ TEST_F(LaunchTest, SaysWhatIsWrongAndChangesNothing) {
       {"bottom=nan", "`bottom` cannot be `nan`: it is not a number"},
       {"bottom=.", "`bottom` cannot be `.`: it is not a number"},
       {"bottom=1e", "`bottom` cannot be `1e`: after the number its unit: m, cm, km"},
-      {"gain=1.234567890123456", "`gain` cannot be `1.234567890123456`: numbers have at most 15 digits, and powers "
-                                 "of ten up to 22"},
-      {"gain=1e99999999999", "`gain` cannot be `1e99999999999`: numbers have at most 15 digits, and powers of ten "
-                             "up to 22"},
+      {"gain=1.234567890123456",
+       "`gain` cannot be `1.234567890123456`: numbers have at most 15 digits, and powers "
+       "of ten up to 22"},
+      {"gain=1e99999999999",
+       "`gain` cannot be `1e99999999999`: numbers have at most 15 digits, and powers of ten "
+       "up to 22"},
       {"deep=1", "`deep` cannot be `1`: write `true` or `false`"}};
   for (const auto& [setting, problem] : table) {
     EXPECT_EQ(set(launch, setting), problem);
@@ -96,7 +110,7 @@ TEST_F(LaunchTest, ReadsAFile) {
   Launch launch(bench_.mission);
   auto all = [&](const std::string& text) {
     return launch.setAll("dive.txt", {text.data(), text.data() + text.size()}) ? ""
-                                                                            : launch.problem();
+                                                                               : launch.problem();
   };
   EXPECT_STREQ(all("# a comment\r\n\n  bottom = 20 m # not 25\r\nsurvey.top=2"), "");
   EXPECT_EQ(launch.values()[0], 20);

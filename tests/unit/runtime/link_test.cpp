@@ -299,7 +299,8 @@ TEST_F(LinkTest, SaysWhenTheLineIsClosed) {
 TEST_F(LinkTest, ALogThatFailsNeverStopsTheMission) {
   VehicleBench vehicle({});
   boot(vehicle);
-  const GliderRuntimeOptions full{{this, [](void*, const uint8_t*, uint32_t) { return -1; }}, nullptr};
+  const GliderRuntimeOptions full{{this, [](void*, const uint8_t*, uint32_t) { return -1; }},
+                                  nullptr};
   runtime_ =
       gliderRuntimeInit(runtime_memory_.data(), mission_.memory.data(), &mission_.mission, &full);
   vehicle.run(300);

@@ -39,8 +39,7 @@ class ListsTest : public ::testing::Test {
       return GLIDER_NO_CASE;
     };
     bench_.act = [this](GliderContext& c, uint32_t list, uint32_t fired) {
-      story_ += "d" + std::to_string(list) + std::to_string(fired) + "@" +
-                std::to_string(c.state);
+      story_ += "d" + std::to_string(list) + std::to_string(fired) + "@" + std::to_string(c.state);
     };
     bench_.fly = [this](GliderContext&, uint32_t phase) {
       story_ += phase == kGliderTick ? "P" : phase == kGliderEnter ? "E" : "R";

@@ -22,8 +22,7 @@ support::Result<std::unique_ptr<simulator::SbcPort>> sbcInProcess(const Compilat
 /// pseudo-terminal, under the board's emulator if it has one.
 support::Result<std::unique_ptr<simulator::SbcPort>> sbcOnBoard(
     const Compilation& compilation, const LaunchChoice& launch, const std::string& board,
-    const std::string& name,
-    const std::filesystem::path& folder);
+    const std::string& name, const std::filesystem::path& folder);
 
 /// Starts a program that somebody has built, with `--port PTY` as its only arguments.
 support::Result<std::unique_ptr<simulator::SbcPort>> sbcProgram(const std::string& program);

@@ -82,6 +82,10 @@ class ArgumentLowering {
       const bool first = add(step.argument, {latitude(), false}, "the latitude of " + what);
       return add(step.argument + 1, {longitude(), false}, "the longitude of " + what) && first;
     }
+    if (formal.type.position && lacksComma(arguments_[step.argument])) {
+      reportMissingComma(arguments_[step.argument], "a latitude and a longitude");
+      return false;
+    }
     return add(step.argument, formal.type, what);
   }
 
@@ -103,19 +107,34 @@ class ArgumentLowering {
     return true;
   }
 
+  static const ast::Binary* differenceIn(const ast::Argument& argument) {
+    const auto* binary = std::get_if<ast::Binary>(&argument.value->node);
+    return binary != nullptr && binary->op == ast::BinaryOp::Subtract ? binary : nullptr;
+  }
+
+  /// `nav(3910.5 -7349.8)`: the vehicle's own latitude and longitude without the comma.
+  static bool lacksComma(const ast::Argument& argument) {
+    const ast::Binary* difference = differenceIn(argument);
+    return difference != nullptr && takesUnitOfContext(*difference->left) &&
+           takesUnitOfContext(*difference->right);
+  }
+
+  void reportMissingComma(const ast::Argument& argument, const std::string& takes) {
+    const ast::Binary* difference = differenceIn(argument);
+    auto report =
+        scope_.report(DiagnosticId::missingCommaBeforeMinus, argument.value->where, callee_.name,
+                      takes, scope_.text(argument.value->where),
+                      scope_.text(difference->left->where), scope_.text(difference->right->where));
+    report.fix(difference->op_where, ", -");
+    noteDeclaration(report, "declared as `" + callee_.signature.text + "`");
+  }
+
   void wrongCount() {
     const size_t wanted = formals().size();
     const std::string takes = countOf(wanted);
     for (const ast::Argument& argument : arguments_) {
-      const auto* difference = std::get_if<ast::Binary>(&argument.value->node);
-      const bool minus = difference != nullptr && difference->op == ast::BinaryOp::Subtract;
-      if (minus && filled_ + 1 == wanted) {
-        auto report = scope_.report(DiagnosticId::missingCommaBeforeMinus, argument.value->where,
-                                    callee_.name, takes, scope_.text(argument.value->where),
-                                    scope_.text(difference->left->where),
-                                    scope_.text(difference->right->where));
-        report.fix(difference->op_where, ", -");
-        noteDeclaration(report, "declared as `" + callee_.signature.text + "`");
+      if (differenceIn(argument) != nullptr && filled_ + 1 == wanted) {
+        reportMissingComma(argument, takes);
         return;
       }
     }

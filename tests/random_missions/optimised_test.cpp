@@ -5,7 +5,6 @@
 
 #include "ir/core/validate.h"
 #include "ir/opt/optimise.h"
-#include "ir/text/print.h"
 #include "ir/verify/verify.h"
 #include "tests/random_missions/random_mission.h"
 
@@ -137,16 +136,6 @@ INSTANTIATE_TEST_SUITE_P(Passes, Optimised, testing::ValuesIn(eachAndAll()),
                            std::ranges::replace(name, '-', '_');
                            return name;
                          });
-
-TEST(Optimise, TwiceIsOnce) {
-  for (uint64_t seed = 1; seed <= kMissions; ++seed) {
-    ir::Mission mission = randomMission(seed);
-    ir::optimise(mission);
-    const std::string once = ir::print(mission);
-    ir::optimise(mission);
-    ASSERT_EQ(ir::print(mission), once) << seed;
-  }
-}
 
 }  // namespace
 }  // namespace glider::random_missions

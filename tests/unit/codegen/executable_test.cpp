@@ -134,6 +134,43 @@ TEST(LinkExecutable, HoldsTheBoardsLimit) {  // GL4005; accepts: GL4005 in OnBoa
   EXPECT_THAT(namesIn(folder), testing::IsEmpty());
 }
 
+TEST(LinkExecutable, RefusesMoreParametersThanALaunchTakes) {  // GL4007; accepts: GL4007 in `most`
+  Checked checked = figure2();
+  const auto withParameters = [&](uint32_t count) {
+    Checked many = checked;
+    std::vector<ir::Variable> parameters;
+    for (uint32_t i = 0; i < count; ++i) {
+      ir::Variable parameter;
+      parameter.name = "p" + std::to_string(i);
+      parameter.kind = ir::VariableKind::Parameter;
+      parameter.initial = {static_cast<uint32_t>(many.mission.exprs.size())};
+      many.mission.exprs.emplace_back();
+      parameters.push_back(parameter);
+    }
+    for (ir::Expr& expr : many.mission.exprs) {
+      expr.variable.index += expr.variable.valid() ? count : 0;
+    }
+    for (ir::Block& block : many.mission.blocks) {
+      for (ir::Statement& statement : block.statements) {
+        statement.variable.index += statement.variable.valid() ? count : 0;
+      }
+    }
+    for (ir::State& state : many.mission.states) {
+      for (ir::Activity* activity : {&state.profile, &state.route}) {
+        activity->done.index += activity->done.valid() ? count : 0;
+      }
+    }
+    many.mission.variables.insert(many.mission.variables.begin(), parameters.begin(),
+                                  parameters.end());
+    return many;
+  };
+  const Checked most = withParameters(64);
+  EXPECT_TRUE(build(most, board("ts5500"), testFolder() / "most"));
+  const auto built = build(withParameters(65), board("ts5500"), testFolder() / "figure2");
+  ASSERT_FALSE(built.has_value());
+  EXPECT_EQ(built.error().id, DiagnosticId::tooManyParameters);
+}
+
 TEST(LinkExecutable, RefusesMoreMemoryThanABoardHas) {  // GL4006; accepts: GL4006 in OnBoard
   Checked checked = figure2();
   checked.facts.stack_depth = 3'000'000;

@@ -3,6 +3,8 @@
 
 #include "tests/unit/frontend/compile.h"
 
+#include <algorithm>
+
 namespace glider::frontend {
 namespace {
 
@@ -19,13 +21,17 @@ TEST(Figure2, MeansWhatThePaperSays) {
   ASSERT_EQ(mission->states.size(), 3U);
 
   const ir::State& s1 = mission->states[0];
-  EXPECT_EQ((*mission)[s1.profile.behaviour].symbol, "gliderProfileYo");
-  EXPECT_EQ((*mission)[s1.route.behaviour].symbol, "gliderRouteNav");
-  EXPECT_EQ((*mission)[s1.route.arguments[0]].number, 39 + 10.5 / 60);
-  EXPECT_EQ((*mission)[s1.route.arguments[1]].type.kind, ir::TypeKind::Longitude);
-  EXPECT_EQ((*mission)[s1.route.arguments[1]].number, -(73 + 49.8058 / 60));
-  EXPECT_EQ((*mission)[s1.profile.arguments[1]].number, 10);
-  EXPECT_EQ((*mission)[s1.profile.arguments[2]].number, .454);
+  EXPECT_EQ((*mission)[s1.profile.behaviour].name, "yo");
+  EXPECT_EQ((*mission)[s1.route.behaviour].name, "nav");
+  EXPECT_TRUE(s1.profile.entry.valid());
+  EXPECT_FALSE(s1.profile.cases.empty());
+  const auto steers = [&](ir::TypeKind kind, double degrees) {
+    return std::ranges::any_of(mission->exprs, [&](const ir::Expr& e) {
+      return e.op == ir::Op::Constant && e.type.kind == kind && e.number == degrees;
+    });
+  };
+  EXPECT_TRUE(steers(ir::TypeKind::Latitude, 39 + 10.5 / 60));
+  EXPECT_TRUE(steers(ir::TypeKind::Longitude, -(73 + 49.8058 / 60)));
   ASSERT_EQ(s1.cases.size(), 2U);
   EXPECT_EQ(s1.cases[0].transition, ir::Transition::Goto);
   EXPECT_EQ((*mission)[s1.cases[0].target].name, "s3");
@@ -33,8 +39,8 @@ TEST(Figure2, MeansWhatThePaperSays) {
   EXPECT_EQ((*mission)[s1.cases[1].guard].op, ir::Op::And);
 
   const ir::State& s2 = mission->states[1];
-  EXPECT_EQ((*mission)[s2.route.behaviour].symbol, "gliderRouteNoheading");
-  EXPECT_EQ((*mission)[s2.profile.behaviour].symbol, "gliderProfileThermotrackyo");
+  EXPECT_EQ((*mission)[s2.route.behaviour].name, "noheading");
+  EXPECT_EQ((*mission)[s2.profile.behaviour].name, "thermotrackyo");
   ASSERT_EQ(s2.log.size(), 4U);
   EXPECT_EQ((*mission)[s2.log[0].value].op, ir::Op::MissionTime);
   EXPECT_EQ(s2.cases[0].transition, ir::Transition::Return);

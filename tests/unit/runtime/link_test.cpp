@@ -218,7 +218,7 @@ TEST(Control, FollowsANumberThatTheClientHadToReplace) {
 
 TEST_F(LinkTest, ARefusedLinkIsLoggedBelowTheHeader) {
   hooks::MemoryLine line;
-  const GliderRuntimeOptions options{{this, &LinkTest::writeLog}};
+  const GliderRuntimeOptions options{{this, &LinkTest::writeLog}, nullptr};
   runtime_memory_.assign(gliderRuntimeSize() / sizeof(double) + 1, 0.0);
   runtime_ = gliderRuntimeInit(runtime_memory_.data(), mission_.memory.data(), &mission_.mission,
                                &options);

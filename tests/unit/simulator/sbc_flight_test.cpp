@@ -17,7 +17,7 @@ SimulationSetup withSbc(const std::string& scenario, FakePilot::Plan plan,
   setup.sbc = std::make_unique<FakeSbc>(plan, silent_from_s);
   setup.mission_name = "fake";
   setup.state_names = {"down", "up"};
-  setup.explain = [](uint32_t state, uint32_t) {
+  setup.explain = [](uint32_t, uint32_t state, uint32_t) {
     return GuardText{state == 0 ? "depth >= 20 m" : "depth <= 5 m", {3}};
   };
   return setup;

@@ -20,7 +20,7 @@ SimulationSetup yoSetup(const std::string& scenario, double duration_s, double b
   setup.sbc = std::make_unique<FakeSbc>(plan);
   setup.mission_name = "fake";
   setup.state_names = {"down", "up"};
-  setup.explain = [](uint32_t, uint32_t) { return GuardText{}; };
+  setup.explain = [](uint32_t, uint32_t, uint32_t) { return GuardText{}; };
   setup.duration_s = duration_s;
   return setup;
 }

@@ -8,12 +8,15 @@
 #include "driver/exit_code.h"
 #include "driver/terminal.h"
 #include "frontend/ast/print.h"
+#include "ir/opt/optimise.h"
 #include "ir/text/print.h"
 #include "support/files.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <string>
@@ -34,6 +37,7 @@ struct BuildOptions {
   std::string target = "host";
   Emit emit = Emit::Exe;
   unsigned level = 2;
+  std::vector<std::string> print_after;
   std::string output;
 };
 
@@ -125,6 +129,19 @@ bool overwritesMission(const BuildOptions& options) {
          (options.emit == Emit::Exe && isMission(options.output + ".debug"));
 }
 
+/// Runs the passes over the IR, and prints it to standard error after those that `--print-after`
+/// names.
+void optimiseIr(const BuildOptions& options, Compilation& compilation) {
+  if (options.level == 0) {
+    return;
+  }
+  ir::optimise(*compilation.mission, [&](const ir::OptPass& pass, const ir::Mission& mission) {
+    if (std::ranges::find(options.print_after, pass.name) != options.print_after.end()) {
+      fmt::print(stderr, "# after {}\n{}", pass.name, ir::print(mission));
+    }
+  });
+}
+
 int build(BuildOptions options) {
   // The target first: a typing error there should not cost a compilation.
   if (const auto board = loadTarget(options.target); !board) {
@@ -134,11 +151,12 @@ int build(BuildOptions options) {
   if (!compiled) {
     return reportFailure(compiled.error());
   }
-  const Compilation& compilation = **compiled;
+  Compilation& compilation = **compiled;
   reportDiagnostics(compilation.diagnostics, compilation.sources);
   if (!compilation.ok()) {
     return kMissionHasErrors;
   }
+  optimiseIr(options, compilation);
   options.output = options.output.empty() ? outputName(options) : options.output;
   if (overwritesMission(options)) {
     return reportFailure(
@@ -170,6 +188,16 @@ void addBuildCommand(CLI::App& app, int& status) {
   command->add_option("-O", options->level, "Optimisation level, 0 to 3")
       ->check(CLI::Range(0, 3))
       ->capture_default_str();
+  std::vector<std::string> passes;
+  for (const ir::OptPass& pass : ir::optPasses()) {
+    passes.emplace_back(pass.name);
+  }
+  command
+      ->add_option("--print-after", options->print_after,
+                   "Print the IR to standard error after a pass: " +
+                       fmt::format("{}", fmt::join(passes, ", ")) + " (not at -O0)")
+      ->check(CLI::IsMember(passes))
+      ->option_text("PASS ...");
   command->add_option("-o", options->output, "The file to write; `-` is standard output")
       ->option_text("FILE");
   command->callback([options, &status] { status = build(*options); });

@@ -9,6 +9,7 @@
 #include "driver/sbc_choice.h"
 #include "driver/share.h"
 #include "driver/terminal.h"
+#include "ir/opt/optimise.h"
 #include "report/summary.h"
 #include "report/warnings.h"
 #include "simulator/simulator.h"
@@ -89,7 +90,11 @@ std::unique_ptr<Compilation> compileForFlight(const SimOptions& options, int& st
   }
   reportDiagnostics((*compiled)->diagnostics, (*compiled)->sources);
   status = (*compiled)->ok() ? kFine : kMissionHasErrors;
-  return status == kFine ? std::move(*compiled) : nullptr;
+  if (status != kFine) {
+    return nullptr;
+  }
+  ir::optimise(*(*compiled)->mission);  // as `build` does: the flight's states have those numbers
+  return std::move(*compiled);
 }
 
 support::Result<std::unique_ptr<simulator::SbcPort>> chooseSbc(const SimOptions& options,

@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -28,7 +27,11 @@ bool ownedByState(VariableKind kind) {
 class CodeValidator {
  public:
   CodeValidator(const Mission& mission, std::vector<Defect>& defects)
-      : m_(mission), defects_(defects), reads_(readsOf(mission)), block_uses_(m_.blocks.size()) {}
+      : m_(mission),
+        defects_(defects),
+        reads_(readsOf(mission)),
+        block_uses_(m_.blocks.size()),
+        arguments_(m_.states.size()) {}
 
   void run() {
     variables();
@@ -105,6 +108,9 @@ class CodeValidator {
                 fmt::format("argument `{}` has an initial value", v.name));
       } else {
         initial(i, v);
+      }
+      if (v.kind == VariableKind::Argument && v.owner.index < m_.states.size()) {
+        ++arguments_[v.owner.index];
       }
     }
   }
@@ -316,10 +322,7 @@ class CodeValidator {
     }
     require(id.index != 0 || s.parameters.empty(), s.range,
             fmt::format("{} is where the mission starts, but has parameters", where));
-    const auto owned = std::ranges::count_if(m_.variables, [&](const Variable& v) {
-      return v.kind == VariableKind::Argument && v.owner == id;
-    });
-    require(static_cast<size_t>(owned) == own.size(), s.range,
+    require(arguments_[id.index] == own.size(), s.range,
             fmt::format("{} lacks one of its parameters", where));
   }
 
@@ -357,6 +360,7 @@ class CodeValidator {
   std::vector<Defect>& defects_;
   const std::vector<Reads> reads_;
   std::vector<uint32_t> block_uses_;
+  std::vector<size_t> arguments_;  ///< how many each state owns
 };
 
 }  // namespace

@@ -65,6 +65,8 @@ class Program {
     GliderReading readings[kMost];
     GliderNote notes[GLIDER_MOST_NOTES];
     double note_values[GLIDER_MOST_NOTE_VALUES];
+    double
+        gaps[3];  ///< the layout aligns what some boards would not (runtime/abi/context_layout.h)
   };
 
   Link link_;

@@ -66,6 +66,30 @@ TEST(LoadedMission, TwoLiveSideBySide) {
   EXPECT_STREQ(second.mission().name, "other");
 }
 
+/// A mission with `count` parameters.
+Checked withParameters(uint32_t count) {
+  Checked checked = figure2();
+  for (uint32_t i = 0; i < count; ++i) {
+    ir::Expr initial;
+    initial.number = 1;
+    checked.mission.exprs.push_back(initial);
+    ir::Variable& parameter = checked.mission.variables.emplace_back();
+    parameter.name = "p" + std::to_string(i);
+    parameter.kind = ir::VariableKind::Parameter;
+    parameter.initial = {static_cast<uint32_t>(checked.mission.exprs.size() - 1)};
+  }
+  return checked;
+}
+
+TEST(LoadedMission, HasAsManyParametersAsALaunchCanSet) {  // GL4007; accepts: GL4007
+  const Checked most = withParameters(GLIDER_MOST_PARAMETERS);
+  EXPECT_EQ(load(most, 0).mission().parameter_count, GLIDER_MOST_PARAMETERS);
+  const Checked more = withParameters(GLIDER_MOST_PARAMETERS + 1);
+  const auto refused = codegen::linkShared(more.mission, more.facts, board("host"), {});
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().id, DiagnosticId::tooManyParameters);
+}
+
 TEST(LoadedMission, RefusesWhatIsNoMission) {  // GL9051; accepts: GL9051 above
   for (const char* bytes : {"", "hello",
                             "\x7f"

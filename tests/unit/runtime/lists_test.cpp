@@ -22,7 +22,7 @@ class ListsTest : public ::testing::Test {
  protected:
   ListsTest() {
     for (const char* name : {"a", "b", "c", "d"}) {
-      bench_.states.push_back({name, cases_, nullptr, 5, 0});
+      bench_.states.push_back({name, cases_, nullptr, 6, 0});
     }
     bench_.always = {{kGliderCall, 2}, {kGliderGoto, 3}, {kGliderStay, 0}};
     bench_.guards = [this](const GliderContext&) {
@@ -58,9 +58,10 @@ class ListsTest : public ::testing::Test {
     step(c_, c_->mission_time + 4);
     return story_;
   }
-  enum : uint32_t { ToB, CallB, Back, Stay, CallD, None = GLIDER_NO_CASE };
-  GliderCaseInfo cases_[5] = {
-      {kGliderGoto, 1}, {kGliderCall, 1}, {kGliderReturn, 0}, {kGliderStay, 0}, {kGliderCall, 3}};
+  enum : uint32_t { ToB, CallB, Back, Stay, CallD, Leave };
+  static constexpr uint32_t None = GLIDER_NO_CASE;
+  GliderCaseInfo cases_[6] = {{kGliderGoto, 1}, {kGliderCall, 1}, {kGliderReturn, 0},
+                              {kGliderStay, 0}, {kGliderCall, 3}, {kGliderExit, 0}};
   uint32_t fire = None;
   uint32_t on = 0;
   std::string story_;
@@ -163,6 +164,16 @@ TEST_F(ListsTest, TheCurrentStateIsInUseToo) {
   on = 6;
   tick();
   EXPECT_EQ(c_->state, 3U);
+}
+
+TEST_F(ListsTest, AfterExitNothingFires) {
+  fire = Leave;
+  EXPECT_EQ(tick(), "tA0Sd15@0");
+  EXPECT_EQ(c_->finished, 1U);
+  EXPECT_EQ(c_->moved_list, static_cast<uint32_t>(kGliderListState));
+  EXPECT_EQ(tick(), "");
+  EXPECT_EQ(c_->fired_state, GLIDER_NO_CASE);
+  EXPECT_EQ(c_->moved_list, GLIDER_NO_LIST);
 }
 
 TEST_F(ListsTest, AGuardAfterOneThatMayNotFireIsStillTried) {

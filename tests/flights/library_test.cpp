@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// The library in the language: beside the runtime's own in C, and what its parts do at sea.
+
+#include "runtime/abi/glider_abi.h"
+#include "tests/flights/flight.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace glider::tests {
+namespace {
+
+/// The profiles and routes that the runtime has in C, under the library's names.
+constexpr const char* kLibraryInC = R"(
+extern flightprofile yo(top: length, bottom: length, dive: angle, climb: angle) reads depth
+extern flightprofile thermotrackyo(top: length, bottom: length, dive: angle, climb: angle,
+                                   dtemp: temperature, ddepth: length) reads depth, temp
+extern flightprofile surfaced reads depth
+extern flightroute noheading
+extern flightroute nav(north: latitude, east: longitude)
+extern flightroute heading(to: angle)
+)";
+
+/// Flies with the library in C: what the command reads is copied, the library replaced.
+Flight flyInC(const std::string& arguments) {
+  const TemporaryFolder folder;
+  const std::string share = folder.path() / "share";
+  const Outcome copied = runShell("cp -rs $(dirname $(dirname $GLIDERCC))/share/glidercc " + share +
+                                  " && rm " + share + "/library/standard.mission");
+  EXPECT_EQ(copied.status, 0) << copied.err;
+  const std::string text = folder.write("standard.mission", kLibraryInC);
+  EXPECT_EQ(runShell("mv " + text + " " + share + "/library/").status, 0);
+  setenv("GLIDERCC_SHARE", share.c_str(), 1);
+  Flight flight = fly(arguments);
+  unsetenv("GLIDERCC_SHARE");
+  return flight;
+}
+
+std::string world() {
+  return " --scenario " + project("scenarios/default.toml");
+}
+
+void expectTheSameInC(const std::string& mission) {
+  const Flight language = fly(mission + world());
+  const Flight c = flyInC(mission + world());
+  ASSERT_EQ(language.outcome.status, 0) << language.outcome.err;
+  ASSERT_EQ(c.outcome.status, 0) << c.outcome.err;
+  EXPECT_GT(language.rows.size(), 100U);
+  EXPECT_TRUE(language.csv == c.csv) << "the traces differ";
+}
+
+TEST(Library, Figure2IsTheSameInCAndInTheLanguage) {
+  expectTheSameInC(project("missions/figure2.mission"));
+}
+
+TEST(Library, EveryPartThatCHasIsTheSame) {
+  const TemporaryFolder folder;
+  expectTheSameInC(folder.write("parts.mission", R"(mission parts
+var deep : length = 8 m in 8 m .. 20 m
+state dive
+begin
+  flightroute   heading(0.5 + statetime / 1000 s * 1 rad)
+  flightprofile yo(3, deep, .454, .3)
+  sensors       missiontime, depth
+  events
+    case statetime >= 300 s && deep < 9 m do set deep = 15 m end call up
+    case missiontime >= 1200 s exit
+end
+state up
+begin
+  flightprofile surfaced
+  sensors       statetime
+  events
+    case statetime >= 200 s return
+end
+)"));
+}
+
+Flight flyText(const std::string& text) {
+  const TemporaryFolder folder;
+  return fly(folder.write("m.mission", text) + world());
+}
+
+TEST(Library, DiveToAndClimbToAreDoneWhereTheySay) {
+  const Flight flight = flyText(R"(mission once
+state down
+begin
+  flightprofile dive_to(15 m, 26 deg)
+  sensors       depth
+  events
+    case profiledone goto up
+    case missiontime > 30 min exit
+end
+state up
+begin
+  flightprofile climb_to(6 m, 26 deg)
+  sensors       depth
+  events
+    case profiledone goto stay_there
+    case missiontime > 30 min exit
+end
+state stay_there
+begin
+  flightprofile hover_at(6 m)
+  sensors       depth, missiontime
+  events
+    case missiontime > 20 min exit
+end
+)");
+  ASSERT_EQ(flight.outcome.status, 0) << flight.outcome.err;
+  const auto transitions = flight.transitions();
+  ASSERT_EQ(transitions.size(), 3U);
+  EXPECT_EQ(transitions[0].what, "down → up (goto)");
+  EXPECT_EQ(transitions[1].what, "up → stay_there (goto)");
+  const auto depth = flight.column("true_depth");
+  const auto time = flight.column("missiontime");
+  EXPECT_NEAR(*std::ranges::max_element(depth), 16, 4);
+  for (size_t i = 0; i < depth.size(); ++i) {
+    if (time[i] > 15 * 60 && time[i] < 20 * 60) {
+      EXPECT_NEAR(depth[i], 6, 4) << time[i];
+    }
+  }
+}
+
+}  // namespace
+}  // namespace glider::tests

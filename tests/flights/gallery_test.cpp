@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Every mission of the gallery is fine, builds for every board, and does in its world what it is
+// for.
+
+#include "tests/support/command.h"
+
+#include <gtest/gtest.h>
+
+#include <gmock/gmock.h>
+#include <set>
+
+namespace glider::tests {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+struct GalleryFlight {
+  const char* mission;
+  const char* scenario;
+  const char* shows;  ///< stands in the summary of the flight
+};
+
+const GalleryFlight kFlights[] = {
+    {"avoid_ground", "shelf_slope", "transect → rise (call, always case 1)"},
+    {"bloom", "bloom", "sample → transect (return)"},
+    {"bottom_following", "shelf_slope", "follow → end (exit)"},
+    {"front", "front", "across → back (goto)"},
+    {"isotherms", "default", "sample → end (exit)"},
+    {"low_battery", "low_battery", "survey → give_back (goto, always case 1)"},
+    {"surface_on_event", "default", "strong layer"},
+    {"survey_box", "default", "leg, metres to go 4"},
+    {"thermocline", "figure5", "the mission has ended normally"},
+    {"virtual_mooring", "default", "back → keep (return)"},
+    {"water_column", "default", "stop → up (goto)"},
+    {"way_points", "default", "waypoint reached 3"},
+};
+
+std::string pathOf(const std::string& mission) {
+  return GLIDER_SOURCE_DIR "/missions/gallery/" + mission + ".mission";
+}
+
+class Gallery : public testing::TestWithParam<GalleryFlight> {};
+
+TEST_P(Gallery, IsFineBuildsAndFlies) {
+  const std::string path = pathOf(GetParam().mission);
+  const Outcome checked = runShell("$GLIDERCC check " + path);
+  EXPECT_EQ(checked.status, 0);
+  EXPECT_EQ(checked.err, "");
+  for (const char* board : {"host", "ts7800", "ts5500"}) {
+    const Outcome built = runShell("$GLIDERCC build " + path + " --target " + board + " -o built");
+    EXPECT_EQ(built.status, 0) << board << ": " << built.err;
+  }
+  const Outcome flown =
+      runShell("$GLIDERCC sim " + path + " --scenario " + GetParam().scenario + " -o flown");
+  EXPECT_EQ(flown.status, 0) << flown.err;
+  EXPECT_THAT(flown.out, HasSubstr(GetParam().shows));
+  EXPECT_THAT(flown.out, Not(HasSubstr("refused")));
+}
+
+INSTANTIATE_TEST_SUITE_P(Missions, Gallery, testing::ValuesIn(kFlights),
+                         [](const auto& tested) { return std::string(tested.param.mission); });
+
+TEST(GalleryList, HasEveryMission) {
+  std::set<std::string> listed;
+  for (const GalleryFlight& flight : kFlights) {
+    listed.insert(flight.mission);
+  }
+  std::set<std::string> there;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(GLIDER_SOURCE_DIR "/missions/gallery")) {
+    there.insert(entry.path().stem().string());
+  }
+  EXPECT_EQ(listed, there);
+}
+
+}  // namespace
+}  // namespace glider::tests

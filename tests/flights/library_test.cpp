@@ -83,7 +83,7 @@ end
 
 Flight flyText(const std::string& text) {
   const TemporaryFolder folder;
-  return fly(folder.write("m.mission", text) + world());
+  return fly(folder.write("m.mission", text).string() + world());
 }
 
 TEST(Library, DiveToAndClimbToAreDoneWhereTheySay) {

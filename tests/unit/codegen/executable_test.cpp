@@ -51,7 +51,7 @@ TEST_P(OnBoard, Figure2FitsAndStarts) {
                                              optionsFor(checked, level), output);
   ASSERT_TRUE(built.has_value()) << built.error().message;
   if (target.max_executable_bytes != 0) {
-    EXPECT_LE(fs::file_size(output), target.max_executable_bytes);
+    EXPECT_LE(fs::file_size(output), 64U << 10U) << "Figure 2 is to stay that small";
   }
   EXPECT_GT(fs::file_size(output.string() + ".debug"), 0u);
   // Without a port to open it ends by itself, and says why: it ran to its own code.

@@ -52,7 +52,7 @@ TEST(Board, OursLoad) {
     ASSERT_TRUE(board) << board.error().message;
     EXPECT_EQ(board->name, name);
     EXPECT_EQ(board->folder, GLIDER_SOURCE_DIR "/platforms/boards");
-    EXPECT_EQ(board->max_executable_bytes, board->name == "host" ? 0u : 65536u);
+    EXPECT_EQ(board->max_executable_bytes, board->name == "host" ? 0u : 131072u);
     EXPECT_EQ(board->relocation,
               board->name == "host" ? Relocation::PositionIndependent : Relocation::Static);
     EXPECT_EQ(board->float_abi, board->name == "ts7800" ? FloatAbi::Soft : FloatAbi::Hard);

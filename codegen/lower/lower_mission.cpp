@@ -21,6 +21,35 @@ void setRelocation(llvm::Module& module, const llvm::TargetMachine& machine) {
   }
 }
 
+StateFunctions lowerState(Lowering& lowering, uint32_t index) {
+  const ir::State& state = lowering.mission.states[index];
+  const MissionIndex::Blocks& blocks = lowering.index.memory_blocks[index];
+  StateFunctions functions;
+  functions.guards = lowerGuards(lowering, state.cases, state.name, state.range);
+  functions.act = lowerAct(lowering, state.cases, state.name, state.range);
+  functions.enter = lowerEnter(lowering, index);
+  functions.advance =
+      lowerAdvance(lowering, lowering.index.state_temporals[index], state.name, state.range);
+  functions.profile = lowerFly(lowering, index, state.profile, "profile", blocks.profile);
+  functions.route = lowerFly(lowering, index, state.route, "route", blocks.route);
+  return functions;
+}
+
+MissionFunctions lowerFunctions(Lowering& lowering) {
+  const ir::Mission& mission = lowering.mission;
+  const support::SourceRange range = mission.states.front().range;
+  MissionFunctions functions;
+  functions.begin = lowerBegin(lowering);
+  functions.advance = lowerAdvance(lowering, lowering.index.always_temporals, "always", range);
+  functions.guards = lowerGuards(lowering, mission.always, "always", range);
+  functions.act = lowerAct(lowering, mission.always, "always", range);
+  functions.condition = lowerCondition(lowering);
+  for (uint32_t i = 0; i < mission.states.size(); ++i) {
+    functions.states.push_back(lowerState(lowering, i));
+  }
+  return functions;
+}
+
 }  // namespace
 
 std::unique_ptr<llvm::Module> lowerMission(const ir::Mission& mission,
@@ -39,15 +68,7 @@ std::unique_ptr<llvm::Module> lowerMission(const ir::Mission& mission,
                     makeAbiTypes(context),
                     DebugInfo(*module, sources, mission.states.front().range),
                     indexMission(mission)};
-  MissionFunctions functions;
-  functions.begin = lowerBegin(lowering);
-  functions.advance = lowerAdvance(lowering);
-  functions.guards = lowerGuards(lowering);
-  functions.act = lowerAct(lowering);
-  functions.enter = lowerEnter(lowering);
-  functions.fly = lowerFly(lowering);
-  functions.condition = lowerCondition(lowering);
-  functions.log_value = lowerLogValue(lowering);
+  const MissionFunctions functions = lowerFunctions(lowering);
   lowerTables(lowering, functions);
   lowering.debug.finish();
   CHECK(!llvm::verifyModule(*module, &llvm::errs()), "generated code that LLVM refuses");

@@ -39,12 +39,20 @@ class Tables {
   llvm::Constant* number(double value) {
     return llvm::ConstantFP::get(llvm::Type::getDoubleTy(context()), value);
   }
+  /// A pointer to `function`; null for none.
+  llvm::Constant* code(llvm::Function* function) {
+    return function != nullptr ? static_cast<llvm::Constant*>(function) : nothing();
+  }
+  llvm::Constant* nothing() {
+    return llvm::ConstantPointerNull::get(llvm::PointerType::getUnqual(context()));
+  }
   llvm::Constant* text(const std::string& text) { return codegen::text(lowering_, text); }
   /// A constant array under `name`; null when it has no elements.
   llvm::Constant* array(llvm::StructType* type, const std::vector<llvm::Constant*>& elements,
                         const std::string& name);
   llvm::Constant* sensors();
-  llvm::Constant* states();
+  llvm::Constant* states(const std::vector<StateFunctions>& functions);
+  llvm::Constant* state(const ir::State& state, const StateFunctions& functions);
   llvm::Constant* parameters();
   llvm::Constant* cases(const std::vector<ir::Case>& cases, const std::string& name);
   llvm::Constant* log(const ir::State& state);
@@ -56,7 +64,7 @@ class Tables {
 llvm::Constant* Tables::array(llvm::StructType* type, const std::vector<llvm::Constant*>& elements,
                               const std::string& name) {
   if (elements.empty()) {
-    return llvm::ConstantPointerNull::get(llvm::PointerType::getUnqual(context()));
+    return nothing();
   }
   auto* array_type = llvm::ArrayType::get(type, elements.size());
   auto* variable = new llvm::GlobalVariable(lowering_.module, array_type, true,
@@ -104,22 +112,43 @@ llvm::Constant* Tables::cases(const std::vector<ir::Case>& cases, const std::str
   return array(lowering_.types.GliderCaseInfo, rows, "cases." + name);
 }
 
+GliderLogSource logSource(ir::Op op) {
+  switch (op) {
+    case ir::Op::Sensor:
+      return kGliderLogSensor;
+    case ir::Op::MissionTime:
+      return kGliderLogMissionTime;
+    case ir::Op::StateTime:
+      return kGliderLogStateTime;
+    default:
+      return kGliderLogResumeTime;
+  }
+}
+
 llvm::Constant* Tables::log(const ir::State& state) {
   std::vector<llvm::Constant*> rows;
   for (const ir::LogItem& item : state.log) {
-    rows.push_back(llvm::ConstantStruct::get(lowering_.types.GliderLogInfo,
-                                             {text(item.name), number(item.period_s)}));
+    const ir::Expr& value = lowering_.mission[item.value];
+    rows.push_back(llvm::ConstantStruct::get(
+        lowering_.types.GliderLogInfo,
+        {text(item.name), number(item.period_s), word(logSource(value.op)),
+         word(value.op == ir::Op::Sensor ? value.sensor.index : 0)}));
   }
   return array(lowering_.types.GliderLogInfo, rows, "log_items." + state.name);
 }
 
-llvm::Constant* Tables::states() {
+llvm::Constant* Tables::state(const ir::State& state, const StateFunctions& functions) {
+  return llvm::ConstantStruct::get(
+      lowering_.types.GliderStateInfo,
+      {text(state.name), cases(state.cases, state.name), log(state), code(functions.guards),
+       code(functions.act), code(functions.enter), code(functions.advance), code(functions.profile),
+       code(functions.route), word(state.cases.size()), word(state.log.size())});
+}
+
+llvm::Constant* Tables::states(const std::vector<StateFunctions>& functions) {
   std::vector<llvm::Constant*> rows;
-  for (const ir::State& state : lowering_.mission.states) {
-    rows.push_back(
-        llvm::ConstantStruct::get(lowering_.types.GliderStateInfo,
-                                  {text(state.name), cases(state.cases, state.name), log(state),
-                                   word(state.cases.size()), word(state.log.size())}));
+  for (size_t i = 0; i < functions.size(); ++i) {
+    rows.push_back(state(lowering_.mission.states[i], functions[i]));
   }
   return array(lowering_.types.GliderStateInfo, rows, "states");
 }
@@ -135,22 +164,21 @@ llvm::Constant* Tables::mission(const MissionFunctions& functions) {
                                     word(index.memory_count),
                                     word(mission.variables.size()),
                                     word(index.slot_count),
+                                    word(index.interval_count),
                                     word(index.parameter_count),
                                     word(mission.always.size()),
                                     word(bytesOf(lowering_)),
+                                    word(0),
                                     text(mission.name),
-                                    states(),
+                                    states(functions.states),
                                     sensors(),
                                     cases(mission.always, "always"),
                                     parameters(),
-                                    functions.begin,
-                                    functions.advance,
-                                    functions.guards,
-                                    functions.act,
-                                    functions.enter,
-                                    functions.fly,
-                                    functions.condition,
-                                    functions.log_value});
+                                    code(functions.begin),
+                                    code(functions.advance),
+                                    code(functions.guards),
+                                    code(functions.act),
+                                    code(functions.condition)});
 }
 
 }  // namespace

@@ -194,7 +194,7 @@ struct Activity {
 /// A value that the SBC logs while the state is current.
 struct LogItem {
   std::string name;
-  ExprId value;
+  ExprId value;         ///< a Sensor or a clock
   double period_s = 0;  ///< at most once in this time; 0: every tick
 };
 

@@ -24,6 +24,10 @@ bool ownedByState(VariableKind kind) {
   return kind != VariableKind::Parameter && kind != VariableKind::Mission;
 }
 
+bool mayBeLogged(Op op) {
+  return op == Op::Sensor || op == Op::MissionTime || op == Op::StateTime || op == Op::ResumeTime;
+}
+
 class CodeValidator {
  public:
   CodeValidator(const Mission& mission, std::vector<Defect>& defects)
@@ -298,9 +302,8 @@ class CodeValidator {
     activity(id, s.profile, BehaviourKind::Profile, "profile");
     parameters(id, where);
     for (const LogItem& item : s.log) {
-      const bool number = exists(item.value) && m_[item.value].type.kind != TypeKind::Bool;
-      require(number && inScope(item.value, id), s.range,
-              fmt::format("{} logs `{}`, which is no number of its own", where, item.name));
+      require(exists(item.value) && mayBeLogged(m_[item.value].op), s.range,
+              fmt::format("{} logs `{}`, which is neither a sensor nor a clock", where, item.name));
       require(item.period_s >= 0 && std::isfinite(item.period_s), s.range,
               fmt::format("{} logs `{}` every {} s", where, item.name, item.period_s));
     }

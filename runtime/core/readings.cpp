@@ -81,3 +81,17 @@ extern "C" double gliderAge(const GliderContext* context, uint32_t id) {
 extern "C" double gliderMissionTime(const GliderContext* context) {
   return context->mission_time;
 }
+
+extern "C" double gliderLogValue(const GliderContext* context, uint32_t item) {
+  const GliderLogInfo& info = context->mission->states[context->state].log[item];
+  switch (info.source) {
+    case kGliderLogSensor:
+      return context->readings[info.sensor].value;
+    case kGliderLogMissionTime:
+      return context->mission_time;
+    case kGliderLogStateTime:
+      return gliderSettle(context->mission_time - context->entered);
+    default:
+      return gliderSettle(context->mission_time - context->resumed);
+  }
+}

@@ -66,7 +66,7 @@ void MissionLog::values(const GliderContext& context) {
       line({.time = context.mission_time,
             .record = "value",
             .name = state.log[item].name,
-            .value = context.mission->log_value(&context, item)});
+            .value = gliderLogValue(&context, item)});
     }
   }
   last_written_state_ = context.state;

@@ -91,6 +91,15 @@ ExprId ExpressionMaker::variable(ir::VariableId id) {
   return keep(e);
 }
 
+ExprId ExpressionMaker::logged() {
+  constexpr Op kClocks[] = {Op::MissionTime, Op::StateTime, Op::ResumeTime};
+  if (random_.chance(0.3)) {
+    return add(random_.pick(kClocks), {});
+  }
+  const auto count = static_cast<uint32_t>(m_.sensors.size());
+  return add(Op::Sensor, {}, {random_.below(count)});
+}
+
 bool ExpressionMaker::readable(ExprId id) const {
   const ir::Reads& reads = reads_[id.index];
   return (!reads.state.valid() || reads.state == scope_.state) &&

@@ -33,6 +33,8 @@ class ExpressionMaker {
   ir::ExprId guard(uint32_t depth);
   /// Either, kept in the variable's range.
   ir::ExprId valueFor(const ir::Variable& variable, uint32_t depth);
+  /// What a state may log: a sensor or a clock.
+  ir::ExprId logged();
   /// `clock >= seconds`.
   ir::ExprId since(ir::Op clock, double seconds);
   ir::ExprId both(ir::ExprId a, ir::ExprId b) { return add(ir::Op::And, {a, b}); }

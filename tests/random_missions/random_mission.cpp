@@ -242,9 +242,7 @@ class MissionMaker {
     stand(ir::ListKind::State, id);
     for (uint32_t k = random_.below(4); k > 0; --k) {
       constexpr double kPeriods[] = {0, 4, 30.5};
-      const Type type = random_.pick(m_.sensors).type;
-      const ir::ExprId value = expressions_.number(type, random_.between(0, 2));
-      s.log.push_back({fmt::format("log{}", k), value, random_.pick(kPeriods)});
+      s.log.push_back({fmt::format("log{}", k), expressions_.logged(), random_.pick(kPeriods)});
     }
     s.entry = action();
     for (uint32_t k = random_.below(5); k > 0; --k) {

@@ -98,7 +98,7 @@ Result<void> bringTogether(llvm::Module& module, const Board& board, int level,
   if (level >= kWholeProgramLevel) {
     return joinRuntime(module, {board.folder / "system.bc", board.folder / "tick.bc"}, visible);
   }
-  return level >= kImportLevel ? importRuntime(module, board.folder / "tick.bc") : Result<void>{};
+  return level >= kImportLevel ? importRuntime(module, board.folder / "inline.bc") : Result<void>{};
 }
 
 Result<ProgramParts> compileProgram(const ir::Mission& mission, const ir::MissionFacts& facts,

@@ -136,7 +136,13 @@ Result<std::string> linkWhole(const ir::Mission& mission, const ir::MissionFacts
   if (!parts) {
     return std::unexpected(parts.error());
   }
-  return link({ProgramKind::Executable, parts->object, parts->further_inputs, {}, wanted}, board);
+  return link({ProgramKind::Executable,
+               parts->object,
+               parts->further_inputs,
+               {},
+               wanted,
+               options.last_link},
+              board);
 }
 
 /// Both files or neither, as far as a file system can promise that: both lie there whole before the
@@ -228,7 +234,7 @@ Result<std::string> linkShared(const ir::Mission& mission, const ir::MissionFact
     return std::unexpected(parts.error());
   }
   return link({ProgramKind::SharedObject, parts->object, parts->further_inputs, sharedSymbols(),
-               options.debug},
+               options.debug, options.last_link},
               host);
 }
 

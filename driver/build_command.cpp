@@ -68,6 +68,7 @@ codegen::CodegenOptions codegenOptions(const BuildOptions& options,
   codegen::CodegenOptions result;
   result.optimisation_level = static_cast<int>(options.level);
   result.sources = &compilation.sources;
+  result.last_link = true;
   return result;
 }
 

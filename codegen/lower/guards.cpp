@@ -2,14 +2,19 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "codegen/lower/body.h"
+#include "codegen/lower/guard_table.h"
 #include "runtime/abi/glider_abi.h"
 
 namespace glider::codegen {
 /// What an earlier guard has worked out serves the later ones, whose blocks it dominates.
 llvm::Function* lowerGuards(Lowering& lowering, const std::vector<ir::Case>& cases,
-                            const std::string& name, support::SourceRange range) {
+                            const ir::GuardTable& table, uint32_t memory, const std::string& name,
+                            support::SourceRange range) {
   if (cases.empty()) {
     return nullptr;
+  }
+  if (!table.empty()) {
+    return lowerGuardTable(lowering, table, cases, name, range, memory);
   }
   Body body(lowering, "guards." + name, Body::Result::Word, 1, name + " events", range);
   llvm::IRBuilder<>& builder = body.builder;

@@ -25,7 +25,8 @@ StateFunctions lowerState(Lowering& lowering, uint32_t index) {
   const ir::State& state = lowering.mission.states[index];
   const MissionIndex::Blocks& blocks = lowering.index.memory_blocks[index];
   StateFunctions functions;
-  functions.guards = lowerGuards(lowering, state.cases, state.name, state.range);
+  functions.guards = lowerGuards(lowering, state.cases, state.table,
+                                 lowering.index.table_memory[index], state.name, state.range);
   functions.act = lowerAct(lowering, state.cases, state.name, state.range);
   functions.enter = lowerEnter(lowering, index);
   functions.advance =
@@ -41,7 +42,8 @@ MissionFunctions lowerFunctions(Lowering& lowering) {
   MissionFunctions functions;
   functions.begin = lowerBegin(lowering);
   functions.advance = lowerAdvance(lowering, lowering.index.always_temporals, "always", range);
-  functions.guards = lowerGuards(lowering, mission.always, "always", range);
+  functions.guards = lowerGuards(lowering, mission.always, mission.always_table,
+                                 lowering.index.always_table_memory, "always", range);
   functions.act = lowerAct(lowering, mission.always, "always", range);
   functions.condition = lowerCondition(lowering);
   for (uint32_t i = 0; i < mission.states.size(); ++i) {

@@ -55,9 +55,11 @@ struct MissionFunctions {
   std::vector<StateFunctions> states{};
 };
 
-/// `name` tells whose functions they are: "always", or the state's name.
+/// `name` tells whose functions they are: "always", or the state's name. `memory` is where a table,
+/// if the list has one, remembers what it saw (GliderContext::intervals).
 llvm::Function* lowerGuards(Lowering& lowering, const std::vector<ir::Case>& cases,
-                            const std::string& name, support::SourceRange range);
+                            const ir::GuardTable& table, uint32_t memory, const std::string& name,
+                            support::SourceRange range);
 llvm::Function* lowerAct(Lowering& lowering, const std::vector<ir::Case>& cases,
                          const std::string& name, support::SourceRange range);
 llvm::Function* lowerAdvance(Lowering& lowering, const std::vector<ir::TemporalId>& temporals,

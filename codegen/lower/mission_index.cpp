@@ -56,12 +56,26 @@ void indexTemporals(const ir::Mission& mission, MissionIndex& index) {
   }
 }
 
+/// A table remembers its answer, and of each column the interval.
+uint32_t memoryOf(const ir::GuardTable& table) {
+  return table.empty() ? 0 : 1 + static_cast<uint32_t>(table.columns.size());
+}
+
+void indexTables(const ir::Mission& mission, MissionIndex& index) {
+  index.interval_count = memoryOf(mission.always_table);
+  for (const ir::State& state : mission.states) {
+    index.table_memory.push_back(index.interval_count);
+    index.interval_count += memoryOf(state.table);
+  }
+}
+
 }  // namespace
 
 MissionIndex indexMission(const ir::Mission& mission) {
   MissionIndex index;
   indexVariables(mission, index);
   indexTemporals(mission, index);
+  indexTables(mission, index);
   auto block = [&](const ir::Activity& activity) {
     return mission[activity.behaviour].symbol.empty() ? UINT32_MAX : index.memory_count++;
   };

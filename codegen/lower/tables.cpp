@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "codegen/lower/context_size.h"
+#include "codegen/lower/guard_table.h"
 #include "codegen/lower/lowering.h"
 #include "codegen/lower/unit_factors.h"
 #include "runtime/abi/glider_abi.h"
@@ -112,27 +113,14 @@ llvm::Constant* Tables::cases(const std::vector<ir::Case>& cases, const std::str
   return array(lowering_.types.GliderCaseInfo, rows, "cases." + name);
 }
 
-GliderLogSource logSource(ir::Op op) {
-  switch (op) {
-    case ir::Op::Sensor:
-      return kGliderLogSensor;
-    case ir::Op::MissionTime:
-      return kGliderLogMissionTime;
-    case ir::Op::StateTime:
-      return kGliderLogStateTime;
-    default:
-      return kGliderLogResumeTime;
-  }
-}
-
 llvm::Constant* Tables::log(const ir::State& state) {
   std::vector<llvm::Constant*> rows;
   for (const ir::LogItem& item : state.log) {
     const ir::Expr& value = lowering_.mission[item.value];
-    rows.push_back(llvm::ConstantStruct::get(
-        lowering_.types.GliderLogInfo,
-        {text(item.name), number(item.period_s), word(logSource(value.op)),
-         word(value.op == ir::Op::Sensor ? value.sensor.index : 0)}));
+    rows.push_back(
+        llvm::ConstantStruct::get(lowering_.types.GliderLogInfo,
+                                  {text(item.name), number(item.period_s), word(sourceOf(value.op)),
+                                   word(value.op == ir::Op::Sensor ? value.sensor.index : 0)}));
   }
   return array(lowering_.types.GliderLogInfo, rows, "log_items." + state.name);
 }

@@ -5,6 +5,7 @@
 
 #include "ir/core/ops.h"
 #include "ir/core/scopes.h"
+#include "ir/core/validate_table.h"
 
 #include <fmt/format.h>
 
@@ -51,6 +52,7 @@ class CodeValidator {
     for (const Case& c : m_.always) {
       oneCase(c, kNoState, ListKind::Always, "`always`");
     }
+    table(m_.always_table, m_.always.size(), "`always`", {});
     std::set<std::string_view> names;
     for (uint32_t i = 0; i < m_.states.size(); ++i) {
       const State& s = m_.states[i];
@@ -295,6 +297,12 @@ class CodeValidator {
               fmt::format("state `{}`", m_[c.target].name));
   }
 
+  void table(const GuardTable& table, size_t case_count, const std::string& where,
+             SourceRange range) {
+    const std::string defect = defectOf(table, m_, case_count);
+    require(defect.empty(), range, fmt::format("the table of {} has {}", where, defect));
+  }
+
   void state(StateId id) {
     const State& s = m_[id];
     const std::string where = fmt::format("state `{}`", s.name);
@@ -311,6 +319,7 @@ class CodeValidator {
     for (const Case& c : s.cases) {
       oneCase(c, id, ListKind::State, where);
     }
+    table(s.table, s.cases.size(), where, s.range);
   }
 
   /// A state's parameters are the arguments that it owns, each once; the first state has none.

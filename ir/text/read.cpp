@@ -7,6 +7,7 @@
 #include "ir/text/code_reader.h"
 #include "ir/text/cursor.h"
 #include "ir/text/names.h"
+#include "ir/text/table_reader.h"
 
 #include <algorithm>
 #include <functional>
@@ -156,6 +157,8 @@ class Reader {
       const SourceRange begin = in_.peek().range;
       if (in_.accept("case")) {
         code_.caseInto([this]() -> std::vector<Case>& { return m_.always; }, begin);
+      } else if (in_.accept("table")) {
+        m_.always_table = text::readTable(in_, sensors_);
       } else if (!code_.definition()) {
         return;
       }
@@ -186,6 +189,8 @@ class Reader {
       } else if (in_.accept("case")) {
         code_.caseInto([this, number]() -> std::vector<Case>& { return m_.states[number].cases; },
                        begin);
+      } else if (in_.accept("table")) {
+        m_.states[number].table = text::readTable(in_, sensors_);
       } else if (!code_.definition()) {
         return;
       }

@@ -47,13 +47,13 @@ typedef enum GliderNoteKind {
 
 typedef enum GliderEncoding { kGliderLinear, kGliderDegreesMinutes } GliderEncoding;
 
-/* What a state may log. */
-typedef enum GliderLogSource {
-  kGliderLogSensor,
-  kGliderLogMissionTime,
-  kGliderLogStateTime,
-  kGliderLogResumeTime
-} GliderLogSource;
+/* What a state may log, and what a table of guards looks at. */
+typedef enum GliderSource {
+  kGliderSensor,
+  kGliderMissionTime,
+  kGliderStateTime,
+  kGliderResumeTime
+} GliderSource;
 
 /* Why a behaviour runs: its state was entered by goto or call, resumed by return, or stays current.
  */
@@ -104,6 +104,8 @@ typedef void(GliderAct)(GliderContext* context, uint32_t fired);
 typedef void(GliderEnter)(GliderContext* context, uint32_t phase);
 typedef uint32_t(GliderFly)(GliderContext* context);
 typedef uint32_t(GliderCondition)(const GliderContext* context);
+/* 1 if the guard of case `number` of a list is true. */
+typedef uint32_t(GliderHolds)(const GliderContext* context, uint32_t number);
 
 #define GLIDER_ABI_U32 uint32_t
 #define GLIDER_ABI_F64 double
@@ -129,6 +131,10 @@ double gliderSettle(double value);
 
 /* The value of log item `item` of the current state, SI units; NaN: unknown. */
 double gliderLogValue(const GliderContext* context, uint32_t item);
+
+/* What GliderGuards answers, by a table. Remembers in which intervals the numbers lay, and looks at
+   no row as long as they stay there. */
+uint32_t gliderFirstTrue(GliderContext* context, const GliderGuardTable* table, uint32_t from);
 
 /* Leaves a note of `kind` (GliderNoteKind) with `count` values, for this tick; `text` outlives the
    mission. Beyond what there is room for it is counted as lost. */

@@ -64,6 +64,19 @@ void refreshReadings(GliderContext& context) {
   }
 }
 
+double valueOf(const GliderContext& context, uint32_t source, uint32_t sensor) {
+  switch (source) {
+    case kGliderSensor:
+      return context.readings[sensor].value;
+    case kGliderMissionTime:
+      return context.mission_time;
+    case kGliderStateTime:
+      return gliderSettle(context.mission_time - context.entered);
+    default:
+      return gliderSettle(context.mission_time - context.resumed);
+  }
+}
+
 }  // namespace glider::runtime
 
 extern "C" double gliderRead(const GliderContext* context, uint32_t id) {
@@ -84,14 +97,5 @@ extern "C" double gliderMissionTime(const GliderContext* context) {
 
 extern "C" double gliderLogValue(const GliderContext* context, uint32_t item) {
   const GliderLogInfo& info = context->mission->states[context->state].log[item];
-  switch (info.source) {
-    case kGliderLogSensor:
-      return context->readings[info.sensor].value;
-    case kGliderLogMissionTime:
-      return context->mission_time;
-    case kGliderLogStateTime:
-      return gliderSettle(context->mission_time - context->entered);
-    default:
-      return gliderSettle(context->mission_time - context->resumed);
-  }
+  return glider::runtime::valueOf(*context, info.source, info.sensor);
 }

@@ -334,6 +334,28 @@ ExprId ExpressionMaker::comparison() {
   return add(random_.pick(kOps), {left, right});
 }
 
+ExprId ExpressionMaker::threshold() {
+  constexpr Op kOps[] = {Op::Less,         Op::LessEqual, Op::Greater,
+                         Op::GreaterEqual, Op::Equal,     Op::NotEqual};
+  const ExprId watched = logged();
+  if (random_.chance(0.05)) {
+    return add(Op::Known, {watched});
+  }
+  const ExprId at = constant(m_[watched].type);
+  const Op op = random_.pick(kOps);
+  return random_.chance(0.2) ? add(op, {at, watched}) : add(op, {watched, at});
+}
+
+ExprId ExpressionMaker::thresholds() {
+  ExprId guard = threshold();
+  for (uint32_t more = random_.below(3); more > 0; --more) {
+    guard = random_.chance(0.15) ? add(Op::Not, {guard}) : guard;
+    const ExprId other = random_.chance(0.1) ? comparison() : threshold();
+    guard = add(random_.chance(0.7) ? Op::And : Op::Or, {guard, other});
+  }
+  return guard;
+}
+
 ExprId ExpressionMaker::guard(uint32_t depth) {
   if (depth == 0 || random_.chance(0.35)) {
     if (random_.chance(0.04)) {

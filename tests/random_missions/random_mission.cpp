@@ -255,6 +255,17 @@ class MissionMaker {
       const ir::ExprId guard = often();
       add(i, guard, Transition::Goto, random_.below(gone_to_));
     }
+    if (random_.chance(0.15)) {
+      longList(i);
+    }
+  }
+
+  /// Behind the others, which it would hide.
+  void longList(uint32_t i) {
+    for (uint32_t k = random_.between(8, 40); k > 0; --k) {
+      const ir::ExprId guard = expressions_.thresholds();
+      m_.states[names_[i].index].cases.push_back(made(guard, Transition::Stay, {}));
+    }
   }
 
   void randomCase(uint32_t i) {

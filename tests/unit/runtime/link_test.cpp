@@ -70,7 +70,7 @@ class LinkTest : public ::testing::Test {
   double first_bottom = 12;
   GliderCaseInfo to_second_{kGliderGoto, 1};
   GliderCaseInfo leave_{kGliderExit, 0};
-  GliderLogInfo log_[1] = {{"depth", 8, kGliderLogSensor, 0}};
+  GliderLogInfo log_[1] = {{"depth", 8, kGliderSensor, 0}};
   BenchMission mission_;
   std::vector<double> runtime_memory_;
   GliderRuntime* runtime_ = nullptr;

@@ -69,7 +69,8 @@ std::unique_ptr<llvm::Module> lowerMission(const ir::Mission& mission,
                     *module,
                     makeAbiTypes(context),
                     DebugInfo(*module, sources, mission.states.front().range),
-                    indexMission(mission)};
+                    indexMission(mission),
+                    machine.Options.FloatABIType == llvm::FloatABI::Soft};
   const MissionFunctions functions = lowerFunctions(lowering);
   lowerTables(lowering, functions);
   lowering.debug.finish();

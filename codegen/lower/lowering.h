@@ -25,6 +25,7 @@ struct Lowering {
   AbiTypes types;
   DebugInfo debug;
   MissionIndex index;
+  bool soft_float;                                 ///< the processor has no FPU
   std::map<std::string, llvm::Constant*> texts{};  ///< of text()
   std::vector<llvm::Constant*> window_shapes =
       std::vector<llvm::Constant*>(mission.temporals.size());  ///< null: not made yet

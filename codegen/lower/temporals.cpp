@@ -53,13 +53,13 @@ class Guards {
     }
     store(kSince, since);
     Value* long_enough = builder_.CreateFCmpOGE(body_.expressions.timeSince(since), duration);
-    Value* when_true = builder_.CreateSelect(builder_.CreateFCmpORD(duration, duration),
-                                             truth(long_enough), unknown());
+    Value* when_true =
+        builder_.CreateSelect(body_.expressions.isKnown(duration), truth(long_enough), unknown());
     Value* otherwise = builder_.CreateSelect(is_false_, number(0), unknown());
     return builder_.CreateSelect(is_true_, when_true, otherwise);
   }
 
-  Value* wasTrue() { return builder_.CreateFCmpONE(load(kWasTrue), number(0)); }
+  Value* wasTrue() { return body_.expressions.holdsTrue(load(kWasTrue)); }
   Value* load(uint32_t slot) {
     return builder_.CreateLoad(builder_.getDoubleTy(),
                                body_.expressions.temporalSlot(slot_ + slot));

@@ -3,6 +3,8 @@
 
 #include "ir/opt/dnf.h"
 
+#include "ir/core/ops.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -161,23 +163,6 @@ class Former {
       return compared(*right, mirrored(op), a.number);
     }
     return opaque();
-  }
-
-  static Op negated(Op op) {
-    switch (op) {
-      case Op::Less:
-        return Op::GreaterEqual;
-      case Op::LessEqual:
-        return Op::Greater;
-      case Op::Greater:
-        return Op::LessEqual;
-      case Op::GreaterEqual:
-        return Op::Less;
-      case Op::Equal:
-        return Op::NotEqual;
-      default:
-        return Op::Equal;
-    }
   }
 
   static Op mirrored(Op op) {

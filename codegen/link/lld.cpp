@@ -34,7 +34,7 @@ bool isLibrary(const std::string& name) {
 
 /// The files in our scratch folder.
 struct ScratchFiles {
-  std::filesystem::path object;
+  std::vector<std::filesystem::path> objects;
   std::filesystem::path exports;
   std::filesystem::path output;
 };
@@ -69,7 +69,9 @@ std::vector<std::string> arguments(const LinkJob& job, const Board& board,
     }
   };
   addInputs(board.link.before);
-  all.push_back(files.object.string());
+  for (const auto& object : files.objects) {
+    all.push_back(object.string());
+  }
   for (const auto& input : job.further_inputs) {
     all.push_back(input.string());
   }
@@ -146,16 +148,20 @@ Result<std::string> link(const LinkJob& job, const Board& board) {
   if (!scratch) {
     return std::unexpected(scratch.error());
   }
-  const auto object = scratch->write("mission.o", job.object);
-  if (!object) {
-    return std::unexpected(object.error());
+  std::vector<std::filesystem::path> objects;
+  for (const std::string& object : job.objects) {
+    auto file = scratch->write(fmt::format("mission{}.o", objects.size()), object);
+    if (!file) {
+      return std::unexpected(file.error());
+    }
+    objects.push_back(std::move(*file));
   }
   const auto exports = scratch->write("exports", exportList(job.exports));
   if (!exports) {
     return std::unexpected(exports.error());
   }
   const std::filesystem::path output = scratch->path() / "linked";
-  const auto linked = runLld(job, board, {*object, *exports, output});
+  const auto linked = runLld(job, board, {objects, *exports, output});
   if (!linked) {
     return std::unexpected(linked.error());
   }

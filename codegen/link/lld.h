@@ -17,7 +17,7 @@ namespace glider::codegen {
 /// What to link into one file.
 struct LinkJob {
   ProgramKind kind = ProgramKind::Executable;
-  std::string_view object;                            ///< content of the mission's object
+  std::vector<std::string> objects;                   ///< contents of the mission's objects
   std::vector<std::filesystem::path> further_inputs;  ///< objects and archives besides
   std::vector<std::string> exports;                   ///< of a shared object
   bool keep_debug = false;                            ///< else symbols and line tables are left out

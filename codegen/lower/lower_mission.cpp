@@ -46,20 +46,25 @@ MissionFunctions lowerFunctions(Lowering& lowering) {
                                  lowering.index.always_table_memory, "always", range);
   functions.act = lowerAct(lowering, mission.always, "always", range);
   functions.condition = lowerCondition(lowering);
-  for (uint32_t i = 0; i < mission.states.size(); ++i) {
-    functions.states.push_back(lowerState(lowering, i));
-  }
   return functions;
 }
 
 }  // namespace
 
+MissionPart wholeOf(const ir::Mission& mission) {
+  MissionPart whole;
+  for (uint32_t i = 0; i < mission.states.size(); ++i) {
+    whole.states.push_back(i);
+  }
+  return whole;
+}
+
 std::unique_ptr<llvm::Module> lowerMission(const ir::Mission& mission,
-                                           const ir::MissionFacts& facts,
+                                           const ir::MissionFacts& facts, const MissionPart& part,
                                            const llvm::TargetMachine& machine,
                                            const support::SourceManager* sources,
                                            llvm::LLVMContext& context) {
-  CHECK(ir::validate(mission).empty(), "a mission that does not hold together");
+  CHECK(!part.head || ir::validate(mission).empty(), "a mission that does not hold together");
   auto module = std::make_unique<llvm::Module>(mission.name, context);
   module->setTargetTriple(machine.getTargetTriple().str());
   module->setDataLayout(machine.createDataLayout());
@@ -71,8 +76,12 @@ std::unique_ptr<llvm::Module> lowerMission(const ir::Mission& mission,
                     DebugInfo(*module, sources, mission.states.front().range),
                     indexMission(mission),
                     machine.Options.FloatABIType == llvm::FloatABI::Soft};
-  const MissionFunctions functions = lowerFunctions(lowering);
-  lowerTables(lowering, functions);
+  if (part.head) {
+    lowerTables(lowering, lowerFunctions(lowering));
+  }
+  for (const uint32_t state : part.states) {
+    lowerStateInfo(lowering, state, lowerState(lowering, state));
+  }
   lowering.debug.finish();
   CHECK(!llvm::verifyModule(*module, &llvm::errs()), "generated code that LLVM refuses");
   return module;

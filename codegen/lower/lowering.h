@@ -53,7 +53,6 @@ struct MissionFunctions {
   llvm::Function* guards = nullptr;
   llvm::Function* act = nullptr;
   llvm::Function* condition = nullptr;
-  std::vector<StateFunctions> states{};
 };
 
 /// `name` tells whose functions they are: "always", or the state's name. `memory` is where a table,
@@ -72,6 +71,9 @@ llvm::Function* lowerFly(Lowering& lowering, uint32_t state, const ir::Activity&
 llvm::Function* lowerBegin(Lowering& lowering);
 llvm::Function* lowerCondition(Lowering& lowering);
 
+/// The constant that describes a state to the runtime: named by its number, seen by the other parts
+/// of the mission.
+void lowerStateInfo(Lowering& lowering, uint32_t state, const StateFunctions& functions);
 /// The constant `gliderMission` with its tables, and `gliderContextMemory`.
 void lowerTables(Lowering& lowering, const MissionFunctions& functions);
 

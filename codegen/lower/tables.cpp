@@ -26,12 +26,26 @@ uint64_t bytesOf(const Lowering& lowering) {
                       lowering.module.getDataLayout(), lowering.types);
 }
 
+/// Where a state's constant stands, here or in another part.
+llvm::GlobalVariable* placeOfState(Lowering& lowering, uint32_t state) {
+  const std::string name = "state." + std::to_string(state);
+  if (llvm::GlobalVariable* found = lowering.module.getNamedGlobal(name)) {
+    return found;
+  }
+  auto* place = new llvm::GlobalVariable(lowering.module, lowering.types.GliderStateInfo, true,
+                                         llvm::GlobalValue::ExternalLinkage, nullptr, name);
+  place->setVisibility(llvm::GlobalValue::HiddenVisibility);
+  place->setDSOLocal(true);
+  return place;
+}
+
 /// Makes the constants.
 class Tables {
  public:
   explicit Tables(Lowering& lowering) : lowering_(lowering) {}
 
   llvm::Constant* mission(const MissionFunctions& functions);
+  llvm::Constant* state(const ir::State& state, const StateFunctions& functions);
 
  private:
   llvm::Constant* word(size_t value) {
@@ -52,8 +66,7 @@ class Tables {
   llvm::Constant* array(llvm::StructType* type, const std::vector<llvm::Constant*>& elements,
                         const std::string& name);
   llvm::Constant* sensors();
-  llvm::Constant* states(const std::vector<StateFunctions>& functions);
-  llvm::Constant* state(const ir::State& state, const StateFunctions& functions);
+  llvm::Constant* states();
   llvm::Constant* parameters();
   llvm::Constant* cases(const std::vector<ir::Case>& cases, const std::string& name);
   llvm::Constant* log(const ir::State& state);
@@ -133,12 +146,15 @@ llvm::Constant* Tables::state(const ir::State& state, const StateFunctions& func
        code(functions.route), word(state.cases.size()), word(state.log.size())});
 }
 
-llvm::Constant* Tables::states(const std::vector<StateFunctions>& functions) {
-  std::vector<llvm::Constant*> rows;
-  for (size_t i = 0; i < functions.size(); ++i) {
-    rows.push_back(state(lowering_.mission.states[i], functions[i]));
+/// Pointers, for a state may stand in another part of the mission.
+llvm::Constant* Tables::states() {
+  std::vector<llvm::Constant*> places;
+  for (uint32_t i = 0; i < lowering_.mission.states.size(); ++i) {
+    places.push_back(placeOfState(lowering_, i));
   }
-  return array(lowering_.types.GliderStateInfo, rows, "states");
+  auto* type = llvm::ArrayType::get(llvm::PointerType::getUnqual(context()), places.size());
+  return new llvm::GlobalVariable(lowering_.module, type, true, llvm::GlobalValue::PrivateLinkage,
+                                  llvm::ConstantArray::get(type, places), "states");
 }
 
 llvm::Constant* Tables::mission(const MissionFunctions& functions) {
@@ -158,7 +174,7 @@ llvm::Constant* Tables::mission(const MissionFunctions& functions) {
                                     word(bytesOf(lowering_)),
                                     word(0),
                                     text(mission.name),
-                                    states(functions.states),
+                                    states(),
                                     sensors(),
                                     cases(mission.always, "always"),
                                     parameters(),
@@ -170,6 +186,11 @@ llvm::Constant* Tables::mission(const MissionFunctions& functions) {
 }
 
 }  // namespace
+
+void lowerStateInfo(Lowering& lowering, uint32_t state, const StateFunctions& functions) {
+  placeOfState(lowering, state)
+      ->setInitializer(Tables(lowering).state(lowering.mission.states[state], functions));
+}
 
 void lowerTables(Lowering& lowering, const MissionFunctions& functions) {
   llvm::Module& module = lowering.module;

@@ -44,7 +44,7 @@ Program::Program() {
   state_.name = "program";
   mission_.abi_version = GLIDER_ABI_VERSION;
   mission_.state_count = 1;
-  mission_.states = &state_;
+  mission_.states = states_;
   mission_.sensors = sensors_;  // what the program does stands in its own code, between the ticks
   context_->mission = &mission_;
   context_->readings = memory_.readings;

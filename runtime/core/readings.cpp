@@ -96,6 +96,6 @@ extern "C" double gliderMissionTime(const GliderContext* context) {
 }
 
 extern "C" double gliderLogValue(const GliderContext* context, uint32_t item) {
-  const GliderLogInfo& info = context->mission->states[context->state].log[item];
+  const GliderLogInfo& info = context->mission->states[context->state]->log[item];
   return glider::runtime::valueOf(*context, info.source, info.sensor);
 }

@@ -70,11 +70,12 @@ bool hasTables(const GliderMission& mission) {
          (mission.parameters != nullptr || mission.parameter_count == 0);
 }
 
-/// True if whatever has cases has guards.
+/// True if every state is there, and whatever has cases has guards.
 bool hasGuards(const GliderMission& mission) {
   bool all = mission.guards != nullptr || mission.always_count == 0;
   for (uint32_t i = 0; i < mission.state_count; ++i) {
-    all = all && (mission.states[i].guards != nullptr || mission.states[i].case_count == 0);
+    const GliderStateInfo* state = mission.states[i];
+    all = all && state != nullptr && (state->guards != nullptr || state->case_count == 0);
   }
   return all;
 }

@@ -59,7 +59,7 @@ void clearRecords(GliderContext& context) {
 
 /// Enters or resumes the current state.
 void enter(GliderContext& context, GliderPhase phase) {
-  if (GliderEnter* enter = context.mission->states[context.state].enter; enter != nullptr) {
+  if (GliderEnter* enter = context.mission->states[context.state]->enter; enter != nullptr) {
     enter(&context, phase);
   }
 }
@@ -115,7 +115,7 @@ bool tryAlways(GliderContext& context) {
 
 /// True if one of the state's own cases ended the tick.
 bool tryState(GliderContext& context) {
-  const GliderStateInfo& state = context.mission->states[context.state];
+  const GliderStateInfo& state = *context.mission->states[context.state];
   const uint32_t found = firstTrue(context, state.guards, 0);
   if (found >= state.case_count) {
     return false;
@@ -131,7 +131,7 @@ void tryLists(GliderContext& context) {
   const bool over =
       own_first ? tryState(context) || tryAlways(context) : tryAlways(context) || tryState(context);
   if (!over) {
-    const GliderStateInfo& state = context.mission->states[context.state];
+    const GliderStateInfo& state = *context.mission->states[context.state];
     context.fired_profile = fly(context, state.profile);
     context.fired_route = fly(context, state.route);
   }
@@ -170,6 +170,6 @@ extern "C" void gliderStep(GliderContext* context, double mission_time, const Gl
   glider::runtime::refreshReadings(*context);
   // Those of `always` first: a state's may look at them, not the other way round.
   glider::runtime::advance(*context, context->mission->advance);
-  glider::runtime::advance(*context, context->mission->states[context->state].advance);
+  glider::runtime::advance(*context, context->mission->states[context->state]->advance);
   glider::runtime::tryLists(*context);
 }

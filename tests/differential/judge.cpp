@@ -19,6 +19,7 @@
 #include <fmt/ranges.h>
 #include <llvm/IR/Constants.h>
 #include <llvm/Linker/Linker.h>
+#include <llvm/Transforms/IPO/Internalize.h>
 
 #include <cstdlib>
 #include <cstring>
@@ -55,10 +56,14 @@ std::unique_ptr<llvm::Module> joinMissions(std::span<const Trial> trials,
     if (level >= kTableLevel) {
       ir::opt::tabulateGuards(mission);
     }
-    auto module = codegen::lowerMission(mission, facts, machine, nullptr, context);
+    auto module =
+        codegen::lowerMission(mission, facts, codegen::wholeOf(mission), machine, nullptr, context);
     const std::string name = fmt::format("mission{}", table.size());
     module->getNamedGlobal("gliderMission")->setName(name);
     module->getNamedGlobal("gliderContextMemory")->eraseFromParent();
+    llvm::internalizeModule(*module, [&](const llvm::GlobalValue& value) {
+      return value.getName() == name;  // the states of each mission are its own
+    });
     CHECK(!llvm::Linker::linkModules(*all, std::move(module)), "missions that do not link");
     table.push_back(all->getNamedGlobal(name));
   }
@@ -83,7 +88,7 @@ std::string buildProgram(std::span<const Trial> trials, const Board& board, int 
   codegen::optimise(*module, *machine, level);
   const std::string object =
       codegen::emitCode(*module, *machine, llvm::CodeGenFileType::ObjectFile);
-  return sure(codegen::link({codegen::ProgramKind::Executable, object, {}, {}, false}, board));
+  return sure(codegen::link({codegen::ProgramKind::Executable, {object}, {}, {}, false}, board));
 }
 
 Words fly(std::span<const Trial> trials, const Board& board, const std::string& program) {

@@ -120,7 +120,7 @@ void writeTick(const GliderContext* context) {
   putNotes(context);
   GliderCondition* condition = context->mission->condition;
   put(condition != NULL ? condition(context) : GLIDER_NO_CASE);
-  const GliderStateInfo* state = &context->mission->states[context->state];
+  const GliderStateInfo* state = context->mission->states[context->state];
   for (uint32_t i = 0; i < state->log_count; ++i) {
     putNumber(gliderLogValue(context, i));
   }

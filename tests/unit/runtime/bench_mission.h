@@ -18,6 +18,7 @@ namespace glider::runtime::testing {
 struct BenchMission {
   std::vector<GliderSensorInfo> sensors;
   std::vector<GliderStateInfo> states;
+  std::vector<const GliderStateInfo*> places;  ///< of the states
   GliderMission mission{};
 
   std::vector<GliderCaseInfo> always;
@@ -57,7 +58,11 @@ struct BenchMission {
     mission.always = always.data();
     mission.parameters = parameters.data();
     mission.name = "bench";
-    mission.states = states.data();
+    places.clear();
+    for (const GliderStateInfo& state : states) {
+      places.push_back(&state);
+    }
+    mission.states = places.data();
     mission.sensors = sensors.data();
     mission.begin = [](GliderContext* c) { active()->begin(*c); };
     mission.advance = [](GliderContext* c) { active()->advance(*c); };

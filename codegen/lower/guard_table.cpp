@@ -37,9 +37,9 @@ class Table {
     for (uint32_t i = 0; i < table_.columns.size(); ++i) {
       columns.push_back(column(i));
     }
-    std::vector<uint32_t> cases;
+    std::vector<uint16_t> cases;
     for (const ir::GuardRow& row : table_.rows) {
-      cases.push_back(row.number);
+      cases.push_back(static_cast<uint16_t>(row.number));
     }
     const auto exact =
         bitsOf(table_.rows.size(), [&](size_t row) { return table_.rows[row].exact; });
@@ -52,7 +52,7 @@ class Table {
                         llvm::ArrayType::get(lowering_.types.GliderGuardColumn, columns.size()),
                         columns),
                     "columns"),
-             words(cases, "cases"), words(exact, "exact"),
+             list(cases, "cases"), list(exact, "exact"),
              holds != nullptr ? static_cast<llvm::Constant*>(holds) : none, word(columns.size()),
              word(exact.size()), word(memory), word(0)}),
         "table");
@@ -67,22 +67,52 @@ class Table {
     }
     keys.push_back(static_cast<uint64_t>(gliderOrder(std::numeric_limits<double>::infinity()) +
                                          1));  // unknown
-    std::vector<uint32_t> rows;
-    for (uint32_t interval = 0; interval <= column.unknown(); ++interval) {
-      const auto here = bitsOf(table_.rows.size(), [&](size_t row) {
-        const ir::GuardRow::Range& range = table_.rows[row].within[number];
-        return range.first <= interval && interval <= range.last;
-      });
-      rows.insert(rows.end(), here.begin(), here.end());
+    std::vector<uint16_t> turns;
+    std::vector<uint16_t> first_turn;
+    for (uint32_t interval = 0; interval < keys.size(); ++interval) {
+      first_turn.push_back(static_cast<uint16_t>(turns.size()));
+      addTurns(number, interval, turns);
     }
+    first_turn.push_back(static_cast<uint16_t>(turns.size()));
     return llvm::ConstantStruct::get(
         lowering_.types.GliderGuardColumn,
-        {global(llvm::ConstantDataArray::get(context(), keys), "keys"), words(rows, "rows"),
-         word(keys.size()), word(sourceOf(column.source)),
+        {list(keys, "keys"), list(strides(number), "rows"), list(turns, "turns"),
+         list(first_turn, "first_turn"), word(keys.size()), word(sourceOf(column.source)),
          word(column.sensor.valid() ? column.sensor.index : 0), word(0)});
   }
 
-  llvm::Constant* words(const std::vector<uint32_t>& values, const char* what) {
+  bool mayHold(size_t row, uint32_t column, uint32_t interval) const {
+    const ir::GuardRow::Range& range = table_.rows[row].within[column];
+    return range.first <= interval && interval <= range.last;
+  }
+
+  /// The rows that change between an interval and the next.
+  void addTurns(uint32_t column, uint32_t interval, std::vector<uint16_t>& turns) const {
+    for (size_t row = 0; row < table_.rows.size(); ++row) {
+      if (mayHold(row, column, interval) != mayHold(row, column, interval + 1)) {
+        turns.push_back(static_cast<uint16_t>(row));
+      }
+    }
+  }
+
+  /// The rows that may hold in each interval from which turns are counted, and in the last.
+  std::vector<uint32_t> strides(uint32_t column) const {
+    std::vector<uint32_t> words;
+    const uint32_t last = table_.columns[column].unknown();
+    auto add = [&](uint32_t interval) {
+      const auto here =
+          bitsOf(table_.rows.size(), [&](size_t row) { return mayHold(row, column, interval); });
+      words.insert(words.end(), here.begin(), here.end());
+    };
+    for (uint32_t interval = 0; interval < last; interval += GLIDER_GUARD_STRIDE) {
+      add(interval);
+    }
+    add(last);
+    return words;
+  }
+
+  template <typename T>
+  llvm::Constant* list(const std::vector<T>& values, const char* what) {
     return global(llvm::ConstantDataArray::get(context(), values), what);
   }
   llvm::Constant* word(size_t value) {

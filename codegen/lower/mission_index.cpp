@@ -4,6 +4,7 @@
 #include "codegen/lower/mission_index.h"
 
 #include "ir/core/window_shape.h"
+#include "runtime/abi/glider_abi.h"
 #include "runtime/abi/window.h"
 
 namespace glider::codegen {
@@ -56,9 +57,10 @@ void indexTemporals(const ir::Mission& mission, MissionIndex& index) {
   }
 }
 
-/// A table remembers its answer, and of each column the interval.
 uint32_t memoryOf(const ir::GuardTable& table) {
-  return table.empty() ? 0 : 1 + static_cast<uint32_t>(table.columns.size());
+  const auto columns = static_cast<uint32_t>(table.columns.size());
+  const auto words = static_cast<uint32_t>((table.rows.size() + 31) / 32);
+  return table.empty() ? 0 : gliderGuardMemory(columns, words);
 }
 
 void indexTables(const ir::Mission& mission, MissionIndex& index) {

@@ -8,6 +8,8 @@
 namespace glider::ir {
 namespace {
 
+constexpr size_t kMostRows = 4096;
+
 bool isClock(Op op) {
   return op == Op::MissionTime || op == Op::StateTime || op == Op::ResumeTime;
 }
@@ -43,6 +45,9 @@ bool sound(const GuardRow& row, const GuardTable& table, size_t case_count) {
 std::string defectOf(const GuardTable& table, const Mission& mission, size_t case_count) {
   if (table.empty() && !table.rows.empty()) {
     return "rows without columns";
+  }
+  if (table.rows.size() > kMostRows || case_count > kMostRows) {
+    return "more rows or cases than it can number";
   }
   for (const GuardColumn& column : table.columns) {
     if (!sound(column, mission)) {

@@ -12,8 +12,8 @@ namespace {
 
 /// Below this many comparisons a table costs as much as making them.
 constexpr size_t kFewestComparisons = 16;
-/// A board's memory is small. A table has a bit for each row in each interval of each column.
-constexpr size_t kMostTableBytes = 16384;
+/// Rows are numbered by 16 bits where they fly.
+constexpr size_t kMostRows = 4096;
 
 GuardColumn makeColumn(const Watched& watched, const std::vector<Conjunction>& rows) {
   GuardColumn column{watched.source, watched.sensor, {}};
@@ -72,16 +72,6 @@ GuardTable makeTable(const std::vector<Conjunction>& rows) {
   return table;
 }
 
-size_t bytesOf(const GuardTable& table) {
-  const size_t words = (table.rows.size() + 31) / 32;
-  size_t bytes = table.rows.size() * sizeof(uint32_t);
-  for (const GuardColumn& column : table.columns) {
-    bytes +=
-        column.cuts.size() * sizeof(int64_t) + (column.cuts.size() + 2) * words * sizeof(uint32_t);
-  }
-  return bytes;
-}
-
 GuardTable tabulate(const Mission& mission, const std::vector<Case>& cases) {
   std::vector<Conjunction> rows;
   size_t comparisons = 0;
@@ -92,11 +82,8 @@ GuardTable tabulate(const Mission& mission, const std::vector<Case>& cases) {
       rows.push_back(std::move(row));
     }
   }
-  if (comparisons < kFewestComparisons) {
-    return {};
-  }
-  GuardTable table = makeTable(rows);
-  return bytesOf(table) <= kMostTableBytes ? table : GuardTable{};
+  const bool worth_it = comparisons >= kFewestComparisons && rows.size() <= kMostRows;
+  return worth_it ? makeTable(rows) : GuardTable{};
 }
 
 }  // namespace

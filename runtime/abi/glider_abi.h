@@ -19,6 +19,7 @@ extern "C" {
 #define GLIDER_NO_LIMIT UINT32_MAX
 #define GLIDER_MOST_PARAMETERS 64u
 #define GLIDER_MOST_NOTES 16u
+#define GLIDER_GUARD_STRIDE 16u
 #define GLIDER_MOST_NOTE_VALUES 64u
 /* What a behaviour may keep from tick to tick in each state that uses it. */
 #define GLIDER_BEHAVIOUR_MEMORY_BYTES 1024u
@@ -131,6 +132,12 @@ double gliderSettle(double value);
 
 /* The value of log item `item` of the current state, SI units; NaN: unknown. */
 double gliderLogValue(const GliderContext* context, uint32_t item);
+
+/* What a table remembers: a word for its answer, then for each column its interval and the rows
+   that may hold there. */
+static inline uint32_t gliderGuardMemory(uint32_t column_count, uint32_t words) {
+  return 1u + column_count * (1u + words);
+}
 
 /* What GliderGuards answers, by a table. Remembers in which intervals the numbers lay, and looks at
    no row as long as they stay there. */

@@ -44,6 +44,13 @@ void setVariables(GliderContext& context, const double* parameters) {
   }
 }
 
+/// What has not been seen is unknown.
+void forgetReadings(GliderContext& context) {
+  for (uint32_t i = 0; i < context.mission->sensor_count; ++i) {
+    context.readings[i].value = unknown();
+  }
+}
+
 /// Forgets what the tick before left for logs and displays.
 void clearRecords(GliderContext& context) {
   context.moved_list = GLIDER_NO_LIST;
@@ -146,6 +153,7 @@ extern "C" GliderContext* gliderStart(void* context_memory, const GliderMission*
   GliderContext* context = glider::runtime::layOut(context_memory, *mission);
   context->limit = GLIDER_NO_LIMIT;
   glider::runtime::clearRecords(*context);
+  glider::runtime::forgetReadings(*context);
   glider::runtime::takeUpdates(*context, updates, count);
   glider::runtime::refreshReadings(*context);
   glider::runtime::setVariables(*context, parameters);

@@ -39,7 +39,7 @@ class GuardTableTest : public ::testing::Test {
   GuardTableTest() {
     bench_.sensors = {depthSensor()};
     bench_.states = {benchState("a")};
-    bench_.mission.interval_count = 3;
+    bench_.mission.interval_count = gliderGuardMemory(2, 1);
     bench_.finish(0);
     context_ = bench_.start();
   }
@@ -51,12 +51,17 @@ class GuardTableTest : public ::testing::Test {
   BenchMission bench_;
   const int64_t depth_keys_[3] = {gliderOrder(5), gliderOrder(10) + 1,
                                   gliderOrder(Limits::infinity()) + 1};
-  const uint32_t depth_rows_[4] = {0b101, 0b100, 0b110, 0b100};
+  const uint32_t depth_rows_[2] = {0b101, 0b100};  // below 5 m; unknown
+  const uint16_t depth_turns_[3] = {0, 1, 1};
+  const uint16_t depth_first_[4] = {0, 1, 2, 3};
   const int64_t time_keys_[2] = {gliderOrder(100), gliderOrder(Limits::infinity()) + 1};
-  const uint32_t time_rows_[3] = {0b011, 0b111, 0b011};
-  GliderGuardColumn columns_[2] = {{depth_keys_, depth_rows_, 3, kGliderSensor, 0, 0},
-                                   {time_keys_, time_rows_, 2, kGliderMissionTime, 0, 0}};
-  const uint32_t cases_[3] = {0, 1, 2};
+  const uint32_t time_rows_[2] = {0b011, 0b011};
+  const uint16_t time_turns_[2] = {2, 2};
+  const uint16_t time_first_[3] = {0, 1, 2};
+  GliderGuardColumn columns_[2] = {
+      {depth_keys_, depth_rows_, depth_turns_, depth_first_, 3, kGliderSensor, 0, 0},
+      {time_keys_, time_rows_, time_turns_, time_first_, 2, kGliderMissionTime, 0, 0}};
+  const uint16_t cases_[3] = {0, 1, 2};
   const uint32_t exact_[1] = {0b111};
   GliderGuardTable table_ = {columns_, cases_, exact_, nullptr, 2, 1, 0, 0};
   GliderContext* context_ = nullptr;
@@ -87,7 +92,7 @@ TEST_F(GuardTableTest, LooksAtNoRowWhileNumbersStayInTheirIntervals) {
   EXPECT_EQ(at(4, 4), 0u);
   columns_[0].rows = time_rows_;  // other rows, which it must not see
   EXPECT_EQ(at(8, 3), 0u);
-  EXPECT_EQ(context_->intervals[0], 2u) << "the answer is remembered";
+  EXPECT_EQ(context_->intervals[0], 3u) << "the answer is remembered";
 }
 
 TEST_F(GuardTableTest, AsksForWhatTheTableCannotSay) {

@@ -44,7 +44,12 @@ int check(const std::string& path) {
   if (!compiled) {
     return reportFailure(compiled.error());
   }
-  const Compilation& compilation = **compiled;
+  Compilation& compilation = **compiled;
+  if (compilation.ok()) {
+    if (const auto proved = proveMission(compilation); !proved) {
+      return reportFailure(proved.error());
+    }
+  }
   reportDiagnostics(compilation.diagnostics, compilation.sources);
   const std::string found =
       counted(compilation.diagnostics.errorCount(), compilation.diagnostics.warningCount());

@@ -46,9 +46,11 @@ int check(const std::string& path) {
   }
   Compilation& compilation = **compiled;
   if (compilation.ok()) {
-    if (const auto proved = proveMission(compilation); !proved) {
+    const auto proved = proveMission(compilation);
+    if (!proved) {
       return reportFailure(proved.error());
     }
+    for (const auto& line : proved->lines) { fmt::print("{}\n", line.text); }
   }
   reportDiagnostics(compilation.diagnostics, compilation.sources);
   const std::string found =

@@ -69,10 +69,11 @@ class GuardCheck {
   Verdict judge(const std::vector<Case>& cases, uint32_t number,
                 const std::vector<Verdict>& earlier) {
     Verdict verdict;
-    Moment moment(proof_.context, proof_.ground, "");
+    Unknowns unknowns(proof_.context);
+    Moment moment(unknowns, proof_.ground);
     const TruthTerm guard = moment.truth(cases[number].guard);
     Question never(proof_.context, proof_.options.effort);
-    never.add(moment);
+    never.add(unknowns);
     never.add(guard.is_true);
     verdict.never = never.ask() == Answer::No;
     if (verdict.never) {
@@ -81,7 +82,7 @@ class GuardCheck {
     }
     judgeHidden(cases, number, earlier, verdict);
     Question always(proof_.context, proof_.options.effort);
-    always.add(moment);
+    always.add(unknowns);
     always.add(!guard.is_true);
     verdict.always = !verdict.hidden && always.ask() == Answer::No;
     if (verdict.always) {
@@ -92,7 +93,8 @@ class GuardCheck {
 
   void judgeHidden(const std::vector<Case>& cases, uint32_t number,
                    const std::vector<Verdict>& earlier, Verdict& verdict) {
-    Moment moment(proof_.context, proof_.ground, "");
+    Unknowns unknowns(proof_.context);
+    Moment moment(unknowns, proof_.ground);
     Question question(proof_.context, proof_.options.effort);
     question.add(moment.truth(cases[number].guard).is_true);
     for (uint32_t i = 0; i < number; ++i) {
@@ -102,7 +104,7 @@ class GuardCheck {
         question.add(!moment.truth(cases[i].guard).is_true, i);
       }
     }
-    question.add(moment);
+    question.add(unknowns);
     verdict.hidden = number > 0 && question.ask() == Answer::No;
     if (verdict.hidden) {
       verdict.hidden_by = question.neededNames();

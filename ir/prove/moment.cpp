@@ -21,28 +21,17 @@ bool watchesState(const Temporal& temporal) {
 
 }  // namespace
 
-Moment::Moment(z3::context& context, const Ground& ground, std::string name)
-    : context_(context), ground_(ground), mission_(ground.mission), name_(std::move(name)) {}
-
-z3::expr Moment::freshReal(const std::string& what) {
-  return context_.real_const(fmt::format("{}{}!{}", name_, what, fresh_++).c_str());
-}
-
-z3::expr Moment::freshTruth(const std::string& what) {
-  return context_.bool_const(fmt::format("{}{}!{}", name_, what, fresh_++).c_str());
-}
-
 void Moment::bound(const NumberTerm& term, const Interval& interval, Fact::From from,
                    uint32_t index) {
   if (interval.empty) {
-    require(!term.known, from, index);
+    unknowns_.require(!term.known, from, index);
     return;
   }
   if (interval.lowest > -kMost) {
-    require(z3::implies(term.known, term.value >= real(interval.lowest)), from, index);
+    unknowns_.require(z3::implies(term.known, term.value >= real(interval.lowest)), from, index);
   }
   if (interval.highest < kMost) {
-    require(z3::implies(term.known, term.value <= real(interval.highest)), from, index);
+    unknowns_.require(z3::implies(term.known, term.value <= real(interval.highest)), from, index);
   }
 }
 
@@ -52,7 +41,7 @@ const NumberTerm& Moment::reading(SensorId id) {
     return found->second;
   }
   const Sensor& sensor = mission_[id];
-  const NumberTerm term{freshReal(sensor.name), freshTruth(sensor.name + "?"), 0};
+  const NumberTerm term{unknowns_.real(sensor.name), unknowns_.truth(sensor.name + "?"), 0};
   bound(term, ground_.sensors[id.index], Fact::From::Sensor, id.index);
   return readings_.emplace(id.index, term).first->second;
 }
@@ -63,33 +52,33 @@ const z3::expr& Moment::age(SensorId id) {
   if (found != ages_.end()) {
     return found->second;
   }
-  const z3::expr value = freshReal("age of " + mission_[id].name);
-  require(value >= 0 && value <= missionTime());
-  require(z3::implies(reading(id).known, value <= real(mission_[id].stale_after_s)),
-          Fact::From::Sensor, id.index);
+  const z3::expr value = unknowns_.real("age of " + mission_[id].name);
+  unknowns_.require(value >= 0 && value <= missionTime());
+  unknowns_.require(z3::implies(reading(id).known, value <= real(mission_[id].stale_after_s)),
+                    Fact::From::Age, id.index);
   return ages_.emplace(id.index, value).first->second;
 }
 
 const z3::expr& Moment::missionTime() {
   if (!mission_time_) {
-    mission_time_ = freshReal("missiontime");
-    require(*mission_time_ >= 0);
+    mission_time_ = unknowns_.real("missiontime");
+    unknowns_.require(*mission_time_ >= 0);
   }
   return *mission_time_;
 }
 
 const z3::expr& Moment::stateTime() {
   if (!state_time_) {
-    state_time_ = freshReal("statetime");
-    require(*state_time_ >= 0 && *state_time_ <= missionTime());
+    state_time_ = unknowns_.real("statetime");
+    unknowns_.require(*state_time_ >= 0 && *state_time_ <= missionTime());
   }
   return *state_time_;
 }
 
 const z3::expr& Moment::resumeTime() {
   if (!resume_time_) {
-    resume_time_ = freshReal("resumetime");
-    require(*resume_time_ >= 0 && *resume_time_ <= stateTime());
+    resume_time_ = unknowns_.real("resumetime");
+    unknowns_.require(*resume_time_ >= 0 && *resume_time_ <= stateTime());
   }
   return *resume_time_;
 }
@@ -113,7 +102,8 @@ std::vector<std::pair<const char*, z3::expr>> Moment::clocks() const {
 }
 
 z3::expr Moment::knownOf(VariableId id) {
-  return ground_.known[id.index] ? context_.bool_val(true) : freshTruth(mission_[id].name + "?");
+  return ground_.known[id.index] ? context().bool_val(true)
+                                 : unknowns_.truth(mission_[id].name + "?");
 }
 
 const NumberTerm& Moment::numberOf(VariableId id) {
@@ -122,7 +112,7 @@ const NumberTerm& Moment::numberOf(VariableId id) {
     return found->second;
   }
   const Variable& variable = mission_[id];
-  const NumberTerm term{freshReal(variable.name), knownOf(id), 0};
+  const NumberTerm term{unknowns_.real(variable.name), knownOf(id), 0};
   bound(term, {variable.lowest, variable.highest, false}, Fact::From::Variable, id.index);
   return numbers_.emplace(id.index, term).first->second;
 }
@@ -132,7 +122,7 @@ const TruthTerm& Moment::truthOf(VariableId id) {
   if (found != truths_.end()) {
     return found->second;
   }
-  const z3::expr value = freshTruth(mission_[id].name);
+  const z3::expr value = unknowns_.truth(mission_[id].name);
   const z3::expr known = knownOf(id);
   return truths_.emplace(id.index, TruthTerm{value && known, !value && known}).first->second;
 }
@@ -144,12 +134,12 @@ const NumberTerm& Moment::numberOf(TemporalId id) {
     return found->second;
   }
   const Temporal& temporal = mission_[id];
-  const NumberTerm term{freshReal("window"), freshTruth("window?"), 0};
+  const NumberTerm term{unknowns_.real("window"), unknowns_.truth("window?"), 0};
   bound(term, ground_.windows[id.index], Fact::From::Temporal, id.index);
   if (!temporal.along.valid()) {
     const z3::expr& since = watchesState(temporal) ? stateTime() : missionTime();
-    require(z3::implies(term.known, since >= real(temporal.length)), Fact::From::Temporal,
-            id.index);
+    unknowns_.require(z3::implies(term.known, since >= real(temporal.length)), Fact::From::Temporal,
+                      id.index);
   }
   return watched_numbers_.emplace(id.index, term).first->second;
 }
@@ -163,7 +153,7 @@ const TruthTerm& Moment::truthOf(TemporalId id) {
   }
   const Temporal& temporal = mission_[id];
   const TruthTerm watched = truth(temporal.operand);
-  z3::expr is_true = freshTruth("watched") && watched.is_true;
+  z3::expr is_true = unknowns_.truth("watched") && watched.is_true;
   z3::expr known = watched.is_true || watched.is_false;
   if (temporal.kind == TemporalKind::Held) {
     const NumberTerm duration = number(temporal.duration);

@@ -6,6 +6,7 @@
 #include "ir/core/mission.h"
 #include "ir/prove/ground.h"
 #include "ir/prove/terms.h"
+#include "ir/prove/unknowns.h"
 
 #include <map>
 #include <optional>
@@ -14,14 +15,6 @@
 #include <vector>
 
 namespace glider::ir::prove {
-
-/// What is known of an unknown, and what it follows from.
-struct Fact {
-  enum class From : uint8_t { Nature, Sensor, Variable, Temporal };
-  z3::expr holds;
-  From from = From::Nature;  ///< Nature: of clocks, ages and arithmetic
-  uint32_t index = 0;        ///< of the sensor, variable or temporal
-};
 
 /// The values of a mission at one tick, as terms: readings, clocks, variables and what is watched
 /// over time are free within what is known of them, or given by the caller; expressions follow.
@@ -32,8 +25,10 @@ struct Fact {
 /// solution has to be tried out (`ir/eval`).
 class Moment {
  public:
-  /// `name` tells its unknowns from those of other moments. Context and ground outlive this.
-  Moment(z3::context& context, const Ground& ground, std::string name);
+  /// Both outlive this. A copy shares the unknowns; what was asked for before it was made is the
+  /// same in both.
+  Moment(Unknowns& unknowns, const Ground& ground)
+      : unknowns_(unknowns), ground_(ground), mission_(ground.mission) {}
 
   /// The value of a number; of a truth value.
   const NumberTerm& number(ExprId id);
@@ -65,10 +60,10 @@ class Moment {
   /// Forgets what expressions were worth: a variable has changed.
   void forget();
 
-  /// What holds of all unknowns made up to now.
-  [[nodiscard]] const std::vector<Fact>& facts() const { return facts_; }
   [[nodiscard]] const Mission& mission() const { return mission_; }
-  [[nodiscard]] z3::context& context() { return context_; }
+  [[nodiscard]] z3::context& context() { return unknowns_.context(); }
+  [[nodiscard]] Unknowns& unknowns() { return unknowns_; }
+  [[nodiscard]] const Ground& ground() const { return ground_; }
   /// The sensors and variables that have been asked for.
   [[nodiscard]] const std::map<uint32_t, NumberTerm>& readings() const { return readings_; }
   [[nodiscard]] const std::map<uint32_t, NumberTerm>& numbers() const { return numbers_; }
@@ -76,13 +71,7 @@ class Moment {
   /// The clocks that have been asked for, by their names in the language.
   [[nodiscard]] std::vector<std::pair<const char*, z3::expr>> clocks() const;
 
-  /// A new unknown.
-  z3::expr freshReal(const std::string& what);
-  z3::expr freshTruth(const std::string& what);
-  void require(const z3::expr& holds, Fact::From from = Fact::From::Nature, uint32_t index = 0) {
-    facts_.push_back({holds, from, index});
-  }
-  z3::expr real(double value) { return realOf(context_, value); }
+  z3::expr real(double value) { return realOf(context(), value); }
 
  private:
   z3::expr knownOf(VariableId id);
@@ -108,14 +97,10 @@ class Moment {
   const TruthTerm& truthOperand(const Expr& e, size_t i) {
     return made_truths_.at(e.operands.at(i).index);
   }
-  [[nodiscard]] std::string named(const std::string& what) const { return name_ + what; }
 
-  z3::context& context_;
+  Unknowns& unknowns_;
   const Ground& ground_;
   const Mission& mission_;
-  std::string name_;
-  uint32_t fresh_ = 0;
-  std::vector<Fact> facts_;
   std::map<uint32_t, NumberTerm> readings_;
   std::map<uint32_t, z3::expr> ages_;
   std::optional<z3::expr> mission_time_;

@@ -38,7 +38,7 @@ void Moment::lowerNumber(uint32_t index) {
 }
 
 NumberTerm Moment::leaf(const Expr& e) {
-  const z3::expr known = context_.bool_val(true);
+  const z3::expr known = context().bool_val(true);
   switch (e.op) {
     case Op::Constant:
       return {real(e.number), known, 0};
@@ -121,7 +121,7 @@ NumberTerm Moment::quotient(const Expr& e, const Interval& interval) {
   if (!isConstant(divisor) || divisor.number == 0 || magnitudeOf(interval) > kNearOverflow) {
     NumberTerm result = anything(e, interval);
     const NumberTerm& by = operand(e, 1);
-    require(z3::implies(result.known, by.value != 0 || context_.bool_val(by.slack > 0)));
+    unknowns_.require(z3::implies(result.known, by.value != 0 || context().bool_val(by.slack > 0)));
     return result;
   }
   const NumberTerm& x = operand(e, 0);
@@ -155,13 +155,13 @@ NumberTerm Moment::chosen(const Expr& e) {
 }
 
 NumberTerm Moment::anything(const Expr& e, const Interval& interval) {
-  z3::expr known = freshTruth("value?");
+  z3::expr known = unknowns_.truth("value?");
   for (const ExprId operand : e.operands) {
     if (operand.valid()) {
       known = known && made_.at(operand.index).known;
     }
   }
-  const NumberTerm result{freshReal("value"), known, 0};
+  const NumberTerm result{unknowns_.real("value"), known, 0};
   bound(result, interval);
   return result;
 }
@@ -172,7 +172,7 @@ void Moment::lowerTruth(uint32_t index) {
     switch (e.op) {
       case Op::True:
       case Op::False:
-        return {context_.bool_val(e.op == Op::True), context_.bool_val(e.op == Op::False)};
+        return {context().bool_val(e.op == Op::True), context().bool_val(e.op == Op::False)};
       case Op::Variable:
         return truthOf(e.variable);
       case Op::Temporal:
@@ -225,7 +225,7 @@ TruthTerm Moment::comparison(const Expr& e) {
   z3::expr outcome = compare(e.op, a.value, b.value);
   if (slack > 0) {
     const z3::expr apart = a.value - b.value > real(slack) || b.value - a.value > real(slack);
-    const z3::expr either = freshTruth("rounding");
+    const z3::expr either = unknowns_.truth("rounding");
     outcome = z3::ite(apart, outcome, either);
   }
   return {known && outcome, known && !outcome};

@@ -12,7 +12,9 @@ namespace glider::ir::prove {
 Findings prove(const Mission& mission, const platforms::Platform& platform, const Options& options,
                support::DiagnosticEngine& diagnostics) {
   const Ground ground(mission, platform);
-  z3::context context;
+  z3::config config;
+  config.set("rlimit", static_cast<int>(options.run_effort));  // Spacer takes no other
+  z3::context context(config);
   Proof proof{context, ground, options, diagnostics, {}, {}};
 #define PASS(name, purpose) passes::name(proof);
 #include "ir/prove/prove_passes.def"

@@ -20,6 +20,8 @@ struct Options {
   /// What Z3 may spend on one question, in its own count of steps (`rlimit`): the answer does not
   /// depend on the machine. A question that takes more has no answer, and nothing is reported.
   unsigned effort = 400000;
+  /// The same for a question about all runs.
+  unsigned run_effort = 40000000;
   /// The standard library's file: what is odd in there is not the pilot's.
   std::optional<uint32_t> library;
   /// Also what is no mistake but worth knowing: Findings::lines.

@@ -23,8 +23,8 @@ void Question::assume(const z3::expr& holds) {
   assumptions_.push_back(assumption);
 }
 
-void Question::add(const Moment& moment) {
-  for (const Fact& fact : moment.facts()) {
+void Question::add(const Unknowns& unknowns) {
+  for (const Fact& fact : unknowns.facts()) {
     if (fact.from == Fact::From::Nature) {
       solver_.add(fact.holds);
       continue;

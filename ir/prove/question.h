@@ -20,8 +20,8 @@ class Question {
   Question(z3::context& context, unsigned effort);
 
   void add(const z3::expr& holds) { solver_.add(holds); }
-  /// Adds all that a moment knows, so that a No can say which of it was needed.
-  void add(const Moment& moment);
+  /// Adds all that is known, so that a No can say which of it was needed.
+  void add(const Unknowns& unknowns);
   /// Adds something under a name of the caller's.
   void add(const z3::expr& holds, uint32_t name);
 

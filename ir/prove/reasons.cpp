@@ -34,6 +34,12 @@ void noteReasons(support::DiagnosticBuilder& report, const Mission& mission,
       case Fact::From::Sensor:
         report.note(where, rangeOf(mission.sensors[fact.index]));
         break;
+      case Fact::From::Age:
+        report.note(where,
+                    fmt::format("a reading of `{}` is unknown once it is older than {:.6g} s",
+                                mission.sensors[fact.index].name,
+                                mission.sensors[fact.index].stale_after_s));
+        break;
       case Fact::From::Variable: {
         const Variable& variable = mission.variables[fact.index];
         report.note(variable.range.valid() ? variable.range : where,

@@ -53,9 +53,8 @@ Moves movesOf(const std::vector<Case>& cases, uint32_t state, bool always,
   for (uint32_t i = 0; i < cases.size(); ++i) {
     const Case& c = cases[i];
     const Truth guard = truths[c.guard.index];
-    const bool never = guard == Truth::False ||
-                       known_dead.contains({always ? StateId() : StateId{state}, i});
-    const Dead dead = never ? Dead::AlwaysFalse : from_here;
+    const bool proved = known_dead.contains({always ? StateId() : StateId{state}, i});
+    const Dead dead = guard == Truth::False ? Dead::AlwaysFalse : proved ? Dead::Proved : from_here;
     moves.dead.push_back(dead);
     from_here = guard == Truth::True && hidesLater(c, always) ? Dead::Hidden : from_here;
     if (dead != Dead::No) {

@@ -15,7 +15,7 @@
 namespace glider::ir {
 
 /// Why a case cannot fire.
-enum class Dead : uint8_t { No, AlwaysFalse, Hidden };
+enum class Dead : uint8_t { No, AlwaysFalse, Hidden, Proved };
 
 /// A case of `always`, or of a state.
 struct CasePlace {

@@ -249,6 +249,26 @@ struct State {
   support::SourceRange range;  ///< of its name
 };
 
+/// What a mission promises: the prover's question. It is not compiled.
+enum class RequirementKind : uint8_t {
+  Always,       ///< `condition` is never false
+  ExitWithin,   ///< the mission has ended by mission time `seconds`
+  StackAtMost,  ///< never more than `depth` states wait on the call stack
+  Reach,        ///< some run enters `state`
+  NeverAfter,   ///< no run enters `state` once it has entered `after`
+  SurfacesEvery ///< the vehicle is never under water for longer than `seconds`
+};
+
+struct Requirement {
+  RequirementKind kind = RequirementKind::Always;
+  ExprId condition;    ///< of Always: reads no temporal and nothing that belongs to a state
+  double seconds = 0;  ///< positive
+  uint32_t depth = 0;
+  StateId state;
+  StateId after;
+  support::SourceRange range;
+};
+
 struct Mission {
   std::string name;
   std::string platform;
@@ -262,6 +282,7 @@ struct Mission {
   std::vector<Case> always;        ///< no Return, no Done
   GuardTable always_table;         ///< of `always`; may be empty
   std::vector<State> states;       ///< the first is where the mission starts
+  std::vector<Requirement> requirements;
 
   [[nodiscard]] const Expr& operator[](ExprId id) const { return exprs.at(id.index); }
   [[nodiscard]] const State& operator[](StateId id) const { return states.at(id.index); }

@@ -60,6 +60,9 @@ class CodeValidator {
       require(names.insert(s.name).second, s.range, "two states are named `{}`", s.name);
       state({i});
     }
+    for (const Requirement& r : m_.requirements) {
+      requirement(r);
+    }
     for (size_t i = 0; i < block_uses_.size(); ++i) {
       require(block_uses_[i] == 1, {}, "block {} is used {} times", i, block_uses_[i]);
     }
@@ -85,6 +88,24 @@ class CodeValidator {
     const Reads* reads = exists(id) ? &reads_[id.index] : nullptr;
     return reads != nullptr && !reads->state.valid() && !reads->moment && !reads->mission &&
            reads->temporals_end == 0;
+  }
+
+  void requirement(const Requirement& r) {
+    const bool about_states =
+        r.kind == RequirementKind::Reach || r.kind == RequirementKind::NeverAfter;
+    const bool timed =
+        r.kind == RequirementKind::ExitWithin || r.kind == RequirementKind::SurfacesEvery;
+    if (r.kind == RequirementKind::Always) {
+      expression(r.condition, kNoState, kBool, r.range, "a requirement");
+      require(exists(r.condition) && reads_[r.condition.index].temporals_end == 0, r.range,
+              "a requirement watches something over time");
+    }
+    require(!timed || (r.seconds > 0 && std::isfinite(r.seconds)), r.range,
+            "a requirement of no time");
+    require(
+        !about_states || (r.state.index < m_.states.size() &&
+                          (r.kind == RequirementKind::Reach || r.after.index < m_.states.size())),
+        r.range, "a requirement about a state that is not there");
   }
 
   /// Each `what` and `where` is a text, or a function that gives it.

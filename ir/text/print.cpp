@@ -47,6 +47,7 @@ std::string Printer::run() {
     --indent_;
   }
   std::ranges::for_each(m_.states, [&](const State& s) { state(s); });
+  std::ranges::for_each(m_.requirements, [&](const Requirement& r) { requirement(r); });
   while (defineNext(UINT32_MAX)) {
   }
   defineUpTo(static_cast<uint32_t>(m_.exprs.size()));
@@ -122,6 +123,27 @@ void Printer::state(const State& s) {
   cases(s.cases);
   table(s.table);
   --indent_;
+}
+
+void Printer::requirement(const Requirement& r) {
+  switch (r.kind) {
+    case RequirementKind::Always:
+      prepare({&r.condition, 1});
+      line("require always ");
+      use(r.condition);
+      return;
+    case RequirementKind::ExitWithin:
+      return line("require exit within {}", r.seconds);
+    case RequirementKind::StackAtMost:
+      return line("require stack {}", r.depth);
+    case RequirementKind::Reach:
+      return line("require reach {}", nameText(m_[r.state].name));
+    case RequirementKind::NeverAfter:
+      return line("require never {} after {}", nameText(m_[r.state].name),
+                  nameText(m_[r.after].name));
+    case RequirementKind::SurfacesEvery:
+      return line("require surfaces every {}", r.seconds);
+  }
 }
 
 void Printer::table(const GuardTable& table) {

@@ -109,7 +109,7 @@ TEST_F(Replay, OtherFilesAreRefused) {
 // A run needs a program that is not this mission to go another way.
 TEST_F(Replay, AnotherProgramIsFoundOut) {
   std::string other = kMission;
-  other.replace(other.find("temp < 9 degC"), 13, "temp < 0 degC");
+  other.replace(other.find("missiontime >= 30 min"), 21, "missiontime >= 4 min");
   const auto file = folder_.write("other.mission", other);
   const std::string binary = (folder_.path() / "other").string();
   ASSERT_EQ(runShell("$GLIDERCC build " + file.string() + " --target host -o " + binary).status, 0);

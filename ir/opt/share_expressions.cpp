@@ -7,6 +7,8 @@
 #include <bit>
 #include <map>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 namespace glider::ir::opt {
 namespace {
@@ -17,21 +19,56 @@ auto keyOf(const Expr& e) {
                     std::bit_cast<uint64_t>(e.number), e.sensor, e.variable, e.temporal);
 }
 
+/// All that makes two temporals the same.
+auto keyOf(const Temporal& t) {
+  return std::tuple(t.kind, t.list, t.state, t.operand, t.duration,
+                    std::bit_cast<uint64_t>(t.length), t.along);
+}
+
+/// Goes through the expressions in the order of the vector, so that operands are shared before
+/// their users.
+class Sharing {
+ public:
+  explicit Sharing(Mission& mission) : m_(mission), by_(mission.exprs.size()) {}
+
+  void run() {
+    for (uint32_t i = 0; i < by_.size(); ++i) {
+      Expr& expr = m_.exprs[i];
+      for (ExprId& operand : expr.operands) {
+        shared(operand);
+      }
+      if (expr.temporal.valid()) {
+        expr.temporal = firstLike(expr.temporal);
+      }
+      by_[i] = exprs_.emplace(keyOf(expr), ExprId{i}).first->second;
+    }
+    replace(m_, by_);
+  }
+
+ private:
+  void shared(ExprId& id) const { id = id.valid() ? by_[id.index] : id; }
+
+  /// What a temporal watches stands before an expression that uses it, and so has been shared.
+  TemporalId firstLike(TemporalId id) {
+    Temporal& temporal = m_.temporals[id.index];
+    shared(temporal.operand);
+    shared(temporal.duration);
+    shared(temporal.along);
+    return temporals_.emplace(keyOf(temporal), id).first->second;
+  }
+
+  Mission& m_;
+  std::vector<ExprId> by_;
+  std::map<decltype(keyOf(std::declval<Expr>())), ExprId> exprs_;
+  std::map<decltype(keyOf(std::declval<Temporal>())), TemporalId> temporals_;
+};
+
 }  // namespace
 
 /// An expression has the value of the moment at which it is evaluated, so one node may serve any
-/// number of places.
+/// number of places. Two temporals of one list that watch the same start and advance together.
 void shareExpressions(Mission& mission) {
-  std::map<decltype(keyOf(mission.exprs.front())), ExprId> first;
-  std::vector<ExprId> by(mission.exprs.size());
-  for (uint32_t i = 0; i < by.size(); ++i) {
-    Expr& expr = mission.exprs[i];
-    for (ExprId& operand : expr.operands) {
-      operand = operand.valid() ? by[operand.index] : operand;
-    }
-    by[i] = first.emplace(keyOf(expr), ExprId{i}).first->second;
-  }
-  replace(mission, by);
+  Sharing(mission).run();
 }
 
 }  // namespace glider::ir::opt

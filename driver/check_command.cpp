@@ -9,15 +9,22 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <string>
 
 namespace glider::driver {
 namespace {
 
-/// "1 error, 2 warnings" as a pilot would write it; empty if there is neither.
-std::string counted(size_t errors, size_t warnings) {
-  auto part = [](size_t n, const char* word) {
+/// "1 error, 2 warnings" of what is shown, as a pilot would write it; empty if there is neither.
+std::string counted(const support::DiagnosticEngine& diagnostics) {
+  const auto shown = diagnostics.sorted();
+  const auto count = [&](support::Severity severity) {
+    return std::ranges::count(shown, severity, &support::Diagnostic::severity);
+  };
+  const auto errors = count(support::Severity::Error);
+  const auto warnings = count(support::Severity::Warning);
+  auto part = [](ptrdiff_t n, const char* word) {
     return fmt::format("{} {}{}", n, word, n == 1 ? "" : "s");
   };
   std::string text = errors > 0 ? part(errors, "error") : "";
@@ -46,8 +53,7 @@ int check(const std::string& path) {
   }
   const Compilation& compilation = **compiled;
   reportDiagnostics(compilation.diagnostics, compilation.sources);
-  const std::string found =
-      counted(compilation.diagnostics.errorCount(), compilation.diagnostics.warningCount());
+  const std::string found = counted(compilation.diagnostics);
   if (!compilation.ok()) {
     tell(fmt::format("{}: {}\n", path, found));
     return kMissionHasErrors;

@@ -54,6 +54,7 @@ Context BehaviourLowering::context(ir::StateId state) {
   Context result;
   result.names = &names_;
   result.isolated = true;
+  result.behaviour = declaration_.name->text;
   result.state = state;
   return result;
 }

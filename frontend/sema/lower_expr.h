@@ -115,6 +115,9 @@ class ExprLowering {
   };
   Result window(const ast::Invocation& node, const ast::Expr& expr);
   std::optional<WindowLength> windowLength(const ast::Argument& over, std::string_view function);
+  /// Reports what is wrong with the length: where it is written or, in a behaviour, where it is
+  /// given for the parameter that makes it wrong.
+  void refuseLength(support::DiagnosticId id, const ast::Expr& length, std::string_view function);
   Result emitWindow(std::string_view name, const Value& operand, const WindowLength& length,
                     const support::SourceRange& range);
 

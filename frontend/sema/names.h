@@ -64,8 +64,9 @@ struct Signature {
 
 /// Where an expression or statement stands: what its names mean, and what it may use.
 struct Context {
-  Names* names = nullptr;  ///< of the state or behaviour
-  bool isolated = false;   ///< in a behaviour, which sees no name of the mission
+  Names* names = nullptr;      ///< of the state or behaviour
+  bool isolated = false;       ///< in a behaviour, which sees no name of the mission
+  std::string_view behaviour;  ///< its name
   /// The list that `became` and `held` stand in; none where they cannot be watched.
   std::optional<ir::ListKind> list;
   ir::StateId state;

@@ -244,6 +244,13 @@ TEST(Command, ManyMistakesAreReportedInOneRun) {
   }
 }
 
+TEST(Command, AMistakeThatManyPlacesMeetIsCountedOnce) {
+  const Outcome outcome = runShell("$GLIDERCC check " GLIDER_SOURCE_DIR
+                                   "/tests/golden/sema/fail_window_in_behaviour.mission");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err, HasSubstr(".mission: 2 errors\n"));
+}
+
 TEST(Command, AClosedPipeIsNoCrash) {
   const Outcome outcome = runShell("set -o pipefail 2>/dev/null; $GLIDERCC build " + kFigure2 +
                                    " --emit=asm -o - | head -c 1 >/dev/null");

@@ -13,7 +13,7 @@
 extern "C" {
 #endif
 
-#define GLIDER_ABI_VERSION 2u
+#define GLIDER_ABI_VERSION 3u
 #define GLIDER_NO_CASE UINT32_MAX
 #define GLIDER_NO_LIST UINT32_MAX
 #define GLIDER_NO_LIMIT UINT32_MAX
@@ -21,7 +21,7 @@ extern "C" {
 #define GLIDER_MOST_NOTES 16u
 #define GLIDER_MOST_NOTE_VALUES 64u
 /* What a behaviour may keep from tick to tick in each state that uses it. */
-#define GLIDER_BEHAVIOUR_MEMORY_BYTES 1024u
+#define GLIDER_BEHAVIOUR_MEMORY_BYTES 8192u
 
 typedef enum GliderTransition {
   kGliderGoto,

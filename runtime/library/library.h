@@ -5,8 +5,9 @@
 #define GLIDER_RUNTIME_LIBRARY_LIBRARY_H
 
 /* The profiles and routes that come with the runtime, as `extern flightprofile` and `extern
-   flightroute` bind to them. Depths in m, pitches in rad (magnitudes), positions in degrees,
-   headings in rad clockwise from north. */
+   flightroute` bind to them, for missions written in C: missions in the language have
+   missions/library/standard.mission, which does the same. Depths in m, pitches in rad (magnitudes),
+   positions in degrees, headings in rad clockwise from north. */
 
 #include "runtime/abi/behaviour.h"
 
@@ -17,8 +18,8 @@ extern "C" {
 /* Climbs and dives between two depths. An unknown depth makes it climb. */
 void gliderProfileYo(GliderContext* context, GliderBehaviourMemory* memory, uint32_t phase,
                      double top, double bottom, double dive, double climb);
-/* A yo between top and bottom until the temperature differs by `dtemp` within `ddepth` metres; then
-   one at most ddepth wide round that thermocline, following it (runtime/library/thermocline.h). */
+/* Finds the thermocline, where the temperature changes by `dtemp` K within `ddepth` m, and
+   saw-tooths about it, as missions/library/standard.mission says. */
 void gliderProfileThermotrackyo(GliderContext* context, GliderBehaviourMemory* memory,
                                 uint32_t phase, double top, double bottom, double dive,
                                 double climb, double dtemp, double ddepth);

@@ -46,15 +46,17 @@ class Gallery : public testing::TestWithParam<GalleryFlight> {};
 
 TEST_P(Gallery, IsFineBuildsAndFlies) {
   const std::string path = pathOf(GetParam().mission);
+  const TemporaryFolder folder;
+  const std::string to = " -o " + (folder.path() / "product").string();
   const Outcome checked = runShell("$GLIDERCC check " + path);
   EXPECT_EQ(checked.status, 0);
   EXPECT_EQ(checked.err, "");
   for (const char* board : {"host", "ts7800", "ts5500"}) {
-    const Outcome built = runShell("$GLIDERCC build " + path + " --target " + board + " -o built");
+    const Outcome built = runShell("$GLIDERCC build " + path + " --target " + board + to);
     EXPECT_EQ(built.status, 0) << board << ": " << built.err;
   }
   const Outcome flown =
-      runShell("$GLIDERCC sim " + path + " --scenario " + GetParam().scenario + " -o flown");
+      runShell("$GLIDERCC sim " + path + " --scenario " + GetParam().scenario + to + ".flight");
   EXPECT_EQ(flown.status, 0) << flown.err;
   EXPECT_THAT(flown.out, HasSubstr(GetParam().shows));
   EXPECT_THAT(flown.out, Not(HasSubstr("refused")));

@@ -131,6 +131,8 @@ Expressions::Lowered Expressions::lowerOne(const ir::Expr& expr) {
       return {function(expr), nullptr};
     case Op::Select:
       return {choice(expr), nullptr};
+    case Op::Element:
+      return {element(expr), nullptr};
     default:
       return {arithmetic(expr), nullptr};
   }

@@ -28,6 +28,8 @@ struct Lowering {
   std::map<std::string, llvm::Constant*> texts{};  ///< of text()
   std::vector<llvm::Constant*> window_shapes =
       std::vector<llvm::Constant*>(mission.temporals.size());  ///< null: not made yet
+  std::vector<llvm::Constant*> tables =
+      std::vector<llvm::Constant*>(mission.tables.size());  ///< the same
 };
 
 /// A constant string; equal ones are one.

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 
 namespace glider::frontend {
@@ -79,6 +80,15 @@ ir::SensorId Scope::subscribe(const platforms::PlatformSensor& sensor, std::stri
                              sensor.to_si, sensor.lowest, sensor.highest, sensor.stale_after_s});
   subscribed_.emplace(sensor.id, id);
   return id;
+}
+
+ir::TableId Scope::table(ir::Table table) {
+  const auto found = std::ranges::find(mission.tables, table);
+  const auto index = static_cast<uint32_t>(found - mission.tables.begin());
+  if (found == mission.tables.end()) {
+    mission.tables.push_back(std::move(table));
+  }
+  return {index};
 }
 
 ir::BehaviourId Scope::use(BehaviourDeclaration& declaration) {

@@ -84,6 +84,8 @@ class Scope {
   /// The mission's subscription of a sensor, made on first use; `written` is how the mission calls
   /// it.
   ir::SensorId subscribe(const platforms::PlatformSensor& sensor, std::string_view written);
+  /// The mission's table of these values, made on first use.
+  ir::TableId table(ir::Table table);
   /// The mission's use of a behaviour, made on first use.
   ir::BehaviourId use(BehaviourDeclaration& declaration);
   /// "did you mean `temp`?" over sensors, clocks and constants.

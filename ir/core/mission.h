@@ -31,6 +31,7 @@ using BehaviourId = Id<struct BehaviourTag>;
 using VariableId = Id<struct VariableTag>;
 using TemporalId = Id<struct TemporalTag>;
 using BlockId = Id<struct BlockTag>;
+using TableId = Id<struct TableTag>;
 
 enum class Op : uint8_t {
 #define OP(name, text, operands, result) name,
@@ -57,6 +58,7 @@ struct Expr {
   SensorId sensor;      ///< Sensor, Age
   VariableId variable;  ///< Variable
   TemporalId temporal;  ///< Temporal
+  TableId table;        ///< Element
   support::SourceRange range;
 };
 
@@ -209,12 +211,20 @@ struct State {
   support::SourceRange range;  ///< of its name
 };
 
+/// Values that an expression chooses from by their number.
+struct Table {
+  Type type;
+  std::vector<double> values;  ///< one at least; SI units or degrees, finite
+  bool operator==(const Table&) const = default;
+};
+
 struct Mission {
   std::string name;
   std::string platform;
   std::vector<Sensor> sensors;
   std::vector<Behaviour> behaviours;
   std::vector<Expr> exprs;
+  std::vector<Table> tables;
   std::vector<Variable> variables;
   std::vector<Temporal> temporals;
   std::vector<Block> blocks;
@@ -230,6 +240,7 @@ struct Mission {
   }
   [[nodiscard]] const Variable& operator[](VariableId id) const { return variables.at(id.index); }
   [[nodiscard]] const Temporal& operator[](TemporalId id) const { return temporals.at(id.index); }
+  [[nodiscard]] const Table& operator[](TableId id) const { return tables.at(id.index); }
   [[nodiscard]] const Block& operator[](BlockId id) const { return blocks.at(id.index); }
 };
 

@@ -155,6 +155,9 @@ std::optional<Type> resultType(const Mission& mission, const Expr& expr) {
   if (isGeometry(expr.op)) {
     return geometry(mission, expr);
   }
+  if (expr.op == Op::Element) {
+    return operand(0) == kNumber ? std::optional(mission[expr.table].type) : std::nullopt;
+  }
   if (expr.op == Op::Select) {
     const bool fits =
         operand(0) == kBool && operand(1) == operand(2) && operand(1).kind != TypeKind::Bool;

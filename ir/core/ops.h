@@ -42,7 +42,7 @@ const std::vector<CommandInfo>& commands();
 /// The type that `expr` must have in `mission`, given its operands' types (or its sensor's or
 /// variable's): sums, minima and the like want one type, products and quotients multiply
 /// dimensions, comparisons compare like with like. A Constant keeps its own. Empty if the operands
-/// do not fit. Operands, sensor, variable and temporal must be in range, and what a temporal
+/// do not fit. Operands, sensor, variable, temporal and table must be in range, and what a temporal
 /// watches must stand before `expr`.
 std::optional<Type> resultType(const Mission& mission, const Expr& expr);
 

@@ -33,6 +33,7 @@ class Validator {
     sensors();
     behaviours();
     variables();
+    tables();
     if (defects_.empty() && expressions()) {
       validateCode(m_, defects_);
     }
@@ -98,6 +99,16 @@ class Validator {
     }
   }
 
+  void tables() {
+    for (size_t i = 0; i < m_.tables.size(); ++i) {
+      const Table& t = m_.tables[i];
+      const bool finite =
+          std::ranges::all_of(t.values, [](double value) { return std::isfinite(value); });
+      require(t.type.kind != TypeKind::Bool && sound(t.type) && !t.values.empty() && finite, {},
+              fmt::format("table {} has no values, or one that is no number", i));
+    }
+  }
+
   /// Whether the operands of expression `i` are there, and no more than there should be.
   bool hasOperands(uint32_t i, const Expr& e) const {
     const uint32_t count = opInfo(e.op).operands;
@@ -117,7 +128,8 @@ class Validator {
     };
     return fits(e.op == Op::Sensor || e.op == Op::Age, e.sensor, m_.sensors.size()) &&
            fits(e.op == Op::Variable, e.variable, m_.variables.size()) &&
-           fits(e.op == Op::Temporal, e.temporal, m_.temporals.size());
+           fits(e.op == Op::Temporal, e.temporal, m_.temporals.size()) &&
+           fits(e.op == Op::Element, e.table, m_.tables.size());
   }
 
   /// Whether what `e` watches, or an earlier temporal does, stands before expression `i`.

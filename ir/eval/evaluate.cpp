@@ -14,7 +14,7 @@ namespace {
 
 using Values = std::map<uint32_t, Value>;
 
-Value valueOf(const Expr& e, const Values& values, const Leaves& leaves) {
+Value valueOf(const Mission& mission, const Expr& e, const Values& values, const Leaves& leaves) {
   auto a = [&](size_t i) { return std::get<double>(values.at(e.operands.at(i).index)); };
   auto t = [&](size_t i) { return std::get<Truth>(values.at(e.operands.at(i).index)); };
   switch (e.op) {
@@ -54,6 +54,8 @@ Value valueOf(const Expr& e, const Values& values, const Leaves& leaves) {
       return clamp(a(0), a(1), a(2));
     case Op::Select:
       return t(0) == Truth::Unknown ? kUnknown : t(0) == Truth::True ? a(1) : a(2);
+    case Op::Element:
+      return element(mission[e.table], a(0));
     case Op::Less:
     case Op::LessEqual:
     case Op::Greater:
@@ -101,7 +103,7 @@ Value evaluate(const Mission& mission, ExprId id, const Leaves& leaves) {
     }
   }
   for (auto& [number, value] : values) {
-    value = valueOf(mission.exprs[number], values, leaves);
+    value = valueOf(mission, mission.exprs[number], values, leaves);
   }
   return values.at(id.index);
 }

@@ -17,6 +17,7 @@ class Marker {
       : exprs(mission.exprs.size()),
         blocks(mission.blocks.size()),
         temporals(mission.temporals.size()),
+        tables(mission.tables.size()),
         mission_(mission) {
     References references(*this);
     references.ofBody(mission);
@@ -45,6 +46,7 @@ class Marker {
   std::vector<bool> exprs;
   std::vector<bool> blocks;
   std::vector<bool> temporals;
+  std::vector<bool> tables;
 
  private:
   void follow(References<Marker>& references) {
@@ -60,6 +62,9 @@ class Marker {
       if (operand.valid()) {
         (*this)(operand);
       }
+    }
+    if (expr.table.valid()) {
+      tables[expr.table.index] = true;
     }
     if (expr.temporal.valid() && !temporals[expr.temporal.index]) {
       temporals[expr.temporal.index] = true;
@@ -105,6 +110,7 @@ void compact(Mission& mission) {
   const Marker marked(mission);
   Renumber renumber{keep(mission.exprs, marked.exprs), keep(mission.blocks, marked.blocks)};
   const std::vector<uint32_t> temporals = keep(mission.temporals, marked.temporals);
+  const std::vector<uint32_t> tables = keep(mission.tables, marked.tables);
   for (Expr& expr : mission.exprs) {
     for (ExprId& operand : expr.operands) {
       if (operand.valid()) {
@@ -113,6 +119,9 @@ void compact(Mission& mission) {
     }
     if (expr.temporal.valid()) {
       expr.temporal.index = temporals[expr.temporal.index];
+    }
+    if (expr.table.valid()) {
+      expr.table.index = tables[expr.table.index];
     }
   }
   References references(renumber);

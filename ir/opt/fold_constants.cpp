@@ -51,6 +51,7 @@ class Folder {
     expr.op = op;
     expr.number = number;
     expr.operands = {};
+    expr.table = {};
   }
 
   /// The operand that `expr` is the same as.
@@ -109,6 +110,8 @@ class Folder {
         return binary(expr.op, (*n)[0], (*n)[1]);
       case Op::Clamp:
         return clamp((*n)[0], (*n)[1], (*n)[2]);
+      case Op::Element:
+        return element(m_[expr.table], (*n)[0]);
       default:
         return std::nullopt;
     }

@@ -16,7 +16,7 @@ namespace {
 /// All that makes two expressions the same; numbers by their bits.
 auto keyOf(const Expr& e) {
   return std::tuple(e.op, e.type.kind, e.type.dimension.exponents, e.operands,
-                    std::bit_cast<uint64_t>(e.number), e.sensor, e.variable, e.temporal);
+                    std::bit_cast<uint64_t>(e.number), e.sensor, e.variable, e.temporal, e.table);
 }
 
 /// All that makes two temporals the same.

@@ -83,17 +83,25 @@ ExprId ExpressionReader::constant(SourceRange begin) {
   return add(e, begin);
 }
 
+/// The number of a temporal or a table, of which there are `count`.
+uint32_t ExpressionReader::number(std::string_view what, size_t count) {
+  const Token number = in_.peek();
+  const auto index = static_cast<uint32_t>(in_.integer(0, UINT32_MAX));
+  if (index >= count) {
+    in_.fail(DiagnosticId::irUnknownName, number.range, what, number.text);
+  }
+  return index;
+}
+
 void ExpressionReader::leaf(Expr& e) {
   if (e.op == Op::Sensor || e.op == Op::Age) {
     e.sensor = {sensors_.find(in_.nameToken("the name of a sensor"))};
   } else if (e.op == Op::Variable) {
     e.variable = {variables_.find(in_.nameToken("the name of a variable"))};
   } else if (e.op == Op::Temporal) {
-    const Token number = in_.peek();
-    e.temporal = {static_cast<uint32_t>(in_.integer(0, UINT32_MAX))};
-    if (e.temporal.index >= m_.temporals.size()) {
-      in_.fail(DiagnosticId::irUnknownName, number.range, "temporal", number.text);
-    }
+    e.temporal = {number("temporal", m_.temporals.size())};
+  } else if (e.op == Op::Element) {
+    e.table = {number("table", m_.tables.size())};
   }
 }
 

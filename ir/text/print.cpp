@@ -36,6 +36,7 @@ std::string Printer::run() {
   std::ranges::for_each(m_.sensors, [&](const Sensor& s) { sensor(s); });
   std::ranges::for_each(m_.behaviours, [&](const Behaviour& b) { behaviour(b); });
   std::ranges::for_each(m_.variables, [&](const Variable& v) { variable(v); });
+  std::ranges::for_each(m_.tables, [&](const Table& t) { table(t); });
   launch();
   if (!m_.always.empty()) {
     add("\n");
@@ -83,6 +84,10 @@ void Printer::variable(const Variable& v) {
   if (v.lowest != -Variable::kEndless || v.highest != Variable::kEndless) {
     add(" lowest {} highest {}", v.lowest, v.highest);
   }
+}
+
+void Printer::table(const Table& t) {
+  add("\ntable {} ({})", typeText(t.type), fmt::join(t.values, ", "));
 }
 
 /// What holds before any state does, if it stands first among the expressions.

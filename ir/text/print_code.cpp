@@ -251,6 +251,9 @@ void Printer::tree(uint32_t i) {
     return;
   }
   add("({}", op.text);
+  if (e.table.valid()) {
+    add(" {}", e.table.index);
+  }
   for (uint32_t k = 0; k < op.operands; ++k) {
     const uint32_t operand = e.operands.at(k).index;
     add(" ");

@@ -60,12 +60,14 @@ class Reader {
       behaviour();
     } else if (in_.accept("variable")) {
       variable();
+    } else if (in_.accept("table")) {
+      table();
     } else if (in_.accept("always")) {
       always();
     } else if (in_.accept("state")) {
       state();
     } else if (!code_.definition()) {
-      in_.failExpecting("`sensor`, `behaviour`, `variable`, `let`, `always` or `state`");
+      in_.failExpecting("`sensor`, `behaviour`, `variable`, `table`, `let`, `always` or `state`");
     }
   }
 
@@ -149,6 +151,13 @@ class Reader {
       v.highest = in_.number(true);
     }
     m_.variables.push_back(std::move(v));
+  }
+
+  void table() {
+    Table t;
+    t.type = in_.type();
+    code_.list([&] { t.values.push_back(in_.number(false)); });
+    m_.tables.push_back(std::move(t));
   }
 
   void always() {

@@ -128,6 +128,10 @@ class Analysis {
       }
     }
     const Interval& a = operand(e, 0);
+    if (e.op == Op::Element) {
+      const auto [lowest, highest] = std::ranges::minmax(m_[e.table].values);
+      return {lowest, highest, false};
+    }
     return count == 1 ? unary(e.op, a) : several(e, a, operand(e, 1));
   }
 

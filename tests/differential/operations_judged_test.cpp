@@ -101,6 +101,14 @@ class Maker {
     return add(expr);
   }
   ExprId operation(Op op) { return operation(op, operands_); }
+  /// Of the table that the first operand gives the number of a value in.
+  ExprId element(ir::TableId table) {
+    ir::Expr expr;
+    expr.op = Op::Element;
+    expr.operands[0] = operands_[0];
+    expr.table = table;
+    return add(expr);
+  }
   ExprId sensor(size_t i) const { return operands_.at(i); }
   ExprId radian() {
     ir::Expr expr;
@@ -137,6 +145,8 @@ ir::Mission numbers() {
     maker.state().log.push_back(
         {std::string(ir::opInfo(op).text), maker.operation(op, {angle, {}, {}}), 0});
   }
+  maker.mission().tables = {{{}, {5, -7, 1e300}}};
+  maker.state().log.push_back({"element", maker.element({0}), 0});
   const ExprId less = maker.operation(Op::Less);
   maker.state().log.push_back(
       {"select", maker.operation(Op::Select, {less, a, maker.sensor(2)}), 0});

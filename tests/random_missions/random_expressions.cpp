@@ -251,6 +251,25 @@ std::optional<ExprId> ExpressionMaker::geometry(Type type, uint32_t depth) {
   return add(type == kAngle ? Op::Bearing : Op::Distance, operands);
 }
 
+/// One of a few values by its number, which may be the number of none.
+ExprId ExpressionMaker::element(Type type, uint32_t depth) {
+  ir::Table table{type, {}};
+  for (uint32_t i = random_.between(1, 6); i > 0; --i) {
+    table.values.push_back(plainValue(type));
+  }
+  std::erase_if(table.values, [](double value) { return !std::isfinite(value); });
+  if (table.values.empty()) {
+    table.values.push_back(1);
+  }
+  ir::Expr e;
+  e.op = Op::Element;
+  e.table = {static_cast<uint32_t>(m_.tables.size())};
+  m_.tables.push_back(std::move(table));
+  e.operands[0] =
+      random_.chance(0.4) ? plain(kNumber, random_.between(0, 6)) : number(kNumber, depth);
+  return keep(e);
+}
+
 ExprId ExpressionMaker::valueFor(const ir::Variable& v, uint32_t depth) {
   if (v.type.kind == TypeKind::Bool) {
     return guard(depth);
@@ -288,6 +307,9 @@ ExprId ExpressionMaker::number(Type type, uint32_t depth) {
     const ExprId condition = guard(0);
     const ExprId a = number(type, depth - 1);
     return add(Op::Select, {condition, a, number(type, depth - 1)});
+  }
+  if (random_.chance(0.05)) {
+    return element(type, depth - 1);
   }
   if (random_.chance(0.12)) {
     if (const auto made = geometry(type, depth - 1)) {

@@ -53,6 +53,7 @@ class ExpressionMaker {
   std::optional<ir::ExprId> window(ir::Type type);
   ir::ExprId temporal(ir::Temporal temporal);
   std::optional<ir::ExprId> geometry(ir::Type type, uint32_t depth);
+  ir::ExprId element(ir::Type type, uint32_t depth);
   ir::ExprId product(ir::Type type, uint32_t depth);
   ir::ExprId quotient(ir::Type type, uint32_t depth);
   ir::ExprId root(ir::Type type, uint32_t depth);

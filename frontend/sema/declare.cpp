@@ -38,7 +38,7 @@ class Declarations {
     if (isPath(node.value, scope_) || (node.type && node.type->text == "path")) {
       workPath(node, place->second);
     } else {
-      const auto type = node.type ? scope_.declaredType(*node.type) : std::nullopt;
+      const auto type = node.type ? scope_.declaredType(*node.type, "") : std::nullopt;
       if (!node.type || type) {
         work(node, type, place->second);
       }
@@ -70,13 +70,14 @@ class Declarations {
   void visit(const ast::Behaviour& node) {
     BehaviourDeclaration declaration;
     declaration.body = &node;
-    declaration.signature = scope_.signatureOf(node.name, node.formals);
+    declaration.signature = scope_.signatureOf(node.name, node.formals, "");
     enter(node.name, node.kind, std::move(declaration));
   }
 
   void visit(const ast::ExternBehaviour& node) {
     BehaviourDeclaration declaration;
-    declaration.signature = scope_.signatureOf(node.name, node.formals);
+    declaration.signature =
+        scope_.signatureOf(node.name, node.formals, "a parameter of a C function");
     declaration.usable = declaration.signature.valid;
     checkParameters(declaration.signature);
     for (const ast::Name& sensor : node.reads) {
@@ -114,7 +115,7 @@ class Declarations {
 
   void workPath(const ast::Const& node, Constant& constant) {
     if (node.type && node.type->text != "path") {
-      if (const auto type = scope_.declaredType(*node.type)) {
+      if (const auto type = scope_.declaredType(*node.type, "")) {
         scope_.report(DiagnosticId::wrongType, node.value.where, "`" + node.name.text + "`",
                       describe(*type), scope_.text(node.value.where), "a path");
       }

@@ -5,6 +5,7 @@
 #include "frontend/spelling.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iterator>
@@ -46,10 +47,7 @@ std::string suggestFunction(std::string_view wrong) {
   names.insert(names.end(), std::begin(kEarth), std::end(kEarth));
   names.insert(names.end(),
                {"became", "held", "mean", "lowest", "highest", "spread", "rate", "slope"});
-  return didYouMean(
-      wrong, names,
-      "functions: abs min max clamp sqrt sin cos tan atan2 known age became held distance "
-      "bearing inside count mean lowest highest spread rate slope");
+  return didYouMean(wrong, names, fmt::format("functions: {}", fmt::join(names, " ")));
 }
 
 std::string countOf(size_t n) {

@@ -28,6 +28,11 @@ bool isPosition(const ast::Expr& expr, Scope& scope) {
 ExprLowering::Result ExprLowering::visit(const ast::NameUse& node, const ast::Expr& expr,
                                          std::optional<ir::Type>) {
   if (Named* named = scope_.findNamed(node.name)) {
+    if (named->type.path) {
+      named->read = true;
+      refusePath(expr);
+      return std::nullopt;
+    }
     return variable(*named, expr.where);
   }
   if (const Constant* found = scope_.findConstant(node.name)) {

@@ -14,21 +14,38 @@ using support::DiagnosticId;
 
 namespace {
 
-const Constant* findPath(const ast::Expr& expr, const Scope& scope) {
+constexpr std::string_view kLanes = "lanes";
+
+/// The path that a name stands for.
+const Path* findPath(std::string_view name, Scope& scope) {
+  if (Named* named = scope.findNamed(name)) {
+    named->read = named->read || named->type.path;
+    return named->type.path && named->valid ? &named->path.path : nullptr;
+  }
+  const Constant* found = scope.findConstant(name);
+  return found != nullptr && !found->path.empty() ? &found->path : nullptr;
+}
+
+const Path* findPath(const ast::Expr& expr, Scope& scope) {
   const auto* use = std::get_if<ast::NameUse>(&expr.node);
-  const Constant* found = use == nullptr ? nullptr : scope.findConstant(use->name);
-  return found != nullptr && !found->path.empty() ? found : nullptr;
+  return use == nullptr ? nullptr : findPath(use->name, scope);
 }
 
 }  // namespace
 
-bool isPath(const ast::Expr& expr, const Scope& scope) {
-  return std::holds_alternative<ast::List>(expr.node) || findPath(expr, scope) != nullptr;
+bool isPath(const ast::Expr& expr, Scope& scope) {
+  const auto* call = std::get_if<ast::Invocation>(&expr.node);
+  return std::holds_alternative<ast::List>(expr.node) || findPath(expr, scope) != nullptr ||
+         (call != nullptr && call->function.text == kLanes);
 }
 
 std::optional<Path> ExprLowering::lowerPath(const ast::Expr& expr) {
-  if (const Constant* constant = findPath(expr, scope_)) {
-    return constant->path;
+  if (const Path* path = findPath(expr, scope_)) {
+    return *path;
+  }
+  if (const auto* call = std::get_if<ast::Invocation>(&expr.node);
+      call != nullptr && call->function.text == kLanes) {
+    return lanes(*call, expr);
   }
   const auto* list = std::get_if<ast::List>(&expr.node);
   if (list == nullptr) {
@@ -109,8 +126,12 @@ ExprLowering::Result ExprLowering::visit(const ast::Index& node, const ast::Expr
   if (!known) {
     return chosen(*path, {*number, plainNumber(), {}}, expr.where);
   }
-  if (!(*known >= 0 && *known < static_cast<double>(path->size()) &&
-        *known == std::floor(*known))) {
+  const bool there =
+      *known >= 0 && *known < static_cast<double>(path->size()) && *known == std::floor(*known);
+  if (!there && scope_.context.checkedAlone()) {
+    return chosen(*path, {*number, plainNumber(), {}}, expr.where);
+  }
+  if (!there) {
     scope_.report(DiagnosticId::outsidePath, node.position->where, node.list.text,
                   path->size() == 1 ? "1 position" : fmt::format("{} positions", path->size()),
                   *known);

@@ -40,7 +40,7 @@ void enterVariables(StateDeclaration& state, Scope& scope) {
 void declareNames(ir::StateId id, Scope& scope) {
   StateDeclaration& state = scope.state_declarations[id.index];
   const ast::Name& name = state.node->name;
-  state.signature = scope.signatureOf(name, state.node->formals);
+  state.signature = scope.signatureOf(name, state.node->formals, "a parameter of a state");
   if (id.index == 0 && !state.signature.formals.empty()) {
     scope.report(DiagnosticId::firstStateParameters, name.where, name.text);
     state.signature.valid = false;

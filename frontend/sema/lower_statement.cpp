@@ -196,9 +196,9 @@ void StatementLowering::visit(const ast::Command& node, const ast::Statement& st
   ir::Statement result = statementOf(ir::StatementKind::Command, statement.where);
   result.command = command->command;
   const Callee callee{command->name, command->signature};
-  const auto values = lowerArguments(node.call.arguments, callee, statement.where, scope_);
-  if (values) {
-    result.values = *values;
+  auto arguments = lowerArguments(node.call.arguments, callee, statement.where, scope_);
+  if (arguments) {
+    result.values = std::move(arguments->values);
     block.statements.push_back(std::move(result));
   }
 }

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "frontend/sema/evaluate.h"
 #include "frontend/sema/lower_expr.h"
-#include "ir/core/ops.h"
 
 #include <fmt/format.h>
 
@@ -24,53 +22,6 @@ constexpr WindowFunction kWindows[] = {
     {"mean", ir::TemporalKind::Mean},       {"lowest", ir::TemporalKind::Lowest},
     {"highest", ir::TemporalKind::Highest}, {"spread", ir::TemporalKind::Spread},
     {"rate", ir::TemporalKind::Slope},      {"slope", ir::TemporalKind::Slope}};
-
-}  // namespace
-
-namespace {
-
-bool isConstant(const Snippet& snippet) {
-  return std::ranges::none_of(snippet, [](const ir::Expr& expr) {
-    using enum ir::Op;
-    return expr.op != Constant && expr.op != True && expr.op != False &&
-           ir::opInfo(expr.op).operands == 0;
-  });
-}
-
-/// The names in an expression, in the order written.
-void collectNames(const ast::Expr& expr, std::vector<std::string_view>& names) {
-  if (const auto* use = std::get_if<ast::NameUse>(&expr.node)) {
-    names.push_back(use->name);
-  } else if (const auto* unary = std::get_if<ast::Unary>(&expr.node)) {
-    collectNames(*unary->operand, names);
-  } else if (const auto* binary = std::get_if<ast::Binary>(&expr.node)) {
-    collectNames(*binary->left, names);
-    collectNames(*binary->right, names);
-  } else if (const auto* call = std::get_if<ast::Invocation>(&expr.node)) {
-    for (const ast::Argument& argument : call->arguments) {
-      collectNames(*argument.value, names);
-    }
-  }
-}
-
-/// In a behaviour that is lowered for a use, the parameter by which `expr` is what it is: the first
-/// that is not constant, else the first; null if it names none.
-const Named* blamed(const ast::Expr& expr, Scope& scope) {
-  std::vector<std::string_view> names;
-  collectNames(expr, names);
-  const Named* first = nullptr;
-  for (const std::string_view name : names) {
-    const Named* named = scope.findNamed(name);
-    if (named == nullptr || named->arguments.empty()) {
-      continue;
-    }
-    if (!isConstant(named->arguments.front())) {
-      return named;
-    }
-    first = first == nullptr ? named : first;
-  }
-  return first;
-}
 
 }  // namespace
 
@@ -132,40 +83,15 @@ std::optional<ExprLowering::WindowLength> ExprLowering::windowLength(const ast::
     result.along = value->id;
     result.dimension = value->type.dimension;
   }
-  const std::string what = "the length of `" + std::string(function) + "`";
-  const auto length = lowerAs(*over.value, quantity(result.dimension), what);
+  const auto length =
+      positiveConstant(*over.value, quantity(result.dimension),
+                       {fmt::format("the length of `{}`", function),
+                        "it is the length of a window here", DiagnosticId::windowLength});
   if (!length) {
     return std::nullopt;
   }
-  const auto known = evaluate(scope_.mission, *length);
-  // A behaviour's parameters are known where it is used, not where it is checked by itself.
-  const bool checked_alone = scope_.context.isolated && !scope_.context.state.valid();
-  if (!known && !checked_alone) {
-    refuseLength(DiagnosticId::notConstant, *over.value, function);
-    return std::nullopt;
-  }
-  result.length = known.value_or(1.0);
-  if (!(result.length > 0)) {
-    refuseLength(DiagnosticId::windowLength, *over.value, function);
-    return std::nullopt;
-  }
+  result.length = *length;
   return result;
-}
-
-void ExprLowering::refuseLength(DiagnosticId id, const ast::Expr& length,
-                                std::string_view function) {
-  const Named* named = blamed(length, scope_);
-  if (named == nullptr) {
-    scope_.report(id, length.where, scope_.text(length.where),
-                  fmt::format("the length of `{}`", function));
-    return;
-  }
-  // Once, however many windows are that long: the places and the words are the same.
-  const support::SourceRange given = named->arguments.front().back().range;
-  scope_.diagnostics()
-      .report(id, given, scope_.text(given),
-              fmt::format("`{}` of `{}`", named->name->text, scope_.context.behaviour))
-      .note(length.where, "it is the length of a window here");
 }
 
 ExprLowering::Result ExprLowering::emitWindow(std::string_view name, const Value& operand,

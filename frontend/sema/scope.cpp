@@ -233,13 +233,13 @@ std::string Scope::freshName(std::string wish) {
   return wish;
 }
 
-std::optional<DeclaredType> Scope::declaredType(const ast::TypeName& name) {
-  const TypeLookup found = findType(name.text);
-  if (found.status == NamedType::Known) {
-    return DeclaredType{found.type, found.position};
-  }
-  if (found.status == NamedType::Later) {
-    notYet(name.where, "type `" + name.text + "` here");
+std::optional<DeclaredType> Scope::declaredType(const ast::TypeName& name,
+                                                std::string_view holder) {
+  if (const auto found = findType(name.text)) {
+    if (!found->path || holder.empty()) {
+      return found;
+    }
+    report(DiagnosticId::pathElsewhere, name.where, holder);
     return std::nullopt;
   }
   static const std::vector<std::string_view> kTypes = {
@@ -257,7 +257,8 @@ std::optional<DeclaredType> Scope::declaredType(const ast::TypeName& name) {
 }
 
 Signature Scope::signatureOf(const ast::Name& name,
-                             const std::optional<std::vector<ast::Formal>>& formals) {
+                             const std::optional<std::vector<ast::Formal>>& formals,
+                             std::string_view holder) {
   Signature result;
   for (const ast::Formal& formal : formals.value_or(std::vector<ast::Formal>())) {
     result.text += fmt::format("{}{}: {}", result.text.empty() ? "" : ", ", formal.name.text,
@@ -268,10 +269,13 @@ Signature Scope::signatureOf(const ast::Name& name,
     return result;
   }
   for (const ast::Formal& formal : *formals) {
-    const auto type = declaredType(formal.type);
+    const auto type = declaredType(formal.type, holder);
     result.valid = result.valid && type.has_value();
     const DeclaredType known = type.value_or(DeclaredType{plainNumber(), false});
     result.formals.push_back({&formal.name, known});
+    if (known.path) {
+      continue;
+    }
     if (known.position) {
       result.slots.push_back({formal.name.text + ".latitude", latitude()});
       result.slots.push_back({formal.name.text + ".longitude", longitude()});

@@ -109,11 +109,13 @@ class Scope {
   [[nodiscard]] std::vector<const Names*> visibleNames() const;
   /// `wish`, or if a variable has that name already, one like it that none has.
   std::string freshName(std::string wish);
-  /// The type that is written; empty, and reported, if there is none of that name.
-  std::optional<DeclaredType> declaredType(const ast::TypeName& name);
-  /// Types the parameters of `name`. Their names are checked by whoever enters them.
+  /// The type that is written; empty, and reported, if there is none of that name, or if it is a
+  /// path and `holder`, which has it, cannot: "a variable". An empty holder can.
+  std::optional<DeclaredType> declaredType(const ast::TypeName& name, std::string_view holder);
+  /// Types the parameters of `name`, each `holder`. Their names are checked by whoever enters them.
   Signature signatureOf(const ast::Name& name,
-                        const std::optional<std::vector<ast::Formal>>& formals);
+                        const std::optional<std::vector<ast::Formal>>& formals,
+                        std::string_view holder);
 
   /// Lowers into an empty mission for as long as it lives: what is checked is not compiled.
   class Scratch {

@@ -62,7 +62,7 @@ class DeclarationLowering {
 
   /// False, and reported, if there is no such type.
   bool type(const ast::TypeName& name) {
-    const auto type = scope_.declaredType(name);
+    const auto type = scope_.declaredType(name, describe(named_.kind));
     named_.type = type.value_or(named_.type);
     return type.has_value();
   }

@@ -28,6 +28,7 @@ const GalleryFlight kFlights[] = {
     {"bloom", "bloom", "sample → transect (return)"},
     {"bottom_following", "shelf_slope", "follow → end (exit)"},
     {"front", "front", "across → back (goto)"},
+    {"hull_sweep", "default", "map → end (exit)  routedone"},
     {"isotherms", "default", "sample → end (exit)"},
     {"low_battery", "low_battery", "survey → give_back (goto, always case 1)"},
     {"surface_on_event", "default", "strong layer"},

@@ -66,6 +66,7 @@ class Expressions {
   Lowered lowerOne(const ir::Expr& expr);
   llvm::Value* choice(const ir::Expr& expr);
   llvm::Value* element(const ir::Expr& expr);
+  Lowered call(const ir::Expr& expr);
   llvm::Constant* table(ir::TableId id);
   llvm::Value* leaf(const ir::Expr& expr);
   Lowered variable(const ir::Expr& expr);

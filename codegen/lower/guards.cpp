@@ -7,15 +7,31 @@
 namespace glider::codegen {
 namespace {
 
+/// Case i is not looked at if it may not fire for its number: functions in its guard are not
+/// called.
+void stopAtLimit(Body& body, uint32_t i) {
+  llvm::IRBuilder<>& builder = body.builder;
+  llvm::BasicBlock* stop = body.block("stop");
+  llvm::BasicBlock* go_on = body.block("go_on");
+  llvm::Value* limit = body.contextField(field::GliderContext::limit);
+  builder.CreateCondBr(builder.CreateICmpULE(limit, builder.getInt32(i)), stop, go_on);
+  builder.SetInsertPoint(stop);
+  builder.CreateRet(builder.getInt32(GLIDER_NO_CASE));
+  builder.SetInsertPoint(go_on);
+}
+
 /// The first case from number `from` on whose guard is true. What an earlier guard has worked out
 /// serves the later ones, whose blocks it dominates.
 llvm::Function* lowerList(Lowering& lowering, const std::vector<ir::Case>& cases,
                           const std::string& name, const std::string& title,
-                          support::SourceRange range) {
+                          support::SourceRange range, bool limited) {
   Body body(lowering, name, Body::Result::Word, 1, title, range);
   llvm::IRBuilder<>& builder = body.builder;
   for (uint32_t i = 0; i < cases.size(); ++i) {
     lowering.debug.locate(builder, cases[i].range);
+    if (limited) {
+      stopAtLimit(body, i);
+    }
     llvm::Value* tried = builder.CreateICmpULE(body.function->getArg(1), builder.getInt32(i));
     llvm::Value* is_true = body.expressions.isTrue(cases[i].guard);
     llvm::BasicBlock* fires = body.block("fires");
@@ -39,10 +55,10 @@ llvm::Function* lowerGuards(Lowering& lowering) {
       [&](uint32_t i) {
         const ir::State& state = mission.states[i];
         return lowerList(lowering, state.cases, "guards." + state.name, state.name + " events",
-                         state.range);
+                         state.range, false);
       });
-  llvm::Function* always =
-      lowerList(lowering, mission.always, "guards.always", "always", mission.states.front().range);
+  llvm::Function* always = lowerList(lowering, mission.always, "guards.always", "always",
+                                     mission.states.front().range, !mission.uses.empty());
   Body body(lowering, "guards", Body::Result::Word, 2);
   callListOrState(body, always, functions);
   return body.function;

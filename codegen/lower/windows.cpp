@@ -55,7 +55,7 @@ void addSensors(const ir::Mission& mission, ir::ExprId id, std::set<uint32_t>& s
     if (expr.op == ir::Op::Sensor) {
       sensors.insert(expr.sensor.index);
     }
-    for (uint32_t i = 0; i < ir::opInfo(expr.op).operands; ++i) {
+    for (uint32_t i = 0; i < ir::operandCount(expr); ++i) {
       open.insert(expr.operands.at(i).index);
     }
   }

@@ -19,7 +19,7 @@ bool isConstant(const Snippet& snippet) {
   return std::ranges::none_of(snippet, [](const ir::Expr& expr) {
     using enum ir::Op;
     return expr.op != Constant && expr.op != True && expr.op != False &&
-           ir::opInfo(expr.op).operands == 0;
+           ir::operandCount(expr) == 0;
   });
 }
 

@@ -180,7 +180,7 @@ ExprLowering::Result ExprLowering::callMany(ir::Op op, const ast::Invocation& no
   if (!led || !numeric(*led, model, node.function.text, !angle)) {
     return std::nullopt;
   }
-  std::array<ir::ExprId, 4> operands;
+  std::array<ir::ExprId, ir::kMostOperands> operands;
   bool good = true;
   for (size_t i = 0; i < node.arguments.size(); ++i) {
     const ast::Expr& argument = *node.arguments[i].value;

@@ -32,6 +32,8 @@ using VariableId = Id<struct VariableTag>;
 using TemporalId = Id<struct TemporalTag>;
 using BlockId = Id<struct BlockTag>;
 using TableId = Id<struct TableTag>;
+using FunctionId = Id<struct FunctionTag>;
+using UseId = Id<struct UseTag>;
 
 enum class Op : uint8_t {
 #define OP(name, text, operands, result) name,
@@ -49,16 +51,19 @@ struct Type {
   bool operator==(const Type&) const = default;
 };
 
+constexpr size_t kMostOperands = 8;
+
 /// One node; operands stand before it in Mission::exprs, so the vector is in evaluation order.
 struct Expr {
   Op op = Op::Constant;
   Type type;
-  std::array<ExprId, 4> operands;
+  std::array<ExprId, kMostOperands> operands;
   double number = 0;    ///< Constant: the value in SI units (finite), or degrees
   SensorId sensor;      ///< Sensor, Age
   VariableId variable;  ///< Variable
   TemporalId temporal;  ///< Temporal
   TableId table;        ///< Element
+  UseId use;            ///< Call
   support::SourceRange range;
 };
 
@@ -68,7 +73,10 @@ enum class Encoding : uint8_t {
   DegreesMinutes
 };  ///< DegreesMinutes: ddmm.mmmm, becomes degrees
 
-/// A vehicle's sensor that this mission subscribes.
+/// Numbers of sensors from here on are not the vehicle's.
+constexpr uint16_t kFirstOwnSensor = 0xFF00;
+
+/// A vehicle's sensor that this mission subscribes, or one of the SBC's own.
 struct Sensor {
   std::string name;          ///< as written in the mission: "depth"
   std::string vehicle_name;  ///< "m_depth"
@@ -79,6 +87,9 @@ struct Sensor {
   double lowest = 0;  ///< plausible range in the vehicle's unit; a reading outside is unknown
   double highest = 0;
   double stale_after_s = 0;  ///< a reading older than this is unknown
+  /// Of the C function that is asked for a reading once a tick (GliderPoll of
+  /// runtime/abi/glider_abi.h); empty: the vehicle's.
+  std::string symbol = {};
 };
 
 enum class BehaviourKind : uint8_t { Profile, Route };
@@ -86,6 +97,23 @@ enum class BehaviourKind : uint8_t { Profile, Route };
 struct Parameter {
   std::string name;
   Type type;
+};
+
+/// A C function that expressions call.
+struct Function {
+  std::string name;
+  std::string symbol;
+  std::vector<Parameter> parameters;  ///< at most kMostOperands; truth values as numbers: 0, 1, NaN
+  Type result;
+  double lowest = -std::numeric_limits<double>::infinity();  ///< a result outside is unknown
+  double highest = std::numeric_limits<double>::infinity();
+};
+
+/// A place in the mission's text that calls a function: called once a tick at most, however many
+/// expressions stand for it.
+struct FunctionUse {
+  FunctionId function;
+  support::SourceRange range;
 };
 
 /// A flightprofile or flightroute: of a C function (ABI: runtime/abi/behaviour.h), or written in
@@ -225,6 +253,8 @@ struct Mission {
   std::vector<Behaviour> behaviours;
   std::vector<Expr> exprs;
   std::vector<Table> tables;
+  std::vector<Function> functions;
+  std::vector<FunctionUse> uses;
   std::vector<Variable> variables;
   std::vector<Temporal> temporals;
   std::vector<Block> blocks;
@@ -241,6 +271,10 @@ struct Mission {
   [[nodiscard]] const Variable& operator[](VariableId id) const { return variables.at(id.index); }
   [[nodiscard]] const Temporal& operator[](TemporalId id) const { return temporals.at(id.index); }
   [[nodiscard]] const Table& operator[](TableId id) const { return tables.at(id.index); }
+  [[nodiscard]] const Function& operator[](FunctionId id) const { return functions.at(id.index); }
+  [[nodiscard]] const Function& operator[](UseId id) const {
+    return functions.at(uses.at(id.index).function.index);
+  }
   [[nodiscard]] const Block& operator[](BlockId id) const { return blocks.at(id.index); }
 };
 

@@ -8,6 +8,7 @@
 #include "support/check.h"
 
 #include <map>
+#include <vector>
 
 namespace glider::ir {
 namespace {
@@ -31,7 +32,14 @@ Value valueOf(const Mission& mission, const Expr& e, const Values& values, const
     case Op::ResumeTime:
     case Op::Variable:
     case Op::Temporal:
-      return leaves(e);
+      return leaves(e, {});
+    case Op::Call: {
+      std::vector<double> arguments;
+      for (uint32_t i = 0; i < operandCount(e); ++i) {
+        arguments.push_back(asNumber(values.at(e.operands.at(i).index)));
+      }
+      return leaves(e, arguments);
+    }
     case Op::Negate:
     case Op::Abs:
     case Op::Sqrt:
@@ -98,7 +106,7 @@ Value evaluate(const Mission& mission, ExprId id, const Leaves& leaves) {
   Values values{{id.index, Truth::Unknown}};
   for (auto it = values.rbegin(); it != values.rend(); ++it) {
     const Expr& e = mission.exprs.at(it->first);
-    for (uint32_t k = 0; k < opInfo(e.op).operands; ++k) {
+    for (uint32_t k = 0; k < operandCount(e); ++k) {
       values.emplace(e.operands.at(k).index, Truth::Unknown);
     }
   }

@@ -40,7 +40,12 @@ class Sharing {
       if (expr.temporal.valid()) {
         expr.temporal = firstLike(expr.temporal);
       }
-      by_[i] = exprs_.emplace(keyOf(expr), ExprId{i}).first->second;
+      // Calls stay where they are: functions are called in the order of the expressions.
+      by_[i] =
+          expr.op == Op::Call ? ExprId{i} : exprs_.emplace(keyOf(expr), ExprId{i}).first->second;
+    }
+    for (uint32_t i = 0; i < m_.temporals.size(); ++i) {
+      firstLike({i});  // those that no expression reads
     }
     replace(m_, by_);
   }
@@ -54,7 +59,12 @@ class Sharing {
     shared(temporal.operand);
     shared(temporal.duration);
     shared(temporal.along);
-    return temporals_.emplace(keyOf(temporal), id).first->second;
+    const TemporalId first = temporals_.emplace(keyOf(temporal), id).first->second;
+    if (first != id) {
+      temporal.list = ListKind::State;  // of no state: it goes
+      temporal.state = {};
+    }
+    return first;
   }
 
   Mission& m_;

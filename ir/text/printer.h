@@ -46,6 +46,7 @@ class Printer {
   void behaviour(const Behaviour& behaviour);
   void variable(const Variable& variable);
   void table(const Table& table);
+  void function(const Function& function);
   void launch();
   void initials();
   void state(const State& state);

@@ -118,7 +118,10 @@ class Analysis {
   }
 
   [[nodiscard]] Interval of(const Expr& e) const {
-    const uint32_t count = opInfo(e.op).operands;
+    const uint32_t count = operandCount(e);
+    if (e.op == Op::Call) {
+      return between(m_[e.use].lowest, m_[e.use].highest);
+    }
     if (count == 0) {
       return leaf(e);
     }

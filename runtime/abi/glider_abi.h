@@ -15,6 +15,7 @@ extern "C" {
 
 #define GLIDER_ABI_VERSION 3u
 #define GLIDER_NO_CASE UINT32_MAX
+#define GLIDER_FIRST_OWN_SENSOR 0xFF00u
 #define GLIDER_NO_LIST UINT32_MAX
 #define GLIDER_NO_LIMIT UINT32_MAX
 #define GLIDER_MOST_PARAMETERS 64u
@@ -97,6 +98,9 @@ typedef void(GliderAct)(GliderContext* context, uint32_t list, uint32_t fired);
 typedef void(GliderEnter)(GliderContext* context, uint32_t phase);
 typedef uint32_t(GliderFly)(GliderContext* context, uint32_t list);
 typedef uint32_t(GliderCondition)(const GliderContext* context);
+/* A sensor on the SBC, asked once a tick: a new reading in SI units; NaN if there is none since the
+   last. `mission_time` is s since control was given. */
+typedef double(GliderPoll)(double mission_time);
 /* The value of log item `item` of the current state, SI units; NaN: unknown. */
 typedef double(GliderLogValue)(const GliderContext* context, uint32_t item);
 

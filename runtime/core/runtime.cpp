@@ -93,7 +93,7 @@ glider::hooks::ClientOptions GliderRuntime::subscribe(const GliderMission& missi
   options.sensors = sensors;
   for (uint32_t i = 0; i < mission.sensor_count; ++i) {
     const auto id = static_cast<uint16_t>(mission.sensors[i].id);
-    bool known = false;
+    bool known = mission.sensors[i].poll != nullptr;  // not the vehicle's
     for (uint32_t k = 0; k < options.sensor_count; ++k) {
       known = known || sensors[k] == id;
     }
@@ -111,7 +111,7 @@ bool GliderRuntime::acceptable(const GliderMission& mission) {
          mission.parameter_count <= mission.variable_count &&
          mission.context_bytes == gliderContextLayout(mission.sensor_count, mission.stack_limit,
                                                       mission.memory_count, mission.variable_count,
-                                                      mission.temporal_slots)
+                                                      mission.temporal_slots, mission.call_count)
                                       .bytes &&
          hasTables(mission) && hasCode(mission);
 }

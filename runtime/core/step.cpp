@@ -18,7 +18,7 @@ namespace {
 GliderContext* layOut(void* memory, const GliderMission& mission) {
   const GliderContextLayout layout =
       gliderContextLayout(mission.sensor_count, mission.stack_limit, mission.memory_count,
-                          mission.variable_count, mission.temporal_slots);
+                          mission.variable_count, mission.temporal_slots, mission.call_count);
   auto* bytes = static_cast<uint8_t*>(memory);
   memset(bytes, 0, layout.bytes);
   auto* context = reinterpret_cast<GliderContext*>(bytes);
@@ -28,6 +28,7 @@ GliderContext* layOut(void* memory, const GliderMission& mission) {
   context->memory = reinterpret_cast<GliderBehaviourMemory*>(bytes + layout.memory);
   context->variables = reinterpret_cast<double*>(bytes + layout.variables);
   context->temporals = reinterpret_cast<double*>(bytes + layout.temporals);
+  context->calls = reinterpret_cast<GliderCall*>(bytes + layout.calls);
   context->notes = reinterpret_cast<GliderNote*>(bytes + layout.notes);
   context->note_values = reinterpret_cast<double*>(bytes + layout.note_values);
   return context;
@@ -42,6 +43,13 @@ void setVariables(GliderContext& context, const double* parameters) {
     } else {
       context.variables[i] = parameters != nullptr ? parameters[i] : mission.parameters[i].initial;
     }
+  }
+}
+
+/// Forgets what functions gave in the tick before.
+void clearCalls(GliderContext& context) {
+  for (uint32_t i = 0; i < context.mission->call_count; ++i) {
+    context.calls[i].made = 0;
   }
 }
 
@@ -127,6 +135,7 @@ extern "C" GliderContext* gliderStart(void* context_memory, const GliderMission*
   context->limit = GLIDER_NO_LIMIT;
   glider::runtime::clearRecords(*context);
   glider::runtime::takeUpdates(*context, updates, count);
+  glider::runtime::pollSensors(*context);
   glider::runtime::refreshReadings(*context);
   glider::runtime::setVariables(*context, parameters);
   mission->begin(context);
@@ -141,10 +150,12 @@ extern "C" void gliderStep(GliderContext* context, double mission_time, const Gl
   if (context->finished != 0) {
     return;
   }
+  glider::runtime::clearCalls(*context);
   if (mission_time > context->mission_time) {
     context->mission_time = mission_time;
   }
   glider::runtime::takeUpdates(*context, updates, count);
+  glider::runtime::pollSensors(*context);
   glider::runtime::refreshReadings(*context);
   context->mission->advance(context);
   glider::runtime::tryLists(*context);

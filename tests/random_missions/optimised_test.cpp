@@ -80,8 +80,8 @@ ir::MissionFacts factsOf(const ir::Mission& mission) {
 
 void compare(uint64_t seed, const ir::Mission& plain, const ir::Mission& optimised) {
   ASSERT_TRUE(ir::validate(optimised).empty()) << ir::validate(optimised).front().message;
-  ir::Interpreter before(plain, factsOf(plain).stack_depth);
-  ir::Interpreter after(optimised, factsOf(optimised).stack_depth);
+  ir::Interpreter before(plain, factsOf(plain).stack_depth, randomExternals());
+  ir::Interpreter after(optimised, factsOf(optimised).stack_depth, randomExternals());
   const auto stream = randomStream(plain, seed, kTicks);
   const auto parameters = randomParameters(plain, seed);
   for (size_t i = 0; i < stream.size(); ++i) {

@@ -56,7 +56,7 @@ struct BenchMission {
     mission.always_count = static_cast<uint32_t>(always.size());
     mission.context_bytes = static_cast<uint32_t>(
         gliderContextLayout(mission.sensor_count, stack_limit, mission.memory_count,
-                            mission.variable_count, mission.temporal_slots)
+                            mission.variable_count, mission.temporal_slots, mission.call_count)
             .bytes);
     mission.always = always.data();
     mission.parameters = parameters.data();
@@ -100,10 +100,10 @@ struct BenchMission {
 };
 
 inline GliderSensorInfo depthSensor() {
-  return {"m_depth", 1, 0, 1200, 20, GLIDER_M_DEPTH, kGliderLinear};
+  return {"m_depth", nullptr, 1, 0, 1200, 20, GLIDER_M_DEPTH, kGliderLinear};
 }
 inline GliderSensorInfo temperatureSensor() {
-  return {"sci_water_temp", 1, -5, 45, 20, GLIDER_SCI_WATER_TEMP, kGliderLinear};
+  return {"sci_water_temp", nullptr, 1, -5, 45, 20, GLIDER_SCI_WATER_TEMP, kGliderLinear};
 }
 inline GliderUpdate update(uint32_t id, double value) {
   return {value, id, 0};

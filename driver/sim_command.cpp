@@ -6,6 +6,7 @@
 #include "driver/exit_code.h"
 #include "driver/explain_guard.h"
 #include "driver/flight_files.h"
+#include "driver/link_option.h"
 #include "driver/sbc_choice.h"
 #include "driver/share.h"
 #include "driver/terminal.h"
@@ -39,6 +40,7 @@ struct SimOptions {
   std::optional<double> kill_sbc_at_s;
   std::string output;
   LaunchChoice launch;
+  std::vector<std::string> user_code;
 };
 
 /// The scenarios that come with glidercc, by name.
@@ -106,13 +108,13 @@ support::Result<std::unique_ptr<simulator::SbcPort>> chooseSbc(const SimOptions&
     return sbcProgram(options.program);
   }
   if (options.board.empty()) {
-    return sbcInProcess(*compilation, options.launch);
+    return sbcInProcess(*compilation, options.launch, options.user_code);
   }
   // The board's binary is built where the report will be.
   if (auto made = makeFolder(outputFolder(options)); !made) {
     return std::unexpected(made.error());
   }
-  return sbcOnBoard(*compilation, options.launch, options.board, stemOf(options),
+  return sbcOnBoard(*compilation, options.launch, options.user_code, options.board, stemOf(options),
                     outputFolder(options));
 }
 
@@ -263,6 +265,7 @@ void addSimCommand(CLI::App& app, int& status) {
       app.add_subcommand("sim", "Fly a mission in the shoe-box simulator and write its report");
   addOptions(*command, *options);
   addLaunchOptions(*command, options->launch);
+  addLinkOption(*command, options->user_code);
   command->callback([options, &status] {
     if (options->mission.empty() && options->program.empty() && !options->without_sbc) {
       throw CLI::RequiredError("MISSION (or --sbc PROGRAM, or --no-sbc)");

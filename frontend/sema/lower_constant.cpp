@@ -18,8 +18,8 @@ namespace {
 bool isConstant(const Snippet& snippet) {
   return std::ranges::none_of(snippet, [](const ir::Expr& expr) {
     using enum ir::Op;
-    return expr.op != Constant && expr.op != True && expr.op != False &&
-           ir::operandCount(expr) == 0;
+    return expr.op == Call || (expr.op != Constant && expr.op != True && expr.op != False &&
+                               ir::operandCount(expr) == 0);
   });
 }
 

@@ -103,6 +103,7 @@ class ExprLowering {
                  std::optional<ir::Type> want);
   /// Refuses `10 m of depth` where no function takes it.
   bool stretched(const ast::Invocation& node);
+  Result inC(const ast::Invocation& node, const ast::Expr& expr);
   Result ageOf(const ast::Invocation& node, const ast::Expr& expr);
 
   // Over time (lower_temporal.cpp).

@@ -115,7 +115,8 @@ void StatementLowering::refuseSet(const ast::Name& name) {
   if (scope_.refused_names.contains(name.text)) {
     return;
   }
-  if (const std::string what = scope_.takenBy(name.text); !what.empty()) {
+  const bool own = scope_.own_sensors.contains(name.text);
+  if (const std::string what = own ? "a sensor" : scope_.takenBy(name.text); !what.empty()) {
     scope_.report(DiagnosticId::cannotSet, name.where, name.text, what,
                   "keep a value of your own in a `var`");
     return;

@@ -69,11 +69,11 @@ std::optional<ExprLowering::WindowLength> ExprLowering::windowLength(const ast::
                                                                      std::string_view function) {
   WindowLength result{0, {}, support::dimension::time};
   if (over.of) {
-    const platforms::PlatformSensor* along = scope_.findNamed(over.of->text) == nullptr
-                                                 ? scope_.platform().find(over.of->text)
-                                                 : nullptr;
+    const platforms::PlatformSensor* along = scope_.findSensor(over.of->text);
     if (along == nullptr || along->kind != platforms::SensorKind::Quantity) {
-      scope_.report(DiagnosticId::stretchOfWhat, over.of->where, over.of->text);
+      if (!scope_.refused_names.contains(over.of->text)) {
+        scope_.report(DiagnosticId::stretchOfWhat, over.of->where, over.of->text);
+      }
       return std::nullopt;
     }
     const Result value = sensor(*along, over.of->text, over.of->where);

@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 
 namespace glider::frontend {
 
@@ -18,24 +17,6 @@ using support::DiagnosticId;
 namespace {
 
 constexpr std::string_view kClocks[] = {"missiontime", "statetime", "resumetime"};
-
-ir::Type typeOf(const platforms::PlatformSensor& sensor) {
-  switch (sensor.kind) {
-    case platforms::SensorKind::Latitude:
-      return {ir::TypeKind::Latitude, {}};
-    case platforms::SensorKind::Longitude:
-      return {ir::TypeKind::Longitude, {}};
-    case platforms::SensorKind::Quantity:
-      break;
-  }
-  return quantity(sensor.dimension);
-}
-
-/// "gliderProfileYo" of "yo".
-std::string symbolOf(ir::BehaviourKind kind, std::string name) {
-  name.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(name.front())));
-  return (kind == ir::BehaviourKind::Profile ? "gliderProfile" : "gliderRoute") + name;
-}
 
 }  // namespace
 
@@ -69,50 +50,21 @@ std::string Scope::text(const support::SourceRange& range) const {
   return out.size() > kLongest ? out.substr(0, kLongest) + "…" : out;
 }
 
-ir::SensorId Scope::subscribe(const platforms::PlatformSensor& sensor, std::string_view written) {
-  if (const auto known = subscribed_.find(sensor.id); known != subscribed_.end()) {
-    return known->second;
+const platforms::PlatformSensor* Scope::findSensor(std::string_view name) {
+  if (findNamed(name) != nullptr) {
+    return nullptr;
   }
-  const bool minutes = sensor.kind != platforms::SensorKind::Quantity;
-  const ir::SensorId id{static_cast<uint32_t>(mission.sensors.size())};
-  mission.sensors.push_back({std::string(written), sensor.name, sensor.id, typeOf(sensor),
-                             minutes ? ir::Encoding::DegreesMinutes : ir::Encoding::Linear,
-                             sensor.to_si, sensor.lowest, sensor.highest, sensor.stale_after_s});
-  subscribed_.emplace(sensor.id, id);
-  return id;
-}
-
-ir::TableId Scope::table(ir::Table table) {
-  const auto found = std::ranges::find(mission.tables, table);
-  const auto index = static_cast<uint32_t>(found - mission.tables.begin());
-  if (found == mission.tables.end()) {
-    mission.tables.push_back(std::move(table));
+  if (const auto own = own_sensors.find(name); own != own_sensors.end()) {
+    return own->second.usable ? &own->second.sensor : nullptr;
   }
-  return {index};
-}
-
-ir::BehaviourId Scope::use(BehaviourDeclaration& declaration) {
-  if (declaration.id.valid()) {
-    return declaration.id;
-  }
-  ir::Behaviour behaviour;
-  behaviour.name = declaration.name->text;
-  behaviour.kind = declaration.kind;
-  if (declaration.body == nullptr) {
-    behaviour.symbol = symbolOf(declaration.kind, declaration.name->text);
-    behaviour.parameters = declaration.signature.slots;
-  }
-  for (const platforms::PlatformSensor* sensor : declaration.reads) {
-    behaviour.reads.push_back(
-        subscribe(*sensor, sensor->alias.empty() ? sensor->name : sensor->alias));
-  }
-  declaration.id = {static_cast<uint32_t>(mission.behaviours.size())};
-  mission.behaviours.push_back(std::move(behaviour));
-  return declaration.id;
+  return platform().find(name);
 }
 
 std::string Scope::suggestSensor(std::string_view wrong) const {
   std::vector<std::string_view> known(std::begin(kClocks), std::end(kClocks));
+  for (const auto& [name, sensor] : own_sensors) {
+    known.push_back(name);
+  }
   for (const platforms::PlatformSensor& sensor : platform().sensors) {
     known.push_back(sensor.alias.empty() ? sensor.name : sensor.alias);
   }
@@ -191,7 +143,7 @@ bool Scope::refuseSecond(const ast::Name& name) {
   const Constant* constant = findConstant(name.text);
   const ast::Name* first = named != nullptr      ? named->name
                            : constant != nullptr ? constant->name
-                                                 : nullptr;
+                                                 : findExternal(name.text);
   if (first == nullptr) {
     return false;
   }
@@ -213,6 +165,18 @@ Named* Scope::findNamed(std::string_view name) {
 const Constant* Scope::findConstant(std::string_view name) const {
   const auto found = context.isolated ? constants.end() : constants.find(name);
   return found == constants.end() ? nullptr : &found->second;
+}
+
+const ast::Name* Scope::findExternal(std::string_view name) const {
+  const auto sensor = own_sensors.find(name);
+  const auto function = functions.find(name);
+  // The names of a behaviour are its own: an `extern` elsewhere does not take one from it.
+  if (context.isolated) {
+    return nullptr;
+  }
+  return sensor != own_sensors.end()   ? sensor->second.name
+         : function != functions.end() ? function->second.name
+                                       : nullptr;
 }
 
 std::vector<const Names*> Scope::visibleNames() const {
@@ -256,19 +220,15 @@ std::optional<DeclaredType> Scope::declaredType(const ast::TypeName& name,
   return std::nullopt;
 }
 
-Signature Scope::signatureOf(const ast::Name& name,
-                             const std::optional<std::vector<ast::Formal>>& formals,
+Signature Scope::signatureOf(const ast::Name& name, std::span<const ast::Formal> formals,
                              std::string_view holder) {
   Signature result;
-  for (const ast::Formal& formal : formals.value_or(std::vector<ast::Formal>())) {
+  for (const ast::Formal& formal : formals) {
     result.text += fmt::format("{}{}: {}", result.text.empty() ? "" : ", ", formal.name.text,
                                formal.type.text);
   }
   result.text = name.text + (result.text.empty() ? "" : "(" + result.text + ")");
-  if (!formals) {
-    return result;
-  }
-  for (const ast::Formal& formal : *formals) {
+  for (const ast::Formal& formal : formals) {
     const auto type = declaredType(formal.type, holder);
     result.valid = result.valid && type.has_value();
     const DeclaredType known = type.value_or(DeclaredType{plainNumber(), false});

@@ -120,7 +120,7 @@ struct FunctionUse {
 /// the language, whose body stands in each Activity, made for that use.
 struct Behaviour {
   std::string name;    ///< "yo"
-  std::string symbol;  ///< "gliderProfileYo"; empty: written in the language
+  std::string symbol;  ///< c_symbols.h; empty: written in the language
   BehaviourKind kind = BehaviourKind::Profile;
   std::vector<Parameter> parameters;  ///< of a C function
   std::vector<SensorId> reads;        ///< of a C function

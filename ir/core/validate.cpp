@@ -80,8 +80,8 @@ class Validator {
       require(!b.symbol.empty() || (b.parameters.empty() && b.reads.empty()), {},
               fmt::format("`{}` has parameters or sensors but no C function", b.name));
       for (const Parameter& p : b.parameters) {
-        require(p.type.kind != TypeKind::Bool && sound(p.type), {},
-                fmt::format("parameter `{}` of `{}` is no number", p.name, b.name));
+        require(sound(p.type), {},
+                fmt::format("parameter `{}` of `{}` has no type", p.name, b.name));
       }
       for (SensorId id : b.reads) {
         require(id.index < m_.sensors.size(), {},

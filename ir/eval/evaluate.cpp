@@ -15,6 +15,15 @@ namespace {
 
 using Values = std::map<uint32_t, Value>;
 
+/// What the operands of a call are worth, as numbers; nothing of what has none.
+std::vector<double> argumentsOf(const Expr& e, const Values& values) {
+  std::vector<double> arguments;
+  for (uint32_t i = 0; i < operandCount(e); ++i) {
+    arguments.push_back(asNumber(values.at(e.operands.at(i).index)));
+  }
+  return arguments;
+}
+
 Value valueOf(const Mission& mission, const Expr& e, const Values& values, const Leaves& leaves) {
   auto a = [&](size_t i) { return std::get<double>(values.at(e.operands.at(i).index)); };
   auto t = [&](size_t i) { return std::get<Truth>(values.at(e.operands.at(i).index)); };
@@ -22,9 +31,8 @@ Value valueOf(const Mission& mission, const Expr& e, const Values& values, const
     case Op::Constant:
       return e.number;
     case Op::True:
-      return Truth::True;
     case Op::False:
-      return Truth::False;
+      return truth(e.op == Op::True);
     case Op::Sensor:
     case Op::Age:
     case Op::MissionTime:
@@ -32,14 +40,8 @@ Value valueOf(const Mission& mission, const Expr& e, const Values& values, const
     case Op::ResumeTime:
     case Op::Variable:
     case Op::Temporal:
-      return leaves(e, {});
-    case Op::Call: {
-      std::vector<double> arguments;
-      for (uint32_t i = 0; i < operandCount(e); ++i) {
-        arguments.push_back(asNumber(values.at(e.operands.at(i).index)));
-      }
-      return leaves(e, arguments);
-    }
+    case Op::Call:
+      return leaves(e, argumentsOf(e, values));
     case Op::Negate:
     case Op::Abs:
     case Op::Sqrt:
@@ -61,7 +63,7 @@ Value valueOf(const Mission& mission, const Expr& e, const Values& values, const
     case Op::Clamp:
       return clamp(a(0), a(1), a(2));
     case Op::Select:
-      return t(0) == Truth::Unknown ? kUnknown : t(0) == Truth::True ? a(1) : a(2);
+      return t(0) == Truth::Unknown ? kUnknown : a(t(0) == Truth::True ? 1 : 2);
     case Op::Element:
       return element(mission[e.table], a(0));
     case Op::Less:

@@ -14,6 +14,9 @@ extern "C" {
 #endif
 
 #define GLIDER_ABI_VERSION 3u
+/* Gives a function declared in C the symbol that a mission looks for; ir/core/c_symbols.h says how
+   it spells the function's types. */
+#define GLIDER_SYMBOL(name) __asm__(name)
 #define GLIDER_NO_CASE UINT32_MAX
 #define GLIDER_FIRST_OWN_SENSOR 0xFF00u
 #define GLIDER_NO_LIST UINT32_MAX

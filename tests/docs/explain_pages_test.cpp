@@ -26,7 +26,8 @@ const std::set<DiagnosticId> kNotShown = {
     DiagnosticId::nestedTooDeep,     DiagnosticId::fileTooLarge,  DiagnosticId::tooManyMistakes,
     DiagnosticId::expressionTooLong, DiagnosticId::notYet,        DiagnosticId::notInLibrary,
     DiagnosticId::importUnreadable,  DiagnosticId::importCycle,   DiagnosticId::importsTooDeep,
-    DiagnosticId::emptyImport,       DiagnosticId::argumentRange, DiagnosticId::parameterDefault};
+    DiagnosticId::emptyImport,       DiagnosticId::argumentRange, DiagnosticId::parameterDefault,
+    DiagnosticId::tooManyOwnSensors};
 /// Their repair needs a second file.
 const std::set<DiagnosticId> kNotRepaired = {DiagnosticId::openString};
 

@@ -9,6 +9,7 @@
 #include "driver/link_option.h"
 #include "driver/terminal.h"
 #include "frontend/ast/print.h"
+#include "ir/opt/drop_requirements.h"
 #include "ir/opt/optimise.h"
 #include "ir/text/c_header.h"
 #include "ir/text/print.h"
@@ -73,6 +74,7 @@ codegen::CodegenOptions codegenOptions(const BuildOptions& options,
   codegen::CodegenOptions result;
   result.optimisation_level = static_cast<int>(options.level);
   result.sources = &compilation.sources;
+  result.last_link = true;
   return result;
 }
 
@@ -156,6 +158,9 @@ bool overwritesInput(const BuildOptions& options) {
 /// names.
 void optimiseIr(const BuildOptions& options, Compilation& compilation) {
   if (options.level == 0) {
+    if (options.emit != Emit::Ir) {
+      ir::dropRequirements(*compilation.mission);
+    }
     return;
   }
   ir::optimise(*compilation.mission, [&](const ir::OptPass& pass, const ir::Mission& mission) {

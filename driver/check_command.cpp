@@ -51,7 +51,14 @@ int check(const std::string& path) {
   if (!compiled) {
     return reportFailure(compiled.error());
   }
-  const Compilation& compilation = **compiled;
+  Compilation& compilation = **compiled;
+  if (compilation.ok()) {
+    const auto proved = proveMission(compilation);
+    if (!proved) {
+      return reportFailure(proved.error());
+    }
+    for (const auto& line : proved->lines) { fmt::print("{}\n", line.text); }
+  }
   reportDiagnostics(compilation.diagnostics, compilation.sources);
   const std::string found = counted(compilation.diagnostics);
   if (!compilation.ok()) {

@@ -29,11 +29,6 @@ std::optional<Clock> findClock(std::string_view name) {
   return std::nullopt;
 }
 
-void Scope::notYet(const support::SourceRange& range, std::string_view what,
-                   std::string_view hint) {
-  report(DiagnosticId::notYet, range, what, hint);
-}
-
 std::string Scope::text(const support::SourceRange& range) const {
   constexpr size_t kLongest = 60;
   std::string out;

@@ -93,8 +93,6 @@ class Scope {
     builder.note(*context.use, "with what is given here");
     return builder;
   }
-  /// `what` belongs to the language but is not compiled yet.
-  void notYet(const support::SourceRange& range, std::string_view what, std::string_view hint = "");
   /// The source text of `range` on one line, shortened.
   [[nodiscard]] std::string text(const support::SourceRange& range) const;
   [[nodiscard]] const platforms::Platform& platform() const { return inputs_.platform; }

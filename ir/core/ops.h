@@ -27,6 +27,9 @@ size_t opCount();
 /// The number of operands of `expr`: those of its operation, or as many as a Call has.
 uint32_t operandCount(const Expr& expr);
 
+/// The comparison that is true exactly where `comparison` (Less to NotEqual) is false.
+Op negated(Op comparison);
+
 /// Whether it is a window: a number, not a truth value.
 bool isWindow(TemporalKind kind);
 

@@ -7,6 +7,7 @@
 #include "frontend/import/imports.h"
 #include "ir/core/validate.h"
 #include "ir/text/print.h"
+#include "ir/prove/prove.h"
 #include "ir/verify/verify.h"
 #include "support/check.h"
 #include "support/diagnostics/render.h"
@@ -62,6 +63,17 @@ class Compilation {
     }
   }
 
+  void prove() {
+    if (mission_ && !diagnostics_.hasErrors()) {
+      ir::prove::Options options;
+      options.library = 1;
+      options.report = true;
+      for (const auto& line : ir::prove::prove(*mission_, slocum(), options, diagnostics_).lines) {
+        product_ += "--- " + line.text + "\n";
+      }
+    }
+  }
+
   [[nodiscard]] Outcome outcome() const {
     const bool warned = diagnostics_.errorCount() + diagnostics_.warningCount() > 0;
     return {support::render(diagnostics_, sources_, false) + product_, warned,
@@ -95,8 +107,11 @@ Outcome run(const std::string& stage, const std::string& name, const std::string
   if (stage != "parse") {
     compilation.analyse();
   }
-  if (stage == "verify") {
+  if (stage == "verify" || stage == "prove") {
     compilation.verify();
+  }
+  if (stage == "prove") {
+    compilation.prove();
   }
   return compilation.outcome();
 }

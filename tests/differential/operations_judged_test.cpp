@@ -148,7 +148,7 @@ ir::Mission numbers() {
     log.values.push_back(maker.operation(op, {angle, {}, {}}));
   }
   maker.mission().tables = {{{}, {5, -7, 1e300}}};
-  maker.state().log.push_back({"element", maker.element({0}), 0});
+  log.values.push_back(maker.element({0}));
   const ExprId less = maker.operation(Op::Less);
   log.values.push_back(maker.operation(Op::Select, {less, a, maker.sensor(2)}));
   maker.mission().blocks.push_back({{log}});

@@ -6,10 +6,12 @@
 #include "driver/commands.h"
 #include "driver/compilation.h"
 #include "driver/exit_code.h"
+#include "driver/link_option.h"
 #include "driver/terminal.h"
 #include "frontend/ast/print.h"
 #include "ir/opt/drop_requirements.h"
 #include "ir/opt/optimise.h"
+#include "ir/text/c_header.h"
 #include "ir/text/print.h"
 #include "support/files.h"
 
@@ -26,12 +28,12 @@
 namespace glider::driver {
 namespace {
 
-enum class Emit : uint8_t { Ast, Ir, Llvm, Asm, Obj, Exe };
+enum class Emit : uint8_t { Ast, Ir, Header, Llvm, Asm, Obj, Exe };
 
 /// The values of `--emit`.
-const std::map<std::string, Emit> kEmits = {{"ast", Emit::Ast},   {"ir", Emit::Ir},
-                                            {"llvm", Emit::Llvm}, {"asm", Emit::Asm},
-                                            {"obj", Emit::Obj},   {"exe", Emit::Exe}};
+const std::map<std::string, Emit> kEmits = {
+    {"ast", Emit::Ast}, {"ir", Emit::Ir},   {"header", Emit::Header}, {"llvm", Emit::Llvm},
+    {"asm", Emit::Asm}, {"obj", Emit::Obj}, {"exe", Emit::Exe}};
 
 struct BuildOptions {
   std::string mission;
@@ -39,6 +41,7 @@ struct BuildOptions {
   Emit emit = Emit::Exe;
   unsigned level = 2;
   std::vector<std::string> print_after;
+  std::vector<std::string> user_code;
   std::string output;
 };
 
@@ -52,6 +55,8 @@ std::string outputName(const BuildOptions& options) {
       return stem + ".ast";
     case Emit::Ir:
       return stem + ".ir";
+    case Emit::Header:
+      return stem + ".h";
     case Emit::Llvm:
       return built + ".ll";
     case Emit::Asm:
@@ -84,11 +89,19 @@ support::Result<std::string> produce(const BuildOptions& options, const Compilat
   if (options.emit == Emit::Ir) {
     return ir::print(*compilation.mission);
   }
+  if (options.emit == Emit::Header) {
+    return ir::printHeader(compilation.in_c, compilation.mission->name);
+  }
   const auto board = loadTarget(options.target);
   if (!board) {
     return std::unexpected(board.error());
   }
-  const codegen::CodegenOptions how = codegenOptions(options, compilation);
+  const auto code = loadUserCode(options.user_code, compilation, *board);
+  if (!code) {
+    return std::unexpected(code.error());
+  }
+  codegen::CodegenOptions how = codegenOptions(options, compilation);
+  code->addTo(how);
   switch (options.emit) {
     case Emit::Llvm:
       return codegen::emitLlvm(*compilation.mission, compilation.facts, *board, how);
@@ -117,18 +130,28 @@ support::Result<void> buildExecutable(const BuildOptions& options, const Compila
   if (!board) {
     return std::unexpected(board.error());
   }
-  return codegen::linkExecutable(*compilation.mission, compilation.facts, *board,
-                                 codegenOptions(options, compilation), options.output);
+  const auto code = loadUserCode(options.user_code, compilation, *board);
+  if (!code) {
+    return std::unexpected(code.error());
+  }
+  codegen::CodegenOptions how = codegenOptions(options, compilation);
+  code->addTo(how);
+  return codegen::linkExecutable(*compilation.mission, compilation.facts, *board, how,
+                                 options.output);
 }
 
-/// True if the build would write over the mission's own file.
-bool overwritesMission(const BuildOptions& options) {
+/// True if the build would write over a file that it reads.
+bool overwritesInput(const BuildOptions& options) {
   std::error_code error;  // a file that is not there yet is not the mission
-  const auto isMission = [&](const std::string& file) {
-    return std::filesystem::equivalent(file, options.mission, error) && !error;
+  std::vector<std::string> inputs = options.user_code;
+  inputs.push_back(options.mission);
+  const auto isInput = [&](const std::string& file) {
+    return std::ranges::any_of(inputs, [&](const std::string& input) {
+      return std::filesystem::equivalent(file, input, error) && !error;
+    });
   };
-  return isMission(options.output) ||
-         (options.emit == Emit::Exe && isMission(options.output + ".debug"));
+  return isInput(options.output) ||
+         (options.emit == Emit::Exe && isInput(options.output + ".debug"));
 }
 
 /// Runs the passes over the IR, and prints it to standard error after those that `--print-after`
@@ -163,9 +186,9 @@ int build(BuildOptions options) {
   }
   optimiseIr(options, compilation);
   options.output = options.output.empty() ? outputName(options) : options.output;
-  if (overwritesMission(options)) {
+  if (overwritesInput(options)) {
     return reportFailure(
-        support::fail(support::DiagnosticId::outputIsInput, options.mission).error());
+        support::fail(support::DiagnosticId::outputIsInput, options.output).error());
   }
   const bool executable = options.emit == Emit::Exe && options.output != "-";
   const auto built =
@@ -187,8 +210,10 @@ void addBuildCommand(CLI::App& app, int& status) {
   command
       ->add_option_function<std::string>(
           "--emit", [options](const std::string& stage) { options->emit = kEmits.at(stage); },
-          "What to write: ast, ir, llvm, asm, obj or exe (default)")
-      ->check(CLI::IsMember(std::vector<std::string>{"ast", "ir", "llvm", "asm", "obj", "exe"}))
+          "What to write: ast, ir, header (of what the mission has in C), llvm, asm, obj or exe "
+          "(default)")
+      ->check(CLI::IsMember(
+          std::vector<std::string>{"ast", "ir", "header", "llvm", "asm", "obj", "exe"}))
       ->option_text("STAGE");
   command->add_option("-O", options->level, "Optimisation level, 0 to 3")
       ->check(CLI::Range(0, 3))
@@ -203,6 +228,7 @@ void addBuildCommand(CLI::App& app, int& status) {
                        fmt::format("{}", fmt::join(passes, ", ")) + " (not at -O0)")
       ->check(CLI::IsMember(passes))
       ->option_text("PASS ...");
+  addLinkOption(*command, options->user_code);
   command->add_option("-o", options->output, "The file to write; `-` is standard output")
       ->option_text("FILE");
   command->callback([options, &status] { status = build(*options); });

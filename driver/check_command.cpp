@@ -37,9 +37,15 @@ struct CommandOptions {
   std::string traces;  ///< folder; empty: none
 };
 
-/// "1 error, 2 warnings" as a pilot would write it; empty if there is neither.
-std::string counted(size_t errors, size_t warnings) {
-  auto part = [](size_t n, const char* word) {
+/// "1 error, 2 warnings" of what is shown, as a pilot would write it; empty if there is neither.
+std::string counted(const support::DiagnosticEngine& diagnostics) {
+  const auto shown = diagnostics.sorted();
+  const auto count = [&](support::Severity severity) {
+    return std::ranges::count(shown, severity, &support::Diagnostic::severity);
+  };
+  const auto errors = count(support::Severity::Error);
+  const auto warnings = count(support::Severity::Warning);
+  auto part = [](ptrdiff_t n, const char* word) {
     return fmt::format("{} {}{}", n, word, n == 1 ? "" : "s");
   };
   std::string text = errors > 0 ? part(errors, "error") : "";
@@ -72,8 +78,7 @@ std::string provedLine(const report::CheckedMission& found) {
 /// The line at the end of a mission that was checked.
 std::string verdict(const Checked& checked) {
   const report::CheckedMission& found = checked.found;
-  const auto& diagnostics = checked.compilation->diagnostics;
-  const std::string count = counted(diagnostics.errorCount(), diagnostics.warningCount());
+  const std::string count = counted(checked.compilation->diagnostics);
   if (!found.ok()) {
     return fmt::format("{}: {}\n", found.path, count);
   }

@@ -86,7 +86,8 @@ Result<void> analyse(Compilation& compilation, uint32_t file) {
   for (const ast::File& import : *imports) {
     inputs.library.push_back(&import);
   }
-  compilation.mission = frontend::analyse(*compilation.ast, inputs, compilation.diagnostics);
+  compilation.mission =
+      frontend::analyse(*compilation.ast, inputs, compilation.diagnostics, &compilation.in_c);
   return {};
 }
 
@@ -106,6 +107,8 @@ Result<std::unique_ptr<Compilation>> compileText(const std::filesystem::path& pa
   const uint32_t file = compilation->sources.add(path.string(), std::move(text));
   if (path.extension() == ".ir") {
     compilation->mission = ir::read(compilation->sources, file, compilation->diagnostics);
+    compilation->in_c =
+        compilation->mission ? ir::usedInC(*compilation->mission) : ir::CInterface();
   } else if (auto analysed = analyse(*compilation, file); !analysed) {
     return std::unexpected(analysed.error());
   }

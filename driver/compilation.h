@@ -26,6 +26,7 @@ struct Compilation {
   std::optional<platforms::Platform> platform;
   std::optional<uint32_t> library;  ///< the standard library's file
   std::optional<ir::Mission> mission;
+  ir::CInterface in_c;     ///< what it declares in C; meaningful when ok()
   ir::MissionFacts facts;  ///< meaningful when ok()
 
   [[nodiscard]] bool ok() const { return mission.has_value() && !diagnostics.hasErrors(); }

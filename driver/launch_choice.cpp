@@ -5,6 +5,7 @@
 
 #include "codegen/codegen.h"
 #include "driver/boards.h"
+#include "driver/link_option.h"
 #include "runtime/launch/launch.h"
 #include "support/files.h"
 
@@ -55,18 +56,41 @@ support::Result<std::vector<double>> chooseParameters(const GliderMission& missi
   return std::vector<double>(launch.values(), launch.values() + mission.parameter_count);
 }
 
-support::Result<codegen::LoadedMission> loadHere(const Compilation& compilation) {
-  const auto host = loadTarget("host");
-  if (!host) {
-    return std::unexpected(host.error());
+namespace {
+
+support::Result<codegen::LoadedMission> load(const Compilation& compilation,
+                                             const platforms::Board& host,
+                                             const support::Result<codegen::UserCode>& user_code) {
+  if (!user_code) {
+    return std::unexpected(user_code.error());
   }
   codegen::CodegenOptions options;
   options.debug = false;
-  const auto object = codegen::linkShared(*compilation.mission, compilation.facts, *host, options);
+  user_code->addTo(options);
+  const auto object = codegen::linkShared(*compilation.mission, compilation.facts, host, options);
   if (!object) {
     return std::unexpected(object.error());
   }
   return codegen::LoadedMission::load(*object);
+}
+
+}  // namespace
+
+support::Result<codegen::LoadedMission> loadHere(const Compilation& compilation,
+                                                 const std::vector<std::string>& user_code) {
+  const auto host = loadTarget("host");
+  if (!host) {
+    return std::unexpected(host.error());
+  }
+  return load(compilation, *host, loadUserCode(user_code, compilation, *host));
+}
+
+support::Result<codegen::LoadedMission> loadForParameters(const Compilation& compilation) {
+  const auto host = loadTarget("host");
+  if (!host) {
+    return std::unexpected(host.error());
+  }
+  return load(compilation, *host, codegen::UserCode::standIn(*compilation.mission, *host));
 }
 
 }  // namespace glider::driver

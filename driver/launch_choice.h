@@ -32,7 +32,10 @@ void addLaunchOptions(CLI::App& command, LaunchChoice& choice);
 support::Result<std::vector<double>> chooseParameters(const GliderMission& mission,
                                                       const LaunchChoice& choice);
 
-/// The mission compiled for this process and loaded.
-support::Result<codegen::LoadedMission> loadHere(const Compilation& compilation);
+/// The mission compiled for this process and loaded, with what `user_code` has for it.
+support::Result<codegen::LoadedMission> loadHere(const Compilation& compilation,
+                                                 const std::vector<std::string>& user_code);
+/// The same to look at its parameters only: it needs no user code and does not fly.
+support::Result<codegen::LoadedMission> loadForParameters(const Compilation& compilation);
 
 }  // namespace glider::driver

@@ -76,7 +76,7 @@ std::string table(const std::vector<Row>& rows) {
 }
 
 support::Result<std::string> describe(const Compilation& compilation, const LaunchChoice& choice) {
-  const auto loaded = loadHere(compilation);
+  const auto loaded = loadForParameters(compilation);
   if (!loaded) {
     return std::unexpected(loaded.error());
   }

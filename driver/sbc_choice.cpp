@@ -6,6 +6,7 @@
 #include "codegen/codegen.h"
 #include "driver/boards.h"
 #include "driver/in_process_sbc.h"
+#include "driver/link_option.h"
 #include "simulator/science/process_sbc_port.h"
 
 namespace glider::driver {
@@ -15,8 +16,9 @@ using simulator::SbcPort;
 using support::Result;
 
 Result<std::unique_ptr<SbcPort>> sbcInProcess(const Compilation& compilation,
-                                              const LaunchChoice& launch) {
-  auto loaded = loadHere(compilation);
+                                              const LaunchChoice& launch,
+                                              const std::vector<std::string>& user_code) {
+  auto loaded = loadHere(compilation, user_code);
   if (!loaded) {
     return std::unexpected(loaded.error());
   }
@@ -34,7 +36,7 @@ Result<void> checkLaunch(const Compilation& compilation, const LaunchChoice& lau
   if (launch.empty()) {
     return {};
   }
-  const auto loaded = loadHere(compilation);
+  const auto loaded = loadForParameters(compilation);
   if (!loaded) {
     return std::unexpected(loaded.error());
   }
@@ -45,8 +47,9 @@ Result<void> checkLaunch(const Compilation& compilation, const LaunchChoice& lau
 }  // namespace
 
 Result<std::unique_ptr<SbcPort>> sbcOnBoard(const Compilation& compilation,
-                                            const LaunchChoice& launch, const std::string& board,
-                                            const std::string& name,
+                                            const LaunchChoice& launch,
+                                            const std::vector<std::string>& user_code,
+                                            const std::string& board, const std::string& name,
                                             const std::filesystem::path& folder) {
   if (auto allowed = checkLaunch(compilation, launch); !allowed) {
     return std::unexpected(allowed.error());
@@ -55,9 +58,14 @@ Result<std::unique_ptr<SbcPort>> sbcOnBoard(const Compilation& compilation,
   if (!target) {
     return std::unexpected(target.error());
   }
+  const auto code = loadUserCode(user_code, compilation, *target);
+  if (!code) {
+    return std::unexpected(code.error());
+  }
   const std::filesystem::path binary = folder / (name + "-" + board);
   codegen::CodegenOptions options;
   options.sources = &compilation.sources;
+  code->addTo(options);
   const auto built =
       codegen::linkExecutable(*compilation.mission, compilation.facts, *target, options, binary);
   if (!built) {

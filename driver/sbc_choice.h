@@ -11,18 +11,21 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace glider::driver {
 
-/// Compiles the mission for this process and loads it.
-support::Result<std::unique_ptr<simulator::SbcPort>> sbcInProcess(const Compilation& compilation,
-                                                                  const LaunchChoice& launch);
+/// Compiles the mission for this process and loads it; `user_code` is what --link names.
+support::Result<std::unique_ptr<simulator::SbcPort>> sbcInProcess(
+    const Compilation& compilation, const LaunchChoice& launch,
+    const std::vector<std::string>& user_code);
 
 /// Builds the mission's binary for `board` into `folder` as `name`-`board` and starts it behind a
 /// pseudo-terminal, under the board's emulator if it has one.
 support::Result<std::unique_ptr<simulator::SbcPort>> sbcOnBoard(
-    const Compilation& compilation, const LaunchChoice& launch, const std::string& board,
-    const std::string& name, const std::filesystem::path& folder);
+    const Compilation& compilation, const LaunchChoice& launch,
+    const std::vector<std::string>& user_code, const std::string& board, const std::string& name,
+    const std::filesystem::path& folder);
 
 /// Starts a program that somebody has built, with `--port PTY` as its only arguments.
 support::Result<std::unique_ptr<simulator::SbcPort>> sbcProgram(const std::string& program);

@@ -6,6 +6,7 @@
 #include "driver/exit_code.h"
 #include "driver/explain_guard.h"
 #include "driver/flight_files.h"
+#include "driver/link_option.h"
 #include "driver/replay.h"
 #include "driver/sbc_choice.h"
 #include "driver/share.h"
@@ -43,6 +44,7 @@ struct SimOptions {
   std::string output;
   std::string replay;  ///< the file of a run; empty: none
   LaunchChoice launch;
+  std::vector<std::string> user_code;
 };
 
 /// The scenarios that come with glidercc, by name.
@@ -110,13 +112,13 @@ support::Result<std::unique_ptr<simulator::SbcPort>> chooseSbc(const SimOptions&
     return sbcProgram(options.program);
   }
   if (options.board.empty()) {
-    return sbcInProcess(*compilation, options.launch);
+    return sbcInProcess(*compilation, options.launch, options.user_code);
   }
   // The board's binary is built where the report will be.
   if (auto made = makeFolder(outputFolder(options)); !made) {
     return std::unexpected(made.error());
   }
-  return sbcOnBoard(*compilation, options.launch, options.board, stemOf(options),
+  return sbcOnBoard(*compilation, options.launch, options.user_code, options.board, stemOf(options),
                     outputFolder(options));
 }
 
@@ -351,6 +353,7 @@ void addSimCommand(CLI::App& app, int& status) {
       app.add_subcommand("sim", "Fly a mission in the shoe-box simulator and write its report");
   addOptions(*command, *options);
   addLaunchOptions(*command, options->launch);
+  addLinkOption(*command, options->user_code);
   command->callback([options, &status] {
     if (options->mission.empty() && options->program.empty() && !options->without_sbc) {
       throw CLI::RequiredError("MISSION (or --sbc PROGRAM, or --no-sbc)");

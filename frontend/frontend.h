@@ -5,6 +5,7 @@
 
 #include "frontend/ast/ast.h"
 #include "frontend/ast/print.h"
+#include "ir/core/c_symbols.h"
 #include "ir/core/mission.h"
 #include "platforms/load/platform.h"
 #include "support/diagnostics/engine.h"
@@ -34,8 +35,10 @@ struct AnalysisInputs {
 std::string platformName(const ast::File& mission);
 
 /// Gives names, types and units their meaning (GL2xxx) and lowers the mission to IR. Empty if
-/// anything was wrong with it, now or in `parse`: then `diagnostics` has errors.
+/// anything was wrong with it, now or in `parse`: then `diagnostics` has errors. `in_c`, if wanted,
+/// gets what it declares in C.
 std::optional<ir::Mission> analyse(const ast::File& mission, const AnalysisInputs& inputs,
-                                   support::DiagnosticEngine& diagnostics);
+                                   support::DiagnosticEngine& diagnostics,
+                                   ir::CInterface* in_c = nullptr);
 
 }  // namespace glider::frontend

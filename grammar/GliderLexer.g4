@@ -56,6 +56,7 @@ STACK : 'stack' ;
 REACH : 'reach' ;
 NEVER : 'never' ;
 AFTER : 'after' ;
+STALE : 'stale' ;
 SURFACES : 'surfaces' ;
 
 // Units (support/units/units.def) and the letters of positions; `S` and `W` are both. `min` is also the function.

@@ -55,9 +55,9 @@ statement
 
 external : EXTERN declaration ;
 declaration
-  : FUNCTION name formals COLON type                       # externFunction
+  : FUNCTION name formals COLON type range?                # externFunction
   | (FLIGHTPROFILE | FLIGHTROUTE) name formals? reads?     # externBehaviour
-  | SENSOR name COLON type                                 # externSensor
+  | SENSOR name COLON type range? (STALE AFTER expr)?      # externSensor
   ;
 reads : READS name (COMMA name)* ;
 
@@ -96,7 +96,8 @@ arguments : LPAREN (argument (COMMA argument)*)? RPAREN ;
 argument : expr (OF name)? ;
 
 name
-  : NAME | IN | OF | WHERE | DONE | FUNCTION | SENSOR | READS | WITHIN | STACK | REACH | NEVER | AFTER | SURFACES
+  : NAME | IN | OF | WHERE | DONE | FUNCTION | SENSOR | READS | WITHIN | STACK | REACH | NEVER | AFTER | STALE
+  | SURFACES
   ;
 // A unit's name may name a mission or a state; elsewhere the frontend says why not.
 anyName : name | UNIT | COMPASS | MIN ;

@@ -4,6 +4,7 @@
 #include "codegen/link/lld.h"
 
 #include "codegen/link/scratch_folder.h"
+#include "ir/core/c_symbols.h"
 #include "support/files.h"
 
 #include <fmt/ranges.h>
@@ -87,6 +88,19 @@ std::string firstComplaint(const std::string& said) {
   return said.substr(begin, said.find('\n', begin) - begin);
 }
 
+/// Names what nothing defines as the mission's text has it, if it is from there.
+support::Failure unbound(const std::string& symbol) {
+  const auto declared = ir::readSymbol(symbol);
+  return support::fail(
+             DiagnosticId::unboundSymbol, declared ? declared->declaration : symbol,
+             declared
+                 ? "write it in C or C++ against the header of `glidercc build --emit header`, "
+                   "and give its object with `--link FILE`"
+                 : "give the object or archive that defines it with `--link FILE`; a board has "
+                   "a C library and none of C++")
+      .error();
+}
+
 support::Failure explain(const std::string& said, const Board& board,
                          const std::filesystem::path& output) {
   const std::string complaint = firstComplaint(said);
@@ -96,7 +110,7 @@ support::Failure explain(const std::string& said, const Board& board,
         .error();
   }
   if (complaint.starts_with(kUndefined)) {
-    return support::fail(DiagnosticId::unboundSymbol, complaint.substr(kUndefined.size())).error();
+    return unbound(complaint.substr(kUndefined.size()));
   }
   return support::fail(DiagnosticId::linkFailed, board.name, complaint).error();
 }

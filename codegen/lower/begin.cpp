@@ -31,6 +31,7 @@ llvm::Function* lowerBegin(Lowering& lowering) {
     }
   }
   body.expressions.forget();  // temporals that initial values have read
+  lowerWindowStarts(body, lowering.index.always_temporals);
   lowerTemporals(body, lowering.index.always_temporals, Moment::Start);
   body.builder.CreateRetVoid();
   return body.function;

@@ -18,6 +18,7 @@ llvm::Function* makeFunction(Lowering& lowering, const std::string& name, Body::
       llvm::Function::Create(type, llvm::GlobalValue::InternalLinkage, name, lowering.module);
   function->setDoesNotThrow();
   function->setDSOLocal(true);
+  function->addFnAttr(llvm::Attribute::MinSize);
   llvm::BasicBlock::Create(context, "entry", function);
   return function;
 }

@@ -6,6 +6,12 @@
 #include "codegen/lower/expressions.h"
 #include "codegen/lower/lowering.h"
 
+#include <llvm/ADT/STLFunctionalExtras.h>
+
+#include <map>
+#include <set>
+#include <vector>
+
 namespace glider::codegen {
 
 /// A function of the generated module while it is written: internal, does not unwind, strict IEEE.
@@ -34,12 +40,18 @@ void lowerBlock(Body& body, ir::BlockId block);
 /// Gives a variable a value.
 void assign(Body& body, ir::VariableId variable, llvm::Value* value);
 
-/// Start: their list becomes current by goto or call, or the mission begins. Resume: by return.
-enum class Moment : uint8_t { Start, Resume, Advance };
-/// Starts, resumes or advances temporals, in their order.
+/// Start: their list becomes current by goto, call or return, or the mission begins.
+enum class Moment : uint8_t { Start, Advance };
+/// Starts or advances temporals, in their order. Windows advance in either case: they outlive a
+/// call, and lowerWindowStarts empties them.
 void lowerTemporals(Body& body, const std::vector<ir::TemporalId>& temporals, Moment moment);
-/// The same for one that is a window.
-void lowerWindow(Body& body, ir::TemporalId id, Moment moment);
+/// Empties those that are windows: their list becomes current by goto or call, or the mission
+/// begins.
+void lowerWindowStarts(Body& body, const std::vector<ir::TemporalId>& temporals);
+/// Whether windows that read the same sensors may take a reading now, as u32.
+using Freshness = std::map<std::set<uint32_t>, llvm::Value*>;
+/// Advances a window. `fresh` holds what has been made in the builder's block.
+void lowerWindow(Body& body, ir::TemporalId id, Freshness& fresh);
 
 /// Calls an activity's C function (runtime/abi/behaviour.h) with its arguments, evaluated here.
 void callBehaviour(Body& body, const ir::Activity& activity, uint32_t memory_block,

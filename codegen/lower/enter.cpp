@@ -15,15 +15,27 @@ void enterActivity(Body& body, const ir::Activity& activity, uint32_t memory_blo
   }
 }
 
-/// The variables start, then the temporals, then the state's entry runs.
-void enterState(Body& body, uint32_t index) {
-  const Lowering& lowering = body.lowering;
-  for (const ir::VariableId variable : lowering.index.state_variables[index]) {
-    assign(body, variable, body.expressions.asNumber(lowering.mission[variable].initial));
+/// Runs what `only` makes if the phase is enter, then goes on.
+void onEnter(Body& body, llvm::function_ref<void()> only) {
+  llvm::IRBuilder<>& builder = body.builder;
+  llvm::BasicBlock* enter = body.block("enter");
+  llvm::BasicBlock* either = body.block("either");
+  builder.CreateCondBr(
+      builder.CreateICmpEQ(body.function->getArg(1), builder.getInt32(kGliderEnter)), enter,
+      either);
+  builder.SetInsertPoint(enter);
+  body.expressions.forget();
+  only();
+  builder.CreateBr(either);
+  builder.SetInsertPoint(either);
+  body.expressions.forget();
+}
+
+/// The state's, its profile's and its route's variables get their initial values.
+void startVariables(Body& body, const std::vector<ir::VariableId>& variables) {
+  for (const ir::VariableId variable : variables) {
+    assign(body, variable, body.expressions.asNumber(body.lowering.mission[variable].initial));
   }
-  body.expressions.forget();  // temporals that initial values have read
-  lowerTemporals(body, lowering.index.state_temporals[index], Moment::Start);
-  lowerBlock(body, lowering.mission.states[index].entry);
 }
 
 bool comesWithNothing(const Lowering& lowering, const ir::Activity& activity) {
@@ -39,32 +51,29 @@ bool hasNothingToDo(const Lowering& lowering, uint32_t index) {
 
 }  // namespace
 
+// Entering and resuming differ in what starts anew and in the state's own entry.
 llvm::Function* lowerEnter(Lowering& lowering, uint32_t index) {
   if (hasNothingToDo(lowering, index)) {
     return nullptr;
   }
   const ir::State& state = lowering.mission.states[index];
+  const auto& variables = lowering.index.state_variables[index];
+  const auto& temporals = lowering.index.state_temporals[index];
   Body body(lowering, "enter." + state.name, Body::Result::None, 1, state.name + " begins",
             state.range);
-  llvm::IRBuilder<>& builder = body.builder;
-  llvm::BasicBlock* enter = body.block("enter");
-  llvm::BasicBlock* resume = body.block("resume");
-  llvm::BasicBlock* fly = body.block("fly");
-  builder.CreateCondBr(
-      builder.CreateICmpEQ(body.function->getArg(1), builder.getInt32(kGliderEnter)), enter,
-      resume);
-  builder.SetInsertPoint(enter);
-  enterState(body, index);
-  builder.CreateBr(fly);
-  builder.SetInsertPoint(resume);
-  body.expressions.forget();
-  lowerTemporals(body, lowering.index.state_temporals[index], Moment::Resume);
-  builder.CreateBr(fly);
-  builder.SetInsertPoint(fly);
-  body.expressions.forget();
+  if (!variables.empty() || !temporals.empty()) {
+    onEnter(body, [&] {
+      startVariables(body, variables);
+      lowerWindowStarts(body, temporals);
+    });
+  }
+  lowerTemporals(body, temporals, Moment::Start);
+  if (state.entry.valid()) {
+    onEnter(body, [&] { lowerBlock(body, state.entry); });
+  }
   enterActivity(body, state.profile, lowering.index.memory_blocks[index].profile);
   enterActivity(body, state.route, lowering.index.memory_blocks[index].route);
-  builder.CreateRetVoid();
+  body.builder.CreateRetVoid();
   return body.function;
 }
 

@@ -80,7 +80,7 @@ const Expressions::Lowered& Expressions::lower(ir::ExprId root) {
     }
     needed.push_back(index);
     const ir::Expr& expr = lowering_.mission[ir::ExprId{index}];
-    for (uint32_t i = 0; i < ir::opInfo(expr.op).operands; ++i) {
+    for (uint32_t i = 0; i < ir::operandCount(expr); ++i) {
       open.push_back(expr.operands.at(i).index);
     }
   }
@@ -111,6 +111,8 @@ Expressions::Lowered Expressions::lowerOne(const ir::Expr& expr) {
       return variable(expr);
     case Op::Temporal:
       return temporal(expr);
+    case Op::Call:
+      return call(expr);
     case Op::Less:
     case Op::LessEqual:
     case Op::Greater:
@@ -132,6 +134,8 @@ Expressions::Lowered Expressions::lowerOne(const ir::Expr& expr) {
       return {function(expr), nullptr};
     case Op::Select:
       return {choice(expr), nullptr};
+    case Op::Element:
+      return {element(expr), nullptr};
     default:
       return {arithmetic(expr), nullptr};
   }
@@ -173,6 +177,16 @@ Expressions::Lowered Expressions::variable(const ir::Expr& expr) {
 Expressions::Lowered Expressions::temporal(const ir::Expr& expr) {
   const uint32_t slot = lowering_.index.temporal_slots.at(expr.temporal.index);
   Value* value = builder_.CreateLoad(builder_.getDoubleTy(), temporalSlot(slot));
+  return expr.type.kind == ir::TypeKind::Bool ? truthIn(value) : Lowered{value, nullptr};
+}
+
+Expressions::Lowered Expressions::call(const ir::Expr& expr) {
+  std::vector<Value*> arguments{context_};
+  for (uint32_t i = 0; i < ir::operandCount(expr); ++i) {
+    arguments.push_back(asNumber(expr.operands.at(i)));
+  }
+  llvm::CallInst* value = builder_.CreateCall(lowerUse(lowering_, expr.use), arguments);
+  value->setDoesNotThrow();
   return expr.type.kind == ir::TypeKind::Bool ? truthIn(value) : Lowered{value, nullptr};
 }
 

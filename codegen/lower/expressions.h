@@ -71,6 +71,9 @@ class Expressions {
   const Lowered& truth(ir::ExprId id);
   Lowered lowerOne(const ir::Expr& expr);
   llvm::Value* choice(const ir::Expr& expr);
+  llvm::Value* element(const ir::Expr& expr);
+  Lowered call(const ir::Expr& expr);
+  llvm::Constant* table(ir::TableId id);
   llvm::Value* leaf(const ir::Expr& expr);
   Lowered variable(const ir::Expr& expr);
   Lowered temporal(const ir::Expr& expr);

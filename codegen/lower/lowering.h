@@ -29,6 +29,10 @@ struct Lowering {
   std::map<std::string, llvm::Constant*> texts{};  ///< of text()
   std::vector<llvm::Constant*> window_shapes =
       std::vector<llvm::Constant*>(mission.temporals.size());  ///< null: not made yet
+  std::vector<llvm::Constant*> tables =
+      std::vector<llvm::Constant*>(mission.tables.size());  ///< the same
+  std::vector<llvm::Function*> uses =
+      std::vector<llvm::Function*>(mission.uses.size());  ///< the same
 };
 
 /// A constant string; equal ones are one.
@@ -36,6 +40,10 @@ llvm::Constant* text(Lowering& lowering, const std::string& text);
 /// A field of the struct that `base` points to.
 llvm::Value* loadField(llvm::IRBuilder<>& builder, llvm::StructType* type, llvm::Value* base,
                        unsigned index);
+
+/// The function (context, arguments as numbers) that gives what a use of a C function is worth in
+/// this tick: calls it the first time.
+llvm::Function* lowerUse(Lowering& lowering, ir::UseId use);
 
 /// The functions that a mission is made of, as runtime/abi/glider_abi.h describes them: one a state
 /// keeps the work linear in their number. Null: it would do nothing.

@@ -32,12 +32,6 @@ Value* Expressions::arithmetic(const ir::Expr& expr) {
       return settle(builder_.CreateFDiv(operand(0), operand(1)));
     case Op::Clamp:
       return clamp(operand(0), operand(1), operand(2));
-    case Op::Select: {
-      const Lowered& condition = made_.at(expr.operands[0].index);
-      return builder_.CreateSelect(
-          condition.value, operand(1),
-          builder_.CreateSelect(condition.is_false, operand(2), unknown()));
-    }
     case Op::Min:
     case Op::Max:
       return smallerOrLarger(expr.op, operand(0), operand(1));
@@ -76,6 +70,38 @@ Value* Expressions::clamp(Value* x, Value* lowest, Value* highest) {
   Value* unknown = builder_.CreateOr(builder_.CreateFCmpUNO(x, lowest),
                                      builder_.CreateFCmpUNO(highest, highest));
   return unknownIf(unknown, clamped);
+}
+
+/// The numbers of a table, in memory that does not change.
+llvm::Constant* Expressions::table(ir::TableId id) {
+  llvm::Constant*& found = lowering_.tables.at(id.index);
+  if (found == nullptr) {
+    llvm::Constant* numbers =
+        llvm::ConstantDataArray::get(builder_.getContext(), lowering_.mission[id].values);
+    auto* variable = new llvm::GlobalVariable(lowering_.module, numbers->getType(), true,
+                                              llvm::GlobalValue::PrivateLinkage, numbers, "table");
+    variable->setUnnamedAddr(llvm::GlobalValue::UnnamedAddr::Global);
+    variable->setAlignment(llvm::Align(8));
+    found = variable;
+  }
+  return found;
+}
+
+/// The number is held against the table's ends before it becomes an integer, which it may not fit.
+Value* Expressions::element(const ir::Expr& expr) {
+  Value* number = operand(expr, 0);
+  llvm::Type* type = builder_.getDoubleTy();
+  const auto count = static_cast<double>(lowering_.mission[expr.table].values.size());
+  Value* zero = llvm::ConstantFP::get(type, 0.0);
+  Value* inside =
+      builder_.CreateAnd(builder_.CreateFCmpOGE(number, zero),
+                         builder_.CreateFCmpOLT(number, llvm::ConstantFP::get(type, count)));
+  Value* index =
+      builder_.CreateFPToSI(builder_.CreateSelect(inside, number, zero), builder_.getInt32Ty());
+  Value* whole = builder_.CreateFCmpOEQ(builder_.CreateSIToFP(index, type), number);
+  Value* place = builder_.CreateInBoundsGEP(type, table(expr.table), index);
+  return builder_.CreateSelect(builder_.CreateAnd(inside, whole), builder_.CreateLoad(type, place),
+                               unknown());
 }
 
 /// Ordered comparisons both ways: an unknown operand makes neither bit true.

@@ -66,6 +66,7 @@ class Tables {
   llvm::Constant* array(llvm::StructType* type, const std::vector<llvm::Constant*>& elements,
                         const std::string& name);
   llvm::Constant* sensors();
+  llvm::Constant* poll(const ir::Sensor& sensor);
   llvm::Constant* states();
   llvm::Constant* parameters();
   llvm::Constant* cases(const std::vector<ir::Case>& cases, const std::string& name);
@@ -88,14 +89,26 @@ llvm::Constant* Tables::array(llvm::StructType* type, const std::vector<llvm::Co
   return variable;
 }
 
+/// The function that is asked for a reading; null if the vehicle reports it.
+llvm::Constant* Tables::poll(const ir::Sensor& sensor) {
+  if (sensor.symbol.empty()) {
+    return nothing();
+  }
+  llvm::Type* type = llvm::Type::getDoubleTy(context());
+  auto found = lowering_.module.getOrInsertFunction(sensor.symbol,
+                                                    llvm::FunctionType::get(type, {type}, false));
+  return llvm::cast<llvm::Constant>(found.getCallee());
+}
+
 llvm::Constant* Tables::sensors() {
   std::vector<llvm::Constant*> rows;
   for (const ir::Sensor& sensor : lowering_.mission.sensors) {
-    rows.push_back(llvm::ConstantStruct::get(
-        lowering_.types.GliderSensorInfo,
-        {text(sensor.vehicle_name), number(sensor.to_si), number(sensor.lowest),
-         number(sensor.highest), number(sensor.stale_after_s), word(sensor.id),
-         word(static_cast<size_t>(sensor.encoding))}));
+    rows.push_back(
+        llvm::ConstantStruct::get(lowering_.types.GliderSensorInfo,
+                                  {text(sensor.symbol.empty() ? sensor.vehicle_name : sensor.name),
+                                   poll(sensor), number(sensor.to_si), number(sensor.lowest),
+                                   number(sensor.highest), number(sensor.stale_after_s),
+                                   word(sensor.id), word(static_cast<size_t>(sensor.encoding))}));
   }
   return array(lowering_.types.GliderSensorInfo, rows, "sensors");
 }
@@ -172,7 +185,7 @@ llvm::Constant* Tables::mission(const MissionFunctions& functions) {
                                     word(index.parameter_count),
                                     word(mission.always.size()),
                                     word(bytesOf(lowering_)),
-                                    word(0),
+                                    word(mission.uses.size()),
                                     text(mission.name),
                                     states(),
                                     sensors(),

@@ -81,9 +81,10 @@ class Guards {
 }  // namespace
 
 void lowerTemporals(Body& body, const std::vector<ir::TemporalId>& temporals, Moment moment) {
+  Freshness fresh;
   for (const ir::TemporalId id : temporals) {
     if (ir::isWindow(body.lowering.mission[id].kind)) {
-      lowerWindow(body, id, moment);
+      lowerWindow(body, id, fresh);
     } else {
       Guards(body).lower(id, moment);
     }

@@ -7,6 +7,7 @@
 #include "runtime/abi/window.h"
 
 #include <set>
+#include <vector>
 
 namespace glider::codegen {
 namespace {
@@ -54,18 +55,15 @@ void addSensors(const ir::Mission& mission, ir::ExprId id, std::set<uint32_t>& s
     if (expr.op == ir::Op::Sensor) {
       sensors.insert(expr.sensor.index);
     }
-    for (uint32_t i = 0; i < ir::opInfo(expr.op).operands; ++i) {
+    for (uint32_t i = 0; i < ir::operandCount(expr); ++i) {
       open.insert(expr.operands.at(i).index);
     }
   }
 }
 
-/// Whether the window may take a reading now, as u32.
-Value* freshness(Body& body, const ir::Temporal& window) {
+/// Whether a window that reads `sensors` may take a reading now, as u32.
+Value* freshness(Body& body, const std::set<uint32_t>& sensors) {
   llvm::IRBuilder<>& builder = body.builder;
-  std::set<uint32_t> sensors;
-  addSensors(body.lowering.mission, window.operand, sensors);
-  addSensors(body.lowering.mission, window.along, sensors);
   Value* none_old = builder.getTrue();
   Value* one_new = builder.getInt1(sensors.empty());
   for (const uint32_t sensor : sensors) {
@@ -75,6 +73,19 @@ Value* freshness(Body& body, const ir::Temporal& window) {
     one_new = builder.CreateOr(one_new, builder.CreateFCmpOEQ(age, at(0)));
   }
   return builder.CreateZExt(builder.CreateAnd(none_old, one_new), builder.getInt32Ty());
+}
+
+/// The one constant that describes the window.
+llvm::Constant* sharedShape(Body& body, ir::TemporalId id) {
+  llvm::Constant*& shape = body.lowering.window_shapes.at(id.index);
+  if (shape == nullptr) {
+    shape = shapeOf(body.lowering, body.lowering.mission[id]);
+  }
+  return shape;
+}
+
+Value* memoryOf(Body& body, ir::TemporalId id) {
+  return body.expressions.temporalSlot(body.lowering.index.temporal_slots.at(id.index));
 }
 
 void call(Body& body, const char* name, const std::vector<Value*>& arguments) {
@@ -89,23 +100,30 @@ void call(Body& body, const char* name, const std::vector<Value*>& arguments) {
 
 }  // namespace
 
-void lowerWindow(Body& body, ir::TemporalId id, Moment moment) {
+void lowerWindowStarts(Body& body, const std::vector<ir::TemporalId>& temporals) {
+  for (const ir::TemporalId id : temporals) {
+    const ir::Temporal& temporal = body.lowering.mission[id];
+    if (ir::isWindow(temporal.kind)) {
+      body.lowering.debug.locate(body.builder, temporal.range);
+      call(body, "gliderWindowStart",
+           {memoryOf(body, id), sharedShape(body, id), body.expressions.missionTime()});
+    }
+  }
+}
+
+void lowerWindow(Body& body, ir::TemporalId id, Freshness& fresh) {
   const ir::Temporal& window = body.lowering.mission[id];
   body.lowering.debug.locate(body.builder, window.range);
   Value* value = body.expressions.number(window.operand);
   Value* now = body.expressions.missionTime();
   Value* along = window.along.valid() ? body.expressions.number(window.along) : now;
-  Value* fresh = freshness(body, window);
-  Value* memory = body.expressions.temporalSlot(body.lowering.index.temporal_slots.at(id.index));
-  llvm::Constant* shape = body.lowering.window_shapes.at(id.index);
-  if (shape == nullptr) {
-    shape = shapeOf(body.lowering, window);
-    body.lowering.window_shapes.at(id.index) = shape;
-  }
-  if (moment == Moment::Start) {
-    call(body, "gliderWindowStart", {memory, shape, now});
-  }
-  call(body, "gliderWindowAdvance", {memory, shape, now, along, value, fresh});
+  std::set<uint32_t> sensors;
+  addSensors(body.lowering.mission, window.operand, sensors);
+  addSensors(body.lowering.mission, window.along, sensors);
+  Value*& taken = fresh[sensors];
+  taken = taken == nullptr ? freshness(body, sensors) : taken;
+  call(body, "gliderWindowAdvance",
+       {memoryOf(body, id), sharedShape(body, id), now, along, value, taken});
 }
 
 }  // namespace glider::codegen

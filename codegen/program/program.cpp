@@ -63,16 +63,6 @@ void wantSymbol(llvm::Module& module, const std::string& name) {
   }
 }
 
-/// clang writes the machine down on every function. It is the mission's machine: said once, by the
-/// TargetMachine, it need not be parsed for each function and keeps none from being inlined.
-void forgetMachine(llvm::Module& module) {
-  for (llvm::Function& function : module) {
-    for (const char* attribute : {"target-cpu", "target-features", "tune-cpu"}) {
-      function.removeFnAttr(attribute);
-    }
-  }
-}
-
 /// Adds what `mission` needs of the bitcode file `part`.
 support::Result<void> joinPart(llvm::Module& mission, const std::string& part,
                                const std::string& trouble) {
@@ -93,6 +83,14 @@ support::Result<void> joinPart(llvm::Module& mission, const std::string& part,
 }
 
 }  // namespace
+
+void forgetMachine(llvm::Module& module) {
+  for (llvm::Function& function : module) {
+    for (const char* attribute : {"target-cpu", "target-features", "tune-cpu"}) {
+      function.removeFnAttr(attribute);
+    }
+  }
+}
 
 support::Result<void> importRuntime(llvm::Module& mission, const std::filesystem::path& part) {
   std::set<const llvm::Function*> own;

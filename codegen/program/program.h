@@ -26,4 +26,8 @@ support::Result<void> joinRuntime(llvm::Module& mission,
 /// which the program is linked with (LLVM's available_externally). Errors as above.
 support::Result<void> importRuntime(llvm::Module& mission, const std::filesystem::path& part);
 
+/// clang writes the machine down on every function. It is the mission's machine: said once, by the
+/// TargetMachine, it need not be parsed for each function and keeps none from being inlined.
+void forgetMachine(llvm::Module& module);
+
 }  // namespace glider::codegen

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -131,6 +132,12 @@ struct Formal {
   TypeName type;
   bool operator==(const Formal&) const = default;
 };
+
+using Formals = std::optional<std::vector<Formal>>;  ///< empty: no parentheses
+
+inline std::span<const Formal> listOf(const Formals& formals) {
+  return formals ? std::span<const Formal>(*formals) : std::span<const Formal>();
+}
 
 /// A profile, route or state by name, with its arguments: `yo(5 m, 10 m, 26 deg, 26 deg)`,
 /// `noheading`.
@@ -264,7 +271,7 @@ struct Member {
 
 struct State {
   Name name;
-  std::optional<std::vector<Formal>> formals;
+  Formals formals;
   std::vector<Member> members;
   Where where;
   bool operator==(const State&) const = default;
@@ -276,7 +283,7 @@ enum class BehaviourKind : uint8_t { Profile, Route };
 struct Behaviour {
   BehaviourKind kind = BehaviourKind::Profile;
   Name name;
-  std::optional<std::vector<Formal>> formals;
+  Formals formals;
   std::vector<Member> members;
   Where where;
   bool operator==(const Behaviour&) const = default;
@@ -286,7 +293,7 @@ struct Behaviour {
 struct ExternBehaviour {
   BehaviourKind kind = BehaviourKind::Profile;
   Name name;
-  std::optional<std::vector<Formal>> formals;
+  Formals formals;
   std::vector<Name> reads;
   Where where;
   bool operator==(const ExternBehaviour&) const = default;
@@ -295,12 +302,15 @@ struct ExternFunction {
   Name name;
   std::vector<Formal> formals;
   TypeName result;
+  std::optional<Range> range;
   Where where;
   bool operator==(const ExternFunction&) const = default;
 };
 struct ExternSensor {
   Name name;
   TypeName type;
+  std::optional<Range> range;
+  std::optional<Expr> stale_after;
   Where where;
   bool operator==(const ExternSensor&) const = default;
 };

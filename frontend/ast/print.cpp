@@ -86,8 +86,8 @@ class FilePrinter {
     members(n.members);
   }
   void write(const ExternFunction& n) {
-    line(fmt::format("extern function {}{}: {}", n.name.text, printFormals(n.formals),
-                     n.result.text));
+    line(fmt::format("extern function {}{}: {}{}", n.name.text, printFormals(n.formals),
+                     n.result.text, printRange(n.range)));
   }
   void write(const ExternBehaviour& n) {
     std::string reads;
@@ -98,7 +98,9 @@ class FilePrinter {
         fmt::format("extern {} {}{}{}", word(n.kind), n.name.text, printFormals(n.formals), reads));
   }
   void write(const ExternSensor& n) {
-    line(fmt::format("extern sensor {}: {}", n.name.text, n.type.text));
+    const std::string stale = n.stale_after ? " stale after " + print(*n.stale_after) : "";
+    line(fmt::format("extern sensor {}: {}{}{}", n.name.text, n.type.text, printRange(n.range),
+                     stale));
   }
   void write(const Requirement& n) {
     std::visit([this](const auto& p) { line("require " + promise(p)); }, n.node);

@@ -40,7 +40,7 @@ int breakRank(const Token& last, const Token& token) {
     return outer + (last.is("&&") ? 1 : comparison ? 2 : 3);
   }
   const bool clause = isTransition(token) || token.is("do") ||
-                      (oneOf(token, {"in", "where", "reads"}) && !token.name);
+                      (oneOf(token, {"in", "where", "reads", "stale"}) && !token.name);
   if (clause && !oneOf(last, {"end", "require", "entry"})) {
     return outer;
   }

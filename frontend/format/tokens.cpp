@@ -142,7 +142,7 @@ class Classifier {
   }
   /// After `last`, `in`, `of`, `where`, `done` and their like are words of the language.
   static bool noNameAfter(const Token& last) {
-    return last.ends_value || oneOf(last.text, {"end", "extern", "require", "exit"});
+    return last.ends_value || oneOf(last.text, {"end", "extern", "require", "exit", "stale"});
   }
 
   static bool tight(const Token& token, const Token& last) {

@@ -140,10 +140,15 @@ ast::Item AstBuilder::external(Parser::ExternalContext* rule) {
   Parser::DeclarationContext* declaration = rule->declaration();
   if (auto* f = dynamic_cast<Parser::ExternFunctionContext*>(declaration)) {
     return ast::ExternFunction{name(f->name()), *formals(f->formals()), type(f->type()),
-                               where(rule)};
+                               range(f->range()), where(rule)};
   }
   if (auto* s = dynamic_cast<Parser::ExternSensorContext*>(declaration)) {
-    return ast::ExternSensor{name(s->name()), type(s->type()), where(rule)};
+    std::optional<ast::Expr> stale_after;
+    if (s->expr() != nullptr) {
+      stale_after = expr(s->expr());
+    }
+    return ast::ExternSensor{name(s->name()), type(s->type()), range(s->range()),
+                             std::move(stale_after), where(rule)};
   }
   auto* b = dynamic_cast<Parser::ExternBehaviourContext*>(declaration);
   CHECK(b != nullptr, "an `extern` that the grammar lacks");

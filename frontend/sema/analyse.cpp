@@ -22,7 +22,7 @@ std::string platformName(const ast::File& mission) {
 }
 
 std::optional<ir::Mission> analyse(const ast::File& mission, const AnalysisInputs& inputs,
-                                   support::DiagnosticEngine& diagnostics) {
+                                   support::DiagnosticEngine& diagnostics, ir::CInterface* in_c) {
   Scope scope(inputs, diagnostics);
   scope.mission.platform = inputs.platform.name;
   checkHead(mission, scope);
@@ -45,6 +45,9 @@ std::optional<ir::Mission> analyse(const ast::File& mission, const AnalysisInput
   lowerRequirements(mission, scope);
   if (diagnostics.hasErrors()) {
     return std::nullopt;
+  }
+  if (in_c != nullptr) {
+    *in_c = scope.declaredInC();
   }
   warnOfUnused(scope.names, scope);
   for (const StateDeclaration& state : scope.state_declarations) {

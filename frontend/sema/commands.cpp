@@ -37,11 +37,11 @@ VehicleCommand build(const CommandRow& row) {
   static std::vector<std::unique_ptr<ast::Name>> names;
   VehicleCommand result{row.command, std::string(row.text), {}};
   for (const ParameterRow& parameter : row.parameters) {
-    const TypeLookup type = findType(parameter.type);
-    CHECK(type.status == NamedType::Known, "a command's parameter has no type");
+    const auto type = findType(parameter.type);
+    CHECK(type.has_value(), "a command's parameter has no type");
     names.push_back(std::make_unique<ast::Name>(ast::Name{std::string(parameter.name), {}}));
-    result.signature.formals.push_back({names.back().get(), {type.type, type.position}});
-    result.signature.slots.push_back({std::string(parameter.name), type.type});
+    result.signature.formals.push_back({names.back().get(), *type});
+    result.signature.slots.push_back({std::string(parameter.name), type->type});
     result.signature.text += fmt::format("{}{}: {}", result.signature.text.empty() ? "" : ", ",
                                          parameter.name, parameter.type);
   }

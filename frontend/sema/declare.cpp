@@ -3,11 +3,11 @@
 
 #include "frontend/sema/declarations.h"
 #include "frontend/sema/evaluate.h"
+#include "frontend/sema/externals.h"
 #include "frontend/sema/lower_expr.h"
 #include "frontend/sema/variables.h"
 
 #include <cmath>
-#include <map>
 #include <type_traits>
 
 namespace glider::frontend {
@@ -38,7 +38,7 @@ class Declarations {
     if (isPath(node.value, scope_) || (node.type && node.type->text == "path")) {
       workPath(node, place->second);
     } else {
-      const auto type = node.type ? scope_.declaredType(*node.type) : std::nullopt;
+      const auto type = node.type ? scope_.declaredType(*node.type, "") : std::nullopt;
       if (!node.type || type) {
         work(node, type, place->second);
       }
@@ -55,14 +55,8 @@ class Declarations {
 
   void visit(const ast::Param&) {}
   void visit(const ast::Var&) {}
-  void visit(const ast::ExternSensor& node) {
-    scope_.notYet(node.where, "`extern sensor`");
-    scope_.later_values.emplace(node.name.text, &node.name);
-  }
-  void visit(const ast::ExternFunction& node) {
-    scope_.notYet(node.where, "`extern function`");
-    scope_.later_functions.emplace(node.name.text, &node.name);
-  }
+  void visit(const ast::ExternSensor& node) { declareExternal(node, scope_); }
+  void visit(const ast::ExternFunction& node) { declareExternal(node, scope_); }
   void visit(const ast::Always&) {}
   void visit(const ast::Import&) {}
   void visit(const ast::Requirement&) {}
@@ -70,26 +64,12 @@ class Declarations {
   void visit(const ast::Behaviour& node) {
     BehaviourDeclaration declaration;
     declaration.body = &node;
-    declaration.signature = scope_.signatureOf(node.name, node.formals);
+    declaration.signature = scope_.signatureOf(node.name, listOf(node.formals), "");
     enter(node.name, node.kind, std::move(declaration));
   }
 
   void visit(const ast::ExternBehaviour& node) {
-    BehaviourDeclaration declaration;
-    declaration.signature = scope_.signatureOf(node.name, node.formals);
-    declaration.usable = declaration.signature.valid;
-    checkParameters(declaration.signature);
-    for (const ast::Name& sensor : node.reads) {
-      const platforms::PlatformSensor* found = scope_.platform().find(sensor.text);
-      if (found == nullptr) {
-        scope_.report(DiagnosticId::unknownSensor, sensor.where, scope_.platform().name,
-                      sensor.text, scope_.suggestSensor(sensor.text));
-        declaration.usable = false;
-      } else {
-        declaration.reads.push_back(found);
-      }
-    }
-    enter(node.name, node.kind, std::move(declaration));
+    enter(node.name, node.kind, externalBehaviour(node, scope_));
   }
 
   void visit(const ast::State&) {}
@@ -114,7 +94,7 @@ class Declarations {
 
   void workPath(const ast::Const& node, Constant& constant) {
     if (node.type && node.type->text != "path") {
-      if (const auto type = scope_.declaredType(*node.type)) {
+      if (const auto type = scope_.declaredType(*node.type, "")) {
         scope_.report(DiagnosticId::wrongType, node.value.where, "`" + node.name.text + "`",
                       describe(*type), scope_.text(node.value.where), "a path");
       }
@@ -143,21 +123,6 @@ class Declarations {
     constant.position = value.longitude.valid();
     constant.second = constant.position ? *evaluate(scope_.mission, value.longitude) : 0;
     constant.valid = true;
-  }
-
-  void checkParameters(const Signature& signature) {
-    std::map<std::string_view, const ast::Name*> names;
-    for (const Signature::Formal& formal : signature.formals) {
-      if (isUnitName(formal.name->text)) {
-        scope_.report(DiagnosticId::unitAsName, formal.name->where, formal.name->text,
-                      "a parameter");
-      }
-      const auto [place, fresh] = names.emplace(formal.name->text, formal.name);
-      if (!fresh) {
-        scope_.report(DiagnosticId::duplicateName, formal.name->where, formal.name->text)
-            .note(place->second->where, "the first is here");
-      }
-    }
   }
 
   void enter(const ast::Name& name, ast::BehaviourKind kind, BehaviourDeclaration declaration) {
@@ -191,6 +156,10 @@ void declare(const ast::File& file, bool library, Scope& scope) {
       declarations.enterParameter(*parameter);
     } else if (const auto* variable = std::get_if<ast::Var>(item)) {
       declarations.enterVariable(*variable);
+    } else if (const auto* function = std::get_if<ast::ExternFunction>(item)) {
+      enterExternal(*function, scope);
+    } else if (const auto* sensor = std::get_if<ast::ExternSensor>(item)) {
+      enterExternal(*sensor, scope);
     }
   }
   for (const ast::Item* item : items) {

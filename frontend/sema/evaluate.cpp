@@ -10,7 +10,7 @@ namespace glider::frontend {
 
 std::optional<double> evaluate(const ir::Mission& mission, ir::ExprId id) {
   bool constant = true;
-  const auto leaf = [&](const ir::Expr& expr) -> ir::Value {
+  const auto leaf = [&](const ir::Expr& expr, std::span<const double>) -> ir::Value {
     constant = false;
     return ir::asValue(ir::kUnknown, expr.type);
   };

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace glider::frontend {
 
 using support::DiagnosticId;
@@ -23,9 +25,11 @@ class ArgumentLowering {
                    const support::SourceRange& where, Scope& scope)
       : arguments_(arguments), callee_(callee), where_(where), scope_(scope) {}
 
-  std::optional<std::vector<ir::ExprId>> run() {
+  std::optional<Arguments> run() {
     if (!plan()) {
-      wrongCount();
+      if (!refusePath()) {
+        wrongCount();
+      }
       return std::nullopt;
     }
     bool good = true;
@@ -92,17 +96,22 @@ class ArgumentLowering {
   bool add(size_t index, const DeclaredType& type, const std::string& what) {
     const ast::Argument& argument = arguments_[index];
     if (argument.of) {
-      scope_.notYet(argument.of->where, "a stretch with `of`");
+      scope_.report(DiagnosticId::ofOutsideWindow, argument.of->where, callee_.name);
       return false;
     }
     ExprLowering lowering(scope_);
+    if (type.path) {
+      auto path = lowering.lowerPath(*argument.value);
+      result_.paths.push_back({path.value_or(Path()), argument.value->where});
+      return path.has_value();
+    }
     const auto value = lowering.lowerDeclared(*argument.value, type, what);
     if (!value) {
       return false;
     }
-    result_.push_back(value->id);
+    result_.values.push_back(value->id);
     if (type.position) {
-      result_.push_back(value->longitude);
+      result_.values.push_back(value->longitude);
     }
     return true;
   }
@@ -127,6 +136,19 @@ class ArgumentLowering {
                       scope_.text(difference->left->where), scope_.text(difference->right->where));
     report.fix(difference->op_where, ", -");
     noteDeclaration(report, "declared as `" + callee_.signature.text + "`");
+  }
+
+  /// A whole path where positions belong.
+  bool refusePath() {
+    for (const ast::Argument& argument : arguments_) {
+      const bool wanted = std::ranges::any_of(formals(), [](const auto& f) { return f.type.path; });
+      if (!wanted && isPath(*argument.value, scope_)) {
+        scope_.report(DiagnosticId::pathAsValue, argument.value->where,
+                      scope_.text(argument.value->where));
+        return true;
+      }
+    }
+    return false;
   }
 
   void wrongCount() {
@@ -156,15 +178,14 @@ class ArgumentLowering {
   Scope& scope_;
   std::vector<Step> steps_;
   size_t filled_ = 0;  ///< arguments, a position for two formals counted twice
-  std::vector<ir::ExprId> result_;
+  Arguments result_;
 };
 
 }  // namespace
 
-std::optional<std::vector<ir::ExprId>> lowerArguments(const std::vector<ast::Argument>& arguments,
-                                                      const Callee& callee,
-                                                      const support::SourceRange& where,
-                                                      Scope& scope) {
+std::optional<Arguments> lowerArguments(const std::vector<ast::Argument>& arguments,
+                                        const Callee& callee, const support::SourceRange& where,
+                                        Scope& scope) {
   return ArgumentLowering(arguments, callee, where, scope).run();
 }
 

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "frontend/sema/lower_use.h"
 #include "frontend/sema/scope.h"
 
 #include <map>
@@ -10,6 +11,12 @@
 #include <vector>
 
 namespace glider::frontend {
+
+/// What stands for a behaviour's parameters where it is used.
+struct BehaviourArguments {
+  std::vector<Snippet> values;  ///< for Signature::slots
+  std::vector<PathArgument> paths;
+};
 
 /// A flightprofile or flightroute written in the language: checked once, then lowered anew for each
 /// state that uses it.
@@ -20,17 +27,19 @@ class BehaviourLowering {
 
   /// Reports what is wrong with the definition, used or not, and that once.
   void check();
-  /// Lowers the body into `activity` for `state`, called `state_name`, with what stands for the
-  /// parameters' slots.
-  void use(ir::Activity& activity, const std::vector<Snippet>& arguments, ir::StateId state,
-           const std::string& state_name);
+  /// Lowers the body into `activity` for `user`.
+  void use(ir::Activity& activity, const BehaviourArguments& arguments, const User& user);
 
  private:
   void checkMembers();
   void checkOnce(const ast::Member& member);
+  void checkNothingBeside(const ast::Use& other);
+  void checkChain();
+  void checkOther(const ast::Use& other);
   void enterParameters();
-  void giveArguments(const std::vector<Snippet>& arguments);
+  void giveArguments(const BehaviourArguments& arguments);
   void enterVariables();
+  void useOther(const ast::Use& other, ir::Activity& activity, const User& user);
   void body(ir::Activity& activity, ir::StateId state, const std::string& prefix);
   [[nodiscard]] ir::VariableKind variableKind() const;
   [[nodiscard]] Context context(ir::StateId state);

@@ -91,8 +91,9 @@ void CaseLowering::lowerTarget(const ast::Use& target, ir::Case& lowered) {
     return;
   }
   const Callee callee{target.name.text, state.signature, &state.node->name};
-  lowered.arguments =
-      lowerArguments(target.arguments, callee, target.where, scope_).value_or(lowered.arguments);
+  if (auto arguments = lowerArguments(target.arguments, callee, target.where, scope_)) {
+    lowered.arguments = std::move(arguments->values);
+  }
 }
 
 namespace {

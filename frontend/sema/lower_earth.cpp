@@ -14,6 +14,10 @@ ExprLowering::Result ExprLowering::onEarth(const ast::Invocation& node, const as
   if (name == "count") {
     return countOfPath(node, expr);
   }
+  if (name == "lanes") {
+    refusePath(expr);
+    return std::nullopt;
+  }
   if (name != "inside") {
     return betweenPlaces(name == "distance" ? ir::Op::Distance : ir::Op::Bearing, node, expr);
   }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "frontend/ast/ast.h"
+#include "frontend/sema/lanes.h"
 #include "frontend/sema/scope.h"
 
 #include <optional>
@@ -102,6 +103,7 @@ class ExprLowering {
                  std::optional<ir::Type> want);
   /// Refuses `10 m of depth` where no function takes it.
   bool stretched(const ast::Invocation& node);
+  Result inC(const ast::Invocation& node, const ast::Expr& expr);
   Result ageOf(const ast::Invocation& node, const ast::Expr& expr);
 
   // Over time (lower_temporal.cpp).
@@ -129,6 +131,8 @@ class ExprLowering {
   friend class InsideLowering;
 
   // Paths (lower_path.cpp).
+  std::optional<Path> lanes(const ast::Invocation& node, const ast::Expr& expr);
+  void refuseLanes(const LaneProblem& problem, const ast::Expr& area);
   Result countOfPath(const ast::Invocation& node, const ast::Expr& expr);
   Result chosen(const Path& path, const Value& index, const support::SourceRange& range);
   Value emitPlace(const Place& place, const support::SourceRange& range);
@@ -148,6 +152,19 @@ class ExprLowering {
   Value emitNumber(double value, const ir::Type& type, const support::SourceRange& range);
   ir::ExprId push(ir::Expr expr);
 
+  // What must be known when the mission is compiled (lower_constant.cpp).
+  /// The value of `expr`, a `type` above 0, for `what`; 1 in a behaviour that is checked by itself.
+  /// What is wrong is reported where it is written or, in a behaviour, where it is given for the
+  /// parameter that makes it wrong: `role` says of the place in the behaviour what it is there,
+  /// `not_positive` is the diagnostic for a value that is not above 0.
+  struct ConstantRole {
+    std::string what;
+    std::string_view role;
+    support::DiagnosticId not_positive;
+  };
+  std::optional<double> positiveConstant(const ast::Expr& expr, const ir::Type& type,
+                                         const ConstantRole& role);
+
   Scope& scope_;
   std::vector<SensorRead> reads_;
 };
@@ -158,8 +175,8 @@ bool isFunctionName(std::string_view name);
 /// Whether an expression is plainly a position: a literal, or the name of one.
 bool isPosition(const ast::Expr& expr, Scope& scope);
 
-/// Whether an expression is plainly a path: a list, or the name of one.
-bool isPath(const ast::Expr& expr, const Scope& scope);
+/// Whether an expression is plainly a path: a list, the name of one, or lanes.
+bool isPath(const ast::Expr& expr, Scope& scope);
 
 /// Whether `name` is a function over a window: mean, lowest, highest, spread, rate, slope.
 bool isWindowName(std::string_view name);

@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "frontend/sema/lower_arguments.h"
 #include "frontend/sema/lower_expr.h"
 #include "frontend/spelling.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iterator>
@@ -38,18 +40,18 @@ constexpr std::string_view kEarth[] = {
 #undef FUNCTION
 };
 
-std::string suggestFunction(std::string_view wrong) {
+std::string suggestFunction(std::string_view wrong, const Scope& scope) {
   std::vector<std::string_view> names;
+  for (const auto& [name, function] : scope.functions) {
+    names.push_back(name);
+  }
   for (const Function& function : kFunctions) {
     names.push_back(function.name);
   }
   names.insert(names.end(), std::begin(kEarth), std::end(kEarth));
   names.insert(names.end(),
                {"became", "held", "mean", "lowest", "highest", "spread", "rate", "slope"});
-  return didYouMean(
-      wrong, names,
-      "functions: abs min max clamp sqrt sin cos tan atan2 known age became held distance "
-      "bearing inside count mean lowest highest spread rate slope");
+  return didYouMean(wrong, names, fmt::format("functions: {}", fmt::join(names, " ")));
 }
 
 std::string countOf(size_t n) {
@@ -81,14 +83,7 @@ ExprLowering::Result ExprLowering::visit(const ast::Invocation& node, const ast:
   }
   const auto* function = std::ranges::find(kFunctions, std::string_view(name), &Function::name);
   if (function == std::end(kFunctions)) {
-    if (!scope_.later_functions.contains(name)) {
-      const bool value = findClock(name) || scope_.platform().find(name) != nullptr ||
-                         scope_.findConstant(name) != nullptr || scope_.findNamed(name) != nullptr;
-      scope_.report(DiagnosticId::unknownFunction, node.function.where, name,
-                    value ? "`" + name + "` is a value: write it without parentheses"
-                          : suggestFunction(name));
-    }
-    return std::nullopt;
+    return inC(node, expr);
   }
   if (stretched(node)) {
     return std::nullopt;
@@ -107,6 +102,45 @@ ExprLowering::Result ExprLowering::visit(const ast::Invocation& node, const ast:
                                     : callMany(function->op, node, expr, want);
 }
 
+/// A function of the user's.
+ExprLowering::Result ExprLowering::inC(const ast::Invocation& node, const ast::Expr& expr) {
+  const std::string& name = node.function.text;
+  const auto found = scope_.functions.find(name);
+  if (found == scope_.functions.end()) {
+    if (scope_.refused_names.contains(name)) {
+      return std::nullopt;
+    }
+    const bool value = findClock(name) || scope_.findSensor(name) != nullptr ||
+                       scope_.findConstant(name) != nullptr || scope_.findNamed(name) != nullptr;
+    scope_.report(DiagnosticId::unknownFunction, node.function.where, name,
+                  value ? "`" + name + "` is a value: write it without parentheses"
+                        : suggestFunction(name, scope_));
+    return std::nullopt;
+  }
+  const FunctionDeclaration& function = found->second;
+  if (!function.usable) {
+    return std::nullopt;
+  }
+  if (!scope_.context.constant.empty()) {
+    scope_
+        .report(DiagnosticId::notConstant, expr.where, scope_.text(expr.where),
+                scope_.context.constant)
+        .note(function.name->where, "it is a C function");
+    return std::nullopt;
+  }
+  const auto arguments =
+      lowerArguments(node.arguments, {name, function.signature, function.name}, expr.where, scope_);
+  if (!arguments) {
+    return std::nullopt;
+  }
+  const Value value = emit(ir::Op::Call, function.result, expr.where, {});
+  ir::Expr& call = scope_.mission.exprs[value.id.index];
+  std::ranges::copy(arguments->values, call.operands.begin());
+  call.use = {static_cast<uint32_t>(scope_.mission.uses.size())};
+  scope_.mission.uses.push_back({scope_.function(function), expr.where});
+  return value;
+}
+
 bool ExprLowering::stretched(const ast::Invocation& node) {
   for (const ast::Argument& argument : node.arguments) {
     if (argument.of) {
@@ -120,10 +154,11 @@ bool ExprLowering::stretched(const ast::Invocation& node) {
 ExprLowering::Result ExprLowering::ageOf(const ast::Invocation& node, const ast::Expr& expr) {
   const ast::Expr& argument = *node.arguments.front().value;
   const auto* use = std::get_if<ast::NameUse>(&argument.node);
-  const platforms::PlatformSensor* sensor =
-      use != nullptr ? scope_.platform().find(use->name) : nullptr;
+  const platforms::PlatformSensor* sensor = use != nullptr ? scope_.findSensor(use->name) : nullptr;
   if (sensor == nullptr) {
-    scope_.report(DiagnosticId::ageOfWhat, argument.where, scope_.text(argument.where));
+    if (use == nullptr || !scope_.refused_names.contains(use->name)) {
+      scope_.report(DiagnosticId::ageOfWhat, argument.where, scope_.text(argument.where));
+    }
     return std::nullopt;
   }
   const ir::SensorId id = scope_.subscribe(*sensor, use->name);
@@ -182,7 +217,7 @@ ExprLowering::Result ExprLowering::callMany(ir::Op op, const ast::Invocation& no
   if (!led || !numeric(*led, model, node.function.text, !angle)) {
     return std::nullopt;
   }
-  std::array<ir::ExprId, 4> operands;
+  std::array<ir::ExprId, ir::kMostOperands> operands;
   bool good = true;
   for (size_t i = 0; i < node.arguments.size(); ++i) {
     const ast::Expr& argument = *node.arguments[i].value;

@@ -28,6 +28,11 @@ bool isPosition(const ast::Expr& expr, Scope& scope) {
 ExprLowering::Result ExprLowering::visit(const ast::NameUse& node, const ast::Expr& expr,
                                          std::optional<ir::Type>) {
   if (Named* named = scope_.findNamed(node.name)) {
+    if (named->type.path) {
+      named->read = true;
+      refusePath(expr);
+      return std::nullopt;
+    }
     return variable(*named, expr.where);
   }
   if (const Constant* found = scope_.findConstant(node.name)) {
@@ -45,10 +50,10 @@ ExprLowering::Result ExprLowering::visit(const ast::NameUse& node, const ast::Ex
   if (const auto which = findClock(node.name)) {
     return clock(*which, expr.where);
   }
-  if (const platforms::PlatformSensor* found = scope_.platform().find(node.name)) {
+  if (const platforms::PlatformSensor* found = scope_.findSensor(node.name)) {
     return sensor(*found, node.name, expr.where);
   }
-  if (scope_.later_values.contains(node.name) || scope_.refused_names.contains(node.name)) {
+  if (scope_.refused_names.contains(node.name)) {
     return std::nullopt;  // its declaration was refused
   }
   if (node.name == "profiledone" || node.name == "routedone") {
@@ -153,7 +158,11 @@ ExprLowering::Result ExprLowering::unknown(const ast::NameUse& node,
   if (scope_.refuseUnseen(node.name, range)) {
     return std::nullopt;
   }
-  const std::string hint = scope_.states.contains(node.name)
+  const auto function = scope_.functions.find(node.name);
+  const std::string hint = function != scope_.functions.end()
+                               ? "it is a function: write `" + function->second.signature.text + "`"
+                           : isFunctionName(node.name) ? "it is a function: give it arguments"
+                           : scope_.states.contains(node.name)
                                ? "`" + node.name + "` is a state: only `goto` and `call` take it"
                            : scope_.behaviours.contains(node.name)
                                ? "`" + node.name + "` says how the vehicle flies; it has no value"

@@ -14,21 +14,38 @@ using support::DiagnosticId;
 
 namespace {
 
-const Constant* findPath(const ast::Expr& expr, const Scope& scope) {
+constexpr std::string_view kLanes = "lanes";
+
+/// The path that a name stands for.
+const Path* findPath(std::string_view name, Scope& scope) {
+  if (Named* named = scope.findNamed(name)) {
+    named->read = named->read || named->type.path;
+    return named->type.path && named->valid ? &named->path.path : nullptr;
+  }
+  const Constant* found = scope.findConstant(name);
+  return found != nullptr && !found->path.empty() ? &found->path : nullptr;
+}
+
+const Path* findPath(const ast::Expr& expr, Scope& scope) {
   const auto* use = std::get_if<ast::NameUse>(&expr.node);
-  const Constant* found = use == nullptr ? nullptr : scope.findConstant(use->name);
-  return found != nullptr && !found->path.empty() ? found : nullptr;
+  return use == nullptr ? nullptr : findPath(use->name, scope);
 }
 
 }  // namespace
 
-bool isPath(const ast::Expr& expr, const Scope& scope) {
-  return std::holds_alternative<ast::List>(expr.node) || findPath(expr, scope) != nullptr;
+bool isPath(const ast::Expr& expr, Scope& scope) {
+  const auto* call = std::get_if<ast::Invocation>(&expr.node);
+  return std::holds_alternative<ast::List>(expr.node) || findPath(expr, scope) != nullptr ||
+         (call != nullptr && call->function.text == kLanes);
 }
 
 std::optional<Path> ExprLowering::lowerPath(const ast::Expr& expr) {
-  if (const Constant* constant = findPath(expr, scope_)) {
-    return constant->path;
+  if (const Path* path = findPath(expr, scope_)) {
+    return *path;
+  }
+  if (const auto* call = std::get_if<ast::Invocation>(&expr.node);
+      call != nullptr && call->function.text == kLanes) {
+    return lanes(*call, expr);
   }
   const auto* list = std::get_if<ast::List>(&expr.node);
   if (list == nullptr) {
@@ -109,8 +126,12 @@ ExprLowering::Result ExprLowering::visit(const ast::Index& node, const ast::Expr
   if (!known) {
     return chosen(*path, {*number, plainNumber(), {}}, expr.where);
   }
-  if (!(*known >= 0 && *known < static_cast<double>(path->size()) &&
-        *known == std::floor(*known))) {
+  const bool there =
+      *known >= 0 && *known < static_cast<double>(path->size()) && *known == std::floor(*known);
+  if (!there && scope_.context.checkedAlone()) {
+    return chosen(*path, {*number, plainNumber(), {}}, expr.where);
+  }
+  if (!there) {
     scope_.report(DiagnosticId::outsidePath, node.position->where, node.list.text,
                   path->size() == 1 ? "1 position" : fmt::format("{} positions", path->size()),
                   *known);
@@ -119,29 +140,23 @@ ExprLowering::Result ExprLowering::visit(const ast::Index& node, const ast::Expr
   return emitPlace((*path)[static_cast<size_t>(*known)], expr.where);
 }
 
-/// The place whose number `index` is; unknown if it is the number of none. The last choice is
-/// between a place and itself, by a condition that is true or unknown.
+/// The place whose number `index` is; unknown if it is the number of none.
 ExprLowering::Result ExprLowering::chosen(const Path& path, const Value& index,
                                           const support::SourceRange& range) {
-  const auto is = [&](size_t number) {
-    const Value k = emitNumber(static_cast<double>(number), plainNumber(), range);
-    return emit(ir::Op::Equal, boolean(), range, {index.id, k.id}).id;
-  };
-  const Value zero = emitNumber(0, plainNumber(), range);
-  const Value nothing = emit(ir::Op::Divide, plainNumber(), range, {zero.id, zero.id});
-  const Value unknown = emit(ir::Op::Equal, boolean(), range, {nothing.id, zero.id});
-  const Value last = emit(ir::Op::Or, boolean(), range, {is(path.size() - 1), unknown.id});
-  const Value end = emitPlace(path.back(), range);
-  Value result = emit(ir::Op::Select, latitude(), range, {last.id, end.id, end.id});
-  result.longitude =
-      emit(ir::Op::Select, longitude(), range, {last.id, end.longitude, end.longitude}).id;
-  for (size_t k = path.size() - 1; k > 0; --k) {
-    const ir::ExprId here = is(k - 1);
-    const Value place = emitPlace(path[k - 1], range);
-    const ir::ExprId east = result.longitude;
-    result = emit(ir::Op::Select, latitude(), range, {here, place.id, result.id});
-    result.longitude = emit(ir::Op::Select, longitude(), range, {here, place.longitude, east}).id;
+  ir::Table north{latitude(), {}};
+  ir::Table east{longitude(), {}};
+  for (const Place& place : path) {
+    north.values.push_back(place.latitude);
+    east.values.push_back(place.longitude);
   }
+  const auto element = [&](ir::Table table) {
+    const ir::Type type = table.type;
+    const Value value = emit(ir::Op::Element, type, range, {index.id});
+    scope_.mission.exprs[value.id.index].table = scope_.table(std::move(table));
+    return value;
+  };
+  Value result = element(std::move(north));
+  result.longitude = element(std::move(east)).id;
   return result;
 }
 

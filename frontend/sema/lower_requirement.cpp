@@ -34,8 +34,15 @@ class RequirementLowering {
  private:
   bool lower(const ast::AlwaysPromise& promise) {
     result_.kind = ir::RequirementKind::Always;
+    const size_t uses = scope_.mission.uses.size();
     const auto condition = ExprLowering(scope_).lowerCondition(promise.condition);
     result_.condition = condition.value_or(ir::ExprId());
+    if (scope_.mission.uses.size() > uses) {
+      const ir::FunctionUse& use = scope_.mission.uses[uses];
+      scope_.report(DiagnosticId::requirementCalls, use.range,
+                    scope_.mission.functions[use.function.index].name);
+      return false;
+    }
     return condition.has_value();
   }
 

@@ -40,7 +40,7 @@ void enterVariables(StateDeclaration& state, Scope& scope) {
 void declareNames(ir::StateId id, Scope& scope) {
   StateDeclaration& state = scope.state_declarations[id.index];
   const ast::Name& name = state.node->name;
-  state.signature = scope.signatureOf(name, state.node->formals);
+  state.signature = scope.signatureOf(name, listOf(state.node->formals), "a parameter of a state");
   if (id.index == 0 && !state.signature.formals.empty()) {
     scope.report(DiagnosticId::firstStateParameters, name.where, name.text);
     state.signature.valid = false;
@@ -172,14 +172,14 @@ void StateLowering::visit(const ast::SensorsMember& node, const ast::Member& mem
 }
 
 void StateLowering::lowerItem(const ast::SensorItem& item) {
-  const platforms::PlatformSensor* sensor = scope_.platform().find(item.name.text);
+  const platforms::PlatformSensor* sensor = scope_.findSensor(item.name.text);
   const bool clock = findClock(item.name.text).has_value();
   if (sensor == nullptr && !clock) {
     const Named* named = scope_.findNamed(item.name.text);
     if (named != nullptr || scope_.findConstant(item.name.text) != nullptr) {
       scope_.report(DiagnosticId::notLogged, item.name.where, item.name.text,
                     named != nullptr ? describe(named->kind) : "a constant");
-    } else if (!scope_.later_values.contains(item.name.text)) {
+    } else if (!scope_.refused_names.contains(item.name.text)) {
       scope_.report(DiagnosticId::unknownSensor, item.name.where, scope_.platform().name,
                     item.name.text, scope_.suggestSensor(item.name.text));
     }

@@ -43,8 +43,6 @@ class StateLowering {
 
   // Behaviours (lower_use.cpp).
   ir::Activity activity(const ast::Use& use, ir::BehaviourKind kind);
-  BehaviourDeclaration* find(const ast::Use& use, ir::BehaviourKind kind);
-  void useBody(const ast::Use& use, BehaviourDeclaration& declaration, ir::Activity& activity);
 
   void lowerItem(const ast::SensorItem& item);
   void setPeriod(const ast::Expr& every, size_t from);

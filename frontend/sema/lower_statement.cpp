@@ -115,7 +115,8 @@ void StatementLowering::refuseSet(const ast::Name& name) {
   if (scope_.refused_names.contains(name.text)) {
     return;
   }
-  if (const std::string what = scope_.takenBy(name.text); !what.empty()) {
+  const bool own = scope_.own_sensors.contains(name.text);
+  if (const std::string what = own ? "a sensor" : scope_.takenBy(name.text); !what.empty()) {
     scope_.report(DiagnosticId::cannotSet, name.where, name.text, what,
                   "keep a value of your own in a `var`");
     return;
@@ -196,9 +197,9 @@ void StatementLowering::visit(const ast::Command& node, const ast::Statement& st
   ir::Statement result = statementOf(ir::StatementKind::Command, statement.where);
   result.command = command->command;
   const Callee callee{command->name, command->signature};
-  const auto values = lowerArguments(node.call.arguments, callee, statement.where, scope_);
-  if (values) {
-    result.values = *values;
+  auto arguments = lowerArguments(node.call.arguments, callee, statement.where, scope_);
+  if (arguments) {
+    result.values = std::move(arguments->values);
     block.statements.push_back(std::move(result));
   }
 }

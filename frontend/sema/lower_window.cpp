@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "frontend/sema/evaluate.h"
 #include "frontend/sema/lower_expr.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -68,11 +69,11 @@ std::optional<ExprLowering::WindowLength> ExprLowering::windowLength(const ast::
                                                                      std::string_view function) {
   WindowLength result{0, {}, support::dimension::time};
   if (over.of) {
-    const platforms::PlatformSensor* along = scope_.findNamed(over.of->text) == nullptr
-                                                 ? scope_.platform().find(over.of->text)
-                                                 : nullptr;
+    const platforms::PlatformSensor* along = scope_.findSensor(over.of->text);
     if (along == nullptr || along->kind != platforms::SensorKind::Quantity) {
-      scope_.report(DiagnosticId::stretchOfWhat, over.of->where, over.of->text);
+      if (!scope_.refused_names.contains(over.of->text)) {
+        scope_.report(DiagnosticId::stretchOfWhat, over.of->where, over.of->text);
+      }
       return std::nullopt;
     }
     const Result value = sensor(*along, over.of->text, over.of->where);
@@ -82,24 +83,14 @@ std::optional<ExprLowering::WindowLength> ExprLowering::windowLength(const ast::
     result.along = value->id;
     result.dimension = value->type.dimension;
   }
-  const std::string what = "the length of `" + std::string(function) + "`";
-  const auto length = lowerAs(*over.value, quantity(result.dimension), what);
+  const auto length =
+      positiveConstant(*over.value, quantity(result.dimension),
+                       {fmt::format("the length of `{}`", function),
+                        "it is the length of a window here", DiagnosticId::windowLength});
   if (!length) {
     return std::nullopt;
   }
-  const auto known = evaluate(scope_.mission, *length);
-  // A behaviour's parameters are known where it is used, not where it is checked by itself.
-  const bool checked_alone = scope_.context.isolated && !scope_.context.state.valid();
-  if (!known && !checked_alone) {
-    scope_.report(DiagnosticId::notConstant, over.value->where, scope_.text(over.value->where),
-                  what);
-    return std::nullopt;
-  }
-  result.length = known.value_or(1.0);
-  if (!(result.length > 0)) {
-    scope_.report(DiagnosticId::windowLength, over.value->where, scope_.text(over.value->where));
-    return std::nullopt;
-  }
+  result.length = *length;
   return result;
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "frontend/ast/ast.h"
+#include "frontend/sema/paths.h"
 #include "frontend/sema/snippet.h"
 #include "frontend/sema/types.h"
 
@@ -42,6 +43,7 @@ struct Named {
   /// Of a behaviour's parameter where the behaviour is used: what stands for it, one or, for a
   /// position, two.
   std::vector<Snippet> arguments;
+  PathArgument path;  ///< the same, of one that is a path; where it is checked alone, any path
   bool starts_constant = false;
   bool read = false;  ///< by something else than a `set` of itself
   bool written = false;
@@ -64,8 +66,9 @@ struct Signature {
 
 /// Where an expression or statement stands: what its names mean, and what it may use.
 struct Context {
-  Names* names = nullptr;  ///< of the state or behaviour
-  bool isolated = false;   ///< in a behaviour, which sees no name of the mission
+  Names* names = nullptr;      ///< of the state or behaviour
+  bool isolated = false;       ///< in a behaviour, which sees no name of the mission
+  std::string_view behaviour;  ///< its name
   /// The list that `became` and `held` stand in; none where they cannot be watched.
   std::optional<ir::ListKind> list;
   ir::StateId state;
@@ -77,6 +80,9 @@ struct Context {
   const ir::State* activities = nullptr;
   /// In the body of a behaviour, lowered for this use of it: warnings were given at its definition.
   std::optional<support::SourceRange> use;
+
+  /// In a behaviour that is checked by itself, whose parameters have no values.
+  [[nodiscard]] bool checkedAlone() const { return isolated && !state.valid(); }
 };
 
 }  // namespace glider::frontend

@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include "support/source_manager.h"
+
 #include <vector>
 
 namespace glider::frontend {
@@ -15,5 +17,11 @@ struct Place {
 
 /// A list of places, known when the mission is compiled.
 using Path = std::vector<Place>;
+
+/// One that is given for a parameter.
+struct PathArgument {
+  Path path;
+  support::SourceRange where;
+};
 
 }  // namespace glider::frontend

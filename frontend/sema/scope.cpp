@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include <cctype>
+#include <algorithm>
 
 namespace glider::frontend {
 
@@ -17,24 +17,6 @@ using support::DiagnosticId;
 namespace {
 
 constexpr std::string_view kClocks[] = {"missiontime", "statetime", "resumetime"};
-
-ir::Type typeOf(const platforms::PlatformSensor& sensor) {
-  switch (sensor.kind) {
-    case platforms::SensorKind::Latitude:
-      return {ir::TypeKind::Latitude, {}};
-    case platforms::SensorKind::Longitude:
-      return {ir::TypeKind::Longitude, {}};
-    case platforms::SensorKind::Quantity:
-      break;
-  }
-  return quantity(sensor.dimension);
-}
-
-/// "gliderProfileYo" of "yo".
-std::string symbolOf(ir::BehaviourKind kind, std::string name) {
-  name.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(name.front())));
-  return (kind == ir::BehaviourKind::Profile ? "gliderProfile" : "gliderRoute") + name;
-}
 
 }  // namespace
 
@@ -45,11 +27,6 @@ std::optional<Clock> findClock(std::string_view name) {
     }
   }
   return std::nullopt;
-}
-
-void Scope::notYet(const support::SourceRange& range, std::string_view what,
-                   std::string_view hint) {
-  report(DiagnosticId::notYet, range, what, hint);
 }
 
 std::string Scope::text(const support::SourceRange& range) const {
@@ -68,41 +45,21 @@ std::string Scope::text(const support::SourceRange& range) const {
   return out.size() > kLongest ? out.substr(0, kLongest) + "…" : out;
 }
 
-ir::SensorId Scope::subscribe(const platforms::PlatformSensor& sensor, std::string_view written) {
-  if (const auto known = subscribed_.find(sensor.id); known != subscribed_.end()) {
-    return known->second;
+const platforms::PlatformSensor* Scope::findSensor(std::string_view name) {
+  if (findNamed(name) != nullptr) {
+    return nullptr;
   }
-  const bool minutes = sensor.kind != platforms::SensorKind::Quantity;
-  const ir::SensorId id{static_cast<uint32_t>(mission.sensors.size())};
-  mission.sensors.push_back({std::string(written), sensor.name, sensor.id, typeOf(sensor),
-                             minutes ? ir::Encoding::DegreesMinutes : ir::Encoding::Linear,
-                             sensor.to_si, sensor.lowest, sensor.highest, sensor.stale_after_s});
-  subscribed_.emplace(sensor.id, id);
-  return id;
-}
-
-ir::BehaviourId Scope::use(BehaviourDeclaration& declaration) {
-  if (declaration.id.valid()) {
-    return declaration.id;
+  if (const auto own = own_sensors.find(name); own != own_sensors.end()) {
+    return own->second.usable ? &own->second.sensor : nullptr;
   }
-  ir::Behaviour behaviour;
-  behaviour.name = declaration.name->text;
-  behaviour.kind = declaration.kind;
-  if (declaration.body == nullptr) {
-    behaviour.symbol = symbolOf(declaration.kind, declaration.name->text);
-    behaviour.parameters = declaration.signature.slots;
-  }
-  for (const platforms::PlatformSensor* sensor : declaration.reads) {
-    behaviour.reads.push_back(
-        subscribe(*sensor, sensor->alias.empty() ? sensor->name : sensor->alias));
-  }
-  declaration.id = {static_cast<uint32_t>(mission.behaviours.size())};
-  mission.behaviours.push_back(std::move(behaviour));
-  return declaration.id;
+  return platform().find(name);
 }
 
 std::string Scope::suggestSensor(std::string_view wrong) const {
   std::vector<std::string_view> known(std::begin(kClocks), std::end(kClocks));
+  for (const auto& [name, sensor] : own_sensors) {
+    known.push_back(name);
+  }
   for (const platforms::PlatformSensor& sensor : platform().sensors) {
     known.push_back(sensor.alias.empty() ? sensor.name : sensor.alias);
   }
@@ -181,7 +138,7 @@ bool Scope::refuseSecond(const ast::Name& name) {
   const Constant* constant = findConstant(name.text);
   const ast::Name* first = named != nullptr      ? named->name
                            : constant != nullptr ? constant->name
-                                                 : nullptr;
+                                                 : findExternal(name.text);
   if (first == nullptr) {
     return false;
   }
@@ -205,6 +162,18 @@ const Constant* Scope::findConstant(std::string_view name) const {
   return found == constants.end() ? nullptr : &found->second;
 }
 
+const ast::Name* Scope::findExternal(std::string_view name) const {
+  const auto sensor = own_sensors.find(name);
+  const auto function = functions.find(name);
+  // The names of a behaviour are its own: an `extern` elsewhere does not take one from it.
+  if (context.isolated) {
+    return nullptr;
+  }
+  return sensor != own_sensors.end()   ? sensor->second.name
+         : function != functions.end() ? function->second.name
+                                       : nullptr;
+}
+
 std::vector<const Names*> Scope::visibleNames() const {
   std::vector<const Names*> lists;
   if (context.names != nullptr) {
@@ -223,13 +192,13 @@ std::string Scope::freshName(std::string wish) {
   return wish;
 }
 
-std::optional<DeclaredType> Scope::declaredType(const ast::TypeName& name) {
-  const TypeLookup found = findType(name.text);
-  if (found.status == NamedType::Known) {
-    return DeclaredType{found.type, found.position};
-  }
-  if (found.status == NamedType::Later) {
-    notYet(name.where, "type `" + name.text + "` here");
+std::optional<DeclaredType> Scope::declaredType(const ast::TypeName& name,
+                                                std::string_view holder) {
+  if (const auto found = findType(name.text)) {
+    if (!found->path || holder.empty()) {
+      return found;
+    }
+    report(DiagnosticId::pathElsewhere, name.where, holder);
     return std::nullopt;
   }
   static const std::vector<std::string_view> kTypes = {
@@ -246,22 +215,22 @@ std::optional<DeclaredType> Scope::declaredType(const ast::TypeName& name) {
   return std::nullopt;
 }
 
-Signature Scope::signatureOf(const ast::Name& name,
-                             const std::optional<std::vector<ast::Formal>>& formals) {
+Signature Scope::signatureOf(const ast::Name& name, std::span<const ast::Formal> formals,
+                             std::string_view holder) {
   Signature result;
-  for (const ast::Formal& formal : formals.value_or(std::vector<ast::Formal>())) {
+  for (const ast::Formal& formal : formals) {
     result.text += fmt::format("{}{}: {}", result.text.empty() ? "" : ", ", formal.name.text,
                                formal.type.text);
   }
   result.text = name.text + (result.text.empty() ? "" : "(" + result.text + ")");
-  if (!formals) {
-    return result;
-  }
-  for (const ast::Formal& formal : *formals) {
-    const auto type = declaredType(formal.type);
+  for (const ast::Formal& formal : formals) {
+    const auto type = declaredType(formal.type, holder);
     result.valid = result.valid && type.has_value();
     const DeclaredType known = type.value_or(DeclaredType{plainNumber(), false});
     result.formals.push_back({&formal.name, known});
+    if (known.path) {
+      continue;
+    }
     if (known.position) {
       result.slots.push_back({formal.name.text + ".latitude", latitude()});
       result.slots.push_back({formal.name.text + ".longitude", longitude()});

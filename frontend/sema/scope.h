@@ -7,10 +7,12 @@
 #include "frontend/sema/names.h"
 #include "frontend/sema/paths.h"
 #include "frontend/sema/types.h"
+#include "ir/core/c_symbols.h"
 
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -39,6 +41,23 @@ struct BehaviourDeclaration {
   std::vector<const platforms::PlatformSensor*> reads;
   bool usable = true;  ///< false: its declaration was refused, and said to be so
   ir::BehaviourId id;  ///< once the mission uses it
+};
+
+/// A C function that expressions may call.
+struct FunctionDeclaration {
+  const ast::Name* name = nullptr;
+  Signature signature;
+  ir::Type result;
+  double lowest = -ir::Variable::kEndless;  ///< a result outside is unknown
+  double highest = ir::Variable::kEndless;
+  bool usable = true;  ///< false: its declaration was refused, and said to be so
+};
+
+/// A sensor of the SBC's own.
+struct OwnSensor {
+  const ast::Name* name = nullptr;
+  platforms::PlatformSensor sensor;  ///< in SI units or degrees; `unit` is left empty
+  bool usable = true;                ///< false: its declaration was refused, and said to be so
 };
 
 /// A state, known before any is lowered, so that cases may name those that come later.
@@ -74,18 +93,25 @@ class Scope {
     builder.note(*context.use, "with what is given here");
     return builder;
   }
-  /// `what` belongs to the language but is not compiled yet.
-  void notYet(const support::SourceRange& range, std::string_view what, std::string_view hint = "");
   /// The source text of `range` on one line, shortened.
   [[nodiscard]] std::string text(const support::SourceRange& range) const;
   [[nodiscard]] const platforms::Platform& platform() const { return inputs_.platform; }
   [[nodiscard]] support::DiagnosticEngine& diagnostics() { return diagnostics_; }
 
+  /// The sensor that `name` means in `context`, the vehicle's or the SBC's own; null if none, or if
+  /// its declaration was refused (`refused_names`).
+  [[nodiscard]] const platforms::PlatformSensor* findSensor(std::string_view name);
+  /// The mission's entry of a C function, made on first use.
+  ir::FunctionId function(const FunctionDeclaration& declaration);
   /// The mission's subscription of a sensor, made on first use; `written` is how the mission calls
   /// it.
   ir::SensorId subscribe(const platforms::PlatformSensor& sensor, std::string_view written);
+  /// The mission's table of these values, made on first use.
+  ir::TableId table(ir::Table table);
   /// The mission's use of a behaviour, made on first use.
   ir::BehaviourId use(BehaviourDeclaration& declaration);
+  /// All that is declared in C.
+  [[nodiscard]] ir::CInterface declaredInC() const;
   /// "did you mean `temp`?" over sensors, clocks and constants.
   [[nodiscard]] std::string suggestName(std::string_view wrong) const;
   [[nodiscard]] std::string suggestSensor(std::string_view wrong) const;
@@ -96,8 +122,8 @@ class Scope {
   /// True, and reported, if no value may be called `name` because a unit, sensor, clock or function
   /// is.
   bool refuseName(const ast::Name& name, std::string_view owner);
-  /// True, and reported, if a constant, parameter or variable that is seen from `context` is called
-  /// so.
+  /// True, and reported, if a constant, parameter, variable or `extern` that is seen from `context`
+  /// is called so.
   bool refuseSecond(const ast::Name& name);
   /// The parameter or variable that `name` means in `context`; null if none.
   Named* findNamed(std::string_view name);
@@ -107,11 +133,13 @@ class Scope {
   [[nodiscard]] std::vector<const Names*> visibleNames() const;
   /// `wish`, or if a variable has that name already, one like it that none has.
   std::string freshName(std::string wish);
-  /// The type that is written; empty, and reported, if there is none of that name.
-  std::optional<DeclaredType> declaredType(const ast::TypeName& name);
-  /// Types the parameters of `name`. Their names are checked by whoever enters them.
-  Signature signatureOf(const ast::Name& name,
-                        const std::optional<std::vector<ast::Formal>>& formals);
+  /// The type that is written; empty, and reported, if there is none of that name, or if it is a
+  /// path and `holder`, which has it, cannot: "a variable". An empty holder can.
+  std::optional<DeclaredType> declaredType(const ast::TypeName& name, std::string_view holder);
+  /// Types the parameters of `name`, each `holder`; they must outlive the signature. Their names
+  /// are checked by whoever enters them.
+  Signature signatureOf(const ast::Name& name, std::span<const ast::Formal> formals,
+                        std::string_view holder);
 
   /// Lowers into an empty mission for as long as it lives: what is checked is not compiled.
   class Scratch {
@@ -151,14 +179,19 @@ class Scope {
   Context context;
   std::map<std::string, Constant, std::less<>> constants;
   Names names;  ///< the mission's parameters and variables
-  std::map<std::string, const ast::Name*, std::less<>> later_values;  ///< extern sensor
-  std::set<std::string, std::less<>> refused_names;  ///< declared, but taken: uses say nothing more
-  std::map<std::string, const ast::Name*, std::less<>> later_functions;
+  std::set<std::string, std::less<>>
+      refused_names;  ///< declared, but refused: uses say nothing more
+  std::map<std::string, FunctionDeclaration, std::less<>> functions;
+  static constexpr size_t kMostOwnSensors = 64;
+  std::map<std::string, OwnSensor, std::less<>> own_sensors;
   std::map<std::string, ir::StateId, std::less<>> states;
   std::vector<StateDeclaration> state_declarations;  ///< by StateId
   std::map<std::string, BehaviourDeclaration, std::less<>> behaviours;
 
  private:
+  /// The `extern sensor` or `extern function` that keeps others from being called `name`.
+  [[nodiscard]] const ast::Name* findExternal(std::string_view name) const;
+
   const AnalysisInputs& inputs_;
   support::DiagnosticEngine& diagnostics_;
   support::Diagnostic dropped_;

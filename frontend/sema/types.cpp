@@ -33,38 +33,35 @@ std::string describe(const ir::Type& type) {
 }
 
 std::string describe(const DeclaredType& type) {
-  return type.position ? "a position" : describe(type.type);
+  return type.path ? "a path" : type.position ? "a position" : describe(type.type);
 }
 
-TypeLookup findType(std::string_view name) {
+std::optional<DeclaredType> findType(std::string_view name) {
   if (name == "bool") {
-    return {NamedType::Known, boolean()};
+    return DeclaredType{boolean()};
   }
   if (name == "latitude" || name == "longitude") {
-    return {NamedType::Known,
-            {name == "latitude" ? ir::TypeKind::Latitude : ir::TypeKind::Longitude, {}}};
+    return DeclaredType{name == "latitude" ? latitude() : longitude()};
   }
-  if (name == "position") {
-    return {NamedType::Known, latitude(), true};
-  }
-  if (name == "path") {
-    return {NamedType::Later, {}};
+  if (name == "position" || name == "path") {
+    return DeclaredType{latitude(), name == "position", name == "path"};
   }
   if (const auto dimension = support::findDimension(name)) {
-    return {NamedType::Known, quantity(*dimension)};
+    return DeclaredType{quantity(*dimension)};
   }
   const size_t split = name.find_last_of("*/");
   if (split == std::string_view::npos) {
-    return {};
+    return std::nullopt;
   }
-  const TypeLookup left = findType(name.substr(0, split));
+  const auto left = findType(name.substr(0, split));
   const auto right = support::findDimension(name.substr(split + 1));
-  if (left.status != NamedType::Known || left.type.kind != ir::TypeKind::Quantity || !right) {
-    return {};
+  if (!left || left->position || left->path || left->type.kind != ir::TypeKind::Quantity ||
+      !right) {
+    return std::nullopt;
   }
-  const auto whole = name[split] == '*' ? support::product(left.type.dimension, *right)
-                                        : support::quotient(left.type.dimension, *right);
-  return whole ? TypeLookup{NamedType::Known, quantity(*whole)} : TypeLookup{};
+  const auto whole = name[split] == '*' ? support::product(left->type.dimension, *right)
+                                        : support::quotient(left->type.dimension, *right);
+  return whole ? std::optional(DeclaredType{quantity(*whole)}) : std::nullopt;
 }
 
 bool isUnitName(std::string_view name) {

@@ -15,23 +15,18 @@ namespace glider::frontend {
 /// degC/m".
 std::string describe(const ir::Type& type);
 
-/// A type as it is written: a position is two numbers to the IR.
+/// A type as it is written: a position is two numbers to the IR, a path none.
 struct DeclaredType {
-  ir::Type type;  ///< of a position: a latitude
+  ir::Type type;  ///< of a position and a path: a latitude
   bool position = false;
+  bool path = false;
   bool operator==(const DeclaredType&) const = default;
 };
 std::string describe(const DeclaredType& type);
 
-/// What a type's name in the language means.
-enum class NamedType : uint8_t { Known, Later, Unknown };
-struct TypeLookup {
-  NamedType status = NamedType::Unknown;
-  ir::Type type;
-  bool position = false;
-};
-/// "length", "bool", "latitude", "position", "temperature/length"; `path` comes later.
-TypeLookup findType(std::string_view name);
+/// What a type's name in the language means:
+/// "length", "bool", "latitude", "position", "path", "temperature/length"; empty: nothing.
+std::optional<DeclaredType> findType(std::string_view name);
 
 /// Whether `name` is a unit or a letter of positions, which name no value.
 bool isUnitName(std::string_view name);

@@ -3,11 +3,10 @@
 
 #include "frontend/sema/variables.h"
 
+#include "frontend/sema/declared_value.h"
 #include "frontend/sema/evaluate.h"
 #include "frontend/sema/lower_expr.h"
-#include "ir/eval/arithmetic.h"
 #include "support/check.h"
-#include "support/units/units.h"
 
 #include <fmt/format.h>
 
@@ -41,102 +40,12 @@ bool isVariable(NamedKind kind) {
 
 namespace {
 
-/// The bounds of a variable, in SI units or degrees; those not written are endless.
-struct Bounds {
-  double lowest = -ir::Variable::kEndless;
-  double highest = ir::Variable::kEndless;
-};
-
-std::string withUnit(double value, const ir::Type& type) {
-  if (type.kind != ir::TypeKind::Quantity) {
-    return fmt::format("{:.10g} degrees", value);
-  }
-  const std::string unit = support::unitName(type.dimension);
-  return fmt::format("{:.10g}{}{}", value, unit.empty() ? "" : " ", unit);
+/// False, and reported, if there is no such type.
+bool typed(Named& named, const ast::TypeName& name, Scope& scope) {
+  const auto type = scope.declaredType(name, describe(named.kind));
+  named.type = type.value_or(named.type);
+  return type.has_value();
 }
-
-/// Lowers what a declaration holds beside its name.
-class DeclarationLowering {
- public:
-  DeclarationLowering(Named& named, Scope& scope) : named_(named), scope_(scope) {}
-
-  /// False, and reported, if there is no such type.
-  bool type(const ast::TypeName& name) {
-    const auto type = scope_.declaredType(name);
-    named_.type = type.value_or(named_.type);
-    return type.has_value();
-  }
-
-  std::optional<Value> start(const ast::Expr& expr) {
-    return ExprLowering(scope_).lowerDeclared(expr, named_.type, "`" + named_.name->text + "`");
-  }
-
-  /// A value that must be known before the mission runs; `what` it is for. Lowers nothing.
-  std::optional<std::pair<double, double>> constant(const ast::Expr& expr, std::string_view what) {
-    Context context = scope_.context;
-    context.constant = what;
-    context.list.reset();
-    const Scope::Within within(scope_, context);
-    const size_t before = scope_.mission.exprs.size();
-    const auto value = start(expr);
-    const auto first = value ? evaluate(scope_.mission, value->id) : std::nullopt;
-    const auto second =
-        value && named_.type.position ? evaluate(scope_.mission, value->longitude) : first;
-    scope_.mission.exprs.resize(before);
-    if (!value) {
-      return std::nullopt;
-    }
-    if (!first || !second) {
-      scope_.report(DiagnosticId::notConstant, expr.where, scope_.text(expr.where), what);
-      return std::nullopt;
-    }
-    if (!ir::isKnown(*first) || !ir::isKnown(*second)) {
-      scope_.report(DiagnosticId::constantUnknown, expr.where, scope_.text(expr.where));
-      return std::nullopt;
-    }
-    return std::pair(*first, *second);
-  }
-
-  std::optional<Bounds> bounds(const std::optional<ast::Range>& range) {
-    if (!range) {
-      return Bounds{};
-    }
-    const support::SourceRange where{range->lowest.where.file, range->lowest.where.begin,
-                                     range->highest.where.end};
-    if (named_.type.position || named_.type.type == boolean()) {
-      scope_.report(DiagnosticId::rangeOfWhat, where, named_.name->text, describe(named_.type));
-      return std::nullopt;
-    }
-    const auto lowest = constant(range->lowest, "a range");
-    const auto highest = constant(range->highest, "a range");
-    if (!lowest || !highest) {
-      return std::nullopt;
-    }
-    if (lowest->first > highest->first) {
-      scope_.report(DiagnosticId::emptyRange, where, scope_.text(where));
-      return std::nullopt;
-    }
-    return Bounds{lowest->first, highest->first};
-  }
-
-  bool inside(double value, const Bounds& bounds, const ast::Expr& expr, const ast::Range& range) {
-    if (bounds.lowest <= value && value <= bounds.highest) {
-      return true;
-    }
-    const support::SourceRange where{range.lowest.where.file, range.lowest.where.begin,
-                                     range.highest.where.end};
-    scope_
-        .report(DiagnosticId::startOutsideRange, expr.where, named_.name->text,
-                withUnit(value, named_.type.type), withUnit(bounds.lowest, named_.type.type),
-                withUnit(bounds.highest, named_.type.type))
-        .note(where, "its range is here");
-    return false;
-  }
-
- private:
-  Named& named_;
-  Scope& scope_;
-};
 
 ir::VariableId push(ir::Variable variable, Scope& scope) {
   variable.name = scope.freshName(std::move(variable.name));
@@ -182,7 +91,7 @@ const ir::Expr* firstOf(const ir::Mission& mission, ir::ExprId id,
 bool knownAtStart(ir::ExprId id, Scope& scope) {
   using enum ir::Op;
   const ir::Expr* found =
-      firstOf(scope.mission, id, {Sensor, Age, MissionTime, StateTime, ResumeTime});
+      firstOf(scope.mission, id, {Sensor, Age, MissionTime, StateTime, ResumeTime, Call});
   if (found != nullptr) {
     scope.report(DiagnosticId::notAtStart, found->range, scope.text(found->range));
   }
@@ -215,10 +124,10 @@ ir::ExprId constantExpr(double value, const ir::Type& type, const support::Sourc
 
 /// Lowers into `named`; false, and reported, if something is wrong.
 bool lowerVar(const ast::Var& node, const VariableOwner& owner, Named& named, Scope& scope) {
-  DeclarationLowering lowering(named, scope);
-  if (!lowering.type(node.type)) {
+  if (!typed(named, node.type, scope)) {
     return false;
   }
+  DeclaredValue lowering(node.name, named.type, scope);
   const auto bounds = lowering.bounds(node.range);
   const auto start = lowering.start(node.value);
   const bool mission = owner.kind == ir::VariableKind::Mission;
@@ -243,10 +152,10 @@ bool lowerVar(const ast::Var& node, const VariableOwner& owner, Named& named, Sc
 }
 
 bool lowerParam(const ast::Param& node, Named& named, Scope& scope) {
-  DeclarationLowering lowering(named, scope);
-  if (!lowering.type(node.type)) {
+  if (!typed(named, node.type, scope)) {
     return false;
   }
+  DeclaredValue lowering(node.name, named.type, scope);
   const auto bounds = lowering.bounds(node.range);
   const auto start = lowering.constant(node.value, "the value of a parameter");
   if (!bounds || !start ||

@@ -31,6 +31,9 @@ using BehaviourId = Id<struct BehaviourTag>;
 using VariableId = Id<struct VariableTag>;
 using TemporalId = Id<struct TemporalTag>;
 using BlockId = Id<struct BlockTag>;
+using TableId = Id<struct TableTag>;
+using FunctionId = Id<struct FunctionTag>;
+using UseId = Id<struct UseTag>;
 
 enum class Op : uint8_t {
 #define OP(name, text, operands, result) name,
@@ -48,15 +51,19 @@ struct Type {
   bool operator==(const Type&) const = default;
 };
 
+constexpr size_t kMostOperands = 8;
+
 /// One node; operands stand before it in Mission::exprs, so the vector is in evaluation order.
 struct Expr {
   Op op = Op::Constant;
   Type type;
-  std::array<ExprId, 4> operands;
+  std::array<ExprId, kMostOperands> operands;
   double number = 0;    ///< Constant: the value in SI units (finite), or degrees
   SensorId sensor;      ///< Sensor, Age
   VariableId variable;  ///< Variable
   TemporalId temporal;  ///< Temporal
+  TableId table;        ///< Element
+  UseId use;            ///< Call
   support::SourceRange range;
 };
 
@@ -66,7 +73,10 @@ enum class Encoding : uint8_t {
   DegreesMinutes
 };  ///< DegreesMinutes: ddmm.mmmm, becomes degrees
 
-/// A vehicle's sensor that this mission subscribes.
+/// Numbers of sensors from here on are not the vehicle's.
+constexpr uint16_t kFirstOwnSensor = 0xFF00;
+
+/// A vehicle's sensor that this mission subscribes, or one of the SBC's own.
 struct Sensor {
   std::string name;          ///< as written in the mission: "depth"
   std::string vehicle_name;  ///< "m_depth"
@@ -77,6 +87,9 @@ struct Sensor {
   double lowest = 0;  ///< plausible range in the vehicle's unit; a reading outside is unknown
   double highest = 0;
   double stale_after_s = 0;  ///< a reading older than this is unknown
+  /// Of the C function that is asked for a reading once a tick (GliderPoll of
+  /// runtime/abi/glider_abi.h); empty: the vehicle's.
+  std::string symbol = {};
 };
 
 enum class BehaviourKind : uint8_t { Profile, Route };
@@ -86,11 +99,28 @@ struct Parameter {
   Type type;
 };
 
+/// A C function that expressions call.
+struct Function {
+  std::string name;
+  std::string symbol;
+  std::vector<Parameter> parameters;  ///< at most kMostOperands; truth values as numbers: 0, 1, NaN
+  Type result;
+  double lowest = -std::numeric_limits<double>::infinity();  ///< a result outside is unknown
+  double highest = std::numeric_limits<double>::infinity();
+};
+
+/// A place in the mission's text that calls a function: called once a tick at most, however many
+/// expressions stand for it.
+struct FunctionUse {
+  FunctionId function;
+  support::SourceRange range;
+};
+
 /// A flightprofile or flightroute: of a C function (ABI: runtime/abi/behaviour.h), or written in
 /// the language, whose body stands in each Activity, made for that use.
 struct Behaviour {
   std::string name;    ///< "yo"
-  std::string symbol;  ///< "gliderProfileYo"; empty: written in the language
+  std::string symbol;  ///< c_symbols.h; empty: written in the language
   BehaviourKind kind = BehaviourKind::Profile;
   std::vector<Parameter> parameters;  ///< of a C function
   std::vector<SensorId> reads;        ///< of a C function
@@ -249,6 +279,13 @@ struct State {
   support::SourceRange range;  ///< of its name
 };
 
+/// Values that an expression chooses from by their number.
+struct Table {
+  Type type;
+  std::vector<double> values;  ///< one at least; SI units or degrees, finite
+  bool operator==(const Table&) const = default;
+};
+
 /// What a mission promises: the prover's question. It is not compiled.
 enum class RequirementKind : uint8_t {
   Always,        ///< `condition` is never false
@@ -275,6 +312,9 @@ struct Mission {
   std::vector<Sensor> sensors;
   std::vector<Behaviour> behaviours;
   std::vector<Expr> exprs;
+  std::vector<Table> tables;
+  std::vector<Function> functions;
+  std::vector<FunctionUse> uses;
   std::vector<Variable> variables;
   std::vector<Temporal> temporals;
   std::vector<Block> blocks;
@@ -292,6 +332,11 @@ struct Mission {
   }
   [[nodiscard]] const Variable& operator[](VariableId id) const { return variables.at(id.index); }
   [[nodiscard]] const Temporal& operator[](TemporalId id) const { return temporals.at(id.index); }
+  [[nodiscard]] const Table& operator[](TableId id) const { return tables.at(id.index); }
+  [[nodiscard]] const Function& operator[](FunctionId id) const { return functions.at(id.index); }
+  [[nodiscard]] const Function& operator[](UseId id) const {
+    return functions.at(uses.at(id.index).function.index);
+  }
   [[nodiscard]] const Block& operator[](BlockId id) const { return blocks.at(id.index); }
 };
 

@@ -70,6 +70,20 @@ bool isGeometry(Op op) {
          op == Op::Bearing;
 }
 
+/// Of a C function.
+std::optional<Type> called(const Mission& mission, const Expr& expr) {
+  const Function& function = mission[expr.use];
+  if (operandCount(expr) != function.parameters.size()) {
+    return std::nullopt;
+  }
+  for (size_t i = 0; i < function.parameters.size(); ++i) {
+    if (mission[expr.operands.at(i)].type != function.parameters[i].type) {
+      return std::nullopt;
+    }
+  }
+  return function.result;
+}
+
 /// Of a truth value that is watched, or a window.
 std::optional<Type> watched(const Mission& mission, const Temporal& t) {
   if (!isWindow(t.kind)) {
@@ -129,6 +143,14 @@ size_t opCount() {
   return kOps.size();
 }
 
+uint32_t operandCount(const Expr& expr) {
+  if (expr.op != Op::Call) {
+    return opInfo(expr.op).operands;
+  }
+  const auto end = std::ranges::find_if(expr.operands, [](ExprId id) { return !id.valid(); });
+  return static_cast<uint32_t>(end - expr.operands.begin());
+}
+
 const std::vector<CommandInfo>& commands() {
   constexpr Type length = kLength, angle = kAngle, latitude = kLatitude, longitude = kLongitude;
   static const std::vector<CommandInfo> kCommands = {
@@ -161,6 +183,8 @@ std::optional<Type> resultType(const Mission& mission, const Expr& expr) {
       return watched(mission, mission[expr.temporal]);
     case Op::Variable:
       return mission[expr.variable].type;
+    case Op::Call:
+      return called(mission, expr);
     case Op::Not:
     case Op::And:
     case Op::Or:
@@ -171,6 +195,9 @@ std::optional<Type> resultType(const Mission& mission, const Expr& expr) {
   }
   if (isGeometry(expr.op)) {
     return geometry(mission, expr);
+  }
+  if (expr.op == Op::Element) {
+    return operand(0) == kNumber ? std::optional(mission[expr.table].type) : std::nullopt;
   }
   if (expr.op == Op::Select) {
     const bool fits =

@@ -15,7 +15,7 @@ namespace glider::ir {
 struct OpInfo {
   Op op;
   std::string_view text;  ///< spelling in the text form
-  uint32_t operands;
+  uint32_t operands;      ///< of a Call none: see operandCount
 };
 
 /// The row of `op`.
@@ -24,6 +24,8 @@ const OpInfo& opInfo(Op op);
 const OpInfo* findOp(std::string_view text);
 /// The number of operations.
 size_t opCount();
+/// The number of operands of `expr`: those of its operation, or as many as a Call has.
+uint32_t operandCount(const Expr& expr);
 
 /// The comparison that is true exactly where `comparison` (Less to NotEqual) is false.
 Op negated(Op comparison);
@@ -45,8 +47,8 @@ const std::vector<CommandInfo>& commands();
 /// The type that `expr` must have in `mission`, given its operands' types (or its sensor's or
 /// variable's): sums, minima and the like want one type, products and quotients multiply
 /// dimensions, comparisons compare like with like. A Constant keeps its own. Empty if the operands
-/// do not fit. Operands, sensor, variable and temporal must be in range, and what a temporal
-/// watches must stand before `expr`.
+/// do not fit. Operands, sensor, variable, temporal, table and use must be in range, and what a
+/// temporal watches must stand before `expr`.
 std::optional<Type> resultType(const Mission& mission, const Expr& expr);
 
 }  // namespace glider::ir

@@ -30,7 +30,7 @@ void join(Reads& reads, const Reads& operand) {
 
 Reads readsOf(const Mission& mission, const Expr& e, const std::vector<Reads>& operands) {
   Reads reads;
-  for (uint32_t k = 0; k < opInfo(e.op).operands; ++k) {
+  for (uint32_t k = 0; k < operandCount(e); ++k) {
     join(reads, operands[e.operands.at(k).index]);
   }
   if (e.op == Op::Variable) {
@@ -43,7 +43,7 @@ Reads readsOf(const Mission& mission, const Expr& e, const std::vector<Reads>& o
     reads.temporals_end = e.temporal.index + 1;
   } else {
     reads.moment |= e.sensor.valid() || e.op == Op::MissionTime || e.op == Op::StateTime ||
-                    e.op == Op::ResumeTime;
+                    e.op == Op::ResumeTime || e.op == Op::Call;
   }
   return reads;
 }

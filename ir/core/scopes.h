@@ -13,7 +13,7 @@ struct Reads {
   bool two_states = false;     ///< of more than one state: it has a meaning nowhere
   uint32_t variables_end = 0;  ///< one more than the greatest number of a variable
   uint32_t temporals_end = 0;  ///< the same of a temporal
-  bool moment = false;         ///< a sensor or a clock
+  bool moment = false;         ///< a sensor, a clock or a C function
   bool mission = false;        ///< a variable of the mission that is no parameter
 };
 

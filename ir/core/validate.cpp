@@ -32,6 +32,8 @@ class Validator {
     sensors();
     behaviours();
     variables();
+    tables();
+    functions();
     if (defects_.empty() && expressions()) {
       validateCode(m_, defects_);
     }
@@ -52,6 +54,8 @@ class Validator {
       require(names.insert(s.name).second, {}, "two sensors are named `{}`", s.name);
       require(ids.insert(s.id).second, {}, "sensor `{}` has number {}, which another has", s.name,
               s.id);
+      require(s.symbol.empty() == (s.id < kFirstOwnSensor), {},
+              "sensor `{}` has a number that does not fit whose it is", s.name);
       require(s.type.kind != TypeKind::Bool && sound(s.type), {}, "sensor `{}` is no number",
               s.name);
       const bool position = s.type.kind == TypeKind::Latitude || s.type.kind == TypeKind::Longitude;
@@ -73,8 +77,7 @@ class Validator {
       require(!b.symbol.empty() || (b.parameters.empty() && b.reads.empty()), {},
               "`{}` has parameters or sensors but no C function", b.name);
       for (const Parameter& p : b.parameters) {
-        require(p.type.kind != TypeKind::Bool && sound(p.type), {},
-                "parameter `{}` of `{}` is no number", p.name, b.name);
+        require(sound(p.type), {}, "parameter `{}` of `{}` has no type", p.name, b.name);
       }
       for (SensorId id : b.reads) {
         require(id.index < m_.sensors.size(), {}, "`{}` reads a sensor that is not there", b.name);
@@ -93,9 +96,36 @@ class Validator {
     }
   }
 
+  void tables() {
+    for (size_t i = 0; i < m_.tables.size(); ++i) {
+      const Table& t = m_.tables[i];
+      const bool finite =
+          std::ranges::all_of(t.values, [](double value) { return std::isfinite(value); });
+      require(t.type.kind != TypeKind::Bool && sound(t.type) && !t.values.empty() && finite, {},
+              "table {} has no values, or one that is no number", i);
+    }
+  }
+
+  void functions() {
+    std::set<std::string_view> names;
+    for (const Function& f : m_.functions) {
+      require(names.insert(f.name).second, {}, "two functions are named `{}`", f.name);
+      require(!f.symbol.empty() && sound(f.result) && f.lowest <= f.highest &&
+                  f.parameters.size() <= kMostOperands,
+              {}, "function `{}` has no symbol, no result or too many parameters", f.name);
+      for (const Parameter& p : f.parameters) {
+        require(sound(p.type), {}, "parameter `{}` of `{}` has no type", p.name, f.name);
+      }
+    }
+    for (const FunctionUse& use : m_.uses) {
+      require(use.function.index < m_.functions.size(), use.range,
+              "a use of a function that is not there");
+    }
+  }
+
   /// Whether the operands of expression `i` are there, and no more than there should be.
   bool hasOperands(uint32_t i, const Expr& e) const {
-    const uint32_t count = opInfo(e.op).operands;
+    const uint32_t count = operandCount(e);
     for (uint32_t k = 0; k < e.operands.size(); ++k) {
       const ExprId operand = e.operands.at(k);
       if (k < count ? operand.index >= i : operand.valid()) {
@@ -112,7 +142,9 @@ class Validator {
     };
     return fits(e.op == Op::Sensor || e.op == Op::Age, e.sensor, m_.sensors.size()) &&
            fits(e.op == Op::Variable, e.variable, m_.variables.size()) &&
-           fits(e.op == Op::Temporal, e.temporal, m_.temporals.size());
+           fits(e.op == Op::Temporal, e.temporal, m_.temporals.size()) &&
+           fits(e.op == Op::Element, e.table, m_.tables.size()) &&
+           fits(e.op == Op::Call, e.use, m_.uses.size());
   }
 
   /// Whether what `e` watches, or an earlier temporal does, stands before expression `i`.

@@ -116,6 +116,12 @@ double clamp(double x, double lowest, double highest) {
   return x < lowest ? lowest : highest < x ? highest : x;
 }
 
+double element(const Table& table, double number) {
+  const bool there = number >= 0 && number < static_cast<double>(table.values.size());
+  return there && std::floor(number) == number ? table.values[static_cast<size_t>(number)]
+                                               : kUnknown;
+}
+
 Truth compare(Op op, double a, double b) {
   if (!isKnown(a) || !isKnown(b)) {
     return Truth::Unknown;

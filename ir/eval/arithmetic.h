@@ -32,6 +32,8 @@ struct Position {
 /// Distance (m) or Bearing (rad).
 double onEarth(Op op, Position from, Position to);
 double clamp(double x, double lowest, double highest);
+/// The value of the table with that number; unknown if it is the number of none.
+double element(const Table& table, double number);
 /// Less, LessEqual, Greater, GreaterEqual, Equal or NotEqual.
 Truth compare(Op op, double a, double b);
 

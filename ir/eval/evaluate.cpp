@@ -8,22 +8,31 @@
 #include "support/check.h"
 
 #include <map>
+#include <vector>
 
 namespace glider::ir {
 namespace {
 
 using Values = std::map<uint32_t, Value>;
 
-Value valueOf(const Expr& e, const Values& values, const Leaves& leaves) {
+/// What the operands of a call are worth, as numbers; nothing of what has none.
+std::vector<double> argumentsOf(const Expr& e, const Values& values) {
+  std::vector<double> arguments;
+  for (uint32_t i = 0; i < operandCount(e); ++i) {
+    arguments.push_back(asNumber(values.at(e.operands.at(i).index)));
+  }
+  return arguments;
+}
+
+Value valueOf(const Mission& mission, const Expr& e, const Values& values, const Leaves& leaves) {
   auto a = [&](size_t i) { return std::get<double>(values.at(e.operands.at(i).index)); };
   auto t = [&](size_t i) { return std::get<Truth>(values.at(e.operands.at(i).index)); };
   switch (e.op) {
     case Op::Constant:
       return e.number;
     case Op::True:
-      return Truth::True;
     case Op::False:
-      return Truth::False;
+      return truth(e.op == Op::True);
     case Op::Sensor:
     case Op::Age:
     case Op::MissionTime:
@@ -31,7 +40,8 @@ Value valueOf(const Expr& e, const Values& values, const Leaves& leaves) {
     case Op::ResumeTime:
     case Op::Variable:
     case Op::Temporal:
-      return leaves(e);
+    case Op::Call:
+      return leaves(e, argumentsOf(e, values));
     case Op::Negate:
     case Op::Abs:
     case Op::Sqrt:
@@ -53,7 +63,9 @@ Value valueOf(const Expr& e, const Values& values, const Leaves& leaves) {
     case Op::Clamp:
       return clamp(a(0), a(1), a(2));
     case Op::Select:
-      return t(0) == Truth::Unknown ? kUnknown : t(0) == Truth::True ? a(1) : a(2);
+      return t(0) == Truth::Unknown ? kUnknown : a(t(0) == Truth::True ? 1 : 2);
+    case Op::Element:
+      return element(mission[e.table], a(0));
     case Op::Less:
     case Op::LessEqual:
     case Op::Greater:
@@ -96,12 +108,12 @@ Value evaluate(const Mission& mission, ExprId id, const Leaves& leaves) {
   Values values{{id.index, Truth::Unknown}};
   for (auto it = values.rbegin(); it != values.rend(); ++it) {
     const Expr& e = mission.exprs.at(it->first);
-    for (uint32_t k = 0; k < opInfo(e.op).operands; ++k) {
+    for (uint32_t k = 0; k < operandCount(e); ++k) {
       values.emplace(e.operands.at(k).index, Truth::Unknown);
     }
   }
   for (auto& [number, value] : values) {
-    value = valueOf(mission.exprs[number], values, leaves);
+    value = valueOf(mission, mission.exprs[number], values, leaves);
   }
   return values.at(id.index);
 }

@@ -7,6 +7,7 @@
 #include "ir/core/truth.h"
 
 #include <functional>
+#include <span>
 #include <variant>
 
 namespace glider::ir {
@@ -19,8 +20,9 @@ double asNumber(Value value);
 /// A variable's value as an expression of `type` sees it.
 Value asValue(double number, Type type);
 
-/// What Sensor, Age, Variable, Temporal and the clocks are worth now.
-using Leaves = std::function<Value(const Expr&)>;
+/// What Sensor, Age, Variable, Temporal and the clocks are worth now, and a Call with its arguments
+/// as numbers.
+using Leaves = std::function<Value(const Expr&, std::span<const double> arguments)>;
 
 /// The value of expression `id`: each operation under it once, operands first, whatever its depth.
 Value evaluate(const Mission& mission, ExprId id, const Leaves& leaves);

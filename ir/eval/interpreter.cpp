@@ -27,7 +27,9 @@ std::vector<double> defaultParameters(const Mission& mission) {
 
 std::optional<uint32_t> failedCondition(const Mission& mission,
                                         std::span<const double> parameters) {
-  auto leaves = [&](const Expr& e) { return asValue(parameters[e.variable.index], e.type); };
+  auto leaves = [&](const Expr& e, std::span<const double>) {
+    return asValue(parameters[e.variable.index], e.type);
+  };
   for (uint32_t i = 0; i < mission.conditions.size(); ++i) {
     if (std::get<Truth>(evaluate(mission, mission.conditions[i], leaves)) != Truth::True) {
       return i;
@@ -36,12 +38,14 @@ std::optional<uint32_t> failedCondition(const Mission& mission,
   return std::nullopt;
 }
 
-Interpreter::Interpreter(const Mission& mission, uint32_t stack_depth)
+Interpreter::Interpreter(const Mission& mission, uint32_t stack_depth, Externals externals)
     : mission_(mission),
       stack_depth_(stack_depth),
       sensors_(mission.sensors.size()),
       variables_(mission.variables.size(), kUnknown),
-      temporals_(mission.temporals.size()) {
+      temporals_(mission.temporals.size()),
+      externals_(std::move(externals)),
+      called_(mission.uses.size()) {
   CHECK(validate(mission).empty(), "a mission that does not hold together");
 }
 
@@ -93,10 +97,35 @@ void Interpreter::take(double mission_time, std::span<const SensorUpdate> frame)
     sensor.updated = mission_time_;
     sensor.seen = true;
   }
+  poll();
+  std::ranges::fill(called_, std::nullopt);
   for (uint32_t i = 0; i < sensors_.size(); ++i) {
     SensorState& sensor = sensors_[i];
     sensor.value = sensor.seen ? reading(mission_.sensors[i], sensor.raw, age({i})) : kUnknown;
   }
+}
+
+/// Asks the SBC's own sensors.
+void Interpreter::poll() {
+  for (uint32_t i = 0; i < sensors_.size() && externals_.poll; ++i) {
+    if (mission_.sensors[i].symbol.empty()) {
+      continue;
+    }
+    const double raw = externals_.poll(mission_.sensors[i], mission_time_);
+    if (!std::isnan(raw)) {
+      sensors_[i] = {raw, mission_time_, true, kUnknown};
+    }
+  }
+}
+
+double Interpreter::called(UseId use, std::span<const double> arguments) const {
+  std::optional<double>& value = called_.at(use.index);
+  if (!value) {
+    const Function& f = mission_[use];
+    const double given = settle(externals_.call ? externals_.call(f, arguments) : kUnknown);
+    value = given >= f.lowest && given <= f.highest ? given : kUnknown;
+  }
+  return *value;
 }
 
 double Interpreter::age(SensorId id) const {
@@ -104,10 +133,12 @@ double Interpreter::age(SensorId id) const {
 }
 
 Value Interpreter::evaluate(ExprId id) const {
-  return ir::evaluate(mission_, id, [this](const Expr& e) { return leaf(e); });
+  return ir::evaluate(mission_, id, [this](const Expr& e, std::span<const double> arguments) {
+    return leaf(e, arguments);
+  });
 }
 
-Value Interpreter::leaf(const Expr& e) const {
+Value Interpreter::leaf(const Expr& e, std::span<const double> arguments) const {
   switch (e.op) {
     case Op::Sensor:
       return readingOf(e.sensor);
@@ -123,6 +154,8 @@ Value Interpreter::leaf(const Expr& e) const {
       return asValue(variables_.at(e.variable.index), e.type);
     case Op::Temporal:
       return temporals_.at(e.temporal.index).value;
+    case Op::Call:
+      return asValue(called(e.use, arguments), e.type);
     default:
       CHECK(false, "not a leaf");
   }
@@ -143,7 +176,7 @@ const std::vector<Case>& Interpreter::casesOf(ListKind list) const {
   }
 }
 
-/// The rule of `always`.
+/// The rule of `always`, the limit aside.
 bool Interpreter::mayFire(ListKind list, uint32_t number) const {
   if (list != ListKind::Always) {
     return true;
@@ -151,7 +184,7 @@ bool Interpreter::mayFire(ListKind list, uint32_t number) const {
   const StateId target = mission_.always[number].target;
   const bool in_use =
       target == state_ || std::ranges::find(stack_, target, &Frame::state) != stack_.end();
-  return number < limit_ && !(target.valid() && in_use);
+  return !(target.valid() && in_use);
 }
 
 /// Step 4 for one list: true if that ended the tick.
@@ -162,8 +195,10 @@ bool Interpreter::tryList(ListKind list) {
     return false;
   }
   const std::vector<Case>& cases = casesOf(list);
-  for (uint32_t i = 0; i < cases.size(); ++i) {
-    if (mayFire(list, i) && truthOf(cases[i].guard) == Truth::True) {
+  const size_t end =
+      list == ListKind::Always ? std::min<size_t>(limit_, cases.size()) : cases.size();
+  for (uint32_t i = 0; i < end; ++i) {
+    if (truthOf(cases[i].guard) == Truth::True && mayFire(list, i)) {
       return fire({list, i}, cases[i]);
     }
   }

@@ -9,6 +9,7 @@
 #include "ir/eval/tick_result.h"
 #include "ir/eval/window.h"
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -19,6 +20,14 @@ namespace glider::ir {
 struct SensorUpdate {
   SensorId sensor;
   double raw = 0;
+};
+
+/// What is linked to a mission in C, by its symbol; one that is not there is unknown.
+struct Externals {
+  /// What the function gives for these arguments: any double.
+  std::function<double(const Function&, std::span<const double> arguments)> call;
+  /// A new reading of one of the SBC's own sensors at that mission time (s); NaN: there is none.
+  std::function<double(const Sensor&, double mission_time)> poll;
 };
 
 /// The values that the parameters of `mission` have if nobody sets them.
@@ -35,7 +44,7 @@ class Interpreter {
   /// `mission` must be valid, free of verification errors, and outlive this; `stack_depth` is
   /// MissionFacts'. What verification rules out (a call deeper than that, a return without a
   /// caller, a variable that leaves its range) is our own bug and ends the program.
-  Interpreter(const Mission& mission, uint32_t stack_depth);
+  Interpreter(const Mission& mission, uint32_t stack_depth, Externals externals = {});
 
   /// The tick at mission time 0 that enters the first state, with the readings of its frame and
   /// one value, within its range, for each parameter (SI units, degrees; a truth value 0 or 1).
@@ -71,7 +80,9 @@ class Interpreter {
   enum class Moment : uint8_t { Start, Resume, Advance };
 
   void take(double mission_time, std::span<const SensorUpdate> frame);
-  [[nodiscard]] Value leaf(const Expr& expr) const;
+  void poll();
+  [[nodiscard]] Value leaf(const Expr& expr, std::span<const double> arguments) const;
+  [[nodiscard]] double called(UseId use, std::span<const double> arguments) const;
   [[nodiscard]] double age(SensorId id) const;
 
   [[nodiscard]] bool current(const Temporal& temporal) const;
@@ -113,6 +124,9 @@ class Interpreter {
   double mission_time_ = 0;
   double entered_ = 0;
   double resumed_ = 0;
+  Externals externals_;
+  /// What each use gave in this tick. An expression that is looked at may be the first to need it.
+  mutable std::vector<std::optional<double>> called_;
   bool started_ = false;
   bool finished_ = false;
   TickResult told_;  ///< of the tick that is running

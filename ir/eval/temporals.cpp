@@ -24,7 +24,7 @@ void addSensors(const Mission& mission, ExprId id, std::set<uint32_t>& sensors) 
     if (e.op == Op::Sensor) {
       sensors.insert(e.sensor.index);
     }
-    for (uint32_t k = 0; k < opInfo(e.op).operands; ++k) {
+    for (uint32_t k = 0; k < operandCount(e); ++k) {
       pending.insert(e.operands.at(k).index);
     }
   }
@@ -74,8 +74,8 @@ void Interpreter::updateGuard(const Temporal& t, TemporalState& state, bool star
       state.since = mission_time_;
     }
     const double held = settle(mission_time_ - state.since);
-    state.value =
-        operand == Truth::True ? compare(Op::GreaterEqual, held, number(t.duration)) : operand;
+    const double duration = number(t.duration);
+    state.value = operand == Truth::True ? compare(Op::GreaterEqual, held, duration) : operand;
   }
   state.was_true = operand == Truth::True;
 }

@@ -40,6 +40,12 @@ void PlainWindow::advance(double time, double along, double value, bool fresh) {
   }
   const double bin = std::floor(binary(Op::Divide, along, shape_.bin));
   if (fresh && isKnown(value) && std::fabs(bin) < kGreatestBin) {
+    if (any_) {
+      const auto [a, b] = std::minmax(newest_, bin);
+      std::erase_if(readings_,
+                    [&](const auto& entry) { return a < entry.first && entry.first < b; });
+    }
+    newest_ = bin;
     readings_[bin] = {time, along, value};
     least_ = any_ ? std::min(least_, along) : along;
     greatest_ = any_ ? std::max(greatest_, along) : along;

@@ -37,6 +37,7 @@ class PlainWindow {
   double least_ = 0;                    ///< of all `along` since the start
   double greatest_ = 0;
   bool any_ = false;
+  double newest_ = 0;  ///< bin of the newest reading, if there is any
   double since_ = 0;
   double value_ = 0;
 };

@@ -10,6 +10,19 @@
 namespace glider::ir::opt {
 namespace {
 
+/// Of each expression, whether a C function is called in it.
+std::vector<bool> callsOf(const Mission& mission) {
+  std::vector<bool> calls(mission.exprs.size());
+  for (uint32_t i = 0; i < calls.size(); ++i) {
+    const Expr& expr = mission.exprs[i];
+    calls[i] = expr.op == Op::Call;
+    for (const ExprId operand : expr.operands) {
+      calls[i] = calls[i] || (operand.valid() && calls[operand.index]);
+    }
+  }
+  return calls;
+}
+
 /// What can be reached from the mission's body and variables.
 class Marker {
  public:
@@ -17,12 +30,15 @@ class Marker {
       : exprs(mission.exprs.size()),
         blocks(mission.blocks.size()),
         temporals(mission.temporals.size()),
+        tables(mission.tables.size()),
+        uses(mission.uses.size()),
         mission_(mission) {
     References references(*this);
     references.ofBody(mission);
     for (Variable& variable : mission.variables) {
       references.of(variable);
     }
+    markWatchedCalls();
     while (!pending_exprs_.empty() || !pending_blocks_.empty()) {
       follow(references);
     }
@@ -45,8 +61,30 @@ class Marker {
   std::vector<bool> exprs;
   std::vector<bool> blocks;
   std::vector<bool> temporals;
+  std::vector<bool> tables;
+  std::vector<bool> uses;
 
  private:
+  /// What is watched is worked out on every tick, wanted or not: functions in it are called.
+  void markWatchedCalls() {
+    const std::vector<bool> calls = callsOf(mission_);
+    for (size_t i = 0; i < mission_.temporals.size(); ++i) {
+      Temporal& t = mission_.temporals[i];
+      const bool calling =
+          calls[t.operand.index] || (t.duration.valid() && calls[t.duration.index]);
+      if (calling && (t.list == ListKind::Always || t.state.valid())) {
+        mark(i);
+      }
+    }
+  }
+
+  void mark(size_t temporal) {
+    if (!temporals[temporal]) {
+      temporals[temporal] = true;
+      References<Marker>(*this).of(mission_.temporals[temporal]);
+    }
+  }
+
   void follow(References<Marker>& references) {
     if (!pending_blocks_.empty()) {
       Block& block = mission_.blocks[pending_blocks_.back().index];
@@ -61,9 +99,14 @@ class Marker {
         (*this)(operand);
       }
     }
-    if (expr.temporal.valid() && !temporals[expr.temporal.index]) {
-      temporals[expr.temporal.index] = true;
-      references.of(mission_.temporals[expr.temporal.index]);
+    if (expr.table.valid()) {
+      tables[expr.table.index] = true;
+    }
+    if (expr.use.valid()) {
+      uses[expr.use.index] = true;
+    }
+    if (expr.temporal.valid()) {
+      mark(expr.temporal.index);
     }
   }
 
@@ -90,6 +133,18 @@ std::vector<uint32_t> keep(std::vector<T>& elements, const std::vector<bool>& ma
   return numbers;
 }
 
+/// What no use calls need not be linked.
+void dropUnusedFunctions(Mission& mission) {
+  std::vector<bool> used(mission.functions.size());
+  for (const FunctionUse& use : mission.uses) {
+    used[use.function.index] = true;
+  }
+  const std::vector<uint32_t> numbers = keep(mission.functions, used);
+  for (FunctionUse& use : mission.uses) {
+    use.function.index = numbers[use.function.index];
+  }
+}
+
 struct Renumber {
   std::vector<uint32_t> exprs;
   std::vector<uint32_t> blocks;
@@ -105,6 +160,9 @@ void compact(Mission& mission) {
   const Marker marked(mission);
   Renumber renumber{keep(mission.exprs, marked.exprs), keep(mission.blocks, marked.blocks)};
   const std::vector<uint32_t> temporals = keep(mission.temporals, marked.temporals);
+  const std::vector<uint32_t> tables = keep(mission.tables, marked.tables);
+  const std::vector<uint32_t> uses = keep(mission.uses, marked.uses);
+  dropUnusedFunctions(mission);
   for (Expr& expr : mission.exprs) {
     for (ExprId& operand : expr.operands) {
       if (operand.valid()) {
@@ -113,6 +171,12 @@ void compact(Mission& mission) {
     }
     if (expr.temporal.valid()) {
       expr.temporal.index = temporals[expr.temporal.index];
+    }
+    if (expr.table.valid()) {
+      expr.table.index = tables[expr.table.index];
+    }
+    if (expr.use.valid()) {
+      expr.use.index = uses[expr.use.index];
     }
   }
   References references(renumber);

@@ -95,6 +95,11 @@ void dropDeadStates(Mission& mission) {
       variable.initial = {};
     }
   }
+  for (Temporal& temporal : mission.temporals) {
+    if (temporal.state.valid() && !reached[temporal.state.index]) {
+      temporal.state = {};
+    }
+  }
   compact(mission);
   dropVariables(mission, reached);
   RenumberStates renumber{numbers};

@@ -16,14 +16,17 @@ namespace {
 /// Folds in the order of the vector, so that operands are folded before their users.
 class Folder {
  public:
-  explicit Folder(Mission& mission) : m_(mission), by_(mission.exprs.size()) {}
+  explicit Folder(Mission& mission)
+      : m_(mission), by_(mission.exprs.size()), calls_(mission.exprs.size()) {}
 
   void run() {
     for (uint32_t i = 0; i < by_.size(); ++i) {
       by_[i] = {i};
       Expr& expr = m_.exprs[i];
+      calls_[i] = expr.op == Op::Call;
       for (ExprId& operand : expr.operands) {
         operand = operand.valid() ? by_[operand.index] : operand;
+        calls_[i] = calls_[i] || (operand.valid() && calls_[operand.index]);
       }
       fold({i});
     }
@@ -37,6 +40,9 @@ class Folder {
 
   void fold(ExprId id) {
     const Expr& expr = m_[id];
+    if (expr.op == Op::Call) {
+      return;
+    }
     if (const auto same = sameAs(expr)) {
       by_[id.index] = *same;
     } else if (const auto value = truthOf(expr); value && *value != Truth::Unknown) {
@@ -51,6 +57,7 @@ class Folder {
     expr.op = op;
     expr.number = number;
     expr.operands = {};
+    expr.table = {};
   }
 
   /// The operand that `expr` is the same as.
@@ -66,7 +73,8 @@ class Folder {
         if (is(i, neutral)) {
           return expr.operands.at(1 - i);
         }
-        if (is(i, ruling)) {
+        // What the other operand calls is called, whatever it gives.
+        if (is(i, ruling) && !calls_[expr.operands.at(1 - i).index]) {
           return expr.operands.at(i);
         }
       }
@@ -80,7 +88,7 @@ class Folder {
   /// The operands' numbers if all are constants.
   [[nodiscard]] std::optional<std::array<double, 4>> constants(const Expr& expr) const {
     std::array<double, 4> numbers{};
-    const uint32_t count = opInfo(expr.op).operands;
+    const uint32_t count = operandCount(expr);
     for (uint32_t i = 0; i < count; ++i) {
       if (operand(expr, i).op != Op::Constant) {
         return std::nullopt;
@@ -109,6 +117,8 @@ class Folder {
         return binary(expr.op, (*n)[0], (*n)[1]);
       case Op::Clamp:
         return clamp((*n)[0], (*n)[1], (*n)[2]);
+      case Op::Element:
+        return element(m_[expr.table], (*n)[0]);
       default:
         return std::nullopt;
     }
@@ -140,6 +150,7 @@ class Folder {
 
   Mission& m_;
   std::vector<ExprId> by_;
+  std::vector<bool> calls_;  ///< whether a C function is called in it
 };
 
 }  // namespace

@@ -7,6 +7,8 @@
 #include <bit>
 #include <map>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 namespace glider::ir::opt {
 namespace {
@@ -14,24 +16,69 @@ namespace {
 /// All that makes two expressions the same; numbers by their bits.
 auto keyOf(const Expr& e) {
   return std::tuple(e.op, e.type.kind, e.type.dimension.exponents, e.operands,
-                    std::bit_cast<uint64_t>(e.number), e.sensor, e.variable, e.temporal);
+                    std::bit_cast<uint64_t>(e.number), e.sensor, e.variable, e.temporal, e.table);
 }
+
+/// All that makes two temporals the same.
+auto keyOf(const Temporal& t) {
+  return std::tuple(t.kind, t.list, t.state, t.operand, t.duration,
+                    std::bit_cast<uint64_t>(t.length), t.along);
+}
+
+/// Goes through the expressions in the order of the vector, so that operands are shared before
+/// their users.
+class Sharing {
+ public:
+  explicit Sharing(Mission& mission) : m_(mission), by_(mission.exprs.size()) {}
+
+  void run() {
+    for (uint32_t i = 0; i < by_.size(); ++i) {
+      Expr& expr = m_.exprs[i];
+      for (ExprId& operand : expr.operands) {
+        shared(operand);
+      }
+      if (expr.temporal.valid()) {
+        expr.temporal = firstLike(expr.temporal);
+      }
+      // Calls stay where they are: functions are called in the order of the expressions.
+      by_[i] =
+          expr.op == Op::Call ? ExprId{i} : exprs_.emplace(keyOf(expr), ExprId{i}).first->second;
+    }
+    for (uint32_t i = 0; i < m_.temporals.size(); ++i) {
+      firstLike({i});  // those that no expression reads
+    }
+    replace(m_, by_);
+  }
+
+ private:
+  void shared(ExprId& id) const { id = id.valid() ? by_[id.index] : id; }
+
+  /// What a temporal watches stands before an expression that uses it, and so has been shared.
+  TemporalId firstLike(TemporalId id) {
+    Temporal& temporal = m_.temporals[id.index];
+    shared(temporal.operand);
+    shared(temporal.duration);
+    shared(temporal.along);
+    const TemporalId first = temporals_.emplace(keyOf(temporal), id).first->second;
+    if (first != id) {
+      temporal.list = ListKind::State;  // of no state: it goes
+      temporal.state = {};
+    }
+    return first;
+  }
+
+  Mission& m_;
+  std::vector<ExprId> by_;
+  std::map<decltype(keyOf(std::declval<Expr>())), ExprId> exprs_;
+  std::map<decltype(keyOf(std::declval<Temporal>())), TemporalId> temporals_;
+};
 
 }  // namespace
 
 /// An expression has the value of the moment at which it is evaluated, so one node may serve any
-/// number of places.
+/// number of places. Two temporals of one list that watch the same start and advance together.
 void shareExpressions(Mission& mission) {
-  std::map<decltype(keyOf(mission.exprs.front())), ExprId> first;
-  std::vector<ExprId> by(mission.exprs.size());
-  for (uint32_t i = 0; i < by.size(); ++i) {
-    Expr& expr = mission.exprs[i];
-    for (ExprId& operand : expr.operands) {
-      operand = operand.valid() ? by[operand.index] : operand;
-    }
-    by[i] = first.emplace(keyOf(expr), ExprId{i}).first->second;
-  }
-  replace(mission, by);
+  Sharing(mission).run();
 }
 
 }  // namespace glider::ir::opt

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "ir/core/ops.h"
 #include "ir/opt/dnf.h"
 #include "ir/opt/passes.h"
 
@@ -72,7 +73,26 @@ GuardTable makeTable(const std::vector<Conjunction>& rows) {
   return table;
 }
 
+/// Which C functions a tick calls, and in which order, is the mission's business: a table leaves
+/// guards out.
+bool callsC(const Mission& mission, ExprId guard) {
+  std::vector<ExprId> open{guard};
+  while (!open.empty()) {
+    const Expr& e = mission[open.back()];
+    open.pop_back();
+    if (e.op == Op::Call) {
+      return true;
+    }
+    open.insert(open.end(), e.operands.begin(), e.operands.begin() + operandCount(e));
+  }
+  return false;
+}
+
 GuardTable tabulate(const Mission& mission, const std::vector<Case>& cases) {
+  if (!mission.uses.empty() &&
+      std::ranges::any_of(cases, [&](const Case& c) { return callsC(mission, c.guard); })) {
+    return {};
+  }
   std::vector<Conjunction> rows;
   size_t comparisons = 0;
   for (uint32_t i = 0; i < cases.size(); ++i) {

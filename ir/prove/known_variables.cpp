@@ -50,6 +50,8 @@ class Analysis {
     switch (e.op) {
       case Op::Sensor:
       case Op::Temporal:
+      case Op::Call:
+      case Op::Element:
       case Op::Sqrt:
       case Op::Sin:
       case Op::Cos:

@@ -164,6 +164,27 @@ const TruthTerm& Moment::truthOf(TemporalId id) {
   return watched_truths_.emplace(id.index, TruthTerm{is_true, known && !is_true}).first->second;
 }
 
+const NumberTerm& Moment::numberOf(UseId id) {
+  const auto found = called_numbers_.find(id.index);
+  if (found != called_numbers_.end()) {
+    return found->second;
+  }
+  const Function& function = mission_[id];
+  const NumberTerm term{unknowns_.real(function.name), unknowns_.truth(function.name + "?"), 0};
+  bound(term, {function.lowest, function.highest, false});
+  return called_numbers_.emplace(id.index, term).first->second;
+}
+
+const TruthTerm& Moment::truthOf(UseId id) {
+  const auto found = called_truths_.find(id.index);
+  if (found != called_truths_.end()) {
+    return found->second;
+  }
+  const z3::expr value = unknowns_.truth(mission_[id].name);
+  const z3::expr known = unknowns_.truth(mission_[id].name + "?");
+  return called_truths_.emplace(id.index, TruthTerm{value && known, !value && known}).first->second;
+}
+
 void Moment::forget() {
   made_.clear();
   made_truths_.clear();

@@ -45,6 +45,9 @@ class Moment {
   const TruthTerm& truthOf(VariableId id);
   const NumberTerm& numberOf(TemporalId id);
   const TruthTerm& truthOf(TemporalId id);
+  /// What a use of a C function gives in this tick: anything within the function's range.
+  const NumberTerm& numberOf(UseId id);
+  const TruthTerm& truthOf(UseId id);
 
   /// Gives what was free a value. What was worked out before stands.
   void setReading(SensorId id, NumberTerm value) { readings_.insert_or_assign(id.index, value); }
@@ -110,6 +113,8 @@ class Moment {
   std::map<uint32_t, TruthTerm> truths_;
   std::map<uint32_t, NumberTerm> watched_numbers_;  ///< of temporals
   std::map<uint32_t, TruthTerm> watched_truths_;
+  std::map<uint32_t, NumberTerm> called_numbers_;  ///< of uses
+  std::map<uint32_t, TruthTerm> called_truths_;
   std::unordered_map<uint32_t, NumberTerm> made_;  ///< of expressions
   std::unordered_map<uint32_t, TruthTerm> made_truths_;
 };

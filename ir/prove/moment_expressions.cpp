@@ -89,7 +89,10 @@ NumberTerm Moment::arithmetic(const Expr& e, const Interval& interval) {
     case Op::Atan2:
     case Op::Distance:
     case Op::Bearing:
+    case Op::Element:
       return anything(e, interval);
+    case Op::Call:
+      return numberOf(e.use);
     default:
       return leaf(e);
   }
@@ -177,6 +180,8 @@ void Moment::lowerTruth(uint32_t index) {
         return truthOf(e.variable);
       case Op::Temporal:
         return truthOf(e.temporal);
+      case Op::Call:
+        return truthOf(e.use);
       case Op::Known:
         return {operand(e, 0).known, !operand(e, 0).known};
       case Op::Not:

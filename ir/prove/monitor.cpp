@@ -3,6 +3,8 @@
 
 #include "ir/prove/monitor.h"
 
+#include <span>
+
 namespace glider::ir {
 
 RequirementMonitor::RequirementMonitor(const Mission& mission, const Requirement& requirement,
@@ -22,13 +24,13 @@ bool RequirementMonitor::enters(const TickResult& result, StateId state) const {
 }
 
 bool RequirementMonitor::conditionIsFalse(const Interpreter& run, double true_depth) const {
-  const Value value = evaluate(m_, requirement_.condition, [&](const Expr& e) -> Value {
+  const auto leaf = [&](const Expr& e, std::span<const double>) -> Value {
     if (e.op == Op::Sensor && depth_ && e.sensor == *depth_ && true_depth == true_depth) {
       return true_depth;
     }
     return run.evaluate({static_cast<uint32_t>(&e - m_.exprs.data())});
-  });
-  return std::get<Truth>(value) == Truth::False;
+  };
+  return std::get<Truth>(evaluate(m_, requirement_.condition, leaf)) == Truth::False;
 }
 
 void RequirementMonitor::tick(const Interpreter& run, double mission_time, const TickResult& result,

@@ -121,7 +121,7 @@ class RequirementCheck {
         requirement.range,
         answer.bad == Answer::Yes
             ? "a run seemed to break it, but does not when it is tried; products of "
-              "measured values, and windows, are only known roughly here"
+              "measured values, windows and C functions are only known roughly here"
             : fmt::format("Z3 gave up ({}), and no random flight broke it", answer.trouble));
     return {};
   }

@@ -187,7 +187,7 @@ bool RuleWriter::readsNoSensor(ExprId root) const {
   while (!open.empty()) {
     const Expr& e = m_[open.back()];
     open.pop_back();
-    if (e.op == Op::Sensor || e.op == Op::Age || e.op == Op::Temporal) {
+    if (e.op == Op::Sensor || e.op == Op::Age || e.op == Op::Temporal || e.op == Op::Call) {
       return false;
     }
     for (uint32_t i = 0; i < opInfo(e.op).operands; ++i) {

@@ -16,7 +16,8 @@ constexpr uint32_t kDeepestNesting = 200;
 
 /// Leaves that say of what.
 bool named(Op op) {
-  return op == Op::Sensor || op == Op::Age || op == Op::Variable || op == Op::Temporal;
+  return op == Op::Sensor || op == Op::Age || op == Op::Variable || op == Op::Temporal ||
+         op == Op::Call;
 }
 
 }  // namespace
@@ -40,7 +41,7 @@ ExprId ExpressionReader::add(Expr e, SourceRange begin) {
   const std::optional<Type> type = resultType(m_, e);
   if (!type) {
     std::string operands;
-    for (uint32_t i = 0; i < opInfo(e.op).operands; ++i) {
+    for (uint32_t i = 0; i < operandCount(e); ++i) {
       operands += (i == 0 ? "" : " and ") + typeText(m_[e.operands.at(i)].type);
     }
     in_.fail(DiagnosticId::irOperands, e.range, opInfo(e.op).text, operands);
@@ -83,17 +84,27 @@ ExprId ExpressionReader::constant(SourceRange begin) {
   return add(e, begin);
 }
 
+/// The number of a temporal or a table, of which there are `count`.
+uint32_t ExpressionReader::number(std::string_view what, size_t count) {
+  const Token number = in_.peek();
+  const auto index = static_cast<uint32_t>(in_.integer(0, UINT32_MAX));
+  if (index >= count) {
+    in_.fail(DiagnosticId::irUnknownName, number.range, what, number.text);
+  }
+  return index;
+}
+
 void ExpressionReader::leaf(Expr& e) {
   if (e.op == Op::Sensor || e.op == Op::Age) {
     e.sensor = {sensors_.find(in_.nameToken("the name of a sensor"))};
   } else if (e.op == Op::Variable) {
     e.variable = {variables_.find(in_.nameToken("the name of a variable"))};
   } else if (e.op == Op::Temporal) {
-    const Token number = in_.peek();
-    e.temporal = {static_cast<uint32_t>(in_.integer(0, UINT32_MAX))};
-    if (e.temporal.index >= m_.temporals.size()) {
-      in_.fail(DiagnosticId::irUnknownName, number.range, "temporal", number.text);
-    }
+    e.temporal = {number("temporal", m_.temporals.size())};
+  } else if (e.op == Op::Element) {
+    e.table = {number("table", m_.tables.size())};
+  } else if (e.op == Op::Call) {
+    e.use = {number("use", m_.uses.size())};
   }
 }
 
@@ -111,7 +122,8 @@ ExprId ExpressionReader::operation(SourceRange begin, uint32_t depth) {
   Expr e;
   e.op = op->op;
   leaf(e);
-  for (uint32_t i = 0; i < op->operands; ++i) {
+  const size_t count = e.use.valid() && !in_.failed() ? m_[e.use].parameters.size() : op->operands;
+  for (size_t i = 0; i < count; ++i) {
     e.operands.at(i) = nested(depth);
   }
   in_.expect(')');

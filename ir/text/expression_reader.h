@@ -22,6 +22,7 @@ class ExpressionReader {
   ExprId nested(uint32_t depth);
   ExprId constant(support::SourceRange begin);
   void leaf(Expr& e);
+  uint32_t number(std::string_view what, size_t count);
   ExprId operation(support::SourceRange begin, uint32_t depth);
   ExprId add(Expr e, support::SourceRange begin);
 

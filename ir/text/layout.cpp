@@ -27,7 +27,7 @@ std::vector<uint32_t> countUses(const Mission& mission) {
     }
   };
   for (const Expr& e : mission.exprs) {
-    std::for_each_n(e.operands.begin(), opInfo(e.op).operands, count);
+    std::for_each_n(e.operands.begin(), operandCount(e), count);
   }
   std::ranges::for_each(mission.variables, count, &Variable::initial);
   for (const Temporal& t : mission.temporals) {
@@ -64,7 +64,7 @@ Layout layOut(const Mission& mission) {
   for (uint32_t i = 0; i < count; ++i) {
     const Expr& e = mission.exprs[i];
     uint32_t first = i;
-    for (uint32_t k = opInfo(e.op).operands; k-- > 0;) {
+    for (uint32_t k = operandCount(e); k-- > 0;) {
       const uint32_t operand = e.operands.at(k).index;
       if (operand + 1 == first && layout.uses[operand] == 1 && depth[operand] < kDeepest) {
         layout.inside[operand] = true;

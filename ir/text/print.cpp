@@ -37,6 +37,10 @@ std::string Printer::run() {
   std::ranges::for_each(m_.sensors, [&](const Sensor& s) { sensor(s); });
   std::ranges::for_each(m_.behaviours, [&](const Behaviour& b) { behaviour(b); });
   std::ranges::for_each(m_.variables, [&](const Variable& v) { variable(v); });
+  std::ranges::for_each(m_.tables, [&](const Table& t) { table(t); });
+  std::ranges::for_each(m_.functions, [&](const Function& f) { function(f); });
+  std::ranges::for_each(
+      m_.uses, [&](const FunctionUse& use) { add("\nuse {}", nameText(m_[use.function].name)); });
   launch();
   if (!m_.always.empty()) {
     add("\n");
@@ -56,9 +60,11 @@ std::string Printer::run() {
 
 void Printer::sensor(const Sensor& s) {
   const bool linear = s.encoding == Encoding::Linear;
-  add("\nsensor {}: {} vehicle {} id {} encoding {} to_si {} lowest {} highest {} stale_after {}",
-      nameText(s.name), typeText(s.type), nameText(s.vehicle_name), s.id,
-      linear ? "linear" : "degrees_minutes", s.to_si, s.lowest, s.highest, s.stale_after_s);
+  const std::string whose =
+      s.symbol.empty() ? "vehicle " + nameText(s.vehicle_name) : "symbol " + nameText(s.symbol);
+  add("\nsensor {}: {} {} id {} encoding {} to_si {} lowest {} highest {} stale_after {}",
+      nameText(s.name), typeText(s.type), whose, s.id, linear ? "linear" : "degrees_minutes",
+      s.to_si, s.lowest, s.highest, s.stale_after_s);
 }
 
 void Printer::behaviour(const Behaviour& b) {
@@ -86,6 +92,19 @@ void Printer::variable(const Variable& v) {
   if (v.lowest != -Variable::kEndless || v.highest != Variable::kEndless) {
     add(" lowest {} highest {}", v.lowest, v.highest);
   }
+}
+
+void Printer::table(const Table& t) {
+  add("\ntable {} ({})", typeText(t.type), fmt::join(t.values, ", "));
+}
+
+void Printer::function(const Function& f) {
+  add("\nfunction {} symbol {} (", nameText(f.name), nameText(f.symbol));
+  for (size_t i = 0; i < f.parameters.size(); ++i) {
+    const Parameter& p = f.parameters[i];
+    add("{}{}: {}", i == 0 ? "" : ", ", nameText(p.name), typeText(p.type));
+  }
+  add("): {} lowest {} highest {}", typeText(f.result), f.lowest, f.highest);
 }
 
 /// What holds before any state does, if it stands first among the expressions.

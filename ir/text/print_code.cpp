@@ -246,12 +246,18 @@ void Printer::list(std::span<const ExprId> ids) {
 void Printer::tree(uint32_t i) {
   const Expr& e = m_.exprs[i];
   const OpInfo& op = opInfo(e.op);
-  if (op.operands == 0) {
+  const uint32_t count = operandCount(e);
+  if (count == 0) {
     leaf(e);
     return;
   }
   add("({}", op.text);
-  for (uint32_t k = 0; k < op.operands; ++k) {
+  if (e.table.valid()) {
+    add(" {}", e.table.index);
+  } else if (e.use.valid()) {
+    add(" {}", e.use.index);
+  }
+  for (uint32_t k = 0; k < count; ++k) {
     const uint32_t operand = e.operands.at(k).index;
     add(" ");
     if (layout_.inside[operand]) {
@@ -274,6 +280,8 @@ void Printer::leaf(const Expr& e) {
     add("({} {})", op, nameText(m_[e.variable].name));
   } else if (e.temporal.valid()) {
     add("({} {})", op, e.temporal.index);
+  } else if (e.use.valid()) {
+    add("({} {})", op, e.use.index);
   } else {
     add("{}", op);
   }

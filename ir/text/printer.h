@@ -45,6 +45,8 @@ class Printer {
   void sensor(const Sensor& sensor);
   void behaviour(const Behaviour& behaviour);
   void variable(const Variable& variable);
+  void table(const Table& table);
+  void function(const Function& function);
   void launch();
   void initials();
   void state(const State& state);

@@ -61,6 +61,12 @@ class Reader {
       behaviour();
     } else if (in_.accept("variable")) {
       variable();
+    } else if (in_.accept("function")) {
+      function();
+    } else if (in_.accept("use")) {
+      m_.uses.push_back({{functions_.find(in_.nameToken("the name of a function"))}, {}});
+    } else if (in_.accept("table")) {
+      table();
     } else if (in_.accept("always")) {
       always();
     } else if (in_.accept("state")) {
@@ -68,7 +74,9 @@ class Reader {
     } else if (in_.peek().isWord("require")) {
       requirement();
     } else if (!code_.definition()) {
-      in_.failExpecting("`sensor`, `behaviour`, `variable`, `let`, `always`, `state` or `require`");
+      in_.failExpecting(
+          "`sensor`, `behaviour`, `variable`, `table`, `function`, `use`, `let`, `always`, "
+          "`state` or `require`");
     }
   }
 
@@ -112,8 +120,12 @@ class Reader {
     s.name = name.text;
     in_.expect(':');
     s.type = in_.type();
-    in_.expect("vehicle");
-    s.vehicle_name = in_.name("the vehicle's name of the sensor");
+    if (in_.accept("symbol")) {
+      s.symbol = in_.name("the sensor's symbol");
+    } else {
+      in_.expect("vehicle");
+      s.vehicle_name = in_.name("the vehicle's name of the sensor");
+    }
     in_.expect("id");
     s.id = static_cast<uint16_t>(in_.integer(0, UINT16_MAX));
     in_.expect("encoding");
@@ -146,13 +158,7 @@ class Reader {
     b.name = name.text;
     in_.expect("symbol");
     b.symbol = in_.name("the behaviour's symbol");
-    code_.list([&] {
-      Parameter p;
-      p.name = in_.name("a parameter's name");
-      in_.expect(':');
-      p.type = in_.type();
-      b.parameters.push_back(std::move(p));
-    });
+    code_.list([&] { b.parameters.push_back(parameter()); });
     in_.expect("reads");
     code_.list([&] { b.reads.push_back(sensorName()); });
     m_.behaviours.push_back(std::move(b));
@@ -185,6 +191,38 @@ class Reader {
       v.highest = in_.number(true);
     }
     m_.variables.push_back(std::move(v));
+  }
+
+  Parameter parameter() {
+    Parameter p;
+    p.name = in_.name("a parameter's name");
+    in_.expect(':');
+    p.type = in_.typeOrBool();
+    return p;
+  }
+
+  void function() {
+    Function f;
+    const Token name = in_.nameToken("the function's name");
+    functions_.define(name, m_.functions.size());
+    f.name = name.text;
+    in_.expect("symbol");
+    f.symbol = in_.name("the function's symbol");
+    code_.list([&] { f.parameters.push_back(parameter()); });
+    in_.expect(':');
+    f.result = in_.typeOrBool();
+    in_.expect("lowest");
+    f.lowest = in_.number(true);
+    in_.expect("highest");
+    f.highest = in_.number(true);
+    m_.functions.push_back(std::move(f));
+  }
+
+  void table() {
+    Table t;
+    t.type = in_.type();
+    code_.list([&] { t.values.push_back(in_.number(false)); });
+    m_.tables.push_back(std::move(t));
   }
 
   void always() {
@@ -285,6 +323,7 @@ class Reader {
   text::Names routes_{in_, "route"};
   text::Names states_{in_, "state"};
   text::Names variables_{in_, "variable"};
+  text::Names functions_{in_, "function"};
   text::CodeReader code_{in_, m_, sensors_, variables_};
 };
 

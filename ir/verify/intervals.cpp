@@ -118,7 +118,10 @@ class Analysis {
   }
 
   [[nodiscard]] Interval of(const Expr& e) const {
-    const uint32_t count = opInfo(e.op).operands;
+    const uint32_t count = operandCount(e);
+    if (e.op == Op::Call) {
+      return between(m_[e.use].lowest, m_[e.use].highest);
+    }
     if (count == 0) {
       return leaf(e);
     }
@@ -128,6 +131,10 @@ class Analysis {
       }
     }
     const Interval& a = operand(e, 0);
+    if (e.op == Op::Element) {
+      const auto [lowest, highest] = std::ranges::minmax(m_[e.table].values);
+      return {lowest, highest, false};
+    }
     return count == 1 ? unary(e.op, a) : several(e, a, operand(e, 1));
   }
 

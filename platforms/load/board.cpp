@@ -49,7 +49,7 @@ void readMachine(TomlReader& reader, Board& board) {
     reader.refuse("relocation", "must be \"static\" or \"pic\"");
   }
   board.relocation = relocation == "pic" ? Relocation::PositionIndependent : Relocation::Static;
-  reader.texts("clang_flags");  // for the build of the runtime only
+  board.clang_flags = reader.texts("clang_flags");
   const int64_t limit = reader.integer("max_executable_bytes");
   if (limit < 0) {
     reader.refuse("max_executable_bytes", "must not be negative");

@@ -39,7 +39,8 @@ struct Board {
   std::string features;
   FloatAbi float_abi = FloatAbi::Hard;
   Relocation relocation = Relocation::Static;
-  uint64_t max_executable_bytes = 0;  ///< of the stripped executable; 0: no limit
+  std::vector<std::string> clang_flags;  ///< what makes clang compile for this processor
+  uint64_t max_executable_bytes = 0;     ///< of the stripped executable; 0: no limit
   Kernel kernel;
   std::vector<std::string>
       emulator;  ///< command that runs its executables here; empty: they run by themselves

@@ -6,11 +6,10 @@
 
 /* For who writes a flightprofile or flightroute in C or C++.
 
-   `extern flightprofile yo(top: length, …)` binds to
-       void gliderProfileYo(GliderContext*, GliderBehaviourMemory*, uint32_t phase, double top, …)
-   and `extern flightroute nav(…)` to gliderRouteNav: one double a parameter, SI units (positions:
-   degrees), NaN for unknown. The memory is zero when the mission starts, and the state's own: it
-   lives on through calls and re-entry. */
+   `extern flightprofile yo(top: length, …)` binds to what `glidercc build --emit header` declares:
+       void profile_yo(GliderContext*, GliderBehaviourMemory*, uint32_t phase, double top, …)
+   one double a parameter, SI units (positions: degrees), NaN for unknown. The memory is zero when
+   the mission starts, and the state's own: it lives on through calls and re-entry. */
 
 #include "runtime/abi/glider_abi.h"
 

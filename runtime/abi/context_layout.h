@@ -5,7 +5,7 @@
 #define GLIDER_RUNTIME_ABI_CONTEXT_LAYOUT_H
 
 /* Where the arrays of a running mission stand behind its GliderContext, in this order and each
-   aligned for a double: readings, frames, memory, variables, temporals, intervals, notes,
+   aligned for a double: readings, frames, memory, variables, temporals, calls, intervals, notes,
    note_values. Codegen computes the same from the board's DataLayout and sets
    GliderMission::context_bytes. */
 
@@ -19,6 +19,7 @@ typedef struct GliderContextLayout {
   size_t memory;
   size_t variables;
   size_t temporals;
+  size_t calls;
   size_t intervals;
   size_t notes;
   size_t note_values;
@@ -36,7 +37,8 @@ static inline GliderContextLayout gliderContextLayout(const GliderMission* missi
   layout.memory = layout.frames + gliderAlignUp(mission->stack_limit * sizeof(GliderFrame));
   layout.variables = layout.memory + mission->memory_count * sizeof(GliderBehaviourMemory);
   layout.temporals = layout.variables + mission->variable_count * sizeof(double);
-  layout.intervals = layout.temporals + mission->temporal_slots * sizeof(double);
+  layout.calls = layout.temporals + mission->temporal_slots * sizeof(double);
+  layout.intervals = layout.calls + mission->call_count * sizeof(GliderCall);
   layout.notes = layout.intervals + gliderAlignUp(mission->interval_count * sizeof(uint32_t));
   layout.note_values = layout.notes + gliderAlignUp(GLIDER_MOST_NOTES * sizeof(GliderNote));
   layout.bytes = layout.note_values + GLIDER_MOST_NOTE_VALUES * sizeof(double);

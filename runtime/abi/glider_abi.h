@@ -13,8 +13,12 @@
 extern "C" {
 #endif
 
-#define GLIDER_ABI_VERSION 3u
+#define GLIDER_ABI_VERSION 4u
+/* Gives a function declared in C the symbol that a mission looks for; ir/core/c_symbols.h says how
+   it spells the function's types. */
+#define GLIDER_SYMBOL(name) __asm__(name)
 #define GLIDER_NO_CASE UINT32_MAX
+#define GLIDER_FIRST_OWN_SENSOR 0xFF00u
 #define GLIDER_NO_LIST UINT32_MAX
 #define GLIDER_NO_LIMIT UINT32_MAX
 #define GLIDER_MOST_PARAMETERS 64u
@@ -22,7 +26,7 @@ extern "C" {
 #define GLIDER_GUARD_STRIDE 16u
 #define GLIDER_MOST_NOTE_VALUES 64u
 /* What a behaviour may keep from tick to tick in each state that uses it. */
-#define GLIDER_BEHAVIOUR_MEMORY_BYTES 1024u
+#define GLIDER_BEHAVIOUR_MEMORY_BYTES 8192u
 
 typedef enum GliderTransition {
   kGliderGoto,
@@ -105,6 +109,9 @@ typedef void(GliderAct)(GliderContext* context, uint32_t fired);
 typedef void(GliderEnter)(GliderContext* context, uint32_t phase);
 typedef uint32_t(GliderFly)(GliderContext* context);
 typedef uint32_t(GliderCondition)(const GliderContext* context);
+/* A sensor on the SBC, asked once a tick: a new reading in SI units; NaN if there is none since the
+   last. `mission_time` is s since control was given. */
+typedef double(GliderPoll)(double mission_time);
 /* 1 if the guard of case `number` of a list is true. */
 typedef uint32_t(GliderHolds)(const GliderContext* context, uint32_t number);
 

@@ -30,7 +30,7 @@ typedef struct GliderWindowShape {
 } GliderWindowShape;
 
 /* Doubles of memory before the slots, and for each slot. memory[0] is the window's value. */
-#define GLIDER_WINDOW_HEADER 4u
+#define GLIDER_WINDOW_HEADER 5u
 #define GLIDER_WINDOW_SLOT 4u
 /* A reading older than this has left every stretch, s. */
 #define GLIDER_STRETCH_MEMORY_S 1800.0

@@ -4,10 +4,14 @@
 #include "hooks/transport/termios.h"
 #include "runtime/board/port.h"
 
+#include <new>
+
 namespace glider::runtime {
 
 OpenPort openPort(const char* path, uint32_t baud) {
-  static hooks::SerialDevice device;
+  // Without a destructor, which would bring musl's heap along: the port closes with the program.
+  alignas(hooks::SerialDevice) static uint8_t memory[sizeof(hooks::SerialDevice)];
+  static hooks::SerialDevice& device = *::new (memory) hooks::SerialDevice;
   const int error = device.open(path, baud);
   if (error != 0) {
     return {{}, -1, portProblem(error)};

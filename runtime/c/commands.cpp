@@ -4,12 +4,15 @@
 #include "runtime/abi/behaviour.h"
 #include "runtime/c/glider.h"
 #include "runtime/c/program.h"
-#include "runtime/library/tracker.h"
 
 using glider::runtime::Limits;
 using glider::runtime::Program;
 
 namespace {
+
+/// trackThermo reaches this part of ddepth to both sides of the thermocline. Less than half: its
+/// two ends are ordered at different moments, between which an internal wave moves the thermocline.
+constexpr double kHalfWindow = 0.4;
 
 GliderContext* context() {
   return &Program::instance().context();
@@ -96,7 +99,7 @@ extern "C" int trackThermo(double* min, double* max, double dtemp, double ddepth
   if (!(met.difference > 0.0 && met.difference >= dtemp) || !crossing.found) {
     return 0;
   }
-  const double half = glider::runtime::ThermoclineTracker::kHalfWindow * ddepth;
+  const double half = kHalfWindow * ddepth;
   const Limits& limits = program.limits();
   *min = within(crossing.depth - half, limits.shallowest, limits.deepest);
   *max = within(crossing.depth + half, limits.shallowest, limits.deepest);

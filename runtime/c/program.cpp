@@ -16,7 +16,7 @@ namespace {
 
 constexpr GliderSensorInfo kSensors[] = {
 #define SENSOR(id, name, to_si, lowest, highest, stale_after, degrees_minutes) \
-  {#name, to_si, lowest, highest, stale_after, id, degrees_minutes},
+  {#name, nullptr, to_si, lowest, highest, stale_after, id, degrees_minutes},
     GLIDER_SENSOR_TABLE(SENSOR)
 #undef SENSOR
 };

@@ -5,9 +5,9 @@
 
 #include "hooks/client/client.h"
 #include "runtime/abi/runtime.h"
+#include "runtime/c/water_column.h"
 #include "runtime/core/control.h"
 #include "runtime/core/mission_clock.h"
-#include "runtime/library/thermocline.h"
 #include "runtime/log/mission_log.h"
 
 /// The one mission of a C program: what GliderRuntime is for a compiled one, but the program's own

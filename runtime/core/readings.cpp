@@ -76,6 +76,18 @@ void takeUpdates(GliderContext& context, const GliderUpdate* updates, uint32_t c
   }
 }
 
+void pollSensors(GliderContext& context) {
+  for (uint32_t i = 0; i < context.mission->sensor_count; ++i) {
+    GliderPoll* poll = context.mission->sensors[i].poll;
+    const double raw = poll != nullptr ? poll(context.mission_time) : unknown();
+    if (raw == raw) {
+      context.readings[i].raw = raw;
+      context.readings[i].updated = context.mission_time;
+      context.readings[i].seen = 1;
+    }
+  }
+}
+
 void refreshReadings(GliderContext& context) {
   for (uint32_t i = 0; i < context.mission->sensor_count; ++i) {
     GliderReading& reading = context.readings[i];

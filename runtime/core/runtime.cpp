@@ -97,7 +97,7 @@ glider::hooks::ClientOptions GliderRuntime::subscribe(const GliderMission& missi
   options.sensors = sensors;
   for (uint32_t i = 0; i < mission.sensor_count; ++i) {
     const auto id = static_cast<uint16_t>(mission.sensors[i].id);
-    bool known = false;
+    bool known = mission.sensors[i].poll != nullptr;  // not the vehicle's
     for (uint32_t k = 0; k < options.sensor_count; ++k) {
       known = known || sensors[k] == id;
     }

@@ -26,6 +26,7 @@ GliderContext* layOut(void* memory, const GliderMission& mission) {
   context->memory = reinterpret_cast<GliderBehaviourMemory*>(bytes + layout.memory);
   context->variables = reinterpret_cast<double*>(bytes + layout.variables);
   context->temporals = reinterpret_cast<double*>(bytes + layout.temporals);
+  context->calls = reinterpret_cast<GliderCall*>(bytes + layout.calls);
   context->intervals = reinterpret_cast<uint32_t*>(bytes + layout.intervals);
   context->notes = reinterpret_cast<GliderNote*>(bytes + layout.notes);
   context->note_values = reinterpret_cast<double*>(bytes + layout.note_values);
@@ -41,6 +42,13 @@ void setVariables(GliderContext& context, const double* parameters) {
     } else {
       context.variables[i] = parameters != nullptr ? parameters[i] : mission.parameters[i].initial;
     }
+  }
+}
+
+/// Forgets what functions gave in the tick before.
+void clearCalls(GliderContext& context) {
+  for (uint32_t i = 0; i < context.mission->call_count; ++i) {
+    context.calls[i].made = 0;
   }
 }
 
@@ -155,6 +163,7 @@ extern "C" GliderContext* gliderStart(void* context_memory, const GliderMission*
   glider::runtime::clearRecords(*context);
   glider::runtime::forgetReadings(*context);
   glider::runtime::takeUpdates(*context, updates, count);
+  glider::runtime::pollSensors(*context);
   glider::runtime::refreshReadings(*context);
   glider::runtime::setVariables(*context, parameters);
   if (mission->begin != nullptr) {
@@ -171,10 +180,12 @@ extern "C" void gliderStep(GliderContext* context, double mission_time, const Gl
   if (context->finished != 0) {
     return;
   }
+  glider::runtime::clearCalls(*context);
   if (mission_time > context->mission_time) {
     context->mission_time = mission_time;
   }
   glider::runtime::takeUpdates(*context, updates, count);
+  glider::runtime::pollSensors(*context);
   glider::runtime::refreshReadings(*context);
   // Those of `always` first: a state's may look at them, not the other way round.
   glider::runtime::advance(*context, context->mission->advance);

@@ -13,12 +13,13 @@
 namespace glider::runtime {
 namespace {
 
-/// memory[0..3]
+/// memory[0..4]
 struct Header {
   double value;
   double since;    ///< mission time of the start, s
   double nearest;  ///< least and greatest `along` seen since; unknown before the first
   double farthest;
+  double newest;  ///< bin of the newest reading; unknown before the first
 };
 struct Slot {
   double bin;  ///< number of the bin; unknown: empty
@@ -67,7 +68,7 @@ class Window {
         shape_(shape) {}
 
   void start(double time) {
-    header_ = {unknown(), time, unknown(), unknown()};
+    header_ = {unknown(), time, unknown(), unknown(), unknown()};
     for (uint32_t i = 0; i < shape_.bins; ++i) {
       slots_[i].bin = unknown();
     }
@@ -78,6 +79,8 @@ class Window {
     if (!isKnown(bin)) {
       return;
     }
+    forgetBetween(header_.newest, bin);
+    header_.newest = bin;
     slotOf(bin) = {bin, time, along, value};
     if (!(header_.nearest <= along)) {
       header_.nearest = along;
@@ -115,6 +118,16 @@ class Window {
     }
     return magnitude(off) <= shape_.length &&
            difference(time, slot.time) <= GLIDER_STRETCH_MEMORY_S;
+  }
+
+  /// What lies between two readings in turn was passed just now: what was there before is old.
+  void forgetBetween(double a, double b) {
+    for (uint32_t i = 0; i < shape_.bins; ++i) {
+      const double bin = slots_[i].bin;
+      if ((a < bin && bin < b) || (b < bin && bin < a)) {
+        slots_[i].bin = unknown();
+      }
+    }
   }
 
   /// What has left the window once does not come back.

@@ -199,7 +199,7 @@ TEST(Command, TheStageToEmitIsOneByName) {
     const Outcome outcome =
         runShell("cd /tmp; $GLIDERCC build " + kFigure2 + " --emit " + stage + " -o /dev/null");
     EXPECT_EQ(outcome.status, 2) << stage;
-    EXPECT_THAT(outcome.err, HasSubstr("ast,ir,llvm,asm,obj,exe")) << stage;
+    EXPECT_THAT(outcome.err, HasSubstr("ast,ir,header,llvm,asm,obj,exe")) << stage;
   }
 }
 
@@ -242,6 +242,13 @@ TEST(Command, ManyMistakesAreReportedInOneRun) {
   for (const char* line : {":4:", ":5:", ":7:", ":8:"}) {
     EXPECT_THAT(outcome.err, HasSubstr("m.mission" + std::string(line))) << outcome.err;
   }
+}
+
+TEST(Command, AMistakeThatManyPlacesMeetIsCountedOnce) {
+  const Outcome outcome = runShell("$GLIDERCC check " GLIDER_SOURCE_DIR
+                                   "/tests/golden/sema/fail_window_in_behaviour.mission");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err, HasSubstr(".mission: 2 errors\n"));
 }
 
 TEST(Command, AClosedPipeIsNoCrash) {

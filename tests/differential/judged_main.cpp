@@ -9,6 +9,7 @@
 #include "runtime/abi/context_layout.h"
 #include "runtime/abi/runtime.h"
 #include "runtime/board/arithmetic.h"
+#include "tests/random_missions/external_functions.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -31,6 +32,17 @@ FILE* records;
 uint64_t context_memory[64 * 1024];
 uint64_t words[kMostWords];
 uint32_t word_count;
+
+ExternalState externals;
+
+template <uint32_t N>
+double externalOf(uint32_t which, const double (&arguments)[N]) {
+  externalAsked(&externals, which, 0);
+  for (const double argument : arguments) {
+    externalAsked(&externals, which, argument);
+  }
+  return externalAnswer(&externals);
+}
 
 void giveUp(const char* why) {
   fprintf(stderr, "judged: %s\n", why);
@@ -168,6 +180,7 @@ void fly(const GliderMission* mission) {
   for (uint64_t i = 0; i < parameter_count; ++i) {
     parameters[i] = nextNumber();
   }
+  externals = {};
   const uint64_t ticks = next();
   readTick(updates, &count);
   GliderContext* context = gliderStart(context_memory, mission, parameters, updates, count);
@@ -200,6 +213,22 @@ extern "C" void gliderRouteRecord(GliderContext* context, GliderBehaviourMemory*
   putNumber(number);
   putNumber(latitude);
   putNumber(longitude);
+}
+
+extern "C" double gliderTestLevel(void) {
+  externalAsked(&externals, 1, 0);
+  return externalAnswer(&externals);
+}
+extern "C" double gliderTestMixed(double a, double b, double c) {
+  return externalOf(2, {a, b, c});
+}
+extern "C" double gliderTestMet(double a, double b, double c, double d, double e, double f,
+                                double g, double h) {
+  return externalOf(3, {a, b, c, d, e, f, g, h});
+}
+extern "C" double gliderTestPing(double mission_time) {
+  externalAsked(&externals, 4, mission_time);
+  return externalAnswer(&externals);
 }
 
 // The commands, in the order of ir/core/commands.def.

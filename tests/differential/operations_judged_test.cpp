@@ -101,6 +101,14 @@ class Maker {
     return add(expr);
   }
   ExprId operation(Op op) { return operation(op, operands_); }
+  /// Of the table that the first operand gives the number of a value in.
+  ExprId element(ir::TableId table) {
+    ir::Expr expr;
+    expr.op = Op::Element;
+    expr.operands[0] = operands_[0];
+    expr.table = table;
+    return add(expr);
+  }
   ExprId sensor(size_t i) const { return operands_.at(i); }
   ExprId radian() {
     ir::Expr expr;
@@ -139,6 +147,8 @@ ir::Mission numbers() {
   for (const Op op : {Op::Sin, Op::Cos, Op::Tan}) {
     log.values.push_back(maker.operation(op, {angle, {}, {}}));
   }
+  maker.mission().tables = {{{}, {5, -7, 1e300}}};
+  log.values.push_back(maker.element({0}));
   const ExprId less = maker.operation(Op::Less);
   log.values.push_back(maker.operation(Op::Select, {less, a, maker.sensor(2)}));
   maker.mission().blocks.push_back({{log}});

@@ -138,7 +138,7 @@ void appendStream(const Trial& trial, Words& words) {
 }
 
 std::vector<Words> expectedRecords(const Trial& trial) {
-  ir::Interpreter interpreter(trial.mission, trial.stack_depth);
+  ir::Interpreter interpreter(trial.mission, trial.stack_depth, random_missions::randomExternals());
   std::vector<Words> records;
   for (const random_missions::StreamTick& tick : trial.stream) {
     const ir::TickResult result = records.empty() ? interpreter.start(tick.frame, trial.parameters)

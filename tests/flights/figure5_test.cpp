@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The paper's Figure 5: three layered yos, the SBC tracking the thermocline in between.
+// The paper's Figure 5: three layered yos, the SBC tracking the thermocline in between. How well it
+// does is the matter of thermocline_test.cpp.
 
 #include "tests/flights/flight.h"
 
@@ -58,33 +59,6 @@ TEST(Figure5, HookbehHoldsControlFrom260To1460Seconds) {
   EXPECT_LE(time[first], 268);
   EXPECT_GE(time[last], 1452);
   EXPECT_LE(time[last], 1468);
-}
-
-TEST(Figure5, TheOrderedRangeHoldsTheIsotherm) {
-  const Flight flight = flyFigure5();
-  const auto active = flight.column("hook_active");
-  const auto top = flight.column("order_top");
-  const auto bottom = flight.column("order_bottom");
-  const auto isotherm = flight.column("isotherm_depth");
-  const auto depth = flight.column("true_depth");
-  // Detection is where the ordered range first becomes narrow; one yo later the figures are taken.
-  size_t detected = 0;
-  while (detected < active.size() && !(bottom[detected] - top[detected] <= 12)) {
-    ++detected;
-  }
-  ASSERT_LT(detected, active.size());
-  const size_t last = lastOf(active, 1.0);
-  const auto turns = deepTurns(depth, detected, last);
-  ASSERT_GE(turns.size(), 3U);
-  size_t ticks = 0;
-  size_t inside = 0;
-  for (size_t i = turns[0]; i <= last; ++i) {
-    ++ticks;
-    inside += top[i] <= isotherm[i] && isotherm[i] <= bottom[i] ? 1U : 0U;
-    EXPECT_LE(bottom[i] - top[i], 12) << "at tick " << i;
-  }
-  EXPECT_GE(static_cast<double>(inside), 0.9 * static_cast<double>(ticks))
-      << inside << " of " << ticks;
 }
 
 TEST(Figure5, TheLayeredYoThenCompletesItsThree) {

@@ -28,6 +28,7 @@ const GalleryFlight kFlights[] = {
     {"bloom", "bloom", "sample → transect (return)"},
     {"bottom_following", "shelf_slope", "follow → end (exit)"},
     {"front", "front", "across → back (goto)"},
+    {"hull_sweep", "default", "map → end (exit)  routedone"},
     {"isotherms", "default", "sample → end (exit)"},
     {"low_battery", "low_battery", "survey → give_back (goto, always case 1)"},
     {"surface_on_event", "default", "strong layer"},
@@ -46,15 +47,17 @@ class Gallery : public testing::TestWithParam<GalleryFlight> {};
 
 TEST_P(Gallery, IsFineBuildsAndFlies) {
   const std::string path = pathOf(GetParam().mission);
+  const TemporaryFolder folder;
+  const std::string to = " -o " + (folder.path() / "product").string();
   const Outcome checked = runShell("$GLIDERCC check " + path);
   EXPECT_EQ(checked.status, 0);
   EXPECT_EQ(checked.err, "");
   for (const char* board : {"host", "ts7800", "ts5500"}) {
-    const Outcome built = runShell("$GLIDERCC build " + path + " --target " + board + " -o built");
+    const Outcome built = runShell("$GLIDERCC build " + path + " --target " + board + to);
     EXPECT_EQ(built.status, 0) << board << ": " << built.err;
   }
   const Outcome flown =
-      runShell("$GLIDERCC sim " + path + " --scenario " + GetParam().scenario + " -o flown");
+      runShell("$GLIDERCC sim " + path + " --scenario " + GetParam().scenario + to + ".flight");
   EXPECT_EQ(flown.status, 0) << flown.err;
   EXPECT_THAT(flown.out, HasSubstr(GetParam().shows));
   EXPECT_THAT(flown.out, Not(HasSubstr("refused")));

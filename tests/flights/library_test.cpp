@@ -41,13 +41,13 @@ Flight flyInC(const std::string& arguments) {
   return flight;
 }
 
-std::string world() {
-  return " --scenario " + project("scenarios/default.toml");
+std::string world(const std::string& name = "default") {
+  return " --scenario " + project("scenarios/" + name + ".toml");
 }
 
-void expectTheSameInC(const std::string& mission) {
-  const Flight language = fly(mission + world());
-  const Flight c = flyInC(mission + world());
+void expectTheSameInC(const std::string& mission, const std::string& scenario = "default") {
+  const Flight language = fly(mission + world(scenario));
+  const Flight c = flyInC(mission + world(scenario));
   ASSERT_EQ(language.outcome.status, 0) << language.outcome.err;
   ASSERT_EQ(c.outcome.status, 0) << c.outcome.err;
   EXPECT_GT(language.rows.size(), 100U);
@@ -56,6 +56,38 @@ void expectTheSameInC(const std::string& mission) {
 
 TEST(Library, Figure2IsTheSameInCAndInTheLanguage) {
   expectTheSameInC(project("missions/figure2.mission"));
+}
+
+TEST(Library, ThermotrackyoIsTheSameInCAndInTheLanguage) {
+  for (const char* scenario : {"figure5", "first_deployment", "figure6", "default"}) {
+    SCOPED_TRACE(scenario);
+    expectTheSameInC(project("missions/figure5.mission"), scenario);
+  }
+}
+
+/// Its windows and what it has found live on through the call.
+TEST(Library, ThermotrackyoThatIsReturnedToIsTheSame) {
+  const TemporaryFolder folder;
+  expectTheSameInC(folder.write("called.mission", R"(mission called
+var times : number = 0
+state track
+begin
+  flightprofile thermotrackyo(5 m, 28 m, 26 deg, 20 deg, 8 degC, 9 m)
+  sensors       missiontime, depth, temp
+  events
+    case missiontime > 400 s && times < 1 do set times = 1 end call up
+    case missiontime > 1100 s && times < 2 do set times = 2 end call up
+    case missiontime > 2000 s exit
+end
+state up
+begin
+  flightprofile surfaced
+  sensors       depth, statetime
+  events
+    case depth < 4 m || statetime > 300 s return
+end
+)"),
+                   "first_deployment");
 }
 
 TEST(Library, EveryPartThatCHasIsTheSame) {

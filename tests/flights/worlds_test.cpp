@@ -57,51 +57,6 @@ double valueAt(const Flight& flight, const std::string& column, double time_s) {
   return value;
 }
 
-/// Of the ticks under control after the range was first narrowed, how many hold the isotherm.
-double shareTracked(const Flight& flight) {
-  const auto active = flight.column("hook_active");
-  const auto top = flight.column("order_top");
-  const auto bottom = flight.column("order_bottom");
-  const auto isotherm = flight.column("isotherm_depth");
-  bool detected = false;
-  int ticks = 0, inside = 0;
-  for (size_t i = 0; i < active.size(); ++i) {
-    detected = detected || (active[i] == 1 && bottom[i] - top[i] <= 12);
-    if (detected && active[i] == 1) {
-      ++ticks;
-      inside += top[i] <= isotherm[i] && isotherm[i] <= bottom[i] ? 1 : 0;
-    }
-  }
-  return ticks > 0 ? static_cast<double>(inside) / ticks : 0;
-}
-
-TEST(Worlds, FirstDeploymentIsTrackedDespiteItsReadings) {
-  const Flight flight = fly(project("missions/figure5.mission") + world("first_deployment"));
-  ASSERT_EQ(flight.outcome.status, 0) << flight.outcome.err;
-  EXPECT_GT(shareTracked(flight), 0.9);
-}
-
-TEST(Worlds, Figure6IsTrackedDespiteItsLostClimb) {
-  const Flight flight = fly(project("missions/figure5.mission") + world("figure6"));
-  ASSERT_EQ(flight.outcome.status, 0) << flight.outcome.err;
-  EXPECT_GT(shareTracked(flight), 0.9);
-  // The climb is lost: the CTD goes on reading the deep water above the thermocline, once.
-  const auto time = flight.column("time");
-  const auto depth = flight.column("true_depth");
-  const auto read = flight.column("sci_water_temp");
-  int lost = 0;
-  bool stale = false;
-  for (size_t i = 1; i < time.size(); ++i) {
-    const bool now_stale = depth[i] < 10 && read[i] < 14;
-    if (now_stale && !stale) {
-      ++lost;
-      EXPECT_NEAR(time[i], 700, 100);
-    }
-    stale = now_stale;
-  }
-  EXPECT_EQ(lost, 1);
-}
-
 TEST(Worlds, BloomIsFound) {
   const Flight flight = flyUntil("chlorophyll > 4", "bloom", 20);
   const Event end = endOf(flight, "chlorophyll > 4");

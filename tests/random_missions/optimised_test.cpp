@@ -5,6 +5,7 @@
 
 #include "ir/core/validate.h"
 #include "ir/opt/optimise.h"
+#include "ir/opt/passes.h"
 #include "ir/verify/verify.h"
 #include "tests/random_missions/random_mission.h"
 
@@ -79,8 +80,8 @@ ir::MissionFacts factsOf(const ir::Mission& mission) {
 
 void compare(uint64_t seed, const ir::Mission& plain, const ir::Mission& optimised) {
   ASSERT_TRUE(ir::validate(optimised).empty()) << ir::validate(optimised).front().message;
-  ir::Interpreter before(plain, factsOf(plain).stack_depth);
-  ir::Interpreter after(optimised, factsOf(optimised).stack_depth);
+  ir::Interpreter before(plain, factsOf(plain).stack_depth, randomExternals());
+  ir::Interpreter after(optimised, factsOf(optimised).stack_depth, randomExternals());
   const auto stream = randomStream(plain, seed, kTicks);
   const auto parameters = randomParameters(plain, seed);
   for (size_t i = 0; i < stream.size(); ++i) {
@@ -120,6 +121,44 @@ TEST_P(Optimised, DoesTheSame) {
   if (GetParam() == nullptr) {
     EXPECT_GT(smaller, kMissions / 2) << "the passes find nothing to do";
   }
+}
+
+/// With a twin of everything that is watched over time, which every other use reads instead.
+ir::Mission withTwins(ir::Mission mission) {
+  std::vector<ir::Temporal> pairs;
+  for (const ir::Temporal& temporal : mission.temporals) {
+    pairs.insert(pairs.end(), 2, temporal);
+  }
+  mission.temporals = std::move(pairs);
+  uint32_t twin = 0;
+  for (ir::Expr& expr : mission.exprs) {
+    if (expr.temporal.valid()) {
+      expr.temporal.index = 2 * expr.temporal.index + twin;
+      twin = 1 - twin;
+    }
+  }
+  return mission;
+}
+
+TEST(Sharing, OfTwoThatWatchTheSameOneIsLeft) {
+  size_t windows = 0;
+  for (uint64_t seed = 1; seed <= kMissions; ++seed) {
+    SCOPED_TRACE(seed);
+    const ir::Mission plain = randomMission(seed);
+    const ir::Mission doubled = withTwins(plain);
+    ASSERT_TRUE(ir::validate(doubled).empty()) << ir::validate(doubled).front().message;
+    ir::Mission shared = doubled;
+    ir::opt::shareExpressions(shared);
+    ir::Mission best = plain;
+    ir::opt::shareExpressions(best);
+    EXPECT_EQ(shared.temporals.size(), best.temporals.size());
+    windows += shared.temporals.size();
+    compare(seed, doubled, shared);
+    if (HasFatalFailure()) {
+      return;
+    }
+  }
+  EXPECT_GT(windows, kMissions) << "the missions watch too little";
 }
 
 std::vector<const ir::OptPass*> eachAndAll() {

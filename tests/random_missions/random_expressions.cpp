@@ -69,7 +69,8 @@ ExprId ExpressionMaker::keep(ir::Expr e) {
   return {static_cast<uint32_t>(m_.exprs.size() - 1)};
 }
 
-ExprId ExpressionMaker::add(Op op, std::array<ExprId, 4> operands, ir::SensorId sensor) {
+ExprId ExpressionMaker::add(Op op, std::array<ExprId, ir::kMostOperands> operands,
+                            ir::SensorId sensor) {
   ir::Expr e;
   e.op = op;
   e.operands = operands;
@@ -253,11 +254,63 @@ std::optional<ExprId> ExpressionMaker::geometry(Type type, uint32_t depth) {
   if (type != kAngle && type != kLength) {
     return std::nullopt;
   }
-  std::array<ExprId, 4> operands;
+  std::array<ExprId, ir::kMostOperands> operands;
   for (uint32_t i = 0; i < 4; ++i) {
     operands.at(i) = number(i % 2 == 0 ? kLatitude : kLongitude, depth);
   }
   return add(type == kAngle ? Op::Bearing : Op::Distance, operands);
+}
+
+/// A C function, in a use of its own or, at times, in one that another expression stands for too.
+std::optional<ExprId> ExpressionMaker::call(Type type, uint32_t depth) {
+  std::vector<uint32_t> fitting;
+  for (uint32_t i = 0; i < m_.functions.size(); ++i) {
+    if (m_.functions[i].result == type) {
+      fitting.push_back(i);
+    }
+  }
+  if (fitting.empty()) {
+    return std::nullopt;
+  }
+  ir::Expr e;
+  e.op = Op::Call;
+  const ir::FunctionId function{random_.pick(fitting)};
+  for (size_t i = 0; i < m_[function].parameters.size(); ++i) {
+    const Type of = m_[function].parameters[i].type;
+    e.operands.at(i) = of.kind == TypeKind::Bool ? guard(0) : number(of, depth);
+  }
+  std::vector<uint32_t> uses;
+  for (uint32_t i = 0; i < m_.uses.size(); ++i) {
+    if (m_.uses[i].function == function) {
+      uses.push_back(i);
+    }
+  }
+  if (!uses.empty() && random_.chance(0.3)) {
+    e.use = {random_.pick(uses)};
+  } else {
+    m_.uses.push_back({function, {}});
+    e.use = {static_cast<uint32_t>(m_.uses.size() - 1)};
+  }
+  return keep(e);
+}
+
+/// One of a few values by its number, which may be the number of none.
+ExprId ExpressionMaker::element(Type type, uint32_t depth) {
+  ir::Table table{type, {}};
+  for (uint32_t i = random_.between(1, 6); i > 0; --i) {
+    table.values.push_back(plainValue(type));
+  }
+  std::erase_if(table.values, [](double value) { return !std::isfinite(value); });
+  if (table.values.empty()) {
+    table.values.push_back(1);
+  }
+  ir::Expr e;
+  e.op = Op::Element;
+  e.table = {static_cast<uint32_t>(m_.tables.size())};
+  m_.tables.push_back(std::move(table));
+  e.operands[0] =
+      random_.chance(0.4) ? plain(kNumber, random_.between(0, 6)) : number(kNumber, depth);
+  return keep(e);
 }
 
 ExprId ExpressionMaker::valueFor(const ir::Variable& v, uint32_t depth) {
@@ -298,6 +351,14 @@ ExprId ExpressionMaker::number(Type type, uint32_t depth) {
     const ExprId a = number(type, depth - 1);
     return add(Op::Select, {condition, a, number(type, depth - 1)});
   }
+  if (random_.chance(0.05)) {
+    return element(type, depth - 1);
+  }
+  if (random_.chance(0.08)) {
+    if (const auto made = call(type, depth - 1)) {
+      return *made;
+    }
+  }
   if (random_.chance(0.12)) {
     if (const auto made = geometry(type, depth - 1)) {
       return *made;
@@ -317,7 +378,7 @@ ExprId ExpressionMaker::number(Type type, uint32_t depth) {
     default:
       break;
   }
-  std::array<ExprId, 4> operands;
+  std::array<ExprId, ir::kMostOperands> operands;
   for (uint32_t i = 0; i < ir::opInfo(op).operands; ++i) {
     operands.at(i) = number(type, depth - 1);
   }
@@ -371,6 +432,11 @@ ExprId ExpressionMaker::guard(uint32_t depth) {
   }
   if (!scope_.initial && random_.chance(0.2)) {
     return watched(depth - 1);
+  }
+  if (random_.chance(0.08)) {
+    if (const auto made = call({TypeKind::Bool, {}}, depth - 1)) {
+      return *made;
+    }
   }
   if (random_.chance(0.2)) {
     return add(Op::Not, {guard(depth - 1)});

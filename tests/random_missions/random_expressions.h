@@ -47,7 +47,8 @@ class ExpressionMaker {
   ir::ExprId atLeast(ir::ExprId a, ir::ExprId b) { return add(ir::Op::GreaterEqual, {a, b}); }
 
  private:
-  ir::ExprId add(ir::Op op, std::array<ir::ExprId, 4> operands, ir::SensorId sensor = {});
+  ir::ExprId add(ir::Op op, std::array<ir::ExprId, ir::kMostOperands> operands,
+                 ir::SensorId sensor = {});
   ir::ExprId keep(ir::Expr expr);
   [[nodiscard]] bool readable(ir::ExprId id) const;
   ir::ExprId constant(ir::Type type);
@@ -58,6 +59,8 @@ class ExpressionMaker {
   std::optional<ir::ExprId> window(ir::Type type);
   ir::ExprId temporal(ir::Temporal temporal);
   std::optional<ir::ExprId> geometry(ir::Type type, uint32_t depth);
+  ir::ExprId element(ir::Type type, uint32_t depth);
+  std::optional<ir::ExprId> call(ir::Type type, uint32_t depth);
   ir::ExprId product(ir::Type type, uint32_t depth);
   ir::ExprId quotient(ir::Type type, uint32_t depth);
   ir::ExprId root(ir::Type type, uint32_t depth);

@@ -6,6 +6,7 @@
 #include "ir/core/ops.h"
 #include "ir/eval/interpreter.h"
 #include "ir/verify/verify.h"
+#include "tests/random_missions/external_functions.h"
 #include "tests/random_missions/random_blocks.h"
 #include "tests/random_missions/random_expressions.h"
 
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 
 namespace glider::random_missions {
 namespace {
@@ -65,6 +67,7 @@ class MissionMaker {
   ir::Mission run() {
     sensors();
     behaviours();
+    functions();
     m_.states.resize(random_.between(1, kMostStates));
     variables();
     initialValues();
@@ -84,6 +87,10 @@ class MissionMaker {
                               kind.encoding, kind.to_si, kind.lowest, kind.highest,
                               random_.pick(kStale)});
       }
+    }
+    if (random_.chance(0.4)) {
+      m_.sensors.push_back({"ping", "", ir::kFirstOwnSensor, quantity(dimension::length),
+                            ir::Encoding::Linear, 1, -5, 20, 12, "gliderTestPing"});
     }
     for (size_t i = m_.sensors.size(); i > 1; --i) {
       std::swap(m_.sensors[i - 1], m_.sensors[random_.below(i)]);
@@ -106,6 +113,28 @@ class MissionMaker {
                       {}},
                      {"written", "", ir::BehaviourKind::Profile, {}, {}},
                      {"written", "", ir::BehaviourKind::Route, {}, {}}};
+  }
+
+  void functions() {
+    if (random_.chance(0.5)) {
+      return;
+    }
+    const Type number = quantity(dimension::number), length = quantity(dimension::length);
+    const Type truth{TypeKind::Bool, {}};
+    m_.functions = {
+        {"level", "gliderTestLevel", {}, length, -5, 20},
+        {"mixed", "gliderTestMixed", {{"a", number}, {"b", length}, {"c", truth}}, number},
+        {"met",
+         "gliderTestMet",
+         {{"a", number},
+          {"b", number},
+          {"c", truth},
+          {"d", length},
+          {"e", kLatitude},
+          {"f", kLongitude},
+          {"g", number},
+          {"h", quantity(dimension::time)}},
+         truth}};
   }
 
   void variables() {
@@ -365,6 +394,26 @@ class MissionMaker {
 
 ir::Mission randomMission(uint64_t seed) {
   return MissionMaker(seed).run();
+}
+
+ir::Externals randomExternals() {
+  const auto state = std::make_shared<ExternalState>();
+  const auto which = [](const std::string& symbol) {
+    return symbol == "gliderTestLevel" ? 1U : symbol == "gliderTestMixed" ? 2U : 3U;
+  };
+  ir::Externals externals;
+  externals.call = [=](const ir::Function& function, std::span<const double> arguments) {
+    externalAsked(state.get(), which(function.symbol), 0);
+    for (const double argument : arguments) {
+      externalAsked(state.get(), which(function.symbol), argument);
+    }
+    return externalAnswer(state.get());
+  };
+  externals.poll = [=](const ir::Sensor&, double mission_time) {
+    externalAsked(state.get(), 4, mission_time);
+    return externalAnswer(state.get());
+  };
+  return externals;
 }
 
 std::vector<double> randomParameters(const ir::Mission& mission, uint64_t seed) {

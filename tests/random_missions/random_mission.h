@@ -21,7 +21,16 @@ namespace glider::random_missions {
 ///                              double number, double length, double time, double temperature);
 ///     void gliderRouteRecord(GliderContext*, GliderBehaviourMemory*, uint32_t phase,
 ///                            double number, double latitude, double longitude);
+/// Some call C functions, and have a sensor of the SBC's own; external_functions.h says what these
+/// give:
+///     double gliderTestLevel(void);
+///     double gliderTestMixed(double, double, double);
+///     double gliderTestMet(double, double, double, double, double, double, double, double);
+///     double gliderTestPing(double mission_time);
 ir::Mission randomMission(uint64_t seed);
+
+/// The C functions of random missions (tests/random_missions/external_functions.h), for one run.
+ir::Externals randomExternals();
 
 /// Values for the parameters of `mission`, in their ranges, that satisfy its conditions.
 std::vector<double> randomParameters(const ir::Mission& mission, uint64_t seed);

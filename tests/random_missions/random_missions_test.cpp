@@ -59,7 +59,7 @@ struct Statistics {
     for (const ir::Expr& e : mission.exprs) {
       ops.insert(e.op);
     }
-    ir::Interpreter interpreter(mission, facts.stack_depth);
+    ir::Interpreter interpreter(mission, facts.stack_depth, randomExternals());
     ir::TickResult last;
     std::set<uint32_t> visited;
     bool calls = false;

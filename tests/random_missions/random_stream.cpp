@@ -109,7 +109,7 @@ std::vector<StreamTick> randomStream(const ir::Mission& mission, uint64_t seed, 
     const bool silence = random.chance(0.03);  // a tick of the clock alone
     for (uint32_t s = 0; s < sensors.size(); ++s) {
       const std::optional<double> raw = sensors[s].next();
-      if (raw && !silence) {
+      if (raw && !silence && mission.sensors[s].symbol.empty()) {
         tick.frame.push_back({{s}, *raw});
       }
     }

@@ -19,8 +19,8 @@ std::string chain(size_t states) {
       "glider_ir 1\nmission chain platform slocum\n"
       "sensor depth: length vehicle m_depth id 2 encoding linear to_si 1 lowest -10 highest 1000 "
       "stale_after 20\n"
-      "behaviour profile surfaced symbol gliderProfileSurfaced () reads ()\n"
-      "behaviour route noheading symbol gliderRouteNoheading () reads ()\n";
+      "behaviour profile surfaced symbol \"glider.profile.surfaced\" () reads ()\n"
+      "behaviour route noheading symbol \"glider.route.noheading\" () reads ()\n";
   for (size_t i = 0; i < states; ++i) {
     text += fmt::format(
         "state s{}\n  route noheading ()\n  profile surfaced ()\n"

@@ -178,7 +178,9 @@ class RandomText {
   }
 
   void variable(const char* keyword) {
-    word(keyword), anyName(), word(":"), type(), word("="), expr();
+    word(keyword), anyName(), word(":"), type(), word("="), expr(), range();
+  }
+  void range() {
     if (maybe()) {
       word("in"), expr(), word(".."), expr();
     }
@@ -278,9 +280,10 @@ class RandomText {
     word("extern");
     switch (pick(3)) {
       case 0:
-        return word("function"), name(), formals(), word(":"), type();
+        return word("function"), name(), formals(), word(":"), type(), range();
       case 1:
-        return word("sensor"), name(), word(":"), type();
+        word("sensor"), name(), word(":"), type(), range();
+        return maybe() ? (word("stale"), word("after"), expr()) : void();
       default:
         any({"flightprofile", "flightroute"}), name();
         return maybe() ? (word("reads"), list(3, [this] { name(); })) : void();

@@ -65,10 +65,15 @@ TEST(Format, BlanksRoundOperators) {
 TEST(Format, WordsThatAreNamesElsewhere) {
   expectFormat(
       "mission stack param p:length=5m in(1m)..in(2)where(p>1m) require stack<=2 "
-      "require exit within(6h) extern sensor range:length extern flightprofile f(a:length)reads in",
+      "require exit within(6h) extern sensor range:length extern flightprofile f(a:length)reads in "
+      "extern function after(stale:time):time in-1s..stale extern sensor stale:length in 0..1m "
+      "stale "
+      "after-stale",
       "mission stack\nparam p: length = 5 m in (1 m) .. in(2) where (p > 1 m)\n"
       "require stack <= 2\nrequire exit within (6 h)\nextern sensor range: length\n"
-      "extern flightprofile f(a: length) reads in\n");
+      "extern flightprofile f(a: length) reads in\n"
+      "extern function after(stale: time): time in -1 s .. stale\n"
+      "extern sensor stale: length in 0 .. 1 m stale after -stale\n");
 }
 
 TEST(Format, DeclarationsStandBelowEachOther) {

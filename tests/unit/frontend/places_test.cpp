@@ -12,6 +12,7 @@
 
 #include <cmath>
 #include <random>
+#include <span>
 
 namespace glider::frontend {
 namespace {
@@ -35,7 +36,7 @@ class Guard {
 
   /// The guard's truth at a place, with `next` as it is.
   ir::Truth at(double north, double east, double next = 0) const {
-    const auto leaf = [&](const ir::Expr& expr) -> ir::Value {
+    const auto leaf = [&](const ir::Expr& expr, std::span<const double>) -> ir::Value {
       if (expr.op == ir::Op::Sensor) {
         return expr.type.kind == ir::TypeKind::Latitude ? north : east;
       }

@@ -55,6 +55,16 @@ TEST(Arithmetic, SignChangesDoNotSettle) {
   EXPECT_EQ(bits(unary(Op::Abs, kUnknown)), kUnknownBits);
 }
 
+TEST(Arithmetic, ElementsGoByWholeNumbers) {
+  const Table table{{}, {7, -8, 9}};
+  EXPECT_EQ(element(table, 0), 7);
+  EXPECT_EQ(element(table, -0.0), 7);
+  EXPECT_EQ(element(table, 2), 9);
+  for (const double none : {-1.0, 0.5, 3.0, 1e300, -1e300, kUnknown}) {
+    EXPECT_EQ(bits(element(table, none)), kUnknownBits) << none;
+  }
+}
+
 TEST(Arithmetic, ChoicesTakeTheFirstWhenEqual) {
   EXPECT_EQ(bits(binary(Op::Min, -0.0, 0.0)), bits(-0.0));
   EXPECT_EQ(bits(binary(Op::Min, 0.0, -0.0)), bits(0.0));

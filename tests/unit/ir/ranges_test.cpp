@@ -71,7 +71,8 @@ TEST(IntervalsTest, HoldWhatRandomMissionsWorkOut) {
     const Mission m = random_missions::randomMission(seed);
     const std::vector<Interval> intervals = intervalsOf(m);
     const std::vector<Reads> reads = readsOf(m);
-    Interpreter interpreter(m, static_cast<uint32_t>(m.states.size()));
+    Interpreter interpreter(m, static_cast<uint32_t>(m.states.size()),
+                            random_missions::randomExternals());
     const auto stream = random_missions::randomStream(m, seed, 40);
     for (size_t i = 0; i < stream.size(); ++i) {
       const TickResult now = i == 0 ? interpreter.start(stream[i].frame)

@@ -27,10 +27,11 @@ variable m: length mission
 variable t: length argument of b
 variable s: bool state of b
 variable d: bool profile of b
+table length (3, 4)
 initial p 5:length initial m (var p) condition (gt (var p) 2:length)
 temporal held always (lt (sensor depth) 4:length) for 8:time
 temporal mean state b (sensor depth) over 60 along (sensor temp)
-always case (temporal 0) do if true set m 1:length else set m 2:length end end goto b ((var m))
+always case (temporal 0) do if true set m 1:length else set m (element 0 1) end end goto b ((var m))
 state a route drift () profile glide () case true call b ((sensor depth))
 state b (t) initial s false initial d (var s) route drift ()
   profile yo done d begin case (var d) do surface () end done end
@@ -59,6 +60,7 @@ TEST_P(ValidateDamaged, IsFound) {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr ExprId kFirst{0};
+constexpr Type kSecond{TypeKind::Quantity, support::dimension::time};
 Expr& less(Mission& m) {
   return m.exprs[m.states[0].cases[0].guard.index];
 }
@@ -171,6 +173,11 @@ const Damage kWholeDamages[] = {
     {"windowNaN", [](Mission& m) { m.temporals[1].length = kNaN; }},
     {"windowOfTruth", [](Mission& m) { m.temporals[1].operand = m.temporals[0].operand; }},
     {"windowAlongAVariable", [](Mission& m) { m.temporals[1].along = m.variables[1].initial; }},
+    {"tableEmpty", [](Mission& m) { m.tables[0].values.clear(); }},
+    {"tableNaN", [](Mission& m) { m.tables[0].values[1] = kNaN; }},
+    {"tableOfTruths", [](Mission& m) { m.tables[0].type = {TypeKind::Bool, {}}; }},
+    {"tableOutOfRange", [](Mission& m) { m.exprs[statement(m, 1).value.index].table = {1}; }},
+    {"tableOfAnotherType", [](Mission& m) { m.tables[0].type = kSecond; }},
     {"temporalInAnotherState", [](Mission& m) { m.temporals[1].state = {0}; }},
 };
 

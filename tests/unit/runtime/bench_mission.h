@@ -115,10 +115,10 @@ inline GliderStateInfo benchState(const char* name, const GliderCaseInfo* cases 
   return state;
 }
 inline GliderSensorInfo depthSensor() {
-  return {"m_depth", 1, 0, 1200, 20, GLIDER_M_DEPTH, kGliderLinear};
+  return {"m_depth", nullptr, 1, 0, 1200, 20, GLIDER_M_DEPTH, kGliderLinear};
 }
 inline GliderSensorInfo temperatureSensor() {
-  return {"sci_water_temp", 1, -5, 45, 20, GLIDER_SCI_WATER_TEMP, kGliderLinear};
+  return {"sci_water_temp", nullptr, 1, -5, 45, 20, GLIDER_SCI_WATER_TEMP, kGliderLinear};
 }
 inline GliderUpdate update(uint32_t id, double value) {
   return {value, id, 0};

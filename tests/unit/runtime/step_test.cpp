@@ -180,8 +180,8 @@ TEST_F(StepTest, AReadingIsUnknownWhenUnseenImplausibleOrStale) {
 
 TEST(Readings, BecomeSiUnitsAndDegrees) {
   BenchMission bench;
-  bench.sensors = {{"m_vacuum", 0.5, -1e308, 1e308, 20, 1, kGliderLinear},
-                   {"m_lat", 1, -9000, 9000, 20, 2, kGliderDegreesMinutes}};
+  bench.sensors = {{"m_vacuum", nullptr, 0.5, -1e308, 1e308, 20, 1, kGliderLinear},
+                   {"m_lat", nullptr, 1, -9000, 9000, 20, 2, kGliderDegreesMinutes}};
   bench.states = {benchState("a")};
   bench.finish(0);
   GliderContext* c = bench.start({update(1, 3), update(2, 3910.5)});

@@ -136,14 +136,15 @@ class Loop {
   int turns_ = 0;
 };
 
-/// The worst of all phases of the wave, each with another seed.
-Score worst(Water water, const Flaws& flaws, double end) {
+/// The worst of all phases of the wave, each with another seed; each must have found the
+/// thermocline by `latest`.
+Score worst(Water water, const Flaws& flaws, double end, double latest = 200) {
   Score least;
   for (int phase = 0; phase < 8; ++phase) {
     water.phase = phase * std::numbers::pi / 4;
     const Score score = Loop(water, flaws, static_cast<uint32_t>(phase)).fly(end);
     EXPECT_GE(score.detected, 0) << "phase " << phase;
-    EXPECT_LE(score.detected, 200) << "phase " << phase;
+    EXPECT_LE(score.detected, latest) << "phase " << phase;
     EXPECT_GT(score.ticks, 150) << "phase " << phase;
     if (phase == 0 || score.share() < least.share()) {
       least.ticks = score.ticks;
@@ -169,7 +170,8 @@ TEST(Thermotrackyo, CopesWithNoiseAndLostReadings) {
   const Score noisy = worst({}, {.temperature_noise = 0.5, .depth_noise = 0.3}, 1200);
   EXPECT_GE(noisy.share(), 0.95);
   EXPECT_LE(noisy.widest, 12.0);
-  const Score gappy = worst({}, {.lost_share = 0.3}, 1200);
+  // Where the depth is unknown for 20 s the glider turns up, and has to dive once more.
+  const Score gappy = worst({}, {.lost_share = 0.3}, 1200, 260);
   EXPECT_GE(gappy.share(), 0.95);
   EXPECT_LE(gappy.widest, 12.5);
 }

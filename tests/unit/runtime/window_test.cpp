@@ -100,6 +100,16 @@ TEST(Window, OverAStretchForgetsAfterHalfAnHour) {
   EXPECT_EQ(ring.advance(1804, 9, 4, true), 5);
 }
 
+TEST(Window, OverAStretchForgetsWhatWasPassedSince) {
+  Ring ring(over(TemporalKind::Highest, 10, true));
+  ring.start(0);
+  ring.advance(0, 0, 1, true);
+  ring.advance(4, 5.1, 9, true);
+  EXPECT_EQ(ring.advance(8, 10, 2, true), 9);
+  EXPECT_EQ(ring.advance(12, 6, 3, true), 9) << "it lies ahead";
+  EXPECT_EQ(ring.advance(16, 4, 1, true), 3) << "between these two readings";
+}
+
 TEST(Window, HoveringNeedsNoMemory) {
   const WindowShape shape = over(TemporalKind::Slope, 10, true);
   EXPECT_LE(shape.bins, 66U);

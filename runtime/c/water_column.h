@@ -5,7 +5,8 @@
 
 #include <stdint.h>
 
-/// What was lately read of temperature over depth, and the thermocline in it.
+/// What was lately read of temperature over depth, and the thermocline in it: for thermoMet and
+/// trackThermo of runtime/c/glider.h.
 ///
 /// The newest reading in each half metre is kept, over a stretch of 32 m, so nothing depends on
 /// readings coming in monotonic order (the paper's first deployment failed on that), and hovering

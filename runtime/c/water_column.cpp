@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "runtime/library/thermocline.h"
+#include "runtime/c/water_column.h"
 
 namespace glider::runtime {
 namespace {

@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Thermocline tracking in the language, as the library's profile and as a mission of states and
+// variables, in the waters of the paper: its Figure 5, the readings on which its first deployment
+// failed, the lost climb of its Figure 6.
+
+#include "tests/flights/flight.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+namespace glider::tests {
+namespace {
+
+constexpr double kNarrow = 12;  ///< m, more than the range that tracking orders
+
+/// Where the glider turns from a climb into a dive: the least depths, each 2 m below what follows.
+std::vector<size_t> shallowTurns(const std::vector<double>& depth) {
+  std::vector<size_t> turns;
+  bool diving = true;
+  size_t extreme = 0;
+  for (size_t i = 0; i < depth.size(); ++i) {
+    const bool further = diving ? depth[i] >= depth[extreme] : depth[i] <= depth[extreme];
+    if (further) {
+      extreme = i;
+    } else if (std::abs(depth[i] - depth[extreme]) > 2) {
+      if (!diving) {
+        turns.push_back(extreme);
+      }
+      diving = !diving;
+      extreme = i;
+    }
+  }
+  return turns;
+}
+
+/// What a flight's ordered range did, tick by tick.
+class Tracked {
+ public:
+  explicit Tracked(const Flight& flight)
+      : time(flight.column("time")),
+        depth(flight.column("true_depth")),
+        active_(flight.column("hook_active")),
+        top_(flight.column("order_top")),
+        bottom_(flight.column("order_bottom")),
+        isotherm_(flight.column("isotherm_depth")) {
+    first = static_cast<size_t>(std::ranges::find(active_, 1.0) - active_.begin());
+    last = first;
+    for (size_t i = 0; i < active_.size(); ++i) {
+      last = active_[i] == 1 ? i : last;
+    }
+    detected = first;
+    while (detected < last && width(detected) > kNarrow) {
+      ++detected;
+    }
+    for (const size_t turn : shallowTurns(depth)) {
+      if (turn > detected && second_yo == 0) {
+        second_yo = turn;
+      }
+    }
+  }
+
+  [[nodiscard]] double width(size_t i) const {
+    const double wide = bottom_[i] - top_[i];
+    return wide == wide ? wide : 1000;
+  }
+  [[nodiscard]] bool holdsIsotherm(size_t i) const {
+    return top_[i] <= isotherm_[i] && isotherm_[i] <= bottom_[i];
+  }
+  /// Of the ticks from `begin` on, the share for which `holds` does.
+  template <typename Holds>
+  [[nodiscard]] double share(size_t begin, Holds holds) const {
+    size_t good = 0;
+    for (size_t i = begin; i <= last; ++i) {
+      good += holds(i) ? 1U : 0U;
+    }
+    return static_cast<double>(good) / static_cast<double>(last + 1 - begin);
+  }
+
+  std::vector<double> time;
+  std::vector<double> depth;
+  size_t first = 0;      ///< row at which the SBC flies
+  size_t last = 0;       ///< and last does
+  size_t detected = 0;   ///< where the ordered range first is narrow
+  size_t second_yo = 0;  ///< where the yo after that of the detection begins
+
+ private:
+  std::vector<double> active_, top_, bottom_, isotherm_;
+};
+
+void expectControlThroughout(const Flight& flight, const Tracked& tracked) {
+  const auto active = flight.column("hook_active");
+  for (size_t i = tracked.first; i <= tracked.last; ++i) {
+    ASSERT_EQ(active[i], 1) << "control is lost at " << tracked.time[i] << " s";
+  }
+  EXPECT_GE(tracked.time[tracked.last] - tracked.time[tracked.first], 1190);
+  for (const Event& event : flight.events) {
+    EXPECT_NE(event.kind, "abort") << event.what;
+    EXPECT_EQ(event.what.find("refused"), std::string::npos) << event.what;
+  }
+}
+
+class Thermocline : public testing::TestWithParam<const char*> {
+ protected:
+  /// Flies the mission of this case; each property holds of every seed.
+  static Flight flown(const std::string& scenario, int seed) {
+    const Flight flight =
+        fly(project("missions/") + GetParam() + ".mission --scenario " +
+            project("scenarios/" + scenario + ".toml") + " --seed " + std::to_string(seed));
+    EXPECT_EQ(flight.outcome.status, 0) << flight.outcome.err;
+    return flight;
+  }
+};
+
+constexpr int kSeeds[] = {1, 2, 3, 5, 61, 62};
+
+TEST_P(Thermocline, DoesFigure5) {
+  for (const int seed : kSeeds) {
+    SCOPED_TRACE(seed);
+    const Flight flight = flown("figure5", seed);
+    const Tracked tracked(flight);
+    expectControlThroughout(flight, tracked);
+    ASSERT_GT(tracked.second_yo, tracked.detected);
+    EXPECT_GE(tracked.last - tracked.second_yo, 150U) << "found late";
+    EXPECT_GE(tracked.share(tracked.second_yo, [&](size_t i) { return tracked.holdsIsotherm(i); }),
+              0.9);
+    EXPECT_EQ(
+        tracked.share(tracked.second_yo, [&](size_t i) { return tracked.width(i) <= kNarrow; }), 1);
+    // It flies what it orders: turns overshoot by what the vehicle needs to turn.
+    for (size_t i = tracked.second_yo; i <= tracked.last; ++i) {
+      EXPECT_LT(tracked.depth[i], 28) << tracked.time[i];
+    }
+  }
+}
+
+TEST_P(Thermocline, SurvivesTheReadingsOfTheFirstDeployment) {
+  for (const int seed : kSeeds) {
+    SCOPED_TRACE(seed);
+    const Flight flight = flown("first_deployment", seed);
+    const Tracked tracked(flight);
+    expectControlThroughout(flight, tracked);
+    ASSERT_GT(tracked.second_yo, tracked.detected);
+    EXPECT_GE(tracked.last - tracked.second_yo, 150U) << "found late";
+    EXPECT_GE(tracked.share(tracked.second_yo, [&](size_t i) { return tracked.holdsIsotherm(i); }),
+              0.9);
+    EXPECT_GE(
+        tracked.share(tracked.second_yo, [&](size_t i) { return tracked.width(i) <= kNarrow; }),
+        0.9);
+  }
+}
+
+TEST_P(Thermocline, FindsItAgainOnTheDiveAfterTheLostClimbOfFigure6) {
+  for (const int seed : kSeeds) {
+    SCOPED_TRACE(seed);
+    const Flight flight = flown("figure6", seed);
+    const Tracked tracked(flight);
+    expectControlThroughout(flight, tracked);
+    // The climb is lost: the CTD goes on reading the deep water above the thermocline.
+    const auto read = flight.column("sci_water_temp");
+    size_t lost = 0;
+    for (size_t i = tracked.first; i <= tracked.last; ++i) {
+      lost = tracked.depth[i] < 11 && read[i] < 14 ? i : lost;
+    }
+    ASSERT_GT(lost, 0U) << "the climb was not lost";
+    EXPECT_NEAR(tracked.time[lost], 740, 120);
+    // Whatever was ordered then, from the end of the next dive on it is round the thermocline.
+    const auto deepest = std::ranges::max_element(
+        tracked.depth.begin() + static_cast<ptrdiff_t>(lost),
+        tracked.depth.begin() + static_cast<ptrdiff_t>(std::min(lost + 60, tracked.last)));
+    const auto again = static_cast<size_t>(deepest - tracked.depth.begin());
+    EXPECT_LT(tracked.time[again] - tracked.time[lost], 200);
+    EXPECT_EQ(tracked.share(again,
+                            [&](size_t i) {
+                              return tracked.holdsIsotherm(i) && tracked.width(i) <= kNarrow;
+                            }),
+              1);
+    EXPECT_GE(tracked.share(tracked.second_yo, [&](size_t i) { return tracked.holdsIsotherm(i); }),
+              0.9);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Missions, Thermocline, testing::Values("figure5", "gallery/thermocline"),
+                         [](const auto& tested) {
+                           std::string name = tested.param;
+                           std::ranges::replace(name, '/', '_');
+                           return name;
+                         });
+
+/// What the issue asks of an example in the language.
+TEST(ThermoclineExample, IsUnderFortyLinesOfTheLanguage) {
+  const std::string text = slurp(project("missions/gallery/thermocline.mission"));
+  EXPECT_LT(std::ranges::count(text, '\n'), 40);
+  EXPECT_EQ(text.find("extern"), std::string::npos);
+  EXPECT_EQ(text.find("thermotrackyo"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace glider::tests

@@ -10,9 +10,11 @@ namespace glider::hooks {
 Client::Client(const ClientOptions& options)
     : options_(options),
       next_session_(options.session == 0 ? 1 : (options.session - 1) % kMostSession + 1) {
-  if (options_.sensor_count > kMostSubscriptions) {
-    options_.sensor_count = kMostSubscriptions;
+  while (subscription_.count < options.sensor_count && subscription_.count < kMostSubscriptions) {
+    subscription_.sensors[subscription_.count] = options.sensors[subscription_.count];
+    ++subscription_.count;
   }
+  subscription_check_ = subscriptionCheck(subscription_);
 }
 
 ClientEvent Client::poll(const GliderByteStream& stream, const GliderClock& clock) {
@@ -93,46 +95,65 @@ ClientEvent Client::handleWelcome(const Frame& frame, const GliderByteStream& st
 
 ClientEvent Client::handleTick(const Frame& frame, const GliderByteStream& stream) {
   TickHead head;
-  SensorList readings;
-  const bool good = decode(frame, head, readings) && !refusal_.refused;
-  if (good) {
-    virtual_time_ = head.virtual_time;
-  }
-  if (!good || link_ == 0 || head.link != link_) {
-    if (good && must_answer_) {
-      queueHello();  // the vehicle talks to who was here before us
-      queueSubscribe();
-    }
+  if (!decode(frame, head) || refusal_.refused) {
     answer(stream);
     return ClientEvent::Handled;
   }
-  gatherTick(head, readings);
-  if (head.more) {
+  virtual_time_ = head.virtual_time;
+  if (link_ == 0 || head.link != link_) {
+    queueHello();  // the vehicle talks to who was here before us
+    queueSubscribe();
+    answer(stream);
     return ClientEvent::Handled;
   }
   linked_ = true;
-  tick_ = gathering_;
-  gathering_ = VehicleTick{};
-  resubscribe_ = head.subscription != subscriptionCheck(options_.sensors, options_.sensor_count);
+  takeTick(head);
+  resubscribe_ = !takeReadings(frame, head);
   learnSession(head.session);
   followInstruction();
   tick_.instruction_sequence = sequence_;
   return ClientEvent::Tick;
 }
 
-void Client::gatherTick(const TickHead& head, const SensorList& readings) {
-  if (!head.continues || head.cycle != gathering_.cycle) {
-    gathering_ = VehicleTick{};
+void Client::takeTick(const TickHead& head) {
+  tick_.vehicle_time_s = head.vehicle_time_s;
+  tick_.cycle = head.cycle;
+  tick_.hook_state = head.hook_state;
+  tick_.answer = head.answer;
+  tick_.answered_sequence = head.answered_sequence;
+  tick_.session = head.session;
+  tick_.reading_count = 0;
+}
+
+/// False when the vehicle serves another subscription, or believes that a value is known here which
+/// is not: it must be told the subscription anew.
+bool Client::takeReadings(const Frame& frame, const TickHead& head) {
+  TickReadings told;
+  if (head.subscription != subscription_check_ || !decode(frame, subscription_, told)) {
+    return false;
   }
-  gathering_.vehicle_time_s = head.vehicle_time_s;
-  gathering_.cycle = head.cycle;
-  gathering_.hook_state = head.hook_state;
-  gathering_.answer = head.answer;
-  gathering_.answered_sequence = head.answered_sequence;
-  gathering_.session = head.session;
-  for (uint32_t i = 0; i < readings.count && gathering_.reading_count < kMostSubscriptions; ++i) {
-    gathering_.readings[gathering_.reading_count++] = readings.values[i];
+  bool all_known = true;
+  for (uint32_t i = 0; i < subscription_.count; ++i) {
+    all_known = takeReading(i, told) && all_known;
   }
+  return all_known;
+}
+
+bool Client::takeReading(uint32_t index, const TickReadings& told) {
+  switch (told.told[index]) {
+    case Told::Nothing:
+      return true;
+    case Told::Unchanged:
+      break;
+    case Told::Value:
+      held_[index] = told.values[index];
+      holds_[index] = true;
+      break;
+  }
+  if (holds_[index]) {
+    tick_.readings[tick_.reading_count++] = {subscription_.sensors[index].id, held_[index]};
+  }
+  return holds_[index];
 }
 
 void Client::followInstruction() {
@@ -254,13 +275,11 @@ void Client::queueHello() {
 }
 
 void Client::queueSubscribe() {
-  Subscribe subscribe;
-  subscribe.count = static_cast<uint8_t>(options_.sensor_count);
-  for (uint32_t i = 0; i < options_.sensor_count; ++i) {
-    subscribe.ids[i] = options_.sensors[i];
+  for (bool& holds : holds_) {
+    holds = false;
   }
   Frame frame;
-  encode(subscribe, frame);
+  encode(subscription_, frame);
   queue(frame);
 }
 

@@ -7,6 +7,24 @@ namespace glider::hooks {
 
 using Kind = HookprogEvent::Kind;
 
+namespace {
+
+bool decode(const Frame& frame, SensorList& list) {
+  return decodeList(frame, list);
+}
+
+}  // namespace
+
+template <typename Message, void (Hookprog::*kHandler)(const Message&)>
+bool Hookprog::take(const Frame& frame) {
+  Message message;
+  if (!decode(frame, message)) {
+    return false;
+  }
+  (this->*kHandler)(message);
+  return true;
+}
+
 Hookprog::Hookprog(const HookprogOptions& options) : options_(options) {
   for (double& value : values_) {
     value = __builtin_nan("");
@@ -80,31 +98,26 @@ void Hookprog::serveSbc(const GliderByteStream& sbc) {
 }
 
 void Hookprog::handle(const Frame& frame) {
-  Hello hello;
-  if (decode(frame, hello)) {
-    handleHello(hello);
-    return;
-  }
-  if (link_ == 0) {
-    return;  // the rest of an answer that belongs to no link
-  }
-  Subscribe subscribe;
-  TransitionNotice notice;
-  Done done;
-  MissionNote note;
-  SensorList list;
-  if (decode(frame, subscribe)) {
-    subscribed_ = subscribe;
-  } else if (decode(frame, notice)) {
-    handleTransition(notice);
-  } else if (decode(frame, note)) {
-    handleNote(note);
-  } else if (decode(frame, done)) {
-    handleDone(done);
-  } else if (frame.type == MessageType::Write && decodeList(frame, list)) {
-    handleWrite(list);
-  } else {
-    ++malformed_;
+  const bool good = frame.type == MessageType::Hello ? take<Hello, &Hookprog::handleHello>(frame)
+                    : link_ == 0 ? true  // the rest of an answer that belongs to no link
+                                 : handleOfLink(frame);
+  malformed_ += good ? 0 : 1;
+}
+
+bool Hookprog::handleOfLink(const Frame& frame) {
+  switch (frame.type) {
+    case MessageType::Subscribe:
+      return take<Subscribe, &Hookprog::serve>(frame);
+    case MessageType::Transition:
+      return take<TransitionNotice, &Hookprog::handleTransition>(frame);
+    case MessageType::Note:
+      return take<MissionNote, &Hookprog::handleNote>(frame);
+    case MessageType::Done:
+      return take<Done, &Hookprog::handleDone>(frame);
+    case MessageType::Write:
+      return take<SensorList, &Hookprog::handleWrite>(frame);
+    default:
+      return false;
   }
 }
 
@@ -123,7 +136,7 @@ void Hookprog::handleHello(const Hello& hello) {
   refused_dictionary_ = 0;
   link_ = hello.link;
   waiting_ = false;
-  subscribed_ = Subscribe{};
+  serve(Subscribe{});
   HookprogEvent told;
   told.kind = Kind::SbcHello;
   told.mission_time_s = missionTime();
@@ -135,6 +148,11 @@ void Hookprog::handleHello(const Hello& hello) {
   Frame frame;
   encode(Welcome{options_.virtual_time, link_, newest_session_}, frame);
   send(frame);
+}
+
+void Hookprog::serve(const Subscribe& subscribe) {
+  reporter_.serve(subscribe);
+  tick_unanswered_ = false;  // an answer to it would speak of another subscription
 }
 
 void Hookprog::handleWrite(const SensorList& list) {
@@ -192,14 +210,21 @@ void Hookprog::handleNote(const MissionNote& note) {
 
 void Hookprog::handleDone(const Done& done) {
   waiting_ = false;
+  if (tick_unanswered_ && done.answered == tick_sequence_) {
+    tick_unanswered_ = false;
+    reporter_.confirm();
+  }
   view_ = {true, done.status.mission_time_s, done.status.state, done.status.stack_depth,
            done.status.phase};
   // A program that was started again answers too, but it does not steer what its predecessor set
   // going: only the answers of the session in control keep that session alive.
   const uint32_t in_control = newestWhole(GLIDER_X_HOOK_SESSION);
-  if (in_control != 0 && done.session != in_control) {
-    return;
+  if (in_control == 0 || done.session == in_control) {
+    beat();
   }
+}
+
+void Hookprog::beat() {
   heartbeat_ = nextSession(heartbeat_);
   if (hookState() != HookState::Absent) {
     const SensorUpdate beat{GLIDER_SCI_HOOK_HEARTBEAT, static_cast<double>(heartbeat_)};
@@ -232,21 +257,19 @@ void Hookprog::sendBeacon() {
 }
 
 void Hookprog::sendTick(const ScienceSensors& own) {
-  TickHead head = tickHead();
-  Frame frame;
-  encode(head, frame);
-  for (uint32_t i = 0; i < subscribed_.count; ++i) {
-    SensorValue value{subscribed_.ids[i], 0};
-    if (!readingFor(value.id, own, &value.value) || appendValue(frame, value)) {
-      continue;
+  reporter_.begin();
+  const Subscribe& subscribed = reporter_.subscription();
+  for (uint32_t i = 0; i < subscribed.count; ++i) {
+    double value = 0;
+    if (readingFor(subscribed.sensors[i].id, own, &value)) {
+      reporter_.report(i, value);
     }
-    markMore(frame);
-    send(frame);
-    head.continues = true;
-    encode(head, frame);
-    (void)appendValue(frame, value);
   }
+  Frame frame;
+  encode(tickHead(), subscribed, reporter_.readings(), frame);
   send(frame);
+  tick_unanswered_ = true;
+  tick_sequence_ = frame.sequence;
 }
 
 bool Hookprog::readingFor(uint16_t id, const ScienceSensors& own, double* value) {
@@ -265,7 +288,7 @@ TickHead Hookprog::tickHead() const {
   head.link = link_;
   head.vehicle_time_s = missionTime();
   head.cycle = newestWhole(GLIDER_M_CYCLE_NUMBER);
-  head.subscription = subscriptionCheck(subscribed_.ids, subscribed_.count);
+  head.subscription = reporter_.check();
   head.hook_state = hookState();
   const uint32_t answer = newestWhole(GLIDER_X_HOOK_ANSWER);
   head.answer = answer <= static_cast<uint32_t>(HookAnswer::NotReady)

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "hooks/clothesline/clothesline.h"
+#include "hooks/hookprog/reporter.h"
 #include "hooks/protocol/frame_reader.h"
 #include "hooks/protocol/messages.h"
 #include "hooks/protocol/send_queue.h"
@@ -83,11 +84,18 @@ class Hookprog {
   void takeUpdate(const SensorUpdate& update);
   void serveSbc(const GliderByteStream& sbc);
   void handle(const Frame& frame);
+  /// False when the frame is none of those that an SBC with a link sends.
+  bool handleOfLink(const Frame& frame);
+  /// Decodes a Message and hands it on; false when it is none.
+  template <typename Message, void (Hookprog::*kHandler)(const Message&)>
+  bool take(const Frame& frame);
   void handleHello(const Hello& hello);
+  void serve(const Subscribe& subscribe);
   void handleWrite(const SensorList& list);
   void handleTransition(const TransitionNotice& notice);
   void handleNote(const MissionNote& note);
   void handleDone(const Done& done);
+  void beat();
   void sendCycle(const ScienceSensors& own);
   void sendBeacon();
   void sendTick(const ScienceSensors& own);
@@ -120,7 +128,9 @@ class Hookprog {
   uint32_t link_ = 0;     // 0: none
   bool waiting_ = false;  // for an answer
   double waiting_since_s_ = 0;
-  Subscribe subscribed_;
+  bool tick_unanswered_ = false;  // the newest Tick, number `tick_sequence_`
+  uint8_t tick_sequence_ = 0;
+  Reporter reporter_;
   uint32_t newest_session_ = 0;
   uint32_t heartbeat_ = 0;
   uint8_t refused_version_ = 0;  // told already

@@ -87,7 +87,7 @@ GliderRuntime::GliderRuntime(void* context_memory, const GliderMission& mission,
       log_(options.log) {}
 
 glider::hooks::ClientOptions GliderRuntime::subscribe(const GliderMission& mission,
-                                                      uint16_t* sensors) {
+                                                      glider::hooks::Subscription* sensors) {
   glider::hooks::ClientOptions options;
   options.mission_name = mission.name;
   options.sensors = sensors;
@@ -95,10 +95,10 @@ glider::hooks::ClientOptions GliderRuntime::subscribe(const GliderMission& missi
     const auto id = static_cast<uint16_t>(mission.sensors[i].id);
     bool known = false;
     for (uint32_t k = 0; k < options.sensor_count; ++k) {
-      known = known || sensors[k] == id;
+      known = known || sensors[k].id == id;
     }
     if (!known) {
-      sensors[options.sensor_count++] = id;
+      sensors[options.sensor_count++] = glider::hooks::usualSubscription(id);
     }
   }
   return options;

@@ -9,7 +9,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <map>
+#include <memory>
 #include <random>
 #include <set>
 #include <string>
@@ -90,6 +93,11 @@ class FlightController {
   double time = 0;
   double depth = 10;
   uint32_t received = 0;
+  /// What was reported in each cycle.
+  struct Report {
+    double depth = 0, latitude = 0;
+  };
+  std::map<uint32_t, Report> reported;
 
  private:
   double get(uint16_t id) const {
@@ -119,7 +127,9 @@ class FlightController {
 
   void report(const GliderByteStream& line) {
     std::vector<SensorUpdate> report{
-        {GLIDER_M_DEPTH, depth}, {GLIDER_M_PITCH, 0.1}, {GLIDER_M_LAT, 3910}};
+        {GLIDER_M_DEPTH, depth}, {GLIDER_M_PITCH, 0.1}, {GLIDER_M_LAT, latitude()}};
+    reported[static_cast<uint32_t>(cycle_)] = {static_cast<double>(static_cast<float>(depth)),
+                                               latitude()};
     if (with_hookbeh_) {
       report.push_back({GLIDER_X_HOOK_STATE, static_cast<double>(outputs.state)});
       report.push_back({GLIDER_X_HOOK_SEQUENCE, static_cast<double>(outputs.answered_sequence)});
@@ -133,6 +143,9 @@ class FlightController {
     clothesline_.poll(line, unused, 0);
   }
 
+  /// Changes now and then, back and forth.
+  double latitude() const { return 3910 + std::floor(cycle_ / 3) - 2 * std::floor(cycle_ / 6); }
+
   Clothesline clothesline_;
   Hookbeh hookbeh_;
   bool with_hookbeh_;
@@ -144,11 +157,13 @@ class FlightController {
 /// a while.
 class Mission {
  public:
-  explicit Mission(double give_back_s, uint32_t session = 1)
-      : give_back_s_(give_back_s), client_(options(session)) {}
+  explicit Mission(double give_back_s, uint32_t session = 1, float dead_band = 0)
+      : give_back_s_(give_back_s), client_(options(session, dead_band)) {}
 
-  static ClientOptions options(uint32_t session) {
-    static const uint16_t sensors[] = {GLIDER_M_DEPTH, GLIDER_M_LAT};
+  static ClientOptions options(uint32_t session, float dead_band) {
+    static Subscription sensors[2];
+    sensors[0] = {GLIDER_M_DEPTH, 1, dead_band};
+    sensors[1] = {GLIDER_M_LAT};
     ClientOptions options;
     options.mission_name = "yo";
     options.session = session;
@@ -173,10 +188,13 @@ class Mission {
   /// What was told to hookbeh under each sequence number.
   std::map<uint16_t, Instruction> told;
   bool finished = false;
+  /// Sees each tick.
+  std::function<void(const VehicleTick&)> watch = [](const VehicleTick&) {};
 
  private:
   void decide() {
     const VehicleTick& tick = client_.tick();
+    watch(tick);
     for (uint32_t i = 0; i < tick.reading_count; ++i) {
       if (tick.readings[i].id == GLIDER_M_DEPTH) {
         depth_ = tick.readings[i].value;
@@ -331,6 +349,41 @@ TEST(Joined, DamagedLinesNeverGiveAWrongOrDoubledCommand) {
     EXPECT_TRUE(vehicle.flight.outputs.state == HookState::Complete ||
                 vehicle.flight.outputs.state == HookState::Silent)
         << "seed " << seed;
+  }
+}
+
+TEST(Joined, WhatTheSbcReadsIsWhatTheVehicleReportedInThatCycle) {
+  for (uint32_t seed = 1; seed <= 40; ++seed) {
+    const float dead_band = seed % 2 == 0 ? 0.0F : 1.5F;
+    Vehicle vehicle(seed % 5 == 0 ? 0 : 0.002, seed);
+    uint32_t depths = 0;
+    uint32_t ticks = 0;
+    const auto check = [&](const VehicleTick& tick) {
+      ++ticks;
+      ASSERT_TRUE(vehicle.flight.reported.contains(tick.cycle)) << "seed " << seed;
+      const auto& report = vehicle.flight.reported.at(tick.cycle);
+      for (uint32_t i = 0; i < tick.reading_count; ++i) {
+        const bool is_depth = tick.readings[i].id == GLIDER_M_DEPTH;
+        depths += is_depth ? 1U : 0U;
+        const double off = tick.readings[i].value - (is_depth ? report.depth : report.latitude);
+        ASSERT_LE(std::abs(off), is_depth ? dead_band : 0.0F)
+            << "seed " << seed << " cycle " << tick.cycle;
+      }
+    };
+    auto mission = std::make_unique<Mission>(1200, 1, dead_band);
+    mission->watch = check;
+    for (int i = 0; i < 1300; ++i) {
+      if (i % 200 == 199 && seed % 4 == 0) {  // a power cut: it starts again with nothing
+        mission = std::make_unique<Mission>(1200, 1, dead_band);
+        mission->watch = check;
+      }
+      vehicle.second(mission.get());
+      if (testing::Test::HasFatalFailure()) {
+        return;
+      }
+    }
+    EXPECT_GT(ticks, 200U) << "seed " << seed;
+    EXPECT_GT(depths, ticks * 9 / 10) << "each is there, changed or not; seed " << seed;
   }
 }
 

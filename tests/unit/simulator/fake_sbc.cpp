@@ -10,8 +10,8 @@
 namespace glider::simulator {
 namespace {
 
-constexpr uint16_t kSensors[] = {GLIDER_M_PRESENT_SECS_INTO_MISSION, GLIDER_M_DEPTH,
-                                 GLIDER_SCI_WATER_TEMP};
+constexpr hooks::Subscription kSensors[] = {
+    {GLIDER_M_PRESENT_SECS_INTO_MISSION}, {GLIDER_M_DEPTH}, {GLIDER_SCI_WATER_TEMP}};
 
 }  // namespace
 

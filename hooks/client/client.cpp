@@ -68,8 +68,7 @@ ClientEvent Client::handleBeacon(const Frame& frame, const GliderByteStream& str
       refusal_ = Refusal{};
       virtual_time_ = beacon.virtual_time;
     }
-    queueHello();  // also when refusing: the vehicle's log is to say why there is no link
-    queueSubscribe();
+    askForLink();  // also when refusing: the vehicle's log is to say why there is no link
   }
   answer(stream);
   return event;
@@ -86,6 +85,7 @@ ClientEvent Client::handleWelcome(const Frame& frame, const GliderByteStream& st
   Welcome welcome;
   if (decode(frame, welcome) && welcome.link == link_ && !refusal_.refused) {
     linked_ = true;
+    link_used_ = true;
     virtual_time_ = welcome.virtual_time;
     learnSession(welcome.newest_session);
   }
@@ -101,12 +101,12 @@ ClientEvent Client::handleTick(const Frame& frame, const GliderByteStream& strea
   }
   virtual_time_ = head.virtual_time;
   if (link_ == 0 || head.link != link_) {
-    queueHello();  // the vehicle talks to who was here before us
-    queueSubscribe();
+    askForLink();  // the vehicle talks to who was here before us
     answer(stream);
     return ClientEvent::Handled;
   }
   linked_ = true;
+  link_used_ = true;
   takeTick(head);
   resubscribe_ = !takeReadings(frame, head);
   learnSession(head.session);
@@ -163,19 +163,14 @@ void Client::followInstruction() {
   if (!waiting_) {
     return;
   }
-  ++patience_;
-  if (tick_.answered_sequence == sequence_ && tick_.answer == HookAnswer::BadCheck) {
-    due_ = true;
-  } else if (tick_.answered_sequence == sequence_ && tick_.answer == HookAnswer::None) {
+  const bool shown = tick_.answered_sequence == sequence_;
+  if (shown && tick_.answer == HookAnswer::None) {
     // A hookbeh that has just started takes the number that it finds for an old one: under this
     // number it will never look at the instruction.
     renumber();
-    due_ = true;
-  } else if (tick_.answered_sequence == sequence_) {
-    waiting_ = false;
-  } else if (patience_ >= kPatienceTicks) {
-    due_ = true;
   }
+  waiting_ = !shown || tick_.answer == HookAnswer::None || tick_.answer == HookAnswer::BadCheck;
+  due_ = waiting_;
 }
 
 void Client::learnSession(uint32_t session) {
@@ -260,9 +255,21 @@ void Client::queue(Frame& frame) {
       frame);  // no room: the line has been stuck for many answers, and what matters is repeated
 }
 
+/// A number that the vehicle may still take is asked for again: on a line with more than a cycle of
+/// delay every answer would otherwise undo the one before.
+void Client::askForLink() {
+  if (link_ == 0) {
+    link_ = next_session_;
+  } else if (link_used_) {
+    link_ = nextSession(link_);
+  }
+  link_used_ = false;
+  queueHello();
+  queueSubscribe();
+}
+
 void Client::queueHello() {
   Hello hello;
-  link_ = link_ == 0 ? next_session_ : nextSession(link_);
   hello.link = link_;
   hello.dictionary = dictionaryHash();
   const char* name = options_.mission_name == nullptr ? "" : options_.mission_name;
@@ -304,7 +311,6 @@ void Client::queueInstruction() {
   }
   queue(frame);
   due_ = false;
-  patience_ = 0;
 }
 
 void Client::answer(const GliderByteStream& stream) {

@@ -104,8 +104,6 @@ class Client {
   /// Seconds of the SBC's own clock without a whole tick that make a SilentLink; again after each
   /// further such time.
   static constexpr double kSilenceSecs = 12;
-  /// Ticks without hookbeh's answer after which an instruction is written again.
-  static constexpr uint32_t kPatienceTicks = 3;
 
  private:
   ClientEvent handle(const Frame& frame, const GliderByteStream& stream);
@@ -120,6 +118,7 @@ class Client {
   void renumber();
   void learnSession(uint32_t session);
   void queue(Frame& frame);
+  void askForLink();
   void queueHello();
   void queueSubscribe();
   void queueInstruction();
@@ -136,7 +135,8 @@ class Client {
   bool linked_ = false;
   bool virtual_time_ = false;
   Refusal refusal_;
-  uint32_t link_ = 0;  // 0: no Hello sent yet
+  uint32_t link_ = 0;       // 0: no Hello sent yet
+  bool link_used_ = false;  // the vehicle was seen to have it
   uint32_t next_session_ = 1;
 
   Subscribe subscription_;
@@ -156,11 +156,10 @@ class Client {
   uint32_t note_count_ = 0;
 
   Instruction pending_;
-  bool waiting_ = false;   // hookbeh has not answered `pending_` yet
-  bool due_ = false;       // write `pending_` in the next answer
-  uint32_t patience_ = 0;  // ticks since it was written
-  uint32_t session_ = 0;   // of the newest Take, 0 before the first
-  bool taken_ = false;     // hookbeh was seen active in `session_`
+  bool waiting_ = false;  // hookbeh has not answered `pending_` yet
+  bool due_ = false;      // write `pending_` in the next answer
+  uint32_t session_ = 0;  // of the newest Take, 0 before the first
+  bool taken_ = false;    // hookbeh was seen active in `session_`
   uint16_t sequence_ = 0;
 };
 

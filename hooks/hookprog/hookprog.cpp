@@ -107,7 +107,7 @@ void Hookprog::handle(const Frame& frame) {
 bool Hookprog::handleOfLink(const Frame& frame) {
   switch (frame.type) {
     case MessageType::Subscribe:
-      return take<Subscribe, &Hookprog::serve>(frame);
+      return take<Subscribe, &Hookprog::handleSubscribe>(frame);
     case MessageType::Transition:
       return take<TransitionNotice, &Hookprog::handleTransition>(frame);
     case MessageType::Note:
@@ -136,7 +136,7 @@ void Hookprog::handleHello(const Hello& hello) {
   refused_dictionary_ = 0;
   link_ = hello.link;
   waiting_ = false;
-  serve(Subscribe{});
+  reporter_.serve(Subscribe{});
   HookprogEvent told;
   told.kind = Kind::SbcHello;
   told.mission_time_s = missionTime();
@@ -148,11 +148,6 @@ void Hookprog::handleHello(const Hello& hello) {
   Frame frame;
   encode(Welcome{options_.virtual_time, link_, newest_session_}, frame);
   send(frame);
-}
-
-void Hookprog::serve(const Subscribe& subscribe) {
-  reporter_.serve(subscribe);
-  tick_unanswered_ = false;  // an answer to it would speak of another subscription
 }
 
 void Hookprog::handleWrite(const SensorList& list) {
@@ -210,10 +205,7 @@ void Hookprog::handleNote(const MissionNote& note) {
 
 void Hookprog::handleDone(const Done& done) {
   waiting_ = false;
-  if (tick_unanswered_ && done.answered == tick_sequence_) {
-    tick_unanswered_ = false;
-    reporter_.confirm();
-  }
+  reporter_.answered(done.answered);
   view_ = {true, done.status.mission_time_s, done.status.state, done.status.stack_depth,
            done.status.phase};
   // A program that was started again answers too, but it does not steer what its predecessor set
@@ -268,8 +260,7 @@ void Hookprog::sendTick(const ScienceSensors& own) {
   Frame frame;
   encode(tickHead(), subscribed, reporter_.readings(), frame);
   send(frame);
-  tick_unanswered_ = true;
-  tick_sequence_ = frame.sequence;
+  reporter_.sent(frame.sequence);
 }
 
 bool Hookprog::readingFor(uint16_t id, const ScienceSensors& own, double* value) {

@@ -90,7 +90,7 @@ class Hookprog {
   template <typename Message, void (Hookprog::*kHandler)(const Message&)>
   bool take(const Frame& frame);
   void handleHello(const Hello& hello);
-  void serve(const Subscribe& subscribe);
+  void handleSubscribe(const Subscribe& subscribe) { reporter_.serve(subscribe); }
   void handleWrite(const SensorList& list);
   void handleTransition(const TransitionNotice& notice);
   void handleNote(const MissionNote& note);
@@ -128,8 +128,6 @@ class Hookprog {
   uint32_t link_ = 0;     // 0: none
   bool waiting_ = false;  // for an answer
   double waiting_since_s_ = 0;
-  bool tick_unanswered_ = false;  // the newest Tick, number `tick_sequence_`
-  uint8_t tick_sequence_ = 0;
   Reporter reporter_;
   uint32_t newest_session_ = 0;
   uint32_t heartbeat_ = 0;

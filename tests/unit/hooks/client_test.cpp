@@ -137,6 +137,27 @@ TEST_F(ClientTest, ATickOfAnotherLinkIsAnsweredWithHello) {
   EXPECT_EQ(typesOf(answers()), (std::vector{Type::Hello, Type::Subscribe, Type::Done}));
 }
 
+TEST_F(ClientTest, ALinkThatTheVehicleMayStillTakeIsAskedForAgainAUsedOneIsNot) {
+  const auto asked = [&] {
+    Hello hello;
+    EXPECT_TRUE(decode(answers().at(0), hello));
+    return hello.link;
+  };
+  const uint32_t first = link().link;
+  beacon();
+  poll();
+  EXPECT_EQ(asked(), first) << "the Hello may still be under way";
+  head_.link = first + 50;
+  sayTick();
+  poll();
+  EXPECT_EQ(asked(), first);
+  head_.link = first;
+  tick();
+  beacon();
+  poll();
+  EXPECT_EQ(asked(), first + 1) << "the vehicle had it, and was started again";
+}
+
 TEST_F(ClientTest, ALostSubscriptionIsRepeated) {
   link();
   head_.subscription = 0xFFFF;
@@ -221,18 +242,15 @@ TEST_F(ClientTest, AnInstructionGoesRoundedAndCheckedWithItsSequenceLast) {
   Done done;
   ASSERT_TRUE(decode(frames[1], done));
   EXPECT_EQ(done.session, 5U);
-  EXPECT_EQ(typesOf(tick()), (std::vector{Type::Done})) << "sent once, then waited for";
 }
 
 TEST_F(ClientTest, AnUnansweredInstructionIsWrittenAgainWithTheSameNumber) {
   link();
   const uint16_t sequence = client_.instruct(descend(HookControl::Take));
-  for (int round = 0; round < 3; ++round) {
+  for (int round = 0; round < 9; ++round) {
     const auto frames = tick();
     ASSERT_EQ(typesOf(frames), (std::vector{Type::Write, Type::Done}));
     EXPECT_EQ(written(frames[0]).values[10].value, sequence);
-    EXPECT_EQ(typesOf(tick()), (std::vector{Type::Done}));
-    EXPECT_EQ(typesOf(tick()), (std::vector{Type::Done}));
   }
   head_.answered_sequence = sequence;
   head_.answer = HookAnswer::Accepted;
@@ -355,7 +373,7 @@ TEST_F(ClientTest, ANumberThatTheVehicleFoundAtItsStartIsGivenUp) {
   EXPECT_EQ(client_.tick().instruction_sequence, dead + 1);
   const auto list = written(frames.at(0));
   EXPECT_EQ(list.values[list.count - 1].value, dead + 1);
-  EXPECT_EQ(typesOf(tick()), (std::vector{Type::Done})) << "once, not again in every tick";
+  EXPECT_EQ(written(tick().at(0)).values[10].value, dead + 1) << "not another one in every tick";
   head_.answered_sequence = static_cast<uint16_t>(dead + 1);
   head_.answer = HookAnswer::Accepted;
   for (int i = 0; i < 5; ++i) {

@@ -255,15 +255,30 @@ TEST_F(HookprogTest, AValueWhoseTickWasNotAnsweredIsSentAgain) {
   EXPECT_EQ(tick(subscription()).told[0], Told::Unchanged);
 }
 
-TEST_F(HookprogTest, AnAnswerToAnEarlierTickConfirmsNothing) {
+TEST_F(HookprogTest, ALateAnswerConfirmsWhatItsTickSaidUnlessAnotherValueWentSince) {
+  hello();
+  atSbc();
+  cycle({{GLIDER_M_DEPTH, 12.5}, {GLIDER_M_PITCH, 0.1}});
+  tick(subscription());
+  const uint8_t first = tick_sequence_;
+  cycle({{GLIDER_M_DEPTH, 12.5}, {GLIDER_M_PITCH, 0.2}});
+  tick(subscription());
+  cycle({{GLIDER_M_DEPTH, 12.5}, {GLIDER_M_PITCH, 0.1}});
+  tick(subscription());
+  tick_sequence_ = first;
+  answerTick();
+  cycle({{GLIDER_M_DEPTH, 12.5}, {GLIDER_M_PITCH, 0.1}});
+  const TickReadings readings = tick(subscription());
+  EXPECT_EQ(readings.told[0], Told::Unchanged);
+  EXPECT_EQ(readings.told[2], Told::Value) << "the SBC may hold 0.2";
+}
+
+TEST_F(HookprogTest, AnAnswerToWhatIsNoTickConfirmsNothing) {
   hello();
   atSbc();
   cycle({{GLIDER_M_DEPTH, 12.5}});
   tick(subscription());
-  const uint8_t first = tick_sequence_;
-  cycle({{GLIDER_M_DEPTH, 12.5}});
-  tick(subscription());
-  tick_sequence_ = first;
+  ++tick_sequence_;
   answerTick();
   cycle({{GLIDER_M_DEPTH, 12.5}});
   EXPECT_EQ(tick(subscription()).told[0], Told::Value);

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
@@ -30,13 +31,21 @@ class NoisyLine {
   GliderByteStream right() { return right_.right(); }
   /// Moves what the line carries in `seconds`.
   void carry(double seconds) {
-    move(left_.right(), right_.left(), seconds);
-    move(right_.left(), left_.right(), seconds);
+    now_ += seconds;
+    move(left_.right(), right_.left(), to_right_, seconds);
+    move(right_.left(), left_.right(), to_left_, seconds);
   }
   void setDamage(double damage) { damage_ = damage; }
+  void setDelay(double seconds) { delay_ = seconds; }
 
  private:
-  void move(const GliderByteStream& from, const GliderByteStream& to, double seconds) {
+  struct UnderWay {
+    uint8_t byte;
+    double due;
+  };
+
+  void move(const GliderByteStream& from, const GliderByteStream& to, std::deque<UnderWay>& way,
+            double seconds) {
     uint8_t byte = 0;
     for (double budget = speed_ * seconds; budget >= 1 && from.read(from.self, &byte, 1) == 1;
          --budget) {
@@ -46,12 +55,17 @@ class NoisyLine {
         }
         byte = static_cast<uint8_t>(byte ^ (1U << random_() % 8));
       }
-      to.write(to.self, &byte, 1);
+      way.push_back({byte, now_ + delay_});
+    }
+    for (; !way.empty() && way.front().due <= now_; way.pop_front()) {
+      to.write(to.self, &way.front().byte, 1);
     }
   }
 
   double speed_;
   double damage_;
+  double delay_ = 0, now_ = 0;
+  std::deque<UnderWay> to_left_, to_right_;
   std::mt19937 random_;
   std::uniform_real_distribution<double> chance_{0, 1};
   MemoryLine left_;
@@ -349,6 +363,21 @@ TEST(Joined, DamagedLinesNeverGiveAWrongOrDoubledCommand) {
     EXPECT_TRUE(vehicle.flight.outputs.state == HookState::Complete ||
                 vehicle.flight.outputs.state == HookState::Silent)
         << "seed " << seed;
+  }
+}
+
+TEST(Joined, ALineWithMoreThanACycleOfDelayStillMakesALinkAndFlies) {
+  for (const double delay : {2.5, 4.5, 5.5}) {
+    Vehicle vehicle(0, 1);
+    vehicle.sbc_line.setDelay(delay);
+    Mission mission(1200);
+    Witness witness;
+    for (int i = 0; i < 1400; ++i) {
+      vehicle.second(&mission);
+      witness.look(vehicle.flight, mission);
+    }
+    EXPECT_GE(witness.accepted(), 10U) << delay;
+    EXPECT_EQ(vehicle.flight.outputs.state, HookState::Complete) << delay;
   }
 }
 

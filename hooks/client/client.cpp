@@ -160,9 +160,17 @@ void Client::followInstruction() {
   tick_.obeys_us =
       session_ != 0 && tick_.session == session_ && tick_.hook_state == HookState::Active;
   taken_ = taken_ || tick_.obeys_us;
-  if (!waiting_) {
-    return;
+  const bool unwritten = due_;
+  if (waiting_) {
+    lookForAnswer();
   }
+  const bool heard = !waiting_ || unwritten || tick_.answered_sequence != last_answered_;
+  unanswered_ticks_ = heard ? 0 : unanswered_ticks_ + 1;
+  last_answered_ = tick_.answered_sequence;
+  tick_.unanswered_ticks = unanswered_ticks_;
+}
+
+void Client::lookForAnswer() {
   const bool shown = tick_.answered_sequence == sequence_;
   if (shown && tick_.answer == HookAnswer::None) {
     // A hookbeh that has just started takes the number that it finds for an old one: under this
@@ -316,7 +324,8 @@ void Client::queueInstruction() {
 void Client::answer(const GliderByteStream& stream) {
   if (must_answer_) {
     Frame frame;
-    encode(Done{answered_frame_, session_, status_}, frame);
+    const uint32_t claimed = unanswered_ticks_ < kMostUnansweredTicks ? session_ : 0;
+    encode(Done{answered_frame_, claimed, status_}, frame);
     queue(frame);
     must_answer_ = false;
   }

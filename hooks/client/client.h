@@ -34,6 +34,8 @@ struct VehicleTick {
   /// Number under which the newest instruction goes from now on, 0 before the first: another than
   /// instruct() returned if the vehicle had taken that one for an old one.
   uint16_t instruction_sequence = 0;
+  /// Ticks since hookbeh last answered while an instruction waits for its answer; 0: none waits.
+  uint32_t unanswered_ticks = 0;
   uint32_t reading_count = 0;
   /// Those that were reported in this cycle, with their values whether these changed or not; in the
   /// subscription's order.
@@ -99,6 +101,9 @@ class Client {
   /// one.
   void done(const MissionStatus& status, const GliderByteStream& stream);
 
+  /// After so many ticks in which hookbeh answered nothing, while it should, this program does not
+  /// claim control any more: its answers are no heartbeat until hookbeh hears it again.
+  static constexpr uint32_t kMostUnansweredTicks = 6;
   static constexpr uint32_t kMostNotices = 8;
   static constexpr uint32_t kMostNotes = 8;
   /// Seconds of the SBC's own clock without a whole tick that make a SilentLink; again after each
@@ -115,6 +120,7 @@ class Client {
   bool takeReadings(const Frame& frame, const TickHead& head);
   bool takeReading(uint32_t index, const TickReadings& told);
   void followInstruction();
+  void lookForAnswer();
   void renumber();
   void learnSession(uint32_t session);
   void queue(Frame& frame);
@@ -158,8 +164,10 @@ class Client {
   Instruction pending_;
   bool waiting_ = false;  // hookbeh has not answered `pending_` yet
   bool due_ = false;      // write `pending_` in the next answer
-  uint32_t session_ = 0;  // of the newest Take, 0 before the first
-  bool taken_ = false;    // hookbeh was seen active in `session_`
+  uint32_t unanswered_ticks_ = 0;
+  uint16_t last_answered_ = 0;  // x_hook_sequence in the tick before
+  uint32_t session_ = 0;        // of the newest Take, 0 before the first
+  bool taken_ = false;          // hookbeh was seen active in `session_`
   uint16_t sequence_ = 0;
 };
 

@@ -36,6 +36,7 @@ void Hookprog::run(double science_time_s, const ScienceSensors& own, const Glide
   now_s_ = science_time_s;
   serveSbc(sbc);
   takeFlight(flight);
+  watchInstruction();
   if (time_is_new_ && cycle_is_new_) {
     sendCycle(own);
   }
@@ -136,6 +137,9 @@ void Hookprog::handleHello(const Hello& hello) {
   refused_dictionary_ = 0;
   link_ = hello.link;
   waiting_ = false;
+  progress_time_s_ = -1;
+  progress_at_s_ = now_s_;
+  stuck_told_ = false;
   reporter_.serve(Subscribe{});
   HookprogEvent told;
   told.kind = Kind::SbcHello;
@@ -171,6 +175,7 @@ void Hookprog::handleWrite(const SensorList& list) {
   }
   if (sequence != nullptr) {
     ordered[count++] = *sequence;
+    noteInstruction(sequence->value);
   }
   if (hookState() != HookState::Absent) {
     (void)clothesline_.send(ordered, count);  // no room: the SBC gets no answer and writes it again
@@ -209,10 +214,47 @@ void Hookprog::handleDone(const Done& done) {
   view_ = {true, done.status.mission_time_s, done.status.state, done.status.stack_depth,
            done.status.phase};
   // A program that was started again answers too, but it does not steer what its predecessor set
-  // going: only the answers of the session in control keep that session alive.
+  // going: only the answers of the session in control keep that session alive. Nor do they when its
+  // mission does not go on: somebody answers, but nobody flies.
+  const bool progress = noteProgress(done.status.mission_time_s);
   const uint32_t in_control = newestWhole(GLIDER_X_HOOK_SESSION);
-  if (in_control == 0 || done.session == in_control) {
+  if (in_control == 0 || (done.session == in_control && progress)) {
     beat();
+  } else if (done.session == in_control && !stuck_told_ && now_s_ - progress_at_s_ >= kLostSecs) {
+    stuck_told_ = true;
+    event(Kind::SbcStuck, in_control);
+  }
+}
+
+/// True if the mission's time has gone on.
+bool Hookprog::noteProgress(double mission_time_s) {
+  if (!(mission_time_s > progress_time_s_)) {
+    return false;
+  }
+  progress_time_s_ = mission_time_s;
+  progress_at_s_ = now_s_;
+  stuck_told_ = false;
+  return true;
+}
+
+void Hookprog::noteInstruction(double sequence) {
+  const auto number =
+      sequence >= 1 && sequence <= UINT16_MAX ? static_cast<uint16_t>(sequence) : uint16_t{0};
+  if (instruction_ == 0 && number != 0) {
+    instruction_since_s_ = now_s_;
+    unanswered_told_ = false;
+  }
+  instruction_ = number;
+}
+
+/// Tells of a flight controller that does not answer what goes to it.
+void Hookprog::watchInstruction() {
+  if (instruction_ == newestWhole(GLIDER_X_HOOK_SEQUENCE)) {
+    instruction_ = 0;
+  }
+  if (instruction_ != 0 && !unanswered_told_ && now_s_ - instruction_since_s_ >= kLostSecs) {
+    unanswered_told_ = true;
+    event(Kind::SbcUnanswered, instruction_);
   }
 }
 

@@ -38,6 +38,9 @@ struct HookprogEvent {
     SbcHello,       ///< a link: a = its number; text = the mission's name
     SbcLost,        ///< no answer for 12 s, or the line is closed, before its mission has finished:
                     ///< a = the link's number
+    SbcStuck,       ///< it answers, but its mission time has stood still for 12 s while it is in
+                    ///< control: a = its session
+    SbcUnanswered,  ///< hookbeh has not answered an instruction for 12 s: a = its sequence
     SbcTransition,  ///< a transition, b from, c to, d fired case, e its list
     SbcNote,        ///< a word from the mission: a = its kind (GliderNoteKind); text
     BadFrame,       ///< a = frames thrown away on both lines since the last such event
@@ -96,6 +99,9 @@ class Hookprog {
   void handleNote(const MissionNote& note);
   void handleDone(const Done& done);
   void beat();
+  bool noteProgress(double mission_time_s);
+  void noteInstruction(double sequence);
+  void watchInstruction();
   void sendCycle(const ScienceSensors& own);
   void sendBeacon();
   void sendTick(const ScienceSensors& own);
@@ -131,6 +137,12 @@ class Hookprog {
   Reporter reporter_;
   uint32_t newest_session_ = 0;
   uint32_t heartbeat_ = 0;
+  double progress_time_s_ = -1;  // latest mission time that the link's program has told
+  double progress_at_s_ = 0;     // science time at which it did
+  bool stuck_told_ = false;
+  uint16_t instruction_ = 0;        // sequence of the newest instruction that went on, 0: answered
+  double instruction_since_s_ = 0;  // science time since which none is answered
+  bool unanswered_told_ = false;
   uint8_t refused_version_ = 0;  // told already
   uint32_t refused_dictionary_ = 0;
   uint32_t malformed_ = 0;

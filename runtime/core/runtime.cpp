@@ -151,6 +151,7 @@ void GliderRuntime::answerTick(const GliderByteStream& stream, double sbc_time) 
   }
   client_.done(status(), stream);
   logNews(news);
+  logUnanswered(tick);
   log_.flush();
 }
 
@@ -237,6 +238,14 @@ void GliderRuntime::logNews(const ControlNews& news) {
     log_.event(context_->mission_time, nameOf(news.kind),
                news.kind == ControlNews::Kind::Refused ? nameOf(news.answer) : "",
                static_cast<double>(news.sequence));
+  }
+}
+
+/// Told once, when the client stops claiming control.
+void GliderRuntime::logUnanswered(const glider::hooks::VehicleTick& tick) {
+  if (context_ != nullptr && tick.unanswered_ticks == glider::hooks::Client::kMostUnansweredTicks) {
+    log_.event(context_->mission_time, "instruction unanswered", "",
+               static_cast<double>(tick.instruction_sequence));
   }
 }
 

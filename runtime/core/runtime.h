@@ -36,6 +36,7 @@ struct GliderRuntime {
   void tellNotes();
   void command();
   void logNews(const glider::runtime::ControlNews& news);
+  void logUnanswered(const glider::hooks::VehicleTick& tick);
   void logRefusedCommands();
   void logRefusedLink();
   uint32_t gatherUpdates();

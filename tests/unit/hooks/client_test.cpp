@@ -272,6 +272,41 @@ TEST_F(ClientTest, ABadCheckIsRepairedAtOnceARefusalIsNotRepeated) {
   }
 }
 
+TEST_F(ClientTest, WhoIsNotAnsweredDoesNotClaimControl) {
+  link();
+  const auto claimed = [](const std::vector<Frame>& frames) {
+    Done done;
+    EXPECT_TRUE(decode(frames.back(), done));
+    return done.session;
+  };
+  client_.instruct(descend(HookControl::Take));
+  tick();
+  for (uint32_t i = 1; i <= 8; ++i) {
+    EXPECT_EQ(claimed(tick()), i < Client::kMostUnansweredTicks ? 5U : 0U) << i;
+    EXPECT_EQ(client_.tick().unanswered_ticks, i);
+  }
+  head_.answered_sequence = 1;
+  head_.answer = HookAnswer::BadCheck;
+  EXPECT_EQ(claimed(tick()), 5U) << "something got through";
+  for (uint32_t i = 1; i <= 8; ++i) {
+    EXPECT_EQ(claimed(tick()), i < Client::kMostUnansweredTicks ? 5U : 0U) << "but never whole";
+  }
+  head_.answer = HookAnswer::Accepted;
+  EXPECT_EQ(claimed(tick()), 5U);
+  EXPECT_EQ(client_.tick().unanswered_ticks, 0U);
+}
+
+TEST_F(ClientTest, ANewInstructionInEveryTickIsAnsweredWhenEarlierOnesAre) {
+  link();
+  for (int i = 0; i < 30; ++i) {
+    const uint16_t sequence = client_.instruct(descend(HookControl::Take));
+    tick();
+    EXPECT_LE(client_.tick().unanswered_ticks, 1U);
+    head_.answered_sequence = static_cast<uint16_t>(sequence - 1);  // always one behind
+    head_.answer = HookAnswer::Accepted;
+  }
+}
+
 TEST_F(ClientTest, ASteerBeforeItsTakeWasAcceptedGoesAsTake) {
   link();
   client_.instruct(descend(HookControl::Take));

@@ -435,7 +435,7 @@ TEST_F(HookprogTest, EachAnswerOfTheSessionInControlIsAHeartbeat) {
   atFlight();
   double before = std::numeric_limits<double>::quiet_NaN();
   for (int i = 0; i < 3; ++i) {
-    say(answered(4));
+    say(answered(4, 2 + i));
     run();
     const auto got = atFlight();
     ASSERT_EQ(got.size(), 1U);
@@ -450,6 +450,57 @@ TEST_F(HookprogTest, EachAnswerOfTheSessionInControlIsAHeartbeat) {
   say(answered(5));
   run();
   EXPECT_EQ(atFlight().size(), 1U) << "nobody is in control: any answer shows that an SBC lives";
+}
+
+TEST_F(HookprogTest, AnswersWithoutProgressAreNoHeartbeatAndAreToldOnce) {
+  cycle({{GLIDER_X_HOOK_STATE, 3}, {GLIDER_X_HOOK_SESSION, 4}});
+  hello();
+  say(answered(4, 100));
+  run();
+  EXPECT_EQ(atFlight().size(), 1U);
+  events();
+  for (int i = 0; i < 40; ++i) {
+    say(answered(4, 100));
+    cycle();
+    EXPECT_TRUE(atFlight().empty()) << i;
+  }
+  EXPECT_EQ(events(), (std::vector{Kind::SbcStuck}));
+  EXPECT_EQ(last_event_.a, 4U);
+  say(answered(4, 104));
+  run();
+  EXPECT_EQ(atFlight().size(), 1U) << "it flies again";
+}
+
+TEST_F(HookprogTest, AnotherProgramsProgressStartsAnew) {
+  cycle({{GLIDER_X_HOOK_STATE, 3}, {GLIDER_X_HOOK_SESSION, 4}});
+  hello();
+  say(answered(4, 5000));
+  run();
+  hello(8);
+  atFlight();
+  say(answered(4, 4));
+  run();
+  EXPECT_EQ(atFlight().size(), 1U);
+}
+
+TEST_F(HookprogTest, AnInstructionThatHookbehDoesNotAnswerIsToldOnce) {
+  cycle({{GLIDER_X_HOOK_STATE, 3}, {GLIDER_X_HOOK_SEQUENCE, 6}});
+  hello();
+  events();
+  for (int i = 0; i < 30; ++i) {
+    write({{GLIDER_SCI_HOOK_SESSION, 4}, {GLIDER_SCI_HOOK_SEQUENCE, i < 15 ? 7.0 : 8.0}});
+    say(answered());
+    cycle();
+    EXPECT_EQ(events().size(), i == 12 ? 1U : 0U) << i;
+  }
+  EXPECT_EQ(last_event_.kind, Kind::SbcUnanswered);
+  EXPECT_EQ(last_event_.a, 7U);
+  cycle({{GLIDER_X_HOOK_SEQUENCE, 8}});
+  for (int i = 0; i < 20; ++i) {
+    say(answered());
+    cycle();
+  }
+  EXPECT_TRUE(events().empty()) << "answered";
 }
 
 TEST_F(HookprogTest, TheSbcIsLostAfterTwelveSecondsWithoutAnswer) {

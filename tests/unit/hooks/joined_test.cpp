@@ -37,15 +37,21 @@ class NoisyLine {
   }
   void setDamage(double damage) { damage_ = damage; }
   void setDelay(double seconds) { delay_ = seconds; }
+  /// Longer frames do not get through to the right end.
+  void setLongestToRight(size_t bytes) { to_right_.longest = bytes; }
 
  private:
   struct UnderWay {
     uint8_t byte;
     double due;
   };
+  struct Way {
+    std::vector<uint8_t> frame;  ///< as far as it has come
+    std::deque<UnderWay> bytes;
+    size_t longest = SIZE_MAX;
+  };
 
-  void move(const GliderByteStream& from, const GliderByteStream& to, std::deque<UnderWay>& way,
-            double seconds) {
+  void move(const GliderByteStream& from, const GliderByteStream& to, Way& way, double seconds) {
     uint8_t byte = 0;
     for (double budget = speed_ * seconds; budget >= 1 && from.read(from.self, &byte, 1) == 1;
          --budget) {
@@ -55,17 +61,24 @@ class NoisyLine {
         }
         byte = static_cast<uint8_t>(byte ^ (1U << random_() % 8));
       }
-      way.push_back({byte, now_ + delay_});
+      way.frame.push_back(byte);
+      if (byte == 0) {
+        for (const uint8_t one :
+             way.frame.size() <= way.longest ? way.frame : std::vector<uint8_t>()) {
+          way.bytes.push_back({one, now_ + delay_});
+        }
+        way.frame.clear();
+      }
     }
-    for (; !way.empty() && way.front().due <= now_; way.pop_front()) {
-      to.write(to.self, &way.front().byte, 1);
+    for (; !way.bytes.empty() && way.bytes.front().due <= now_; way.bytes.pop_front()) {
+      to.write(to.self, &way.bytes.front().byte, 1);
     }
   }
 
   double speed_;
   double damage_;
   double delay_ = 0, now_ = 0;
-  std::deque<UnderWay> to_left_, to_right_;
+  Way to_left_, to_right_;
   std::mt19937 random_;
   std::uniform_real_distribution<double> chance_{0, 1};
   MemoryLine left_;
@@ -191,8 +204,11 @@ class Mission {
     while (true) {
       const ClientEvent event = client_.poll(line, clock_.clock());
       if (event == ClientEvent::Tick) {
-        decide();
-        client_.done({now, 0, 0, 1}, line);
+        if (!stuck) {
+          decide();
+          newest_s_ = now;
+        }
+        client_.done({newest_s_, 0, 0, 1}, line);
       } else if (event != ClientEvent::Handled) {
         return;
       }
@@ -202,6 +218,7 @@ class Mission {
   /// What was told to hookbeh under each sequence number.
   std::map<uint16_t, Instruction> told;
   bool finished = false;
+  bool stuck = false;  ///< it answers, but that is all
   /// Sees each tick.
   std::function<void(const VehicleTick&)> watch = [](const VehicleTick&) {};
 
@@ -248,7 +265,7 @@ class Mission {
   double give_back_s_;
   Client client_;
   HandClock clock_;
-  double depth_ = 10;
+  double depth_ = 10, newest_s_ = 0;
   bool down_ = true;
   bool asked_ = false;
   int turn_ = 0;
@@ -434,6 +451,46 @@ TEST(Joined, AKilledSbcIsSilentInTime) {
     EXPECT_GT(silent_at, killed);
     EXPECT_LE(silent_at, killed + 24 + 8);
   }
+}
+
+TEST(Joined, AStuckMissionIsSilentInTimeThoughItAnswers) {
+  Vehicle vehicle(0, 1);
+  Mission mission(5000);
+  double silent_at = 0;
+  for (int i = 0; i < 600; ++i) {
+    mission.stuck = i >= 400;
+    vehicle.second(&mission);
+    if (silent_at == 0 && vehicle.flight.outputs.state == HookState::Silent) {
+      silent_at = vehicle.flight.time;
+    }
+  }
+  EXPECT_GT(silent_at, 400);
+  EXPECT_LE(silent_at, 400 + 24 + 8);
+}
+
+TEST(Joined, CommandsThatNeverArriveEndControlInTimeThoughTheHeartBeats) {
+  Vehicle vehicle(0, 1);
+  Mission mission(5000);
+  Witness witness;
+  double lost_from = 0;
+  double silent_at = 0;
+  for (int i = 0; i < 600; ++i) {
+    if (i == 400) {
+      vehicle.flight_line.setLongestToRight(40);  // heartbeats yes, instructions no
+    }
+    const size_t told = mission.told.size();
+    vehicle.second(&mission);
+    if (i > 400 && lost_from == 0 && mission.told.size() > told) {
+      lost_from = i;
+    }
+    if (silent_at == 0 && vehicle.flight.outputs.state == HookState::Silent) {
+      silent_at = vehicle.flight.time;
+    }
+  }
+  // 6 ticks without an answer, then silence.
+  EXPECT_GT(lost_from, 0);
+  EXPECT_GT(silent_at, lost_from + 24);
+  EXPECT_LE(silent_at, lost_from + 24 + 24 + 8);
 }
 
 TEST(Joined, ACutClotheslineIsSilence) {

@@ -88,6 +88,9 @@ ClientEvent Client::handleWelcome(const Frame& frame, const GliderByteStream& st
     link_used_ = true;
     virtual_time_ = welcome.virtual_time;
     learnSession(welcome.newest_session);
+    if (waiting_) {
+      queueInstruction();  // what was written before this link may have found none
+    }
   }
   answer(stream);
   return ClientEvent::Handled;

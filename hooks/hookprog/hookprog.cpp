@@ -34,6 +34,9 @@ Hookprog::Hookprog(const HookprogOptions& options) : options_(options) {
 void Hookprog::run(double science_time_s, const ScienceSensors& own, const GliderByteStream& sbc,
                    const GliderByteStream& flight) {
   now_s_ = science_time_s;
+  if (!started_) {
+    begin();
+  }
   serveSbc(sbc);
   takeFlight(flight);
   watchInstruction();
@@ -45,6 +48,17 @@ void Hookprog::run(double science_time_s, const ScienceSensors& own, const Glide
     loseSbc();
   }
   countBadFrames();
+}
+
+/// The numbers begin elsewhere each time that the science computer starts: a first frame or
+/// heartbeat that equals the last one from before would be taken for that one.
+void Hookprog::begin() {
+  constexpr double kMost = 1e9;
+  const auto whole =
+      static_cast<uint32_t>(now_s_ > 0 && now_s_ < kMost ? now_s_ : 0) % kMostSession;
+  out_sequence_ = static_cast<uint8_t>(whole);
+  heartbeat_ = whole;
+  started_ = true;
 }
 
 HookprogEvent Hookprog::nextEvent() {
@@ -137,9 +151,6 @@ void Hookprog::handleHello(const Hello& hello) {
   refused_dictionary_ = 0;
   link_ = hello.link;
   waiting_ = false;
-  progress_time_s_ = -1;
-  progress_at_s_ = now_s_;
-  stuck_told_ = false;
   reporter_.serve(Subscribe{});
   HookprogEvent told;
   told.kind = Kind::SbcHello;
@@ -216,19 +227,24 @@ void Hookprog::handleDone(const Done& done) {
   // A program that was started again answers too, but it does not steer what its predecessor set
   // going: only the answers of the session in control keep that session alive. Nor do they when its
   // mission does not go on: somebody answers, but nobody flies.
-  const bool progress = noteProgress(done.status.mission_time_s);
   const uint32_t in_control = newestWhole(GLIDER_X_HOOK_SESSION);
-  if (in_control == 0 || (done.session == in_control && progress)) {
+  if (in_control == 0 || (done.session == in_control && noteProgress(done))) {
     beat();
-  } else if (done.session == in_control && !stuck_told_ && now_s_ - progress_at_s_ >= kLostSecs) {
-    stuck_told_ = true;
-    event(Kind::SbcStuck, in_control);
   }
 }
 
-/// True if the mission's time has gone on.
-bool Hookprog::noteProgress(double mission_time_s) {
+/// True if the time of the mission in control has gone on. Another link changes nothing about that.
+bool Hookprog::noteProgress(const Done& done) {
+  if (done.session != progress_session_) {
+    progress_session_ = done.session;
+    progress_time_s_ = -1;
+  }
+  const double mission_time_s = done.status.mission_time_s;
   if (!(mission_time_s > progress_time_s_)) {
+    if (!stuck_told_ && now_s_ - progress_at_s_ >= kLostSecs) {
+      stuck_told_ = true;
+      event(Kind::SbcStuck, done.session);
+    }
     return false;
   }
   progress_time_s_ = mission_time_s;

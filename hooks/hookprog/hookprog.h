@@ -83,6 +83,7 @@ class Hookprog {
   /// Notes leave this much room for what matters more.
   static constexpr uint32_t kRoomBesideNotes = 16;
 
+  void begin();
   void takeFlight(const GliderByteStream& flight);
   void takeUpdate(const SensorUpdate& update);
   void serveSbc(const GliderByteStream& sbc);
@@ -99,7 +100,7 @@ class Hookprog {
   void handleNote(const MissionNote& note);
   void handleDone(const Done& done);
   void beat();
-  bool noteProgress(double mission_time_s);
+  bool noteProgress(const Done& done);
   void noteInstruction(double sequence);
   void watchInstruction();
   void sendCycle(const ScienceSensors& own);
@@ -124,6 +125,7 @@ class Hookprog {
   SendQueue<2048> out_;
   uint8_t out_sequence_ = 0;
   double now_s_ = 0;
+  bool started_ = false;
 
   // The flight controller's data memory, as far as it was reported.
   double values_[GLIDER_SENSOR_COUNT];
@@ -137,7 +139,8 @@ class Hookprog {
   Reporter reporter_;
   uint32_t newest_session_ = 0;
   uint32_t heartbeat_ = 0;
-  double progress_time_s_ = -1;  // latest mission time that the link's program has told
+  uint32_t progress_session_ = 0;
+  double progress_time_s_ = -1;  // latest mission time that this session has told in control
   double progress_at_s_ = 0;     // science time at which it did
   bool stuck_told_ = false;
   uint16_t instruction_ = 0;        // sequence of the newest instruction that went on, 0: answered

@@ -130,6 +130,16 @@ TEST_F(ClientTest, WelcomeMakesTheLinkAndTeachesTheSession) {
   EXPECT_EQ(list.values[0].value, 42) << "newer than any the vehicle knows";
 }
 
+TEST_F(ClientTest, AnInstructionWithoutAnswerGoesWithTheAnswerToTheNextWelcome) {
+  link();
+  client_.instruct(descend(HookControl::Take));
+  tick();
+  const auto hello = link();
+  say(Welcome{false, hello.link, 0});
+  EXPECT_EQ(poll(), ClientEvent::Handled);
+  EXPECT_EQ(typesOf(answers()), (std::vector{Type::Write, Type::Done}));
+}
+
 TEST_F(ClientTest, ATickOfAnotherLinkIsAnsweredWithHello) {
   head_.link = 99;
   sayTick();

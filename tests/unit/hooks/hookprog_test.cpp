@@ -471,14 +471,18 @@ TEST_F(HookprogTest, AnswersWithoutProgressAreNoHeartbeatAndAreToldOnce) {
   EXPECT_EQ(atFlight().size(), 1U) << "it flies again";
 }
 
-TEST_F(HookprogTest, AnotherProgramsProgressStartsAnew) {
+TEST_F(HookprogTest, AnotherLinkIsNoProgressAnotherSessionIs) {
   cycle({{GLIDER_X_HOOK_STATE, 3}, {GLIDER_X_HOOK_SESSION, 4}});
   hello();
   say(answered(4, 5000));
   run();
   hello(8);
   atFlight();
-  say(answered(4, 4));
+  say(answered(4, 5000));
+  run();
+  EXPECT_TRUE(atFlight().empty()) << "the same stuck mission";
+  cycle({{GLIDER_X_HOOK_SESSION, 5}});
+  say(answered(5, 4));
   run();
   EXPECT_EQ(atFlight().size(), 1U);
 }

@@ -27,8 +27,8 @@ constexpr HalfByteTable kTable;
 
 }  // namespace
 
-uint16_t crc16(const uint8_t* bytes, uint32_t count) {
-  uint32_t crc = 0xFFFF;
+uint16_t crc16(const uint8_t* bytes, uint32_t count, uint16_t before) {
+  uint32_t crc = before;
   for (uint32_t i = 0; i < count; ++i) {
     crc ^= static_cast<uint32_t>(bytes[i]) << 8U;
     for (int bit = 0; bit < 8; ++bit) {
@@ -38,8 +38,8 @@ uint16_t crc16(const uint8_t* bytes, uint32_t count) {
   return static_cast<uint16_t>(crc);
 }
 
-uint32_t crc32c(const uint8_t* bytes, uint32_t count) {
-  uint32_t crc = 0xFFFFFFFFU;
+uint32_t crc32c(const uint8_t* bytes, uint32_t count, uint32_t before) {
+  uint32_t crc = ~before;
   for (uint32_t i = 0; i < count; ++i) {
     crc ^= bytes[i];
     crc = (crc >> 4U) ^ kTable.of[crc & 15U];

@@ -26,8 +26,9 @@ uint32_t checkBytes(MessageType type) {
   return type == MessageType::Beacon || type == MessageType::Hello ? 2 : 4;
 }
 
-uint32_t checkOf(MessageType type, const uint8_t* bytes, uint32_t count) {
-  return checkBytes(type) == 2 ? crc16(bytes, count) : crc32c(bytes, count);
+uint32_t checkOf(MessageType type, const uint8_t* head, const uint8_t* payload, uint32_t size) {
+  return checkBytes(type) == 2 ? crc16(payload, size, crc16(head, kHead))
+                               : crc32c(payload, size, crc32c(head, kHead));
 }
 
 /// COBS (Cheshire and Baker 1999, doi 10.1109/90.769765): every zero becomes the distance to the
@@ -69,20 +70,24 @@ class Stuffer {
 
 }  // namespace
 
+uint32_t encodedBound(uint32_t payload) {
+  const uint32_t plain = payload + kMostFrameBytes - kMostPayload;
+  return plain + plain / 254 + 2;
+}
+
 uint32_t encodeFrame(const Frame& frame, uint8_t* out) {
-  uint8_t plain[kMostFrameBytes];
-  plain[0] = static_cast<uint8_t>(frame.type);
-  plain[1] = frame.sequence;
-  const uint32_t payload = frame.size < kMostPayload ? frame.size : kMostPayload;
-  __builtin_memcpy(plain + kHead, frame.payload, payload);
-  uint32_t count = kHead + payload;
-  const uint32_t check = checkOf(frame.type, plain, count);
-  for (uint32_t i = 0; i < checkBytes(frame.type); ++i) {
-    plain[count++] = static_cast<uint8_t>(check >> (8U * i));
-  }
+  const uint8_t head[kHead] = {static_cast<uint8_t>(frame.type), frame.sequence};
+  const uint32_t size = frame.size < kMostPayload ? frame.size : kMostPayload;
+  const uint32_t check = checkOf(frame.type, head, frame.payload, size);
   Stuffer stuffer(out);
-  for (uint32_t i = 0; i < count; ++i) {
-    stuffer.put(plain[i]);
+  for (const uint8_t byte : head) {
+    stuffer.put(byte);
+  }
+  for (uint32_t i = 0; i < size; ++i) {
+    stuffer.put(frame.payload[i]);
+  }
+  for (uint32_t i = 0; i < checkBytes(frame.type); ++i) {
+    stuffer.put(static_cast<uint8_t>(check >> (8U * i)));
   }
   return stuffer.finish();
 }
@@ -137,7 +142,7 @@ bool FrameDecoder::isGood(uint32_t* check) const {
     return false;
   }
   const uint32_t size = count_ - width;
-  *check = checkOf(type, bytes_, size);
+  *check = checkOf(type, bytes_, bytes_ + kHead, size - kHead);
   uint32_t told = 0;
   for (uint32_t i = 0; i < width; ++i) {
     told |= static_cast<uint32_t>(bytes_[size + i]) << (8U * i);

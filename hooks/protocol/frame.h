@@ -26,8 +26,10 @@ struct Frame {
   uint8_t payload[kMostPayload] = {};
 };
 
+/// The most bytes that a frame with so large a payload takes on the line.
+uint32_t encodedBound(uint32_t payload);
 /// Writes `frame` as it goes on the line, final zero included, to `out` (at least
-/// kMostEncodedBytes). Returns the number of bytes.
+/// encodedBound of its size). Returns the number of bytes.
 uint32_t encodeFrame(const Frame& frame, uint8_t* out);
 
 /// Finds whole, checked frames in a stream of bytes. Any zero byte resynchronises it.

@@ -44,6 +44,7 @@ int run(int argc, char** argv) {
   addBuildCommand(app, status);
   addParamsCommand(app, status);
   addSimCommand(app, status);
+  addCampaignCommand(app, status);
   addFmtCommand(app, status);
   addFixCommand(app, status);
   addExplainCommand(app, status);

@@ -12,10 +12,11 @@ namespace glider::driver {
 
 using simulator::ProcessSbcPort;
 using simulator::SbcPort;
+using simulator::StartSbc;
 using support::Result;
 
-Result<std::unique_ptr<SbcPort>> sbcInProcess(const Compilation& compilation,
-                                              const LaunchChoice& launch) {
+Result<StartSbc> sbcInProcess(const Compilation& compilation, const LaunchChoice& launch,
+                              bool keeps_time) {
   auto loaded = loadHere(compilation);
   if (!loaded) {
     return std::unexpected(loaded.error());
@@ -24,7 +25,11 @@ Result<std::unique_ptr<SbcPort>> sbcInProcess(const Compilation& compilation,
   if (!parameters) {
     return std::unexpected(parameters.error());
   }
-  return std::make_unique<InProcessSbc>(std::move(*loaded), std::move(*parameters));
+  auto mission = std::make_shared<const codegen::LoadedMission>(std::move(*loaded));
+  return [mission, values = std::move(*parameters), keeps_time] {
+    return Result<std::unique_ptr<SbcPort>>(
+        std::make_unique<InProcessSbc>(mission, values, keeps_time));
+  };
 }
 
 namespace {
@@ -42,12 +47,18 @@ Result<void> checkLaunch(const Compilation& compilation, const LaunchChoice& lau
   return parameters ? Result<void>() : std::unexpected(parameters.error());
 }
 
+StartSbc starterOf(std::string way, std::vector<std::string> command) {
+  return
+      [way = std::move(way), command = std::move(command)]() -> Result<std::unique_ptr<SbcPort>> {
+        return ProcessSbcPort::start(way, command);
+      };
+}
+
 }  // namespace
 
-Result<std::unique_ptr<SbcPort>> sbcOnBoard(const Compilation& compilation,
-                                            const LaunchChoice& launch, const std::string& board,
-                                            const std::string& name,
-                                            const std::filesystem::path& folder) {
+Result<StartSbc> sbcOnBoard(const Compilation& compilation, const LaunchChoice& launch,
+                            const std::string& board, const std::string& name,
+                            const std::filesystem::path& folder) {
   if (auto allowed = checkLaunch(compilation, launch); !allowed) {
     return std::unexpected(allowed.error());
   }
@@ -77,16 +88,15 @@ Result<std::unique_ptr<SbcPort>> sbcOnBoard(const Compilation& compilation,
   for (const std::string& setting : launch.settings) {
     command.insert(command.end(), {"--set", setting});
   }
-  return ProcessSbcPort::start(board, std::move(command));
+  return starterOf(board, std::move(command));
 }
 
-Result<std::unique_ptr<SbcPort>> sbcProgram(const std::string& program) {
+StartSbc sbcProgram(const std::string& program) {
   // A file that lies here is meant, not one of that name somewhere in PATH.
   std::error_code ignored;
   const bool here = std::filesystem::is_regular_file(program, ignored);
-  return ProcessSbcPort::start(
-      "program",
-      {here ? std::filesystem::absolute(program).string() : program, "--port", "{port}"});
+  return starterOf("program", {here ? std::filesystem::absolute(program).string() : program,
+                               "--port", "{port}"});
 }
 
 }  // namespace glider::driver

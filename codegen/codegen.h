@@ -24,6 +24,8 @@ struct CodegenOptions {
   const support::SourceManager* sources = nullptr;
   /// Objects and archives for the board that define the mission's extern behaviours.
   std::vector<std::filesystem::path> further_inputs;
+  /// This process links nothing after this; linking is a little faster then.
+  bool last_link = false;
 };
 
 /// The mission alone (no runtime), optimised: LLVM's text, assembly, a relocatable ELF object.

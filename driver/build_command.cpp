@@ -8,6 +8,7 @@
 #include "driver/exit_code.h"
 #include "driver/terminal.h"
 #include "frontend/ast/print.h"
+#include "ir/opt/drop_requirements.h"
 #include "ir/opt/optimise.h"
 #include "ir/text/print.h"
 #include "support/files.h"
@@ -68,6 +69,7 @@ codegen::CodegenOptions codegenOptions(const BuildOptions& options,
   codegen::CodegenOptions result;
   result.optimisation_level = static_cast<int>(options.level);
   result.sources = &compilation.sources;
+  result.last_link = true;
   return result;
 }
 
@@ -133,6 +135,9 @@ bool overwritesMission(const BuildOptions& options) {
 /// names.
 void optimiseIr(const BuildOptions& options, Compilation& compilation) {
   if (options.level == 0) {
+    if (options.emit != Emit::Ir) {
+      ir::dropRequirements(*compilation.mission);
+    }
     return;
   }
   ir::optimise(*compilation.mission, [&](const ir::OptPass& pass, const ir::Mission& mission) {

@@ -9,8 +9,10 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <string>
+#include <utility>
 
 namespace glider::driver {
 namespace {
@@ -39,12 +41,41 @@ std::string stackLine(const Compilation& compilation) {
   return fmt::format("greatest call depth {} ({})", facts.stack_depth, path);
 }
 
-int check(const std::string& path) {
+constexpr unsigned kMostEffort = 100;
+
+struct CheckOptions {
+  std::string mission;
+  unsigned effort = 1;
+};
+
+/// ", 3 requirements proved"; empty if the mission requires nothing.
+std::string provedLine(const ir::prove::Findings& findings) {
+  const size_t all = findings.requirements.size();
+  const auto proved = static_cast<size_t>(std::ranges::count(
+      findings.requirements, ir::prove::Verdict::Proved, &ir::prove::RequirementVerdict::verdict));
+  return all == 0       ? ""
+         : proved < all ? fmt::format(", {} of {} requirements proved", proved, all)
+                        : fmt::format(", {} requirement{} proved", all, all == 1 ? "" : "s");
+}
+
+int check(const CheckOptions& options) {
+  const std::string& path = options.mission;
   auto compiled = compileMission(path);
   if (!compiled) {
     return reportFailure(compiled.error());
   }
-  const Compilation& compilation = **compiled;
+  Compilation& compilation = **compiled;
+  ir::prove::Findings findings;
+  if (compilation.ok()) {
+    ir::prove::Options effort;
+    effort.effort *= options.effort;
+    effort.run_effort *= options.effort;
+    auto proved = proveMission(compilation, effort);
+    if (!proved) {
+      return reportFailure(proved.error());
+    }
+    findings = std::move(*proved);
+  }
   reportDiagnostics(compilation.diagnostics, compilation.sources);
   const std::string found =
       counted(compilation.diagnostics.errorCount(), compilation.diagnostics.warningCount());
@@ -52,9 +83,10 @@ int check(const std::string& path) {
     tell(fmt::format("{}: {}\n", path, found));
     return kMissionHasErrors;
   }
-  const std::string text = fmt::format("{}: {}; mission {}, {} states, {}\n", path,
-                                       found.empty() ? "fine" : found, compilation.mission->name,
-                                       compilation.mission->states.size(), stackLine(compilation));
+  const std::string text =
+      fmt::format("{}: {}; mission {}, {} states, {}{}\n", path, found.empty() ? "fine" : found,
+                  compilation.mission->name, compilation.mission->states.size(),
+                  stackLine(compilation), provedLine(findings));
   const auto printed = printOut(text);
   return printed ? kFine : reportFailure(printed.error());
 }
@@ -62,10 +94,13 @@ int check(const std::string& path) {
 }  // namespace
 
 void addCheckCommand(CLI::App& app, int& status) {
-  auto path = std::make_shared<std::string>();
+  auto options = std::make_shared<CheckOptions>();
   CLI::App* command = app.add_subcommand("check", "Check a mission without building it");
-  command->add_option("MISSION", *path, "The mission file")->required();
-  command->callback([path, &status] { status = check(*path); });
+  command->add_option("MISSION", options->mission, "The mission file")->required();
+  command
+      ->add_option("--effort", options->effort, "How many times the usual effort a proof may take")
+      ->check(CLI::Range(1U, kMostEffort));
+  command->callback([options, &status] { status = check(*options); });
 }
 
 }  // namespace glider::driver

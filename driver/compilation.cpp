@@ -23,6 +23,10 @@ Result<uint32_t> addSource(support::SourceManager& sources, const std::filesyste
   return sources.add(path.string(), std::move(*text));
 }
 
+std::filesystem::path platformFile(const std::string& name) {
+  return shareDirectory() / "platforms" / (name + ".toml");
+}
+
 /// Where the mission names its platform; nowhere if it leaves that to the default.
 support::SourceRange platformRange(const ast::File& file) {
   for (const ast::Item& item : file.items) {
@@ -36,7 +40,7 @@ support::SourceRange platformRange(const ast::File& file) {
 /// The platform that the mission names, or the default.
 Result<void> choosePlatform(Compilation& compilation) {
   const std::string name = frontend::platformName(*compilation.ast);
-  const std::filesystem::path file = shareDirectory() / "platforms" / (name + ".toml");
+  const std::filesystem::path file = platformFile(name);
   const support::SourceRange range = platformRange(*compilation.ast);
   std::error_code ignored;
   if (range.valid() && !std::filesystem::exists(file, ignored)) {
@@ -57,6 +61,7 @@ Result<std::optional<ast::File>> loadLibrary(Compilation& compilation) {
   if (!file) {
     return std::unexpected(file.error());
   }
+  compilation.library = *file;
   return frontend::parse(compilation.sources, *file, compilation.diagnostics);
 }
 
@@ -108,6 +113,19 @@ Result<std::unique_ptr<Compilation>> compileText(const std::filesystem::path& pa
     compilation->facts = ir::verify(*compilation->mission, compilation->diagnostics);
   }
   return compilation;
+}
+
+Result<ir::prove::Findings> proveMission(Compilation& compilation, ir::prove::Options options) {
+  if (!compilation.platform) {  // a mission in the IR's text form
+    auto platform = platforms::loadPlatform(platformFile(compilation.mission->platform));
+    if (!platform) {
+      return std::unexpected(platform.error());
+    }
+    compilation.platform = std::move(*platform);
+  }
+  options.library = compilation.library;
+  return ir::prove::prove(*compilation.mission, compilation.facts, *compilation.platform, options,
+                          compilation.diagnostics);
 }
 
 }  // namespace glider::driver

@@ -5,6 +5,7 @@
 
 #include "frontend/frontend.h"
 #include "ir/core/mission.h"
+#include "ir/prove/prove.h"
 #include "platforms/load/platform.h"
 #include "support/diagnostics/engine.h"
 #include "support/result.h"
@@ -23,6 +24,7 @@ struct Compilation {
   support::DiagnosticEngine diagnostics;
   std::optional<ast::File> ast;
   std::optional<platforms::Platform> platform;
+  std::optional<uint32_t> library;  ///< the standard library's file
   std::optional<ir::Mission> mission;
   ir::MissionFacts facts;  ///< meaningful when ok()
 
@@ -37,5 +39,10 @@ support::Result<std::unique_ptr<Compilation>> compileMission(const std::filesyst
 /// The same for a `text` that stands in for the file at `path`; it is file 0 of the sources.
 support::Result<std::unique_ptr<Compilation>> compileText(const std::filesystem::path& path,
                                                           std::string text);
+
+/// Proves what can be proved of a mission that is ok(): GL31xx, and lines for the report. Only the
+/// world's failures are a Failure.
+support::Result<ir::prove::Findings> proveMission(Compilation& compilation,
+                                                  ir::prove::Options options = {});
 
 }  // namespace glider::driver

@@ -84,9 +84,21 @@ std::string envelopeText(const Envelope& envelope) {
       envelope.drift_m_s, envelope.cycle_s);
 }
 
+std::string worldText(const platforms::World& world) {
+  return fmt::format(
+      "  control is given at   {:.6g} m or above\n"
+      "  the surface           above {:.6g} m\n"
+      "  it climbs at least    {:.6g} m/s, {:.6g} s after the order\n"
+      "  a reading of depth    is wrong by {:.6g} m at most\n"
+      "  a mission ticks       every {:.6g} s or oftener\n",
+      world.start_depth_m, world.surface_depth_m, world.slowest_climb_m_s, world.turn_s,
+      world.depth_error_m, world.tick_gap_s);
+}
+
 std::string text(const Platform& platform) {
-  std::string out = fmt::format("{}: {}\n\nEnvelope\n{}\nCommands\n", platform.name,
-                                platform.description, envelopeText(platform.envelope));
+  std::string out = fmt::format(
+      "{}: {}\n\nEnvelope\n{}\nWhat proofs assume besides\n{}\nCommands\n", platform.name,
+      platform.description, envelopeText(platform.envelope), worldText(platform.world));
   for (const ir::CommandInfo& command : ir::commands()) {
     out += fmt::format("  {}\n", signatureOf(command));
   }
@@ -114,6 +126,7 @@ std::string json(const Platform& platform) {
                      {"every_s", sensor.every_s},
                      {"dead_band", sensor.dead_band},
                      {"stale_after_s", sensor.stale_after_s},
+                     {"noise", sensor.noise},
                      {"computer", computerOf(sensor)},
                      {"what", sensor.what}};
     if (!sensor.alias.empty()) {
@@ -134,6 +147,13 @@ std::string json(const Platform& platform) {
                            {"inflection_overshoot_m", envelope.inflection_overshoot_m},
                            {"drift_m_s", envelope.drift_m_s},
                            {"cycle_s", envelope.cycle_s}}},
+                         {"world",
+                          {{"start_depth_m", platform.world.start_depth_m},
+                           {"surface_depth_m", platform.world.surface_depth_m},
+                           {"slowest_climb_m_s", platform.world.slowest_climb_m_s},
+                           {"turn_s", platform.world.turn_s},
+                           {"depth_error_m", platform.world.depth_error_m},
+                           {"tick_gap_s", platform.world.tick_gap_s}}},
                          {"commands", commands},
                          {"sensors", sensors}};
   return all.dump(2) + "\n";

@@ -34,7 +34,7 @@ bool isLibrary(const std::string& name) {
 
 /// The files in our scratch folder.
 struct ScratchFiles {
-  std::filesystem::path object;
+  std::vector<std::filesystem::path> objects;
   std::filesystem::path exports;
   std::filesystem::path output;
 };
@@ -69,7 +69,9 @@ std::vector<std::string> arguments(const LinkJob& job, const Board& board,
     }
   };
   addInputs(board.link.before);
-  all.push_back(files.object.string());
+  for (const auto& object : files.objects) {
+    all.push_back(object.string());
+  }
   for (const auto& input : job.further_inputs) {
     all.push_back(input.string());
   }
@@ -99,9 +101,8 @@ support::Failure explain(const std::string& said, const Board& board,
   return support::fail(DiagnosticId::linkFailed, board.name, complaint).error();
 }
 
-/// Runs lld; never returns. What it says goes to `said`, its verdict is the exit status.
-[[noreturn]] void runLldAndExit(const std::vector<std::string>& words,
-                                const std::filesystem::path& said) {
+/// Runs lld, which says what it has to say in `said`; true if it has linked.
+bool runHere(const std::vector<std::string>& words, const std::filesystem::path& said) {
   std::vector<const char*> pointers;
   std::ranges::transform(words, std::back_inserter(pointers),
                          [](const std::string& word) { return word.c_str(); });
@@ -110,32 +111,34 @@ support::Failure explain(const std::string& said, const Board& board,
   const lld::Result result = lld::lldMain(pointers, stream, stream, {{lld::Gnu, &lld::elf::link}});
   stream.close();
   stream.clear_error();  // a full disk: the verdict stands
-  ::_exit(result.retCode != 0 || error ? EXIT_FAILURE : EXIT_SUCCESS);
+  return result.retCode == 0 && !error;
 }
 
-/// In a child of this process: lld keeps pointers into its last run in static variables and writes
-/// through them in the next (`_GLOBAL_OFFSET_TABLE_` and its like), so a process may run it once.
-/// It also keeps whatever may befall lld there.
-Result<void> runLld(const LinkJob& job, const Board& board, const ScratchFiles& files) {
-  const std::vector<std::string> words = arguments(job, board, files);
-  const std::filesystem::path said = files.output.parent_path() / "said";
+/// The same in a child of this process, which it may end in any way.
+bool runInChild(const std::vector<std::string>& words, const std::filesystem::path& said) {
   const pid_t child = ::fork();
   if (child == 0) {
-    runLldAndExit(words, said);
+    ::_exit(runHere(words, said) ? EXIT_SUCCESS : EXIT_FAILURE);
   }
   int status = 0;
   while (child > 0 && ::waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
-  if (child > 0 && WIFEXITED(status) && WEXITSTATUS(status) == EXIT_SUCCESS) {
+  return child > 0 && WIFEXITED(status) && WEXITSTATUS(status) == EXIT_SUCCESS;
+}
+
+/// lld keeps pointers into its last run in static variables and writes through them in the next
+/// (`_GLOBAL_OFFSET_TABLE_` and its like), so a process may run it once.
+Result<void> runLld(const LinkJob& job, const Board& board, const ScratchFiles& files) {
+  const std::vector<std::string> words = arguments(job, board, files);
+  const std::filesystem::path said = files.output.parent_path() / "said";
+  if (job.last ? runHere(words, said) : runInChild(words, said)) {
     return {};
   }
   const std::string text = support::readFile(said).value_or("");
   if (!text.empty()) {
     return std::unexpected(explain(text, board, files.output));
   }
-  return support::fail(
-      DiagnosticId::linkFailed, board.name,
-      child < 0 ? "no process could be started for the linker" : "the linker ended without a word");
+  return support::fail(DiagnosticId::linkFailed, board.name, "the linker ended without a word");
 }
 
 }  // namespace
@@ -145,16 +148,20 @@ Result<std::string> link(const LinkJob& job, const Board& board) {
   if (!scratch) {
     return std::unexpected(scratch.error());
   }
-  const auto object = scratch->write("mission.o", job.object);
-  if (!object) {
-    return std::unexpected(object.error());
+  std::vector<std::filesystem::path> objects;
+  for (const std::string& object : job.objects) {
+    auto file = scratch->write(fmt::format("mission{}.o", objects.size()), object);
+    if (!file) {
+      return std::unexpected(file.error());
+    }
+    objects.push_back(std::move(*file));
   }
   const auto exports = scratch->write("exports", exportList(job.exports));
   if (!exports) {
     return std::unexpected(exports.error());
   }
   const std::filesystem::path output = scratch->path() / "linked";
-  const auto linked = runLld(job, board, {*object, *exports, output});
+  const auto linked = runLld(job, board, {objects, *exports, output});
   if (!linked) {
     return std::unexpected(linked.error());
   }

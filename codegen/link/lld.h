@@ -17,10 +17,11 @@ namespace glider::codegen {
 /// What to link into one file.
 struct LinkJob {
   ProgramKind kind = ProgramKind::Executable;
-  std::string_view object;                            ///< content of the mission's object
+  std::vector<std::string> objects;                   ///< contents of the mission's objects
   std::vector<std::filesystem::path> further_inputs;  ///< objects and archives besides
   std::vector<std::string> exports;                   ///< of a shared object
   bool keep_debug = false;                            ///< else symbols and line tables are left out
+  bool last = false;  ///< this process links nothing after it: no child is needed, 3 ms less
 };
 
 /// Links with the lld that is part of this program and writes nothing to the terminal; the content

@@ -24,10 +24,14 @@ void passArguments(Body& body, const ir::Case& item) {
   }
 }
 
-llvm::Function* lowerList(Lowering& lowering, const std::vector<ir::Case>& cases,
-                          const std::string& name, const std::string& title,
-                          support::SourceRange range) {
-  Body body(lowering, name, Body::Result::None, 1, title, range);
+}  // namespace
+
+llvm::Function* lowerAct(Lowering& lowering, const std::vector<ir::Case>& cases,
+                         const std::string& name, support::SourceRange range) {
+  if (std::ranges::all_of(cases, hasNothingToDo)) {
+    return nullptr;
+  }
+  Body body(lowering, "act." + name, Body::Result::None, 1, name + " acts", range);
   llvm::BasicBlock* nothing = body.block("nothing");
   llvm::SwitchInst* choice = body.builder.CreateSwitch(body.function->getArg(1), nothing);
   body.builder.SetInsertPoint(nothing);
@@ -46,25 +50,6 @@ llvm::Function* lowerList(Lowering& lowering, const std::vector<ir::Case>& cases
     passArguments(body, cases[i]);
     body.builder.CreateRetVoid();
   }
-  return body.function;
-}
-
-}  // namespace
-
-llvm::Function* lowerAct(Lowering& lowering) {
-  const ir::Mission& mission = lowering.mission;
-  const auto functions = forEachState(
-      lowering,
-      [](const ir::State& state) { return std::ranges::all_of(state.cases, hasNothingToDo); },
-      [&](uint32_t i) {
-        const ir::State& state = mission.states[i];
-        return lowerList(lowering, state.cases, "act." + state.name, state.name + " acts",
-                         state.range);
-      });
-  llvm::Function* always = lowerList(lowering, mission.always, "act.always", "always acts",
-                                     mission.states.front().range);
-  Body body(lowering, "act", Body::Result::None, 2);
-  callListOrState(body, always, functions);
   return body.function;
 }
 

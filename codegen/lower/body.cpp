@@ -3,8 +3,6 @@
 
 #include "codegen/lower/body.h"
 
-#include "runtime/abi/glider_abi.h"
-
 namespace glider::codegen {
 namespace {
 
@@ -12,7 +10,7 @@ llvm::Function* makeFunction(Lowering& lowering, const std::string& name, Body::
                              unsigned more) {
   llvm::LLVMContext& context = lowering.module.getContext();
   llvm::Type* word = llvm::Type::getInt32Ty(context);
-  llvm::Type* results[] = {llvm::Type::getVoidTy(context), word, llvm::Type::getDoubleTy(context)};
+  llvm::Type* results[] = {llvm::Type::getVoidTy(context), word};
   std::vector<llvm::Type*> parameters(1 + more, word);
   parameters[0] = llvm::PointerType::getUnqual(context);
   auto* type = llvm::FunctionType::get(results[static_cast<size_t>(result)], parameters, false);
@@ -63,68 +61,6 @@ llvm::Constant* text(Lowering& lowering, const std::string& text) {
     found = variable;
   }
   return found;
-}
-
-std::vector<llvm::Function*> forEachState(
-    Lowering& lowering, llvm::function_ref<bool(const ir::State&)> nothing,
-    llvm::function_ref<llvm::Function*(uint32_t state)> lower) {
-  std::vector<llvm::Function*> functions;
-  llvm::Function* shared = nullptr;
-  for (uint32_t i = 0; i < lowering.mission.states.size(); ++i) {
-    if (!nothing(lowering.mission.states[i])) {
-      functions.push_back(lower(i));
-      continue;
-    }
-    shared = shared != nullptr ? shared : lower(i);
-    functions.push_back(shared);
-  }
-  return functions;
-}
-
-void returnResult(Body& body, llvm::CallInst* call) {
-  call->setTailCall();
-  call->setDoesNotThrow();
-  if (call->getType()->isVoidTy()) {
-    body.builder.CreateRetVoid();
-  } else {
-    body.builder.CreateRet(call);
-  }
-}
-
-llvm::CallInst* callFromTable(Body& body, const std::vector<llvm::Function*>& functions,
-                              llvm::Value* number, const std::vector<llvm::Value*>& arguments) {
-  auto* table_type = llvm::ArrayType::get(body.builder.getPtrTy(), functions.size());
-  auto* table = new llvm::GlobalVariable(
-      body.lowering.module, table_type, true, llvm::GlobalValue::PrivateLinkage,
-      llvm::ConstantArray::get(table_type,
-                               std::vector<llvm::Constant*>(functions.begin(), functions.end())),
-      body.function->getName() + ".table");
-  llvm::Value* slot =
-      body.builder.CreateInBoundsGEP(table_type, table, {body.builder.getInt32(0), number});
-  llvm::CallInst* call =
-      body.builder.CreateCall(functions.front()->getFunctionType(),
-                              body.builder.CreateLoad(body.builder.getPtrTy(), slot), arguments);
-  call->setDoesNotThrow();
-  return call;
-}
-
-llvm::CallInst* callOfState(Body& body, const std::vector<llvm::Function*>& functions,
-                            const std::vector<llvm::Value*>& arguments) {
-  return callFromTable(body, functions, body.contextField(field::GliderContext::state), arguments);
-}
-
-void callListOrState(Body& body, llvm::Function* always,
-                     const std::vector<llvm::Function*>& functions) {
-  llvm::BasicBlock* of_always = body.block("always");
-  llvm::BasicBlock* of_state = body.block("state");
-  const std::vector<llvm::Value*> arguments{body.context(), body.function->getArg(2)};
-  llvm::Value* is_always =
-      body.builder.CreateICmpEQ(body.function->getArg(1), body.builder.getInt32(kGliderListAlways));
-  body.builder.CreateCondBr(is_always, of_always, of_state);
-  body.builder.SetInsertPoint(of_always);
-  returnResult(body, body.builder.CreateCall(always, arguments));
-  body.builder.SetInsertPoint(of_state);
-  returnResult(body, callOfState(body, functions, arguments));
 }
 
 }  // namespace glider::codegen

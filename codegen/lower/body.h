@@ -6,14 +6,12 @@
 #include "codegen/lower/expressions.h"
 #include "codegen/lower/lowering.h"
 
-#include <llvm/ADT/STLFunctionalExtras.h>
-
 namespace glider::codegen {
 
 /// A function of the generated module while it is written: internal, does not unwind, strict IEEE.
 /// Its first parameter is the GliderContext, all others are u32.
 struct Body {
-  enum class Result : uint8_t { None, Word, Number };
+  enum class Result : uint8_t { None, Word };
   /// `more` parameters after the context. A debugger shows it as `title` at `range`; no title, no
   /// line table.
   Body(Lowering& shared, const std::string& name, Result result, unsigned more,
@@ -29,24 +27,6 @@ struct Body {
   llvm::IRBuilder<> builder;
   Expressions expressions;
 };
-
-/// One function for each state; those of states for which `nothing` holds share one.
-std::vector<llvm::Function*> forEachState(
-    Lowering& lowering, llvm::function_ref<bool(const ir::State&)> nothing,
-    llvm::function_ref<llvm::Function*(uint32_t state)> lower);
-
-/// Calls functions[number].
-llvm::CallInst* callFromTable(Body& body, const std::vector<llvm::Function*>& functions,
-                              llvm::Value* number, const std::vector<llvm::Value*>& arguments);
-/// Calls functions[current state].
-llvm::CallInst* callOfState(Body& body, const std::vector<llvm::Function*>& functions,
-                            const std::vector<llvm::Value*>& arguments);
-/// Of a function (context, list, number): returns what `always` returns for that list, else what
-/// the current state's function does; both take (context, number).
-void callListOrState(Body& body, llvm::Function* always,
-                     const std::vector<llvm::Function*>& functions);
-/// Returns from `body` what `call` returns.
-void returnResult(Body& body, llvm::CallInst* call);
 
 /// Runs the statements of a block where `body` stands; an invalid id is an empty block. What was
 /// made before stays made.

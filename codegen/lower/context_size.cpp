@@ -21,6 +21,7 @@ uint64_t contextBytes(const ir::Mission& mission, const ir::MissionFacts& facts,
   return part(types.GliderContext, 1) + part(types.GliderReading, mission.sensors.size()) +
          part(types.GliderFrame, facts.stack_depth) +
          uint64_t{index.memory_count} * GLIDER_BEHAVIOUR_MEMORY_BYTES + numbers * sizeof(double) +
+         llvm::alignTo(uint64_t{index.interval_count} * sizeof(uint32_t), kAlignment) +
          part(types.GliderNote, GLIDER_MOST_NOTES);
 }
 

@@ -26,7 +26,23 @@ void enterState(Body& body, uint32_t index) {
   lowerBlock(body, lowering.mission.states[index].entry);
 }
 
-llvm::Function* lowerState(Lowering& lowering, uint32_t index) {
+bool comesWithNothing(const Lowering& lowering, const ir::Activity& activity) {
+  return lowering.mission[activity.behaviour].symbol.empty() && !activity.entry.valid();
+}
+
+bool hasNothingToDo(const Lowering& lowering, uint32_t index) {
+  const ir::State& state = lowering.mission.states[index];
+  return lowering.index.state_variables[index].empty() &&
+         lowering.index.state_temporals[index].empty() && !state.entry.valid() &&
+         comesWithNothing(lowering, state.profile) && comesWithNothing(lowering, state.route);
+}
+
+}  // namespace
+
+llvm::Function* lowerEnter(Lowering& lowering, uint32_t index) {
+  if (hasNothingToDo(lowering, index)) {
+    return nullptr;
+  }
   const ir::State& state = lowering.mission.states[index];
   Body body(lowering, "enter." + state.name, Body::Result::None, 1, state.name + " begins",
             state.range);
@@ -49,17 +65,6 @@ llvm::Function* lowerState(Lowering& lowering, uint32_t index) {
   enterActivity(body, state.profile, lowering.index.memory_blocks[index].profile);
   enterActivity(body, state.route, lowering.index.memory_blocks[index].route);
   builder.CreateRetVoid();
-  return body.function;
-}
-
-}  // namespace
-
-llvm::Function* lowerEnter(Lowering& lowering) {
-  const auto functions = forEachState(
-      lowering, [](const ir::State&) { return false; },
-      [&](uint32_t i) { return lowerState(lowering, i); });
-  Body body(lowering, "enter", Body::Result::None, 1);
-  returnResult(body, callOfState(body, functions, {body.context(), body.function->getArg(1)}));
   return body.function;
 }
 

@@ -3,6 +3,7 @@
 
 #include "codegen/lower/expressions.h"
 
+#include "codegen/lower/order_comparison.h"
 #include "ir/core/ops.h"
 #include "support/check.h"
 
@@ -180,8 +181,19 @@ Value* Expressions::age(ir::SensorId sensor) {
 }
 
 Expressions::Lowered Expressions::truthIn(Value* held) {
+  return {holdsTrue(held), holdsFalse(held)};
+}
+
+Value* Expressions::holdsTrue(Value* held) {
+  Value* one = llvm::ConstantFP::get(builder_.getDoubleTy(), 1.0);
+  return lowering_.soft_float ? haveSameBits(builder_, held, one)
+                              : builder_.CreateFCmpOEQ(held, one);
+}
+
+Value* Expressions::holdsFalse(Value* held) {
   Value* zero = llvm::ConstantFP::get(builder_.getDoubleTy(), 0.0);
-  return {builder_.CreateFCmpONE(held, zero), builder_.CreateFCmpOEQ(held, zero)};
+  return lowering_.soft_float ? haveSameBits(builder_, held, zero)
+                              : builder_.CreateFCmpOEQ(held, zero);
 }
 
 Value* Expressions::placeOf(ir::VariableId id) {

@@ -30,6 +30,12 @@ class Expressions {
   /// A number as it is, a truth value as variables hold it: 0, 1 or NaN.
   llvm::Value* asNumber(ir::ExprId id);
 
+  /// The bit that says that a number is not unknown.
+  llvm::Value* isKnown(llvm::Value* number);
+  /// The truth value that a double holds, 0, 1 or NaN.
+  llvm::Value* holdsTrue(llvm::Value* held);
+  llvm::Value* holdsFalse(llvm::Value* held);
+
   /// Where a variable stands, a double.
   llvm::Value* placeOf(ir::VariableId id);
   /// Where slot `slot` of the temporals stands, a double.
@@ -74,7 +80,6 @@ class Expressions {
   llvm::Value* clamp(llvm::Value* x, llvm::Value* lowest, llvm::Value* highest);
   Lowered comparison(const ir::Expr& expr);
   Lowered logic(const ir::Expr& expr);
-  /// The truth value that a double holds.
   Lowered truthIn(llvm::Value* held);
   llvm::Value* settle(llvm::Value* value);
   llvm::Value* callPure(const char* name, llvm::ArrayRef<llvm::Value*> arguments);

@@ -28,19 +28,6 @@ void lowerCases(Body& body, const ir::Activity& activity) {
   }
 }
 
-llvm::Function* lowerActivity(Lowering& lowering, const ir::Activity& activity,
-                              const std::string& name, const std::string& title,
-                              uint32_t memory_block) {
-  Body body(lowering, name, Body::Result::Word, 0, title, activity.range);
-  if (lowering.mission[activity.behaviour].symbol.empty()) {
-    lowerCases(body, activity);
-  } else {
-    callBehaviour(body, activity, memory_block, body.builder.getInt32(kGliderTick));
-  }
-  body.builder.CreateRet(body.builder.getInt32(GLIDER_NO_CASE));
-  return body.function;
-}
-
 }  // namespace
 
 void callBehaviour(Body& body, const ir::Activity& activity, uint32_t memory_block,
@@ -65,23 +52,20 @@ void callBehaviour(Body& body, const ir::Activity& activity, uint32_t memory_blo
       ->setDoesNotThrow();
 }
 
-llvm::Function* lowerFly(Lowering& lowering) {
-  std::vector<llvm::Function*> functions;  // of each state its profile's, then its route's
-  for (uint32_t i = 0; i < lowering.mission.states.size(); ++i) {
-    const ir::State& state = lowering.mission.states[i];
-    const MissionIndex::Blocks& blocks = lowering.index.memory_blocks[i];
-    functions.push_back(lowerActivity(lowering, state.profile, "profile." + state.name,
-                                      state.name + " profile", blocks.profile));
-    functions.push_back(lowerActivity(lowering, state.route, "route." + state.name,
-                                      state.name + " route", blocks.route));
+llvm::Function* lowerFly(Lowering& lowering, uint32_t state, const ir::Activity& activity,
+                         const std::string& kind, uint32_t memory_block) {
+  const bool in_language = lowering.mission[activity.behaviour].symbol.empty();
+  if (in_language && activity.cases.empty()) {
+    return nullptr;
   }
-  Body body(lowering, "fly", Body::Result::Word, 1);
-  llvm::IRBuilder<>& builder = body.builder;
-  llvm::Value* state = body.contextField(field::GliderContext::state);
-  llvm::Value* which =
-      builder.CreateSub(body.function->getArg(1), builder.getInt32(kGliderListProfile));
-  llvm::Value* number = builder.CreateAdd(builder.CreateShl(state, 1), which);
-  returnResult(body, callFromTable(body, functions, number, {body.context()}));
+  const std::string& name = lowering.mission.states[state].name;
+  Body body(lowering, kind + "." + name, Body::Result::Word, 0, name + " " + kind, activity.range);
+  if (in_language) {
+    lowerCases(body, activity);
+  } else {
+    callBehaviour(body, activity, memory_block, body.builder.getInt32(kGliderTick));
+  }
+  body.builder.CreateRet(body.builder.getInt32(GLIDER_NO_CASE));
   return body.function;
 }
 

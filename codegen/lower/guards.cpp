@@ -2,17 +2,21 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "codegen/lower/body.h"
+#include "codegen/lower/guard_table.h"
 #include "runtime/abi/glider_abi.h"
 
 namespace glider::codegen {
-namespace {
-
-/// The first case from number `from` on whose guard is true. What an earlier guard has worked out
-/// serves the later ones, whose blocks it dominates.
-llvm::Function* lowerList(Lowering& lowering, const std::vector<ir::Case>& cases,
-                          const std::string& name, const std::string& title,
-                          support::SourceRange range) {
-  Body body(lowering, name, Body::Result::Word, 1, title, range);
+/// What an earlier guard has worked out serves the later ones, whose blocks it dominates.
+llvm::Function* lowerGuards(Lowering& lowering, const std::vector<ir::Case>& cases,
+                            const ir::GuardTable& table, uint32_t memory, const std::string& name,
+                            support::SourceRange range) {
+  if (cases.empty()) {
+    return nullptr;
+  }
+  if (!table.empty()) {
+    return lowerGuardTable(lowering, table, cases, name, range, memory);
+  }
+  Body body(lowering, "guards." + name, Body::Result::Word, 1, name + " events", range);
   llvm::IRBuilder<>& builder = body.builder;
   for (uint32_t i = 0; i < cases.size(); ++i) {
     lowering.debug.locate(builder, cases[i].range);
@@ -27,24 +31,6 @@ llvm::Function* lowerList(Lowering& lowering, const std::vector<ir::Case>& cases
     builder.SetInsertPoint(next);
   }
   builder.CreateRet(builder.getInt32(GLIDER_NO_CASE));
-  return body.function;
-}
-
-}  // namespace
-
-llvm::Function* lowerGuards(Lowering& lowering) {
-  const ir::Mission& mission = lowering.mission;
-  const auto functions = forEachState(
-      lowering, [](const ir::State& state) { return state.cases.empty(); },
-      [&](uint32_t i) {
-        const ir::State& state = mission.states[i];
-        return lowerList(lowering, state.cases, "guards." + state.name, state.name + " events",
-                         state.range);
-      });
-  llvm::Function* always =
-      lowerList(lowering, mission.always, "guards.always", "always", mission.states.front().range);
-  Body body(lowering, "guards", Body::Result::Word, 2);
-  callListOrState(body, always, functions);
   return body.function;
 }
 

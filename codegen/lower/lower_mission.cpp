@@ -21,14 +21,50 @@ void setRelocation(llvm::Module& module, const llvm::TargetMachine& machine) {
   }
 }
 
+StateFunctions lowerState(Lowering& lowering, uint32_t index) {
+  const ir::State& state = lowering.mission.states[index];
+  const MissionIndex::Blocks& blocks = lowering.index.memory_blocks[index];
+  StateFunctions functions;
+  functions.guards = lowerGuards(lowering, state.cases, state.table,
+                                 lowering.index.table_memory[index], state.name, state.range);
+  functions.act = lowerAct(lowering, state.cases, state.name, state.range);
+  functions.enter = lowerEnter(lowering, index);
+  functions.advance =
+      lowerAdvance(lowering, lowering.index.state_temporals[index], state.name, state.range);
+  functions.profile = lowerFly(lowering, index, state.profile, "profile", blocks.profile);
+  functions.route = lowerFly(lowering, index, state.route, "route", blocks.route);
+  return functions;
+}
+
+MissionFunctions lowerFunctions(Lowering& lowering) {
+  const ir::Mission& mission = lowering.mission;
+  const support::SourceRange range = mission.states.front().range;
+  MissionFunctions functions;
+  functions.begin = lowerBegin(lowering);
+  functions.advance = lowerAdvance(lowering, lowering.index.always_temporals, "always", range);
+  functions.guards = lowerGuards(lowering, mission.always, mission.always_table,
+                                 lowering.index.always_table_memory, "always", range);
+  functions.act = lowerAct(lowering, mission.always, "always", range);
+  functions.condition = lowerCondition(lowering);
+  return functions;
+}
+
 }  // namespace
 
+MissionPart wholeOf(const ir::Mission& mission) {
+  MissionPart whole;
+  for (uint32_t i = 0; i < mission.states.size(); ++i) {
+    whole.states.push_back(i);
+  }
+  return whole;
+}
+
 std::unique_ptr<llvm::Module> lowerMission(const ir::Mission& mission,
-                                           const ir::MissionFacts& facts,
+                                           const ir::MissionFacts& facts, const MissionPart& part,
                                            const llvm::TargetMachine& machine,
                                            const support::SourceManager* sources,
                                            llvm::LLVMContext& context) {
-  CHECK(ir::validate(mission).empty(), "a mission that does not hold together");
+  CHECK(!part.head || ir::validate(mission).empty(), "a mission that does not hold together");
   auto module = std::make_unique<llvm::Module>(mission.name, context);
   module->setTargetTriple(machine.getTargetTriple().str());
   module->setDataLayout(machine.createDataLayout());
@@ -38,17 +74,14 @@ std::unique_ptr<llvm::Module> lowerMission(const ir::Mission& mission,
                     *module,
                     makeAbiTypes(context),
                     DebugInfo(*module, sources, mission.states.front().range),
-                    indexMission(mission)};
-  MissionFunctions functions;
-  functions.begin = lowerBegin(lowering);
-  functions.advance = lowerAdvance(lowering);
-  functions.guards = lowerGuards(lowering);
-  functions.act = lowerAct(lowering);
-  functions.enter = lowerEnter(lowering);
-  functions.fly = lowerFly(lowering);
-  functions.condition = lowerCondition(lowering);
-  functions.log_value = lowerLogValue(lowering);
-  lowerTables(lowering, functions);
+                    indexMission(mission),
+                    machine.Options.FloatABIType == llvm::FloatABI::Soft};
+  if (part.head) {
+    lowerTables(lowering, lowerFunctions(lowering));
+  }
+  for (const uint32_t state : part.states) {
+    lowerStateInfo(lowering, state, lowerState(lowering, state));
+  }
   lowering.debug.finish();
   CHECK(!llvm::verifyModule(*module, &llvm::errs()), "generated code that LLVM refuses");
   return module;

@@ -10,14 +10,24 @@
 #include <llvm/Target/TargetMachine.h>
 
 #include <memory>
+#include <vector>
 
 namespace glider::codegen {
 
-/// The mission as a module for `machine`: `gliderMission` and `gliderContextMemory` are defined,
-/// behaviours and `gliderSettle` declared. The mission must hold together and be free of errors.
-/// With `sources` (of the mission's ranges; null: none) it has line tables.
+/// What of a mission a module holds, for large ones are compiled in parts, side by side.
+struct MissionPart {
+  bool head = true;              ///< all but the states: `gliderMission`, `gliderContextMemory`
+  std::vector<uint32_t> states;  ///< by their number
+};
+
+/// The whole mission.
+MissionPart wholeOf(const ir::Mission& mission);
+
+/// A part of the mission as a module for `machine`: behaviours and the runtime's functions are
+/// declared, and states of other parts. The mission must hold together and be free of errors. With
+/// `sources` (of the mission's ranges; null: none) it has line tables.
 std::unique_ptr<llvm::Module> lowerMission(const ir::Mission& mission,
-                                           const ir::MissionFacts& facts,
+                                           const ir::MissionFacts& facts, const MissionPart& part,
                                            const llvm::TargetMachine& machine,
                                            const support::SourceManager* sources,
                                            llvm::LLVMContext& context);

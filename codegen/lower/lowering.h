@@ -25,6 +25,7 @@ struct Lowering {
   AbiTypes types;
   DebugInfo debug;
   MissionIndex index;
+  bool soft_float;                                 ///< the processor has no FPU
   std::map<std::string, llvm::Constant*> texts{};  ///< of text()
   std::vector<llvm::Constant*> window_shapes =
       std::vector<llvm::Constant*>(mission.temporals.size());  ///< null: not made yet
@@ -36,27 +37,43 @@ llvm::Constant* text(Lowering& lowering, const std::string& text);
 llvm::Value* loadField(llvm::IRBuilder<>& builder, llvm::StructType* type, llvm::Value* base,
                        unsigned index);
 
-/// The functions that a mission is made of, as runtime/abi/glider_abi.h describes them. Each goes
-/// on to a function of the current state: one a state keeps the work linear in their number.
-llvm::Function* lowerBegin(Lowering& lowering);
-llvm::Function* lowerAdvance(Lowering& lowering);
-llvm::Function* lowerGuards(Lowering& lowering);
-llvm::Function* lowerAct(Lowering& lowering);
-llvm::Function* lowerEnter(Lowering& lowering);
-llvm::Function* lowerFly(Lowering& lowering);
-llvm::Function* lowerCondition(Lowering& lowering);
-llvm::Function* lowerLogValue(Lowering& lowering);
-
+/// The functions that a mission is made of, as runtime/abi/glider_abi.h describes them: one a state
+/// keeps the work linear in their number. Null: it would do nothing.
+struct StateFunctions {
+  llvm::Function* guards = nullptr;
+  llvm::Function* act = nullptr;
+  llvm::Function* enter = nullptr;
+  llvm::Function* advance = nullptr;
+  llvm::Function* profile = nullptr;
+  llvm::Function* route = nullptr;
+};
 struct MissionFunctions {
   llvm::Function* begin = nullptr;
   llvm::Function* advance = nullptr;
   llvm::Function* guards = nullptr;
   llvm::Function* act = nullptr;
-  llvm::Function* enter = nullptr;
-  llvm::Function* fly = nullptr;
   llvm::Function* condition = nullptr;
-  llvm::Function* log_value = nullptr;
 };
+
+/// `name` tells whose functions they are: "always", or the state's name. `memory` is where a table,
+/// if the list has one, remembers what it saw (GliderContext::intervals).
+llvm::Function* lowerGuards(Lowering& lowering, const std::vector<ir::Case>& cases,
+                            const ir::GuardTable& table, uint32_t memory, const std::string& name,
+                            support::SourceRange range);
+llvm::Function* lowerAct(Lowering& lowering, const std::vector<ir::Case>& cases,
+                         const std::string& name, support::SourceRange range);
+llvm::Function* lowerAdvance(Lowering& lowering, const std::vector<ir::TemporalId>& temporals,
+                             const std::string& name, support::SourceRange range);
+llvm::Function* lowerEnter(Lowering& lowering, uint32_t state);
+/// Of a profile or route; `kind` is "profile" or "route".
+llvm::Function* lowerFly(Lowering& lowering, uint32_t state, const ir::Activity& activity,
+                         const std::string& kind, uint32_t memory_block);
+llvm::Function* lowerBegin(Lowering& lowering);
+llvm::Function* lowerCondition(Lowering& lowering);
+
+/// The constant that describes a state to the runtime: named by its number, seen by the other parts
+/// of the mission.
+void lowerStateInfo(Lowering& lowering, uint32_t state, const StateFunctions& functions);
 /// The constant `gliderMission` with its tables, and `gliderContextMemory`.
 void lowerTables(Lowering& lowering, const MissionFunctions& functions);
 

@@ -4,6 +4,7 @@
 #include "codegen/lower/mission_index.h"
 
 #include "ir/core/window_shape.h"
+#include "runtime/abi/glider_abi.h"
 #include "runtime/abi/window.h"
 
 namespace glider::codegen {
@@ -56,12 +57,27 @@ void indexTemporals(const ir::Mission& mission, MissionIndex& index) {
   }
 }
 
+uint32_t memoryOf(const ir::GuardTable& table) {
+  const auto columns = static_cast<uint32_t>(table.columns.size());
+  const auto words = static_cast<uint32_t>((table.rows.size() + 31) / 32);
+  return table.empty() ? 0 : gliderGuardMemory(columns, words);
+}
+
+void indexTables(const ir::Mission& mission, MissionIndex& index) {
+  index.interval_count = memoryOf(mission.always_table);
+  for (const ir::State& state : mission.states) {
+    index.table_memory.push_back(index.interval_count);
+    index.interval_count += memoryOf(state.table);
+  }
+}
+
 }  // namespace
 
 MissionIndex indexMission(const ir::Mission& mission) {
   MissionIndex index;
   indexVariables(mission, index);
   indexTemporals(mission, index);
+  indexTables(mission, index);
   auto block = [&](const ir::Activity& activity) {
     return mission[activity.behaviour].symbol.empty() ? UINT32_MAX : index.memory_count++;
   };

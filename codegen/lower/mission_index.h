@@ -21,6 +21,10 @@ struct MissionIndex {
   /// Each temporal's first slot in GliderContext::temporals; its value stands there.
   std::vector<uint32_t> temporal_slots;
   uint32_t slot_count = 0;
+  /// Where the table of `always`, and of each state, remembers in GliderContext::intervals.
+  uint32_t always_table_memory = 0;
+  std::vector<uint32_t> table_memory;
+  uint32_t interval_count = 0;
   uint32_t parameter_count = 0;
   /// Blocks of behaviour memory, one for each use of a C function: of each state its profile's and
   /// its route's, UINT32_MAX for one that is written in the language.

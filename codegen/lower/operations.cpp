@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "codegen/lower/expressions.h"
+#include "codegen/lower/order_comparison.h"
+#include "ir/core/ops.h"
 #include "support/check.h"
 
 #include <llvm/IR/Intrinsics.h>
@@ -81,9 +83,15 @@ Expressions::Lowered Expressions::comparison(const ir::Expr& expr) {
   using llvm::CmpInst;
   Value* a = operand(expr, 0);
   if (expr.op == Op::Known) {
-    return {builder_.CreateFCmpORD(a, a), builder_.CreateFCmpUNO(a, a)};
+    Value* known = isKnown(a);
+    return {known, builder_.CreateNot(known)};
   }
   Value* b = operand(expr, 1);
+  if (lowering_.soft_float && hasPlainOrder(lowering_.mission[expr.operands[0]]) &&
+      hasPlainOrder(lowering_.mission[expr.operands[1]])) {
+    return {compareByOrder(builder_, expr.op, a, b),
+            compareByOrder(builder_, ir::negated(expr.op), a, b)};
+  }
   auto both = [&](CmpInst::Predicate yes, CmpInst::Predicate no) {
     return Lowered{builder_.CreateFCmp(yes, a, b), builder_.CreateFCmp(no, a, b)};
   };
@@ -101,6 +109,11 @@ Expressions::Lowered Expressions::comparison(const ir::Expr& expr) {
     default:
       return both(CmpInst::FCMP_ONE, CmpInst::FCMP_OEQ);
   }
+}
+
+Value* Expressions::isKnown(Value* number) {
+  return lowering_.soft_float ? isKnownByBits(builder_, number)
+                              : builder_.CreateFCmpORD(number, number);
 }
 
 Expressions::Lowered Expressions::logic(const ir::Expr& expr) {

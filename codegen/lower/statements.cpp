@@ -36,7 +36,7 @@ void lowerSet(Body& body, const ir::Statement& statement) {
   llvm::BasicBlock* known = body.block("known");
   llvm::BasicBlock* unknown = body.block("unknown");
   llvm::BasicBlock* next = body.block("next");
-  builder.CreateCondBr(builder.CreateFCmpORD(value, value), known, unknown);
+  builder.CreateCondBr(body.expressions.isKnown(value), known, unknown);
   builder.SetInsertPoint(unknown);
   lowerNote(body, kGliderNoteUnknownSet, body.lowering.mission[statement.variable].name,
             llvm::ConstantPointerNull::get(builder.getPtrTy()), 0);

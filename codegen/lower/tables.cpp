@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "codegen/lower/context_size.h"
+#include "codegen/lower/guard_table.h"
 #include "codegen/lower/lowering.h"
 #include "codegen/lower/unit_factors.h"
 #include "runtime/abi/glider_abi.h"
@@ -25,12 +26,26 @@ uint64_t bytesOf(const Lowering& lowering) {
                       lowering.module.getDataLayout(), lowering.types);
 }
 
+/// Where a state's constant stands, here or in another part.
+llvm::GlobalVariable* placeOfState(Lowering& lowering, uint32_t state) {
+  const std::string name = "state." + std::to_string(state);
+  if (llvm::GlobalVariable* found = lowering.module.getNamedGlobal(name)) {
+    return found;
+  }
+  auto* place = new llvm::GlobalVariable(lowering.module, lowering.types.GliderStateInfo, true,
+                                         llvm::GlobalValue::ExternalLinkage, nullptr, name);
+  place->setVisibility(llvm::GlobalValue::HiddenVisibility);
+  place->setDSOLocal(true);
+  return place;
+}
+
 /// Makes the constants.
 class Tables {
  public:
   explicit Tables(Lowering& lowering) : lowering_(lowering) {}
 
   llvm::Constant* mission(const MissionFunctions& functions);
+  llvm::Constant* state(const ir::State& state, const StateFunctions& functions);
 
  private:
   llvm::Constant* word(size_t value) {
@@ -38,6 +53,13 @@ class Tables {
   }
   llvm::Constant* number(double value) {
     return llvm::ConstantFP::get(llvm::Type::getDoubleTy(context()), value);
+  }
+  /// A pointer to `function`; null for none.
+  llvm::Constant* code(llvm::Function* function) {
+    return function != nullptr ? static_cast<llvm::Constant*>(function) : nothing();
+  }
+  llvm::Constant* nothing() {
+    return llvm::ConstantPointerNull::get(llvm::PointerType::getUnqual(context()));
   }
   llvm::Constant* text(const std::string& text) { return codegen::text(lowering_, text); }
   /// A constant array under `name`; null when it has no elements.
@@ -56,7 +78,7 @@ class Tables {
 llvm::Constant* Tables::array(llvm::StructType* type, const std::vector<llvm::Constant*>& elements,
                               const std::string& name) {
   if (elements.empty()) {
-    return llvm::ConstantPointerNull::get(llvm::PointerType::getUnqual(context()));
+    return nothing();
   }
   auto* array_type = llvm::ArrayType::get(type, elements.size());
   auto* variable = new llvm::GlobalVariable(lowering_.module, array_type, true,
@@ -107,21 +129,32 @@ llvm::Constant* Tables::cases(const std::vector<ir::Case>& cases, const std::str
 llvm::Constant* Tables::log(const ir::State& state) {
   std::vector<llvm::Constant*> rows;
   for (const ir::LogItem& item : state.log) {
-    rows.push_back(llvm::ConstantStruct::get(lowering_.types.GliderLogInfo,
-                                             {text(item.name), number(item.period_s)}));
+    const ir::Expr& value = lowering_.mission[item.value];
+    rows.push_back(
+        llvm::ConstantStruct::get(lowering_.types.GliderLogInfo,
+                                  {text(item.name), number(item.period_s), word(sourceOf(value.op)),
+                                   word(value.op == ir::Op::Sensor ? value.sensor.index : 0)}));
   }
   return array(lowering_.types.GliderLogInfo, rows, "log_items." + state.name);
 }
 
+llvm::Constant* Tables::state(const ir::State& state, const StateFunctions& functions) {
+  return llvm::ConstantStruct::get(
+      lowering_.types.GliderStateInfo,
+      {text(state.name), cases(state.cases, state.name), log(state), code(functions.guards),
+       code(functions.act), code(functions.enter), code(functions.advance), code(functions.profile),
+       code(functions.route), word(state.cases.size()), word(state.log.size())});
+}
+
+/// Pointers, for a state may stand in another part of the mission.
 llvm::Constant* Tables::states() {
-  std::vector<llvm::Constant*> rows;
-  for (const ir::State& state : lowering_.mission.states) {
-    rows.push_back(
-        llvm::ConstantStruct::get(lowering_.types.GliderStateInfo,
-                                  {text(state.name), cases(state.cases, state.name), log(state),
-                                   word(state.cases.size()), word(state.log.size())}));
+  std::vector<llvm::Constant*> places;
+  for (uint32_t i = 0; i < lowering_.mission.states.size(); ++i) {
+    places.push_back(placeOfState(lowering_, i));
   }
-  return array(lowering_.types.GliderStateInfo, rows, "states");
+  auto* type = llvm::ArrayType::get(llvm::PointerType::getUnqual(context()), places.size());
+  return new llvm::GlobalVariable(lowering_.module, type, true, llvm::GlobalValue::PrivateLinkage,
+                                  llvm::ConstantArray::get(type, places), "states");
 }
 
 llvm::Constant* Tables::mission(const MissionFunctions& functions) {
@@ -135,25 +168,29 @@ llvm::Constant* Tables::mission(const MissionFunctions& functions) {
                                     word(index.memory_count),
                                     word(mission.variables.size()),
                                     word(index.slot_count),
+                                    word(index.interval_count),
                                     word(index.parameter_count),
                                     word(mission.always.size()),
                                     word(bytesOf(lowering_)),
+                                    word(0),
                                     text(mission.name),
                                     states(),
                                     sensors(),
                                     cases(mission.always, "always"),
                                     parameters(),
-                                    functions.begin,
-                                    functions.advance,
-                                    functions.guards,
-                                    functions.act,
-                                    functions.enter,
-                                    functions.fly,
-                                    functions.condition,
-                                    functions.log_value});
+                                    code(functions.begin),
+                                    code(functions.advance),
+                                    code(functions.guards),
+                                    code(functions.act),
+                                    code(functions.condition)});
 }
 
 }  // namespace
+
+void lowerStateInfo(Lowering& lowering, uint32_t state, const StateFunctions& functions) {
+  placeOfState(lowering, state)
+      ->setInitializer(Tables(lowering).state(lowering.mission.states[state], functions));
+}
 
 void lowerTables(Lowering& lowering, const MissionFunctions& functions) {
   llvm::Module& module = lowering.module;

@@ -53,13 +53,13 @@ class Guards {
     }
     store(kSince, since);
     Value* long_enough = builder_.CreateFCmpOGE(body_.expressions.timeSince(since), duration);
-    Value* when_true = builder_.CreateSelect(builder_.CreateFCmpORD(duration, duration),
-                                             truth(long_enough), unknown());
+    Value* when_true =
+        builder_.CreateSelect(body_.expressions.isKnown(duration), truth(long_enough), unknown());
     Value* otherwise = builder_.CreateSelect(is_false_, number(0), unknown());
     return builder_.CreateSelect(is_true_, when_true, otherwise);
   }
 
-  Value* wasTrue() { return builder_.CreateFCmpONE(load(kWasTrue), number(0)); }
+  Value* wasTrue() { return body_.expressions.holdsTrue(load(kWasTrue)); }
   Value* load(uint32_t slot) {
     return builder_.CreateLoad(builder_.getDoubleTy(),
                                body_.expressions.temporalSlot(slot_ + slot));
@@ -90,25 +90,14 @@ void lowerTemporals(Body& body, const std::vector<ir::TemporalId>& temporals, Mo
   }
 }
 
-/// Those of `always` first: a state's may look at them, not the other way round.
-llvm::Function* lowerAdvance(Lowering& lowering) {
-  const MissionIndex& index = lowering.index;
-  auto nothing = [&](const ir::State& state) {
-    return index.state_temporals[static_cast<size_t>(&state - lowering.mission.states.data())]
-        .empty();
-  };
-  const auto functions = forEachState(lowering, nothing, [&](uint32_t i) {
-    const ir::State& state = lowering.mission.states[i];
-    Body body(lowering, "advance." + state.name, Body::Result::None, 0, state.name + " watches",
-              state.range);
-    lowerTemporals(body, index.state_temporals[i], Moment::Advance);
-    body.builder.CreateRetVoid();
-    return body.function;
-  });
-  Body body(lowering, "advance", Body::Result::None, 0, "always watches",
-            lowering.mission.states.front().range);
-  lowerTemporals(body, index.always_temporals, Moment::Advance);
-  returnResult(body, callOfState(body, functions, {body.context()}));
+llvm::Function* lowerAdvance(Lowering& lowering, const std::vector<ir::TemporalId>& temporals,
+                             const std::string& name, support::SourceRange range) {
+  if (temporals.empty()) {
+    return nullptr;
+  }
+  Body body(lowering, "advance." + name, Body::Result::None, 0, name + " watches", range);
+  lowerTemporals(body, temporals, Moment::Advance);
+  body.builder.CreateRetVoid();
   return body.function;
 }
 

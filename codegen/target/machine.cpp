@@ -8,6 +8,7 @@
 #include <llvm/Support/TargetSelect.h>
 #include <llvm/TargetParser/Triple.h>
 
+#include <mutex>
 #include <optional>
 #include <string>
 
@@ -33,12 +34,15 @@ void initialiseArm() {
   LLVMInitializeARMAsmParser();
 }
 
-/// Only the one that is needed: each costs start-up time.
+/// Only the one that is needed: each costs start-up time. Once, for LLVM's registry is not made for
+/// several threads.
 void initialise(const llvm::Triple& triple) {
+  static std::once_flag x86;
+  static std::once_flag arm;
   if (triple.isX86()) {
-    initialiseX86();
+    std::call_once(x86, initialiseX86);
   } else if (triple.isARM()) {
-    initialiseArm();
+    std::call_once(arm, initialiseArm);
   }
 }
 

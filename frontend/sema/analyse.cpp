@@ -5,6 +5,7 @@
 #include "frontend/sema/declarations.h"
 #include "frontend/sema/lower_behaviour.h"
 #include "frontend/sema/lower_case.h"
+#include "frontend/sema/lower_requirement.h"
 #include "frontend/sema/lower_state.h"
 #include "frontend/sema/scope.h"
 #include "frontend/sema/variables.h"
@@ -41,6 +42,7 @@ std::optional<ir::Mission> analyse(const ast::File& mission, const AnalysisInput
   for (uint32_t i = 0; i < scope.state_declarations.size(); ++i) {
     scope.mission.states.push_back(StateLowering({i}, scope).run());
   }
+  lowerRequirements(mission, scope);
   if (diagnostics.hasErrors()) {
     return std::nullopt;
   }

@@ -181,6 +181,45 @@ struct Case {
   support::SourceRange range;
 };
 
+/// A place at which a number's line is cut: what lies past it is greater than `at`, or, of an
+/// inclusive cut, not smaller.
+struct Cut {
+  double at = 0;
+  bool inclusive = false;
+  auto operator<=>(const Cut&) const = default;
+};
+
+/// A number that guards compare with constants. The cuts part its line into intervals, numbered
+/// from 0 below the first cut; unknown is one more, the last.
+struct GuardColumn {
+  Op source = Op::MissionTime;  ///< Sensor or a clock
+  SensorId sensor;              ///< of a Sensor
+  std::vector<Cut> cuts;        ///< in order: at one place the inclusive one first
+  [[nodiscard]] uint32_t unknown() const { return static_cast<uint32_t>(cuts.size()) + 1; }
+};
+
+/// The guard of case `number` is not true unless each column's number lies in its range of
+/// intervals. Then it is, if `exact`; else the guard itself has to be asked.
+struct GuardRow {
+  struct Range {
+    uint32_t first = 0;
+    uint32_t last = 0;
+    bool operator==(const Range&) const = default;
+  };
+  uint32_t number = 0;
+  std::vector<Range> within;  ///< one a column
+  bool exact = true;
+};
+
+/// Another form of the guards of a list of cases, made by ir/opt/tabulate_guards: the first row
+/// that holds says which case fires, and numbers that stay in their intervals need not be looked at
+/// again. The interpreter takes no notice of it.
+struct GuardTable {
+  std::vector<GuardColumn> columns;
+  std::vector<GuardRow> rows;  ///< in the order of their cases
+  [[nodiscard]] bool empty() const { return columns.empty(); }
+};
+
 /// A use of a behaviour by a state.
 struct Activity {
   BehaviourId behaviour;
@@ -194,7 +233,7 @@ struct Activity {
 /// A value that the SBC logs while the state is current.
 struct LogItem {
   std::string name;
-  ExprId value;
+  ExprId value;         ///< a Sensor or a clock
   double period_s = 0;  ///< at most once in this time; 0: every tick
 };
 
@@ -206,7 +245,28 @@ struct State {
   std::vector<LogItem> log;
   BlockId entry;  ///< invalid: nothing
   std::vector<Case> cases;
+  GuardTable table;            ///< of the cases; may be empty
   support::SourceRange range;  ///< of its name
+};
+
+/// What a mission promises: the prover's question. It is not compiled.
+enum class RequirementKind : uint8_t {
+  Always,        ///< `condition` is never false
+  ExitWithin,    ///< the mission has ended by mission time `seconds`
+  StackAtMost,   ///< never more than `depth` states wait on the call stack
+  Reach,         ///< some run enters `state`
+  NeverAfter,    ///< no run enters `state` once it has entered `after`
+  SurfacesEvery  ///< the vehicle is never under water for longer than `seconds`
+};
+
+struct Requirement {
+  RequirementKind kind = RequirementKind::Always;
+  ExprId condition;    ///< of Always: reads no temporal and nothing that belongs to a state
+  double seconds = 0;  ///< positive
+  uint32_t depth = 0;
+  StateId state;
+  StateId after;
+  support::SourceRange range;
 };
 
 struct Mission {
@@ -220,7 +280,9 @@ struct Mission {
   std::vector<Block> blocks;
   std::vector<ExprId> conditions;  ///< what the parameters must satisfy together (`where`)
   std::vector<Case> always;        ///< no Return, no Done
+  GuardTable always_table;         ///< of `always`; may be empty
   std::vector<State> states;       ///< the first is where the mission starts
+  std::vector<Requirement> requirements;
 
   [[nodiscard]] const Expr& operator[](ExprId id) const { return exprs.at(id.index); }
   [[nodiscard]] const State& operator[](StateId id) const { return states.at(id.index); }

@@ -95,6 +95,23 @@ bool comparison(Op op) {
 
 }  // namespace
 
+Op negated(Op comparison) {
+  switch (comparison) {
+    case Op::Less:
+      return Op::GreaterEqual;
+    case Op::LessEqual:
+      return Op::Greater;
+    case Op::Greater:
+      return Op::LessEqual;
+    case Op::GreaterEqual:
+      return Op::Less;
+    case Op::Equal:
+      return Op::NotEqual;
+    default:
+      return Op::Equal;
+  }
+}
+
 bool isWindow(TemporalKind kind) {
   return kind != TemporalKind::Became && kind != TemporalKind::Held;
 }

@@ -25,6 +25,9 @@ const OpInfo* findOp(std::string_view text);
 /// The number of operations.
 size_t opCount();
 
+/// The comparison that is true exactly where `comparison` (Less to NotEqual) is false.
+Op negated(Op comparison);
+
 /// Whether it is a window: a number, not a truth value.
 bool isWindow(TemporalKind kind);
 

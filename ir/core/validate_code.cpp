@@ -5,6 +5,7 @@
 
 #include "ir/core/ops.h"
 #include "ir/core/scopes.h"
+#include "ir/core/validate_table.h"
 
 #include <fmt/format.h>
 
@@ -22,6 +23,10 @@ constexpr StateId kNoState;
 
 bool ownedByState(VariableKind kind) {
   return kind != VariableKind::Parameter && kind != VariableKind::Mission;
+}
+
+bool mayBeLogged(Op op) {
+  return op == Op::Sensor || op == Op::MissionTime || op == Op::StateTime || op == Op::ResumeTime;
 }
 
 class CodeValidator {
@@ -47,12 +52,16 @@ class CodeValidator {
     for (const Case& c : m_.always) {
       oneCase(c, kNoState, ListKind::Always, "`always`");
     }
+    table(m_.always_table, m_.always.size(), "`always`", {});
     std::set<std::string_view> names;
     for (uint32_t i = 0; i < m_.states.size(); ++i) {
       const State& s = m_.states[i];
       require(names.insert(s.name).second, s.range,
               fmt::format("two states are named `{}`", s.name));
       state({i});
+    }
+    for (const Requirement& r : m_.requirements) {
+      requirement(r);
     }
     for (size_t i = 0; i < block_uses_.size(); ++i) {
       require(block_uses_[i] == 1, {}, fmt::format("block {} is used {} times", i, block_uses_[i]));
@@ -79,6 +88,24 @@ class CodeValidator {
     const Reads* reads = exists(id) ? &reads_[id.index] : nullptr;
     return reads != nullptr && !reads->state.valid() && !reads->moment && !reads->mission &&
            reads->temporals_end == 0;
+  }
+
+  void requirement(const Requirement& r) {
+    const bool about_states =
+        r.kind == RequirementKind::Reach || r.kind == RequirementKind::NeverAfter;
+    const bool timed =
+        r.kind == RequirementKind::ExitWithin || r.kind == RequirementKind::SurfacesEvery;
+    if (r.kind == RequirementKind::Always) {
+      expression(r.condition, kNoState, kBool, r.range, "a requirement");
+      require(exists(r.condition) && reads_[r.condition.index].temporals_end == 0, r.range,
+              "a requirement watches something over time");
+    }
+    require(!timed || (r.seconds > 0 && std::isfinite(r.seconds)), r.range,
+            "a requirement of no time");
+    require(
+        !about_states || (r.state.index < m_.states.size() &&
+                          (r.kind == RequirementKind::Reach || r.after.index < m_.states.size())),
+        r.range, "a requirement about a state that is not there");
   }
 
   void expression(ExprId id, StateId state, Type type, SourceRange range, std::string_view what) {
@@ -291,6 +318,12 @@ class CodeValidator {
               fmt::format("state `{}`", m_[c.target].name));
   }
 
+  void table(const GuardTable& table, size_t case_count, const std::string& where,
+             SourceRange range) {
+    const std::string defect = defectOf(table, m_, case_count);
+    require(defect.empty(), range, fmt::format("the table of {} has {}", where, defect));
+  }
+
   void state(StateId id) {
     const State& s = m_[id];
     const std::string where = fmt::format("state `{}`", s.name);
@@ -298,9 +331,8 @@ class CodeValidator {
     activity(id, s.profile, BehaviourKind::Profile, "profile");
     parameters(id, where);
     for (const LogItem& item : s.log) {
-      const bool number = exists(item.value) && m_[item.value].type.kind != TypeKind::Bool;
-      require(number && inScope(item.value, id), s.range,
-              fmt::format("{} logs `{}`, which is no number of its own", where, item.name));
+      require(exists(item.value) && mayBeLogged(m_[item.value].op), s.range,
+              fmt::format("{} logs `{}`, which is neither a sensor nor a clock", where, item.name));
       require(item.period_s >= 0 && std::isfinite(item.period_s), s.range,
               fmt::format("{} logs `{}` every {} s", where, item.name, item.period_s));
     }
@@ -308,6 +340,7 @@ class CodeValidator {
     for (const Case& c : s.cases) {
       oneCase(c, id, ListKind::State, where);
     }
+    table(s.table, s.cases.size(), where, s.range);
   }
 
   /// A state's parameters are the arguments that it owns, each once; the first state has none.

@@ -4,6 +4,7 @@
 #include "ir/opt/optimise.h"
 
 #include "ir/core/validate.h"
+#include "ir/opt/drop_requirements.h"
 #include "ir/opt/passes.h"
 #include "support/check.h"
 
@@ -19,6 +20,7 @@ std::span<const OptPass> optPasses() {
 }
 
 void optimise(Mission& mission, const std::function<void(const OptPass&, const Mission&)>& after) {
+  dropRequirements(mission);
   for (const OptPass& pass : optPasses()) {
     pass.run(mission);
     if (after) {

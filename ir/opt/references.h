@@ -67,6 +67,11 @@ class References {
     for (ExprId& condition : mission.conditions) {
       name(condition);
     }
+    for (Requirement& requirement : mission.requirements) {
+      name(requirement.condition);
+      name(requirement.state);
+      name(requirement.after);
+    }
     for (Case& c : mission.always) {
       of(c);
     }

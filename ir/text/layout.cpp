@@ -36,6 +36,7 @@ std::vector<uint32_t> countUses(const Mission& mission) {
     count(t.along);
   }
   std::ranges::for_each(mission.conditions, count);
+  std::ranges::for_each(mission.requirements, count, &Requirement::condition);
   for (const Block& block : mission.blocks) {
     for (const Statement& s : block.statements) {
       count(s.value);

@@ -3,6 +3,7 @@
 
 #include "ir/text/print.h"
 
+#include "ir/core/ops.h"
 #include "ir/core/validate.h"
 #include "ir/text/printer.h"
 #include "support/check.h"
@@ -42,9 +43,11 @@ std::string Printer::run() {
     line("always");
     ++indent_;
     cases(m_.always);
+    table(m_.always_table);
     --indent_;
   }
   std::ranges::for_each(m_.states, [&](const State& s) { state(s); });
+  std::ranges::for_each(m_.requirements, [&](const Requirement& r) { requirement(r); });
   while (defineNext(UINT32_MAX)) {
   }
   defineUpTo(static_cast<uint32_t>(m_.exprs.size()));
@@ -118,7 +121,59 @@ void Printer::state(const State& s) {
   }
   entry(s.entry);
   cases(s.cases);
+  table(s.table);
   --indent_;
+}
+
+void Printer::requirement(const Requirement& r) {
+  switch (r.kind) {
+    case RequirementKind::Always:
+      prepare({&r.condition, 1});
+      line("require always ");
+      use(r.condition);
+      return;
+    case RequirementKind::ExitWithin:
+      return line("require exit within {}", r.seconds);
+    case RequirementKind::StackAtMost:
+      return line("require stack {}", r.depth);
+    case RequirementKind::Reach:
+      return line("require reach {}", nameText(m_[r.state].name));
+    case RequirementKind::NeverAfter:
+      return line("require never {} after {}", nameText(m_[r.state].name),
+                  nameText(m_[r.after].name));
+    case RequirementKind::SurfacesEvery:
+      return line("require surfaces every {}", r.seconds);
+  }
+}
+
+void Printer::table(const GuardTable& table) {
+  if (table.empty()) {
+    return;
+  }
+  auto listed = [this](const auto& elements, auto text) {
+    std::vector<std::string> texts;
+    std::ranges::transform(elements, std::back_inserter(texts), text);
+    add("({})", fmt::join(texts, ", "));
+  };
+  line("table");
+  ++indent_;
+  for (const GuardColumn& column : table.columns) {
+    const std::string_view op = opInfo(column.source).text;
+    column.sensor.valid() ? line("column {} {} ", op, nameText(m_[column.sensor].name))
+                          : line("column {} ", op);
+    listed(column.cuts, [](const Cut& cut) {
+      return fmt::format("{} {}", cut.inclusive ? "ge" : "gt", cut.at);
+    });
+  }
+  for (const GuardRow& row : table.rows) {
+    line("row {} ", row.number);
+    listed(row.within, [](const GuardRow::Range& range) {
+      return fmt::format("{} {}", range.first, range.last);
+    });
+    add("{}", row.exact ? " exact" : "");
+  }
+  --indent_;
+  line("end");
 }
 
 /// Those that come next among the expressions.

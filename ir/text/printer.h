@@ -52,6 +52,8 @@ class Printer {
 
   void temporal(const Temporal& temporal);
   void cases(const std::vector<Case>& cases);
+  void table(const GuardTable& table);
+  void requirement(const Requirement& requirement);
   void entry(BlockId block);
   void defineBlocks(BlockId user);
   void useBlock(BlockId block, std::string_view word);

@@ -7,6 +7,7 @@
 #include "ir/text/code_reader.h"
 #include "ir/text/cursor.h"
 #include "ir/text/names.h"
+#include "ir/text/table_reader.h"
 
 #include <algorithm>
 #include <functional>
@@ -64,9 +65,44 @@ class Reader {
       always();
     } else if (in_.accept("state")) {
       state();
+    } else if (in_.peek().isWord("require")) {
+      requirement();
     } else if (!code_.definition()) {
-      in_.failExpecting("`sensor`, `behaviour`, `variable`, `let`, `always` or `state`");
+      in_.failExpecting("`sensor`, `behaviour`, `variable`, `let`, `always`, `state` or `require`");
     }
+  }
+
+  void requirement() {
+    const SourceRange begin = in_.expect("require");
+    const size_t number = m_.requirements.size();
+    Requirement r;
+    m_.requirements.push_back(r);
+    if (in_.accept("always")) {
+      r.kind = RequirementKind::Always;
+      r.condition = code_.expression();
+    } else if (in_.accept("exit")) {
+      r.kind = RequirementKind::ExitWithin;
+      in_.expect("within");
+      r.seconds = in_.number(false);
+    } else if (in_.accept("stack")) {
+      r.kind = RequirementKind::StackAtMost;
+      r.depth = static_cast<uint32_t>(in_.integer(0, UINT32_MAX));
+    } else if (in_.accept("reach")) {
+      r.kind = RequirementKind::Reach;
+      code_.stateName([this, number](StateId id) { m_.requirements[number].state = id; });
+    } else if (in_.accept("never")) {
+      r.kind = RequirementKind::NeverAfter;
+      code_.stateName([this, number](StateId id) { m_.requirements[number].state = id; });
+      in_.expect("after");
+      code_.stateName([this, number](StateId id) { m_.requirements[number].after = id; });
+    } else {
+      r.kind = RequirementKind::SurfacesEvery;
+      in_.expect("surfaces");
+      in_.expect("every");
+      r.seconds = in_.number(false);
+    }
+    r.range = in_.since(begin);
+    m_.requirements[number] = r;
   }
 
   void sensor() {
@@ -156,6 +192,8 @@ class Reader {
       const SourceRange begin = in_.peek().range;
       if (in_.accept("case")) {
         code_.caseInto([this]() -> std::vector<Case>& { return m_.always; }, begin);
+      } else if (in_.accept("table")) {
+        m_.always_table = text::readTable(in_, sensors_);
       } else if (!code_.definition()) {
         return;
       }
@@ -186,6 +224,8 @@ class Reader {
       } else if (in_.accept("case")) {
         code_.caseInto([this, number]() -> std::vector<Case>& { return m_.states[number].cases; },
                        begin);
+      } else if (in_.accept("table")) {
+        m_.states[number].table = text::readTable(in_, sensors_);
       } else if (!code_.definition()) {
         return;
       }

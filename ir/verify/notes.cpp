@@ -48,10 +48,17 @@ void notePath(support::DiagnosticBuilder& report, const Structure& structure,
 
 void noteDeadCase(support::DiagnosticBuilder& report, const Case& c, Dead why,
                   std::string_view list) {
-  report.note(c.range,
-              why == Dead::Hidden
-                  ? fmt::format("this case never fires: an earlier case of {} always does", list)
-                  : "this case never fires: its guard is always false");
+  switch (why) {
+    case Dead::Hidden:
+      report.note(c.range,
+                  fmt::format("this case never fires: an earlier case of {} always does", list));
+      return;
+    case Dead::Proved:
+      report.note(c.range, "this case never fires");
+      return;
+    default:
+      report.note(c.range, "this case never fires: its guard is always false");
+  }
 }
 
 }  // namespace glider::ir

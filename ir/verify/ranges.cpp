@@ -4,6 +4,7 @@
 #include "ir/eval/interpreter.h"
 #include "ir/verify/intervals.h"
 #include "ir/verify/passes.h"
+#include "ir/verify/value_text.h"
 
 #include <fmt/format.h>
 
@@ -17,25 +18,6 @@ using support::DiagnosticId;
 
 /// Beyond this a bound is no bound.
 constexpr double kNoBound = 1e300;
-
-std::string unitOf(Type type) {
-  return type.kind == TypeKind::Quantity ? support::unitName(type.dimension) : "deg";
-}
-
-std::string withUnit(double value, Type type) {
-  const std::string unit = unitOf(type);
-  return fmt::format("{:.6g}{}{}", value, unit.empty() ? "" : " ", unit);
-}
-
-std::string rangeText(const Variable& v) {
-  if (v.lowest == -Variable::kEndless) {
-    return fmt::format("at most {}", withUnit(v.highest, v.type));
-  }
-  if (v.highest == Variable::kEndless) {
-    return fmt::format("at least {}", withUnit(v.lowest, v.type));
-  }
-  return fmt::format("{} .. {}", withUnit(v.lowest, v.type), withUnit(v.highest, v.type));
-}
 
 /// A value of the interval that is outside the variable's range.
 std::string outside(const Interval& x, const Variable& v) {

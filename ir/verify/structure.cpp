@@ -47,13 +47,14 @@ bool hidesLater(const Case& c, bool always) {
 }
 
 Moves movesOf(const std::vector<Case>& cases, uint32_t state, bool always,
-              const std::vector<Truth>& truths) {
+              const std::vector<Truth>& truths, const std::set<CasePlace>& known_dead) {
   Moves moves;
   Dead from_here = Dead::No;
   for (uint32_t i = 0; i < cases.size(); ++i) {
     const Case& c = cases[i];
     const Truth guard = truths[c.guard.index];
-    const Dead dead = guard == Truth::False ? Dead::AlwaysFalse : from_here;
+    const bool proved = known_dead.contains({always ? StateId() : StateId{state}, i});
+    const Dead dead = guard == Truth::False ? Dead::AlwaysFalse : proved ? Dead::Proved : from_here;
     moves.dead.push_back(dead);
     from_here = guard == Truth::True && hidesLater(c, always) ? Dead::Hidden : from_here;
     if (dead != Dead::No) {
@@ -72,12 +73,12 @@ Moves movesOf(const std::vector<Case>& cases, uint32_t state, bool always,
 
 }  // namespace
 
-Structure::Structure(const Mission& of) : mission(of) {
+Structure::Structure(const Mission& of, const std::set<CasePlace>& dead) : mission(of) {
   const std::vector<Truth> truths = constantTruths(mission);
   for (uint32_t s = 0; s < mission.states.size(); ++s) {
-    moves.push_back(movesOf(mission.states[s].cases, s, false, truths));
+    moves.push_back(movesOf(mission.states[s].cases, s, false, truths, dead));
   }
-  always = movesOf(mission.always, 0, true, truths);
+  always = movesOf(mission.always, 0, true, truths, dead);
   arrivals_.resize(std::size(kArrivals) * moves.size());
   nearest_.resize(moves.size());
   explore();

@@ -9,12 +9,20 @@
 #include <deque>
 #include <iterator>
 #include <optional>
+#include <set>
 #include <vector>
 
 namespace glider::ir {
 
 /// Why a case cannot fire.
-enum class Dead : uint8_t { No, AlwaysFalse, Hidden };
+enum class Dead : uint8_t { No, AlwaysFalse, Hidden, Proved };
+
+/// A case of `always`, or of a state.
+struct CasePlace {
+  StateId state;  ///< invalid: of `always`
+  uint32_t number = 0;
+  auto operator<=>(const CasePlace&) const = default;
+};
 
 /// A `goto` or `call` that can fire.
 struct Edge {
@@ -52,7 +60,8 @@ constexpr uint32_t kEndlessLimit = UINT32_MAX;
 /// checks", says why what stands here is exact.
 class Structure {
  public:
-  explicit Structure(const Mission& mission);
+  /// `dead` are cases of which the caller knows that they never fire.
+  explicit Structure(const Mission& mission, const std::set<CasePlace>& dead = {});
 
   const Mission& mission;
   std::vector<Moves> moves;  ///< of every state

@@ -48,7 +48,7 @@ void readReporting(TomlReader& reader, double cycle_s, PlatformSensor& sensor) {
 
 PlatformSensor readSensor(TomlReader& reader, size_t id, double cycle_s) {
   reader.only({"name", "alias", "unit", "lowest", "highest", "stale_after_s", "every_s",
-               "dead_band", "computer", "bytes", "what"});
+               "dead_band", "computer", "bytes", "noise", "what"});
   PlatformSensor sensor;
   sensor.id = static_cast<uint16_t>(id);
   sensor.name = reader.text("name");
@@ -61,6 +61,7 @@ PlatformSensor readSensor(TomlReader& reader, size_t id, double cycle_s) {
   sensor.computer = computer == "science" ? Computer::Science : Computer::Flight;
   const int64_t bytes = reader.integer("bytes");
   sensor.bytes = static_cast<uint8_t>(bytes);
+  sensor.noise = reader.numberOr("noise", 0);
   sensor.what = reader.text("what");
   if (!interpretUnit(sensor)) {
     reader.refuse("unit", "is no unit of the language, nor `lat`, `lon`, `timestamp` or `1`");
@@ -72,6 +73,9 @@ PlatformSensor readSensor(TomlReader& reader, size_t id, double cycle_s) {
     reader.refuse("stale_after_s", "must be above 0");
   }
   readReporting(reader, cycle_s, sensor);
+  if (!(sensor.noise >= 0)) {
+    reader.refuse("noise", "must not be below 0");
+  }
   if (computer != "flight" && computer != "science") {
     reader.refuse("computer", "must be \"flight\" or \"science\"");
   }
@@ -110,25 +114,36 @@ support::Result<void> readSensors(const std::string& file, const toml::table& ro
   return {};
 }
 
-Envelope readEnvelope(TomlReader& reader) {
-  const std::pair<const char*, double Envelope::*> fields[] = {
-      {"greatest_depth_m", &Envelope::greatest_depth_m},
-      {"steepest_pitch_rad", &Envelope::steepest_pitch_rad},
-      {"vertical_rate_m_s", &Envelope::vertical_rate_m_s},
-      {"inflection_overshoot_m", &Envelope::inflection_overshoot_m},
-      {"drift_m_s", &Envelope::drift_m_s},
-      {"cycle_s", &Envelope::cycle_s}};
-  reader.only({"greatest_depth_m", "steepest_pitch_rad", "vertical_rate_m_s",
-               "inflection_overshoot_m", "drift_m_s", "cycle_s"});
-  Envelope envelope;
+/// A table of numbers above 0, each of which is wanted.
+template <typename T, size_t kCount>
+T readNumbers(TomlReader& reader, const std::pair<const char*, double T::*> (&fields)[kCount]) {
+  std::vector<std::string_view> keys;
   for (const auto& [key, field] : fields) {
-    envelope.*field = reader.number(key);
-    if (!(envelope.*field > 0)) {
+    keys.emplace_back(key);
+  }
+  reader.only(keys);
+  T numbers;
+  for (const auto& [key, field] : fields) {
+    numbers.*field = reader.number(key);
+    if (!(numbers.*field > 0)) {
       reader.refuse(key, "must be above 0");
     }
   }
-  return envelope;
+  return numbers;
 }
+
+constexpr std::pair<const char*, double Envelope::*> kEnvelope[] = {
+    {"greatest_depth_m", &Envelope::greatest_depth_m},
+    {"steepest_pitch_rad", &Envelope::steepest_pitch_rad},
+    {"vertical_rate_m_s", &Envelope::vertical_rate_m_s},
+    {"inflection_overshoot_m", &Envelope::inflection_overshoot_m},
+    {"drift_m_s", &Envelope::drift_m_s},
+    {"cycle_s", &Envelope::cycle_s}};
+
+constexpr std::pair<const char*, double World::*> kWorld[] = {
+    {"start_depth_m", &World::start_depth_m},         {"surface_depth_m", &World::surface_depth_m},
+    {"slowest_climb_m_s", &World::slowest_climb_m_s}, {"turn_s", &World::turn_s},
+    {"depth_error_m", &World::depth_error_m},         {"tick_gap_s", &World::tick_gap_s}};
 
 }  // namespace
 
@@ -146,16 +161,21 @@ support::Result<Platform> loadPlatform(const std::filesystem::path& path) {
   }
   Platform platform;
   TomlReader reader(path.string(), *root, "the platform");
-  reader.only({"name", "description", "envelope", "sensor"});
+  reader.only({"name", "description", "envelope", "world", "sensor"});
   platform.name = reader.text("name");
   platform.description = reader.text("description");
   static const toml::table kNone;
-  const toml::table* envelope = (*root)["envelope"].as_table();
-  TomlReader bounds(path.string(), envelope != nullptr ? *envelope : kNone, "[envelope]");
-  platform.envelope = readEnvelope(bounds);
-  for (const TomlReader* part : {&reader, &bounds}) {
-    if (part->failure()) {
-      return std::unexpected(*part->failure());
+  auto part = [&](const char* name, const char* title) {
+    const toml::table* table = (*root)[name].as_table();
+    return TomlReader(path.string(), table != nullptr ? *table : kNone, title);
+  };
+  TomlReader envelope = part("envelope", "[envelope]");
+  platform.envelope = readNumbers(envelope, kEnvelope);
+  TomlReader world = part("world", "[world]");
+  platform.world = readNumbers(world, kWorld);
+  for (const TomlReader* read : {&reader, &envelope, &world}) {
+    if (read->failure()) {
+      return std::unexpected(*read->failure());
     }
   }
   if (auto read = readSensors(path.string(), *root, platform); !read) {

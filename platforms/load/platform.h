@@ -33,6 +33,8 @@ struct PlatformSensor {
   double every_s = 0;    ///< the SBC hears of it at most so often
   double dead_band = 0;  ///< a change of at most so much is not sent; in the vehicle's unit
   Computer computer = Computer::Flight;
+  double noise =
+      0;  ///< two readings of the same water may differ by so much, in the vehicle's unit
   uint8_t bytes = 4;  ///< width in the sensor array: 1 (int8), 4 (float32) or 8 (float64)
   std::string what;   ///< one line of explanation
 };
@@ -46,11 +48,22 @@ struct Envelope {
   double cycle_s = 0;                 ///< of the flight controller
 };
 
+/// What proofs assume of the vehicle and the water, beside the envelope and the sensors' ranges.
+struct World {
+  double start_depth_m = 0;      ///< not deeper when control is given
+  double surface_depth_m = 0;    ///< not deeper than this is at the surface
+  double slowest_climb_m_s = 0;  ///< once it climbs
+  double turn_s = 0;             ///< from the order to climb until it does
+  double depth_error_m = 0;      ///< of a depth reading, at most
+  double tick_gap_s = 0;         ///< between two ticks of a mission, at most
+};
+
 /// A vehicle as data: platforms/<name>.toml.
 struct Platform {
   std::string name;
   std::string description;
   Envelope envelope;
+  World world;
   std::vector<PlatformSensor> sensors;  ///< sensors[i].id == i
 
   /// The sensor called `name` by the vehicle or by the language; null if there is none.

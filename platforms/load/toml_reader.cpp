@@ -92,7 +92,7 @@ std::vector<std::string> TomlReader::texts(std::string_view key) {
   return texts;
 }
 
-void TomlReader::only(std::initializer_list<std::string_view> known) {
+void TomlReader::only(std::span<const std::string_view> known) {
   for (const auto& [key, value] : table_) {
     if (std::ranges::find(known, key.str()) == known.end()) {
       fail(&value, fmt::format("{} has a key `{}` that means nothing here", where_, key.str()));

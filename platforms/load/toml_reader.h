@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <initializer_list>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,7 +34,8 @@ class TomlReader {
   /// A list of texts, which may be empty.
   std::vector<std::string> texts(std::string_view key);
   /// Refuses keys that are not in `known`.
-  void only(std::initializer_list<std::string_view> known);
+  void only(std::span<const std::string_view> known);
+  void only(std::initializer_list<std::string_view> known) { only(std::span(known)); }
   /// Notes a failure of the caller's own check about `key`.
   void refuse(std::string_view key, std::string_view why);
 

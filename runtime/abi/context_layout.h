@@ -5,8 +5,9 @@
 #define GLIDER_RUNTIME_ABI_CONTEXT_LAYOUT_H
 
 /* Where the arrays of a running mission stand behind its GliderContext, in this order and each
-   aligned for a double: readings, frames, memory, variables, temporals, notes, note_values. Codegen
-   computes the same from the board's DataLayout and sets GliderMission::context_bytes. */
+   aligned for a double: readings, frames, memory, variables, temporals, intervals, notes,
+   note_values. Codegen computes the same from the board's DataLayout and sets
+   GliderMission::context_bytes. */
 
 #include "runtime/abi/glider_abi.h"
 
@@ -18,6 +19,7 @@ typedef struct GliderContextLayout {
   size_t memory;
   size_t variables;
   size_t temporals;
+  size_t intervals;
   size_t notes;
   size_t note_values;
   size_t bytes; /* in all */
@@ -27,17 +29,15 @@ static inline size_t gliderAlignUp(size_t bytes) {
   return (bytes + 7u) & ~(size_t)7u;
 }
 
-static inline GliderContextLayout gliderContextLayout(uint32_t sensor_count, uint32_t stack_limit,
-                                                      uint32_t memory_count,
-                                                      uint32_t variable_count,
-                                                      uint32_t temporal_slots) {
+static inline GliderContextLayout gliderContextLayout(const GliderMission* mission) {
   GliderContextLayout layout;
   layout.readings = gliderAlignUp(sizeof(GliderContext));
-  layout.frames = layout.readings + gliderAlignUp(sensor_count * sizeof(GliderReading));
-  layout.memory = layout.frames + gliderAlignUp(stack_limit * sizeof(GliderFrame));
-  layout.variables = layout.memory + memory_count * sizeof(GliderBehaviourMemory);
-  layout.temporals = layout.variables + variable_count * sizeof(double);
-  layout.notes = layout.temporals + temporal_slots * sizeof(double);
+  layout.frames = layout.readings + gliderAlignUp(mission->sensor_count * sizeof(GliderReading));
+  layout.memory = layout.frames + gliderAlignUp(mission->stack_limit * sizeof(GliderFrame));
+  layout.variables = layout.memory + mission->memory_count * sizeof(GliderBehaviourMemory);
+  layout.temporals = layout.variables + mission->variable_count * sizeof(double);
+  layout.intervals = layout.temporals + mission->temporal_slots * sizeof(double);
+  layout.notes = layout.intervals + gliderAlignUp(mission->interval_count * sizeof(uint32_t));
   layout.note_values = layout.notes + gliderAlignUp(GLIDER_MOST_NOTES * sizeof(GliderNote));
   layout.bytes = layout.note_values + GLIDER_MOST_NOTE_VALUES * sizeof(double);
   return layout;

@@ -13,12 +13,13 @@
 extern "C" {
 #endif
 
-#define GLIDER_ABI_VERSION 2u
+#define GLIDER_ABI_VERSION 3u
 #define GLIDER_NO_CASE UINT32_MAX
 #define GLIDER_NO_LIST UINT32_MAX
 #define GLIDER_NO_LIMIT UINT32_MAX
 #define GLIDER_MOST_PARAMETERS 64u
 #define GLIDER_MOST_NOTES 16u
+#define GLIDER_GUARD_STRIDE 16u
 #define GLIDER_MOST_NOTE_VALUES 64u
 /* What a behaviour may keep from tick to tick in each state that uses it. */
 #define GLIDER_BEHAVIOUR_MEMORY_BYTES 1024u
@@ -47,6 +48,14 @@ typedef enum GliderNoteKind {
 
 typedef enum GliderEncoding { kGliderLinear, kGliderDegreesMinutes } GliderEncoding;
 
+/* What a state may log, and what a table of guards looks at. */
+typedef enum GliderSource {
+  kGliderSensor,
+  kGliderMissionTime,
+  kGliderStateTime,
+  kGliderResumeTime
+} GliderSource;
+
 /* Why a behaviour runs: its state was entered by goto or call, resumed by return, or stays current.
  */
 typedef enum GliderPhase { kGliderEnter, kGliderResume, kGliderTick } GliderPhase;
@@ -73,32 +82,31 @@ typedef union GliderBehaviourMemory {
   double align;
 } GliderBehaviourMemory;
 
-/* What the generated code of a mission does; ir/README.md says when. Current means the context's
-   state.
+/* What the generated code of a mission does; ir/README.md says when. A state's functions are called
+   while it is current. One that would do nothing is NULL: guards then answer GLIDER_NO_CASE.
 
    Begin: gives the mission's variables (not the parameters, which stand there already) their
    initial values and starts the temporals of `always`.
-   Advance: advances the temporals of `always` and of the current state.
-   Guards: the number of the first case, from number `from` on, of `list` (Always or State) whose
+   Advance: advances the temporals of `always`, or of the state.
+   Guards: the number of the first case, from number `from` on, of `always` or of the state whose
    guard is true, or GLIDER_NO_CASE.
    Act: runs the `do` block of that case, then gives the arguments of its transition to the
    parameters of its target.
-   Enter: phase enter or resume of the current state, whose context fields are set already:
-   variables, temporals, entries, C functions.
-   Fly: tries the current state's profile (kGliderListProfile) or route: fires a case and runs its
-   `do` block, or calls the C function with phase tick; returns the case that fired or
-   GLIDER_NO_CASE.
+   Enter: phase enter or resume of the state; the context's fields are set already: variables,
+   temporals, entries, C functions.
+   Fly: tries the state's profile or route: fires a case and runs its `do` block, or calls the C
+   function with phase tick; returns the case that fired or GLIDER_NO_CASE.
    Condition: the number of the first `where` that the parameters do not satisfy (unknown included),
    or GLIDER_NO_CASE. */
 typedef void(GliderBegin)(GliderContext* context);
 typedef void(GliderAdvance)(GliderContext* context);
-typedef uint32_t(GliderGuards)(const GliderContext* context, uint32_t list, uint32_t from);
-typedef void(GliderAct)(GliderContext* context, uint32_t list, uint32_t fired);
+typedef uint32_t(GliderGuards)(GliderContext* context, uint32_t from);
+typedef void(GliderAct)(GliderContext* context, uint32_t fired);
 typedef void(GliderEnter)(GliderContext* context, uint32_t phase);
-typedef uint32_t(GliderFly)(GliderContext* context, uint32_t list);
+typedef uint32_t(GliderFly)(GliderContext* context);
 typedef uint32_t(GliderCondition)(const GliderContext* context);
-/* The value of log item `item` of the current state, SI units; NaN: unknown. */
-typedef double(GliderLogValue)(const GliderContext* context, uint32_t item);
+/* 1 if the guard of case `number` of a list is true. */
+typedef uint32_t(GliderHolds)(const GliderContext* context, uint32_t number);
 
 #define GLIDER_ABI_U32 uint32_t
 #define GLIDER_ABI_F64 double
@@ -121,6 +129,19 @@ extern uint8_t gliderContextMemory[];
 /* The smallest and largest finite magnitude rule of ir/README.md, used wherever the runtime
  * computes a reading. */
 double gliderSettle(double value);
+
+/* The value of log item `item` of the current state, SI units; NaN: unknown. */
+double gliderLogValue(const GliderContext* context, uint32_t item);
+
+/* What a table remembers: a word for its answer, then for each column its interval and the rows
+   that may hold there. */
+static inline uint32_t gliderGuardMemory(uint32_t column_count, uint32_t words) {
+  return 1u + column_count * (1u + words);
+}
+
+/* What GliderGuards answers, by a table. Remembers in which intervals the numbers lay, and looks at
+   no row as long as they stay there. */
+uint32_t gliderFirstTrue(GliderContext* context, const GliderGuardTable* table, uint32_t from);
 
 /* Leaves a note of `kind` (GliderNoteKind) with `count` values, for this tick; `text` outlives the
    mission. Beyond what there is room for it is counted as lost. */

@@ -44,16 +44,8 @@ Program::Program() {
   state_.name = "program";
   mission_.abi_version = GLIDER_ABI_VERSION;
   mission_.state_count = 1;
-  mission_.states = &state_;
-  mission_.sensors = sensors_;
-  // What the program does stands in its own code, between the ticks.
-  mission_.begin = [](GliderContext*) {};
-  mission_.advance = [](GliderContext*) {};
-  mission_.guards = [](const GliderContext*, uint32_t, uint32_t) { return GLIDER_NO_CASE; };
-  mission_.act = [](GliderContext*, uint32_t, uint32_t) {};
-  mission_.enter = [](GliderContext*, uint32_t) {};
-  mission_.fly = [](GliderContext*, uint32_t) { return GLIDER_NO_CASE; };
-  mission_.condition = [](const GliderContext*) { return GLIDER_NO_CASE; };
+  mission_.states = states_;
+  mission_.sensors = sensors_;  // what the program does stands in its own code, between the ticks
   context_->mission = &mission_;
   context_->readings = memory_.readings;
   column_.clear();

@@ -72,6 +72,7 @@ class Program {
   Link link_;
   Limits limits_;
   GliderStateInfo state_{};
+  const GliderStateInfo* const states_[1] = {&state_};
   GliderMission mission_{};
   GliderSensorInfo sensors_[kMost] = {};
   hooks::Subscription subscription_[kMost] = {};

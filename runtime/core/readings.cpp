@@ -4,6 +4,7 @@
 #include "runtime/core/readings.h"
 
 #include "runtime/abi/behaviour.h"
+#include "runtime/abi/order.h"
 #include "runtime/numbers/numbers.h"
 
 #include <math.h>
@@ -22,6 +23,29 @@ double degreesOf(double raw) {
   return gliderSettle(doubleOf(bitsOf(degrees + minutes / 60.0) | (bitsOf(raw) & kSignBit)));
 }
 
+/// gliderOrder, but -0 is 0.
+int64_t orderOf(double value) {
+  const int64_t order = gliderOrder(value);
+  return order == -1 ? 0 : order;
+}
+
+/// value > limit; neither is NaN.
+bool isPast(double value, double limit) {
+  return orderOf(value) > orderOf(limit);
+}
+
+/// The raw value in SI units, ddmm.mmmm in degrees; NaN if it is not plausible.
+double readingOf(const GliderSensorInfo& sensor, double raw) {
+  constexpr uint64_t kOne = 0x3FF0000000000000U;
+  if (!isFinite(raw) || isPast(sensor.lowest, raw) || isPast(raw, sensor.highest)) {
+    return unknown();
+  }
+  if (sensor.encoding == kGliderDegreesMinutes) {
+    return degreesOf(raw);
+  }
+  return gliderSettle(bitsOf(sensor.to_si) == kOne ? raw : raw * sensor.to_si);
+}
+
 const GliderReading* find(const GliderContext& context, uint32_t id) {
   for (uint32_t i = 0; i < context.mission->sensor_count; ++i) {
     if (context.mission->sensors[i].id == id) {
@@ -33,23 +57,20 @@ const GliderReading* find(const GliderContext& context, uint32_t id) {
 
 }  // namespace
 
-double readingOf(const GliderSensorInfo& sensor, double raw, double age) {
-  const bool plausible = isFinite(raw) && raw >= sensor.lowest && raw <= sensor.highest;
-  if (!plausible || age > sensor.stale_after) {
-    return unknown();
-  }
-  return sensor.encoding == kGliderDegreesMinutes ? degreesOf(raw)
-                                                  : gliderSettle(raw * sensor.to_si);
-}
-
 void takeUpdates(GliderContext& context, const GliderUpdate* updates, uint32_t count) {
+  const GliderMission& mission = *context.mission;
+  uint32_t place = 0;  // frames mostly hold sensors in the mission's order
   for (uint32_t u = 0; u < count; ++u) {
-    // Not only the first: a mission may know one sensor by two names.
-    for (uint32_t i = 0; i < context.mission->sensor_count; ++i) {
-      if (context.mission->sensors[i].id == updates[u].id) {
-        context.readings[i].raw = updates[u].value;
-        context.readings[i].updated = context.mission_time;
-        context.readings[i].seen = 1;
+    for (uint32_t tried = 0; tried < mission.sensor_count; ++tried) {
+      const bool found = mission.sensors[place].id == updates[u].id;
+      if (found) {
+        context.readings[place].raw = updates[u].value;
+        context.readings[place].updated = context.mission_time;
+        context.readings[place].seen = 1;
+      }
+      place = place + 1 == mission.sensor_count ? 0 : place + 1;
+      if (found) {
+        break;
       }
     }
   }
@@ -58,9 +79,29 @@ void takeUpdates(GliderContext& context, const GliderUpdate* updates, uint32_t c
 void refreshReadings(GliderContext& context) {
   for (uint32_t i = 0; i < context.mission->sensor_count; ++i) {
     GliderReading& reading = context.readings[i];
-    const double age = gliderSettle(context.mission_time - reading.updated);
-    reading.value =
-        reading.seen != 0 ? readingOf(context.mission->sensors[i], reading.raw, age) : unknown();
+    if (reading.seen == 0) {
+      continue;
+    }
+    const GliderSensorInfo& sensor = context.mission->sensors[i];
+    if (bitsOf(reading.updated) == bitsOf(context.mission_time)) {
+      reading.value = readingOf(sensor, reading.raw);
+    } else if (isKnown(reading.value) &&
+               isPast(gliderSettle(context.mission_time - reading.updated), sensor.stale_after)) {
+      reading.value = unknown();
+    }
+  }
+}
+
+double valueOf(const GliderContext& context, uint32_t source, uint32_t sensor) {
+  switch (source) {
+    case kGliderSensor:
+      return context.readings[sensor].value;
+    case kGliderMissionTime:
+      return context.mission_time;
+    case kGliderStateTime:
+      return gliderSettle(context.mission_time - context.entered);
+    default:
+      return gliderSettle(context.mission_time - context.resumed);
   }
 }
 
@@ -80,4 +121,9 @@ extern "C" double gliderAge(const GliderContext* context, uint32_t id) {
 
 extern "C" double gliderMissionTime(const GliderContext* context) {
   return context->mission_time;
+}
+
+extern "C" double gliderLogValue(const GliderContext* context, uint32_t item) {
+  const GliderLogInfo& info = context->mission->states[context->state]->log[item];
+  return glider::runtime::valueOf(*context, info.source, info.sensor);
 }

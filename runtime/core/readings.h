@@ -15,8 +15,7 @@ void takeUpdates(GliderContext& context, const GliderUpdate* updates, uint32_t c
 /// Makes each sensor's reading of this tick: SI units, NaN if it is unknown.
 void refreshReadings(GliderContext& context);
 
-/// The raw value in SI units, ddmm.mmmm in degrees; NaN if it is not plausible or, at `age`
-/// seconds, stale.
-double readingOf(const GliderSensorInfo& sensor, double raw, double age);
+/// A sensor's reading (its place in the mission's table) or a clock, by GliderSource.
+double valueOf(const GliderContext& context, uint32_t source, uint32_t sensor);
 
 }  // namespace glider::runtime

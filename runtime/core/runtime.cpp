@@ -70,10 +70,14 @@ bool hasTables(const GliderMission& mission) {
          (mission.parameters != nullptr || mission.parameter_count == 0);
 }
 
-bool hasCode(const GliderMission& mission) {
-  return mission.begin != nullptr && mission.advance != nullptr && mission.guards != nullptr &&
-         mission.act != nullptr && mission.enter != nullptr && mission.fly != nullptr &&
-         mission.condition != nullptr && mission.log_value != nullptr;
+/// True if every state is there, and whatever has cases has guards.
+bool hasGuards(const GliderMission& mission) {
+  bool all = mission.guards != nullptr || mission.always_count == 0;
+  for (uint32_t i = 0; i < mission.state_count; ++i) {
+    const GliderStateInfo* state = mission.states[i];
+    all = all && state != nullptr && (state->guards != nullptr || state->case_count == 0);
+  }
+  return all;
 }
 
 }  // namespace
@@ -109,11 +113,8 @@ bool GliderRuntime::acceptable(const GliderMission& mission) {
          mission.sensor_count <= glider::hooks::kMostSubscriptions &&
          mission.parameter_count <= GLIDER_MOST_PARAMETERS &&
          mission.parameter_count <= mission.variable_count &&
-         mission.context_bytes == gliderContextLayout(mission.sensor_count, mission.stack_limit,
-                                                      mission.memory_count, mission.variable_count,
-                                                      mission.temporal_slots)
-                                      .bytes &&
-         hasTables(mission) && hasCode(mission);
+         mission.context_bytes == gliderContextLayout(&mission).bytes && hasTables(mission) &&
+         hasGuards(mission);
 }
 
 GliderRuntimeStatus GliderRuntime::poll(const GliderByteStream& stream, const GliderClock& clock) {

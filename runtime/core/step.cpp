@@ -16,9 +16,7 @@ namespace {
 
 /// Gives the context its arrays, in the memory behind it.
 GliderContext* layOut(void* memory, const GliderMission& mission) {
-  const GliderContextLayout layout =
-      gliderContextLayout(mission.sensor_count, mission.stack_limit, mission.memory_count,
-                          mission.variable_count, mission.temporal_slots);
+  const GliderContextLayout layout = gliderContextLayout(&mission);
   auto* bytes = static_cast<uint8_t*>(memory);
   memset(bytes, 0, layout.bytes);
   auto* context = reinterpret_cast<GliderContext*>(bytes);
@@ -28,6 +26,7 @@ GliderContext* layOut(void* memory, const GliderMission& mission) {
   context->memory = reinterpret_cast<GliderBehaviourMemory*>(bytes + layout.memory);
   context->variables = reinterpret_cast<double*>(bytes + layout.variables);
   context->temporals = reinterpret_cast<double*>(bytes + layout.temporals);
+  context->intervals = reinterpret_cast<uint32_t*>(bytes + layout.intervals);
   context->notes = reinterpret_cast<GliderNote*>(bytes + layout.notes);
   context->note_values = reinterpret_cast<double*>(bytes + layout.note_values);
   return context;
@@ -45,6 +44,13 @@ void setVariables(GliderContext& context, const double* parameters) {
   }
 }
 
+/// What has not been seen is unknown.
+void forgetReadings(GliderContext& context) {
+  for (uint32_t i = 0; i < context.mission->sensor_count; ++i) {
+    context.readings[i].value = unknown();
+  }
+}
+
 /// Forgets what the tick before left for logs and displays.
 void clearRecords(GliderContext& context) {
   context.moved_list = GLIDER_NO_LIST;
@@ -58,9 +64,32 @@ void clearRecords(GliderContext& context) {
   context.lost_notes = 0;
 }
 
+/// Enters or resumes the current state.
+void enter(GliderContext& context, GliderPhase phase) {
+  if (GliderEnter* enter = context.mission->states[context.state]->enter; enter != nullptr) {
+    enter(&context, phase);
+  }
+}
+
+void advance(GliderContext& context, GliderAdvance* advance) {
+  if (advance != nullptr) {
+    advance(&context);
+  }
+}
+
+uint32_t firstTrue(GliderContext& context, GliderGuards* guards, uint32_t from) {
+  return guards != nullptr ? guards(&context, from) : GLIDER_NO_CASE;
+}
+
+uint32_t fly(GliderContext& context, GliderFly* fly) {
+  return fly != nullptr ? fly(&context) : GLIDER_NO_CASE;
+}
+
 /// Fires a case: its block, its transition. True if the tick is over.
-bool fire(GliderContext& context, const Fired& fired) {
-  context.mission->act(&context, fired.list, fired.index);
+bool fire(GliderContext& context, GliderAct* act, const Fired& fired) {
+  if (act != nullptr) {
+    act(&context, fired.index);
+  }
   const Moved moved = makeTransition(context, fired);
   if (moved == Moved::No) {
     return false;
@@ -68,7 +97,7 @@ bool fire(GliderContext& context, const Fired& fired) {
   context.moved_list = fired.list;
   context.moved_case = fired.index;
   if (moved != Moved::Finished) {
-    context.mission->enter(&context, moved == Moved::Entered ? kGliderEnter : kGliderResume);
+    enter(context, moved == Moved::Entered ? kGliderEnter : kGliderResume);
   }
   return true;
 }
@@ -78,13 +107,13 @@ bool tryAlways(GliderContext& context) {
   const GliderMission& mission = *context.mission;
   // Every round passes at least one case.
   for (uint32_t from = 0; from < mission.always_count && from < context.limit;) {
-    const uint32_t found = mission.guards(&context, kGliderListAlways, from);
+    const uint32_t found = firstTrue(context, mission.guards, from);
     if (found < from || found >= mission.always_count) {
       return false;
     }
     if (mayInterrupt(context, found)) {
       context.fired_always = found;
-      return fire(context, {kGliderListAlways, found, mission.always[found]});
+      return fire(context, mission.act, {kGliderListAlways, found, mission.always[found]});
     }
     from = found + 1;
   }
@@ -93,16 +122,13 @@ bool tryAlways(GliderContext& context) {
 
 /// True if one of the state's own cases ended the tick.
 bool tryState(GliderContext& context) {
-  const GliderStateInfo& state = context.mission->states[context.state];
-  if (state.case_count == 0) {
-    return false;
-  }
-  const uint32_t found = context.mission->guards(&context, kGliderListState, 0);
+  const GliderStateInfo& state = *context.mission->states[context.state];
+  const uint32_t found = firstTrue(context, state.guards, 0);
   if (found >= state.case_count) {
     return false;
   }
   context.fired_state = found;
-  return fire(context, {kGliderListState, found, state.cases[found]});
+  return fire(context, state.act, {kGliderListState, found, state.cases[found]});
 }
 
 /// Step 4 of a tick.
@@ -112,8 +138,9 @@ void tryLists(GliderContext& context) {
   const bool over =
       own_first ? tryState(context) || tryAlways(context) : tryAlways(context) || tryState(context);
   if (!over) {
-    context.fired_profile = context.mission->fly(&context, kGliderListProfile);
-    context.fired_route = context.mission->fly(&context, kGliderListRoute);
+    const GliderStateInfo& state = *context.mission->states[context.state];
+    context.fired_profile = fly(context, state.profile);
+    context.fired_route = fly(context, state.route);
   }
 }
 
@@ -126,12 +153,15 @@ extern "C" GliderContext* gliderStart(void* context_memory, const GliderMission*
   GliderContext* context = glider::runtime::layOut(context_memory, *mission);
   context->limit = GLIDER_NO_LIMIT;
   glider::runtime::clearRecords(*context);
+  glider::runtime::forgetReadings(*context);
   glider::runtime::takeUpdates(*context, updates, count);
   glider::runtime::refreshReadings(*context);
   glider::runtime::setVariables(*context, parameters);
-  mission->begin(context);
+  if (mission->begin != nullptr) {
+    mission->begin(context);
+  }
   glider::runtime::enterState(*context, 0);
-  mission->enter(context, kGliderEnter);
+  glider::runtime::enter(*context, kGliderEnter);
   return context;
 }
 
@@ -146,6 +176,8 @@ extern "C" void gliderStep(GliderContext* context, double mission_time, const Gl
   }
   glider::runtime::takeUpdates(*context, updates, count);
   glider::runtime::refreshReadings(*context);
-  context->mission->advance(context);
+  // Those of `always` first: a state's may look at them, not the other way round.
+  glider::runtime::advance(*context, context->mission->advance);
+  glider::runtime::advance(*context, context->mission->states[context->state]->advance);
   glider::runtime::tryLists(*context);
 }

@@ -125,7 +125,8 @@ bool Launch::check() {
   GliderContext context{};
   context.mission = &mission_;
   context.variables = values_;
-  const uint32_t failed = mission_.condition(&context);
+  const uint32_t failed =
+      mission_.condition != nullptr ? mission_.condition(&context) : GLIDER_NO_CASE;
   if (failed == GLIDER_NO_CASE) {
     return true;
   }

@@ -37,7 +37,7 @@ bool needsQuotes(const char* name) {
 const GliderCaseInfo& madeCase(const GliderContext& context, uint32_t from) {
   const GliderMission& mission = *context.mission;
   return context.moved_list == kGliderListAlways ? mission.always[context.moved_case]
-                                                 : mission.states[from].cases[context.moved_case];
+                                                 : mission.states[from]->cases[context.moved_case];
 }
 
 void MissionLog::begin(const GliderContext& context) {
@@ -49,16 +49,16 @@ void MissionLog::begin(const GliderContext& context) {
           .name = mission.parameters[i].name,
           .value = context.variables[i]});
   }
-  line({.time = 0.0, .record = "state", .name = mission.states[0].name, .value = unknown()});
+  line({.time = 0.0, .record = "state", .name = mission.states[0]->name, .value = unknown()});
 }
 
 bool MissionLog::due(const GliderContext& context, uint32_t item) {
-  const double period = context.mission->states[context.state].log[item].period;
+  const double period = context.mission->states[context.state]->log[item].period;
   return last_written_state_ != context.state || context.mission_time - written_[item] >= period;
 }
 
 void MissionLog::values(const GliderContext& context) {
-  const GliderStateInfo& state = context.mission->states[context.state];
+  const GliderStateInfo& state = *context.mission->states[context.state];
   const uint32_t count = state.log_count < kMostItems ? state.log_count : kMostItems;
   for (uint32_t item = 0; item < count; ++item) {
     if (due(context, item)) {
@@ -66,22 +66,22 @@ void MissionLog::values(const GliderContext& context) {
       line({.time = context.mission_time,
             .record = "value",
             .name = state.log[item].name,
-            .value = context.mission->log_value(&context, item)});
+            .value = gliderLogValue(&context, item)});
     }
   }
   last_written_state_ = context.state;
 }
 
 void MissionLog::transition(const GliderContext& context, uint32_t from) {
-  const GliderStateInfo* states = context.mission->states;
+  const GliderStateInfo* const* states = context.mission->states;
   const uint32_t transition = madeCase(context, from).transition;
   const bool always = context.moved_list == kGliderListAlways;
   line({.time = context.mission_time,
         .record = "transition",
         .name = transitionName(transition, always),
         .value = static_cast<double>(context.moved_case) + 1.0,
-        .from = states[from].name,
-        .to = transition == kGliderExit ? "" : states[context.state].name});
+        .from = states[from]->name,
+        .to = transition == kGliderExit ? "" : states[context.state]->name});
   last_written_state_ = UINT32_MAX;  // an entered state logs all its items at once
 }
 

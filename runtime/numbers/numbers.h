@@ -34,6 +34,11 @@ inline bool isFinite(double value) {
   return (bitsOf(value) & kExponent) != kExponent;
 }
 
+inline bool isKnown(double value) {
+  constexpr uint64_t kInfinity = 0x7FF0000000000000U;
+  return (bitsOf(value) & ~kSignBit) <= kInfinity;
+}
+
 inline double magnitude(double value) {
   return doubleOf(bitsOf(value) & ~kSignBit);
 }

@@ -10,6 +10,7 @@
 #include "codegen/program/optimise.h"
 #include "codegen/program/program.h"
 #include "codegen/target/machine.h"
+#include "ir/opt/passes.h"
 #include "platforms/load/board.h"
 #include "support/check.h"
 #include "support/files.h"
@@ -18,6 +19,7 @@
 #include <fmt/ranges.h>
 #include <llvm/IR/Constants.h>
 #include <llvm/Linker/Linker.h>
+#include <llvm/Transforms/IPO/Internalize.h>
 
 #include <cstdlib>
 #include <cstring>
@@ -27,6 +29,9 @@ namespace {
 
 namespace fs = std::filesystem;
 using platforms::Board;
+
+/// From this level on missions fly with tables of guards, which ir/eval does not know.
+constexpr int kTableLevel = 2;
 
 template <typename T>
 T sure(support::Result<T> result) {
@@ -38,7 +43,7 @@ T sure(support::Result<T> result) {
 
 /// All missions in one module, with the table of them that judged_main.cpp wants.
 std::unique_ptr<llvm::Module> joinMissions(std::span<const Trial> trials,
-                                           const llvm::TargetMachine& machine,
+                                           const llvm::TargetMachine& machine, int level,
                                            llvm::LLVMContext& context) {
   auto all = std::make_unique<llvm::Module>("judged", context);
   all->setTargetTriple(machine.getTargetTriple().str());
@@ -47,10 +52,18 @@ std::unique_ptr<llvm::Module> joinMissions(std::span<const Trial> trials,
   for (const Trial& trial : trials) {
     ir::MissionFacts facts;
     facts.stack_depth = trial.stack_depth;
-    auto module = codegen::lowerMission(trial.mission, facts, machine, nullptr, context);
+    ir::Mission mission = trial.mission;
+    if (level >= kTableLevel) {
+      ir::opt::tabulateGuards(mission);
+    }
+    auto module =
+        codegen::lowerMission(mission, facts, codegen::wholeOf(mission), machine, nullptr, context);
     const std::string name = fmt::format("mission{}", table.size());
     module->getNamedGlobal("gliderMission")->setName(name);
     module->getNamedGlobal("gliderContextMemory")->eraseFromParent();
+    llvm::internalizeModule(*module, [&](const llvm::GlobalValue& value) {
+      return value.getName() == name;  // the states of each mission are its own
+    });
     CHECK(!llvm::Linker::linkModules(*all, std::move(module)), "missions that do not link");
     table.push_back(all->getNamedGlobal(name));
   }
@@ -69,13 +82,13 @@ std::unique_ptr<llvm::Module> joinMissions(std::span<const Trial> trials,
 std::string buildProgram(std::span<const Trial> trials, const Board& board, int level) {
   llvm::LLVMContext context;
   auto machine = sure(codegen::makeMachine(board, level, codegen::ProgramKind::Executable));
-  auto module = joinMissions(trials, *machine, context);
+  auto module = joinMissions(trials, *machine, level, context);
   const fs::path runtime = fs::path(GLIDER_BINARY_DIR) / "tests" / "judged" / (board.name + ".bc");
   sure(codegen::joinRuntime(*module, {runtime}, {"main"}));
   codegen::optimise(*module, *machine, level);
   const std::string object =
       codegen::emitCode(*module, *machine, llvm::CodeGenFileType::ObjectFile);
-  return sure(codegen::link({codegen::ProgramKind::Executable, object, {}, {}, false}, board));
+  return sure(codegen::link({codegen::ProgramKind::Executable, {object}, {}, {}, false}, board));
 }
 
 Words fly(std::span<const Trial> trials, const Board& board, const std::string& program) {

@@ -118,10 +118,11 @@ void writeTick(const GliderContext* context) {
     putNumber(context->variables[i]);
   }
   putNotes(context);
-  put(context->mission->condition(context));
-  const GliderStateInfo* state = &context->mission->states[context->state];
+  GliderCondition* condition = context->mission->condition;
+  put(condition != NULL ? condition(context) : GLIDER_NO_CASE);
+  const GliderStateInfo* state = context->mission->states[context->state];
   for (uint32_t i = 0; i < state->log_count; ++i) {
-    putNumber(context->mission->log_value(context, i));
+    putNumber(gliderLogValue(context, i));
   }
   const uint64_t count = word_count;
   if (fwrite(&count, sizeof count, 1, records) != 1 ||
@@ -155,9 +156,7 @@ double readTick(GliderUpdate* updates, uint32_t* count) {
 void fly(const GliderMission* mission) {
   GliderUpdate updates[kMostUpdates];
   uint32_t count;
-  const GliderContextLayout layout =
-      gliderContextLayout(mission->sensor_count, mission->stack_limit, mission->memory_count,
-                          mission->variable_count, mission->temporal_slots);
+  const GliderContextLayout layout = gliderContextLayout(mission);
   if (layout.bytes != mission->context_bytes || layout.bytes > sizeof context_memory) {
     giveUp("generated code and the runtime differ on the size of the context");
   }

@@ -124,22 +124,27 @@ class Maker {
   std::array<ExprId, 3> operands_;
 };
 
-/// All numeric operations, as log items.
+/// All numeric operations, as values of a `log` in each tick.
 ir::Mission numbers() {
   Maker maker;
+  ir::Statement log;
+  log.kind = ir::StatementKind::Log;
+  log.text = "operations";
   for (const Op op : {Op::Negate, Op::Abs, Op::Sqrt, Op::Add, Op::Subtract, Op::Multiply,
                       Op::Divide, Op::Min, Op::Max, Op::Clamp, Op::Atan2}) {
-    maker.state().log.push_back({std::string(ir::opInfo(op).text), maker.operation(op), 0});
+    log.values.push_back(maker.operation(op));
   }
   const ExprId a = maker.sensor(0);
   const ExprId angle = maker.operation(Op::Multiply, {a, maker.radian(), {}});
   for (const Op op : {Op::Sin, Op::Cos, Op::Tan}) {
-    maker.state().log.push_back(
-        {std::string(ir::opInfo(op).text), maker.operation(op, {angle, {}, {}}), 0});
+    log.values.push_back(maker.operation(op, {angle, {}, {}}));
   }
   const ExprId less = maker.operation(Op::Less);
-  maker.state().log.push_back(
-      {"select", maker.operation(Op::Select, {less, a, maker.sensor(2)}), 0});
+  log.values.push_back(maker.operation(Op::Select, {less, a, maker.sensor(2)}));
+  maker.mission().blocks.push_back({{log}});
+  ir::Case& each_tick = maker.state().cases.emplace_back();
+  each_tick.guard = maker.operation(Op::True);
+  each_tick.action = {0};
   return maker.mission();
 }
 

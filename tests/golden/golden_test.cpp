@@ -36,7 +36,7 @@ TEST_P(Golden, SaysWhatIsExpected) {
 
 std::vector<std::filesystem::path> all() {
   std::vector<std::filesystem::path> found;
-  for (const char* stage : {"parse", "sema", "verify"}) {
+  for (const char* stage : {"parse", "sema", "verify", "prove"}) {
     const auto some =
         goldensIn(std::filesystem::path(GLIDER_SOURCE_DIR) / "tests" / "golden" / stage);
     found.insert(found.end(), some.begin(), some.end());

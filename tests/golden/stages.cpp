@@ -6,6 +6,7 @@
 #include "frontend/frontend.h"
 #include "frontend/import/imports.h"
 #include "ir/core/validate.h"
+#include "ir/prove/prove.h"
 #include "ir/text/print.h"
 #include "ir/verify/verify.h"
 #include "support/check.h"
@@ -58,7 +59,16 @@ class Compilation {
   void verify() {
     product_.clear();
     if (mission_) {
-      ir::verify(*mission_, diagnostics_);
+      facts_ = ir::verify(*mission_, diagnostics_);
+    }
+  }
+
+  void prove() {
+    if (mission_ && !diagnostics_.hasErrors()) {
+      ir::prove::Options options;
+      options.library = 1;
+      options.report = true;
+      show(ir::prove::prove(*mission_, facts_, slocum(), options, diagnostics_));
     }
   }
 
@@ -69,6 +79,18 @@ class Compilation {
   }
 
  private:
+  void show(const ir::prove::Findings& findings) {
+    for (const auto& line : findings.lines) {
+      product_ += "--- " + line.text + "\n";
+    }
+    constexpr const char* kVerdicts[] = {"proved", "refuted", "open"};
+    for (const auto& verdict : findings.requirements) {
+      const support::SourceRange range = mission_->requirements[verdict.requirement].range;
+      product_ += "--- " + std::string(kVerdicts[static_cast<size_t>(verdict.verdict)]) + ": " +
+                  std::string(sources_.text(range)) + "\n";
+    }
+  }
+
   void showIr() {
     product_.clear();
     if (mission_) {
@@ -84,6 +106,7 @@ class Compilation {
   support::DiagnosticEngine diagnostics_;
   std::optional<ast::File> ast_;
   std::optional<ir::Mission> mission_;
+  ir::MissionFacts facts_;
   std::string product_;
 };
 
@@ -95,8 +118,11 @@ Outcome run(const std::string& stage, const std::string& name, const std::string
   if (stage != "parse") {
     compilation.analyse();
   }
-  if (stage == "verify") {
+  if (stage == "verify" || stage == "prove") {
     compilation.verify();
+  }
+  if (stage == "prove") {
+    compilation.prove();
   }
   return compilation.outcome();
 }

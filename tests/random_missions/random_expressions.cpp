@@ -91,6 +91,15 @@ ExprId ExpressionMaker::variable(ir::VariableId id) {
   return keep(e);
 }
 
+ExprId ExpressionMaker::logged() {
+  constexpr Op kClocks[] = {Op::MissionTime, Op::StateTime, Op::ResumeTime};
+  if (random_.chance(0.3)) {
+    return add(random_.pick(kClocks), {});
+  }
+  const auto count = static_cast<uint32_t>(m_.sensors.size());
+  return add(Op::Sensor, {}, {random_.below(count)});
+}
+
 bool ExpressionMaker::readable(ExprId id) const {
   const ir::Reads& reads = reads_[id.index];
   return (!reads.state.valid() || reads.state == scope_.state) &&
@@ -323,6 +332,28 @@ ExprId ExpressionMaker::comparison() {
   const ExprId left = random_.chance(0.6) ? leaf(type) : number(type, random_.between(1, 3));
   const ExprId right = random_.chance(0.6) ? constant(type) : number(type, 1);
   return add(random_.pick(kOps), {left, right});
+}
+
+ExprId ExpressionMaker::threshold() {
+  constexpr Op kOps[] = {Op::Less,         Op::LessEqual, Op::Greater,
+                         Op::GreaterEqual, Op::Equal,     Op::NotEqual};
+  const ExprId watched = logged();
+  if (random_.chance(0.05)) {
+    return add(Op::Known, {watched});
+  }
+  const ExprId at = constant(m_[watched].type);
+  const Op op = random_.pick(kOps);
+  return random_.chance(0.2) ? add(op, {at, watched}) : add(op, {watched, at});
+}
+
+ExprId ExpressionMaker::thresholds() {
+  ExprId guard = threshold();
+  for (uint32_t more = random_.below(3); more > 0; --more) {
+    guard = random_.chance(0.15) ? add(Op::Not, {guard}) : guard;
+    const ExprId other = random_.chance(0.1) ? comparison() : threshold();
+    guard = add(random_.chance(0.7) ? Op::And : Op::Or, {guard, other});
+  }
+  return guard;
 }
 
 ExprId ExpressionMaker::guard(uint32_t depth) {

@@ -31,8 +31,13 @@ class ExpressionMaker {
   /// An expression of truth, nested at most `depth` deep (comparisons and what they compare come on
   /// top).
   ir::ExprId guard(uint32_t depth);
+  /// Comparisons of sensors and clocks with constants, as long lists of cases have them; at times
+  /// with something else besides.
+  ir::ExprId thresholds();
   /// Either, kept in the variable's range.
   ir::ExprId valueFor(const ir::Variable& variable, uint32_t depth);
+  /// What a state may log: a sensor or a clock.
+  ir::ExprId logged();
   /// `clock >= seconds`.
   ir::ExprId since(ir::Op clock, double seconds);
   ir::ExprId both(ir::ExprId a, ir::ExprId b) { return add(ir::Op::And, {a, b}); }
@@ -57,6 +62,7 @@ class ExpressionMaker {
   ir::ExprId quotient(ir::Type type, uint32_t depth);
   ir::ExprId root(ir::Type type, uint32_t depth);
   ir::ExprId comparison();
+  ir::ExprId threshold();
 
   ir::Mission& m_;
   Random& random_;

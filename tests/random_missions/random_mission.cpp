@@ -242,9 +242,7 @@ class MissionMaker {
     stand(ir::ListKind::State, id);
     for (uint32_t k = random_.below(4); k > 0; --k) {
       constexpr double kPeriods[] = {0, 4, 30.5};
-      const Type type = random_.pick(m_.sensors).type;
-      const ir::ExprId value = expressions_.number(type, random_.between(0, 2));
-      s.log.push_back({fmt::format("log{}", k), value, random_.pick(kPeriods)});
+      s.log.push_back({fmt::format("log{}", k), expressions_.logged(), random_.pick(kPeriods)});
     }
     s.entry = action();
     for (uint32_t k = random_.below(5); k > 0; --k) {
@@ -256,6 +254,17 @@ class MissionMaker {
     if (i < gone_to_ && random_.chance(0.7)) {
       const ir::ExprId guard = often();
       add(i, guard, Transition::Goto, random_.below(gone_to_));
+    }
+    if (random_.chance(0.15)) {
+      longList(i);
+    }
+  }
+
+  /// Behind the others, which it would hide.
+  void longList(uint32_t i) {
+    for (uint32_t k = random_.between(8, 40); k > 0; --k) {
+      const ir::ExprId guard = expressions_.thresholds();
+      m_.states[names_[i].index].cases.push_back(made(guard, Transition::Stay, {}));
     }
   }
 

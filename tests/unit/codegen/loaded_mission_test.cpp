@@ -35,7 +35,7 @@ TEST_P(Shared, Figure2ChangesStateWhenThePaperSays) {
   const codegen::LoadedMission loaded = load(checked, GetParam());
   EXPECT_STREQ(loaded.mission().name, "sampleMission");
   EXPECT_EQ(loaded.mission().state_count, 3u);
-  EXPECT_STREQ(loaded.mission().states[1].name, "s2");
+  EXPECT_STREQ(loaded.mission().states[1]->name, "s2");
   EXPECT_EQ(loaded.mission().stack_limit, 1u);
   std::vector<double> memory(loaded.mission().context_bytes / sizeof(double));
   GliderUpdate depth{8, GLIDER_M_DEPTH, 0};

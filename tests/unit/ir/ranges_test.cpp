@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "ir/core/scopes.h"
 #include "ir/eval/interpreter.h"
 #include "ir/verify/intervals.h"
 #include "tests/random_missions/random_mission.h"
@@ -22,10 +23,10 @@ class Intervals : public testing::TestWithParam<Row> {};
 
 /// depth lies in -1 .. 100 m, temp in -2 .. 40 degC.
 TEST_P(Intervals, OfOneExpression) {
-  const Mission m =
-      missionOf(kHeader + "variable x: length mission lowest 3 highest 24 initial x 3:length " +
-                "state a route drift () profile glide () log r every 0 " + GetParam().text);
-  const Interval interval = intervalsOf(m).at(m.states[0].log[0].value.index);
+  const Mission m = missionOf(
+      kHeader + "variable x: length mission lowest 3 highest 24 initial x 3:length " +
+      "state a route drift () profile glide () entry do log \"r\" (" + GetParam().text + ") end");
+  const Interval interval = intervalsOf(m).at(m.blocks[0].statements[0].values[0].index);
   EXPECT_FALSE(interval.empty);
   EXPECT_EQ(interval.lowest, GetParam().lowest);
   EXPECT_EQ(interval.highest, GetParam().highest);
@@ -57,8 +58,9 @@ const Row kRows[] = {
 INSTANTIATE_TEST_SUITE_P(Rows, Intervals, testing::ValuesIn(kRows));
 
 TEST(IntervalsTest, WhatAlwaysOverflowsIsNeverKnown) {
-  const Mission m = missionOf(kHeader + "state a route drift () profile glide () log r every 0 " +
-                              "(mul 1e300 1e300)");
+  const Mission m =
+      missionOf(kHeader + "state a route drift () profile glide () entry do log \"r\" (" +
+                "(mul 1e300 1e300)) end");
   EXPECT_TRUE(intervalsOf(m).back().empty);
 }
 
@@ -68,14 +70,19 @@ TEST(IntervalsTest, HoldWhatRandomMissionsWorkOut) {
   for (uint64_t seed = 0; seed < 30; ++seed) {
     const Mission m = random_missions::randomMission(seed);
     const std::vector<Interval> intervals = intervalsOf(m);
+    const std::vector<Reads> reads = readsOf(m);
     Interpreter interpreter(m, static_cast<uint32_t>(m.states.size()));
     const auto stream = random_missions::randomStream(m, seed, 40);
     for (size_t i = 0; i < stream.size(); ++i) {
       const TickResult now = i == 0 ? interpreter.start(stream[i].frame)
                                     : interpreter.tick(stream[i].mission_time, stream[i].frame);
-      for (const LogItem& item : m[now.state].log) {
-        const double value = interpreter.number(item.value);
-        const Interval& interval = intervals[item.value.index];
+      for (uint32_t e = 0; e < m.exprs.size(); ++e) {
+        const bool seen = !reads[e].state.valid() || reads[e].state == now.state;
+        if (m.exprs[e].type.kind == TypeKind::Bool || !seen) {
+          continue;
+        }
+        const double value = interpreter.number({e});
+        const Interval& interval = intervals[e];
         if (value == value) {
           ++looked_at;
           EXPECT_FALSE(interval.empty);

@@ -182,7 +182,16 @@ Mission strange() {
   }
   m.states[0].cases[0].guard = {1004};
   m.states[0].cases.push_back({{500}, {}, Transition::Goto, {0}, {}, {}});
-  m.states[0].log = {{"two words", {3}, 0.1}, {"", {1}, 1e-7}};
+  Expr sensor;
+  sensor.op = Op::Sensor;
+  sensor.type = m.sensors[0].type;
+  sensor.sensor = {0};
+  m.exprs.push_back(sensor);
+  Expr clock;
+  clock.op = Op::StateTime;
+  clock.type = {TypeKind::Quantity, support::dimension::time};
+  m.exprs.push_back(clock);
+  m.states[0].log = {{"two words", {1005}, 0.1}, {"", {1006}, 1e-7}};
   return m;
 }
 

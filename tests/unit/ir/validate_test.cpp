@@ -63,6 +63,19 @@ Expr& less(Mission& m) {
   return m.exprs[m.states[0].cases[0].guard.index];
 }
 
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+/// A table of two rows for the first state's cases: sound but for what a damage does to it.
+GuardTable& tabled(Mission& m) {
+  GuardTable& table = m.states[0].table;
+  if (table.empty()) {
+    m.states[0].cases.push_back(m.states[0].cases[0]);
+    table.columns = {{Op::Sensor, {0}, {{1, true}, {1, false}}}};
+    table.rows = {{0, {{0, 3}}, true}, {1, {{1, 1}}, false}};
+  }
+  return table;
+}
+
 const Damage kDamages[] = {
     {"noState", [](Mission& m) { m.states.clear(); }},
     {"twoStatesOfOneName", [](Mission& m) { m.states.push_back(m.states[0]); }},
@@ -102,6 +115,16 @@ const Damage kDamages[] = {
     {"argumentMissing", [](Mission& m) { m.states[0].profile.arguments.pop_back(); }},
     {"argumentOfOtherType", [](Mission& m) { m.states[0].profile.arguments[1] = kFirst; }},
     {"argumentOutOfRange", [](Mission& m) { m.states[0].profile.arguments[1] = {99}; }},
+    {"tableWithoutColumns", [](Mission& m) { m.states[0].table.rows = {{0, {}, true}}; }},
+    {"tableOfNoCase", [](Mission& m) { tabled(m).rows[0].number = 99; }},
+    {"tableBackwards", [](Mission& m) { std::swap(tabled(m).rows[0], tabled(m).rows[1]); }},
+    {"tableOfNoInterval", [](Mission& m) { tabled(m).rows[0].within[0].last = 4; }},
+    {"tableOfMoreColumns", [](Mission& m) { tabled(m).rows[0].within.push_back({}); }},
+    {"cutsBackwards",
+     [](Mission& m) { std::swap(tabled(m).columns[0].cuts[0], tabled(m).columns[0].cuts[1]); }},
+    {"cutNowhere", [](Mission& m) { tabled(m).columns[0].cuts[1].at = kNan; }},
+    {"columnOfNoSensor", [](Mission& m) { tabled(m).columns[0].sensor = {77}; }},
+    {"columnOfAge", [](Mission& m) { tabled(m).columns[0].source = Op::Age; }},
 };
 
 INSTANTIATE_TEST_SUITE_P(Damages, ValidateDamaged, testing::ValuesIn(kDamages),

@@ -13,11 +13,13 @@ namespace {
 
 constexpr const char* kHead =
     "name = \"p\"\ndescription = \"d\"\n[envelope]\ngreatest_depth_m = 1.0\nsteepest_pitch_rad = "
-    "1.0\nvertical_rate_m_s = 0.4\ninflection_overshoot_m = 5.0\ndrift_m_s = 0.5\ncycle_s = 4.0\n";
+    "1.0\nvertical_rate_m_s = 0.4\ninflection_overshoot_m = 5.0\ndrift_m_s = 0.5\ncycle_s = "
+    "4.0\n[world]\nstart_depth_m = 3.0\nsurface_depth_m = 2.0\nslowest_climb_m_s = 0.05\nturn_s = "
+    "120.0\ndepth_error_m = 0.5\ntick_gap_s = 12.0\n";
 constexpr const char* kSensor =
     "[[sensor]]\nname = \"a\"\nunit = \"m\"\nlowest = 0.0\nhighest = 1.0\nstale_after_s = "
     "1.0\ncomputer = \"flight\"\n"
-    "bytes = 4\nwhat = \"w\"\n";
+    "bytes = 4\nnoise = 0.1\nwhat = \"w\"\n";
 
 support::Result<Platform> load(const std::string& text) {
   const tests::TemporaryFolder folder;
@@ -42,6 +44,7 @@ TEST(Platform, MistakesInTheFileAreNamedWithTheirLine) {
       {"name = 3\ndescription = \"d\"\n", "must be a text"},
       {kHead, "[[sensor]]"},
       {std::string(kHead) + "sensor = 5\n", "means nothing here"},
+      {std::string(kHead).substr(0, std::string(kHead).find("[world]")) + kSensor, "start_depth_m"},
       {std::string(kHead) + kSensor + kSensor, "taken"},
       {std::string(kHead) + kSensor + "colour = 1\n", "`colour`"},
       {std::string("name = "), "p.toml:1"},
@@ -68,6 +71,9 @@ TEST(Platform, ValuesOutsideTheirMeaningAreRefused) {
   EXPECT_FALSE(with("bytes = 4", "bytes = 3"));
   EXPECT_FALSE(with("drift_m_s = 0.5", "drift_m_s = 0.0"));
   EXPECT_FALSE(with("vertical_rate_m_s = 0.4", "vertical_rate_m_s = -1.0"));
+  EXPECT_FALSE(with("noise = 0.1", "noise = -0.1"));
+  EXPECT_FALSE(with("tick_gap_s = 12.0", "tick_gap_s = 0.0"));
+  EXPECT_FALSE(with("turn_s = 120.0", ""));
   EXPECT_FALSE(with("\"flight\"", "\"kitchen\""));
 }
 

@@ -7,6 +7,7 @@
 #include "runtime/abi/context_layout.h"
 #include "runtime/abi/runtime.h"
 
+#include <algorithm>
 #include <functional>
 #include <vector>
 
@@ -17,6 +18,7 @@ namespace glider::runtime::testing {
 struct BenchMission {
   std::vector<GliderSensorInfo> sensors;
   std::vector<GliderStateInfo> states;
+  std::vector<const GliderStateInfo*> places;  ///< of the states
   GliderMission mission{};
 
   std::vector<GliderCaseInfo> always;
@@ -40,8 +42,6 @@ struct BenchMission {
   std::function<uint32_t(const GliderContext&)> condition = [](const GliderContext&) {
     return GLIDER_NO_CASE;
   };
-  std::function<double(const GliderContext&, uint32_t)> log_value = [](const GliderContext&,
-                                                                       uint32_t) { return 0.0; };
 
   /// Fills in `mission` and makes this the bench mission that its functions ask.
   const GliderMission& finish(uint32_t stack_limit) {
@@ -54,35 +54,26 @@ struct BenchMission {
     mission.parameter_count = static_cast<uint32_t>(parameters.size());
     mission.variable_count = mission.parameter_count + variable_count;
     mission.always_count = static_cast<uint32_t>(always.size());
-    mission.context_bytes = static_cast<uint32_t>(
-        gliderContextLayout(mission.sensor_count, stack_limit, mission.memory_count,
-                            mission.variable_count, mission.temporal_slots)
-            .bytes);
+    mission.context_bytes = static_cast<uint32_t>(gliderContextLayout(&mission).bytes);
     mission.always = always.data();
     mission.parameters = parameters.data();
     mission.name = "bench";
-    mission.states = states.data();
+    places.clear();
+    for (const GliderStateInfo& state : states) {
+      places.push_back(&state);
+    }
+    mission.states = places.data();
     mission.sensors = sensors.data();
-    mission.guards = [](const GliderContext* c, uint32_t list, uint32_t from) {
-      return list == kGliderListAlways ? active()->always_guards(*c, from) : active()->guards(*c);
-    };
-    mission.enter = [](GliderContext* c, uint32_t phase) { active()->fly(*c, phase); };
-    mission.fly = [](GliderContext* c, uint32_t list) {
-      if (list == kGliderListRoute) {
-        return active()->route(*c);
-      }
-      active()->fly(*c, kGliderTick);
-      return GLIDER_NO_CASE;
-    };
     mission.begin = [](GliderContext* c) { active()->begin(*c); };
     mission.advance = [](GliderContext* c) { active()->advance(*c); };
-    mission.act = [](GliderContext* c, uint32_t list, uint32_t fired) {
-      active()->act(*c, list, fired);
+    mission.guards = [](GliderContext* c, uint32_t from) {
+      return active()->always_guards(*c, from);
+    };
+    mission.act = [](GliderContext* c, uint32_t fired) {
+      active()->act(*c, kGliderListAlways, fired);
     };
     mission.condition = [](const GliderContext* c) { return active()->condition(*c); };
-    mission.log_value = [](const GliderContext* c, uint32_t i) {
-      return active()->log_value(*c, i);
-    };
+    std::ranges::for_each(states, give);
     memory.assign(mission.context_bytes / sizeof(double), 0.0);
     return mission;
   }
@@ -92,6 +83,19 @@ struct BenchMission {
                        static_cast<uint32_t>(frame.size()));
   }
 
+  /// Gives a state its code.
+  static void give(GliderStateInfo& state) {
+    state.guards = [](GliderContext* c, uint32_t) { return active()->guards(*c); };
+    state.act = [](GliderContext* c, uint32_t fired) {
+      active()->act(*c, kGliderListState, fired);
+    };
+    state.enter = [](GliderContext* c, uint32_t phase) { active()->fly(*c, phase); };
+    state.profile = [](GliderContext* c) {
+      active()->fly(*c, kGliderTick);
+      return GLIDER_NO_CASE;
+    };
+    state.route = [](GliderContext* c) { return active()->route(*c); };
+  }
   static BenchMission*& active() {
     static BenchMission* mission = nullptr;
     return mission;
@@ -99,6 +103,17 @@ struct BenchMission {
   std::vector<double> memory;  ///< of the context
 };
 
+inline GliderStateInfo benchState(const char* name, const GliderCaseInfo* cases = nullptr,
+                                  uint32_t case_count = 0, const GliderLogInfo* log = nullptr,
+                                  uint32_t log_count = 0) {
+  GliderStateInfo state{};
+  state.name = name;
+  state.cases = cases;
+  state.log = log;
+  state.case_count = case_count;
+  state.log_count = log_count;
+  return state;
+}
 inline GliderSensorInfo depthSensor() {
   return {"m_depth", 1, 0, 1200, 20, GLIDER_M_DEPTH, kGliderLinear};
 }

@@ -22,7 +22,7 @@ constexpr const char* kLength = "m=3ff0000000000000 cm=3f847ae147ae147b km=408f4
 class LaunchTest : public ::testing::Test {
  protected:
   LaunchTest() {
-    bench_.states = {{"a", nullptr, nullptr, 0, 0}};
+    bench_.states = {benchState("a")};
     bench_.parameters = {
         {"bottom", 25, 10, 30, kLength},
         {"survey.top", 5, 1, kEndless, kLength},
@@ -133,7 +133,7 @@ TEST_F(LaunchTest, ParametersMustFitTogether) {
 
 TEST_F(LaunchTest, AMissionWithoutParametersSaysSo) {
   BenchMission bench;
-  bench.states = {{"a", nullptr, nullptr, 0, 0}};
+  bench.states = {benchState("a")};
   bench.finish(0);
   Launch launch(bench.mission);
   EXPECT_TRUE(launch.check());

@@ -23,7 +23,8 @@ class LinkTest : public ::testing::Test {
  protected:
   LinkTest() {
     mission_.sensors = {depthSensor(), temperatureSensor()};
-    mission_.states = {{"first", &to_second_, log_, 1, 1}, {"second", &leave_, log_, 1, 1}};
+    mission_.states = {benchState("first", &to_second_, 1, log_, 1),
+                       benchState("second", &leave_, 1, log_, 1)};
     mission_.guards = [this](const GliderContext& c) {
       const double limit = c.state == 0 ? turn : end;
       return c.mission_time >= limit ? 0U : GLIDER_NO_CASE;
@@ -33,7 +34,6 @@ class LinkTest : public ::testing::Test {
                       .454);
       gliderRouteNoheading(&c, &c.memory[2], phase);
     };
-    mission_.log_value = [](const GliderContext& c, uint32_t) { return c.readings[0].value; };
     mission_.finish(1);
   }
 
@@ -70,7 +70,7 @@ class LinkTest : public ::testing::Test {
   double first_bottom = 12;
   GliderCaseInfo to_second_{kGliderGoto, 1};
   GliderCaseInfo leave_{kGliderExit, 0};
-  GliderLogInfo log_[1] = {{"depth", 8}};
+  GliderLogInfo log_[1] = {{"depth", 8, kGliderSensor, 0}};
   BenchMission mission_;
   std::vector<double> runtime_memory_;
   GliderRuntime* runtime_ = nullptr;
@@ -355,6 +355,8 @@ TEST_F(LinkTest, RefusesAMissionOfAnotherAbi) {
   other = mission_.mission;
   other.sensor_count = 65;
   EXPECT_EQ(init(other), nullptr);
+  mission_.states[1].guards = nullptr;
+  EXPECT_EQ(init(mission_.mission), nullptr) << "a state has cases and no guards";
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ class ListsTest : public ::testing::Test {
  protected:
   ListsTest() {
     for (const char* name : {"a", "b", "c", "d"}) {
-      bench_.states.push_back({name, cases_, nullptr, 6, 0});
+      bench_.states.push_back(benchState(name, cases_, 6));
     }
     bench_.always = {{kGliderCall, 2}, {kGliderGoto, 3}, {kGliderStay, 0}};
     bench_.guards = [this](const GliderContext&) {
@@ -193,7 +193,7 @@ TEST_F(ListsTest, AGuardAfterOneThatMayNotFireIsStillTried) {
 
 TEST(Notes, AreOfTheirTickAndBounded) {
   BenchMission bench;
-  bench.states = {{"a", nullptr, nullptr, 0, 0}};
+  bench.states = {benchState("a")};
   uint32_t notes = 20;
   uint32_t values = 3;
   bench.advance = [&](GliderContext& c) {
@@ -224,7 +224,7 @@ TEST(Notes, AreOfTheirTickAndBounded) {
 
 TEST(Start, GivesParametersTheirValuesAndLeavesTheRestUnknown) {
   BenchMission bench;
-  bench.states = {{"a", nullptr, nullptr, 0, 0}};
+  bench.states = {benchState("a")};
   bench.parameters = {{"bottom", 25, 10, 30, "m=3ff0000000000000"},
                       {"top", 5, 1, 9, "m=3ff0000000000000"}};
   bench.variable_count = 2;

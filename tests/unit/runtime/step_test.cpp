@@ -23,8 +23,8 @@ class StepTest : public ::testing::Test {
  protected:
   StepTest() {
     bench_.sensors = {depthSensor(), temperatureSensor()};
-    bench_.states = {
-        {"a", cases_, nullptr, 6, 0}, {"b", cases_, nullptr, 6, 0}, {"c", cases_, nullptr, 6, 0}};
+    bench_.states = {benchState("a", cases_, 6), benchState("b", cases_, 6),
+                     benchState("c", cases_, 6)};
     bench_.guards = [this](const GliderContext& c) {
       seen_ = c.readings[0].value;
       return fire;
@@ -182,7 +182,7 @@ TEST(Readings, BecomeSiUnitsAndDegrees) {
   BenchMission bench;
   bench.sensors = {{"m_vacuum", 0.5, -1e308, 1e308, 20, 1, kGliderLinear},
                    {"m_lat", 1, -9000, 9000, 20, 2, kGliderDegreesMinutes}};
-  bench.states = {{"a", nullptr, nullptr, 0, 0}};
+  bench.states = {benchState("a")};
   bench.finish(0);
   GliderContext* c = bench.start({update(1, 3), update(2, 3910.5)});
   EXPECT_EQ(c->readings[0].value, 1.5);

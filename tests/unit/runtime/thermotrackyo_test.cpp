@@ -52,7 +52,7 @@ class Loop {
   Loop(const Water& water, const Flaws& flaws, uint32_t seed)
       : water_(water), flaws_(flaws), random_(seed) {
     bench_.sensors = {depthSensor(), temperatureSensor()};
-    bench_.states = {{"s2", nullptr, nullptr, 0, 0}};
+    bench_.states = {benchState("s2")};
     bench_.fly = [](GliderContext& c, uint32_t phase) {
       gliderProfileThermotrackyo(&c, &c.memory[0], phase, 5, top_bottom, .454, .454, 10, 10);
     };
@@ -205,7 +205,7 @@ TEST(Yo, TurnsAtItsDepthsClimbsWhenDepthIsUnknownAndFollowsLiveArguments) {
   BenchMission bench;
   double bottom = 10;
   bench.sensors = {depthSensor()};
-  bench.states = {{"a", nullptr, nullptr, 0, 0}};
+  bench.states = {benchState("a")};
   bench.fly = [&](GliderContext& c, uint32_t phase) {
     gliderProfileYo(&c, &c.memory[0], phase, 5, bottom, .454, .3);
   };

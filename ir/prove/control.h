@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "ir/core/mission.h"
+
+#include <compare>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace glider::ir::prove {
+
+/// What of a running mission is not a number: where it is, who waits, and which cases of `always`
+/// may interrupt. There are finitely many.
+struct Control {
+  static constexpr uint32_t kNoLimit = UINT32_MAX;
+
+  struct Waiting {
+    StateId state;
+    uint32_t limit = kNoLimit;
+    auto operator<=>(const Waiting&) const = default;
+  };
+
+  StateId state;
+  std::vector<Waiting> stack;  ///< outermost first
+  uint32_t limit = kNoLimit;
+  bool just_returned = false;
+  auto operator<=>(const Control&) const = default;
+
+  [[nodiscard]] bool holds(StateId wanted) const;
+  [[nodiscard]] bool mayInterrupt(const Mission& mission, uint32_t always_case) const;
+};
+
+/// "s1 called s2": for messages.
+std::string describe(const Control& control, const Mission& mission);
+
+}  // namespace glider::ir::prove

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/prove/ground.h"
+
+#include "ir/prove/known_variables.h"
+
+#include <limits>
+
+namespace glider::ir::prove {
+
+Ground::Ground(const Mission& asked, const platforms::Platform& vehicle)
+    : mission(asked),
+      platform(vehicle),
+      intervals(intervalsOf(asked)),
+      known(knownVariables(asked, intervals)) {
+  constexpr double kMost = std::numeric_limits<double>::max();
+  sensors.assign(mission.sensors.size(), {-kMost, kMost, false});
+  windows.assign(mission.temporals.size(), {-kMost, kMost, false});
+  for (size_t i = 0; i < mission.exprs.size(); ++i) {
+    const Expr& e = mission.exprs[i];
+    if (e.op == Op::Sensor) {
+      sensors[e.sensor.index] = intervals[i];
+    } else if (e.op == Op::Temporal) {
+      windows[e.temporal.index] = intervals[i];
+    }
+  }
+}
+
+}  // namespace glider::ir::prove

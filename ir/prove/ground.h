@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "ir/core/mission.h"
+#include "ir/verify/intervals.h"
+#include "platforms/load/platform.h"
+
+#include <vector>
+
+namespace glider::ir::prove {
+
+/// What all proofs about a mission stand on: the mission, the vehicle, and what follows from them
+/// without a solver.
+struct Ground {
+  /// Both outlive this.
+  Ground(const Mission& mission, const platforms::Platform& platform);
+
+  const Mission& mission;
+  const platforms::Platform& platform;
+  std::vector<Interval> intervals;  ///< of every expression
+  std::vector<Interval> sensors;    ///< of every sensor's reading, SI units
+  std::vector<Interval> windows;    ///< of every temporal that is a window
+  std::vector<bool> known;          ///< of every variable: never unknown
+
+  /// The platform's row of a sensor; null for one that the platform does not have.
+  [[nodiscard]] const platforms::PlatformSensor* platformSensor(SensorId id) const {
+    return platform.find(mission[id].vehicle_name);
+  }
+};
+
+}  // namespace glider::ir::prove

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "ir/prove/ground.h"
+#include "ir/prove/prove.h"
+#include "ir/verify/structure.h"
+
+#include <set>
+#include <z3++.h>
+
+namespace glider::ir::prove {
+
+/// What a pass works with.
+struct Proof {
+  z3::context& context;
+  const Ground& ground;
+  const MissionFacts& facts;
+  const Options& options;
+  support::DiagnosticEngine& diagnostics;
+  Findings findings;
+  std::set<CasePlace> dead;  ///< cases that were found never to fire
+};
+
+namespace passes {
+#define PASS(name, purpose) void name(Proof& proof);
+#include "ir/prove/prove_passes.def"
+#undef PASS
+}  // namespace passes
+
+}  // namespace glider::ir::prove

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/prove/prove.h"
+
+#include "ir/prove/passes.h"
+
+#include <utility>
+
+namespace glider::ir::prove {
+
+Findings prove(const Mission& mission, const MissionFacts& facts,
+               const platforms::Platform& platform, const Options& options,
+               support::DiagnosticEngine& diagnostics) {
+  const Ground ground(mission, platform);
+  z3::context context;
+  Proof proof{context, ground, facts, options, diagnostics, {}, {}};
+#define PASS(name, purpose) passes::name(proof);
+#include "ir/prove/prove_passes.def"
+#undef PASS
+  return std::move(proof.findings);
+}
+
+}  // namespace glider::ir::prove

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "ir/core/mission.h"
+#include "ir/prove/concrete_run.h"
+#include "platforms/load/platform.h"
+#include "support/diagnostics/engine.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// What is proved of a mission beyond its structure (`ir/verify`): with Z3, for every reading that
+/// the platform's sensors can give. docs/verification.md says what is assumed.
+namespace glider::ir::prove {
+
+struct Options {
+  /// What Z3 may spend on one question, in its own count of steps (`rlimit`): the answer does not
+  /// depend on the machine. A question that takes more has no answer, and nothing is reported.
+  unsigned effort = 400000;
+  /// The same for a question about all runs.
+  unsigned run_effort = 1000000;
+  /// The standard library's file: what is odd in there is not the pilot's.
+  std::optional<uint32_t> library;
+  /// Also what is no mistake but worth knowing: Findings::lines.
+  bool report = false;
+};
+
+/// A line of the report.
+struct ReportLine {
+  support::SourceRange range;
+  std::string text;
+};
+
+enum class Verdict : uint8_t { Proved, Refuted, Open };
+
+/// What was found out about a requirement.
+struct RequirementVerdict {
+  uint32_t requirement = 0;  ///< its number
+  Verdict verdict = Verdict::Open;
+  std::optional<ConcreteRun> run;  ///< that breaks it; of Reach, that keeps it
+};
+
+struct Findings {
+  std::vector<ReportLine> lines;
+  std::vector<RequirementVerdict> requirements;
+};
+
+/// Makes the checks of prove_passes.def. `mission` is valid and free of verification errors; the
+/// platform is the one that it names. Reports GL31xx.
+Findings prove(const Mission& mission, const MissionFacts& facts,
+               const platforms::Platform& platform, const Options& options,
+               support::DiagnosticEngine& diagnostics);
+
+}  // namespace glider::ir::prove

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+#include <z3++.h>
+
+namespace glider::ir::prove {
+
+/// What is known of an unknown, and what it follows from.
+struct Fact {
+  enum class From : uint8_t { Nature, Sensor, Age, Variable, Temporal };
+  z3::expr holds;
+  From from = From::Nature;  ///< Nature: of clocks and arithmetic
+  uint32_t index = 0;        ///< of the sensor, variable or temporal
+};
+
+/// Makes the unknowns of a question, each under a name of its own, and keeps what is known of them.
+class Unknowns {
+ public:
+  /// `prefix` tells them from those of others.
+  explicit Unknowns(z3::context& context, std::string prefix = "")
+      : context_(context), prefix_(std::move(prefix)) {}
+
+  z3::expr real(const std::string& what);
+  z3::expr truth(const std::string& what);
+  void require(const z3::expr& holds, Fact::From from = Fact::From::Nature, uint32_t index = 0) {
+    facts_.push_back({holds, from, index});
+  }
+  [[nodiscard]] const std::vector<Fact>& facts() const { return facts_; }
+  /// All that were made, in order.
+  [[nodiscard]] const std::vector<z3::expr>& made() const { return made_; }
+  [[nodiscard]] z3::context& context() { return context_; }
+
+ private:
+  z3::context& context_;
+  std::string prefix_;
+  std::vector<z3::expr> made_;
+  std::vector<Fact> facts_;
+};
+
+}  // namespace glider::ir::prove

@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/prove/watches.h"
+
+#include "ir/core/ops.h"
+
+namespace glider::ir::prove {
+namespace {
+
+std::optional<SensorId> depthSensor(const Ground& ground) {
+  for (uint32_t i = 0; i < ground.mission.sensors.size(); ++i) {
+    const platforms::PlatformSensor* sensor = ground.platformSensor({i});
+    if (sensor != nullptr && sensor->alias == "depth") {
+      return SensorId{i};
+    }
+  }
+  return std::nullopt;
+}
+
+bool readsDepth(ExprId root, const Ground& ground) {
+  const auto depth = depthSensor(ground);
+  std::vector<ExprId> open{root};
+  while (!open.empty()) {
+    const Expr& e = ground.mission[open.back()];
+    open.pop_back();
+    if (e.op == Op::Sensor && depth && e.sensor == *depth) {
+      return true;
+    }
+    for (uint32_t i = 0; i < opInfo(e.op).operands; ++i) {
+      open.push_back(e.operands.at(i));
+    }
+  }
+  return false;
+}
+
+/// The mission goes on although its time is over.
+Watch exitWithin(double seconds, z3::context& context) {
+  Watch watch;
+  watch.bad_after = [seconds, &context](const Configuration& now) {
+    return now.mission_time > realOf(context, seconds);
+  };
+  return watch;
+}
+
+/// Enters it by goto or call; a return is no entering.
+bool enters(const Outcome& outcome, StateId state, const Mission& mission) {
+  if (!outcome.fired || !outcome.after || outcome.after->control.state != state) {
+    return false;
+  }
+  return !outcome.after->control.just_returned || mission.states.empty();
+}
+
+Watch reaching(StateId state, z3::context& context, const Mission& mission) {
+  Watch watch;
+  if (state.index == 0) {
+    watch.bad_after = [&context](const Configuration& now) {
+      return std::optional(now.control.state.index == 0 && now.control.stack.empty()
+                               ? context.bool_val(true)
+                               : context.bool_val(false));
+    };
+    return watch;
+  }
+  watch.bad_move = [state, &context, &mission](const Configuration&, const Outcome& outcome) {
+    return enters(outcome, state, mission) ? std::optional(context.bool_val(true)) : std::nullopt;
+  };
+  return watch;
+}
+
+/// Remembers whether `after` has been entered.
+Watch neverAfter(StateId state, StateId after, z3::context& context, const Mission& mission) {
+  Watch watch;
+  watch.memory = {context.bool_sort()};
+  watch.begin = [after, &context](Configuration& start) {
+    start.memory = {context.bool_val(after.index == 0)};
+  };
+  watch.move = [after, &context, &mission](const Configuration& before, const Outcome& outcome,
+                                           Configuration& next) {
+    next.memory = {enters(outcome, after, mission) ? context.bool_val(true)
+                                                   : before.memory.front()};
+  };
+  watch.bad_move = [state, &mission](const Configuration& before,
+                                     const Outcome& outcome) -> std::optional<z3::expr> {
+    return enters(outcome, state, mission) ? std::optional(before.memory.front()) : std::nullopt;
+  };
+  return watch;
+}
+
+/// Remembers when the vehicle was last at the surface.
+Watch surfacesEvery(double seconds, z3::context& context, const Ground& ground) {
+  Watch watch;
+  watch.memory = {context.real_sort()};
+  const double surface = ground.platform.world.surface_depth_m;
+  watch.begin = [&context](Configuration& start) { start.memory = {context.real_val(0)}; };
+  watch.elapse = [surface, &context](const Configuration& before, Configuration& after) {
+    after.memory = {z3::ite(after.store.vehicle->depth <= realOf(context, surface),
+                            after.mission_time, before.memory.front())};
+  };
+  watch.move = [](const Configuration& before, const Outcome&, Configuration& after) {
+    after.memory = before.memory;
+  };
+  watch.bad_after = [seconds, &context](const Configuration& now) {
+    return now.mission_time - now.memory.front() > realOf(context, seconds);
+  };
+  return watch;
+}
+
+/// The condition of a moment in which the depth is the true one.
+z3::expr isFalse(ExprId condition, const Configuration& now, Moment moment, const Ground& ground) {
+  if (const auto depth = depthSensor(ground); depth && now.store.vehicle) {
+    moment.setReading(*depth,
+                      NumberTerm{now.store.vehicle->depth, moment.context().bool_val(true), 0});
+    moment.forget();
+  }
+  return moment.truth(condition).is_false;
+}
+
+Watch always(ExprId condition, z3::context& context, const Ground& ground) {
+  Watch watch;
+  watch.bad_at_tick = [condition, &ground](const Configuration& now, Moment& moment) {
+    return std::optional(isFalse(condition, now, moment, ground));
+  };
+  watch.assume = [condition, &ground, &context](const Configuration& start, Moment& moment) {
+    (void)context;
+    return std::optional(!isFalse(condition, start, moment, ground));
+  };
+  return watch;
+}
+
+}  // namespace
+
+bool reckonsWithDepth(const Requirement& requirement, const Ground& ground) {
+  return requirement.kind == RequirementKind::SurfacesEvery ||
+         (requirement.kind == RequirementKind::Always && readsDepth(requirement.condition, ground));
+}
+
+Watch watchFor(const Requirement& requirement, z3::context& context, const Ground& ground) {
+  switch (requirement.kind) {
+    case RequirementKind::Always:
+      return always(requirement.condition, context, ground);
+    case RequirementKind::ExitWithin:
+      return exitWithin(requirement.seconds, context);
+    case RequirementKind::Reach:
+      return reaching(requirement.state, context, ground.mission);
+    case RequirementKind::NeverAfter:
+      return neverAfter(requirement.state, requirement.after, context, ground.mission);
+    case RequirementKind::SurfacesEvery:
+      return surfacesEvery(requirement.seconds, context, ground);
+    case RequirementKind::StackAtMost:
+      break;
+  }
+  return {};
+}
+
+}  // namespace glider::ir::prove

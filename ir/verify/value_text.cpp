@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/verify/value_text.h"
+
+#include "support/units/units.h"
+
+#include <fmt/format.h>
+
+namespace glider::ir {
+namespace {
+
+std::string unitOf(Type type) {
+  return type.kind == TypeKind::Quantity ? support::unitName(type.dimension) : "deg";
+}
+
+}  // namespace
+
+std::string withUnit(double value, Type type) {
+  const std::string unit = unitOf(type);
+  return fmt::format("{:.6g}{}{}", value, unit.empty() ? "" : " ", unit);
+}
+
+std::string rangeText(const Variable& variable) {
+  if (variable.lowest == -Variable::kEndless) {
+    return fmt::format("at most {}", withUnit(variable.highest, variable.type));
+  }
+  if (variable.highest == Variable::kEndless) {
+    return fmt::format("at least {}", withUnit(variable.lowest, variable.type));
+  }
+  return fmt::format("{} .. {}", withUnit(variable.lowest, variable.type),
+                     withUnit(variable.highest, variable.type));
+}
+
+}  // namespace glider::ir

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "ir/core/mission.h"
+
+#include <string>
+
+namespace glider::ir {
+
+/// A number with the unit that its type is shown in: "12 m", "39.2 deg".
+std::string withUnit(double value, Type type);
+/// The range of a variable: "3 m .. 24 m", "at most 5".
+std::string rangeText(const Variable& variable);
+
+}  // namespace glider::ir

@@ -1,21 +1,38 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "driver/check_mission.h"
 #include "driver/commands.h"
-#include "driver/compilation.h"
 #include "driver/exit_code.h"
+#include "driver/explain_page.h"
 #include "driver/terminal.h"
+#include "support/files.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <string>
-#include <utility>
+#include <vector>
 
 namespace glider::driver {
 namespace {
+
+enum class Format : uint8_t { Text, Json, Sarif };
+
+/// The values of `--format`.
+const std::map<std::string, Format> kFormats = {
+    {"text", Format::Text}, {"json", Format::Json}, {"sarif", Format::Sarif}};
+
+struct CommandOptions {
+  std::vector<std::string> missions;
+  Format format = Format::Text;
+  std::string output = "-";
+  CheckOptions check;
+};
 
 /// "1 error, 2 warnings" as a pilot would write it; empty if there is neither.
 std::string counted(size_t errors, size_t warnings) {
@@ -29,77 +46,164 @@ std::string counted(size_t errors, size_t warnings) {
   return text;
 }
 
-std::string stackLine(const Compilation& compilation) {
-  const ir::MissionFacts& facts = compilation.facts;
-  if (facts.stack_depth == 0) {
+std::string stackLine(const report::CheckedMission& found) {
+  if (found.deepest_path.empty()) {
     return "no calls";
   }
-  std::string path;
-  for (const ir::StateId state : facts.deepest_path) {
-    path += (path.empty() ? "" : " calls ") + (*compilation.mission)[state].name;
-  }
-  return fmt::format("greatest call depth {} ({})", facts.stack_depth, path);
+  return fmt::format("greatest call depth {} ({})", found.deepest_path.size() - 1,
+                     fmt::join(found.deepest_path, " calls "));
 }
 
 constexpr unsigned kMostEffort = 100;
 
-struct CheckOptions {
-  std::string mission;
-  unsigned effort = 1;
-};
-
 /// ", 3 requirements proved"; empty if the mission requires nothing.
-std::string provedLine(const ir::prove::Findings& findings) {
-  const size_t all = findings.requirements.size();
-  const auto proved = static_cast<size_t>(std::ranges::count(
-      findings.requirements, ir::prove::Verdict::Proved, &ir::prove::RequirementVerdict::verdict));
+std::string provedLine(const report::CheckedMission& found) {
+  const size_t all = found.requirements.size();
+  const auto proved = static_cast<size_t>(
+      std::ranges::count(found.requirements, "proved", &report::JudgedRequirement::verdict));
   return all == 0       ? ""
          : proved < all ? fmt::format(", {} of {} requirements proved", proved, all)
                         : fmt::format(", {} requirement{} proved", all, all == 1 ? "" : "s");
 }
 
-int check(const CheckOptions& options) {
-  const std::string& path = options.mission;
-  auto compiled = compileMission(path);
-  if (!compiled) {
-    return reportFailure(compiled.error());
+/// The line at the end of a mission that was checked.
+std::string verdict(const Checked& checked) {
+  const report::CheckedMission& found = checked.found;
+  const auto& diagnostics = checked.compilation->diagnostics;
+  const std::string count = counted(diagnostics.errorCount(), diagnostics.warningCount());
+  if (!found.ok()) {
+    return fmt::format("{}: {}\n", found.path, count);
   }
-  Compilation& compilation = **compiled;
-  ir::prove::Findings findings;
-  if (compilation.ok()) {
-    ir::prove::Options effort;
-    effort.effort *= options.effort;
-    effort.run_effort *= options.effort;
-    auto proved = proveMission(compilation, effort);
-    if (!proved) {
-      return reportFailure(proved.error());
+  return fmt::format("{}: {}; mission {}, {} state{}, {}{}\n", found.path,
+                     count.empty() ? "fine" : count, found.mission, found.states.size(),
+                     found.states.size() == 1 ? "" : "s", stackLine(found), provedLine(found));
+}
+
+int exitCode(const report::CheckedMission& found) {
+  return found.failure ? kWorldFailed : found.ok() ? kFine : kMissionHasErrors;
+}
+
+/// Writes what people read: mistakes to standard error, the rest to `text`.
+void tellPeople(const Checked& checked, const CheckOptions& options, std::string& text) {
+  const report::CheckedMission& found = checked.found;
+  if (checked.compilation) {
+    reportDiagnostics(checked.compilation->diagnostics, checked.compilation->sources);
+  }
+  if (found.failure) {
+    reportFailure(*found.failure);
+    return;
+  }
+  if (!found.ok()) {
+    tell(verdict(checked));
+    return;
+  }
+  for (const report::Remark& remark : found.remarks) {
+    text += remark.text + "\n";
+  }
+  if (options.report) {
+    for (const report::JudgedRequirement& one : found.requirements) {
+      text += fmt::format("{}: {}\n", one.verdict, one.text);
     }
-    findings = std::move(*proved);
   }
-  reportDiagnostics(compilation.diagnostics, compilation.sources);
-  const std::string found =
-      counted(compilation.diagnostics.errorCount(), compilation.diagnostics.warningCount());
-  if (!compilation.ok()) {
-    tell(fmt::format("{}: {}\n", path, found));
-    return kMissionHasErrors;
+  text += verdict(checked);
+}
+
+/// `text` to where it is wanted.
+support::Result<void> put(const CommandOptions& options, const std::string& text) {
+  return options.output == "-" ? printOut(text)
+                               : support::writeFileAtomically(options.output, text);
+}
+
+int checkForPeople(const CommandOptions& options) {
+  int status = kFine;
+  std::string all;
+  for (const std::string& path : options.missions) {
+    const Checked checked = checkMission(path, options.check);
+    std::string text;
+    tellPeople(checked, options.check, text);
+    status = std::max(status, exitCode(checked.found));
+    // At once, so that it stands beside the mistakes of the same mission.
+    if (options.output == "-") {
+      if (const auto printed = printOut(text); !printed) {
+        return reportFailure(printed.error());
+      }
+    }
+    all += text;
+  }
+  if (options.output != "-") {
+    if (const auto written = put(options, all); !written) {
+      return reportFailure(written.error());
+    }
+  }
+  return status;
+}
+
+/// A page that cannot be read is left out: the findings matter more.
+std::string pageOrNothing(support::DiagnosticId id) {
+  return explainPage(id).value_or("");
+}
+
+int checkForMachines(const CommandOptions& options) {
+  int status = kFine;
+  std::vector<Checked> all;
+  std::vector<report::CheckedMission> found;
+  for (const std::string& path : options.missions) {
+    all.push_back(checkMission(path, options.check));
+    found.push_back(all.back().found);
+    status = std::max(status, exitCode(found.back()));
+    if (found.back().failure) {
+      reportFailure(*found.back().failure);
+    }
   }
   const std::string text =
-      fmt::format("{}: {}; mission {}, {} states, {}{}\n", path, found.empty() ? "fine" : found,
-                  compilation.mission->name, compilation.mission->states.size(),
-                  stackLine(compilation), provedLine(findings));
-  const auto printed = printOut(text);
-  return printed ? kFine : reportFailure(printed.error());
+      options.format == Format::Json
+          ? report::findingsToJson(found, GLIDER_VERSION)
+          : report::findingsToSarif(found, GLIDER_VERSION, pageOrNothing, status);
+  const auto done = put(options, text);
+  return done ? status : reportFailure(done.error());
+}
+
+/// True if the findings would be written over a mission.
+const std::string* overwritten(const CommandOptions& options) {
+  for (const std::string& mission : options.missions) {
+    std::error_code error;  // a file that is not there yet is no mission
+    if (std::filesystem::equivalent(options.output, mission, error) && !error) {
+      return &mission;
+    }
+  }
+  return nullptr;
+}
+
+int check(const CommandOptions& options) {
+  if (const std::string* mission = overwritten(options)) {
+    return reportFailure(support::fail(support::DiagnosticId::outputIsInput, *mission).error());
+  }
+  return options.format == Format::Text ? checkForPeople(options) : checkForMachines(options);
 }
 
 }  // namespace
 
 void addCheckCommand(CLI::App& app, int& status) {
-  auto options = std::make_shared<CheckOptions>();
-  CLI::App* command = app.add_subcommand("check", "Check a mission without building it");
-  command->add_option("MISSION", options->mission, "The mission file")->required();
+  auto options = std::make_shared<CommandOptions>();
+  CLI::App* command = app.add_subcommand("check", "Check missions without building them");
   command
-      ->add_option("--effort", options->effort, "How many times the usual effort a proof may take")
-      ->check(CLI::Range(1U, kMostEffort));
+      ->add_option("MISSION", options->missions, "Mission files (or the IR's text form, FILE.ir)")
+      ->required();
+  command
+      ->add_option_function<std::string>(
+          "--format",
+          [options](const std::string& format) { options->format = kFormats.at(format); },
+          "text (default), or all findings as one document: json, or sarif (2.1.0) for editors and "
+          "CI")
+      ->check(CLI::IsMember(std::vector<std::string>{"text", "json", "sarif"}))
+      ->option_text("FORMAT");
+  command->add_option("-o", options->output, "The file to write; `-` (default): standard output")
+      ->option_text("FILE");
+  command
+      ->add_option("--effort", options->check.effort,
+                   "How many times the usual effort a proof may take (default 1)")
+      ->check(CLI::Range(1U, kMostEffort))
+      ->option_text("N");
   command->callback([options, &status] { status = check(*options); });
 }
 

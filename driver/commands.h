@@ -13,6 +13,7 @@ namespace glider::driver {
 void addCheckCommand(CLI::App& app, int& status);
 void addBuildCommand(CLI::App& app, int& status);
 void addParamsCommand(CLI::App& app, int& status);
+void addGraphCommand(CLI::App& app, int& status);
 void addSimCommand(CLI::App& app, int& status);
 void addCampaignCommand(CLI::App& app, int& status);
 void addExplainCommand(CLI::App& app, int& status);

@@ -3,11 +3,10 @@
 
 #include "driver/commands.h"
 #include "driver/exit_code.h"
-#include "driver/share.h"
+#include "driver/explain_page.h"
 #include "driver/terminal.h"
 #include "frontend/spelling.h"
 #include "support/diagnostics/diagnostic.h"
-#include "support/files.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -25,10 +24,6 @@ namespace {
 using support::CatalogueRow;
 using support::DiagnosticId;
 using support::Result;
-
-Result<std::string> readPage(const CatalogueRow& row) {
-  return support::readFile(shareDirectory() / "explain" / (support::code(row.id) + ".md"));
-}
 
 /// The number in "GL2003", "gl2003" or "2003"; -1 if it is none.
 int numberOf(std::string_view word) {
@@ -69,7 +64,7 @@ Result<std::string> pageFor(const std::string& word) {
     return support::fail(DiagnosticId::unknownDiagnostic, word.substr(0, kLongestShown),
                          nearest(word.substr(0, kLongestShown)));
   }
-  return readPage(*row);
+  return explainPage(row->id);
 }
 
 /// One line a diagnostic: id, name, title.
@@ -78,7 +73,7 @@ Result<std::string> index() {
   std::ranges::sort(rows, {}, &CatalogueRow::id);
   std::string out;
   for (const CatalogueRow& row : rows) {
-    const auto page = readPage(row);
+    const auto page = explainPage(row.id);
     if (!page) {
       return page;
     }

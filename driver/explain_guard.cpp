@@ -3,24 +3,12 @@
 
 #include "driver/explain_guard.h"
 
+#include "driver/one_line.h"
+
 #include <algorithm>
 
 namespace glider::driver {
 namespace {
-
-/// `text` on one line, every stretch of white space one blank.
-std::string onOneLine(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    const bool blank = c == ' ' || c == '\n' || c == '\t' || c == '\r';
-    if (!blank) {
-      out += c;
-    } else if (!out.empty() && out.back() != ' ') {
-      out += ' ';
-    }
-  }
-  return out;
-}
 
 /// Adds the sensors that `root` reads, in the order of their first use.
 void addSensors(const ir::Mission& mission, ir::ExprId root, std::vector<uint16_t>& sensors) {

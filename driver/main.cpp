@@ -43,6 +43,7 @@ int run(int argc, char** argv) {
   addCheckCommand(app, status);
   addBuildCommand(app, status);
   addParamsCommand(app, status);
+  addGraphCommand(app, status);
   addSimCommand(app, status);
   addCampaignCommand(app, status);
   addFmtCommand(app, status);

@@ -3,10 +3,9 @@
 
 #include "ir/core/validate.h"
 
+#include "ir/core/defects.h"
 #include "ir/core/ops.h"
 #include "ir/core/validate_code.h"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -36,35 +35,33 @@ class Validator {
     if (defects_.empty() && expressions()) {
       validateCode(m_, defects_);
     }
-    return std::move(defects_);
+    return defects_.take();
   }
 
  private:
-  void require(bool holds, support::SourceRange range, std::string message) {
-    if (!holds) {
-      defects_.push_back({range, std::move(message)});
-    }
+  template <typename... Args>
+  void require(bool holds, support::SourceRange range, std::string_view message,
+               const Args&... args) {
+    defects_.require(holds, range, message, args...);
   }
 
   void sensors() {
     std::set<std::string_view> names;
     std::set<uint16_t> ids;
     for (const Sensor& s : m_.sensors) {
-      require(names.insert(s.name).second, {}, fmt::format("two sensors are named `{}`", s.name));
-      require(ids.insert(s.id).second, {},
-              fmt::format("sensor `{}` has number {}, which another has", s.name, s.id));
-      require(s.type.kind != TypeKind::Bool && sound(s.type), {},
-              fmt::format("sensor `{}` is no number", s.name));
+      require(names.insert(s.name).second, {}, "two sensors are named `{}`", s.name);
+      require(ids.insert(s.id).second, {}, "sensor `{}` has number {}, which another has", s.name,
+              s.id);
+      require(s.type.kind != TypeKind::Bool && sound(s.type), {}, "sensor `{}` is no number",
+              s.name);
       const bool position = s.type.kind == TypeKind::Latitude || s.type.kind == TypeKind::Longitude;
       require(s.encoding == Encoding::Linear || position, {},
-              fmt::format("sensor `{}` has degrees and minutes but is no latitude or longitude",
-                          s.name));
-      require(std::isfinite(s.to_si) && s.to_si != 0, {},
-              fmt::format("sensor `{}` has the factor {}", s.name, s.to_si));
-      require(s.lowest <= s.highest, {},
-              fmt::format("sensor `{}` has the range {} to {}", s.name, s.lowest, s.highest));
-      require(s.stale_after_s >= 0, {},
-              fmt::format("sensor `{}` is stale after {} s", s.name, s.stale_after_s));
+              "sensor `{}` has degrees and minutes but is no latitude or longitude", s.name);
+      require(std::isfinite(s.to_si) && s.to_si != 0, {}, "sensor `{}` has the factor {}", s.name,
+              s.to_si);
+      require(s.lowest <= s.highest, {}, "sensor `{}` has the range {} to {}", s.name, s.lowest,
+              s.highest);
+      require(s.stale_after_s >= 0, {}, "sensor `{}` is stale after {} s", s.name, s.stale_after_s);
     }
   }
 
@@ -72,16 +69,15 @@ class Validator {
     std::set<std::pair<BehaviourKind, std::string_view>> names;
     for (const Behaviour& b : m_.behaviours) {
       require(names.insert({b.kind, b.name}).second, {},
-              fmt::format("two behaviours of one kind are named `{}`", b.name));
+              "two behaviours of one kind are named `{}`", b.name);
       require(!b.symbol.empty() || (b.parameters.empty() && b.reads.empty()), {},
-              fmt::format("`{}` has parameters or sensors but no C function", b.name));
+              "`{}` has parameters or sensors but no C function", b.name);
       for (const Parameter& p : b.parameters) {
         require(p.type.kind != TypeKind::Bool && sound(p.type), {},
-                fmt::format("parameter `{}` of `{}` is no number", p.name, b.name));
+                "parameter `{}` of `{}` is no number", p.name, b.name);
       }
       for (SensorId id : b.reads) {
-        require(id.index < m_.sensors.size(), {},
-                fmt::format("`{}` reads a sensor that is not there", b.name));
+        require(id.index < m_.sensors.size(), {}, "`{}` reads a sensor that is not there", b.name);
       }
     }
   }
@@ -89,12 +85,11 @@ class Validator {
   void variables() {
     std::set<std::string_view> names;
     for (const Variable& v : m_.variables) {
-      require(names.insert(v.name).second, v.range,
-              fmt::format("two variables are named `{}`", v.name));
-      require(sound(v.type), v.range, fmt::format("variable `{}` has no type", v.name));
+      require(names.insert(v.name).second, v.range, "two variables are named `{}`", v.name);
+      require(sound(v.type), v.range, "variable `{}` has no type", v.name);
       const bool endless = v.lowest == -Variable::kEndless && v.highest == Variable::kEndless;
       require(v.type.kind == TypeKind::Bool ? endless : v.lowest <= v.highest, v.range,
-              fmt::format("variable `{}` has the range {} to {}", v.name, v.lowest, v.highest));
+              "variable `{}` has the range {} to {}", v.name, v.lowest, v.highest);
     }
   }
 
@@ -142,21 +137,20 @@ class Validator {
       const Expr& e = m_.exprs[i];
       const bool known = static_cast<size_t>(e.op) < opCount();
       if (!known || !hasOperands(i, e) || !hasLeaf(e) || !watchedBefore(i, e)) {
-        require(false, e.range,
-                fmt::format("expression {} lacks an operand or has one too many", i));
+        require(false, e.range, "expression {} lacks an operand or has one too many", i);
         return false;
       }
       const std::optional<Type> type = resultType(m_, e);
       require(type == e.type && sound(e.type), e.range,
-              fmt::format("the operands or the type of `{}` do not fit", opInfo(e.op).text));
+              "the operands or the type of `{}` do not fit", opInfo(e.op).text);
       require(std::isfinite(e.number) && (e.op == Op::Constant || e.number == 0), e.range,
-              fmt::format("expression {} holds the number {}", i, e.number));
+              "expression {} holds the number {}", i, e.number);
     }
     return true;
   }
 
   const Mission& m_;
-  std::vector<Defect> defects_;
+  Defects defects_;
   std::vector<uint32_t> watched_end_;
 };
 

@@ -31,7 +31,7 @@ bool mayBeLogged(Op op) {
 
 class CodeValidator {
  public:
-  CodeValidator(const Mission& mission, std::vector<Defect>& defects)
+  CodeValidator(const Mission& mission, Defects& defects)
       : m_(mission),
         defects_(defects),
         reads_(readsOf(mission)),
@@ -49,30 +49,30 @@ class CodeValidator {
     for (uint32_t i = 0; i < m_.blocks.size(); ++i) {
       nestedBlocks(i);
     }
+    const auto always = [] { return std::string("`always`"); };
     for (const Case& c : m_.always) {
-      oneCase(c, kNoState, ListKind::Always, "`always`");
+      oneCase(c, kNoState, ListKind::Always, always);
     }
-    table(m_.always_table, m_.always.size(), "`always`", {});
+    table(m_.always_table, m_.always.size(), always, {});
     std::set<std::string_view> names;
     for (uint32_t i = 0; i < m_.states.size(); ++i) {
       const State& s = m_.states[i];
-      require(names.insert(s.name).second, s.range,
-              fmt::format("two states are named `{}`", s.name));
+      require(names.insert(s.name).second, s.range, "two states are named `{}`", s.name);
       state({i});
     }
     for (const Requirement& r : m_.requirements) {
       requirement(r);
     }
     for (size_t i = 0; i < block_uses_.size(); ++i) {
-      require(block_uses_[i] == 1, {}, fmt::format("block {} is used {} times", i, block_uses_[i]));
+      require(block_uses_[i] == 1, {}, "block {} is used {} times", i, block_uses_[i]);
     }
   }
 
  private:
-  void require(bool holds, SourceRange range, std::string message) {
-    if (!holds) {
-      defects_.push_back({range, std::move(message)});
-    }
+  template <typename... Args>
+  void require(bool holds, support::SourceRange range, std::string_view message,
+               const Args&... args) {
+    defects_.require(holds, range, message, args...);
   }
 
   bool exists(ExprId id) const { return id.index < m_.exprs.size(); }
@@ -108,15 +108,18 @@ class CodeValidator {
         r.range, "a requirement about a state that is not there");
   }
 
-  void expression(ExprId id, StateId state, Type type, SourceRange range, std::string_view what) {
+  /// Each `what` and `where` is a text, or a function that gives it.
+  template <typename Text>
+  void expression(ExprId id, StateId state, Type type, SourceRange range, const Text& what) {
     if (!exists(id) || m_[id].type != type) {
-      require(false, range, fmt::format("{} is missing or of the wrong type", what));
+      require(false, range, "{} is missing or of the wrong type", what);
     } else {
-      require(inScope(id, state), range, fmt::format("{} reads another state's variables", what));
+      require(inScope(id, state), range, "{} reads another state's variables", what);
     }
   }
 
-  void numberOrTruth(ExprId id, StateId state, SourceRange range, std::string_view what) {
+  template <typename Text>
+  void numberOrTruth(ExprId id, StateId state, SourceRange range, const Text& what) {
     expression(id, state, exists(id) ? m_[id].type : kBool, range, what);
   }
 
@@ -126,13 +129,12 @@ class CodeValidator {
       const Variable& v = m_.variables[i];
       const bool known = v.kind <= VariableKind::Route;
       require(known && (ownedByState(v.kind) ? v.owner.index < m_.states.size() : !v.owner.valid()),
-              v.range, fmt::format("variable `{}` has no owner, or one too many", v.name));
+              v.range, "variable `{}` has no owner, or one too many", v.name);
       require(parameters || v.kind != VariableKind::Parameter, v.range,
-              fmt::format("parameter `{}` does not stand before the variables", v.name));
+              "parameter `{}` does not stand before the variables", v.name);
       parameters &= v.kind == VariableKind::Parameter;
       if (v.kind == VariableKind::Argument) {
-        require(!v.initial.valid(), v.range,
-                fmt::format("argument `{}` has an initial value", v.name));
+        require(!v.initial.valid(), v.range, "argument `{}` has an initial value", v.name);
       } else {
         initial(i, v);
       }
@@ -143,18 +145,18 @@ class CodeValidator {
   }
 
   void initial(uint32_t number, const Variable& v) {
-    const std::string what = fmt::format("the initial value of `{}`", v.name);
+    const auto what = [&] { return fmt::format("the initial value of `{}`", v.name); };
     expression(v.initial, v.owner, v.type, v.range, what);
     if (!exists(v.initial)) {
       return;
     }
     const Reads& reads = reads_[v.initial.index];
-    require(reads.variables_end <= number, v.range, what + " reads a variable that comes later");
-    require(reads.temporals_end == 0, v.range, what + " watches a guard over time");
+    require(reads.variables_end <= number, v.range, "{} reads a variable that comes later", what);
+    require(reads.temporals_end == 0, v.range, "{} watches a guard over time", what);
     const Op op = m_[v.initial].op;
     require(v.kind != VariableKind::Parameter || op == Op::Constant || op == Op::True ||
                 op == Op::False,
-            v.range, what + " is no constant");
+            v.range, "{} is no constant", what);
   }
 
   void temporals() {
@@ -163,35 +165,38 @@ class CodeValidator {
       const bool always = w.list == ListKind::Always;
       if (w.list > ListKind::Route || w.kind > TemporalKind::Slope ||
           (always ? w.state.valid() : w.state.index >= m_.states.size())) {
-        require(false, w.range, fmt::format("temporal {} has no list", i));
+        require(false, w.range, "temporal {} has no list", i);
         continue;
       }
       isWindow(w.kind) ? window(i, w) : guard(i, w);
       for (ExprId id : {w.operand, w.duration, w.along}) {
         require(!exists(id) || reads_[id.index].temporals_end <= i, w.range,
-                fmt::format("temporal {} watches itself or a later one", i));
+                "temporal {} watches itself or a later one", i);
       }
     }
   }
 
   void guard(uint32_t i, const Temporal& w) {
-    expression(w.operand, w.state, kBool, w.range, fmt::format("what temporal {} watches", i));
+    expression(w.operand, w.state, kBool, w.range,
+               [&] { return fmt::format("what temporal {} watches", i); });
     if (w.kind == TemporalKind::Held) {
-      expression(w.duration, w.state, kTime, w.range, fmt::format("the time of temporal {}", i));
+      expression(w.duration, w.state, kTime, w.range,
+                 [&] { return fmt::format("the time of temporal {}", i); });
     }
     require(
         (w.kind == TemporalKind::Held || !w.duration.valid()) && !w.along.valid() && w.length == 0,
-        w.range, fmt::format("temporal {} has what only others have", i));
+        w.range, "temporal {} has what only others have", i);
   }
 
   void window(uint32_t i, const Temporal& w) {
-    numberOrTruth(w.operand, w.state, w.range, fmt::format("what temporal {} watches", i));
+    numberOrTruth(w.operand, w.state, w.range,
+                  [&] { return fmt::format("what temporal {} watches", i); });
     require(exists(w.operand) && m_[w.operand].type != kBool && !w.duration.valid(), w.range,
-            fmt::format("window {} is over no number", i));
+            "window {} is over no number", i);
     require(!w.along.valid() || (exists(w.along) && m_[w.along].op == Op::Sensor), w.range,
-            fmt::format("window {} is not stretched along a sensor", i));
-    require(std::isfinite(w.length) && w.length > 0, w.range,
-            fmt::format("window {} has the length {}", i, w.length));
+            "window {} is not stretched along a sensor", i);
+    require(std::isfinite(w.length) && w.length > 0, w.range, "window {} has the length {}", i,
+            w.length);
   }
 
   /// Counts the uses of blocks by block `i`, which must stand after them.
@@ -205,7 +210,7 @@ class CodeValidator {
       for (BlockId id : {s.then, s.otherwise}) {
         const bool earlier = id.index < i;
         require(earlier || (id == s.otherwise && !id.valid()), s.range,
-                fmt::format("block {} holds one that does not stand before it", i));
+                "block {} holds one that does not stand before it", i);
         block_uses_[earlier ? id.index : 0] += earlier ? 1 : 0;
       }
     }
@@ -264,10 +269,10 @@ class CodeValidator {
     }
     const Variable& v = m_[s.variable];
     require(v.kind != VariableKind::Parameter && v.kind != VariableKind::Argument, s.range,
-            fmt::format("`{}` cannot be set", v.name));
-    require(!v.owner.valid() || v.owner == state, s.range,
-            fmt::format("`{}` belongs to another state", v.name));
-    expression(s.value, state, v.type, s.range, fmt::format("what `{}` is set to", v.name));
+            "`{}` cannot be set", v.name);
+    require(!v.owner.valid() || v.owner == state, s.range, "`{}` belongs to another state", v.name);
+    expression(s.value, state, v.type, s.range,
+               [&] { return fmt::format("what `{}` is set to", v.name); });
   }
 
   void command(const Statement& s, StateId state) {
@@ -276,36 +281,39 @@ class CodeValidator {
       return;
     }
     const CommandInfo& info = commands()[static_cast<size_t>(s.command)];
-    arguments(s.values, info.parameters, state, s.range, fmt::format("`{}`", info.text));
+    arguments(s.values, info.parameters, state, s.range,
+              [&] { return fmt::format("`{}`", info.text); });
   }
 
   /// `parameters` have a `type`.
-  template <typename Parameters>
+  template <typename Parameters, typename Text>
   void arguments(const std::vector<ExprId>& values, const Parameters& parameters, StateId state,
-                 SourceRange range, const std::string& what) {
+                 SourceRange range, const Text& what) {
     if (values.size() != parameters.size()) {
-      require(false, range,
-              fmt::format("{} takes {} arguments, not {}", what, parameters.size(), values.size()));
+      require(false, range, "{} takes {} arguments, not {}", what, parameters.size(),
+              values.size());
       return;
     }
     for (size_t i = 0; i < values.size(); ++i) {
-      expression(values[i], state, parameters[i].type, range, "an argument of " + what);
+      expression(values[i], state, parameters[i].type, range,
+                 [&] { return "an argument of " + what(); });
     }
   }
 
-  void oneCase(const Case& c, StateId state, ListKind list, const std::string& where) {
-    expression(c.guard, state, kBool, c.range, "a guard of " + where);
+  template <typename Text>
+  void oneCase(const Case& c, StateId state, ListKind list, const Text& where) {
+    expression(c.guard, state, kBool, c.range, [&] { return "a guard of " + where(); });
     action(c.action, state, c.range);
     const bool behaviour = list == ListKind::Profile || list == ListKind::Route;
     const bool allowed = behaviour
                              ? c.transition == Transition::Stay || c.transition == Transition::Done
                              : c.transition < Transition::Done &&
                                    (list == ListKind::State || c.transition != Transition::Return);
-    require(allowed, c.range, fmt::format("a case of {} has a transition it cannot have", where));
+    require(allowed, c.range, "a case of {} has a transition it cannot have", where);
     const bool targeted = c.transition == Transition::Goto || c.transition == Transition::Call;
     if (!targeted || c.target.index >= m_.states.size()) {
       require(!targeted && !c.target.valid() && c.arguments.empty(), c.range,
-              fmt::format("a case of {} has no target, or one too many", where));
+              "a case of {} has no target, or one too many", where);
       return;
     }
     std::vector<Parameter> parameters;
@@ -315,26 +323,26 @@ class CodeValidator {
       }
     }
     arguments(c.arguments, parameters, state, c.range,
-              fmt::format("state `{}`", m_[c.target].name));
+              [&] { return fmt::format("state `{}`", m_[c.target].name); });
   }
 
-  void table(const GuardTable& table, size_t case_count, const std::string& where,
-             SourceRange range) {
+  template <typename Text>
+  void table(const GuardTable& table, size_t case_count, const Text& where, SourceRange range) {
     const std::string defect = defectOf(table, m_, case_count);
-    require(defect.empty(), range, fmt::format("the table of {} has {}", where, defect));
+    require(defect.empty(), range, "the table of {} has {}", where, defect);
   }
 
   void state(StateId id) {
     const State& s = m_[id];
-    const std::string where = fmt::format("state `{}`", s.name);
+    const auto where = [&] { return fmt::format("state `{}`", s.name); };
     activity(id, s.route, BehaviourKind::Route, "route");
     activity(id, s.profile, BehaviourKind::Profile, "profile");
     parameters(id, where);
     for (const LogItem& item : s.log) {
       require(exists(item.value) && mayBeLogged(m_[item.value].op), s.range,
-              fmt::format("{} logs `{}`, which is neither a sensor nor a clock", where, item.name));
+              "{} logs `{}`, which is neither a sensor nor a clock", where, item.name);
       require(item.period_s >= 0 && std::isfinite(item.period_s), s.range,
-              fmt::format("{} logs `{}` every {} s", where, item.name, item.period_s));
+              "{} logs `{}` every {} s", where, item.name, item.period_s);
     }
     action(s.entry, id, s.range);
     for (const Case& c : s.cases) {
@@ -344,53 +352,53 @@ class CodeValidator {
   }
 
   /// A state's parameters are the arguments that it owns, each once; the first state has none.
-  void parameters(StateId id, const std::string& where) {
+  template <typename Text>
+  void parameters(StateId id, const Text& where) {
     const State& s = m_[id];
     std::set<uint32_t> own;
     for (VariableId p : s.parameters) {
       const bool there = p.index < m_.variables.size();
       require(there && m_[p].kind == VariableKind::Argument && m_[p].owner == id &&
                   own.insert(p.index).second,
-              s.range, fmt::format("{} has a parameter that is not its own", where));
+              s.range, "{} has a parameter that is not its own", where);
     }
     require(id.index != 0 || s.parameters.empty(), s.range,
-            fmt::format("{} is where the mission starts, but has parameters", where));
-    require(arguments_[id.index] == own.size(), s.range,
-            fmt::format("{} lacks one of its parameters", where));
+            "{} is where the mission starts, but has parameters", where);
+    require(arguments_[id.index] == own.size(), s.range, "{} lacks one of its parameters", where);
   }
 
   void activity(StateId id, const Activity& a, BehaviourKind kind, std::string_view what) {
     const State& s = m_[id];
     if (a.behaviour.index >= m_.behaviours.size() || m_[a.behaviour].kind != kind) {
-      require(false, s.range, fmt::format("state `{}` has no {}", s.name, what));
+      require(false, s.range, "state `{}` has no {}", s.name, what);
       return;
     }
     const Behaviour& b = m_[a.behaviour];
-    const std::string where = fmt::format("`{}` in state `{}`", b.name, s.name);
+    const auto where = [&] { return fmt::format("`{}` in state `{}`", b.name, s.name); };
     if (!b.symbol.empty()) {
       require(!a.entry.valid() && a.cases.empty() && !a.done.valid(), a.range,
-              fmt::format("{} is a C function with a body", where));
+              "{} is a C function with a body", where);
       arguments(a.arguments, b.parameters, id, a.range, where);
       return;
     }
-    require(a.arguments.empty(), a.range, fmt::format("{} has arguments and a body", where));
+    require(a.arguments.empty(), a.range, "{} has arguments and a body", where);
     action(a.entry, id, a.range);
     const bool profile = kind == BehaviourKind::Profile;
     for (const Case& c : a.cases) {
       oneCase(c, id, profile ? ListKind::Profile : ListKind::Route, where);
       require(c.transition != Transition::Done || a.done.valid(), c.range,
-              fmt::format("{} has a `done` that nothing keeps", where));
+              "{} has a `done` that nothing keeps", where);
     }
     if (a.done.valid()) {
       const Variable* v = a.done.index < m_.variables.size() ? &m_[a.done] : nullptr;
       require(v != nullptr && v->type == kBool && v->owner == id &&
                   v->kind == (profile ? VariableKind::Profile : VariableKind::Route),
-              a.range, fmt::format("{} keeps its `done` in what is no variable of it", where));
+              a.range, "{} keeps its `done` in what is no variable of it", where);
     }
   }
 
   const Mission& m_;
-  std::vector<Defect>& defects_;
+  Defects& defects_;
   const std::vector<Reads> reads_;
   std::vector<uint32_t> block_uses_;
   std::vector<size_t> arguments_;  ///< how many each state owns
@@ -398,7 +406,7 @@ class CodeValidator {
 
 }  // namespace
 
-void validateCode(const Mission& mission, std::vector<Defect>& defects) {
+void validateCode(const Mission& mission, Defects& defects) {
   CodeValidator(mission, defects).run();
 }
 

@@ -3,12 +3,12 @@
 
 #pragma once
 
-#include "ir/core/validate.h"
+#include "ir/core/defects.h"
 
 namespace glider::ir {
 
 /// The part of `validate` that looks at what a mission does: variables, temporals, blocks, cases
 /// and states, given sound sensors, behaviours and expressions.
-void validateCode(const Mission& mission, std::vector<Defect>& defects);
+void validateCode(const Mission& mission, Defects& defects);
 
 }  // namespace glider::ir

@@ -43,8 +43,8 @@ bool sound(const GuardRow& row, const GuardTable& table, size_t case_count) {
 }  // namespace
 
 std::string defectOf(const GuardTable& table, const Mission& mission, size_t case_count) {
-  if (table.empty() && !table.rows.empty()) {
-    return "rows without columns";
+  if (table.empty()) {
+    return table.rows.empty() ? "" : "rows without columns";
   }
   if (table.rows.size() > kMostRows || case_count > kMostRows) {
     return "more rows or cases than it can number";

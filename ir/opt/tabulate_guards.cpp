@@ -82,7 +82,8 @@ GuardTable tabulate(const Mission& mission, const std::vector<Case>& cases) {
       rows.push_back(std::move(row));
     }
   }
-  const bool worth_it = comparisons >= kFewestComparisons && rows.size() <= kMostRows;
+  const bool worth_it =
+      comparisons >= kFewestComparisons && rows.size() <= kMostRows && cases.size() <= kMostRows;
   return worth_it ? makeTable(rows) : GuardTable{};
 }
 

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 #include <deque>
-#include <optional>
+#include <utility>
 
 namespace glider::ir {
 namespace {
@@ -31,74 +31,109 @@ struct Users {
 /// return with an empty stack). What a call leads to is counted; that it may come back gains
 /// nothing, for the caller's own cases are counted anyway. That a case of `always` may not fire
 /// because its target is on the stack is left out: at worst a warning is missing.
+///
+/// A state whose own cases lead to an end needs no limit. Any other ends by way of `always`: of its
+/// first case that leads to an end, unless the state is that case's target, which it does not
+/// interrupt; then of the first with another target.
 class Ends {
  public:
-  explicit Ends(const Structure& structure) : s_(structure), users_(structure) {
-    const uint64_t by_always = s_.always.exit_case ? *s_.always.exit_case + uint64_t{1} : kNever;
-    limits_.assign(s_.size(), kNever);
+  Ends(const Structure& structure, const Users& users)
+      : s_(structure), users_(users), needs_none_(s_.size()), ends_(s_.size()) {
+    by_exit_ = s_.always.exit_case ? *s_.always.exit_case + uint64_t{1} : kNever;
     for (uint32_t state : s_.order) {
-      lower(state, s_.moves[state].exit_case || s_.deadEnd(state) ? 0 : by_always);
-      for (const Edge& edge : s_.moves[state].edges) {
-        lower(state, goesToReturn(edge) ? 0 : kNever);
+      const bool returns = std::ranges::any_of(
+          s_.moves[state].edges, [&](const Edge& edge) { return goesToReturn(edge); });
+      if (s_.moves[state].exit_case || s_.deadEnd(state) || returns) {
+        needsNone(state);
       }
     }
-    for (const Edge& edge : s_.always.edges) {
-      if (goesToReturn(edge)) {
-        interrupt(edge);
-      }
-    }
-    spread();
+    do {
+      spread();
+    } while (interrupt());
   }
 
-  [[nodiscard]] bool canEnd(uint32_t state, uint32_t limit) const {
-    return limits_[state] <= limit;
-  }
+  [[nodiscard]] bool canEnd(uint32_t state, uint32_t limit) const { return needed(state) <= limit; }
 
  private:
   static constexpr uint64_t kNever = UINT64_MAX;
+
+  /// A case of `always` that leads to an end.
+  struct Interrupt {
+    uint64_t limit = kNever;  ///< with which it may fire
+    uint32_t target = UINT32_MAX;
+    bool operator==(const Interrupt&) const = default;
+  };
 
   /// A return that a `goto` to its state brings to an empty stack.
   [[nodiscard]] bool goesToReturn(const Edge& edge) const {
     return !edge.call && s_.moves[edge.to].return_case;
   }
 
-  void lower(uint32_t state, uint64_t limit) {
-    if (limit < limits_[state]) {
-      limits_[state] = limit;
+  [[nodiscard]] uint64_t needed(uint32_t state) const {
+    if (needs_none_[state]) {
+      return 0;
+    }
+    // The target may call a state that is interrupted.
+    const auto calls_another = [&](const Edge& edge) { return edge.call && edge.to != state; };
+    const bool first =
+        state != first_.target || std::ranges::any_of(s_.moves[state].edges, calls_another);
+    return std::min(by_exit_, first ? first_.limit : other_.limit);
+  }
+
+  void needsNone(uint32_t state) {
+    if (!needs_none_[state]) {
+      needs_none_[state] = true;
       pending_.push_back(state);
     }
   }
 
-  /// A case of `always` ends what it interrupts: all but its target, with a greater limit.
-  void interrupt(const Edge& edge) {
-    for (uint32_t state : s_.order) {
-      if (state != edge.to) {
-        lower(state, edge.case_index + uint64_t{1});
-      }
-    }
-  }
-
+  /// Who goes to or calls a state that needs no limit needs none.
   void spread() {
-    std::vector<bool> done(s_.always.edges.size());
     while (!pending_.empty()) {
       const uint32_t state = pending_.front();
       pending_.pop_front();
       for (const Edge& edge : users_.all[state]) {
-        lower(edge.from, edge.call ? limits_[state] : canEnd(state, kEndlessLimit) ? 0 : kNever);
-      }
-      for (size_t i = 0; i < done.size(); ++i) {
-        const Edge& edge = s_.always.edges[i];
-        if (edge.to == state && !done[i] && canEnd(state, edge.case_index)) {
-          done[i] = true;
-          interrupt(edge);
-        }
+        needsNone(edge.from);
       }
     }
   }
 
+  /// Looks for the cases of `always` that lead to an end, and for states that go to one which now
+  /// can end: they need no limit. Whether there was any.
+  bool interrupt() {
+    Interrupt first, other;
+    for (const Edge& edge : s_.always.edges) {
+      if (!goesToReturn(edge) && !canEnd(edge.to, edge.case_index)) {
+        continue;
+      }
+      if (first.limit == kNever) {
+        first = {edge.case_index + uint64_t{1}, edge.to};
+      } else if (edge.to != first.target) {
+        other = {edge.case_index + uint64_t{1}, edge.to};
+        break;
+      }
+    }
+    bool any = first != std::exchange(first_, first);
+    any |= other != std::exchange(other_, other);
+    for (uint32_t state : s_.order) {
+      if (!ends_[state] && needed(state) != kNever) {
+        ends_[state] = any = true;
+        for (const Edge& edge : users_.all[state]) {
+          if (!edge.call) {
+            needsNone(edge.from);
+          }
+        }
+      }
+    }
+    return any;
+  }
+
   const Structure& s_;
-  const Users users_;
-  std::vector<uint64_t> limits_;
+  const Users& users_;
+  std::vector<bool> needs_none_;
+  std::vector<bool> ends_;  ///< with the greatest limit at least
+  uint64_t by_exit_ = kNever;
+  Interrupt first_, other_;
   std::deque<uint32_t> pending_;
 };
 
@@ -164,7 +199,8 @@ void reportStates(Verification& v, const std::vector<bool>& endless) {
 }  // namespace
 
 std::vector<bool> statesWithoutEnd(const Structure& structure) {
-  const Ends ends(structure);
+  const Users users(structure);
+  const Ends ends(structure, users);
   std::vector<bool> endless(structure.size());
   std::deque<uint32_t> pending;
   for (uint32_t s : structure.order) {

@@ -8,9 +8,6 @@
 namespace glider::ir {
 namespace {
 
-/// Of a longer path only this many steps at either end are told.
-constexpr size_t kEnds = 5;
-
 std::string step(const Structure& structure, const Edge& edge) {
   const std::string& from = structure.mission.states[edge.from].name;
   const std::string& to = structure.mission.states[edge.to].name;
@@ -29,19 +26,17 @@ std::string step(const Structure& structure, const Edge& edge) {
 
 }  // namespace
 
-void notePath(support::DiagnosticBuilder& report, const Structure& structure,
-              const std::vector<Edge>& path) {
+void notePath(support::DiagnosticBuilder& report, const Structure& structure, const Path& path) {
   const State& first = structure.mission.states.front();
   report.note(first.range, fmt::format("the mission starts in state `{}`", first.name));
   for (size_t i = 0; i < path.size(); ++i) {
-    const Edge& edge = path[i];
-    const support::SourceRange range = structure.caseOf(edge).range;
-    if (path.size() > 2 * kEnds && i == kEnds) {
-      const size_t left_out = path.size() - 2 * kEnds;
+    const support::SourceRange range = structure.caseOf(path[i]).range;
+    if (!path.keeps(i + 1) && i + 1 < path.size()) {
+      const size_t left_out = path.size() - Path::kLast - i;
       report.note(range, fmt::format("{} transitions, of which this is the first", left_out));
       i += left_out - 1;
     } else {
-      report.note(range, step(structure, edge));
+      report.note(range, step(structure, path[i]));
     }
   }
 }

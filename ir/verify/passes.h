@@ -30,10 +30,19 @@ namespace passes {
 /// reached any more.
 std::vector<bool> statesWithoutEnd(const Structure& structure);
 
+/// The reached states in an order in which callers come before those that they call themselves;
+/// where such calls make a cycle, what is in it or called from it is left out.
+std::vector<uint32_t> callersFirst(const Structure& structure);
+
+/// Whether a case of `always` may come between so that a state is on the stack twice; the states'
+/// own calls make no cycle. Linear.
+bool interruptionsRecur(const Structure& structure);
+/// Reports each call that this makes a mistake. Takes a while for each case of `always`.
+void reportInterruptions(Verification& verification);
+
 /// Adds a note for each step of a run from the start: `path`'s transitions, the middle of a long
 /// one left out.
-void notePath(support::DiagnosticBuilder& report, const Structure& structure,
-              const std::vector<Edge>& path);
+void notePath(support::DiagnosticBuilder& report, const Structure& structure, const Path& path);
 
 /// Adds a note that says why `c` of `list` never fires.
 void noteDeadCase(support::DiagnosticBuilder& report, const Case& c, Dead why,

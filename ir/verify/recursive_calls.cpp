@@ -15,7 +15,7 @@ namespace {
 
 /// Tells of `closing`, a call of a state that can be on the call stack; `path` leads to where it is
 /// made.
-void reportCall(Verification& v, const Edge& closing, const std::vector<Edge>& path) {
+void reportCall(Verification& v, const Edge& closing, const Path& path) {
   const Mission& m = v.structure.mission;
   const State& from = m.states[closing.from];
   const std::string& to = m.states[closing.to].name;
@@ -85,10 +85,10 @@ class CallWalk {
   }
 
   void report(Place root, const Edge& closing) {
-    std::vector<Edge> path = v_.structure.pathTo(root);
-    for (size_t i = 0; i + 1 < levels_.size(); ++i) {
-      path.push_back(v_.structure.moves[levels_[i].state].edges[levels_[i].next_edge - 1]);
-    }
+    Path path = v_.structure.pathTo(root);
+    path.append(levels_.size() - 1, [&](size_t i) {
+      return v_.structure.moves[levels_[i].state].edges[levels_[i].next_edge - 1];
+    });
     reportCall(v_, closing, path);
   }
 
@@ -97,17 +97,23 @@ class CallWalk {
   std::vector<Level> levels_;
 };
 
+/// Where a way begins: in a state that meets an empty stack; then perhaps a call by `always`.
+struct Beginning {
+  uint32_t root = 0;
+  std::optional<Edge> then;
+};
+
 /// The states to which calls of states lead from some beginnings, each with how.
 class CallReach {
  public:
   explicit CallReach(const Structure& structure) : s_(structure), how_(structure.size()) {}
 
-  [[nodiscard]] bool has(uint32_t state) const { return how_[state].has_value(); }
+  [[nodiscard]] bool has(uint32_t state) const { return how_[state].reached; }
 
-  /// `path` leads to `state`, from the start or from another beginning.
-  void begin(uint32_t state, std::vector<Edge> path) {
+  /// `state` is reached from the start, or is where the way begins.
+  void begin(uint32_t state, std::optional<Beginning> how = std::nullopt) {
     if (!has(state)) {
-      how_[state] = How{std::move(path), std::nullopt};
+      how_[state] = {true, how, std::nullopt};
       pending_.push_back(state);
     }
   }
@@ -120,31 +126,38 @@ class CallReach {
       pending_.pop_front();
       for (const Edge& edge : s_.moves[state].edges) {
         if (edge.call && visit(edge) && !has(edge.to)) {
-          how_[edge.to] = How{{}, edge};
+          how_[edge.to] = {true, std::nullopt, edge};
           pending_.push_back(edge.to);
         }
       }
     }
   }
 
-  [[nodiscard]] std::vector<Edge> pathTo(uint32_t state) const {
+  [[nodiscard]] Path pathTo(uint32_t state) const {
     std::vector<Edge> calls;
-    while (how_[state]->by) {
-      calls.push_back(*how_[state]->by);
-      state = how_[state]->by->from;
+    while (how_[state].by) {
+      calls.push_back(*how_[state].by);
+      state = calls.back().from;
     }
-    std::vector<Edge> path = how_[state]->beginning;
-    path.insert(path.end(), calls.rbegin(), calls.rend());
+    Path path;
+    if (how_[state].beginning) {
+      path = s_.pathTo(s_.root(how_[state].beginning->root));
+      if (how_[state].beginning->then) {
+        path.append(*how_[state].beginning->then);
+      }
+    }
+    path.append(calls.size(), [&](size_t i) { return calls[calls.size() - 1 - i]; });
     return path;
   }
 
  private:
   struct How {
-    std::vector<Edge> beginning;
+    bool reached = false;
+    std::optional<Beginning> beginning;
     std::optional<Edge> by;
   };
   const Structure& s_;
-  std::vector<std::optional<How>> how_;
+  std::vector<How> how_;
   std::deque<uint32_t> pending_;
 };
 
@@ -158,7 +171,7 @@ class Interruption {
   void run(std::set<std::pair<uint32_t, uint32_t>>& told) {
     findBelow();
     CallReach above(s_);
-    above.begin(always_.to, {});
+    above.begin(always_.to);
     above.follow([&](const Edge& edge) {
       if (!below_.has(edge.to)) {
         return true;
@@ -177,15 +190,13 @@ class Interruption {
     for (uint32_t root : s_.order) {
       const std::optional<uint32_t> limit = s_.rootLimit(root);
       if (root != always_.to && limit && *limit > always_.case_index) {
-        below_.begin(root, s_.pathTo(s_.root(root)));
+        below_.begin(root, Beginning{root, std::nullopt});
       }
     }
     for (const Edge& other : s_.always.edges) {
       const auto root = s_.otherRoot(other.case_index, always_.to, other.to);
       if (other.call && other.case_index > always_.case_index && other.to != always_.to && root) {
-        std::vector<Edge> path = s_.pathTo(s_.root(*root));
-        path.push_back(from(*root, other));
-        below_.begin(other.to, std::move(path));
+        below_.begin(other.to, Beginning{*root, from(*root, other)});
       }
     }
     below_.follow([&](const Edge& edge) { return edge.to != always_.to; });
@@ -196,10 +207,10 @@ class Interruption {
     return always;
   }
 
-  void report(const Edge& closing, const std::vector<Edge>& above) {
-    std::vector<Edge> path = below_.pathTo(closing.to);
-    path.push_back(from(closing.to, always_));
-    path.insert(path.end(), above.begin(), above.end());
+  void report(const Edge& closing, const Path& above) {
+    Path path = below_.pathTo(closing.to);
+    path.append(from(closing.to, always_));
+    path.append(above);
     reportCall(v_, closing, path);
   }
 
@@ -211,13 +222,19 @@ class Interruption {
 
 }  // namespace
 
-void passes::recursiveCalls(Verification& v) {
-  CallWalk(v).run();
+void reportInterruptions(Verification& v) {
   std::set<std::pair<uint32_t, uint32_t>> told;
   for (const Edge& edge : v.structure.always.edges) {
     if (edge.call) {
       Interruption(v, edge).run(told);
     }
+  }
+}
+
+void passes::recursiveCalls(Verification& v) {
+  CallWalk(v).run();
+  if (v.recursive || interruptionsRecur(v.structure)) {
+    reportInterruptions(v);
   }
 }
 

@@ -4,105 +4,147 @@
 #include "ir/verify/passes.h"
 
 #include <algorithm>
-#include <deque>
-#include <map>
 #include <optional>
+#include <queue>
+#include <span>
+#include <utility>
+#include <vector>
 
 namespace glider::ir {
 namespace {
 
 constexpr uint32_t kNone = UINT32_MAX;
 
-/// The reached states in an order in which callers come before the called (Kahn's).
-std::vector<uint32_t> callersFirst(const Structure& structure) {
-  std::vector<uint32_t> open(structure.size());
-  auto calls = [&](uint32_t s, auto visit) {
-    for (const Edge& edge : structure.moves[s].edges) {
-      if (edge.call) {
-        visit(edge.to);
-      }
-    }
-  };
-  for (uint32_t s : structure.order) {
-    calls(s, [&](uint32_t to) { ++open[to]; });
-  }
-  std::vector<uint32_t> sorted;
-  for (uint32_t s : structure.order) {
-    if (open[s] == 0) {
-      sorted.push_back(s);
-    }
-  }
-  for (size_t i = 0; i < sorted.size(); ++i) {
-    calls(sorted[i], [&](uint32_t to) {
-      if (--open[to] == 0) {
-        sorted.push_back(to);
-      }
-    });
-  }
-  return sorted;
-}
-
-/// The longest call stacks that begin with a given limit. ir/README.md says why they are a chain of
-/// the states' own calls from the state at the bottom, then one for each state that `always` may
-/// call, none of which the chains go through.
+/// The lengths of the longest call stacks, by the limit that they begin with. ir/README.md says why
+/// they are a chain of the states' own calls from the state at the bottom, then one for each state
+/// that `always` may call, none of which the chains go through. The limit rises from 0 on, and with
+/// it the number of states that `always` may call: then only the chains that went through one of
+/// them are looked at again.
 class Chains {
  public:
-  Chains(const Structure& structure, const std::vector<uint32_t>& callers_first, uint32_t limit)
-      : length_(structure.size()), next_(structure.size(), kNone) {
-    for (const Edge& edge : structure.always.edges) {
-      if (edge.call && edge.case_index < limit) {
-        interrupts_.emplace(edge.to, edge.case_index);  // the first case that calls it
-      }
-    }
-    for (size_t i = callers_first.size(); i-- > 0;) {
-      const uint32_t s = callers_first[i];
-      for (const Edge& edge : structure.moves[s].edges) {
-        if (edge.call && !interrupts_.contains(edge.to) && length_[edge.to] >= length_[s]) {
-          length_[s] = length_[edge.to];
-          next_[s] = edge.to;
+  Chains(const Structure& structure, std::span<const uint32_t> callers_first)
+      : s_(structure),
+        order_(callers_first),
+        place_(structure.size()),
+        length_(structure.size(), 1),
+        interrupting_(structure.size()),
+        callers_(structure.size()) {
+    for (size_t i = order_.size(); i-- > 0;) {
+      const uint32_t state = order_[i];
+      place_[state] = i;
+      length_[state] = 1 + longestCalled(state).second;
+      for (const Edge& edge : s_.moves[state].edges) {
+        if (edge.call) {
+          callers_[edge.to].push_back(state);
         }
       }
-      ++length_[s];
     }
-    for (const auto& [target, number] : interrupts_) {
-      by_always_ += length_[target];
+  }
+
+  /// Raises the limit; it never sinks.
+  void raise(uint32_t limit) {
+    const std::vector<Edge>& edges = s_.always.edges;
+    std::priority_queue<size_t> changed;  // places of states, the called first
+    for (; next_ < edges.size() && edges[next_].case_index < limit; ++next_) {
+      const uint32_t target = edges[next_].to;
+      if (edges[next_].call && !interrupting_[target]) {
+        interrupting_[target] = true;
+        by_always_ += length_[target];
+        addCallers(target, changed);
+      }
     }
+    shorten(changed);
   }
 
   /// Of the longest stack that has `root` at its bottom: how many states.
   [[nodiscard]] uint32_t states(uint32_t root) const {
-    return by_always_ + (interrupts_.contains(root) ? 0 : length_[root]);
+    return by_always_ + (interrupting_[root] ? 0 : length_[root]);
   }
 
-  /// Those states, outermost first.
+  /// Those states, outermost first: of what `always` calls, the last case first.
   [[nodiscard]] std::vector<StateId> path(uint32_t root) const {
-    std::vector<std::pair<uint32_t, uint32_t>> interrupts;  // number, target
-    for (const auto& [target, number] : interrupts_) {
-      if (target != root) {
-        interrupts.emplace_back(number, target);
+    std::vector<uint32_t> bottoms;
+    std::vector<bool> told(s_.size());
+    told[root] = true;
+    for (const Edge& edge : std::span(s_.always.edges).first(next_)) {
+      if (edge.call && !told[edge.to]) {
+        told[edge.to] = true;
+        bottoms.push_back(edge.to);
       }
     }
-    std::ranges::sort(interrupts, std::greater());
+    bottoms.push_back(root);
     std::vector<StateId> path;
-    append(root, path);
-    for (const auto& [number, target] : interrupts) {
-      append(target, path);
+    for (size_t i = bottoms.size(); i-- > 0;) {
+      for (uint32_t s = bottoms[i]; s != kNone; s = longestCalled(s).first) {
+        path.push_back({s});
+      }
     }
     return path;
   }
 
  private:
-  void append(uint32_t state, std::vector<StateId>& path) const {
-    for (; state != kNone; state = next_[state]) {
-      path.push_back({state});
+  /// What a state itself calls that has the longest chain, and its length; kNone and 0 if nothing.
+  [[nodiscard]] std::pair<uint32_t, uint32_t> longestCalled(uint32_t state) const {
+    std::pair<uint32_t, uint32_t> longest = {kNone, 0};
+    for (const Edge& edge : s_.moves[state].edges) {
+      if (edge.call && !interrupting_[edge.to] && length_[edge.to] >= longest.second) {
+        longest = {edge.to, length_[edge.to]};
+      }
+    }
+    return longest;
+  }
+
+  void addCallers(uint32_t state, std::priority_queue<size_t>& changed) const {
+    for (uint32_t caller : callers_[state]) {
+      changed.push(place_[caller]);
     }
   }
 
+  /// Looks at the chains of states anew that call what has changed.
+  void shorten(std::priority_queue<size_t>& changed) {
+    while (!changed.empty()) {
+      const size_t place = changed.top();
+      while (!changed.empty() && changed.top() == place) {
+        changed.pop();
+      }
+      const uint32_t state = order_[place];
+      const uint32_t length = 1 + longestCalled(state).second;
+      if (length != length_[state]) {
+        by_always_ -= interrupting_[state] ? length_[state] - length : 0;
+        length_[state] = length;
+        addCallers(state, changed);
+      }
+    }
+  }
+
+  const Structure& s_;
+  std::span<const uint32_t> order_;
+  std::vector<size_t> place_;     ///< of a state in the order
   std::vector<uint32_t> length_;  ///< of the longest chain of own calls from each state
-  std::vector<uint32_t> next_;    ///< what it calls in that chain
-  std::map<uint32_t, uint32_t> interrupts_;
+  std::vector<bool> interrupting_;
+  std::vector<std::vector<uint32_t>> callers_;
+  size_t next_ = 0;  ///< the first case of `always` that the limit keeps out
   uint32_t by_always_ = 0;
 };
+
+/// A state that meets an empty stack.
+struct Root {
+  uint32_t limit = 0;  ///< the greatest with which it does
+  size_t place = 0;    ///< among the reached states: of equally deep stacks the nearest is told
+  uint32_t state = 0;
+};
+
+std::vector<Root> rootsByLimit(const Structure& structure) {
+  std::vector<Root> roots;
+  for (size_t place = 0; place < structure.order.size(); ++place) {
+    const uint32_t state = structure.order[place];
+    if (const std::optional<uint32_t> limit = structure.rootLimit(state)) {
+      roots.push_back({*limit, place, state});
+    }
+  }
+  std::ranges::sort(roots, {}, &Root::limit);
+  return roots;
+}
 
 }  // namespace
 
@@ -111,20 +153,21 @@ void passes::stackDepth(Verification& v) {
     return;
   }
   const std::vector<uint32_t> callers_first = callersFirst(v.structure);
-  std::map<uint32_t, Chains> by_limit;
+  const std::vector<Root> roots = rootsByLimit(v.structure);
+  Chains chains(v.structure, callers_first);
   uint32_t most = 0;
-  for (uint32_t s : v.structure.order) {
-    const std::optional<uint32_t> limit = v.structure.rootLimit(s);
-    if (!limit) {
-      continue;
-    }
-    const Chains& chains =
-        by_limit.try_emplace(*limit, v.structure, callers_first, *limit).first->second;
-    if (chains.states(s) > most) {
-      most = chains.states(s);
-      v.facts.deepest_path = chains.path(s);
+  Root deepest;
+  for (const Root& root : roots) {
+    chains.raise(root.limit);
+    const uint32_t states = chains.states(root.state);
+    if (states > most || (states == most && root.place < deepest.place)) {
+      most = states;
+      deepest = root;
     }
   }
+  Chains its_own(v.structure, callers_first);
+  its_own.raise(deepest.limit);
+  v.facts.deepest_path = its_own.path(deepest.state);
   v.facts.stack_depth = most - 1;
 }
 

@@ -11,35 +11,6 @@
 namespace glider::ir {
 namespace {
 
-/// What is true or false whatever the sensors and clocks say; Unknown stands for everything else.
-std::vector<Truth> constantTruths(const Mission& mission) {
-  std::vector<Truth> truths(mission.exprs.size(), Truth::Unknown);
-  for (size_t i = 0; i < truths.size(); ++i) {
-    const Expr& e = mission.exprs[i];
-    auto operand = [&](size_t k) { return truths[e.operands.at(k).index]; };
-    switch (e.op) {
-      case Op::True:
-        truths[i] = Truth::True;
-        break;
-      case Op::False:
-        truths[i] = Truth::False;
-        break;
-      case Op::Not:
-        truths[i] = logicalNot(operand(0));
-        break;
-      case Op::And:
-        truths[i] = logicalAnd(operand(0), operand(1));
-        break;
-      case Op::Or:
-        truths[i] = logicalOr(operand(0), operand(1));
-        break;
-      default:
-        break;
-    }
-  }
-  return truths;
-}
-
 /// Whether nothing after `c` in its list can fire if its guard is always true. One of `always` with
 /// a target may not fire at times.
 bool hidesLater(const Case& c, bool always) {
@@ -72,6 +43,34 @@ Moves movesOf(const std::vector<Case>& cases, uint32_t state, bool always,
 }
 
 }  // namespace
+
+std::vector<Truth> constantTruths(const Mission& mission) {
+  std::vector<Truth> truths(mission.exprs.size(), Truth::Unknown);
+  for (size_t i = 0; i < truths.size(); ++i) {
+    const Expr& e = mission.exprs[i];
+    auto operand = [&](size_t k) { return truths[e.operands.at(k).index]; };
+    switch (e.op) {
+      case Op::True:
+        truths[i] = Truth::True;
+        break;
+      case Op::False:
+        truths[i] = Truth::False;
+        break;
+      case Op::Not:
+        truths[i] = logicalNot(operand(0));
+        break;
+      case Op::And:
+        truths[i] = logicalAnd(operand(0), operand(1));
+        break;
+      case Op::Or:
+        truths[i] = logicalOr(operand(0), operand(1));
+        break;
+      default:
+        break;
+    }
+  }
+  return truths;
+}
 
 Structure::Structure(const Mission& of, const std::set<CasePlace>& dead) : mission(of) {
   const std::vector<Truth> truths = constantTruths(mission);
@@ -128,7 +127,9 @@ void Structure::visit(const Edge& edge, Place before, std::deque<Place>& pending
     order.push_back(edge.to);
     nearest_[edge.to] = next.arrived;
   }
-  arrivals_[index(next)] = {true, before, edge};
+  const Arrival& from = arrivals_[index(before)];
+  arrivals_[index(next)] = {true, before, edge, from.steps + 1,
+                            from.steps < Path::kFirst ? next : from.early};
   pending.push_back(next);
 }
 
@@ -164,6 +165,10 @@ std::optional<uint32_t> Structure::otherRoot(uint32_t limit, uint32_t not_this,
     }
   }
   return std::nullopt;
+}
+
+bool Structure::highRoot(uint32_t state) const {
+  return std::ranges::find(highest_roots_, state) != highest_roots_.end();
 }
 
 /// A call hands the limit on, so the smallest of a state is that of the first case of `always` from
@@ -203,13 +208,30 @@ bool Structure::deadEnd(uint32_t state) const {
          lowestLimit(state) != kEndlessLimit;
 }
 
-std::vector<Edge> Structure::pathTo(Place place) const {
-  std::vector<Edge> path;
-  for (const Arrival* a = &arrivals_[index(place)]; a->edge; a = &arrivals_[index(a->before)]) {
-    path.push_back(*a->edge);
-    path.back().from = a->before.state;
-  }
-  std::ranges::reverse(path);
+/// The transition that led to a place that is not the start.
+Edge Structure::edgeTo(Place place) const {
+  Edge edge = *arrivals_[index(place)].edge;
+  edge.from = arrivals_[index(place)].before.state;
+  return edge;
+}
+
+Path Structure::pathTo(Place place) const {
+  auto back = [&](Place from, size_t steps) {  // the last `steps` transitions that lead to `from`
+    std::vector<Edge> edges;
+    for (; edges.size() < steps; from = arrivals_[index(from)].before) {
+      edges.push_back(edgeTo(from));
+    }
+    std::ranges::reverse(edges);
+    return edges;
+  };
+  const size_t steps = arrivals_[index(place)].steps;
+  const std::vector<Edge> first =
+      back(arrivals_[index(place)].early, std::min(steps, Path::kFirst));
+  const std::vector<Edge> last = back(place, std::min(steps, Path::kLast));
+  Path path;
+  path.append(steps, [&](size_t i) {
+    return i < first.size() ? first[i] : last[last.size() - (steps - i)];
+  });
   return path;
 }
 

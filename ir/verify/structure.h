@@ -4,6 +4,8 @@
 #pragma once
 
 #include "ir/core/mission.h"
+#include "ir/core/truth.h"
+#include "ir/verify/path.h"
 
 #include <cstdint>
 #include <deque>
@@ -14,6 +16,10 @@
 
 namespace glider::ir {
 
+/// Of every expression: what is true or false whatever the sensors and clocks say; Unknown stands
+/// for everything else.
+std::vector<Truth> constantTruths(const Mission& mission);
+
 /// Why a case cannot fire.
 enum class Dead : uint8_t { No, AlwaysFalse, Hidden, Proved };
 
@@ -22,15 +28,6 @@ struct CasePlace {
   StateId state;  ///< invalid: of `always`
   uint32_t number = 0;
   auto operator<=>(const CasePlace&) const = default;
-};
-
-/// A `goto` or `call` that can fire.
-struct Edge {
-  uint32_t from = 0;  ///< the state that is current then
-  uint32_t case_index = 0;
-  uint32_t to = 0;
-  bool call = false;
-  bool always = false;  ///< a case of `always`, not of the state
 };
 
 /// What the live cases of a list can do.
@@ -85,12 +82,14 @@ class Structure {
   /// A state, neither of these two, that meets an empty stack with a limit above `limit`.
   [[nodiscard]] std::optional<uint32_t> otherRoot(uint32_t limit, uint32_t not_this,
                                                   uint32_t nor_this) const;
+  /// Whether the state is one of the three that `otherRoot` chooses from.
+  [[nodiscard]] bool highRoot(uint32_t state) const;
   /// The smallest limit with which a reached state can be current.
   [[nodiscard]] uint32_t lowestLimit(uint32_t state) const { return lowest_limit_[state]; }
   /// Whether there is a moment from which on nothing ever leaves the reached state.
   [[nodiscard]] bool deadEnd(uint32_t state) const;
-  /// How a reached place is reached, the first transition first.
-  [[nodiscard]] std::vector<Edge> pathTo(Place place) const;
+  /// How a reached place is reached.
+  [[nodiscard]] Path pathTo(Place place) const;
   /// The place of a reached state that is nearest to the start.
   [[nodiscard]] Place nearest(uint32_t state) const { return {state, nearest_[state]}; }
   /// The case of an edge.
@@ -101,6 +100,8 @@ class Structure {
     bool reached = false;
     Place before;
     std::optional<Edge> edge;  ///< none: the start
+    uint32_t steps = 0;        ///< from the start
+    Place early;               ///< on the way here, Path::kFirst steps from the start, or this one
   };
 
   static size_t index(Place place) {
@@ -108,6 +109,7 @@ class Structure {
   }
   void explore();
   void visit(const Edge& edge, Place before, std::deque<Place>& pending);
+  [[nodiscard]] Edge edgeTo(Place place) const;
   void findRoots();
   void findLimits();
 

@@ -3,6 +3,7 @@
 
 // What a table of guards says is what the guards say.
 
+#include "ir/core/validate.h"
 #include "ir/eval/interpreter.h"
 #include "ir/opt/passes.h"
 #include "ir/text/print.h"
@@ -104,6 +105,14 @@ TEST(GuardTable, ShortListsHaveNone) {
   Mission m = missionOf(kHeader + stateText("a", longList(15)));
   opt::tabulateGuards(m);
   EXPECT_TRUE(m.states[0].table.empty());
+}
+
+/// A table numbers 4096 cases; more fly without one.
+TEST(GuardTable, TooLongListsHaveNone) {
+  Mission m = missionOf(kHeader + stateText("a", longList(5000)));
+  opt::tabulateGuards(m);
+  EXPECT_TRUE(m.states[0].table.empty());
+  EXPECT_TRUE(validate(m).empty());
 }
 
 TEST(GuardTable, AThresholdCutsOnceHoweverOftenItIsUsed) {

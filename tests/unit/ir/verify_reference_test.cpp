@@ -4,10 +4,8 @@
 #include "ir/text/print.h"
 #include "ir/verify/passes.h"
 #include "ir/verify/verify.h"
-#include "tests/random_missions/random.h"
+#include "tests/random_missions/random_structure.h"
 #include "tests/unit/ir/missions.h"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <deque>
@@ -18,66 +16,8 @@
 namespace glider::ir {
 namespace {
 
-constexpr const char* kGuards[] = {"(ge statetime 4:time)",
-                                   "(ge statetime 4:time)",
-                                   "(ge statetime 4:time)",
-                                   "true",
-                                   "false",
-                                   "(not (or true (ge statetime 4:time)))"};
-
-std::string guardText(random_missions::Random& random) {
-  return fmt::format("case {} ", random.chance(0.8) ? kGuards[0] : random.pick(kGuards));
-}
-
-std::string alwaysText(random_missions::Random& random, uint32_t states) {
-  std::string text = "always ";
-  for (uint32_t k = random.between(1, 4); k > 0; --k) {
-    constexpr const char* kKinds[] = {"call", "call", "goto", "exit", "stay"};
-    const std::string kind = random.pick(kKinds);
-    const bool targeted = kind == "call" || kind == "goto";
-    text += guardText(random) + kind +
-            (targeted ? fmt::format(" s{} ", random.below(states)) : std::string(" "));
-  }
-  return text;
-}
-
-/// A random mission of few states whose cases do anything, most of them mistaken. Half of them call
-/// later states only, and so without a cycle.
 Mission tangle(random_missions::Random& random, bool with_always) {
-  const bool forward = random.chance(0.5);
-  const uint32_t states = random.between(1, with_always ? 5 : forward ? 6 : 4);
-  const uint32_t most_cases = random.between(1, with_always ? 3 : 5);
-  std::string text = kHeader + (with_always ? alwaysText(random, states) : "");
-  for (uint32_t s = 0; s < states; ++s) {
-    std::string cases;
-    for (uint32_t k = random.below(most_cases + 1); k > 0; --k) {
-      cases += guardText(random);
-      switch (random.below(8)) {
-        case 0:
-        case 1:
-          cases += fmt::format("goto s{} ", random.below(states));
-          break;
-        case 2:
-        case 3:
-        case 4:
-          cases += forward && s + 1 == states
-                       ? "stay "
-                       : fmt::format("call s{} ", forward ? random.between(s + 1, states - 1)
-                                                          : random.below(states));
-          break;
-        case 5:
-          cases += "return ";
-          break;
-        case 6:
-          cases += "exit ";
-          break;
-        default:
-          cases += "stay ";
-      }
-    }
-    text += stateText(fmt::format("s{}", s), cases);
-  }
-  return missionOf(text);
+  return missionOf(random_missions::randomStructure(random, with_always));
 }
 
 /// A state that waits, or is current, with the limit that `always` has there.
@@ -174,7 +114,7 @@ struct Reference {
     }
   }
 
-  /// The two constant shapes that `tangle` makes.
+  /// The two constant shapes that the random structures have.
   static bool isFalse(const Mission& mission, ExprId guard) {
     return mission[guard].op == Op::False || mission[guard].op == Op::Not;
   }

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "driver/check_mission.h"
+
+#include <utility>
+
+namespace glider::driver {
+namespace {
+
+using support::Result;
+
+void tellFacts(const Compilation& compilation, report::CheckedMission& found) {
+  const ir::Mission& mission = *compilation.mission;
+  found.mission = mission.name;
+  for (const ir::State& state : mission.states) {
+    found.states.push_back(state.name);
+  }
+  if (compilation.facts.stack_depth > 0) {
+    for (const ir::StateId id : compilation.facts.deepest_path) {
+      found.deepest_path.push_back(mission[id].name);
+    }
+  }
+}
+
+const char* wordOf(ir::prove::Verdict verdict) {
+  switch (verdict) {
+    case ir::prove::Verdict::Proved:
+      return "proved";
+    case ir::prove::Verdict::Refuted:
+      return "refuted";
+    case ir::prove::Verdict::Open:
+      return "open";
+  }
+  return "";
+}
+
+/// What goes beyond text and structure, of a mission that is ok().
+Result<void> checkFurther(Checked& checked, const CheckOptions& options) {
+  ir::prove::Options how;
+  how.report = options.report;
+  how.effort *= options.effort;
+  how.run_effort *= options.effort;
+  Compilation& compilation = *checked.compilation;
+  auto proved = proveMission(compilation, how);
+  if (!proved) {
+    return std::unexpected(proved.error());
+  }
+  for (const ir::prove::ReportLine& line : proved->lines) {
+    checked.found.remarks.push_back({line.range, line.text});
+  }
+  for (const ir::prove::RequirementVerdict& verdict : proved->requirements) {
+    const auto range = compilation.mission->requirements[verdict.requirement].range;
+    checked.found.requirements.push_back(
+        {range, std::string(compilation.sources.text(range)), wordOf(verdict.verdict)});
+  }
+  checked.proved = std::move(*proved);
+  return {};
+}
+
+}  // namespace
+
+Checked checkMission(const std::string& path, const CheckOptions& options) {
+  Checked checked;
+  report::CheckedMission& found = checked.found;
+  found.path = path;
+  auto compiled = compileMission(path);
+  if (!compiled) {
+    found.failure = compiled.error();
+    return checked;
+  }
+  checked.compilation = std::move(*compiled);
+  Compilation& compilation = *checked.compilation;
+  found.sources = &compilation.sources;
+  if (compilation.ok()) {
+    if (auto done = checkFurther(checked, options); !done) {
+      found.failure = done.error();
+    }
+  }
+  found.diagnostics = compilation.diagnostics.sorted();
+  if (compilation.ok()) {
+    tellFacts(compilation, found);
+  }
+  return checked;
+}
+
+}  // namespace glider::driver

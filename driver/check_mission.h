@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "driver/compilation.h"
+#include "report/findings/findings.h"
+
+#include <memory>
+#include <string>
+
+namespace glider::driver {
+
+/// How a mission is checked.
+struct CheckOptions {
+  bool report = false;  ///< also what is no mistake, and the budget on `target`
+  std::string target = "host";
+  unsigned effort = 1;  ///< how many times the usual effort a proof may take
+};
+
+/// A mission with all that was found; `found` points into `compilation`, which is null if the file
+/// could not be read.
+struct Checked {
+  std::unique_ptr<Compilation> compilation;
+  ir::prove::Findings proved;
+  report::CheckedMission found;
+};
+
+/// Checks the mission at `path`: its text, its structure, what can be proved of it. A failure of
+/// the world stands in Checked::found.
+Checked checkMission(const std::string& path, const CheckOptions& options);
+
+}  // namespace glider::driver

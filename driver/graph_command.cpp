@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "driver/commands.h"
+#include "driver/compilation.h"
+#include "driver/exit_code.h"
+#include "driver/graph_of.h"
+#include "driver/terminal.h"
+#include "ir/verify/promela.h"
+#include "support/files.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+
+namespace glider::driver {
+namespace {
+
+enum class Format : uint8_t { Svg, Dot, Json, Promela };
+
+/// The values of `--format`.
+const std::map<std::string, Format> kFormats = {{"svg", Format::Svg},
+                                                {"dot", Format::Dot},
+                                                {"json", Format::Json},
+                                                {"promela", Format::Promela}};
+
+struct GraphOptions {
+  std::string mission;
+  Format format = Format::Svg;
+  bool deepest = false;
+  std::string output;
+};
+
+std::string draw(const GraphOptions& options, const Compilation& compilation) {
+  const report::GraphStyle style{options.deepest};
+  switch (options.format) {
+    case Format::Svg:
+      return report::graphToSvg(graphOf(compilation), style);
+    case Format::Dot:
+      return report::graphToDot(graphOf(compilation), style);
+    case Format::Json:
+      return report::graphToJson(graphOf(compilation));
+    case Format::Promela:
+      return ir::promela(*compilation.mission);
+  }
+  return "";
+}
+
+/// The file to write when none is named: beside where the command runs, named after the mission.
+std::string outputName(const GraphOptions& options) {
+  constexpr const char* kEndings[] = {".svg", ".dot", ".graph.json", ".pml"};
+  return std::filesystem::path(options.mission).stem().string() +
+         kEndings[static_cast<size_t>(options.format)];
+}
+
+/// True if the picture would be written over the mission.
+bool overwritesMission(const std::string& output, const std::string& mission) {
+  std::error_code error;  // a file that is not there yet is not the mission
+  return std::filesystem::equivalent(output, mission, error) && !error;
+}
+
+support::Result<void> put(const GraphOptions& options, const Compilation& compilation) {
+  const std::string output = options.output.empty() ? outputName(options) : options.output;
+  if (overwritesMission(output, options.mission)) {
+    return support::fail(support::DiagnosticId::outputIsInput, options.mission);
+  }
+  const std::string text = draw(options, compilation);
+  if (output == "-") {
+    return printOut(text);
+  }
+  if (auto written = support::writeFileAtomically(output, text); !written) {
+    return written;
+  }
+  return printOut(fmt::format("{}: mission {}, {} states\n", output, compilation.mission->name,
+                              compilation.mission->states.size()));
+}
+
+int graph(const GraphOptions& options) {
+  auto compiled = compileMission(options.mission);
+  if (!compiled) {
+    return reportFailure(compiled.error());
+  }
+  const Compilation& compilation = **compiled;
+  reportDiagnostics(compilation.diagnostics, compilation.sources);
+  if (!compilation.mission) {
+    return kMissionHasErrors;
+  }
+  if (auto done = put(options, compilation); !done) {
+    return reportFailure(done.error());
+  }
+  return compilation.ok() ? kFine : kMissionHasErrors;
+}
+
+}  // namespace
+
+void addGraphCommand(CLI::App& app, int& status) {
+  auto options = std::make_shared<GraphOptions>();
+  CLI::App* command = app.add_subcommand(
+      "graph", "Draw the states of a mission and what leads from one to another");
+  command
+      ->add_option("MISSION", options->mission, "The mission file (or the IR's text form, FILE.ir)")
+      ->required();
+  command
+      ->add_option_function<std::string>(
+          "--format",
+          [options](const std::string& format) { options->format = kFormats.at(format); },
+          "What to write: svg (default), dot for Graphviz, json, or promela, a model of the "
+          "structure "
+          "for SPIN")
+      ->check(CLI::IsMember(std::vector<std::string>{"svg", "dot", "json", "promela"}))
+      ->option_text("FORMAT");
+  command->add_flag("--deepest", options->deepest, "Mark a deepest call stack");
+  command
+      ->add_option("-o", options->output, "The file to write (MISSION.svg); `-` is standard output")
+      ->option_text("FILE");
+  command->callback([options, &status] { status = graph(*options); });
+}
+
+}  // namespace glider::driver

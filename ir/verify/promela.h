@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "ir/core/mission.h"
+
+#include <string>
+#include <string_view>
+
+namespace glider::ir {
+
+/// The structure of a valid mission as a model for SPIN, written from ir/README.md alone and not
+/// from what the checks know: which states there are, the call stack, `always` with its limits. Any
+/// case may fire at any tick, except those that are always false, or hidden by one that is always
+/// true. A `return` with an empty stack and a call of a state that is on it violate an assertion:
+///
+///     spin -run -m1000000 mission.pml
+///
+/// What comes before the process is `promelaPrelude`; whoever defines EMPTY_RETURN, CALLED_TWICE,
+/// REACHED or CALLED before it sees these instead: tests/spin counts them.
+std::string promela(const Mission& mission);
+
+/// The macros that the processes use.
+std::string_view promelaPrelude();
+/// The process alone, named `process`; `active`: it runs by itself.
+std::string promelaProcess(const Mission& mission, std::string_view process, bool active);
+
+}  // namespace glider::ir

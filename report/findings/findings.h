@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "support/diagnostics/diagnostic.h"
+#include "support/result.h"
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// What `glidercc check` found, as data for editors and CI.
+namespace glider::report {
+
+/// What is no mistake but worth knowing; nowhere if it is about the whole mission.
+struct Remark {
+  support::SourceRange range;
+  std::string text;
+};
+
+/// A `require` of the mission, and what came of it.
+struct JudgedRequirement {
+  support::SourceRange range;
+  std::string text;     ///< as written
+  std::string verdict;  ///< "proved", "refuted" or "open"
+};
+
+/// A figure of the mission on its board: `name` is the key in JSON.
+struct Quantity {
+  std::string name;
+  std::optional<uint64_t> value;  ///< empty: no bound is known
+  std::optional<uint64_t> limit;  ///< what board or line can hold; empty: none is stated
+  std::string unit;
+};
+
+/// One mission that was checked.
+struct CheckedMission {
+  std::string path;                                 ///< as it was named
+  const support::SourceManager* sources = nullptr;  ///< of all ranges; null if there is a failure
+  std::vector<support::Diagnostic> diagnostics;     ///< in the order to be shown
+  std::optional<support::Failure> failure;          ///< the world failed: the check is not complete
+  std::string mission;                              ///< its name; empty if there are errors
+  std::vector<std::string> states;
+  std::vector<std::string> deepest_path;  ///< the states of a deepest call stack
+  std::vector<Remark> remarks;
+  std::vector<JudgedRequirement> requirements;  ///< empty if there are errors of another kind
+  std::string target;                           ///< the board of `budget`
+  std::vector<Quantity> budget;
+
+  /// Free of errors, and all of it could be checked.
+  [[nodiscard]] bool ok() const;
+};
+
+/// Gives the explanation of a diagnostic in Markdown: a heading `# GL2007: title`, then its text.
+using ExplainPage = std::function<std::string(support::DiagnosticId)>;
+
+/// One JSON document with a member for each mission; docs/guide.md shows it.
+std::string findingsToJson(const std::vector<CheckedMission>& missions, const std::string& version);
+
+/// One SARIF 2.1.0 log (OASIS standard) with one run. Rules are the diagnostics that were reported,
+/// each with its page as help. Columns count Unicode code points from 1. A failure of the world is
+/// a notification of the tool and makes the execution unsuccessful. `exit_code` is what the command
+/// ends with.
+std::string findingsToSarif(const std::vector<CheckedMission>& missions, const std::string& version,
+                            const ExplainPage& page, int exit_code);
+
+}  // namespace glider::report

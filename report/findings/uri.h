@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <string>
+
+namespace glider::report {
+
+/// A path as a URI (RFC 3986): an absolute one with the scheme `file`, a relative one as a
+/// reference that no scheme can be read into.
+std::string toUri(const std::string& path);
+
+}  // namespace glider::report

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "report/graph/svg_shapes.h"
+#include "report/graph/text_lines.h"
+
+#include <algorithm>
+
+namespace glider::report {
+namespace {
+
+using diagram::Arrow;
+
+constexpr double kRow = 30, kSample = 56, kBetween = 26;
+
+/// An entry: a form and what it means.
+struct Entry {
+  Arrow arrow;
+  const char* meaning;
+};
+
+Arrow sample(GraphTransition transition, bool always = false, bool never = false) {
+  return {0, 0, transition, always, never, false, {}, "", 0, 0};
+}
+
+std::vector<Entry> entriesFor(const Graph& graph) {
+  std::vector<Entry> entries;
+  bool seen[5] = {}, never = false;
+  auto look = [&](const std::vector<GraphCase>& cases) {
+    for (const GraphCase& c : cases) {
+      seen[static_cast<size_t>(c.transition)] = true;
+      never = never || (!c.never.empty() && c.transition != GraphTransition::Stay);
+    }
+  };
+  look(graph.always);
+  for (const GraphState& state : graph.states) {
+    look(state.cases);
+  }
+  if (seen[static_cast<size_t>(GraphTransition::Goto)]) {
+    entries.push_back({sample(GraphTransition::Goto), "goto: for good"});
+  }
+  if (seen[static_cast<size_t>(GraphTransition::Call)]) {
+    entries.push_back({sample(GraphTransition::Call), "call: comes back"});
+  }
+  if (seen[static_cast<size_t>(GraphTransition::Exit)]) {
+    entries.push_back({sample(GraphTransition::Exit), "exit: the mission ends"});
+  }
+  if (!graph.always.empty()) {
+    entries.push_back({sample(GraphTransition::Goto, true), "always: from any state"});
+  }
+  if (never) {
+    entries.push_back({sample(GraphTransition::Goto, false, true), "never fires"});
+  }
+  return entries;
+}
+
+void drawSample(SvgText& svg, const Arrow& arrow, Spot at) {
+  const Page page(diagram::Direction::Right, at);
+  const bool exit = arrow.transition == GraphTransition::Exit;
+  const double length = exit ? kSample - 22 : kSample;
+  const layered::PlacedEdge edge{{{{0, 0}, {length, 0}}}, {}};
+  drawArrow(svg, arrow, edge, page);
+  if (exit) {
+    drawBox(svg, {}, {diagram::Shape::Exit, 0, {}, 24, 24, 0}, {at.x + kSample - 11, at.y});
+  }
+}
+
+}  // namespace
+
+double drawLegend(SvgText& svg, const Graph& graph, Spot at, double width) {
+  Spot next = at;
+  double height = kRow;
+  for (const Entry& entry : entriesFor(graph)) {
+    const double wide =
+        kSample + 8 + diagram::kCharacter * static_cast<double>(columnsOf(entry.meaning));
+    if (next.x > at.x && next.x + wide > at.x + width) {
+      next = {at.x, next.y + kRow};
+      height += kRow;
+    }
+    drawSample(svg, entry.arrow, {next.x, next.y + kRow / 2});
+    svg.add("<text class=\"muted\" x=\"{}\" y=\"{}\">{}</text>\n", px(next.x + kSample + 8),
+            px(next.y + kRow / 2 + 4), entry.meaning);
+    next.x += wide + kBetween;
+  }
+  return height;
+}
+
+}  // namespace glider::report

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "tests/support/command.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <gmock/gmock.h>
+
+namespace glider::tests {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+const std::string kFigure2 = GLIDER_SOURCE_DIR "/missions/figure2.mission";
+
+TEST(GraphCommand, WritesASvgNamedAfterTheMission) {
+  const TemporaryFolder folder;
+  const Outcome outcome =
+      runShell("cd " + folder.path().string() + " && $GLIDERCC graph " + kFigure2);
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("figure2.svg: mission sampleMission, 3 states"));
+  const std::string svg = slurp(folder.path() / "figure2.svg");
+  EXPECT_TRUE(svg.starts_with("<svg xmlns=\"http://www.w3.org/2000/svg\"")) << svg.substr(0, 80);
+  EXPECT_TRUE(svg.ends_with("</svg>\n"));
+  EXPECT_THAT(svg, HasSubstr("missiontime &gt;= 2000"));
+}
+
+TEST(GraphCommand, TheSameMissionGivesTheSameBytes) {
+  const Outcome one = runShell("$GLIDERCC graph -o - " + kFigure2);
+  const Outcome two = runShell("$GLIDERCC graph -o - " + kFigure2);
+  EXPECT_EQ(one.status, 0) << one.err;
+  EXPECT_EQ(one.out, two.out);
+  EXPECT_THAT(one.err, IsEmpty());
+}
+
+TEST(GraphCommand, OtherFormats) {
+  EXPECT_THAT(runShell("$GLIDERCC graph --format dot -o - " + kFigure2).out, HasSubstr("digraph"));
+  EXPECT_THAT(runShell("$GLIDERCC graph --format json -o - " + kFigure2).out,
+              HasSubstr("\"transition\": \"call\""));
+  EXPECT_THAT(runShell("$GLIDERCC graph --format promela -o - " + kFigure2).out,
+              HasSubstr("proctype"));
+  const Outcome wrong = runShell("$GLIDERCC graph --format png -o - " + kFigure2);
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_THAT(wrong.err, HasSubstr("svg"));
+}
+
+TEST(GraphCommand, TheIrTextFormIsDrawnToo) {
+  const TemporaryFolder folder;
+  const std::string ir = (folder.path() / "m.ir").string();
+  ASSERT_EQ(runShell("$GLIDERCC build --emit ir " + kFigure2 + " -o " + ir).status, 0);
+  const Outcome outcome = runShell("$GLIDERCC graph -o - " + ir);
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr(">s1</text>"));
+}
+
+TEST(GraphCommand, AMissionWithErrorsIsNotDrawn) {
+  const TemporaryFolder folder;
+  const auto mission = folder.write("bad.mission", "mission bad\nstate s\nbegin\n");
+  const Outcome outcome =
+      runShell("cd " + folder.path().string() + " && $GLIDERCC graph bad.mission");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "bad.svg"));
+}
+
+TEST(GraphCommand, NeverWritesOverTheMission) {
+  const TemporaryFolder folder;
+  const auto mission = folder.write("m.mission", slurp(kFigure2));
+  const Outcome outcome =
+      runShell("$GLIDERCC graph " + mission.string() + " -o " + mission.string());
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("GL9350"));
+  EXPECT_EQ(slurp(mission), slurp(kFigure2));
+}
+
+TEST(GraphCommand, WhatCannotBeReadOrWritten) {
+  EXPECT_EQ(runShell("$GLIDERCC graph /nowhere.mission").status, 2);
+  EXPECT_EQ(runShell("$GLIDERCC graph " + kFigure2 + " -o /nowhere/x.svg").status, 2);
+  EXPECT_EQ(runShell("$GLIDERCC graph").status, 2);
+}
+
+}  // namespace
+}  // namespace glider::tests

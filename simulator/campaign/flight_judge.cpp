@@ -96,12 +96,17 @@ void FlightJudge::hearDone(const hooks::Frame& frame, double now_s) {
 }
 
 void FlightJudge::judgeObeyed(const CycleView& view) {
-  const Number number{view.array.get(GLIDER_SCI_HOOK_SESSION),
-                      view.array.get(GLIDER_X_HOOK_SEQUENCE)};
+  // After an abort hookbeh runs no more, and silent it obeys nothing: what it answered last stays
+  // in the array. Complete, it tells no session.
+  const bool gives_back = view.hook == HookState::Complete && !gave_back_;
+  if (view.aborted || !(view.hook == HookState::Active || gives_back)) {
+    return;
+  }
+  const uint16_t session = gives_back ? GLIDER_SCI_HOOK_SESSION : GLIDER_X_HOOK_SESSION;
+  const Number number{view.array.get(session), view.array.get(GLIDER_X_HOOK_SEQUENCE)};
   const bool accepted =
       view.array.get(GLIDER_X_HOOK_ANSWER) == static_cast<double>(hooks::HookAnswer::Accepted);
   if (!accepted || number == decided_) {
-    decided_ = accepted ? number : decided_;
     return;
   }
   decided_ = number;
@@ -116,6 +121,9 @@ void FlightJudge::judgeObeyed(const CycleView& view) {
   }
   if (!obeyed_.insert(number).second) {
     violate(view.time_s, words(number) + " is obeyed twice");
+  }
+  if (gave_back_) {
+    violate(view.time_s, words(number) + " is obeyed after control was given back");
   }
   gave_back_ = gave_back_ || words_obeyed[1] == kGiveBack;
   const bool begins = hook_ != HookState::Active || number.first != session_in_control_;

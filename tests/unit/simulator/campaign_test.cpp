@@ -97,13 +97,14 @@ class Judged : public testing::Test {
     hooks::encode(done, frame);
     say(frame);
   }
-  void obey(uint16_t sequence) {
+  void obey(uint16_t sequence, uint32_t session = 1) {
+    array_.set(GLIDER_X_HOOK_SESSION, session);
     array_.set(GLIDER_X_HOOK_SEQUENCE, sequence);
     array_.set(GLIDER_X_HOOK_ANSWER, static_cast<double>(hooks::HookAnswer::Accepted));
   }
-  bool cycle(HookState hook, double depth = 0.1) {
+  bool cycle(HookState hook, double depth = 0.1, bool aborted = false) {
     now_ += kCycle;
-    return judge_.cycle({now_, hook, depth, false, false, array_});
+    return judge_.cycle({now_, hook, depth, aborted, false, array_});
   }
   /// Up to `until_s` in control, the mission going on.
   void fly(double until_s) {
@@ -228,9 +229,29 @@ TEST_F(Judged, AnotherSessionWithoutAHandshakeIsSeen) {
   take();
   instruct(2, 2, hooks::HookControl::Steer);
   arrive();
-  obey(2);
+  obey(2, 2);
   cycle(HookState::Active);
   EXPECT_EQ(violation(), "control is taken without a handshake");
+}
+
+TEST_F(Judged, AnInstructionAfterControlWasGivenBackIsSeen) {
+  take();
+  giveBack();
+  instruct(2, 10, hooks::HookControl::Take);
+  arrive();
+  obey(10, 2);
+  cycle(HookState::Active);
+  EXPECT_EQ(violation(), "instruction 10 of session 2 is obeyed after control was given back");
+}
+
+TEST_F(Judged, WhatArrivesWhenHookbehDoesNotListenIsNotObeyed) {
+  take();
+  instruct(2, 2, hooks::HookControl::Take);
+  arrive();  // x_hook_sequence stays at 1, accepted
+  cycle(HookState::Silent);
+  cycle(HookState::Complete, 0.1, true);
+  EXPECT_EQ(violation(), "");
+  EXPECT_EQ(judge_.verdict().instructions, 1U);
 }
 
 TEST_F(Judged, AFlightThatDoesNotEndIsSeen) {

@@ -8,17 +8,21 @@
 
 namespace glider::driver {
 
-InProcessSbc::InProcessSbc(codegen::LoadedMission mission, std::vector<double> parameters)
-    : mission_(std::move(mission)), parameters_(std::move(parameters)) {
+InProcessSbc::InProcessSbc(std::shared_ptr<const codegen::LoadedMission> mission,
+                           std::vector<double> parameters, bool keeps_time)
+    : mission_(std::move(mission)), parameters_(std::move(parameters)), keeps_time_(keeps_time) {
   // operator new aligns for every fundamental type, which is what the runtime asks for.
-  runtime_memory_ = std::make_unique<std::byte[]>(mission_.runtimeSize());
-  context_memory_ = std::make_unique<std::byte[]>(mission_.mission().context_bytes);
+  runtime_memory_ = std::make_unique<std::byte[]>(mission_->runtimeSize());
+  context_memory_ = std::make_unique<std::byte[]>(mission_->mission().context_bytes);
   const GliderRuntimeOptions options{{}, parameters_.data()};
-  runtime_ = mission_.init(runtime_memory_.get(), context_memory_.get(), &options);
+  runtime_ = mission_->init(runtime_memory_.get(), context_memory_.get(), &options);
 }
 
 int32_t InProcessSbc::readBytes(void* self, uint8_t* bytes, uint32_t capacity) {
   auto& sbc = *static_cast<InProcessSbc*>(self);
+  if (!sbc.plugged_) {
+    return -1;
+  }
   const size_t count = std::min<size_t>(capacity, sbc.to_sbc_.size() - sbc.taken_);
   if (count > 0) {
     std::memcpy(bytes, sbc.to_sbc_.data() + sbc.taken_, count);
@@ -29,6 +33,9 @@ int32_t InProcessSbc::readBytes(void* self, uint8_t* bytes, uint32_t capacity) {
 
 int32_t InProcessSbc::writeBytes(void* self, const uint8_t* bytes, uint32_t count) {
   auto& sbc = *static_cast<InProcessSbc*>(self);
+  if (!sbc.plugged_) {
+    return -1;
+  }
   sbc.from_sbc_.insert(sbc.from_sbc_.end(), bytes, bytes + count);
   return static_cast<int32_t>(count);
 }
@@ -45,17 +52,43 @@ void InProcessSbc::deliver(std::span<const uint8_t> bytes, double now_s) {
   }
 }
 
-std::vector<uint8_t> InProcessSbc::collect() {
+void InProcessSbc::end(const char* epitaph) {
+  if (alive()) {
+    epitaph_ = epitaph;
+  }
+}
+
+void InProcessSbc::run() {
+  // A poll handles a frame of what was delivered, or one of the few time-outs that may be due.
+  constexpr int kMostPolls = 10000;
   const GliderByteStream stream{this, readBytes, writeBytes};
   const GliderClock clock{this, now};
-  GliderRuntimeStatus status = kGliderRuntimeProgressed;
-  while (alive() && !finished_ && status == kGliderRuntimeProgressed) {
-    status = mission_.poll(runtime_, stream, clock);
-    finished_ = status == kGliderRuntimeFinished;
+  for (int i = 0; i < kMostPolls && alive() && !finished_; ++i) {
+    switch (mission_->poll(runtime_, stream, clock)) {
+      case kGliderRuntimeIdle:
+        return;
+      case kGliderRuntimeProgressed:
+        break;
+      case kGliderRuntimeFinished:
+        finished_ = true;
+        return;
+      case kGliderRuntimeLinkClosed:
+        end("exited with status 2");
+        return;
+    }
   }
+  if (!finished_) {
+    end("hung");
+  }
+}
+
+std::vector<uint8_t> InProcessSbc::collect() {
+  run();
   lockstep_.fromSbc(from_sbc_.data(), static_cast<uint32_t>(from_sbc_.size()));
   // As the program on a board ends: it is missed when it does not answer any more.
-  ended_ = finished_ && !lockstep_.settled();
+  if (finished_ && !lockstep_.settled()) {
+    end("exited with status 0");
+  }
   to_sbc_.erase(to_sbc_.begin(), to_sbc_.begin() + static_cast<ptrdiff_t>(taken_));
   taken_ = 0;
   return std::exchange(from_sbc_, {});

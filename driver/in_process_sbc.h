@@ -20,24 +20,28 @@ namespace glider::driver {
 /// protocol over memory.
 class InProcessSbc final : public simulator::SbcPort {
  public:
-  /// `parameters`: one value each, as the mission allows them.
-  InProcessSbc(codegen::LoadedMission mission, std::vector<double> parameters);
+  /// `parameters`: one value each, as the mission allows them. `keeps_time`: its clock is the
+  /// vehicle's, and time-outs run; else it stands still between frames.
+  InProcessSbc(std::shared_ptr<const codegen::LoadedMission> mission,
+               std::vector<double> parameters, bool keeps_time = false);
 
   [[nodiscard]] std::string way() const override { return "in-process"; }
   void deliver(std::span<const uint8_t> bytes, double now_s) override;
   std::vector<uint8_t> collect() override;
-  void kill() override { killed_ = alive(); }
-  [[nodiscard]] bool alive() const override { return !killed_ && !ended_; }
-  [[nodiscard]] std::string epitaph() const override {
-    return killed_ ? "killed" : ended_ ? "exited with status 0" : "";
-  }
+  void kill() override { end("killed"); }
+  [[nodiscard]] bool alive() const override { return epitaph_.empty(); }
+  [[nodiscard]] bool keepsTime() const override { return keeps_time_; }
+  void plug(bool in) override { plugged_ = in; }
+  [[nodiscard]] std::string epitaph() const override { return epitaph_; }
 
  private:
   static int32_t readBytes(void* self, uint8_t* bytes, uint32_t capacity);
   static int32_t writeBytes(void* self, const uint8_t* bytes, uint32_t count);
   static double now(void* self);
+  void run();
+  void end(const char* epitaph);
 
-  codegen::LoadedMission mission_;
+  std::shared_ptr<const codegen::LoadedMission> mission_;
   std::vector<double> parameters_;
   std::unique_ptr<std::byte[]> runtime_memory_;
   std::unique_ptr<std::byte[]> context_memory_;
@@ -47,9 +51,10 @@ class InProcessSbc final : public simulator::SbcPort {
   std::vector<uint8_t> from_sbc_;
   hooks::Lockstep lockstep_;
   double now_s_ = 0;
-  bool killed_ = false;
+  bool keeps_time_;
+  bool plugged_ = true;
   bool finished_ = false;  ///< the mission has given control back: a program would end here
-  bool ended_ = false;     ///< and has been missed
+  std::string epitaph_;    ///< empty while it is alive
 };
 
 }  // namespace glider::driver

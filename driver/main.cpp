@@ -45,6 +45,7 @@ int run(int argc, char** argv) {
   addParamsCommand(app, status);
   addGraphCommand(app, status);
   addSimCommand(app, status);
+  addCampaignCommand(app, status);
   addFmtCommand(app, status);
   addFixCommand(app, status);
   addExplainCommand(app, status);

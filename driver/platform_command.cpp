@@ -102,12 +102,15 @@ std::string text(const Platform& platform) {
   for (const ir::CommandInfo& command : ir::commands()) {
     out += fmt::format("  {}\n", signatureOf(command));
   }
-  out += fmt::format("\nSensors\n  {:<12} {:<27} {:<8} {:>12} {:>12} {:>10}  {:<8} {}\n", "name",
-                     "vehicle's name", "unit", "lowest", "highest", "stale, s", "computer", "");
+  out +=
+      fmt::format("\nSensors\n  {:<12} {:<27} {:<8} {:>12} {:>12} {:>10} {:>9} {:>10}  {:<8} {}\n",
+                  "name", "vehicle's name", "unit", "lowest", "highest", "stale, s", "every, s",
+                  "dead band", "computer", "");
   for (const PlatformSensor& sensor : platform.sensors) {
-    out += fmt::format("  {:<12} {:<27} {:<8} {:>12.6g} {:>12.6g} {:>10.6g}  {:<8} {}\n",
-                       sensor.alias, sensor.name, unitOf(sensor), sensor.lowest, sensor.highest,
-                       sensor.stale_after_s, computerOf(sensor), sensor.what);
+    out += fmt::format(
+        "  {:<12} {:<27} {:<8} {:>12.6g} {:>12.6g} {:>10.6g} {:>9.6g} {:>10.6g}  {:<8} {}\n",
+        sensor.alias, sensor.name, unitOf(sensor), sensor.lowest, sensor.highest,
+        sensor.stale_after_s, sensor.every_s, sensor.dead_band, computerOf(sensor), sensor.what);
   }
   return out;
 }
@@ -116,10 +119,15 @@ std::string json(const Platform& platform) {
   const Envelope& envelope = platform.envelope;
   ordered_json sensors = ordered_json::array();
   for (const PlatformSensor& sensor : platform.sensors) {
-    ordered_json row{{"name", sensor.name},         {"unit", sensor.unit},
-                     {"lowest", sensor.lowest},     {"highest", sensor.highest},
-                     {"every_s", envelope.cycle_s}, {"stale_after_s", sensor.stale_after_s},
-                     {"noise", sensor.noise},       {"computer", computerOf(sensor)},
+    ordered_json row{{"name", sensor.name},
+                     {"unit", sensor.unit},
+                     {"lowest", sensor.lowest},
+                     {"highest", sensor.highest},
+                     {"every_s", sensor.every_s},
+                     {"dead_band", sensor.dead_band},
+                     {"stale_after_s", sensor.stale_after_s},
+                     {"noise", sensor.noise},
+                     {"computer", computerOf(sensor)},
                      {"what", sensor.what}};
     if (!sensor.alias.empty()) {
       row["alias"] = sensor.alias;

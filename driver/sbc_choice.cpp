@@ -13,11 +13,11 @@ namespace glider::driver {
 
 using simulator::ProcessSbcPort;
 using simulator::SbcPort;
+using simulator::StartSbc;
 using support::Result;
 
-Result<std::unique_ptr<SbcPort>> sbcInProcess(const Compilation& compilation,
-                                              const LaunchChoice& launch,
-                                              const std::vector<std::string>& user_code) {
+Result<StartSbc> sbcInProcess(const Compilation& compilation, const LaunchChoice& launch,
+                              const std::vector<std::string>& user_code, bool keeps_time) {
   auto loaded = loadHere(compilation, user_code);
   if (!loaded) {
     return std::unexpected(loaded.error());
@@ -26,7 +26,11 @@ Result<std::unique_ptr<SbcPort>> sbcInProcess(const Compilation& compilation,
   if (!parameters) {
     return std::unexpected(parameters.error());
   }
-  return std::make_unique<InProcessSbc>(std::move(*loaded), std::move(*parameters));
+  auto mission = std::make_shared<const codegen::LoadedMission>(std::move(*loaded));
+  return [mission, values = std::move(*parameters), keeps_time] {
+    return Result<std::unique_ptr<SbcPort>>(
+        std::make_unique<InProcessSbc>(mission, values, keeps_time));
+  };
 }
 
 namespace {
@@ -44,13 +48,18 @@ Result<void> checkLaunch(const Compilation& compilation, const LaunchChoice& lau
   return parameters ? Result<void>() : std::unexpected(parameters.error());
 }
 
+StartSbc starterOf(std::string way, std::vector<std::string> command) {
+  return
+      [way = std::move(way), command = std::move(command)]() -> Result<std::unique_ptr<SbcPort>> {
+        return ProcessSbcPort::start(way, command);
+      };
+}
+
 }  // namespace
 
-Result<std::unique_ptr<SbcPort>> sbcOnBoard(const Compilation& compilation,
-                                            const LaunchChoice& launch,
-                                            const std::vector<std::string>& user_code,
-                                            const std::string& board, const std::string& name,
-                                            const std::filesystem::path& folder) {
+Result<StartSbc> sbcOnBoard(const Compilation& compilation, const LaunchChoice& launch,
+                            const std::vector<std::string>& user_code, const std::string& board, const std::string& name,
+                            const std::filesystem::path& folder) {
   if (auto allowed = checkLaunch(compilation, launch); !allowed) {
     return std::unexpected(allowed.error());
   }
@@ -85,16 +94,15 @@ Result<std::unique_ptr<SbcPort>> sbcOnBoard(const Compilation& compilation,
   for (const std::string& setting : launch.settings) {
     command.insert(command.end(), {"--set", setting});
   }
-  return ProcessSbcPort::start(board, std::move(command));
+  return starterOf(board, std::move(command));
 }
 
-Result<std::unique_ptr<SbcPort>> sbcProgram(const std::string& program) {
+StartSbc sbcProgram(const std::string& program) {
   // A file that lies here is meant, not one of that name somewhere in PATH.
   std::error_code ignored;
   const bool here = std::filesystem::is_regular_file(program, ignored);
-  return ProcessSbcPort::start(
-      "program",
-      {here ? std::filesystem::absolute(program).string() : program, "--port", "{port}"});
+  return starterOf("program", {here ? std::filesystem::absolute(program).string() : program,
+                               "--port", "{port}"});
 }
 
 }  // namespace glider::driver

@@ -15,19 +15,24 @@
 
 namespace glider::driver {
 
+// Each makes what starts the SBC, as often as its power comes back.
+
 /// Compiles the mission for this process and loads it; `user_code` is what --link names.
-support::Result<std::unique_ptr<simulator::SbcPort>> sbcInProcess(
-    const Compilation& compilation, const LaunchChoice& launch,
-    const std::vector<std::string>& user_code);
+/// `keeps_time`: see InProcessSbc.
+support::Result<simulator::StartSbc> sbcInProcess(const Compilation& compilation,
+                                                  const LaunchChoice& launch,
+                                                  const std::vector<std::string>& user_code,
+                                                  bool keeps_time);
 
-/// Builds the mission's binary for `board` into `folder` as `name`-`board` and starts it behind a
+/// Builds the mission's binary for `board` into `folder` as `name`-`board`, to be started behind a
 /// pseudo-terminal, under the board's emulator if it has one.
-support::Result<std::unique_ptr<simulator::SbcPort>> sbcOnBoard(
-    const Compilation& compilation, const LaunchChoice& launch,
-    const std::vector<std::string>& user_code, const std::string& board, const std::string& name,
-    const std::filesystem::path& folder);
+support::Result<simulator::StartSbc> sbcOnBoard(const Compilation& compilation,
+                                                const LaunchChoice& launch,
+                                                const std::vector<std::string>& user_code,
+                                                const std::string& board, const std::string& name,
+                                                const std::filesystem::path& folder);
 
-/// Starts a program that somebody has built, with `--port PTY` as its only arguments.
-support::Result<std::unique_ptr<simulator::SbcPort>> sbcProgram(const std::string& program);
+/// A program that somebody has built, with `--port PTY` as its only arguments.
+simulator::StartSbc sbcProgram(const std::string& program);
 
 }  // namespace glider::driver

@@ -4,14 +4,14 @@
 #include "driver/commands.h"
 #include "driver/compilation.h"
 #include "driver/exit_code.h"
-#include "driver/explain_guard.h"
 #include "driver/flight_files.h"
+#include "driver/flight_setup.h"
 #include "driver/link_option.h"
 #include "driver/replay.h"
 #include "driver/sbc_choice.h"
+#include "driver/scenario_choice.h"
 #include "driver/share.h"
 #include "driver/terminal.h"
-#include "ir/opt/optimise.h"
 #include "report/summary.h"
 #include "report/warnings.h"
 #include "simulator/simulator.h"
@@ -20,7 +20,6 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -47,33 +46,6 @@ struct SimOptions {
   std::vector<std::string> user_code;
 };
 
-/// The scenarios that come with glidercc, by name.
-std::vector<std::string> scenarioNames() {
-  std::vector<std::string> names;
-  std::error_code ignored;
-  for (const auto& entry :
-       std::filesystem::directory_iterator(shareDirectory() / "scenarios", ignored)) {
-    if (entry.path().extension() == ".toml") {
-      names.push_back(entry.path().stem().string());
-    }
-  }
-  std::ranges::sort(names);
-  return names;
-}
-
-/// A file as it is; a bare name among those that come with glidercc.
-support::Result<std::filesystem::path> scenarioPath(const std::string& wanted) {
-  if (wanted.ends_with(".toml")) {
-    return wanted;
-  }
-  const auto names = scenarioNames();
-  if (std::ranges::find(names, wanted) == names.end()) {
-    return support::fail(support::DiagnosticId::unknownScenario, wanted,
-                         fmt::to_string(fmt::join(names, ", ")));
-  }
-  return shareDirectory() / "scenarios" / (wanted + ".toml");
-}
-
 /// What files of this flight are called: after the mission's file, whose name is one that a file
 /// can have.
 std::string stemOf(const SimOptions& options) {
@@ -86,33 +58,17 @@ std::string outputFolder(const SimOptions& options) {
   return options.output.empty() ? stemOf(options) + "-flight" : options.output;
 }
 
-/// Compiles the mission if there is one; empty with `status` set when it has errors or cannot be
-/// read.
-std::unique_ptr<Compilation> compileForFlight(const SimOptions& options, int& status) {
-  auto compiled = compileMission(options.mission);
-  if (!compiled) {
-    status = reportFailure(compiled.error());
-    return nullptr;
-  }
-  reportDiagnostics((*compiled)->diagnostics, (*compiled)->sources);
-  status = (*compiled)->ok() ? kFine : kMissionHasErrors;
-  if (status != kFine) {
-    return nullptr;
-  }
-  ir::optimise(*(*compiled)->mission);  // as `build` does: the flight's states have those numbers
-  return std::move(*compiled);
-}
-
-support::Result<std::unique_ptr<simulator::SbcPort>> chooseSbc(const SimOptions& options,
-                                                               const Compilation* compilation) {
+/// What starts the SBC; `keeps_time`: as for a flight in which something goes wrong.
+support::Result<simulator::StartSbc> chooseSbc(const SimOptions& options,
+                                               const Compilation* compilation, bool keeps_time) {
   if (options.without_sbc) {
-    return nullptr;
+    return simulator::StartSbc();
   }
   if (!options.program.empty()) {
     return sbcProgram(options.program);
   }
   if (options.board.empty()) {
-    return sbcInProcess(*compilation, options.launch, options.user_code);
+    return sbcInProcess(*compilation, options.launch, options.user_code, keeps_time);
   }
   // The board's binary is built where the report will be.
   if (auto made = makeFolder(outputFolder(options)); !made) {
@@ -120,16 +76,6 @@ support::Result<std::unique_ptr<simulator::SbcPort>> chooseSbc(const SimOptions&
   }
   return sbcOnBoard(*compilation, options.launch, options.user_code, options.board, stemOf(options),
                     outputFolder(options));
-}
-
-void describeMission(simulator::SimulationSetup& setup, const Compilation& compilation) {
-  setup.mission_name = compilation.mission->name;
-  for (const ir::State& state : compilation.mission->states) {
-    setup.state_names.push_back(state.name);
-  }
-  setup.explain = [&compilation](uint32_t list, uint32_t state, uint32_t fired_case) {
-    return explainGuard(compilation, list, state, fired_case);
-  };
 }
 
 void showProgress(simulator::SimulationSetup& setup, ProgressLine& line) {
@@ -169,19 +115,6 @@ int flyAndReport(simulator::SimulationSetup setup, const SimOptions& options) {
   }
   const bool good = !aborted(*trace) && report::refusedInstructions(*trace) == 0;
   return good ? kFine : kMissionHasErrors;
-}
-
-/// Loads the scenario; its mistakes are shown as a mission's are.
-support::Result<simulator::Scenario> chooseScenario(const SimOptions& options) {
-  const auto path = scenarioPath(options.scenario);
-  if (!path) {
-    return std::unexpected(path.error());
-  }
-  support::SourceManager sources;
-  support::DiagnosticEngine diagnostics;
-  auto scenario = simulator::loadScenario(*path, sources, diagnostics);
-  reportDiagnostics(diagnostics, sources);
-  return scenario;
 }
 
 /// What a replay came to.
@@ -229,7 +162,7 @@ int replayTrace(SimOptions options) {
     return reportFailure(mission.error());
   }
   int status = kFine;
-  const auto built = compileForFlight(options, status);
+  const auto built = compileForFlight(options.mission, status);
   if (status != kFine) {
     return status;
   }
@@ -237,14 +170,18 @@ int replayTrace(SimOptions options) {
     return reportFailure(fits.error());
   }
   options.launch.settings = trace->settings;
-  const auto loaded = loadHere(*built);
+  const auto loaded = loadHere(*built, options.user_code);
   const auto parameters =
       loaded ? chooseParameters(loaded->mission(), options.launch)
              : support::Result<std::vector<double>>(std::unexpected(loaded.error()));
   if (!parameters) {
     return reportFailure(parameters.error());
   }
-  const auto sbc = chooseSbc(options, built.get());
+  const auto start = chooseSbc(options, built.get(), false);
+  if (!start) {
+    return reportFailure(start.error());
+  }
+  const auto sbc = (*start)();
   if (!sbc) {
     return reportFailure(sbc.error());
   }
@@ -260,13 +197,13 @@ int sim(const SimOptions& options) {
   if (!options.replay.empty()) {
     return replayTrace(options);
   }
-  auto scenario = chooseScenario(options);
+  auto scenario = chooseScenario(options.scenario);
   if (!scenario) {
     return reportFailure(scenario.error());
   }
   int status = kFine;
   const std::unique_ptr<Compilation> compilation =
-      options.mission.empty() ? nullptr : compileForFlight(options, status);
+      options.mission.empty() ? nullptr : compileForFlight(options.mission, status);
   if (status != kFine) {
     return status;
   }
@@ -274,28 +211,27 @@ int sim(const SimOptions& options) {
   if (!platform) {
     return reportFailure(platform.error());
   }
-  auto sbc = chooseSbc(options, compilation.get());
-  if (!sbc) {
-    return reportFailure(sbc.error());
+  auto start = chooseSbc(options, compilation.get(), !scenario->faults.empty());
+  if (!start) {
+    return reportFailure(start.error());
   }
   simulator::SimulationSetup setup;
+  if (*start) {
+    auto sbc = (*start)();
+    if (!sbc) {
+      return reportFailure(sbc.error());
+    }
+    setup.sbc = std::move(*sbc);
+    setup.restart_sbc = std::move(*start);
+  }
   setup.platform = std::move(*platform);
   setup.scenario = std::move(*scenario);
-  setup.sbc = std::move(*sbc);
   setup.seed = options.seed;
   setup.kill_sbc_at_s = options.kill_sbc_at_s;
   if (compilation != nullptr) {
     describeMission(setup, *compilation);
   }
   return flyAndReport(std::move(setup), options);
-}
-
-/// A whole number of 64 bits without a sign: CLI11 would wrap `-1` round, and cut a larger one.
-std::string checkSeed(const std::string& text) {
-  uint64_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool good = error == std::errc() && end == text.data() + text.size();
-  return good ? "" : fmt::format("`{}` is no whole number from 0 to 2^64-1", text);
 }
 
 /// A time that comes.
@@ -323,7 +259,7 @@ void addOptions(CLI::App& command, SimOptions& options) {
           ->option_text("PROGRAM");
   auto* without = command.add_flag("--no-sbc", options.without_sbc, "Fly without an SBC");
   command.add_option("--seed", options.seed, "Seed of all noise, instead of the scenario's")
-      ->check(CLI::Validator(checkSeed, "", "seed"))
+      ->check(seedValidator())
       ->option_text("N");
   command
       .add_option("--kill-sbc-at", options.kill_sbc_at_s,

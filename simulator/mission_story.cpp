@@ -103,6 +103,14 @@ bool MissionStory::follow(double now_s, double cycle_s, ScienceComputer& science
       case Kind::SbcLost:
         journal.add(now_s, "link", "hookprog has no answer from the SBC", "none for 12 s");
         break;
+      case Kind::SbcStuck:
+        journal.add(now_s, "link", "the SBC answers, but its mission stands still",
+                    "its time has not gone on for 12 s");
+        break;
+      case Kind::SbcUnanswered:
+        journal.add(now_s, "link", fmt::format("hookbeh does not answer instruction {}", event.a),
+                    "none for 12 s");
+        break;
       case Kind::SbcTransition:
         transition(now_s, event, science, flight, journal);
         in_another_state = true;

@@ -3,7 +3,11 @@
 
 #pragma once
 
+#include "support/result.h"
+
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -31,9 +35,18 @@ class SbcPort {
   virtual void kill() = 0;
   /// A program that has ended by itself counts as alive until it owes an answer.
   [[nodiscard]] virtual bool alive() const = 0;
+  /// True when its own clock is the time of deliver(): it is then called in every step of the
+  /// flight, also with no bytes, and its time-outs run. A program's clock is its own, and hears
+  /// only of frames.
+  [[nodiscard]] virtual bool keepsTime() const { return false; }
+  /// Its serial port is pulled out, or put in again. Only of one that keeps time.
+  virtual void plug(bool /*in*/) {}
   /// Why it is not alive, for the trace: "killed", "exited with status 1", "hung"; empty while it
   /// is.
   [[nodiscard]] virtual std::string epitaph() const = 0;
 };
+
+/// Starts an SBC.
+using StartSbc = std::function<support::Result<std::unique_ptr<SbcPort>>()>;
 
 }  // namespace glider::simulator

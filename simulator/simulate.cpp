@@ -20,6 +20,7 @@ constexpr double kClotheslineBaud = 9600;
 constexpr double kSbcBaud = 115200;
 constexpr int kStepsPerSecond = 4;
 constexpr int64_t kProgressCycles = 25;
+constexpr double kAfloat = 1;  // m
 static_assert(kStepsPerSecond * Vehicle::kStep == 1, "the vehicle's step divides a second");
 
 /// The code here was built with the numbers of one platform file: the one given must have the same.
@@ -42,6 +43,18 @@ support::Result<void> checkPlatform(const platforms::Platform& platform) {
   return {};
 }
 
+/// Gives the sensors that faults name their numbers.
+support::Result<void> numberSensors(const platforms::Platform& platform, Faults& faults) {
+  for (SensorFault& fault : faults.sensors) {
+    const platforms::PlatformSensor* sensor = platform.find(fault.name);
+    if (sensor == nullptr) {
+      return support::fail(support::DiagnosticId::platformLacksSensor, platform.name, fault.name);
+    }
+    fault.id = sensor->id;
+  }
+  return {};
+}
+
 /// Gives events while the SBC was in control its mission time, from the rows around them.
 void stampMissionTimes(support::Trace& trace) {
   const int time = trace.column("time"), mission_time = trace.column("missiontime");
@@ -60,23 +73,28 @@ void stampMissionTimes(support::Trace& trace) {
 class Simulation {
  public:
   explicit Simulation(SimulationSetup setup)
-      : setup_(std::move(setup)),
+      : setup_(withKill(std::move(setup))),
+        real_time_(setup_.sbc != nullptr && setup_.sbc->keepsTime()),
         seed_(setup_.seed.value_or(setup_.scenario.seed)),
         duration_s_(setup_.duration_s.value_or(setup_.scenario.duration_s)),
+        trace_(headOf(setup_, seed_)),
         frame_(setup_.scenario.latitude_deg, setup_.scenario.longitude_deg),
         ocean_(setup_.scenario.ocean),
         vehicle_(setup_.scenario.vehicle),
         flight_(setup_.platform, setup_.scenario.skeleton, setup_.scenario.sensors, seed_, frame_,
                 journal_),
-        science_(seed_, setup_.scenario.sensors),
-        link_(setup_.sbc.get(), sbc_line_, journal_),
+        science_(seed_, setup_.scenario.sensors, !real_time_),
+        damage_(faults().sensors),
+        clothesline_(kClotheslineBaud, damageOf(LineWay::ToFlight, kClotheslineBaud),
+                     damageOf(LineWay::FromFlight, kClotheslineBaud)),
+        sbc_line_(kSbcBaud, damageOf(LineWay::FromSbc, kSbcBaud),
+                  damageOf(LineWay::ToSbc, kSbcBaud)),
+        link_(std::move(setup_.sbc), std::move(setup_.restart_sbc), faults(), sbc_line_, journal_),
         story_(setup_.platform, setup_.state_names, setup_.explain),
         recorder_(trace_, ocean_, frame_, setup_.scenario) {
-    trace_.mission = setup_.mission_name;
-    trace_.scenario = setup_.scenario.name;
-    trace_.way = setup_.sbc ? setup_.sbc->way() : "none";
-    trace_.seed = seed_;
-    trace_.state_names = setup_.state_names;
+    flight_.damageBy(&damage_);
+    science_.damageBy(&damage_);
+    link_.showTo(setup_.onlooker);
   }
 
   support::Trace fly() {
@@ -87,9 +105,8 @@ class Simulation {
       const double now = static_cast<double>(step) * Vehicle::kStep;
       clothesline_.setNow(now);
       sbc_line_.setNow(now);
-      if (setup_.kill_sbc_at_s && now >= *setup_.kill_sbc_at_s) {
-        link_.kill(now);
-      }
+      damage_.setNow(now);
+      failDevices(now);
       if (step % steps_per_cycle == 0 && controlCycle(now, step / steps_per_cycle)) {
         break;
       }
@@ -104,10 +121,33 @@ class Simulation {
   }
 
  private:
+  /// --kill-sbc-at is a power cut without an end.
+  static SimulationSetup withKill(SimulationSetup setup) {
+    if (setup.kill_sbc_at_s) {
+      setup.scenario.faults.power.push_back({*setup.kill_sbc_at_s, kForever});
+    }
+    return setup;
+  }
+
+  static support::Trace headOf(const SimulationSetup& setup, uint64_t seed) {
+    support::Trace trace;
+    trace.mission = setup.mission_name;
+    trace.scenario = setup.scenario.name;
+    trace.way = setup.sbc ? setup.sbc->way() : "none";
+    trace.seed = seed;
+    trace.state_names = setup.state_names;
+    return trace;
+  }
+
+  [[nodiscard]] const Faults& faults() const { return setup_.scenario.faults; }
+  [[nodiscard]] LineDamage damageOf(LineWay way, double baud) const {
+    return {faults().lines, way, seed_, baud};
+  }
+
   /// Returns true when the flight is over.
   bool controlCycle(double now, int64_t number) {
     completeRow();
-    flight_.noteSbcGone(!link_.alive());
+    flight_.noteSbcGone(link_.goneForGood(now));
     flight_.cycle(now, ocean_, vehicle_, clothesline_.left());
     recorder_.row(now, flight_, science_, vehicle_);
     cycle_s_ = now;
@@ -115,13 +155,40 @@ class Simulation {
       setup_.progress({now, duration_s_, vehicle_.depth(),
                        story_.flying() ? story_.stateName(story_.state()) : ""});
     }
-    if (!flight_.end().empty()) {
+    // Whatever the depth sensor said: a flight is over when the vehicle is up.
+    const bool over = !flight_.end().empty() && vehicle_.depth() < kAfloat;
+    if (over) {
       journal_.add(now, "log", flight_.end());
     }
-    return !flight_.end().empty();
+    const bool seen_enough = setup_.onlooker != nullptr &&
+                             !setup_.onlooker->cycle({now, flight_.hookState(), vehicle_.depth(),
+                                                      flight_.aborted(), over, flight_.array()});
+    return over || seen_enough;
+  }
+
+  /// Devices of the flight controller fail, and the science computer starts again, at their times.
+  void failDevices(double now) {
+    const auto is_due = [&](double at_s) { return now >= at_s && now < at_s + Vehicle::kStep; };
+    if (std::ranges::any_of(faults().aborts, is_due)) {
+      flight_.failDevice(now);
+    }
+    const auto has_now = [&](const Span& span) { return span.has(now); };
+    const bool down = std::ranges::any_of(faults().science, has_now);
+    if (down && !science_down_) {
+      journal_.add(now, "link", "the science computer starts again");
+      science_.restart();
+    }
+    if (down) {  // what arrives meanwhile is lost
+      clothesline_.dropRight();
+      sbc_line_.dropLeft();
+    }
+    science_down_ = down;
   }
 
   void scienceCycle(double now) {
+    if (science_down_) {
+      return;
+    }
     science_.run(now, ocean_, {vehicle_.depth(), vehicle_.x(), vehicle_.y()}, sbc_line_.left(),
                  clothesline_.right());
     if (story_.follow(now, cycle_s_, science_, flight_, journal_)) {
@@ -149,6 +216,7 @@ class Simulation {
   }
 
   SimulationSetup setup_;
+  bool real_time_;  ///< the SBC has a clock of its own, and its time-outs count
   uint64_t seed_;
   double duration_s_;
   support::Trace trace_;
@@ -156,14 +224,16 @@ class Simulation {
   LocalFrame frame_;
   Ocean ocean_;
   Vehicle vehicle_;
-  SerialLine clothesline_{kClotheslineBaud};
-  SerialLine sbc_line_{kSbcBaud};
   FlightController flight_;
   ScienceComputer science_;
+  SensorDamage damage_;
+  SerialLine clothesline_;
+  SerialLine sbc_line_;
   SbcLink link_;
   MissionStory story_;
   Recorder recorder_;
   double cycle_s_ = 0;
+  bool science_down_ = false;
 };
 
 }  // namespace
@@ -171,6 +241,9 @@ class Simulation {
 support::Result<support::Trace> simulate(SimulationSetup setup) {
   if (auto checked = checkPlatform(setup.platform); !checked) {
     return std::unexpected(checked.error());
+  }
+  if (auto numbered = numberSensors(setup.platform, setup.scenario.faults); !numbered) {
+    return std::unexpected(numbered.error());
   }
   // Too large for a stack: the queues of hooks are arrays.
   return std::make_unique<Simulation>(std::move(setup))->fly();

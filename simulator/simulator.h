@@ -4,6 +4,7 @@
 #pragma once
 
 #include "platforms/load/platform.h"
+#include "simulator/onlooker.h"
 #include "simulator/sbc_port.h"
 #include "simulator/scenario/scenario.h"
 #include "simulator/science/science_computer.h"
@@ -33,19 +34,21 @@ struct SimulationSetup {
   platforms::Platform platform;
   Scenario scenario;
   std::unique_ptr<SbcPort> sbc;          ///< null: no SBC on board
+  StartSbc restart_sbc;                  ///< after a power cut; empty: it stays off
   std::string mission_name;              ///< for the trace
   std::vector<std::string> state_names;  ///< of the SBC's mission, by number
   GuardResolver explain;                 ///< texts for transitions; may be empty
   std::optional<uint64_t> seed;          ///< instead of the scenario's
   std::optional<double> duration_s;      ///< instead of the scenario's
   std::optional<double> kill_sbc_at_s;   ///< vehicle time at which the SBC loses its power
+  Onlooker* onlooker = nullptr;          ///< may be null
   std::function<void(const Progress&)>
       progress;  ///< called about every 100 s of virtual time; may be empty
 };
 
 /// Flies the mission until it has ended, or is aborted and at the surface, or the time is over. The
 /// trace has a row a control cycle; the same setup gives the same rows, byte for byte. GL5121 when
-/// the platform lacks a sensor.
+/// the platform lacks a sensor that is needed, or that a fault names.
 support::Result<support::Trace> simulate(SimulationSetup setup);
 
 }  // namespace glider::simulator

@@ -10,9 +10,11 @@ namespace glider::hooks {
 Client::Client(const ClientOptions& options)
     : options_(options),
       next_session_(options.session == 0 ? 1 : (options.session - 1) % kMostSession + 1) {
-  if (options_.sensor_count > kMostSubscriptions) {
-    options_.sensor_count = kMostSubscriptions;
+  while (subscription_.count < options.sensor_count && subscription_.count < kMostSubscriptions) {
+    subscription_.sensors[subscription_.count] = options.sensors[subscription_.count];
+    ++subscription_.count;
   }
+  subscription_check_ = subscriptionCheck(subscription_);
 }
 
 ClientEvent Client::poll(const GliderByteStream& stream, const GliderClock& clock) {
@@ -66,8 +68,7 @@ ClientEvent Client::handleBeacon(const Frame& frame, const GliderByteStream& str
       refusal_ = Refusal{};
       virtual_time_ = beacon.virtual_time;
     }
-    queueHello();  // also when refusing: the vehicle's log is to say why there is no link
-    queueSubscribe();
+    askForLink();  // also when refusing: the vehicle's log is to say why there is no link
   }
   answer(stream);
   return event;
@@ -84,8 +85,12 @@ ClientEvent Client::handleWelcome(const Frame& frame, const GliderByteStream& st
   Welcome welcome;
   if (decode(frame, welcome) && welcome.link == link_ && !refusal_.refused) {
     linked_ = true;
+    link_used_ = true;
     virtual_time_ = welcome.virtual_time;
     learnSession(welcome.newest_session);
+    if (waiting_) {
+      queueInstruction();  // what was written before this link may have found none
+    }
   }
   answer(stream);
   return ClientEvent::Handled;
@@ -93,68 +98,90 @@ ClientEvent Client::handleWelcome(const Frame& frame, const GliderByteStream& st
 
 ClientEvent Client::handleTick(const Frame& frame, const GliderByteStream& stream) {
   TickHead head;
-  SensorList readings;
-  const bool good = decode(frame, head, readings) && !refusal_.refused;
-  if (good) {
-    virtual_time_ = head.virtual_time;
-  }
-  if (!good || link_ == 0 || head.link != link_) {
-    if (good && must_answer_) {
-      queueHello();  // the vehicle talks to who was here before us
-      queueSubscribe();
-    }
+  if (!decode(frame, head) || refusal_.refused) {
     answer(stream);
     return ClientEvent::Handled;
   }
-  gatherTick(head, readings);
-  if (head.more) {
+  virtual_time_ = head.virtual_time;
+  if (link_ == 0 || head.link != link_) {
+    askForLink();  // the vehicle talks to who was here before us
+    answer(stream);
     return ClientEvent::Handled;
   }
   linked_ = true;
-  tick_ = gathering_;
-  gathering_ = VehicleTick{};
-  resubscribe_ = head.subscription != subscriptionCheck(options_.sensors, options_.sensor_count);
+  link_used_ = true;
+  takeTick(head);
+  resubscribe_ = !takeReadings(frame, head);
   learnSession(head.session);
   followInstruction();
   tick_.instruction_sequence = sequence_;
   return ClientEvent::Tick;
 }
 
-void Client::gatherTick(const TickHead& head, const SensorList& readings) {
-  if (!head.continues || head.cycle != gathering_.cycle) {
-    gathering_ = VehicleTick{};
+void Client::takeTick(const TickHead& head) {
+  tick_.vehicle_time_s = head.vehicle_time_s;
+  tick_.cycle = head.cycle;
+  tick_.hook_state = head.hook_state;
+  tick_.answer = head.answer;
+  tick_.answered_sequence = head.answered_sequence;
+  tick_.session = head.session;
+  tick_.reading_count = 0;
+}
+
+/// False when the vehicle serves another subscription, or believes that a value is known here which
+/// is not: it must be told the subscription anew.
+bool Client::takeReadings(const Frame& frame, const TickHead& head) {
+  TickReadings told;
+  if (head.subscription != subscription_check_ || !decode(frame, subscription_, told)) {
+    return false;
   }
-  gathering_.vehicle_time_s = head.vehicle_time_s;
-  gathering_.cycle = head.cycle;
-  gathering_.hook_state = head.hook_state;
-  gathering_.answer = head.answer;
-  gathering_.answered_sequence = head.answered_sequence;
-  gathering_.session = head.session;
-  for (uint32_t i = 0; i < readings.count && gathering_.reading_count < kMostSubscriptions; ++i) {
-    gathering_.readings[gathering_.reading_count++] = readings.values[i];
+  bool all_known = true;
+  for (uint32_t i = 0; i < subscription_.count; ++i) {
+    all_known = takeReading(i, told) && all_known;
   }
+  return all_known;
+}
+
+bool Client::takeReading(uint32_t index, const TickReadings& told) {
+  switch (told.told[index]) {
+    case Told::Nothing:
+      return true;
+    case Told::Unchanged:
+      break;
+    case Told::Value:
+      held_[index] = told.values[index];
+      holds_[index] = true;
+      break;
+  }
+  if (holds_[index]) {
+    tick_.readings[tick_.reading_count++] = {subscription_.sensors[index].id, held_[index]};
+  }
+  return holds_[index];
 }
 
 void Client::followInstruction() {
   tick_.obeys_us =
       session_ != 0 && tick_.session == session_ && tick_.hook_state == HookState::Active;
   taken_ = taken_ || tick_.obeys_us;
-  if (!waiting_) {
-    return;
+  const bool unwritten = due_;
+  if (waiting_) {
+    lookForAnswer();
   }
-  ++patience_;
-  if (tick_.answered_sequence == sequence_ && tick_.answer == HookAnswer::BadCheck) {
-    due_ = true;
-  } else if (tick_.answered_sequence == sequence_ && tick_.answer == HookAnswer::None) {
+  const bool heard = !waiting_ || unwritten || tick_.answered_sequence != last_answered_;
+  unanswered_ticks_ = heard ? 0 : unanswered_ticks_ + 1;
+  last_answered_ = tick_.answered_sequence;
+  tick_.unanswered_ticks = unanswered_ticks_;
+}
+
+void Client::lookForAnswer() {
+  const bool shown = tick_.answered_sequence == sequence_;
+  if (shown && tick_.answer == HookAnswer::None) {
     // A hookbeh that has just started takes the number that it finds for an old one: under this
     // number it will never look at the instruction.
     renumber();
-    due_ = true;
-  } else if (tick_.answered_sequence == sequence_) {
-    waiting_ = false;
-  } else if (patience_ >= kPatienceTicks) {
-    due_ = true;
   }
+  waiting_ = !shown || tick_.answer == HookAnswer::None || tick_.answer == HookAnswer::BadCheck;
+  due_ = waiting_;
 }
 
 void Client::learnSession(uint32_t session) {
@@ -239,9 +266,21 @@ void Client::queue(Frame& frame) {
       frame);  // no room: the line has been stuck for many answers, and what matters is repeated
 }
 
+/// A number that the vehicle may still take is asked for again: on a line with more than a cycle of
+/// delay every answer would otherwise undo the one before.
+void Client::askForLink() {
+  if (link_ == 0) {
+    link_ = next_session_;
+  } else if (link_used_) {
+    link_ = nextSession(link_);
+  }
+  link_used_ = false;
+  queueHello();
+  queueSubscribe();
+}
+
 void Client::queueHello() {
   Hello hello;
-  link_ = link_ == 0 ? next_session_ : nextSession(link_);
   hello.link = link_;
   hello.dictionary = dictionaryHash();
   const char* name = options_.mission_name == nullptr ? "" : options_.mission_name;
@@ -254,13 +293,11 @@ void Client::queueHello() {
 }
 
 void Client::queueSubscribe() {
-  Subscribe subscribe;
-  subscribe.count = static_cast<uint8_t>(options_.sensor_count);
-  for (uint32_t i = 0; i < options_.sensor_count; ++i) {
-    subscribe.ids[i] = options_.sensors[i];
+  for (bool& holds : holds_) {
+    holds = false;
   }
   Frame frame;
-  encode(subscribe, frame);
+  encode(subscription_, frame);
   queue(frame);
 }
 
@@ -285,13 +322,13 @@ void Client::queueInstruction() {
   }
   queue(frame);
   due_ = false;
-  patience_ = 0;
 }
 
 void Client::answer(const GliderByteStream& stream) {
   if (must_answer_) {
     Frame frame;
-    encode(Done{answered_frame_, session_, status_}, frame);
+    const uint32_t claimed = unanswered_ticks_ < kMostUnansweredTicks ? session_ : 0;
+    encode(Done{answered_frame_, claimed, status_}, frame);
     queue(frame);
     must_answer_ = false;
   }

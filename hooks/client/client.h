@@ -6,6 +6,8 @@
 #include "hooks/protocol/frame_reader.h"
 #include "hooks/protocol/messages.h"
 #include "hooks/protocol/send_queue.h"
+#include "hooks/protocol/sensor_list.h"
+#include "hooks/protocol/tick.h"
 #include "hooks/protocol/values.h"
 #include "hooks/transport/byte_stream.h"
 #include "hooks/transport/clock.h"
@@ -32,8 +34,12 @@ struct VehicleTick {
   /// Number under which the newest instruction goes from now on, 0 before the first: another than
   /// instruct() returned if the vehicle had taken that one for an old one.
   uint16_t instruction_sequence = 0;
+  /// Ticks since hookbeh last answered while an instruction waits for its answer; 0: none waits.
+  uint32_t unanswered_ticks = 0;
   uint32_t reading_count = 0;
-  Reading readings[kMostSubscriptions];  ///< those fresh in this cycle
+  /// Those that were reported in this cycle, with their values whether these changed or not; in the
+  /// subscription's order.
+  Reading readings[kMostSubscriptions];
 };
 
 struct ClientOptions {
@@ -42,15 +48,14 @@ struct ClientOptions {
   /// should go on where it was (its checkpoint, or the time): hookbeh refuses numbers that were
   /// lost, and the client then works its way up.
   uint32_t session = 1;
-  const uint16_t* sensors = nullptr;  ///< subscribed; must live as long as the client
-  uint32_t sensor_count = 0;          ///< at most kMostSubscriptions
+  const Subscription* sensors = nullptr;  ///< each at most once
+  uint32_t sensor_count = 0;              ///< at most kMostSubscriptions
 };
 
 enum class ClientEvent : uint8_t {
-  Nothing,  ///< no complete frame is there
-  Handled,  ///< a frame was dealt with, and answered, inside the client (hello, welcome, a tick's
-            ///< first part)
-  Tick,     ///< tick() is new: the caller must call done()
+  Nothing,     ///< no complete frame is there
+  Handled,     ///< a frame was dealt with, and answered, inside the client (a Beacon, a Welcome)
+  Tick,        ///< tick() is new: the caller must call done()
   SilentLink,  ///< no whole tick for 12 s of the SBC's own clock (never in virtual time): a tick of
                ///< the clock alone
   Refused,  ///< another protocol version or sensor dictionary, told once for each that is met: see
@@ -96,13 +101,14 @@ class Client {
   /// one.
   void done(const MissionStatus& status, const GliderByteStream& stream);
 
+  /// After so many ticks in which hookbeh answered nothing, while it should, this program does not
+  /// claim control any more: its answers are no heartbeat until hookbeh hears it again.
+  static constexpr uint32_t kMostUnansweredTicks = 6;
   static constexpr uint32_t kMostNotices = 8;
   static constexpr uint32_t kMostNotes = 8;
   /// Seconds of the SBC's own clock without a whole tick that make a SilentLink; again after each
   /// further such time.
   static constexpr double kSilenceSecs = 12;
-  /// Ticks without hookbeh's answer after which an instruction is written again.
-  static constexpr uint32_t kPatienceTicks = 3;
 
  private:
   ClientEvent handle(const Frame& frame, const GliderByteStream& stream);
@@ -110,11 +116,15 @@ class Client {
   ClientEvent handleWelcome(const Frame& frame, const GliderByteStream& stream);
   ClientEvent handleTick(const Frame& frame, const GliderByteStream& stream);
   ClientEvent refuse(uint8_t version, uint32_t dictionary);
-  void gatherTick(const TickHead& head, const SensorList& readings);
+  void takeTick(const TickHead& head);
+  bool takeReadings(const Frame& frame, const TickHead& head);
+  bool takeReading(uint32_t index, const TickReadings& told);
   void followInstruction();
+  void lookForAnswer();
   void renumber();
   void learnSession(uint32_t session);
   void queue(Frame& frame);
+  void askForLink();
   void queueHello();
   void queueSubscribe();
   void queueInstruction();
@@ -131,12 +141,18 @@ class Client {
   bool linked_ = false;
   bool virtual_time_ = false;
   Refusal refusal_;
-  uint32_t link_ = 0;  // 0: no Hello sent yet
+  uint32_t link_ = 0;       // 0: no Hello sent yet
+  bool link_used_ = false;  // the vehicle was seen to have it
   uint32_t next_session_ = 1;
+
+  Subscribe subscription_;
+  uint16_t subscription_check_ = 0;
   bool resubscribe_ = false;
+  // The newest value of each subscribed sensor, as the vehicle believes it to be known here.
+  double held_[kMostSubscriptions] = {};
+  bool holds_[kMostSubscriptions] = {};
 
   VehicleTick tick_;
-  VehicleTick gathering_;  // parts of a tick before its last one
   bool must_answer_ = false;
   uint8_t answered_frame_ = 0;
   MissionStatus status_;
@@ -146,11 +162,12 @@ class Client {
   uint32_t note_count_ = 0;
 
   Instruction pending_;
-  bool waiting_ = false;   // hookbeh has not answered `pending_` yet
-  bool due_ = false;       // write `pending_` in the next answer
-  uint32_t patience_ = 0;  // ticks since it was written
-  uint32_t session_ = 0;   // of the newest Take, 0 before the first
-  bool taken_ = false;     // hookbeh was seen active in `session_`
+  bool waiting_ = false;  // hookbeh has not answered `pending_` yet
+  bool due_ = false;      // write `pending_` in the next answer
+  uint32_t unanswered_ticks_ = 0;
+  uint16_t last_answered_ = 0;  // x_hook_sequence in the tick before
+  uint32_t session_ = 0;        // of the newest Take, 0 before the first
+  bool taken_ = false;          // hookbeh was seen active in `session_`
   uint16_t sequence_ = 0;
 };
 

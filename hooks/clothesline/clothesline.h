@@ -4,7 +4,7 @@
 #pragma once
 
 #include "hooks/protocol/frame_reader.h"
-#include "hooks/protocol/messages.h"
+#include "hooks/protocol/sensor_list.h"
 #include "hooks/transport/byte_stream.h"
 
 #include <stdint.h>

@@ -88,7 +88,13 @@ void Hookbeh::watchHeartbeat(double heartbeat) {
   } else {
     silence_s_ += step_s_;
   }
-  if (state_ == HookState::Active && !(silence_s_ < args_.silence_secs)) {
+  if (!(silence_s_ < args_.silence_secs)) {
+    letGo();
+  }
+}
+
+void Hookbeh::letGo() {
+  if (state_ == HookState::Active) {
     state_ = HookState::Silent;
     lost_session_ = session_;
     session_ = 0;
@@ -108,14 +114,20 @@ void Hookbeh::readInstruction(const HookbehInputs& inputs) {
     return;
   }
   if (!there || sequence == settled_sequence_) {
+    garbled_s_ = 0;
     return;
   }
   answered_sequence_ = sequence;
   Instruction instruction;
   if (!gather(inputs, sequence, &instruction)) {
     answer_ = HookAnswer::BadCheck;  // not settled: the missing part may still come
+    garbled_s_ += step_s_;
+    if (!(garbled_s_ < args_.silence_secs)) {
+      letGo();  // it lives, but what it wants does not get here
+    }
     return;
   }
+  garbled_s_ = 0;
   settled_sequence_ = sequence;
   answer_ = decide(instruction);
 }

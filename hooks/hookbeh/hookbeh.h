@@ -61,6 +61,7 @@ class Hookbeh {
   void advanceClock(double time_s);
   void watchHeartbeat(double heartbeat);
   void readInstruction(const HookbehInputs& inputs);
+  void letGo();
   HookAnswer decide(const Instruction& instruction);
   HookAnswer take(const Instruction& instruction);
   HookAnswer giveBack();
@@ -77,6 +78,7 @@ class Hookbeh {
   double heartbeat_ = 0;  // the newest seen, when `heartbeat_known_`
   bool heartbeat_known_ = false;
   double silence_s_ = 0;  // since it changed
+  double garbled_s_ = 0;  // since an instruction lies there that cannot be read
 
   bool settled_known_ = false;
   uint16_t settled_sequence_ = 0;  // its instruction was decided on: once

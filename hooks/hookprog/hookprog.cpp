@@ -7,6 +7,24 @@ namespace glider::hooks {
 
 using Kind = HookprogEvent::Kind;
 
+namespace {
+
+bool decode(const Frame& frame, SensorList& list) {
+  return decodeList(frame, list);
+}
+
+}  // namespace
+
+template <typename Message, void (Hookprog::*kHandler)(const Message&)>
+bool Hookprog::take(const Frame& frame) {
+  Message message;
+  if (!decode(frame, message)) {
+    return false;
+  }
+  (this->*kHandler)(message);
+  return true;
+}
+
 Hookprog::Hookprog(const HookprogOptions& options) : options_(options) {
   for (double& value : values_) {
     value = __builtin_nan("");
@@ -16,8 +34,12 @@ Hookprog::Hookprog(const HookprogOptions& options) : options_(options) {
 void Hookprog::run(double science_time_s, const ScienceSensors& own, const GliderByteStream& sbc,
                    const GliderByteStream& flight) {
   now_s_ = science_time_s;
+  if (!started_) {
+    begin();
+  }
   serveSbc(sbc);
   takeFlight(flight);
+  watchInstruction();
   if (time_is_new_ && cycle_is_new_) {
     sendCycle(own);
   }
@@ -26,6 +48,17 @@ void Hookprog::run(double science_time_s, const ScienceSensors& own, const Glide
     loseSbc();
   }
   countBadFrames();
+}
+
+/// The numbers begin elsewhere each time that the science computer starts: a first frame or
+/// heartbeat that equals the last one from before would be taken for that one.
+void Hookprog::begin() {
+  constexpr double kMost = 1e9;
+  const auto whole =
+      static_cast<uint32_t>(now_s_ > 0 && now_s_ < kMost ? now_s_ : 0) % kMostSession;
+  out_sequence_ = static_cast<uint8_t>(whole);
+  heartbeat_ = whole;
+  started_ = true;
 }
 
 HookprogEvent Hookprog::nextEvent() {
@@ -80,31 +113,26 @@ void Hookprog::serveSbc(const GliderByteStream& sbc) {
 }
 
 void Hookprog::handle(const Frame& frame) {
-  Hello hello;
-  if (decode(frame, hello)) {
-    handleHello(hello);
-    return;
-  }
-  if (link_ == 0) {
-    return;  // the rest of an answer that belongs to no link
-  }
-  Subscribe subscribe;
-  TransitionNotice notice;
-  Done done;
-  MissionNote note;
-  SensorList list;
-  if (decode(frame, subscribe)) {
-    subscribed_ = subscribe;
-  } else if (decode(frame, notice)) {
-    handleTransition(notice);
-  } else if (decode(frame, note)) {
-    handleNote(note);
-  } else if (decode(frame, done)) {
-    handleDone(done);
-  } else if (frame.type == MessageType::Write && decodeList(frame, list)) {
-    handleWrite(list);
-  } else {
-    ++malformed_;
+  const bool good = frame.type == MessageType::Hello ? take<Hello, &Hookprog::handleHello>(frame)
+                    : link_ == 0 ? true  // the rest of an answer that belongs to no link
+                                 : handleOfLink(frame);
+  malformed_ += good ? 0 : 1;
+}
+
+bool Hookprog::handleOfLink(const Frame& frame) {
+  switch (frame.type) {
+    case MessageType::Subscribe:
+      return take<Subscribe, &Hookprog::handleSubscribe>(frame);
+    case MessageType::Transition:
+      return take<TransitionNotice, &Hookprog::handleTransition>(frame);
+    case MessageType::Note:
+      return take<MissionNote, &Hookprog::handleNote>(frame);
+    case MessageType::Done:
+      return take<Done, &Hookprog::handleDone>(frame);
+    case MessageType::Write:
+      return take<SensorList, &Hookprog::handleWrite>(frame);
+    default:
+      return false;
   }
 }
 
@@ -123,7 +151,7 @@ void Hookprog::handleHello(const Hello& hello) {
   refused_dictionary_ = 0;
   link_ = hello.link;
   waiting_ = false;
-  subscribed_ = Subscribe{};
+  reporter_.serve(Subscribe{});
   HookprogEvent told;
   told.kind = Kind::SbcHello;
   told.mission_time_s = missionTime();
@@ -158,6 +186,7 @@ void Hookprog::handleWrite(const SensorList& list) {
   }
   if (sequence != nullptr) {
     ordered[count++] = *sequence;
+    noteInstruction(sequence->value);
   }
   if (hookState() != HookState::Absent) {
     (void)clothesline_.send(ordered, count);  // no room: the SBC gets no answer and writes it again
@@ -192,14 +221,60 @@ void Hookprog::handleNote(const MissionNote& note) {
 
 void Hookprog::handleDone(const Done& done) {
   waiting_ = false;
+  reporter_.answered(done.answered);
   view_ = {true, done.status.mission_time_s, done.status.state, done.status.stack_depth,
            done.status.phase};
   // A program that was started again answers too, but it does not steer what its predecessor set
-  // going: only the answers of the session in control keep that session alive.
+  // going: only the answers of the session in control keep that session alive. Nor do they when its
+  // mission does not go on: somebody answers, but nobody flies.
   const uint32_t in_control = newestWhole(GLIDER_X_HOOK_SESSION);
-  if (in_control != 0 && done.session != in_control) {
-    return;
+  if (in_control == 0 || (done.session == in_control && noteProgress(done))) {
+    beat();
   }
+}
+
+/// True if the time of the mission in control has gone on. Another link changes nothing about that.
+bool Hookprog::noteProgress(const Done& done) {
+  if (done.session != progress_session_) {
+    progress_session_ = done.session;
+    progress_time_s_ = -1;
+  }
+  const double mission_time_s = done.status.mission_time_s;
+  if (!(mission_time_s > progress_time_s_)) {
+    if (!stuck_told_ && now_s_ - progress_at_s_ >= kLostSecs) {
+      stuck_told_ = true;
+      event(Kind::SbcStuck, done.session);
+    }
+    return false;
+  }
+  progress_time_s_ = mission_time_s;
+  progress_at_s_ = now_s_;
+  stuck_told_ = false;
+  return true;
+}
+
+void Hookprog::noteInstruction(double sequence) {
+  const auto number =
+      sequence >= 1 && sequence <= UINT16_MAX ? static_cast<uint16_t>(sequence) : uint16_t{0};
+  if (instruction_ == 0 && number != 0) {
+    instruction_since_s_ = now_s_;
+    unanswered_told_ = false;
+  }
+  instruction_ = number;
+}
+
+/// Tells of a flight controller that does not answer what goes to it.
+void Hookprog::watchInstruction() {
+  if (instruction_ == newestWhole(GLIDER_X_HOOK_SEQUENCE)) {
+    instruction_ = 0;
+  }
+  if (instruction_ != 0 && !unanswered_told_ && now_s_ - instruction_since_s_ >= kLostSecs) {
+    unanswered_told_ = true;
+    event(Kind::SbcUnanswered, instruction_);
+  }
+}
+
+void Hookprog::beat() {
   heartbeat_ = nextSession(heartbeat_);
   if (hookState() != HookState::Absent) {
     const SensorUpdate beat{GLIDER_SCI_HOOK_HEARTBEAT, static_cast<double>(heartbeat_)};
@@ -232,21 +307,18 @@ void Hookprog::sendBeacon() {
 }
 
 void Hookprog::sendTick(const ScienceSensors& own) {
-  TickHead head = tickHead();
-  Frame frame;
-  encode(head, frame);
-  for (uint32_t i = 0; i < subscribed_.count; ++i) {
-    SensorValue value{subscribed_.ids[i], 0};
-    if (!readingFor(value.id, own, &value.value) || appendValue(frame, value)) {
-      continue;
+  reporter_.begin();
+  const Subscribe& subscribed = reporter_.subscription();
+  for (uint32_t i = 0; i < subscribed.count; ++i) {
+    double value = 0;
+    if (readingFor(subscribed.sensors[i].id, own, &value)) {
+      reporter_.report(i, value);
     }
-    markMore(frame);
-    send(frame);
-    head.continues = true;
-    encode(head, frame);
-    (void)appendValue(frame, value);
   }
+  Frame frame;
+  encode(tickHead(), subscribed, reporter_.readings(), frame);
   send(frame);
+  reporter_.sent(frame.sequence);
 }
 
 bool Hookprog::readingFor(uint16_t id, const ScienceSensors& own, double* value) {
@@ -265,7 +337,7 @@ TickHead Hookprog::tickHead() const {
   head.link = link_;
   head.vehicle_time_s = missionTime();
   head.cycle = newestWhole(GLIDER_M_CYCLE_NUMBER);
-  head.subscription = subscriptionCheck(subscribed_.ids, subscribed_.count);
+  head.subscription = reporter_.check();
   head.hook_state = hookState();
   const uint32_t answer = newestWhole(GLIDER_X_HOOK_ANSWER);
   head.answer = answer <= static_cast<uint32_t>(HookAnswer::NotReady)

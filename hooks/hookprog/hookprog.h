@@ -4,6 +4,7 @@
 #pragma once
 
 #include "hooks/clothesline/clothesline.h"
+#include "hooks/hookprog/reporter.h"
 #include "hooks/protocol/frame_reader.h"
 #include "hooks/protocol/messages.h"
 #include "hooks/protocol/send_queue.h"
@@ -37,6 +38,9 @@ struct HookprogEvent {
     SbcHello,       ///< a link: a = its number; text = the mission's name
     SbcLost,        ///< no answer for 12 s, or the line is closed, before its mission has finished:
                     ///< a = the link's number
+    SbcStuck,       ///< it answers, but its mission time has stood still for 12 s while it is in
+                    ///< control: a = its session
+    SbcUnanswered,  ///< hookbeh has not answered an instruction for 12 s: a = its sequence
     SbcTransition,  ///< a transition, b from, c to, d fired case, e its list
     SbcNote,        ///< a word from the mission: a = its kind (GliderNoteKind); text
     BadFrame,       ///< a = frames thrown away on both lines since the last such event
@@ -79,15 +83,26 @@ class Hookprog {
   /// Notes leave this much room for what matters more.
   static constexpr uint32_t kRoomBesideNotes = 16;
 
+  void begin();
   void takeFlight(const GliderByteStream& flight);
   void takeUpdate(const SensorUpdate& update);
   void serveSbc(const GliderByteStream& sbc);
   void handle(const Frame& frame);
+  /// False when the frame is none of those that an SBC with a link sends.
+  bool handleOfLink(const Frame& frame);
+  /// Decodes a Message and hands it on; false when it is none.
+  template <typename Message, void (Hookprog::*kHandler)(const Message&)>
+  bool take(const Frame& frame);
   void handleHello(const Hello& hello);
+  void handleSubscribe(const Subscribe& subscribe) { reporter_.serve(subscribe); }
   void handleWrite(const SensorList& list);
   void handleTransition(const TransitionNotice& notice);
   void handleNote(const MissionNote& note);
   void handleDone(const Done& done);
+  void beat();
+  bool noteProgress(const Done& done);
+  void noteInstruction(double sequence);
+  void watchInstruction();
   void sendCycle(const ScienceSensors& own);
   void sendBeacon();
   void sendTick(const ScienceSensors& own);
@@ -110,6 +125,7 @@ class Hookprog {
   SendQueue<2048> out_;
   uint8_t out_sequence_ = 0;
   double now_s_ = 0;
+  bool started_ = false;
 
   // The flight controller's data memory, as far as it was reported.
   double values_[GLIDER_SENSOR_COUNT];
@@ -120,9 +136,16 @@ class Hookprog {
   uint32_t link_ = 0;     // 0: none
   bool waiting_ = false;  // for an answer
   double waiting_since_s_ = 0;
-  Subscribe subscribed_;
+  Reporter reporter_;
   uint32_t newest_session_ = 0;
   uint32_t heartbeat_ = 0;
+  uint32_t progress_session_ = 0;
+  double progress_time_s_ = -1;  // latest mission time that this session has told in control
+  double progress_at_s_ = 0;     // science time at which it did
+  bool stuck_told_ = false;
+  uint16_t instruction_ = 0;        // sequence of the newest instruction that went on, 0: answered
+  double instruction_since_s_ = 0;  // science time since which none is answered
+  bool unanswered_told_ = false;
   uint8_t refused_version_ = 0;  // told already
   uint32_t refused_dictionary_ = 0;
   uint32_t malformed_ = 0;

@@ -42,17 +42,14 @@ inline double doubleOf(uint64_t bits) {
 class ByteWriter {
  public:
   ByteWriter(uint8_t* bytes, uint32_t capacity) : bytes_(bytes), capacity_(capacity) {}
-  void u8(uint8_t value) { number(value, 1); }
-  void u16(uint16_t value) { number(value, 2); }
-  void u32(uint32_t value) { number(value, 4); }
-  void u64(uint64_t value) { number(value, 8); }
-  void f32(float value) { number(bitsOf(value), 4); }
-  void f64(double value) { number(bitsOf(value), 8); }
-  [[nodiscard]] uint32_t size() const { return size_; }
-  [[nodiscard]] bool fits() const { return fits_; }
-
- private:
-  void number(uint64_t value, uint32_t width) {
+  void u8(uint8_t value) { bits(value, 1); }
+  void u16(uint16_t value) { bits(value, 2); }
+  void u24(uint32_t value) { bits(value, 3); }
+  void u32(uint32_t value) { bits(value, 4); }
+  void f32(float value) { bits(bitsOf(value), 4); }
+  void f64(double value) { bits(bitsOf(value), 8); }
+  /// The lowest `width` bytes of `value`.
+  void bits(uint64_t value, uint32_t width) {
     if (capacity_ - size_ < width) {
       fits_ = false;
       return;
@@ -61,7 +58,10 @@ class ByteWriter {
       bytes_[size_++] = static_cast<uint8_t>(value >> (8U * i));
     }
   }
+  [[nodiscard]] uint32_t size() const { return size_; }
+  [[nodiscard]] bool fits() const { return fits_; }
 
+ private:
   uint8_t* bytes_;
   uint32_t capacity_;
   uint32_t size_ = 0;
@@ -72,17 +72,14 @@ class ByteWriter {
 class ByteReader {
  public:
   ByteReader(const uint8_t* bytes, uint32_t count) : bytes_(bytes), count_(count) {}
-  uint8_t u8() { return static_cast<uint8_t>(number(1)); }
-  uint16_t u16() { return static_cast<uint16_t>(number(2)); }
-  uint32_t u32() { return static_cast<uint32_t>(number(4)); }
+  uint8_t u8() { return static_cast<uint8_t>(bits(1)); }
+  uint16_t u16() { return static_cast<uint16_t>(bits(2)); }
+  uint32_t u24() { return static_cast<uint32_t>(bits(3)); }
+  uint32_t u32() { return static_cast<uint32_t>(bits(4)); }
   float f32() { return floatOf(u32()); }
-  double f64() { return doubleOf(number(8)); }
-  [[nodiscard]] bool good() const { return good_; }
-  /// True when every number was there and nothing is left over.
-  [[nodiscard]] bool exact() const { return good_ && at_ == count_; }
-
- private:
-  uint64_t number(uint32_t width) {
+  double f64() { return doubleOf(bits(8)); }
+  /// A number of `width` bytes.
+  uint64_t bits(uint32_t width) {
     if (count_ - at_ < width) {
       good_ = false;
       at_ = count_;
@@ -94,7 +91,15 @@ class ByteReader {
     }
     return value;
   }
+  void skip(uint32_t count) {
+    good_ = good_ && count <= count_ - at_;
+    at_ = count <= count_ - at_ ? at_ + count : count_;
+  }
+  [[nodiscard]] bool good() const { return good_; }
+  /// True when every number was there and nothing is left over.
+  [[nodiscard]] bool exact() const { return good_ && at_ == count_; }
 
+ private:
   const uint8_t* bytes_;
   uint32_t count_;
   uint32_t at_ = 0;

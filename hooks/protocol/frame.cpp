@@ -3,10 +3,12 @@
 
 #include "hooks/protocol/frame.h"
 
+#include "hooks/protocol/crc.h"
+
 namespace glider::hooks {
 namespace {
 
-constexpr uint32_t kOverhead = 4;  // type, sequence, CRC
+constexpr uint32_t kHead = 2;  // type, sequence
 
 bool isKnownType(uint8_t number) {
   switch (static_cast<MessageType>(number)) {
@@ -18,109 +20,156 @@ bool isKnownType(uint8_t number) {
   return false;
 }
 
-/// COBS (Cheshire and Baker, 1999): every zero becomes the distance to the next one. `count` is at
-/// most 254, so one code byte in front is all it adds.
-uint32_t stuff(const uint8_t* bytes, uint32_t count, uint8_t* out) {
-  uint32_t code_at = 0;
-  uint32_t size = 1;
-  for (uint32_t i = 0; i < count; ++i) {
-    if (bytes[i] == 0) {
-      out[code_at] = static_cast<uint8_t>(size - code_at);
-      code_at = size++;
+/// Bytes of the CRC. Beacon and Hello keep the frame that they have in every version, so that
+/// strangers can tell each other what they speak.
+uint32_t checkBytes(MessageType type) {
+  return type == MessageType::Beacon || type == MessageType::Hello ? 2 : 4;
+}
+
+uint32_t checkOf(MessageType type, const uint8_t* head, const uint8_t* payload, uint32_t size) {
+  return checkBytes(type) == 2 ? crc16(payload, size, crc16(head, kHead))
+                               : crc32c(payload, size, crc32c(head, kHead));
+}
+
+/// COBS (Cheshire and Baker 1999, doi 10.1109/90.769765): every zero becomes the distance to the
+/// next one, at most 254 bytes away.
+class Stuffer {
+ public:
+  explicit Stuffer(uint8_t* out) : out_(out) {}
+
+  void put(uint8_t byte) {
+    if (size_ - code_at_ == kFullGroup) {
+      closeGroup();
+    }
+    if (byte == 0) {
+      closeGroup();
     } else {
-      out[size++] = bytes[i];
+      out_[size_++] = byte;
     }
   }
-  out[code_at] = static_cast<uint8_t>(size - code_at);
-  return size;
-}
+
+  /// Ends the frame; returns its bytes.
+  uint32_t finish() {
+    closeGroup();
+    out_[code_at_] = 0;
+    return size_;
+  }
+
+ private:
+  static constexpr uint32_t kFullGroup = 255;  // with its code byte
+
+  void closeGroup() {
+    out_[code_at_] = static_cast<uint8_t>(size_ - code_at_);
+    code_at_ = size_++;
+  }
+
+  uint8_t* out_;
+  uint32_t code_at_ = 0;
+  uint32_t size_ = 1;
+};
 
 }  // namespace
 
-uint16_t crc16(const uint8_t* bytes, uint32_t count) {
-  uint32_t crc = 0xFFFF;
-  for (uint32_t i = 0; i < count; ++i) {
-    crc ^= static_cast<uint32_t>(bytes[i]) << 8U;
-    for (int bit = 0; bit < 8; ++bit) {
-      crc = (crc & 0x8000U) != 0 ? (crc << 1U) ^ 0x1021U : crc << 1U;
-    }
-  }
-  return static_cast<uint16_t>(crc);
+uint32_t encodedBound(uint32_t payload) {
+  const uint32_t plain = payload + kMostFrameBytes - kMostPayload;
+  return plain + plain / 254 + 2;
 }
 
 uint32_t encodeFrame(const Frame& frame, uint8_t* out) {
-  uint8_t plain[kMostFrameBytes];
-  plain[0] = static_cast<uint8_t>(frame.type);
-  plain[1] = frame.sequence;
-  const uint32_t payload = frame.size < kMostPayload ? frame.size : kMostPayload;
-  for (uint32_t i = 0; i < payload; ++i) {
-    plain[2 + i] = frame.payload[i];
+  const uint8_t head[kHead] = {static_cast<uint8_t>(frame.type), frame.sequence};
+  const uint32_t size = frame.size < kMostPayload ? frame.size : kMostPayload;
+  const uint32_t check = checkOf(frame.type, head, frame.payload, size);
+  Stuffer stuffer(out);
+  for (const uint8_t byte : head) {
+    stuffer.put(byte);
   }
-  const uint16_t crc = crc16(plain, payload + 2);
-  plain[payload + 2] = static_cast<uint8_t>(crc & 0xFFU);
-  plain[payload + 3] = static_cast<uint8_t>(crc >> 8U);
-  const uint32_t size = stuff(plain, payload + kOverhead, out);
-  out[size] = 0;
-  return size + 1;
+  for (uint32_t i = 0; i < size; ++i) {
+    stuffer.put(frame.payload[i]);
+  }
+  for (uint32_t i = 0; i < checkBytes(frame.type); ++i) {
+    stuffer.put(static_cast<uint8_t>(check >> (8U * i)));
+  }
+  return stuffer.finish();
 }
 
 bool FrameDecoder::push(uint8_t byte) {
   if (byte != 0) {
-    if (count_ < kMostEncodedBytes) {
-      bytes_[count_++] = byte;
-    }
+    unstuff(byte);
     return false;
   }
-  if (count_ == 0) {
-    return false;
-  }
-  const bool good = finish();
-  count_ = 0;
-  if (!good) {
-    ++bad_frames_;
-  }
+  const bool good = begun_ && finish();
+  begin();
   return good;
 }
 
-bool FrameDecoder::finish() {
-  const uint32_t size = unstuff();
-  if (size < kOverhead || size > kMostFrameBytes || !isKnownType(bytes_[0])) {
-    return false;
-  }
-  const uint32_t crc = bytes_[size - 2] | static_cast<uint32_t>(bytes_[size - 1]) << 8U;
-  if (crc != crc16(bytes_, size - 2)) {
-    return false;
-  }
-  frame_.type = static_cast<MessageType>(bytes_[0]);
-  frame_.sequence = bytes_[1];
-  frame_.size = static_cast<uint8_t>(size - kOverhead);
-  for (uint32_t i = 0; i < frame_.size; ++i) {
-    frame_.payload[i] = bytes_[2 + i];
-  }
-  return true;
+void FrameDecoder::begin() {
+  count_ = 0;
+  group_left_ = 0;
+  zero_follows_ = false;
+  begun_ = false;
+  too_long_ = false;
 }
 
-uint32_t FrameDecoder::unstuff() {
-  if (count_ == kMostEncodedBytes) {
-    return 0;
+void FrameDecoder::unstuff(uint8_t byte) {
+  begun_ = true;
+  if (group_left_ > 0) {
+    --group_left_;
+    append(byte);
+    return;
   }
-  uint32_t size = 0;
-  uint32_t at = 0;
-  while (at < count_) {
-    const uint32_t end = at + bytes_[at];
-    if (end > count_) {
-      return 0;
-    }
-    for (++at; at < end; ++at) {
-      bytes_[size++] = bytes_[at];
-    }
-    // Between two groups stands a zero; a full group of 254 would have none, but no frame of ours
-    // is that long.
-    if (at < count_) {
-      bytes_[size++] = 0;
-    }
+  if (zero_follows_) {
+    append(0);
   }
-  return size;
+  group_left_ = static_cast<uint8_t>(byte - 1);
+  zero_follows_ = byte != 255;  // a full group has no zero behind it
+}
+
+void FrameDecoder::append(uint8_t byte) {
+  if (count_ < kMostFrameBytes) {
+    bytes_[count_++] = byte;
+  } else {
+    too_long_ = true;
+  }
+}
+
+bool FrameDecoder::isGood(uint32_t* check) const {
+  if (group_left_ > 0 || too_long_ || count_ < kHead || !isKnownType(bytes_[0])) {
+    return false;
+  }
+  const auto type = static_cast<MessageType>(bytes_[0]);
+  const uint32_t width = checkBytes(type);
+  if (count_ < kHead + width || count_ - kHead - width > kMostPayload) {
+    return false;
+  }
+  const uint32_t size = count_ - width;
+  *check = checkOf(type, bytes_, bytes_ + kHead, size - kHead);
+  uint32_t told = 0;
+  for (uint32_t i = 0; i < width; ++i) {
+    told |= static_cast<uint32_t>(bytes_[size + i]) << (8U * i);
+  }
+  return told == *check;
+}
+
+bool FrameDecoder::finish() {
+  uint32_t check = 0;
+  if (!isGood(&check)) {
+    ++bad_frames_;
+    return false;
+  }
+  const auto type = static_cast<MessageType>(bytes_[0]);
+  const auto size = static_cast<uint16_t>(count_ - kHead - checkBytes(type));
+  if (any_ && check == last_check_ && type == frame_.type && bytes_[1] == frame_.sequence &&
+      size == frame_.size) {
+    ++doubles_;
+    return false;
+  }
+  any_ = true;
+  last_check_ = check;
+  frame_.type = type;
+  frame_.sequence = bytes_[1];
+  frame_.size = size;
+  __builtin_memcpy(frame_.payload, bytes_ + kHead, size);
+  return true;
 }
 
 }  // namespace glider::hooks

@@ -5,7 +5,7 @@
 
 #include <stdint.h>
 
-/// Frames: COBS-encoded {type, sequence, payload, CRC-16}, ended by a zero byte. See README.md.
+/// Frames: COBS-encoded {type, sequence, payload, CRC}, ended by a zero byte. See README.md.
 namespace glider::hooks {
 
 enum class MessageType : uint8_t {
@@ -14,45 +14,57 @@ enum class MessageType : uint8_t {
 #undef MESSAGE
 };
 
-inline constexpr uint32_t kMostFrameBytes = 254;                    ///< type to CRC, before COBS
-inline constexpr uint32_t kMostPayload = kMostFrameBytes - 4;       ///< without type, sequence, CRC
-inline constexpr uint32_t kMostEncodedBytes = kMostFrameBytes + 2;  ///< COBS code byte, final zero
+inline constexpr uint32_t kMostPayload = 560;                  ///< without type, sequence, CRC
+inline constexpr uint32_t kMostFrameBytes = kMostPayload + 6;  ///< type to CRC, before COBS
+/// With a COBS code byte for every 254 bytes begun, and the final zero.
+inline constexpr uint32_t kMostEncodedBytes = kMostFrameBytes + kMostFrameBytes / 254 + 2;
 
 struct Frame {
   MessageType type = MessageType::Beacon;
   uint8_t sequence = 0;
-  uint8_t size = 0;  ///< of the payload, at most kMostPayload
+  uint16_t size = 0;  ///< of the payload, at most kMostPayload
   uint8_t payload[kMostPayload] = {};
 };
 
-/// CRC-16/CCITT-FALSE (polynomial 0x1021, start 0xFFFF, not reflected; "123456789" gives 0x29B1),
-/// as listed in Greg Cook's catalogue of CRC algorithms.
-uint16_t crc16(const uint8_t* bytes, uint32_t count);
-
+/// The most bytes that a frame with so large a payload takes on the line.
+uint32_t encodedBound(uint32_t payload);
 /// Writes `frame` as it goes on the line, final zero included, to `out` (at least
-/// kMostEncodedBytes). Returns the number of bytes.
+/// encodedBound of its size). Returns the number of bytes.
 uint32_t encodeFrame(const Frame& frame, uint8_t* out);
 
 /// Finds whole, checked frames in a stream of bytes. Any zero byte resynchronises it.
 class FrameDecoder {
  public:
   /// Takes one byte. True when it completed a good frame, which stands in `frame` until the next
-  /// call.
+  /// call. A frame that equals the good one before it, sequence and all, is that one once more and
+  /// passed over.
   bool push(uint8_t byte);
   [[nodiscard]] const Frame& frame() const { return frame_; }
   /// Frames thrown away since the start: too long or short, not COBS, wrong CRC, or of no known
   /// type.
   [[nodiscard]] uint32_t badFrames() const { return bad_frames_; }
+  /// Frames passed over since the start because they came twice.
+  [[nodiscard]] uint32_t doubles() const { return doubles_; }
 
  private:
+  void unstuff(uint8_t byte);
+  void append(uint8_t byte);
+  /// Whether the bytes are a good frame; its CRC into `check`.
+  [[nodiscard]] bool isGood(uint32_t* check) const;
   bool finish();
-  /// Undoes COBS in place; returns the number of bytes, 0 if it is none.
-  uint32_t unstuff();
+  void begin();
 
   Frame frame_;
-  uint8_t bytes_[kMostEncodedBytes] = {};
-  uint32_t count_ = 0;  ///< kMostEncodedBytes: too long, skipping to the next zero
+  uint8_t bytes_[kMostFrameBytes] = {};
+  uint32_t count_ = 0;
+  uint8_t group_left_ = 0;     ///< bytes to come before the next COBS code byte
+  bool zero_follows_ = false;  ///< between this COBS group and the next stands a zero
+  bool begun_ = false;         ///< a byte came since the last zero
+  bool too_long_ = false;
+  bool any_ = false;  ///< a good frame came: frame_ with the CRC last_check_
+  uint32_t last_check_ = 0;
   uint32_t bad_frames_ = 0;
+  uint32_t doubles_ = 0;
 };
 
 }  // namespace glider::hooks

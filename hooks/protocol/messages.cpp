@@ -3,32 +3,14 @@
 
 #include "hooks/protocol/messages.h"
 
-#include "hooks/protocol/bytes.h"
 #include "hooks/protocol/numbers.h"
+#include "hooks/protocol/payload.h"
 
 namespace glider::hooks {
 namespace {
 
-constexpr uint8_t kFlagMore = 1;
-constexpr uint8_t kFlagContinues = 2;
-constexpr uint8_t kFlagVirtualTime = 4;
 constexpr uint8_t kMostList = 3;  // of a transition
 constexpr uint8_t kMostNoteKind = 1;
-constexpr uint32_t kTickCountAt = 27;  // where the number of readings stands in a Tick
-
-ByteWriter start(Frame& frame, MessageType type) {
-  frame.type = type;
-  frame.size = 0;
-  return {frame.payload, kMostPayload};
-}
-
-void finish(Frame& frame, const ByteWriter& writer) {
-  frame.size = static_cast<uint8_t>(writer.size());
-}
-
-ByteReader reader(const Frame& frame) {
-  return {frame.payload, frame.size};
-}
 
 /// Its length, then the text, at most `most` bytes of it.
 void writeText(ByteWriter& out, const char* text, uint32_t most) {
@@ -55,171 +37,66 @@ bool readText(ByteReader& in, char* text, uint32_t most) {
   return in.exact();
 }
 
-bool isHookState(uint8_t value) {
-  return value <= static_cast<uint8_t>(HookState::Complete);
-}
-bool isHookAnswer(uint8_t value) {
-  return value <= static_cast<uint8_t>(HookAnswer::NotReady);
-}
-
-void writeValue(ByteWriter& out, const SensorValue& value) {
-  out.u16(value.id);
-  switch (sensorWidth(value.id)) {
-    case 1: {
-      // -128 stands for NaN, so that a one-byte sensor can be unknown too.
-      const double v = value.value;
-      const int whole = v != v ? -128 : v >= 127 ? 127 : v <= -127 ? -127 : static_cast<int>(v);
-      out.u8(static_cast<uint8_t>(whole));
-      break;
-    }
-    case 4:
-      out.f32(static_cast<float>(value.value));
-      break;
-    default:
-      out.f64(value.value);
-      break;
-  }
-}
-
-/// Reads `count` values and nothing more up to the end of the frame.
-bool readValues(ByteReader& in, uint32_t count, SensorList& list) {
-  list.count = 0;
-  for (uint32_t i = 0; i < count && i < kMostListed && in.good(); ++i) {
-    SensorValue& value = list.values[i];
-    value.id = in.u16();
-    switch (sensorWidth(value.id)) {
-      case 1: {
-        const auto whole = static_cast<int8_t>(in.u8());
-        value.value = whole == -128 ? __builtin_nan("") : whole;
-        break;
-      }
-      case 4:
-        value.value = static_cast<double>(in.f32());
-        break;
-      case 8:
-        value.value = in.f64();
-        break;
-      default:
-        return false;
-    }
-    ++list.count;
-  }
-  return in.exact() && list.count == count;
-}
-
-uint32_t countAt(const Frame& frame) {
-  return frame.type == MessageType::Tick ? kTickCountAt : 0;
-}
-
 }  // namespace
 
 void encode(const Beacon& beacon, Frame& frame) {
-  ByteWriter out = start(frame, MessageType::Beacon);
+  ByteWriter out = startPayload(frame, MessageType::Beacon);
   out.u8(beacon.version);
   out.u8(beacon.virtual_time ? kFlagVirtualTime : 0);
   out.u32(beacon.dictionary);
   out.u8(static_cast<uint8_t>(beacon.hook_state));
-  finish(frame, out);
+  finishPayload(frame, out);
 }
 
 void encode(const Welcome& welcome, Frame& frame) {
-  ByteWriter out = start(frame, MessageType::Welcome);
+  ByteWriter out = startPayload(frame, MessageType::Welcome);
   out.u8(welcome.virtual_time ? kFlagVirtualTime : 0);
-  out.u32(welcome.link);
-  out.u32(welcome.newest_session);
-  finish(frame, out);
-}
-
-void encode(const TickHead& head, Frame& frame) {
-  ByteWriter out = start(frame, MessageType::Tick);
-  out.u8(static_cast<uint8_t>((head.more ? kFlagMore : 0) | (head.continues ? kFlagContinues : 0) |
-                              (head.virtual_time ? kFlagVirtualTime : 0)));
-  out.u32(head.link);
-  out.f64(head.vehicle_time_s);
-  out.u32(head.cycle);
-  out.u16(head.subscription);
-  out.u8(static_cast<uint8_t>(head.hook_state));
-  out.u8(static_cast<uint8_t>(head.answer));
-  out.u16(head.answered_sequence);
-  out.u32(head.session);
-  out.u8(0);
-  finish(frame, out);
+  out.u24(welcome.link);
+  out.u24(welcome.newest_session);
+  finishPayload(frame, out);
 }
 
 void encode(const Hello& hello, Frame& frame) {
-  ByteWriter out = start(frame, MessageType::Hello);
+  ByteWriter out = startPayload(frame, MessageType::Hello);
   out.u8(hello.version);
   out.u32(hello.dictionary);
-  out.u32(hello.link);
+  out.u24(hello.link);
   writeText(out, hello.mission_name, kMostNameBytes);
-  finish(frame, out);
+  finishPayload(frame, out);
 }
 
 void encode(const MissionNote& note, Frame& frame) {
-  ByteWriter out = start(frame, MessageType::Note);
+  ByteWriter out = startPayload(frame, MessageType::Note);
   out.f64(note.mission_time_s);
   out.u8(note.kind);
   writeText(out, note.text, kMostNoteBytes);
-  finish(frame, out);
-}
-
-void encode(const Subscribe& subscribe, Frame& frame) {
-  ByteWriter out = start(frame, MessageType::Subscribe);
-  const uint32_t count =
-      subscribe.count < kMostSubscriptions ? subscribe.count : kMostSubscriptions;
-  out.u8(static_cast<uint8_t>(count));
-  for (uint32_t i = 0; i < count; ++i) {
-    out.u16(subscribe.ids[i]);
-  }
-  finish(frame, out);
+  finishPayload(frame, out);
 }
 
 void encode(const TransitionNotice& notice, Frame& frame) {
-  ByteWriter out = start(frame, MessageType::Transition);
+  ByteWriter out = startPayload(frame, MessageType::Transition);
   out.f64(notice.mission_time_s);
   out.u8(notice.transition);
   out.u32(notice.from);
   out.u32(notice.to);
   out.u32(notice.fired_case);
   out.u8(notice.list);
-  finish(frame, out);
+  finishPayload(frame, out);
 }
 
 void encode(const Done& done, Frame& frame) {
-  ByteWriter out = start(frame, MessageType::Done);
+  ByteWriter out = startPayload(frame, MessageType::Done);
   out.u8(done.answered);
-  out.u32(done.session);
+  out.u24(done.session);
   out.f64(done.status.mission_time_s);
   out.u32(done.status.state);
   out.u8(done.status.stack_depth);
   out.u8(done.status.phase);
-  finish(frame, out);
-}
-
-void encodeEmptyList(MessageType type, Frame& frame) {
-  ByteWriter out = start(frame, type);
-  out.u8(0);
-  finish(frame, out);
-}
-
-bool appendValue(Frame& frame, const SensorValue& value) {
-  const uint32_t width = sensorWidth(value.id);
-  if (width == 0 || frame.size + 2 + width > kMostPayload) {
-    return false;
-  }
-  ByteWriter out(frame.payload + frame.size, kMostPayload - frame.size);
-  writeValue(out, value);
-  frame.size = static_cast<uint8_t>(frame.size + out.size());
-  ++frame.payload[countAt(frame)];
-  return true;
-}
-
-void markMore(Frame& tick) {
-  tick.payload[0] |= kFlagMore;
+  finishPayload(frame, out);
 }
 
 bool decode(const Frame& frame, Beacon& beacon) {
-  ByteReader in = reader(frame);
+  ByteReader in = payloadOf(frame);
   beacon.version = in.u8();
   if (frame.type != MessageType::Beacon || !in.good()) {
     return false;
@@ -236,39 +113,16 @@ bool decode(const Frame& frame, Beacon& beacon) {
 }
 
 bool decode(const Frame& frame, Welcome& welcome) {
-  ByteReader in = reader(frame);
+  ByteReader in = payloadOf(frame);
   const uint8_t flags = in.u8();
   welcome.virtual_time = (flags & kFlagVirtualTime) != 0;
-  welcome.link = in.u32();
-  welcome.newest_session = in.u32();
-  return frame.type == MessageType::Welcome && in.exact() && (flags & ~kFlagVirtualTime) == 0 &&
-         welcome.link <= kMostSession && welcome.newest_session <= kMostSession;
-}
-
-bool decode(const Frame& frame, TickHead& head, SensorList& readings) {
-  ByteReader in = reader(frame);
-  const uint8_t flags = in.u8();
-  head.more = (flags & kFlagMore) != 0;
-  head.continues = (flags & kFlagContinues) != 0;
-  head.virtual_time = (flags & kFlagVirtualTime) != 0;
-  head.link = in.u32();
-  head.vehicle_time_s = in.f64();
-  head.cycle = in.u32();
-  head.subscription = in.u16();
-  const uint8_t state = in.u8();
-  const uint8_t answer = in.u8();
-  head.hook_state = static_cast<HookState>(state);
-  head.answer = static_cast<HookAnswer>(answer);
-  head.answered_sequence = in.u16();
-  head.session = in.u32();
-  const uint8_t count = in.u8();
-  return frame.type == MessageType::Tick && in.good() && flags <= 7 &&
-         isFinite(head.vehicle_time_s) && isHookState(state) && isHookAnswer(answer) &&
-         head.session <= kMostSession && readValues(in, count, readings);
+  welcome.link = in.u24();
+  welcome.newest_session = in.u24();
+  return frame.type == MessageType::Welcome && in.exact() && (flags & ~kFlagVirtualTime) == 0;
 }
 
 bool decode(const Frame& frame, Hello& hello) {
-  ByteReader in = reader(frame);
+  ByteReader in = payloadOf(frame);
   hello.version = in.u8();
   if (frame.type != MessageType::Hello || !in.good()) {
     return false;
@@ -277,28 +131,12 @@ bool decode(const Frame& frame, Hello& hello) {
     return true;
   }
   hello.dictionary = in.u32();
-  hello.link = in.u32();
-  return hello.link != 0 && hello.link <= kMostSession &&
-         readText(in, hello.mission_name, kMostNameBytes);
-}
-
-bool decode(const Frame& frame, Subscribe& subscribe) {
-  ByteReader in = reader(frame);
-  subscribe.count = in.u8();
-  if (subscribe.count > kMostSubscriptions) {
-    return false;
-  }
-  for (uint32_t i = 0; i < subscribe.count; ++i) {
-    subscribe.ids[i] = in.u16();
-    if (sensorWidth(subscribe.ids[i]) == 0) {
-      return false;
-    }
-  }
-  return frame.type == MessageType::Subscribe && in.exact();
+  hello.link = in.u24();
+  return hello.link != 0 && readText(in, hello.mission_name, kMostNameBytes);
 }
 
 bool decode(const Frame& frame, TransitionNotice& notice) {
-  ByteReader in = reader(frame);
+  ByteReader in = payloadOf(frame);
   notice.mission_time_s = in.f64();
   notice.transition = in.u8();
   notice.from = in.u32();
@@ -310,7 +148,7 @@ bool decode(const Frame& frame, TransitionNotice& notice) {
 }
 
 bool decode(const Frame& frame, MissionNote& note) {
-  ByteReader in = reader(frame);
+  ByteReader in = payloadOf(frame);
   note.mission_time_s = in.f64();
   note.kind = in.u8();
   return frame.type == MessageType::Note && isFinite(note.mission_time_s) &&
@@ -318,30 +156,18 @@ bool decode(const Frame& frame, MissionNote& note) {
 }
 
 bool decode(const Frame& frame, Done& done) {
-  ByteReader in = reader(frame);
+  ByteReader in = payloadOf(frame);
   done.answered = in.u8();
-  done.session = in.u32();
+  done.session = in.u24();
   done.status.mission_time_s = in.f64();
   done.status.state = in.u32();
   done.status.stack_depth = in.u8();
   done.status.phase = in.u8();
-  return frame.type == MessageType::Done && in.exact() && done.session <= kMostSession &&
-         isFinite(done.status.mission_time_s) && done.status.phase <= 2;
-}
-
-bool decodeList(const Frame& frame, SensorList& list) {
-  if (frame.type != MessageType::Write && frame.type != MessageType::Sensors) {
-    return false;
-  }
-  ByteReader in = reader(frame);
-  const uint8_t count = in.u8();
-  return readValues(in, count, list);
+  return frame.type == MessageType::Done && in.exact() && isFinite(done.status.mission_time_s) &&
+         done.status.phase <= 2;
 }
 
 bool expectsAnswer(const Frame& frame) {
-  if (frame.type == MessageType::Tick) {
-    return frame.size > 0 && (frame.payload[0] & kFlagMore) == 0;
-  }
   switch (frame.type) {
 #define MESSAGE(name, number, expects_answer) \
   case MessageType::name:                     \
@@ -350,15 +176,6 @@ bool expectsAnswer(const Frame& frame) {
 #undef MESSAGE
   }
   return false;
-}
-
-uint16_t subscriptionCheck(const uint16_t* ids, uint32_t count) {
-  uint8_t bytes[2 * kMostSubscriptions];
-  ByteWriter out(bytes, sizeof bytes);
-  for (uint32_t i = 0; i < count; ++i) {
-    out.u16(ids[i]);
-  }
-  return crc16(bytes, out.size());
 }
 
 uint32_t nextSession(uint32_t session) {

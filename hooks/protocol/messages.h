@@ -4,24 +4,20 @@
 #pragma once
 
 #include "hooks/protocol/frame.h"
-#include "hooks/protocol/sensors.h"
 #include "hooks/protocol/values.h"
 
 #include <stdint.h>
 
-/// What the frames say: one struct, one encoder and one strict decoder a message. Layouts:
-/// README.md. Encoders set the frame's type and payload and leave its sequence alone; decoders
-/// return false for a frame of another type, of a wrong length, or with a value that no sender of
-/// ours writes.
+/// What the frames say: one struct, one encoder and one strict decoder a message; Tick and
+/// Subscribe are in tick.h, lists of sensors in sensor_list.h. Layouts: README.md. Encoders set the
+/// frame's type and payload and leave its sequence alone; decoders return false for a frame of
+/// another type, of a wrong length, or with a value that no sender of ours writes.
 namespace glider::hooks {
 
-inline constexpr uint8_t kProtocolVersion = 2;
-inline constexpr uint32_t kMostSubscriptions = 64;
+inline constexpr uint8_t kProtocolVersion = 3;
 inline constexpr uint32_t kMostNameBytes = 47;
 inline constexpr uint32_t kMostNoteBytes = 60;
 inline constexpr uint32_t kMostSession = 16777215;  ///< exact in a float32 sensor
-/// More readings than any frame can hold (1-byte sensors, shortest header).
-inline constexpr uint32_t kMostListed = kMostPayload / 3;
 
 /// Vehicle without a link: who is there?
 struct Beacon {
@@ -38,32 +34,12 @@ struct Welcome {
   uint32_t newest_session = 0;  ///< newest that was written to the flight controller, 0 for none
 };
 
-/// Head of a Tick, repeated in each of its parts. The readings follow it in the frame.
-struct TickHead {
-  bool more = false;       ///< another part follows; only the last part is answered
-  bool continues = false;  ///< not the first part
-  bool virtual_time = false;
-  uint32_t link = 0;
-  double vehicle_time_s = 0;
-  uint32_t cycle = 0;
-  uint16_t subscription = 0;  ///< subscriptionCheck of the list that is served
-  HookState hook_state = HookState::Absent;
-  HookAnswer answer = HookAnswer::None;
-  uint16_t answered_sequence = 0;
-  uint32_t session = 0;
-};
-
 /// The SBC wants a link.
 struct Hello {
   uint8_t version = kProtocolVersion;
   uint32_t dictionary = 0;
   uint32_t link = 0;  ///< 1…kMostSession, another one each time
   char mission_name[kMostNameBytes + 1] = {};
-};
-
-struct Subscribe {
-  uint8_t count = 0;
-  uint16_t ids[kMostSubscriptions] = {};
 };
 
 /// A transition of the mission, told to the vehicle's side for logs and the simulator's trace.
@@ -98,44 +74,22 @@ struct Done {
   MissionStatus status;
 };
 
-/// Sensors with values: the readings of a Tick, a Write, a frame of the clothesline.
-struct SensorList {
-  uint32_t count = 0;
-  SensorValue values[kMostListed] = {};
-};
-
 void encode(const Beacon& beacon, Frame& frame);
 void encode(const Welcome& welcome, Frame& frame);
-/// Without readings yet: append them with appendValue.
-void encode(const TickHead& head, Frame& frame);
 void encode(const Hello& hello, Frame& frame);
-void encode(const Subscribe& subscribe, Frame& frame);
 void encode(const TransitionNotice& notice, Frame& frame);
 void encode(const Done& done, Frame& frame);
 void encode(const MissionNote& note, Frame& frame);
-/// An empty Write or Sensors frame: append to it with appendValue.
-void encodeEmptyList(MessageType type, Frame& frame);
-/// Appends one reading to a Tick, Write or Sensors frame, in the sensor's width. False, with
-/// nothing changed, when it does not fit or there is no such sensor.
-bool appendValue(Frame& frame, const SensorValue& value);
-/// Says in a Tick that another part follows.
-void markMore(Frame& tick);
 
 [[nodiscard]] bool decode(const Frame& frame, Beacon& beacon);
 [[nodiscard]] bool decode(const Frame& frame, Welcome& welcome);
-[[nodiscard]] bool decode(const Frame& frame, TickHead& head, SensorList& readings);
 [[nodiscard]] bool decode(const Frame& frame, Hello& hello);
-[[nodiscard]] bool decode(const Frame& frame, Subscribe& subscribe);
 [[nodiscard]] bool decode(const Frame& frame, TransitionNotice& notice);
 [[nodiscard]] bool decode(const Frame& frame, Done& done);
 [[nodiscard]] bool decode(const Frame& frame, MissionNote& note);
-/// Of a Write or a Sensors frame.
-[[nodiscard]] bool decodeList(const Frame& frame, SensorList& list);
 
-/// True when the SBC owes a Done for this frame: Beacon, Welcome and the last part of a Tick.
+/// True when the SBC owes a Done for this frame: Beacon, Welcome and Tick.
 bool expectsAnswer(const Frame& frame);
-/// CRC-16 over the numbers as they stand in a Subscribe: says whether both ends mean the same list.
-uint16_t subscriptionCheck(const uint16_t* ids, uint32_t count);
 /// The session after `session`: counts to kMostSession, then 1 again.
 uint32_t nextSession(uint32_t session);
 /// True when `session` was opened after `other`, counting round at kMostSession: less than half the

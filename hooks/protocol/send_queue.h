@@ -17,14 +17,10 @@ class SendQueue {
  public:
   /// False, with nothing queued, when there is no room for `frame`.
   bool add(const Frame& frame) {
-    uint8_t encoded[kMostEncodedBytes];
-    const uint32_t size = encodeFrame(frame, encoded);
-    if (kCapacity - end_ < size) {
+    if (kCapacity - end_ < encodedBound(frame.size)) {
       return false;
     }
-    for (uint32_t i = 0; i < size; ++i) {
-      bytes_[end_++] = encoded[i];
-    }
+    end_ += encodeFrame(frame, bytes_ + end_);
     return true;
   }
 

@@ -3,6 +3,7 @@
 
 #include "hooks/protocol/sensors.h"
 
+#include "hooks/protocol/bytes.h"
 #include "platforms/slocum_sensors.h"
 
 namespace glider::hooks {
@@ -19,6 +20,26 @@ constexpr Row kRows[] = {
 #undef SENSOR
 };
 static_assert(sizeof(kRows) / sizeof(kRows[0]) == GLIDER_SENSOR_COUNT);
+
+constexpr Subscription kUsual[] = {
+#define SENSOR(number, every, dead_band) {number, every, static_cast<float>(dead_band)},
+    GLIDER_SENSOR_REPORTS(SENSOR)
+#undef SENSOR
+};
+static_assert(sizeof(kUsual) / sizeof(kUsual[0]) == GLIDER_SENSOR_COUNT);
+
+uint8_t toByte(double value) {
+  const int whole = value != value  ? -128
+                    : value >= 127  ? 127
+                    : value <= -127 ? -127
+                                    : static_cast<int>(value);
+  return static_cast<uint8_t>(whole);
+}
+
+double fromByte(uint8_t byte) {
+  const auto whole = static_cast<int8_t>(byte);
+  return whole == -128 ? __builtin_nan("") : whole;
+}
 
 }  // namespace
 
@@ -50,6 +71,32 @@ bool isInstructionSensor(uint16_t id) {
       return true;
     default:
       return false;
+  }
+}
+
+Subscription usualSubscription(uint16_t id) {
+  return id < GLIDER_SENSOR_COUNT ? kUsual[id] : Subscription{id};
+}
+
+uint64_t toWire(uint16_t id, double value) {
+  switch (sensorWidth(id)) {
+    case 1:
+      return toByte(value);
+    case 4:
+      return bitsOf(static_cast<float>(value));
+    default:
+      return bitsOf(value);
+  }
+}
+
+double fromWire(uint16_t id, uint64_t bits) {
+  switch (sensorWidth(id)) {
+    case 1:
+      return fromByte(static_cast<uint8_t>(bits));
+    case 4:
+      return static_cast<double>(floatOf(static_cast<uint32_t>(bits)));
+    default:
+      return doubleOf(bits);
   }
 }
 

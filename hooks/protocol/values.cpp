@@ -4,7 +4,7 @@
 #include "hooks/protocol/values.h"
 
 #include "hooks/protocol/bytes.h"
-#include "hooks/protocol/frame.h"
+#include "hooks/protocol/crc.h"
 #include "hooks/protocol/numbers.h"
 
 namespace glider::hooks {

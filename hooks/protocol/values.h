@@ -32,6 +32,14 @@ enum class HookAnswer : uint8_t {
   NotReady = 8,      ///< hookbeh waits or is complete
 };
 
+/// Whether a number on the line stands for one of them.
+inline bool isHookState(uint8_t value) {
+  return value <= static_cast<uint8_t>(HookState::Complete);
+}
+inline bool isHookAnswer(uint8_t value) {
+  return value <= static_cast<uint8_t>(HookAnswer::NotReady);
+}
+
 /// `sci_hook_control`.
 enum class HookControl : uint8_t {
   None = 0,

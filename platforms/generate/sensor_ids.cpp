@@ -56,6 +56,12 @@ std::string header(const glider::platforms::Platform& platform) {
                        s.kind == glider::platforms::SensorKind::Quantity ? 0 : 1,
                        s.id + 1U == platform.sensors.size() ? "" : " \\");
   }
+  out += "\n/* X(number, at most once in so many flight cycles, dead band) */\n";
+  out += "#define GLIDER_SENSOR_REPORTS(X) \\\n";
+  for (const auto& s : platform.sensors) {
+    out += fmt::format("  X({}, {}, {}){}\n", s.id, s.every_s / platform.envelope.cycle_s,
+                       s.dead_band, s.id + 1U == platform.sensors.size() ? "" : " \\");
+  }
   out += "\nenum GliderSensorNumber {\n";
   for (const auto& s : platform.sensors) {
     out += fmt::format("  GLIDER_{} = {},\n", upper(s.name), s.id);

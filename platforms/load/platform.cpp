@@ -6,6 +6,7 @@
 #include "platforms/load/toml_reader.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace glider::platforms {
 namespace {
@@ -28,9 +29,26 @@ bool interpretUnit(PlatformSensor& sensor) {
   return unit.has_value();
 }
 
-PlatformSensor readSensor(TomlReader& reader, size_t id) {
-  reader.only({"name", "alias", "unit", "lowest", "highest", "stale_after_s", "computer", "bytes",
-               "noise", "what"});
+/// How often and how exactly the SBC hears of the sensor.
+void readReporting(TomlReader& reader, double cycle_s, PlatformSensor& sensor) {
+  constexpr double kMostCycles = 255;
+  sensor.every_s = reader.numberOr("every_s", cycle_s);
+  sensor.dead_band = reader.numberOr("dead_band", 0);
+  const double cycles = sensor.every_s / cycle_s;
+  if (!(cycles >= 1 && cycles <= kMostCycles && cycles == std::floor(cycles))) {
+    reader.refuse("every_s", "must be a multiple of `cycle_s`, at most 255 of them");
+  }
+  if (!(sensor.every_s <= std::max(sensor.stale_after_s, cycle_s))) {
+    reader.refuse("every_s", "must not be above `stale_after_s`");
+  }
+  if (!(sensor.dead_band >= 0 && sensor.dead_band <= sensor.highest - sensor.lowest)) {
+    reader.refuse("dead_band", "must be between 0 and the whole range");
+  }
+}
+
+PlatformSensor readSensor(TomlReader& reader, size_t id, double cycle_s) {
+  reader.only({"name", "alias", "unit", "lowest", "highest", "stale_after_s", "every_s",
+               "dead_band", "computer", "bytes", "noise", "what"});
   PlatformSensor sensor;
   sensor.id = static_cast<uint16_t>(id);
   sensor.name = reader.text("name");
@@ -54,6 +72,7 @@ PlatformSensor readSensor(TomlReader& reader, size_t id) {
   if (!(sensor.stale_after_s > 0)) {
     reader.refuse("stale_after_s", "must be above 0");
   }
+  readReporting(reader, cycle_s, sensor);
   if (!(sensor.noise >= 0)) {
     reader.refuse("noise", "must not be below 0");
   }
@@ -81,7 +100,7 @@ support::Result<void> readSensors(const std::string& file, const toml::table& ro
                            "`sensor` must be [[sensor]] tables");
     }
     TomlReader reader(file, *table, fmt::format("sensor {}", platform.sensors.size()));
-    PlatformSensor sensor = readSensor(reader, platform.sensors.size());
+    PlatformSensor sensor = readSensor(reader, platform.sensors.size(), platform.envelope.cycle_s);
     const bool taken = platform.find(sensor.name) != nullptr ||
                        (!sensor.alias.empty() && platform.find(sensor.alias) != nullptr);
     if (taken) {

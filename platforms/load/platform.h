@@ -30,6 +30,8 @@ struct PlatformSensor {
   double lowest = 0;             ///< plausible range, in the vehicle's unit
   double highest = 0;
   double stale_after_s = 0;
+  double every_s = 0;    ///< the SBC hears of it at most so often
+  double dead_band = 0;  ///< a change of at most so much is not sent; in the vehicle's unit
   Computer computer = Computer::Flight;
   double noise =
       0;  ///< two readings of the same water may differ by so much, in the vehicle's unit

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "hooks/transport/byte_stream.h"
+#include "hooks/transport/termios.h"
 
 #include <stdint.h>
 
@@ -17,8 +18,11 @@ struct OpenPort {
   const char* problem = nullptr;  ///< why there is no stream; null if there is one
 };
 
-/// Opens the program's one port. May be called once.
+/// Opens the program's one port.
 OpenPort openPort(const char* path, uint32_t baud);
+
+/// The same for a device of Linux's own kind.
+OpenPort openDevice(const char* path, uint32_t baud);
 
 /// The port that is opened when none is named.
 const char* defaultPort();

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "hooks/transport/descriptor.h"
-#include "hooks/transport/termios.h"
 #include "runtime/board/port.h"
 
 #include <libserialport.h>
@@ -37,15 +36,6 @@ bool configure(sp_port* port, uint32_t baud) {
 }
 
 /// Pseudo-terminals, which libserialport leaves out on purpose.
-OpenPort openTerminal(const char* path, uint32_t baud) {
-  static hooks::SerialDevice device;
-  const int error = device.open(path, baud);
-  if (error != 0) {
-    return {{}, -1, portProblem(error)};
-  }
-  return {device.stream(), device.descriptor(), nullptr};
-}
-
 OpenPort openSerial(const char* path, uint32_t baud) {
   static sp_port* port = nullptr;
   if (sp_get_port_by_name(path, &port) != SP_OK) {
@@ -70,7 +60,7 @@ OpenPort openPort(const char* path, uint32_t baud) {
   if (realpath(path, device) == nullptr) {
     return {{}, -1, portProblem(errno)};
   }
-  return hooks::isPseudoTerminal(device) ? openTerminal(device, baud) : openSerial(device, baud);
+  return hooks::isPseudoTerminal(device) ? openDevice(device, baud) : openSerial(device, baud);
 }
 
 const char* defaultPort() {

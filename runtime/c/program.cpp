@@ -60,7 +60,7 @@ bool Program::use(uint32_t sensor) {
   if (client_ != nullptr || sensor >= GLIDER_SENSOR_COUNT || mission_.sensor_count == kMost) {
     return false;
   }
-  ids_[mission_.sensor_count] = static_cast<uint16_t>(sensor);
+  subscription_[mission_.sensor_count] = hooks::usualSubscription(static_cast<uint16_t>(sensor));
   sensors_[mission_.sensor_count] = kSensors[sensor];
   ++mission_.sensor_count;
   return true;
@@ -69,7 +69,7 @@ bool Program::use(uint32_t sensor) {
 void Program::open() {
   hooks::ClientOptions options;
   options.mission_name = link_.mission_name;
-  options.sensors = ids_;
+  options.sensors = subscription_;
   options.sensor_count = mission_.sensor_count;
   mission_.name = link_.mission_name;
   client_ = ::new (client_memory_) hooks::Client(options);

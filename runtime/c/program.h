@@ -75,7 +75,7 @@ class Program {
   const GliderStateInfo* const states_[1] = {&state_};
   GliderMission mission_{};
   GliderSensorInfo sensors_[kMost] = {};
-  uint16_t ids_[kMost] = {};
+  hooks::Subscription subscription_[kMost] = {};
   GliderUpdate updates_[kMost] = {};
   Memory memory_{};
   GliderContext* context_ = &memory_.context;

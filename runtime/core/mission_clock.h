@@ -24,18 +24,27 @@ class MissionClock {
     }
     vehicle_ = vehicle_time;
     sbc_ = sbc_time;
+    silence_ = 0;
     return vehicle_ - origin_;
   }
 
-  /// No frame came: mission time by the SBC's own clock.
-  [[nodiscard]] double withoutFrame(double sbc_time) const {
-    return (vehicle_ - origin_) + (sbc_time - sbc_);
+  /// No frame came: mission time by the SBC's own clock. A clock that has jumped counts for no more
+  /// than kMostSilence since it was last looked at: the vehicle's frames, when they come again,
+  /// need no longer than that to catch up.
+  double withoutFrame(double sbc_time) {
+    const double passed = sbc_time - sbc_;
+    sbc_ = sbc_time;
+    silence_ += passed > kMostSilence ? kMostSilence : passed > 0 ? passed : 0;
+    return (vehicle_ - origin_) + silence_;
   }
 
  private:
+  static constexpr double kMostSilence = 16;  ///< s; a silent link is told every 12 s
+
   double origin_ = 0;   ///< vehicle time of mission time 0
   double vehicle_ = 0;  ///< vehicle time of the newest frame
-  double sbc_ = 0;      ///< SBC time of the newest frame
+  double sbc_ = 0;      ///< SBC time when it was last looked at
+  double silence_ = 0;  ///< s since the newest frame
 };
 
 }  // namespace glider::runtime

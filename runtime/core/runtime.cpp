@@ -91,7 +91,7 @@ GliderRuntime::GliderRuntime(void* context_memory, const GliderMission& mission,
       log_(options.log) {}
 
 glider::hooks::ClientOptions GliderRuntime::subscribe(const GliderMission& mission,
-                                                      uint16_t* sensors) {
+                                                      glider::hooks::Subscription* sensors) {
   glider::hooks::ClientOptions options;
   options.mission_name = mission.name;
   options.sensors = sensors;
@@ -99,10 +99,10 @@ glider::hooks::ClientOptions GliderRuntime::subscribe(const GliderMission& missi
     const auto id = static_cast<uint16_t>(mission.sensors[i].id);
     bool known = mission.sensors[i].poll != nullptr;  // not the vehicle's
     for (uint32_t k = 0; k < options.sensor_count; ++k) {
-      known = known || sensors[k] == id;
+      known = known || sensors[k].id == id;
     }
     if (!known) {
-      sensors[options.sensor_count++] = id;
+      sensors[options.sensor_count++] = glider::hooks::usualSubscription(id);
     }
   }
   return options;
@@ -152,6 +152,7 @@ void GliderRuntime::answerTick(const GliderByteStream& stream, double sbc_time) 
   }
   client_.done(status(), stream);
   logNews(news);
+  logUnanswered(tick);
   log_.flush();
 }
 
@@ -238,6 +239,14 @@ void GliderRuntime::logNews(const ControlNews& news) {
     log_.event(context_->mission_time, nameOf(news.kind),
                news.kind == ControlNews::Kind::Refused ? nameOf(news.answer) : "",
                static_cast<double>(news.sequence));
+  }
+}
+
+/// Told once, when the client stops claiming control.
+void GliderRuntime::logUnanswered(const glider::hooks::VehicleTick& tick) {
+  if (context_ != nullptr && tick.unanswered_ticks == glider::hooks::Client::kMostUnansweredTicks) {
+    log_.event(context_->mission_time, "instruction unanswered", "",
+               static_cast<double>(tick.instruction_sequence));
   }
 }
 

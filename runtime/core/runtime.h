@@ -26,7 +26,8 @@ struct GliderRuntime {
   [[nodiscard]] const GliderContext* context() const { return context_; }
 
  private:
-  static glider::hooks::ClientOptions subscribe(const GliderMission& mission, uint16_t* sensors);
+  static glider::hooks::ClientOptions subscribe(const GliderMission& mission,
+                                                glider::hooks::Subscription* sensors);
   void answerTick(const GliderByteStream& stream, double sbc_time);
   void tickOfClockAlone(double sbc_time);
   void startMission(uint32_t update_count);
@@ -35,6 +36,7 @@ struct GliderRuntime {
   void tellNotes();
   void command();
   void logNews(const glider::runtime::ControlNews& news);
+  void logUnanswered(const glider::hooks::VehicleTick& tick);
   void logRefusedCommands();
   void logRefusedLink();
   uint32_t gatherUpdates();
@@ -45,7 +47,7 @@ struct GliderRuntime {
   const GliderMission& mission_;
   const double* parameters_;          ///< null: the defaults
   GliderContext* context_ = nullptr;  ///< once control was given
-  uint16_t sensors_[glider::hooks::kMostSubscriptions] = {};
+  glider::hooks::Subscription sensors_[glider::hooks::kMostSubscriptions] = {};
   glider::hooks::Client client_;
   glider::runtime::Control control_;
   glider::runtime::MissionClock clock_;

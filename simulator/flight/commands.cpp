@@ -25,6 +25,8 @@ const char* abortName(Abort abort) {
       return "MS_ABORT_UNDERVOLTS";
     case Abort::SameDepth:
       return "MS_ABORT_SAMEDEPTH";
+    case Abort::DeviceError:
+      return "MS_ABORT_DEVICE_ERROR";
     case Abort::WaypointTooFar:
       return "MS_ABORT_WPT_TOOFAR";
   }

@@ -32,6 +32,7 @@ enum class Abort : int8_t {
   Overtime = 8,
   Undervolts = 9,
   SameDepth = 10,
+  DeviceError = 16,
   WaypointTooFar = 18,
 };
 /// "MS_ABORT_OVERDEPTH".

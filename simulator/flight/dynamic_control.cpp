@@ -56,7 +56,7 @@ void DynamicControl::holdHeading(const HeadingCommand& command, const Measured& 
                                  Vehicle& vehicle) {
   const double rate = heading_known_ ? wrapped(m.heading - last_heading_) / seconds : 0;
   last_heading_ = m.heading;
-  heading_known_ = true;
+  heading_known_ = !std::isnan(m.heading);
   if (command.mode == HeadingCommand::Mode::Fin) {
     heading_value_ = std::numeric_limits<double>::quiet_NaN();
     vehicle.commandFin(command.value_rad);
@@ -65,6 +65,10 @@ void DynamicControl::holdHeading(const HeadingCommand& command, const Measured& 
   heading_value_ =
       command.mode == HeadingCommand::Mode::Waypoint ? m.waypoint_bearing : command.value_rad;
   const double error = wrapped(heading_value_ - m.heading);
+  if (std::isnan(error)) {
+    vehicle.commandFin(0);  // without a heading, or a place: straight on
+    return;
+  }
   const double wanted = std::fabs(error) > kHeadingDeadband ? kHeadingGain * error : 0;
   vehicle.commandFin(Vehicle::kFinLimitRad *
                      std::clamp(wanted - kHeadingRateGain * rate, -1.0, 1.0));

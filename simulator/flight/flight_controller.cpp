@@ -52,6 +52,13 @@ bool FlightController::hookActive() const {
          layers_.hookbeh()->hookState() == hooks::HookState::Active;
 }
 
+hooks::HookState FlightController::hookState() const {
+  if (layers_.hookbeh() == nullptr) {
+    return hooks::HookState::Absent;
+  }
+  return aborted() ? hooks::HookState::Complete : layers_.hookbeh()->hookState();
+}
+
 void FlightController::readSensors(double now_s, const Ocean& ocean, const Vehicle& vehicle) {
   SensorArray& a = array_;
   a.set(GLIDER_M_PRESENT_TIME, kStartOfMission + now_s);
@@ -194,6 +201,12 @@ void FlightController::startAbort(Abort abort, const std::string& why, double no
     // Behaviours run no more: the SBC must see that its time is over.
     array_.set(GLIDER_X_HOOK_STATE, static_cast<double>(hooks::HookState::Complete));
     array_.set(GLIDER_X_HOOK_SESSION, 0);
+  }
+}
+
+void FlightController::failDevice(double now_s) {
+  if (abort_ == Abort::None) {
+    startAbort(Abort::DeviceError, "a device has failed", now_s);
   }
 }
 

@@ -41,6 +41,9 @@ class FlightController {
   [[nodiscard]] const SensorArray& array() const { return array_; }
   [[nodiscard]] const HookOrder& order() const { return order_; }
   [[nodiscard]] bool hookActive() const;
+  /// Complete after an abort, Absent without a hookbeh.
+  [[nodiscard]] hooks::HookState hookState() const;
+  [[nodiscard]] bool aborted() const { return abort_ != Abort::None; }
   [[nodiscard]] bool hasHookbeh() const { return layers_.hookbeh() != nullptr; }
   /// The behaviour that commands the pitch, by its place in the mission file; kNoLayer after an
   /// abort.
@@ -50,6 +53,10 @@ class FlightController {
   /// The SBC's mission is in another state: of the range that the one before ordered only the
   /// command in force still holds.
   void noteTransition();
+  /// A device fails: the mission is aborted.
+  void failDevice(double now_s);
+  /// What sensors say from now on instead of the truth.
+  void damageBy(SensorDamage* damage) { array_.damageBy(damage); }
   /// Ends the mission at the surface when nothing is left to fly; `sbc_gone`: the SBC will not come
   /// back.
   void noteSbcGone(bool sbc_gone) { sbc_gone_ = sbc_gone; }

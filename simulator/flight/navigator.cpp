@@ -38,8 +38,9 @@ void Navigator::reckon(double depth_rate, double pitch, double heading, bool at_
     const double speed = -depth_rate / std::tan(pitch);
     speed_ = speed >= 0 && speed <= kMostSpeed ? speed : speed_;
   }
-  x_ += speed_ * std::sin(heading) * seconds;
-  y_ += speed_ * std::cos(heading) * seconds;
+  heading_ = std::isnan(heading) ? heading_ : heading;
+  x_ += speed_ * std::sin(heading_) * seconds;
+  y_ += speed_ * std::cos(heading_) * seconds;
 }
 
 void Navigator::toWaypoint(double latitude_ddmm, double longitude_ddmm, double& distance,

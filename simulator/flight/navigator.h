@@ -33,7 +33,7 @@ class Navigator {
  public:
   explicit Navigator(const LocalFrame& frame) : frame_(frame) {}
 
-  /// One control cycle of `seconds`.
+  /// One control cycle of `seconds`. What is NaN counts as it was when it was last known.
   void reckon(double depth_rate, double pitch, double heading, bool at_surface, double seconds);
   void fix(Gps::Fix fix) { x_ = fix.x, y_ = fix.y; }
 
@@ -47,7 +47,7 @@ class Navigator {
 
  private:
   const LocalFrame& frame_;
-  double x_ = 0, y_ = 0, speed_ = 0;
+  double x_ = 0, y_ = 0, speed_ = 0, heading_ = 0;
 };
 
 }  // namespace glider::simulator

@@ -24,6 +24,13 @@ void SensorArray::set(uint16_t id, double value) {
   if (id >= values_.size()) {
     return;  // a number from the line that this vehicle does not have
   }
+  if (damage_ != nullptr) {
+    const std::optional<double> reading = damage_->reading(id, value);
+    if (!reading) {
+      return;
+    }
+    value = *reading;
+  }
   constexpr double kLowest = -128, kHighest = 127;
   if (bytes_[id] == 4) {
     value = hooks::asFloat32(value);

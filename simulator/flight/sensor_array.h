@@ -4,6 +4,7 @@
 #pragma once
 
 #include "platforms/load/platform.h"
+#include "simulator/faults/sensor_damage.h"
 
 #include <cstdint>
 #include <vector>
@@ -23,11 +24,14 @@ class SensorArray {
   /// Set since beginCycle.
   [[nodiscard]] bool fresh(uint16_t id) const { return fresh_[id] != 0; }
   void beginCycle();
+  /// From now on sensors say what `damage` makes of them; null: the truth.
+  void damageBy(SensorDamage* damage) { damage_ = damage; }
   [[nodiscard]] uint16_t size() const { return static_cast<uint16_t>(values_.size()); }
   /// True for a sensor of the science computer.
   [[nodiscard]] bool ofScience(uint16_t id) const { return science_[id] != 0; }
 
  private:
+  SensorDamage* damage_ = nullptr;
   std::vector<double> values_;
   std::vector<uint8_t> bytes_, fresh_, science_;
 };

@@ -4,6 +4,7 @@
 #include "simulator/scenario/scenario.h"
 
 #include "simulator/flight/skeleton.h"
+#include "simulator/scenario/read_faults.h"
 #include "simulator/scenario/read_ocean.h"
 #include "simulator/scenario/read_sensors.h"
 #include "simulator/scenario/scenario_tables.h"
@@ -26,8 +27,8 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 void readHead(Fields& f, const ScenarioTables& tables, Scenario& scenario) {
   TomlReader& r = f.reader();
   r.only({"name", "description", "seed", "skeleton", "duration_s", "isotherm_degC", "start",
-          "ocean", "vehicle", "sensors"});
-  for (const char* table : {"start", "ocean", "vehicle", "sensors"}) {
+          "ocean", "vehicle", "sensors", "faults"});
+  for (const char* table : {"start", "ocean", "vehicle", "sensors", "faults"}) {
     if (f.has(table) && !tables.root()[table].is_table()) {
       r.refuse(table, "must be a table");
     }
@@ -99,6 +100,7 @@ Scenario readScenario(ScenarioTables& tables) {
   tables.table("vehicle", [&](Fields& f) { readVehicle(f, scenario); });
   tables.part("vehicle", "battery", [&](Fields& f) { readBattery(f, scenario.vehicle.battery); });
   readSensors(tables, scenario);
+  readFaults(tables, scenario);
   return scenario;
 }
 

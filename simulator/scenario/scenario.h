@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "simulator/faults/faults.h"
 #include "simulator/ocean/ocean.h"
 #include "simulator/sensors/settings.h"
 #include "simulator/vehicle/vehicle.h"
@@ -29,6 +30,7 @@ struct Scenario {
   OceanSettings ocean;
   VehicleSettings vehicle;
   SensorSettings sensors;
+  Faults faults;
   bool altimeter_given = false;  ///< [sensors.altimeter] is there
 };
 

@@ -28,6 +28,14 @@ double Fields::required(const char* key, double lowest, double highest) {
   return value;
 }
 
+double Fields::anyNumber(const char* key) {
+  const std::optional<double> value = table_[key].value<double>();
+  if (!value) {
+    reader_.refuse(key, "must be a number");
+  }
+  return value.value_or(0);
+}
+
 void Fields::bearing(const char* key, double& into) {
   constexpr double kRadPerDegree = std::numbers::pi / 180;
   if (has(key)) {

@@ -21,6 +21,8 @@ class Fields {
   void number(const char* key, double& into, double lowest, double highest);
   /// The same for a number that must be there.
   double required(const char* key, double lowest, double highest);
+  /// The number `key`, which must be there; it may be infinite or NaN.
+  double anyNumber(const char* key);
   /// A bearing in degrees clockwise from north, as rad.
   void bearing(const char* key, double& into);
   [[nodiscard]] bool has(const char* key) const { return table_.contains(key); }

@@ -3,32 +3,139 @@
 
 #include "simulator/science/sbc_link.h"
 
+#include <algorithm>
 #include <array>
 
 namespace glider::simulator {
+namespace {
+
+bool isIn(const std::vector<Span>& spans, double now_s) {
+  return std::ranges::any_of(spans, [&](const Span& span) { return span.has(now_s); });
+}
+
+}  // namespace
 
 void SbcLink::pump(double now_s) {
+  followPower(now_s);
+  followPort(now_s);
   std::array<uint8_t, SerialLine::kCapacity> bytes;
   const int32_t count = end_.read(end_.self, bytes.data(), static_cast<uint32_t>(bytes.size()));
-  if (count > 0 && alive()) {
-    port_->deliver({bytes.data(), static_cast<size_t>(count)}, now_s);
+  if (alive() && !without_port_) {
+    exchange({bytes.begin(), bytes.begin() + std::max(count, 0)}, now_s);
+  } else if (alive() && port_->keepsTime()) {
+    port_->deliver({}, sbcClock(now_s));
+    (void)port_->collect();  // it has no line to say it on
+  }
+  flush();
+  noteDeath(now_s);
+}
+
+void SbcLink::exchange(const std::vector<uint8_t>& bytes, double now_s) {
+  if (isIn(faults_.stuck, now_s)) {
+    answerAsStuck(bytes);
+  } else if (!bytes.empty() || port_->keepsTime()) {
+    port_->deliver(bytes, sbcClock(now_s));
     const std::vector<uint8_t> answer = port_->collect();
+    watchDone(answer);
+    if (onlooker_ != nullptr && !answer.empty()) {
+      onlooker_->said(answer, now_s);
+    }
     waiting_.insert(waiting_.end(), answer.begin(), answer.end());
   }
+}
+
+double SbcLink::sbcClock(double now_s) {
+  double clock = now_s;
+  for (const ClockJump& jump : faults_.clock) {
+    clock += now_s >= jump.at_s ? jump.by_s : 0;
+  }
+  newest_clock_s_ = std::max(newest_clock_s_, clock);  // one that is set back stands still
+  return newest_clock_s_;
+}
+
+void SbcLink::followPower(double now_s) {
+  const bool off = isIn(faults_.power, now_s);
+  if (off && !without_power_ && alive()) {
+    port_->kill();
+    waiting_.clear();
+    line_.dropRight();
+    noteDeath(now_s);
+  }
+  if (!off && without_power_) {
+    startAgain(now_s, "the SBC has power again");
+  }
+  without_power_ = off;
+}
+
+void SbcLink::startAgain(double now_s, const char* why) {
+  if (!start_) {
+    return;
+  }
+  auto again = start_();
+  if (!again) {
+    journal_.add(now_s, "link", "the SBC does not start again", again.error().message);
+    return;
+  }
+  port_ = std::move(*again);
+  death_noted_ = false;
+  last_done_ = {};
+  journal_.add(now_s, "link", why);
+}
+
+void SbcLink::followPort(double now_s) {
+  const bool away = isIn(faults_.port, now_s);
+  if (away != without_port_ && port_ != nullptr) {
+    port_->plug(!away);
+    waiting_.clear();
+    line_.dropRight();
+    journal_.add(now_s, "link", away ? "the SBC's port is gone" : "the SBC's port is there again");
+    if (!away && !alive() && !without_power_) {
+      startAgain(now_s, "the board starts the SBC's program again");
+    }
+  }
+  without_port_ = away;
+}
+
+bool SbcLink::goneForGood(double now_s) const {
+  const auto passes = [&](const Span& span) {
+    return span.to_s != kForever && span.to_s > now_s && span.from_s <= now_s;
+  };
+  const bool returns = start_ && (std::ranges::any_of(faults_.power, passes) ||
+                                  std::ranges::any_of(faults_.port, passes));
+  return !alive() && !returns;
+}
+
+void SbcLink::answerAsStuck(const std::vector<uint8_t>& bytes) {
+  for (const uint8_t byte : bytes) {
+    if (!heard_.push(byte) || !hooks::expectsAnswer(heard_.frame())) {
+      continue;
+    }
+    last_done_.answered = heard_.frame().sequence;
+    hooks::Frame frame;
+    hooks::encode(last_done_, frame);
+    frame.sequence = ++said_sequence_;
+    std::array<uint8_t, hooks::kMostEncodedBytes> encoded;
+    const uint32_t size = hooks::encodeFrame(frame, encoded.data());
+    waiting_.insert(waiting_.end(), encoded.begin(), encoded.begin() + size);
+  }
+}
+
+void SbcLink::watchDone(const std::vector<uint8_t>& bytes) {
+  for (const uint8_t byte : bytes) {
+    hooks::Done done;
+    if (said_.push(byte)) {
+      said_sequence_ = said_.frame().sequence;
+      last_done_ = hooks::decode(said_.frame(), done) ? done : last_done_;
+    }
+  }
+}
+
+void SbcLink::flush() {
   if (!waiting_.empty()) {
     const int32_t taken =
         end_.write(end_.self, waiting_.data(), static_cast<uint32_t>(waiting_.size()));
     waiting_.erase(waiting_.begin(), waiting_.begin() + taken);
   }
-  noteDeath(now_s);
-}
-
-void SbcLink::kill(double now_s) {
-  if (alive()) {
-    port_->kill();
-    waiting_.clear();
-  }
-  noteDeath(now_s);
 }
 
 void SbcLink::noteDeath(double now_s) {

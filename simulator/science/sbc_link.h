@@ -3,35 +3,70 @@
 
 #pragma once
 
+#include "hooks/protocol/frame.h"
+#include "hooks/protocol/messages.h"
+#include "simulator/faults/faults.h"
 #include "simulator/journal.h"
+#include "simulator/onlooker.h"
 #include "simulator/sbc_port.h"
 #include "simulator/science/serial_line.h"
 
+#include <memory>
 #include <vector>
 
 namespace glider::simulator {
 
-/// Joins the SBC to its end of the serial line, in lockstep, and notes how it ends.
+/// Joins the SBC to its end of the serial line, in lockstep, and does to it what goes wrong with
+/// it: power, port, clock, a mission that stands still. Notes how it ends.
 class SbcLink {
  public:
-  /// `port` may be null: a line with nobody at its other end.
-  SbcLink(SbcPort* port, SerialLine& line, Journal& journal)
-      : port_(port), end_(line.right()), journal_(journal) {}
+  /// `sbc` may be null: a line with nobody at its other end. `start` makes it anew after its power
+  /// has come back; without it, it stays off.
+  SbcLink(std::unique_ptr<SbcPort> sbc, StartSbc start, const Faults& faults, SerialLine& line,
+          Journal& journal)
+      : port_(std::move(sbc)),
+        start_(std::move(start)),
+        faults_(faults),
+        line_(line),
+        end_(line.right()),
+        journal_(journal) {}
 
+  /// Whom to show what the SBC says; null: nobody.
+  void showTo(Onlooker* onlooker) { onlooker_ = onlooker; }
   /// Hands over what has arrived by `now_s` and puts the answers on the line.
   void pump(double now_s);
-  /// Cuts the SBC's power.
-  void kill(double now_s);
   [[nodiscard]] bool alive() const { return port_ != nullptr && port_->alive(); }
+  /// True when it will not come back.
+  [[nodiscard]] bool goneForGood(double now_s) const;
 
  private:
+  void followPower(double now_s);
+  void startAgain(double now_s, const char* why);
+  void followPort(double now_s);
+  void exchange(const std::vector<uint8_t>& bytes, double now_s);
+  void answerAsStuck(const std::vector<uint8_t>& bytes);
+  void watchDone(const std::vector<uint8_t>& bytes);
+  void flush();
   void noteDeath(double now_s);
+  [[nodiscard]] double sbcClock(double now_s);
 
-  SbcPort* port_;
+  std::unique_ptr<SbcPort> port_;
+  StartSbc start_;
+  const Faults& faults_;
+  SerialLine& line_;
   GliderByteStream end_;
   Journal& journal_;
+  Onlooker* onlooker_ = nullptr;
   std::vector<uint8_t> waiting_;  ///< answers that the line had no room for yet
   bool death_noted_ = false;
+  bool without_power_ = false;
+  bool without_port_ = false;
+  double newest_clock_s_ = 0;
+
+  // What a stuck SBC goes on saying.
+  hooks::FrameDecoder heard_, said_;
+  hooks::Done last_done_;
+  uint8_t said_sequence_ = 0;
 };
 
 }  // namespace glider::simulator

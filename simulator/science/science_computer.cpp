@@ -12,14 +12,29 @@ namespace glider::simulator {
 
 constexpr double kStartOfMission = 1.25e9;  // s since 1970: the flight controller's clock, in step
 
-ScienceComputer::ScienceComputer(uint64_t seed, const SensorSettings& settings)
+ScienceComputer::ScienceComputer(uint64_t seed, const SensorSettings& settings, bool virtual_time)
     : ctd_(seed, settings.ctd),
       fluorometer_(seed, NoiseStream::Chlorophyll, settings.chlorophyll_ugpl),
-      optode_(seed, NoiseStream::Oxygen, settings.oxygen_uM) {
+      optode_(seed, NoiseStream::Oxygen, settings.oxygen_uM),
+      virtual_time_(virtual_time),
+      hookprog_({.virtual_time = virtual_time}) {
   values_.fill(std::numeric_limits<double>::quiet_NaN());
 }
 
+void ScienceComputer::restart() {
+  hookprog_ = hooks::Hookprog({.virtual_time = virtual_time_});
+  values_.fill(std::numeric_limits<double>::quiet_NaN());
+  fresh_.fill(false);
+}
+
 void ScienceComputer::set(uint16_t id, double value) {
+  if (damage_ != nullptr) {
+    const std::optional<double> reading = damage_->reading(id, value);
+    if (!reading) {
+      return;
+    }
+    value = *reading;
+  }
   // As a 4-byte sensor holds it; the clock is the only wider one.
   values_[id] = id == GLIDER_SCI_M_PRESENT_TIME ? value : hooks::asFloat32(value);
   fresh_[id] = true;

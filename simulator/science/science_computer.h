@@ -6,6 +6,7 @@
 #include "hooks/hookprog/hookprog.h"
 #include "platforms/load/platform.h"
 #include "platforms/slocum_sensors.h"
+#include "simulator/faults/sensor_damage.h"
 #include "simulator/journal.h"
 #include "simulator/ocean/ocean.h"
 #include "simulator/sensors/concentration_sensor.h"
@@ -29,7 +30,8 @@ using GuardResolver = std::function<GuardText(uint32_t list, uint32_t state, uin
 /// The science computer: runs its sensors and hookprog once a second.
 class ScienceComputer {
  public:
-  ScienceComputer(uint64_t seed, const SensorSettings& settings);
+  /// `virtual_time`: the SBC is told that time is, and waits with its clock.
+  ScienceComputer(uint64_t seed, const SensorSettings& settings, bool virtual_time = true);
 
   /// Where the vehicle is: m down, east and north of the start.
   struct Place {
@@ -39,6 +41,10 @@ class ScienceComputer {
   void run(double now_s, const Ocean& ocean, const Place& place, const GliderByteStream& sbc,
            const GliderByteStream& flight);
 
+  /// It starts again: what it knew is gone.
+  void restart();
+  /// What its sensors say from now on instead of the truth.
+  void damageBy(SensorDamage* damage) { damage_ = damage; }
   [[nodiscard]] hooks::HookprogEvent nextEvent() { return hookprog_.nextEvent(); }
   [[nodiscard]] hooks::Hookprog::SbcView sbc() const { return hookprog_.sbc(); }
   /// The newest good reading of one of its own sensors, NaN before the first.
@@ -51,7 +57,9 @@ class ScienceComputer {
 
   Ctd ctd_;
   ConcentrationSensor fluorometer_, optode_;
-  hooks::Hookprog hookprog_{{.virtual_time = true}};
+  SensorDamage* damage_ = nullptr;
+  bool virtual_time_;
+  hooks::Hookprog hookprog_;
   std::array<double, GLIDER_SENSOR_COUNT> values_;
   std::array<bool, GLIDER_SENSOR_COUNT> fresh_{};
 };

@@ -4,10 +4,12 @@
 #pragma once
 
 #include "hooks/transport/byte_stream.h"
+#include "simulator/faults/line_damage.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <utility>
 
 namespace glider::simulator {
 
@@ -18,7 +20,12 @@ class SerialLine {
   /// Bytes that may be under way in each direction: a UART's driver queue.
   static constexpr size_t kCapacity = 4096;
 
-  explicit SerialLine(double baud) : byte_time_s_(10 / baud) {
+  explicit SerialLine(double baud)
+      : SerialLine(baud, LineDamage({}, LineWay::ToSbc, 0, baud),
+                   LineDamage({}, LineWay::ToSbc, 0, baud)) {}
+  /// With what its two directions do to their bytes.
+  SerialLine(double baud, LineDamage to_left, LineDamage to_right)
+      : byte_time_s_(10 / baud), to_left_(std::move(to_left)), to_right_(std::move(to_right)) {
     left_ = {this, &to_left_, &to_right_};
     right_ = {this, &to_right_, &to_left_};
   }
@@ -29,14 +36,16 @@ class SerialLine {
   void setNow(double now_s) { now_s_ = now_s; }
   [[nodiscard]] GliderByteStream left() { return {&left_, read, write}; }
   [[nodiscard]] GliderByteStream right() { return {&right_, read, write}; }
+  /// The left (right) end loses its power: what it has not sent yet is never sent, and what it has
+  /// not read is gone.
+  void dropLeft() { drop(left_); }
+  void dropRight() { drop(right_); }
 
  private:
-  struct Byte {
-    uint8_t value;
-    double arrives_s;
-  };
   struct Direction {
-    std::deque<Byte> bytes;
+    explicit Direction(LineDamage what) : damage(std::move(what)) {}
+    LineDamage damage;
+    std::deque<LineDamage::Arrival> bytes;
     double free_s = 0;  ///< when the wire is free again
   };
   struct End {
@@ -44,6 +53,7 @@ class SerialLine {
     Direction* in = nullptr;
     Direction* out = nullptr;
   };
+  void drop(End& end);
   static int32_t read(void* self, uint8_t* bytes, uint32_t capacity);
   static int32_t write(void* self, const uint8_t* bytes, uint32_t count);
 

@@ -65,6 +65,8 @@ enum class NoiseStream : uint32_t {
   AltimeterDropout,
   Chlorophyll,
   Oxygen,
+  LineDamage,  ///< and three more, one a LineWay
+  Campaign = LineDamage + 4,
 };
 
 }  // namespace glider::simulator

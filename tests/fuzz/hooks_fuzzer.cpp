@@ -3,8 +3,7 @@
 
 #include "tests/fuzz/hooks_hostile.h"
 
-// libFuzzer: cmake -DGLIDER_FUZZ=ON, target hooks_fuzzer, then build/tests/hooks_fuzzer
-// -max_total_time=60
+// libFuzzer: target hooks_fuzzer; see scripts/soak/fuzz_hooks.
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t count) {
   glider::hooks::feedEverything(bytes, static_cast<uint32_t>(count));
   return 0;

@@ -8,6 +8,8 @@
 #include "hooks/hookbeh/hookbeh.h"
 #include "hooks/hookprog/hookprog.h"
 #include "hooks/protocol/messages.h"
+#include "hooks/protocol/sensor_list.h"
+#include "hooks/protocol/tick.h"
 
 #include <cstdint>
 #include <cstdlib>
@@ -55,6 +57,25 @@ void requireSame(const Frame& frame) {
           std::memcmp(again.payload, frame.payload, frame.size) == 0);
 }
 
+/// Of each width one sensor, and one with a dead band.
+inline Subscribe hostileSubscription() {
+  return {4, {{3, 1, 0}, {5, 1, 0}, {13, 2, 0}, {31, 1, 0.5F}}};
+}
+
+inline void requireSameTick(const Frame& frame) {
+  TickHead head;
+  TickReadings readings;
+  if (!decode(frame, head) || !decode(frame, hostileSubscription(), readings)) {
+    return;
+  }
+  Frame again;
+  encode(head, hostileSubscription(), readings, again);
+  require(again.size == frame.size);
+  TickReadings same;  // NaNs with a payload come back without
+  require(decode(again, hostileSubscription(), same));
+  require(std::memcmp(readings.told, same.told, sizeof same.told) == 0);
+}
+
 inline void decodeAll(const Frame& frame) {
   Beacon beacon;
   Hello hello;
@@ -78,11 +99,8 @@ inline void decodeAll(const Frame& frame) {
     encode(note, again);
     require(again.size <= frame.size);
   }
-  TickHead head;
+  requireSameTick(frame);
   SensorList list;
-  if (decode(frame, head, list)) {
-    require(list.count <= kMostListed);
-  }
   if (decodeList(frame, list)) {
     require(list.count <= kMostListed);
   }
@@ -106,7 +124,7 @@ inline void feedDecoders(const uint8_t* bytes, uint32_t count) {
   for (const MessageType type : types) {
     Frame frame;
     frame.type = type;
-    frame.size = static_cast<uint8_t>(count < kMostPayload ? count : kMostPayload);
+    frame.size = static_cast<uint16_t>(count < kMostPayload ? count : kMostPayload);
     if (frame.size > 0) {
       std::memcpy(frame.payload, bytes, frame.size);
     }
@@ -120,10 +138,11 @@ inline uint32_t asFrames(const uint8_t* bytes, uint32_t count, uint8_t* out, uin
   uint32_t at = 0;
   while (at + 2 <= count && size + kMostEncodedBytes <= capacity) {
     Frame frame;
-    const uint32_t wanted = bytes[at] % (kMostPayload + 1);
+    const uint32_t wanted = bytes[at];
     frame.type = static_cast<MessageType>(bytes[at + 1]);
     at += 2;
-    frame.size = static_cast<uint8_t>(wanted < count - at ? wanted : count - at);
+    frame.size = static_cast<uint16_t>(wanted < count - at ? wanted : count - at);
+    frame.sequence = static_cast<uint8_t>(at);
     if (frame.size > 0) {
       std::memcpy(frame.payload, bytes + at, frame.size);
     }
@@ -134,11 +153,11 @@ inline uint32_t asFrames(const uint8_t* bytes, uint32_t count, uint8_t* out, uin
 }
 
 inline void feedClient(const uint8_t* bytes, uint32_t count) {
-  static const uint16_t sensors[] = {3, 31};
+  const Subscribe subscription = hostileSubscription();
   ClientOptions options;
   options.mission_name = "hostile";
-  options.sensors = sensors;
-  options.sensor_count = 2;
+  options.sensors = subscription.sensors;
+  options.sensor_count = subscription.count;
   Client client(options);
   HostileStream hostile{bytes, count};
   const GliderClock clock{nullptr, [](void*) { return 0.0; }};

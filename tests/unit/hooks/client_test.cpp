@@ -18,7 +18,7 @@ class ClientTest : public testing::Test {
   ClientTest() : client_(options()) {}
 
   static ClientOptions options() {
-    static const uint16_t sensors[] = {GLIDER_M_DEPTH, GLIDER_SCI_WATER_TEMP};
+    static const Subscription sensors[] = {{GLIDER_M_DEPTH}, {GLIDER_SCI_WATER_TEMP, 2, 0.5F}};
     ClientOptions options;
     options.mission_name = "survey";
     options.session = 5;
@@ -30,9 +30,14 @@ class ClientTest : public testing::Test {
   ClientEvent poll() { return client_.poll(sbc_, clock_.clock()); }
   std::vector<Frame> answers() { return framesAt(vehicle_); }
 
-  void beacon() {
-    putMessage(vehicle_, Beacon{kProtocolVersion, false, dictionaryHash(), HookState::Ready}, 7);
+  static Subscribe subscription() { return {2, {options().sensors[0], options().sensors[1]}}; }
+
+  template <typename Message>
+  void say(const Message& message) {
+    putMessage(vehicle_, message, ++said_);
   }
+
+  void beacon() { say(Beacon{kProtocolVersion, false, dictionaryHash(), HookState::Ready}); }
 
   Hello link() {
     beacon();
@@ -41,15 +46,22 @@ class ClientTest : public testing::Test {
     Hello hello;
     EXPECT_TRUE(decode(frames.at(0), hello));
     head_.link = hello.link;
-    head_.subscription = subscriptionCheck(options().sensors, 2);
+    head_.subscription = subscriptionCheck(subscription());
     head_.hook_state = HookState::Ready;
     return hello;
   }
 
+  void sayTick(const TickReadings& readings = {}) {
+    Frame frame;
+    encode(head_, subscription(), readings, frame);
+    frame.sequence = ++said_;
+    put(vehicle_, frame);
+  }
+
   /// One cycle of the vehicle; returns the frames of the answer.
-  std::vector<Frame> tick() {
+  std::vector<Frame> tick(const TickReadings& readings = {}) {
     ++head_.cycle;
-    putMessage(vehicle_, head_, static_cast<uint8_t>(head_.cycle));
+    sayTick(readings);
     EXPECT_EQ(poll(), ClientEvent::Tick);
     client_.done({}, sbc_);
     return answers();
@@ -76,6 +88,7 @@ class ClientTest : public testing::Test {
   HandClock clock_;
   Client client_;
   TickHead head_;
+  uint8_t said_ = 0;
 };
 
 TEST_F(ClientTest, SaysNothingUnlessSpokenTo) {
@@ -100,13 +113,13 @@ TEST_F(ClientTest, AnswersABeaconWithHelloAndSubscription) {
   EXPECT_EQ(subscribe.count, 2);
   Done done;
   ASSERT_TRUE(decode(frames[2], done));
-  EXPECT_EQ(done.answered, 7);
+  EXPECT_EQ(done.answered, said_);
   EXPECT_FALSE(client_.linked());
 }
 
 TEST_F(ClientTest, WelcomeMakesTheLinkAndTeachesTheSession) {
   const auto hello = link();
-  putMessage(vehicle_, Welcome{true, hello.link, 41}, 8);
+  say(Welcome{true, hello.link, 41});
   EXPECT_EQ(poll(), ClientEvent::Handled);
   EXPECT_EQ(typesOf(answers()), (std::vector{Type::Done}));
   EXPECT_TRUE(client_.linked());
@@ -117,75 +130,112 @@ TEST_F(ClientTest, WelcomeMakesTheLinkAndTeachesTheSession) {
   EXPECT_EQ(list.values[0].value, 42) << "newer than any the vehicle knows";
 }
 
+TEST_F(ClientTest, AnInstructionWithoutAnswerGoesWithTheAnswerToTheNextWelcome) {
+  link();
+  client_.instruct(descend(HookControl::Take));
+  tick();
+  const auto hello = link();
+  say(Welcome{false, hello.link, 0});
+  EXPECT_EQ(poll(), ClientEvent::Handled);
+  EXPECT_EQ(typesOf(answers()), (std::vector{Type::Write, Type::Done}));
+}
+
 TEST_F(ClientTest, ATickOfAnotherLinkIsAnsweredWithHello) {
   head_.link = 99;
-  putMessage(vehicle_, head_);
+  sayTick();
   EXPECT_EQ(poll(), ClientEvent::Handled);
   EXPECT_EQ(typesOf(answers()), (std::vector{Type::Hello, Type::Subscribe, Type::Done}));
+}
+
+TEST_F(ClientTest, ALinkThatTheVehicleMayStillTakeIsAskedForAgainAUsedOneIsNot) {
+  const auto asked = [&] {
+    Hello hello;
+    EXPECT_TRUE(decode(answers().at(0), hello));
+    return hello.link;
+  };
+  const uint32_t first = link().link;
+  beacon();
+  poll();
+  EXPECT_EQ(asked(), first) << "the Hello may still be under way";
+  head_.link = first + 50;
+  sayTick();
+  poll();
+  EXPECT_EQ(asked(), first);
+  head_.link = first;
+  tick();
+  beacon();
+  poll();
+  EXPECT_EQ(asked(), first + 1) << "the vehicle had it, and was started again";
 }
 
 TEST_F(ClientTest, ALostSubscriptionIsRepeated) {
   link();
   head_.subscription = 0xFFFF;
   EXPECT_EQ(typesOf(tick()), (std::vector{Type::Subscribe, Type::Done}));
-  head_.subscription = subscriptionCheck(options().sensors, 2);
+  head_.subscription = subscriptionCheck(subscription());
   EXPECT_EQ(typesOf(tick()), (std::vector{Type::Done}));
 }
 
 TEST_F(ClientTest, AnotherDictionaryOrVersionIsRefusedOnce) {
-  putMessage(vehicle_, Beacon{kProtocolVersion, false, dictionaryHash() + 1, HookState::Ready});
+  say(Beacon{kProtocolVersion, false, dictionaryHash() + 1, HookState::Ready});
   EXPECT_EQ(poll(), ClientEvent::Refused);
   EXPECT_TRUE(client_.refusal().refused);
   EXPECT_EQ(client_.refusal().dictionary, dictionaryHash() + 1);
   EXPECT_EQ(typesOf(answers()).back(), Type::Done);
-  putMessage(vehicle_, Beacon{kProtocolVersion, false, dictionaryHash() + 1, HookState::Ready});
+  say(Beacon{kProtocolVersion, false, dictionaryHash() + 1, HookState::Ready});
   EXPECT_EQ(poll(), ClientEvent::Handled) << "told once";
-  putMessage(vehicle_, Beacon{2, false, 0, HookState::Ready});
+  say(Beacon{2, false, 0, HookState::Ready});
   EXPECT_EQ(poll(), ClientEvent::Refused);
   EXPECT_EQ(client_.refusal().version, 2);
   answers();
-  putMessage(vehicle_, head_);
+  sayTick();
   EXPECT_EQ(poll(), ClientEvent::Handled);
   EXPECT_EQ(typesOf(answers()), (std::vector{Type::Done})) << "no tick of a stranger is believed";
   link();
   EXPECT_FALSE(client_.refusal().refused);
 }
 
-TEST_F(ClientTest, PartsOfATickAreOneTick) {
+TEST_F(ClientTest, AnUnchangedReadingIsThereWithTheValueThatIsHeld) {
   link();
-  head_.cycle = 3;
-  head_.vehicle_time_s = 12;
-  Frame first;
-  encode(head_, first);
-  ASSERT_TRUE(appendValue(first, {GLIDER_M_DEPTH, 12}));
-  markMore(first);
-  put(vehicle_, first);
-  EXPECT_EQ(poll(), ClientEvent::Handled);
-  EXPECT_TRUE(answers().empty()) << "only the last part is answered";
-  head_.continues = true;
-  Frame last;
-  encode(head_, last);
-  ASSERT_TRUE(appendValue(last, {GLIDER_SCI_WATER_TEMP, 17}));
-  put(vehicle_, last);
-  EXPECT_EQ(poll(), ClientEvent::Tick);
+  tick({{Told::Value, Told::Value}, {12.5, 17}});
   ASSERT_EQ(client_.tick().reading_count, 2U);
-  EXPECT_EQ(client_.tick().readings[0].value, 12);
-  EXPECT_EQ(client_.tick().readings[1].value, 17);
-  EXPECT_EQ(client_.tick().vehicle_time_s, 12);
+  tick({{Told::Nothing, Told::Unchanged}, {}});
+  ASSERT_EQ(client_.tick().reading_count, 1U);
+  EXPECT_EQ(client_.tick().readings[0].id, GLIDER_SCI_WATER_TEMP);
+  EXPECT_EQ(client_.tick().readings[0].value, 17);
+  tick({{Told::Unchanged, Told::Value}, {0, 18}});
+  ASSERT_EQ(client_.tick().reading_count, 2U);
+  EXPECT_EQ(client_.tick().readings[0].value, 12.5);
+  EXPECT_EQ(client_.tick().readings[1].value, 18);
 }
 
-TEST_F(ClientTest, ReadingsOfAnEarlierCycleDoNotMixIn) {
+TEST_F(ClientTest, AReadingThatIsNotHeldIsAskedFor) {
   link();
-  head_.cycle = 3;
-  Frame first;
-  encode(head_, first);
-  ASSERT_TRUE(appendValue(first, {GLIDER_M_DEPTH, 12}));
-  markMore(first);
-  put(vehicle_, first);
-  poll();
-  tick();  // the rest of cycle 3 was lost; this is cycle 4
-  EXPECT_EQ(client_.tick().cycle, 4U);
+  EXPECT_EQ(typesOf(tick({{Told::Unchanged, Told::Value}, {0, 17}})),
+            (std::vector{Type::Subscribe, Type::Done}));
+  ASSERT_EQ(client_.tick().reading_count, 1U) << "what is known is a reading all the same";
+  EXPECT_EQ(client_.tick().readings[0].value, 17);
+  EXPECT_EQ(typesOf(tick({{Told::Nothing, Told::Unchanged}, {}})),
+            (std::vector{Type::Subscribe, Type::Done}))
+      << "who subscribes anew holds nothing";
+}
+
+TEST_F(ClientTest, ReadingsOfAnotherSubscriptionAreNotRead) {
+  link();
+  head_.subscription = 0xFFFF;
+  EXPECT_EQ(typesOf(tick({{Told::Value, Told::Value}, {12.5, 17}})),
+            (std::vector{Type::Subscribe, Type::Done}));
   EXPECT_EQ(client_.tick().reading_count, 0U);
+  EXPECT_EQ(client_.tick().cycle, head_.cycle) << "its head counts";
+}
+
+TEST_F(ClientTest, ATickThatComesTwiceIsOneTick) {
+  link();
+  tick();
+  --said_;
+  sayTick();
+  EXPECT_EQ(poll(), ClientEvent::Nothing);
+  EXPECT_TRUE(answers().empty());
 }
 
 TEST_F(ClientTest, AnInstructionGoesRoundedAndCheckedWithItsSequenceLast) {
@@ -202,18 +252,15 @@ TEST_F(ClientTest, AnInstructionGoesRoundedAndCheckedWithItsSequenceLast) {
   Done done;
   ASSERT_TRUE(decode(frames[1], done));
   EXPECT_EQ(done.session, 5U);
-  EXPECT_EQ(typesOf(tick()), (std::vector{Type::Done})) << "sent once, then waited for";
 }
 
 TEST_F(ClientTest, AnUnansweredInstructionIsWrittenAgainWithTheSameNumber) {
   link();
   const uint16_t sequence = client_.instruct(descend(HookControl::Take));
-  for (int round = 0; round < 3; ++round) {
+  for (int round = 0; round < 9; ++round) {
     const auto frames = tick();
     ASSERT_EQ(typesOf(frames), (std::vector{Type::Write, Type::Done}));
     EXPECT_EQ(written(frames[0]).values[10].value, sequence);
-    EXPECT_EQ(typesOf(tick()), (std::vector{Type::Done}));
-    EXPECT_EQ(typesOf(tick()), (std::vector{Type::Done}));
   }
   head_.answered_sequence = sequence;
   head_.answer = HookAnswer::Accepted;
@@ -232,6 +279,41 @@ TEST_F(ClientTest, ABadCheckIsRepairedAtOnceARefusalIsNotRepeated) {
   head_.answer = HookAnswer::TooDeep;
   for (int i = 0; i < 5; ++i) {
     EXPECT_EQ(typesOf(tick()), (std::vector{Type::Done}));
+  }
+}
+
+TEST_F(ClientTest, WhoIsNotAnsweredDoesNotClaimControl) {
+  link();
+  const auto claimed = [](const std::vector<Frame>& frames) {
+    Done done;
+    EXPECT_TRUE(decode(frames.back(), done));
+    return done.session;
+  };
+  client_.instruct(descend(HookControl::Take));
+  tick();
+  for (uint32_t i = 1; i <= 8; ++i) {
+    EXPECT_EQ(claimed(tick()), i < Client::kMostUnansweredTicks ? 5U : 0U) << i;
+    EXPECT_EQ(client_.tick().unanswered_ticks, i);
+  }
+  head_.answered_sequence = 1;
+  head_.answer = HookAnswer::BadCheck;
+  EXPECT_EQ(claimed(tick()), 5U) << "something got through";
+  for (uint32_t i = 1; i <= 8; ++i) {
+    EXPECT_EQ(claimed(tick()), i < Client::kMostUnansweredTicks ? 5U : 0U) << "but never whole";
+  }
+  head_.answer = HookAnswer::Accepted;
+  EXPECT_EQ(claimed(tick()), 5U);
+  EXPECT_EQ(client_.tick().unanswered_ticks, 0U);
+}
+
+TEST_F(ClientTest, ANewInstructionInEveryTickIsAnsweredWhenEarlierOnesAre) {
+  link();
+  for (int i = 0; i < 30; ++i) {
+    const uint16_t sequence = client_.instruct(descend(HookControl::Take));
+    tick();
+    EXPECT_LE(client_.tick().unanswered_ticks, 1U);
+    head_.answered_sequence = static_cast<uint16_t>(sequence - 1);  // always one behind
+    head_.answer = HookAnswer::Accepted;
   }
 }
 
@@ -336,7 +418,7 @@ TEST_F(ClientTest, ANumberThatTheVehicleFoundAtItsStartIsGivenUp) {
   EXPECT_EQ(client_.tick().instruction_sequence, dead + 1);
   const auto list = written(frames.at(0));
   EXPECT_EQ(list.values[list.count - 1].value, dead + 1);
-  EXPECT_EQ(typesOf(tick()), (std::vector{Type::Done})) << "once, not again in every tick";
+  EXPECT_EQ(written(tick().at(0)).values[10].value, dead + 1) << "not another one in every tick";
   head_.answered_sequence = static_cast<uint16_t>(dead + 1);
   head_.answer = HookAnswer::Accepted;
   for (int i = 0; i < 5; ++i) {

@@ -3,6 +3,7 @@
 
 #include "hooks/clothesline/clothesline.h"
 
+#include "hooks/protocol/messages.h"
 #include "hooks/transport/memory.h"
 #include "platforms/slocum_sensors.h"
 

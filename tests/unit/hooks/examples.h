@@ -4,6 +4,8 @@
 #pragma once
 
 #include "hooks/protocol/messages.h"
+#include "hooks/protocol/sensor_list.h"
+#include "hooks/protocol/tick.h"
 #include "platforms/slocum_sensors.h"
 
 #include <string>
@@ -11,6 +13,11 @@
 #include <vector>
 
 namespace glider::hooks {
+
+/// What the example Subscribe asks for.
+inline Subscribe exampleSubscription() {
+  return {3, {{GLIDER_M_DEPTH, 1, 0.0F}, {GLIDER_M_LAT, 1, 0.0F}, {GLIDER_M_BATTERY, 15, 0.25F}}};
+}
 
 /// The frames that hooks/protocol/README.md shows.
 inline std::vector<std::pair<std::string, Frame>> exampleFrames() {
@@ -25,20 +32,18 @@ inline std::vector<std::pair<std::string, Frame>> exampleFrames() {
       [](Frame& f) { encode(Beacon{kProtocolVersion, true, 0x12345678, HookState::Ready}, f); });
   add("Welcome", 2, [](Frame& f) { encode(Welcome{true, 7, 6}, f); });
   add("Tick", 3, [](Frame& f) {
-    const uint16_t ids[] = {GLIDER_M_DEPTH, GLIDER_M_LAT};
     TickHead head;
     head.virtual_time = true;
     head.link = 7;
     head.vehicle_time_s = 264;
     head.cycle = 66;
-    head.subscription = subscriptionCheck(ids, 2);
+    head.subscription = subscriptionCheck(exampleSubscription());
     head.hook_state = HookState::Active;
     head.answer = HookAnswer::Accepted;
     head.answered_sequence = 258;
     head.session = 7;
-    encode(head, f);
-    (void)appendValue(f, {GLIDER_M_DEPTH, 12.5});
-    (void)appendValue(f, {GLIDER_M_LAT, 3910.5});
+    encode(head, exampleSubscription(),
+           TickReadings{{Told::Value, Told::Unchanged, Told::Nothing}, {12.5}}, f);
   });
   add("Hello", 1, [](Frame& f) {
     Hello hello;
@@ -49,7 +54,7 @@ inline std::vector<std::pair<std::string, Frame>> exampleFrames() {
     }
     encode(hello, f);
   });
-  add("Subscribe", 2, [](Frame& f) { encode(Subscribe{2, {GLIDER_M_DEPTH, GLIDER_M_LAT}}, f); });
+  add("Subscribe", 2, [](Frame& f) { encode(exampleSubscription(), f); });
   add("Write", 3, [](Frame& f) {
     encodeEmptyList(MessageType::Write, f);
     (void)appendValue(f, {GLIDER_SCI_HOOK_CONTROL, 2});

@@ -3,15 +3,18 @@
 
 #include "hooks/protocol/frame.h"
 
+#include "hooks/protocol/crc.h"
 #include "tests/unit/hooks/examples.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <fstream>
 #include <map>
 #include <random>
 #include <sstream>
+#include <vector>
 
 namespace glider::hooks {
 namespace {
@@ -53,10 +56,16 @@ std::map<std::string, std::string> documentedFrames() {
   return frames;
 }
 
-TEST(Frame, CrcIsCcittFalse) {
-  const char* text = "123456789";
-  EXPECT_EQ(crc16(reinterpret_cast<const uint8_t*>(text), 9), 0x29B1);
+TEST(Frame, CrcsAreThoseOfTheCatalogue) {
+  const auto* text = reinterpret_cast<const uint8_t*>("123456789");
+  EXPECT_EQ(crc16(text, 9), 0x29B1);
   EXPECT_EQ(crc16(nullptr, 0), 0xFFFF);
+  EXPECT_EQ(crc32c(text, 9), 0xE3069283U);
+  EXPECT_EQ(crc32c(nullptr, 0), 0U);
+  EXPECT_EQ(crc32c(text + 4, 5, crc32c(text, 4)), 0xE3069283U) << "in two pieces";
+  EXPECT_EQ(crc16(text + 4, 5, crc16(text, 4)), 0x29B1) << "in two pieces";
+  const uint8_t zeros[32] = {};
+  EXPECT_EQ(crc32c(zeros, 32), 0x8A9136AAU) << "the example of RFC 3720";
 }
 
 TEST(Frame, ReadmeShowsTheVeryBytes) {
@@ -77,7 +86,7 @@ TEST(Frame, EveryLengthAndContentComesBack) {
       Frame frame;
       frame.type = MessageType::Write;
       frame.sequence = static_cast<uint8_t>(size * 7);
-      frame.size = static_cast<uint8_t>(size);
+      frame.size = static_cast<uint16_t>(size);
       for (uint32_t i = 0; i < size; ++i) {
         frame.payload[i] = kind == 0   ? uint8_t{0}
                            : kind == 1 ? uint8_t{255}
@@ -86,7 +95,8 @@ TEST(Frame, EveryLengthAndContentComesBack) {
       }
       uint8_t bytes[kMostEncodedBytes];
       const uint32_t count = encodeFrame(frame, bytes);
-      ASSERT_LE(count, kMostEncodedBytes);
+      ASSERT_LE(count, encodedBound(size));
+      ASSERT_LE(encodedBound(size), kMostEncodedBytes);
       FrameDecoder decoder;
       for (uint32_t i = 0; i + 1 < count; ++i) {
         ASSERT_NE(bytes[i], 0);
@@ -144,6 +154,47 @@ TEST(Frame, EveryFlippedBitAndLostByteIsNoticed) {
       }
     }
   }
+}
+
+TEST(Frame, ADoubleIsPassedOverAndCounted) {
+  FrameDecoder decoder;
+  const auto examples = exampleFrames();
+  uint32_t good = 0;
+  for (int round = 0; round < 3; ++round) {  // the same numbers again, but not one after the other
+    for (const auto& [name, frame] : examples) {
+      uint8_t bytes[kMostEncodedBytes];
+      const uint32_t size = encodeFrame(frame, bytes);
+      for (int copy = 0; copy < 2; ++copy) {
+        for (uint32_t i = 0; i < size; ++i) {
+          good += decoder.push(bytes[i]) ? 1U : 0U;
+        }
+      }
+    }
+  }
+  EXPECT_EQ(good, 3 * examples.size());
+  EXPECT_EQ(decoder.doubles(), 3 * examples.size());
+  EXPECT_EQ(decoder.badFrames(), 0U);
+}
+
+TEST(Frame, ALongerFrameThanAnyIsRefused) {
+  // As a later version might send it: right in every other way.
+  std::vector<uint8_t> plain(kMostFrameBytes + 1, 7);
+  plain[0] = static_cast<uint8_t>(MessageType::Tick);
+  const uint32_t check = crc32c(plain.data(), kMostFrameBytes - 3);
+  for (uint32_t i = 0; i < 4; ++i) {
+    plain[kMostFrameBytes - 3 + i] = static_cast<uint8_t>(check >> (8 * i));
+  }
+  FrameDecoder decoder;
+  for (size_t at = 0; at < plain.size(); at += 254) {
+    const size_t group = std::min<size_t>(254, plain.size() - at);
+    decoder.push(static_cast<uint8_t>(group + 1));
+    for (size_t i = 0; i < group; ++i) {
+      ASSERT_NE(plain[at + i], 0);
+      decoder.push(plain[at + i]);
+    }
+  }
+  EXPECT_FALSE(decoder.push(0));
+  EXPECT_EQ(decoder.badFrames(), 1U);
 }
 
 TEST(Frame, UnknownTypesAreRefused) {

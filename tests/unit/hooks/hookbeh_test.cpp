@@ -406,5 +406,37 @@ TEST(Hookbeh, HalfWrittenNumbersAreNoInstruction) {
   }
 }
 
+TEST(Hookbeh, AnInstructionThatStaysGarbledIsSilenceThoughTheHeartBeats) {
+  HookbehBench bench;
+  bench.cycle();
+  bench.give(HookbehBench::take());
+  bench.write(HookbehBench::ascend(5));
+  bench.inputs.hook_pitch_rad = 0.5;  // torn
+  double garbled_s = 0;
+  while (bench.cycle().state == HookState::Active) {
+    garbled_s += 4;
+    ASSERT_LE(garbled_s, 24);
+  }
+  EXPECT_GE(garbled_s, 16);
+  bench.write(HookbehBench::ascend(5));
+  EXPECT_EQ(bench.cycle().answer, HookAnswer::WrongSession) << "too late";
+}
+
+TEST(Hookbeh, AGarbledInstructionThatHealsInTimeIsObeyed) {
+  HookbehBench bench;
+  bench.cycle();
+  bench.give(HookbehBench::take());
+  for (int round = 0; round < 10; ++round) {
+    bench.write(HookbehBench::ascend(5 + round));
+    const double right = bench.inputs.check;
+    bench.inputs.check = right + 1;
+    for (int i = 0; i < 5; ++i) {
+      ASSERT_EQ(bench.cycle().answer, HookAnswer::BadCheck);
+    }
+    bench.inputs.check = right;
+    ASSERT_EQ(bench.cycle().answer, HookAnswer::Accepted);
+  }
+}
+
 }  // namespace
 }  // namespace glider::hooks

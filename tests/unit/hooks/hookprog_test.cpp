@@ -56,7 +56,7 @@ class HookprogTest : public testing::Test {
 
   template <typename Message>
   void say(const Message& message) {
-    putMessage(sbc_line_.right(), message);
+    putMessage(sbc_line_.right(), message, ++said_);
   }
 
   void hello(uint32_t link = 7) {
@@ -65,9 +65,30 @@ class HookprogTest : public testing::Test {
     hello.link = link;
     hello.mission_name[0] = 'm';
     say(hello);
-    Subscribe subscribe{3, {GLIDER_M_DEPTH, GLIDER_SCI_WATER_TEMP, GLIDER_M_PITCH}};
-    say(subscribe);
+    say(subscription());
     say(answered());
+    run();
+  }
+
+  static Subscribe subscription() {
+    return {3, {{GLIDER_M_DEPTH}, {GLIDER_SCI_WATER_TEMP}, {GLIDER_M_PITCH}}};
+  }
+
+  /// The newest Tick, which must be there.
+  TickReadings tick(const Subscribe& subscribed, TickHead* head = nullptr) {
+    const auto frames = atSbc();
+    TickHead unused;
+    TickReadings readings;
+    EXPECT_EQ(frames.size(), 1U);
+    EXPECT_TRUE(decode(frames.at(0), head == nullptr ? unused : *head));
+    EXPECT_TRUE(decode(frames.at(0), subscribed, readings));
+    tick_sequence_ = frames.at(0).sequence;
+    return readings;
+  }
+
+  /// The SBC answers the newest Tick that tick() has seen.
+  void answerTick() {
+    say(Done{tick_sequence_, 0, {now_, 0, 0, 1}});
     run();
   }
 
@@ -81,6 +102,7 @@ class HookprogTest : public testing::Test {
     for (const auto& value : values) {
       ASSERT_TRUE(appendValue(frame, value));
     }
+    frame.sequence = ++said_;
     put(sbc_line_.right(), frame);
   }
 
@@ -101,6 +123,8 @@ class HookprogTest : public testing::Test {
   std::map<uint16_t, double> science_;
   double now_ = 0;
   double cycle_ = 0;
+  uint8_t said_ = 0;
+  uint8_t tick_sequence_ = 0;
   HookprogEvent last_event_;
 };
 
@@ -162,23 +186,24 @@ TEST_F(HookprogTest, ATickHasTheSubscribedSensorsThatAreFresh) {
          {GLIDER_X_HOOK_SEQUENCE, 9},
          {GLIDER_X_HOOK_ANSWER, 1},
          {GLIDER_X_HOOK_SESSION, 4}});
-  auto frames = atSbc();
-  ASSERT_EQ(typesOf(frames), (std::vector{Type::Tick}));
   TickHead head;
-  SensorList readings;
-  ASSERT_TRUE(decode(frames[0], head, readings));
+  TickReadings readings = tick(subscription(), &head);
   EXPECT_EQ(head.vehicle_time_s, 4);
   EXPECT_EQ(head.cycle, 1U);
   EXPECT_EQ(head.hook_state, HookState::Active);
   EXPECT_EQ(head.answer, HookAnswer::Accepted);
   EXPECT_EQ(head.answered_sequence, 9);
   EXPECT_EQ(head.session, 4U);
-  ASSERT_EQ(readings.count, 2U);
-  EXPECT_EQ(readings.values[0].value, 12.5);
-  EXPECT_EQ(readings.values[1].value, 17.5);
+  EXPECT_EQ(head.subscription, subscriptionCheck(subscription()));
+  EXPECT_EQ(readings.told[0], Told::Value);
+  EXPECT_EQ(readings.values[0], 12.5);
+  EXPECT_EQ(readings.told[1], Told::Value);
+  EXPECT_EQ(readings.values[1], 17.5);
+  EXPECT_EQ(readings.told[2], Told::Nothing) << "never reported";
   cycle();
-  ASSERT_TRUE(decode(atSbc().at(0), head, readings));
-  EXPECT_EQ(readings.count, 0U) << "nothing was reported anew";
+  readings = tick(subscription());
+  EXPECT_EQ(readings.told[0], Told::Nothing) << "nothing was reported anew";
+  EXPECT_EQ(readings.told[1], Told::Nothing);
 }
 
 TEST_F(HookprogTest, OneTickACycleHoweverOftenItRuns) {
@@ -200,33 +225,167 @@ TEST_F(HookprogTest, ATickNeedsTimeAndCycleAnew) {
   EXPECT_TRUE(atSbc().empty()) << "the frame with the time was lost";
 }
 
-TEST_F(HookprogTest, ManyReadingsGoInParts) {
-  Hello hello;
-  hello.dictionary = dictionaryHash();
-  hello.link = 7;
-  say(hello);
-  Subscribe subscribe;
-  std::vector<SensorUpdate> values;
-  for (uint16_t i = 0; i < kMostSubscriptions; ++i) {
-    subscribe.ids[subscribe.count++] = GLIDER_M_LAT;
+TEST_F(HookprogTest, OnlyWhatTheSbcDoesNotHoldIsSentOnceItHasAnswered) {
+  hello();
+  atSbc();
+  cycle({{GLIDER_M_DEPTH, 12.5}, {GLIDER_M_PITCH, 0.1}});
+  EXPECT_EQ(tick(subscription()).told[0], Told::Value);
+  answerTick();
+  cycle({{GLIDER_M_DEPTH, 12.5}, {GLIDER_M_PITCH, 0.2}});
+  const TickReadings readings = tick(subscription());
+  EXPECT_EQ(readings.told[0], Told::Unchanged);
+  EXPECT_EQ(readings.told[2], Told::Value);
+  EXPECT_EQ(readings.values[2], static_cast<double>(0.2F));
+}
+
+TEST_F(HookprogTest, AValueWhoseTickWasNotAnsweredIsSentAgain) {
+  hello();
+  atSbc();
+  cycle({{GLIDER_M_DEPTH, 12.5}});
+  tick(subscription());
+  answerTick();
+  cycle({{GLIDER_M_DEPTH, 14}});
+  EXPECT_EQ(tick(subscription()).told[0], Told::Value);
+  cycle({{GLIDER_M_DEPTH, 12.5}});  // as before the lost one: the SBC may have heard that
+  EXPECT_EQ(tick(subscription()).told[0], Told::Value);
+  cycle({{GLIDER_M_DEPTH, 12.5}});
+  EXPECT_EQ(tick(subscription()).told[0], Told::Value);
+  answerTick();
+  cycle({{GLIDER_M_DEPTH, 12.5}});
+  EXPECT_EQ(tick(subscription()).told[0], Told::Unchanged);
+}
+
+TEST_F(HookprogTest, ALateAnswerConfirmsWhatItsTickSaidUnlessAnotherValueWentSince) {
+  hello();
+  atSbc();
+  cycle({{GLIDER_M_DEPTH, 12.5}, {GLIDER_M_PITCH, 0.1}});
+  tick(subscription());
+  const uint8_t first = tick_sequence_;
+  cycle({{GLIDER_M_DEPTH, 12.5}, {GLIDER_M_PITCH, 0.2}});
+  tick(subscription());
+  cycle({{GLIDER_M_DEPTH, 12.5}, {GLIDER_M_PITCH, 0.1}});
+  tick(subscription());
+  tick_sequence_ = first;
+  answerTick();
+  cycle({{GLIDER_M_DEPTH, 12.5}, {GLIDER_M_PITCH, 0.1}});
+  const TickReadings readings = tick(subscription());
+  EXPECT_EQ(readings.told[0], Told::Unchanged);
+  EXPECT_EQ(readings.told[2], Told::Value) << "the SBC may hold 0.2";
+}
+
+TEST_F(HookprogTest, AnAnswerToWhatIsNoTickConfirmsNothing) {
+  hello();
+  atSbc();
+  cycle({{GLIDER_M_DEPTH, 12.5}});
+  tick(subscription());
+  ++tick_sequence_;
+  answerTick();
+  cycle({{GLIDER_M_DEPTH, 12.5}});
+  EXPECT_EQ(tick(subscription()).told[0], Told::Value);
+}
+
+TEST_F(HookprogTest, ANewSubscriptionOrLinkStartsWithNothingHeld) {
+  hello();
+  atSbc();
+  for (int i = 0; i < 2; ++i) {
+    cycle({{GLIDER_M_DEPTH, 12.5}});
+    EXPECT_EQ(tick(subscription()).told[0], Told::Value);
+    say(subscription());
+    answerTick();
+    cycle({{GLIDER_M_DEPTH, 12.5}});
+    EXPECT_EQ(tick(subscription()).told[0], Told::Value)
+        << "the answer came after the subscription";
+    answerTick();
+    cycle({{GLIDER_M_DEPTH, 12.5}});
+    EXPECT_EQ(tick(subscription()).told[0], Told::Unchanged);
+    hello(8);
+    atSbc();
   }
-  say(subscribe);
+}
+
+TEST_F(HookprogTest, EachValueIsSentAnewAfterSixteenTicks) {
+  hello();
+  atSbc();
+  int last = 0;
+  for (int i = 0; i < 100; ++i) {
+    cycle({{GLIDER_M_DEPTH, 12.5}});
+    if (tick(subscription()).told[0] == Told::Value) {
+      EXPECT_EQ(i - last, i == 0 ? 0 : 16);
+      last = i;
+    }
+    answerTick();
+  }
+  EXPECT_GT(last, 80);
+}
+
+TEST_F(HookprogTest, ADeadBandHoldsSmallChangesBackButNotTheirSum) {
+  hello();
+  const Subscribe wanted{2, {{GLIDER_M_DEPTH, 1, 0.5F}, {GLIDER_M_PITCH, 1, 0.5F}}};
+  say(wanted);
+  run();
+  atSbc();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  struct Row {
+    double depth;
+    Told told;
+  };
+  for (const Row& row :
+       {Row{10, Told::Value}, Row{10.25, Told::Unchanged}, Row{9.5, Told::Unchanged},
+        Row{10.5, Told::Unchanged}, Row{10.75, Told::Value}, Row{10.25, Told::Unchanged},
+        Row{nan, Told::Value}, Row{nan, Told::Unchanged}, Row{10.75, Told::Value}}) {
+    cycle({{GLIDER_M_DEPTH, row.depth}});
+    EXPECT_EQ(tick(wanted).told[0], row.told) << row.depth;
+    answerTick();
+  }
+}
+
+TEST_F(HookprogTest, WithoutADeadBandEveryBitIsAChange) {
+  hello();
+  atSbc();
+  for (const double depth : {0.0, -0.0, 1e-40, 0.0}) {
+    cycle({{GLIDER_M_DEPTH, depth}});
+    EXPECT_EQ(tick(subscription()).told[0], Told::Value) << depth;
+    answerTick();
+  }
+}
+
+TEST_F(HookprogTest, ARateIsKeptButALostTickIsMadeUpForAtOnce) {
+  hello();
+  const Subscribe wanted{1, {{GLIDER_M_DEPTH, 3, 0}}};
+  say(wanted);
+  run();
+  atSbc();
+  double depth = 0;
+  const auto told = [&](bool answer) {
+    cycle({{GLIDER_M_DEPTH, ++depth}});
+    const Told one = tick(wanted).told[0];
+    if (answer) {
+      answerTick();
+    }
+    return one;
+  };
+  for (int i = 0; i < 9; ++i) {
+    EXPECT_EQ(told(true), i % 3 == 0 ? Told::Value : Told::Nothing) << i;
+  }
+  EXPECT_EQ(told(false), Told::Value);
+  EXPECT_EQ(told(true), Told::Value) << "the one before was not answered";
+  EXPECT_EQ(told(true), Told::Nothing);
+}
+
+TEST_F(HookprogTest, SixtyFourReadingsGoInOneFrame) {
+  hello();
+  Subscribe wanted;
+  for (uint16_t i = 0; i < kMostSubscriptions; ++i) {
+    wanted.sensors[wanted.count++] = {GLIDER_M_LAT, 1, 0};
+  }
+  say(wanted);
   run();
   atSbc();
   cycle({{GLIDER_M_LAT, 3910}});
-  const auto frames = atSbc();
-  ASSERT_EQ(frames.size(), 3U);
-  uint32_t total = 0;
-  for (size_t i = 0; i < 3; ++i) {
-    TickHead head;
-    SensorList readings;
-    ASSERT_TRUE(decode(frames[i], head, readings));
-    EXPECT_EQ(head.more, i < 2);
-    EXPECT_EQ(head.continues, i > 0);
-    EXPECT_EQ(expectsAnswer(frames[i]), i == 2);
-    total += readings.count;
+  const TickReadings readings = tick(wanted);
+  for (const Told told : readings.told) {
+    EXPECT_EQ(told, Told::Value);
   }
-  EXPECT_EQ(total, kMostSubscriptions);
 }
 
 TEST_F(HookprogTest, NothingGoesToFlightWithoutAHookbeh) {
@@ -276,7 +435,7 @@ TEST_F(HookprogTest, EachAnswerOfTheSessionInControlIsAHeartbeat) {
   atFlight();
   double before = std::numeric_limits<double>::quiet_NaN();
   for (int i = 0; i < 3; ++i) {
-    say(answered(4));
+    say(answered(4, 2 + i));
     run();
     const auto got = atFlight();
     ASSERT_EQ(got.size(), 1U);
@@ -291,6 +450,61 @@ TEST_F(HookprogTest, EachAnswerOfTheSessionInControlIsAHeartbeat) {
   say(answered(5));
   run();
   EXPECT_EQ(atFlight().size(), 1U) << "nobody is in control: any answer shows that an SBC lives";
+}
+
+TEST_F(HookprogTest, AnswersWithoutProgressAreNoHeartbeatAndAreToldOnce) {
+  cycle({{GLIDER_X_HOOK_STATE, 3}, {GLIDER_X_HOOK_SESSION, 4}});
+  hello();
+  say(answered(4, 100));
+  run();
+  EXPECT_EQ(atFlight().size(), 1U);
+  events();
+  for (int i = 0; i < 40; ++i) {
+    say(answered(4, 100));
+    cycle();
+    EXPECT_TRUE(atFlight().empty()) << i;
+  }
+  EXPECT_EQ(events(), (std::vector{Kind::SbcStuck}));
+  EXPECT_EQ(last_event_.a, 4U);
+  say(answered(4, 104));
+  run();
+  EXPECT_EQ(atFlight().size(), 1U) << "it flies again";
+}
+
+TEST_F(HookprogTest, AnotherLinkIsNoProgressAnotherSessionIs) {
+  cycle({{GLIDER_X_HOOK_STATE, 3}, {GLIDER_X_HOOK_SESSION, 4}});
+  hello();
+  say(answered(4, 5000));
+  run();
+  hello(8);
+  atFlight();
+  say(answered(4, 5000));
+  run();
+  EXPECT_TRUE(atFlight().empty()) << "the same stuck mission";
+  cycle({{GLIDER_X_HOOK_SESSION, 5}});
+  say(answered(5, 4));
+  run();
+  EXPECT_EQ(atFlight().size(), 1U);
+}
+
+TEST_F(HookprogTest, AnInstructionThatHookbehDoesNotAnswerIsToldOnce) {
+  cycle({{GLIDER_X_HOOK_STATE, 3}, {GLIDER_X_HOOK_SEQUENCE, 6}});
+  hello();
+  events();
+  for (int i = 0; i < 30; ++i) {
+    write({{GLIDER_SCI_HOOK_SESSION, 4}, {GLIDER_SCI_HOOK_SEQUENCE, i < 15 ? 7.0 : 8.0}});
+    say(answered());
+    cycle();
+    EXPECT_EQ(events().size(), i == 12 ? 1U : 0U) << i;
+  }
+  EXPECT_EQ(last_event_.kind, Kind::SbcUnanswered);
+  EXPECT_EQ(last_event_.a, 7U);
+  cycle({{GLIDER_X_HOOK_SEQUENCE, 8}});
+  for (int i = 0; i < 20; ++i) {
+    say(answered());
+    cycle();
+  }
+  EXPECT_TRUE(events().empty()) << "answered";
 }
 
 TEST_F(HookprogTest, TheSbcIsLostAfterTwelveSecondsWithoutAnswer) {

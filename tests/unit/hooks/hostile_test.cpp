@@ -43,7 +43,7 @@ TEST(Hostile, DamagedGoodFrames) {
         encoded.resize(encodeFrame(frame, encoded.data()));
         bytes.insert(bytes.end(), encoded.begin(), encoded.end());
       } else {  // the fuzzer's own form, behind the checksum
-        bytes.push_back(frame.size);
+        bytes.push_back(static_cast<uint8_t>(frame.size));
         bytes.push_back(static_cast<uint8_t>(frame.type));
         bytes.insert(bytes.end(), frame.payload, frame.payload + frame.size);
       }

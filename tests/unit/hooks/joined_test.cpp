@@ -9,7 +9,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <deque>
+#include <functional>
 #include <map>
+#include <memory>
 #include <random>
 #include <set>
 #include <string>
@@ -27,13 +31,27 @@ class NoisyLine {
   GliderByteStream right() { return right_.right(); }
   /// Moves what the line carries in `seconds`.
   void carry(double seconds) {
-    move(left_.right(), right_.left(), seconds);
-    move(right_.left(), left_.right(), seconds);
+    now_ += seconds;
+    move(left_.right(), right_.left(), to_right_, seconds);
+    move(right_.left(), left_.right(), to_left_, seconds);
   }
   void setDamage(double damage) { damage_ = damage; }
+  void setDelay(double seconds) { delay_ = seconds; }
+  /// Longer frames do not get through to the right end.
+  void setLongestToRight(size_t bytes) { to_right_.longest = bytes; }
 
  private:
-  void move(const GliderByteStream& from, const GliderByteStream& to, double seconds) {
+  struct UnderWay {
+    uint8_t byte;
+    double due;
+  };
+  struct Way {
+    std::vector<uint8_t> frame;  ///< as far as it has come
+    std::deque<UnderWay> bytes;
+    size_t longest = SIZE_MAX;
+  };
+
+  void move(const GliderByteStream& from, const GliderByteStream& to, Way& way, double seconds) {
     uint8_t byte = 0;
     for (double budget = speed_ * seconds; budget >= 1 && from.read(from.self, &byte, 1) == 1;
          --budget) {
@@ -43,12 +61,24 @@ class NoisyLine {
         }
         byte = static_cast<uint8_t>(byte ^ (1U << random_() % 8));
       }
-      to.write(to.self, &byte, 1);
+      way.frame.push_back(byte);
+      if (byte == 0) {
+        for (const uint8_t one :
+             way.frame.size() <= way.longest ? way.frame : std::vector<uint8_t>()) {
+          way.bytes.push_back({one, now_ + delay_});
+        }
+        way.frame.clear();
+      }
+    }
+    for (; !way.bytes.empty() && way.bytes.front().due <= now_; way.bytes.pop_front()) {
+      to.write(to.self, &way.bytes.front().byte, 1);
     }
   }
 
   double speed_;
   double damage_;
+  double delay_ = 0, now_ = 0;
+  Way to_left_, to_right_;
   std::mt19937 random_;
   std::uniform_real_distribution<double> chance_{0, 1};
   MemoryLine left_;
@@ -90,6 +120,11 @@ class FlightController {
   double time = 0;
   double depth = 10;
   uint32_t received = 0;
+  /// What was reported in each cycle.
+  struct Report {
+    double depth = 0, latitude = 0;
+  };
+  std::map<uint32_t, Report> reported;
 
  private:
   double get(uint16_t id) const {
@@ -119,7 +154,9 @@ class FlightController {
 
   void report(const GliderByteStream& line) {
     std::vector<SensorUpdate> report{
-        {GLIDER_M_DEPTH, depth}, {GLIDER_M_PITCH, 0.1}, {GLIDER_M_LAT, 3910}};
+        {GLIDER_M_DEPTH, depth}, {GLIDER_M_PITCH, 0.1}, {GLIDER_M_LAT, latitude()}};
+    reported[static_cast<uint32_t>(cycle_)] = {static_cast<double>(static_cast<float>(depth)),
+                                               latitude()};
     if (with_hookbeh_) {
       report.push_back({GLIDER_X_HOOK_STATE, static_cast<double>(outputs.state)});
       report.push_back({GLIDER_X_HOOK_SEQUENCE, static_cast<double>(outputs.answered_sequence)});
@@ -133,6 +170,9 @@ class FlightController {
     clothesline_.poll(line, unused, 0);
   }
 
+  /// Changes now and then, back and forth.
+  double latitude() const { return 3910 + std::floor(cycle_ / 3) - 2 * std::floor(cycle_ / 6); }
+
   Clothesline clothesline_;
   Hookbeh hookbeh_;
   bool with_hookbeh_;
@@ -144,11 +184,13 @@ class FlightController {
 /// a while.
 class Mission {
  public:
-  explicit Mission(double give_back_s, uint32_t session = 1)
-      : give_back_s_(give_back_s), client_(options(session)) {}
+  explicit Mission(double give_back_s, uint32_t session = 1, float dead_band = 0)
+      : give_back_s_(give_back_s), client_(options(session, dead_band)) {}
 
-  static ClientOptions options(uint32_t session) {
-    static const uint16_t sensors[] = {GLIDER_M_DEPTH, GLIDER_M_LAT};
+  static ClientOptions options(uint32_t session, float dead_band) {
+    static Subscription sensors[2];
+    sensors[0] = {GLIDER_M_DEPTH, 1, dead_band};
+    sensors[1] = {GLIDER_M_LAT};
     ClientOptions options;
     options.mission_name = "yo";
     options.session = session;
@@ -162,8 +204,11 @@ class Mission {
     while (true) {
       const ClientEvent event = client_.poll(line, clock_.clock());
       if (event == ClientEvent::Tick) {
-        decide();
-        client_.done({now, 0, 0, 1}, line);
+        if (!stuck) {
+          decide();
+          newest_s_ = now;
+        }
+        client_.done({newest_s_, 0, 0, 1}, line);
       } else if (event != ClientEvent::Handled) {
         return;
       }
@@ -173,10 +218,14 @@ class Mission {
   /// What was told to hookbeh under each sequence number.
   std::map<uint16_t, Instruction> told;
   bool finished = false;
+  bool stuck = false;  ///< it answers, but that is all
+  /// Sees each tick.
+  std::function<void(const VehicleTick&)> watch = [](const VehicleTick&) {};
 
  private:
   void decide() {
     const VehicleTick& tick = client_.tick();
+    watch(tick);
     for (uint32_t i = 0; i < tick.reading_count; ++i) {
       if (tick.readings[i].id == GLIDER_M_DEPTH) {
         depth_ = tick.readings[i].value;
@@ -216,7 +265,7 @@ class Mission {
   double give_back_s_;
   Client client_;
   HandClock clock_;
-  double depth_ = 10;
+  double depth_ = 10, newest_s_ = 0;
   bool down_ = true;
   bool asked_ = false;
   int turn_ = 0;
@@ -334,6 +383,56 @@ TEST(Joined, DamagedLinesNeverGiveAWrongOrDoubledCommand) {
   }
 }
 
+TEST(Joined, ALineWithMoreThanACycleOfDelayStillMakesALinkAndFlies) {
+  for (const double delay : {2.5, 4.5, 5.5}) {
+    Vehicle vehicle(0, 1);
+    vehicle.sbc_line.setDelay(delay);
+    Mission mission(1200);
+    Witness witness;
+    for (int i = 0; i < 1400; ++i) {
+      vehicle.second(&mission);
+      witness.look(vehicle.flight, mission);
+    }
+    EXPECT_GE(witness.accepted(), 10U) << delay;
+    EXPECT_EQ(vehicle.flight.outputs.state, HookState::Complete) << delay;
+  }
+}
+
+TEST(Joined, WhatTheSbcReadsIsWhatTheVehicleReportedInThatCycle) {
+  for (uint32_t seed = 1; seed <= 40; ++seed) {
+    const float dead_band = seed % 2 == 0 ? 0.0F : 1.5F;
+    Vehicle vehicle(seed % 5 == 0 ? 0 : 0.002, seed);
+    uint32_t depths = 0;
+    uint32_t ticks = 0;
+    const auto check = [&](const VehicleTick& tick) {
+      ++ticks;
+      ASSERT_TRUE(vehicle.flight.reported.contains(tick.cycle)) << "seed " << seed;
+      const auto& report = vehicle.flight.reported.at(tick.cycle);
+      for (uint32_t i = 0; i < tick.reading_count; ++i) {
+        const bool is_depth = tick.readings[i].id == GLIDER_M_DEPTH;
+        depths += is_depth ? 1U : 0U;
+        const double off = tick.readings[i].value - (is_depth ? report.depth : report.latitude);
+        ASSERT_LE(std::abs(off), is_depth ? dead_band : 0.0F)
+            << "seed " << seed << " cycle " << tick.cycle;
+      }
+    };
+    auto mission = std::make_unique<Mission>(1200, 1, dead_band);
+    mission->watch = check;
+    for (int i = 0; i < 1300; ++i) {
+      if (i % 200 == 199 && seed % 4 == 0) {  // a power cut: it starts again with nothing
+        mission = std::make_unique<Mission>(1200, 1, dead_band);
+        mission->watch = check;
+      }
+      vehicle.second(mission.get());
+      if (testing::Test::HasFatalFailure()) {
+        return;
+      }
+    }
+    EXPECT_GT(ticks, 200U) << "seed " << seed;
+    EXPECT_GT(depths, ticks * 9 / 10) << "each is there, changed or not; seed " << seed;
+  }
+}
+
 TEST(Joined, AKilledSbcIsSilentInTime) {
   for (uint32_t seed = 1; seed <= 12; ++seed) {
     Vehicle vehicle(0, seed);
@@ -352,6 +451,46 @@ TEST(Joined, AKilledSbcIsSilentInTime) {
     EXPECT_GT(silent_at, killed);
     EXPECT_LE(silent_at, killed + 24 + 8);
   }
+}
+
+TEST(Joined, AStuckMissionIsSilentInTimeThoughItAnswers) {
+  Vehicle vehicle(0, 1);
+  Mission mission(5000);
+  double silent_at = 0;
+  for (int i = 0; i < 600; ++i) {
+    mission.stuck = i >= 400;
+    vehicle.second(&mission);
+    if (silent_at == 0 && vehicle.flight.outputs.state == HookState::Silent) {
+      silent_at = vehicle.flight.time;
+    }
+  }
+  EXPECT_GT(silent_at, 400);
+  EXPECT_LE(silent_at, 400 + 24 + 8);
+}
+
+TEST(Joined, CommandsThatNeverArriveEndControlInTimeThoughTheHeartBeats) {
+  Vehicle vehicle(0, 1);
+  Mission mission(5000);
+  Witness witness;
+  double lost_from = 0;
+  double silent_at = 0;
+  for (int i = 0; i < 600; ++i) {
+    if (i == 400) {
+      vehicle.flight_line.setLongestToRight(40);  // heartbeats yes, instructions no
+    }
+    const size_t told = mission.told.size();
+    vehicle.second(&mission);
+    if (i > 400 && lost_from == 0 && mission.told.size() > told) {
+      lost_from = i;
+    }
+    if (silent_at == 0 && vehicle.flight.outputs.state == HookState::Silent) {
+      silent_at = vehicle.flight.time;
+    }
+  }
+  // 6 ticks without an answer, then silence.
+  EXPECT_GT(lost_from, 0);
+  EXPECT_GT(silent_at, lost_from + 24);
+  EXPECT_LE(silent_at, lost_from + 24 + 24 + 8);
 }
 
 TEST(Joined, ACutClotheslineIsSilence) {

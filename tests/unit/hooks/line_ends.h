@@ -5,6 +5,8 @@
 
 #include "hooks/protocol/frame_reader.h"
 #include "hooks/protocol/messages.h"
+#include "hooks/protocol/sensor_list.h"
+#include "hooks/protocol/tick.h"
 #include "hooks/transport/clock.h"
 #include "hooks/transport/memory.h"
 #include "platforms/slocum_sensors.h"

@@ -19,15 +19,17 @@ bool taken(const Frame& frame) {
   Beacon beacon;
   Welcome welcome;
   TickHead head;
+  TickReadings readings;
   SensorList list;
   Hello hello;
   Subscribe subscribe;
   TransitionNotice notice;
   MissionNote note;
   Done done;
-  const int takers = decode(frame, beacon) + decode(frame, welcome) + decode(frame, head, list) +
-                     decode(frame, hello) + decode(frame, subscribe) + decode(frame, notice) +
-                     decode(frame, done) + decode(frame, note) + decodeList(frame, list);
+  const bool tick = decode(frame, head) && decode(frame, exampleSubscription(), readings);
+  const int takers = decode(frame, beacon) + decode(frame, welcome) + tick + decode(frame, hello) +
+                     decode(frame, subscribe) + decode(frame, notice) + decode(frame, done) +
+                     decode(frame, note) + decodeList(frame, list);
   EXPECT_LE(takers, 1);
   return takers == 1;
 }
@@ -37,7 +39,7 @@ TEST(Messages, EachIsTakenByItsOwnDecoderOnlyAndOnlyAtItsLength) {
     EXPECT_TRUE(taken(frame)) << name;
     for (uint32_t size = 0; size <= kMostPayload; ++size) {
       Frame other = frame;
-      other.size = static_cast<uint8_t>(size);
+      other.size = static_cast<uint16_t>(size);
       EXPECT_EQ(taken(other), size == frame.size) << name << " with " << size << " bytes";
     }
   }
@@ -45,10 +47,10 @@ TEST(Messages, EachIsTakenByItsOwnDecoderOnlyAndOnlyAtItsLength) {
 
 TEST(Messages, TickComesBack) {
   TickHead head;
-  SensorList readings;
-  ASSERT_TRUE(decode(exampleFrames()[2].second, head, readings));
-  EXPECT_FALSE(head.more);
-  EXPECT_FALSE(head.continues);
+  TickReadings readings;
+  const Frame frame = exampleFrames()[2].second;
+  ASSERT_TRUE(decode(frame, head));
+  ASSERT_TRUE(decode(frame, exampleSubscription(), readings));
   EXPECT_TRUE(head.virtual_time);
   EXPECT_EQ(head.link, 7U);
   EXPECT_EQ(head.vehicle_time_s, 264);
@@ -57,10 +59,64 @@ TEST(Messages, TickComesBack) {
   EXPECT_EQ(head.answer, HookAnswer::Accepted);
   EXPECT_EQ(head.answered_sequence, 258);
   EXPECT_EQ(head.session, 7U);
-  ASSERT_EQ(readings.count, 2U);
-  EXPECT_EQ(readings.values[0].id, GLIDER_M_DEPTH);
-  EXPECT_EQ(readings.values[0].value, 12.5);
-  EXPECT_EQ(readings.values[1].value, 3910.5);
+  EXPECT_EQ(readings.told[0], Told::Value);
+  EXPECT_EQ(readings.values[0], 12.5);
+  EXPECT_EQ(readings.told[1], Told::Unchanged);
+  EXPECT_EQ(readings.told[2], Told::Nothing);
+}
+
+TEST(Messages, TheLargestTickFitsAFrameAndComesBack) {
+  Subscribe subscription;
+  TickReadings readings;
+  for (uint32_t i = 0; i < kMostSubscriptions; ++i) {
+    subscription.sensors[subscription.count++] = {GLIDER_M_LAT, 1, 0};
+    readings.told[i] = Told::Value;
+    readings.values[i] = 3910 + i / 64.0;
+  }
+  Frame frame;
+  encode(TickHead{}, subscription, readings, frame);
+  EXPECT_EQ(frame.size, 20U + 2 * 8 + 64 * 8);
+  TickReadings again;
+  ASSERT_TRUE(decode(frame, subscription, again));
+  for (uint32_t i = 0; i < kMostSubscriptions; ++i) {
+    EXPECT_EQ(again.told[i], Told::Value);
+    EXPECT_EQ(again.values[i], readings.values[i]);
+  }
+  encode(subscription, frame);
+  Subscribe back;
+  ASSERT_TRUE(decode(frame, back));
+  EXPECT_EQ(back.count, kMostSubscriptions);
+}
+
+TEST(Messages, ATicksMapsMustMakeSense) {
+  const Subscribe subscription = exampleSubscription();
+  Frame frame;
+  encode(TickHead{}, subscription, TickReadings{}, frame);
+  TickReadings readings;
+  ASSERT_TRUE(decode(frame, subscription, readings));
+  frame.payload[20] = 8;  // a fourth sensor of three
+  EXPECT_FALSE(decode(frame, subscription, readings));
+  frame.payload[20] = 0;
+  frame.payload[21] = 1;  // a value of what was not reported
+  EXPECT_FALSE(decode(frame, subscription, readings));
+  frame.payload[20] = 1;  // the value is missing
+  EXPECT_FALSE(decode(frame, subscription, readings));
+  frame.size += 4;
+  EXPECT_TRUE(decode(frame, subscription, readings));
+  frame.size += 1;
+  EXPECT_FALSE(decode(frame, subscription, readings));
+}
+
+TEST(Messages, ASubscriptionsCheckKnowsRatesAndDeadBands) {
+  const Subscribe one = exampleSubscription();
+  Subscribe other = one;
+  EXPECT_EQ(subscriptionCheck(one), subscriptionCheck(other));
+  other.sensors[2].every = 14;
+  EXPECT_NE(subscriptionCheck(one), subscriptionCheck(other));
+  other = one;
+  other.sensors[0].dead_band = 0.5F;
+  EXPECT_NE(subscriptionCheck(one), subscriptionCheck(other));
+  EXPECT_EQ(subscriptionCheck(Subscribe{}), 0xFFFF);
 }
 
 TEST(Messages, AnotherVersionsHelloAndBeaconAreStillReadAsSuch) {
@@ -75,6 +131,19 @@ TEST(Messages, AnotherVersionsHelloAndBeaconAreStillReadAsSuch) {
   Hello hello;
   ASSERT_TRUE(decode(frame, hello));
   EXPECT_EQ(hello.version, kProtocolVersion + 1);
+}
+
+TEST(Messages, TheBeaconOfVersion2IsUnderstoodAsThat) {
+  const uint8_t bytes[] = {0x0c, 1, 1, 2, 4, 0x78, 0x56, 0x34, 0x12, 2, 0xff, 0xc3, 0};
+  FrameDecoder decoder;
+  bool whole = false;
+  for (const uint8_t byte : bytes) {
+    whole = decoder.push(byte);
+  }
+  ASSERT_TRUE(whole);
+  Beacon beacon;
+  ASSERT_TRUE(decode(decoder.frame(), beacon));
+  EXPECT_EQ(beacon.version, 2);
 }
 
 TEST(Messages, ValuesThatNoSenderWritesAreRefused) {
@@ -92,12 +161,15 @@ TEST(Messages, ValuesThatNoSenderWritesAreRefused) {
   EXPECT_FALSE(decode(frame, done));
   encode(Done{1, 0, {1, 0, 0, 3}}, frame);
   EXPECT_FALSE(decode(frame, done));
-  encode(Done{1, kMostSession + 1, {1, 0, 0, 1}}, frame);
-  EXPECT_FALSE(decode(frame, done));
 
   Subscribe subscribe;
-  encode(Subscribe{1, {GLIDER_SENSOR_COUNT}}, frame);
-  EXPECT_FALSE(decode(frame, subscribe));
+  for (const Subscription& wrong :
+       {Subscription{GLIDER_SENSOR_COUNT, 1, 0}, Subscription{0, 0, 0}, Subscription{0, 1, -0.5F},
+        Subscription{0, 1, std::numeric_limits<float>::quiet_NaN()},
+        Subscription{0, 1, std::numeric_limits<float>::infinity()}}) {
+    encode(Subscribe{1, {wrong}}, frame);
+    EXPECT_FALSE(decode(frame, subscribe));
+  }
 
   encodeEmptyList(MessageType::Write, frame);
   EXPECT_FALSE(appendValue(frame, {GLIDER_SENSOR_COUNT, 1}));
@@ -172,24 +244,23 @@ TEST(Messages, LockstepWaitsForTheDoneOfTheNewestFrame) {
   };
   EXPECT_TRUE(lockstep.settled());
   Frame first;
-  encode(TickHead{}, first);
+  encode(Welcome{}, first);
   first.sequence = 9;
-  markMore(first);
   auto bytes = bytesOf(first);
   lockstep.toSbc(bytes.data(), static_cast<uint32_t>(bytes.size()));
-  EXPECT_TRUE(lockstep.settled()) << "only the last part of a tick is answered";
+  EXPECT_FALSE(lockstep.settled());
   Frame last;
-  encode(TickHead{}, last);
+  encode(TickHead{}, Subscribe{}, TickReadings{}, last);
   last.sequence = 10;
   bytes = bytesOf(last);
   lockstep.toSbc(bytes.data(), static_cast<uint32_t>(bytes.size()) - 1);
-  EXPECT_TRUE(lockstep.settled()) << "not whole yet";
-  lockstep.toSbc(&bytes.back(), 1);
-  EXPECT_FALSE(lockstep.settled());
   Frame done;
   encode(Done{9, 0, {}}, done);
   bytes = bytesOf(done);
   lockstep.fromSbc(bytes.data(), static_cast<uint32_t>(bytes.size()));
+  EXPECT_TRUE(lockstep.settled()) << "the tick is not whole yet";
+  bytes = bytesOf(last);
+  lockstep.toSbc(&bytes.back(), 1);
   EXPECT_FALSE(lockstep.settled());
   encode(Done{10, 0, {}}, done);
   bytes = bytesOf(done);

@@ -77,5 +77,28 @@ TEST(Platform, ValuesOutsideTheirMeaningAreRefused) {
   EXPECT_FALSE(with("\"flight\"", "\"kitchen\""));
 }
 
+TEST(Platform, HowOftenAndHowExactlyASensorIsHeardOf) {
+  const auto with = [](const std::string& stale, const std::string& more) {
+    std::string text = std::string(kHead) + kSensor;
+    text.replace(text.rfind("stale_after_s = 1.0"), 19, "stale_after_s = " + stale);
+    return load(text + more);
+  };
+  const auto usual = with("1.0", "");
+  ASSERT_TRUE(usual);
+  EXPECT_EQ(usual->sensors[0].every_s, 4) << "in each cycle";
+  EXPECT_EQ(usual->sensors[0].dead_band, 0) << "exactly";
+  const auto sparse = with("60.0", "every_s = 60.0\ndead_band = 0.25\n");
+  ASSERT_TRUE(sparse) << sparse.error().message;
+  EXPECT_EQ(sparse->sensors[0].every_s, 60);
+  EXPECT_EQ(sparse->sensors[0].dead_band, 0.25);
+  EXPECT_FALSE(with("60.0", "every_s = 64.0\n")) << "stale before the next one comes";
+  EXPECT_FALSE(with("60.0", "every_s = 6.0\n")) << "between two cycles";
+  EXPECT_FALSE(with("60.0", "every_s = 0.0\n"));
+  EXPECT_FALSE(with("2000.0", "every_s = 1024.0\n")) << "more cycles than a byte counts";
+  EXPECT_FALSE(with("60.0", "dead_band = -0.1\n"));
+  EXPECT_FALSE(with("60.0", "dead_band = nan\n"));
+  EXPECT_FALSE(with("60.0", "dead_band = 2.0\n")) << "wider than the range";
+}
+
 }  // namespace
 }  // namespace glider::platforms

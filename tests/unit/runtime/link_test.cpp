@@ -287,6 +287,39 @@ TEST_F(LinkTest, InRealTimeASilentLinkMakesTicksOfTheClockAlone) {
   EXPECT_THAT(log_text_, HasSubstr(",event,silent link,"));
 }
 
+TEST_F(LinkTest, AClockThatJumpsDoesNotCarryTheMissionAway) {
+  end = 5000;
+  VehicleBench vehicle({.silence_secs = 24}, false);
+  boot(vehicle);
+  vehicle.run(60);
+  const double before = gliderRuntimeContext(runtime_)->mission_time;
+  sbc_time_ += 3600;
+  const GliderByteStream stream = vehicle.sbcEnd();
+  const GliderClock clock{&sbc_time_, [](void* t) { return *static_cast<double*>(t); }};
+  for (int i = 0; i < 3; ++i) {
+    (void)gliderRuntimePoll(runtime_, &stream, &clock);
+  }
+  EXPECT_LE(gliderRuntimeContext(runtime_)->mission_time, before + 16);
+  vehicle.run(100);
+  EXPECT_NEAR(gliderRuntimeContext(runtime_)->mission_time, before + 40, 0.1);
+  EXPECT_EQ(vehicle.hookbeh().state, hooks::HookState::Active) << "it stood still for 16 s at most";
+}
+
+TEST_F(LinkTest, AnInstructionWithoutAnswerIsLoggedOnce) {
+  VehicleBench vehicle({.silence_secs = 24});
+  boot(vehicle);
+  vehicle.run(60);
+  const double told = vehicle.array(GLIDER_X_HOOK_SEQUENCE);
+  vehicle.forgets_sequence = true;
+  vehicle.run(200);
+  const std::string line = ",event,instruction unanswered,";
+  const size_t first = log_text_.find(line);
+  ASSERT_NE(first, std::string::npos);
+  EXPECT_EQ(log_text_.substr(first + line.size(), 2),
+            std::to_string(static_cast<int>(told) + 1) + ",");
+  EXPECT_EQ(vehicle.hookbeh().state, hooks::HookState::Silent);
+}
+
 TEST_F(LinkTest, SaysWhenTheLineIsClosed) {
   VehicleBench vehicle({});
   boot(vehicle);

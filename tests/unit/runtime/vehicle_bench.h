@@ -32,7 +32,8 @@ class VehicleBench {
   /// Depth and temperature at a vehicle time.
   std::function<double(double)> depth = [](double) { return 10.0; };
   std::function<double(double)> temperature = [](double) { return 20.0; };
-  bool line_is_cut = false;  ///< the SBC is not polled, and hears nothing of it
+  bool line_is_cut = false;       ///< the SBC is not polled, and hears nothing of it
+  bool forgets_sequence = false;  ///< new instructions do not get into the sensor array
 
   [[nodiscard]] GliderByteStream sbcEnd() { return sbc_line_.right(); }
   void closeLine() { sbc_line_.close(); }
@@ -96,7 +97,9 @@ class VehicleBench {
     for (uint32_t count = 64; count == 64;) {
       count = flight_.poll(clothesline_.right(), updates, 64);
       for (uint32_t i = 0; i < count; ++i) {
-        array_[updates[i].id] = updates[i].value;
+        if (!forgets_sequence || updates[i].id != GLIDER_SCI_HOOK_SEQUENCE) {
+          array_[updates[i].id] = updates[i].value;
+        }
       }
     }
   }

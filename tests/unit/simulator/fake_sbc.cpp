@@ -10,8 +10,8 @@
 namespace glider::simulator {
 namespace {
 
-constexpr uint16_t kSensors[] = {GLIDER_M_PRESENT_SECS_INTO_MISSION, GLIDER_M_DEPTH,
-                                 GLIDER_SCI_WATER_TEMP};
+constexpr hooks::Subscription kSensors[] = {
+    {GLIDER_M_PRESENT_SECS_INTO_MISSION}, {GLIDER_M_DEPTH}, {GLIDER_SCI_WATER_TEMP}};
 
 }  // namespace
 
@@ -36,6 +36,14 @@ void FakePilot::tick(const GliderByteStream& stream) {
     depth = tick.readings[i].id == GLIDER_M_DEPTH ? tick.readings[i].value : depth;
   }
   const double mission_time = taken_ ? tick.vehicle_time_s - start_s_ : 0;
+  constexpr int kPatience = 6;  // ticks: the vehicle's answer to a handshake takes some
+  const bool silent = tick.hook_state == hooks::HookState::Silent;
+  if (silent && plan_.takes_again && !given_back_ && silent_ticks_++ % kPatience == 0) {
+    start_s_ = taken_ ? start_s_ : tick.vehicle_time_s;
+    taken_ = false;
+    steer(diving_ ? plan_.bottom_m : plan_.top_m);
+    taken_ = true;
+  }
   if (!taken_ && tick.hook_state == hooks::HookState::Ready) {
     steer(plan_.bottom_m);
     taken_ = true;
@@ -60,7 +68,7 @@ void FakePilot::poll(const GliderByteStream& stream, const GliderClock& clock) {
     const hooks::ClientEvent event = client_.poll(stream, clock);
     if (event == hooks::ClientEvent::Tick) {
       tick(stream);
-    } else if (event != hooks::ClientEvent::Handled) {
+    } else if (event != hooks::ClientEvent::Handled && event != hooks::ClientEvent::SilentLink) {
       closed_ = event == hooks::ClientEvent::Closed;
       return;
     }
@@ -69,6 +77,9 @@ void FakePilot::poll(const GliderByteStream& stream, const GliderClock& clock) {
 
 int32_t FakeSbc::read(void* self, uint8_t* bytes, uint32_t capacity) {
   auto& in = static_cast<FakeSbc*>(self)->in_;
+  if (!static_cast<FakeSbc*>(self)->plugged_) {
+    return -1;
+  }
   uint32_t count = 0;
   while (count < capacity && !in.empty()) {
     bytes[count++] = in.front();

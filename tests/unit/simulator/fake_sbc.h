@@ -21,6 +21,7 @@ class FakePilot {
     double top_m = 5, bottom_m = 20;
     double give_back_s = 1e9;  ///< mission time
     double pitch_rad = 0.4538;
+    bool takes_again = false;  ///< after silence, with the mission where it is
   };
   explicit FakePilot(Plan plan);
   /// Answers all frames that are there.
@@ -36,22 +37,26 @@ class FakePilot {
   hooks::Client client_;
   bool taken_ = false, diving_ = true, given_back_ = false, closed_ = false;
   double start_s_ = 0;
-  int ticks_ = 0;
+  int ticks_ = 0, silent_ticks_ = 0;
 };
 
 /// The pilot as an SBC in memory. `silent_from_s`: from then on it hears but does not answer, as a
 /// hung board would.
 class FakeSbc final : public SbcPort {
  public:
-  explicit FakeSbc(FakePilot::Plan plan, double silent_from_s = 1e9)
-      : pilot_(plan), silent_from_s_(silent_from_s) {}
+  explicit FakeSbc(FakePilot::Plan plan, double silent_from_s = 1e9, bool keeps_time = false)
+      : pilot_(plan), silent_from_s_(silent_from_s), keeps_time_(keeps_time) {}
 
   [[nodiscard]] std::string way() const override { return "in-process"; }
   void deliver(std::span<const uint8_t> bytes, double now_s) override;
   std::vector<uint8_t> collect() override;
   void kill() override { killed_ = true; }
-  [[nodiscard]] bool alive() const override { return !killed_; }
-  [[nodiscard]] std::string epitaph() const override { return killed_ ? "killed" : ""; }
+  void plug(bool in) override { plugged_ = in; }
+  [[nodiscard]] bool keepsTime() const override { return keeps_time_; }
+  [[nodiscard]] bool alive() const override { return !killed_ && !pilot_.closed(); }
+  [[nodiscard]] std::string epitaph() const override {
+    return killed_ ? "killed" : pilot_.closed() ? "exited with status 2" : "";
+  }
 
  private:
   static int32_t read(void* self, uint8_t* bytes, uint32_t capacity);
@@ -63,6 +68,8 @@ class FakeSbc final : public SbcPort {
   std::deque<uint8_t> in_;
   std::vector<uint8_t> out_;
   double now_s_ = 0;
+  bool keeps_time_;
+  bool plugged_ = true;
   bool killed_ = false;
 };
 

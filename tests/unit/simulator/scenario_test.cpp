@@ -165,6 +165,60 @@ TEST_F(ScenarioFile, RefusesWrongTablesWithTheirLine) {
   }
 }
 
+TEST_F(ScenarioFile, ReadsFaults) {
+  ASSERT_EQ(
+      load(kHead + kStart +
+           "[[faults.line]]\nline = \"sbc\"\nfrom_s = 10\nto_s = 20\nloss = 0.1\nbursts = 0.2\n"
+           "burst_bytes = 5\n[[faults.line]]\nline = \"to_flight\"\nfrom_s = 3\ncut = true\n"
+           "[[faults.sensor]]\nsensor = \"m_depth\"\nfrom_s = 1\nvalue = nan\n"
+           "[[faults.sensor]]\nsensor = \"m_depth\"\nfrom_s = 1\nfrozen = true\n"
+           "[[faults.power]]\nfrom_s = 5\n[[faults.port]]\nfrom_s = 5\nto_s = 6\n"
+           "[[faults.stuck]]\nfrom_s = 7\n[[faults.science]]\nat_s = 8\n"
+           "[[faults.clock]]\nat_s = 9\nby_s = -4\n[[faults.abort]]\nat_s = 30\n"),
+      "");
+  const Faults& faults = scenario_.faults;
+  ASSERT_EQ(faults.lines.size(), 3U) << "both directions of one, one of the other";
+  EXPECT_EQ(faults.lines[0].way, LineWay::ToSbc);
+  EXPECT_EQ(faults.lines[1].way, LineWay::FromSbc);
+  EXPECT_EQ(faults.lines[1].loss, 0.1);
+  EXPECT_EQ(faults.lines[1].burst_bytes, 5);
+  EXPECT_TRUE(faults.lines[2].cut);
+  EXPECT_EQ(faults.lines[2].when.to_s, kForever);
+  EXPECT_TRUE(std::isnan(faults.sensors[0].value));
+  EXPECT_EQ(faults.sensors[1].kind, SensorFault::Kind::Frozen);
+  EXPECT_EQ(faults.power[0].to_s, kForever);
+  EXPECT_EQ(faults.port[0].to_s, 6);
+  EXPECT_EQ(faults.science[0].to_s, 68) << "a minute unless told otherwise";
+  EXPECT_EQ(faults.clock[0].by_s, -4);
+  EXPECT_EQ(faults.first(), 1);
+  EXPECT_EQ(faults.lastEnd(), 68);
+}
+
+TEST_F(ScenarioFile, RefusesFaultsThatAreNone) {
+  const std::pair<std::string, const char*> bad[] = {
+      {"[faults]\nwind = 3\n", "`wind`"},
+      {"[faults]\nline = 3\n", "[[faults.line]] tables"},
+      {"[[faults.line]]\nline = \"up\"\nfrom_s = 1\ncut = true\n", "must be \"sbc\""},
+      {"[[faults.line]]\nline = \"sbc\"\nfrom_s = 1\n", "nothing wrong"},
+      {"[[faults.line]]\nline = \"sbc\"\nloss = 1\n", "no `from_s`"},
+      {"[[faults.line]]\nline = \"sbc\"\nfrom_s = 1\nloss = 1.1\n", "between 0 and 1"},
+      {"[[faults.power]]\nfrom_s = 10\nto_s = 10\n", "must be after `from_s`"},
+      {"[[faults.power]]\nfrom_s = -1\n", "between 0 and"},
+      {"[[faults.sensor]]\nsensor = \"m_depth\"\nfrom_s = 1\n", "needs one of"},
+      {"[[faults.sensor]]\nsensor = \"m_depth\"\nfrom_s = 1\nfrozen = true\nvalue = 3\n",
+       "needs one of"},
+      {"[[faults.sensor]]\nsensor = \"m_depth\"\nfrom_s = 1\nvalue = \"3\"\n", "must be a number"},
+      {"[[faults.clock]]\nat_s = 1\n", "no `by_s`"},
+      {"[[faults.science]]\nat_s = 1\ntakes_s = 0\n", "between 1 and"},
+      {"[[faults.abort]]\nfrom_s = 1\n", "`from_s`"},
+  };
+  for (const auto& [text, why] : bad) {
+    const std::string said = load(kHead + kStart + "\n" + text);
+    EXPECT_TRUE(said.starts_with("GL5001")) << text << "\n-> " << said;
+    EXPECT_NE(said.find(why), std::string::npos) << text << "\n-> " << said;
+  }
+}
+
 TEST_F(ScenarioFile, RefusesWhatIsNotRight) {
   const std::string bad[] = {
       "name = ",

@@ -4,6 +4,19 @@
 #include "runtime/board/port.h"
 
 #include <errno.h>
+#include <new>
+
+glider::runtime::OpenPort glider::runtime::openDevice(const char* path, uint32_t baud) {
+  // It lives as long as the program. An object with a destructor would have the C library keep a
+  // list of what to call at the end, on the heap.
+  alignas(hooks::SerialDevice) static uint8_t memory[sizeof(hooks::SerialDevice)];
+  static auto* const device = ::new (memory) hooks::SerialDevice;
+  const int error = device->open(path, baud);
+  if (error != 0) {
+    return {{}, -1, portProblem(error)};
+  }
+  return {device->stream(), device->descriptor(), nullptr};
+}
 
 const char* glider::runtime::portProblem(int error) {
   switch (error) {

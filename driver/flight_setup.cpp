@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "driver/flight_setup.h"
+
+#include "driver/exit_code.h"
+#include "driver/explain_guard.h"
+#include "driver/terminal.h"
+#include "ir/opt/optimise.h"
+
+namespace glider::driver {
+
+std::unique_ptr<Compilation> compileForFlight(const std::string& mission, int& status) {
+  auto compiled = compileMission(mission);
+  if (!compiled) {
+    status = reportFailure(compiled.error());
+    return nullptr;
+  }
+  reportDiagnostics((*compiled)->diagnostics, (*compiled)->sources);
+  status = (*compiled)->ok() ? kFine : kMissionHasErrors;
+  if (status != kFine) {
+    return nullptr;
+  }
+  ir::optimise(*(*compiled)->mission);  // as `build` does: the flight's states have those numbers
+  return std::move(*compiled);
+}
+
+void describeMission(simulator::SimulationSetup& setup, const Compilation& compilation) {
+  setup.mission_name = compilation.mission->name;
+  for (const ir::State& state : compilation.mission->states) {
+    setup.state_names.push_back(state.name);
+  }
+  setup.explain = [&compilation](uint32_t list, uint32_t state, uint32_t fired_case) {
+    return explainGuard(compilation, list, state, fired_case);
+  };
+}
+
+}  // namespace glider::driver

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "hooks/hookprog/reporter.h"
+
+#include "hooks/protocol/numbers.h"
+
+namespace glider::hooks {
+
+void Reporter::serve(const Subscribe& subscribe) {
+  subscription_ = subscribe;
+  check_ = subscriptionCheck(subscribe);
+  for (Row& row : rows_) {
+    row = Row{};
+  }
+  remembered_ = 0;
+}
+
+void Reporter::begin() {
+  for (uint32_t i = 0; i < subscription_.count; ++i) {
+    Row& row = rows_[i];
+    readings_.told[i] = Told::Nothing;
+    row.rest = row.rest > 0 ? static_cast<uint8_t>(row.rest - 1) : uint8_t{0};
+    row.brought_in = static_cast<uint8_t>(row.brought_in << 1U);
+    row.told_in = static_cast<uint8_t>(row.told_in << 1U);
+    row.age = row.age < kRefreshTicks ? static_cast<uint8_t>(row.age + 1) : row.age;
+  }
+}
+
+void Reporter::report(uint32_t index, double value) {
+  Row& row = rows_[index];
+  if (row.rest > 0) {
+    return;
+  }
+  row.told_in |= 1U;
+  const uint64_t bits = toWire(subscription_.sensors[index].id, value);
+  if (row.age < kRefreshTicks && isHeld(index, bits)) {
+    readings_.told[index] = Told::Unchanged;
+    return;
+  }
+  readings_.told[index] = Told::Value;
+  readings_.values[index] = value;
+  if (row.bits != bits) {
+    row.brought_in = 0;
+  }
+  row.brought_in |= 1U;
+  row.bits = bits;
+  row.held = false;
+  row.age = 0;
+}
+
+bool Reporter::isHeld(uint32_t index, uint64_t bits) const {
+  const Row& row = rows_[index];
+  if (!row.held || row.bits == bits) {
+    return row.held;
+  }
+  const Subscription& wanted = subscription_.sensors[index];
+  const double change = fromWire(wanted.id, bits) - fromWire(wanted.id, row.bits);
+  // Of NaN and the infinities only the very same is held.
+  return isFinite(change) && wanted.dead_band > 0 && change <= wanted.dead_band &&
+         -change <= wanted.dead_band;
+}
+
+void Reporter::sent(uint8_t sequence) {
+  for (uint32_t i = kRemembered - 1; i > 0; --i) {
+    sequences_[i] = sequences_[i - 1];
+  }
+  sequences_[0] = sequence;
+  remembered_ = remembered_ < kRemembered ? remembered_ + 1 : remembered_;
+}
+
+void Reporter::answered(uint8_t sequence) {
+  for (uint32_t ago = 0; ago < remembered_; ++ago) {
+    if (sequences_[ago] == sequence) {
+      confirm(ago);
+      return;
+    }
+  }
+}
+
+void Reporter::confirm(uint32_t ticks_ago) {
+  for (uint32_t i = 0; i < subscription_.count; ++i) {
+    Row& row = rows_[i];
+    row.held = row.held || ((row.brought_in >> ticks_ago) & 1U) != 0;
+    const uint32_t every = subscription_.sensors[i].every;
+    if (((row.told_in >> ticks_ago) & 1U) != 0 && every > row.rest + ticks_ago) {
+      row.rest = static_cast<uint8_t>(every - ticks_ago);
+    }
+  }
+}
+
+}  // namespace glider::hooks

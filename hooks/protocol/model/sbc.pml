@@ -1,0 +1,199 @@
+/* SPDX-FileCopyrightText: 2026 The glidercc authors */
+/* SPDX-License-Identifier: Apache-2.0 */
+
+/* The SBC: Client, and a mission that wants control, steers, and gives back when it likes. */
+
+bit sbc_on = 1, sbc_stuck;
+byte sbc_link, next_session = 1, sbc_session, sequence;
+bit link_used, waiting, due, taken;
+byte unanswered, last_answered;
+mtype pending_control;
+byte pending_session, pending_command;
+mtype tick_state = Absent, tick_answer = None;
+byte tick_session, tick_answered;
+bit resubscribe, finished;
+byte mission_time;        /* ticks that the mission has seen; counts round */
+#ifdef REPLAY
+#define TIMES 250
+#else
+#define TIMES 4
+#endif
+byte commands;            /* given so far, which is the newest one's number (ghost) */
+byte since_progress;      /* rounds since a Done left that claims control and is news to hookprog of a mission that goes on (ghost) */
+byte disagreed;           /* rounds in which hookbeh has obeyed another instruction than the newest, and nothing else went wrong (ghost) */
+
+inline say(kind) {
+  out.type = kind; out.link = sbc_link;
+  put(from_sbc, FROM_SBC)
+}
+
+inline ask_for_link() {
+  if
+  :: sbc_link == 0 -> sbc_link = next_session
+  :: sbc_link != 0 && link_used == 1 -> sbc_link++
+  :: else -> skip
+  fi;
+  link_used = 0;
+  say(Hello);
+  say(Subscribe)
+}
+
+inline learn_session(number) {
+  if
+  :: number != 0 && next_session <= number -> next_session = number + 1
+  :: else -> skip
+  fi
+}
+
+inline answer_done() {
+  out.type = Done; out.session = (unanswered < UNANSWERED -> sbc_session : 0); out.time = mission_time;
+  if
+  :: out.session != 0 && (mission_time != progress || out.session != progress_session) -> since_progress = 0
+  :: else -> skip
+  fi;
+  put(from_sbc, FROM_SBC)
+}
+
+inline renumber() {
+  sequence++;
+  if
+  :: sequence == tick_answered -> sequence++
+  :: else -> skip
+  fi
+}
+
+#define OBEYED (sbc_session != 0 && tick_session == sbc_session && tick_state == Active)
+
+inline look_for_answer() {
+  if
+  :: tick_answered == sequence && tick_answer == None -> renumber()
+  :: tick_answered == sequence && tick_answer != None -> waiting = 0
+  :: else -> skip
+  fi;
+  due = waiting
+}
+
+inline follow_instruction() {
+  bit unwritten = due;
+  if
+  :: OBEYED -> taken = 1
+  :: else -> skip
+  fi;
+  if
+  :: waiting == 1 -> look_for_answer()
+  :: else -> skip
+  fi;
+  if
+  :: waiting == 0 || unwritten == 1 || tick_answered != last_answered -> unanswered = 0
+  :: else -> unanswered = (unanswered < UNANSWERED -> unanswered + 1 : UNANSWERED)
+  fi;
+  last_answered = tick_answered
+}
+
+inline instruct(what) {
+  printf("mission %e\n", what);
+  commands++;
+  pending_control = what;
+  if
+  :: what == Take -> sbc_session = next_session; next_session++; taken = 0
+  :: what == Steer && taken == 0 -> pending_control = Take
+  :: else -> skip
+  fi;
+  pending_session = sbc_session; pending_command = commands;
+  renumber();
+  waiting = 1; due = 1
+}
+
+#define TAKING (waiting == 1 && pending_control == Take)
+
+inline rest() { printf("mission rests\n") }
+
+inline mission() {
+  if
+  :: finished == 1 || sbc_stuck == 1 || commands == COMMANDS -> rest()
+  :: else ->
+     if
+     :: !OBEYED && !TAKING && (tick_state == Ready || tick_state == Silent) -> instruct(Take)
+     :: !OBEYED && !TAKING && tick_state == Active -> rest()
+     :: !OBEYED && !TAKING && (tick_state == Active || tick_state == Complete) && calm == 0 -> instruct(Take) /* in vain */
+     :: !OBEYED && !TAKING && (tick_state == Absent || tick_state == Complete) -> rest()
+     :: OBEYED || TAKING -> rest()
+     :: (OBEYED || TAKING) && calm == 0 -> instruct(Steer)
+     :: OBEYED && calm == 0 -> instruct(GiveBack); finished = 1
+     fi
+  fi
+}
+
+inline write_instruction() {
+  due = 0;
+  out.type = Write; out.session = pending_session; out.control = pending_control; out.sequence = sequence;
+  out.command = pending_command;
+  put(from_sbc, FROM_SBC)
+}
+
+inline handle_tick() {
+  assert(in.copy == 0); /* no cycle is flown twice */
+  link_used = 1; resubscribe = 1 - in.flag;
+  tick_state = in.state; tick_session = in.session; tick_answered = in.sequence; tick_answer = in.answer;
+  learn_session(tick_session);
+  follow_instruction();
+  if
+  :: sbc_stuck == 1 -> skip
+  :: else -> mission_time = (mission_time + 1) % TIMES
+  fi;
+  mission();
+  if
+  :: resubscribe == 1 -> say(Subscribe)
+  :: else -> skip
+  fi;
+  if
+  :: waiting == 1 && due == 1 -> write_instruction()
+  :: else -> skip
+  fi
+}
+
+inline handle() {
+  if
+  :: in.type == Beacon -> ask_for_link()
+  :: in.type == Welcome && in.link == sbc_link ->
+     link_used = 1;
+     learn_session(in.session);
+     if
+     :: waiting == 1 -> write_instruction()
+     :: else -> skip
+     fi
+  :: in.type == Welcome && in.link != sbc_link -> skip
+  :: in.type == Tick && (sbc_link == 0 || in.link != sbc_link) -> ask_for_link()
+  :: in.type == Tick && sbc_link != 0 && in.link == sbc_link -> handle_tick()
+  fi;
+  answer_done()
+}
+
+inline sbc_run() {
+  since_progress = (hb_state == Active -> since_progress + 1 : 0);
+  if
+  :: hb_state == Active && in_force != commands -> disagreed++
+  :: else -> disagreed = 0
+  fi;
+  do
+  :: ARRIVED(to_sbc, TO_SBC) ->
+     get(to_sbc, TO_SBC);
+     if
+     :: sbc_on == 0 || DOUBLE_PASSED_OVER(in) -> skip
+     :: else -> handle()
+     fi
+  :: !ARRIVED(to_sbc, TO_SBC) -> break
+  od
+}
+
+/* It remembers nothing afterwards. */
+inline power_cut() {
+  sbc_on = 0; sbc_stuck = 0;
+  sbc_link = 0; next_session = 1; sbc_session = 0; sequence = 0; link_used = 0; waiting = 0; due = 0; taken = 0;
+  unanswered = 0; last_answered = 0; pending_control = 0; pending_session = 0; pending_command = 0;
+  tick_state = Absent; tick_answer = None; tick_session = 0; tick_answered = 0; resubscribe = 0; finished = 0;
+  mission_time = 0;
+  printf("sbc off\n")
+}
+
+inline power_back() { sbc_on = 1; disagreed = 0; printf("sbc on\n") }

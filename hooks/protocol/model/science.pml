@@ -1,0 +1,114 @@
+/* SPDX-FileCopyrightText: 2026 The glidercc authors */
+/* SPDX-License-Identifier: Apache-2.0 */
+
+/* The science computer: Hookprog::run. */
+
+byte link, newest_session;
+byte waiting_rounds = NEVER;         /* since a Tick without any Done */
+byte progress = NEVER;               /* mission time that the session in control has told */
+byte progress_session;
+bit subscribed;
+mtype reported_state = Absent, reported_answer = None;
+byte reported_session, reported_sequence;
+bit cycle_is_new;
+
+inline handle_hello() {
+  link = in.link; subscribed = 0; waiting_rounds = NEVER;
+  out.type = Welcome; out.link = link; out.session = newest_session;
+  put(to_sbc, TO_SBC)
+}
+
+inline handle_write() {
+  newest_session = in.session;
+  if
+  :: reported_state == Absent -> skip
+  :: else ->
+     out.type = Sensors; out.session = in.session; out.control = in.control; out.sequence = in.sequence;
+     out.command = in.command;
+     put(to_flight, TO_FLIGHT)
+  fi
+}
+
+inline handle_done() {
+  waiting_rounds = NEVER;
+  if
+  :: reported_session != 0 && in.session == reported_session && progress_session != in.session ->
+     progress_session = in.session; progress = NEVER
+  :: else -> skip
+  fi;
+  if
+  :: reported_state != Absent &&
+     (reported_session == 0 || (in.session == reported_session && in.time != progress)) ->
+     progress = (reported_session == 0 -> progress : in.time);
+     out.type = Sensors; out.flag = 1;
+     put(to_flight, TO_FLIGHT)
+  :: else -> skip
+  fi
+}
+
+inline serve_sbc() {
+  do
+  :: ARRIVED(from_sbc, FROM_SBC) ->
+     get(from_sbc, FROM_SBC);
+     if
+     :: DOUBLE_PASSED_OVER(in) -> skip
+     :: !DOUBLE_PASSED_OVER(in) && in.type == Hello -> handle_hello()
+     :: !DOUBLE_PASSED_OVER(in) && in.type != Hello && link == 0 -> skip
+     :: !DOUBLE_PASSED_OVER(in) && in.type == Subscribe && link != 0 -> subscribed = 1
+     :: !DOUBLE_PASSED_OVER(in) && in.type == Write && link != 0 -> handle_write()
+     :: !DOUBLE_PASSED_OVER(in) && in.type == Done && link != 0 -> handle_done()
+     fi
+  :: !ARRIVED(from_sbc, FROM_SBC) -> break
+  od
+}
+
+inline take_flight() {
+  do
+  :: ARRIVED(from_flight, FROM_FLIGHT) ->
+     get(from_flight, FROM_FLIGHT);
+     if
+     :: DOUBLE_PASSED_OVER(in) -> skip
+     :: else ->
+        reported_state = in.state; reported_session = in.session; reported_sequence = in.sequence;
+        reported_answer = in.answer; cycle_is_new = 1
+     fi
+  :: !ARRIVED(from_flight, FROM_FLIGHT) -> break
+  od
+}
+
+inline send_cycle() {
+  cycle_is_new = 0;
+  if
+  :: link == 0 -> out.type = Beacon; out.state = reported_state
+  :: else ->
+     out.type = Tick; out.link = link; out.state = reported_state; out.session = reported_session;
+     out.sequence = reported_sequence; out.answer = reported_answer; out.flag = subscribed;
+     waiting_rounds = (waiting_rounds == NEVER -> 0 : waiting_rounds)
+  fi;
+  put(to_sbc, TO_SBC)
+}
+
+inline science_run() {
+  serve_sbc();
+  take_flight();
+  if
+  :: cycle_is_new == 1 -> send_cycle()
+  :: else -> skip
+  fi;
+  if
+  :: link != 0 && waiting_rounds != NEVER && waiting_rounds >= LOST -> link = 0; waiting_rounds = NEVER
+  :: else -> skip
+  fi
+}
+
+/* A round is LOST's cycle of 4 s. */
+inline count_rounds() {
+  waiting_rounds = (waiting_rounds == NEVER -> NEVER : waiting_rounds + 1)
+}
+
+/* Its links and what it has heard are forgotten. */
+inline restart_science() {
+  link = 0; newest_session = 0; waiting_rounds = NEVER; progress = NEVER; progress_session = 0; subscribed = 0; cycle_is_new = 0;
+  reported_state = Absent; reported_answer = None; reported_session = 0; reported_sequence = 0;
+  printf("restart science\n")
+}

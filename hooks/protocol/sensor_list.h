@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "hooks/protocol/frame.h"
+#include "hooks/protocol/sensors.h"
+
+#include <stdint.h>
+
+/// Lists of sensors with their values: a Write of the SBC, a Sensors frame of the clothesline.
+namespace glider::hooks {
+
+/// Lists are kept shorter than a frame may be: on the slow line a damaged frame costs less so.
+inline constexpr uint32_t kMostListPayload = 250;
+/// More values than any list can hold (1-byte sensors).
+inline constexpr uint32_t kMostListed = kMostListPayload / 3;
+
+struct SensorList {
+  uint32_t count = 0;
+  SensorValue values[kMostListed] = {};
+};
+
+/// An empty Write or Sensors frame: append to it with appendValue.
+void encodeEmptyList(MessageType type, Frame& frame);
+/// Appends one value in the sensor's width. False, with nothing changed, when it does not fit or
+/// there is no such sensor.
+bool appendValue(Frame& frame, const SensorValue& value);
+/// Of a Write or a Sensors frame.
+[[nodiscard]] bool decodeList(const Frame& frame, SensorList& list);
+
+}  // namespace glider::hooks

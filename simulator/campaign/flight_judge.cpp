@@ -1,0 +1,200 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "simulator/campaign/flight_judge.h"
+
+#include "hooks/protocol/messages.h"
+#include "platforms/slocum_sensors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace glider::simulator {
+
+using hooks::HookState;
+
+namespace {
+
+constexpr std::array<uint16_t, 11> kInstruction = {
+    GLIDER_SCI_HOOK_SESSION, GLIDER_SCI_HOOK_CONTROL, GLIDER_SCI_HOOK_VERTICAL,
+    GLIDER_SCI_HOOK_DEPTH,   GLIDER_SCI_HOOK_PITCH,   GLIDER_SCI_HOOK_LATERAL,
+    GLIDER_SCI_HOOK_HEADING, GLIDER_SCI_HOOK_LAT,     GLIDER_SCI_HOOK_LON,
+    GLIDER_SCI_HOOK_CHECK,   GLIDER_SCI_HOOK_SEQUENCE};
+constexpr double kAtSurface = 1;  // m
+constexpr double kSettled = 60;   // s at the surface after which nothing more is to come
+constexpr double kGiveBack = static_cast<double>(hooks::HookControl::GiveBack);
+constexpr double kTake = static_cast<double>(hooks::HookControl::Take);
+
+std::string words(std::pair<double, double> number) {
+  return fmt::format("instruction {} of session {}", number.second, number.first);
+}
+
+}  // namespace
+
+FlightJudge::FlightJudge(const Faults& faults, double silence_s, double cycle_s)
+    : last_end_s_(faults.lastEnd()), stated_(statedTimes(faults, silence_s, cycle_s)) {
+  static_assert(kInstruction.size() == kFields);
+  for_ever_ = std::ranges::any_of(stated_.hand_backs, [](const HandBack& hand_back) {
+    return hand_back.when.to_s == kForever;
+  });
+}
+
+void FlightJudge::violate(double now_s, std::string what) {
+  if (verdict_.violation.empty()) {
+    verdict_.violation = std::move(what);
+    verdict_.violation_s = now_s;
+  }
+}
+
+void FlightJudge::said(std::span<const uint8_t> bytes, double now_s) {
+  for (const uint8_t byte : bytes) {
+    if (!decoder_.push(byte)) {
+      continue;
+    }
+    hooks::SensorList list;
+    if (decoder_.frame().type == hooks::MessageType::Write &&
+        hooks::decodeList(decoder_.frame(), list)) {
+      hear(list, now_s);
+    }
+    hearDone(decoder_.frame(), now_s);
+  }
+}
+
+void FlightJudge::hear(const hooks::SensorList& write, double now_s) {
+  Words instruction{};
+  for (size_t i = 0; i < kFields; ++i) {
+    for (uint32_t k = 0; k < write.count; ++k) {
+      instruction[i] =
+          write.values[k].id == kInstruction[i] ? write.values[k].value : instruction[i];
+    }
+  }
+  const Number number{instruction.front(), instruction.back()};
+  const auto [known, is_new] = said_.try_emplace(number, instruction);
+  if (!is_new && known->second != instruction && !obeyed_.contains(number)) {
+    known->second = instruction;  // of a program that was started again
+  } else if (!is_new && known->second != instruction) {
+    violate(now_s, words(number) + " is said anew with other words");
+  }
+  if (number != newest_) {
+    newest_ = number;
+    newest_said_s_ = now_s;
+    newest_answered_ = false;
+  }
+}
+
+void FlightJudge::hearDone(const hooks::Frame& frame, double now_s) {
+  hooks::Done done;
+  if (!hooks::decode(frame, done)) {
+    return;
+  }
+  if (done.session != session_ || done.status.mission_time_s > mission_time_s_) {
+    progress_s_ = now_s;
+  }
+  session_ = done.session;
+  mission_time_s_ = done.status.mission_time_s;
+}
+
+void FlightJudge::judgeObeyed(const CycleView& view) {
+  // After an abort hookbeh runs no more, and silent it obeys nothing: what it answered last stays
+  // in the array. Complete, it tells no session.
+  const bool gives_back = view.hook == HookState::Complete && !gave_back_;
+  if (view.aborted || !(view.hook == HookState::Active || gives_back)) {
+    return;
+  }
+  const uint16_t session = gives_back ? GLIDER_SCI_HOOK_SESSION : GLIDER_X_HOOK_SESSION;
+  const Number number{view.array.get(session), view.array.get(GLIDER_X_HOOK_SEQUENCE)};
+  const bool accepted =
+      view.array.get(GLIDER_X_HOOK_ANSWER) == static_cast<double>(hooks::HookAnswer::Accepted);
+  if (!accepted || number == decided_) {
+    return;
+  }
+  decided_ = number;
+  Words words_obeyed{};
+  for (size_t i = 0; i < kFields; ++i) {
+    words_obeyed[i] = view.array.get(kInstruction[i]);
+  }
+  ++verdict_.instructions;
+  const auto found = said_.find(number);
+  if (found == said_.end() || found->second != words_obeyed) {
+    violate(view.time_s, words(number) + " is obeyed, but was not said so");
+  }
+  if (!obeyed_.insert(number).second) {
+    violate(view.time_s, words(number) + " is obeyed twice");
+  }
+  if (gave_back_) {
+    violate(view.time_s, words(number) + " is obeyed after control was given back");
+  }
+  gave_back_ = gave_back_ || words_obeyed[1] == kGiveBack;
+  const bool begins = hook_ != HookState::Active || number.first != session_in_control_;
+  if (begins && view.hook == HookState::Active && words_obeyed[1] != kTake) {
+    violate(view.time_s, "control is taken without a handshake");
+  }
+  session_in_control_ = number.first;
+}
+
+void FlightJudge::judgeTimes(const CycleView& view) {
+  // hookbeh answers every instruction, and repeats its last answer until the next.
+  const bool answered = view.array.get(GLIDER_X_HOOK_SEQUENCE) == newest_.second;
+  newest_answered_ = newest_answered_ || answered;
+  if (view.hook != HookState::Active) {
+    newest_said_s_ = view.time_s;
+    return;
+  }
+  if (!newest_answered_ && view.time_s - newest_said_s_ > stated_.most_unanswered_s) {
+    violate(view.time_s, fmt::format("{} is lost: no answer for {:.0f} s", words(newest_),
+                                     view.time_s - newest_said_s_));
+  }
+  if (view.time_s - progress_s_ > stated_.most_standstill_s) {
+    violate(view.time_s,
+            fmt::format("the SBC is in control though its mission stood still for {:.0f} s",
+                        view.time_s - progress_s_));
+  }
+  for (const HandBack& hand_back : stated_.hand_backs) {
+    // A cycle at that very moment may still be the last one.
+    if (view.time_s > hand_back.when.from_s && hand_back.when.has(view.time_s)) {
+      violate(view.time_s, "the SBC is in control though " + hand_back.why);
+    }
+  }
+}
+
+bool FlightJudge::isOverForGood(const CycleView& view) {
+  const bool is_up = view.hook != HookState::Active && at_surface_;
+  up_since_s_ = !is_up ? -1 : up_since_s_ < 0 ? view.time_s : up_since_s_;
+  return for_ever_ && is_up && view.time_s > last_end_s_ && view.time_s - up_since_s_ > kSettled &&
+         std::ranges::any_of(stated_.hand_backs, [&](const HandBack& hand_back) {
+           return hand_back.when.to_s == kForever && hand_back.when.has(view.time_s);
+         });
+}
+
+bool FlightJudge::cycle(const CycleView& view) {
+  judgeObeyed(view);
+  const bool was_active = hook_ == HookState::Active;
+  if (!was_active && view.hook == HookState::Active) {
+    progress_s_ = std::max(progress_s_, view.time_s);  // from here on it must go on
+  }
+  hook_ = view.hook;
+  judgeTimes(view);
+  verdict_.hand_backs += was_active && hook_ != HookState::Active && !gave_back_;
+  ended_ = view.ended;
+  at_surface_ = view.true_depth_m < kAtSurface;
+  verdict_.end_s = view.time_s;
+  return !isOverForGood(view);
+}
+
+Verdict FlightJudge::verdict() const {
+  Verdict verdict = verdict_;
+  verdict.outcome = gave_back_ ? Verdict::Outcome::Exited : Verdict::Outcome::HandedBack;
+  if (verdict.violation.empty() && hook_ == HookState::Active) {
+    verdict.violation = "the flight does not end in time";
+  } else if (verdict.violation.empty() && !at_surface_) {
+    verdict.violation = ended_ ? "the flight ends under water" : "not at the surface in time";
+  }
+  if (!verdict.violation.empty()) {
+    verdict.outcome = Verdict::Outcome::Violation;
+    verdict.violation_s = verdict_.violation.empty() ? verdict.end_s : verdict.violation_s;
+  }
+  return verdict;
+}
+
+}  // namespace glider::simulator

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "hooks/protocol/frame.h"
+#include "hooks/protocol/sensor_list.h"
+#include "simulator/campaign/stated_times.h"
+#include "simulator/onlooker.h"
+
+#include <array>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+
+namespace glider::simulator {
+
+/// How a flight went.
+struct Verdict {
+  enum class Outcome : uint8_t {
+    Exited,      ///< the mission ended and gave control back
+    HandedBack,  ///< the vehicle flew on without the SBC, and is at the surface
+    Violation,   ///< what is promised was not kept
+  };
+  Outcome outcome = Outcome::HandedBack;
+  std::string violation;      ///< the first that was seen
+  double violation_s = 0;     ///< when
+  uint32_t hand_backs = 0;    ///< times that control was taken away from the SBC
+  uint32_t instructions = 0;  ///< that hookbeh obeyed
+  double end_s = 0;
+};
+
+/// Judges a flight by what the SBC says and what hookbeh does, from where no fault reaches: each
+/// instruction that is obeyed was said so, word for word; none is obeyed twice; none that was said
+/// is passed over; control ends when it was promised to; the flight ends at the surface.
+class FlightJudge final : public Onlooker {
+ public:
+  FlightJudge(const Faults& faults, double silence_s, double cycle_s);
+
+  void said(std::span<const uint8_t> bytes, double now_s) override;
+  bool cycle(const CycleView& view) override;
+  /// After the flight.
+  [[nodiscard]] Verdict verdict() const;
+
+ private:
+  static constexpr size_t kFields = 11;  ///< sensors that make an instruction
+  using Words = std::array<double, kFields>;
+  using Number = std::pair<double, double>;  ///< session, sequence
+
+  void hear(const hooks::SensorList& write, double now_s);
+  void hearDone(const hooks::Frame& frame, double now_s);
+  void followControl(const CycleView& view);
+  void judgeObeyed(const CycleView& view);
+  void judgeTimes(const CycleView& view);
+  [[nodiscard]] bool isOverForGood(const CycleView& view);
+  void violate(double now_s, std::string what);
+
+  double last_end_s_;  ///< of the faults that end
+  bool for_ever_;      ///< one takes control away and does not end
+  StatedTimes stated_;
+  Verdict verdict_;
+
+  hooks::FrameDecoder decoder_;
+  std::map<Number, Words> said_;
+  std::set<Number> obeyed_;
+  Number newest_{0, 0};
+  double newest_said_s_ = 0;
+  bool newest_answered_ = true;
+  double progress_s_ = 0;  ///< when the mission was last seen to go on
+  double mission_time_s_ = -1;
+  uint32_t session_ = 0;
+
+  hooks::HookState hook_ = hooks::HookState::Absent;
+  Number decided_{0, 0};  ///< the newest instruction that hookbeh has answered
+  double session_in_control_ = 0;
+  bool gave_back_ = false, ended_ = false, at_surface_ = false;
+  double up_since_s_ = -1;  ///< at the surface without the SBC
+};
+
+}  // namespace glider::simulator

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "simulator/faults/faults.h"
+
+#include <string>
+#include <vector>
+
+namespace glider::simulator {
+
+/// A time of the flight in which hookbeh may not be active.
+struct HandBack {
+  Span when;
+  std::string why;
+};
+
+/// What hooks/protocol/README.md ("Watchdogs") promises, for one flight.
+struct StatedTimes {
+  std::vector<HandBack> hand_backs;
+  /// While hookbeh is active, the SBC's mission has gone on at most so long ago, s.
+  double most_standstill_s = 0;
+  /// While hookbeh is active, it answers an instruction of the SBC after at most so long, s.
+  double most_unanswered_s = 0;
+};
+
+/// For a hookbeh whose `silence_secs` is `silence_s` and whose cycle takes `cycle_s`.
+StatedTimes statedTimes(const Faults& faults, double silence_s, double cycle_s);
+
+}  // namespace glider::simulator

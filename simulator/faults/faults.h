@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace glider::simulator {
+
+inline constexpr double kForever = std::numeric_limits<double>::infinity();
+
+/// A time of the flight, s; without an end if `to_s` is infinite.
+struct Span {
+  double from_s = 0;
+  double to_s = kForever;
+  [[nodiscard]] bool has(double now_s) const { return now_s >= from_s && now_s < to_s; }
+};
+
+/// The directions of the serial lines: of the one to the SBC (115200 baud) and of the clothesline
+/// to the flight controller (9600 baud), seen from the science computer.
+enum class LineWay : uint8_t { ToSbc, FromSbc, ToFlight, FromFlight };
+
+/// What a line does to its bytes for a time. Shares are from 0 to 1.
+struct LineFault {
+  LineWay way = LineWay::ToSbc;
+  Span when = {};
+  bool cut = false;          ///< nothing gets through
+  double loss = 0;           ///< share of bytes that vanish
+  double flips = 0;          ///< share of bytes of which one bit turns
+  double bursts = 0;         ///< share of bytes at which a burst of noise begins
+  double burst_bytes = 20;   ///< as long as so many bytes
+  double delay_s = 0;        ///< bytes come so much later
+  double doubled = 0;        ///< share of frames that come twice
+  double heard_at_baud = 0;  ///< the receiver listens at this speed; 0: at the right one
+};
+
+/// What a sensor says for a time instead of the truth.
+struct SensorFault {
+  enum class Kind : uint8_t { Frozen, Value, Missing };
+  std::string name;  ///< the vehicle's
+  uint16_t id = 0;   ///< in the platform; set when the flight begins
+  Span when = {};
+  Kind kind = Kind::Frozen;
+  double value = 0;  ///< of Kind::Value; may be NaN
+};
+
+/// The SBC's own clock jumps.
+struct ClockJump {
+  double at_s = 0;
+  double by_s = 0;
+};
+
+/// Everything that goes wrong in a flight. Empty: nothing does.
+struct Faults {
+  std::vector<LineFault> lines;
+  std::vector<SensorFault> sensors;
+  std::vector<Span> power;    ///< the SBC has none; afterwards its program starts from nothing
+  std::vector<Span> port;     ///< the SBC's serial port is not there
+  std::vector<Span> stuck;    ///< the SBC answers, but its mission stands still
+  std::vector<Span> science;  ///< the science computer starts again, which takes so long
+  std::vector<ClockJump> clock;
+  std::vector<double> aborts;  ///< the flight controller aborts its mission at these times
+
+  [[nodiscard]] bool empty() const;
+  /// When the first of them begins; infinite without any.
+  [[nodiscard]] double first() const;
+  /// When the last of those that end is over; 0 without any.
+  [[nodiscard]] double lastEnd() const;
+  /// Puts `more` to them.
+  void add(const Faults& more);
+};
+
+}  // namespace glider::simulator

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "simulator/faults/sensor_damage.h"
+
+namespace glider::simulator {
+
+std::optional<double> SensorDamage::reading(uint16_t id, double truth) {
+  double reading = truth;
+  bool frozen = false;
+  for (const SensorFault& fault : faults_) {
+    if (fault.id != id || !fault.when.has(now_s_)) {
+      continue;
+    }
+    switch (fault.kind) {
+      case SensorFault::Kind::Missing:
+        return std::nullopt;
+      case SensorFault::Kind::Value:
+        reading = fault.value;
+        break;
+      case SensorFault::Kind::Frozen:
+        frozen = true;
+        reading = last_.try_emplace(id, truth).first->second;
+        break;
+    }
+  }
+  if (!frozen) {
+    last_[id] = reading;
+  }
+  return reading;
+}
+
+}  // namespace glider::simulator

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "simulator/scenario/read_faults.h"
+
+#include <cmath>
+
+namespace glider::simulator {
+namespace {
+
+constexpr double kLongest = 1e7;  // s
+
+/// from_s (which must be there) and to_s.
+Span readSpan(Fields& f) {
+  Span span;
+  span.from_s = f.required("from_s", 0, kLongest);
+  f.number("to_s", span.to_s, 0, kLongest);
+  if (!f.reader().failure() && !(span.from_s < span.to_s)) {
+    f.reader().refuse("to_s", "must be after `from_s`");
+  }
+  return span;
+}
+
+/// The directions that `line` names.
+std::vector<LineWay> readWays(Fields& f) {
+  const std::string line = f.reader().text("line");
+  const std::pair<const char*, std::vector<LineWay>> names[] = {
+      {"sbc", {LineWay::ToSbc, LineWay::FromSbc}},
+      {"to_sbc", {LineWay::ToSbc}},
+      {"from_sbc", {LineWay::FromSbc}},
+      {"clothesline", {LineWay::ToFlight, LineWay::FromFlight}},
+      {"to_flight", {LineWay::ToFlight}},
+      {"from_flight", {LineWay::FromFlight}}};
+  for (const auto& [name, ways] : names) {
+    if (line == name) {
+      return ways;
+    }
+  }
+  f.reader().refuse("line",
+                    "must be \"sbc\", \"to_sbc\", \"from_sbc\", \"clothesline\", \"to_flight\" or "
+                    "\"from_flight\"");
+  return {};
+}
+
+void readLine(Fields& f, Faults& faults) {
+  f.reader().only({"line", "from_s", "to_s", "cut", "loss", "flips", "bursts", "burst_bytes",
+                   "delay_s", "doubled", "heard_at_baud"});
+  const std::vector<LineWay> ways = readWays(f);
+  LineFault fault;
+  fault.when = readSpan(f);
+  fault.cut = f.reader().flagOr("cut", false);
+  f.number("loss", fault.loss, 0, 1);
+  f.number("flips", fault.flips, 0, 1);
+  f.number("bursts", fault.bursts, 0, 1);
+  f.number("burst_bytes", fault.burst_bytes, 1, 1e6);
+  f.number("delay_s", fault.delay_s, 0, 3600);
+  f.number("doubled", fault.doubled, 0, 1);
+  f.number("heard_at_baud", fault.heard_at_baud, 300, 921600);
+  const bool nothing = !fault.cut && fault.loss == 0 && fault.flips == 0 && fault.bursts == 0 &&
+                       fault.delay_s == 0 && fault.doubled == 0 && fault.heard_at_baud == 0;
+  if (nothing) {
+    f.reader().refuse("line", "has nothing wrong with it here");
+  }
+  for (const LineWay way : ways) {
+    fault.way = way;
+    faults.lines.push_back(fault);
+  }
+}
+
+void readSensor(Fields& f, Faults& faults) {
+  f.reader().only({"sensor", "from_s", "to_s", "frozen", "missing", "value"});
+  SensorFault fault;
+  fault.name = f.reader().text("sensor");
+  fault.when = readSpan(f);
+  const bool frozen = f.reader().flagOr("frozen", false);
+  const bool missing = f.reader().flagOr("missing", false);
+  if (frozen + missing + f.has("value") != 1) {
+    f.reader().refuse("sensor", "needs one of `frozen = true`, `missing = true` and `value`");
+  }
+  fault.kind = frozen    ? SensorFault::Kind::Frozen
+               : missing ? SensorFault::Kind::Missing
+                         : SensorFault::Kind::Value;
+  fault.value = f.has("value") ? f.anyNumber("value") : 0;
+  faults.sensors.push_back(fault);
+}
+
+void readClock(Fields& f, Faults& faults) {
+  f.reader().only({"at_s", "by_s"});
+  ClockJump jump;
+  jump.at_s = f.required("at_s", 0, kLongest);
+  jump.by_s = f.required("by_s", -kLongest, kLongest);
+  faults.clock.push_back(jump);
+}
+
+void readScience(Fields& f, Faults& faults) {
+  f.reader().only({"at_s", "takes_s"});
+  Span span;
+  span.from_s = f.required("at_s", 0, kLongest);
+  double takes_s = 60;
+  f.number("takes_s", takes_s, 1, kLongest);
+  span.to_s = span.from_s + takes_s;
+  faults.science.push_back(span);
+}
+
+}  // namespace
+
+void readFaults(ScenarioTables& tables, Scenario& scenario) {
+  Faults& faults = scenario.faults;
+  tables.table("faults", [](Fields& f) {
+    f.reader().only({"line", "sensor", "power", "port", "stuck", "science", "clock", "abort"});
+  });
+  const auto spans = [&](const char* part, std::vector<Span>& list) {
+    tables.each("faults", part, [&](Fields& f) {
+      f.reader().only({"from_s", "to_s"});
+      list.push_back(readSpan(f));
+    });
+  };
+  tables.each("faults", "line", [&](Fields& f) { readLine(f, faults); });
+  tables.each("faults", "sensor", [&](Fields& f) { readSensor(f, faults); });
+  tables.each("faults", "science", [&](Fields& f) { readScience(f, faults); });
+  tables.each("faults", "clock", [&](Fields& f) { readClock(f, faults); });
+  tables.each("faults", "abort", [&](Fields& f) {
+    f.reader().only({"at_s"});
+    faults.aborts.push_back(f.required("at_s", 0, kLongest));
+  });
+  spans("power", faults.power);
+  spans("port", faults.port);
+  spans("stuck", faults.stuck);
+}
+
+}  // namespace glider::simulator

@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "simulator/scenario/scenario.h"
+#include "simulator/scenario/scenario_tables.h"
+
+namespace glider::simulator {
+
+/// Reads [faults] and its tables into `scenario`.
+void readFaults(ScenarioTables& tables, Scenario& scenario);
+
+}  // namespace glider::simulator

@@ -1,0 +1,378 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// The code does what the model does: the client, hookprog, clothesline and hookbeh go through
+// random flights of hooks/protocol/model/control.pml, with the same losses and restarts, and must
+// put the same frames on the lines and be in the same states.
+
+#include "hooks/client/client.h"
+#include "hooks/clothesline/clothesline.h"
+#include "hooks/hookbeh/hookbeh.h"
+#include "hooks/hookprog/hookprog.h"
+#include "tests/model/trace.h"
+#include "tests/support/command.h"
+
+#include <gtest/gtest.h>
+
+#include <deque>
+#include <limits>
+#include <map>
+#include <optional>
+
+namespace glider::tests {
+namespace {
+
+using namespace glider::hooks;
+
+constexpr double kCycle = 4;
+
+const char* nameOf(HookState state) {
+  const char* const names[] = {"Absent", "Waiting", "Ready", "Active", "Silent", "Complete"};
+  return names[static_cast<int>(state)];
+}
+
+std::string nameOf(HookAnswer answer) {
+  return answer == HookAnswer::None           ? "None"
+         : answer == HookAnswer::Accepted     ? "Accepted"
+         : answer == HookAnswer::WrongSession ? "WrongSession"
+         : answer == HookAnswer::NotReady     ? "NotReady"
+                                              : "another";
+}
+
+const char* nameOf(MessageType type) {
+  switch (type) {
+#define MESSAGE(name, number, expects_answer) \
+  case MessageType::name:                     \
+    return #name;
+#include "hooks/protocol/messages.def"
+#undef MESSAGE
+  }
+  return "?";
+}
+
+double valueOf(const SensorList& list, uint16_t id) {
+  for (uint32_t i = 0; i < list.count; ++i) {
+    if (list.values[i].id == id) {
+      return list.values[i].value;
+    }
+  }
+  return 0;
+}
+
+/// A frame of the code in the model's words.
+ModelFrame inWords(const Frame& frame) {
+  ModelFrame words;
+  words.type = nameOf(frame.type);
+  Welcome welcome;
+  TickHead tick;
+  Hello hello;
+  Done done;
+  SensorList list;
+  if (decode(frame, welcome)) {
+    words.link = welcome.link;
+    words.session = welcome.newest_session;
+  } else if (decode(frame, tick)) {
+    words.link = tick.link;
+    words.session = tick.session;
+    words.sequence = tick.answered_sequence;
+  } else if (decode(frame, hello)) {
+    words.link = hello.link;
+  } else if (decode(frame, done)) {
+    words.session = done.session;
+  } else if (decodeList(frame, list)) {
+    const double session =
+        valueOf(list, GLIDER_SCI_HOOK_SESSION) + valueOf(list, GLIDER_X_HOOK_SESSION);
+    const double sequence =
+        valueOf(list, GLIDER_SCI_HOOK_SEQUENCE) + valueOf(list, GLIDER_X_HOOK_SEQUENCE);
+    words.session = static_cast<uint32_t>(session);
+    words.sequence = static_cast<uint32_t>(sequence);
+  }
+  return words;
+}
+
+/// One direction of a line, which does to each frame what the model did to it.
+struct Wire {
+  std::vector<uint8_t> written;
+  std::deque<uint8_t> there;
+  bool held = false;
+  int frames_before_held = 0;  ///< that come all the same
+
+  [[nodiscard]] bool comes() const { return !there.empty() && !(held && frames_before_held == 0); }
+  uint8_t take() {
+    const uint8_t byte = there.front();
+    there.pop_front();
+    frames_before_held -= byte == 0 && frames_before_held > 0 ? 1 : 0;
+    return byte;
+  }
+
+  void carry(const std::vector<ModelFrame>& model, size_t& next) {
+    FrameDecoder decoder;
+    size_t begin = 0;
+    for (size_t i = 0; i < written.size(); ++i) {
+      if (!decoder.push(written[i])) {
+        continue;
+      }
+      ASSERT_LT(next, model.size()) << "the model sends no " << nameOf(decoder.frame().type);
+      const ModelFrame words = inWords(decoder.frame());
+      const ModelFrame& expected = model[next++];
+      ASSERT_EQ(words.type, expected.type);
+      EXPECT_EQ(words.session, expected.session) << words.type;
+      EXPECT_EQ(words.sequence, expected.sequence) << words.type;
+      if (words.type != "Subscribe") {
+        EXPECT_EQ(words.link, expected.link) << words.type;
+      }
+      for (int copy = 0; copy < expected.copies; ++copy) {
+        there.insert(there.end(), written.begin() + static_cast<ptrdiff_t>(begin),
+                     written.begin() + static_cast<ptrdiff_t>(i) + 1);
+      }
+      begin = i + 1;
+    }
+    written.clear();
+  }
+};
+
+/// An end of a line: reads one direction, writes the other.
+struct End {
+  Wire& in;
+  Wire& out;
+  GliderByteStream stream() {
+    return {this,
+            [](void* self, uint8_t* bytes, uint32_t capacity) {
+              Wire& wire = static_cast<End*>(self)->in;
+              uint32_t count = 0;
+              for (; count < capacity && wire.comes(); ++count) {
+                bytes[count] = wire.take();
+              }
+              return static_cast<int32_t>(count);
+            },
+            [](void* self, const uint8_t* bytes, uint32_t count) {
+              Wire& wire = static_cast<End*>(self)->out;
+              wire.written.insert(wire.written.end(), bytes, bytes + count);
+              return static_cast<int32_t>(count);
+            }};
+  }
+};
+
+/// Each program has another name, so that the first frame of one never equals the last of another,
+/// which would be the same frame once more.
+ClientOptions clientOptions(int cycle) {
+  static const Subscription depth{GLIDER_M_DEPTH, 1, 0};
+  static std::string name;
+  name = std::to_string(cycle);
+  ClientOptions options;
+  options.mission_name = name.c_str();
+  options.sensors = &depth;
+  options.sensor_count = 1;
+  return options;
+}
+
+class Replay {
+ public:
+  Replay() {
+    hookprog_.emplace(HookprogOptions{});
+    hookbeh_.emplace(HookbehArgs{});
+    client_.emplace(clientOptions(cycle_));
+  }
+
+  void round(const ModelRound& model) {
+    size_t next[kDirections] = {};
+    flightCycle();
+    wires_[kFromFlight].carry(model.frames[kFromFlight], next[kFromFlight]);
+    scienceRun(model, next, 1);
+    sbcRun(model);
+    wires_[kFromSbc].carry(model.frames[kFromSbc], next[kFromSbc]);
+    scienceRun(model, next, 2);
+    for (size_t i = 0; i < kDirections; ++i) {
+      EXPECT_EQ(next[i], model.frames[i].size()) << "the code sends less in direction " << i;
+    }
+    EXPECT_EQ(nameOf(outputs_.state), model.state.state);
+    EXPECT_EQ(nameOf(outputs_.answer), model.state.answer);
+    EXPECT_EQ(outputs_.session, model.state.session);
+    EXPECT_EQ(outputs_.answered_sequence, model.state.sequence);
+    for (Wire& wire : wires_) {
+      wire.held = false;
+    }
+    for (const std::string& what : model.after) {
+      happen(what);
+    }
+    ++cycle_;
+  }
+
+ private:
+  void flightCycle() {
+    SensorUpdate updates[64];
+    for (uint32_t count = 64; count == 64;) {
+      count = flight_.poll(at_flight_.stream(), updates, 64);
+      for (uint32_t i = 0; i < count; ++i) {
+        array_[updates[i].id] = updates[i].value;
+      }
+    }
+    outputs_ = hookbeh_->cycle(inputs());
+    const SensorUpdate report[] = {
+        {GLIDER_X_HOOK_STATE, static_cast<double>(outputs_.state)},
+        {GLIDER_X_HOOK_SEQUENCE, static_cast<double>(outputs_.answered_sequence)},
+        {GLIDER_X_HOOK_ANSWER, static_cast<double>(outputs_.answer)},
+        {GLIDER_X_HOOK_SESSION, static_cast<double>(outputs_.session)},
+        {GLIDER_M_PRESENT_SECS_INTO_MISSION, kCycle * cycle_},
+        {GLIDER_M_CYCLE_NUMBER, 1.0 * cycle_}};
+    ASSERT_TRUE(flight_.send(report, std::size(report)));
+    flight_.poll(at_flight_.stream(), updates, 0);
+  }
+
+  [[nodiscard]] double array(uint16_t id) const {
+    const auto found = array_.find(id);
+    return found == array_.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
+  }
+
+  [[nodiscard]] HookbehInputs inputs() const {
+    HookbehInputs in;
+    in.time_s = kCycle * cycle_;
+    in.depth_m = 10;
+    in.altitude_m = std::numeric_limits<double>::quiet_NaN();
+    in.heartbeat = array(GLIDER_SCI_HOOK_HEARTBEAT);
+    in.session = array(GLIDER_SCI_HOOK_SESSION);
+    in.sequence = array(GLIDER_SCI_HOOK_SEQUENCE);
+    in.control = array(GLIDER_SCI_HOOK_CONTROL);
+    in.vertical = array(GLIDER_SCI_HOOK_VERTICAL);
+    in.lateral = array(GLIDER_SCI_HOOK_LATERAL);
+    in.hook_depth_m = array(GLIDER_SCI_HOOK_DEPTH);
+    in.hook_pitch_rad = array(GLIDER_SCI_HOOK_PITCH);
+    in.hook_heading_rad = array(GLIDER_SCI_HOOK_HEADING);
+    in.hook_latitude_ddmm = array(GLIDER_SCI_HOOK_LAT);
+    in.hook_longitude_ddmm = array(GLIDER_SCI_HOOK_LON);
+    in.check = array(GLIDER_SCI_HOOK_CHECK);
+    return in;
+  }
+
+  /// The first run of a cycle is a second after the flight controller's, the other when the SBC has
+  /// answered.
+  void scienceRun(const ModelRound& model, size_t* next, int second) {
+    const ScienceSensors own{nullptr, [](void*, uint16_t, bool* fresh) {
+                               *fresh = false;
+                               return 0.0;
+                             }};
+    hookprog_->run(kCycle * cycle_ + second, own, at_prog_sbc_.stream(), at_prog_flight_.stream());
+    wires_[kToSbc].carry(model.frames[kToSbc], next[kToSbc]);
+    wires_[kToFlight].carry(model.frames[kToFlight], next[kToFlight]);
+  }
+
+  void sbcRun(const ModelRound& model) {
+    if (!client_) {
+      wires_[kToSbc].there.clear();
+      return;
+    }
+    const GliderClock clock{nullptr, [](void*) { return 0.0; }};
+    size_t tick = 0;
+    for (ClientEvent event = ClientEvent::Handled; event != ClientEvent::Nothing;) {
+      event = client_->poll(at_sbc_.stream(), clock);
+      if (event == ClientEvent::Tick) {
+        ASSERT_LT(tick, model.mission.size()) << "the model's SBC sees no such tick";
+        instruct(model.mission[tick++]);
+        mission_time_s_ += stuck_ ? 0 : kCycle;
+        client_->done({mission_time_s_, 0, 0, 1}, at_sbc_.stream());
+      }
+    }
+    EXPECT_EQ(tick, model.mission.size());
+  }
+
+  void instruct(const std::string& what) {
+    if (what == "rests") {
+      return;
+    }
+    Instruction instruction;
+    instruction.control = what == "Take"    ? HookControl::Take
+                          : what == "Steer" ? HookControl::Steer
+                                            : HookControl::GiveBack;
+    instruction.vertical = HookVertical::Descend;
+    instruction.depth_m = 20;
+    instruction.pitch_rad = -0.4;
+    client_->instruct(instruction);
+  }
+
+  void happen(const std::string& what) {
+    if (what.starts_with("hold ")) {
+      Wire& wire = wires_[static_cast<size_t>(what[5] - '0')];
+      wire.held = true;
+      wire.frames_before_held = what[7] - '0';
+    } else if (what == "sbc off") {
+      client_.reset();
+      stuck_ = false;
+    } else if (what == "sbc on") {
+      client_.emplace(clientOptions(cycle_));
+      mission_time_s_ = 0;
+    } else if (what == "stuck") {
+      stuck_ = true;
+    } else if (what == "restart flight") {
+      hookbeh_.emplace(HookbehArgs{});
+    } else if (what == "restart science") {
+      hookprog_.emplace(HookprogOptions{});
+    } else {
+      FAIL() << "the model tells of `" << what << "`";
+    }
+  }
+
+  Wire wires_[kDirections];
+  End at_sbc_{wires_[kToSbc], wires_[kFromSbc]};
+  End at_prog_sbc_{wires_[kFromSbc], wires_[kToSbc]};
+  End at_prog_flight_{wires_[kFromFlight], wires_[kToFlight]};
+  End at_flight_{wires_[kToFlight], wires_[kFromFlight]};
+  Clothesline flight_;
+  std::optional<Hookprog> hookprog_;
+  std::optional<Hookbeh> hookbeh_;
+  std::optional<Client> client_;
+  std::map<uint16_t, double> array_;
+  HookbehOutputs outputs_;
+  double mission_time_s_ = 0;
+  bool stuck_ = false;
+  int cycle_ = 1;
+};
+
+/// The value of `#define NAME VALUE` in one of the model's files.
+double defined(const std::string& file, const std::string& name) {
+  const std::string text = slurp(GLIDER_SOURCE_DIR "/hooks/protocol/model/" + file);
+  const std::string wanted = "#define " + name + " ";
+  const size_t at = text.find("\n" + wanted);
+  EXPECT_NE(at, std::string::npos) << file << " defines no " << name;
+  return std::stod(text.substr(at + 1 + wanted.size()));
+}
+
+TEST(Model, HasTheCodesTimeouts) {
+  EXPECT_EQ(defined("control.pml", "SILENCE") * kCycle, HookbehArgs{}.silence_secs);
+  EXPECT_EQ(defined("control.pml", "LOST") * kCycle, Hookprog::kLostSecs);
+  EXPECT_EQ(defined("control.pml", "UNANSWERED"), Client::kMostUnansweredTicks);
+  EXPECT_EQ(defined("readings.pml", "LOST") * kCycle, Hookprog::kLostSecs);
+  EXPECT_LE(defined("readings.pml", "REMEMBERED"), 8);
+}
+
+TEST(Model, TheCodeFliesAsItDoes) {
+  constexpr int kFlights = 120;
+  size_t rounds = 0;
+  std::map<std::string, int> met;
+  for (int seed = 1; seed <= kFlights; ++seed) {
+    Replay replay;
+    size_t number = 0;
+    for (const ModelRound& model : flyModel(seed)) {
+      SCOPED_TRACE("seed " + std::to_string(seed) + ", round " + std::to_string(++number));
+      replay.round(model);
+      ++met[model.state.state];
+      ++met[model.state.answer];
+      for (const std::string& what : model.after) {
+        ++met[what];
+      }
+      if (testing::Test::HasFailure()) {
+        return;
+      }
+    }
+    rounds += number;
+  }
+  EXPECT_GT(rounds, kFlights * 50U);
+  for (const char* what :
+       {"Ready", "Active", "Silent", "Complete", "Accepted", "WrongSession", "sbc off", "sbc on",
+        "stuck", "restart flight", "restart science", "hold 0 0", "hold 1 0", "hold 2 0",
+        "hold 3 0", "hold 0 1", "hold 1 1", "hold 2 1", "hold 3 1"}) {
+    EXPECT_GT(met[what], 0) << what;
+  }
+}
+
+}  // namespace
+}  // namespace glider::tests

@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Flights in which something goes wrong, each with its stated outcome (scenarios/README.md).
+
+#include "platforms/slocum_sensors.h"
+#include "tests/unit/simulator/fake_sbc.h"
+#include "tests/unit/simulator/flights.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace glider::simulator {
+namespace {
+
+constexpr double kSilentAfter = 24 + 8;  // silence_secs and two cycles
+
+SimulationSetup withFaults(const Faults& faults,
+                           FakePilot::Plan plan = {.give_back_s = 1200, .takes_again = true}) {
+  SimulationSetup setup = shippedSetup("default");
+  setup.scenario.faults = faults;
+  setup.duration_s = 6000;
+  setup.restart_sbc = [plan] {
+    return support::Result<std::unique_ptr<SbcPort>>(std::make_unique<FakeSbc>(plan, 1e9, true));
+  };
+  setup.sbc = std::move(*setup.restart_sbc());
+  return setup;
+}
+
+/// The first event from `after_s` on whose text contains `text`; -1 if there is none.
+double timeOf(const support::Trace& trace, const std::string& text, double after_s = 0) {
+  for (const support::TraceEvent& event : trace.events) {
+    if (event.time_s >= after_s && event.what.find(text) != std::string::npos) {
+      return event.time_s;
+    }
+  }
+  return -1;
+}
+
+void expectHandBackAndReturn(const Faults& faults, double begin_s, double end_s) {
+  const support::Trace trace = fly(withFaults(faults));
+  const std::string events = eventText(trace);
+  const double silent = timeOf(trace, "the SBC is silent");
+  EXPECT_GT(silent, begin_s) << events;
+  EXPECT_LE(silent, begin_s + kSilentAfter) << events;
+  const double again = timeOf(trace, "the SBC takes control", silent);
+  EXPECT_GE(again, end_s) << events;
+  EXPECT_LE(again, end_s + 60) << events;
+  EXPECT_GT(timeOf(trace, "gives control back"), again) << events;
+  EXPECT_GT(timeOf(trace, "nothing is left to fly"), again) << events;
+}
+
+Faults onLine(LineWay way, const LineFault& what) {
+  Faults faults;
+  faults.lines.push_back(what);
+  faults.lines.back().way = way;
+  return faults;
+}
+
+TEST(FaultFlight, PowerCutEndsControlInTimeAndTheProgramStartsAgain) {
+  Faults faults;
+  faults.power = {{300, 400}};
+  expectHandBackAndReturn(faults, 300, 400);
+}
+
+TEST(FaultFlight, APortThatVanishesEndsControlInTimeAndTheBoardStartsTheProgramAgain) {
+  Faults faults;
+  faults.port = {{300, 400}};
+  expectHandBackAndReturn(faults, 300, 400);
+}
+
+TEST(FaultFlight, AStuckMissionIsLetGoThoughItAnswers) {
+  Faults faults;
+  faults.stuck = {{300, 400}};
+  expectHandBackAndReturn(faults, 300, 400);
+  EXPECT_NE(timeOf(fly(withFaults(faults)), "stands still"), -1)
+      << eventText(fly(withFaults(faults)));
+}
+
+TEST(FaultFlight, AScienceRebootEndsControlInTime) {
+  Faults faults;
+  faults.science = {{300, 400}};
+  expectHandBackAndReturn(faults, 300, 400);
+}
+
+TEST(FaultFlight, AShortScienceRebootCostsNothing) {
+  Faults faults;
+  faults.science = {{301, 307}};
+  const support::Trace trace = fly(withFaults(faults));
+  EXPECT_NE(timeOf(trace, "the science computer starts again"), -1) << eventText(trace);
+  EXPECT_EQ(timeOf(trace, "the SBC is silent"), -1) << eventText(trace);
+  EXPECT_NE(timeOf(trace, "gives control back"), -1) << eventText(trace);
+}
+
+TEST(FaultFlight, EachDirectionOfEachLineThatIsCutEndsControlInTime) {
+  for (const LineWay way :
+       {LineWay::ToSbc, LineWay::FromSbc, LineWay::ToFlight, LineWay::FromFlight}) {
+    SCOPED_TRACE(static_cast<int>(way));
+    expectHandBackAndReturn(onLine(way, {.when = {300, 400}, .cut = true}), 300, 400);
+  }
+}
+
+TEST(FaultFlight, TheWrongSpeedIsADeadLine) {
+  for (const double baud : {57600.0, 230400.0}) {
+    expectHandBackAndReturn(onLine(LineWay::ToSbc, {.when = {300, 400}, .heard_at_baud = baud}),
+                            300, 400);
+  }
+}
+
+TEST(FaultFlight, AnAbortTakesTheVehicleUpForGood) {
+  Faults faults;
+  faults.aborts = {300};
+  const support::Trace trace = fly(withFaults(faults));
+  EXPECT_NEAR(timeOf(trace, "MS_ABORT_DEVICE_ERROR"), 300, 0.3) << eventText(trace);
+  EXPECT_NE(timeOf(trace, "aborted (MS_ABORT_DEVICE_ERROR) and at the surface"), -1);
+  EXPECT_EQ(timeOf(trace, "takes control", 300), -1) << eventText(trace);
+}
+
+TEST(FaultFlight, DamageThatLeavesEnoughIsFlownThrough) {
+  for (const LineFault& fault :
+       {LineFault{.when = {100, 900}, .loss = 2e-4}, LineFault{.when = {100, 900}, .flips = 2e-4},
+        LineFault{.when = {100, 900}, .bursts = 2e-5}, LineFault{.when = {100, 900}, .delay_s = 2},
+        LineFault{.when = {100, 900}, .doubled = 1}}) {
+    for (const LineWay way : {LineWay::ToSbc, LineWay::FromSbc}) {
+      const support::Trace trace = fly(withFaults(onLine(way, fault)));
+      EXPECT_EQ(timeOf(trace, "the SBC is silent"), -1) << eventText(trace);
+      EXPECT_NE(timeOf(trace, "gives control back"), -1) << eventText(trace);
+    }
+  }
+}
+
+TEST(FaultFlight, TheSbcsClockMayJump) {
+  Faults faults;
+  faults.clock = {{300, 1e6}, {400, -3e6}, {500, 50}};
+  const support::Trace trace = fly(withFaults(faults));
+  EXPECT_EQ(timeOf(trace, "the SBC is silent"), -1) << eventText(trace);
+  EXPECT_NEAR(timeOf(trace, "gives control back"), 1206, 12) << eventText(trace);
+}
+
+SensorFault onSensor(const char* name, SensorFault::Kind kind, double value = 0) {
+  SensorFault fault;
+  fault.name = name;
+  fault.when = {300, 500};
+  fault.kind = kind;
+  fault.value = value;
+  return fault;
+}
+
+TEST(FaultFlight, SensorsFreezeVanishAndLie) {
+  using Kind = SensorFault::Kind;
+  Faults faults;
+  faults.sensors = {onSensor("m_pitch", Kind::Frozen), onSensor("m_heading", Kind::Value, 99)};
+  const support::Trace trace = fly(withFaults(faults));
+  EXPECT_EQ(valueAt(trace, "m_pitch", 304), valueAt(trace, "m_pitch", 496));
+  EXPECT_EQ(valueAt(trace, "m_heading", 400), 99);
+  EXPECT_NE(valueAt(trace, "m_heading", 520), 99);
+  EXPECT_NE(timeOf(trace, "gives control back"), -1) << eventText(trace);
+}
+
+TEST(FaultFlight, NoSensorsNanReachesTheVehicle) {
+  for (uint16_t id = 0; id < GLIDER_SENSOR_COUNT; ++id) {
+    SimulationSetup setup = withFaults({});
+    const std::string name = setup.platform.sensors[id].name;
+    setup.scenario.faults.sensors = {
+        onSensor(name.c_str(), SensorFault::Kind::Value, std::nan(""))};
+    setup.duration_s = 600;
+    const support::Trace trace = fly(std::move(setup));
+    for (const char* column : {"true_depth", "true_lat", "true_lon"}) {
+      EXPECT_FALSE(std::isnan(valueAt(trace, column, 600))) << name << " " << column;
+    }
+    EXPECT_FALSE(std::isnan(valueAt(trace, "m_lat", 600))) << name;
+  }
+}
+
+TEST(FaultFlight, IsNotOverUnderWaterWhateverTheDepthSensorSays) {
+  Faults faults;
+  faults.sensors = {onSensor("m_depth", SensorFault::Kind::Value, 0)};
+  faults.power = {{320, kForever}};
+  const support::Trace trace = fly(withFaults(faults, {.top_m = 5, .bottom_m = 50}));
+  EXPECT_NE(timeOf(trace, "nothing is left to fly"), -1) << eventText(trace);
+  EXPECT_LT(trace.at(trace.rowCount() - 1, trace.column("true_depth")), 1) << eventText(trace);
+}
+
+TEST(FaultFlight, OfASensorThatTheVehicleDoesNotHaveIsRefused) {
+  Faults faults;
+  faults.sensors = {onSensor("m_depht", SensorFault::Kind::Frozen)};
+  const auto refused = simulate(withFaults(faults));
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().id, support::DiagnosticId::platformLacksSensor);
+  EXPECT_NE(refused.error().message.find("m_depht"), std::string::npos);
+}
+
+TEST(FaultFlight, IsDeterministic) {
+  const Faults faults = onLine(LineWay::FromSbc, {.when = {100, 900}, .loss = 0.02});
+  const std::string first = traceToCsv(fly(withFaults(faults)));
+  EXPECT_EQ(first, traceToCsv(fly(withFaults(faults))));
+  SimulationSetup other = withFaults(faults);
+  other.seed = 2;
+  EXPECT_NE(first, traceToCsv(fly(std::move(other))));
+}
+
+}  // namespace
+}  // namespace glider::simulator

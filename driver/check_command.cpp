@@ -5,6 +5,7 @@
 #include "driver/commands.h"
 #include "driver/exit_code.h"
 #include "driver/explain_page.h"
+#include "driver/run_trace.h"
 #include "driver/terminal.h"
 #include "support/files.h"
 
@@ -13,6 +14,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <string>
@@ -32,6 +34,7 @@ struct CommandOptions {
   Format format = Format::Text;
   std::string output = "-";
   CheckOptions check;
+  std::string traces;  ///< folder; empty: none
 };
 
 /// "1 error, 2 warnings" of what is shown, as a pilot would write it; empty if there is neither.
@@ -119,6 +122,30 @@ support::Result<void> put(const CommandOptions& options, const std::string& text
                                : support::writeFileAtomically(options.output, text);
 }
 
+/// Where the runs of a mission go: a folder of its own when there are several missions.
+std::filesystem::path tracesOf(const CommandOptions& options, const std::string& mission) {
+  const std::filesystem::path folder = options.traces;
+  return options.missions.size() == 1 ? folder
+                                      : folder / std::filesystem::path(mission).stem().string();
+}
+
+/// Writes the runs if they are wanted.
+int writeTraces(const CommandOptions& options, const Checked& checked) {
+  if (options.traces.empty() || checked.found.requirements.empty()) {
+    return kFine;
+  }
+  const auto folder = tracesOf(options, checked.found.path);
+  const auto written = writeRuns(checked, folder);
+  if (!written) {
+    return reportFailure(written.error());
+  }
+  if (*written > 0) {
+    tell(fmt::format("{}: {} run{} written to {}\n", checked.found.path, *written,
+                     *written == 1 ? "" : "s", folder.string()));
+  }
+  return kFine;
+}
+
 int checkForPeople(const CommandOptions& options) {
   int status = kFine;
   std::string all;
@@ -126,7 +153,7 @@ int checkForPeople(const CommandOptions& options) {
     const Checked checked = checkMission(path, options.check);
     std::string text;
     tellPeople(checked, options.check, text);
-    status = std::max(status, exitCode(checked.found));
+    status = std::max({status, exitCode(checked.found), writeTraces(options, checked)});
     // At once, so that it stands beside the mistakes of the same mission.
     if (options.output == "-") {
       if (const auto printed = printOut(text); !printed) {
@@ -155,7 +182,7 @@ int checkForMachines(const CommandOptions& options) {
   for (const std::string& path : options.missions) {
     all.push_back(checkMission(path, options.check));
     found.push_back(all.back().found);
-    status = std::max(status, exitCode(found.back()));
+    status = std::max({status, exitCode(found.back()), writeTraces(options, all.back())});
     if (found.back().failure) {
       reportFailure(*found.back().failure);
     }
@@ -209,6 +236,11 @@ void addCheckCommand(CLI::App& app, int& status) {
                    "How many times the usual effort a proof may take (default 1)")
       ->check(CLI::Range(1U, kMostEffort))
       ->option_text("N");
+  command
+      ->add_option("--traces", options->traces,
+                   "Write a run that breaks it for each requirement that does not hold, for "
+                   "`glidercc sim --replay`")
+      ->option_text("FOLDER");
   command->callback([options, &status] { status = check(*options); });
 }
 

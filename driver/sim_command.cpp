@@ -7,6 +7,7 @@
 #include "driver/explain_guard.h"
 #include "driver/flight_files.h"
 #include "driver/link_option.h"
+#include "driver/replay.h"
 #include "driver/sbc_choice.h"
 #include "driver/share.h"
 #include "driver/terminal.h"
@@ -14,6 +15,8 @@
 #include "report/summary.h"
 #include "report/warnings.h"
 #include "simulator/simulator.h"
+#include "support/files.h"
+#include "support/trace/trace.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -39,6 +42,7 @@ struct SimOptions {
   std::optional<uint64_t> seed;
   std::optional<double> kill_sbc_at_s;
   std::string output;
+  std::string replay;  ///< the file of a run; empty: none
   LaunchChoice launch;
   std::vector<std::string> user_code;
 };
@@ -180,7 +184,82 @@ support::Result<simulator::Scenario> chooseScenario(const SimOptions& options) {
   return scenario;
 }
 
+/// What a replay came to.
+int tellReplay(const support::Trace& trace, const Replayed& replayed, const std::string& way) {
+  std::string text;
+  for (const support::TraceEvent& event : trace.events) {
+    if (event.kind == "transition") {
+      text += event.what + "\n";
+    }
+  }
+  text += replayed.broken
+              ? fmt::format(
+                    "at {:.6g} s the mission breaks `{}`: {} flew it as the proof says, "
+                    "tick by tick ({} ticks)\n",
+                    replayed.when, trace.scenario, way, replayed.ticks)
+              : fmt::format("`{}` holds in this run ({} ticks, {})\n", trace.scenario,
+                            replayed.ticks, way);
+  const auto printed = printOut(text);
+  if (!printed) {
+    return reportFailure(printed.error());
+  }
+  return replayed.broken ? kMissionHasErrors : kFine;
+}
+
+std::vector<std::string> stateNames(const ir::Mission& mission) {
+  std::vector<std::string> names;
+  for (const ir::State& state : mission.states) {
+    names.push_back(state.name);
+  }
+  return names;
+}
+
+/// Flies the run of a trace instead of a world.
+int replayTrace(SimOptions options) {
+  const auto text = support::readFile(options.replay);
+  if (!text) {
+    return reportFailure(text.error());
+  }
+  const auto trace = support::traceFromJson(*text, options.replay);
+  if (!trace) {
+    return reportFailure(trace.error());
+  }
+  const auto mission = compileMission(options.mission);
+  if (!mission) {
+    return reportFailure(mission.error());
+  }
+  int status = kFine;
+  const auto built = compileForFlight(options, status);
+  if (status != kFine) {
+    return status;
+  }
+  if (auto fits = checkTrace(*trace, options.replay, **mission); !fits) {
+    return reportFailure(fits.error());
+  }
+  options.launch.settings = trace->settings;
+  const auto loaded = loadHere(*built);
+  const auto parameters =
+      loaded ? chooseParameters(loaded->mission(), options.launch)
+             : support::Result<std::vector<double>>(std::unexpected(loaded.error()));
+  if (!parameters) {
+    return reportFailure(parameters.error());
+  }
+  const auto sbc = chooseSbc(options, built.get());
+  if (!sbc) {
+    return reportFailure(sbc.error());
+  }
+  const auto replayed =
+      replayRun(*trace, **mission, stateNames(*built->mission), *parameters, **sbc);
+  if (!replayed) {
+    return reportFailure(replayed.error());
+  }
+  return tellReplay(*trace, *replayed, (*sbc)->way());
+}
+
 int sim(const SimOptions& options) {
+  if (!options.replay.empty()) {
+    return replayTrace(options);
+  }
   auto scenario = chooseScenario(options);
   if (!scenario) {
     return reportFailure(scenario.error());
@@ -253,7 +332,16 @@ void addOptions(CLI::App& command, SimOptions& options) {
       ->option_text("SECONDS");
   command.add_option("-o", options.output, "Folder for report.html, trace.csv and events.csv")
       ->option_text("FOLDER");
-  program->excludes(mission)->excludes(board);
+  command
+      .add_option("--replay", options.replay,
+                  "Fly the run in this trace, which `glidercc check --traces` has written, instead "
+                  "of a world")
+      ->option_text("TRACE")
+      ->excludes("--scenario")
+      ->excludes("--seed")
+      ->excludes("--kill-sbc-at")
+      ->needs(mission);
+  program->excludes(board);
   without->excludes(mission)->excludes(board)->excludes(program);
 }
 
@@ -269,6 +357,9 @@ void addSimCommand(CLI::App& app, int& status) {
   command->callback([options, &status] {
     if (options->mission.empty() && options->program.empty() && !options->without_sbc) {
       throw CLI::RequiredError("MISSION (or --sbc PROGRAM, or --no-sbc)");
+    }
+    if (!options->mission.empty() && !options->program.empty() && options->replay.empty()) {
+      throw CLI::ExcludesError("--sbc", "MISSION");
     }
     status = sim(*options);
   });

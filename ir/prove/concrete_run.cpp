@@ -5,10 +5,15 @@
 
 #include "ir/prove/run_recorder.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace glider::ir::prove {
 namespace {
@@ -16,11 +21,40 @@ namespace {
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr size_t kMostTicks = 200000;
 
+/// Times that the vehicle's clock, a float of 4 bytes, can show for three days.
+double onGrid(double time) {
+  constexpr double kSteps = 64;
+  return std::round(time * kSteps) / kSteps;
+}
+
+/// With digits that a launch takes.
+double shorter(double value, const Variable& parameter) {
+  const double rounded = std::stod(fmt::format("{:.9g}", value));
+  return rounded >= parameter.lowest && rounded <= parameter.highest ? rounded : value;
+}
+
+/// `run` as a vehicle can fly it.
+Run rounded(Run run, const Mission& mission) {
+  for (Step& step : run.steps) {
+    step.mission_time = onGrid(step.mission_time);
+  }
+  size_t number = 0;
+  for (const Variable& variable : mission.variables) {
+    if (variable.kind == VariableKind::Parameter && number < run.parameters.size()) {
+      run.parameters[number] = shorter(run.parameters[number], variable);
+      ++number;
+    }
+  }
+  return run;
+}
+
 class Speller {
  public:
   Speller(const Run& run, const Ground& ground, uint32_t stack_depth,
           const Requirement& requirement)
-      : run_(run), ground_(ground), recorder_(ground, stack_depth, requirement) {}
+      : run_(rounded(run, ground.mission)),
+        ground_(ground),
+        recorder_(ground, stack_depth, requirement) {}
 
   std::optional<ConcreteRun> spell() {
     if (run_.steps.empty() || failedCondition(ground_.mission, run_.parameters)) {
@@ -39,9 +73,16 @@ class Speller {
  private:
   /// `readings` with the depth that the vehicle has, if it is known there.
   std::vector<double> withDepth(std::vector<double> readings, double depth) const {
+    const auto sensor = recorder_.depthSensor();
+    return sensor && readings[sensor->index] == readings[sensor->index]
+               ? seeing(std::move(readings), depth)
+               : readings;
+  }
+
+  /// `readings` with the depth that the vehicle has.
+  std::vector<double> seeing(std::vector<double> readings, double depth) const {
     if (recorder_.depthSensor() && depth == depth) {
-      double& reading = readings[recorder_.depthSensor()->index];
-      reading = reading == reading ? depth : reading;
+      readings[recorder_.depthSensor()->index] = depth;
     }
     return readings;
   }
@@ -71,15 +112,11 @@ class Speller {
   /// The readings of the step to come, those of the one before, none, and others at random: the
   /// first with which nothing fires.
   bool fillOne(const Step& from, const Step& to, double time, double depth) {
-    std::vector<double> none(ground_.mission.sensors.size(), kUnknown);
-    if (recorder_.tickIfQuiet(time, withDepth(to.readings, depth), depth) ||
-        recorder_.tickIfQuiet(time, withDepth(from.readings, depth), depth) ||
-        recorder_.tickIfQuiet(time, none, depth)) {
-      return true;
-    }
-    if (recorder_.depthSensor() && depth == depth) {
-      none[recorder_.depthSensor()->index] = depth;
-      if (recorder_.tickIfQuiet(time, none, depth)) {
+    const std::vector<double> none(ground_.mission.sensors.size(), kUnknown);
+    for (const std::vector<double>& readings :
+         {seeing(to.readings, depth), withDepth(to.readings, depth),
+          withDepth(from.readings, depth), seeing(none, depth), none}) {
+      if (recorder_.tickIfQuiet(time, readings, depth)) {
         return true;
       }
     }
@@ -113,7 +150,7 @@ class Speller {
 
   static constexpr int kTries = 30;
 
-  const Run& run_;
+  const Run run_;
   const Ground& ground_;
   RunRecorder recorder_;
   size_t ticks_ = 0;

@@ -19,6 +19,9 @@ struct ConcreteTick {
   double mission_time = 0;
   std::vector<SensorUpdate> frame;  ///< raw; NaN: a reading that failed
   double depth = 0;                 ///< true depth, m; NaN: nobody knows
+  StateId state;                    ///< current after the tick
+  uint32_t stack_depth = 0;
+  bool finished = false;
 };
 
 /// A run tick by tick, as it was tried out on the interpreter.
@@ -27,7 +30,8 @@ struct ConcreteRun {
   std::vector<ConcreteTick> ticks;  ///< the start first
   struct Event {
     support::SourceRange range;  ///< of the case
-    std::string text;
+    double mission_time = 0;
+    std::string text;  ///< "at 500 s `s1` calls `s2`"
   };
   std::vector<Event> story;  ///< the transitions
   std::string state;         ///< the current one when it is broken

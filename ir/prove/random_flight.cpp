@@ -6,9 +6,12 @@
 #include "ir/prove/random_vehicle.h"
 #include "ir/prove/run_recorder.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
 namespace glider::ir::prove {
 namespace {
@@ -81,7 +84,10 @@ class RandomFlight {
       case 2:
         return variable.highest;
       default:
-        return dice_.within(std::max(variable.lowest, -kFar), std::min(variable.highest, kFar));
+        return std::clamp(
+            std::stod(fmt::format("{:.9g}", dice_.within(std::max(variable.lowest, -kFar),
+                                                         std::min(variable.highest, kFar)))),
+            variable.lowest, variable.highest);
     }
   }
 

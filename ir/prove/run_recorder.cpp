@@ -42,17 +42,23 @@ std::optional<SensorId> depthSensorOf(const Ground& ground) {
 }
 
 RunRecorder::RunRecorder(const Ground& ground, uint32_t stack_depth, const Requirement& requirement)
-    : m_(ground.mission),
+    : ground_(ground),
+      m_(ground.mission),
       requirement_(requirement),
       depth_sensor_(depthSensorOf(ground)),
       monitor_(m_, requirement, ground.platform.world.surface_depth_m, depth_sensor_) {
   interpreter_.emplace(m_, stack_depth);
 }
 
+/// As the vehicle's sensors hold them, most of which are floats of 4 bytes.
 std::vector<SensorUpdate> RunRecorder::frameOf(const std::vector<double>& readings) const {
+  constexpr uint32_t kWide = 8;
   std::vector<SensorUpdate> frame;
   for (uint32_t i = 0; i < readings.size(); ++i) {
-    frame.push_back({{i}, rawOf(m_.sensors[i], readings[i])});
+    const double raw = rawOf(m_.sensors[i], readings[i]);
+    const platforms::PlatformSensor* sensor = ground_.platformSensor({i});
+    const bool wide = sensor == nullptr || sensor->bytes == kWide;
+    frame.push_back({{i}, wide ? raw : static_cast<double>(static_cast<float>(raw))});
   }
   return frame;
 }
@@ -88,7 +94,8 @@ void RunRecorder::keep(TickResult result, double time, std::vector<SensorUpdate>
   tell(result, time);
   monitor_.tick(*interpreter_, time, result, depth);
   last_ = std::move(result);
-  result_.ticks.push_back({time, std::move(frame), depth});
+  result_.ticks.push_back({time, std::move(frame), depth, last_.state,
+                           static_cast<uint32_t>(last_.stack.size()), last_.finished});
 }
 
 void RunRecorder::tell(const TickResult& result, double time) {
@@ -103,10 +110,11 @@ void RunRecorder::tell(const TickResult& result, double time) {
                                                           : "ends the mission";
   const std::string from =
       fmt::format("{}`{}`", always ? "`always`, in " : "", m_[last_.state].name);
-  result_.story.push_back({c.range, c.transition == Transition::Exit
-                                        ? fmt::format("at {:.6g} s {} {}", time, from, verb)
-                                        : fmt::format("at {:.6g} s {} {} `{}`", time, from, verb,
-                                                      m_[result.state].name)});
+  const std::string text =
+      c.transition == Transition::Exit
+          ? fmt::format("at {:.6g} s {} {}", time, from, verb)
+          : fmt::format("at {:.6g} s {} {} `{}`", time, from, verb, m_[result.state].name);
+  result_.story.push_back({c.range, time, text});
 }
 
 /// What the condition of `always` reads, as it was then.

@@ -38,6 +38,7 @@ class RunRecorder {
   void tell(const TickResult& result, double time);
   void describeValues();
 
+  const Ground& ground_;
   const Mission& m_;
   const Requirement& requirement_;
   std::optional<SensorId> depth_sensor_;

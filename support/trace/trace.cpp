@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace glider::support {
 
@@ -59,21 +61,79 @@ std::string traceToJson(const Trace& trace) {
   for (const TraceColumn& c : trace.columns) {
     columns.push_back({{"name", c.name}, {"unit", c.unit}});
   }
-  const json document = {{"mission", trace.mission},
-                         {"scenario", trace.scenario},
-                         {"way", trace.way},
-                         {"seed", trace.seed},
-                         {"states", trace.state_names},
-                         {"columns", columns},
-                         {"rows", trace.rows},
-                         {"events", eventsToJson(trace.events)},
-                         {"field",
-                          {{"unit", trace.field.unit},
-                           {"times", trace.field.times_s},
-                           {"depths", trace.field.depths_m},
-                           {"values", trace.field.values}}}};
+  json document = {{"mission", trace.mission},
+                   {"scenario", trace.scenario},
+                   {"way", trace.way},
+                   {"seed", trace.seed},
+                   {"states", trace.state_names},
+                   {"columns", columns},
+                   {"rows", trace.rows},
+                   {"events", eventsToJson(trace.events)},
+                   {"field",
+                    {{"unit", trace.field.unit},
+                     {"times", trace.field.times_s},
+                     {"depths", trace.field.depths_m},
+                     {"values", trace.field.values}}}};
+  if (trace.requirement) {
+    document["settings"] = trace.settings;
+    document["requirement"] = *trace.requirement;
+  }
   // Invalid UTF-8 in a name must not abort a flight's report.
   return document.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+namespace {
+
+double numberOrNaN(const json& value) {
+  return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
+}
+
+void readEvents(const json& document, Trace& trace) {
+  for (const json& one : document.at("events")) {
+    TraceEvent event;
+    event.time_s = one.at("time").get<double>();
+    event.mission_time_s = numberOrNaN(one.at("missionTime"));
+    one.at("kind").get_to(event.kind);
+    one.at("what").get_to(event.what);
+    one.at("why").get_to(event.why);
+    trace.events.push_back(std::move(event));
+  }
+}
+
+Trace readDocument(const json& document) {
+  Trace trace;
+  document.at("mission").get_to(trace.mission);
+  document.at("scenario").get_to(trace.scenario);
+  document.at("way").get_to(trace.way);
+  document.at("seed").get_to(trace.seed);
+  document.at("states").get_to(trace.state_names);
+  for (const json& column : document.at("columns")) {
+    trace.columns.push_back(
+        {column.at("name").get<std::string>(), column.at("unit").get<std::string>()});
+  }
+  for (const json& value : document.at("rows")) {
+    trace.rows.push_back(numberOrNaN(value));
+  }
+  readEvents(document, trace);
+  if (document.contains("requirement")) {
+    document.at("settings").get_to(trace.settings);
+    trace.requirement = document.at("requirement").get<uint32_t>();
+  }
+  return trace;
+}
+
+}  // namespace
+
+Result<Trace> traceFromJson(const std::string& text, const std::string& name) {
+  try {
+    Trace trace = readDocument(json::parse(text));
+    if (trace.columns.empty() || trace.rows.size() % trace.columns.size() != 0) {
+      return fail(DiagnosticId::noTrace, name, "its rows do not fit its columns");
+    }
+    return trace;
+  } catch (const json::exception& trouble) {
+    return fail(DiagnosticId::noTrace, name, trouble.what());
+  }
 }
 
 }  // namespace glider::support

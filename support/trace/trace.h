@@ -7,7 +7,9 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace glider::support {
@@ -45,9 +47,12 @@ struct Trace {
   std::string way;       ///< "in-process", "host", "ts7800", "ts5500", "none" (no SBC)
   uint64_t seed = 0;
   std::vector<std::string> state_names;  ///< for the column "state"
-  std::vector<TraceColumn> columns;      ///< columns[0] is "time" in s
-  std::vector<double> rows;              ///< row-major, columns.size() values a row
-  std::vector<TraceEvent> events;        ///< in order of time
+  /// The parameters of a run that the verifier found, as `--set` takes them; each "name=value".
+  std::vector<std::string> settings;
+  std::optional<uint32_t> requirement;  ///< which one such a run breaks, from 0
+  std::vector<TraceColumn> columns;     ///< columns[0] is "time" in s
+  std::vector<double> rows;             ///< row-major, columns.size() values a row
+  std::vector<TraceEvent> events;       ///< in order of time
   TraceField field;
 
   [[nodiscard]] size_t rowCount() const {
@@ -65,5 +70,8 @@ struct Trace {
 std::string traceToCsv(const Trace& trace);
 /// The whole trace as one JSON object (NaN is null): what the report page reads.
 std::string traceToJson(const Trace& trace);
+/// Reads what traceToJson writes, but for the field; `name` is for messages. GL9360 if it is
+/// something else.
+Result<Trace> traceFromJson(const std::string& text, const std::string& name);
 
 }  // namespace glider::support

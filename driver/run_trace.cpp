@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "driver/run_trace.h"
+
+#include "driver/flight_files.h"
+#include "support/files.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace glider::driver {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr size_t kFixedColumns = 4;
+
+std::string settingOf(const ir::Variable& parameter, double value) {
+  if (parameter.type.kind == ir::TypeKind::Bool) {
+    return fmt::format("{}={}", parameter.name, value != 0 ? "true" : "false");
+  }
+  const std::string unit = parameter.type.kind == ir::TypeKind::Quantity
+                               ? support::unitName(parameter.type.dimension)
+                               : "";
+  return fmt::format("{}={:.9g}{}", parameter.name, value, unit);
+}
+
+std::vector<std::string> settingsOf(const ir::Mission& mission,
+                                    const std::vector<double>& parameters) {
+  std::vector<std::string> settings;
+  for (const ir::Variable& variable : mission.variables) {
+    if (variable.kind == ir::VariableKind::Parameter && settings.size() < parameters.size()) {
+      settings.push_back(settingOf(variable, parameters[settings.size()]));
+    }
+  }
+  return settings;
+}
+
+void addColumns(support::Trace& trace, const Compilation& compilation) {
+  trace.columns = {{"time", "s"}, {"missiontime", "s"}, {"state", "id"}, {"true_depth", "m"}};
+  for (const ir::Sensor& sensor : compilation.mission->sensors) {
+    const auto* known =
+        compilation.platform ? compilation.platform->find(sensor.vehicle_name) : nullptr;
+    trace.columns.push_back(
+        {sensor.vehicle_name, known == nullptr || known->unit == "1" ? "" : known->unit});
+  }
+}
+
+void addRows(support::Trace& trace, const ir::prove::ConcreteRun& run) {
+  for (const ir::prove::ConcreteTick& tick : run.ticks) {
+    std::vector<double> row(trace.columns.size(), kNaN);
+    row[0] = tick.mission_time;
+    row[1] = tick.mission_time;
+    row[2] = tick.state.index;
+    row[3] = tick.depth;
+    for (const ir::SensorUpdate& update : tick.frame) {
+      row[kFixedColumns + update.sensor.index] = update.raw;
+    }
+    trace.rows.insert(trace.rows.end(), row.begin(), row.end());
+  }
+}
+
+}  // namespace
+
+support::Trace traceOfRun(const Compilation& compilation,
+                          const ir::prove::RequirementVerdict& verdict) {
+  const ir::prove::ConcreteRun& run = *verdict.run;
+  const auto requirement = compilation.mission->requirements[verdict.requirement].range;
+  support::Trace trace;
+  trace.mission = compilation.mission->name;
+  trace.scenario = std::string(compilation.sources.text(requirement));
+  trace.way = "proof";
+  trace.requirement = verdict.requirement;
+  for (const ir::State& state : compilation.mission->states) {
+    trace.state_names.push_back(state.name);
+  }
+  trace.settings = settingsOf(*compilation.mission, run.parameters);
+  addColumns(trace, compilation);
+  addRows(trace, run);
+  for (const auto& event : run.story) {
+    trace.events.push_back({event.mission_time, event.mission_time, "transition", event.text,
+                            std::string(compilation.sources.text(event.range))});
+  }
+  trace.events.push_back(
+      {run.when, run.when, "requirement", fmt::format("broken: {}", trace.scenario), run.values});
+  return trace;
+}
+
+support::Result<size_t> writeRuns(const Checked& checked, const std::filesystem::path& folder) {
+  size_t count = 0;
+  for (const ir::prove::RequirementVerdict& verdict : checked.proved.requirements) {
+    if (verdict.verdict != ir::prove::Verdict::Refuted || !verdict.run) {
+      continue;
+    }
+    const auto place = folder / fmt::format("requirement-{}", verdict.requirement + 1);
+    const support::Trace trace = traceOfRun(*checked.compilation, verdict);
+    if (auto written = writeFlight(trace, place); !written) {
+      return std::unexpected(written.error());
+    }
+    if (auto written =
+            support::writeFileAtomically(place / "trace.json", support::traceToJson(trace));
+        !written) {
+      return std::unexpected(written.error());
+    }
+    ++count;
+  }
+  return count;
+}
+
+}  // namespace glider::driver

@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "simulator/replay/agreeing_vehicle.h"
+
+#include "hooks/protocol/sensors.h"
+#include "hooks/protocol/values.h"
+#include "platforms/slocum_sensors.h"
+
+#include <array>
+#include <limits>
+
+namespace glider::simulator {
+namespace {
+
+constexpr double kCycle = 4;      // s
+constexpr uint8_t kFinished = 2;  ///< SbcView::phase
+/// Rounds of questions and answers within one cycle.
+constexpr int kRounds = 4;
+
+}  // namespace
+
+void AgreeingVehicle::offerControl(const ReplayTick& start) {
+  origin_s_ += kCycle;
+  show(start.readings);
+  cycle(origin_s_);
+}
+
+void AgreeingVehicle::tick(const ReplayTick& tick) {
+  in_control_ = true;
+  moved_.reset();
+  show(tick.readings);
+  cycle(origin_s_ + tick.mission_time);
+}
+
+void AgreeingVehicle::show(const std::vector<ReplayReading>& readings) {
+  for (const ReplayReading& reading : readings) {
+    if (hooks::isScienceSensor(reading.sensor)) {
+      science_[reading.sensor] = reading.raw;
+    } else {
+      told_.push_back({reading.sensor, reading.raw});
+    }
+  }
+}
+
+bool AgreeingVehicle::finished() const {
+  const auto view = hookprog_.sbc();
+  return view.known && view.phase == kFinished;
+}
+
+void AgreeingVehicle::cycle(double time) {
+  report(time);
+  for (int round = 0; round < kRounds; ++round) {
+    exchange(time);
+  }
+  science_.clear();
+}
+
+/// The array's sensors go first: the time, which makes a cycle of it, comes last.
+void AgreeingVehicle::report(double time) {
+  const auto state = in_control_ ? hooks::HookState::Active : hooks::HookState::Ready;
+  const bool answers = sequence_ != 0;
+  for (const hooks::SensorUpdate& update : std::initializer_list<hooks::SensorUpdate>{
+           {GLIDER_X_HOOK_STATE, static_cast<double>(state)},
+           {GLIDER_X_HOOK_ANSWER,
+            static_cast<double>(answers ? hooks::HookAnswer::Accepted : hooks::HookAnswer::None)},
+           {GLIDER_X_HOOK_SEQUENCE, sequence_},
+           {GLIDER_X_HOOK_SESSION, in_control_ ? session_ : 0},
+           {GLIDER_M_PRESENT_SECS_INTO_MISSION, time},
+           {GLIDER_M_CYCLE_NUMBER, static_cast<double>(++cycles_)}}) {
+    told_.push_back(update);
+  }
+  (void)flight_.send(told_.data(), static_cast<uint32_t>(told_.size()));
+  told_.clear();
+}
+
+void AgreeingVehicle::exchange(double time) {
+  hearInstructions();
+  hookprog_.run(time, {this, ownSensor}, sbc_line_.left(), clothesline_.left());
+  const GliderByteStream end = sbc_line_.right();
+  std::array<uint8_t, hooks::MemoryLine::kCapacity> bytes;
+  const int32_t count = end.read(end.self, bytes.data(), static_cast<uint32_t>(bytes.size()));
+  if (count > 0 && sbc_.alive()) {
+    sbc_.deliver({bytes.data(), static_cast<size_t>(count)}, time);
+    const std::vector<uint8_t> said = sbc_.collect();
+    waiting_.insert(waiting_.end(), said.begin(), said.end());
+  }
+  if (!waiting_.empty()) {
+    const int32_t taken =
+        end.write(end.self, waiting_.data(), static_cast<uint32_t>(waiting_.size()));
+    waiting_.erase(waiting_.begin(), waiting_.begin() + taken);
+  }
+  hookprog_.run(time, {this, ownSensor}, sbc_line_.left(), clothesline_.left());
+  hearEvents();
+  hearInstructions();
+}
+
+/// Whatever is instructed is accepted, and answered in the next cycle.
+void AgreeingVehicle::hearInstructions() {
+  std::array<hooks::SensorUpdate, 64> updates;
+  for (uint32_t count = updates.size(); count == updates.size();) {
+    count = flight_.poll(clothesline_.right(), updates.data(), updates.size());
+    for (uint32_t i = 0; i < count; ++i) {
+      if (updates[i].id == GLIDER_SCI_HOOK_SESSION) {
+        session_ = updates[i].value;
+      } else if (updates[i].id == GLIDER_SCI_HOOK_SEQUENCE) {
+        sequence_ = updates[i].value;
+      }
+    }
+  }
+}
+
+void AgreeingVehicle::hearEvents() {
+  using Kind = hooks::HookprogEvent::Kind;
+  for (auto event = hookprog_.nextEvent(); event.kind != Kind::None;
+       event = hookprog_.nextEvent()) {
+    if (event.kind == Kind::SbcTransition) {
+      moved_ = {
+          .list = event.e, .fired_case = event.d, .from = event.b, .to = event.c, .kind = event.a};
+    }
+  }
+}
+
+double AgreeingVehicle::ownSensor(void* self, uint16_t id, bool* fresh) {
+  auto& vehicle = *static_cast<AgreeingVehicle*>(self);
+  const auto found = vehicle.science_.find(id);
+  *fresh = found != vehicle.science_.end();
+  const double value = *fresh ? found->second : std::numeric_limits<double>::quiet_NaN();
+  if (*fresh) {
+    vehicle.science_.erase(found);
+  }
+  return value;
+}
+
+}  // namespace glider::simulator

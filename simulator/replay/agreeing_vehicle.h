@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "hooks/clothesline/clothesline.h"
+#include "hooks/hookprog/hookprog.h"
+#include "hooks/transport/memory.h"
+#include "simulator/replay/replay.h"
+
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace glider::simulator {
+
+/// A vehicle around the real hookprog whose hookbeh accepts every instruction, and whose sensors
+/// report what they are told.
+class AgreeingVehicle {
+ public:
+  /// `sbc` outlives this.
+  explicit AgreeingVehicle(SbcPort& sbc) : sbc_(sbc), hookprog_({.virtual_time = true}) {}
+
+  /// A flight cycle in which hookbeh is ready; the sensors show what `start` says.
+  void offerControl(const ReplayTick& start);
+  /// The SBC has asked for control: its mission has started with that cycle's readings, at mission
+  /// time 0.
+  [[nodiscard]] bool askedForControl() const { return session_ != 0; }
+  /// A flight cycle in its control, at a mission time after 0.
+  void tick(const ReplayTick& tick);
+
+  [[nodiscard]] hooks::Hookprog::SbcView sbc() const { return hookprog_.sbc(); }
+  /// Its mission has ended.
+  [[nodiscard]] bool finished() const;
+  /// The transition of the newest tick.
+  [[nodiscard]] const std::optional<ReplayTransition>& moved() const { return moved_; }
+
+ private:
+  void show(const std::vector<ReplayReading>& readings);
+  /// One flight cycle at vehicle time `time`, s.
+  void cycle(double time);
+  void report(double time);
+  void exchange(double time);
+  void hearInstructions();
+  void hearEvents();
+  static double ownSensor(void* self, uint16_t id, bool* fresh);
+
+  SbcPort& sbc_;
+  hooks::Hookprog hookprog_;
+  hooks::Clothesline flight_;
+  hooks::MemoryLine sbc_line_;
+  hooks::MemoryLine clothesline_;
+  std::map<uint16_t, double> science_;     ///< not told yet
+  std::vector<hooks::SensorUpdate> told_;  ///< of the flight controller, of this cycle
+  std::vector<uint8_t> waiting_;           ///< bytes of the SBC that the line had no room for
+  std::optional<ReplayTransition> moved_;
+  double origin_s_ = 0;  ///< vehicle time of mission time 0
+  bool in_control_ = false;
+  double session_ = 0;
+  double sequence_ = 0;
+  uint32_t cycles_ = 0;
+};
+
+}  // namespace glider::simulator

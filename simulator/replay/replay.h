@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "simulator/sbc_port.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+/// Flies a mission on readings that are given, with no water and no vehicle: hookprog is the real
+/// one, and a flight controller that agrees to all hands it the readings.
+namespace glider::simulator {
+
+/// A reading: the sensor's number in the platform file, and what the vehicle reports in its own
+/// unit; NaN: a reading that failed.
+struct ReplayReading {
+  uint16_t sensor = 0;
+  double raw = 0;
+};
+
+/// What the SBC hears at a mission time, s.
+struct ReplayTick {
+  double mission_time = 0;
+  std::vector<ReplayReading> readings;
+};
+
+/// The transition of a tick: numbers as in the hook protocol's Transition message.
+struct ReplayTransition {
+  uint32_t list = 0, fired_case = 0, from = 0, to = 0, kind = 0;
+};
+
+/// What the SBC did with a tick.
+struct ReplayAnswer {
+  bool answered = false;
+  double mission_time = 0;  ///< as it says
+  uint32_t state = 0;       ///< current after the tick
+  uint32_t stack_depth = 0;
+  bool finished = false;
+  std::optional<ReplayTransition> moved;
+};
+
+/// Offers `sbc` control with the readings of the first of `ticks`, whose mission time is 0, and
+/// feeds it the others. There is at least one. Ends after them, or earlier when it has ended its
+/// mission or is gone: then with fewer answers. Empty if it never took control.
+std::vector<ReplayAnswer> replay(SbcPort& sbc, const std::vector<ReplayTick>& ticks);
+
+}  // namespace glider::simulator

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// accepts: GL9360 GL9361 GL9362
+// A requirement that does not hold: check writes the run that breaks it, and sim flies that run on
+// the mission as it is built, here and as the boards' binaries.
+
+#include "tests/support/command.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <gmock/gmock.h>
+
+namespace glider::tests {
+namespace {
+
+using testing::HasSubstr;
+
+/// `upper` may be 3 m to 8 m: what breaks the first requirement needs one near an end.
+const std::string kMission =
+    "mission m\n"
+    "param hold : time = 10 min in 5 min .. 20 min\n"
+    "require exit within 46 min\n"
+    "require never warm after cold\n"
+    "require always depth <= 20 m\n"
+    "require reach cold\n"
+    "state warm\nbegin\n  flightprofile yo(5 m, 20 m, 26 deg, 26 deg)\n"
+    "  sensors depth, temp, missiontime, statetime\n  events\n"
+    "    case missiontime >= 30 min          exit\n"
+    "    case statetime > hold && temp < 9 degC goto cold\nend\n"
+    "state cold\nbegin\n  flightprofile yo(5 m, 10 m, 26 deg, 26 deg)\n"
+    "  sensors depth, temp, statetime\n  events\n"
+    "    case temp > 12 degC      goto warm\n"
+    "    case statetime > 15 min  exit\nend\n";
+
+class Replay : public testing::Test {
+ protected:
+  void SetUp() override {
+    mission_ = folder_.write("m.mission", kMission).string();
+    checked_ = runShell("$GLIDERCC check " + mission_ + " --traces " + runs());
+  }
+
+  [[nodiscard]] std::string runs() const { return (folder_.path() / "runs").string(); }
+  [[nodiscard]] std::string trace(int requirement) const {
+    return runs() + "/requirement-" + std::to_string(requirement) + "/trace.json";
+  }
+  Outcome replay(int requirement, const std::string& how) const {
+    return runShell("$GLIDERCC sim " + mission_ + " --replay " + trace(requirement) + " -o " +
+                    runs() + "/out " + how);
+  }
+
+  TemporaryFolder folder_;
+  std::string mission_;
+  Outcome checked_;
+};
+
+TEST_F(Replay, TheSameViolationShowsInProcessAndOnTheHost) {
+  EXPECT_EQ(checked_.status, 1);
+  EXPECT_THAT(checked_.err, HasSubstr("[GL3110 requirement-broken]"));
+  EXPECT_THAT(checked_.err, HasSubstr("2 runs written"));
+  for (const int requirement : {2, 3}) {
+    for (const std::string how : {"", "--board host"}) {
+      const Outcome flown = replay(requirement, how);
+      EXPECT_EQ(flown.status, 1) << flown.err;
+      EXPECT_THAT(flown.out, HasSubstr("the mission breaks `require "));
+    }
+  }
+  EXPECT_FALSE(std::filesystem::exists(trace(1))) << "proved";
+  EXPECT_FALSE(std::filesystem::exists(trace(4))) << "proved";
+}
+
+TEST_F(Replay, TheSameViolationShowsOnTheBoards) {
+  for (const std::string board : {"ts7800", "ts5500"}) {
+    const Outcome flown = replay(2, "--board " + board);
+    EXPECT_EQ(flown.status, 1) << flown.err;
+    EXPECT_THAT(flown.out, HasSubstr(board + " flew it"));
+  }
+}
+
+TEST_F(Replay, AMissionThatWasMendedNoLongerFliesTheRun) {
+  std::string mended = kMission;
+  mended.replace(mended.find("goto warm"), 9, "exit     ");
+  mission_ = folder_.write("m.mission", mended).string();
+  const Outcome flown = replay(2, "");
+  EXPECT_EQ(flown.status, 0) << flown.err;
+  EXPECT_THAT(flown.out, HasSubstr("holds in this run"));
+}
+
+TEST_F(Replay, OtherFilesAreRefused) {
+  const auto text = folder_.write("text.json", "not JSON");
+  const auto cut = folder_.write("cut.json", slurp(trace(2)).substr(0, 1000));
+  const auto other = folder_.write("other.json", R"({"mission":"m","scenario":"","way":"","seed":0,
+      "states":[],"columns":[{"name":"time","unit":"s"}],"rows":[1],"events":[]})");
+  for (const auto& file : {text, cut}) {
+    const Outcome refused =
+        runShell("$GLIDERCC sim " + mission_ + " --replay " + file.string() + " -o " + runs());
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_THAT(refused.err, HasSubstr("[GL9360 no-trace]"));
+  }
+  const Outcome flight =
+      runShell("$GLIDERCC sim " + mission_ + " --replay " + other.string() + " -o " + runs());
+  EXPECT_EQ(flight.status, 2);
+  EXPECT_THAT(flight.err, HasSubstr("[GL9361 trace-not-of-mission]"));
+  const Outcome missing = runShell("$GLIDERCC sim " + mission_ + " --replay /nowhere/trace.json");
+  EXPECT_EQ(missing.status, 2);
+}
+
+// A run needs a program that is not this mission to go another way.
+TEST_F(Replay, AnotherProgramIsFoundOut) {
+  std::string other = kMission;
+  other.replace(other.find("missiontime >= 30 min"), 21, "missiontime >= 4 min");
+  const auto file = folder_.write("other.mission", other);
+  const std::string binary = (folder_.path() / "other").string();
+  ASSERT_EQ(runShell("$GLIDERCC build " + file.string() + " --target host -o " + binary).status, 0);
+  const Outcome flown = runShell("$GLIDERCC sim " + mission_ + " --replay " + trace(3) + " --sbc " +
+                                 binary + " -o " + runs());
+  EXPECT_EQ(flown.status, 2);
+  EXPECT_THAT(flown.err, HasSubstr("[GL9362 replay-differs]"));
+}
+
+}  // namespace
+}  // namespace glider::tests

@@ -187,7 +187,12 @@ Expressions::Lowered Expressions::call(const ir::Expr& expr) {
   }
   llvm::CallInst* value = builder_.CreateCall(lowerUse(lowering_, expr.use), arguments);
   value->setDoesNotThrow();
-  return expr.type.kind == ir::TypeKind::Bool ? truthIn(value) : Lowered{value, nullptr};
+  if (expr.type.kind != ir::TypeKind::Bool) {
+    return {value, nullptr};
+  }
+  // Not truthIn: C says true with any number but 0.
+  Value* zero = llvm::ConstantFP::get(builder_.getDoubleTy(), 0.0);
+  return {builder_.CreateFCmpONE(value, zero), builder_.CreateFCmpOEQ(value, zero)};
 }
 
 Value* Expressions::age(ir::SensorId sensor) {

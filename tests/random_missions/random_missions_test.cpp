@@ -159,7 +159,7 @@ TEST(RandomMissions, AreWorthRunning) {
   EXPECT_GT(s.transitions, s.ticks / 20);
   EXPECT_GT(s.ticks, kMissions * kTicks / 2);
   EXPECT_GE(s.deepest, 4u);
-  EXPECT_GT(s.states_visited * 2, s.states);
+  EXPECT_GT(s.states_visited * 20, s.states * 9);
   EXPECT_GT(s.unknown_guards, s.guards / 20);
   EXPECT_GT(s.true_guards, s.guards / 10);
   EXPECT_GT(s.unknown_readings, s.readings / 20);

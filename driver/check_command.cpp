@@ -81,6 +81,7 @@ void tellPeople(const Checked& checked, std::string& text) {
     reportFailure(*found.failure);
     return;
   }
+  text += report::budgetTable(found);
   if (!found.ok()) {
     tell(verdict(checked));
     return;
@@ -182,6 +183,15 @@ void addCheckCommand(CLI::App& app, int& status) {
       ->option_text("FORMAT");
   command->add_option("-o", options->output, "The file to write; `-` (default): standard output")
       ->option_text("FILE");
+  command->add_flag(
+      "--report", options->check.report,
+      "Also what is no mistake but worth knowing, and what the mission needs at most of "
+      "boards and lines");
+  command
+      ->add_option("--target", options->check.targets,
+                   "With --report: the boards (see `glidercc targets`); all of the vehicle if not "
+                   "given")
+      ->option_text("TARGET ...");
   command->callback([options, &status] { status = check(*options); });
 }
 

@@ -3,6 +3,8 @@
 
 #include "driver/check_mission.h"
 
+#include "driver/mission_budget.h"
+
 #include <utility>
 
 namespace glider::driver {
@@ -35,6 +37,15 @@ Result<void> checkFurther(Compilation& compilation, const CheckOptions& options,
   for (const ir::prove::ReportLine& line : proved->lines) {
     found.remarks.push_back({line.range, line.text});
   }
+  if (!options.report) {
+    return {};
+  }
+  auto budgets =
+      missionBudgets(compilation, options.targets.empty() ? boardsInTheVehicle() : options.targets);
+  if (!budgets) {
+    return std::unexpected(budgets.error());
+  }
+  found.budgets = std::move(*budgets);
   return {};
 }
 

@@ -39,7 +39,9 @@ struct Board {
   std::string features;
   FloatAbi float_abi = FloatAbi::Hard;
   Relocation relocation = Relocation::Static;
-  uint64_t max_executable_bytes = 0;  ///< of the stripped executable; 0: no limit
+  uint64_t max_executable_bytes = 0;   ///< of the stripped executable; 0: no limit
+  uint64_t max_memory_bytes = 0;       ///< of code, data and stack; 0: no limit
+  uint64_t max_tick_instructions = 0;  ///< from a frame's readings to the command; 0: no limit
   Kernel kernel;
   std::vector<std::string>
       emulator;  ///< command that runs its executables here; empty: they run by themselves

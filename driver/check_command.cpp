@@ -54,6 +54,18 @@ std::string stackLine(const report::CheckedMission& found) {
                      fmt::join(found.deepest_path, " calls "));
 }
 
+constexpr unsigned kMostEffort = 100;
+
+/// ", 3 requirements proved"; empty if the mission requires nothing.
+std::string provedLine(const report::CheckedMission& found) {
+  const size_t all = found.requirements.size();
+  const auto proved = static_cast<size_t>(
+      std::ranges::count(found.requirements, "proved", &report::JudgedRequirement::verdict));
+  return all == 0       ? ""
+         : proved < all ? fmt::format(", {} of {} requirements proved", proved, all)
+                        : fmt::format(", {} requirement{} proved", all, all == 1 ? "" : "s");
+}
+
 /// The line at the end of a mission that was checked.
 std::string verdict(const Checked& checked) {
   const report::CheckedMission& found = checked.found;
@@ -62,9 +74,9 @@ std::string verdict(const Checked& checked) {
   if (!found.ok()) {
     return fmt::format("{}: {}\n", found.path, count);
   }
-  return fmt::format("{}: {}; mission {}, {} state{}, {}\n", found.path,
+  return fmt::format("{}: {}; mission {}, {} state{}, {}{}\n", found.path,
                      count.empty() ? "fine" : count, found.mission, found.states.size(),
-                     found.states.size() == 1 ? "" : "s", stackLine(found));
+                     found.states.size() == 1 ? "" : "s", stackLine(found), provedLine(found));
 }
 
 int exitCode(const report::CheckedMission& found) {
@@ -72,7 +84,7 @@ int exitCode(const report::CheckedMission& found) {
 }
 
 /// Writes what people read: mistakes to standard error, the rest to `text`.
-void tellPeople(const Checked& checked, std::string& text) {
+void tellPeople(const Checked& checked, const CheckOptions& options, std::string& text) {
   const report::CheckedMission& found = checked.found;
   if (checked.compilation) {
     reportDiagnostics(checked.compilation->diagnostics, checked.compilation->sources);
@@ -89,6 +101,11 @@ void tellPeople(const Checked& checked, std::string& text) {
   for (const report::Remark& remark : found.remarks) {
     text += remark.text + "\n";
   }
+  if (options.report) {
+    for (const report::JudgedRequirement& one : found.requirements) {
+      text += fmt::format("{}: {}\n", one.verdict, one.text);
+    }
+  }
   text += verdict(checked);
 }
 
@@ -104,7 +121,7 @@ int checkForPeople(const CommandOptions& options) {
   for (const std::string& path : options.missions) {
     const Checked checked = checkMission(path, options.check);
     std::string text;
-    tellPeople(checked, text);
+    tellPeople(checked, options.check, text);
     status = std::max(status, exitCode(checked.found));
     // At once, so that it stands beside the mistakes of the same mission.
     if (options.output == "-") {
@@ -192,6 +209,11 @@ void addCheckCommand(CLI::App& app, int& status) {
                    "With --report: the boards (see `glidercc targets`); all of the vehicle if not "
                    "given")
       ->option_text("TARGET ...");
+  command
+      ->add_option("--effort", options->check.effort,
+                   "How many times the usual effort a proof may take (default 1)")
+      ->check(CLI::Range(1U, kMostEffort))
+      ->option_text("N");
   command->callback([options, &status] { status = check(*options); });
 }
 

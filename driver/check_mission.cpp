@@ -25,18 +25,38 @@ void tellFacts(const Compilation& compilation, report::CheckedMission& found) {
   }
 }
 
+const char* wordOf(ir::prove::Verdict verdict) {
+  switch (verdict) {
+    case ir::prove::Verdict::Proved:
+      return "proved";
+    case ir::prove::Verdict::Refuted:
+      return "refuted";
+    case ir::prove::Verdict::Open:
+      return "open";
+  }
+  return "";
+}
+
 /// What goes beyond text and structure, of a mission that is ok().
-Result<void> checkFurther(Compilation& compilation, const CheckOptions& options,
-                          report::CheckedMission& found) {
+Result<void> checkFurther(Checked& checked, const CheckOptions& options) {
   ir::prove::Options how;
   how.report = options.report;
-  const auto proved = proveMission(compilation, how);
+  how.effort *= options.effort;
+  how.run_effort *= options.effort;
+  Compilation& compilation = *checked.compilation;
+  auto proved = proveMission(compilation, how);
   if (!proved) {
     return std::unexpected(proved.error());
   }
   for (const ir::prove::ReportLine& line : proved->lines) {
-    found.remarks.push_back({line.range, line.text});
+    checked.found.remarks.push_back({line.range, line.text});
   }
+  for (const ir::prove::RequirementVerdict& verdict : proved->requirements) {
+    const auto range = compilation.mission->requirements[verdict.requirement].range;
+    checked.found.requirements.push_back(
+        {range, std::string(compilation.sources.text(range)), wordOf(verdict.verdict)});
+  }
+  checked.proved = std::move(*proved);
   if (!options.report) {
     return {};
   }
@@ -45,7 +65,7 @@ Result<void> checkFurther(Compilation& compilation, const CheckOptions& options,
   if (!budgets) {
     return std::unexpected(budgets.error());
   }
-  found.budgets = std::move(*budgets);
+  checked.found.budgets = std::move(*budgets);
   return {};
 }
 
@@ -64,7 +84,7 @@ Checked checkMission(const std::string& path, const CheckOptions& options) {
   Compilation& compilation = *checked.compilation;
   found.sources = &compilation.sources;
   if (compilation.ok()) {
-    if (auto done = checkFurther(compilation, options, found); !done) {
+    if (auto done = checkFurther(checked, options); !done) {
       found.failure = done.error();
     }
   }

@@ -16,12 +16,14 @@ namespace glider::driver {
 struct CheckOptions {
   bool report = false;               ///< also what is no mistake, and the budgets
   std::vector<std::string> targets;  ///< of the budget; none: all boards of the vehicle
+  unsigned effort = 1;               ///< how many times the usual effort a proof may take
 };
 
 /// A mission with all that was found; `found` points into `compilation`, which is null if the file
 /// could not be read.
 struct Checked {
   std::unique_ptr<Compilation> compilation;
+  ir::prove::Findings proved;
   report::CheckedMission found;
 };
 

@@ -124,7 +124,7 @@ Result<ir::prove::Findings> proveMission(Compilation& compilation, ir::prove::Op
     compilation.platform = std::move(*platform);
   }
   options.library = compilation.library;
-  return ir::prove::prove(*compilation.mission, *compilation.platform, options,
+  return ir::prove::prove(*compilation.mission, compilation.facts, *compilation.platform, options,
                           compilation.diagnostics);
 }
 

@@ -251,12 +251,12 @@ struct State {
 
 /// What a mission promises: the prover's question. It is not compiled.
 enum class RequirementKind : uint8_t {
-  Always,       ///< `condition` is never false
-  ExitWithin,   ///< the mission has ended by mission time `seconds`
-  StackAtMost,  ///< never more than `depth` states wait on the call stack
-  Reach,        ///< some run enters `state`
-  NeverAfter,   ///< no run enters `state` once it has entered `after`
-  SurfacesEvery ///< the vehicle is never under water for longer than `seconds`
+  Always,        ///< `condition` is never false
+  ExitWithin,    ///< the mission has ended by mission time `seconds`
+  StackAtMost,   ///< never more than `depth` states wait on the call stack
+  Reach,         ///< some run enters `state`
+  NeverAfter,    ///< no run enters `state` once it has entered `after`
+  SurfacesEvery  ///< the vehicle is never under water for longer than `seconds`
 };
 
 struct Requirement {

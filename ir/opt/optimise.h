@@ -23,7 +23,8 @@ struct OptPass {
 /// All of them, in order (opt_passes.def).
 std::span<const OptPass> optPasses();
 
-/// Drops the requirements and runs all passes over a valid mission; `after`, if there is one, sees the mission after each.
+/// Drops the requirements and runs all passes over a valid mission; `after`, if there is one, sees
+/// the mission after each.
 void optimise(Mission& mission,
               const std::function<void(const OptPass&, const Mission&)>& after = {});
 

@@ -5,6 +5,7 @@
 
 #include "ir/prove/layout.h"
 #include "ir/prove/question.h"
+#include "ir/prove/run.h"
 
 #include <functional>
 #include <map>
@@ -33,23 +34,9 @@ struct Watch {
   std::function<std::optional<z3::expr>(const Configuration& start, Moment& moment)> assume;
 };
 
-/// A step of a run that was found: what the tick saw.
-struct Step {
-  double mission_time = 0;
-  Control after;                 ///< where it led; of the last one, of a run that ended, as before
-  bool ended = false;            ///< by an `exit`
-  std::vector<double> readings;  ///< by sensor, SI units; NaN: unknown
-  std::optional<double> depth;   ///< true depth, if the question reckons with it
-};
-
-struct Run {
-  std::vector<double> parameters;  ///< by their number
-  std::vector<Step> steps;         ///< the first at the start
-};
-
 struct RunsAnswer {
   Answer bad = Answer::Unknown;  ///< whether some run is bad: No is a proof that none is
-  std::optional<Run> run;        ///< after Yes; steps of any length, between which nothing fires
+  std::optional<Run> run;        ///< after Yes
   std::string trouble;           ///< after Unknown: what was tried
 };
 

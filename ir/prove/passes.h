@@ -16,6 +16,7 @@ namespace glider::ir::prove {
 struct Proof {
   z3::context& context;
   const Ground& ground;
+  const MissionFacts& facts;
   const Options& options;
   support::DiagnosticEngine& diagnostics;
   Findings findings;

@@ -9,13 +9,12 @@
 
 namespace glider::ir::prove {
 
-Findings prove(const Mission& mission, const platforms::Platform& platform, const Options& options,
+Findings prove(const Mission& mission, const MissionFacts& facts,
+               const platforms::Platform& platform, const Options& options,
                support::DiagnosticEngine& diagnostics) {
   const Ground ground(mission, platform);
-  z3::config config;
-  config.set("rlimit", static_cast<int>(options.run_effort));  // Spacer takes no other
-  z3::context context(config);
-  Proof proof{context, ground, options, diagnostics, {}, {}};
+  z3::context context;
+  Proof proof{context, ground, facts, options, diagnostics, {}, {}};
 #define PASS(name, purpose) passes::name(proof);
 #include "ir/prove/prove_passes.def"
 #undef PASS

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "ir/core/mission.h"
+#include "ir/prove/concrete_run.h"
 #include "platforms/load/platform.h"
 #include "support/diagnostics/engine.h"
 
@@ -21,7 +22,7 @@ struct Options {
   /// depend on the machine. A question that takes more has no answer, and nothing is reported.
   unsigned effort = 400000;
   /// The same for a question about all runs.
-  unsigned run_effort = 40000000;
+  unsigned run_effort = 1000000;
   /// The standard library's file: what is odd in there is not the pilot's.
   std::optional<uint32_t> library;
   /// Also what is no mistake but worth knowing: Findings::lines.
@@ -34,13 +35,24 @@ struct ReportLine {
   std::string text;
 };
 
+enum class Verdict : uint8_t { Proved, Refuted, Open };
+
+/// What was found out about a requirement.
+struct RequirementVerdict {
+  uint32_t requirement = 0;  ///< its number
+  Verdict verdict = Verdict::Open;
+  std::optional<ConcreteRun> run;  ///< that breaks it; of Reach, that keeps it
+};
+
 struct Findings {
   std::vector<ReportLine> lines;
+  std::vector<RequirementVerdict> requirements;
 };
 
 /// Makes the checks of prove_passes.def. `mission` is valid and free of verification errors; the
 /// platform is the one that it names. Reports GL31xx.
-Findings prove(const Mission& mission, const platforms::Platform& platform, const Options& options,
+Findings prove(const Mission& mission, const MissionFacts& facts,
+               const platforms::Platform& platform, const Options& options,
                support::DiagnosticEngine& diagnostics);
 
 }  // namespace glider::ir::prove

@@ -2,36 +2,170 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "ir/prove/passes.h"
+#include "ir/prove/random_flight.h"
 #include "ir/prove/relevance.h"
 #include "ir/prove/watches.h"
 
 #include <fmt/format.h>
 
-#include <chrono>
+#include <algorithm>
+#include <string>
+#include <utility>
 
 namespace glider::ir::prove {
+namespace {
 
-void passes::requirements(Proof& proof) {
-  for (const Requirement& requirement : proof.ground.mission.requirements) {
-    const bool vehicle = reckonsWithDepth(requirement, proof.ground);
+using support::DiagnosticId;
+
+/// A run of more transitions is told by its ends.
+constexpr size_t kStoryEnds = 6;
+/// What random flights may take where the solver has no answer.
+constexpr size_t kRandomTicks = 60000;
+/// Of a requirement without a time, s.
+constexpr double kLongFlight = 4 * 3600;
+
+class RequirementCheck {
+ public:
+  explicit RequirementCheck(Proof& proof) : proof_(proof), m_(proof.ground.mission) {}
+
+  void run() {
+    for (uint32_t i = 0; i < m_.requirements.size(); ++i) {
+      const Requirement& requirement = m_.requirements[i];
+      RequirementVerdict verdict = requirement.kind == RequirementKind::StackAtMost
+                                       ? judgeStack(requirement)
+                                       : judgeRuns(requirement);
+      verdict.requirement = i;
+      proof_.findings.requirements.push_back(std::move(verdict));
+    }
+  }
+
+ private:
+  RequirementVerdict judgeStack(const Requirement& requirement) {
+    if (proof_.facts.stack_depth <= requirement.depth) {
+      return {0, Verdict::Proved, std::nullopt};
+    }
+    std::string path;
+    for (const StateId state : proof_.facts.deepest_path) {
+      path += fmt::format("{}`{}`", path.empty() ? "" : " calls ", m_[state].name);
+    }
+    proof_.diagnostics.report(DiagnosticId::requirementBroken, requirement.range,
+                              fmt::format("up to {} of the states may wait on the call stack: {}",
+                                          proof_.facts.stack_depth, path));
+    return {0, Verdict::Refuted, std::nullopt};
+  }
+
+  RequirementVerdict judgeRuns(const Requirement& requirement) {
+    const RunsAnswer answer = ask(requirement);
+    const bool wanted = requirement.kind == RequirementKind::Reach;
+    if (answer.bad == Answer::No) {
+      return wanted ? unreached(requirement) : RequirementVerdict{0, Verdict::Proved, std::nullopt};
+    }
+    std::optional<ConcreteRun> run;
+    if (answer.bad == Answer::Yes) {
+      run = spellOut(*answer.run, proof_.ground, proof_.facts.stack_depth, requirement);
+    }
+    if (!run) {
+      run = tryAtRandom(requirement);
+    }
+    if (!run) {
+      return open(requirement, answer);
+    }
+    return wanted ? RequirementVerdict{0, Verdict::Proved, std::move(run)}
+                  : broken(requirement, std::move(*run));
+  }
+
+  /// In a context of its own: Z3 counts its effort for all that a context has been asked.
+  RunsAnswer ask(const Requirement& requirement) {
+    z3::config config;
+    config.set("rlimit", static_cast<int>(proof_.options.run_effort));  // Spacer takes no other
+    z3::context context(config);
+    const bool vehicle = reckonsWithDepth(requirement, proof_.ground);
     std::vector<ExprId> asked;
-    if (requirement.condition.valid()) asked.push_back(requirement.condition);
-    const Relevance relevance = relevanceFor(proof.ground.mission, asked, vehicle);
-    const Watch watch = watchFor(requirement, proof.context, proof.ground);
-    const auto t = std::chrono::steady_clock::now();
-    const RunsAnswer answer =
-        askAboutRuns(proof.context, proof.ground, relevance, watch, 50000000);
-    const double ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - t).count();
-    std::string text = fmt::format("kind {}: {} {} {:.0f} ms", int(requirement.kind), int(answer.bad), answer.trouble, ms);
-    if (answer.run) {
-      for (const Step& s : answer.run->steps) {
-        text += fmt::format("\n   {:.3f} s -> {}", s.mission_time, describe(s.after, proof.ground.mission));
-        if (s.depth) text += fmt::format(" depth {:.2f}", *s.depth);
-        for (size_t i = 0; i < s.readings.size(); ++i) text += fmt::format(" {}={:.4g}", proof.ground.mission.sensors[i].name, s.readings[i]);
+    if (requirement.condition.valid()) {
+      asked.push_back(requirement.condition);
+    }
+    const Relevance relevance = relevanceFor(m_, asked, vehicle);
+    try {
+      const Watch watch = watchFor(requirement, context, proof_.ground);
+      return askAboutRuns(context, proof_.ground, relevance, watch, proof_.options.run_effort);
+    } catch (const z3::exception& trouble) {
+      return {Answer::Unknown, std::nullopt, trouble.msg()};
+    }
+  }
+
+  /// Seeds 1, 2, …, until so many ticks are flown.
+  std::optional<ConcreteRun> tryAtRandom(const Requirement& requirement) {
+    const double cycle = proof_.ground.platform.envelope.cycle_s;
+    const double span = requirement.seconds > 0 ? 2 * requirement.seconds : kLongFlight;
+    const auto ticks = static_cast<size_t>(std::min(span / cycle + 2, 1.0 * kRandomTicks));
+    const size_t flights = std::max<size_t>(1, kRandomTicks / ticks);
+    for (uint64_t seed = 1; seed <= flights; ++seed) {
+      if (auto run =
+              flyAtRandom(proof_.ground, proof_.facts.stack_depth, requirement, seed, ticks)) {
+        return run;
       }
     }
-    proof.findings.lines.push_back({requirement.range, text});
+    return std::nullopt;
   }
+
+  RequirementVerdict unreached(const Requirement& requirement) {
+    proof_.diagnostics.report(DiagnosticId::requirementBroken, requirement.range,
+                              fmt::format("no run enters state `{}`, whatever the sensors say",
+                                          m_[requirement.state].name));
+    return {0, Verdict::Refuted, std::nullopt};
+  }
+
+  RequirementVerdict open(const Requirement& requirement, const RunsAnswer& answer) {
+    auto warning = proof_.diagnostics.report(DiagnosticId::requirementOpen, requirement.range);
+    warning.note(
+        requirement.range,
+        answer.bad == Answer::Yes
+            ? "a run seemed to break it, but does not when it is tried; products of "
+              "measured values, and windows, are only known roughly here"
+            : fmt::format("Z3 gave up ({}), and no random flight broke it", answer.trouble));
+    return {};
+  }
+
+  RequirementVerdict broken(const Requirement& requirement, ConcreteRun run) {
+    auto error = proof_.diagnostics.report(DiagnosticId::requirementBroken, requirement.range,
+                                           howBroken(requirement, run));
+    const auto& story = run.story;
+    for (size_t i = 0; i < story.size(); ++i) {
+      if (story.size() > 2 * kStoryEnds && i == kStoryEnds) {
+        i = story.size() - kStoryEnds;
+        error.note(story[i].range, fmt::format("(after {} more transitions) {}",
+                                               story.size() - 2 * kStoryEnds, story[i].text));
+        continue;
+      }
+      error.note(story[i].range, story[i].text);
+    }
+    return {0, Verdict::Refuted, std::move(run)};
+  }
+
+  std::string howBroken(const Requirement& requirement, const ConcreteRun& run) const {
+    switch (requirement.kind) {
+      case RequirementKind::Always:
+        return fmt::format("at {:.6g} s, in state `{}`, {}", run.when, run.state, run.values);
+      case RequirementKind::ExitWithin:
+        return fmt::format("the mission may still fly at {:.6g} s, in state `{}`", run.when,
+                           run.state);
+      case RequirementKind::NeverAfter:
+        return fmt::format("state `{}` may be entered after `{}`, at {:.6g} s",
+                           m_[requirement.state].name, m_[requirement.after].name, run.when);
+      default:
+        return fmt::format("the vehicle may still be under water at {:.6g} s, in state `{}`",
+                           run.when, run.state);
+    }
+  }
+
+  Proof& proof_;
+  const Mission& m_;
+};
+
+}  // namespace
+
+void passes::requirements(Proof& proof) {
+  RequirementCheck(proof).run();
 }
 
 }  // namespace glider::ir::prove

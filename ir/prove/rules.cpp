@@ -170,7 +170,7 @@ std::vector<ExprId> RuleWriter::clockConditions(const Control& control) const {
     }
     const Expr& e = m_[id];
     if (e.op >= Op::Less && e.op <= Op::NotEqual) {
-      if (dependsOnClocksAlone(id)) {
+      if (readsNoSensor(id)) {
         found.push_back(id);
       }
       continue;
@@ -182,8 +182,7 @@ std::vector<ExprId> RuleWriter::clockConditions(const Control& control) const {
   return found;
 }
 
-bool RuleWriter::dependsOnClocksAlone(ExprId root) const {
-  bool clock = false;
+bool RuleWriter::readsNoSensor(ExprId root) const {
   std::vector<ExprId> open{root};
   while (!open.empty()) {
     const Expr& e = m_[open.back()];
@@ -191,15 +190,28 @@ bool RuleWriter::dependsOnClocksAlone(ExprId root) const {
     if (e.op == Op::Sensor || e.op == Op::Age || e.op == Op::Temporal) {
       return false;
     }
-    clock = clock || e.op == Op::MissionTime || e.op == Op::StateTime || e.op == Op::ResumeTime;
     for (uint32_t i = 0; i < opInfo(e.op).operands; ++i) {
       open.push_back(e.operands.at(i));
     }
   }
-  return clock;
+  return true;
+}
+
+/// Guards that fire whatever the sensors say.
+std::vector<ExprId> RuleWriter::clockGuards(const Control& control) const {
+  std::vector<ExprId> found;
+  for (const auto* cases : {&m_.always, &m_[control.state].cases}) {
+    for (const Case& c : *cases) {
+      if (readsNoSensor(c.guard)) {
+        found.push_back(c.guard);
+      }
+    }
+  }
+  return found;
 }
 
 /// A condition that turned longer ago than the gap has met a tick since: time stops there first.
+/// And a guard that is true then has fired.
 z3::expr RuleWriter::noticed(const Configuration& before, const Configuration& after,
                              Unknowns& unknowns) {
   const z3::expr gap = realOf(context_, ground_.platform.world.tick_gap_s);
@@ -215,6 +227,9 @@ z3::expr RuleWriter::noticed(const Configuration& before, const Configuration& a
   z3::expr same = context_.bool_val(true);
   for (const ExprId id : clockConditions(before.control)) {
     same = same && then.truth(id).is_true == later.truth(id).is_true;
+  }
+  for (const ExprId guard : clockGuards(before.control)) {
+    same = same && !later.truth(guard).is_true;
   }
   return late <= before.mission_time || same;
 }

@@ -66,7 +66,8 @@ class RuleWriter {
   /// Time passes no condition of clocks by more than the gap between two ticks.
   z3::expr noticed(const Configuration& before, const Configuration& after, Unknowns& unknowns);
   std::vector<ExprId> clockConditions(const Control& control) const;
-  bool dependsOnClocksAlone(ExprId root) const;
+  std::vector<ExprId> clockGuards(const Control& control) const;
+  bool readsNoSensor(ExprId root) const;
   void add(Rule rule, const Unknowns& unknowns);
   void reach(const Control& control);
   /// A moment with a reading of every sensor; the depth is that of the vehicle, give or take.

@@ -24,8 +24,9 @@ std::span<const VerifyPass> verifyPasses();
 /// interpreted, except those that are always true or always false whatever the sensors say. Checks
 /// by intervals that no variable leaves its range. Reports GL3xxx; the facts are meaningful only if
 /// none of what was reported is an error. Time and memory are linear in the mission, but for the
-/// time to tell the mistakes that `always` brings about (as often as it has cases), and for missions
-/// in which many cases of `always` go to and many call states that the same chain of calls holds.
+/// time to tell the mistakes that `always` brings about (as often as it has cases), and for
+/// missions in which many cases of `always` go to and many call states that the same chain of calls
+/// holds.
 MissionFacts verify(const Mission& mission, support::DiagnosticEngine& diagnostics);
 
 }  // namespace glider::ir

@@ -31,7 +31,8 @@ struct PlatformSensor {
   double highest = 0;
   double stale_after_s = 0;
   Computer computer = Computer::Flight;
-  double noise = 0;   ///< two readings of the same water may differ by so much, in the vehicle's unit
+  double noise =
+      0;  ///< two readings of the same water may differ by so much, in the vehicle's unit
   uint8_t bytes = 4;  ///< width in the sensor array: 1 (int8), 4 (float32) or 8 (float64)
   std::string what;   ///< one line of explanation
 };

@@ -21,6 +21,13 @@ struct Remark {
   std::string text;
 };
 
+/// A `require` of the mission, and what came of it.
+struct JudgedRequirement {
+  support::SourceRange range;
+  std::string text;     ///< as written
+  std::string verdict;  ///< "proved", "refuted" or "open"
+};
+
 /// A figure of what a mission needs at most; `name` is its key in JSON.
 struct Quantity {
   std::string name;
@@ -46,6 +53,7 @@ struct CheckedMission {
   std::vector<std::string> states;
   std::vector<std::string> deepest_path;  ///< the states of a deepest call stack
   std::vector<Remark> remarks;
+  std::vector<JudgedRequirement> requirements;  ///< empty if there are errors of another kind
   std::vector<Budget> budgets;
 
   /// Free of errors, and all of it could be checked.

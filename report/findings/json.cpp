@@ -109,6 +109,11 @@ ordered_json missionOf(const CheckedMission& mission) {
     addRange(told, mission.sources, remark.range);
     one["remarks"].push_back(std::move(told));
   }
+  for (const JudgedRequirement& requirement : mission.requirements) {
+    ordered_json told = {{"text", requirement.text}, {"verdict", requirement.verdict}};
+    addRange(told, mission.sources, requirement.range);
+    one["requirements"].push_back(std::move(told));
+  }
   for (const Budget& budget : mission.budgets) {
     one["budget"][budget.of] = budgetOf(budget);
   }

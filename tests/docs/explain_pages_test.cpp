@@ -5,6 +5,7 @@
 // repairs is fine and laid out as `glidercc fmt` would.
 
 #include "frontend/format/format.h"
+#include "ir/prove/prove.h"
 #include "ir/verify/verify.h"
 #include "tests/docs/examples.h"
 #include "tests/unit/frontend/compile.h"
@@ -35,10 +36,18 @@ bool aboutMissions(DiagnosticId id) {
   return number < 1800 || (number >= 2000 && number < 4000);
 }
 
+const platforms::Platform& slocum() {
+  static const auto platform = platforms::loadPlatform(GLIDER_SOURCE_DIR "/platforms/slocum.toml");
+  return *platform;
+}
+
 std::vector<std::string> idsOf(const std::string& text, std::string& said) {
   FrontendRun run(text);
   if (const auto mission = run.compile(); mission && !run.diagnostics.hasErrors()) {
-    ir::verify(*mission, run.diagnostics);
+    const ir::MissionFacts facts = ir::verify(*mission, run.diagnostics);
+    if (!run.diagnostics.hasErrors()) {
+      ir::prove::prove(*mission, facts, slocum(), {}, run.diagnostics);
+    }
   }
   said = run.said();
   std::vector<std::string> ids;

@@ -6,8 +6,8 @@
 #include "frontend/frontend.h"
 #include "frontend/import/imports.h"
 #include "ir/core/validate.h"
-#include "ir/text/print.h"
 #include "ir/prove/prove.h"
+#include "ir/text/print.h"
 #include "ir/verify/verify.h"
 #include "support/check.h"
 #include "support/diagnostics/render.h"
@@ -59,7 +59,7 @@ class Compilation {
   void verify() {
     product_.clear();
     if (mission_) {
-      ir::verify(*mission_, diagnostics_);
+      facts_ = ir::verify(*mission_, diagnostics_);
     }
   }
 
@@ -68,9 +68,7 @@ class Compilation {
       ir::prove::Options options;
       options.library = 1;
       options.report = true;
-      for (const auto& line : ir::prove::prove(*mission_, slocum(), options, diagnostics_).lines) {
-        product_ += "--- " + line.text + "\n";
-      }
+      show(ir::prove::prove(*mission_, facts_, slocum(), options, diagnostics_));
     }
   }
 
@@ -81,6 +79,18 @@ class Compilation {
   }
 
  private:
+  void show(const ir::prove::Findings& findings) {
+    for (const auto& line : findings.lines) {
+      product_ += "--- " + line.text + "\n";
+    }
+    constexpr const char* kVerdicts[] = {"proved", "refuted", "open"};
+    for (const auto& verdict : findings.requirements) {
+      const support::SourceRange range = mission_->requirements[verdict.requirement].range;
+      product_ += "--- " + std::string(kVerdicts[static_cast<size_t>(verdict.verdict)]) + ": " +
+                  std::string(sources_.text(range)) + "\n";
+    }
+  }
+
   void showIr() {
     product_.clear();
     if (mission_) {
@@ -96,6 +106,7 @@ class Compilation {
   support::DiagnosticEngine diagnostics_;
   std::optional<ast::File> ast_;
   std::optional<ir::Mission> mission_;
+  ir::MissionFacts facts_;
   std::string product_;
 };
 

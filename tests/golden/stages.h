@@ -15,8 +15,8 @@ struct Outcome {
   bool refused = false;  ///< there was an error
 };
 
-/// Runs the compiler up to `stage` ("parse", "sema", "verify", "prove") on `input`, called `name` in
-/// messages.
+/// Runs the compiler up to `stage` ("parse", "sema", "verify", "prove") on `input`, called `name`
+/// in messages.
 Outcome run(const std::string& stage, const std::string& name, const std::string& input);
 
 }  // namespace glider::golden

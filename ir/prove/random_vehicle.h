@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "ir/eval/tick_result.h"
+#include "platforms/load/platform.h"
+
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+namespace glider::ir::prove {
+
+/// Numbers of one seed, the same with every standard library.
+class Dice {
+ public:
+  explicit Dice(uint64_t seed) : engine_(seed) {}
+
+  uint32_t below(uint64_t n) { return static_cast<uint32_t>(engine_() % n); }
+  double unit() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
+  double within(double lowest, double highest) { return lowest + (highest - lowest) * unit(); }
+  bool chance(double probability) { return unit() < probability; }
+  /// A time, s: from a cycle to a day, each order of magnitude as often as the next.
+  double lasting() { return 4 * std::pow(10, 4.3 * unit()); }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+/// A vehicle that does anything that ir/prove/world.h allows; a second writing of it, in numbers.
+class RandomVehicle {
+ public:
+  /// Both outlive this.
+  RandomVehicle(const platforms::Platform& platform, Dice& dice);
+
+  /// True depth, m, and what the sensor may show of it.
+  [[nodiscard]] double depth() const { return depth_; }
+  double reading();
+  /// Takes the orders of a tick at mission time `now`, s.
+  void obey(const std::vector<Action>& actions, double now);
+  /// Sinks or climbs from one mission time to another.
+  void move(double from, double to);
+
+ private:
+  void obey(const CommandRun& command, double now);
+  void downTo(double target);
+  void upTo(double target, double now);
+
+  const platforms::Platform& platform_;
+  Dice& dice_;
+  double depth_ = 0;
+  double deepest_ = 0;     ///< under the order in force
+  bool climbing_ = false;  ///< the order in force leads up
+  double since_ = 0;       ///< when the first of the orders to climb was given
+  double top_ = 0;         ///< of the order in force
+  double speed_ = 0;       ///< the share of what it could do that it does
+  double speed_until_ = 0;
+};
+
+}  // namespace glider::ir::prove

@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/prove/run_recorder.h"
+
+#include "ir/verify/value_text.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <set>
+#include <utility>
+
+namespace glider::ir::prove {
+namespace {
+
+/// What a sensor reports so that its reading is `value`; NaN for NaN.
+double rawOf(const Sensor& sensor, double value) {
+  if (sensor.encoding == Encoding::DegreesMinutes) {
+    const double whole = std::floor(std::fabs(value));
+    return std::copysign(100 * whole + 60 * (std::fabs(value) - whole), value);
+  }
+  return value / sensor.to_si;
+}
+
+/// Whether a tick leaves control as it was.
+bool quiet(const TickResult& before, const TickResult& after) {
+  return !after.finished && after.state == before.state && after.stack == before.stack &&
+         !after.moved;
+}
+
+}  // namespace
+
+std::optional<SensorId> depthSensorOf(const Ground& ground) {
+  for (uint32_t i = 0; i < ground.mission.sensors.size(); ++i) {
+    const platforms::PlatformSensor* sensor = ground.platformSensor({i});
+    if (sensor != nullptr && sensor->alias == "depth") {
+      return SensorId{i};
+    }
+  }
+  return std::nullopt;
+}
+
+RunRecorder::RunRecorder(const Ground& ground, uint32_t stack_depth, const Requirement& requirement)
+    : m_(ground.mission),
+      requirement_(requirement),
+      depth_sensor_(depthSensorOf(ground)),
+      monitor_(m_, requirement, ground.platform.world.surface_depth_m, depth_sensor_) {
+  interpreter_.emplace(m_, stack_depth);
+}
+
+std::vector<SensorUpdate> RunRecorder::frameOf(const std::vector<double>& readings) const {
+  std::vector<SensorUpdate> frame;
+  for (uint32_t i = 0; i < readings.size(); ++i) {
+    frame.push_back({{i}, rawOf(m_.sensors[i], readings[i])});
+  }
+  return frame;
+}
+
+void RunRecorder::start(std::vector<double> parameters, const std::vector<double>& readings,
+                        double depth) {
+  auto frame = frameOf(readings);
+  result_.parameters = std::move(parameters);
+  TickResult result = interpreter_->start(frame, result_.parameters);
+  keep(std::move(result), 0, std::move(frame), depth);
+}
+
+void RunRecorder::tick(double time, const std::vector<double>& readings, double depth) {
+  auto frame = frameOf(readings);
+  TickResult result = interpreter_->tick(time, frame);
+  keep(std::move(result), time, std::move(frame), depth);
+}
+
+bool RunRecorder::tickIfQuiet(double time, const std::vector<double>& readings, double depth) {
+  Interpreter tried = *interpreter_;
+  auto frame = frameOf(readings);
+  TickResult result = tried.tick(time, frame);
+  if (!quiet(last_, result)) {
+    return false;
+  }
+  interpreter_.emplace(std::move(tried));
+  keep(std::move(result), time, std::move(frame), depth);
+  return true;
+}
+
+void RunRecorder::keep(TickResult result, double time, std::vector<SensorUpdate> frame,
+                       double depth) {
+  tell(result, time);
+  monitor_.tick(*interpreter_, time, result, depth);
+  last_ = std::move(result);
+  result_.ticks.push_back({time, std::move(frame), depth});
+}
+
+void RunRecorder::tell(const TickResult& result, double time) {
+  if (!result.moved) {
+    return;
+  }
+  const bool always = result.moved->list == ListKind::Always;
+  const Case& c = (always ? m_.always : m_[last_.state].cases).at(result.moved->number);
+  const char* verb = c.transition == Transition::Goto     ? "goes to"
+                     : c.transition == Transition::Call   ? "calls"
+                     : c.transition == Transition::Return ? "returns to"
+                                                          : "ends the mission";
+  const std::string from =
+      fmt::format("{}`{}`", always ? "`always`, in " : "", m_[last_.state].name);
+  result_.story.push_back({c.range, c.transition == Transition::Exit
+                                        ? fmt::format("at {:.6g} s {} {}", time, from, verb)
+                                        : fmt::format("at {:.6g} s {} {} `{}`", time, from, verb,
+                                                      m_[result.state].name)});
+}
+
+/// What the condition of `always` reads, as it was then.
+void RunRecorder::describeValues() {
+  std::vector<ExprId> open{requirement_.condition};
+  std::set<std::string> told;
+  while (!open.empty()) {
+    const ExprId id = open.back();
+    open.pop_back();
+    if (!id.valid()) {
+      continue;
+    }
+    const Expr& e = m_[id];
+    open.insert(open.end(), e.operands.rbegin(), e.operands.rend());
+    const bool depth = e.op == Op::Sensor && depth_sensor_ == e.sensor;
+    const std::string name = e.op == Op::Sensor     ? m_[e.sensor].name
+                             : e.op == Op::Variable ? m_[e.variable].name
+                                                    : "";
+    if (name.empty() || e.type.kind == TypeKind::Bool || !told.insert(name).second) {
+      continue;
+    }
+    const double now = result_.ticks.back().depth;
+    const double value = depth && now == now ? now : interpreter_->number(id);
+    result_.values += fmt::format("{}{} {}", result_.values.empty() ? "" : ", ", name,
+                                  value == value ? "is " + withUnit(value, e.type) : "unknown");
+  }
+}
+
+ConcreteRun RunRecorder::take() {
+  result_.when = *monitor_.when();
+  result_.state = m_[last_.state].name;
+  describeValues();
+  return std::move(result_);
+}
+
+}  // namespace glider::ir::prove

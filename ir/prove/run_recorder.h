@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "ir/eval/interpreter.h"
+#include "ir/prove/concrete_run.h"
+#include "ir/prove/ground.h"
+#include "ir/prove/monitor.h"
+
+namespace glider::ir::prove {
+
+/// Flies a mission on the interpreter under the eye of a requirement, and keeps what happened.
+class RunRecorder {
+ public:
+  /// All outlive this.
+  RunRecorder(const Ground& ground, uint32_t stack_depth, const Requirement& requirement);
+
+  /// A tick with these readings, by sensor (SI units; NaN: unknown); the first is the start.
+  /// `depth` is the true one, m; NaN if nobody knows.
+  void start(std::vector<double> parameters, const std::vector<double>& readings, double depth);
+  void tick(double time, const std::vector<double>& readings, double depth);
+  /// The same if nothing fires; else nothing, and false.
+  bool tickIfQuiet(double time, const std::vector<double>& readings, double depth);
+
+  [[nodiscard]] const TickResult& last() const { return last_; }
+  [[nodiscard]] double now() const { return result_.ticks.back().mission_time; }
+  /// The requirement is broken (of Reach: kept).
+  [[nodiscard]] bool hit() const { return monitor_.when().has_value(); }
+  /// The sensor that tells the depth, if the mission reads it.
+  [[nodiscard]] std::optional<SensorId> depthSensor() const { return depth_sensor_; }
+  /// After a hit, once.
+  ConcreteRun take();
+
+ private:
+  std::vector<SensorUpdate> frameOf(const std::vector<double>& readings) const;
+  void keep(TickResult result, double time, std::vector<SensorUpdate> frame, double depth);
+  void tell(const TickResult& result, double time);
+  void describeValues();
+
+  const Mission& m_;
+  const Requirement& requirement_;
+  std::optional<SensorId> depth_sensor_;
+  RequirementMonitor monitor_;
+  std::optional<Interpreter> interpreter_;
+  TickResult last_;
+  ConcreteRun result_;
+};
+
+/// The sensor of `depth`, if the mission reads it.
+std::optional<SensorId> depthSensorOf(const Ground& ground);
+
+}  // namespace glider::ir::prove

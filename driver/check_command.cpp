@@ -101,6 +101,7 @@ void tellPeople(const Checked& checked, const CheckOptions& options, std::string
     reportFailure(*found.failure);
     return;
   }
+  text += report::budgetTable(found);
   if (!found.ok()) {
     tell(verdict(checked));
     return;
@@ -231,6 +232,15 @@ void addCheckCommand(CLI::App& app, int& status) {
       ->option_text("FORMAT");
   command->add_option("-o", options->output, "The file to write; `-` (default): standard output")
       ->option_text("FILE");
+  command->add_flag(
+      "--report", options->check.report,
+      "Also what is no mistake but worth knowing, and what the mission needs at most of "
+      "boards and lines");
+  command
+      ->add_option("--target", options->check.targets,
+                   "With --report: the boards (see `glidercc targets`); all of the vehicle if not "
+                   "given")
+      ->option_text("TARGET ...");
   command
       ->add_option("--effort", options->check.effort,
                    "How many times the usual effort a proof may take (default 1)")

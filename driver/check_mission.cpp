@@ -3,6 +3,8 @@
 
 #include "driver/check_mission.h"
 
+#include "driver/mission_budget.h"
+
 #include <utility>
 
 namespace glider::driver {
@@ -55,6 +57,15 @@ Result<void> checkFurther(Checked& checked, const CheckOptions& options) {
         {range, std::string(compilation.sources.text(range)), wordOf(verdict.verdict)});
   }
   checked.proved = std::move(*proved);
+  if (!options.report) {
+    return {};
+  }
+  auto budgets =
+      missionBudgets(compilation, options.targets.empty() ? boardsInTheVehicle() : options.targets);
+  if (!budgets) {
+    return std::unexpected(budgets.error());
+  }
+  checked.found.budgets = std::move(*budgets);
   return {};
 }
 

@@ -8,14 +8,15 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace glider::driver {
 
 /// How a mission is checked.
 struct CheckOptions {
-  bool report = false;  ///< also what is no mistake, and the budget on `target`
-  std::string target = "host";
-  unsigned effort = 1;  ///< how many times the usual effort a proof may take
+  bool report = false;               ///< also what is no mistake, and the budgets
+  std::vector<std::string> targets;  ///< of the budget; none: all boards of the vehicle
+  unsigned effort = 1;               ///< how many times the usual effort a proof may take
 };
 
 /// A mission with all that was found; `found` points into `compilation`, which is null if the file

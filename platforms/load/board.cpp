@@ -35,6 +35,14 @@ std::vector<std::string> fileNames(TomlReader& reader, std::string_view key) {
   return names;
 }
 
+uint64_t readLimit(TomlReader& reader, const char* key) {
+  const int64_t limit = reader.integer(key);
+  if (limit < 0) {
+    reader.refuse(key, "must not be negative");
+  }
+  return static_cast<uint64_t>(limit);
+}
+
 void readMachine(TomlReader& reader, Board& board) {
   board.triple = reader.text("triple");
   board.cpu = reader.text("cpu");
@@ -50,11 +58,9 @@ void readMachine(TomlReader& reader, Board& board) {
   }
   board.relocation = relocation == "pic" ? Relocation::PositionIndependent : Relocation::Static;
   board.clang_flags = reader.texts("clang_flags");
-  const int64_t limit = reader.integer("max_executable_bytes");
-  if (limit < 0) {
-    reader.refuse("max_executable_bytes", "must not be negative");
-  }
-  board.max_executable_bytes = static_cast<uint64_t>(limit);
+  board.max_executable_bytes = readLimit(reader, "max_executable_bytes");
+  board.max_memory_bytes = readLimit(reader, "max_memory_bytes");
+  board.max_tick_instructions = readLimit(reader, "max_tick_instructions");
 }
 
 void readKernel(TomlReader& reader, Board& board) {
@@ -85,7 +91,8 @@ support::Result<Board> loadBoard(const std::filesystem::path& path) {
   board.folder = path.parent_path();
   TomlReader top(file, *root, "the board");
   top.only({"name", "description", "triple", "cpu", "features", "float_abi", "relocation",
-            "clang_flags", "max_executable_bytes", "kernel", "emulator", "link"});
+            "clang_flags", "max_executable_bytes", "max_memory_bytes", "max_tick_instructions",
+            "kernel", "emulator", "link"});
   board.name = top.text("name");
   board.description = top.text("description");
   readMachine(top, board);

@@ -41,6 +41,8 @@ struct Board {
   Relocation relocation = Relocation::Static;
   std::vector<std::string> clang_flags;  ///< what makes clang compile for this processor
   uint64_t max_executable_bytes = 0;     ///< of the stripped executable; 0: no limit
+  uint64_t max_memory_bytes = 0;         ///< of code, data and stack; 0: no limit
+  uint64_t max_tick_instructions = 0;    ///< from a frame's readings to the command; 0: no limit
   Kernel kernel;
   std::vector<std::string>
       emulator;  ///< command that runs its executables here; empty: they run by themselves

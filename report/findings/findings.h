@@ -28,12 +28,19 @@ struct JudgedRequirement {
   std::string verdict;  ///< "proved", "refuted" or "open"
 };
 
-/// A figure of the mission on its board: `name` is the key in JSON.
+/// A figure of what a mission needs at most; `name` is its key in JSON.
 struct Quantity {
   std::string name;
   std::optional<uint64_t> value;  ///< empty: no bound is known
-  std::optional<uint64_t> limit;  ///< what board or line can hold; empty: none is stated
+  std::optional<uint64_t> limit;  ///< what there is of it; empty: none is stated
   std::string unit;
+  std::string remark;  ///< what is counted, or why there is no bound
+};
+
+/// What a mission needs of a board, or of the lines to the vehicle.
+struct Budget {
+  std::string of;  ///< the board's name, or "lines"
+  std::vector<Quantity> quantities;
 };
 
 /// One mission that was checked.
@@ -47,8 +54,7 @@ struct CheckedMission {
   std::vector<std::string> deepest_path;  ///< the states of a deepest call stack
   std::vector<Remark> remarks;
   std::vector<JudgedRequirement> requirements;  ///< empty if there are errors of another kind
-  std::string target;                           ///< the board of `budget`
-  std::vector<Quantity> budget;
+  std::vector<Budget> budgets;
 
   /// Free of errors, and all of it could be checked.
   [[nodiscard]] bool ok() const;
@@ -56,6 +62,9 @@ struct CheckedMission {
 
 /// Gives the explanation of a diagnostic in Markdown: a heading `# GL2007: title`, then its text.
 using ExplainPage = std::function<std::string(support::DiagnosticId)>;
+
+/// The budgets as a table for people, one line a quantity.
+std::string budgetTable(const CheckedMission& mission);
 
 /// One JSON document with a member for each mission; docs/guide.md shows it.
 std::string findingsToJson(const std::vector<CheckedMission>& missions, const std::string& version);

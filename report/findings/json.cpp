@@ -65,19 +65,19 @@ ordered_json diagnosticOf(const Diagnostic& diagnostic, const SourceManager* sou
   return one;
 }
 
-ordered_json budgetOf(const CheckedMission& mission) {
-  ordered_json budget = {{"target", mission.target}};
-  for (const Quantity& quantity : mission.budget) {
-    ordered_json one = {{"value", nullptr}, {"unit", quantity.unit}};
+ordered_json budgetOf(const Budget& budget) {
+  ordered_json told = ordered_json::object();
+  for (const Quantity& quantity : budget.quantities) {
+    ordered_json one = {{"value", nullptr}, {"unit", quantity.unit}, {"remark", quantity.remark}};
     if (quantity.value) {
       one["value"] = *quantity.value;
     }
     if (quantity.limit) {
       one["limit"] = *quantity.limit;
     }
-    budget[quantity.name] = std::move(one);
+    told[quantity.name] = std::move(one);
   }
-  return budget;
+  return told;
 }
 
 ordered_json missionOf(const CheckedMission& mission) {
@@ -114,8 +114,8 @@ ordered_json missionOf(const CheckedMission& mission) {
     addRange(told, mission.sources, requirement.range);
     one["requirements"].push_back(std::move(told));
   }
-  if (!mission.budget.empty()) {
-    one["budget"] = budgetOf(mission);
+  for (const Budget& budget : mission.budgets) {
+    one["budget"][budget.of] = budgetOf(budget);
   }
   return one;
 }

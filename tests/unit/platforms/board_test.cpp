@@ -22,6 +22,8 @@ float_abi = "hard"
 relocation = "static"
 clang_flags = []
 max_executable_bytes = 65536
+max_memory_bytes = 1000000
+max_tick_instructions = 2000000
 [kernel]
 release = "2.4.23"
 system_calls = "calls"

@@ -106,9 +106,9 @@ TEST_F(Findings, SarifTellsWhatTheWorldRefused) {
 
 TEST_F(Findings, JsonHasAMemberForEachMission) {
   missions_[0].remarks = {{{}, "all cases can fire"}};
-  missions_[0].target = "ts7800";
-  missions_[0].budget = {{"flash_bytes", 100, 200, "bytes"},
-                         {"tick_instructions", {}, {}, "instructions"}};
+  missions_[0].budgets = {{"ts7800",
+                           {{"executable_bytes", 100, 200, "bytes", ""},
+                            {"tick_instructions", {}, {}, "instructions", "a loop"}}}};
   const json document = json::parse(findingsToJson(missions_, "1.2.3"));
   EXPECT_EQ(document["glidercc"], "1.2.3");
   const json one = document["missions"][0];
@@ -121,10 +121,20 @@ TEST_F(Findings, JsonHasAMemberForEachMission) {
   EXPECT_EQ(error["fixes"][0]["replacement"], ">=");
   EXPECT_EQ(error["notes"][0]["message"], "the mission begins here");
   EXPECT_EQ(one["remarks"][0]["text"], "all cases can fire");
-  EXPECT_EQ(one["budget"]["flash_bytes"]["limit"], 200);
-  EXPECT_TRUE(one["budget"]["tick_instructions"]["value"].is_null());
+  EXPECT_EQ(one["budget"]["ts7800"]["executable_bytes"]["limit"], 200);
+  EXPECT_TRUE(one["budget"]["ts7800"]["tick_instructions"]["value"].is_null());
   EXPECT_EQ(document["missions"][1]["failure"]["hint"], "look");
   EXPECT_EQ(document["missions"][1]["ok"], false);
+}
+
+TEST_F(Findings, TheBudgetIsATable) {
+  missions_[0].budgets = {{"ts7800",
+                           {{"executable", 59856, 131072, "bytes", "of the file"},
+                            {"tick_instructions", {}, {}, "instructions", "a loop in `f`"}}}};
+  const std::string table = budgetTable(missions_[0]);
+  EXPECT_THAT(table, HasSubstr("59,856 of 131,072 bytes"));
+  EXPECT_THAT(table, HasSubstr("tick instructions"));
+  EXPECT_THAT(table, testing::ContainsRegex("no bound is known +a loop in `f`"));
 }
 
 TEST(Uri, PathsBecomeReferences) {

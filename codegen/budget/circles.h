@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace glider::codegen {
+
+/// The strongly connected components of a directed graph (Tarjan 1972), in linear time and without
+/// recursion.
+class Circles {
+ public:
+  /// `next[n]` are the nodes to which n leads.
+  explicit Circles(const std::vector<std::vector<uint32_t>>& next);
+
+  /// The components, each after all those to which it leads.
+  [[nodiscard]] const std::vector<std::vector<uint32_t>>& list() const { return list_; }
+  /// The number of a node's component.
+  [[nodiscard]] uint32_t of(uint32_t node) const { return of_[node]; }
+  /// Whether one can go round in component `number`.
+  [[nodiscard]] bool turns(uint32_t number) const { return turns_[number]; }
+
+ private:
+  std::vector<std::vector<uint32_t>> list_;
+  std::vector<uint32_t> of_;
+  std::vector<bool> turns_;
+};
+
+}  // namespace glider::codegen

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "codegen/budget/image.h"
+
+#include <cstdint>
+#include <expected>
+#include <string>
+#include <vector>
+
+namespace glider::codegen {
+
+/// The instructions that an entry reaches without calls, and which may follow which.
+struct FlowGraph {
+  std::vector<uint32_t> instructions;       ///< places in Image::code(); the entry is node 0
+  std::vector<std::vector<uint32_t>> next;  ///< by node
+
+  /// Or why it cannot be followed.
+  static std::expected<FlowGraph, std::string> follow(const Image& image, uint64_t entry);
+};
+
+}  // namespace glider::codegen

@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "driver/mission_budget.h"
+
+#include "codegen/budget/budget.h"
+#include "driver/boards.h"
+#include "ir/opt/optimise.h"
+#include "ir/verify/link_bytes.h"
+
+#include <utility>
+
+namespace glider::driver {
+namespace {
+
+using report::Budget;
+using report::Quantity;
+using support::DiagnosticId;
+using support::Result;
+
+std::optional<uint64_t> limitOf(uint64_t value) {
+  return value == 0 ? std::nullopt : std::optional(value);
+}
+
+bool exceeds(const Quantity& quantity) {
+  return quantity.value && quantity.limit && *quantity.value > *quantity.limit;
+}
+
+Budget linesBudget(const ir::Mission& mission, Compilation& compilation) {
+  const ir::LinkBytes bytes = ir::linkBytes(mission, *compilation.platform);
+  const std::string unit = "bytes a cycle";
+  const std::string fast = "115200 baud: ", slow = "9600 baud: ";
+  Budget budget{
+      "lines",
+      {{"to_payload", bytes.to_sbc, bytes.fast_line, unit, fast + "the sensors subscribed"},
+       {"from_payload", bytes.from_sbc, bytes.fast_line, unit, fast + "the longest answer"},
+       {"to_science", bytes.to_science, bytes.slow_line, unit,
+        slow + "all sensors of the flight controller"},
+       {"to_flight", bytes.to_flight, bytes.slow_line, unit,
+        slow + "an instruction and the heartbeat"}}};
+  for (const Quantity& quantity : budget.quantities) {
+    if (exceeds(quantity)) {
+      compilation.diagnostics.report(DiagnosticId::lineOverloaded, {}, *quantity.value,
+                                     quantity.remark.starts_with(slow) ? 9600 : 115200,
+                                     *quantity.limit);
+    }
+  }
+  return budget;
+}
+
+Budget boardBudget(const codegen::Budget& measured, const platforms::Board& board) {
+  Budget budget{board.name, {}};
+  budget.quantities = {
+      {"executable", measured.executable_bytes, limitOf(board.max_executable_bytes), "bytes",
+       "the file that goes on board"},
+      {"memory", measured.memory_bytes, limitOf(board.max_memory_bytes), "bytes",
+       "code and data of the running mission, without the stack"},
+      {"data", measured.data_bytes, std::nullopt, "bytes", "of that, what is written to"}};
+  Quantity tick{"tick_instructions", std::nullopt, limitOf(board.max_tick_instructions),
+                "instructions", "from a frame's readings to the command"};
+  if (measured.tick_instructions) {
+    tick.value = *measured.tick_instructions;
+  } else {
+    tick.remark = measured.tick_instructions.error();
+  }
+  budget.quantities.push_back(std::move(tick));
+  return budget;
+}
+
+Result<Budget> budgetOn(const std::string& target, const ir::Mission& mission,
+                        Compilation& compilation) {
+  const auto board = loadTarget(target);
+  if (!board) {
+    return std::unexpected(board.error());
+  }
+  codegen::CodegenOptions options;
+  options.sources = &compilation.sources;
+  const auto measured = codegen::measureBudget(mission, compilation.facts, *board, options);
+  if (!measured) {
+    return std::unexpected(measured.error());
+  }
+  Budget budget = boardBudget(*measured, *board);
+  for (const Quantity& quantity : budget.quantities) {
+    if (exceeds(quantity)) {
+      const std::string what =
+          quantity.unit == "bytes" ? "bytes of " + quantity.name : "instructions a tick";
+      compilation.diagnostics.report(DiagnosticId::boardOverloaded, {}, *quantity.value, what,
+                                     target, *quantity.limit);
+    }
+  }
+  return budget;
+}
+
+}  // namespace
+
+Result<std::vector<Budget>> missionBudgets(Compilation& compilation,
+                                           const std::vector<std::string>& targets) {
+  ir::Mission mission = *compilation.mission;  // as `glidercc build` compiles it
+  ir::optimise(mission, {});
+  std::vector<Budget> budgets = {linesBudget(mission, compilation)};
+  for (const std::string& target : targets) {
+    auto budget = budgetOn(target, mission, compilation);
+    if (!budget) {
+      return std::unexpected(budget.error());
+    }
+    budgets.push_back(std::move(*budget));
+  }
+  return budgets;
+}
+
+std::vector<std::string> boardsInTheVehicle() {
+  std::vector<std::string> names = targetNames();
+  std::erase(names, "host");
+  return names;
+}
+
+}  // namespace glider::driver

@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/verify/link_bytes.h"
+
+#include <algorithm>
+#include <set>
+#include <string_view>
+
+// tests/unit/ir/link_bytes_test.cpp holds these against what hooks/protocol writes.
+namespace glider::ir {
+namespace {
+
+constexpr uint64_t kFrame = 6;  // type, sequence, CRC, COBS's byte, final zero
+constexpr uint64_t kMostPayload = 250, kTickHead = 28, kListHead = 1, kNumber = 2;
+constexpr uint64_t kDone = 19, kTransition = 22, kNote = 70;
+constexpr uint64_t kMostNotices = 8, kMostNotes = 8;
+constexpr double kFastBaud = 115200, kSlowBaud = 9600, kBitsAByte = 10;
+
+/// Frames of lists of readings, filled in order: a reading is never torn.
+class Frames {
+ public:
+  explicit Frames(uint64_t head) : head_(head), used_(head) {}
+  void add(uint64_t width) {
+    if (used_ + kNumber + width > kMostPayload) {
+      done_ += used_ + kFrame;
+      used_ = head_;
+    }
+    used_ += kNumber + width;
+  }
+  [[nodiscard]] uint64_t bytes() const { return done_ + used_ + kFrame; }
+
+ private:
+  uint64_t head_;
+  uint64_t used_;
+  uint64_t done_ = 0;
+};
+
+uint64_t tick(const Mission& mission, const platforms::Platform& platform) {
+  std::set<uint16_t> met;
+  Frames frames(kTickHead);
+  for (const Sensor& sensor : mission.sensors) {
+    if (sensor.id < platform.sensors.size() && met.insert(sensor.id).second) {
+      frames.add(platform.sensors[sensor.id].bytes);
+    }
+  }
+  return frames.bytes();
+}
+
+bool leavesNotes(const Mission& mission) {
+  return std::ranges::any_of(mission.blocks, [](const Block& block) {
+    return std::ranges::any_of(block.statements, [](const Statement& statement) {
+      return statement.kind == StatementKind::Log || statement.kind == StatementKind::Set;
+    });
+  });
+}
+
+bool startsWithHook(const platforms::PlatformSensor& sensor) {
+  return sensor.name.starts_with("sci_hook_") && sensor.name != "sci_hook_heartbeat";
+}
+
+/// One frame with all sensors of an instruction.
+uint64_t instruction(const platforms::Platform& platform) {
+  Frames frames(kListHead);
+  for (const platforms::PlatformSensor& sensor : platform.sensors) {
+    if (startsWithHook(sensor)) {
+      frames.add(sensor.bytes);
+    }
+  }
+  return frames.bytes();
+}
+
+/// Subscription, transitions, an instruction, notes, Done.
+uint64_t answer(const Mission& mission, const platforms::Platform& platform) {
+  const uint64_t subscribe = kListHead + kNumber * mission.sensors.size() + kFrame;
+  const uint64_t notes = leavesNotes(mission) ? kMostNotes * (kNote + kFrame) : 0;
+  return subscribe + kMostNotices * (kTransition + kFrame) + instruction(platform) + notes + kDone +
+         kFrame;
+}
+
+/// Whatever the order and the parts in which they go: no frame but the last of a part is left with
+/// room for one more.
+uint64_t report(const platforms::Platform& platform) {
+  constexpr uint64_t kWidest = 8, kMostParts = 3;
+  uint64_t bytes = 0;
+  for (const platforms::PlatformSensor& sensor : platform.sensors) {
+    bytes += sensor.computer == platforms::Computer::Flight ? kNumber + sensor.bytes : 0;
+  }
+  const uint64_t least_full = kMostPayload - kListHead - (kNumber + kWidest) + 1;
+  return bytes + (bytes / least_full + kMostParts) * (kListHead + kFrame);
+}
+
+uint64_t heartbeat(const platforms::Platform& platform) {
+  const platforms::PlatformSensor* beat = platform.find("sci_hook_heartbeat");
+  return beat == nullptr ? 0 : kListHead + kNumber + beat->bytes + kFrame;
+}
+
+}  // namespace
+
+LinkBytes linkBytes(const Mission& mission, const platforms::Platform& platform) {
+  LinkBytes bytes;
+  bytes.to_sbc = tick(mission, platform);
+  bytes.from_sbc = answer(mission, platform);
+  bytes.to_science = report(platform);
+  bytes.to_flight = instruction(platform) + heartbeat(platform);
+  const double cycle = platform.envelope.cycle_s;
+  bytes.fast_line = static_cast<uint64_t>(cycle * kFastBaud / kBitsAByte);
+  bytes.slow_line = static_cast<uint64_t>(cycle * kSlowBaud / kBitsAByte);
+  return bytes;
+}
+
+}  // namespace glider::ir

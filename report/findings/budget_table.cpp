@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "report/findings/findings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace glider::report {
+namespace {
+
+/// 1234567 as "1,234,567".
+std::string grouped(uint64_t number) {
+  constexpr size_t kGroup = 3;
+  std::string text = std::to_string(number);
+  for (size_t at = text.size(); at > kGroup;) {
+    at -= kGroup;
+    text.insert(at, ",");
+  }
+  return text;
+}
+
+std::string amount(const Quantity& quantity) {
+  if (!quantity.value) {
+    return "no bound is known";
+  }
+  std::string text = grouped(*quantity.value);
+  if (quantity.limit) {
+    text += " of " + grouped(*quantity.limit);
+  }
+  return text + " " + quantity.unit;
+}
+
+/// "tick instructions" of "tick_instructions".
+std::string spoken(std::string name) {
+  std::ranges::replace(name, '_', ' ');
+  return name;
+}
+
+}  // namespace
+
+std::string budgetTable(const CheckedMission& mission) {
+  std::string table;
+  for (const Budget& budget : mission.budgets) {
+    table += fmt::format("{}: at most, {}\n", mission.path, budget.of);
+    for (const Quantity& quantity : budget.quantities) {
+      table += fmt::format("  {:<22}  {:<36}  {}\n", spoken(quantity.name), amount(quantity),
+                           quantity.remark);
+    }
+  }
+  return table;
+}
+
+}  // namespace glider::report

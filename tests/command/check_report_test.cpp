@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// glidercc check --report: what a mission needs of boards and lines.
+
+#include "tests/support/command.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <gmock/gmock.h>
+
+namespace glider::tests {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using testing::HasSubstr;
+
+const std::string kFigure2 = GLIDER_SOURCE_DIR "/missions/figure2.mission";
+
+// accepts: GL4013, GL4014
+TEST(CheckReport, TheGalleryHasABoundForEveryQuantityAndFits) {
+  const Outcome outcome =
+      runShell("$GLIDERCC check --report --format json " GLIDER_SOURCE_DIR
+               "/missions/*.mission " GLIDER_SOURCE_DIR "/missions/gallery/*.mission");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  const json document = json::parse(outcome.out);
+  EXPECT_GT(document["missions"].size(), 10u);
+  for (const json& mission : document["missions"]) {
+    EXPECT_EQ(mission["budget"].size(), 3u) << mission["file"];
+    for (const auto& [of, budget] : mission["budget"].items()) {
+      for (const auto& [name, quantity] : budget.items()) {
+        ASSERT_TRUE(quantity["value"].is_number()) << mission["file"] << of << quantity;
+        EXPECT_GT(quantity["value"], 0) << name;
+        if (quantity.contains("limit")) {
+          EXPECT_LE(quantity["value"], quantity["limit"]) << mission["file"] << of << name;
+        }
+      }
+    }
+  }
+}
+
+TEST(CheckReport, IsATableForPeople) {
+  const Outcome outcome = runShell("$GLIDERCC check --report --target ts7800 " + kFigure2);
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, testing::ContainsRegex("to payload +[0-9]+ of 46,080 bytes a cycle"));
+  EXPECT_THAT(outcome.out, testing::ContainsRegex("executable +[0-9,]+ of 131,072 bytes"));
+  EXPECT_THAT(outcome.out, testing::ContainsRegex("tick instructions +[0-9,]+ of 12,500,000"));
+  EXPECT_THAT(outcome.out, testing::Not(HasSubstr("ts5500")));
+  EXPECT_THAT(outcome.out, HasSubstr("figure2.mission: fine"));
+}
+
+TEST(CheckReport, TheHostHasNoBoundOfInstructions) {
+  const Outcome outcome = runShell("$GLIDERCC check --report --target host " + kFigure2);
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("no bound is known"));
+}
+
+TEST(CheckReport, AnUnknownTargetIsAMistakeOfUse) {
+  const Outcome outcome = runShell("$GLIDERCC check --report --target ts1 " + kFigure2);
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("GL4001"));
+}
+
+TEST(CheckReport, TooMuchForABoardIsAnError) {
+  const TemporaryFolder folder;
+  std::string text =
+      "mission heavy\nstate s\nbegin\n  flightprofile surfaced\n"
+      "  sensors missiontime, temp, depth\n  events\n";
+  for (int i = 0; i < 24; ++i) {
+    text += "    case mean(temp, " + std::to_string(1000 + i) + " s) > 25 degC exit\n";
+  }
+  text += "    case missiontime > 1 h exit\nend\n";
+  const std::string mission = folder.write("heavy.mission", text).string();
+  const Outcome outcome = runShell("$GLIDERCC check --report --target ts7800 " + mission);
+  EXPECT_EQ(outcome.status, 1) << outcome.out;
+  EXPECT_THAT(outcome.err, HasSubstr("[GL4013 board-overloaded]"));
+  EXPECT_THAT(outcome.err, HasSubstr("instructions a tick"));
+  EXPECT_THAT(outcome.out, HasSubstr("tick instructions")) << "the table is shown all the same";
+  EXPECT_EQ(runShell("$GLIDERCC check " + mission).status, 0) << "not asked for";
+}
+
+TEST(CheckReport, TooMuchForALineIsAnError) {
+  const TemporaryFolder folder;  // a vehicle whose cycle is short
+  const fs::path share = folder.path() / "share";
+  fs::create_directory(share);
+  const fs::path real = GLIDER_BINARY_DIR "/share/glidercc";
+  for (const auto& entry : fs::directory_iterator(real)) {
+    if (entry.path().filename() != "platforms") {
+      fs::create_symlink(entry.path(), share / entry.path().filename());
+    }
+  }
+  fs::create_directory(share / "platforms");
+  std::string platform = slurp(real / "platforms/slocum.toml");
+  const std::string cycle = "cycle_s = 4.0";
+  platform.replace(platform.find(cycle), cycle.size(), "cycle_s = 0.05");
+  (void)folder.write("share/platforms/slocum.toml", platform);
+  const Outcome outcome =
+      runShell("GLIDERCC_SHARE=" + share.string() + " $GLIDERCC check --report " + kFigure2);
+  EXPECT_EQ(outcome.status, 1) << outcome.out;
+  EXPECT_THAT(outcome.err, HasSubstr("[GL4014 line-overloaded]"));
+  EXPECT_THAT(outcome.err, HasSubstr("9600 baud"));
+}
+
+}  // namespace
+}  // namespace glider::tests

@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// The bounds against the frames that hooks/protocol writes.
+
+#include "ir/verify/link_bytes.h"
+
+#include "hooks/protocol/messages.h"
+#include "platforms/load/platform.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+namespace glider::ir {
+namespace {
+
+const platforms::Platform& slocum() {
+  static const auto platform =
+      platforms::loadPlatform(fmt::format("{}/platforms/slocum.toml", GLIDER_SOURCE_DIR));
+  return *platform;
+}
+
+uint64_t onTheLine(const hooks::Frame& frame) {
+  uint8_t bytes[hooks::kMostEncodedBytes];
+  return hooks::encodeFrame(frame, bytes);
+}
+
+Mission subscribing(size_t count) {
+  Mission mission;
+  for (uint16_t id = 0; id < count; ++id) {
+    Sensor sensor;
+    sensor.id = id;
+    mission.sensors.push_back(sensor);
+  }
+  return mission;
+}
+
+/// A tick as hookprog sends it.
+uint64_t tickBytes(const Mission& mission) {
+  hooks::TickHead head;
+  hooks::Frame frame;
+  encode(head, frame);
+  uint64_t bytes = 0;
+  for (const Sensor& sensor : mission.sensors) {
+    if (!appendValue(frame, {sensor.id, 1.5})) {
+      bytes += onTheLine(frame);
+      encode(head, frame);
+      EXPECT_TRUE(appendValue(frame, {sensor.id, 1.5}));
+    }
+  }
+  return bytes + onTheLine(frame);
+}
+
+TEST(LinkBytes, ATickIsWhatHookprogSends) {
+  for (const size_t count :
+       {size_t{0}, size_t{1}, size_t{5}, size_t{40}, slocum().sensors.size()}) {
+    const Mission mission = subscribing(count);
+    EXPECT_EQ(linkBytes(mission, slocum()).to_sbc, tickBytes(mission)) << count;
+  }
+}
+
+TEST(LinkBytes, ASensorTwiceIsSubscribedOnce) {
+  Mission mission = subscribing(3);
+  const uint64_t before = linkBytes(mission, slocum()).to_sbc;
+  mission.sensors.push_back(mission.sensors[0]);
+  EXPECT_EQ(linkBytes(mission, slocum()).to_sbc, before);
+}
+
+TEST(LinkBytes, AnAnswerHoldsAllThatCanBeSaid) {
+  Mission mission = subscribing(4);
+  hooks::Frame frame;
+  uint64_t bytes = 0;
+  hooks::Subscribe subscribe;
+  subscribe.count = 4;
+  encode(subscribe, frame);
+  bytes += onTheLine(frame);
+  encode(hooks::TransitionNotice{}, frame);
+  bytes += 8 * onTheLine(frame);  // Client::kMostNotices
+  uint64_t instruction = 0;
+  encodeEmptyList(hooks::MessageType::Write, frame);
+  for (const platforms::PlatformSensor& sensor : slocum().sensors) {
+    if (hooks::isInstructionSensor(sensor.id)) {
+      EXPECT_TRUE(appendValue(frame, {sensor.id, 1}));
+    }
+  }
+  instruction = onTheLine(frame);
+  encode(hooks::Done{}, frame);
+  bytes += instruction + onTheLine(frame);
+  EXPECT_EQ(linkBytes(mission, slocum()).from_sbc, bytes);
+  // A `log` statement adds the most notes of an answer, Client::kMostNotes.
+  Statement log;
+  log.kind = StatementKind::Log;
+  mission.blocks.push_back({{log}});
+  hooks::MissionNote note;
+  for (uint32_t i = 0; i < hooks::kMostNoteBytes; ++i) {
+    note.text[i] = 'x';
+  }
+  encode(note, frame);
+  EXPECT_EQ(linkBytes(mission, slocum()).from_sbc, bytes + 8 * onTheLine(frame));
+}
+
+TEST(LinkBytes, TheSlowLineCarriesAllSensorsAndAnInstruction) {
+  uint64_t report = 0, instruction = 0;
+  hooks::Frame frame;
+  encodeEmptyList(hooks::MessageType::Sensors, frame);
+  for (const platforms::PlatformSensor& sensor : slocum().sensors) {
+    if (sensor.computer != platforms::Computer::Flight) {
+      continue;
+    }
+    if (!appendValue(frame, {sensor.id, 1})) {
+      report += onTheLine(frame);
+      encodeEmptyList(hooks::MessageType::Sensors, frame);
+      EXPECT_TRUE(appendValue(frame, {sensor.id, 1}));
+    }
+  }
+  report += onTheLine(frame);
+  encodeEmptyList(hooks::MessageType::Sensors, frame);
+  for (const platforms::PlatformSensor& sensor : slocum().sensors) {
+    if (hooks::isInstructionSensor(sensor.id)) {
+      EXPECT_TRUE(appendValue(frame, {sensor.id, 1}));
+    }
+  }
+  instruction = onTheLine(frame);
+  encodeEmptyList(hooks::MessageType::Sensors, frame);
+  EXPECT_TRUE(appendValue(frame, {slocum().find("sci_hook_heartbeat")->id, 1}));
+  const LinkBytes bytes = linkBytes(subscribing(1), slocum());
+  EXPECT_GE(bytes.to_science, report);
+  EXPECT_LE(bytes.to_science, report + 3 * 7) << "a frame more for each part, and no more";
+  EXPECT_EQ(bytes.to_flight, instruction + onTheLine(frame));
+  EXPECT_EQ(bytes.slow_line, 3840u);
+  EXPECT_EQ(bytes.fast_line, 46080u);
+}
+
+}  // namespace
+}  // namespace glider::ir

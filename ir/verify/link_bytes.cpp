@@ -11,24 +11,30 @@
 namespace glider::ir {
 namespace {
 
-constexpr uint64_t kFrame = 6;  // type, sequence, CRC, COBS's byte, final zero
-constexpr uint64_t kMostPayload = 250, kTickHead = 28, kListHead = 1, kNumber = 2;
-constexpr uint64_t kDone = 19, kTransition = 22, kNote = 70;
+constexpr uint64_t kFrame = 6;  // type, sequence, CRC
+constexpr uint64_t kMostList = 250, kTickHead = 20, kListHead = 1, kNumber = 2, kSubscription = 7;
+constexpr uint64_t kDone = 18, kTransition = 22, kNote = 70;
 constexpr uint64_t kMostNotices = 8, kMostNotes = 8;
 constexpr double kFastBaud = 115200, kSlowBaud = 9600, kBitsAByte = 10;
+
+/// A frame with so large a payload, with COBS's bytes and the final zero.
+uint64_t onTheLine(uint64_t payload) {
+  constexpr uint64_t kGroup = 254;
+  return payload + kFrame + (payload + kFrame) / kGroup + 2;
+}
 
 /// Frames of lists of readings, filled in order: a reading is never torn.
 class Frames {
  public:
   explicit Frames(uint64_t head) : head_(head), used_(head) {}
   void add(uint64_t width) {
-    if (used_ + kNumber + width > kMostPayload) {
-      done_ += used_ + kFrame;
+    if (used_ + kNumber + width > kMostList) {
+      done_ += onTheLine(used_);
       used_ = head_;
     }
     used_ += kNumber + width;
   }
-  [[nodiscard]] uint64_t bytes() const { return done_ + used_ + kFrame; }
+  [[nodiscard]] uint64_t bytes() const { return done_ + onTheLine(used_); }
 
  private:
   uint64_t head_;
@@ -36,15 +42,16 @@ class Frames {
   uint64_t done_ = 0;
 };
 
+/// One frame: two bits and a value for each sensor.
 uint64_t tick(const Mission& mission, const platforms::Platform& platform) {
   std::set<uint16_t> met;
-  Frames frames(kTickHead);
+  uint64_t values = 0;
   for (const Sensor& sensor : mission.sensors) {
     if (sensor.id < platform.sensors.size() && met.insert(sensor.id).second) {
-      frames.add(platform.sensors[sensor.id].bytes);
+      values += platform.sensors[sensor.id].bytes;
     }
   }
-  return frames.bytes();
+  return onTheLine(kTickHead + 2 * ((met.size() + 7) / 8) + values);
 }
 
 bool leavesNotes(const Mission& mission) {
@@ -72,10 +79,10 @@ uint64_t instruction(const platforms::Platform& platform) {
 
 /// Subscription, transitions, an instruction, notes, Done.
 uint64_t answer(const Mission& mission, const platforms::Platform& platform) {
-  const uint64_t subscribe = kListHead + kNumber * mission.sensors.size() + kFrame;
-  const uint64_t notes = leavesNotes(mission) ? kMostNotes * (kNote + kFrame) : 0;
-  return subscribe + kMostNotices * (kTransition + kFrame) + instruction(platform) + notes + kDone +
-         kFrame;
+  const uint64_t subscribe = onTheLine(kListHead + kSubscription * mission.sensors.size());
+  const uint64_t notes = leavesNotes(mission) ? kMostNotes * onTheLine(kNote) : 0;
+  return subscribe + kMostNotices * onTheLine(kTransition) + instruction(platform) + notes +
+         onTheLine(kDone);
 }
 
 /// Whatever the order and the parts in which they go: no frame but the last of a part is left with
@@ -86,13 +93,13 @@ uint64_t report(const platforms::Platform& platform) {
   for (const platforms::PlatformSensor& sensor : platform.sensors) {
     bytes += sensor.computer == platforms::Computer::Flight ? kNumber + sensor.bytes : 0;
   }
-  const uint64_t least_full = kMostPayload - kListHead - (kNumber + kWidest) + 1;
-  return bytes + (bytes / least_full + kMostParts) * (kListHead + kFrame);
+  const uint64_t least_full = kMostList - kListHead - (kNumber + kWidest) + 1;
+  return bytes + (bytes / least_full + kMostParts) * (onTheLine(kMostList) - kMostList + kListHead);
 }
 
 uint64_t heartbeat(const platforms::Platform& platform) {
   const platforms::PlatformSensor* beat = platform.find("sci_hook_heartbeat");
-  return beat == nullptr ? 0 : kListHead + kNumber + beat->bytes + kFrame;
+  return beat == nullptr ? 0 : onTheLine(kListHead + kNumber + beat->bytes);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "codegen/link/lld.h"
 #include "codegen/program/compile.h"
 #include "hooks/protocol/messages.h"
+#include "hooks/protocol/tick.h"
 #include "support/check.h"
 #include "tests/unit/codegen/compiled_mission.h"
 

@@ -9,6 +9,7 @@
 #include "codegen/link/debug_file.h"
 #include "codegen/link/lld.h"
 #include "codegen/program/compile.h"
+#include "support/check.h"
 
 #include <string_view>
 #include <utility>
@@ -37,13 +38,17 @@ constexpr PointerCall kPointerCalls[] = {
 /// What a call through a pointer from these frames may reach. In a tick only the runtime makes such
 /// calls, of functions that the mission's tables name. The innermost frame that makes one decides;
 /// where the line tables are silent it may be any.
-std::vector<uint64_t> pointerTargets(const Image& image, const std::vector<Frame>& frames) {
-  std::vector<uint64_t> some, all;
+std::vector<uint64_t> pointerTargets(const Image& image, const std::vector<uint64_t>& polls,
+                                     const std::vector<Frame>& frames) {
+  const Frame& frame = frames.front();
+  if (frame.line != 0 && frame.file == "readings.cpp" && frame.function == "pollSensors") {
+    return polls;
+  }
+  std::vector<uint64_t> some, all = polls;
   bool placed = false;
   for (const PointerCall& call : kPointerCalls) {
     const std::vector<uint64_t> named = image.functionsNamed(call.prefix);
     all.insert(all.end(), named.begin(), named.end());
-    const Frame& frame = frames.front();
     if (frame.line != 0 && frame.file == call.file && frame.function == call.function) {
       some.insert(some.end(), named.begin(), named.end());
       placed = true;
@@ -52,7 +57,22 @@ std::vector<uint64_t> pointerTargets(const Image& image, const std::vector<Frame
   return placed ? some : all;
 }
 
-std::expected<uint64_t, std::string> tickInstructions(const Image& image, const MissionSize& size) {
+/// The C functions that are asked for readings of the SBC's own sensors.
+std::vector<uint64_t> pollsOf(const Image& image, const ir::Mission& mission) {
+  std::vector<uint64_t> polls;
+  for (const ir::Sensor& sensor : mission.sensors) {
+    if (!sensor.symbol.empty()) {
+      const auto poll = image.function(sensor.symbol);
+      CHECK(poll.has_value(), "an executable was linked without the function of a sensor");
+      polls.push_back(*poll);
+    }
+  }
+  return polls;
+}
+
+std::expected<uint64_t, std::string> tickInstructions(const Image& image,
+                                                      const ir::Mission& mission,
+                                                      const MissionSize& size) {
   if (image.code().empty()) {
     return std::unexpected("the machine code of this target is not followed");
   }
@@ -60,10 +80,12 @@ std::expected<uint64_t, std::string> tickInstructions(const Image& image, const 
   if (!entry) {
     return std::unexpected("the executable has no `gliderStep`");
   }
-  WorstPath path(image,
-                 {[&](const Frame& frame) { return turnsIn(frame, size); },
-                  [&](const std::vector<Frame>& frames) { return pointerTargets(image, frames); },
-                  neverCalled});
+  const std::vector<uint64_t> polls = pollsOf(image, mission);
+  WorstPath path(image, {[&](const Frame& frame) { return turnsIn(frame, size); },
+                         [&](const std::vector<Frame>& frames) {
+                           return pointerTargets(image, polls, frames);
+                         },
+                         neverCalled});
   return path.bound(*entry);
 }
 
@@ -90,7 +112,7 @@ Result<Budget> measureBudget(const ir::Mission& mission, const ir::MissionFacts&
   budget.data_bytes = image->writableBytes();
   MissionSize size = sizeOf(mission, facts);
   size.data_bytes = budget.data_bytes;  // what is moved lies in there
-  budget.tick_instructions = tickInstructions(*image, size);
+  budget.tick_instructions = tickInstructions(*image, mission, size);
   return budget;
 }
 

@@ -54,6 +54,7 @@ void take(MissionSize& size, const ir::GuardTable& table) {
 MissionSize sizeOf(const ir::Mission& mission, const ir::MissionFacts& facts) {
   MissionSize size;
   size.sensors = mission.sensors.size();
+  size.calls = mission.uses.size();
   size.most_readings = kMostReadings;
   size.always_cases = mission.always.size();
   size.stack_depth = facts.stack_depth;
@@ -61,6 +62,10 @@ MissionSize sizeOf(const ir::Mission& mission, const ir::MissionFacts& facts) {
   take(size, mission.always_table);
   for (const ir::State& state : mission.states) {
     take(size, state.table);
+  }
+  if (std::ranges::any_of(mission.behaviours,
+                          [](const ir::Behaviour& one) { return !one.symbol.empty(); })) {
+    size.window_bins = kLibraryWindowBins;
   }
   for (const ir::Temporal& temporal : mission.temporals) {
     if (ir::isWindow(temporal.kind)) {

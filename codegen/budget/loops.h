@@ -13,6 +13,7 @@ namespace glider::codegen {
 /// The numbers of a mission that bound its loops.
 struct MissionSize {
   uint64_t sensors = 0;
+  uint64_t calls = 0;          ///< places that call C functions
   uint64_t most_readings = 0;  ///< in one frame
   uint64_t always_cases = 0;
   uint64_t stack_depth = 0;
@@ -26,6 +27,9 @@ struct MissionSize {
 
 /// What a frame can bring: hooks/protocol's kMostSubscriptions.
 constexpr uint64_t kMostReadings = 64;
+
+/// Of a window of the library's profiles: Windows::kBins of runtime/library/thermotrackyo.cpp.
+constexpr uint64_t kLibraryWindowBins = 66;
 
 /// Without data_bytes.
 MissionSize sizeOf(const ir::Mission& mission, const ir::MissionFacts& facts);

@@ -58,8 +58,8 @@ StartSbc starterOf(std::string way, std::vector<std::string> command) {
 }  // namespace
 
 Result<StartSbc> sbcOnBoard(const Compilation& compilation, const LaunchChoice& launch,
-                            const std::vector<std::string>& user_code, const std::string& board, const std::string& name,
-                            const std::filesystem::path& folder) {
+                            const std::vector<std::string>& user_code, const std::string& board,
+                            const std::string& name, const std::filesystem::path& folder) {
   if (auto allowed = checkLaunch(compilation, launch); !allowed) {
     return std::unexpected(allowed.error());
   }

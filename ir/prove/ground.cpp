@@ -4,6 +4,7 @@
 #include "ir/prove/ground.h"
 
 #include "ir/prove/known_variables.h"
+#include "ir/prove/whole_numbers.h"
 
 #include <limits>
 
@@ -13,7 +14,8 @@ Ground::Ground(const Mission& asked, const platforms::Platform& vehicle)
     : mission(asked),
       platform(vehicle),
       intervals(intervalsOf(asked)),
-      known(knownVariables(asked, intervals)) {
+      known(knownVariables(asked, intervals)),
+      whole(wholeExpressions(asked, intervals)) {
   constexpr double kMost = std::numeric_limits<double>::max();
   sensors.assign(mission.sensors.size(), {-kMost, kMost, false});
   windows.assign(mission.temporals.size(), {-kMost, kMost, false});

@@ -23,6 +23,7 @@ struct Ground {
   std::vector<Interval> sensors;    ///< of every sensor's reading, SI units
   std::vector<Interval> windows;    ///< of every temporal that is a window
   std::vector<bool> known;          ///< of every variable: never unknown
+  std::vector<bool> whole;          ///< of every expression: a whole number, exactly
 
   /// The platform's row of a sensor; null for one that the platform does not have.
   [[nodiscard]] const platforms::PlatformSensor* platformSensor(SensorId id) const {

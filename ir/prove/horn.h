@@ -24,14 +24,13 @@ struct Watch {
   std::function<void(const Configuration& before, Configuration& after)> elapse;
   std::function<void(const Configuration& before, const Outcome& outcome, Configuration& after)>
       move;
-  /// What must not be: after time has passed and before the tick, with its readings; after a tick.
-  std::function<std::optional<z3::expr>(const Configuration& now, Moment& moment)> bad_at_tick;
+  /// What no tick must leave, the start and the last one included: seen with its readings.
+  std::function<std::optional<z3::expr>(const Configuration& left, Moment& moment)> bad_at_tick;
+  /// What must not be after a tick, whatever it read.
   std::function<std::optional<z3::expr>(const Configuration& now)> bad_after;
   /// A transition that must not be made.
   std::function<std::optional<z3::expr>(const Configuration& before, const Outcome& outcome)>
       bad_move;
-  /// What is assumed of the start.
-  std::function<std::optional<z3::expr>(const Configuration& start, Moment& moment)> assume;
 };
 
 struct RunsAnswer {

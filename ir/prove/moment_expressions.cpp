@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace glider::ir::prove {
 namespace {
@@ -34,7 +35,11 @@ bool isConstant(const Expr& e) {
 
 void Moment::lowerNumber(uint32_t index) {
   const Expr& e = mission_.exprs[index];
-  made_.emplace(index, arithmetic(e, ground_.intervals[index]));
+  NumberTerm made = arithmetic(e, ground_.intervals[index]);
+  if (ground_.whole[index]) {
+    made.slack = 0;  // nothing was rounded on the way to it
+  }
+  made_.emplace(index, std::move(made));
 }
 
 NumberTerm Moment::leaf(const Expr& e) {

@@ -36,7 +36,11 @@ class RandomFlight {
         recorder_(ground, stack_depth, requirement),
         dice_(seed),
         vehicle_(ground.platform, dice_),
-        showing_(m_.sensors.size()) {}
+        showing_(m_.sensors.size()) {
+    for (const Sensor& sensor : m_.sensors) {
+      landmarks_.push_back(landmarksOf(sensor));
+    }
+  }
 
   std::optional<ConcreteRun> fly(size_t ticks) {
     double time = 0;
@@ -96,7 +100,8 @@ class RandomFlight {
     for (uint32_t i = 0; i < m_.sensors.size(); ++i) {
       Showing& now = showing_[i];
       if (time >= now.until) {
-        now = {anyValue(i), dice_.chance(0.7), time + dice_.lasting()};
+        now = {anyValue(i), calm_ || dice_.chance(0.7),
+               calm_ ? std::numeric_limits<double>::infinity() : time + dice_.lasting()};
       } else if (!now.steady) {
         now.value = anyValue(i);
       }
@@ -109,19 +114,35 @@ class RandomFlight {
   /// Of a sensor: within its range, at its ends, next to a constant of its type, or unknown.
   double anyValue(uint32_t sensor) {
     const Interval& range = ground_.sensors[sensor];
-    if (range.empty || dice_.chance(0.1)) {
+    if (range.empty || dice_.chance(calm_ ? 0.02 : 0.1)) {
       return kUnknown;
     }
     const double lowest = std::max(range.lowest, -kFar);
     const double highest = std::min(range.highest, kFar);
-    if (dice_.chance(0.4)) {
-      const Expr& e = m_.exprs[dice_.below(m_.exprs.size())];
-      if (e.op == Op::Constant && e.type == m_.sensors[sensor].type) {
-        const double near = e.number + dice_.within(-1, 1) * std::max(1e-3, e.number * 0.01);
-        return std::clamp(near, lowest, highest);
-      }
+    const std::vector<double>& landmarks = landmarks_[sensor];
+    if (!landmarks.empty() && dice_.chance(0.5)) {
+      const double landmark = landmarks[dice_.below(landmarks.size())];
+      const double reach =
+          std::max(1e-3, std::fabs(landmark)) * std::pow(10, -2.0 * dice_.below(4));
+      return std::clamp(landmark + 0.01 * reach * dice_.within(-1, 1), lowest, highest);
     }
     return dice_.within(lowest, highest);
+  }
+
+  /// Numbers of the sensor's type that the mission names.
+  std::vector<double> landmarksOf(const Sensor& sensor) const {
+    std::vector<double> found;
+    for (const Expr& e : m_.exprs) {
+      if (e.op == Op::Constant && e.type == sensor.type) {
+        found.push_back(e.number);
+      }
+    }
+    for (const Table& table : m_.tables) {
+      if (table.type == sensor.type) {
+        found.insert(found.end(), table.values.begin(), table.values.end());
+      }
+    }
+    return found;
   }
 
   const Ground& ground_;
@@ -129,7 +150,9 @@ class RandomFlight {
   RunRecorder recorder_;
   Dice dice_;
   RandomVehicle vehicle_;
+  bool calm_ = dice_.chance(0.3);  ///< every sensor shows the same all the time
   std::vector<Showing> showing_;
+  std::vector<std::vector<double>> landmarks_;  ///< by sensor
 };
 
 }  // namespace

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "ir/prove/depth_bound.h"
+#include "ir/prove/entered_after.h"
 #include "ir/prove/passes.h"
 #include "ir/prove/random_flight.h"
 #include "ir/prove/relevance.h"
@@ -20,7 +22,7 @@ using support::DiagnosticId;
 /// A run of more transitions is told by its ends.
 constexpr size_t kStoryEnds = 6;
 /// What random flights may take where the solver has no answer.
-constexpr size_t kRandomTicks = 60000;
+constexpr size_t kRandomTicks = 120000;
 /// Of a requirement without a time, s.
 constexpr double kLongFlight = 4 * 3600;
 
@@ -54,7 +56,22 @@ class RequirementCheck {
     return {0, Verdict::Refuted, std::nullopt};
   }
 
+  /// Without a search over runs.
+  bool easilyProved(const Requirement& requirement) const {
+    switch (requirement.kind) {
+      case RequirementKind::NeverAfter:
+        return !mayEnterAfter(m_, requirement.state, requirement.after);
+      case RequirementKind::Always:
+        return heldByOrders(requirement.condition, proof_.ground);
+      default:
+        return false;
+    }
+  }
+
   RequirementVerdict judgeRuns(const Requirement& requirement) {
+    if (easilyProved(requirement)) {
+      return {0, Verdict::Proved, std::nullopt};
+    }
     const RunsAnswer answer = ask(requirement);
     const bool wanted = requirement.kind == RequirementKind::Reach;
     if (answer.bad == Answer::No) {
@@ -145,7 +162,8 @@ class RequirementCheck {
   std::string howBroken(const Requirement& requirement, const ConcreteRun& run) const {
     switch (requirement.kind) {
       case RequirementKind::Always:
-        return fmt::format("at {:.6g} s, in state `{}`, {}", run.when, run.state, run.values);
+        return fmt::format("at {:.6g} s, in state `{}`{}{}", run.when, run.state,
+                           run.values.empty() ? "" : ", ", run.values);
       case RequirementKind::ExitWithin:
         return fmt::format("the mission may still fly at {:.6g} s, in state `{}`", run.when,
                            run.state);

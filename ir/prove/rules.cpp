@@ -98,15 +98,11 @@ void RuleWriter::begin() {
   if (start.store.vehicle) {
     condition = condition && begins(*start.store.vehicle, ground_.platform);
   }
-  if (watch_.assume) {
-    if (const auto assumed = watch_.assume(start, moment)) {
-      condition = condition && *assumed;
-    }
-  }
   Configuration after = SymbolicTick(ground_, relevance_, unknowns).start(std::move(start), moment);
   if (watch_.begin) {
     watch_.begin(after);
   }
+  addBad(std::nullopt, {}, condition, std::nullopt, after, moment, unknowns);
   Rule rule{std::nullopt, Place{control, Side::Done},
             {},           layout_.row(after),
             condition,    {},
@@ -234,6 +230,33 @@ z3::expr RuleWriter::noticed(const Configuration& before, const Configuration& a
   return late <= before.mission_time || same;
 }
 
+/// What a tick leaves may be bad: seen with its readings.
+void RuleWriter::addBad(const std::optional<Place>& from, const std::vector<z3::expr>& row,
+                        const z3::expr& condition, const std::optional<Configuration>& before,
+                        const Configuration& left, const Moment& readings,
+                        const Unknowns& unknowns) {
+  if (!watch_.bad_at_tick) {
+    return;
+  }
+  Moment seen = readings;
+  left.store.show(seen);
+  seen.setClocks(left.mission_time, left.mission_time - left.entered.back(),
+                 left.mission_time - left.resumed);
+  if (const auto bad = watch_.bad_at_tick(left, seen)) {
+    add({from,
+         std::nullopt,
+         row,
+         {},
+         condition && *bad,
+         {},
+         true,
+         before,
+         left,
+         readings.readings()},
+        unknowns);
+  }
+}
+
 void RuleWriter::tick(const Control& control) {
   Unknowns unknowns(context_, fmt::format("r{}:", next_prefix_++));
   const Configuration before = layout_.make(control, unknowns);
@@ -243,17 +266,9 @@ void RuleWriter::tick(const Control& control) {
                             .run(before, before.mission_time, moment, Pace::Many);
   const Place from{control, Side::Due};
   const std::vector<z3::expr> row = layout_.row(before);
-  if (watch_.bad_at_tick) {
-    Moment seen = moment;
-    before.store.show(seen);
-    seen.setClocks(before.mission_time, before.mission_time - before.entered.back(),
-                   before.mission_time - before.resumed);
-    if (const auto bad = watch_.bad_at_tick(before, seen)) {
-      add({from, std::nullopt, row, {}, *bad, {}, true, before, std::nullopt, moment.readings()},
-          unknowns);
-    }
-  }
   for (const Outcome& outcome : outcomes) {
+    addBad(from, row, outcome.condition, before, outcome.after ? *outcome.after : *outcome.left,
+           moment, unknowns);
     if (watch_.bad_move) {
       if (const auto bad = watch_.bad_move(before, outcome)) {
         add({from,

@@ -37,7 +37,7 @@ struct Rule {
   std::vector<z3::expr> unknowns;  ///< all that the rule has
   bool tick = false;
   std::optional<Configuration> before;  ///< of a rule with `from`
-  std::optional<Configuration> after;   ///< of a rule with `to`
+  std::optional<Configuration> after;   ///< of a rule with `to`, and of a bad tick
   std::map<uint32_t, NumberTerm> readings;
 };
 
@@ -63,6 +63,9 @@ class RuleWriter {
   void elapse(const Control& control);
   void tick(const Control& control);
   void badAfter(const Control& control);
+  void addBad(const std::optional<Place>& from, const std::vector<z3::expr>& row,
+              const z3::expr& condition, const std::optional<Configuration>& before,
+              const Configuration& left, const Moment& readings, const Unknowns& unknowns);
   /// Time passes no condition of clocks by more than the gap between two ticks.
   z3::expr noticed(const Configuration& before, const Configuration& after, Unknowns& unknowns);
   std::vector<ExprId> clockConditions(const Control& control) const;

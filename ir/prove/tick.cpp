@@ -38,7 +38,8 @@ std::vector<Outcome> SymbolicTick::run(const Configuration& before, const z3::ex
   stays.mission_time = now;
   stays.store = run.store;
   stays.watched = run.watched;
-  run.outcomes.push_back({run.alive, std::move(stays), ListKind::State, std::nullopt});
+  run.outcomes.push_back(
+      {run.alive, std::move(stays), std::nullopt, ListKind::State, std::nullopt});
   return std::move(run.outcomes);
 }
 
@@ -107,12 +108,14 @@ bool SymbolicTick::tryList(Run& run, ListKind list, const std::vector<Case>& cas
 
 void SymbolicTick::fire(Run& run, ListKind list, uint32_t number, const Case& c,
                         const z3::expr& condition, const Store& after_action) {
-  Outcome outcome{condition, std::nullopt, list, number};
-  if (c.transition != Transition::Exit) {
-    Configuration after = run.before;
-    after.mission_time = run.now;
+  Outcome outcome{condition, std::nullopt, std::nullopt, list, number};
+  Configuration after = run.before;
+  after.mission_time = run.now;
+  after.store = after_action;
+  if (c.transition == Transition::Exit) {
+    outcome.left = std::move(after);
+  } else {
     after.resumed = run.now;
-    after.store = after_action;
     after.watched = run.watched;
     Control& control = after.control;
     control.just_returned = c.transition == Transition::Return;

@@ -34,6 +34,7 @@ struct Configuration {
 struct Outcome {
   z3::expr condition;
   std::optional<Configuration> after;  ///< none: the mission has ended
+  std::optional<Configuration> left;   ///< of a mission that has ended: what its last tick left
   ListKind list = ListKind::State;     ///< whose case made the transition
   std::optional<uint32_t> fired;       ///< its number; none: the state stays current
 };
@@ -80,6 +81,8 @@ class SymbolicTick {
 
   Store execute(Moment& moment, BlockId block, Store store, const z3::expr& now);
   Store executeOne(Moment& moment, const Statement& statement, Store store, const z3::expr& now);
+  /// No rounding leaves the interval of what it rounds.
+  void bound(Moment& moment, const z3::expr& term, const Interval& interval);
   void assign(Moment& moment, VariableId variable, ExprId value, Store& store, bool start);
   void startWatching(Moment& moment, ListKind list, StateId state, Configuration& configuration);
   Configuration enter(Configuration before, Moment moment);

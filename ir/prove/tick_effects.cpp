@@ -54,6 +54,16 @@ Store SymbolicTick::executeOne(Moment& moment, const Statement& statement, Store
   return store;
 }
 
+void SymbolicTick::bound(Moment& moment, const z3::expr& term, const Interval& interval) {
+  constexpr double kMost = std::numeric_limits<double>::max();
+  if (interval.lowest > -kMost) {
+    unknowns_.require(term >= moment.real(interval.lowest));
+  }
+  if (interval.highest < kMost) {
+    unknowns_.require(term <= moment.real(interval.highest));
+  }
+}
+
 /// A variable's term has no slack: what roundings leave open is an unknown of its own. When it
 /// starts it may be unknown; `set` leaves it as it was where the value is unknown.
 void SymbolicTick::assign(Moment& moment, VariableId variable, ExprId value, Store& store,
@@ -76,6 +86,7 @@ void SymbolicTick::assign(Moment& moment, VariableId variable, ExprId value, Sto
       const z3::expr rounded = unknowns_.real("rounded");
       const z3::expr slack = moment.real(given.slack);
       unknowns_.require(rounded - given.value <= slack && given.value - rounded <= slack);
+      bound(moment, rounded, ground_.intervals[value.index]);
       given = {rounded, given.known, 0};
     }
     held = start ? given

@@ -115,14 +115,10 @@ z3::expr isFalse(ExprId condition, const Configuration& now, Moment moment, cons
   return moment.truth(condition).is_false;
 }
 
-Watch always(ExprId condition, z3::context& context, const Ground& ground) {
+Watch always(ExprId condition, const Ground& ground) {
   Watch watch;
-  watch.bad_at_tick = [condition, &ground](const Configuration& now, Moment& moment) {
-    return std::optional(isFalse(condition, now, moment, ground));
-  };
-  watch.assume = [condition, &ground, &context](const Configuration& start, Moment& moment) {
-    (void)context;
-    return std::optional(!isFalse(condition, start, moment, ground));
+  watch.bad_at_tick = [condition, &ground](const Configuration& left, Moment& moment) {
+    return std::optional(isFalse(condition, left, moment, ground));
   };
   return watch;
 }
@@ -137,7 +133,7 @@ bool reckonsWithDepth(const Requirement& requirement, const Ground& ground) {
 Watch watchFor(const Requirement& requirement, z3::context& context, const Ground& ground) {
   switch (requirement.kind) {
     case RequirementKind::Always:
-      return always(requirement.condition, context, ground);
+      return always(requirement.condition, ground);
     case RequirementKind::ExitWithin:
       return exitWithin(requirement.seconds, context);
     case RequirementKind::Reach:

@@ -113,7 +113,7 @@ TEST_F(Replay, AnotherProgramIsFoundOut) {
   const auto file = folder_.write("other.mission", other);
   const std::string binary = (folder_.path() / "other").string();
   ASSERT_EQ(runShell("$GLIDERCC build " + file.string() + " --target host -o " + binary).status, 0);
-  const Outcome flown = runShell("$GLIDERCC sim " + mission_ + " --replay " + trace(3) + " --sbc " +
+  const Outcome flown = runShell("$GLIDERCC sim " + mission_ + " --replay " + trace(2) + " --sbc " +
                                  binary + " -o " + runs());
   EXPECT_EQ(flown.status, 2);
   EXPECT_THAT(flown.err, HasSubstr("[GL9362 replay-differs]"));

@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/prove/passes.h"
+#include "ir/verify/value_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace glider::ir::prove {
+namespace {
+
+using support::DiagnosticId;
+
+constexpr double kEndless = std::numeric_limits<double>::infinity();
+
+/// Above this a bound says nothing: the number has no range.
+constexpr double kNoBound = 1e300;
+
+/// Angles as pilots write them.
+std::string shown(double value, Type type) {
+  const bool angle = type.dimension == support::dimension::angle;
+  return angle ? fmt::format("{:.4g} deg", value * 180 / std::numbers::pi) : withUnit(value, type);
+}
+
+/// Looks at the orders of every state's profile, with the ranges of all that they are made from.
+class CommandCheck {
+ public:
+  explicit CommandCheck(Proof& proof)
+      : proof_(proof), m_(proof.ground.mission), envelope_(proof.ground.platform.envelope) {}
+
+  void run() {
+    for (const State& state : m_.states) {
+      orders_.clear();
+      gather(state.profile.entry);
+      for (const Case& c : state.profile.cases) {
+        gather(c.action);
+      }
+      checkEnvelope(state.profile);
+      checkTurns(state);
+    }
+  }
+
+ private:
+  void gather(BlockId id) {
+    if (!id.valid()) {
+      return;
+    }
+    for (const Statement& statement : m_[id].statements) {
+      if (statement.kind == StatementKind::Command) {
+        orders_.push_back(&statement);
+      } else if (statement.kind == StatementKind::If) {
+        gather(statement.then);
+        gather(statement.otherwise);
+      }
+    }
+  }
+
+  [[nodiscard]] const Interval& range(const Statement& order, size_t argument) const {
+    return proof_.ground.intervals[order.values.at(argument).index];
+  }
+
+  /// Depth and pitch of each order; a number without a range is not judged.
+  void checkEnvelope(const Activity& profile) {
+    for (const Statement* order : orders_) {
+      const bool sloped = order->command == Command::Descend || order->command == Command::Ascend;
+      if (sloped || order->command == Command::Hover) {
+        hold(profile, *order, 0, envelope_.greatest_depth_m);
+      }
+      if (sloped) {
+        hold(profile, *order, 1, envelope_.steepest_pitch_rad);
+      }
+    }
+  }
+
+  void hold(const Activity& profile, const Statement& order, size_t argument, double most) {
+    const Interval& given = range(order, argument);
+    const double greatest = std::max(given.highest, -given.lowest);
+    const bool judged = !given.empty && greatest < kNoBound;
+    if (!judged || greatest <= most || !told_.insert(profile.range.begin).second) {
+      return;
+    }
+    const Type type = m_[order.values.at(argument)].type;
+    proof_.diagnostics.report(DiagnosticId::orderBeyondEnvelope, profile.range,
+                              shown(greatest, type), shown(most, type));
+  }
+
+  /// A profile that climbs and dives turns where the one ends and the other begins.
+  void checkTurns(const State& state) {
+    Interval down{kEndless, -kEndless, true};
+    Interval up = down;
+    for (const Statement* order : orders_) {
+      if (order->command == Command::Descend) {
+        widen(down, range(*order, 0));
+      } else if (order->command == Command::Ascend) {
+        widen(up, range(*order, 0));
+      }
+    }
+    if (down.empty || up.empty || up.lowest < down.highest || up.lowest > kNoBound ||
+        down.highest < -kNoBound) {
+      return;
+    }
+    constexpr Type kLength{TypeKind::Quantity, support::dimension::length};
+    proof_.diagnostics.report(DiagnosticId::profileTurnedRound, state.profile.range,
+                              withUnit(up.lowest, kLength), withUnit(down.highest, kLength));
+  }
+
+  static void widen(Interval& all, const Interval& one) {
+    if (!one.empty) {
+      all = {std::min(all.lowest, one.lowest), std::max(all.highest, one.highest), false};
+    }
+  }
+
+  Proof& proof_;
+  const Mission& m_;
+  const platforms::Envelope& envelope_;
+  std::vector<const Statement*> orders_;  ///< of the profile that is looked at
+  std::set<uint32_t> told_;
+};
+
+}  // namespace
+
+void passes::commands(Proof& proof) {
+  CommandCheck(proof).run();
+}
+
+}  // namespace glider::ir::prove

@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "ir/core/mission.h"
+
+namespace glider::ir::prove {
+
+/// Whether some chain of transitions enters `state`, by goto or call, after `after` was current,
+/// whatever the guards say. False is a proof; true is none.
+bool mayEnterAfter(const Mission& mission, StateId state, StateId after);
+
+}  // namespace glider::ir::prove

@@ -13,6 +13,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -60,12 +61,19 @@ const char* wordOf(Verdict verdict) {
   return verdict == Verdict::Proved ? "proved" : verdict == Verdict::Refuted ? "refuted" : "open";
 }
 
+/// scripts/soak/proofs asks for more.
+uint64_t flightsToFly() {
+  constexpr uint64_t kFew = 3;
+  const char* wanted = std::getenv("GLIDER_PROOF_FLIGHTS");
+  return wanted == nullptr ? kFew : std::stoull(wanted);
+}
+
 /// What random flights make of it.
 void expectSurvives(const Mission& mission, const MissionFacts& facts) {
   constexpr size_t kTicks = 4000;
-  constexpr uint64_t kFlights = 3;
+  const uint64_t flights = flightsToFly();
   const Ground ground(mission, slocum());
-  for (uint64_t seed = 1; seed <= kFlights; ++seed) {
+  for (uint64_t seed = 1; seed <= flights; ++seed) {
     const auto broken =
         flyAtRandom(ground, facts.stack_depth, mission.requirements[0], seed, kTicks);
     EXPECT_FALSE(broken.has_value()) << "seed " << seed << " at " << broken->when << " s";

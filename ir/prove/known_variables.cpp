@@ -48,18 +48,6 @@ class Analysis {
       operands = operands && values_[e.operands.at(k).index];
     }
     switch (e.op) {
-      case Op::Sensor:
-      case Op::Temporal:
-      case Op::Call:
-      case Op::Element:
-      case Op::Sqrt:
-      case Op::Sin:
-      case Op::Cos:
-      case Op::Tan:
-      case Op::Atan2:
-      case Op::Distance:
-      case Op::Bearing:
-        return false;
       case Op::Known:
         return true;
       case Op::Variable:
@@ -70,8 +58,31 @@ class Analysis {
       case Op::Subtract:
       case Op::Multiply:
         return operands && isSmall(index);
-      default:
+      case Op::Constant:
+      case Op::True:
+      case Op::False:
+      case Op::MissionTime:
+      case Op::StateTime:
+      case Op::ResumeTime:
+      case Op::Age:
+      case Op::Negate:
+      case Op::Abs:
+      case Op::Min:
+      case Op::Max:
+      case Op::Clamp:
+      case Op::Select:
+      case Op::Less:
+      case Op::LessEqual:
+      case Op::Greater:
+      case Op::GreaterEqual:
+      case Op::Equal:
+      case Op::NotEqual:
+      case Op::Not:
+      case Op::And:
+      case Op::Or:
         return operands;
+      default:
+        return false;  // a reading, what is watched, a call, or what has no value everywhere
     }
   }
 

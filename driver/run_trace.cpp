@@ -4,6 +4,7 @@
 #include "driver/run_trace.h"
 
 #include "driver/flight_files.h"
+#include "ir/verify/value_text.h"
 #include "support/files.h"
 
 #include <fmt/format.h>
@@ -23,10 +24,7 @@ std::string settingOf(const ir::Variable& parameter, double value) {
   if (parameter.type.kind == ir::TypeKind::Bool) {
     return fmt::format("{}={}", parameter.name, value != 0 ? "true" : "false");
   }
-  const std::string unit = parameter.type.kind == ir::TypeKind::Quantity
-                               ? support::unitName(parameter.type.dimension)
-                               : "";
-  return fmt::format("{}={:.9g}{}", parameter.name, value, unit);
+  return fmt::format("{}={}", parameter.name, ir::withUnitExactly(value, parameter.type));
 }
 
 std::vector<std::string> settingsOf(const ir::Mission& mission,

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+
 namespace glider::ir {
 namespace {
 
@@ -14,11 +16,24 @@ std::string unitOf(Type type) {
   return type.kind == TypeKind::Quantity ? support::unitName(type.dimension) : "deg";
 }
 
+/// From SI units (positions: degrees) to the unit that is shown.
+double shown(double value, Type type) {
+  const auto unit = type.kind == TypeKind::Quantity ? support::bareUnit(type.dimension)
+                                                    : std::optional<support::Unit>();
+  return unit ? value / unit->to_si : value;
+}
+
 }  // namespace
 
 std::string withUnit(double value, Type type) {
   const std::string unit = unitOf(type);
-  return fmt::format("{:.6g}{}{}", value, unit.empty() ? "" : " ", unit);
+  return fmt::format("{:.6g}{}{}", shown(value, type), unit.empty() ? "" : " ", unit);
+}
+
+std::string withUnitExactly(double value, Type type) {
+  constexpr int kMostDigits = 15;  // that a launch reads
+  return fmt::format("{:.{}g}{}", shown(value, type), kMostDigits,
+                     type.kind == TypeKind::Quantity ? unitOf(type) : "");
 }
 
 std::string rangeText(const Variable& variable) {

@@ -87,6 +87,30 @@ TEST_F(Replay, AMissionThatWasMendedNoLongerFliesTheRun) {
   EXPECT_THAT(flown.out, HasSubstr("holds in this run"));
 }
 
+/// Parameters in units that are no SI units, positions south and west, and truth values.
+TEST_F(Replay, ParametersOfEveryKindGoAlong) {
+  mission_ = folder_
+                 .write("p.mission",
+                        "mission p\n"
+                        "param limit : pressure = 2 bar in 1 bar .. 3 bar\n"
+                        "param least : charge = 50 Ah in 10 Ah .. 100 Ah\n"
+                        "param south : latitude = 39 S\n"
+                        "param quick : bool = false\n"
+                        "param steep : angle = 26 deg in 20 deg .. 30 deg\n"
+                        "where south < 10 S\n"
+                        "require exit within 50 min\n"
+                        "state a\nbegin\n  flightprofile yo(5 m, 20 m, steep, steep)\n"
+                        "  sensors missiontime, pressure, lat\n  events\n"
+                        "    case pressure > limit && lat < south && quick && least > 20 Ah stay\n"
+                        "    case missiontime >= 40 min exit\nend\n")
+                 .string();
+  const Outcome checked = runShell("$GLIDERCC check " + mission_ + " --traces " + runs());
+  EXPECT_THAT(checked.err, HasSubstr("1 run written")) << checked.out;
+  const Outcome flown = replay(1, "");
+  EXPECT_EQ(flown.status, 1) << flown.err;
+  EXPECT_THAT(flown.out, HasSubstr("the mission breaks"));
+}
+
 TEST_F(Replay, OtherFilesAreRefused) {
   const auto text = folder_.write("text.json", "not JSON");
   const auto cut = folder_.write("cut.json", slurp(trace(2)).substr(0, 1000));

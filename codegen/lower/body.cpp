@@ -4,10 +4,9 @@
 #include "codegen/lower/body.h"
 
 namespace glider::codegen {
-namespace {
 
-llvm::Function* makeFunction(Lowering& lowering, const std::string& name, Body::Result result,
-                             unsigned more) {
+llvm::Function* declareFunction(Lowering& lowering, const std::string& name, Body::Result result,
+                                unsigned more) {
   llvm::LLVMContext& context = lowering.module.getContext();
   llvm::Type* word = llvm::Type::getInt32Ty(context);
   llvm::Type* results[] = {llvm::Type::getVoidTy(context), word};
@@ -15,11 +14,27 @@ llvm::Function* makeFunction(Lowering& lowering, const std::string& name, Body::
   parameters[0] = llvm::PointerType::getUnqual(context);
   auto* type = llvm::FunctionType::get(results[static_cast<size_t>(result)], parameters, false);
   auto* function =
-      llvm::Function::Create(type, llvm::GlobalValue::InternalLinkage, name, lowering.module);
+      llvm::Function::Create(type, llvm::GlobalValue::ExternalLinkage, name, lowering.module);
+  showToParts(*function);
   function->setDoesNotThrow();
-  function->setDSOLocal(true);
+  return function;
+}
+
+void showToParts(llvm::Function& function) {
+  function.setLinkage(llvm::GlobalValue::ExternalLinkage);
+  function.setVisibility(llvm::GlobalValue::HiddenVisibility);
+  function.setDSOLocal(true);
+}
+
+namespace {
+
+llvm::Function* makeFunction(Lowering& lowering, const std::string& name, Body::Result result,
+                             unsigned more) {
+  llvm::Function* function = declareFunction(lowering, name, result, more);
+  function->setVisibility(llvm::GlobalValue::DefaultVisibility);
+  function->setLinkage(llvm::GlobalValue::InternalLinkage);
   function->addFnAttr(llvm::Attribute::MinSize);
-  llvm::BasicBlock::Create(context, "entry", function);
+  llvm::BasicBlock::Create(lowering.module.getContext(), "entry", function);
   return function;
 }
 

@@ -34,6 +34,12 @@ struct Body {
   Expressions expressions;
 };
 
+/// A function as a Body has, which stands in another part of the mission.
+llvm::Function* declareFunction(Lowering& lowering, const std::string& name, Body::Result result,
+                                unsigned more);
+/// Lets the other parts call it.
+void showToParts(llvm::Function& function);
+
 /// Runs the statements of a block where `body` stands; an invalid id is an empty block. What was
 /// made before stays made.
 void lowerBlock(Body& body, ir::BlockId block);

@@ -28,6 +28,11 @@ void lowerCases(Body& body, const ir::Activity& activity) {
   }
 }
 
+/// In a tick.
+bool doesNothing(const Lowering& lowering, const ir::Activity& activity) {
+  return lowering.mission[activity.behaviour].symbol.empty() && activity.cases.empty();
+}
+
 }  // namespace
 
 void callBehaviour(Body& body, const ir::Activity& activity, uint32_t memory_block,
@@ -54,19 +59,26 @@ void callBehaviour(Body& body, const ir::Activity& activity, uint32_t memory_blo
 
 llvm::Function* lowerFly(Lowering& lowering, uint32_t state, const ir::Activity& activity,
                          const std::string& kind, uint32_t memory_block) {
-  const bool in_language = lowering.mission[activity.behaviour].symbol.empty();
-  if (in_language && activity.cases.empty()) {
+  if (doesNothing(lowering, activity)) {
     return nullptr;
   }
   const std::string& name = lowering.mission.states[state].name;
   Body body(lowering, kind + "." + name, Body::Result::Word, 0, name + " " + kind, activity.range);
-  if (in_language) {
+  if (lowering.mission[activity.behaviour].symbol.empty()) {
     lowerCases(body, activity);
   } else {
     callBehaviour(body, activity, memory_block, body.builder.getInt32(kGliderTick));
   }
   body.builder.CreateRet(body.builder.getInt32(GLIDER_NO_CASE));
   return body.function;
+}
+
+llvm::Function* declareFly(Lowering& lowering, uint32_t state, const ir::Activity& activity,
+                           const std::string& kind) {
+  const std::string& name = lowering.mission.states[state].name;
+  return doesNothing(lowering, activity)
+             ? nullptr
+             : declareFunction(lowering, kind + "." + name, Body::Result::Word, 0);
 }
 
 }  // namespace glider::codegen

@@ -3,12 +3,15 @@
 
 #include "codegen/lower/lower_mission.h"
 
+#include "codegen/lower/body.h"
 #include "codegen/lower/lowering.h"
 #include "ir/core/validate.h"
 #include "support/check.h"
 
 #include <llvm/IR/Verifier.h>
 #include <llvm/Support/raw_ostream.h>
+
+#include <set>
 
 namespace glider::codegen {
 namespace {
@@ -21,7 +24,13 @@ void setRelocation(llvm::Module& module, const llvm::TargetMachine& machine) {
   }
 }
 
-StateFunctions lowerState(Lowering& lowering, uint32_t index) {
+llvm::Function* lowerProfile(Lowering& lowering, uint32_t index) {
+  return lowerFly(lowering, index, lowering.mission.states[index].profile, "profile",
+                  lowering.index.memory_blocks[index].profile);
+}
+
+/// `profile`: whether its profile's ticks are here.
+StateFunctions lowerState(Lowering& lowering, uint32_t index, bool profile) {
   const ir::State& state = lowering.mission.states[index];
   const MissionIndex::Blocks& blocks = lowering.index.memory_blocks[index];
   StateFunctions functions;
@@ -31,9 +40,24 @@ StateFunctions lowerState(Lowering& lowering, uint32_t index) {
   functions.enter = lowerEnter(lowering, index);
   functions.advance =
       lowerAdvance(lowering, lowering.index.state_temporals[index], state.name, state.range);
-  functions.profile = lowerFly(lowering, index, state.profile, "profile", blocks.profile);
+  functions.profile = profile ? lowerProfile(lowering, index)
+                              : declareFly(lowering, index, state.profile, "profile");
   functions.route = lowerFly(lowering, index, state.route, "route", blocks.route);
   return functions;
+}
+
+void lowerStates(Lowering& lowering, const MissionPart& part) {
+  const std::set<uint32_t> states(part.states.begin(), part.states.end());
+  const std::set<uint32_t> profiles(part.profiles.begin(), part.profiles.end());
+  for (const uint32_t state : states) {
+    lowerStateInfo(lowering, state, lowerState(lowering, state, profiles.contains(state)));
+  }
+  for (const uint32_t state : profiles) {
+    llvm::Function* alone = states.contains(state) ? nullptr : lowerProfile(lowering, state);
+    if (alone != nullptr) {
+      showToParts(*alone);
+    }
+  }
 }
 
 MissionFunctions lowerFunctions(Lowering& lowering) {
@@ -55,6 +79,7 @@ MissionPart wholeOf(const ir::Mission& mission) {
   MissionPart whole;
   for (uint32_t i = 0; i < mission.states.size(); ++i) {
     whole.states.push_back(i);
+    whole.profiles.push_back(i);
   }
   return whole;
 }
@@ -79,9 +104,7 @@ std::unique_ptr<llvm::Module> lowerMission(const ir::Mission& mission,
   if (part.head) {
     lowerTables(lowering, lowerFunctions(lowering));
   }
-  for (const uint32_t state : part.states) {
-    lowerStateInfo(lowering, state, lowerState(lowering, state));
-  }
+  lowerStates(lowering, part);
   lowering.debug.finish();
   CHECK(!llvm::verifyModule(*module, &llvm::errs()), "generated code that LLVM refuses");
   return module;

@@ -76,6 +76,9 @@ llvm::Function* lowerEnter(Lowering& lowering, uint32_t state);
 /// Of a profile or route; `kind` is "profile" or "route".
 llvm::Function* lowerFly(Lowering& lowering, uint32_t state, const ir::Activity& activity,
                          const std::string& kind, uint32_t memory_block);
+/// The same function, which another part of the mission holds.
+llvm::Function* declareFly(Lowering& lowering, uint32_t state, const ir::Activity& activity,
+                           const std::string& kind);
 llvm::Function* lowerBegin(Lowering& lowering);
 llvm::Function* lowerCondition(Lowering& lowering);
 

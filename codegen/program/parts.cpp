@@ -3,8 +3,10 @@
 
 #include "codegen/program/parts.h"
 
+#include "codegen/program/work.h"
+
 #include <algorithm>
-#include <numeric>
+#include <functional>
 
 namespace glider::codegen {
 namespace {
@@ -20,32 +22,33 @@ size_t countOf(size_t states) {
   return states < kManyStates ? 2 : 8;
 }
 
-size_t workOf(const ir::Activity& activity) {
-  return activity.cases.size() + (activity.entry.valid() ? 1 : 0);
-}
+/// What stands in one part as a whole.
+struct Piece {
+  uint32_t state = 0;
+  bool profile = false;  ///< the ticks of its profile, or all else of the state
+  size_t work = 0;
+};
 
-size_t workOf(const ir::State& state) {
-  // A profile's cases do more than a state's: they command.
-  return 1 + state.cases.size() + 3 * (workOf(state.profile) + workOf(state.route));
+std::vector<Piece> piecesOf(const ir::Mission& mission) {
+  std::vector<Piece> pieces;
+  for (uint32_t i = 0; i < mission.states.size(); ++i) {
+    pieces.push_back({i, true, workOfProfileTick(mission, i)});
+    pieces.push_back({i, false, workOfState(mission, i)});
+  }
+  std::ranges::stable_sort(pieces, std::greater{}, &Piece::work);
+  return pieces;
 }
 
 }  // namespace
 
 std::vector<MissionPart> partsOf(const ir::Mission& mission) {
-  std::vector<MissionPart> parts(countOf(mission.states.size()), {false, {}});
+  std::vector<MissionPart> parts(countOf(mission.states.size()), {false, {}, {}});
   parts.front().head = true;
   std::vector<size_t> work(parts.size());
-  std::vector<uint32_t> largest_first(mission.states.size());
-  std::iota(largest_first.begin(), largest_first.end(), 0U);
-  std::ranges::stable_sort(largest_first, std::greater{},
-                           [&](uint32_t i) { return workOf(mission.states[i]); });
-  for (const uint32_t state : largest_first) {
+  for (const Piece& piece : piecesOf(mission)) {
     const auto least = static_cast<size_t>(std::ranges::min_element(work) - work.begin());
-    parts[least].states.push_back(state);
-    work[least] += workOf(mission.states[state]);
-  }
-  for (MissionPart& part : parts) {
-    std::ranges::sort(part.states);
+    (piece.profile ? parts[least].profiles : parts[least].states).push_back(piece.state);
+    work[least] += piece.work;
   }
   return parts;
 }

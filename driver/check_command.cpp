@@ -91,6 +91,26 @@ int exitCode(const report::CheckedMission& found) {
   return found.failure ? kWorldFailed : found.ok() ? kFine : kMissionHasErrors;
 }
 
+std::string flightLine(const report::FlightSearch& search) {
+  if (search.flights == 0) {
+    return "  not flown: the mission needs code in C\n";
+  }
+  return search.scenario.empty()
+             ? fmt::format("  none of {} flights of the simulator breaks it\n", search.flights)
+             : fmt::format("  a flight breaks it too: scenario {}, --seed {}, at {:.6g} s\n",
+                           search.scenario, search.seed, search.when_s);
+}
+
+/// What came of each requirement.
+std::string requirementLines(const report::CheckedMission& found) {
+  std::string text;
+  for (const report::JudgedRequirement& one : found.requirements) {
+    text += fmt::format("{}: {}\n", one.verdict, one.text);
+    text += one.closed_loop ? flightLine(*one.closed_loop) : "";
+  }
+  return text;
+}
+
 /// Writes what people read: mistakes to standard error, the rest to `text`.
 void tellPeople(const Checked& checked, const CheckOptions& options, std::string& text) {
   const report::CheckedMission& found = checked.found;
@@ -103,6 +123,7 @@ void tellPeople(const Checked& checked, const CheckOptions& options, std::string
   }
   text += report::budgetTable(found);
   if (!found.ok()) {
+    text += options.report ? requirementLines(found) : "";
     tell(verdict(checked));
     return;
   }
@@ -110,9 +131,7 @@ void tellPeople(const Checked& checked, const CheckOptions& options, std::string
     text += remark.text + "\n";
   }
   if (options.report) {
-    for (const report::JudgedRequirement& one : found.requirements) {
-      text += fmt::format("{}: {}\n", one.verdict, one.text);
-    }
+    text += requirementLines(found);
   }
   text += verdict(checked);
 }

@@ -3,6 +3,7 @@
 
 #include "driver/check_mission.h"
 
+#include "driver/closed_loop.h"
 #include "driver/mission_budget.h"
 
 #include <utility>
@@ -23,6 +24,34 @@ void tellFacts(const Compilation& compilation, report::CheckedMission& found) {
   }
 }
 
+report::FlightSearch told(const ClosedLoop& search) {
+  report::FlightSearch all;
+  all.flights = search.flights;
+  if (search.breaking) {
+    all.scenario = search.breaking->scenario;
+    all.seed = search.breaking->seed;
+    all.when_s = search.breaking->when;
+  }
+  return all;
+}
+
+/// `fly`: whether to look for a flight that breaks one that is refuted.
+Result<report::JudgedRequirement> judgedRequirement(const Compilation& compilation,
+                                                    const ir::prove::RequirementVerdict& verdict,
+                                                    bool fly) {
+  const auto range = compilation.mission->requirements[verdict.requirement].range;
+  report::JudgedRequirement judged{range, std::string(compilation.sources.text(range)),
+                                   ir::prove::word(verdict.verdict), std::nullopt};
+  if (fly && verdict.verdict == ir::prove::Verdict::Refuted && verdict.run) {
+    const auto search = searchClosedLoop(compilation, verdict);
+    if (!search) {
+      return std::unexpected(search.error());
+    }
+    judged.closed_loop = told(*search);
+  }
+  return judged;
+}
+
 /// What goes beyond text and structure, of a mission that is ok().
 Result<void> checkFurther(Checked& checked, const CheckOptions& options) {
   ir::prove::Options how;
@@ -38,9 +67,11 @@ Result<void> checkFurther(Checked& checked, const CheckOptions& options) {
     checked.found.remarks.push_back({line.range, line.text});
   }
   for (const ir::prove::RequirementVerdict& verdict : proved->requirements) {
-    const auto range = compilation.mission->requirements[verdict.requirement].range;
-    checked.found.requirements.push_back(
-        {range, std::string(compilation.sources.text(range)), ir::prove::word(verdict.verdict)});
+    auto judged = judgedRequirement(compilation, verdict, options.report);
+    if (!judged) {
+      return std::unexpected(judged.error());
+    }
+    checked.found.requirements.push_back(std::move(*judged));
   }
   checked.proved = std::move(*proved);
   if (!options.report) {

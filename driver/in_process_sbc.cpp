@@ -58,13 +58,22 @@ void InProcessSbc::end(const char* epitaph) {
   }
 }
 
+void InProcessSbc::showToWatcher() const {
+  const GliderContext* context = watcher_ ? mission_->context(runtime_) : nullptr;
+  if (context != nullptr) {
+    watcher_(*context, now_s_);
+  }
+}
+
 void InProcessSbc::run() {
   // A poll handles a frame of what was delivered, or one of the few time-outs that may be due.
   constexpr int kMostPolls = 10000;
   const GliderByteStream stream{this, readBytes, writeBytes};
   const GliderClock clock{this, now};
   for (int i = 0; i < kMostPolls && alive() && !finished_; ++i) {
-    switch (mission_->poll(runtime_, stream, clock)) {
+    const GliderRuntimeStatus status = mission_->poll(runtime_, stream, clock);
+    showToWatcher();
+    switch (status) {
       case kGliderRuntimeIdle:
         return;
       case kGliderRuntimeProgressed:

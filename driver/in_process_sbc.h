@@ -10,6 +10,7 @@
 #include "simulator/sbc_port.h"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -25,6 +26,11 @@ class InProcessSbc final : public simulator::SbcPort {
   InProcessSbc(std::shared_ptr<const codegen::LoadedMission> mission,
                std::vector<double> parameters, bool keeps_time = false);
 
+  /// Calls `watcher` each time that the runtime has been polled, once its mission has started: with
+  /// what it holds, and the vehicle's time, s.
+  using Watcher = std::function<void(const GliderContext&, double now_s)>;
+  void watch(Watcher watcher) { watcher_ = std::move(watcher); }
+
   [[nodiscard]] std::string way() const override { return "in-process"; }
   void deliver(std::span<const uint8_t> bytes, double now_s) override;
   std::vector<uint8_t> collect() override;
@@ -39,10 +45,12 @@ class InProcessSbc final : public simulator::SbcPort {
   static int32_t writeBytes(void* self, const uint8_t* bytes, uint32_t count);
   static double now(void* self);
   void run();
+  void showToWatcher() const;
   void end(const char* epitaph);
 
   std::shared_ptr<const codegen::LoadedMission> mission_;
   std::vector<double> parameters_;
+  Watcher watcher_;
   std::unique_ptr<std::byte[]> runtime_memory_;
   std::unique_ptr<std::byte[]> context_memory_;
   GliderRuntime* runtime_ = nullptr;

@@ -13,9 +13,6 @@
 #include <charconv>
 
 namespace glider::driver {
-namespace {
-
-/// The scenarios that come with glidercc, by name.
 std::vector<std::string> scenarioNames() {
   std::vector<std::string> names;
   std::error_code ignored;
@@ -28,6 +25,8 @@ std::vector<std::string> scenarioNames() {
   std::ranges::sort(names);
   return names;
 }
+
+namespace {
 
 /// A file as it is; a bare name among those that come with glidercc.
 support::Result<std::filesystem::path> scenarioPath(const std::string& wanted) {

@@ -9,8 +9,12 @@
 #include <CLI/CLI.hpp>
 
 #include <string>
+#include <vector>
 
 namespace glider::driver {
+
+/// The scenarios that come with glidercc, by name.
+std::vector<std::string> scenarioNames();
 
 /// Loads the scenario that --scenario names: a .toml file, or one that comes with glidercc. Its
 /// mistakes are shown as a mission's are. GL9302, and as simulator::loadScenario.

@@ -21,11 +21,20 @@ struct Remark {
   std::string text;
 };
 
+/// Whether a flight of the simulator breaks what is refuted.
+struct FlightSearch {
+  size_t flights = 0;    ///< that were flown
+  std::string scenario;  ///< of the last, if it breaks it; else empty
+  uint64_t seed = 0;
+  double when_s = 0;  ///< mission time
+};
+
 /// A `require` of the mission, and what came of it.
 struct JudgedRequirement {
   support::SourceRange range;
-  std::string text;     ///< as written
-  std::string verdict;  ///< "proved", "refuted" or "open"
+  std::string text;                         ///< as written
+  std::string verdict;                      ///< "proved", "refuted" or "open"
+  std::optional<FlightSearch> closed_loop;  ///< of one that is refuted, if it was looked for
 };
 
 /// A figure of what a mission needs at most; `name` is its key in JSON.

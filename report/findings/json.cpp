@@ -53,6 +53,16 @@ ordered_json diagnosticOf(const Diagnostic& diagnostic, const SourceManager* sou
   return one;
 }
 
+ordered_json closedLoopOf(const FlightSearch& search) {
+  ordered_json told = {{"flights", search.flights}, {"breaks", !search.scenario.empty()}};
+  if (!search.scenario.empty()) {
+    told["scenario"] = search.scenario;
+    told["seed"] = search.seed;
+    told["mission_time_s"] = search.when_s;
+  }
+  return told;
+}
+
 ordered_json budgetOf(const Budget& budget) {
   ordered_json told = ordered_json::object();
   for (const Quantity& quantity : budget.quantities) {
@@ -100,6 +110,9 @@ ordered_json missionOf(const CheckedMission& mission) {
   for (const JudgedRequirement& requirement : mission.requirements) {
     ordered_json told = {{"text", requirement.text}, {"verdict", requirement.verdict}};
     addRange(told, mission.sources, requirement.range);
+    if (requirement.closed_loop) {
+      told["closed_loop"] = closedLoopOf(*requirement.closed_loop);
+    }
     one["requirements"].push_back(std::move(told));
   }
   for (const Budget& budget : mission.budgets) {

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// A requirement that does not hold: `check --report` says whether a flight of the simulator breaks
+// it too, and names one that does.
+
+#include "tests/flights/flight.h"
+#include "tests/support/command.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <gmock/gmock.h>
+#include <regex>
+
+namespace glider::tests {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+std::string yoThatPromises(const std::string& requirement) {
+  return "mission m\n" + requirement +
+         "\nstate yo\nbegin\n  flightprofile yo(5 m, 20 m, 26 deg, 26 deg)\n"
+         "  sensors depth, missiontime\n  events\n    case missiontime >= 20 min exit\nend\n";
+}
+
+TEST(ClosedLoop, NamesAFlightThatBreaksItAndThatFlightDoes) {
+  const TemporaryFolder folder;
+  const std::string mission =
+      folder.write("m.mission", yoThatPromises("require always depth < 18 m")).string();
+  const Outcome checked = runShell("$GLIDERCC check --report " + mission);
+  EXPECT_EQ(checked.status, 1);
+  std::smatch named;
+  ASSERT_TRUE(std::regex_search(
+      checked.out, named,
+      std::regex("a flight breaks it too: scenario (\\w+), --seed (\\d+), at ([0-9.]+) s")))
+      << checked.out;
+  EXPECT_EQ(named[1], "default");
+  const Flight flight =
+      fly(mission + " --scenario " + named[1].str() + " --seed " + named[2].str());
+  const auto time = flight.column("missiontime");
+  const auto depth = flight.column("true_depth");
+  size_t first = 0;
+  while (first < time.size() && !(time[first] >= 0 && depth[first] >= 18)) {
+    ++first;
+  }
+  ASSERT_LT(first, time.size());
+  EXPECT_NEAR(time[first], std::stod(named[3].str()), 8);
+}
+
+/// The prover's vehicle may turn later than the simulator's does.
+TEST(ClosedLoop, SaysThatNoFlightBreaksWhatOnlyTheAssumedWorldCan) {
+  const TemporaryFolder folder;
+  const std::string mission =
+      folder.write("m.mission", yoThatPromises("require always depth < 24 m")).string();
+  const Outcome checked = runShell("$GLIDERCC check --report " + mission);
+  EXPECT_EQ(checked.status, 1);
+  EXPECT_THAT(checked.out, testing::ContainsRegex("none of [0-9]+ flights of the simulator"));
+  const Outcome json = runShell("$GLIDERCC check --report --format json " + mission);
+  EXPECT_THAT(json.out, testing::ContainsRegex("\"breaks\": false"));
+}
+
+TEST(ClosedLoop, IsNotTriedOfWhatIsProvedNorWithoutTheReport) {
+  const TemporaryFolder folder;
+  const std::string proved =
+      folder.write("p.mission", yoThatPromises("require always depth < 40 m")).string();
+  EXPECT_THAT(runShell("$GLIDERCC check --report " + proved).out,
+              Not(testing::ContainsRegex("flight breaks|flights of")));
+  const std::string refuted =
+      folder.write("r.mission", yoThatPromises("require always depth < 18 m")).string();
+  EXPECT_THAT(runShell("$GLIDERCC check " + refuted).out,
+              Not(testing::ContainsRegex("flight breaks|flights of")));
+}
+
+}  // namespace
+}  // namespace glider::tests

@@ -17,4 +17,24 @@ bool Control::mayInterrupt(const Mission& mission, uint32_t always_case) const {
   return always_case < limit && !(c.target.valid() && holds(c.target));
 }
 
+Control Control::moved(ListKind list, uint32_t number, const Case& c) const {
+  Control after = *this;
+  after.just_returned = c.transition == Transition::Return;
+  if (c.transition == Transition::Return) {
+    after.state = stack.back().state;
+    after.limit = stack.back().limit;
+    after.stack.pop_back();
+    return after;
+  }
+  const uint32_t own = c.transition == Transition::Goto ? kNoLimit : limit;
+  if (c.transition == Transition::Goto) {
+    after.stack.clear();
+  } else {
+    after.stack.push_back({state, limit});
+  }
+  after.limit = list == ListKind::Always ? number : own;
+  after.state = c.target;
+  return after;
+}
+
 }  // namespace glider::ir::prove

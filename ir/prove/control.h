@@ -30,6 +30,8 @@ struct Control {
 
   [[nodiscard]] bool holds(StateId wanted) const;
   [[nodiscard]] bool mayInterrupt(const Mission& mission, uint32_t always_case) const;
+  /// After goto, call or return by case `number` of `list`, which is `c`.
+  [[nodiscard]] Control moved(ListKind list, uint32_t number, const Case& c) const;
 };
 
 }  // namespace glider::ir::prove

@@ -14,7 +14,7 @@ Ground::Ground(const Mission& asked, const platforms::Platform& vehicle)
     : mission(asked),
       platform(vehicle),
       intervals(intervalsOf(asked)),
-      known(knownVariables(asked, intervals)),
+      known(neverUnknown(asked, intervals)),
       whole(wholeExpressions(asked, intervals)),
       depth(depthSensor(asked, vehicle)) {
   constexpr double kMost = std::numeric_limits<double>::max();

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "ir/core/mission.h"
+#include "ir/prove/inherited.h"
 #include "ir/verify/intervals.h"
 #include "platforms/load/platform.h"
 
@@ -23,7 +24,7 @@ struct Ground {
   std::vector<Interval> intervals;  ///< of every expression
   std::vector<Interval> sensors;    ///< of every sensor's reading, SI units
   std::vector<Interval> windows;    ///< of every temporal that is a window
-  std::vector<bool> known;          ///< of every variable: never unknown
+  Inherited known;                  ///< never unknown
   std::vector<bool> whole;          ///< of every expression: a whole number, exactly
   std::optional<SensorId> depth;    ///< the vehicle's own depth, if the mission reads it
 

@@ -86,14 +86,12 @@ bool beginsKnown(const Variable& variable, bool initial) {
 
 }  // namespace
 
-std::vector<bool> knownVariables(const Mission& mission, const std::vector<Interval>& intervals) {
+Inherited neverUnknown(const Mission& mission, const std::vector<Interval>& intervals) {
   const KnownExpressions known(mission, intervals);
-  return greatestSet(mission, {[&](size_t index, const Inherited& judged) {
-                                 return known.isKnown(index, judged);
-                               },
-                               beginsKnown,
-                               /*lost_by_set=*/false})  // one to an unknown value does nothing
-      .variables;
+  return greatestSet(
+      mission, {[&](size_t index, const Inherited& judged) { return known.isKnown(index, judged); },
+                beginsKnown,
+                /*lost_by_set=*/false});  // one to an unknown value does nothing
 }
 
 }  // namespace glider::ir::prove

@@ -4,15 +4,16 @@
 #pragma once
 
 #include "ir/core/mission.h"
+#include "ir/prove/inherited.h"
 #include "ir/verify/intervals.h"
 
 #include <vector>
 
 namespace glider::ir::prove {
 
-/// Of each variable, whether it is known whenever it has started: its initial value, or each
-/// argument that it is given, is known whatever the sensors say. (`set` never makes a variable
-/// unknown.) `intervals` are intervalsOf(mission).
-std::vector<bool> knownVariables(const Mission& mission, const std::vector<Interval>& intervals);
+/// Which variables are known whenever they have started: their initial value, or each argument that
+/// they are given, is known whatever the sensors say; and which expressions then are. (`set` never
+/// makes a variable unknown.) `intervals` are intervalsOf(mission).
+Inherited neverUnknown(const Mission& mission, const std::vector<Interval>& intervals);
 
 }  // namespace glider::ir::prove

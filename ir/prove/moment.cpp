@@ -102,8 +102,8 @@ std::vector<std::pair<const char*, z3::expr>> Moment::clocks() const {
 }
 
 z3::expr Moment::knownOf(VariableId id) {
-  return ground_.known[id.index] ? context().bool_val(true)
-                                 : unknowns_.truth(mission_[id].name + "?");
+  return ground_.known.variables[id.index] ? context().bool_val(true)
+                                           : unknowns_.truth(mission_[id].name + "?");
 }
 
 const NumberTerm& Moment::numberOf(VariableId id) {

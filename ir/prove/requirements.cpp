@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "ir/prove/depth_bound.h"
+#include "ir/prove/end_bound.h"
 #include "ir/prove/entered_after.h"
 #include "ir/prove/passes.h"
 #include "ir/prove/random_flight.h"
@@ -63,6 +64,8 @@ class RequirementCheck {
         return !mayEnterAfter(m_, requirement.state, requirement.after);
       case RequirementKind::Always:
         return heldByOrders(requirement.condition, proof_.ground);
+      case RequirementKind::ExitWithin:
+        return endsBy(proof_.ground, requirement.seconds).has_value();
       default:
         return false;
     }

@@ -117,27 +117,17 @@ void SymbolicTick::fire(Run& run, ListKind list, uint32_t number, const Case& c,
   } else {
     after.resumed = run.now;
     after.watched = run.watched;
-    Control& control = after.control;
-    control.just_returned = c.transition == Transition::Return;
+    after.control = run.before.control.moved(list, number, c);
     Moment moment = run.moment;
     after.store.show(moment);
     if (c.transition == Transition::Return) {
-      control.state = control.stack.back().state;
-      control.limit = control.stack.back().limit;
-      control.stack.pop_back();
       after.entered.pop_back();
       outcome.after = resume(std::move(after), std::move(moment));
     } else {
       if (c.transition == Transition::Goto) {
-        control.stack.clear();
         after.entered.clear();
-        control.limit = list == ListKind::Always ? number : Control::kNoLimit;
-      } else {
-        control.stack.push_back({control.state, control.limit});
-        control.limit = list == ListKind::Always ? number : control.limit;
       }
       after.entered.push_back(run.now);
-      control.state = c.target;
       Store given = after.store;
       for (size_t i = 0; i < c.arguments.size(); ++i) {
         assign(moment, m_[c.target].parameters[i], c.arguments[i], given, true);

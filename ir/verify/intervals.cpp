@@ -103,7 +103,7 @@ Interval readings(const Sensor& s) {
 
 class Analysis {
  public:
-  explicit Analysis(const Mission& mission) : m_(mission) {}
+  Analysis(const Mission& mission, const LeafRange& known) : m_(mission), known_(known) {}
 
   std::vector<Interval> run() {
     for (const Expr& e : m_.exprs) {
@@ -139,6 +139,9 @@ class Analysis {
   }
 
   [[nodiscard]] Interval leaf(const Expr& e) const {
+    if (const auto known = known_(e)) {
+      return *known;
+    }
     switch (e.op) {
       case Op::Constant:
         return {e.number, e.number, false};
@@ -211,13 +214,18 @@ class Analysis {
   }
 
   const Mission& m_;
+  const LeafRange& known_;
   std::vector<Interval> all_;
 };
 
 }  // namespace
 
 std::vector<Interval> intervalsOf(const Mission& mission) {
-  return Analysis(mission).run();
+  return intervalsOf(mission, [](const Expr&) { return std::nullopt; });
+}
+
+std::vector<Interval> intervalsOf(const Mission& mission, const LeafRange& known) {
+  return Analysis(mission, known).run();
 }
 
 }  // namespace glider::ir

@@ -5,6 +5,8 @@
 
 #include "ir/core/mission.h"
 
+#include <functional>
+#include <optional>
 #include <vector>
 
 namespace glider::ir {
@@ -26,5 +28,10 @@ struct Interval {
 /// each other. Bounds are worked out with the mission's own arithmetic, in which every operation is
 /// monotone, so they are exact where an operation is.
 std::vector<Interval> intervalsOf(const Mission& mission);
+
+/// Where a variable or clock lies at some moment; none: as above.
+using LeafRange = std::function<std::optional<Interval>(const Expr& leaf)>;
+/// The same at a moment of which more is known.
+std::vector<Interval> intervalsOf(const Mission& mission, const LeafRange& known);
 
 }  // namespace glider::ir

@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/prove/end_bound.h"
+
+#include "ir/core/ops.h"
+#include "ir/prove/abstract_run.h"
+#include "ir/prove/control.h"
+#include "ir/prove/leaving.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace glider::ir::prove {
+namespace {
+
+/// More than any mission that counts on its fingers.
+constexpr size_t kMostSteps = 4000;
+
+/// Where a run can be when a state becomes current.
+struct Arrival {
+  Control control;
+  Valuation values;
+  auto operator<=>(const Arrival&) const = default;
+};
+
+class Search {
+ public:
+  Search(const Ground& ground, double latest)
+      : ground_(ground), m_(ground.mission), run_(ground), latest_(latest) {}
+
+  std::optional<double> end() {
+    Control control;
+    control.state = {0};
+    Valuation values = run_.begin();
+    run_.enter(control.state, nullptr, {}, values);
+    arrive(control, std::move(values), 0);
+    for (size_t steps = 0; !pending_.empty(); ++steps) {
+      if (steps == kMostSteps || !follow()) {
+        return std::nullopt;
+      }
+    }
+    return end_;
+  }
+
+ private:
+  /// What no waiting state holds starts anew before it is read.
+  void arrive(const Control& control, Valuation values, double time) {
+    for (uint32_t i = 0; i < m_.variables.size(); ++i) {
+      const Variable& variable = m_.variables[i];
+      if (variable.owner.valid() && !control.holds(variable.owner)) {
+        values[i] = anything(variable);
+      }
+    }
+    Arrival arrival{control, std::move(values)};
+    const auto [known, fresh] = times_.emplace(arrival, time);
+    if (fresh || known->second < time) {
+      known->second = time;
+      pending_.push_back(std::move(arrival));
+    }
+  }
+
+  /// False if a run may stay for longer than is asked.
+  bool follow() {
+    const Arrival from = std::move(pending_.back());
+    pending_.pop_back();
+    const double since = times_.at(from);
+    Valuation held = from.values;
+    forgetWhatStaysChange(m_[from.control.state], held);
+    const auto left = leftBy(ground_, m_[from.control.state], held, since);
+    if (!left || *left > latest_) {
+      return false;
+    }
+    const Interval all{0, *left, false};
+    const ClockRanges clocks{all, all, all};
+    branch(from.control, ListKind::State, m_[from.control.state].cases, held, clocks);
+    branch(from.control, ListKind::Always, m_.always, held, clocks);
+    return true;
+  }
+
+  /// Cases that lead nowhere may fire on any tick.
+  void forgetWhatStaysChange(const State& state, Valuation& values) const {
+    for (const auto* cases : {&m_.always, &state.cases, &state.profile.cases, &state.route.cases}) {
+      for (const Case& c : *cases) {
+        if (c.transition == Transition::Stay || c.transition == Transition::Done) {
+          run_.forget(c.action, values);
+        }
+      }
+    }
+    for (const Activity* activity : {&state.profile, &state.route}) {
+      if (activity->done.valid()) {
+        values[activity->done.index] = anything(m_[activity->done]);
+      }
+    }
+  }
+
+  void branch(const Control& control, ListKind list, const std::vector<Case>& cases,
+              const Valuation& held, const ClockRanges& clocks) {
+    const Possible now(ground_, held, clocks);
+    for (uint32_t i = 0; i < cases.size(); ++i) {
+      if (list == ListKind::Always && !control.mayInterrupt(m_, i)) {
+        continue;
+      }
+      const Truths& guard = now.truth(cases[i].guard);
+      if (guard.is_true) {
+        fire(control, list, i, cases[i], held, clocks);
+      }
+      if (guard.is_true && !guard.is_false && !guard.is_unknown) {
+        return;  // it hides the rest
+      }
+    }
+  }
+
+  void fire(const Control& control, ListKind list, uint32_t number, const Case& c, Valuation values,
+            const ClockRanges& clocks) {
+    const double time = clocks.mission_time.highest;
+    if (c.transition == Transition::Stay) {
+      return;
+    }
+    if (c.transition == Transition::Exit) {
+      end_ = std::max(end_, time);
+      return;
+    }
+    run_.execute(c.action, clocks, values);
+    const Control after = control.moved(list, number, c);
+    if (c.transition == Transition::Return) {
+      run_.resume(after.state, clocks, values);
+    } else {
+      run_.enter(after.state, &c, clocks, values);
+    }
+    arrive(after, std::move(values), time);
+  }
+
+  const Ground& ground_;
+  const Mission& m_;
+  AbstractRun run_;
+  double latest_;
+  std::map<Arrival, double> times_;  ///< the latest at which it becomes so
+  std::vector<Arrival> pending_;
+  double end_ = 0;
+};
+
+}  // namespace
+
+std::optional<double> endsBy(const Ground& ground, double latest) {
+  return Search(ground, latest).end();
+}
+
+}  // namespace glider::ir::prove

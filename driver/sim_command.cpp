@@ -12,6 +12,7 @@
 #include "driver/scenario_choice.h"
 #include "driver/share.h"
 #include "driver/terminal.h"
+#include "report/picture/picture.h"
 #include "report/summary.h"
 #include "report/warnings.h"
 #include "simulator/simulator.h"
@@ -41,7 +42,9 @@ struct SimOptions {
   std::optional<uint64_t> seed;
   std::optional<double> kill_sbc_at_s;
   std::string output;
-  std::string replay;  ///< the file of a run; empty: none
+  std::string replay;   ///< the file of a run; empty: none
+  std::string picture;  ///< the file of a picture; empty: none
+  report::PictureStyle picture_style;
   LaunchChoice launch;
   std::vector<std::string> user_code;
 };
@@ -104,6 +107,12 @@ int flyAndReport(simulator::SimulationSetup setup, const SimOptions& options) {
   const std::string folder = outputFolder(options);
   if (auto written = writeFlight(*trace, folder); !written) {
     return reportFailure(written.error());
+  }
+  if (!options.picture.empty()) {
+    const std::string drawn = report::drawPicture(*trace, options.picture_style);
+    if (auto written = support::writeFileAtomically(options.picture, drawn); !written) {
+      return reportFailure(written.error());
+    }
   }
   const double flown = trace->rowCount() == 0 ? 0 : trace->at(trace->rowCount() - 1, 0);
   const auto printed =
@@ -243,6 +252,24 @@ std::string checkTime(const std::string& text) {
   return good ? "" : fmt::format("`{}` is no time from 0 s on", text);
 }
 
+void addPictureOptions(CLI::App& command, SimOptions& options) {
+  auto* picture = command
+                      .add_option("--picture", options.picture,
+                                  "Also draw the flight as one SVG, for a paper or a logbook")
+                      ->option_text("FILE")
+                      ->excludes("--replay");
+  std::vector<std::string> names = {"state"};
+  for (const report::Quantity& quantity : report::pictureQuantities()) {
+    names.emplace_back(quantity.name);
+  }
+  command
+      .add_option("--colour", options.picture_style.colour,
+                  "What colours the picture's track; without it chlorophyll where it was measured, "
+                  "else the temperature")
+      ->check(CLI::IsMember(names))
+      ->needs(picture);
+}
+
 void addOptions(CLI::App& command, SimOptions& options) {
   auto* mission = command.add_option("MISSION", options.mission, "The mission file");
   command
@@ -277,6 +304,7 @@ void addOptions(CLI::App& command, SimOptions& options) {
       ->excludes("--seed")
       ->excludes("--kill-sbc-at")
       ->needs(mission);
+  addPictureOptions(command, options);
   program->excludes(board);
   without->excludes(mission)->excludes(board)->excludes(program);
 }

@@ -9,6 +9,10 @@ namespace {
 constexpr double kSample = 22, kGap = 7, kBetween = 20, kLine = 21;
 
 void drawSample(SvgText& svg, const LegendEntry& entry, Dot at) {
+  if (entry.classes == "waypoint") {
+    drawDiamond(svg, {at.x + kSample / 2, at.y});
+    return;
+  }
   if (entry.colour.empty()) {
     addPath(svg, entry.classes, {{{at.x, at.y}, {at.x + kSample, at.y}}});
     return;
@@ -18,6 +22,11 @@ void drawSample(SvgText& svg, const LegendEntry& entry, Dot at) {
 }
 
 }  // namespace
+
+void drawDiamond(SvgText& svg, Dot middle) {
+  svg.add("<path class=\"waypoint\" d=\"M{} {}l5.5 5.5-5.5 5.5-5.5-5.5z\"/>\n", px(middle.x),
+          px(middle.y - 5.5));
+}
 
 double drawLegend(SvgText& svg, const std::vector<LegendEntry>& entries, Dot at, double width) {
   double x = at.x, y = at.y;

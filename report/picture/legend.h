@@ -17,6 +17,9 @@ struct LegendEntry {
   std::string text;
 };
 
+/// The mark of a waypoint.
+void drawDiamond(SvgText& svg, Dot middle);
+
 /// The entries in lines of at most `width`, from `at` on; returns the height.
 double drawLegend(SvgText& svg, const std::vector<LegendEntry>& entries, Dot at, double width);
 

@@ -38,6 +38,7 @@ path { fill: none; stroke-linejoin: round; stroke-linecap: butt }
 .around { stroke: #ffffff; stroke-width: 3; stroke-opacity: .8 }
 .track { stroke-width: 2.4; stroke-linecap: round }
 .reckoned { stroke: #566573; stroke-width: 1; stroke-dasharray: 4 3 }
+.waypoint { fill: #ffffff; stroke: #1b2733; stroke-width: 1.3 }
 .mark { fill: #ffffff; stroke: #1b2733; stroke-width: 1.8 }
 </style>
 )svg";
@@ -95,8 +96,9 @@ std::string drawPicture(const Trace& trace, const PictureStyle& style) {
     }
   }
   if (map) {
-    drawMap(body, trace, {width - kMargin - kMapWide, kTop, width - kMargin, kTop + kHigh});
-    legend.push_back({"reckoned", "", "dead-reckoned track"});
+    const auto mapped =
+        drawMap(body, trace, {width - kMargin - kMapWide, kTop, width - kMargin, kTop + kHigh});
+    legend.insert(legend.end(), mapped.begin(), mapped.end());
   }
   const double legend_top = box.bottom + kAxisRoom;
   const double height =

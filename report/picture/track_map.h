@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "report/picture/legend.h"
 #include "report/picture/page.h"
 #include "support/trace/trace.h"
 
@@ -12,7 +13,8 @@ namespace glider::report::picture {
 /// on or drift about one place.
 bool deservesMap(const support::Trace& trace);
 
-/// Draws the track from above into `box`, coloured by state, with equal scales.
-void drawMap(SvgText& svg, const support::Trace& trace, const Box& box);
+/// Draws the track from above into `box`, coloured by state, with equal scales; with it what the
+/// vehicle reckoned, and the waypoints. Returns what its lines and marks are.
+std::vector<LegendEntry> drawMap(SvgText& svg, const support::Trace& trace, const Box& box);
 
 }  // namespace glider::report::picture

@@ -49,11 +49,15 @@ constexpr double kWide = 940, kWideWithMap = 1080, kAxisRoom = 62;
 std::string headlineOf(const Trace& trace) {
   const FlightFigures figures = flightFigures(trace);
   std::string text = "scenario " + plain(trace.scenario);
-  const auto minutes = static_cast<long>(std::lround(figures.duration_s / 60));
-  text += minutes >= 100 ? fmt::format(" · {} h {:02} min", minutes / 60, minutes % 60)
-                         : fmt::format(" · {} min", minutes);
-  text += fmt::format(" · {} yo{} to {:.0f} m", figures.yos, figures.yos == 1 ? "" : "s",
-                      figures.deepest_m);
+  if (std::isfinite(figures.duration_s)) {
+    const auto minutes = static_cast<long>(std::lround(figures.duration_s / 60));
+    text += minutes >= 100 ? fmt::format(" · {} h {:02} min", minutes / 60, minutes % 60)
+                           : fmt::format(" · {} min", minutes);
+  }
+  if (std::isfinite(figures.deepest_m)) {
+    text += fmt::format(" · {} yo{} to {:.0f} m", figures.yos, figures.yos == 1 ? "" : "s",
+                        figures.deepest_m);
+  }
   if (figures.track != TrackSource::None) {
     text += fmt::format(" · {:.1f} km over ground", figures.distance_m / 1000);
   }

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace glider::ir::prove {
@@ -47,6 +49,9 @@ class WaypointCheck {
       }
     }
     for (const Waypoint& one : waypoints_) {
+      places_.emplace(one.latitude, one.longitude);
+    }
+    for (const Waypoint& one : waypoints_) {
       check(one);
     }
   }
@@ -82,9 +87,12 @@ class WaypointCheck {
 
   void check(const Waypoint& one) {
     double nearest = std::numeric_limits<double>::infinity();
-    for (const Waypoint& other : waypoints_) {
-      const bool same = other.latitude == one.latitude && other.longitude == one.longitude;
-      nearest = same ? nearest : std::min(nearest, distance(one, other));
+    for (const auto& [latitude, longitude] : places_) {
+      const bool same = latitude == one.latitude && longitude == one.longitude;
+      nearest = same ? nearest : std::min(nearest, distance(one, {latitude, longitude, {}}));
+      if (nearest <= kFarOff) {
+        return;
+      }
     }
     const bool told = std::ranges::find(told_, one.range.begin) != told_.end();
     if (std::isfinite(nearest) && nearest > kFarOff && !told) {
@@ -98,6 +106,7 @@ class WaypointCheck {
   const Mission& m_;
   support::SourceRange range_;
   std::vector<Waypoint> waypoints_;
+  std::set<std::pair<double, double>> places_;  ///< of all, each once
   std::vector<uint32_t> told_;
 };
 

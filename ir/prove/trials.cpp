@@ -17,12 +17,17 @@ namespace {
 
 constexpr double kEndless = 1e300;  // a range that ends there has no end
 constexpr size_t kMostMoments = 256;
+constexpr double kFar =
+    1e6;  // far from what guards compare with; as seconds, when time-outs are over
 
 /// A leaf that has one value in a moment: its operation, and the number of its sensor or variable.
 using Leaf = std::pair<Op, uint32_t>;
 
 Leaf leafOf(const Expr& e) {
-  return {e.op, e.op == Op::Sensor ? e.sensor.index : e.op == Op::Variable ? e.variable.index : 0};
+  return {e.op, e.op == Op::Sensor     ? e.sensor.index
+                : e.op == Op::Variable ? e.variable.index
+                : e.op == Op::Temporal ? e.temporal.index
+                                       : 0};
 }
 
 bool isClock(Op op) {
@@ -65,13 +70,16 @@ class Trials {
       }
       done.push_back(id);
       const Expr& e = m_[id];
-      guard.whole = guard.whole && e.op != Op::Temporal && e.op != Op::Call && e.op != Op::Age &&
-                    done.size() < kMostMoments;
+      guard.whole =
+          guard.whole && e.op != Op::Call && e.op != Op::Age && done.size() < kMostMoments;
       if (!guard.whole) {
         return guard;
       }
       if (isLeaf(e)) {
         guard.leaves.try_emplace(leafOf(e), generalValues(e));
+      }
+      if (e.op == Op::Temporal) {
+        addWatched(m_[e.temporal], guard, open);
       }
       addThreshold(e, guard);
       for (uint32_t k = 0; k < operandCount(e); ++k) {
@@ -82,15 +90,39 @@ class Trials {
   }
 
   static bool isLeaf(const Expr& e) {
-    return e.op == Op::Sensor || e.op == Op::Variable || isClock(e.op);
+    return e.op == Op::Sensor || e.op == Op::Variable || e.op == Op::Temporal || isClock(e.op);
+  }
+
+  static bool isWindow(const Temporal& temporal) {
+    return temporal.kind != TemporalKind::Became && temporal.kind != TemporalKind::Held;
+  }
+
+  /// The clock that bounds for how long something has been watched.
+  static Op clockOf(const Temporal& temporal) {
+    return temporal.list == ListKind::Always     ? Op::MissionTime
+           : temporal.kind == TemporalKind::Held ? Op::ResumeTime
+                                                 : Op::StateTime;
+  }
+
+  /// What a guard that looks back in time depends on besides.
+  static void addWatched(const Temporal& temporal, Guard& guard, std::vector<ExprId>& open) {
+    guard.leaves.try_emplace({clockOf(temporal), 0}, std::vector<double>{0, kFar});
+    for (const ExprId id : {temporal.operand, temporal.duration}) {
+      if (id.valid() && !isWindow(temporal)) {
+        open.push_back(id);
+      }
+    }
   }
 
   [[nodiscard]] Interval rangeOf(const Expr& e) const {
     if (e.op == Op::Sensor) {
       return ground_.sensors[e.sensor.index];
     }
-    if (e.op == Op::Variable && e.type.kind == TypeKind::Bool) {
+    if (e.op != Op::Sensor && e.type.kind == TypeKind::Bool) {
       return {0, 1, false};
+    }
+    if (e.op == Op::Temporal) {
+      return ground_.windows[e.temporal.index];
     }
     return e.op == Op::Variable ? Interval{m_[e.variable].lowest, m_[e.variable].highest, false}
                                 : Interval{0, kEndless, false};
@@ -99,8 +131,8 @@ class Trials {
   /// First what the leaf is worth where it does not matter, then values far from each other.
   [[nodiscard]] std::vector<double> generalValues(const Expr& e) const {
     const Interval range = rangeOf(e);
-    const bool may_be_unknown =
-        e.op == Op::Sensor || (e.op == Op::Variable && !ground_.known[e.variable.index]);
+    const bool may_be_unknown = e.op == Op::Sensor || e.op == Op::Temporal ||
+                                (e.op == Op::Variable && !ground_.known[e.variable.index]);
     std::vector<double> values;
     if (may_be_unknown || range.empty) {
       values.push_back(kUnknown);
@@ -108,7 +140,6 @@ class Trials {
     if (range.empty) {
       return values;
     }
-    constexpr double kFar = 1e6;  // as seconds longer than any mission's time-out
     values.push_back(std::clamp(0.0, range.lowest, range.highest));
     values.push_back(std::clamp(kFar, range.lowest, range.highest));
     values.push_back(std::clamp(-kFar, range.lowest, range.highest));
@@ -181,10 +212,33 @@ class Trials {
   }
 
   [[nodiscard]] bool isTrue(size_t number) const {
-    const auto leaf = [this](const Expr& e, std::span<const double>) {
-      return asValue(isClock(e.op) ? clock(e.op) : valueOf(e), e.type);
-    };
-    return std::get<Truth>(evaluate(m_, cases_[number].guard, leaf)) == Truth::True;
+    return std::get<Truth>(worth(cases_[number].guard)) == Truth::True;
+  }
+
+  [[nodiscard]] Value worth(ExprId id) const {
+    return evaluate(m_, id, [this](const Expr& e, std::span<const double>) {
+      return isClock(e.op)          ? Value(clock(e.op))
+             : e.op == Op::Temporal ? watched(e)
+                                    : asValue(valueOf(e), e.type);
+    });
+  }
+
+  /// A window is known only once its time has passed; `became` and `held` are true only while what
+  /// they watch is, and `held` after its time.
+  [[nodiscard]] Value watched(const Expr& e) const {
+    const Temporal& temporal = m_[e.temporal];
+    const double since = clock(clockOf(temporal));
+    if (isWindow(temporal)) {
+      const bool may_be_known = temporal.along.valid() || since >= temporal.length;
+      return may_be_known ? valueOf(e) : kUnknown;
+    }
+    const Truth now = std::get<Truth>(worth(temporal.operand));
+    const bool held = temporal.kind == TemporalKind::Held;
+    const double duration = held ? std::get<double>(worth(temporal.duration)) : 0;
+    if (now != Truth::True || !isKnown(duration)) {
+      return now == Truth::True ? Truth::Unknown : now;
+    }
+    return truth(valueOf(e) == 1 && (!held || since >= duration));
   }
 
   [[nodiscard]] double valueOf(const Expr& e) const {

@@ -48,6 +48,20 @@ TEST(Trials, DoNotSeeWhatCannotBe) {
   EXPECT_FALSE(seen[2].first) << "the second is always before it";
 }
 
+TEST(Trials, SeeWhatLooksBackInTime) {
+  const Mission mission =
+      missionOf(kHeader +
+                "temporal held state a (gt (sensor depth) 5:length) for 8:time "
+                "temporal held state a (gt (sensor depth) 500:length) for 8:time " +
+                stateText("a",
+                          "case (temporal 0) exit case (temporal 1) exit "
+                          "case (and (temporal 0) (lt resumetime 4:time)) exit"));
+  const auto seen = tryOut(Ground(mission, slocum()), mission.states[0].cases);
+  EXPECT_TRUE(seen[0].first && seen[0].idle);
+  EXPECT_FALSE(seen[1].fires) << "what is held never is";
+  EXPECT_FALSE(seen[2].fires) << "the time has not passed";
+}
+
 TEST(Trials, TimeInAStateIsPartOfTheMissions) {
   const auto seen = triedOut("case (and (gt statetime 100:time) (lt missiontime 50:time)) exit");
   EXPECT_FALSE(seen[0].fires);

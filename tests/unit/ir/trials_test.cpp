@@ -87,7 +87,7 @@ bool isImpossible(const Ground& ground, const std::vector<Case>& cases, size_t n
 
 TEST(Trials, SeeNothingThatTheSolverSaysCannotBe) {
   size_t seen_cases = 0;
-  for (uint64_t seed = 1; seed <= 12; ++seed) {
+  for (uint64_t seed = 1; seed <= 5; ++seed) {
     const Mission mission = random_missions::randomMission(seed);
     const Ground ground(mission, slocum());
     for (const State& state : mission.states) {
@@ -100,7 +100,7 @@ TEST(Trials, SeeNothingThatTheSolverSaysCannotBe) {
       }
     }
   }
-  EXPECT_GT(seen_cases, 10U) << "the random missions have nothing to see";
+  EXPECT_GT(seen_cases, 5U) << "the random missions have nothing to see";
 }
 
 }  // namespace

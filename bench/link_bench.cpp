@@ -329,7 +329,7 @@ class Chain {
       event = client_.poll(end, clockAt(now_));
       if (event == ClientEvent::Tick) {
         decide();
-        client_.done({now_, 0, 0, 1}, end);
+        client_.done({now_, 0, 0, MissionPhase::Flying}, end);
       }
     }
   }

@@ -15,26 +15,12 @@ using support::Result;
 void tellFacts(const Compilation& compilation, report::CheckedMission& found) {
   const ir::Mission& mission = *compilation.mission;
   found.mission = mission.name;
-  for (const ir::State& state : mission.states) {
-    found.states.push_back(state.name);
-  }
+  found.states = stateNames(mission);
   if (compilation.facts.stack_depth > 0) {
     for (const ir::StateId id : compilation.facts.deepest_path) {
       found.deepest_path.push_back(mission[id].name);
     }
   }
-}
-
-const char* wordOf(ir::prove::Verdict verdict) {
-  switch (verdict) {
-    case ir::prove::Verdict::Proved:
-      return "proved";
-    case ir::prove::Verdict::Refuted:
-      return "refuted";
-    case ir::prove::Verdict::Open:
-      return "open";
-  }
-  return "";
 }
 
 /// What goes beyond text and structure, of a mission that is ok().
@@ -54,7 +40,7 @@ Result<void> checkFurther(Checked& checked, const CheckOptions& options) {
   for (const ir::prove::RequirementVerdict& verdict : proved->requirements) {
     const auto range = compilation.mission->requirements[verdict.requirement].range;
     checked.found.requirements.push_back(
-        {range, std::string(compilation.sources.text(range)), wordOf(verdict.verdict)});
+        {range, std::string(compilation.sources.text(range)), ir::prove::word(verdict.verdict)});
   }
   checked.proved = std::move(*proved);
   if (!options.report) {

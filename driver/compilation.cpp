@@ -118,6 +118,14 @@ Result<std::unique_ptr<Compilation>> compileText(const std::filesystem::path& pa
   return compilation;
 }
 
+std::vector<std::string> stateNames(const ir::Mission& mission) {
+  std::vector<std::string> names;
+  for (const ir::State& state : mission.states) {
+    names.push_back(state.name);
+  }
+  return names;
+}
+
 Result<ir::prove::Findings> proveMission(Compilation& compilation, ir::prove::Options options) {
   if (!compilation.platform) {  // a mission in the IR's text form
     auto platform = platforms::loadPlatform(platformFile(compilation.mission->platform));

@@ -14,6 +14,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace glider::driver {
 
@@ -40,6 +41,9 @@ support::Result<std::unique_ptr<Compilation>> compileMission(const std::filesyst
 /// The same for a `text` that stands in for the file at `path`; it is file 0 of the sources.
 support::Result<std::unique_ptr<Compilation>> compileText(const std::filesystem::path& path,
                                                           std::string text);
+
+/// The states' names, by number.
+std::vector<std::string> stateNames(const ir::Mission& mission);
 
 /// Proves what can be proved of a mission that is ok(): GL31xx, and lines for the report. Only the
 /// world's failures are a Failure.

@@ -27,9 +27,7 @@ std::unique_ptr<Compilation> compileForFlight(const std::string& mission, int& s
 
 void describeMission(simulator::SimulationSetup& setup, const Compilation& compilation) {
   setup.mission_name = compilation.mission->name;
-  for (const ir::State& state : compilation.mission->states) {
-    setup.state_names.push_back(state.name);
-  }
+  setup.state_names = stateNames(*compilation.mission);
   setup.explain = [&compilation](uint32_t list, uint32_t state, uint32_t fired_case) {
     return explainGuard(compilation, list, state, fired_case);
   };

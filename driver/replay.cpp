@@ -4,7 +4,8 @@
 #include "driver/replay.h"
 
 #include "ir/eval/interpreter.h"
-#include "ir/prove/monitor.h"
+#include "ir/prove/ground.h"
+#include "ir/prove/requirement_monitor.h"
 #include "simulator/replay/replay.h"
 
 #include <fmt/format.h>
@@ -29,17 +30,6 @@ std::vector<int> sensorColumns(const support::Trace& trace, const ir::Mission& m
   return columns;
 }
 
-std::optional<ir::SensorId> depthSensor(const Compilation& compilation) {
-  const auto& sensors = compilation.mission->sensors;
-  for (uint32_t i = 0; i < sensors.size(); ++i) {
-    const auto* known = compilation.platform->find(sensors[i].vehicle_name);
-    if (known != nullptr && known->alias == "depth") {
-      return ir::SensorId{i};
-    }
-  }
-  return std::nullopt;
-}
-
 class Replay {
  public:
   Replay(const support::Trace& trace, const Compilation& compilation,
@@ -51,7 +41,8 @@ class Replay {
         depth_(trace.column("true_depth")),
         interpreter_(m_, compilation.facts.stack_depth),
         monitor_(m_, m_.requirements[*trace.requirement],
-                 compilation.platform->world.surface_depth_m, depthSensor(compilation)) {}
+                 compilation.platform->world.surface_depth_m,
+                 ir::prove::depthSensor(m_, *compilation.platform)) {}
 
   Result<Replayed> run(simulator::SbcPort& sbc, const std::vector<double>& parameters) {
     std::vector<simulator::ReplayTick> ticks;

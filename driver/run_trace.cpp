@@ -73,9 +73,7 @@ support::Trace traceOfRun(const Compilation& compilation,
   trace.scenario = std::string(compilation.sources.text(requirement));
   trace.way = "proof";
   trace.requirement = verdict.requirement;
-  for (const ir::State& state : compilation.mission->states) {
-    trace.state_names.push_back(state.name);
-  }
+  trace.state_names = stateNames(*compilation.mission);
   trace.settings = settingsOf(*compilation.mission, run.parameters);
   addColumns(trace, compilation);
   addRows(trace, run);

@@ -7,10 +7,10 @@
 #include "driver/flight_files.h"
 #include "driver/flight_setup.h"
 #include "driver/link_option.h"
-#include "driver/replay.h"
-#include "driver/sbc_choice.h"
+#include "driver/replay_trace.h"
 #include "driver/scenario_choice.h"
 #include "driver/share.h"
+#include "driver/sim_options.h"
 #include "driver/terminal.h"
 #include "report/picture/picture.h"
 #include "report/summary.h"
@@ -32,54 +32,6 @@
 
 namespace glider::driver {
 namespace {
-
-struct SimOptions {
-  std::string mission;
-  std::string scenario = "default";
-  std::string board;
-  std::string program;
-  bool without_sbc = false;
-  std::optional<uint64_t> seed;
-  std::optional<double> kill_sbc_at_s;
-  std::string output;
-  std::string replay;   ///< the file of a run; empty: none
-  std::string picture;  ///< the file of a picture; empty: none
-  report::PictureStyle picture_style;
-  LaunchChoice launch;
-  std::vector<std::string> user_code;
-};
-
-/// What files of this flight are called: after the mission's file, whose name is one that a file
-/// can have.
-std::string stemOf(const SimOptions& options) {
-  const std::string named = options.mission.empty() ? options.program : options.mission;
-  const std::string stem = std::filesystem::path(named).stem().string();
-  return stem.empty() ? "layered" : stem;
-}
-
-std::string outputFolder(const SimOptions& options) {
-  return options.output.empty() ? stemOf(options) + "-flight" : options.output;
-}
-
-/// What starts the SBC; `keeps_time`: as for a flight in which something goes wrong.
-support::Result<simulator::StartSbc> chooseSbc(const SimOptions& options,
-                                               const Compilation* compilation, bool keeps_time) {
-  if (options.without_sbc) {
-    return simulator::StartSbc();
-  }
-  if (!options.program.empty()) {
-    return sbcProgram(options.program);
-  }
-  if (options.board.empty()) {
-    return sbcInProcess(*compilation, options.launch, options.user_code, keeps_time);
-  }
-  // The board's binary is built where the report will be.
-  if (auto made = makeFolder(outputFolder(options)); !made) {
-    return std::unexpected(made.error());
-  }
-  return sbcOnBoard(*compilation, options.launch, options.user_code, options.board, stemOf(options),
-                    outputFolder(options));
-}
 
 void showProgress(simulator::SimulationSetup& setup, ProgressLine& line) {
   setup.progress = [&line](const simulator::Progress& progress) {
@@ -124,82 +76,6 @@ int flyAndReport(simulator::SimulationSetup setup, const SimOptions& options) {
   }
   const bool good = !aborted(*trace) && report::refusedInstructions(*trace) == 0;
   return good ? kFine : kMissionHasErrors;
-}
-
-/// What a replay came to.
-int tellReplay(const support::Trace& trace, const Replayed& replayed, const std::string& way) {
-  std::string text;
-  for (const support::TraceEvent& event : trace.events) {
-    if (event.kind == "transition") {
-      text += event.what + "\n";
-    }
-  }
-  text += replayed.broken
-              ? fmt::format(
-                    "at {:.6g} s the mission breaks `{}`: {} flew it as the proof says, "
-                    "tick by tick ({} ticks)\n",
-                    replayed.when, trace.scenario, way, replayed.ticks)
-              : fmt::format("`{}` holds in this run ({} ticks, {})\n", trace.scenario,
-                            replayed.ticks, way);
-  const auto printed = printOut(text);
-  if (!printed) {
-    return reportFailure(printed.error());
-  }
-  return replayed.broken ? kMissionHasErrors : kFine;
-}
-
-std::vector<std::string> stateNames(const ir::Mission& mission) {
-  std::vector<std::string> names;
-  for (const ir::State& state : mission.states) {
-    names.push_back(state.name);
-  }
-  return names;
-}
-
-/// Flies the run of a trace instead of a world.
-int replayTrace(SimOptions options) {
-  const auto text = support::readFile(options.replay);
-  if (!text) {
-    return reportFailure(text.error());
-  }
-  const auto trace = support::traceFromJson(*text, options.replay);
-  if (!trace) {
-    return reportFailure(trace.error());
-  }
-  const auto mission = compileMission(options.mission);
-  if (!mission) {
-    return reportFailure(mission.error());
-  }
-  int status = kFine;
-  const auto built = compileForFlight(options.mission, status);
-  if (status != kFine) {
-    return status;
-  }
-  if (auto fits = checkTrace(*trace, options.replay, **mission); !fits) {
-    return reportFailure(fits.error());
-  }
-  options.launch.settings = trace->settings;
-  const auto loaded = loadHere(*built, options.user_code);
-  const auto parameters =
-      loaded ? chooseParameters(loaded->mission(), options.launch)
-             : support::Result<std::vector<double>>(std::unexpected(loaded.error()));
-  if (!parameters) {
-    return reportFailure(parameters.error());
-  }
-  const auto start = chooseSbc(options, built.get(), false);
-  if (!start) {
-    return reportFailure(start.error());
-  }
-  const auto sbc = (*start)();
-  if (!sbc) {
-    return reportFailure(sbc.error());
-  }
-  const auto replayed =
-      replayRun(*trace, **mission, stateNames(*built->mission), *parameters, **sbc);
-  if (!replayed) {
-    return reportFailure(replayed.error());
-  }
-  return tellReplay(*trace, *replayed, (*sbc)->way());
 }
 
 int sim(const SimOptions& options) {

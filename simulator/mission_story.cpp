@@ -29,8 +29,7 @@ std::string MissionStory::stateName(uint32_t state) const {
 
 void MissionStory::learnOrigin(double cycle_s, const hooks::Hookprog::SbcView& view,
                                bool in_control) {
-  constexpr uint8_t kFlying = 1;
-  flying_ = in_control && view.known && view.phase == kFlying;
+  flying_ = in_control && view.known && view.phase == hooks::MissionPhase::Flying;
   if (!flying_) {
     origin_s_ = in_control ? origin_s_ : std::numeric_limits<double>::infinity();
     return;

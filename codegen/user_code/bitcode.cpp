@@ -32,8 +32,6 @@ using platforms::Board;
 using support::DiagnosticId;
 using support::Result;
 
-constexpr int kLevel = 2;
-
 /// What the child of `compileApart` works with.
 struct Work {
   llvm::Module& module;
@@ -65,7 +63,7 @@ void onDiagnostic(const llvm::DiagnosticInfo* info, void* work) {
 [[noreturn]] void compileAndExit(Work& work) {
   llvm::install_fatal_error_handler(onFatal, &work);
   work.module.getContext().setDiagnosticHandlerCallBack(onDiagnostic, &work);
-  optimise(work.module, work.machine, kLevel);
+  optimise(work.module, work.machine, kUserCodeLevel);
   const std::string object = emitCode(work.module, work.machine, llvm::CodeGenFileType::ObjectFile);
   const bool written = support::writeFileAtomically(work.object, object).has_value();
   ::_exit(written ? EXIT_SUCCESS : EXIT_FAILURE);
@@ -106,7 +104,7 @@ Result<std::string> compileBitcode(const std::string& name, const std::string& c
     return support::fail(DiagnosticId::wrongMachine, name, found, board.name, wanted);
   }
   // Position-independent, for a board's program as for one that flies in process.
-  auto machine = makeMachine(board, kLevel, ProgramKind::Executable);
+  auto machine = makeMachine(board, kUserCodeLevel, ProgramKind::Executable);
   if (!machine) {
     return std::unexpected(machine.error());
   }

@@ -5,6 +5,7 @@
 
 #include "codegen/program/emit.h"
 #include "codegen/target/machine.h"
+#include "codegen/user_code/bitcode.h"
 #include "codegen/user_code/user_file.h"
 #include "ir/core/c_symbols.h"
 
@@ -19,8 +20,6 @@ namespace {
 using platforms::Board;
 using support::DiagnosticId;
 using support::Result;
-
-constexpr int kLevel = 2;
 
 /// Every symbol that the mission needs of C.
 std::vector<std::string> symbolsOf(const ir::Mission& mission) {
@@ -103,7 +102,7 @@ Result<UserCode> UserCode::load(const std::vector<std::filesystem::path>& files,
 
 Result<UserCode> UserCode::standIn(const ir::Mission& mission, const Board& board) {
   auto folder = ScratchFolder::make();
-  auto machine = makeMachine(board, kLevel, ProgramKind::SharedObject);
+  auto machine = makeMachine(board, kUserCodeLevel, ProgramKind::SharedObject);
   if (!folder || !machine) {
     return std::unexpected(folder ? machine.error() : folder.error());
   }
@@ -130,7 +129,7 @@ void UserCode::addTo(CodegenOptions& options) const {
     return;
   }
   options.further_inputs.insert(options.further_inputs.end(), inputs_.begin(), inputs_.end());
-  options.optimisation_level = std::min(options.optimisation_level, kLevel);
+  options.optimisation_level = std::min(options.optimisation_level, kUserCodeLevel);
 }
 
 }  // namespace glider::codegen

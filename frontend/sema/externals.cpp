@@ -51,27 +51,31 @@ Signature signatureInC(const ast::Name& name, std::span<const ast::Formal> forma
   return signature;
 }
 
-/// The type of a function's result; empty, and reported, if it gives none or two numbers.
-std::optional<DeclaredType> resultType(const ast::ExternFunction& node, Scope& scope) {
-  const auto type = scope.declaredType(node.result, "the value of a C function");
+/// The type of what C gives as `role`; empty, and reported with `fault` and `hint`, if it is a
+/// position: two numbers.
+std::optional<DeclaredType> oneNumber(const ast::Name& name, const ast::TypeName& written,
+                                      std::string_view role, std::string_view fault,
+                                      std::string_view hint, Scope& scope) {
+  const auto type = scope.declaredType(written, role);
   if (type && type->position) {
-    refuseType(node.name, *type, "a C function gives one number",
-               "declare two functions, one for the latitude and one for the longitude", node.result,
-               scope);
+    refuseType(name, *type, fault, hint, written, scope);
     return std::nullopt;
   }
   return type;
 }
 
+/// The type of a function's result; empty, and reported, if it gives none or two numbers.
+std::optional<DeclaredType> resultType(const ast::ExternFunction& node, Scope& scope) {
+  return oneNumber(node.name, node.result, "the value of a C function",
+                   "a C function gives one number",
+                   "declare two functions, one for the latitude and one for the longitude", scope);
+}
+
 /// The type of a sensor; empty, and reported, if its reading is not one number.
 std::optional<DeclaredType> readingType(const ast::ExternSensor& node, Scope& scope) {
-  const auto type = scope.declaredType(node.type, "a sensor's reading");
-  if (type && type->position) {
-    refuseType(node.name, *type, "a reading is one number",
-               "declare two sensors, one for the latitude and one for the longitude", node.type,
-               scope);
-    return std::nullopt;
-  }
+  const auto type =
+      oneNumber(node.name, node.type, "a sensor's reading", "a reading is one number",
+                "declare two sensors, one for the latitude and one for the longitude", scope);
   if (type && type->type == boolean()) {
     refuseType(node.name, *type, "a reading is a number",
                "write `: number in 0 .. 1`, and compare it", node.type, scope);

@@ -370,8 +370,7 @@ void Hookprog::send(Frame& frame) {
 }
 
 void Hookprog::loseSbc() {
-  constexpr uint8_t kFinished = 2;
-  if (view_.phase != kFinished) {  // who has done its work may go without an alarm
+  if (view_.phase != MissionPhase::Finished) {  // who has done its work may go without an alarm
     event(Kind::SbcLost, link_);
   }
   link_ = 0;

@@ -71,7 +71,7 @@ class Hookprog {
     double mission_time_s = 0;
     uint32_t state = 0;
     uint8_t stack_depth = 0;
-    uint8_t phase = 0;
+    MissionPhase phase = MissionPhase::Waiting;
   };
   [[nodiscard]] SbcView sbc() const { return view_; }
 

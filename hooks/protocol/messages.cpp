@@ -91,7 +91,7 @@ void encode(const Done& done, Frame& frame) {
   out.f64(done.status.mission_time_s);
   out.u32(done.status.state);
   out.u8(done.status.stack_depth);
-  out.u8(done.status.phase);
+  out.u8(static_cast<uint8_t>(done.status.phase));
   finishPayload(frame, out);
 }
 
@@ -162,9 +162,10 @@ bool decode(const Frame& frame, Done& done) {
   done.status.mission_time_s = in.f64();
   done.status.state = in.u32();
   done.status.stack_depth = in.u8();
-  done.status.phase = in.u8();
+  const uint8_t phase = in.u8();
+  done.status.phase = static_cast<MissionPhase>(phase);
   return frame.type == MessageType::Done && in.exact() && isFinite(done.status.mission_time_s) &&
-         done.status.phase <= 2;
+         phase <= static_cast<uint8_t>(MissionPhase::Finished);
 }
 
 bool expectsAnswer(const Frame& frame) {

@@ -59,12 +59,15 @@ struct MissionNote {
   char text[kMostNoteBytes + 1] = {};
 };
 
+/// How far the SBC's mission is.
+enum class MissionPhase : uint8_t { Waiting = 0, Flying = 1, Finished = 2 };
+
 /// What the heartbeat says of the mission.
 struct MissionStatus {
   double mission_time_s = 0;
   uint32_t state = 0;
   uint8_t stack_depth = 0;
-  uint8_t phase = 0;  ///< 0 waiting for control, 1 flying, 2 finished
+  MissionPhase phase = MissionPhase::Waiting;
 };
 
 /// Ends the answer to the frame with sequence number `answered`.

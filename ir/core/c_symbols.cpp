@@ -3,6 +3,8 @@
 
 #include "ir/core/c_symbols.h"
 
+#include "ir/core/type_name.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -17,22 +19,8 @@ constexpr std::string_view kBaseUnits[] = {"m", "kg", "s", "A", "K", "rad"};
 
 /// "temperature"; "m1s_2" of a dimension without a name.
 std::string typeWord(const Type& type) {
-  switch (type.kind) {
-    case TypeKind::Bool:
-      return "bool";
-    case TypeKind::Latitude:
-      return "latitude";
-    case TypeKind::Longitude:
-      return "longitude";
-    case TypeKind::Quantity:
-      break;
-  }
-  if (type.dimension.dimensionless()) {
-    return "number";
-  }
-  const std::string name = support::describe(type.dimension);
-  if (support::findDimension(name)) {
-    return name;
+  if (auto name = typeName(type)) {
+    return std::move(*name);
   }
   std::string word;
   for (size_t i = 0; i < type.dimension.exponents.size(); ++i) {
@@ -65,7 +53,7 @@ bool takePower(std::string_view& word, support::Dimension& dimension) {
 }
 
 /// What `typeWord` made of a dimension without a name as a unit, "m/s^2"; other words as they are.
-std::string typeText(std::string_view word) {
+std::string unitOfWord(std::string_view word) {
   support::Dimension dimension;
   std::string_view rest = word;
   while (!rest.empty()) {
@@ -158,7 +146,7 @@ std::optional<CSymbol> readSymbol(std::string_view symbol) {
   const auto reads = behaviour ? std::ranges::find(parts, "reads") : parts.end();
   std::vector<std::string> types;
   for (auto part = parts.begin() + 3; part < reads; ++part) {
-    types.push_back(typeText(*part));
+    types.push_back(unitOfWord(*part));
   }
   if (behaviour) {
     std::vector<std::string_view> sensors;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "ir/prove/orders.h"
 #include "ir/prove/passes.h"
 #include "ir/verify/value_text.h"
 
@@ -38,31 +39,13 @@ class CommandCheck {
 
   void run() {
     for (const State& state : m_.states) {
-      orders_.clear();
-      gather(state.profile.entry);
-      for (const Case& c : state.profile.cases) {
-        gather(c.action);
-      }
+      orders_ = ordersOf(m_, state.profile);
       checkEnvelope(state.profile);
       checkTurns(state);
     }
   }
 
  private:
-  void gather(BlockId id) {
-    if (!id.valid()) {
-      return;
-    }
-    for (const Statement& statement : m_[id].statements) {
-      if (statement.kind == StatementKind::Command) {
-        orders_.push_back(&statement);
-      } else if (statement.kind == StatementKind::If) {
-        gather(statement.then);
-        gather(statement.otherwise);
-      }
-    }
-  }
-
   [[nodiscard]] const Interval& range(const Statement& order, size_t argument) const {
     return proof_.ground.intervals[order.values.at(argument).index];
   }

@@ -17,12 +17,4 @@ bool Control::mayInterrupt(const Mission& mission, uint32_t always_case) const {
   return always_case < limit && !(c.target.valid() && holds(c.target));
 }
 
-std::string describe(const Control& control, const Mission& mission) {
-  std::string text;
-  for (const Control::Waiting& waiting : control.stack) {
-    text += mission[waiting.state].name + " called ";
-  }
-  return text + mission[control.state].name;
-}
-
 }  // namespace glider::ir::prove

@@ -7,7 +7,6 @@
 
 #include <compare>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 namespace glider::ir::prove {
@@ -32,8 +31,5 @@ struct Control {
   [[nodiscard]] bool holds(StateId wanted) const;
   [[nodiscard]] bool mayInterrupt(const Mission& mission, uint32_t always_case) const;
 };
-
-/// "s1 called s2": for messages.
-std::string describe(const Control& control, const Mission& mission);
 
 }  // namespace glider::ir::prove

@@ -68,11 +68,7 @@ class Conditions {
  private:
   [[nodiscard]] bool isDepth(ExprId id) const {
     const Expr& e = m_[id];
-    if (e.op != Op::Sensor) {
-      return false;
-    }
-    const platforms::PlatformSensor* sensor = ground_.platformSensor(e.sensor);
-    return sensor != nullptr && sensor->alias == "depth";
+    return e.op == Op::Sensor && e.sensor == ground_.depth;
   }
 
   [[nodiscard]] double lowest(ExprId id) const {

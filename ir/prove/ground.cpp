@@ -15,7 +15,8 @@ Ground::Ground(const Mission& asked, const platforms::Platform& vehicle)
       platform(vehicle),
       intervals(intervalsOf(asked)),
       known(knownVariables(asked, intervals)),
-      whole(wholeExpressions(asked, intervals)) {
+      whole(wholeExpressions(asked, intervals)),
+      depth(depthSensor(asked, vehicle)) {
   constexpr double kMost = std::numeric_limits<double>::max();
   sensors.assign(mission.sensors.size(), {-kMost, kMost, false});
   windows.assign(mission.temporals.size(), {-kMost, kMost, false});
@@ -27,6 +28,16 @@ Ground::Ground(const Mission& asked, const platforms::Platform& vehicle)
       windows[e.temporal.index] = intervals[i];
     }
   }
+}
+
+std::optional<SensorId> depthSensor(const Mission& mission, const platforms::Platform& platform) {
+  for (uint32_t i = 0; i < mission.sensors.size(); ++i) {
+    const platforms::PlatformSensor* sensor = platform.find(mission.sensors[i].vehicle_name);
+    if (sensor != nullptr && sensor->alias == "depth") {
+      return SensorId{i};
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace glider::ir::prove

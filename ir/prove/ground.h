@@ -7,6 +7,7 @@
 #include "ir/verify/intervals.h"
 #include "platforms/load/platform.h"
 
+#include <optional>
 #include <vector>
 
 namespace glider::ir::prove {
@@ -24,11 +25,15 @@ struct Ground {
   std::vector<Interval> windows;    ///< of every temporal that is a window
   std::vector<bool> known;          ///< of every variable: never unknown
   std::vector<bool> whole;          ///< of every expression: a whole number, exactly
+  std::optional<SensorId> depth;    ///< the vehicle's own depth, if the mission reads it
 
   /// The platform's row of a sensor; null for one that the platform does not have.
   [[nodiscard]] const platforms::PlatformSensor* platformSensor(SensorId id) const {
     return platform.find(mission[id].vehicle_name);
   }
 };
+
+/// The sensor of a mission that is the vehicle's own depth; none if the mission does not read it.
+std::optional<SensorId> depthSensor(const Mission& mission, const platforms::Platform& platform);
 
 }  // namespace glider::ir::prove

@@ -9,6 +9,18 @@
 
 namespace glider::ir::prove {
 
+const char* word(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::Proved:
+      return "proved";
+    case Verdict::Refuted:
+      return "refuted";
+    case Verdict::Open:
+      return "open";
+  }
+  return "";
+}
+
 Findings prove(const Mission& mission, const MissionFacts& facts,
                const platforms::Platform& platform, const Options& options,
                support::DiagnosticEngine& diagnostics) {

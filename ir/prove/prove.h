@@ -37,6 +37,9 @@ struct ReportLine {
 
 enum class Verdict : uint8_t { Proved, Refuted, Open };
 
+/// "proved", "refuted", "open".
+const char* word(Verdict verdict);
+
 /// What was found out about a requirement.
 struct RequirementVerdict {
   uint32_t requirement = 0;  ///< its number

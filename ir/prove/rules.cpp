@@ -60,8 +60,7 @@ Moment RuleWriter::readingsOf(const Configuration& configuration, Unknowns& unkn
                    configuration.mission_time);
   for (uint32_t i = 0; i < m_.sensors.size(); ++i) {
     const NumberTerm& reading = moment.reading({i});
-    const platforms::PlatformSensor* sensor = ground_.platformSensor({i});
-    if (configuration.store.vehicle && sensor != nullptr && sensor->alias == "depth") {
+    if (configuration.store.vehicle && ground_.depth == SensorId{i}) {
       const z3::expr error = moment.real(ground_.platform.world.depth_error_m);
       const z3::expr& depth = configuration.store.vehicle->depth;
       unknowns.require(z3::implies(

@@ -115,8 +115,6 @@ std::optional<Run> runOfRules(z3::context& context, const Ground& ground,
   for (const Taken& taken : steps) {
     if (taken.rule().tick) {
       run.steps.push_back(reading.step(taken));
-    } else if (!taken.rule().to && !run.steps.empty()) {
-      continue;  // bad after the tick before
     }
   }
   return run;

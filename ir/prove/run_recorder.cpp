@@ -31,21 +31,11 @@ bool quiet(const TickResult& before, const TickResult& after) {
 
 }  // namespace
 
-std::optional<SensorId> depthSensorOf(const Ground& ground) {
-  for (uint32_t i = 0; i < ground.mission.sensors.size(); ++i) {
-    const platforms::PlatformSensor* sensor = ground.platformSensor({i});
-    if (sensor != nullptr && sensor->alias == "depth") {
-      return SensorId{i};
-    }
-  }
-  return std::nullopt;
-}
-
 RunRecorder::RunRecorder(const Ground& ground, uint32_t stack_depth, const Requirement& requirement)
     : ground_(ground),
       m_(ground.mission),
       requirement_(requirement),
-      depth_sensor_(depthSensorOf(ground)),
+      depth_sensor_(ground.depth),
       monitor_(m_, requirement, ground.platform.world.surface_depth_m, depth_sensor_) {
   interpreter_.emplace(m_, stack_depth);
 }

@@ -6,7 +6,7 @@
 #include "ir/eval/interpreter.h"
 #include "ir/prove/concrete_run.h"
 #include "ir/prove/ground.h"
-#include "ir/prove/monitor.h"
+#include "ir/prove/requirement_monitor.h"
 
 namespace glider::ir::prove {
 
@@ -47,8 +47,5 @@ class RunRecorder {
   TickResult last_;
   ConcreteRun result_;
 };
-
-/// The sensor of `depth`, if the mission reads it.
-std::optional<SensorId> depthSensorOf(const Ground& ground);
 
 }  // namespace glider::ir::prove

@@ -8,23 +8,12 @@
 namespace glider::ir::prove {
 namespace {
 
-std::optional<SensorId> depthSensor(const Ground& ground) {
-  for (uint32_t i = 0; i < ground.mission.sensors.size(); ++i) {
-    const platforms::PlatformSensor* sensor = ground.platformSensor({i});
-    if (sensor != nullptr && sensor->alias == "depth") {
-      return SensorId{i};
-    }
-  }
-  return std::nullopt;
-}
-
 bool readsDepth(ExprId root, const Ground& ground) {
-  const auto depth = depthSensor(ground);
   std::vector<ExprId> open{root};
   while (!open.empty()) {
     const Expr& e = ground.mission[open.back()];
     open.pop_back();
-    if (e.op == Op::Sensor && depth && e.sensor == *depth) {
+    if (e.op == Op::Sensor && e.sensor == ground.depth) {
       return true;
     }
     for (uint32_t i = 0; i < opInfo(e.op).operands; ++i) {
@@ -44,14 +33,12 @@ Watch exitWithin(double seconds, z3::context& context) {
 }
 
 /// Enters it by goto or call; a return is no entering.
-bool enters(const Outcome& outcome, StateId state, const Mission& mission) {
-  if (!outcome.fired || !outcome.after || outcome.after->control.state != state) {
-    return false;
-  }
-  return !outcome.after->control.just_returned || mission.states.empty();
+bool enters(const Outcome& outcome, StateId state) {
+  return outcome.fired && outcome.after && outcome.after->control.state == state &&
+         !outcome.after->control.just_returned;
 }
 
-Watch reaching(StateId state, z3::context& context, const Mission& mission) {
+Watch reaching(StateId state, z3::context& context) {
   Watch watch;
   if (state.index == 0) {
     watch.bad_after = [&context](const Configuration& now) {
@@ -61,27 +48,26 @@ Watch reaching(StateId state, z3::context& context, const Mission& mission) {
     };
     return watch;
   }
-  watch.bad_move = [state, &context, &mission](const Configuration&, const Outcome& outcome) {
-    return enters(outcome, state, mission) ? std::optional(context.bool_val(true)) : std::nullopt;
+  watch.bad_move = [state, &context](const Configuration&, const Outcome& outcome) {
+    return enters(outcome, state) ? std::optional(context.bool_val(true)) : std::nullopt;
   };
   return watch;
 }
 
 /// Remembers whether `after` has been entered.
-Watch neverAfter(StateId state, StateId after, z3::context& context, const Mission& mission) {
+Watch neverAfter(StateId state, StateId after, z3::context& context) {
   Watch watch;
   watch.memory = {context.bool_sort()};
   watch.begin = [after, &context](Configuration& start) {
     start.memory = {context.bool_val(after.index == 0)};
   };
-  watch.move = [after, &context, &mission](const Configuration& before, const Outcome& outcome,
-                                           Configuration& next) {
-    next.memory = {enters(outcome, after, mission) ? context.bool_val(true)
-                                                   : before.memory.front()};
+  watch.move = [after, &context](const Configuration& before, const Outcome& outcome,
+                                 Configuration& next) {
+    next.memory = {enters(outcome, after) ? context.bool_val(true) : before.memory.front()};
   };
-  watch.bad_move = [state, &mission](const Configuration& before,
-                                     const Outcome& outcome) -> std::optional<z3::expr> {
-    return enters(outcome, state, mission) ? std::optional(before.memory.front()) : std::nullopt;
+  watch.bad_move = [state](const Configuration& before,
+                           const Outcome& outcome) -> std::optional<z3::expr> {
+    return enters(outcome, state) ? std::optional(before.memory.front()) : std::nullopt;
   };
   return watch;
 }
@@ -107,8 +93,8 @@ Watch surfacesEvery(double seconds, z3::context& context, const Ground& ground) 
 
 /// The condition of a moment in which the depth is the true one.
 z3::expr isFalse(ExprId condition, const Configuration& now, Moment moment, const Ground& ground) {
-  if (const auto depth = depthSensor(ground); depth && now.store.vehicle) {
-    moment.setReading(*depth,
+  if (ground.depth && now.store.vehicle) {
+    moment.setReading(*ground.depth,
                       NumberTerm{now.store.vehicle->depth, moment.context().bool_val(true), 0});
     moment.forget();
   }
@@ -137,9 +123,9 @@ Watch watchFor(const Requirement& requirement, z3::context& context, const Groun
     case RequirementKind::ExitWithin:
       return exitWithin(requirement.seconds, context);
     case RequirementKind::Reach:
-      return reaching(requirement.state, context, ground.mission);
+      return reaching(requirement.state, context);
     case RequirementKind::NeverAfter:
-      return neverAfter(requirement.state, requirement.after, context, ground.mission);
+      return neverAfter(requirement.state, requirement.after, context);
     case RequirementKind::SurfacesEvery:
       return surfacesEvery(requirement.seconds, context, ground);
     case RequirementKind::StackAtMost:

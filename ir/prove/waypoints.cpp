@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "ir/eval/arithmetic.h"
+#include "ir/prove/orders.h"
 #include "ir/prove/passes.h"
 
 #include <fmt/format.h>
@@ -8,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <set>
 #include <utility>
 #include <vector>
@@ -20,21 +21,9 @@ namespace {
 constexpr double kFarOff = 3e6;  // m
 
 struct Waypoint {
-  double latitude = 0, longitude = 0;  ///< degrees
-  support::SourceRange range;          ///< of the route that steers there
+  Position place;
+  support::SourceRange range;  ///< of the route that steers there
 };
-
-/// Metres along a sphere of the Earth's mean radius (R. W. Sinnott, Virtues of the haversine,
-/// 1984).
-double distance(const Waypoint& a, const Waypoint& b) {
-  constexpr double kEarth = 6371008.8;
-  constexpr double kDegree = std::numbers::pi / 180;
-  const double south = std::sin((b.latitude - a.latitude) * kDegree / 2);
-  const double east = std::sin((b.longitude - a.longitude) * kDegree / 2);
-  const double h =
-      south * south + std::cos(a.latitude * kDegree) * std::cos(b.latitude * kDegree) * east * east;
-  return 2 * kEarth * std::asin(std::sqrt(std::clamp(h, 0.0, 1.0)));
-}
 
 class WaypointCheck {
  public:
@@ -42,14 +31,14 @@ class WaypointCheck {
 
   void run() {
     for (const State& state : m_.states) {
-      range_ = state.route.range;
-      gather(state.route.entry);
-      for (const Case& c : state.route.cases) {
-        gather(c.action);
+      for (const Statement* order : ordersOf(m_, state.route)) {
+        if (order->command == Command::SteerTo) {
+          add(m_[order->values.at(0)], m_[order->values.at(1)], state.route.range);
+        }
       }
     }
     for (const Waypoint& one : waypoints_) {
-      places_.emplace(one.latitude, one.longitude);
+      places_.emplace(one.place.latitude, one.place.longitude);
     }
     for (const Waypoint& one : waypoints_) {
       check(one);
@@ -57,30 +46,15 @@ class WaypointCheck {
   }
 
  private:
-  void gather(BlockId id) {
-    if (!id.valid()) {
-      return;
-    }
-    for (const Statement& statement : m_[id].statements) {
-      if (statement.kind == StatementKind::If) {
-        gather(statement.then);
-        gather(statement.otherwise);
-      } else if (statement.kind == StatementKind::Command &&
-                 statement.command == Command::SteerTo) {
-        add(m_[statement.values.at(0)], m_[statement.values.at(1)]);
-      }
-    }
-  }
-
   /// Constants, and the places of a path.
-  void add(const Expr& latitude, const Expr& longitude) {
+  void add(const Expr& latitude, const Expr& longitude, support::SourceRange route) {
     if (latitude.op == Op::Constant && longitude.op == Op::Constant) {
-      waypoints_.push_back({latitude.number, longitude.number, range_});
+      waypoints_.push_back({{latitude.number, longitude.number}, route});
     } else if (latitude.op == Op::Element && longitude.op == Op::Element) {
       const auto& north = m_[latitude.table].values;
       const auto& east = m_[longitude.table].values;
       for (size_t i = 0; i < std::min(north.size(), east.size()); ++i) {
-        waypoints_.push_back({north[i], east[i], range_});
+        waypoints_.push_back({{north[i], east[i]}, route});
       }
     }
   }
@@ -88,8 +62,8 @@ class WaypointCheck {
   void check(const Waypoint& one) {
     double nearest = std::numeric_limits<double>::infinity();
     for (const auto& [latitude, longitude] : places_) {
-      const bool same = latitude == one.latitude && longitude == one.longitude;
-      nearest = same ? nearest : std::min(nearest, distance(one, {latitude, longitude, {}}));
+      const double apart = onEarth(Op::Distance, one.place, {latitude, longitude});
+      nearest = apart > 0 ? std::min(nearest, apart) : nearest;
       if (nearest <= kFarOff) {
         return;
       }
@@ -104,7 +78,6 @@ class WaypointCheck {
 
   Proof& proof_;
   const Mission& m_;
-  support::SourceRange range_;
   std::vector<Waypoint> waypoints_;
   std::set<std::pair<double, double>> places_;  ///< of all, each once
   std::vector<uint32_t> told_;

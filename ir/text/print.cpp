@@ -4,6 +4,7 @@
 #include "ir/text/print.h"
 
 #include "ir/core/ops.h"
+#include "ir/core/type_name.h"
 #include "ir/core/validate.h"
 #include "ir/text/printer.h"
 #include "support/check.h"
@@ -229,23 +230,8 @@ void Printer::activity(std::string_view what, const Activity& a) {
 }  // namespace text
 
 std::string typeText(Type type) {
-  switch (type.kind) {
-    case TypeKind::Bool:
-      return "bool";
-    case TypeKind::Latitude:
-      return "latitude";
-    case TypeKind::Longitude:
-      return "longitude";
-    case TypeKind::Quantity:
-      break;
-  }
-  if (type.dimension.dimensionless()) {
-    return "number";
-  }
-  const std::string name = support::describe(type.dimension);
-  return support::findDimension(name) == type.dimension
-             ? name
-             : fmt::format("dim({})", fmt::join(type.dimension.exponents, ","));
+  const auto name = typeName(type);
+  return name ? *name : fmt::format("dim({})", fmt::join(type.dimension.exponents, ","));
 }
 
 std::string print(const Mission& mission) {

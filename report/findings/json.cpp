@@ -16,18 +16,6 @@ using support::Severity;
 using support::SourceManager;
 using support::SourceRange;
 
-const char* wordOf(Severity severity) {
-  switch (severity) {
-    case Severity::Note:
-      return "note";
-    case Severity::Warning:
-      return "warning";
-    case Severity::Error:
-      return "error";
-  }
-  return "";
-}
-
 ordered_json place(const SourceManager& sources, uint32_t file, uint32_t offset) {
   const support::LineColumn at = sources.place(file, offset);
   return {{"line", at.line}, {"column", at.column}};
@@ -45,7 +33,7 @@ void addRange(ordered_json& to, const SourceManager* sources, SourceRange range)
 ordered_json diagnosticOf(const Diagnostic& diagnostic, const SourceManager* sources) {
   ordered_json one = {{"id", support::code(diagnostic.id)},
                       {"name", support::catalogueRow(diagnostic.id).slug},
-                      {"severity", wordOf(diagnostic.severity)}};
+                      {"severity", support::word(diagnostic.severity)}};
   addRange(one, sources, diagnostic.range);
   one["message"] = diagnostic.message;
   if (!diagnostic.hint.empty()) {

@@ -20,18 +20,6 @@ using support::Severity;
 using support::SourceManager;
 using support::SourceRange;
 
-const char* levelOf(Severity severity) {
-  switch (severity) {
-    case Severity::Note:
-      return "note";
-    case Severity::Warning:
-      return "warning";
-    case Severity::Error:
-      return "error";
-  }
-  return "none";
-}
-
 /// "EmptyReturn" of "empty-return".
 std::string pascalCase(std::string_view slug) {
   std::string name;
@@ -133,7 +121,7 @@ class Log {
         rule["fullDescription"] = text(parts.paragraph.empty() ? parts.title : parts.paragraph);
         rule["help"] = {{"text", page}, {"markdown", page}};
       }
-      rule["defaultConfiguration"] = {{"level", levelOf(row.severity)}};
+      rule["defaultConfiguration"] = {{"level", support::word(row.severity)}};
       rules_.push_back(std::move(rule));
     }
     return known->second;
@@ -165,7 +153,7 @@ class Log {
   ordered_json resultOf(const Diagnostic& diagnostic) {
     ordered_json result = {{"ruleId", support::code(diagnostic.id)},
                            {"ruleIndex", ruleIndex(diagnostic.id)},
-                           {"level", levelOf(diagnostic.severity)}};
+                           {"level", support::word(diagnostic.severity)}};
     result["message"] = text(withHint(diagnostic.message, diagnostic.hint));
     addLocation(result, diagnostic.range);
     for (const support::DiagnosticNote& note : diagnostic.notes) {

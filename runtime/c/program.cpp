@@ -171,7 +171,7 @@ void Program::answer() {
       control_.sent(instruction, client_->instruct(instruction));
     }
     status.mission_time_s = context_->mission_time;
-    status.phase = finished_ ? 2 : 1;
+    status.phase = finished_ ? hooks::MissionPhase::Finished : hooks::MissionPhase::Flying;
   }
   client_->done(status, link_.stream);
   log_->flush();

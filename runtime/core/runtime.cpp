@@ -273,7 +273,8 @@ glider::hooks::MissionStatus GliderRuntime::status() const {
     status.mission_time_s = context_->mission_time;
     status.state = context_->state;
     status.stack_depth = static_cast<uint8_t>(context_->stack_depth);
-    status.phase = finished() ? 2 : 1;
+    using glider::hooks::MissionPhase;
+    status.phase = finished() ? MissionPhase::Finished : MissionPhase::Flying;
   }
   return status;
 }

@@ -13,8 +13,7 @@
 namespace glider::simulator {
 namespace {
 
-constexpr double kCycle = 4;      // s
-constexpr uint8_t kFinished = 2;  ///< SbcView::phase
+constexpr double kCycle = 4;  // s
 /// Rounds of questions and answers within one cycle.
 constexpr int kRounds = 4;
 
@@ -28,7 +27,6 @@ void AgreeingVehicle::offerControl(const ReplayTick& start) {
 
 void AgreeingVehicle::tick(const ReplayTick& tick) {
   in_control_ = true;
-  moved_.reset();
   show(tick.readings);
   cycle(origin_s_ + tick.mission_time);
 }
@@ -45,7 +43,7 @@ void AgreeingVehicle::show(const std::vector<ReplayReading>& readings) {
 
 bool AgreeingVehicle::finished() const {
   const auto view = hookprog_.sbc();
-  return view.known && view.phase == kFinished;
+  return view.known && view.phase == hooks::MissionPhase::Finished;
 }
 
 void AgreeingVehicle::cycle(double time) {
@@ -91,7 +89,7 @@ void AgreeingVehicle::exchange(double time) {
     waiting_.erase(waiting_.begin(), waiting_.begin() + taken);
   }
   hookprog_.run(time, {this, ownSensor}, sbc_line_.left(), clothesline_.left());
-  hearEvents();
+  passOverEvents();
   hearInstructions();
 }
 
@@ -110,14 +108,9 @@ void AgreeingVehicle::hearInstructions() {
   }
 }
 
-void AgreeingVehicle::hearEvents() {
-  using Kind = hooks::HookprogEvent::Kind;
-  for (auto event = hookprog_.nextEvent(); event.kind != Kind::None;
-       event = hookprog_.nextEvent()) {
-    if (event.kind == Kind::SbcTransition) {
-      moved_ = {
-          .list = event.e, .fired_case = event.d, .from = event.b, .to = event.c, .kind = event.a};
-    }
+/// What hookprog has to say is of no use here; its queue is bounded and must be emptied.
+void AgreeingVehicle::passOverEvents() {
+  while (hookprog_.nextEvent().kind != hooks::HookprogEvent::Kind::None) {
   }
 }
 

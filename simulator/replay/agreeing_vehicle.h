@@ -9,7 +9,6 @@
 #include "simulator/replay/replay.h"
 
 #include <map>
-#include <optional>
 #include <vector>
 
 namespace glider::simulator {
@@ -32,8 +31,6 @@ class AgreeingVehicle {
   [[nodiscard]] hooks::Hookprog::SbcView sbc() const { return hookprog_.sbc(); }
   /// Its mission has ended.
   [[nodiscard]] bool finished() const;
-  /// The transition of the newest tick.
-  [[nodiscard]] const std::optional<ReplayTransition>& moved() const { return moved_; }
 
  private:
   void show(const std::vector<ReplayReading>& readings);
@@ -42,7 +39,7 @@ class AgreeingVehicle {
   void report(double time);
   void exchange(double time);
   void hearInstructions();
-  void hearEvents();
+  void passOverEvents();
   static double ownSensor(void* self, uint16_t id, bool* fresh);
 
   SbcPort& sbc_;
@@ -53,8 +50,7 @@ class AgreeingVehicle {
   std::map<uint16_t, double> science_;     ///< not told yet
   std::vector<hooks::SensorUpdate> told_;  ///< of the flight controller, of this cycle
   std::vector<uint8_t> waiting_;           ///< bytes of the SBC that the line had no room for
-  std::optional<ReplayTransition> moved_;
-  double origin_s_ = 0;  ///< vehicle time of mission time 0
+  double origin_s_ = 0;                    ///< vehicle time of mission time 0
   bool in_control_ = false;
   double session_ = 0;
   double sequence_ = 0;

@@ -17,11 +17,9 @@ ReplayAnswer answerOf(const AgreeingVehicle& vehicle, double mission_time) {
   ReplayAnswer answer;
   const hooks::Hookprog::SbcView view = vehicle.sbc();
   answer.answered = view.known && view.mission_time_s == mission_time;
-  answer.mission_time = view.mission_time_s;
   answer.state = view.state;
   answer.stack_depth = view.stack_depth;
   answer.finished = vehicle.finished();
-  answer.moved = vehicle.moved();
   return answer;
 }
 

@@ -6,7 +6,6 @@
 #include "simulator/sbc_port.h"
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 /// Flies a mission on readings that are given, with no water and no vehicle: hookprog is the real
@@ -26,19 +25,12 @@ struct ReplayTick {
   std::vector<ReplayReading> readings;
 };
 
-/// The transition of a tick: numbers as in the hook protocol's Transition message.
-struct ReplayTransition {
-  uint32_t list = 0, fired_case = 0, from = 0, to = 0, kind = 0;
-};
-
 /// What the SBC did with a tick.
 struct ReplayAnswer {
   bool answered = false;
-  double mission_time = 0;  ///< as it says
-  uint32_t state = 0;       ///< current after the tick
+  uint32_t state = 0;  ///< current after the tick
   uint32_t stack_depth = 0;
   bool finished = false;
-  std::optional<ReplayTransition> moved;
 };
 
 /// Offers `sbc` control with the readings of the first of `ticks`, whose mission time is 0, and

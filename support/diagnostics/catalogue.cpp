@@ -30,4 +30,16 @@ std::string code(DiagnosticId id) {
   return fmt::format("GL{:04}", static_cast<unsigned>(id));
 }
 
+std::string_view word(Severity severity) {
+  switch (severity) {
+    case Severity::Note:
+      return "note";
+    case Severity::Warning:
+      return "warning";
+    case Severity::Error:
+      return "error";
+  }
+  return "";
+}
+
 }  // namespace glider::support

@@ -14,6 +14,9 @@ namespace glider::support {
 
 enum class Severity : uint8_t { Note, Warning, Error };
 
+/// "note", "warning", "error".
+std::string_view word(Severity severity);
+
 /// The diagnostics' names; the value is the number of the row in catalogue.def.
 enum class DiagnosticId : uint16_t {
 #define DIAGNOSTIC(number, name, slug, severity, message, hint) name = number,

@@ -18,18 +18,6 @@ constexpr Palette kPlain{};
 constexpr Palette kColour{"\x1b[1m",    "\x1b[1;31m", "\x1b[1;35m",
                           "\x1b[1;36m", "\x1b[1;32m", "\x1b[0m"};
 
-std::string_view word(Severity severity) {
-  switch (severity) {
-    case Severity::Note:
-      return "note";
-    case Severity::Warning:
-      return "warning";
-    case Severity::Error:
-      return "error";
-  }
-  return "";
-}
-
 std::string_view colourOf(Severity severity, const Palette& p) {
   return severity == Severity::Error ? p.error : severity == Severity::Warning ? p.warning : p.note;
 }

@@ -43,7 +43,8 @@ struct TraceField {
 /// One flight: the only trace format of verifier, simulator and report.
 struct Trace {
   std::string mission;   ///< name of the mission
-  std::string scenario;  ///< name of the scenario
+  std::string scenario;  ///< name of the scenario; of a run that the verifier found: the
+                         ///< requirement that it breaks, as written
   std::string way;       ///< "in-process", "host", "ts7800", "ts5500", "none" (no SBC)
   uint64_t seed = 0;
   std::vector<std::string> state_names;  ///< for the column "state"

@@ -103,6 +103,17 @@ void expectControlThroughout(const Flight& flight, const Tracked& tracked) {
   }
 }
 
+/// From the second yo after detection on the ordered range holds the isotherm, and is narrow on
+/// `narrow` of the ticks.
+void expectTracked(const Tracked& tracked, double narrow) {
+  ASSERT_GT(tracked.second_yo, tracked.detected);
+  EXPECT_GE(tracked.last - tracked.second_yo, 150U) << "found late";
+  EXPECT_GE(tracked.share(tracked.second_yo, [&](size_t i) { return tracked.holdsIsotherm(i); }),
+            0.9);
+  EXPECT_GE(tracked.share(tracked.second_yo, [&](size_t i) { return tracked.width(i) <= kNarrow; }),
+            narrow);
+}
+
 class Thermocline : public testing::TestWithParam<const char*> {
  protected:
   /// Flies the mission of this case; each property holds of every seed.
@@ -123,12 +134,7 @@ TEST_P(Thermocline, DoesFigure5) {
     const Flight flight = flown("figure5", seed);
     const Tracked tracked(flight);
     expectControlThroughout(flight, tracked);
-    ASSERT_GT(tracked.second_yo, tracked.detected);
-    EXPECT_GE(tracked.last - tracked.second_yo, 150U) << "found late";
-    EXPECT_GE(tracked.share(tracked.second_yo, [&](size_t i) { return tracked.holdsIsotherm(i); }),
-              0.9);
-    EXPECT_EQ(
-        tracked.share(tracked.second_yo, [&](size_t i) { return tracked.width(i) <= kNarrow; }), 1);
+    expectTracked(tracked, 1);
     // It flies what it orders: turns overshoot by what the vehicle needs to turn.
     for (size_t i = tracked.second_yo; i <= tracked.last; ++i) {
       EXPECT_LT(tracked.depth[i], 28) << tracked.time[i];
@@ -142,13 +148,7 @@ TEST_P(Thermocline, SurvivesTheReadingsOfTheFirstDeployment) {
     const Flight flight = flown("first_deployment", seed);
     const Tracked tracked(flight);
     expectControlThroughout(flight, tracked);
-    ASSERT_GT(tracked.second_yo, tracked.detected);
-    EXPECT_GE(tracked.last - tracked.second_yo, 150U) << "found late";
-    EXPECT_GE(tracked.share(tracked.second_yo, [&](size_t i) { return tracked.holdsIsotherm(i); }),
-              0.9);
-    EXPECT_GE(
-        tracked.share(tracked.second_yo, [&](size_t i) { return tracked.width(i) <= kNarrow; }),
-        0.9);
+    expectTracked(tracked, 0.9);
   }
 }
 

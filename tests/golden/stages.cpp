@@ -83,10 +83,9 @@ class Compilation {
     for (const auto& line : findings.lines) {
       product_ += "--- " + line.text + "\n";
     }
-    constexpr const char* kVerdicts[] = {"proved", "refuted", "open"};
     for (const auto& verdict : findings.requirements) {
       const support::SourceRange range = mission_->requirements[verdict.requirement].range;
-      product_ += "--- " + std::string(kVerdicts[static_cast<size_t>(verdict.verdict)]) + ": " +
+      product_ += "--- " + std::string(ir::prove::word(verdict.verdict)) + ": " +
                   std::string(sources_.text(range)) + "\n";
     }
   }

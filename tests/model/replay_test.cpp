@@ -269,7 +269,7 @@ class Replay {
         ASSERT_LT(tick, model.mission.size()) << "the model's SBC sees no such tick";
         instruct(model.mission[tick++]);
         mission_time_s_ += stuck_ ? 0 : kCycle;
-        client_->done({mission_time_s_, 0, 0, 1}, at_sbc_.stream());
+        client_->done({mission_time_s_, 0, 0, MissionPhase::Flying}, at_sbc_.stream());
       }
     }
     EXPECT_EQ(tick, model.mission.size());

@@ -24,6 +24,8 @@ namespace {
 
 struct Property {
   std::string mission, verdict, requirement;
+  /// For the test's name.
+  friend void PrintTo(const Property& property, std::ostream* out) { *out << property.requirement; }
 };
 
 std::string trimmed(const std::string& text) {
@@ -57,10 +59,6 @@ const platforms::Platform& slocum() {
 
 class Properties : public testing::TestWithParam<Property> {};
 
-const char* wordOf(Verdict verdict) {
-  return verdict == Verdict::Proved ? "proved" : verdict == Verdict::Refuted ? "refuted" : "open";
-}
-
 /// scripts/soak/proofs asks for more.
 uint64_t flightsToFly() {
   constexpr uint64_t kFew = 3;
@@ -90,7 +88,7 @@ TEST_P(Properties, IsDecidedAsCommitted) {
   const MissionFacts facts = verify(*mission, run.diagnostics);
   const Findings findings = prove(*mission, facts, slocum(), {}, run.diagnostics);
   ASSERT_EQ(findings.requirements.size(), 1U);
-  EXPECT_EQ(wordOf(findings.requirements[0].verdict), property.verdict) << run.said();
+  EXPECT_EQ(word(findings.requirements[0].verdict), property.verdict) << run.said();
   const bool reach = mission->requirements[0].kind == RequirementKind::Reach;
   if (findings.requirements[0].verdict == Verdict::Proved && !reach) {
     expectSurvives(*mission, facts);

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <random>
 
@@ -171,38 +172,38 @@ class RandomHulls {
     return corners;
   }
 
+  /// 400 hulls that are not all but a line, one after the other, with their least width, m.
+  void eachBroad(const std::function<void(const Path& corners, double width)>& test) {
+    for (int i = 0; i < 400; ++i) {
+      SCOPED_TRACE(i);
+      const Path corners = next();
+      const double width = leastWidth(corners);
+      if (width >= 10) {
+        test(corners, width);
+      }
+    }
+  }
+
  private:
   std::mt19937 random_;
 };
 
 TEST(Lanes, EveryPlaceOfTheHullIsWithinHalfTheSpacing) {
   RandomHulls hulls(1);
-  for (int i = 0; i < 400; ++i) {
-    SCOPED_TRACE(i);
-    const Path corners = hulls.next();
-    const double width = leastWidth(corners);
-    if (width < 10) {
-      continue;
-    }
+  hulls.eachBroad([&](const Path& corners, double width) {
     const double spacing = width * std::exp(hulls.uniform(-3.0, 0.7));
     EXPECT_LE(farthest(corners, laid(corners, spacing), 7), spacing / 2 + kCentimetres);
-  }
+  });
 }
 
 TEST(Lanes, AreAsFewAsCanBe) {
   RandomHulls hulls(2);
-  for (int i = 0; i < 400; ++i) {
-    SCOPED_TRACE(i);
-    const Path corners = hulls.next();
-    const double width = leastWidth(corners);
-    if (width < 10) {
-      continue;
-    }
+  hulls.eachBroad([&](const Path& corners, double width) {
     const double spacing = width / hulls.uniform(0.5, 40);
     // The map stretches by 0.2 % at most, and the plane of this judge shrinks as much.
     const size_t most = 2 * static_cast<size_t>(std::ceil(1.005 * width / spacing));
     EXPECT_LE(laid(corners, spacing).size(), most);
-  }
+  });
 }
 
 TEST(Lanes, BeginAtTheEndNearestToTheFirstCorner) {

@@ -62,7 +62,7 @@ inline std::vector<std::pair<std::string, Frame>> exampleFrames() {
     (void)appendValue(f, {GLIDER_SCI_HOOK_SEQUENCE, 258});
   });
   add("Transition", 4, [](Frame& f) { encode(TransitionNotice{500, 1, 0, 1, 1, 0}, f); });
-  add("Done", 5, [](Frame& f) { encode(Done{3, 7, {500, 1, 1, 1}}, f); });
+  add("Done", 5, [](Frame& f) { encode(Done{3, 7, {500, 1, 1, MissionPhase::Flying}}, f); });
   add("Sensors", 6, [](Frame& f) {
     encodeEmptyList(MessageType::Sensors, f);
     (void)appendValue(f, {GLIDER_SCI_HOOK_HEARTBEAT, 42});

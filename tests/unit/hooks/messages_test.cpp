@@ -157,9 +157,9 @@ TEST(Messages, ValuesThatNoSenderWritesAreRefused) {
   EXPECT_FALSE(decode(frame, beacon));
 
   Done done;
-  encode(Done{1, 0, {std::numeric_limits<double>::quiet_NaN(), 0, 0, 0}}, frame);
+  encode(Done{1, 0, {std::numeric_limits<double>::quiet_NaN()}}, frame);
   EXPECT_FALSE(decode(frame, done));
-  encode(Done{1, 0, {1, 0, 0, 3}}, frame);
+  encode(Done{1, 0, {1, 0, 0, static_cast<MissionPhase>(3)}}, frame);
   EXPECT_FALSE(decode(frame, done));
 
   Subscribe subscribe;

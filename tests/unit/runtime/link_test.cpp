@@ -85,7 +85,7 @@ TEST_F(LinkTest, WaitsForHookbehThenTakesFliesAndGivesBack) {
   boot(vehicle);
   vehicle.run(60);
   EXPECT_EQ(gliderRuntimeContext(runtime_), nullptr) << "hookbeh was not ready";
-  EXPECT_EQ(vehicle.sbcView().phase, 0);
+  EXPECT_EQ(vehicle.sbcView().phase, hooks::MissionPhase::Waiting);
   vehicle.run(90);
   EXPECT_EQ(vehicle.hookbeh().state, hooks::HookState::Active);
   EXPECT_THAT(vehicle.doings, ElementsAre("dive_to"));

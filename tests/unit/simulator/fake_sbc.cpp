@@ -59,7 +59,10 @@ void FakePilot::tick(const GliderByteStream& stream) {
     steer(diving_ ? plan_.bottom_m : plan_.top_m);
     client_.notify({mission_time, 0, diving_ ? 1U : 0U, diving_ ? 0U : 1U, 0});
   }
-  const uint8_t phase = given_back_ ? 2 : taken_ ? 1 : 0;
+  using hooks::MissionPhase;
+  const auto phase = given_back_ ? MissionPhase::Finished
+                     : taken_    ? MissionPhase::Flying
+                                 : MissionPhase::Waiting;
   client_.done({mission_time, diving_ ? 0U : 1U, 0, phase}, stream);
 }
 

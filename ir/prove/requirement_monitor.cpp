@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "ir/prove/monitor.h"
+#include "ir/prove/requirement_monitor.h"
 
 #include <span>
 

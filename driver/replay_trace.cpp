@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "driver/replay_trace.h"
+
+#include "driver/exit_code.h"
+#include "driver/flight_setup.h"
+#include "driver/replay.h"
+#include "driver/terminal.h"
+#include "support/files.h"
+#include "support/trace/trace.h"
+
+#include <fmt/format.h>
+
+#include <string>
+
+namespace glider::driver {
+namespace {
+
+/// What a replay came to.
+int tellReplay(const support::Trace& trace, const Replayed& replayed, const std::string& way) {
+  std::string text;
+  for (const support::TraceEvent& event : trace.events) {
+    if (event.kind == "transition") {
+      text += event.what + "\n";
+    }
+  }
+  text += replayed.broken
+              ? fmt::format(
+                    "at {:.6g} s the mission breaks `{}`: {} flew it as the proof says, "
+                    "tick by tick ({} ticks)\n",
+                    replayed.when, trace.scenario, way, replayed.ticks)
+              : fmt::format("`{}` holds in this run ({} ticks, {})\n", trace.scenario,
+                            replayed.ticks, way);
+  const auto printed = printOut(text);
+  if (!printed) {
+    return reportFailure(printed.error());
+  }
+  return replayed.broken ? kMissionHasErrors : kFine;
+}
+
+}  // namespace
+
+int replayTrace(SimOptions options) {
+  const auto text = support::readFile(options.replay);
+  if (!text) {
+    return reportFailure(text.error());
+  }
+  const auto trace = support::traceFromJson(*text, options.replay);
+  if (!trace) {
+    return reportFailure(trace.error());
+  }
+  const auto mission = compileMission(options.mission);
+  if (!mission) {
+    return reportFailure(mission.error());
+  }
+  int status = kFine;
+  const auto built = compileForFlight(options.mission, status);
+  if (status != kFine) {
+    return status;
+  }
+  if (auto fits = checkTrace(*trace, options.replay, **mission); !fits) {
+    return reportFailure(fits.error());
+  }
+  options.launch.settings = trace->settings;
+  const auto loaded = loadHere(*built, options.user_code);
+  const auto parameters =
+      loaded ? chooseParameters(loaded->mission(), options.launch)
+             : support::Result<std::vector<double>>(std::unexpected(loaded.error()));
+  if (!parameters) {
+    return reportFailure(parameters.error());
+  }
+  const auto start = chooseSbc(options, built.get(), false);
+  if (!start) {
+    return reportFailure(start.error());
+  }
+  const auto sbc = (*start)();
+  if (!sbc) {
+    return reportFailure(sbc.error());
+  }
+  const auto replayed =
+      replayRun(*trace, **mission, stateNames(*built->mission), *parameters, **sbc);
+  if (!replayed) {
+    return reportFailure(replayed.error());
+  }
+  return tellReplay(*trace, *replayed, (*sbc)->way());
+}
+
+}  // namespace glider::driver

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "driver/sim_options.h"
+
+#include "driver/flight_files.h"
+#include "driver/sbc_choice.h"
+#include "support/files.h"
+
+#include <filesystem>
+
+namespace glider::driver {
+namespace {
+
+/// What files of this flight are called: after the mission's file, whose name is one that a file
+/// can have.
+std::string stemOf(const SimOptions& options) {
+  const std::string named = options.mission.empty() ? options.program : options.mission;
+  const std::string stem = std::filesystem::path(named).stem().string();
+  return stem.empty() ? "layered" : stem;
+}
+
+}  // namespace
+
+std::string outputFolder(const SimOptions& options) {
+  return options.output.empty() ? stemOf(options) + "-flight" : options.output;
+}
+
+support::Result<simulator::StartSbc> chooseSbc(const SimOptions& options,
+                                               const Compilation* compilation, bool keeps_time) {
+  if (options.without_sbc) {
+    return simulator::StartSbc();
+  }
+  if (!options.program.empty()) {
+    return sbcProgram(options.program);
+  }
+  if (options.board.empty()) {
+    return sbcInProcess(*compilation, options.launch, options.user_code, keeps_time);
+  }
+  // The board's binary is built where the report will be.
+  if (auto made = makeFolder(outputFolder(options)); !made) {
+    return std::unexpected(made.error());
+  }
+  return sbcOnBoard(*compilation, options.launch, options.user_code, options.board, stemOf(options),
+                    outputFolder(options));
+}
+
+}  // namespace glider::driver

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "driver/compilation.h"
+#include "driver/launch_choice.h"
+#include "report/picture/picture.h"
+#include "simulator/simulator.h"
+#include "support/result.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace glider::driver {
+
+/// What `glidercc sim` is asked to fly.
+struct SimOptions {
+  std::string mission;
+  std::string scenario = "default";
+  std::string board;
+  std::string program;
+  bool without_sbc = false;
+  std::optional<uint64_t> seed;
+  std::optional<double> kill_sbc_at_s;
+  std::string output;
+  std::string replay;   ///< the file of a run; empty: none
+  std::string picture;  ///< the file of a picture; empty: none
+  report::PictureStyle picture_style;
+  LaunchChoice launch;
+  std::vector<std::string> user_code;
+};
+
+/// The folder that is named, or one called after the mission.
+std::string outputFolder(const SimOptions& options);
+
+/// What starts the SBC, empty for none; `keeps_time`: as for a flight in which something goes
+/// wrong. A board's binary is built into `outputFolder`.
+support::Result<simulator::StartSbc> chooseSbc(const SimOptions& options,
+                                               const Compilation* compilation, bool keeps_time);
+
+}  // namespace glider::driver

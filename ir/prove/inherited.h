@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "ir/core/mission.h"
+
+#include <functional>
+#include <vector>
+
+namespace glider::ir::prove {
+
+/// Which variables and which expressions have a property.
+struct Inherited {
+  std::vector<bool> variables;
+  std::vector<bool> expressions;
+};
+
+/// A property of values, as "never unknown": how it is handed on.
+struct Inheritance {
+  /// Whether an expression has it, of which all operands, and the variables for now, are judged.
+  std::function<bool(size_t expression, const Inherited& judged)> expression;
+  /// Whether a variable begins with it; `initial`: whether it has an initial value, which has it.
+  std::function<bool(const Variable& variable, bool initial)> begins;
+  /// Whether a `set` to a value without it takes it away.
+  bool lost_by_set = true;
+};
+
+/// The greatest set that explains itself: all variables have the property until something without
+/// it can reach them.
+Inherited greatestSet(const Mission& mission, const Inheritance& inheritance);
+
+}  // namespace glider::ir::prove

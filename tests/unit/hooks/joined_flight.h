@@ -1,0 +1,341 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "hooks/client/client.h"
+#include "hooks/hookbeh/hookbeh.h"
+#include "hooks/hookprog/hookprog.h"
+#include "tests/unit/hooks/line_ends.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <random>
+#include <set>
+#include <string>
+
+/// Client, hookprog, clothesline and hookbeh joined over lines that lose and flip bytes.
+namespace glider::hooks {
+
+/// A serial line with a speed and noise, between two ends in memory.
+class NoisyLine {
+ public:
+  NoisyLine(double bytes_a_second, double damage, uint32_t seed)
+      : speed_(bytes_a_second), damage_(damage), random_(seed) {}
+  GliderByteStream left() { return left_.left(); }
+  GliderByteStream right() { return right_.right(); }
+  /// Moves what the line carries in `seconds`.
+  void carry(double seconds) {
+    now_ += seconds;
+    move(left_.right(), right_.left(), to_right_, seconds);
+    move(right_.left(), left_.right(), to_left_, seconds);
+  }
+  void setDamage(double damage) { damage_ = damage; }
+  void setDelay(double seconds) { delay_ = seconds; }
+  /// Longer frames do not get through to the right end.
+  void setLongestToRight(size_t bytes) { to_right_.longest = bytes; }
+
+ private:
+  struct UnderWay {
+    uint8_t byte;
+    double due;
+  };
+  struct Way {
+    std::vector<uint8_t> frame;  ///< as far as it has come
+    std::deque<UnderWay> bytes;
+    size_t longest = SIZE_MAX;
+  };
+
+  void move(const GliderByteStream& from, const GliderByteStream& to, Way& way, double seconds) {
+    uint8_t byte = 0;
+    for (double budget = speed_ * seconds; budget >= 1 && from.read(from.self, &byte, 1) == 1;
+         --budget) {
+      if (chance_(random_) < damage_) {
+        if (random_() % 2 == 0) {
+          continue;
+        }
+        byte = static_cast<uint8_t>(byte ^ (1U << random_() % 8));
+      }
+      way.frame.push_back(byte);
+      if (byte == 0) {
+        for (const uint8_t one :
+             way.frame.size() <= way.longest ? way.frame : std::vector<uint8_t>()) {
+          way.bytes.push_back({one, now_ + delay_});
+        }
+        way.frame.clear();
+      }
+    }
+    for (; !way.bytes.empty() && way.bytes.front().due <= now_; way.bytes.pop_front()) {
+      to.write(to.self, &way.bytes.front().byte, 1);
+    }
+  }
+
+  double speed_;
+  double damage_;
+  double delay_ = 0, now_ = 0;
+  Way to_left_, to_right_;
+  std::mt19937 random_;
+  std::uniform_real_distribution<double> chance_{0, 1};
+  MemoryLine left_;
+  MemoryLine right_;
+};
+
+/// The flight controller: a sensor array, hookbeh, a clothesline, and a vehicle that moves as it is
+/// told.
+class FlightController {
+ public:
+  explicit FlightController(bool with_hookbeh = true)
+      : hookbeh_(args()), with_hookbeh_(with_hookbeh) {}
+
+  static HookbehArgs args() {
+    HookbehArgs args;
+    args.start_secs = 60;
+    return args;
+  }
+
+  void cycle(const GliderByteStream& line) {
+    time += 4;
+    ++cycle_;
+    depth = std::max(0.0, depth + (outputs.commanding ? (outputs.pump_cc < 0 ? 0.8 : -0.8) : 0.0));
+    SensorUpdate updates[64];
+    for (uint32_t count = 64; count == 64;) {
+      count = clothesline_.poll(line, updates, 64);
+      for (uint32_t i = 0; i < count; ++i) {
+        array_[updates[i].id] = updates[i].value;
+      }
+      received += count;
+    }
+    if (with_hookbeh_) {
+      outputs = hookbeh_.cycle(inputs());
+    }
+    report(line);
+  }
+
+  HookbehOutputs outputs;
+  double time = 0;
+  double depth = 10;
+  uint32_t received = 0;
+  /// What was reported in each cycle.
+  struct Report {
+    double depth = 0, latitude = 0;
+  };
+  std::map<uint32_t, Report> reported;
+
+ private:
+  double get(uint16_t id) const {
+    const auto found = array_.find(id);
+    return found == array_.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
+  }
+
+  HookbehInputs inputs() const {
+    HookbehInputs in;
+    in.time_s = time;
+    in.depth_m = depth;
+    in.altitude_m = std::numeric_limits<double>::quiet_NaN();
+    in.heartbeat = get(GLIDER_SCI_HOOK_HEARTBEAT);
+    in.session = get(GLIDER_SCI_HOOK_SESSION);
+    in.sequence = get(GLIDER_SCI_HOOK_SEQUENCE);
+    in.control = get(GLIDER_SCI_HOOK_CONTROL);
+    in.vertical = get(GLIDER_SCI_HOOK_VERTICAL);
+    in.lateral = get(GLIDER_SCI_HOOK_LATERAL);
+    in.hook_depth_m = get(GLIDER_SCI_HOOK_DEPTH);
+    in.hook_pitch_rad = get(GLIDER_SCI_HOOK_PITCH);
+    in.hook_heading_rad = get(GLIDER_SCI_HOOK_HEADING);
+    in.hook_latitude_ddmm = get(GLIDER_SCI_HOOK_LAT);
+    in.hook_longitude_ddmm = get(GLIDER_SCI_HOOK_LON);
+    in.check = get(GLIDER_SCI_HOOK_CHECK);
+    return in;
+  }
+
+  void report(const GliderByteStream& line) {
+    std::vector<SensorUpdate> report{
+        {GLIDER_M_DEPTH, depth}, {GLIDER_M_PITCH, 0.1}, {GLIDER_M_LAT, latitude()}};
+    reported[static_cast<uint32_t>(cycle_)] = {static_cast<double>(static_cast<float>(depth)),
+                                               latitude()};
+    if (with_hookbeh_) {
+      report.push_back({GLIDER_X_HOOK_STATE, static_cast<double>(outputs.state)});
+      report.push_back({GLIDER_X_HOOK_SEQUENCE, static_cast<double>(outputs.answered_sequence)});
+      report.push_back({GLIDER_X_HOOK_ANSWER, static_cast<double>(outputs.answer)});
+      report.push_back({GLIDER_X_HOOK_SESSION, static_cast<double>(outputs.session)});
+    }
+    report.push_back({GLIDER_M_PRESENT_SECS_INTO_MISSION, time});
+    report.push_back({GLIDER_M_CYCLE_NUMBER, cycle_});
+    clothesline_.send(report.data(), static_cast<uint32_t>(report.size()));
+    SensorUpdate unused[1];
+    clothesline_.poll(line, unused, 0);
+  }
+
+  /// Changes now and then, back and forth.
+  double latitude() const { return 3910 + std::floor(cycle_ / 3) - 2 * std::floor(cycle_ / 6); }
+
+  Clothesline clothesline_;
+  Hookbeh hookbeh_;
+  bool with_hookbeh_;
+  std::map<uint16_t, double> array_;
+  double cycle_ = 0;
+};
+
+/// A mission on the SBC: takes control, flies a yo whose pitch differs each time, gives back after
+/// a while.
+class Mission {
+ public:
+  explicit Mission(double give_back_s, uint32_t session = 1, float dead_band = 0)
+      : give_back_s_(give_back_s), client_(options(session, dead_band)) {}
+
+  static ClientOptions options(uint32_t session, float dead_band) {
+    static Subscription sensors[2];
+    sensors[0] = {GLIDER_M_DEPTH, 1, dead_band};
+    sensors[1] = {GLIDER_M_LAT};
+    ClientOptions options;
+    options.mission_name = "yo";
+    options.session = session;
+    options.sensors = sensors;
+    options.sensor_count = 2;
+    return options;
+  }
+
+  void step(const GliderByteStream& line, double now) {
+    clock_.seconds = now;
+    while (true) {
+      const ClientEvent event = client_.poll(line, clock_.clock());
+      if (event == ClientEvent::Tick) {
+        if (!stuck) {
+          decide();
+          newest_s_ = now;
+        }
+        client_.done({newest_s_, 0, 0, MissionPhase::Flying}, line);
+      } else if (event != ClientEvent::Handled) {
+        return;
+      }
+    }
+  }
+
+  /// What was told to hookbeh under each sequence number.
+  std::map<uint16_t, Instruction> told;
+  bool finished = false;
+  bool stuck = false;  ///< it answers, but that is all
+  /// Sees each tick.
+  std::function<void(const VehicleTick&)> watch = [](const VehicleTick&) {};
+
+ private:
+  void decide() {
+    const VehicleTick& tick = client_.tick();
+    watch(tick);
+    for (uint32_t i = 0; i < tick.reading_count; ++i) {
+      if (tick.readings[i].id == GLIDER_M_DEPTH) {
+        depth_ = tick.readings[i].value;
+      }
+    }
+    if (finished || tick.hook_state == HookState::Waiting) {
+      return;
+    }
+    if (tick.vehicle_time_s >= give_back_s_) {
+      finished = true;
+      tell(HookControl::GiveBack);
+    } else if ((tick.hook_state == HookState::Ready && !asked_) ||
+               tick.hook_state == HookState::Silent) {
+      asked_ = true;
+      down_ = true;
+      tell(HookControl::Take);
+    } else if (depth_ >= 20 && down_) {
+      down_ = false;
+      tell(HookControl::Steer);
+    } else if (depth_ <= 5 && !down_) {
+      down_ = true;
+      tell(HookControl::Steer);
+    }
+  }
+
+  void tell(HookControl control) {
+    Instruction instruction;
+    instruction.control = control;
+    instruction.vertical = down_ ? HookVertical::Descend : HookVertical::Ascend;
+    instruction.depth_m = down_ ? 20.1 : 5.1;
+    turn_ = (turn_ + 1) % 20;
+    instruction.pitch_rad = (down_ ? -1 : 1) * (0.2 + 0.01 * turn_);
+    const uint16_t sequence = client_.instruct(instruction);
+    told[sequence] = roundToArray(instruction);
+  }
+
+  double give_back_s_;
+  Client client_;
+  HandClock clock_;
+  double depth_ = 10, newest_s_ = 0;
+  bool down_ = true;
+  bool asked_ = false;
+  int turn_ = 0;
+};
+
+/// The whole vehicle for some seconds.
+class Vehicle {
+ public:
+  Vehicle(double damage, uint32_t seed, bool with_hookbeh = true)
+      : sbc_line(11520, damage, seed),
+        flight_line(960, damage, seed + 1000),
+        flight(with_hookbeh) {}
+
+  /// One second; `mission` may be null: no SBC.
+  void second(Mission* mission) {
+    if (now_ % 4 == 0) {
+      flight.cycle(flight_line.right());
+    }
+    flight_line.carry(1);
+    hookprog.run(now_,
+                 {nullptr,
+                  [](void*, uint16_t, bool* fresh) {
+                    *fresh = false;
+                    return 0.0;
+                  }},
+                 sbc_line.left(), flight_line.left());
+    sbc_line.carry(0.5);
+    if (mission != nullptr) {
+      mission->step(sbc_line.right(), now_);
+    }
+    sbc_line.carry(0.5);
+    ++now_;
+  }
+
+  NoisyLine sbc_line;
+  NoisyLine flight_line;
+  FlightController flight;
+  Hookprog hookprog{HookprogOptions{}};
+
+ private:
+  int now_ = 0;
+};
+
+/// Checks in every second that what hookbeh does is what the mission last told and hookbeh
+/// accepted.
+class Witness {
+ public:
+  void look(const FlightController& flight, const Mission& mission) {
+    const HookbehOutputs& out = flight.outputs;
+    if (out.answer == HookAnswer::Accepted && out.answered_sequence != accepted_) {
+      accepted_ = out.answered_sequence;
+      ASSERT_TRUE(mission.told.contains(accepted_)) << "an instruction nobody gave";
+      ASSERT_TRUE(seen_.insert(accepted_).second) << "a command twice";
+    }
+    if (!out.commanding) {
+      return;
+    }
+    const std::string doing = out.doing;
+    if (doing == "dive_to" || doing == "climb_to" || doing == "hold") {
+      ASSERT_TRUE(mission.told.contains(accepted_));
+      EXPECT_EQ(out.pitch_rad, mission.told.at(accepted_).pitch_rad)
+          << "at " << flight.time << " s";
+    }
+  }
+  [[nodiscard]] size_t accepted() const { return seen_.size(); }
+
+ private:
+  uint16_t accepted_ = 0;
+  std::set<uint16_t> seen_;
+};
+
+}  // namespace glider::hooks

@@ -12,9 +12,11 @@
 #include "driver/share.h"
 #include "driver/sim_options.h"
 #include "driver/terminal.h"
+#include "report/picture/picture.h"
 #include "report/summary.h"
 #include "report/warnings.h"
 #include "simulator/simulator.h"
+#include "support/files.h"
 #include "support/trace/trace.h"
 
 #include <CLI/CLI.hpp>
@@ -57,6 +59,12 @@ int flyAndReport(simulator::SimulationSetup setup, const SimOptions& options) {
   const std::string folder = outputFolder(options);
   if (auto written = writeFlight(*trace, folder); !written) {
     return reportFailure(written.error());
+  }
+  if (!options.picture.empty()) {
+    const std::string drawn = report::drawPicture(*trace, options.picture_style);
+    if (auto written = support::writeFileAtomically(options.picture, drawn); !written) {
+      return reportFailure(written.error());
+    }
   }
   const double flown = trace->rowCount() == 0 ? 0 : trace->at(trace->rowCount() - 1, 0);
   const auto printed =
@@ -120,6 +128,24 @@ std::string checkTime(const std::string& text) {
   return good ? "" : fmt::format("`{}` is no time from 0 s on", text);
 }
 
+void addPictureOptions(CLI::App& command, SimOptions& options) {
+  auto* picture = command
+                      .add_option("--picture", options.picture,
+                                  "Also draw the flight as one SVG, for a paper or a logbook")
+                      ->option_text("FILE")
+                      ->excludes("--replay");
+  std::vector<std::string> names = {"state"};
+  for (const report::Quantity& quantity : report::pictureQuantities()) {
+    names.emplace_back(quantity.name);
+  }
+  command
+      .add_option("--colour", options.picture_style.colour,
+                  "What colours the picture's track; without it chlorophyll where it was measured, "
+                  "else the temperature")
+      ->check(CLI::IsMember(names))
+      ->needs(picture);
+}
+
 void addOptions(CLI::App& command, SimOptions& options) {
   auto* mission = command.add_option("MISSION", options.mission, "The mission file");
   command
@@ -154,6 +180,7 @@ void addOptions(CLI::App& command, SimOptions& options) {
       ->excludes("--seed")
       ->excludes("--kill-sbc-at")
       ->needs(mission);
+  addPictureOptions(command, options);
   program->excludes(board);
   without->excludes(mission)->excludes(board)->excludes(program);
 }

@@ -5,6 +5,7 @@
 
 #include "driver/compilation.h"
 #include "driver/launch_choice.h"
+#include "report/picture/picture.h"
 #include "simulator/simulator.h"
 #include "support/result.h"
 
@@ -25,7 +26,9 @@ struct SimOptions {
   std::optional<uint64_t> seed;
   std::optional<double> kill_sbc_at_s;
   std::string output;
-  std::string replay;  ///< the file of a run; empty: none
+  std::string replay;   ///< the file of a run; empty: none
+  std::string picture;  ///< the file of a picture; empty: none
+  report::PictureStyle picture_style;
   LaunchChoice launch;
   std::vector<std::string> user_code;
 };

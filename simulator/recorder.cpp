@@ -80,6 +80,8 @@ constexpr Column kColumns[] = {
     COLUMN("order_bottom", "m", m.flight.order().bottom_m),
     COLUMN("isotherm_depth", "m", m.isotherm_m),
     COLUMN("water_depth", "m", m.water_depth_m),
+    COLUMN("c_wpt_lat", "deg", fromDdmm(m.flight.waypointLatitude())),
+    COLUMN("c_wpt_lon", "deg", fromDdmm(m.flight.waypointLongitude())),
     COLUMN("layer", "", m.flight.layer() == kNoLayer ? kNaN : m.flight.layer()),
     // NaN in a cycle without an echo.
     COLUMN("m_altitude", "m",

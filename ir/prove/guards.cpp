@@ -4,6 +4,7 @@
 #include "ir/prove/passes.h"
 #include "ir/prove/question.h"
 #include "ir/prove/reasons.h"
+#include "ir/prove/trials.h"
 
 #include <fmt/format.h>
 
@@ -60,12 +61,16 @@ class GuardCheck {
 
   std::vector<Verdict> judge(const std::vector<Case>& cases) {
     std::vector<Verdict> verdicts(cases.size());
+    const std::vector<Seen> seen = tryOut(proof_.ground, cases);
     for (uint32_t i = 0; i < cases.size(); ++i) {
-      verdicts[i] = judge(cases, i, verdicts);
+      if (!seen[i].first || !seen[i].idle) {
+        verdicts[i] = judge(cases, i, verdicts);
+      }
     }
     return verdicts;
   }
 
+  /// Asks the solver.
   Verdict judge(const std::vector<Case>& cases, uint32_t number,
                 const std::vector<Verdict>& earlier) {
     Verdict verdict;

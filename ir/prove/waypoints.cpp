@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace glider::ir::prove {
@@ -36,6 +38,9 @@ class WaypointCheck {
       }
     }
     for (const Waypoint& one : waypoints_) {
+      places_.emplace(one.place.latitude, one.place.longitude);
+    }
+    for (const Waypoint& one : waypoints_) {
       check(one);
     }
   }
@@ -56,9 +61,12 @@ class WaypointCheck {
 
   void check(const Waypoint& one) {
     double nearest = std::numeric_limits<double>::infinity();
-    for (const Waypoint& other : waypoints_) {
-      const double apart = onEarth(Op::Distance, one.place, other.place);
+    for (const auto& [latitude, longitude] : places_) {
+      const double apart = onEarth(Op::Distance, one.place, {latitude, longitude});
       nearest = apart > 0 ? std::min(nearest, apart) : nearest;
+      if (nearest <= kFarOff) {
+        return;
+      }
     }
     const bool told = std::ranges::find(told_, one.range.begin) != told_.end();
     if (std::isfinite(nearest) && nearest > kFarOff && !told) {
@@ -71,6 +79,7 @@ class WaypointCheck {
   Proof& proof_;
   const Mission& m_;
   std::vector<Waypoint> waypoints_;
+  std::set<std::pair<double, double>> places_;  ///< of all, each once
   std::vector<uint32_t> told_;
 };
 

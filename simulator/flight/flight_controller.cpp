@@ -233,7 +233,10 @@ Commands FlightController::decide(const Situation& s) {
 void FlightController::control(const Commands& commands, const Situation& s, Vehicle& vehicle) {
   double distance = kNaN;
   double bearing = 0;
-  if (commands.heading->mode == HeadingCommand::Mode::Waypoint) {
+  const bool to_waypoint = commands.heading->mode == HeadingCommand::Mode::Waypoint;
+  waypoint_latitude_ddmm_ = to_waypoint ? commands.heading->latitude_ddmm : kNaN;
+  waypoint_longitude_ddmm_ = to_waypoint ? commands.heading->longitude_ddmm : kNaN;
+  if (to_waypoint) {
     navigator_.toWaypoint(commands.heading->latitude_ddmm, commands.heading->longitude_ddmm,
                           distance, bearing);
   }

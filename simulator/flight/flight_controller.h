@@ -48,6 +48,9 @@ class FlightController {
   /// The behaviour that commands the pitch, by its place in the mission file; kNoLayer after an
   /// abort.
   [[nodiscard]] int layer() const { return layer_; }
+  /// The waypoint that the vehicle steers to, degrees and minutes (ddmm.mmmm); NaN: to none.
+  [[nodiscard]] double waypointLatitude() const { return waypoint_latitude_ddmm_; }
+  [[nodiscard]] double waypointLongitude() const { return waypoint_longitude_ddmm_; }
   /// Why the mission is over; empty while it is not.
   [[nodiscard]] const std::string& end() const { return end_; }
   /// The SBC's mission is in another state: of the range that the one before ordered only the
@@ -91,6 +94,8 @@ class FlightController {
   Abort abort_ = Abort::None;
   HookOrder order_;
   double ordered_sequence_ = std::numeric_limits<double>::quiet_NaN();
+  double waypoint_latitude_ddmm_ = std::numeric_limits<double>::quiet_NaN();
+  double waypoint_longitude_ddmm_ = std::numeric_limits<double>::quiet_NaN();
   int layer_ = kNoLayer;
   bool sbc_gone_ = false;
   std::string end_;

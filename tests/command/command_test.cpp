@@ -103,6 +103,17 @@ TEST(Command, UnknownPlatform) {
   expectFailure(outcome, 1, "GL9301");
 }
 
+TEST(Command, APictureIsDrawnWhereItIsWanted) {
+  const TemporaryFolder folder;
+  const std::string picture = (folder.path() / "flight.svg").string();
+  const std::string sim = "$GLIDERCC sim " + kFigure2 + " -o " + (folder.path() / "f").string();
+  EXPECT_EQ(runShell(sim + " --picture " + picture + " --colour state").status, 0);
+  EXPECT_THAT(slurp(picture), HasSubstr("</svg>"));
+  expectFailure(runShell(sim + " --picture /nonexistent/flight.svg"), 2, "GL9002");
+  EXPECT_EQ(runShell(sim + " --colour state").status, 2) << "colours of what?";
+  EXPECT_EQ(runShell(sim + " --picture " + picture + " --colour taste").status, 2);
+}
+
 // accepts: GL9302
 TEST(Command, UnknownScenarioNamesThoseThereAre) {
   const Outcome outcome = runShell("cd /tmp && $GLIDERCC sim " + kFigure2 + " --scenario nowhere");

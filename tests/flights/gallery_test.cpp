@@ -4,10 +4,11 @@
 // Every mission of the gallery is fine, builds for every board, and does in its world what it is
 // for.
 
-#include "tests/support/command.h"
+#include "tests/flights/flight.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <gmock/gmock.h>
 #include <set>
 
@@ -27,12 +28,12 @@ const GalleryFlight kFlights[] = {
     {"avoid_ground", "shelf_slope", "transect → rise (call, always case 1)"},
     {"bloom", "bloom", "sample → transect (return)"},
     {"bottom_following", "shelf_slope", "follow → end (exit)"},
-    {"front", "front", "across → back (goto)"},
+    {"front", "front", "back → across (goto)"},
     {"hull_sweep", "default", "map → end (exit)  routedone"},
     {"isotherms", "default", "sample → end (exit)"},
     {"low_battery", "low_battery", "survey → give_back (goto, always case 1)"},
     {"surface_on_event", "default", "strong layer"},
-    {"survey_box", "default", "leg, metres to go 4"},
+    {"survey_box", "default", "leg, metres to go 5"},
     {"thermocline", "figure5", "the mission has ended normally"},
     {"virtual_mooring", "default", "back → keep (return)"},
     {"water_column", "default", "stop → up (goto)"},
@@ -65,6 +66,36 @@ TEST_P(Gallery, IsFineBuildsAndFlies) {
 
 INSTANTIATE_TEST_SUITE_P(Missions, Gallery, testing::ValuesIn(kFlights),
                          [](const auto& tested) { return std::string(tested.param.mission); });
+
+/// A mooring that trusts its reckoning drifts away with it.
+TEST(GalleryFlights, TheVirtualMooringStaysWhereItIsInTruth) {
+  const Flight flight = fly(pathOf("virtual_mooring") + " --scenario default");
+  const auto east = flight.column("true_x"), north = flight.column("true_y");
+  double furthest = 0;
+  for (size_t i = 0; i < east.size(); ++i) {
+    furthest = std::fmax(furthest, std::hypot(east[i], north[i]));
+  }
+  EXPECT_GT(furthest, 300) << "it drifts at all";
+  EXPECT_LT(furthest, 450) << "and comes back";
+}
+
+TEST(GalleryFlights, TheFrontIsCrossedAgainAndAgain) {
+  const Flight flight = fly(pathOf("front") + " --scenario front");
+  EXPECT_GE(flight.transitions().size(), 9U);
+}
+
+TEST(GalleryFlights, DivesEndNearTheBottomButNotOnIt) {
+  for (const char* mission : {"bottom_following", "avoid_ground"}) {
+    const Flight flight = fly(pathOf(mission) + " --scenario shelf_slope");
+    const auto depth = flight.column("true_depth"), bottom = flight.column("water_depth");
+    double nearest = 1000;
+    for (size_t i = 0; i < depth.size(); ++i) {
+      nearest = std::fmin(nearest, bottom[i] - depth[i]);
+    }
+    EXPECT_GT(nearest, 4) << mission;
+    EXPECT_LT(nearest, 7) << mission;
+  }
+}
 
 TEST(GalleryList, HasEveryMission) {
   std::set<std::string> listed;

@@ -3,7 +3,7 @@
 
 // Mutations of every mission and golden of the project, the same on every run: bytes changed, words
 // moved, doubled, dropped and exchanged between files. GLIDER_FUZZ_ROUNDS sets how many (default
-// 1,500).
+// 10,000).
 
 #include <gtest/gtest.h>
 

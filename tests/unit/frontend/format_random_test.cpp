@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // Whatever is formatted keeps its AST and its comments, and is not changed by formatting it again.
+// What is printed of the AST of the same texts reads back as that AST.
 
 #include "frontend/format/format.h"
 #include "tests/unit/frontend/compile.h"
@@ -52,7 +53,10 @@ bool expectKept(const std::string& text) {
   EXPECT_TRUE(twice.has_value()) << second.said() << *once;
   EXPECT_EQ(twice.value_or(""), *once) << text;
   FrontendRun before(text);
-  EXPECT_TRUE(before.parse() == second.parse()) << text << *once;
+  const auto parsed = before.parse();
+  EXPECT_TRUE(parsed == second.parse()) << text << *once;
+  const std::string printed = ast::print(*parsed);
+  EXPECT_TRUE(FrontendRun(printed).parse() == parsed) << text << printed;
   EXPECT_EQ(commentsOf(text), commentsOf(*once)) << text << *once;
   for (const char* wrong : {" \n", "\n\n\n", "\t", "\r"}) {
     // Inside strings and comments a tab may stay.

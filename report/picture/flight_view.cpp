@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "report/picture/flight_view.h"
+
+#include "report/figures.h"
+#include "report/picture/colours.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace glider::report::picture {
+
+using support::Trace;
+
+std::vector<double> valuesOf(const Trace& trace, std::string_view name) {
+  const int column = trace.column(name);
+  std::vector<double> values(trace.rowCount(), std::numeric_limits<double>::quiet_NaN());
+  for (size_t row = 0; column >= 0 && row < values.size(); ++row) {
+    values[row] = trace.at(row, column);
+  }
+  return values;
+}
+
+bool isKnown(const Trace& trace, std::string_view name) {
+  return std::ranges::any_of(valuesOf(trace, name), [](double v) { return std::isfinite(v); });
+}
+
+std::vector<double> pilotsOf(const Trace& trace) {
+  std::vector<double> pilots = valuesOf(trace, "state");
+  const auto active = valuesOf(trace, "hook_active");
+  // Taking over and giving back lasts a cycle in which hookbeh is active before the first state and
+  // after the last: that is nobody's state. Only a mission in C has none throughout.
+  const bool stateless = !isKnown(trace, "state");
+  for (size_t row = 0; row < pilots.size(); ++row) {
+    if (!(pilots[row] >= 0)) {
+      pilots[row] = stateless && active[row] > 0 ? kStateless : kLayered;
+    }
+  }
+  return pilots;
+}
+
+std::vector<Span> spansOf(const Trace& trace) {
+  std::vector<Span> spans;
+  const auto pilots = pilotsOf(trace);
+  for (size_t row = 0; row < pilots.size(); ++row) {
+    const double pilot = pilots[row];
+    if (spans.empty() || spans.back().pilot != pilot) {
+      spans.push_back({row, row, pilot});
+      if (spans.size() > 1) {
+        spans[spans.size() - 2].end = row;
+      }
+    }
+    spans.back().end = row;
+  }
+  return spans;
+}
+
+std::string pilotName(const Trace& trace, double pilot) {
+  return pilot == kLayered     ? "layered control"
+         : pilot == kStateless ? "payload computer"
+                               : stateName(trace, pilot);
+}
+
+std::string_view pilotColour(double pilot) {
+  return pilot == kLayered ? kGrey : stateColour(pilot);
+}
+
+Extent extentOf(const std::vector<double>& values) {
+  Extent extent{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
+  for (const double value : values) {
+    if (std::isfinite(value)) {
+      extent = {std::fmin(extent.least, value), std::fmax(extent.greatest, value)};
+    }
+  }
+  return extent;
+}
+
+}  // namespace glider::report::picture

@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "report/picture/picture.h"
+
+#include "report/figures.h"
+#include "report/graph/text_lines.h"
+#include "report/picture/colours.h"
+#include "report/picture/depth_chart.h"
+#include "report/picture/track_map.h"
+#include "report/text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace glider::report {
+namespace {
+
+using namespace picture;
+using support::Trace;
+
+/// Dark on white, whatever the reader's background: the colours are chosen for it.
+constexpr std::string_view kStyle = R"svg(<style>
+text { font-family: "Helvetica Neue", Helvetica, Arial, "Liberation Sans", "DejaVu Sans", sans-serif; fill: #1b2733 }
+.title { font-size: 18px; font-weight: bold }
+.label { font-size: 13px }
+.tick { font-size: 12px }
+.muted { font-size: 13px; fill: #566573 }
+.halo { paint-order: stroke; stroke: #ffffff; stroke-width: 4px; stroke-linejoin: round }
+path { fill: none; stroke-linejoin: round; stroke-linecap: butt }
+.grid { stroke: #e6eaee; stroke-width: 1 }
+.frame { fill: none; stroke: #1b2733; stroke-width: 1 }
+.isotherm { stroke: #8fa6ba; stroke-width: 1 }
+.marked { stroke: #1b2733; stroke-width: 1.5; stroke-dasharray: 5 3 }
+.order { stroke: #1b2733; stroke-width: .9 }
+.change { stroke: #566573; stroke-width: .8; stroke-dasharray: 1 3 }
+.seabed { fill: #d9cdbd; stroke: #7d6c55; stroke-width: 1 }
+.around { stroke: #ffffff; stroke-width: 3; stroke-opacity: .8 }
+.track { stroke-width: 2.4; stroke-linecap: round }
+.reckoned { stroke: #566573; stroke-width: 1; stroke-dasharray: 4 3 }
+.waypoint { fill: #ffffff; stroke: #1b2733; stroke-width: 1.3 }
+.mark { fill: #ffffff; stroke: #1b2733; stroke-width: 1.8 }
+</style>
+)svg";
+
+constexpr double kLeft = 62, kMargin = 16, kTop = 92, kHigh = 320, kMapWide = 320, kMapLeft = 70;
+constexpr double kWide = 940, kWideWithMap = 1080, kAxisRoom = 62;
+
+std::string headlineOf(const Trace& trace) {
+  const FlightFigures figures = flightFigures(trace);
+  std::string text = "scenario " + plain(trace.scenario);
+  if (std::isfinite(figures.duration_s)) {
+    const auto minutes = static_cast<long>(std::lround(figures.duration_s / 60));
+    text += minutes >= 100 ? fmt::format(" · {} h {:02} min", minutes / 60, minutes % 60)
+                           : fmt::format(" · {} min", minutes);
+  }
+  if (std::isfinite(figures.deepest_m)) {
+    text += fmt::format(" · {} yo{} to {:.0f} m", figures.yos, figures.yos == 1 ? "" : "s",
+                        figures.deepest_m);
+  }
+  if (figures.track != TrackSource::None) {
+    text += fmt::format(" · {:.1f} km over ground", figures.distance_m / 1000);
+  }
+  return text;
+}
+
+/// The states of the flight, each once, in the mission's order, then nobody's.
+std::vector<LegendEntry> pilotEntries(const Trace& trace) {
+  std::vector<double> pilots;
+  for (const Span& span : spansOf(trace)) {
+    if (std::ranges::find(pilots, span.pilot) == pilots.end()) {
+      pilots.push_back(span.pilot);
+    }
+  }
+  std::ranges::sort(pilots, {}, [](double pilot) { return pilot < 0 ? 1e9 - pilot : pilot; });
+  std::vector<LegendEntry> entries;
+  for (const double pilot : pilots) {
+    entries.push_back({"swatch", std::string(pilotColour(pilot)), pilotName(trace, pilot)});
+  }
+  return entries;
+}
+
+}  // namespace
+
+std::string drawPicture(const Trace& trace, const PictureStyle& style) {
+  const bool map = deservesMap(trace);
+  const double width = map ? kWideWithMap : kWide;
+  const Colouring colouring(trace, style);
+  const double right =
+      width - kMargin - (map ? kMapLeft + kMapWide : 0) - (colouring.quantity() ? kScaleRoom : 0);
+  const Box box{kLeft, kTop, right, kTop + kHigh};
+  SvgText body;
+  std::vector<LegendEntry> legend = pilotEntries(trace);
+  const auto drawn = drawDepthChart(body, trace, colouring, box);
+  legend.insert(legend.end(), drawn.begin(), drawn.end());
+  if (colouring.quantity()) {
+    drawScale(body, colouring, box);
+    if (colouring.hasUnknown()) {
+      legend.push_back({"swatch", std::string(kGrey), "not known"});
+    }
+  }
+  if (map) {
+    const auto mapped =
+        drawMap(body, trace, {width - kMargin - kMapWide, kTop, width - kMargin, kTop + kHigh});
+    legend.insert(legend.end(), mapped.begin(), mapped.end());
+  }
+  const double legend_top = box.bottom + kAxisRoom;
+  const double height =
+      legend_top + drawLegend(body, legend, {kLeft, legend_top}, width - kLeft - kMargin) + 2;
+  const std::string name = trace.mission.empty() ? "layered control" : plain(trace.mission);
+  SvgText svg;
+  svg.add(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" width=\"{0}\" height=\"{1}\" "
+      "viewBox=\"0 0 {0} {1}\">\n<title>{2}</title>\n",
+      px(width), px(std::ceil(height)), toXml("the flight of mission " + name));
+  svg.add(kStyle);
+  svg.add("<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n");
+  addText(svg, {kLeft, 30}, "start", "title", name);
+  addText(svg, {kLeft, 51}, "start", "muted", headlineOf(trace));
+  svg.add(body.take());
+  svg.add("</svg>\n");
+  return svg.take();
+}
+
+}  // namespace glider::report

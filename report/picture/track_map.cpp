@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "report/picture/track_map.h"
+
+#include "report/figures.h"
+#include "report/picture/flight_view.h"
+#include "report/picture/waypoints.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace glider::report::picture {
+namespace {
+
+using support::Trace;
+
+struct Track {
+  std::vector<double> east, north;
+};
+
+Track trackOf(const Trace& trace, const char* east, const char* north) {
+  return {valuesOf(trace, east), valuesOf(trace, north)};
+}
+
+/// Where a name stands, and on which side of its place.
+struct Label {
+  Dot place;
+  bool to_left;
+};
+
+class Map {
+ public:
+  Map(SvgText& svg, const Trace& trace, const Box& box)
+      : svg_(svg),
+        trace_(trace),
+        box_(box),
+        truth_(isKnown(trace, "true_x") ? trackOf(trace, "true_x", "true_y")
+                                        : trackOf(trace, "m_x_lmc", "m_y_lmc")) {
+    Track both = truth_;  // and all else that the map holds
+    if (isKnown(trace, "true_x")) {
+      reckoned_ = trackOf(trace, "m_x_lmc", "m_y_lmc");
+      both.east.insert(both.east.end(), reckoned_.east.begin(), reckoned_.east.end());
+      both.north.insert(both.north.end(), reckoned_.north.begin(), reckoned_.north.end());
+    }
+    for (const Dot& dot : waypoints_) {
+      both.east.push_back(dot.x);
+      both.north.push_back(dot.y);
+    }
+    const Extent east = extentOf(both.east), north = extentOf(both.north);
+    constexpr double kMargin = 1.16, kLeast = 20;  // of the track's size; m
+    metres_ =
+        kMargin * std::max({east.greatest - east.least, north.greatest - north.least, kLeast});
+    middle_ = {(east.least + east.greatest) / 2, (north.least + north.greatest) / 2};
+  }
+
+  std::vector<LegendEntry> draw() {
+    axes();
+    addPath(svg_, "reckoned", {lineOf(reckoned_, 0, reckoned_.east.size())});
+    flown();
+    addFrame(svg_, box_);
+    ends();
+    waypoints();
+    std::vector<LegendEntry> legend;
+    if (!reckoned_.east.empty()) {
+      legend.push_back({"reckoned", "", "dead-reckoned track"});
+    }
+    if (!waypoints_.empty()) {
+      legend.push_back({"waypoint", "", "waypoint"});
+    }
+    return legend;
+  }
+
+ private:
+  [[nodiscard]] Dot at(double east, double north) const {
+    const double scale = box_.width() / metres_;
+    return {(box_.left + box_.right) / 2 + (east - middle_.x) * scale,
+            (box_.top + box_.bottom) / 2 - (north - middle_.y) * scale};
+  }
+
+  void axes() {
+    constexpr double kKilometre = 1000;
+    const bool km = metres_ > 5 * kKilometre;
+    const double unit = km ? kKilometre : 1, half = metres_ / 2,
+                 high = half * box_.height() / box_.width();
+    const double step = niceStep(metres_ / unit, 6);
+    addAcross(svg_, box_,
+              Axis((middle_.x - half) / unit, (middle_.x + half) / unit, box_.left, box_.right),
+              step, km ? "east (km)" : "east (m)");
+    addUp(svg_, box_,
+          Axis((middle_.y - high) / unit, (middle_.y + high) / unit, box_.bottom, box_.top), step,
+          km ? "north (km)" : "north (m)");
+  }
+
+  /// Rows from `begin` to `end` of a track.
+  [[nodiscard]] Line lineOf(const Track& track, size_t begin, size_t end) const {
+    Line line;
+    for (size_t row = begin; row <= end && row < track.east.size(); ++row) {
+      if (std::isfinite(track.east[row]) && std::isfinite(track.north[row])) {
+        line.push_back(at(track.east[row], track.north[row]));
+      }
+    }
+    return simplified(line, 1.0 / 3);
+  }
+
+  void flown() {
+    std::map<std::string, std::vector<Line>> by_colour;
+    for (const Span& span : spansOf(trace_)) {
+      by_colour[std::string(pilotColour(span.pilot))].push_back(
+          lineOf(truth_, span.begin, span.end));
+    }
+    for (const auto& [colour, lines] : by_colour) {
+      addPath(svg_, "track", colour, lines);
+    }
+  }
+
+  void waypoints() {
+    for (const Dot& waypoint : waypoints_) {
+      drawDiamond(svg_, at(waypoint.x, waypoint.y));
+    }
+  }
+
+  /// Where text of `name` can stand by `dot` without covering a waypoint or leaving the map: the
+  /// first such of four places, which begin on the side that faces the middle.
+  [[nodiscard]] Label labelAt(const Dot& dot, double up_first, std::string_view name) const {
+    constexpr double kAbove = -13, kBelow = 21, kClear = 7;
+    const double wide = textWidth(name, kLabelFont), first = up_first < 0 ? kAbove : kBelow;
+    const bool to_left = dot.x > (box_.left + box_.right) / 2;
+    const Label wanted{{dot.x, dot.y + first}, to_left};
+    for (const double up : {first, first == kAbove ? kBelow : kAbove}) {
+      for (const bool left : {to_left, !to_left}) {
+        const double x = left ? dot.x - wide : dot.x, y = dot.y + up - kLabelFont;
+        const auto covers = [&](const Dot& waypoint) {
+          const Dot mark = at(waypoint.x, waypoint.y);
+          return mark.x > x - kClear && mark.x < x + wide + kClear && mark.y > y - kClear &&
+                 mark.y < y + kLabelFont + kClear;
+        };
+        if (std::ranges::none_of(waypoints_, covers) && x > box_.left && x + wide < box_.right &&
+            y > box_.top && y + kLabelFont < box_.bottom) {
+          return {{dot.x, dot.y + up}, left};
+        }
+      }
+    }
+    return wanted;
+  }
+
+  void ends() {
+    const Line line = lineOf(truth_, 0, truth_.east.size());
+    const Dot &first = line.front(), &last = line.back();
+    svg_.add("<circle class=\"mark\" cx=\"{}\" cy=\"{}\" r=\"7\"/>\n", px(first.x), px(first.y));
+    svg_.add("<rect class=\"mark\" x=\"{}\" y=\"{}\" width=\"9\" height=\"9\"/>\n",
+             px(last.x - 4.5), px(last.y - 4.5));
+    // The upper one's name stands above, the lower one's below.
+    const double up = first.y <= last.y ? -1 : 1;
+    const auto name = [&](const Label& label, std::string_view text) {
+      addText(svg_, label.place, label.to_left ? "end" : "start", "label halo", text);
+    };
+    name(labelAt(first, up, "start"), "start");
+    name(labelAt(last, -up, "end"), "end");
+  }
+
+  SvgText& svg_;
+  const Trace& trace_;
+  Box box_;
+  Track truth_, reckoned_;
+  std::vector<Dot> waypoints_ = waypointsOf(trace_);
+  double metres_ = 1;
+  Dot middle_;
+};
+
+}  // namespace
+
+bool deservesMap(const Trace& trace) {
+  constexpr double kStraight = 0.8, kWorth = 300;  // of the way; m
+  const FlightFigures figures = flightFigures(trace);
+  return figures.distance_m > kWorth && figures.made_good_m < kStraight * figures.distance_m;
+}
+
+std::vector<LegendEntry> drawMap(SvgText& svg, const Trace& trace, const Box& box) {
+  return Map(svg, trace, box).draw();
+}
+
+}  // namespace glider::report::picture

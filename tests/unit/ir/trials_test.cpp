@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// What trials show of a case, and that the solver never says otherwise.
+
+#include "ir/prove/trials.h"
+
+#include "ir/prove/question.h"
+#include "platforms/load/platform.h"
+#include "tests/random_missions/random_mission.h"
+#include "tests/unit/ir/missions.h"
+
+namespace glider::ir::prove {
+namespace {
+
+const platforms::Platform& slocum() {
+  static const auto loaded = platforms::loadPlatform(GLIDER_SOURCE_DIR "/platforms/slocum.toml");
+  return *loaded;
+}
+
+std::vector<Seen> triedOut(const std::string& cases) {
+  const Mission mission = missionOf(kHeader + stateText("a", cases));
+  return tryOut(Ground(mission, slocum()), mission.states[0].cases);
+}
+
+TEST(Trials, SeeWhatThePlainCasesOfAPlainMissionDo) {
+  const auto seen = triedOut(
+      "case (and (ge missiontime 1234:time) (gt (sensor depth) 5:length)) goto a "
+      "case (or (gt (sensor temp) 20:temperature) (gt (sensor depth) 90:length)) goto a "
+      "case (gt statetime 300:time) goto a "
+      "case (not (known (sensor temp))) goto a "
+      "case (gt missiontime 18000:time) exit");
+  ASSERT_EQ(seen.size(), 5U);
+  for (const Seen& one : seen) {
+    EXPECT_TRUE(one.fires && one.idle && one.first) << &one - seen.data();
+  }
+}
+
+TEST(Trials, DoNotSeeWhatCannotBe) {
+  const auto seen = triedOut(
+      "case (gt (sensor depth) 200:length) goto a "
+      "case (ge statetime 0:time) goto a "
+      "case (gt (sensor depth) 5:length) exit");
+  ASSERT_EQ(seen.size(), 3U);
+  EXPECT_FALSE(seen[0].fires) << "the sensor ends at 100 m";
+  EXPECT_FALSE(seen[1].idle);
+  EXPECT_TRUE(seen[2].fires);
+  EXPECT_FALSE(seen[2].first) << "the second is always before it";
+}
+
+TEST(Trials, SeeWhatLooksBackInTime) {
+  const Mission mission =
+      missionOf(kHeader +
+                "temporal held state a (gt (sensor depth) 5:length) for 8:time "
+                "temporal held state a (gt (sensor depth) 500:length) for 8:time " +
+                stateText("a",
+                          "case (temporal 0) exit case (temporal 1) exit "
+                          "case (and (temporal 0) (lt resumetime 4:time)) exit"));
+  const auto seen = tryOut(Ground(mission, slocum()), mission.states[0].cases);
+  EXPECT_TRUE(seen[0].first && seen[0].idle);
+  EXPECT_FALSE(seen[1].fires) << "what is held never is";
+  EXPECT_FALSE(seen[2].fires) << "the time has not passed";
+}
+
+TEST(Trials, TimeInAStateIsPartOfTheMissions) {
+  const auto seen = triedOut("case (and (gt statetime 100:time) (lt missiontime 50:time)) exit");
+  EXPECT_FALSE(seen[0].fires);
+  EXPECT_TRUE(seen[0].idle);
+}
+
+/// Whether a moment in which guard `number` is (or is not) true, after all `before` that are not,
+/// is impossible to the solver.
+bool isImpossible(const Ground& ground, const std::vector<Case>& cases, size_t number, bool fires,
+                  size_t before) {
+  z3::context context;
+  Unknowns unknowns(context);
+  Moment moment(unknowns, ground);
+  Question question(context, 400000);
+  const z3::expr is_true = moment.truth(cases[number].guard).is_true;
+  question.add(fires ? is_true : !is_true);
+  for (size_t i = 0; i < before; ++i) {
+    question.add(!moment.truth(cases[i].guard).is_true);
+  }
+  question.add(unknowns);
+  return question.ask() == Answer::No;
+}
+
+TEST(Trials, SeeNothingThatTheSolverSaysCannotBe) {
+  size_t seen_cases = 0;
+  for (uint64_t seed = 1; seed <= 5; ++seed) {
+    const Mission mission = random_missions::randomMission(seed);
+    const Ground ground(mission, slocum());
+    for (const State& state : mission.states) {
+      const auto seen = tryOut(ground, state.cases);
+      for (size_t i = 0; i < seen.size(); ++i) {
+        seen_cases += seen[i].first ? 1U : 0U;
+        EXPECT_FALSE(seen[i].fires && isImpossible(ground, state.cases, i, true, 0)) << seed;
+        EXPECT_FALSE(seen[i].idle && isImpossible(ground, state.cases, i, false, 0)) << seed;
+        EXPECT_FALSE(seen[i].first && isImpossible(ground, state.cases, i, true, i)) << seed;
+      }
+    }
+  }
+  EXPECT_GT(seen_cases, 5U) << "the random missions have nothing to see";
+}
+
+}  // namespace
+}  // namespace glider::ir::prove

@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// The picture of a flight: what it says, that nothing in a trace breaks it, and that it stays
+// small. How it looks is seen in docs/gallery.
+
+#include "report/picture/picture.h"
+
+#include "report/picture/axis.h"
+#include "report/picture/contours.h"
+#include "report/picture/flight_view.h"
+#include "report/picture/polyline.h"
+#include "report/picture/track_map.h"
+#include "report/picture/waypoints.h"
+#include "tests/report/sample_trace.h"
+#include "tests/unit/report/small_trace.h"
+
+#include <gtest/gtest.h>
+
+#include <gmock/gmock.h>
+
+namespace glider::report {
+namespace {
+
+using picture::Line;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+TEST(PictureAxis, StepsAreOneTwoOrFiveTimesAPowerOfTen) {
+  EXPECT_DOUBLE_EQ(picture::niceStep(100, 10), 10);
+  EXPECT_DOUBLE_EQ(picture::niceStep(101, 10), 20);
+  EXPECT_DOUBLE_EQ(picture::niceStep(0.3, 7), 0.05);
+  EXPECT_DOUBLE_EQ(picture::niceStep(7, 1), 10);
+}
+
+TEST(PictureAxis, TicksLieOnMultiplesAndInside) {
+  EXPECT_THAT(picture::ticks(-3, 4.1, 2), ElementsAre(-2, 0, 2, 4));
+  EXPECT_THAT(picture::ticks(0, 0.3, 0.1).size(), 4U) << "the last one in spite of rounding";
+  EXPECT_EQ(picture::tickText(0.30000000000000004, 0.1), "0.3");
+  EXPECT_EQ(picture::tickText(-200, 100), "\u2212200");
+}
+
+TEST(PictureLine, ThinningKeepsWhatIsFurtherOffThanTheTolerance) {
+  const Line zigzag = {{0, 0}, {1, 0.2}, {2, 0}, {3, 5}, {4, 0}};
+  const Line thin = picture::simplified(zigzag, 0.3);
+  ASSERT_EQ(thin.size(), 4U);
+  EXPECT_EQ(thin[1].x, 2);
+  EXPECT_EQ(thin[2].y, 5);
+  EXPECT_EQ(picture::simplified(zigzag, 0.1).size(), 5U);
+}
+
+TEST(PictureLine, StepsDoNotDriftFromThePoints) {
+  EXPECT_EQ(picture::pathData({{1.04, 2}, {1.08, 2}, {1.12, 1.5}}), "M1 2l.1 0 0-.5");
+  EXPECT_EQ(picture::pathData({{1, 2}}), "");
+}
+
+TEST(PictureContours, FollowTheFieldBetweenItsPoints) {
+  support::TraceField field;
+  field.times_s = {0, 10, 20};
+  field.depths_m = {0, 10};
+  field.values = {20, 10, 20, 10, 18, 10};
+  const auto lines = picture::contours(field, 15);
+  ASSERT_EQ(lines.size(), 1U);
+  ASSERT_EQ(lines[0].size(), 3U);
+  const auto [first, last] =
+      std::minmax(lines[0].front(), lines[0].back(), [](auto& a, auto& b) { return a.x < b.x; });
+  EXPECT_DOUBLE_EQ(first.y, 5);
+  EXPECT_DOUBLE_EQ(last.y, 10 * 3.0 / 8);
+  EXPECT_TRUE(picture::contours(field, 30).empty());
+}
+
+TEST(PictureContours, AClosedLineEndsWhereItBegins) {
+  support::TraceField field;
+  field.times_s = field.depths_m = {0, 1, 2};
+  field.values = {0, 0, 0, 0, 9, 0, 0, 0, 0};
+  const auto lines = picture::contours(field, 5);
+  ASSERT_EQ(lines.size(), 1U);
+  ASSERT_EQ(lines[0].size(), 5U);
+  EXPECT_EQ(lines[0].front().x, lines[0].back().x);
+  EXPECT_EQ(lines[0].front().y, lines[0].back().y);
+}
+
+TEST(Picture, SaysWhatTheFlightWas) {
+  const std::string svg = drawPicture(sampleTrace());
+  for (const char* text : {"depth (m)", "time (min)", "temperature (°C)", "layered control",
+                           "class=\"isotherm\"", "marked isotherm", "ordered range"}) {
+    EXPECT_THAT(svg, HasSubstr(text));
+  }
+  EXPECT_THAT(svg, Not(HasSubstr("payload computer"))) << "every row of control has a state";
+  EXPECT_EQ(svg, drawPicture(sampleTrace())) << "the same bytes for the same trace";
+}
+
+TEST(Picture, ColoursBySomethingElse) {
+  const std::string by_state = drawPicture(sampleTrace(), {"state"});
+  EXPECT_THAT(by_state, Not(HasSubstr("temperature (°C)")));
+  EXPECT_THAT(drawPicture(sampleTrace(), {"battery"}), HasSubstr("battery (V)"));
+  const std::string unknown = drawPicture(sampleTrace(), {"oxygen"});
+  EXPECT_THAT(unknown, HasSubstr("not known")) << "grey, and said so";
+}
+
+TEST(Picture, AMissionInCHasNoStatesButIsInControl) {
+  support::Trace trace = sampleTrace();
+  const int state = trace.column("state");
+  for (size_t row = 0; row < trace.rowCount(); ++row) {
+    trace.rows[row * trace.columns.size() + static_cast<size_t>(state)] = kUnknown;
+  }
+  EXPECT_THAT(drawPicture(trace), HasSubstr("payload computer"));
+}
+
+TEST(Picture, StaysSmallHoweverLongTheFlight) {
+  EXPECT_LT(drawPicture(longTrace(20000)).size(), 200000U);
+  EXPECT_LT(drawPicture(sampleTrace()).size(), 60000U);
+}
+
+TEST(Picture, NamesCannotRunAnything) {
+  const std::string svg = drawPicture(hostileTrace());
+  EXPECT_THAT(svg, Not(HasSubstr("<script")));
+  EXPECT_THAT(svg, HasSubstr("&lt;script"));
+}
+
+TEST(Picture, IsDrawnOfWhateverThereIs) {
+  EXPECT_THAT(drawPicture(bareTrace()), HasSubstr("</svg>"));
+  EXPECT_THAT(drawPicture(support::Trace()), HasSubstr("</svg>"));
+  const auto unknown = smallTrace({{"time", "s"}, {"m_depth", "m"}, {"true_x", "m"}},
+                                  {{0, kUnknown, kUnknown}, {4, kUnknown, kUnknown}});
+  EXPECT_THAT(drawPicture(unknown), Not(HasSubstr("nan")));
+  const auto one = smallTrace({{"time", "s"}, {"m_depth", "m"}}, {{0, 3}});
+  EXPECT_THAT(drawPicture(one), Not(HasSubstr("nan")));
+  EXPECT_THAT(drawPicture(support::Trace()), Not(HasSubstr("nan")));
+}
+
+/// 400 m out to the east and back, steering to one place near and one far away.
+support::Trace outAndBack() {
+  return smallTrace({{"time", "s"},
+                     {"m_depth", "m"},
+                     {"true_x", "m"},
+                     {"true_y", "m"},
+                     {"true_lat", "deg"},
+                     {"true_lon", "deg"},
+                     {"c_wpt_lat", "deg"},
+                     {"c_wpt_lon", "deg"}},
+                    {{0, 1, 0, 0, 40, -70, 40, -69.9953},
+                     {1000, 1, 400, 0, 40, -69.9953, 40, -69},
+                     {2000, 1, 10, 0, 40, -69.9999, kUnknown, kUnknown}});
+}
+
+TEST(PictureMap, IsThereWhenTheWayDidNotGoStraightOn) {
+  EXPECT_TRUE(picture::deservesMap(outAndBack()));
+  EXPECT_THAT(drawPicture(outAndBack()), HasSubstr("north (m)"));
+  support::Trace straight = outAndBack();
+  straight.rows.resize(2 * straight.columns.size());
+  EXPECT_FALSE(picture::deservesMap(straight));
+}
+
+TEST(PictureMap, HasTheWaypointsThatAreNear) {
+  const auto waypoints = picture::waypointsOf(outAndBack());
+  ASSERT_EQ(waypoints.size(), 1U);
+  EXPECT_NEAR(waypoints[0].x, 401, 2);
+  EXPECT_NEAR(waypoints[0].y, 0, 0.1);
+}
+
+}  // namespace
+}  // namespace glider::report

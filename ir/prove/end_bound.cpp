@@ -16,8 +16,9 @@
 namespace glider::ir::prove {
 namespace {
 
-/// More than any mission that counts on its fingers.
-constexpr size_t kMostSteps = 4000;
+/// Expressions that are looked at, some tenths of a second: missions that count on their fingers
+/// take far less.
+constexpr size_t kMostWork = 20000000;
 
 /// Where a run can be when a state becomes current.
 struct Arrival {
@@ -37,8 +38,8 @@ class Search {
     Valuation values = run_.begin();
     run_.enter(control.state, nullptr, {}, values);
     arrive(control, std::move(values), 0);
-    for (size_t steps = 0; !pending_.empty(); ++steps) {
-      if (steps == kMostSteps || !follow()) {
+    while (!pending_.empty()) {
+      if (work_ > kMostWork || !follow()) {
         return std::nullopt;
       }
     }
@@ -69,14 +70,15 @@ class Search {
     const double since = times_.at(from);
     Valuation held = from.values;
     forgetWhatStaysChange(m_[from.control.state], held);
-    const auto left = leftBy(ground_, m_[from.control.state], held, since);
-    if (!left || *left > latest_) {
+    const Leaving leaving =
+        leavingOf(ground_, m_[from.control.state], interrupting(from.control), held, since);
+    work_ += (leaving.looks + 1) * m_.exprs.size();
+    if (leaving.by > latest_) {
       return false;
     }
-    const Interval all{0, *left, false};
-    const ClockRanges clocks{all, all, all};
-    branch(from.control, ListKind::State, m_[from.control.state].cases, held, clocks);
-    branch(from.control, ListKind::Always, m_.always, held, clocks);
+    const std::vector<double> any_time(m_.always.size(), leaving.by);
+    branch(from.control, ListKind::State, m_[from.control.state].cases, held, leaving.latest);
+    branch(from.control, ListKind::Always, m_.always, held, any_time);
     return true;
   }
 
@@ -96,16 +98,34 @@ class Search {
     }
   }
 
+  [[nodiscard]] Interruptions interrupting(const Control& control) const {
+    Interruptions found{{}, control.just_returned};
+    for (uint32_t i = 0; i < m_.always.size(); ++i) {
+      if (control.mayInterrupt(m_, i)) {
+        found.cases.push_back(&m_.always[i]);
+      }
+    }
+    return found;
+  }
+
+  static ClockRanges upTo(double time) {
+    const Interval all{0, time, false};
+    return {all, all, all};
+  }
+
   void branch(const Control& control, ListKind list, const std::vector<Case>& cases,
-              const Valuation& held, const ClockRanges& clocks) {
-    const Possible now(ground_, held, clocks);
+              const Valuation& held, const std::vector<double>& latest) {
+    if (cases.empty()) {
+      return;
+    }
+    const Possible now(ground_, held, upTo(std::ranges::max(latest)));
     for (uint32_t i = 0; i < cases.size(); ++i) {
       if (list == ListKind::Always && !control.mayInterrupt(m_, i)) {
         continue;
       }
       const Truths& guard = now.truth(cases[i].guard);
       if (guard.is_true) {
-        fire(control, list, i, cases[i], held, clocks);
+        fire(control, list, i, cases[i], held, upTo(latest[i]));
       }
       if (guard.is_true && !guard.is_false && !guard.is_unknown) {
         return;  // it hides the rest
@@ -123,6 +143,7 @@ class Search {
       end_ = std::max(end_, time);
       return;
     }
+    work_ += 8 * m_.exprs.size();  // about
     run_.execute(c.action, clocks, values);
     const Control after = control.moved(list, number, c);
     if (c.transition == Transition::Return) {
@@ -140,6 +161,7 @@ class Search {
   std::map<Arrival, double> times_;  ///< the latest at which it becomes so
   std::vector<Arrival> pending_;
   double end_ = 0;
+  size_t work_ = 0;
 };
 
 }  // namespace

@@ -9,42 +9,61 @@
 #include <cmath>
 #include <limits>
 #include <set>
-#include <vector>
+#include <utility>
 
 namespace glider::ir::prove {
 namespace {
 
 constexpr double kMost = std::numeric_limits<double>::max();
 
-class Leaving {
+class Clocks {
  public:
-  Leaving(const Ground& ground, const State& state, const Valuation& values)
-      : ground_(ground), m_(ground.mission), state_(state), values_(values) {
+  Clocks(const Ground& ground, const State& state, const Interruptions& always,
+         const Valuation& values)
+      : ground_(ground), m_(ground.mission), always_(always), values_(values) {
+    for (const Case& c : state.cases) {
+      own_.push_back(&c);
+    }
     const Interval all{0, kMost, false};
     const Possible ever(ground, values, {all, all, all});
-    for (const Case& c : state.cases) {
-      gather(c.guard, ever);
+    for (const Cases* cases : {&always.cases, &std::as_const(own_)}) {
+      for (const Case* c : *cases) {
+        gather(c->guard, ever);
+      }
     }
   }
 
-  std::optional<double> by(double since) const {
+  Leaving leaving(double since) const {
     const double gap = ground_.platform.world.tick_gap_s;
-    double best = std::numeric_limits<double>::infinity();
-    for (const double stay : stays_) {
-      // As long as it has been current, the mission has flown.
-      const Interval on{stay, kMost, false};
-      if (since + stay + gap < best && mustGo({on, on, on})) {
-        best = since + stay + gap;
+    constexpr double kNever = std::numeric_limits<double>::infinity();
+    Leaving found{kNever, std::vector<double>(own_.size(), kNever), 1};
+    // From `time` on a sure case, or one before it, fires on every tick; `tick` is when there is
+    // one at the latest.
+    const auto note = [&](double time, double tick, const ClockRanges& clocks) {
+      ++found.looks;
+      const Possible then(ground_, values_, clocks);
+      const size_t sure = firstSure(own_, then);
+      for (size_t i = sure; i < own_.size(); ++i) {
+        found.latest[i] = std::min(found.latest[i], i == sure ? tick : time);
       }
+      const bool interrupted = firstSure(always_.cases, then) < always_.cases.size();
+      for (double& latest : found.latest) {
+        latest = interrupted && !always_.own_first ? std::min(latest, time) : latest;
+      }
+      found.by = sure < own_.size() || interrupted ? std::min(found.by, tick) : found.by;
+    };
+    for (const double stay : stays_) {
+      const Interval on{stay, kMost, false};  // the mission has flown as long as that
+      note(since + stay, since + stay + gap, {on, on, on});
     }
     constexpr Interval kEver{0, kMost, false};
     for (const double time : times_) {
-      const double left = std::max(since, time) + gap;
-      if (left < best && mustGo({{time, kMost, false}, kEver, kEver})) {
-        best = left;
-      }
+      note(time, std::max(since, time) + gap, {{time, kMost, false}, kEver, kEver});
     }
-    return std::isfinite(best) ? std::optional(best) : std::nullopt;
+    for (double& latest : found.latest) {
+      latest = std::min(latest, found.by);
+    }
+    return found;
   }
 
  private:
@@ -79,27 +98,25 @@ class Leaving {
     }
   }
 
-  /// Some case that leads away must be true, and none before it may keep the state.
-  [[nodiscard]] bool mustGo(const ClockRanges& clocks) const {
-    const Possible then(ground_, values_, clocks);
-    for (const Case& c : state_.cases) {
-      const Truths& guard = then.truth(c.guard);
-      if (!guard.is_true) {
-        continue;
+  /// The first case that leads away and must be true, with none before it that may keep the state;
+  /// the number of cases if there is none.
+  static size_t firstSure(const Cases& cases, const Possible& then) {
+    for (size_t i = 0; i < cases.size(); ++i) {
+      const Truths& guard = then.truth(cases[i]->guard);
+      if (guard.is_true && cases[i]->transition == Transition::Stay) {
+        break;
       }
-      if (c.transition == Transition::Stay) {
-        return false;
-      }
-      if (!guard.is_false && !guard.is_unknown) {
-        return true;
+      if (guard.is_true && !guard.is_false && !guard.is_unknown) {
+        return i;
       }
     }
-    return false;
+    return cases.size();
   }
 
   const Ground& ground_;
   const Mission& m_;
-  const State& state_;
+  const Interruptions& always_;
+  Cases own_;
   const Valuation& values_;
   std::set<double> stays_{0};  ///< of the state's clocks, s
   std::set<double> times_;     ///< of mission time, s
@@ -107,9 +124,9 @@ class Leaving {
 
 }  // namespace
 
-std::optional<double> leftBy(const Ground& ground, const State& state, const Valuation& values,
-                             double since) {
-  return Leaving(ground, state, values).by(since);
+Leaving leavingOf(const Ground& ground, const State& state, const Interruptions& always,
+                  const Valuation& values, double since) {
+  return Clocks(ground, state, always, values).leaving(since);
 }
 
 }  // namespace glider::ir::prove

@@ -131,8 +131,9 @@ class Trials {
   /// First what the leaf is worth where it does not matter, then values far from each other.
   [[nodiscard]] std::vector<double> generalValues(const Expr& e) const {
     const Interval range = rangeOf(e);
-    const bool may_be_unknown = e.op == Op::Sensor || e.op == Op::Temporal ||
-                                (e.op == Op::Variable && !ground_.known[e.variable.index]);
+    const bool may_be_unknown =
+        e.op == Op::Sensor || e.op == Op::Temporal ||
+        (e.op == Op::Variable && !ground_.known.variables[e.variable.index]);
     std::vector<double> values;
     if (may_be_unknown || range.empty) {
       values.push_back(kUnknown);

@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// By when a mission has ended: worked out, and never broken by a flight.
+
+#include "ir/prove/end_bound.h"
+
+#include "ir/prove/random_flight.h"
+#include "ir/verify/verify.h"
+#include "platforms/load/platform.h"
+#include "tests/random_missions/random.h"
+#include "tests/unit/ir/missions.h"
+
+#include <limits>
+
+namespace glider::ir::prove {
+namespace {
+
+constexpr double kForever = 1e7;
+
+const platforms::Platform& slocum() {
+  static const auto loaded = platforms::loadPlatform(GLIDER_SOURCE_DIR "/platforms/slocum.toml");
+  return *loaded;
+}
+
+/// In gaps between ticks beyond `seconds`; NaN: no bound is found.
+double gapsBeyond(double seconds, const std::string& text, double latest = kForever) {
+  const Mission mission = missionOf(kHeader + text);
+  const auto end = endsBy(Ground(mission, slocum()), latest);
+  return end ? (*end - seconds) / slocum().world.tick_gap_s
+             : std::numeric_limits<double>::quiet_NaN();
+}
+
+TEST(EndBound, IsTheClocksThatMustBeTrue) {
+  EXPECT_EQ(gapsBeyond(500, stateText("a", "case (ge missiontime 500:time) exit")), 1);
+  EXPECT_EQ(gapsBeyond(500, stateText("a", "case (ge statetime 500:time) exit")), 1);
+  EXPECT_NEAR(gapsBeyond(500, stateText("a", "case (gt statetime 500:time) exit")), 1, 1e-9);
+  EXPECT_EQ(gapsBeyond(0, stateText("a", "case true exit")), 1);
+  EXPECT_EQ(gapsBeyond(100, stateText("a",
+                                      "case (or (gt (sensor depth) 5:length) (ge statetime "
+                                      "100:time)) exit")),
+            1);
+}
+
+TEST(EndBound, IsNoneIfASensorMayKeepTheState) {
+  const double none = gapsBeyond(0, stateText("a", "case (gt (sensor depth) 5:length) exit"));
+  EXPECT_TRUE(none != none);
+  const double kept = gapsBeyond(0, stateText("a",
+                                              "case (gt (sensor depth) 5:length) stay "
+                                              "case (ge statetime 100:time) exit"));
+  EXPECT_TRUE(kept != kept);
+  const double unknown =
+      gapsBeyond(0, stateText("a",
+                              "case (and (ge statetime 100:time) (or (gt (sensor depth) 5:length) "
+                              "(le (sensor depth) 5:length))) exit"));
+  EXPECT_TRUE(unknown != unknown) << "the depth may be unknown";
+}
+
+TEST(EndBound, AddsUpTheStatesOfEveryWay) {
+  EXPECT_EQ(gapsBeyond(700, stateText("a",
+                                      "case (gt (sensor depth) 5:length) goto b "
+                                      "case (ge statetime 300:time) goto c") +
+                                stateText("b", "case (ge statetime 400:time) exit") +
+                                stateText("c", "case (ge statetime 50:time) exit")),
+            2);
+  EXPECT_EQ(gapsBeyond(400, stateText("a",
+                                      "case (ge missiontime 300:time) exit "
+                                      "case (gt (sensor depth) 5:length) call b") +
+                                stateText("b", "case (ge statetime 100:time) return")),
+            2)
+      << "called just before 300 s";
+  const double loop = gapsBeyond(0, stateText("a", "case (ge statetime 300:time) goto b") +
+                                        stateText("b", "case (ge statetime 300:time) goto a"));
+  EXPECT_TRUE(loop != loop);
+}
+
+TEST(EndBound, CountsWhatVariablesCount) {
+  const std::string legs = "variable n: number mission lowest 0 highest 10 initial n 0 " +
+                           stateText("a",
+                                     "case (lt statetime 100:time) stay "
+                                     "case (lt (var n) 3) do set n (add (var n) 1) end goto a "
+                                     "case true exit");
+  EXPECT_EQ(gapsBeyond(400, legs), 4);
+  const double never =
+      gapsBeyond(0, "variable n: number mission lowest 0 highest 10 initial n 0 " +
+                        stateText("a",
+                                  "case (lt statetime 100:time) stay "
+                                  "case (lt (var n) 3) do set n (var n) end goto a "
+                                  "case true exit"));
+  EXPECT_TRUE(never != never);
+}
+
+TEST(EndBound, InterruptionsAreOnTheWay) {
+  EXPECT_EQ(gapsBeyond(600, "always case (gt (sensor depth) 5:length) goto b " +
+                                stateText("a", "case (ge statetime 500:time) exit") +
+                                stateText("b", "case (ge statetime 100:time) exit")),
+            2);
+}
+
+/// A mission whose states mostly lead on, and back as often as a counter allows.
+std::string randomWays(uint64_t seed) {
+  random_missions::Random random(seed);
+  const auto states = 1 + random.below(4);
+  const auto name = [](uint64_t i) { return std::string(1, static_cast<char>('a' + i)); };
+  std::string text = "variable n: number mission lowest 0 highest 10 initial n 0 ";
+  const auto always = random.below(6);
+  if (always == 0) {
+    text += "always case (ge missiontime 900:time) exit ";
+  } else if (always < 3) {
+    text += "always case (gt (sensor depth) 90:length) goto " + name(states) + " ";
+  }
+  for (uint64_t i = 0; i <= states; ++i) {
+    const std::string time = std::to_string(10 * random.below(40));
+    const std::string on = i == states ? "exit" : "goto " + name(i + 1 + random.below(states - i));
+    std::string cases;
+    if (random.below(3) == 0) {
+      cases += "case (and (lt statetime " + time + ":time) (gt (sensor temp) 3:temperature)) stay ";
+    }
+    if (random.below(2) == 0) {
+      cases += "case (and (lt (var n) " + std::to_string(random.below(4)) +
+               ") (gt (sensor depth) 20:length)) do set n (add (var n) 1) end goto " +
+               name(random.below(states + 1)) + " ";
+    }
+    if (random.below(3) == 0) {
+      cases += "case (gt missiontime " + std::to_string(100 * random.below(20)) + ":time) exit ";
+    }
+    text += stateText(name(i), cases + "case (ge " +
+                                   (random.below(2) == 0 ? "statetime " : "resumetime ") + time +
+                                   ":time) " + on);
+  }
+  return kHeader + text;
+}
+
+TEST(EndBound, AlwaysMayEndIt) {
+  EXPECT_EQ(gapsBeyond(500, "always case (ge missiontime 500:time) exit " +
+                                stateText("a", "case (gt (sensor depth) 5:length) goto a")),
+            1);
+  const double loop = gapsBeyond(0, "always case (ge missiontime 500:time) goto a " +
+                                        stateText("a", "case (gt (sensor depth) 5:length) exit"));
+  EXPECT_TRUE(loop != loop) << "it does not interrupt its own target";
+}
+
+TEST(EndBound, NoRandomFlightIsLonger) {
+  size_t bounded = 0;
+  double closest = 0;
+  for (uint64_t seed = 1; seed <= 300; ++seed) {
+    const Mission mission = missionOf(randomWays(seed));
+    const Ground ground(mission, slocum());
+    const auto end = endsBy(ground, kForever);
+    if (!end) {
+      continue;
+    }
+    ++bounded;
+    support::DiagnosticEngine diagnostics;
+    const MissionFacts facts = verify(mission, diagnostics);
+    Requirement requirement;
+    requirement.kind = RequirementKind::ExitWithin;
+    requirement.seconds = *end;
+    const auto longer = [&](uint64_t flight) {
+      return flyAtRandom(ground, facts.stack_depth, requirement, flight, 1000).has_value();
+    };
+    for (uint64_t flight = 1; flight <= 5; ++flight) {
+      EXPECT_FALSE(longer(flight)) << "mission " << seed << " by " << *end << " s";
+    }
+    requirement.seconds = *end * 0.7;
+    closest += longer(1) || longer(2) || longer(3) ? 1 : 0;
+  }
+  EXPECT_GT(bounded, 100U) << "the random missions have no ends";
+  EXPECT_GT(closest, 30) << "the bounds are far off";
+}
+
+}  // namespace
+}  // namespace glider::ir::prove

@@ -16,14 +16,18 @@
 
 namespace glider::driver {
 
+/// The card of an SBC in this process: what stands on it outlives a power cut.
+using Card = std::vector<uint8_t>;
+
 /// An SBC within this process: the compiled mission, loaded as a shared object, speaks the real
 /// protocol over memory.
 class InProcessSbc final : public simulator::SbcPort {
  public:
   /// `parameters`: one value each, as the mission allows them. `keeps_time`: its clock is the
-  /// vehicle's, and time-outs run; else it stands still between frames.
+  /// vehicle's, and time-outs run; else it stands still between frames. `card`: where it keeps its
+  /// checkpoints.
   InProcessSbc(std::shared_ptr<const codegen::LoadedMission> mission,
-               std::vector<double> parameters, bool keeps_time = false);
+               std::vector<double> parameters, std::shared_ptr<Card> card, bool keeps_time = false);
 
   [[nodiscard]] std::string way() const override { return "in-process"; }
   void deliver(std::span<const uint8_t> bytes, double now_s) override;
@@ -38,11 +42,14 @@ class InProcessSbc final : public simulator::SbcPort {
   static int32_t readBytes(void* self, uint8_t* bytes, uint32_t capacity);
   static int32_t writeBytes(void* self, const uint8_t* bytes, uint32_t count);
   static double now(void* self);
+  static int32_t readCard(void* self, uint32_t offset, uint8_t* bytes, uint32_t count);
+  static int32_t writeCard(void* self, uint32_t offset, const uint8_t* bytes, uint32_t count);
   void run();
   void end(const char* epitaph);
 
   std::shared_ptr<const codegen::LoadedMission> mission_;
   std::vector<double> parameters_;
+  std::shared_ptr<Card> card_;
   std::unique_ptr<std::byte[]> runtime_memory_;
   std::unique_ptr<std::byte[]> context_memory_;
   GliderRuntime* runtime_ = nullptr;

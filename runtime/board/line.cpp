@@ -28,6 +28,7 @@ void tellHelp(const char* mission_name) {
       "  --baud N     its speed, bits/s (else 115200)\n"
       "  --stdio      standard input and output instead of a port\n"
       "  --log FILE   write the mission's log\n"
+      "  --checkpoint FILE  keep what a program that is started again needs to go on\n"
       "  --set NAME=VALUE   give a parameter of the mission a value, as in --set bottom=20m\n"
       "  --parameters FILE  take them from a file with lines `NAME = VALUE`; --set goes before it\n"
       "  --version    which mission and runtime this is\n"

@@ -34,6 +34,10 @@ bool withValue(const char* argument, const char* value, Options& options) {
     options.log = value;
     return true;
   }
+  if (is(argument, "--checkpoint")) {
+    options.checkpoints = value;
+    return true;
+  }
   if (is(argument, "--parameters")) {
     options.parameters = value;
     return true;

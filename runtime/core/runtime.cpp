@@ -3,6 +3,7 @@
 
 #include "runtime/core/runtime.h"
 
+#include "hooks/protocol/crc.h"
 #include "runtime/abi/context_layout.h"
 #include "runtime/core/instruction.h"
 #include "runtime/numbers/numbers.h"
@@ -80,6 +81,13 @@ bool hasGuards(const GliderMission& mission) {
   return all;
 }
 
+/// With other parameters it is another program.
+uint32_t programOf(const GliderMission& mission, const GliderRuntimeOptions& options) {
+  const auto* bytes = reinterpret_cast<const uint8_t*>(options.parameters);
+  const uint32_t count = bytes == nullptr ? 0 : mission.parameter_count * sizeof(double);
+  return glider::hooks::crc32c(bytes, count, options.program);
+}
+
 }  // namespace
 
 GliderRuntime::GliderRuntime(void* context_memory, const GliderMission& mission,
@@ -88,7 +96,10 @@ GliderRuntime::GliderRuntime(void* context_memory, const GliderMission& mission,
       mission_(mission),
       parameters_(options.parameters),
       client_(subscribe(mission, sensors_)),
-      log_(options.log) {}
+      log_(options.log),
+      checkpoint_(options.checkpoints, programOf(mission, options)) {
+  lookForCheckpoint();
+}
 
 glider::hooks::ClientOptions GliderRuntime::subscribe(const GliderMission& mission,
                                                       glider::hooks::Subscription* sensors) {
@@ -139,16 +150,20 @@ GliderRuntimeStatus GliderRuntime::poll(const GliderByteStream& stream, const Gl
 
 void GliderRuntime::answerTick(const GliderByteStream& stream, double sbc_time) {
   const glider::hooks::VehicleTick& tick = client_.tick();
+  if (found_) {
+    considerCheckpoint(tick, sbc_time);
+  }
   const ControlNews news = control_.observe(tick);
   const uint32_t count = gatherUpdates();
   if (context_ != nullptr) {
     stepMission(clock_.atFrame(tick.vehicle_time_s, sbc_time), count);
-  } else if (control_.mayTake()) {
+  } else if (!found_ && !control_.released() && control_.mayTake()) {
     clock_.start(tick.vehicle_time_s, sbc_time);
     startMission(count);
   }
   if (context_ != nullptr) {
     command();
+    keepCheckpoint();
   }
   client_.done(status(), stream);
   logNews(news);
@@ -164,6 +179,7 @@ void GliderRuntime::tickOfClockAlone(double sbc_time) {
   }
   stepMission(clock_.withoutFrame(sbc_time), 0);
   log_.event(context_->mission_time, "silent link", "", glider::runtime::unknown());
+  keepCheckpoint();
   log_.flush();
 }
 
@@ -178,6 +194,9 @@ uint32_t GliderRuntime::gatherUpdates() {
 void GliderRuntime::startMission(uint32_t update_count) {
   context_ = gliderStart(context_memory_, &mission_, parameters_, updates_, update_count);
   log_.begin(*context_);
+  if (begins_anew_ != nullptr) {
+    log_.event(0.0, "mission begins anew", begins_anew_, glider::runtime::unknown());
+  }
   tellNotes();
   log_.values(*context_);
   logRefusedCommands();

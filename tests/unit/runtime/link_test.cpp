@@ -39,7 +39,7 @@ class LinkTest : public ::testing::Test {
 
   void boot(VehicleBench& vehicle) {
     runtime_memory_.assign(gliderRuntimeSize() / sizeof(double) + 1, 0.0);
-    const GliderRuntimeOptions options{{this, &LinkTest::writeLog}, nullptr};
+    const GliderRuntimeOptions options{{this, &LinkTest::writeLog}, nullptr, {}, 0};
     runtime_ = gliderRuntimeInit(runtime_memory_.data(), mission_.memory.data(), &mission_.mission,
                                  &options);
     ASSERT_NE(runtime_, nullptr);
@@ -218,7 +218,7 @@ TEST(Control, FollowsANumberThatTheClientHadToReplace) {
 
 TEST_F(LinkTest, ARefusedLinkIsLoggedBelowTheHeader) {
   hooks::MemoryLine line;
-  const GliderRuntimeOptions options{{this, &LinkTest::writeLog}, nullptr};
+  const GliderRuntimeOptions options{{this, &LinkTest::writeLog}, nullptr, {}, 0};
   runtime_memory_.assign(gliderRuntimeSize() / sizeof(double) + 1, 0.0);
   runtime_ = gliderRuntimeInit(runtime_memory_.data(), mission_.memory.data(), &mission_.mission,
                                &options);
@@ -332,8 +332,8 @@ TEST_F(LinkTest, SaysWhenTheLineIsClosed) {
 TEST_F(LinkTest, ALogThatFailsNeverStopsTheMission) {
   VehicleBench vehicle({});
   boot(vehicle);
-  const GliderRuntimeOptions full{{this, [](void*, const uint8_t*, uint32_t) { return -1; }},
-                                  nullptr};
+  const GliderRuntimeOptions full{
+      {this, [](void*, const uint8_t*, uint32_t) { return -1; }}, nullptr, {}, 0};
   runtime_ =
       gliderRuntimeInit(runtime_memory_.data(), mission_.memory.data(), &mission_.mission, &full);
   vehicle.run(300);

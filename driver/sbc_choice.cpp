@@ -89,7 +89,7 @@ Result<StartSbc> sbcOnBoard(const Compilation& compilation, const LaunchChoice& 
     return std::unexpected(built.error());
   }
   std::vector<std::string> command = target->emulator;
-  const std::filesystem::path log = folder / "mission-log.csv";
+  const std::filesystem::path log = folder / "mission.log";
   const std::filesystem::path checkpoints = folder / (name + "-" + board + ".checkpoint");
   std::error_code ignored;
   for (const auto& of_an_earlier_flight : {log, checkpoints}) {

@@ -62,7 +62,6 @@ GliderStore openCheckpoints(const char* path) {
     tell("warning: cannot keep checkpoints in `", path, "`; the mission flies without");
     return {};
   }
-  sync();  // the file's own name, if it is new
   return {&descriptor, readStore, writeStore, syncStore};
 }
 

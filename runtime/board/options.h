@@ -18,6 +18,7 @@ struct Options {
   uint32_t baud = 115200;
   bool stdio = false;                 ///< the protocol runs over standard input and output
   const char* log = nullptr;          ///< null: no log
+  uint32_t log_limit = 32U << 20U;    ///< bytes after which it begins anew
   const char* checkpoints = nullptr;  ///< the file of checkpoints; null: none
   const char* parameters = nullptr;   ///< a file of parameters; null: none
   static constexpr uint32_t kMostSettings = GLIDER_MOST_PARAMETERS;

@@ -5,10 +5,13 @@
 
 #include "runtime/core/lay_out.h"
 #include "runtime/core/runtime.h"
+#include "runtime/log/format.h"
 #include "runtime/numbers/numbers.h"
 
 using glider::hooks::HookState;
 using glider::runtime::Checkpoint;
+using glider::runtime::LogDetail;
+using glider::runtime::LogEvent;
 
 void GliderRuntime::lookForCheckpoint() {
   GliderContext* context = glider::runtime::layOut(context_memory_, mission_);
@@ -18,10 +21,10 @@ void GliderRuntime::lookForCheckpoint() {
       client_.resume(facts_.session, static_cast<uint16_t>(facts_.instruction));
       break;
     case Checkpoint::Found::Broken:
-      begins_anew_ = "no checkpoint is whole";
+      begins_anew_ = LogDetail::NoneIsWhole;
       break;
     case Checkpoint::Found::Foreign:
-      begins_anew_ = "the checkpoint is another program's";
+      begins_anew_ = LogDetail::OtherProgram;
       break;
     case Checkpoint::Found::Nothing:
       break;
@@ -33,7 +36,7 @@ void GliderRuntime::considerCheckpoint(const glider::hooks::VehicleTick& tick, d
   if (tick.hook_state == HookState::Ready) {
     // Since the vehicle's mission began nobody has had control: another flight.
     found_ = false;
-    begins_anew_ = "the checkpoint is of an earlier flight";
+    begins_anew_ = LogDetail::EarlierFlight;
     client_.resume(0, client_.sequence());
   }
   if (tick.hook_state != HookState::Active && tick.hook_state != HookState::Silent) {
@@ -42,9 +45,8 @@ void GliderRuntime::considerCheckpoint(const glider::hooks::VehicleTick& tick, d
   found_ = false;
   const double outage = tick.vehicle_time_s - facts_.vehicle_time;
   if (!(outage >= 0.0 && outage <= mission_.resume_within)) {
-    log_.event(0.0, "control left to the vehicle",
-               outage >= 0.0 ? "the outage was too long" : "the checkpoint is from the future",
-               outage);
+    log_.event(0.0, LogEvent::ControlLeft,
+               outage >= 0.0 ? LogDetail::TooLong : LogDetail::FromTheFuture, outage);
     client_.resume(0, client_.sequence());
     control_.release();
     return;
@@ -55,17 +57,38 @@ void GliderRuntime::considerCheckpoint(const glider::hooks::VehicleTick& tick, d
     control_.resume();
   }
   logged_refusals_ = context_->refused_commands;
-  log_.event(context_->mission_time, "mission resumed", "", outage);
+  log_.event(context_->mission_time, LogEvent::MissionResumed, LogDetail::None, outage);
 }
 
-/// Before the answer: what the vehicle has been told is never forgotten.
-void GliderRuntime::keepCheckpoint() {
+/// A word for the vehicle's own log.
+void GliderRuntime::tellVehicle(const char* what) {
+  glider::hooks::MissionNote told;
+  told.mission_time_s = context_->mission_time;
+  glider::runtime::Text(told.text, glider::hooks::kMostNoteBytes).put(what);
+  client_.tell(told);
+}
+
+/// Before the answer: what the vehicle has been told is never forgotten. The log first, so that it
+/// holds whatever a checkpoint has behind it. A card that fails is told once, and never stops the
+/// mission.
+void GliderRuntime::commit() {
+  log_.flush();
+  if (context_ == nullptr) {
+    return;
+  }
+  if (log_.fails() && !log_fails_) {
+    tellVehicle("the SBC's log is not written");
+  }
+  log_fails_ = log_.fails();
   const Checkpoint::Kept kept = checkpoint_.keep(
       *context_, {clock_.vehicle(), clock_.origin(), client_.session(), client_.sequence()});
-  if (kept == Checkpoint::Kept::Failed && !not_kept_) {
-    log_.event(context_->mission_time, "checkpoint not written", "", glider::runtime::unknown());
+  const bool failed = kept == Checkpoint::Kept::Failed;
+  if (failed && !not_kept_) {
+    log_.event(context_->mission_time, LogEvent::CheckpointNotWritten, LogDetail::None,
+               glider::runtime::unknown());
+    tellVehicle("the SBC's checkpoint is not written");
   }
   if (kept != Checkpoint::Kept::NotDue) {
-    not_kept_ = kept == Checkpoint::Kept::Failed;
+    not_kept_ = failed;
   }
 }

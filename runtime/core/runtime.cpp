@@ -6,6 +6,7 @@
 #include "hooks/protocol/crc.h"
 #include "runtime/abi/context_layout.h"
 #include "runtime/core/instruction.h"
+#include "runtime/log/format.h"
 #include "runtime/numbers/numbers.h"
 
 #include <new>
@@ -14,44 +15,35 @@ using glider::hooks::ClientEvent;
 using glider::hooks::HookAnswer;
 using glider::hooks::Instruction;
 using glider::runtime::ControlNews;
+using glider::runtime::LogDetail;
+using glider::runtime::LogEvent;
 
 namespace {
 
-const char* nameOf(HookAnswer answer) {
-  switch (answer) {
-    case HookAnswer::BadCheck:
-      return "garbled";
-    case HookAnswer::TooDeep:
-      return "too deep";
-    case HookAnswer::BadPitch:
-      return "pitch out of bounds";
-    case HookAnswer::BadCommand:
-      return "no such command";
-    case HookAnswer::NotOnEarth:
-      return "not on earth";
-    case HookAnswer::WrongSession:
-      return "wrong session";
-    case HookAnswer::NotReady:
-      return "not ready";
+LogEvent eventOf(ControlNews::Kind kind) {
+  switch (kind) {
+    case ControlNews::Kind::Taken:
+      return LogEvent::ControlTaken;
+    case ControlNews::Kind::Refused:
+      return LogEvent::InstructionRefused;
+    case ControlNews::Kind::Lost:
+      return LogEvent::ControlLost;
     default:
-      return "";
+      return LogEvent::ControlGivenBack;
   }
 }
 
-const char* nameOf(ControlNews::Kind kind) {
-  switch (kind) {
-    case ControlNews::Kind::Taken:
-      return "control taken";
-    case ControlNews::Kind::Refused:
-      return "instruction refused";
-    case ControlNews::Kind::Lost:
-      return "control lost";
-    case ControlNews::Kind::Released:
-      return "control given back";
-    default:
-      return "";
-  }
+constexpr bool sameNumber(LogDetail detail, HookAnswer answer) {
+  return static_cast<uint8_t>(detail) == static_cast<uint8_t>(answer);
 }
+// A refusal is logged by the number of its answer.
+static_assert(sameNumber(LogDetail::BadCheck, HookAnswer::BadCheck));
+static_assert(sameNumber(LogDetail::TooDeep, HookAnswer::TooDeep));
+static_assert(sameNumber(LogDetail::BadPitch, HookAnswer::BadPitch));
+static_assert(sameNumber(LogDetail::BadCommand, HookAnswer::BadCommand));
+static_assert(sameNumber(LogDetail::NotOnEarth, HookAnswer::NotOnEarth));
+static_assert(sameNumber(LogDetail::WrongSession, HookAnswer::WrongSession));
+static_assert(sameNumber(LogDetail::NotReady, HookAnswer::NotReady));
 
 /// The text of a note with its values after it, as much as a notice holds.
 void writeNote(const GliderContext& context, const GliderNote& note, char* out) {
@@ -96,7 +88,7 @@ GliderRuntime::GliderRuntime(void* context_memory, const GliderMission& mission,
       mission_(mission),
       parameters_(options.parameters),
       client_(subscribe(mission, sensors_)),
-      log_(options.log),
+      log_(options.log, mission),
       checkpoint_(options.checkpoints, programOf(mission, options)) {
   lookForCheckpoint();
 }
@@ -163,12 +155,11 @@ void GliderRuntime::answerTick(const GliderByteStream& stream, double sbc_time) 
   }
   if (context_ != nullptr) {
     command();
-    keepCheckpoint();
   }
-  client_.done(status(), stream);
   logNews(news);
   logUnanswered(tick);
-  log_.flush();
+  commit();
+  client_.done(status(), stream);
 }
 
 /// Flies on by its own clock; what it commands now goes with the next answer, for the SBC never
@@ -178,9 +169,9 @@ void GliderRuntime::tickOfClockAlone(double sbc_time) {
     return;
   }
   stepMission(clock_.withoutFrame(sbc_time), 0);
-  log_.event(context_->mission_time, "silent link", "", glider::runtime::unknown());
-  keepCheckpoint();
-  log_.flush();
+  log_.event(context_->mission_time, LogEvent::SilentLink, LogDetail::None,
+             glider::runtime::unknown());
+  commit();
 }
 
 uint32_t GliderRuntime::gatherUpdates() {
@@ -194,8 +185,8 @@ uint32_t GliderRuntime::gatherUpdates() {
 void GliderRuntime::startMission(uint32_t update_count) {
   context_ = gliderStart(context_memory_, &mission_, parameters_, updates_, update_count);
   log_.begin(*context_);
-  if (begins_anew_ != nullptr) {
-    log_.event(0.0, "mission begins anew", begins_anew_, glider::runtime::unknown());
+  if (begins_anew_ != LogDetail::None) {
+    log_.event(0.0, LogEvent::BeginsAnew, begins_anew_, glider::runtime::unknown());
   }
   tellNotes();
   log_.values(*context_);
@@ -207,16 +198,17 @@ void GliderRuntime::stepMission(double mission_time, uint32_t update_count) {
     return;
   }
   const uint32_t from = context_->state;
+  const glider::runtime::StateTimes times{context_->entered, context_->resumed};
   gliderStep(context_, mission_time, updates_, update_count);
   tellNotes();
-  tellTransition(from);
+  tellTransition(from, times);
   if (!finished()) {
     log_.values(*context_);
   }
   logRefusedCommands();
 }
 
-void GliderRuntime::tellTransition(uint32_t from) {
+void GliderRuntime::tellTransition(uint32_t from, const glider::runtime::StateTimes& times) {
   if (context_->moved_list == GLIDER_NO_LIST) {
     return;
   }
@@ -228,7 +220,7 @@ void GliderRuntime::tellTransition(uint32_t from) {
   notice.to = context_->state;
   notice.fired_case = context_->moved_case;
   client_.notify(notice);
-  log_.transition(*context_, from);
+  log_.transition(*context_, from, times);
 }
 
 /// What `log` and unknown values left in this tick: to the log, and as texts to the vehicle.
@@ -242,7 +234,8 @@ void GliderRuntime::tellNotes() {
     client_.tell(told);
   }
   if (context_->lost_notes != 0) {
-    log_.event(context_->mission_time, "notes lost", "", static_cast<double>(context_->lost_notes));
+    log_.event(context_->mission_time, LogEvent::NotesLost, LogDetail::None,
+               static_cast<double>(context_->lost_notes));
   }
 }
 
@@ -255,8 +248,9 @@ void GliderRuntime::command() {
 
 void GliderRuntime::logNews(const ControlNews& news) {
   if (news.kind != ControlNews::Kind::None && context_ != nullptr) {
-    log_.event(context_->mission_time, nameOf(news.kind),
-               news.kind == ControlNews::Kind::Refused ? nameOf(news.answer) : "",
+    const bool refused = news.kind == ControlNews::Kind::Refused;
+    log_.event(context_->mission_time, eventOf(news.kind),
+               refused ? static_cast<LogDetail>(news.answer) : LogDetail::None,
                static_cast<double>(news.sequence));
   }
 }
@@ -264,14 +258,14 @@ void GliderRuntime::logNews(const ControlNews& news) {
 /// Told once, when the client stops claiming control.
 void GliderRuntime::logUnanswered(const glider::hooks::VehicleTick& tick) {
   if (context_ != nullptr && tick.unanswered_ticks == glider::hooks::Client::kMostUnansweredTicks) {
-    log_.event(context_->mission_time, "instruction unanswered", "",
+    log_.event(context_->mission_time, LogEvent::InstructionUnanswered, LogDetail::None,
                static_cast<double>(tick.instruction_sequence));
   }
 }
 
 void GliderRuntime::logRefusedCommands() {
   if (context_->refused_commands != logged_refusals_) {
-    log_.event(context_->mission_time, "command with an unknown value", "",
+    log_.event(context_->mission_time, LogEvent::UnknownCommand, LogDetail::None,
                static_cast<double>(context_->refused_commands - logged_refusals_));
     logged_refusals_ = context_->refused_commands;
   }
@@ -280,8 +274,8 @@ void GliderRuntime::logRefusedCommands() {
 void GliderRuntime::logRefusedLink() {
   const glider::hooks::Refusal& refusal = client_.refusal();
   const bool same_version = refusal.version == glider::hooks::kProtocolVersion;
-  log_.event(0.0, "link refused",
-             same_version ? "another sensor dictionary" : "another protocol version",
+  log_.event(0.0, LogEvent::LinkRefused,
+             same_version ? LogDetail::OtherDictionary : LogDetail::OtherVersion,
              static_cast<double>(same_version ? refusal.dictionary : refusal.version));
   log_.flush();
 }

@@ -31,12 +31,13 @@ struct GliderRuntime {
                                                 glider::hooks::Subscription* sensors);
   void lookForCheckpoint();
   void considerCheckpoint(const glider::hooks::VehicleTick& tick, double sbc_time);
-  void keepCheckpoint();
+  void commit();
+  void tellVehicle(const char* what);
   void answerTick(const GliderByteStream& stream, double sbc_time);
   void tickOfClockAlone(double sbc_time);
   void startMission(uint32_t update_count);
   void stepMission(double mission_time, uint32_t update_count);
-  void tellTransition(uint32_t from);
+  void tellTransition(uint32_t from, const glider::runtime::StateTimes& times);
   void tellNotes();
   void command();
   void logNews(const glider::runtime::ControlNews& news);
@@ -58,9 +59,11 @@ struct GliderRuntime {
   glider::runtime::MissionLog log_;
   GliderUpdate updates_[glider::hooks::kMostSubscriptions] = {};
   glider::runtime::Checkpoint checkpoint_;
-  glider::runtime::LinkFacts facts_;   ///< of the checkpoint that was found
-  bool found_ = false;                 ///< there is one, and nothing is decided about it
-  const char* begins_anew_ = nullptr;  ///< why a checkpoint that is there is not taken
-  bool not_kept_ = false;              ///< the newest could not be written
+  glider::runtime::LinkFacts facts_;  ///< of the checkpoint that was found
+  bool found_ = false;                ///< there is one, and nothing is decided about it
+  /// Why a checkpoint that is there is not taken.
+  glider::runtime::LogDetail begins_anew_ = glider::runtime::LogDetail::None;
+  bool log_fails_ = false;
+  bool not_kept_ = false;  ///< the newest could not be written
   uint32_t logged_refusals_ = 0;
 };

@@ -9,6 +9,7 @@
 #include "runtime/core/lay_out.h"
 #include "runtime/library/library.h"
 #include "tests/unit/runtime/bench_mission.h"
+#include "tests/unit/runtime/log_csv.h"
 #include "tests/unit/runtime/power_cut_store.h"
 #include "tests/unit/runtime/vehicle_bench.h"
 
@@ -79,8 +80,10 @@ class ResumeTest : public ::testing::Test {
   void boot(VehicleBench& vehicle, uint32_t program = 7) {
     runtime_memory_.assign(gliderRuntimeSize() / sizeof(double) + 1, -1.0);
     std::ranges::fill(mission_.memory, -1.0);
-    const GliderRuntimeOptions options{
-        {this, &ResumeTest::writeLog}, nullptr, keeps ? store_.store() : GliderStore{}, program};
+    const GliderRuntimeOptions options{{this, &ResumeTest::writeLog, nullptr, nullptr},
+                                       nullptr,
+                                       keeps ? store_.store() : GliderStore{},
+                                       program};
     runtime_ = gliderRuntimeInit(runtime_memory_.data(), mission_.memory.data(), &mission_.mission,
                                  &options);
     ASSERT_NE(runtime_, nullptr);
@@ -143,6 +146,8 @@ class ResumeTest : public ::testing::Test {
     }
     return bodies;
   }
+
+  [[nodiscard]] std::string logCsv() const { return csvOf(log_text_); }
 
   GliderWindowShape window_{60, 4, 17, kGliderMean, 0, 0};
   GliderCaseInfo to_second_[2] = {{kGliderCall, 1}, {kGliderExit, 0}};
@@ -260,7 +265,7 @@ TEST_P(Outages, TheMissionGoesOnAsIfItHadOnlyBeenDeaf) {
   boot(vehicle);
   vehicle.run(at + lasts + 12);
   ASSERT_GT(ticks_.size(), before) << "within a cycle of the link";
-  EXPECT_THAT(log_text_, HasSubstr("mission resumed"));
+  EXPECT_THAT(logCsv(), HasSubstr("mission resumed"));
   vehicle.run(700);
   EXPECT_TRUE(finished_);
   EXPECT_EQ(vehicle.hookbeh().state, hooks::HookState::Complete) << "given back by the mission";
@@ -270,7 +275,7 @@ TEST_P(Outages, TheMissionGoesOnAsIfItHadOnlyBeenDeaf) {
   }
   EXPECT_THAT(vehicle.answers, Each(hooks::HookAnswer::Accepted));
   if (lasts < 16) {
-    EXPECT_THAT(log_text_, Not(HasSubstr("control lost")));
+    EXPECT_THAT(logCsv(), Not(HasSubstr("control lost")));
   }
 }
 
@@ -320,7 +325,7 @@ TEST_F(ResumeTest, AfterAnOutageLongerThanTheMissionAllowsControlStaysWithTheVeh
   EXPECT_TRUE(finished_);
   EXPECT_EQ(gliderRuntimeContext(runtime_), nullptr);
   EXPECT_EQ(vehicle.hookbeh().state, hooks::HookState::Silent);
-  EXPECT_THAT(log_text_, HasSubstr("control left to the vehicle"));
+  EXPECT_THAT(logCsv(), HasSubstr("control left to the vehicle"));
   boot(vehicle);  // and again: it stays so
   vehicle.run(400);
   EXPECT_TRUE(finished_);
@@ -351,12 +356,12 @@ TEST_F(ResumeTest, AnotherFlightOfTheVehicleBeginsTheMissionAnew) {
   second.run(40);
   EXPECT_EQ(second.hookbeh().state, hooks::HookState::Active);
   EXPECT_LT(gliderRuntimeContext(runtime_)->mission_time, 40);
-  EXPECT_THAT(log_text_, HasSubstr("the checkpoint is of an earlier flight"));
+  EXPECT_THAT(logCsv(), HasSubstr("the checkpoint is of an earlier flight"));
   cutPower(second);
   second.run(50);
   boot(second);
   second.run(70);
-  EXPECT_THAT(log_text_, HasSubstr("mission resumed")) << "the newest one is the second flight's";
+  EXPECT_THAT(logCsv(), HasSubstr("mission resumed")) << "the newest one is the second flight's";
 }
 
 TEST_F(ResumeTest, ACheckpointFromTheFutureLeavesControlToTheVehicle) {
@@ -374,7 +379,7 @@ TEST_F(ResumeTest, ACheckpointFromTheFutureLeavesControlToTheVehicle) {
   boot(second);
   second.run(120);
   EXPECT_TRUE(finished_);
-  EXPECT_THAT(log_text_, HasSubstr("the checkpoint is from the future"));
+  EXPECT_THAT(logCsv(), HasSubstr("the checkpoint is from the future"));
   EXPECT_EQ(second.hookbeh().state, hooks::HookState::Silent);
 }
 
@@ -384,8 +389,8 @@ TEST_F(ResumeTest, ACheckpointOfAnotherProgramIsNotTaken) {
   vehicle.run(60);
   boot(vehicle, 8);
   vehicle.run(140);
-  EXPECT_THAT(log_text_, HasSubstr("the checkpoint is another program's"));
-  EXPECT_THAT(log_text_, Not(HasSubstr("mission resumed")));
+  EXPECT_THAT(logCsv(), HasSubstr("the checkpoint is another program's"));
+  EXPECT_THAT(logCsv(), Not(HasSubstr("mission resumed")));
   EXPECT_EQ(vehicle.hookbeh().state, hooks::HookState::Active) << "after the silence";
 }
 
@@ -395,7 +400,8 @@ TEST_F(ResumeTest, WithOtherParametersItIsAnotherProgram) {
   mission_.finish(1);
   std::vector<double> memory(mission_.memory.size());
   const auto found = [&] {
-    const GliderRuntimeOptions options{{this, &ResumeTest::writeLog}, chosen, store_.store(), 7};
+    const GliderRuntimeOptions options{
+        {this, &ResumeTest::writeLog, nullptr, nullptr}, chosen, store_.store(), 7};
     runtime_memory_.assign(gliderRuntimeSize() / sizeof(double) + 1, 0.0);
     log_text_.clear();
     runtime_ = gliderRuntimeInit(runtime_memory_.data(), mission_.memory.data(), &mission_.mission,
@@ -403,7 +409,7 @@ TEST_F(ResumeTest, WithOtherParametersItIsAnotherProgram) {
     VehicleBench vehicle({.silence_secs = 24});
     vehicle.sbc = [&] { poll(vehicle); };
     vehicle.run(30);
-    return log_text_;
+    return logCsv();
   };
   EXPECT_THAT(found(), Not(HasSubstr("begins anew")));
   EXPECT_THAT(found(), HasSubstr("earlier flight"));
@@ -421,7 +427,7 @@ TEST_F(ResumeTest, DamagedCheckpointsBeginTheMissionAnewAndSayso) {
   }
   boot(vehicle);
   vehicle.run(140);
-  EXPECT_THAT(log_text_, HasSubstr("no checkpoint is whole"));
+  EXPECT_THAT(logCsv(), HasSubstr("no checkpoint is whole"));
   EXPECT_EQ(vehicle.hookbeh().state, hooks::HookState::Active);
 }
 
@@ -463,12 +469,17 @@ TEST_F(ResumeTest, ACardThatFailsIsToldOnceAndTheMissionFliesOn) {
   store_.fails = true;
   vehicle.run(600);
   EXPECT_TRUE(finished_);
-  const std::string told = "checkpoint not written";
-  const size_t first = log_text_.find(told);
+  const std::string log = logCsv(), told = "checkpoint not written";
+  const size_t first = log.find(told);
   ASSERT_NE(first, std::string::npos);
-  const size_t second = log_text_.find(told, first + 1);
+  const size_t second = log.find(told, first + 1);
   ASSERT_NE(second, std::string::npos);
-  EXPECT_EQ(log_text_.find(told, second + 1), std::string::npos);
+  EXPECT_EQ(log.find(told, second + 1), std::string::npos);
+  const auto notes = std::ranges::count_if(vehicle.events, [](const hooks::HookprogEvent& e) {
+    return e.kind == hooks::HookprogEvent::Kind::SbcNote &&
+           std::string(e.text) == "the SBC's checkpoint is not written";
+  });
+  EXPECT_EQ(notes, 2) << "the vehicle's log has it too";
 }
 
 }  // namespace

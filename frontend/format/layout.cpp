@@ -58,7 +58,7 @@ class Layout {
     const bool named = after({"require", "extern"});
     const bool large =
         !named && oneOf(token(), {"always", "state", "flightprofile", "flightroute"});
-    const bool resume = token().is("resume") && !token().name;
+    const bool resume = token().is("resume") && tokens_[at_ + 1].is("within");
     const bool small = resume || oneOf(token(), {"mission", "platform", "import", "const", "param",
                                                  "var", "extern", "require"});
     if (large || small) {

@@ -107,7 +107,8 @@ CampaignFlight flightOf(const CampaignPlan& plan, uint64_t number) {
 support::Result<simulator::SimulationSetup> setupOf(const CampaignPlan& plan,
                                                     const CampaignFlight& flight) {
   const CampaignMission& mission = plan.missions[flight.mission];
-  auto sbc = mission.start();
+  simulator::StartSbc start = mission.new_flight();
+  auto sbc = start();
   if (!sbc) {
     return std::unexpected(sbc.error());
   }
@@ -117,7 +118,7 @@ support::Result<simulator::SimulationSetup> setupOf(const CampaignPlan& plan,
   setup.scenario.faults.add(simulator::drawFaults(flight.kind, flight.seed, mission.flight_s));
   setup.seed = flight.seed;
   setup.sbc = std::move(*sbc);
-  setup.restart_sbc = mission.start;
+  setup.restart_sbc = std::move(start);
   // A mission may have to begin anew when the last fault is over.
   setup.duration_s = plan.scenario.duration_s + setup.scenario.faults.lastEnd();
   return setup;

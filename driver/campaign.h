@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "driver/sbc_choice.h"
 #include "simulator/campaign/draw_faults.h"
 #include "simulator/campaign/flight_judge.h"
 #include "simulator/simulator.h"
@@ -17,7 +18,7 @@ namespace glider::driver {
 /// A mission of a campaign, ready to start as often as wanted.
 struct CampaignMission {
   std::string file;
-  simulator::StartSbc start;
+  NewFlight new_flight;
   double flight_s = 0;  ///< how long it flies when nothing goes wrong
 };
 

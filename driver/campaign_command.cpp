@@ -48,7 +48,7 @@ std::vector<CampaignMission> loadMissions(const CampaignOptions& options, int& s
     if (compilation == nullptr) {
       return {};
     }
-    auto start = sbcInProcess(*compilation, options.launch, options.user_code, true);
+    auto start = flightsInProcess(*compilation, options.launch, options.user_code, true);
     if (!start) {
       status = reportFailure(start.error());
       return {};

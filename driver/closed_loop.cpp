@@ -91,8 +91,8 @@ class Search {
     setup.scenario = std::move(*world);
     setup.seed = seed;
     describeMission(setup, compilation_);
-    auto sbc =
-        std::make_unique<InProcessSbc>(mission_, parameters_, !setup.scenario.faults.empty());
+    auto sbc = std::make_unique<InProcessSbc>(mission_, parameters_, std::make_shared<Card>(),
+                                              !setup.scenario.faults.empty());
     HeardTicks heard(m_);
     sbc->watch([&](const GliderContext& context, double now) { heard.look(context, now); });
     setup.sbc = std::move(sbc);

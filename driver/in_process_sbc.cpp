@@ -9,12 +9,17 @@
 namespace glider::driver {
 
 InProcessSbc::InProcessSbc(std::shared_ptr<const codegen::LoadedMission> mission,
-                           std::vector<double> parameters, bool keeps_time)
-    : mission_(std::move(mission)), parameters_(std::move(parameters)), keeps_time_(keeps_time) {
+                           std::vector<double> parameters, std::shared_ptr<Card> card,
+                           bool keeps_time)
+    : mission_(std::move(mission)),
+      parameters_(std::move(parameters)),
+      card_(std::move(card)),
+      keeps_time_(keeps_time) {
   // operator new aligns for every fundamental type, which is what the runtime asks for.
   runtime_memory_ = std::make_unique<std::byte[]>(mission_->runtimeSize());
   context_memory_ = std::make_unique<std::byte[]>(mission_->mission().context_bytes);
-  const GliderRuntimeOptions options{{}, parameters_.data()};
+  const GliderStore store{card_.get(), readCard, writeCard, [](void*) { return 0; }};
+  const GliderRuntimeOptions options{{}, parameters_.data(), store, 0};
   runtime_ = mission_->init(runtime_memory_.get(), context_memory_.get(), &options);
 }
 
@@ -37,6 +42,21 @@ int32_t InProcessSbc::writeBytes(void* self, const uint8_t* bytes, uint32_t coun
     return -1;
   }
   sbc.from_sbc_.insert(sbc.from_sbc_.end(), bytes, bytes + count);
+  return static_cast<int32_t>(count);
+}
+
+int32_t InProcessSbc::readCard(void* self, uint32_t offset, uint8_t* bytes, uint32_t count) {
+  const Card& card = *static_cast<Card*>(self);
+  const size_t from = std::min<size_t>(offset, card.size());
+  const size_t taken = std::min<size_t>(count, card.size() - from);
+  std::copy_n(card.begin() + static_cast<ptrdiff_t>(from), taken, bytes);
+  return static_cast<int32_t>(taken);
+}
+
+int32_t InProcessSbc::writeCard(void* self, uint32_t offset, const uint8_t* bytes, uint32_t count) {
+  Card& card = *static_cast<Card*>(self);
+  card.resize(std::max<size_t>(card.size(), size_t{offset} + count));
+  std::copy_n(bytes, count, card.begin() + offset);
   return static_cast<int32_t>(count);
 }
 

@@ -17,14 +17,18 @@
 
 namespace glider::driver {
 
+/// The card of an SBC in this process: what stands on it outlives a power cut.
+using Card = std::vector<uint8_t>;
+
 /// An SBC within this process: the compiled mission, loaded as a shared object, speaks the real
 /// protocol over memory.
 class InProcessSbc final : public simulator::SbcPort {
  public:
   /// `parameters`: one value each, as the mission allows them. `keeps_time`: its clock is the
-  /// vehicle's, and time-outs run; else it stands still between frames.
+  /// vehicle's, and time-outs run; else it stands still between frames. `card`: where it keeps its
+  /// checkpoints.
   InProcessSbc(std::shared_ptr<const codegen::LoadedMission> mission,
-               std::vector<double> parameters, bool keeps_time = false);
+               std::vector<double> parameters, std::shared_ptr<Card> card, bool keeps_time = false);
 
   /// Calls `watcher` each time that the runtime has been polled, once its mission has started: with
   /// what it holds, and the vehicle's time, s.
@@ -44,6 +48,8 @@ class InProcessSbc final : public simulator::SbcPort {
   static int32_t readBytes(void* self, uint8_t* bytes, uint32_t capacity);
   static int32_t writeBytes(void* self, const uint8_t* bytes, uint32_t count);
   static double now(void* self);
+  static int32_t readCard(void* self, uint32_t offset, uint8_t* bytes, uint32_t count);
+  static int32_t writeCard(void* self, uint32_t offset, const uint8_t* bytes, uint32_t count);
   void run();
   void showToWatcher() const;
   void end(const char* epitaph);
@@ -51,6 +57,7 @@ class InProcessSbc final : public simulator::SbcPort {
   std::shared_ptr<const codegen::LoadedMission> mission_;
   std::vector<double> parameters_;
   Watcher watcher_;
+  std::shared_ptr<Card> card_;
   std::unique_ptr<std::byte[]> runtime_memory_;
   std::unique_ptr<std::byte[]> context_memory_;
   GliderRuntime* runtime_ = nullptr;

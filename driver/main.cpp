@@ -46,6 +46,7 @@ int run(int argc, char** argv) {
   addGraphCommand(app, status);
   addSimCommand(app, status);
   addCampaignCommand(app, status);
+  addLogCommand(app, status);
   addFmtCommand(app, status);
   addFixCommand(app, status);
   addExplainCommand(app, status);

@@ -16,8 +16,8 @@ using simulator::SbcPort;
 using simulator::StartSbc;
 using support::Result;
 
-Result<StartSbc> sbcInProcess(const Compilation& compilation, const LaunchChoice& launch,
-                              const std::vector<std::string>& user_code, bool keeps_time) {
+Result<NewFlight> flightsInProcess(const Compilation& compilation, const LaunchChoice& launch,
+                                   const std::vector<std::string>& user_code, bool keeps_time) {
   auto loaded = loadHere(compilation, user_code);
   if (!loaded) {
     return std::unexpected(loaded.error());
@@ -27,10 +27,18 @@ Result<StartSbc> sbcInProcess(const Compilation& compilation, const LaunchChoice
     return std::unexpected(parameters.error());
   }
   auto mission = std::make_shared<const codegen::LoadedMission>(std::move(*loaded));
-  return [mission, values = std::move(*parameters), keeps_time] {
-    return Result<std::unique_ptr<SbcPort>>(
-        std::make_unique<InProcessSbc>(mission, values, keeps_time));
+  return [mission, values = std::move(*parameters), keeps_time]() -> StartSbc {
+    return [mission, values, keeps_time, card = std::make_shared<Card>()] {
+      return Result<std::unique_ptr<SbcPort>>(
+          std::make_unique<InProcessSbc>(mission, values, card, keeps_time));
+    };
   };
+}
+
+Result<StartSbc> sbcInProcess(const Compilation& compilation, const LaunchChoice& launch,
+                              const std::vector<std::string>& user_code, bool keeps_time) {
+  const auto flights = flightsInProcess(compilation, launch, user_code, keeps_time);
+  return flights ? Result<StartSbc>((*flights)()) : std::unexpected(flights.error());
 }
 
 namespace {
@@ -81,13 +89,14 @@ Result<StartSbc> sbcOnBoard(const Compilation& compilation, const LaunchChoice& 
     return std::unexpected(built.error());
   }
   std::vector<std::string> command = target->emulator;
-  const std::filesystem::path log = folder / "mission-log.csv";
+  const std::filesystem::path log = folder / "mission.log";
+  const std::filesystem::path checkpoints = folder / (name + "-" + board + ".checkpoint");
   std::error_code ignored;
-  std::filesystem::remove(log, ignored);  // of an earlier flight: the program would write after it
-  for (const std::string& word : {std::filesystem::absolute(binary).string(), std::string("--port"),
-                                  std::string("{port}"), std::string("--log"), log.string()}) {
-    command.push_back(word);
+  for (const auto& of_an_earlier_flight : {log, checkpoints}) {
+    std::filesystem::remove(of_an_earlier_flight, ignored);
   }
+  command.insert(command.end(), {std::filesystem::absolute(binary).string(), "--port", "{port}",
+                                 "--log", log.string(), "--checkpoint", checkpoints.string()});
   if (!launch.file.empty()) {
     command.insert(command.end(), {"--parameters", launch.file});
   }

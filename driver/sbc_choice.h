@@ -9,16 +9,26 @@
 #include "support/result.h"
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace glider::driver {
 
-// Each makes what starts the SBC, as often as its power comes back.
+/// For each flight what starts its SBC, which has a card of its own.
+using NewFlight = std::function<simulator::StartSbc()>;
 
 /// Compiles the mission for this process and loads it; `user_code` is what --link names.
 /// `keeps_time`: see InProcessSbc.
+support::Result<NewFlight> flightsInProcess(const Compilation& compilation,
+                                            const LaunchChoice& launch,
+                                            const std::vector<std::string>& user_code,
+                                            bool keeps_time);
+
+// Each makes what starts the SBC of one flight, as often as its power comes back.
+
+/// flightsInProcess, of one flight.
 support::Result<simulator::StartSbc> sbcInProcess(const Compilation& compilation,
                                                   const LaunchChoice& launch,
                                                   const std::vector<std::string>& user_code,

@@ -58,6 +58,7 @@ NEVER : 'never' ;
 AFTER : 'after' ;
 STALE : 'stale' ;
 SURFACES : 'surfaces' ;
+RESUME : 'resume' ;
 
 // Units (support/units/units.def) and the letters of positions; `S` and `W` are both. `min` is also the function.
 MIN : 'min' ;

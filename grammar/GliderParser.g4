@@ -11,7 +11,7 @@ file : item* EOF ;
 item
   : missionLine | platformLine | importLine
   | constant | parameter | variable
-  | always | state | behaviour | external | requirement
+  | always | state | behaviour | external | requirement | resumption
   ;
 
 missionLine : MISSION anyName ;
@@ -61,6 +61,8 @@ declaration
   ;
 reads : READS name (COMMA name)* ;
 
+resumption : RESUME WITHIN expr ;
+
 requirement : REQUIRE promise ;
 promise
   : ALWAYS expr              # alwaysPromise
@@ -97,7 +99,7 @@ argument : expr (OF name)? ;
 
 name
   : NAME | IN | OF | WHERE | DONE | FUNCTION | SENSOR | READS | WITHIN | STACK | REACH | NEVER | AFTER | STALE
-  | SURFACES
+  | SURFACES | RESUME
   ;
 // A unit's name may name a mission or a state; elsewhere the frontend says why not.
 anyName : name | UNIT | COMPASS | MIN ;

@@ -186,6 +186,7 @@ llvm::Constant* Tables::mission(const MissionFunctions& functions) {
                                     word(mission.always.size()),
                                     word(bytesOf(lowering_)),
                                     word(mission.uses.size()),
+                                    number(mission.resume_within_s),
                                     text(mission.name),
                                     states(),
                                     sensors(),

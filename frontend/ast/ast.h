@@ -354,6 +354,13 @@ struct Requirement {
   bool operator==(const Requirement&) const = default;
 };
 
+/// How long the SBC may have been away for the mission to go on.
+struct Resumption {
+  Expr within;
+  Where where;
+  bool operator==(const Resumption&) const = default;
+};
+
 struct MissionLine {
   Name name;
   Where where;
@@ -370,8 +377,9 @@ struct Import {
   bool operator==(const Import&) const = default;
 };
 
-using Item = std::variant<MissionLine, PlatformLine, Import, Const, Param, Var, Always, State,
-                          Behaviour, ExternFunction, ExternBehaviour, ExternSensor, Requirement>;
+using Item =
+    std::variant<MissionLine, PlatformLine, Import, Const, Param, Var, Always, State, Behaviour,
+                 ExternFunction, ExternBehaviour, ExternSensor, Requirement, Resumption>;
 
 /// A mission file or a library file.
 struct File {

@@ -106,6 +106,8 @@ class FilePrinter {
     std::visit([this](const auto& p) { line("require " + promise(p)); }, n.node);
   }
 
+  void write(const Resumption& n) { line("resume within " + print(n.within)); }
+
   static std::string promise(const AlwaysPromise& p) { return "always " + print(p.condition); }
   static std::string promise(const ExitPromise& p) { return "exit within " + print(p.within); }
   static std::string promise(const StackPromise& p) { return "stack <= " + print(p.depth); }

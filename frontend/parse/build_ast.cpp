@@ -65,6 +65,9 @@ ast::Item AstBuilder::item(Parser::ItemContext* rule) {
       return state(static_cast<Parser::StateContext*>(child));
     case GliderParser::RuleBehaviour:
       return behaviour(static_cast<Parser::BehaviourContext*>(child));
+    case GliderParser::RuleResumption:
+      return ast::Resumption{expr(static_cast<Parser::ResumptionContext*>(child)->expr()),
+                             where(child)};
     case GliderParser::RuleExternal:
       return external(static_cast<Parser::ExternalContext*>(child));
     default:

@@ -76,7 +76,7 @@ bool isName(uint32_t type) {
 }
 
 bool isSoftKeyword(uint32_t type) {
-  return type >= GliderLexer::IN && type <= GliderLexer::SURFACES;
+  return type >= GliderLexer::IN && type <= GliderLexer::RESUME;
 }
 
 bool isAnyName(uint32_t type) {

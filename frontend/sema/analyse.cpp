@@ -43,6 +43,7 @@ std::optional<ir::Mission> analyse(const ast::File& mission, const AnalysisInput
     scope.mission.states.push_back(StateLowering({i}, scope).run());
   }
   lowerRequirements(mission, scope);
+  lowerResumption(mission, scope);
   if (diagnostics.hasErrors()) {
     return std::nullopt;
   }

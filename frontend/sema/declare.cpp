@@ -60,6 +60,7 @@ class Declarations {
   void visit(const ast::Always&) {}
   void visit(const ast::Import&) {}
   void visit(const ast::Requirement&) {}
+  void visit(const ast::Resumption&) {}
 
   void visit(const ast::Behaviour& node) {
     BehaviourDeclaration declaration;

@@ -198,6 +198,7 @@ uint16_t Client::instruct(Instruction instruction) {
   } else if (instruction.control == HookControl::Steer && !taken_) {
     instruction.control = HookControl::Take;
   }
+  claims_ = true;
   instruction.session = session_;
   pending_ = roundToArray(instruction);
   renumber();
@@ -213,6 +214,14 @@ void Client::renumber() {
     // new.
   } while (sequence_ == tick_.answered_sequence);
   pending_.sequence = sequence_;
+}
+
+void Client::resume(uint32_t session, uint16_t sequence) {
+  session_ = session;
+  sequence_ = sequence;
+  claims_ = false;
+  taken_ = false;
+  learnSession(session);
 }
 
 void Client::notify(const TransitionNotice& notice) {
@@ -327,7 +336,7 @@ void Client::queueInstruction() {
 void Client::answer(const GliderByteStream& stream) {
   if (must_answer_) {
     Frame frame;
-    const uint32_t claimed = unanswered_ticks_ < kMostUnansweredTicks ? session_ : 0;
+    const uint32_t claimed = claims_ && unanswered_ticks_ < kMostUnansweredTicks ? session_ : 0;
     encode(Done{answered_frame_, claimed, status_}, frame);
     queue(frame);
     must_answer_ = false;

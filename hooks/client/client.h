@@ -97,6 +97,14 @@ class Client {
   void notify(const TransitionNotice& notice);
   /// Tells of a note, after all that matters more: one for which the line has no room is left out.
   void tell(const MissionNote& note);
+  /// Goes on in `session`, whose newest instruction had the number `sequence`, as the program did
+  /// that this one replaces; 0: in none, and the next Take opens a newer one. The session is
+  /// claimed again with the next instruction.
+  void resume(uint32_t session, uint16_t sequence);
+  /// The session of the newest Take, 0 before the first.
+  [[nodiscard]] uint32_t session() const { return session_; }
+  /// The newest instruction's number, 0 before the first.
+  [[nodiscard]] uint16_t sequence() const { return sequence_; }
   /// Ends and sends the answer. Without a tick to answer it only remembers `status` for the next
   /// one.
   void done(const MissionStatus& status, const GliderByteStream& stream);
@@ -167,6 +175,7 @@ class Client {
   uint32_t unanswered_ticks_ = 0;
   uint16_t last_answered_ = 0;  // x_hook_sequence in the tick before
   uint32_t session_ = 0;        // of the newest Take, 0 before the first
+  bool claims_ = true;          // it is ours to keep alive
   bool taken_ = false;          // hookbeh was seen active in `session_`
   uint16_t sequence_ = 0;
 };

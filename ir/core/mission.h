@@ -306,6 +306,10 @@ struct Requirement {
   support::SourceRange range;
 };
 
+/// Of missions that say nothing: longer than any reboot takes, shorter than what the vehicle does
+/// meanwhile matters.
+inline constexpr double kResumeWithin_s = 300;
+
 struct Mission {
   std::string name;
   std::string platform;
@@ -323,6 +327,9 @@ struct Mission {
   GuardTable always_table;         ///< of `always`; may be empty
   std::vector<State> states;       ///< the first is where the mission starts
   std::vector<Requirement> requirements;
+  /// The longest outage of the SBC after which the mission goes on, s; kResumeWithin unless the
+  /// mission says another.
+  double resume_within_s = kResumeWithin_s;
 
   [[nodiscard]] const Expr& operator[](ExprId id) const { return exprs.at(id.index); }
   [[nodiscard]] const State& operator[](StateId id) const { return states.at(id.index); }

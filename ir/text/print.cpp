@@ -35,6 +35,9 @@ std::string nameText(std::string_view name) {
 
 std::string Printer::run() {
   add("glider_ir 1\nmission {} platform {}\n", nameText(m_.name), nameText(m_.platform));
+  if (m_.resume_within_s != kResumeWithin_s) {
+    line("resume within {}", m_.resume_within_s);
+  }
   std::ranges::for_each(m_.sensors, [&](const Sensor& s) { sensor(s); });
   std::ranges::for_each(m_.behaviours, [&](const Behaviour& b) { behaviour(b); });
   std::ranges::for_each(m_.variables, [&](const Variable& v) { variable(v); });

@@ -73,10 +73,13 @@ class Reader {
       state();
     } else if (in_.peek().isWord("require")) {
       requirement();
+    } else if (in_.accept("resume")) {
+      in_.expect("within");
+      m_.resume_within_s = in_.number(false);
     } else if (!code_.definition()) {
       in_.failExpecting(
           "`sensor`, `behaviour`, `variable`, `table`, `function`, `use`, `let`, `always`, "
-          "`state` or `require`");
+          "`state`, `require` or `resume`");
     }
   }
 

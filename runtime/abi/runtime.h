@@ -30,14 +30,34 @@ typedef struct GliderUpdate {
 /* Where the mission log goes. */
 typedef struct GliderLogSink {
   void* self;
-  /* Takes the bytes of whole lines; returns how many were taken. Fewer, or a negative number, is a
-     failure, which is counted and never stops the mission. NULL: there is no log. */
+  /* Takes the bytes of whole records; returns how many were taken. Fewer, or a negative number, is
+     a failure, which is counted and never stops the mission. NULL: there is no log. */
   int32_t (*write)(void* self, const uint8_t* bytes, uint32_t count);
+  /* Returns when all that was written would outlive a power cut; 0, or a negative number if it
+     would not. May be NULL. */
+  int32_t (*sync)(void* self);
+  /* Asked after each write: 1 if the log was full, and what comes next begins a new one; else 0.
+     May be NULL: the log has no bounds. */
+  int32_t (*renew)(void* self);
 } GliderLogSink;
+
+/* Where checkpoints are kept: a file, of which nothing is believed that a power cut could have
+   torn. Each returns how many bytes it dealt with (sync: 0), or a negative number; what fails never
+   stops the mission. */
+typedef struct GliderStore {
+  void* self;
+  /* Beyond its end a store has no bytes. */
+  int32_t (*read)(void* self, uint32_t offset, uint8_t* bytes, uint32_t count);
+  int32_t (*write)(void* self, uint32_t offset, const uint8_t* bytes, uint32_t count);
+  /* Returns when all that was written would outlive a power cut. */
+  int32_t (*sync)(void* self);
+} GliderStore;
 
 typedef struct GliderRuntimeOptions {
   GliderLogSink log;
   const double* parameters; /* as gliderStart's; outlives the runtime */
+  GliderStore checkpoints;  /* all NULL: none are kept, and a program that starts begins anew */
+  uint32_t program; /* a number of this very program: checkpoints of another are not taken */
 } GliderRuntimeOptions;
 
 typedef enum GliderRuntimeStatus {

@@ -7,6 +7,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <stdio.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -21,27 +22,50 @@ int32_t writeOutput(void*, const uint8_t* bytes, uint32_t count) {
   return hooks::writeDescriptor(STDOUT_FILENO, bytes, count);
 }
 
+/// The log's file, and the one that it becomes when it is full.
+struct LogFile {
+  const char* path;
+  char older[256];
+  uint32_t limit;
+  uint32_t size;
+  int descriptor;
+};
+
+bool openFile(LogFile& file, int flags) {
+  file.descriptor = open(file.path, O_WRONLY | O_CREAT | O_APPEND | flags, 0644);
+  file.size = static_cast<uint32_t>(lseek(file.descriptor, 0, SEEK_END));
+  return file.descriptor >= 0;
+}
+
 /// The log of a full card is given up at once, never waited for.
 int32_t writeLog(void* self, const uint8_t* bytes, uint32_t count) {
-  const int descriptor = *static_cast<const int*>(self);
+  auto& file = *static_cast<LogFile*>(self);
   uint32_t written = 0;
   while (written < count) {
-    const ssize_t taken = write(descriptor, bytes + written, count - written);
+    const ssize_t taken = write(file.descriptor, bytes + written, count - written);
     if (taken <= 0 && !(taken < 0 && errno == EINTR)) {
       break;
     }
     written += taken > 0 ? static_cast<uint32_t>(taken) : 0U;
   }
+  file.size += written;
   return static_cast<int32_t>(written);
 }
 
-/// The power may have been cut in the middle of the last flight's last line.
-void endLine(int descriptor) {
-  char last = '\n';
-  if (descriptor >= 0 && lseek(descriptor, -1, SEEK_END) >= 0 && read(descriptor, &last, 1) == 1 &&
-      last != '\n') {
-    (void)!write(descriptor, "\n", 1);
+int32_t syncLog(void* self) {
+  return fdatasync(static_cast<const LogFile*>(self)->descriptor);
+}
+
+/// A full log becomes the older one, in whose place it comes.
+int32_t renewLog(void* self) {
+  auto& file = *static_cast<LogFile*>(self);
+  if (file.size < file.limit) {
+    return 0;
   }
+  close(file.descriptor);
+  (void)rename(file.path, file.older);
+  (void)openFile(file, O_TRUNC);
+  return 1;
 }
 
 void dontBlock(int descriptor) {
@@ -85,11 +109,18 @@ const char* readFile(const char* path, char* bytes, uint32_t capacity, uint32_t&
   return taken == 0 ? nullptr : "it is too long";
 }
 
-GliderLogSink openLog(const char* path) {
-  static int descriptor = -1;
-  descriptor = open(path, O_RDWR | O_CREAT | O_APPEND, 0644);
-  endLine(descriptor);
-  return {&descriptor, descriptor >= 0 ? writeLog : nullptr};
+GliderLogSink openLog(const char* path, uint32_t limit) {
+  static LogFile file;
+  static constexpr char kOlder[] = ".old";
+  const size_t length = strlen(path);
+  if (length + sizeof kOlder > sizeof file.older) {
+    return {};
+  }
+  memcpy(file.older, path, length);
+  memcpy(file.older + length, kOlder, sizeof kOlder);
+  file.path = path;
+  file.limit = limit;
+  return openFile(file, 0) ? GliderLogSink{&file, writeLog, syncLog, renewLog} : GliderLogSink{};
 }
 
 }  // namespace glider::runtime

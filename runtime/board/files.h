@@ -28,8 +28,9 @@ GliderByteStream standardStream();
 const char* readFile(const char* path, char* bytes, uint32_t capacity, uint32_t& size);
 
 /// Opens the log and makes a sink of it that writes after what is there: a program that the board
-/// starts again must not wipe what the one before has seen. A null write function if it cannot be
-/// opened.
-GliderLogSink openLog(const char* path);
+/// starts again must not wipe what the one before has seen. Once it has `limit` bytes it becomes
+/// `path`.old, and a new one begins. `path` outlives the sink. A null write function if it cannot
+/// be opened.
+GliderLogSink openLog(const char* path, uint32_t limit);
 
 }  // namespace glider::runtime

@@ -27,7 +27,9 @@ void tellHelp(const char* mission_name) {
       ")\n"
       "  --baud N     its speed, bits/s (else 115200)\n"
       "  --stdio      standard input and output instead of a port\n"
-      "  --log FILE   write the mission's log\n"
+      "  --log FILE   write the mission's log, for `glidercc log`\n"
+      "  --log-limit N  from N bytes on it becomes FILE.old, and a new one begins (else 32 MiB)\n"
+      "  --checkpoint FILE  keep what a program that is started again needs to go on\n"
       "  --set NAME=VALUE   give a parameter of the mission a value, as in --set bottom=20m\n"
       "  --parameters FILE  take them from a file with lines `NAME = VALUE`; --set goes before it\n"
       "  --version    which mission and runtime this is\n"
@@ -69,7 +71,7 @@ GliderLogSink openLogOf(const Options& options) {
   if (options.log == nullptr) {
     return {};
   }
-  const GliderLogSink sink = openLog(options.log);
+  const GliderLogSink sink = openLog(options.log, options.log_limit);
   if (sink.write == nullptr) {
     tell("warning: cannot write the log `", options.log, "`; the mission flies without");
   }

@@ -6,6 +6,7 @@
 
 #include "hooks/transport/system_clock.h"
 #include "runtime/board/arithmetic.h"
+#include "runtime/board/checkpoints.h"
 #include "runtime/board/files.h"
 #include "runtime/board/line.h"
 #include "runtime/board/parameters.h"
@@ -45,7 +46,8 @@ int run(const Options& options) {
     return kNoLink;
   }
   alignas(GliderRuntime) static uint8_t memory[sizeof(GliderRuntime)];
-  const GliderRuntimeOptions runtime_options{openLogOf(options), launch.values()};
+  const GliderRuntimeOptions runtime_options{openLogOf(options), launch.values(),
+                                             openCheckpoints(options.checkpoints), programNumber()};
   GliderRuntime* runtime =
       gliderRuntimeInit(memory, gliderContextMemory, &gliderMission, &runtime_options);
   if (runtime == nullptr) {

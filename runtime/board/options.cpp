@@ -8,15 +8,15 @@
 namespace glider::runtime {
 namespace {
 
-bool readBaud(const char* text, uint32_t& baud) {
+bool readCount(const char* text, uint32_t& count) {
   uint32_t value = 0;
   for (const char* c = text; *c != '\0'; ++c) {
-    if (*c < '0' || *c > '9' || value > 4000000U) {
+    if (*c < '0' || *c > '9' || value > 400000000U) {
       return false;
     }
     value = value * 10U + static_cast<uint32_t>(*c - '0');
   }
-  baud = value;
+  count = value;
   return value > 0;
 }
 
@@ -34,6 +34,10 @@ bool withValue(const char* argument, const char* value, Options& options) {
     options.log = value;
     return true;
   }
+  if (is(argument, "--checkpoint")) {
+    options.checkpoints = value;
+    return true;
+  }
   if (is(argument, "--parameters")) {
     options.parameters = value;
     return true;
@@ -42,7 +46,10 @@ bool withValue(const char* argument, const char* value, Options& options) {
     options.settings[options.setting_count++] = value;
     return true;
   }
-  return is(argument, "--baud") && readBaud(value, options.baud);
+  if (is(argument, "--log-limit")) {
+    return readCount(value, options.log_limit);
+  }
+  return is(argument, "--baud") && readCount(value, options.baud);
 }
 
 bool withoutValue(const char* argument, Options& options) {

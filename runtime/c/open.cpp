@@ -35,6 +35,10 @@ extern "C" int gliderOpen(int argc, char** argv, const char* mission_name) {
     tell("error: a mission in C has no parameters");
     return kBadParameters;
   }
+  if (options.checkpoints != nullptr) {
+    tell("error: a mission in C keeps no checkpoints: its state stands in its own code");
+    return kWrongUse;
+  }
   const OpenPort line = openLine(options);
   if (line.problem != nullptr) {
     return kNoLink;

@@ -73,7 +73,7 @@ void Program::open() {
   options.sensor_count = mission_.sensor_count;
   mission_.name = link_.mission_name;
   client_ = ::new (client_memory_) hooks::Client(options);
-  log_ = ::new (log_memory_) MissionLog(link_.log);
+  log_ = ::new (log_memory_) MissionLog(link_.log, mission_);
 }
 
 bool Program::nextTick() {
@@ -118,8 +118,8 @@ bool Program::takeTick() {
   must_answer_ = true;
   const ControlNews news = control_.observe(tick);
   if (news.kind == ControlNews::Kind::Refused) {
-    log_->event(context_->mission_time, "instruction refused", "",
-                static_cast<double>(news.answer));
+    log_->event(context_->mission_time, LogEvent::InstructionRefused,
+                static_cast<LogDetail>(news.answer), static_cast<double>(news.sequence));
   }
   for (uint32_t i = 0; i < tick.reading_count; ++i) {
     updates_[i] = {tick.readings[i].value, tick.readings[i].id, 0};

@@ -35,6 +35,13 @@ class Control {
   /// could not give it back.
   static constexpr uint32_t kGiveBackTicks = 15;
 
+  /// Control is ours already: a program before this one took it, and the vehicle obeys its session.
+  void resume() {
+    ours_ = true;
+    unconfirmed_ = kConfirmTicks;
+  }
+  /// Control is left to the vehicle for good.
+  void release() { released_ = true; }
   /// Takes in a tick: its hook state and its answer.
   ControlNews observe(const hooks::VehicleTick& tick);
   /// True if the vehicle would listen to a handshake now.

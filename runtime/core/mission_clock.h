@@ -16,6 +16,16 @@ class MissionClock {
     sbc_ = sbc_time;
   }
 
+  /// Goes on where a clock with this origin was when it last saw the vehicle's.
+  void resume(double origin, double vehicle_time, double sbc_time) {
+    start(origin, sbc_time);
+    vehicle_ = vehicle_time;
+  }
+  /// Vehicle time of mission time 0, s.
+  [[nodiscard]] double origin() const { return origin_; }
+  /// Vehicle time of the newest frame, s.
+  [[nodiscard]] double vehicle() const { return vehicle_; }
+
   /// A frame came: returns mission time, s. A vehicle that began its own mission anew counts from 0
   /// again; mission time then goes on from where it was.
   double atFrame(double vehicle_time, double sbc_time) {

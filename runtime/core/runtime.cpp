@@ -3,8 +3,10 @@
 
 #include "runtime/core/runtime.h"
 
+#include "hooks/protocol/crc.h"
 #include "runtime/abi/context_layout.h"
 #include "runtime/core/instruction.h"
+#include "runtime/log/format.h"
 #include "runtime/numbers/numbers.h"
 
 #include <new>
@@ -13,44 +15,35 @@ using glider::hooks::ClientEvent;
 using glider::hooks::HookAnswer;
 using glider::hooks::Instruction;
 using glider::runtime::ControlNews;
+using glider::runtime::LogDetail;
+using glider::runtime::LogEvent;
 
 namespace {
 
-const char* nameOf(HookAnswer answer) {
-  switch (answer) {
-    case HookAnswer::BadCheck:
-      return "garbled";
-    case HookAnswer::TooDeep:
-      return "too deep";
-    case HookAnswer::BadPitch:
-      return "pitch out of bounds";
-    case HookAnswer::BadCommand:
-      return "no such command";
-    case HookAnswer::NotOnEarth:
-      return "not on earth";
-    case HookAnswer::WrongSession:
-      return "wrong session";
-    case HookAnswer::NotReady:
-      return "not ready";
+LogEvent eventOf(ControlNews::Kind kind) {
+  switch (kind) {
+    case ControlNews::Kind::Taken:
+      return LogEvent::ControlTaken;
+    case ControlNews::Kind::Refused:
+      return LogEvent::InstructionRefused;
+    case ControlNews::Kind::Lost:
+      return LogEvent::ControlLost;
     default:
-      return "";
+      return LogEvent::ControlGivenBack;
   }
 }
 
-const char* nameOf(ControlNews::Kind kind) {
-  switch (kind) {
-    case ControlNews::Kind::Taken:
-      return "control taken";
-    case ControlNews::Kind::Refused:
-      return "instruction refused";
-    case ControlNews::Kind::Lost:
-      return "control lost";
-    case ControlNews::Kind::Released:
-      return "control given back";
-    default:
-      return "";
-  }
+constexpr bool sameNumber(LogDetail detail, HookAnswer answer) {
+  return static_cast<uint8_t>(detail) == static_cast<uint8_t>(answer);
 }
+// A refusal is logged by the number of its answer.
+static_assert(sameNumber(LogDetail::BadCheck, HookAnswer::BadCheck));
+static_assert(sameNumber(LogDetail::TooDeep, HookAnswer::TooDeep));
+static_assert(sameNumber(LogDetail::BadPitch, HookAnswer::BadPitch));
+static_assert(sameNumber(LogDetail::BadCommand, HookAnswer::BadCommand));
+static_assert(sameNumber(LogDetail::NotOnEarth, HookAnswer::NotOnEarth));
+static_assert(sameNumber(LogDetail::WrongSession, HookAnswer::WrongSession));
+static_assert(sameNumber(LogDetail::NotReady, HookAnswer::NotReady));
 
 /// The text of a note with its values after it, as much as a notice holds.
 void writeNote(const GliderContext& context, const GliderNote& note, char* out) {
@@ -80,6 +73,13 @@ bool hasGuards(const GliderMission& mission) {
   return all;
 }
 
+/// With other parameters it is another program.
+uint32_t programOf(const GliderMission& mission, const GliderRuntimeOptions& options) {
+  const auto* bytes = reinterpret_cast<const uint8_t*>(options.parameters);
+  const uint32_t count = bytes == nullptr ? 0 : mission.parameter_count * sizeof(double);
+  return glider::hooks::crc32c(bytes, count, options.program);
+}
+
 }  // namespace
 
 GliderRuntime::GliderRuntime(void* context_memory, const GliderMission& mission,
@@ -88,7 +88,10 @@ GliderRuntime::GliderRuntime(void* context_memory, const GliderMission& mission,
       mission_(mission),
       parameters_(options.parameters),
       client_(subscribe(mission, sensors_)),
-      log_(options.log) {}
+      log_(options.log, mission),
+      checkpoint_(options.checkpoints, programOf(mission, options)) {
+  lookForCheckpoint();
+}
 
 glider::hooks::ClientOptions GliderRuntime::subscribe(const GliderMission& mission,
                                                       glider::hooks::Subscription* sensors) {
@@ -139,21 +142,24 @@ GliderRuntimeStatus GliderRuntime::poll(const GliderByteStream& stream, const Gl
 
 void GliderRuntime::answerTick(const GliderByteStream& stream, double sbc_time) {
   const glider::hooks::VehicleTick& tick = client_.tick();
+  if (found_) {
+    considerCheckpoint(tick, sbc_time);
+  }
   const ControlNews news = control_.observe(tick);
   const uint32_t count = gatherUpdates();
   if (context_ != nullptr) {
     stepMission(clock_.atFrame(tick.vehicle_time_s, sbc_time), count);
-  } else if (control_.mayTake()) {
+  } else if (!found_ && !control_.released() && control_.mayTake()) {
     clock_.start(tick.vehicle_time_s, sbc_time);
     startMission(count);
   }
   if (context_ != nullptr) {
     command();
   }
-  client_.done(status(), stream);
   logNews(news);
   logUnanswered(tick);
-  log_.flush();
+  commit();
+  client_.done(status(), stream);
 }
 
 /// Flies on by its own clock; what it commands now goes with the next answer, for the SBC never
@@ -163,8 +169,9 @@ void GliderRuntime::tickOfClockAlone(double sbc_time) {
     return;
   }
   stepMission(clock_.withoutFrame(sbc_time), 0);
-  log_.event(context_->mission_time, "silent link", "", glider::runtime::unknown());
-  log_.flush();
+  log_.event(context_->mission_time, LogEvent::SilentLink, LogDetail::None,
+             glider::runtime::unknown());
+  commit();
 }
 
 uint32_t GliderRuntime::gatherUpdates() {
@@ -178,6 +185,9 @@ uint32_t GliderRuntime::gatherUpdates() {
 void GliderRuntime::startMission(uint32_t update_count) {
   context_ = gliderStart(context_memory_, &mission_, parameters_, updates_, update_count);
   log_.begin(*context_);
+  if (begins_anew_ != LogDetail::None) {
+    log_.event(0.0, LogEvent::BeginsAnew, begins_anew_, glider::runtime::unknown());
+  }
   tellNotes();
   log_.values(*context_);
   logRefusedCommands();
@@ -188,16 +198,17 @@ void GliderRuntime::stepMission(double mission_time, uint32_t update_count) {
     return;
   }
   const uint32_t from = context_->state;
+  const glider::runtime::StateTimes times{context_->entered, context_->resumed};
   gliderStep(context_, mission_time, updates_, update_count);
   tellNotes();
-  tellTransition(from);
+  tellTransition(from, times);
   if (!finished()) {
     log_.values(*context_);
   }
   logRefusedCommands();
 }
 
-void GliderRuntime::tellTransition(uint32_t from) {
+void GliderRuntime::tellTransition(uint32_t from, const glider::runtime::StateTimes& times) {
   if (context_->moved_list == GLIDER_NO_LIST) {
     return;
   }
@@ -209,7 +220,7 @@ void GliderRuntime::tellTransition(uint32_t from) {
   notice.to = context_->state;
   notice.fired_case = context_->moved_case;
   client_.notify(notice);
-  log_.transition(*context_, from);
+  log_.transition(*context_, from, times);
 }
 
 /// What `log` and unknown values left in this tick: to the log, and as texts to the vehicle.
@@ -223,7 +234,8 @@ void GliderRuntime::tellNotes() {
     client_.tell(told);
   }
   if (context_->lost_notes != 0) {
-    log_.event(context_->mission_time, "notes lost", "", static_cast<double>(context_->lost_notes));
+    log_.event(context_->mission_time, LogEvent::NotesLost, LogDetail::None,
+               static_cast<double>(context_->lost_notes));
   }
 }
 
@@ -236,8 +248,9 @@ void GliderRuntime::command() {
 
 void GliderRuntime::logNews(const ControlNews& news) {
   if (news.kind != ControlNews::Kind::None && context_ != nullptr) {
-    log_.event(context_->mission_time, nameOf(news.kind),
-               news.kind == ControlNews::Kind::Refused ? nameOf(news.answer) : "",
+    const bool refused = news.kind == ControlNews::Kind::Refused;
+    log_.event(context_->mission_time, eventOf(news.kind),
+               refused ? static_cast<LogDetail>(news.answer) : LogDetail::None,
                static_cast<double>(news.sequence));
   }
 }
@@ -245,14 +258,14 @@ void GliderRuntime::logNews(const ControlNews& news) {
 /// Told once, when the client stops claiming control.
 void GliderRuntime::logUnanswered(const glider::hooks::VehicleTick& tick) {
   if (context_ != nullptr && tick.unanswered_ticks == glider::hooks::Client::kMostUnansweredTicks) {
-    log_.event(context_->mission_time, "instruction unanswered", "",
+    log_.event(context_->mission_time, LogEvent::InstructionUnanswered, LogDetail::None,
                static_cast<double>(tick.instruction_sequence));
   }
 }
 
 void GliderRuntime::logRefusedCommands() {
   if (context_->refused_commands != logged_refusals_) {
-    log_.event(context_->mission_time, "command with an unknown value", "",
+    log_.event(context_->mission_time, LogEvent::UnknownCommand, LogDetail::None,
                static_cast<double>(context_->refused_commands - logged_refusals_));
     logged_refusals_ = context_->refused_commands;
   }
@@ -261,8 +274,8 @@ void GliderRuntime::logRefusedCommands() {
 void GliderRuntime::logRefusedLink() {
   const glider::hooks::Refusal& refusal = client_.refusal();
   const bool same_version = refusal.version == glider::hooks::kProtocolVersion;
-  log_.event(0.0, "link refused",
-             same_version ? "another sensor dictionary" : "another protocol version",
+  log_.event(0.0, LogEvent::LinkRefused,
+             same_version ? LogDetail::OtherDictionary : LogDetail::OtherVersion,
              static_cast<double>(same_version ? refusal.dictionary : refusal.version));
   log_.flush();
 }

@@ -5,6 +5,7 @@
 
 #include "runtime/abi/context_layout.h"
 #include "runtime/abi/runtime.h"
+#include "runtime/core/lay_out.h"
 #include "runtime/core/readings.h"
 #include "runtime/core/stack.h"
 #include "runtime/numbers/numbers.h"
@@ -12,9 +13,7 @@
 #include <string.h>
 
 namespace glider::runtime {
-namespace {
 
-/// Gives the context its arrays, in the memory behind it.
 GliderContext* layOut(void* memory, const GliderMission& mission) {
   const GliderContextLayout layout = gliderContextLayout(&mission);
   auto* bytes = static_cast<uint8_t*>(memory);
@@ -32,6 +31,8 @@ GliderContext* layOut(void* memory, const GliderMission& mission) {
   context->note_values = reinterpret_cast<double*>(bytes + layout.note_values);
   return context;
 }
+
+namespace {
 
 /// Parameters get their values; what has not started yet is unknown.
 void setVariables(GliderContext& context, const double* parameters) {

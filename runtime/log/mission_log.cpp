@@ -3,33 +3,17 @@
 
 #include "runtime/log/mission_log.h"
 
-#include "runtime/numbers/numbers.h"
-
 namespace glider::runtime {
 namespace {
 
-const char* transitionName(uint32_t transition, bool always) {
-  switch (transition) {
-    case kGliderGoto:
-      return always ? "always goto" : "goto";
-    case kGliderCall:
-      return always ? "always call" : "call";
-    case kGliderReturn:
-      return "return";
-    case kGliderExit:
-      return always ? "always exit" : "exit";
-    default:
-      return "stay";
+void put(hooks::ByteWriter& writer, const char* text) {
+  for (uint32_t i = 0; i < MissionLog::kNameBytes && text[i] != '\0'; ++i) {
+    writer.u8(static_cast<uint8_t>(text[i]));
   }
 }
 
-bool needsQuotes(const char* name) {
-  for (; *name != '\0'; ++name) {
-    if (*name == ',' || *name == '"' || *name == '\n' || *name == '\r') {
-      return true;
-    }
-  }
-  return false;
+void put16(hooks::ByteWriter& writer, uint32_t value) {
+  writer.u16(static_cast<uint16_t>(value));
 }
 
 }  // namespace
@@ -40,126 +24,165 @@ const GliderCaseInfo& madeCase(const GliderContext& context, uint32_t from) {
                                                  : mission.states[from]->cases[context.moved_case];
 }
 
-void MissionLog::begin(const GliderContext& context) {
-  const GliderMission& mission = *context.mission;
-  line({.time = 0.0, .record = "mission", .name = mission.name, .value = unknown()});
-  for (uint32_t i = 0; i < mission.parameter_count; ++i) {
-    line({.time = 0.0,
-          .record = "parameter",
-          .name = mission.parameters[i].name,
-          .value = context.variables[i]});
+hooks::ByteWriter MissionLog::open(LogRecord kind) {
+  if (!headed_) {  // before whatever comes first: a link may be refused before the mission begins
+    headed_ = true;
+    head();
   }
-  line({.time = 0.0, .record = "state", .name = mission.states[0]->name, .value = unknown()});
+  return start(kind);
+}
+
+hooks::ByteWriter MissionLog::start(LogRecord kind) {
+  ++frame_.sequence;
+  urgent_ = urgent_ || kind != LogRecord::Values;
+  hooks::ByteWriter writer = startPayload(frame_, hooks::MessageType::Log);
+  writer.u8(static_cast<uint8_t>(kind));
+  return writer;
+}
+
+void MissionLog::close(const hooks::ByteWriter& writer) {
+  if (sink_.write == nullptr) {
+    return;
+  }
+  finishPayload(frame_, writer);
+  if (kBytes - size_ < hooks::encodedBound(frame_.size)) {
+    handOver();
+  }
+  size_ += encodeFrame(frame_, bytes_ + size_);
+}
+
+/// What a reader needs to know: every name that a number stands for.
+void MissionLog::head() {
+  hooks::ByteWriter writer = start(LogRecord::Start);
+  writer.u8(kLogVersion);
+  put(writer, mission_.name);
+  close(writer);
+  for (uint32_t i = 0; i < mission_.parameter_count; ++i) {
+    name(LogNamed::Parameter, i, 0, mission_.parameters[i].name);
+  }
+  for (uint32_t i = 0; i < mission_.sensor_count; ++i) {
+    name(LogNamed::Sensor, i, 0, mission_.sensors[i].name);
+  }
+  for (uint32_t i = 0; i < mission_.state_count; ++i) {
+    const GliderStateInfo& state = *mission_.states[i];
+    name(LogNamed::State, i, 0, state.name);
+    for (uint32_t item = 0; item < state.log_count; ++item) {
+      name(LogNamed::Item, i, item, state.log[item].name);
+    }
+  }
+}
+
+void MissionLog::name(LogNamed what, uint32_t number, uint32_t item, const char* text) {
+  hooks::ByteWriter writer = start(LogRecord::Name);
+  writer.u8(static_cast<uint8_t>(what));
+  put16(writer, number);
+  put16(writer, item);
+  put(writer, text);
+  close(writer);
+}
+
+void MissionLog::begin(const GliderContext& context) {
+  hooks::ByteWriter writer = open(LogRecord::Begin);
+  for (uint32_t i = 0; i < mission_.parameter_count; ++i) {
+    writer.f64(context.variables[i]);
+  }
+  close(writer);
 }
 
 bool MissionLog::due(const GliderContext& context, uint32_t item) {
-  const double period = context.mission->states[context.state]->log[item].period;
+  const double period = mission_.states[context.state]->log[item].period;
   return last_written_state_ != context.state || context.mission_time - written_[item] >= period;
 }
 
 void MissionLog::values(const GliderContext& context) {
-  const GliderStateInfo& state = *context.mission->states[context.state];
-  const uint32_t count = state.log_count < kMostItems ? state.log_count : kMostItems;
-  for (uint32_t item = 0; item < count; ++item) {
-    if (due(context, item)) {
+  const GliderStateInfo& state = *mission_.states[context.state];
+  hooks::ByteWriter writer = open(LogRecord::Values);
+  writer.f64(context.mission_time);
+  put16(writer, context.state);
+  const uint32_t before = writer.size();
+  for (uint32_t item = 0; item < state.log_count && item < kMostItems; ++item) {
+    // Of more than a record holds the rest is due in the next tick.
+    if (due(context, item) && hooks::kMostPayload - writer.size() >= 9) {
       written_[item] = context.mission_time;
-      line({.time = context.mission_time,
-            .record = "value",
-            .name = state.log[item].name,
-            .value = gliderLogValue(&context, item)});
+      writer.u8(static_cast<uint8_t>(item));
+      writer.f64(gliderLogValue(&context, item));
     }
   }
   last_written_state_ = context.state;
+  if (writer.size() == before) {
+    --frame_.sequence;
+    return;
+  }
+  close(writer);
 }
 
-void MissionLog::transition(const GliderContext& context, uint32_t from) {
-  const GliderStateInfo* const* states = context.mission->states;
-  const uint32_t transition = madeCase(context, from).transition;
-  const bool always = context.moved_list == kGliderListAlways;
-  line({.time = context.mission_time,
-        .record = "transition",
-        .name = transitionName(transition, always),
-        .value = static_cast<double>(context.moved_case) + 1.0,
-        .from = states[from]->name,
-        .to = transition == kGliderExit ? "" : states[context.state]->name});
+void MissionLog::transition(const GliderContext& context, uint32_t from, const StateTimes& times) {
+  hooks::ByteWriter writer = open(LogRecord::Transition);
+  writer.f64(context.mission_time);
+  writer.f64(context.mission_time - times.entered);
+  writer.f64(context.mission_time - times.resumed);
+  writer.u8(static_cast<uint8_t>(madeCase(context, from).transition));
+  writer.u8(static_cast<uint8_t>(context.moved_list));
+  put16(writer, context.moved_case);
+  put16(writer, from);
+  put16(writer, context.state);
+  for (uint32_t i = 0; i < mission_.sensor_count; ++i) {
+    writer.f64(context.readings[i].value);
+  }
+  close(writer);
   last_written_state_ = UINT32_MAX;  // an entered state logs all its items at once
 }
 
 void MissionLog::note(const GliderContext& context, uint32_t note) {
   const GliderNote& told = context.notes[note];
-  if (told.kind == kGliderNoteUnknownSet) {
-    event(context.mission_time, "unknown set", told.text, unknown());
-    return;
+  constexpr uint32_t kMostValues = 60;  // as many as a record holds beside the longest text
+  const uint32_t count = told.count < kMostValues ? told.count : kMostValues;
+  hooks::ByteWriter writer = open(LogRecord::Note);
+  writer.f64(context.mission_time);
+  writer.u8(static_cast<uint8_t>(told.kind));
+  writer.u8(static_cast<uint8_t>(count));
+  for (uint32_t i = 0; i < count; ++i) {
+    writer.f64(context.note_values[told.first + i]);
   }
-  for (uint32_t i = 0; i == 0 || i < told.count; ++i) {
-    line({.time = context.mission_time,
-          .record = "log",
-          .name = told.text,
-          .value = i < told.count ? context.note_values[told.first + i] : unknown()});
-  }
+  put(writer, told.text);
+  close(writer);
 }
 
-void MissionLog::event(double time, const char* name, const char* detail, double value) {
-  line({.time = time, .record = "event", .name = name, .value = value, .from = detail});
+void MissionLog::event(double time, LogEvent what, LogDetail detail, double value) {
+  hooks::ByteWriter writer = open(LogRecord::Event);
+  writer.f64(time);
+  writer.u8(static_cast<uint8_t>(what));
+  writer.u8(static_cast<uint8_t>(detail));
+  writer.f64(value);
+  close(writer);
 }
 
-void MissionLog::line(const Fields& fields) {
-  if (sink_.write == nullptr) {
-    return;
-  }
-  if (!headed_) {  // before whatever comes first: a link may be refused before the mission begins
-    text_.put("time_s,record,name,value,from,to\n");
-    headed_ = true;
-  }
-  const uint32_t before = text_.size();
-  compose(fields);
-  if (text_.full()) {  // hand on the lines before, then this one fits
-    text_.cut(before);
-    flush();
-    compose(fields);
-  }
-}
-
-/// As comma-separated files have it: in quotes, each quote in it twice, where it must be.
-void MissionLog::putName(const char* name) {
-  if (!needsQuotes(name)) {
-    text_.put(name, kNameBytes);
-    return;
-  }
-  text_.put('"');
-  for (uint32_t i = 0; i < kNameBytes && name[i] != '\0'; ++i) {
-    if (name[i] == '"') {
-      text_.put('"');
-    }
-    text_.put(name[i]);
-  }
-  text_.put('"');
-}
-
-void MissionLog::compose(const Fields& fields) {
-  text_.put(fields.time).put(',').put(fields.record).put(',');
-  putName(fields.name);
-  text_.put(',').put(fields.value).put(',').put(fields.from, kNameBytes);
-  text_.put(',').put(fields.to, kNameBytes).put('\n');
-}
-
-void MissionLog::flush() {
-  if (sink_.write == nullptr || text_.size() == 0) {
-    text_.cut(0);
-    return;
-  }
-  static constexpr uint8_t kNewLine[] = {'\n'};
+void MissionLog::handOver() {
+  // A zero ends whatever stands there torn.
+  static constexpr uint8_t kEnd[] = {0};
   if (torn_) {
-    torn_ = sink_.write(sink_.self, kNewLine, 1) != 1;
+    torn_ = sink_.write(sink_.self, kEnd, 1) != 1;
   }
-  const auto* bytes = reinterpret_cast<const uint8_t*>(text_.bytes());
-  const bool taken =
-      !torn_ && sink_.write(sink_.self, bytes, text_.size()) == static_cast<int32_t>(text_.size());
-  if (!taken) {
+  if (torn_ || sink_.write(sink_.self, bytes_, size_) != static_cast<int32_t>(size_)) {
     torn_ = true;
     ++failures_;
   }
-  text_.cut(0);
+  size_ = 0;
+}
+
+void MissionLog::flush() {
+  if (size_ == 0) {
+    return;
+  }
+  const bool urgent = urgent_;
+  handOver();
+  urgent_ = false;
+  if (urgent && sink_.sync != nullptr) {
+    (void)sink_.sync(sink_.self);
+  }
+  if (sink_.renew != nullptr && sink_.renew(sink_.self) != 0) {
+    headed_ = false;
+  }
 }
 
 }  // namespace glider::runtime

@@ -3,24 +3,32 @@
 
 #pragma once
 
+#include "hooks/protocol/payload.h"
 #include "runtime/abi/runtime.h"
-#include "runtime/log/format.h"
+#include "runtime/log/records.h"
 
-/// The mission's log on the SBC: lines of comma-separated values, handed on at the end of every
-/// tick. runtime/README.md has its format.
+/// The mission's log on the SBC: frames of the hook protocol, handed on at the end of every tick.
+/// runtime/README.md has its format.
 namespace glider::runtime {
 
 /// The case that made the transition of this tick out of state `from`; there must be one.
 const GliderCaseInfo& madeCase(const GliderContext& context, uint32_t from);
 
+/// When the state that a transition left had been entered and resumed, mission time, s.
+struct StateTimes {
+  double entered, resumed;
+};
+
 class MissionLog {
  public:
   /// A state's items after so many are not logged.
   static constexpr uint32_t kMostItems = 64;
-  /// Longer names are cut off.
+  /// Longer names and texts are cut off.
   static constexpr uint32_t kNameBytes = 60;
 
-  explicit MissionLog(const GliderLogSink& sink) : sink_(sink) {}
+  /// `mission` and its name outlive the log.
+  MissionLog(const GliderLogSink& sink, const GliderMission& mission)
+      : sink_(sink), mission_(mission) {}
   MissionLog(const MissionLog&) = delete;
   MissionLog& operator=(const MissionLog&) = delete;
 
@@ -28,40 +36,41 @@ class MissionLog {
   void begin(const GliderContext& context);
   /// The current state's items that are due.
   void values(const GliderContext& context);
-  /// That the case which made this tick's transition led from `from` to the context's state.
-  void transition(const GliderContext& context, uint32_t from);
-  /// Note number `note` of this tick: a line for each of its values.
+  /// That the case which made this tick's transition led from `from`, a state of those times, to
+  /// the context's state; with every sensor's reading of this tick.
+  void transition(const GliderContext& context, uint32_t from, const StateTimes& times);
+  /// Note number `note` of this tick.
   void note(const GliderContext& context, uint32_t note);
-  /// Something happened: `name` says what (`detail` may be ""), `value` may be NaN.
-  void event(double time, const char* name, const char* detail, double value);
-  /// Hands over what has gathered.
+  /// Something happened; `value` may be NaN.
+  void event(double time, LogEvent what, LogDetail detail, double value);
+  /// Hands over what has gathered. All but values is on the card when this returns.
   void flush();
   /// How often the sink did not take what it was given.
   [[nodiscard]] uint32_t failures() const { return failures_; }
+  /// True if it was so the last time.
+  [[nodiscard]] bool fails() const { return failures_ > 0 && torn_; }
 
  private:
-  struct Fields {
-    double time;
-    const char* record;
-    const char* name;
-    double value;
-    const char* from = "";
-    const char* to = "";
-  };
-  void line(const Fields& fields);
-  void putName(const char* name);
-  void compose(const Fields& fields);
+  hooks::ByteWriter open(LogRecord kind);
+  hooks::ByteWriter start(LogRecord kind);
+  void close(const hooks::ByteWriter& writer);
+  void head();
+  void name(LogNamed what, uint32_t number, uint32_t item, const char* text);
+  void handOver();
   bool due(const GliderContext& context, uint32_t item);
 
   static constexpr uint32_t kBytes = 2048;
   GliderLogSink sink_;
-  char bytes_[kBytes] = {};
-  Text text_{bytes_, kBytes};
+  const GliderMission& mission_;
+  hooks::Frame frame_;  ///< the record being written
+  uint8_t bytes_[kBytes] = {};
+  uint32_t size_ = 0;
   double written_[kMostItems] = {};  ///< mission time at which each item was last logged
   uint32_t last_written_state_ = UINT32_MAX;
   uint32_t failures_ = 0;
-  bool headed_ = false;  ///< the header was written
-  bool torn_ = false;    ///< the sink may stand in the middle of a line
+  bool headed_ = false;  ///< the log begins with what is needed to read it
+  bool torn_ = true;     ///< the sink may stand in the middle of a record
+  bool urgent_ = false;  ///< there is more than values
 };
 
 }  // namespace glider::runtime

@@ -57,7 +57,7 @@ struct ClockJump {
 struct Faults {
   std::vector<LineFault> lines;
   std::vector<SensorFault> sensors;
-  std::vector<Span> power;    ///< the SBC has none; afterwards its program starts from nothing
+  std::vector<Span> power;    ///< the SBC has none; afterwards its program starts again
   std::vector<Span> port;     ///< the SBC's serial port is not there
   std::vector<Span> stuck;    ///< the SBC answers, but its mission stands still
   std::vector<Span> science;  ///< the science computer starts again, which takes so long

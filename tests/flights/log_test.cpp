@@ -21,10 +21,18 @@ size_t countOf(const std::string& text, const std::string& part) {
   return count;
 }
 
+/// `glidercc log --csv` of a file.
+std::string csvOf(const TemporaryFolder& folder, const std::string& log) {
+  const std::string csv = (folder.path() / "log.csv").string();
+  const Outcome outcome = runShell("$GLIDERCC log " + log + " --csv " + csv);
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  return slurp(csv);
+}
+
 TEST(MissionLog, AProgramThatStartsAgainWritesAfterTheOldLog) {
   const TemporaryFolder folder;
   const std::string program = (folder.path() / "figure2").string();
-  const std::string log = (folder.path() / "log.csv").string();
+  const std::string log = (folder.path() / "figure2.log").string();
   ASSERT_EQ(
       runShell("$GLIDERCC build " + project("missions/figure2.mission") + " -o " + program).status,
       0);
@@ -34,11 +42,37 @@ TEST(MissionLog, AProgramThatStartsAgainWritesAfterTheOldLog) {
   const std::string flight =
       "--sbc " + sbc.string() + " --scenario " + project("scenarios/default.toml");
   ASSERT_EQ(fly(flight).outcome.status, 0);
-  const std::string first = slurp(log);
-  EXPECT_EQ(countOf(first, "time_s,record,"), 1U);
-  std::ofstream(log, std::ios::app) << "1234,val";  // the power was cut here
+  const std::string first = slurp(log), first_csv = csvOf(folder, log);
+  EXPECT_EQ(countOf(first_csv, ",start,"), 1U);
+  std::ofstream(log, std::ios::app) << first.substr(first.size() / 2, 9);  // the power was cut here
   ASSERT_EQ(fly(flight).outcome.status, 0);
-  EXPECT_EQ(slurp(log), first + "1234,val\n" + first);
+  const std::string both = csvOf(folder, log);
+  EXPECT_EQ(both.substr(0, first_csv.size()), first_csv);
+  EXPECT_EQ(both.substr(first_csv.size()), first_csv.substr(first_csv.find('\n') + 1));
+  const Outcome told = runShell("$GLIDERCC log " + log);
+  EXPECT_NE(told.err.find("1 torn or damaged and passed over"), std::string::npos) << told.err;
+}
+
+TEST(MissionLog, AFullOneBecomesTheOlderOne) {
+  const TemporaryFolder folder;
+  const std::string program = (folder.path() / "figure2").string();
+  const std::string log = (folder.path() / "figure2.log").string();
+  ASSERT_EQ(
+      runShell("$GLIDERCC build " + project("missions/figure2.mission") + " -o " + program).status,
+      0);
+  const auto sbc = folder.write(
+      "sbc", "#!/bin/sh\nexec " + program + " --log " + log + " --log-limit 9000 \"$@\"\n");
+  ASSERT_EQ(runShell("chmod +x " + sbc.string()).status, 0);
+  ASSERT_EQ(fly("--sbc " + sbc.string() + " --scenario " + project("scenarios/default.toml"))
+                .outcome.status,
+            0);
+  EXPECT_LT(slurp(log).size(), 11100U);
+  EXPECT_LT(slurp(log + ".old").size(), 11100U);
+  EXPECT_GT(slurp(log + ".old").size(), 8999U);
+  const std::string older = csvOf(folder, log + ".old"), newer = csvOf(folder, log);
+  EXPECT_NE(newer.find("2500,transition,exit,1,s3,"), std::string::npos);
+  EXPECT_NE(older.find(",value,depth,"), std::string::npos);
+  EXPECT_EQ((older + newer).find("?"), std::string::npos) << "each names what it holds";
 }
 
 TEST(MissionLog, TheSimulatorsIsOfOneFlight) {
@@ -48,10 +82,47 @@ TEST(MissionLog, TheSimulatorsIsOfOneFlight) {
                           " --board host -o " + output + " --scenario " +
                           project("scenarios/default.toml");
   ASSERT_EQ(runShell(sim).status, 0);
-  const std::string first = slurp(output + "/mission-log.csv");
-  EXPECT_EQ(countOf(first, "time_s,record,"), 1U);
+  const std::string first = slurp(output + "/mission.log");
+  EXPECT_EQ(countOf(csvOf(folder, output + "/mission.log"), ",start,"), 1U);
   ASSERT_EQ(runShell(sim).status, 0);
-  EXPECT_EQ(slurp(output + "/mission-log.csv"), first);
+  EXPECT_EQ(slurp(output + "/mission.log"), first);
+}
+
+TEST(MissionLog, IsTheSameOnEveryBoardAndTellsWhatFired) {
+  std::string host;
+  for (const char* board : {"host", "ts7800", "ts5500"}) {
+    const TemporaryFolder folder;
+    const std::string output = (folder.path() / "flight").string();
+    ASSERT_EQ(runShell("$GLIDERCC sim " + project("missions/figure2.mission") + " --board " +
+                       board + " -o " + output + " --scenario " + project("scenarios/default.toml"))
+                  .status,
+              0);
+    const Outcome told = runShell("$GLIDERCC log " + output + "/mission.log");
+    EXPECT_EQ(told.status, 0);
+    EXPECT_EQ(told.err, "");
+    EXPECT_NE(told.out.find("1500.0 s  s2 → s1 (return, case 1): statetime 1000, resumetime 1000, "
+                            "m_depth "),
+              std::string::npos)
+        << told.out;
+    host = host.empty() ? told.out : host;
+    EXPECT_EQ(told.out, host) << board;
+  }
+}
+
+TEST(MissionLog, WhatIsNoneIsRefused) {  // GL9363
+  const TemporaryFolder folder;          // accepts: GL9363 above
+  const auto empty = folder.write("empty", "");
+  const auto text = folder.write("text", "time_s,record,name,value,from,to\n0,mission,bench,,,\n");
+  const auto zeros = folder.write("zeros", std::string(100000, '\0'));
+  const auto noise = folder.write("noise", std::string(100000, '\x55'));
+  for (const auto& file : {empty, text, zeros, noise}) {
+    const Outcome outcome = runShell("$GLIDERCC log " + file.string());
+    EXPECT_EQ(outcome.status, 2) << file;
+    EXPECT_NE(outcome.err.find("[GL9363 no-log]"), std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+  }
+  EXPECT_EQ(runShell("$GLIDERCC log " + (folder.path() / "nothing").string()).status, 2);
+  EXPECT_EQ(runShell("$GLIDERCC log").status, 2);
 }
 
 }  // namespace

@@ -74,10 +74,13 @@ TEST_P(OldKernels, HaveEverySystemCallOfAFlight) {
   const TemporaryFolder folder;
   const std::string program = buildFigure2(folder, GetParam().board);
   const std::string log = (folder.path() / "strace").string();
-  const std::string mission_log = (folder.path() / "mission-log.csv").string();
-  expectFigure2Times(
-      folder, GetParam().emulator + " -strace -D " + log + " " + program + " --log " + mission_log);
-  EXPECT_NE(slurp(mission_log).find("transition"), std::string::npos);
+  const std::string mission_log = (folder.path() / "mission.log").string();
+  expectFigure2Times(folder, GetParam().emulator + " -strace -D " + log + " " + program +
+                                 " --log " + mission_log + " --log-limit 9000 --checkpoint " +
+                                 (folder.path() / "checkpoint").string());
+  EXPECT_GT(slurp(mission_log).size(), 100U);
+  EXPECT_GT(slurp(mission_log + ".old").size(), 100U);
+  EXPECT_GT(slurp((folder.path() / "checkpoint").string()).size(), 100U);
   const auto allowed = allowedCalls(GetParam());
   const auto made = madeCalls(slurp(log));
   EXPECT_GE(made.size(), 5U);

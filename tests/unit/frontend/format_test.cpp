@@ -32,6 +32,11 @@ std::string inState(const std::string& cases) {
   return "mission m\n\nstate s\nbegin\n  flightprofile surfaced\n  events\n" + cases + "end\n";
 }
 
+TEST(Format, ResumeBeginsALineWhereverItStands) {
+  EXPECT_EQ(formatted("resume within 5 min mission a resume within 1 h"),
+            "resume within 5 min\nmission a\nresume within 1 h\n");
+}
+
 TEST(Format, AWholeState) {
   expectFormat(
       "mission m platform slocum import \"a/b\"  const d=30m state s(to:position)begin flightroute "

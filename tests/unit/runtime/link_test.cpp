@@ -4,6 +4,7 @@
 #include "runtime/core/control.h"
 #include "runtime/library/library.h"
 #include "tests/unit/runtime/bench_mission.h"
+#include "tests/unit/runtime/log_csv.h"
 #include "tests/unit/runtime/vehicle_bench.h"
 
 #include <gtest/gtest.h>
@@ -39,7 +40,8 @@ class LinkTest : public ::testing::Test {
 
   void boot(VehicleBench& vehicle) {
     runtime_memory_.assign(gliderRuntimeSize() / sizeof(double) + 1, 0.0);
-    const GliderRuntimeOptions options{{this, &LinkTest::writeLog}, nullptr};
+    const GliderRuntimeOptions options{
+        {this, &LinkTest::writeLog, nullptr, nullptr}, nullptr, {}, 0};
     runtime_ = gliderRuntimeInit(runtime_memory_.data(), mission_.memory.data(), &mission_.mission,
                                  &options);
     ASSERT_NE(runtime_, nullptr);
@@ -64,6 +66,9 @@ class LinkTest : public ::testing::Test {
     static_cast<LinkTest*>(self)->log_text_.append(reinterpret_cast<const char*>(bytes), count);
     return static_cast<int32_t>(count);
   }
+
+  /// The log so far, as `glidercc log --csv` shows it.
+  [[nodiscard]] std::string logCsv() const { return csvOf(log_text_); }
 
   double turn = 100;
   double end = 200;
@@ -125,16 +130,19 @@ TEST_F(LinkTest, LogsTheFlight) {
   VehicleBench vehicle({.start_secs = 60});
   boot(vehicle);
   vehicle.run(300);
-  EXPECT_THAT(log_text_, ::testing::StartsWith("time_s,record,name,value,from,to\n"
-                                               "0,mission,bench,,,\n"
-                                               "0,state,first,,,\n"
-                                               "0,value,depth,10,,\n"));
-  EXPECT_THAT(log_text_, HasSubstr("\n8,value,depth,10,,\n"));
-  EXPECT_THAT(log_text_, ::testing::Not(HasSubstr("\n4,value,"))) << "every 8 s";
-  EXPECT_THAT(log_text_, HasSubstr(",event,control taken,1,,\n"));
-  EXPECT_THAT(log_text_, HasSubstr("\n100,transition,goto,1,first,second\n100,value,depth,10,,\n"));
-  EXPECT_THAT(log_text_, HasSubstr("\n200,transition,exit,1,second,\n"));
-  EXPECT_THAT(log_text_, HasSubstr(",event,control given back,"));
+  EXPECT_THAT(logCsv(), ::testing::StartsWith("time_s,record,name,value,from,to\n"
+                                              "0,start,bench,,,\n"
+                                              "0,begin,,,,\n"
+                                              "0,value,depth,10,,\n"));
+  EXPECT_THAT(logCsv(), HasSubstr("\n8,value,depth,10,,\n"));
+  EXPECT_THAT(logCsv(), ::testing::Not(HasSubstr("\n4,value,"))) << "every 8 s";
+  EXPECT_THAT(logCsv(), HasSubstr(",event,control taken,1,,\n"));
+  EXPECT_THAT(logCsv(), HasSubstr("\n100,transition,goto,1,first,second\n"
+                                  "100,fired,statetime,100,,\n100,fired,resumetime,100,,\n"
+                                  "100,fired,m_depth,10,,\n100,fired,sci_water_temp,20,,\n"
+                                  "100,value,depth,10,,\n"));
+  EXPECT_THAT(logCsv(), HasSubstr("\n200,transition,exit,1,second,\n"));
+  EXPECT_THAT(logCsv(), HasSubstr(",event,control given back,"));
 }
 
 TEST_F(LinkTest, ARefusedInstructionIsRecordedAndTheMissionFliesOn) {
@@ -143,7 +151,7 @@ TEST_F(LinkTest, ARefusedInstructionIsRecordedAndTheMissionFliesOn) {
   vehicle.run(160);
   EXPECT_THAT(vehicle.answers, ElementsAre(hooks::HookAnswer::Accepted, hooks::HookAnswer::TooDeep))
       << "refused once, not sent again";
-  EXPECT_THAT(log_text_, HasSubstr(",event,instruction refused,2,too deep,\n"));
+  EXPECT_THAT(logCsv(), HasSubstr(",event,instruction refused,2,too deep,\n"));
   EXPECT_EQ(vehicle.hookbeh().state, hooks::HookState::Active);
   vehicle.run(300);
   EXPECT_TRUE(finished_);
@@ -218,7 +226,7 @@ TEST(Control, FollowsANumberThatTheClientHadToReplace) {
 
 TEST_F(LinkTest, ARefusedLinkIsLoggedBelowTheHeader) {
   hooks::MemoryLine line;
-  const GliderRuntimeOptions options{{this, &LinkTest::writeLog}, nullptr};
+  const GliderRuntimeOptions options{{this, &LinkTest::writeLog, nullptr, nullptr}, nullptr, {}, 0};
   runtime_memory_.assign(gliderRuntimeSize() / sizeof(double) + 1, 0.0);
   runtime_ = gliderRuntimeInit(runtime_memory_.data(), mission_.memory.data(), &mission_.mission,
                                &options);
@@ -231,8 +239,9 @@ TEST_F(LinkTest, ARefusedLinkIsLoggedBelowTheHeader) {
   const GliderByteStream stream = line.right();
   const GliderClock clock{&sbc_time_, [](void* t) { return *static_cast<double*>(t); }};
   (void)gliderRuntimePoll(runtime_, &stream, &clock);
-  EXPECT_EQ(log_text_,
+  EXPECT_EQ(logCsv(),
             "time_s,record,name,value,from,to\n"
+            "0,start,bench,,,\n"
             "0,event,link refused,0,another sensor dictionary,\n");
 }
 
@@ -249,7 +258,7 @@ TEST_F(LinkTest, AfterSilenceControlIsTakenAnewAndTheMissionGoesOn) {
   vehicle.run(140);
   EXPECT_EQ(vehicle.hookbeh().state, hooks::HookState::Active);
   EXPECT_GT(vehicle.hookbeh().session, before);
-  EXPECT_THAT(log_text_, HasSubstr(",event,control lost,"));
+  EXPECT_THAT(logCsv(), HasSubstr(",event,control lost,"));
   EXPECT_EQ(gliderRuntimeContext(runtime_)->state, 1U) << "mission time ran on";
   EXPECT_EQ(vehicle.array(GLIDER_SCI_HOOK_DEPTH), 15) << "the commands in force, sent again";
   vehicle.run(300);
@@ -263,7 +272,7 @@ TEST_F(LinkTest, ARestartedProgramTakesControlOfAVehicleThatStillObeysTheOldOne)
   boot(vehicle);  // forgets everything, within the seconds of silence
   vehicle.run(200);
   EXPECT_EQ(vehicle.hookbeh().state, hooks::HookState::Active);
-  EXPECT_THAT(log_text_, HasSubstr("control taken"));
+  EXPECT_THAT(logCsv(), HasSubstr("control taken"));
   EXPECT_GE(gliderRuntimeContext(runtime_)->mission_time, 100);
   EXPECT_EQ(vehicle.array(GLIDER_SCI_HOOK_DEPTH), 15);
   vehicle.run(400);
@@ -284,7 +293,7 @@ TEST_F(LinkTest, InRealTimeASilentLinkMakesTicksOfTheClockAlone) {
   EXPECT_NEAR(gliderRuntimeContext(runtime_)->mission_time, before + 60, 12.1);
   EXPECT_EQ(gliderRuntimeContext(runtime_)->state, 1U)
       << "its clock is enough for missiontime >= 100";
-  EXPECT_THAT(log_text_, HasSubstr(",event,silent link,"));
+  EXPECT_THAT(logCsv(), HasSubstr(",event,silent link,"));
 }
 
 TEST_F(LinkTest, AClockThatJumpsDoesNotCarryTheMissionAway) {
@@ -313,10 +322,10 @@ TEST_F(LinkTest, AnInstructionWithoutAnswerIsLoggedOnce) {
   vehicle.forgets_sequence = true;
   vehicle.run(200);
   const std::string line = ",event,instruction unanswered,";
-  const size_t first = log_text_.find(line);
+  const std::string log = logCsv();
+  const size_t first = log.find(line);
   ASSERT_NE(first, std::string::npos);
-  EXPECT_EQ(log_text_.substr(first + line.size(), 2),
-            std::to_string(static_cast<int>(told) + 1) + ",");
+  EXPECT_EQ(log.substr(first + line.size(), 2), std::to_string(static_cast<int>(told) + 1) + ",");
   EXPECT_EQ(vehicle.hookbeh().state, hooks::HookState::Silent);
 }
 
@@ -332,8 +341,8 @@ TEST_F(LinkTest, SaysWhenTheLineIsClosed) {
 TEST_F(LinkTest, ALogThatFailsNeverStopsTheMission) {
   VehicleBench vehicle({});
   boot(vehicle);
-  const GliderRuntimeOptions full{{this, [](void*, const uint8_t*, uint32_t) { return -1; }},
-                                  nullptr};
+  const GliderRuntimeOptions full{
+      {this, [](void*, const uint8_t*, uint32_t) { return -1; }, nullptr, nullptr}, nullptr, {}, 0};
   runtime_ =
       gliderRuntimeInit(runtime_memory_.data(), mission_.memory.data(), &mission_.mission, &full);
   vehicle.run(300);

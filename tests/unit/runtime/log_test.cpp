@@ -3,6 +3,7 @@
 
 #include "runtime/log/format.h"
 #include "runtime/log/mission_log.h"
+#include "tests/unit/runtime/log_csv.h"
 
 #include <gtest/gtest.h>
 
@@ -85,46 +86,137 @@ struct Disk {
     disk.room -= taken;
     return taken;
   }
+  int syncs = 0;
+  bool full = false;
+  static int32_t sync(void* self) {
+    ++static_cast<Disk*>(self)->syncs;
+    return 0;
+  }
+  static int32_t renew(void* self) { return static_cast<const Disk*>(self)->full ? 1 : 0; }
 };
 
-TEST(MissionLog, HandsOverMoreThanItsBufferHolds) {
-  Disk disk;
-  MissionLog log({&disk, Disk::write});
-  for (int i = 0; i < 1000; ++i) {
-    log.event(i, "something with a name of some length", "detail", i);
+class LogOf : public ::testing::Test {
+ protected:
+  LogOf() {
+    mission_.name = "bench";
+    mission_.state_count = 1;
+    mission_.states = states_;
+    state_.name = "only";
   }
-  log.flush();
-  EXPECT_EQ(std::count(disk.content.begin(), disk.content.end(), '\n'), 1001) << "the header too";
-  EXPECT_NE(disk.content.find("\n999,event,something with a name of some length,999,detail,\n"),
-            std::string::npos);
-  EXPECT_EQ(log.failures(), 0U);
+  [[nodiscard]] static std::string eventRow(int time) {
+    return std::to_string(time) + ",event,silent link," + std::to_string(time) + ",,\n";
+  }
+  void event(int time) { log_.event(time, LogEvent::SilentLink, LogDetail::None, time); }
+  [[nodiscard]] std::string csv() const { return testing::csvOf(disk_.content, &damage_); }
+
+  Disk disk_;
+  GliderStateInfo state_{};
+  const GliderStateInfo* const states_[1] = {&state_};
+  GliderMission mission_{};
+  MissionLog log_{{&disk_, Disk::write, Disk::sync, Disk::renew}, mission_};
+  mutable driver::LogDamage damage_;
+  const std::string head_ = "time_s,record,name,value,from,to\n0,start,bench,,,\n";
+};
+
+TEST_F(LogOf, HandsOverMoreThanItsBufferHolds) {
+  std::string expected = head_;
+  for (int i = 0; i < 1000; ++i) {
+    event(i);
+    expected += eventRow(i);
+  }
+  log_.flush();
+  EXPECT_EQ(csv(), expected);
+  EXPECT_EQ(damage_.bad + damage_.missing + damage_.unreadable, 0U);
+  EXPECT_EQ(log_.failures(), 0U);
 }
 
-TEST(MissionLog, AFullDiskIsCountedAndLaterLinesStartAtALinesBeginning) {
-  Disk disk;
-  MissionLog log({&disk, Disk::write});
-  log.event(0, "first", "", NAN);
-  log.flush();
-  const std::string before = disk.content;
-  disk.room = 5;
-  log.event(1, "lost", "", NAN);
-  log.flush();
-  EXPECT_EQ(log.failures(), 1U);
-  disk.room = 1000;
-  log.event(2, "kept", "", NAN);
-  log.flush();
-  EXPECT_EQ(disk.content, before + "1,eve\n2,event,kept,,,\n");
+TEST_F(LogOf, AFullDiskIsCountedAndLaterRecordsAreReadable) {
+  event(0);
+  log_.flush();
+  disk_.room = 5;
+  event(1);
+  log_.flush();
+  EXPECT_EQ(log_.failures(), 1U);
+  EXPECT_TRUE(log_.fails());
+  disk_.room = 1000;
+  event(2);
+  log_.flush();
+  EXPECT_FALSE(log_.fails());
+  EXPECT_EQ(csv(), head_ + eventRow(0) + eventRow(2));
+  EXPECT_EQ(damage_.bad, 1U);
+  EXPECT_EQ(damage_.missing, 1U);
 }
 
-TEST(MissionLog, NamesOfAnyLengthFit) {
-  Disk disk;
-  MissionLog log({&disk, Disk::write});
+TEST_F(LogOf, NamesOfAnyLengthFit) {
   const std::string name(10000, 'x');
-  log.event(1, name.c_str(), name.c_str(), 1);
-  log.flush();
-  EXPECT_EQ(disk.content, "time_s,record,name,value,from,to\n1,event," +
-                              std::string(MissionLog::kNameBytes, 'x') + ",1," +
-                              std::string(MissionLog::kNameBytes, 'x') + ",\n");
+  mission_.name = name.c_str();
+  event(1);
+  log_.flush();
+  EXPECT_EQ(csv(), "time_s,record,name,value,from,to\n0,start," +
+                       std::string(MissionLog::kNameBytes, 'x') + ",,,\n" + eventRow(1));
+}
+
+TEST_F(LogOf, WhateverAPowerCutLeavesOfItsEndAllBeforeIsRead) {
+  std::string before = head_;
+  for (int i = 0; i < 3; ++i) {
+    event(i);
+    log_.flush();
+    before += eventRow(i);
+  }
+  const size_t whole = disk_.content.size();
+  event(3);
+  log_.flush();
+  for (size_t cut = whole; cut < disk_.content.size(); ++cut) {
+    const std::string torn = disk_.content.substr(0, cut);
+    EXPECT_EQ(testing::csvOf(torn), before) << cut;
+    // The program starts again, and writes behind it.
+    Disk next{torn};
+    MissionLog again({&next, Disk::write, Disk::sync, Disk::renew}, mission_);
+    again.event(9, LogEvent::SilentLink, LogDetail::None, 9);
+    again.flush();
+    // Of a record that lacks but its end, that is put there.
+    const std::string kept = before + (cut + 1 == disk_.content.size() ? eventRow(3) : "");
+    EXPECT_EQ(testing::csvOf(next.content), kept + "0,start,bench,,,\n" + eventRow(9)) << cut;
+  }
+}
+
+TEST_F(LogOf, IsOnTheCardWhenItMattersAndOnlyThen) {
+  GliderSensorInfo sensor{"m_depth", nullptr, 1, 0, 1200, 20, 1, kGliderLinear};
+  GliderReading reading{3, 0, 3, 1, 0};
+  GliderLogInfo item{"depth", 0, kGliderSensor, 0};
+  state_.log = &item;
+  state_.log_count = 1;
+  mission_.sensors = &sensor;
+  mission_.sensor_count = 1;
+  GliderContext context{};
+  context.mission = &mission_;
+  context.readings = &reading;
+  log_.begin(context);
+  log_.flush();
+  EXPECT_EQ(disk_.syncs, 1);
+  for (int i = 0; i < 10; ++i) {
+    context.mission_time = i;
+    log_.values(context);
+    log_.flush();
+  }
+  EXPECT_EQ(disk_.syncs, 1);
+  event(11);
+  log_.flush();
+  EXPECT_EQ(disk_.syncs, 2);
+}
+
+TEST_F(LogOf, AFullLogBeginsAnewWithAllThatIsNeededToReadIt) {
+  event(1);
+  log_.flush();
+  disk_.full = true;
+  event(2);
+  log_.flush();
+  EXPECT_EQ(csv(), head_ + eventRow(1) + eventRow(2));
+  disk_.full = false;
+  disk_.content.clear();
+  event(3);
+  log_.flush();
+  EXPECT_EQ(csv(), head_ + eventRow(3));
 }
 
 }  // namespace

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "driver/commands.h"
+#include "driver/exit_code.h"
+#include "driver/mission_log/render.h"
+#include "driver/terminal.h"
+#include "support/files.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace glider::driver {
+namespace {
+
+using support::DiagnosticId;
+using support::Result;
+
+struct LogOptions {
+  std::string file;
+  std::string csv;
+};
+
+/// "3 torn or damaged stretches, 2 records missing".
+std::string damageText(const LogDamage& damage) {
+  std::string text;
+  const auto add = [&](uint32_t count, const char* what) {
+    if (count > 0) {
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, what);
+    }
+  };
+  add(damage.bad, "torn or damaged and passed over");
+  add(damage.missing, "missing (or a multiple of 256 more)");
+  add(damage.unreadable, "of another version or making no sense");
+  return text;
+}
+
+Result<void> write(const LogOptions& options, const std::string& text) {
+  return options.csv.empty() ? printOut(text) : support::writeFileAtomically(options.csv, text);
+}
+
+int log(const LogOptions& options) {
+  const auto bytes = support::readFile(options.file);
+  if (!bytes) {
+    return reportFailure(bytes.error());
+  }
+  std::error_code ignored;
+  if (!options.csv.empty() && std::filesystem::equivalent(options.file, options.csv, ignored)) {
+    return reportFailure(support::fail(DiagnosticId::outputIsInput, options.file).error());
+  }
+  std::string text = options.csv.empty() ? "" : kLogCsvHead;
+  const LogDamage damage = readLog(*bytes, [&](const LogEntry& entry) {
+    text += options.csv.empty() ? textLine(entry) : csvLines(entry);
+  });
+  if (damage.starts == 0) {
+    const char* why = bytes->empty() ? "it is empty" : "there is no whole head of one in it";
+    return reportFailure(support::fail(DiagnosticId::noLog, options.file, why).error());
+  }
+  if (const auto written = write(options, text); !written) {
+    return reportFailure(written.error());
+  }
+  if (const std::string harm = damageText(damage); !harm.empty()) {
+    tell(fmt::format("glidercc: note: {}: of its records {}\n", options.file, harm));
+  }
+  return kFine;
+}
+
+}  // namespace
+
+void addLogCommand(CLI::App& app, int& status) {
+  auto options = std::make_shared<LogOptions>();
+  CLI::App* command = app.add_subcommand("log", "Show the log that a mission wrote on the SBC");
+  command->add_option("FILE", options->file, "What --log of the mission's program named")
+      ->required();
+  command
+      ->add_option("--csv", options->csv,
+                   "Write it as comma-separated values instead, a row for each value")
+      ->option_text("OUT");
+  command->callback([options, &status] { status = log(*options); });
+}
+
+}  // namespace glider::driver

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "runtime/board/checkpoints.h"
+
+#include "hooks/protocol/crc.h"
+#include "runtime/board/files.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <link.h>
+#include <unistd.h>
+
+/// Where the linker has put the executable's own head.
+extern "C" __attribute__((visibility("hidden"))) const ElfW(Ehdr) __ehdr_start;
+
+namespace glider::runtime {
+namespace {
+
+int descriptorOf(void* self) {
+  return *static_cast<const int*>(self);
+}
+
+/// How many bytes `move`, read or write, dealt with from `offset` on.
+template <typename Move, typename Bytes>
+int32_t moveAll(Move move, void* self, uint32_t offset, Bytes* bytes, uint32_t count) {
+  uint32_t done = 0;
+  if (lseek(descriptorOf(self), static_cast<off_t>(offset), SEEK_SET) < 0) {
+    return -1;
+  }
+  while (done < count) {
+    const ssize_t moved = move(descriptorOf(self), bytes + done, count - done);
+    if (moved <= 0 && !(moved < 0 && errno == EINTR)) {
+      break;
+    }
+    done += moved > 0 ? static_cast<uint32_t>(moved) : 0U;
+  }
+  return static_cast<int32_t>(done);
+}
+
+int32_t readStore(void* self, uint32_t offset, uint8_t* bytes, uint32_t count) {
+  return moveAll(read, self, offset, bytes, count);
+}
+
+int32_t writeStore(void* self, uint32_t offset, const uint8_t* bytes, uint32_t count) {
+  return moveAll(write, self, offset, bytes, count);
+}
+
+int32_t syncStore(void* self) {
+  return fdatasync(descriptorOf(self));
+}
+
+}  // namespace
+
+GliderStore openCheckpoints(const char* path) {
+  static int descriptor = -1;
+  if (path == nullptr) {
+    return {};
+  }
+  descriptor = open(path, O_RDWR | O_CREAT, 0644);
+  if (descriptor < 0) {
+    tell("warning: cannot keep checkpoints in `", path, "`; the mission flies without");
+    return {};
+  }
+  return {&descriptor, readStore, writeStore, syncStore};
+}
+
+uint32_t programNumber() {
+  const auto* image = reinterpret_cast<const uint8_t*>(&__ehdr_start);
+  const auto* segments = reinterpret_cast<const ElfW(Phdr)*>(image + __ehdr_start.e_phoff);
+  uint32_t number = 0;
+  // The first address that the executable was linked for lies where its head is now.
+  const ElfW(Phdr)* first = nullptr;
+  for (uint32_t i = 0; i < __ehdr_start.e_phnum; ++i) {
+    const ElfW(Phdr)& segment = segments[i];
+    if (segment.p_type != PT_LOAD) {
+      continue;
+    }
+    first = first == nullptr ? &segment : first;
+    if ((segment.p_flags & PF_W) == 0) {
+      number = hooks::crc32c(image + (segment.p_vaddr - first->p_vaddr),
+                             static_cast<uint32_t>(segment.p_filesz), number);
+    }
+  }
+  return number;
+}
+
+}  // namespace glider::runtime

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "runtime/abi/runtime.h"
+
+/// Checkpoints in a file of the board, and which program they belong to.
+namespace glider::runtime {
+
+/// Opens the file, or makes it; `path` may be null: no functions then. One that cannot be opened
+/// earns a warning: the mission flies without, and cannot go on after a power cut.
+GliderStore openCheckpoints(const char* path);
+
+/// A number of this very executable: CRC-32C over its code and constants as they lie in memory.
+uint32_t programNumber();
+
+}  // namespace glider::runtime

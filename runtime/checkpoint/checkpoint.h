@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "runtime/abi/runtime.h"
+
+/// The context of a running mission in a store that may lose its power at any write
+/// (runtime/README.md, "Checkpoints").
+namespace glider::runtime {
+
+/// What a mission needs beside its context to go on.
+struct LinkFacts {
+  double vehicle_time = 0;   ///< of the vehicle's newest frame, s
+  double origin = 0;         ///< vehicle time of mission time 0, s
+  uint32_t session = 0;      ///< of the newest handshake; 0: none yet
+  uint32_t instruction = 0;  ///< number of the newest instruction
+};
+
+class Checkpoint {
+ public:
+  /// Written in turn, so that all but one are whole whatever happens to a write.
+  static constexpr uint32_t kSlots = 8;
+  /// A slot begins at a multiple of so many bytes: no block of the card holds parts of two.
+  static constexpr uint32_t kBlock = 4096;
+  /// When nothing else asks for one, checkpoints are so far apart, s of mission time.
+  static constexpr double kMostApart = 20;
+
+  enum class Found : uint8_t {
+    Nothing,  ///< the store is empty, or there is none
+    Good,     ///< it stands in the context
+    Broken,   ///< there was one of this program, but none is whole
+    Foreign,  ///< those that are there are another program's
+  };
+  enum class Kept : uint8_t { NotDue, Written, Failed };
+
+  /// `program`: see GliderRuntimeOptions. A store without functions keeps nothing.
+  Checkpoint(const GliderStore& store, uint32_t program) : store_(store), program_(program) {}
+
+  /// The newest whole checkpoint of this program, into `context`, which is laid out for its
+  /// mission; whatever is found, the context has to be made anew if it is not taken. Writing goes
+  /// on behind it.
+  Found find(GliderContext& context, LinkFacts& facts);
+
+  /// Keeps the context if something changed that must not be lost (a transition, a variable, the
+  /// command in force, an instruction's number), or if the newest is kMostApart old. Returns when
+  /// it would outlive a power cut.
+  Kept keep(const GliderContext& context, const LinkFacts& facts);
+
+ private:
+  struct Head {
+    uint32_t magic;
+    uint32_t check;  ///< CRC-32C over all behind it: the rest of the head, then the body
+    uint32_t program;
+    uint32_t number;  ///< counts up with each
+    uint32_t bytes;   ///< of the body
+    uint32_t reserved;
+    LinkFacts facts;
+  };
+  [[nodiscard]] bool readHead(uint32_t slot, Head& head) const;
+  [[nodiscard]] bool readBody(const Head& head, GliderContext& context) const;
+  [[nodiscard]] bool isDue(const GliderContext& context, const LinkFacts& facts,
+                           uint32_t digest) const;
+  [[nodiscard]] bool write(const GliderContext& context, const LinkFacts& facts);
+
+  GliderStore store_;
+  uint32_t program_;
+  uint32_t number_ = 0;  ///< of the newest
+  // Of the newest that was written by this program:
+  bool any_ = false;
+  double time_ = 0;  ///< mission time
+  uint32_t instruction_ = 0;
+  uint32_t digest_ = 0;
+};
+
+}  // namespace glider::runtime

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <stdint.h>
+
+/// The numbers of the mission log's format: runtime/README.md, "The mission log".
+namespace glider::runtime {
+
+inline constexpr uint8_t kLogVersion = 1;
+
+enum class LogRecord : uint8_t {
+#define LOG_RECORD(name, number) name = number,
+#include "runtime/log/records.def"
+};
+
+enum class LogNamed : uint8_t {
+#define LOG_NAMED(name, number) name = number,
+#include "runtime/log/records.def"
+};
+
+enum class LogEvent : uint8_t {
+#define LOG_EVENT(name, number, text) name = number,
+#include "runtime/log/records.def"
+};
+
+enum class LogDetail : uint8_t {
+#define LOG_DETAIL(name, number, text) name = number,
+#include "runtime/log/records.def"
+};
+
+}  // namespace glider::runtime

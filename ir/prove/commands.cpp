@@ -56,6 +56,7 @@ class CommandCheck {
       const bool sloped = order->command == Command::Descend || order->command == Command::Ascend;
       if (sloped || order->command == Command::Hover) {
         hold(profile, *order, 0, envelope_.greatest_depth_m);
+        holdUnderWater(profile, *order);
       }
       if (sloped) {
         hold(profile, *order, 1, envelope_.steepest_pitch_rad);
@@ -73,6 +74,16 @@ class CommandCheck {
     const Type type = m_[order.values.at(argument)].type;
     proof_.diagnostics.report(DiagnosticId::orderBeyondEnvelope, profile.range,
                               shown(greatest, type), shown(most, type));
+  }
+
+  /// A depth that may come out a little above the surface is none to fly to, but no mistake.
+  void holdUnderWater(const Activity& profile, const Statement& order) {
+    const Interval& depth = range(order, 0);
+    if (!depth.empty && depth.highest < 0 && told_.insert(profile.range.begin).second) {
+      const Type type = m_[order.values.at(0)].type;
+      proof_.diagnostics.report(DiagnosticId::orderBeyondEnvelope, profile.range,
+                                shown(depth.highest, type), shown(0, type));
+    }
   }
 
   /// A profile that climbs and dives turns where the one ends and the other begins.

@@ -8,11 +8,13 @@
 #include "driver/in_process_sbc.h"
 #include "driver/link_option.h"
 #include "simulator/science/process_sbc_port.h"
+#include "simulator/science/serial_sbc_port.h"
 
 namespace glider::driver {
 
 using simulator::ProcessSbcPort;
 using simulator::SbcPort;
+using simulator::SerialSbcPort;
 using simulator::StartSbc;
 using support::Result;
 
@@ -104,6 +106,13 @@ Result<StartSbc> sbcOnBoard(const Compilation& compilation, const LaunchChoice& 
     command.insert(command.end(), {"--set", setting});
   }
   return starterOf(board, std::move(command));
+}
+
+StartSbc sbcOnSerialLine(const std::string& device, bool lockstep) {
+  const auto pace = lockstep ? SerialSbcPort::Pace::Lockstep : SerialSbcPort::Pace::RealTime;
+  return [device, pace]() -> Result<std::unique_ptr<SbcPort>> {
+    return SerialSbcPort::open(device, pace);
+  };
 }
 
 StartSbc sbcProgram(const std::string& program) {

@@ -45,4 +45,8 @@ support::Result<simulator::StartSbc> sbcOnBoard(const Compilation& compilation,
 /// A program that somebody has built, with `--port PTY` as its only arguments.
 simulator::StartSbc sbcProgram(const std::string& program);
 
+/// A real SBC at the other end of the serial line at `device`, in real time or, with `lockstep`, as
+/// fast as it answers.
+simulator::StartSbc sbcOnSerialLine(const std::string& device, bool lockstep);
+
 }  // namespace glider::driver

@@ -160,6 +160,15 @@ void addOptions(CLI::App& command, SimOptions& options) {
       command
           .add_option("--sbc", options.program, "Fly this program as the SBC instead of a mission")
           ->option_text("PROGRAM");
+  auto* serial = command
+                     .add_option("--serial", options.serial,
+                                 "Fly a real SBC on this serial device, in real time; MISSION then "
+                                 "only tells what its states are called")
+                     ->option_text("DEVICE");
+  command
+      .add_flag("--lockstep", options.lockstep,
+                "With --serial: let the vehicle's clock wait for each answer, as fast as it comes")
+      ->needs(serial);
   auto* without = command.add_flag("--no-sbc", options.without_sbc, "Fly without an SBC");
   command.add_option("--seed", options.seed, "Seed of all noise, instead of the scenario's")
       ->check(seedValidator())
@@ -182,7 +191,8 @@ void addOptions(CLI::App& command, SimOptions& options) {
       ->needs(mission);
   addPictureOptions(command, options);
   program->excludes(board);
-  without->excludes(mission)->excludes(board)->excludes(program);
+  serial->excludes(board)->excludes(program)->excludes("--replay");
+  without->excludes(mission)->excludes(board)->excludes(program)->excludes(serial);
 }
 
 }  // namespace
@@ -195,8 +205,9 @@ void addSimCommand(CLI::App& app, int& status) {
   addLaunchOptions(*command, options->launch);
   addLinkOption(*command, options->user_code);
   command->callback([options, &status] {
-    if (options->mission.empty() && options->program.empty() && !options->without_sbc) {
-      throw CLI::RequiredError("MISSION (or --sbc PROGRAM, or --no-sbc)");
+    if (options->mission.empty() && options->program.empty() && options->serial.empty() &&
+        !options->without_sbc) {
+      throw CLI::RequiredError("MISSION (or --sbc PROGRAM, --serial DEVICE, or --no-sbc)");
     }
     if (!options->mission.empty() && !options->program.empty() && options->replay.empty()) {
       throw CLI::ExcludesError("--sbc", "MISSION");

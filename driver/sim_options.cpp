@@ -15,7 +15,9 @@ namespace {
 /// What files of this flight are called: after the mission's file, whose name is one that a file
 /// can have.
 std::string stemOf(const SimOptions& options) {
-  const std::string named = options.mission.empty() ? options.program : options.mission;
+  const std::string named = !options.mission.empty()   ? options.mission
+                            : !options.program.empty() ? options.program
+                                                       : options.serial;
   const std::string stem = std::filesystem::path(named).stem().string();
   return stem.empty() ? "layered" : stem;
 }
@@ -30,6 +32,9 @@ support::Result<simulator::StartSbc> chooseSbc(const SimOptions& options,
                                                const Compilation* compilation, bool keeps_time) {
   if (options.without_sbc) {
     return simulator::StartSbc();
+  }
+  if (!options.serial.empty()) {
+    return sbcOnSerialLine(options.serial, options.lockstep);
   }
   if (!options.program.empty()) {
     return sbcProgram(options.program);

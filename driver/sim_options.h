@@ -22,6 +22,8 @@ struct SimOptions {
   std::string scenario = "default";
   std::string board;
   std::string program;
+  std::string serial;     ///< the device to which a real SBC is connected; empty: none
+  bool lockstep = false;  ///< of that one: not in real time
   bool without_sbc = false;
   std::optional<uint64_t> seed;
   std::optional<double> kill_sbc_at_s;

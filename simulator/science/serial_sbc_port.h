@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "hooks/protocol/lockstep.h"
+#include "hooks/transport/host/serial_port.h"
+#include "simulator/sbc_port.h"
+#include "support/result.h"
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace glider::simulator {
+
+/// A real SBC at the other end of a serial line, which somebody has started.
+class SerialSbcPort final : public SbcPort {
+ public:
+  enum class Pace : uint8_t {
+    RealTime,  ///< a second of the flight takes a second, and the SBC's own clock counts
+    Lockstep   ///< the vehicle's clock waits for each answer, and the SBC's for the vehicle's
+  };
+  /// Real time without an answer in lockstep after which the SBC counts as hung, s.
+  static constexpr double kHangSecs = 10;
+
+  /// Opens `device` at the 115200 baud of the science computer's line. GL9100 to GL9105.
+  static support::Result<std::unique_ptr<SerialSbcPort>> open(const std::string& device, Pace pace);
+
+  [[nodiscard]] std::string way() const override { return "serial"; }
+  void deliver(std::span<const uint8_t> bytes, double now_s) override;
+  std::vector<uint8_t> collect() override;
+  /// Its power is not ours: the line is cut.
+  void kill() override { end("cut off"); }
+  [[nodiscard]] bool alive() const override { return epitaph_.empty(); }
+  [[nodiscard]] bool keepsTime() const override { return pace_ == Pace::RealTime; }
+  void plug(bool in) override { plugged_ = in; }
+  [[nodiscard]] std::string epitaph() const override { return epitaph_; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  SerialSbcPort(hooks::SerialPort port, Pace pace) : port_(std::move(port)), pace_(pace) {}
+  void waitFor(double now_s);
+  void read();
+  void end(const char* epitaph);
+  /// How long an answer is waited for, s.
+  [[nodiscard]] double patience() const;
+
+  hooks::SerialPort port_;
+  Pace pace_;
+  hooks::Lockstep lockstep_;
+  std::vector<uint8_t> received_;
+  std::optional<Clock::time_point> origin_;  ///< vehicle time 0
+  bool plugged_ = true;
+  std::string epitaph_;
+};
+
+}  // namespace glider::simulator

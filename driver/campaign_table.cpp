@@ -3,6 +3,8 @@
 
 #include "driver/campaign_table.h"
 
+#include "driver/csv.h"
+
 #include <fmt/format.h>
 
 #include <array>
@@ -123,11 +125,11 @@ std::string campaignCsv(const CampaignPlan& plan, const CampaignResult& result) 
     const Verdict& verdict = result.verdicts[i];
     const CampaignFlight flight = flightOf(plan, i);
     const bool violated = verdict.outcome == Verdict::Outcome::Violation;
-    out +=
-        fmt::format("{},\"{}\",{},{},{},{},{},{},{},\"{}\"\n", i,
-                    plan.missions[flight.mission].file, simulator::nameOf(flight.kind), flight.seed,
-                    nameOf(verdict), verdict.hand_backs, verdict.instructions, verdict.end_s,
-                    violated ? fmt::to_string(verdict.violation_s) : "", verdict.violation);
+    out += fmt::format(
+        "{},{},{},{},{},{},{},{},{},{}\n", i, csvQuoted(plan.missions[flight.mission].file),
+        simulator::nameOf(flight.kind), flight.seed, nameOf(verdict), verdict.hand_backs,
+        verdict.instructions, verdict.end_s, violated ? fmt::to_string(verdict.violation_s) : "",
+        csvQuoted(verdict.violation));
   }
   return out;
 }

@@ -3,22 +3,22 @@
 
 #include "driver/flight_files.h"
 
+#include "driver/csv.h"
 #include "report/report.h"
 #include "support/files.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace glider::driver {
 namespace {
 
-std::string quoted(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    out += c == '"' ? "\"\"" : c == '\n' || c == '\r' ? " " : std::string(1, c);
-  }
-  return out + '"';
+/// A quoted field that is one line.
+std::string textCell(std::string text) {
+  std::ranges::replace_if(text, [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  return csvQuoted(text);
 }
 
 std::string numberCell(double value) {
@@ -32,7 +32,7 @@ std::string eventsToCsv(const support::Trace& trace) {
   for (const support::TraceEvent& event : trace.events) {
     out +=
         fmt::format("{},{},{},{},{}\n", numberCell(event.time_s), numberCell(event.mission_time_s),
-                    quoted(event.kind), quoted(event.what), quoted(event.why));
+                    textCell(event.kind), textCell(event.what), textCell(event.why));
   }
   return out;
 }

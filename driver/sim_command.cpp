@@ -135,7 +135,7 @@ void addPictureOptions(CLI::App& command, SimOptions& options) {
                       ->option_text("FILE")
                       ->excludes("--replay");
   std::vector<std::string> names = {"state"};
-  for (const report::Quantity& quantity : report::pictureQuantities()) {
+  for (const report::TrackQuantity& quantity : report::pictureQuantities()) {
     names.emplace_back(quantity.name);
   }
   command

@@ -3,7 +3,7 @@
 
 #include "codegen/program/work.h"
 
-#include "ir/core/ops.h"
+#include "ir/core/walk.h"
 
 #include <set>
 #include <vector>
@@ -19,39 +19,20 @@ class Work {
   [[nodiscard]] size_t count() const { return count_; }
 
   void add(ir::ExprId root) {
-    std::vector<ir::ExprId> open{root};
-    while (!open.empty()) {
-      const ir::ExprId id = open.back();
-      open.pop_back();
-      if (!id.valid() || !seen_.insert(id.index).second) {
-        continue;
-      }
-      ++count_;
-      const ir::Expr& e = m_[id];
-      for (uint32_t k = 0; k < ir::opInfo(e.op).operands; ++k) {
-        open.push_back(e.operands.at(k));
-      }
+    if (root.valid()) {
+      ir::forEachIn(m_, root,
+                    [this](const ir::Expr& e) { count_ += seen_.insert(&e).second ? 1U : 0U; });
     }
   }
 
-  void add(ir::BlockId root) {
-    std::vector<ir::BlockId> open{root};
-    while (!open.empty()) {
-      const ir::BlockId id = open.back();
-      open.pop_back();
-      if (!id.valid()) {
-        continue;
+  void add(ir::BlockId block) {
+    ir::forEachStatement(m_, block, [this](const ir::Statement& statement) {
+      ++count_;
+      add(statement.value);
+      for (const ir::ExprId value : statement.values) {
+        add(value);
       }
-      for (const ir::Statement& statement : m_[id].statements) {
-        ++count_;
-        add(statement.value);
-        for (const ir::ExprId value : statement.values) {
-          add(value);
-        }
-        open.push_back(statement.then);
-        open.push_back(statement.otherwise);
-      }
-    }
+    });
   }
 
   void add(const std::vector<ir::Case>& cases) {
@@ -64,7 +45,7 @@ class Work {
 
  private:
   const ir::Mission& m_;
-  std::set<uint32_t> seen_;
+  std::set<const ir::Expr*> seen_;
   size_t count_ = 1;
 };
 

@@ -3,6 +3,9 @@
 
 #include "driver/mission_log/render.h"
 
+#include "driver/csv.h"
+#include "report/text.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -21,26 +24,9 @@ std::string known(double value) {
   return std::isnan(value) ? "unknown" : fmt::format("{:.6g}", value);
 }
 
-/// As comma-separated files have it: in quotes, each quote in it twice, where it must be.
+/// In quotes only where it must be.
 std::string field(const std::string& name) {
-  if (name.find_first_of(",\"\n\r") == std::string::npos) {
-    return name;
-  }
-  std::string quoted = "\"";
-  for (const char c : name) {
-    quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  }
-  return quoted + "\"";
-}
-
-/// Text from a file that may hold anything, for a terminal.
-std::string shown(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    out += byte < 0x20 || byte == 0x7F ? fmt::format("\\x{:02x}", byte) : std::string(1, c);
-  }
-  return out;
+  return name.find_first_of(",\"\n\r") == std::string::npos ? name : csvQuoted(name);
 }
 
 std::string line(const LogEntry& entry, const char* record, const std::string& name,
@@ -73,7 +59,8 @@ std::string noteLines(const LogEntry& entry) {
 std::string valueList(const LogEntry& entry) {
   std::string list;
   for (const auto& [name, value] : entry.values) {
-    list += (list.empty() ? "" : ", ") + (name.empty() ? "" : shown(name) + " ") + known(value);
+    list +=
+        (list.empty() ? "" : ", ") + (name.empty() ? "" : report::plain(name) + " ") + known(value);
   }
   return list;
 }
@@ -85,17 +72,17 @@ std::string withList(std::string text, const std::string& list) {
 std::string story(const LogEntry& entry) {
   switch (entry.kind) {
     case LogRecord::Start:
-      return "the program of mission " + shown(entry.name) + " starts";
+      return "the program of mission " + report::plain(entry.name) + " starts";
     case LogRecord::Begin:
       return withList("the mission begins", valueList(entry));
     case LogRecord::Transition:
       return withList(
-          fmt::format("{} → {} ({}, case {})", shown(entry.detail),
-                      entry.to.empty() ? "end" : shown(entry.to), entry.name, entry.number),
+          fmt::format("{} → {} ({}, case {})", report::plain(entry.detail),
+                      entry.to.empty() ? "end" : report::plain(entry.to), entry.name, entry.number),
           valueList(entry));
     case LogRecord::Note:
-      return entry.unknown_set ? "unknown set: " + shown(entry.name)
-                               : withList("log " + shown(entry.name), valueList(entry));
+      return entry.unknown_set ? "unknown set: " + report::plain(entry.name)
+                               : withList("log " + report::plain(entry.name), valueList(entry));
     case LogRecord::Event:
       return entry.name + (entry.detail.empty() ? "" : ": " + entry.detail) +
              (std::isnan(entry.value) ? "" : fmt::format(" ({})", known(entry.value)));

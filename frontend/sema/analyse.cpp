@@ -6,6 +6,7 @@
 #include "frontend/sema/lower_behaviour.h"
 #include "frontend/sema/lower_case.h"
 #include "frontend/sema/lower_requirement.h"
+#include "frontend/sema/lower_resumption.h"
 #include "frontend/sema/lower_state.h"
 #include "frontend/sema/scope.h"
 #include "frontend/sema/variables.h"

@@ -12,7 +12,6 @@
 #include <cmath>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace glider::frontend {
@@ -24,17 +23,12 @@ namespace {
 /// Lowers one; empty, and reported, if it is wrong.
 class RequirementLowering {
  public:
-  explicit RequirementLowering(Scope& scope) : scope_(scope) {}
+  RequirementLowering(const ast::Requirement& node, Scope& scope) : node_(node), scope_(scope) {}
 
-  std::optional<ir::Requirement> run(const ast::Requirement& node) {
-    result_.range = node.where;
-    const bool right = std::visit([&](const auto& promise) { return lower(promise); }, node.node);
+  std::optional<ir::Requirement> run() {
+    result_.range = node_.where;
+    const bool right = std::visit([&](const auto& promise) { return lower(promise); }, node_.node);
     return right ? std::optional(result_) : std::nullopt;
-  }
-
-  /// The time of `resume within`, s.
-  std::optional<double> run(const ast::Resumption& node) {
-    return seconds(node.within, "resume within") ? std::optional(result_.seconds) : std::nullopt;
   }
 
  private:
@@ -126,6 +120,7 @@ class RequirementLowering {
 
   static constexpr double kDeepest = 1e6;
 
+  const ast::Requirement& node_;
   Scope& scope_;
   ir::Requirement result_;
 };
@@ -135,24 +130,9 @@ class RequirementLowering {
 void lowerRequirements(const ast::File& file, Scope& scope) {
   for (const ast::Item& item : file.items) {
     if (const auto* node = std::get_if<ast::Requirement>(&item)) {
-      if (auto requirement = RequirementLowering(scope).run(*node)) {
+      if (auto requirement = RequirementLowering(*node, scope).run()) {
         scope.mission.requirements.push_back(*requirement);
       }
-    }
-  }
-}
-
-void lowerResumption(const ast::File& file, Scope& scope) {
-  bool any = false;
-  for (const ast::Item& item : file.items) {
-    const auto* node = std::get_if<ast::Resumption>(&item);
-    if (node == nullptr) {
-      continue;
-    }
-    if (std::exchange(any, true)) {
-      scope.report(DiagnosticId::memberTwice, node->where, "a mission", "resume");
-    } else if (const auto within = RequirementLowering(scope).run(*node)) {
-      scope.mission.resume_within_s = *within;
     }
   }
 }

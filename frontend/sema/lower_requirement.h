@@ -11,7 +11,4 @@ namespace glider::frontend {
 /// Lowers the mission's requirements, once all else is: sensors that only they read stand last.
 void lowerRequirements(const ast::File& file, Scope& scope);
 
-/// The mission's `resume within`, if it has one.
-void lowerResumption(const ast::File& file, Scope& scope);
-
 }  // namespace glider::frontend

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "ir/core/ops.h"
+#include "ir/core/walk.h"
 #include "ir/opt/dnf.h"
 #include "ir/opt/passes.h"
 
@@ -76,16 +77,7 @@ GuardTable makeTable(const std::vector<Conjunction>& rows) {
 /// Which C functions a tick calls, and in which order, is the mission's business: a table leaves
 /// guards out.
 bool callsC(const Mission& mission, ExprId guard) {
-  std::vector<ExprId> open{guard};
-  while (!open.empty()) {
-    const Expr& e = mission[open.back()];
-    open.pop_back();
-    if (e.op == Op::Call) {
-      return true;
-    }
-    open.insert(open.end(), e.operands.begin(), e.operands.begin() + operandCount(e));
-  }
-  return false;
+  return anyIn(mission, guard, [](const Expr& e) { return e.op == Op::Call; });
 }
 
 GuardTable tabulate(const Mission& mission, const std::vector<Case>& cases) {

@@ -3,6 +3,8 @@
 
 #include "ir/prove/abstract_run.h"
 
+#include "ir/core/walk.h"
+
 namespace glider::ir::prove {
 
 Valuation AbstractRun::begin() const {
@@ -48,27 +50,19 @@ void AbstractRun::execute(BlockId block, const ClockRanges& clocks, Valuation& v
       Valuation otherwise = values;
       execute(statement.then, clocks, values);
       execute(statement.otherwise, clocks, otherwise);
-      const Valuation before = values;
       for (size_t i = 0; i < values.size(); ++i) {
-        values[i] = either(before[i], otherwise[i]);
+        values[i] = either(values[i], otherwise[i]);
       }
     }
   }
 }
 
-// NOLINTNEXTLINE(misc-no-recursion): as execute
 void AbstractRun::forget(BlockId block, Valuation& values) const {
-  if (!block.valid()) {
-    return;
-  }
-  for (const Statement& statement : m_[block].statements) {
+  forEachStatement(m_, block, [&](const Statement& statement) {
     if (statement.kind == StatementKind::Set) {
       values[statement.variable.index] = anything(m_[statement.variable]);
-    } else if (statement.kind == StatementKind::If) {
-      forget(statement.then, values);
-      forget(statement.otherwise, values);
     }
-  }
+  });
 }
 
 void AbstractRun::enter(StateId state, const Case* c, const ClockRanges& clocks,

@@ -3,7 +3,7 @@
 
 #include "ir/prove/ground.h"
 
-#include "ir/prove/known_variables.h"
+#include "ir/prove/never_unknown.h"
 #include "ir/prove/whole_numbers.h"
 
 #include <limits>

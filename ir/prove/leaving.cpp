@@ -3,7 +3,7 @@
 
 #include "ir/prove/leaving.h"
 
-#include "ir/core/ops.h"
+#include "ir/core/walk.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,10 +16,10 @@ namespace {
 
 constexpr double kMost = std::numeric_limits<double>::max();
 
-class Clocks {
+class LeavingSearch {
  public:
-  Clocks(const Ground& ground, const State& state, const Interruptions& always,
-         const Valuation& values)
+  LeavingSearch(const Ground& ground, const State& state, const Interruptions& always,
+                const Valuation& values)
       : ground_(ground), m_(ground.mission), always_(always), values_(values) {
     for (const Case& c : state.cases) {
       own_.push_back(&c);
@@ -69,18 +69,12 @@ class Clocks {
  private:
   /// Times that the guards compare clocks with.
   void gather(ExprId root, const Possible& ever) {
-    std::vector<ExprId> open{root};
-    while (!open.empty()) {
-      const Expr& e = m_[open.back()];
-      open.pop_back();
-      for (uint32_t i = 0; i < opInfo(e.op).operands; ++i) {
-        open.push_back(e.operands.at(i));
-      }
+    forEachIn(m_, root, [&](const Expr& e) {
       if (e.op >= Op::Less && e.op <= Op::GreaterEqual) {
         keep(e.operands[0], e.operands[1], ever);
         keep(e.operands[1], e.operands[0], ever);
       }
-    }
+    });
   }
 
   void keep(ExprId clock, ExprId time, const Possible& ever) {
@@ -126,7 +120,7 @@ class Clocks {
 
 Leaving leavingOf(const Ground& ground, const State& state, const Interruptions& always,
                   const Valuation& values, double since) {
-  return Clocks(ground, state, always, values).leaving(since);
+  return LeavingSearch(ground, state, always, values).leaving(since);
 }
 
 }  // namespace glider::ir::prove

@@ -3,31 +3,19 @@
 
 #include "ir/prove/orders.h"
 
+#include "ir/core/walk.h"
+
 namespace glider::ir::prove {
-namespace {
-
-// NOLINTNEXTLINE(misc-no-recursion): as deep as the mission's text nests
-void gather(const Mission& mission, BlockId id, std::vector<const Statement*>& orders) {
-  if (!id.valid()) {
-    return;
-  }
-  for (const Statement& statement : mission[id].statements) {
-    if (statement.kind == StatementKind::Command) {
-      orders.push_back(&statement);
-    } else if (statement.kind == StatementKind::If) {
-      gather(mission, statement.then, orders);
-      gather(mission, statement.otherwise, orders);
-    }
-  }
-}
-
-}  // namespace
-
 std::vector<const Statement*> ordersOf(const Mission& mission, const Activity& activity) {
   std::vector<const Statement*> orders;
-  gather(mission, activity.entry, orders);
+  const auto gather = [&](const Statement& statement) {
+    if (statement.kind == StatementKind::Command) {
+      orders.push_back(&statement);
+    }
+  };
+  forEachStatement(mission, activity.entry, gather);
   for (const Case& c : activity.cases) {
-    gather(mission, c.action, orders);
+    forEachStatement(mission, c.action, gather);
   }
   return orders;
 }

@@ -15,7 +15,6 @@ Truths exactly(bool value) {
   return {value, !value, false};
 }
 
-/// A range is a sound bound for whole trees only: what lies beyond the greatest number is unknown.
 Truths both(const Truths& a, const Truths& b) {
   return {a.is_true && b.is_true, a.is_false || b.is_false,
           (a.is_unknown && (b.is_unknown || b.is_true)) || (b.is_unknown && a.is_true)};

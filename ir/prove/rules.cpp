@@ -3,7 +3,7 @@
 
 #include "ir/prove/rules.h"
 
-#include "ir/core/ops.h"
+#include "ir/core/walk.h"
 #include "ir/prove/world.h"
 
 #include <fmt/format.h>
@@ -178,18 +178,9 @@ std::vector<ExprId> RuleWriter::clockConditions(const Control& control) const {
 }
 
 bool RuleWriter::readsNoSensor(ExprId root) const {
-  std::vector<ExprId> open{root};
-  while (!open.empty()) {
-    const Expr& e = m_[open.back()];
-    open.pop_back();
-    if (e.op == Op::Sensor || e.op == Op::Age || e.op == Op::Temporal || e.op == Op::Call) {
-      return false;
-    }
-    for (uint32_t i = 0; i < opInfo(e.op).operands; ++i) {
-      open.push_back(e.operands.at(i));
-    }
-  }
-  return true;
+  return !anyIn(m_, root, [](const Expr& e) {
+    return e.op == Op::Sensor || e.op == Op::Age || e.op == Op::Temporal || e.op == Op::Call;
+  });
 }
 
 /// Guards that fire whatever the sensors say.

@@ -118,7 +118,7 @@ class Trials {
     if (e.op == Op::Sensor) {
       return ground_.sensors[e.sensor.index];
     }
-    if (e.op != Op::Sensor && e.type.kind == TypeKind::Bool) {
+    if (e.type.kind == TypeKind::Bool) {
       return {0, 1, false};
     }
     if (e.op == Op::Temporal) {

@@ -3,24 +3,14 @@
 
 #include "ir/prove/watches.h"
 
-#include "ir/core/ops.h"
+#include "ir/core/walk.h"
 
 namespace glider::ir::prove {
 namespace {
 
 bool readsDepth(ExprId root, const Ground& ground) {
-  std::vector<ExprId> open{root};
-  while (!open.empty()) {
-    const Expr& e = ground.mission[open.back()];
-    open.pop_back();
-    if (e.op == Op::Sensor && e.sensor == ground.depth) {
-      return true;
-    }
-    for (uint32_t i = 0; i < opInfo(e.op).operands; ++i) {
-      open.push_back(e.operands.at(i));
-    }
-  }
-  return false;
+  return anyIn(ground.mission, root,
+               [&](const Expr& e) { return e.op == Op::Sensor && e.sensor == ground.depth; });
 }
 
 /// The mission goes on although its time is over.

@@ -3,7 +3,7 @@
 
 #include "report/graph/diagram.h"
 
-#include "report/graph/text_lines.h"
+#include "report/svg/text_lines.h"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "report/graph/diagram.h"
-#include "report/graph/text_lines.h"
+#include "report/svg/text_lines.h"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "report/graph/svg_shapes.h"
-#include "report/graph/text_lines.h"
+#include "report/svg/text_lines.h"
 
 #include <algorithm>
 

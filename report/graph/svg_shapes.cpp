@@ -3,7 +3,7 @@
 
 #include "report/graph/svg_shapes.h"
 
-#include "report/graph/text_lines.h"
+#include "report/svg/text_lines.h"
 
 #include <algorithm>
 #include <cctype>

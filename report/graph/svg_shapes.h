@@ -4,7 +4,7 @@
 #pragma once
 
 #include "report/graph/diagram.h"
-#include "report/graph/svg_text.h"
+#include "report/svg/svg_text.h"
 
 namespace glider::report {
 

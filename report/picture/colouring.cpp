@@ -11,7 +11,7 @@
 namespace glider::report {
 namespace {
 
-constexpr Quantity kQuantities[] = {
+constexpr TrackQuantity kQuantities[] = {
     {"chlorophyll", "sci_flbbcd_chlor_units", "chlorophyll (µg/L)"},
     {"temp", "sci_water_temp", "temperature (°C)"},
     {"oxygen", "sci_oxy4_oxygen", "oxygen (µM)"},
@@ -21,7 +21,7 @@ constexpr Quantity kQuantities[] = {
 
 }  // namespace
 
-std::span<const Quantity> pictureQuantities() {
+std::span<const TrackQuantity> pictureQuantities() {
   return kQuantities;
 }
 
@@ -30,8 +30,8 @@ namespace {
 
 /// The quantity that `style` asks for; without a wish the first of chlorophyll and temperature that
 /// was measured.
-std::optional<Quantity> choose(const support::Trace& trace, const PictureStyle& style) {
-  for (const Quantity& quantity : kQuantities) {
+std::optional<TrackQuantity> choose(const support::Trace& trace, const PictureStyle& style) {
+  for (const TrackQuantity& quantity : kQuantities) {
     const bool usual = quantity.name == "chlorophyll" || quantity.name == "temp";
     if (style.colour ? *style.colour == quantity.name : usual && isKnown(trace, quantity.column)) {
       return quantity;

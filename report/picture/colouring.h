@@ -28,7 +28,7 @@ class Colouring {
   Colouring(const support::Trace& trace, const PictureStyle& style);
 
   /// The quantity; none when the colours are the states'.
-  [[nodiscard]] const std::optional<Quantity>& quantity() const { return quantity_; }
+  [[nodiscard]] const std::optional<TrackQuantity>& quantity() const { return quantity_; }
   /// The values that the scale covers; least < greatest.
   [[nodiscard]] Extent extent() const { return extent_; }
   /// Whether one row in a hundred has no value, and is grey for that.
@@ -41,7 +41,7 @@ class Colouring {
   [[nodiscard]] std::vector<std::string> colours() const;
 
   const support::Trace& trace_;
-  std::optional<Quantity> quantity_;
+  std::optional<TrackQuantity> quantity_;
   std::vector<double> values_;
   Extent extent_{0, 1};
   bool has_unknown_ = false;

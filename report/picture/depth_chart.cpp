@@ -4,20 +4,17 @@
 #include "report/picture/depth_chart.h"
 
 #include "report/figures.h"
-#include "report/graph/text_lines.h"
 #include "report/picture/colours.h"
 #include "report/picture/contours.h"
+#include "report/svg/text_lines.h"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace glider::report::picture {
 namespace {
 
 using support::Trace;
-
-constexpr double kTolerance = 1.0 / 3;  // px, by which a thinned line may be off
 
 /// The greatest depth that the chart shows: a little more than the flight's, and the seabed where
 /// that is near.
@@ -26,6 +23,13 @@ double deepestShown(const std::vector<double>& depth, const std::vector<double>&
   const double deepest = std::fmax(flown.greatest > 0 ? flown.greatest : 0, 1);
   const bool near = ground.least < 1.5 * deepest;
   return 1.06 * (near ? std::fmin(std::fmax(deepest, ground.greatest), 1.3 * deepest) : deepest);
+}
+
+std::vector<Line> thinned(std::vector<Line> lines) {
+  for (Line& line : lines) {
+    line = simplified(line, kUnseen);
+  }
+  return lines;
 }
 
 class Chart {
@@ -88,10 +92,7 @@ class Chart {
         lines.emplace_back();
       }
     }
-    for (Line& line : lines) {
-      line = simplified(line, kTolerance);
-    }
-    return lines;
+    return thinned(std::move(lines));
   }
 
   void isotherms() {
@@ -109,7 +110,7 @@ class Chart {
         for (const Dot& dot : contour) {
           line.push_back(at(dot.x, dot.y));
         }
-        line = simplified(line, kTolerance);
+        line = simplified(line, kUnseen);
       }
       levels += (levels.empty() ? "" : ", ") + tickText(level, step);
     }
@@ -176,10 +177,7 @@ class Chart {
       }
       lines.back().push_back(here);
     }
-    for (Line& line : lines) {
-      line = simplified(line, kTolerance);
-    }
-    return lines;
+    return thinned(std::move(lines));
   }
 
   void marked() {
@@ -194,7 +192,7 @@ class Chart {
 
   /// All pieces of one colour are one path.
   void track() {
-    std::map<std::string, std::vector<Line>> by_colour;
+    ColouredLines by_colour;
     for (const Piece& piece : colouring_.pieces()) {
       std::vector<Line>& lines = by_colour[piece.colour];
       Line line;
@@ -203,11 +201,9 @@ class Chart {
           line.push_back(at(time_[row], depth_[row]));
         }
       }
-      lines.push_back(simplified(line, kTolerance));
+      lines.push_back(simplified(line, kUnseen));
     }
-    for (const auto& [colour, lines] : by_colour) {
-      addPath(svg_, "track", colour, lines);
-    }
+    addPaths(svg_, "track", by_colour);
   }
 
   void band() {

@@ -3,7 +3,7 @@
 
 #include "report/picture/page.h"
 
-#include "report/graph/text_lines.h"
+#include "report/svg/text_lines.h"
 
 namespace glider::report::picture {
 
@@ -43,10 +43,11 @@ void addPath(SvgText& svg, std::string_view classes, const std::vector<Line>& li
   }
 }
 
-void addPath(SvgText& svg, std::string_view classes, std::string_view colour,
-             const std::vector<Line>& lines) {
-  if (const std::string data = dataOf(lines); !data.empty()) {
-    svg.add("<path class=\"{}\" stroke=\"{}\" d=\"{}\"/>\n", classes, colour, data);
+void addPaths(SvgText& svg, std::string_view classes, const ColouredLines& by_colour) {
+  for (const auto& [colour, lines] : by_colour) {
+    if (const std::string data = dataOf(lines); !data.empty()) {
+      svg.add("<path class=\"{}\" stroke=\"{}\" d=\"{}\"/>\n", classes, colour, data);
+    }
   }
 }
 

@@ -3,10 +3,11 @@
 
 #pragma once
 
-#include "report/graph/svg_text.h"
 #include "report/picture/axis.h"
 #include "report/picture/polyline.h"
+#include "report/svg/svg_text.h"
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,9 +34,10 @@ void addText(SvgText& svg, Dot at, std::string_view anchor, std::string_view cla
 void addUpwards(SvgText& svg, Dot at, std::string_view classes, std::string_view text);
 /// One path of class `classes` over all `lines`; nothing if none has two points.
 void addPath(SvgText& svg, std::string_view classes, const std::vector<Line>& lines);
-/// The same in a colour of its own.
-void addPath(SvgText& svg, std::string_view classes, std::string_view colour,
-             const std::vector<Line>& lines);
+/// Lines by their colour.
+using ColouredLines = std::map<std::string, std::vector<Line>>;
+/// A path of class `classes` for each colour.
+void addPaths(SvgText& svg, std::string_view classes, const ColouredLines& by_colour);
 /// A grid line and a number at each tick below `box`, and the axis' title below them.
 void addAcross(SvgText& svg, const Box& box, const Axis& axis, double step, std::string_view title);
 /// The same at the left of `box`.

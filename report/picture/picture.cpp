@@ -4,10 +4,10 @@
 #include "report/picture/picture.h"
 
 #include "report/figures.h"
-#include "report/graph/text_lines.h"
 #include "report/picture/colours.h"
 #include "report/picture/depth_chart.h"
 #include "report/picture/track_map.h"
+#include "report/svg/text_lines.h"
 #include "report/text.h"
 
 #include <algorithm>

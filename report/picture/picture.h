@@ -13,14 +13,14 @@
 namespace glider::report {
 
 /// What can colour the track of a picture.
-struct Quantity {
+struct TrackQuantity {
   std::string_view name;    ///< as in the language
   std::string_view column;  ///< of the trace
   std::string_view title;   ///< of the colour bar, with its unit
 };
 
 /// Every quantity that can colour a track.
-std::span<const Quantity> pictureQuantities();
+std::span<const TrackQuantity> pictureQuantities();
 
 /// How a flight is drawn.
 struct PictureStyle {

@@ -19,6 +19,9 @@ using Line = std::vector<Dot>;
 /// The ends stay.
 Line simplified(const Line& line, double tolerance);
 
+/// How far a line on the page may be off, px: less than is seen.
+inline constexpr double kUnseen = 1.0 / 3;
+
 /// What stands in the attribute d of a path: `line` to a tenth of a pixel, each step relative to
 /// the point before, so that a long track stays a small text. Empty for fewer than two points.
 std::string pathData(const Line& line);

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace glider::report::picture {
 namespace {
@@ -101,18 +100,16 @@ class Map {
         line.push_back(at(track.east[row], track.north[row]));
       }
     }
-    return simplified(line, 1.0 / 3);
+    return simplified(line, kUnseen);
   }
 
   void flown() {
-    std::map<std::string, std::vector<Line>> by_colour;
+    ColouredLines by_colour;
     for (const Span& span : spansOf(trace_)) {
       by_colour[std::string(pilotColour(span.pilot))].push_back(
           lineOf(truth_, span.begin, span.end));
     }
-    for (const auto& [colour, lines] : by_colour) {
-      addPath(svg_, "track", colour, lines);
-    }
+    addPaths(svg_, "track", by_colour);
   }
 
   void waypoints() {

@@ -76,10 +76,10 @@ void GliderRuntime::commit() {
   if (context_ == nullptr) {
     return;
   }
-  if (log_.fails() && !log_fails_) {
+  if (log_.isFailing() && !log_fails_) {
     tellVehicle("the SBC's log is not written");
   }
-  log_fails_ = log_.fails();
+  log_fails_ = log_.isFailing();
   const Checkpoint::Kept kept = checkpoint_.keep(
       *context_, {clock_.vehicle(), clock_.origin(), client_.session(), client_.sequence()});
   const bool failed = kept == Checkpoint::Kept::Failed;

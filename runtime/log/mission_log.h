@@ -48,7 +48,7 @@ class MissionLog {
   /// How often the sink did not take what it was given.
   [[nodiscard]] uint32_t failures() const { return failures_; }
   /// True if it was so the last time.
-  [[nodiscard]] bool fails() const { return failures_ > 0 && torn_; }
+  [[nodiscard]] bool isFailing() const { return failures_ > 0 && torn_; }
 
  private:
   hooks::ByteWriter open(LogRecord kind);

@@ -29,18 +29,20 @@ std::string csvOf(const TemporaryFolder& folder, const std::string& log) {
   return slurp(csv);
 }
 
+/// What `sim` is given to fly Figure 2's program of this computer with `options`.
+std::string flightThatLogs(const TemporaryFolder& folder, const std::string& options) {
+  const std::string program = (folder.path() / "figure2").string();
+  const auto sbc = folder.write("sbc", "#!/bin/sh\nexec " + program + " " + options + " \"$@\"\n");
+  const Outcome built = runShell("$GLIDERCC build " + project("missions/figure2.mission") + " -o " +
+                                 program + " && chmod +x " + sbc.string());
+  EXPECT_EQ(built.status, 0) << built.err;
+  return "--sbc " + sbc.string() + " --scenario " + project("scenarios/default.toml");
+}
+
 TEST(MissionLog, AProgramThatStartsAgainWritesAfterTheOldLog) {
   const TemporaryFolder folder;
-  const std::string program = (folder.path() / "figure2").string();
   const std::string log = (folder.path() / "figure2.log").string();
-  ASSERT_EQ(
-      runShell("$GLIDERCC build " + project("missions/figure2.mission") + " -o " + program).status,
-      0);
-  const auto sbc =
-      folder.write("sbc", "#!/bin/sh\nexec " + program + " --log " + log + " \"$@\"\n");
-  ASSERT_EQ(runShell("chmod +x " + sbc.string()).status, 0);
-  const std::string flight =
-      "--sbc " + sbc.string() + " --scenario " + project("scenarios/default.toml");
+  const std::string flight = flightThatLogs(folder, "--log " + log);
   ASSERT_EQ(fly(flight).outcome.status, 0);
   const std::string first = slurp(log), first_csv = csvOf(folder, log);
   EXPECT_EQ(countOf(first_csv, ",start,"), 1U);
@@ -55,17 +57,8 @@ TEST(MissionLog, AProgramThatStartsAgainWritesAfterTheOldLog) {
 
 TEST(MissionLog, AFullOneBecomesTheOlderOne) {
   const TemporaryFolder folder;
-  const std::string program = (folder.path() / "figure2").string();
   const std::string log = (folder.path() / "figure2.log").string();
-  ASSERT_EQ(
-      runShell("$GLIDERCC build " + project("missions/figure2.mission") + " -o " + program).status,
-      0);
-  const auto sbc = folder.write(
-      "sbc", "#!/bin/sh\nexec " + program + " --log " + log + " --log-limit 9000 \"$@\"\n");
-  ASSERT_EQ(runShell("chmod +x " + sbc.string()).status, 0);
-  ASSERT_EQ(fly("--sbc " + sbc.string() + " --scenario " + project("scenarios/default.toml"))
-                .outcome.status,
-            0);
+  ASSERT_EQ(fly(flightThatLogs(folder, "--log " + log + " --log-limit 9000")).outcome.status, 0);
   EXPECT_LT(slurp(log).size(), 11100U);
   EXPECT_LT(slurp(log + ".old").size(), 11100U);
   EXPECT_GT(slurp(log + ".old").size(), 8999U);

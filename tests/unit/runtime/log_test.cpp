@@ -137,11 +137,11 @@ TEST_F(LogOf, AFullDiskIsCountedAndLaterRecordsAreReadable) {
   event(1);
   log_.flush();
   EXPECT_EQ(log_.failures(), 1U);
-  EXPECT_TRUE(log_.fails());
+  EXPECT_TRUE(log_.isFailing());
   disk_.room = 1000;
   event(2);
   log_.flush();
-  EXPECT_FALSE(log_.fails());
+  EXPECT_FALSE(log_.isFailing());
   EXPECT_EQ(csv(), head_ + eventRow(0) + eventRow(2));
   EXPECT_EQ(damage_.bad, 1U);
   EXPECT_EQ(damage_.missing, 1U);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "ir/prove/known_variables.h"
+#include "ir/prove/never_unknown.h"
 
 #include "ir/core/ops.h"
 #include "ir/prove/inherited.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "report/graph/text_lines.h"
+#include "report/svg/text_lines.h"
 
 #include <algorithm>
 

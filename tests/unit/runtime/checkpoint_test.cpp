@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Whatever a power cut leaves of the file of checkpoints, the last committed tick stands in it.
+
+#include "runtime/checkpoint/checkpoint.h"
+
+#include "tests/unit/runtime/resume_bench.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+namespace glider::runtime::testing {
+namespace {
+
+class CheckpointTest : public ResumeBench {};
+
+class Counting : public ResumeBench, public ::testing::WithParamInterface<bool> {};
+
+TEST_P(Counting, WhateverAPowerCutLeavesOfTheFileTheLastCommittedTickStandsInIt) {
+  counts = GetParam();
+  std::vector<Bytes> kept;  // of each commit, in order
+  VehicleBench vehicle({.silence_secs = 24});
+  store_.mark = [this, &kept] {
+    const Bytes body = bodyOf(*reinterpret_cast<const GliderContext*>(mission_.memory.data()));
+    if (kept.empty() || kept.back() != body) {
+      kept.push_back(body);
+    }
+    return kept.size();
+  };
+  boot(vehicle);
+  vehicle.run(counts ? 220 : 420);
+  ASSERT_GT(kept.size(), 20U);
+
+  std::vector<double> memory(mission_.memory.size());
+  size_t files = 0;
+  for (size_t made = 0; made <= store_.log.size(); ++made) {
+    const bool is_synced = made > 0 && store_.log[made - 1].bytes.empty();
+    const size_t newest = made == 0 ? 0 : store_.log[made - 1].answered;
+    const size_t whole = is_synced ? newest : newest - (made == 0 ? 0 : 1);
+    eachFileAfterCut(store_.log, made, [&](const Bytes& file) {
+      ++files;
+      RecordingStore left;
+      left.content = file;
+      GliderContext* context = layOut(memory.data(), mission_.mission);
+      LinkFacts facts;
+      const auto found = Checkpoint(left.store(), 7).find(*context, facts);
+      if (found != Checkpoint::Found::Good) {
+        ASSERT_EQ(whole, 0U) << "one was whole after " << made << " writes";
+        return;
+      }
+      const Bytes body = bodyOf(*context);
+      const bool of_last = whole > 0 && body == kept[whole - 1];
+      const bool of_newest = newest > 0 && body == kept[newest - 1];
+      ASSERT_TRUE(of_last || of_newest) << "after " << made << " writes";
+      ASSERT_TRUE(!is_synced || of_newest) << "what was synced is what is found";
+    });
+    if (HasFatalFailure()) {
+      return;
+    }
+  }
+  EXPECT_GT(files, 3000U);
+}
+
+INSTANTIATE_TEST_SUITE_P(, Counting, ::testing::Bool());
+
+TEST_F(CheckpointTest, WearIsBoundedAndTheFileDoesNotGrow) {
+  counts = false;
+  end = 1000;
+  VehicleBench vehicle({.silence_secs = 24});
+  boot(vehicle);
+  vehicle.run(900);
+  const auto syncs =
+      std::ranges::count_if(store_.log, [](const auto& w) { return w.bytes.empty(); });
+  EXPECT_LE(syncs, 900 / 20 + 6) << "each 20 s, two transitions and their commands";
+  EXPECT_GE(syncs, 900 / 20 - 3);
+  EXPECT_LE(store_.content.size(), Checkpoint::kSlots * 4 * Checkpoint::kBlock);
+  std::map<uint32_t, int> writes;
+  for (const auto& write : store_.log) {
+    writes[write.offset] += write.bytes.empty() ? 0 : 1;
+  }
+  for (const auto& [offset, count] : writes) {
+    EXPECT_LE(count, syncs / static_cast<int>(Checkpoint::kSlots) + 1) << "at " << offset;
+  }
+}
+
+}  // namespace
+}  // namespace glider::runtime::testing

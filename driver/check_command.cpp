@@ -106,6 +106,7 @@ std::string requirementLines(const report::CheckedMission& found) {
   std::string text;
   for (const report::JudgedRequirement& one : found.requirements) {
     text += fmt::format("{}: {}\n", one.verdict, one.text);
+    text += one.premise.empty() ? "" : fmt::format("  {}\n", one.premise);
     text += one.closed_loop ? flightLine(*one.closed_loop) : "";
   }
   return text;

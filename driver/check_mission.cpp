@@ -41,7 +41,7 @@ Result<report::JudgedRequirement> judgedRequirement(const Compilation& compilati
                                                     bool fly) {
   const auto range = compilation.mission->requirements[verdict.requirement].range;
   report::JudgedRequirement judged{range, std::string(compilation.sources.text(range)),
-                                   ir::prove::word(verdict.verdict), std::nullopt};
+                                   ir::prove::word(verdict.verdict), std::nullopt, verdict.premise};
   if (fly && verdict.verdict == ir::prove::Verdict::Refuted && verdict.run) {
     const auto search = searchClosedLoop(compilation, verdict);
     if (!search) {

@@ -75,11 +75,12 @@ std::string envelopeText(const Envelope& envelope) {
   return fmt::format(
       "  greatest depth        {:.6g} m\n"
       "  fastest up or down    {:.6g} m/s\n"
-      "  steepest pitch        {:.4g} deg\n"
+      "  pitches               {:.4g} to {:.4g} deg\n"
       "  overshoot of a turn   {:.6g} m\n"
       "  strongest current     {:.6g} m/s\n"
       "  a reading at most     every {:.6g} s\n",
       envelope.greatest_depth_m, envelope.vertical_rate_m_s,
+      envelope.shallowest_pitch_rad * 180 / std::numbers::pi,
       envelope.steepest_pitch_rad * 180 / std::numbers::pi, envelope.inflection_overshoot_m,
       envelope.drift_m_s, envelope.cycle_s);
 }
@@ -143,6 +144,7 @@ std::string json(const Platform& platform) {
                          {"envelope",
                           {{"greatest_depth_m", envelope.greatest_depth_m},
                            {"steepest_pitch_rad", envelope.steepest_pitch_rad},
+                           {"shallowest_pitch_rad", envelope.shallowest_pitch_rad},
                            {"vertical_rate_m_s", envelope.vertical_rate_m_s},
                            {"inflection_overshoot_m", envelope.inflection_overshoot_m},
                            {"drift_m_s", envelope.drift_m_s},

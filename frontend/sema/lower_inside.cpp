@@ -142,10 +142,35 @@ class InsideLowering {
   support::SourceRange range_;
 };
 
+namespace {
+
+/// The area, if all its corners are known now.
+std::optional<ir::Fence> areaOf(const ir::Mission& mission, const std::vector<Value>& corners) {
+  ir::Fence area;
+  for (const Value& corner : corners) {
+    const auto north = evaluate(mission, corner.id);
+    const auto east = evaluate(mission, corner.longitude);
+    if (!north || !east) {
+      return std::nullopt;
+    }
+    area.corners.push_back({*north, *east});
+  }
+  return area;
+}
+
+}  // namespace
+
 ExprLowering::Result ExprLowering::inside(const std::vector<Value>& corners,
                                           const support::SourceRange& range) {
   const Result vehicle = here(range);
-  return vehicle ? Result(InsideLowering(*this, range).run(corners, *vehicle)) : std::nullopt;
+  if (!vehicle) {
+    return std::nullopt;
+  }
+  const Value truth = InsideLowering(*this, range).run(corners, *vehicle);
+  if (auto area = areaOf(scope_.mission, corners)) {
+    scope_.areas.insert_or_assign(truth.id.index, KnownArea{range, std::move(*area)});
+  }
+  return truth;
 }
 
 }  // namespace glider::frontend

@@ -43,7 +43,29 @@ class RequirementLowering {
                     scope_.mission.functions[use.function.index].name);
       return false;
     }
+    if (condition && !gatherFences(*condition, true)) {
+      result_.fences.clear();
+    }
     return condition.has_value();
+  }
+
+  /// False if there is more to what is asked than areas to keep in or out of.
+  // NOLINTNEXTLINE(misc-no-recursion): as deep as the mission's text nests
+  bool gatherFences(ir::ExprId id, bool wanted) {
+    const ir::Expr& e = scope_.mission[id];
+    if (e.op == ir::Op::Not) {
+      return gatherFences(e.operands[0], !wanted);
+    }
+    if (e.op == (wanted ? ir::Op::And : ir::Op::Or)) {
+      return gatherFences(e.operands[0], wanted) && gatherFences(e.operands[1], wanted);
+    }
+    const auto known = scope_.areas.find(id.index);
+    if (known == scope_.areas.end() || known->second.range != e.range) {
+      return false;
+    }
+    result_.fences.push_back(known->second.area);
+    result_.fences.back().keep_in = wanted;
+    return true;
   }
 
   bool lower(const ast::ExitPromise& promise) {

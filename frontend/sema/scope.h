@@ -20,6 +20,12 @@
 
 namespace glider::frontend {
 
+/// An `inside(…)` whose corners are all known now.
+struct KnownArea {
+  support::SourceRange range;  ///< of the text
+  ir::Fence area;
+};
+
 /// A `const`, worked out.
 struct Constant {
   const ast::Name* name = nullptr;
@@ -176,6 +182,7 @@ class Scope {
   };
 
   ir::Mission mission;
+  std::map<uint32_t, KnownArea> areas;  ///< by the expression that asks whether it is kept
   Context context;
   std::map<std::string, Constant, std::less<>> constants;
   Names names;  ///< the mission's parameters and variables

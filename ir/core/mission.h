@@ -296,9 +296,25 @@ enum class RequirementKind : uint8_t {
   SurfacesEvery  ///< the vehicle is never under water for longer than `seconds`
 };
 
+/// Degrees, north and east positive.
+struct Position {
+  double latitude = 0;
+  double longitude = 0;
+  bool operator==(const Position&) const = default;
+};
+
+/// An area that the vehicle keeps in, or out of; its edges are straight in latitude and longitude.
+struct Fence {
+  bool keep_in = true;
+  std::vector<Position> corners;  ///< three at least
+  bool operator==(const Fence&) const = default;
+};
+
 struct Requirement {
   RequirementKind kind = RequirementKind::Always;
-  ExprId condition;    ///< of Always: reads no temporal and nothing that belongs to a state
+  ExprId condition;  ///< of Always: reads no temporal and nothing that belongs to a state
+  /// Of Always: if there are some, the condition asks for nothing but that all of them are kept.
+  std::vector<Fence> fences;
   double seconds = 0;  ///< positive
   uint32_t depth = 0;
   StateId state;

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -90,6 +91,12 @@ class CodeValidator {
            reads->temporals_end == 0;
   }
 
+  static bool isArea(const Fence& fence) {
+    return fence.corners.size() >= 3 && std::ranges::all_of(fence.corners, [](const Position& p) {
+             return std::fabs(p.latitude) <= 90 && std::fabs(p.longitude) <= 180;
+           });
+  }
+
   void requirement(const Requirement& r) {
     const bool about_states =
         r.kind == RequirementKind::Reach || r.kind == RequirementKind::NeverAfter;
@@ -100,6 +107,9 @@ class CodeValidator {
       require(exists(r.condition) && reads_[r.condition.index].temporals_end == 0, r.range,
               "a requirement watches something over time");
     }
+    require(r.fences.empty() || r.kind == RequirementKind::Always, r.range,
+            "a requirement of another kind with an area");
+    require(std::ranges::all_of(r.fences, isArea), r.range, "an area that is none");
     require(!timed || (r.seconds > 0 && std::isfinite(r.seconds)), r.range,
             "a requirement of no time");
     require(

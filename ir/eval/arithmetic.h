@@ -24,11 +24,6 @@ double settle(double value);
 double binary(Op op, double a, double b);
 /// Negate, Abs, Sqrt, Sin, Cos or Tan.
 double unary(Op op, double a);
-/// Degrees, north and east positive.
-struct Position {
-  double latitude = 0;
-  double longitude = 0;
-};
 /// Distance (m) or Bearing (rad).
 double onEarth(Op op, Position from, Position to);
 double clamp(double x, double lowest, double highest);

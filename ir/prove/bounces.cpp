@@ -20,7 +20,7 @@ namespace {
 constexpr size_t kMostStates = 200;
 
 /// Looks for states between which a mission goes to and fro on tick after tick while the sensors
-/// show the same: a line of the report each, as it may be meant.
+/// show the same, or the same but for their noise: a line of the report each, as it may be meant.
 class BounceCheck {
  public:
   explicit BounceCheck(Proof& proof)
@@ -36,7 +36,8 @@ class BounceCheck {
     }
     for (uint32_t i = 0; i < m_.states.size(); ++i) {
       if (!hasReturn(m_.states[i].cases)) {  // it is looked at with an empty stack
-        check({i});
+        check({i}, false);
+        check({i}, true);
       }
     }
   }
@@ -61,10 +62,13 @@ class BounceCheck {
   std::vector<Outcome> ticksAt(const Configuration& before, int cycles) {
     const double later = ground_.platform.envelope.cycle_s * cycles;
     const z3::expr now = *begin_ + realOf(proof_.context, later);
-    return SymbolicTick(ground_, relevance_, *unknowns_).run(before, now, *readings_, Pace::Single);
+    Moment& readings = cycles == 2 ? *other_readings_ : *readings_;
+    return SymbolicTick(ground_, relevance_, *unknowns_).run(before, now, readings, Pace::Single);
   }
 
-  void check(StateId from) {
+  /// Asked of what does not go to and fro while nothing changes at all.
+  void check(StateId from, bool noisy) {
+    noisy_ = noisy;
     Unknowns unknowns(proof_.context, "b:");
     unknowns_ = &unknowns;
     Control control;
@@ -78,7 +82,12 @@ class BounceCheck {
     for (uint32_t i = 0; i < m_.sensors.size(); ++i) {
       (void)readings.reading({i});
     }
+    Moment others = readings;
+    if (noisy) {
+      addNoise(readings, others);
+    }
     readings_ = &readings;
+    other_readings_ = &others;
     for (const Outcome& there : ticksAt(start, 1)) {
       const bool leaves =
           there.fired && there.after && isSound(*there.after) && there.after->control.state != from;
@@ -87,6 +96,28 @@ class BounceCheck {
           checkBack(there, from)) {
         tell(from, to);
       }
+    }
+  }
+
+  /// On the tick between, what is known differs by the noise of its sensor at most.
+  void addNoise(Moment& readings, Moment& others) const {
+    for (uint32_t i = 0; i < m_.sensors.size(); ++i) {
+      const platforms::PlatformSensor* row = ground_.platformSensor({i});
+      const bool noisy =
+          row != nullptr && row->noise > 0 && m_.sensors[i].encoding == Encoding::Linear;
+      if (!noisy) {
+        continue;
+      }
+      const NumberTerm one = readings.reading({i});
+      NumberTerm other = one;
+      other.value = others.unknowns().real("noisy");
+      const z3::expr noise = realOf(proof_.context, row->noise * m_.sensors[i].to_si);
+      others.unknowns().require(other.value <= one.value + noise &&
+                                other.value >= one.value - noise);
+      const Interval& range = ground_.sensors[i];
+      others.unknowns().require(other.value >= realOf(proof_.context, range.lowest) &&
+                                other.value <= realOf(proof_.context, range.highest));
+      others.setReading({i}, other);
     }
   }
 
@@ -124,8 +155,9 @@ class BounceCheck {
   void tell(StateId from, StateId to) {
     told_.emplace_back(from, to);
     proof_.findings.lines.push_back(
-        {m_[from].range, fmt::format("`{}` and `{}` can follow each other on tick after tick: {}",
-                                     m_[from].name, m_[to].name, witness_)});
+        {m_[from].range,
+         fmt::format("`{}` and `{}` can follow each other on tick after tick{}: {}", m_[from].name,
+                     m_[to].name, noisy_ ? ", within the noise of the sensors" : "", witness_)});
   }
 
   Proof& proof_;
@@ -136,7 +168,9 @@ class BounceCheck {
   Layout layout_;
   Unknowns* unknowns_ = nullptr;
   const z3::expr* begin_ = nullptr;
-  Moment* readings_ = nullptr;
+  Moment* readings_ = nullptr;        ///< of the first tick and the third
+  Moment* other_readings_ = nullptr;  ///< of the second
+  bool noisy_ = false;
   std::string witness_;
   std::vector<std::pair<StateId, StateId>> told_;
 };

@@ -3,6 +3,7 @@
 
 #include "ir/prove/orders.h"
 #include "ir/prove/passes.h"
+#include "ir/prove/question.h"
 #include "ir/verify/value_text.h"
 
 #include <fmt/format.h>
@@ -60,6 +61,7 @@ class CommandCheck {
       }
       if (sloped) {
         hold(profile, *order, 1, envelope_.steepest_pitch_rad);
+        holdSteepEnough(profile, *order);
       }
     }
   }
@@ -86,6 +88,18 @@ class CommandCheck {
     }
   }
 
+  void holdSteepEnough(const Activity& profile, const Statement& order) {
+    const Interval& pitch = range(order, 1);
+    const double least = std::max({pitch.lowest, -pitch.highest, 0.0});
+    const bool judged = !pitch.empty && pitch.highest - pitch.lowest < kNoBound;
+    if (judged && least < envelope_.shallowest_pitch_rad &&
+        told_.insert(profile.range.begin).second) {
+      const Type type = m_[order.values.at(1)].type;
+      proof_.diagnostics.report(DiagnosticId::pitchTooShallow, profile.range, shown(least, type),
+                                shown(envelope_.shallowest_pitch_rad, type));
+    }
+  }
+
   /// A profile that climbs and dives turns where the one ends and the other begins.
   void checkTurns(const State& state) {
     Interval down{kEndless, -kEndless, true};
@@ -97,13 +111,40 @@ class CommandCheck {
         widen(up, range(*order, 0));
       }
     }
-    if (down.empty || up.empty || up.lowest < down.highest || up.lowest > kNoBound ||
-        down.highest < -kNoBound) {
-      return;
+    const bool judged =
+        !down.empty && !up.empty && up.lowest <= kNoBound && down.highest >= -kNoBound;
+    if (judged && (up.lowest >= down.highest || !canTurn())) {
+      proof_.diagnostics.report(DiagnosticId::profileTurnedRound, state.profile.range, depths(up),
+                                depths(down));
     }
+  }
+
+  /// Whether some climb of the profile leads above where some dive leads, with one value of each
+  /// variable: `yo(layer + 5 m, layer + 5 m, …)` does not, whatever `layer` is.
+  bool canTurn() {
+    Unknowns unknowns(proof_.context);
+    Moment moment(unknowns, proof_.ground);
+    z3::expr turns = proof_.context.bool_val(false);
+    for (const Statement* up : orders_) {
+      for (const Statement* down : orders_) {
+        if (up->command == Command::Ascend && down->command == Command::Descend) {
+          const NumberTerm top = moment.number(up->values.at(0));
+          const NumberTerm bottom = moment.number(down->values.at(0));
+          turns = turns || (top.known && bottom.known && top.value < bottom.value);
+        }
+      }
+    }
+    Question question(proof_.context, proof_.options.effort);
+    question.add(unknowns);
+    question.add(turns);
+    return question.ask() != Answer::No;
+  }
+
+  static std::string depths(const Interval& range) {
     constexpr Type kLength{TypeKind::Quantity, support::dimension::length};
-    proof_.diagnostics.report(DiagnosticId::profileTurnedRound, state.profile.range,
-                              withUnit(up.lowest, kLength), withUnit(down.highest, kLength));
+    return range.lowest == range.highest ? withUnit(range.lowest, kLength)
+                                         : fmt::format("{} to {}", withUnit(range.lowest, kLength),
+                                                       withUnit(range.highest, kLength));
   }
 
   static void widen(Interval& all, const Interval& one) {

@@ -11,6 +11,9 @@
 namespace glider::ir::prove {
 namespace {
 
+/// No flight is meant to be so short; the vehicle has not even left the surface.
+constexpr double kAtOnce = 60;
+
 /// A year: no mission is meant to be as long.
 constexpr double kLongest = 365 * 86400.0;
 
@@ -25,10 +28,15 @@ std::string durationOf(double seconds) {
 }  // namespace
 
 void passes::ends(Proof& proof) {
-  if (!proof.options.report) {
+  // Only what ends soon is looked for unless there is a report: that is quick.
+  const auto end = endsBy(proof.ground, proof.options.report ? kLongest : kAtOnce);
+  if (!end) {
     return;
   }
-  if (const auto end = endsBy(proof.ground, kLongest)) {
+  if (*end <= kAtOnce) {
+    proof.diagnostics.report(support::DiagnosticId::endsAtOnce,
+                             proof.ground.mission.states.front().range, durationOf(*end));
+  } else {
     proof.findings.lines.push_back(
         {{}, fmt::format("the mission has ended after {} at the latest", durationOf(*end))});
   }

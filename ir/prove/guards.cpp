@@ -131,6 +131,9 @@ class GuardCheck {
               const std::string& where) {
     const Case& c = cases[number];
     const support::SourceRange range = m_[c.guard].range;
+    if (verdict.never || verdict.hidden || verdict.always) {
+      proof_.said.push_back(range);
+    }
     if (verdict.never) {
       auto warning = proof_.diagnostics.report(DiagnosticId::guardNeverTrue, range);
       noteReasons(warning, m_, verdict.facts, range);

@@ -6,6 +6,7 @@
 #include "ir/core/walk.h"
 
 namespace glider::ir::prove {
+
 std::vector<const Statement*> ordersOf(const Mission& mission, const Activity& activity) {
   std::vector<const Statement*> orders;
   const auto gather = [&](const Statement& statement) {
@@ -18,6 +19,21 @@ std::vector<const Statement*> ordersOf(const Mission& mission, const Activity& a
     forEachStatement(mission, c.action, gather);
   }
   return orders;
+}
+
+bool isVertical(Command command) {
+  switch (command) {
+    case Command::Descend:
+    case Command::Ascend:
+    case Command::Hover:
+    case Command::Surface:
+      return true;
+    case Command::Steer:
+    case Command::SteerTo:
+    case Command::Drift:
+      return false;
+  }
+  return false;
 }
 
 }  // namespace glider::ir::prove

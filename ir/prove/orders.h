@@ -13,4 +13,7 @@ namespace glider::ir::prove {
 /// `if`, in the order of the text. They stand in `mission`, which outlives them.
 std::vector<const Statement*> ordersOf(const Mission& mission, const Activity& activity);
 
+/// Whether a command is about depth and pitch; else it is about the heading.
+bool isVertical(Command command);
+
 }  // namespace glider::ir::prove

@@ -8,6 +8,7 @@
 #include "ir/verify/structure.h"
 
 #include <set>
+#include <vector>
 #include <z3++.h>
 
 namespace glider::ir::prove {
@@ -20,7 +21,8 @@ struct Proof {
   const Options& options;
   support::DiagnosticEngine& diagnostics;
   Findings findings;
-  std::set<CasePlace> dead;  ///< cases that were found never to fire
+  std::set<CasePlace> dead;                ///< cases that were found never to fire
+  std::vector<support::SourceRange> said;  ///< conditions of which something was reported
 };
 
 namespace passes {

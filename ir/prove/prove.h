@@ -45,6 +45,7 @@ struct RequirementVerdict {
   uint32_t requirement = 0;  ///< its number
   Verdict verdict = Verdict::Open;
   std::optional<ConcreteRun> run;  ///< that breaks it; of Reach, that keeps it
+  std::string premise = {};        ///< what a proof takes for granted beyond the assumed world
 };
 
 struct Findings {

@@ -3,14 +3,17 @@
 
 #include "ir/prove/random_flight.h"
 
+#include "ir/prove/random_place.h"
 #include "ir/prove/random_vehicle.h"
 #include "ir/prove/run_recorder.h"
+#include "ir/prove/steering.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 
 namespace glider::ir::prove {
@@ -40,6 +43,9 @@ class RandomFlight {
     for (const Sensor& sensor : m_.sensors) {
       landmarks_.push_back(landmarksOf(sensor));
     }
+    if (!requirement.fences.empty()) {
+      place_.emplace(startOf(requirement), ground.platform, dice_);
+    }
   }
 
   std::optional<ConcreteRun> fly(size_t ticks) {
@@ -50,6 +56,10 @@ class RandomFlight {
       const double step = dice_.chance(kLostTick) ? ground_.platform.world.tick_gap_s
                                                   : ground_.platform.envelope.cycle_s;
       vehicle_.move(time, time + step);
+      if (place_) {
+        place_->obey(recorder_.last().actions);
+        place_->move(step);
+      }
       time += step;
       recorder_.tick(time, readings(time), vehicle_.depth());
     }
@@ -57,6 +67,33 @@ class RandomFlight {
   }
 
  private:
+  /// A waypoint, where a mission that keeps its areas well may begin; else the middle of an area.
+  Position startOf(const Requirement& requirement) {
+    const Steering steering = steeringOf(ground_);
+    if (!steering.waypoints.empty()) {
+      return steering.waypoints[dice_.below(steering.waypoints.size())];
+    }
+    Position middle;
+    const std::vector<Position>& corners = requirement.fences.front().corners;
+    for (const Position& corner : corners) {
+      middle.latitude += corner.latitude / static_cast<double>(corners.size());
+      middle.longitude += corner.longitude / static_cast<double>(corners.size());
+    }
+    return middle;
+  }
+
+  /// Of a sensor that tells where the vehicle is; empty: of another.
+  std::optional<double> placeReading(const Sensor& sensor) const {
+    if (!place_ || !sensor.symbol.empty() || sensor.encoding != Encoding::DegreesMinutes) {
+      return std::nullopt;
+    }
+    const platforms::PlatformSensor* row = ground_.platform.find(sensor.vehicle_name);
+    if (row == nullptr || (row->alias != "lat" && row->alias != "lon")) {
+      return std::nullopt;
+    }
+    return row->alias == "lat" ? place_->where().latitude : place_->where().longitude;
+  }
+
   /// Within their ranges and conditions; the defaults if none are found.
   std::vector<double> parameters() {
     constexpr int kTries = 30;
@@ -106,7 +143,9 @@ class RandomFlight {
         now.value = anyValue(i);
       }
       const bool depth = recorder_.depthSensor() == SensorId{i};
-      values.push_back(depth && now.value == now.value ? vehicle_.reading() : now.value);
+      const bool heard = now.value == now.value;
+      const auto place = heard ? placeReading(m_.sensors[i]) : std::nullopt;
+      values.push_back(depth && heard ? vehicle_.reading() : place.value_or(now.value));
     }
     return values;
   }
@@ -150,7 +189,8 @@ class RandomFlight {
   RunRecorder recorder_;
   Dice dice_;
   RandomVehicle vehicle_;
-  bool calm_ = dice_.chance(0.3);  ///< every sensor shows the same all the time
+  std::optional<RandomPlace> place_;  ///< where it is, if that is asked about
+  bool calm_ = dice_.chance(0.3);     ///< every sensor shows the same all the time
   std::vector<Showing> showing_;
   std::vector<std::vector<double>> landmarks_;  ///< by sensor
 };

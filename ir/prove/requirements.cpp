@@ -4,6 +4,7 @@
 #include "ir/prove/depth_bound.h"
 #include "ir/prove/end_bound.h"
 #include "ir/prove/entered_after.h"
+#include "ir/prove/fences.h"
 #include "ir/prove/passes.h"
 #include "ir/prove/random_flight.h"
 #include "ir/prove/relevance.h"
@@ -12,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -34,18 +36,40 @@ class RequirementCheck {
   void run() {
     for (uint32_t i = 0; i < m_.requirements.size(); ++i) {
       const Requirement& requirement = m_.requirements[i];
-      RequirementVerdict verdict = requirement.kind == RequirementKind::StackAtMost
-                                       ? judgeStack(requirement)
-                                       : judgeRuns(requirement);
+      RequirementVerdict verdict = judge(requirement);
       verdict.requirement = i;
       proof_.findings.requirements.push_back(std::move(verdict));
     }
   }
 
  private:
+  RequirementVerdict judge(const Requirement& requirement) {
+    if (requirement.kind == RequirementKind::StackAtMost) {
+      return judgeStack(requirement);
+    }
+    return requirement.fences.empty() ? judgeRuns(requirement) : judgeAreas(requirement);
+  }
+
+  RequirementVerdict judgeAreas(const Requirement& requirement) {
+    const FenceVerdict found = judgeFences(requirement.fences, proof_.ground);
+    if (found.kept) {
+      return {
+          0, Verdict::Proved, std::nullopt,
+          fmt::format("if control is given {0:.0f} m or more on the right side of each edge, and "
+                      "the straight ways from there to the waypoints are {0:.0f} m from it too",
+                      std::ceil(found.margin_m))};
+    }
+    if (auto run = tryAtRandom(requirement)) {
+      return broken(requirement, std::move(*run));
+    }
+    proof_.diagnostics.report(DiagnosticId::requirementOpen, requirement.range)
+        .note(requirement.range, found.reason + "; no random flight broke it");
+    return {};
+  }
+
   RequirementVerdict judgeStack(const Requirement& requirement) {
     if (proof_.facts.stack_depth <= requirement.depth) {
-      return {0, Verdict::Proved, std::nullopt};
+      return {0, Verdict::Proved, std::nullopt, {}};
     }
     std::string path;
     for (const StateId state : proof_.facts.deepest_path) {
@@ -54,7 +78,7 @@ class RequirementCheck {
     proof_.diagnostics.report(DiagnosticId::requirementBroken, requirement.range,
                               fmt::format("up to {} of the states may wait on the call stack: {}",
                                           proof_.facts.stack_depth, path));
-    return {0, Verdict::Refuted, std::nullopt};
+    return {0, Verdict::Refuted, std::nullopt, {}};
   }
 
   /// Without a search over runs.
@@ -73,12 +97,13 @@ class RequirementCheck {
 
   RequirementVerdict judgeRuns(const Requirement& requirement) {
     if (easilyProved(requirement)) {
-      return {0, Verdict::Proved, std::nullopt};
+      return {0, Verdict::Proved, std::nullopt, {}};
     }
     const RunsAnswer answer = ask(requirement);
     const bool wanted = requirement.kind == RequirementKind::Reach;
     if (answer.bad == Answer::No) {
-      return wanted ? unreached(requirement) : RequirementVerdict{0, Verdict::Proved, std::nullopt};
+      return wanted ? unreached(requirement)
+                    : RequirementVerdict{0, Verdict::Proved, std::nullopt, {}};
     }
     std::optional<ConcreteRun> run;
     if (answer.bad == Answer::Yes) {
@@ -90,7 +115,7 @@ class RequirementCheck {
     if (!run) {
       return open(requirement, answer);
     }
-    return wanted ? RequirementVerdict{0, Verdict::Proved, std::move(run)}
+    return wanted ? RequirementVerdict{0, Verdict::Proved, std::move(run), {}}
                   : broken(requirement, std::move(*run));
   }
 
@@ -132,7 +157,7 @@ class RequirementCheck {
     proof_.diagnostics.report(DiagnosticId::requirementBroken, requirement.range,
                               fmt::format("no run enters state `{}`, whatever the sensors say",
                                           m_[requirement.state].name));
-    return {0, Verdict::Refuted, std::nullopt};
+    return {0, Verdict::Refuted, std::nullopt, {}};
   }
 
   RequirementVerdict open(const Requirement& requirement, const RunsAnswer& answer) {
@@ -159,7 +184,7 @@ class RequirementCheck {
       }
       error.note(story[i].range, story[i].text);
     }
-    return {0, Verdict::Refuted, std::move(run)};
+    return {0, Verdict::Refuted, std::move(run), {}};
   }
 
   std::string howBroken(const Requirement& requirement, const ConcreteRun& run) const {

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <set>
 #include <utility>
 #include <vector>
@@ -43,6 +44,8 @@ class WaypointCheck {
     for (const Waypoint& one : waypoints_) {
       check(one);
     }
+    checkCoordinates(TypeKind::Latitude);
+    checkCoordinates(TypeKind::Longitude);
   }
 
  private:
@@ -68,10 +71,69 @@ class WaypointCheck {
         return;
       }
     }
-    const bool told = std::ranges::find(told_, one.range.begin) != told_.end();
-    if (std::isfinite(nearest) && nearest > kFarOff && !told) {
-      told_.push_back(one.range.begin);
-      proof_.diagnostics.report(support::DiagnosticId::waypointFarOff, one.range,
+    if (std::isfinite(nearest) && nearest > kFarOff) {
+      tell(one.range, nearest);
+    }
+  }
+
+  /// Latitudes, or longitudes, of places that are not steered to as they stand: corners of areas,
+  /// centres, arguments of states.
+  void checkCoordinates(TypeKind kind) {
+    const std::vector<Coordinate> all = coordinates(kind);
+    for (const Coordinate& one : all) {
+      double nearest = std::numeric_limits<double>::infinity();
+      for (const Coordinate& other : all) {
+        const double apart = std::fabs(std::remainder(one.degrees - other.degrees, 360));
+        nearest = apart > 0 ? std::min(nearest, apart * one.metres) : nearest;
+      }
+      if (std::isfinite(nearest) && nearest > kFarOff) {
+        tell(one.range, nearest);
+      }
+    }
+  }
+
+  struct Coordinate {
+    double degrees;
+    double metres;  ///< in one of its degrees
+    support::SourceRange range;
+  };
+
+  [[nodiscard]] std::vector<Coordinate> coordinates(TypeKind kind) const {
+    constexpr double kDegree = 111195;  // m of a great circle
+    std::set<uint32_t> units;           // what differences are divided by is no place
+    for (const Expr& e : m_.exprs) {
+      if (e.op == Op::Divide) {
+        units.insert(e.operands[1].index);
+      }
+    }
+    const double narrow =
+        kind == TypeKind::Longitude ? std::cos(middleLatitude() * std::numbers::pi / 180) : 1;
+    std::vector<Coordinate> found;
+    for (uint32_t i = 0; i < m_.exprs.size(); ++i) {
+      const Expr& e = m_.exprs[i];
+      if (e.op == Op::Constant && e.type.kind == kind && !units.contains(i)) {
+        found.push_back({e.number, kDegree * narrow, e.range});
+      }
+    }
+    return found;
+  }
+
+  /// The median: a slip does not move it.
+  [[nodiscard]] double middleLatitude() const {
+    std::vector<double> all;
+    for (const Expr& e : m_.exprs) {
+      if (e.op == Op::Constant && e.type.kind == TypeKind::Latitude) {
+        all.push_back(e.number);
+      }
+    }
+    std::ranges::sort(all);
+    return all.empty() ? 0 : all[all.size() / 2];
+  }
+
+  void tell(const support::SourceRange& range, double nearest) {
+    if (std::ranges::find(told_, range.begin) == told_.end()) {
+      told_.push_back(range.begin);
+      proof_.diagnostics.report(support::DiagnosticId::waypointFarOff, range,
                                 fmt::format("{:.0f}", nearest / 1000));
     }
   }

@@ -154,7 +154,7 @@ void Printer::requirement(const Requirement& r) {
       prepare({&r.condition, 1});
       line("require always ");
       use(r.condition);
-      return;
+      return fences(r);
     case RequirementKind::ExitWithin:
       return line("require exit within {}", r.seconds);
     case RequirementKind::StackAtMost:
@@ -166,6 +166,16 @@ void Printer::requirement(const Requirement& r) {
                   nameText(m_[r.after].name));
     case RequirementKind::SurfacesEvery:
       return line("require surfaces every {}", r.seconds);
+  }
+}
+
+void Printer::fences(const Requirement& r) {
+  for (const Fence& fence : r.fences) {
+    add(" {} (", fence.keep_in ? "inside" : "outside");
+    for (size_t i = 0; i < fence.corners.size(); ++i) {
+      add("{}{}, {}", i == 0 ? "" : ", ", fence.corners[i].latitude, fence.corners[i].longitude);
+    }
+    add(")");
   }
 }
 

@@ -91,6 +91,7 @@ class Reader {
     if (in_.accept("always")) {
       r.kind = RequirementKind::Always;
       r.condition = code_.expression();
+      fences(r);
     } else if (in_.accept("exit")) {
       r.kind = RequirementKind::ExitWithin;
       in_.expect("within");
@@ -114,6 +115,26 @@ class Reader {
     }
     r.range = in_.since(begin);
     m_.requirements[number] = r;
+  }
+
+  void fences(Requirement& r) {
+    while (in_.peek().isWord("inside") || in_.peek().isWord("outside")) {
+      Fence fence;
+      fence.keep_in = in_.accept("inside");
+      if (!fence.keep_in) {
+        in_.expect("outside");
+      }
+      in_.expect('(');
+      do {
+        Position corner;
+        corner.latitude = in_.number(false);
+        in_.expect(',');
+        corner.longitude = in_.number(false);
+        fence.corners.push_back(corner);
+      } while (in_.accept(','));
+      in_.expect(')');
+      r.fences.push_back(std::move(fence));
+    }
   }
 
   void sensor() {

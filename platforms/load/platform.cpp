@@ -135,15 +135,21 @@ T readNumbers(TomlReader& reader, const std::pair<const char*, double T::*> (&fi
 constexpr std::pair<const char*, double Envelope::*> kEnvelope[] = {
     {"greatest_depth_m", &Envelope::greatest_depth_m},
     {"steepest_pitch_rad", &Envelope::steepest_pitch_rad},
+    {"shallowest_pitch_rad", &Envelope::shallowest_pitch_rad},
     {"vertical_rate_m_s", &Envelope::vertical_rate_m_s},
     {"inflection_overshoot_m", &Envelope::inflection_overshoot_m},
     {"drift_m_s", &Envelope::drift_m_s},
     {"cycle_s", &Envelope::cycle_s}};
 
 constexpr std::pair<const char*, double World::*> kWorld[] = {
-    {"start_depth_m", &World::start_depth_m},         {"surface_depth_m", &World::surface_depth_m},
-    {"slowest_climb_m_s", &World::slowest_climb_m_s}, {"turn_s", &World::turn_s},
-    {"depth_error_m", &World::depth_error_m},         {"tick_gap_s", &World::tick_gap_s}};
+    {"start_depth_m", &World::start_depth_m},
+    {"surface_depth_m", &World::surface_depth_m},
+    {"slowest_climb_m_s", &World::slowest_climb_m_s},
+    {"turn_s", &World::turn_s},
+    {"depth_error_m", &World::depth_error_m},
+    {"tick_gap_s", &World::tick_gap_s},
+    {"through_water_m_s", &World::through_water_m_s},
+    {"steering_error_m", &World::steering_error_m}};
 
 }  // namespace
 

@@ -42,6 +42,7 @@ struct PlatformSensor {
 struct Envelope {
   double greatest_depth_m = 0;
   double steepest_pitch_rad = 0;
+  double shallowest_pitch_rad = 0;    ///< a dive or climb with less is refused
   double vertical_rate_m_s = 0;       ///< the fastest it sinks or climbs
   double inflection_overshoot_m = 0;  ///< how far it goes past a target depth while it turns
   double drift_m_s = 0;               ///< the strongest current that missions reckon with
@@ -56,6 +57,8 @@ struct World {
   double turn_s = 0;             ///< from the order to climb until it does
   double depth_error_m = 0;      ///< of a depth reading, at most
   double tick_gap_s = 0;         ///< between two ticks of a mission, at most
+  double through_water_m_s = 0;  ///< how fast it gets on horizontally through the water, at most
+  double steering_error_m = 0;   ///< how far turning takes it off the straight way, at most
 };
 
 /// A vehicle as data: platforms/<name>.toml.

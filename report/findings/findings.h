@@ -35,6 +35,7 @@ struct JudgedRequirement {
   std::string text;                         ///< as written
   std::string verdict;                      ///< "proved", "refuted" or "open"
   std::optional<FlightSearch> closed_loop;  ///< of one that is refuted, if it was looked for
+  std::string premise = {};                 ///< what its proof takes for granted; may be empty
 };
 
 /// A figure of what a mission needs at most; `name` is its key in JSON.

@@ -110,6 +110,9 @@ ordered_json missionOf(const CheckedMission& mission) {
   for (const JudgedRequirement& requirement : mission.requirements) {
     ordered_json told = {{"text", requirement.text}, {"verdict", requirement.verdict}};
     addRange(told, mission.sources, requirement.range);
+    if (!requirement.premise.empty()) {
+      told["premise"] = requirement.premise;
+    }
     if (requirement.closed_loop) {
       told["closed_loop"] = closedLoopOf(*requirement.closed_loop);
     }

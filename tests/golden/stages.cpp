@@ -87,6 +87,7 @@ class Compilation {
       const support::SourceRange range = mission_->requirements[verdict.requirement].range;
       product_ += "--- " + std::string(ir::prove::word(verdict.verdict)) + ": " +
                   std::string(sources_.text(range)) + "\n";
+      product_ += verdict.premise.empty() ? "" : "---   " + verdict.premise + "\n";
     }
   }
 

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "ir/core/mission.h"
+#include "ir/prove/ground.h"
+
+#include <string>
+#include <vector>
+
+/// Whether a mission keeps in its areas, or out of them: geometry, no solver.
+///
+/// A vehicle that only ever steers to waypoints gets no further from the convex hull of where it
+/// was given control and of its waypoints than the current sets it: where it takes itself to be, it
+/// goes straight for a point of the hull, so its distance from the hull does not grow; and each fix
+/// moves where it takes itself to be by what the current has set it since the one before. Turning
+/// adds `steering_error_m`. While it steers by a heading, or by none, it may besides go
+/// `through_water_m_s` anywhere. So the margin grows with the time by which the mission has ended
+/// (end_bound.h).
+namespace glider::ir::prove {
+
+struct FenceVerdict {
+  bool kept = false;
+  double margin_m = 0;  ///< so far from the edges control has to be given; of one that is kept
+  std::string reason;   ///< why it is not known to be kept
+};
+
+/// Of `fences`, for the whole flight, given that control is given inside by the margin and that the
+/// legs from there to the waypoints are. Distances: spheres of 6371 km, rounded down.
+FenceVerdict judgeFences(const std::vector<Fence>& fences, const Ground& ground);
+
+}  // namespace glider::ir::prove

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "ir/core/mission.h"
+
+#include <vector>
+
+namespace glider::ir::prove {
+
+/// How an area and the hull of some waypoints lie to each other.
+struct Clearance {
+  bool right_side = false;  ///< the hull is all inside the area, or all outside, as the fence wants
+  double distance_m = 0;    ///< from the hull to the area's edge, never more than it is
+};
+
+/// A map of a neighbourhood whose straight lines are straight in latitude and longitude, and in
+/// which distances are never longer than on a sphere of 6371 km: a degree of longitude is taken as
+/// long as on the latitude of the map that is farthest from the equator.
+class Plane {
+ public:
+  /// Of the neighbourhood of all these; one place at least.
+  Plane(const std::vector<Position>& corners, const std::vector<Position>& waypoints);
+
+  [[nodiscard]] Clearance clearance(const Fence& fence,
+                                    const std::vector<Position>& waypoints) const;
+  /// How far the shortest way between two places of it is off the map's straight line, m, at most:
+  /// the sagitta of a great circle against its parallel.
+  [[nodiscard]] double bend_m() const { return bend_m_; }
+
+ private:
+  struct Point {
+    double east, north;  ///< m
+  };
+  [[nodiscard]] Point at(const Position& place) const;
+
+  Position origin_;
+  double east_scale_ = 0;  ///< m in a degree
+  double bend_m_ = 0;
+};
+
+}  // namespace glider::ir::prove

@@ -29,11 +29,11 @@ struct Showing {
 
 class RandomFlight {
  public:
-  RandomFlight(const Ground& ground, uint32_t stack_depth, const Requirement& requirement,
-               uint64_t seed)
+  RandomFlight(const Ground& ground, uint32_t stack_depth,
+               std::span<const Requirement> requirements, uint64_t seed)
       : ground_(ground),
         m_(ground.mission),
-        recorder_(ground, stack_depth, requirement),
+        recorder_(ground, stack_depth, requirements),
         dice_(seed),
         vehicle_(ground.platform, dice_),
         showing_(m_.sensors.size()) {
@@ -158,9 +158,9 @@ class RandomFlight {
 }  // namespace
 
 std::optional<ConcreteRun> flyAtRandom(const Ground& ground, uint32_t stack_depth,
-                                       const Requirement& requirement, uint64_t seed,
+                                       std::span<const Requirement> requirements, uint64_t seed,
                                        size_t ticks) {
-  return RandomFlight(ground, stack_depth, requirement, seed).fly(ticks);
+  return RandomFlight(ground, stack_depth, requirements, seed).fly(ticks);
 }
 
 }  // namespace glider::ir::prove

@@ -77,6 +77,7 @@ class Flights {
                       conditions.scenario.name, simulator::nameOf(conditions.kind),
                       conditions.whole ? "" : " (lines damaged)", nameOf(seen.broken->rule),
                       seen.broken->time_s, seen.broken->what));
+      fmt::print("{}\n", broken_.back());
     }
     for (size_t i = 0; i < kRules; ++i) {
       uses_[i].looks += seen.uses[i].looks;

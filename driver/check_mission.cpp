@@ -5,6 +5,7 @@
 
 #include "driver/closed_loop.h"
 #include "driver/mission_budget.h"
+#include "driver/way_home.h"
 
 #include <utility>
 
@@ -76,6 +77,9 @@ Result<void> checkFurther(Checked& checked, const CheckOptions& options) {
   checked.proved = std::move(*proved);
   if (!options.report) {
     return {};
+  }
+  for (std::string& line : wayHomeLines(*compilation.mission, *compilation.platform)) {
+    checked.found.remarks.push_back({{}, std::move(line)});
   }
   auto budgets =
       missionBudgets(compilation, options.targets.empty() ? boardsInTheVehicle() : options.targets);

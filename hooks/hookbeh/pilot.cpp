@@ -11,6 +11,8 @@ namespace {
 constexpr double kFullCircle = 6.283185307179586;
 /// Farther from its depth than this, hover gets there by diving or climbing.
 constexpr double kHoverReachM = 2.0;
+/// So far beyond the target of a dive nothing is held: a steep dive would go on for metres.
+constexpr double kHoldReachM = 1.0;
 /// Shallower than this, hovering means floating.
 constexpr double kSurfaceM = 1.0;
 
@@ -93,6 +95,7 @@ void Pilot::choose(const Surroundings& now, const HookbehArgs& args) {
 void Pilot::advance(const Surroundings& now, double step_s, const HookbehArgs& args) {
   if (stage_ == Stage::Dive && dive_.reached(now.depth_m)) {
     arrive(dive_.command(args), args);
+    stopDive(now);
   } else if (stage_ == Stage::Climb && climb_.reached(now.depth_m)) {
     arrive(climb_.command(args), args);
   } else if (stage_ == Stage::Holding) {
@@ -100,6 +103,14 @@ void Pilot::advance(const Surroundings& now, double step_s, const HookbehArgs& a
     if (!(hold_.left_s > 0)) {
       hoverOrSurface();
     }
+    stopDive(now);
+  }
+}
+
+void Pilot::stopDive(const Surroundings& now) {
+  const bool held = stage_ == Stage::Holding && in_force_.vertical == HookVertical::Descend;
+  if (held && now.depth_m > in_force_.depth_m + kHoldReachM) {
+    hoverOrSurface();
   }
 }
 

@@ -31,6 +31,7 @@ class Pilot {
   void choose(const Surroundings& now, const HookbehArgs& args);
   void arrive(const VerticalCommand& kept, const HookbehArgs& args);
   void hoverOrSurface();
+  void stopDive(const Surroundings& now);
   void advance(const Surroundings& now, double step_s, const HookbehArgs& args);
 
   Instruction in_force_;

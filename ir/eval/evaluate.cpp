@@ -7,13 +7,48 @@
 #include "ir/eval/arithmetic.h"
 #include "support/check.h"
 
-#include <map>
+#include <algorithm>
 #include <vector>
 
 namespace glider::ir {
 namespace {
 
-using Values = std::map<uint32_t, Value>;
+/// Expressions and what they are worth, in the order of their numbers.
+class Values {
+ public:
+  /// All that `id` is made from. Operands have smaller numbers than their users: so all is found
+  /// from the greatest number down, and can be evaluated from the smallest up.
+  Values(const Mission& mission, ExprId id) {
+    std::vector<uint32_t> pending{id.index};  // a heap
+    while (!pending.empty()) {
+      std::ranges::pop_heap(pending);
+      const uint32_t number = pending.back();
+      pending.pop_back();
+      if (!all_.empty() && all_.back().number == number) {
+        continue;
+      }
+      all_.push_back({number, Truth::Unknown});
+      const Expr& e = mission.exprs.at(number);
+      for (uint32_t k = 0; k < operandCount(e); ++k) {
+        pending.push_back(e.operands.at(k).index);
+        std::ranges::push_heap(pending);
+      }
+    }
+    std::ranges::reverse(all_);
+  }
+
+  struct Known {
+    uint32_t number;
+    Value value;
+  };
+  std::vector<Known>& all() { return all_; }
+  [[nodiscard]] const Value& at(uint32_t number) const {
+    return std::ranges::lower_bound(all_, number, {}, &Known::number)->value;
+  }
+
+ private:
+  std::vector<Known> all_;
+};
 
 /// What the operands of a call are worth, as numbers; nothing of what has none.
 std::vector<double> argumentsOf(const Expr& e, const Values& values) {
@@ -103,16 +138,8 @@ Value asValue(double number, Type type) {
 }
 
 Value evaluate(const Mission& mission, ExprId id, const Leaves& leaves) {
-  // Operands have smaller numbers than their users. So all that is needed is found from the
-  // greatest number down, and evaluated from the smallest up.
-  Values values{{id.index, Truth::Unknown}};
-  for (auto it = values.rbegin(); it != values.rend(); ++it) {
-    const Expr& e = mission.exprs.at(it->first);
-    for (uint32_t k = 0; k < operandCount(e); ++k) {
-      values.emplace(e.operands.at(k).index, Truth::Unknown);
-    }
-  }
-  for (auto& [number, value] : values) {
+  Values values(mission, id);
+  for (auto& [number, value] : values.all()) {
     value = valueOf(mission, mission.exprs[number], values, leaves);
   }
   return values.at(id.index);

@@ -54,7 +54,7 @@ class Speller {
           const Requirement& requirement)
       : run_(rounded(run, ground.mission)),
         ground_(ground),
-        recorder_(ground, stack_depth, requirement) {}
+        recorder_(ground, stack_depth, {&requirement, 1}) {}
 
   std::optional<ConcreteRun> spell() {
     if (run_.steps.empty() || failedCondition(ground_.mission, run_.parameters)) {

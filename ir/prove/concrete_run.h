@@ -37,6 +37,7 @@ struct ConcreteRun {
   std::string state;         ///< the current one when it is broken
   std::string values;        ///< "depth = 21 m": what a condition of `always` read then
   double when = 0;           ///< mission time at which the requirement is broken (Reach: kept)
+  size_t requirement = 0;    ///< which one, of those that were looked for
 };
 
 /// Spells `run` out: a tick in every flight cycle, with readings that let nothing fire between its

@@ -3,6 +3,8 @@
 
 #include "ir/prove/depth_bound.h"
 
+#include "ir/prove/state_depths.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -11,39 +13,10 @@ namespace {
 
 constexpr double kAnyDepth = std::numeric_limits<double>::infinity();
 
-/// Behaviours in C may order anything.
-bool ordersAlone(const Mission& mission) {
-  return std::ranges::none_of(mission.states, [&](const State& state) {
-    return !mission[state.profile.behaviour].symbol.empty();
-  });
-}
-
-/// Where no run is deeper, m: under each order the vehicle is within the overshoot of its target,
-/// or of where it was when it began to turn.
-double greatestDepth(const Ground& ground) {
-  const Mission& m = ground.mission;
-  if (!ordersAlone(m)) {
-    return kAnyDepth;
-  }
-  double deepest = ground.platform.world.start_depth_m;
-  for (const Block& block : m.blocks) {
-    for (const Statement& statement : block.statements) {
-      const bool down =
-          statement.kind == StatementKind::Command &&
-          (statement.command == Command::Descend || statement.command == Command::Hover);
-      if (down) {
-        const Interval& target = ground.intervals[statement.values.at(0).index];
-        deepest = std::max(deepest, target.empty ? deepest : target.highest);
-      }
-    }
-  }
-  return deepest + ground.platform.envelope.inflection_overshoot_m;
-}
-
 class Conditions {
  public:
   explicit Conditions(const Ground& ground)
-      : ground_(ground), m_(ground.mission), deepest_(greatestDepth(ground)) {}
+      : ground_(ground), m_(ground.mission), deepest_(std::ranges::max(deepestByState(ground))) {}
 
   [[nodiscard]] bool hold(ExprId id) const {
     const Expr& e = m_[id];

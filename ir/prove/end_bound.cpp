@@ -29,10 +29,10 @@ struct Arrival {
 
 class Search {
  public:
-  Search(const Ground& ground, double latest)
-      : ground_(ground), m_(ground.mission), run_(ground), latest_(latest) {}
+  Search(const Ground& ground, double latest, Goal goal)
+      : ground_(ground), m_(ground.mission), run_(ground), latest_(latest), goal_(goal) {}
 
-  std::optional<double> end() {
+  EndBound end() {
     Control control;
     control.state = {0};
     Valuation values = run_.begin();
@@ -40,15 +40,19 @@ class Search {
     arrive(control, std::move(values), 0);
     while (!pending_.empty()) {
       if (work_ > kMostWork || !follow()) {
-        return std::nullopt;
+        return {std::nullopt, stays_};
       }
     }
-    return end_;
+    return {end_, {}};
   }
 
  private:
   /// What no waiting state holds starts anew before it is read.
   void arrive(const Control& control, Valuation values, double time) {
+    if (goal_ == Goal::ExitOrSurface && surfaces(m_[control.state].profile)) {
+      end_ = std::max(end_, time);
+      return;
+    }
     for (uint32_t i = 0; i < m_.variables.size(); ++i) {
       const Variable& variable = m_.variables[i];
       if (variable.owner.valid() && !control.holds(variable.owner)) {
@@ -63,6 +67,20 @@ class Search {
     }
   }
 
+  /// Whether a profile orders the surface as it starts, whatever else: its last order then.
+  bool surfaces(const Activity& profile) const {
+    const Statement* last = nullptr;
+    if (profile.entry.valid()) {
+      for (const Statement& statement : m_[profile.entry].statements) {
+        const bool tells =
+            statement.kind == StatementKind::Command || statement.kind == StatementKind::If;
+        last = tells ? &statement : last;
+      }
+    }
+    return last != nullptr && last->kind == StatementKind::Command &&
+           last->command == Command::Surface;
+  }
+
   /// False if a run may stay for longer than is asked.
   bool follow() {
     const Arrival from = std::move(pending_.back());
@@ -74,6 +92,7 @@ class Search {
         leavingOf(ground_, m_[from.control.state], interrupting(from.control), held, since);
     work_ += (leaving.looks + 1) * m_.exprs.size();
     if (leaving.by > latest_) {
+      stays_ = from.control.state;
       return false;
     }
     const std::vector<double> any_time(m_.always.size(), leaving.by);
@@ -158,6 +177,8 @@ class Search {
   const Mission& m_;
   AbstractRun run_;
   double latest_;
+  Goal goal_;
+  StateId stays_;
   std::map<Arrival, double> times_;  ///< the latest at which it becomes so
   std::vector<Arrival> pending_;
   double end_ = 0;
@@ -167,7 +188,11 @@ class Search {
 }  // namespace
 
 std::optional<double> endsBy(const Ground& ground, double latest) {
-  return Search(ground, latest).end();
+  return boundOf(ground, latest, Goal::Exit).by;
+}
+
+EndBound boundOf(const Ground& ground, double latest, Goal goal) {
+  return Search(ground, latest, goal).end();
 }
 
 }  // namespace glider::ir::prove

@@ -18,4 +18,18 @@ namespace glider::ir::prove {
 /// where Spacer, which seeks an invariant over sums of times, gives up.
 std::optional<double> endsBy(const Ground& ground, double latest);
 
+/// What is waited for.
+enum class Goal : uint8_t {
+  Exit,
+  ExitOrSurface,  ///< also a state whose profile orders the surface as it is entered
+};
+
+/// When it has come, for the first time.
+struct EndBound {
+  std::optional<double> by;  ///< mission time, s, as endsBy
+  StateId stays;  ///< without `by`: a state in which a run may stay beyond `latest`; invalid: the
+                  ///< search was given up
+};
+EndBound boundOf(const Ground& ground, double latest, Goal goal);
+
 }  // namespace glider::ir::prove

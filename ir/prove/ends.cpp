@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "ir/prove/duration_text.h"
 #include "ir/prove/end_bound.h"
 #include "ir/prove/passes.h"
 
 #include <fmt/format.h>
-
-#include <cmath>
 
 namespace glider::ir::prove {
 namespace {
@@ -17,28 +16,36 @@ constexpr double kAtOnce = 60;
 /// A year: no mission is meant to be as long.
 constexpr double kLongest = 365 * 86400.0;
 
-/// "2 h 1 min 12 s", rounded up.
-std::string durationOf(double seconds) {
-  const auto whole = static_cast<int64_t>(std::ceil(seconds));
-  std::string text = whole >= 3600 ? fmt::format("{} h ", whole / 3600) : "";
-  text += whole >= 60 ? fmt::format("{} min ", whole / 60 % 60) : "";
-  return text + fmt::format("{} s", whole % 60);
+void tellEnd(Proof& proof, const EndBound& end) {
+  const auto tell = [&](std::string text) {
+    proof.findings.lines.push_back({{}, std::move(text)});
+  };
+  if (end.by) {
+    tell(fmt::format("the mission has ended after {} at the latest", durationOf(*end.by)));
+  } else if (end.stays.valid()) {
+    tell(fmt::format("no clock alone ends the mission: it may stay in `{}`",
+                     proof.ground.mission[end.stays].name));
+  } else {
+    tell("no bound for the mission's end is known");
+  }
+  const EndBound home = boundOf(proof.ground, kLongest, Goal::ExitOrSurface);
+  if (home.by && (!end.by || *home.by < *end.by)) {
+    tell(fmt::format("it has ended, or ordered the surface, after {} at the latest",
+                     durationOf(*home.by)));
+  }
 }
 
 }  // namespace
 
 void passes::ends(Proof& proof) {
   // Only what ends soon is looked for unless there is a report: that is quick.
-  const auto end = endsBy(proof.ground, proof.options.report ? kLongest : kAtOnce);
-  if (!end) {
-    return;
-  }
-  if (*end <= kAtOnce) {
+  const bool report = proof.options.report;
+  const EndBound end = boundOf(proof.ground, report ? kLongest : kAtOnce, Goal::Exit);
+  if (end.by && *end.by <= kAtOnce) {
     proof.diagnostics.report(support::DiagnosticId::endsAtOnce,
-                             proof.ground.mission.states.front().range, durationOf(*end));
-  } else {
-    proof.findings.lines.push_back(
-        {{}, fmt::format("the mission has ended after {} at the latest", durationOf(*end))});
+                             proof.ground.mission.states.front().range, durationOf(*end.by));
+  } else if (report) {
+    tellEnd(proof, end);
   }
 }
 

@@ -32,19 +32,21 @@ struct Showing {
 
 class RandomFlight {
  public:
-  RandomFlight(const Ground& ground, uint32_t stack_depth, const Requirement& requirement,
-               uint64_t seed)
+  RandomFlight(const Ground& ground, uint32_t stack_depth,
+               std::span<const Requirement> requirements, uint64_t seed)
       : ground_(ground),
         m_(ground.mission),
-        recorder_(ground, stack_depth, requirement),
+        recorder_(ground, stack_depth, requirements),
         dice_(seed),
         vehicle_(ground.platform, dice_),
         showing_(m_.sensors.size()) {
     for (const Sensor& sensor : m_.sensors) {
       landmarks_.push_back(landmarksOf(sensor));
     }
-    if (!requirement.fences.empty()) {
-      place_.emplace(startOf(requirement), ground.platform, dice_);
+    const auto area = std::ranges::find_if_not(requirements, &std::vector<Fence>::empty,
+                                               &Requirement::fences);
+    if (area != requirements.end()) {
+      place_.emplace(startOf(*area), ground.platform, dice_);
     }
   }
 
@@ -198,9 +200,9 @@ class RandomFlight {
 }  // namespace
 
 std::optional<ConcreteRun> flyAtRandom(const Ground& ground, uint32_t stack_depth,
-                                       const Requirement& requirement, uint64_t seed,
+                                       std::span<const Requirement> requirements, uint64_t seed,
                                        size_t ticks) {
-  return RandomFlight(ground, stack_depth, requirement, seed).fly(ticks);
+  return RandomFlight(ground, stack_depth, requirements, seed).fly(ticks);
 }
 
 }  // namespace glider::ir::prove

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 
 namespace glider::ir::prove {
 
@@ -18,9 +19,17 @@ struct Ground;
 /// mission compares with, or unknown; the vehicle anywhere that its orders allow. A flight cycle
 /// between two ticks, now and then as long as ticks may be apart.
 ///
-/// Ends when the requirement is broken (of Reach: kept), which is the run that it returns, when the
-/// mission ends, or after `ticks`. The same for the same `seed`.
+/// Ends when one of the requirements is broken (of Reach: kept), which is the run that it returns,
+/// when the mission ends, or after `ticks`. The same for the same `seed`.
 std::optional<ConcreteRun> flyAtRandom(const Ground& ground, uint32_t stack_depth,
-                                       const Requirement& requirement, uint64_t seed, size_t ticks);
+                                       std::span<const Requirement> requirements, uint64_t seed,
+                                       size_t ticks);
+
+/// The same for one requirement.
+inline std::optional<ConcreteRun> flyAtRandom(const Ground& ground, uint32_t stack_depth,
+                                              const Requirement& requirement, uint64_t seed,
+                                              size_t ticks) {
+  return flyAtRandom(ground, stack_depth, std::span(&requirement, 1), seed, ticks);
+}
 
 }  // namespace glider::ir::prove

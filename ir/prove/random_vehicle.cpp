@@ -3,6 +3,8 @@
 
 #include "ir/prove/random_vehicle.h"
 
+#include "ir/prove/world.h"
+
 #include <algorithm>
 
 namespace glider::ir::prove {
@@ -56,12 +58,16 @@ void RandomVehicle::downTo(double target) {
 }
 
 void RandomVehicle::upTo(double target, double now) {
-  if (!climbing_) {
-    deepest_ = std::min(deepest_, depth_ + platform_.envelope.inflection_overshoot_m);
+  const double overshoot = platform_.envelope.inflection_overshoot_m;
+  const bool hovers = target >= kFloats;
+  const double top = hovers ? target + overshoot : target;
+  if (!climbing_ || top < top_) {
+    deepest_ = std::min(deepest_, depth_ + overshoot);
     since_ = now;
   }
   climbing_ = true;
-  top_ = target;
+  top_ = top;
+  deepest_ = hovers ? std::max(deepest_, top) : deepest_;
 }
 
 void RandomVehicle::move(double from, double to) {

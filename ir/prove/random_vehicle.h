@@ -36,7 +36,7 @@ class RandomVehicle {
   double deepest_ = 0;     ///< under the order in force
   bool climbing_ = false;  ///< the order in force leads up
   double since_ = 0;       ///< when the first of the orders to climb was given
-  double top_ = 0;         ///< of the order in force
+  double top_ = 0;         ///< so deep it may be under it when it has climbed
   double speed_ = 0;       ///< the share of what it could do that it does
   double speed_until_ = 0;
 };

@@ -31,12 +31,15 @@ bool quiet(const TickResult& before, const TickResult& after) {
 
 }  // namespace
 
-RunRecorder::RunRecorder(const Ground& ground, uint32_t stack_depth, const Requirement& requirement)
+RunRecorder::RunRecorder(const Ground& ground, uint32_t stack_depth,
+                         std::span<const Requirement> requirements)
     : ground_(ground),
       m_(ground.mission),
-      requirement_(requirement),
-      depth_sensor_(ground.depth),
-      monitor_(m_, requirement, ground.platform.world.surface_depth_m, depth_sensor_) {
+      requirements_(requirements),
+      depth_sensor_(ground.depth) {
+  for (const Requirement& requirement : requirements_) {
+    monitors_.emplace_back(m_, requirement, ground.platform.world.surface_depth_m, depth_sensor_);
+  }
   interpreter_.emplace(m_, stack_depth);
 }
 
@@ -82,7 +85,12 @@ bool RunRecorder::tickIfQuiet(double time, const std::vector<double>& readings, 
 void RunRecorder::keep(TickResult result, double time, std::vector<SensorUpdate> frame,
                        double depth) {
   tell(result, time);
-  monitor_.tick(*interpreter_, time, result, depth);
+  for (size_t i = 0; i < monitors_.size(); ++i) {
+    monitors_[i].tick(*interpreter_, time, result, depth);
+    if (!hit_ && monitors_[i].when()) {
+      hit_ = i;
+    }
+  }
   last_ = std::move(result);
   result_.ticks.push_back({time, std::move(frame), depth, last_.state,
                            static_cast<uint32_t>(last_.stack.size()), last_.finished});
@@ -109,7 +117,7 @@ void RunRecorder::tell(const TickResult& result, double time) {
 
 /// What the condition of `always` reads, as it was then.
 void RunRecorder::describeValues() {
-  std::vector<ExprId> open{requirement_.condition};
+  std::vector<ExprId> open{requirements_[*hit_].condition};
   std::set<std::string> told;
   while (!open.empty()) {
     const ExprId id = open.back();
@@ -134,7 +142,8 @@ void RunRecorder::describeValues() {
 }
 
 ConcreteRun RunRecorder::take() {
-  result_.when = *monitor_.when();
+  result_.requirement = *hit_;
+  result_.when = *monitors_[*hit_].when();
   result_.state = m_[last_.state].name;
   describeValues();
   return std::move(result_);

@@ -8,13 +8,18 @@
 #include "ir/prove/ground.h"
 #include "ir/prove/requirement_monitor.h"
 
+#include <optional>
+#include <span>
+#include <vector>
+
 namespace glider::ir::prove {
 
-/// Flies a mission on the interpreter under the eye of a requirement, and keeps what happened.
+/// Flies a mission on the interpreter under the eye of requirements, and keeps what happened.
 class RunRecorder {
  public:
   /// All outlive this.
-  RunRecorder(const Ground& ground, uint32_t stack_depth, const Requirement& requirement);
+  RunRecorder(const Ground& ground, uint32_t stack_depth,
+              std::span<const Requirement> requirements);
 
   /// A tick with these readings, by sensor (SI units; NaN: unknown); the first is the start.
   /// `depth` is the true one, m; NaN if nobody knows.
@@ -25,8 +30,8 @@ class RunRecorder {
 
   [[nodiscard]] const TickResult& last() const { return last_; }
   [[nodiscard]] double now() const { return result_.ticks.back().mission_time; }
-  /// The requirement is broken (of Reach: kept).
-  [[nodiscard]] bool hit() const { return monitor_.when().has_value(); }
+  /// One of the requirements is broken (of Reach: kept).
+  [[nodiscard]] bool hit() const { return hit_.has_value(); }
   /// The sensor that tells the depth, if the mission reads it.
   [[nodiscard]] std::optional<SensorId> depthSensor() const { return depth_sensor_; }
   /// After a hit, once.
@@ -40,9 +45,10 @@ class RunRecorder {
 
   const Ground& ground_;
   const Mission& m_;
-  const Requirement& requirement_;
+  std::span<const Requirement> requirements_;
   std::optional<SensorId> depth_sensor_;
-  RequirementMonitor monitor_;
+  std::vector<RequirementMonitor> monitors_;  ///< one each
+  std::optional<size_t> hit_;                 ///< the first of them that says so
   std::optional<Interpreter> interpreter_;
   TickResult last_;
   ConcreteRun result_;

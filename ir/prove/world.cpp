@@ -22,14 +22,18 @@ Vehicle downTo(const Vehicle& before, const z3::expr& target, const z3::expr& ov
   return after;
 }
 
+/// Up to a depth; there, or from above, it hovers at it.
 Vehicle upTo(const Vehicle& before, const z3::expr& target, const z3::expr& overshoot,
              const z3::expr& now) {
   Vehicle after = before;
-  after.deepest =
-      z3::ite(before.climbing, before.deepest, smaller(before.deepest, before.depth + overshoot));
-  after.since = z3::ite(before.climbing, before.since, now);
+  const z3::expr hovers = target >= realOf(target.ctx(), kFloats);
+  after.top = z3::ite(hovers, target + overshoot, target);
+  const z3::expr goes_on = before.climbing && after.top >= before.top;
+  const z3::expr turned =
+      z3::ite(goes_on, before.deepest, smaller(before.deepest, before.depth + overshoot));
+  after.deepest = z3::ite(hovers, larger(after.top, turned), turned);
+  after.since = z3::ite(goes_on, before.since, now);
   after.climbing = before.climbing.ctx().bool_val(true);
-  after.top = target;
   return after;
 }
 

@@ -8,15 +8,20 @@
 
 #include <vector>
 
-/// How the vehicle that proofs assume obeys: wide enough for every flight (a test flies thousands
-/// against it), narrow enough to prove something.
+/// How the vehicle that proofs assume obeys: wide enough for every flight (tests/world flies
+/// thousands against it), narrow enough to prove something.
 ///
 /// - It sinks and climbs at `vertical_rate_m_s` at most, and never above the surface.
-/// - An order to dive to a depth never takes it deeper than `inflection_overshoot_m` beyond that,
-/// or
-///   beyond where it is; a new order never deeper than it or the one before would have.
+/// - An order to dive to a depth, or to hover at it, never takes it deeper than
+///   `inflection_overshoot_m` beyond that, or beyond where it is; a new order never deeper than it
+///   or the one before would have.
 /// - An order to climb, `turn_s` old, lifts it at `slowest_climb_m_s` at least, until it is there.
+///   There it hovers, give or take the overshoot, and from above it sinks to it; a depth above
+///   `kFloats` means the surface. An order to climb further counts anew: it may have hovered.
 namespace glider::ir::prove {
+
+/// An order to climb to a depth above this (m) ends at the surface: hookbeh does not hover there.
+inline constexpr double kFloats = 1;
 
 /// What a command does to the vehicle that is ordered: `arguments` are its own, `allowed` where it
 /// is given (all arguments known), `now` mission time.

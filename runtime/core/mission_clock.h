@@ -49,7 +49,8 @@ class MissionClock {
   }
 
  private:
-  static constexpr double kMostSilence = 16;  ///< s; a silent link is told every 12 s
+  /// s; a silent link is told every 12 s. Proofs know it as `tick_gap_s` of the platform file.
+  static constexpr double kMostSilence = 16;
 
   double origin_ = 0;   ///< vehicle time of mission time 0
   double vehicle_ = 0;  ///< vehicle time of the newest frame

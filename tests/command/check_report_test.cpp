@@ -52,6 +52,34 @@ TEST(CheckReport, IsATableForPeople) {
   EXPECT_THAT(outcome.out, HasSubstr("figure2.mission: fine"));
 }
 
+// The lines of docs/verification.md.
+TEST(CheckReport, SaysTheWayHome) {
+  const Outcome outcome = runShell("$GLIDERCC check --report --target host " + kFigure2);
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("\nthe mission has ended after 41 min 56 s at the latest\n"));
+  EXPECT_THAT(outcome.out,
+              HasSubstr("\nif the SBC falls silent, hookbeh lets go within 32 s; from 25 m at most "
+                        "the vehicle is at the surface within 10 min 52 s\n"));
+}
+
+TEST(CheckReport, SaysWhereTheWayHomeIsShorter) {
+  const TemporaryFolder folder;
+  const auto mission = folder.write("m.mission",
+                                    "mission m\n"
+                                    "state first\nbegin\n  flightprofile yo(3 m, 10 m, 0.4, 0.4)\n"
+                                    "  events\n    case missiontime > 1 h goto deep\nend\n"
+                                    "state deep\nbegin\n  flightprofile yo(3 m, 30 m, 0.4, 0.4)\n"
+                                    "  events\n    case missiontime > 2 h goto up\nend\n"
+                                    "state up\nbegin\n  flightprofile surfaced\n"
+                                    "  events\n    case missiontime > 3 h exit\nend\n");
+  const Outcome outcome = runShell("$GLIDERCC check --report --target host " + mission.string());
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out,
+              HasSubstr("from 35 m at most the vehicle is at the surface within 14 min"));
+  EXPECT_THAT(outcome.out, HasSubstr("\n  in `first`: from 15 m at most, within 7 min 32 s\n"));
+  EXPECT_THAT(outcome.out, testing::Not(HasSubstr("in `up`"))) << "it comes there from `deep`";
+}
+
 TEST(CheckReport, TheHostHasNoBoundOfInstructions) {
   const Outcome outcome = runShell("$GLIDERCC check --report --target host " + kFigure2);
   EXPECT_EQ(outcome.status, 0) << outcome.err;

@@ -169,6 +169,19 @@ TEST(Hookbeh, WithoutAVerticalItFloatsThenKeepsTheOneInForce) {
   EXPECT_EQ(out.heading_mode, HeadingMode::Heading);
 }
 
+TEST(Hookbeh, HoldsNoDiveFarBeyondItsTarget) {
+  Bench bench;
+  bench.cycle();
+  bench.inputs.depth_m = 20.9;
+  EXPECT_STREQ(bench.give(Bench::take(20)).doing, "hold");
+  bench.inputs.depth_m = 21.1;
+  EXPECT_STREQ(bench.cycle().doing, "hover") << "a steep dive would go on for metres";
+  bench.inputs.depth_m = 25;
+  const HookbehOutputs out = bench.give(Bench::descend(10));
+  EXPECT_STREQ(out.doing, "hover") << "nor is an order dived on that is passed long ago";
+  EXPECT_EQ(out.pump_cc, 230);
+}
+
 TEST(Hookbeh, AnInstructionEqualToTheOneInForceChangesNothing) {
   Bench bench;
   bench.cycle();

@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// The judge of flights sees each rule broken: a flight that keeps all, and beside it the same with
+// one number wrong.
+
+#include "tests/world/assumed_world.h"
+
+#include "tests/world/fleet.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+namespace glider::tests {
+namespace {
+
+constexpr double kCycle = 4;  // s
+
+/// Down to 20 m, over it by `beyond`, up again, at plain speeds.
+struct Flight {
+  double sinks_mps = 0.2, climbs_mps = 0.15;
+  double start_m = 0;
+  double beyond_m = 4;    ///< the order it goes
+  double turns_s = 60;    ///< after the order to climb
+  double stops_at_m = 0;  ///< on its way up
+  double floats_at_m = 0.2;
+  double reading_off_m = 0.1;
+  double tick_s = kCycle;
+  double pressure_bar = 3;
+  double drift_mps = 0.3;
+  double top_m = 0;  ///< it climbs so high
+
+  [[nodiscard]] AssumedWorld fly() const {
+    AssumedWorld world(slocum());
+    world.begin(0, start_m, true);
+    double time = 0, depth = start_m;
+    const auto move = [&](double speed) {
+      time += kCycle;
+      depth += speed * kCycle;
+      world.moved(time, depth);
+    };
+    world.orderDown(20, depth);
+    while (depth + sinks_mps * kCycle <= 20 + beyond_m) {
+      move(sinks_mps);
+      world.orderDown(20, depth);
+    }
+    const double turned = time + turns_s;
+    while (depth > stops_at_m + 1 && time < 5000) {
+      world.orderUp(0, depth, time);
+      move(time >= turned ? -climbs_mps : 0);
+    }
+    for (int i = 0; i < 200; ++i) {
+      world.orderUp(0, depth, time);
+      depth = stops_at_m > 0 ? depth : top_m;
+      world.moved(time += kCycle, depth);
+    }
+    others(world, time);
+    return world;
+  }
+
+  void others(AssumedWorld& world, double time) const {
+    world.floats(time, floats_at_m);
+    world.sees(time, 10 + reading_off_m, 10);
+    world.ticks(time);
+    world.ticks(time + tick_s);
+    world.reports(time, *slocum().find("m_pressure"), pressure_bar);
+    world.drifts(time, drift_mps);
+  }
+};
+
+TEST(AssumedWorld, AFlightThatKeepsAllIsFineAndEachRuleIsLookedAt) {
+  const AssumedWorld world = Flight{}.fly();
+  EXPECT_FALSE(world.broken().has_value()) << world.broken()->what;
+  for (const Rule rule : kAllRules) {
+    EXPECT_GT(world.use(rule).looks, 0U) << nameOf(rule);
+  }
+}
+
+struct Planted {
+  Rule rule;
+  std::function<void(Flight&)> plant;
+  friend void PrintTo(const Planted& planted, std::ostream* out) { *out << nameOf(planted.rule); }
+};
+
+class Violation : public testing::TestWithParam<Planted> {};
+
+TEST_P(Violation, IsSeen) {
+  Flight flight;
+  GetParam().plant(flight);
+  const AssumedWorld world = flight.fly();
+  ASSERT_TRUE(world.broken().has_value());
+  EXPECT_EQ(world.broken()->rule, GetParam().rule) << world.broken()->what;
+}
+
+// Each number is just beyond the platform file's.
+INSTANTIATE_TEST_SUITE_P(
+    , Violation,
+    testing::Values(Planted{Rule::Rate, [](Flight& f) { f.sinks_mps = 0.41; }},
+                    Planted{Rule::Rate, [](Flight& f) { f.climbs_mps = 0.41; }},
+                    Planted{Rule::Deepest, [](Flight& f) { f.beyond_m = 5.9; }},
+                    Planted{Rule::Climb, [](Flight& f) { f.climbs_mps = 0.04; }},
+                    Planted{Rule::Climb, [](Flight& f) { f.turns_s = 500; }},
+                    Planted{Rule::Climb, [](Flight& f) { f.stops_at_m = 6; }},
+                    Planted{Rule::Above, [](Flight& f) { f.top_m = -0.1; }},
+                    Planted{Rule::Start, [](Flight& f) { f.start_m = 3.1; }},
+                    Planted{Rule::Surface, [](Flight& f) { f.floats_at_m = 2.1; }},
+                    Planted{Rule::Reading, [](Flight& f) { f.reading_off_m = -0.51; }},
+                    Planted{Rule::TickGap, [](Flight& f) { f.tick_s = 16.5; }},
+                    Planted{Rule::Range, [](Flight& f) { f.pressure_bar = -1.1; }},
+                    Planted{Rule::Drift, [](Flight& f) { f.drift_mps = 0.51; }}));
+
+/// An order to climb that comes on the way down stops the dive.
+TEST(AssumedWorld, AnOrderToClimbStopsADive) {
+  const auto sinksOn = [](double metres) {
+    AssumedWorld world(slocum());
+    world.begin(0, 0, true);
+    world.orderDown(50, 0);
+    double time = 0, depth = 0;
+    for (; depth < 20; time += kCycle, depth += 0.8) {
+      world.moved(time, depth);
+    }
+    world.moved(time, depth);
+    world.orderUp(5, depth, time);
+    for (const double end = depth + metres; depth + 0.8 <= end;) {
+      world.moved(time += kCycle, depth += 0.8);
+    }
+    return world;
+  };
+  EXPECT_FALSE(sinksOn(4.8).broken().has_value());
+  ASSERT_TRUE(sinksOn(5.7).broken().has_value());
+  EXPECT_EQ(sinksOn(5.7).broken()->rule, Rule::Deepest);
+}
+
+}  // namespace
+}  // namespace glider::tests

@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "tests/world/watched_flight.h"
+
+#include "driver/in_process_sbc.h"
+#include "driver/launch_choice.h"
+#include "hooks/protocol/frame.h"
+#include "hooks/protocol/tick.h"
+#include "ir/opt/optimise.h"
+#include "simulator/ocean/ocean.h"
+#include "simulator/simulator.h"
+#include "support/check.h"
+#include "tests/world/world_watch.h"
+
+#include <cmath>
+#include <utility>
+
+namespace glider::tests {
+namespace {
+
+using driver::InProcessSbc;
+
+/// An SBC in process that says of what time the newest frame was that it heard.
+class HearingSbc final : public simulator::SbcPort {
+ public:
+  HearingSbc(std::unique_ptr<InProcessSbc> sbc, WorldWatch& watch) : sbc_(std::move(sbc)) {
+    sbc_->watch(
+        [this, &watch](const GliderContext& context, double) { watch.polled(context, frame_s_); });
+  }
+
+  [[nodiscard]] std::string way() const override { return sbc_->way(); }
+  void deliver(std::span<const uint8_t> bytes, double now_s) override {
+    for (const uint8_t byte : bytes) {
+      hooks::TickHead head;
+      if (decoder_.push(byte) && hooks::decode(decoder_.frame(), head)) {
+        frame_s_ = head.vehicle_time_s;
+      }
+    }
+    sbc_->deliver(bytes, now_s);
+  }
+  std::vector<uint8_t> collect() override { return sbc_->collect(); }
+  void kill() override { sbc_->kill(); }
+  [[nodiscard]] bool alive() const override { return sbc_->alive(); }
+  [[nodiscard]] bool keepsTime() const override { return sbc_->keepsTime(); }
+  void plug(bool in) override { sbc_->plug(in); }
+  [[nodiscard]] std::string epitaph() const override { return sbc_->epitaph(); }
+
+ private:
+  std::unique_ptr<InProcessSbc> sbc_;
+  hooks::FrameDecoder decoder_;
+  double frame_s_ = 0;
+};
+
+/// What the water did where the vehicle was.
+void judgeDrift(const support::Trace& trace, const simulator::Scenario& scenario,
+                AssumedWorld& world) {
+  const simulator::Ocean ocean(scenario.ocean);
+  const int time = trace.column("time"), depth = trace.column("true_depth");
+  const int x = trace.column("true_x"), y = trace.column("true_y");
+  for (size_t row = 0; row < trace.rowCount(); ++row) {
+    const auto current = ocean.current(trace.at(row, depth), trace.at(row, x), trace.at(row, y));
+    world.drifts(trace.at(row, time), std::hypot(current.east, current.north));
+  }
+}
+
+}  // namespace
+
+support::Result<FlyingMission> loadMission(const std::string& path, std::string text) {
+  FlyingMission mission;
+  mission.name = path;
+  auto compiled = driver::compileText(path, std::move(text));
+  if (!compiled) {
+    return std::unexpected(compiled.error());
+  }
+  CHECK((*compiled)->ok(), "a mission to fly has mistakes");
+  mission.compilation = std::move(*compiled);
+  ir::optimise(*mission.compilation->mission);
+  auto loaded = driver::loadHere(*mission.compilation, {});
+  if (!loaded) {
+    return std::unexpected(loaded.error());
+  }
+  mission.loaded = std::make_shared<const codegen::LoadedMission>(std::move(*loaded));
+  return mission;
+}
+
+support::Result<Seen> flyWatched(const FlyingMission& mission, const Conditions& conditions,
+                                 const platforms::Platform& platform) {
+  WorldWatch watch(platform, conditions);
+  simulator::SimulationSetup setup;
+  setup.platform = platform;
+  setup.scenario = conditions.scenario;
+  setup.seed = conditions.seed;
+  setup.onlooker = &watch;
+  const auto card = std::make_shared<driver::Card>();
+  const bool keeps_time = !conditions.scenario.faults.empty();
+  const auto start = [&] {
+    return std::make_unique<InProcessSbc>(mission.loaded, conditions.parameters, card, keeps_time);
+  };
+  setup.sbc = std::make_unique<HearingSbc>(start(), watch);
+  setup.restart_sbc = [&]() -> support::Result<std::unique_ptr<simulator::SbcPort>> {
+    return start();
+  };
+  const auto trace = simulator::simulate(std::move(setup));
+  if (!trace) {
+    return std::unexpected(trace.error());
+  }
+  judgeDrift(*trace, conditions.scenario, watch.world());
+  Seen seen;
+  seen.broken = watch.world().broken();
+  for (const Rule rule : kAllRules) {
+    seen.uses.at(static_cast<size_t>(rule)) = watch.world().use(rule);
+  }
+  seen.in_control_s = watch.inControl();
+  seen.refused = watch.refused();
+  return seen;
+}
+
+}  // namespace glider::tests

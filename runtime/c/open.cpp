@@ -10,6 +10,7 @@
 #include "runtime/c/program.h"
 
 #include <signal.h>
+#include <stdlib.h>
 
 namespace {
 
@@ -29,7 +30,11 @@ extern "C" int gliderOpen(int argc, char** argv, const char* mission_name) {
   signal(SIGPIPE, SIG_IGN);
   const Options options = readOptions(argc, argv);
   if (options.wish != Options::Wish::Fly) {
-    return tellWish(options, mission_name);
+    const int status = tellWish(options, mission_name);
+    if (status == kDone) {
+      exit(kDone);  // 0 would say that the link is open
+    }
+    return status;
   }
   if (options.setting_count > 0 || options.parameters != nullptr) {
     tell("error: a mission in C has no parameters");

@@ -3,6 +3,7 @@
 
 #include "hooks/transport/system_clock.h"
 #include "runtime/board/arithmetic.h"
+#include "runtime/board/card.h"
 #include "runtime/board/files.h"
 #include "runtime/board/line.h"
 #include "runtime/board/options.h"
@@ -16,7 +17,13 @@ namespace {
 
 int line_descriptor = -1;
 
+glider::runtime::Card& card() {
+  static glider::runtime::Card the_card;
+  return the_card;
+}
+
 int waitForBytes() {
+  card().rested(glider::runtime::Program::instance().virtualTime());
   glider::runtime::waitForLine(line_descriptor);
   return 1;
 }
@@ -44,12 +51,13 @@ extern "C" int gliderOpen(int argc, char** argv, const char* mission_name) {
     tell("error: a mission in C keeps no checkpoints: its state stands in its own code");
     return kWrongUse;
   }
+  (void)card().start({openLogOf(options), {}, nullptr}, 0);
   const OpenPort line = openLine(options);
   if (line.problem != nullptr) {
     return kNoLink;
   }
   line_descriptor = line.descriptor;
   Program::instance().attach(
-      {line.stream, clock.clock(), waitForBytes, mission_name, openLogOf(options)});
+      {line.stream, clock.clock(), waitForBytes, mission_name, card().log()});
   return kDone;
 }

@@ -10,7 +10,6 @@
 #include <signal.h>
 #include <string.h>
 #include <sys/mman.h>
-#include <sys/syscall.h>
 #include <unistd.h>
 
 namespace glider::runtime {
@@ -59,8 +58,8 @@ bool Card::start(const CardWork& work, uint32_t most_bytes, double patience, dou
     return false;
   }
   order_ = static_cast<Order*>(shared);
-  // Not fork(): a C library's has to do with threads and a heap, which there are none of.
-  const long process = syscall(SYS_fork);
+  // Not fork(), which has to do with threads and a heap, of which there are none.
+  const pid_t process = _Fork();
   if (process == 0) {
     close(orders[1]);
     close(answers[0]);

@@ -5,6 +5,7 @@
 #   board.toml              platforms/boards/BOARD.toml
 #   *.syscalls              the system calls of the board's kernel, if it names a file of them
 #   crt1.o, libc.a, ...     the link inputs that board.toml names
+#   include/                the headers of the board's C library (not of the host: its own are at hand)
 #   NAME.bc                 bitcode made by glider_board_bitcode
 # Nothing in these folders names a path of this machine.
 
@@ -81,6 +82,8 @@ function(glider_board_folder board)
   if(NOT board STREQUAL host)
     glider_board_field(${board} system_calls system_calls)
     glider_copy(${GLIDER_BOARD_DATA}/${system_calls} ${folder}/${system_calls})
+    # For a scientist's own C: what the board's C library declares.
+    file(COPY ${sysroot}/include DESTINATION ${folder})
   endif()
 endfunction()
 

@@ -3,6 +3,7 @@
 
 #include "driver/commands.h"
 #include "driver/exit_code.h"
+#include "driver/man_page.h"
 #include "driver/terminal.h"
 
 #include <CLI/CLI.hpp>
@@ -37,6 +38,9 @@ int run(int argc, char** argv) {
       "them in a simulator.",
       "glidercc"};
   app.set_version_flag("--version", std::string("glidercc ") + GLIDER_VERSION);
+  app.add_flag_callback(
+      "--man", [&app] { throw CLI::CallForVersion(manPage(app), 0); },
+      "Print the manual page (`glidercc --man | man -l -`) and exit");
   app.require_subcommand(1);
   app.footer(kFooter);
   int status = kFine;

@@ -30,20 +30,60 @@ int listTargets() {
   return printed ? kFine : reportFailure(printed.error());
 }
 
-/// What makes clang compile a mission's C and C++ for `name`.
-int printFlags(const std::string& name) {
+/// True if the board's programs use the C library of the machine that they run on.
+bool sharesLibrary(const platforms::Board& board) {
+  return !board.link.dynamic_linker.empty();
+}
+
+/// What makes clang compile a mission's C and C++ for `board`.
+std::string compilerFlags(const platforms::Board& board) {
+  // The headers of the board's own C library; this machine's would be wrong.
+  const std::string library =
+      sharesLibrary(board)
+          ? ""
+          : fmt::format("-nostdlibinc -isystem {} ", (board.folder / "include").string());
+  return fmt::format(
+      "--target={} {} -O2 -ffreestanding {}-ffp-contract=off -ffunction-sections -fdata-sections "
+      "-fno-stack-protector -fno-exceptions -fno-rtti -fno-threadsafe-statics -I{}\n",
+      board.triple, fmt::join(board.clang_flags, " "), library, (shareDirectory() / "c").string());
+}
+
+/// What makes clang link a mission in C for `board`, to be said after its objects.
+std::string linkerFlags(const platforms::Board& board) {
+  const auto files = [&board](std::vector<std::string> names) {
+    for (std::string& name : names) {
+      name = (board.folder / name).string();
+    }
+    return fmt::to_string(fmt::join(names, " "));
+  };
+  if (sharesLibrary(board)) {  // clang knows the rest of this machine
+    return files({"libglider.a", "libserialport.a"}) + " -lm\n";
+  }
+  return fmt::format("--target={} -fuse-ld=lld -static -nostdlib -Wl,--gc-sections {} {} {}\n",
+                     board.triple, files(board.link.before), files({"libglider.a"}),
+                     files(board.link.after));
+}
+
+/// Prints what `flags` says of the target `name`.
+int printFlags(const std::string& name, std::string (*flags)(const platforms::Board&)) {
   const auto board = loadTarget(name);
   if (!board) {
     return reportFailure(board.error());
   }
-  // A board's C library is linked, but its headers are not here, and this machine's are wrong.
-  const bool own_library = !board->link.dynamic_linker.empty();
-  const auto printed = printOut(fmt::format(
-      "--target={} {} -O2 -ffreestanding {}-ffp-contract=off -ffunction-sections -fdata-sections "
-      "-fno-stack-protector -fno-exceptions -fno-rtti -fno-threadsafe-statics -I{}\n",
-      board->triple, fmt::join(board->clang_flags, " "), own_library ? "" : "-nostdlibinc ",
-      (shareDirectory() / "c").string()));
+  const auto printed = printOut(flags(*board));
   return printed ? kFine : reportFailure(printed.error());
+}
+
+struct TargetsOptions {
+  std::string compile_for;
+  std::string link_for;
+};
+
+int runTargets(const TargetsOptions& options) {
+  if (!options.compile_for.empty()) {
+    return printFlags(options.compile_for, compilerFlags);
+  }
+  return options.link_for.empty() ? listTargets() : printFlags(options.link_for, linkerFlags);
 }
 
 }  // namespace
@@ -51,13 +91,20 @@ int printFlags(const std::string& name) {
 void addTargetsCommand(CLI::App& app, int& status) {
   CLI::App* command =
       app.add_subcommand("targets", "List the computers that missions can be built for");
-  auto board = std::make_shared<std::string>();
+  auto options = std::make_shared<TargetsOptions>();
+  CLI::Option* compile =
+      command
+          ->add_option(
+              "--cflags", options->compile_for,
+              "Print the flags with which clang compiles a mission's C or C++ for a target")
+          ->option_text("TARGET");
   command
-      ->add_option("--cflags", *board,
-                   "Print the flags with which clang compiles a mission's C or C++ for a target")
-      ->option_text("TARGET");
-  command->callback(
-      [board, &status] { status = board->empty() ? listTargets() : printFlags(*board); });
+      ->add_option("--libs", options->link_for,
+                   "Print what clang links a mission in C with for a target, to be said after its "
+                   "objects")
+      ->option_text("TARGET")
+      ->excludes(compile);
+  command->callback([options, &status] { status = runTargets(*options); });
 }
 
 }  // namespace glider::driver

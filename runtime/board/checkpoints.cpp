@@ -65,6 +65,14 @@ GliderStore openCheckpoints(const char* path) {
   return {&descriptor, readStore, writeStore, syncStore};
 }
 
+void holdCheckpoints(const GliderStore& checkpoints) {
+  struct flock whole{};
+  whole.l_type = F_WRLCK;
+  whole.l_whence = SEEK_SET;
+  while (fcntl(descriptorOf(checkpoints.self), F_SETLKW, &whole) != 0 && errno == EINTR) {
+  }
+}
+
 uint32_t programNumber() {
   const auto* image = reinterpret_cast<const uint8_t*>(&__ehdr_start);
   const auto* segments = reinterpret_cast<const ElfW(Phdr)*>(image + __ehdr_start.e_phoff);

@@ -12,6 +12,10 @@ namespace glider::runtime {
 /// earns a warning: the mission flies without, and cannot go on after a power cut.
 GliderStore openCheckpoints(const char* path);
 
+/// Waits until no other process holds the file of `checkpoints`, and holds it as long as this
+/// process lives: that of a program before this one may still be writing.
+void holdCheckpoints(const GliderStore& checkpoints);
+
 /// A number of this very executable: CRC-32C over its code and constants as they lie in memory.
 uint32_t programNumber();
 

@@ -6,6 +6,7 @@
 
 #include "hooks/transport/system_clock.h"
 #include "runtime/board/arithmetic.h"
+#include "runtime/board/card.h"
 #include "runtime/board/checkpoints.h"
 #include "runtime/board/files.h"
 #include "runtime/board/line.h"
@@ -17,12 +18,13 @@
 namespace glider::runtime {
 namespace {
 
-int fly(GliderRuntime* runtime, const OpenPort& line) {
+int fly(GliderRuntime* runtime, const OpenPort& line, Card& card) {
   static hooks::SystemClock system_clock;
   const GliderClock clock = system_clock.clock();
   while (true) {
     switch (gliderRuntimePoll(runtime, &line.stream, &clock)) {
       case kGliderRuntimeIdle:
+        card.rested(runtime->virtualTime());
         waitForLine(line.descriptor);
         break;
       case kGliderRuntimeProgressed:
@@ -41,20 +43,24 @@ int run(const Options& options) {
   if (!setParameters(options, launch)) {
     return kBadParameters;
   }
+  // Before the line is there, so that the card's process does not hold it open.
+  static Card card;
+  (void)card.start({openLogOf(options), openCheckpoints(options.checkpoints), holdCheckpoints},
+                   gliderMission.context_bytes);
   const OpenPort line = openLine(options);
   if (line.problem != nullptr) {
     return kNoLink;
   }
   alignas(GliderRuntime) static uint8_t memory[sizeof(GliderRuntime)];
-  const GliderRuntimeOptions runtime_options{openLogOf(options), launch.values(),
-                                             openCheckpoints(options.checkpoints), programNumber()};
+  const GliderRuntimeOptions runtime_options{card.log(), launch.values(), card.checkpoints(),
+                                             programNumber()};
   GliderRuntime* runtime =
       gliderRuntimeInit(memory, gliderContextMemory, &gliderMission, &runtime_options);
   if (runtime == nullptr) {
     tell("error: this mission was made for another runtime");
     return kWrongUse;
   }
-  return fly(runtime, line);
+  return fly(runtime, line, card);
 }
 
 }  // namespace

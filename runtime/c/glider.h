@@ -67,7 +67,8 @@ int addEvent(eventList list, event added);
 int useSensor(uint32_t sensor);
 
 /* Opens the link that the command line names (--port PATH, --baud N, --stdio, --log FILE). Returns
-   0; or, having said why, an exit status. */
+   0; or, having said why, an exit status. --help and --version are answered and end the program
+   with status 0. */
 int gliderOpen(int argc, char** argv, const char* mission_name);
 /* Answers the vehicle's tick under way with the commands in force, then runs until a tick on which
    events of `list` are true. Returns them, valid until the next call, or NULL when the mission is

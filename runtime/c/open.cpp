@@ -3,6 +3,7 @@
 
 #include "hooks/transport/system_clock.h"
 #include "runtime/board/arithmetic.h"
+#include "runtime/board/card.h"
 #include "runtime/board/files.h"
 #include "runtime/board/line.h"
 #include "runtime/board/options.h"
@@ -10,12 +11,19 @@
 #include "runtime/c/program.h"
 
 #include <signal.h>
+#include <stdlib.h>
 
 namespace {
 
 int line_descriptor = -1;
 
+glider::runtime::Card& card() {
+  static glider::runtime::Card the_card;
+  return the_card;
+}
+
 int waitForBytes() {
+  card().rested(glider::runtime::Program::instance().virtualTime());
   glider::runtime::waitForLine(line_descriptor);
   return 1;
 }
@@ -29,7 +37,11 @@ extern "C" int gliderOpen(int argc, char** argv, const char* mission_name) {
   signal(SIGPIPE, SIG_IGN);
   const Options options = readOptions(argc, argv);
   if (options.wish != Options::Wish::Fly) {
-    return tellWish(options, mission_name);
+    const int status = tellWish(options, mission_name);
+    if (status == kDone) {
+      exit(kDone);  // 0 would say that the link is open
+    }
+    return status;
   }
   if (options.setting_count > 0 || options.parameters != nullptr) {
     tell("error: a mission in C has no parameters");
@@ -39,12 +51,13 @@ extern "C" int gliderOpen(int argc, char** argv, const char* mission_name) {
     tell("error: a mission in C keeps no checkpoints: its state stands in its own code");
     return kWrongUse;
   }
+  (void)card().start({openLogOf(options), {}, nullptr}, 0);
   const OpenPort line = openLine(options);
   if (line.problem != nullptr) {
     return kNoLink;
   }
   line_descriptor = line.descriptor;
   Program::instance().attach(
-      {line.stream, clock.clock(), waitForBytes, mission_name, openLogOf(options)});
+      {line.stream, clock.clock(), waitForBytes, mission_name, card().log()});
   return kDone;
 }

@@ -35,6 +35,8 @@ class Program {
   static Program& instance();
 
   void attach(const Link& link) { link_ = link; }
+  /// True when the vehicle said that its time is virtual: it waits for every answer.
+  [[nodiscard]] bool virtualTime() const { return client_ != nullptr && client_->virtualTime(); }
   /// False if the sensor is no sensor, or not subscribed and it is too late for that.
   bool use(uint32_t sensor);
   /// Answers the tick under way and waits for the next in which the mission runs; false when it is

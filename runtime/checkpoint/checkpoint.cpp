@@ -102,9 +102,10 @@ bool Checkpoint::isDue(const GliderContext& context, const LinkFacts& facts,
 
 bool Checkpoint::write(const GliderContext& context, const LinkFacts& facts) {
   const Body body(context);
-  Head head{kMagic, 0, program_, ++number_, body.size, 0, facts};
+  // One that fails is tried again in the same slot: the newest whole one is never written over.
+  Head head{kMagic, 0, program_, number_ + 1, body.size, 0, facts};
   head.check = hooks::crc32c(body.bytes, body.size, digestOf(&head.program, &head + 1, 0));
-  const uint32_t at = offsetOf(number_, sizeof head, body.size);
+  const uint32_t at = offsetOf(head.number, sizeof head, body.size);
   constexpr auto kBytes = static_cast<int32_t>(sizeof(Head));
   return store_.write(store_.self, at, reinterpret_cast<const uint8_t*>(&head), sizeof head) ==
              kBytes &&
@@ -124,6 +125,7 @@ Checkpoint::Kept Checkpoint::keep(const GliderContext& context, const LinkFacts&
   if (!write(context, facts)) {
     return Kept::Failed;
   }
+  ++number_;
   any_ = true;
   time_ = context.mission_time;
   instruction_ = facts.instruction;

@@ -25,6 +25,8 @@ struct GliderRuntime {
 
   GliderRuntimeStatus poll(const GliderByteStream& stream, const GliderClock& clock);
   [[nodiscard]] const GliderContext* context() const { return context_; }
+  /// True when the vehicle said that its time is virtual: it waits for every answer.
+  [[nodiscard]] bool virtualTime() const { return client_.virtualTime(); }
 
  private:
   static glider::hooks::ClientOptions subscribe(const GliderMission& mission,

@@ -25,6 +25,8 @@ class MissionLog {
   static constexpr uint32_t kMostItems = 64;
   /// Longer names and texts are cut off.
   static constexpr uint32_t kNameBytes = 60;
+  /// At most so many bytes are handed to the sink at once.
+  static constexpr uint32_t kBytes = 2048;
 
   /// `mission` and its name outlive the log.
   MissionLog(const GliderLogSink& sink, const GliderMission& mission)
@@ -59,7 +61,6 @@ class MissionLog {
   void handOver();
   bool due(const GliderContext& context, uint32_t item);
 
-  static constexpr uint32_t kBytes = 2048;
   GliderLogSink sink_;
   const GliderMission& mission_;
   hooks::Frame frame_;  ///< the record being written

@@ -41,7 +41,12 @@ std::set<std::string> madeCalls(const std::string& log) {
     const size_t bracket = line.find('(');
     if (blank != std::string::npos && bracket != std::string::npos && bracket > blank &&
         line.find_first_not_of("0123456789") == blank) {
-      names.insert(line.substr(blank + 1, bracket - blank - 1));
+      const std::string name = line.substr(blank + 1, bracket - blank - 1);
+      // The mission's two processes write into each other's lines.
+      if (!name.empty() &&
+          name.find_first_not_of("abcdefghijklmnopqrstuvwxyz_0123456789") == std::string::npos) {
+        names.insert(name);
+      }
     }
   }
   return names;

@@ -9,6 +9,7 @@
 #include "hooks/clothesline/clothesline.h"
 #include "hooks/hookbeh/hookbeh.h"
 #include "hooks/hookprog/hookprog.h"
+#include "tests/model/kept_sbc.h"
 #include "tests/model/trace.h"
 #include "tests/support/command.h"
 
@@ -257,22 +258,53 @@ class Replay {
   }
 
   void sbcRun(const ModelRound& model) {
-    if (!client_) {
-      wires_[kToSbc].there.clear();
-      return;
-    }
     const GliderClock clock{nullptr, [](void*) { return 0.0; }};
     size_t tick = 0;
-    for (ClientEvent event = ClientEvent::Handled; event != ClientEvent::Nothing;) {
+    for (ClientEvent event = ClientEvent::Handled; client_ && event != ClientEvent::Nothing;) {
       event = client_->poll(at_sbc_.stream(), clock);
       if (event == ClientEvent::Tick) {
-        ASSERT_LT(tick, model.mission.size()) << "the model's SBC sees no such tick";
-        instruct(model.mission[tick++]);
-        mission_time_s_ += stuck_ ? 0 : kCycle;
-        client_->done({mission_time_s_, 0, 0, MissionPhase::Flying}, at_sbc_.stream());
+        ASSERT_LT(tick, model.ticks.size()) << "the model's SBC sees no such tick";
+        answerTick(model.ticks[tick++]);
       }
     }
-    EXPECT_EQ(tick, model.mission.size());
+    dropUnread();
+    EXPECT_EQ(tick, model.ticks.size());
+  }
+
+  /// Nobody listens any more; what is held comes later.
+  void dropUnread() {
+    while (!client_ && wires_[kToSbc].comes()) {
+      (void)wires_[kToSbc].take();
+    }
+  }
+
+  /// As GliderRuntime::answerTick: decide about the checkpoint, fly, keep, answer.
+  void answerTick(const ModelTick& tick) {
+    decide(tick.decision);
+    mission_time_s_ += stuck_ ? 0 : kCycle;
+    instruct(tick.mission);
+    if (flies_ && client_->session() != 0) {
+      kept_.keep(mission_time_s_, client_->session(), client_->sequence());
+    }
+    if (tick.dies) {
+      client_.reset();
+      return;
+    }
+    client_->done({mission_time_s_, 0, 0, MissionPhase::Flying}, at_sbc_.stream());
+    if (tick.decision == "leaves") {
+      client_.reset();
+    }
+  }
+
+  /// As GliderRuntime::considerCheckpoint.
+  void decide(const std::string& what) {
+    if (what == "anew" || what == "leaves") {
+      client_->resume(0, client_->sequence());
+    }
+    if (what == "anew") {
+      mission_time_s_ = 0;
+    }
+    flies_ = flies_ || what == "anew" || what == "on";
   }
 
   void instruct(const std::string& what) {
@@ -298,8 +330,11 @@ class Replay {
       client_.reset();
       stuck_ = false;
     } else if (what == "sbc on") {
-      client_.emplace(clientOptions(cycle_));
+      startSbc(false);
       mission_time_s_ = 0;
+    } else if (what == "sbc on with its checkpoint") {
+      startSbc(true);
+      client_->resume(kept_.facts().session, static_cast<uint16_t>(kept_.facts().instruction));
     } else if (what == "stuck") {
       stuck_ = true;
     } else if (what == "restart flight") {
@@ -311,6 +346,13 @@ class Replay {
     }
   }
 
+  void startSbc(bool keeps) {
+    client_.emplace(clientOptions(cycle_));
+    EXPECT_EQ(kept_.start(keeps), keeps) << "there is no checkpoint";
+    flies_ = !keeps;
+    stuck_ = false;
+  }
+
   Wire wires_[kDirections];
   End at_sbc_{wires_[kToSbc], wires_[kFromSbc]};
   End at_prog_sbc_{wires_[kFromSbc], wires_[kToSbc]};
@@ -320,6 +362,8 @@ class Replay {
   std::optional<Hookprog> hookprog_;
   std::optional<Hookbeh> hookbeh_;
   std::optional<Client> client_;
+  KeptSbc kept_;
+  bool flies_ = true;  ///< nothing is undecided about a checkpoint
   std::map<uint16_t, double> array_;
   HookbehOutputs outputs_;
   double mission_time_s_ = 0;
@@ -356,6 +400,10 @@ TEST(Model, TheCodeFliesAsItDoes) {
       replay.round(model);
       ++met[model.state.state];
       ++met[model.state.answer];
+      for (const ModelTick& tick : model.ticks) {
+        ++met[tick.decision];
+        met["dies"] += tick.dies ? 1 : 0;
+      }
       for (const std::string& what : model.after) {
         ++met[what];
       }
@@ -366,10 +414,30 @@ TEST(Model, TheCodeFliesAsItDoes) {
     rounds += number;
   }
   EXPECT_GT(rounds, kFlights * 50U);
-  for (const char* what :
-       {"Ready", "Active", "Silent", "Complete", "Accepted", "WrongSession", "sbc off", "sbc on",
-        "stuck", "restart flight", "restart science", "hold 0 0", "hold 1 0", "hold 2 0",
-        "hold 3 0", "hold 0 1", "hold 1 1", "hold 2 1", "hold 3 1"}) {
+  for (const char* what : {"Ready",
+                           "Active",
+                           "Silent",
+                           "Complete",
+                           "Accepted",
+                           "WrongSession",
+                           "sbc off",
+                           "sbc on",
+                           "sbc on with its checkpoint",
+                           "anew",
+                           "on",
+                           "leaves",
+                           "dies",
+                           "stuck",
+                           "restart flight",
+                           "restart science",
+                           "hold 0 0",
+                           "hold 1 0",
+                           "hold 2 0",
+                           "hold 3 0",
+                           "hold 0 1",
+                           "hold 1 1",
+                           "hold 2 1",
+                           "hold 3 1"}) {
     EXPECT_GT(met[what], 0) << what;
   }
 }

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <sstream>
+#include <utility>
 
 namespace glider::tests {
 
@@ -19,6 +20,7 @@ std::vector<ModelRound> flyModel(int seed) {
                std::to_string(seed) + " " GLIDER_SOURCE_DIR "/hooks/protocol/model/control.pml");
   EXPECT_EQ(run.out.find("assertion violated"), std::string::npos) << run.out;
   std::vector<ModelRound> rounds;
+  std::string decision;  // of the tick that is told next
   std::istringstream lines(run.out);
   for (std::string line; std::getline(lines, line);) {
     std::istringstream words(line);
@@ -34,7 +36,11 @@ std::vector<ModelRound> flyModel(int seed) {
       rounds.back().frames.at(direction).push_back(frame);
     } else if (word == "mission") {
       words >> word;
-      rounds.back().mission.push_back(word);
+      rounds.back().ticks.push_back({std::exchange(decision, ""), word});
+    } else if (word == "decides") {
+      words >> decision;
+    } else if (word == "dies") {
+      rounds.back().ticks.back().dies = true;
     } else if (word == "state") {
       ModelState& state = rounds.back().state;
       words >> state.state >> state.session >> state.sequence >> state.answer;

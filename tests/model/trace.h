@@ -25,9 +25,16 @@ struct ModelState {
   uint32_t session = 0, sequence = 0;
 };
 
+/// A tick as the model's SBC lives it.
+struct ModelTick {
+  std::string decision;  ///< about its checkpoint: "anew", "on", "leaves"; empty: none
+  std::string mission;   ///< what it does then: "rests", "Take", "Steer", "GiveBack"
+  bool dies = false;     ///< it loses its power before the answer
+};
+
 struct ModelRound {
   std::array<std::vector<ModelFrame>, kDirections> frames;
-  std::vector<std::string> mission;  ///< what it does in each tick: "rests", "Take", "Steer"…
+  std::vector<ModelTick> ticks;
   ModelState state;
   std::vector<std::string> after;  ///< what goes wrong, or comes right, before the next round
 };

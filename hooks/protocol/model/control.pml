@@ -14,13 +14,22 @@
 #define LOST 3            /* cycles: Hookprog::kLostSecs */
 #define UNANSWERED 6      /* ticks: Client::kMostUnansweredTicks */
 #define QUIET 24          /* rounds after the last fault in which all must come right; the flight is over then */
-#define NEVER 99
+#define NEVER 255
 
 /* `spin -DREPLAY` flies at random, for the test that does the same with the code: faults are rare then, and the flight ends
    after ROUNDS. */
 #ifdef REPLAY
 #define ROUNDS 120
 byte rounds;
+#endif
+
+/* Mission time that tells of progress. It counts round when all is searched. */
+#ifdef REPLAY
+#define TIMES 250
+#define NEWS(time) (progress == NEVER || time > progress)
+#else
+#define TIMES 4
+#define NEWS(time) (time != progress)
 #endif
 
 /* HookState, HookAnswer, HookControl of hooks/protocol/values.h */

@@ -47,6 +47,7 @@ inline obey() {
   assert(written == 1);                  /* not what lies in the array from before */
   assert(array_session == hb_session);   /* nobody else's */
   assert(array_command > newest_obeyed); /* none twice, none out of turn */
+  assert(told_end == 0 || array_command < told_end); /* nor any of a mission after it has given control back */
   newest_obeyed = array_command;
   in_force = array_command
 }

@@ -12,14 +12,17 @@ byte pending_session, pending_command;
 mtype tick_state = Absent, tick_answer = None;
 byte tick_session, tick_answered;
 bit resubscribe, finished;
+bit claims = 1;           /* its session is for it to keep alive */
+/* GliderRuntime and Checkpoint: what outlives a power cut, and what comes of it */
+bit kept, kept_finished;
+byte kept_session, kept_sequence;
+bit found;                /* there is a checkpoint, and nothing is decided about it */
+bit goes_on, leaves;      /* it was decided in this tick */
 byte mission_time;        /* ticks that the mission has seen; counts round */
-#ifdef REPLAY
-#define TIMES 250
-#else
-#define TIMES 4
-#endif
 byte commands;            /* given so far, which is the newest one's number (ghost) */
 byte since_progress;      /* rounds since a Done left that claims control and is news to hookprog of a mission that goes on (ghost) */
+byte told_sequence;       /* of the newest instruction that has left this mission, started again or not (ghost) */
+byte told_end;            /* the same: the instruction with which it has given control back, 0 for none (ghost) */
 byte disagreed;           /* rounds in which hookbeh has obeyed another instruction than the newest, and nothing else went wrong (ghost) */
 
 inline say(kind) {
@@ -46,9 +49,9 @@ inline learn_session(number) {
 }
 
 inline answer_done() {
-  out.type = Done; out.session = (unanswered < UNANSWERED -> sbc_session : 0); out.time = mission_time;
+  out.type = Done; out.session = (claims == 1 && unanswered < UNANSWERED -> sbc_session : 0); out.time = mission_time;
   if
-  :: out.session != 0 && (mission_time != progress || out.session != progress_session) -> since_progress = 0
+  :: out.session != 0 && (NEWS(mission_time) || out.session != progress_session) -> since_progress = 0
   :: else -> skip
   fi;
   put(from_sbc, FROM_SBC)
@@ -101,7 +104,7 @@ inline instruct(what) {
   fi;
   pending_session = sbc_session; pending_command = commands;
   renumber();
-  waiting = 1; due = 1
+  waiting = 1; due = 1; claims = 1
 }
 
 #define TAKING (waiting == 1 && pending_control == Take)
@@ -110,7 +113,15 @@ inline rest() { printf("mission rests\n") }
 
 inline mission() {
   if
-  :: finished == 1 || sbc_stuck == 1 || commands == COMMANDS -> rest()
+  :: leaves == 1 || found == 1 || sbc_stuck == 1 || commands == COMMANDS -> rest()
+  :: leaves == 0 && goes_on == 1 && sbc_stuck == 0 && commands < COMMANDS ->
+     /* The command in force, in the session that hookbeh obeys or a new one; or what was given back once more. */
+     if
+     :: OBEYED && finished == 0 -> instruct(Steer)
+     :: OBEYED && finished == 1 -> instruct(GiveBack)
+     :: !OBEYED -> instruct(Take)
+     fi
+  :: leaves == 0 && goes_on == 0 && found == 0 && sbc_stuck == 0 && commands < COMMANDS && finished == 1 -> rest()
   :: else ->
      if
      :: !OBEYED && !TAKING && (tick_state == Ready || tick_state == Silent) -> instruct(Take)
@@ -126,9 +137,47 @@ inline mission() {
 
 inline write_instruction() {
   due = 0;
+  told_sequence = sequence;
+  told_end = (pending_control == GiveBack && told_end == 0 -> pending_command : told_end);
   out.type = Write; out.session = pending_session; out.control = pending_control; out.sequence = sequence;
   out.command = pending_command;
   put(from_sbc, FROM_SBC)
+}
+
+/* As soon as hookbeh says what became of the flight in which the checkpoint was made. */
+inline consider_checkpoint() {
+  if
+  :: found == 0 || sbc_stuck == 1 || tick_state == Absent || tick_state == Complete -> skip
+  :: found == 1 && sbc_stuck == 0 && tick_state == Ready -> /* another flight */
+     found = 0; sbc_session = 0; mission_time = 0; told_sequence = 0; told_end = 0;
+     printf("decides anew\n")
+  :: found == 1 && sbc_stuck == 0 && (tick_state == Active || tick_state == Silent) ->
+     found = 0;
+     if
+     :: kept_finished == 0 || OBEYED -> goes_on = 1; finished = kept_finished; printf("decides on\n")
+     :: sbc_session = 0; leaves = 1; printf("decides leaves\n") /* too late, or there is nothing to give back */
+     fi
+  fi
+}
+
+/* Checkpoint::keep, before the answer. */
+inline keep_checkpoint() {
+  if
+  :: found == 0 && leaves == 0 && sbc_session != 0 && (kept == 0 || sequence != kept_sequence) ->
+     kept = 1; kept_session = sbc_session; kept_sequence = sequence; kept_finished = finished
+  :: else -> skip
+  fi
+}
+
+inline write_answer() {
+  if
+  :: resubscribe == 1 -> say(Subscribe)
+  :: else -> skip
+  fi;
+  if
+  :: waiting == 1 && due == 1 -> write_instruction()
+  :: else -> skip
+  fi
 }
 
 inline handle_tick() {
@@ -137,18 +186,24 @@ inline handle_tick() {
   tick_state = in.state; tick_session = in.session; tick_answered = in.sequence; tick_answer = in.answer;
   learn_session(tick_session);
   follow_instruction();
+  consider_checkpoint();
   if
   :: sbc_stuck == 1 -> skip
   :: else -> mission_time = (mission_time + 1) % TIMES
   fi;
   mission();
+  keep_checkpoint();
+  goes_on = 0;
   if
-  :: resubscribe == 1 -> say(Subscribe)
-  :: else -> skip
-  fi;
-  if
-  :: waiting == 1 && due == 1 -> write_instruction()
-  :: else -> skip
+  :: write_answer()
+#ifdef REPLAY
+  :: write_answer()
+  :: write_answer()
+  :: write_answer()
+  :: write_answer()
+  :: write_answer()
+#endif
+  :: faults > 0 -> fault(); printf("dies\n"); power_cut() /* with the checkpoint written, and no word of the answer */
   fi
 }
 
@@ -166,7 +221,14 @@ inline handle() {
   :: in.type == Tick && (sbc_link == 0 || in.link != sbc_link) -> ask_for_link()
   :: in.type == Tick && sbc_link != 0 && in.link == sbc_link -> handle_tick()
   fi;
-  answer_done()
+  if
+  :: sbc_on == 1 -> answer_done()
+  :: else -> skip
+  fi;
+  if
+  :: leaves == 1 -> power_cut() /* the program ends */
+  :: else -> skip
+  fi
 }
 
 inline sbc_run() {
@@ -186,14 +248,26 @@ inline sbc_run() {
   od
 }
 
-/* It remembers nothing afterwards. */
+/* Nothing is left but the checkpoint; mission time goes on with the vehicle's. */
 inline power_cut() {
   sbc_on = 0; sbc_stuck = 0;
   sbc_link = 0; next_session = 1; sbc_session = 0; sequence = 0; link_used = 0; waiting = 0; due = 0; taken = 0;
   unanswered = 0; last_answered = 0; pending_control = 0; pending_session = 0; pending_command = 0;
   tick_state = Absent; tick_answer = None; tick_session = 0; tick_answered = 0; resubscribe = 0; finished = 0;
-  mission_time = 0;
+  claims = 1; found = 0; leaves = 0;
   printf("sbc off\n")
 }
 
-inline power_back() { sbc_on = 1; disagreed = 0; printf("sbc on\n") }
+/* Without a whole checkpoint it knows nothing. */
+inline power_back() {
+  sbc_on = 1; disagreed = 0;
+  if
+  :: kept == 1 ->
+     printf("sbc on with its checkpoint\n");
+     found = 1; claims = 0; sbc_session = kept_session; sequence = kept_sequence;
+     assert(sequence >= told_sequence); /* what the vehicle has been told is never forgotten */
+     learn_session(kept_session)
+  :: printf("sbc on\n");
+     mission_time = 0; kept = 0; kept_session = 0; kept_sequence = 0; kept_finished = 0; told_sequence = 0; told_end = 0
+  fi
+}

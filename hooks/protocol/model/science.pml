@@ -38,7 +38,7 @@ inline handle_done() {
   fi;
   if
   :: reported_state != Absent &&
-     (reported_session == 0 || (in.session == reported_session && in.time != progress)) ->
+     (reported_session == 0 || (in.session == reported_session && NEWS(in.time))) ->
      progress = (reported_session == 0 -> progress : in.time);
      out.type = Sensors; out.flag = 1;
      put(to_flight, TO_FLIGHT)

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 #include <memory>
 #include <optional>
 #include <poll.h>
@@ -27,7 +28,8 @@ namespace {
 /// A C mission's process at the far end of the vehicle's line.
 class CMission {
  public:
-  CMission(const char* program, VehicleBench& vehicle) : vehicle_(vehicle) {
+  CMission(const char* program, VehicleBench& vehicle, const char* log = nullptr)
+      : vehicle_(vehicle) {
     auto opened = hooks::Pty::open();
     if (!opened) {
       return;
@@ -36,7 +38,11 @@ class CMission {
     std::string path = program;
     std::string option = "--port";
     std::string port = pty_->name();
-    char* arguments[] = {path.data(), option.data(), port.data(), nullptr};
+    std::string log_option = "--log";
+    std::string log_file = log == nullptr ? "" : log;
+    char* arguments[] = {path.data(),     option.data(),
+                         port.data(),     log == nullptr ? nullptr : log_option.data(),
+                         log_file.data(), nullptr};
     if (posix_spawn(&process_, program, nullptr, nullptr, arguments, environ) != 0) {
       process_ = -1;
     }
@@ -46,6 +52,14 @@ class CMission {
   CMission& operator=(const CMission&) = delete;
   ~CMission() { (void)exitStatus(); }
 
+  /// The process that writes its log; 0 if there is none.
+  [[nodiscard]] pid_t writer() const {
+    const std::string number = std::to_string(process_);
+    std::ifstream children("/proc/" + number + "/task/" + number + "/children");
+    pid_t child = 0;
+    children >> child;
+    return child;
+  }
   [[nodiscard]] bool started() const { return process_ > 0; }
   bool hung = false;  ///< a frame got no answer in 10 s
 
@@ -191,6 +205,29 @@ TEST(CMission, Figure2FliesItsStates) {
   EXPECT_EQ(vehicle.hookbeh().state, hooks::HookState::Complete);
   EXPECT_FALSE(mission.hung);
   EXPECT_EQ(mission.exitStatus(), 0);
+}
+
+TEST(CMission, ACardThatStandsStillEndsNothing) {
+  VehicleBench vehicle({}, false);
+  Diver diver(vehicle);
+  char log[] = "/tmp/glider-log-XXXXXX";
+  close(mkstemp(log));
+  CMission mission(GLIDER_FIGURE3, vehicle, log);
+  ASSERT_TRUE(mission.started());
+  vehicle.run(1);
+  const pid_t writer = mission.writer();
+  ASSERT_GT(writer, 0);
+  kill(writer, SIGSTOP);
+  vehicle.run(400);
+  EXPECT_FALSE(mission.hung);
+  EXPECT_EQ(vehicle.hookbeh().state, hooks::HookState::Active);
+  EXPECT_GT(diver.deepest, 12) << "it dives as ever";
+  vehicle.run(1100);
+  EXPECT_EQ(vehicle.hookbeh().state, hooks::HookState::Complete);
+  EXPECT_EQ(mission.exitStatus(), 0);
+  EXPECT_EQ(std::ifstream(log).get(), EOF) << "the card stood still all the time";
+  kill(writer, SIGKILL);
+  unlink(log);
 }
 
 TEST(CMission, EndsWithStatus2WhenTheLineIsLost) {

@@ -65,6 +65,31 @@ TEST_P(Counting, WhateverAPowerCutLeavesOfTheFileTheLastCommittedTickStandsInIt)
 
 INSTANTIATE_TEST_SUITE_P(, Counting, ::testing::Bool());
 
+TEST_F(CheckpointTest, ACardThatFailsForLongLosesNoneThatWasKept) {
+  std::vector<double> memory(mission_.memory.size());
+  GliderContext* context = layOut(memory.data(), mission_.mission);
+  context->moved_list = GLIDER_NO_LIST;
+  Checkpoint checkpoint(store_.store(), 7);
+  for (uint32_t instruction = 1; instruction <= 5; ++instruction) {
+    ASSERT_EQ(checkpoint.keep(*context, {0, 0, 1, instruction}), Checkpoint::Kept::Written);
+  }
+  store_.fails = true;
+  for (uint32_t instruction = 6; instruction < 6 + Checkpoint::kSlots - 1; ++instruction) {
+    ASSERT_EQ(checkpoint.keep(*context, {0, 0, 1, instruction}), Checkpoint::Kept::Failed);
+  }
+  store_.fails = false;
+  const size_t made = store_.log.size();
+  ASSERT_EQ(checkpoint.keep(*context, {0, 0, 1, 99}), Checkpoint::Kept::Written);
+  eachFileAfterCut(store_.log, made + 1, [&](const Bytes& file) {
+    RecordingStore left;
+    left.content = file;
+    LinkFacts facts;
+    GliderContext* found = layOut(memory.data(), mission_.mission);
+    ASSERT_EQ(Checkpoint(left.store(), 7).find(*found, facts), Checkpoint::Found::Good);
+    EXPECT_EQ(facts.instruction, 5U) << "the newest that was kept";
+  });
+}
+
 TEST_F(CheckpointTest, WearIsBoundedAndTheFileDoesNotGrow) {
   counts = false;
   end = 1000;

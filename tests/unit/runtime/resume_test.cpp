@@ -24,6 +24,10 @@ class ResumeTest : public ResumeBench {};
 struct Outage {
   double at, lasts;
   bool counts;
+  /// As its fields: their padding is nobody's.
+  friend std::ostream& operator<<(std::ostream& out, const Outage& outage) {
+    return out << outage.lasts << " s at " << outage.at << (outage.counts ? ", counting" : "");
+  }
 };
 
 class Outages : public ResumeBench, public ::testing::WithParamInterface<Outage> {};

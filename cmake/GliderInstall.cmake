@@ -1,0 +1,64 @@
+# SPDX-FileCopyrightText: 2026 The glidercc authors
+# SPDX-License-Identifier: Apache-2.0
+
+# What `cmake --install build --prefix P` writes. All paths in it are relative to each other, so P may be moved.
+#   bin/glidercc share/glidercc/         the command and what it reads
+#   include/glidercc/                    the headers of missions and behaviours in C (a link)
+#   lib/libglider.a                      missions in C, for this computer (those of the boards: share/glidercc/boards/BOARD)
+#   lib/cmake/glidercc lib/pkgconfig     find_package(glidercc), toolchains of the boards, pkg-config
+#   share/man share/doc/glidercc         manual pages, the documents, examples
+
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+set(package ${CMAKE_SOURCE_DIR}/cmake/package)
+set(made ${CMAKE_BINARY_DIR}/package)
+set(GLIDER_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/glidercc)
+set(GLIDER_DATA_DIR ${CMAKE_INSTALL_DATADIR}/glidercc)
+if(NOT CMAKE_INSTALL_DATADIR STREQUAL share OR NOT CMAKE_INSTALL_BINDIR STREQUAL bin)
+  message(FATAL_ERROR "glidercc looks for share/glidercc beside its bin/: leave CMAKE_INSTALL_BINDIR and _DATADIR as they are")
+endif()
+
+# The command and its data; named one by one, so that nothing else of the build tree slips in.
+install(TARGETS glidercc RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+foreach(folder boards c explain library platforms scenarios)
+  install(DIRECTORY ${GLIDER_SHARE_DIR}/${folder} DESTINATION ${GLIDER_DATA_DIR})
+endforeach()
+
+# Where a C compiler looks. The one copy of the headers is what `glidercc targets --cflags` names too.
+cmake_path(RELATIVE_PATH GLIDER_DATA_DIR BASE_DIRECTORY ${CMAKE_INSTALL_INCLUDEDIR} OUTPUT_VARIABLE data_from_include)
+file(MAKE_DIRECTORY ${made})
+file(CREATE_LINK ${data_from_include}/c ${made}/glidercc SYMBOLIC)
+install(FILES ${made}/glidercc DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(FILES ${GLIDER_SHARE_DIR}/boards/host/libglider.a DESTINATION ${CMAKE_INSTALL_LIBDIR})
+
+# CMake and pkg-config.
+configure_package_config_file(${package}/glidercc-config.cmake.in ${made}/glidercc-config.cmake
+  INSTALL_DESTINATION ${GLIDER_CMAKE_DIR} PATH_VARS CMAKE_INSTALL_BINDIR CMAKE_INSTALL_INCLUDEDIR CMAKE_INSTALL_LIBDIR GLIDER_DATA_DIR)
+write_basic_package_version_file(${made}/glidercc-config-version.cmake COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
+install(FILES ${made}/glidercc-config.cmake ${made}/glidercc-config-version.cmake
+  ${package}/glidercc_mission.cmake DESTINATION ${GLIDER_CMAKE_DIR})
+cmake_path(RELATIVE_PATH GLIDER_DATA_DIR BASE_DIRECTORY ${GLIDER_CMAKE_DIR} OUTPUT_VARIABLE GLIDER_DATA_FROM_CMAKE)
+foreach(GLIDER_BOARD ${GLIDER_BOARDS})
+  if(GLIDER_BOARD STREQUAL host)
+    continue()
+  endif()
+  foreach(key triple clang_flags before after command)
+    glider_board_field(${GLIDER_BOARD} ${key} GLIDER_${key})
+  endforeach()
+  list(JOIN GLIDER_clang_flags " " GLIDER_clang_flags)
+  configure_file(${package}/toolchain.cmake.in ${made}/${GLIDER_BOARD}.cmake @ONLY)
+  install(FILES ${made}/${GLIDER_BOARD}.cmake DESTINATION ${GLIDER_CMAKE_DIR})
+endforeach()
+cmake_path(SET up "${CMAKE_INSTALL_LIBDIR}/pkgconfig")
+cmake_path(RELATIVE_PATH CMAKE_INSTALL_BINDIR BASE_DIRECTORY ${up} OUTPUT_VARIABLE bin_from_pc)
+cmake_path(GET bin_from_pc PARENT_PATH GLIDER_PREFIX_FROM_PC)
+configure_file(${package}/glidercc.pc.in ${made}/glidercc.pc @ONLY)
+install(FILES ${made}/glidercc.pc DESTINATION ${up})
+
+# To read, and to begin from.
+install(FILES ${CMAKE_BINARY_DIR}/share/man/man1/glidercc.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+install(FILES ${CMAKE_SOURCE_DIR}/runtime/c/glidercc-runtime.3 DESTINATION ${CMAKE_INSTALL_MANDIR}/man3)
+install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY missions/examples missions/gallery DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY missions/detector DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)

@@ -1,0 +1,224 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "runtime/board/card.h"
+
+#include "runtime/log/mission_log.h"
+
+#include <errno.h>
+#include <poll.h>
+#include <signal.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+namespace glider::runtime {
+namespace {
+
+Card& cardOf(void* self) {
+  return *static_cast<Card*>(self);
+}
+
+/// One byte that says that there is something to do, or that it is done.
+bool nudge(int descriptor) {
+  const uint8_t byte = 0;
+  ssize_t sent = -1;
+  do {
+    sent = ::write(descriptor, &byte, 1);
+  } while (sent < 0 && errno == EINTR);
+  return sent == 1;
+}
+
+/// Waits for such a byte; false if the other end is gone.
+bool isNudged(int descriptor) {
+  uint8_t byte = 0;
+  ssize_t got = -1;
+  do {
+    got = ::read(descriptor, &byte, 1);
+  } while (got < 0 && errno == EINTR);
+  return got == 1;
+}
+
+}  // namespace
+
+bool Card::start(const CardWork& work, uint32_t most_bytes, double patience, double rest) {
+  work_ = work;
+  most_bytes_ = most_bytes > MissionLog::kBytes ? most_bytes : MissionLog::kBytes;
+  patience_s_ = left_s_ = patience;
+  rest_s_ = rest;
+  int orders[2];
+  int answers[2];
+  if ((work.log.write == nullptr && work.checkpoints.write == nullptr) || pipe(orders) != 0 ||
+      pipe(answers) != 0) {
+    return false;
+  }
+  void* shared = mmap(nullptr, sizeof(Order) + most_bytes_, PROT_READ | PROT_WRITE,
+                      MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (shared == MAP_FAILED) {
+    return false;
+  }
+  order_ = static_cast<Order*>(shared);
+  // Not fork(), which has to do with threads and a heap, of which there are none.
+  const pid_t process = _Fork();
+  if (process == 0) {
+    close(orders[1]);
+    close(answers[0]);
+    serve(orders[0], answers[1]);
+  }
+  close(orders[0]);
+  close(answers[1]);
+  orders_ = orders[1];
+  answers_ = answers[0];
+  order_ = process > 0 ? order_ : nullptr;
+  return process > 0;
+}
+
+/// The other process: one order after the other, until the mission's process is gone.
+void Card::serve(int orders, int answers) {
+  // The line to the vehicle is not its business, nor is a key at the terminal.
+  close(STDIN_FILENO);
+  close(STDOUT_FILENO);
+  signal(SIGINT, SIG_IGN);
+  while (isNudged(orders)) {
+    order_->answer = carryOut();
+    if (!nudge(answers)) {
+      break;
+    }
+  }
+  _exit(0);
+}
+
+int32_t Card::carryOut() {
+  const GliderLogSink& log = work_.log;
+  switch (order_->task) {
+    case Task::LogWrite:
+      return log.write(log.self, bytes(), order_->count);
+    case Task::LogSync:
+      return log.sync(log.self);
+    case Task::LogRenew:
+      return log.renew(log.self);
+    default:
+      return carryOutOnStore();
+  }
+}
+
+int32_t Card::carryOutOnStore() {
+  const GliderStore& store = work_.checkpoints;
+  if (!held_ && work_.hold != nullptr) {
+    work_.hold(store);
+  }
+  held_ = true;
+  switch (order_->task) {
+    case Task::StoreRead:
+      return store.read(store.self, order_->offset, bytes(), order_->count);
+    case Task::StoreWrite:
+      return store.write(store.self, order_->offset, bytes(), order_->count);
+    default:
+      return store.sync(store.self);
+  }
+}
+
+bool Card::hear(double seconds) {
+  const double began = clock_.now();
+  double passed = 0;
+  int ready = 0;
+  do {
+    pollfd wanted{answers_, POLLIN, 0};
+    const double left = seconds < 0 ? -0.001 : seconds > passed ? seconds - passed : 0.0;
+    ready = poll(&wanted, 1, static_cast<int>(left * 1000));
+    passed = clock_.now() - began;
+  } while (ready < 0 && errno == EINTR);
+  if (left_s_ >= 0) {
+    left_s_ = left_s_ > passed ? left_s_ - passed : 0.0;
+  }
+  if (ready <= 0) {
+    return false;
+  }
+  busy_ = false;
+  gone_ = !isNudged(answers_);
+  return !gone_;
+}
+
+/// False while the card is not to be asked.
+bool Card::isFree() {
+  if (busy_ && !gone_ && hear(0)) {
+    rests_until_s_ = clock_.now() + rest_s_;
+    renewed_ = renewed_ || (order_->task == Task::LogRenew && order_->answer == 1);
+  }
+  return !gone_ && !busy_ && clock_.now() >= rests_until_s_;
+}
+
+int32_t Card::ask(Task task, uint32_t offset, const uint8_t* from, uint32_t count) {
+  if (count > most_bytes_ || !isFree()) {
+    return -1;
+  }
+  if (count > 0) {
+    memcpy(bytes(), from, count);
+  }
+  order(task, offset, count);
+  return !gone_ && hear(left_s_) ? order_->answer : -1;
+}
+
+void Card::order(Task task, uint32_t offset, uint32_t count) {
+  *order_ = {task, offset, count, -1};
+  busy_ = true;
+  gone_ = !nudge(orders_);
+}
+
+GliderLogSink Card::log() {
+  const GliderLogSink& inner = work_.log;
+  if (order_ == nullptr || inner.write == nullptr) {
+    return inner;
+  }
+  return {this, writeLog, inner.sync != nullptr ? syncLog : nullptr,
+          inner.renew != nullptr ? renewLog : nullptr};
+}
+
+GliderStore Card::checkpoints() {
+  const GliderStore& inner = work_.checkpoints;
+  return order_ == nullptr || inner.write == nullptr ? inner : GliderStore{this, read, write, sync};
+}
+
+int32_t Card::writeLog(void* self, const uint8_t* bytes, uint32_t count) {
+  return cardOf(self).ask(Task::LogWrite, 0, bytes, count);
+}
+
+int32_t Card::syncLog(void* self) {
+  return cardOf(self).ask(Task::LogSync, 0, nullptr, 0);
+}
+
+/// A log that was renewed after nobody waited any more is told of at the next question.
+int32_t Card::renewLog(void* self) {
+  Card& card = cardOf(self);
+  const bool now = card.ask(Task::LogRenew, 0, nullptr, 0) == 1;
+  const bool late = card.renewed_;
+  card.renewed_ = false;
+  return now || late ? 1 : 0;
+}
+
+/// A program that cannot read its checkpoint yet does not fly yet.
+int32_t Card::read(void* self, uint32_t offset, uint8_t* bytes, uint32_t count) {
+  Card& card = cardOf(self);
+  if (count > card.most_bytes_ || !card.isFree()) {
+    return -1;
+  }
+  card.order(Task::StoreRead, offset, count);
+  if (card.gone_ || !card.hear(kForever)) {
+    return -1;
+  }
+  const int32_t got = card.order_->answer;
+  if (got > 0) {
+    memcpy(bytes, card.bytes(), static_cast<uint32_t>(got));
+  }
+  return got;
+}
+
+int32_t Card::write(void* self, uint32_t offset, const uint8_t* bytes, uint32_t count) {
+  return cardOf(self).ask(Task::StoreWrite, offset, bytes, count);
+}
+
+int32_t Card::sync(void* self) {
+  return cardOf(self).ask(Task::StoreSync, 0, nullptr, 0);
+}
+
+}  // namespace glider::runtime

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "hooks/transport/system_clock.h"
+#include "runtime/abi/runtime.h"
+
+/// What a mission keeps on the card, written by a process of its own: a card that stands still
+/// holds up that process, and not the heartbeat.
+namespace glider::runtime {
+
+/// What is done on the card.
+struct CardWork {
+  GliderLogSink log{};
+  GliderStore checkpoints{};
+  /// Called once before the checkpoints are first read or written: waits until no other program's
+  /// process writes them. May be null.
+  void (*hold)(const GliderStore& checkpoints) = nullptr;
+};
+
+/// The mission's end of that process. Its log and checkpoints behave as those of the CardWork, but
+/// for this: what is not done in time fails at once, until the card has done it and has then
+/// rested.
+class Card {
+ public:
+  /// What waiting for the card may cost of a cycle, s: less than the cycle's four, so that the SBC
+  /// never lags behind the vehicle.
+  static constexpr double kPatience = 3;
+  /// So long the card is left alone once it has moved again, s: one that is always slow then costs
+  /// one wait a minute.
+  static constexpr double kRest = 60;
+
+  Card() = default;
+  Card(const Card&) = delete;
+  Card& operator=(const Card&) = delete;
+
+  /// Starts the process; no checkpoint has more than `most_bytes`. False if there is none: then
+  /// `work` is done in this process, and whatever the card takes. `patience` and `rest` in s.
+  bool start(const CardWork& work, uint32_t most_bytes, double patience = kPatience,
+             double rest = kRest);
+  /// The log, and where checkpoints are kept; both point into this object.
+  [[nodiscard]] GliderLogSink log();
+  [[nodiscard]] GliderStore checkpoints();
+  /// The SBC has nothing to do: patience begins anew. In virtual time it has no end, for the
+  /// vehicle's clock waits.
+  void rested(bool virtual_time) { left_s_ = virtual_time ? kForever : patience_s_; }
+
+ private:
+  enum class Task : uint32_t { LogWrite, LogSync, LogRenew, StoreRead, StoreWrite, StoreSync };
+  /// Lies in memory that both processes see; the bytes follow.
+  struct Order {
+    Task task;
+    uint32_t offset;
+    uint32_t count;
+    int32_t answer;
+  };
+  static constexpr double kForever = -1;
+
+  static int32_t writeLog(void* self, const uint8_t* bytes, uint32_t count);
+  static int32_t syncLog(void* self);
+  static int32_t renewLog(void* self);
+  static int32_t read(void* self, uint32_t offset, uint8_t* bytes, uint32_t count);
+  static int32_t write(void* self, uint32_t offset, const uint8_t* bytes, uint32_t count);
+  static int32_t sync(void* self);
+
+  int32_t ask(Task task, uint32_t offset, const uint8_t* bytes, uint32_t count);
+  void order(Task task, uint32_t offset, uint32_t count);
+  /// True once the process has answered.
+  bool hear(double seconds);
+  bool isFree();
+  [[noreturn]] void serve(int orders, int answers);
+  int32_t carryOut();
+  int32_t carryOutOnStore();
+  [[nodiscard]] uint8_t* bytes() const { return reinterpret_cast<uint8_t*>(order_ + 1); }
+
+  CardWork work_;
+  hooks::SystemClock clock_;
+  Order* order_ = nullptr;  ///< null: there is no process
+  uint32_t most_bytes_ = 0;
+  int orders_ = -1;   ///< a byte for each order
+  int answers_ = -1;  ///< a byte for each answer
+  double patience_s_ = kPatience;
+  double rest_s_ = kRest;
+  double left_s_ = kPatience;
+  double rests_until_s_ = 0;
+  bool busy_ = false;     ///< an order was given up, and is not done yet
+  bool gone_ = false;     ///< the process has ended
+  bool renewed_ = false;  ///< a new log has begun, and the mission has not been told
+  bool held_ = false;     ///< in the process: hold() was called
+};
+
+}  // namespace glider::runtime

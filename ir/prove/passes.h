@@ -20,7 +20,8 @@ struct Proof {
   const Options& options;
   support::DiagnosticEngine& diagnostics;
   Findings findings;
-  std::set<CasePlace> dead;  ///< cases that were found never to fire
+  std::set<CasePlace> dead;    ///< cases that were found never to fire
+  std::set<CasePlace> hidden;  ///< those of them that earlier ones hide
 };
 
 namespace passes {

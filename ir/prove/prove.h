@@ -5,10 +5,12 @@
 
 #include "ir/core/mission.h"
 #include "ir/prove/concrete_run.h"
+#include "ir/verify/structure.h"
 #include "platforms/load/platform.h"
 #include "support/diagnostics/engine.h"
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -57,5 +59,11 @@ struct Findings {
 Findings prove(const Mission& mission, const MissionFacts& facts,
                const platforms::Platform& platform, const Options& options,
                support::DiagnosticEngine& diagnostics);
+
+/// The cases of `always` and of states that never fire, as GL3101 and GL3103 say; of each whether
+/// it is earlier ones that hide it. The same is wanted as of prove(); nothing is reported.
+std::map<CasePlace, bool> casesThatNeverFire(const Mission& mission, const MissionFacts& facts,
+                                             const platforms::Platform& platform,
+                                             const Options& options);
 
 }  // namespace glider::ir::prove

@@ -10,6 +10,7 @@
 #include "support/diagnostics/engine.h"
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -29,6 +30,8 @@ struct Options {
   std::optional<uint32_t> library;
   /// Also what is no mistake but worth knowing: Findings::lines.
   bool report = false;
+  /// Is told the number of each requirement before it is judged; may be empty.
+  std::function<void(uint32_t)> before_requirement = {};
 };
 
 /// A line of the report.

@@ -34,6 +34,9 @@ class RequirementCheck {
   void run() {
     for (uint32_t i = 0; i < m_.requirements.size(); ++i) {
       const Requirement& requirement = m_.requirements[i];
+      if (proof_.options.before_requirement) {
+        proof_.options.before_requirement(i);
+      }
       RequirementVerdict verdict = requirement.kind == RequirementKind::StackAtMost
                                        ? judgeStack(requirement)
                                        : judgeRuns(requirement);

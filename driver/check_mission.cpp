@@ -3,9 +3,12 @@
 
 #include "driver/check_mission.h"
 
+#include "driver/check_progress.h"
 #include "driver/closed_loop.h"
 #include "driver/mission_budget.h"
 #include "driver/way_home.h"
+
+#include <fmt/format.h>
 
 #include <utility>
 
@@ -53,6 +56,19 @@ Result<report::JudgedRequirement> judgedRequirement(const Compilation& compilati
   return judged;
 }
 
+/// Proves, and shows on a terminal how far it is.
+Result<ir::prove::Findings> proveWithProgress(Compilation& compilation, const std::string& path,
+                                              ir::prove::Options how) {
+  CheckProgress progress(path);
+  progress.at("looking at cases and orders");
+  how.before_requirement = [&](uint32_t number) {
+    const auto& all = compilation.mission->requirements;
+    progress.at(fmt::format("proving {} of {}: {}", number + 1, all.size(),
+                            compilation.sources.text(all[number].range)));
+  };
+  return proveMission(compilation, how);
+}
+
 /// What goes beyond text and structure, of a mission that is ok().
 Result<void> checkFurther(Checked& checked, const CheckOptions& options) {
   ir::prove::Options how;
@@ -60,7 +76,7 @@ Result<void> checkFurther(Checked& checked, const CheckOptions& options) {
   how.effort *= options.effort;
   how.run_effort *= options.effort;
   Compilation& compilation = *checked.compilation;
-  auto proved = proveMission(compilation, how);
+  auto proved = proveWithProgress(compilation, checked.found.path, how);
   if (!proved) {
     return std::unexpected(proved.error());
   }

@@ -126,13 +126,35 @@ std::vector<std::string> stateNames(const ir::Mission& mission) {
   return names;
 }
 
-Result<ir::prove::Findings> proveMission(Compilation& compilation, ir::prove::Options options) {
+namespace {
+
+/// That of the mission; one in the IR's text form does not bring it.
+Result<void> needPlatform(Compilation& compilation) {
   if (!compilation.platform) {  // a mission in the IR's text form
     auto platform = platforms::loadPlatform(platformFile(compilation.mission->platform));
     if (!platform) {
       return std::unexpected(platform.error());
     }
     compilation.platform = std::move(*platform);
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<std::map<ir::CasePlace, bool>> casesThatNeverFire(Compilation& compilation) {
+  if (auto known = needPlatform(compilation); !known) {
+    return std::unexpected(known.error());
+  }
+  ir::prove::Options options;
+  options.library = compilation.library;
+  return ir::prove::casesThatNeverFire(*compilation.mission, compilation.facts,
+                                       *compilation.platform, options);
+}
+
+Result<ir::prove::Findings> proveMission(Compilation& compilation, ir::prove::Options options) {
+  if (auto known = needPlatform(compilation); !known) {
+    return std::unexpected(known.error());
   }
   options.library = compilation.library;
   return ir::prove::prove(*compilation.mission, compilation.facts, *compilation.platform, options,

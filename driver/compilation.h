@@ -11,6 +11,7 @@
 #include "support/result.h"
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -49,5 +50,8 @@ std::vector<std::string> stateNames(const ir::Mission& mission);
 /// world's failures are a Failure.
 support::Result<ir::prove::Findings> proveMission(Compilation& compilation,
                                                   ir::prove::Options options = {});
+/// Of a mission that is ok(): the cases of which GL3101 or GL3103 says that they never fire, and of
+/// each whether it is earlier ones that hide it.
+support::Result<std::map<ir::CasePlace, bool>> casesThatNeverFire(Compilation& compilation);
 
 }  // namespace glider::driver

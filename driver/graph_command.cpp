@@ -35,15 +35,18 @@ struct GraphOptions {
   std::string output;
 };
 
-std::string draw(const GraphOptions& options, const Compilation& compilation) {
+using DeadCases = std::map<ir::CasePlace, bool>;
+
+std::string draw(const GraphOptions& options, const Compilation& compilation,
+                 const DeadCases& dead) {
   const report::GraphStyle style{options.deepest};
   switch (options.format) {
     case Format::Svg:
-      return report::graphToSvg(graphOf(compilation), style);
+      return report::graphToSvg(graphOf(compilation, dead), style);
     case Format::Dot:
-      return report::graphToDot(graphOf(compilation), style);
+      return report::graphToDot(graphOf(compilation, dead), style);
     case Format::Json:
-      return report::graphToJson(graphOf(compilation));
+      return report::graphToJson(graphOf(compilation, dead));
     case Format::Promela:
       return ir::promela(*compilation.mission);
   }
@@ -63,12 +66,19 @@ bool overwritesMission(const std::string& output, const std::string& mission) {
   return std::filesystem::equivalent(output, mission, error) && !error;
 }
 
-support::Result<void> put(const GraphOptions& options, const Compilation& compilation) {
+support::Result<void> put(const GraphOptions& options, Compilation& compilation) {
   const std::string output = options.output.empty() ? outputName(options) : options.output;
   if (overwritesMission(output, options.mission)) {
     return support::fail(support::DiagnosticId::outputIsInput, options.mission);
   }
-  const std::string text = draw(options, compilation);
+  // Nothing is proved of a mission with errors: what is known of its structure is drawn.
+  auto dead = compilation.ok() && options.format != Format::Promela
+                  ? casesThatNeverFire(compilation)
+                  : support::Result<DeadCases>(DeadCases());
+  if (!dead) {
+    return std::unexpected(dead.error());
+  }
+  const std::string text = draw(options, compilation, *dead);
   if (output == "-") {
     return printOut(text);
   }
@@ -84,7 +94,7 @@ int graph(const GraphOptions& options) {
   if (!compiled) {
     return reportFailure(compiled.error());
   }
-  const Compilation& compilation = **compiled;
+  Compilation& compilation = **compiled;
   reportDiagnostics(compilation.diagnostics, compilation.sources);
   if (!compilation.mission) {
     return kMissionHasErrors;

@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <ranges>
+#include <set>
 
 namespace glider::driver {
 namespace {
@@ -34,11 +36,13 @@ GraphTransition transitionOf(ir::Transition transition) {
 
 class Maker {
  public:
-  explicit Maker(const Compilation& compilation)
+  Maker(const Compilation& compilation, const std::map<ir::CasePlace, bool>& dead)
       : sources_(compilation.sources),
         ast_(compilation.ast ? &*compilation.ast : nullptr),
         mission_(*compilation.mission),
-        structure_(mission_) {}
+        dead_(dead),
+        led_(mission_),
+        structure_(mission_, placesOf(dead)) {}
 
   report::Graph run(const ir::MissionFacts& facts) {
     report::Graph graph;
@@ -47,7 +51,7 @@ class Maker {
     for (uint32_t s = 0; s < mission_.states.size(); ++s) {
       graph.states.push_back(state(s));
     }
-    graph.always = cases(mission_.always, structure_.always, "`always`");
+    graph.always = cases(ir::StateId(), mission_.always, structure_.always, "`always`");
     for (const ir::StateId id : facts.deepest_path) {
       graph.deepest_path.push_back(id.index);
     }
@@ -55,6 +59,10 @@ class Maker {
   }
 
  private:
+  static std::set<ir::CasePlace> placesOf(const std::map<ir::CasePlace, bool>& dead) {
+    const auto places = std::views::keys(dead);
+    return {places.begin(), places.end()};
+  }
   [[nodiscard]] std::string text(support::SourceRange range) const {
     return range.valid() ? std::string(sources_.text(range)) : "";
   }
@@ -72,7 +80,8 @@ class Maker {
     state.source = source(of);
     state.reached = structure_.reached(number);
     state.dead_end = state.reached && structure_.deadEnd(number);
-    state.cases = cases(of.cases, structure_.moves[number], "the state");
+    state.led_to_in_vain = !state.reached && led_.reached(number);
+    state.cases = cases({number}, of.cases, structure_.moves[number], "the state");
     return state;
   }
 
@@ -128,7 +137,8 @@ class Maker {
     return head;
   }
 
-  [[nodiscard]] std::vector<report::GraphCase> cases(const std::vector<ir::Case>& cases,
+  [[nodiscard]] std::vector<report::GraphCase> cases(ir::StateId state,
+                                                     const std::vector<ir::Case>& cases,
                                                      const ir::Moves& moves,
                                                      const char* list) const {
     std::vector<report::GraphCase> result;
@@ -144,6 +154,10 @@ class Maker {
         told.never = fmt::format("never fires: an earlier case of {} always does", list);
       } else if (moves.dead[i] == ir::Dead::AlwaysFalse) {
         told.never = "never fires: its guard is always false";
+      } else if (moves.dead[i] == ir::Dead::Proved) {
+        told.never = dead_.at({state, static_cast<uint32_t>(i)})
+                         ? "never fires: whenever its condition is true, an earlier case fires"
+                         : "never fires: its condition cannot be true";
       }
     }
     return result;
@@ -166,13 +180,15 @@ class Maker {
   const support::SourceManager& sources_;
   const ast::File* ast_;
   const ir::Mission& mission_;
+  const std::map<ir::CasePlace, bool>& dead_;
+  const ir::Structure led_;  ///< with the cases that are proved never to fire
   const ir::Structure structure_;
 };
 
 }  // namespace
 
-report::Graph graphOf(const Compilation& compilation) {
-  return Maker(compilation).run(compilation.facts);
+report::Graph graphOf(const Compilation& compilation, const std::map<ir::CasePlace, bool>& dead) {
+  return Maker(compilation, dead).run(compilation.facts);
 }
 
 }  // namespace glider::driver

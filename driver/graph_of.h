@@ -8,7 +8,8 @@
 
 namespace glider::driver {
 
-/// The state machine of a compilation's mission, with its texts as the pilot wrote them.
-report::Graph graphOf(const Compilation& compilation);
+/// The state machine of a compilation's mission, with its texts as the pilot wrote them. `dead`:
+/// what is proved never to fire, as casesThatNeverFire() says.
+report::Graph graphOf(const Compilation& compilation, const std::map<ir::CasePlace, bool>& dead);
 
 }  // namespace glider::driver

@@ -8,6 +8,7 @@
 #include "ir/opt/optimise.h"
 #include "ir/verify/link_bytes.h"
 
+#include <expected>
 #include <utility>
 
 namespace glider::driver {
@@ -48,22 +49,32 @@ Budget linesBudget(const ir::Mission& mission, Compilation& compilation) {
   return budget;
 }
 
+Quantity figureOf(std::string name, const std::expected<uint64_t, std::string>& bound,
+                  uint64_t limit, std::string unit, std::string remark) {
+  Quantity figure{std::move(name), std::nullopt, limitOf(limit), std::move(unit),
+                  std::move(remark)};
+  if (bound) {
+    figure.value = *bound;
+  } else {
+    figure.remark = bound.error();
+  }
+  return figure;
+}
+
 Budget boardBudget(const codegen::Budget& measured, const platforms::Board& board) {
   Budget budget{board.name, {}};
   budget.quantities = {
       {"executable", measured.executable_bytes, limitOf(board.max_executable_bytes), "bytes",
        "the file that goes on board"},
-      {"memory", measured.memory_bytes, limitOf(board.max_memory_bytes), "bytes",
-       "code and data of the running mission, without the stack"},
-      {"data", measured.data_bytes, std::nullopt, "bytes", "of that, what is written to"}};
-  Quantity tick{"tick_instructions", std::nullopt, limitOf(board.max_tick_instructions),
-                "instructions", "from a frame's readings to the command"};
-  if (measured.tick_instructions) {
-    tick.value = *measured.tick_instructions;
-  } else {
-    tick.remark = measured.tick_instructions.error();
-  }
-  budget.quantities.push_back(std::move(tick));
+      {"memory", measured.memory_bytes + measured.stack_bytes.value_or(0),
+       limitOf(board.max_memory_bytes), "bytes",
+       measured.stack_bytes ? "code, data and stack of the running mission"
+                            : "code and data of the running mission, without the stack"},
+      {"data", measured.data_bytes, std::nullopt, "bytes", "of memory, what is written to"},
+      figureOf("stack", measured.stack_bytes, board.max_stack_bytes, "bytes",
+               "of memory, the stack at its deepest, C library included"),
+      figureOf("tick_instructions", measured.tick_instructions, board.max_tick_instructions,
+               "instructions", "from a frame's readings to the command")};
   return budget;
 }
 

@@ -28,6 +28,8 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
   ~ProgressLine() { clear(); }
+  /// Whether anything is shown.
+  [[nodiscard]] bool onTerminal() const { return terminal_; }
   void show(std::string_view text);
   void clear();
 

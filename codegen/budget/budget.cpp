@@ -3,15 +3,17 @@
 
 #include "codegen/budget/budget.h"
 
+#include "codegen/budget/callees.h"
+#include "codegen/budget/disassembler.h"
 #include "codegen/budget/image.h"
 #include "codegen/budget/loops.h"
+#include "codegen/budget/stack_bound.h"
 #include "codegen/budget/worst_path.h"
 #include "codegen/link/debug_file.h"
 #include "codegen/link/lld.h"
 #include "codegen/program/compile.h"
 #include "support/check.h"
 
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -19,56 +21,6 @@ namespace glider::codegen {
 namespace {
 
 using support::Result;
-
-/// Which of the mission's functions a function of the runtime calls.
-struct PointerCall {
-  std::string_view file, function;
-  const char* prefix;
-};
-constexpr PointerCall kPointerCalls[] = {
-    {"step.cpp", "advance", "advance."},
-    {"step.cpp", "firstTrue", "guards."},
-    {"step.cpp", "fire", "act."},
-    {"step.cpp", "enter", "enter."},
-    {"step.cpp", "fly", "profile."},
-    {"step.cpp", "fly", "route."},
-    {"guard_table.cpp", "firstTrue", "holds."},
-};
-
-/// What a call through a pointer from these frames may reach. In a tick only the runtime makes such
-/// calls, of functions that the mission's tables name. The innermost frame that makes one decides;
-/// where the line tables are silent it may be any.
-std::vector<uint64_t> pointerTargets(const Image& image, const std::vector<uint64_t>& polls,
-                                     const std::vector<Frame>& frames) {
-  const Frame& frame = frames.front();
-  if (frame.line != 0 && frame.file == "readings.cpp" && frame.function == "pollSensors") {
-    return polls;
-  }
-  std::vector<uint64_t> some, all = polls;
-  bool placed = false;
-  for (const PointerCall& call : kPointerCalls) {
-    const std::vector<uint64_t> named = image.functionsNamed(call.prefix);
-    all.insert(all.end(), named.begin(), named.end());
-    if (frame.line != 0 && frame.file == call.file && frame.function == call.function) {
-      some.insert(some.end(), named.begin(), named.end());
-      placed = true;
-    }
-  }
-  return placed ? some : all;
-}
-
-/// The C functions that are asked for readings of the SBC's own sensors.
-std::vector<uint64_t> pollsOf(const Image& image, const ir::Mission& mission) {
-  std::vector<uint64_t> polls;
-  for (const ir::Sensor& sensor : mission.sensors) {
-    if (!sensor.symbol.empty()) {
-      const auto poll = image.function(sensor.symbol);
-      CHECK(poll.has_value(), "an executable was linked without the function of a sensor");
-      polls.push_back(*poll);
-    }
-  }
-  return polls;
-}
 
 std::expected<uint64_t, std::string> tickInstructions(const Image& image,
                                                       const ir::Mission& mission,
@@ -80,13 +32,23 @@ std::expected<uint64_t, std::string> tickInstructions(const Image& image,
   if (!entry) {
     return std::unexpected("the executable has no `gliderStep`");
   }
-  const std::vector<uint64_t> polls = pollsOf(image, mission);
+  const Callees callees(image, mission);
   WorstPath path(image, {[&](const Frame& frame) { return turnsIn(frame, size); },
-                         [&](const std::vector<Frame>& frames) {
-                           return pointerTargets(image, polls, frames);
-                         },
+                         [&](const std::vector<Frame>& frames) { return callees.inTick(frames); },
                          neverCalled});
   return path.bound(*entry);
+}
+
+std::expected<uint64_t, std::string> stackBytes(const Image& image, const ir::Mission& mission,
+                                                const platforms::Board& board) {
+  if (image.code().empty()) {
+    return std::unexpected("the machine code of this target is not followed");
+  }
+  const Callees callees(image, mission);
+  StackBound bound(image, stackMachine(board),
+                   {[&](uint64_t call) { return callees.inProgram(call); }, callsAtOnce});
+  const auto call = bound.bound(image.entry());
+  return call ? std::expected<uint64_t, std::string>(call->bytes) : std::unexpected(call.error());
 }
 
 }  // namespace
@@ -113,6 +75,7 @@ Result<Budget> measureBudget(const ir::Mission& mission, const ir::MissionFacts&
   MissionSize size = sizeOf(mission, facts);
   size.data_bytes = budget.data_bytes;  // what is moved lies in there
   budget.tick_instructions = tickInstructions(*image, mission, size);
+  budget.stack_bytes = stackBytes(*image, mission, board);
   return budget;
 }
 

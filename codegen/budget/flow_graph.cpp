@@ -13,8 +13,8 @@ namespace glider::codegen {
 namespace {
 
 bool goesOn(Flow flow) {
-  return flow == Flow::Next || flow == Flow::JumpIf || flow == Flow::Call ||
-         flow == Flow::CallByPointer || flow == Flow::ReturnIf;
+  return flow == Flow::Next || flow == Flow::JumpIf || flow == Flow::JumpAheadIf ||
+         flow == Flow::Call || flow == Flow::CallByPointer || flow == Flow::ReturnIf;
 }
 
 /// Where an instruction may lead; nothing if nobody can tell.
@@ -27,6 +27,9 @@ std::optional<std::vector<uint64_t>> successors(const Image& image, const Instru
     targets = image.tableTargets(one);
     return targets.empty() ? std::nullopt : std::optional(targets);
   }
+  if (one.flow == Flow::JumpAhead || one.flow == Flow::JumpAheadIf) {
+    targets = image.aheadTargets(one);
+  }
   if (goesOn(one.flow)) {
     targets.push_back(one.address + one.size);
   }
@@ -38,41 +41,51 @@ std::optional<std::vector<uint64_t>> successors(const Image& image, const Instru
 
 }  // namespace
 
+std::string FlowGraph::whyLost(const Image& image, uint64_t address) {
+  return fmt::format("nobody can tell where `{}` goes on at {:#x}", image.symbolAt(address),
+                     address);
+}
+
 std::expected<FlowGraph, std::string> FlowGraph::follow(const Image& image, uint64_t entry) {
+  auto graph = asFarAsKnown(image, entry);
+  if (graph && !graph->lost.empty()) {
+    const uint32_t place = graph->instructions[*graph->lost.begin()];
+    return std::unexpected(whyLost(image, image.code()[place].address));
+  }
+  return graph;
+}
+
+std::expected<FlowGraph, std::string> FlowGraph::asFarAsKnown(const Image& image, uint64_t entry) {
   FlowGraph graph;
   std::unordered_map<uint64_t, uint32_t> number_of;
   auto meet = [&](uint64_t address) -> std::optional<uint32_t> {
+    const auto place = image.at(address);
+    if (!place) {
+      return std::nullopt;
+    }
     const auto [known, added] =
         number_of.try_emplace(address, static_cast<uint32_t>(graph.instructions.size()));
     if (added) {
-      const auto place = image.at(address);
-      if (!place) {
-        return std::nullopt;
-      }
       graph.instructions.push_back(*place);
     }
     return known->second;
   };
-  auto lost = [&](uint64_t address) {
-    return std::unexpected(fmt::format("nobody can tell where `{}` goes on at {:#x}",
-                                       image.symbolAt(address), address));
-  };
   if (!meet(entry)) {
-    return lost(entry);
+    return std::unexpected(whyLost(image, entry));
   }
   for (uint32_t i = 0; i < graph.instructions.size(); ++i) {
-    const Instruction& one = image.code()[graph.instructions[i]];
-    const auto targets = successors(image, one);
-    if (!targets) {
-      return lost(one.address);
-    }
+    const auto targets = successors(image, image.code()[graph.instructions[i]]);
     std::vector<uint32_t> next;
-    for (const uint64_t target : *targets) {
+    bool known = targets.has_value();
+    for (const uint64_t target : targets.value_or(std::vector<uint64_t>{})) {
       const auto node = meet(target);
-      if (!node) {
-        return lost(one.address);
+      known = known && node;
+      if (node) {
+        next.push_back(*node);
       }
-      next.push_back(*node);
+    }
+    if (!known) {
+      graph.lost.insert(i);
     }
     graph.next.push_back(std::move(next));
   }

@@ -7,21 +7,22 @@
 #include <array>
 
 namespace glider::codegen {
-namespace {
 
-bool isCondition(std::string_view text) {
+bool isArmCondition(std::string_view text) {
   static constexpr std::array<std::string_view, 16> kConditions = {
       "eq", "ne", "hs", "cs", "lo", "cc", "mi", "pl",
       "vs", "vc", "hi", "ls", "ge", "lt", "gt", "le"};
   return std::ranges::find(kConditions, text) != kConditions.end();
 }
 
+namespace {
+
 /// Whether `operation` is `base`, perhaps with a condition after it.
 bool isPlain(std::string_view operation, std::string_view base) {
   return operation == base;
 }
 bool isConditional(std::string_view operation, std::string_view base) {
-  return operation.starts_with(base) && isCondition(operation.substr(base.size()));
+  return operation.starts_with(base) && isArmCondition(operation.substr(base.size()));
 }
 bool is(std::string_view operation, std::string_view base) {
   return isPlain(operation, base) || isConditional(operation, base);
@@ -30,7 +31,7 @@ bool is(std::string_view operation, std::string_view base) {
 /// ARM's instructions that name the program counter as what they change.
 Flow armWriteOfPc(const Written& w) {
   const bool conditional =
-      w.operation.size() > 3 && isCondition(w.operation.substr(w.operation.size() - 2));
+      w.operation.size() > 3 && isArmCondition(w.operation.substr(w.operation.size() - 2));
   const Flow back = conditional ? Flow::ReturnIf : Flow::Return;
   if (w.operation.starts_with("ldr")) {
     if (w.operands.starts_with("pc, [sp]")) {
@@ -38,6 +39,10 @@ Flow armWriteOfPc(const Written& w) {
     }
     return !conditional && w.operands.find("lsl #2]") != std::string_view::npos ? Flow::JumpByTable
                                                                                 : Flow::Unknown;
+  }
+  if (w.operation.starts_with("add") && w.operands.starts_with("pc, pc, r") &&
+      w.operands.ends_with(", lsl #2")) {
+    return conditional ? Flow::JumpAheadIf : Flow::JumpAhead;
   }
   if (w.operation.starts_with("mov")) {
     return w.operands == "pc, lr" ? back : conditional ? Flow::Unknown : Flow::JumpByPointer;
@@ -66,7 +71,7 @@ Flow armFlow(const Written& w) {
   }
   const bool many = w.operation.starts_with("ldm") || w.operation.starts_with("pop");
   if (many && w.operands.find("pc") != std::string_view::npos) {
-    const bool conditional = isCondition(w.operation.substr(w.operation.size() - 2));
+    const bool conditional = isArmCondition(w.operation.substr(w.operation.size() - 2));
     return conditional ? Flow::ReturnIf : Flow::Return;
   }
   // A store or a comparison has "pc" first too, and changes nothing.

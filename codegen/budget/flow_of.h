@@ -15,6 +15,9 @@ struct Written {
   std::string_view operands;
 };
 
+/// Whether `text` is a condition of ARM, as "ls" of "ldrls".
+bool isArmCondition(std::string_view text);
+
 /// Where control goes, by the rules of ARM (A32) and of x86 (32 bits, AT&T's way of writing).
 /// Instruction::target is not theirs.
 Flow armFlow(const Written& written);

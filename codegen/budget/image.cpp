@@ -4,6 +4,7 @@
 #include "codegen/budget/image.h"
 
 #include "codegen/budget/disassembler.h"
+#include "codegen/budget/taken.h"
 
 #include <llvm/DebugInfo/DWARF/DWARFContext.h>
 #include <llvm/Demangle/Demangle.h>
@@ -85,11 +86,15 @@ struct Image::Parts {
   std::vector<Segment> segments;
   uint64_t loaded = 0;
   uint64_t writable = 0;
+  uint64_t offsets =
+      0;  // _GLOBAL_OFFSET_TABLE_, from which x86's code that may lie anywhere reckons
+  std::vector<uint64_t> taken;
 
   void readSymbols();
   void readSegments();
   void readCode(Disassembler& disassembler);
   void doubtCounts();
+  void findTaken();
   [[nodiscard]] std::optional<uint32_t> wordAt(uint64_t address) const;
   [[nodiscard]] const Symbol* symbolOf(uint64_t address) const;
 };
@@ -101,6 +106,9 @@ void Image::Parts::readSymbols() {
     const auto section = llvm::expectedToOptional(symbol.getSection());
     if (!name || !address || !section || *section == file->section_end()) {
       continue;
+    }
+    if (*name == "_GLOBAL_OFFSET_TABLE_") {
+      offsets = *address;
     }
     if (name->starts_with("$a") || name->starts_with("$d")) {
       data.add(*address, name->starts_with("$d"));
@@ -149,7 +157,7 @@ void Image::Parts::readCode(Disassembler& disassembler) {
     }
     for (uint64_t at = 0; at < content->size();) {
       const uint64_t address = section.getAddress() + at;
-      if (data.holds(address)) {
+      if (data.holds(address) && !disassembler.isTrap(content->substr(at))) {
         at += sizeof(uint32_t);
         continue;
       }
@@ -166,8 +174,8 @@ void Image::Parts::readCode(Disassembler& disassembler) {
   doubtCounts();
 }
 
-/// What jumps in between the instruction that sets a count and the one that is repeated may bring
-/// another.
+/// What jumps in between the instruction that sets a count, or chooses a table, and the one that
+/// uses it may bring another.
 void Image::Parts::doubtCounts() {
   std::set<uint64_t> targets(words.begin(), words.end());
   for (const Instruction& one : code) {
@@ -175,11 +183,44 @@ void Image::Parts::doubtCounts() {
       targets.insert(one.target);
     }
   }
+  auto entered = [&](const Instruction& one) {
+    const auto next = targets.upper_bound(one.counted_at);
+    return next != targets.end() && *next <= one.address;
+  };
   for (Instruction& one : code) {
-    if (one.repeats >= 0) {
-      const auto next = targets.upper_bound(one.counted_at);
-      const bool entered = next != targets.end() && *next <= one.address;
-      one.repeats = entered ? Instruction::kUncounted : one.repeats;
+    if (one.repeats >= 0 && entered(one)) {
+      one.repeats = Instruction::kUncounted;
+    }
+    if (one.by_distance && entered(one)) {
+      one.flow = Flow::Unknown;
+    }
+    if (one.choices > 0 && entered(one)) {
+      one.choices = 0;
+    }
+  }
+}
+
+/// Words that are loaded, and what code says.
+void Image::Parts::findTaken() {
+  const std::set<uint64_t> distances = distancesIn(code);
+  std::set<uint64_t> addresses = addressesIn(
+      code, offsets, [&](uint64_t address) { return wordAt(address); },
+      [&](uint64_t address) {
+        const Symbol* symbol = symbolOf(address);
+        return symbol == nullptr ? 0 : symbol->address;
+      });
+  for (const Segment& segment : segments) {
+    for (uint64_t place = 0; place + sizeof(uint32_t) <= segment.size; place += sizeof(uint32_t)) {
+      uint32_t word = 0;
+      std::memcpy(&word, segment.bytes + place, sizeof word);
+      if (!distances.contains(segment.address + place)) {
+        addresses.insert(word);
+      }
+    }
+  }
+  for (const Symbol& symbol : symbols) {
+    if (addresses.contains(symbol.address) && (taken.empty() || taken.back() != symbol.address)) {
+      taken.push_back(symbol.address);
     }
   }
 }
@@ -228,6 +269,7 @@ Result<Image> Image::read(const std::string& linked, const platforms::Board& boa
       return std::unexpected(disassembler.error());
     }
     parts->readCode(**disassembler);
+    parts->findTaken();
   }
   return Image(std::move(parts));
 }
@@ -289,15 +331,64 @@ std::vector<Frame> Image::framesAt(uint64_t address) const {
 std::vector<uint64_t> Image::tableTargets(const Instruction& jump) const {
   std::vector<uint64_t> targets;
   const Symbol* symbol = parts_->symbolOf(jump.address);
-  for (uint64_t at_word = jump.target; symbol != nullptr; at_word += sizeof(uint32_t)) {
+  const uint32_t base = jump.by_distance ? static_cast<uint32_t>(parts_->offsets) : 0;
+  for (uint64_t at_word = static_cast<uint32_t>(jump.target + base); symbol != nullptr;
+       at_word += sizeof(uint32_t)) {
     const auto word = parts_->wordAt(at_word);
-    const bool inside = word && *word >= symbol->address && *word < symbol->address + symbol->size;
-    if (!inside || !at(*word)) {
+    const uint32_t target = word.value_or(0) + base;
+    const bool inside =
+        word && target >= symbol->address && target < symbol->address + symbol->size;
+    if (!inside || !at(target)) {
       break;
     }
-    targets.push_back(*word);
+    targets.push_back(target);
   }
   return targets;
+}
+
+std::vector<uint64_t> Image::aheadTargets(const Instruction& jump) const {
+  std::vector<uint64_t> targets;
+  const uint64_t end =
+      jump.choices > 0 ? jump.target + jump.choices * sizeof(uint32_t) : endOfSymbol(jump.address);
+  for (uint64_t target = jump.target; target < end; target += sizeof(uint32_t)) {
+    if (at(target)) {
+      targets.push_back(target);
+    }
+  }
+  return targets;
+}
+
+const std::vector<uint64_t>& Image::takenFunctions() const {
+  return parts_->taken;
+}
+
+std::vector<uint64_t> Image::functionsCalled(const std::string& name) const {
+  std::vector<uint64_t> found;
+  for (const Symbol& symbol : parts_->symbols) {
+    if (symbol.name == name) {
+      found.push_back(symbol.address);
+    }
+  }
+  return found;
+}
+
+std::string Image::baseNameAt(uint64_t address) const {
+  return plain(baseName(symbolAt(address)));
+}
+
+uint64_t Image::startOfSymbol(uint64_t address) const {
+  const Symbol* symbol = parts_->symbolOf(address);
+  return symbol == nullptr ? 0 : symbol->address;
+}
+
+uint64_t Image::endOfSymbol(uint64_t address) const {
+  const Symbol* symbol = parts_->symbolOf(address);
+  return symbol == nullptr ? 0 : symbol->address + symbol->size;
+}
+
+uint64_t Image::entry() const {
+  const auto* elf = llvm::dyn_cast<ELFObjectFileBase>(parts_->file.get());
+  return llvm::cantFail(elf->getStartAddress());
 }
 
 uint64_t Image::loadedBytes() const {

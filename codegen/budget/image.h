@@ -3,9 +3,11 @@
 
 #pragma once
 
+#include "codegen/budget/stack_effect.h"
 #include "platforms/load/board.h"
 #include "support/result.h"
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -24,9 +26,21 @@ enum class Flow : uint8_t {
   CallByPointer,  ///< then on
   JumpByPointer,  ///< to another function for good, on its behalf
   JumpByTable,    ///< a switch: to one of the words from `target` on
+  JumpAhead,      ///< ARM's "add pc, pc, r3, lsl #2": to one of the instructions from `target` on
+  JumpAheadIf,    ///< there or on
   Return,
   ReturnIf,
   Unknown,  ///< nobody can tell
+};
+
+/// What an instruction says of addresses.
+struct Mentions {
+  static constexpr uint8_t kNone = 255;
+  std::array<uint32_t, 3> numbers = {};  ///< x86: in its operands; ARM: the place that it names
+  uint8_t count = 0;
+  uint8_t literal_to = kNone;  ///< ARM: the register that gets the word at numbers[0]
+  uint8_t pc_plus = kNone;     ///< ARM: the register whose distance is added to the place
+  uint16_t registers = 0;      ///< that it has to do with, a bit each
 };
 
 struct Instruction {
@@ -39,6 +53,14 @@ struct Instruction {
   int64_t repeats = kOnce;
   static constexpr int64_t kOnce = -1, kUncounted = -2;
   uint64_t counted_at = 0;  ///< the instruction that set the count
+  /// Of JumpAhead: how many instructions it chooses from, of which a comparison at `counted_at`
+  /// tells; 0: nobody can tell.
+  uint64_t choices = 0;
+  /// Of JumpByTable: the table holds distances from x86's _GLOBAL_OFFSET_TABLE_, as `target` is
+  /// one.
+  bool by_distance = false;
+  StackEffect stack;
+  Mentions mentions;
 };
 
 /// Where in the sources an instruction comes from: the function, or one that was inlined there.
@@ -63,6 +85,8 @@ class Image {
   [[nodiscard]] const std::vector<Instruction>& code() const;
   /// The place in code() of the instruction at `address`.
   [[nodiscard]] std::optional<uint32_t> at(uint64_t address) const;
+  /// Where the program begins.
+  [[nodiscard]] uint64_t entry() const;
   /// The address of function `name`.
   [[nodiscard]] std::optional<uint64_t> function(const std::string& name) const;
   /// The addresses of all functions whose names begin with `prefix`.
@@ -74,6 +98,19 @@ class Image {
   /// Where a switch may go: what its table holds, up to the first word that is no instruction of
   /// the same function. Empty if nobody can tell.
   [[nodiscard]] std::vector<uint64_t> tableTargets(const Instruction& jump) const;
+  /// The functions whose address may be in a pointer: a loaded word or an operand holds it, or a
+  /// distance from where it is used (code that may lie anywhere).
+  [[nodiscard]] const std::vector<uint64_t>& takenFunctions() const;
+  /// All functions of this name: a file's own may have the name of another's.
+  [[nodiscard]] std::vector<uint64_t> functionsCalled(const std::string& name) const;
+  /// The function's name without namespaces and arguments.
+  [[nodiscard]] std::string baseNameAt(uint64_t address) const;
+  /// Where the instruction's symbol begins; 0 if it has none.
+  [[nodiscard]] uint64_t startOfSymbol(uint64_t address) const;
+  /// Where it ends.
+  [[nodiscard]] uint64_t endOfSymbol(uint64_t address) const;
+  /// Where ARM's `add pc, pc, …` may go: its choices, or whatever comes after it in its function.
+  [[nodiscard]] std::vector<uint64_t> aheadTargets(const Instruction& jump) const;
   /// Of what is loaded into memory: all of it, and what is written to.
   [[nodiscard]] uint64_t loadedBytes() const;
   [[nodiscard]] uint64_t writableBytes() const;

@@ -122,6 +122,9 @@ class GuardCheck {
     for (uint32_t i = 0; i < cases.size(); ++i) {
       if (verdicts[i].never || verdicts[i].hidden) {
         proof_.dead.insert({state, i});
+        if (verdicts[i].hidden) {
+          proof_.hidden.insert({state, i});
+        }
       }
       report(cases, i, verdicts[i], where);
     }

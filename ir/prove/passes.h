@@ -22,6 +22,7 @@ struct Proof {
   support::DiagnosticEngine& diagnostics;
   Findings findings;
   std::set<CasePlace> dead;                ///< cases that were found never to fire
+  std::set<CasePlace> hidden;              ///< those of them that earlier ones hide
   std::vector<support::SourceRange> said;  ///< conditions of which something was reported
 };
 

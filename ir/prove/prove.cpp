@@ -26,11 +26,26 @@ Findings prove(const Mission& mission, const MissionFacts& facts,
                support::DiagnosticEngine& diagnostics) {
   const Ground ground(mission, platform);
   z3::context context;
-  Proof proof{context, ground, facts, options, diagnostics, {}, {}, {}};
+  Proof proof{context, ground, facts, options, diagnostics, {}, {}, {}, {}};
 #define PASS(name, purpose) passes::name(proof);
 #include "ir/prove/prove_passes.def"
 #undef PASS
   return std::move(proof.findings);
+}
+
+std::map<CasePlace, bool> casesThatNeverFire(const Mission& mission, const MissionFacts& facts,
+                                             const platforms::Platform& platform,
+                                             const Options& options) {
+  const Ground ground(mission, platform);
+  z3::context context;
+  support::DiagnosticEngine unheard;
+  Proof proof{context, ground, facts, options, unheard, {}, {}, {}, {}};
+  passes::guards(proof);
+  std::map<CasePlace, bool> cases;
+  for (const CasePlace& place : proof.dead) {
+    cases.emplace(place, proof.hidden.contains(place));
+  }
+  return cases;
 }
 
 }  // namespace glider::ir::prove

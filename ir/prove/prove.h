@@ -5,10 +5,13 @@
 
 #include "ir/core/mission.h"
 #include "ir/prove/concrete_run.h"
+#include "ir/verify/structure.h"
 #include "platforms/load/platform.h"
 #include "support/diagnostics/engine.h"
 
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,6 +30,8 @@ struct Options {
   std::optional<uint32_t> library;
   /// Also what is no mistake but worth knowing: Findings::lines.
   bool report = false;
+  /// Is told the number of each requirement before it is judged; may be empty.
+  std::function<void(uint32_t)> before_requirement = {};
 };
 
 /// A line of the report.
@@ -58,5 +63,11 @@ struct Findings {
 Findings prove(const Mission& mission, const MissionFacts& facts,
                const platforms::Platform& platform, const Options& options,
                support::DiagnosticEngine& diagnostics);
+
+/// The cases of `always` and of states that never fire, as GL3101 and GL3103 say; of each whether
+/// it is earlier ones that hide it. The same is wanted as of prove(); nothing is reported.
+std::map<CasePlace, bool> casesThatNeverFire(const Mission& mission, const MissionFacts& facts,
+                                             const platforms::Platform& platform,
+                                             const Options& options);
 
 }  // namespace glider::ir::prove

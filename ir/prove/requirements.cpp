@@ -36,6 +36,9 @@ class RequirementCheck {
   void run() {
     for (uint32_t i = 0; i < m_.requirements.size(); ++i) {
       const Requirement& requirement = m_.requirements[i];
+      if (proof_.options.before_requirement) {
+        proof_.options.before_requirement(i);
+      }
       RequirementVerdict verdict = judge(requirement);
       verdict.requirement = i;
       proof_.findings.requirements.push_back(std::move(verdict));

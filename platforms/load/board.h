@@ -42,6 +42,7 @@ struct Board {
   std::vector<std::string> clang_flags;  ///< what makes clang compile for this processor
   uint64_t max_executable_bytes = 0;     ///< of the stripped executable; 0: no limit
   uint64_t max_memory_bytes = 0;         ///< of code, data and stack; 0: no limit
+  uint64_t max_stack_bytes = 0;          ///< of the stack at its deepest; 0: no limit
   uint64_t max_tick_instructions = 0;    ///< from a frame's readings to the command; 0: no limit
   Kernel kernel;
   std::vector<std::string>

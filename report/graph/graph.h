@@ -28,9 +28,10 @@ struct GraphState {
   std::string parameters;  ///< "to: position, limit: time"; may be empty
   std::string profile;     ///< "yo(5 m, 20 m, 26 deg, 26 deg)"
   std::string route;
-  std::string source;     ///< the head of the state, up to `events`, with its own lines
-  bool reached = true;    ///< something leads to it
-  bool dead_end = false;  ///< nothing leaves it
+  std::string source;           ///< the head of the state, up to `events`, with its own lines
+  bool reached = true;          ///< something leads to it
+  bool led_to_in_vain = false;  ///< not reached, as only cases that never fire lead to it
+  bool dead_end = false;        ///< nothing leaves it
   std::vector<GraphCase> cases;
 };
 

@@ -54,6 +54,7 @@ std::string graphToJson(const Graph& graph) {
                       {"profile", state.profile},
                       {"route", state.route},
                       {"reached", state.reached},
+                      {"led_to_in_vain", state.led_to_in_vain},
                       {"dead_end", state.dead_end},
                       {"cases", casesOf(graph, state.cases)}});
   }

@@ -17,6 +17,7 @@ constexpr double kRow = 30, kSample = 56, kBetween = 26;
 struct Entry {
   Arrow arrow;
   const char* meaning;
+  bool unreached = false;  ///< the form is that of a state that is not reached
 };
 
 Arrow sample(GraphTransition transition, bool always = false, bool never = false) {
@@ -51,6 +52,9 @@ std::vector<Entry> entriesFor(const Graph& graph) {
   if (never) {
     entries.push_back({sample(GraphTransition::Goto, false, true), "never fires"});
   }
+  if (!std::ranges::all_of(graph.states, &GraphState::reached)) {
+    entries.push_back({{}, "never entered", true});
+  }
   return entries;
 }
 
@@ -65,6 +69,15 @@ void drawSample(SvgText& svg, const Arrow& arrow, Spot at) {
   }
 }
 
+void drawUnreached(SvgText& svg, Spot at) {
+  Graph graph;
+  graph.states.emplace_back().source = "a state that is never entered";
+  graph.states.front().reached = false;
+  constexpr double kHeight = 18;
+  drawBox(svg, graph, {diagram::Shape::State, 0, {}, kSample, kHeight, 0},
+          {at.x + kSample / 2, at.y});
+}
+
 }  // namespace
 
 double drawLegend(SvgText& svg, const Graph& graph, Spot at, double width) {
@@ -77,7 +90,11 @@ double drawLegend(SvgText& svg, const Graph& graph, Spot at, double width) {
       next = {at.x, next.y + kRow};
       height += kRow;
     }
-    drawSample(svg, entry.arrow, {next.x, next.y + kRow / 2});
+    if (entry.unreached) {
+      drawUnreached(svg, {next.x, next.y + kRow / 2});
+    } else {
+      drawSample(svg, entry.arrow, {next.x, next.y + kRow / 2});
+    }
     svg.add("<text class=\"muted\" x=\"{}\" y=\"{}\">{}</text>\n", px(next.x + kSample + 8),
             px(next.y + kRow / 2 + 4), entry.meaning);
     next.x += wide + kBetween;

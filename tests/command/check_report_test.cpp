@@ -47,6 +47,7 @@ TEST(CheckReport, IsATableForPeople) {
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.out, testing::ContainsRegex("to payload +[0-9]+ of 46,080 bytes a cycle"));
   EXPECT_THAT(outcome.out, testing::ContainsRegex("executable +[0-9,]+ of 131,072 bytes"));
+  EXPECT_THAT(outcome.out, testing::ContainsRegex("  stack +[0-9,]+ of 65,536 bytes"));
   EXPECT_THAT(outcome.out, testing::ContainsRegex("tick instructions +[0-9,]+ of 12,500,000"));
   EXPECT_THAT(outcome.out, testing::Not(HasSubstr("ts5500")));
   EXPECT_THAT(outcome.out, HasSubstr("figure2.mission: fine"));
@@ -86,6 +87,15 @@ TEST(CheckReport, TheHostHasNoBoundOfInstructions) {
   EXPECT_THAT(outcome.out, HasSubstr("no bound is known"));
 }
 
+TEST(CheckReport, TheHostHasNoBoundOfTheStack) {
+  const Outcome outcome =
+      runShell("$GLIDERCC check --report --format json --target host " + kFigure2);
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  const json stack = json::parse(outcome.out)["missions"][0]["budget"]["host"]["stack"];
+  EXPECT_TRUE(stack["value"].is_null());
+  EXPECT_THAT(stack["remark"], HasSubstr("not followed"));
+}
+
 TEST(CheckReport, AnUnknownTargetIsAMistakeOfUse) {
   const Outcome outcome = runShell("$GLIDERCC check --report --target ts1 " + kFigure2);
   EXPECT_EQ(outcome.status, 2);
@@ -110,21 +120,51 @@ TEST(CheckReport, TooMuchForABoardIsAnError) {
   EXPECT_EQ(runShell("$GLIDERCC check " + mission).status, 0) << "not asked for";
 }
 
+const fs::path kShare = GLIDER_BINARY_DIR "/share/glidercc";
+
+/// In `to` links to all that `from` holds but `name`, which becomes an empty folder.
+void linkAllBut(const fs::path& from, const std::string& name, const fs::path& to) {
+  fs::create_directory(to);
+  for (const auto& entry : fs::directory_iterator(from)) {
+    if (entry.path().filename() != name) {
+      fs::create_symlink(entry.path(), to / entry.path().filename());
+    }
+  }
+  fs::create_directory(to / name);
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  EXPECT_NE(text.find(from), std::string::npos) << from;
+  return text.replace(text.find(from), from.size(), to);
+}
+
+TEST(CheckReport, TooMuchStackForABoardIsAnError) {
+  const TemporaryFolder folder;  // a board with little of it
+  const fs::path share = folder.path() / "share", boards = share / "boards";
+  linkAllBut(kShare, "boards", share);
+  fs::remove(boards);
+  linkAllBut(kShare / "boards", "ts5500", boards);
+  fs::remove(boards / "ts5500");
+  linkAllBut(kShare / "boards/ts5500", "board.toml", boards / "ts5500");
+  fs::remove(boards / "ts5500/board.toml");
+  (void)folder.write("share/boards/ts5500/board.toml",
+                     replaced(slurp(kShare / "boards/ts5500/board.toml"), "max_stack_bytes = 65536",
+                              "max_stack_bytes = 1024"));
+  const Outcome outcome = runShell("GLIDERCC_SHARE=" + share.string() +
+                                   " $GLIDERCC check --report --target ts5500 " + kFigure2);
+  EXPECT_EQ(outcome.status, 1) << outcome.out << outcome.err;
+  EXPECT_THAT(outcome.err, testing::ContainsRegex("needs up to [0-9]+ bytes of stack on board "
+                                                  "`ts5500`, more than the 1024 .*GL4013"));
+  EXPECT_THAT(outcome.out, testing::ContainsRegex("stack +[0-9,]+ of 1,024 bytes"));
+}
+
 TEST(CheckReport, TooMuchForALineIsAnError) {
   const TemporaryFolder folder;  // a vehicle whose cycle is short
   const fs::path share = folder.path() / "share";
-  fs::create_directory(share);
-  const fs::path real = GLIDER_BINARY_DIR "/share/glidercc";
-  for (const auto& entry : fs::directory_iterator(real)) {
-    if (entry.path().filename() != "platforms") {
-      fs::create_symlink(entry.path(), share / entry.path().filename());
-    }
-  }
-  fs::create_directory(share / "platforms");
-  std::string platform = slurp(real / "platforms/slocum.toml");
-  const std::string cycle = "cycle_s = 4.0";
-  platform.replace(platform.find(cycle), cycle.size(), "cycle_s = 0.05");
-  (void)folder.write("share/platforms/slocum.toml", platform);
+  linkAllBut(kShare, "platforms", share);
+  (void)folder.write(
+      "share/platforms/slocum.toml",
+      replaced(slurp(kShare / "platforms/slocum.toml"), "cycle_s = 4.0", "cycle_s = 0.05"));
   const Outcome outcome =
       runShell("GLIDERCC_SHARE=" + share.string() + " $GLIDERCC check --report " + kFigure2);
   EXPECT_EQ(outcome.status, 1) << outcome.out;

@@ -4,6 +4,7 @@
 #include "tests/support/command.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <gmock/gmock.h>
@@ -45,6 +46,60 @@ TEST(GraphCommand, OtherFormats) {
   const Outcome wrong = runShell("$GLIDERCC graph --format png -o - " + kFigure2);
   EXPECT_EQ(wrong.status, 2);
   EXPECT_THAT(wrong.err, HasSubstr("svg"));
+}
+
+// `deep` is reached by a depth that no sensor reads, and by a case that an earlier one hides.
+const std::string kProvedDead = R"(mission m
+
+state s
+begin
+  flightprofile surfaced
+  sensors missiontime, depth
+  events
+    case depth > 5000 m      goto deep
+    case missiontime >= 1 h  exit
+    case missiontime >= 2 h  call deep
+end
+
+state deep
+begin
+  flightprofile surfaced
+  sensors statetime
+  events
+    case statetime >= 1 h exit
+end
+)";
+
+TEST(GraphCommand, WhatIsProvedDeadIsMarkedAsData) {
+  const TemporaryFolder folder;
+  const std::string mission = folder.write("m.mission", kProvedDead).string();
+  const Outcome outcome = runShell("$GLIDERCC graph --format json -o - " + mission);
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto graph = nlohmann::json::parse(outcome.out);
+  const auto& cases = graph["states"][0]["cases"];
+  EXPECT_EQ(cases[0]["never"], "never fires: its condition cannot be true");
+  EXPECT_FALSE(cases[1].contains("never"));
+  EXPECT_EQ(cases[2]["never"],
+            "never fires: whenever its condition is true, an earlier case fires");
+  EXPECT_EQ(graph["states"][0]["reached"], true);
+  EXPECT_EQ(graph["states"][1]["reached"], false);
+  EXPECT_EQ(graph["states"][1]["led_to_in_vain"], true);
+}
+
+TEST(GraphCommand, WhatIsProvedDeadIsMarkedInPictures) {
+  const TemporaryFolder folder;
+  const std::string mission = folder.write("m.mission", kProvedDead).string();
+  const std::string svg = runShell("$GLIDERCC graph -o - " + mission).out;
+  EXPECT_THAT(svg, HasSubstr("class=\"unreached\""));
+  EXPECT_THAT(svg, HasSubstr("only what never fires leads here"));
+  EXPECT_THAT(svg, HasSubstr(">never fires</text>"));
+  EXPECT_THAT(svg, HasSubstr(">never entered</text>"));
+  const std::string dot = runShell("$GLIDERCC graph --format dot -o - " + mission).out;
+  EXPECT_THAT(dot, HasSubstr("style=\"rounded,dotted\""));
+  EXPECT_THAT(dot, HasSubstr("style=dotted"));
+  const std::string alive = runShell("$GLIDERCC graph -o - " + kFigure2).out;
+  EXPECT_THAT(alive, testing::Not(HasSubstr("class=\"unreached\"")));
+  EXPECT_THAT(alive, testing::Not(HasSubstr(">never")));
 }
 
 TEST(GraphCommand, TheIrTextFormIsDrawnToo) {

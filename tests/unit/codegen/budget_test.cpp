@@ -61,6 +61,9 @@ TEST(Budget, TheExecutableIsTheOneThatIsBuilt) {
     EXPECT_NEAR(static_cast<double>(budget->executable_bytes),
                 static_cast<double>(fs::file_size(output)), 16);
     EXPECT_GT(budget->memory_bytes, budget->data_bytes);
+    ASSERT_TRUE(budget->stack_bytes) << budget->stack_bytes.error();
+    EXPECT_GT(*budget->stack_bytes, 1000u);
+    EXPECT_LT(*budget->stack_bytes, target.max_stack_bytes);
     ASSERT_TRUE(budget->tick_instructions) << budget->tick_instructions.error();
     EXPECT_GT(*budget->tick_instructions, 1000u);
     EXPECT_LT(*budget->tick_instructions, target.max_tick_instructions);
@@ -167,6 +170,8 @@ TEST(FlowOf, Arm) {
       {{"bxne", "lr"}, Flow::ReturnIf},
       {{"bx", "r3"}, Flow::JumpByPointer},
       {{"bic", "r0, r1, r2"}, Flow::Next},
+      {{"add", "pc, pc, r3, lsl #2"}, Flow::JumpAhead},
+      {{"addls", "pc, pc, r3, lsl #2"}, Flow::JumpAheadIf},
       {{"pop", "{r4, pc}"}, Flow::Return},
       {{"popne", "{r4, pc}"}, Flow::ReturnIf},
       {{"pop", "{r4, lr}"}, Flow::Next},

@@ -23,6 +23,7 @@ relocation = "static"
 clang_flags = []
 max_executable_bytes = 65536
 max_memory_bytes = 1000000
+max_stack_bytes = 16384
 max_tick_instructions = 2000000
 [kernel]
 release = "2.4.23"
@@ -81,13 +82,13 @@ TEST(Board, MistakesAreNamedWithTheirLine) {
       {with("clang_flags = []", "clang_flags = [1]"), ":8"},
       {with("65536", "-1"), ":9"},
       {with("65536", "64.5"), ":9"},
-      {with("release = \"2.4.23\"", "release = 2"), ":13"},
-      {with("\"calls\"", "\"../calls\""), ":14"},
-      {with("[\"qemu-i386\", \"-cpu\", \"486\"]", "\"qemu-i386\""), ":16"},
-      {with("[\"crt1.o\"]", "[\"/etc/crt1.o\"]"), ":19"},
-      {with("[\"libc.a\"]", "[\"--script=x\"]"), ":20"},
-      {with("[link]", "[linking]"), ":17"},
-      {kGood + "[more]\n", ":21"},
+      {with("release = \"2.4.23\"", "release = 2"), ":14"},
+      {with("\"calls\"", "\"../calls\""), ":15"},
+      {with("[\"qemu-i386\", \"-cpu\", \"486\"]", "\"qemu-i386\""), ":17"},
+      {with("[\"crt1.o\"]", "[\"/etc/crt1.o\"]"), ":20"},
+      {with("[\"libc.a\"]", "[\"--script=x\"]"), ":21"},
+      {with("[link]", "[linking]"), ":18"},
+      {kGood + "[more]\n", ":22"},
       {"kernel = 3\n" + with("[kernel]", "[kernels]"), ""},
       {"not toml", ":1"},
       {"", ""},

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "driver/check_progress.h"
+
+#include "driver/one_line.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+#include <sys/ioctl.h>
+#include <unistd.h>
+#include <utility>
+
+namespace glider::driver {
+namespace {
+
+constexpr std::chrono::seconds kPatience(1);
+constexpr std::chrono::milliseconds kBetween(250);
+
+/// Of the terminal; a line that is longer could not be written over.
+size_t columns() {
+  constexpr size_t kUsual = 80;
+  winsize size = {};
+  const bool known = ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1;
+  return known ? size.ws_col : kUsual;
+}
+
+/// The beginning of `text` that is at most `bytes` long and ends with a whole character.
+std::string_view cut(std::string_view text, size_t bytes) {
+  auto continues = [&](size_t at) {
+    return (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U;
+  };
+  size_t end = std::min(text.size(), bytes);
+  while (end > 0 && end < text.size() && continues(end)) {
+    --end;
+  }
+  return text.substr(0, end);
+}
+
+}  // namespace
+
+CheckProgress::CheckProgress(std::string mission) : mission_(std::move(mission)) {
+  if (line_.onTerminal()) {
+    teller_ = std::thread([this] { run(); });
+  }
+}
+
+CheckProgress::~CheckProgress() {
+  {
+    const std::lock_guard lock(mutex_);
+    end_ = true;
+  }
+  ended_.notify_all();
+  if (teller_.joinable()) {
+    teller_.join();
+  }
+}
+
+void CheckProgress::at(const std::string& work) {
+  const std::lock_guard lock(mutex_);
+  work_ = onOneLine(work);
+}
+
+/// The solver gives no sign for seconds, so the time is told from beside it.
+void CheckProgress::run() {
+  std::unique_lock lock(mutex_);
+  for (auto wait = std::chrono::milliseconds(kPatience);
+       !ended_.wait_for(lock, wait, [this] { return end_; }); wait = kBetween) {
+    const auto took = std::chrono::steady_clock::now() - begin_;
+    const std::string after =
+        fmt::format(", {} s", std::chrono::duration_cast<std::chrono::seconds>(took).count());
+    const size_t room = columns() - 1;
+    const size_t before = room > after.size() ? room - after.size() : 0;
+    line_.show(fmt::format("{}{}", cut(fmt::format("{}: {}", mission_, work_), before), after));
+  }
+}
+
+}  // namespace glider::driver

@@ -1,0 +1,234 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// The bound of the stack on small functions written in assembly, whose depth can be counted by
+// hand.
+
+#include "codegen/budget/stack_bound.h"
+
+#include "codegen/budget/callees.h"
+#include "codegen/budget/disassembler.h"
+#include "codegen/budget/flow_of.h"
+#include "codegen/budget/stack_state.h"
+#include "support/check.h"
+#include "tests/support/command.h"
+#include "tests/unit/codegen/compiled_mission.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <gmock/gmock.h>
+
+namespace glider::codegen {
+namespace {
+
+using codegen_tests::board;
+using testing::HasSubstr;
+
+/// A function `name` of the assembler.
+std::string function(const std::string& name, const std::string& body) {
+  return ".text\n.globl " + name + "\n.type " + name + ", %function\n" + name + ":\n" + body +
+         "\n.size " + name + ", . - " + name + "\n";
+}
+
+/// What the linker makes of assembly for a board; the program begins at `_start`.
+class Small {
+ public:
+  Small(const std::string& name, const std::string& assembly) : board_(board(name)) {
+    const tests::TemporaryFolder folder;
+    (void)folder.write("small.s", assembly);
+    const std::string at = folder.path().string();
+    const auto outcome = tests::runShell("cd " + at + " && clang-19 --target=" + board_.triple +
+                                         " -mcpu=" + board_.cpu +
+                                         " -c small.s -o small.o && "
+                                         "ld.lld-19 -static -o small small.o");
+    CHECK(outcome.status == 0, outcome.err.c_str());
+    auto image = Image::read(tests::slurp(folder.path() / "small"), board_);
+    CHECK(image.has_value(), "a small program cannot be taken apart");
+    image_.emplace(std::move(*image));
+  }
+
+  /// Bytes of a call of `_start`; `pointers` is what calls through pointers reach.
+  [[nodiscard]] std::expected<uint64_t, std::string> bytes(
+      const std::vector<std::string>& pointers = {}, uint64_t at_once = 1) const {
+    std::vector<uint64_t> targets;
+    for (const std::string& name : pointers) {
+      targets.push_back(*image_->function(name));
+    }
+    const CallKnowledge knowledge{[&](uint64_t) { return targets; },
+                                  [at_once](const std::string&) { return at_once; }};
+    const auto call = StackBound(*image_, stackMachine(board_), knowledge).bound(image_->entry());
+    return call ? std::expected<uint64_t, std::string>(call->bytes) : std::unexpected(call.error());
+  }
+  [[nodiscard]] const Image& image() const { return *image_; }
+
+ private:
+  platforms::Board board_;
+  std::optional<Image> image_;
+};
+
+TEST(StackBoundOfArm, AddsFramesAlongTheDeepestWay) {
+  const Small small("ts7800",
+                    function("_start", "push {r4, lr}\n bl flat\n bl deep\n pop {r4, pc}") +
+                        function("flat", "sub sp, sp, #16\n add sp, sp, #16\n bx lr") +
+                        function("deep",
+                                 "str lr, [sp, #-4]!\n sub sp, sp, #40\n bl flat\n"
+                                 "add sp, sp, #40\n ldr pc, [sp], #4"));
+  EXPECT_EQ(small.bytes(), 8 + 44 + 16);
+}
+
+TEST(StackBoundOfArm, AFramePointerTakesTheStackBack) {
+  const Small small("ts7800", function("_start",
+                                       "push {r11, lr}\n mov r11, sp\n sub sp, sp, #20\n"
+                                       "bic sp, sp, #31\n bl leaf\n"
+                                       "mov sp, r11\n pop {r11, pc}") +
+                                  function("leaf", "mov r11, r11\n bx lr"));
+  EXPECT_EQ(small.bytes(), 8 + 20 + 31);
+}
+
+TEST(StackBoundOfArm, WhatACallLosesIsNoFramePointer) {
+  const Small small("ts7800", function("_start",
+                                       "push {r4, lr}\n mov r12, sp\n sub sp, sp, #20\n"
+                                       "bl leaf\n mov sp, r12\n pop {r4, pc}") +
+                                  function("leaf", "bx lr"));
+  const auto none = small.bytes();
+  ASSERT_FALSE(none);
+  EXPECT_THAT(none.error(), HasSubstr("nobody can tell how deep the stack is in `_start`"));
+}
+
+TEST(StackBoundOfArm, ConditionsThatAreTheSameGoTogether) {
+  const Small small("ts7800", function("_start",
+                                       "push {r4, lr}\n sub sp, sp, #24\n cmp r0, #3\n"
+                                       "addhs sp, sp, #24\n pophs {r4, pc}\n push {r5, r6}\n"
+                                       "add sp, sp, #32\n pop {r4, pc}"));
+  EXPECT_EQ(small.bytes(), 8 + 24 + 8);
+  const Small torn("ts7800", function("_start",
+                                      "push {r4, lr}\n sub sp, sp, #24\n cmp r0, #3\n"
+                                      "addhs sp, sp, #24\n poplo {r4, pc}\n"
+                                      "add sp, sp, #24\n pop {r4, pc}"));
+  ASSERT_FALSE(torn.bytes());
+  EXPECT_THAT(torn.bytes().error(), HasSubstr("not given back"));
+}
+
+TEST(StackBoundOfArm, ASwitchGoesToItsChoices) {
+  const Small small("ts7800", function("_start",
+                                       "push {r4, lr}\n cmp r0, #1\n"
+                                       "addls pc, pc, r0, lsl #2\n b 3f\n b 1f\n b 2f\n"
+                                       "1: push {r5}\n add sp, sp, #4\n b 3f\n"
+                                       "2: sub sp, sp, #64\n add sp, sp, #64\n"
+                                       "3: pop {r4, pc}"));
+  EXPECT_EQ(small.bytes(), 8 + 64);
+}
+
+TEST(StackBoundOfArm, APartMayReturnForItsFunction) {
+  const Small small("ts7800", function("_start",
+                                       "push {r4, lr}\n bleq 1f\n pop {r4, pc}\n"
+                                       "1: push {r5}\n pop {r5}\n bxne lr\n"
+                                       "pop {r4, pc}"));
+  EXPECT_EQ(small.bytes(), 8 + 4);
+}
+
+TEST(StackBoundOfArm, RoomOfAnySizeHasNoBound) {
+  const Small small("ts7800", function("_start",
+                                       "push {r11, lr}\n mov r11, sp\n sub sp, sp, r0\n"
+                                       "mov sp, r11\n pop {r11, pc}"));
+  ASSERT_FALSE(small.bytes());
+  EXPECT_THAT(small.bytes().error(), HasSubstr("nobody can tell how deep"));
+}
+
+TEST(StackBoundOfArm, ALoopThatPushesHasNoBound) {
+  const Small small("ts7800",
+                    function("_start", "1: push {r4}\n subs r0, r0, #1\n bne 1b\n bx lr"));
+  ASSERT_FALSE(small.bytes());
+  EXPECT_THAT(small.bytes().error(), HasSubstr("may grow in a loop of `_start`"));
+}
+
+TEST(StackBoundOfX86, CountsReturnAddresses) {
+  const Small small("ts5500",
+                    function("_start", "pushl %ebx\n call deep\n popl %ebx\n ret") +
+                        function("deep", "subl $28, %esp\n call flat\n addl $28, %esp\n ret") +
+                        function("flat", "pushl %eax\n popl %eax\n ret"));
+  EXPECT_EQ(small.bytes(), 4 + 4 + 28 + 4 + 4);
+}
+
+TEST(StackBoundOfX86, AReturnMayTakeArguments) {
+  const Small small("ts5500",
+                    function("_start", "1: pushl %eax\n call taker\n decl %ebx\n jne 1b\n ret") +
+                        function("taker",
+                                 "pushl %ebp\n movl %esp, %ebp\n andl $-16, %esp\n"
+                                 "subl $32, %esp\n leave\n ret $4"));
+  EXPECT_EQ(small.bytes(), 4 + 4 + 4 + 15 + 32);
+}
+
+TEST(StackBoundOfX86, ACallOfTheNextPlaceIsAPush) {
+  const Small small("ts5500", function("_start", "call 1f\n1: popl %ebx\n ret"));
+  EXPECT_EQ(small.bytes(), 4);
+}
+
+TEST(StackBoundOfX86, TheKernelsCallTakesAFewWords) {
+  const Small small("ts5500", function("_start", "pushl %ebx\n call *%gs:16\n popl %ebx\n ret"));
+  EXPECT_EQ(small.bytes(), 4 + kX86Stack.kernel_bytes);
+}
+
+TEST(StackBoundOfX86, BehindWhatNeverReturnsThereIsNothing) {
+  const Small small("ts5500", function("_start", "subl $12, %esp\n call gone") +
+                                  function("odd", "popl %eax\n popl %eax\n ret") +
+                                  function("gone", "pushl %eax\n1: jmp 1b"));
+  EXPECT_EQ(small.bytes(), 12 + 4 + 4);
+}
+
+TEST(StackBoundOfX86, AStackFromMemoryHasNoBound) {
+  const Small small("ts5500", function("_start", "movl 4(%eax), %esp\n ret"));
+  ASSERT_FALSE(small.bytes());
+}
+
+TEST(StackBoundOfX86, PointersReachWhatIsSaid) {
+  const Small small("ts5500", function("_start", "call *%eax\n jmp *%edx") +
+                                  function("small", "pushl %eax\n popl %eax\n ret") +
+                                  function("large", "subl $99, %esp\n addl $99, %esp\n ret"));
+  EXPECT_EQ(small.bytes(), 4) << "what is null is not called";
+  EXPECT_EQ(small.bytes({"small"}), 4 + 4);
+  EXPECT_EQ(small.bytes({"small", "large"}), 4 + 99);
+  const auto itself = small.bytes({"_start"});
+  ASSERT_FALSE(itself);
+  EXPECT_THAT(itself.error(), HasSubstr("`_start` may call itself"));
+}
+
+TEST(StackBoundOfX86, SoManyCallsAtOnceAreCounted) {
+  const Small small("ts5500", function("_start",
+                                       "subl $20, %esp\n call _start\n"
+                                       "subl $8, %esp\n addl $28, %esp\n ret"));
+  ASSERT_FALSE(small.bytes());
+  EXPECT_EQ(small.bytes({}, 2), 24 + 28);
+  EXPECT_EQ(small.bytes({}, 3), 24 + 24 + 28);
+}
+
+bool has(const Image& image, const char* name) {
+  const auto& taken = image.takenFunctions();
+  return std::ranges::find(taken, *image.function(name)) != taken.end();
+}
+
+TEST(TakenFunctions, AreThoseWhoseAddressIsSomewhere) {
+  const Small arm("ts7800", function("_start", "bl called\n bx lr") + function("called", "bx lr") +
+                                function("kept", "bx lr") + ".data\n.word kept\n");
+  EXPECT_TRUE(has(arm.image(), "kept"));
+  EXPECT_FALSE(has(arm.image(), "called"));
+  const Small x86("ts5500", function("_start", "movl $named, %eax\n call called\n ret") +
+                                function("called", "ret") + function("named", "ret") +
+                                function("kept", "ret") + ".data\n.long kept\n");
+  EXPECT_TRUE(has(x86.image(), "named"));
+  EXPECT_TRUE(has(x86.image(), "kept"));
+  EXPECT_FALSE(has(x86.image(), "called"));
+}
+
+TEST(TakenFunctions, OfArmMayBeDistances) {
+  const Small small("ts7800", function("_start",
+                                       "ldr r3, 2f\n1: add r3, pc, r3\n bx r3\n"
+                                       "2: .word far - (1b + 8)") +
+                                  function("near", "bx lr") + function("far", "bx lr"));
+  EXPECT_TRUE(has(small.image(), "far"));
+  EXPECT_FALSE(has(small.image(), "near"));
+}
+
+}  // namespace
+}  // namespace glider::codegen

@@ -105,7 +105,8 @@ std::string flightLine(const report::FlightSearch& search) {
 std::string requirementLines(const report::CheckedMission& found) {
   std::string text;
   for (const report::JudgedRequirement& one : found.requirements) {
-    text += fmt::format("{}: {}\n", one.verdict, one.text);
+    text +=
+        fmt::format("{}{}: {}\n", one.verdict, one.kept ? " by an earlier check" : "", one.text);
     text += one.premise.empty() ? "" : fmt::format("  {}\n", one.premise);
     text += one.closed_loop ? flightLine(*one.closed_loop) : "";
   }
@@ -266,6 +267,9 @@ void addCheckCommand(CLI::App& app, int& status) {
                    "How many times the usual effort a proof may take (default 1)")
       ->check(CLI::Range(1U, kMostEffort))
       ->option_text("N");
+  command->add_flag("!--no-cache", options->check.cache,
+                    "Search for every proof again (else what an earlier check of the same mission "
+                    "has proved is taken from ~/.cache/glidercc)");
   command
       ->add_option("--traces", options->traces,
                    "Write a run that breaks it for each requirement that does not hold, for "

@@ -6,6 +6,7 @@
 #include "driver/check_progress.h"
 #include "driver/closed_loop.h"
 #include "driver/mission_budget.h"
+#include "driver/proof_cache.h"
 #include "driver/way_home.h"
 
 #include <fmt/format.h>
@@ -44,8 +45,12 @@ Result<report::JudgedRequirement> judgedRequirement(const Compilation& compilati
                                                     const ir::prove::RequirementVerdict& verdict,
                                                     bool fly) {
   const auto range = compilation.mission->requirements[verdict.requirement].range;
-  report::JudgedRequirement judged{range, std::string(compilation.sources.text(range)),
-                                   ir::prove::word(verdict.verdict), std::nullopt, verdict.premise};
+  report::JudgedRequirement judged{range,
+                                   std::string(compilation.sources.text(range)),
+                                   ir::prove::word(verdict.verdict),
+                                   std::nullopt,
+                                   verdict.premise,
+                                   verdict.kept};
   if (fly && verdict.verdict == ir::prove::Verdict::Refuted && verdict.run) {
     const auto search = searchClosedLoop(compilation, verdict);
     if (!search) {
@@ -69,6 +74,21 @@ Result<ir::prove::Findings> proveWithProgress(Compilation& compilation, const st
   return proveMission(compilation, how);
 }
 
+/// A mission that promises nothing has nothing to keep.
+Result<ir::prove::Findings> proveWithCache(Compilation& compilation, const std::string& path,
+                                           ir::prove::Options how, bool wanted) {
+  if (!wanted || compilation.mission->requirements.empty()) {
+    return proveWithProgress(compilation, path, how);
+  }
+  const ProofCache cache(compilation, how);
+  how.kept = [&](uint32_t requirement) { return cache.find(requirement); };
+  auto proved = proveWithProgress(compilation, path, how);
+  if (proved) {
+    cache.keep(proved->requirements);
+  }
+  return proved;
+}
+
 /// What goes beyond text and structure, of a mission that is ok().
 Result<void> checkFurther(Checked& checked, const CheckOptions& options) {
   ir::prove::Options how;
@@ -76,7 +96,7 @@ Result<void> checkFurther(Checked& checked, const CheckOptions& options) {
   how.effort *= options.effort;
   how.run_effort *= options.effort;
   Compilation& compilation = *checked.compilation;
-  auto proved = proveWithProgress(compilation, checked.found.path, how);
+  auto proved = proveWithCache(compilation, checked.found.path, how, options.cache);
   if (!proved) {
     return std::unexpected(proved.error());
   }

@@ -17,6 +17,7 @@ struct CheckOptions {
   bool report = false;               ///< also what is no mistake, and the budgets
   std::vector<std::string> targets;  ///< of the budget; none: all boards of the vehicle
   unsigned effort = 1;               ///< how many times the usual effort a proof may take
+  bool cache = true;                 ///< look what earlier checks have proved, and keep it
 };
 
 /// A mission with all that was found; `found` points into `compilation`, which is null if the file

@@ -82,7 +82,6 @@ struct Image::Parts {
   std::vector<Symbol> symbols;  // functions, by address
   DataAmongCode data;
   std::vector<Instruction> code;
-  std::vector<uint64_t> words;  // all that loaded words hold, sorted
   std::vector<Segment> segments;
   uint64_t loaded = 0;
   uint64_t writable = 0;
@@ -95,6 +94,7 @@ struct Image::Parts {
   void readCode(Disassembler& disassembler);
   void doubtCounts();
   void findTaken();
+  [[nodiscard]] std::set<uint64_t> words() const;
   [[nodiscard]] std::optional<uint32_t> wordAt(uint64_t address) const;
   [[nodiscard]] const Symbol* symbolOf(uint64_t address) const;
 };
@@ -130,11 +130,6 @@ void Image::Parts::readSegments() {
         loaded += segment.p_memsz;
         writable += (segment.p_flags & llvm::ELF::PF_W) != 0 ? uint64_t{segment.p_memsz} : 0;
         const char* begin = bytes->getBufferStart() + segment.p_offset;
-        for (uint64_t at = 0; at + sizeof(uint32_t) <= segment.p_filesz; at += sizeof(uint32_t)) {
-          uint32_t word = 0;  // both boards' processors are little-endian, as this machine is
-          std::memcpy(&word, begin + at, sizeof word);
-          words.push_back(word);
-        }
         segments.push_back({segment.p_vaddr, segment.p_filesz, begin});
       }
     }
@@ -144,8 +139,23 @@ void Image::Parts::readSegments() {
   } else if (const auto* large = llvm::dyn_cast<llvm::object::ELF64LEObjectFile>(file.get())) {
     take(large->getELFFile());
   }
-  std::ranges::sort(words);
-  words.erase(std::ranges::unique(words).begin(), words.end());
+}
+
+/// All that loaded words hold, but distances from a place of the code: those are no addresses,
+/// though the numbers may be the same.
+std::set<uint64_t> Image::Parts::words() const {
+  const std::set<uint64_t> distances = distancesIn(code);
+  std::set<uint64_t> held;
+  for (const Segment& segment : segments) {
+    for (uint64_t place = 0; place + sizeof(uint32_t) <= segment.size; place += sizeof(uint32_t)) {
+      uint32_t word = 0;  // both boards' processors are little-endian, as this machine is
+      std::memcpy(&word, segment.bytes + place, sizeof word);
+      if (!distances.contains(segment.address + place)) {
+        held.insert(word);
+      }
+    }
+  }
+  return held;
 }
 
 void Image::Parts::readCode(Disassembler& disassembler) {
@@ -177,7 +187,7 @@ void Image::Parts::readCode(Disassembler& disassembler) {
 /// What jumps in between the instruction that sets a count, or chooses a table, and the one that
 /// uses it may bring another.
 void Image::Parts::doubtCounts() {
-  std::set<uint64_t> targets(words.begin(), words.end());
+  std::set<uint64_t> targets = words();
   for (const Instruction& one : code) {
     if (one.flow == Flow::Jump || one.flow == Flow::JumpIf || one.flow == Flow::Call) {
       targets.insert(one.target);
@@ -202,22 +212,13 @@ void Image::Parts::doubtCounts() {
 
 /// Words that are loaded, and what code says.
 void Image::Parts::findTaken() {
-  const std::set<uint64_t> distances = distancesIn(code);
   std::set<uint64_t> addresses = addressesIn(
       code, offsets, [&](uint64_t address) { return wordAt(address); },
       [&](uint64_t address) {
         const Symbol* symbol = symbolOf(address);
         return symbol == nullptr ? 0 : symbol->address;
       });
-  for (const Segment& segment : segments) {
-    for (uint64_t place = 0; place + sizeof(uint32_t) <= segment.size; place += sizeof(uint32_t)) {
-      uint32_t word = 0;
-      std::memcpy(&word, segment.bytes + place, sizeof word);
-      if (!distances.contains(segment.address + place)) {
-        addresses.insert(word);
-      }
-    }
-  }
+  addresses.merge(words());
   for (const Symbol& symbol : symbols) {
     if (addresses.contains(symbol.address) && (taken.empty() || taken.back() != symbol.address)) {
       taken.push_back(symbol.address);

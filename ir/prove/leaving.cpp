@@ -35,6 +35,7 @@ class LeavingSearch {
 
   Leaving leaving(double since) const {
     const double gap = ground_.platform.world.tick_gap_s;
+    constexpr Interval kEver{0, kMost, false};
     constexpr double kNever = std::numeric_limits<double>::infinity();
     Leaving found{kNever, std::vector<double>(own_.size(), kNever), 1};
     // From `time` on a sure case, or one before it, fires on every tick; `tick` is when there is
@@ -52,11 +53,12 @@ class LeavingSearch {
       }
       found.by = sure < own_.size() || interrupted ? std::min(found.by, tick) : found.by;
     };
+    // What is sure on the first tick need not stay so: that tick leads away.
+    note(since, since + gap, {{0, since + gap, false}, kEver, {0, gap, false}});
     for (const double stay : stays_) {
       const Interval on{stay, kMost, false};  // the mission has flown as long as that
       note(since + stay, since + stay + gap, {on, on, on});
     }
-    constexpr Interval kEver{0, kMost, false};
     for (const double time : times_) {
       note(time, std::max(since, time) + gap, {{time, kMost, false}, kEver, kEver});
     }

@@ -20,6 +20,17 @@
 /// the platform's sensors can give. docs/verification.md says what is assumed.
 namespace glider::ir::prove {
 
+enum class Verdict : uint8_t { Proved, Refuted, Open };
+
+/// "proved", "refuted", "open".
+const char* word(Verdict verdict);
+
+/// What an earlier check has found out about a requirement.
+struct KeptVerdict {
+  Verdict verdict = Verdict::Open;  ///< proved or open
+  std::string words;                ///< RequirementVerdict::premise or reason
+};
+
 struct Options {
   /// What Z3 may spend on one question, in its own count of steps (`rlimit`): the answer does not
   /// depend on the machine. A question that takes more has no answer, and nothing is reported.
@@ -30,6 +41,8 @@ struct Options {
   std::optional<uint32_t> library;
   /// Also what is no mistake but worth knowing: Findings::lines.
   bool report = false;
+  /// What is known of a requirement (its number) and need not be searched for; may be null.
+  std::function<std::optional<KeptVerdict>(uint32_t)> kept;
   /// Is told the number of each requirement before it is judged; may be empty.
   std::function<void(uint32_t)> before_requirement = {};
 };
@@ -40,17 +53,15 @@ struct ReportLine {
   std::string text;
 };
 
-enum class Verdict : uint8_t { Proved, Refuted, Open };
-
-/// "proved", "refuted", "open".
-const char* word(Verdict verdict);
-
 /// What was found out about a requirement.
 struct RequirementVerdict {
   uint32_t requirement = 0;  ///< its number
   Verdict verdict = Verdict::Open;
   std::optional<ConcreteRun> run;  ///< that breaks it; of Reach, that keeps it
   std::string premise = {};        ///< what a proof takes for granted beyond the assumed world
+  std::string reason = {};         ///< of an open one: why it is
+  bool searched = false;           ///< it took a search that may be long
+  bool kept = false;               ///< Options::kept knew it
 };
 
 struct Findings {

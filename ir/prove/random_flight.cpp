@@ -43,8 +43,8 @@ class RandomFlight {
     for (const Sensor& sensor : m_.sensors) {
       landmarks_.push_back(landmarksOf(sensor));
     }
-    const auto area = std::ranges::find_if_not(requirements, &std::vector<Fence>::empty,
-                                               &Requirement::fences);
+    const auto area =
+        std::ranges::find_if_not(requirements, &std::vector<Fence>::empty, &Requirement::fences);
     if (area != requirements.end()) {
       place_.emplace(startOf(*area), ground.platform, dice_);
     }

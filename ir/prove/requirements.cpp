@@ -39,18 +39,38 @@ class RequirementCheck {
       if (proof_.options.before_requirement) {
         proof_.options.before_requirement(i);
       }
-      RequirementVerdict verdict = judge(requirement);
+      RequirementVerdict verdict = judge(requirement, i);
       verdict.requirement = i;
       proof_.findings.requirements.push_back(std::move(verdict));
     }
   }
 
  private:
-  RequirementVerdict judge(const Requirement& requirement) {
+  RequirementVerdict judge(const Requirement& requirement, uint32_t number) {
     if (requirement.kind == RequirementKind::StackAtMost) {
       return judgeStack(requirement);
     }
-    return requirement.fences.empty() ? judgeRuns(requirement) : judgeAreas(requirement);
+    if (easilyProved(requirement)) {
+      return {0, Verdict::Proved, std::nullopt};
+    }
+    if (const auto& kept = proof_.options.kept) {
+      if (const auto known = kept(number)) {
+        return recall(requirement, *known);
+      }
+    }
+    RequirementVerdict verdict =
+        requirement.fences.empty() ? judgeRuns(requirement) : judgeAreas(requirement);
+    verdict.searched = requirement.kind != RequirementKind::Reach;  // its run is wanted
+    return verdict;
+  }
+
+  RequirementVerdict recall(const Requirement& requirement, const KeptVerdict& known) {
+    RequirementVerdict verdict{0, Verdict::Proved, std::nullopt, known.words};
+    if (known.verdict != Verdict::Proved) {
+      verdict = open(requirement, known.words);
+    }
+    verdict.kept = true;
+    return verdict;
   }
 
   RequirementVerdict judgeAreas(const Requirement& requirement) {
@@ -65,14 +85,12 @@ class RequirementCheck {
     if (auto run = tryAtRandom(requirement)) {
       return broken(requirement, std::move(*run));
     }
-    proof_.diagnostics.report(DiagnosticId::requirementOpen, requirement.range)
-        .note(requirement.range, found.reason + "; no random flight broke it");
-    return {};
+    return open(requirement, found.reason + "; no random flight broke it");
   }
 
   RequirementVerdict judgeStack(const Requirement& requirement) {
     if (proof_.facts.stack_depth <= requirement.depth) {
-      return {0, Verdict::Proved, std::nullopt, {}};
+      return {0, Verdict::Proved, std::nullopt};
     }
     std::string path;
     for (const StateId state : proof_.facts.deepest_path) {
@@ -81,7 +99,7 @@ class RequirementCheck {
     proof_.diagnostics.report(DiagnosticId::requirementBroken, requirement.range,
                               fmt::format("up to {} of the states may wait on the call stack: {}",
                                           proof_.facts.stack_depth, path));
-    return {0, Verdict::Refuted, std::nullopt, {}};
+    return {0, Verdict::Refuted, std::nullopt};
   }
 
   /// Without a search over runs.
@@ -99,14 +117,10 @@ class RequirementCheck {
   }
 
   RequirementVerdict judgeRuns(const Requirement& requirement) {
-    if (easilyProved(requirement)) {
-      return {0, Verdict::Proved, std::nullopt, {}};
-    }
     const RunsAnswer answer = ask(requirement);
     const bool wanted = requirement.kind == RequirementKind::Reach;
     if (answer.bad == Answer::No) {
-      return wanted ? unreached(requirement)
-                    : RequirementVerdict{0, Verdict::Proved, std::nullopt, {}};
+      return wanted ? unreached(requirement) : RequirementVerdict{0, Verdict::Proved, std::nullopt};
     }
     std::optional<ConcreteRun> run;
     if (answer.bad == Answer::Yes) {
@@ -116,9 +130,9 @@ class RequirementCheck {
       run = tryAtRandom(requirement);
     }
     if (!run) {
-      return open(requirement, answer);
+      return open(requirement, reasonOf(answer));
     }
-    return wanted ? RequirementVerdict{0, Verdict::Proved, std::move(run), {}}
+    return wanted ? RequirementVerdict{0, Verdict::Proved, std::move(run)}
                   : broken(requirement, std::move(*run));
   }
 
@@ -160,18 +174,20 @@ class RequirementCheck {
     proof_.diagnostics.report(DiagnosticId::requirementBroken, requirement.range,
                               fmt::format("no run enters state `{}`, whatever the sensors say",
                                           m_[requirement.state].name));
-    return {0, Verdict::Refuted, std::nullopt, {}};
+    return {0, Verdict::Refuted, std::nullopt};
   }
 
-  RequirementVerdict open(const Requirement& requirement, const RunsAnswer& answer) {
-    auto warning = proof_.diagnostics.report(DiagnosticId::requirementOpen, requirement.range);
-    warning.note(
-        requirement.range,
-        answer.bad == Answer::Yes
-            ? "a run seemed to break it, but does not when it is tried; products of "
-              "measured values, windows and C functions are only known roughly here"
-            : fmt::format("Z3 gave up ({}), and no random flight broke it", answer.trouble));
-    return {};
+  static std::string reasonOf(const RunsAnswer& answer) {
+    return answer.bad == Answer::Yes
+               ? "a run seemed to break it, but does not when it is tried; products of measured "
+                 "values, windows and C functions are only known roughly here"
+               : fmt::format("Z3 gave up ({}), and no random flight broke it", answer.trouble);
+  }
+
+  RequirementVerdict open(const Requirement& requirement, const std::string& reason) {
+    proof_.diagnostics.report(DiagnosticId::requirementOpen, requirement.range)
+        .note(requirement.range, reason);
+    return {0, Verdict::Open, std::nullopt, {}, reason};
   }
 
   RequirementVerdict broken(const Requirement& requirement, ConcreteRun run) {
@@ -187,7 +203,7 @@ class RequirementCheck {
       }
       error.note(story[i].range, story[i].text);
     }
-    return {0, Verdict::Refuted, std::move(run), {}};
+    return {0, Verdict::Refuted, std::move(run)};
   }
 
   std::string howBroken(const Requirement& requirement, const ConcreteRun& run) const {

@@ -113,6 +113,9 @@ ordered_json missionOf(const CheckedMission& mission) {
     if (!requirement.premise.empty()) {
       told["premise"] = requirement.premise;
     }
+    if (requirement.kept) {
+      told["kept"] = true;
+    }
     if (requirement.closed_loop) {
       told["closed_loop"] = closedLoopOf(*requirement.closed_loop);
     }

@@ -49,7 +49,7 @@ class MissionClock {
   }
 
  private:
-  /// s; a silent link is told every 12 s. Proofs know it as `tick_gap_s` of the platform file.
+  /// s; a silent link is told every 12 s. `tick_gap_s` of the platform file is this and a cycle.
   static constexpr double kMostSilence = 16;
 
   double origin_ = 0;   ///< vehicle time of mission time 0

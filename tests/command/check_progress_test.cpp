@@ -20,7 +20,7 @@ using testing::Not;
 std::string slowMission() {
   std::string text = "mission survey\n";
   for (int i = 0; i < 3; ++i) {
-    text += "require surfaces every\n  100 min\n";
+    text += "require surfaces every\n  102 min\n";
   }
   auto state = [&](const std::string& name, const std::string& profile, const char* cases) {
     text += "state " + name + "\nbegin\n  flightprofile " + profile +
@@ -41,7 +41,7 @@ TEST(CheckProgress, IsOneLineOfATerminalThatIsGoneAtTheEnd) {
                " && script -qec '$GLIDERCC check --effort 20 slow.mission' /dev/null");
   EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
   EXPECT_THAT(outcome.out, testing::ContainsRegex("\r\x1b\\[Kslow.mission: proving [1-3] of 3: "
-                                                  "require surfaces every 100 min, [0-9]+ s\r"));
+                                                  "require surfaces every 102 min, [0-9]+ s\r"));
   const size_t last = outcome.out.rfind("\r\x1b[K");
   ASSERT_NE(last, std::string::npos);
   EXPECT_THAT(outcome.out.substr(last), testing::StartsWith("\r\x1b[Kslow.mission: fine; "));

@@ -42,6 +42,19 @@ TEST(EndBound, IsTheClocksThatMustBeTrue) {
             1);
 }
 
+TEST(EndBound, AConditionThatHoldsAtFirstEndsItAtOnce) {
+  EXPECT_EQ(gapsBeyond(0, stateText("a", "case (lt missiontime 500:time) exit")), 1);
+  EXPECT_EQ(gapsBeyond(0, stateText("a", "case (not (ge missiontime 500:time)) exit")), 1);
+  EXPECT_EQ(gapsBeyond(300, stateText("a", "case (ge statetime 300:time) goto b") +
+                                stateText("b", "case (lt resumetime 20:time) exit")),
+            2);
+  const double late = gapsBeyond(0, stateText("a", "case (ge statetime 300:time) goto b") +
+                                        stateText("b", "case (lt missiontime 310:time) exit"));
+  EXPECT_TRUE(late != late) << "the first tick may come after that";
+  const double waits = gapsBeyond(0, stateText("a", "case (lt missiontime 2:time) exit"));
+  EXPECT_TRUE(waits != waits);
+}
+
 TEST(EndBound, IsNoneIfASensorMayKeepTheState) {
   const double none = gapsBeyond(0, stateText("a", "case (gt (sensor depth) 5:length) exit"));
   EXPECT_TRUE(none != none);

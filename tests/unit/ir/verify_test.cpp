@@ -101,7 +101,7 @@ TEST(Verify, PassesAreNamedOnceEach) {
     EXPECT_TRUE(names.insert(pass.name).second);
     EXPECT_FALSE(pass.purpose.empty());
   }
-  EXPECT_EQ(names.size(), 7u);
+  EXPECT_EQ(names.size(), 8u);
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ TEST(EndBound, AConditionThatHoldsAtFirstEndsItAtOnce) {
   EXPECT_EQ(gapsBeyond(0, stateText("a", "case (lt missiontime 500:time) exit")), 1);
   EXPECT_EQ(gapsBeyond(0, stateText("a", "case (not (ge missiontime 500:time)) exit")), 1);
   EXPECT_EQ(gapsBeyond(300, stateText("a", "case (ge statetime 300:time) goto b") +
-                                stateText("b", "case (lt resumetime 20:time) exit")),
+                                stateText("b", "case (lt resumetime 30:time) exit")),
             2);
   const double late = gapsBeyond(0, stateText("a", "case (ge statetime 300:time) goto b") +
                                         stateText("b", "case (lt missiontime 310:time) exit"));

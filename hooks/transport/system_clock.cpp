@@ -3,9 +3,9 @@
 
 #include "hooks/transport/system_clock.h"
 
+#include <sys/auxv.h>
 #include <sys/times.h>
 #include <time.h>
-#include <unistd.h>
 
 namespace glider::hooks {
 namespace {
@@ -34,7 +34,8 @@ double now(void* self) {
 
 SystemClock::SystemClock() : last_ticks_(kernelTicks()) {
   monotonic_ = monotonicSeconds(&start_s_);
-  const long rate = sysconf(_SC_CLK_TCK);
+  // What sysconf(_SC_CLK_TCK) answers with, without the rest of what it knows.
+  const unsigned long rate = getauxval(AT_CLKTCK);
   if (rate > 0) {
     ticks_a_second_ = static_cast<double>(rate);
   }

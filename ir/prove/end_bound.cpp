@@ -30,7 +30,12 @@ struct Arrival {
 class Search {
  public:
   Search(const Ground& ground, double latest, Goal goal)
-      : ground_(ground), m_(ground.mission), run_(ground), latest_(latest), goal_(goal) {}
+      : ground_(ground),
+        m_(ground.mission),
+        run_(ground),
+        latest_(latest),
+        goal_(goal),
+        left_by_(ground.mission.states.size(), 0) {}
 
   EndBound end() {
     Control control;
@@ -40,10 +45,10 @@ class Search {
     arrive(control, std::move(values), 0);
     while (!pending_.empty()) {
       if (work_ > kMostWork || !follow()) {
-        return {std::nullopt, stays_};
+        return {std::nullopt, {}, stays_};
       }
     }
-    return {end_, {}};
+    return {end_, left_by_, {}};
   }
 
  private:
@@ -95,6 +100,8 @@ class Search {
       stays_ = from.control.state;
       return false;
     }
+    double& left_by = left_by_[from.control.state.index];
+    left_by = std::max(left_by, leaving.by);
     const std::vector<double> any_time(m_.always.size(), leaving.by);
     branch(from.control, ListKind::State, m_[from.control.state].cases, held, leaving.latest);
     branch(from.control, ListKind::Always, m_.always, held, any_time);
@@ -179,6 +186,7 @@ class Search {
   double latest_;
   Goal goal_;
   StateId stays_;
+  std::vector<double> left_by_;      ///< of each state
   std::map<Arrival, double> times_;  ///< the latest at which it becomes so
   std::vector<Arrival> pending_;
   double end_ = 0;

@@ -6,6 +6,7 @@
 #include "ir/prove/ground.h"
 
 #include <optional>
+#include <vector>
 
 namespace glider::ir::prove {
 
@@ -27,6 +28,9 @@ enum class Goal : uint8_t {
 /// When it has come, for the first time.
 struct EndBound {
   std::optional<double> by;  ///< mission time, s, as endsBy
+  /// With `by`, of each state: after this mission time, s, it is not current any more; 0: it never
+  /// is.
+  std::vector<double> left_by;
   StateId stays;  ///< without `by`: a state in which a run may stay beyond `latest`; invalid: the
                   ///< search was given up
 };

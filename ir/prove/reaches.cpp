@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/eval/arithmetic.h"
+#include "ir/prove/duration_text.h"
+#include "ir/prove/end_bound.h"
+#include "ir/prove/orders.h"
+#include "ir/prove/passes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace glider::ir::prove {
+namespace {
+
+constexpr double kLongest = 365 * 86400.0;  // s
+
+/// The one place that a state steers to, if it is fixed.
+std::optional<Position> waypointOf(const Mission& m, const State& state) {
+  std::optional<Position> found;
+  for (const Statement* order : ordersOf(m, state.route)) {
+    const bool fixed = order->command == Command::SteerTo &&
+                       m[order->values.at(0)].op == Op::Constant &&
+                       m[order->values.at(1)].op == Op::Constant;
+    if (!fixed) {
+      return std::nullopt;
+    }
+    const Position place{m[order->values[0]].number, m[order->values[1]].number};
+    if (found && *found != place) {
+      return std::nullopt;
+    }
+    found = place;
+  }
+  return found;
+}
+
+/// Before this mission time, s, the condition is not true: what it says of the clock alone.
+// NOLINTNEXTLINE(misc-no-recursion): as deep as the mission's text nests
+double earliest(const Mission& m, ExprId id) {
+  const Expr& e = m[id];
+  if (e.op == Op::And) {
+    return std::max(earliest(m, e.operands[0]), earliest(m, e.operands[1]));
+  }
+  if (e.op == Op::Or) {
+    return std::min(earliest(m, e.operands[0]), earliest(m, e.operands[1]));
+  }
+  const bool later = (e.op == Op::GreaterEqual || e.op == Op::Greater) &&
+                     m[e.operands[0]].op == Op::MissionTime && m[e.operands[1]].op == Op::Constant;
+  return later ? m[e.operands[1]].number : 0;
+}
+
+/// Before this mission time, s, nothing enters the state.
+double enteredFrom(const Mission& m, uint32_t state) {
+  double time = state == 0 ? 0 : kLongest;
+  const auto look = [&](const std::vector<Case>& cases) {
+    for (const Case& c : cases) {
+      time = c.target == StateId{state} ? std::min(time, earliest(m, c.guard)) : time;
+    }
+  };
+  look(m.always);
+  for (const State& each : m.states) {
+    look(each.cases);
+  }
+  return time;
+}
+
+}  // namespace
+
+/// A waypoint may be meant to be steered to for a while and never reached, so these are no
+/// mistakes. Where the vehicle is when control is given is not known, so only ways from another
+/// waypoint are looked at.
+void passes::reaches(Proof& proof) {
+  const Mission& m = proof.ground.mission;
+  std::vector<std::optional<Position>> places;
+  for (const State& state : m.states) {
+    places.push_back(waypointOf(m, state));
+  }
+  const bool some = std::ranges::count_if(places, [](const auto& p) { return p.has_value(); }) > 1;
+  const EndBound end =
+      proof.options.report && some ? boundOf(proof.ground, kLongest, Goal::Exit) : EndBound{};
+  for (size_t i = 0; i < m.states.size() && end.by; ++i) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const auto& other : places) {
+      const bool another = places[i] && other && *other != *places[i];
+      nearest = another ? std::min(nearest, onEarth(Op::Distance, *places[i], *other)) : nearest;
+    }
+    const double stay = end.left_by[i] - enteredFrom(m, static_cast<uint32_t>(i));
+    const double way = proof.ground.platform.world.through_water_m_s * stay;
+    if (nearest < std::numeric_limits<double>::infinity() && way > 0 && way < nearest) {
+      proof.findings.lines.push_back(
+          {m.states[i].range,
+           fmt::format(
+               "`{}` has no time for its waypoint: {:.0f} m from the nearest other one, and "
+               "in {} it gets on by {:.0f} m at most, without a current",
+               m.states[i].name, nearest, durationOf(stay), way)});
+    }
+  }
+}
+
+}  // namespace glider::ir::prove

@@ -6,6 +6,7 @@
 #include "hooks/protocol/crc.h"
 #include "runtime/abi/context_layout.h"
 #include "runtime/core/instruction.h"
+#include "runtime/core/lay_out.h"
 #include "runtime/log/format.h"
 #include "runtime/numbers/numbers.h"
 
@@ -14,6 +15,7 @@
 using glider::hooks::ClientEvent;
 using glider::hooks::HookAnswer;
 using glider::hooks::Instruction;
+using glider::runtime::Checkpoint;
 using glider::runtime::ControlNews;
 using glider::runtime::LogDetail;
 using glider::runtime::LogEvent;
@@ -89,8 +91,9 @@ GliderRuntime::GliderRuntime(void* context_memory, const GliderMission& mission,
       parameters_(options.parameters),
       client_(subscribe(mission, sensors_)),
       log_(options.log, mission),
-      checkpoint_(options.checkpoints, programOf(mission, options)) {
-  lookForCheckpoint();
+      persistence_(Checkpoint(options.checkpoints, programOf(mission, options)),
+                   {client_, control_, clock_, log_}) {
+  persistence_.look(*glider::runtime::layOut(context_memory_, mission_));
 }
 
 glider::hooks::ClientOptions GliderRuntime::subscribe(const GliderMission& mission,
@@ -142,14 +145,14 @@ GliderRuntimeStatus GliderRuntime::poll(const GliderByteStream& stream, const Gl
 
 void GliderRuntime::answerTick(const GliderByteStream& stream, double sbc_time) {
   const glider::hooks::VehicleTick& tick = client_.tick();
-  if (found_) {
-    considerCheckpoint(tick, sbc_time);
+  if (persistence_.isUndecided()) {
+    tryToGoOn(tick, sbc_time);
   }
   const ControlNews news = control_.observe(tick);
   const uint32_t count = gatherUpdates();
   if (context_ != nullptr) {
     stepMission(clock_.atFrame(tick.vehicle_time_s, sbc_time), count);
-  } else if (!found_ && !control_.released() && control_.mayTake()) {
+  } else if (!persistence_.isUndecided() && !control_.released() && control_.mayTake()) {
     clock_.start(tick.vehicle_time_s, sbc_time);
     startMission(count);
   }
@@ -158,7 +161,7 @@ void GliderRuntime::answerTick(const GliderByteStream& stream, double sbc_time) 
   }
   logNews(news);
   logUnanswered(tick);
-  commit();
+  persistence_.commit(context_);
   client_.done(status(), stream);
 }
 
@@ -171,7 +174,15 @@ void GliderRuntime::tickOfClockAlone(double sbc_time) {
   stepMission(clock_.withoutFrame(sbc_time), 0);
   log_.event(context_->mission_time, LogEvent::SilentLink, LogDetail::None,
              glider::runtime::unknown());
-  commit();
+  persistence_.commit(context_);
+}
+
+void GliderRuntime::tryToGoOn(const glider::hooks::VehicleTick& tick, double sbc_time) {
+  auto* found = static_cast<GliderContext*>(context_memory_);
+  if (persistence_.goesOn(tick, *found, sbc_time)) {
+    context_ = found;
+    logged_refusals_ = context_->refused_commands;
+  }
 }
 
 uint32_t GliderRuntime::gatherUpdates() {
@@ -185,9 +196,7 @@ uint32_t GliderRuntime::gatherUpdates() {
 void GliderRuntime::startMission(uint32_t update_count) {
   context_ = gliderStart(context_memory_, &mission_, parameters_, updates_, update_count);
   log_.begin(*context_);
-  if (begins_anew_ != LogDetail::None) {
-    log_.event(0.0, LogEvent::BeginsAnew, begins_anew_, glider::runtime::unknown());
-  }
+  persistence_.begun();
   tellNotes();
   log_.values(*context_);
   logRefusedCommands();

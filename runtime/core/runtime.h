@@ -5,9 +5,9 @@
 
 #include "hooks/client/client.h"
 #include "runtime/abi/runtime.h"
-#include "runtime/checkpoint/checkpoint.h"
 #include "runtime/core/control.h"
 #include "runtime/core/mission_clock.h"
+#include "runtime/core/persistence.h"
 #include "runtime/log/mission_log.h"
 
 /// Joins the link to the mission: every tick of the vehicle is a step of the mission, its commands,
@@ -31,10 +31,7 @@ struct GliderRuntime {
  private:
   static glider::hooks::ClientOptions subscribe(const GliderMission& mission,
                                                 glider::hooks::Subscription* sensors);
-  void lookForCheckpoint();
-  void considerCheckpoint(const glider::hooks::VehicleTick& tick, double sbc_time);
-  void commit();
-  void tellVehicle(const char* what);
+  void tryToGoOn(const glider::hooks::VehicleTick& tick, double sbc_time);
   void answerTick(const GliderByteStream& stream, double sbc_time);
   void tickOfClockAlone(double sbc_time);
   void startMission(uint32_t update_count);
@@ -60,12 +57,6 @@ struct GliderRuntime {
   glider::runtime::MissionClock clock_;
   glider::runtime::MissionLog log_;
   GliderUpdate updates_[glider::hooks::kMostSubscriptions] = {};
-  glider::runtime::Checkpoint checkpoint_;
-  glider::runtime::LinkFacts facts_;  ///< of the checkpoint that was found
-  bool found_ = false;                ///< there is one, and nothing is decided about it
-  /// Why a checkpoint that is there is not taken.
-  glider::runtime::LogDetail begins_anew_ = glider::runtime::LogDetail::None;
-  bool log_fails_ = false;
-  bool not_kept_ = false;  ///< the newest could not be written
+  glider::runtime::Persistence persistence_;
   uint32_t logged_refusals_ = 0;
 };

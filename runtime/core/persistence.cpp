@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "runtime/core/persistence.h"
+
+#include "runtime/log/format.h"
+#include "runtime/numbers/numbers.h"
+
+using glider::hooks::HookState;
+
+namespace glider::runtime {
+
+void Persistence::look(GliderContext& context) {
+  switch (checkpoint_.find(context, facts_)) {
+    case Checkpoint::Found::Good:
+      found_ = true;
+      parts_.client.resume(facts_.session, static_cast<uint16_t>(facts_.instruction));
+      break;
+    case Checkpoint::Found::Broken:
+      begins_anew_ = LogDetail::NoneIsWhole;
+      break;
+    case Checkpoint::Found::Foreign:
+      begins_anew_ = LogDetail::OtherProgram;
+      break;
+    case Checkpoint::Found::Nothing:
+      break;
+  }
+}
+
+bool Persistence::goesOn(const hooks::VehicleTick& tick, const GliderContext& context,
+                         double sbc_time) {
+  if (tick.hook_state == HookState::Ready) {
+    // Since the vehicle's mission began nobody has had control: another flight.
+    found_ = false;
+    begins_anew_ = LogDetail::EarlierFlight;
+    parts_.client.resume(0, parts_.client.sequence());
+  }
+  if (tick.hook_state != HookState::Active && tick.hook_state != HookState::Silent) {
+    return false;
+  }
+  found_ = false;
+  const double outage = tick.vehicle_time_s - facts_.vehicle_time;
+  if (!(outage >= 0.0 && outage <= context.mission->resume_within)) {
+    leaveControl(outage);
+    return false;
+  }
+  parts_.clock.resume(facts_.origin, facts_.vehicle_time, sbc_time);
+  if (tick.obeys_us) {
+    parts_.control.resume();
+  }
+  parts_.log.event(context.mission_time, LogEvent::MissionResumed, LogDetail::None, outage);
+  return true;
+}
+
+void Persistence::leaveControl(double outage) {
+  parts_.log.event(0.0, LogEvent::ControlLeft,
+                   outage >= 0.0 ? LogDetail::TooLong : LogDetail::FromTheFuture, outage);
+  parts_.client.resume(0, parts_.client.sequence());
+  parts_.control.release();
+}
+
+void Persistence::begun() {
+  if (begins_anew_ != LogDetail::None) {
+    parts_.log.event(0.0, LogEvent::BeginsAnew, begins_anew_, unknown());
+  }
+}
+
+/// A word for the vehicle's own log.
+void Persistence::tellVehicle(const GliderContext& context, const char* what) {
+  hooks::MissionNote told;
+  told.mission_time_s = context.mission_time;
+  Text(told.text, hooks::kMostNoteBytes).put(what);
+  parts_.client.tell(told);
+}
+
+/// The log first, so that it holds whatever a checkpoint has behind it. A card that fails is told
+/// once, and never stops the mission.
+void Persistence::commit(const GliderContext* context) {
+  parts_.log.flush();
+  if (context == nullptr) {
+    return;
+  }
+  if (parts_.log.isFailing() && !log_fails_) {
+    tellVehicle(*context, "the SBC's log is not written");
+  }
+  log_fails_ = parts_.log.isFailing();
+  const Checkpoint::Kept kept =
+      checkpoint_.keep(*context, {parts_.clock.vehicle(), parts_.clock.origin(),
+                                  parts_.client.session(), parts_.client.sequence()});
+  const bool failed = kept == Checkpoint::Kept::Failed;
+  if (failed && !not_kept_) {
+    parts_.log.event(context->mission_time, LogEvent::CheckpointNotWritten, LogDetail::None,
+                     unknown());
+    tellVehicle(*context, "the SBC's checkpoint is not written");
+  }
+  if (kept != Checkpoint::Kept::NotDue) {
+    not_kept_ = failed;
+  }
+}
+
+}  // namespace glider::runtime

@@ -8,18 +8,21 @@
 
 enum state { S1, S2, S3, STATES };
 
-static double min, max;
-static enum state current;
-static enum state stack[1];
-static int depth_of_stack;
+/* All that the program must know to go on after a power cut. */
+static struct {
+  double min, max;
+  enum state current;
+  enum state stack[1];
+  int depth_of_stack;
+} own;
 
 /* The state's route and profile, as on entry. */
 static void fly(enum state state) {
   static const double deepest[STATES] = {10, 20, 20};
-  current = state;
-  min = 5;
-  max = deepest[state];
-  setDepths(min, max);
+  own.current = state;
+  own.min = 5;
+  own.max = deepest[state];
+  setDepths(own.min, own.max);
   setPitches(.454, .454);
   switch (state) {
     case S1:
@@ -32,7 +35,7 @@ static void fly(enum state state) {
       steerTo(39.175, -73.82509666666667); /* 3910.5, -7349.5058 */
       break;
   }
-  if (gliderSensor(M_DEPTH) >= max) {
+  if (gliderSensor(M_DEPTH) >= own.max) {
     climb();
   } else {
     dive();
@@ -40,12 +43,12 @@ static void fly(enum state state) {
 }
 
 static void call(enum state state) {
-  stack[depth_of_stack++] = current;
+  own.stack[own.depth_of_stack++] = own.current;
   fly(state);
 }
 
 static void back(void) {
-  fly(stack[--depth_of_stack]);
+  fly(own.stack[--own.depth_of_stack]);
 }
 
 int main(int argc, char** argv) {
@@ -53,8 +56,8 @@ int main(int argc, char** argv) {
   const double callAt = 500, returnAt = 1500, gotoAt = 2000, exitAt = 2500;
   eventList el[STATES], retEl;
   event iter = NULL;
-  event reachMinDepth = EVENT(LEQ, M_DEPTH, &min);
-  event reachMaxDepth = EVENT(GEQ, M_DEPTH, &max);
+  event reachMinDepth = EVENT(LEQ, M_DEPTH, &own.min);
+  event reachMaxDepth = EVENT(GEQ, M_DEPTH, &own.max);
   event tempChange = CUSTOM_EVENT(thermoMet, &thermo);
   event toS3 = EVENT(GEQ, MISSION_TIME, &gotoAt);
   event toS2 = EVENT(GEQ, MISSION_TIME, &callAt);
@@ -67,20 +70,20 @@ int main(int argc, char** argv) {
     }
   }
   if (addEvent(el[S1], toS3) || addEvent(el[S1], toS2) || addEvent(el[S2], tempChange) ||
-      addEvent(el[S2], fromS2) || addEvent(el[S3], theEnd) || useSensor(M_PITCH)) {
+      addEvent(el[S2], fromS2) || addEvent(el[S3], theEnd) || useSensor(M_PITCH) ||
+      keepState(&own, sizeof own)) {
     return 1;
   }
-
   const int status = gliderOpen(argc, argv, "figure2");
   if (status) {
     return status;
   }
   fly(S1);
-  while ((retEl = gliderRun(el[current]))) {
-    const enum state ran = current;
+  while ((retEl = gliderRun(el[own.current]))) {
+    const enum state ran = own.current;
     const double now = gliderSensor(MISSION_TIME);
     while ((iter = nextEvent(retEl, iter))) {
-      if (current != ran) {
+      if (own.current != ran) {
         continue; /* of a state that was left */
       }
       if (iter == reachMinDepth) {
@@ -90,7 +93,7 @@ int main(int argc, char** argv) {
         climb();
       }
       if (iter == tempChange) {
-        trackThermo(&min, &max, 10, 10);
+        trackThermo(&own.min, &own.max, 10, 10);
       }
       if (iter == toS3) {
         fly(S3);

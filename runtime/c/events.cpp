@@ -69,6 +69,9 @@ extern "C" eventList gliderRun(eventList list) {
     if (!Program::instance().nextTick()) {
       return nullptr;
     }
+    if (Program::instance().hasJustResumed()) {
+      break;
+    }
     for (uint32_t i = 0; list != nullptr && i < list->count; ++i) {
       if (fires(*list->events[i])) {
         fired.events[fired.count++] = list->events[i];
@@ -94,6 +97,21 @@ extern "C" event nextEvent(eventList fired, event previous) {
 extern "C" double gliderSensor(uint32_t sensor) {
   const GliderContext& context = Program::instance().context();
   return sensor == MISSION_TIME ? gliderMissionTime(&context) : gliderRead(&context, sensor);
+}
+
+extern "C" int keepState(void* state, size_t bytes) {
+  Program& program = Program::instance();
+  const bool early = !program.isAttached();
+  const auto count = static_cast<uint32_t>(bytes < UINT32_MAX ? bytes : UINT32_MAX);
+  return early && program.kept().add(state, count) ? 0 : -1;
+}
+
+extern "C" void resumeWithin(double seconds) {
+  Program::instance().resumeWithin(seconds);
+}
+
+extern "C" int gliderResumed(void) {
+  return Program::instance().resumed() ? 1 : 0;
 }
 
 extern "C" void giveBack(void) {

@@ -66,13 +66,29 @@ int addEvent(eventList list, event added);
 /* Subscribes a sensor that no event compares. Returns 0 or -1, as addEvent. */
 int useSensor(uint32_t sensor);
 
-/* Opens the link that the command line names (--port PATH, --baud N, --stdio, --log FILE). Returns
-   0; or, having said why, an exit status. --help and --version are answered and end the program
-   with status 0. */
+/* What the program must know to go on after a power cut: with --checkpoint FILE these bytes are
+   kept with every answer that changes them (no pointers: they point elsewhere in a program that
+   starts again). At most 16 pieces of 2,048 bytes in all, in the same order each time; NULL and 0:
+   nothing. Commands, setDepths, setPitches, readings and what is known of a thermocline are kept
+   anyway. Returns 0, or -1: too many, or gliderOpen has been called. */
+int keepState(void* state, size_t bytes);
+/* How long an outage may last if the mission is to go on after it, s: 300 unless set. After a
+   longer one the vehicle keeps its own control, and gliderRun returns NULL. */
+void resumeWithin(double seconds);
+/* True once the mission goes on from a checkpoint. */
+int gliderResumed(void);
+
+/* Opens the link that the command line names (--port PATH, --baud N, --stdio, --log FILE,
+   --checkpoint FILE). Returns 0; or, having said why, an exit status. --help and --version are
+   answered and end the program with status 0. */
 int gliderOpen(int argc, char** argv, const char* mission_name);
 /* Answers the vehicle's tick under way with the commands in force, then runs until a tick on which
    events of `list` are true. Returns them, valid until the next call, or NULL when the mission is
-   over: control was given back, or the link is lost. */
+   over: control was given back, or the link is lost.
+
+   In a program that goes on after a power cut the first call returns an empty list: what keepState
+   named is now as it was, the commands in force too, and what the program commanded before counts
+   no more. The next call tests its list on that same tick. */
 eventList gliderRun(eventList list);
 /* The event after `previous` (NULL: the first) of those that fired; NULL after the last. */
 event nextEvent(eventList fired, event previous);

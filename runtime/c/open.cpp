@@ -4,6 +4,7 @@
 #include "hooks/transport/system_clock.h"
 #include "runtime/board/arithmetic.h"
 #include "runtime/board/card.h"
+#include "runtime/board/checkpoints.h"
 #include "runtime/board/files.h"
 #include "runtime/board/line.h"
 #include "runtime/board/options.h"
@@ -47,17 +48,19 @@ extern "C" int gliderOpen(int argc, char** argv, const char* mission_name) {
     tell("error: a mission in C has no parameters");
     return kBadParameters;
   }
-  if (options.checkpoints != nullptr) {
-    tell("error: a mission in C keeps no checkpoints: its state stands in its own code");
+  if (options.checkpoints != nullptr && !Program::instance().kept().isDeclared()) {
+    tell("error: --checkpoint: `", mission_name,
+         "` has not said what it must know to go on: it has no keepState (glidercc-runtime(3))");
     return kWrongUse;
   }
-  (void)card().start({openLogOf(options), {}, nullptr}, 0);
+  (void)card().start({openLogOf(options), openCheckpoints(options.checkpoints), holdCheckpoints},
+                     Program::instance().settleContextBytes());
   const OpenPort line = openLine(options);
   if (line.problem != nullptr) {
     return kNoLink;
   }
   line_descriptor = line.descriptor;
-  Program::instance().attach(
-      {line.stream, clock.clock(), waitForBytes, mission_name, card().log()});
+  Program::instance().attach({line.stream, clock.clock(), waitForBytes, mission_name, card().log(),
+                              card().checkpoints(), programNumber()});
   return kDone;
 }

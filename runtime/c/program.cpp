@@ -7,9 +7,11 @@
 #include "runtime/abi/behaviour.h"
 #include "runtime/abi/context_layout.h"
 #include "runtime/core/instruction.h"
+#include "runtime/core/lay_out.h"
 #include "runtime/numbers/numbers.h"
 
 #include <new>
+#include <string.h>
 
 namespace glider::runtime {
 namespace {
@@ -21,7 +23,15 @@ constexpr GliderSensorInfo kSensors[] = {
 #undef SENSOR
 };
 
-/// The vehicle's commands before and after the context is made anew.
+/// As the mission language has it.
+constexpr double kResumeWithin = 300;
+
+/// How many doubles have room for so many bytes.
+uint32_t slotsFor(size_t bytes) {
+  return static_cast<uint32_t>((bytes + sizeof(double) - 1) / sizeof(double));
+}
+
+/// The commands that the program gave before its mission began.
 void keepCommands(const GliderContext& from, GliderContext& to) {
   to.vertical = from.vertical;
   to.lateral = from.lateral;
@@ -46,9 +56,20 @@ Program::Program() {
   mission_.state_count = 1;
   mission_.states = states_;
   mission_.sensors = sensors_;  // what the program does stands in its own code, between the ticks
-  context_->mission = &mission_;
-  context_->readings = memory_.readings;
-  column_.clear();
+  mission_.resume_within = kResumeWithin;
+  wanted_.mission = &nothing_;
+  water_.column.clear();
+}
+
+uint32_t Program::settleContextBytes() {
+  // A change of a variable asks for a checkpoint, one of the water does not.
+  mission_.variable_count = slotsFor(sizeof limits_ + kept_.size());
+  mission_.temporal_slots = slotsFor(sizeof water_);
+  const uint32_t subscribed = mission_.sensor_count;
+  mission_.sensor_count = kMost;
+  const auto most = static_cast<uint32_t>(gliderContextLayout(&mission_).bytes);
+  mission_.sensor_count = subscribed;
+  return most;
 }
 
 bool Program::use(uint32_t sensor) {
@@ -74,14 +95,23 @@ void Program::open() {
   mission_.name = link_.mission_name;
   client_ = ::new (client_memory_) hooks::Client(options);
   log_ = ::new (log_memory_) MissionLog(link_.log, mission_);
+  (void)settleContextBytes();
+  mission_.context_bytes = static_cast<uint32_t>(gliderContextLayout(&mission_).bytes);
+  persistence_ = ::new (persistence_memory_) Persistence(
+      Checkpoint(link_.checkpoints, link_.program), {*client_, control_, clock_, *log_});
+  persistence_->look(*layOut(memory_, mission_));
 }
 
 bool Program::nextTick() {
-  if (link_.wait == nullptr) {
-    return false;  // never opened
+  if (!isAttached()) {
+    return false;
   }
   if (client_ == nullptr) {
     open();
+  }
+  if (look_again_) {
+    look_again_ = false;
+    return true;
   }
   answer();
   while (!control_.released()) {
@@ -100,8 +130,7 @@ bool Program::nextTick() {
         answer();
         break;
       case hooks::ClientEvent::SilentLink:
-        if (started_ && !finished_) {
-          gliderStep(context_, clock_.withoutFrame(link_.clock.now(link_.clock.self)), nullptr, 0);
+        if (tickOfClockAlone()) {
           return true;
         }
         break;
@@ -112,10 +141,31 @@ bool Program::nextTick() {
   return false;
 }
 
+bool Program::hasJustResumed() {
+  const bool just = just_resumed_;
+  just_resumed_ = false;
+  look_again_ = look_again_ || just;
+  return just;
+}
+
+bool Program::tickOfClockAlone() {
+  if (!started_ || finished_) {
+    return false;
+  }
+  gliderStep(context_, clock_.withoutFrame(link_.clock.now(link_.clock.self)), nullptr, 0);
+  ticked_ = true;
+  return true;
+}
+
 /// Takes in a frame; true if the program has to look at it.
 bool Program::takeTick() {
   const hooks::VehicleTick& tick = client_->tick();
+  const double sbc_time = link_.clock.now(link_.clock.self);
+  ticked_ = true;
   must_answer_ = true;
+  if (persistence_->isUndecided()) {
+    tryToGoOn(tick, sbc_time);
+  }
   const ControlNews news = control_.observe(tick);
   if (news.kind == ControlNews::Kind::Refused) {
     log_->event(context_->mission_time, LogEvent::InstructionRefused,
@@ -124,11 +174,10 @@ bool Program::takeTick() {
   for (uint32_t i = 0; i < tick.reading_count; ++i) {
     updates_[i] = {tick.readings[i].value, tick.readings[i].id, 0};
   }
-  const double sbc_time = link_.clock.now(link_.clock.self);
   if (started_) {
     const double time = clock_.atFrame(tick.vehicle_time_s, sbc_time);
     gliderStep(context_, time, updates_, tick.reading_count);
-  } else if (control_.mayTake()) {
+  } else if (!persistence_->isUndecided() && !control_.released() && control_.mayTake()) {
     start(tick.vehicle_time_s, sbc_time);
   }
   if (started_) {
@@ -138,12 +187,40 @@ bool Program::takeTick() {
 }
 
 void Program::start(double vehicle_time, double sbc_time) {
-  const GliderContext before = *context_;
   clock_.start(vehicle_time, sbc_time);
-  context_ = gliderStart(&memory_, &mission_, nullptr, updates_, client_->tick().reading_count);
-  keepCommands(before, *context_);
+  context_ = gliderStart(memory_, &mission_, nullptr, updates_, client_->tick().reading_count);
+  keepCommands(wanted_, *context_);
   log_->begin(*context_);
+  persistence_->begun();
   started_ = true;
+}
+
+void Program::tryToGoOn(const hooks::VehicleTick& tick, double sbc_time) {
+  auto* found = reinterpret_cast<GliderContext*>(memory_);
+  if (persistence_->goesOn(tick, *found, sbc_time)) {
+    context_ = found;
+    restore();
+    started_ = resumed_ = just_resumed_ = true;
+    finished_ = context_->finished != 0;
+  }
+}
+
+/// What is not the context's own goes where checkpoints have it.
+void Program::save() {
+  auto* variables = reinterpret_cast<uint8_t*>(context_->variables);
+  memset(variables, 0, mission_.variable_count * sizeof(double));
+  memcpy(variables, &limits_, sizeof limits_);
+  kept_.save(variables + sizeof limits_);
+  memcpy(context_->temporals, &water_, sizeof water_);
+  context_->finished = finished_ ? 1 : 0;
+}
+
+void Program::restore() {
+  const auto* variables = reinterpret_cast<const uint8_t*>(context_->variables);
+  memcpy(&limits_, variables, sizeof limits_);
+  kept_.restore(variables + sizeof limits_);
+  static_assert(__is_trivially_copyable(Water) && __is_trivially_copyable(Limits));
+  memcpy(static_cast<void*>(&water_), context_->temporals, sizeof water_);
 }
 
 void Program::record() {
@@ -151,30 +228,36 @@ void Program::record() {
   const double temperature = gliderRead(context_, GLIDER_SCI_WATER_TEMP);
   if (gliderAge(context_, GLIDER_SCI_WATER_TEMP) == 0.0 && depth == depth &&
       temperature == temperature) {
-    column_.record(context_->mission_time, depth, temperature);
+    water_.column.record(context_->mission_time, depth, temperature);
   }
 }
 
 void Program::beginLeg() {
-  leg_began_ = context_->mission_time;
+  water_.leg_began = context_->mission_time;
 }
 
+/// What the program made of the tick under way: to the card, then to the vehicle.
 void Program::answer() {
-  if (!must_answer_) {
+  if (!ticked_) {
     return;
   }
-  must_answer_ = false;
+  ticked_ = false;
   hooks::MissionStatus status;
   if (started_) {
     hooks::Instruction instruction;
-    if (control_.choose(instructionFor(*context_), finished_, instruction)) {
+    // The SBC never speaks first: what a tick without a frame orders goes with the next answer.
+    if (must_answer_ && control_.choose(instructionFor(*context_), finished_, instruction)) {
       control_.sent(instruction, client_->instruct(instruction));
     }
     status.mission_time_s = context_->mission_time;
     status.phase = finished_ ? hooks::MissionPhase::Finished : hooks::MissionPhase::Flying;
+    save();
   }
-  client_->done(status, link_.stream);
-  log_->flush();
+  persistence_->commit(started_ ? context_ : nullptr);
+  if (must_answer_) {
+    must_answer_ = false;
+    client_->done(status, link_.stream);
+  }
 }
 
 }  // namespace glider::runtime

@@ -5,9 +5,11 @@
 
 #include "hooks/client/client.h"
 #include "runtime/abi/runtime.h"
+#include "runtime/c/kept_state.h"
 #include "runtime/c/water_column.h"
 #include "runtime/core/control.h"
 #include "runtime/core/mission_clock.h"
+#include "runtime/core/persistence.h"
 #include "runtime/log/mission_log.h"
 
 /// The one mission of a C program: what GliderRuntime is for a compiled one, but the program's own
@@ -20,6 +22,8 @@ struct Link {
   int (*wait)(void) = nullptr;
   const char* mission_name = "";
   GliderLogSink log{};
+  GliderStore checkpoints{};
+  uint32_t program = 0;  ///< as GliderRuntimeOptions has it
 };
 
 /// The depths and pitches of dive() and climb().
@@ -34,7 +38,14 @@ class Program {
  public:
   static Program& instance();
 
+  /// What of the C program's own state its checkpoints keep; settled before attach().
+  KeptState& kept() { return kept_; }
+  /// So long an outage may last if the mission is to go on after it, s.
+  void resumeWithin(double seconds) { mission_.resume_within = seconds; }
+  /// No checkpoint has more bytes; settled once kept() is.
+  uint32_t settleContextBytes();
   void attach(const Link& link) { link_ = link; }
+  [[nodiscard]] bool isAttached() const { return link_.wait != nullptr; }
   /// True when the vehicle said that its time is virtual: it waits for every answer.
   [[nodiscard]] bool virtualTime() const { return client_ != nullptr && client_->virtualTime(); }
   /// False if the sensor is no sensor, or not subscribed and it is too late for that.
@@ -42,6 +53,12 @@ class Program {
   /// Answers the tick under way and waits for the next in which the mission runs; false when it is
   /// over.
   bool nextTick();
+  /// True once: the tick that nextTick() took is the first after a power cut. The program's own
+  /// state is what the checkpoint kept; it may choose anew what it waits for, and the next
+  /// nextTick() gives this tick again.
+  bool hasJustResumed();
+  /// True if the mission goes on from a checkpoint.
+  [[nodiscard]] bool resumed() const { return resumed_; }
 
   /// The commands in force; may be changed at any time.
   GliderContext& context() { return *context_; }
@@ -50,26 +67,33 @@ class Program {
   [[nodiscard]] bool released() const { return control_.released(); }
   /// A dive or climb begins.
   void beginLeg();
-  [[nodiscard]] const WaterColumn& column() const { return column_; }
-  [[nodiscard]] double legBegan() const { return leg_began_; }
+  [[nodiscard]] const WaterColumn& column() const { return water_.column; }
+  [[nodiscard]] double legBegan() const { return water_.leg_began; }
 
  private:
   Program();
   void open();
   void answer();
   bool takeTick();
+  bool tickOfClockAlone();
+  void tryToGoOn(const hooks::VehicleTick& tick, double sbc_time);
   void start(double vehicle_time, double sbc_time);
   void record();
+  void save();
+  void restore();
 
   static constexpr uint32_t kMost = hooks::kMostSubscriptions;
-  struct Memory {
-    GliderContext context;
-    GliderReading readings[kMost];
-    GliderNote notes[GLIDER_MOST_NOTES];
-    double note_values[GLIDER_MOST_NOTE_VALUES];
-    double
-        gaps[3];  ///< the layout aligns what some boards would not (runtime/abi/context_layout.h)
+  /// What the newest readings say of the water.
+  struct Water {
+    double leg_began = 0;
+    WaterColumn column{};
   };
+  /// Arrays begin at multiples of 8 (runtime/abi/context_layout.h), each at most 7 bytes later than
+  /// need be.
+  static constexpr uint32_t kMostContextBytes =
+      sizeof(GliderContext) + kMost * sizeof(GliderReading) + sizeof(Limits) +
+      KeptState::kMostBytes + sizeof(Water) + GLIDER_MOST_NOTES * sizeof(GliderNote) +
+      GLIDER_MOST_NOTE_VALUES * sizeof(double) + 10 * 7;
 
   Link link_;
   Limits limits_;
@@ -79,19 +103,27 @@ class Program {
   GliderSensorInfo sensors_[kMost] = {};
   hooks::Subscription subscription_[kMost] = {};
   GliderUpdate updates_[kMost] = {};
-  Memory memory_{};
-  GliderContext* context_ = &memory_.context;
+  KeptState kept_;
+  alignas(double) uint8_t memory_[kMostContextBytes] = {};
+  const GliderMission nothing_{};  ///< what is subscribed before the first tick
+  GliderContext wanted_{};         ///< the commands before the mission began
+  GliderContext* context_ = &wanted_;
   alignas(hooks::Client) uint8_t client_memory_[sizeof(hooks::Client)] = {};
   hooks::Client* client_ = nullptr;  ///< made when the sensors are known: at the first tick
   Control control_;
   MissionClock clock_;
   alignas(MissionLog) uint8_t log_memory_[sizeof(MissionLog)] = {};
   MissionLog* log_ = nullptr;
-  WaterColumn column_;
-  double leg_began_ = 0;
+  alignas(Persistence) uint8_t persistence_memory_[sizeof(Persistence)] = {};
+  Persistence* persistence_ = nullptr;
+  Water water_;
   bool started_ = false;
   bool finished_ = false;
+  bool ticked_ = false;  ///< the program has looked at a tick that is not yet committed
   bool must_answer_ = false;
+  bool resumed_ = false;
+  bool just_resumed_ = false;
+  bool look_again_ = false;  ///< at the tick of the resume
 };
 
 }  // namespace glider::runtime

@@ -3,7 +3,7 @@
 
 /* A mission in C: every dive goes 5 m deeper than the one before, down to 40 m, until the water is
    colder than 4 degC or half an hour has passed. Run as
-   deeper --port /dev/ttyS1 --log deeper.log */
+   deeper --port /dev/ttyS1 --log deeper.log --checkpoint deeper.state */
 
 #include <runtime/c/glider.h>
 
@@ -19,6 +19,10 @@ int main(int argc, char** argv) {
   event over = EVENT(GEQ, MISSION_TIME, &end);
   if (!events || addEvent(events, high) || addEvent(events, deep) || addEvent(events, icy) ||
       addEvent(events, over)) {
+    return 1;
+  }
+  /* All it must know to go on after a power cut: top never changes. */
+  if (keepState(&bottom, sizeof bottom)) {
     return 1;
   }
   const int failed = gliderOpen(argc, argv, "deeper");

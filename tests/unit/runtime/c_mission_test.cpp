@@ -6,17 +6,21 @@
 
 #include "hooks/protocol/lockstep.h"
 #include "hooks/transport/host/pty.h"
+#include "runtime/c/kept_state.h"
+#include "tests/unit/runtime/log_csv.h"
 #include "tests/unit/runtime/vehicle_bench.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <fstream>
+#include <gmock/gmock.h>
 #include <memory>
 #include <optional>
 #include <poll.h>
 #include <signal.h>
 #include <spawn.h>
+#include <sstream>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -28,22 +32,20 @@ namespace {
 /// A C mission's process at the far end of the vehicle's line.
 class CMission {
  public:
-  CMission(const char* program, VehicleBench& vehicle, const char* log = nullptr)
+  CMission(const char* program, VehicleBench& vehicle, std::vector<std::string> options = {})
       : vehicle_(vehicle) {
     auto opened = hooks::Pty::open();
     if (!opened) {
       return;
     }
     pty_.emplace(std::move(*opened));
-    std::string path = program;
-    std::string option = "--port";
-    std::string port = pty_->name();
-    std::string log_option = "--log";
-    std::string log_file = log == nullptr ? "" : log;
-    char* arguments[] = {path.data(),     option.data(),
-                         port.data(),     log == nullptr ? nullptr : log_option.data(),
-                         log_file.data(), nullptr};
-    if (posix_spawn(&process_, program, nullptr, nullptr, arguments, environ) != 0) {
+    options.insert(options.begin(), {program, "--port", pty_->name()});
+    std::vector<char*> arguments;
+    for (std::string& option : options) {
+      arguments.push_back(option.data());
+    }
+    arguments.push_back(nullptr);
+    if (posix_spawn(&process_, program, nullptr, nullptr, arguments.data(), environ) != 0) {
       process_ = -1;
     }
     vehicle_.sbc = [this] { exchange(); };
@@ -62,6 +64,17 @@ class CMission {
   }
   [[nodiscard]] bool started() const { return process_ > 0; }
   bool hung = false;  ///< a frame got no answer in 10 s
+
+  /// Its processes die where they are.
+  void cutPower() {
+    const pid_t writer_process = writer();
+    kill(process_, SIGKILL);
+    if (writer_process > 0) {
+      kill(writer_process, SIGKILL);
+    }
+    over_ = true;
+    (void)exitStatus();
+  }
 
   void hangUp() {
     over_ = true;
@@ -130,6 +143,14 @@ class CMission {
   int status_ = -1;
   bool heard_ = false;
   bool over_ = false;
+};
+
+struct EmptyFile {
+  EmptyFile() { close(mkstemp(name)); }
+  EmptyFile(const EmptyFile&) = delete;
+  EmptyFile& operator=(const EmptyFile&) = delete;
+  ~EmptyFile() { unlink(name); }
+  char name[32] = "/tmp/glider-file-XXXXXX";
 };
 
 /// A glider that does what hookbeh says, in water with a thermocline at 14 m; remembers what it was
@@ -210,9 +231,8 @@ TEST(CMission, Figure2FliesItsStates) {
 TEST(CMission, ACardThatStandsStillEndsNothing) {
   VehicleBench vehicle({}, false);
   Diver diver(vehicle);
-  char log[] = "/tmp/glider-log-XXXXXX";
-  close(mkstemp(log));
-  CMission mission(GLIDER_FIGURE3, vehicle, log);
+  const EmptyFile log;
+  CMission mission(GLIDER_FIGURE3, vehicle, {"--log", log.name});
   ASSERT_TRUE(mission.started());
   vehicle.run(1);
   const pid_t writer = mission.writer();
@@ -225,9 +245,93 @@ TEST(CMission, ACardThatStandsStillEndsNothing) {
   vehicle.run(1100);
   EXPECT_EQ(vehicle.hookbeh().state, hooks::HookState::Complete);
   EXPECT_EQ(mission.exitStatus(), 0);
-  EXPECT_EQ(std::ifstream(log).get(), EOF) << "the card stood still all the time";
+  EXPECT_EQ(std::ifstream(log.name).get(), EOF) << "the card stood still all the time";
   kill(writer, SIGKILL);
-  unlink(log);
+}
+
+/// Figure 2 with checkpoints, to its end; the power goes at `cut` for `outage` seconds. What
+/// hookbeh did.
+std::vector<std::string> figure2(std::optional<double> cut, double outage) {
+  VehicleBench vehicle({});
+  const Diver diver(vehicle);
+  const EmptyFile checkpoints;
+  const std::vector<std::string> options{"--checkpoint", checkpoints.name};
+  auto mission = std::make_unique<CMission>(GLIDER_FIGURE2, vehicle, options);
+  if (cut) {
+    vehicle.run(*cut);
+    mission->cutPower();
+    vehicle.run(*cut + outage);
+    mission = std::make_unique<CMission>(GLIDER_FIGURE2, vehicle, options);
+  }
+  vehicle.run(2600);
+  EXPECT_FALSE(mission->hung);
+  EXPECT_EQ(mission->exitStatus(), 0);
+  EXPECT_EQ(vehicle.hookbeh().state, hooks::HookState::Complete);
+  return vehicle.doings;
+}
+
+TEST(CMission, GoesOnAfterAPowerCutAsIfThereHadBeenNone) {
+  const std::vector<std::string> undisturbed = figure2(std::nullopt, 0);
+  EXPECT_GT(undisturbed.size(), 20U);
+  // In each of its states, and while the called one has seen half of the thermocline. Nothing is
+  // decided in those seconds.
+  for (const double cut : {301.0, 529.0, 1101.0, 1703.0, 2202.0}) {
+    EXPECT_EQ(figure2(cut, 7), undisturbed) << "cut at " << cut << " s";
+  }
+}
+
+TEST(CMission, LeavesControlToTheVehicleAfterTooLongAnOutage) {
+  VehicleBench vehicle({});
+  const Diver diver(vehicle);
+  const EmptyFile checkpoints;
+  const EmptyFile log;
+  const std::vector<std::string> options{"--checkpoint", checkpoints.name, "--log", log.name};
+  {
+    CMission mission(GLIDER_FIGURE2, vehicle, options);
+    vehicle.run(600);
+    EXPECT_EQ(vehicle.hookbeh().state, hooks::HookState::Active);
+    mission.cutPower();
+  }
+  vehicle.run(1000);
+  CMission mission(GLIDER_FIGURE2, vehicle, options);
+  vehicle.run(1100);
+  EXPECT_EQ(mission.exitStatus(), 0);
+  EXPECT_EQ(vehicle.hookbeh().state, hooks::HookState::Silent);
+  std::stringstream bytes;
+  bytes << std::ifstream(log.name, std::ios::binary).rdbuf();
+  EXPECT_THAT(csvOf(bytes.str()), ::testing::HasSubstr("control left to the vehicle"));
+}
+
+TEST(CMission, WithoutKeptStateThereAreNoCheckpoints) {
+  VehicleBench vehicle({});
+  const EmptyFile checkpoints;
+  CMission mission(GLIDER_FIGURE3, vehicle, {"--checkpoint", checkpoints.name});
+  EXPECT_EQ(mission.exitStatus(), 1);
+}
+
+TEST(KeptState, TakesWhatFitsAndGivesItBack) {
+  KeptState kept;
+  EXPECT_FALSE(kept.isDeclared());
+  EXPECT_TRUE(kept.add(nullptr, 0));
+  EXPECT_TRUE(kept.isDeclared()) << "nothing, but said so";
+  double a = 1;
+  char b[3] = {'x', 'y', 'z'};
+  EXPECT_FALSE(kept.add(nullptr, 1));
+  EXPECT_TRUE(kept.add(&a, sizeof a) && kept.add(b, sizeof b));
+  EXPECT_EQ(kept.size(), 11U);
+  EXPECT_FALSE(kept.add(b, KeptState::kMostBytes - 10));
+  EXPECT_FALSE(kept.add(b, UINT32_MAX)) << "no wrap-around";
+  uint8_t image[11];
+  kept.save(image);
+  a = 0;
+  b[1] = 0;
+  kept.restore(image);
+  EXPECT_EQ(a, 1);
+  EXPECT_EQ(b[1], 'y');
+  while (kept.size() < 11U + KeptState::kMostPieces - 2) {
+    ASSERT_TRUE(kept.add(b, 1));
+  }
+  EXPECT_FALSE(kept.add(b, 1)) << "too many pieces";
 }
 
 TEST(CMission, EndsWithStatus2WhenTheLineIsLost) {

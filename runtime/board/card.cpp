@@ -128,7 +128,7 @@ bool Card::hear(double seconds) {
     ready = poll(&wanted, 1, static_cast<int>(left * 1000));
     passed = clock_.now() - began;
   } while (ready < 0 && errno == EINTR);
-  if (left_s_ >= 0) {
+  if (left_s_ >= 0 && seconds >= 0) {  // what has no bound is not of the cycle's time
     left_s_ = left_s_ > passed ? left_s_ - passed : 0.0;
   }
   if (ready <= 0) {

@@ -26,20 +26,24 @@ int32_t writeOutput(void*, const uint8_t* bytes, uint32_t count) {
 struct LogFile {
   const char* path;
   char older[256];
-  uint32_t limit;
-  uint32_t size;
+  uint64_t limit;
+  uint64_t size;
   int descriptor;
 };
 
 bool openFile(LogFile& file, int flags) {
   file.descriptor = open(file.path, O_WRONLY | O_CREAT | O_APPEND | flags, 0644);
-  file.size = static_cast<uint32_t>(lseek(file.descriptor, 0, SEEK_END));
+  const off_t end = lseek(file.descriptor, 0, SEEK_END);
+  file.size = end > 0 ? static_cast<uint64_t>(end) : 0U;
   return file.descriptor >= 0;
 }
 
 /// The log of a full card is given up at once, never waited for.
 int32_t writeLog(void* self, const uint8_t* bytes, uint32_t count) {
   auto& file = *static_cast<LogFile*>(self);
+  if (file.descriptor < 0 && !openFile(file, 0)) {
+    return -1;  // the card had no room for a new file
+  }
   uint32_t written = 0;
   while (written < count) {
     const ssize_t taken = write(file.descriptor, bytes + written, count - written);
@@ -56,14 +60,15 @@ int32_t syncLog(void* self) {
   return fdatasync(static_cast<const LogFile*>(self)->descriptor);
 }
 
-/// A full log becomes the older one, in whose place it comes.
+/// A full log becomes the older one, in whose place it comes. Where that cannot be, the log may
+/// have as many bytes as both: it goes on, and only then begins anew.
 int32_t renewLog(void* self) {
   auto& file = *static_cast<LogFile*>(self);
-  if (file.size < file.limit) {
+  if (file.size < file.limit ||
+      (rename(file.path, file.older) != 0 && errno != ENOENT && file.size < 2 * file.limit)) {
     return 0;
   }
   close(file.descriptor);
-  (void)rename(file.path, file.older);
   (void)openFile(file, O_TRUNC);
   return 1;
 }
@@ -76,6 +81,16 @@ void dontBlock(int descriptor) {
 }
 
 }  // namespace
+
+void holdStandardFiles() {
+  int descriptor = 0;
+  do {
+    descriptor = open("/dev/null", O_RDWR);
+  } while (descriptor >= 0 && descriptor <= STDERR_FILENO);
+  if (descriptor > STDERR_FILENO) {
+    close(descriptor);
+  }
+}
 
 void say(const char* const* pieces) {
   for (; *pieces != nullptr; ++pieces) {

@@ -10,6 +10,10 @@
 /// as a stream, the log.
 namespace glider::runtime {
 
+/// Opens what is closed of standard input, output and error, to nothing: the first files that a
+/// program opens would else get their numbers, and be closed or written as what they are not.
+void holdStandardFiles();
+
 /// Writes the pieces of a message to standard error; a null piece ends it.
 void say(const char* const* pieces);
 

@@ -68,6 +68,7 @@ int run(const Options& options) {
 
 int main(int argc, char** argv) {
   using namespace glider::runtime;
+  holdStandardFiles();
   useDoublePrecision();
   signal(SIGPIPE, SIG_IGN);
   const Options options = readOptions(argc, argv);

@@ -34,6 +34,7 @@ int waitForBytes() {
 extern "C" int gliderOpen(int argc, char** argv, const char* mission_name) {
   using namespace glider::runtime;
   static glider::hooks::SystemClock clock;
+  holdStandardFiles();
   useDoublePrecision();
   signal(SIGPIPE, SIG_IGN);
   const Options options = readOptions(argc, argv);

@@ -46,6 +46,10 @@ ControlNews Control::settlePending(const hooks::VehicleTick& tick) {
   }
   const HookControl accepted = pending_;
   pending_ = HookControl::None;
+  if (accepted != HookControl::GiveBack) {
+    accepted_ = instructed_;
+    has_accepted_ = true;
+  }
   switch (accepted) {
     case HookControl::Take:
       ours_ = true;
@@ -69,6 +73,7 @@ ControlNews Control::refused(HookAnswer answer) {
     released_ = true;  // not ours any more: nothing to give back
   } else if (pending_ == HookControl::Take) {
     out_of_bounds_ = answer != HookAnswer::WrongSession && answer != HookAnswer::NotReady;
+    has_accepted_ = has_accepted_ && !(out_of_bounds_ && sameCommand(instructed_, accepted_));
   }
   pending_ = HookControl::None;
   return {Kind::Refused, pending_sequence_, answer};
@@ -117,9 +122,9 @@ bool Control::choose(const hooks::Instruction& wanted, bool finished, hooks::Ins
 
 bool Control::chooseTake(const hooks::Instruction& wanted, hooks::Instruction& out) const {
   const bool hopeless = out_of_bounds_ && sameCommand(wanted, instructed_);
-  out = wanted;
+  out = hopeless ? accepted_ : wanted;
   out.control = HookControl::Take;
-  return mayTake() && !hopeless;
+  return mayTake() && (!hopeless || has_accepted_);
 }
 
 bool Control::chooseGiveBack(hooks::Instruction& out) {

@@ -47,7 +47,8 @@ class Control {
   /// True if the vehicle would listen to a handshake now.
   [[nodiscard]] bool mayTake() const;
   /// The instruction for this tick, into `out`; false if there is none to send. `wanted` is the
-  /// command in force; a mission that has commanded no vertical yet sends nothing. Once `finished`,
+  /// command in force; a mission that has commanded no vertical yet sends nothing. Where the
+  /// vehicle refuses it, control is taken with the last command that it accepted. Once `finished`,
   /// control is given back.
   bool choose(const hooks::Instruction& wanted, bool finished, hooks::Instruction& out);
   /// Must follow a choose() that returned true: the number under which `instruction` was sent.
@@ -65,6 +66,8 @@ class Control {
 
   hooks::HookState state_ = hooks::HookState::Absent;
   hooks::Instruction instructed_;  ///< the last command sent
+  hooks::Instruction accepted_;    ///< the last that the vehicle took
+  bool has_accepted_ = false;
   hooks::HookControl pending_ =
       hooks::HookControl::None;  ///< the instruction that has no answer yet
   uint16_t pending_sequence_ = 0;

@@ -27,10 +27,11 @@ class MissionClock {
   [[nodiscard]] double vehicle() const { return vehicle_; }
 
   /// A frame came: returns mission time, s. A vehicle that began its own mission anew counts from 0
-  /// again; mission time then goes on from where it was.
+  /// again; mission time then goes on from where it was, be it by the SBC's own clock.
   double atFrame(double vehicle_time, double sbc_time) {
-    if (vehicle_time < vehicle_) {
-      origin_ += vehicle_time - vehicle_;
+    const double reached = (vehicle_ - origin_) + silence_;
+    if (vehicle_time < vehicle_ || reached - (vehicle_time - origin_) > kMostSilence) {
+      origin_ = vehicle_time - reached;
     }
     vehicle_ = vehicle_time;
     sbc_ = sbc_time;

@@ -25,9 +25,10 @@ const GliderCaseInfo& madeCase(const GliderContext& context, uint32_t from) {
 }
 
 hooks::ByteWriter MissionLog::open(LogRecord kind) {
-  if (!headed_) {  // before whatever comes first: a link may be refused before the mission begins
-    headed_ = true;
-    head();
+  if (head_ == Head::Missing) {  // before whatever comes first: a link may be refused at once
+    head_ = Head::Writing;
+    writeHead();
+    head_ = head_ == Head::Writing ? Head::HandedOn : head_;
   }
   return start(kind);
 }
@@ -46,13 +47,13 @@ void MissionLog::close(const hooks::ByteWriter& writer) {
   }
   finishPayload(frame_, writer);
   if (kBytes - size_ < hooks::encodedBound(frame_.size)) {
-    handOver();
+    (void)handOver();
   }
   size_ += encodeFrame(frame_, bytes_ + size_);
 }
 
 /// What a reader needs to know: every name that a number stands for.
-void MissionLog::head() {
+void MissionLog::writeHead() {
   hooks::ByteWriter writer = start(LogRecord::Start);
   writer.u8(kLogVersion);
   put(writer, mission_.name);
@@ -157,7 +158,7 @@ void MissionLog::event(double time, LogEvent what, LogDetail detail, double valu
   close(writer);
 }
 
-void MissionLog::handOver() {
+bool MissionLog::handOver() {
   // A zero ends whatever stands there torn.
   static constexpr uint8_t kEnd[] = {0};
   if (torn_) {
@@ -168,6 +169,12 @@ void MissionLog::handOver() {
     ++failures_;
   }
   size_ = 0;
+  if (torn_ && head_ != Head::Taken) {
+    head_ = Head::Missing;  // without all of it nobody could read what follows
+  } else if (!torn_ && head_ == Head::HandedOn) {
+    head_ = Head::Taken;
+  }
+  return !torn_;
 }
 
 void MissionLog::flush() {
@@ -175,13 +182,13 @@ void MissionLog::flush() {
     return;
   }
   const bool urgent = urgent_;
-  handOver();
   urgent_ = false;
-  if (urgent && sink_.sync != nullptr) {
-    (void)sink_.sync(sink_.self);
+  if (handOver() && urgent && sink_.sync != nullptr) {
+    unsynced_ = sink_.sync(sink_.self) != 0;
+    failures_ += unsynced_ ? 1 : 0;
   }
   if (sink_.renew != nullptr && sink_.renew(sink_.self) != 0) {
-    headed_ = false;
+    head_ = Head::Missing;
   }
 }
 

@@ -50,15 +50,16 @@ class MissionLog {
   /// How often the sink did not take what it was given.
   [[nodiscard]] uint32_t failures() const { return failures_; }
   /// True if it was so the last time.
-  [[nodiscard]] bool isFailing() const { return failures_ > 0 && torn_; }
+  [[nodiscard]] bool isFailing() const { return failures_ > 0 && (torn_ || unsynced_); }
 
  private:
   hooks::ByteWriter open(LogRecord kind);
   hooks::ByteWriter start(LogRecord kind);
   void close(const hooks::ByteWriter& writer);
-  void head();
+  void writeHead();
   void name(LogNamed what, uint32_t number, uint32_t item, const char* text);
-  void handOver();
+  /// False if the sink did not take it.
+  bool handOver();
   bool due(const GliderContext& context, uint32_t item);
 
   GliderLogSink sink_;
@@ -69,9 +70,12 @@ class MissionLog {
   double written_[kMostItems] = {};  ///< mission time at which each item was last logged
   uint32_t last_written_state_ = UINT32_MAX;
   uint32_t failures_ = 0;
-  bool headed_ = false;  ///< the log begins with what is needed to read it
-  bool torn_ = true;     ///< the sink may stand in the middle of a record
-  bool urgent_ = false;  ///< there is more than values
+  /// What is needed to read the log, which it begins with.
+  enum class Head : uint8_t { Missing, Writing, HandedOn, Taken };
+  Head head_ = Head::Missing;
+  bool torn_ = true;       ///< the sink may stand in the middle of a record
+  bool unsynced_ = false;  ///< what was written last might not outlive a power cut
+  bool urgent_ = false;    ///< there is more than values
 };
 
 }  // namespace glider::runtime

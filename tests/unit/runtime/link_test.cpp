@@ -265,6 +265,59 @@ TEST_F(LinkTest, AfterSilenceControlIsTakenAnewAndTheMissionGoesOn) {
   EXPECT_TRUE(finished_);
 }
 
+TEST_F(LinkTest, AfterSilenceACommandThatIsRefusedDoesNotKeepItFromTakingControl) {
+  end = 5000;
+  VehicleBench vehicle({.greatest_depth_m = 14, .silence_secs = 24}, false);
+  boot(vehicle);
+  vehicle.run(120);
+  ASSERT_EQ(vehicle.hookbeh().answer, hooks::HookAnswer::TooDeep);
+  vehicle.line_is_cut = true;
+  vehicle.run(180);
+  ASSERT_EQ(vehicle.hookbeh().state, hooks::HookState::Silent);
+  vehicle.line_is_cut = false;
+  const size_t before = vehicle.answers.size();
+  vehicle.run(2000);
+  EXPECT_EQ(vehicle.hookbeh().state, hooks::HookState::Active);
+  EXPECT_LE(vehicle.answers.size(), before + 3) << "the refused take, the take, the refused steer";
+  EXPECT_TRUE(vehicle.hookbeh().commanding) << "as by the last that it had accepted";
+}
+
+/// Gone for so long, then the vehicle begins its own mission anew.
+class NewVehicleMission : public LinkTest, public ::testing::WithParamInterface<double> {};
+
+TEST_P(NewVehicleMission, TheMissionGoesOnFromTheTimeThatItsOwnClockHadReached) {
+  turn = end = 1e6;
+  double offset = 0;
+  {
+    VehicleBench first({.silence_secs = 24}, false);
+    boot(first);
+    first.run(100);
+    const GliderByteStream stream = first.sbcEnd();
+    const GliderClock clock{&sbc_time_, [](void* t) { return *static_cast<double*>(t); }};
+    for (; offset < GetParam(); ++offset) {
+      sbc_time_ = 100 + offset;
+      (void)gliderRuntimePoll(runtime_, &stream, &clock);
+    }
+  }
+  const double reached = gliderRuntimeContext(runtime_)->mission_time;
+  VehicleBench second({.silence_secs = 24}, false);
+  int heard_at = -1;
+  for (double t = 1; t < 1000; ++t) {
+    // The second is heard when its own time is later already than the first's last.
+    second.line_is_cut = t < 150;
+    second.sbc = [&] { poll(second); };
+    second.run(t);
+    if (heard_at < 0 && second.hookbeh().state == hooks::HookState::Active) {
+      heard_at = static_cast<int>(t);
+    }
+    ASSERT_NE(second.hookbeh().state, hooks::HookState::Silent) << t;
+  }
+  EXPECT_GT(heard_at, 0);
+  EXPECT_NEAR(gliderRuntimeContext(runtime_)->mission_time - reached, 1000 - 150, 20);
+}
+
+INSTANTIATE_TEST_SUITE_P(, NewVehicleMission, ::testing::Values(60, 120, 300, 3600));
+
 TEST_F(LinkTest, ARestartedProgramTakesControlOfAVehicleThatStillObeysTheOldOne) {
   VehicleBench vehicle({.silence_secs = 24});
   boot(vehicle);

@@ -13,6 +13,7 @@
 #include <limits>
 #include <random>
 #include <string>
+#include <vector>
 
 namespace glider::runtime {
 namespace {
@@ -88,9 +89,11 @@ struct Disk {
   }
   int syncs = 0;
   bool full = false;
+  bool dies = false;  ///< takes what is written, and forgets it
   static int32_t sync(void* self) {
-    ++static_cast<Disk*>(self)->syncs;
-    return 0;
+    auto& disk = *static_cast<Disk*>(self);
+    ++disk.syncs;
+    return disk.dies ? -1 : 0;
   }
   static int32_t renew(void* self) { return static_cast<const Disk*>(self)->full ? 1 : 0; }
 };
@@ -145,6 +148,60 @@ TEST_F(LogOf, AFullDiskIsCountedAndLaterRecordsAreReadable) {
   EXPECT_EQ(csv(), head_ + eventRow(0) + eventRow(2));
   EXPECT_EQ(damage_.bad, 1U);
   EXPECT_EQ(damage_.missing, 1U);
+}
+
+TEST_F(LogOf, WhoseFirstWriteFailsCanBeReadAllTheSame) {
+  for (const int32_t room : {0, 1, 10}) {
+    disk_.content.clear();
+    MissionLog log({&disk_, Disk::write, Disk::sync, Disk::renew}, mission_);
+    disk_.room = room;
+    log.event(0, LogEvent::SilentLink, LogDetail::None, 0);
+    log.flush();
+    disk_.room = 1 << 20;
+    for (int i = 1; i < 3; ++i) {
+      log.event(i, LogEvent::SilentLink, LogDetail::None, i);
+      log.flush();
+    }
+    EXPECT_EQ(csv(), head_ + eventRow(1) + eventRow(2)) << room;
+  }
+}
+
+TEST_F(LogOf, AHeadOfWhichAPieceIsLostComesAgain) {
+  const std::string long_name(MissionLog::kNameBytes, 'n');
+  const GliderLogInfo item{"missiontime", 0, kGliderMissionTime, 0};
+  std::vector<GliderStateInfo> states(100, state_);
+  std::vector<const GliderStateInfo*> pointers;
+  for (GliderStateInfo& state : states) {
+    state.name = long_name.c_str();
+    state.log = &item;
+    state.log_count = 1;
+    pointers.push_back(&state);
+  }
+  mission_.states = pointers.data();
+  mission_.state_count = 100;
+  disk_.room = 3000;  // less than the head
+  event(0);
+  log_.flush();
+  EXPECT_TRUE(log_.isFailing());
+  disk_.room = 1 << 20;
+  GliderContext context{};
+  context.mission = &mission_;
+  context.state = 99;
+  log_.values(context);
+  log_.flush();
+  EXPECT_TRUE(csv().ends_with("0,start,bench,,,\n0,value,missiontime,0,,\n")) << csv();
+}
+
+TEST_F(LogOf, ACardThatForgetsWhatItTookIsAFailure) {
+  disk_.dies = true;
+  event(0);
+  log_.flush();
+  EXPECT_EQ(log_.failures(), 1U);
+  EXPECT_TRUE(log_.isFailing());
+  disk_.dies = false;
+  event(1);
+  log_.flush();
+  EXPECT_FALSE(log_.isFailing());
 }
 
 TEST_F(LogOf, NamesOfAnyLengthFit) {

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// The log's file on the board, and what a program is started with.
+
+#include "runtime/board/files.h"
+
+#include <gtest/gtest.h>
+
+#include <fcntl.h>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace glider::runtime::testing {
+namespace {
+
+class LogFiles : public ::testing::Test {
+ protected:
+  LogFiles() {
+    char name[] = "/tmp/glider-log-XXXXXX";
+    folder_ = mkdtemp(name);
+    path_ = folder_ + "/log";
+  }
+  ~LogFiles() override { std::filesystem::remove_all(folder_); }
+
+  /// Ten bytes more, as a tick ends; true if a new log has begun.
+  static bool write(const GliderLogSink& sink, char letter) {
+    const std::string words(10, letter);
+    EXPECT_EQ(sink.write(sink.self, reinterpret_cast<const uint8_t*>(words.data()), 10), 10);
+    return sink.renew(sink.self) == 1;
+  }
+  [[nodiscard]] std::string content(const std::string& suffix = "") const {
+    std::ifstream in(path_ + suffix);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+
+  std::string folder_, path_;
+};
+
+TEST_F(LogFiles, AFullOneBecomesTheOlder) {
+  const GliderLogSink sink = openLog(path_.c_str(), 15);
+  EXPECT_FALSE(write(sink, 'a'));
+  EXPECT_TRUE(write(sink, 'b'));
+  EXPECT_FALSE(write(sink, 'c'));
+  EXPECT_EQ(content(".old"), std::string(10, 'a') + std::string(10, 'b'));
+  EXPECT_EQ(content(), std::string(10, 'c'));
+}
+
+TEST_F(LogFiles, OneThatCannotBecomeTheOlderIsKeptAsLongAsBothWouldBe) {
+  std::filesystem::create_directory(path_ + ".old");
+  const GliderLogSink sink = openLog(path_.c_str(), 15);
+  EXPECT_FALSE(write(sink, 'a'));
+  EXPECT_FALSE(write(sink, 'b'));
+  EXPECT_EQ(content(), std::string(10, 'a') + std::string(10, 'b'));
+  EXPECT_TRUE(write(sink, 'c')) << "twice the limit";
+  EXPECT_FALSE(write(sink, 'd'));
+  EXPECT_EQ(content(), std::string(10, 'd'));
+}
+
+TEST_F(LogFiles, OneThatCouldNotBeMadeIsTriedAgain) {
+  const GliderLogSink sink = openLog(path_.c_str(), 5);
+  std::filesystem::remove(path_);
+  std::filesystem::rename(folder_, folder_ + ".away");
+  const std::string words(10, 'a');
+  EXPECT_EQ(sink.write(sink.self, reinterpret_cast<const uint8_t*>(words.data()), 10), 10)
+      << "into the file that nobody sees any more";
+  EXPECT_EQ(sink.renew(sink.self), 1) << "and there is no folder for a new one";
+  EXPECT_LT(sink.write(sink.self, reinterpret_cast<const uint8_t*>(words.data()), 10), 0);
+  std::filesystem::rename(folder_ + ".away", folder_);
+  EXPECT_EQ(sink.write(sink.self, reinterpret_cast<const uint8_t*>(words.data()), 10), 10);
+  EXPECT_EQ(content(), words);
+}
+
+TEST(StandardFiles, ThatAreClosedAreHeld) {
+  const pid_t child = fork();
+  if (child == 0) {
+    close(0);
+    close(1);
+    holdStandardFiles();
+    const int next = open("/dev/null", O_RDONLY);
+    const bool open0 = fcntl(0, F_GETFD) >= 0;
+    const bool open1 = fcntl(1, F_GETFD) >= 0;
+    _exit(open0 && open1 && next > 2 ? 0 : 1);
+  }
+  int status = -1;
+  waitpid(child, &status, 0);
+  EXPECT_EQ(status, 0);
+}
+
+}  // namespace
+}  // namespace glider::runtime::testing

@@ -7,8 +7,6 @@
 #include "runtime/abi/behaviour.h"
 #include "runtime/numbers/numbers.h"
 
-#include <math.h>
-
 namespace glider::runtime {
 namespace {
 
@@ -37,8 +35,8 @@ void setLateral(GliderContext& context, GliderLateral lateral, double heading, d
 
 /// The same direction in [0, 2 pi).
 double wrapped(double heading) {
-  const double rest = fmod(heading, kTwoPi);
-  const double positive = rest < 0.0 ? rest + kTwoPi : rest;
+  const double rest = restOf(magnitude(heading), kTwoPi);
+  const double positive = heading < 0.0 && rest > 0.0 ? kTwoPi - rest : rest;
   return positive < kTwoPi ? positive : 0.0;
 }
 

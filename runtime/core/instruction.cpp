@@ -5,8 +5,6 @@
 
 #include "runtime/numbers/numbers.h"
 
-#include <math.h>
-
 namespace glider::runtime {
 namespace {
 
@@ -40,8 +38,9 @@ hooks::HookLateral lateralOf(uint32_t lateral) {
 
 double degreesMinutesOf(double degrees) {
   const double size = magnitude(degrees);
-  const double minutes = fmod(size, 1.0) * 60.0;
-  const double whole = size - fmod(size, 1.0);
+  const double part = restOf(size, 1.0);
+  const double minutes = part * 60.0;
+  const double whole = size - part;
   double value = whole * 100.0 + minutes;
   if (value - whole * 100.0 >= 60.0) {  // 59.9999… rounded up to a minute that is none
     value = (whole + 1.0) * 100.0;

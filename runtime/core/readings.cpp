@@ -7,15 +7,13 @@
 #include "runtime/abi/order.h"
 #include "runtime/numbers/numbers.h"
 
-#include <math.h>
-
 namespace glider::runtime {
 namespace {
 
 /// ddmm.mmmm to degrees, the sign kept; unknown from 60 minutes on.
 double degreesOf(double raw) {
   const double size = magnitude(raw);
-  const double minutes = fmod(size, 100.0);         // exact on every board
+  const double minutes = restOf(size, 100.0);
   const double degrees = (size - minutes) / 100.0;  // exact: a multiple of 100
   if (!(minutes < 60.0)) {
     return unknown();

@@ -3,6 +3,7 @@
 
 // The functions of runtime/numbers against the C library's in long double.
 
+#include "runtime/numbers/numbers.h"
 #include "tests/unit/runtime/numbers_samples.h"
 
 #include <gtest/gtest.h>
@@ -106,6 +107,23 @@ TEST(Numbers, ArctangentKnowsEveryQuarter) {
   EXPECT_EQ(gliderAtan2(1, 1), M_PI_4);
   EXPECT_EQ(gliderAtan2(-1e300, -1e300), -3 * M_PI_4);
   EXPECT_EQ(gliderAtan2(1e-300, -1e300), M_PI);
+}
+
+TEST(Numbers, TheRestOfADivisionIsExact) {
+  Random random(7);
+  for (const double of : {1.0, 100.0, 6.283185307179586}) {
+    for (int i = 0; i < kPoints / 10; ++i) {
+      const double size =
+          i % 2 == 0 ? random.between(0.0, 20000.0) : std::fabs(random.spread(-1070, 1023));
+      ASSERT_EQ(runtime::bitsOf(runtime::restOf(size, of)), runtime::bitsOf(std::fmod(size, of)))
+          << size << " by " << of;
+    }
+    for (const double size : {0.0, of, 2 * of, 1e300, std::nextafter(of, 0.0),
+                              std::nextafter(3 * of, 0.0), std::numeric_limits<double>::max()}) {
+      EXPECT_EQ(runtime::restOf(size, of), std::fmod(size, of)) << size << " by " << of;
+    }
+    EXPECT_TRUE(std::isnan(runtime::restOf(std::numeric_limits<double>::infinity(), of)));
+  }
 }
 
 TEST(Numbers, WhatHasNoValueIsUnknown) {

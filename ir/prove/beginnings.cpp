@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "ir/core/ops.h"
 #include "ir/prove/orders.h"
 #include "ir/prove/passes.h"
 
@@ -43,8 +44,8 @@ class BeginningCheck {
     }
     const Expr& asked = m_[e.operands[0]];
     const Expr& then = m_[e.operands[1]];
-    const bool guarded = asked.op == Op::Known && m_[asked.operands[0]].op == Op::Sensor &&
-                         then.op >= Op::Less && then.op <= Op::NotEqual;
+    const bool guarded =
+        asked.op == Op::Known && m_[asked.operands[0]].op == Op::Sensor && isComparison(then.op);
     const auto is_known = [&](ExprId operand) {
       const Expr& x = m_[operand];
       return proof_.ground.known.expressions[operand.index] ||

@@ -26,6 +26,9 @@ class KnownExpressions {
     for (uint32_t k = 0; k < opInfo(e.op).operands; ++k) {
       operands = operands && judged.expressions[e.operands.at(k).index];
     }
+    if (isComparison(e.op)) {
+      return operands;
+    }
     switch (e.op) {
       case Op::Known:
         return true;
@@ -50,12 +53,6 @@ class KnownExpressions {
       case Op::Max:
       case Op::Clamp:
       case Op::Select:
-      case Op::Less:
-      case Op::LessEqual:
-      case Op::Greater:
-      case Op::GreaterEqual:
-      case Op::Equal:
-      case Op::NotEqual:
       case Op::Not:
       case Op::And:
       case Op::Or:

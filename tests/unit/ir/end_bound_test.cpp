@@ -7,9 +7,9 @@
 
 #include "ir/prove/random_flight.h"
 #include "ir/verify/verify.h"
-#include "platforms/load/platform.h"
 #include "tests/random_missions/random.h"
 #include "tests/unit/ir/missions.h"
+#include "tests/unit/ir/slocum.h"
 
 #include <limits>
 
@@ -17,11 +17,6 @@ namespace glider::ir::prove {
 namespace {
 
 constexpr double kForever = 1e7;
-
-const platforms::Platform& slocum() {
-  static const auto loaded = platforms::loadPlatform(GLIDER_SOURCE_DIR "/platforms/slocum.toml");
-  return *loaded;
-}
 
 /// In gaps between ticks beyond `seconds`; NaN: no bound is found.
 double gapsBeyond(double seconds, const std::string& text, double latest = kForever) {

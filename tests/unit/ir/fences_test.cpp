@@ -10,9 +10,9 @@
 #include "ir/prove/plane.h"
 #include "ir/prove/random_flight.h"
 #include "ir/prove/steering.h"
-#include "platforms/load/platform.h"
 #include "tests/random_missions/random.h"
 #include "tests/unit/ir/missions.h"
+#include "tests/unit/ir/slocum.h"
 
 #include <fmt/format.h>
 
@@ -24,11 +24,6 @@ namespace glider::ir::prove {
 namespace {
 
 using Places = std::vector<Position>;
-
-const platforms::Platform& slocum() {
-  static const auto loaded = platforms::loadPlatform(GLIDER_SOURCE_DIR "/platforms/slocum.toml");
-  return *loaded;
-}
 
 double unit(random_missions::Random& random) {
   return static_cast<double>(random.below(1U << 20)) / (1U << 20);

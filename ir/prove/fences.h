@@ -27,7 +27,7 @@ struct FenceVerdict {
 };
 
 /// Of `fences`, for the whole flight, given that control is given inside by the margin and that the
-/// legs from there to the waypoints are. Distances: spheres of 6371 km, rounded down.
+/// legs from there to the waypoints are. Distances: of sphere.h, rounded down.
 FenceVerdict judgeFences(const std::vector<Fence>& fences, const Ground& ground);
 
 }  // namespace glider::ir::prove

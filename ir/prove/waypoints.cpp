@@ -4,6 +4,7 @@
 #include "ir/eval/arithmetic.h"
 #include "ir/prove/orders.h"
 #include "ir/prove/passes.h"
+#include "ir/prove/sphere.h"
 
 #include <fmt/format.h>
 
@@ -99,8 +100,7 @@ class WaypointCheck {
   };
 
   [[nodiscard]] std::vector<Coordinate> coordinates(TypeKind kind) const {
-    constexpr double kDegree = 111195;  // m of a great circle
-    std::set<uint32_t> units;           // what differences are divided by is no place
+    std::set<uint32_t> units;  // what differences are divided by is no place
     for (const Expr& e : m_.exprs) {
       if (e.op == Op::Divide) {
         units.insert(e.operands[1].index);
@@ -112,7 +112,7 @@ class WaypointCheck {
     for (uint32_t i = 0; i < m_.exprs.size(); ++i) {
       const Expr& e = m_.exprs[i];
       if (e.op == Op::Constant && e.type.kind == kind && !units.contains(i)) {
-        found.push_back({e.number, kDegree * narrow, e.range});
+        found.push_back({e.number, kMetresPerDegree * narrow, e.range});
       }
     }
     return found;

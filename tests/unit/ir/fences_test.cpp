@@ -7,7 +7,7 @@
 #include "ir/prove/fences.h"
 
 #include "ir/eval/arithmetic.h"
-#include "ir/prove/plane.h"
+#include "ir/prove/area_map.h"
 #include "ir/prove/random_flight.h"
 #include "ir/prove/steering.h"
 #include "tests/random_missions/random.h"
@@ -67,7 +67,7 @@ TEST(Fences, TheMapsDistancesAreTheSpheresAndNeverMore) {
         i % 2 == 0,
         {near(middle, 0.1, random), near(middle, 0.1, random), near(middle, 0.1, random)}};
     const Places waypoints{near(middle, 0.2, random), near(middle, 0.2, random)};
-    const Clearance found = Plane(fence.corners, waypoints).clearance(fence, waypoints);
+    const Clearance found = AreaMap(fence.corners, waypoints).clearance(fence, waypoints);
     const double sampled = sampledDistance(fence.corners, waypoints);
     // The samples lie up to 500 m apart.
     EXPECT_LE(found.distance_m, sampled * 1.000001) << i;
@@ -80,7 +80,7 @@ TEST(Fences, TheMapsDistancesAreTheSpheresAndNeverMore) {
 TEST(Fences, TheSideIsThatOfTheWholeHull) {
   const Places box{{39, -74}, {39, -73.5}, {39.4, -73.5}, {39.4, -74}};
   const auto right = [&](bool keep_in, const Places& waypoints) {
-    return Plane(box, waypoints).clearance({keep_in, box}, waypoints).right_side;
+    return AreaMap(box, waypoints).clearance({keep_in, box}, waypoints).right_side;
   };
   EXPECT_TRUE(right(true, {{39.2, -73.8}}));
   EXPECT_FALSE(right(false, {{39.2, -73.8}}));
@@ -91,7 +91,7 @@ TEST(Fences, TheSideIsThatOfTheWholeHull) {
   EXPECT_TRUE(right(false, {{38, -75}, {38, -72}, {38.5, -73.7}}));
   const Places notched{{39, -74}, {39, -73}, {40, -73}, {39.1, -73.5}, {40, -74}};
   const Places over{{39.8, -73.95}, {39.8, -73.05}};
-  EXPECT_FALSE(Plane(notched, over).clearance({true, notched}, over).right_side)
+  EXPECT_FALSE(AreaMap(notched, over).clearance({true, notched}, over).right_side)
       << "both ends are inside, the leg is not";
 }
 

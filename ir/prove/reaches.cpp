@@ -23,14 +23,8 @@ constexpr double kLongest = 365 * 86400.0;  // s
 std::optional<Position> waypointOf(const Mission& m, const State& state) {
   std::optional<Position> found;
   for (const Statement* order : ordersOf(m, state.route)) {
-    const bool fixed = order->command == Command::SteerTo &&
-                       m[order->values.at(0)].op == Op::Constant &&
-                       m[order->values.at(1)].op == Op::Constant;
-    if (!fixed) {
-      return std::nullopt;
-    }
-    const Position place{m[order->values[0]].number, m[order->values[1]].number};
-    if (found && *found != place) {
+    const auto place = fixedTarget(m, *order);
+    if (!place || (found && *found != *place)) {
       return std::nullopt;
     }
     found = place;

@@ -34,9 +34,7 @@ class WaypointCheck {
   void run() {
     for (const State& state : m_.states) {
       for (const Statement* order : ordersOf(m_, state.route)) {
-        if (order->command == Command::SteerTo) {
-          add(m_[order->values.at(0)], m_[order->values.at(1)], state.route.range);
-        }
+        add(*order, state.route.range);
       }
     }
     for (const Waypoint& one : waypoints_) {
@@ -50,16 +48,12 @@ class WaypointCheck {
   }
 
  private:
-  /// Constants, and the places of a path.
-  void add(const Expr& latitude, const Expr& longitude, support::SourceRange route) {
-    if (latitude.op == Op::Constant && longitude.op == Op::Constant) {
-      waypoints_.push_back({{latitude.number, longitude.number}, route});
-    } else if (latitude.op == Op::Element && longitude.op == Op::Element) {
-      const auto& north = m_[latitude.table].values;
-      const auto& east = m_[longitude.table].values;
-      for (size_t i = 0; i < std::min(north.size(), east.size()); ++i) {
-        waypoints_.push_back({{north[i], east[i]}, route});
-      }
+  void add(const Statement& order, const support::SourceRange& route) {
+    if (const auto fixed = fixedTarget(m_, order)) {
+      waypoints_.push_back({*fixed, route});
+    }
+    for (const Position& place : pathTargets(m_, order)) {
+      waypoints_.push_back({place, route});
     }
   }
 

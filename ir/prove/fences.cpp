@@ -4,7 +4,6 @@
 #include "ir/prove/fences.h"
 
 #include "ir/prove/area_map.h"
-#include "ir/prove/end_bound.h"
 #include "ir/prove/steering.h"
 
 #include <fmt/format.h>
@@ -40,8 +39,8 @@ std::string reasonOf(const Ground& ground, const Fence& fence, const Steering& s
 
 }  // namespace
 
-FenceVerdict judgeFences(const std::vector<Fence>& fences, const Ground& ground) {
-  const auto end = endsBy(ground, kLongest);
+FenceVerdict judgeFences(const std::vector<Fence>& fences, const Ground& ground, Ending& ending) {
+  const auto end = ending.by(kLongest);
   if (!end) {
     return {false, 0, "no time up to three days is known by which the mission has ended"};
   }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "ir/core/mission.h"
+#include "ir/prove/end_bound.h"
 #include "ir/prove/ground.h"
 
 #include <string>
@@ -28,6 +29,6 @@ struct FenceVerdict {
 
 /// Of `fences`, for the whole flight, given that control is given inside by the margin and that the
 /// legs from there to the waypoints are. Distances: of sphere.h, rounded down.
-FenceVerdict judgeFences(const std::vector<Fence>& fences, const Ground& ground);
+FenceVerdict judgeFences(const std::vector<Fence>& fences, const Ground& ground, Ending& ending);
 
 }  // namespace glider::ir::prove

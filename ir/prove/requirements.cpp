@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "ir/prove/depth_bound.h"
-#include "ir/prove/end_bound.h"
 #include "ir/prove/entered_after.h"
 #include "ir/prove/fences.h"
 #include "ir/prove/passes.h"
@@ -74,7 +73,7 @@ class RequirementCheck {
   }
 
   RequirementVerdict judgeAreas(const Requirement& requirement) {
-    const FenceVerdict found = judgeFences(requirement.fences, proof_.ground);
+    const FenceVerdict found = judgeFences(requirement.fences, proof_.ground, proof_.ending);
     if (found.kept) {
       return {
           0, Verdict::Proved, std::nullopt,
@@ -103,14 +102,14 @@ class RequirementCheck {
   }
 
   /// Without a search over runs.
-  bool easilyProved(const Requirement& requirement) const {
+  bool easilyProved(const Requirement& requirement) {
     switch (requirement.kind) {
       case RequirementKind::NeverAfter:
         return !mayEnterAfter(m_, requirement.state, requirement.after);
       case RequirementKind::Always:
         return heldByOrders(requirement.condition, proof_.ground);
       case RequirementKind::ExitWithin:
-        return endsBy(proof_.ground, requirement.seconds).has_value();
+        return proof_.ending.by(requirement.seconds).has_value();
       default:
         return false;
     }

@@ -136,7 +136,8 @@ TEST(Fences, WhatIsKeptNoCurrentBreaks) {
     const Mission mission =
         missionOf(boxed(waypoints, {39 - wide, -73 - 1.2 * wide}, {39 + wide, -73 + 1.2 * wide}));
     const Ground ground(mission, slocum());
-    const FenceVerdict verdict = judgeFences(mission.requirements[0].fences, ground);
+    Ending ending(ground);
+    const FenceVerdict verdict = judgeFences(mission.requirements[0].fences, ground, ending);
     EXPECT_EQ(verdict.kept, verdict.reason.empty());
     bool hit = false;
     for (uint64_t seed = 0; seed < kFlights && !hit; ++seed) {
@@ -154,7 +155,9 @@ TEST(Fences, TheMarginGrowsWithTheTimeAndWithoutAWaypoint) {
   const Places there{{39, -73}};
   const auto margin = [&](const std::string& text) {
     const Mission mission = missionOf(text);
-    return judgeFences(mission.requirements[0].fences, Ground(mission, slocum())).margin_m;
+    const Ground ground(mission, slocum());
+    Ending ending(ground);
+    return judgeFences(mission.requirements[0].fences, ground, ending).margin_m;
   };
   const std::string far = boxed(there, {38.7, -73.3}, {39.3, -72.7});
   const double once = margin(far);

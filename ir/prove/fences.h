@@ -22,9 +22,9 @@
 namespace glider::ir::prove {
 
 struct FenceVerdict {
-  bool kept = false;
-  double margin_m = 0;  ///< so far from the edges control has to be given; of one that is kept
-  std::string reason;   ///< why it is not known to be kept
+  bool proved = false;  ///< they are kept
+  double margin_m = 0;  ///< so far from the edges control has to be given; of what is proved
+  std::string reason;   ///< why they are not known to be kept
 };
 
 /// Of `fences`, for the whole flight, given that control is given inside by the margin and that the

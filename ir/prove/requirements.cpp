@@ -52,8 +52,8 @@ class RequirementCheck {
     if (easilyProved(requirement)) {
       return {0, Verdict::Proved, std::nullopt};
     }
-    if (const auto& kept = proof_.options.kept) {
-      if (const auto known = kept(number)) {
+    if (const auto& cached = proof_.options.cached) {
+      if (const auto known = cached(number)) {
         return recall(requirement, *known);
       }
     }
@@ -63,18 +63,18 @@ class RequirementCheck {
     return verdict;
   }
 
-  RequirementVerdict recall(const Requirement& requirement, const KeptVerdict& known) {
+  RequirementVerdict recall(const Requirement& requirement, const CachedVerdict& known) {
     RequirementVerdict verdict{0, Verdict::Proved, std::nullopt, known.words};
     if (known.verdict != Verdict::Proved) {
       verdict = open(requirement, known.words);
     }
-    verdict.kept = true;
+    verdict.cached = true;
     return verdict;
   }
 
   RequirementVerdict judgeAreas(const Requirement& requirement) {
     const FenceVerdict found = judgeFences(requirement.fences, proof_.ground, proof_.ending);
-    if (found.kept) {
+    if (found.proved) {
       return {
           0, Verdict::Proved, std::nullopt,
           fmt::format("if control is given {0:.0f} m or more on the right side of each edge, and "

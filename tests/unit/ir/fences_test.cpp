@@ -125,7 +125,7 @@ std::string boxed(const Places& waypoints, const Position& low, const Position& 
 TEST(Fences, WhatIsKeptNoCurrentBreaks) {
   random_missions::Random random(7);
   constexpr int kFlights = 60;
-  int kept = 0;
+  int proved = 0;
   int broken = 0;
   for (int i = 0; i < 60; ++i) {
     Places waypoints;
@@ -138,16 +138,16 @@ TEST(Fences, WhatIsKeptNoCurrentBreaks) {
     const Ground ground(mission, slocum());
     Ending ending(ground);
     const FenceVerdict verdict = judgeFences(mission.requirements[0].fences, ground, ending);
-    EXPECT_EQ(verdict.kept, verdict.reason.empty());
+    EXPECT_EQ(verdict.proved, verdict.reason.empty());
     bool hit = false;
     for (uint64_t seed = 0; seed < kFlights && !hit; ++seed) {
       hit = flyAtRandom(ground, 0, mission.requirements[0], seed, 1500).has_value();
     }
-    EXPECT_FALSE(verdict.kept && hit) << i << ": " << wide;
-    kept += verdict.kept ? 1 : 0;
+    EXPECT_FALSE(verdict.proved && hit) << i << ": " << wide;
+    proved += verdict.proved ? 1 : 0;
     broken += hit ? 1 : 0;
   }
-  EXPECT_GT(kept, 8);
+  EXPECT_GT(proved, 8);
   EXPECT_GT(broken, 8) << "else the flights would find nothing";
 }
 

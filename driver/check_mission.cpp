@@ -50,7 +50,7 @@ Result<report::JudgedRequirement> judgedRequirement(const Compilation& compilati
                                    ir::prove::word(verdict.verdict),
                                    std::nullopt,
                                    verdict.premise,
-                                   verdict.kept};
+                                   verdict.cached};
   if (fly && verdict.verdict == ir::prove::Verdict::Refuted && verdict.run) {
     const auto search = searchClosedLoop(compilation, verdict);
     if (!search) {
@@ -81,7 +81,7 @@ Result<ir::prove::Findings> proveWithCache(Compilation& compilation, const std::
     return proveWithProgress(compilation, path, how);
   }
   const ProofCache cache(compilation, how);
-  how.kept = [&](uint32_t requirement) { return cache.find(requirement); };
+  how.cached = [&](uint32_t requirement) { return cache.find(requirement); };
   auto proved = proveWithProgress(compilation, path, how);
   if (proved) {
     cache.keep(proved->requirements);

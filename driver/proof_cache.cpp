@@ -21,7 +21,7 @@ namespace glider::driver {
 namespace {
 
 using codegen::digestOf;
-using ir::prove::KeptVerdict;
+using ir::prove::CachedVerdict;
 using ir::prove::RequirementVerdict;
 using ir::prove::Verdict;
 
@@ -51,7 +51,7 @@ std::string written(const std::string& key, const RequirementVerdict& verdict) {
   return fmt::format("{}\n{}\n{}", kMagic, digestOf(body), body);
 }
 
-std::optional<KeptVerdict> readBack(const std::string& key, std::string_view text) {
+std::optional<CachedVerdict> readBack(const std::string& key, std::string_view text) {
   const auto line = [&]() {
     const size_t end = text.find('\n');
     const std::string_view found = text.substr(0, end);
@@ -68,7 +68,7 @@ std::optional<KeptVerdict> readBack(const std::string& key, std::string_view tex
   if (!proved && verdict != ir::prove::word(Verdict::Open)) {
     return std::nullopt;
   }
-  return KeptVerdict{proved ? Verdict::Proved : Verdict::Open, std::string(line())};
+  return CachedVerdict{proved ? Verdict::Proved : Verdict::Open, std::string(line())};
 }
 
 /// The oldest go, so that there is room for some.
@@ -107,7 +107,7 @@ std::filesystem::path ProofCache::fileOf(uint32_t requirement) const {
   return folder_ / digestOf(fmt::format("{}\n{}", requirement, all_));
 }
 
-std::optional<KeptVerdict> ProofCache::find(uint32_t requirement) const {
+std::optional<CachedVerdict> ProofCache::find(uint32_t requirement) const {
   if (folder_.empty()) {
     return std::nullopt;
   }

@@ -21,7 +21,7 @@ class ProofCache {
   ProofCache(const Compilation& compilation, const ir::prove::Options& how);
 
   /// What is kept of the requirement with that number.
-  [[nodiscard]] std::optional<ir::prove::KeptVerdict> find(uint32_t requirement) const;
+  [[nodiscard]] std::optional<ir::prove::CachedVerdict> find(uint32_t requirement) const;
   /// Keeps what took a search, and lets the oldest go when there are many.
   void keep(const std::vector<ir::prove::RequirementVerdict>& verdicts) const;
 

@@ -102,12 +102,15 @@ std::optional<Type> watched(const Mission& mission, const Temporal& t) {
   return value;
 }
 
-bool comparison(Op op) {
-  return op == Op::Less || op == Op::LessEqual || op == Op::Greater || op == Op::GreaterEqual ||
-         op == Op::Equal || op == Op::NotEqual;
+}  // namespace
+
+bool isOrdering(Op op) {
+  return op == Op::Less || op == Op::LessEqual || op == Op::Greater || op == Op::GreaterEqual;
 }
 
-}  // namespace
+bool isComparison(Op op) {
+  return isOrdering(op) || op == Op::Equal || op == Op::NotEqual;
+}
 
 Op negated(Op comparison) {
   switch (comparison) {
@@ -212,7 +215,7 @@ std::optional<Type> resultType(const Mission& mission, const Expr& expr) {
   if (expr.op == Op::Known) {
     return kBool;
   }
-  if (comparison(expr.op)) {
+  if (isComparison(expr.op)) {
     return operand(0) == operand(1) ? std::optional(kBool) : std::nullopt;
   }
   if (expr.op == Op::Clamp && operand(2) != operand(0)) {

@@ -27,6 +27,10 @@ size_t opCount();
 /// The number of operands of `expr`: those of its operation, or as many as a Call has.
 uint32_t operandCount(const Expr& expr);
 
+/// Whether it compares: Less to NotEqual.
+bool isComparison(Op op);
+/// Whether it is a comparison that asks for the order of numbers: Less to GreaterEqual.
+bool isOrdering(Op op);
 /// The comparison that is true exactly where `comparison` (Less to NotEqual) is false.
 Op negated(Op comparison);
 

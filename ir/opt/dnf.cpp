@@ -148,7 +148,7 @@ class Former {
   }
 
   Disjunction comparison(const Expr& e, Wanted wanted) const {
-    if (e.op < Op::Less || e.op > Op::NotEqual) {
+    if (!isComparison(e.op)) {
       return opaque();
     }
     const auto left = watched(e.operands[0]);

@@ -35,24 +35,6 @@ class BeginningCheck {
     }
   }
 
-  /// Also `known(depth) && depth < bottom`, which is false where the depth is unknown.
-  [[nodiscard]] bool isNeverUnknown(ExprId id) const {
-    const Expr& e = m_[id];
-    if (proof_.ground.known.expressions[id.index] || e.op != Op::And) {
-      return proof_.ground.known.expressions[id.index];
-    }
-    const Expr& asked = m_[e.operands[0]];
-    const Expr& then = m_[e.operands[1]];
-    const bool guarded = asked.op == Op::Known && m_[asked.operands[0]].op == Op::Sensor &&
-                         then.op >= Op::Less && then.op <= Op::NotEqual;
-    const auto is_known = [&](ExprId operand) {
-      const Expr& x = m_[operand];
-      return proof_.ground.known.expressions[operand.index] ||
-             (x.op == Op::Sensor && x.sensor == m_[asked.operands[0]].sensor);
-    };
-    return guarded && is_known(then.operands[0]) && is_known(then.operands[1]);
-  }
-
   /// Whether every way through the block gives an order.
   // NOLINTNEXTLINE(misc-no-recursion): as deep as the mission's text nests
   [[nodiscard]] bool orders(BlockId block, bool vertical) const {
@@ -64,7 +46,8 @@ class BeginningCheck {
         return isVertical(statement.command) == vertical;
       }
       // An unknown condition takes neither branch.
-      return statement.kind == StatementKind::If && isNeverUnknown(statement.value) &&
+      return statement.kind == StatementKind::If &&
+             proof_.ground.known.expressions[statement.value.index] &&
              orders(statement.then, vertical) && orders(statement.otherwise, vertical);
     });
   }

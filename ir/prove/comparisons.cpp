@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "ir/core/ops.h"
 #include "ir/core/walk.h"
 #include "ir/prove/passes.h"
 #include "ir/prove/possible.h"
@@ -11,11 +12,6 @@
 
 namespace glider::ir::prove {
 namespace {
-
-bool isComparison(const Expr& e) {
-  return e.op == Op::Less || e.op == Op::LessEqual || e.op == Op::Greater ||
-         e.op == Op::GreaterEqual;
-}
 
 /// Looks for comparisons of what is measured with a value beyond all that can be measured: slips of
 /// a unit or a digit, in conditions that other parts keep alive. Of a behaviour's text every use
@@ -55,7 +51,7 @@ class ComparisonCheck {
 
   void look(ExprId root) {
     forEachIn(m_, root, [&](const Expr& e) {
-      if (isComparison(e) && e.range.file != proof_.options.library && isMeasured(e)) {
+      if (isOrdering(e.op) && e.range.file != proof_.options.library && isMeasured(e)) {
         note(e);
       }
     });

@@ -195,12 +195,24 @@ class Search {
 
 }  // namespace
 
-std::optional<double> endsBy(const Ground& ground, double latest) {
-  return boundOf(ground, latest, Goal::Exit).by;
-}
-
 EndBound boundOf(const Ground& ground, double latest, Goal goal) {
   return Search(ground, latest, goal).end();
+}
+
+const EndBound& Ending::bound() {
+  if (!bound_) {
+    bound_ = boundOf(ground_, kLongestMission, Goal::Exit);
+  }
+  return *bound_;
+}
+
+/// A search up to a sooner time takes the same way, and ends where a state is not left by then.
+std::optional<double> Ending::by(double latest) {
+  const EndBound& found = bound();
+  if (!found.by && latest > kLongestMission) {
+    return boundOf(ground_, latest, Goal::Exit).by;
+  }
+  return found.by && std::ranges::max(found.left_by) <= latest ? found.by : std::nullopt;
 }
 
 }  // namespace glider::ir::prove

@@ -13,9 +13,6 @@ namespace {
 /// No flight is meant to be so short; the vehicle has not even left the surface.
 constexpr double kAtOnce = 60;
 
-/// A year: no mission is meant to be as long.
-constexpr double kLongest = 365 * 86400.0;
-
 void tellEnd(Proof& proof, const EndBound& end) {
   const auto tell = [&](std::string text) {
     proof.findings.lines.push_back({{}, std::move(text)});
@@ -28,7 +25,7 @@ void tellEnd(Proof& proof, const EndBound& end) {
   } else {
     tell("no bound for the mission's end is known");
   }
-  const EndBound home = boundOf(proof.ground, kLongest, Goal::ExitOrSurface);
+  const EndBound home = boundOf(proof.ground, kLongestMission, Goal::ExitOrSurface);
   if (home.by && (!end.by || *home.by < *end.by)) {
     tell(fmt::format("it has ended, or ordered the surface, after {} at the latest",
                      durationOf(*home.by)));
@@ -40,7 +37,7 @@ void tellEnd(Proof& proof, const EndBound& end) {
 void passes::ends(Proof& proof) {
   // Only what ends soon is looked for unless there is a report: that is quick.
   const bool report = proof.options.report;
-  const EndBound end = boundOf(proof.ground, report ? kLongest : kAtOnce, Goal::Exit);
+  const EndBound end = report ? proof.ending.bound() : boundOf(proof.ground, kAtOnce, Goal::Exit);
   if (end.by && *end.by <= kAtOnce) {
     proof.diagnostics.report(support::DiagnosticId::endsAtOnce,
                              proof.ground.mission.states.front().range, durationOf(*end.by));

@@ -3,8 +3,7 @@
 
 #include "ir/prove/fences.h"
 
-#include "ir/prove/end_bound.h"
-#include "ir/prove/plane.h"
+#include "ir/prove/area_map.h"
 #include "ir/prove/steering.h"
 
 #include <fmt/format.h>
@@ -14,7 +13,7 @@
 namespace glider::ir::prove {
 namespace {
 
-/// Three days: in more the current takes it beyond any area, and beyond the map of plane.h.
+/// Three days: in more the current takes it beyond any area, and beyond the map of area_map.h.
 constexpr double kLongest = 3 * 86400.0;
 
 /// How far it may be set off its legs, m, in `time` seconds.
@@ -40,8 +39,8 @@ std::string reasonOf(const Ground& ground, const Fence& fence, const Steering& s
 
 }  // namespace
 
-FenceVerdict judgeFences(const std::vector<Fence>& fences, const Ground& ground) {
-  const auto end = endsBy(ground, kLongest);
+FenceVerdict judgeFences(const std::vector<Fence>& fences, const Ground& ground, Ending& ending) {
+  const auto end = ending.by(kLongest);
   if (!end) {
     return {false, 0, "no time up to three days is known by which the mission has ended"};
   }
@@ -51,9 +50,9 @@ FenceVerdict judgeFences(const std::vector<Fence>& fences, const Ground& ground)
     return {false, 0, "it steers to no waypoint, so nothing says where it flies"};
   }
   for (const Fence& fence : fences) {
-    const Plane plane(fence.corners, steering.waypoints);
-    const Clearance found = plane.clearance(fence, steering.waypoints);
-    const double margin = verdict.margin_m + plane.bend_m();
+    const AreaMap map(fence.corners, steering.waypoints);
+    const Clearance found = map.clearance(fence, steering.waypoints);
+    const double margin = verdict.margin_m + map.bend_m();
     if (!found.right_side || found.distance_m < margin) {
       return {false, 0, reasonOf(ground, fence, steering, found, *end, margin)};
     }

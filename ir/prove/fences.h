@@ -4,6 +4,7 @@
 #pragma once
 
 #include "ir/core/mission.h"
+#include "ir/prove/end_bound.h"
 #include "ir/prove/ground.h"
 
 #include <string>
@@ -21,13 +22,13 @@
 namespace glider::ir::prove {
 
 struct FenceVerdict {
-  bool kept = false;
-  double margin_m = 0;  ///< so far from the edges control has to be given; of one that is kept
-  std::string reason;   ///< why it is not known to be kept
+  bool proved = false;  ///< they are kept
+  double margin_m = 0;  ///< so far from the edges control has to be given; of what is proved
+  std::string reason;   ///< why they are not known to be kept
 };
 
 /// Of `fences`, for the whole flight, given that control is given inside by the margin and that the
-/// legs from there to the waypoints are. Distances: spheres of 6371 km, rounded down.
-FenceVerdict judgeFences(const std::vector<Fence>& fences, const Ground& ground);
+/// legs from there to the waypoints are. Distances: of sphere.h, rounded down.
+FenceVerdict judgeFences(const std::vector<Fence>& fences, const Ground& ground, Ending& ending);
 
 }  // namespace glider::ir::prove

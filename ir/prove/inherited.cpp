@@ -3,6 +3,8 @@
 
 #include "ir/prove/inherited.h"
 
+#include "ir/core/ops.h"
+
 namespace glider::ir::prove {
 namespace {
 
@@ -80,6 +82,15 @@ class Analysis {
 };
 
 }  // namespace
+
+bool Inherited::haveOperands(const Expr& e, uint32_t first) const {
+  for (uint32_t k = first; k < opInfo(e.op).operands; ++k) {
+    if (!expressions[e.operands.at(k).index]) {
+      return false;
+    }
+  }
+  return true;
+}
 
 Inherited greatestSet(const Mission& mission, const Inheritance& inheritance) {
   return Analysis(mission, inheritance).run();

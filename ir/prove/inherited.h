@@ -14,6 +14,9 @@ namespace glider::ir::prove {
 struct Inherited {
   std::vector<bool> variables;
   std::vector<bool> expressions;
+
+  /// Whether all operands of an expression have it, from number `first` on; not those of a Call.
+  [[nodiscard]] bool haveOperands(const Expr& e, uint32_t first = 0) const;
 };
 
 /// A property of values, as "never unknown": how it is handed on.

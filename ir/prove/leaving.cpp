@@ -3,6 +3,7 @@
 
 #include "ir/prove/leaving.h"
 
+#include "ir/core/ops.h"
 #include "ir/core/walk.h"
 
 #include <algorithm>
@@ -72,7 +73,7 @@ class LeavingSearch {
   /// Times that the guards compare clocks with.
   void gather(ExprId root, const Possible& ever) {
     forEachIn(m_, root, [&](const Expr& e) {
-      if (e.op >= Op::Less && e.op <= Op::GreaterEqual) {
+      if (isOrdering(e.op)) {
         keep(e.operands[0], e.operands[1], ever);
         keep(e.operands[1], e.operands[0], ever);
       }

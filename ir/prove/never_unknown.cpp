@@ -22,9 +22,9 @@ class KnownExpressions {
 
   bool isKnown(size_t index, const Inherited& judged) const {
     const Expr& e = m_.exprs[index];
-    bool operands = true;
-    for (uint32_t k = 0; k < opInfo(e.op).operands; ++k) {
-      operands = operands && judged.expressions[e.operands.at(k).index];
+    const bool operands = judged.haveOperands(e);
+    if (isComparison(e.op)) {
+      return operands;
     }
     switch (e.op) {
       case Op::Known:
@@ -50,22 +50,32 @@ class KnownExpressions {
       case Op::Max:
       case Op::Clamp:
       case Op::Select:
-      case Op::Less:
-      case Op::LessEqual:
-      case Op::Greater:
-      case Op::GreaterEqual:
-      case Op::Equal:
-      case Op::NotEqual:
       case Op::Not:
-      case Op::And:
       case Op::Or:
         return operands;
+      case Op::And:
+        return operands || isGuarded(e, judged);
       default:
         return false;  // a reading, what is watched, a call, or what has no value everywhere
     }
   }
 
  private:
+  /// `known(depth) && depth < bottom`, which is false where the depth is unknown.
+  bool isGuarded(const Expr& both, const Inherited& judged) const {
+    const Expr& asked = m_[both.operands[0]];
+    const Expr& then = m_[both.operands[1]];
+    if (asked.op != Op::Known || m_[asked.operands[0]].op != Op::Sensor || !isComparison(then.op)) {
+      return false;
+    }
+    const auto known = [&](ExprId side) {
+      const Expr& x = m_[side];
+      return judged.expressions[side.index] ||
+             (x.op == Op::Sensor && x.sensor == m_[asked.operands[0]].sensor);
+    };
+    return known(then.operands[0]) && known(then.operands[1]);
+  }
+
   bool mayBeZero(ExprId id) const {
     const Interval& x = intervals_[id.index];
     return x.lowest <= 0 && x.highest >= 0;

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "ir/prove/end_bound.h"
 #include "ir/prove/ground.h"
 #include "ir/prove/prove.h"
 #include "ir/verify/structure.h"
@@ -20,10 +21,11 @@ struct Proof {
   const MissionFacts& facts;
   const Options& options;
   support::DiagnosticEngine& diagnostics;
-  Findings findings;
-  std::set<CasePlace> dead;                ///< cases that were found never to fire
-  std::set<CasePlace> hidden;              ///< those of them that earlier ones hide
-  std::vector<support::SourceRange> said;  ///< conditions of which something was reported
+  Ending ending{ground};
+  Findings findings = {};
+  std::set<CasePlace> dead = {};                ///< cases that were found never to fire
+  std::set<CasePlace> hidden = {};              ///< those of them that earlier ones hide
+  std::vector<support::SourceRange> said = {};  ///< conditions of which something was reported
 };
 
 namespace passes {

@@ -26,7 +26,7 @@ Findings prove(const Mission& mission, const MissionFacts& facts,
                support::DiagnosticEngine& diagnostics) {
   const Ground ground(mission, platform);
   z3::context context;
-  Proof proof{context, ground, facts, options, diagnostics, {}, {}, {}, {}};
+  Proof proof{context, ground, facts, options, diagnostics};
 #define PASS(name, purpose) passes::name(proof);
 #include "ir/prove/prove_passes.def"
 #undef PASS
@@ -39,7 +39,7 @@ std::map<CasePlace, bool> casesThatNeverFire(const Mission& mission, const Missi
   const Ground ground(mission, platform);
   z3::context context;
   support::DiagnosticEngine unheard;
-  Proof proof{context, ground, facts, options, unheard, {}, {}, {}, {}};
+  Proof proof{context, ground, facts, options, unheard};
   passes::guards(proof);
   std::map<CasePlace, bool> cases;
   for (const CasePlace& place : proof.dead) {

@@ -26,7 +26,7 @@ enum class Verdict : uint8_t { Proved, Refuted, Open };
 const char* word(Verdict verdict);
 
 /// What an earlier check has found out about a requirement.
-struct KeptVerdict {
+struct CachedVerdict {
   Verdict verdict = Verdict::Open;  ///< proved or open
   std::string words;                ///< RequirementVerdict::premise or reason
 };
@@ -42,7 +42,7 @@ struct Options {
   /// Also what is no mistake but worth knowing: Findings::lines.
   bool report = false;
   /// What is known of a requirement (its number) and need not be searched for; may be null.
-  std::function<std::optional<KeptVerdict>(uint32_t)> kept;
+  std::function<std::optional<CachedVerdict>(uint32_t)> cached;
   /// Is told the number of each requirement before it is judged; may be empty.
   std::function<void(uint32_t)> before_requirement = {};
 };
@@ -61,7 +61,7 @@ struct RequirementVerdict {
   std::string premise = {};        ///< what a proof takes for granted beyond the assumed world
   std::string reason = {};         ///< of an open one: why it is
   bool searched = false;           ///< it took a search that may be long
-  bool kept = false;               ///< Options::kept knew it
+  bool cached = false;             ///< Options::cached knew it
 };
 
 struct Findings {

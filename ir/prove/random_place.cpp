@@ -4,6 +4,7 @@
 #include "ir/prove/random_place.h"
 
 #include "ir/eval/arithmetic.h"
+#include "ir/prove/sphere.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +14,6 @@ namespace glider::ir::prove {
 namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
-constexpr double kDegree = 6371000 * std::numbers::pi / 180;  // m of a great circle
 
 }  // namespace
 
@@ -61,10 +61,11 @@ void RandomPlace::move(double seconds) {
 }
 
 void RandomPlace::go(double course, double metres) {
-  place_.latitude = std::clamp(place_.latitude + std::cos(course) * metres / kDegree, -89.0, 89.0);
+  place_.latitude =
+      std::clamp(place_.latitude + std::cos(course) * metres / kMetresPerDegree, -89.0, 89.0);
   const double narrow = std::cos(place_.latitude * std::numbers::pi / 180);
-  place_.longitude =
-      std::remainder(place_.longitude + std::sin(course) * metres / (kDegree * narrow), 360);
+  place_.longitude = std::remainder(
+      place_.longitude + std::sin(course) * metres / (kMetresPerDegree * narrow), 360);
 }
 
 }  // namespace glider::ir::prove

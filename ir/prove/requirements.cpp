@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "ir/prove/depth_bound.h"
-#include "ir/prove/end_bound.h"
 #include "ir/prove/entered_after.h"
 #include "ir/prove/fences.h"
 #include "ir/prove/passes.h"
@@ -53,8 +52,8 @@ class RequirementCheck {
     if (easilyProved(requirement)) {
       return {0, Verdict::Proved, std::nullopt};
     }
-    if (const auto& kept = proof_.options.kept) {
-      if (const auto known = kept(number)) {
+    if (const auto& cached = proof_.options.cached) {
+      if (const auto known = cached(number)) {
         return recall(requirement, *known);
       }
     }
@@ -64,18 +63,18 @@ class RequirementCheck {
     return verdict;
   }
 
-  RequirementVerdict recall(const Requirement& requirement, const KeptVerdict& known) {
+  RequirementVerdict recall(const Requirement& requirement, const CachedVerdict& known) {
     RequirementVerdict verdict{0, Verdict::Proved, std::nullopt, known.words};
     if (known.verdict != Verdict::Proved) {
       verdict = open(requirement, known.words);
     }
-    verdict.kept = true;
+    verdict.cached = true;
     return verdict;
   }
 
   RequirementVerdict judgeAreas(const Requirement& requirement) {
-    const FenceVerdict found = judgeFences(requirement.fences, proof_.ground);
-    if (found.kept) {
+    const FenceVerdict found = judgeFences(requirement.fences, proof_.ground, proof_.ending);
+    if (found.proved) {
       return {
           0, Verdict::Proved, std::nullopt,
           fmt::format("if control is given {0:.0f} m or more on the right side of each edge, and "
@@ -103,14 +102,14 @@ class RequirementCheck {
   }
 
   /// Without a search over runs.
-  bool easilyProved(const Requirement& requirement) const {
+  bool easilyProved(const Requirement& requirement) {
     switch (requirement.kind) {
       case RequirementKind::NeverAfter:
         return !mayEnterAfter(m_, requirement.state, requirement.after);
       case RequirementKind::Always:
         return heldByOrders(requirement.condition, proof_.ground);
       case RequirementKind::ExitWithin:
-        return endsBy(proof_.ground, requirement.seconds).has_value();
+        return proof_.ending.by(requirement.seconds).has_value();
       default:
         return false;
     }

@@ -3,6 +3,7 @@
 
 #include "ir/prove/rules.h"
 
+#include "ir/core/ops.h"
 #include "ir/core/walk.h"
 #include "ir/prove/world.h"
 
@@ -164,7 +165,7 @@ std::vector<ExprId> RuleWriter::clockConditions(const Control& control) const {
       continue;
     }
     const Expr& e = m_[id];
-    if (e.op >= Op::Less && e.op <= Op::NotEqual) {
+    if (isComparison(e.op)) {
       if (readsNoSensor(id)) {
         found.push_back(id);
       }

@@ -5,8 +5,6 @@
 
 #include "ir/prove/orders.h"
 
-#include <algorithm>
-
 namespace glider::ir::prove {
 namespace {
 
@@ -24,20 +22,23 @@ bool addBox(const Interval& north, const Interval& east, std::vector<Position>& 
   return true;
 }
 
+/// Whether a path gives the order both coordinates from one row, so that they are one of its
+/// places.
+bool fromOneRow(const Mission& m, const Expr& north, const Expr& east) {
+  return north.operands[0] == east.operands[0] &&
+         m[north.table].values.size() == m[east.table].values.size();
+}
+
+/// False if it may be anywhere.
 bool addTarget(const Ground& ground, const Statement& order, std::vector<Position>& places) {
-  const Mission& m = ground.mission;
-  const Expr& north = m[order.values.at(0)];
-  const Expr& east = m[order.values.at(1)];
-  if (north.op != Op::Element || east.op != Op::Element) {
-    return addBox(ground.intervals[order.values[0].index], ground.intervals[order.values[1].index],
-                  places);
+  const ExprId north = order.values.at(0);
+  const ExprId east = order.values.at(1);
+  const std::vector<Position> path = pathTargets(ground.mission, order);
+  if (path.empty()) {
+    return addBox(ground.intervals[north.index], ground.intervals[east.index], places);
   }
-  const auto& latitudes = m[north.table].values;
-  const auto& longitudes = m[east.table].values;
-  for (size_t i = 0; i < std::min(latitudes.size(), longitudes.size()); ++i) {
-    places.push_back({latitudes[i], longitudes[i]});
-  }
-  return latitudes.size() == longitudes.size() && north.operands[0] == east.operands[0];
+  places.insert(places.end(), path.begin(), path.end());
+  return fromOneRow(ground.mission, ground.mission[north], ground.mission[east]);
 }
 
 }  // namespace

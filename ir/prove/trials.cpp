@@ -149,9 +149,7 @@ class Trials {
 
   /// A comparison of a leaf with a constant: values on both sides of it and at it.
   void addThreshold(const Expr& e, Guard& guard) const {
-    const bool comparison = e.op == Op::Less || e.op == Op::LessEqual || e.op == Op::Greater ||
-                            e.op == Op::GreaterEqual || e.op == Op::Equal || e.op == Op::NotEqual;
-    if (!comparison) {
+    if (!isComparison(e.op)) {
       return;
     }
     for (const size_t side : {0U, 1U}) {

@@ -4,6 +4,7 @@
 #include "ir/eval/arithmetic.h"
 #include "ir/prove/orders.h"
 #include "ir/prove/passes.h"
+#include "ir/prove/sphere.h"
 
 #include <fmt/format.h>
 
@@ -33,9 +34,7 @@ class WaypointCheck {
   void run() {
     for (const State& state : m_.states) {
       for (const Statement* order : ordersOf(m_, state.route)) {
-        if (order->command == Command::SteerTo) {
-          add(m_[order->values.at(0)], m_[order->values.at(1)], state.route.range);
-        }
+        add(*order, state.route.range);
       }
     }
     for (const Waypoint& one : waypoints_) {
@@ -49,16 +48,12 @@ class WaypointCheck {
   }
 
  private:
-  /// Constants, and the places of a path.
-  void add(const Expr& latitude, const Expr& longitude, support::SourceRange route) {
-    if (latitude.op == Op::Constant && longitude.op == Op::Constant) {
-      waypoints_.push_back({{latitude.number, longitude.number}, route});
-    } else if (latitude.op == Op::Element && longitude.op == Op::Element) {
-      const auto& north = m_[latitude.table].values;
-      const auto& east = m_[longitude.table].values;
-      for (size_t i = 0; i < std::min(north.size(), east.size()); ++i) {
-        waypoints_.push_back({{north[i], east[i]}, route});
-      }
+  void add(const Statement& order, const support::SourceRange& route) {
+    if (const auto fixed = fixedTarget(m_, order)) {
+      waypoints_.push_back({*fixed, route});
+    }
+    for (const Position& place : pathTargets(m_, order)) {
+      waypoints_.push_back({place, route});
     }
   }
 
@@ -99,8 +94,7 @@ class WaypointCheck {
   };
 
   [[nodiscard]] std::vector<Coordinate> coordinates(TypeKind kind) const {
-    constexpr double kDegree = 111195;  // m of a great circle
-    std::set<uint32_t> units;           // what differences are divided by is no place
+    std::set<uint32_t> units;  // what differences are divided by is no place
     for (const Expr& e : m_.exprs) {
       if (e.op == Op::Divide) {
         units.insert(e.operands[1].index);
@@ -112,7 +106,7 @@ class WaypointCheck {
     for (uint32_t i = 0; i < m_.exprs.size(); ++i) {
       const Expr& e = m_.exprs[i];
       if (e.op == Op::Constant && e.type.kind == kind && !units.contains(i)) {
-        found.push_back({e.number, kDegree * narrow, e.range});
+        found.push_back({e.number, kMetresPerDegree * narrow, e.range});
       }
     }
     return found;

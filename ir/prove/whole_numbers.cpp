@@ -3,7 +3,6 @@
 
 #include "ir/prove/whole_numbers.h"
 
-#include "ir/core/ops.h"
 #include "ir/prove/inherited.h"
 
 #include <cmath>
@@ -33,24 +32,15 @@ class WholeExpressions {
       case Op::Min:
       case Op::Max:
       case Op::Clamp:
-        return operandsFrom(e, 0, judged) && isSmall(index);
+        return judged.haveOperands(e) && isSmall(index);
       case Op::Select:
-        return operandsFrom(e, 1, judged) && isSmall(index);  // the first is the condition
+        return judged.haveOperands(e, 1) && isSmall(index);  // the first is the condition
       default:
         return false;
     }
   }
 
  private:
-  static bool operandsFrom(const Expr& e, uint32_t first, const Inherited& judged) {
-    for (uint32_t k = first; k < opInfo(e.op).operands; ++k) {
-      if (!judged.expressions[e.operands.at(k).index]) {
-        return false;
-      }
-    }
-    return true;
-  }
-
   bool isSmall(size_t index) const {
     return intervals_[index].lowest >= -kMostWhole && intervals_[index].highest <= kMostWhole;
   }

@@ -36,7 +36,7 @@ struct JudgedRequirement {
   std::string verdict;                      ///< "proved", "refuted" or "open"
   std::optional<FlightSearch> closed_loop;  ///< of one that is refuted, if it was looked for
   std::string premise = {};                 ///< what its proof takes for granted; may be empty
-  bool kept = false;                        ///< an earlier check has found it out
+  bool cached = false;                      ///< an earlier check has found it out
 };
 
 /// A figure of what a mission needs at most; `name` is its key in JSON.

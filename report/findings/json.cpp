@@ -113,7 +113,7 @@ ordered_json missionOf(const CheckedMission& mission) {
     if (!requirement.premise.empty()) {
       told["premise"] = requirement.premise;
     }
-    if (requirement.kept) {
+    if (requirement.cached) {
       told["kept"] = true;
     }
     if (requirement.closed_loop) {

@@ -7,9 +7,9 @@
 
 #include "ir/prove/random_flight.h"
 #include "ir/verify/verify.h"
-#include "platforms/load/platform.h"
 #include "tests/random_missions/random.h"
 #include "tests/unit/ir/missions.h"
+#include "tests/unit/ir/slocum.h"
 
 #include <limits>
 
@@ -18,15 +18,11 @@ namespace {
 
 constexpr double kForever = 1e7;
 
-const platforms::Platform& slocum() {
-  static const auto loaded = platforms::loadPlatform(GLIDER_SOURCE_DIR "/platforms/slocum.toml");
-  return *loaded;
-}
-
 /// In gaps between ticks beyond `seconds`; NaN: no bound is found.
 double gapsBeyond(double seconds, const std::string& text, double latest = kForever) {
   const Mission mission = missionOf(kHeader + text);
-  const auto end = endsBy(Ground(mission, slocum()), latest);
+  const Ground ground(mission, slocum());
+  const auto end = boundOf(ground, latest, Goal::Exit).by;
   return end ? (*end - seconds) / slocum().world.tick_gap_s
              : std::numeric_limits<double>::quiet_NaN();
 }
@@ -159,7 +155,7 @@ TEST(EndBound, NoRandomFlightIsLonger) {
   for (uint64_t seed = 1; seed <= 300; ++seed) {
     const Mission mission = missionOf(randomWays(seed));
     const Ground ground(mission, slocum());
-    const auto end = endsBy(ground, kForever);
+    const auto end = boundOf(ground, kForever, Goal::Exit).by;
     if (!end) {
       continue;
     }
@@ -180,6 +176,33 @@ TEST(EndBound, NoRandomFlightIsLonger) {
   }
   EXPECT_GT(bounded, 100U) << "the random missions have no ends";
   EXPECT_GT(closest, 30) << "the bounds are far off";
+}
+
+TEST(Ending, OneSearchFindsWhatASearchUpToEachTimeFinds) {
+  size_t bounded = 0;
+  size_t open = 0;
+  for (uint64_t seed = 1; seed <= 100; ++seed) {
+    const Mission mission = missionOf(randomWays(seed));
+    const Ground ground(mission, slocum());
+    Ending ending(ground);
+    for (const double latest :
+         {60.0, 250.0, 600.0, 1000.0, 2500.0, kForever, 2 * kLongestMission}) {
+      const auto end = boundOf(ground, latest, Goal::Exit).by;
+      EXPECT_EQ(ending.by(latest), end) << "mission " << seed << " up to " << latest << " s";
+      ++(end ? bounded : open);
+    }
+  }
+  EXPECT_GT(bounded, 100U);
+  EXPECT_GT(open, 100U);
+}
+
+TEST(Ending, MayBeBeyondAYear) {
+  const Mission mission = missionOf(kHeader + stateText("a", "case (ge statetime 4e7:time) exit"));
+  const Ground ground(mission, slocum());
+  Ending ending(ground);
+  EXPECT_FALSE(ending.bound().by);
+  EXPECT_FALSE(ending.by(3.9e7));
+  EXPECT_EQ(ending.by(5e7), 4e7 + slocum().world.tick_gap_s);
 }
 
 }  // namespace

@@ -7,12 +7,12 @@
 #include "ir/prove/fences.h"
 
 #include "ir/eval/arithmetic.h"
-#include "ir/prove/plane.h"
+#include "ir/prove/area_map.h"
 #include "ir/prove/random_flight.h"
 #include "ir/prove/steering.h"
-#include "platforms/load/platform.h"
 #include "tests/random_missions/random.h"
 #include "tests/unit/ir/missions.h"
+#include "tests/unit/ir/slocum.h"
 
 #include <fmt/format.h>
 
@@ -24,11 +24,6 @@ namespace glider::ir::prove {
 namespace {
 
 using Places = std::vector<Position>;
-
-const platforms::Platform& slocum() {
-  static const auto loaded = platforms::loadPlatform(GLIDER_SOURCE_DIR "/platforms/slocum.toml");
-  return *loaded;
-}
 
 double unit(random_missions::Random& random) {
   return static_cast<double>(random.below(1U << 20)) / (1U << 20);
@@ -72,7 +67,7 @@ TEST(Fences, TheMapsDistancesAreTheSpheresAndNeverMore) {
         i % 2 == 0,
         {near(middle, 0.1, random), near(middle, 0.1, random), near(middle, 0.1, random)}};
     const Places waypoints{near(middle, 0.2, random), near(middle, 0.2, random)};
-    const Clearance found = Plane(fence.corners, waypoints).clearance(fence, waypoints);
+    const Clearance found = AreaMap(fence.corners, waypoints).clearance(fence, waypoints);
     const double sampled = sampledDistance(fence.corners, waypoints);
     // The samples lie up to 500 m apart.
     EXPECT_LE(found.distance_m, sampled * 1.000001) << i;
@@ -85,7 +80,7 @@ TEST(Fences, TheMapsDistancesAreTheSpheresAndNeverMore) {
 TEST(Fences, TheSideIsThatOfTheWholeHull) {
   const Places box{{39, -74}, {39, -73.5}, {39.4, -73.5}, {39.4, -74}};
   const auto right = [&](bool keep_in, const Places& waypoints) {
-    return Plane(box, waypoints).clearance({keep_in, box}, waypoints).right_side;
+    return AreaMap(box, waypoints).clearance({keep_in, box}, waypoints).right_side;
   };
   EXPECT_TRUE(right(true, {{39.2, -73.8}}));
   EXPECT_FALSE(right(false, {{39.2, -73.8}}));
@@ -96,7 +91,7 @@ TEST(Fences, TheSideIsThatOfTheWholeHull) {
   EXPECT_TRUE(right(false, {{38, -75}, {38, -72}, {38.5, -73.7}}));
   const Places notched{{39, -74}, {39, -73}, {40, -73}, {39.1, -73.5}, {40, -74}};
   const Places over{{39.8, -73.95}, {39.8, -73.05}};
-  EXPECT_FALSE(Plane(notched, over).clearance({true, notched}, over).right_side)
+  EXPECT_FALSE(AreaMap(notched, over).clearance({true, notched}, over).right_side)
       << "both ends are inside, the leg is not";
 }
 
@@ -130,7 +125,7 @@ std::string boxed(const Places& waypoints, const Position& low, const Position& 
 TEST(Fences, WhatIsKeptNoCurrentBreaks) {
   random_missions::Random random(7);
   constexpr int kFlights = 60;
-  int kept = 0;
+  int proved = 0;
   int broken = 0;
   for (int i = 0; i < 60; ++i) {
     Places waypoints;
@@ -141,17 +136,18 @@ TEST(Fences, WhatIsKeptNoCurrentBreaks) {
     const Mission mission =
         missionOf(boxed(waypoints, {39 - wide, -73 - 1.2 * wide}, {39 + wide, -73 + 1.2 * wide}));
     const Ground ground(mission, slocum());
-    const FenceVerdict verdict = judgeFences(mission.requirements[0].fences, ground);
-    EXPECT_EQ(verdict.kept, verdict.reason.empty());
+    Ending ending(ground);
+    const FenceVerdict verdict = judgeFences(mission.requirements[0].fences, ground, ending);
+    EXPECT_EQ(verdict.proved, verdict.reason.empty());
     bool hit = false;
     for (uint64_t seed = 0; seed < kFlights && !hit; ++seed) {
       hit = flyAtRandom(ground, 0, mission.requirements[0], seed, 1500).has_value();
     }
-    EXPECT_FALSE(verdict.kept && hit) << i << ": " << wide;
-    kept += verdict.kept ? 1 : 0;
+    EXPECT_FALSE(verdict.proved && hit) << i << ": " << wide;
+    proved += verdict.proved ? 1 : 0;
     broken += hit ? 1 : 0;
   }
-  EXPECT_GT(kept, 8);
+  EXPECT_GT(proved, 8);
   EXPECT_GT(broken, 8) << "else the flights would find nothing";
 }
 
@@ -159,7 +155,9 @@ TEST(Fences, TheMarginGrowsWithTheTimeAndWithoutAWaypoint) {
   const Places there{{39, -73}};
   const auto margin = [&](const std::string& text) {
     const Mission mission = missionOf(text);
-    return judgeFences(mission.requirements[0].fences, Ground(mission, slocum())).margin_m;
+    const Ground ground(mission, slocum());
+    Ending ending(ground);
+    return judgeFences(mission.requirements[0].fences, ground, ending).margin_m;
   };
   const std::string far = boxed(there, {38.7, -73.3}, {39.3, -72.7});
   const double once = margin(far);

@@ -8,19 +8,12 @@
 #include "hooks/protocol/messages.h"
 #include "hooks/protocol/sensor_list.h"
 #include "hooks/protocol/tick.h"
-#include "platforms/load/platform.h"
+#include "tests/unit/ir/slocum.h"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 namespace glider::ir {
 namespace {
-
-const platforms::Platform& slocum() {
-  static const auto platform =
-      platforms::loadPlatform(fmt::format("{}/platforms/slocum.toml", GLIDER_SOURCE_DIR));
-  return *platform;
-}
 
 /// The most that a frame of this payload takes: what COBS adds depends on the bytes.
 uint64_t onTheLine(const hooks::Frame& frame) {

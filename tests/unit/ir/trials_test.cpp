@@ -6,17 +6,12 @@
 #include "ir/prove/trials.h"
 
 #include "ir/prove/question.h"
-#include "platforms/load/platform.h"
 #include "tests/random_missions/random_mission.h"
 #include "tests/unit/ir/missions.h"
+#include "tests/unit/ir/slocum.h"
 
 namespace glider::ir::prove {
 namespace {
-
-const platforms::Platform& slocum() {
-  static const auto loaded = platforms::loadPlatform(GLIDER_SOURCE_DIR "/platforms/slocum.toml");
-  return *loaded;
-}
 
 std::vector<Seen> triedOut(const std::string& cases) {
   const Mission mission = missionOf(kHeader + stateText("a", cases));

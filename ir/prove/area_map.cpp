@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "ir/prove/plane.h"
+#include "ir/prove/area_map.h"
+
+#include "ir/prove/sphere.h"
 
 #include <boost/geometry.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>
@@ -21,8 +23,6 @@ using MapPoint = geometry::model::d2::point_xy<double>;
 using Line = geometry::model::linestring<MapPoint>;
 using Polygon = geometry::model::polygon<MapPoint>;
 
-constexpr double kRadius = 6371000;  // m
-constexpr double kDegree = kRadius * std::numbers::pi / 180;
 /// So far beyond the places that are named a vehicle may get, degrees of latitude.
 constexpr double kBeyond = 3;
 
@@ -75,7 +75,7 @@ Line edgesOf(const std::vector<MapPoint>& corners) {
 
 }  // namespace
 
-Plane::Plane(const std::vector<Position>& corners, const std::vector<Position>& waypoints)
+AreaMap::AreaMap(const std::vector<Position>& corners, const std::vector<Position>& waypoints)
     : origin_(corners.front()) {
   std::vector<Position> all = corners;
   all.insert(all.end(), waypoints.begin(), waypoints.end());
@@ -90,18 +90,19 @@ Plane::Plane(const std::vector<Position>& corners, const std::vector<Position>& 
     east.add(std::remainder(place.longitude - origin_.longitude, 360));
   }
   const double outermost = std::min(farthest + kBeyond, 89.0) * std::numbers::pi / 180;
-  east_scale_ = kDegree * std::cos(outermost);
+  east_scale_ = kMetresPerDegree * std::cos(outermost);
   const double length =
-      kDegree * std::hypot(north.size(), east.size() * std::cos(nearest * std::numbers::pi / 180));
-  bend_m_ = length * length * std::tan(outermost) / (8 * kRadius);
+      kMetresPerDegree *
+      std::hypot(north.size(), east.size() * std::cos(nearest * std::numbers::pi / 180));
+  bend_m_ = length * length * std::tan(outermost) / (8 * kEarthRadius);
 }
 
-Plane::Point Plane::at(const Position& place) const {
+AreaMap::Point AreaMap::at(const Position& place) const {
   return {std::remainder(place.longitude - origin_.longitude, 360) * east_scale_,
-          (place.latitude - origin_.latitude) * kDegree};
+          (place.latitude - origin_.latitude) * kMetresPerDegree};
 }
 
-Clearance Plane::clearance(const Fence& fence, const std::vector<Position>& waypoints) const {
+Clearance AreaMap::clearance(const Fence& fence, const std::vector<Position>& waypoints) const {
   const auto onMap = [&](const std::vector<Position>& places) {
     std::vector<MapPoint> points;
     for (const Position& place : places) {

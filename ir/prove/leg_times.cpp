@@ -3,13 +3,13 @@
 
 #include "ir/eval/arithmetic.h"
 #include "ir/prove/duration_text.h"
-#include "ir/prove/end_bound.h"
 #include "ir/prove/orders.h"
 #include "ir/prove/passes.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -17,20 +17,12 @@
 namespace glider::ir::prove {
 namespace {
 
-constexpr double kLongest = 365 * 86400.0;  // s
-
 /// The one place that a state steers to, if it is fixed.
 std::optional<Position> waypointOf(const Mission& m, const State& state) {
   std::optional<Position> found;
   for (const Statement* order : ordersOf(m, state.route)) {
-    const bool fixed = order->command == Command::SteerTo &&
-                       m[order->values.at(0)].op == Op::Constant &&
-                       m[order->values.at(1)].op == Op::Constant;
-    if (!fixed) {
-      return std::nullopt;
-    }
-    const Position place{m[order->values[0]].number, m[order->values[1]].number};
-    if (found && *found != place) {
+    const auto place = fixedTarget(m, *order);
+    if (!place || (found && *found != *place)) {
       return std::nullopt;
     }
     found = place;
@@ -53,19 +45,46 @@ double earliest(const Mission& m, ExprId id) {
   return later ? m[e.operands[1]].number : 0;
 }
 
-/// Before this mission time, s, nothing enters the state.
-double enteredFrom(const Mission& m, uint32_t state) {
-  double time = state == 0 ? 0 : kLongest;
+/// Of each state: before this mission time, s, nothing enters it.
+std::vector<double> entriesOf(const Mission& m) {
+  std::vector<double> entered(m.states.size(), kLongestMission);
+  entered.front() = 0;
   const auto look = [&](const std::vector<Case>& cases) {
     for (const Case& c : cases) {
-      time = c.target == StateId{state} ? std::min(time, earliest(m, c.guard)) : time;
+      if (c.target.valid()) {
+        double& time = entered[c.target.index];
+        time = std::min(time, earliest(m, c.guard));
+      }
     }
   };
   look(m.always);
   for (const State& each : m.states) {
     look(each.cases);
   }
-  return time;
+  return entered;
+}
+
+/// m from a place to the nearest other one; infinite if there is none.
+double nearestOther(const Position& place, const std::vector<std::optional<Position>>& places) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const auto& other : places) {
+    const bool another = other && *other != place;
+    nearest = another ? std::min(nearest, onEarth(Op::Distance, place, *other)) : nearest;
+  }
+  return nearest;
+}
+
+/// Of a state that is current for `stay` seconds at most.
+void tellIfTooFar(Proof& proof, const State& state, double nearest, double stay) {
+  const double way = proof.ground.platform.world.through_water_m_s * stay;
+  if (way <= 0 || way >= nearest) {
+    return;
+  }
+  proof.findings.lines.push_back(
+      {state.range,
+       fmt::format("`{}` has no time for its waypoint: {:.0f} m from the nearest other one, and "
+                   "in {} it gets on by {:.0f} m at most, without a current",
+                   state.name, nearest, durationOf(stay), way)});
 }
 
 }  // namespace
@@ -73,30 +92,22 @@ double enteredFrom(const Mission& m, uint32_t state) {
 /// A waypoint may be meant to be steered to for a while and never reached, so these are no
 /// mistakes. Where the vehicle is when control is given is not known, so only ways from another
 /// waypoint are looked at.
-void passes::reaches(Proof& proof) {
+void passes::legTimes(Proof& proof) {
   const Mission& m = proof.ground.mission;
   std::vector<std::optional<Position>> places;
   for (const State& state : m.states) {
     places.push_back(waypointOf(m, state));
   }
   const bool some = std::ranges::count_if(places, [](const auto& p) { return p.has_value(); }) > 1;
-  const EndBound end =
-      proof.options.report && some ? boundOf(proof.ground, kLongest, Goal::Exit) : EndBound{};
-  for (size_t i = 0; i < m.states.size() && end.by; ++i) {
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const auto& other : places) {
-      const bool another = places[i] && other && *other != *places[i];
-      nearest = another ? std::min(nearest, onEarth(Op::Distance, *places[i], *other)) : nearest;
-    }
-    const double stay = end.left_by[i] - enteredFrom(m, static_cast<uint32_t>(i));
-    const double way = proof.ground.platform.world.through_water_m_s * stay;
-    if (nearest < std::numeric_limits<double>::infinity() && way > 0 && way < nearest) {
-      proof.findings.lines.push_back(
-          {m.states[i].range,
-           fmt::format(
-               "`{}` has no time for its waypoint: {:.0f} m from the nearest other one, and "
-               "in {} it gets on by {:.0f} m at most, without a current",
-               m.states[i].name, nearest, durationOf(stay), way)});
+  if (!proof.options.report || !some || !proof.ending.bound().by) {
+    return;
+  }
+  const std::vector<double> entered = entriesOf(m);
+  for (size_t i = 0; i < m.states.size(); ++i) {
+    const double nearest =
+        places[i] ? nearestOther(*places[i], places) : std::numeric_limits<double>::infinity();
+    if (std::isfinite(nearest)) {
+      tellIfTooFar(proof, m.states[i], nearest, proof.ending.bound().left_by[i] - entered[i]);
     }
   }
 }

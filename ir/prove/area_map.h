@@ -16,12 +16,12 @@ struct Clearance {
 };
 
 /// A map of a neighbourhood whose straight lines are straight in latitude and longitude, and in
-/// which distances are never longer than on a sphere of 6371 km: a degree of longitude is taken as
+/// which distances are never longer than on the Earth (sphere.h): a degree of longitude is taken as
 /// long as on the latitude of the map that is farthest from the equator.
-class Plane {
+class AreaMap {
  public:
   /// Of the neighbourhood of all these; one place at least.
-  Plane(const std::vector<Position>& corners, const std::vector<Position>& waypoints);
+  AreaMap(const std::vector<Position>& corners, const std::vector<Position>& waypoints);
 
   [[nodiscard]] Clearance clearance(const Fence& fence,
                                     const std::vector<Position>& waypoints) const;

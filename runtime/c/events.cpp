@@ -39,8 +39,11 @@ bool subscribe(const gliderEvent& added) {
 
 }  // namespace
 
+/// What an event is stays here: that which EVENT makes ends with the block it was written in. Its
+/// address is its name all the same.
 struct gliderEventList {
   event events[kMostEvents];
+  gliderEvent tested[kMostEvents];
   uint32_t count;
 };
 
@@ -51,9 +54,10 @@ extern "C" eventList newEventList(void) {
 }
 
 extern "C" int addEvent(eventList list, event added) {
-  if (list == nullptr || list->count == kMostEvents || !subscribe(*added)) {
+  if (list == nullptr || added == nullptr || list->count == kMostEvents || !subscribe(*added)) {
     return -1;
   }
+  list->tested[list->count] = *added;
   list->events[list->count++] = added;
   return 0;
 }
@@ -73,7 +77,7 @@ extern "C" eventList gliderRun(eventList list) {
       break;
     }
     for (uint32_t i = 0; list != nullptr && i < list->count; ++i) {
-      if (fires(*list->events[i])) {
+      if (fires(list->tested[i])) {
         fired.events[fired.count++] = list->events[i];
       }
     }

@@ -60,7 +60,9 @@ typedef struct gliderEventList* eventList;
 
 /* A new empty list; NULL when there are 16 already. */
 eventList newEventList(void);
-/* Adds an event and subscribes its sensor. Returns 0, or -1: the list holds 16, or gliderRun has
+/* Adds an event and subscribes its sensor. The event is copied, its limit and data are not: they
+   must live as long as the list. Two events that are to be told apart must both still live: in a
+   function that returns, name them `static`. Returns 0, or -1: the list holds 16, or gliderRun has
    been called and the sensor is not among those subscribed before. */
 int addEvent(eventList list, event added);
 /* Subscribes a sensor that no event compares. Returns 0 or -1, as addEvent. */

@@ -37,6 +37,7 @@ extern "C" int gliderOpen(int argc, char** argv, const char* mission_name) {
   holdStandardFiles();
   useDoublePrecision();
   signal(SIGPIPE, SIG_IGN);
+  mission_name = mission_name != nullptr ? mission_name : "";
   const Options options = readOptions(argc, argv);
   if (options.wish != Options::Wish::Fly) {
     const int status = tellWish(options, mission_name);

@@ -95,6 +95,7 @@ void Program::open() {
   mission_.name = link_.mission_name;
   client_ = ::new (client_memory_) hooks::Client(options);
   log_ = ::new (log_memory_) MissionLog(link_.log, mission_);
+  link_log_ = ::new (link_log_memory_) LinkLog(*log_);
   (void)settleContextBytes();
   mission_.context_bytes = static_cast<uint32_t>(gliderContextLayout(&mission_).bytes);
   persistence_ = ::new (persistence_memory_) Persistence(
@@ -129,6 +130,9 @@ bool Program::nextTick() {
         }
         answer();
         break;
+      case hooks::ClientEvent::Refused:
+        link_log_->refusedLink(client_->refusal());
+        break;
       case hooks::ClientEvent::SilentLink:
         if (tickOfClockAlone()) {
           return true;
@@ -153,6 +157,7 @@ bool Program::tickOfClockAlone() {
     return false;
   }
   gliderStep(context_, clock_.withoutFrame(link_.clock.now(link_.clock.self)), nullptr, 0);
+  link_log_->silence(*context_);
   ticked_ = true;
   return true;
 }
@@ -167,10 +172,6 @@ bool Program::takeTick() {
     tryToGoOn(tick, sbc_time);
   }
   const ControlNews news = control_.observe(tick);
-  if (news.kind == ControlNews::Kind::Refused) {
-    log_->event(context_->mission_time, LogEvent::InstructionRefused,
-                static_cast<LogDetail>(news.answer), static_cast<double>(news.sequence));
-  }
   for (uint32_t i = 0; i < tick.reading_count; ++i) {
     updates_[i] = {tick.readings[i].value, tick.readings[i].id, 0};
   }
@@ -182,6 +183,8 @@ bool Program::takeTick() {
   }
   if (started_) {
     record();
+    link_log_->news(*context_, news);
+    link_log_->unanswered(*context_, tick);
   }
   return started_ && !finished_;
 }
@@ -200,6 +203,7 @@ void Program::tryToGoOn(const hooks::VehicleTick& tick, double sbc_time) {
   if (persistence_->goesOn(tick, *found, sbc_time)) {
     context_ = found;
     restore();
+    link_log_->resume(*context_);
     started_ = resumed_ = just_resumed_ = true;
     finished_ = context_->finished != 0;
   }
@@ -249,6 +253,7 @@ void Program::answer() {
     if (must_answer_ && control_.choose(instructionFor(*context_), finished_, instruction)) {
       control_.sent(instruction, client_->instruct(instruction));
     }
+    link_log_->refusedCommands(*context_);
     status.mission_time_s = context_->mission_time;
     status.phase = finished_ ? hooks::MissionPhase::Finished : hooks::MissionPhase::Flying;
     save();

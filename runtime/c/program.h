@@ -8,6 +8,7 @@
 #include "runtime/c/kept_state.h"
 #include "runtime/c/water_column.h"
 #include "runtime/core/control.h"
+#include "runtime/core/link_log.h"
 #include "runtime/core/mission_clock.h"
 #include "runtime/core/persistence.h"
 #include "runtime/log/mission_log.h"
@@ -20,7 +21,7 @@ struct Link {
   GliderByteStream stream{};
   GliderClock clock{};
   int (*wait)(void) = nullptr;
-  const char* mission_name = "";
+  const char* mission_name = "";  ///< not null
   GliderLogSink log{};
   GliderStore checkpoints{};
   uint32_t program = 0;  ///< as GliderRuntimeOptions has it
@@ -114,6 +115,8 @@ class Program {
   MissionClock clock_;
   alignas(MissionLog) uint8_t log_memory_[sizeof(MissionLog)] = {};
   MissionLog* log_ = nullptr;
+  alignas(LinkLog) uint8_t link_log_memory_[sizeof(LinkLog)] = {};
+  LinkLog* link_log_ = nullptr;
   alignas(Persistence) uint8_t persistence_memory_[sizeof(Persistence)] = {};
   Persistence* persistence_ = nullptr;
   Water water_;

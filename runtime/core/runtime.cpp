@@ -13,7 +13,6 @@
 #include <new>
 
 using glider::hooks::ClientEvent;
-using glider::hooks::HookAnswer;
 using glider::hooks::Instruction;
 using glider::runtime::Checkpoint;
 using glider::runtime::ControlNews;
@@ -21,31 +20,6 @@ using glider::runtime::LogDetail;
 using glider::runtime::LogEvent;
 
 namespace {
-
-LogEvent eventOf(ControlNews::Kind kind) {
-  switch (kind) {
-    case ControlNews::Kind::Taken:
-      return LogEvent::ControlTaken;
-    case ControlNews::Kind::Refused:
-      return LogEvent::InstructionRefused;
-    case ControlNews::Kind::Lost:
-      return LogEvent::ControlLost;
-    default:
-      return LogEvent::ControlGivenBack;
-  }
-}
-
-constexpr bool sameNumber(LogDetail detail, HookAnswer answer) {
-  return static_cast<uint8_t>(detail) == static_cast<uint8_t>(answer);
-}
-// A refusal is logged by the number of its answer.
-static_assert(sameNumber(LogDetail::BadCheck, HookAnswer::BadCheck));
-static_assert(sameNumber(LogDetail::TooDeep, HookAnswer::TooDeep));
-static_assert(sameNumber(LogDetail::BadPitch, HookAnswer::BadPitch));
-static_assert(sameNumber(LogDetail::BadCommand, HookAnswer::BadCommand));
-static_assert(sameNumber(LogDetail::NotOnEarth, HookAnswer::NotOnEarth));
-static_assert(sameNumber(LogDetail::WrongSession, HookAnswer::WrongSession));
-static_assert(sameNumber(LogDetail::NotReady, HookAnswer::NotReady));
 
 /// The text of a note with its values after it, as much as a notice holds.
 void writeNote(const GliderContext& context, const GliderNote& note, char* out) {
@@ -91,6 +65,7 @@ GliderRuntime::GliderRuntime(void* context_memory, const GliderMission& mission,
       parameters_(options.parameters),
       client_(subscribe(mission, sensors_)),
       log_(options.log, mission),
+      link_log_(log_),
       persistence_(Checkpoint(options.checkpoints, programOf(mission, options)),
                    {client_, control_, clock_, log_}) {
   persistence_.look(*glider::runtime::layOut(context_memory_, mission_));
@@ -136,7 +111,7 @@ GliderRuntimeStatus GliderRuntime::poll(const GliderByteStream& stream, const Gl
       tickOfClockAlone(clock.now(clock.self));
       return kGliderRuntimeProgressed;
     case ClientEvent::Refused:
-      logRefusedLink();
+      link_log_.refusedLink(client_.refusal());
       return kGliderRuntimeProgressed;
     default:
       return kGliderRuntimeProgressed;
@@ -158,9 +133,9 @@ void GliderRuntime::answerTick(const GliderByteStream& stream, double sbc_time) 
   }
   if (context_ != nullptr) {
     command();
+    link_log_.news(*context_, news);
+    link_log_.unanswered(*context_, tick);
   }
-  logNews(news);
-  logUnanswered(tick);
   persistence_.commit(context_);
   client_.done(status(), stream);
 }
@@ -172,8 +147,7 @@ void GliderRuntime::tickOfClockAlone(double sbc_time) {
     return;
   }
   stepMission(clock_.withoutFrame(sbc_time), 0);
-  log_.event(context_->mission_time, LogEvent::SilentLink, LogDetail::None,
-             glider::runtime::unknown());
+  link_log_.silence(*context_);
   persistence_.commit(context_);
 }
 
@@ -181,7 +155,7 @@ void GliderRuntime::tryToGoOn(const glider::hooks::VehicleTick& tick, double sbc
   auto* found = static_cast<GliderContext*>(context_memory_);
   if (persistence_.goesOn(tick, *found, sbc_time)) {
     context_ = found;
-    logged_refusals_ = context_->refused_commands;
+    link_log_.resume(*context_);
   }
 }
 
@@ -199,7 +173,7 @@ void GliderRuntime::startMission(uint32_t update_count) {
   persistence_.begun();
   tellNotes();
   log_.values(*context_);
-  logRefusedCommands();
+  link_log_.refusedCommands(*context_);
 }
 
 void GliderRuntime::stepMission(double mission_time, uint32_t update_count) {
@@ -214,7 +188,7 @@ void GliderRuntime::stepMission(double mission_time, uint32_t update_count) {
   if (!finished()) {
     log_.values(*context_);
   }
-  logRefusedCommands();
+  link_log_.refusedCommands(*context_);
 }
 
 void GliderRuntime::tellTransition(uint32_t from, const glider::runtime::StateTimes& times) {
@@ -253,40 +227,6 @@ void GliderRuntime::command() {
   if (control_.choose(glider::runtime::instructionFor(*context_), finished(), instruction)) {
     control_.sent(instruction, client_.instruct(instruction));
   }
-}
-
-void GliderRuntime::logNews(const ControlNews& news) {
-  if (news.kind != ControlNews::Kind::None && context_ != nullptr) {
-    const bool refused = news.kind == ControlNews::Kind::Refused;
-    log_.event(context_->mission_time, eventOf(news.kind),
-               refused ? static_cast<LogDetail>(news.answer) : LogDetail::None,
-               static_cast<double>(news.sequence));
-  }
-}
-
-/// Told once, when the client stops claiming control.
-void GliderRuntime::logUnanswered(const glider::hooks::VehicleTick& tick) {
-  if (context_ != nullptr && tick.unanswered_ticks == glider::hooks::Client::kMostUnansweredTicks) {
-    log_.event(context_->mission_time, LogEvent::InstructionUnanswered, LogDetail::None,
-               static_cast<double>(tick.instruction_sequence));
-  }
-}
-
-void GliderRuntime::logRefusedCommands() {
-  if (context_->refused_commands != logged_refusals_) {
-    log_.event(context_->mission_time, LogEvent::UnknownCommand, LogDetail::None,
-               static_cast<double>(context_->refused_commands - logged_refusals_));
-    logged_refusals_ = context_->refused_commands;
-  }
-}
-
-void GliderRuntime::logRefusedLink() {
-  const glider::hooks::Refusal& refusal = client_.refusal();
-  const bool same_version = refusal.version == glider::hooks::kProtocolVersion;
-  log_.event(0.0, LogEvent::LinkRefused,
-             same_version ? LogDetail::OtherDictionary : LogDetail::OtherVersion,
-             static_cast<double>(same_version ? refusal.dictionary : refusal.version));
-  log_.flush();
 }
 
 glider::hooks::MissionStatus GliderRuntime::status() const {

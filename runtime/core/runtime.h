@@ -6,6 +6,7 @@
 #include "hooks/client/client.h"
 #include "runtime/abi/runtime.h"
 #include "runtime/core/control.h"
+#include "runtime/core/link_log.h"
 #include "runtime/core/mission_clock.h"
 #include "runtime/core/persistence.h"
 #include "runtime/log/mission_log.h"
@@ -39,10 +40,6 @@ struct GliderRuntime {
   void tellTransition(uint32_t from, const glider::runtime::StateTimes& times);
   void tellNotes();
   void command();
-  void logNews(const glider::runtime::ControlNews& news);
-  void logUnanswered(const glider::hooks::VehicleTick& tick);
-  void logRefusedCommands();
-  void logRefusedLink();
   uint32_t gatherUpdates();
   [[nodiscard]] bool finished() const { return context_ != nullptr && context_->finished != 0; }
   [[nodiscard]] glider::hooks::MissionStatus status() const;
@@ -56,7 +53,7 @@ struct GliderRuntime {
   glider::runtime::Control control_;
   glider::runtime::MissionClock clock_;
   glider::runtime::MissionLog log_;
+  glider::runtime::LinkLog link_log_;
   GliderUpdate updates_[glider::hooks::kMostSubscriptions] = {};
   glider::runtime::Persistence persistence_;
-  uint32_t logged_refusals_ = 0;
 };

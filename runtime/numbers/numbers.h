@@ -46,8 +46,8 @@ inline double negated(double value) {
   return doubleOf(bitsOf(value) ^ kSignBit);
 }
 
-/// What is left of `size` when it is divided by `of`: fmod, to the bit. `size` is not negative, `of`
-/// a normal number above 0; NaN of what is not finite.
+/// What is left of `size` when it is divided by `of`: fmod, to the bit. `size` is not negative,
+/// `of` a normal number above 0; NaN of what is not finite.
 double restOf(double size, double of);
 
 }  // namespace glider::runtime

@@ -6,6 +6,7 @@
 
 #include "hooks/protocol/lockstep.h"
 #include "hooks/transport/host/pty.h"
+#include "runtime/c/glider.h"
 #include "runtime/c/kept_state.h"
 #include "tests/unit/runtime/log_csv.h"
 #include "tests/unit/runtime/vehicle_bench.h"
@@ -153,6 +154,12 @@ struct EmptyFile {
   char name[32] = "/tmp/glider-file-XXXXXX";
 };
 
+std::string logOf(const EmptyFile& file) {
+  std::stringstream bytes;
+  bytes << std::ifstream(file.name, std::ios::binary).rdbuf();
+  return csvOf(bytes.str());
+}
+
 /// A glider that does what hookbeh says, in water with a thermocline at 14 m; remembers what it was
 /// ordered.
 class Diver {
@@ -297,9 +304,7 @@ TEST(CMission, LeavesControlToTheVehicleAfterTooLongAnOutage) {
   vehicle.run(1100);
   EXPECT_EQ(mission.exitStatus(), 0);
   EXPECT_EQ(vehicle.hookbeh().state, hooks::HookState::Silent);
-  std::stringstream bytes;
-  bytes << std::ifstream(log.name, std::ios::binary).rdbuf();
-  EXPECT_THAT(csvOf(bytes.str()), ::testing::HasSubstr("control left to the vehicle"));
+  EXPECT_THAT(logOf(log), ::testing::HasSubstr("control left to the vehicle"));
 }
 
 TEST(CMission, WithoutKeptStateThereAreNoCheckpoints) {
@@ -332,6 +337,53 @@ TEST(KeptState, TakesWhatFitsAndGivesItBack) {
     ASSERT_TRUE(kept.add(b, 1));
   }
   EXPECT_FALSE(kept.add(b, 1)) << "too many pieces";
+}
+
+TEST(CMission, LogsControlAndWhatIsRefused) {
+  VehicleBench vehicle({.greatest_depth_m = 15, .silence_secs = 24});
+  const Diver diver(vehicle);
+  const EmptyFile log;
+  {
+    CMission mission(GLIDER_FIGURE2, vehicle, {"--log", log.name});
+    vehicle.run(2600);
+    EXPECT_EQ(mission.exitStatus(), 0);
+  }
+  const std::string csv = logOf(log);
+  for (const char* wanted : {"control taken", "instruction refused", "control given back"}) {
+    EXPECT_THAT(csv, ::testing::HasSubstr(wanted));
+  }
+}
+
+TEST(CMission, TellsTheVehicleOfACardThatIsGone) {
+  VehicleBench vehicle({});
+  const Diver diver(vehicle);
+  const EmptyFile log;
+  CMission mission(GLIDER_FIGURE3, vehicle, {"--log", log.name});
+  vehicle.run(1);
+  ASSERT_GT(mission.writer(), 0);
+  kill(mission.writer(), SIGKILL);
+  vehicle.run(200);
+  const auto told = std::ranges::count_if(vehicle.events, [](const hooks::HookprogEvent& e) {
+    return e.kind == hooks::HookprogEvent::Kind::SbcNote;
+  });
+  EXPECT_EQ(told, 1);
+}
+
+TEST(CProgram, AnEventOutlivesTheBlockItWasWrittenIn) {
+  const double limit = 3;
+  const auto made =
+      std::make_unique<gliderEvent>(gliderEvent{GEQ, MISSION_TIME, &limit, nullptr, nullptr});
+  eventList list = newEventList();
+  EXPECT_EQ(addEvent(list, made.get()), 0);
+  made->sensor = UINT32_MAX;  // as a stack that was used again
+  made->limit = nullptr;
+  EXPECT_EQ(addEvent(list, nullptr), -1);
+  EXPECT_EQ(gliderRun(list), nullptr) << "never opened";
+}
+
+TEST(CProgram, BeforeTheFirstTickEverySensorIsUnknown) {
+  ASSERT_EQ(useSensor(M_DEPTH), 0);
+  EXPECT_TRUE(std::isnan(gliderSensor(M_DEPTH)));
 }
 
 TEST(CMission, EndsWithStatus2WhenTheLineIsLost) {

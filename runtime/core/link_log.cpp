@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "runtime/core/link_log.h"
+
+#include "runtime/numbers/numbers.h"
+
+using glider::hooks::HookAnswer;
+
+namespace glider::runtime {
+namespace {
+
+LogEvent eventOf(ControlNews::Kind kind) {
+  switch (kind) {
+    case ControlNews::Kind::Taken:
+      return LogEvent::ControlTaken;
+    case ControlNews::Kind::Refused:
+      return LogEvent::InstructionRefused;
+    case ControlNews::Kind::Lost:
+      return LogEvent::ControlLost;
+    default:
+      return LogEvent::ControlGivenBack;
+  }
+}
+
+constexpr bool sameNumber(LogDetail detail, HookAnswer answer) {
+  return static_cast<uint8_t>(detail) == static_cast<uint8_t>(answer);
+}
+// A refusal is logged by the number of its answer.
+static_assert(sameNumber(LogDetail::BadCheck, HookAnswer::BadCheck));
+static_assert(sameNumber(LogDetail::TooDeep, HookAnswer::TooDeep));
+static_assert(sameNumber(LogDetail::BadPitch, HookAnswer::BadPitch));
+static_assert(sameNumber(LogDetail::BadCommand, HookAnswer::BadCommand));
+static_assert(sameNumber(LogDetail::NotOnEarth, HookAnswer::NotOnEarth));
+static_assert(sameNumber(LogDetail::WrongSession, HookAnswer::WrongSession));
+static_assert(sameNumber(LogDetail::NotReady, HookAnswer::NotReady));
+
+}  // namespace
+
+void LinkLog::news(const GliderContext& context, const ControlNews& news) {
+  if (news.kind != ControlNews::Kind::None) {
+    const bool refused = news.kind == ControlNews::Kind::Refused;
+    log_.event(context.mission_time, eventOf(news.kind),
+               refused ? static_cast<LogDetail>(news.answer) : LogDetail::None,
+               static_cast<double>(news.sequence));
+  }
+}
+
+void LinkLog::unanswered(const GliderContext& context, const hooks::VehicleTick& tick) {
+  if (tick.unanswered_ticks == hooks::Client::kMostUnansweredTicks) {
+    log_.event(context.mission_time, LogEvent::InstructionUnanswered, LogDetail::None,
+               static_cast<double>(tick.instruction_sequence));
+  }
+}
+
+void LinkLog::refusedCommands(const GliderContext& context) {
+  if (context.refused_commands != told_refusals_) {
+    log_.event(context.mission_time, LogEvent::UnknownCommand, LogDetail::None,
+               static_cast<double>(context.refused_commands - told_refusals_));
+    told_refusals_ = context.refused_commands;
+  }
+}
+
+void LinkLog::refusedLink(const hooks::Refusal& refusal) {
+  const bool same_version = refusal.version == hooks::kProtocolVersion;
+  log_.event(0.0, LogEvent::LinkRefused,
+             same_version ? LogDetail::OtherDictionary : LogDetail::OtherVersion,
+             static_cast<double>(same_version ? refusal.dictionary : refusal.version));
+  log_.flush();
+}
+
+void LinkLog::silence(const GliderContext& context) {
+  log_.event(context.mission_time, LogEvent::SilentLink, LogDetail::None, unknown());
+}
+
+}  // namespace glider::runtime

@@ -9,9 +9,37 @@
 #include <fcntl.h>
 #include <termios.h>
 #include <unistd.h>
+#ifndef __GLIBC__
+#include <sys/ioctl.h>
+#include <sys/syscall.h>
+#endif
 
 namespace glider::hooks {
 namespace {
+
+#ifdef __GLIBC__
+int readSettings(int fd, termios* settings) {
+  return tcgetattr(fd, settings);
+}
+int writeSettings(int fd, const termios& settings) {
+  return tcsetattr(fd, TCSANOW, &settings);
+}
+int dropInput(int fd) {
+  return tcflush(fd, TCIFLUSH);
+}
+#else
+// What musl's tcgetattr, tcsetattr and tcflush do, past its ioctl: that brings 1.5 KB of
+// conversions for old kernels' calls of other devices, and a board's program has a limit.
+int readSettings(int fd, termios* settings) {
+  return static_cast<int>(syscall(SYS_ioctl, fd, TCGETS, settings));
+}
+int writeSettings(int fd, const termios& settings) {
+  return static_cast<int>(syscall(SYS_ioctl, fd, TCSETS, &settings));
+}
+int dropInput(int fd) {
+  return static_cast<int>(syscall(SYS_ioctl, fd, TCFLSH, TCIFLUSH));
+}
+#endif
 
 struct Speed {
   uint32_t baud;
@@ -39,7 +67,7 @@ int setRaw(int fd, uint32_t baud) {
     return EINVAL;
   }
   termios settings{};
-  if (tcgetattr(fd, &settings) != 0) {
+  if (readSettings(fd, &settings) != 0) {
     return errno;
   }
   settings.c_iflag = 0;
@@ -49,12 +77,12 @@ int setRaw(int fd, uint32_t baud) {
   settings.c_cc[VMIN] = 1;
   settings.c_cc[VTIME] = 0;
   if (cfsetispeed(&settings, code) != 0 || cfsetospeed(&settings, code) != 0 ||
-      tcsetattr(fd, TCSANOW, &settings) != 0) {
+      writeSettings(fd, settings) != 0) {
     return errno;
   }
-  // tcsetattr is content when any of its changes was made: look whether the speed was one of them.
+  // The kernel is content when any of its changes was made: look whether the speed was one of them.
   termios made{};
-  if (tcgetattr(fd, &made) != 0) {
+  if (readSettings(fd, &made) != 0) {
     return errno;
   }
   return cfgetospeed(&made) == code ? 0 : EINVAL;
@@ -83,7 +111,7 @@ int SerialDevice::open(const char* path, uint32_t baud) {
     return error;
   }
   if (!isPseudoTerminal(path)) {
-    (void)tcflush(fd, TCIFLUSH);
+    (void)dropInput(fd);
   }
   fd_ = fd;
   return 0;

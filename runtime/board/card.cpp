@@ -10,6 +10,7 @@
 #include <signal.h>
 #include <string.h>
 #include <sys/mman.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 namespace glider::runtime {
@@ -46,18 +47,33 @@ bool Card::start(const CardWork& work, uint32_t most_bytes, double patience, dou
   most_bytes_ = most_bytes > MissionLog::kBytes ? most_bytes : MissionLog::kBytes;
   patience_s_ = left_s_ = patience;
   rest_s_ = rest;
-  int orders[2];
-  int answers[2];
-  if ((work.log.write == nullptr && work.checkpoints.write == nullptr) || pipe(orders) != 0 ||
-      pipe(answers) != 0) {
+  if (work.log.write == nullptr && work.checkpoints.write == nullptr) {
     return false;
   }
   void* shared = mmap(nullptr, sizeof(Order) + most_bytes_, PROT_READ | PROT_WRITE,
                       MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-  if (shared == MAP_FAILED) {
+  order_ = shared == MAP_FAILED ? nullptr : static_cast<Order*>(shared);
+  if (order_ != nullptr && spawn()) {
+    return true;
+  }
+  order_ = nullptr;
+  if (work_.hold != nullptr && work_.checkpoints.write != nullptr) {
+    work_.hold(work_.checkpoints);
+  }
+  return false;
+}
+
+bool Card::spawn() {
+  int orders[2];
+  int answers[2];
+  if (pipe(orders) != 0) {
     return false;
   }
-  order_ = static_cast<Order*>(shared);
+  if (pipe(answers) != 0) {
+    close(orders[0]);
+    close(orders[1]);
+    return false;
+  }
   // Not fork(), which has to do with threads and a heap, of which there are none.
   const pid_t process = _Fork();
   if (process == 0) {
@@ -67,10 +83,26 @@ bool Card::start(const CardWork& work, uint32_t most_bytes, double patience, dou
   }
   close(orders[0]);
   close(answers[1]);
+  if (process < 0) {
+    close(orders[1]);
+    close(answers[0]);
+    return false;
+  }
+  process_ = process;
   orders_ = orders[1];
   answers_ = answers[0];
-  order_ = process > 0 ? order_ : nullptr;
-  return process > 0;
+  gone_ = false;
+  busy_ = false;
+  return true;
+}
+
+/// The process has ended: its card is left alone for a while, and then another is tried.
+void Card::noteGone() {
+  gone_ = true;
+  close(orders_);
+  close(answers_);
+  (void)waitpid(process_, nullptr, WNOHANG);
+  rests_until_s_ = clock_.now() + rest_s_;
 }
 
 /// The other process: one order after the other, until the mission's process is gone.
@@ -78,7 +110,13 @@ void Card::serve(int orders, int answers) {
   // The line to the vehicle is not its business, nor is a key at the terminal.
   close(STDIN_FILENO);
   close(STDOUT_FILENO);
+  if (line_ >= 0) {
+    close(line_);
+  }
   signal(SIGINT, SIG_IGN);
+  if (process_ >= 0 && work_.reopen != nullptr && work_.log.write != nullptr) {
+    work_.reopen(work_.log);
+  }
   while (isNudged(orders)) {
     order_->answer = carryOut();
     if (!nudge(answers)) {
@@ -135,7 +173,9 @@ bool Card::hear(double seconds) {
     return false;
   }
   busy_ = false;
-  gone_ = !isNudged(answers_);
+  if (!isNudged(answers_)) {
+    noteGone();
+  }
   return !gone_;
 }
 
@@ -145,7 +185,13 @@ bool Card::isFree() {
     rests_until_s_ = clock_.now() + rest_s_;
     renewed_ = renewed_ || (order_->task == Task::LogRenew && order_->answer == 1);
   }
-  return !gone_ && !busy_ && clock_.now() >= rests_until_s_;
+  if (busy_ || clock_.now() < rests_until_s_) {
+    return false;
+  }
+  if (gone_ && !spawn()) {
+    rests_until_s_ = clock_.now() + rest_s_;
+  }
+  return !gone_;
 }
 
 int32_t Card::ask(Task task, uint32_t offset, const uint8_t* from, uint32_t count) {
@@ -162,7 +208,10 @@ int32_t Card::ask(Task task, uint32_t offset, const uint8_t* from, uint32_t coun
 void Card::order(Task task, uint32_t offset, uint32_t count) {
   *order_ = {task, offset, count, -1};
   busy_ = true;
-  gone_ = !nudge(orders_);
+  if (!nudge(orders_)) {
+    busy_ = false;
+    noteGone();
+  }
 }
 
 GliderLogSink Card::log() {

@@ -6,6 +6,8 @@
 #include "hooks/transport/system_clock.h"
 #include "runtime/abi/runtime.h"
 
+#include <sys/types.h>
+
 /// What a mission keeps on the card, written by a process of its own: a card that stands still
 /// holds up that process, and not the heartbeat.
 namespace glider::runtime {
@@ -17,6 +19,9 @@ struct CardWork {
   /// Called once before the checkpoints are first read or written: waits until no other program's
   /// process writes them. May be null.
   void (*hold)(const GliderStore& checkpoints) = nullptr;
+  /// Called in a process that is started in place of one that has ended: that may have begun a new
+  /// log, of which nobody else knows. May be null.
+  void (*reopen)(const GliderLogSink& log) = nullptr;
 };
 
 /// The mission's end of that process. Its log and checkpoints behave as those of the CardWork, but
@@ -36,9 +41,12 @@ class Card {
   Card& operator=(const Card&) = delete;
 
   /// Starts the process; no checkpoint has more than `most_bytes`. False if there is none: then
-  /// `work` is done in this process, and whatever the card takes. `patience` and `rest` in s.
+  /// `work` is done in this process, and whatever the card takes. `patience` and `rest` in s. One
+  /// that ends later is started anew after a rest.
   bool start(const CardWork& work, uint32_t most_bytes, double patience = kPatience,
              double rest = kRest);
+  /// The line to the vehicle, which a process that is started anew must not hold open.
+  void setLine(int descriptor) { line_ = descriptor; }
   /// The log, and where checkpoints are kept; both point into this object.
   [[nodiscard]] GliderLogSink log();
   [[nodiscard]] GliderStore checkpoints();
@@ -64,6 +72,8 @@ class Card {
   static int32_t write(void* self, uint32_t offset, const uint8_t* bytes, uint32_t count);
   static int32_t sync(void* self);
 
+  bool spawn();
+  void noteGone();
   int32_t ask(Task task, uint32_t offset, const uint8_t* bytes, uint32_t count);
   void order(Task task, uint32_t offset, uint32_t count);
   /// True once the process has answered.
@@ -78,6 +88,8 @@ class Card {
   hooks::SystemClock clock_;
   Order* order_ = nullptr;  ///< null: there is no process
   uint32_t most_bytes_ = 0;
+  pid_t process_ = -1;
+  int line_ = -1;
   int orders_ = -1;   ///< a byte for each order
   int answers_ = -1;  ///< a byte for each answer
   double patience_s_ = kPatience;
@@ -85,7 +97,7 @@ class Card {
   double left_s_ = kPatience;
   double rests_until_s_ = 0;
   bool busy_ = false;     ///< an order was given up, and is not done yet
-  bool gone_ = false;     ///< the process has ended
+  bool gone_ = false;     ///< the process has ended; another is started when the card has rested
   bool renewed_ = false;  ///< a new log has begun, and the mission has not been told
   bool held_ = false;     ///< in the process: hold() was called
 };

@@ -138,4 +138,10 @@ GliderLogSink openLog(const char* path, uint32_t limit) {
   return openFile(file, 0) ? GliderLogSink{&file, writeLog, syncLog, renewLog} : GliderLogSink{};
 }
 
+void reopenLog(const GliderLogSink& log) {
+  auto& file = *static_cast<LogFile*>(log.self);
+  close(file.descriptor);
+  (void)openFile(file, 0);
+}
+
 }  // namespace glider::runtime

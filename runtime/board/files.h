@@ -37,4 +37,7 @@ const char* readFile(const char* path, char* bytes, uint32_t capacity, uint32_t&
 /// be opened.
 GliderLogSink openLog(const char* path, uint32_t limit);
 
+/// What openLog gave, opened again by its path.
+void reopenLog(const GliderLogSink& log);
+
 }  // namespace glider::runtime

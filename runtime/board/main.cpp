@@ -45,12 +45,14 @@ int run(const Options& options) {
   }
   // Before the line is there, so that the card's process does not hold it open.
   static Card card;
-  (void)card.start({openLogOf(options), openCheckpoints(options.checkpoints), holdCheckpoints},
-                   gliderMission.context_bytes);
+  (void)card.start(
+      {openLogOf(options), openCheckpoints(options.checkpoints), holdCheckpoints, reopenLog},
+      gliderMission.context_bytes);
   const OpenPort line = openLine(options);
   if (line.problem != nullptr) {
     return kNoLink;
   }
+  card.setLine(line.descriptor);
   alignas(GliderRuntime) static uint8_t memory[sizeof(GliderRuntime)];
   const GliderRuntimeOptions runtime_options{card.log(), launch.values(), card.checkpoints(),
                                              programNumber()};

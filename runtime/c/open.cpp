@@ -55,13 +55,15 @@ extern "C" int gliderOpen(int argc, char** argv, const char* mission_name) {
          "` has not said what it must know to go on: it has no keepState (glidercc-runtime(3))");
     return kWrongUse;
   }
-  (void)card().start({openLogOf(options), openCheckpoints(options.checkpoints), holdCheckpoints},
-                     Program::instance().settleContextBytes());
+  (void)card().start(
+      {openLogOf(options), openCheckpoints(options.checkpoints), holdCheckpoints, reopenLog},
+      Program::instance().settleContextBytes());
   const OpenPort line = openLine(options);
   if (line.problem != nullptr) {
     return kNoLink;
   }
   line_descriptor = line.descriptor;
+  card().setLine(line_descriptor);
   Program::instance().attach({line.stream, clock.clock(), waitForBytes, mission_name, card().log(),
                               card().checkpoints(), programNumber()});
   return kDone;

@@ -7,15 +7,21 @@
 #include "runtime/board/card.h"
 
 #include "runtime/board/checkpoints.h"
+#include "runtime/board/files.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <fcntl.h>
+#include <fstream>
+#include <iterator>
+#include <signal.h>
 #include <string>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
+#include <vector>
 
 namespace glider::runtime::testing {
 namespace {
@@ -138,6 +144,37 @@ TEST(CardTest, OneThatHasStoodStillIsLeftAloneForAWhile) {
   }
 }
 
+/// The processes that this one has started.
+std::vector<pid_t> children() {
+  const std::string me = std::to_string(getpid());
+  std::ifstream list("/proc/" + me + "/task/" + me + "/children");
+  return {std::istream_iterator<pid_t>(list), {}};
+}
+
+void killChildrenBut(const std::vector<pid_t>& these) {
+  for (const pid_t child : children()) {
+    if (std::ranges::find(these, child) == these.end()) {
+      kill(child, SIGKILL);
+    }
+  }
+}
+
+TEST(CardTest, AProcessThatEndsIsStartedAnewAfterARest) {
+  signal(SIGPIPE, SIG_IGN);
+  Gate gate;
+  const std::vector<pid_t> before = children();
+  Card card;
+  ASSERT_TRUE(card.start(gate.work(), 0, 5, 0.05));
+  const GliderLogSink log = card.log();
+  EXPECT_EQ(say(log, "a"), 1);
+  killChildrenBut(before);
+  EXPECT_LT(say(log, "b"), 0) << "what was asked of it is lost";
+  EXPECT_LT(say(log, "c"), 0) << "not at once";
+  std::this_thread::sleep_for(std::chrono::milliseconds(60));
+  EXPECT_EQ(say(log, "d"), 1);
+  EXPECT_EQ(gate.next(2), "ad");
+}
+
 /// A file of checkpoints, and its path.
 class Store : public ::testing::Test {
  protected:
@@ -161,6 +198,23 @@ TEST_F(Store, CheckpointsAreReadAndWrittenThere) {
   EXPECT_EQ(store.read(store.self, 7, back, 20), 10);
   EXPECT_EQ(std::string(back, back + 10), words);
   EXPECT_LT(store.write(store.self, 0, back, 5000), 0) << "more than was said";
+}
+
+TEST_F(Store, AProcessThatIsStartedAnewWritesTheNewestLog) {
+  signal(SIGPIPE, SIG_IGN);
+  const std::vector<pid_t> before = children();
+  Card card;
+  ASSERT_TRUE(card.start({openLog(path_.c_str(), 5), {}, nullptr, reopenLog}, 0, 5, 0));
+  const GliderLogSink log = card.log();
+  EXPECT_EQ(say(log, "older."), 6);
+  EXPECT_EQ(log.renew(log.self), 1);
+  killChildrenBut(before);
+  EXPECT_LT(say(log, "lost"), 0);
+  EXPECT_EQ(say(log, "new"), 3);
+  std::string content;
+  std::ifstream(path_) >> content;
+  EXPECT_EQ(content, "new");
+  unlink((path_ + ".old").c_str());
 }
 
 TEST_F(Store, AProgramWaitsForTheProcessOfTheOneBefore) {

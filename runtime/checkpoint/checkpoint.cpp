@@ -10,7 +10,7 @@
 namespace glider::runtime {
 namespace {
 
-constexpr uint32_t kMagic = 0x314B4C47;  // "GLK1": the format's version is its last letter
+constexpr uint32_t kMagic = 0x324B4C47;  // "GLK2": the format's version is its last letter
 
 /// The part of a context that a resume needs: all behind its pointers, up to what only one tick
 /// needs (what C functions gave, what tables of guards remember, notes). It lies in one piece, and

@@ -11,8 +11,10 @@ namespace glider::runtime {
 
 /// What a mission needs beside its context to go on.
 struct LinkFacts {
-  double vehicle_time = 0;   ///< of the vehicle's newest frame, s
-  double origin = 0;         ///< vehicle time of mission time 0, s
+  double vehicle_time = 0;  ///< of the vehicle's newest frame, s
+  // The moment from which mission time counts, in both times, s.
+  double anchor_vehicle = 0;
+  double anchor_mission = 0;
   uint32_t session = 0;      ///< of the newest handshake; 0: none yet
   uint32_t instruction = 0;  ///< number of the newest instruction
 };

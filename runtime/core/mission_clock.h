@@ -7,36 +7,44 @@
 /// vehicle's clock does.
 namespace glider::runtime {
 
+/// A moment in both times, s.
+struct ClockAnchor {
+  double vehicle = 0;
+  double mission = 0;
+};
+
 class MissionClock {
  public:
   /// Mission time 0 is now.
   void start(double vehicle_time, double sbc_time) {
-    vehicle_ = vehicle_time;
-    origin_ = vehicle_time;
-    sbc_ = sbc_time;
+    resume({vehicle_time, 0}, vehicle_time, sbc_time);
   }
 
-  /// Goes on where a clock with this origin was when it last saw the vehicle's.
-  void resume(double origin, double vehicle_time, double sbc_time) {
-    start(origin, sbc_time);
+  /// Goes on where a clock with this anchor was when it last saw the vehicle's.
+  void resume(const ClockAnchor& anchor, double vehicle_time, double sbc_time) {
+    anchor_ = anchor;
     vehicle_ = vehicle_time;
+    sbc_ = sbc_time;
+    silence_ = 0;
   }
-  /// Vehicle time of mission time 0, s.
-  [[nodiscard]] double origin() const { return origin_; }
+  /// From which mission time counts.
+  [[nodiscard]] const ClockAnchor& anchor() const { return anchor_; }
   /// Vehicle time of the newest frame, s.
   [[nodiscard]] double vehicle() const { return vehicle_; }
 
   /// A frame came: returns mission time, s. A vehicle that began its own mission anew counts from 0
-  /// again; mission time then goes on from where it was, be it by the SBC's own clock.
+  /// again, and one whose clock is broken from anywhere; mission time then goes on from where it
+  /// was, be it by the SBC's own clock.
   double atFrame(double vehicle_time, double sbc_time) {
-    const double reached = (vehicle_ - origin_) + silence_;
-    if (vehicle_time < vehicle_ || reached - (vehicle_time - origin_) > kMostSilence) {
-      origin_ = vehicle_time - reached;
+    const double reached = missionAt(vehicle_) + silence_;
+    const double now = missionAt(vehicle_time);
+    if (vehicle_time < vehicle_ || reached - now > kMostSilence || now - reached > kMostGap) {
+      anchor_ = {vehicle_time, reached};
     }
     vehicle_ = vehicle_time;
     sbc_ = sbc_time;
     silence_ = 0;
-    return vehicle_ - origin_;
+    return missionAt(vehicle_time);
   }
 
   /// No frame came: mission time by the SBC's own clock. A clock that has jumped counts for no more
@@ -46,14 +54,20 @@ class MissionClock {
     const double passed = sbc_time - sbc_;
     sbc_ = sbc_time;
     silence_ += passed > kMostSilence ? kMostSilence : passed > 0 ? passed : 0;
-    return (vehicle_ - origin_) + silence_;
+    return missionAt(vehicle_) + silence_;
   }
 
  private:
   /// s; a silent link is told every 12 s. `tick_gap_s` of the platform file is this and a cycle.
   static constexpr double kMostSilence = 16;
+  /// s; no vehicle goes on with the same mission after more than a day without a frame.
+  static constexpr double kMostGap = 86400;
 
-  double origin_ = 0;   ///< vehicle time of mission time 0
+  [[nodiscard]] double missionAt(double vehicle_time) const {
+    return anchor_.mission + (vehicle_time - anchor_.vehicle);
+  }
+
+  ClockAnchor anchor_;
   double vehicle_ = 0;  ///< vehicle time of the newest frame
   double sbc_ = 0;      ///< SBC time when it was last looked at
   double silence_ = 0;  ///< s since the newest frame

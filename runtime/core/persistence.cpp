@@ -44,7 +44,8 @@ bool Persistence::goesOn(const hooks::VehicleTick& tick, const GliderContext& co
     leaveControl(outage);
     return false;
   }
-  parts_.clock.resume(facts_.origin, facts_.vehicle_time, sbc_time);
+  parts_.clock.resume({facts_.anchor_vehicle, facts_.anchor_mission}, facts_.vehicle_time,
+                      sbc_time);
   if (tick.obeys_us) {
     parts_.control.resume();
   }
@@ -84,9 +85,9 @@ void Persistence::commit(const GliderContext* context) {
     tellVehicle(*context, "the SBC's log is not written");
   }
   log_fails_ = parts_.log.isFailing();
-  const Checkpoint::Kept kept =
-      checkpoint_.keep(*context, {parts_.clock.vehicle(), parts_.clock.origin(),
-                                  parts_.client.session(), parts_.client.sequence()});
+  const Checkpoint::Kept kept = checkpoint_.keep(
+      *context, {parts_.clock.vehicle(), parts_.clock.anchor().vehicle,
+                 parts_.clock.anchor().mission, parts_.client.session(), parts_.client.sequence()});
   const bool failed = kept == Checkpoint::Kept::Failed;
   if (failed && !not_kept_) {
     parts_.log.event(context->mission_time, LogEvent::CheckpointNotWritten, LogDetail::None,

@@ -71,11 +71,11 @@ TEST_F(CheckpointTest, ACardThatFailsForLongLosesNoneThatWasKept) {
   context->moved_list = GLIDER_NO_LIST;
   Checkpoint checkpoint(store_.store(), 7);
   for (uint32_t instruction = 1; instruction <= 5; ++instruction) {
-    ASSERT_EQ(checkpoint.keep(*context, {0, 0, 1, instruction}), Checkpoint::Kept::Written);
+    ASSERT_EQ(checkpoint.keep(*context, {0, 0, 0, 1, instruction}), Checkpoint::Kept::Written);
   }
   store_.fails = true;
   for (uint32_t instruction = 6; instruction < 6 + Checkpoint::kSlots - 1; ++instruction) {
-    ASSERT_EQ(checkpoint.keep(*context, {0, 0, 1, instruction}), Checkpoint::Kept::Failed);
+    ASSERT_EQ(checkpoint.keep(*context, {0, 0, 0, 1, instruction}), Checkpoint::Kept::Failed);
   }
   store_.fails = false;
   const size_t made = store_.log.size();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "runtime/core/control.h"
+#include "runtime/core/mission_clock.h"
 #include "runtime/library/library.h"
 #include "tests/unit/runtime/bench_mission.h"
 #include "tests/unit/runtime/log_csv.h"
@@ -280,6 +281,28 @@ TEST_F(LinkTest, AfterSilenceACommandThatIsRefusedDoesNotKeepItFromTakingControl
   EXPECT_EQ(vehicle.hookbeh().state, hooks::HookState::Active);
   EXPECT_LE(vehicle.answers.size(), before + 3) << "the refused take, the take, the refused steer";
   EXPECT_TRUE(vehicle.hookbeh().commanding) << "as by the last that it had accepted";
+}
+
+TEST(MissionClock, NoVehicleTimeStopsItOrCarriesItAway) {
+  for (const double wrong : {1e30, 3.4e38, 1e6, -1e30}) {
+    MissionClock clock;
+    clock.start(100, 0);
+    EXPECT_EQ(clock.atFrame(500, 400), 400);
+    EXPECT_EQ(clock.atFrame(wrong, 404), 400) << wrong;
+    EXPECT_EQ(clock.atFrame(wrong, 408), 400) << wrong;
+    EXPECT_EQ(clock.withoutFrame(420), 412);
+    EXPECT_EQ(clock.atFrame(528, 432), 412) << wrong;
+    EXPECT_EQ(clock.atFrame(532, 436), 416) << wrong;
+  }
+}
+
+TEST(MissionClock, ALongSilenceIsCaughtUpWith) {
+  MissionClock clock;
+  clock.start(0, 0);
+  EXPECT_EQ(clock.atFrame(40, 40), 40);
+  EXPECT_EQ(clock.atFrame(40040, 40), 40040) << "the SBC's clock stood still";
+  EXPECT_EQ(clock.withoutFrame(60), 40056);
+  EXPECT_EQ(clock.atFrame(40052, 60), 40052) << "its own ran ahead";
 }
 
 /// Gone for so long, then the vehicle begins its own mission anew.

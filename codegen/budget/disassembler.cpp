@@ -273,10 +273,13 @@ void Disassembler::judgeStack(const llvm::MCInst& inst, const Written& written, 
   for (const llvm::MCOperand& operand : inst) {
     if (operand.isReg()) {
       const uint8_t number = numberOf(registers.getName(operand.getReg()), machine_->arm);
-      one.mentions.registers |= number < 16 ? static_cast<uint16_t>(1U << number) : 0;
+      if (number < 16) {
+        one.mentions.registers |= static_cast<uint16_t>(1U << number);
+      }
     }
   }
-  const bool moved = (one.stack.writes >> machine.pointer & 1U) != 0;
+  const uint32_t writes = one.stack.writes;
+  const bool moved = (writes >> machine.pointer & 1U) != 0;
   const bool by_call = !machine_->arm && (one.stack.enters_kernel || one.flow != Flow::Next);
   one.stack.known = !moved || one.stack.to == machine.pointer || by_call;
 }

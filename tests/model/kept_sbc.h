@@ -42,7 +42,7 @@ class KeptSbc {
   void keep(double mission_time_s, uint32_t session, uint32_t instruction) {
     context_->mission_time = mission_time_s;
     context_->moved_list = GLIDER_NO_LIST;
-    (void)checkpoint_->keep(*context_, {mission_time_s, 0, session, instruction});
+    (void)checkpoint_->keep(*context_, {mission_time_s, 0, 0, session, instruction});
   }
 
  private:

@@ -185,13 +185,14 @@ bool Card::isFree() {
     rests_until_s_ = clock_.now() + rest_s_;
     renewed_ = renewed_ || (order_->task == Task::LogRenew && order_->answer == 1);
   }
-  if (busy_ || clock_.now() < rests_until_s_) {
-    return false;
-  }
-  if (gone_ && !spawn()) {
+  return !gone_ && !busy_ && clock_.now() >= rests_until_s_;
+}
+
+void Card::rested(bool virtual_time) {
+  left_s_ = virtual_time ? kForever : patience_s_;
+  if (gone_ && clock_.now() >= rests_until_s_ && !spawn()) {
     rests_until_s_ = clock_.now() + rest_s_;
   }
-  return !gone_;
 }
 
 int32_t Card::ask(Task task, uint32_t offset, const uint8_t* from, uint32_t count) {

@@ -50,9 +50,9 @@ class Card {
   /// The log, and where checkpoints are kept; both point into this object.
   [[nodiscard]] GliderLogSink log();
   [[nodiscard]] GliderStore checkpoints();
-  /// The SBC has nothing to do: patience begins anew. In virtual time it has no end, for the
-  /// vehicle's clock waits.
-  void rested(bool virtual_time) { left_s_ = virtual_time ? kForever : patience_s_; }
+  /// The SBC has nothing to do: patience begins anew, and a process that has ended is started anew
+  /// if the card has rested. In virtual time patience has no end, for the vehicle's clock waits.
+  void rested(bool virtual_time);
 
  private:
   enum class Task : uint32_t { LogWrite, LogSync, LogRenew, StoreRead, StoreWrite, StoreSync };

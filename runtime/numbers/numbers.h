@@ -47,7 +47,7 @@ inline double negated(double value) {
 }
 
 /// What is left of `size` when it is divided by `of`: fmod, to the bit. `size` is not negative,
-/// `of` a normal number above 0; NaN of what is not finite.
+/// `of` at least 1; NaN of what is not finite.
 double restOf(double size, double of);
 
 }  // namespace glider::runtime

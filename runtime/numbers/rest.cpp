@@ -4,23 +4,50 @@
 #include "runtime/numbers/numbers.h"
 
 namespace glider::runtime {
+namespace {
 
-/// Every subtraction is of a number between half the size and the size: exact (Sterbenz). A third
-/// of the bytes of fmod, which an SBC's soft floating point makes long.
+constexpr uint32_t kFractionBits = 52;
+constexpr uint64_t kHiddenBit = uint64_t{1} << kFractionBits;
+
+uint32_t exponentOf(uint64_t bits) {
+  return static_cast<uint32_t>(bits >> kFractionBits);
+}
+
+/// The fraction of a normal number with its leading one.
+uint64_t digitsOf(uint64_t bits) {
+  return (bits & (kHiddenBit - 1)) | kHiddenBit;
+}
+
+}  // namespace
+
+/// Division by hand, a binary digit a turn: on whole numbers, for a board's soft floating point is
+/// long and fmod longer.
 [[gnu::noinline]] double restOf(double size, double of) {
+  const uint64_t bits = bitsOf(size);
+  const uint64_t divisor = digitsOf(bitsOf(of));
+  uint32_t exponent = exponentOf(bitsOf(of));
+  if (bits < bitsOf(of)) {
+    return size;
+  }
   if (!isFinite(size)) {
     return unknown();
   }
-  double part = of;
-  while (part <= size * 0.5) {
-    part *= 2.0;
-  }
-  for (; part >= of; part *= 0.5) {
-    if (size >= part) {
-      size -= part;
+  uint64_t rest = digitsOf(bits);
+  for (uint32_t digits = exponentOf(bits) - exponent;; --digits) {
+    rest -= rest >= divisor ? divisor : 0;
+    if (digits == 0) {
+      break;
     }
+    rest <<= 1U;
   }
-  return size;
+  if (rest == 0) {
+    return 0.0;
+  }
+  while ((rest & kHiddenBit) == 0) {
+    rest <<= 1U;
+    --exponent;
+  }
+  return doubleOf((rest & (kHiddenBit - 1)) | (static_cast<uint64_t>(exponent) << kFractionBits));
 }
 
 }  // namespace glider::runtime

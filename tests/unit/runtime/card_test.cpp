@@ -169,8 +169,10 @@ TEST(CardTest, AProcessThatEndsIsStartedAnewAfterARest) {
   EXPECT_EQ(say(log, "a"), 1);
   killChildrenBut(before);
   EXPECT_LT(say(log, "b"), 0) << "what was asked of it is lost";
+  card.rested(false);
   EXPECT_LT(say(log, "c"), 0) << "not at once";
   std::this_thread::sleep_for(std::chrono::milliseconds(60));
+  card.rested(false);
   EXPECT_EQ(say(log, "d"), 1);
   EXPECT_EQ(gate.next(2), "ad");
 }
@@ -210,6 +212,7 @@ TEST_F(Store, AProcessThatIsStartedAnewWritesTheNewestLog) {
   EXPECT_EQ(log.renew(log.self), 1);
   killChildrenBut(before);
   EXPECT_LT(say(log, "lost"), 0);
+  card.rested(false);
   EXPECT_EQ(say(log, "new"), 3);
   std::string content;
   std::ifstream(path_) >> content;

@@ -62,13 +62,7 @@ void Hookprog::begin() {
 }
 
 HookprogEvent Hookprog::nextEvent() {
-  if (event_count_ == 0) {
-    return {};
-  }
-  const HookprogEvent oldest = events_[event_first_];
-  event_first_ = (event_first_ + 1) % kMostEvents;
-  --event_count_;
-  return oldest;
+  return events_.next();
 }
 
 void Hookprog::takeFlight(const GliderByteStream& flight) {
@@ -159,7 +153,7 @@ void Hookprog::handleHello(const Hello& hello) {
   for (uint32_t i = 0; i < kMostNameBytes; ++i) {
     told.text[i] = hello.mission_name[i];
   }
-  push(told);
+  events_.push(told);
   Frame frame;
   encode(Welcome{options_.virtual_time, link_, newest_session_}, frame);
   send(frame);
@@ -202,13 +196,10 @@ void Hookprog::handleTransition(const TransitionNotice& notice) {
   told.c = notice.to;
   told.d = notice.fired_case;
   told.e = notice.list;
-  push(told);
+  events_.push(told);
 }
 
 void Hookprog::handleNote(const MissionNote& note) {
-  if (event_count_ >= kMostEvents - kRoomBesideNotes) {
-    return;
-  }
   HookprogEvent told;
   told.kind = Kind::SbcNote;
   told.mission_time_s = note.mission_time_s;
@@ -216,7 +207,7 @@ void Hookprog::handleNote(const MissionNote& note) {
   for (uint32_t i = 0; i < kMostNoteBytes; ++i) {
     told.text[i] = note.text[i];
   }
-  push(told);
+  events_.push(told);
 }
 
 void Hookprog::handleDone(const Done& done) {
@@ -392,14 +383,7 @@ void Hookprog::event(Kind kind, uint32_t a, uint32_t b) {
   told.mission_time_s = missionTime();
   told.a = a;
   told.b = b;
-  push(told);
-}
-
-void Hookprog::push(const HookprogEvent& event) {
-  if (event_count_ < kMostEvents) {
-    events_[(event_first_ + event_count_) % kMostEvents] = event;
-    ++event_count_;
-  }
+  events_.push(told);
 }
 
 }  // namespace glider::hooks

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "hooks/clothesline/clothesline.h"
+#include "hooks/hookprog/events.h"
 #include "hooks/hookprog/reporter.h"
 #include "hooks/protocol/frame_reader.h"
 #include "hooks/protocol/messages.h"
@@ -31,31 +32,6 @@ struct HookprogOptions {
   bool virtual_time = false;  ///< told to the SBC
 };
 
-/// Things worth a line in the vehicle's log or the simulator's trace.
-struct HookprogEvent {
-  enum class Kind : uint8_t {
-    None,
-    SbcHello,       ///< a link: a = its number; text = the mission's name
-    SbcLost,        ///< no answer for 12 s, or the line is closed, before its mission has finished:
-                    ///< a = the link's number
-    SbcStuck,       ///< it answers, but its mission time has stood still for 12 s while it is in
-                    ///< control: a = its session
-    SbcUnanswered,  ///< hookbeh has not answered an instruction for 12 s: a = its sequence
-    SbcTransition,  ///< a transition, b from, c to, d fired case, e its list
-    SbcNote,        ///< a word from the mission: a = its kind (GliderNoteKind); text
-    BadFrame,       ///< a = frames thrown away on both lines since the last such event
-    SbcRefused,  ///< speaks another protocol (a = its version) or has another sensor dictionary (b
-                 ///< = its hash)
-    RefusedWrite,  ///< the SBC tried to write sensor a, which is not the hook's; nothing of that
-                   ///< frame was written
-  } kind = Kind::None;
-  double mission_time_s =
-      0;  ///< SbcTransition, SbcNote: the mission's own; else m_present_secs_into_mission
-  uint32_t a = 0, b = 0, c = 0, d = 0, e = 0;
-  char text[kMostNoteBytes + 1] = {};
-  static_assert(kMostNameBytes <= kMostNoteBytes);
-};
-
 class Hookprog {
  public:
   explicit Hookprog(const HookprogOptions& options);
@@ -79,10 +55,6 @@ class Hookprog {
   static constexpr double kLostSecs = 12;
 
  private:
-  static constexpr uint32_t kMostEvents = 32;
-  /// Notes leave this much room for what matters more.
-  static constexpr uint32_t kRoomBesideNotes = 16;
-
   void begin();
   void takeFlight(const GliderByteStream& flight);
   void takeUpdate(const SensorUpdate& update);
@@ -112,7 +84,6 @@ class Hookprog {
   void loseSbc();
   void countBadFrames();
   void event(HookprogEvent::Kind kind, uint32_t a = 0, uint32_t b = 0);
-  void push(const HookprogEvent& event);
   [[nodiscard]] double newest(uint16_t id) const { return values_[id]; }
   /// 0 when unknown, negative or too large.
   [[nodiscard]] uint32_t newestWhole(uint16_t id) const;
@@ -151,10 +122,7 @@ class Hookprog {
   uint32_t malformed_ = 0;
   uint32_t bad_frames_told_ = 0;
   SbcView view_;
-
-  HookprogEvent events_[kMostEvents];
-  uint32_t event_first_ = 0;
-  uint32_t event_count_ = 0;
+  EventQueue events_;
 };
 
 }  // namespace glider::hooks

@@ -44,7 +44,7 @@ void Hookprog::run(double science_time_s, const ScienceSensors& own, const Glide
     sendCycle(own);
   }
   const bool open = out_.flush(sbc);
-  if (link_ != 0 && (!open || (waiting_ && now_s_ - waiting_since_s_ >= kLostSecs))) {
+  if (link_ != 0 && (!open || (waiting_ && waits_.lasts(now_s_) >= kLostSecs))) {
     loseSbc();
   }
   countBadFrames();
@@ -180,7 +180,7 @@ void Hookprog::handleWrite(const SensorList& list) {
   }
   if (sequence != nullptr) {
     ordered[count++] = *sequence;
-    noteInstruction(sequence->value);
+    answers_.written(sequence->value, now_s_);
   }
   if (hookState() != HookState::Absent) {
     (void)clothesline_.send(ordered, count);  // no room: the SBC gets no answer and writes it again
@@ -224,44 +224,22 @@ void Hookprog::handleDone(const Done& done) {
   }
 }
 
-/// True if the time of the mission in control has gone on. Another link changes nothing about that.
+/// True if the time of the mission in control has gone on.
 bool Hookprog::noteProgress(const Done& done) {
-  if (done.session != progress_session_) {
-    progress_session_ = done.session;
-    progress_time_s_ = -1;
+  if (progress_.hasGoneOn(done.session, done.status.mission_time_s, now_s_)) {
+    return true;
   }
-  const double mission_time_s = done.status.mission_time_s;
-  if (!(mission_time_s > progress_time_s_)) {
-    if (!stuck_told_ && now_s_ - progress_at_s_ >= kLostSecs) {
-      stuck_told_ = true;
-      event(Kind::SbcStuck, done.session);
-    }
-    return false;
+  if (progress_.isStuck(kLostSecs, now_s_)) {
+    event(Kind::SbcStuck, done.session);
   }
-  progress_time_s_ = mission_time_s;
-  progress_at_s_ = now_s_;
-  stuck_told_ = false;
-  return true;
-}
-
-void Hookprog::noteInstruction(double sequence) {
-  const auto number =
-      sequence >= 1 && sequence <= UINT16_MAX ? static_cast<uint16_t>(sequence) : uint16_t{0};
-  if (instruction_ == 0 && number != 0) {
-    instruction_since_s_ = now_s_;
-    unanswered_told_ = false;
-  }
-  instruction_ = number;
+  return false;
 }
 
 /// Tells of a flight controller that does not answer what goes to it.
 void Hookprog::watchInstruction() {
-  if (instruction_ == newestWhole(GLIDER_X_HOOK_SEQUENCE)) {
-    instruction_ = 0;
-  }
-  if (instruction_ != 0 && !unanswered_told_ && now_s_ - instruction_since_s_ >= kLostSecs) {
-    unanswered_told_ = true;
-    event(Kind::SbcUnanswered, instruction_);
+  answers_.answered(newestWhole(GLIDER_X_HOOK_SEQUENCE));
+  if (answers_.isOverdue(kLostSecs, now_s_)) {
+    event(Kind::SbcUnanswered, answers_.instruction());
   }
 }
 
@@ -283,7 +261,7 @@ void Hookprog::sendCycle(const ScienceSensors& own) {
     sendTick(own);
     if (!waiting_) {
       waiting_ = true;
-      waiting_since_s_ = now_s_;
+      waits_.begin(now_s_);
     }
   }
   for (bool& fresh : fresh_) {

@@ -6,6 +6,7 @@
 #include "hooks/clothesline/clothesline.h"
 #include "hooks/hookprog/events.h"
 #include "hooks/hookprog/reporter.h"
+#include "hooks/hookprog/watches.h"
 #include "hooks/protocol/frame_reader.h"
 #include "hooks/protocol/messages.h"
 #include "hooks/protocol/send_queue.h"
@@ -73,7 +74,6 @@ class Hookprog {
   void handleDone(const Done& done);
   void beat();
   bool noteProgress(const Done& done);
-  void noteInstruction(double sequence);
   void watchInstruction();
   void sendCycle(const ScienceSensors& own);
   void sendBeacon();
@@ -106,17 +106,12 @@ class Hookprog {
 
   uint32_t link_ = 0;     // 0: none
   bool waiting_ = false;  // for an answer
-  double waiting_since_s_ = 0;
+  Since waits_;
   Reporter reporter_;
   uint32_t newest_session_ = 0;
   uint32_t heartbeat_ = 0;
-  uint32_t progress_session_ = 0;
-  double progress_time_s_ = -1;  // latest mission time that this session has told in control
-  double progress_at_s_ = 0;     // science time at which it did
-  bool stuck_told_ = false;
-  uint16_t instruction_ = 0;        // sequence of the newest instruction that went on, 0: answered
-  double instruction_since_s_ = 0;  // science time since which none is answered
-  bool unanswered_told_ = false;
+  ProgressWatch progress_;
+  AnswerWatch answers_;
   uint8_t refused_version_ = 0;  // told already
   uint32_t refused_dictionary_ = 0;
   uint32_t malformed_ = 0;

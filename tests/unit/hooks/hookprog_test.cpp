@@ -221,6 +221,52 @@ TEST_F(HookprogTest, AQuietFlightControllerIsNotTheSbcsFault) {
   EXPECT_TRUE(events().empty());
 }
 
+TEST_F(HookprogTest, AClockThatIsSetBackDoesNotHideALostSbc) {
+  now_ = 10000;
+  hello();
+  cycle();
+  events();
+  now_ = 6400;
+  for (int i = 0; i < 12; ++i) {
+    run();
+    EXPECT_TRUE(events().empty()) << i;
+  }
+  run();
+  EXPECT_EQ(events(), (std::vector{Kind::SbcLost}));
+}
+
+TEST_F(HookprogTest, AClockThatIsSetBackDoesNotHideAStuckMission) {
+  now_ = 10000;
+  cycle({{GLIDER_X_HOOK_STATE, 3}, {GLIDER_X_HOOK_SESSION, 4}});
+  hello();
+  say(answered(4, 100));
+  run();
+  events();
+  now_ = 6400;
+  for (int i = 0; i < 20; ++i) {
+    say(answered(4, 100));
+    run();
+    EXPECT_EQ(events().size(), i == 12 ? 1U : 0U) << i;
+  }
+  EXPECT_EQ(last_event_.kind, Kind::SbcStuck);
+}
+
+TEST_F(HookprogTest, AClockThatIsSetBackDoesNotHideAnInstructionWithoutAnswer) {
+  now_ = 10000;
+  cycle({{GLIDER_X_HOOK_STATE, 3}, {GLIDER_X_HOOK_SEQUENCE, 6}});
+  hello();
+  write({{GLIDER_SCI_HOOK_SESSION, 4}, {GLIDER_SCI_HOOK_SEQUENCE, 7}});
+  run();
+  events();
+  now_ = 6400;
+  for (int i = 0; i < 20; ++i) {
+    say(answered());
+    run();
+    EXPECT_EQ(events().size(), i == 12 ? 1U : 0U) << i;
+  }
+  EXPECT_EQ(last_event_.kind, Kind::SbcUnanswered);
+}
+
 TEST_F(HookprogTest, AClosedLineIsALostSbcToldOnce) {
   hello();
   events();

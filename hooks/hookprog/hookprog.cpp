@@ -9,6 +9,9 @@ using Kind = HookprogEvent::Kind;
 
 namespace {
 
+constexpr uint16_t kReportsOfHookbeh[] = {GLIDER_X_HOOK_STATE, GLIDER_X_HOOK_SEQUENCE,
+                                          GLIDER_X_HOOK_ANSWER, GLIDER_X_HOOK_SESSION};
+
 bool decode(const Frame& frame, SensorList& list) {
   return decodeList(frame, list);
 }
@@ -252,9 +255,28 @@ void Hookprog::beat() {
   }
 }
 
+/// The vehicle's next mission may have no hookbeh, and then nobody overwrites what the last one
+/// reported.
+void Hookprog::watchHookbeh() {
+  const double time = missionTime();
+  if (time < cycle_time_s_) {
+    most_without_hookbeh_ = kMostCyclesOfAnotherMission;
+  }
+  cycle_time_s_ = time;
+  if (fresh_[GLIDER_X_HOOK_STATE]) {
+    cycles_without_hookbeh_ = 0;
+    most_without_hookbeh_ = kMostCyclesWithoutHookbeh;
+  } else if (++cycles_without_hookbeh_ >= most_without_hookbeh_) {
+    for (const uint16_t id : kReportsOfHookbeh) {
+      values_[id] = __builtin_nan("");
+    }
+  }
+}
+
 void Hookprog::sendCycle(const ScienceSensors& own) {
   time_is_new_ = false;
   cycle_is_new_ = false;
+  watchHookbeh();
   if (link_ == 0) {
     sendBeacon();
   } else {

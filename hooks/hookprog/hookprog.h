@@ -54,6 +54,11 @@ class Hookprog {
 
   /// Science seconds without an answer after which the SBC is lost.
   static constexpr double kLostSecs = 12;
+  /// Complete flight cycles in a row without x_hook_state after which the vehicle's mission has no
+  /// hookbeh: one reports in each cycle, but lines lose frames.
+  static constexpr uint32_t kMostCyclesWithoutHookbeh = 6;
+  /// The same once mission time has turned back, as it does when another mission starts.
+  static constexpr uint32_t kMostCyclesOfAnotherMission = 2;
 
  private:
   void begin();
@@ -75,6 +80,7 @@ class Hookprog {
   void beat();
   bool noteProgress(const Done& done);
   void watchInstruction();
+  void watchHookbeh();
   void sendCycle(const ScienceSensors& own);
   void sendBeacon();
   void sendTick(const ScienceSensors& own);
@@ -103,6 +109,9 @@ class Hookprog {
   bool fresh_[GLIDER_SENSOR_COUNT] = {};
   bool time_is_new_ = false;
   bool cycle_is_new_ = false;
+  double cycle_time_s_ = 0;  // mission time of the newest complete cycle
+  uint32_t cycles_without_hookbeh_ = 0;
+  uint32_t most_without_hookbeh_ = kMostCyclesWithoutHookbeh;
 
   uint32_t link_ = 0;     // 0: none
   bool waiting_ = false;  // for an answer

@@ -166,6 +166,7 @@ void Hookprog::handleWrite(const SensorList& list) {
   SensorUpdate ordered[kMostListed];
   uint32_t count = 0;
   const SensorUpdate* sequence = nullptr;
+  uint32_t session = newest_session_;
   for (uint32_t i = 0; i < list.count; ++i) {
     const SensorValue& value = list.values[i];
     if (!isInstructionSensor(value.id)) {
@@ -178,9 +179,10 @@ void Hookprog::handleWrite(const SensorList& list) {
       ordered[count++] = value;
     }
     if (value.id == GLIDER_SCI_HOOK_SESSION && value.value >= 1 && value.value <= kMostSession) {
-      newest_session_ = static_cast<uint32_t>(value.value);
+      session = static_cast<uint32_t>(value.value);
     }
   }
+  newest_session_ = session;
   if (sequence != nullptr) {
     ordered[count++] = *sequence;
     answers_.written(sequence->value, now_s_);

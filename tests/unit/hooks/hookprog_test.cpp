@@ -200,6 +200,24 @@ TEST_F(HookprogTest, TheSbcMayWriteTheHooksSensorsOnly) {
   }
 }
 
+TEST_F(HookprogTest, OnlyASessionThatWentOnIsTheNewest) {
+  cycle({{GLIDER_X_HOOK_STATE, 3}});
+  hello();
+  const auto newest = [&](uint32_t link) {
+    atSbc();
+    hello(link);
+    Welcome welcome;
+    EXPECT_TRUE(decode(atSbc().at(0), welcome));
+    return welcome.newest_session;
+  };
+  write({{GLIDER_SCI_HOOK_SESSION, 4}, {GLIDER_SCI_HOOK_SEQUENCE, 3}});
+  run();
+  EXPECT_EQ(newest(8), 4U);
+  write({{GLIDER_SCI_HOOK_SESSION, 9000}, {GLIDER_C_PITCH, 1}});
+  run();
+  EXPECT_EQ(newest(9), 4U) << "that frame was refused";
+}
+
 TEST_F(HookprogTest, EachAnswerOfTheSessionInControlIsAHeartbeat) {
   cycle({{GLIDER_X_HOOK_STATE, 3}, {GLIDER_X_HOOK_SESSION, 4}});
   hello();

@@ -167,6 +167,7 @@ HookAnswer Hookbeh::take(const Instruction& instruction) {
     session_ = instruction.session;
     silence_s_ = 0;
     guard_.reset();
+    guarding_ = false;
     pilot_.begin(instruction);
   }
   return answer;
@@ -179,9 +180,13 @@ HookAnswer Hookbeh::giveBack() {
 }
 
 void Hookbeh::command(const Surroundings& now, HookbehOutputs& outputs) {
-  VerticalCommand vertical = pilot_.vertical(now, step_s_, args_);
   const char* climb = guard_.mustClimb(args_, pilot_.inForce());
-  if (climb != nullptr) {
+  if (guarding_ && climb == nullptr) {
+    pilot_.goBack(now, args_);
+  }
+  guarding_ = climb != nullptr;
+  VerticalCommand vertical = pilot_.vertical(now, step_s_, args_);
+  if (guarding_) {
     vertical = SurfaceNow{climb}.command(args_);
   }
   const LateralCommand lateral = pilot_.lateral(now);
@@ -193,7 +198,7 @@ void Hookbeh::command(const Surroundings& now, HookbehOutputs& outputs) {
   outputs.pitch_rad = vertical.pitch_rad;
   outputs.pump_cc = vertical.pump_cc;
   outputs.doing = vertical.doing;
-  outputs.guarding = climb != nullptr;
+  outputs.guarding = guarding_;
 }
 
 }  // namespace glider::hooks

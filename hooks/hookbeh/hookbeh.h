@@ -71,6 +71,7 @@ class Hookbeh {
   HookState state_ = HookState::Waiting;
   Guard guard_;
   Pilot pilot_;
+  bool guarding_ = false;  // in the cycle before
 
   bool clock_known_ = false;
   double last_time_s_ = 0;

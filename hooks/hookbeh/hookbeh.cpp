@@ -47,7 +47,24 @@ bool gather(const HookbehInputs& inputs, uint16_t sequence, Instruction* instruc
   return inputs.check == checkValue(*instruction);
 }
 
+void orUsual(double& value, double usual) {
+  value = isFinite(value) ? value : usual;
+}
+
+/// What is commanded must be a number, so it is the default where the mission file gives none.
+/// Limits of depth and altitude are left: they count as broken then.
+HookbehArgs usable(HookbehArgs args) {
+  const HookbehArgs usual;
+  orUsual(args.steepest_pitch_rad, usual.steepest_pitch_rad);
+  orUsual(args.shallowest_pitch_rad, usual.shallowest_pitch_rad);
+  orUsual(args.dive_pump_cc, usual.dive_pump_cc);
+  orUsual(args.climb_pump_cc, usual.climb_pump_cc);
+  return args;
+}
+
 }  // namespace
+
+Hookbeh::Hookbeh(const HookbehArgs& args) : args_(usable(args)) {}
 
 HookbehOutputs Hookbeh::cycle(const HookbehInputs& inputs) {
   const Surroundings now{inputs.depth_m, inputs.depth_rate_mps, inputs.altitude_m,

@@ -53,7 +53,7 @@ struct HookbehOutputs {
 
 class Hookbeh {
  public:
-  explicit Hookbeh(const HookbehArgs& args) : args_(args) {}
+  explicit Hookbeh(const HookbehArgs& args);
   /// One control cycle.
   HookbehOutputs cycle(const HookbehInputs& inputs);
 

@@ -117,6 +117,20 @@ TEST(Hookbeh, ClimbEndsInHoverAndAtTheTopInFloating) {
   }
 }
 
+TEST(Hookbeh, ADescendOrHoverToLessThanAMetreEndsInFloating) {
+  for (const HookVertical vertical : {HookVertical::Descend, HookVertical::Hover}) {
+    Bench bench;
+    bench.cycle();
+    bench.give(Bench::take(20));
+    bench.inputs.depth_m = 0.9;
+    HookbehOutputs out = bench.give(Bench::vertical(vertical, 0.9));
+    for (int i = 0; i < 4; ++i) {
+      out = bench.cycle();
+    }
+    EXPECT_STREQ(out.doing, "surface");
+  }
+}
+
 TEST(Hookbeh, HoverGoesThereThenLevels) {
   Bench bench;
   bench.cycle();

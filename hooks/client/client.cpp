@@ -83,9 +83,8 @@ ClientEvent Client::refuse(uint8_t version, uint32_t dictionary) {
 
 ClientEvent Client::handleWelcome(const Frame& frame, const GliderByteStream& stream) {
   Welcome welcome;
-  if (decode(frame, welcome) && welcome.link == link_ && !refusal_.refused) {
-    linked_ = true;
-    link_used_ = true;
+  if (decode(frame, welcome) && link_ != 0 && welcome.link == link_) {
+    takeLink();
     virtual_time_ = welcome.virtual_time;
     learnSession(welcome.newest_session);
     if (waiting_) {
@@ -96,9 +95,17 @@ ClientEvent Client::handleWelcome(const Frame& frame, const GliderByteStream& st
   return ClientEvent::Handled;
 }
 
+/// The vehicle has our link, so version and dictionary are its own. It may have been a damaged
+/// frame that passed for a stranger's Beacon, for which CRC-16 is all there is.
+void Client::takeLink() {
+  refusal_ = Refusal{};
+  linked_ = true;
+  link_used_ = true;
+}
+
 ClientEvent Client::handleTick(const Frame& frame, const GliderByteStream& stream) {
   TickHead head;
-  if (!decode(frame, head) || refusal_.refused) {
+  if (!decode(frame, head)) {
     answer(stream);
     return ClientEvent::Handled;
   }
@@ -108,8 +115,7 @@ ClientEvent Client::handleTick(const Frame& frame, const GliderByteStream& strea
     answer(stream);
     return ClientEvent::Handled;
   }
-  linked_ = true;
-  link_used_ = true;
+  takeLink();
   takeTick(head);
   resubscribe_ = !takeReadings(frame, head);
   learnSession(head.session);

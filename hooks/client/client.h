@@ -124,6 +124,7 @@ class Client {
   ClientEvent handleWelcome(const Frame& frame, const GliderByteStream& stream);
   ClientEvent handleTick(const Frame& frame, const GliderByteStream& stream);
   ClientEvent refuse(uint8_t version, uint32_t dictionary);
+  void takeLink();
   void takeTick(const TickHead& head);
   bool takeReadings(const Frame& frame, const TickHead& head);
   bool takeReading(uint32_t index, const TickReadings& told);

@@ -72,11 +72,13 @@ bool Guard::clearOfBottom(const HookbehArgs& args, double depth_m, double margin
 
 bool Guard::mayGoOn(const HookbehArgs& args, const Instruction& in_force) const {
   switch (in_force.vertical) {
+    case HookVertical::Ascend:
+      // Once it is above its target, hovering there leads down.
+      return depth_m_ > in_force.depth_m || keepsLimits(args, in_force.depth_m, kClearM);
     case HookVertical::Descend:
     case HookVertical::Hover:
       return keepsLimits(args, in_force.depth_m, kClearM);
     case HookVertical::None:
-    case HookVertical::Ascend:
     case HookVertical::Surface:
       return true;
   }

@@ -47,7 +47,24 @@ bool gather(const HookbehInputs& inputs, uint16_t sequence, Instruction* instruc
   return inputs.check == checkValue(*instruction);
 }
 
+void orUsual(double& value, double usual) {
+  value = isFinite(value) ? value : usual;
+}
+
+/// What is commanded must be a number, so it is the default where the mission file gives none.
+/// Limits of depth and altitude are left: they count as broken then.
+HookbehArgs usable(HookbehArgs args) {
+  const HookbehArgs usual;
+  orUsual(args.steepest_pitch_rad, usual.steepest_pitch_rad);
+  orUsual(args.shallowest_pitch_rad, usual.shallowest_pitch_rad);
+  orUsual(args.dive_pump_cc, usual.dive_pump_cc);
+  orUsual(args.climb_pump_cc, usual.climb_pump_cc);
+  return args;
+}
+
 }  // namespace
+
+Hookbeh::Hookbeh(const HookbehArgs& args) : args_(usable(args)) {}
 
 HookbehOutputs Hookbeh::cycle(const HookbehInputs& inputs) {
   const Surroundings now{inputs.depth_m, inputs.depth_rate_mps, inputs.altitude_m,
@@ -167,6 +184,7 @@ HookAnswer Hookbeh::take(const Instruction& instruction) {
     session_ = instruction.session;
     silence_s_ = 0;
     guard_.reset();
+    guarding_ = false;
     pilot_.begin(instruction);
   }
   return answer;
@@ -179,9 +197,13 @@ HookAnswer Hookbeh::giveBack() {
 }
 
 void Hookbeh::command(const Surroundings& now, HookbehOutputs& outputs) {
-  VerticalCommand vertical = pilot_.vertical(now, step_s_, args_);
   const char* climb = guard_.mustClimb(args_, pilot_.inForce());
-  if (climb != nullptr) {
+  if (guarding_ && climb == nullptr) {
+    pilot_.goBack(now, args_);
+  }
+  guarding_ = climb != nullptr;
+  VerticalCommand vertical = pilot_.vertical(now, step_s_, args_);
+  if (guarding_) {
     vertical = SurfaceNow{climb}.command(args_);
   }
   const LateralCommand lateral = pilot_.lateral(now);
@@ -193,7 +215,7 @@ void Hookbeh::command(const Surroundings& now, HookbehOutputs& outputs) {
   outputs.pitch_rad = vertical.pitch_rad;
   outputs.pump_cc = vertical.pump_cc;
   outputs.doing = vertical.doing;
-  outputs.guarding = climb != nullptr;
+  outputs.guarding = guarding_;
 }
 
 }  // namespace glider::hooks

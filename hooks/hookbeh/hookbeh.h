@@ -53,7 +53,7 @@ struct HookbehOutputs {
 
 class Hookbeh {
  public:
-  explicit Hookbeh(const HookbehArgs& args) : args_(args) {}
+  explicit Hookbeh(const HookbehArgs& args);
   /// One control cycle.
   HookbehOutputs cycle(const HookbehInputs& inputs);
 
@@ -71,6 +71,7 @@ class Hookbeh {
   HookState state_ = HookState::Waiting;
   Guard guard_;
   Pilot pilot_;
+  bool guarding_ = false;  // in the cycle before
 
   bool clock_known_ = false;
   double last_time_s_ = 0;

@@ -39,6 +39,20 @@ void Pilot::follow(const Instruction& instruction) {
   }
 }
 
+void Pilot::goBack(const Surroundings& now, const HookbehArgs& args) {
+  const bool arrived = stage_ == Stage::Holding || stage_ == Stage::Hovering;
+  const double above_m = in_force_.depth_m - now.depth_m;
+  if (!arrived || (above_m <= kHoverReachM && -above_m <= kHoverReachM)) {
+    return;
+  }
+  const HookVertical way = above_m > 0 ? HookVertical::Descend : HookVertical::Ascend;
+  if (in_force_.vertical == way) {
+    stage_ = Stage::Choose;  // once more, as it was told to
+  } else {
+    approach(now, args);
+  }
+}
+
 VerticalCommand Pilot::vertical(const Surroundings& now, double step_s, const HookbehArgs& args) {
   if (stage_ == Stage::Choose) {
     choose(now, args);
@@ -73,15 +87,7 @@ void Pilot::choose(const Surroundings& now, const HookbehArgs& args) {
       stage_ = Stage::Climb;
       break;
     case HookVertical::Hover:
-      if (now.depth_m < want.depth_m - kHoverReachM) {
-        dive_ = {want.depth_m - kHoverReachM, -usualPitch(args)};
-        stage_ = Stage::Dive;
-      } else if (now.depth_m > want.depth_m + kHoverReachM) {
-        climb_ = {want.depth_m + kHoverReachM, usualPitch(args)};
-        stage_ = Stage::Climb;
-      } else {
-        hoverOrSurface();
-      }
+      approach(now, args);
       break;
     case HookVertical::None:
     case HookVertical::Surface:
@@ -89,6 +95,20 @@ void Pilot::choose(const Surroundings& now, const HookbehArgs& args) {
       // meanwhile.
       stage_ = Stage::Surfacing;
       break;
+  }
+}
+
+/// To within reach of the depth at which to hover.
+void Pilot::approach(const Surroundings& now, const HookbehArgs& args) {
+  const double target_m = in_force_.depth_m;
+  if (now.depth_m < target_m - kHoverReachM) {
+    dive_ = {target_m - kHoverReachM, -usualPitch(args)};
+    stage_ = Stage::Dive;
+  } else if (now.depth_m > target_m + kHoverReachM) {
+    climb_ = {target_m + kHoverReachM, usualPitch(args)};
+    stage_ = Stage::Climb;
+  } else {
+    hoverOrSurface();
   }
 }
 
@@ -115,7 +135,8 @@ void Pilot::stopDive(const Surroundings& now) {
 }
 
 void Pilot::arrive(const VerticalCommand& kept, const HookbehArgs& args) {
-  if (in_force_.vertical == HookVertical::Hover || !(args.hold_secs > 0)) {
+  const HookVertical way = stage_ == Stage::Dive ? HookVertical::Descend : HookVertical::Ascend;
+  if (in_force_.vertical != way || !(args.hold_secs > 0)) {  // an approach is no order to hold
     hoverOrSurface();
     return;
   }

@@ -21,6 +21,9 @@ class Pilot {
   /// A further instruction. Its vertical part, if it is none or equals the one in force, changes
   /// nothing.
   void follow(const Instruction& instruction);
+  /// The guard, which climbed, has let go: from where the vehicle is now it goes back to a depth
+  /// that it had reached before. To be called before vertical().
+  void goBack(const Surroundings& now, const HookbehArgs& args);
   /// The commands for pitch and pump in this cycle, `step_s` after the one before.
   VerticalCommand vertical(const Surroundings& now, double step_s, const HookbehArgs& args);
   [[nodiscard]] LateralCommand lateral(const Surroundings& now) const;
@@ -29,6 +32,7 @@ class Pilot {
  private:
   enum class Stage : uint8_t { Choose, Dive, Climb, Holding, Hovering, Surfacing };
   void choose(const Surroundings& now, const HookbehArgs& args);
+  void approach(const Surroundings& now, const HookbehArgs& args);
   void arrive(const VerticalCommand& kept, const HookbehArgs& args);
   void hoverOrSurface();
   void stopDive(const Surroundings& now);

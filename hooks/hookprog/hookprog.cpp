@@ -9,6 +9,9 @@ using Kind = HookprogEvent::Kind;
 
 namespace {
 
+constexpr uint16_t kReportsOfHookbeh[] = {GLIDER_X_HOOK_STATE, GLIDER_X_HOOK_SEQUENCE,
+                                          GLIDER_X_HOOK_ANSWER, GLIDER_X_HOOK_SESSION};
+
 bool decode(const Frame& frame, SensorList& list) {
   return decodeList(frame, list);
 }
@@ -44,7 +47,7 @@ void Hookprog::run(double science_time_s, const ScienceSensors& own, const Glide
     sendCycle(own);
   }
   const bool open = out_.flush(sbc);
-  if (link_ != 0 && (!open || (waiting_ && now_s_ - waiting_since_s_ >= kLostSecs))) {
+  if (link_ != 0 && (!open || (waiting_ && waits_.lasts(now_s_) >= kLostSecs))) {
     loseSbc();
   }
   countBadFrames();
@@ -62,13 +65,7 @@ void Hookprog::begin() {
 }
 
 HookprogEvent Hookprog::nextEvent() {
-  if (event_count_ == 0) {
-    return {};
-  }
-  const HookprogEvent oldest = events_[event_first_];
-  event_first_ = (event_first_ + 1) % kMostEvents;
-  --event_count_;
-  return oldest;
+  return events_.next();
 }
 
 void Hookprog::takeFlight(const GliderByteStream& flight) {
@@ -159,7 +156,7 @@ void Hookprog::handleHello(const Hello& hello) {
   for (uint32_t i = 0; i < kMostNameBytes; ++i) {
     told.text[i] = hello.mission_name[i];
   }
-  push(told);
+  events_.push(told);
   Frame frame;
   encode(Welcome{options_.virtual_time, link_, newest_session_}, frame);
   send(frame);
@@ -169,6 +166,7 @@ void Hookprog::handleWrite(const SensorList& list) {
   SensorUpdate ordered[kMostListed];
   uint32_t count = 0;
   const SensorUpdate* sequence = nullptr;
+  uint32_t session = newest_session_;
   for (uint32_t i = 0; i < list.count; ++i) {
     const SensorValue& value = list.values[i];
     if (!isInstructionSensor(value.id)) {
@@ -181,12 +179,13 @@ void Hookprog::handleWrite(const SensorList& list) {
       ordered[count++] = value;
     }
     if (value.id == GLIDER_SCI_HOOK_SESSION && value.value >= 1 && value.value <= kMostSession) {
-      newest_session_ = static_cast<uint32_t>(value.value);
+      session = static_cast<uint32_t>(value.value);
     }
   }
+  newest_session_ = session;
   if (sequence != nullptr) {
     ordered[count++] = *sequence;
-    noteInstruction(sequence->value);
+    answers_.written(sequence->value, now_s_);
   }
   if (hookState() != HookState::Absent) {
     (void)clothesline_.send(ordered, count);  // no room: the SBC gets no answer and writes it again
@@ -202,13 +201,10 @@ void Hookprog::handleTransition(const TransitionNotice& notice) {
   told.c = notice.to;
   told.d = notice.fired_case;
   told.e = notice.list;
-  push(told);
+  events_.push(told);
 }
 
 void Hookprog::handleNote(const MissionNote& note) {
-  if (event_count_ >= kMostEvents - kRoomBesideNotes) {
-    return;
-  }
   HookprogEvent told;
   told.kind = Kind::SbcNote;
   told.mission_time_s = note.mission_time_s;
@@ -216,7 +212,7 @@ void Hookprog::handleNote(const MissionNote& note) {
   for (uint32_t i = 0; i < kMostNoteBytes; ++i) {
     told.text[i] = note.text[i];
   }
-  push(told);
+  events_.push(told);
 }
 
 void Hookprog::handleDone(const Done& done) {
@@ -233,44 +229,22 @@ void Hookprog::handleDone(const Done& done) {
   }
 }
 
-/// True if the time of the mission in control has gone on. Another link changes nothing about that.
+/// True if the time of the mission in control has gone on.
 bool Hookprog::noteProgress(const Done& done) {
-  if (done.session != progress_session_) {
-    progress_session_ = done.session;
-    progress_time_s_ = -1;
+  if (progress_.hasGoneOn(done.session, done.status.mission_time_s, now_s_)) {
+    return true;
   }
-  const double mission_time_s = done.status.mission_time_s;
-  if (!(mission_time_s > progress_time_s_)) {
-    if (!stuck_told_ && now_s_ - progress_at_s_ >= kLostSecs) {
-      stuck_told_ = true;
-      event(Kind::SbcStuck, done.session);
-    }
-    return false;
+  if (progress_.isStuck(kLostSecs, now_s_)) {
+    event(Kind::SbcStuck, done.session);
   }
-  progress_time_s_ = mission_time_s;
-  progress_at_s_ = now_s_;
-  stuck_told_ = false;
-  return true;
-}
-
-void Hookprog::noteInstruction(double sequence) {
-  const auto number =
-      sequence >= 1 && sequence <= UINT16_MAX ? static_cast<uint16_t>(sequence) : uint16_t{0};
-  if (instruction_ == 0 && number != 0) {
-    instruction_since_s_ = now_s_;
-    unanswered_told_ = false;
-  }
-  instruction_ = number;
+  return false;
 }
 
 /// Tells of a flight controller that does not answer what goes to it.
 void Hookprog::watchInstruction() {
-  if (instruction_ == newestWhole(GLIDER_X_HOOK_SEQUENCE)) {
-    instruction_ = 0;
-  }
-  if (instruction_ != 0 && !unanswered_told_ && now_s_ - instruction_since_s_ >= kLostSecs) {
-    unanswered_told_ = true;
-    event(Kind::SbcUnanswered, instruction_);
+  answers_.answered(newestWhole(GLIDER_X_HOOK_SEQUENCE));
+  if (answers_.isOverdue(kLostSecs, now_s_)) {
+    event(Kind::SbcUnanswered, answers_.instruction());
   }
 }
 
@@ -283,16 +257,35 @@ void Hookprog::beat() {
   }
 }
 
+/// The vehicle's next mission may have no hookbeh, and then nobody overwrites what the last one
+/// reported.
+void Hookprog::watchHookbeh() {
+  const double time = missionTime();
+  if (time < cycle_time_s_) {
+    most_without_hookbeh_ = kMostCyclesOfAnotherMission;
+  }
+  cycle_time_s_ = time;
+  if (fresh_[GLIDER_X_HOOK_STATE]) {
+    cycles_without_hookbeh_ = 0;
+    most_without_hookbeh_ = kMostCyclesWithoutHookbeh;
+  } else if (++cycles_without_hookbeh_ >= most_without_hookbeh_) {
+    for (const uint16_t id : kReportsOfHookbeh) {
+      values_[id] = __builtin_nan("");
+    }
+  }
+}
+
 void Hookprog::sendCycle(const ScienceSensors& own) {
   time_is_new_ = false;
   cycle_is_new_ = false;
+  watchHookbeh();
   if (link_ == 0) {
     sendBeacon();
   } else {
     sendTick(own);
     if (!waiting_) {
       waiting_ = true;
-      waiting_since_s_ = now_s_;
+      waits_.begin(now_s_);
     }
   }
   for (bool& fresh : fresh_) {
@@ -392,14 +385,7 @@ void Hookprog::event(Kind kind, uint32_t a, uint32_t b) {
   told.mission_time_s = missionTime();
   told.a = a;
   told.b = b;
-  push(told);
-}
-
-void Hookprog::push(const HookprogEvent& event) {
-  if (event_count_ < kMostEvents) {
-    events_[(event_first_ + event_count_) % kMostEvents] = event;
-    ++event_count_;
-  }
+  events_.push(told);
 }
 
 }  // namespace glider::hooks

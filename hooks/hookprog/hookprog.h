@@ -4,7 +4,9 @@
 #pragma once
 
 #include "hooks/clothesline/clothesline.h"
+#include "hooks/hookprog/events.h"
 #include "hooks/hookprog/reporter.h"
+#include "hooks/hookprog/watches.h"
 #include "hooks/protocol/frame_reader.h"
 #include "hooks/protocol/messages.h"
 #include "hooks/protocol/send_queue.h"
@@ -31,31 +33,6 @@ struct HookprogOptions {
   bool virtual_time = false;  ///< told to the SBC
 };
 
-/// Things worth a line in the vehicle's log or the simulator's trace.
-struct HookprogEvent {
-  enum class Kind : uint8_t {
-    None,
-    SbcHello,       ///< a link: a = its number; text = the mission's name
-    SbcLost,        ///< no answer for 12 s, or the line is closed, before its mission has finished:
-                    ///< a = the link's number
-    SbcStuck,       ///< it answers, but its mission time has stood still for 12 s while it is in
-                    ///< control: a = its session
-    SbcUnanswered,  ///< hookbeh has not answered an instruction for 12 s: a = its sequence
-    SbcTransition,  ///< a transition, b from, c to, d fired case, e its list
-    SbcNote,        ///< a word from the mission: a = its kind (GliderNoteKind); text
-    BadFrame,       ///< a = frames thrown away on both lines since the last such event
-    SbcRefused,  ///< speaks another protocol (a = its version) or has another sensor dictionary (b
-                 ///< = its hash)
-    RefusedWrite,  ///< the SBC tried to write sensor a, which is not the hook's; nothing of that
-                   ///< frame was written
-  } kind = Kind::None;
-  double mission_time_s =
-      0;  ///< SbcTransition, SbcNote: the mission's own; else m_present_secs_into_mission
-  uint32_t a = 0, b = 0, c = 0, d = 0, e = 0;
-  char text[kMostNoteBytes + 1] = {};
-  static_assert(kMostNameBytes <= kMostNoteBytes);
-};
-
 class Hookprog {
  public:
   explicit Hookprog(const HookprogOptions& options);
@@ -77,12 +54,13 @@ class Hookprog {
 
   /// Science seconds without an answer after which the SBC is lost.
   static constexpr double kLostSecs = 12;
+  /// Complete flight cycles in a row without x_hook_state after which the vehicle's mission has no
+  /// hookbeh: one reports in each cycle, but lines lose frames.
+  static constexpr uint32_t kMostCyclesWithoutHookbeh = 6;
+  /// The same once mission time has turned back, as it does when another mission starts.
+  static constexpr uint32_t kMostCyclesOfAnotherMission = 2;
 
  private:
-  static constexpr uint32_t kMostEvents = 32;
-  /// Notes leave this much room for what matters more.
-  static constexpr uint32_t kRoomBesideNotes = 16;
-
   void begin();
   void takeFlight(const GliderByteStream& flight);
   void takeUpdate(const SensorUpdate& update);
@@ -101,8 +79,8 @@ class Hookprog {
   void handleDone(const Done& done);
   void beat();
   bool noteProgress(const Done& done);
-  void noteInstruction(double sequence);
   void watchInstruction();
+  void watchHookbeh();
   void sendCycle(const ScienceSensors& own);
   void sendBeacon();
   void sendTick(const ScienceSensors& own);
@@ -112,7 +90,6 @@ class Hookprog {
   void loseSbc();
   void countBadFrames();
   void event(HookprogEvent::Kind kind, uint32_t a = 0, uint32_t b = 0);
-  void push(const HookprogEvent& event);
   [[nodiscard]] double newest(uint16_t id) const { return values_[id]; }
   /// 0 when unknown, negative or too large.
   [[nodiscard]] uint32_t newestWhole(uint16_t id) const;
@@ -132,29 +109,24 @@ class Hookprog {
   bool fresh_[GLIDER_SENSOR_COUNT] = {};
   bool time_is_new_ = false;
   bool cycle_is_new_ = false;
+  double cycle_time_s_ = 0;  // mission time of the newest complete cycle
+  uint32_t cycles_without_hookbeh_ = 0;
+  uint32_t most_without_hookbeh_ = kMostCyclesWithoutHookbeh;
 
   uint32_t link_ = 0;     // 0: none
   bool waiting_ = false;  // for an answer
-  double waiting_since_s_ = 0;
+  Since waits_;
   Reporter reporter_;
   uint32_t newest_session_ = 0;
   uint32_t heartbeat_ = 0;
-  uint32_t progress_session_ = 0;
-  double progress_time_s_ = -1;  // latest mission time that this session has told in control
-  double progress_at_s_ = 0;     // science time at which it did
-  bool stuck_told_ = false;
-  uint16_t instruction_ = 0;        // sequence of the newest instruction that went on, 0: answered
-  double instruction_since_s_ = 0;  // science time since which none is answered
-  bool unanswered_told_ = false;
+  ProgressWatch progress_;
+  AnswerWatch answers_;
   uint8_t refused_version_ = 0;  // told already
   uint32_t refused_dictionary_ = 0;
   uint32_t malformed_ = 0;
   uint32_t bad_frames_told_ = 0;
   SbcView view_;
-
-  HookprogEvent events_[kMostEvents];
-  uint32_t event_first_ = 0;
-  uint32_t event_count_ = 0;
+  EventQueue events_;
 };
 
 }  // namespace glider::hooks

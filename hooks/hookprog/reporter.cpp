@@ -81,9 +81,11 @@ void Reporter::answered(uint8_t sequence) {
 void Reporter::confirm(uint32_t ticks_ago) {
   for (uint32_t i = 0; i < subscription_.count; ++i) {
     Row& row = rows_[i];
-    row.held = row.held || ((row.brought_in >> ticks_ago) & 1U) != 0;
+    const uint32_t brought = uint32_t{row.brought_in} >> ticks_ago;
+    const uint32_t told = uint32_t{row.told_in} >> ticks_ago;
+    row.held = row.held || (brought & 1U) != 0;
     const uint32_t every = subscription_.sensors[i].every;
-    if (((row.told_in >> ticks_ago) & 1U) != 0 && every > row.rest + ticks_ago) {
+    if ((told & 1U) != 0 && every > row.rest + ticks_ago) {
       row.rest = static_cast<uint8_t>(every - ticks_ago);
     }
   }

@@ -27,7 +27,7 @@ struct BitMap {
     bytes[index / 8] = static_cast<uint8_t>(bytes[index / 8] | (1U << (index % 8)));
   }
   [[nodiscard]] bool has(uint32_t index) const {
-    return ((bytes[index / 8] >> (index % 8)) & 1U) != 0;
+    return ((uint32_t{bytes[index / 8]} >> (index % 8)) & 1U) != 0;
   }
 };
 

@@ -197,8 +197,12 @@ void FlightController::noteTransition() {
 void FlightController::startAbort(Abort abort, const std::string& why, double now_s) {
   abort_ = abort;
   journal_.add(now_s, "abort", abortName(abort), why);
-  if (layers_.hookbeh() != nullptr) {
-    // Behaviours run no more: the SBC must see that its time is over.
+}
+
+/// Behaviours run no more after an abort: the SBC must see that its time is over, in each cycle,
+/// for lines lose frames.
+void FlightController::tellHookIsOver() {
+  if (aborted() && layers_.hookbeh() != nullptr) {
     array_.set(GLIDER_X_HOOK_STATE, static_cast<double>(hooks::HookState::Complete));
     array_.set(GLIDER_X_HOOK_SESSION, 0);
   }
@@ -222,6 +226,7 @@ Commands FlightController::decide(const Situation& s) {
     }
   }
   // Aborted, or over: pump out, nose up.
+  tellHookIsOver();
   layer_ = kNoLayer;
   Commands commands;
   commands.steer({HeadingCommand::Mode::Fin, 0, 0, 0});

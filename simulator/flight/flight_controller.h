@@ -72,6 +72,7 @@ class FlightController {
   void noteOrder();
   void noteRange();
   void startAbort(Abort abort, const std::string& why, double now_s);
+  void tellHookIsOver();
   [[nodiscard]] Commands decide(const Situation& situation);
   void control(const Commands& commands, const Situation& situation, Vehicle& vehicle);
   void judgeEnd(const Situation& situation);

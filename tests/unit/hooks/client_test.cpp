@@ -189,10 +189,52 @@ TEST_F(ClientTest, AnotherDictionaryOrVersionIsRefusedOnce) {
   EXPECT_EQ(client_.refusal().version, 2);
   answers();
   sayTick();
-  EXPECT_EQ(poll(), ClientEvent::Handled);
-  EXPECT_EQ(typesOf(answers()), (std::vector{Type::Done})) << "no tick of a stranger is believed";
+  EXPECT_EQ(poll(), ClientEvent::Handled) << "no tick of another link is believed";
+  EXPECT_EQ(typesOf(answers()), (std::vector{Type::Hello, Type::Subscribe, Type::Done}));
+  EXPECT_TRUE(client_.refusal().refused);
   link();
   EXPECT_FALSE(client_.refusal().refused);
+}
+
+TEST_F(ClientTest, AWelcomeToItsOwnLinkEndsARefusal) {
+  link();
+  tick();
+  say(Beacon{9, false, 0, HookState::Ready});  // what noise has made of some frame
+  EXPECT_EQ(poll(), ClientEvent::Refused);
+  Hello hello;
+  ASSERT_TRUE(decode(answers().at(0), hello));
+  say(Welcome{false, hello.link + 1, 0});
+  EXPECT_EQ(poll(), ClientEvent::Handled);
+  EXPECT_TRUE(client_.refusal().refused) << "to another link";
+  say(Welcome{false, hello.link, 0});
+  EXPECT_EQ(poll(), ClientEvent::Handled);
+  EXPECT_FALSE(client_.refusal().refused);
+  EXPECT_TRUE(client_.linked());
+  answers();
+  head_.link = hello.link;
+  tick();
+}
+
+TEST_F(ClientTest, ATickOfItsOwnLinkEndsARefusal) {
+  link();
+  tick();
+  say(Beacon{9, false, 0, HookState::Ready});
+  EXPECT_EQ(poll(), ClientEvent::Refused);
+  answers();  // the Hello is lost
+  sayTick();
+  EXPECT_EQ(poll(), ClientEvent::Handled);
+  Hello hello;
+  ASSERT_TRUE(decode(answers().at(0), hello)) << "it is asked for again";
+  head_.link = hello.link;  // the Welcome is lost
+  tick();
+  EXPECT_FALSE(client_.refusal().refused);
+  EXPECT_TRUE(client_.linked());
+}
+
+TEST_F(ClientTest, WhoIsRefusedBeforeAnyLinkBelievesNoWelcomeToNone) {
+  say(Welcome{false, 0, 0});
+  EXPECT_EQ(poll(), ClientEvent::Handled);
+  EXPECT_FALSE(client_.linked());
 }
 
 TEST_F(ClientTest, AnUnchangedReadingIsThereWithTheValueThatIsHeld) {

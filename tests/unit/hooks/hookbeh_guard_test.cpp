@@ -68,6 +68,94 @@ TEST(HookbehGuard, OverAShallowBottomTheDiveIsTriedAgainFromHalfItsDepth) {
   }
 }
 
+/// Arrived at its target, with a bottom that has risen so far that the guard climbs, at 20 m.
+Bench overABump(Instruction instruction) {
+  Bench bench;
+  bench.cycle();
+  bench.inputs.depth_m = 20;
+  instruction.control = HookControl::Take;
+  bench.give(instruction);
+  for (int i = 0; i < 4; ++i) {
+    bench.cycle();  // what it held it has held
+  }
+  bench.inputs.altitude_m = 4.9;
+  EXPECT_STREQ(bench.cycle().doing, "climb: too near the bottom");
+  return bench;
+}
+
+TEST(HookbehGuard, AHoverThatWasReachedIsReachedAgainAtPitch) {
+  Bench bench = overABump(Bench::vertical(HookVertical::Hover, 20));
+  bench.inputs.depth_m = 12;
+  bench.inputs.altitude_m = 60;
+  HookbehOutputs out = bench.cycle();
+  EXPECT_STREQ(out.doing, "dive_to");
+  EXPECT_NEAR(out.pitch_rad, -0.4538, 1e-9);
+  EXPECT_EQ(out.pump_cc, -230);
+  bench.inputs.depth_m = 18;
+  out = bench.cycle();
+  EXPECT_STREQ(out.doing, "hover");
+  EXPECT_EQ(out.pitch_rad, 0);
+}
+
+TEST(HookbehGuard, ADescendThatHadArrivedDivesAgain) {
+  Bench bench = overABump(Bench::descend(20));
+  bench.inputs.depth_m = 12;
+  bench.inputs.altitude_m = 60;
+  HookbehOutputs out = bench.cycle();
+  EXPECT_STREQ(out.doing, "dive_to");
+  EXPECT_EQ(out.pitch_rad, static_cast<double>(-0.4F)) << "as it was told to";
+  bench.inputs.depth_m = 20;
+  EXPECT_STREQ(bench.cycle().doing, "hold");
+}
+
+TEST(HookbehGuard, AnAscendThatHadArrivedComesBackToItsDepthAtPitch) {
+  Bench bench = overABump(Bench::ascend(20));
+  bench.inputs.depth_m = 12;
+  bench.inputs.altitude_m = 60;
+  HookbehOutputs out = bench.cycle();
+  EXPECT_STREQ(out.doing, "dive_to");
+  EXPECT_NEAR(out.pitch_rad, -0.4538, 1e-9);
+  bench.inputs.depth_m = 18;
+  EXPECT_STREQ(bench.cycle().doing, "hover") << "no dive was ordered that might be held";
+}
+
+TEST(HookbehGuard, AnAscendWhoseTargetIsTooLowDoesNotSwingByAMetre) {
+  Bench bench = overABump(Bench::ascend(20));
+  for (double depth = 18.8; depth > 10; depth -= 0.8) {
+    bench.inputs.depth_m = depth;
+    bench.inputs.altitude_m = 24.9 - depth;
+    EXPECT_TRUE(bench.cycle().guarding) << depth << " m is clear, but 20 m is not";
+  }
+  bench.inputs.depth_m = 10;
+  bench.inputs.altitude_m = 14.9;
+  EXPECT_STREQ(bench.cycle().doing, "dive_to") << "half of the depth";
+}
+
+TEST(HookbehGuard, NearItsTargetItHoversOn) {
+  Bench bench = overABump(Bench::vertical(HookVertical::Hover, 20));
+  bench.inputs.depth_m = 18.2;
+  bench.inputs.altitude_m = 60;
+  EXPECT_STREQ(bench.cycle().doing, "hover");
+  for (const double depth : {16.0, 24.0, 17.0}) {
+    bench.inputs.depth_m = depth;
+    EXPECT_STREQ(bench.cycle().doing, "hover") << "its own swing is not the guard's";
+  }
+}
+
+TEST(HookbehGuard, AHoverIsReachedAgainAfterTheDepthWasUnknown) {
+  Bench bench;
+  bench.cycle();
+  bench.inputs.depth_m = 20;
+  Instruction hover = Bench::vertical(HookVertical::Hover, 20);
+  hover.control = HookControl::Take;
+  EXPECT_STREQ(bench.give(hover).doing, "hover");
+  bench.inputs.depth_m = kNan;
+  EXPECT_TRUE(bench.cycle().guarding);
+  EXPECT_TRUE(bench.give(Bench::vertical(HookVertical::Hover, 21)).guarding);
+  bench.inputs.depth_m = 12;
+  EXPECT_STREQ(bench.cycle().doing, "dive_to");
+}
+
 TEST(HookbehGuard, InVeryShallowWaterItStaysUpUntilTheBottomIsForgotten) {
   Bench bench = diving();
   bench.inputs.depth_m = 4.9;

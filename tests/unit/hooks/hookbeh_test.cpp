@@ -117,6 +117,20 @@ TEST(Hookbeh, ClimbEndsInHoverAndAtTheTopInFloating) {
   }
 }
 
+TEST(Hookbeh, ADescendOrHoverToLessThanAMetreEndsInFloating) {
+  for (const HookVertical vertical : {HookVertical::Descend, HookVertical::Hover}) {
+    Bench bench;
+    bench.cycle();
+    bench.give(Bench::take(20));
+    bench.inputs.depth_m = 0.9;
+    HookbehOutputs out = bench.give(Bench::vertical(vertical, 0.9));
+    for (int i = 0; i < 4; ++i) {
+      out = bench.cycle();
+    }
+    EXPECT_STREQ(out.doing, "surface");
+  }
+}
+
 TEST(Hookbeh, HoverGoesThereThenLevels) {
   Bench bench;
   bench.cycle();
@@ -395,6 +409,35 @@ TEST(Hookbeh, NothingButNansDoesNothing) {
     out = bench.cycle();
   }
   EXPECT_EQ(out.state, HookState::Silent);
+}
+
+TEST(Hookbeh, ANumberThatIsNoneAmongTheArgsForPumpAndPitchIsTheDefault) {
+  for (const double none : {kNan, std::numeric_limits<double>::infinity()}) {
+    HookbehArgs args;
+    args.dive_pump_cc = args.climb_pump_cc = none;
+    args.steepest_pitch_rad = args.shallowest_pitch_rad = none;
+    Bench bench(args);
+    bench.cycle();
+    HookbehOutputs out = bench.give(Bench::take(20));
+    EXPECT_EQ(out.answer, HookAnswer::Accepted);
+    EXPECT_EQ(out.pump_cc, -230);
+    Instruction steep = Bench::descend(25);
+    steep.pitch_rad = -0.7;
+    EXPECT_EQ(bench.give(steep).answer, HookAnswer::BadPitch);
+    steep.pitch_rad = -0.1;
+    EXPECT_EQ(bench.give(steep).answer, HookAnswer::BadPitch);
+    out = bench.give(Bench::ascend(5));
+    EXPECT_EQ(out.pump_cc, 230);
+    bench.inputs.depth_m = 31;
+    out = bench.cycle();
+    EXPECT_TRUE(out.guarding);
+    EXPECT_EQ(out.pump_cc, 230);
+    EXPECT_NEAR(out.pitch_rad, 0.4538, 1e-9);
+    bench.inputs.depth_m = 25;
+    out = bench.give(Bench::vertical(HookVertical::Hover, 25));
+    EXPECT_STREQ(out.doing, "hover");
+    EXPECT_EQ(out.pump_cc, 0);
+  }
 }
 
 TEST(Hookbeh, HalfWrittenNumbersAreNoInstruction) {

@@ -75,6 +75,103 @@ TEST_F(HookprogTest, NothingGoesToFlightWithoutAHookbeh) {
   EXPECT_EQ(flight.read(flight.self, &byte, 1), 0) << "not one byte";
 }
 
+/// What goes to the flight controller when the SBC writes an instruction and answers.
+class HookprogMissionsTest : public HookprogBench {
+ protected:
+  void fly(std::vector<SensorUpdate> report) {
+    cycle(std::move(report));
+    atSbc();
+    atFlight();
+    write({{GLIDER_SCI_HOOK_SESSION, 4}, {GLIDER_SCI_HOOK_SEQUENCE, 10}});
+    say(answered(4, cycles_flown_++));
+    run();
+  }
+
+  void flyWithHookbeh() {
+    fly({{GLIDER_X_HOOK_STATE, 3},
+         {GLIDER_X_HOOK_SESSION, 4},
+         {GLIDER_X_HOOK_SEQUENCE, 9},
+         {GLIDER_X_HOOK_ANSWER, 1}});
+  }
+  void flyWithout() { fly({{GLIDER_M_DEPTH, 1}}); }
+
+  TickHead told() {
+    cycle({{GLIDER_M_DEPTH, 1}});
+    TickHead head;
+    EXPECT_TRUE(decode(atSbc().at(0), head));
+    return head;
+  }
+
+  double cycles_flown_ = 1;
+};
+
+TEST_F(HookprogMissionsTest, AMissionWithoutAHookbehIsFoundOutAfterSixCycles) {
+  cycle({{GLIDER_X_HOOK_STATE, 3}});
+  hello();
+  for (int i = 0; i < 3; ++i) {
+    flyWithHookbeh();
+    EXPECT_EQ(atFlight().size(), 3U);
+  }
+  for (int i = 0; i < 5; ++i) {
+    flyWithout();
+    EXPECT_EQ(atFlight().size(), 3U) << i << ": its reports may have been lost";
+  }
+  for (int i = 0; i < 20; ++i) {
+    flyWithout();
+    EXPECT_TRUE(atFlight().empty()) << i;
+  }
+  const TickHead head = told();
+  EXPECT_EQ(head.hook_state, HookState::Absent);
+  EXPECT_EQ(head.session, 0U);
+  EXPECT_EQ(head.answered_sequence, 0);
+  EXPECT_EQ(head.answer, HookAnswer::None);
+  flyWithHookbeh();
+  EXPECT_EQ(atFlight().size(), 3U) << "it is there again";
+}
+
+TEST_F(HookprogMissionsTest, WhenMissionTimeTurnsBackTwoCyclesWithoutAHookbehAreEnough) {
+  cycle({{GLIDER_X_HOOK_STATE, 3}});
+  hello();
+  for (int i = 0; i < 10; ++i) {
+    flyWithHookbeh();
+  }
+  cycle_ = 0;
+  flyWithout();
+  EXPECT_EQ(atFlight().size(), 3U) << "one report may have been lost";
+  for (int i = 0; i < 20; ++i) {
+    flyWithout();
+    EXPECT_TRUE(atFlight().empty()) << i;
+  }
+}
+
+TEST_F(HookprogMissionsTest, AMissionWithAHookbehAfterAnotherIsServedFromItsStart) {
+  cycle({{GLIDER_X_HOOK_STATE, 3}});
+  hello();
+  flyWithHookbeh();
+  for (int i = 0; i < 10; ++i) {
+    cycle_ = 0;
+    flyWithHookbeh();
+    EXPECT_EQ(atFlight().size(), 3U);
+  }
+}
+
+TEST_F(HookprogMissionsTest, ReportsOfHookbehMayBeLostInBursts) {
+  cycle({{GLIDER_X_HOOK_STATE, 3}});
+  hello();
+  for (int i = 0; i < 60; ++i) {
+    i % 6 == 0 ? flyWithHookbeh() : flyWithout();
+    EXPECT_EQ(atFlight().size(), 3U) << i;
+  }
+}
+
+TEST_F(HookprogMissionsTest, ASilentFlightControllerForgetsNothing) {
+  cycle({{GLIDER_X_HOOK_STATE, 3}});
+  hello();
+  flyWithHookbeh();
+  run(100);
+  EXPECT_EQ(told().hook_state, HookState::Active);
+}
+
 TEST_F(HookprogTest, WritesGoOnWithTheSequenceLast) {
   hello();
   cycle({{GLIDER_X_HOOK_STATE, 2}});
@@ -101,6 +198,24 @@ TEST_F(HookprogTest, TheSbcMayWriteTheHooksSensorsOnly) {
     EXPECT_EQ(last_event_.a, id);
     EXPECT_TRUE(atFlight().empty()) << "nothing of that frame";
   }
+}
+
+TEST_F(HookprogTest, OnlyASessionThatWentOnIsTheNewest) {
+  cycle({{GLIDER_X_HOOK_STATE, 3}});
+  hello();
+  const auto newest = [&](uint32_t link) {
+    atSbc();
+    hello(link);
+    Welcome welcome;
+    EXPECT_TRUE(decode(atSbc().at(0), welcome));
+    return welcome.newest_session;
+  };
+  write({{GLIDER_SCI_HOOK_SESSION, 4}, {GLIDER_SCI_HOOK_SEQUENCE, 3}});
+  run();
+  EXPECT_EQ(newest(8), 4U);
+  write({{GLIDER_SCI_HOOK_SESSION, 9000}, {GLIDER_C_PITCH, 1}});
+  run();
+  EXPECT_EQ(newest(9), 4U) << "that frame was refused";
 }
 
 TEST_F(HookprogTest, EachAnswerOfTheSessionInControlIsAHeartbeat) {
@@ -135,7 +250,7 @@ TEST_F(HookprogTest, AnswersWithoutProgressAreNoHeartbeatAndAreToldOnce) {
   events();
   for (int i = 0; i < 40; ++i) {
     say(answered(4, 100));
-    cycle();
+    cycle({{GLIDER_X_HOOK_STATE, 3}});
     EXPECT_TRUE(atFlight().empty()) << i;
   }
   EXPECT_EQ(events(), (std::vector{Kind::SbcStuck}));
@@ -168,7 +283,7 @@ TEST_F(HookprogTest, AnInstructionThatHookbehDoesNotAnswerIsToldOnce) {
   for (int i = 0; i < 30; ++i) {
     write({{GLIDER_SCI_HOOK_SESSION, 4}, {GLIDER_SCI_HOOK_SEQUENCE, i < 15 ? 7.0 : 8.0}});
     say(answered());
-    cycle();
+    cycle({{GLIDER_X_HOOK_STATE, 3}});
     EXPECT_EQ(events().size(), i == 12 ? 1U : 0U) << i;
   }
   EXPECT_EQ(last_event_.kind, Kind::SbcUnanswered);
@@ -219,6 +334,52 @@ TEST_F(HookprogTest, AQuietFlightControllerIsNotTheSbcsFault) {
     run();
   }
   EXPECT_TRUE(events().empty());
+}
+
+TEST_F(HookprogTest, AClockThatIsSetBackDoesNotHideALostSbc) {
+  now_ = 10000;
+  hello();
+  cycle();
+  events();
+  now_ = 6400;
+  for (int i = 0; i < 12; ++i) {
+    run();
+    EXPECT_TRUE(events().empty()) << i;
+  }
+  run();
+  EXPECT_EQ(events(), (std::vector{Kind::SbcLost}));
+}
+
+TEST_F(HookprogTest, AClockThatIsSetBackDoesNotHideAStuckMission) {
+  now_ = 10000;
+  cycle({{GLIDER_X_HOOK_STATE, 3}, {GLIDER_X_HOOK_SESSION, 4}});
+  hello();
+  say(answered(4, 100));
+  run();
+  events();
+  now_ = 6400;
+  for (int i = 0; i < 20; ++i) {
+    say(answered(4, 100));
+    run();
+    EXPECT_EQ(events().size(), i == 12 ? 1U : 0U) << i;
+  }
+  EXPECT_EQ(last_event_.kind, Kind::SbcStuck);
+}
+
+TEST_F(HookprogTest, AClockThatIsSetBackDoesNotHideAnInstructionWithoutAnswer) {
+  now_ = 10000;
+  cycle({{GLIDER_X_HOOK_STATE, 3}, {GLIDER_X_HOOK_SEQUENCE, 6}});
+  hello();
+  write({{GLIDER_SCI_HOOK_SESSION, 4}, {GLIDER_SCI_HOOK_SEQUENCE, 7}});
+  run();
+  events();
+  now_ = 6400;
+  for (int i = 0; i < 20; ++i) {
+    say(answered());
+    run();
+    EXPECT_EQ(events().size(), i == 12 ? 1U : 0U) << i;
+  }
+  EXPECT_EQ(last_event_.kind, Kind::SbcUnanswered);
 }
 
 TEST_F(HookprogTest, AClosedLineIsALostSbcToldOnce) {

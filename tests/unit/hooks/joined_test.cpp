@@ -197,6 +197,26 @@ TEST(Joined, ARestartedSbcTakesControlAgainAfterTheSilence) {
   EXPECT_EQ(vehicle.flight.outputs.state, HookState::Complete);
 }
 
+TEST(Joined, AFalseBeaconOfAnotherVersionCostsNoControl) {
+  for (const bool hello_is_lost : {false, true}) {
+    Vehicle vehicle(0, 1);
+    vehicle.sbc_line.setDelay(1);
+    Mission mission(5000);
+    int ticks = 0;
+    mission.watch = [&](const VehicleTick&) { ++ticks; };
+    for (int i = 0; i < 400; ++i) {
+      if (i == 201) {  // what noise has made of some frame, and CRC-16 has not found
+        putMessage(vehicle.sbc_line.left(), Beacon{9, false, 0, HookState::Active}, 77);
+      }
+      vehicle.sbc_line.setDamage(hello_is_lost && i == 202 ? 1 : 0);
+      vehicle.second(&mission);
+      EXPECT_NE(vehicle.flight.outputs.state, HookState::Silent) << i;
+    }
+    EXPECT_EQ(vehicle.flight.outputs.state, HookState::Active);
+    EXPECT_GT(ticks, 90);
+  }
+}
+
 TEST(Joined, WithoutAHookbehTheFlightControllerHearsNothing) {
   Vehicle vehicle(0, 1, false);
   Mission mission(500);

@@ -4,6 +4,7 @@
 // Flights in which something goes wrong, each with its stated outcome (scenarios/README.md).
 
 #include "platforms/slocum_sensors.h"
+#include "simulator/onlooker.h"
 #include "tests/unit/simulator/fake_sbc.h"
 #include "tests/unit/simulator/flights.h"
 
@@ -115,6 +116,31 @@ TEST(FaultFlight, AnAbortTakesTheVehicleUpForGood) {
   EXPECT_NEAR(timeOf(trace, "MS_ABORT_DEVICE_ERROR"), 300, 0.3) << eventText(trace);
   EXPECT_NE(timeOf(trace, "aborted (MS_ABORT_DEVICE_ERROR) and at the surface"), -1);
   EXPECT_EQ(timeOf(trace, "takes control", 300), -1) << eventText(trace);
+}
+
+/// Counts the reports after an abort, and those of them that tell that hookbeh is complete.
+struct AbortOnlooker : Onlooker {
+  void said(std::span<const uint8_t> /*bytes*/, double /*now_s*/) override {}
+  bool cycle(const CycleView& view) override {
+    reports += view.aborted ? 1 : 0;
+    const bool told =
+        view.array.fresh(GLIDER_X_HOOK_STATE) &&
+        view.array.get(GLIDER_X_HOOK_STATE) == static_cast<double>(hooks::HookState::Complete);
+    complete += view.aborted && told ? 1 : 0;
+    return true;
+  }
+  int reports = 0, complete = 0;
+};
+
+TEST(FaultFlight, AfterAnAbortEachReportTellsThatHookbehIsComplete) {
+  Faults faults;
+  faults.aborts = {300};
+  SimulationSetup setup = withFaults(faults);
+  AbortOnlooker onlooker;
+  setup.onlooker = &onlooker;
+  fly(std::move(setup));
+  EXPECT_GT(onlooker.reports, 10);
+  EXPECT_EQ(onlooker.complete, onlooker.reports);
 }
 
 TEST(FaultFlight, DamageThatLeavesEnoughIsFlownThrough) {

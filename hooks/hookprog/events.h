@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "hooks/protocol/messages.h"
+
+#include <stdint.h>
+
+namespace glider::hooks {
+
+/// Things worth a line in the vehicle's log or the simulator's trace.
+struct HookprogEvent {
+  enum class Kind : uint8_t {
+    None,
+    SbcHello,       ///< a link: a = its number; text = the mission's name
+    SbcLost,        ///< no answer for 12 s, or the line is closed, before its mission has finished:
+                    ///< a = the link's number
+    SbcStuck,       ///< it answers, but its mission time has stood still for 12 s while it is in
+                    ///< control: a = its session
+    SbcUnanswered,  ///< hookbeh has not answered an instruction for 12 s: a = its sequence
+    SbcTransition,  ///< a transition, b from, c to, d fired case, e its list
+    SbcNote,        ///< a word from the mission: a = its kind (GliderNoteKind); text
+    BadFrame,       ///< a = frames thrown away on both lines since the last such event
+    SbcRefused,  ///< speaks another protocol (a = its version) or has another sensor dictionary (b
+                 ///< = its hash)
+    RefusedWrite,  ///< the SBC tried to write sensor a, which is not the hook's; nothing of that
+                   ///< frame was written
+  } kind = Kind::None;
+  double mission_time_s =
+      0;  ///< SbcTransition, SbcNote: the mission's own; else m_present_secs_into_mission
+  uint32_t a = 0, b = 0, c = 0, d = 0, e = 0;
+  char text[kMostNoteBytes + 1] = {};
+  static_assert(kMostNameBytes <= kMostNoteBytes);
+};
+
+/// Those that wait to be taken. Newer ones that do not fit are left out, notes before others.
+class EventQueue {
+ public:
+  void push(const HookprogEvent& event);
+  /// Takes the oldest; Kind::None when there is none.
+  HookprogEvent next();
+
+ private:
+  static constexpr uint32_t kMost = 32;
+  /// Notes leave this much room for what matters more.
+  static constexpr uint32_t kRoomBesideNotes = 16;
+
+  HookprogEvent events_[kMost];
+  uint32_t first_ = 0;
+  uint32_t count_ = 0;
+};
+
+}  // namespace glider::hooks

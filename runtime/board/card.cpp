@@ -166,7 +166,7 @@ bool Card::hear(double seconds) {
     ready = poll(&wanted, 1, static_cast<int>(left * 1000));
     passed = clock_.now() - began;
   } while (ready < 0 && errno == EINTR);
-  if (left_s_ >= 0 && seconds >= 0) {  // what has no bound is not of the cycle's time
+  if (left_s_ >= 0) {
     left_s_ = left_s_ > passed ? left_s_ - passed : 0.0;
   }
   if (ready <= 0) {
@@ -246,14 +246,18 @@ int32_t Card::renewLog(void* self) {
   return now || late ? 1 : 0;
 }
 
-/// A program that cannot read its checkpoint yet does not fly yet.
+/// A program that cannot read its checkpoint yet does not fly yet. Once it has waited long enough
+/// it has none.
 int32_t Card::read(void* self, uint32_t offset, uint8_t* bytes, uint32_t count) {
   Card& card = cardOf(self);
   if (count > card.most_bytes_ || !card.isFree()) {
     return -1;
   }
   card.order(Task::StoreRead, offset, count);
-  if (card.gone_ || !card.hear(kForever)) {
+  const double patience = card.left_s_;
+  const bool answered = !card.gone_ && card.hear(kMostWait);
+  card.left_s_ = patience;  // that was not of a cycle's time
+  if (!answered) {
     return -1;
   }
   const int32_t got = card.order_->answer;

@@ -35,6 +35,9 @@ class Card {
   /// So long the card is left alone once it has moved again, s: one that is always slow then costs
   /// one wait a minute.
   static constexpr double kRest = 60;
+  /// So long a program that starts waits for its checkpoints, s: for the process of the one before,
+  /// whose card may stand still for good.
+  static constexpr double kMostWait = 60;
 
   Card() = default;
   Card(const Card&) = delete;

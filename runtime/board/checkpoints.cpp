@@ -17,8 +17,19 @@ extern "C" __attribute__((visibility("hidden"))) const ElfW(Ehdr) __ehdr_start;
 namespace glider::runtime {
 namespace {
 
+/// The file of checkpoints.
+struct Slots {
+  const char* path;
+  int descriptor;
+};
+
+bool openSlots(Slots& slots) {
+  slots.descriptor = open(slots.path, O_RDWR | O_CREAT, 0644);
+  return slots.descriptor >= 0;
+}
+
 int descriptorOf(void* self) {
-  return *static_cast<const int*>(self);
+  return static_cast<const Slots*>(self)->descriptor;
 }
 
 /// How many bytes `move`, read or write, dealt with from `offset` on.
@@ -43,6 +54,10 @@ int32_t readStore(void* self, uint32_t offset, uint8_t* bytes, uint32_t count) {
 }
 
 int32_t writeStore(void* self, uint32_t offset, const uint8_t* bytes, uint32_t count) {
+  auto& slots = *static_cast<Slots*>(self);
+  if (slots.descriptor < 0 && !openSlots(slots)) {
+    return -1;
+  }
   return moveAll(write, self, offset, bytes, count);
 }
 
@@ -53,16 +68,16 @@ int32_t syncStore(void* self) {
 }  // namespace
 
 GliderStore openCheckpoints(const char* path) {
-  static int descriptor = -1;
+  static Slots slots;
   if (path == nullptr) {
     return {};
   }
-  descriptor = open(path, O_RDWR | O_CREAT, 0644);
-  if (descriptor < 0) {
-    tell("warning: cannot keep checkpoints in `", path, "`; the mission flies without");
-    return {};
+  slots.path = path;
+  if (!openSlots(slots)) {
+    tell("warning: cannot keep checkpoints in `", path,
+         "`; the mission flies without until it can");
   }
-  return {&descriptor, readStore, writeStore, syncStore};
+  return {&slots, readStore, writeStore, syncStore};
 }
 
 void holdCheckpoints(const GliderStore& checkpoints) {

@@ -8,8 +8,9 @@
 /// Checkpoints in a file of the board, and which program they belong to.
 namespace glider::runtime {
 
-/// Opens the file, or makes it; `path` may be null: no functions then. One that cannot be opened
-/// earns a warning: the mission flies without, and cannot go on after a power cut.
+/// Opens the file, or makes it; `path` may be null: no functions then, else it outlives the store.
+/// One that cannot be opened earns a warning; each write then tries again, and fails as one to a
+/// full card does.
 GliderStore openCheckpoints(const char* path);
 
 /// Waits until no other process holds the file of `checkpoints`, and holds it as long as this

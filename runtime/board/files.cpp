@@ -129,13 +129,17 @@ GliderLogSink openLog(const char* path, uint32_t limit) {
   static constexpr char kOlder[] = ".old";
   const size_t length = strlen(path);
   if (length + sizeof kOlder > sizeof file.older) {
+    tell("warning: the name of the log `", path, "` is too long; the mission flies without");
     return {};
   }
   memcpy(file.older, path, length);
   memcpy(file.older + length, kOlder, sizeof kOlder);
   file.path = path;
   file.limit = limit;
-  return openFile(file, 0) ? GliderLogSink{&file, writeLog, syncLog, renewLog} : GliderLogSink{};
+  if (!openFile(file, 0)) {
+    tell("warning: cannot write the log `", path, "`; the mission flies without until it can");
+  }
+  return {&file, writeLog, syncLog, renewLog};
 }
 
 void reopenLog(const GliderLogSink& log) {

@@ -33,8 +33,8 @@ const char* readFile(const char* path, char* bytes, uint32_t capacity, uint32_t&
 
 /// Opens the log and makes a sink of it that writes after what is there: a program that the board
 /// starts again must not wipe what the one before has seen. Once it has `limit` bytes it becomes
-/// `path`.old, and a new one begins. `path` outlives the sink. A null write function if it cannot
-/// be opened.
+/// `path`.old, and a new one begins. `path` outlives the sink. One that cannot be opened earns a
+/// warning; each write then tries again, and fails as one to a full card does.
 GliderLogSink openLog(const char* path, uint32_t limit);
 
 /// What openLog gave, opened again by its path.

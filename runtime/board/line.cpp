@@ -6,6 +6,7 @@
 #include "runtime/board/files.h"
 
 #include <poll.h>
+#include <string.h>
 #include <unistd.h>
 
 namespace glider::runtime {
@@ -28,7 +29,8 @@ void tellHelp(const char* mission_name) {
       "  --baud N     its speed, bits/s (else 115200)\n"
       "  --stdio      standard input and output instead of a port\n"
       "  --log FILE   write the mission's log, for `glidercc log`\n"
-      "  --log-limit N  from N bytes on it becomes FILE.old, and a new one begins (else 32 MiB)\n"
+      "  --log-limit N  from N bytes on (4096 or more) it becomes FILE.old, and a new one begins "
+      "(else 32 MiB)\n"
       "  --checkpoint FILE  keep what a program that is started again needs to go on\n"
       "  --set NAME=VALUE   give a parameter of the mission a value, as in --set bottom=20m\n"
       "  --parameters FILE  take them from a file with lines `NAME = VALUE`; --set goes before it\n"
@@ -51,9 +53,20 @@ int tellWish(const Options& options, const char* mission_name) {
       return kDone;
     }
     default:
-      tell("error: cannot make sense of `", options.wrong, "`; --help says what there is");
+      tell("error: cannot make sense of `", options.wrong,
+           options.wrong_value[0] != '\0' ? " " : "", options.wrong_value,
+           "`; --help says what there is");
       return kWrongUse;
   }
+}
+
+bool areFilesApart(const Options& options) {
+  if (options.log == nullptr || options.checkpoints == nullptr ||
+      strcmp(options.log, options.checkpoints) != 0) {
+    return true;
+  }
+  tell("error: --log and --checkpoint name the same file `", options.log, "`");
+  return false;
 }
 
 OpenPort openLine(const Options& options) {
@@ -71,11 +84,7 @@ GliderLogSink openLogOf(const Options& options) {
   if (options.log == nullptr) {
     return {};
   }
-  const GliderLogSink sink = openLog(options.log, options.log_limit);
-  if (sink.write == nullptr) {
-    tell("warning: cannot write the log `", options.log, "`; the mission flies without");
-  }
-  return sink;
+  return openLog(options.log, options.log_limit);
 }
 
 void waitForLine(int descriptor) {

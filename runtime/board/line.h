@@ -19,6 +19,9 @@ inline constexpr int kBadParameters = 2;
 /// Answers --help (but for the parameters), --version and what is neither; returns the exit status.
 int tellWish(const Options& options, const char* mission_name);
 
+/// False, and says so, if log and checkpoints would be written into the same file.
+bool areFilesApart(const Options& options);
+
 /// Opens the line that the options name; says on standard error why it cannot.
 OpenPort openLine(const Options& options);
 

@@ -39,6 +39,9 @@ int fly(GliderRuntime* runtime, const OpenPort& line, Card& card) {
 }
 
 int run(const Options& options) {
+  if (!areFilesApart(options)) {
+    return kWrongUse;
+  }
   static Launch launch(gliderMission);
   if (!setParameters(options, launch)) {
     return kBadParameters;

@@ -47,7 +47,7 @@ bool withValue(const char* argument, const char* value, Options& options) {
     return true;
   }
   if (is(argument, "--log-limit")) {
-    return readCount(value, options.log_limit);
+    return readCount(value, options.log_limit) && options.log_limit >= Options::kLeastLogLimit;
   }
   return is(argument, "--baud") && readCount(value, options.baud);
 }
@@ -82,6 +82,7 @@ Options readOptions(int argc, char** argv) {
     }
     options.wish = Options::Wish::Wrong;
     options.wrong = argv[i];
+    options.wrong_value = argv[i][0] == '-' && i + 1 < argc ? argv[i + 1] : "";
     return options;
   }
   return options;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "runtime/abi/behaviour.h"
+#include "runtime/board/files.h"
 #include "runtime/c/glider.h"
 #include "runtime/c/program.h"
 
@@ -29,6 +30,11 @@ bool fires(const gliderEvent& tested) {
   }
 }
 
+/// False of what would be asked at no address.
+bool canBeAsked(const gliderEvent& added) {
+  return added.op == CUSTOM ? added.test != nullptr : added.limit != nullptr;
+}
+
 bool subscribe(const gliderEvent& added) {
   if (added.op == CUSTOM && added.test == thermoMet) {
     return Program::instance().use(GLIDER_M_DEPTH) &&
@@ -54,7 +60,8 @@ extern "C" eventList newEventList(void) {
 }
 
 extern "C" int addEvent(eventList list, event added) {
-  if (list == nullptr || added == nullptr || list->count == kMostEvents || !subscribe(*added)) {
+  if (list == nullptr || added == nullptr || list->count == kMostEvents || !canBeAsked(*added) ||
+      !subscribe(*added)) {
     return -1;
   }
   list->tested[list->count] = *added;
@@ -71,6 +78,9 @@ extern "C" eventList gliderRun(eventList list) {
   fired.count = 0;
   while (fired.count == 0) {
     if (!Program::instance().nextTick()) {
+      if (!Program::instance().released()) {
+        glider::runtime::tell("error: the line to the vehicle is closed");
+      }
       return nullptr;
     }
     if (Program::instance().hasJustResumed()) {

@@ -50,6 +50,9 @@ extern "C" int gliderOpen(int argc, char** argv, const char* mission_name) {
     tell("error: a mission in C has no parameters");
     return kBadParameters;
   }
+  if (!areFilesApart(options)) {
+    return kWrongUse;
+  }
   if (options.checkpoints != nullptr && !Program::instance().kept().isDeclared()) {
     tell("error: --checkpoint: `", mission_name,
          "` has not said what it must know to go on: it has no keepState (glidercc-runtime(3))");

@@ -49,7 +49,9 @@ bool Persistence::goesOn(const hooks::VehicleTick& tick, const GliderContext& co
   if (tick.obeys_us) {
     parts_.control.resume();
   }
-  parts_.log.event(context.mission_time, LogEvent::MissionResumed, LogDetail::None, outage);
+  // At the mission time that it is now, not that of the checkpoint.
+  parts_.log.event(facts_.anchor_mission + (tick.vehicle_time_s - facts_.anchor_vehicle),
+                   LogEvent::MissionResumed, LogDetail::None, outage);
   return true;
 }
 

@@ -367,6 +367,7 @@ TEST(CMission, TellsTheVehicleOfACardThatIsGone) {
     return e.kind == hooks::HookprogEvent::Kind::SbcNote;
   });
   EXPECT_EQ(told, 1);
+  mission.hangUp();
 }
 
 TEST(CProgram, AnEventOutlivesTheBlockItWasWrittenIn) {
@@ -378,6 +379,10 @@ TEST(CProgram, AnEventOutlivesTheBlockItWasWrittenIn) {
   made->sensor = UINT32_MAX;  // as a stack that was used again
   made->limit = nullptr;
   EXPECT_EQ(addEvent(list, nullptr), -1);
+  const gliderEvent no_limit{GEQ, MISSION_TIME, nullptr, nullptr, nullptr};
+  const gliderEvent no_test{CUSTOM, MISSION_TIME, nullptr, nullptr, nullptr};
+  EXPECT_EQ(addEvent(list, &no_limit), -1);
+  EXPECT_EQ(addEvent(list, &no_test), -1);
   EXPECT_EQ(gliderRun(list), nullptr) << "never opened";
 }
 

@@ -5,6 +5,8 @@
 
 #include "runtime/board/files.h"
 
+#include "runtime/board/checkpoints.h"
+
 #include <gtest/gtest.h>
 
 #include <fcntl.h>
@@ -72,6 +74,28 @@ TEST_F(LogFiles, OneThatCouldNotBeMadeIsTriedAgain) {
   std::filesystem::rename(folder_ + ".away", folder_);
   EXPECT_EQ(sink.write(sink.self, reinterpret_cast<const uint8_t*>(words.data()), 10), 10);
   EXPECT_EQ(content(), words);
+}
+
+TEST_F(LogFiles, OneThatCannotBeOpenedFailsUntilItCan) {
+  const std::string path = folder_ + "/later/log";
+  const GliderLogSink sink = openLog(path.c_str(), 1000);
+  const auto* word = reinterpret_cast<const uint8_t*>("word");
+  EXPECT_LT(sink.write(sink.self, word, 4), 0);
+  std::filesystem::create_directory(folder_ + "/later");
+  EXPECT_EQ(sink.write(sink.self, word, 4), 4);
+  EXPECT_EQ(std::filesystem::file_size(path), 4U);
+}
+
+TEST_F(LogFiles, CheckpointsThatCannotBeOpenedFailUntilTheyCan) {
+  const std::string path = folder_ + "/later/checkpoints";
+  const GliderStore store = openCheckpoints(path.c_str());
+  uint8_t word[4] = {1, 2, 3, 4};
+  EXPECT_LT(store.read(store.self, 0, word, 4), 0);
+  EXPECT_LT(store.write(store.self, 0, word, 4), 0);
+  std::filesystem::create_directory(folder_ + "/later");
+  EXPECT_EQ(store.write(store.self, 0, word, 4), 4);
+  EXPECT_EQ(store.sync(store.self), 0);
+  EXPECT_EQ(std::filesystem::file_size(path), 4U);
 }
 
 TEST(StandardFiles, ThatAreClosedAreHeld) {

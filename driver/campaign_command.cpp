@@ -159,6 +159,7 @@ void addOptions(CLI::App& command, CampaignOptions& options) {
   command.add_option("--csv", options.csv, "Write a row for each flight")->option_text("FILE");
   auto* only = command.add_option("--only", options.only, "Fly only the flight of this number")
                    ->check(CLI::Range(uint64_t{0}, kMostFlights - 1))
+                   ->excludes("--csv")
                    ->option_text("NUMBER");
   command
       .add_option("-o", options.output,

@@ -5,6 +5,7 @@
 #include "driver/commands.h"
 #include "driver/exit_code.h"
 #include "driver/explain_page.h"
+#include "driver/link_option.h"
 #include "driver/run_trace.h"
 #include "driver/terminal.h"
 #include "support/files.h"
@@ -267,9 +268,11 @@ void addCheckCommand(CLI::App& app, int& status) {
                    "How many times the usual effort a proof may take (default 1)")
       ->check(CLI::Range(1U, kMostEffort))
       ->option_text("N");
-  command->add_flag("!--no-cache", options->check.cache,
-                    "Search for every proof again (else what an earlier check of the same mission "
-                    "has proved is taken from ~/.cache/glidercc)");
+  addLinkOption(*command, options->check.user_code);
+  command->add_flag_callback(
+      "--no-cache", [options] { options->check.cache = false; },
+      "Search for every proof again (else what an earlier check of the same mission has proved is "
+      "taken from ~/.cache/glidercc)");
   command
       ->add_option("--traces", options->traces,
                    "Write a run that breaks it for each requirement that does not hold, for "

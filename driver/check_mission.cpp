@@ -118,7 +118,8 @@ Result<void> checkFurther(Checked& checked, const CheckOptions& options) {
     checked.found.remarks.push_back({{}, std::move(line)});
   }
   auto budgets =
-      missionBudgets(compilation, options.targets.empty() ? boardsInTheVehicle() : options.targets);
+      missionBudgets(compilation, options.targets.empty() ? boardsInTheVehicle() : options.targets,
+                     options.user_code);
   if (!budgets) {
     return std::unexpected(budgets.error());
   }

@@ -14,10 +14,11 @@ namespace glider::driver {
 
 /// How a mission is checked.
 struct CheckOptions {
-  bool report = false;               ///< also what is no mistake, and the budgets
-  std::vector<std::string> targets;  ///< of the budget; none: all boards of the vehicle
-  unsigned effort = 1;               ///< how many times the usual effort a proof may take
-  bool cache = true;                 ///< look what earlier checks have proved, and keep it
+  bool report = false;                 ///< also what is no mistake, and the budgets
+  std::vector<std::string> targets;    ///< of the budget; none: all boards of the vehicle
+  std::vector<std::string> user_code;  ///< of the budget: what has the mission's `extern` names
+  unsigned effort = 1;                 ///< how many times the usual effort a proof may take
+  bool cache = true;                   ///< look what earlier checks have proved, and keep it
 };
 
 /// A mission with all that was found; `found` points into `compilation`, which is null if the file

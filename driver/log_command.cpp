@@ -40,7 +40,9 @@ std::string damageText(const LogDamage& damage) {
 }
 
 Result<void> write(const LogOptions& options, const std::string& text) {
-  return options.csv.empty() ? printOut(text) : support::writeFileAtomically(options.csv, text);
+  return options.csv.empty() || options.csv == "-"
+             ? printOut(text)
+             : support::writeFileAtomically(options.csv, text);
 }
 
 int log(const LogOptions& options) {
@@ -78,7 +80,8 @@ void addLogCommand(CLI::App& app, int& status) {
       ->required();
   command
       ->add_option("--csv", options->csv,
-                   "Write it as comma-separated values instead, a row for each value")
+                   "Write it as comma-separated values instead, a row for each value (`-`: to "
+                   "standard output)")
       ->option_text("OUT");
   command->callback([options, &status] { status = log(*options); });
 }

@@ -5,6 +5,7 @@
 
 #include "codegen/budget/budget.h"
 #include "driver/boards.h"
+#include "driver/link_option.h"
 #include "ir/opt/optimise.h"
 #include "ir/verify/link_bytes.h"
 
@@ -78,15 +79,30 @@ Budget boardBudget(const codegen::Budget& measured, const platforms::Board& boar
   return budget;
 }
 
+/// Of a mission that calls what is not there, `why`, no executable can be measured.
+Budget unmeasured(const platforms::Board& board, const std::string& why) {
+  return {board.name,
+          {{"executable", std::nullopt, limitOf(board.max_executable_bytes), "bytes",
+            why + "; link it with --link FILE"}}};
+}
+
 Result<Budget> budgetOn(const std::string& target, const ir::Mission& mission,
-                        Compilation& compilation) {
+                        Compilation& compilation, const std::vector<std::string>& user_code) {
   const auto board = loadTarget(target);
   if (!board) {
     return std::unexpected(board.error());
   }
   codegen::CodegenOptions options;
   options.sources = &compilation.sources;
+  const auto code = loadUserCode(user_code, compilation, *board);
+  if (!code) {
+    return std::unexpected(code.error());
+  }
+  code->addTo(options);
   const auto measured = codegen::measureBudget(mission, compilation.facts, *board, options);
+  if (!measured && measured.error().id == DiagnosticId::unboundSymbol) {
+    return unmeasured(*board, measured.error().message);
+  }
   if (!measured) {
     return std::unexpected(measured.error());
   }
@@ -105,12 +121,13 @@ Result<Budget> budgetOn(const std::string& target, const ir::Mission& mission,
 }  // namespace
 
 Result<std::vector<Budget>> missionBudgets(Compilation& compilation,
-                                           const std::vector<std::string>& targets) {
+                                           const std::vector<std::string>& targets,
+                                           const std::vector<std::string>& user_code) {
   ir::Mission mission = *compilation.mission;  // as `glidercc build` compiles it
   ir::optimise(mission, {});
   std::vector<Budget> budgets = {linesBudget(mission, compilation)};
   for (const std::string& target : targets) {
-    auto budget = budgetOn(target, mission, compilation);
+    auto budget = budgetOn(target, mission, compilation, user_code);
     if (!budget) {
       return std::unexpected(budget.error());
     }

@@ -74,6 +74,10 @@ int flyAndReport(simulator::SimulationSetup setup, const SimOptions& options) {
   if (!printed) {
     return reportFailure(printed.error());
   }
+  const bool foreign = !options.program.empty() || !options.serial.empty();
+  if (foreign && report::refusedInstructions(*trace) == 0 && report::wasNeverInControl(*trace)) {
+    return kWorldFailed;  // what was to be the SBC is none
+  }
   const bool good = !aborted(*trace) && report::refusedInstructions(*trace) == 0;
   return good ? kFine : kMissionHasErrors;
 }

@@ -25,19 +25,6 @@ bool isRefusal(const TraceEvent& event) {
          event.what.find(" refused: ") != std::string::npos;
 }
 
-bool wasNeverInControl(const Trace& trace) {
-  const int active = trace.column("hook_active");
-  if (trace.way.empty() || trace.way == "none" || active < 0) {
-    return false;
-  }
-  for (size_t row = 0; row < trace.rowCount(); ++row) {
-    if (trace.at(row, active) == 1) {
-      return false;
-    }
-  }
-  return trace.rowCount() > 0;
-}
-
 /// True if the flight ended because its time was over, with the mission still on its way.
 bool wasCutShort(const Trace& trace) {
   const auto any = [&](std::string_view kind, std::string_view part) {
@@ -68,6 +55,19 @@ std::string neverVisited(const Trace& trace) {
 }
 
 }  // namespace
+
+bool wasNeverInControl(const Trace& trace) {
+  const int active = trace.column("hook_active");
+  if (trace.way.empty() || trace.way == "none" || active < 0) {
+    return false;
+  }
+  for (size_t row = 0; row < trace.rowCount(); ++row) {
+    if (trace.at(row, active) == 1) {
+      return false;
+    }
+  }
+  return trace.rowCount() > 0;
+}
 
 size_t refusedInstructions(const Trace& trace) {
   return static_cast<size_t>(std::ranges::count_if(trace.events, isRefusal));

@@ -97,8 +97,10 @@ void SbcLink::followPort(double now_s) {
 }
 
 bool SbcLink::goneForGood(double now_s) const {
+  // Power that comes back in this very cycle has started nothing yet.
+  constexpr double kToStart = 4;
   const auto passes = [&](const Span& span) {
-    return span.to_s != kForever && span.to_s > now_s && span.from_s <= now_s;
+    return span.to_s != kForever && span.to_s + kToStart > now_s && span.from_s <= now_s;
   };
   const bool returns = start_ && (std::ranges::any_of(faults_.power, passes) ||
                                   std::ranges::any_of(faults_.port, passes));

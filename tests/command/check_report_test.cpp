@@ -120,6 +120,27 @@ TEST(CheckReport, TooMuchForABoardIsAnError) {
   EXPECT_EQ(runShell("$GLIDERCC check " + mission).status, 0) << "not asked for";
 }
 
+TEST(CheckReport, OfAMissionWithCodeInCItNeedsTheCode) {
+  const std::string mission = GLIDER_SOURCE_DIR "/missions/examples/sensor/optode.mission";
+  const Outcome without =
+      runShell("$GLIDERCC check --report --no-cache --target ts7800 " + mission);
+  EXPECT_EQ(without.status, 0) << without.err;
+  EXPECT_THAT(without.out, HasSubstr("optode_o2"));
+  EXPECT_THAT(without.out, HasSubstr("--link FILE"));
+  EXPECT_THAT(without.out, HasSubstr("if the SBC falls silent")) << "the rest is said";
+  const TemporaryFolder folder;
+  const std::string object = (folder.path() / "optode.o").string();
+  const Outcome built = runShell(
+      "cd " + folder.path().string() + " && $GLIDERCC build " + mission +
+      " --emit header -o optode.h && clang-19 $($GLIDERCC targets --cflags ts7800) -I. -c " +
+      GLIDER_SOURCE_DIR "/missions/examples/sensor/optode.c -o optode.o");
+  ASSERT_EQ(built.status, 0) << built.err;
+  const Outcome with = runShell("$GLIDERCC check --report --no-cache --target ts7800 --link " +
+                                object + " " + mission);
+  EXPECT_EQ(with.status, 0) << with.err;
+  EXPECT_THAT(with.out, HasSubstr("of 131,072 bytes"));
+}
+
 const fs::path kShare = GLIDER_BINARY_DIR "/share/glidercc";
 
 /// In `to` links to all that `from` holds but `name`, which becomes an empty folder.

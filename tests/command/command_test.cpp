@@ -325,6 +325,14 @@ TEST(Command, AVeryLongMissionNameStillFlies) {
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "m-flight" / "m-host"));
 }
 
+TEST(Command, AProgramThatIsNoSbcIsAFailureOfTheWorld) {
+  const TemporaryFolder folder;
+  const Outcome outcome =
+      runShell("cd " + folder.path().string() + "; $GLIDERCC sim --sbc /bin/true");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.out, HasSubstr("never in control"));
+}
+
 TEST(Command, InstructionsThatAreAlwaysRefusedLeadTheSummary) {
   const TemporaryFolder folder;
   for (const char* profile : {"yo(5, 5000, 26 deg, 26 deg)", "yo(5, 20, 0 deg, 90 deg)"}) {

@@ -59,6 +59,12 @@ TEST_P(PowerCut, ALongerOneTakesANewHandshakeAndThenGoesOn) {
   EXPECT_EQ(count(flight, "the SBC takes control"), 2U);
 }
 
+TEST_P(PowerCut, OneThatEndsAtTheSurfaceOnTheTickOfACycleEndsNotTheFlight) {
+  const Flight flight = flyWithPowerCut(1080, GetParam());
+  expectFigure2Times(flight);
+  EXPECT_EQ(count(flight, "the SBC has power again"), 1U);
+}
+
 TEST_P(PowerCut, ATooLongOneLeavesControlToTheVehicle) {
   const Flight flight = flyWithPowerCut(1110, GetParam());
   EXPECT_EQ(flight.outcome.status, 0) << flight.outcome.err;
@@ -86,7 +92,7 @@ TEST(PowerCuts, OnAFullCardTheMissionFliesOnAndTheVehicleIsTold) {
       runShell("$GLIDERCC build " + project("missions/figure2.mission") + " -o " + program).status,
       0);
   const auto sbc = folder.write(
-      "sbc", "#!/bin/sh\nexec " + program + " --log /dev/full --checkpoint /dev/full \"$@\"\n");
+      "sbc", "#!/bin/sh\nexec " + program + " --log /dev/full --checkpoint /dev/./full \"$@\"\n");
   ASSERT_EQ(runShell("chmod +x " + sbc.string()).status, 0);
   const Flight flight =
       fly("--sbc " + sbc.string() + " --scenario " + project("scenarios/default.toml"));

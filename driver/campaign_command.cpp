@@ -19,8 +19,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <cstdlib>
+#include <cstring>
+#include <fstream>
 #include <memory>
 #include <thread>
 
@@ -83,6 +86,12 @@ int flyOnly(const CampaignPlan& plan, const CampaignOptions& options) {
 }
 
 int flyThem(const CampaignPlan& plan, const CampaignOptions& options) {
+  // Hours may pass before it is needed. What is there stays until then.
+  if (!options.csv.empty() && !std::ofstream(options.csv, std::ios::app)) {
+    return reportFailure(
+        support::fail(support::DiagnosticId::cannotWrite, options.csv, std::strerror(errno))
+            .error());
+  }
   ProgressLine line;
   const auto begin = std::chrono::steady_clock::now();
   const CampaignResult result = flyAll(
@@ -92,17 +101,15 @@ int flyThem(const CampaignPlan& plan, const CampaignOptions& options) {
   if (result.failure) {
     return reportFailure(*result.failure);
   }
-  if (!options.csv.empty()) {
-    if (auto written = support::writeFileAtomically(options.csv, campaignCsv(plan, result));
-        !written) {
-      return reportFailure(written.error());
-    }
-  }
   const std::string violations = violationLines(plan, result);
   const auto printed = printOut(
       campaignTable(plan, result) + violations +
       fmt::format("{} flights, seed {}, {:.1f} s\n", plan.flights, plan.seed, took.count()));
+  const auto written = options.csv.empty()
+                           ? support::Result<void>{}
+                           : support::writeFileAtomically(options.csv, campaignCsv(plan, result));
   const int status = !printed             ? reportFailure(printed.error())
+                     : !written           ? reportFailure(written.error())
                      : violations.empty() ? kFine
                                           : kMissionHasErrors;
   if (result.hung) {

@@ -43,6 +43,8 @@ static void fly(enum state state) {
 }
 
 static void call(enum state state) {
+  const double number = state + 1;
+  gliderLog("calls s", &number, 1);
   own.stack[own.depth_of_stack++] = own.current;
   fly(state);
 }

@@ -128,6 +128,13 @@ extern "C" int gliderResumed(void) {
   return Program::instance().resumed() ? 1 : 0;
 }
 
+extern "C" void gliderLog(const char* text, const double* values, int count) {
+  if (text != nullptr) {
+    const bool some = values != nullptr && count > 0;
+    Program::instance().note(text, values, some ? static_cast<uint32_t>(count) : 0U);
+  }
+}
+
 extern "C" void giveBack(void) {
   Program::instance().giveBack();
 }

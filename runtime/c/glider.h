@@ -101,6 +101,10 @@ int gliderExitStatus(void);
  */
 void giveBack(void);
 
+/* A word with `count` values (NULL and 0: none) for the log on the SBC and that of the vehicle, as
+   the mission language's `log`; 60 characters of it. Dropped before the first tick. */
+void gliderLog(const char* text, const double* values, int count);
+
 /* This tick's reading in SI units; NaN if it is unknown. */
 double gliderSensor(uint32_t sensor);
 

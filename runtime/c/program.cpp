@@ -8,6 +8,7 @@
 #include "runtime/abi/context_layout.h"
 #include "runtime/core/instruction.h"
 #include "runtime/core/lay_out.h"
+#include "runtime/core/tell_notes.h"
 #include "runtime/numbers/numbers.h"
 
 #include <new>
@@ -234,6 +235,17 @@ void Program::record() {
       temperature == temperature) {
     water_.column.record(context_->mission_time, depth, temperature);
   }
+}
+
+void Program::note(const char* text, const double* values, uint32_t count) {
+  if (!started_) {
+    return;
+  }
+  gliderNote(context_, kGliderNoteLog, text, values, count);
+  tellNotes(*context_, *log_, *client_);  // now: the text may be gone when the tick is answered
+  context_->note_count = 0;
+  context_->note_value_count = 0;
+  context_->lost_notes = 0;
 }
 
 void Program::beginLeg() {

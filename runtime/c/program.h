@@ -65,6 +65,8 @@ class Program {
   GliderContext& context() { return *context_; }
   Limits& limits() { return limits_; }
   void giveBack() { finished_ = true; }
+  /// A word for the logs of SBC and vehicle; dropped before the mission has begun.
+  void note(const char* text, const double* values, uint32_t count);
   [[nodiscard]] bool released() const { return control_.released(); }
   /// A dive or climb begins.
   void beginLeg();

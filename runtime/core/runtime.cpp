@@ -7,7 +7,7 @@
 #include "runtime/abi/context_layout.h"
 #include "runtime/core/instruction.h"
 #include "runtime/core/lay_out.h"
-#include "runtime/log/format.h"
+#include "runtime/core/tell_notes.h"
 #include "runtime/numbers/numbers.h"
 
 #include <new>
@@ -16,21 +16,8 @@ using glider::hooks::ClientEvent;
 using glider::hooks::Instruction;
 using glider::runtime::Checkpoint;
 using glider::runtime::ControlNews;
-using glider::runtime::LogDetail;
-using glider::runtime::LogEvent;
 
 namespace {
-
-/// The text of a note with its values after it, as much as a notice holds.
-void writeNote(const GliderContext& context, const GliderNote& note, char* out) {
-  glider::runtime::Text text(out, glider::hooks::kMostNoteBytes);
-  text.put(note.text);
-  for (uint32_t i = 0; i < note.count; ++i) {
-    const double value = context.note_values[note.first + i];
-    text.put(' ');
-    value == value ? text.put(value) : text.put("unknown");
-  }
-}
 
 /// True if each list that the mission counts is there.
 bool hasTables(const GliderMission& mission) {
@@ -171,7 +158,7 @@ void GliderRuntime::startMission(uint32_t update_count) {
   context_ = gliderStart(context_memory_, &mission_, parameters_, updates_, update_count);
   log_.begin(*context_);
   persistence_.begun();
-  tellNotes();
+  glider::runtime::tellNotes(*context_, log_, client_);
   log_.values(*context_);
   link_log_.refusedCommands(*context_);
 }
@@ -183,7 +170,7 @@ void GliderRuntime::stepMission(double mission_time, uint32_t update_count) {
   const uint32_t from = context_->state;
   const glider::runtime::StateTimes times{context_->entered, context_->resumed};
   gliderStep(context_, mission_time, updates_, update_count);
-  tellNotes();
+  glider::runtime::tellNotes(*context_, log_, client_);
   tellTransition(from, times);
   if (!finished()) {
     log_.values(*context_);
@@ -204,22 +191,6 @@ void GliderRuntime::tellTransition(uint32_t from, const glider::runtime::StateTi
   notice.fired_case = context_->moved_case;
   client_.notify(notice);
   log_.transition(*context_, from, times);
-}
-
-/// What `log` and unknown values left in this tick: to the log, and as texts to the vehicle.
-void GliderRuntime::tellNotes() {
-  for (uint32_t i = 0; i < context_->note_count; ++i) {
-    log_.note(*context_, i);
-    glider::hooks::MissionNote told;
-    told.mission_time_s = context_->mission_time;
-    told.kind = static_cast<uint8_t>(context_->notes[i].kind);
-    writeNote(*context_, context_->notes[i], told.text);
-    client_.tell(told);
-  }
-  if (context_->lost_notes != 0) {
-    log_.event(context_->mission_time, LogEvent::NotesLost, LogDetail::None,
-               static_cast<double>(context_->lost_notes));
-  }
 }
 
 void GliderRuntime::command() {

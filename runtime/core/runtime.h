@@ -38,7 +38,6 @@ struct GliderRuntime {
   void startMission(uint32_t update_count);
   void stepMission(double mission_time, uint32_t update_count);
   void tellTransition(uint32_t from, const glider::runtime::StateTimes& times);
-  void tellNotes();
   void command();
   uint32_t gatherUpdates();
   [[nodiscard]] bool finished() const { return context_ != nullptr && context_->finished != 0; }

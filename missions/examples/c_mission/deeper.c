@@ -38,6 +38,7 @@ int main(int argc, char** argv) {
       if (e == deep) {
         climb();
         bottom = bottom + kStep < kDeepest ? bottom + kStep : kDeepest;
+        gliderLog("next bottom", &bottom, 1);
       } else if (e == high) {
         setDepths(top, bottom);
         dive();

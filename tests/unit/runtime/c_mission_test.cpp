@@ -349,7 +349,14 @@ TEST(CMission, LogsControlAndWhatIsRefused) {
     EXPECT_EQ(mission.exitStatus(), 0);
   }
   const std::string csv = logOf(log);
-  for (const char* wanted : {"control taken", "instruction refused", "control given back"}) {
+  EXPECT_EQ(std::ranges::count_if(vehicle.events,
+                                  [](const hooks::HookprogEvent& e) {
+                                    return e.kind == hooks::HookprogEvent::Kind::SbcNote &&
+                                           std::string(e.text) == "calls s 2";
+                                  }),
+            1);
+  for (const char* wanted :
+       {"control taken", "instruction refused", "control given back", "500,log,calls s,2"}) {
     EXPECT_THAT(csv, ::testing::HasSubstr(wanted));
   }
 }

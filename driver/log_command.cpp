@@ -59,7 +59,10 @@ int log(const LogOptions& options) {
     text += options.csv.empty() ? textLine(entry) : csvLines(entry);
   });
   if (damage.starts == 0) {
-    const char* why = bytes->empty() ? "it is empty" : "there is no whole head of one in it";
+    std::string why = bytes->empty() ? "it is empty" : "there is no whole head of one in it";
+    if (const std::string older = options.file + ".old"; std::filesystem::exists(older, ignored)) {
+      why += "; what came before it is in `" + older + "`";
+    }
     return reportFailure(support::fail(DiagnosticId::noLog, options.file, why).error());
   }
   if (const auto written = write(options, text); !written) {

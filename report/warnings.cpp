@@ -25,6 +25,21 @@ bool isRefusal(const TraceEvent& event) {
          event.what.find(" refused: ") != std::string::npos;
 }
 
+/// The mission that the SBC says it flies if it is not the one whose names the trace has; else "".
+std::string otherMission(const Trace& trace) {
+  constexpr std::string_view kSaid = "the SBC answers: mission ";
+  constexpr size_t kMostOnTheLine = 47;  // of a longer name the rest is not told
+  for (const TraceEvent& event : trace.events) {
+    if (!trace.state_names.empty() && event.kind == "link" && event.what.starts_with(kSaid)) {
+      const std::string name = event.what.substr(kSaid.size());
+      const bool same = name == trace.mission ||
+                        (name.size() >= kMostOnTheLine && trace.mission.starts_with(name));
+      return same ? "" : name;
+    }
+  }
+  return "";
+}
+
 /// True if the flight ended because its time was over, with the mission still on its way.
 bool wasCutShort(const Trace& trace) {
   const auto any = [&](std::string_view kind, std::string_view part) {
@@ -77,6 +92,12 @@ std::vector<std::string> flightWarnings(const Trace& trace) {
   std::vector<std::string> warnings;
   if (wasNeverInControl(trace)) {
     warnings.emplace_back("the mission was never in control");
+  }
+  if (const std::string other = otherMission(trace); !other.empty()) {
+    warnings.push_back(
+        fmt::format("the SBC flies mission {}, not {}: the names of its states are "
+                    "those of the wrong mission",
+                    plain(other), plain(trace.mission)));
   }
   if (const size_t refused = refusedInstructions(trace); refused > 0) {
     const auto first = std::ranges::find_if(trace.events, isRefusal);

@@ -17,8 +17,8 @@ size_t refusedInstructions(const support::Trace& trace);
 /// True if there was an SBC and it never had control.
 bool wasNeverInControl(const support::Trace& trace);
 
-/// What the reader must know before any figure of the flight: the mission was never in control, had
-/// instructions refused, or had not ended. One sentence each, without a full stop.
+/// What the reader must know before any figure of the flight: the mission was never in control, was
+/// another one, had instructions refused, or had not ended. One sentence each, without a full stop.
 std::vector<std::string> flightWarnings(const support::Trace& trace);
 
 }  // namespace glider::report

@@ -32,6 +32,18 @@ TEST(Warnings, NeverInControl) {
   EXPECT_EQ(flightWarnings(without), Lines{}) << "nobody expected it";
 }
 
+TEST(Warnings, AnotherMissionThanThatWhoseStatesAreNamed) {
+  auto trace = flight(1);
+  trace.mission = "front";
+  trace.events.push_back({4, kUnknown, "link", "the SBC answers: mission front", ""});
+  EXPECT_EQ(flightWarnings(trace), Lines{});
+  trace.events.back().what = "the SBC answers: mission patch";
+  EXPECT_EQ(flightWarnings(trace), Lines{"the SBC flies mission patch, not front: the names of its "
+                                         "states are those of the wrong mission"});
+  trace.state_names.clear();
+  EXPECT_EQ(flightWarnings(trace), Lines{}) << "none was named";
+}
+
 TEST(Warnings, RefusedInstructionsAreCounted) {
   auto trace = flight(1);
   trace.events.push_back({8, 4, "hook", "instruction 1 refused: deeper than max_depth", ""});

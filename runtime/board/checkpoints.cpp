@@ -65,6 +65,24 @@ int32_t syncStore(void* self) {
   return fdatasync(descriptorOf(self));
 }
 
+/// A piece of the executable as it lies in memory: also what lies between its variables, where a
+/// sanitizer lets nobody read.
+[[gnu::no_sanitize_address]] void copyImage(const uint8_t* from, uint8_t* to, uint32_t count) {
+  for (uint32_t i = 0; i < count; ++i) {
+    *static_cast<volatile uint8_t*>(to + i) = from[i];
+  }
+}
+
+uint32_t checkOf(const uint8_t* bytes, uint32_t count, uint32_t before) {
+  uint8_t piece[256];
+  for (uint32_t done = 0; done < count; done += sizeof piece) {
+    const uint32_t left = count - done < sizeof piece ? count - done : sizeof piece;
+    copyImage(bytes + done, piece, left);
+    before = hooks::crc32c(piece, left, before);
+  }
+  return before;
+}
+
 }  // namespace
 
 GliderStore openCheckpoints(const char* path) {
@@ -101,8 +119,8 @@ uint32_t programNumber() {
     }
     first = first == nullptr ? &segment : first;
     if ((segment.p_flags & PF_W) == 0) {
-      number = hooks::crc32c(image + (segment.p_vaddr - first->p_vaddr),
-                             static_cast<uint32_t>(segment.p_filesz), number);
+      number = checkOf(image + (segment.p_vaddr - first->p_vaddr),
+                       static_cast<uint32_t>(segment.p_filesz), number);
     }
   }
   return number;

@@ -73,6 +73,7 @@ class CMission {
     if (writer_process > 0) {
       kill(writer_process, SIGKILL);
     }
+    vehicle_.sbc = [] {};
     over_ = true;
     (void)exitStatus();
   }

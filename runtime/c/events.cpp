@@ -83,7 +83,7 @@ extern "C" eventList gliderRun(eventList list) {
       }
       return nullptr;
     }
-    if (Program::instance().hasJustResumed()) {
+    if (Program::instance().takeResume()) {
       break;
     }
     for (uint32_t i = 0; list != nullptr && i < list->count; ++i) {

@@ -60,7 +60,7 @@ extern "C" int gliderOpen(int argc, char** argv, const char* mission_name) {
   }
   (void)card().start(
       {openLogOf(options), openCheckpoints(options.checkpoints), holdCheckpoints, reopenLog},
-      Program::instance().settleContextBytes());
+      Program::kMostContextBytes);
   const OpenPort line = openLine(options);
   if (line.problem != nullptr) {
     return kNoLink;

@@ -62,17 +62,6 @@ Program::Program() {
   water_.column.clear();
 }
 
-uint32_t Program::settleContextBytes() {
-  // A change of a variable asks for a checkpoint, one of the water does not.
-  mission_.variable_count = slotsFor(sizeof limits_ + kept_.size());
-  mission_.temporal_slots = slotsFor(sizeof water_);
-  const uint32_t subscribed = mission_.sensor_count;
-  mission_.sensor_count = kMost;
-  const auto most = static_cast<uint32_t>(gliderContextLayout(&mission_).bytes);
-  mission_.sensor_count = subscribed;
-  return most;
-}
-
 bool Program::use(uint32_t sensor) {
   for (uint32_t i = 0; i < mission_.sensor_count; ++i) {
     if (sensors_[i].id == sensor) {
@@ -97,7 +86,9 @@ void Program::open() {
   client_ = ::new (client_memory_) hooks::Client(options);
   log_ = ::new (log_memory_) MissionLog(link_.log, mission_);
   link_log_ = ::new (link_log_memory_) LinkLog(*log_);
-  (void)settleContextBytes();
+  // A change of a variable asks for a checkpoint, one of the water does not.
+  mission_.variable_count = slotsFor(sizeof limits_ + kept_.size());
+  mission_.temporal_slots = slotsFor(sizeof water_);
   mission_.context_bytes = static_cast<uint32_t>(gliderContextLayout(&mission_).bytes);
   persistence_ = ::new (persistence_memory_) Persistence(
       Checkpoint(link_.checkpoints, link_.program), {*client_, control_, clock_, *log_});
@@ -146,7 +137,7 @@ bool Program::nextTick() {
   return false;
 }
 
-bool Program::hasJustResumed() {
+bool Program::takeResume() {
   const bool just = just_resumed_;
   just_resumed_ = false;
   look_again_ = look_again_ || just;
@@ -201,7 +192,7 @@ void Program::start(double vehicle_time, double sbc_time) {
 
 void Program::tryToGoOn(const hooks::VehicleTick& tick, double sbc_time) {
   auto* found = reinterpret_cast<GliderContext*>(memory_);
-  if (persistence_->goesOn(tick, *found, sbc_time)) {
+  if (persistence_->decide(tick, *found, sbc_time)) {
     context_ = found;
     restore();
     link_log_->resume(*context_);

@@ -36,15 +36,27 @@ struct Limits {
 };
 
 class Program {
+  static constexpr uint32_t kMost = hooks::kMostSubscriptions;
+  /// What the newest readings say of the water.
+  struct Water {
+    double leg_began = 0;
+    WaterColumn column{};
+  };
+
  public:
+  /// Of its context, and so of a checkpoint. Arrays begin at multiples of 8
+  /// (runtime/abi/context_layout.h), each at most 7 bytes later than need be.
+  static constexpr uint32_t kMostContextBytes =
+      sizeof(GliderContext) + kMost * sizeof(GliderReading) + sizeof(Limits) +
+      KeptState::kMostBytes + sizeof(Water) + GLIDER_MOST_NOTES * sizeof(GliderNote) +
+      GLIDER_MOST_NOTE_VALUES * sizeof(double) + 10 * 7;
+
   static Program& instance();
 
   /// What of the C program's own state its checkpoints keep; settled before attach().
   KeptState& kept() { return kept_; }
   /// So long an outage may last if the mission is to go on after it, s.
   void resumeWithin(double seconds) { mission_.resume_within = seconds; }
-  /// No checkpoint has more bytes; settled once kept() is.
-  uint32_t settleContextBytes();
   void attach(const Link& link) { link_ = link; }
   [[nodiscard]] bool isAttached() const { return link_.wait != nullptr; }
   /// True when the vehicle said that its time is virtual: it waits for every answer.
@@ -57,7 +69,7 @@ class Program {
   /// True once: the tick that nextTick() took is the first after a power cut. The program's own
   /// state is what the checkpoint kept; it may choose anew what it waits for, and the next
   /// nextTick() gives this tick again.
-  bool hasJustResumed();
+  bool takeResume();
   /// True if the mission goes on from a checkpoint.
   [[nodiscard]] bool resumed() const { return resumed_; }
 
@@ -84,19 +96,6 @@ class Program {
   void record();
   void save();
   void restore();
-
-  static constexpr uint32_t kMost = hooks::kMostSubscriptions;
-  /// What the newest readings say of the water.
-  struct Water {
-    double leg_began = 0;
-    WaterColumn column{};
-  };
-  /// Arrays begin at multiples of 8 (runtime/abi/context_layout.h), each at most 7 bytes later than
-  /// need be.
-  static constexpr uint32_t kMostContextBytes =
-      sizeof(GliderContext) + kMost * sizeof(GliderReading) + sizeof(Limits) +
-      KeptState::kMostBytes + sizeof(Water) + GLIDER_MOST_NOTES * sizeof(GliderNote) +
-      GLIDER_MOST_NOTE_VALUES * sizeof(double) + 10 * 7;
 
   Link link_;
   Limits limits_;

@@ -27,7 +27,7 @@ void Persistence::look(GliderContext& context) {
   }
 }
 
-bool Persistence::goesOn(const hooks::VehicleTick& tick, const GliderContext& context,
+bool Persistence::decide(const hooks::VehicleTick& tick, const GliderContext& context,
                          double sbc_time) {
   if (tick.hook_state == HookState::Ready) {
     // Since the vehicle's mission began nobody has had control: another flight.

@@ -37,7 +37,7 @@ class Persistence {
   [[nodiscard]] bool isUndecided() const { return found_; }
   /// Takes in a tick while it is undecided, before Control does. True if the mission goes on in
   /// this tick from `context`, the one that look() filled.
-  bool goesOn(const hooks::VehicleTick& tick, const GliderContext& context, double sbc_time);
+  bool decide(const hooks::VehicleTick& tick, const GliderContext& context, double sbc_time);
   /// The mission has begun: logs why a checkpoint that was there was not taken.
   void begun();
   /// What this tick leaves, to log and checkpoint; `context` is null before the mission begins. To

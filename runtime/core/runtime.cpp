@@ -8,7 +8,6 @@
 #include "runtime/core/instruction.h"
 #include "runtime/core/lay_out.h"
 #include "runtime/core/tell_notes.h"
-#include "runtime/numbers/numbers.h"
 
 #include <new>
 
@@ -140,7 +139,7 @@ void GliderRuntime::tickOfClockAlone(double sbc_time) {
 
 void GliderRuntime::tryToGoOn(const glider::hooks::VehicleTick& tick, double sbc_time) {
   auto* found = static_cast<GliderContext*>(context_memory_);
-  if (persistence_.goesOn(tick, *found, sbc_time)) {
+  if (persistence_.decide(tick, *found, sbc_time)) {
     context_ = found;
     link_log_.resume(*context_);
   }

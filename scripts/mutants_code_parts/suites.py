@@ -1,0 +1,65 @@
+# SPDX-FileCopyrightText: 2026 The glidercc authors
+# SPDX-License-Identifier: Apache-2.0
+"""Which tests can see a fault in which folder: programs of the build, the quick ones first."""
+
+import dataclasses
+
+
+@dataclasses.dataclass(frozen=True)
+class Suite:
+    program: str  # below the build folder
+    only: str = "*"  # as for --gtest_filter
+    command: bool = False  # it runs the glidercc command, which is linked with the fault too
+
+
+HOOKS = Suite("tests/hooks_test")
+POSIX = Suite("tests/hooks_posix_test")
+RUNTIME = Suite("tests/runtime_test")
+NUMBERS = Suite("tests/numbers_test")
+CARD = Suite("tests/card_test")
+C_MISSION = Suite("tests/c_mission_test")
+IR = Suite("tests/ir_test")
+GOLDEN = Suite("tests/golden_test")
+RANDOM = Suite("tests/random_missions_test")
+OPERATIONS = Suite("tests/operations_judged_test")
+JUDGED = Suite("tests/random_missions_judged_test")
+PROOFS = Suite("tests/proofs_test")
+FRONTEND = Suite("tests/frontend_test")
+CODEGEN = Suite("tests/codegen_test")
+PHYSICS = Suite("tests/simulator_physics_test")
+FLIGHT = Suite("tests/simulator_flight_test")
+SBC = Suite("tests/simulator_sbc_test")
+REPORT = Suite("tests/report_test")
+SUPPORT = Suite("tests/support_test")
+SLOCUM = Suite("tests/slocum_test")
+COMMAND = Suite("tests/command_test", command=True)
+DRIVER = Suite("tests/driver_test")
+DOCS = Suite("tests/docs_test", command=True)
+FLIGHTS = Suite("tests/flights_test", command=True)
+
+# The longest prefix that fits a file has the say.
+SUITES = {
+    "hooks": (HOOKS, RUNTIME, FLIGHT, SBC),
+    "hooks/transport": (POSIX, HOOKS, CARD, C_MISSION),
+    "runtime": (RUNTIME, CARD, C_MISSION, OPERATIONS, JUDGED),
+    "runtime/c": (C_MISSION, CARD, RUNTIME),
+    "runtime/board": (CARD, C_MISSION, FLIGHTS),
+    "runtime/numbers": (NUMBERS, RUNTIME, OPERATIONS),
+    "ir": (IR, RANDOM, GOLDEN, FRONTEND, JUDGED, COMMAND),
+    "ir/eval": (IR, OPERATIONS, RANDOM, JUDGED),
+    "ir/opt": (IR, RANDOM, GOLDEN, JUDGED),
+    "ir/prove": (IR, GOLDEN, PROOFS, COMMAND),
+    "codegen": (CODEGEN, OPERATIONS, JUDGED, COMMAND),
+    "frontend": (FRONTEND, GOLDEN, COMMAND, DOCS),
+    "simulator": (PHYSICS, FLIGHT, SBC, FLIGHTS),
+    "report": (REPORT, COMMAND),
+    "support": (SUPPORT, FRONTEND, REPORT, GOLDEN),
+    "slocum": (SLOCUM, COMMAND),
+    "driver": (DRIVER, COMMAND, FLIGHTS),
+}
+
+
+def suites_of(path):
+    """The suites that can see a fault in the file, the quick ones first; none if no test is known to."""
+    fitting = [prefix for prefix in SUITES if str(path).startswith(prefix + "/")]
+    return SUITES[max(fitting, key=len)] if fitting else ()

@@ -1,0 +1,284 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "simulator/vehicle/vehicle.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+/// The vehicle held against a second one, written from the published formulas and sharing no code
+/// with it, and against numbers worked out by hand.
+namespace glider::simulator {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+/// The steady glide by bisection on Merckelbach's force balance, in the vertical plane.
+struct Glide {
+  double ahead = 0, up = 0;
+};
+
+Glide balance(double pitch, double force, double density) {
+  const double theta = std::fabs(pitch);
+  const double cd0 = 0.15, cd1 = 10.4926354534, lift = 3.8 + 3.7342698373;
+  const auto excess = [&](double a) {
+    return cd0 + cd1 * a * a - lift * a * std::tan(theta + a);
+  };
+  const bool with_the_force = (force > 0) == (pitch > 0);
+  if (theta < 11 * kPi / 180 || !with_the_force) {
+    const double speed = std::sqrt(2 * std::fabs(force) / (density * 1.5 * 0.22 * 1.1));
+    return {0, force > 0 ? speed : -speed};
+  }
+  // The smallest root: excess is positive at 0 and falls.
+  double low = 0, high = 0;
+  while (excess(high) > 0) {
+    high += 1e-4;
+  }
+  low = high - 1e-4;
+  for (int i = 0; i < 100; ++i) {
+    const double middle = (low + high) / 2;
+    (excess(middle) > 0 ? low : high) = middle;
+  }
+  const double path = theta + low;
+  const double drag = cd0 + cd1 * low * low;
+  const double speed = std::sqrt(2 * std::fabs(force) * std::sin(path) / (density * 0.1 * drag));
+  return {speed * std::cos(path), pitch > 0 ? speed * std::sin(path) : -speed * std::sin(path)};
+}
+
+/// The second vehicle; dt 0.25 s.
+struct Second {
+  double pump = 233, pump_to = 233, battery = 0, battery_to = 0, fin = 0, fin_to = 0;
+  double pitch = 0, heading = 0, turning = 0, ahead = 0, up = 0, x = 0, y = 0, depth = 0;
+
+  static void move(double& at, double to, double most) {
+    at = to > at ? std::min(to, at + most) : std::max(to, at - most);
+  }
+
+  void step(const Ocean& ocean, double now) {
+    const double dt = 0.25;
+    move(pump, std::min(std::max(pump_to, -233.0), 233.0), 37.5 * dt);
+    move(battery, std::min(std::max(battery_to, -1.425), 1.425), 0.15 * dt);
+    move(fin, std::min(std::max(fin_to, -0.45), 0.45), 0.098 * dt);
+    const double trim = std::atan(1235 * pump / 1e6 - 28.8 * battery * 0.0254 + 0.14);
+    pitch = trim - (trim - pitch) * std::exp(-dt / 3);
+    const double volume = 65.0 / 1025 * (1 - 5e-10 * depth * 1e4) + pump / 1e6;
+    const double force = 9.81 * (1025 * volume - 65);
+    Glide glide;
+    if (depth > 0 || force < 0) {
+      glide = balance(pitch, force, 1025);
+    }
+    ahead = glide.ahead - (glide.ahead - ahead) * std::exp(-dt / 8);
+    up = glide.up - (glide.up - up) * std::exp(-dt / 8);
+    const double wanted = 0.5 * std::sin(fin) * (ahead * ahead + up * up);
+    turning = wanted - (wanted - turning) * std::exp(-dt / 15);
+    heading = std::fmod(heading + turning * dt + 4 * kPi, 2 * kPi);
+    const Current drift = ocean.current(depth, x, y);
+    x += dt * (drift.east + ahead * std::sin(heading));
+    y += dt * (drift.north + ahead * std::cos(heading));
+    depth -= dt * (up + ocean.verticalCurrent(depth, x, y, now));
+    const double bottom = ocean.waterDepth(x, y);
+    if (depth <= 0) {
+      depth = 0;
+      up = std::min(up, 0.0);
+    } else if (depth >= bottom) {
+      depth = bottom;
+      up = std::max(up, 0.0);
+    }
+  }
+};
+
+OceanSettings water(double depth) {
+  OceanSettings settings;
+  settings.density = 1025;
+  settings.bottom.depth_m = depth;
+  return settings;
+}
+
+void expectSame(const Vehicle& one, const Second& two, double now) {
+  ASSERT_NEAR(one.pumpedCc(), two.pump, 1e-9) << now;
+  ASSERT_NEAR(one.batteryPositionIn(), two.battery, 1e-12) << now;
+  ASSERT_NEAR(one.fin(), two.fin, 1e-12) << now;
+  ASSERT_NEAR(one.pitch(), two.pitch, 1e-12) << now;
+  ASSERT_NEAR(one.heading(), two.heading, 1e-9) << now;
+  ASSERT_NEAR(one.depth(), two.depth, 1e-7) << now;
+  ASSERT_NEAR(one.x(), two.x, 1e-6) << now;
+  ASSERT_NEAR(one.y(), two.y, 1e-6) << now;
+}
+
+/// Dives, climbs, turns to both sides, floats, meets the bottom: what each leg commands.
+struct Leg {
+  double seconds, pump, battery, fin;
+};
+
+void flyBoth(const OceanSettings& settings, std::initializer_list<Leg> legs) {
+  const Ocean ocean(settings);
+  Vehicle one({});
+  Second two;
+  double now = 0;
+  for (const Leg& leg : legs) {
+    one.commandPump(two.pump_to = leg.pump);
+    one.commandBatteryPosition(two.battery_to = leg.battery);
+    one.commandFin(two.fin_to = leg.fin);
+    for (const double end = now + leg.seconds; now < end; now += 0.25) {
+      one.step(ocean, now);
+      two.step(ocean, now);
+      ASSERT_NO_FATAL_FAILURE(expectSame(one, two, now));
+    }
+  }
+}
+
+TEST(VehicleNumbers, FliesAsTheSecondVehicle) {
+  flyBoth(water(200), {{30, 233, 0, 0},         // floats
+                       {200, -233, 0.47, 0.1},  // dives to starboard
+                       {90, -100, 0.3, -0.45},  // dives on to port
+                       {60, 0, 0, 0},           // levels off: stalled
+                       {500, 1000, -3, -1},     // climbs steeply, stops of all motors
+                       {100, 233, 0, 0},        // surfaces and floats
+                       {200, -1000, 3, 1}});    // dives steeply
+}
+
+TEST(VehicleNumbers, MeetsTheBottomAndLeavesIt) {
+  flyBoth(water(15), {{300, -233, 0.47, 0}, {400, 233, -0.4, 0}});
+}
+
+TEST(VehicleNumbers, DriftsWithCurrentsAndWaves) {
+  OceanSettings settings = water(60);
+  settings.current = {0.2, -0.1};
+  settings.bottom_current = {-0.05, 0.3};
+  settings.thermocline_depth_m = 15;
+  settings.wave = {.amplitude_m = 5, .period_s = 600, .wavelength_m = 500};
+  flyBoth(settings, {{50, 233, 0, 0}, {250, -233, 0.47, 0.05}, {400, 233, -0.3, 0}});
+}
+
+TEST(VehicleNumbers, TrimFollowsThePublishedFit) {
+  // tan pitch = 1235 V - 28.8 x + 0.14 with V in m3 and x in m, approached with a lag of 3 s.
+  Vehicle vehicle({});
+  const Ocean ocean(water(500));
+  vehicle.step(ocean, 0);
+  EXPECT_NEAR(vehicle.pitch(), 0.40410 * (1 - std::exp(-0.25 / 3)), 1e-5);
+  vehicle.commandPump(100);
+  vehicle.commandBatteryPosition(-0.5);
+  for (double t = 0.25; t < 60; t += 0.25) {
+    vehicle.step(ocean, t);
+  }
+  EXPECT_NEAR(std::tan(vehicle.pitch()), 0.1235 + 0.36576 + 0.14, 1e-6);
+}
+
+TEST(VehicleNumbers, MotorsMoveAtTheirRates) {
+  Vehicle vehicle({});
+  const Ocean ocean(water(500));
+  vehicle.commandPump(-1000);
+  vehicle.commandBatteryPosition(-9);
+  vehicle.commandFin(-9);
+  for (int i = 0; i < 4; ++i) {
+    vehicle.step(ocean, i * 0.25);
+  }
+  EXPECT_NEAR(vehicle.pumpedCc(), 233 - 37.5, 1e-9);
+  EXPECT_NEAR(vehicle.batteryPositionIn(), -0.15, 1e-12);
+  EXPECT_NEAR(vehicle.fin(), -0.098, 1e-12);
+  for (int i = 0; i < 100; ++i) {
+    vehicle.step(ocean, 1 + i * 0.25);
+  }
+  EXPECT_EQ(vehicle.pumpedCc(), -233);
+  EXPECT_EQ(vehicle.batteryPositionIn(), -1.425);
+  EXPECT_EQ(vehicle.fin(), -0.45);
+}
+
+TEST(VehicleNumbers, TheHullShrinksWithPressureSoThatDivesGetFaster) {
+  // At 100 m the hull of 65/1025 m3 is 5e-10 * 1e6 of itself smaller: 0.3188 N heavier.
+  const FlightCoefficients c;
+  EXPECT_NEAR(netBuoyancy(c, 1025, 0, 0) - netBuoyancy(c, 1025, 1e6, 0), 9.81 * 65 * 5e-4, 1e-9);
+  const auto rateAt = [](double depth) {
+    Vehicle vehicle({});
+    const Ocean ocean(water(1000));
+    vehicle.commandPump(-233);
+    vehicle.commandBatteryPosition(0.47);
+    double now = 0;
+    while (vehicle.depth() < depth) {
+      vehicle.step(ocean, now += 0.25);
+    }
+    const double before = vehicle.depth();
+    vehicle.step(ocean, now);
+    return (vehicle.depth() - before) / 0.25;
+  };
+  // Speeds go with the root of the force: 2.3429 N less the 10 m's 0.0319 and 2.3429 + 0.6377.
+  const double force = 9.81 * 1025 * 233e-6;
+  EXPECT_NEAR(rateAt(200) / rateAt(10),
+              std::sqrt((force + 2 * 0.318825) / (force + 0.1 * 0.318825)), 2e-3);
+}
+
+TEST(VehicleNumbers, RisingWaterLiftsTheVehicle) {
+  // Where the wave begins, the thermocline at 15 m sinks by 5 m * 2 pi / 600 s.
+  OceanSettings wave = water(60);
+  wave.thermocline_depth_m = 15;
+  wave.wave = {.amplitude_m = 5, .period_s = 600};
+  const Ocean still(water(60)), sinking(wave);
+  Vehicle one({}), two({});
+  for (Vehicle* vehicle : {&one, &two}) {
+    vehicle->commandPump(-233);
+    vehicle->commandBatteryPosition(0.47);
+    for (double now = 0; vehicle->depth() < 15; now += 0.25) {
+      vehicle->step(still, now);
+    }
+  }
+  const double depth = one.depth();
+  one.step(still, 0);
+  two.step(sinking, 0);
+  const double share = (60 - depth) / (60 - 15);
+  EXPECT_NEAR(two.depth() - one.depth(), 0.25 * share * 5 * 2 * kPi / 600, 1e-6);
+}
+
+TEST(VehicleNumbers, FloatsAtZeroAndDivesFromThere) {
+  Vehicle vehicle({});
+  const Ocean ocean(water(100));
+  double now = 0;
+  const auto fly = [&](double seconds) {
+    for (const double end = now + seconds; now < end; now += 0.25) {
+      vehicle.step(ocean, now);
+      ASSERT_GE(vehicle.depth(), 0);
+    }
+  };
+  vehicle.commandPump(-233);
+  vehicle.commandBatteryPosition(0.47);
+  fly(60);
+  ASSERT_GT(vehicle.depth(), 3);
+  vehicle.commandPump(233);
+  vehicle.commandBatteryPosition(-0.4);
+  fly(300);
+  EXPECT_EQ(vehicle.depth(), 0);
+  vehicle.commandPump(-233);
+  // The pump needs 6.2 s to be neutral; the way up that it came with is gone, so it sinks at once.
+  fly(6);
+  EXPECT_EQ(vehicle.depth(), 0);
+  fly(3);
+  EXPECT_GT(vehicle.depth(), 0);
+}
+
+TEST(VehicleNumbers, TurnsByThePublishedFit) {
+  // tau dr/dt = 0.5 sin(fin) U^2 - r: after many lags of 15 s the rate is 0.5 sin(fin) U^2.
+  for (const double fin : {0.3, -0.3}) {
+    Vehicle vehicle({});
+    const Ocean ocean(water(2000));
+    vehicle.commandPump(-233);
+    vehicle.commandBatteryPosition(0.47);
+    vehicle.commandFin(fin);
+    double now = 0;
+    for (; now < 200; now += 0.25) {
+      vehicle.step(ocean, now);
+    }
+    const double x = vehicle.x(), y = vehicle.y(), z = vehicle.depth(), heading = vehicle.heading();
+    vehicle.step(ocean, now);
+    const double speed =
+        std::hypot(vehicle.x() - x, vehicle.y() - y, vehicle.depth() - z) / Vehicle::kStep;
+    const double rate = std::remainder(vehicle.heading() - heading, 2 * kPi) / Vehicle::kStep;
+    EXPECT_NEAR(rate, 0.5 * std::sin(fin) * speed * speed, 1e-4) << "of 0.02";
+    EXPECT_GE(vehicle.heading(), 0);
+    EXPECT_LT(vehicle.heading(), 2 * kPi);
+  }
+}
+
+}  // namespace
+}  // namespace glider::simulator

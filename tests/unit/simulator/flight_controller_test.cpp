@@ -1,0 +1,286 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "simulator/flight/flight_controller.h"
+
+#include "hooks/protocol/numbers.h"
+#include "hooks/transport/memory.h"
+#include "platforms/slocum_sensors.h"
+#include "simulator/flight/skeleton.h"
+#include "slocum/mission_files/read.h"
+#include "tests/unit/simulator/flights.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+
+/// The flight controller without noise, cycle by cycle: its sensors against the true vehicle, what
+/// goes over the clothesline, and how missions end.
+namespace glider::simulator {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+SensorSettings noiseless() {
+  SensorSettings settings;
+  settings.depth_m = settings.pitch_rad = settings.heading_rad = settings.gps_m = 0;
+  settings.altimeter.noise_m = 0;
+  settings.altimeter.range_m = 40;
+  return settings;
+}
+
+OceanSettings stillWater(double depth) {
+  OceanSettings settings;
+  settings.density = 1025;
+  settings.bottom.depth_m = depth;
+  return settings;
+}
+
+class Controller {
+ public:
+  Controller(const std::string& mission, double water_depth)
+      : setup_(setupWith(mission)),
+        ocean(stillWater(water_depth)),
+        controller(setup_.platform, setup_.scenario.skeleton, noiseless(), 1, frame_, journal) {}
+
+  /// Cycles until `seconds` are over, calling `after` behind each.
+  void fly(double seconds, const std::function<void()>& after) {
+    for (const double end = now + seconds; now < end && controller.end().empty(); now += 4) {
+      depth = vehicle.depth();
+      controller.cycle(now, ocean, vehicle, line.left());
+      after();
+      for (int i = 0; i < 16; ++i) {
+        vehicle.step(ocean, now + 0.25 * i);
+      }
+    }
+  }
+  [[nodiscard]] double read(uint16_t id) const { return controller.array().get(id); }
+
+ private:
+  SimulationSetup setup_;
+  LocalFrame frame_{39, -73};
+
+ public:
+  Ocean ocean;
+  Vehicle vehicle{{}};
+  hooks::MemoryLine line;
+  Journal journal;
+  FlightController controller;
+  double now = 0, depth = 0;
+};
+
+const std::string kYo =
+    "behavior: set_heading\n b_arg: heading_value(rad) 0.5\n"
+    "behavior: yo\n b_arg: num_half_cycles_to_do(nodim) 2\n b_arg: d_target_depth(m) 25\n"
+    " b_arg: c_target_depth(m) 3\n b_arg: end_action(enum) 0\n";
+const std::string kSurface =
+    "behavior: surface\n b_arg: start_when(enum) 1\n b_arg: end_action(enum) 0\n";
+
+TEST(FlightController, SensorsSayWhatTheVehicleDoes) {
+  Controller c(kSurface + kYo, 60);
+  double last_depth = 0;
+  int echoes = 0, cycles = 0;
+  c.fly(400, [&] {
+    const Vehicle& v = c.vehicle;
+    ASSERT_EQ(c.read(GLIDER_M_PRESENT_SECS_INTO_MISSION), c.now);
+    ASSERT_EQ(c.read(GLIDER_M_CYCLE_NUMBER), cycles);
+    ASSERT_EQ(c.read(GLIDER_M_PRESENT_TIME), 1.25e9 + c.now);
+    ASSERT_NEAR(c.read(GLIDER_M_DEPTH), c.depth, 1e-5);
+    ASSERT_NEAR(c.read(GLIDER_M_PRESSURE), c.depth / 10, 1e-6) << "bar";
+    ASSERT_NEAR(c.read(GLIDER_M_DEPTH_RATE), cycles == 0 ? 0 : (c.depth - last_depth) / 4, 1e-6);
+    ASSERT_NEAR(c.read(GLIDER_M_PITCH), v.pitch(), 1e-6);
+    ASSERT_NEAR(c.read(GLIDER_M_BALLAST_PUMPED), v.pumpedCc(), 1e-4);
+    ASSERT_NEAR(c.read(GLIDER_M_BATTPOS), v.batteryPositionIn(), 1e-6);
+    ASSERT_NEAR(c.read(GLIDER_M_FIN), v.fin(), 1e-6);
+    ASSERT_EQ(c.read(GLIDER_M_ROLL), 0);
+    ASSERT_NEAR(c.read(GLIDER_M_BATTERY), v.battery().voltage(), 1e-6);
+    ASSERT_NEAR(c.read(GLIDER_M_COULOMB_AMPHR_TOTAL), v.battery().ampHours(), 1e-6);
+    ASSERT_EQ(c.read(GLIDER_M_VACUUM), 8);
+    if (c.depth > 20.001) {
+      ASSERT_NEAR(c.read(GLIDER_M_ALTITUDE), 60 - c.depth, 1e-5);
+      ASSERT_NEAR(c.read(GLIDER_M_WATER_DEPTH), 60, 1e-4) << "depth and altitude together";
+      ASSERT_TRUE(c.controller.array().fresh(GLIDER_M_ALTITUDE));
+      ++echoes;
+    } else if (c.depth < 19.999) {
+      ASSERT_FALSE(c.controller.array().fresh(GLIDER_M_ALTITUDE)) << "beyond 40 m";
+      ASSERT_FALSE(c.controller.array().fresh(GLIDER_M_WATER_DEPTH));
+    }
+    last_depth = c.depth;
+    ++cycles;
+  });
+  EXPECT_GT(echoes, 5);
+}
+
+TEST(FlightController, DepthStateByTheRateThatItReports) {
+  Controller c(kSurface + kYo, 100);
+  double last = 0;
+  std::map<int, int> seen;
+  bool down = true;
+  c.fly(700, [&] {
+    const double rate = (c.depth - last) / 4;
+    last = c.depth;
+    const int state = static_cast<int>(c.read(GLIDER_M_DEPTH_STATE));
+    ++seen[state];
+    if (c.depth < 0.499) {
+      ASSERT_EQ(state, 0) << "at the surface";
+    } else if (c.depth > 0.501 && rate > 0.048) {
+      ASSERT_EQ(state, 1) << "dives at " << rate;
+    } else if (c.depth > 0.501 && rate < -0.048) {
+      ASSERT_EQ(state, 2) << "climbs at " << rate;
+      down = false;
+    } else if (c.depth > 0.501 && std::fabs(rate) < 0.047) {
+      ASSERT_EQ(state, 3) << "hovers at " << rate;
+    }
+  });
+  EXPECT_FALSE(down);
+  EXPECT_GT(seen[1], 20);
+  EXPECT_GT(seen[2], 20);
+  EXPECT_GT(seen[3], 0);
+  EXPECT_GT(seen[0], 2);
+}
+
+TEST(FlightController, ScienceWritesItsOwnSensorsOnly) {
+  Controller c(kSurface + kYo, 100);
+  hooks::Clothesline science;
+  const hooks::SensorUpdate updates[] = {{GLIDER_M_BATTERY, 1.5},
+                                         {GLIDER_SCI_WATER_TEMP, 17.5},
+                                         {GLIDER_M_WATER_DEPTH, 3},
+                                         {GLIDER_X_MISSION_STATUS, 9}};
+  ASSERT_TRUE(science.send(updates, 4));
+  hooks::SensorUpdate none[1];
+  (void)science.poll(c.line.right(), none, 0);
+  c.fly(4, [] {});
+  EXPECT_EQ(c.read(GLIDER_SCI_WATER_TEMP), 17.5);
+  EXPECT_GT(c.read(GLIDER_M_BATTERY), 14);
+  EXPECT_TRUE(std::isnan(c.read(GLIDER_M_WATER_DEPTH)));
+  EXPECT_EQ(c.read(GLIDER_X_MISSION_STATUS), 0);
+}
+
+TEST(FlightController, SendsWhatIsFreshOfItsOwn) {
+  Controller c(kSurface + kYo, 100);
+  hooks::Clothesline science;
+  c.fly(200, [&] {
+    std::map<uint16_t, double> got;
+    hooks::SensorUpdate updates[hooks::Clothesline::kMostUpdates];
+    while (const uint32_t count = science.poll(c.line.right(), updates, 128)) {
+      for (uint32_t i = 0; i < count; ++i) {
+        got[updates[i].id] = updates[i].value;
+      }
+    }
+    const SensorArray& array = c.controller.array();
+    for (uint16_t id = 0; id < array.size(); ++id) {
+      const bool goes = !array.ofScience(id) && array.fresh(id) && !std::isnan(array.get(id));
+      ASSERT_EQ(got.contains(id), goes) << id;
+      if (goes) {
+        ASSERT_EQ(got[id], array.get(id)) << id;
+      }
+    }
+  });
+}
+
+TEST(FlightController, ReportsTheCommandsInForce) {
+  Controller c(kSurface + kYo, 100);
+  c.fly(100, [] {});
+  EXPECT_EQ(c.read(GLIDER_C_HEADING), 0.5);
+  EXPECT_NEAR(c.read(GLIDER_C_PITCH), -0.4538, 1e-6);
+  EXPECT_EQ(c.read(GLIDER_C_BALLAST_PUMPED), -233) << "-260 within the pump's limits";
+  EXPECT_TRUE(std::isnan(c.read(GLIDER_M_DIST_TO_WPT)));
+  EXPECT_EQ(c.controller.layer(), 2) << "the yo, third in the file";
+  EXPECT_EQ(c.controller.hookState(), hooks::HookState::Absent);
+  EXPECT_FALSE(c.controller.hookActive());
+}
+
+TEST(FlightController, KnowsItsWaypoint) {
+  Controller c(kSurface +
+                   "behavior: goto_wpt\n b_arg: wpt_units(enum) 2\n b_arg: wpt_x(lon) -7300.0\n"
+                   " b_arg: wpt_y(lat) 3901.0\n b_arg: stop_when(enum) 5\n" +
+                   kYo,
+               100);
+  c.fly(4, [] {});
+  // A minute of latitude at 39 degrees: 111,014.8 m / 60.
+  EXPECT_NEAR(c.read(GLIDER_M_DIST_TO_WPT), 1850.2, 0.5);
+  EXPECT_EQ(c.controller.waypointLatitude(), 3901.0);
+  EXPECT_EQ(c.controller.waypointLongitude(), -7300.0);
+}
+
+TEST(FlightController, AFailedDeviceBringsItUp) {
+  Controller c(kSurface + kYo, 100);
+  c.fly(200, [] {});
+  ASSERT_GT(c.vehicle.depth(), 10);
+  c.controller.failDevice(c.now);
+  EXPECT_TRUE(c.controller.aborted());
+  c.fly(4, [] {});
+  EXPECT_EQ(c.read(GLIDER_X_MISSION_STATUS), 16);
+  EXPECT_EQ(c.read(GLIDER_C_BALLAST_PUMPED), 233);
+  EXPECT_NEAR(c.read(GLIDER_C_PITCH), 0.4538, 1e-6);
+  EXPECT_TRUE(std::isnan(c.read(GLIDER_C_HEADING))) << "fin in the middle";
+  EXPECT_EQ(c.controller.layer(), -1);
+  double surfaced = kNaN;
+  c.fly(2000, [&] {
+    if (std::isnan(surfaced) && c.depth < 0.5) {
+      surfaced = c.now;
+    }
+  });
+  EXPECT_EQ(c.controller.end(), "aborted (MS_ABORT_DEVICE_ERROR) and at the surface");
+  // The last cycle under water was 4 s before: 12 s after it the mission is over.
+  EXPECT_EQ(c.now - 4, surfaced + 8);
+}
+
+TEST(FlightController, EndsNormallyWithItsSurface) {
+  Controller c(kSurface + kYo, 100);
+  c.fly(2000, [] {});
+  EXPECT_EQ(c.controller.end(), "the mission has ended normally");
+  EXPECT_FALSE(c.controller.aborted());
+  EXPECT_EQ(c.read(GLIDER_X_MISSION_STATUS), 0);
+}
+
+/// Every bound of a b_arg: at it the file is accepted, beyond it refused.
+TEST(Skeleton, BoundsAreInclusive) {
+  struct Row {
+    const char* behaviour;
+    const char* argument;
+    double lowest, highest;
+  };
+  const auto refused = [](const Row& row, double value) {
+    support::SourceManager sources;
+    support::DiagnosticEngine diagnostics;
+    const uint32_t file = sources.add(
+        "x.mi", fmt::format("behavior: {}\n b_arg: {}(X) {}\n{}", row.behaviour, row.argument, value,
+                            std::string_view(row.behaviour) == "goto_wpt"
+                                ? "b_arg: wpt_units(enum) 2\n"
+                                : ""));
+    const auto mission = slocum::readMission(sources, file, diagnostics);
+    EXPECT_TRUE(mission);
+    checkSkeleton(*mission, {file, 0, 0}, diagnostics);
+    for (const auto& d : diagnostics.sorted()) {
+      if (support::code(d.id) == "GL5107") {
+        return true;
+      }
+    }
+    return false;
+  };
+  for (const Row& row : {Row{"yo", "num_half_cycles_to_do", -1, 1e6},
+                         Row{"yo", "d_target_depth", 0, 2000}, Row{"yo", "c_target_depth", 0, 2000},
+                         Row{"yo", "d_pitch_value", -1.2, 1.2},
+                         Row{"yo", "c_pitch_value", -1.2, 1.2},
+                         Row{"surface", "c_pitch_value", -1.2, 1.2},
+                         Row{"goto_wpt", "wpt_x", -18000, 18000},
+                         Row{"goto_wpt", "wpt_y", -9000, 9000}}) {
+    EXPECT_FALSE(refused(row, row.lowest)) << row.argument;
+    EXPECT_FALSE(refused(row, row.highest)) << row.argument;
+    EXPECT_FALSE(refused(row, (row.lowest + row.highest) / 2)) << row.argument;
+    EXPECT_TRUE(refused(row, row.lowest - 0.01)) << row.argument;
+    EXPECT_TRUE(refused(row, row.highest + 0.01)) << row.argument;
+  }
+  for (const char* wait : {"gps_wait_time", "keystroke_wait_time"}) {
+    EXPECT_FALSE(refused({"surface", wait, 0, 0}, 0));
+    EXPECT_FALSE(refused({"surface", wait, 0, 0}, 1e9));
+    EXPECT_TRUE(refused({"surface", wait, 0, 0}, -1));
+  }
+}
+
+}  // namespace
+}  // namespace glider::simulator

@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "simulator/flight/navigator.h"
+#include "simulator/flight/position.h"
+#include "simulator/flight/sensor_array.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+/// Dead reckoning and the data memory, in numbers worked out by hand.
+namespace glider::simulator {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kPi = std::numbers::pi;
+
+TEST(Navigator, SpeedIsTheDepthRateOverTheSlope) {
+  const LocalFrame frame(39, -73);
+  Navigator n(frame);
+  // Down at 0.18 m/s, nose down 26.57 degrees (slope 1:2): 0.36 m/s. Heading 30 degrees.
+  n.reckon(0.18, -std::atan(0.5), kPi / 6, false, 4);
+  EXPECT_NEAR(n.speed(), 0.36, 1e-12);
+  EXPECT_NEAR(n.x(), 0.72, 1e-12);
+  EXPECT_NEAR(n.y(), 0.36 * 4 * std::sqrt(3) / 2, 1e-12);
+  n.reckon(-0.09, std::atan(0.5), kPi, false, 4);
+  EXPECT_NEAR(n.speed(), 0.18, 1e-12) << "climbs";
+  EXPECT_NEAR(n.y(), 0.72 * std::sqrt(3) - 0.72, 1e-12);
+}
+
+TEST(Navigator, KeepsTheSpeedWhereItCannotBeTold) {
+  const LocalFrame frame(39, -73);
+  Navigator n(frame);
+  n.reckon(0.18, -std::atan(0.5), 0, false, 4);
+  const double degree = kPi / 180;
+  n.reckon(0.3, -10.9 * degree, 0, false, 4);
+  EXPECT_NEAR(n.speed(), 0.36, 1e-12) << "too level";
+  n.reckon(0.1, 0.5, 0, false, 4);
+  EXPECT_NEAR(n.speed(), 0.36, 1e-12) << "sinks nose up: an inflection";
+  n.reckon(0.41, -std::atan(0.5), 0, false, 4);
+  EXPECT_NEAR(n.speed(), 0.36, 1e-12) << "0.82 m/s is no flight";
+  n.reckon(0.395, -std::atan(0.5), 0, false, 4);
+  EXPECT_NEAR(n.speed(), 0.79, 1e-12);
+  n.reckon(0.1, -11.1 * degree, 0, false, 4);
+  EXPECT_NEAR(n.speed(), 0.1 / std::tan(11.1 * degree), 1e-12);
+  n.reckon(0, -0.4, 0, false, 4);
+  EXPECT_EQ(n.speed(), 0);
+  n.reckon(kNaN, -0.4, 0, false, 4);
+  EXPECT_EQ(n.speed(), 0);
+  n.reckon(0.18, -std::atan(0.5), 0, true, 4);
+  EXPECT_EQ(n.speed(), 0) << "floats";
+}
+
+TEST(Navigator, AnUnknownHeadingIsTheLastOne) {
+  const LocalFrame frame(39, -73);
+  Navigator n(frame);
+  n.reckon(0.18, -std::atan(0.5), kPi / 2, false, 4);
+  n.reckon(0.18, -std::atan(0.5), kNaN, false, 4);
+  EXPECT_NEAR(n.x(), 2 * 1.44, 1e-12);
+  EXPECT_NEAR(n.y(), 0, 1e-12);
+}
+
+TEST(Navigator, AFixSetsItRight) {
+  const LocalFrame frame(39, -73);
+  Navigator n(frame);
+  n.reckon(0.18, -std::atan(0.5), kPi / 2, false, 4);
+  n.fix({-7, 8});
+  EXPECT_EQ(n.x(), -7);
+  EXPECT_EQ(n.y(), 8);
+}
+
+TEST(Navigator, BearingsOfTheFourQuarters) {
+  const LocalFrame frame(39, -73);
+  Navigator n(frame);
+  n.fix({100, -50});
+  for (const double bearing : {0.1, 1.7, 3.3, 4.9, 6.2}) {
+    const GeoPosition p =
+        frame.position(100 + 800 * std::sin(bearing), -50 + 800 * std::cos(bearing));
+    double distance = 0, found = 0;
+    n.toWaypoint(toDdmm(p.latitude_deg), toDdmm(p.longitude_deg), distance, found);
+    EXPECT_NEAR(distance, 800, 0.01);
+    EXPECT_NEAR(found, bearing, 1e-5);
+  }
+  double distance = 0, bearing = 0;
+  n.toWaypoint(kNaN, -7300, distance, bearing);
+  EXPECT_TRUE(std::isnan(distance));
+}
+
+TEST(LocalFrame, HasTheEllipsoidsMetres) {
+  // WGS 84 at 39 degrees: 111,014.8 m a degree of latitude, 86,632 m one of longitude.
+  const LocalFrame frame(39, -73);
+  double x = 0, y = 0;
+  frame.locate({39.01, -73}, x, y);
+  EXPECT_NEAR(x, 0, 1e-6);
+  EXPECT_NEAR(y, 1110.15, 0.1);
+  frame.locate({39, -72.99}, x, y);
+  EXPECT_NEAR(x, 866.3, 0.3);
+  const GeoPosition back = frame.position(866.3, 1110.15);
+  EXPECT_NEAR(back.latitude_deg, 39.01, 1e-5);
+  EXPECT_NEAR(back.longitude_deg, -72.99, 1e-5);
+}
+
+platforms::Platform smallPlatform() {
+  platforms::Platform platform;
+  for (const int bytes : {8, 4, 1}) {
+    platforms::PlatformSensor sensor;
+    sensor.bytes = static_cast<uint8_t>(bytes);
+    sensor.computer = bytes == 4 ? platforms::Computer::Science : platforms::Computer::Flight;
+    platform.sensors.push_back(sensor);
+  }
+  return platform;
+}
+
+TEST(SensorArray, KeepsWhatTheWidthHolds) {
+  SensorArray array(smallPlatform());
+  EXPECT_TRUE(std::isnan(array.get(0)));
+  array.set(0, 3910.123456789);
+  EXPECT_EQ(array.get(0), 3910.123456789);
+  array.set(1, 0.1);
+  EXPECT_EQ(array.get(1), static_cast<double>(0.1F));
+  for (const auto& [given, kept] : {std::pair{2.4, 2.0}, {2.6, 3.0}, {-2.6, -3.0}, {126.6, 127.0},
+                                    {300.0, 127.0}, {-127.6, -128.0}, {-300.0, -128.0}}) {
+    array.set(2, given);
+    EXPECT_EQ(array.get(2), kept) << given;
+  }
+  for (uint16_t id = 0; id < 3; ++id) {
+    array.set(id, kNaN);
+    EXPECT_TRUE(std::isnan(array.get(id))) << id;
+  }
+}
+
+TEST(SensorArray, KnowsWhatIsFreshAndWhose) {
+  SensorArray array(smallPlatform());
+  EXPECT_EQ(array.size(), 3);
+  EXPECT_FALSE(array.fresh(0));
+  array.set(0, 1);
+  EXPECT_TRUE(array.fresh(0));
+  EXPECT_FALSE(array.fresh(1));
+  array.beginCycle();
+  EXPECT_FALSE(array.fresh(0));
+  EXPECT_EQ(array.get(0), 1);
+  array.set(3, 7);  // a number that this vehicle does not have
+  array.set(60000, 7);
+  EXPECT_FALSE(array.ofScience(0));
+  EXPECT_TRUE(array.ofScience(1));
+  EXPECT_FALSE(array.ofScience(2));
+}
+
+}  // namespace
+}  // namespace glider::simulator

@@ -468,6 +468,73 @@ TEST_F(ClientTest, ANumberThatTheVehicleFoundAtItsStartIsGivenUp) {
   }
 }
 
+TEST_F(ClientTest, ATickIsAnsweredOnce) {
+  link();
+  tick();
+  client_.done({}, sbc_);
+  EXPECT_TRUE(answers().empty());
+}
+
+TEST_F(ClientTest, BeforeAnyHelloNoTickIsItsOwn) {
+  head_.link = 0;
+  sayTick();
+  EXPECT_EQ(poll(), ClientEvent::Handled);
+  EXPECT_EQ(typesOf(answers()), (std::vector{Type::Hello, Type::Subscribe, Type::Done}));
+  EXPECT_FALSE(client_.linked());
+}
+
+TEST_F(ClientTest, TicksThatComeAreNoSilence) {
+  link();
+  for (int i = 0; i < 10; ++i) {
+    clock_.seconds += 4;
+    tick();
+    EXPECT_EQ(poll(), ClientEvent::Nothing) << i;
+  }
+  clock_.seconds += 11.9;
+  EXPECT_EQ(poll(), ClientEvent::Nothing);
+  clock_.seconds += 0.1;
+  EXPECT_EQ(poll(), ClientEvent::SilentLink);
+}
+
+TEST_F(ClientTest, WhoIsStartedAgainClaimsControlWithItsFirstInstruction) {
+  client_.resume(7, 40);
+  link();
+  head_.session = 7;
+  head_.hook_state = HookState::Active;
+  const auto claimed = [&] {
+    Done done;
+    EXPECT_TRUE(decode(tick().back(), done));
+    return done.session;
+  };
+  EXPECT_EQ(claimed(), 0U);
+  EXPECT_EQ(claimed(), 0U);
+  const uint16_t sequence = client_.instruct(descend(HookControl::Steer));
+  EXPECT_EQ(sequence, 41);
+  EXPECT_EQ(claimed(), 7U);
+}
+
+TEST_F(ClientTest, MoreSensorsThanATickHoldsAreLeftOut) {
+  std::vector<Subscription> many(kMostSubscriptions + 3, Subscription{GLIDER_M_DEPTH, 1, 0});
+  ClientOptions options;
+  options.mission_name = nullptr;
+  options.sensors = many.data();
+  options.sensor_count = static_cast<uint32_t>(many.size());
+  MemoryLine line;
+  Client client(options);
+  putMessage(line.left(), Beacon{kProtocolVersion, false, dictionaryHash(), HookState::Ready}, 1);
+  const GliderByteStream right = line.right();
+  EXPECT_EQ(client.poll(right, clock_.clock()), ClientEvent::Handled);
+  const auto frames = framesAt(line.left());
+  ASSERT_EQ(typesOf(frames), (std::vector{Type::Hello, Type::Subscribe, Type::Done}));
+  Subscribe subscribe;
+  ASSERT_TRUE(decode(frames[1], subscribe));
+  EXPECT_EQ(subscribe.count, kMostSubscriptions);
+  Hello hello;
+  ASSERT_TRUE(decode(frames[0], hello));
+  EXPECT_STREQ(hello.mission_name, "");
+  EXPECT_EQ(hello.link, 1U) << "sessions begin with 1";
+}
+
 TEST_F(ClientTest, NoiseIsNoFrame) {
   link();
   const uint8_t noise[] = {1, 2, 3, 4, 5, 0, 0, 255, 0};

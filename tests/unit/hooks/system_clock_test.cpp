@@ -52,6 +52,24 @@ TEST(SystemClock, RunsOnAKernelWithoutAMonotonicClock) {
   old_kernel = false;
 }
 
+TEST(SystemClock, KeepsStepWithTheKernelsClock) {
+  for (const bool old : {false, true}) {
+    SystemClock clock;
+    timespec begin{}, end{};
+    ASSERT_EQ(__real_clock_gettime(CLOCK_MONOTONIC, &begin), 0);
+    old_kernel = old;
+    const double first = clock.now();
+    ::usleep(250000);
+    const double passed = clock.now() - first;
+    old_kernel = false;
+    ASSERT_EQ(__real_clock_gettime(CLOCK_MONOTONIC, &end), 0);
+    const double true_seconds = static_cast<double>(end.tv_sec - begin.tv_sec) +
+                                static_cast<double>(end.tv_nsec - begin.tv_nsec) / 1e9;
+    EXPECT_GT(passed, 0.2);
+    EXPECT_LT(passed, true_seconds + 0.02) << "a kernel tick is 0.01 s";
+  }
+}
+
 TEST(SystemClock, GoesOnWhenTheClockFailsLater) {
   SystemClock clock;
   ::usleep(20000);

@@ -1,0 +1,517 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// The protocol at the very edge of its limits: the last value that fits, the first that does not.
+
+#include "hooks/clothesline/clothesline.h"
+#include "hooks/protocol/bytes.h"
+#include "hooks/protocol/messages.h"
+#include "hooks/protocol/send_queue.h"
+#include "hooks/protocol/sensor_list.h"
+#include "hooks/protocol/tick.h"
+#include "tests/unit/hooks/examples.h"
+#include "tests/unit/hooks/line_ends.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <limits>
+#include <map>
+#include <vector>
+
+namespace glider::hooks {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+TEST(Bytes, AWriterFillsItsArrayAndNoByteMore) {
+  uint8_t bytes[9] = {0, 0, 0, 0, 0, 0, 0, 0xAA, 0xBB};
+  ByteWriter out(bytes, 7);
+  out.u24(0x030201);
+  out.u32(0x07060504);
+  EXPECT_TRUE(out.fits());
+  EXPECT_EQ(out.size(), 7U);
+  out.u8(9);
+  EXPECT_FALSE(out.fits());
+  EXPECT_EQ(out.size(), 7U);
+  for (uint8_t i = 0; i < 7; ++i) {
+    EXPECT_EQ(bytes[i], i + 1);
+  }
+  EXPECT_EQ(bytes[7], 0xAA);
+  ByteWriter one_short(bytes, 3);
+  one_short.u16(1);
+  one_short.u16(2);
+  EXPECT_FALSE(one_short.fits());
+  EXPECT_EQ(one_short.size(), 2U) << "what does not fit is left out whole";
+  one_short.u8(3);
+  EXPECT_EQ(one_short.size(), 3U);
+  EXPECT_FALSE(one_short.fits()) << "for good";
+}
+
+TEST(Bytes, AReaderStopsAtItsEnd) {
+  const uint8_t bytes[] = {1, 2, 3, 4, 5};
+  ByteReader in(bytes, 4);
+  EXPECT_EQ(in.u16(), 0x0201);
+  EXPECT_FALSE(in.exact());
+  EXPECT_EQ(in.u16(), 0x0403);
+  EXPECT_TRUE(in.exact());
+  EXPECT_EQ(in.u8(), 0);
+  EXPECT_FALSE(in.good());
+  EXPECT_FALSE(in.exact());
+  ByteReader torn(bytes, 4);
+  EXPECT_EQ(torn.u8(), 1);
+  EXPECT_EQ(torn.u32(), 0U) << "3 bytes are no number of 4";
+  EXPECT_FALSE(torn.good());
+  EXPECT_EQ(torn.u8(), 0) << "nor is what is left of them one";
+  ByteReader skipping(bytes, 4);
+  skipping.skip(3);
+  EXPECT_TRUE(skipping.good());
+  EXPECT_EQ(skipping.u8(), 4);
+  skipping.skip(1);
+  EXPECT_FALSE(skipping.good());
+  ByteReader far(bytes, 4);
+  (void)far.u16();
+  far.skip(3);
+  EXPECT_FALSE(far.good()) << "2 are left";
+  ByteReader all(bytes, 4);
+  all.skip(4);
+  EXPECT_TRUE(all.exact());
+}
+
+/// A stream that takes what it is told to.
+struct Taker {
+  std::vector<uint8_t> got;
+  int32_t takes = 0;
+  GliderByteStream stream() {
+    return {this, nullptr, [](void* self, const uint8_t* bytes, uint32_t count) {
+              auto* taker = static_cast<Taker*>(self);
+              if (taker->takes > 0) {
+                const auto kept = std::min(count, static_cast<uint32_t>(taker->takes));
+                taker->got.insert(taker->got.end(), bytes, bytes + kept);
+              }
+              return taker->takes;
+            }};
+  }
+};
+
+Frame frameOf(uint16_t size, uint8_t fill) {
+  Frame frame;
+  frame.type = MessageType::Write;
+  frame.size = size;
+  std::memset(frame.payload, fill, size);
+  return frame;
+}
+
+TEST(SendQueue, TakesAFrameThatJustFits) {
+  // A payload of 100 takes at most 100 + 6, a byte for each 254 begun and the end.
+  EXPECT_EQ(encodedBound(100), 108U);
+  EXPECT_EQ(encodedBound(247), 255U);
+  EXPECT_EQ(encodedBound(248), 257U);
+  EXPECT_EQ(encodedBound(502), 512U);
+  SendQueue<108> just;
+  EXPECT_TRUE(just.empty());
+  EXPECT_EQ(just.room(), 108U);
+  EXPECT_TRUE(just.add(frameOf(100, 7)));
+  EXPECT_FALSE(just.empty());
+  EXPECT_EQ(just.room(), 0U);
+  EXPECT_FALSE(just.add(frameOf(0, 7)));
+  SendQueue<107> too_small;
+  EXPECT_FALSE(too_small.add(frameOf(100, 7)));
+  EXPECT_TRUE(too_small.empty());
+}
+
+TEST(SendQueue, HandsOverPartByPart) {
+  SendQueue<300> queue;
+  ASSERT_TRUE(queue.add(frameOf(20, 1)));
+  ASSERT_TRUE(queue.add(frameOf(30, 2)));
+  const uint32_t waiting = 300 - queue.room();
+  Taker line;
+  line.takes = 0;
+  EXPECT_TRUE(queue.flush(line.stream())) << "a full line is no failure";
+  EXPECT_EQ(queue.room(), 300 - waiting);
+  line.takes = 1;
+  EXPECT_TRUE(queue.flush(line.stream())) << "byte by byte";
+  EXPECT_TRUE(queue.empty());
+  EXPECT_EQ(queue.room(), 300U);
+  ASSERT_EQ(line.got.size(), waiting);
+  FrameDecoder decoder;
+  std::vector<uint16_t> sizes;
+  for (const uint8_t byte : line.got) {
+    if (decoder.push(byte)) {
+      sizes.push_back(decoder.frame().size);
+    }
+  }
+  EXPECT_EQ(sizes, (std::vector<uint16_t>{20, 30}));
+}
+
+TEST(SendQueue, GoesOnWhereTheLineStopped) {
+  SendQueue<300> queue;
+  ASSERT_TRUE(queue.add(frameOf(20, 1)));
+  Taker line;
+  // The line takes 5 bytes, then none.
+  const auto five_then_none = [](void* self, const uint8_t* bytes, uint32_t) -> int32_t {
+    auto* taker = static_cast<Taker*>(self);
+    if (taker->got.size() % 5 == 0 && taker->takes-- > 0) {
+      taker->got.insert(taker->got.end(), bytes, bytes + 5);
+      return 5;
+    }
+    return 0;
+  };
+  for (int i = 0; i < 6; ++i) {
+    line.takes = 1;
+    EXPECT_TRUE(queue.flush({&line, nullptr, five_then_none}));
+    line.takes = 0;
+  }
+  // 28 bytes wait at first; the sixth handful would go past the end of them.
+  FrameDecoder decoder;
+  int whole = 0;
+  for (const uint8_t byte : line.got) {
+    whole += decoder.push(byte) ? 1 : 0;
+  }
+  EXPECT_EQ(whole, 1);
+}
+
+TEST(SendQueue, AStreamThatTakesTooMuchOrFailsDoesNoHarm) {
+  SendQueue<300> queue;
+  ASSERT_TRUE(queue.add(frameOf(20, 1)));
+  Taker line;
+  line.takes = 1000;  // says that it took more than there was
+  EXPECT_TRUE(queue.flush(line.stream()));
+  EXPECT_TRUE(queue.empty());
+  EXPECT_EQ(queue.room(), 300U);
+  ASSERT_TRUE(queue.add(frameOf(20, 1)));
+  line.takes = -1;
+  EXPECT_FALSE(queue.flush(line.stream()));
+  EXPECT_FALSE(queue.empty()) << "what waits is kept";
+}
+
+TEST(SensorList, HoldsExactlyItsBytesInEachWidth) {
+  // 250 bytes: the count, then two for the number and the width of each.
+  for (const auto& [id, width] : std::map<uint16_t, uint32_t>{
+           {GLIDER_X_HOOK_STATE, 1}, {GLIDER_M_DEPTH, 4}, {GLIDER_M_LAT, 8}}) {
+    ASSERT_EQ(sensorWidth(id), width);
+    Frame frame;
+    encodeEmptyList(MessageType::Sensors, frame);
+    uint32_t count = 0;
+    while (appendValue(frame, {id, 1})) {
+      ++count;
+      ASSERT_LE(frame.size, 250);
+    }
+    EXPECT_EQ(count, 249 / (2 + width));
+    EXPECT_EQ(frame.size, 1 + count * (2 + width)) << "what does not fit leaves no trace";
+    EXPECT_EQ(frame.payload[0], count);
+    SensorList list;
+    EXPECT_TRUE(decodeList(frame, list));
+    EXPECT_EQ(list.count, count);
+  }
+  // 1 + 22 * 10 + 4 * 6 + 3 = 248, and 1 + 24 * 10 + 3 * 3 = 250: to the last byte.
+  Frame full;
+  encodeEmptyList(MessageType::Sensors, full);
+  for (int i = 0; i < 24; ++i) {
+    ASSERT_TRUE(appendValue(full, {GLIDER_M_LAT, 1}));
+  }
+  for (int i = 0; i < 3; ++i) {
+    ASSERT_TRUE(appendValue(full, {GLIDER_X_HOOK_STATE, 1}));
+  }
+  EXPECT_EQ(full.size, 250);
+  EXPECT_FALSE(appendValue(full, {GLIDER_X_HOOK_STATE, 1}));
+  SensorList list;
+  EXPECT_TRUE(decodeList(full, list));
+  full.size = 251;
+  EXPECT_FALSE(decodeList(full, list));
+}
+
+TEST(SensorList, ACountThatIsNotTheListsIsRefused) {
+  Frame frame;
+  encodeEmptyList(MessageType::Write, frame);
+  ASSERT_TRUE(appendValue(frame, {GLIDER_M_DEPTH, 1}));
+  SensorList list;
+  ASSERT_TRUE(decodeList(frame, list));
+  frame.payload[0] = 2;
+  EXPECT_FALSE(decodeList(frame, list));
+  frame.payload[0] = 0;
+  EXPECT_FALSE(decodeList(frame, list));
+  frame.payload[0] = 1;
+  frame.type = MessageType::Tick;
+  EXPECT_FALSE(decodeList(frame, list));
+  encodeEmptyList(MessageType::Sensors, frame);
+  EXPECT_TRUE(decodeList(frame, list));
+  EXPECT_EQ(list.count, 0U);
+  frame.payload[1] = 0xFF;
+  frame.payload[2] = 0xFF;
+  frame.payload[0] = 1;
+  frame.size = 3;
+  EXPECT_FALSE(decodeList(frame, list)) << "no such sensor";
+}
+
+TEST(TickEdges, OneFieldThatNoSenderWritesRefusesItWhole) {
+  const TickHead fine{};
+  const auto taken = [](TickHead head, auto&& spoil) {
+    Frame frame;
+    encode(head, Subscribe{}, TickReadings{}, frame);
+    spoil(frame);
+    TickHead back;
+    return decode(frame, back);
+  };
+  const auto nothing = [](Frame&) {};
+  EXPECT_TRUE(taken(fine, nothing));
+  for (const double time : {kNaN, kInfinity, -kInfinity}) {
+    TickHead head;
+    head.vehicle_time_s = time;
+    EXPECT_FALSE(taken(head, nothing)) << time;
+  }
+  TickHead head;
+  head.hook_state = static_cast<HookState>(6);
+  EXPECT_FALSE(taken(head, nothing));
+  head.hook_state = static_cast<HookState>(5);
+  EXPECT_TRUE(taken(head, nothing));
+  head.answer = static_cast<HookAnswer>(120);
+  EXPECT_FALSE(taken(head, nothing));
+  head.answer = static_cast<HookAnswer>(8);
+  EXPECT_TRUE(taken(head, nothing));
+  for (int bit = 0; bit < 8; ++bit) {
+    EXPECT_EQ(taken(fine, [&](Frame& f) { f.payload[0] = static_cast<uint8_t>(1U << bit); }),
+              bit == 2)
+        << bit;
+  }
+  EXPECT_FALSE(taken(fine, [](Frame& f) { f.type = MessageType::Welcome; }));
+  EXPECT_FALSE(taken(fine, [](Frame& f) { f.size = 19; }));
+  EXPECT_TRUE(taken(fine, [](Frame& f) { f.size = 20; }));
+}
+
+TEST(TickEdges, SubscriptionsUpToTheMost) {
+  Subscribe most;
+  for (uint32_t i = 0; i < kMostSubscriptions; ++i) {
+    most.sensors[most.count++] = {GLIDER_M_DEPTH, 255, 0};
+  }
+  Frame frame;
+  encode(most, frame);
+  Subscribe back;
+  EXPECT_TRUE(decode(frame, back));
+  frame.payload[0] = kMostSubscriptions + 1;
+  frame.size += 7;
+  std::memcpy(frame.payload + 1 + 7 * kMostSubscriptions, frame.payload + 1, 7);
+  EXPECT_FALSE(decode(frame, back)) << "right but for their number";
+  encode(Subscribe{1, {Subscription{GLIDER_M_DEPTH, 1, 3.0F}}}, frame);
+  EXPECT_TRUE(decode(frame, back));
+  frame.type = MessageType::Hello;
+  EXPECT_FALSE(decode(frame, back));
+}
+
+TEST(TickEdges, EverySensorHasItsOwnBit) {
+  for (const uint32_t count : {1U, 7U, 8U, 9U, 63U, 64U}) {
+    Subscribe subscription;
+    for (uint32_t i = 0; i < count; ++i) {
+      subscription.sensors[subscription.count++] = {GLIDER_M_DEPTH, 1, 0};
+    }
+    for (uint32_t at = 0; at < count; ++at) {
+      TickReadings readings;
+      readings.told[at] = at % 2 == 0 ? Told::Value : Told::Unchanged;
+      readings.values[at] = 3.5;
+      Frame frame;
+      encode(TickHead{}, subscription, readings, frame);
+      ASSERT_EQ(frame.size, 20 + 2 * ((count + 7) / 8) + (at % 2 == 0 ? 4 : 0));
+      TickReadings back;
+      ASSERT_TRUE(decode(frame, subscription, back));
+      for (uint32_t i = 0; i < count; ++i) {
+        ASSERT_EQ(back.told[i], i == at ? readings.told[at] : Told::Nothing) << count << " " << i;
+      }
+    }
+  }
+}
+
+template <typename Message>
+bool comesBack(const Message& message) {
+  Frame frame;
+  encode(message, frame);
+  Message back;
+  return decode(frame, back);
+}
+
+TEST(MessageEdges, TimesThatAreNoneAreRefused) {
+  for (const double time : {kNaN, kInfinity, -kInfinity}) {
+    TransitionNotice notice;
+    notice.mission_time_s = time;
+    EXPECT_FALSE(comesBack(notice));
+    MissionNote note;
+    note.mission_time_s = time;
+    EXPECT_FALSE(comesBack(note));
+    EXPECT_FALSE(comesBack(Done{1, 0, {time}}));
+  }
+  EXPECT_TRUE(comesBack(TransitionNotice{}));
+  EXPECT_TRUE(comesBack(MissionNote{}));
+  EXPECT_TRUE(comesBack(Done{}));
+}
+
+TEST(MessageEdges, KindsAndListsUpToTheLast) {
+  TransitionNotice notice;
+  notice.list = 3;
+  EXPECT_TRUE(comesBack(notice));
+  notice.list = 4;
+  EXPECT_FALSE(comesBack(notice));
+  MissionNote note;
+  note.kind = 1;
+  EXPECT_TRUE(comesBack(note));
+  note.kind = 2;
+  EXPECT_FALSE(comesBack(note));
+  Hello hello;
+  hello.link = 0;
+  EXPECT_FALSE(comesBack(hello));
+  hello.link = 1;
+  EXPECT_TRUE(comesBack(hello));
+}
+
+TEST(MessageEdges, EveryFieldOfEveryMessageComesBack) {
+  Frame frame;
+  encode(TransitionNotice{1.5, 3, 0x01020304, 0x05060708, 0x090A0B0C, 1}, frame);
+  TransitionNotice notice;
+  ASSERT_TRUE(decode(frame, notice));
+  EXPECT_EQ(notice.mission_time_s, 1.5);
+  EXPECT_EQ(notice.transition, 3);
+  EXPECT_EQ(notice.from, 0x01020304U);
+  EXPECT_EQ(notice.to, 0x05060708U);
+  EXPECT_EQ(notice.fired_case, 0x090A0B0CU);
+  EXPECT_EQ(notice.list, 1);
+  encode(Done{200, 0xABCDEF, {2.5, 0x01020304, 7, MissionPhase::Finished}}, frame);
+  Done done;
+  ASSERT_TRUE(decode(frame, done));
+  EXPECT_EQ(done.answered, 200);
+  EXPECT_EQ(done.session, 0xABCDEFU);
+  EXPECT_EQ(done.status.mission_time_s, 2.5);
+  EXPECT_EQ(done.status.state, 0x01020304U);
+  EXPECT_EQ(done.status.stack_depth, 7);
+  EXPECT_EQ(done.status.phase, MissionPhase::Finished);
+  encode(Welcome{true, 0x123456, 0x654321}, frame);
+  Welcome welcome;
+  ASSERT_TRUE(decode(frame, welcome));
+  EXPECT_TRUE(welcome.virtual_time);
+  EXPECT_EQ(welcome.link, 0x123456U);
+  EXPECT_EQ(welcome.newest_session, 0x654321U);
+}
+
+TEST(MessageEdges, TextsUpToTheirLongest) {
+  MissionNote note;
+  std::memset(note.text, 'x', kMostNoteBytes);
+  Frame frame;
+  encode(note, frame);
+  MissionNote back;
+  ASSERT_TRUE(decode(frame, back));
+  EXPECT_EQ(std::strlen(back.text), kMostNoteBytes);
+  Hello hello;
+  hello.link = 1;
+  std::memset(hello.mission_name, 'n', kMostNameBytes);
+  encode(hello, frame);
+  Hello again;
+  ASSERT_TRUE(decode(frame, again));
+  EXPECT_EQ(std::strlen(again.mission_name), kMostNameBytes);
+}
+
+TEST(MessageEdges, NewerIsLessThanHalfOfTheRoundAhead) {
+  const uint32_t half = kMostSession / 2;
+  EXPECT_TRUE(isNewerSession(1 + half - 1, 1));
+  EXPECT_FALSE(isNewerSession(1 + half + 1, 1));
+  EXPECT_TRUE(isNewerSession(10, kMostSession - 10)) << "20 ahead, counting round";
+  EXPECT_FALSE(isNewerSession(kMostSession - 10, 10));
+}
+
+TEST(FrameEdges, AnEqualCheckWithAnotherNumberIsAnotherFrame) {
+  // Two Beacons of one length with one CRC-16 and different sequences.
+  Frame one;
+  encode(Beacon{}, one);
+  one.sequence = 1;
+  uint8_t bytes[kMostEncodedBytes];
+  const auto check = [&](const Frame& frame) {
+    FrameDecoder decoder;
+    uint8_t plain[kMostFrameBytes] = {static_cast<uint8_t>(frame.type), frame.sequence};
+    std::memcpy(plain + 2, frame.payload, frame.size);
+    uint16_t crc = 0xFFFF;
+    for (uint32_t i = 0; i < frame.size + 2U; ++i) {
+      crc = static_cast<uint16_t>(crc ^ (plain[i] << 8));
+      for (int bit = 0; bit < 8; ++bit) {
+        crc = static_cast<uint16_t>((crc & 0x8000) != 0 ? (crc << 1) ^ 0x1021 : crc << 1);
+      }
+    }
+    return crc;
+  };
+  Frame other = one;
+  other.sequence = 2;
+  const uint16_t wanted = check(one);
+  bool found = false;
+  for (uint32_t filling = 0; filling < 65536 && !found; ++filling) {
+    other.payload[2] = static_cast<uint8_t>(filling);
+    other.payload[3] = static_cast<uint8_t>(filling >> 8U);
+    found = check(other) == wanted;
+  }
+  ASSERT_TRUE(found);
+  FrameDecoder decoder;
+  const auto whole = [&](const Frame& frame) {
+    const uint32_t size = encodeFrame(frame, bytes);
+    bool good = false;
+    for (uint32_t i = 0; i < size; ++i) {
+      good = decoder.push(bytes[i]);
+    }
+    return good;
+  };
+  EXPECT_TRUE(whole(one));
+  EXPECT_TRUE(whole(other));
+  EXPECT_EQ(decoder.frame().sequence, 2);
+  EXPECT_FALSE(whole(other));
+  EXPECT_EQ(decoder.doubles(), 1U);
+}
+
+TEST(ClotheslineEdges, AGroupThatIsTooLongGoesOnInTheNextFrame) {
+  // 24 of 10 bytes fill a frame's 249.
+  MemoryLine line;
+  Clothesline flight, science;
+  std::vector<SensorUpdate> updates;
+  for (int i = 0; i < 60; ++i) {
+    updates.push_back({GLIDER_M_LAT, 3900.0 + i});
+  }
+  ASSERT_TRUE(flight.send(updates.data(), 60));
+  SensorUpdate none[1];
+  EXPECT_EQ(flight.poll(line.left(), none, 1), 0U);
+  SensorUpdate got[128];
+  const uint32_t count = science.poll(line.right(), got, 128);
+  ASSERT_EQ(count, 60U);
+  for (uint32_t i = 0; i < count; ++i) {
+    EXPECT_EQ(got[i].value, 3900.0 + i);
+  }
+  EXPECT_EQ(science.badFrames(), 0U);
+}
+
+TEST(ClotheslineEdges, CountsFramesOfBothKindsThatItThrowsAway) {
+  MemoryLine line;
+  Clothesline science;
+  putMessage(line.left(), Beacon{}, 1);
+  const uint8_t noise[] = {5, 5, 5, 0};
+  (void)line.left().write(line.left().self, noise, 4);
+  SensorUpdate got[4];
+  EXPECT_EQ(science.poll(line.right(), got, 4), 0U);
+  EXPECT_EQ(science.badFrames(), 2U);
+}
+
+TEST(ClotheslineEdges, ALineThatTakesAPartKeepsTheRest) {
+  MemoryLine line;
+  Clothesline flight, science;
+  const SensorUpdate update{GLIDER_M_DEPTH, 12.5};
+  struct Narrow {
+    GliderByteStream to;
+  } narrow{line.left()};
+  const GliderByteStream stream{
+      &narrow, [](void*, uint8_t*, uint32_t) -> int32_t { return 0; },
+      [](void* self, const uint8_t* bytes, uint32_t count) -> int32_t {
+        const GliderByteStream& to = static_cast<Narrow*>(self)->to;
+        return to.write(to.self, bytes, count < 3 ? count : 3);
+      }};
+  for (int i = 0; i < 3; ++i) {
+    ASSERT_TRUE(flight.send(&update, 1));
+    SensorUpdate none[1];
+    (void)flight.poll(stream, none, 0);
+  }
+  SensorUpdate got[8];
+  EXPECT_EQ(science.poll(line.right(), got, 8), 3U);
+}
+
+}  // namespace
+}  // namespace glider::hooks

@@ -221,7 +221,8 @@ void ErrorStrategy::complainInRule(antlr4::Parser* parser, size_t rule, const Le
     case GliderParser::RuleItem:
       if (!misspelled(found,
                       {"mission", "platform", "import", "const", "param", "var", "always", "state",
-                       "flightprofile", "flightroute", "extern", "require", "resume"})) {
+                       "flightprofile", "flightroute", "extern", "require", "resume",
+                       "declination"})) {
         expected("`state` or another declaration", found);
       }
       return;

@@ -125,9 +125,8 @@ llvm::Constant* Tables::compass() {
                                        : GLIDER_NO_SENSOR),
        word(0), function("gliderTakeHeadings"), function("gliderFollowCompass"),
        function("gliderMagneticHeading")});
-  auto* variable =
-      new llvm::GlobalVariable(lowering_.module, lowering_.types.GliderCompass, true,
-                               llvm::GlobalValue::PrivateLinkage, value, "compass");
+  auto* variable = new llvm::GlobalVariable(lowering_.module, lowering_.types.GliderCompass, true,
+                                            llvm::GlobalValue::PrivateLinkage, value, "compass");
   variable->setUnnamedAddr(llvm::GlobalValue::UnnamedAddr::Global);
   return variable;
 }

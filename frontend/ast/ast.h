@@ -384,9 +384,9 @@ struct Import {
   bool operator==(const Import&) const = default;
 };
 
-using Item =
-    std::variant<MissionLine, PlatformLine, Import, Const, Param, Var, Always, State, Behaviour,
-                 ExternFunction, ExternBehaviour, ExternSensor, Requirement, Resumption, Declination>;
+using Item = std::variant<MissionLine, PlatformLine, Import, Const, Param, Var, Always, State,
+                          Behaviour, ExternFunction, ExternBehaviour, ExternSensor, Requirement,
+                          Resumption, Declination>;
 
 /// A mission file or a library file.
 struct File {

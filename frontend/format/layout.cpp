@@ -69,8 +69,9 @@ class Layout {
     const bool large =
         !named && oneOf(token(), {"always", "state", "flightprofile", "flightroute"});
     const bool resume = token().is("resume") && tokens_[at_ + 1].is("within");
-    const bool small = resume || declination() || oneOf(token(), {"mission", "platform", "import", "const", "param",
-                                                 "var", "extern", "require"});
+    const bool small = resume || declination() ||
+                       oneOf(token(), {"mission", "platform", "import", "const", "param", "var",
+                                       "extern", "require"});
     if (large || small) {
       startLine(0);
       lines_.back().apart = large || after_large_;

@@ -48,8 +48,7 @@ const ast::Declination* lineOf(const ast::File& file, Scope& scope) {
 /// Whether the mission reads or commands headings. What a route in C commands nobody knows.
 bool hasHeadings(const ir::Mission& mission) {
   const auto steers = [](const ir::Statement& statement) {
-    return statement.kind == ir::StatementKind::Command &&
-           statement.command == ir::Command::Steer;
+    return statement.kind == ir::StatementKind::Command && statement.command == ir::Command::Steer;
   };
   return std::ranges::any_of(
              mission.sensors,

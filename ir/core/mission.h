@@ -331,7 +331,8 @@ inline constexpr double kResumeWithin_s = 300;
 /// How a mission that reads or commands headings, which are true, gets along with a vehicle whose
 /// headings are magnetic: what the vehicle has told of the variation counts, else the declination.
 struct Compass {
-  SensorId variation;  ///< by what magnetic headings exceed true ones; invalid: the vehicle has none
+  SensorId
+      variation;  ///< by what magnetic headings exceed true ones; invalid: the vehicle has none
   std::optional<double> declination;  ///< rad, east positive, of the mission's line
   bool operator==(const Compass&) const = default;
 };

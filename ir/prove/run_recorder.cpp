@@ -42,8 +42,8 @@ RunRecorder::RunRecorder(const Ground& ground, uint32_t stack_depth,
     monitors_.emplace_back(m_, requirement, ground.platform.world.surface_depth_m, depth_sensor_);
   }
   reads_variation_ = m_.compass && std::ranges::any_of(m_.exprs, [&](const Expr& e) {
-    return e.sensor.valid() && e.sensor == m_.compass->variation;
-  });
+                       return e.sensor.valid() && e.sensor == m_.compass->variation;
+                     });
   interpreter_.emplace(m_, stack_depth);
 }
 

@@ -59,8 +59,7 @@ std::string header(const glider::platforms::Platform& platform) {
       "number of its GliderEncoding) */\n#define GLIDER_SENSOR_TABLE(X) \\\n";
   for (const auto& s : platform.sensors) {
     out += fmt::format("  X({}, {}, {}, {}, {}, {}, {}){}\n", s.id, s.name, s.to_si, s.lowest,
-                       s.highest, s.stale_after_s,
-                       encoding(s),
+                       s.highest, s.stale_after_s, encoding(s),
                        s.id + 1U == platform.sensors.size() ? "" : " \\");
   }
   out += "\n/* X(number, at most once in so many flight cycles, dead band) */\n";

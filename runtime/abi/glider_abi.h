@@ -119,11 +119,10 @@ typedef uint32_t(GliderCondition)(const GliderContext* context);
 /* A sensor on the SBC, asked once a tick: a new reading in SI units; NaN if there is none since the
    last. `mission_time` is s since control was given. */
 typedef double(GliderPoll)(double mission_time);
-/* Of a GliderCompass. Take: notes in `variation` (NaN: unknown so far) what the frame's updates say of it, and makes the
-   magnetic headings among them true. `context` is that of the running mission, or NULL.
-   Follow: after each tick. What the vehicle has not said the mission's line says, else 0, and a
-   note that it is so.
-   Magnetic: the heading that the vehicle is to steer, in [0, 2 pi). */
+/* Of a GliderCompass. Take: notes in `variation` (NaN: unknown so far) what the frame's updates say
+   of it, and makes the magnetic headings among them true. `context` is that of the running mission,
+   or NULL. Follow: after each tick. What the vehicle has not said the mission's line says, else 0,
+   and a note that it is so. Magnetic: the heading that the vehicle is to steer, in [0, 2 pi). */
 typedef void(GliderTakeHeadings)(const GliderMission* mission, const GliderContext* context,
                                  double* variation, GliderUpdate* updates, uint32_t count);
 typedef void(GliderFollowCompass)(GliderContext* context, double* variation);

@@ -33,7 +33,8 @@ class Navigator {
  public:
   explicit Navigator(const LocalFrame& frame) : frame_(frame) {}
 
-  /// One control cycle of `seconds` on a true heading. What is NaN counts as it was when it was last known.
+  /// One control cycle of `seconds` on a true heading. What is NaN counts as it was when it was
+  /// last known.
   void reckon(double depth_rate, double pitch, double heading, bool at_surface, double seconds);
   void fix(Gps::Fix fix) { x_ = fix.x, y_ = fix.y; }
 

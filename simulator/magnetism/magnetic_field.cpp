@@ -4,7 +4,6 @@
 #include "simulator/magnetism/magnetic_field.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -13,8 +12,8 @@ namespace {
 
 constexpr int kDegree = 12;
 constexpr double kEpoch = 2025;
-constexpr double kModelRadius = 6371.2;                        // km
-constexpr double kEquator = 6378.137, kPole = 6356.7523142;    // km, half axes of WGS 84
+constexpr double kModelRadius = 6371.2;                      // km
+constexpr double kEquator = 6378.137, kPole = 6356.7523142;  // km, half axes of WGS 84
 constexpr double kRadPerDeg = std::numbers::pi / 180;
 
 struct Term {
@@ -27,13 +26,12 @@ constexpr Term kTerms[] = {
 #undef TERM
 };
 
-/// Of degree n and order m; those with m > n are not used.
-using Table = std::array<std::array<double, kDegree + 1>, kDegree + 1>;
-
 /// Schmidt semi-normalized associated Legendre functions of cos(colatitude), and their derivatives
 /// by the colatitude.
 struct Legendre {
-  Table p{}, slope{};
+  /// Of degree n and order m; those with m > n are not used.
+  double p[kDegree + 1][kDegree + 1] = {};
+  double slope[kDegree + 1][kDegree + 1] = {};
   Legendre(double cosine, double sine) {
     p[0][0] = 1;
     for (int n = 1; n <= kDegree; ++n) {
@@ -46,9 +44,9 @@ struct Legendre {
         const double p2 = m <= n - 2 ? p[n - 2][m] : 0;
         const double slope2 = m <= n - 2 ? slope[n - 2][m] : 0;
         p[n][m] = ((2.0 * n - 1) * cosine * p[n - 1][m] - two_less * p2) / norm;
-        slope[n][m] = ((2.0 * n - 1) * (cosine * slope[n - 1][m] - sine * p[n - 1][m]) -
-                       two_less * slope2) /
-                      norm;
+        slope[n][m] =
+            ((2.0 * n - 1) * (cosine * slope[n - 1][m] - sine * p[n - 1][m]) - two_less * slope2) /
+            norm;
       }
     }
   }

@@ -16,9 +16,10 @@ struct MagneticField {
 inline constexpr double kFirstMagneticYear = 2025;
 inline constexpr double kLastMagneticYear = 2030;
 
-/// The field of the World Magnetic Model 2025 (NOAA/NCEI) at a geodetic position on WGS 84, degrees, north and east
-/// positive, `height_km` above the ellipsoid, in a year with its fraction: 2026.5 is the middle of 2026. Formulas: the
-/// spherical-harmonic synthesis of the model's technical report, sections 1.2 and 1.3.
+/// The field of the World Magnetic Model 2025 (NOAA/NCEI) at a geodetic position on WGS 84,
+/// degrees, north and east positive, `height_km` above the ellipsoid, in a year with its fraction:
+/// 2026.5 is the middle of 2026. Formulas: the spherical-harmonic synthesis of the model's
+/// technical report, sections 1.2 and 1.3.
 MagneticField magneticField(double latitude_deg, double longitude_deg, double height_km,
                             double year);
 

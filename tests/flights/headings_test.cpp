@@ -8,9 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include <gmock/gmock.h>
-
 #include <cmath>
+#include <gmock/gmock.h>
 #include <numbers>
 
 namespace glider::tests {
@@ -117,8 +116,8 @@ TEST(Headings, AWaypointIsReachedThroughTheSameWater) {
   const auto latitude = flight.column("true_lat"), longitude = flight.column("true_lon");
   double nearest = 1e9;
   for (size_t i = 0; i < latitude.size(); ++i) {
-    nearest = std::min(nearest, std::hypot((latitude[i] - 39.175) * 111200,
-                                           (longitude[i] + 73.81) * 86300));
+    nearest = std::min(nearest,
+                       std::hypot((latitude[i] - 39.175) * 111200, (longitude[i] + 73.81) * 86300));
   }
   EXPECT_LT(nearest, 150);
 }

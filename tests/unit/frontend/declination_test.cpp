@@ -80,9 +80,8 @@ TEST_P(Declination, PositionsNeedNone) {
   ASSERT_TRUE(mission.has_value());
   EXPECT_FALSE(mission->compass.has_value());
   EXPECT_FALSE(warned_);
-  EXPECT_TRUE(std::ranges::none_of(mission->sensors, [](const ir::Sensor& s) {
-    return s.vehicle_name == "m_gps_mag_var";
-  }));
+  EXPECT_TRUE(std::ranges::none_of(
+      mission->sensors, [](const ir::Sensor& s) { return s.vehicle_name == "m_gps_mag_var"; }));
 }
 
 TEST_P(Declination, ARouteInCMayCommandAHeading) {

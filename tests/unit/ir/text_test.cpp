@@ -264,14 +264,14 @@ state leg ("leg.to")
 )";
 
 TEST(IrText, CompassesComeBack) {
-  for (const std::string compass :
-       {"compass", "compass variation var", "compass declination -0.21",
-        "compass variation var declination 3"}) {
+  for (const std::string compass : {"compass", "compass variation var", "compass declination -0.21",
+                                    "compass variation var declination 3"}) {
     const std::string text =
         "glider_ir 1\nmission m platform slocum\n"
         "\nsensor heading: angle vehicle m_heading id 1 encoding magnetic to_si 1 lowest 0 highest "
         "6 stale_after 20"
-        "\nsensor var: angle vehicle m_gps_mag_var id 2 encoding linear to_si 1 lowest -3 highest 3 "
+        "\nsensor var: angle vehicle m_gps_mag_var id 2 encoding linear to_si 1 lowest -3 highest "
+        "3 "
         "stale_after 20\n" +
         compass +
         "\nbehaviour profile glide symbol g () reads ()\nbehaviour route drift symbol d () reads ()"

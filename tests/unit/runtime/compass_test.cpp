@@ -11,9 +11,8 @@
 
 #include <gtest/gtest.h>
 
-#include <gmock/gmock.h>
-
 #include <cmath>
+#include <gmock/gmock.h>
 #include <limits>
 
 namespace glider::runtime::testing {
@@ -113,8 +112,7 @@ TEST_F(Compass, TrueIsMagneticLessVariation) {
 }
 
 TEST_F(Compass, TheVariationOfAFrameCountsForItsHeadings) {
-  EXPECT_DOUBLE_EQ(
-      taken({update(GLIDER_M_HEADING, 1), update(GLIDER_M_GPS_MAG_VAR, 0.5)})[0], 0.5);
+  EXPECT_DOUBLE_EQ(taken({update(GLIDER_M_HEADING, 1), update(GLIDER_M_GPS_MAG_VAR, 0.5)})[0], 0.5);
 }
 
 TEST_F(Compass, AHeadingIsNeverAFullTurn) {

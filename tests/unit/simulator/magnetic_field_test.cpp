@@ -29,8 +29,7 @@ TEST(MagneticField, AgreesWithThePublishedTestValues) {
   for (const TestValue& v : kValues) {
     SCOPED_TRACE(testing::Message() << v.year << ", " << v.height_km << " km, " << v.latitude_deg
                                     << ", " << v.longitude_deg);
-    const MagneticField field =
-        magneticField(v.latitude_deg, v.longitude_deg, v.height_km, v.year);
+    const MagneticField field = magneticField(v.latitude_deg, v.longitude_deg, v.height_km, v.year);
     // Given to a hundredth of a degree and, here, a tenth of a nT.
     EXPECT_NEAR(field.horizontal_nT, v.horizontal_nT, 0.051);
     EXPECT_NEAR(field.inclination_rad * kDegPerRad, v.inclination_deg, 0.0051);

@@ -11,7 +11,7 @@ file : item* EOF ;
 item
   : missionLine | platformLine | importLine
   | constant | parameter | variable
-  | always | state | behaviour | external | requirement | resumption
+  | always | state | behaviour | external | requirement | resumption | declination
   ;
 
 missionLine : MISSION anyName ;
@@ -62,6 +62,7 @@ declaration
 reads : READS name (COMMA name)* ;
 
 resumption : RESUME WITHIN expr ;
+declination : DECLINATION expr ;
 
 requirement : REQUIRE promise ;
 promise
@@ -99,7 +100,7 @@ argument : expr (OF name)? ;
 
 name
   : NAME | IN | OF | WHERE | DONE | FUNCTION | SENSOR | READS | WITHIN | STACK | REACH | NEVER | AFTER | STALE
-  | SURFACES | RESUME
+  | SURFACES | RESUME | DECLINATION
   ;
 // A unit's name may name a mission or a state; elsewhere the frontend says why not.
 anyName : name | UNIT | COMPASS | MIN ;

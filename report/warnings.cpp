@@ -69,6 +69,11 @@ std::string neverVisited(const Trace& trace) {
                                      more == 0 ? "" : fmt::format(" and {} more", more));
 }
 
+/// The note of runtime/core/compass.cpp.
+bool saysNoDeclination(const TraceEvent& event) {
+  return event.kind == "log" && event.what == "declination unknown: headings are magnetic";
+}
+
 }  // namespace
 
 bool wasNeverInControl(const Trace& trace) {
@@ -103,6 +108,11 @@ std::vector<std::string> flightWarnings(const Trace& trace) {
     const auto first = std::ranges::find_if(trace.events, isRefusal);
     warnings.push_back(fmt::format("{} instruction{} refused, the first at {:.0f} s: {}", refused,
                                    refused == 1 ? "" : "s", first->time_s, plain(first->what)));
+  }
+  if (std::ranges::any_of(trace.events, saysNoDeclination)) {
+    warnings.emplace_back(
+        "the magnetic declination was not known: headings were taken as magnetic. The mission can "
+        "say it, as `declination -12 deg` (GL2162)");
   }
   if (wasCutShort(trace)) {
     warnings.push_back(fmt::format("the mission had not ended when the simulated time was over{}",

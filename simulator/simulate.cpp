@@ -82,7 +82,7 @@ class Simulation {
         ocean_(setup_.scenario.ocean),
         vehicle_(setup_.scenario.vehicle),
         flight_(setup_.platform, setup_.scenario.skeleton, setup_.scenario.sensors, seed_, frame_,
-                journal_),
+                setup_.scenario.year, journal_),
         science_(seed_, setup_.scenario.sensors, !real_time_),
         damage_(faults().sensors),
         clothesline_(kClotheslineBaud, damageOf(LineWay::ToFlight, kClotheslineBaud),

@@ -9,6 +9,9 @@
 
 #include <llvm/Support/Alignment.h>
 
+#include <limits>
+#include <optional>
+
 namespace glider::codegen {
 namespace {
 
@@ -20,6 +23,7 @@ static_assert(static_cast<int>(ir::Transition::Stay) == kGliderStay);
 static_assert(static_cast<int>(ir::Transition::Done) == kGliderDone);
 static_assert(static_cast<int>(ir::Encoding::Linear) == kGliderLinear);
 static_assert(static_cast<int>(ir::Encoding::DegreesMinutes) == kGliderDegreesMinutes);
+static_assert(static_cast<int>(ir::Encoding::Magnetic) == kGliderMagnetic);
 
 uint64_t bytesOf(const Lowering& lowering) {
   return contextBytes(lowering.mission, lowering.facts, lowering.index,
@@ -67,6 +71,8 @@ class Tables {
                         const std::string& name);
   llvm::Constant* sensors();
   llvm::Constant* poll(const ir::Sensor& sensor);
+  llvm::Constant* compass();
+  llvm::Constant* function(const char* name);
   llvm::Constant* states();
   llvm::Constant* parameters();
   llvm::Constant* cases(const std::vector<ir::Case>& cases, const std::string& name);
@@ -98,6 +104,31 @@ llvm::Constant* Tables::poll(const ir::Sensor& sensor) {
   auto found = lowering_.module.getOrInsertFunction(sensor.symbol,
                                                     llvm::FunctionType::get(type, {type}, false));
   return llvm::cast<llvm::Constant>(found.getCallee());
+}
+
+/// One of the runtime's, named only where it is needed. Only its address is taken, so its type is
+/// of no matter.
+llvm::Constant* Tables::function(const char* name) {
+  auto* type = llvm::FunctionType::get(llvm::Type::getVoidTy(context()), false);
+  return llvm::cast<llvm::Constant>(lowering_.module.getOrInsertFunction(name, type).getCallee());
+}
+
+llvm::Constant* Tables::compass() {
+  const std::optional<ir::Compass>& compass = lowering_.mission.compass;
+  if (!compass) {
+    return nothing();
+  }
+  llvm::Constant* value = llvm::ConstantStruct::get(
+      lowering_.types.GliderCompass,
+      {number(compass->declination.value_or(std::numeric_limits<double>::quiet_NaN())),
+       word(compass->variation.valid() ? lowering_.mission[compass->variation].id
+                                       : GLIDER_NO_SENSOR),
+       word(0), function("gliderTakeHeadings"), function("gliderFollowCompass"),
+       function("gliderMagneticHeading")});
+  auto* variable = new llvm::GlobalVariable(lowering_.module, lowering_.types.GliderCompass, true,
+                                            llvm::GlobalValue::PrivateLinkage, value, "compass");
+  variable->setUnnamedAddr(llvm::GlobalValue::UnnamedAddr::Global);
+  return variable;
 }
 
 llvm::Constant* Tables::sensors() {
@@ -196,7 +227,8 @@ llvm::Constant* Tables::mission(const MissionFunctions& functions) {
                                     code(functions.advance),
                                     code(functions.guards),
                                     code(functions.act),
-                                    code(functions.condition)});
+                                    code(functions.condition),
+                                    compass()});
 }
 
 }  // namespace

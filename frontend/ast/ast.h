@@ -361,6 +361,13 @@ struct Resumption {
   bool operator==(const Resumption&) const = default;
 };
 
+/// The angle of magnetic north from true north, east positive.
+struct Declination {
+  Expr angle;
+  Where where;
+  bool operator==(const Declination&) const = default;
+};
+
 struct MissionLine {
   Name name;
   Where where;
@@ -377,9 +384,9 @@ struct Import {
   bool operator==(const Import&) const = default;
 };
 
-using Item =
-    std::variant<MissionLine, PlatformLine, Import, Const, Param, Var, Always, State, Behaviour,
-                 ExternFunction, ExternBehaviour, ExternSensor, Requirement, Resumption>;
+using Item = std::variant<MissionLine, PlatformLine, Import, Const, Param, Var, Always, State,
+                          Behaviour, ExternFunction, ExternBehaviour, ExternSensor, Requirement,
+                          Resumption, Declination>;
 
 /// A mission file or a library file.
 struct File {

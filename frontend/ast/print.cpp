@@ -107,6 +107,7 @@ class FilePrinter {
   }
 
   void write(const Resumption& n) { line("resume within " + print(n.within)); }
+  void write(const Declination& n) { line("declination " + print(n.angle)); }
 
   static std::string promise(const AlwaysPromise& p) { return "always " + print(p.condition); }
   static std::string promise(const ExitPromise& p) { return "exit within " + print(p.within); }

@@ -54,13 +54,24 @@ class Layout {
     lines_.push_back({at_, at_, indent, indent, false});
   }
 
+  /// True at a line `declination -12 deg`: the word is a name where a value or a name is awaited.
+  [[nodiscard]] bool declination() const {
+    return token().is("declination") &&
+           !after({"mission", "platform", "const", "param", "var",   "function", "sensor", "=",
+                   "+",       "-",        "*",     "/",     "(",     ",",        "[",      "in",
+                   "..",      "where",    "<",     "<=",    ">",     ">=",       "==",     "!=",
+                   "&&",      "||",       "!",     "and",   "or",    "not",      "of",     ":",
+                   "always",  "within",   "every", "after", "reach", "never",    "reads"});
+  }
+
   void topLevel() {
     const bool named = after({"require", "extern"});
     const bool large =
         !named && oneOf(token(), {"always", "state", "flightprofile", "flightroute"});
     const bool resume = token().is("resume") && tokens_[at_ + 1].is("within");
-    const bool small = resume || oneOf(token(), {"mission", "platform", "import", "const", "param",
-                                                 "var", "extern", "require"});
+    const bool small = resume || declination() ||
+                       oneOf(token(), {"mission", "platform", "import", "const", "param", "var",
+                                       "extern", "require"});
     if (large || small) {
       startLine(0);
       lines_.back().apart = large || after_large_;

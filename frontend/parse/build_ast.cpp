@@ -68,6 +68,9 @@ ast::Item AstBuilder::item(Parser::ItemContext* rule) {
     case GliderParser::RuleResumption:
       return ast::Resumption{expr(static_cast<Parser::ResumptionContext*>(child)->expr()),
                              where(child)};
+    case GliderParser::RuleDeclination:
+      return ast::Declination{expr(static_cast<Parser::DeclinationContext*>(child)->expr()),
+                              where(child)};
     case GliderParser::RuleExternal:
       return external(static_cast<Parser::ExternalContext*>(child));
     default:

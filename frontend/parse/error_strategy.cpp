@@ -219,9 +219,9 @@ void ErrorStrategy::complainInRule(antlr4::Parser* parser, size_t rule, const Le
       return expected(listOf(parser->getExpectedTokens()), found);
     case GliderParser::RuleFile:
     case GliderParser::RuleItem:
-      if (!misspelled(found,
-                      {"mission", "platform", "import", "const", "param", "var", "always", "state",
-                       "flightprofile", "flightroute", "extern", "require", "resume"})) {
+      if (!misspelled(found, {"mission", "platform", "import", "const", "param", "var", "always",
+                              "state", "flightprofile", "flightroute", "extern", "require",
+                              "resume", "declination"})) {
         expected("`state` or another declaration", found);
       }
       return;

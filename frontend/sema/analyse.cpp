@@ -5,6 +5,7 @@
 #include "frontend/sema/declarations.h"
 #include "frontend/sema/lower_behaviour.h"
 #include "frontend/sema/lower_case.h"
+#include "frontend/sema/lower_declination.h"
 #include "frontend/sema/lower_requirement.h"
 #include "frontend/sema/lower_resumption.h"
 #include "frontend/sema/lower_state.h"
@@ -45,6 +46,7 @@ std::optional<ir::Mission> analyse(const ast::File& mission, const AnalysisInput
   }
   lowerRequirements(mission, scope);
   lowerResumption(mission, scope);
+  lowerDeclination(mission, scope);
   if (diagnostics.hasErrors()) {
     return std::nullopt;
   }

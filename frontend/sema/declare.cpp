@@ -61,6 +61,7 @@ class Declarations {
   void visit(const ast::Import&) {}
   void visit(const ast::Requirement&) {}
   void visit(const ast::Resumption&) {}
+  void visit(const ast::Declination&) {}
 
   void visit(const ast::Behaviour& node) {
     BehaviourDeclaration declaration;

@@ -49,6 +49,9 @@ struct Judge {
   std::optional<Refused> operator()(const ast::Resumption& item) const {
     return Refused{"`resume`", item.where};
   }
+  std::optional<Refused> operator()(const ast::Declination& item) const {
+    return Refused{"`declination`", item.where};
+  }
 };
 
 }  // namespace

@@ -29,7 +29,9 @@ ir::Sensor irSensor(const platforms::PlatformSensor& sensor, std::string_view wr
           sensor.name,
           sensor.id,
           typeOf(sensor),
-          minutes ? ir::Encoding::DegreesMinutes : ir::Encoding::Linear,
+          minutes                   ? ir::Encoding::DegreesMinutes
+          : !own && sensor.magnetic ? ir::Encoding::Magnetic
+                                    : ir::Encoding::Linear,
           sensor.to_si,
           sensor.lowest,
           sensor.highest,

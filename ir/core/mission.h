@@ -10,6 +10,7 @@
 #include <compare>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -70,8 +71,9 @@ struct Expr {
 /// How the vehicle writes a sensor's value down.
 enum class Encoding : uint8_t {
   Linear,
-  DegreesMinutes
-};  ///< DegreesMinutes: ddmm.mmmm, becomes degrees
+  DegreesMinutes,  ///< ddmm.mmmm, becomes degrees
+  Magnetic  ///< linear; a heading from magnetic north, which frames have from true north already
+};
 
 /// Numbers of sensors from here on are not the vehicle's.
 constexpr uint16_t kFirstOwnSensor = 0xFF00;
@@ -326,6 +328,15 @@ struct Requirement {
 /// meanwhile matters.
 inline constexpr double kResumeWithin_s = 300;
 
+/// How a mission that reads or commands headings, which are true, gets along with a vehicle whose
+/// headings are magnetic: what the vehicle has told of the variation counts, else the declination.
+struct Compass {
+  SensorId
+      variation;  ///< by what magnetic headings exceed true ones; invalid: the vehicle has none
+  std::optional<double> declination;  ///< rad, east positive, of the mission's line
+  bool operator==(const Compass&) const = default;
+};
+
 struct Mission {
   std::string name;
   std::string platform;
@@ -346,6 +357,7 @@ struct Mission {
   /// The longest outage of the SBC after which the mission goes on, s; kResumeWithin unless the
   /// mission says another.
   double resume_within_s = kResumeWithin_s;
+  std::optional<Compass> compass;  ///< empty: the mission has nothing to do with headings
 
   [[nodiscard]] const Expr& operator[](ExprId id) const { return exprs.at(id.index); }
   [[nodiscard]] const State& operator[](StateId id) const { return states.at(id.index); }

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 #include <utility>
 
@@ -30,6 +31,7 @@ class Validator {
 
   std::vector<Defect> run() {
     sensors();
+    compass();
     behaviours();
     variables();
     tables();
@@ -59,14 +61,37 @@ class Validator {
       require(s.type.kind != TypeKind::Bool && sound(s.type), {}, "sensor `{}` is no number",
               s.name);
       const bool position = s.type.kind == TypeKind::Latitude || s.type.kind == TypeKind::Longitude;
-      require(s.encoding == Encoding::Linear || position, {},
+      require(s.encoding != Encoding::DegreesMinutes || position, {},
               "sensor `{}` has degrees and minutes but is no latitude or longitude", s.name);
+      require(s.encoding != Encoding::Magnetic || isAngle(s), {},
+              "sensor `{}` is magnetic but not an angle of the vehicle in rad", s.name);
       require(std::isfinite(s.to_si) && s.to_si != 0, {}, "sensor `{}` has the factor {}", s.name,
               s.to_si);
       require(s.lowest <= s.highest, {}, "sensor `{}` has the range {} to {}", s.name, s.lowest,
               s.highest);
       require(s.stale_after_s >= 0, {}, "sensor `{}` is stale after {} s", s.name, s.stale_after_s);
     }
+  }
+
+  static bool isAngle(const Sensor& s) {
+    return s.symbol.empty() && s.to_si == 1 &&
+           s.type == Type{TypeKind::Quantity, support::dimension::angle};
+  }
+
+  /// A mission whose headings are true needs to know by what those of the vehicle differ.
+  void compass() {
+    const bool magnetic = std::ranges::any_of(
+        m_.sensors, [](const Sensor& s) { return s.encoding == Encoding::Magnetic; });
+    require(m_.compass.has_value() || !magnetic, {}, "a magnetic sensor, and no compass");
+    if (!m_.compass) {
+      return;
+    }
+    const SensorId variation = m_.compass->variation;
+    require(!variation.valid() ||
+                (variation.index < m_.sensors.size() && isAngle(m_.sensors[variation.index])),
+            {}, "the variation of the compass is not an angle of the vehicle");
+    require(std::fabs(m_.compass->declination.value_or(0)) <= std::numbers::pi, {},
+            "a declination of more than half a turn");
   }
 
   void behaviours() {

@@ -104,7 +104,7 @@ class BounceCheck {
     for (uint32_t i = 0; i < m_.sensors.size(); ++i) {
       const platforms::PlatformSensor* row = ground_.platformSensor({i});
       const bool noisy =
-          row != nullptr && row->noise > 0 && m_.sensors[i].encoding == Encoding::Linear;
+          row != nullptr && row->noise > 0 && m_.sensors[i].encoding != Encoding::DegreesMinutes;
       if (!noisy) {
         continue;
       }

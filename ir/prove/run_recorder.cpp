@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <utility>
@@ -40,6 +41,9 @@ RunRecorder::RunRecorder(const Ground& ground, uint32_t stack_depth,
   for (const Requirement& requirement : requirements_) {
     monitors_.emplace_back(m_, requirement, ground.platform.world.surface_depth_m, depth_sensor_);
   }
+  reads_variation_ = m_.compass && std::ranges::any_of(m_.exprs, [&](const Expr& e) {
+                       return e.sensor.valid() && e.sensor == m_.compass->variation;
+                     });
   interpreter_.emplace(m_, stack_depth);
 }
 
@@ -48,7 +52,9 @@ std::vector<SensorUpdate> RunRecorder::frameOf(const std::vector<double>& readin
   constexpr uint32_t kWide = 8;
   std::vector<SensorUpdate> frame;
   for (uint32_t i = 0; i < readings.size(); ++i) {
-    const double raw = rawOf(m_.sensors[i], readings[i]);
+    // The headings of a run are true: with a variation of 0 a vehicle gives the same ones again.
+    const bool variation = m_.compass && m_.compass->variation == SensorId{i} && !reads_variation_;
+    const double raw = variation ? 0 : rawOf(m_.sensors[i], readings[i]);
     const platforms::PlatformSensor* sensor = ground_.platformSensor({i});
     const bool wide = sensor == nullptr || sensor->bytes == kWide;
     frame.push_back({{i}, wide ? raw : static_cast<double>(static_cast<float>(raw))});

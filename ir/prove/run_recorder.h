@@ -47,6 +47,7 @@ class RunRecorder {
   const Mission& m_;
   std::span<const Requirement> requirements_;
   std::optional<SensorId> depth_sensor_;
+  bool reads_variation_ = false;              ///< the mission itself, beside its compass
   std::vector<RequirementMonitor> monitors_;  ///< one each
   std::optional<size_t> hit_;                 ///< the first of them that says so
   std::optional<Interpreter> interpreter_;

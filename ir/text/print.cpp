@@ -39,6 +39,7 @@ std::string Printer::run() {
     line("resume within {}", m_.resume_within_s);
   }
   std::ranges::for_each(m_.sensors, [&](const Sensor& s) { sensor(s); });
+  compass();
   std::ranges::for_each(m_.behaviours, [&](const Behaviour& b) { behaviour(b); });
   std::ranges::for_each(m_.variables, [&](const Variable& v) { variable(v); });
   std::ranges::for_each(m_.tables, [&](const Table& t) { table(t); });
@@ -62,12 +63,25 @@ std::string Printer::run() {
   return std::move(out_);
 }
 
+void Printer::compass() {
+  if (!m_.compass) {
+    return;
+  }
+  add("\ncompass");
+  if (m_.compass->variation.valid()) {
+    add(" variation {}", nameText(m_[m_.compass->variation].name));
+  }
+  if (m_.compass->declination) {
+    add(" declination {}", *m_.compass->declination);
+  }
+}
+
 void Printer::sensor(const Sensor& s) {
-  const bool linear = s.encoding == Encoding::Linear;
+  constexpr std::string_view kEncodings[] = {"linear", "degrees_minutes", "magnetic"};
   const std::string whose =
       s.symbol.empty() ? "vehicle " + nameText(s.vehicle_name) : "symbol " + nameText(s.symbol);
   add("\nsensor {}: {} {} id {} encoding {} to_si {} lowest {} highest {} stale_after {}",
-      nameText(s.name), typeText(s.type), whose, s.id, linear ? "linear" : "degrees_minutes",
+      nameText(s.name), typeText(s.type), whose, s.id, kEncodings[static_cast<size_t>(s.encoding)],
       s.to_si, s.lowest, s.highest, s.stale_after_s);
 }
 

@@ -42,6 +42,7 @@ class Printer {
     add(format, std::forward<Args>(args)...);
   }
 
+  void compass();
   void sensor(const Sensor& sensor);
   void behaviour(const Behaviour& behaviour);
   void variable(const Variable& variable);

@@ -76,11 +76,24 @@ class Reader {
     } else if (in_.accept("resume")) {
       in_.expect("within");
       m_.resume_within_s = in_.number(false);
+    } else if (in_.accept("compass")) {
+      compass();
     } else if (!code_.definition()) {
       in_.failExpecting(
           "`sensor`, `behaviour`, `variable`, `table`, `function`, `use`, `let`, `always`, "
-          "`state`, `require` or `resume`");
+          "`state`, `require`, `resume` or `compass`");
     }
+  }
+
+  void compass() {
+    Compass read;
+    if (in_.accept("variation")) {
+      read.variation = sensorName();
+    }
+    if (in_.accept("declination")) {
+      read.declination = in_.number(false);
+    }
+    m_.compass = read;
   }
 
   void requirement() {
@@ -153,7 +166,9 @@ class Reader {
     in_.expect("id");
     s.id = static_cast<uint16_t>(in_.integer(0, UINT16_MAX));
     in_.expect("encoding");
-    s.encoding = in_.accept("degrees_minutes") ? Encoding::DegreesMinutes : Encoding::Linear;
+    s.encoding = in_.accept("degrees_minutes") ? Encoding::DegreesMinutes
+                 : in_.accept("magnetic")      ? Encoding::Magnetic
+                                               : Encoding::Linear;
     if (s.encoding == Encoding::Linear) {
       in_.expect("linear");
     }

@@ -34,6 +34,14 @@ uint32_t dictionaryHash(const glider::platforms::Platform& platform) {
   return hash;
 }
 
+/// As GliderEncoding of runtime/abi/glider_abi.h numbers them.
+int encoding(const glider::platforms::PlatformSensor& sensor) {
+  if (sensor.kind != glider::platforms::SensorKind::Quantity) {
+    return 1;
+  }
+  return sensor.magnetic ? 2 : 0;
+}
+
 std::string header(const glider::platforms::Platform& platform) {
   const std::string guard = fmt::format("GLIDER_GENERATED_{}_SENSORS_H", upper(platform.name));
   std::string out =
@@ -48,12 +56,10 @@ std::string header(const glider::platforms::Platform& platform) {
   }
   out +=
       "\n/* X(number, name, factor to SI units, lowest and highest plausible value, stale after s, "
-      "1 "
-      "if ddmm.mmmm) */\n#define GLIDER_SENSOR_TABLE(X) \\\n";
+      "number of its GliderEncoding) */\n#define GLIDER_SENSOR_TABLE(X) \\\n";
   for (const auto& s : platform.sensors) {
     out += fmt::format("  X({}, {}, {}, {}, {}, {}, {}){}\n", s.id, s.name, s.to_si, s.lowest,
-                       s.highest, s.stale_after_s,
-                       s.kind == glider::platforms::SensorKind::Quantity ? 0 : 1,
+                       s.highest, s.stale_after_s, encoding(s),
                        s.id + 1U == platform.sensors.size() ? "" : " \\");
   }
   out += "\n/* X(number, at most once in so many flight cycles, dead band) */\n";

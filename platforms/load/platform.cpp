@@ -48,7 +48,7 @@ void readReporting(TomlReader& reader, double cycle_s, PlatformSensor& sensor) {
 
 PlatformSensor readSensor(TomlReader& reader, size_t id, double cycle_s) {
   reader.only({"name", "alias", "unit", "lowest", "highest", "stale_after_s", "every_s",
-               "dead_band", "computer", "bytes", "noise", "what"});
+               "dead_band", "computer", "bytes", "noise", "magnetic", "what"});
   PlatformSensor sensor;
   sensor.id = static_cast<uint16_t>(id);
   sensor.name = reader.text("name");
@@ -75,6 +75,10 @@ PlatformSensor readSensor(TomlReader& reader, size_t id, double cycle_s) {
   readReporting(reader, cycle_s, sensor);
   if (!(sensor.noise >= 0)) {
     reader.refuse("noise", "must not be below 0");
+  }
+  sensor.magnetic = reader.flagOr("magnetic", false);
+  if ((sensor.magnetic || sensor.name == kVariationSensor) && sensor.unit != "rad") {
+    reader.refuse("unit", "of a magnetic heading or `m_gps_mag_var` must be \"rad\"");
   }
   if (computer != "flight" && computer != "science") {
     reader.refuse("computer", "must be \"flight\" or \"science\"");

@@ -33,6 +33,7 @@ struct PlatformSensor {
   double every_s = 0;    ///< the SBC hears of it at most so often
   double dead_band = 0;  ///< a change of at most so much is not sent; in the vehicle's unit
   Computer computer = Computer::Flight;
+  bool magnetic = false;  ///< a heading from magnetic north; missions see it from true north
   double noise =
       0;  ///< two readings of the same water may differ by so much, in the vehicle's unit
   uint8_t bytes = 4;  ///< width in the sensor array: 1 (int8), 4 (float32) or 8 (float64)
@@ -60,6 +61,9 @@ struct World {
   double through_water_m_s = 0;  ///< how fast it gets on horizontally through the water, at most
   double steering_error_m = 0;   ///< how far turning takes it off the straight way, at most
 };
+
+/// The sensor that says by how much magnetic headings exceed true ones; a vehicle may lack it.
+inline constexpr std::string_view kVariationSensor = "m_gps_mag_var";
 
 /// A vehicle as data: platforms/<name>.toml.
 struct Platform {

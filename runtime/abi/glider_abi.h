@@ -13,11 +13,12 @@
 extern "C" {
 #endif
 
-#define GLIDER_ABI_VERSION 5u
+#define GLIDER_ABI_VERSION 6u
 /* Gives a function declared in C the symbol that a mission looks for; ir/core/c_symbols.h says how
    it spells the function's types. */
 #define GLIDER_SYMBOL(name) __asm__(name)
 #define GLIDER_NO_CASE UINT32_MAX
+#define GLIDER_NO_SENSOR UINT32_MAX
 #define GLIDER_FIRST_OWN_SENSOR 0xFF00u
 #define GLIDER_NO_LIST UINT32_MAX
 #define GLIDER_NO_LIMIT UINT32_MAX
@@ -50,7 +51,12 @@ typedef enum GliderNoteKind {
   kGliderNoteUnknownSet /* a `set` whose value was unknown */
 } GliderNoteKind;
 
-typedef enum GliderEncoding { kGliderLinear, kGliderDegreesMinutes } GliderEncoding;
+typedef enum GliderEncoding {
+  kGliderLinear,
+  kGliderDegreesMinutes,
+  kGliderMagnetic /* linear; a heading, magnetic on the vehicle, true once GliderTakeHeadings has
+                     had it */
+} GliderEncoding;
 
 /* What a state may log, and what a table of guards looks at. */
 typedef enum GliderSource {
@@ -80,6 +86,7 @@ typedef enum GliderLateral {
 
 typedef struct GliderContext GliderContext;
 typedef struct GliderMission GliderMission;
+typedef struct GliderUpdate GliderUpdate;
 
 typedef union GliderBehaviourMemory {
   uint8_t bytes[GLIDER_BEHAVIOUR_MEMORY_BYTES];
@@ -112,6 +119,14 @@ typedef uint32_t(GliderCondition)(const GliderContext* context);
 /* A sensor on the SBC, asked once a tick: a new reading in SI units; NaN if there is none since the
    last. `mission_time` is s since control was given. */
 typedef double(GliderPoll)(double mission_time);
+/* Of a GliderCompass. Take: notes in `variation` (NaN: unknown so far) what the frame's updates say
+   of it, and makes the magnetic headings among them true. `context` is that of the running mission,
+   or NULL. Follow: after each tick. What the vehicle has not said the mission's line says, else 0,
+   and a note that it is so. Magnetic: the heading that the vehicle is to steer, in [0, 2 pi). */
+typedef void(GliderTakeHeadings)(const GliderMission* mission, const GliderContext* context,
+                                 double* variation, GliderUpdate* updates, uint32_t count);
+typedef void(GliderFollowCompass)(GliderContext* context, double* variation);
+typedef double(GliderMagneticHeading)(const GliderContext* context);
 /* 1 if the guard of case `number` of a list is true. */
 typedef uint32_t(GliderHolds)(const GliderContext* context, uint32_t number);
 

@@ -21,11 +21,11 @@ extern "C" {
 typedef struct GliderRuntime GliderRuntime;
 
 /* One sensor of a frame, in the vehicle's unit. */
-typedef struct GliderUpdate {
+struct GliderUpdate {
   double value;
   uint32_t id; /* number in the platform file */
   uint32_t reserved;
-} GliderUpdate;
+};
 
 /* Where the mission log goes. */
 typedef struct GliderLogSink {
@@ -88,6 +88,11 @@ typedef enum GliderRuntimeStatus {
    SI units; NULL: the defaults. A mission time smaller than the last counts as that. */
 #include "runtime/abi/entry_points.def"
 #undef ENTRY_POINT
+
+/* The functions of a GliderCompass (glider_abi.h). */
+GliderTakeHeadings gliderTakeHeadings;
+GliderFollowCompass gliderFollowCompass;
+GliderMagneticHeading gliderMagneticHeading;
 
 #ifdef __cplusplus
 }

@@ -11,6 +11,7 @@ using glider::runtime::Program;
 namespace {
 
 constexpr uint32_t kMostLists = 16;
+constexpr double kHalfTurn = 3.141592653589793;  // rad
 constexpr uint32_t kMostEvents = 16;
 
 bool fires(const gliderEvent& tested) {
@@ -118,6 +119,14 @@ extern "C" int keepState(void* state, size_t bytes) {
   const bool early = !program.isAttached();
   const auto count = static_cast<uint32_t>(bytes < UINT32_MAX ? bytes : UINT32_MAX);
   return early && program.kept().add(state, count) ? 0 : -1;
+}
+
+extern "C" int setDeclination(double east) {
+  if (!(east >= -kHalfTurn && east <= kHalfTurn)) {
+    return -1;
+  }
+  Program::instance().declination(east);
+  return 0;
 }
 
 extern "C" void resumeWithin(double seconds) {

@@ -51,13 +51,17 @@ Program& Program::instance() {
   return program;
 }
 
-Program::Program() {
+Program::Program()
+    : compass_{unknown(),          GLIDER_M_GPS_MAG_VAR, 0,
+               gliderTakeHeadings, gliderFollowCompass,  gliderMagneticHeading},
+      variation_(unknown()) {
   state_.name = "program";
   mission_.abi_version = GLIDER_ABI_VERSION;
   mission_.state_count = 1;
   mission_.states = states_;
   mission_.sensors = sensors_;  // what the program does stands in its own code, between the ticks
   mission_.resume_within = kResumeWithin;
+  mission_.compass = &compass_;
   wanted_.mission = &nothing_;
   water_.column.clear();
 }
@@ -78,6 +82,7 @@ bool Program::use(uint32_t sensor) {
 }
 
 void Program::open() {
+  (void)use(compass_.variation);  // without room for it the declination counts
   hooks::ClientOptions options;
   options.mission_name = link_.mission_name;
   options.sensors = subscription_;
@@ -167,6 +172,8 @@ bool Program::takeTick() {
   for (uint32_t i = 0; i < tick.reading_count; ++i) {
     updates_[i] = {tick.readings[i].value, tick.readings[i].id, 0};
   }
+  compass_.take(&mission_, started_ ? context_ : nullptr, &variation_, updates_,
+                tick.reading_count);
   if (started_) {
     const double time = clock_.atFrame(tick.vehicle_time_s, sbc_time);
     gliderStep(context_, time, updates_, tick.reading_count);
@@ -174,6 +181,7 @@ bool Program::takeTick() {
     start(tick.vehicle_time_s, sbc_time);
   }
   if (started_) {
+    followCompass();
     record();
     link_log_->news(*context_, news);
     link_log_->unanswered(*context_, tick);
@@ -233,7 +241,17 @@ void Program::note(const char* text, const double* values, uint32_t count) {
     return;
   }
   gliderNote(context_, kGliderNoteLog, text, values, count);
-  tellNotes(*context_, *log_, *client_);  // now: the text may be gone when the tick is answered
+  tellNow();
+}
+
+void Program::followCompass() {
+  compass_.follow(context_, &variation_);
+  tellNow();
+}
+
+/// Notes are told at once: their text may be gone when the tick is answered.
+void Program::tellNow() {
+  tellNotes(*context_, *log_, *client_);
   context_->note_count = 0;
   context_->note_value_count = 0;
   context_->lost_notes = 0;

@@ -57,6 +57,8 @@ class Program {
   KeptState& kept() { return kept_; }
   /// So long an outage may last if the mission is to go on after it, s.
   void resumeWithin(double seconds) { mission_.resume_within = seconds; }
+  /// What counts for headings while the vehicle has told no variation: rad, east positive.
+  void declination(double east) { compass_.declination = east; }
   void attach(const Link& link) { link_ = link; }
   [[nodiscard]] bool isAttached() const { return link_.wait != nullptr; }
   /// True when the vehicle said that its time is virtual: it waits for every answer.
@@ -94,6 +96,8 @@ class Program {
   void tryToGoOn(const hooks::VehicleTick& tick, double sbc_time);
   void start(double vehicle_time, double sbc_time);
   void record();
+  void followCompass();
+  void tellNow();
   void save();
   void restore();
 
@@ -102,6 +106,8 @@ class Program {
   GliderStateInfo state_{};
   const GliderStateInfo* const states_[1] = {&state_};
   GliderMission mission_{};
+  GliderCompass compass_;
+  double variation_;  ///< that the vehicle told; NaN: none yet
   GliderSensorInfo sensors_[kMost] = {};
   hooks::Subscription subscription_[kMost] = {};
   GliderUpdate updates_[kMost] = {};

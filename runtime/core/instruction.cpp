@@ -54,7 +54,10 @@ hooks::Instruction instructionFor(const GliderContext& context) {
   instruction.lateral = lateralOf(context.lateral);
   instruction.depth_m = context.depth;
   instruction.pitch_rad = context.pitch;
-  instruction.heading_rad = context.heading;
+  const GliderCompass* compass = context.mission->compass;
+  instruction.heading_rad = compass != nullptr && context.lateral == kGliderHeading
+                                ? compass->magnetic(&context)
+                                : context.heading;
   instruction.latitude_ddmm = degreesMinutesOf(context.latitude);
   instruction.longitude_ddmm = degreesMinutesOf(context.longitude);
   hooks::Instruction rounded = hooks::roundToArray(instruction);

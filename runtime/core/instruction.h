@@ -9,7 +9,8 @@
 /// From the commands in force to what crosses the hook.
 namespace glider::runtime {
 
-/// The command in force as the sensor array holds it: ddmm.mmmm, float32. Control, session and
+/// The command in force as the sensor array holds it: ddmm.mmmm, float32, headings from magnetic
+/// north. Control, session and
 /// sequence are left open.
 hooks::Instruction instructionFor(const GliderContext& context);
 

@@ -8,6 +8,7 @@
 #include "runtime/core/instruction.h"
 #include "runtime/core/lay_out.h"
 #include "runtime/core/tell_notes.h"
+#include "runtime/numbers/numbers.h"
 
 #include <new>
 
@@ -52,6 +53,7 @@ GliderRuntime::GliderRuntime(void* context_memory, const GliderMission& mission,
       client_(subscribe(mission, sensors_)),
       log_(options.log, mission),
       link_log_(log_),
+      variation_(glider::runtime::unknown()),
       persistence_(Checkpoint(options.checkpoints, programOf(mission, options)),
                    {client_, control_, clock_, log_}) {
   persistence_.look(*glider::runtime::layOut(context_memory_, mission_));
@@ -150,14 +152,25 @@ uint32_t GliderRuntime::gatherUpdates() {
   for (uint32_t i = 0; i < tick.reading_count; ++i) {
     updates_[i] = {tick.readings[i].value, tick.readings[i].id, 0};
   }
+  if (mission_.compass != nullptr) {
+    mission_.compass->take(&mission_, context_, &variation_, updates_, tick.reading_count);
+  }
   return tick.reading_count;
+}
+
+/// What follows each step of the mission, before its values are logged.
+void GliderRuntime::endStep() {
+  if (mission_.compass != nullptr) {
+    mission_.compass->follow(context_, &variation_);
+  }
+  glider::runtime::tellNotes(*context_, log_, client_);
 }
 
 void GliderRuntime::startMission(uint32_t update_count) {
   context_ = gliderStart(context_memory_, &mission_, parameters_, updates_, update_count);
   log_.begin(*context_);
   persistence_.begun();
-  glider::runtime::tellNotes(*context_, log_, client_);
+  endStep();
   log_.values(*context_);
   link_log_.refusedCommands(*context_);
 }
@@ -169,7 +182,7 @@ void GliderRuntime::stepMission(double mission_time, uint32_t update_count) {
   const uint32_t from = context_->state;
   const glider::runtime::StateTimes times{context_->entered, context_->resumed};
   gliderStep(context_, mission_time, updates_, update_count);
-  glider::runtime::tellNotes(*context_, log_, client_);
+  endStep();
   tellTransition(from, times);
   if (!finished()) {
     log_.values(*context_);

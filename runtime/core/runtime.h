@@ -40,6 +40,7 @@ struct GliderRuntime {
   void tellTransition(uint32_t from, const glider::runtime::StateTimes& times);
   void command();
   uint32_t gatherUpdates();
+  void endStep();
   [[nodiscard]] bool finished() const { return context_ != nullptr && context_->finished != 0; }
   [[nodiscard]] glider::hooks::MissionStatus status() const;
 
@@ -54,5 +55,6 @@ struct GliderRuntime {
   glider::runtime::MissionLog log_;
   glider::runtime::LinkLog link_log_;
   GliderUpdate updates_[glider::hooks::kMostSubscriptions] = {};
+  double variation_;  ///< of a mission with a compass: the last that the vehicle told, else NaN
   glider::runtime::Persistence persistence_;
 };

@@ -18,7 +18,7 @@ extern "C" void gliderRouteNav(GliderContext* context, GliderBehaviourMemory*, u
   gliderSteerTo(context, latitude, longitude);
 }
 
-/// On the heading `to`, rad clockwise from north.
+/// On the heading `to`, rad clockwise from true north.
 extern "C" void gliderRouteHeading(GliderContext* context, GliderBehaviourMemory*, uint32_t,
                                    double to) {
   gliderSteer(context, to);

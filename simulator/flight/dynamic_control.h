@@ -13,7 +13,7 @@ namespace glider::simulator {
 class DynamicControl {
  public:
   struct Measured {
-    double time_s, pitch, heading, waypoint_bearing;
+    double time_s, pitch, heading, waypoint_bearing;  ///< both magnetic
   };
   /// One cycle of `seconds`. All three slots are filled.
   void cycle(const Commands& commands, const Measured& measured, double seconds, Vehicle& vehicle);

@@ -5,16 +5,19 @@
 
 #include "platforms/slocum_sensors.h"
 #include "simulator/flight/position.h"
+#include "simulator/magnetism/magnetic_field.h"
 
 #include <fmt/format.h>
 
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace glider::simulator {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kTurn = 2 * std::numbers::pi;
 // The pilot's clock at the mission's start: nothing may depend on the wall clock of the machine.
 constexpr double kStartOfMission = 1.25e9;  // s since 1970, in 2009
 constexpr double kAbortPitch = 0.4538;      // rad, the vehicle's nominal
@@ -36,8 +39,10 @@ double depthState(const Situation& s) {
 FlightController::FlightController(const platforms::Platform& platform,
                                    const slocum::MissionFile& mission,
                                    const SensorSettings& sensors, uint64_t seed,
-                                   const LocalFrame& frame, Journal& journal)
+                                   const LocalFrame& frame, double year, Journal& journal)
     : array_(platform),
+      frame_(frame),
+      year_(year),
       navigator_(frame),
       depth_sensor_(seed, sensors.depth_m),
       attitude_(seed, sensors.pitch_rad, sensors.heading_rad),
@@ -59,6 +64,12 @@ hooks::HookState FlightController::hookState() const {
   return aborted() ? hooks::HookState::Complete : layers_.hookbeh()->hookState();
 }
 
+/// By what magnetic headings exceed true ones, rad, as far as the vehicle knows: from its last fix.
+double FlightController::variation() const {
+  const double told = array_.get(GLIDER_M_GPS_MAG_VAR);
+  return std::isnan(told) ? 0 : told;
+}
+
 void FlightController::readSensors(double now_s, const Ocean& ocean, const Vehicle& vehicle) {
   SensorArray& a = array_;
   a.set(GLIDER_M_PRESENT_TIME, kStartOfMission + now_s);
@@ -73,7 +84,10 @@ void FlightController::readSensors(double now_s, const Ocean& ocean, const Vehic
   a.set(GLIDER_M_DEPTH_RATE, rate);
   a.set(GLIDER_M_PITCH, attitude_.pitch(vehicle.pitch()));
   a.set(GLIDER_M_ROLL, 0);
-  a.set(GLIDER_M_HEADING, attitude_.heading(vehicle.heading()));
+  const GeoPosition truth = frame_.position(vehicle.x(), vehicle.y());
+  const double declination =
+      magneticField(truth.latitude_deg, truth.longitude_deg, 0, year_).declination_rad;
+  a.set(GLIDER_M_HEADING, attitude_.heading(vehicle.heading() - declination));
   const double altitude =
       altimeter_.altitude(vehicle.depth(), ocean.waterDepth(vehicle.x(), vehicle.y()));
   if (!std::isnan(altitude)) {
@@ -87,8 +101,14 @@ void FlightController::readSensors(double now_s, const Ocean& ocean, const Vehic
   a.set(GLIDER_M_BALLAST_PUMPED, vehicle.pumpedCc());
   a.set(GLIDER_M_BATTPOS, vehicle.batteryPositionIn());
   a.set(GLIDER_M_FIN, vehicle.fin());
+  locate(now_s, declination, vehicle);
+}
 
-  navigator_.reckon(rate, a.get(GLIDER_M_PITCH), a.get(GLIDER_M_HEADING), depth < kSurfaceDepth,
+/// Dead reckoning, and a GPS fix if there is one.
+void FlightController::locate(double now_s, double declination, const Vehicle& vehicle) {
+  SensorArray& a = array_;
+  navigator_.reckon(a.get(GLIDER_M_DEPTH_RATE), a.get(GLIDER_M_PITCH),
+                    a.get(GLIDER_M_HEADING) - variation(), a.get(GLIDER_M_DEPTH) < kSurfaceDepth,
                     cycles_ == 0 ? 0 : cycle_s_);
   const auto fix = gps_.fix(vehicle.x(), vehicle.y(), vehicle.depth(), now_s);
   has_fix_ = fix.has_value();
@@ -104,6 +124,7 @@ void FlightController::readSensors(double now_s, const Ocean& ocean, const Vehic
   if (fix) {
     a.set(GLIDER_M_GPS_LAT, a.get(GLIDER_M_LAT));
     a.set(GLIDER_M_GPS_LON, a.get(GLIDER_M_LON));
+    a.set(GLIDER_M_GPS_MAG_VAR, Gps::variation(declination));
   }
 }
 
@@ -244,6 +265,9 @@ void FlightController::control(const Commands& commands, const Situation& s, Veh
   if (to_waypoint) {
     navigator_.toWaypoint(commands.heading->latitude_ddmm, commands.heading->longitude_ddmm,
                           distance, bearing);
+    // The compass is magnetic, and the command with it.
+    const double magnetic = std::remainder(bearing + variation(), kTurn);
+    bearing = magnetic < 0 ? magnetic + kTurn : magnetic;
   }
   array_.set(GLIDER_M_DIST_TO_WPT, distance);
   dynamics_.cycle(commands,

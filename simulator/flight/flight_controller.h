@@ -30,9 +30,10 @@ struct HookOrder {
 /// → clothesline.
 class FlightController {
  public:
+  /// `year`, with its fraction: of the magnetic field.
   FlightController(const platforms::Platform& platform, const slocum::MissionFile& mission,
                    const SensorSettings& sensors, uint64_t seed, const LocalFrame& frame,
-                   Journal& journal);
+                   double year, Journal& journal);
 
   /// The control cycle at time `now_s` of the mission.
   void cycle(double now_s, const Ocean& ocean, Vehicle& vehicle,
@@ -66,6 +67,8 @@ class FlightController {
 
  private:
   void readSensors(double now_s, const Ocean& ocean, const Vehicle& vehicle);
+  void locate(double now_s, double declination, const Vehicle& vehicle);
+  [[nodiscard]] double variation() const;
   void receive(const GliderByteStream& clothesline);
   void send(const GliderByteStream& clothesline);
   [[nodiscard]] Situation situation(double now_s);
@@ -78,6 +81,8 @@ class FlightController {
   void judgeEnd(const Situation& situation);
 
   SensorArray array_;
+  const LocalFrame& frame_;
+  double year_;
   Navigator navigator_;
   DepthSensor depth_sensor_;
   AttitudeSensor attitude_;

@@ -33,7 +33,8 @@ class Navigator {
  public:
   explicit Navigator(const LocalFrame& frame) : frame_(frame) {}
 
-  /// One control cycle of `seconds`. What is NaN counts as it was when it was last known.
+  /// One control cycle of `seconds` on a true heading. What is NaN counts as it was when it was
+  /// last known.
   void reckon(double depth_rate, double pitch, double heading, bool at_surface, double seconds);
   void fix(Gps::Fix fix) { x_ = fix.x, y_ = fix.y; }
 
@@ -41,7 +42,7 @@ class Navigator {
   [[nodiscard]] double y() const { return y_; }
   [[nodiscard]] double speed() const { return speed_; }  ///< horizontal, through the water
   [[nodiscard]] GeoPosition position() const { return frame_.position(x_, y_); }
-  /// Distance and bearing (0…2 pi) from the reckoned position to a waypoint in ddmm.mmmm.
+  /// Distance and true bearing (0…2 pi) from the reckoned position to a waypoint in ddmm.mmmm.
   void toWaypoint(double latitude_ddmm, double longitude_ddmm, double& distance,
                   double& bearing) const;
 

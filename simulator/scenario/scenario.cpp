@@ -4,6 +4,7 @@
 #include "simulator/scenario/scenario.h"
 
 #include "simulator/flight/skeleton.h"
+#include "simulator/magnetism/magnetic_field.h"
 #include "simulator/scenario/read_faults.h"
 #include "simulator/scenario/read_ocean.h"
 #include "simulator/scenario/read_sensors.h"
@@ -50,10 +51,11 @@ void readHead(Fields& f, const ScenarioTables& tables, Scenario& scenario) {
 }
 
 void readStart(Fields& f, Scenario& scenario) {
-  f.reader().only({"latitude_deg", "longitude_deg", "heading_rad"});
+  f.reader().only({"latitude_deg", "longitude_deg", "heading_rad", "year"});
   scenario.latitude_deg = f.required("latitude_deg", -89, 89);
   scenario.longitude_deg = f.required("longitude_deg", -180, 180);
   f.number("heading_rad", scenario.vehicle.initial_heading_rad, 0, 6.283185307179586);
+  f.number("year", scenario.year, kFirstMagneticYear, kLastMagneticYear);
 }
 
 void readVehicle(Fields& f, Scenario& scenario) {

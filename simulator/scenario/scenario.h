@@ -23,6 +23,7 @@ struct Scenario {
   std::string description;
   uint64_t seed = 1;
   double latitude_deg = 0, longitude_deg = 0;  ///< of the start
+  double year = 2025;                          ///< of the magnetic field, with its fraction
   double duration_s = 0;                       ///< at most
   double isotherm_degC = 0;                    ///< NaN: none is marked
   std::filesystem::path skeleton_path;

@@ -7,7 +7,7 @@
 
 namespace glider::simulator {
 
-/// The compass and tilt sensor. Magnetic north is true north in this world.
+/// The compass and tilt sensor.
 class AttitudeSensor {
  public:
   AttitudeSensor(uint64_t seed, double pitch_noise_rad, double heading_noise_rad)
@@ -17,7 +17,7 @@ class AttitudeSensor {
         heading_sd_(heading_noise_rad) {}
 
   double pitch(double truth) { return truth + pitch_noise_.normal(pitch_sd_); }
-  /// In [0, 2 pi).
+  /// Of a magnetic heading; in [0, 2 pi).
   double heading(double truth) {
     constexpr double kTurn = 2 * std::numbers::pi;
     const double read = truth + heading_noise_.normal(heading_sd_);

@@ -5,6 +5,8 @@
 
 #include "simulator/sensors/noise.h"
 
+#include <cmath>
+#include <numbers>
 #include <optional>
 
 namespace glider::simulator {
@@ -29,6 +31,13 @@ class Gps {
     }
     const double east = noise_.normal(sd_);
     return Fix{x + east, y + noise_.normal(sd_)};
+  }
+
+  /// What a fix says of magnetic north, rad: magnetic headings exceed true ones by it, so it is
+  /// west positive. The receiver has it from a table, to a tenth of a degree.
+  static double variation(double declination_rad) {
+    constexpr double kTenth = std::numbers::pi / 1800;
+    return -std::round(declination_rad / kTenth) * kTenth;
   }
 
  private:

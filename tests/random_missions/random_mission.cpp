@@ -59,7 +59,7 @@ constexpr SensorKind kSensors[] = {
 class MissionMaker {
  public:
   explicit MissionMaker(uint64_t seed)
-      : random_(seed), expressions_(m_, random_), blocks_(m_, random_, expressions_) {
+      : seed_(seed), random_(seed), expressions_(m_, random_), blocks_(m_, random_, expressions_) {
     m_.name = fmt::format("random{}", seed);
     m_.platform = "slocum";
   }
@@ -73,6 +73,9 @@ class MissionMaker {
     initialValues();
     states();
     always();
+    if (seed_ % 4 == 3) {
+      m_.compass = ir::Compass{{}, static_cast<double>(seed_ % 300) / 100 - 1.5};
+    }
     return std::move(m_);
   }
 
@@ -382,6 +385,7 @@ class MissionMaker {
   }
 
   ir::Mission m_;
+  uint64_t seed_;
   Random random_;
   ExpressionMaker expressions_;
   BlockMaker blocks_;

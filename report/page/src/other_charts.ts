@@ -21,7 +21,7 @@ interface Panel {
 
 const panels: Panel[] = [
   { title: "Pitch", measured: "m_pitch", commanded: "c_pitch", least: 0.2 },
-  { title: "Heading", measured: "m_heading", commanded: "c_heading", least: 0.35, round: true },
+  { title: "Heading, magnetic", measured: "m_heading", commanded: "c_heading", least: 0.35, round: true },
   { title: "Buoyancy pump", measured: "m_ballast_pumped", commanded: "c_ballast_pumped", least: 20 },
   { title: "Vertical speed", measured: "m_depth_rate", least: 0.1 },
   { title: "Battery", measured: "m_battery", least: 0.5 },

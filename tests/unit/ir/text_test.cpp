@@ -103,7 +103,8 @@ void expectSame(const std::vector<T>& a, const std::vector<T>& b) {
 
 /// Everything but source ranges.
 void expectSame(const Mission& a, const Mission& b) {
-  EXPECT_EQ(std::tie(a.name, a.platform, a.conditions), std::tie(b.name, b.platform, b.conditions));
+  EXPECT_EQ(std::tie(a.name, a.platform, a.conditions, a.compass),
+            std::tie(b.name, b.platform, b.conditions, b.compass));
   expectSame(a.variables, b.variables);
   expectSame(a.temporals, b.temporals);
   expectSame(a.blocks, b.blocks);
@@ -261,6 +262,27 @@ state leg ("leg.to")
   temporal mean route leg (sensor depth) over 10 along (sensor depth)
   case (gt (distance 1:latitude 2:longitude (var "leg.to") 3:longitude) (temporal 3)) return
 )";
+
+TEST(IrText, CompassesComeBack) {
+  for (const std::string compass : {"compass", "compass variation var", "compass declination -0.21",
+                                    "compass variation var declination 3"}) {
+    const std::string text =
+        "glider_ir 1\nmission m platform slocum\n"
+        "\nsensor heading: angle vehicle m_heading id 1 encoding magnetic to_si 1 lowest 0 highest "
+        "6 stale_after 20"
+        "\nsensor var: angle vehicle m_gps_mag_var id 2 encoding linear to_si 1 lowest -3 highest "
+        "3 "
+        "stale_after 20\n" +
+        compass +
+        "\nbehaviour profile glide symbol g () reads ()\nbehaviour route drift symbol d () reads ()"
+        "\n\nstate a\n  route drift ()\n  profile glide ()\n";
+    const Mission mission = missionOf(text);
+    ASSERT_TRUE(mission.compass.has_value());
+    EXPECT_EQ(mission.sensors[0].encoding, Encoding::Magnetic);
+    EXPECT_NE(print(mission).find("\n" + compass + "\n"), std::string::npos) << print(mission);
+    expectSame(mission, missionOf(print(mission)));
+  }
+}
 
 TEST(IrText, WholeLanguageReadsLikeTheMission) {
   const Mission mission = missionOf(kWhole);

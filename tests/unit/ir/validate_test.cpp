@@ -67,6 +67,28 @@ Expr& less(Mission& m) {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
+Sensor heading() {
+  return {"heading",
+          "m_heading",
+          7,
+          {TypeKind::Quantity, support::dimension::angle},
+          Encoding::Linear,
+          1,
+          0,
+          6.283,
+          20};
+}
+
+TEST(Validate, AcceptsACompass) {
+  Mission m = sound();
+  m.sensors.push_back(heading());
+  m.compass = {{2}, -3.14};
+  EXPECT_TRUE(validate(m).empty());
+  m.sensors.back().encoding = Encoding::Magnetic;
+  m.compass = Compass{};
+  EXPECT_TRUE(validate(m).empty());
+}
+
 /// A table of two rows for the first state's cases: sound but for what a damage does to it.
 GuardTable& tabled(Mission& m) {
   GuardTable& table = m.states[0].table;
@@ -85,6 +107,27 @@ const Damage kDamages[] = {
     {"twoSensorsOfOneNumber", [](Mission& m) { m.sensors[1].id = m.sensors[0].id; }},
     {"sensorOfBool", [](Mission& m) { m.sensors[1].type = {TypeKind::Bool, {}}; }},
     {"minutesOfNoPosition", [](Mission& m) { m.sensors[1].encoding = Encoding::DegreesMinutes; }},
+    {"magneticTemperature",
+     [](Mission& m) {
+       m.sensors[1].encoding = Encoding::Magnetic;
+       m.compass.emplace();
+     }},
+    {"magneticWithoutCompass",
+     [](Mission& m) {
+       m.sensors.push_back(heading());
+       m.sensors.back().encoding = Encoding::Magnetic;
+     }},
+    {"magneticInDegrees",
+     [](Mission& m) {
+       m.sensors.push_back(heading());
+       m.sensors.back().encoding = Encoding::Magnetic;
+       m.sensors.back().to_si = 0.0174;
+       m.compass.emplace();
+     }},
+    {"variationOfNoAngle", [](Mission& m) { m.compass = {{1}, {}}; }},
+    {"variationMissing", [](Mission& m) { m.compass = {{9}, {}}; }},
+    {"declinationTooLarge", [](Mission& m) { m.compass = {{}, 3.2}; }},
+    {"declinationNaN", [](Mission& m) { m.compass = {{}, kNaN}; }},
     {"rangeTurnedRound", [](Mission& m) { m.sensors[1].lowest = 1e9; }},
     {"rangeNaN", [](Mission& m) { m.sensors[1].highest = kNaN; }},
     {"factorZero", [](Mission& m) { m.sensors[1].to_si = 0; }},

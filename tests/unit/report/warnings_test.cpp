@@ -55,6 +55,13 @@ TEST(Warnings, RefusedInstructionsAreCounted) {
                   "max_depth"});
 }
 
+TEST(Warnings, AnUnknownDeclination) {
+  auto trace = flight(1);
+  trace.events.push_back({8, 0, "log", "declination unknown: headings are magnetic", ""});
+  ASSERT_EQ(flightWarnings(trace).size(), 1U);
+  EXPECT_NE(flightWarnings(trace)[0].find("`declination -12 deg`"), std::string::npos);
+}
+
 TEST(Warnings, AMissionThatHadNotEnded) {
   auto trace = flight(1);
   trace.events.push_back({100, 90, "log", "the simulated time of 100 s is over", ""});

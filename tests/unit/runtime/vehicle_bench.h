@@ -32,7 +32,9 @@ class VehicleBench {
   /// Depth and temperature at a vehicle time.
   std::function<double(double)> depth = [](double) { return 10.0; };
   std::function<double(double)> temperature = [](double) { return 20.0; };
-  bool line_is_cut = false;       ///< the SBC is not polled, and hears nothing of it
+  std::vector<uint16_t>
+      reports;               ///< sensors that the vehicle reports in each cycle, beside its own
+  bool line_is_cut = false;  ///< the SBC is not polled, and hears nothing of it
   bool forgets_sequence = false;  ///< new instructions do not get into the sensor array
 
   [[nodiscard]] GliderByteStream sbcEnd() { return sbc_line_.right(); }
@@ -111,6 +113,9 @@ class VehicleBench {
                              GLIDER_M_CYCLE_NUMBER};
     std::vector<hooks::SensorUpdate> updates;
     for (const uint16_t id : told) {
+      updates.push_back({id, array_[id]});
+    }
+    for (const uint16_t id : reports) {
       updates.push_back({id, array_[id]});
     }
     (void)flight_.send(updates.data(), static_cast<uint32_t>(updates.size()));

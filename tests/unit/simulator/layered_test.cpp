@@ -121,6 +121,37 @@ TEST(Layered, HigherBehavioursWin) {
   EXPECT_NEAR(valueAt(fly(setupWith(kSurface + idle + south + kYo)), "c_heading", 200), 3.1, 1e-6);
 }
 
+/// Of the way from the start, rad clockwise from true north, at 400 s.
+double wayFrom(const support::Trace& trace, const char* x, const char* y) {
+  return std::atan2(valueAt(trace, x, 400), valueAt(trace, y, 400));
+}
+
+TEST(Layered, HeadingsAreMagnetic) {
+  // Off New Jersey, off British Columbia, where the needle points 16.7 degrees east, and there in
+  // another year. The vehicle's tables are as good as a tenth of a degree.
+  const struct {
+    double latitude_deg, longitude_deg, year, declination_deg;
+  } places[] = {{39.175, -73.835, 2025, -12.350},
+                {51.65, -128.09, 2025, 16.693},
+                {51.65, -128.09, 2027, 16.383}};
+  const std::string north = "behavior: set_heading\n b_arg: heading_value(rad) 1.0\n";
+  for (const auto& place : places) {
+    SCOPED_TRACE(place.declination_deg);
+    SimulationSetup setup = setupWith(kSurface + north + kYo);
+    setup.scenario.latitude_deg = place.latitude_deg;
+    setup.scenario.longitude_deg = place.longitude_deg;
+    setup.scenario.year = place.year;
+    setup.scenario.vehicle.initial_heading_rad = 1 + place.declination_deg / 57.29578;
+    setup.scenario.sensors.heading_rad = 0;
+    const support::Trace trace = fly(std::move(setup));
+    EXPECT_NEAR(valueAt(trace, "c_heading", 200), 1, 1e-6);
+    EXPECT_NEAR(valueAt(trace, "m_heading", 0), 1, 1e-4) << "by the compass";
+    const double true_heading = 1 + place.declination_deg / 57.29578;
+    EXPECT_NEAR(wayFrom(trace, "true_x", "true_y"), true_heading, 0.01);
+    EXPECT_NEAR(wayFrom(trace, "m_x_lmc", "m_y_lmc"), true_heading, 0.01) << "reckoned";
+  }
+}
+
 TEST(Layered, SurfacesWithoutCommunication) {
   const std::string silent =
       "behavior: surface\n b_arg: start_when(enum) 12\n b_arg: when_secs(s) 150\n b_arg: "
@@ -138,7 +169,8 @@ TEST(Layered, SteersToAWaypoint) {
       "wpt_y(lat) 3911.0\n"
       " b_arg: stop_when(enum) 5\n";
   const support::Trace trace = fly(setupWith(kSurface + there + kYo));
-  EXPECT_GT(std::cos(valueAt(trace, "c_heading", 200)), 0.99) << "due north";
+  // True north, on a compass that reads 12.4 degrees more.
+  EXPECT_GT(std::cos(valueAt(trace, "c_heading", 200) - 0.2164), 0.99);
   EXPECT_GT(valueAt(trace, "true_y", 500), 60);
 }
 

@@ -58,6 +58,9 @@ TEST_F(ScenarioFile, ReadsDefaultsAndValues) {
   EXPECT_EQ(load(kHead + kStart), "");  // accepts: GL5001 GL5120
   EXPECT_TRUE(std::isnan(scenario_.isotherm_degC));
   EXPECT_EQ(scenario_.vehicle.flight.hull_volume_m3, 65.0 / 1025) << "neutral in its water";
+  EXPECT_EQ(scenario_.year, 2025);
+  EXPECT_EQ(load(kHead + kStart + "year = 2029.5\n"), "");
+  EXPECT_EQ(scenario_.year, 2029.5);
   EXPECT_EQ(
       load(kHead + "seed = 7\n" + kStart +
            "[ocean]\ndensity_kgm3 = 1020\n[ocean.wave]\namplitude_m = 3\n" +
@@ -230,6 +233,8 @@ TEST_F(ScenarioFile, RefusesWhatIsNotRight) {
       "name = \"x\"\nskeleton = \"x.mi\"\nduration_s = 0\n" + kStart,
       "name = \"x\"\nskeleton = \"x.mi\"\nduration_s = \"long\"\n" + kStart,
       kHead + "[start]\nlatitude_deg = 100\nlongitude_deg = 0\n",
+      kHead + kStart + "year = 2024.9\n",
+      kHead + kStart + "year = 2030.1\n",
       kHead + kStart + "[ocean]\nwater_depth_m = 10\n",
       kHead + kStart + "[ocean]\nsurface_temp_degC = nan\n",
       kHead + kStart + "[ocean]\nwave = 2\n",

@@ -38,6 +38,12 @@ TEST(Sensors, ReadTheTruthWithoutNoise) {
   EXPECT_EQ(Altimeter(1, {.noise_m = 0}).altitude(20, 50), 30);
 }
 
+TEST(Gps, TellsTheVariationToATenthOfADegree) {
+  constexpr double kDegree = std::numbers::pi / 180;
+  EXPECT_DOUBLE_EQ(Gps::variation(-12.35678 * kDegree), 12.4 * kDegree);
+  EXPECT_DOUBLE_EQ(Gps::variation(16.71 * kDegree), -16.7 * kDegree);
+}
+
 TEST(Altimeter, HasNoEchoTooNearTooFarOrAtTheSurface) {
   Altimeter altimeter(1, {.noise_m = 0});
   EXPECT_TRUE(std::isnan(altimeter.altitude(49, 50)));

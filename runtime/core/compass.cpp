@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// The one place where headings change from the vehicle's magnetic north to the mission's true north
+// and back. magnetic = true + variation, as real vehicles have it: +16.3 degrees off New England,
+// where the needle points west.
+
+#include "runtime/abi/runtime.h"
+#include "runtime/numbers/numbers.h"
+
+namespace glider::runtime {
+namespace {
+
+constexpr double kHalfTurn = 3.141592653589793;
+
+/// What is assumed while the vehicle has said nothing.
+double assumed(const GliderCompass& compass) {
+  return isKnown(compass.declination) ? negated(compass.declination) : 0.0;
+}
+
+/// `heading` + `by`, both within a full turn, in [0, 2 pi).
+double turned(double heading, double by) {
+  double sum = heading + by;
+  if (sum < 0.0) {
+    sum += kTwoPi;
+  } else if (sum >= kTwoPi) {
+    sum -= kTwoPi;
+  }
+  return sum < kTwoPi ? sum : 0.0;  // a hair below 0 is rounded up to a full turn
+}
+
+/// True if the mission knows `id` as a heading that the vehicle gives from magnetic north.
+bool isMagnetic(const GliderMission& mission, uint32_t id) {
+  for (uint32_t i = 0; i < mission.sensor_count; ++i) {
+    if (mission.sensors[i].id == id) {
+      return mission.sensors[i].encoding == kGliderMagnetic;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+}  // namespace glider::runtime
+
+using glider::runtime::assumed;
+using glider::runtime::isKnown;
+using glider::runtime::isMagnetic;
+using glider::runtime::kHalfTurn;
+using glider::runtime::kTwoPi;
+using glider::runtime::magnitude;
+using glider::runtime::turned;
+
+extern "C" void gliderTakeHeadings(const GliderMission* mission, const GliderContext* context,
+                                   double* variation, GliderUpdate* updates, uint32_t count) {
+  const GliderCompass& compass = *mission->compass;
+  if (!isKnown(*variation) && context != nullptr) {
+    *variation = context->variation;  // of a checkpoint: the last that was known
+  }
+  for (uint32_t i = 0; i < count; ++i) {
+    // NaN is not smaller than anything: what makes no sense leaves the last one as it was.
+    if (updates[i].id == compass.variation && magnitude(updates[i].value) <= kHalfTurn) {
+      *variation = updates[i].value;
+    }
+  }
+  const double by = -(isKnown(*variation) ? *variation : assumed(compass));
+  for (uint32_t i = 0; i < count; ++i) {
+    const double heading = updates[i].value;
+    // One that no compass gives stays as it is, and is found implausible later.
+    if (heading >= 0.0 && heading <= kTwoPi && isMagnetic(*mission, updates[i].id)) {
+      updates[i].value = turned(heading, by);
+    }
+  }
+}
+
+extern "C" void gliderFollowCompass(GliderContext* context, double* variation) {
+  const GliderCompass& compass = *context->mission->compass;
+  if (!isKnown(*variation)) {
+    *variation = assumed(compass);
+    if (!isKnown(compass.declination)) {
+      gliderNote(context, kGliderNoteLog, "declination unknown: headings are magnetic", nullptr, 0);
+    }
+  }
+  context->variation = *variation;
+}
+
+extern "C" double gliderMagneticHeading(const GliderContext* context) {
+  return turned(context->heading, context->variation);
+}

@@ -3,6 +3,7 @@
 
 #include "ir/prove/random_flight.h"
 
+#include "ir/prove/area_map.h"
 #include "ir/prove/random_place.h"
 #include "ir/prove/random_vehicle.h"
 #include "ir/prove/run_recorder.h"
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <string>
@@ -81,11 +83,20 @@ class RandomFlight {
                                    : ground_.platform.envelope.cycle_s;
   }
 
-  /// A waypoint, where a mission that keeps its areas well may begin; else the middle of an area.
+  /// A waypoint, where a mission that keeps its areas well may begin, mostly one on their right
+  /// side; else the middle of an area.
   Position startOf(const Requirement& requirement) {
-    const Steering steering = steeringOf(ground_);
-    if (!steering.waypoints.empty()) {
-      return steering.waypoints[dice_.below(steering.waypoints.size())];
+    const std::vector<Position> all = steeringOf(ground_).waypoints;
+    std::vector<Position> kept;
+    std::ranges::copy_if(all, std::back_inserter(kept), [&](const Position& place) {
+      return std::ranges::all_of(requirement.fences, [&](const Fence& fence) {
+        return AreaMap(fence.corners, {place}).clearance(fence, {place}).right_side;
+      });
+    });
+    constexpr double kMostly = 0.8;
+    const std::vector<Position>& from = !kept.empty() && dice_.chance(kMostly) ? kept : all;
+    if (!from.empty()) {
+      return from[dice_.below(from.size())];
     }
     Position middle;
     const std::vector<Position>& corners = requirement.fences.front().corners;

@@ -7,6 +7,7 @@
 #include "ir/prove/orders.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace glider::ir::prove {
 namespace {
@@ -108,8 +109,9 @@ class FirstHeading {
     const ExprId row = e.operands[0];
     const Interval& rows = now_.number(row);
     const auto last = static_cast<double>(m_[e.table].values.size() - 1);
-    return !now_.maybeUnknown(row) && ground_.whole[row.index] && !rows.empty && rows.lowest >= 0 &&
-           rows.highest <= last;
+    const bool one = rows.lowest == rows.highest && std::floor(rows.lowest) == rows.lowest;
+    return !now_.maybeUnknown(row) && (one || ground_.whole[row.index]) && !rows.empty &&
+           rows.lowest >= 0 && rows.highest <= last;
   }
 
   const Mission& m_;

@@ -245,18 +245,22 @@ TEST(Fences, TheMarginGrowsWithTheTimeAndWithoutAWaypoint) {
 
 /// A mission of two states; `at` says where to put a command, which is all that differs.
 std::string withCommandAt(size_t at, const std::string& command) {
-  const std::string here = steerTo({39, -73});
   std::vector<std::string> places(9);
   places.at(at) = command;
-  return kAreaHeader + "always\n case (gt (sensor depth) 90:length) do " + places[0] +
-         " end goto b\n" + "state a route nav begin entry do " + here + " " + places[1] +
-         " end case (known (sensor temp)) do " + places[2] + " end stay end " +
-         "profile level begin entry do descend (20:length, 0.4:angle) " + places[3] +
-         " end case (known (sensor depth)) do " + places[4] + " end stay end " + "entry do " +
-         places[5] + " end case (gt (sensor temp) 30:temperature) do " + places[6] +
-         " end stay case (ge statetime 900:time) goto b\n" + "state b route nav begin end " +
-         kLevel + "case (gt (sensor temp) 30:temperature) do if (known (sensor lat)) else " +
-         places[7] + " end end stay case (ge statetime 900:time) do " + places[8] + " end exit\n" +
+  return kAreaHeader +
+         fmt::format(
+             "always case (gt (sensor depth) 90:length) do {0} end goto b\n"
+             "state a route nav begin entry do {9} {1} end case (known (sensor temp)) do {2} end "
+             "stay "
+             "end\nprofile level begin entry do descend (20:length, 0.4:angle) {3} end "
+             "case (known (sensor depth)) do {4} end stay end\n"
+             "entry do {5} end case (ge statetime 900:time) goto b "
+             "case (gt (sensor temp) 30:temperature) do {6} end stay\n"
+             "state b route nav begin end {10} case (ge statetime 900:time) do {8} end exit "
+             "case (gt (sensor temp) 30:temperature) do if (known (sensor lat)) else {7} end end "
+             "stay\n",
+             places[0], places[1], places[2], places[3], places[4], places[5], places[6], places[7],
+             places[8], steerTo({39, -73}), kLevel) +
          boxText({38.9, -73.1}, {39.1, -72.9});
 }
 
@@ -276,10 +280,21 @@ TEST(Fences, CommandsSteerWhereverTheyStand) {
 }
 
 TEST(Fences, RandomFlightsFollowCommandsOfCases) {
-  std::string text = withCommandAt(6, steerTo({39, -72.5}));
-  EXPECT_FALSE(broken(text, 40, 800)) << "the box is too wide";
-  text = text.substr(0, text.find("require")) + boxText({38.9, -73.1}, {39.1, -72.985});
-  EXPECT_TRUE(broken(text, 40, 800));
+  // One that is given control inside, and leaves by the command of a case alone.
+  const auto leaves = [](const std::string& command) {
+    std::string text = withCommandAt(6, command);
+    text = text.substr(0, text.find("require")) + boxText({38.97, -73.02}, {39.03, -72.981});
+    const Mission mission = missionOf(text);
+    const Ground ground(mission, slocum());
+    int left = 0;
+    for (uint64_t seed = 0; seed < 200; ++seed) {
+      const auto run = flyAtRandom(ground, 3, mission.requirements[0], seed, 800);
+      left += run && run->when > 60 ? 1 : 0;
+    }
+    return left;
+  };
+  EXPECT_EQ(leaves(""), 0);
+  EXPECT_GT(leaves(steerTo({39, -72.9})), 3);
 }
 
 /// A mission whose first route has this entry; `variables` stand above.
@@ -303,9 +318,9 @@ TEST(Fences, WithoutAHeadingAtFirstItGoesAnywhere) {
       free(beginning("if (gt (sensor temp) 3:temperature) " + here + " else " + here + " end")))
       << "an unknown condition takes neither branch";
   EXPECT_FALSE(free(beginning("if (known (sensor lat)) " + here + " else " + here + " end")));
-  EXPECT_FALSE(free(beginning("steer_to ((element 0 (var leg)), (element 1 (var leg)))", leg)));
-  EXPECT_TRUE(free(
-      beginning("steer_to ((element 0 (add (var leg) 2)), (element 1 (add (var leg) 2)))", leg)))
+  const std::string on_path = "steer_to ((element 0 %9), (element 1 %9))";
+  EXPECT_FALSE(free(beginning(on_path, leg + "let %9 = (var leg)\n")));
+  EXPECT_TRUE(free(beginning(on_path, leg + "let %9 = (add (var leg) 2)\n")))
       << "the path has no such place";
   EXPECT_TRUE(free(beginning("steer_to ((var to), -73:longitude)", nowhere)))
       << "a command with an unknown argument changes nothing";

@@ -92,9 +92,11 @@ std::string worldText(const platforms::World& world) {
       "  it climbs at least    {:.6g} m/s, {:.6g} s after the order\n"
       "  a reading of depth    is wrong by {:.6g} m at most\n"
       "  a mission ticks       every {:.6g} s or oftener\n"
-      "  through the water     at most {:.6g} m/s, {:.6g} m off its straight way\n",
+      "  through the water     at most {:.6g} m/s, {:.6g} m off its straight way\n"
+      "  at the surface        set by at most {:.6g} m/s\n",
       world.start_depth_m, world.surface_depth_m, world.slowest_climb_m_s, world.turn_s,
-      world.depth_error_m, world.tick_gap_s, world.through_water_m_s, world.steering_error_m);
+      world.depth_error_m, world.tick_gap_s, world.through_water_m_s, world.steering_error_m,
+      world.surface_drift_m_s);
 }
 
 std::string text(const Platform& platform) {
@@ -158,7 +160,8 @@ std::string json(const Platform& platform) {
                            {"depth_error_m", platform.world.depth_error_m},
                            {"tick_gap_s", platform.world.tick_gap_s},
                            {"through_water_m_s", platform.world.through_water_m_s},
-                           {"steering_error_m", platform.world.steering_error_m}}},
+                           {"steering_error_m", platform.world.steering_error_m},
+                           {"surface_drift_m_s", platform.world.surface_drift_m_s}}},
                          {"commands", commands},
                          {"sensors", sensors}};
   return all.dump(2) + "\n";

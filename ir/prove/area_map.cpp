@@ -23,8 +23,15 @@ using MapPoint = geometry::model::d2::point_xy<double>;
 using Line = geometry::model::linestring<MapPoint>;
 using Polygon = geometry::model::polygon<MapPoint>;
 
+/// The shortest degree of latitude on WGS 84, m: 110,574.3 at the equator. A degree of longitude is
+/// never shorter than the cosine of its latitude times this.
+constexpr double kShortestDegree = 110574;
 /// So far beyond the places that are named a vehicle may get, degrees of latitude.
 constexpr double kBeyond = 3;
+/// Farther from the equator the map's degrees of longitude would differ too much, degrees.
+constexpr double kNearPole = 85;
+/// Wider than this and it is not clear which way round the Earth is meant, degrees.
+constexpr double kWidest = 90;
 
 /// From the least of some numbers to the greatest.
 class Extent {
@@ -79,18 +86,18 @@ AreaMap::AreaMap(const std::vector<Position>& corners, const std::vector<Positio
     : origin_(corners.front()) {
   std::vector<Position> all = corners;
   all.insert(all.end(), waypoints.begin(), waypoints.end());
-  double farthest = 0;
   double nearest = 90;
   Extent north;
   Extent east;
   for (const Position& place : all) {
-    farthest = std::max(farthest, std::fabs(place.latitude));
+    farthest_ = std::max(farthest_, std::fabs(place.latitude));
     nearest = std::min(nearest, std::fabs(place.latitude));
     north.add(place.latitude);
     east.add(std::remainder(place.longitude - origin_.longitude, 360));
   }
-  const double outermost = std::min(farthest + kBeyond, 89.0) * std::numbers::pi / 180;
-  east_scale_ = kMetresPerDegree * std::cos(outermost);
+  width_ = east.size();
+  const double outermost = std::min(farthest_ + kBeyond, 89.0) * std::numbers::pi / 180;
+  east_scale_ = kShortestDegree * std::cos(outermost);
   const double length =
       kMetresPerDegree *
       std::hypot(north.size(), east.size() * std::cos(nearest * std::numbers::pi / 180));
@@ -99,7 +106,11 @@ AreaMap::AreaMap(const std::vector<Position>& corners, const std::vector<Positio
 
 AreaMap::Point AreaMap::at(const Position& place) const {
   return {std::remainder(place.longitude - origin_.longitude, 360) * east_scale_,
-          (place.latitude - origin_.latitude) * kMetresPerDegree};
+          (place.latitude - origin_.latitude) * kShortestDegree};
+}
+
+bool AreaMap::holds(double metres) const {
+  return farthest_ <= kNearPole && width_ <= kWidest && metres <= kBeyond * kShortestDegree;
 }
 
 Clearance AreaMap::clearance(const Fence& fence, const std::vector<Position>& waypoints) const {

@@ -16,12 +16,17 @@ struct Clearance {
 };
 
 /// A map of a neighbourhood whose straight lines are straight in latitude and longitude, and in
-/// which distances are never longer than on the Earth (sphere.h): a degree of longitude is taken as
-/// long as on the latitude of the map that is farthest from the equator.
+/// which distances are never longer than on the Earth: a degree of longitude is taken as long as on
+/// the latitude of the map that is farthest from the equator, one of latitude as long as it is at
+/// the equator of the WGS 84 ellipsoid, where it is shortest.
 class AreaMap {
  public:
   /// Of the neighbourhood of all these; one place at least.
   AreaMap(const std::vector<Position>& corners, const std::vector<Position>& waypoints);
+
+  /// Whether it is one of all places within `metres` of those: not so near a pole, nor so wide,
+  /// that it would be none.
+  [[nodiscard]] bool holds(double metres) const;
 
   [[nodiscard]] Clearance clearance(const Fence& fence,
                                     const std::vector<Position>& waypoints) const;
@@ -36,6 +41,8 @@ class AreaMap {
   [[nodiscard]] Point at(const Position& place) const;
 
   Position origin_;
+  double farthest_ = 0;    ///< from the equator, degrees
+  double width_ = 0;       ///< degrees of longitude
   double east_scale_ = 0;  ///< m in a degree
   double bend_m_ = 0;
 };

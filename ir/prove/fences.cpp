@@ -13,14 +13,15 @@
 namespace glider::ir::prove {
 namespace {
 
-/// Three days: in more the current takes it beyond any area, and beyond the map of area_map.h.
+/// Three days: in more the current takes it beyond any area.
 constexpr double kLongest = 3 * 86400.0;
 
-/// How far it may be set off its legs, m, in `time` seconds.
-double setOff(const Ground& ground, bool by_heading, double time) {
-  const double adrift = ground.platform.envelope.drift_m_s * time;
-  const double anywhere = by_heading ? ground.platform.world.through_water_m_s * time : 0;
-  return ground.platform.world.steering_error_m + adrift + anywhere;
+/// How far it may get off its legs, m, in `time` seconds.
+double offLegs(const Ground& ground, bool by_heading, double time) {
+  const platforms::World& world = ground.platform.world;
+  const double set = std::max(ground.platform.envelope.drift_m_s, world.surface_drift_m_s) * time;
+  const double astray = by_heading ? time : std::min(time, ground.mission.resume_within_s);
+  return world.steering_error_m + set + world.through_water_m_s * astray;
 }
 
 std::string reasonOf(const Ground& ground, const Fence& fence, const Steering& steering,
@@ -32,9 +33,10 @@ std::string reasonOf(const Ground& ground, const Fence& fence, const Steering& s
   }
   return fmt::format(
       "its legs come within {:.0f} m of the edge of the area {}; in the {:.0f} s that it flies at "
-      "most, a current of {:g} m/s{} may set it off by {:.0f} m",
-      found.distance_m, bound, time, ground.platform.envelope.drift_m_s,
-      steering.by_heading ? " and what it goes without a waypoint" : "", margin);
+      "most, it may get {:.0f} m off them: by the drift at the surface of {:g} m/s, and {}",
+      found.distance_m, bound, time, margin, ground.platform.world.surface_drift_m_s,
+      steering.by_heading ? "by what it goes without a waypoint"
+                          : "while the SBC is dark (`resume within`)");
 }
 
 }  // namespace
@@ -45,14 +47,20 @@ FenceVerdict judgeFences(const std::vector<Fence>& fences, const Ground& ground,
     return {false, 0, "no time up to three days is known by which the mission has ended"};
   }
   const Steering steering = steeringOf(ground);
-  FenceVerdict verdict{true, setOff(ground, steering.by_heading, *end), ""};
+  const double off_legs = offLegs(ground, steering.by_heading, *end);
+  FenceVerdict verdict{true, off_legs, ""};
   if (steering.waypoints.empty()) {
     return {false, 0, "it steers to no waypoint, so nothing says where it flies"};
   }
   for (const Fence& fence : fences) {
     const AreaMap map(fence.corners, steering.waypoints);
     const Clearance found = map.clearance(fence, steering.waypoints);
-    const double margin = verdict.margin_m + map.bend_m();
+    const double margin = off_legs + map.bend_m();
+    if (!map.holds(margin)) {
+      return {false, 0,
+              "its area and its waypoints lie too far from each other, or too near a pole, for a "
+              "plane map"};
+    }
     if (!found.right_side || found.distance_m < margin) {
       return {false, 0, reasonOf(ground, fence, steering, found, *end, margin)};
     }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "ir/eval/arithmetic.h"
 #include "ir/prove/duration_text.h"
+#include "ir/prove/nearest.h"
 #include "ir/prove/orders.h"
 #include "ir/prove/passes.h"
 
@@ -20,8 +20,11 @@ namespace {
 /// The one place that a state steers to, if it is fixed.
 std::optional<Position> waypointOf(const Mission& m, const State& state) {
   std::optional<Position> found;
-  for (const Statement* order : ordersOf(m, state.route)) {
-    const auto place = fixedTarget(m, *order);
+  for (const Statement* command : commandsOf(m, state)) {
+    if (isVertical(command->command)) {
+      continue;
+    }
+    const auto place = fixedTarget(m, *command);
     if (!place || (found && *found != *place)) {
       return std::nullopt;
     }
@@ -64,14 +67,23 @@ std::vector<double> entriesOf(const Mission& m) {
   return entered;
 }
 
-/// m from a place to the nearest other one; infinite if there is none.
-double nearestOther(const Position& place, const std::vector<std::optional<Position>>& places) {
-  double nearest = std::numeric_limits<double>::infinity();
-  for (const auto& other : places) {
-    const bool another = other && *other != place;
-    nearest = another ? std::min(nearest, onEarth(Op::Distance, place, *other)) : nearest;
+/// Every fixed place that the mission steers to.
+std::vector<Position> waypointsOf(const Mission& m) {
+  std::vector<Position> found;
+  const auto add = [&](const std::vector<const Statement*>& commands) {
+    for (const Statement* command : commands) {
+      if (const auto place = fixedTarget(m, *command)) {
+        found.push_back(*place);
+      }
+      const std::vector<Position> path = pathTargets(m, *command);
+      found.insert(found.end(), path.begin(), path.end());
+    }
+  };
+  add(commandsOfAlways(m));
+  for (const State& state : m.states) {
+    add(commandsOf(m, state));
   }
-  return nearest;
+  return found;
 }
 
 /// Of a state that is current for `stay` seconds at most.
@@ -94,18 +106,15 @@ void tellIfTooFar(Proof& proof, const State& state, double nearest, double stay)
 /// waypoint are looked at.
 void passes::legTimes(Proof& proof) {
   const Mission& m = proof.ground.mission;
-  std::vector<std::optional<Position>> places;
-  for (const State& state : m.states) {
-    places.push_back(waypointOf(m, state));
-  }
-  const bool some = std::ranges::count_if(places, [](const auto& p) { return p.has_value(); }) > 1;
-  if (!proof.options.report || !some || !proof.ending.bound().by) {
+  if (!proof.options.report || !proof.ending.bound().by) {
     return;
   }
+  const PlaceIndex waypoints(waypointsOf(m));
   const std::vector<double> entered = entriesOf(m);
   for (size_t i = 0; i < m.states.size(); ++i) {
+    const auto place = waypointOf(m, m.states[i]);
     const double nearest =
-        places[i] ? nearestOther(*places[i], places) : std::numeric_limits<double>::infinity();
+        place ? waypoints.nearestOther(*place) : std::numeric_limits<double>::infinity();
     if (std::isfinite(nearest)) {
       tellIfTooFar(proof, m.states[i], nearest, proof.ending.bound().left_by[i] - entered[i]);
     }

@@ -8,19 +8,43 @@
 #include <algorithm>
 
 namespace glider::ir::prove {
+namespace {
 
-std::vector<const Statement*> ordersOf(const Mission& mission, const Activity& activity) {
-  std::vector<const Statement*> orders;
-  const auto gather = [&](const Statement& statement) {
+using Commands = std::vector<const Statement*>;
+
+void gather(const Mission& mission, BlockId entry, const std::vector<Case>& cases,
+            Commands& commands) {
+  const auto keep = [&](const Statement& statement) {
     if (statement.kind == StatementKind::Command) {
-      orders.push_back(&statement);
+      commands.push_back(&statement);
     }
   };
-  forEachStatement(mission, activity.entry, gather);
-  for (const Case& c : activity.cases) {
-    forEachStatement(mission, c.action, gather);
+  forEachStatement(mission, entry, keep);
+  for (const Case& c : cases) {
+    forEachStatement(mission, c.action, keep);
   }
-  return orders;
+}
+
+}  // namespace
+
+std::vector<const Statement*> ordersOf(const Mission& mission, const Activity& activity) {
+  Commands commands;
+  gather(mission, activity.entry, activity.cases, commands);
+  return commands;
+}
+
+std::vector<const Statement*> commandsOf(const Mission& mission, const State& state) {
+  Commands commands;
+  gather(mission, state.entry, state.cases, commands);
+  gather(mission, state.profile.entry, state.profile.cases, commands);
+  gather(mission, state.route.entry, state.route.cases, commands);
+  return commands;
+}
+
+std::vector<const Statement*> commandsOfAlways(const Mission& mission) {
+  Commands commands;
+  gather(mission, {}, mission.always, commands);
+  return commands;
 }
 
 std::optional<Position> fixedTarget(const Mission& mission, const Statement& order) {

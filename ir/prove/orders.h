@@ -14,6 +14,13 @@ namespace glider::ir::prove {
 /// `if`, in the order of the text. They stand in `mission`, which outlives them.
 std::vector<const Statement*> ordersOf(const Mission& mission, const Activity& activity);
 
+/// Every command that may be given while `state` is current: by its entry and its cases, its
+/// profile's and its route's. Those of `always` are `commandsOfAlways`.
+std::vector<const Statement*> commandsOf(const Mission& mission, const State& state);
+
+/// Every command that the cases of `always` may give.
+std::vector<const Statement*> commandsOfAlways(const Mission& mission);
+
 /// Where a SteerTo steers to if that is written out; none of another order.
 std::optional<Position> fixedTarget(const Mission& mission, const Statement& order);
 

@@ -3,6 +3,7 @@
 
 #include "ir/prove/random_flight.h"
 
+#include "ir/prove/area_map.h"
 #include "ir/prove/random_place.h"
 #include "ir/prove/random_vehicle.h"
 #include "ir/prove/run_recorder.h"
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <string>
@@ -22,6 +24,7 @@ namespace {
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double kFar = 1e9;  ///< of a range without an end
 constexpr double kLostTick = 0.01;
+constexpr double kOutage = 0.3;
 
 /// What a sensor shows for a while.
 struct Showing {
@@ -47,6 +50,7 @@ class RandomFlight {
         std::ranges::find_if_not(requirements, &std::vector<Fence>::empty, &Requirement::fences);
     if (area != requirements.end()) {
       place_.emplace(startOf(*area), ground.platform, dice_);
+      dark_from_ = dice_.chance(kOutage) ? dice_.lasting() : dark_from_;
     }
   }
 
@@ -55,12 +59,12 @@ class RandomFlight {
     recorder_.start(parameters(), readings(time), vehicle_.depth());
     for (size_t i = 0; i < ticks && !recorder_.hit() && !recorder_.last().finished; ++i) {
       vehicle_.obey(recorder_.last().actions, time);
-      const double step = dice_.chance(kLostTick) ? ground_.platform.world.tick_gap_s
-                                                  : ground_.platform.envelope.cycle_s;
+      const double step = nextStep(time);
       vehicle_.move(time, time + step);
       if (place_) {
         place_->obey(recorder_.last().actions);
-        place_->move(step);
+        const platforms::World& world = ground_.platform.world;
+        place_->move(step, vehicle_.depth() <= world.surface_depth_m, step > world.tick_gap_s);
       }
       time += step;
       recorder_.tick(time, readings(time), vehicle_.depth());
@@ -69,11 +73,30 @@ class RandomFlight {
   }
 
  private:
-  /// A waypoint, where a mission that keeps its areas well may begin; else the middle of an area.
+  /// To the next tick, s. Where the place is asked about, the SBC may be dark once.
+  double nextStep(double time) {
+    if (time >= dark_from_) {
+      dark_from_ = std::numeric_limits<double>::infinity();
+      return std::max(m_.resume_within_s, ground_.platform.envelope.cycle_s);
+    }
+    return dice_.chance(kLostTick) ? ground_.platform.world.tick_gap_s
+                                   : ground_.platform.envelope.cycle_s;
+  }
+
+  /// A waypoint, where a mission that keeps its areas well may begin, mostly one on their right
+  /// side; else the middle of an area.
   Position startOf(const Requirement& requirement) {
-    const Steering steering = steeringOf(ground_);
-    if (!steering.waypoints.empty()) {
-      return steering.waypoints[dice_.below(steering.waypoints.size())];
+    const std::vector<Position> all = steeringOf(ground_).waypoints;
+    std::vector<Position> kept;
+    std::ranges::copy_if(all, std::back_inserter(kept), [&](const Position& place) {
+      return std::ranges::all_of(requirement.fences, [&](const Fence& fence) {
+        return AreaMap(fence.corners, {place}).clearance(fence, {place}).right_side;
+      });
+    });
+    constexpr double kMostly = 0.8;
+    const std::vector<Position>& from = !kept.empty() && dice_.chance(kMostly) ? kept : all;
+    if (!from.empty()) {
+      return from[dice_.below(from.size())];
     }
     Position middle;
     const std::vector<Position>& corners = requirement.fences.front().corners;
@@ -192,7 +215,8 @@ class RandomFlight {
   Dice dice_;
   RandomVehicle vehicle_;
   std::optional<RandomPlace> place_;  ///< where it is, if that is asked about
-  bool calm_ = dice_.chance(0.3);     ///< every sensor shows the same all the time
+  double dark_from_ = std::numeric_limits<double>::infinity();  ///< the SBC, mission time
+  bool calm_ = dice_.chance(0.3);  ///< every sensor shows the same all the time
   std::vector<Showing> showing_;
   std::vector<std::vector<double>> landmarks_;  ///< by sensor
 };

@@ -23,16 +23,18 @@ RandomPlace::RandomPlace(const Position& start, const platforms::Platform& platf
   set_ = dice_.within(0, kTurn);
   // As often at an end of what may be as in between.
   speed_ = platform_.world.through_water_m_s * (dice_.chance(0.5) ? 1 : dice_.unit());
-  drift_ = platform_.envelope.drift_m_s * (dice_.chance(0.7) ? 1 : dice_.unit());
+  const double strength = dice_.chance(0.7) ? 1 : dice_.unit();
+  drift_ = platform_.envelope.drift_m_s * strength;
+  surface_drift_ = platform_.world.surface_drift_m_s * strength;
 }
 
 void RandomPlace::obey(const std::vector<Action>& actions) {
   for (const Action& action : actions) {
     const auto* order = std::get_if<CommandRun>(&action);
     if (order == nullptr) {
-      const bool route = std::get<ActivityRun>(action).list == ListKind::Route;
-      heading_ = route ? dice_.within(0, kTurn) : heading_;
-      target_ = route ? std::nullopt : target_;
+      // A profile or route in C may command anything.
+      heading_ = dice_.within(0, kTurn);
+      target_.reset();
     } else if (order->refused) {
       continue;
     } else if (order->command == Command::SteerTo) {
@@ -54,10 +56,14 @@ double RandomPlace::course() {
   return bearing == bearing ? bearing : heading_;  // unknown at the very place
 }
 
-void RandomPlace::move(double seconds) {
+void RandomPlace::move(double seconds, bool at_surface, bool dark) {
   const double way = speed_ * seconds;
-  go(course(), target_ ? std::min(way, onEarth(Op::Distance, place_, *target_)) : way);
-  go(set_, drift_ * seconds);
+  if (dark) {
+    go(dice_.within(0, kTurn), way);
+  } else {
+    go(course(), target_ ? std::min(way, onEarth(Op::Distance, place_, *target_)) : way);
+  }
+  go(set_, (at_surface ? surface_drift_ : drift_) * seconds);
 }
 
 void RandomPlace::go(double course, double metres) {

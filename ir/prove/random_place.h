@@ -12,8 +12,8 @@
 
 namespace glider::ir::prove {
 
-/// Where a vehicle gets to that obeys a mission's routes in a current: what ir/prove/fences.h
-/// assumes, with numbers. It always knows where it is.
+/// Where a vehicle gets to that obeys a mission's commands in a current, and in the wind at the
+/// surface: what ir/prove/fences.h assumes, with numbers. It always knows where it is.
 class RandomPlace {
  public:
   /// Begins at `start`. `platform` and `dice` outlive this.
@@ -22,8 +22,9 @@ class RandomPlace {
   [[nodiscard]] const Position& where() const { return place_; }
   /// Takes the orders of a tick.
   void obey(const std::vector<Action>& actions);
-  /// Sails, and is set by the current, for so many seconds.
-  void move(double seconds);
+  /// Sails, and is set by the current, or at the surface by current and wind, for so many seconds.
+  /// While the SBC is `dark` it goes straight on in any direction.
+  void move(double seconds, bool at_surface, bool dark);
 
  private:
   [[nodiscard]] double course();
@@ -36,7 +37,8 @@ class RandomPlace {
   double heading_ = 0;  ///< rad, of what steers to no waypoint
   double speed_ = 0;    ///< through the water, m/s
   double set_ = 0;      ///< where the current sets it, rad
-  double drift_ = 0;    ///< m/s
+  double drift_ = 0;    ///< under water, m/s
+  double surface_drift_ = 0;
 };
 
 }  // namespace glider::ir::prove

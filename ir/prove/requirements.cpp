@@ -78,7 +78,7 @@ class RequirementCheck {
       return {
           0, Verdict::Proved, std::nullopt,
           fmt::format("if control is given {0:.0f} m or more on the right side of each edge, and "
-                      "the straight ways from there to the waypoints are {0:.0f} m from it too",
+                      "everything between there and the waypoints is {0:.0f} m from the edge too",
                       std::ceil(found.margin_m))};
     }
     if (auto run = tryAtRandom(requirement)) {

@@ -3,7 +3,11 @@
 
 #include "ir/prove/steering.h"
 
+#include "ir/prove/abstract_run.h"
 #include "ir/prove/orders.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace glider::ir::prove {
 namespace {
@@ -41,18 +45,103 @@ bool addTarget(const Ground& ground, const Statement& order, std::vector<Positio
   return fromOneRow(ground.mission, ground.mission[north], ground.mission[east]);
 }
 
+/// What the start of the mission does about its heading, whatever the sensors say.
+class FirstHeading {
+ public:
+  explicit FirstHeading(const Ground& ground)
+      : m_(ground.mission),
+        values_(atStart(ground)),
+        now_(ground, values_, kStart),
+        ground_(ground) {}
+
+  /// Whether every way through the entries of the first state commands one.
+  [[nodiscard]] bool commanded() const {
+    const State& first = m_.states.front();
+    return commands(first.entry) || commands(first.profile.entry) || commands(first.route.entry);
+  }
+
+ private:
+  static constexpr ClockRanges kStart{};
+
+  /// What variables may hold at any moment of the entries.
+  static Valuation atStart(const Ground& ground) {
+    const AbstractRun run(ground);
+    const State& first = ground.mission.states.front();
+    Valuation values = run.begin();
+    run.enter(StateId{0}, nullptr, kStart, values);
+    for (const BlockId entry : {first.entry, first.profile.entry, first.route.entry}) {
+      run.forget(entry, values);
+    }
+    return values;
+  }
+
+  // NOLINTNEXTLINE(misc-no-recursion): as deep as the mission's text nests
+  [[nodiscard]] bool commands(BlockId block) const {
+    return block.valid() &&
+           std::ranges::any_of(m_[block].statements, [&](const Statement& statement) {
+             return statement.kind == StatementKind::Command ? takesEffect(statement)
+                                                             : bothWays(statement);
+           });
+  }
+
+  /// An unknown condition takes neither branch.
+  // NOLINTNEXTLINE(misc-no-recursion): as deep as the mission's text nests
+  [[nodiscard]] bool bothWays(const Statement& statement) const {
+    if (statement.kind != StatementKind::If) {
+      return false;
+    }
+    const Truths& condition = now_.truth(statement.value);
+    return !condition.is_unknown && (!condition.is_true || commands(statement.then)) &&
+           (!condition.is_false || commands(statement.otherwise));
+  }
+
+  /// A command with an unknown argument changes nothing.
+  [[nodiscard]] bool takesEffect(const Statement& command) const {
+    return !isVertical(command.command) &&
+           std::ranges::all_of(command.values, [&](ExprId id) { return isKnown(id); });
+  }
+
+  [[nodiscard]] bool isKnown(ExprId id) const {
+    const Expr& e = m_[id];
+    if (e.op != Op::Element) {
+      return !now_.maybeUnknown(id);
+    }
+    const ExprId row = e.operands[0];
+    const Interval& rows = now_.number(row);
+    const auto last = static_cast<double>(m_[e.table].values.size() - 1);
+    const bool one = rows.lowest == rows.highest && std::floor(rows.lowest) == rows.lowest;
+    return !now_.maybeUnknown(row) && (one || ground_.whole[row.index]) && !rows.empty &&
+           rows.lowest >= 0 && rows.highest <= last;
+  }
+
+  const Mission& m_;
+  Valuation values_;
+  Possible now_;
+  const Ground& ground_;
+};
+
+/// Adds where some commands may steer.
+void addCommands(const Ground& ground, const std::vector<const Statement*>& commands,
+                 Steering& steering) {
+  for (const Statement* command : commands) {
+    const bool somewhere =
+        command->command == Command::SteerTo && addTarget(ground, *command, steering.waypoints);
+    steering.by_heading = steering.by_heading || !(somewhere || isVertical(command->command));
+  }
+}
+
 }  // namespace
 
 Steering steeringOf(const Ground& ground) {
+  const Mission& m = ground.mission;
   Steering steering;
-  for (const State& state : ground.mission.states) {
-    const bool in_c = !ground.mission[state.route.behaviour].symbol.empty();
+  steering.by_heading = !FirstHeading(ground).commanded();
+  addCommands(ground, commandsOfAlways(m), steering);
+  for (const State& state : m.states) {
+    const bool in_c =
+        !m[state.profile.behaviour].symbol.empty() || !m[state.route.behaviour].symbol.empty();
     steering.by_heading = steering.by_heading || in_c;
-    for (const Statement* order : ordersOf(ground.mission, state.route)) {
-      if (order->command != Command::SteerTo || !addTarget(ground, *order, steering.waypoints)) {
-        steering.by_heading = steering.by_heading || !isVertical(order->command);
-      }
-    }
+    addCommands(ground, commandsOf(m, state), steering);
   }
   return steering;
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "ir/eval/arithmetic.h"
+#include "ir/prove/nearest.h"
 #include "ir/prove/orders.h"
 #include "ir/prove/passes.h"
 #include "ir/prove/sphere.h"
@@ -24,7 +24,7 @@ constexpr double kFarOff = 3e6;  // m
 
 struct Waypoint {
   Position place;
-  support::SourceRange range;  ///< of the route that steers there
+  support::SourceRange range;  ///< of the route that steers there, or of the command of a case
 };
 
 class WaypointCheck {
@@ -32,17 +32,17 @@ class WaypointCheck {
   explicit WaypointCheck(Proof& proof) : proof_(proof), m_(proof.ground.mission) {}
 
   void run() {
+    for (const Statement* command : commandsOfAlways(m_)) {
+      add(*command, command->range);
+    }
     for (const State& state : m_.states) {
-      for (const Statement* order : ordersOf(m_, state.route)) {
-        add(*order, state.route.range);
+      const std::vector<const Statement*> of_route = ordersOf(m_, state.route);
+      for (const Statement* command : commandsOf(m_, state)) {
+        const bool routes = std::ranges::find(of_route, command) != of_route.end();
+        add(*command, routes ? state.route.range : command->range);
       }
     }
-    for (const Waypoint& one : waypoints_) {
-      places_.emplace(one.place.latitude, one.place.longitude);
-    }
-    for (const Waypoint& one : waypoints_) {
-      check(one);
-    }
+    checkPlaces();
     checkCoordinates(TypeKind::Latitude);
     checkCoordinates(TypeKind::Longitude);
   }
@@ -57,17 +57,14 @@ class WaypointCheck {
     }
   }
 
-  void check(const Waypoint& one) {
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const auto& [latitude, longitude] : places_) {
-      const double apart = onEarth(Op::Distance, one.place, {latitude, longitude});
-      nearest = apart > 0 ? std::min(nearest, apart) : nearest;
-      if (nearest <= kFarOff) {
-        return;
-      }
+  void checkPlaces() {
+    std::vector<Position> places;
+    for (const Waypoint& one : waypoints_) {
+      places.push_back(one.place);
     }
-    if (std::isfinite(nearest) && nearest > kFarOff) {
-      tell(one.range, nearest);
+    const PlaceIndex index(places);
+    for (const Waypoint& one : waypoints_) {
+      tellIfFarOff(one.range, index.nearestOther(one.place));
     }
   }
 
@@ -75,15 +72,13 @@ class WaypointCheck {
   /// centres, arguments of states.
   void checkCoordinates(TypeKind kind) {
     const std::vector<Coordinate> all = coordinates(kind);
+    std::vector<double> degrees;
     for (const Coordinate& one : all) {
-      double nearest = std::numeric_limits<double>::infinity();
-      for (const Coordinate& other : all) {
-        const double apart = std::fabs(std::remainder(one.degrees - other.degrees, 360));
-        nearest = apart > 0 ? std::min(nearest, apart * one.metres) : nearest;
-      }
-      if (std::isfinite(nearest) && nearest > kFarOff) {
-        tell(one.range, nearest);
-      }
+      degrees.push_back(one.degrees);
+    }
+    const std::vector<double> nearest = nearestOnCircle(degrees);
+    for (size_t i = 0; i < all.size(); ++i) {
+      tellIfFarOff(all[i].range, nearest[i] * all[i].metres);
     }
   }
 
@@ -124,9 +119,8 @@ class WaypointCheck {
     return all.empty() ? 0 : all[all.size() / 2];
   }
 
-  void tell(const support::SourceRange& range, double nearest) {
-    if (std::ranges::find(told_, range.begin) == told_.end()) {
-      told_.push_back(range.begin);
+  void tellIfFarOff(const support::SourceRange& range, double nearest) {
+    if (std::isfinite(nearest) && nearest > kFarOff && told_.insert(range.begin).second) {
       proof_.diagnostics.report(support::DiagnosticId::waypointFarOff, range,
                                 fmt::format("{:.0f}", nearest / 1000));
     }
@@ -135,8 +129,7 @@ class WaypointCheck {
   Proof& proof_;
   const Mission& m_;
   std::vector<Waypoint> waypoints_;
-  std::set<std::pair<double, double>> places_;  ///< of all, each once
-  std::vector<uint32_t> told_;
+  std::set<uint32_t> told_;
 };
 
 }  // namespace

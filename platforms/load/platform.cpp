@@ -153,7 +153,8 @@ constexpr std::pair<const char*, double World::*> kWorld[] = {
     {"depth_error_m", &World::depth_error_m},
     {"tick_gap_s", &World::tick_gap_s},
     {"through_water_m_s", &World::through_water_m_s},
-    {"steering_error_m", &World::steering_error_m}};
+    {"steering_error_m", &World::steering_error_m},
+    {"surface_drift_m_s", &World::surface_drift_m_s}};
 
 }  // namespace
 

@@ -60,6 +60,7 @@ struct World {
   double tick_gap_s = 0;         ///< between two ticks of a mission, at most
   double through_water_m_s = 0;  ///< how fast it gets on horizontally through the water, at most
   double steering_error_m = 0;   ///< how far turning takes it off the straight way, at most
+  double surface_drift_m_s = 0;  ///< current, wind and waves set it at the surface no faster
 };
 
 /// The sensor that says by how much magnetic headings exceed true ones; a vehicle may lack it.

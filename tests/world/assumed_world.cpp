@@ -38,6 +38,10 @@ const char* nameOf(Rule rule) {
       return "ranges of sensors";
     case Rule::Drift:
       return "drift_m_s";
+    case Rule::ThroughWater:
+      return "through_water_m_s";
+    case Rule::SurfaceDrift:
+      return "surface_drift_m_s";
   }
   return "";
 }
@@ -136,6 +140,14 @@ void AssumedWorld::reports(double time_s, const platforms::PlatformSensor& senso
 
 void AssumedWorld::drifts(double time_s, double speed_mps) {
   hold(Rule::Drift, time_s, speed_mps, envelope_.drift_m_s, "the water's speed");
+}
+
+void AssumedWorld::getsOn(double time_s, double speed_mps) {
+  hold(Rule::ThroughWater, time_s, speed_mps, world_.through_water_m_s, "speed through the water");
+}
+
+void AssumedWorld::floatsAlong(double time_s, double speed_mps) {
+  hold(Rule::SurfaceDrift, time_s, speed_mps, world_.surface_drift_m_s, "speed at the surface");
 }
 
 }  // namespace glider::tests

@@ -27,11 +27,13 @@ enum class Rule : uint8_t {
   TickGap,  ///< ticks are no further apart than tick_gap_s
   Range,    ///< a sensor's reading lies in its range
   Drift,    ///< the water moves no faster than drift_m_s
+  ThroughWater,  ///< it gets on no faster than through_water_m_s, horizontally
+  SurfaceDrift,  ///< floating, it is set no faster than surface_drift_m_s
 };
-inline constexpr size_t kRules = 10;
+inline constexpr size_t kRules = 12;
 inline constexpr std::array<Rule, kRules> kAllRules = {
-    Rule::Rate,    Rule::Deepest, Rule::Climb,   Rule::Above, Rule::Start,
-    Rule::Surface, Rule::Reading, Rule::TickGap, Rule::Range, Rule::Drift};
+    Rule::Rate,    Rule::Deepest, Rule::Climb, Rule::Above, Rule::Start,        Rule::Surface,
+    Rule::Reading, Rule::TickGap, Rule::Range, Rule::Drift, Rule::ThroughWater, Rule::SurfaceDrift};
 
 /// "vertical_rate_m_s".
 const char* nameOf(Rule rule);
@@ -71,6 +73,10 @@ class AssumedWorld {
   void reports(double time_s, const platforms::PlatformSensor& sensor, double raw);
   /// The water's horizontal speed where the vehicle is, m/s.
   void drifts(double time_s, double speed_mps);
+  /// How fast it gets on horizontally, without what the water does, m/s.
+  void getsOn(double time_s, double speed_mps);
+  /// How fast it goes over ground while it floats, m/s.
+  void floatsAlong(double time_s, double speed_mps);
 
   /// What was broken first; empty: nothing.
   [[nodiscard]] const std::optional<Broken>& broken() const { return broken_; }

@@ -29,6 +29,8 @@ struct Flight {
   double tick_s = kCycle;
   double pressure_bar = 3;
   double drift_mps = 0.3;
+  double gets_on_mps = 0.4;
+  double floats_mps = 0.5;
   double top_m = 0;  ///< it climbs so high
 
   [[nodiscard]] AssumedWorld fly() const {
@@ -66,6 +68,8 @@ struct Flight {
     world.ticks(time + tick_s);
     world.reports(time, *slocum().find("m_pressure"), pressure_bar);
     world.drifts(time, drift_mps);
+    world.getsOn(time, gets_on_mps);
+    world.floatsAlong(time, floats_mps);
   }
 };
 
@@ -108,7 +112,9 @@ INSTANTIATE_TEST_SUITE_P(
                     Planted{Rule::Reading, [](Flight& f) { f.reading_off_m = -0.51; }},
                     Planted{Rule::TickGap, [](Flight& f) { f.tick_s = 20.5; }},
                     Planted{Rule::Range, [](Flight& f) { f.pressure_bar = -1.1; }},
-                    Planted{Rule::Drift, [](Flight& f) { f.drift_mps = 0.51; }}));
+                    Planted{Rule::Drift, [](Flight& f) { f.drift_mps = 0.51; }},
+                    Planted{Rule::ThroughWater, [](Flight& f) { f.gets_on_mps = 0.61; }},
+                    Planted{Rule::SurfaceDrift, [](Flight& f) { f.floats_mps = 0.81; }}));
 
 /// An order to climb that comes on the way down stops the dive.
 TEST(AssumedWorld, AnOrderToClimbStopsADive) {

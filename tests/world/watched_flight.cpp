@@ -52,15 +52,30 @@ class HearingSbc final : public simulator::SbcPort {
   double frame_s_ = 0;
 };
 
-/// What the water did where the vehicle was.
+/// What the water did where the vehicle was, and how the vehicle went on in it.
 void judgeDrift(const support::Trace& trace, const simulator::Scenario& scenario,
-                AssumedWorld& world) {
+                const platforms::Platform& platform, AssumedWorld& world) {
+  // A glider that has come up glides on for some seconds.
+  constexpr double kStill_s = 60;
   const simulator::Ocean ocean(scenario.ocean);
   const int time = trace.column("time"), depth = trace.column("true_depth");
   const int x = trace.column("true_x"), y = trace.column("true_y");
+  double under_water_s = 0;
   for (size_t row = 0; row < trace.rowCount(); ++row) {
+    const double now = trace.at(row, time);
     const auto current = ocean.current(trace.at(row, depth), trace.at(row, x), trace.at(row, y));
-    world.drifts(trace.at(row, time), std::hypot(current.east, current.north));
+    world.drifts(now, std::hypot(current.east, current.north));
+    under_water_s = trace.at(row, depth) > platform.world.surface_depth_m ? now : under_water_s;
+    const double passed = row > 0 ? now - trace.at(row - 1, time) : 0;
+    if (passed <= 0) {
+      continue;
+    }
+    const double east = (trace.at(row, x) - trace.at(row - 1, x)) / passed;
+    const double north = (trace.at(row, y) - trace.at(row - 1, y)) / passed;
+    world.getsOn(now, std::hypot(east - current.east, north - current.north));
+    if (now - under_water_s > kStill_s) {
+      world.floatsAlong(now, std::hypot(east, north));
+    }
   }
 }
 
@@ -105,7 +120,7 @@ support::Result<Seen> flyWatched(const FlyingMission& mission, const Conditions&
   if (!trace) {
     return std::unexpected(trace.error());
   }
-  judgeDrift(*trace, conditions.scenario, watch.world());
+  judgeDrift(*trace, conditions.scenario, platform, watch.world());
   Seen seen;
   seen.broken = watch.world().broken();
   for (const Rule rule : kAllRules) {

@@ -9,7 +9,9 @@
 #include "ir/eval/arithmetic.h"
 #include "ir/prove/area_map.h"
 #include "ir/prove/random_flight.h"
+#include "ir/prove/random_place.h"
 #include "ir/prove/steering.h"
+#include "ir/verify/verify.h"
 #include "tests/random_missions/random.h"
 #include "tests/unit/ir/missions.h"
 #include "tests/unit/ir/slocum.h"
@@ -17,7 +19,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numbers>
+#include <string>
 #include <vector>
 
 namespace glider::ir::prove {
@@ -95,81 +100,265 @@ TEST(Fences, TheSideIsThatOfTheWholeHull) {
       << "both ends are inside, the leg is not";
 }
 
+TEST(Fences, TheMapsDegreesAreNoLongerThanTheEllipsoids) {
+  const auto apart = [](double latitude, const Position& step) {
+    const Fence fence{
+        true, {{latitude - 1, -1}, {latitude - 1, 1}, {latitude + 1, 1}, {latitude + 1, -1}}};
+    const Places waypoints{{latitude + step.latitude, step.longitude}};
+    return AreaMap(fence.corners, waypoints).clearance(fence, waypoints).distance_m;
+  };
+  // WGS 84: a degree of the meridian about the equator, and of the equator.
+  EXPECT_LE(apart(0, {0.5, 0}), 0.5 * 110574.4);
+  EXPECT_LE(apart(0, {0, 0.5}), 0.5 * 111319.5);
+}
+
+TEST(Fences, AMapAboutAPoleOrHalfTheEarthIsNone) {
+  const auto holds = [](const Places& corners, double metres) {
+    return AreaMap(corners, {corners.front()}).holds(metres);
+  };
+  EXPECT_TRUE(holds({{39, -74}, {39, -73}, {40, -73}}, 1e5));
+  EXPECT_TRUE(holds({{39, 179}, {39, -179}, {40, -179}}, 1e5)) << "across the antimeridian";
+  EXPECT_FALSE(holds({{39, -74}, {39, -73}, {40, -73}}, 4e5)) << "beyond the map's latitudes";
+  EXPECT_FALSE(holds({{84, 0}, {84, 10}, {88, 5}}, 1e3));
+  EXPECT_FALSE(holds({{-84, 0}, {-84, 10}, {-88, 5}}, 1e3));
+  EXPECT_FALSE(holds({{0, -60}, {0, 60}, {40, 0}}, 1e3));
+}
+
+/// Missions whose profile is written in the language: one in C might steer.
+const std::string kAreaHeader = R"(glider_ir 1
+mission m platform slocum
+sensor depth: length vehicle m_depth id 1 encoding linear to_si 1 lowest -1 highest 100 stale_after 20
+sensor temp: temperature vehicle sci_water_temp id 2 encoding linear to_si 1 lowest -2 highest 40 stale_after 20
+sensor lat: latitude vehicle m_lat id 3 encoding degrees_minutes to_si 1 lowest -9000 highest 9000 stale_after 600
+sensor lon: longitude vehicle m_lon id 4 encoding degrees_minutes to_si 1 lowest -18000 highest 18000 stale_after 600
+behaviour profile level symbol "" () reads ()
+behaviour profile staircase symbol gliderProfileStaircase () reads ()
+behaviour route nav symbol "" () reads ()
+behaviour route circuit symbol gliderRouteCircuit () reads ()
+)";
+const std::string kLevel = "profile level begin entry do descend (20:length, 0.4:angle) end end\n";
+
 std::string placeText(const Position& place) {
   return fmt::format("({}:latitude, {}:longitude)", place.latitude, place.longitude);
 }
 
+std::string steerTo(const Position& place) {
+  return "steer_to " + placeText(place);
+}
+
+std::string boxText(const Position& low, const Position& high) {
+  return fmt::format(
+      "require always (and (and (ge (sensor lat) {0}:latitude) (le (sensor lat) "
+      "{2}:latitude)) (and (ge (sensor lon) {1}:longitude) (le (sensor lon) "
+      "{3}:longitude))) inside ({0}, {1}, {0}, {3}, {2}, {3}, {2}, {1})\n",
+      low.latitude, low.longitude, high.latitude, high.longitude);
+}
+
 /// A mission that steers to these places in turn, 20 min each, and promises to keep in a box.
-std::string boxed(const Places& waypoints, const Position& low, const Position& high) {
-  std::string text =
-      kHeader +
-      "sensor lat: latitude vehicle m_lat id 3 encoding degrees_minutes to_si 1 lowest -9000 "
-      "highest 9000 stale_after 600\n"
-      "sensor lon: longitude vehicle m_lon id 4 encoding degrees_minutes to_si 1 lowest -18000 "
-      "highest 18000 stale_after 600\n"
-      "behaviour route nav symbol \"\" () reads ()\n";
+/// Every other state's route commands nothing if `by_cases`: a case of the state does.
+std::string boxed(const Places& waypoints, const Position& low, const Position& high,
+                  bool by_cases = false) {
+  std::string text = kAreaHeader;
   for (size_t i = 0; i < waypoints.size(); ++i) {
     const std::string next = i + 1 == waypoints.size() ? "exit" : fmt::format("goto s{}", i + 1);
+    const bool by_case = by_cases && i % 2 == 1;
+    const std::string nav = steerTo(waypoints[i]);
     text += fmt::format(
-        "state s{} route nav begin entry do steer_to {} end end profile glide ()\n"
-        "case (ge statetime 1200:time) {}\n",
-        i, placeText(waypoints[i]), next);
+        "state s{} route nav begin {} end {}case (ge statetime 1200:time) {}\n{}", i,
+        by_case ? "" : fmt::format("entry do {} end", nav), kLevel, next,
+        by_case ? fmt::format("case (ge statetime 60:time) do {} end stay\n", nav) : "");
   }
-  return text + fmt::format(
-                    "require always (and (and (ge (sensor lat) {0}:latitude) (le (sensor lat) "
-                    "{2}:latitude)) (and (ge (sensor lon) {1}:longitude) (le (sensor lon) "
-                    "{3}:longitude))) inside ({0}, {1}, {0}, {3}, {2}, {3}, {2}, {1})\n",
-                    low.latitude, low.longitude, high.latitude, high.longitude);
+  return text + boxText(low, high);
+}
+
+FenceVerdict judged(const std::string& text) {
+  const Mission mission = missionOf(text);
+  const Ground ground(mission, slocum());
+  Ending ending(ground);
+  return judgeFences(mission.requirements[0].fences, ground, ending);
+}
+
+Steering steered(const std::string& text) {
+  const Mission mission = missionOf(text);
+  return steeringOf(Ground(mission, slocum()));
+}
+
+/// Whether one of some random flights breaks the first requirement.
+bool broken(const std::string& text, uint64_t flights, size_t ticks) {
+  const Mission mission = missionOf(text);
+  const Ground ground(mission, slocum());
+  for (uint64_t seed = 0; seed < flights; ++seed) {
+    if (flyAtRandom(ground, 3, mission.requirements[0], seed, ticks)) {
+      return true;
+    }
+  }
+  return false;
 }
 
 TEST(Fences, WhatIsKeptNoCurrentBreaks) {
   random_missions::Random random(7);
   constexpr int kFlights = 60;
   int proved = 0;
-  int broken = 0;
-  for (int i = 0; i < 60; ++i) {
+  int left = 0;
+  for (int i = 0; i < 80; ++i) {
     Places waypoints;
     for (uint64_t k = 0; k <= random.below(3); ++k) {
       waypoints.push_back(near({39, -73}, 0.02, random));
     }
-    const double wide = 0.008 + 0.05 * unit(random);
-    const Mission mission =
-        missionOf(boxed(waypoints, {39 - wide, -73 - 1.2 * wide}, {39 + wide, -73 + 1.2 * wide}));
-    const Ground ground(mission, slocum());
-    Ending ending(ground);
-    const FenceVerdict verdict = judgeFences(mission.requirements[0].fences, ground, ending);
+    const double wide = 0.012 + 0.07 * unit(random);
+    const std::string text =
+        boxed(waypoints, {39 - wide, -73 - 1.2 * wide}, {39 + wide, -73 + 1.2 * wide}, i % 2 == 0);
+    const FenceVerdict verdict = judged(text);
     EXPECT_EQ(verdict.proved, verdict.reason.empty());
-    bool hit = false;
-    for (uint64_t seed = 0; seed < kFlights && !hit; ++seed) {
-      hit = flyAtRandom(ground, 0, mission.requirements[0], seed, 1500).has_value();
-    }
+    const bool hit = broken(text, kFlights, 1500);
     EXPECT_FALSE(verdict.proved && hit) << i << ": " << wide;
     proved += verdict.proved ? 1 : 0;
-    broken += hit ? 1 : 0;
+    left += hit ? 1 : 0;
   }
   EXPECT_GT(proved, 8);
-  EXPECT_GT(broken, 8) << "else the flights would find nothing";
+  EXPECT_GT(left, 8) << "else the flights would find nothing";
 }
 
 TEST(Fences, TheMarginGrowsWithTheTimeAndWithoutAWaypoint) {
-  const Places there{{39, -73}};
-  const auto margin = [&](const std::string& text) {
-    const Mission mission = missionOf(text);
-    const Ground ground(mission, slocum());
-    Ending ending(ground);
-    return judgeFences(mission.requirements[0].fences, ground, ending).margin_m;
-  };
-  const std::string far = boxed(there, {38.7, -73.3}, {39.3, -72.7});
-  const double once = margin(far);
-  const double seconds = 1200 + slocum().world.tick_gap_s;
-  EXPECT_NEAR(once, slocum().world.steering_error_m + seconds * slocum().envelope.drift_m_s, 160);
+  const std::string far = boxed({{39, -73}}, {38.7, -73.3}, {39.3, -72.7});
+  const double once = judged(far).margin_m;
+  const platforms::World& world = slocum().world;
+  const double seconds = 1200 + world.tick_gap_s;
+  const double dark = kResumeWithin_s * world.through_water_m_s;
+  EXPECT_NEAR(once, world.steering_error_m + seconds * world.surface_drift_m_s + dark, 160);
+  EXPECT_GT(world.surface_drift_m_s, slocum().envelope.drift_m_s);
   std::string by_heading = far;
   by_heading.replace(by_heading.find("steer_to"), 0, "steer (1:angle) ");
-  EXPECT_NEAR(margin(by_heading) - once, seconds * slocum().world.through_water_m_s, 1e-6);
+  const double astray = (seconds - kResumeWithin_s) * world.through_water_m_s;
+  EXPECT_NEAR(judged(by_heading).margin_m - once, astray, 1e-6);
   std::string endless = far;
   endless.replace(endless.find("(ge statetime"), 13,
                   "(gt (sensor depth) 5:length) stay case (ge statetime");
-  EXPECT_EQ(margin(endless), 0) << "no time by which it has ended";
+  EXPECT_EQ(judged(endless).margin_m, 0) << "no time by which it has ended";
+  std::string long_dark = far;
+  long_dark.replace(long_dark.find("sensor depth"), 0, "resume within 600\n");
+  EXPECT_NEAR(judged(long_dark).margin_m - once, (600 - kResumeWithin_s) * world.through_water_m_s,
+              700)
+      << "the mission's end may come later too";
+  EXPECT_GT(judged(long_dark).margin_m, once + 100);
+}
+
+/// A mission of two states; `at` says where to put a command, which is all that differs.
+std::string withCommandAt(size_t at, const std::string& command) {
+  std::vector<std::string> places(9);
+  places.at(at) = command;
+  return kAreaHeader +
+         fmt::format(
+             "always case (gt (sensor depth) 90:length) do {0} end goto b\n"
+             "state a route nav begin entry do {9} {1} end case (known (sensor temp)) do {2} end "
+             "stay "
+             "end\nprofile level begin entry do descend (20:length, 0.4:angle) {3} end "
+             "case (known (sensor depth)) do {4} end stay end\n"
+             "entry do {5} end case (ge statetime 900:time) goto b "
+             "case (gt (sensor temp) 30:temperature) do {6} end stay\n"
+             "state b route nav begin end {10} case (ge statetime 900:time) do {8} end exit "
+             "case (gt (sensor temp) 30:temperature) do if (known (sensor lat)) else {7} end end "
+             "stay\n",
+             places[0], places[1], places[2], places[3], places[4], places[5], places[6], places[7],
+             places[8], steerTo({39, -73}), kLevel) +
+         boxText({38.9, -73.1}, {39.1, -72.9});
+}
+
+TEST(Fences, CommandsSteerWhereverTheyStand) {
+  const FenceVerdict without = judged(withCommandAt(0, ""));
+  EXPECT_TRUE(without.proved) << without.reason << ": b's route commands nothing, a's holds";
+  EXPECT_FALSE(steered(withCommandAt(0, "")).by_heading);
+  const Position far{39, -72.5};
+  for (size_t at = 0; at < 9; ++at) {
+    const Steering steering = steered(withCommandAt(at, steerTo(far)));
+    EXPECT_TRUE(std::ranges::find(steering.waypoints, far) != steering.waypoints.end()) << at;
+    EXPECT_FALSE(judged(withCommandAt(at, steerTo(far))).proved) << at;
+    EXPECT_TRUE(steered(withCommandAt(at, "steer (1:angle)")).by_heading) << at;
+    EXPECT_TRUE(steered(withCommandAt(at, "drift ()")).by_heading) << at;
+    EXPECT_FALSE(steered(withCommandAt(at, "surface ()")).by_heading) << at;
+  }
+}
+
+TEST(Fences, RandomFlightsFollowCommandsOfCases) {
+  // One that is given control inside, and leaves by the command of a case alone.
+  const auto leaves = [](const std::string& command) {
+    std::string text = withCommandAt(6, command);
+    text = text.substr(0, text.find("require")) + boxText({38.97, -73.02}, {39.03, -72.981});
+    const Mission mission = missionOf(text);
+    const Ground ground(mission, slocum());
+    int left = 0;
+    for (uint64_t seed = 0; seed < 200; ++seed) {
+      const auto run = flyAtRandom(ground, 3, mission.requirements[0], seed, 800);
+      left += run && run->when > 60 ? 1 : 0;
+    }
+    return left;
+  };
+  EXPECT_EQ(leaves(""), 0);
+  EXPECT_GT(leaves(steerTo({39, -72.9})), 3);
+}
+
+/// A mission whose first route has this entry; `variables` stand above.
+std::string beginning(const std::string& entry, const std::string& variables = "") {
+  return kAreaHeader + variables + "state a route nav begin entry do " + entry +
+         " end case (ge statetime 60:time) do " + steerTo({39, -73}) + " end stay end " + kLevel +
+         "case (ge statetime 900:time) exit\n" + boxText({38.9, -73.1}, {39.1, -72.9});
+}
+
+TEST(Fences, WithoutAHeadingAtFirstItGoesAnywhere) {
+  const std::string here = steerTo({39, -73});
+  const std::string leg =
+      "table latitude (39.0, 39.01)\ntable longitude (-73.0, -73.01)\n"
+      "variable leg: number mission lowest 0 highest 1\ninitial leg 0\n";
+  const std::string nowhere = "variable to: latitude mission\ninitial to (sensor lat)\n";
+  const auto free = [](const std::string& text) { return steered(text).by_heading; };
+  EXPECT_FALSE(free(beginning(here)));
+  EXPECT_TRUE(free(beginning("")));
+  EXPECT_TRUE(free(beginning("if (known (sensor lat)) " + here + " end")));
+  EXPECT_TRUE(
+      free(beginning("if (gt (sensor temp) 3:temperature) " + here + " else " + here + " end")))
+      << "an unknown condition takes neither branch";
+  EXPECT_FALSE(free(beginning("if (known (sensor lat)) " + here + " else " + here + " end")));
+  const std::string on_path = "steer_to ((element 0 %9), (element 1 %9))";
+  EXPECT_FALSE(free(beginning(on_path, leg + "let %9 = (var leg)\n")));
+  EXPECT_TRUE(free(beginning(on_path, leg + "let %9 = (add (var leg) 2)\n")))
+      << "the path has no such place";
+  EXPECT_TRUE(free(beginning("steer_to ((var to), -73:longitude)", nowhere)))
+      << "a command with an unknown argument changes nothing";
+  const double margin = judged(beginning("")).margin_m - judged(beginning(here)).margin_m;
+  EXPECT_GT(margin, 0.5 * 900 * slocum().world.through_water_m_s);
+}
+
+TEST(Fences, WhatIsWrittenInCMaySteerAnywhere) {
+  std::string text = beginning(steerTo({39, -73}));
+  EXPECT_FALSE(steered(text).by_heading);
+  std::string profile = text;
+  profile.replace(profile.find(kLevel), kLevel.size(), "profile staircase ()\n");
+  EXPECT_TRUE(steered(profile).by_heading);
+  const size_t route = text.find("route nav begin");
+  text.replace(route, text.find("profile level begin") - route, "route circuit () ");
+  EXPECT_TRUE(steered(text).by_heading);
+}
+
+TEST(Fences, AtTheSurfaceAndWhileDarkRandomFlightsGoFurther) {
+  const Position start{39, -73};
+  double under = 0;
+  double at_surface = 0;
+  double dark = 0;
+  for (uint64_t seed = 0; seed < 40; ++seed) {
+    const auto moved = [&](bool surface, bool without_sbc) {
+      Dice dice(seed);
+      RandomPlace place(start, slocum(), dice);
+      place.obey({CommandRun{Command::SteerTo, {start.latitude, start.longitude}, false}});
+      place.move(300, surface, without_sbc);
+      return onEarth(Op::Distance, start, place.where());
+    };
+    under = std::max(under, moved(false, false));
+    at_surface = std::max(at_surface, moved(true, false));
+    dark = std::max(dark, moved(true, true));
+  }
+  EXPECT_NEAR(under, 300 * slocum().envelope.drift_m_s, 1);
+  EXPECT_NEAR(at_surface, 300 * slocum().world.surface_drift_m_s, 1);
+  EXPECT_GT(dark, at_surface + 60);
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ constexpr const char* kHead =
     "5.0\ndrift_m_s = 0.5\ncycle_s = "
     "4.0\n[world]\nstart_depth_m = 3.0\nsurface_depth_m = 2.0\nslowest_climb_m_s = 0.05\nturn_s = "
     "120.0\ndepth_error_m = 0.5\ntick_gap_s = 12.0\n"
-    "through_water_m_s = 0.6\nsteering_error_m = 200.0\n";
+    "through_water_m_s = 0.6\nsteering_error_m = 200.0\nsurface_drift_m_s = 0.8\n";
 constexpr const char* kSensor =
     "[[sensor]]\nname = \"a\"\nunit = \"m\"\nlowest = 0.0\nhighest = 1.0\nstale_after_s = "
     "1.0\ncomputer = \"flight\"\n"
@@ -79,6 +79,8 @@ TEST(Platform, ValuesOutsideTheirMeaningAreRefused) {
   EXPECT_FALSE(with("shallowest_pitch_rad = 0.1", "shallowest_pitch_rad = 0.0"));
   EXPECT_FALSE(with("through_water_m_s = 0.6", "through_water_m_s = 0.0"));
   EXPECT_FALSE(with("steering_error_m = 200.0", ""));
+  EXPECT_FALSE(with("surface_drift_m_s = 0.8", "surface_drift_m_s = -0.8"));
+  EXPECT_FALSE(with("surface_drift_m_s = 0.8", ""));
   EXPECT_FALSE(with("\"flight\"", "\"kitchen\""));
 }
 

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "ir/core/mission.h"
+
+#include <memory>
+#include <vector>
+
+/// How far apart places are, without comparing all pairs of them: missions may have 10,000.
+namespace glider::ir::prove {
+
+/// Some places on the Earth.
+class PlaceIndex {
+ public:
+  explicit PlaceIndex(const std::vector<Position>& places);
+  ~PlaceIndex();
+  PlaceIndex(const PlaceIndex&) = delete;
+  PlaceIndex& operator=(const PlaceIndex&) = delete;
+
+  /// Metres from `place` to the nearest of the places that is not the same one; infinite if there
+  /// is none.
+  [[nodiscard]] double nearestOther(const Position& place) const;
+
+ private:
+  struct Tree;
+  std::unique_ptr<Tree> tree_;
+};
+
+/// Of each of some angles, degrees: how far round the circle the nearest other one is, 0 to 180;
+/// infinite if all are the same. 190 and -170 are the same.
+std::vector<double> nearestOnCircle(const std::vector<double>& degrees);
+
+}  // namespace glider::ir::prove

@@ -44,7 +44,17 @@ void Hookprog::run(double science_time_s, const ScienceSensors& own, const Glide
   takeFlight(flight);
   watchInstruction();
   if (time_is_new_ && cycle_is_new_) {
-    sendCycle(own);
+    time_is_new_ = false;
+    cycle_is_new_ = false;
+    watchHookbeh();
+    if (cycles_.isNext(newestWhole(GLIDER_M_CYCLE_NUMBER))) {
+      sendCycle(own);
+    } else {
+      ++stale_;
+    }
+    for (bool& fresh : fresh_) {
+      fresh = false;
+    }
   }
   const bool open = out_.flush(sbc);
   if (link_ != 0 && (!open || (waiting_ && waits_.lasts(now_s_) >= kLostSecs))) {
@@ -301,9 +311,6 @@ void Hookprog::watchHookbeh() {
 }
 
 void Hookprog::sendCycle(const ScienceSensors& own) {
-  time_is_new_ = false;
-  cycle_is_new_ = false;
-  watchHookbeh();
   if (link_ == 0) {
     sendBeacon();
   } else {
@@ -312,9 +319,6 @@ void Hookprog::sendCycle(const ScienceSensors& own) {
       waiting_ = true;
       waits_.begin(now_s_);
     }
-  }
-  for (bool& fresh : fresh_) {
-    fresh = false;
   }
 }
 

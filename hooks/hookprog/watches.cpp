@@ -3,7 +3,23 @@
 
 #include "hooks/hookprog/watches.h"
 
+#include "hooks/protocol/values.h"
+
 namespace glider::hooks {
+
+bool CycleWatch::isNext(uint32_t cycle) {
+  constexpr uint32_t kCircle = 0xFFFFFF;
+  constexpr uint32_t kMostLost = 8;  // reports between two that come in their order
+  const uint32_t ahead = (cycle - newest_) & kCircle;
+  const uint32_t after_earlier = (cycle - earlier_) & kCircle;
+  const bool later = ahead != 0 && ahead <= kCircle / 2;
+  const bool restarted = was_earlier_ && after_earlier != 0 && after_earlier <= kMostLost;
+  was_earlier_ = known_ && !later && !restarted;
+  earlier_ = cycle;
+  newest_ = was_earlier_ ? newest_ : cycle;
+  known_ = true;
+  return !was_earlier_;
+}
 
 bool ProgressWatch::hasGoneOn(uint32_t session, double mission_time_s, double now_s) {
   if (session != session_) {
@@ -29,6 +45,9 @@ bool ProgressWatch::isStuck(double limit_s, double now_s) {
 void AnswerWatch::written(double sequence, double now_s) {
   const auto number =
       sequence >= 1 && sequence <= UINT16_MAX ? static_cast<uint16_t>(sequence) : uint16_t{0};
+  if (isNewerSequence(instruction_, number)) {
+    return;  // that one comes again; the newer one still waits
+  }
   if (instruction_ == 0 && number != 0) {
     unanswered_.begin(now_s);
     told_ = false;

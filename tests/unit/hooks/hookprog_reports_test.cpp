@@ -122,6 +122,21 @@ TEST_F(HookprogReportsTest, AnAnswerToWhatIsNoTickConfirmsNothing) {
   EXPECT_EQ(tick(subscription()).told[0], Told::Value);
 }
 
+TEST_F(HookprogReportsTest, AnAnswerThatComesAgainConfirmsNothing) {
+  hello();
+  atSbc();
+  cycle({{GLIDER_M_PITCH, 0.1}});
+  tick(subscription());
+  answerTick();
+  cycle({{GLIDER_M_DEPTH, 12.5}});
+  tick(subscription());  // is lost
+  // An answer of 256 frames ago has the same number.
+  say(Done{tick_sequence_, 0, {now_ - 4, 0, 0, MissionPhase::Flying}});
+  run();
+  cycle({{GLIDER_M_DEPTH, 12.5}});
+  EXPECT_EQ(tick(subscription()).told[0], Told::Value);
+}
+
 TEST_F(HookprogReportsTest, ANewSubscriptionOrLinkStartsWithNothingHeld) {
   hello();
   atSbc();

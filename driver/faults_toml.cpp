@@ -41,13 +41,29 @@ std::string lineToToml(const LineFault& fault) {
   return out;
 }
 
+/// What is wrong with a sensor, as a scenario file says it.
+std::string wrongToToml(const SensorFault& fault) {
+  using Kind = SensorFault::Kind;
+  switch (fault.kind) {
+    case Kind::Frozen:
+      return "frozen = true";
+    case Kind::Missing:
+      return "missing = true";
+    case Kind::Drift:
+      return fmt::format("drift_per_s = {}", fault.value);
+    case Kind::Scale:
+      return fmt::format("scale = {}", fault.value);
+    case Kind::Jumps:
+      return fmt::format("jumps = {}\njumps_share = {}", fault.value, fault.share);
+    case Kind::Value:
+      break;
+  }
+  return std::isnan(fault.value) ? "value = nan" : fmt::format("value = {}", fault.value);
+}
+
 std::string sensorToToml(const SensorFault& fault) {
-  const std::string what = fault.kind == SensorFault::Kind::Frozen    ? "frozen = true"
-                           : fault.kind == SensorFault::Kind::Missing ? "missing = true"
-                           : std::isnan(fault.value)                  ? "value = nan"
-                                                     : fmt::format("value = {}", fault.value);
   return fmt::format("[[faults.sensor]]\nsensor = \"{}\"\n", fault.name) + timesOf(fault.when) +
-         what + "\n";
+         wrongToToml(fault) + "\n";
 }
 
 /// What happens to the computers themselves.

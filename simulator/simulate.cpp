@@ -84,7 +84,7 @@ class Simulation {
         flight_(setup_.platform, setup_.scenario.skeleton, setup_.scenario.sensors, seed_, frame_,
                 journal_),
         science_(seed_, setup_.scenario.sensors, !real_time_),
-        damage_(faults().sensors),
+        damage_(faults().sensors, seed_),
         clothesline_(kClotheslineBaud, damageOf(LineWay::ToFlight, kClotheslineBaud),
                      damageOf(LineWay::FromFlight, kClotheslineBaud)),
         sbc_line_(kSbcBaud, damageOf(LineWay::FromSbc, kSbcBaud),

@@ -49,10 +49,36 @@ SensorFault::Kind howOf(FaultKind kind, Draw& draw) {
       return SensorFault::Kind::Frozen;
     case FaultKind::SensorMissing:
       return SensorFault::Kind::Missing;
+    case FaultKind::SensorDrift:
+      return SensorFault::Kind::Drift;
+    case FaultKind::SensorScale:
+      return SensorFault::Kind::Scale;
+    case FaultKind::SensorJumps:
+      return SensorFault::Kind::Jumps;
     case FaultKind::HookSensor:
       return static_cast<SensorFault::Kind>(draw.below(3));
     default:
       return SensorFault::Kind::Value;
+  }
+}
+
+double valueOf(FaultKind kind, const Plausible& sensor, Draw& draw) {
+  const double range = sensor.highest - sensor.lowest;
+  switch (kind) {
+    case FaultKind::SensorNan:
+      return std::nan("");
+    case FaultKind::SensorRange:
+      return kNonsense[draw.below(kNonsense.size())];
+    case FaultKind::SensorDrift:  // through its range within ten minutes to ten hours
+      return (draw.chance(0.5) ? 1 : -1) * range / draw.scale(600, 36000);
+    case FaultKind::SensorScale:
+      return draw.chance(0.1) ? -1 : draw.scale(0.1, 3);
+    case FaultKind::SensorJumps:
+      return range * draw.scale(0.05, 1);
+    case FaultKind::HookSensor:
+      return std::round(draw.between(sensor.lowest, sensor.highest));
+    default:
+      return draw.between(sensor.lowest, sensor.highest);
   }
 }
 
@@ -70,12 +96,8 @@ void addSensor(FaultKind kind, Draw& draw, Faults& faults) {
   SensorFault fault;
   fault.name = sensor.name;
   fault.kind = howOf(kind, draw);
-  fault.value = kind == FaultKind::SensorNan     ? std::nan("")
-                : kind == FaultKind::SensorRange ? kNonsense[draw.below(kNonsense.size())]
-                                                 : draw.between(sensor.lowest, sensor.highest);
-  if (of_hook) {
-    fault.value = std::round(fault.value);
-  }
+  fault.value = valueOf(kind, sensor, draw);
+  fault.share = draw.chance(0.3) ? 1 : draw.scale(0.01, 1);
   for (const Span& span : draw.windows()) {
     fault.when = span;
     faults.sensors.push_back(fault);

@@ -69,20 +69,47 @@ void readLine(Fields& f, Faults& faults) {
   }
 }
 
+/// How a sensor can be wrong: the field that says so, with its bounds.
+struct Wrong {
+  const char* field;
+  SensorFault::Kind kind;
+  double lowest, highest;
+};
+constexpr double kMostWrong = 1e6;
+constexpr Wrong kWrongByNumber[] = {
+    {"drift_per_s", SensorFault::Kind::Drift, -kMostWrong, kMostWrong},
+    {"scale", SensorFault::Kind::Scale, -kMostWrong, kMostWrong},
+    {"jumps", SensorFault::Kind::Jumps, 0, kMostWrong}};
+
 void readSensor(Fields& f, Faults& faults) {
-  f.reader().only({"sensor", "from_s", "to_s", "frozen", "missing", "value"});
+  f.reader().only({"sensor", "from_s", "to_s", "frozen", "missing", "value", "drift_per_s", "scale",
+                   "jumps", "jumps_share"});
   SensorFault fault;
   fault.name = f.reader().text("sensor");
   fault.when = readSpan(f);
   const bool frozen = f.reader().flagOr("frozen", false);
   const bool missing = f.reader().flagOr("missing", false);
-  if (frozen + missing + f.has("value") != 1) {
-    f.reader().refuse("sensor", "needs one of `frozen = true`, `missing = true` and `value`");
-  }
+  int kinds = frozen + missing + f.has("value");
   fault.kind = frozen    ? SensorFault::Kind::Frozen
                : missing ? SensorFault::Kind::Missing
                          : SensorFault::Kind::Value;
   fault.value = f.has("value") ? f.anyNumber("value") : 0;
+  for (const Wrong& wrong : kWrongByNumber) {
+    if (f.has(wrong.field)) {
+      ++kinds;
+      fault.kind = wrong.kind;
+      fault.value = f.required(wrong.field, wrong.lowest, wrong.highest);
+    }
+  }
+  if (kinds != 1) {
+    f.reader().refuse("sensor",
+                      "needs one of `frozen = true`, `missing = true`, `value`, `drift_per_s`, "
+                      "`scale` and `jumps`");
+  }
+  f.number("jumps_share", fault.share, 0, 1);
+  if (f.has("jumps_share") && !f.has("jumps")) {
+    f.reader().refuse("jumps_share", "needs `jumps` beside it");
+  }
   faults.sensors.push_back(fault);
 }
 

@@ -4,6 +4,7 @@
 // Flights in which something goes wrong, each with its stated outcome (scenarios/README.md).
 
 #include "platforms/slocum_sensors.h"
+#include "simulator/faults/sensor_damage.h"
 #include "simulator/onlooker.h"
 #include "tests/unit/simulator/fake_sbc.h"
 #include "tests/unit/simulator/flights.h"
@@ -182,6 +183,32 @@ TEST(FaultFlight, SensorsFreezeVanishAndLie) {
   EXPECT_EQ(valueAt(trace, "m_heading", 400), 99);
   EXPECT_NE(valueAt(trace, "m_heading", 520), 99);
   EXPECT_NE(timeOf(trace, "gives control back"), -1) << eventText(trace);
+}
+
+TEST(SensorDamage, DriftsScalesAndJumps) {
+  using Kind = SensorFault::Kind;
+  SensorFault drift = onSensor("", Kind::Drift, -0.5);
+  SensorFault scale = onSensor("", Kind::Scale, 3);
+  SensorFault jumps = onSensor("", Kind::Jumps, 10);
+  drift.id = 1, scale.id = 2, jumps.id = 3;
+  jumps.share = 0.25;
+  SensorDamage damage({drift, scale, jumps}, 1);
+  damage.setNow(299);
+  EXPECT_EQ(damage.reading(1, 20), 20);
+  EXPECT_EQ(damage.reading(2, 20), 20);
+  EXPECT_EQ(damage.reading(3, 20), 20);
+  damage.setNow(310);
+  EXPECT_EQ(damage.reading(1, 20), 15) << "10 s of it";
+  EXPECT_EQ(damage.reading(2, 20), 60);
+  int jumped = 0, up = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const double by = *damage.reading(3, 20) - 20;
+    EXPECT_LE(std::fabs(by), 10);
+    jumped += by != 0;
+    up += by < 0;
+  }
+  EXPECT_NEAR(jumped, 250, 50);
+  EXPECT_NEAR(up, jumped / 2.0, 40);
 }
 
 TEST(FaultFlight, NoSensorsNanReachesTheVehicle) {

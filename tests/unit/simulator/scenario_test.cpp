@@ -194,6 +194,22 @@ TEST_F(ScenarioFile, ReadsFaults) {
   EXPECT_EQ(faults.lastEnd(), 68);
 }
 
+TEST_F(ScenarioFile, ReadsSensorsThatDriftScaleAndJump) {
+  const std::string depth = "[[faults.sensor]]\nsensor = \"m_depth\"\nfrom_s = 1\n";
+  ASSERT_EQ(load(kHead + kStart + depth + "drift_per_s = -0.02\n" + depth + "scale = 0.5\n" +
+                 depth + "jumps = 20\njumps_share = 0.1\n"),
+            "");
+  const auto& sensors = scenario_.faults.sensors;
+  ASSERT_EQ(sensors.size(), 3U);
+  EXPECT_EQ(sensors[0].kind, SensorFault::Kind::Drift);
+  EXPECT_EQ(sensors[0].value, -0.02);
+  EXPECT_EQ(sensors[1].kind, SensorFault::Kind::Scale);
+  EXPECT_EQ(sensors[1].value, 0.5);
+  EXPECT_EQ(sensors[2].kind, SensorFault::Kind::Jumps);
+  EXPECT_EQ(sensors[2].value, 20);
+  EXPECT_EQ(sensors[2].share, 0.1);
+}
+
 TEST_F(ScenarioFile, RefusesFaultsThatAreNone) {
   const std::pair<std::string, const char*> bad[] = {
       {"[faults]\nwind = 3\n", "`wind`"},
@@ -207,6 +223,13 @@ TEST_F(ScenarioFile, RefusesFaultsThatAreNone) {
       {"[[faults.sensor]]\nsensor = \"m_depth\"\nfrom_s = 1\n", "needs one of"},
       {"[[faults.sensor]]\nsensor = \"m_depth\"\nfrom_s = 1\nfrozen = true\nvalue = 3\n",
        "needs one of"},
+      {"[[faults.sensor]]\nsensor = \"m_depth\"\nfrom_s = 1\nfrozen = true\nscale = 3\n",
+       "needs one of"},
+      {"[[faults.sensor]]\nsensor = \"m_depth\"\nfrom_s = 1\nscale = 3\ndrift_per_s = 1\n",
+       "needs one of"},
+      {"[[faults.sensor]]\nsensor = \"m_depth\"\nfrom_s = 1\nscale = 3\njumps_share = 0.5\n",
+       "needs `jumps`"},
+      {"[[faults.sensor]]\nsensor = \"m_depth\"\nfrom_s = 1\njumps = -3\n", "between 0 and"},
       {"[[faults.sensor]]\nsensor = \"m_depth\"\nfrom_s = 1\nvalue = \"3\"\n", "must be a number"},
       {"[[faults.clock]]\nat_s = 1\n", "no `by_s`"},
       {"[[faults.science]]\nat_s = 1\ntakes_s = 0\n", "between 1 and"},

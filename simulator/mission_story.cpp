@@ -127,6 +127,14 @@ bool MissionStory::follow(double now_s, double cycle_s, ScienceComputer& science
       case Kind::RefusedWrite:
         journal.add(now_s, "hook", fmt::format("the SBC may not write sensor {}", event.a));
         break;
+      case Kind::OldInstruction:
+        journal.add(now_s, "hook", fmt::format("instruction {} comes again", event.a),
+                    "hookbeh refuses it: its number is old");
+        break;
+      case Kind::StaleFrame:
+        journal.add(now_s, "link", fmt::format("{} frames of the SBC come again", event.a),
+                    "they tell of an earlier mission time");
+        break;
     }
   }
   return in_another_state;

@@ -110,18 +110,26 @@ ClientEvent Client::handleTick(const Frame& frame, const GliderByteStream& strea
     return ClientEvent::Handled;
   }
   virtual_time_ = head.virtual_time;
-  if (link_ == 0 || head.link != link_) {
-    askForLink();  // the vehicle talks to who was here before us
+  if (link_ == 0 || head.link != link_ || !isNewCycle(head.cycle)) {
+    // The vehicle talks to who was here before us. Or it has begun to count cycles again, or this
+    // is an earlier frame once more: in a new link that is told apart.
+    askForLink();
     answer(stream);
     return ClientEvent::Handled;
   }
   takeLink();
   takeTick(head);
+  cycle_known_ = true;
   resubscribe_ = !takeReadings(frame, head);
   learnSession(head.session);
   followInstruction();
   tick_.instruction_sequence = sequence_;
   return ClientEvent::Tick;
+}
+
+bool Client::isNewCycle(uint32_t cycle) const {
+  const uint32_t ahead = (cycle - tick_.cycle) & kMostSession;
+  return !cycle_known_ || (ahead != 0 && ahead <= kMostSession / 2);
 }
 
 void Client::takeTick(const TickHead& head) {
@@ -169,24 +177,33 @@ void Client::followInstruction() {
   tick_.obeys_us =
       session_ != 0 && tick_.session == session_ && tick_.hook_state == HookState::Active;
   taken_ = taken_ || tick_.obeys_us;
+  if (tick_.answer != HookAnswer::OldSequence) {
+    settled_ = tick_.answered_sequence;
+  }
   const bool unwritten = due_;
   if (waiting_) {
     lookForAnswer();
   }
-  const bool heard = !waiting_ || unwritten || tick_.answered_sequence != last_answered_;
+  const bool heard = !waiting_ || unwritten || settled_ != last_settled_;
   unanswered_ticks_ = heard ? 0 : unanswered_ticks_ + 1;
-  last_answered_ = tick_.answered_sequence;
+  last_settled_ = settled_;
   tick_.unanswered_ticks = unanswered_ticks_;
 }
 
 void Client::lookForAnswer() {
   const bool shown = tick_.answered_sequence == sequence_;
-  if (shown && tick_.answer == HookAnswer::None) {
-    // A hookbeh that has just started takes the number that it finds for an old one: under this
-    // number it will never look at the instruction.
-    renumber();
+  const bool old = tick_.answer == HookAnswer::OldSequence;
+  // A hookbeh that has just started takes the number that it finds for an old one.
+  const bool never = shown && (tick_.answer == HookAnswer::None || old);
+  if (shown && old) {
+    // It has decided on a number that this program has not heard of. Among four numbers that are a
+    // quarter of the circle apart is one that is newer.
+    sequence_ = static_cast<uint16_t>((sequence_ + UINT16_MAX / 4) % UINT16_MAX);
   }
-  waiting_ = !shown || tick_.answer == HookAnswer::None || tick_.answer == HookAnswer::BadCheck;
+  if (never) {
+    renumber();  // under this number it will never look at the instruction
+  }
+  waiting_ = never || !shown || tick_.answer == HookAnswer::BadCheck;
   due_ = waiting_;
 }
 
@@ -214,11 +231,13 @@ uint16_t Client::instruct(Instruction instruction) {
 }
 
 void Client::renumber() {
-  do {
-    sequence_ = sequence_ == UINT16_MAX ? uint16_t{1} : static_cast<uint16_t>(sequence_ + 1);
-    // A number that still lies in the sensor array from an earlier program would not be seen as
-    // new.
-  } while (sequence_ == tick_.answered_sequence);
+  // Numbers of an earlier program that hookbeh has decided on, or that lie in the sensor array, are
+  // no further behind than that.
+  const uint16_t theirs = settled_ != 0 ? settled_ : tick_.answered_sequence;
+  if (isNewerSequence(theirs, sequence_)) {
+    sequence_ = theirs;
+  }
+  sequence_ = nextSequence(sequence_);
   pending_.sequence = sequence_;
 }
 
@@ -290,6 +309,7 @@ void Client::askForLink() {
     link_ = nextSession(link_);
   }
   link_used_ = false;
+  cycle_known_ = false;
   queueHello();
   queueSubscribe();
 }

@@ -125,6 +125,8 @@ class Client {
   ClientEvent handleTick(const Frame& frame, const GliderByteStream& stream);
   ClientEvent refuse(uint8_t version, uint32_t dictionary);
   void takeLink();
+  /// False for a cycle that this link has told already, or an earlier one.
+  [[nodiscard]] bool isNewCycle(uint32_t cycle) const;
   void takeTick(const TickHead& head);
   bool takeReadings(const Frame& frame, const TickHead& head);
   bool takeReading(uint32_t index, const TickReadings& told);
@@ -152,6 +154,7 @@ class Client {
   Refusal refusal_;
   uint32_t link_ = 0;       // 0: no Hello sent yet
   bool link_used_ = false;  // the vehicle was seen to have it
+  bool cycle_known_ = false;  // a tick of it was taken: tick_.cycle
   uint32_t next_session_ = 1;
 
   Subscribe subscription_;
@@ -174,7 +177,8 @@ class Client {
   bool waiting_ = false;  // hookbeh has not answered `pending_` yet
   bool due_ = false;      // write `pending_` in the next answer
   uint32_t unanswered_ticks_ = 0;
-  uint16_t last_answered_ = 0;  // x_hook_sequence in the tick before
+  uint16_t settled_ = 0;        // the newest number that hookbeh was seen to look at, 0 for none
+  uint16_t last_settled_ = 0;   // in the tick before
   uint32_t session_ = 0;        // of the newest Take, 0 before the first
   bool claims_ = true;          // it is ours to keep alive
   bool taken_ = false;          // hookbeh was seen active in `session_`

@@ -98,9 +98,12 @@ void Hookbeh::advanceClock(double time_s) {
 }
 
 void Hookbeh::watchHeartbeat(double heartbeat) {
-  if (isFinite(heartbeat) && (!heartbeat_known_ || heartbeat != heartbeat_)) {
-    heartbeat_ = heartbeat;
-    heartbeat_known_ = true;
+  uint32_t beat = 0;
+  const bool there = isWhole(heartbeat, 0, kMostSession, &beat);
+  // While somebody is in control only a newer one counts: an earlier one that comes again must not
+  // keep alive who is dead. Else it is the one to count from, however hookprog began.
+  if (there && (state_ != HookState::Active || isNewerSession(beat, heartbeat_))) {
+    heartbeat_ = beat;
     silence_s_ = 0;
   } else {
     silence_s_ += step_s_;
@@ -132,9 +135,18 @@ void Hookbeh::readInstruction(const HookbehInputs& inputs) {
   }
   if (!there || sequence == settled_sequence_) {
     garbled_s_ = 0;
+    if (there) {
+      answered_sequence_ = sequence;
+      answer_ = settled_answer_;
+    }
     return;
   }
   answered_sequence_ = sequence;
+  if (!isNewerSequence(sequence, settled_sequence_)) {
+    answer_ = HookAnswer::OldSequence;  // it was sent before the one that was decided on last
+    garbled_s_ += garbled_s_ > 0 ? step_s_ : 0;
+    return;
+  }
   Instruction instruction;
   if (!gather(inputs, sequence, &instruction)) {
     answer_ = HookAnswer::BadCheck;  // not settled: the missing part may still come
@@ -146,7 +158,7 @@ void Hookbeh::readInstruction(const HookbehInputs& inputs) {
   }
   garbled_s_ = 0;
   settled_sequence_ = sequence;
-  answer_ = decide(instruction);
+  settled_answer_ = answer_ = decide(instruction);
 }
 
 HookAnswer Hookbeh::decide(const Instruction& instruction) {

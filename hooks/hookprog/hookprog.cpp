@@ -147,6 +147,7 @@ void Hookprog::handleHello(const Hello& hello) {
   refused_version_ = 0;
   refused_dictionary_ = 0;
   link_ = hello.link;
+  told_s_ = 0;
   waiting_ = false;
   reporter_.serve(Subscribe{});
   HookprogEvent told;
@@ -182,8 +183,9 @@ void Hookprog::handleWrite(const SensorList& list) {
       session = static_cast<uint32_t>(value.value);
     }
   }
-  newest_session_ = session;
+  newest_session_ = isNewerSession(session, newest_session_) ? session : newest_session_;
   if (sequence != nullptr) {
+    // hookbeh refuses one that comes again, and answers: that is for it to know.
     ordered[count++] = *sequence;
     answers_.written(sequence->value, now_s_);
   }
@@ -193,6 +195,9 @@ void Hookprog::handleWrite(const SensorList& list) {
 }
 
 void Hookprog::handleTransition(const TransitionNotice& notice) {
+  if (isStale(notice.mission_time_s)) {
+    return;
+  }
   HookprogEvent told;
   told.kind = Kind::SbcTransition;
   told.mission_time_s = notice.mission_time_s;
@@ -205,6 +210,9 @@ void Hookprog::handleTransition(const TransitionNotice& notice) {
 }
 
 void Hookprog::handleNote(const MissionNote& note) {
+  if (isStale(note.mission_time_s)) {
+    return;
+  }
   HookprogEvent told;
   told.kind = Kind::SbcNote;
   told.mission_time_s = note.mission_time_s;
@@ -215,7 +223,18 @@ void Hookprog::handleNote(const MissionNote& note) {
   events_.push(told);
 }
 
+/// A mission's time never goes back while it has the link: this was told before, and comes again.
+bool Hookprog::isStale(double mission_time_s) {
+  const bool stale = mission_time_s < told_s_;
+  stale_ += stale ? 1 : 0;
+  return stale;
+}
+
 void Hookprog::handleDone(const Done& done) {
+  if (isStale(done.status.mission_time_s)) {
+    return;
+  }
+  told_s_ = done.status.mission_time_s;
   waiting_ = false;
   reporter_.answered(done.answered);
   view_ = {true, done.status.mission_time_s, done.status.state, done.status.stack_depth,
@@ -246,6 +265,12 @@ void Hookprog::watchInstruction() {
   if (answers_.isOverdue(kLostSecs, now_s_)) {
     event(Kind::SbcUnanswered, answers_.instruction());
   }
+  const bool old = newestWhole(GLIDER_X_HOOK_ANSWER) == static_cast<uint32_t>(HookAnswer::OldSequence);
+  const uint32_t refused = old ? newestWhole(GLIDER_X_HOOK_SEQUENCE) : 0;
+  if (old && refused != old_told_) {
+    event(Kind::OldInstruction, refused);
+  }
+  old_told_ = refused;
 }
 
 void Hookprog::beat() {
@@ -333,7 +358,7 @@ TickHead Hookprog::tickHead() const {
   head.subscription = reporter_.check();
   head.hook_state = hookState();
   const uint32_t answer = newestWhole(GLIDER_X_HOOK_ANSWER);
-  head.answer = answer <= static_cast<uint32_t>(HookAnswer::NotReady)
+  head.answer = answer <= UINT8_MAX && isHookAnswer(static_cast<uint8_t>(answer))
                     ? static_cast<HookAnswer>(answer)
                     : HookAnswer::None;
   head.answered_sequence = static_cast<uint16_t>(newestWhole(GLIDER_X_HOOK_SEQUENCE));
@@ -376,6 +401,10 @@ void Hookprog::countBadFrames() {
   if (bad != bad_frames_told_) {
     event(Kind::BadFrame, bad - bad_frames_told_);
     bad_frames_told_ = bad;
+  }
+  if (stale_ != 0) {
+    event(Kind::StaleFrame, stale_);
+    stale_ = 0;
   }
 }
 

@@ -3,6 +3,8 @@
 
 #include "hooks/hookprog/watches.h"
 
+#include "hooks/protocol/values.h"
+
 namespace glider::hooks {
 
 bool ProgressWatch::hasGoneOn(uint32_t session, double mission_time_s, double now_s) {
@@ -29,6 +31,9 @@ bool ProgressWatch::isStuck(double limit_s, double now_s) {
 void AnswerWatch::written(double sequence, double now_s) {
   const auto number =
       sequence >= 1 && sequence <= UINT16_MAX ? static_cast<uint16_t>(sequence) : uint16_t{0};
+  if (isNewerSequence(instruction_, number)) {
+    return;  // that one comes again; the newer one still waits
+  }
   if (instruction_ == 0 && number != 0) {
     unanswered_.begin(now_s);
     told_ = false;

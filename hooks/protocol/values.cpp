@@ -9,6 +9,16 @@
 
 namespace glider::hooks {
 
+uint16_t nextSequence(uint16_t sequence) {
+  return static_cast<uint16_t>(sequence % UINT16_MAX + 1);
+}
+
+bool isNewerSequence(uint16_t sequence, uint16_t other) {
+  // Serial number arithmetic (RFC 1982) on a circle of 65535 numbers: there is no opposite one.
+  const uint32_t ahead = (uint32_t{sequence} + UINT16_MAX - other) % UINT16_MAX;
+  return sequence != 0 && (other == 0 || (ahead != 0 && ahead <= UINT16_MAX / 2));
+}
+
 Instruction roundToArray(const Instruction& instruction) {
   Instruction rounded = instruction;
   rounded.depth_m = asFloat32(instruction.depth_m);

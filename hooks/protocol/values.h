@@ -30,6 +30,7 @@ enum class HookAnswer : uint8_t {
   NotOnEarth = 6,    ///< the waypoint is no position
   WrongSession = 7,  ///< not from the session in control, or from one that was lost
   NotReady = 8,      ///< hookbeh waits or is complete
+  OldSequence = 9,   ///< its number is older than one that was decided on: an instruction sent again
 };
 
 /// Whether a number on the line stands for one of them.
@@ -37,7 +38,7 @@ inline bool isHookState(uint8_t value) {
   return value <= static_cast<uint8_t>(HookState::Complete);
 }
 inline bool isHookAnswer(uint8_t value) {
-  return value <= static_cast<uint8_t>(HookAnswer::NotReady);
+  return value <= static_cast<uint8_t>(HookAnswer::OldSequence);
 }
 
 /// `sci_hook_control`.
@@ -69,6 +70,12 @@ struct Instruction {
   double latitude_ddmm = 0;
   double longitude_ddmm = 0;
 };
+
+/// The number after `sequence`: counts to 65535, then 1 again.
+uint16_t nextSequence(uint16_t sequence);
+/// True when `sequence` was given after `other`, counting round at 65535: at most half the circle
+/// (32767) ahead. 0 means none yet: every number is newer.
+bool isNewerSequence(uint16_t sequence, uint16_t other);
 
 /// The same instruction with every number as the sensor array stores it.
 Instruction roundToArray(const Instruction& instruction);

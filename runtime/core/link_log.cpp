@@ -34,6 +34,7 @@ static_assert(sameNumber(LogDetail::BadCommand, HookAnswer::BadCommand));
 static_assert(sameNumber(LogDetail::NotOnEarth, HookAnswer::NotOnEarth));
 static_assert(sameNumber(LogDetail::WrongSession, HookAnswer::WrongSession));
 static_assert(sameNumber(LogDetail::NotReady, HookAnswer::NotReady));
+static_assert(sameNumber(LogDetail::OldSequence, HookAnswer::OldSequence));
 
 }  // namespace
 

@@ -70,6 +70,8 @@ const char* describe(HookAnswer answer) {
       return "it is from a session that is not in control";
     case HookAnswer::NotReady:
       return "hookbeh is not ready";
+    case HookAnswer::OldSequence:
+      return "its number is older than one that was decided on";
   }
   return "unknown answer";
 }

@@ -19,7 +19,7 @@ using Clock = std::chrono::steady_clock;
 
 namespace {
 
-constexpr double kHangSecs = 60;
+constexpr double kHangSecs = 60, kHangSecsOnBoard = 600;
 
 /// SplitMix64 (Steele et al. 2014, doi 10.1145/2660193.2660195): neighbours get unlike seeds.
 uint64_t mixed(uint64_t seed, uint64_t number) {
@@ -29,16 +29,6 @@ uint64_t mixed(uint64_t seed, uint64_t number) {
   return z ^ (z >> 31U);
 }
 
-/// silence_secs of the scenario's hookbeh; 0 without one.
-double silenceOf(const simulator::Scenario& scenario) {
-  for (const auto& behaviour : scenario.skeleton.behaviours) {
-    if (behaviour.name == "hookbeh") {
-      return behaviour.value("silence_secs");
-    }
-  }
-  return 0;
-}
-
 Verdict hungVerdict() {
   Verdict verdict;
   verdict.outcome = Verdict::Outcome::Violation;
@@ -46,12 +36,40 @@ Verdict hungVerdict() {
   return verdict;
 }
 
-/// What the threads of a campaign share. It outlives flyAll when a thread hangs.
+/// What the threads of a campaign share. It outlives flyAll when a thread does not end.
 struct Work {
-  explicit Work(const CampaignPlan& the_plan)
-      : plan(the_plan), begun(the_plan.jobs), flying(the_plan.jobs) {}
+  Work(const CampaignPlan& the_plan, CampaignResult known, const CampaignListener& the_listener)
+      : plan(the_plan),
+        listener(the_listener),
+        result(std::move(known)),
+        begun(the_plan.jobs),
+        flying(the_plan.jobs) {}
+
+  /// The next flight that is still to be flown; false when there is none.
+  bool takeNext(uint64_t& number) {
+    while (next < plan.flights && result.verdicts[next]) {
+      ++next;
+    }
+    number = next++;
+    return number < plan.flights && !result.failure && !result.hung && !result.interrupted;
+  }
+  void finish(const CampaignFlight& flight, support::Result<Verdict> verdict) {
+    if (result.interrupted) {
+      return;  // the signal may have reached the program that was to fly, too
+    }
+    if (!verdict) {
+      result.failure = verdict.error();
+      return;
+    }
+    if (auto noted = listener.over(flight, *verdict); !noted) {
+      result.failure = noted.error();
+    }
+    result.verdicts[flight.number] = std::move(*verdict);
+    ++over;
+  }
 
   CampaignPlan plan;
+  CampaignListener listener;
   std::mutex mutex;
   std::condition_variable changed;
   uint64_t next = 0, over = 0;
@@ -63,20 +81,17 @@ struct Work {
 
 void workOn(const std::shared_ptr<Work>& work, unsigned thread) {
   std::unique_lock lock(work->mutex);
-  while (work->next < work->plan.flights && !work->result.failure && !work->result.hung) {
-    const uint64_t number = work->next++;
+  for (uint64_t number = 0; work->takeNext(number);) {
     work->begun[thread] = Clock::now();
     work->flying[thread] = number;
     lock.unlock();
-    auto verdict = flyOne(work->plan, flightOf(work->plan, number));
+    const CampaignFlight flight = flightOf(work->plan, number);
+    auto verdict = flyOne(work->plan, flight);
+    const bool stop = work->listener.stop();
     lock.lock();
+    work->result.interrupted = work->result.interrupted || stop;
     work->flying[thread].reset();
-    if (verdict) {
-      work->result.verdicts[number] = std::move(*verdict);
-    } else {
-      work->result.failure = verdict.error();
-    }
-    ++work->over;
+    work->finish(flight, std::move(verdict));
   }
   --work->running;
   work->changed.notify_all();
@@ -84,9 +99,13 @@ void workOn(const std::shared_ptr<Work>& work, unsigned thread) {
 
 void lookForHangs(Work& work) {
   for (size_t thread = 0; thread < work.flying.size(); ++thread) {
+    if (!work.flying[thread]) {
+      continue;
+    }
     const std::chrono::duration<double> taken = Clock::now() - work.begun[thread];
-    if (work.flying[thread] && taken.count() > kHangSecs) {
-      work.result.verdicts[*work.flying[thread]] = hungVerdict();
+    const CampaignFlight flight = flightOf(work.plan, *work.flying[thread]);
+    if (taken.count() > (flight.board ? kHangSecsOnBoard : kHangSecs)) {
+      work.finish(flight, hungVerdict());
       work.result.hung = true;
     }
   }
@@ -95,45 +114,53 @@ void lookForHangs(Work& work) {
 }  // namespace
 
 CampaignFlight flightOf(const CampaignPlan& plan, uint64_t number) {
-  const uint64_t missions = plan.missions.size();
+  const uint64_t turn = number / plan.missions.size();
   CampaignFlight flight;
   flight.number = number;
-  flight.mission = number % missions;
-  flight.kind = static_cast<FaultKind>(number / missions % simulator::kFaultKinds);
+  flight.mission = number % plan.missions.size();
+  flight.kind = static_cast<FaultKind>(turn % simulator::kFaultKinds);
+  // Of each kind another manner in each turn of the kinds.
+  flight.manner = static_cast<simulator::Manner>((turn + turn / simulator::kFaultKinds) %
+                                                 simulator::kManners);
   flight.seed = mixed(plan.seed, number);
+  // Apart from what the seed draws, so that the same flight in process has the same faults.
+  const uint64_t choice = mixed(~plan.seed, number);
+  if (!plan.boards.empty() && choice % 100 < plan.board_percent) {
+    flight.board = choice / 100 % plan.boards.size();
+  }
   return flight;
 }
 
-support::Result<simulator::SimulationSetup> setupOf(const CampaignPlan& plan,
-                                                    const CampaignFlight& flight) {
-  const CampaignMission& mission = plan.missions[flight.mission];
-  simulator::StartSbc start = mission.new_flight();
-  auto sbc = start();
-  if (!sbc) {
-    return std::unexpected(sbc.error());
-  }
-  simulator::SimulationSetup setup;
-  setup.platform = plan.platform;
-  setup.scenario = plan.scenario;
-  setup.scenario.faults.add(simulator::drawFaults(flight.kind, flight.seed, mission.flight_s));
-  setup.seed = flight.seed;
-  setup.sbc = std::move(*sbc);
-  setup.restart_sbc = std::move(start);
-  // A mission may have to begin anew when the last fault is over.
-  setup.duration_s = plan.scenario.duration_s + setup.scenario.faults.lastEnd();
-  return setup;
+simulator::DrawnFaults faultsOf(const CampaignPlan& plan, const CampaignFlight& flight) {
+  return simulator::drawFaults(flight.kind, flight.manner, flight.seed,
+                               plan.missions[flight.mission].times);
 }
 
 support::Result<Verdict> flyOne(const CampaignPlan& plan, const CampaignFlight& flight,
                                 support::Trace* trace) {
-  auto setup = setupOf(plan, flight);
-  if (!setup) {
-    return std::unexpected(setup.error());
+  const CampaignMission& mission = plan.missions[flight.mission];
+  simulator::StartSbc start =
+      flight.board ? mission.on_board[*flight.board]() : mission.new_flight();
+  auto sbc = start();
+  if (!sbc) {
+    return std::unexpected(sbc.error());
   }
-  simulator::FlightJudge judge(setup->scenario.faults, silenceOf(plan.scenario),
-                               plan.platform.envelope.cycle_s);
-  setup->onlooker = &judge;
-  auto flown = simulator::simulate(std::move(*setup));
+  const simulator::DrawnFaults drawn = faultsOf(plan, flight);
+  simulator::SimulationSetup setup;
+  setup.platform = plan.platform;
+  setup.scenario = plan.scenario;
+  drawn.applyTo(setup.scenario);
+  setup.seed = flight.seed;
+  setup.sbc = std::move(*sbc);
+  setup.restart_sbc = std::move(start);
+  // A mission may have to begin again when the last fault is over.
+  setup.duration_s = plan.scenario.duration_s + setup.scenario.faults.lastEnd();
+  simulator::JudgeSetup judged =
+      simulator::judgeSetup(plan.platform, setup.scenario, drawn.kinds);
+  judged.mean_W = mission.mean_W;
+  simulator::FlightJudge judge(std::move(judged));
+  setup.onlooker = &judge;
+  auto flown = simulator::simulate(std::move(setup));
   if (!flown) {
     return std::unexpected(flown.error());
   }
@@ -144,35 +171,44 @@ support::Result<Verdict> flyOne(const CampaignPlan& plan, const CampaignFlight& 
 }
 
 support::Result<void> measureMissions(CampaignPlan& plan) {
-  for (size_t mission = 0; mission < plan.missions.size(); ++mission) {
-    const auto verdict = flyOne(plan, {0, mission, FaultKind::None, plan.scenario.seed});
+  for (size_t i = 0; i < plan.missions.size(); ++i) {
+    CampaignFlight flight;
+    flight.mission = i;
+    flight.seed = plan.scenario.seed;
+    const auto verdict = flyOne(plan, flight);
     if (!verdict) {
       return std::unexpected(verdict.error());
     }
-    plan.missions[mission].flight_s = verdict->end_s;
+    plan.missions[i].times = {verdict->end_s, verdict->take_s, verdict->give_back_s,
+                              verdict->deepest_m};
+    plan.missions[i].mean_W = verdict->mean_W;
   }
   return {};
 }
 
-CampaignResult flyAll(const CampaignPlan& plan, const std::function<void(uint64_t)>& progress) {
-  const auto work = std::make_shared<Work>(plan);
+CampaignResult flyAll(const CampaignPlan& plan, CampaignResult known,
+                      const CampaignListener& listener) {
+  const auto work = std::make_shared<Work>(plan, std::move(known), listener);
   work->result.verdicts.resize(plan.flights);
   work->running = plan.jobs;
+  work->over = static_cast<uint64_t>(std::ranges::count_if(
+      work->result.verdicts, [](const auto& verdict) { return verdict.has_value(); }));
   std::vector<std::thread> threads;
   for (unsigned thread = 0; thread < plan.jobs; ++thread) {
     threads.emplace_back(workOn, work, thread);
   }
   constexpr auto kGlance = std::chrono::milliseconds(200);
   std::unique_lock lock(work->mutex);
-  while (work->running > 0 && !work->result.hung) {
+  while (work->running > 0 && !work->result.hung && !work->result.interrupted) {
     work->changed.wait_for(lock, kGlance);
     lookForHangs(*work);
-    progress(work->over);
+    work->result.interrupted = work->result.interrupted || listener.stop();
+    listener.progress(work->over);
   }
   CampaignResult result = work->result;
   lock.unlock();
   for (std::thread& thread : threads) {
-    result.hung ? thread.detach() : thread.join();
+    result.hung || result.interrupted ? thread.detach() : thread.join();
   }
   return result;
 }

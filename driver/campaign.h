@@ -19,7 +19,9 @@ namespace glider::driver {
 struct CampaignMission {
   std::string file;
   NewFlight new_flight;
-  double flight_s = 0;  ///< how long it flies when nothing goes wrong
+  std::vector<NewFlight> on_board;  ///< one for each of the plan's boards
+  simulator::FlightTimes times = {};  ///< of its flight when nothing goes wrong
+  double mean_W = 0;                  ///< that its batteries give then
 };
 
 /// What all flights of a campaign share.
@@ -27,6 +29,8 @@ struct CampaignPlan {
   platforms::Platform platform;
   simulator::Scenario scenario;
   std::vector<CampaignMission> missions;
+  std::vector<std::string> boards;  ///< whose binaries fly
+  unsigned board_percent = 0;       ///< of the flights; the others fly in this process
   uint64_t flights = 0;
   uint64_t seed = 1;
   unsigned jobs = 1;
@@ -37,31 +41,40 @@ struct CampaignFlight {
   uint64_t number = 0;
   size_t mission = 0;  ///< of the plan
   simulator::FaultKind kind = simulator::FaultKind::None;
+  simulator::Manner manner = simulator::Manner::Once;
   uint64_t seed = 0;
+  std::optional<size_t> board;  ///< of the plan; none: in this process
 };
-/// Missions and kinds of faults take turns.
+/// Missions, kinds of faults and manners take turns; the seed chooses the board.
 CampaignFlight flightOf(const CampaignPlan& plan, uint64_t number);
-
-/// Everything for flight `flight` but who looks on. As StartSbc.
-support::Result<simulator::SimulationSetup> setupOf(const CampaignPlan& plan,
-                                                    const CampaignFlight& flight);
+/// What goes wrong in it.
+simulator::DrawnFaults faultsOf(const CampaignPlan& plan, const CampaignFlight& flight);
 
 /// Flies it, judged; the trace goes to `trace` unless that is null. As StartSbc and simulate.
 support::Result<simulator::Verdict> flyOne(const CampaignPlan& plan, const CampaignFlight& flight,
                                            support::Trace* trace = nullptr);
 
-/// Flies each mission once with nothing wrong and notes how long that takes.
+/// Flies each mission once with nothing wrong and notes what is usual of it.
 support::Result<void> measureMissions(CampaignPlan& plan);
 
 struct CampaignResult {
-  std::vector<simulator::Verdict> verdicts;  ///< one a flight, by number
-  std::optional<support::Failure> failure;   ///< of the world: the rest was not flown
-  bool hung = false;                         ///< a flight did not come back: its thread still runs
+  std::vector<std::optional<simulator::Verdict>> verdicts;  ///< by number; none: not flown
+  std::optional<support::Failure> failure;  ///< of the world: the rest was not flown
+  bool hung = false;        ///< a flight did not come back: its thread still runs
+  bool interrupted = false;  ///< flights that were under way are left; their threads still run
 };
 
-/// Flies all. `progress` is called a few times a second with the number of flights that are over. A
-/// flight that takes longer than a minute of real time hangs: its verdict says so and the rest is
-/// left.
-CampaignResult flyAll(const CampaignPlan& plan, const std::function<void(uint64_t)>& progress);
+/// What a campaign tells while it flies; each is called by one thread at a time.
+struct CampaignListener {
+  /// A flight is over. A failure ends the campaign.
+  std::function<support::Result<void>(const CampaignFlight&, const simulator::Verdict&)> over;
+  std::function<void(uint64_t)> progress;  ///< a few times a second: how many are over
+  std::function<bool()> stop;              ///< true to end it now
+};
+
+/// Flies all of which `known` has no verdict. A flight in this process that takes longer than a
+/// minute of real time, or ten behind an emulator, hangs: its verdict says so and the rest is left.
+CampaignResult flyAll(const CampaignPlan& plan, CampaignResult known,
+                      const CampaignListener& listener);
 
 }  // namespace glider::driver

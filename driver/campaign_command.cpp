@@ -1,12 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "codegen/digest.h"
+#include "driver/build_id.h"
 #include "driver/campaign.h"
+#include "driver/campaign_boards.h"
+#include "driver/campaign_csv.h"
 #include "driver/campaign_table.h"
 #include "driver/commands.h"
 #include "driver/exit_code.h"
+#include "driver/faults_toml.h"
 #include "driver/flight_files.h"
 #include "driver/flight_setup.h"
+#include "driver/interruption.h"
 #include "driver/launch_choice.h"
 #include "driver/link_option.h"
 #include "driver/sbc_choice.h"
@@ -17,14 +23,17 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <chrono>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <memory>
+#include <string_view>
 #include <thread>
 
 namespace glider::driver {
@@ -36,29 +45,102 @@ struct CampaignOptions {
   uint64_t flights = 1000;
   uint64_t seed = 1;
   unsigned jobs = 0;
-  std::string csv;
+  unsigned board_percent = 10;
+  std::string csv, resume;
   std::optional<uint64_t> only;
   std::string output;
   LaunchChoice launch;
   std::vector<std::string> user_code;
 };
 
-/// Compiles and loads all missions; `status` says why there are none.
-std::vector<CampaignMission> loadMissions(const CampaignOptions& options, int& status) {
-  std::vector<CampaignMission> missions;
+/// Compiles and loads all missions into `plan`; not kFine: there are none.
+int loadMissions(const CampaignOptions& options, CampaignPlan& plan) {
   for (const std::string& file : options.missions) {
-    const auto compilation = compileForFlight(file, status);
+    int status = kFine;
+    const std::shared_ptr<const Compilation> compilation = compileForFlight(file, status);
     if (compilation == nullptr) {
-      return {};
+      return status;
     }
     auto start = flightsInProcess(*compilation, options.launch, options.user_code, true);
     if (!start) {
-      status = reportFailure(start.error());
-      return {};
+      return reportFailure(start.error());
     }
-    missions.push_back({file, std::move(*start), 0});
+    CampaignMission mission{file, std::move(*start), {}};
+    for (const std::string& board : plan.boards) {
+      mission.on_board.push_back(
+          flightsOnBoard(compilation, options.launch, options.user_code, board));
+    }
+    plan.missions.push_back(std::move(mission));
   }
-  return missions;
+  return kFine;
+}
+
+/// What a campaign's flights depend on, as a digest: the program, the missions, the world and the
+/// options.
+support::Result<std::string> identityOf(const CampaignPlan& plan, const CampaignOptions& options) {
+  std::string all = fmt::format("{}\n{} {} {} {}\n", buildId(), plan.flights, plan.seed,
+                                plan.board_percent, fmt::join(plan.boards, " "));
+  std::vector<std::string> files = options.missions;
+  files.insert(files.end(), options.user_code.begin(), options.user_code.end());
+  if (!options.launch.file.empty()) {
+    files.push_back(options.launch.file);
+  }
+  for (const std::string& file : files) {
+    const auto content = support::readFile(file);
+    if (!content) {
+      return std::unexpected(content.error());
+    }
+    all += fmt::format("{} {}\n", file, codegen::digestOf(*content));
+  }
+  for (const std::string& setting : options.launch.settings) {
+    all += setting + "\n";
+  }
+  const auto skeleton = support::readFile(plan.scenario.skeleton_path);
+  const auto world = support::readFile(plan.scenario.path);
+  if (!skeleton || !world) {
+    return std::unexpected(skeleton ? world.error() : skeleton.error());
+  }
+  return codegen::digestOf(all + *skeleton + *world);
+}
+
+/// `text` as one word for a shell.
+std::string shellWord(const std::string& text) {
+  const bool plain = !text.empty() && std::ranges::all_of(text, [](unsigned char c) {
+    return std::isalnum(c) != 0 || std::string_view("_-./=+:,@%").contains(static_cast<char>(c));
+  });
+  std::string quoted = "'";
+  for (const char c : text) {
+    quoted += c == '\'' ? "'\\''" : std::string(1, c);
+  }
+  return plain ? text : quoted + "'";
+}
+
+/// The command that flies one of the flights, but for its number.
+std::string commandOf(const CampaignOptions& options) {
+  std::string command = "glidercc campaign";
+  const auto add = [&](const std::string& option, const std::string& value) {
+    command += " " + option + (option.empty() ? "" : " ") + shellWord(value);
+  };
+  for (const std::string& mission : options.missions) {
+    command += " " + shellWord(mission);
+  }
+  if (options.scenario != CampaignOptions().scenario) {
+    add("--scenario", options.scenario);
+  }
+  for (const std::string& setting : options.launch.settings) {
+    add("--set", setting);
+  }
+  if (!options.launch.file.empty()) {
+    add("--parameters", options.launch.file);
+  }
+  for (const std::string& file : options.user_code) {
+    add("--link", file);
+  }
+  if (options.board_percent != CampaignOptions().board_percent) {
+    add("--boards", fmt::to_string(options.board_percent));
+  }
+  add("--seed", fmt::to_string(options.seed));
+  return command;
 }
 
 int flyOnly(const CampaignPlan& plan, const CampaignOptions& options) {
@@ -68,8 +150,6 @@ int flyOnly(const CampaignPlan& plan, const CampaignOptions& options) {
   if (!verdict) {
     return reportFailure(verdict.error());
   }
-  const simulator::Faults faults =
-      simulator::drawFaults(flight.kind, flight.seed, plan.missions[flight.mission].flight_s);
   if (!options.output.empty()) {
     if (auto written = writeFlight(trace, options.output); !written) {
       return reportFailure(written.error());
@@ -77,45 +157,124 @@ int flyOnly(const CampaignPlan& plan, const CampaignOptions& options) {
   }
   const bool violated = verdict->outcome == simulator::Verdict::Outcome::Violation;
   const auto printed = printOut(fmt::format(
-      "flight {}: {}, {}, --seed {}\n{}{}\n", flight.number, plan.missions[flight.mission].file,
-      simulator::nameOf(flight.kind), flight.seed, faultsToToml(faults),
+      "flight {}: {}, {}, {}, {}, --seed {}\n{}{}\n", flight.number,
+      plan.missions[flight.mission].file, simulator::nameOf(flight.kind),
+      simulator::nameOf(flight.manner), flight.board ? plan.boards[*flight.board] : "in process",
+      flight.seed, drawnToText(faultsOf(plan, flight)),
       violated ? fmt::format("VIOLATION at {:.0f} s: {}", verdict->violation_s, verdict->violation)
-      : verdict->outcome == simulator::Verdict::Outcome::Exited ? "exited"
-                                                                : "handed back"));
+               : fmt::format("{}, deepest {:.1f} m", outcomeName(*verdict), verdict->deepest_m)));
   return !printed ? reportFailure(printed.error()) : violated ? kMissionHasErrors : kFine;
 }
 
-int flyThem(const CampaignPlan& plan, const CampaignOptions& options) {
-  // Hours may pass before it is needed. What is there stays until then.
-  if (!options.csv.empty() && !std::ofstream(options.csv, std::ios::app)) {
-    return reportFailure(
-        support::fail(support::DiagnosticId::cannotWrite, options.csv, std::strerror(errno))
-            .error());
+/// The table of flights as it grows; without a name it is none.
+class FlightsFile {
+ public:
+  /// Begins it with `content`. GL9002.
+  static support::Result<FlightsFile> begin(const std::string& name, const std::string& content) {
+    FlightsFile file(name);
+    if (!name.empty()) {
+      file.out_.open(name, std::ios::trunc);
+    }
+    auto written = file.add(content);
+    return written ? support::Result<FlightsFile>(std::move(file)) : std::unexpected(written.error());
   }
-  ProgressLine line;
-  const auto begin = std::chrono::steady_clock::now();
-  const CampaignResult result = flyAll(
-      plan, [&](uint64_t over) { line.show(fmt::format("{} of {} flights", over, plan.flights)); });
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-  line.clear();
+  /// Writes `text` and gives it to the system, so that it is there whatever ends this program.
+  support::Result<void> add(const std::string& text) {
+    if (!name_.empty() && !(out_ << text << std::flush)) {
+      return support::fail(support::DiagnosticId::cannotWrite, name_, std::strerror(errno));
+    }
+    return {};
+  }
+
+ private:
+  explicit FlightsFile(std::string name) : name_(std::move(name)) {}
+  std::string name_;
+  std::ofstream out_;
+};
+
+int statusOf(const CampaignResult& result) {
+  if (result.interrupted) {
+    return kInterrupted + Interruption::signal();
+  }
+  const bool violated = std::ranges::any_of(result.verdicts, [](const auto& verdict) {
+    return verdict && verdict->outcome == simulator::Verdict::Outcome::Violation;
+  });
+  return violated ? kMissionHasErrors : kFine;
+}
+
+/// Prints how it went; the file of flights gets the order of their numbers.
+int tellResult(const CampaignPlan& plan, const CampaignOptions& options,
+               const CampaignResult& result, const std::string& identity, double took_s) {
   if (result.failure) {
     return reportFailure(*result.failure);
   }
-  const std::string violations = violationLines(plan, result);
-  const auto printed = printOut(
-      campaignTable(plan, result) + violations +
-      fmt::format("{} flights, seed {}, {:.1f} s\n", plan.flights, plan.seed, took.count()));
-  const auto written = options.csv.empty()
-                           ? support::Result<void>{}
-                           : support::writeFileAtomically(options.csv, campaignCsv(plan, result));
-  const int status = !printed             ? reportFailure(printed.error())
-                     : !written           ? reportFailure(written.error())
-                     : violations.empty() ? kFine
-                                          : kMissionHasErrors;
-  if (result.hung) {
-    std::_Exit(status);  // its thread would not let the program end
+  const auto flown = std::ranges::count_if(result.verdicts,
+                                           [](const auto& verdict) { return verdict.has_value(); });
+  const std::string file = options.csv.empty() ? options.resume : options.csv;
+  std::string last = fmt::format("{} flights, seed {}, {:.1f} s\n", plan.flights, plan.seed, took_s);
+  if (result.interrupted) {
+    last = fmt::format("interrupted after {} of {} flights, seed {}{}\n", flown, plan.flights,
+                       plan.seed,
+                       file.empty() ? "" : "; the same with --resume " + shellWord(file) + " goes on");
+  }
+  const auto printed = printOut(campaignTable(plan, result) +
+                                violationLines(plan, result, commandOf(options)) + last);
+  const auto written =
+      file.empty() ? support::Result<void>{}
+                   : support::writeFileAtomically(file, campaignCsv(plan, result, identity));
+  return !printed   ? reportFailure(printed.error())
+         : !written ? reportFailure(written.error())
+                    : statusOf(result);
+}
+
+int flyThem(const CampaignPlan& plan, const CampaignOptions& options) {
+  const auto identity = identityOf(plan, options);
+  if (!identity) {
+    return reportFailure(identity.error());
+  }
+  CampaignResult known;
+  known.verdicts.resize(plan.flights);
+  if (!options.resume.empty()) {
+    if (auto read = readCsv(options.resume, plan, *identity, known); !read) {
+      return reportFailure(read.error());
+    }
+  }
+  auto file = FlightsFile::begin(options.csv.empty() ? options.resume : options.csv,
+                                 campaignCsv(plan, known, *identity));
+  if (!file) {
+    return reportFailure(file.error());
+  }
+  const Interruption interruption;
+  ProgressLine line;
+  const auto begin = std::chrono::steady_clock::now();
+  const CampaignListener listener = {
+      [&](const CampaignFlight& flight, const simulator::Verdict& verdict) {
+        return file->add(csvRow(plan, flight, verdict));
+      },
+      [&](uint64_t over) { line.show(fmt::format("{} of {} flights", over, plan.flights)); },
+      [] { return Interruption::signal() != 0; }};
+  const CampaignResult result = flyAll(plan, std::move(known), listener);
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+  line.clear();
+  const int status = tellResult(plan, options, result, *identity, took.count());
+  if (result.hung || result.interrupted) {
+    std::_Exit(status);  // their threads would not let the program end
   }
   return status;
+}
+
+/// The boards whose binaries fly. Without an emulator everything flies in this process, and the
+/// pilot is told.
+void chooseBoards(const CampaignOptions& options, CampaignPlan& plan) {
+  if (options.board_percent == 0) {
+    return;
+  }
+  std::vector<std::string> missing;
+  plan.boards = boardsHere(missing);
+  plan.board_percent = options.board_percent;
+  for (const std::string& emulator : missing) {
+    tell("glidercc: warning: there is no " + emulator + ": those flights run in this process\n");
+  }
 }
 
 int campaign(const CampaignOptions& options) {
@@ -133,15 +292,37 @@ int campaign(const CampaignOptions& options) {
     return reportFailure(platform.error());
   }
   plan.platform = std::move(*platform);
-  int status = kFine;
-  plan.missions = loadMissions(options, status);
-  if (plan.missions.empty()) {
+  chooseBoards(options, plan);
+  if (const int status = loadMissions(options, plan); status != kFine) {
     return status;
   }
   if (auto measured = measureMissions(plan); !measured) {
     return reportFailure(measured.error());
   }
   return options.only ? flyOnly(plan, options) : flyThem(plan, options);
+}
+
+void addFileOptions(CLI::App& command, CampaignOptions& options) {
+  constexpr uint64_t kMostFlights = 10'000'000;
+  auto* csv = command
+                  .add_option("--csv", options.csv,
+                              "Write a row for each flight, as soon as it is over")
+                  ->option_text("FILE");
+  auto* resume = command
+                     .add_option("--resume", options.resume,
+                                 "Go on with the campaign whose --csv FILE was: fly what is missing")
+                     ->option_text("FILE")
+                     ->excludes(csv);
+  auto* only = command.add_option("--only", options.only, "Fly only the flight of this number")
+                   ->check(CLI::Range(uint64_t{0}, kMostFlights - 1))
+                   ->excludes(csv)
+                   ->excludes(resume)
+                   ->option_text("NUMBER");
+  command
+      .add_option("-o", options.output,
+                  "With --only: folder for report.html, trace.csv, events.csv")
+      ->needs(only)
+      ->option_text("FOLDER");
 }
 
 void addOptions(CLI::App& command, CampaignOptions& options) {
@@ -163,16 +344,13 @@ void addOptions(CLI::App& command, CampaignOptions& options) {
   command.add_option("--jobs", options.jobs, "Flights at the same time (else: one a core)")
       ->check(CLI::Range(1U, kMostJobs))
       ->option_text("N");
-  command.add_option("--csv", options.csv, "Write a row for each flight")->option_text("FILE");
-  auto* only = command.add_option("--only", options.only, "Fly only the flight of this number")
-                   ->check(CLI::Range(uint64_t{0}, kMostFlights - 1))
-                   ->excludes("--csv")
-                   ->option_text("NUMBER");
   command
-      .add_option("-o", options.output,
-                  "With --only: folder for report.html, trace.csv, events.csv")
-      ->needs(only)
-      ->option_text("FOLDER");
+      .add_option("--boards", options.board_percent,
+                  "Percentage of the flights that run a board's binary under its emulator")
+      ->check(CLI::Range(0U, 100U))
+      ->capture_default_str()
+      ->option_text("PERCENT");
+  addFileOptions(command, options);
   addLaunchOptions(command, options.launch);
   addLinkOption(command, options.user_code);
 }

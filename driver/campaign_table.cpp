@@ -3,26 +3,32 @@
 
 #include "driver/campaign_table.h"
 
-#include "driver/csv.h"
-
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace glider::driver {
 
 using simulator::FaultKind;
-using simulator::LineFault;
-using simulator::LineWay;
-using simulator::SensorFault;
-using simulator::Span;
+using simulator::Manner;
 using simulator::Verdict;
 
 namespace {
 
-/// exited, exited after a hand-back, handed back, violation.
-using Counts = std::array<uint64_t, 4>;
+/// Of one row of the table.
+struct Counts {
+  std::array<uint64_t, 4> flights{};  ///< exited, exited after a hand-back, handed back, violation
+  double deepest_m = 0;
+
+  void add(const Verdict& verdict, size_t column) {
+    ++flights[column];
+    deepest_m = std::max(deepest_m, verdict.deepest_m);
+  }
+  [[nodiscard]] uint64_t all() const {
+    return flights[0] + flights[1] + flights[2] + flights[3];
+  }
+};
 
 size_t columnOf(const Verdict& verdict) {
   switch (verdict.outcome) {
@@ -36,131 +42,80 @@ size_t columnOf(const Verdict& verdict) {
   return 3;
 }
 
-std::string row(const char* name, const Counts& counts) {
-  return fmt::format("{:<20}{:>9}{:>9}{:>18}{:>13}{:>11}\n", name,
-                     counts[0] + counts[1] + counts[2] + counts[3], counts[0], counts[1], counts[2],
-                     counts[3]);
+std::string row(const std::string& name, const Counts& counts) {
+  return fmt::format("{:<22}{:>8}{:>9}{:>18}{:>13}{:>12.1f}{:>11}\n", name, counts.all(),
+                     counts.flights[0], counts.flights[1], counts.flights[2], counts.deepest_m,
+                     counts.flights[3]);
 }
 
-const char* nameOf(const Verdict& verdict) {
+std::string head(const char* what) {
+  return fmt::format("{:<22}{:>8}{:>9}{:>18}{:>13}{:>12}{:>11}\n", what, "flights", "exited",
+                     "after hand-back", "handed back", "deepest (m)", "VIOLATION");
+}
+
+/// Calls `visit` with each flight that was flown, and its verdict.
+template <typename Visit>
+void eachFlown(const CampaignPlan& plan, const CampaignResult& result, const Visit& visit) {
+  for (uint64_t i = 0; i < result.verdicts.size(); ++i) {
+    if (result.verdicts[i]) {
+      visit(flightOf(plan, i), *result.verdicts[i]);
+    }
+  }
+}
+
+}  // namespace
+
+const char* outcomeName(const Verdict& verdict) {
   constexpr std::array<const char*, 4> kNames = {"exited", "exited after hand-back", "handed back",
                                                  "VIOLATION"};
   return kNames[columnOf(verdict)];
 }
 
-std::string timesOf(const Span& span) {
-  return fmt::format("from_s = {}\n", span.from_s) +
-         (std::isinf(span.to_s) ? "" : fmt::format("to_s = {}\n", span.to_s));
-}
-
-std::string lineToToml(const LineFault& fault) {
-  constexpr std::array<const char*, 4> kWays = {"to_sbc", "from_sbc", "to_flight", "from_flight"};
-  std::string out =
-      fmt::format("[[faults.line]]\nline = \"{}\"\n", kWays[static_cast<size_t>(fault.way)]) +
-      timesOf(fault.when);
-  const auto put = [&](const char* key, double value, double usual) {
-    out += value == usual ? "" : fmt::format("{} = {}\n", key, value);
-  };
-  out += fault.cut ? "cut = true\n" : "";
-  put("loss", fault.loss, 0);
-  put("flips", fault.flips, 0);
-  put("bursts", fault.bursts, 0);
-  put("burst_bytes", fault.burst_bytes, LineFault().burst_bytes);
-  put("delay_s", fault.delay_s, 0);
-  put("doubled", fault.doubled, 0);
-  put("heard_at_baud", fault.heard_at_baud, 0);
-  return out;
-}
-
-std::string sensorToToml(const SensorFault& fault) {
-  const std::string what = fault.kind == SensorFault::Kind::Frozen    ? "frozen = true"
-                           : fault.kind == SensorFault::Kind::Missing ? "missing = true"
-                           : std::isnan(fault.value)                  ? "value = nan"
-                                                     : fmt::format("value = {}", fault.value);
-  return fmt::format("[[faults.sensor]]\nsensor = \"{}\"\n", fault.name) + timesOf(fault.when) +
-         what + "\n";
-}
-
-}  // namespace
-
 std::string campaignTable(const CampaignPlan& plan, const CampaignResult& result) {
   std::array<Counts, simulator::kFaultKinds> kinds{};
-  Counts all{};
-  for (uint64_t i = 0; i < result.verdicts.size(); ++i) {
-    const size_t column = columnOf(result.verdicts[i]);
-    ++kinds[static_cast<size_t>(flightOf(plan, i).kind)][column];
-    ++all[column];
-  }
-  std::string out = fmt::format("{:<20}{:>9}{:>9}{:>18}{:>13}{:>11}\n", "fault", "flights",
-                                "exited", "after hand-back", "handed back", "VIOLATION");
+  std::array<Counts, simulator::kManners> manners{};
+  std::vector<Counts> programs(plan.boards.size() + 1);
+  Counts all;
+  eachFlown(plan, result, [&](const CampaignFlight& flight, const Verdict& verdict) {
+    const size_t column = columnOf(verdict);
+    kinds[static_cast<size_t>(flight.kind)].add(verdict, column);
+    manners[static_cast<size_t>(flight.manner)].add(verdict, column);
+    programs[flight.board ? *flight.board + 1 : 0].add(verdict, column);
+    all.add(verdict, column);
+  });
+  std::string out = head("fault");
   for (size_t kind = 0; kind < kinds.size(); ++kind) {
     out += row(simulator::nameOf(static_cast<FaultKind>(kind)), kinds[kind]);
   }
-  return out + row("all", all);
+  out += row("all", all) + "\n" + head("when");
+  for (size_t manner = 0; manner < manners.size(); ++manner) {
+    out += row(simulator::nameOf(static_cast<Manner>(manner)), manners[manner]);
+  }
+  out += "\n" + head("SBC") + row("in process", programs[0]);
+  for (size_t board = 0; board < plan.boards.size(); ++board) {
+    out += row(plan.boards[board], programs[board + 1]);
+  }
+  return out;
 }
 
-std::string violationLines(const CampaignPlan& plan, const CampaignResult& result) {
+std::string violationLines(const CampaignPlan& plan, const CampaignResult& result,
+                           const std::string& command) {
   constexpr int kMost = 20;
   std::string out;
-  int told = 0;
-  for (uint64_t i = 0; i < result.verdicts.size() && told < kMost; ++i) {
-    const Verdict& verdict = result.verdicts[i];
-    if (verdict.outcome != Verdict::Outcome::Violation) {
-      continue;
+  int shown = 0, violations = 0;
+  eachFlown(plan, result, [&](const CampaignFlight& flight, const Verdict& verdict) {
+    if (verdict.outcome != Verdict::Outcome::Violation || ++violations > kMost) {
+      return;
     }
-    ++told;
-    const CampaignFlight flight = flightOf(plan, i);
-    out +=
-        fmt::format("flight {} ({}, {}): at {:.0f} s {}\n", i, plan.missions[flight.mission].file,
-                    simulator::nameOf(flight.kind), verdict.violation_s, verdict.violation);
-  }
-  return out.empty() ? ""
-                     : out + "Look at one with the same options and --only NUMBER -o FOLDER.\n";
-}
-
-std::string campaignCsv(const CampaignPlan& plan, const CampaignResult& result) {
-  std::string out =
-      "flight,mission,fault,seed,outcome,hand-backs,instructions,end (s),violation (s),violation\n";
-  for (uint64_t i = 0; i < result.verdicts.size(); ++i) {
-    const Verdict& verdict = result.verdicts[i];
-    const CampaignFlight flight = flightOf(plan, i);
-    const bool violated = verdict.outcome == Verdict::Outcome::Violation;
-    out += fmt::format(
-        "{},{},{},{},{},{},{},{},{},{}\n", i, csvQuoted(plan.missions[flight.mission].file),
-        simulator::nameOf(flight.kind), flight.seed, nameOf(verdict), verdict.hand_backs,
-        verdict.instructions, verdict.end_s, violated ? fmt::to_string(verdict.violation_s) : "",
-        csvQuoted(verdict.violation));
-  }
-  return out;
-}
-
-std::string faultsToToml(const simulator::Faults& faults) {
-  std::string out;
-  for (const LineFault& fault : faults.lines) {
-    out += lineToToml(fault);
-  }
-  for (const SensorFault& fault : faults.sensors) {
-    out += sensorToToml(fault);
-  }
-  const auto spans = [&](const char* name, const std::vector<Span>& list) {
-    for (const Span& span : list) {
-      out += fmt::format("[[faults.{}]]\n", name) + timesOf(span);
-    }
-  };
-  spans("power", faults.power);
-  spans("port", faults.port);
-  spans("stuck", faults.stuck);
-  for (const Span& span : faults.science) {
-    out += fmt::format("[[faults.science]]\nat_s = {}\ntakes_s = {}\n", span.from_s,
-                       span.to_s - span.from_s);
-  }
-  for (const auto& jump : faults.clock) {
-    out += fmt::format("[[faults.clock]]\nat_s = {}\nby_s = {}\n", jump.at_s, jump.by_s);
-  }
-  for (const double at_s : faults.aborts) {
-    out += fmt::format("[[faults.abort]]\nat_s = {}\n", at_s);
-  }
-  return out;
+    ++shown;
+    out += fmt::format("flight {} ({}, {}, {}): at {:.0f} s {}\n  {} --only {} -o flight{}\n",
+                       flight.number, plan.missions[flight.mission].file,
+                       simulator::nameOf(flight.kind), simulator::nameOf(flight.manner),
+                       verdict.violation_s, verdict.violation, command, flight.number,
+                       flight.number);
+  });
+  return violations > shown ? out + fmt::format("and {} violations more\n", violations - shown)
+                            : out;
 }
 
 }  // namespace glider::driver

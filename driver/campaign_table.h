@@ -9,13 +9,14 @@
 
 namespace glider::driver {
 
-/// Kinds of faults by outcomes, in numbers of flights.
+/// "exited", "exited after hand-back", "handed back", "VIOLATION".
+const char* outcomeName(const simulator::Verdict& verdict);
+/// Kinds of faults by outcomes, in numbers of flights, with the deepest of each; then when the
+/// faults came, and what flew. Flights that were not flown are not in it.
 std::string campaignTable(const CampaignPlan& plan, const CampaignResult& result);
-/// A line for each of the first violations, and how to look at them.
-std::string violationLines(const CampaignPlan& plan, const CampaignResult& result);
-/// A row a flight.
-std::string campaignCsv(const CampaignPlan& plan, const CampaignResult& result);
-/// What went wrong in a flight, as the [faults] tables of a scenario file.
-std::string faultsToToml(const simulator::Faults& faults);
+/// A line for each of the first violations, with the command that flies it again: `command` and its
+/// number.
+std::string violationLines(const CampaignPlan& plan, const CampaignResult& result,
+                           const std::string& command);
 
 }  // namespace glider::driver

@@ -11,6 +11,7 @@ enum ExitCode : int {
   kMissionHasErrors = 1,  ///< the mission is wrong, or its flight ended in an abort or had
                           ///< instructions refused
   kWorldFailed = 2,       ///< bad usage, or a file, port or tool failed
+  kInterrupted = 128,     ///< and the number of the signal that ended it: 130 after Ctrl-C
 };
 
 }  // namespace glider::driver

@@ -3,6 +3,8 @@
 
 #include "driver/in_process_sbc.h"
 
+#include "simulator/faults/card_damage.h"
+
 #include <algorithm>
 #include <cstring>
 
@@ -58,6 +60,10 @@ int32_t InProcessSbc::writeCard(void* self, uint32_t offset, const uint8_t* byte
   card.resize(std::max<size_t>(card.size(), size_t{offset} + count));
   std::copy_n(bytes, count, card.begin() + offset);
   return static_cast<int32_t>(count);
+}
+
+void InProcessSbc::damageCard(const simulator::CardFault& fault, uint64_t seed) {
+  simulator::damageCard(fault, seed, *card_);
 }
 
 double InProcessSbc::now(void* self) {

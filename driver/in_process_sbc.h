@@ -42,6 +42,7 @@ class InProcessSbc final : public simulator::SbcPort {
   [[nodiscard]] bool alive() const override { return epitaph_.empty(); }
   [[nodiscard]] bool keepsTime() const override { return keeps_time_; }
   void plug(bool in) override { plugged_ = in; }
+  void damageCard(const simulator::CardFault& fault, uint64_t seed) override;
   [[nodiscard]] std::string epitaph() const override { return epitaph_; }
 
  private:

@@ -58,18 +58,21 @@ Result<void> checkLaunch(const Compilation& compilation, const LaunchChoice& lau
   return parameters ? Result<void>() : std::unexpected(parameters.error());
 }
 
-StartSbc starterOf(std::string way, std::vector<std::string> command) {
-  return
-      [way = std::move(way), command = std::move(command)]() -> Result<std::unique_ptr<SbcPort>> {
-        return ProcessSbcPort::start(way, command);
-      };
+StartSbc starterOf(std::string way, std::vector<std::string> command,
+                   std::filesystem::path card = {}) {
+  return [way = std::move(way), command = std::move(command),
+          card = std::move(card)]() -> Result<std::unique_ptr<SbcPort>> {
+    return ProcessSbcPort::start(way, command, ProcessSbcPort::kHangSecs, card);
+  };
 }
 
 }  // namespace
 
-Result<StartSbc> sbcOnBoard(const Compilation& compilation, const LaunchChoice& launch,
-                            const std::vector<std::string>& user_code, const std::string& board,
-                            const std::string& name, const std::filesystem::path& folder) {
+Result<std::vector<std::string>> buildOnBoard(const Compilation& compilation,
+                                              const LaunchChoice& launch,
+                                              const std::vector<std::string>& user_code,
+                                              const std::string& board,
+                                              const std::filesystem::path& binary) {
   if (auto allowed = checkLaunch(compilation, launch); !allowed) {
     return std::unexpected(allowed.error());
   }
@@ -81,7 +84,6 @@ Result<StartSbc> sbcOnBoard(const Compilation& compilation, const LaunchChoice& 
   if (!code) {
     return std::unexpected(code.error());
   }
-  const std::filesystem::path binary = folder / (name + "-" + board);
   codegen::CodegenOptions options;
   options.sources = &compilation.sources;
   code->addTo(options);
@@ -91,21 +93,39 @@ Result<StartSbc> sbcOnBoard(const Compilation& compilation, const LaunchChoice& 
     return std::unexpected(built.error());
   }
   std::vector<std::string> command = target->emulator;
+  command.push_back(std::filesystem::absolute(binary).string());
+  return command;
+}
+
+StartSbc startOnBoard(const std::string& board, std::vector<std::string> command,
+                      const LaunchChoice& launch, const std::filesystem::path& folder,
+                      const std::string& name) {
   const std::filesystem::path log = folder / "mission.log";
-  const std::filesystem::path checkpoints = folder / (name + "-" + board + ".checkpoint");
+  const std::filesystem::path checkpoints = folder / (name + ".checkpoint");
   std::error_code ignored;
   for (const auto& of_an_earlier_flight : {log, checkpoints}) {
     std::filesystem::remove(of_an_earlier_flight, ignored);
   }
-  command.insert(command.end(), {std::filesystem::absolute(binary).string(), "--port", "{port}",
-                                 "--log", log.string(), "--checkpoint", checkpoints.string()});
+  command.insert(command.end(), {"--port", "{port}", "--log", log.string(), "--checkpoint",
+                                 checkpoints.string()});
   if (!launch.file.empty()) {
     command.insert(command.end(), {"--parameters", launch.file});
   }
   for (const std::string& setting : launch.settings) {
     command.insert(command.end(), {"--set", setting});
   }
-  return starterOf(board, std::move(command));
+  return starterOf(board, std::move(command), checkpoints);
+}
+
+Result<StartSbc> sbcOnBoard(const Compilation& compilation, const LaunchChoice& launch,
+                            const std::vector<std::string>& user_code, const std::string& board,
+                            const std::string& name, const std::filesystem::path& folder) {
+  const std::string full_name = name + "-" + board;
+  auto command = buildOnBoard(compilation, launch, user_code, board, folder / full_name);
+  if (!command) {
+    return std::unexpected(command.error());
+  }
+  return startOnBoard(board, std::move(*command), launch, folder, full_name);
 }
 
 StartSbc sbcOnSerialLine(const std::string& device, bool lockstep) {

@@ -34,6 +34,19 @@ support::Result<simulator::StartSbc> sbcInProcess(const Compilation& compilation
                                                   const std::vector<std::string>& user_code,
                                                   bool keeps_time);
 
+/// Builds the mission's binary for `board` at `binary`; the command that runs it here, without its
+/// arguments.
+support::Result<std::vector<std::string>> buildOnBoard(const Compilation& compilation,
+                                                       const LaunchChoice& launch,
+                                                       const std::vector<std::string>& user_code,
+                                                       const std::string& board,
+                                                       const std::filesystem::path& binary);
+/// Starts what buildOnBoard has built, with its log and, as `name`.checkpoint, its checkpoints in
+/// `folder`; those of an earlier flight are removed.
+simulator::StartSbc startOnBoard(const std::string& board, std::vector<std::string> command,
+                                 const LaunchChoice& launch, const std::filesystem::path& folder,
+                                 const std::string& name);
+
 /// Builds the mission's binary for `board` into `folder` as `name`-`board`, to be started behind a
 /// pseudo-terminal, under the board's emulator if it has one.
 support::Result<simulator::StartSbc> sbcOnBoard(const Compilation& compilation,

@@ -84,17 +84,22 @@ class Simulation {
         flight_(setup_.platform, setup_.scenario.skeleton, setup_.scenario.sensors, seed_, frame_,
                 setup_.scenario.year, journal_),
         science_(seed_, setup_.scenario.sensors, !real_time_),
-        damage_(faults().sensors),
+        damage_(faults().sensors, seed_),
         clothesline_(kClotheslineBaud, damageOf(LineWay::ToFlight, kClotheslineBaud),
                      damageOf(LineWay::FromFlight, kClotheslineBaud)),
         sbc_line_(kSbcBaud, damageOf(LineWay::FromSbc, kSbcBaud),
                   damageOf(LineWay::ToSbc, kSbcBaud)),
-        link_(std::move(setup_.sbc), std::move(setup_.restart_sbc), faults(), sbc_line_, journal_),
+        link_(std::move(setup_.sbc), std::move(setup_.restart_sbc), faults(), seed_, sbc_line_,
+              journal_),
         story_(setup_.platform, setup_.state_names, setup_.explain),
         recorder_(trace_, ocean_, frame_, setup_.scenario) {
     flight_.damageBy(&damage_);
     science_.damageBy(&damage_);
     link_.showTo(setup_.onlooker);
+    for (const Leftover& leftover : faults().leftover) {
+      flight_.leaveOver(leftover);
+    }
+    start_J_ = vehicle_.battery().usedJ();
   }
 
   support::Trace fly() {
@@ -147,6 +152,9 @@ class Simulation {
   /// Returns true when the flight is over.
   bool controlCycle(double now, int64_t number) {
     completeRow();
+    if (isFlightDown(now)) {
+      return false;
+    }
     flight_.noteSbcGone(link_.goneForGood(now));
     flight_.cycle(now, ocean_, vehicle_, clothesline_.left());
     recorder_.row(now, flight_, science_, vehicle_);
@@ -161,9 +169,40 @@ class Simulation {
       journal_.add(now, "log", flight_.end());
     }
     const bool seen_enough = setup_.onlooker != nullptr &&
-                             !setup_.onlooker->cycle({now, flight_.hookState(), vehicle_.depth(),
-                                                      flight_.aborted(), over, flight_.array()});
+                             !setup_.onlooker->cycle(view(now, over));
     return over || seen_enough;
+  }
+
+  [[nodiscard]] CycleView view(double now, bool over) const {
+    const Battery& battery = vehicle_.battery();
+    return {now,
+            flight_.hookState(),
+            vehicle_.depth(),
+            flight_.aborted(),
+            over,
+            flight_.array(),
+            now - flight_.missionStart(),
+            ocean_.waterDepth(vehicle_.x(), vehicle_.y()) - vehicle_.depth(),
+            battery.usedJ() - start_J_,
+            battery.voltage(),
+            flight_.commandedWhole(),
+            flight_.hookbeh()};
+  }
+
+  /// True while the flight controller starts again: what arrives meanwhile is lost.
+  bool isFlightDown(double now) {
+    const FlightRestart* down = nullptr;
+    for (const FlightRestart& restart : faults().flight) {
+      down = restart.when.has(now) ? &restart : down;
+    }
+    if (down == nullptr && flight_down_ != nullptr) {
+      flight_.restart(now, flight_down_->keeps_array);
+    }
+    flight_down_ = down;
+    if (down != nullptr) {
+      clothesline_.dropLeft();
+    }
+    return down != nullptr;
   }
 
   /// Devices of the flight controller fail, and the science computer starts again, at their times.
@@ -234,6 +273,8 @@ class Simulation {
   Recorder recorder_;
   double cycle_s_ = 0;
   bool science_down_ = false;
+  const FlightRestart* flight_down_ = nullptr;
+  double start_J_ = 0;
 };
 
 }  // namespace

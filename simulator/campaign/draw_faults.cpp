@@ -3,194 +3,221 @@
 
 #include "simulator/campaign/draw_faults.h"
 
-#include "simulator/sensors/noise.h"
+#include "simulator/campaign/draw.h"
+#include "simulator/campaign/draw_sensors.h"
 
-#include <array>
-#include <cmath>
+#include <algorithm>
 
 namespace glider::simulator {
 namespace {
 
-/// Sensors that missions and hookbeh live by; the vehicle's own clock among them.
-constexpr std::array<const char*, 8> kSensors = {
-    "m_depth",        "m_pitch",  "m_heading", "m_altitude", "m_lat", "m_present_secs_into_mission",
-    "sci_water_temp", "m_battery"};
-/// Readings that no sensor of them gives.
-constexpr std::array<double, 6> kNonsense = {-1e9, -50, 1e-30, 180, 5000, 1e30};
-
-class Draw {
- public:
-  Draw(uint64_t seed, double flight_s)
-      : noise_(seed, static_cast<uint32_t>(NoiseStream::Campaign)), flight_s_(flight_s) {}
-
-  void add(FaultKind kind, Faults& faults);
-
- private:
-  double between(double low, double high) { return low + (high - low) * noise_.uniform(); }
-  /// Each power of ten is as likely.
-  double scale(double low, double high) { return low * std::pow(high / low, noise_.uniform()); }
-  bool chance(double share) { return noise_.uniform() < share; }
-  uint32_t below(uint32_t count) { return static_cast<uint32_t>(noise_.uniform() * count); }
-
-  double moment() { return between(0, flight_s_); }
-  /// From a second to a quarter of an hour; one in eight has no end.
-  Span span() {
-    const double from = moment();
-    const double takes = scale(1, 900);
-    return {from, chance(0.125) ? kForever : from + takes};
+void addCheckpoints(Draw& draw, Faults& faults) {
+  constexpr double kMostFlips = 3000;
+  for (const Span& span : draw.passing(10, 250)) {
+    faults.power.push_back(span);
+    CardFault fault;
+    fault.at_s = 0.5 * (span.from_s + span.to_s);
+    fault.kind = static_cast<CardFault::Kind>(draw.below(3));
+    fault.amount = fault.kind == CardFault::Kind::Flips ? draw.scale(1, kMostFlips)
+                                                        : draw.between(0, 1);
+    faults.card.push_back(fault);
   }
-  /// One that ends: nobody can tell what a vehicle without its senses does for ever.
-  Span passing() {
-    const double from = moment();
-    return {from, from + scale(4, 1200)};
-  }
-  LineWay sbcWay() { return chance(0.5) ? LineWay::ToSbc : LineWay::FromSbc; }
-  LineWay anyWay() { return static_cast<LineWay>(below(4)); }
-  LineFault on(LineWay way) {
-    LineFault fault;
-    fault.way = way;
-    fault.when = span();
-    return fault;
-  }
-  void both(LineWay there, LineWay back, LineFault fault, Faults& faults) {
-    for (const LineWay way : {there, back}) {
-      fault.way = way;
-      faults.lines.push_back(fault);
-    }
-  }
-  void addLine(FaultKind kind, Faults& faults);
-  void addSensor(FaultKind kind, Faults& faults);
-  void addClock(Faults& faults);
-  void addSeveral(Faults& faults);
+}
 
-  Noise noise_;
-  double flight_s_;
-};
+void addClock(Draw& draw, Faults& faults) {
+  const uint32_t count = 1 + draw.below(4);
+  for (uint32_t i = 0; i < count; ++i) {
+    faults.clock.push_back({draw.moment(), (draw.chance(0.5) ? 1 : -1) * draw.scale(1, 1e6)});
+  }
+}
 
-void Draw::addLine(FaultKind kind, Faults& faults) {
-  LineFault fault = on(anyWay());
+void addLeftOver(Draw& draw, Faults& faults) {
+  constexpr uint32_t kMostSequence = 65535, kNearTheEnd = 20, kSessions = 4;
+  Leftover leftover;
+  leftover.session = 1 + draw.below(kSessions);
+  // Numbers count round: half of them are about to.
+  leftover.sequence = static_cast<uint16_t>(
+      draw.chance(0.5) ? kMostSequence - draw.below(kNearTheEnd) : 1 + draw.below(kMostSequence));
+  leftover.depth_m = draw.between(2, 30);
+  faults.leftover.push_back(leftover);
+}
+
+void addLine(FaultKind kind, Draw& draw, Faults& faults) {
+  LineFault fault;
+  fault.way = draw.anyWay();
+  std::vector<LineWay> ways;
   switch (kind) {
     case FaultKind::ByteLoss:
-      fault.loss = scale(1e-4, 0.3);
+      fault.loss = draw.scale(1e-4, 0.3);
       break;
     case FaultKind::BitFlips:
-      fault.flips = scale(1e-4, 0.3);
+      fault.flips = draw.scale(1e-4, 0.3);
       break;
     case FaultKind::Bursts:
-      fault.bursts = scale(1e-5, 0.01);
-      fault.burst_bytes = scale(2, 2000);
+      fault.bursts = draw.scale(1e-5, 0.01);
+      fault.burst_bytes = draw.scale(2, 2000);
       break;
     case FaultKind::Delay:
-      fault.delay_s = scale(0.05, 20);
+      fault.delay_s = draw.scale(0.05, 20);
       break;
     case FaultKind::DoubledFrames:
-      fault.doubled = between(0.05, 1);
+      fault.doubled = draw.between(0.05, 1);
+      break;
+    case FaultKind::OldFrames:
+      fault.replayed = draw.between(0.05, 0.5);
       break;
     case FaultKind::HalfOpen:
-      fault.way = sbcWay();
+      fault.way = draw.chance(0.5) ? LineWay::ToSbc : LineWay::FromSbc;
       fault.cut = true;
       break;
     case FaultKind::LineCut:
       fault.cut = true;
-      both(LineWay::ToSbc, LineWay::FromSbc, fault, faults);
-      return;
+      ways = {LineWay::ToSbc, LineWay::FromSbc};
+      break;
     case FaultKind::BaudMismatch:
-      fault.heard_at_baud = chance(0.5) ? 57600 : 230400;
-      both(LineWay::ToSbc, LineWay::FromSbc, fault, faults);
-      return;
+      fault.heard_at_baud = draw.chance(0.5) ? 57600 : 230400;
+      ways = {LineWay::ToSbc, LineWay::FromSbc};
+      break;
     default:
       fault.cut = true;
-      if (chance(0.5)) {
-        both(LineWay::ToFlight, LineWay::FromFlight, fault, faults);
-        return;
-      }
-      fault.way = chance(0.5) ? LineWay::ToFlight : LineWay::FromFlight;
+      fault.way = draw.chance(0.5) ? LineWay::ToFlight : LineWay::FromFlight;
+      ways = draw.chance(0.5) ? std::vector{LineWay::ToFlight, LineWay::FromFlight}
+                              : std::vector<LineWay>{};
   }
-  faults.lines.push_back(fault);
+  for (const Span& span : draw.windows()) {
+    fault.when = span;
+    for (const LineWay way : ways.empty() ? std::vector{fault.way} : ways) {
+      fault.way = way;
+      faults.lines.push_back(fault);
+    }
+  }
 }
 
-void Draw::addSensor(FaultKind kind, Faults& faults) {
-  SensorFault fault;
-  fault.name = kSensors[below(kSensors.size())];
-  fault.when = passing();
-  fault.kind = kind == FaultKind::SensorFrozen    ? SensorFault::Kind::Frozen
-               : kind == FaultKind::SensorMissing ? SensorFault::Kind::Missing
-                                                  : SensorFault::Kind::Value;
-  fault.value = kind == FaultKind::SensorNan ? std::nan("") : kNonsense[below(kNonsense.size())];
-  faults.sensors.push_back(fault);
+void addFlightRestart(Draw& draw, Faults& faults) {
+  const bool keeps_array = draw.chance(0.5);
+  for (const Span& span : draw.passing(4, 200)) {
+    faults.flight.push_back({span, keeps_array});
+  }
 }
 
-void Draw::addClock(Faults& faults) {
-  const uint32_t count = 1 + below(4);
+void addWindows(const std::vector<Span>& windows, std::vector<Span>& spans) {
+  spans.insert(spans.end(), windows.begin(), windows.end());
+}
+
+DrawnArgs drawArgs(Draw& draw, const FlightTimes& times) {
+  DrawnArgs args;
+  args.start_secs = draw.chance(0.5) ? 0 : draw.between(1, 200);
+  args.max_depth_m = std::max(5.0, times.deepest_m * draw.between(0.4, 1.2));
+  args.min_altitude_m = draw.between(2, 8);
+  args.max_pitch_rad = draw.between(0.4, 0.75);
+  args.hold_secs = draw.chance(0.3) ? 0 : draw.between(4, 60);
+  return args;
+}
+
+void addOne(FaultKind kind, Draw& draw, DrawnFaults& drawn);
+
+void addSeveral(Draw& draw, DrawnFaults& drawn) {
+  const uint32_t count = 2 + draw.below(3);
   for (uint32_t i = 0; i < count; ++i) {
-    faults.clock.push_back({moment(), (chance(0.5) ? 1 : -1) * scale(1, 1e6)});
+    addOne(draw.otherKind(), draw, drawn);
   }
 }
 
-void Draw::addSeveral(Faults& faults) {
-  const uint32_t count = 2 + below(3);
-  for (uint32_t i = 0; i < count; ++i) {
-    constexpr auto kFirst = static_cast<uint32_t>(FaultKind::ByteLoss);
-    constexpr auto kAfter = static_cast<uint32_t>(FaultKind::Several);
-    add(static_cast<FaultKind>(kFirst + below(kAfter - kFirst)), faults);
-  }
-}
-
-void Draw::add(FaultKind kind, Faults& faults) {
+void addOne(FaultKind kind, Draw& draw, DrawnFaults& drawn) {
+  Faults& faults = drawn.faults;
+  drawn.kinds.push_back(kind);
   switch (kind) {
     case FaultKind::None:
       return;
     case FaultKind::Port:
-      faults.port.push_back(span());
-      return;
+      return addWindows(draw.windows(), faults.port);
     case FaultKind::Power:
-      faults.power.push_back(span());
-      return;
+      return addWindows(draw.windows(), faults.power);
     case FaultKind::Stuck:
-      faults.stuck.push_back(span());
-      return;
-    case FaultKind::Science: {
-      const double from = moment();
-      faults.science.push_back({from, from + scale(2, 300)});
-      return;
-    }
+      return addWindows(draw.windows(), faults.stuck);
+    case FaultKind::Science:
+      return addWindows(draw.passing(2, 300), faults.science);
+    case FaultKind::Checkpoints:
+      return addCheckpoints(draw, faults);
+    case FaultKind::FlightRestart:
+      return addFlightRestart(draw, faults);
     case FaultKind::FlightAbort:
-      faults.aborts.push_back(moment());
-      return;
+      return faults.aborts.push_back(draw.moment());
+    case FaultKind::LeftOver:
+      return addLeftOver(draw, faults);
     case FaultKind::Clock:
-      addClock(faults);
+      return addClock(draw, faults);
+    case FaultKind::TightLimits:
+      drawn.args = drawArgs(draw, draw.times());
       return;
-    case FaultKind::SensorFrozen:
-    case FaultKind::SensorMissing:
-    case FaultKind::SensorNan:
-    case FaultKind::SensorRange:
-      addSensor(kind, faults);
+    case FaultKind::ShallowWater:
+      drawn.water_depth_m = std::max(12.0, draw.times().deepest_m * draw.between(0.5, 1.2));
       return;
     case FaultKind::Several:
-      addSeveral(faults);
-      return;
+      return addSeveral(draw, drawn);
     default:
-      addLine(kind, faults);
+      return isSensorKind(kind) ? addSensor(kind, draw, faults) : addLine(kind, draw, faults);
   }
+}
+
+/// Gives the b_arg `name` of a behaviour a value.
+void put(slocum::BehaviourBlock& block, const char* name, double value) {
+  for (slocum::Setting& setting : block.arguments) {
+    if (setting.name == name) {
+      setting.value = value;
+      return;
+    }
+  }
+  slocum::Setting setting;
+  setting.name = name;
+  setting.value = value;
+  block.arguments.push_back(setting);
 }
 
 }  // namespace
 
-const char* nameOf(FaultKind kind) {
-  switch (kind) {
-#define FAULT_KIND(name, text) \
-  case FaultKind::name:        \
-    return text;
-#include "simulator/campaign/fault_kinds.def"
-#undef FAULT_KIND
+const char* nameOf(Manner manner) {
+  switch (manner) {
+    case Manner::Once:
+      return "once";
+    case Manner::Recurring:
+      return "recurring";
+    case Manner::Together:
+      return "with another";
+    case Manner::Handshake:
+      return "in the handshake";
+    case Manner::Exit:
+      return "in the exit";
+    case Manner::ForGood:
+      return "for good";
   }
   return "";
 }
 
-Faults drawFaults(FaultKind kind, uint64_t seed, double flight_s) {
-  Faults faults;
-  Draw(seed, flight_s).add(kind, faults);
-  return faults;
+DrawnFaults drawFaults(FaultKind kind, Manner manner, uint64_t seed, const FlightTimes& times) {
+  Draw draw(seed, manner, times);
+  DrawnFaults drawn;
+  addOne(kind, draw, drawn);
+  if (manner == Manner::Together && kind != FaultKind::None && kind != FaultKind::Several) {
+    addOne(draw.otherKind(), draw, drawn);
+  }
+  return drawn;
+}
+
+void DrawnFaults::applyTo(Scenario& scenario) const {
+  scenario.faults.add(faults);
+  if (water_depth_m) {
+    scenario.ocean.bottom.depth_m = *water_depth_m;
+  }
+  for (slocum::BehaviourBlock& behaviour : scenario.skeleton.behaviours) {
+    if (args && behaviour.name == "hookbeh") {
+      put(behaviour, "start_secs", args->start_secs);
+      put(behaviour, "max_depth", args->max_depth_m);
+      put(behaviour, "min_altitude", args->min_altitude_m);
+      put(behaviour, "max_pitch", args->max_pitch_rad);
+      put(behaviour, "hold_secs", args->hold_secs);
+    }
+  }
 }
 
 }  // namespace glider::simulator

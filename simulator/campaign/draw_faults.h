@@ -3,31 +3,54 @@
 
 #pragma once
 
+#include "simulator/campaign/promises.h"
 #include "simulator/faults/faults.h"
+#include "simulator/scenario/scenario.h"
 
 #include <cstdint>
+#include <optional>
+#include <vector>
 
 namespace glider::simulator {
 
-/// The kinds of faults that a campaign draws, in the order of its table.
-enum class FaultKind : uint8_t {
-#define FAULT_KIND(name, text) name,
-#include "simulator/campaign/fault_kinds.def"
-#undef FAULT_KIND
+/// When faults of a kind come.
+enum class Manner : uint8_t {
+  Once,       ///< at any time; one in eight of those that may last does not end
+  Recurring,  ///< three to six times
+  Together,   ///< with faults of another kind at the same time
+  Handshake,  ///< while control is taken
+  Exit,       ///< while it is given back
+  ForGood,    ///< from any time on, without an end
+};
+inline constexpr uint32_t kManners = 6;
+/// "in the handshake".
+const char* nameOf(Manner manner);
+
+/// A mission's flight without a fault.
+struct FlightTimes {
+  double flight_s = 0;
+  double take_s = 0;       ///< when control is taken
+  double give_back_s = 0;  ///< when it is given back
+  double deepest_m = 20;
 };
 
-/// How many kinds there are.
-inline constexpr uint32_t kFaultKinds = 0
-#define FAULT_KIND(name, text) +1
-#include "simulator/campaign/fault_kinds.def"
-#undef FAULT_KIND
-    ;
+/// b_args of hookbeh that are drawn instead of those of the mission file.
+struct DrawnArgs {
+  double start_secs = 0, max_depth_m = 0, min_altitude_m = 0, max_pitch_rad = 0, hold_secs = 0;
+};
 
-/// "byte loss".
-const char* nameOf(FaultKind kind);
+/// What goes wrong in a flight.
+struct DrawnFaults {
+  std::vector<FaultKind> kinds;
+  Faults faults;
+  std::optional<DrawnArgs> args;
+  std::optional<double> water_depth_m;
 
-/// Draws what goes wrong in a flight: faults of kind `kind` somewhere within its `flight_s`
-/// seconds. The same seed draws the same.
-Faults drawFaults(FaultKind kind, uint64_t seed, double flight_s);
+  /// Puts it into the world of a flight.
+  void applyTo(Scenario& scenario) const;
+};
+
+/// Draws faults of kind `kind` within a flight. The same seed draws the same.
+DrawnFaults drawFaults(FaultKind kind, Manner manner, uint64_t seed, const FlightTimes& times);
 
 }  // namespace glider::simulator

@@ -30,10 +30,31 @@ std::string words(std::pair<double, double> number) {
   return fmt::format("instruction {} of session {}", number.second, number.first);
 }
 
+/// The instruction that lies in the sensor array, or was written there.
+hooks::Instruction instructionOf(const std::array<double, kInstruction.size()>& words) {
+  hooks::Instruction instruction;
+  instruction.session = static_cast<uint32_t>(words[0]);
+  instruction.control = static_cast<hooks::HookControl>(words[1]);
+  instruction.vertical = static_cast<hooks::HookVertical>(words[2]);
+  instruction.depth_m = words[3];
+  instruction.pitch_rad = words[4];
+  instruction.lateral = static_cast<hooks::HookLateral>(words[5]);
+  instruction.heading_rad = words[6];
+  instruction.latitude_ddmm = words[7];
+  instruction.longitude_ddmm = words[8];
+  instruction.sequence = static_cast<uint16_t>(words[10]);
+  return instruction;
+}
+
 }  // namespace
 
-FlightJudge::FlightJudge(const Faults& faults, double silence_s, double cycle_s)
-    : last_end_s_(faults.lastEnd()), stated_(statedTimes(faults, silence_s, cycle_s)) {
+FlightJudge::FlightJudge(JudgeSetup setup)
+    : setup_(std::move(setup)),
+      depth_(setup_),
+      commands_(setup_),
+      ending_(setup_),
+      last_end_s_(setup_.faults.lastEnd()),
+      stated_(statedTimes(setup_.faults, setup_.args.silence_secs, setup_.cycle_s)) {
   static_assert(kInstruction.size() == kFields);
   for_ever_ = std::ranges::any_of(stated_.hand_backs, [](const HandBack& hand_back) {
     return hand_back.when.to_s == kForever;
@@ -122,20 +143,67 @@ void FlightJudge::judgeObeyed(const CycleView& view) {
   if (!obeyed_.insert(number).second) {
     violate(view.time_s, words(number) + " is obeyed twice");
   }
+  judgeSession(view, number, words_obeyed);
+}
+
+void FlightJudge::judgeSession(const CycleView& view, Number number, const Words& words_obeyed) {
   if (gave_back_) {
     violate(view.time_s, words(number) + " is obeyed after control was given back");
   }
-  gave_back_ = gave_back_ || words_obeyed[1] == kGiveBack;
+  if (!gave_back_ && words_obeyed[1] == kGiveBack) {
+    gave_back_ = true;
+    verdict_.give_back_s = view.time_s;
+  }
   const bool begins = hook_ != HookState::Active || number.first != session_in_control_;
-  if (begins && view.hook == HookState::Active && words_obeyed[1] != kTake) {
-    violate(view.time_s, "control is taken without a handshake");
+  if (begins && view.hook == HookState::Active) {
+    if (words_obeyed[1] != kTake) {
+      violate(view.time_s, "control is taken without a handshake");
+    } else if (lost_session_ != 0 &&
+               !hooks::isNewerSession(static_cast<uint32_t>(number.first),
+                                      static_cast<uint32_t>(lost_session_))) {
+      violate(view.time_s, fmt::format("session {} takes control though session {} has lost it",
+                                       number.first, lost_session_));
+    }
+    verdict_.take_s = verdict_.take_s == 0 ? view.time_s : verdict_.take_s;
   }
   session_in_control_ = number.first;
 }
 
+/// The flight controller's mission has begun again: another hookbeh, which knows of no session.
+void FlightJudge::followRestart(const CycleView& view) {
+  if (view.mission_s < mission_s_) {
+    gave_back_ = false;
+    hook_ = HookState::Absent;
+    session_in_control_ = lost_session_ = 0;
+    answered_ = {0, 0};
+    commands_.restart();
+  }
+  mission_s_ = view.mission_s;
+}
+
+/// What hookbeh has answered an instruction, once for each that it has decided on.
+void FlightJudge::judgeAnswer(const CycleView& view) {
+  const auto answer = static_cast<hooks::HookAnswer>(view.array.get(GLIDER_X_HOOK_ANSWER));
+  const Number number{view.array.get(GLIDER_SCI_HOOK_SESSION),
+                      view.array.get(GLIDER_X_HOOK_SEQUENCE)};
+  const bool decided = view.hookbeh != nullptr && answer != hooks::HookAnswer::None &&
+                       answer != hooks::HookAnswer::BadCheck &&
+                       number.second == view.array.get(GLIDER_SCI_HOOK_SEQUENCE);
+  const auto said = said_.find(number);
+  if (!decided || number == answered_ || said == said_.end()) {
+    return;
+  }
+  answered_ = number;
+  if (std::string wrong = commands_.answered(instructionOf(said->second), answer); !wrong.empty()) {
+    violate(view.time_s, std::move(wrong));
+  }
+}
+
 void FlightJudge::judgeTimes(const CycleView& view) {
   // hookbeh answers every instruction, and repeats its last answer until the next.
-  const bool answered = view.array.get(GLIDER_X_HOOK_SEQUENCE) == newest_.second;
+  const bool answered =
+      view.array.get(GLIDER_X_HOOK_SEQUENCE) == newest_.second &&
+      view.array.get(GLIDER_X_HOOK_ANSWER) != static_cast<double>(hooks::HookAnswer::BadCheck);
   newest_answered_ = newest_answered_ || answered;
   if (view.hook != HookState::Active) {
     newest_said_s_ = view.time_s;
@@ -161,20 +229,36 @@ void FlightJudge::judgeTimes(const CycleView& view) {
 bool FlightJudge::isOverForGood(const CycleView& view) {
   const bool is_up = view.hook != HookState::Active && at_surface_;
   up_since_s_ = !is_up ? -1 : up_since_s_ < 0 ? view.time_s : up_since_s_;
-  return for_ever_ && is_up && view.time_s > last_end_s_ && view.time_s - up_since_s_ > kSettled &&
+  if (!is_up || view.time_s <= last_end_s_ || view.time_s - up_since_s_ <= kSettled) {
+    return false;
+  }
+  const bool complete = view.hook == HookState::Complete && setup_.only_hookbeh;
+  return view.aborted || complete || (for_ever_ &&
          std::ranges::any_of(stated_.hand_backs, [&](const HandBack& hand_back) {
            return hand_back.when.to_s == kForever && hand_back.when.has(view.time_s);
-         });
+         }));
 }
 
 bool FlightJudge::cycle(const CycleView& view) {
+  followRestart(view);
+  judgeAnswer(view);
   judgeObeyed(view);
   const bool was_active = hook_ == HookState::Active;
+  if (was_active && view.hook == HookState::Silent) {
+    lost_session_ = session_in_control_;
+  }
   if (!was_active && view.hook == HookState::Active) {
     progress_s_ = std::max(progress_s_, view.time_s);  // from here on it must go on
   }
   hook_ = view.hook;
   judgeTimes(view);
+  for (std::string wrong : {commands_.cycle(view), depth_.cycle(view), ending_.cycle(view)}) {
+    if (!wrong.empty()) {
+      violate(view.time_s, std::move(wrong));
+    }
+  }
+  verdict_.deepest_m = depth_.deepest();
+  verdict_.mean_W = view.time_s > 0 ? view.used_J / view.time_s : 0;
   verdict_.hand_backs += was_active && hook_ != HookState::Active && !gave_back_;
   ended_ = view.ended;
   at_surface_ = view.true_depth_m < kAtSurface;
@@ -182,13 +266,27 @@ bool FlightJudge::cycle(const CycleView& view) {
   return !isOverForGood(view);
 }
 
+std::string FlightJudge::violationAtEnd() const {
+  if (hook_ == HookState::Active) {
+    return "the flight does not end in time";
+  }
+  if (!at_surface_) {
+    return ended_ ? "the flight ends under water" : "not at the surface in time";
+  }
+  if (setup_.promise.control == Control::Kept && verdict_.hand_backs > 0) {
+    return "the SBC loses control without a reason";
+  }
+  if (setup_.promise.control == Control::Kept && setup_.has_hookbeh && !gave_back_) {
+    return "the mission does not give control back";
+  }
+  return "";
+}
+
 Verdict FlightJudge::verdict() const {
   Verdict verdict = verdict_;
   verdict.outcome = gave_back_ ? Verdict::Outcome::Exited : Verdict::Outcome::HandedBack;
-  if (verdict.violation.empty() && hook_ == HookState::Active) {
-    verdict.violation = "the flight does not end in time";
-  } else if (verdict.violation.empty() && !at_surface_) {
-    verdict.violation = ended_ ? "the flight ends under water" : "not at the surface in time";
+  if (verdict.violation.empty()) {
+    verdict.violation = violationAtEnd();
   }
   if (!verdict.violation.empty()) {
     verdict.outcome = Verdict::Outcome::Violation;

@@ -5,6 +5,10 @@
 
 #include "hooks/protocol/frame.h"
 #include "hooks/protocol/sensor_list.h"
+#include "simulator/campaign/command_judge.h"
+#include "simulator/campaign/depth_judge.h"
+#include "simulator/campaign/ending_judge.h"
+#include "simulator/campaign/judge_setup.h"
 #include "simulator/campaign/stated_times.h"
 #include "simulator/onlooker.h"
 
@@ -29,14 +33,20 @@ struct Verdict {
   uint32_t hand_backs = 0;    ///< times that control was taken away from the SBC
   uint32_t instructions = 0;  ///< that hookbeh obeyed
   double end_s = 0;
+  double deepest_m = 0;      ///< truly
+  double take_s = 0;         ///< when control was first taken; 0: never
+  double give_back_s = 0;    ///< when it was given back; 0: never
+  double mean_W = 0;         ///< what the batteries gave
 };
 
-/// Judges a flight by what the SBC says and what hookbeh does, from where no fault reaches: each
-/// instruction that is obeyed was said so, word for word; none is obeyed twice; none that was said
-/// is passed over; control ends when it was promised to; the flight ends at the surface.
+/// Judges a flight by what the SBC says, what hookbeh does and where the vehicle truly is, from where
+/// no fault reaches: each instruction that is obeyed was said so, word for word; none is obeyed
+/// twice; none that was said is passed over; control ends when it was promised to; the commands are
+/// those of the instruction in force; limits of depth and clearance hold; the flight ends at the
+/// surface. What is promised for its faults is in fault_kinds.def.
 class FlightJudge final : public Onlooker {
  public:
-  FlightJudge(const Faults& faults, double silence_s, double cycle_s);
+  explicit FlightJudge(JudgeSetup setup);
 
   void said(std::span<const uint8_t> bytes, double now_s) override;
   bool cycle(const CycleView& view) override;
@@ -50,12 +60,19 @@ class FlightJudge final : public Onlooker {
 
   void hear(const hooks::SensorList& write, double now_s);
   void hearDone(const hooks::Frame& frame, double now_s);
-  void followControl(const CycleView& view);
+  void followRestart(const CycleView& view);
+  void judgeAnswer(const CycleView& view);
   void judgeObeyed(const CycleView& view);
+  void judgeSession(const CycleView& view, Number number, const Words& words);
   void judgeTimes(const CycleView& view);
   [[nodiscard]] bool isOverForGood(const CycleView& view);
   void violate(double now_s, std::string what);
+  [[nodiscard]] std::string violationAtEnd() const;
 
+  JudgeSetup setup_;
+  DepthJudge depth_;
+  CommandJudge commands_;
+  EndingJudge ending_;
   double last_end_s_;  ///< of the faults that end
   bool for_ever_;      ///< one takes control away and does not end
   StatedTimes stated_;
@@ -74,6 +91,9 @@ class FlightJudge final : public Onlooker {
   hooks::HookState hook_ = hooks::HookState::Absent;
   Number decided_{0, 0};  ///< the newest instruction that hookbeh has answered
   double session_in_control_ = 0;
+  double lost_session_ = 0;  ///< the newest that lost control
+  Number answered_{0, 0};    ///< the newest instruction that hookbeh has answered for good
+  double mission_s_ = 0;     ///< of the cycle before
   bool gave_back_ = false, ended_ = false, at_surface_ = false;
   double up_since_s_ = -1;  ///< at the surface without the SBC
 };

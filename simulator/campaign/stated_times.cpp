@@ -3,13 +3,12 @@
 
 #include "simulator/campaign/stated_times.h"
 
+#include "simulator/campaign/promises.h"
+
 #include <algorithm>
 
 namespace glider::simulator {
 namespace {
-
-// The client claims control no more after so many ticks without an answer.
-constexpr double kUnansweredTicks = 6;
 
 /// True if nothing whole gets through.
 bool isDead(const LineFault& fault) {
@@ -20,7 +19,7 @@ bool isDead(const LineFault& fault) {
 
 StatedTimes statedTimes(const Faults& faults, double silence_s, double cycle_s) {
   StatedTimes stated;
-  const double silent_after = silence_s + 2 * cycle_s;
+  const double silent_after = letGoSecs(Control::Silent, silence_s, cycle_s);
   double delay_s = 0;
   for (const LineFault& fault : faults.lines) {
     delay_s += fault.delay_s;
@@ -44,7 +43,7 @@ StatedTimes statedTimes(const Faults& faults, double silence_s, double cycle_s) 
   for (const double at_s : faults.aborts) {
     stated.hand_backs.push_back({{at_s, kForever}, "the flight controller has aborted"});
   }
-  stated.most_standstill_s = silent_after + kUnansweredTicks * cycle_s + delay_s;
+  stated.most_standstill_s = letGoSecs(Control::Unanswered, silence_s, cycle_s) + delay_s;
   stated.most_unanswered_s = stated.most_standstill_s;
   return stated;
 }

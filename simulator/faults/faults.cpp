@@ -26,6 +26,15 @@ void eachSpan(const Faults& faults, const Visit& visit) {
   for (const double at_s : faults.aborts) {
     visit(Span{at_s, at_s});
   }
+  for (const CardFault& fault : faults.card) {
+    visit(Span{fault.at_s, fault.at_s});
+  }
+  for (const FlightRestart& restart : faults.flight) {
+    visit(restart.when);
+  }
+  if (!faults.leftover.empty()) {
+    visit(Span{0, 0});
+  }
 }
 
 }  // namespace
@@ -60,6 +69,9 @@ void Faults::add(const Faults& more) {
   append(science, more.science);
   append(clock, more.clock);
   append(aborts, more.aborts);
+  append(card, more.card);
+  append(flight, more.flight);
+  append(leftover, more.leftover);
 }
 
 }  // namespace glider::simulator

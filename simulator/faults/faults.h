@@ -34,23 +34,51 @@ struct LineFault {
   double burst_bytes = 20;   ///< as long as so many bytes
   double delay_s = 0;        ///< bytes come so much later
   double doubled = 0;        ///< share of frames that come twice
+  double replayed = 0;       ///< share of frames behind which an earlier one comes again
   double heard_at_baud = 0;  ///< the receiver listens at this speed; 0: at the right one
 };
 
 /// What a sensor says for a time instead of the truth.
 struct SensorFault {
-  enum class Kind : uint8_t { Frozen, Value, Missing };
+  enum class Kind : uint8_t { Frozen, Value, Missing, Drift, Scale, Jumps };
   std::string name;  ///< the vehicle's
   uint16_t id = 0;   ///< in the platform; set when the flight begins
   Span when = {};
   Kind kind = Kind::Frozen;
-  double value = 0;  ///< of Kind::Value; may be NaN
+  /// Value: what it says, may be NaN; Drift: how much more it says each second; Scale: how many
+  /// times too much; Jumps: how far a reading jumps to either side, at most. In the sensor's unit.
+  double value = 0;
+  double share = 1;  ///< Jumps: share of readings that jump
 };
 
 /// The SBC's own clock jumps.
 struct ClockJump {
   double at_s = 0;
   double by_s = 0;
+};
+
+/// What becomes of the SBC's checkpoints on its storage card.
+struct CardFault {
+  enum class Kind : uint8_t { Flips, Cut, Zeroed };
+  double at_s = 0;
+  Kind kind = Kind::Flips;
+  /// Flips: so many bits turn, at random. Cut: this share of the file is left. Zeroed: this share
+  /// of its blocks of 4096 bytes, at random, reads zero.
+  double amount = 0;
+};
+
+/// The flight controller starts its mission again, from the first second.
+struct FlightRestart {
+  Span when = {};  ///< it does nothing meanwhile, and the motors stay where they were sent
+  bool keeps_array = false;  ///< a new mission without a restart: the sensor array stays as it was
+};
+
+/// An instruction that lies in the sensor array from a mission before this one, as if it had been
+/// written whole: take control and descend.
+struct Leftover {
+  uint32_t session = 1;
+  uint16_t sequence = 1;
+  double depth_m = 20;
 };
 
 /// Everything that goes wrong in a flight. Empty: nothing does.
@@ -63,6 +91,9 @@ struct Faults {
   std::vector<Span> science;  ///< the science computer starts again, which takes so long
   std::vector<ClockJump> clock;
   std::vector<double> aborts;  ///< the flight controller aborts its mission at these times
+  std::vector<CardFault> card;
+  std::vector<FlightRestart> flight;
+  std::vector<Leftover> leftover;  ///< at the start; the last one counts
 
   [[nodiscard]] bool empty() const;
   /// When the first of them begins; infinite without any.

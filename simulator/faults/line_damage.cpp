@@ -23,10 +23,18 @@ double LineDamage::pass(uint8_t value, double now_s, double at_s, std::deque<Arr
   if (value != 0) {
     return 0;
   }
-  const std::vector<uint8_t> frame = std::exchange(frame_, {});
-  if (!isDoubled(now_s)) {
-    return 0;
+  std::vector<uint8_t> frame = std::exchange(frame_, {});
+  double more_s = isDoubled(now_s) ? again(frame, now_s, at_s, out) : 0;
+  if (const std::vector<uint8_t>* old = replayedFrame(now_s); old != nullptr) {
+    more_s += again(*old, now_s, at_s + more_s, out);
   }
+  remember(std::move(frame));
+  return more_s;
+}
+
+/// Sends `frame` once more behind what is at the other end at `at_s`; returns how long that takes.
+double LineDamage::again(const std::vector<uint8_t>& frame, double now_s, double at_s,
+                         std::deque<Arrival>& out) {
   const double byte_s = 10 / baud_;
   double more_s = 0;
   for (const uint8_t byte : frame) {
@@ -34,6 +42,30 @@ double LineDamage::pass(uint8_t value, double now_s, double at_s, std::deque<Arr
     damage(byte, now_s, at_s + more_s, out);
   }
   return more_s;
+}
+
+void LineDamage::remember(std::vector<uint8_t> frame) {
+  constexpr size_t kMost = 1000;  // some twenty minutes of a line's frames
+  const bool can_come_again =
+      std::ranges::any_of(faults_, [](const LineFault& fault) { return fault.replayed > 0; });
+  if (!can_come_again) {
+    return;
+  }
+  if (earlier_.size() < kMost) {
+    earlier_.push_back(std::move(frame));
+  } else {
+    earlier_[static_cast<size_t>(noise_.uniform() * kMost)] = std::move(frame);
+  }
+}
+
+const std::vector<uint8_t>* LineDamage::replayedFrame(double now_s) {
+  const bool now = std::ranges::any_of(faults_, [&](const LineFault& fault) {
+    return fault.replayed > 0 && fault.when.has(now_s) && noise_.uniform() < fault.replayed;
+  });
+  if (!now || earlier_.empty()) {
+    return nullptr;
+  }
+  return &earlier_[static_cast<size_t>(noise_.uniform() * static_cast<double>(earlier_.size()))];
 }
 
 bool LineDamage::isDoubled(double now_s) {

@@ -37,12 +37,17 @@ class LineDamage {
   void spoil(const LineFault& fault, uint8_t& value);
   [[nodiscard]] int copiesAtAnotherBaud(const LineFault& fault);
   [[nodiscard]] bool isDoubled(double now_s);
+  const std::vector<uint8_t>* replayedFrame(double now_s);
+  double again(const std::vector<uint8_t>& frame, double now_s, double at_s,
+               std::deque<Arrival>& out);
+  void remember(std::vector<uint8_t> frame);
   uint8_t randomByte() { return static_cast<uint8_t>(noise_.uniform() * 256); }
 
   std::vector<LineFault> faults_;
   Noise noise_;
   double baud_;
   std::vector<uint8_t> frame_;  ///< that is being sent
+  std::vector<std::vector<uint8_t>> earlier_;  ///< frames that may come again; empty if none can
   double burst_left_ = 0;       ///< bytes
   double heard_ = 0;            ///< bytes that a receiver at another speed has begun to hear
   double newest_s_ = 0;         ///< no byte overtakes another

@@ -5,6 +5,12 @@
 
 namespace glider::simulator {
 
+double SensorDamage::jump(const SensorFault& fault) {
+  const bool jumps = jumps_.uniform() < fault.share;
+  const double by = fault.value * (2 * jumps_.uniform() - 1);
+  return jumps ? by : 0;
+}
+
 std::optional<double> SensorDamage::reading(uint16_t id, double truth) {
   double reading = truth;
   bool frozen = false;
@@ -17,6 +23,15 @@ std::optional<double> SensorDamage::reading(uint16_t id, double truth) {
         return std::nullopt;
       case SensorFault::Kind::Value:
         reading = fault.value;
+        break;
+      case SensorFault::Kind::Drift:
+        reading += fault.value * (now_s_ - fault.when.from_s);
+        break;
+      case SensorFault::Kind::Scale:
+        reading *= fault.value;
+        break;
+      case SensorFault::Kind::Jumps:
+        reading += jump(fault);
         break;
       case SensorFault::Kind::Frozen:
         frozen = true;

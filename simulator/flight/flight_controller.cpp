@@ -40,7 +40,8 @@ FlightController::FlightController(const platforms::Platform& platform,
                                    const slocum::MissionFile& mission,
                                    const SensorSettings& sensors, uint64_t seed,
                                    const LocalFrame& frame, double year, Journal& journal)
-    : array_(platform),
+    : mission_(mission),
+      array_(platform),
       frame_(frame),
       year_(year),
       navigator_(frame),
@@ -48,20 +49,20 @@ FlightController::FlightController(const platforms::Platform& platform,
       attitude_(seed, sensors.pitch_rad, sensors.heading_rad),
       altimeter_(seed, sensors.altimeter),
       gps_(seed, sensors.gps_m),
-      layers_(mission),
+      layers_(std::make_unique<LayeredControl>(mission)),
       journal_(journal),
       cycle_s_(platform.envelope.cycle_s) {}
 
 bool FlightController::hookActive() const {
-  return layers_.hookbeh() != nullptr && abort_ == Abort::None &&
-         layers_.hookbeh()->hookState() == hooks::HookState::Active;
+  return layers_->hookbeh() != nullptr && abort_ == Abort::None &&
+         layers_->hookbeh()->hookState() == hooks::HookState::Active;
 }
 
 hooks::HookState FlightController::hookState() const {
-  if (layers_.hookbeh() == nullptr) {
+  if (layers_->hookbeh() == nullptr) {
     return hooks::HookState::Absent;
   }
-  return aborted() ? hooks::HookState::Complete : layers_.hookbeh()->hookState();
+  return aborted() ? hooks::HookState::Complete : layers_->hookbeh()->hookState();
 }
 
 /// By what magnetic headings exceed true ones, rad, as far as the vehicle knows: from its last fix.
@@ -73,7 +74,7 @@ double FlightController::variation() const {
 void FlightController::readSensors(double now_s, const Ocean& ocean, const Vehicle& vehicle) {
   SensorArray& a = array_;
   a.set(GLIDER_M_PRESENT_TIME, kStartOfMission + now_s);
-  a.set(GLIDER_M_PRESENT_SECS_INTO_MISSION, now_s);
+  a.set(GLIDER_M_PRESENT_SECS_INTO_MISSION, now_s - mission_start_s_);
   a.set(GLIDER_M_CYCLE_NUMBER, cycles_);
   const double bar = depth_sensor_.pressure(vehicle.depth());
   const double depth = std::max(0.0, bar * DepthSensor::kMetresPerBar);
@@ -164,7 +165,8 @@ void FlightController::send(const GliderByteStream& stream) {
 
 Situation FlightController::situation(double now_s) {
   Situation s;
-  s.time_s = now_s;
+  s.flight_s = now_s;
+  s.time_s = now_s - mission_start_s_;
   s.depth_m = array_.get(GLIDER_M_DEPTH);
   s.depth_rate_mps = array_.get(GLIDER_M_DEPTH_RATE);
   s.altitude_m = array_.fresh(GLIDER_M_ALTITUDE) ? array_.get(GLIDER_M_ALTITUDE) : kNaN;
@@ -175,8 +177,8 @@ Situation FlightController::situation(double now_s) {
   s.at_surface = s.depth_m < kSurfaceDepth;
   s.gps_fix = has_fix_;
   s.array = &array_;
-  (s.at_surface ? surfaced_s_ : submerged_s_) = now_s;
-  s.silent_s = now_s - surfaced_s_;
+  (s.at_surface ? surfaced_s_ : submerged_s_) = s.time_s;
+  s.silent_s = s.time_s - surfaced_s_;
   array_.set(GLIDER_M_DEPTH_STATE, depthState(s));
   return s;
 }
@@ -223,9 +225,59 @@ void FlightController::startAbort(Abort abort, const std::string& why, double no
 /// Behaviours run no more after an abort: the SBC must see that its time is over, in each cycle,
 /// for lines lose frames.
 void FlightController::tellHookIsOver() {
-  if (aborted() && layers_.hookbeh() != nullptr) {
+  if (aborted() && layers_->hookbeh() != nullptr) {
     array_.set(GLIDER_X_HOOK_STATE, static_cast<double>(hooks::HookState::Complete));
     array_.set(GLIDER_X_HOOK_SESSION, 0);
+  }
+}
+
+const hooks::HookbehOutputs* FlightController::hookbeh() const {
+  return layers_->hookbeh() == nullptr || aborted() ? nullptr : &layers_->hookbeh()->outputs();
+}
+
+void FlightController::restart(double now_s, bool keeps_array) {
+  if (aborted() || layers_->quit()) {
+    return;
+  }
+  journal_.add(now_s, "behaviour",
+               keeps_array ? "the mission begins again" : "the flight controller starts again");
+  if (!keeps_array) {
+    array_.clear();
+    clothesline_ = hooks::Clothesline();
+    dynamics_ = DynamicControl();
+  }
+  layers_ = std::make_unique<LayeredControl>(mission_);
+  mission_start_s_ = now_s;
+  cycles_ = 0;
+  surfaced_s_ = submerged_s_ = 0;
+  order_ = {};
+  ordered_sequence_ = kNaN;
+}
+
+void FlightController::leaveOver(const Leftover& leftover) {
+  hooks::Instruction instruction;
+  instruction.session = leftover.session;
+  instruction.sequence = leftover.sequence;
+  instruction.control = hooks::HookControl::Take;
+  instruction.vertical = hooks::HookVertical::Descend;
+  instruction.depth_m = leftover.depth_m;
+  instruction.pitch_rad = -kAbortPitch;
+  instruction = hooks::roundToArray(instruction);
+  const std::pair<uint16_t, double> words[] = {
+      {GLIDER_SCI_HOOK_HEARTBEAT, 1},
+      {GLIDER_SCI_HOOK_SESSION, instruction.session},
+      {GLIDER_SCI_HOOK_CONTROL, static_cast<double>(instruction.control)},
+      {GLIDER_SCI_HOOK_VERTICAL, static_cast<double>(instruction.vertical)},
+      {GLIDER_SCI_HOOK_DEPTH, instruction.depth_m},
+      {GLIDER_SCI_HOOK_PITCH, instruction.pitch_rad},
+      {GLIDER_SCI_HOOK_LATERAL, static_cast<double>(instruction.lateral)},
+      {GLIDER_SCI_HOOK_HEADING, instruction.heading_rad},
+      {GLIDER_SCI_HOOK_LAT, instruction.latitude_ddmm},
+      {GLIDER_SCI_HOOK_LON, instruction.longitude_ddmm},
+      {GLIDER_SCI_HOOK_CHECK, hooks::checkValue(instruction)},
+      {GLIDER_SCI_HOOK_SEQUENCE, instruction.sequence}};
+  for (const auto& [id, value] : words) {
+    array_.set(id, value);
   }
 }
 
@@ -237,17 +289,19 @@ void FlightController::failDevice(double now_s) {
 
 Commands FlightController::decide(const Situation& s) {
   if (abort_ == Abort::None) {
-    LayeredControl::Decision decision = layers_.cycle(s, journal_);
-    if (decision.abort == Abort::None && !layers_.quit()) {
+    LayeredControl::Decision decision = layers_->cycle(s, journal_);
+    commanded_whole_ = !decision.commands.anyIdle();
+    if (decision.abort == Abort::None && !layers_->quit()) {
       layer_ = decision.commands.pitch_layer;
       return decision.commands;
     }
     if (decision.abort != Abort::None) {
-      startAbort(decision.abort, decision.why, s.time_s);
+      startAbort(decision.abort, decision.why, s.flight_s);
     }
   }
   // Aborted, or over: pump out, nose up.
   tellHookIsOver();
+  commanded_whole_ = true;
   layer_ = kNoLayer;
   Commands commands;
   commands.steer({HeadingCommand::Mode::Fin, 0, 0, 0});
@@ -280,11 +334,11 @@ void FlightController::control(const Commands& commands, const Situation& s, Veh
 }
 
 void FlightController::judgeEnd(const Situation& s) {
-  if (layers_.quit()) {
+  if (layers_->quit()) {
     end_ = "the mission has ended normally";
   } else if (s.time_s - submerged_s_ >= kSettledAtSurface && abort_ != Abort::None) {
     end_ = fmt::format("aborted ({}) and at the surface", abortName(abort_));
-  } else if (s.time_s - submerged_s_ >= kSettledAtSurface && layers_.nothingLeftToFly(sbc_gone_)) {
+  } else if (s.time_s - submerged_s_ >= kSettledAtSurface && layers_->nothingLeftToFly(sbc_gone_)) {
     end_ = "at the surface, and nothing is left to fly";
   }
 }

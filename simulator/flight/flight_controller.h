@@ -4,6 +4,7 @@
 #pragma once
 
 #include "hooks/clothesline/clothesline.h"
+#include "simulator/faults/faults.h"
 #include "simulator/flight/dynamic_control.h"
 #include "simulator/flight/layered_control.h"
 #include "simulator/flight/navigator.h"
@@ -14,6 +15,7 @@
 #include "simulator/sensors/settings.h"
 
 #include <limits>
+#include <memory>
 #include <string>
 
 namespace glider::simulator {
@@ -44,8 +46,14 @@ class FlightController {
   [[nodiscard]] bool hookActive() const;
   /// Complete after an abort, Absent without a hookbeh.
   [[nodiscard]] hooks::HookState hookState() const;
+  /// When the mission in progress began, s of the flight.
+  [[nodiscard]] double missionStart() const { return mission_start_s_; }
+  /// What hookbeh commanded in this cycle; null without one, and after an abort.
+  [[nodiscard]] const hooks::HookbehOutputs* hookbeh() const;
+  /// Heading, pitch and pump were all commanded in this cycle, by whichever behaviour.
+  [[nodiscard]] bool commandedWhole() const { return commanded_whole_; }
   [[nodiscard]] bool aborted() const { return abort_ != Abort::None; }
-  [[nodiscard]] bool hasHookbeh() const { return layers_.hookbeh() != nullptr; }
+  [[nodiscard]] bool hasHookbeh() const { return layers_->hookbeh() != nullptr; }
   /// The behaviour that commands the pitch, by its place in the mission file; kNoLayer after an
   /// abort.
   [[nodiscard]] int layer() const { return layer_; }
@@ -59,6 +67,11 @@ class FlightController {
   void noteTransition();
   /// A device fails: the mission is aborted.
   void failDevice(double now_s);
+  /// It begins its mission again at `now_s`, as after a restart of the computer; `keeps_array`: as a
+  /// new mission does, without one. A mission that is over or aborted stays so.
+  void restart(double now_s, bool keeps_array);
+  /// Puts an instruction into the sensor array as a mission before this one would have left it.
+  void leaveOver(const Leftover& leftover);
   /// What sensors say from now on instead of the truth.
   void damageBy(SensorDamage* damage) { array_.damageBy(damage); }
   /// Ends the mission at the surface when nothing is left to fly; `sbc_gone`: the SBC will not come
@@ -80,6 +93,7 @@ class FlightController {
   void control(const Commands& commands, const Situation& situation, Vehicle& vehicle);
   void judgeEnd(const Situation& situation);
 
+  slocum::MissionFile mission_;
   SensorArray array_;
   const LocalFrame& frame_;
   double year_;
@@ -88,7 +102,7 @@ class FlightController {
   AttitudeSensor attitude_;
   Altimeter altimeter_;
   Gps gps_;
-  LayeredControl layers_;
+  std::unique_ptr<LayeredControl> layers_;
   DynamicControl dynamics_;
   hooks::Clothesline clothesline_;
   Journal& journal_;
@@ -96,7 +110,8 @@ class FlightController {
 
   uint32_t cycles_ = 0;
   double last_depth_ = 0, surfaced_s_ = 0, submerged_s_ = 0;
-  bool has_fix_ = false;
+  double mission_start_s_ = 0;
+  bool has_fix_ = false, commanded_whole_ = true;
   Abort abort_ = Abort::None;
   HookOrder order_;
   double ordered_sequence_ = std::numeric_limits<double>::quiet_NaN();

@@ -41,7 +41,7 @@ LayeredControl::Decision LayeredControl::cycle(const Situation& situation, Journ
   for (Layer& layer : layers_ | std::views::reverse) {
     decision.commands.layer = layer.number;
     layer.behaviour->run(situation, decision.commands);
-    tell(layer, situation.time_s, journal);
+    tell(layer, situation.flight_s, journal);
     if (decision.abort == Abort::None) {
       decision.abort = layer.behaviour->abort(decision.why);
     }

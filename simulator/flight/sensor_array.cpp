@@ -41,6 +41,11 @@ void SensorArray::set(uint16_t id, double value) {
   fresh_[id] = 1;
 }
 
+void SensorArray::clear() {
+  std::ranges::fill(values_, std::numeric_limits<double>::quiet_NaN());
+  beginCycle();
+}
+
 void SensorArray::beginCycle() {
   std::ranges::fill(fresh_, uint8_t{0});
 }

@@ -24,6 +24,8 @@ class SensorArray {
   /// Set since beginCycle.
   [[nodiscard]] bool fresh(uint16_t id) const { return fresh_[id] != 0; }
   void beginCycle();
+  /// Nothing has ever been set.
+  void clear();
   /// From now on sensors say what `damage` makes of them; null: the truth.
   void damageBy(SensorDamage* damage) { damage_ = damage; }
   [[nodiscard]] uint16_t size() const { return static_cast<uint16_t>(values_.size()); }

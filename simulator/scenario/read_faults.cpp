@@ -44,7 +44,7 @@ std::vector<LineWay> readWays(Fields& f) {
 
 void readLine(Fields& f, Faults& faults) {
   f.reader().only({"line", "from_s", "to_s", "cut", "loss", "flips", "bursts", "burst_bytes",
-                   "delay_s", "doubled", "heard_at_baud"});
+                   "delay_s", "doubled", "replayed", "heard_at_baud"});
   const std::vector<LineWay> ways = readWays(f);
   LineFault fault;
   fault.when = readSpan(f);
@@ -55,9 +55,11 @@ void readLine(Fields& f, Faults& faults) {
   f.number("burst_bytes", fault.burst_bytes, 1, 1e6);
   f.number("delay_s", fault.delay_s, 0, 3600);
   f.number("doubled", fault.doubled, 0, 1);
+  f.number("replayed", fault.replayed, 0, 1);
   f.number("heard_at_baud", fault.heard_at_baud, 300, 921600);
   const bool nothing = !fault.cut && fault.loss == 0 && fault.flips == 0 && fault.bursts == 0 &&
-                       fault.delay_s == 0 && fault.doubled == 0 && fault.heard_at_baud == 0;
+                       fault.delay_s == 0 && fault.doubled == 0 && fault.replayed == 0 &&
+                       fault.heard_at_baud == 0;
   if (nothing) {
     f.reader().refuse("line", "has nothing wrong with it here");
   }
@@ -67,20 +69,47 @@ void readLine(Fields& f, Faults& faults) {
   }
 }
 
+/// How a sensor can be wrong: the field that says so, with its bounds.
+struct Wrong {
+  const char* field;
+  SensorFault::Kind kind;
+  double lowest, highest;
+};
+constexpr double kMostWrong = 1e6;
+constexpr Wrong kWrongByNumber[] = {
+    {"drift_per_s", SensorFault::Kind::Drift, -kMostWrong, kMostWrong},
+    {"scale", SensorFault::Kind::Scale, -kMostWrong, kMostWrong},
+    {"jumps", SensorFault::Kind::Jumps, 0, kMostWrong}};
+
 void readSensor(Fields& f, Faults& faults) {
-  f.reader().only({"sensor", "from_s", "to_s", "frozen", "missing", "value"});
+  f.reader().only({"sensor", "from_s", "to_s", "frozen", "missing", "value", "drift_per_s", "scale",
+                   "jumps", "jumps_share"});
   SensorFault fault;
   fault.name = f.reader().text("sensor");
   fault.when = readSpan(f);
   const bool frozen = f.reader().flagOr("frozen", false);
   const bool missing = f.reader().flagOr("missing", false);
-  if (frozen + missing + f.has("value") != 1) {
-    f.reader().refuse("sensor", "needs one of `frozen = true`, `missing = true` and `value`");
-  }
+  int kinds = frozen + missing + f.has("value");
   fault.kind = frozen    ? SensorFault::Kind::Frozen
                : missing ? SensorFault::Kind::Missing
                          : SensorFault::Kind::Value;
   fault.value = f.has("value") ? f.anyNumber("value") : 0;
+  for (const Wrong& wrong : kWrongByNumber) {
+    if (f.has(wrong.field)) {
+      ++kinds;
+      fault.kind = wrong.kind;
+      fault.value = f.required(wrong.field, wrong.lowest, wrong.highest);
+    }
+  }
+  if (kinds != 1) {
+    f.reader().refuse("sensor",
+                      "needs one of `frozen = true`, `missing = true`, `value`, `drift_per_s`, "
+                      "`scale` and `jumps`");
+  }
+  f.number("jumps_share", fault.share, 0, 1);
+  if (f.has("jumps_share") && !f.has("jumps")) {
+    f.reader().refuse("jumps_share", "needs `jumps` beside it");
+  }
   faults.sensors.push_back(fault);
 }
 
@@ -92,14 +121,54 @@ void readClock(Fields& f, Faults& faults) {
   faults.clock.push_back(jump);
 }
 
-void readScience(Fields& f, Faults& faults) {
-  f.reader().only({"at_s", "takes_s"});
+/// at_s (which must be there) and takes_s.
+Span readRestart(Fields& f) {
   Span span;
   span.from_s = f.required("at_s", 0, kLongest);
   double takes_s = 60;
   f.number("takes_s", takes_s, 1, kLongest);
   span.to_s = span.from_s + takes_s;
-  faults.science.push_back(span);
+  return span;
+}
+
+void readScience(Fields& f, Faults& faults) {
+  f.reader().only({"at_s", "takes_s"});
+  faults.science.push_back(readRestart(f));
+}
+
+void readFlight(Fields& f, Faults& faults) {
+  f.reader().only({"at_s", "takes_s", "keeps_array"});
+  FlightRestart restart;
+  restart.when = readRestart(f);
+  restart.keeps_array = f.reader().flagOr("keeps_array", false);
+  faults.flight.push_back(restart);
+}
+
+void readCard(Fields& f, Faults& faults) {
+  f.reader().only({"at_s", "flips", "cut", "zeroed"});
+  CardFault fault;
+  fault.at_s = f.required("at_s", 0, kLongest);
+  if (f.has("flips") + f.has("cut") + f.has("zeroed") != 1) {
+    f.reader().refuse("at_s", "needs one of `flips`, `cut` and `zeroed` beside it");
+  }
+  constexpr double kMostFlips = 1e6;
+  f.number("flips", fault.amount, 1, kMostFlips);
+  f.number("cut", fault.amount, 0, 1);
+  f.number("zeroed", fault.amount, 0, 1);
+  fault.kind = f.has("flips") ? CardFault::Kind::Flips
+               : f.has("cut") ? CardFault::Kind::Cut
+                              : CardFault::Kind::Zeroed;
+  faults.card.push_back(fault);
+}
+
+void readLeftover(Fields& f, Faults& faults) {
+  f.reader().only({"session", "sequence", "depth_m"});
+  constexpr double kMostSession = 16777215, kMostSequence = 65535, kDeepest = 10000;
+  Leftover leftover;
+  leftover.session = static_cast<uint32_t>(f.required("session", 1, kMostSession));
+  leftover.sequence = static_cast<uint16_t>(f.required("sequence", 1, kMostSequence));
+  f.number("depth_m", leftover.depth_m, 0, kDeepest);
+  faults.leftover.push_back(leftover);
 }
 
 }  // namespace
@@ -107,7 +176,8 @@ void readScience(Fields& f, Faults& faults) {
 void readFaults(ScenarioTables& tables, Scenario& scenario) {
   Faults& faults = scenario.faults;
   tables.table("faults", [](Fields& f) {
-    f.reader().only({"line", "sensor", "power", "port", "stuck", "science", "clock", "abort"});
+    f.reader().only({"line", "sensor", "power", "port", "stuck", "science", "clock", "abort", "card",
+                     "flight", "leftover"});
   });
   const auto spans = [&](const char* part, std::vector<Span>& list) {
     tables.each("faults", part, [&](Fields& f) {
@@ -119,6 +189,9 @@ void readFaults(ScenarioTables& tables, Scenario& scenario) {
   tables.each("faults", "sensor", [&](Fields& f) { readSensor(f, faults); });
   tables.each("faults", "science", [&](Fields& f) { readScience(f, faults); });
   tables.each("faults", "clock", [&](Fields& f) { readClock(f, faults); });
+  tables.each("faults", "card", [&](Fields& f) { readCard(f, faults); });
+  tables.each("faults", "flight", [&](Fields& f) { readFlight(f, faults); });
+  tables.each("faults", "leftover", [&](Fields& f) { readLeftover(f, faults); });
   tables.each("faults", "abort", [&](Fields& f) {
     f.reader().only({"at_s"});
     faults.aborts.push_back(f.required("at_s", 0, kLongest));

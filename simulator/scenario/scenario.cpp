@@ -41,6 +41,7 @@ void readHead(Fields& f, const ScenarioTables& tables, Scenario& scenario) {
     r.refuse("seed", "must not be negative");
   }
   scenario.seed = static_cast<uint64_t>(seed);
+  scenario.path = tables.file();
   scenario.skeleton_path = std::filesystem::path(tables.file()).parent_path() / r.text("skeleton");
   scenario.duration_s = r.number("duration_s");
   constexpr double kLongest = 60 * 86400;

@@ -3,6 +3,8 @@
 
 #include "simulator/science/process_sbc_port.h"
 
+#include "simulator/faults/card_damage.h"
+
 #include <fmt/format.h>
 
 #include <array>
@@ -10,6 +12,8 @@
 #include <chrono>
 #include <cstring>
 #include <fcntl.h>
+#include <fstream>
+#include <iterator>
 #include <poll.h>
 #include <signal.h>
 #include <sys/prctl.h>
@@ -74,7 +78,7 @@ pid_t spawn(const std::vector<std::string>& command) {
 }  // namespace
 
 support::Result<std::unique_ptr<ProcessSbcPort>> ProcessSbcPort::start(
-    std::string way, std::vector<std::string> command, double hang_secs) {
+    std::string way, std::vector<std::string> command, double hang_secs, std::filesystem::path card) {
   auto pty = hooks::Pty::open();
   if (!pty) {
     return std::unexpected(pty.error());
@@ -89,6 +93,7 @@ support::Result<std::unique_ptr<ProcessSbcPort>> ProcessSbcPort::start(
   }
   std::unique_ptr<ProcessSbcPort> port(
       new ProcessSbcPort(std::move(way), std::move(*pty), hang_secs));
+  port->card_ = std::move(card);
   port->pid_ = spawn(command);
   if (port->pid_ < 0) {
     return support::fail(support::DiagnosticId::sbcNotStarted, command.front(),
@@ -145,6 +150,17 @@ void ProcessSbcPort::kill() {
     ::kill(pid_, SIGKILL);
     reap(true);
   }
+}
+
+void ProcessSbcPort::damageCard(const CardFault& fault, uint64_t seed) {
+  std::ifstream file(card_, std::ios::binary);
+  if (card_.empty() || !file) {
+    return;  // nothing is kept there
+  }
+  std::vector<uint8_t> bytes{std::istreambuf_iterator<char>(file), {}};
+  glider::simulator::damageCard(fault, seed, bytes);
+  std::ofstream(card_, std::ios::binary)
+      .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
 }
 
 void ProcessSbcPort::read() {

@@ -8,6 +8,7 @@
 #include "simulator/sbc_port.h"
 #include "support/result.h"
 
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <sys/types.h>
@@ -23,11 +24,13 @@ class ProcessSbcPort final : public SbcPort {
   static constexpr double kHangSecs = 10;
 
   /// Starts `command`, a program found by PATH and its arguments; the argument "{port}" stands for
-  /// the terminal's name. Its standard output is thrown away. It dies with this process. GL9150
-  /// when it cannot be started, GL9106 without a terminal.
+  /// the terminal's name. Its standard output is thrown away. It dies with this process.
+  /// `card`: the file of its checkpoints, for faults of the card; may be empty. GL9150 when it
+  /// cannot be started, GL9106 without a terminal.
   static support::Result<std::unique_ptr<ProcessSbcPort>> start(std::string way,
                                                                 std::vector<std::string> command,
-                                                                double hang_secs = kHangSecs);
+                                                                double hang_secs = kHangSecs,
+                                                                std::filesystem::path card = {});
   ~ProcessSbcPort() override;
 
   [[nodiscard]] std::string way() const override { return way_; }
@@ -35,6 +38,7 @@ class ProcessSbcPort final : public SbcPort {
   std::vector<uint8_t> collect() override;
   void kill() override;
   [[nodiscard]] bool alive() const override { return pid_ > 0; }
+  void damageCard(const CardFault& fault, uint64_t seed) override;
   [[nodiscard]] std::string epitaph() const override { return epitaph_; }
   /// For tests and logs; 0 when it is gone.
   [[nodiscard]] pid_t pid() const { return pid_; }
@@ -58,6 +62,7 @@ class ProcessSbcPort final : public SbcPort {
   std::string way_;
   hooks::Pty pty_;
   double hang_secs_;
+  std::filesystem::path card_;
   hooks::Lockstep lockstep_;
   std::vector<uint8_t> received_;
   bool heard_ = false;  ///< it has opened the terminal and spoken

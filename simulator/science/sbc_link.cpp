@@ -18,6 +18,7 @@ bool isIn(const std::vector<Span>& spans, double now_s) {
 void SbcLink::pump(double now_s) {
   followPower(now_s);
   followPort(now_s);
+  followCard(now_s);
   std::array<uint8_t, SerialLine::kCapacity> bytes;
   const int32_t count = end_.read(end_.self, bytes.data(), static_cast<uint32_t>(bytes.size()));
   if (alive() && !without_port_) {
@@ -94,6 +95,17 @@ void SbcLink::followPort(double now_s) {
     }
   }
   without_port_ = away;
+}
+
+void SbcLink::followCard(double now_s) {
+  card_fault_done_.resize(faults_.card.size());
+  for (size_t i = 0; i < faults_.card.size(); ++i) {
+    if (port_ != nullptr && !card_fault_done_[i] && now_s >= faults_.card[i].at_s) {
+      card_fault_done_[i] = true;
+      port_->damageCard(faults_.card[i], seed_ + i);
+      journal_.add(now_s, "link", "the SBC's checkpoints are damaged");
+    }
+  }
 }
 
 bool SbcLink::goneForGood(double now_s) const {

@@ -22,11 +22,12 @@ class SbcLink {
  public:
   /// `sbc` may be null: a line with nobody at its other end. `start` makes it anew after its power
   /// has come back; without it, it stays off.
-  SbcLink(std::unique_ptr<SbcPort> sbc, StartSbc start, const Faults& faults, SerialLine& line,
-          Journal& journal)
+  SbcLink(std::unique_ptr<SbcPort> sbc, StartSbc start, const Faults& faults, uint64_t seed,
+          SerialLine& line, Journal& journal)
       : port_(std::move(sbc)),
         start_(std::move(start)),
         faults_(faults),
+        seed_(seed),
         line_(line),
         end_(line.right()),
         journal_(journal) {}
@@ -43,6 +44,7 @@ class SbcLink {
   void followPower(double now_s);
   void startAgain(double now_s, const char* why);
   void followPort(double now_s);
+  void followCard(double now_s);
   void exchange(const std::vector<uint8_t>& bytes, double now_s);
   void answerAsStuck(const std::vector<uint8_t>& bytes);
   void watchDone(const std::vector<uint8_t>& bytes);
@@ -53,6 +55,7 @@ class SbcLink {
   std::unique_ptr<SbcPort> port_;
   StartSbc start_;
   const Faults& faults_;
+  uint64_t seed_;
   SerialLine& line_;
   GliderByteStream end_;
   Journal& journal_;
@@ -61,6 +64,7 @@ class SbcLink {
   bool death_noted_ = false;
   bool without_power_ = false;
   bool without_port_ = false;
+  std::vector<bool> card_fault_done_;  ///< by its place among the faults
   double newest_clock_s_ = 0;
 
   // What a stuck SBC goes on saying.

@@ -67,6 +67,8 @@ enum class NoiseStream : uint32_t {
   Oxygen,
   LineDamage,  ///< and three more, one a LineWay
   Campaign = LineDamage + 4,
+  SensorJumps,
+  CardDamage,
 };
 
 }  // namespace glider::simulator

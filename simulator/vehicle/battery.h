@@ -42,6 +42,7 @@ class Battery {
     return settings_.full_V -
            (settings_.full_V - settings_.empty_V) * used_j_ / settings_.capacity_j;
   }
+  [[nodiscard]] double usedJ() const { return used_j_; }  ///< since the pack was full
   /// Used since the pack was full.
   [[nodiscard]] double ampHours() const {
     return used_j_ / (0.5 * (settings_.full_V + voltage())) / 3600;

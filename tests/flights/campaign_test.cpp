@@ -9,7 +9,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 #include <gmock/gmock.h>
+#include <sstream>
 
 namespace glider::tests {
 namespace {
@@ -23,12 +25,12 @@ TEST(Campaign, EveryKindOfFaultEndsAsStated) {
   const TemporaryFolder folder;
   const std::string csv = (folder.path() / "flights.csv").string();
   const Outcome outcome =
-      runShell("$GLIDERCC campaign " + kMissions + " --flights 168 --seed 1 --csv " + csv);
+      runShell("$GLIDERCC campaign " + kMissions + " --flights 192 --boards 5 --seed 1 --csv " + csv);
   EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("SBC power cut"));
-  EXPECT_THAT(outcome.out, HasSubstr("168 flights, seed 1"));
+  EXPECT_THAT(outcome.out, HasSubstr("192 flights, seed 1"));
   const std::string rows = slurp(csv);
-  EXPECT_EQ(std::ranges::count(rows, '\n'), 169);
+  EXPECT_EQ(std::ranges::count(rows, '\n'), 2 + 192);
   EXPECT_THAT(rows, HasSubstr("exited after hand-back"));
   EXPECT_THAT(rows, HasSubstr(",handed back,"));
 }
@@ -38,7 +40,7 @@ TEST(Campaign, IsTheSeedsAloneHoweverManyFlyAtATime) {
   const auto csv = [&](const std::string& jobs, const std::string& seed) {
     const std::string file = (folder.path() / ("jobs" + jobs + seed)).string();
     const Outcome outcome =
-        runShell("$GLIDERCC campaign " + kMissions + " --scenario figure5 --flights 42 --jobs " +
+        runShell("$GLIDERCC campaign " + kMissions + " --scenario figure5 --boards 0 --flights 42 --jobs " +
                  jobs + " --seed " + seed + " --csv " + file);
     EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
     return slurp(file);
@@ -53,7 +55,7 @@ TEST(Campaign, FliesOneAgainAndItsFaultsAreAScenarios) {
   const std::string out = (folder.path() / "one").string();
   const std::string mission = project("missions/figure2.mission");
   const Outcome outcome =
-      runShell("$GLIDERCC campaign " + mission + " --flights 1000 --only 11 -o " + out);
+      runShell("$GLIDERCC campaign " + mission + " --boards 0 --only 12 -o " + out);
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("SBC power cut"));
   EXPECT_THAT(slurp(out + "/events.csv"), HasSubstr("the SBC is gone"));
@@ -70,6 +72,150 @@ TEST(Campaign, FliesOneAgainAndItsFaultsAreAScenarios) {
                outcome.out.substr(seed, begin - seed - 1) + " -o " + out + "2");
   EXPECT_NE(again.status, 2) << again.err << again.out;
   EXPECT_EQ(slurp(out + "/trace.csv"), slurp(out + "2/trace.csv"));
+}
+
+/// The rows of a campaign's file of flights, in the order in which they stand there.
+std::vector<std::string> rowsOf(const std::string& file) {
+  std::istringstream text(slurp(file));
+  std::vector<std::string> rows;
+  for (std::string row; std::getline(text, row);) {
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+/// The table without the time that it took.
+std::string tableOf(const Outcome& outcome) {
+  return outcome.out.substr(0, outcome.out.rfind(", "));
+}
+
+class CampaignResumed : public testing::TestWithParam<const char*> {};
+
+TEST_P(CampaignResumed, GoesOnAfterASignalAsIfThereHadBeenNone) {
+  const TemporaryFolder folder;
+  const std::string whole = (folder.path() / "whole.csv").string();
+  const std::string cut = (folder.path() / "cut.csv").string();
+  const std::string command =
+      "$GLIDERCC campaign " + kMissions + " --boards 0 --jobs 1 --flights 100 --seed 7 ";
+  const Outcome uninterrupted = runShell(command + "--csv " + whole);
+  ASSERT_EQ(uninterrupted.status, 0) << uninterrupted.out << uninterrupted.err;
+  // The signal comes when a few flights are on the disk: a busy machine changes nothing.
+  const std::string kill = "n=0; while [ $n -lt 600 ] && [ $(wc -l < " + cut +
+                           " 2>/dev/null || echo 0) -lt 12 ]; do sleep 0.05; n=$((n+1)); done; kill -" +
+                           GetParam() + " $!; wait $!";
+  const Outcome killed = runShell(command + "--csv " + cut + " & " + kill);
+  EXPECT_GT(killed.status, 128) << killed.out;
+  const auto before = rowsOf(cut);
+  ASSERT_GE(before.size(), 12U);
+  ASSERT_LT(before.size(), 102U) << "it was over before the signal";
+  if (std::string(GetParam()) == "INT") {
+    EXPECT_EQ(killed.status, 130);
+    EXPECT_THAT(killed.out, HasSubstr("interrupted after"));
+    EXPECT_THAT(killed.out, HasSubstr("SBC power cut"));
+    EXPECT_THAT(killed.out, HasSubstr("--resume " + cut));
+  }
+  // A row that was torn in the middle is flown again. accepts: GL9373
+  const std::string text = slurp(cut);
+  std::ofstream(cut) << text.substr(0, text.size() - 7);
+  const Outcome resumed = runShell(command + "--resume " + cut);
+  EXPECT_EQ(resumed.status, 0) << resumed.out << resumed.err;
+  EXPECT_EQ(slurp(cut), slurp(whole));
+  EXPECT_EQ(tableOf(resumed), tableOf(uninterrupted));
+}
+
+INSTANTIATE_TEST_SUITE_P(, CampaignResumed, testing::Values("INT", "KILL"));
+
+TEST(Campaign, ResumesNothingThatIsNotItsOwn) {
+  const TemporaryFolder folder;
+  const std::string csv = (folder.path() / "flights.csv").string();
+  const std::string command = "$GLIDERCC campaign " + kMissions + " --boards 0 --flights 4 ";
+  ASSERT_EQ(runShell(command + "--csv " + csv).status, 0);
+  const std::string good = slurp(csv);
+  const auto refused = [&](const std::string& options, const std::string& why) {
+    const Outcome outcome = runShell("$GLIDERCC campaign " + options + " --resume " + csv);
+    EXPECT_EQ(outcome.status, 2) << outcome.out;
+    EXPECT_THAT(outcome.err, HasSubstr("GL9373"));
+    EXPECT_THAT(outcome.err, HasSubstr(why));
+  };
+  refused(kMissions + " --boards 0 --flights 5", "another campaign");
+  refused(kMissions + " --boards 0 --flights 4 --seed 2", "another campaign");
+  refused(kMissions + " --boards 0 --flights 4 --scenario figure5", "another campaign");
+  refused(project("missions/figure2.mission") + " --boards 0 --flights 4", "another campaign");
+  std::ofstream(csv) << good << "3,what,is this\n";
+  refused(kMissions + " --boards 0 --flights 4", "line 7 is not a flight");
+  std::ofstream(csv) << "flight,mission\n";
+  refused(kMissions + " --boards 0 --flights 4", "not the table of a campaign");
+  std::filesystem::remove(csv);
+  EXPECT_EQ(runShell(command + "--resume " + csv).status, 2);
+  EXPECT_EQ(runShell(command + "--resume x --csv y").status, 2);
+}
+
+TEST(Campaign, AShareOfTheFlightsRunsBoardBinariesWithTheSameOutcome) {
+  const TemporaryFolder folder;
+  const auto rows = [&](const std::string& percent) {
+    const std::string file = (folder.path() / percent).string();
+    const Outcome outcome = runShell("$GLIDERCC campaign " + project("missions/figure2.mission") +
+                                     " --flights 16 --seed 5 --boards " + percent + " --csv " + file);
+    EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+    return rowsOf(file);
+  };
+  const auto boards = rows("100");
+  ASSERT_EQ(boards.size(), 18U);
+  size_t ts7800 = 0, ts5500 = 0;
+  for (const std::string& row : boards) {
+    ts7800 += row.find(",ts7800,") != std::string::npos ? 1 : 0;
+    ts5500 += row.find(",ts5500,") != std::string::npos ? 1 : 0;
+  }
+  EXPECT_EQ(ts7800 + ts5500, 16U);
+  EXPECT_GT(ts7800, 0U);
+  EXPECT_GT(ts5500, 0U);
+}
+
+TEST(Campaign, WithoutAnEmulatorEverythingFliesInProcessAndThatIsTold) {
+  const Outcome outcome =
+      runShell("PATH=/nowhere $GLIDERCC campaign " + project("missions/figure2.mission") +
+               " --flights 3 --boards 100");
+  EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("those flights run in this process"));
+  EXPECT_THAT(outcome.out, HasSubstr("in process"));
+}
+
+/// A campaign of `flights` flights in the scenario `default` with `faults` put behind it.
+Outcome campaignWith(const TemporaryFolder& folder, const std::string& faults,
+                     const std::string& more) {
+  std::filesystem::copy(project("scenarios/skeleton.mi"), folder.path(),
+                        std::filesystem::copy_options::overwrite_existing);
+  const auto scenario =
+      folder.write("faults.toml", slurp(project("scenarios/default.toml")) + "\n" + faults);
+  return runShell("$GLIDERCC campaign " + project("missions/figure2.mission") + " --boards 0 " +
+                  more + " --scenario " + scenario.string());
+}
+
+TEST(Campaign, AReplayedInstructionIsNotObeyedAndTheFlightIsGood) {
+  const TemporaryFolder folder;
+  const Outcome outcome = campaignWith(
+      folder, "[[faults.line]]\nline = \"from_sbc\"\nfrom_s = 100\nreplayed = 0.5\n", "--flights 1");
+  EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+}
+
+TEST(Campaign, AFlightControllerThatStartsAgainIsLeftAndTakenAgain) {
+  for (const char* keeps : {"false", "true"}) {
+    const TemporaryFolder folder;
+    std::filesystem::copy(project("scenarios/skeleton.mi"), folder.path());
+    const auto scenario = folder.write(
+        "restart.toml", slurp(project("scenarios/default.toml")) +
+                            "\n[[faults.flight]]\nat_s = 700\ntakes_s = 30\nkeeps_array = " + keeps +
+                            "\n");
+    const Flight flight =
+        fly(project("missions/figure2.mission") + " --scenario " + scenario.string());
+    EXPECT_EQ(flight.outcome.status, 0) << flight.outcome.err;
+    size_t taken = 0;
+    for (const Event& event : flight.events) {
+      taken += event.what.find("the SBC takes control") != std::string::npos ? 1 : 0;
+    }
+    EXPECT_EQ(taken, 2U) << keeps;
+    EXPECT_LT(flight.column("true_depth").back(), 1.0);
+  }
 }
 
 TEST(Campaign, RefusesWhatItCannotFly) {
@@ -101,10 +247,11 @@ TEST(Campaign, AViolationIsToldAndIsAnError) {
   world.replace(world.find("21600"), 5, "600");
   const auto scenario = folder.write("short.toml", world);
   const Outcome outcome = runShell("$GLIDERCC campaign " + project("missions/figure2.mission") +
-                                   " --flights 21 --scenario " + scenario.string());
+                                   " --flights 40 --boards 0 --scenario " + scenario.string());
   EXPECT_EQ(outcome.status, 1) << outcome.out << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("the flight does not end in time"));
-  EXPECT_THAT(outcome.out, HasSubstr("--only NUMBER"));
+  EXPECT_THAT(outcome.out, HasSubstr("glidercc campaign " + project("missions/figure2.mission")));
+  EXPECT_THAT(outcome.out, HasSubstr("--seed 1 --only "));
 }
 
 }  // namespace

@@ -14,20 +14,6 @@ using hooks::HookState;
 
 namespace {
 
-hooks::HookbehArgs arguments(const slocum::BehaviourBlock& block) {
-  hooks::HookbehArgs args;
-  args.start_secs = block.value("start_secs");
-  args.greatest_depth_m = block.value("max_depth");
-  args.least_altitude_m = block.value("min_altitude");
-  args.steepest_pitch_rad = block.value("max_pitch");
-  args.shallowest_pitch_rad = block.value("min_pitch");
-  args.silence_secs = block.value("silence_secs");
-  args.dive_pump_cc = block.value("d_bpump_value");
-  args.climb_pump_cc = block.value("c_bpump_value");
-  args.hold_secs = block.value("hold_secs");
-  return args;
-}
-
 hooks::HookbehInputs inputs(const Situation& s) {
   const SensorArray& a = *s.array;
   hooks::HookbehInputs in;
@@ -110,8 +96,22 @@ const char* describe(HookState state) {
 
 }  // namespace
 
+hooks::HookbehArgs hookbehArgs(const slocum::BehaviourBlock& block) {
+  hooks::HookbehArgs args;
+  args.start_secs = block.value("start_secs");
+  args.greatest_depth_m = block.value("max_depth");
+  args.least_altitude_m = block.value("min_altitude");
+  args.steepest_pitch_rad = block.value("max_pitch");
+  args.shallowest_pitch_rad = block.value("min_pitch");
+  args.silence_secs = block.value("silence_secs");
+  args.dive_pump_cc = block.value("d_bpump_value");
+  args.climb_pump_cc = block.value("c_bpump_value");
+  args.hold_secs = block.value("hold_secs");
+  return args;
+}
+
 HookbehAdapter::HookbehAdapter(const slocum::BehaviourBlock& block)
-    : Behaviour(block.name), hookbeh_(arguments(block)) {}
+    : Behaviour(block.name), hookbeh_(hookbehArgs(block)) {}
 
 void HookbehAdapter::note(const hooks::HookbehInputs& in, const hooks::HookbehOutputs& out) {
   if (out.state != state_) {
@@ -145,6 +145,7 @@ Behaviour::Outcome HookbehAdapter::fly(const Situation& situation, Commands& com
     commands.point({PitchCommand::Mode::Servo, out.pitch_rad});
     commands.pump(out.pump_cc);
   }
+  outputs_ = out;
   note(in, out);
   // Complete, it still tells its state in every cycle, so it never is Done for the stack.
   return Outcome::Continue;

@@ -11,6 +11,9 @@
 
 namespace glider::simulator {
 
+/// The b_args of a mission file's hookbeh.
+hooks::HookbehArgs hookbehArgs(const slocum::BehaviourBlock& block);
+
 /// The behaviour hookbeh in this layered control: hooks::Hookbeh between the sensor array and the
 /// command record. It runs in every cycle, for it has states of its own; it is complete when the
 /// SBC has given control back.
@@ -19,6 +22,8 @@ class HookbehAdapter final : public Behaviour {
   explicit HookbehAdapter(const slocum::BehaviourBlock& block);
   [[nodiscard]] bool flies() const override { return true; }
   void tell(double time_s, Journal& journal) override;
+  /// Of the newest cycle.
+  [[nodiscard]] const hooks::HookbehOutputs& outputs() const { return outputs_; }
   [[nodiscard]] hooks::HookState hookState() const { return state_; }
 
  protected:
@@ -33,6 +38,7 @@ class HookbehAdapter final : public Behaviour {
   void note(const hooks::HookbehInputs& in, const hooks::HookbehOutputs& out);
 
   hooks::Hookbeh hookbeh_;
+  hooks::HookbehOutputs outputs_;
   hooks::HookState state_ = hooks::HookState::Waiting;
   uint16_t answered_ = 0;
   std::string doing_;

@@ -4,12 +4,16 @@
 // Flights in which something goes wrong, each with its stated outcome (scenarios/README.md).
 
 #include "platforms/slocum_sensors.h"
+#include "simulator/faults/card_damage.h"
+#include "simulator/faults/sensor_damage.h"
 #include "simulator/onlooker.h"
 #include "tests/unit/simulator/fake_sbc.h"
 #include "tests/unit/simulator/flights.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace glider::simulator {
@@ -109,6 +113,86 @@ TEST(FaultFlight, TheWrongSpeedIsADeadLine) {
   }
 }
 
+TEST(FaultFlight, AFlightControllerThatStartsAgainBeginsItsMissionAgain) {
+  for (const bool keeps_array : {false, true}) {
+    Faults faults;
+    faults.flight = {{{300, 330}, keeps_array}};
+    const support::Trace trace = fly(withFaults(faults));
+    const std::string events = eventText(trace);
+    EXPECT_EQ(timeOf(trace, keeps_array ? "the mission begins again" : "starts again"), 332)
+        << events;
+    const double again = timeOf(trace, "the SBC takes control", 331);
+    EXPECT_GT(again, 331) << events;
+    EXPECT_LE(again, 400) << events;
+    EXPECT_GT(timeOf(trace, "nothing is left to fly"), again) << events;
+    const int time = trace.column("time");
+    for (size_t row = 0; row < trace.rowCount(); ++row) {
+      EXPECT_FALSE(trace.at(row, time) > 300 && trace.at(row, time) < 330) << "it did nothing";
+    }
+  }
+}
+
+TEST(FaultFlight, AnAbortedMissionDoesNotBeginAgain) {
+  Faults faults;
+  faults.aborts = {290};
+  faults.flight = {{{300, 330}, false}};
+  const support::Trace trace = fly(withFaults(faults));
+  EXPECT_EQ(timeOf(trace, "takes control", 300), -1) << eventText(trace);
+}
+
+/// Notes what lies in the sensor array and what becomes of it.
+class ArrayWatch final : public Onlooker {
+ public:
+  void said(std::span<const uint8_t>, double) override {}
+  bool cycle(const CycleView& view) override {
+    sequences.push_back(view.array.get(GLIDER_X_HOOK_SEQUENCE));
+    states.push_back(view.hook);
+    return view.time_s < 40;
+  }
+  std::vector<double> sequences;
+  std::vector<hooks::HookState> states;
+};
+
+TEST(FaultFlight, AnInstructionLeftOverLiesInTheArrayAndIsNotFollowed) {
+  SimulationSetup setup = shippedSetup("default");  // nobody says anything
+  setup.scenario.faults.leftover = {{3, 65530, 12}};
+  ArrayWatch watch;
+  setup.onlooker = &watch;
+  (void)fly(std::move(setup));
+  ASSERT_GT(watch.sequences.size(), 5U);
+  EXPECT_EQ(watch.sequences.back(), 65530) << "it was found";
+  for (const hooks::HookState state : watch.states) {
+    EXPECT_NE(state, hooks::HookState::Active);
+  }
+}
+
+TEST(CardDamage, DoesWhatItSaysAndTheSameForASeed) {
+  const std::vector<uint8_t> good(8 * 4096, 0x5a);
+  const auto damaged = [&](CardFault::Kind kind, double amount, uint64_t seed) {
+    std::vector<uint8_t> bytes = good;
+    damageCard({.at_s = 0, .kind = kind, .amount = amount}, seed, bytes);
+    return bytes;
+  };
+  int turned = 0;
+  const auto flipped = damaged(CardFault::Kind::Flips, 5, 1);
+  for (size_t i = 0; i < good.size(); ++i) {
+    turned += std::popcount(static_cast<unsigned>(flipped[i] ^ good[i]));
+  }
+  EXPECT_EQ(turned, 5);
+  EXPECT_EQ(flipped, damaged(CardFault::Kind::Flips, 5, 1));
+  EXPECT_NE(flipped, damaged(CardFault::Kind::Flips, 5, 2));
+  EXPECT_EQ(damaged(CardFault::Kind::Cut, 0.25, 1).size(), good.size() / 4);
+  EXPECT_EQ(damaged(CardFault::Kind::Zeroed, 1, 1), std::vector<uint8_t>(good.size(), 0));
+  const auto some = damaged(CardFault::Kind::Zeroed, 0.5, 1);
+  const auto zeros = std::ranges::count(some, uint8_t{0});
+  EXPECT_EQ(zeros % 4096, 0);
+  EXPECT_GT(zeros, 0);
+  EXPECT_LT(zeros, static_cast<ptrdiff_t>(good.size()));
+  std::vector<uint8_t> empty;
+  damageCard({.at_s = 0, .kind = CardFault::Kind::Flips, .amount = 9}, 1, empty);
+  EXPECT_TRUE(empty.empty());
+}
+
 TEST(FaultFlight, AnAbortTakesTheVehicleUpForGood) {
   Faults faults;
   faults.aborts = {300};
@@ -182,6 +266,32 @@ TEST(FaultFlight, SensorsFreezeVanishAndLie) {
   EXPECT_EQ(valueAt(trace, "m_heading", 400), 99);
   EXPECT_NE(valueAt(trace, "m_heading", 520), 99);
   EXPECT_NE(timeOf(trace, "gives control back"), -1) << eventText(trace);
+}
+
+TEST(SensorDamage, DriftsScalesAndJumps) {
+  using Kind = SensorFault::Kind;
+  SensorFault drift = onSensor("", Kind::Drift, -0.5);
+  SensorFault scale = onSensor("", Kind::Scale, 3);
+  SensorFault jumps = onSensor("", Kind::Jumps, 10);
+  drift.id = 1, scale.id = 2, jumps.id = 3;
+  jumps.share = 0.25;
+  SensorDamage damage({drift, scale, jumps}, 1);
+  damage.setNow(299);
+  EXPECT_EQ(damage.reading(1, 20), 20);
+  EXPECT_EQ(damage.reading(2, 20), 20);
+  EXPECT_EQ(damage.reading(3, 20), 20);
+  damage.setNow(310);
+  EXPECT_EQ(damage.reading(1, 20), 15) << "10 s of it";
+  EXPECT_EQ(damage.reading(2, 20), 60);
+  int jumped = 0, up = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const double by = *damage.reading(3, 20) - 20;
+    EXPECT_LE(std::fabs(by), 10);
+    jumped += by != 0;
+    up += by < 0;
+  }
+  EXPECT_NEAR(jumped, 250, 50);
+  EXPECT_NEAR(up, jumped / 2.0, 40);
 }
 
 TEST(FaultFlight, NoSensorsNanReachesTheVehicle) {

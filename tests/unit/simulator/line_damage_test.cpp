@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <string>
 
 namespace glider::simulator {
 namespace {
@@ -48,6 +49,24 @@ TEST(LineDamage, BurstsAreAsLongAsTheyAreSaid) {
   }
   // A burst begins at one of the bytes between bursts: 1000 of them on average, then 50.
   EXPECT_NEAR(wrong, kBytes * 50 / 1050.0 * 255 / 256, 0.01 * kBytes);
+}
+
+TEST(LineDamage, EarlierFramesComeAgainWhole) {
+  LineFault fault{.when = {10, 11}, .replayed = 1};
+  LineDamage damage({fault}, fault.way, 1, kBaud);
+  Arrivals out;
+  const auto send = [&](uint8_t byte, double now_s) {
+    double more_s = damage.pass(byte, now_s, now_s, out);
+    return more_s + damage.pass(0, now_s, now_s, out);
+  };
+  EXPECT_EQ(send(1, 9), 0) << "not yet";
+  EXPECT_GT(send(2, 10.2), 0) << "the wire is busy longer";
+  EXPECT_EQ(send(3, 12), 0) << "no more";
+  std::string heard;
+  for (const auto& arrival : out) {
+    heard += static_cast<char>('0' + arrival.value);
+  }
+  EXPECT_EQ(heard, "10201030");
 }
 
 TEST(LineDamage, DelayedBytesKeepTheirOrder) {

@@ -197,6 +197,55 @@ TEST_F(ScenarioFile, ReadsFaults) {
   EXPECT_EQ(faults.lastEnd(), 68);
 }
 
+TEST_F(ScenarioFile, ReadsSensorsThatDriftScaleAndJump) {
+  const std::string depth = "[[faults.sensor]]\nsensor = \"m_depth\"\nfrom_s = 1\n";
+  ASSERT_EQ(load(kHead + kStart + depth + "drift_per_s = -0.02\n" + depth + "scale = 0.5\n" +
+                 depth + "jumps = 20\njumps_share = 0.1\n"),
+            "");
+  const auto& sensors = scenario_.faults.sensors;
+  ASSERT_EQ(sensors.size(), 3U);
+  EXPECT_EQ(sensors[0].kind, SensorFault::Kind::Drift);
+  EXPECT_EQ(sensors[0].value, -0.02);
+  EXPECT_EQ(sensors[1].kind, SensorFault::Kind::Scale);
+  EXPECT_EQ(sensors[1].value, 0.5);
+  EXPECT_EQ(sensors[2].kind, SensorFault::Kind::Jumps);
+  EXPECT_EQ(sensors[2].value, 20);
+  EXPECT_EQ(sensors[2].share, 0.1);
+}
+
+TEST_F(ScenarioFile, ReadsRestartsCardsReplaysAndWhatIsLeftOver) {
+  ASSERT_EQ(load(kHead + kStart +
+                 "[[faults.line]]\nline = \"from_sbc\"\nfrom_s = 10\nreplayed = 0.3\n"
+                 "[[faults.flight]]\nat_s = 20\n"
+                 "[[faults.flight]]\nat_s = 200\ntakes_s = 4\nkeeps_array = true\n"
+                 "[[faults.card]]\nat_s = 30\nflips = 12\n[[faults.card]]\nat_s = 31\ncut = 0.5\n"
+                 "[[faults.card]]\nat_s = 32\nzeroed = 0.25\n"
+                 "[[faults.leftover]]\nsession = 4\nsequence = 65535\n"),
+            "");
+  const Faults& faults = scenario_.faults;
+  EXPECT_EQ(faults.lines.at(0).replayed, 0.3);
+  ASSERT_EQ(faults.flight.size(), 2U);
+  EXPECT_EQ(faults.flight[0].when.to_s, 80);
+  EXPECT_FALSE(faults.flight[0].keeps_array);
+  EXPECT_EQ(faults.flight[1].when.to_s, 204);
+  EXPECT_TRUE(faults.flight[1].keeps_array);
+  ASSERT_EQ(faults.card.size(), 3U);
+  EXPECT_EQ(faults.card[0].kind, CardFault::Kind::Flips);
+  EXPECT_EQ(faults.card[0].amount, 12);
+  EXPECT_EQ(faults.card[1].kind, CardFault::Kind::Cut);
+  EXPECT_EQ(faults.card[2].kind, CardFault::Kind::Zeroed);
+  EXPECT_EQ(faults.card[2].amount, 0.25);
+  ASSERT_EQ(faults.leftover.size(), 1U);
+  EXPECT_EQ(faults.leftover[0].session, 4U);
+  EXPECT_EQ(faults.leftover[0].sequence, 65535U);
+  EXPECT_EQ(faults.leftover[0].depth_m, 20);
+  EXPECT_EQ(faults.first(), 0);
+  EXPECT_EQ(faults.lastEnd(), 204);
+  Faults more;
+  more.add(faults);
+  EXPECT_EQ(more.card.size() + more.flight.size() + more.leftover.size(), 6U);
+}
+
 TEST_F(ScenarioFile, RefusesFaultsThatAreNone) {
   const std::pair<std::string, const char*> bad[] = {
       {"[faults]\nwind = 3\n", "`wind`"},
@@ -210,10 +259,25 @@ TEST_F(ScenarioFile, RefusesFaultsThatAreNone) {
       {"[[faults.sensor]]\nsensor = \"m_depth\"\nfrom_s = 1\n", "needs one of"},
       {"[[faults.sensor]]\nsensor = \"m_depth\"\nfrom_s = 1\nfrozen = true\nvalue = 3\n",
        "needs one of"},
+      {"[[faults.sensor]]\nsensor = \"m_depth\"\nfrom_s = 1\nfrozen = true\nscale = 3\n",
+       "needs one of"},
+      {"[[faults.sensor]]\nsensor = \"m_depth\"\nfrom_s = 1\nscale = 3\ndrift_per_s = 1\n",
+       "needs one of"},
+      {"[[faults.sensor]]\nsensor = \"m_depth\"\nfrom_s = 1\nscale = 3\njumps_share = 0.5\n",
+       "needs `jumps`"},
+      {"[[faults.sensor]]\nsensor = \"m_depth\"\nfrom_s = 1\njumps = -3\n", "between 0 and"},
       {"[[faults.sensor]]\nsensor = \"m_depth\"\nfrom_s = 1\nvalue = \"3\"\n", "must be a number"},
       {"[[faults.clock]]\nat_s = 1\n", "no `by_s`"},
       {"[[faults.science]]\nat_s = 1\ntakes_s = 0\n", "between 1 and"},
       {"[[faults.abort]]\nfrom_s = 1\n", "`from_s`"},
+      {"[[faults.line]]\nline = \"sbc\"\nfrom_s = 1\nreplayed = 1.5\n", "between 0 and 1"},
+      {"[[faults.card]]\nat_s = 1\n", "needs one of"},
+      {"[[faults.card]]\nat_s = 1\ncut = 0.5\nflips = 2\n", "needs one of"},
+      {"[[faults.card]]\nat_s = 1\ncut = 2\n", "between 0 and 1"},
+      {"[[faults.flight]]\nat_s = 1\ntakes_s = 0\n", "between 1 and"},
+      {"[[faults.flight]]\nfrom_s = 1\n", "`from_s`"},
+      {"[[faults.leftover]]\nsession = 1\n", "no `sequence`"},
+      {"[[faults.leftover]]\nsession = 1\nsequence = 70000\n", "between 1 and"},
   };
   for (const auto& [text, why] : bad) {
     const std::string said = load(kHead + kStart + "\n" + text);

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+namespace glider::driver {
+
+/// While it is there, Ctrl-C (SIGINT) and SIGTERM are noted instead of ending the program; a second
+/// one ends it.
+class Interruption {
+ public:
+  Interruption();
+  Interruption(const Interruption&) = delete;
+  Interruption& operator=(const Interruption&) = delete;
+  ~Interruption();
+  /// The signal that came; 0: none.
+  static int signal();
+};
+
+}  // namespace glider::driver

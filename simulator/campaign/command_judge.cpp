@@ -1,0 +1,284 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "simulator/campaign/command_judge.h"
+
+#include "hooks/protocol/numbers.h"
+#include "platforms/slocum_sensors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace glider::simulator {
+
+using hooks::HookAnswer;
+using hooks::HookbehOutputs;
+using hooks::HookControl;
+using hooks::HookLateral;
+using hooks::HookState;
+using hooks::HookVertical;
+using hooks::Instruction;
+
+namespace {
+
+constexpr double kPitchError = 1e-5;   // rad
+constexpr double kPumpError = 1e-3;    // cc
+constexpr double kDepthError = 1e-3;   // m
+constexpr double kHoverReach = 2;      // m: hookbeh's own
+constexpr double kHoldReach = 1;       // m: the same
+constexpr double kFloats = 1;          // m: a target above it is the surface
+constexpr double kFarFromTarget = 6;   // m
+constexpr int kFarCycles = 15;         // a minute
+constexpr int kToArrive = 6;           // cycles that the commands of a dive or climb may be held
+constexpr double kNearLimit = 2;       // m: the guard may come in
+constexpr double kSwing = 4;           // m: the guard climbs five at least
+constexpr int kSmallSwings = 3;
+constexpr double kRetryShare = 0.5, kRetry = 5, kRetryTolerance = 3;  // of the guard's climb
+constexpr int kLate = 4;               // cycles
+constexpr double kFullCircle = 6.283186;
+
+bool climbs(const HookbehOutputs& out) {
+  return out.pitch_rad > 0 && out.pump_cc > 0;
+}
+
+bool isAngle(double ddmm, double most) {
+  return std::fabs(ddmm) <= most && std::fmod(std::fabs(ddmm), 100) <= 60;
+}
+
+Instruction merged(const Instruction& before, Instruction next) {
+  if (next.control != HookControl::Take && next.vertical == HookVertical::None) {
+    next.vertical = before.vertical;
+    next.depth_m = before.depth_m;
+    next.pitch_rad = before.pitch_rad;
+  }
+  return next;
+}
+
+bool sameVertical(const Instruction& a, const Instruction& b) {
+  return a.vertical == b.vertical && a.depth_m == b.depth_m && a.pitch_rad == b.pitch_rad;
+}
+
+}  // namespace
+
+/// Accepted, or the reason of a refusal, by what the b_args say.
+HookAnswer CommandJudge::boundsOf(const Instruction& instruction) const {
+  const auto fits = [&](double pitch) {
+    return pitch >= hooks::asFloat32(s_.args.shallowest_pitch_rad) &&
+           pitch <= hooks::asFloat32(s_.args.steepest_pitch_rad);
+  };
+  const double depth = instruction.depth_m;
+  const bool deep = instruction.vertical == HookVertical::Descend ||
+                    instruction.vertical == HookVertical::Ascend ||
+                    instruction.vertical == HookVertical::Hover;
+  if (deep && !(depth >= 0 && std::isfinite(depth))) {
+    return HookAnswer::BadCommand;
+  }
+  if (deep && depth > hooks::asFloat32(s_.args.greatest_depth_m)) {
+    return HookAnswer::TooDeep;
+  }
+  if ((instruction.vertical == HookVertical::Descend && !fits(-instruction.pitch_rad)) ||
+      (instruction.vertical == HookVertical::Ascend && !fits(instruction.pitch_rad))) {
+    return HookAnswer::BadPitch;
+  }
+  if (instruction.lateral == HookLateral::Waypoint &&
+      !(isAngle(instruction.latitude_ddmm, 9000) && isAngle(instruction.longitude_ddmm, 18000))) {
+    return HookAnswer::NotOnEarth;
+  }
+  const bool turns = instruction.lateral == HookLateral::Heading;
+  return turns && !(std::fabs(instruction.heading_rad) <= kFullCircle) ? HookAnswer::BadCommand
+                                                                        : HookAnswer::Accepted;
+}
+
+std::string CommandJudge::answered(const Instruction& instruction, HookAnswer answer) {
+  const bool steers = instruction.control != HookControl::GiveBack;
+  const HookAnswer bounds = steers ? boundsOf(instruction) : HookAnswer::Accepted;
+  const bool of_bounds = answer == HookAnswer::TooDeep || answer == HookAnswer::BadPitch ||
+                         answer == HookAnswer::NotOnEarth;
+  if (answer == HookAnswer::Accepted && bounds != HookAnswer::Accepted) {
+    return fmt::format("instruction {} is obeyed though it is outside the b_args",
+                       instruction.sequence);
+  }
+  if (of_bounds && bounds != answer) {
+    return fmt::format("instruction {} is refused for a reason that is none", instruction.sequence);
+  }
+  if (answer == HookAnswer::Accepted && steers) {
+    const Instruction next = merged(in_force_, instruction);
+    if (instruction.control == HookControl::Take || !sameVertical(next, in_force_)) {
+      arrived_ = goes_back_ = false;
+      arrived_cycles_ = far_cycles_ = late_cycles_ = small_swings_ = 0;
+    }
+    in_force_ = next;
+  }
+  return "";
+}
+
+void CommandJudge::restart() {
+  in_force_ = {};
+  arrived_ = goes_back_ = guarding_ = false;
+}
+
+std::string CommandJudge::judgeWhole(const CycleView& view) const {
+  const HookbehOutputs& out = *view.hookbeh;
+  const bool whole = out.commanding && view.commanded_whole && std::isfinite(out.pitch_rad) &&
+                     std::isfinite(out.pump_cc) && std::isfinite(out.heading_rad) &&
+                     std::isfinite(out.latitude_ddmm) && std::isfinite(out.longitude_ddmm);
+  if (!whole) {
+    return "heading, pitch and pump are not all commanded";
+  }
+  if (view.mission_s < s_.args.start_secs) {
+    return "the SBC is in control before start_secs";
+  }
+  if (std::fabs(out.pitch_rad) > s_.args.steepest_pitch_rad + kPitchError) {
+    return fmt::format("a pitch of {:.2f} rad is commanded under max_pitch {}", out.pitch_rad,
+                       s_.args.steepest_pitch_rad);
+  }
+  if (out.pump_cc > s_.args.climb_pump_cc + kPumpError ||
+      out.pump_cc < s_.args.dive_pump_cc - kPumpError) {
+    return fmt::format("a pump of {:.0f} cc is commanded", out.pump_cc);
+  }
+  return "";
+}
+
+/// Where a limit is broken by what hookbeh itself reads, and by the truth of a bottom that it hears.
+std::string CommandJudge::judgeLimits(const CycleView& view, double reading) {
+  const bool too_deep = !(reading <= s_.args.greatest_depth_m + kDepthError);
+  const bool too_low = s_.promise.clearance && s_.args.least_altitude_m >= 0 &&
+                       view.clearance_m < s_.args.least_altitude_m - 1;
+  too_deep_cycles_ = too_deep ? too_deep_cycles_ + 1 : 0;
+  too_low_cycles_ = too_low ? too_low_cycles_ + 1 : 0;
+  if (climbs(*view.hookbeh)) {
+    return "";
+  }
+  if (too_deep_cycles_ > 1) {
+    return std::isnan(reading)
+               ? "the depth is unknown, and hookbeh does not climb"
+               : fmt::format("m_depth says {:.1f} m, and hookbeh does not climb", reading);
+  }
+  return too_low_cycles_ > 3 ? fmt::format("{:.1f} m over the bottom, and hookbeh does not climb",
+                                           view.clearance_m)
+                             : "";
+}
+
+/// The guard comes in at a limit only, lets go when it has done its work, and does not swing.
+std::string CommandJudge::judgeGuard(const CycleView& view) {
+  const bool guards = view.hookbeh->guarding;
+  const double depth = view.true_depth_m;
+  const bool near = depth > s_.args.greatest_depth_m - kNearLimit ||
+                    (s_.args.least_altitude_m >= 0 &&
+                     view.clearance_m < s_.args.least_altitude_m + kNearLimit);
+  std::string wrong;
+  if (guards && !guarding_) {
+    if (!near) {
+      wrong = fmt::format("the guard comes in ({}) and no limit is near", view.hookbeh->doing);
+    }
+    small_swings_ = tripped_m_ - shallowest_m_ < kSwing && shallowest_m_ < 1e6 ? small_swings_ + 1 : 0;
+    if (small_swings_ >= kSmallSwings) {
+      wrong = fmt::format("the guard swings by less than {} m", kSwing);
+    }
+    tripped_m_ = shallowest_m_ = depth;
+  }
+  goes_back_ = goes_back_ || (guarding_ && !guards && arrived_);
+  guarding_ = guards;
+  shallowest_m_ = std::min(shallowest_m_, depth);
+  const double enough = std::max(kRetryShare * tripped_m_, kRetry) + kRetryTolerance;
+  const bool late = guards && !near && tripped_m_ - depth > enough;
+  late_cycles_ = late ? late_cycles_ + 1 : 0;
+  return late_cycles_ > kLate ? "the guard does not let go" : wrong;
+}
+
+std::string CommandJudge::judgeDive(const HookbehOutputs& out, double reading) {
+  const double target = in_force_.depth_m;
+  if (!arrived_ && reading < target - kDepthError) {
+    const bool dives = std::fabs(out.pitch_rad - in_force_.pitch_rad) < kPitchError &&
+                       out.pump_cc < s_.args.dive_pump_cc + kPumpError;
+    return dives ? "" : fmt::format("no dive to {} m though it is in force", target);
+  }
+  arrived_ = true;
+  if (reading > target + kHoldReach + kDepthError && out.pitch_rad < 0) {
+    return fmt::format("still diving {:.1f} m past {} m", reading - target, target);
+  }
+  return "";
+}
+
+std::string CommandJudge::judgeClimb(const HookbehOutputs& out, double reading) {
+  const double target = in_force_.depth_m;
+  if (!arrived_ && reading > target + kDepthError) {
+    const bool rises = std::fabs(out.pitch_rad - in_force_.pitch_rad) < kPitchError &&
+                       out.pump_cc > s_.args.climb_pump_cc - kPumpError;
+    return rises ? "" : fmt::format("no climb to {} m though it is in force", target);
+  }
+  arrived_ = true;
+  return "";
+}
+
+std::string CommandJudge::judgeHover(const HookbehOutputs& out, double reading) {
+  const double above = in_force_.depth_m - reading;
+  if (!arrived_ && std::fabs(above) > kHoverReach + kDepthError) {
+    const bool goes = above > 0 ? out.pitch_rad < 0 : out.pitch_rad > 0;
+    return goes ? "" : fmt::format("no way to {} m though it is in force", in_force_.depth_m);
+  }
+  arrived_ = true;
+  return "";
+}
+
+/// At a depth that was reached, or on the way back to it.
+std::string CommandJudge::judgeStaying(const HookbehOutputs& out, double reading) {
+  const double off = std::fabs(reading - in_force_.depth_m);
+  arrived_cycles_ = arrived_ ? arrived_cycles_ + 1 : 0;
+  if (goes_back_ && off > kHoverReach + kHoldReach && out.pitch_rad == 0) {
+    return fmt::format("no way back to {} m", in_force_.depth_m);
+  }
+  goes_back_ = goes_back_ && off > kHoverReach;
+  const bool floats = in_force_.depth_m < kFloats;
+  if (floats && arrived_cycles_ > kToArrive && !climbs(out)) {
+    return fmt::format("a target of {} m does not end in floating", in_force_.depth_m);
+  }
+  const bool far = arrived_ && !floats && off > kFarFromTarget && out.pitch_rad == 0;
+  far_cycles_ = far ? far_cycles_ + 1 : 0;
+  return far_cycles_ > kFarCycles ? fmt::format("hovers {:.1f} m from its depth", off) : "";
+}
+
+std::string CommandJudge::judgeFollowing(const CycleView& view, double reading) {
+  const HookbehOutputs& out = *view.hookbeh;
+  std::string wrong;
+  switch (in_force_.vertical) {
+    case HookVertical::None:
+    case HookVertical::Surface:
+      return climbs(out) ? "" : "no way up though it is in force";
+    case HookVertical::Descend:
+      wrong = judgeDive(out, reading);
+      break;
+    case HookVertical::Ascend:
+      wrong = judgeClimb(out, reading);
+      break;
+    case HookVertical::Hover:
+      wrong = judgeHover(out, reading);
+      break;
+  }
+  return wrong.empty() && arrived_ ? judgeStaying(out, reading) : wrong;
+}
+
+std::string CommandJudge::cycle(const CycleView& view) {
+  if (view.hookbeh == nullptr) {
+    return "";
+  }
+  if (view.hook != HookState::Active) {
+    restart();
+    return view.hookbeh->commanding ? "hookbeh commands, and the SBC is not in control" : "";
+  }
+  const double reading = view.array.get(GLIDER_M_DEPTH);
+  std::string wrong = judgeWhole(view);
+  wrong = wrong.empty() ? judgeLimits(view, reading) : wrong;
+  if (wrong.empty() && s_.promise.follows) {
+    wrong = judgeGuard(view);
+    // Before the first cycle of the guard's climb, and in its last, limits are a matter of noise.
+    if (wrong.empty() && !guarding_) {
+      wrong = judgeFollowing(view, reading);
+    }
+  }
+  return wrong;
+}
+
+}  // namespace glider::simulator

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "hooks/protocol/values.h"
+#include "simulator/campaign/judge_setup.h"
+#include "simulator/onlooker.h"
+
+#include <limits>
+#include <string>
+
+namespace glider::simulator {
+
+/// Judges what hookbeh commands in each cycle, by what hooks/hookbeh/README.md says: everything or
+/// nothing, within its b_args; up where a limit is broken; else what the instruction in force wants.
+class CommandJudge {
+ public:
+  explicit CommandJudge(const JudgeSetup& setup) : s_(setup) {}
+
+  /// hookbeh has answered an instruction; to be called before the cycle in which it did.
+  std::string answered(const hooks::Instruction& instruction, hooks::HookAnswer answer);
+  /// What is violated in this cycle; empty: nothing.
+  std::string cycle(const CycleView& view);
+  /// The mission begins again.
+  void restart();
+
+ private:
+  [[nodiscard]] hooks::HookAnswer boundsOf(const hooks::Instruction& instruction) const;
+  std::string judgeWhole(const CycleView& view) const;
+  std::string judgeLimits(const CycleView& view, double reading);
+  std::string judgeGuard(const CycleView& view);
+  std::string judgeFollowing(const CycleView& view, double reading);
+  std::string judgeDive(const hooks::HookbehOutputs& out, double reading);
+  std::string judgeClimb(const hooks::HookbehOutputs& out, double reading);
+  std::string judgeHover(const hooks::HookbehOutputs& out, double reading);
+  std::string judgeStaying(const hooks::HookbehOutputs& out, double reading);
+
+  const JudgeSetup& s_;
+  hooks::Instruction in_force_;
+  bool arrived_ = false;
+  bool goes_back_ = false;  ///< to a depth that it had reached before the guard came
+  int arrived_cycles_ = 0, far_cycles_ = 0;
+  int too_deep_cycles_ = 0, too_low_cycles_ = 0;
+
+  bool guarding_ = false;
+  double tripped_m_ = 0;   ///< true depth at which the guard came in
+  double shallowest_m_ = std::numeric_limits<double>::infinity();  ///< since then
+  int late_cycles_ = 0;    ///< since it should have let go
+  int small_swings_ = 0;   ///< in a row
+};
+
+}  // namespace glider::simulator

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "simulator/campaign/draw_sensors.h"
+
+#include <array>
+#include <cmath>
+
+namespace glider::simulator {
+namespace {
+
+/// A sensor that missions and hookbeh live by, and readings of it that may be true.
+struct Plausible {
+  const char* name;
+  double lowest, highest;
+};
+constexpr auto kSensors = std::to_array<Plausible>({
+    {"m_depth", 0, 65},
+    {"m_depth", 0, 3},  // the one that they live by most
+    {"m_pitch", -0.6, 0.6},
+    {"m_heading", 0, 6.28},
+    {"m_altitude", 0, 100},
+    {"m_lat", 3909, 3912},
+    {"m_lon", -7352, -7348},
+    {"m_present_secs_into_mission", 0, 5000},
+    {"sci_water_temp", 5, 25},
+    {"sci_water_pressure", 0, 6.5},
+    {"m_battery", 9.8, 15},
+    {"m_depth_rate", -0.3, 0.3},
+});
+/// Words of an instruction, whose check finds what is wrong with them, and the heartbeat.
+constexpr auto kHookSensors = std::to_array<Plausible>({
+    {"sci_hook_heartbeat", 0, 100},
+    {"sci_hook_session", 1, 4},
+    {"sci_hook_control", 0, 3},
+    {"sci_hook_vertical", 0, 4},
+    {"sci_hook_depth", 0, 60},
+    {"sci_hook_pitch", -0.6, 0.6},
+    {"sci_hook_heading", 0, 6},
+    {"sci_hook_check", 0, 65535},
+    {"sci_hook_sequence", 1, 65535},
+});
+/// Readings that no sensor of them gives.
+constexpr std::array<double, 6> kNonsense = {-1e9, -50, 1e-30, 180, 5000, 1e30};
+
+SensorFault::Kind howOf(FaultKind kind, Draw& draw) {
+  switch (kind) {
+    case FaultKind::SensorFrozen:
+      return SensorFault::Kind::Frozen;
+    case FaultKind::SensorMissing:
+      return SensorFault::Kind::Missing;
+    case FaultKind::SensorDrift:
+      return SensorFault::Kind::Drift;
+    case FaultKind::SensorScale:
+      return SensorFault::Kind::Scale;
+    case FaultKind::SensorJumps:
+      return SensorFault::Kind::Jumps;
+    case FaultKind::HookSensor:
+      return static_cast<SensorFault::Kind>(draw.below(3));
+    default:
+      return SensorFault::Kind::Value;
+  }
+}
+
+double valueOf(FaultKind kind, const Plausible& sensor, Draw& draw) {
+  const double range = sensor.highest - sensor.lowest;
+  switch (kind) {
+    case FaultKind::SensorNan:
+      return std::nan("");
+    case FaultKind::SensorRange:
+      return kNonsense[draw.below(kNonsense.size())];
+    case FaultKind::SensorDrift:  // through its range within ten minutes to ten hours
+      return (draw.chance(0.5) ? 1 : -1) * range / draw.scale(600, 36000);
+    case FaultKind::SensorScale:
+      return draw.chance(0.1) ? -1 : draw.scale(0.1, 3);
+    case FaultKind::SensorJumps:
+      return range * draw.scale(0.05, 1);
+    case FaultKind::HookSensor:
+      return std::round(draw.between(sensor.lowest, sensor.highest));
+    default:
+      return draw.between(sensor.lowest, sensor.highest);
+  }
+}
+
+}  // namespace
+
+bool isSensorKind(FaultKind kind) {
+  return kind == FaultKind::HookSensor || (isOfSensors(kind) && kind != FaultKind::Several);
+}
+
+void addSensor(FaultKind kind, Draw& draw, Faults& faults) {
+  const bool of_hook = kind == FaultKind::HookSensor;
+  const Plausible& sensor = of_hook
+                                ? kHookSensors[draw.below(static_cast<uint32_t>(kHookSensors.size()))]
+                                : kSensors[draw.below(static_cast<uint32_t>(kSensors.size()))];
+  SensorFault fault;
+  fault.name = sensor.name;
+  fault.kind = howOf(kind, draw);
+  fault.value = valueOf(kind, sensor, draw);
+  fault.share = draw.chance(0.3) ? 1 : draw.scale(0.01, 1);
+  for (const Span& span : draw.windows()) {
+    fault.when = span;
+    faults.sensors.push_back(fault);
+  }
+}
+
+}  // namespace glider::simulator

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "simulator/campaign/judge_setup.h"
+#include "simulator/onlooker.h"
+
+#include <string>
+
+namespace glider::simulator {
+
+/// Judges what the vehicle does by itself: it comes up in time when nothing is left that dives, and
+/// its batteries last as long as they must.
+class EndingJudge {
+ public:
+  explicit EndingJudge(const JudgeSetup& setup);
+
+  /// What is violated in this cycle; empty: nothing.
+  std::string cycle(const CycleView& view);
+
+ private:
+  std::string judgeAscent(const CycleView& view);
+  std::string judgeBattery(const CycleView& view);
+
+  const JudgeSetup& s_;
+  bool voltage_known_;       ///< no fault damages its sensor
+  double last_s_ = 0;        ///< of the cycle before
+  double up_by_s_ = -1;      ///< at the surface at the latest then; negative: something still dives
+  double below_since_s_ = -1;  ///< the voltage is below what aborts
+};
+
+}  // namespace glider::simulator

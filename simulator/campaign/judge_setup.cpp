@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "simulator/campaign/judge_setup.h"
+
+#include "simulator/flight/behaviours/hookbeh_adapter.h"
+
+namespace glider::simulator {
+
+JudgeSetup judgeSetup(const platforms::Platform& platform, const Scenario& scenario,
+                      const std::vector<FaultKind>& kinds) {
+  JudgeSetup setup;
+  setup.faults = scenario.faults;
+  setup.promise = promiseOf(kinds);
+  setup.hull_m = platform.envelope.greatest_depth_m;
+  setup.cycle_s = platform.envelope.cycle_s;
+  setup.turn_s = platform.world.turn_s;
+  setup.slowest_climb_mps = platform.world.slowest_climb_m_s;
+  for (const slocum::BehaviourBlock& behaviour : scenario.skeleton.behaviours) {
+    if (behaviour.name == "hookbeh") {
+      setup.has_hookbeh = true;
+      setup.args = hookbehArgs(behaviour);
+    } else if (behaviour.name == "abend") {
+      setup.overdepth_m = behaviour.value("overdepth");
+      setup.undervolts = behaviour.value("undervolts");
+    } else if (behaviour.name == "yo") {
+      setup.only_hookbeh = false;
+    }
+  }
+  return setup;
+}
+
+}  // namespace glider::simulator

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "hooks/hookbeh/args.h"
+#include "platforms/load/platform.h"
+#include "simulator/campaign/promises.h"
+#include "simulator/scenario/scenario.h"
+
+#include <vector>
+
+namespace glider::simulator {
+
+/// What a flight is judged by, beside what is seen of it.
+struct JudgeSetup {
+  Faults faults;
+  Promise promise;
+  hooks::HookbehArgs args;       ///< of the mission file's hookbeh
+  bool has_hookbeh = false;
+  bool only_hookbeh = true;      ///< nothing else in the mission file dives
+  double overdepth_m = -1;       ///< of its abend; negative: none
+  double undervolts = -1;        ///< the same
+  double hull_m = 0;             ///< the vehicle's greatest depth
+  double cycle_s = 4;
+  double turn_s = 120;           ///< from the command to climb until it does
+  double slowest_climb_mps = 0.05;
+  double mean_W = 0;             ///< of the same mission's flight without a fault; 0: not known
+};
+
+/// Of a flight of `scenario`, whose faults are of `kinds`.
+JudgeSetup judgeSetup(const platforms::Platform& platform, const Scenario& scenario,
+                      const std::vector<FaultKind>& kinds);
+
+}  // namespace glider::simulator

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "simulator/campaign/promises.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace glider::simulator {
+namespace {
+
+// The client claims control no more after so many ticks without an answer.
+constexpr double kUnansweredTicks = 6;
+// A dive at 35 degrees goes on so far past its target while the pump turns it round, with a wave.
+constexpr double kOvershoot = 5;  // m, the platform's inflection_overshoot_m
+constexpr double kTenMetres = 10;
+constexpr double kOneAndAHalf = 1.5;
+
+std::string controlText(Control control, double silence_s, double cycle_s) {
+  switch (control) {
+    case Control::Kept:
+      return "kept until the exit";
+    case Control::Unanswered:
+      return fmt::format("ends within {:.0f} s if an instruction gets no answer",
+                         letGoSecs(control, silence_s, cycle_s));
+    case Control::Silent:
+      return fmt::format("ends within {:.0f} s", letGoSecs(control, silence_s, cycle_s));
+    case Control::AtOnce:
+      return "ends at once; a new handshake";
+    case Control::ForGood:
+      return "ends at once, for good";
+    case Control::Any:
+      break;
+  }
+  return "as the mission makes of it";
+}
+
+std::string deepestText(Deepest deepest) {
+  return deepest == Deepest::OneAndAHalf
+             ? fmt::format("{} times the limit", kOneAndAHalf)
+             : fmt::format("{} m past the limit",
+                           deepest == Deepest::TenMetres ? kTenMetres : kOvershoot);
+}
+
+}  // namespace
+
+const char* nameOf(FaultKind kind) {
+  switch (kind) {
+#define FAULT_KIND(name, text, ...) \
+  case FaultKind::name:             \
+    return text;
+#include "simulator/campaign/fault_kinds.def"
+#undef FAULT_KIND
+  }
+  return "";
+}
+
+Promise promiseOf(FaultKind kind) {
+  switch (kind) {
+#define FAULT_KIND(name, text, control, depth, clearance, follows) \
+  case FaultKind::name:                                            \
+    return {Control::control, Deepest::depth, clearance, follows};
+#include "simulator/campaign/fault_kinds.def"
+#undef FAULT_KIND
+  }
+  return {};
+}
+
+bool isOfSensors(FaultKind kind) {
+  return kind == FaultKind::Several || promiseOf(kind).deepest == Deepest::TenMetres;
+}
+
+Promise promiseOf(std::span<const FaultKind> kinds) {
+  Promise all;
+  for (const FaultKind kind : kinds) {
+    const Promise one = promiseOf(kind);
+    all.control = std::max(all.control, one.control);
+    all.deepest = std::max(all.deepest, one.deepest);
+    all.clearance = all.clearance && one.clearance;
+    all.follows = all.follows && one.follows;
+  }
+  if (std::ranges::count_if(kinds, isOfSensors) > 1) {
+    all.deepest = Deepest::OneAndAHalf;
+  }
+  return all;
+}
+
+double deepestAllowed(Deepest deepest, double limit_m) {
+  return deepest == Deepest::OneAndAHalf
+             ? std::max(limit_m * kOneAndAHalf, limit_m + kTenMetres)
+             : limit_m + (deepest == Deepest::TenMetres ? kTenMetres : kOvershoot);
+}
+
+double letGoSecs(Control control, double silence_s, double cycle_s) {
+  const double silent = silence_s + 2 * cycle_s;
+  return control == Control::Unanswered ? silent + kUnansweredTicks * cycle_s : silent;
+}
+
+std::string promiseTable(double silence_s, double cycle_s) {
+  std::string table;
+  for (uint32_t i = 0; i < kFaultKinds; ++i) {
+    const auto kind = static_cast<FaultKind>(i);
+    const Promise promise = promiseOf(kind);
+    table += fmt::format("| {} | {} | {} | {} | {} |\n", nameOf(kind),
+                         controlText(promise.control, silence_s, cycle_s),
+                         deepestText(promise.deepest), promise.clearance ? "kept" : "no promise",
+                         promise.follows ? "yes" : "no promise");
+  }
+  return table;
+}
+
+}  // namespace glider::simulator

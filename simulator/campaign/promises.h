@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace glider::simulator {
+
+/// The kinds of faults that a campaign draws, in the order of its table.
+enum class FaultKind : uint8_t {
+#define FAULT_KIND(name, ...) name,
+#include "simulator/campaign/fault_kinds.def"
+#undef FAULT_KIND
+};
+
+/// How many kinds there are.
+inline constexpr uint32_t kFaultKinds = 0
+#define FAULT_KIND(...) +1
+#include "simulator/campaign/fault_kinds.def"
+#undef FAULT_KIND
+    ;
+
+/// "byte loss".
+const char* nameOf(FaultKind kind);
+
+/// What becomes of the SBC's control, from the strictest to the most lenient.
+enum class Control : uint8_t {
+  Kept,        ///< until the mission exits, which it does
+  Unanswered,  ///< it ends in time when an instruction gets no answer
+  Silent,      ///< it ends in time when nothing comes through any more
+  AtOnce,      ///< it ends in the next cycle
+  ForGood,     ///< and does not come back
+  Any,         ///< the mission itself may give it back or lose it
+};
+
+/// How deep the vehicle truly gets at most.
+enum class Deepest : uint8_t {
+  Overshoot,   ///< as far past the limit in force as a dive overshoots
+  TenMetres,   ///< ten metres past it
+  OneAndAHalf  ///< one and a half times the limit
+};
+
+/// What must come of a fault, beside what holds in every flight (scenarios/README.md).
+struct Promise {
+  Control control = Control::Kept;
+  Deepest deepest = Deepest::Overshoot;
+  bool clearance = true;
+  bool follows = true;
+};
+Promise promiseOf(FaultKind kind);
+/// Of faults that come together: the weaker promise of each. Two sensors that are wrong at once keep
+/// the depth of Deepest::OneAndAHalf only.
+Promise promiseOf(std::span<const FaultKind> kinds);
+/// A sensor of the vehicle says what is not true.
+bool isOfSensors(FaultKind kind);
+
+/// The deepest that the vehicle may truly get while `limit_m` is in force.
+double deepestAllowed(Deepest deepest, double limit_m);
+/// After so many seconds control has ended: of Unanswered and Silent, without the line's delay.
+double letGoSecs(Control control, double silence_s, double cycle_s);
+
+/// The rows of the table in scenarios/README.md, as Markdown: for a hookbeh whose `silence_secs` is
+/// `silence_s` and whose cycle takes `cycle_s`.
+std::string promiseTable(double silence_s, double cycle_s);
+
+}  // namespace glider::simulator

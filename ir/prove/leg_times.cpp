@@ -99,7 +99,7 @@ void passes::legTimes(Proof& proof) {
     places.push_back(waypointOf(m, state));
   }
   const bool some = std::ranges::count_if(places, [](const auto& p) { return p.has_value(); }) > 1;
-  if (!proof.options.report || !some || !proof.ending.bound().by) {
+  if (!proof.options.report || !some || !proof.ending.boundWithoutPowerCuts().by) {
     return;
   }
   const std::vector<double> entered = entriesOf(m);
@@ -107,7 +107,7 @@ void passes::legTimes(Proof& proof) {
     const double nearest =
         places[i] ? nearestOther(*places[i], places) : std::numeric_limits<double>::infinity();
     if (std::isfinite(nearest)) {
-      tellIfTooFar(proof, m.states[i], nearest, proof.ending.bound().left_by[i] - entered[i]);
+      tellIfTooFar(proof, m.states[i], nearest, proof.ending.boundWithoutPowerCuts().left_by[i] - entered[i]);
     }
   }
 }

@@ -22,6 +22,7 @@ namespace {
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double kFar = 1e9;  ///< of a range without an end
 constexpr double kLostTick = 0.01;
+constexpr double kPowerCut = 0.005;
 
 /// What a sensor shows for a while.
 struct Showing {
@@ -55,13 +56,11 @@ class RandomFlight {
     recorder_.start(parameters(), readings(time), vehicle_.depth());
     for (size_t i = 0; i < ticks && !recorder_.hit() && !recorder_.last().finished; ++i) {
       vehicle_.obey(recorder_.last().actions, time);
-      const double step = dice_.chance(kLostTick) ? ground_.platform.world.tick_gap_s
-                                                  : ground_.platform.envelope.cycle_s;
-      vehicle_.move(time, time + step);
+      const double step = untilNextTick();
       if (place_) {
         place_->obey(recorder_.last().actions);
-        place_->move(step);
       }
+      move(time, time + step);
       time += step;
       recorder_.tick(time, readings(time), vehicle_.depth());
     }
@@ -69,6 +68,28 @@ class RandomFlight {
   }
 
  private:
+  /// s; a power cut may be of any length that the mission goes on after.
+  double untilNextTick() {
+    const platforms::Platform& platform = ground_.platform;
+    if (ground_.tick_gap_s > platform.world.tick_gap_s && dice_.chance(kPowerCut)) {
+      const double shortest = platform.world.tick_gap_s;
+      return dice_.chance(0.5) ? ground_.tick_gap_s : dice_.within(shortest, ground_.tick_gap_s);
+    }
+    return dice_.chance(kLostTick) ? platform.world.tick_gap_s : platform.envelope.cycle_s;
+  }
+
+  /// In steps that a vehicle steers by.
+  void move(double from, double to) {
+    const double cycle = ground_.platform.world.tick_gap_s;
+    for (double time = from; time < to; time += cycle) {
+      const double until = std::min(time + cycle, to);
+      vehicle_.move(time, until);
+      if (place_) {
+        place_->move(until - time);
+      }
+    }
+  }
+
   /// A waypoint, where a mission that keeps its areas well may begin; else the middle of an area.
   Position startOf(const Requirement& requirement) {
     const Steering steering = steeringOf(ground_);

@@ -35,7 +35,8 @@ struct CommandOptions {
   Format format = Format::Text;
   std::string output = "-";
   CheckOptions check;
-  std::string traces;  ///< folder; empty: none
+  std::string traces;    ///< folder; empty: none
+  std::string skeleton;  ///< the vehicle's mission file; empty: none
 };
 
 /// "1 error, 2 warnings" of what is shown, as a pilot would write it; empty if there is neither.
@@ -229,7 +230,14 @@ const std::string* overwritten(const CommandOptions& options) {
   return nullptr;
 }
 
-int check(const CommandOptions& options) {
+int check(CommandOptions& options) {
+  if (!options.skeleton.empty()) {
+    auto silence = silenceOf(options.skeleton);
+    if (!silence) {
+      return reportFailure(silence.error());
+    }
+    options.check.silence = std::move(*silence);
+  }
   if (const std::string* mission = overwritten(options)) {
     return reportFailure(support::fail(support::DiagnosticId::outputIsInput, *mission).error());
   }
@@ -268,6 +276,11 @@ void addCheckCommand(CLI::App& app, int& status) {
                    "How many times the usual effort a proof may take (default 1)")
       ->check(CLI::Range(1U, kMostEffort))
       ->option_text("N");
+  command
+      ->add_option("--skeleton", options->skeleton,
+                   "With --report: the vehicle's mission file (.mi) with hookbeh, whose "
+                   "silence_secs the way home begins with [24 s]")
+      ->option_text("FILE");
   addLinkOption(*command, options->check.user_code);
   command->add_flag_callback(
       "--no-cache", [options] { options->check.cache = false; },

@@ -7,7 +7,6 @@
 #include "driver/closed_loop.h"
 #include "driver/mission_budget.h"
 #include "driver/proof_cache.h"
-#include "driver/way_home.h"
 
 #include <fmt/format.h>
 
@@ -114,7 +113,8 @@ Result<void> checkFurther(Checked& checked, const CheckOptions& options) {
   if (!options.report) {
     return {};
   }
-  for (std::string& line : wayHomeLines(*compilation.mission, *compilation.platform)) {
+  for (std::string& line :
+       wayHomeLines(*compilation.mission, *compilation.platform, options.silence)) {
     checked.found.remarks.push_back({{}, std::move(line)});
   }
   auto budgets =

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "driver/compilation.h"
+#include "driver/way_home.h"
 #include "report/findings/findings.h"
 
 #include <memory>
@@ -16,6 +17,7 @@ namespace glider::driver {
 struct CheckOptions {
   bool report = false;                 ///< also what is no mistake, and the budgets
   std::vector<std::string> targets;    ///< of the budget; none: all boards of the vehicle
+  Silence silence = usualSilence();    ///< of hookbeh, for the way home
   std::vector<std::string> user_code;  ///< of the budget: what has the mission's `extern` names
   unsigned effort = 1;                 ///< how many times the usual effort a proof may take
   bool cache = true;                   ///< look what earlier checks have proved, and keep it

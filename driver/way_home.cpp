@@ -21,13 +21,15 @@ using ir::prove::durationOf;
 /// States of which more than a few differ nobody reads.
 constexpr size_t kMostStates = 6;
 
-double letsGoWithin(const platforms::Platform& platform) {
-  return hooks::HookbehArgs{}.silence_secs + 2 * platform.envelope.cycle_s;
+double letsGoWithin(const platforms::Platform& platform, const Silence& silence) {
+  return silence.seconds + 2 * platform.envelope.cycle_s;
 }
 
-std::string silentLine(const WayHome& home, const platforms::Platform& platform) {
-  const std::string lets_go = fmt::format(
-      "if the SBC falls silent, hookbeh lets go within {:.0f} s", letsGoWithin(platform));
+std::string silentLine(const WayHome& home, const platforms::Platform& platform,
+                       const Silence& silence) {
+  const std::string lets_go =
+      fmt::format("if the SBC falls silent, hookbeh lets go within {:.0f} s ({})",
+                  letsGoWithin(platform, silence), silence.source);
   return std::isfinite(home.depth_m)
              ? fmt::format("{}; from {:.4g} m at most the vehicle is at the surface within {}",
                            lets_go, home.depth_m, durationOf(home.surface_s))
@@ -36,16 +38,23 @@ std::string silentLine(const WayHome& home, const platforms::Platform& platform)
 
 }  // namespace
 
-WayHome wayHomeFrom(double depth_m, const platforms::Platform& platform) {
-  return {depth_m, letsGoWithin(platform) + platform.world.turn_s +
+Silence usualSilence() {
+  return {hooks::HookbehArgs{}.silence_secs,
+          fmt::format("if its silence_secs is {:.4g}; --skeleton names the mission file that says",
+                      hooks::HookbehArgs{}.silence_secs)};
+}
+
+WayHome wayHomeFrom(double depth_m, const platforms::Platform& platform, const Silence& silence) {
+  return {depth_m, letsGoWithin(platform, silence) + platform.world.turn_s +
                        depth_m / platform.world.slowest_climb_m_s};
 }
 
 std::vector<std::string> wayHomeLines(const ir::Mission& mission,
-                                      const platforms::Platform& platform) {
+                                      const platforms::Platform& platform, const Silence& silence) {
   const auto depths = ir::prove::deepestByState(ir::prove::Ground(mission, platform));
   const double deepest = std::ranges::max(depths);
-  std::vector<std::string> lines = {silentLine(wayHomeFrom(deepest, platform), platform)};
+  std::vector<std::string> lines = {
+      silentLine(wayHomeFrom(deepest, platform, silence), platform, silence)};
   const auto shallower =
       std::ranges::count_if(depths, [&](double depth) { return depth < deepest; });
   if (static_cast<size_t>(shallower) > kMostStates) {
@@ -54,7 +63,7 @@ std::vector<std::string> wayHomeLines(const ir::Mission& mission,
   }
   for (uint32_t i = 0; i < depths.size(); ++i) {
     if (depths[i] < deepest) {
-      const WayHome home = wayHomeFrom(depths[i], platform);
+      const WayHome home = wayHomeFrom(depths[i], platform, silence);
       lines.push_back(fmt::format("  in `{}`: from {:.4g} m at most, within {}",
                                   mission.states[i].name, home.depth_m,
                                   durationOf(home.surface_s)));

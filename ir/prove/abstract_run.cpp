@@ -27,11 +27,11 @@ void AbstractRun::start(uint32_t variable, const ClockRanges& clocks, Valuation&
   values[variable] = Possible(ground_, values, clocks).holding(initial);
 }
 
-/// An unknown value changes nothing.
+/// An unknown value changes nothing. None leaves the variable's range: `ir/verify` has proved that.
 void AbstractRun::set(const Statement& statement, const ClockRanges& clocks,
                       Valuation& values) const {
   const Possible now(ground_, values, clocks);
-  Holding given = now.holding(statement.value);
+  Holding given = withinRange(now.holding(statement.value), m_[statement.variable]);
   const bool stays = now.maybeUnknown(statement.value);
   given.truths.is_unknown = false;
   Holding& held = values[statement.variable.index];
@@ -47,13 +47,23 @@ void AbstractRun::execute(BlockId block, const ClockRanges& clocks, Valuation& v
     if (statement.kind == StatementKind::Set) {
       set(statement, clocks, values);
     } else if (statement.kind == StatementKind::If) {
-      Valuation otherwise = values;
-      execute(statement.then, clocks, values);
-      execute(statement.otherwise, clocks, otherwise);
-      for (size_t i = 0; i < values.size(); ++i) {
-        values[i] = either(values[i], otherwise[i]);
-      }
+      branch(statement, clocks, values);
     }
+  }
+}
+
+/// An unknown condition takes neither branch.
+// NOLINTNEXTLINE(misc-no-recursion): as deep as the mission's text nests
+void AbstractRun::branch(const Statement& statement, const ClockRanges& clocks,
+                         Valuation& values) const {
+  const bool maybe_neither = !ground_.known.expressions[statement.value.index];
+  const Valuation before = values;
+  Valuation otherwise = values;
+  execute(statement.then, clocks, values);
+  execute(statement.otherwise, clocks, otherwise);
+  for (size_t i = 0; i < values.size(); ++i) {
+    values[i] = either(values[i], otherwise[i]);
+    values[i] = maybe_neither ? either(values[i], before[i]) : values[i];
   }
 }
 

@@ -27,6 +27,7 @@ class AbstractRun {
  private:
   void start(uint32_t variable, const ClockRanges& clocks, Valuation& values) const;
   void set(const Statement& statement, const ClockRanges& clocks, Valuation& values) const;
+  void branch(const Statement& statement, const ClockRanges& clocks, Valuation& values) const;
 
   const Ground& ground_;
   const Mission& m_;

@@ -103,7 +103,7 @@ class Speller {
           from.depth && to.depth ? *from.depth + share * (*to.depth - *from.depth) : kUnknown;
       if (!fillOne(from, to, time, depth)) {
         // Ticks may be lost, for so long: the run is one in which these were.
-        return to.mission_time - recorder_.now() <= ground_.platform.world.tick_gap_s;
+        return to.mission_time - recorder_.now() <= ground_.tick_gap_s;
       }
     }
     return true;

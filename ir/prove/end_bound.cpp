@@ -4,9 +4,11 @@
 #include "ir/prove/end_bound.h"
 
 #include "ir/core/ops.h"
+#include "ir/core/walk.h"
 #include "ir/prove/abstract_run.h"
 #include "ir/prove/control.h"
 #include "ir/prove/leaving.h"
+#include "ir/prove/orders.h"
 
 #include <algorithm>
 #include <map>
@@ -54,7 +56,7 @@ class Search {
  private:
   /// What no waiting state holds starts anew before it is read.
   void arrive(const Control& control, Valuation values, double time) {
-    if (goal_ == Goal::ExitOrSurface && surfaces(m_[control.state].profile)) {
+    if (goal_ == Goal::ExitOrSurface && surfaces(m_[control.state])) {
       end_ = std::max(end_, time);
       return;
     }
@@ -72,18 +74,25 @@ class Search {
     }
   }
 
-  /// Whether a profile orders the surface as it starts, whatever else: its last order then.
-  bool surfaces(const Activity& profile) const {
+  /// Whether a state orders the surface as it starts, whatever else: the last order then of its
+  /// profile, and the route gives none about depth.
+  bool surfaces(const State& state) const {
     const Statement* last = nullptr;
-    if (profile.entry.valid()) {
-      for (const Statement& statement : m_[profile.entry].statements) {
-        const bool tells =
-            statement.kind == StatementKind::Command || statement.kind == StatementKind::If;
+    if (state.profile.entry.valid()) {
+      for (const Statement& statement : m_[state.profile.entry].statements) {
+        const bool tells = statement.kind == StatementKind::If || isVerticalOrder(statement);
         last = tells ? &statement : last;
       }
     }
-    return last != nullptr && last->kind == StatementKind::Command &&
+    bool route = !m_[state.route.behaviour].symbol.empty();
+    forEachStatement(m_, state.route.entry,
+                     [&](const Statement& s) { route = route || isVerticalOrder(s); });
+    return !route && last != nullptr && last->kind == StatementKind::Command &&
            last->command == Command::Surface;
+  }
+
+  static bool isVerticalOrder(const Statement& statement) {
+    return statement.kind == StatementKind::Command && isVertical(statement.command);
   }
 
   /// False if a run may stay for longer than is asked.
@@ -204,6 +213,13 @@ const EndBound& Ending::bound() {
     bound_ = boundOf(ground_, kLongestMission, Goal::Exit);
   }
   return *bound_;
+}
+
+const EndBound& Ending::boundWithoutPowerCuts() {
+  if (!without_power_cuts_) {
+    without_power_cuts_ = boundOf(ground_.withoutPowerCuts(), kLongestMission, Goal::Exit);
+  }
+  return *without_power_cuts_;
 }
 
 /// A search up to a sooner time takes the same way, and ends where a state is not left by then.

@@ -33,7 +33,7 @@ struct EndBound {
 ///
 /// Every call stack that a run can have is looked at, with what its variables may hold, and the
 /// latest time at which it can become current. A state is left for sure once a case of its own that
-/// leads away must be true, by the clocks alone; and a tick comes within the world's greatest gap.
+/// leads away must be true, by the clocks alone; and a tick comes within Ground::tick_gap_s.
 /// No solver: a mission that counts its legs, or stops at a chosen set of depths, is bounded here
 /// where Spacer, which seeks an invariant over sums of times, gives up.
 EndBound boundOf(const Ground& ground, double latest, Goal goal);
@@ -46,12 +46,15 @@ class Ending {
 
   /// Of the mission's exit, looked for up to kLongestMission.
   const EndBound& bound();
+  /// The same for an SBC whose power is never cut.
+  const EndBound& boundWithoutPowerCuts();
   /// What boundOf(ground, latest, Goal::Exit) finds.
   std::optional<double> by(double latest);
 
  private:
   const Ground& ground_;
   std::optional<EndBound> bound_;  ///< none: not looked for yet
+  std::optional<EndBound> without_power_cuts_;
 };
 
 }  // namespace glider::ir::prove

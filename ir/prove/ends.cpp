@@ -7,28 +7,44 @@
 
 #include <fmt/format.h>
 
+#include <string>
+#include <utility>
+
 namespace glider::ir::prove {
 namespace {
 
 /// No flight is meant to be so short; the vehicle has not even left the surface.
 constexpr double kAtOnce = 60;
 
+/// "after 42 min 0 s at the latest; with power cuts that it goes on after, 46 min 40 s".
+std::string latest(double undisturbed, double with_power_cuts) {
+  return fmt::format("after {} at the latest; after {} if power cuts of the SBC come at the worst "
+                     "moments",
+                     durationOf(undisturbed), durationOf(with_power_cuts));
+}
+
 void tellEnd(Proof& proof, const EndBound& end) {
   const auto tell = [&](std::string text) {
     proof.findings.lines.push_back({{}, std::move(text)});
   };
-  if (end.by) {
-    tell(fmt::format("the mission has ended after {} at the latest", durationOf(*end.by)));
-  } else if (end.stays.valid()) {
+  const Ground powered = proof.ground.withoutPowerCuts();
+  const EndBound& undisturbed = proof.ending.boundWithoutPowerCuts();
+  if (end.by && undisturbed.by) {
+    tell(fmt::format("the mission has ended {}", latest(*undisturbed.by, *end.by)));
+  } else if (undisturbed.by) {
+    tell(fmt::format("the mission has ended after {} at the latest if the power of the SBC is "
+                     "never cut; else no bound is known",
+                     durationOf(*undisturbed.by)));
+  } else if (undisturbed.stays.valid()) {
     tell(fmt::format("no clock alone ends the mission: it may stay in `{}`",
-                     proof.ground.mission[end.stays].name));
+                     proof.ground.mission[undisturbed.stays].name));
   } else {
     tell("no bound for the mission's end is known");
   }
+  const EndBound soon = boundOf(powered, kLongestMission, Goal::ExitOrSurface);
   const EndBound home = boundOf(proof.ground, kLongestMission, Goal::ExitOrSurface);
-  if (home.by && (!end.by || *home.by < *end.by)) {
-    tell(fmt::format("it has ended, or ordered the surface, after {} at the latest",
-                     durationOf(*home.by)));
+  if (soon.by && home.by && (!end.by || *home.by < *end.by)) {
+    tell(fmt::format("it has ended, or ordered the surface, {}", latest(*soon.by, *home.by)));
   }
 }
 
@@ -37,12 +53,13 @@ void tellEnd(Proof& proof, const EndBound& end) {
 void passes::ends(Proof& proof) {
   // Only what ends soon is looked for unless there is a report: that is quick.
   const bool report = proof.options.report;
-  const EndBound end = report ? proof.ending.bound() : boundOf(proof.ground, kAtOnce, Goal::Exit);
+  const EndBound end = report ? proof.ending.boundWithoutPowerCuts()
+                              : boundOf(proof.ground.withoutPowerCuts(), kAtOnce, Goal::Exit);
   if (end.by && *end.by <= kAtOnce) {
     proof.diagnostics.report(support::DiagnosticId::endsAtOnce,
                              proof.ground.mission.states.front().range, durationOf(*end.by));
   } else if (report) {
-    tellEnd(proof, end);
+    tellEnd(proof, proof.ending.bound());
   }
 }
 

@@ -4,8 +4,9 @@
 #include "ir/prove/ground.h"
 
 #include "ir/prove/never_unknown.h"
-#include "ir/prove/whole_numbers.h"
+#include "ir/verify/whole_numbers.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace glider::ir::prove {
@@ -16,7 +17,8 @@ Ground::Ground(const Mission& asked, const platforms::Platform& vehicle)
       intervals(intervalsOf(asked)),
       known(neverUnknown(asked, intervals)),
       whole(wholeExpressions(asked, intervals)),
-      depth(depthSensor(asked, vehicle)) {
+      depth(depthSensor(asked, vehicle)),
+      tick_gap_s(std::max(vehicle.world.tick_gap_s, asked.resume_within_s)) {
   constexpr double kMost = std::numeric_limits<double>::max();
   sensors.assign(mission.sensors.size(), {-kMost, kMost, false});
   windows.assign(mission.temporals.size(), {-kMost, kMost, false});
@@ -28,6 +30,12 @@ Ground::Ground(const Mission& asked, const platforms::Platform& vehicle)
       windows[e.temporal.index] = intervals[i];
     }
   }
+}
+
+Ground Ground::withoutPowerCuts() const {
+  Ground same = *this;
+  same.tick_gap_s = platform.world.tick_gap_s;
+  return same;
 }
 
 std::optional<SensorId> depthSensor(const Mission& mission, const platforms::Platform& platform) {

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "ir/core/mission.h"
-#include "ir/prove/inherited.h"
+#include "ir/verify/inherited.h"
 #include "ir/verify/intervals.h"
 #include "platforms/load/platform.h"
 
@@ -27,6 +27,11 @@ struct Ground {
   Inherited known;                  ///< never unknown
   std::vector<bool> whole;          ///< of every expression: a whole number, exactly
   std::optional<SensorId> depth;    ///< the vehicle's own depth, if the mission reads it
+  /// Two ticks of the mission are no further apart than this, s: the SBC may have been without
+  /// power for as long as the mission allows (`resume within`), any number of times.
+  double tick_gap_s;
+  /// The same for an SBC whose power is never cut.
+  [[nodiscard]] Ground withoutPowerCuts() const;
 
   /// The platform's row of a sensor; null for one that the platform does not have.
   [[nodiscard]] const platforms::PlatformSensor* platformSensor(SensorId id) const {

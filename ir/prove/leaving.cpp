@@ -17,6 +17,13 @@ namespace {
 
 constexpr double kMost = std::numeric_limits<double>::max();
 
+/// No less than the sum.
+double sumOf(double a, double b) {
+  const double sum = a + b;
+  const bool exact = sum - a == b && sum - b == a;
+  return exact ? sum : std::nextafter(sum, std::numeric_limits<double>::infinity());
+}
+
 class LeavingSearch {
  public:
   LeavingSearch(const Ground& ground, const State& state, const Interruptions& always,
@@ -35,7 +42,7 @@ class LeavingSearch {
   }
 
   Leaving leaving(double since) const {
-    const double gap = ground_.platform.world.tick_gap_s;
+    const double gap = ground_.tick_gap_s;
     constexpr Interval kEver{0, kMost, false};
     constexpr double kNever = std::numeric_limits<double>::infinity();
     Leaving found{kNever, std::vector<double>(own_.size(), kNever), 1};
@@ -55,13 +62,15 @@ class LeavingSearch {
       found.by = sure < own_.size() || interrupted ? std::min(found.by, tick) : found.by;
     };
     // What is sure on the first tick need not stay so: that tick leads away.
-    note(since, since + gap, {{0, since + gap, false}, kEver, {0, gap, false}});
+    const double first = sumOf(since, gap);
+    note(since, first, {{0, first, false}, kEver, {0, gap, false}});
     for (const double stay : stays_) {
       const Interval on{stay, kMost, false};  // the mission has flown as long as that
-      note(since + stay, since + stay + gap, {on, on, on});
+      const double stayed = sumOf(since, stay);
+      note(stayed, sumOf(stayed, gap), {on, on, on});
     }
     for (const double time : times_) {
-      note(time, std::max(since, time) + gap, {{time, kMost, false}, kEver, kEver});
+      note(time, sumOf(std::max(since, time), gap), {{time, kMost, false}, kEver, kEver});
     }
     for (double& latest : found.latest) {
       latest = std::min(latest, found.by);

@@ -106,7 +106,7 @@ void tellIfTooFar(Proof& proof, const State& state, double nearest, double stay)
 /// waypoint are looked at.
 void passes::legTimes(Proof& proof) {
   const Mission& m = proof.ground.mission;
-  if (!proof.options.report || !proof.ending.bound().by) {
+  if (!proof.options.report || !proof.ending.boundWithoutPowerCuts().by) {
     return;
   }
   const PlaceIndex waypoints(waypointsOf(m));
@@ -116,7 +116,8 @@ void passes::legTimes(Proof& proof) {
     const double nearest =
         place ? waypoints.nearestOther(*place) : std::numeric_limits<double>::infinity();
     if (std::isfinite(nearest)) {
-      tellIfTooFar(proof, m.states[i], nearest, proof.ending.bound().left_by[i] - entered[i]);
+      tellIfTooFar(proof, m.states[i], nearest,
+                   proof.ending.boundWithoutPowerCuts().left_by[i] - entered[i]);
     }
   }
 }

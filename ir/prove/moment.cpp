@@ -185,6 +185,16 @@ const TruthTerm& Moment::truthOf(UseId id) {
   return called_truths_.emplace(id.index, TruthTerm{value && known, !value && known}).first->second;
 }
 
+void Moment::restart(StateId state) {
+  const auto starts = [&](const auto& entry) {
+    const Temporal& temporal = mission_.temporals[entry.first];
+    return watchesState(temporal) && temporal.state == state;
+  };
+  std::erase_if(watched_numbers_, starts);
+  std::erase_if(watched_truths_, starts);
+  forget();
+}
+
 void Moment::forget() {
   made_.clear();
   made_truths_.clear();

@@ -62,6 +62,8 @@ class Moment {
   }
   /// Forgets what expressions were worth: a variable has changed.
   void forget();
+  /// Forgets what the lists of a state watch: it is entered, and all of it starts again.
+  void restart(StateId state);
 
   [[nodiscard]] const Mission& mission() const { return mission_; }
   [[nodiscard]] z3::context& context() { return unknowns_.context(); }
@@ -88,7 +90,7 @@ class Moment {
   NumberTerm product(const Expr& e, const Interval& interval);
   NumberTerm quotient(const Expr& e, const Interval& interval);
   NumberTerm smallerOrLarger(const Expr& e);
-  NumberTerm clamped(const Expr& e);
+  NumberTerm clamped(const Expr& e, const Interval& interval);
   NumberTerm chosen(const Expr& e);
   /// Free in its interval, known at most where all operands are.
   NumberTerm anything(const Expr& e, const Interval& interval);

@@ -22,6 +22,12 @@ double magnitudeOf(const Interval& interval) {
   return std::max(std::fabs(interval.lowest), std::fabs(interval.highest));
 }
 
+/// Whether a result may be unknown although its operands are known; one without an interval always
+/// is.
+bool mayOverflow(const Interval& interval) {
+  return interval.empty || magnitudeOf(interval) > kNearOverflow;
+}
+
 /// One rounding of a result of that size, and what settles to 0.
 double roundingOf(const Interval& interval) {
   return std::ldexp(magnitudeOf(interval), -53) + 0x1p-1022;
@@ -36,9 +42,8 @@ bool isConstant(const Expr& e) {
 void Moment::lowerNumber(uint32_t index) {
   const Expr& e = mission_.exprs[index];
   NumberTerm made = arithmetic(e, ground_.intervals[index]);
-  if (ground_.whole[index]) {
-    made.slack = 0;  // nothing was rounded on the way to it
-  }
+  constexpr double kRoundedUp = 1 + 0x1p-40;  // adding up slacks rounds too
+  made.slack = ground_.whole[index] ? 0 : made.slack * kRoundedUp;  // whole: nothing was rounded
   made_.emplace(index, std::move(made));
 }
 
@@ -84,7 +89,7 @@ NumberTerm Moment::arithmetic(const Expr& e, const Interval& interval) {
     case Op::Max:
       return smallerOrLarger(e);
     case Op::Clamp:
-      return clamped(e);
+      return clamped(e, interval);
     case Op::Select:
       return chosen(e);
     case Op::Sqrt:
@@ -104,7 +109,7 @@ NumberTerm Moment::arithmetic(const Expr& e, const Interval& interval) {
 }
 
 NumberTerm Moment::sum(const Expr& e, const Interval& interval) {
-  if (magnitudeOf(interval) > kNearOverflow) {
+  if (mayOverflow(interval)) {
     return anything(e, interval);
   }
   const NumberTerm& a = operand(e, 0);
@@ -116,7 +121,7 @@ NumberTerm Moment::sum(const Expr& e, const Interval& interval) {
 NumberTerm Moment::product(const Expr& e, const Interval& interval) {
   const Expr& left = mission_[e.operands[0]];
   const Expr& right = mission_[e.operands[1]];
-  if ((!isConstant(left) && !isConstant(right)) || magnitudeOf(interval) > kNearOverflow) {
+  if ((!isConstant(left) && !isConstant(right)) || mayOverflow(interval)) {
     return anything(e, interval);
   }
   const NumberTerm& x = operand(e, isConstant(left) ? 1 : 0);
@@ -126,7 +131,7 @@ NumberTerm Moment::product(const Expr& e, const Interval& interval) {
 
 NumberTerm Moment::quotient(const Expr& e, const Interval& interval) {
   const Expr& divisor = mission_[e.operands[1]];
-  if (!isConstant(divisor) || divisor.number == 0 || magnitudeOf(interval) > kNearOverflow) {
+  if (!isConstant(divisor) || divisor.number == 0 || mayOverflow(interval)) {
     NumberTerm result = anything(e, interval);
     const NumberTerm& by = operand(e, 1);
     unknowns_.require(z3::implies(result.known, by.value != 0 || context().bool_val(by.slack > 0)));
@@ -144,10 +149,18 @@ NumberTerm Moment::smallerOrLarger(const Expr& e) {
   return {z3::ite(first, a.value, b.value), a.known && b.known, std::max(a.slack, b.slack)};
 }
 
-NumberTerm Moment::clamped(const Expr& e) {
+/// Where the lowest is above the highest, a clamp leaps from one to the other: there a rounding is
+/// not kept small.
+NumberTerm Moment::clamped(const Expr& e, const Interval& interval) {
   const NumberTerm& x = operand(e, 0);
   const NumberTerm& low = operand(e, 1);
   const NumberTerm& high = operand(e, 2);
+  const bool rounded = x.slack + low.slack + high.slack > 0;
+  const Interval& lowest = ground_.intervals[e.operands[1].index];
+  const Interval& highest = ground_.intervals[e.operands[2].index];
+  if (rounded && lowest.highest > highest.lowest) {
+    return anything(e, interval);
+  }
   return {
       z3::ite(x.value < low.value, low.value, z3::ite(high.value < x.value, high.value, x.value)),
       x.known && low.known && high.known, std::max({x.slack, low.slack, high.slack})};

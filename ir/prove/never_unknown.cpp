@@ -4,7 +4,7 @@
 #include "ir/prove/never_unknown.h"
 
 #include "ir/core/ops.h"
-#include "ir/prove/inherited.h"
+#include "ir/verify/inherited.h"
 
 #include <algorithm>
 #include <cmath>
@@ -82,7 +82,8 @@ class KnownExpressions {
   }
   bool isSmall(size_t index) const {
     const Interval& x = intervals_[index];
-    return std::max(std::fabs(x.lowest), std::fabs(x.highest)) < kNearOverflow;
+    // What always overflows has no interval.
+    return !x.empty && std::max(std::fabs(x.lowest), std::fabs(x.highest)) < kNearOverflow;
   }
 
   const Mission& m_;

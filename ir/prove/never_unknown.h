@@ -4,7 +4,7 @@
 #pragma once
 
 #include "ir/core/mission.h"
-#include "ir/prove/inherited.h"
+#include "ir/verify/inherited.h"
 #include "ir/verify/intervals.h"
 
 #include <vector>

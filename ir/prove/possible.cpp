@@ -33,6 +33,16 @@ Holding anything(const Variable& variable) {
   return all;
 }
 
+Holding withinRange(Holding holding, const Variable& variable) {
+  holding.lowest = std::max(holding.lowest, variable.lowest);
+  holding.highest = std::min(holding.highest, variable.highest);
+  holding.never = holding.never || holding.lowest > holding.highest;
+  if (holding.never) {
+    holding.lowest = holding.highest = 0;
+  }
+  return holding;
+}
+
 Holding either(const Holding& a, const Holding& b) {
   Holding all = a;
   if (!b.never) {
@@ -60,6 +70,8 @@ Possible::Possible(const Ground& ground, const Valuation& values, const ClockRan
         const Holding& held = values[e.variable.index];
         return Interval{held.lowest, held.highest, held.never};
       }
+      case Op::Temporal:  // a window holds what was before this moment too
+        return ground.windows[e.temporal.index];
       default:
         return std::nullopt;
     }

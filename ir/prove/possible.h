@@ -30,6 +30,8 @@ using Valuation = std::vector<Holding>;
 
 /// Anything that the variable may hold.
 Holding anything(const Variable& variable);
+/// What of `holding` lies in the variable's range.
+Holding withinRange(Holding holding, const Variable& variable);
 /// What either says.
 Holding either(const Holding& a, const Holding& b);
 

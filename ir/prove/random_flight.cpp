@@ -24,7 +24,7 @@ namespace {
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double kFar = 1e9;  ///< of a range without an end
 constexpr double kLostTick = 0.01;
-constexpr double kOutage = 0.3;
+constexpr double kPowerCut = 0.005;
 
 /// What a sensor shows for a while.
 struct Showing {
@@ -50,7 +50,6 @@ class RandomFlight {
         std::ranges::find_if_not(requirements, &std::vector<Fence>::empty, &Requirement::fences);
     if (area != requirements.end()) {
       place_.emplace(startOf(*area), ground.platform, dice_);
-      dark_from_ = dice_.chance(kOutage) ? dice_.lasting() : dark_from_;
     }
   }
 
@@ -59,13 +58,11 @@ class RandomFlight {
     recorder_.start(parameters(), readings(time), vehicle_.depth());
     for (size_t i = 0; i < ticks && !recorder_.hit() && !recorder_.last().finished; ++i) {
       vehicle_.obey(recorder_.last().actions, time);
-      const double step = nextStep(time);
-      vehicle_.move(time, time + step);
+      const double step = untilNextTick();
       if (place_) {
         place_->obey(recorder_.last().actions);
-        const platforms::World& world = ground_.platform.world;
-        place_->move(step, vehicle_.depth() <= world.surface_depth_m, step > world.tick_gap_s);
       }
+      move(time, time + step);
       time += step;
       recorder_.tick(time, readings(time), vehicle_.depth());
     }
@@ -73,14 +70,27 @@ class RandomFlight {
   }
 
  private:
-  /// To the next tick, s. Where the place is asked about, the SBC may be dark once.
-  double nextStep(double time) {
-    if (time >= dark_from_) {
-      dark_from_ = std::numeric_limits<double>::infinity();
-      return std::max(m_.resume_within_s, ground_.platform.envelope.cycle_s);
+  /// s; a power cut may be of any length that the mission goes on after.
+  double untilNextTick() {
+    const platforms::Platform& platform = ground_.platform;
+    if (ground_.tick_gap_s > platform.world.tick_gap_s && dice_.chance(kPowerCut)) {
+      const double shortest = platform.world.tick_gap_s;
+      return dice_.chance(0.5) ? ground_.tick_gap_s : dice_.within(shortest, ground_.tick_gap_s);
     }
-    return dice_.chance(kLostTick) ? ground_.platform.world.tick_gap_s
-                                   : ground_.platform.envelope.cycle_s;
+    return dice_.chance(kLostTick) ? platform.world.tick_gap_s : platform.envelope.cycle_s;
+  }
+
+  /// In steps that a vehicle steers by.
+  void move(double from, double to) {
+    const platforms::World& world = ground_.platform.world;
+    const bool dark = to - from > world.tick_gap_s;
+    for (double time = from; time < to; time += world.tick_gap_s) {
+      const double until = std::min(time + world.tick_gap_s, to);
+      vehicle_.move(time, until);
+      if (place_) {
+        place_->move(until - time, vehicle_.depth() <= world.surface_depth_m, dark);
+      }
+    }
   }
 
   /// A waypoint, where a mission that keeps its areas well may begin, mostly one on their right
@@ -215,7 +225,6 @@ class RandomFlight {
   Dice dice_;
   RandomVehicle vehicle_;
   std::optional<RandomPlace> place_;  ///< where it is, if that is asked about
-  double dark_from_ = std::numeric_limits<double>::infinity();  ///< the SBC, mission time
   bool calm_ = dice_.chance(0.3);  ///< every sensor shows the same all the time
   std::vector<Showing> showing_;
   std::vector<std::vector<double>> landmarks_;  ///< by sensor

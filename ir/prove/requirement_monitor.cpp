@@ -35,6 +35,9 @@ bool RequirementMonitor::conditionIsFalse(const Interpreter& run, double true_de
 
 void RequirementMonitor::tick(const Interpreter& run, double mission_time, const TickResult& result,
                               double true_depth) {
+  if (finished_) {
+    return;
+  }
   if (true_depth <= surface_depth_m_) {
     last_surface_ = mission_time;
   }
@@ -44,7 +47,7 @@ void RequirementMonitor::tick(const Interpreter& run, double mission_time, const
       hit = conditionIsFalse(run, true_depth);
       break;
     case RequirementKind::ExitWithin:
-      hit = !result.finished && mission_time > requirement_.seconds;
+      hit = mission_time > requirement_.seconds;
       break;
     case RequirementKind::StackAtMost:
       hit = result.stack.size() > requirement_.depth;
@@ -57,14 +60,14 @@ void RequirementMonitor::tick(const Interpreter& run, double mission_time, const
       after_seen_ = after_seen_ || enters(result, requirement_.after);
       break;
     case RequirementKind::SurfacesEvery:
-      hit = !result.finished && true_depth == true_depth &&
-            mission_time - last_surface_ > requirement_.seconds;
+      hit = true_depth == true_depth && mission_time - last_surface_ > requirement_.seconds;
       break;
   }
   if (hit && !when_) {
     when_ = mission_time;
   }
   started_ = true;
+  finished_ = result.finished;
   before_ = result.state;
 }
 

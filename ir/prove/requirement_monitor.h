@@ -36,6 +36,7 @@ class RequirementMonitor {
   double surface_depth_m_;
   std::optional<SensorId> depth_;
   bool started_ = false;
+  bool finished_ = false;  ///< by an earlier tick: nothing is asked any more
   StateId before_;
   bool after_seen_ = false;
   double last_surface_ = 0;

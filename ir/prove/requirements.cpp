@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "ir/prove/depth_bound.h"
+#include "ir/prove/duration_text.h"
 #include "ir/prove/entered_after.h"
 #include "ir/prove/fences.h"
 #include "ir/prove/passes.h"
@@ -81,7 +82,7 @@ class RequirementCheck {
                       "everything between there and the waypoints is {0:.0f} m from the edge too",
                       std::ceil(found.margin_m))};
     }
-    if (auto run = tryAtRandom(requirement)) {
+    if (auto run = tryAtRandom(requirement, proof_.ground)) {
       return broken(requirement, std::move(*run));
     }
     return open(requirement, found.reason + "; no random flight broke it");
@@ -115,54 +116,113 @@ class RequirementCheck {
     }
   }
 
-  RequirementVerdict judgeRuns(const Requirement& requirement) {
-    const RunsAnswer answer = ask(requirement);
-    const bool wanted = requirement.kind == RequirementKind::Reach;
-    if (answer.bad == Answer::No) {
-      return wanted ? unreached(requirement) : RequirementVerdict{0, Verdict::Proved, std::nullopt};
-    }
+  /// What came of a question about all runs; `run` is one that was tried.
+  struct Search {
+    RunsAnswer answer;
     std::optional<ConcreteRun> run;
-    if (answer.bad == Answer::Yes) {
-      run = spellOut(*answer.run, proof_.ground, proof_.facts.stack_depth, requirement);
+  };
+
+  Search search(const Requirement& requirement, const Ground& ground) {
+    Search found{ask(requirement, ground), std::nullopt};
+    if (found.answer.bad == Answer::Yes) {
+      found.run = spellOut(*found.answer.run, ground, proof_.facts.stack_depth, requirement);
     }
-    if (!run) {
-      run = tryAtRandom(requirement);
+    return found;
+  }
+
+  [[nodiscard]] bool powerCutsMatter() const {
+    return proof_.ground.tick_gap_s > proof_.ground.platform.world.tick_gap_s;
+  }
+
+  RequirementVerdict judgeRuns(const Requirement& requirement) {
+    return requirement.kind == RequirementKind::Reach ? judgeReach(requirement)
+                                                      : judgePromise(requirement);
+  }
+
+  /// A run without power cuts shows more.
+  RequirementVerdict judgeReach(const Requirement& requirement) {
+    const Ground powered = proof_.ground.withoutPowerCuts();
+    Search found = search(requirement, powered);
+    if (!found.run && powerCutsMatter()) {
+      found = search(requirement, proof_.ground);
     }
-    if (!run) {
-      return open(requirement, reasonOf(answer));
+    if (found.answer.bad == Answer::No) {
+      return unreached(requirement);
     }
-    return wanted ? RequirementVerdict{0, Verdict::Proved, std::move(run)}
-                  : broken(requirement, std::move(*run));
+    if (!found.run) {
+      found.run = tryAtRandom(requirement, proof_.ground);
+    }
+    return found.run ? RequirementVerdict{0, Verdict::Proved, std::move(found.run)}
+                     : open(requirement, reasonOf(found.answer));
+  }
+
+  /// Proved for an SBC whose power may be cut; what breaks it is shown without, where it can be.
+  RequirementVerdict judgePromise(const Requirement& requirement) {
+    Search found = search(requirement, proof_.ground);
+    if (found.answer.bad == Answer::No) {
+      return {0, Verdict::Proved, std::nullopt};
+    }
+    bool powered_proved = false;
+    if (powerCutsMatter()) {
+      const Ground powered = proof_.ground.withoutPowerCuts();
+      powered_proved = provedWithoutPowerCuts(requirement);
+      Search undisturbed;
+      if (!powered_proved) {
+        undisturbed = search(requirement, powered);
+        powered_proved = undisturbed.answer.bad == Answer::No;
+      }
+      if (!undisturbed.run && !powered_proved) {
+        undisturbed.run = tryAtRandom(requirement, powered);
+      }
+      found.run = undisturbed.run ? std::move(undisturbed.run) : std::move(found.run);
+    }
+    if (!found.run) {
+      found.run = tryAtRandom(requirement, proof_.ground);
+    }
+    if (found.run) {
+      return broken(requirement, std::move(*found.run));
+    }
+    return open(requirement,
+                reasonOf(found.answer) +
+                    (powered_proved ? "; it is so if the power of the SBC is never cut" : ""));
+  }
+
+  /// Without a search over runs.
+  bool provedWithoutPowerCuts(const Requirement& requirement) {
+    const std::optional<double>& end = requirement.kind == RequirementKind::ExitWithin
+                                           ? proof_.ending.boundWithoutPowerCuts().by
+                                           : std::optional<double>();
+    return end && *end <= requirement.seconds;
   }
 
   /// In a context of its own: Z3 counts its effort for all that a context has been asked.
-  RunsAnswer ask(const Requirement& requirement) {
+  RunsAnswer ask(const Requirement& requirement, const Ground& ground) {
     z3::config config;
     config.set("rlimit", static_cast<int>(proof_.options.run_effort));  // Spacer takes no other
     z3::context context(config);
-    const bool vehicle = reckonsWithDepth(requirement, proof_.ground);
+    const bool vehicle = reckonsWithDepth(requirement, ground);
     std::vector<ExprId> asked;
     if (requirement.condition.valid()) {
       asked.push_back(requirement.condition);
     }
     const Relevance relevance = relevanceFor(m_, asked, vehicle);
     try {
-      const Watch watch = watchFor(requirement, context, proof_.ground);
-      return askAboutRuns(context, proof_.ground, relevance, watch, proof_.options.run_effort);
+      const Watch watch = watchFor(requirement, context, ground);
+      return askAboutRuns(context, ground, relevance, watch, proof_.options.run_effort);
     } catch (const z3::exception& trouble) {
       return {Answer::Unknown, std::nullopt, trouble.msg()};
     }
   }
 
   /// Seeds 1, 2, …, until so many ticks are flown.
-  std::optional<ConcreteRun> tryAtRandom(const Requirement& requirement) {
+  std::optional<ConcreteRun> tryAtRandom(const Requirement& requirement, const Ground& ground) {
     const double cycle = proof_.ground.platform.envelope.cycle_s;
     const double span = requirement.seconds > 0 ? 2 * requirement.seconds : kLongFlight;
     const auto ticks = static_cast<size_t>(std::min(span / cycle + 2, 1.0 * kRandomTicks));
     const size_t flights = std::max<size_t>(1, kRandomTicks / ticks);
     for (uint64_t seed = 1; seed <= flights; ++seed) {
       if (auto run =
-              flyAtRandom(proof_.ground, proof_.facts.stack_depth, requirement, seed, ticks)) {
+              flyAtRandom(ground, proof_.facts.stack_depth, requirement, seed, ticks)) {
         return run;
       }
     }
@@ -202,7 +262,25 @@ class RequirementCheck {
       }
       error.note(story[i].range, story[i].text);
     }
+    notePowerCuts(error, requirement, run);
     return {0, Verdict::Refuted, std::move(run)};
+  }
+
+  void notePowerCuts(support::DiagnosticBuilder& error, const Requirement& requirement,
+                     const ConcreteRun& run) const {
+    constexpr size_t kMostNotes = 3;
+    size_t noted = 0;
+    for (size_t i = 1; i < run.ticks.size() && noted < kMostNotes; ++i) {
+      const double from = run.ticks[i - 1].mission_time;
+      const double to = run.ticks[i].mission_time;
+      if (to - from > proof_.ground.platform.world.tick_gap_s) {
+        ++noted;
+        error.note(requirement.range,
+                   fmt::format("from {:.6g} s to {:.6g} s the SBC has no power; the mission goes on "
+                               "after up to {} (`resume within`)",
+                               from, to, durationOf(m_.resume_within_s)));
+      }
+    }
   }
 
   std::string howBroken(const Requirement& requirement, const ConcreteRun& run) const {

@@ -201,7 +201,7 @@ std::vector<ExprId> RuleWriter::clockGuards(const Control& control) const {
 /// And a guard that is true then has fired.
 z3::expr RuleWriter::noticed(const Configuration& before, const Configuration& after,
                              Unknowns& unknowns) {
-  const z3::expr gap = realOf(context_, ground_.platform.world.tick_gap_s);
+  const z3::expr gap = realOf(context_, ground_.tick_gap_s);
   const z3::expr late = after.mission_time - gap;
   auto at = [&](const z3::expr& time) {
     Moment moment(unknowns, ground_);

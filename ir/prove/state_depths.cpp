@@ -4,6 +4,7 @@
 #include "ir/prove/state_depths.h"
 
 #include "ir/core/walk.h"
+#include "ir/prove/held_ranges.h"
 
 #include <algorithm>
 #include <limits>
@@ -13,6 +14,8 @@ namespace glider::ir::prove {
 namespace {
 
 constexpr double kAnyDepth = std::numeric_limits<double>::infinity();
+/// Above this a bound says nothing: the number has no range.
+constexpr double kNoBound = 1e300;
 
 /// Under an order to climb too, which ends in hovering at its target.
 bool leadsDown(const Statement& statement) {
@@ -24,7 +27,10 @@ bool leadsDown(const Statement& statement) {
 class Depths {
  public:
   explicit Depths(const Ground& ground)
-      : ground_(ground), m_(ground.mission), deepest_(m_.states.size()) {
+      : ground_(ground),
+        m_(ground.mission),
+        held_(heldIntervals(ground.mission)),
+        deepest_(m_.states.size()) {
     for (uint32_t i = 0; i < m_.states.size(); ++i) {
       if (anyOf(m_.states[i].cases, Transition::Call) || anyOf(m_.always, Transition::Call)) {
         callers_.push_back(i);
@@ -55,14 +61,15 @@ class Depths {
 
   /// m; at least where control may be given.
   double ordered(const State& state) const {
-    if (!m_[state.profile.behaviour].symbol.empty()) {
+    if (!m_[state.profile.behaviour].symbol.empty() || !m_[state.route.behaviour].symbol.empty()) {
       return kAnyDepth;
     }
     double deepest = ground_.platform.world.start_depth_m;
     const auto look = [&](const Statement& statement) {
       if (leadsDown(statement)) {
-        const Interval& target = ground_.intervals[statement.values.at(0).index];
-        deepest = std::max(deepest, target.empty ? deepest : target.highest);
+        const Interval& target = held_[statement.values.at(0).index];
+        const double depth = target.highest < kNoBound ? target.highest : kAnyDepth;
+        deepest = std::max(deepest, target.empty ? deepest : depth);
       }
     };
     forEachStatement(m_, state.entry, look);
@@ -104,6 +111,7 @@ class Depths {
 
   const Ground& ground_;
   const Mission& m_;
+  std::vector<Interval> held_;  ///< of every expression
   std::vector<double> deepest_;
   std::vector<uint32_t> callers_;  ///< states that a `return` may resume
   std::vector<bool> seen_;

@@ -68,11 +68,7 @@ void SymbolicTick::advanceOne(Run& run, TemporalId id, Pace pace) {
     since = unknowns_.real("since");
     unknowns_.require(since >= kept.since && since <= run.now);
   }
-  const NumberTerm duration = run.moment.number(temporal.duration);
-  const z3::expr long_enough = run.now - since >= duration.value;
-  const z3::expr is_true = operand.is_true && duration.known && long_enough;
-  const z3::expr is_false = operand.is_false || (operand.is_true && duration.known && !long_enough);
-  run.moment.set(id, TruthTerm{is_true, is_false});
+  run.moment.set(id, heldFor(run.moment, temporal, operand, run.now - since));
   run.watched.insert_or_assign(id.index, Watched{operand.is_true, since});
 }
 
@@ -128,15 +124,21 @@ void SymbolicTick::fire(Run& run, ListKind list, uint32_t number, const Case& c,
         after.entered.clear();
       }
       after.entered.push_back(run.now);
-      Store given = after.store;
-      for (size_t i = 0; i < c.arguments.size(); ++i) {
-        assign(moment, m_[c.target].parameters[i], c.arguments[i], given, true);
-      }
-      after.store = std::move(given);
+      pass(moment, c, after.store);
       outcome.after = enter(std::move(after), std::move(moment));
     }
   }
   run.outcomes.push_back(std::move(outcome));
+}
+
+/// The arguments are evaluated together, before any parameter changes: `goto b(y, x)` swaps.
+void SymbolicTick::pass(const Moment& before, const Case& c, Store& store) {
+  const Store asked = store;
+  for (size_t i = 0; i < c.arguments.size(); ++i) {
+    Moment moment = before;
+    asked.show(moment);
+    assign(moment, m_[c.target].parameters[i], c.arguments[i], store, true);
+  }
 }
 
 void SymbolicTick::runActivity(Run& run, const Activity& activity, bool relevant) {
@@ -144,7 +146,7 @@ void SymbolicTick::runActivity(Run& run, const Activity& activity, bool relevant
     return;
   }
   if (!m_[activity.behaviour].symbol.empty()) {
-    if (run.store.vehicle && m_[activity.behaviour].kind == BehaviourKind::Profile) {
+    if (run.store.vehicle) {  // a route in C may order depths too
       run.store.vehicle = obeyAnything(*run.store.vehicle, unknowns_);
     }
     return;

@@ -77,13 +77,16 @@ class SymbolicTick {
   bool tryList(Run& run, ListKind list, const std::vector<Case>& cases);
   void fire(Run& run, ListKind list, uint32_t number, const Case& c, const z3::expr& condition,
             const Store& after_action);
+  void pass(const Moment& before, const Case& c, Store& store);
   void runActivity(Run& run, const Activity& activity, bool relevant);
 
   Store execute(Moment& moment, BlockId block, Store store, const z3::expr& now);
   Store executeOne(Moment& moment, const Statement& statement, Store store, const z3::expr& now);
   /// No rounding leaves the interval of what it rounds.
-  void bound(Moment& moment, const z3::expr& term, const Interval& interval);
+  void bound(Moment& moment, const NumberTerm& term, const Interval& interval);
   void assign(Moment& moment, VariableId variable, ExprId value, Store& store, bool start);
+  TruthTerm heldFor(Moment& moment, const Temporal& temporal, const TruthTerm& operand,
+                    const z3::expr& since);
   void startWatching(Moment& moment, ListKind list, StateId state, Configuration& configuration);
   Configuration enter(Configuration before, Moment moment);
   Configuration resume(Configuration before, Moment moment);

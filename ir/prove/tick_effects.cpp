@@ -54,13 +54,13 @@ Store SymbolicTick::executeOne(Moment& moment, const Statement& statement, Store
   return store;
 }
 
-void SymbolicTick::bound(Moment& moment, const z3::expr& term, const Interval& interval) {
+void SymbolicTick::bound(Moment& moment, const NumberTerm& term, const Interval& interval) {
   constexpr double kMost = std::numeric_limits<double>::max();
   if (interval.lowest > -kMost) {
-    unknowns_.require(term >= moment.real(interval.lowest));
+    unknowns_.require(z3::implies(term.known, term.value >= moment.real(interval.lowest)));
   }
   if (interval.highest < kMost) {
-    unknowns_.require(term <= moment.real(interval.highest));
+    unknowns_.require(z3::implies(term.known, term.value <= moment.real(interval.highest)));
   }
 }
 
@@ -85,9 +85,10 @@ void SymbolicTick::assign(Moment& moment, VariableId variable, ExprId value, Sto
     if (given.slack > 0) {
       const z3::expr rounded = unknowns_.real("rounded");
       const z3::expr slack = moment.real(given.slack);
-      unknowns_.require(rounded - given.value <= slack && given.value - rounded <= slack);
-      bound(moment, rounded, ground_.intervals[value.index]);
+      const z3::expr near = rounded - given.value <= slack && given.value - rounded <= slack;
+      unknowns_.require(z3::implies(given.known, near));
       given = {rounded, given.known, 0};
+      bound(moment, given, ground_.intervals[value.index]);
     }
     held = start ? given
                  : NumberTerm{z3::ite(given.known, given.value, held.value),
@@ -95,6 +96,21 @@ void SymbolicTick::assign(Moment& moment, VariableId variable, ExprId value, Sto
     moment.set(variable, held);
   }
   moment.forget();
+}
+
+/// What `held` is worth when its operand has been true for so long, s. A duration that is not
+/// constant may be 0, negative or unknown; within its rounding either answer may be the machine's.
+TruthTerm SymbolicTick::heldFor(Moment& moment, const Temporal& temporal, const TruthTerm& operand,
+                                const z3::expr& since) {
+  const NumberTerm duration = moment.number(temporal.duration);
+  z3::expr long_enough = since >= duration.value;
+  if (duration.slack > 0) {
+    const z3::expr slack = moment.real(duration.slack);
+    const z3::expr apart = since - duration.value > slack || duration.value - since > slack;
+    long_enough = z3::ite(apart, long_enough, unknowns_.truth("rounding"));
+  }
+  const z3::expr compared = operand.is_true && duration.known;
+  return {compared && long_enough, operand.is_false || (compared && !long_enough)};
 }
 
 /// `became` and `held` of a list start from what their operands are now.
@@ -111,9 +127,11 @@ void SymbolicTick::startWatching(Moment& moment, ListKind list, StateId state,
     }
     const TruthTerm operand = moment.truth(temporal.operand);
     configuration.watched.insert_or_assign(i, Watched{operand.is_true, configuration.mission_time});
-    // Durations are positive: nothing has been held for its time yet.
-    moment.set(TemporalId{i},
-               TruthTerm{context.bool_val(false), operand.is_true || operand.is_false});
+    const TruthTerm starts =
+        temporal.kind == TemporalKind::Held
+            ? heldFor(moment, temporal, operand, context.real_val(0))
+            : TruthTerm{context.bool_val(false), operand.is_true || operand.is_false};
+    moment.set(TemporalId{i}, starts);
   }
 }
 
@@ -133,7 +151,8 @@ Configuration SymbolicTick::enter(Configuration after, Moment moment) {
   const StateId id = after.control.state;
   const State& state = m_[id];
   moment.setClocks(after.mission_time, context.real_val(0), context.real_val(0));
-  moment.forget();
+  moment.restart(id);
+  after.store.show(moment);
   for (uint32_t i = 0; i < m_.variables.size(); ++i) {
     const Variable& variable = m_.variables[i];
     if (variable.owner == id && variable.kind != VariableKind::Argument) {
@@ -167,7 +186,7 @@ void SymbolicTick::runEntry(Moment& moment, const Activity& activity, bool relev
   }
   if (m_[activity.behaviour].symbol.empty()) {
     after.store = execute(moment, activity.entry, std::move(after.store), after.mission_time);
-  } else if (after.store.vehicle && m_[activity.behaviour].kind == BehaviourKind::Profile) {
+  } else if (after.store.vehicle) {
     after.store.vehicle = obeyAnything(*after.store.vehicle, unknowns_);
   }
 }

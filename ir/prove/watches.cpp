@@ -13,11 +13,11 @@ bool readsDepth(ExprId root, const Ground& ground) {
                [&](const Expr& e) { return e.op == Op::Sensor && e.sensor == ground.depth; });
 }
 
-/// The mission goes on although its time is over.
+/// The mission flies although its time is over: a tick that ends it then comes too late.
 Watch exitWithin(double seconds, z3::context& context) {
   Watch watch;
-  watch.bad_after = [seconds, &context](const Configuration& now) {
-    return now.mission_time > realOf(context, seconds);
+  watch.bad_at_tick = [seconds, &context](const Configuration& left, Moment&) {
+    return std::optional(left.mission_time > realOf(context, seconds));
   };
   return watch;
 }
@@ -75,8 +75,8 @@ Watch surfacesEvery(double seconds, z3::context& context, const Ground& ground) 
   watch.move = [](const Configuration& before, const Outcome&, Configuration& after) {
     after.memory = before.memory;
   };
-  watch.bad_after = [seconds, &context](const Configuration& now) {
-    return now.mission_time - now.memory.front() > realOf(context, seconds);
+  watch.bad_at_tick = [seconds, &context](const Configuration& left, Moment&) {
+    return std::optional(left.mission_time - left.memory.front() > realOf(context, seconds));
   };
   return watch;
 }

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <set>
 #include <utility>
 
 namespace glider::ir {
@@ -103,13 +104,20 @@ Interval readings(const Sensor& s) {
 
 class Analysis {
  public:
-  Analysis(const Mission& mission, const LeafRange& known) : m_(mission), known_(known) {}
+  /// `all` has an interval for every expression.
+  Analysis(const Mission& mission, const LeafRange& known, std::vector<Interval>& all)
+      : m_(mission), known_(known), all_(all) {}
 
-  std::vector<Interval> run() {
-    for (const Expr& e : m_.exprs) {
-      all_.push_back(e.type.kind == TypeKind::Bool ? kAny : of(e));
+  void run() {
+    for (uint32_t i = 0; i < m_.exprs.size(); ++i) {
+      all_[i] = at(i);
     }
-    return std::move(all_);
+  }
+
+  /// Of one, when its operands have theirs.
+  [[nodiscard]] Interval at(uint32_t index) const {
+    const Expr& e = m_.exprs[index];
+    return e.type.kind == TypeKind::Bool ? kAny : of(e);
   }
 
  private:
@@ -215,17 +223,45 @@ class Analysis {
 
   const Mission& m_;
   const LeafRange& known_;
-  std::vector<Interval> all_;
+  std::vector<Interval>& all_;
 };
+
+std::optional<Interval> nothingMore(const Expr&) {
+  return std::nullopt;
+}
 
 }  // namespace
 
 std::vector<Interval> intervalsOf(const Mission& mission) {
-  return intervalsOf(mission, [](const Expr&) { return std::nullopt; });
+  return intervalsOf(mission, nothingMore);
 }
 
 std::vector<Interval> intervalsOf(const Mission& mission, const LeafRange& known) {
-  return Analysis(mission, known).run();
+  std::vector<Interval> all(mission.exprs.size());
+  Analysis(mission, known, all).run();
+  return all;
+}
+
+Interval SubtreeIntervals::of(ExprId root, const Narrow& narrow) {
+  std::set<uint32_t> tree;
+  std::vector<uint32_t> open{root.index};
+  while (!open.empty()) {
+    const uint32_t index = open.back();
+    open.pop_back();
+    if (!tree.insert(index).second) {
+      continue;
+    }
+    const Expr& e = mission_.exprs[index];
+    for (uint32_t k = 0; k < operandCount(e); ++k) {
+      open.push_back(e.operands.at(k).index);
+    }
+  }
+  const LeafRange known = nothingMore;
+  const Analysis analysis(mission_, known, all_);
+  for (const uint32_t index : tree) {  // operands before their users
+    all_[index] = narrow(index, analysis.at(index));
+  }
+  return all_[root.index];
 }
 
 }  // namespace glider::ir

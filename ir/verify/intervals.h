@@ -34,4 +34,19 @@ using LeafRange = std::function<std::optional<Interval>(const Expr& leaf)>;
 /// The same at a moment of which more is known.
 std::vector<Interval> intervalsOf(const Mission& mission, const LeafRange& known);
 
+/// Intervals of single expressions of a mission, for many questions about it.
+class SubtreeIntervals {
+ public:
+  /// `narrow` has the last word on what each expression in the tree may be worth.
+  using Narrow = std::function<Interval(uint32_t expression, const Interval&)>;
+  /// `mission` outlives this.
+  explicit SubtreeIntervals(const Mission& mission)
+      : mission_(mission), all_(mission.exprs.size()) {}
+  Interval of(ExprId root, const Narrow& narrow);
+
+ private:
+  const Mission& mission_;
+  std::vector<Interval> all_;
+};
+
 }  // namespace glider::ir

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "ir/eval/interpreter.h"
+#include "ir/verify/guarded_ranges.h"
 #include "ir/verify/intervals.h"
 #include "ir/verify/passes.h"
 #include "ir/verify/value_text.h"
@@ -9,7 +10,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <set>
 #include <string>
+#include <vector>
 
 namespace glider::ir {
 namespace {
@@ -46,16 +49,9 @@ class RangeCheck {
     if (defaults_fit) {
       conditions();
     }
-    for (const Block& block : m_.blocks) {
-      for (const Statement& s : block.statements) {
-        if (s.kind == StatementKind::Set && !fits(m_[s.variable], s.value)) {
-          report(DiagnosticId::assignmentRange, s.range, m_[s.variable], s.value);
-        }
-      }
-    }
-    arguments(m_.always);
-    for (const State& s : m_.states) {
-      arguments(s.cases);
+    if (!doubtful().empty()) {
+      kept_ = keptByGuards(m_, intervals_, doubtful_);
+      assignments();
     }
   }
 
@@ -69,18 +65,64 @@ class RangeCheck {
                           withUnit(v.lowest, v.type), withUnit(v.highest, v.type));
   }
 
+  /// Assignments that only their guards may keep in range.
+  const std::set<AssignmentPlace>& doubtful() {
+    for (const Block& block : m_.blocks) {
+      for (size_t i = 0; i < block.statements.size(); ++i) {
+        const Statement& s = block.statements[i];
+        if (s.kind == StatementKind::Set && !fits(m_[s.variable], s.value)) {
+          doubtful_.emplace(&block, i);
+        }
+      }
+    }
+    arguments(m_.always);
+    for (const State& s : m_.states) {
+      arguments(s.cases);
+    }
+    return doubtful_;
+  }
+
+  void arguments(const std::vector<Case>& cases) {
+    for (const Case& c : cases) {
+      for (size_t i = 0; i < c.arguments.size(); ++i) {
+        if (!fits(m_[m_[c.target].parameters[i]], c.arguments[i])) {
+          doubtful_.emplace(&c, i);
+        }
+      }
+    }
+  }
+
+  void assignments() {
+    for (const Block& block : m_.blocks) {
+      for (size_t i = 0; i < block.statements.size(); ++i) {
+        if (leaves({&block, i})) {
+          const Statement& s = block.statements[i];
+          report(DiagnosticId::assignmentRange, s.range, m_[s.variable], s.value);
+        }
+      }
+    }
+    reportArguments(m_.always);
+    for (const State& s : m_.states) {
+      reportArguments(s.cases);
+    }
+  }
+
+  [[nodiscard]] bool leaves(const AssignmentPlace& place) const {
+    return doubtful_.contains(place) && !kept_.contains(place);
+  }
+
   void conditions() {
     if (const auto failed = failedCondition(m_, defaultParameters(m_))) {
       v_.diagnostics.report(DiagnosticId::conditionUnmet, m_[m_.conditions[*failed]].range);
     }
   }
 
-  void arguments(const std::vector<Case>& cases) {
+  void reportArguments(const std::vector<Case>& cases) {
     for (const Case& c : cases) {
       for (size_t i = 0; i < c.arguments.size(); ++i) {
-        const Variable& v = m_[m_[c.target].parameters[i]];
-        if (!fits(v, c.arguments[i])) {
-          report(DiagnosticId::argumentRange, c.range, v, c.arguments[i]);
+        if (leaves({&c, i})) {
+          report(DiagnosticId::argumentRange, c.range, m_[m_[c.target].parameters[i]],
+                 c.arguments[i]);
         }
       }
     }
@@ -89,6 +131,8 @@ class RangeCheck {
   Verification& v_;
   const Mission& m_;
   std::vector<Interval> intervals_;
+  std::set<AssignmentPlace> doubtful_;
+  std::set<AssignmentPlace> kept_;  ///< those of them that their guards keep in range
 };
 
 }  // namespace

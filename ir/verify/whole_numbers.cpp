@@ -1,16 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "ir/prove/whole_numbers.h"
+#include "ir/verify/whole_numbers.h"
 
-#include "ir/prove/inherited.h"
+#include "ir/verify/inherited.h"
 
 #include <cmath>
 
-namespace glider::ir::prove {
+namespace glider::ir {
 namespace {
 
-constexpr double kMostWhole = 0x1p53;
+/// From here on doubles are not all whole numbers: 2^53 may stand for 2^53 + 1, rounded.
+constexpr double kEndOfWhole = 0x1p53;
 
 class WholeExpressions {
  public:
@@ -21,7 +22,7 @@ class WholeExpressions {
     const Expr& e = m_.exprs[index];
     switch (e.op) {
       case Op::Constant:
-        return std::floor(e.number) == e.number && std::fabs(e.number) <= kMostWhole;
+        return std::floor(e.number) == e.number && std::fabs(e.number) < kEndOfWhole;
       case Op::Variable:
         return judged.variables[e.variable.index] && isSmall(index);
       case Op::Negate:
@@ -42,7 +43,7 @@ class WholeExpressions {
 
  private:
   bool isSmall(size_t index) const {
-    return intervals_[index].lowest >= -kMostWhole && intervals_[index].highest <= kMostWhole;
+    return intervals_[index].lowest > -kEndOfWhole && intervals_[index].highest < kEndOfWhole;
   }
 
   const Mission& m_;
@@ -66,4 +67,4 @@ std::vector<bool> wholeExpressions(const Mission& mission, const std::vector<Int
       .expressions;
 }
 
-}  // namespace glider::ir::prove
+}  // namespace glider::ir

@@ -8,7 +8,7 @@
 #include <functional>
 #include <vector>
 
-namespace glider::ir::prove {
+namespace glider::ir {
 
 /// Which variables and which expressions have a property.
 struct Inherited {
@@ -33,4 +33,4 @@ struct Inheritance {
 /// it can reach them.
 Inherited greatestSet(const Mission& mission, const Inheritance& inheritance);
 
-}  // namespace glider::ir::prove
+}  // namespace glider::ir

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "ir/prove/inherited.h"
+#include "ir/verify/inherited.h"
 
 #include "ir/core/ops.h"
 
-namespace glider::ir::prove {
+namespace glider::ir {
 namespace {
 
 class Analysis {
@@ -96,4 +96,4 @@ Inherited greatestSet(const Mission& mission, const Inheritance& inheritance) {
   return Analysis(mission, inheritance).run();
 }
 
-}  // namespace glider::ir::prove
+}  // namespace glider::ir

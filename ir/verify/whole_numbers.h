@@ -8,11 +8,11 @@
 
 #include <vector>
 
-namespace glider::ir::prove {
+namespace glider::ir {
 
-/// Of every expression of `mission`, whether it is a whole number of at most 2^53 whenever it is
+/// Of every expression of `mission`, whether it is a whole number below 2^53 whenever it is
 /// known: doubles add, subtract and multiply such numbers without rounding. `intervals`: of every
 /// expression.
 std::vector<bool> wholeExpressions(const Mission& mission, const std::vector<Interval>& intervals);
 
-}  // namespace glider::ir::prove
+}  // namespace glider::ir

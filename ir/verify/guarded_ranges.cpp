@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/verify/guarded_ranges.h"
+
+#include "ir/verify/narrowed.h"
+
+#include <algorithm>
+
+namespace glider::ir {
+namespace {
+
+/// Follows every list of cases and every block with what conditions say there.
+class GuardedWalk {
+ public:
+  GuardedWalk(const Mission& mission, const std::vector<Interval>& intervals,
+              const std::set<AssignmentPlace>& doubtful)
+      : m_(mission), doubtful_(doubtful), narrowing_(mission, intervals) {}
+
+  std::set<AssignmentPlace> run() {
+    list(m_.always, true);
+    for (const State& state : m_.states) {
+      list(state.cases, false);
+      list(state.profile.cases, false);
+      list(state.route.cases, false);
+      for (const BlockId entry : {state.entry, state.profile.entry, state.route.entry}) {
+        Knowledge nothing;
+        block(entry, nothing);
+      }
+    }
+    return std::move(kept_);
+  }
+
+ private:
+  /// A case of `always` with a target may be passed over although its guard is true.
+  void list(const std::vector<Case>& cases, bool always) {
+    Knowledge before;
+    for (const Case& c : cases) {
+      Knowledge here = before;
+      narrowing_.assume(here, c.guard, Asked::True);
+      block(c.action, here);
+      for (size_t i = 0; i < c.arguments.size(); ++i) {
+        const Variable& parameter = m_[m_[c.target].parameters[i]];
+        look({&c, i}, parameter, c.arguments[i], here);
+      }
+      if (!always || !c.target.valid()) {
+        narrowing_.assume(before, c.guard, Asked::NotTrue);
+      }
+    }
+  }
+
+  void look(const AssignmentPlace& place, const Variable& variable, ExprId value,
+            const Knowledge& knowledge) {
+    if (!doubtful_.contains(place)) {
+      return;
+    }
+    const bool fits = knowledge.unreachable || narrowing_.intervalOf(knowledge, value)
+                                                   .within(variable.lowest, variable.highest);
+    if (fits) {
+      kept_.insert(place);
+    }
+  }
+
+  // NOLINTNEXTLINE(misc-no-recursion): as deep as the mission's text nests
+  void block(BlockId id, Knowledge& knowledge) {
+    if (!id.valid()) {
+      return;
+    }
+    const std::vector<Statement>& statements = m_[id].statements;
+    for (size_t i = 0; i < statements.size(); ++i) {
+      const Statement& s = statements[i];
+      if (s.kind == StatementKind::If) {
+        branch(s, knowledge);
+      } else if (s.kind == StatementKind::Set && m_[s.variable].type.kind != TypeKind::Bool) {
+        look({&m_[id], i}, m_[s.variable], s.value, knowledge);
+        const Interval given = narrowing_.intervalOf(knowledge, s.value);
+        narrowing_.set(knowledge, s.variable, given, !narrowing_.isAlwaysKnown(s.value));
+      } else if (s.kind == StatementKind::Set) {
+        narrowing_.set(knowledge, s.variable, {}, false);
+      }
+    }
+  }
+
+  /// An unknown condition takes neither branch.
+  // NOLINTNEXTLINE(misc-no-recursion): as deep as the mission's text nests
+  void branch(const Statement& s, Knowledge& knowledge) {
+    Knowledge yes = knowledge;
+    Knowledge no = knowledge;
+    narrowing_.assume(yes, s.value, Asked::True);
+    narrowing_.assume(no, s.value, Asked::False);
+    block(s.then, yes);
+    block(s.otherwise, no);
+    knowledge = common(knowledge, common(yes, no));
+  }
+
+  const Mission& m_;
+  const std::set<AssignmentPlace>& doubtful_;
+  Narrowing narrowing_;
+  std::set<AssignmentPlace> kept_;
+};
+
+}  // namespace
+
+std::set<AssignmentPlace> keptByGuards(const Mission& mission,
+                                       const std::vector<Interval>& intervals,
+                                       const std::set<AssignmentPlace>& doubtful) {
+  return GuardedWalk(mission, intervals, doubtful).run();
+}
+
+}  // namespace glider::ir

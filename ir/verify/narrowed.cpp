@@ -1,0 +1,236 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/verify/narrowed.h"
+
+#include "ir/core/ops.h"
+#include "ir/core/walk.h"
+#include "ir/verify/whole_numbers.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+namespace glider::ir {
+namespace {
+
+constexpr double kEndless = std::numeric_limits<double>::infinity();
+constexpr unsigned kDeepest = 100;  ///< what nests deeper says nothing
+
+Interval intersection(const Interval& a, const Interval& b) {
+  const double lowest = std::max(a.lowest, b.lowest);
+  const double highest = std::min(a.highest, b.highest);
+  const bool empty = a.empty || b.empty || lowest > highest;
+  return empty ? Interval{0, 0, true} : Interval{lowest, highest, false};
+}
+
+Interval hull(const Interval& a, const Interval& b) {
+  if (a.empty || b.empty) {
+    return a.empty ? b : a;
+  }
+  return {std::min(a.lowest, b.lowest), std::max(a.highest, b.highest), false};
+}
+
+/// All that makes two expressions worth the same at every moment; of a Call the use says it.
+auto keyOf(const Expr& e, const std::array<ExprId, kMostOperands>& operands) {
+  return std::tuple(e.op, e.type.kind, operands, std::bit_cast<uint64_t>(e.number), e.sensor,
+                    e.variable, e.temporal, e.table, e.use);
+}
+
+}  // namespace
+
+Knowledge common(const Knowledge& a, const Knowledge& b) {
+  if (a.unreachable || b.unreachable) {
+    return a.unreachable ? b : a;
+  }
+  Knowledge both;
+  for (const auto& [expression, interval] : a.within) {
+    if (const auto other = b.within.find(expression); other != b.within.end()) {
+      both.within.emplace(expression, hull(interval, other->second));
+    }
+  }
+  return both;
+}
+
+Narrowing::Narrowing(const Mission& mission, const std::vector<Interval>& intervals)
+    : m_(mission),
+      plain_(intervals),
+      whole_(wholeExpressions(mission, intervals)),
+      work_(mission) {
+  std::map<decltype(keyOf(mission.exprs.front(), {})), uint32_t> firsts;
+  for (uint32_t i = 0; i < m_.exprs.size(); ++i) {
+    const Expr& e = m_.exprs[i];
+    std::array<ExprId, kMostOperands> operands;
+    for (uint32_t k = 0; k < operandCount(e); ++k) {
+      operands.at(k) = ExprId{first_[e.operands.at(k).index]};
+    }
+    first_.push_back(firsts.emplace(keyOf(e, operands), i).first->second);
+  }
+}
+
+Interval Narrowing::intervalOf(const Knowledge& knowledge, ExprId id) {
+  return work_.of(id, [&](uint32_t index, const Interval& made) {
+    // A window holds what was before the conditions were judged.
+    const Interval& now = m_.exprs[index].op == Op::Temporal ? plain_[index] : made;
+    const auto known = knowledge.within.find(first_[index]);
+    return known == knowledge.within.end() ? now : intersection(now, known->second);
+  });
+}
+
+bool Narrowing::isAlwaysKnown(ExprId id) const {
+  const Expr& e = m_[id];
+  switch (e.op) {
+    case Op::Constant:
+    case Op::MissionTime:
+    case Op::StateTime:
+    case Op::ResumeTime:
+      return true;
+    case Op::Variable:
+      return m_[e.variable].kind == VariableKind::Parameter;
+    default:
+      return false;
+  }
+}
+
+void Narrowing::set(Knowledge& knowledge, VariableId variable, Interval given, bool kept) {
+  const Variable& v = m_[variable];
+  const Interval range{v.lowest, v.highest, false};
+  std::optional<uint32_t> itself;
+  Interval before = range;
+  std::erase_if(knowledge.within, [&](const auto& entry) {
+    const Expr& e = m_.exprs[entry.first];
+    if (e.op == Op::Variable && e.variable == variable) {
+      itself = entry.first;
+      before = entry.second;
+    }
+    return anyIn(m_, ExprId{entry.first},
+                 [&](const Expr& x) { return x.op == Op::Variable && x.variable == variable; });
+  });
+  if (v.type.kind == TypeKind::Bool) {
+    return;
+  }
+  if (!itself) {
+    const auto reads = std::ranges::find_if(m_.exprs, [&](const Expr& e) {
+      return e.op == Op::Variable && e.variable == variable;
+    });
+    if (reads == m_.exprs.end()) {
+      return;  // nobody asks
+    }
+    itself = first_[static_cast<size_t>(reads - m_.exprs.begin())];
+  }
+  const Interval after = intersection(range, given);
+  knowledge.within.emplace(*itself, kept ? hull(before, after) : after);
+}
+
+// NOLINTNEXTLINE(misc-no-recursion): no deeper than kDeepest
+void Narrowing::assume(Knowledge& knowledge, ExprId condition, Asked asked, unsigned depth) {
+  const Expr& e = m_[condition];
+  if (knowledge.unreachable || depth > kDeepest) {
+    return;
+  }
+  const bool true_or_unknown = asked == Asked::True || asked == Asked::NotFalse;
+  switch (e.op) {
+    case Op::True:
+    case Op::False:
+      knowledge.unreachable = (e.op == Op::True) != true_or_unknown;
+      return;
+    case Op::Not: {
+      constexpr Asked kOpposite[] = {Asked::False, Asked::True, Asked::NotFalse, Asked::NotTrue};
+      assume(knowledge, e.operands[0], kOpposite[static_cast<size_t>(asked)], depth + 1);
+      return;
+    }
+    case Op::And:
+    case Op::Or:
+      if ((e.op == Op::And) == true_or_unknown) {
+        assumeBoth(knowledge, e, asked, depth);
+      } else {
+        assumeEither(knowledge, e, asked, depth);
+      }
+      return;
+    default:
+      if (isComparison(e.op)) {
+        compare(knowledge, e, asked);
+      }
+  }
+}
+
+// NOLINTNEXTLINE(misc-no-recursion): no deeper than kDeepest
+void Narrowing::assumeBoth(Knowledge& knowledge, const Expr& e, Asked asked, unsigned depth) {
+  assume(knowledge, e.operands[0], asked, depth + 1);
+  assume(knowledge, e.operands[1], asked, depth + 1);
+}
+
+// NOLINTNEXTLINE(misc-no-recursion): no deeper than kDeepest
+void Narrowing::assumeEither(Knowledge& knowledge, const Expr& e, Asked asked, unsigned depth) {
+  Knowledge other = knowledge;
+  assume(knowledge, e.operands[0], asked, depth + 1);
+  assume(other, e.operands[1], asked, depth + 1);
+  knowledge = common(knowledge, other);
+}
+
+/// What is not true is false or unknown, and says of one side only what holds where the other is
+/// always known: else that may be why.
+void Narrowing::compare(Knowledge& knowledge, const Expr& e, Asked asked) {
+  const bool definite = asked == Asked::True || asked == Asked::False;
+  const bool holds = asked == Asked::True || asked == Asked::NotFalse;
+  const Op op = holds ? e.op : negated(e.op);
+  const Op turned = op == Op::Less           ? Op::Greater
+                    : op == Op::LessEqual    ? Op::GreaterEqual
+                    : op == Op::Greater      ? Op::Less
+                    : op == Op::GreaterEqual ? Op::LessEqual
+                                             : op;
+  const Interval left = intervalOf(knowledge, e.operands[0]);
+  const Interval right = intervalOf(knowledge, e.operands[1]);
+  if (left.empty || right.empty) {
+    knowledge.unreachable = definite;  // one is never known
+    return;
+  }
+  if (definite || isAlwaysKnown(e.operands[1])) {
+    narrow(knowledge, e.operands[0], op, right, definite);
+  }
+  if (definite || isAlwaysKnown(e.operands[0])) {
+    narrow(knowledge, e.operands[1], turned, left, definite);
+  }
+}
+
+void Narrowing::narrow(Knowledge& knowledge, ExprId side, Op op, const Interval& other,
+                       bool definite) {
+  const Interval now = intervalOf(knowledge, side);
+  const Interval left = intersection(now, allowed(side, op, now, other));
+  knowledge.unreachable = knowledge.unreachable || (definite && left.empty);
+  if (m_[side].op != Op::Constant) {
+    knowledge.within.insert_or_assign(first_[side.index], left);
+  }
+}
+
+/// Where `side` may lie if it compares so with something in `other`.
+Interval Narrowing::allowed(ExprId side, Op op, const Interval& now, const Interval& other) const {
+  const bool whole = whole_[side.index];
+  const double below =
+      whole ? std::ceil(other.highest) - 1 : std::nextafter(other.highest, -kEndless);
+  const double above = whole ? std::floor(other.lowest) + 1 : std::nextafter(other.lowest, kEndless);
+  switch (op) {
+    case Op::Less:
+      return {-kEndless, below, false};
+    case Op::LessEqual:
+      return {-kEndless, whole ? std::floor(other.highest) : other.highest, false};
+    case Op::Greater:
+      return {above, kEndless, false};
+    case Op::GreaterEqual:
+      return {whole ? std::ceil(other.lowest) : other.lowest, kEndless, false};
+    case Op::Equal:
+      return other;
+    default: {  // NotEqual: an end of it falls off
+      const bool single = other.lowest == other.highest;
+      return {single && now.lowest == other.lowest ? above : now.lowest,
+              single && now.highest == other.highest ? below : now.highest, false};
+    }
+  }
+}
+
+}  // namespace glider::ir

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "ir/core/mission.h"
+#include "ir/verify/intervals.h"
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+namespace glider::ir {
+
+/// What is known at a place in a mission beyond the ranges of its leaves: where expressions lie
+/// that conditions have compared. By the first expression that reads the same.
+struct Knowledge {
+  std::map<uint32_t, Interval> within;
+  bool unreachable = false;  ///< the place is never reached
+};
+
+/// What either knows.
+Knowledge common(const Knowledge& a, const Knowledge& b);
+
+/// What is asked of a condition: of an unknown one only that it is not true, and not false.
+enum class Asked : uint8_t { True, False, NotTrue, NotFalse };
+
+/// Reasons about a mission's conditions with intervals.
+class Narrowing {
+ public:
+  /// Both outlive this. `intervals`: of every expression.
+  Narrowing(const Mission& mission, const std::vector<Interval>& intervals);
+
+  /// Adds what follows from a condition's being as asked.
+  void assume(Knowledge& knowledge, ExprId condition, Asked asked, unsigned depth = 0);
+  /// Where an expression lies when it is known.
+  Interval intervalOf(const Knowledge& knowledge, ExprId id);
+  /// A variable gets a value that lies in `given`; `kept`: or keeps the one it has.
+  void set(Knowledge& knowledge, VariableId variable, Interval given, bool kept);
+  /// Whether an expression is known at every moment: made of constants, parameters and clocks.
+  [[nodiscard]] bool isAlwaysKnown(ExprId id) const;
+
+ private:
+  void assumeBoth(Knowledge& knowledge, const Expr& e, Asked asked, unsigned depth);
+  void assumeEither(Knowledge& knowledge, const Expr& e, Asked asked, unsigned depth);
+  void compare(Knowledge& knowledge, const Expr& e, Asked asked);
+  void narrow(Knowledge& knowledge, ExprId side, Op op, const Interval& other, bool definite);
+  [[nodiscard]] Interval allowed(ExprId side, Op op, const Interval& now,
+                                 const Interval& other) const;
+
+  const Mission& m_;
+  const std::vector<Interval>& plain_;
+  std::vector<bool> whole_;
+  std::vector<uint32_t> first_;  ///< of every expression, the first that reads the same
+  SubtreeIntervals work_;
+};
+
+}  // namespace glider::ir

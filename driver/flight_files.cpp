@@ -4,10 +4,14 @@
 #include "driver/flight_files.h"
 
 #include "driver/csv.h"
+#include "driver/flight_folder.h"
+#include "report/figures.h"
 #include "report/report.h"
+#include "report/warnings.h"
 #include "support/files.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -47,7 +51,8 @@ support::Result<void> makeFolder(const std::filesystem::path& folder) {
 }
 
 support::Result<void> writeFlight(const support::Trace& trace,
-                                  const std::filesystem::path& folder) {
+                                  const std::filesystem::path& folder,
+                                  const std::vector<support::Diagnostic>& reported) {
   if (auto made = makeFolder(folder); !made) {
     return made;
   }
@@ -59,7 +64,28 @@ support::Result<void> writeFlight(const support::Trace& trace,
       !written) {
     return written;
   }
-  return report::writeReport(trace, folder / "report.html");
+  return report::writeReport(trace, folder / "report.html", reported);
+}
+
+support::Result<void> writeFlightSummary(const support::Trace& trace,
+                                         const std::vector<support::Diagnostic>& reported,
+                                         std::vector<std::string> files,
+                                         const std::filesystem::path& folder) {
+  using nlohmann::ordered_json;
+  files.emplace_back(FlightFolder::kSummary);
+  const ordered_json document = {
+      {"mission", trace.mission},
+      {"scenario", trace.scenario},
+      {"way", trace.way},
+      {"seed", trace.seed},
+      {"wentWell", reported.empty()},
+      {"warnings",
+       ordered_json::parse(report::warningsToJson(reported, report::flightWarnings(trace)))},
+      {"figures", ordered_json::parse(report::figuresToJson(report::flightFigures(trace)))},
+      {"files", files}};
+  return support::writeFileAtomically(
+      folder / FlightFolder::kSummary,
+      document.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace glider::driver

@@ -5,8 +5,11 @@
 
 #include "driver/exit_code.h"
 #include "driver/explain_guard.h"
+#include "driver/share.h"
 #include "driver/terminal.h"
 #include "ir/opt/optimise.h"
+
+#include <algorithm>
 
 namespace glider::driver {
 
@@ -23,6 +26,27 @@ std::unique_ptr<Compilation> compileForFlight(const std::string& mission, int& s
   }
   ir::optimise(*(*compiled)->mission);  // as `build` does: the flight's states have those numbers
   return std::move(*compiled);
+}
+
+support::Result<platforms::Platform> platformOf(const Compilation* compilation) {
+  if (compilation != nullptr && compilation->platform) {
+    return *compilation->platform;
+  }
+  const std::string name = compilation != nullptr ? compilation->mission->platform : "slocum";
+  return platforms::loadPlatform(shareDirectory() / "platforms" / (name + ".toml"));
+}
+
+void reportMissingSensors(const Compilation& compilation, const simulator::Scenario& scenario,
+                          support::DiagnosticEngine& diagnostics) {
+  for (const simulator::NotCarried& sensor : simulator::sensorsNotCarried(scenario)) {
+    const bool read = std::ranges::any_of(compilation.mission->sensors, [&](const auto& used) {
+      return used.symbol.empty() && used.vehicle_name == sensor.name;
+    });
+    if (read) {
+      diagnostics.report(support::DiagnosticId::sensorNotCarried, {}, scenario.name, sensor.name,
+                         "the scenario's file gives it one with " + sensor.setting);
+    }
+  }
 }
 
 void describeMission(simulator::SimulationSetup& setup, const Compilation& compilation) {

@@ -4,6 +4,7 @@
 #include "driver/replay_trace.h"
 
 #include "driver/exit_code.h"
+#include "driver/flight_folder.h"
 #include "driver/flight_setup.h"
 #include "driver/replay.h"
 #include "driver/terminal.h"
@@ -70,7 +71,12 @@ int replayTrace(SimOptions options) {
   if (!parameters) {
     return reportFailure(parameters.error());
   }
-  const auto start = chooseSbc(options, built.get(), false);
+  // Where a board's binary is built and its log written; a replay leaves nothing behind.
+  const auto folder = FlightFolder::scratch();
+  if (!folder) {
+    return reportFailure(folder.error());
+  }
+  const auto start = chooseSbc(options, built.get(), false, folder->staging());
   if (!start) {
     return reportFailure(start.error());
   }

@@ -5,11 +5,11 @@
 #include "driver/compilation.h"
 #include "driver/exit_code.h"
 #include "driver/flight_files.h"
+#include "driver/flight_folder.h"
 #include "driver/flight_setup.h"
 #include "driver/link_option.h"
 #include "driver/replay_trace.h"
 #include "driver/scenario_choice.h"
-#include "driver/share.h"
 #include "driver/sim_options.h"
 #include "driver/terminal.h"
 #include "report/picture/picture.h"
@@ -41,12 +41,43 @@ void showProgress(simulator::SimulationSetup& setup, ProgressLine& line) {
   };
 }
 
-bool aborted(const support::Trace& trace) {
-  return std::ranges::any_of(trace.events, [](const auto& event) { return event.kind == "abort"; });
+/// What went wrong in a flight: what the vehicle did, and sensors that it did not carry.
+std::vector<support::Diagnostic> judge(const support::Trace& trace, const Compilation* compilation,
+                                       const simulator::Scenario& scenario) {
+  support::DiagnosticEngine diagnostics;
+  if (compilation != nullptr) {
+    reportMissingSensors(*compilation, scenario, diagnostics);
+  }
+  report::reportFlight(trace, diagnostics);
+  reportDiagnostics(diagnostics, {});
+  return diagnostics.sorted();
+}
+
+/// Writes all that a flight leaves, and puts it where it is wanted.
+support::Result<void> writeAll(const support::Trace& trace, const SimOptions& options,
+                               const std::vector<support::Diagnostic>& reported,
+                               FlightFolder& folder) {
+  if (auto written = writeFlight(trace, folder.staging(), reported); !written) {
+    return written;
+  }
+  if (!options.picture.empty()) {
+    const std::string drawn = report::drawPicture(trace, options.picture_style);
+    if (auto written = support::writeFileAtomically(folder.placeOf(options.picture), drawn);
+        !written) {
+      return written;
+    }
+  }
+  if (auto written = writeFlightSummary(trace, reported, folder.names(), folder.staging());
+      !written) {
+    return written;
+  }
+  return folder.commit();
 }
 
 /// Flies and writes; the flight has been set up.
-int flyAndReport(simulator::SimulationSetup setup, const SimOptions& options) {
+int flyAndReport(simulator::SimulationSetup setup, const SimOptions& options,
+                 const Compilation* compilation, FlightFolder& folder) {
+  const simulator::Scenario scenario = setup.scenario;
   ProgressLine line;
   showProgress(setup, line);
   const auto begin = std::chrono::steady_clock::now();
@@ -56,21 +87,15 @@ int flyAndReport(simulator::SimulationSetup setup, const SimOptions& options) {
   if (!trace) {
     return reportFailure(trace.error());
   }
-  const std::string folder = outputFolder(options);
-  if (auto written = writeFlight(*trace, folder); !written) {
-    return reportFailure(written.error());
-  }
-  if (!options.picture.empty()) {
-    const std::string drawn = report::drawPicture(*trace, options.picture_style);
-    if (auto written = support::writeFileAtomically(options.picture, drawn); !written) {
-      return reportFailure(written.error());
-    }
-  }
   const double flown = trace->rowCount() == 0 ? 0 : trace->at(trace->rowCount() - 1, 0);
   const auto printed =
       printOut(report::summarize(*trace) +
                fmt::format("\nflown {:.0f} s in {:.4f} s; report: {}\n", flown, took.count(),
-                           (std::filesystem::path(folder) / "report.html").string()));
+                           (std::filesystem::path(outputFolder(options)) / "report.html").string()));
+  const auto reported = judge(*trace, compilation, scenario);
+  if (auto written = writeAll(*trace, options, reported, folder); !written) {
+    return reportFailure(written.error());
+  }
   if (!printed) {
     return reportFailure(printed.error());
   }
@@ -78,8 +103,7 @@ int flyAndReport(simulator::SimulationSetup setup, const SimOptions& options) {
   if (foreign && report::refusedInstructions(*trace) == 0 && report::wasNeverInControl(*trace)) {
     return kWorldFailed;  // what was to be the SBC is none
   }
-  const bool good = !aborted(*trace) && report::refusedInstructions(*trace) == 0;
-  return good ? kFine : kMissionHasErrors;
+  return reported.empty() ? kFine : kMissionHasErrors;
 }
 
 int sim(const SimOptions& options) {
@@ -96,11 +120,16 @@ int sim(const SimOptions& options) {
   if (status != kFine) {
     return status;
   }
-  auto platform = platforms::loadPlatform(shareDirectory() / "platforms" / "slocum.toml");
+  auto platform = platformOf(compilation.get());
   if (!platform) {
     return reportFailure(platform.error());
   }
-  auto start = chooseSbc(options, compilation.get(), !scenario->faults.empty());
+  auto folder = FlightFolder::open(outputFolder(options));
+  if (!folder) {
+    return reportFailure(folder.error());
+  }
+  auto start =
+      chooseSbc(options, compilation.get(), !scenario->faults.empty(), folder->staging());
   if (!start) {
     return reportFailure(start.error());
   }
@@ -120,7 +149,7 @@ int sim(const SimOptions& options) {
   if (compilation != nullptr) {
     describeMission(setup, *compilation);
   }
-  return flyAndReport(std::move(setup), options);
+  return flyAndReport(std::move(setup), options, compilation.get(), *folder);
 }
 
 /// A time that comes.

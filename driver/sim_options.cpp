@@ -3,9 +3,7 @@
 
 #include "driver/sim_options.h"
 
-#include "driver/flight_files.h"
 #include "driver/sbc_choice.h"
-#include "support/files.h"
 
 #include <filesystem>
 
@@ -29,7 +27,8 @@ std::string outputFolder(const SimOptions& options) {
 }
 
 support::Result<simulator::StartSbc> chooseSbc(const SimOptions& options,
-                                               const Compilation* compilation, bool keeps_time) {
+                                               const Compilation* compilation, bool keeps_time,
+                                               const std::filesystem::path& folder) {
   if (options.without_sbc) {
     return simulator::StartSbc();
   }
@@ -42,12 +41,8 @@ support::Result<simulator::StartSbc> chooseSbc(const SimOptions& options,
   if (options.board.empty()) {
     return sbcInProcess(*compilation, options.launch, options.user_code, keeps_time);
   }
-  // The board's binary is built where the report will be.
-  if (auto made = makeFolder(outputFolder(options)); !made) {
-    return std::unexpected(made.error());
-  }
   return sbcOnBoard(*compilation, options.launch, options.user_code, options.board, stemOf(options),
-                    outputFolder(options));
+                    folder);
 }
 
 }  // namespace glider::driver

@@ -10,6 +10,7 @@
 #include "support/result.h"
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -39,8 +40,9 @@ struct SimOptions {
 std::string outputFolder(const SimOptions& options);
 
 /// What starts the SBC, empty for none; `keeps_time`: as for a flight in which something goes
-/// wrong. A board's binary is built into `outputFolder`.
+/// wrong. A board's binary is built into `folder`.
 support::Result<simulator::StartSbc> chooseSbc(const SimOptions& options,
-                                               const Compilation* compilation, bool keeps_time);
+                                               const Compilation* compilation, bool keeps_time,
+                                               const std::filesystem::path& folder);
 
 }  // namespace glider::driver

@@ -5,6 +5,7 @@
 
 #include "report/figures.h"
 #include "report/thin.h"
+#include "report/warnings.h"
 
 namespace glider::report {
 
@@ -60,13 +61,16 @@ std::string escapeHtml(std::string_view text) {
   return out;
 }
 
-std::string renderPage(const support::Trace& trace) {
+std::string renderPage(const support::Trace& trace,
+                       const std::vector<support::Diagnostic>& reported) {
   const std::string figures = figuresToJson(flightFigures(trace));
   const std::string flight = support::traceToJson(thinned(trace, kPageRows));
   std::string page(kPageParts[0]);
   page += escapeHtml(trace.mission);
   page += kPageParts[1];
-  page += escapeForScript("{\"figures\":" + figures + ",\"trace\":" + flight + "}");
+  const std::string warnings = warningsToJson(reported, flightWarnings(trace));
+  page += escapeForScript("{\"figures\":" + figures + ",\"warnings\":" + warnings +
+                          ",\"trace\":" + flight + "}");
   page += kPageParts[2];
   return page;
 }

@@ -3,12 +3,14 @@
 
 #pragma once
 
+#include "support/diagnostics/diagnostic.h"
 #include "support/trace/trace.h"
 
 #include <array>
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace glider::report {
 
@@ -19,8 +21,9 @@ inline constexpr size_t kPageRows = 32768;
 /// The built page, cut where the title and the flight's data go. Written by report/page/build.mjs.
 extern const std::array<std::string_view, 3> kPageParts;
 
-/// The whole page for `trace`, as HTML.
-std::string renderPage(const support::Trace& trace);
+/// The whole page for `trace`, as HTML, with what went wrong at its top.
+std::string renderPage(const support::Trace& trace,
+                       const std::vector<support::Diagnostic>& reported = {});
 
 /// `json` such that it may stand inside a script element: no `<`, and no line separator that ends a
 /// line in older JavaScript. Only for JSON, where these characters occur in strings alone.

@@ -8,8 +8,9 @@
 
 namespace glider::report {
 
-support::Result<void> writeReport(const support::Trace& trace, const std::filesystem::path& path) {
-  auto written = support::writeFileAtomically(path, renderPage(trace));
+support::Result<void> writeReport(const support::Trace& trace, const std::filesystem::path& path,
+                                  const std::vector<support::Diagnostic>& reported) {
+  auto written = support::writeFileAtomically(path, renderPage(trace, reported));
   if (!written) {
     return support::fail(support::DiagnosticId::reportNotWritten, written.error().message);
   }

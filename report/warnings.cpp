@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <string_view>
@@ -19,10 +20,45 @@ using support::Trace;
 using support::TraceEvent;
 
 constexpr size_t kMostNames = 20;
+constexpr std::string_view kRefused = " refused: ";
+constexpr std::string_view kByHookbeh = "hookbeh: ";
 
 bool isRefusal(const TraceEvent& event) {
   return event.kind == "hook" && event.what.starts_with("instruction ") &&
-         event.what.find(" refused: ") != std::string::npos;
+         event.what.find(kRefused) != std::string::npos;
+}
+
+bool isAbort(const TraceEvent& event) {
+  return event.kind == "abort";
+}
+
+/// hookbeh climbs by its own bounds, whatever the mission says.
+bool isIntervention(const TraceEvent& event) {
+  return event.kind == "hook" && event.what.starts_with(kByHookbeh);
+}
+
+/// "1,250 s" of the first of `trace`'s events that `is`, and "; 3 times in all".
+struct Told {
+  const TraceEvent* first = nullptr;
+  std::string at;
+  std::string more;
+};
+
+Told tell(const Trace& trace, bool (*is)(const TraceEvent&)) {
+  Told told;
+  const auto count = std::ranges::count_if(trace.events, is);
+  if (count > 0) {
+    told.first = &*std::ranges::find_if(trace.events, is);
+    told.at = fmt::format("{:.0f} s", told.first->time_s);
+    told.more = count > 1 ? fmt::format("; {} times in all", count) : "";
+  }
+  return told;
+}
+
+/// What comes after `mark`; all of it if that is not there.
+std::string after(const std::string& text, std::string_view mark) {
+  const size_t at = text.find(mark);
+  return plain(at == std::string::npos ? text : text.substr(at + mark.size()));
 }
 
 /// The mission that the SBC says it flies if it is not the one whose names the trace has; else "".
@@ -93,21 +129,36 @@ size_t refusedInstructions(const Trace& trace) {
   return static_cast<size_t>(std::ranges::count_if(trace.events, isRefusal));
 }
 
+void reportFlight(const Trace& trace, support::DiagnosticEngine& diagnostics) {
+  using support::DiagnosticId;
+  if (wasNeverInControl(trace)) {
+    diagnostics.report(DiagnosticId::neverInControl, {},
+                       "the events say how far the SBC and the vehicle came");
+  }
+  if (const Told told = tell(trace, isAbort); told.first != nullptr) {
+    const std::string why = told.first->why.empty() ? "" : ", " + plain(told.first->why);
+    diagnostics.report(DiagnosticId::flightAborted, {}, told.at,
+                       plain(told.first->what) + why + told.more);
+  }
+  if (const Told told = tell(trace, isRefusal); told.first != nullptr) {
+    diagnostics.report(DiagnosticId::commandRefused, {}, told.at,
+                       after(told.first->what, kRefused) + told.more,
+                       "hookbeh's limits stand in the vehicle's mission file, as arguments of the "
+                       "behaviour");
+  }
+  if (const Told told = tell(trace, isIntervention); told.first != nullptr) {
+    diagnostics.report(DiagnosticId::guardIntervened, {}, told.at,
+                       after(told.first->what, kByHookbeh) + told.more);
+  }
+}
+
 std::vector<std::string> flightWarnings(const Trace& trace) {
   std::vector<std::string> warnings;
-  if (wasNeverInControl(trace)) {
-    warnings.emplace_back("the mission was never in control");
-  }
   if (const std::string other = otherMission(trace); !other.empty()) {
     warnings.push_back(
         fmt::format("the SBC flies mission {}, not {}: the names of its states are "
                     "those of the wrong mission",
                     plain(other), plain(trace.mission)));
-  }
-  if (const size_t refused = refusedInstructions(trace); refused > 0) {
-    const auto first = std::ranges::find_if(trace.events, isRefusal);
-    warnings.push_back(fmt::format("{} instruction{} refused, the first at {:.0f} s: {}", refused,
-                                   refused == 1 ? "" : "s", first->time_s, plain(first->what)));
   }
   if (std::ranges::any_of(trace.events, saysNoDeclination)) {
     warnings.emplace_back(
@@ -119,6 +170,22 @@ std::vector<std::string> flightWarnings(const Trace& trace) {
                                    neverVisited(trace)));
   }
   return warnings;
+}
+
+std::string warningsToJson(const std::vector<support::Diagnostic>& reported,
+                           const std::vector<std::string>& others) {
+  using nlohmann::json;
+  json out = json::array();
+  for (const support::Diagnostic& d : reported) {
+    out.push_back({{"code", support::code(d.id)},
+                   {"slug", support::catalogueRow(d.id).slug},
+                   {"message", d.message},
+                   {"hint", d.hint}});
+  }
+  for (const std::string& text : others) {
+    out.push_back({{"code", ""}, {"slug", ""}, {"message", text}, {"hint", ""}});
+  }
+  return out.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
 }  // namespace glider::report

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "support/diagnostics/engine.h"
 #include "support/trace/trace.h"
 
 #include <cstddef>
@@ -17,8 +18,18 @@ size_t refusedInstructions(const support::Trace& trace);
 /// True if there was an SBC and it never had control.
 bool wasNeverInControl(const support::Trace& trace);
 
-/// What the reader must know before any figure of the flight: the mission was never in control, was
-/// another one, had instructions refused, or had not ended. One sentence each, without a full stop.
+/// Reports what makes a flight one that went wrong: the vehicle aborted (GL9370), a command was
+/// refused (GL9371), the mission was never in control (GL9372), hookbeh intervened (GL9375). Of
+/// several of a kind the first is told, with their number.
+void reportFlight(const support::Trace& trace, support::DiagnosticEngine& diagnostics);
+
+/// What else the reader must know before any figure of the flight: the mission was another one, or
+/// had not ended. One sentence each, without a full stop.
 std::vector<std::string> flightWarnings(const support::Trace& trace);
+
+/// All of these as a JSON array, those of `reported` first: {"code", "slug", "message", "hint"};
+/// code and slug are empty for what is no failure.
+std::string warningsToJson(const std::vector<support::Diagnostic>& reported,
+                           const std::vector<std::string>& others);
 
 }  // namespace glider::report

@@ -31,8 +31,18 @@ support::Result<void> checkPlatform(const platforms::Platform& platform) {
     uint8_t bytes;
   };
 #define GLIDER_WANTED(number, name, bytes, science) Wanted{number, #name, bytes},
-  for (const Wanted& wanted : {GLIDER_SENSOR_LIST(GLIDER_WANTED)}) {
+  constexpr Wanted kAll[] = {GLIDER_SENSOR_LIST(GLIDER_WANTED)};
 #undef GLIDER_WANTED
+  for (const platforms::PlatformSensor& sensor : platform.sensors) {
+    const bool known = std::ranges::any_of(
+        kAll, [&](const Wanted& wanted) { return wanted.name == sensor.name; });
+    if (!known) {
+      return support::fail(support::DiagnosticId::sensorNotSimulated, platform.name, sensor.name,
+                           "to simulate, take it out of the platform file; a sensor on the SBC is "
+                           "declared in the mission, as `extern sensor`");
+    }
+  }
+  for (const Wanted& wanted : kAll) {
     const bool same = wanted.id < platform.sensors.size() &&
                       platform.sensors[wanted.id].name == wanted.name &&
                       platform.sensors[wanted.id].bytes == wanted.bytes;
@@ -278,6 +288,18 @@ class Simulation {
 };
 
 }  // namespace
+
+std::vector<NotCarried> sensorsNotCarried(const Scenario& scenario) {
+  std::vector<NotCarried> missing;
+  if (std::isnan(scenario.ocean.chlorophyll_ugpl)) {
+    missing.push_back({"sci_flbbcd_chlor_units", "`chlorophyll_ugpl` in [ocean]"});
+  }
+  if (std::isnan(scenario.ocean.surface_oxygen_uM)) {
+    missing.push_back(
+        {"sci_oxy4_oxygen", "`surface_oxygen_uM` and `bottom_oxygen_uM` in [ocean]"});
+  }
+  return missing;
+}
 
 support::Result<support::Trace> simulate(SimulationSetup setup) {
   if (auto checked = checkPlatform(setup.platform); !checked) {

@@ -46,9 +46,17 @@ struct SimulationSetup {
       progress;  ///< called about every 100 s of virtual time; may be empty
 };
 
+/// A sensor of the platform that the vehicle of a scenario does not carry.
+struct NotCarried {
+  std::string name;     ///< as the platform's
+  std::string setting;  ///< what in the scenario's file gives it one
+};
+std::vector<NotCarried> sensorsNotCarried(const Scenario& scenario);
+
 /// Flies the mission until it has ended, or is aborted and at the surface, or the time is over. The
 /// trace has a row a control cycle; the same setup gives the same rows, byte for byte. GL5121 when
-/// the platform lacks a sensor that is needed, or that a fault names.
+/// the platform lacks a sensor that is needed, or that a fault names; GL5122 when it has one that
+/// the simulator does not know.
 support::Result<support::Trace> simulate(SimulationSetup setup);
 
 }  // namespace glider::simulator

@@ -9,6 +9,7 @@
 
 #include <llvm/Support/Alignment.h>
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 
@@ -144,6 +145,18 @@ llvm::Constant* Tables::sensors() {
   return array(lowering_.types.GliderSensorInfo, rows, "sensors");
 }
 
+/// The greatest value of a latitude or longitude, degrees; endless for other types.
+double mostOnEarth(const ir::Type& type) {
+  switch (type.kind) {
+    case ir::TypeKind::Latitude:
+      return 90;
+    case ir::TypeKind::Longitude:
+      return 180;
+    default:
+      return ir::Variable::kEndless;
+  }
+}
+
 llvm::Constant* Tables::parameters() {
   std::vector<llvm::Constant*> rows;
   for (uint32_t i = 0; i < lowering_.index.parameter_count; ++i) {
@@ -154,8 +167,10 @@ llvm::Constant* Tables::parameters() {
                                                         : 0.0;
     rows.push_back(
         llvm::ConstantStruct::get(lowering_.types.GliderParameterInfo,
-                                  {text(parameter.name), number(value), number(parameter.lowest),
-                                   number(parameter.highest), text(unitFactors(parameter.type))}));
+                                  {text(parameter.name), number(value),
+                                   number(std::max(parameter.lowest, -mostOnEarth(parameter.type))),
+                                   number(std::min(parameter.highest, mostOnEarth(parameter.type))),
+                                   text(unitFactors(parameter.type))}));
   }
   return array(lowering_.types.GliderParameterInfo, rows, "parameters");
 }

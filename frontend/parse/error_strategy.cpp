@@ -169,8 +169,10 @@ bool ErrorStrategy::misspelled(const Lexeme& found, const std::vector<std::strin
   const std::string_view meant =
       found.type == GliderLexer::NAME ? closest(word, keywords) : std::string_view{};
   if (!meant.empty()) {
-    reporter_.at(found, DiagnosticId::misspelledKeyword, word, meant)
-        .fix(reporter_.source().range(found), std::string(meant));
+    auto report = reporter_.at(found, DiagnosticId::misspelledKeyword, word, meant);
+    if (isSlip(word, meant)) {
+      report.fix(reporter_.source().range(found), std::string(meant));
+    }
   }
   return !meant.empty();
 }
@@ -183,8 +185,8 @@ void ErrorStrategy::complainOfTransition(const Lexeme& before, const Lexeme& fou
     auto report = reporter_.at(found, DiagnosticId::wrongTransition, word);
     const std::string_view meant = closest(word, {"goto", "call", "return", "exit", "stay"});
     if (!meant.empty()) {
-      report.hint(fmt::format("did you mean `{}`?", meant))
-          .fix(reporter_.source().range(found), std::string(meant));
+      // No fix: where a mission goes on is never guessed.
+      report.hint(fmt::format("did you mean `{}`?", meant));
     } else if (isStateName(reporter_.source(), word)) {
       report.hint(fmt::format("write `goto {0}` or `call {0}`", word));
     }

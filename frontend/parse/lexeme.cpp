@@ -4,11 +4,13 @@
 #include "frontend/parse/lexeme.h"
 
 #include "frontend/parse/byte_char_stream.h"
+#include "frontend/spelling.h"
 #include "grammar/GliderLexer.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 
 namespace glider::frontend {
 
@@ -119,6 +121,16 @@ uint32_t keywordType(std::string_view word) {
   return found == hardKeywords().end()
              ? 0
              : static_cast<uint32_t>(GliderLexer::MISSION + (found - hardKeywords().begin()));
+}
+
+bool isSlip(std::string_view word, std::string_view meant) {
+  constexpr size_t kShortest = 3;
+  std::string small(word);
+  std::ranges::transform(small, small.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const auto near = [&](std::string_view keyword) { return editDistance(small, keyword) <= 1; };
+  return word.size() >= kShortest && near(meant) &&
+         (small == meant || std::ranges::count_if(hardKeywords(), near) == 1);
 }
 
 std::string describe(const Source& source, const Lexeme& lexeme) {

@@ -140,8 +140,10 @@ class StructureRepair {
     }
     const std::string_view word = blocks_.empty() ? meantAtTop(t) : meantInBlock(t);
     if (!word.empty()) {
-      reporter_.at(t, DiagnosticId::misspelledKeyword, source_.text(t), word)
-          .fix(source_.range(t), std::string(word));
+      auto report = reporter_.at(t, DiagnosticId::misspelledKeyword, source_.text(t), word);
+      if (isSlip(source_.text(t), word)) {
+        report.fix(source_.range(t), std::string(word));
+      }
       t.type = keywordType(word);
     }
   }
@@ -259,8 +261,11 @@ class StructureRepair {
     if (t.type == kEof && header_at_.end == out_.back().begin) {
       // The file ends before the name already.
     } else if (misspelled) {
-      reporter_.at(t, DiagnosticId::misspelledKeyword, source_.text(t), "begin")
-          .fix(source_.range(t), "begin");
+      auto report =
+          reporter_.at(t, DiagnosticId::misspelledKeyword, source_.text(t), "begin");
+      if (isSlip(source_.text(t), "begin")) {
+        report.fix(source_.range(t), "begin");
+      }
     } else {
       reporter_.at(t, DiagnosticId::missingBegin, header_, describe(source_, t))
           .note(source_.range(header_at_), header_ + " is named here");

@@ -63,10 +63,18 @@ std::optional<ForeignPosition> foreignPosition(const std::vector<Lexeme>& lexeme
   }
   double degrees = 0;
   double part = 1;
+  bool certain = true;
   bool sign = false;
   size_t i = at;
   for (int numbers = 0; numbers < 3 && lexemes[i].type == GliderLexer::NUMBER; ++numbers) {
-    degrees += std::strtod(std::string(source.text(lexemes[i])).c_str(), nullptr) * part;
+    const std::string_view digits = source.text(lexemes[i]);
+    const double number = std::strtod(std::string(digits).c_str(), nullptr);
+    // `39.5 10 N` and `39 75 N` are slips of the hand, of which nobody can say which.
+    const bool last = lexemes[i + 1].type == GliderLexer::COMPASS ||
+                      lexemes[i + 2].type == GliderLexer::COMPASS;
+    certain = certain && (numbers == 0 || number < 60) &&
+              (last || digits.find_first_not_of("0123456789") == std::string_view::npos);
+    degrees += number * part;
     part /= 60;
     ++i;
     const std::string_view next = source.text(lexemes[i]);  // the last token is the file's end
@@ -82,6 +90,7 @@ std::optional<ForeignPosition> foreignPosition(const std::vector<Lexeme>& lexeme
   ForeignPosition found;
   found.whole = {GliderLexer::NUMBER, lexemes[at].begin, lexemes[i].end};
   found.count = i - at + 1;
+  found.certain = certain;
   found.number = lexemes[at];
   found.letter = lexemes[i];
   found.better = fmt::format("{} {}", decimal(degrees), source.text(lexemes[i]));

@@ -19,6 +19,7 @@ struct ForeignPosition {
   Lexeme number;       ///< to go on with: its degrees
   Lexeme letter;       ///< and N, S, E or W
   std::string better;  ///< as the language writes it: "39.175 N"
+  bool certain = true;  ///< it can be read in one way only
 };
 
 /// The half of a position that begins with token `at` and is not written as in the language, if

@@ -75,7 +75,7 @@ bool ValueRepair::take(Lexeme t, const Lexeme& next) {
 }
 
 bool ValueRepair::open(const Lexeme& t) {
-  parentheses_.push_back({t, 0, 0});
+  parentheses_.push_back({t, t.type == GliderLexer::LBRACKET || isAnyName(previous()), 0, 0});
   out_.push_back(t);
   if (parentheses_.size() > kDeepestNesting) {
     reporter_.at(t, DiagnosticId::nestedTooDeep, kDeepestNesting, "parentheses");
@@ -85,10 +85,11 @@ bool ValueRepair::open(const Lexeme& t) {
 }
 
 bool ValueRepair::close(const Lexeme& t) {
-  const uint32_t opens =
-      t.type == GliderLexer::RPAREN ? GliderLexer::LPAREN : GliderLexer::LBRACKET;
+  const bool round = t.type == GliderLexer::RPAREN;
+  const uint32_t opens = round ? GliderLexer::LPAREN : GliderLexer::LBRACKET;
   if (parentheses_.empty() || parentheses_.back().opener.type != opens) {
-    reporter_.at(t, DiagnosticId::strayParenthesis, source_.text(t)).fix(source_.range(t), "");
+    // No fix: in `a || b) && c` an opening one is missing, and without both it means another thing.
+    reporter_.at(t, DiagnosticId::strayParenthesis, source_.text(t), round ? "(" : "[");
     return true;
   }
   endOfItem();
@@ -127,7 +128,7 @@ Lexeme ValueRepair::equals(Lexeme t) {
     reporter_.at(t, DiagnosticId::equalForAssign).fix(source_.range(t), "=");
     t.type = GliderLexer::ASSIGN;
   } else if (!gives && t.type == GliderLexer::ASSIGN) {
-    reporter_.at(t, DiagnosticId::assignForEqual).fix(source_.range(t), "==");
+    reporter_.at(t, DiagnosticId::assignForEqual);  // no fix: which comparison, the pilot knows
     t.type = GliderLexer::EQ;
   }
   assignable_ = assignable_ && !gives;
@@ -153,7 +154,9 @@ bool ValueRepair::unknownUnit(const Lexeme& t, const Lexeme& next) {
       "kJ MJ Ah %";
   auto report = reporter_.at(t, DiagnosticId::unknownUnit, word,
                              unit.empty() ? std::string(kAll) : fmt::format("write `{}`", unit));
-  if (!unit.empty()) {
+  if (unit == "deg" && t.end - t.begin > unit.size()) {
+    report.hint("write `deg` for an angle, `degC` for a temperature");  // and only the pilot knows
+  } else if (!unit.empty()) {
     report.fix(source_.range(t), std::string(unit));
   }
   return true;
@@ -166,12 +169,20 @@ void ValueRepair::missingComma(const Lexeme& t, const Lexeme& next) {
     return;
   }
   const Lexeme& before = out_.back();
-  reporter_
-      .at(t, DiagnosticId::missingComma, fmt::format("`{}`", source_.text(before)),
-          fmt::format("`{}`", source_.text(t)))
-      .fix({source_.file, before.end, before.end}, ",");
+  auto report = reporter_.at(t, DiagnosticId::missingComma,
+                             fmt::format("`{}`", source_.text(before)),
+                             fmt::format("`{}`", source_.text(t)));
+  if (listsValues()) {
+    report.fix({source_.file, before.end, before.end}, ",");
+  }
   endOfItem();
   insert(GliderLexer::COMMA);
+}
+
+/// Whether what is being read is a list of values: `sensors`, a path, or the arguments of a name.
+/// Between the values of a plain `(…)` an operator is missing, not a comma.
+bool ValueRepair::listsValues() const {
+  return parentheses_.empty() || parentheses_.back().lists;
 }
 
 /// `10 m of depth`, and the second half of `39.2 N 73.9 W`.

@@ -33,6 +33,7 @@ class ValueRepair {
  private:
   struct Parenthesis {
     Lexeme opener;
+    bool lists = false;    ///< values with commas between them
     size_t operators = 0;  ///< of the item being read
     size_t most = 0;       ///< of the items before it
   };
@@ -44,6 +45,7 @@ class ValueRepair {
   Lexeme equals(Lexeme t);
   bool unknownUnit(const Lexeme& t, const Lexeme& next);
   void missingComma(const Lexeme& t, const Lexeme& next);
+  [[nodiscard]] bool listsValues() const;
   [[nodiscard]] bool belongTogether(const Lexeme& t, const Lexeme& next) const;
   [[nodiscard]] uint32_t previous() const { return out_.empty() ? 0 : out_.back().type; }
   void insert(uint32_t type);

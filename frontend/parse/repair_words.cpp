@@ -3,6 +3,7 @@
 
 #include "frontend/parse/repair_words.h"
 
+#include "frontend/bare_positions.h"
 #include "frontend/parse/repair_positions.h"
 #include "frontend/parse/token_kinds.h"
 
@@ -55,6 +56,11 @@ Meant comparison(std::string_view wrong) {
   return wrong == "===" ? Meant{"==", GliderLexer::EQ} : Meant{"!=", GliderLexer::NE};
 }
 
+/// A fix never writes `==` or `!=`: of readings they are hardly ever right.
+bool comparesExactly(uint32_t type) {
+  return type == GliderLexer::EQ || type == GliderLexer::NE;
+}
+
 Meant meantBy(uint32_t type, std::string_view text) {
   switch (type) {
     case GliderLexer::AND_WORD:
@@ -76,18 +82,24 @@ std::vector<Lexeme> WordRepair::run(const std::vector<Lexeme>& lexemes) {
   for (size_t i = 0; i < lexemes.size() && !reporter_.full(); ++i) {
     const Lexeme& lexeme = lexemes[i];
     const Lexeme& next = lexemes[std::min(i + 1, lexemes.size() - 1)];
+    followOpen(lexeme, out);
     if (lexeme.type == GliderLexer::OPEN_COMMENT) {
       reporter_.at(lexeme, DiagnosticId::openComment);
       cut_ = true;
       break;
     }
     if (const auto position = foreignPosition(lexemes, i, reporter_.source())) {
-      reporter_
-          .at(position->whole, DiagnosticId::positionForm, reporter_.source().text(position->whole),
-              position->better)
-          .fix(reporter_.source().range(position->whole), position->better);
+      auto report = reporter_.at(position->whole, DiagnosticId::positionForm,
+                                 reporter_.source().text(position->whole), position->better);
+      if (position->certain) {
+        report.fix(reporter_.source().range(position->whole), position->better);
+      }
       out.insert(out.end(), {position->number, position->letter});
       i += position->count - 1;
+      continue;
+    }
+    if (const size_t taken = barePair(lexemes, i, out)) {
+      i += taken - 1;
       continue;
     }
     if (lexeme.type == GliderLexer::OPEN_STRING) {
@@ -102,6 +114,45 @@ std::vector<Lexeme> WordRepair::run(const std::vector<Lexeme>& lexemes) {
     out.push_back(lexemes.back());
   }
   return out;
+}
+
+/// Keeps the open parentheses; a keyword closes them all, as it does in ValueRepair.
+void WordRepair::followOpen(const Lexeme& lexeme, const std::vector<Lexeme>& out) {
+  if (oneOf(lexeme.type, {GliderLexer::LPAREN, GliderLexer::LBRACKET})) {
+    open_.push_back(lexeme.type == GliderLexer::LPAREN && !out.empty() && isAnyName(out.back().type));
+  } else if (oneOf(lexeme.type, {GliderLexer::RPAREN, GliderLexer::RBRACKET})) {
+    open_.resize(open_.size() - (open_.empty() ? 0U : 1U));
+  } else if (isHardKeyword(lexeme.type) && lexeme.type != GliderLexer::EVERY &&
+             !oneOf(lexeme.type, {GliderLexer::TRUE, GliderLexer::FALSE, GliderLexer::AND_WORD,
+                                  GliderLexer::OR_WORD, GliderLexer::NOT_WORD})) {
+    open_.clear();
+  }
+}
+
+/// In the arguments of a name a comma is missing between them, which ValueRepair says.
+size_t WordRepair::barePair(const std::vector<Lexeme>& lexemes, size_t at,
+                            std::vector<Lexeme>& out) {
+  constexpr size_t kTokens = 2;
+  if (at + kTokens >= lexemes.size() || lexemes[at].type != GliderLexer::NUMBER ||
+      lexemes[at + 1].type != GliderLexer::NUMBER || (!open_.empty() && open_.back()) ||
+      oneOf(lexemes[at + kTokens].type,
+            {GliderLexer::UNIT, GliderLexer::COMPASS, GliderLexer::MIN})) {
+    return 0;
+  }
+  const Source& source = reporter_.source();
+  const bool negative = !out.empty() && out.back().type == GliderLexer::MINUS &&
+                        (out.size() < 2 || !endsValue(out[out.size() - 2].type));
+  const auto better = pairWithLetters({source.text(lexemes[at]), negative},
+                                      {source.text(lexemes[at + 1]), false});
+  if (!better) {
+    return 0;
+  }
+  Lexeme whole{GliderLexer::NUMBER, lexemes[at].begin, lexemes[at + 1].end};
+  out.push_back(whole);
+  whole.begin = negative ? out[out.size() - 2].begin : whole.begin;
+  reporter_.at(whole, DiagnosticId::barePosition, source.text(whole),
+               fmt::format("`{}`", *better));
+  return kTokens;
 }
 
 /// A foreign character right behind or before a name belongs to it: one mistake, not three.
@@ -157,8 +208,7 @@ void WordRepair::openString(const Lexeme& lexeme, std::vector<Lexeme>& out) {
 std::optional<Lexeme> WordRepair::one(const Lexeme& lexeme) {
   switch (lexeme.type) {
     case GliderLexer::SEMICOLON:
-      reporter_.at(lexeme, DiagnosticId::semicolon).fix(reporter_.source().range(lexeme), "");
-      return std::nullopt;
+      return semicolon(lexeme);
     case GliderLexer::FOREIGN:
       return foreign(lexeme);
     case GliderLexer::AND_WORD:
@@ -177,12 +227,32 @@ std::optional<Lexeme> WordRepair::one(const Lexeme& lexeme) {
   }
 }
 
+/// Between values it stands for a comma: without either, `min(a; -b)` would be a difference.
+std::optional<Lexeme> WordRepair::semicolon(const Lexeme& lexeme) {
+  const bool between = !open_.empty();
+  reporter_.at(lexeme, DiagnosticId::semicolon)
+      .hint(between ? "write `,` between values" : "delete it: a line needs no mark at its end")
+      .fix(reporter_.source().range(lexeme), between ? "," : "");
+  return between ? std::optional(Lexeme{GliderLexer::COMMA, lexeme.begin, lexeme.end})
+                 : std::nullopt;
+}
+
 Lexeme WordRepair::replaced(const Lexeme& lexeme, DiagnosticId id, uint32_t type) {
   const std::string_view text = reporter_.source().text(lexeme);
   const Meant meant = meantBy(type, text);
-  reporter_.at(lexeme, id, text, meant.text)
-      .fix(reporter_.source().range(lexeme), std::string(meant.text));
+  auto report = reporter_.at(lexeme, id, text, meant.text);
+  if (!comparesExactly(meant.type)) {
+    report.fix(reporter_.source().range(lexeme), std::string(meant.text));
+  }
   return {meant.type, lexeme.begin, lexeme.end};
+}
+
+/// `39·175`: a decimal point, and not `39 * 175`.
+bool WordRepair::isRaisedPoint(const Lexeme& lexeme) const {
+  const std::string_view text = reporter_.source().text();
+  const auto digit = [&](size_t at) { return at < text.size() && text[at] >= '0' && text[at] <= '9'; };
+  return reporter_.source().text(lexeme) == "·" && lexeme.begin > 0 && digit(lexeme.begin - 1) &&
+         digit(lexeme.end);
 }
 
 std::optional<Lexeme> WordRepair::foreign(const Lexeme& lexeme) {
@@ -194,8 +264,10 @@ std::optional<Lexeme> WordRepair::foreign(const Lexeme& lexeme) {
       if (row.type == 0) {
         return std::nullopt;
       }
-      report.fix(reporter_.source().range(lexeme),
-                 (row.type == GliderLexer::UNIT ? " " : "") + std::string(row.meant));
+      if (!comparesExactly(row.type) && !isRaisedPoint(lexeme)) {
+        report.fix(reporter_.source().range(lexeme),
+                   (row.type == GliderLexer::UNIT ? " " : "") + std::string(row.meant));
+      }
       return Lexeme{row.type, lexeme.begin, lexeme.end};
     }
   }

@@ -24,12 +24,19 @@ class WordRepair {
  private:
   std::optional<Lexeme> one(const Lexeme& lexeme);
   std::optional<Lexeme> foreign(const Lexeme& lexeme);
+  std::optional<Lexeme> semicolon(const Lexeme& lexeme);
+  void followOpen(const Lexeme& lexeme, const std::vector<Lexeme>& out);
+  /// `3355.2 1825.4`: how many tokens make the pair that was reported and put out as one; else 0.
+  size_t barePair(const std::vector<Lexeme>& lexemes, size_t at, std::vector<Lexeme>& out);
+  [[nodiscard]] bool isRaisedPoint(const Lexeme& lexeme) const;
   bool partOfToken(const Lexeme& lexeme, const Lexeme& next, std::vector<Lexeme>& out);
   void openString(const Lexeme& lexeme, std::vector<Lexeme>& out);
   Lexeme replaced(const Lexeme& lexeme, support::DiagnosticId id, uint32_t type);
 
   SyntaxReporter& reporter_;
   bool cut_ = false;
+  /// The open parentheses and brackets, and whether each has a function's arguments.
+  std::vector<bool> open_;
   uint32_t name_end_ = UINT32_MAX;  ///< where a name with foreign letters in it goes on
 };
 

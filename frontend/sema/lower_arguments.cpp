@@ -82,12 +82,21 @@ class ArgumentLowering {
     if (step.formals == 2) {
       return add(step.argument, {latitude(), true}, what);
     }
+    const bool whole = step.arguments == 2 || latitudeAndLongitude(step.formal);
+    if (whole && longitudeFirst(step.argument)) {
+      return false;
+    }
+    if (reported_ == step.argument) {
+      return false;
+    }
     if (step.arguments == 2) {
       const bool first = add(step.argument, {latitude(), false}, "the latitude of " + what);
       return add(step.argument + 1, {longitude(), false}, "the longitude of " + what) && first;
     }
     if (formal.type.position && lacksComma(arguments_[step.argument])) {
-      reportMissingComma(arguments_[step.argument], "a latitude and a longitude");
+      const ast::Argument& pair = arguments_[step.argument];
+      reportMissingComma(pair, "a latitude and a longitude")
+          .fix(differenceIn(pair)->op_where, ", -");
       return false;
     }
     return add(step.argument, formal.type, what);
@@ -116,6 +125,15 @@ class ArgumentLowering {
     return true;
   }
 
+  /// Reports a longitude ahead of its latitude, once for both.
+  bool longitudeFirst(size_t argument) {
+    const bool swapped = argument + 1 < arguments_.size() &&
+                         ExprLowering(scope_).longitudeFirst(*arguments_[argument].value,
+                                                             *arguments_[argument + 1].value);
+    reported_ = swapped ? argument + 1 : reported_;
+    return swapped;
+  }
+
   static const ast::Binary* differenceIn(const ast::Argument& argument) {
     const auto* binary = std::get_if<ast::Binary>(&argument.value->node);
     return binary != nullptr && binary->op == ast::BinaryOp::Subtract ? binary : nullptr;
@@ -128,14 +146,17 @@ class ArgumentLowering {
            takesUnitOfContext(*difference->right);
   }
 
-  void reportMissingComma(const ast::Argument& argument, const std::string& takes) {
+  /// Without a fix: of other arguments than a position, the difference may be meant and another
+  /// argument missing.
+  support::DiagnosticBuilder reportMissingComma(const ast::Argument& argument,
+                                                const std::string& takes) {
     const ast::Binary* difference = differenceIn(argument);
     auto report =
         scope_.report(DiagnosticId::missingCommaBeforeMinus, argument.value->where, callee_.name,
                       takes, scope_.text(argument.value->where),
                       scope_.text(difference->left->where), scope_.text(difference->right->where));
-    report.fix(difference->op_where, ", -");
     noteDeclaration(report, "declared as `" + callee_.signature.text + "`");
+    return report;
   }
 
   /// A whole path where positions belong.
@@ -160,10 +181,27 @@ class ArgumentLowering {
         return;
       }
     }
+    const std::string point = filled_ > wanted ? decimalComma() : "";
     auto report = scope_.report(DiagnosticId::wrongArgumentCount, where_, callee_.name, takes,
                                 arguments_.empty() ? "none" : countOf(filled_),
-                                "write `" + callee_.signature.text + "`");
+                                point.empty() ? "write `" + callee_.signature.text + "`" : point);
     noteDeclaration(report, "declared here");
+  }
+
+  /// What to write if there is a `39,175 N` among the arguments; empty if there is none.
+  std::string decimalComma() {
+    for (size_t i = 0; i + 1 < arguments_.size(); ++i) {
+      const auto* whole = std::get_if<ast::Literal>(&arguments_[i].value->node);
+      const auto* rest = std::get_if<ast::Literal>(&arguments_[i + 1].value->node);
+      const support::SourceRange& left = arguments_[i].value->where;
+      const support::SourceRange& right = arguments_[i + 1].value->where;
+      if (whole != nullptr && rest != nullptr && whole->unit.empty() && right.begin == left.end + 1 &&
+          rest->digits.find_first_not_of("0123456789") == std::string::npos) {
+        return fmt::format("a decimal point is a point: write `{}.{}`", scope_.text(left),
+                           scope_.text(right));
+      }
+    }
+    return "";
   }
 
   void noteDeclaration(support::DiagnosticBuilder& report, const std::string& message) {
@@ -177,6 +215,7 @@ class ArgumentLowering {
   const support::SourceRange& where_;
   Scope& scope_;
   std::vector<Step> steps_;
+  size_t reported_ = SIZE_MAX;  ///< the argument of which all has been said
   size_t filled_ = 0;  ///< arguments, a position for two formals counted twice
   Arguments result_;
 };

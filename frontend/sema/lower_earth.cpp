@@ -84,6 +84,13 @@ std::optional<std::vector<Value>> ExprLowering::places(const ast::Invocation& no
       }
       continue;
     }
+    if (i + 1 < node.arguments.size() &&
+        longitudeFirst(argument, *node.arguments[i + 1].value)) {
+      good = false;
+      found.emplace_back();
+      ++i;
+      continue;
+    }
     const Result first = lower(argument, latitude());
     if (!first || first->longitude.valid()) {
       good = good && first;

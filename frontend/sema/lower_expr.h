@@ -48,6 +48,10 @@ class ExprLowering {
   /// A guard or an operand of `&&`.
   std::optional<ir::ExprId> lowerCondition(const ast::Expr& expr);
 
+  /// Refuses the halves of a position in the wrong order, as far as numbers and letters show it;
+  /// then true (lower_longitude_first.cpp).
+  bool longitudeFirst(const ast::Expr& first, const ast::Expr& second);
+
   /// The sensors read since this was made.
   [[nodiscard]] const std::vector<SensorRead>& reads() const { return reads_; }
 
@@ -81,6 +85,8 @@ class ExprLowering {
   Result comparison(ir::Op op, const ast::Binary& node, const ast::Expr& expr);
   Result sum(ir::Op op, const ast::Binary& node, const ast::Expr& expr,
              std::optional<ir::Type> want);
+  /// Refuses `3910.6 -7349.9`, a position that would be a difference.
+  bool sideBySide(const ast::Binary& node, const ast::Expr& expr);
   Result scaling(ir::Op op, const ast::Binary& node, const ast::Expr& expr);
   /// Refuses `5 m < depth < 10 m` and `!depth > 5 m`.
   bool chained(const ast::Binary& node, const ast::Expr& expr);

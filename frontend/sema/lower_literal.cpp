@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "frontend/bare_positions.h"
 #include "frontend/sema/literals.h"
 #include "frontend/sema/lower_expr.h"
 #include "support/units/units.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace glider::frontend {
@@ -76,6 +78,9 @@ ExprLowering::Result ExprLowering::visit(const ast::Literal& node, const ast::Ex
 ExprLowering::Result ExprLowering::bareLiteral(const ast::Literal& node,
                                                const support::SourceRange& range,
                                                std::optional<ir::Type> want, bool negative) {
+  if (node.digits.find_first_of(" \t\r\n") != std::string::npos) {
+    return std::nullopt;  // `3355.2 1825.4`, which the parser has refused
+  }
   if (want && (want->kind == ir::TypeKind::Latitude || want->kind == ir::TypeKind::Longitude)) {
     return barePosition(node, range, *want, negative);
   }
@@ -115,7 +120,7 @@ ExprLowering::Result ExprLowering::barePosition(const ast::Literal& node,
   const std::string text = scope_.text(range);
   const char letter = latitude ? (negative ? 'S' : 'N') : (negative ? 'W' : 'E');
   const std::string better = fmt::format("{} {}", node.digits, letter);
-  const bool decimal = parts->degrees == 0 && parts->minutes > 0;
+  const bool decimal = !isPlainlyDdmm(node.digits);
   if (parts->minutes >= 60) {
     auto report = scope_.report(
         DiagnosticId::minutesOver60, range, text, parts->degrees, parts->minutes,
@@ -130,9 +135,11 @@ ExprLowering::Result ExprLowering::barePosition(const ast::Literal& node,
   if (!checkOnEarth(range, latitude, degrees)) {
     return std::nullopt;
   }
-  if (decimal) {
-    scope_.report(DiagnosticId::decimalPosition, range, text, parts->minutes, degrees, better)
-        .fix(range, better);
+  if (decimal) {  // no fix: near the equator it may be minutes
+    const size_t whole = std::min(node.digits.find_first_not_of("0123456789"), node.digits.size());
+    scope_.report(DiagnosticId::decimalPosition, range, text, node.digits, better,
+                  (negative ? "-" : "") + std::string(4 - whole, '0') + node.digits);
+    return std::nullopt;
   }
   return emitNumber(degrees, want, range);
 }
@@ -185,12 +192,13 @@ ExprLowering::Result ExprLowering::compass(const ast::Literal& node,
 
 ExprLowering::Result ExprLowering::visit(const ast::Position& node, const ast::Expr&,
                                          std::optional<ir::Type>) {
-  // Either order is clear from the letters.
-  const bool swapped = node.latitude.unit == "E" || node.latitude.unit == "W";
-  const ast::Literal& latitude = swapped ? node.longitude : node.latitude;
-  const ast::Literal& longitude = swapped ? node.latitude : node.longitude;
-  const auto& latitude_where = swapped ? node.longitude_where : node.latitude_where;
-  const auto& longitude_where = swapped ? node.latitude_where : node.longitude_where;
+  const ast::Literal& latitude = node.latitude;
+  const ast::Literal& longitude = node.longitude;
+  const auto& latitude_where = node.latitude_where;
+  const auto& longitude_where = node.longitude_where;
+  if (longitudeFirst({latitude, latitude_where}, {longitude, longitude_where})) {
+    return std::nullopt;
+  }
   Result first;
   Result second;
   if (isLetter(latitude.unit)) {

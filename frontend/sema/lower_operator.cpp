@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "frontend/bare_positions.h"
 #include "frontend/sema/evaluate.h"
 #include "frontend/sema/lower_expr.h"
 
@@ -33,6 +34,17 @@ const OperatorRow& rowOf(ast::BinaryOp op) {
 
 bool isComparison(ast::BinaryOp op) {
   return op >= ast::BinaryOp::Less && op <= ast::BinaryOp::NotEqual;
+}
+
+/// Both say that values rise, or both that they fall: `5 m < depth <= 10 m`.
+bool sameWay(ast::BinaryOp a, ast::BinaryOp b) {
+  const auto rises = [](ast::BinaryOp op) {
+    return op == ast::BinaryOp::Less || op == ast::BinaryOp::LessEqual;
+  };
+  const auto falls = [](ast::BinaryOp op) {
+    return op == ast::BinaryOp::Greater || op == ast::BinaryOp::GreaterEqual;
+  };
+  return (rises(a) && rises(b)) || (falls(a) && falls(b));
 }
 
 /// Whether a reading or a clock is in the expression.
@@ -91,12 +103,11 @@ ExprLowering::Result ExprLowering::visit(const ast::Unary& node, const ast::Expr
   const bool earth =
       operand->type.kind == ir::TypeKind::Latitude || operand->type.kind == ir::TypeKind::Longitude;
   if (literal != nullptr && earth) {
+    // No fix: `-73.8 W` is 73.8 W to most pilots, and 73.8 E to arithmetic.
     constexpr std::string_view kLetters = "NSEW";
     constexpr std::string_view kOpposite = "SNWE";
-    const std::string better =
-        fmt::format("{} {}", literal->digits, kOpposite[kLetters.find(literal->unit)]);
-    scope_.report(DiagnosticId::signAndLetter, expr.where, scope_.text(expr.where), better)
-        .fix(expr.where, better);
+    scope_.report(DiagnosticId::signAndLetter, expr.where, scope_.text(expr.where), literal->digits,
+                  literal->unit, kOpposite[kLetters.find(literal->unit)]);
     return std::nullopt;
   }
   if (!numeric(*operand, *node.operand, "-", false)) {
@@ -160,9 +171,39 @@ std::optional<ExprLowering::Pair> ExprLowering::alike(const ast::Expr& left, con
   return rightFirst ? Pair{*two, *one} : Pair{*one, *two};
 }
 
+bool ExprLowering::sideBySide(const ast::Binary& node, const ast::Expr& expr) {
+  const auto* unary = std::get_if<ast::Unary>(&node.left->node);
+  const bool negative = unary != nullptr && unary->op == ast::UnaryOp::Negate;
+  const auto* first = std::get_if<ast::Literal>(negative ? &unary->operand->node : &node.left->node);
+  const auto* second = std::get_if<ast::Literal>(&node.right->node);
+  if (node.op != ast::BinaryOp::Subtract || first == nullptr || second == nullptr ||
+      !first->unit.empty() || !second->unit.empty()) {
+    return false;
+  }
+  // `(3910.6) - 7349.9` says that a difference is meant.
+  const std::string gap =
+      scope_.text({expr.where.file, node.left->where.end, node.op_where.begin});
+  if (gap.find(')') != std::string::npos) {
+    return false;
+  }
+  const bool before = !gap.empty();
+  const bool after = node.right->where.begin > node.op_where.end;
+  const auto better = pairWithLetters({first->digits, negative}, {second->digits, true});
+  if (!better || !isPairByLooks(first->digits, second->digits, before, after)) {
+    return false;
+  }
+  scope_.report(DiagnosticId::barePosition, expr.where, scope_.text(expr.where),
+                fmt::format("`{}`; if a difference is meant, `({}) - {}`", *better,
+                            scope_.text(node.left->where), second->digits));
+  return true;
+}
+
 ExprLowering::Result ExprLowering::sum(ir::Op op, const ast::Binary& node, const ast::Expr& expr,
                                        std::optional<ir::Type> want) {
   const std::string_view text = rowOf(node.op).text;
+  if (sideBySide(node, expr)) {
+    return std::nullopt;
+  }
   const auto pair = alike(*node.left, *node.right, want, text);
   if (!pair || !numeric(pair->left, *node.left, text, false)) {
     return std::nullopt;
@@ -209,8 +250,12 @@ bool ExprLowering::chained(const ast::Binary& node, const ast::Expr& expr) {
   const std::string first = scope_.text(node.left->where);
   const std::string second = fmt::format("{} {} {}", scope_.text(inner->right->where),
                                          rowOf(node.op).text, scope_.text(node.right->where));
-  scope_.report(DiagnosticId::chainedComparison, expr.where, scope_.text(expr.where), first, second)
-      .fix(expr.where, first + " && " + second);
+  auto report = scope_.report(DiagnosticId::chainedComparison, expr.where, scope_.text(expr.where),
+                              first, second);
+  if (sameWay(inner->op, node.op)) {
+    // In parentheses: a `not` before it reaches over the whole.
+    report.fix(expr.where, "(" + first + " && " + second + ")");
+  }
   return true;
 }
 

@@ -50,6 +50,7 @@ class RandomFlight {
         std::ranges::find_if_not(requirements, &std::vector<Fence>::empty, &Requirement::fences);
     if (area != requirements.end()) {
       place_.emplace(startOf(*area), ground.platform, dice_);
+      dark_left_s_ = ground.tick_gap_s;  // the premise of areas: all outages together
     }
   }
 
@@ -73,9 +74,12 @@ class RandomFlight {
   /// s; a power cut may be of any length that the mission goes on after.
   double untilNextTick() {
     const platforms::Platform& platform = ground_.platform;
-    if (ground_.tick_gap_s > platform.world.tick_gap_s && dice_.chance(kPowerCut)) {
-      const double shortest = platform.world.tick_gap_s;
-      return dice_.chance(0.5) ? ground_.tick_gap_s : dice_.within(shortest, ground_.tick_gap_s);
+    const double shortest = platform.world.tick_gap_s;
+    const double longest = std::min(ground_.tick_gap_s, dark_left_s_);
+    if (longest > shortest && dice_.chance(kPowerCut)) {
+      const double cut = dice_.chance(0.5) ? longest : dice_.within(shortest, longest);
+      dark_left_s_ -= cut;
+      return cut;
     }
     return dice_.chance(kLostTick) ? platform.world.tick_gap_s : platform.envelope.cycle_s;
   }
@@ -225,6 +229,7 @@ class RandomFlight {
   Dice dice_;
   RandomVehicle vehicle_;
   std::optional<RandomPlace> place_;  ///< where it is, if that is asked about
+  double dark_left_s_ = std::numeric_limits<double>::infinity();  ///< of power cuts
   bool calm_ = dice_.chance(0.3);  ///< every sensor shows the same all the time
   std::vector<Showing> showing_;
   std::vector<std::vector<double>> landmarks_;  ///< by sensor

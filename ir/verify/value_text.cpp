@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <optional>
 
 namespace glider::ir {
@@ -32,6 +33,11 @@ std::string withUnit(double value, Type type) {
 
 std::string withUnitExactly(double value, Type type) {
   constexpr int kMostDigits = 15;  // that a launch reads
+  if (type.kind == TypeKind::Latitude || type.kind == TypeKind::Longitude) {
+    const bool latitude = type.kind == TypeKind::Latitude;
+    const char letter = value < 0 ? (latitude ? 'S' : 'W') : (latitude ? 'N' : 'E');
+    return fmt::format("{:.{}g} {}", std::fabs(value), kMostDigits, letter);
+  }
   return fmt::format("{:.{}g}{}", shown(value, type), kMostDigits,
                      type.kind == TypeKind::Quantity ? unitOf(type) : "");
 }

@@ -12,7 +12,7 @@ namespace glider::ir {
 /// A number (SI units; of a position degrees) in the unit that its type is shown in: "12 m",
 /// "39.2 deg".
 std::string withUnit(double value, Type type);
-/// The same as `--set` takes it, with 15 digits: "12.25m", "-39.2".
+/// The same as `--set` takes it, with 15 digits: "12.25m", "39.2 S".
 std::string withUnitExactly(double value, Type type);
 /// The range of a variable: "3 m .. 24 m", "at most 5".
 std::string rangeText(const Variable& variable);

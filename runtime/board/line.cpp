@@ -22,7 +22,7 @@ const char* portOf(const Options& options) {
 void tellHelp(const char* mission_name) {
   tell(
       "mission ", mission_name,
-      ": takes part in steering a glider over a serial line\n"
+      ": steers a glider over a serial line\n"
       "  --port PATH  the line to the science computer (else ",
       defaultPort(),
       ")\n"
@@ -31,9 +31,9 @@ void tellHelp(const char* mission_name) {
       "  --log FILE   write the mission's log, for `glidercc log`\n"
       "  --log-limit N  from N bytes on (4096 or more) it becomes FILE.old, and a new one begins "
       "(else 32 MiB)\n"
-      "  --checkpoint FILE  keep what a program that is started again needs to go on\n"
-      "  --set NAME=VALUE   give a parameter of the mission a value, as in --set bottom=20m\n"
-      "  --parameters FILE  take them from a file with lines `NAME = VALUE`; --set goes before it\n"
+      "  --checkpoint FILE  keep what a restart needs to go on\n"
+      "  --set NAME=VALUE   give a parameter a value, as in --set bottom=20m\n"
+      "  --parameters FILE  the same in lines of a file; --set goes before it\n"
       "  --version    which mission and runtime this is\n"
       "status: 0 the mission ended and gave control back, 1 wrong use, 2 no port or its link lost, "
       "or\n"

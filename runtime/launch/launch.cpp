@@ -46,6 +46,9 @@ void writeQuantity(const GliderParameterInfo& parameter, double value, Text& tex
   }
   Units units(parameter.units);
   const bool has_unit = units.next();
+  if (isOnEarth(parameter.units) && value < 0.0) {
+    units.next();  // S or W, and no minus
+  }
   text.put(has_unit ? value / units.factor() : value);
   if (has_unit && !units.name().empty()) {
     text.put(' ').put(units.name().begin, units.name().size());
@@ -162,11 +165,16 @@ bool Launch::refuseValue(const GliderParameterInfo& parameter, const Piece& give
       writeRange(parameter, text);
       break;
     case Reading::TooManyDigits:
-      text.put(": numbers have at most 15 digits, and powers of ten up to 22");
+      text.put(": more than 15 digits, or too large or small");
       break;
     case Reading::NoSuchUnit:
       text.put(": after the number its unit: ");
       listUnits(parameter.units, text);
+      break;
+    case Reading::NotAPosition:
+      text.put(": write ddmm.mmmm, as in `3910.5`, or degrees and a letter, as in `39.175 ")
+          .put(parameter.units[0])
+          .put('`');
       break;
     case Reading::NotANumber:
       text.put(isTruth(parameter.units) ? ": write `true` or `false`" : ": it is not a number");

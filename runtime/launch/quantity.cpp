@@ -34,6 +34,7 @@ struct Decimal {
   double digits = 0;  ///< a whole number, exact as far as kMostDigits
   int32_t exponent = 0;
   uint32_t seen = 0;         ///< digits of all kinds
+  uint32_t whole = 0;        ///< of them, before the point
   uint32_t significant = 0;  ///< without leading zeros
 };
 
@@ -85,6 +86,7 @@ Decimal takeDecimal(Piece& text) {
   Decimal number;
   number.negative = takeSign(text);
   takeDigits(text, number, false);
+  number.whole = number.seen;
   if (!text.empty() && *text.begin == '.') {
     ++text.begin;
     takeDigits(text, number, true);
@@ -112,6 +114,20 @@ bool toDouble(const Decimal& number, double& value) {
   value = gliderSettle(number.exponent < 0 ? number.digits / power : number.digits * power);
   value = number.negative ? negated(value) : value;
   return true;
+}
+
+/// Turns `value`, ddmm.mmmm, into degrees. Three digits or more before the point show that no
+/// decimal degrees are meant.
+bool fromDdmm(const Decimal& number, double& value) {
+  constexpr uint32_t kFewest = 3;
+  constexpr double kFarthest = 36000;
+  if (!(value <= kFarthest && value >= -kFarthest)) {
+    return false;
+  }
+  const auto degrees = static_cast<double>(static_cast<int32_t>(value / 100.0));
+  const double minutes = value - degrees * 100.0;
+  value = degrees + minutes / 60.0;
+  return (number.whole >= kFewest || number.significant == 0) && minutes < 60.0 && minutes > -60.0;
 }
 
 bool factorOf(const Piece& unit, const char* units, double& factor) {
@@ -161,26 +177,33 @@ bool isTruth(const char* units) {
   return strcmp(units, "bool") == 0;
 }
 
+bool isOnEarth(const char* units) {
+  return (units[0] == 'N' || units[0] == 'E') && units[1] == '=';
+}
+
 Reading readQuantity(const Piece& text, const char* units, double& value) {
   Piece rest = text.trimmed();
   if (isTruth(units)) {
     value = rest.is("true") ? 1.0 : 0.0;
     return rest.is("true") || rest.is("false") ? Reading::Good : Reading::NotANumber;
   }
+  const bool earth = isOnEarth(units);
   const Decimal number = takeDecimal(rest);
+  rest = rest.trimmed();
   if (number.seen == 0) {
-    return Reading::NotANumber;
+    return earth ? Reading::NotAPosition : Reading::NotANumber;
   }
+  const bool ddmm = earth && rest.empty();
   double factor = 1;
-  if (!factorOf(rest.trimmed(), units, factor)) {
-    return Reading::NoSuchUnit;
+  if (!factorOf(rest, units, factor) || (earth && number.negative && !ddmm)) {
+    return earth ? Reading::NotAPosition : Reading::NoSuchUnit;
   }
   double plain = 0;
   if (!toDouble(number, plain)) {
     return Reading::TooManyDigits;
   }
   value = gliderSettle(plain * factor);
-  return Reading::Good;
+  return !ddmm || fromDdmm(number, value) ? Reading::Good : Reading::NotAPosition;
 }
 
 }  // namespace glider::runtime

@@ -39,16 +39,20 @@ class Units {
 
 /// True if `units` are those of a truth value.
 bool isTruth(const char* units);
+/// True if `units` are those of a latitude (N, S) or a longitude (E, W), in degrees.
+bool isOnEarth(const char* units);
 
 enum class Reading : uint8_t {
   Good,
   NotANumber,
   TooManyDigits,  ///< more than can be read the same on every board
   NoSuchUnit,
+  NotAPosition,  ///< neither ddmm.mmmm nor degrees with a letter
 };
 
 /// Reads "20", "20 m", "-1.5e3cm", "39.2 N", or of a truth value "true" or "false", into `value`,
-/// in SI units or degrees. The nearest double, on every board: at most 15 digits and powers of ten
+/// in SI units or degrees. A latitude or longitude without a letter is ddmm.mmmm, as in the
+/// language (within 1e-12 degrees of it). The nearest double, on every board: at most 15 digits and powers of ten
 /// up to 22, which one correctly rounded operation turns into a double (W. D. Clinger, How to read
 /// floating point numbers accurately, PLDI 1990).
 Reading readQuantity(const Piece& text, const char* units, double& value);

@@ -75,7 +75,7 @@ class Compilation {
   [[nodiscard]] Outcome outcome() const {
     const bool warned = diagnostics_.errorCount() + diagnostics_.warningCount() > 0;
     return {support::render(diagnostics_, sources_, false) + product_, warned,
-            diagnostics_.hasErrors()};
+            diagnostics_.hasErrors(), diagnostics_.sorted()};
   }
 
  private:

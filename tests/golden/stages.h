@@ -3,7 +3,10 @@
 
 #pragma once
 
+#include "support/diagnostics/diagnostic.h"
+
 #include <string>
+#include <vector>
 
 namespace glider::golden {
 
@@ -13,6 +16,7 @@ struct Outcome {
       text;  ///< diagnostics as a pilot reads them, then the product ("ast", "ir") if there is one
   bool warned = false;   ///< there was a diagnostic
   bool refused = false;  ///< there was an error
+  std::vector<support::Diagnostic> diagnostics = {};
 };
 
 /// Runs the compiler up to `stage` ("parse", "sema", "verify", "prove") on `input`, called `name`

@@ -31,6 +31,9 @@ export interface Figures {
   stateless: number | null;
 }
 
+/** What went wrong (with a code), or what else to know of the flight. */
+export interface Warning { code: string; slug: string; message: string; hint: string }
+
 interface TraceJson {
   mission: string;
   scenario: string;
@@ -52,6 +55,7 @@ export interface Span<T> { from: number; to: number; value: T }
 
 export class Flight {
   readonly figures: Figures;
+  readonly warnings: Warning[];
   readonly mission: string;
   readonly scenario: string;
   readonly way: string;
@@ -65,9 +69,10 @@ export class Flight {
   /** The columns that have a value somewhere. */
   private readonly values = new Map<string, Values>();
 
-  constructor(json: { figures: Figures; trace: TraceJson }) {
+  constructor(json: { figures: Figures; warnings?: Warning[]; trace: TraceJson }) {
     const t = json.trace;
     this.figures = json.figures;
+    this.warnings = json.warnings ?? [];
     this.mission = t.mission;
     this.scenario = t.scenario;
     this.way = t.way;

@@ -4,7 +4,7 @@
 /** The head of the page: which flight this is, and what it came to. */
 
 import { element, swatch } from "./dom";
-import { Figures, Flight } from "./flight";
+import { Figures, Flight, Warning } from "./flight";
 import { clock, fixed, length } from "./format";
 import { layeredColour, pilotColour } from "./palette";
 
@@ -48,6 +48,13 @@ function timeShares(flight: Flight): HTMLElement | null {
   return element("div", {}, bar, list);
 }
 
+/** What must be known before any figure: red if the flight went wrong. */
+function warningList(warnings: Warning[]): HTMLElement {
+  const failed = warnings.some((w) => w.code !== "");
+  return element("ul", { class: failed ? "warnings failed" : "warnings", role: "alert" }, ...warnings.map((w) =>
+    element("li", {}, w.message, ...(w.code === "" ? [] : [" ", element("code", {}, `${w.code} ${w.slug}`)]))));
+}
+
 export function header(host: HTMLElement, flight: Flight): void {
   const title = flight.mission === "" ? "A flight" : flight.mission;
   document.title = `${title}: flight report`;
@@ -57,5 +64,5 @@ export function header(host: HTMLElement, flight: Flight): void {
     element("div", {}, element("dt", {}, name), element("dd", {}, value))));
   const shares = timeShares(flight);
   host.replaceChildren(element("h1", {}, title), element("p", { class: "facts" }, facts.filter((x) => x !== "").join(" · ")),
-    tiles, ...(shares ? [shares] : []));
+    ...(flight.warnings.length === 0 ? [] : [warningList(flight.warnings)]), tiles, ...(shares ? [shares] : []));
 }

@@ -4,6 +4,7 @@
 #include "simulator/flight/behaviours/hookbeh_adapter.h"
 
 #include "platforms/slocum_sensors.h"
+#include "simulator/flight/behaviours/refusal_text.h"
 
 #include <fmt/format.h>
 
@@ -50,32 +51,6 @@ HeadingCommand heading(const hooks::HookbehOutputs& out) {
   return {HeadingCommand::Mode::Fin, 0, 0, 0};
 }
 
-const char* describe(HookAnswer answer) {
-  switch (answer) {
-    case HookAnswer::None:
-      return "no answer";
-    case HookAnswer::Accepted:
-      return "accepted";
-    case HookAnswer::BadCheck:
-      return "its check value does not match";
-    case HookAnswer::TooDeep:
-      return "deeper than max_depth";
-    case HookAnswer::BadPitch:
-      return "its pitch is outside min_pitch and max_pitch";
-    case HookAnswer::BadCommand:
-      return "it is no command";
-    case HookAnswer::NotOnEarth:
-      return "its waypoint is no position";
-    case HookAnswer::WrongSession:
-      return "it is from a session that is not in control";
-    case HookAnswer::NotReady:
-      return "hookbeh is not ready";
-    case HookAnswer::OldSequence:
-      return "its number is older than one that was decided on";
-  }
-  return "unknown answer";
-}
-
 const char* describe(HookState state) {
   switch (state) {
     case HookState::Absent:
@@ -111,7 +86,7 @@ hooks::HookbehArgs hookbehArgs(const slocum::BehaviourBlock& block) {
 }
 
 HookbehAdapter::HookbehAdapter(const slocum::BehaviourBlock& block)
-    : Behaviour(block.name), hookbeh_(hookbehArgs(block)) {}
+    : Behaviour(block.name), limits_(hookbehArgs(block)), hookbeh_(limits_) {}
 
 void HookbehAdapter::note(const hooks::HookbehInputs& in, const hooks::HookbehOutputs& out) {
   if (out.state != state_) {
@@ -119,9 +94,8 @@ void HookbehAdapter::note(const hooks::HookbehInputs& in, const hooks::HookbehOu
   }
   if (out.answered_sequence != answered_ && out.answer != HookAnswer::Accepted) {
     news_.push_back(
-        {"hook", fmt::format("instruction {} refused: {} (vertical {}, depth {} m, pitch {} rad)",
-                             out.answered_sequence, describe(out.answer), in.vertical,
-                             in.hook_depth_m, in.hook_pitch_rad)});
+        {"hook", fmt::format("instruction {} refused: {}", out.answered_sequence,
+                             refusalText(out.answer, in, limits_))});
   }
   if (out.commanding && doing_ != out.doing) {
     const char* kind = out.guarding ? "hook" : "steering";

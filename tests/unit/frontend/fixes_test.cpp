@@ -48,15 +48,66 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(mission("depth > 5 m;"), mission("depth => 5 m"),
                     mission("depth > 5 m & temp < 3"), mission("depth > 5 m and temp < 3"),
                     mission("!depth > 5 m"), mission("depth ≥ 5 m"), mission("depth > 5 metres"),
-                    mission("depth > 5. "), mission("max(depth 5 m) > 3"), mission("depth > 5 m) "),
+                    mission("depth > 5. "), mission("max(depth 5 m) > 3"),
                     mission("5 m < depth < 10 m"), mission("pitch > 5 deg"),
                     mission("pitch > 5 deg", ""), mission("depth > 5 m", "sensors depth temp"),
                     mission("depth > 5 m", "sensors depth begin"),
                     mission("depth > 5 m", "flightroute nav(3910.5 -7349.8)"),
-                    mission("depth > 5 m", "flightroute nav(39.1, -73.8)"),
-                    mission("depth > 5 m", "flightroute nav(39.1, -53.8)"),
-                    mission("depth > 5 m", "flightroute nav(-39.1 N, 73.8 W)"),
+                    mission("depth > 5 m", "flightroute nav(3910.5, -73.8)"),
+                    mission("!(min(depth; -3 m) > 5 m)"), mission("depth > 5 m", "flightroute nav(39 10.5 N, 73 49.8 W)"),
                     mission("true") + "end\n", mission("true").replace(22, 5, "begni")));
+
+/// What only the pilot can decide: the hint says how, and no fix is offered.
+class NoFix : public testing::TestWithParam<std::string> {};
+
+TEST_P(NoFix, WhereTheMeaningIsNotCertain) {
+  FrontendRun broken(GetParam());
+  broken.compile();
+  ASSERT_NE(broken.said(), "");
+  for (const support::Diagnostic& d : broken.diagnostics.sorted()) {
+    EXPECT_TRUE(d.fixes.empty()) << broken.said();
+    EXPECT_FALSE(d.hint.empty()) << broken.said();
+  }
+}
+
+const std::string kNav = "sensors missiontime, depth, temp flightroute ";
+
+INSTANTIATE_TEST_SUITE_P(
+    All, NoFix,
+    testing::Values(
+        mission("temp = 20 degC"), mission("temp === 20 degC"), mission("temp !== 20 degC"),
+        mission("temp <> 20 degC"), mission("temp ≠ 20 degC"),
+        mission("depth > 5 m || temp > 3) && missiontime > 1 h", "sensors missiontime, depth, temp"),
+        mission("temp > 20 degrees"), mission("5 m < depth > 3 m"), mission("(depth 5 m) > 3 m"),
+        mission("depth > 5·3 m"), mission("depth > 5 m", kNav + "nav(-39.1 N, 73.8 W)"),
+        mission("depth > 5 m", kNav + "nav(39.1 N, -73.8 W)"),
+        mission("depth > 5 m", kNav + "nav(39.1, 53.8 W)"),
+        mission("depth > 5 m", kNav + "nav(39 75 N, 73.8 W)"),
+        mission("depth > 5 m", kNav + "nav(-7349.8, 3910.5)"),
+        mission("depth > 5 m", kNav + "nav(73.8 W, 39.1 N)"),
+        mission("depth > 5 m", kNav + "nav(73.8 W 39.1 N)"),
+        mission("distance(3910.5 -7349.8 , 39.1 N 73.8 W) > 5 m", "sensors depth, lat, lon"),
+        mission("depth > 5 m").replace(0, 12, "mission test const k = 3910.6 -7349.9"),
+        mission("depth > 5 m").replace(0, 12, "mission test const k = -3355.2 1825.4")));
+
+TEST(NoFix, ATransitionIsNeverGuessed) {
+  std::string text = mission("depth > 5 m");
+  FrontendRun broken(text.replace(text.find("exit"), 4, "exti"));
+  broken.compile();
+  EXPECT_NE(broken.said().find("did you mean `exit`?"), std::string::npos) << broken.said();
+  EXPECT_EQ(broken.said().find("fixed"), std::string::npos);
+  for (const support::Diagnostic& d : broken.diagnostics.sorted()) {
+    EXPECT_TRUE(d.fixes.empty()) << broken.said();
+  }
+}
+
+/// `not` reaches further than a comparison: what takes the place of a chain must stay together.
+TEST(Fixes, AChainOfComparisonsStaysOneCondition) {
+  FrontendRun broken(mission("!(5 m < depth < 10 m)"));
+  broken.compile();
+  EXPECT_NE(fixed(broken).find("!((5 m < depth && depth < 10 m))"), std::string::npos)
+      << fixed(broken);
+}
 
 }  // namespace
 }  // namespace glider::frontend

@@ -52,6 +52,21 @@ TEST(Page, CarriesTheTraceWithUnknownAsNull) {
   EXPECT_EQ(data.at("figures").at("rows"), 2);
 }
 
+TEST(Page, CarriesWhatWentWrong) {
+  const auto trace = smallTrace({{"time", "s"}}, {{0}});
+  EXPECT_EQ(nlohmann::json::parse(dataOf(renderPage(trace))).at("warnings").size(), 0);
+  const support::Diagnostic aborted{support::DiagnosticId::flightAborted,
+                                    support::Severity::Warning,
+                                    {},
+                                    "the vehicle aborted </script>",
+                                    "",
+                                    {},
+                                    {}};
+  const auto data = nlohmann::json::parse(dataOf(renderPage(trace, {aborted})));
+  EXPECT_EQ(data.at("warnings").at(0).at("code"), "GL9370");
+  EXPECT_EQ(data.at("warnings").at(0).at("message"), "the vehicle aborted </script>");
+}
+
 TEST(Page, HostileNamesReadBackAsTheyWereAndStayInsideTheirPlace) {
   const support::Trace trace = hostileTrace();
   const std::string page = renderPage(trace);

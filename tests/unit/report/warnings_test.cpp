@@ -25,11 +25,59 @@ TEST(Warnings, AFlightThatWentWellHasNone) {
   EXPECT_EQ(flightWarnings({}), Lines{});
 }
 
+/// The messages of reportFlight, each with its code.
+Lines reported(const support::Trace& trace) {
+  support::DiagnosticEngine diagnostics;
+  reportFlight(trace, diagnostics);
+  Lines lines;
+  for (const support::Diagnostic& d : diagnostics.sorted()) {
+    lines.push_back(support::code(d.id) + " " + d.message);
+    EXPECT_EQ(d.severity, support::Severity::Warning);
+  }
+  return lines;
+}
+
+// accepts: GL9370 accepts: GL9371 accepts: GL9372 accepts: GL9375
+TEST(Warnings, AFlightThatWentWellIsNotReported) {
+  EXPECT_EQ(reported(flight(1)), Lines{});
+  EXPECT_EQ(reported({}), Lines{});
+}
+
 TEST(Warnings, NeverInControl) {
-  EXPECT_EQ(flightWarnings(flight(0)), Lines{"the mission was never in control"});
+  EXPECT_EQ(reported(flight(0)),
+            Lines{"GL9372 the mission was never in control of the vehicle"});
   auto without = flight(0);
   without.way = "none";
-  EXPECT_EQ(flightWarnings(without), Lines{}) << "nobody expected it";
+  EXPECT_EQ(reported(without), Lines{}) << "nobody expected it";
+}
+
+TEST(Warnings, AnAbortIsReportedWithItsReason) {
+  auto trace = flight(1);
+  trace.events.push_back({50, 40, "abort", "undervolts", "battery 10.9 V"});
+  EXPECT_EQ(reported(trace), Lines{"GL9370 the vehicle aborted at 50 s: undervolts, battery 10.9 V"});
+}
+
+TEST(Warnings, TheFirstInterventionIsReportedAndAllAreCounted) {
+  auto trace = flight(1);
+  trace.events.push_back({16, 8, "hook", "hookbeh: climb: too deep (m_depth 30.1 m)", ""});
+  EXPECT_EQ(reported(trace),
+            Lines{"GL9375 hookbeh intervened at 16 s: climb: too deep (m_depth 30.1 m)"});
+  trace.events.push_back({20, 12, "hook", "hookbeh: climb: too near (m_depth 20 m)", ""});
+  EXPECT_EQ(reported(trace), Lines{"GL9375 hookbeh intervened at 16 s: climb: too deep (m_depth "
+                                   "30.1 m); 2 times in all"});
+  trace.events = {{16, 8, "hook", "hookprog and SBC shook hands", ""},
+                  {20, 8, "steering", "hookbeh: dive_to (m_depth 3.1 m)", ""}};
+  EXPECT_EQ(reported(trace), Lines{}) << "steering is no intervention";
+}
+
+TEST(Warnings, AsJson) {
+  support::DiagnosticEngine diagnostics;
+  reportFlight(flight(0), diagnostics);
+  EXPECT_EQ(warningsToJson(diagnostics.sorted(), {"cut \"short\""}),
+            R"([{"code":"GL9372","hint":"the events say how far the SBC and the vehicle came",)"
+            R"("message":"the mission was never in control of the vehicle",)"
+            R"("slug":"never-in-control"},{"code":"","hint":"","message":"cut \"short\"","slug":""}])");
+  EXPECT_EQ(warningsToJson({}, {}), "[]");
 }
 
 TEST(Warnings, AnotherMissionThanThatWhoseStatesAreNamed) {
@@ -50,9 +98,9 @@ TEST(Warnings, RefusedInstructionsAreCounted) {
   trace.events.push_back({12, 8, "hook", "instruction 2 refused: it is no command", ""});
   trace.events.push_back({16, 8, "hook", "hookbeh: climb: too deep (m_depth 30.1 m)", ""});
   EXPECT_EQ(refusedInstructions(trace), 2U);
-  EXPECT_EQ(flightWarnings(trace),
-            Lines{"2 instructions refused, the first at 8 s: instruction 1 refused: deeper than "
-                  "max_depth"});
+  EXPECT_EQ(reported(trace),
+            (Lines{"GL9371 hookbeh refused a command at 8 s: deeper than max_depth; 2 times in all",
+                   "GL9375 hookbeh intervened at 16 s: climb: too deep (m_depth 30.1 m)"}));
 }
 
 TEST(Warnings, AnUnknownDeclination) {

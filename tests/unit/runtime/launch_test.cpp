@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <string>
@@ -28,6 +29,7 @@ class LaunchTest : public ::testing::Test {
         {"survey.top", 5, 1, kEndless, kLength},
         {"deep", 0, 0, 1, "bool"},
         {"lat", 39, -90, 90, "N=3ff0000000000000 S=bff0000000000000"},
+        {"lon", -73.5, -180, 180, "E=3ff0000000000000 W=bff0000000000000"},
         {"gain", 0.5, -kEndless, kEndless, "=3ff0000000000000 %=3f847ae147ae147b"}};
     bench_.condition = [](const GliderContext& c) {
       return c.variables[0] >= c.variables[1] + 5 ? GLIDER_NO_CASE : 0U;
@@ -57,16 +59,25 @@ TEST_F(LaunchTest, TakesValuesWithTheirUnits) {
                {"deep=true", 2, 1},
                {"deep = false", 2, 0},
                {"lat=39.2 S", 3, -39.2},
-               {"lat=-39.2", 3, -39.2},
-               {"gain=-20%", 4, -0.2},
-               {"gain=0.1", 4, 0.1},
-               {"gain=-0", 4, 0},
-               {"gain=1e22", 4, 1e22},
-               {"gain=123456789.012345", 4, 123456789.012345},
-               {"gain=000000000000000000.5", 4, 0.5}};
+               {"lat=39.175N", 3, 39.175},
+               {"lat=3910.5", 3, 39 + 10.5 / 60},
+               {"lat=-3910.1234567", 3, -(39 + 10.1234567 / 60)},
+               {"lat=0039.1", 3, 39.1 / 60},
+               {"lat=0", 3, 0},
+               {"lat=9000", 3, 90},
+               {"lon=-7349.8058", 4, -(73 + 49.8058 / 60)},
+               {"lon=73.83 W", 4, -73.83},
+               {"lon=180 E", 4, 180},
+               {"gain=-20%", 5, -0.2},
+               {"gain=0.1", 5, 0.1},
+               {"gain=-0", 5, 0},
+               {"gain=1e22", 5, 1e22},
+               {"gain=123456789.012345", 5, 123456789.012345},
+               {"gain=000000000000000000.5", 5, 0.5}};
   for (const auto& row : table) {
     EXPECT_EQ(set(launch, row.setting), "") << row.setting;
-    EXPECT_EQ(launch.values()[row.parameter], row.value) << row.setting;
+    EXPECT_NEAR(launch.values()[row.parameter], row.value, std::fabs(row.value) * 1e-15)
+        << row.setting;
   }
 }
 
@@ -74,7 +85,7 @@ TEST_F(LaunchTest, SaysWhatIsWrongAndChangesNothing) {
   Launch launch(bench_.mission);
   const std::pair<const char*, const char*> table[] = {
       {"botom=20m",
-       "the mission has no parameter `botom`; it has bottom, survey.top, deep, lat, gain"},
+       "the mission has no parameter `botom`; it has bottom, survey.top, deep, lat, lon, gain"},
       {"bottom", "`bottom` sets nothing; write `name=value`"},
       {"", "`` sets nothing; write `name=value`"},
       {"bottom=40m", "`bottom` cannot be `40m`: outside its range, 10 m to 30 m"},
@@ -87,11 +98,32 @@ TEST_F(LaunchTest, SaysWhatIsWrongAndChangesNothing) {
       {"bottom=.", "`bottom` cannot be `.`: it is not a number"},
       {"bottom=1e", "`bottom` cannot be `1e`: after the number its unit: m, cm, km"},
       {"gain=1.234567890123456",
-       "`gain` cannot be `1.234567890123456`: numbers have at most 15 digits, and powers "
-       "of ten up to 22"},
+       "`gain` cannot be `1.234567890123456`: more than 15 digits, or too large or small"},
       {"gain=1e99999999999",
-       "`gain` cannot be `1e99999999999`: numbers have at most 15 digits, and powers of ten "
-       "up to 22"},
+       "`gain` cannot be `1e99999999999`: more than 15 digits, or too large or small"},
+      {"lat=39.2",
+       "`lat` cannot be `39.2`: write ddmm.mmmm, as in `3910.5`, or degrees and a letter, as in "
+       "`39.175 N`"},
+      {"lat=-39.2 N",
+       "`lat` cannot be `-39.2 N`: write ddmm.mmmm, as in `3910.5`, or degrees and a letter, as in "
+       "`39.175 N`"},
+      {"lat=73.8 W",
+       "`lat` cannot be `73.8 W`: write ddmm.mmmm, as in `3910.5`, or degrees and a letter, as in "
+       "`39.175 N`"},
+      {"lat=3960",
+       "`lat` cannot be `3960`: write ddmm.mmmm, as in `3910.5`, or degrees and a letter, as in "
+       "`39.175 N`"},
+      {"lat=39,175 N",
+       "`lat` cannot be `39,175 N`: write ddmm.mmmm, as in `3910.5`, or degrees and a letter, as in "
+       "`39.175 N`"},
+      {"lat=91 N", "`lat` cannot be `91 N`: outside its range, 90 S to 90 N"},
+      {"lat=9000.1", "`lat` cannot be `9000.1`: outside its range, 90 S to 90 N"},
+      {"lat=-18000", "`lat` cannot be `-18000`: outside its range, 90 S to 90 N"},
+      {"lon=-73.8",
+       "`lon` cannot be `-73.8`: write ddmm.mmmm, as in `3910.5`, or degrees and a letter, as in "
+       "`39.175 E`"},
+      {"lon=18000.5", "`lon` cannot be `18000.5`: outside its range, 180 W to 180 E"},
+      {"lon=181 W", "`lon` cannot be `181 W`: outside its range, 180 W to 180 E"},
       {"deep=1", "`deep` cannot be `1`: write `true` or `false`"}};
   for (const auto& [setting, problem] : table) {
     EXPECT_EQ(set(launch, setting), problem);
@@ -128,7 +160,7 @@ TEST_F(LaunchTest, ParametersMustFitTogether) {
   EXPECT_FALSE(launch.check());
   EXPECT_STREQ(launch.problem(),
                "these parameters together do not satisfy `where` number 1 of the mission: bottom = "
-               "25 m, survey.top = 21 m, deep = false, lat = 39 N, gain = 0.5");
+               "25 m, survey.top = 21 m, deep = false, lat = 39 N, lon = 73.5 W, gain = 0.5");
 }
 
 TEST_F(LaunchTest, AMissionWithoutParametersSaysSo) {

@@ -114,7 +114,7 @@ TEST(SbcFlight, RefusedInstructionsAreToldAndChangeNothing) {
     setup.duration_s = 200;
     return setup;
   }());
-  const auto* refused = findEvent(trace, "refused: deeper than max_depth");
+  const auto* refused = findEvent(trace, "refused: max_depth 60 m refuses a dive to 75 m");
   ASSERT_NE(refused, nullptr) << eventText(trace);
   EXPECT_EQ(findEvent(trace, "takes control"), nullptr);
   EXPECT_EQ(trace.at(trace.rowCount() - 1, trace.column("true_depth")), 0);

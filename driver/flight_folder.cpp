@@ -1,0 +1,217 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "driver/flight_folder.h"
+
+#include "support/files.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <fcntl.h>
+#include <set>
+#include <unistd.h>
+#include <utility>
+
+namespace glider::driver {
+namespace {
+
+namespace fs = std::filesystem;
+using support::DiagnosticId;
+using support::Result;
+
+constexpr std::string_view kStagingEnd = ".partial";
+
+/// Files of flights that have no list of them.
+bool isUsualName(const std::string& name) {
+  constexpr std::array<std::string_view, 5> kNames = {"report.html", "trace.csv", "events.csv",
+                                                      "mission.log", FlightFolder::kSummary};
+  std::string_view stem = name;
+  for (const std::string_view end : {".debug", ".checkpoint"}) {
+    stem.remove_suffix(stem.ends_with(end) ? end.size() : 0);
+  }
+  const bool binary =
+      stem.ends_with("-host") || stem.ends_with("-ts7800") || stem.ends_with("-ts5500");
+  return binary || std::ranges::find(kNames, name) != kNames.end();
+}
+
+/// The files that the flight in `folder` lists as its own.
+std::set<std::string> listedIn(const fs::path& folder) {
+  std::set<std::string> names;
+  if (const auto text = support::readFile(folder / FlightFolder::kSummary)) {
+    const auto document = nlohmann::json::parse(*text, nullptr, false);
+    const auto files = document.is_object() ? document.find("files") : document.end();
+    if (document.is_object() && files != document.end() && files->is_array()) {
+      for (const auto& file : *files) {
+        names.insert(file.is_string() ? file.get<std::string>() : "");
+      }
+    }
+  }
+  return names;
+}
+
+/// The first name in `folder` that no flight has put there; empty if there is none.
+Result<std::string> foreignIn(const fs::path& folder) {
+  const std::set<std::string> listed = listedIn(folder);
+  std::error_code error;
+  std::set<std::string> foreign;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    if (!isUsualName(name) && !listed.contains(name)) {
+      foreign.insert(name);
+    }
+  }
+  if (error) {
+    return support::fail(DiagnosticId::cannotWrite, folder.string(), error.message());
+  }
+  return foreign.empty() ? "" : *foreign.begin();
+}
+
+/// The process that wrote staging folder `name` of `target`; 0 if it is none of that kind.
+pid_t writerOf(std::string_view name, const std::string& target) {
+  const std::string begin = "." + target + ".";
+  pid_t pid = 0;
+  if (name.starts_with(begin) && name.ends_with(kStagingEnd)) {
+    const std::string_view digits =
+        name.substr(begin.size(), name.size() - begin.size() - kStagingEnd.size());
+    const auto [end, bad] = std::from_chars(digits.data(), digits.data() + digits.size(), pid);
+    pid = bad == std::errc() && end == digits.data() + digits.size() ? pid : 0;
+  }
+  return pid;
+}
+
+/// Removes what flights that were killed have left beside `target`.
+void removeLeftOvers(const fs::path& target) {
+  std::error_code ignored;
+  std::vector<fs::path> left;
+  for (const auto& entry : fs::directory_iterator(target.parent_path(), ignored)) {
+    const pid_t writer = writerOf(entry.path().filename().string(), target.filename().string());
+    if (writer > 0 && ::kill(writer, 0) != 0 && errno == ESRCH) {
+      left.push_back(entry.path());
+    }
+  }
+  for (const fs::path& path : left) {
+    fs::remove_all(path, ignored);
+  }
+}
+
+/// Whether a process that stands in the folder would be left in one that is gone.
+bool holdsWorkingFolder(const fs::path& target) {
+  std::error_code error;
+  const fs::path here = fs::current_path(error);
+  const auto [end, rest] = std::ranges::mismatch(target, here);
+  return !error && end == target.end();
+}
+
+Result<void> failed(const fs::path& path, const std::string& why) {
+  return support::fail(DiagnosticId::cannotWrite, path.string(), why);
+}
+
+}  // namespace
+
+Result<FlightFolder> FlightFolder::scratch() {
+  std::error_code error;
+  fs::path folder = fs::temp_directory_path(error) / fmt::format("glidercc-{}", ::getpid());
+  if (error || !fs::create_directory(folder, error)) {
+    return support::fail(DiagnosticId::cannotWrite, folder.string(),
+                         error ? error.message() : "it is there already");
+  }
+  return FlightFolder(folder, folder);
+}
+
+Result<FlightFolder> FlightFolder::open(const fs::path& target) {
+  std::error_code error;
+  fs::path whole = fs::weakly_canonical(target, error);
+  whole = whole.has_filename() ? whole : whole.parent_path();
+  if (!error) {
+    fs::create_directories(whole.parent_path(), error);
+  }
+  if (!error && fs::exists(whole) && !fs::is_directory(whole)) {
+    error = std::make_error_code(std::errc::not_a_directory);
+  }
+  if (error) {
+    return support::fail(DiagnosticId::cannotWrite, target.string(), error.message());
+  }
+  if (fs::exists(whole, error)) {
+    const auto foreign = foreignIn(whole);
+    if (!foreign) {
+      return std::unexpected(foreign.error());
+    }
+    if (!foreign->empty()) {
+      return support::fail(DiagnosticId::outputFolderInUse, target.string(),
+                           fmt::format("it holds `{}`, which is not from a flight", *foreign));
+    }
+    if (!fs::is_empty(whole, error) && holdsWorkingFolder(whole)) {
+      return support::fail(DiagnosticId::outputFolderInUse, target.string(),
+                           "it is the current folder and holds an earlier flight");
+    }
+  }
+  removeLeftOvers(whole);
+  fs::path staging = whole.parent_path() /
+                     fmt::format(".{}.{}{}", whole.filename().string(), ::getpid(), kStagingEnd);
+  fs::remove_all(staging, error);
+  if (!fs::create_directory(staging, error)) {
+    return support::fail(DiagnosticId::cannotWrite, target.string(), error.message());
+  }
+  return FlightFolder(std::move(whole), std::move(staging));
+}
+
+FlightFolder::FlightFolder(FlightFolder&& other) noexcept
+    : target_(std::move(other.target_)), staging_(std::exchange(other.staging_, {})) {}
+
+FlightFolder::~FlightFolder() {
+  if (!staging_.empty()) {
+    std::error_code ignored;
+    fs::remove_all(staging_, ignored);
+  }
+}
+
+fs::path FlightFolder::placeOf(const fs::path& file) const {
+  std::error_code error;
+  const fs::path whole = fs::weakly_canonical(file, error);
+  return !error && whole.parent_path() == target_ ? staging_ / whole.filename() : file;
+}
+
+std::vector<std::string> FlightFolder::names() const {
+  std::vector<std::string> names;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(staging_, ignored)) {
+    names.push_back(entry.path().filename().string());
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+Result<void> FlightFolder::commit() {
+  std::error_code error;
+  const bool there = fs::exists(target_, error);
+  if (there && fs::is_empty(target_, error)) {
+    // Perhaps somebody's current folder: it stays the same one.
+    for (const std::string& name : names()) {
+      fs::rename(staging_ / name, target_ / name, error);
+      if (error) {
+        return failed(target_, error.message());
+      }
+    }
+    return {};
+  }
+  if (!there) {
+    fs::rename(staging_, target_, error);
+    staging_ = error ? staging_ : fs::path();
+    return error ? failed(target_, error.message()) : Result<void>();
+  }
+  if (::renameat2(AT_FDCWD, staging_.c_str(), AT_FDCWD, target_.c_str(), RENAME_EXCHANGE) != 0) {
+    return failed(target_, std::strerror(errno));
+  }
+  return {};  // staging_ is the earlier flight now, and goes
+}
+
+}  // namespace glider::driver

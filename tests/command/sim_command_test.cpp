@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// What `glidercc sim` says at the end of a flight, and the folder that it leaves.
+
+#include "tests/support/command.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <gmock/gmock.h>
+#include <set>
+
+namespace glider::tests {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+class Sim : public ::testing::Test {
+ protected:
+  /// A mission that dives to `deepest` for five minutes and reads `sensor`.
+  void mission(const std::string& deepest = "20 m", const std::string& sensor = "depth",
+               const std::string& head = "") const {
+    (void)folder_.write(
+        "m.mission",
+        "mission m\n" + head + "param w : position = 39.175 N 73.83 W\nstate s\nbegin\n  flightroute nav(w)\n  flightprofile yo(5 m, " +
+            deepest + ", 26 deg, 26 deg)\n  sensors missiontime, " + sensor +
+            "\n  events\n    case missiontime >= 5 min exit\nend\n");
+  }
+  [[nodiscard]] Outcome run(const std::string& arguments) const {
+    return runShell("cd " + folder_.path().string() + " && " + arguments);
+  }
+  [[nodiscard]] std::set<std::string> namesIn(const std::string& name) const {
+    std::set<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_.path() / name)) {
+      names.insert(entry.path().filename().string());
+    }
+    return names;
+  }
+  [[nodiscard]] nlohmann::json summary() const {
+    return nlohmann::json::parse(slurp(folder_.path() / "f" / "flight.json"), nullptr, false);
+  }
+
+  const TemporaryFolder folder_;
+};
+
+const std::set<std::string> kFiles = {"events.csv", "flight.json", "report.html", "trace.csv"};
+
+// accepts: GL5123 accepts: GL5122 accepts: GL9374
+TEST_F(Sim, AFlightThatWentWellSaysNothing) {
+  mission();
+  const Outcome flown = run("$GLIDERCC sim m.mission -o f");
+  EXPECT_EQ(flown.status, 0) << flown.err;
+  EXPECT_EQ(flown.err, "");
+  EXPECT_EQ(summary().at("wentWell"), true);
+  EXPECT_EQ(summary().at("warnings"), nlohmann::json::array());
+  EXPECT_EQ(summary().at("mission"), "m");
+  EXPECT_GT(summary().at("figures").at("deepest"), 15);
+  EXPECT_EQ(namesIn("f"), kFiles);
+}
+
+TEST_F(Sim, ARefusedCommandNamesTheLimitAndTheArgument) {
+  mission("75 m");
+  const Outcome flown = run("$GLIDERCC sim m.mission -o f");
+  EXPECT_EQ(flown.status, 1);
+  EXPECT_THAT(flown.err, HasSubstr("max_depth 60 m refuses a dive to 75 m"));
+  EXPECT_THAT(flown.err, HasSubstr("[GL9371 command-refused]"));
+  EXPECT_THAT(flown.err, HasSubstr("[GL9372 never-in-control]"));
+  EXPECT_EQ(summary().at("wentWell"), false);
+  EXPECT_THAT(summary().at("warnings").dump(), HasSubstr("GL9371"));
+  EXPECT_THAT(slurp(folder_.path() / "f" / "report.html"), HasSubstr("refuses a dive to 75 m"));
+}
+
+TEST_F(Sim, AnAbortIsToldAtTheEnd) {
+  const Outcome flown =
+      run("$GLIDERCC sim " GLIDER_SOURCE_DIR "/missions/figure2.mission --scenario low_battery -o f");
+  EXPECT_EQ(flown.status, 1);
+  EXPECT_THAT(flown.err, HasSubstr("[GL9370 flight-aborted]"));
+  EXPECT_THAT(summary().at("warnings").dump(), HasSubstr("GL9370"));
+}
+
+TEST_F(Sim, ASensorThatTheVehicleDoesNotCarry) {
+  mission("20 m", "sci_oxy4_oxygen");
+  const Outcome without = run("$GLIDERCC sim m.mission -o f");
+  EXPECT_EQ(without.status, 1);
+  EXPECT_THAT(without.err, HasSubstr("scenario `default` does not carry `sci_oxy4_oxygen`"));
+  EXPECT_THAT(without.err, HasSubstr("[GL5123 sensor-not-carried]"));
+  const Outcome with = run("$GLIDERCC sim m.mission --scenario bloom -o f");
+  EXPECT_EQ(with.status, 0) << with.err;
+}
+
+TEST_F(Sim, ASensorOfTheUsersOwnPlatformFileIsRefusedWithAWord) {
+  // A share directory of our own, with one sensor more in the vehicle's platform file.
+  const Outcome made = run("cp -rL $(dirname $GLIDERCC)/../share/glidercc share && chmod -R u+w share && "
+                           "printf '\\n[[sensor]]\\nname = \"sci_nitrate\"\\nunit = \"1\"\\nlowest = 0\\n"
+                           "highest = 100\\nbytes = 4\\nstale_after_s = 20\\ncomputer = \"science\"\\n"
+                           "description = \"nitrate\"\\n' >> share/platforms/slocum.toml && "
+                           "cp share/platforms/slocum.toml share/platforms/mine.toml && "
+                           "sed -i 's/^name = \"slocum\"/name = \"mine\"/' share/platforms/mine.toml");
+  ASSERT_EQ(made.status, 0) << made.err;
+  for (const char* head : {"", "platform mine\n"}) {
+    mission("20 m", "depth", head);
+    const Outcome flown = run("GLIDERCC_SHARE=share $GLIDERCC sim m.mission -o f");
+    EXPECT_EQ(flown.status, 2) << flown.out << flown.err;
+    EXPECT_THAT(flown.err, HasSubstr("has the sensor `sci_nitrate`"));
+    EXPECT_THAT(flown.err, HasSubstr("[GL5122 sensor-not-simulated]"));
+    EXPECT_THAT(flown.out, Not(HasSubstr("damaged")));
+    EXPECT_FALSE(std::filesystem::exists(folder_.path() / "f"));
+  }
+}
+
+TEST_F(Sim, ASecondFlightLeavesNothingOfTheFirst) {
+  mission();
+  ASSERT_EQ(run("$GLIDERCC sim m.mission --board host -o f --picture f/flight.svg").status, 0);
+  EXPECT_TRUE(namesIn("f").contains("mission.log"));
+  EXPECT_TRUE(namesIn("f").contains("flight.svg"));
+  const std::string first = slurp(folder_.path() / "f" / "trace.csv");
+  ASSERT_EQ(run("$GLIDERCC sim m.mission -o f --seed 7").status, 0);
+  EXPECT_EQ(namesIn("f"), kFiles);
+  EXPECT_NE(slurp(folder_.path() / "f" / "trace.csv"), first);
+  EXPECT_EQ(namesIn("."), (std::set<std::string>{"f", "m.mission"})) << "nothing beside it";
+}
+
+TEST_F(Sim, AFolderWithOtherFilesIsNotTouched) {
+  mission();
+  ASSERT_EQ(run("mkdir f && echo mine > f/notes.txt").status, 0);
+  const Outcome refused = run("$GLIDERCC sim m.mission -o f");
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_THAT(refused.err, HasSubstr("`f` cannot take a flight: it holds `notes.txt`"));
+  EXPECT_THAT(refused.err, HasSubstr("[GL9374 output-folder-in-use]"));
+  EXPECT_EQ(namesIn("f"), std::set<std::string>{"notes.txt"});
+  // The same once a flight is there.
+  ASSERT_EQ(run("rm f/notes.txt && $GLIDERCC sim m.mission -o f && echo mine > f/notes.txt").status, 0);
+  EXPECT_EQ(run("$GLIDERCC sim m.mission -o f").status, 2);
+  EXPECT_TRUE(namesIn("f").contains("notes.txt"));
+  EXPECT_EQ(run("$GLIDERCC sim m.mission -o m.mission").status, 2) << "a file is no folder";
+  EXPECT_EQ(run("mkdir here && cd here && $GLIDERCC sim ../m.mission -o .").status, 0);
+  EXPECT_EQ(run("cd here && $GLIDERCC sim ../m.mission -o .").status, 2) << "it would be gone";
+  EXPECT_EQ(namesIn("here"), kFiles);
+}
+
+TEST_F(Sim, WhatFailsOrIsKilledLeavesTheFormerFlight) {
+  mission();
+  ASSERT_EQ(run("$GLIDERCC sim m.mission -o f").status, 0);
+  const std::string first = slurp(folder_.path() / "f" / "trace.csv");
+  EXPECT_EQ(run("$GLIDERCC sim m.mission -o f --seed 7 --picture /nonexistent/p.svg").status, 2);
+  EXPECT_EQ(run("$GLIDERCC sim m.mission -o f --set w.latitude=39.2").status, 2);
+  // Killed while it writes: the file size limit ends the process.
+  EXPECT_GT(run("ulimit -f 8; $GLIDERCC sim m.mission -o f --seed 7").status, 1);
+  EXPECT_EQ(slurp(folder_.path() / "f" / "trace.csv"), first);
+  EXPECT_EQ(namesIn("f"), kFiles);
+  // What a killed process left is taken away by the next flight.
+  ASSERT_EQ(run("$GLIDERCC sim m.mission -o f").status, 0);
+  EXPECT_EQ(namesIn("."), (std::set<std::string>{"f", "m.mission"}));
+}
+
+TEST_F(Sim, PositionsAtLaunchAreReadAsTheLanguageDoes) {
+  mission();
+  const Outcome listed =
+      run("$GLIDERCC params m.mission --set w.latitude=3910.5 --set 'w.longitude = -7349.8'");
+  EXPECT_EQ(listed.status, 0) << listed.err;
+  EXPECT_THAT(listed.out, HasSubstr("w.latitude   latitude   39.175 N  90 S to 90 N"));
+  EXPECT_THAT(listed.out, HasSubstr("w.longitude  longitude  73.83 W   180 W to 180 E"));
+  EXPECT_EQ(listed.out.find("set to"), std::string::npos) << listed.out;
+  // What is printed is read.
+  (void)folder_.write("p.txt", "w.latitude = 39.25 S # south\nw.longitude = 12010.5\n");
+  const Outcome filed = run("$GLIDERCC params m.mission --parameters p.txt");
+  EXPECT_EQ(filed.status, 0) << filed.err;
+  EXPECT_THAT(filed.out, HasSubstr("39.25 S"));
+  EXPECT_THAT(filed.out, HasSubstr("120.175 E"));
+  for (const char* wrong : {"w.latitude=39.175", "w.latitude=9100", "w.latitude=3960",
+                            "w.latitude=91 N", "w.latitude=73.83 W", "w.longitude=-73.8 W",
+                            "w.latitude=-12210.5", "w.latitude=39,175 N"}) {
+    const Outcome refused = run(std::string("$GLIDERCC params m.mission --set '") + wrong + "'");
+    EXPECT_EQ(refused.status, 2) << wrong;
+    EXPECT_THAT(refused.err, HasSubstr("[GL9052 bad-parameter]")) << wrong;
+  }
+  const Outcome swapped =
+      run("$GLIDERCC params m.mission --set w.latitude=-7349.8 --set w.longitude=3910.5");
+  EXPECT_EQ(swapped.status, 2);
+  EXPECT_THAT(swapped.err, HasSubstr("the latitude comes first"));
+}
+
+}  // namespace
+}  // namespace glider::tests

@@ -174,7 +174,9 @@ class RequirementCheck {
       if (!undisturbed.run && !powered_proved) {
         undisturbed.run = tryAtRandom(requirement, powered);
       }
-      found.run = undisturbed.run ? std::move(undisturbed.run) : std::move(found.run);
+      if (undisturbed.run) {
+        found.run = std::move(undisturbed.run);
+      }
     }
     if (!found.run) {
       found.run = tryAtRandom(requirement, proof_.ground);

@@ -40,7 +40,7 @@ std::string silentLine(const WayHome& home, const platforms::Platform& platform,
 
 Silence usualSilence() {
   return {hooks::HookbehArgs{}.silence_secs,
-          fmt::format("if its silence_secs is {:.4g}; --skeleton names the mission file that says",
+          fmt::format("assuming silence_secs {:.4g}; see --skeleton",
                       hooks::HookbehArgs{}.silence_secs)};
 }
 

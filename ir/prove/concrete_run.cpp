@@ -63,7 +63,7 @@ class Speller {
     const Step& first = run_.steps.front();
     recorder_.start(run_.parameters, first.readings, first.depth.value_or(kUnknown));
     for (size_t i = 1; i < run_.steps.size() && !recorder_.hit(); ++i) {
-      if (!fill(run_.steps[i - 1], run_.steps[i]) || !arrive(run_.steps[i])) {
+      if (!fill(run_.steps[i - 1], run_.steps[i]) || recorder_.hit() || !arrive(run_.steps[i])) {
         break;
       }
     }

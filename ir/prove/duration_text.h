@@ -11,9 +11,9 @@
 
 namespace glider::ir::prove {
 
-/// "2 h 1 min 12 s", rounded up.
+/// "2 h 1 min 12 s", rounded up, but for less than a millisecond.
 inline std::string durationOf(double seconds) {
-  const auto whole = static_cast<int64_t>(std::ceil(seconds));
+  const auto whole = static_cast<int64_t>(std::ceil(seconds - 1e-3));
   std::string text = whole >= 3600 ? fmt::format("{} h ", whole / 3600) : "";
   text += whole >= 60 ? fmt::format("{} min ", whole / 60 % 60) : "";
   return text + fmt::format("{} s", whole % 60);

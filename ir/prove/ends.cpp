@@ -16,11 +16,13 @@ namespace {
 /// No flight is meant to be so short; the vehicle has not even left the surface.
 constexpr double kAtOnce = 60;
 
-/// "after 42 min 0 s at the latest; with power cuts that it goes on after, 46 min 40 s".
-std::string latest(double undisturbed, double with_power_cuts) {
-  return fmt::format("after {} at the latest; after {} if power cuts of the SBC come at the worst "
-                     "moments",
-                     durationOf(undisturbed), durationOf(with_power_cuts));
+/// "after 42 min 0 s at the latest; with power cuts of the SBC of up to 5 min 0 s, after 48 min".
+std::string latest(const Ground& ground, double undisturbed, double with_power_cuts) {
+  const std::string text = fmt::format("after {} at the latest", durationOf(undisturbed));
+  return with_power_cuts <= undisturbed
+             ? text
+             : fmt::format("{}; with power cuts of the SBC of up to {}, after {}", text,
+                           durationOf(ground.tick_gap_s), durationOf(with_power_cuts));
 }
 
 void tellEnd(Proof& proof, const EndBound& end) {
@@ -30,11 +32,11 @@ void tellEnd(Proof& proof, const EndBound& end) {
   const Ground powered = proof.ground.withoutPowerCuts();
   const EndBound& undisturbed = proof.ending.boundWithoutPowerCuts();
   if (end.by && undisturbed.by) {
-    tell(fmt::format("the mission has ended {}", latest(*undisturbed.by, *end.by)));
+    tell(fmt::format("the mission has ended {}", latest(proof.ground, *undisturbed.by, *end.by)));
   } else if (undisturbed.by) {
-    tell(fmt::format("the mission has ended after {} at the latest if the power of the SBC is "
-                     "never cut; else no bound is known",
-                     durationOf(*undisturbed.by)));
+    tell(fmt::format("the mission has ended after {} at the latest; with power cuts of the SBC of "
+                     "up to {} no bound is known",
+                     durationOf(*undisturbed.by), durationOf(proof.ground.tick_gap_s)));
   } else if (undisturbed.stays.valid()) {
     tell(fmt::format("no clock alone ends the mission: it may stay in `{}`",
                      proof.ground.mission[undisturbed.stays].name));
@@ -44,7 +46,7 @@ void tellEnd(Proof& proof, const EndBound& end) {
   const EndBound soon = boundOf(powered, kLongestMission, Goal::ExitOrSurface);
   const EndBound home = boundOf(proof.ground, kLongestMission, Goal::ExitOrSurface);
   if (soon.by && home.by && (!end.by || *home.by < *end.by)) {
-    tell(fmt::format("it has ended, or ordered the surface, {}", latest(*soon.by, *home.by)));
+    tell(fmt::format("it has ended, or ordered the surface, {}", latest(proof.ground, *soon.by, *home.by)));
   }
 }
 

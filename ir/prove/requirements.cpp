@@ -82,7 +82,11 @@ class RequirementCheck {
                       "everything between there and the waypoints is {0:.0f} m from the edge too",
                       std::ceil(found.margin_m))};
     }
-    if (auto run = tryAtRandom(requirement, proof_.ground)) {
+    auto run = tryAtRandom(requirement, proof_.ground.withoutPowerCuts());
+    if (!run && powerCutsMatter()) {
+      run = tryAtRandom(requirement, proof_.ground);
+    }
+    if (run) {
       return broken(requirement, std::move(*run));
     }
     return open(requirement, found.reason + "; no random flight broke it");
@@ -174,7 +178,9 @@ class RequirementCheck {
       if (!undisturbed.run && !powered_proved) {
         undisturbed.run = tryAtRandom(requirement, powered);
       }
-      found.run = undisturbed.run ? std::move(undisturbed.run) : std::move(found.run);
+      if (undisturbed.run) {
+        found.run = std::move(undisturbed.run);
+      }
     }
     if (!found.run) {
       found.run = tryAtRandom(requirement, proof_.ground);
@@ -289,8 +295,9 @@ class RequirementCheck {
         return fmt::format("at {:.6g} s, in state `{}`{}{}", run.when, run.state,
                            run.values.empty() ? "" : ", ", run.values);
       case RequirementKind::ExitWithin:
-        return fmt::format("the mission may still fly at {:.6g} s, in state `{}`", run.when,
-                           run.state);
+        return fmt::format("the mission may {} {:.6g} s, in state `{}`",
+                           run.ticks.back().finished ? "end as late as at" : "still fly at",
+                           run.when, run.state);
       case RequirementKind::NeverAfter:
         return fmt::format("state `{}` may be entered after `{}`, at {:.6g} s",
                            m_[requirement.state].name, m_[requirement.after].name, run.when);

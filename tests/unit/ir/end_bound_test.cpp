@@ -18,10 +18,10 @@ namespace {
 
 constexpr double kForever = 1e7;
 
-/// In gaps between ticks beyond `seconds`; NaN: no bound is found.
+/// In gaps between ticks beyond `seconds`; NaN: no bound is found. The power is never cut.
 double gapsBeyond(double seconds, const std::string& text, double latest = kForever) {
   const Mission mission = missionOf(kHeader + text);
-  const Ground ground(mission, slocum());
+  const Ground ground = Ground(mission, slocum()).withoutPowerCuts();
   const auto end = boundOf(ground, latest, Goal::Exit).by;
   return end ? (*end - seconds) / slocum().world.tick_gap_s
              : std::numeric_limits<double>::quiet_NaN();
@@ -154,7 +154,7 @@ TEST(EndBound, NoRandomFlightIsLonger) {
   double closest = 0;
   for (uint64_t seed = 1; seed <= 300; ++seed) {
     const Mission mission = missionOf(randomWays(seed));
-    const Ground ground(mission, slocum());
+    const Ground ground = Ground(mission, slocum()).withoutPowerCuts();
     const auto end = boundOf(ground, kForever, Goal::Exit).by;
     if (!end) {
       continue;
@@ -183,7 +183,7 @@ TEST(Ending, OneSearchFindsWhatASearchUpToEachTimeFinds) {
   size_t open = 0;
   for (uint64_t seed = 1; seed <= 100; ++seed) {
     const Mission mission = missionOf(randomWays(seed));
-    const Ground ground(mission, slocum());
+    const Ground ground = Ground(mission, slocum()).withoutPowerCuts();
     Ending ending(ground);
     for (const double latest :
          {60.0, 250.0, 600.0, 1000.0, 2500.0, kForever, 2 * kLongestMission}) {
@@ -202,7 +202,77 @@ TEST(Ending, MayBeBeyondAYear) {
   Ending ending(ground);
   EXPECT_FALSE(ending.bound().by);
   EXPECT_FALSE(ending.by(3.9e7));
-  EXPECT_EQ(ending.by(5e7), 4e7 + slocum().world.tick_gap_s);
+  EXPECT_EQ(ending.by(5e7), 4e7 + kResumeWithin_s) << "the power may be cut just before";
+}
+
+TEST(EndBound, PowerCutsComeOnTop) {
+  const auto bound = [](const std::string& text) {
+    const Mission mission = missionOf(kHeader + text);
+    return boundOf(Ground(mission, slocum()), kForever, Goal::Exit).by;
+  };
+  const std::string plain = stateText("a", "case (ge missiontime 500:time) exit");
+  EXPECT_EQ(bound(plain), 500 + kResumeWithin_s);
+  EXPECT_EQ(bound("resume within 36000\n" + plain), 36500);
+  EXPECT_EQ(bound("resume within 1\n" + plain), 500 + slocum().world.tick_gap_s);
+  EXPECT_FALSE(bound(stateText("a", "case (ge statetime 300:time) goto b") +
+                     stateText("b", "case (lt resumetime 30:time) exit")))
+      << "the first tick may come later";
+}
+
+TEST(EndBound, NoRandomFlightWithPowerCutsIsLonger) {
+  size_t bounded = 0;
+  for (uint64_t seed = 1; seed <= 150; ++seed) {
+    const Mission mission = missionOf(randomWays(seed));
+    const Ground ground(mission, slocum());
+    const auto end = boundOf(ground, kForever, Goal::Exit).by;
+    if (!end) {
+      continue;
+    }
+    ++bounded;
+    support::DiagnosticEngine diagnostics;
+    const MissionFacts facts = verify(mission, diagnostics);
+    Requirement requirement;
+    requirement.kind = RequirementKind::ExitWithin;
+    requirement.seconds = *end;
+    for (uint64_t flight = 1; flight <= 10; ++flight) {
+      EXPECT_FALSE(flyAtRandom(ground, facts.stack_depth, requirement, flight, 1000).has_value())
+          << "mission " << seed << " by " << *end << " s";
+    }
+  }
+  EXPECT_GT(bounded, 40U);
+}
+
+TEST(EndBound, AnUnknownConditionTakesNeitherBranch) {
+  const auto text = [](const std::string& condition) {
+    return "variable limit: time mission lowest 0 highest 72000 initial limit 36000:time "
+           "state a route drift () profile glide () entry do if " +
+           condition +
+           " set limit 600:time else set limit 1200:time end end "
+           "case (ge statetime (var limit)) exit\n";
+  };
+  EXPECT_EQ(gapsBeyond(36000, text("(gt (sensor temp) 10:temperature)")), 1);
+  EXPECT_EQ(gapsBeyond(1200, text("(and (known (sensor temp)) (gt (sensor temp) 10:temperature))")),
+            1)
+      << "this is never unknown";
+  EXPECT_EQ(gapsBeyond(1200,
+                       text("(known (sensor depth)) set limit 900:time "
+                            "if (gt (sensor temp) 10:temperature) set limit 5:time end")),
+            1)
+      << "an if in an if";
+}
+
+TEST(EndBound, ARouteThatOrdersADepthIsNoWayUp) {
+  const auto home = [](const std::string& route) {
+    const Mission mission = missionOf(
+        kHeader + "behaviour profile up symbol \"\" () reads ()\n" +
+        "behaviour route way symbol \"\" () reads ()\n" +
+        "state a route way begin entry do " + route +
+        " end end profile up begin entry do surface () end end case (ge missiontime 500:time) exit\n");
+    const Ground ground = Ground(mission, slocum()).withoutPowerCuts();
+    return *boundOf(ground, kForever, Goal::ExitOrSurface).by;
+  };
+  EXPECT_EQ(home("drift ()"), 0);
+  EXPECT_EQ(home("descend (30:length, 0.4:angle)"), 520);
 }
 
 }  // namespace

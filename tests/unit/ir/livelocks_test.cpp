@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// GL3114: states that the clocks alone send a mission to and fro between.
+
+#include "ir/prove/prove.h"
+#include "ir/verify/verify.h"
+#include "tests/unit/ir/missions.h"
+#include "tests/unit/ir/slocum.h"
+
+#include <gmock/gmock.h>
+
+namespace glider::ir::prove {
+namespace {
+
+using testing::HasSubstr;
+
+/// The messages of GL3114; empty: none.
+std::string said(const std::string& text) {
+  const Mission mission = missionOf(kHeader + text);
+  support::DiagnosticEngine diagnostics;
+  const MissionFacts facts = verify(mission, diagnostics);
+  (void)prove(mission, facts, slocum(), {}, diagnostics);
+  std::string all;
+  for (const auto& diagnostic : diagnostics.sorted()) {
+    all += diagnostic.id == support::DiagnosticId::clockLivelock ? diagnostic.message + "\n" : "";
+  }
+  return all;
+}
+
+const std::string kExit = "case (ge missiontime 2000:time) exit ";
+
+TEST(Livelocks, BetweenACallerAndWhatItCalls) {
+  EXPECT_THAT(said(stateText("a", kExit + "case (ge missiontime 500:time) call b") +
+                   stateText("b", "case (ge missiontime 100:time) return")),
+              HasSubstr("at 500 s the clocks alone send the mission to and fro between `a`, `b`"));
+}
+
+TEST(Livelocks, ByGotoOfThreeAndByAlways) {
+  EXPECT_NE(said(stateText("a", kExit + "case (gt missiontime 500:time) goto b") +
+                 stateText("b", "case (ge missiontime 5:time) goto c") +
+                 stateText("c", "case (ge statetime 1:time) goto a")),
+            "");
+  EXPECT_NE(said("always case (ge missiontime 500:time) call b\n" +
+                 stateText("a", kExit + "case false goto a") +
+                 stateText("b", "case (ge missiontime 100:time) return")),
+            "");
+  EXPECT_THAT(said(stateText("a", kExit + "case (ge missiontime 500:time) goto a")),
+              HasSubstr("`a` and itself"));
+}
+
+TEST(Livelocks, BeforeATimeToo) {
+  EXPECT_NE(said(stateText("a", kExit + "case (lt missiontime 500:time) goto b") +
+                 stateText("b", kExit + "case (lt missiontime 600:time) goto a")),
+            "");
+}
+
+TEST(Livelocks, NotWhereASensorOrAVariableHasASay) {
+  EXPECT_EQ(said(stateText("a", kExit + "case (and (ge missiontime 500:time) (gt (sensor depth) "
+                                        "5:length)) call b") +
+                 stateText("b", "case (ge missiontime 100:time) return")),
+            "");
+  EXPECT_EQ(said("variable n: number mission lowest 0 highest 5\ninitial n 0\n" +
+                 stateText("a", kExit + "case (and (ge missiontime 500:time) (lt (var n) 3)) call b") +
+                 stateText("b", "case (ge missiontime 100:time) return")),
+            "");
+  EXPECT_EQ(said(stateText("a", kExit + "case (known (sensor depth)) stay "
+                                        "case (ge missiontime 500:time) goto b") +
+                 stateText("b", "case (not (known (sensor temp))) stay case true goto a")),
+            "");
+}
+
+TEST(Livelocks, NotWhereAStateIsKeptForAWhile) {
+  EXPECT_EQ(said(stateText("a", kExit + "case (ge missiontime 500:time) call b") +
+                 stateText("b", "case (ge resumetime 60:time) return")),
+            "");
+  EXPECT_EQ(said(stateText("a", kExit + "case (and (ge missiontime 500:time) (lt missiontime "
+                                        "1500:time)) call b") +
+                 stateText("b", "case (ge missiontime 1500:time) return")),
+            "")
+      << "Figure 2";
+  EXPECT_EQ(said(stateText("a", "case (ge missiontime 500:time) goto b") +
+                 stateText("b", "case (ge missiontime 500:time) goto c") +
+                 stateText("c", kExit)),
+            "");
+}
+
+TEST(Livelocks, NotAtATimeAtWhichTheStateHasBeenLeft) {
+  EXPECT_EQ(said(stateText("a", "case (ge missiontime 100:time) exit "
+                                "case (and (lt missiontime 99:time) (gt missiontime 1000:time)) "
+                                "goto b "
+                                "case (ge missiontime 500:time) goto b") +
+                 stateText("b", "case (ge missiontime 400:time) goto a")),
+            "");
+}
+
+}  // namespace
+}  // namespace glider::ir::prove

@@ -1,0 +1,402 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Each tick of the interpreter lies inside the step that proofs reckon with: SymbolicTick's terms
+// have a solution that is this tick, and AbstractRun's ranges hold what it leaves.
+
+#include "ir/prove/abstract_run.h"
+#include "ir/prove/layout.h"
+#include "ir/prove/question.h"
+#include "tests/random_missions/random_mission.h"
+#include "tests/unit/ir/missions.h"
+#include "tests/unit/ir/slocum.h"
+
+#include <fmt/format.h>
+
+#include <limits>
+
+namespace glider::ir::prove {
+namespace {
+
+/// All that a mission keeps matters, but for the vehicle.
+Relevance everything(const Mission& m) {
+  Relevance all;
+  all.variables.assign(m.variables.size(), true);
+  all.temporals.assign(m.temporals.size(), true);
+  all.profiles.assign(m.states.size(), true);
+  all.routes.assign(m.states.size(), true);
+  all.state_time = all.resume_time = true;
+  return all;
+}
+
+/// What a tick of the interpreter left, with the clocks that it started.
+struct Left {
+  TickResult result;
+  double time = 0, entered = 0, resumed = 0;
+};
+
+Left leftBy(TickResult result, double time, const Left& before) {
+  Left left{std::move(result), time, before.entered, before.resumed};
+  const auto& waiting = before.result.stack;
+  if (left.result.moved) {
+    left.resumed = time;
+    left.entered = left.result.just_returned ? waiting.back().entered : time;
+  }
+  return left;
+}
+
+Control controlOf(const TickResult& result) {
+  const auto limit = [](Limit l) { return l == kNoLimit ? Control::kNoLimit : uint32_t{l}; };
+  Control control;
+  control.state = result.state;
+  control.limit = limit(result.limit);
+  control.just_returned = result.just_returned;
+  for (const Frame& frame : result.stack) {
+    control.stack.push_back({frame.state, limit(frame.limit)});
+  }
+  return control;
+}
+
+/// Asks whether a step of the terms is what the interpreter did.
+class StepQuestion {
+ public:
+  StepQuestion(const Ground& ground, const Relevance& relevance)
+      : ground_(ground), m_(ground.mission), relevance_(relevance) {}
+
+  Answer ask(const Left& before, const Left& after, const Interpreter& interpreter) {
+    z3::context context;
+    Unknowns unknowns(context);
+    const std::vector<z3::sort> memory;
+    Question question(context, 2000000);
+    const Layout layout(ground_, relevance_, memory);
+    const Configuration from = layout.make(controlOf(before.result), unknowns);
+    equate(question, from, before);
+    Moment moment(unknowns, ground_);
+    const z3::expr now = realOf(context, after.time);
+    moment.setClocks(now, now, now);
+    for (uint32_t i = 0; i < m_.sensors.size(); ++i) {
+      equate(question, moment.reading({i}), interpreter.readingOf({i}));
+    }
+    auto outcomes =
+        SymbolicTick(ground_, relevance_, unknowns).run(from, now, moment, Pace::Many);
+    question.add(unknowns);
+    z3::expr any = context.bool_val(false);
+    for (const Outcome& outcome : outcomes) {
+      if (isSame(outcome, after.result)) {
+        z3::expr same = outcome.condition;
+        same = outcome.after ? same && holdsWhat(*outcome.after, after) : same;
+        any = any || same;
+      }
+    }
+    question.add(any);
+    return question.ask();
+  }
+
+ private:
+  static bool isSame(const Outcome& outcome, const TickResult& result) {
+    if (outcome.fired.has_value() != result.moved.has_value()) {
+      return false;
+    }
+    return !result.moved ||
+           (outcome.list == result.moved->list && *outcome.fired == result.moved->number);
+  }
+
+  static void equate(Question& question, const NumberTerm& term, double value) {
+    z3::context& context = term.value.ctx();
+    question.add(value == value ? term.known && term.value == realOf(context, value) : !term.known);
+  }
+
+  void equate(Question& question, const Configuration& from, const Left& left) const {
+    question.add(holdsWhat(from, left));
+  }
+
+  [[nodiscard]] bool keeps(const Control& control, const Variable& v) const {
+    return !v.owner.valid() || control.holds(v.owner);
+  }
+
+  z3::expr holdsWhat(const Configuration& c, const Left& left) const {
+    z3::context& context = c.mission_time.ctx();
+    z3::expr same = c.mission_time == realOf(context, left.time) &&
+                    c.entered.back() == realOf(context, left.entered) &&
+                    c.resumed == realOf(context, left.resumed);
+    for (uint32_t i = 0; i < m_.variables.size(); ++i) {
+      const double value = left.result.variables[i];
+      if (!keeps(c.control, m_.variables[i])) {
+        continue;
+      }
+      if (m_.variables[i].type.kind == TypeKind::Bool) {
+        const TruthTerm& term = c.store.truths.at(i);
+        same = same && (value != value ? !term.is_true && !term.is_false
+                        : value != 0   ? term.is_true && !term.is_false
+                                       : term.is_false && !term.is_true);
+      } else {
+        const NumberTerm& term = c.store.numbers.at(i);
+        same = same && (value == value ? term.known && term.value == realOf(context, value)
+                                       : !term.known);
+      }
+    }
+    return same;
+  }
+
+  const Ground& ground_;
+  const Mission& m_;
+  const Relevance& relevance_;
+};
+
+/// Ticks of `mission`, each asked for; the number of those that the solver has found.
+size_t askTicks(const Mission& mission, const std::vector<random_missions::StreamTick>& stream,
+                const Externals& externals = {}) {
+  const Ground ground(mission, slocum());
+  const Relevance relevance = everything(mission);
+  Interpreter interpreter(mission, static_cast<uint32_t>(mission.states.size()), externals);
+  Left before{interpreter.start(stream.front().frame), 0, 0, 0};
+  size_t found = 0;
+  for (size_t i = 1; i < stream.size() && !before.result.finished; ++i) {
+    const double time = std::max(before.time, stream[i].mission_time);
+    Left after = leftBy(interpreter.tick(time, stream[i].frame), time, before);
+    const Answer answer = StepQuestion(ground, relevance).ask(before, after, interpreter);
+    EXPECT_NE(answer, Answer::No) << "tick " << i << " at " << time << " s";
+    found += answer == Answer::Yes ? 1 : 0;
+    if (testing::Test::HasFailure()) {
+      break;
+    }
+    before = std::move(after);
+  }
+  return found;
+}
+
+TEST(ProverStep, HoldsTheTicksOfRandomMissions) {
+  size_t found = 0;
+  for (uint64_t seed = 0; seed < 24; ++seed) {
+    const Mission mission = random_missions::randomMission(seed);
+    found += askTicks(mission, random_missions::randomStream(mission, seed, 12),
+                      random_missions::randomExternals());
+    ASSERT_FALSE(testing::Test::HasFailure()) << "seed " << seed;
+  }
+  EXPECT_GT(found, 60U);
+}
+
+/// Four seconds apart; the depths are those of the ticks, NaN: none.
+std::vector<random_missions::StreamTick> streamOf(const std::vector<double>& depths) {
+  std::vector<random_missions::StreamTick> stream;
+  for (const double depth : depths) {
+    auto& tick = stream.emplace_back();
+    tick.mission_time = 4.0 * static_cast<double>(stream.size() - 1);
+    if (depth == depth) {
+      tick.frame = {{{0}, depth}};
+    }
+  }
+  return stream;
+}
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+void expectTicks(const std::string& text, const std::vector<double>& depths) {
+  const Mission mission = missionOf(kHeader + text);
+  EXPECT_EQ(askTicks(mission, streamOf(depths)), depths.size() - 1);
+}
+
+TEST(ProverStep, ArgumentsAreEvaluatedTogether) {
+  const std::string swap =
+      R"(variable "b.x": number argument of b
+variable "b.y": number argument of b
+state a route drift () profile glide () case true goto b (1, 9)
+state b ("b.x", "b.y") route drift () profile glide () case true goto b ((var "b.y"), (var "b.x"))
+)";
+  expectTicks(swap, {1, 1, 1, 1});
+  const std::string called =
+      R"(variable "b.x": number argument of b
+variable "b.y": number argument of b
+variable m: number mission lowest 0 highest 100
+initial m 3
+state a route drift () profile glide () case true do set m 5 end goto b (1, (var m))
+state b ("b.x", "b.y") route drift () profile glide ()
+  case true do set m (var "b.y") end goto b ((add (var "b.y") (var m)), (var "b.x"))
+)";
+  expectTicks(called, {1, 1, 1, 1});
+}
+
+TEST(ProverStep, HeldMayBeTrueAtOnce) {
+  for (const char* duration : {"0:time", "-3:time", "4:time"}) {
+    expectTicks(fmt::format(R"(variable d: time mission lowest -100 highest 100
+variable hit: bool mission
+initial d {}
+initial hit false
+temporal held state b (gt (sensor depth) 5:length) for (var d)
+state a route drift () profile glide () case true goto b
+state b route drift () profile glide () entry do if (temporal 0) set hit true end end
+  case (var hit) goto a
+)",
+                            duration),
+                {1, 10, 10, 1, 10, 10});
+  }
+}
+
+TEST(ProverStep, AWindowStartsAgainWithItsState) {
+  expectTicks(R"(variable known: bool mission
+initial known false
+temporal lowest state a (sensor depth) over 8
+state a route drift () profile glide () entry do if (known (temporal 0)) set known true
+  else set known false end end
+  case (gt (temporal 0) 1:length) goto a
+)",
+              {3, 4, 5, 6, 7, 8, 9});
+}
+
+TEST(ProverStep, AnIfOnAnUnknownDoesNothing) {
+  expectTicks(R"(variable n: number mission lowest 0 highest 100
+initial n 1
+state a route drift () profile glide ()
+  case true do if (gt (sensor depth) 5:length) set n 2 else set n 3 end
+    if (gt (var n) 0) if (gt (sensor depth) 50:length) set n 4 else set n 5 end end end stay
+)",
+              {kNone, kNone, 3, 60, 20, 30, 4});
+}
+
+TEST(ProverStep, WholeNumbersEndBelowTwoToThe53) {
+  for (const char* start : {"9007199254740990", "9007199254740991", "9007199254740992"}) {
+    expectTicks(fmt::format(R"(variable n: number mission lowest 0 highest 9007199254740992
+initial n {}
+state a route drift () profile glide () case true do set n (add (var n) 1) end stay
+)",
+                            start),
+                {1, 1, 1, 1});
+  }
+}
+
+TEST(ProverStep, WhatAlwaysOverflowsIsUnknown) {
+  expectTicks(R"(variable n: number mission lowest 0 highest 10
+variable big: number mission
+initial n 1
+initial big 1.7e308
+state a route drift () profile glide ()
+  case true do if (known (add 1.7e308 1.7e308)) set n 2 else set n 3 end set big (add (var big) (var big)) end stay
+)",
+              {1, 1, 1});
+}
+
+TEST(ProverStep, AClampTurnedRoundLeaps) {
+  expectTicks(R"(variable low: length parameter lowest 0 highest 50
+variable high: length parameter lowest 0 highest 50
+variable x: length mission lowest 0 highest 100
+initial low 40:length
+initial high 10:length
+initial x 0:length
+state a route drift () profile glide ()
+  case true do set x (clamp (mul 0.1 (sensor depth)) (var low) (var high)) end stay
+)",
+              {1, 10, 90, 3});
+}
+
+/// What the interpreter's variables hold lies in a valuation.
+void expectWithin(const Valuation& values, const TickResult& result, const Mission& m,
+                  const std::string& where) {
+  for (uint32_t i = 0; i < m.variables.size(); ++i) {
+    const Variable& v = m.variables[i];
+    const double value = result.variables[i];
+    if (v.owner.valid() && v.owner != result.state) {
+      continue;
+    }
+    const Holding& held = values[i];
+    if (v.type.kind == TypeKind::Bool) {
+      EXPECT_TRUE(value != value ? held.truths.is_unknown
+                  : value != 0   ? held.truths.is_true
+                                 : held.truths.is_false)
+          << v.name << " " << where;
+    } else if (value == value) {
+      EXPECT_TRUE(!held.never && value >= held.lowest && value <= held.highest)
+          << v.name << " is " << value << " " << where;
+    }
+  }
+}
+
+Valuation exactly(const TickResult& result, const Mission& m) {
+  Valuation values;
+  for (uint32_t i = 0; i < m.variables.size(); ++i) {
+    const double value = result.variables[i];
+    Holding held = anything(m.variables[i]);
+    if (m.variables[i].type.kind == TypeKind::Bool) {
+      held.truths = {value == 1, value == 0, value != value};
+    } else if (value == value) {
+      held = {value, value, false, {}};
+    }
+    values.push_back(held);
+  }
+  return values;
+}
+
+/// A transition by a state's own case, on a tick on which nothing else fired.
+size_t followTransitions(const Mission& mission,
+                         const std::vector<random_missions::StreamTick>& stream,
+                         const Externals& externals = {}) {
+  const Ground ground(mission, slocum());
+  const AbstractRun abstract(ground);
+  Interpreter interpreter(mission, static_cast<uint32_t>(mission.states.size()), externals);
+  TickResult before = interpreter.start(stream.front().frame);
+  size_t followed = 0;
+  for (size_t i = 1; i < stream.size() && !before.finished; ++i) {
+    const TickResult after = interpreter.tick(stream[i].mission_time, stream[i].frame);
+    const bool plain = after.moved && after.moved->list == ListKind::State && !after.finished &&
+                       !after.firedIn(ListKind::Always);
+    if (plain) {
+      const Case& c = mission[before.state].cases[after.moved->number];
+      const Interval all{0, 1e12, false};
+      const ClockRanges clocks{all, all, all};
+      Valuation values = exactly(before, mission);
+      abstract.execute(c.action, clocks, values);
+      c.transition == Transition::Return ? abstract.resume(after.state, clocks, values)
+                                         : abstract.enter(after.state, &c, clocks, values);
+      expectWithin(values, after, mission, fmt::format("after tick {}", i));
+      ++followed;
+    }
+    before = after;
+  }
+  return followed;
+}
+
+TEST(AbstractStep, HoldsTheTransitionsOfRandomMissions) {
+  size_t followed = 0;
+  for (uint64_t seed = 0; seed < 200; ++seed) {
+    const Mission mission = random_missions::randomMission(seed);
+    followed += followTransitions(mission, random_missions::randomStream(mission, seed, 40),
+                                  random_missions::randomExternals());
+    ASSERT_FALSE(testing::Test::HasFailure()) << "seed " << seed;
+  }
+  EXPECT_GT(followed, 300U);
+}
+
+TEST(AbstractStep, AnUnknownIfTakesNeitherBranch) {
+  const Mission mission = missionOf(kHeader + R"(variable n: number mission lowest 0 highest 100
+initial n 1
+state a route drift () profile glide () case true goto b
+state b route drift () profile glide ()
+  entry do if (gt (sensor depth) 5:length) set n 2 else set n 3 end end case true goto a
+)");
+  EXPECT_EQ(followTransitions(mission, streamOf({kNone, kNone, kNone, 10, 10, 2, 2})), 6U);
+}
+
+TEST(AbstractStep, ArgumentsAreEvaluatedTogether) {
+  const Mission mission = missionOf(kHeader + R"(variable "b.x": number argument of b
+variable "b.y": number argument of b
+state a route drift () profile glide () case true goto b (1, 9)
+state b ("b.x", "b.y") route drift () profile glide () case true goto b ((var "b.y"), (var "b.x"))
+)");
+  EXPECT_EQ(followTransitions(mission, streamOf({1, 1, 1, 1})), 3U);
+}
+
+TEST(Possible, AWindowHoldsWhatWasBefore) {
+  const Mission mission = missionOf(kHeader + R"(variable n: number mission lowest 0 highest 100
+initial n 7
+temporal highest always (var n) over 100
+always case (gt (temporal 0) 5) stay
+state a route drift () profile glide () case true do set n 1 end stay
+)");
+  const Ground ground(mission, slocum());
+  Valuation values{Holding{1, 1, false, {}}};
+  const Interval all{0, 1e6, false};
+  const Possible possible(ground, values, {all, all, all});
+  EXPECT_TRUE(possible.truth(mission.always[0].guard).is_true) << "it was 7 a moment ago";
+}
+
+}  // namespace
+}  // namespace glider::ir::prove

@@ -4,6 +4,7 @@
 #include "codegen/lower/order_comparison.h"
 
 #include "codegen/lower/unit_factors.h"
+#include "ir/core/ops.h"
 #include "support/units/units.h"
 
 #include <fmt/format.h>

@@ -34,5 +34,10 @@ function(glider_test name)
     glider_warnings)
   target_compile_definitions(${name} PRIVATE
     GLIDER_SOURCE_DIR="${CMAKE_SOURCE_DIR}" GLIDER_BINARY_DIR="${CMAKE_BINARY_DIR}")
-  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 300)
+  # Instrumented code is several times slower.
+  set(limit 300)
+  if(GLIDER_SANITIZE)
+    set(limit 1800)
+  endif()
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT ${limit})
 endfunction()

@@ -62,9 +62,12 @@ class Build:
 
     @functools.lru_cache(maxsize=None)
     def objects_of(self, path, program):
-        """Of the objects made from `path` those that the program is linked with."""
+        """Of the objects made from `path` those of its own folder that the program is linked with: an inline function
+        that another folder has compiled too stays good there."""
         libraries = {w for w in self.link_command(program) if w.endswith((".a", ".o"))}
-        return tuple(o for o in self.users.get(str(path), ()) if o in libraries or self._archive(o) in libraries)
+        top = str(path).split("/", maxsplit=1)[0] + "/"
+        return tuple(o for o in self.users.get(str(path), ())
+                     if o.startswith(top) and (o in libraries or self._archive(o) in libraries))
 
     @staticmethod
     def _archive(object_path):

@@ -75,8 +75,8 @@ def row(source):
 
 
 def leave(source):
-    """a break or continue is lost"""
-    for m in re.finditer(r"\b(break|continue);", source.code):
+    """a break or continue is lost; not that of a last case, which changes nothing"""
+    for m in re.finditer(r"\b(break|continue);(?!\s*\})", source.code):
         yield m.start(), m.end(), ";"
 
 

@@ -39,7 +39,7 @@ FLIGHTS = Suite("tests/flights_test", command=True)
 
 # The longest prefix that fits a file has the say.
 SUITES = {
-    "hooks": (HOOKS, RUNTIME, FLIGHT, SBC),
+    "hooks": (HOOKS, RUNTIME),
     "hooks/transport": (POSIX, HOOKS, CARD, C_MISSION),
     "runtime": (RUNTIME, CARD, C_MISSION, OPERATIONS, JUDGED),
     "runtime/c": (C_MISSION, CARD, RUNTIME),

@@ -4,6 +4,7 @@
 #include "tests/differential/records.h"
 
 #include "ir/eval/interpreter.h"
+#include "ir/opt/optimise.h"
 #include "ir/verify/verify.h"
 #include "support/check.h"
 
@@ -111,15 +112,19 @@ Words record(const Trial& trial, const ir::Interpreter& interpreter, const ir::T
 
 }  // namespace
 
-Trial randomTrial(uint64_t seed, size_t ticks) {
+Trial randomTrial(uint64_t seed, size_t ticks, bool optimised) {
   Trial trial;
   trial.name = "mission and stream of seed " + std::to_string(seed);
   trial.mission = random_missions::randomMission(seed);
+  trial.stream = random_missions::randomStream(trial.mission, seed, ticks);
+  trial.parameters = random_missions::randomParameters(trial.mission, seed);
+  if (optimised) {
+    trial.name += ", optimised";
+    ir::optimise(trial.mission);
+  }
   support::DiagnosticEngine diagnostics;
   trial.stack_depth = ir::verify(trial.mission, diagnostics).stack_depth;
   CHECK(!diagnostics.hasErrors(), "a random mission with errors");
-  trial.stream = random_missions::randomStream(trial.mission, seed, ticks);
-  trial.parameters = random_missions::randomParameters(trial.mission, seed);
   return trial;
 }
 

@@ -34,8 +34,8 @@ struct Trial {
 };
 
 /// The trial of `seed`: a random mission, and `ticks` ticks after its start. Its verifier's facts
-/// are used.
-Trial randomTrial(uint64_t seed, size_t ticks);
+/// are used. Optimised as `build` does: then one expression stands for many equal ones.
+Trial randomTrial(uint64_t seed, size_t ticks, bool optimised);
 
 void appendStream(const Trial& trial, Words& words);
 /// What ir/eval says that each tick does, one element a tick.

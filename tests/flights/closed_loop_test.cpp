@@ -69,8 +69,12 @@ TEST(ClosedLoop, IsNotTriedOfWhatIsProvedNorWithoutTheReport) {
               Not(testing::ContainsRegex("flight breaks|flights of")));
   const std::string refuted =
       folder.write("r.mission", yoThatPromises("require always depth < 18 m")).string();
-  EXPECT_THAT(runShell("$GLIDERCC check " + refuted).out,
-              Not(testing::ContainsRegex("flight breaks|flights of")));
+  const Outcome plain = runShell("$GLIDERCC check " + refuted);
+  EXPECT_EQ(plain.status, 1);
+  EXPECT_THAT(plain.out, Not(testing::ContainsRegex("flight breaks|flights of")));
+  EXPECT_THAT(runShell("$GLIDERCC check --report " + refuted).out,
+              testing::ContainsRegex("flight breaks|flights of"))
+      << "those are the words when it is tried";
 }
 
 }  // namespace

@@ -60,7 +60,7 @@ double valueAt(const Flight& flight, const std::string& column, double time_s) {
 TEST(Worlds, BloomIsFound) {
   const Flight flight = flyUntil("chlorophyll > 4", "bloom", 20);
   const Event end = endOf(flight, "chlorophyll > 4");
-  EXPECT_NEAR(valueAt(flight, "true_x", end.time_s), 400, 200);
+  EXPECT_NEAR(valueAt(flight, "true_x", end.time_s), 425, 30);
 }
 
 TEST(Worlds, OxygenFallsBelowTheThermocline) {
@@ -71,17 +71,17 @@ TEST(Worlds, OxygenFallsBelowTheThermocline) {
 TEST(Worlds, SeamountIsHeard) {
   const Flight flight = flyUntil("altitude < 12 m", "shelf_slope", 20);
   const Event end = endOf(flight, "altitude < 12");
-  EXPECT_NEAR(valueAt(flight, "true_x", end.time_s), 600, 250);
+  EXPECT_NEAR(valueAt(flight, "true_x", end.time_s), 527, 40);
 }
 
 TEST(Worlds, BatteryRunsLow) {
   const Flight flight = flyUntil("battery < 11 V", "low_battery");
-  EXPECT_NEAR(endOf(flight, "battery < 11").time_s, 1800, 600);
+  EXPECT_NEAR(endOf(flight, "battery < 11").time_s, 1960, 60);
 }
 
 TEST(Worlds, FrontIsCrossed) {
   const Flight flight = flyUntil("depth < 8 m && temp < 18 degC", "front");
-  EXPECT_NEAR(valueAt(flight, "true_x", endOf(flight, "temp < 18").time_s), 720, 200);
+  EXPECT_NEAR(valueAt(flight, "true_x", endOf(flight, "temp < 18").time_s), 724, 30);
 }
 
 }  // namespace

@@ -181,7 +181,40 @@ std::optional<ExprId> ExpressionMaker::window(Type type) {
   if (random_.chance(0.5)) {
     t.along = add(Op::Sensor, {}, {random_.below(m_.sensors.size())});
   }
-  return temporal(t);
+  const ExprId first = temporal(t);
+  if (!random_.chance(0.3)) {
+    return first;
+  }
+  // Another that differs in nothing but what it runs along.
+  const bool was_along = t.along.valid();
+  t.along = was_along && random_.chance(0.4)
+                ? ExprId{}
+                : add(Op::Sensor, {}, {random_.below(m_.sensors.size())});
+  return add(random_.chance(0.5) ? Op::Min : Op::Max, {first, temporal(t)});
+}
+
+/// A function is called although what it gives does not matter: `false && f()`.
+std::optional<ExprId> ExpressionMaker::idleCall() {
+  const auto made = call({TypeKind::Bool, {}}, 0);
+  if (!made) {
+    return std::nullopt;
+  }
+  const bool conjunction = random_.chance(0.5);
+  const ExprId ruling = truth(!conjunction);
+  const Op op = conjunction ? Op::And : Op::Or;
+  return random_.chance(0.5) ? add(op, {ruling, *made}) : add(op, {*made, ruling});
+}
+
+void ExpressionMaker::unread() {
+  if (const auto made = call({TypeKind::Bool, {}}, 0)) {
+    ir::Temporal t;
+    t.kind = random_.chance(0.5) ? ir::TemporalKind::Became : ir::TemporalKind::Held;
+    t.operand = *made;
+    if (t.kind == ir::TemporalKind::Held) {
+      t.duration = plain(kTime, 4.0 * random_.between(0, 10));
+    }
+    temporal(t);
+  }
 }
 
 ExprId ExpressionMaker::leaf(Type type) {
@@ -432,6 +465,11 @@ ExprId ExpressionMaker::guard(uint32_t depth) {
   }
   if (!scope_.initial && random_.chance(0.2)) {
     return watched(depth - 1);
+  }
+  if (random_.chance(0.05)) {
+    if (const auto made = idleCall()) {
+      return *made;
+    }
   }
   if (random_.chance(0.08)) {
     if (const auto made = call({TypeKind::Bool, {}}, depth - 1)) {

@@ -36,6 +36,8 @@ class ExpressionMaker {
   ir::ExprId thresholds();
   /// Either, kept in the variable's range.
   ir::ExprId valueFor(const ir::Variable& variable, uint32_t depth);
+  /// Watches what a C function gives over time, for no expression to read.
+  void unread();
   /// What a state may log: a sensor or a clock.
   ir::ExprId logged();
   /// `clock >= seconds`.
@@ -61,6 +63,7 @@ class ExpressionMaker {
   std::optional<ir::ExprId> geometry(ir::Type type, uint32_t depth);
   ir::ExprId element(ir::Type type, uint32_t depth);
   std::optional<ir::ExprId> call(ir::Type type, uint32_t depth);
+  std::optional<ir::ExprId> idleCall();
   ir::ExprId product(ir::Type type, uint32_t depth);
   ir::ExprId quotient(ir::Type type, uint32_t depth);
   ir::ExprId root(ir::Type type, uint32_t depth);

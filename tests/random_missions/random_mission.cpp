@@ -277,6 +277,9 @@ class MissionMaker {
       s.log.push_back({fmt::format("log{}", k), expressions_.logged(), random_.pick(kPeriods)});
     }
     s.entry = action();
+    if (random_.chance(0.1)) {
+      expressions_.unread();
+    }
     for (uint32_t k = random_.below(5); k > 0; --k) {
       randomCase(i);
     }
@@ -356,6 +359,9 @@ class MissionMaker {
     constexpr Transition kKinds[] = {Transition::Call, Transition::Call, Transition::Goto,
                                      Transition::Stay, Transition::Exit};
     stand(ir::ListKind::Always, {});
+    if (random_.chance(0.2)) {
+      expressions_.unread();
+    }
     for (uint32_t k = random_.below(5); k > 0; --k) {
       const Transition kind = random_.pick(kKinds);
       ir::ExprId guard = random_.chance(0.5) ? expressions_.guard(1) : often();

@@ -1,15 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// A mission of 10,000 states compiles in seconds. The bounds are generous: they catch what grows
-// with the square of the size, not a busy machine. The file is of ordinary size: accepts: GL1028
-// accepts: GL1029
+// A mission of 10,000 states compiles; bench/frontend has its time. The file is of ordinary size:
+// accepts: GL1028 GL1029
 
 #include "tests/unit/frontend/compile.h"
 
 #include <fmt/format.h>
 
-#include <chrono>
 
 namespace glider::frontend {
 namespace {
@@ -36,17 +34,11 @@ constexpr int kStates = 1000;
 constexpr int kStates = 10'000;
 #endif
 
-TEST(Speed, ManyStates) {
+TEST(LargeMission, TenThousandStatesAreAllThere) {
   FrontendRun run(bigMission(kStates));
-  const auto start = std::chrono::steady_clock::now();
   const auto mission = run.compile();
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
   ASSERT_TRUE(mission.has_value());
   EXPECT_EQ(mission->states.size(), size_t{kStates});
-  RecordProperty("seconds", fmt::format("{:.3f}", took.count()));
-  fmt::print("{} states, {} bytes: {:.2f} s\n", kStates, run.sources.text(run.file).size(),
-             took.count());
-  EXPECT_LT(took.count(), 60);
 }
 
 }  // namespace

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <iterator>
 #include <set>
 
@@ -58,7 +57,8 @@ TEST(Verify, CountsReachedCallsOnly) {
   EXPECT_FALSE(v.diagnostics.hasErrors());
 }
 
-TEST(Verify, LongChainsOfCallsAreFast) {
+/// bench/verify has their times.
+TEST(Verify, LongChainsOfCallsAreFollowed) {
   constexpr int kStates = 10'000;
   std::string text = kHeader;
   for (int i = 0; i < kStates; ++i) {
@@ -66,16 +66,14 @@ TEST(Verify, LongChainsOfCallsAreFast) {
     text += stateText(fmt::format("s{}", i), clock(4) + next + (i == 0 ? "exit" : "return"));
   }
   const Mission mission = missionOf(text);
-  const auto begin = std::chrono::steady_clock::now();
   const Verified v(mission);
-  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(2));
   EXPECT_EQ(v.diagnostics.sorted().size(), 0u);
   EXPECT_EQ(v.facts.stack_depth, kStates - 1u);
   EXPECT_EQ(v.facts.deepest_path.size(), size_t{kStates});
 }
 
 /// Every state calls, goes to and returns everywhere: many errors, each with a short path.
-TEST(Verify, TangledMissionsAreFast) {
+TEST(Verify, TangledMissionsEndInShortNotes) {
   constexpr int kStates = 150;
   std::string text = kHeader;
   for (int i = 0; i < kStates; ++i) {
@@ -86,9 +84,7 @@ TEST(Verify, TangledMissionsAreFast) {
     text += stateText(fmt::format("s{}", i), cases + clock(1) + "return");
   }
   const Mission mission = missionOf(text);
-  const auto begin = std::chrono::steady_clock::now();
   const Verified v(mission);
-  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5));
   EXPECT_TRUE(v.diagnostics.hasErrors());
   for (const support::Diagnostic& d : v.diagnostics.sorted()) {
     EXPECT_LT(d.notes.size(), 20u);

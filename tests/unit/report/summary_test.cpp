@@ -78,6 +78,24 @@ TEST(Summary, KeepsToAHundredColumnsAndToPrintableText) {
   }
 }
 
+TEST(Summary, ShowsUpToSixtyEventsOfEachListAndTheLastOfThem) {
+  const auto with = [](size_t count, const char* kind) {
+    support::Trace trace = smallTrace({{"time", "s"}}, {{0}, {4}});
+    for (size_t i = 1; i <= count; ++i) {
+      trace.events.push_back({1, kUnknown, kind, "note " + std::to_string(i) + ".", ""});
+    }
+    return summarize(trace);
+  };
+  for (const char* kind : {"log", "transition"}) {
+    EXPECT_NE(with(60, kind).find("note 60."), std::string::npos) << kind;
+    EXPECT_EQ(with(60, kind).find("more: see the report"), std::string::npos);
+    EXPECT_NE(with(61, kind).find("  and 1 more: see the report\n"), std::string::npos);
+    EXPECT_EQ(with(61, kind).find("note 61."), std::string::npos);
+    EXPECT_NE(with(61, kind).find("note 60."), std::string::npos);
+  }
+  EXPECT_EQ(with(5, "steering").find("note"), std::string::npos);
+}
+
 TEST(Summary, ManyEventsAreCounted) {
   support::Trace trace = figure2();
   trace.events.insert(trace.events.end(), 1000, {1, kUnknown, "log", "note", ""});

@@ -92,6 +92,58 @@ TEST(Warnings, AnotherMissionThanThatWhoseStatesAreNamed) {
   EXPECT_EQ(flightWarnings(trace), Lines{}) << "none was named";
 }
 
+TEST(Warnings, ALongNameIsTheSameAsFarAsTheLineTellsIt) {
+  const auto warnings = [](const std::string& flown, const std::string& told) {
+    auto trace = flight(1);
+    trace.mission = flown;
+    trace.events.push_back({4, kUnknown, "link", "the SBC answers: mission " + told, ""});
+    return flightWarnings(trace).size();
+  };
+  const std::string name(60, 'n');
+  EXPECT_EQ(warnings(name, name.substr(0, 47)), 0U) << "47 bytes go over the line";
+  EXPECT_EQ(warnings(name, name.substr(0, 46)), 1U) << "46 are a name of their own";
+  EXPECT_EQ(warnings(name, std::string(47, 'x')), 1U);
+  EXPECT_EQ(warnings(name.substr(0, 47), name.substr(0, 47)), 0U);
+}
+
+TEST(Warnings, OneRefusalIsOne) {
+  auto trace = flight(1);
+  trace.events.push_back({8, 4, "hook", "instruction 1 refused: deeper than max_depth", ""});
+  EXPECT_EQ(flightWarnings(trace),
+            Lines{"1 instruction refused, the first at 8 s: instruction 1 refused: deeper than "
+                  "max_depth"});
+  trace.events.back().kind = "log";
+  EXPECT_EQ(refusedInstructions(trace), 0U) << "a note that says so";
+  trace.events.back() = {8, 4, "hook", "instruction 1: refused", ""};
+  EXPECT_EQ(refusedInstructions(trace), 0U);
+  trace.events.back() = {8, 4, "hook", "the instruction 1 refused: x", ""};
+  EXPECT_EQ(refusedInstructions(trace), 0U);
+}
+
+TEST(Warnings, ManyStatesThatWereNeverVisitedAreCounted) {
+  auto trace = flight(1);
+  trace.events = {{100, 90, "log", "the simulated time of 100 s is over", ""}};
+  trace.state_names.clear();
+  for (int i = 0; i <= 20; ++i) {
+    trace.state_names.push_back("s" + std::to_string(i));
+  }
+  EXPECT_TRUE(flightWarnings(trace).at(0).ends_with(", s19, s20")) << "20 are named";
+  trace.state_names.emplace_back("s21");
+  EXPECT_TRUE(flightWarnings(trace).at(0).ends_with(", s20 and 1 more"));
+}
+
+TEST(Warnings, InControlAtAnyTimeIsInControl) {
+  auto trace = flight(0);
+  EXPECT_TRUE(wasNeverInControl(trace));
+  trace.rows[2] = 1;
+  EXPECT_FALSE(wasNeverInControl(trace));
+  trace.rows.clear();
+  EXPECT_FALSE(wasNeverInControl(trace)) << "it did not fly";
+  auto without = flight(0);
+  without.way.clear();
+  EXPECT_FALSE(wasNeverInControl(without));
+}
+
 TEST(Warnings, RefusedInstructionsAreCounted) {
   auto trace = flight(1);
   trace.events.push_back({8, 4, "hook", "instruction 1 refused: deeper than max_depth", ""});

@@ -213,6 +213,40 @@ TEST(Control, ARefusalThatOvertakesTheAnswerToTheHandshakeLeavesControlOurs) {
   EXPECT_EQ(vehicle.sent.control, hooks::HookControl::Steer) << "of the same session";
 }
 
+/// Answer and state may come in different frames: how many ticks the state may lag.
+TEST(Control, AStateThatLagsBehindTheAnswerIsNoLoss) {
+  HandMadeTicks vehicle;
+  vehicle.tick.hook_state = hooks::HookState::Ready;
+  ASSERT_TRUE(vehicle.answer(12));
+  vehicle.tick.answered_sequence = 1;
+  vehicle.tick.answer = hooks::HookAnswer::Accepted;
+  EXPECT_FALSE(vehicle.answer(12));
+  ASSERT_EQ(vehicle.news.kind, ControlNews::Kind::Taken);
+  int ticks = 0;
+  do {
+    (void)vehicle.answer(12);
+    ++ticks;
+  } while (vehicle.news.kind != ControlNews::Kind::Lost && ticks < 10);
+  EXPECT_EQ(ticks, 7) << "six may still say Ready, the seventh is a loss";
+}
+
+TEST(Control, OnceSeenActiveAnyOtherStateIsALossAtOnce) {
+  HandMadeTicks vehicle;
+  vehicle.tick.hook_state = hooks::HookState::Ready;
+  ASSERT_TRUE(vehicle.answer(12));
+  vehicle.tick.answered_sequence = 1;
+  vehicle.tick.answer = hooks::HookAnswer::Accepted;
+  vehicle.tick.hook_state = hooks::HookState::Active;
+  (void)vehicle.answer(12);
+  (void)vehicle.answer(12);
+  EXPECT_EQ(vehicle.news.kind, ControlNews::Kind::None);
+  vehicle.tick.hook_state = hooks::HookState::Silent;
+  (void)vehicle.answer(12);
+  EXPECT_EQ(vehicle.news.kind, ControlNews::Kind::Lost);
+  (void)vehicle.answer(12);
+  EXPECT_NE(vehicle.news.kind, ControlNews::Kind::Lost) << "told once";
+}
+
 TEST(Control, FollowsANumberThatTheClientHadToReplace) {
   HandMadeTicks vehicle;
   vehicle.tick.hook_state = hooks::HookState::Ready;

@@ -239,6 +239,27 @@ TEST_F(StepTest, CommandsSetWhatIsInForce) {
   EXPECT_EQ(c->refused_commands, 0U);
 }
 
+TEST_F(StepTest, HeadingsAreWrappedIntoOneTurn) {
+  GliderContext* c = bench_.start();
+  constexpr double kTurn = 2 * std::numbers::pi;
+  struct Row {
+    double given, in_force;
+  };
+  for (const Row& row : {Row{0, 0}, Row{1, 1}, Row{kTurn, 0}, Row{-kTurn, 0}, Row{3 * kTurn, 0},
+                         Row{kTurn + 1, 1}, Row{-1, kTurn - 1}, Row{-kTurn - 1, kTurn - 1},
+                         Row{-1e-300, 0}}) {
+    gliderSteer(c, row.given);
+    EXPECT_NEAR(c->heading, row.in_force, 1e-12) << row.given;
+    EXPECT_GE(c->heading, 0) << row.given;
+    EXPECT_LT(c->heading, kTurn) << row.given;
+    EXPECT_FALSE(std::signbit(c->heading)) << row.given;
+  }
+  gliderSteer(c, std::nextafter(kTurn, 0));
+  EXPECT_EQ(c->heading, std::nextafter(kTurn, 0));
+  gliderSteer(c, -0.0);
+  EXPECT_EQ(c->heading, 0);
+}
+
 TEST_F(StepTest, AnUnknownCommandChangesNothingAndIsCounted) {
   GliderContext* c = bench_.start();
   gliderDescend(c, 20, .454);

@@ -1,17 +1,18 @@
 /* SPDX-FileCopyrightText: 2026 The glidercc authors
  * SPDX-License-Identifier: Apache-2.0
  *
- * bare_flight SECONDS - what bench/sim measures `glidercc sim` against: nothing but a glider's motion, integrated
- * in plain C with the step of the simulator, 0.25 s. A yo between 5 and 30 m by pump, lagging pitch, lift and drag
- * after Merckelbach et al. (2010), solved for the angle of attack in each step. No sensors, no computers, no lines, no
- * SBC, no report: far less work than a simulated second of a mission is. Prints the depth it ends at. */
+ * bare_flight SECONDS - what bench/sim measures `glidercc sim` against: nothing but a glider's
+ * motion, integrated in plain C with the step of the simulator, 0.25 s. A yo between 5 and 30 m by
+ * pump, lagging pitch, lift and drag after Merckelbach et al. (2010), solved for the angle of
+ * attack in each step. No sensors, no computers, no lines, no SBC, no report: far less work than a
+ * simulated second of a mission is. Prints the depth it ends at. */
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
-static const double kStep = 0.25;                                  /* s */
-static const double kArea = 0.1, kDrag = 0.15, kInduced = 2.9;     /* m2, 1, 1/rad2 */
+static const double kStep = 0.25;                              /* s */
+static const double kArea = 0.1, kDrag = 0.15, kInduced = 2.9; /* m2, 1, 1/rad2 */
 static const double kLift = 6.0, kDensity = 1025.0, kGravity = 9.81;
 
 /* Angle of attack at which lift and drag balance a glide at `pitch`, rad. */
@@ -39,8 +40,9 @@ int main(int argc, char** argv) {
     const double angle = angleOfAttack(slope);
     const double path = slope + angle;
     const double buoyancy = kDensity * kGravity * pump * 1e-6;
-    const double force = 0.5 * kDensity * kArea *
-                         ((kDrag + kInduced * angle * angle) * fabs(sin(path)) + kLift * fabs(angle) * cos(path));
+    const double force =
+        0.5 * kDensity * kArea *
+        ((kDrag + kInduced * angle * angle) * fabs(sin(path)) + kLift * fabs(angle) * cos(path));
     const double speed = sqrt(fabs(buoyancy) / force);
     ahead += (speed * cos(path) - ahead) * (1 - exp(-kStep / 8));
     up += (copysign(speed * sin(fabs(path)), buoyancy) - up) * (1 - exp(-kStep / 8));

@@ -27,10 +27,23 @@ const platforms::Platform& slocum() {
   return platform;
 }
 
+/// The vehicle that an input is for: a line `//@without SENSOR` takes the last sensor from it.
+platforms::Platform platformFor(const std::string& input) {
+  platforms::Platform platform = slocum();
+  constexpr std::string_view kWithout = "\n//@without ";
+  if (const size_t at = input.find(kWithout); at != std::string::npos) {
+    const size_t from = at + kWithout.size();
+    const std::string name = input.substr(from, input.find('\n', from) - from);
+    CHECK(platform.sensors.back().name == name, "only the last sensor can be left out");
+    platform.sensors.pop_back();
+  }
+  return platform;
+}
+
 class Compilation {
  public:
   Compilation(const std::string& name, const std::string& input)
-      : file_(sources_.add(name, input)) {}
+      : platform_(platformFor(input)), file_(sources_.add(name, input)) {}
 
   void parse() {
     ast_ = frontend::parse(sources_, file_, diagnostics_);
@@ -47,7 +60,7 @@ class Compilation {
     CHECK(standard.has_value(), "the standard library does not parse");
     const auto imports = ast_ ? frontend::loadImports(*ast_, sources_, diagnostics_) : std::nullopt;
     if (imports) {
-      frontend::AnalysisInputs inputs{slocum(), {&*standard}, sources_};
+      frontend::AnalysisInputs inputs{platform_, {&*standard}, sources_};
       for (const ast::File& import : *imports) {
         inputs.library.push_back(&import);
       }
@@ -68,7 +81,7 @@ class Compilation {
       ir::prove::Options options;
       options.library = 1;
       options.report = true;
-      show(ir::prove::prove(*mission_, facts_, slocum(), options, diagnostics_));
+      show(ir::prove::prove(*mission_, facts_, platform_, options, diagnostics_));
     }
   }
 
@@ -101,6 +114,7 @@ class Compilation {
     }
   }
 
+  platforms::Platform platform_;
   support::SourceManager sources_;
   uint32_t file_;
   support::DiagnosticEngine diagnostics_;

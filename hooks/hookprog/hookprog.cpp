@@ -253,7 +253,10 @@ void Hookprog::handleDone(const Done& done) {
   // going: only the answers of the session in control keep that session alive. Nor do they when its
   // mission does not go on: somebody answers, but nobody flies.
   const uint32_t in_control = newestWhole(GLIDER_X_HOOK_SESSION);
-  if (in_control == 0 || (done.session == in_control && noteProgress(done))) {
+  // Who is not in control yet has told its time all the same: it is no news when it comes again.
+  const bool counts = done.session != 0 && (in_control == 0 || done.session == in_control);
+  const bool goes_on = counts && noteProgress(done);
+  if (in_control == 0 || goes_on) {
     beat();
   }
 }
@@ -263,7 +266,7 @@ bool Hookprog::noteProgress(const Done& done) {
   if (progress_.hasGoneOn(done.session, done.status.mission_time_s, now_s_)) {
     return true;
   }
-  if (progress_.isStuck(kLostSecs, now_s_)) {
+  if (newestWhole(GLIDER_X_HOOK_SESSION) != 0 && progress_.isStuck(kLostSecs, now_s_)) {
     event(Kind::SbcStuck, done.session);
   }
   return false;

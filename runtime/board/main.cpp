@@ -49,7 +49,8 @@ int run(const Options& options) {
   // Before the line is there, so that the card's process does not hold it open.
   static Card card;
   (void)card.start(
-      {openLogOf(options), openCheckpoints(options.checkpoints), holdCheckpoints, reopenLog},
+      {openLogOf(options), openCheckpoints(options.checkpoints, gliderMission.context_bytes),
+       holdCheckpoints, reopenLog},
       gliderMission.context_bytes);
   const OpenPort line = openLine(options);
   if (line.problem != nullptr) {

@@ -59,7 +59,8 @@ extern "C" int gliderOpen(int argc, char** argv, const char* mission_name) {
     return kWrongUse;
   }
   (void)card().start(
-      {openLogOf(options), openCheckpoints(options.checkpoints), holdCheckpoints, reopenLog},
+      {openLogOf(options), openCheckpoints(options.checkpoints, Program::kMostContextBytes),
+       holdCheckpoints, reopenLog},
       Program::kMostContextBytes);
   const OpenPort line = openLine(options);
   if (line.problem != nullptr) {

@@ -36,19 +36,20 @@ inline handle_write() {
 
 inline handle_done() {
   waiting_rounds = NEVER; told_time = in.time;
+  bit counts = (in.session != 0 && (reported_session == 0 || in.session == reported_session));
   if
-  :: reported_session != 0 && in.session == reported_session && progress_session != in.session ->
-     progress_session = in.session; progress = NEVER
+  :: counts == 1 && progress_session != in.session -> progress_session = in.session; progress = NEVER
   :: else -> skip
   fi;
+  bit goes_on_there = (counts == 1 && NEWS(in.time, in.old));
+  progress = (goes_on_there == 1 -> in.time : progress);
   if
-  :: reported_state != Absent &&
-     (reported_session == 0 || (in.session == reported_session && NEWS(in.time, in.old))) ->
-     progress = (reported_session == 0 -> progress : in.time);
+  :: reported_state != Absent && (reported_session == 0 || goes_on_there == 1) ->
      out.type = Sensors; out.flag = 1;
      put(to_flight, TO_FLIGHT)
   :: else -> skip
-  fi
+  fi;
+  counts = 0; goes_on_there = 0
 }
 
 inline serve_sbc() {

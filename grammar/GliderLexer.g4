@@ -60,6 +60,7 @@ STALE : 'stale' ;
 SURFACES : 'surfaces' ;
 RESUME : 'resume' ;
 DECLINATION : 'declination' ;
+RESTART : 'restart' ;
 
 // Units (support/units/units.def) and the letters of positions; `S` and `W` are both. `min` is also the function.
 MIN : 'min' ;

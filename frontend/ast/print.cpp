@@ -106,7 +106,10 @@ class FilePrinter {
     std::visit([this](const auto& p) { line("require " + promise(p)); }, n.node);
   }
 
-  void write(const Resumption& n) { line("resume within " + print(n.within)); }
+  void write(const Resumption& n) {
+    line("resume within " + print(n.within) +
+         (n.never_after_restart ? ", never after restart" : ""));
+  }
   void write(const Declination& n) { line("declination " + print(n.angle)); }
 
   static std::string promise(const AlwaysPromise& p) { return "always " + print(p.condition); }

@@ -78,7 +78,7 @@ bool isName(uint32_t type) {
 }
 
 bool isSoftKeyword(uint32_t type) {
-  return type >= GliderLexer::IN && type <= GliderLexer::DECLINATION;
+  return type >= GliderLexer::IN && type <= GliderLexer::RESTART;
 }
 
 bool isAnyName(uint32_t type) {

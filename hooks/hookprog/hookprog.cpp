@@ -255,8 +255,7 @@ void Hookprog::handleDone(const Done& done) {
   const uint32_t in_control = newestWhole(GLIDER_X_HOOK_SESSION);
   // Who is not in control yet has told its time all the same: it is no news when it comes again.
   const bool counts = done.session != 0 && (in_control == 0 || done.session == in_control);
-  const bool goes_on = counts && noteProgress(done);
-  if (in_control == 0 || goes_on) {
+  if (counts ? noteProgress(done) : in_control == 0) {
     beat();
   }
 }
@@ -370,6 +369,8 @@ TickHead Hookprog::tickHead() const {
                     : HookAnswer::None;
   head.answered_sequence = static_cast<uint16_t>(newestWhole(GLIDER_X_HOOK_SEQUENCE));
   head.session = newestWhole(GLIDER_X_HOOK_SESSION);
+  const double clock = newest(GLIDER_M_PRESENT_TIME);
+  head.clock_s = clock >= 1 && clock < UINT32_MAX ? static_cast<uint32_t>(clock) : 0;
   return head;
 }
 

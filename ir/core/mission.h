@@ -357,6 +357,9 @@ struct Mission {
   /// The longest outage of the SBC after which the mission goes on, s; kResumeWithin unless the
   /// mission says another.
   double resume_within_s = kResumeWithin_s;
+  /// It does not go on, but begins from the start, if the vehicle has begun its own mission again
+  /// during the outage.
+  bool new_after_restart = false;
   std::optional<Compass> compass;  ///< empty: the mission has nothing to do with headings
 
   [[nodiscard]] const Expr& operator[](ExprId id) const { return exprs.at(id.index); }

@@ -74,8 +74,7 @@ class Reader {
     } else if (in_.peek().isWord("require")) {
       requirement();
     } else if (in_.accept("resume")) {
-      in_.expect("within");
-      m_.resume_within_s = in_.number(false);
+      resumption();
     } else if (in_.accept("compass")) {
       compass();
     } else if (!code_.definition()) {
@@ -94,6 +93,17 @@ class Reader {
       read.declination = in_.number(false);
     }
     m_.compass = read;
+  }
+
+  void resumption() {
+    if (in_.accept("never")) {
+      in_.expect("after");
+      in_.expect("restart");
+      m_.new_after_restart = true;
+    } else {
+      in_.expect("within");
+      m_.resume_within_s = in_.number(false);
+    }
   }
 
   void requirement() {

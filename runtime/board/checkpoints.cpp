@@ -5,6 +5,7 @@
 
 #include "hooks/protocol/crc.h"
 #include "runtime/board/files.h"
+#include "runtime/board/kernel.h"
 #include "runtime/checkpoint/checkpoint.h"
 
 #include <errno.h>
@@ -121,10 +122,7 @@ GliderStore openCheckpoints(const char* path, uint32_t context_bytes) {
 }
 
 void holdCheckpoints(const GliderStore& checkpoints) {
-  struct flock whole{};
-  whole.l_type = F_WRLCK;
-  whole.l_whence = SEEK_SET;
-  while (fcntl(descriptorOf(checkpoints.self), F_SETLKW, &whole) != 0 && errno == EINTR) {
+  while (lockWhole(descriptorOf(checkpoints.self)) != 0 && errno == EINTR) {
   }
   makeRoom(*static_cast<const Slots*>(checkpoints.self));
 }

@@ -9,11 +9,11 @@
 #include "runtime/board/card.h"
 #include "runtime/board/checkpoints.h"
 #include "runtime/board/files.h"
+#include "runtime/board/kernel.h"
 #include "runtime/board/line.h"
 #include "runtime/board/parameters.h"
 #include "runtime/core/runtime.h"
 
-#include <signal.h>
 
 namespace glider::runtime {
 namespace {
@@ -76,7 +76,7 @@ int main(int argc, char** argv) {
   using namespace glider::runtime;
   holdStandardFiles();
   useDoublePrecision();
-  signal(SIGPIPE, SIG_IGN);
+  ignoreSignal(SIGPIPE);
   const Options options = readOptions(argc, argv);
   if (options.wish == Options::Wish::Fly) {
     return run(options);

@@ -77,6 +77,9 @@ int keepState(void* state, size_t bytes);
 /* How long an outage may last if the mission is to go on after it, s: 300 unless set. After a
    longer one the vehicle keeps its own control, and gliderRun returns NULL. */
 void resumeWithin(double seconds);
+/* The mission begins from the start, and does not go on, if the vehicle has begun its own mission
+   again during the outage. */
+void newAfterRestart(void);
 /* The angle of magnetic north from true north, rad, east positive (off New Jersey -0.21). Headings
    are true here, those of the vehicle magnetic: this counts until the vehicle has reported its own
    m_gps_mag_var. Unless set it is 0, and a note in the logs says so. Returns 0, or -1: more than

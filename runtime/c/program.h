@@ -57,6 +57,8 @@ class Program {
   KeptState& kept() { return kept_; }
   /// So long an outage may last if the mission is to go on after it, s.
   void resumeWithin(double seconds) { mission_.resume_within = seconds; }
+  /// It begins again if the vehicle has begun its own mission again meanwhile.
+  void newAfterRestart() { mission_.new_after_restart = 1; }
   /// What counts for headings while the vehicle has told no variation: rad, east positive.
   void declination(double east) { compass_.declination = east; }
   void attach(const Link& link) { link_ = link; }

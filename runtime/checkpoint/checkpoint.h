@@ -17,6 +17,8 @@ struct LinkFacts {
   double anchor_mission = 0;
   uint32_t session = 0;      ///< of the newest handshake; 0: none yet
   uint32_t instruction = 0;  ///< number of the newest instruction
+  uint32_t clock = 0;        ///< of the vehicle in that frame, s since 1970; 0: unknown
+  uint32_t reserved = 0;
 };
 
 class Checkpoint {

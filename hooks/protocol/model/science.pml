@@ -44,7 +44,7 @@ inline handle_done() {
   bit goes_on_there = (counts == 1 && NEWS(in.time, in.old));
   progress = (goes_on_there == 1 -> in.time : progress);
   if
-  :: reported_state != Absent && (reported_session == 0 || goes_on_there == 1) ->
+  :: reported_state != Absent && (counts == 1 -> goes_on_there : reported_session == 0) ->
      out.type = Sensors; out.flag = 1;
      put(to_flight, TO_FLIGHT)
   :: else -> skip

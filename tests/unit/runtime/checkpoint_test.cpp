@@ -175,6 +175,7 @@ TEST_F(CheckpointTest, ACardThatFailsForLongLosesNoneThatWasKept) {
     ASSERT_EQ(checkpoint.keep(*context, {0, 0, 0, 1, instruction}), Checkpoint::Kept::Failed);
   }
   store_.fails = false;
+  context->mission_time += 1;
   const size_t made = store_.log.size();
   ASSERT_EQ(checkpoint.keep(*context, {0, 0, 1, 99}), Checkpoint::Kept::Written);
   eachFileAfterCut(store_.log, made + 1, [&](const SparseFile& file) {

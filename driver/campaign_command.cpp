@@ -257,8 +257,8 @@ int flyThem(const CampaignPlan& plan, const CampaignOptions& options) {
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
   line.clear();
   const int status = tellResult(plan, options, result, *identity, took.count());
-  if (result.hung || result.interrupted) {
-    std::_Exit(status);  // their threads would not let the program end
+  if (result.running) {
+    std::_Exit(status);  // its threads would not let the program end
   }
   return status;
 }

@@ -26,6 +26,7 @@ struct CycleView {
   double volts = 0;        ///< true, of the batteries
   bool commanded_whole = true;  ///< heading, pitch and pump were commanded, by whichever behaviour
   const hooks::HookbehOutputs* hookbeh = nullptr;  ///< what it commanded; null when it does not run
+  bool overridden = false;  ///< a behaviour above hookbeh had pitch or pump
 };
 
 /// Looks on while a mission is flown, from where nothing is damaged.

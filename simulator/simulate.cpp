@@ -186,7 +186,8 @@ class Simulation {
             battery.usedJ() - start_J_,
             battery.voltage(),
             flight_.commandedWhole(),
-            flight_.hookbeh()};
+            flight_.hookbeh(),
+            flight_.hookbehOverridden()};
   }
 
   /// True while the flight controller starts again: what arrives meanwhile is lost.

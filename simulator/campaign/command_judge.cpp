@@ -106,7 +106,7 @@ std::string CommandJudge::answered(const Instruction& instruction, HookAnswer an
   if (answer == HookAnswer::Accepted && steers) {
     const Instruction next = merged(in_force_, instruction);
     if (instruction.control == HookControl::Take || !sameVertical(next, in_force_)) {
-      arrived_ = goes_back_ = false;
+      arrived_ = goes_back_ = carried_off_ = false;
       arrived_cycles_ = far_cycles_ = late_cycles_ = small_swings_ = 0;
     }
     in_force_ = next;
@@ -116,7 +116,7 @@ std::string CommandJudge::answered(const Instruction& instruction, HookAnswer an
 
 void CommandJudge::restart() {
   in_force_ = {};
-  arrived_ = goes_back_ = guarding_ = false;
+  arrived_ = goes_back_ = carried_off_ = guarding_ = false;
 }
 
 std::string CommandJudge::judgeWhole(const CycleView& view) const {
@@ -173,7 +173,10 @@ std::string CommandJudge::judgeGuard(const CycleView& view) {
     if (!near) {
       wrong = fmt::format("the guard comes in ({}) and no limit is near", view.hookbeh->doing);
     }
-    small_swings_ = tripped_m_ - shallowest_m_ < kSwing && shallowest_m_ < 1e6 ? small_swings_ + 1 : 0;
+    // In water too shallow for that it comes up, and waits until the echo is forgotten.
+    const bool small = tripped_m_ - shallowest_m_ < kSwing && shallowest_m_ > kFloats &&
+                       std::isfinite(shallowest_m_);
+    small_swings_ = small ? small_swings_ + 1 : 0;
     if (small_swings_ >= kSmallSwings) {
       wrong = fmt::format("the guard swings by less than {} m", kSwing);
     }
@@ -235,7 +238,9 @@ std::string CommandJudge::judgeStaying(const HookbehOutputs& out, double reading
   if (floats && arrived_cycles_ > kToArrive && !climbs(out)) {
     return fmt::format("a target of {} m does not end in floating", in_force_.depth_m);
   }
-  const bool far = arrived_ && !floats && off > kFarFromTarget && out.pitch_rad == 0;
+  carried_off_ = carried_off_ && off > kHoverReach;
+  const bool far =
+      arrived_ && !carried_off_ && !floats && off > kFarFromTarget && out.pitch_rad == 0;
   far_cycles_ = far ? far_cycles_ + 1 : 0;
   return far_cycles_ > kFarCycles ? fmt::format("hovers {:.1f} m from its depth", off) : "";
 }
@@ -275,6 +280,7 @@ std::string CommandJudge::cycle(const CycleView& view) {
     wrong = judgeGuard(view);
     // Before the first cycle of the guard's climb, and in its last, limits are a matter of noise.
     if (wrong.empty() && !guarding_) {
+      carried_off_ = carried_off_ || view.overridden;
       wrong = judgeFollowing(view, reading);
     }
   }

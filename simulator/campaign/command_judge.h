@@ -39,7 +39,8 @@ class CommandJudge {
   const JudgeSetup& s_;
   hooks::Instruction in_force_;
   bool arrived_ = false;
-  bool goes_back_ = false;  ///< to a depth that it had reached before the guard came
+  bool goes_back_ = false;    ///< to a depth that it had reached before the guard came
+  bool carried_off_ = false;  ///< from such a depth, by a behaviour above hookbeh
   int arrived_cycles_ = 0, far_cycles_ = 0;
   int too_deep_cycles_ = 0, too_low_cycles_ = 0;
 

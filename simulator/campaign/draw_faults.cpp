@@ -204,6 +204,12 @@ DrawnFaults drawFaults(FaultKind kind, Manner manner, uint64_t seed, const Fligh
   return drawn;
 }
 
+bool DrawnFaults::lasts() const {
+  return args || water_depth_m || std::ranges::any_of(faults.sensors, [](const auto& fault) {
+           return fault.when.to_s == kForever;
+         });
+}
+
 void DrawnFaults::applyTo(Scenario& scenario) const {
   scenario.faults.add(faults);
   if (water_depth_m) {

@@ -28,6 +28,9 @@ struct JudgeSetup {
   double mean_W = 0;             ///< of the same mission's flight without a fault; 0: not known
 };
 
+/// The time after which abend ends the mission, s; 0 without one.
+double overtimeOf(const Scenario& scenario);
+
 /// Of a flight of `scenario`, whose faults are of `kinds`.
 JudgeSetup judgeSetup(const platforms::Platform& platform, const Scenario& scenario,
                       const std::vector<FaultKind>& kinds);

@@ -49,6 +49,10 @@ class FlightController {
   [[nodiscard]] double missionStart() const { return mission_start_s_; }
   /// What hookbeh commanded in this cycle; null without one, and after an abort.
   [[nodiscard]] const hooks::HookbehOutputs* hookbeh() const;
+  /// A behaviour above hookbeh had pitch or pump in this cycle.
+  [[nodiscard]] bool hookbehOverridden() const {
+    return layers_->hookbeh() != nullptr && layers_->hookbeh()->overridden();
+  }
   /// Heading, pitch and pump were all commanded in this cycle, by whichever behaviour.
   [[nodiscard]] bool commandedWhole() const { return commanded_whole_; }
   [[nodiscard]] bool aborted() const { return abort_ != Abort::None; }

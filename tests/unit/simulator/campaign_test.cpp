@@ -401,13 +401,13 @@ TEST_F(Judged, TheHullsLimitHoldsAlways) {
 
 TEST_F(Judged, TooLittleClearanceIsSeen) {
   take();
-  clearance_ = 2.1;
+  clearance_ = 1.1;
   climb();
   cycle(HookState::Active, 30);
   EXPECT_EQ(violation().find("over the bottom"), std::string::npos) << violation();
-  clearance_ = 1.9;
+  clearance_ = 0.9;
   cycle(HookState::Active, 30);
-  EXPECT_EQ(violation(), "1.9 m over the bottom under min_altitude 5 m");
+  EXPECT_EQ(violation(), "0.9 m over the bottom under min_altitude 5 m");
 }
 
 TEST_F(Judged, TheBottomIsSeenAlsoWithoutTheSbc) {

@@ -136,8 +136,8 @@ CampaignFlight flightOf(const CampaignPlan& plan, uint64_t number) {
   flight.mission = number % plan.missions.size();
   flight.kind = static_cast<FaultKind>(turn % simulator::kFaultKinds);
   // Of each kind another manner in each turn of the kinds.
-  flight.manner = static_cast<simulator::Manner>((turn + turn / simulator::kFaultKinds) %
-                                                 simulator::kManners);
+  flight.manner =
+      static_cast<simulator::Manner>((turn + turn / simulator::kFaultKinds) % simulator::kManners);
   flight.seed = mixed(plan.seed, number);
   // Apart from what the seed draws, so that the same flight in process has the same faults.
   const uint64_t choice = mixed(~plan.seed, number);
@@ -174,8 +174,7 @@ support::Result<Verdict> flyOne(const CampaignPlan& plan, const CampaignFlight& 
   if (drawn.lasts()) {  // it may never come to its exit: abend's overtime ends it
     *setup.duration_s += simulator::overtimeOf(setup.scenario);
   }
-  simulator::JudgeSetup judged =
-      simulator::judgeSetup(plan.platform, setup.scenario, drawn.kinds);
+  simulator::JudgeSetup judged = simulator::judgeSetup(plan.platform, setup.scenario, drawn.kinds);
   judged.mean_W = mission.mean_W;
   StoppableJudge judge(std::move(judged), stop);
   setup.onlooker = &judge;
@@ -225,8 +224,9 @@ CampaignResult flyAll(const CampaignPlan& plan, CampaignResult known,
     listener.progress(work->over);
   }
   constexpr auto kToLand = std::chrono::seconds(10);
-  const bool over = work->changed.wait_for(lock, work->result.hung ? std::chrono::seconds(1) : kToLand,
-                                           [&] { return work->running == 0; });
+  const bool over =
+      work->changed.wait_for(lock, work->result.hung ? std::chrono::seconds(1) : kToLand,
+                             [&] { return work->running == 0; });
   CampaignResult result = work->result;
   result.running = !over;
   lock.unlock();

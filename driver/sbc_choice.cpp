@@ -59,8 +59,7 @@ Result<void> checkLaunch(const Compilation& compilation, const LaunchChoice& lau
 }
 
 StartSbc starterOf(std::string way, std::vector<std::string> command,
-                   std::filesystem::path card = {},
-                   double hang_secs = ProcessSbcPort::kHangSecs) {
+                   std::filesystem::path card = {}, double hang_secs = ProcessSbcPort::kHangSecs) {
   return [way = std::move(way), command = std::move(command), card = std::move(card),
           hang_secs]() -> Result<std::unique_ptr<SbcPort>> {
     return ProcessSbcPort::start(way, command, hang_secs, card);
@@ -107,8 +106,8 @@ StartSbc startOnBoard(const std::string& board, std::vector<std::string> command
   for (const auto& of_an_earlier_flight : {log, checkpoints}) {
     std::filesystem::remove(of_an_earlier_flight, ignored);
   }
-  command.insert(command.end(), {"--port", "{port}", "--log", log.string(), "--checkpoint",
-                                 checkpoints.string()});
+  command.insert(command.end(),
+                 {"--port", "{port}", "--log", log.string(), "--checkpoint", checkpoints.string()});
   if (!launch.file.empty()) {
     command.insert(command.end(), {"--parameters", launch.file});
   }

@@ -42,8 +42,8 @@ support::Result<std::vector<std::string>> buildOnBoard(const Compilation& compil
                                                        const std::string& board,
                                                        const std::filesystem::path& binary);
 /// Starts what buildOnBoard has built, with its log and, as `name`.checkpoint, its checkpoints in
-/// `folder`; those of an earlier flight are removed. After `hang_secs` of real time without an answer
-/// it counts as hung.
+/// `folder`; those of an earlier flight are removed. After `hang_secs` of real time without an
+/// answer it counts as hung.
 simulator::StartSbc startOnBoard(const std::string& board, std::vector<std::string> command,
                                  const LaunchChoice& launch, const std::filesystem::path& folder,
                                  const std::string& name, double hang_secs);

@@ -168,8 +168,7 @@ class Simulation {
     if (over) {
       journal_.add(now, "log", flight_.end());
     }
-    const bool seen_enough = setup_.onlooker != nullptr &&
-                             !setup_.onlooker->cycle(view(now, over));
+    const bool seen_enough = setup_.onlooker != nullptr && !setup_.onlooker->cycle(view(now, over));
     return over || seen_enough;
   }
 

@@ -18,8 +18,8 @@ void addCheckpoints(Draw& draw, Faults& faults) {
     CardFault fault;
     fault.at_s = 0.5 * (span.from_s + span.to_s);
     fault.kind = static_cast<CardFault::Kind>(draw.below(3));
-    fault.amount = fault.kind == CardFault::Kind::Flips ? draw.scale(1, kMostFlips)
-                                                        : draw.between(0, 1);
+    fault.amount =
+        fault.kind == CardFault::Kind::Flips ? draw.scale(1, kMostFlips) : draw.between(0, 1);
     faults.card.push_back(fault);
   }
 }

@@ -70,8 +70,8 @@ class FlightController {
   void noteTransition();
   /// A device fails: the mission is aborted.
   void failDevice(double now_s);
-  /// It begins its mission again at `now_s`, as after a restart of the computer; `keeps_array`: as a
-  /// new mission does, without one. A mission that is over or aborted stays so.
+  /// It begins its mission again at `now_s`, as after a restart of the computer; `keeps_array`: as
+  /// a new mission does, without one. A mission that is over or aborted stays so.
   void restart(double now_s, bool keeps_array);
   /// Puts an instruction into the sensor array as a mission before this one would have left it.
   void leaveOver(const Leftover& leftover);

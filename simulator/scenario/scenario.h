@@ -25,7 +25,7 @@ struct Scenario {
   double latitude_deg = 0, longitude_deg = 0;  ///< of the start
   double duration_s = 0;                       ///< at most
   double isotherm_degC = 0;                    ///< NaN: none is marked
-  std::filesystem::path path;  ///< of its file
+  std::filesystem::path path;                  ///< of its file
   std::filesystem::path skeleton_path;
   slocum::MissionFile skeleton;
   OceanSettings ocean;

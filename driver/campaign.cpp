@@ -36,6 +36,22 @@ Verdict hungVerdict() {
   return verdict;
 }
 
+/// The judge, until somebody ends the campaign.
+class StoppableJudge final : public simulator::Onlooker {
+ public:
+  StoppableJudge(simulator::JudgeSetup setup, const std::function<bool()>& stop)
+      : judge_(std::move(setup)), stop_(stop) {}
+  void said(std::span<const uint8_t> bytes, double now_s) override { judge_.said(bytes, now_s); }
+  bool cycle(const simulator::CycleView& view) override {
+    return judge_.cycle(view) && !(stop_ && stop_());
+  }
+  [[nodiscard]] Verdict verdict() const { return judge_.verdict(); }
+
+ private:
+  simulator::FlightJudge judge_;
+  const std::function<bool()>& stop_;
+};
+
 /// What the threads of a campaign share. It outlives flyAll when a thread does not end.
 struct Work {
   Work(const CampaignPlan& the_plan, CampaignResult known, const CampaignListener& the_listener)
@@ -86,7 +102,7 @@ void workOn(const std::shared_ptr<Work>& work, unsigned thread) {
     work->flying[thread] = number;
     lock.unlock();
     const CampaignFlight flight = flightOf(work->plan, number);
-    auto verdict = flyOne(work->plan, flight);
+    auto verdict = flyOne(work->plan, flight, nullptr, work->listener.stop);
     const bool stop = work->listener.stop();
     lock.lock();
     work->result.interrupted = work->result.interrupted || stop;
@@ -120,8 +136,8 @@ CampaignFlight flightOf(const CampaignPlan& plan, uint64_t number) {
   flight.mission = number % plan.missions.size();
   flight.kind = static_cast<FaultKind>(turn % simulator::kFaultKinds);
   // Of each kind another manner in each turn of the kinds.
-  flight.manner = static_cast<simulator::Manner>((turn + turn / simulator::kFaultKinds) %
-                                                 simulator::kManners);
+  flight.manner =
+      static_cast<simulator::Manner>((turn + turn / simulator::kFaultKinds) % simulator::kManners);
   flight.seed = mixed(plan.seed, number);
   // Apart from what the seed draws, so that the same flight in process has the same faults.
   const uint64_t choice = mixed(~plan.seed, number);
@@ -137,7 +153,7 @@ simulator::DrawnFaults faultsOf(const CampaignPlan& plan, const CampaignFlight& 
 }
 
 support::Result<Verdict> flyOne(const CampaignPlan& plan, const CampaignFlight& flight,
-                                support::Trace* trace) {
+                                support::Trace* trace, const std::function<bool()>& stop) {
   const CampaignMission& mission = plan.missions[flight.mission];
   simulator::StartSbc start =
       flight.board ? mission.on_board[*flight.board]() : mission.new_flight();
@@ -155,10 +171,12 @@ support::Result<Verdict> flyOne(const CampaignPlan& plan, const CampaignFlight& 
   setup.restart_sbc = std::move(start);
   // A mission may have to begin again when the last fault is over.
   setup.duration_s = plan.scenario.duration_s + setup.scenario.faults.lastEnd();
-  simulator::JudgeSetup judged =
-      simulator::judgeSetup(plan.platform, setup.scenario, drawn.kinds);
+  if (drawn.lasts()) {  // it may never come to its exit: abend's overtime ends it
+    *setup.duration_s += simulator::overtimeOf(setup.scenario);
+  }
+  simulator::JudgeSetup judged = simulator::judgeSetup(plan.platform, setup.scenario, drawn.kinds);
   judged.mean_W = mission.mean_W;
-  simulator::FlightJudge judge(std::move(judged));
+  StoppableJudge judge(std::move(judged), stop);
   setup.onlooker = &judge;
   auto flown = simulator::simulate(std::move(setup));
   if (!flown) {
@@ -205,10 +223,15 @@ CampaignResult flyAll(const CampaignPlan& plan, CampaignResult known,
     work->result.interrupted = work->result.interrupted || listener.stop();
     listener.progress(work->over);
   }
+  constexpr auto kToLand = std::chrono::seconds(10);
+  const bool over =
+      work->changed.wait_for(lock, work->result.hung ? std::chrono::seconds(1) : kToLand,
+                             [&] { return work->running == 0; });
   CampaignResult result = work->result;
+  result.running = !over;
   lock.unlock();
   for (std::thread& thread : threads) {
-    result.hung || result.interrupted ? thread.detach() : thread.join();
+    over ? thread.join() : thread.detach();
   }
   return result;
 }

@@ -19,7 +19,7 @@ namespace glider::driver {
 struct CampaignMission {
   std::string file;
   NewFlight new_flight;
-  std::vector<NewFlight> on_board;  ///< one for each of the plan's boards
+  std::vector<NewFlight> on_board;    ///< one for each of the plan's boards
   simulator::FlightTimes times = {};  ///< of its flight when nothing goes wrong
   double mean_W = 0;                  ///< that its batteries give then
 };
@@ -50,9 +50,11 @@ CampaignFlight flightOf(const CampaignPlan& plan, uint64_t number);
 /// What goes wrong in it.
 simulator::DrawnFaults faultsOf(const CampaignPlan& plan, const CampaignFlight& flight);
 
-/// Flies it, judged; the trace goes to `trace` unless that is null. As StartSbc and simulate.
+/// Flies it, judged; the trace goes to `trace` unless that is null. It ends in the middle when
+/// `stop` says so, and its verdict then counts for nothing. As StartSbc and simulate.
 support::Result<simulator::Verdict> flyOne(const CampaignPlan& plan, const CampaignFlight& flight,
-                                           support::Trace* trace = nullptr);
+                                           support::Trace* trace = nullptr,
+                                           const std::function<bool()>& stop = {});
 
 /// Flies each mission once with nothing wrong and notes what is usual of it.
 support::Result<void> measureMissions(CampaignPlan& plan);
@@ -60,8 +62,9 @@ support::Result<void> measureMissions(CampaignPlan& plan);
 struct CampaignResult {
   std::vector<std::optional<simulator::Verdict>> verdicts;  ///< by number; none: not flown
   std::optional<support::Failure> failure;  ///< of the world: the rest was not flown
-  bool hung = false;        ///< a flight did not come back: its thread still runs
-  bool interrupted = false;  ///< flights that were under way are left; their threads still run
+  bool hung = false;                        ///< a flight did not come back
+  bool interrupted = false;                 ///< flights that were under way are left
+  bool running = false;  ///< a thread still runs: the program can only be ended by force
 };
 
 /// What a campaign tells while it flies; each is called by one thread at a time.

@@ -67,7 +67,8 @@ class Binary {
       }
       command_ = std::move(*built);
     }
-    return startOnBoard(board_, command_, launch_, folder, compilation_->mission->name);
+    constexpr double kHangSecs = 120;  // the machine is busy, and a verdict must not depend on it
+    return startOnBoard(board_, command_, launch_, folder, compilation_->mission->name, kHangSecs);
   }
 
  private:

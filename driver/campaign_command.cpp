@@ -176,7 +176,8 @@ class FlightsFile {
       file.out_.open(name, std::ios::trunc);
     }
     auto written = file.add(content);
-    return written ? support::Result<FlightsFile>(std::move(file)) : std::unexpected(written.error());
+    return written ? support::Result<FlightsFile>(std::move(file))
+                   : std::unexpected(written.error());
   }
   /// Writes `text` and gives it to the system, so that it is there whatever ends this program.
   support::Result<void> add(const std::string& text) {
@@ -211,11 +212,12 @@ int tellResult(const CampaignPlan& plan, const CampaignOptions& options,
   const auto flown = std::ranges::count_if(result.verdicts,
                                            [](const auto& verdict) { return verdict.has_value(); });
   const std::string file = options.csv.empty() ? options.resume : options.csv;
-  std::string last = fmt::format("{} flights, seed {}, {:.1f} s\n", plan.flights, plan.seed, took_s);
+  std::string last =
+      fmt::format("{} flights, seed {}, {:.1f} s\n", plan.flights, plan.seed, took_s);
   if (result.interrupted) {
-    last = fmt::format("interrupted after {} of {} flights, seed {}{}\n", flown, plan.flights,
-                       plan.seed,
-                       file.empty() ? "" : "; the same with --resume " + shellWord(file) + " goes on");
+    last = fmt::format(
+        "interrupted after {} of {} flights, seed {}{}\n", flown, plan.flights, plan.seed,
+        file.empty() ? "" : "; the same with --resume " + shellWord(file) + " goes on");
   }
   const auto printed = printOut(campaignTable(plan, result) +
                                 violationLines(plan, result, commandOf(options)) + last);
@@ -257,8 +259,8 @@ int flyThem(const CampaignPlan& plan, const CampaignOptions& options) {
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
   line.clear();
   const int status = tellResult(plan, options, result, *identity, took.count());
-  if (result.hung || result.interrupted) {
-    std::_Exit(status);  // their threads would not let the program end
+  if (result.running) {
+    std::_Exit(status);  // its threads would not let the program end
   }
   return status;
 }
@@ -304,15 +306,16 @@ int campaign(const CampaignOptions& options) {
 
 void addFileOptions(CLI::App& command, CampaignOptions& options) {
   constexpr uint64_t kMostFlights = 10'000'000;
-  auto* csv = command
-                  .add_option("--csv", options.csv,
-                              "Write a row for each flight, as soon as it is over")
-                  ->option_text("FILE");
-  auto* resume = command
-                     .add_option("--resume", options.resume,
-                                 "Go on with the campaign whose --csv FILE was: fly what is missing")
-                     ->option_text("FILE")
-                     ->excludes(csv);
+  auto* csv =
+      command
+          .add_option("--csv", options.csv, "Write a row for each flight, as soon as it is over")
+          ->option_text("FILE");
+  auto* resume =
+      command
+          .add_option("--resume", options.resume,
+                      "Go on with the campaign whose --csv FILE was: fly what is missing")
+          ->option_text("FILE")
+          ->excludes(csv);
   auto* only = command.add_option("--only", options.only, "Fly only the flight of this number")
                    ->check(CLI::Range(uint64_t{0}, kMostFlights - 1))
                    ->excludes(csv)

@@ -65,8 +65,7 @@ bool parseOutcome(const std::vector<std::string>& fields, Verdict& verdict) {
 }
 
 /// False for a line that is no row of flight `number`.
-bool parseRow(const CampaignPlan& plan, std::string_view line, uint64_t& number,
-              Verdict& verdict) {
+bool parseRow(const CampaignPlan& plan, std::string_view line, uint64_t& number, Verdict& verdict) {
   const std::vector<std::string> fields = fieldsOf(line);
   if (fields.size() != kCount || !parse(fields[0], number) || number >= plan.flights ||
       !parse(fields[kHandBacks], verdict.hand_backs) ||
@@ -94,8 +93,7 @@ std::string csvHead(const std::string& identity) {
   return fmt::format("{}{}\n{}", kMark, identity, kColumns);
 }
 
-std::string csvRow(const CampaignPlan& plan, const CampaignFlight& flight,
-                   const Verdict& verdict) {
+std::string csvRow(const CampaignPlan& plan, const CampaignFlight& flight, const Verdict& verdict) {
   const bool violated = verdict.outcome == Verdict::Outcome::Violation;
   return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", flight.number,
                      csvQuoted(plan.missions[flight.mission].file), simulator::nameOf(flight.kind),

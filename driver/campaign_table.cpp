@@ -25,9 +25,7 @@ struct Counts {
     ++flights[column];
     deepest_m = std::max(deepest_m, verdict.deepest_m);
   }
-  [[nodiscard]] uint64_t all() const {
-    return flights[0] + flights[1] + flights[2] + flights[3];
-  }
+  [[nodiscard]] uint64_t all() const { return flights[0] + flights[1] + flights[2] + flights[3]; }
 };
 
 size_t columnOf(const Verdict& verdict) {
@@ -108,11 +106,11 @@ std::string violationLines(const CampaignPlan& plan, const CampaignResult& resul
       return;
     }
     ++shown;
-    out += fmt::format("flight {} ({}, {}, {}): at {:.0f} s {}\n  {} --only {} -o flight{}\n",
-                       flight.number, plan.missions[flight.mission].file,
-                       simulator::nameOf(flight.kind), simulator::nameOf(flight.manner),
-                       verdict.violation_s, verdict.violation, command, flight.number,
-                       flight.number);
+    out +=
+        fmt::format("flight {} ({}, {}, {}): at {:.0f} s {}\n  {} --only {} -o flight{}\n",
+                    flight.number, plan.missions[flight.mission].file,
+                    simulator::nameOf(flight.kind), simulator::nameOf(flight.manner),
+                    verdict.violation_s, verdict.violation, command, flight.number, flight.number);
   });
   return violations > shown ? out + fmt::format("and {} violations more\n", violations - shown)
                             : out;

@@ -59,10 +59,10 @@ Result<void> checkLaunch(const Compilation& compilation, const LaunchChoice& lau
 }
 
 StartSbc starterOf(std::string way, std::vector<std::string> command,
-                   std::filesystem::path card = {}) {
-  return [way = std::move(way), command = std::move(command),
-          card = std::move(card)]() -> Result<std::unique_ptr<SbcPort>> {
-    return ProcessSbcPort::start(way, command, ProcessSbcPort::kHangSecs, card);
+                   std::filesystem::path card = {}, double hang_secs = ProcessSbcPort::kHangSecs) {
+  return [way = std::move(way), command = std::move(command), card = std::move(card),
+          hang_secs]() -> Result<std::unique_ptr<SbcPort>> {
+    return ProcessSbcPort::start(way, command, hang_secs, card);
   };
 }
 
@@ -99,22 +99,22 @@ Result<std::vector<std::string>> buildOnBoard(const Compilation& compilation,
 
 StartSbc startOnBoard(const std::string& board, std::vector<std::string> command,
                       const LaunchChoice& launch, const std::filesystem::path& folder,
-                      const std::string& name) {
+                      const std::string& name, double hang_secs) {
   const std::filesystem::path log = folder / "mission.log";
   const std::filesystem::path checkpoints = folder / (name + ".checkpoint");
   std::error_code ignored;
   for (const auto& of_an_earlier_flight : {log, checkpoints}) {
     std::filesystem::remove(of_an_earlier_flight, ignored);
   }
-  command.insert(command.end(), {"--port", "{port}", "--log", log.string(), "--checkpoint",
-                                 checkpoints.string()});
+  command.insert(command.end(),
+                 {"--port", "{port}", "--log", log.string(), "--checkpoint", checkpoints.string()});
   if (!launch.file.empty()) {
     command.insert(command.end(), {"--parameters", launch.file});
   }
   for (const std::string& setting : launch.settings) {
     command.insert(command.end(), {"--set", setting});
   }
-  return starterOf(board, std::move(command), checkpoints);
+  return starterOf(board, std::move(command), checkpoints, hang_secs);
 }
 
 Result<StartSbc> sbcOnBoard(const Compilation& compilation, const LaunchChoice& launch,
@@ -125,7 +125,8 @@ Result<StartSbc> sbcOnBoard(const Compilation& compilation, const LaunchChoice& 
   if (!command) {
     return std::unexpected(command.error());
   }
-  return startOnBoard(board, std::move(*command), launch, folder, full_name);
+  return startOnBoard(board, std::move(*command), launch, folder, full_name,
+                      ProcessSbcPort::kHangSecs);
 }
 
 StartSbc sbcOnSerialLine(const std::string& device, bool lockstep) {

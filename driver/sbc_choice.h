@@ -42,10 +42,11 @@ support::Result<std::vector<std::string>> buildOnBoard(const Compilation& compil
                                                        const std::string& board,
                                                        const std::filesystem::path& binary);
 /// Starts what buildOnBoard has built, with its log and, as `name`.checkpoint, its checkpoints in
-/// `folder`; those of an earlier flight are removed.
+/// `folder`; those of an earlier flight are removed. After `hang_secs` of real time without an
+/// answer it counts as hung.
 simulator::StartSbc startOnBoard(const std::string& board, std::vector<std::string> command,
                                  const LaunchChoice& launch, const std::filesystem::path& folder,
-                                 const std::string& name);
+                                 const std::string& name, double hang_secs);
 
 /// Builds the mission's binary for `board` into `folder` as `name`-`board`, to be started behind a
 /// pseudo-terminal, under the board's emulator if it has one.

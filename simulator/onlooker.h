@@ -20,12 +20,13 @@ struct CycleView {
   bool aborted = false;  ///< the flight controller has aborted its mission
   bool ended = false;    ///< the flight controller's mission is over
   const SensorArray& array;
-  double mission_s = 0;    ///< of the flight controller's mission, which may have begun again
-  double clearance_m = 0;  ///< true, over the bottom
-  double used_J = 0;       ///< of the batteries, since the flight began
-  double volts = 0;        ///< true, of the batteries
+  double mission_s = 0;         ///< of the flight controller's mission, which may have begun again
+  double clearance_m = 0;       ///< true, over the bottom
+  double used_J = 0;            ///< of the batteries, since the flight began
+  double volts = 0;             ///< true, of the batteries
   bool commanded_whole = true;  ///< heading, pitch and pump were commanded, by whichever behaviour
   const hooks::HookbehOutputs* hookbeh = nullptr;  ///< what it commanded; null when it does not run
+  bool overridden = false;                         ///< a behaviour above hookbeh had pitch or pump
 };
 
 /// Looks on while a mission is flown, from where nothing is damaged.

@@ -42,8 +42,8 @@ class SbcPort {
   [[nodiscard]] virtual bool keepsTime() const { return false; }
   /// Its serial port is pulled out, or put in again. Only of one that keeps time.
   virtual void plug(bool /*in*/) {}
-  /// Its storage card damages what is kept there; `seed` says where. An SBC elsewhere has a card out
-  /// of reach.
+  /// Its storage card damages what is kept there; `seed` says where. An SBC elsewhere has a card
+  /// out of reach.
   virtual void damageCard(const CardFault& /*fault*/, uint64_t /*seed*/) {}
   /// Why it is not alive, for the trace: "killed", "exited with status 1", "hung"; empty while it
   /// is.

@@ -178,8 +178,7 @@ class Simulation {
     if (over) {
       journal_.add(now, "log", flight_.end());
     }
-    const bool seen_enough = setup_.onlooker != nullptr &&
-                             !setup_.onlooker->cycle(view(now, over));
+    const bool seen_enough = setup_.onlooker != nullptr && !setup_.onlooker->cycle(view(now, over));
     return over || seen_enough;
   }
 
@@ -196,7 +195,8 @@ class Simulation {
             battery.usedJ() - start_J_,
             battery.voltage(),
             flight_.commandedWhole(),
-            flight_.hookbeh()};
+            flight_.hookbeh(),
+            flight_.hookbehOverridden()};
   }
 
   /// True while the flight controller starts again: what arrives meanwhile is lost.

@@ -23,20 +23,20 @@ using hooks::Instruction;
 
 namespace {
 
-constexpr double kPitchError = 1e-5;   // rad
-constexpr double kPumpError = 1e-3;    // cc
-constexpr double kDepthError = 1e-3;   // m
-constexpr double kHoverReach = 2;      // m: hookbeh's own
-constexpr double kHoldReach = 1;       // m: the same
-constexpr double kFloats = 1;          // m: a target above it is the surface
-constexpr double kFarFromTarget = 6;   // m
-constexpr int kFarCycles = 15;         // a minute
-constexpr int kToArrive = 6;           // cycles that the commands of a dive or climb may be held
-constexpr double kNearLimit = 2;       // m: the guard may come in
-constexpr double kSwing = 4;           // m: the guard climbs five at least
+constexpr double kPitchError = 1e-5;  // rad
+constexpr double kPumpError = 1e-3;   // cc
+constexpr double kDepthError = 1e-3;  // m
+constexpr double kHoverReach = 2;     // m: hookbeh's own
+constexpr double kHoldReach = 1;      // m: the same
+constexpr double kFloats = 1;         // m: a target above it is the surface
+constexpr double kFarFromTarget = 6;  // m
+constexpr int kFarCycles = 15;        // a minute
+constexpr int kToArrive = 6;          // cycles that the commands of a dive or climb may be held
+constexpr double kNearLimit = 2;      // m: the guard may come in
+constexpr double kSwing = 4;          // m: the guard climbs five at least
 constexpr int kSmallSwings = 3;
 constexpr double kRetryShare = 0.5, kRetry = 5, kRetryTolerance = 3;  // of the guard's climb
-constexpr int kLate = 4;               // cycles
+constexpr int kLate = 4;                                              // cycles
 constexpr double kFullCircle = 6.283186;
 
 bool climbs(const HookbehOutputs& out) {
@@ -88,7 +88,7 @@ HookAnswer CommandJudge::boundsOf(const Instruction& instruction) const {
   }
   const bool turns = instruction.lateral == HookLateral::Heading;
   return turns && !(std::fabs(instruction.heading_rad) <= kFullCircle) ? HookAnswer::BadCommand
-                                                                        : HookAnswer::Accepted;
+                                                                       : HookAnswer::Accepted;
 }
 
 std::string CommandJudge::answered(const Instruction& instruction, HookAnswer answer) {
@@ -106,7 +106,7 @@ std::string CommandJudge::answered(const Instruction& instruction, HookAnswer an
   if (answer == HookAnswer::Accepted && steers) {
     const Instruction next = merged(in_force_, instruction);
     if (instruction.control == HookControl::Take || !sameVertical(next, in_force_)) {
-      arrived_ = goes_back_ = false;
+      arrived_ = goes_back_ = carried_off_ = false;
       arrived_cycles_ = far_cycles_ = late_cycles_ = small_swings_ = 0;
     }
     in_force_ = next;
@@ -116,7 +116,7 @@ std::string CommandJudge::answered(const Instruction& instruction, HookAnswer an
 
 void CommandJudge::restart() {
   in_force_ = {};
-  arrived_ = goes_back_ = guarding_ = false;
+  arrived_ = goes_back_ = carried_off_ = guarding_ = false;
 }
 
 std::string CommandJudge::judgeWhole(const CycleView& view) const {
@@ -141,7 +141,8 @@ std::string CommandJudge::judgeWhole(const CycleView& view) const {
   return "";
 }
 
-/// Where a limit is broken by what hookbeh itself reads, and by the truth of a bottom that it hears.
+/// Where a limit is broken by what hookbeh itself reads, and by the truth of a bottom that it
+/// hears.
 std::string CommandJudge::judgeLimits(const CycleView& view, double reading) {
   const bool too_deep = !(reading <= s_.args.greatest_depth_m + kDepthError);
   const bool too_low = s_.promise.clearance && s_.args.least_altitude_m >= 0 &&
@@ -156,24 +157,27 @@ std::string CommandJudge::judgeLimits(const CycleView& view, double reading) {
                ? "the depth is unknown, and hookbeh does not climb"
                : fmt::format("m_depth says {:.1f} m, and hookbeh does not climb", reading);
   }
-  return too_low_cycles_ > 3 ? fmt::format("{:.1f} m over the bottom, and hookbeh does not climb",
-                                           view.clearance_m)
-                             : "";
+  return too_low_cycles_ > 3
+             ? fmt::format("{:.1f} m over the bottom, and hookbeh does not climb", view.clearance_m)
+             : "";
 }
 
 /// The guard comes in at a limit only, lets go when it has done its work, and does not swing.
 std::string CommandJudge::judgeGuard(const CycleView& view) {
   const bool guards = view.hookbeh->guarding;
   const double depth = view.true_depth_m;
-  const bool near = depth > s_.args.greatest_depth_m - kNearLimit ||
-                    (s_.args.least_altitude_m >= 0 &&
-                     view.clearance_m < s_.args.least_altitude_m + kNearLimit);
+  const bool near =
+      depth > s_.args.greatest_depth_m - kNearLimit ||
+      (s_.args.least_altitude_m >= 0 && view.clearance_m < s_.args.least_altitude_m + kNearLimit);
   std::string wrong;
   if (guards && !guarding_) {
     if (!near) {
       wrong = fmt::format("the guard comes in ({}) and no limit is near", view.hookbeh->doing);
     }
-    small_swings_ = tripped_m_ - shallowest_m_ < kSwing && shallowest_m_ < 1e6 ? small_swings_ + 1 : 0;
+    // In water too shallow for that it comes up, and waits until the echo is forgotten.
+    const bool small = tripped_m_ - shallowest_m_ < kSwing && shallowest_m_ > kFloats &&
+                       std::isfinite(shallowest_m_);
+    small_swings_ = small ? small_swings_ + 1 : 0;
     if (small_swings_ >= kSmallSwings) {
       wrong = fmt::format("the guard swings by less than {} m", kSwing);
     }
@@ -235,7 +239,9 @@ std::string CommandJudge::judgeStaying(const HookbehOutputs& out, double reading
   if (floats && arrived_cycles_ > kToArrive && !climbs(out)) {
     return fmt::format("a target of {} m does not end in floating", in_force_.depth_m);
   }
-  const bool far = arrived_ && !floats && off > kFarFromTarget && out.pitch_rad == 0;
+  carried_off_ = carried_off_ && off > kHoverReach;
+  const bool far =
+      arrived_ && !carried_off_ && !floats && off > kFarFromTarget && out.pitch_rad == 0;
   far_cycles_ = far ? far_cycles_ + 1 : 0;
   return far_cycles_ > kFarCycles ? fmt::format("hovers {:.1f} m from its depth", off) : "";
 }
@@ -275,6 +281,7 @@ std::string CommandJudge::cycle(const CycleView& view) {
     wrong = judgeGuard(view);
     // Before the first cycle of the guard's climb, and in its last, limits are a matter of noise.
     if (wrong.empty() && !guarding_) {
+      carried_off_ = carried_off_ || view.overridden;
       wrong = judgeFollowing(view, reading);
     }
   }

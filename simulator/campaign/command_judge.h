@@ -13,7 +13,8 @@
 namespace glider::simulator {
 
 /// Judges what hookbeh commands in each cycle, by what hooks/hookbeh/README.md says: everything or
-/// nothing, within its b_args; up where a limit is broken; else what the instruction in force wants.
+/// nothing, within its b_args; up where a limit is broken; else what the instruction in force
+/// wants.
 class CommandJudge {
  public:
   explicit CommandJudge(const JudgeSetup& setup) : s_(setup) {}
@@ -39,15 +40,16 @@ class CommandJudge {
   const JudgeSetup& s_;
   hooks::Instruction in_force_;
   bool arrived_ = false;
-  bool goes_back_ = false;  ///< to a depth that it had reached before the guard came
+  bool goes_back_ = false;    ///< to a depth that it had reached before the guard came
+  bool carried_off_ = false;  ///< from such a depth, by a behaviour above hookbeh
   int arrived_cycles_ = 0, far_cycles_ = 0;
   int too_deep_cycles_ = 0, too_low_cycles_ = 0;
 
   bool guarding_ = false;
-  double tripped_m_ = 0;   ///< true depth at which the guard came in
+  double tripped_m_ = 0;  ///< true depth at which the guard came in
   double shallowest_m_ = std::numeric_limits<double>::infinity();  ///< since then
-  int late_cycles_ = 0;    ///< since it should have let go
-  int small_swings_ = 0;   ///< in a row
+  int late_cycles_ = 0;                                            ///< since it should have let go
+  int small_swings_ = 0;                                           ///< in a row
 };
 
 }  // namespace glider::simulator

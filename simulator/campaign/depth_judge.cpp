@@ -14,7 +14,7 @@ using hooks::HookState;
 namespace {
 
 // The pump takes this long way to turn a steep dive round, over a bottom that may rise meanwhile.
-constexpr double kClearanceTolerance = 3;  // m
+constexpr double kClearanceTolerance = 4;  // m
 constexpr double kTouch = 0.05;            // m
 constexpr double kUnderWater = 1;          // m
 

@@ -57,15 +57,14 @@ class Draw {
 
  private:
   std::vector<Span> windows(double shortest_s, double longest_s, bool may_last) {
-    const bool short_ones = manner_ == Manner::Recurring || manner_ == Manner::Handshake ||
-                            manner_ == Manner::Exit;
+    const bool short_ones =
+        manner_ == Manner::Recurring || manner_ == Manner::Handshake || manner_ == Manner::Exit;
     const uint32_t count = manner_ == Manner::Recurring ? 3 + below(4) : 1;
     std::vector<Span> spans;
     for (uint32_t i = 0; i < count; ++i) {
       const double from = moment();
       const double takes = scale(shortest_s, short_ones ? std::min(longest_s, 120.0) : longest_s);
-      const bool lasts =
-          manner_ == Manner::ForGood || (manner_ == Manner::Once && chance(0.125));
+      const bool lasts = manner_ == Manner::ForGood || (manner_ == Manner::Once && chance(0.125));
       spans.push_back({from, may_last && lasts ? kForever : from + takes});
     }
     return spans;

@@ -18,8 +18,8 @@ void addCheckpoints(Draw& draw, Faults& faults) {
     CardFault fault;
     fault.at_s = 0.5 * (span.from_s + span.to_s);
     fault.kind = static_cast<CardFault::Kind>(draw.below(3));
-    fault.amount = fault.kind == CardFault::Kind::Flips ? draw.scale(1, kMostFlips)
-                                                        : draw.between(0, 1);
+    fault.amount =
+        fault.kind == CardFault::Kind::Flips ? draw.scale(1, kMostFlips) : draw.between(0, 1);
     faults.card.push_back(fault);
   }
 }
@@ -202,6 +202,12 @@ DrawnFaults drawFaults(FaultKind kind, Manner manner, uint64_t seed, const Fligh
     addOne(draw.otherKind(), draw, drawn);
   }
   return drawn;
+}
+
+bool DrawnFaults::lasts() const {
+  return args || water_depth_m || std::ranges::any_of(faults.sensors, [](const auto& fault) {
+           return fault.when.to_s == kForever;
+         });
 }
 
 void DrawnFaults::applyTo(Scenario& scenario) const {

@@ -90,9 +90,9 @@ bool isSensorKind(FaultKind kind) {
 
 void addSensor(FaultKind kind, Draw& draw, Faults& faults) {
   const bool of_hook = kind == FaultKind::HookSensor;
-  const Plausible& sensor = of_hook
-                                ? kHookSensors[draw.below(static_cast<uint32_t>(kHookSensors.size()))]
-                                : kSensors[draw.below(static_cast<uint32_t>(kSensors.size()))];
+  const Plausible& sensor =
+      of_hook ? kHookSensors[draw.below(static_cast<uint32_t>(kHookSensors.size()))]
+              : kSensors[draw.below(static_cast<uint32_t>(kSensors.size()))];
   SensorFault fault;
   fault.name = sensor.name;
   fault.kind = howOf(kind, draw);

@@ -24,9 +24,9 @@ class EndingJudge {
   std::string judgeBattery(const CycleView& view);
 
   const JudgeSetup& s_;
-  bool voltage_known_;       ///< no fault damages its sensor
-  double last_s_ = 0;        ///< of the cycle before
-  double up_by_s_ = -1;      ///< at the surface at the latest then; negative: something still dives
+  bool voltage_known_;   ///< no fault damages its sensor
+  double last_s_ = 0;    ///< of the cycle before
+  double up_by_s_ = -1;  ///< at the surface at the latest then; negative: something still dives
   double below_since_s_ = -1;  ///< the voltage is below what aborts
 };
 

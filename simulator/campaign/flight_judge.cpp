@@ -158,9 +158,8 @@ void FlightJudge::judgeSession(const CycleView& view, Number number, const Words
   if (begins && view.hook == HookState::Active) {
     if (words_obeyed[1] != kTake) {
       violate(view.time_s, "control is taken without a handshake");
-    } else if (lost_session_ != 0 &&
-               !hooks::isNewerSession(static_cast<uint32_t>(number.first),
-                                      static_cast<uint32_t>(lost_session_))) {
+    } else if (lost_session_ != 0 && !hooks::isNewerSession(static_cast<uint32_t>(number.first),
+                                                            static_cast<uint32_t>(lost_session_))) {
       violate(view.time_s, fmt::format("session {} takes control though session {} has lost it",
                                        number.first, lost_session_));
     }
@@ -233,10 +232,10 @@ bool FlightJudge::isOverForGood(const CycleView& view) {
     return false;
   }
   const bool complete = view.hook == HookState::Complete && setup_.only_hookbeh;
-  return view.aborted || complete || (for_ever_ &&
-         std::ranges::any_of(stated_.hand_backs, [&](const HandBack& hand_back) {
-           return hand_back.when.to_s == kForever && hand_back.when.has(view.time_s);
-         }));
+  return view.aborted || complete ||
+         (for_ever_ && std::ranges::any_of(stated_.hand_backs, [&](const HandBack& hand_back) {
+            return hand_back.when.to_s == kForever && hand_back.when.has(view.time_s);
+          }));
 }
 
 bool FlightJudge::cycle(const CycleView& view) {

@@ -33,17 +33,17 @@ struct Verdict {
   uint32_t hand_backs = 0;    ///< times that control was taken away from the SBC
   uint32_t instructions = 0;  ///< that hookbeh obeyed
   double end_s = 0;
-  double deepest_m = 0;      ///< truly
-  double take_s = 0;         ///< when control was first taken; 0: never
-  double give_back_s = 0;    ///< when it was given back; 0: never
-  double mean_W = 0;         ///< what the batteries gave
+  double deepest_m = 0;    ///< truly
+  double take_s = 0;       ///< when control was first taken; 0: never
+  double give_back_s = 0;  ///< when it was given back; 0: never
+  double mean_W = 0;       ///< what the batteries gave
 };
 
-/// Judges a flight by what the SBC says, what hookbeh does and where the vehicle truly is, from where
-/// no fault reaches: each instruction that is obeyed was said so, word for word; none is obeyed
-/// twice; none that was said is passed over; control ends when it was promised to; the commands are
-/// those of the instruction in force; limits of depth and clearance hold; the flight ends at the
-/// surface. What is promised for its faults is in fault_kinds.def.
+/// Judges a flight by what the SBC says, what hookbeh does and where the vehicle truly is, from
+/// where no fault reaches: each instruction that is obeyed was said so, word for word; none is
+/// obeyed twice; none that was said is passed over; control ends when it was promised to; the
+/// commands are those of the instruction in force; limits of depth and clearance hold; the flight
+/// ends at the surface. What is promised for its faults is in fault_kinds.def.
 class FlightJudge final : public Onlooker {
  public:
   explicit FlightJudge(JudgeSetup setup);

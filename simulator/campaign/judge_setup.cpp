@@ -5,7 +5,18 @@
 
 #include "simulator/flight/behaviours/hookbeh_adapter.h"
 
+#include <algorithm>
+
 namespace glider::simulator {
+
+double overtimeOf(const Scenario& scenario) {
+  for (const slocum::BehaviourBlock& behaviour : scenario.skeleton.behaviours) {
+    if (behaviour.name == "abend") {
+      return std::max(0.0, behaviour.value("overtime"));
+    }
+  }
+  return 0;
+}
 
 JudgeSetup judgeSetup(const platforms::Platform& platform, const Scenario& scenario,
                       const std::vector<FaultKind>& kinds) {

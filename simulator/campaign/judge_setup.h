@@ -16,17 +16,20 @@ namespace glider::simulator {
 struct JudgeSetup {
   Faults faults;
   Promise promise;
-  hooks::HookbehArgs args;       ///< of the mission file's hookbeh
+  hooks::HookbehArgs args;  ///< of the mission file's hookbeh
   bool has_hookbeh = false;
-  bool only_hookbeh = true;      ///< nothing else in the mission file dives
-  double overdepth_m = -1;       ///< of its abend; negative: none
-  double undervolts = -1;        ///< the same
-  double hull_m = 0;             ///< the vehicle's greatest depth
+  bool only_hookbeh = true;  ///< nothing else in the mission file dives
+  double overdepth_m = -1;   ///< of its abend; negative: none
+  double undervolts = -1;    ///< the same
+  double hull_m = 0;         ///< the vehicle's greatest depth
   double cycle_s = 4;
-  double turn_s = 120;           ///< from the command to climb until it does
+  double turn_s = 120;  ///< from the command to climb until it does
   double slowest_climb_mps = 0.05;
-  double mean_W = 0;             ///< of the same mission's flight without a fault; 0: not known
+  double mean_W = 0;  ///< of the same mission's flight without a fault; 0: not known
 };
+
+/// The time after which abend ends the mission, s; 0 without one.
+double overtimeOf(const Scenario& scenario);
 
 /// Of a flight of `scenario`, whose faults are of `kinds`.
 JudgeSetup judgeSetup(const platforms::Platform& platform, const Scenario& scenario,

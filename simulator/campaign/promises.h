@@ -51,8 +51,8 @@ struct Promise {
   bool follows = true;
 };
 Promise promiseOf(FaultKind kind);
-/// Of faults that come together: the weaker promise of each. Two sensors that are wrong at once keep
-/// the depth of Deepest::OneAndAHalf only.
+/// Of faults that come together: the weaker promise of each. Two sensors that are wrong at once
+/// keep the depth of Deepest::OneAndAHalf only.
 Promise promiseOf(std::span<const FaultKind> kinds);
 /// A sensor of the vehicle says what is not true.
 bool isOfSensors(FaultKind kind);

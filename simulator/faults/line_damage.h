@@ -46,11 +46,11 @@ class LineDamage {
   std::vector<LineFault> faults_;
   Noise noise_;
   double baud_;
-  std::vector<uint8_t> frame_;  ///< that is being sent
+  std::vector<uint8_t> frame_;                 ///< that is being sent
   std::vector<std::vector<uint8_t>> earlier_;  ///< frames that may come again; empty if none can
-  double burst_left_ = 0;       ///< bytes
-  double heard_ = 0;            ///< bytes that a receiver at another speed has begun to hear
-  double newest_s_ = 0;         ///< no byte overtakes another
+  double burst_left_ = 0;                      ///< bytes
+  double heard_ = 0;     ///< bytes that a receiver at another speed has begun to hear
+  double newest_s_ = 0;  ///< no byte overtakes another
 };
 
 }  // namespace glider::simulator

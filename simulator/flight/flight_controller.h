@@ -50,6 +50,10 @@ class FlightController {
   [[nodiscard]] double missionStart() const { return mission_start_s_; }
   /// What hookbeh commanded in this cycle; null without one, and after an abort.
   [[nodiscard]] const hooks::HookbehOutputs* hookbeh() const;
+  /// A behaviour above hookbeh had pitch or pump in this cycle.
+  [[nodiscard]] bool hookbehOverridden() const {
+    return layers_->hookbeh() != nullptr && layers_->hookbeh()->overridden();
+  }
   /// Heading, pitch and pump were all commanded in this cycle, by whichever behaviour.
   [[nodiscard]] bool commandedWhole() const { return commanded_whole_; }
   [[nodiscard]] bool aborted() const { return abort_ != Abort::None; }
@@ -67,8 +71,8 @@ class FlightController {
   void noteTransition();
   /// A device fails: the mission is aborted.
   void failDevice(double now_s);
-  /// It begins its mission again at `now_s`, as after a restart of the computer; `keeps_array`: as a
-  /// new mission does, without one. A mission that is over or aborted stays so.
+  /// It begins its mission again at `now_s`, as after a restart of the computer; `keeps_array`: as
+  /// a new mission does, without one. A mission that is over or aborted stays so.
   void restart(double now_s, bool keeps_array);
   /// Puts an instruction into the sensor array as a mission before this one would have left it.
   void leaveOver(const Leftover& leftover);

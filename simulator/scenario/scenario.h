@@ -26,7 +26,7 @@ struct Scenario {
   double year = 2025;                          ///< of the magnetic field, with its fraction
   double duration_s = 0;                       ///< at most
   double isotherm_degC = 0;                    ///< NaN: none is marked
-  std::filesystem::path path;  ///< of its file
+  std::filesystem::path path;                  ///< of its file
   std::filesystem::path skeleton_path;
   slocum::MissionFile skeleton;
   OceanSettings ocean;

@@ -78,7 +78,8 @@ pid_t spawn(const std::vector<std::string>& command) {
 }  // namespace
 
 support::Result<std::unique_ptr<ProcessSbcPort>> ProcessSbcPort::start(
-    std::string way, std::vector<std::string> command, double hang_secs, std::filesystem::path card) {
+    std::string way, std::vector<std::string> command, double hang_secs,
+    std::filesystem::path card) {
   auto pty = hooks::Pty::open();
   if (!pty) {
     return std::unexpected(pty.error());
@@ -160,7 +161,8 @@ void ProcessSbcPort::damageCard(const CardFault& fault, uint64_t seed) {
   std::vector<uint8_t> bytes{std::istreambuf_iterator<char>(file), {}};
   glider::simulator::damageCard(fault, seed, bytes);
   std::ofstream(card_, std::ios::binary)
-      .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+      .write(reinterpret_cast<const char*>(bytes.data()),
+             static_cast<std::streamsize>(bytes.size()));
 }
 
 void ProcessSbcPort::read() {

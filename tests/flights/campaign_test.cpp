@@ -24,8 +24,8 @@ const std::string kMissions =
 TEST(Campaign, EveryKindOfFaultEndsAsStated) {
   const TemporaryFolder folder;
   const std::string csv = (folder.path() / "flights.csv").string();
-  const Outcome outcome =
-      runShell("$GLIDERCC campaign " + kMissions + " --flights 192 --boards 5 --seed 1 --csv " + csv);
+  const Outcome outcome = runShell("$GLIDERCC campaign " + kMissions +
+                                   " --flights 192 --boards 5 --seed 1 --csv " + csv);
   EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("SBC power cut"));
   EXPECT_THAT(outcome.out, HasSubstr("192 flights, seed 1"));
@@ -39,9 +39,9 @@ TEST(Campaign, IsTheSeedsAloneHoweverManyFlyAtATime) {
   const TemporaryFolder folder;
   const auto csv = [&](const std::string& jobs, const std::string& seed) {
     const std::string file = (folder.path() / ("jobs" + jobs + seed)).string();
-    const Outcome outcome =
-        runShell("$GLIDERCC campaign " + kMissions + " --scenario figure5 --boards 0 --flights 42 --jobs " +
-                 jobs + " --seed " + seed + " --csv " + file);
+    const Outcome outcome = runShell("$GLIDERCC campaign " + kMissions +
+                                     " --scenario figure5 --boards 0 --flights 42 --jobs " + jobs +
+                                     " --seed " + seed + " --csv " + file);
     EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
     return slurp(file);
   };
@@ -100,9 +100,10 @@ TEST_P(CampaignResumed, GoesOnAfterASignalAsIfThereHadBeenNone) {
   const Outcome uninterrupted = runShell(command + "--csv " + whole);
   ASSERT_EQ(uninterrupted.status, 0) << uninterrupted.out << uninterrupted.err;
   // The signal comes when a few flights are on the disk: a busy machine changes nothing.
-  const std::string kill = "n=0; while [ $n -lt 600 ] && [ $(wc -l < " + cut +
-                           " 2>/dev/null || echo 0) -lt 12 ]; do sleep 0.05; n=$((n+1)); done; kill -" +
-                           GetParam() + " $!; wait $!";
+  const std::string kill =
+      "n=0; while [ $n -lt 600 ] && [ $(wc -l < " + cut +
+      " 2>/dev/null || echo 0) -lt 12 ]; do sleep 0.05; n=$((n+1)); done; kill -" + GetParam() +
+      " $!; wait $!";
   const Outcome killed = runShell(command + "--csv " + cut + " & " + kill);
   EXPECT_GT(killed.status, 128) << killed.out;
   const auto before = rowsOf(cut);
@@ -154,8 +155,9 @@ TEST(Campaign, AShareOfTheFlightsRunsBoardBinariesWithTheSameOutcome) {
   const TemporaryFolder folder;
   const auto rows = [&](const std::string& percent) {
     const std::string file = (folder.path() / percent).string();
-    const Outcome outcome = runShell("$GLIDERCC campaign " + project("missions/figure2.mission") +
-                                     " --flights 16 --seed 5 --boards " + percent + " --csv " + file);
+    const Outcome outcome =
+        runShell("$GLIDERCC campaign " + project("missions/figure2.mission") +
+                 " --flights 16 --seed 5 --boards " + percent + " --csv " + file);
     EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
     return rowsOf(file);
   };
@@ -193,8 +195,9 @@ Outcome campaignWith(const TemporaryFolder& folder, const std::string& faults,
 
 TEST(Campaign, AReplayedInstructionIsNotObeyedAndTheFlightIsGood) {
   const TemporaryFolder folder;
-  const Outcome outcome = campaignWith(
-      folder, "[[faults.line]]\nline = \"from_sbc\"\nfrom_s = 100\nreplayed = 0.5\n", "--flights 1");
+  const Outcome outcome =
+      campaignWith(folder, "[[faults.line]]\nline = \"from_sbc\"\nfrom_s = 100\nreplayed = 0.5\n",
+                   "--flights 1");
   EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
 }
 
@@ -203,9 +206,9 @@ TEST(Campaign, AFlightControllerThatStartsAgainIsLeftAndTakenAgain) {
     const TemporaryFolder folder;
     std::filesystem::copy(project("scenarios/skeleton.mi"), folder.path());
     const auto scenario = folder.write(
-        "restart.toml", slurp(project("scenarios/default.toml")) +
-                            "\n[[faults.flight]]\nat_s = 700\ntakes_s = 30\nkeeps_array = " + keeps +
-                            "\n");
+        "restart.toml",
+        slurp(project("scenarios/default.toml")) +
+            "\n[[faults.flight]]\nat_s = 700\ntakes_s = 30\nkeeps_array = " + keeps + "\n");
     const Flight flight =
         fly(project("missions/figure2.mission") + " --scenario " + scenario.string());
     EXPECT_EQ(flight.outcome.status, 0) << flight.outcome.err;

@@ -86,8 +86,9 @@ TEST(DrawFaults, WhatIsDrawnForTheWorldGetsIntoIt) {
 TEST(Promises, AreThoseOfTheDocumentWordForWord) {
   std::ifstream file(std::string(GLIDER_SOURCE_DIR) + "/scenarios/README.md");
   const std::string text{std::istreambuf_iterator<char>(file), {}};
-  const std::string head = "| fault | the SBC's control | true depth at most | clearance | follows |\n"
-                           "|---|---|---|---|---|\n";
+  const std::string head =
+      "| fault | the SBC's control | true depth at most | clearance | follows |\n"
+      "|---|---|---|---|---|\n";
   const size_t at = text.find(head);
   ASSERT_NE(at, std::string::npos);
   const size_t begin = at + head.size();
@@ -401,13 +402,13 @@ TEST_F(Judged, TheHullsLimitHoldsAlways) {
 
 TEST_F(Judged, TooLittleClearanceIsSeen) {
   take();
-  clearance_ = 2.1;
+  clearance_ = 1.1;
   climb();
   cycle(HookState::Active, 30);
   EXPECT_EQ(violation().find("over the bottom"), std::string::npos) << violation();
-  clearance_ = 1.9;
+  clearance_ = 0.9;
   cycle(HookState::Active, 30);
-  EXPECT_EQ(violation(), "1.9 m over the bottom under min_altitude 5 m");
+  EXPECT_EQ(violation(), "0.9 m over the bottom under min_altitude 5 m");
 }
 
 TEST_F(Judged, TheBottomIsSeenAlsoWithoutTheSbc) {
@@ -471,7 +472,8 @@ TEST_F(Judged, AnUnknownDepthWithoutAClimbIsSeen) {
   for (int i = 0; i < 2; ++i) {
     now_ += kCycle;
     array_.set(GLIDER_M_DEPTH, std::nan(""));
-    judge_.cycle({now_, HookState::Active, 10, false, false, array_, now_, 100, 0, 14, true, &out_});
+    judge_.cycle(
+        {now_, HookState::Active, 10, false, false, array_, now_, 100, 0, 14, true, &out_});
   }
   EXPECT_EQ(violation(), "the depth is unknown, and hookbeh does not climb");
 }
@@ -629,7 +631,8 @@ TEST(JudgedFlight, OfTheFakePilotIsGood) {
   for (uint32_t k = 0; k < kFaultKinds; ++k) {
     const FakePilot::Plan plan{.give_back_s = 1200, .takes_again = true};
     SimulationSetup setup = shippedSetup("default");
-    const DrawnFaults drawn = drawFaults(static_cast<FaultKind>(k), Manner::Once, 5, {1200, 8, 1200, 20});
+    const DrawnFaults drawn =
+        drawFaults(static_cast<FaultKind>(k), Manner::Once, 5, {1200, 8, 1200, 20});
     drawn.applyTo(setup.scenario);
     setup.restart_sbc = [plan] {
       return support::Result<std::unique_ptr<SbcPort>>(std::make_unique<FakeSbc>(plan, 1e9, true));

@@ -107,7 +107,8 @@ void passes::legTimes(Proof& proof) {
     const double nearest =
         places[i] ? nearestOther(*places[i], places) : std::numeric_limits<double>::infinity();
     if (std::isfinite(nearest)) {
-      tellIfTooFar(proof, m.states[i], nearest, proof.ending.boundWithoutPowerCuts().left_by[i] - entered[i]);
+      tellIfTooFar(proof, m.states[i], nearest,
+                   proof.ending.boundWithoutPowerCuts().left_by[i] - entered[i]);
     }
   }
 }

@@ -161,7 +161,7 @@ TEST(Fences, TheMarginGrowsWithTheTimeAndWithoutAWaypoint) {
   };
   const std::string far = boxed(there, {38.7, -73.3}, {39.3, -72.7});
   const double once = margin(far);
-  const double seconds = 1200 + slocum().world.tick_gap_s;
+  const double seconds = 1200 + kResumeWithin_s;
   EXPECT_NEAR(once, slocum().world.steering_error_m + seconds * slocum().envelope.drift_m_s, 160);
   std::string by_heading = far;
   by_heading.replace(by_heading.find("steer_to"), 0, "steer (1:angle) ");

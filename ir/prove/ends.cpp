@@ -34,9 +34,10 @@ void tellEnd(Proof& proof, const EndBound& end) {
   if (end.by && undisturbed.by) {
     tell(fmt::format("the mission has ended {}", latest(proof.ground, *undisturbed.by, *end.by)));
   } else if (undisturbed.by) {
-    tell(fmt::format("the mission has ended after {} at the latest; with power cuts of the SBC of "
-                     "up to {} no bound is known",
-                     durationOf(*undisturbed.by), durationOf(proof.ground.tick_gap_s)));
+    tell(
+        fmt::format("the mission has ended after {} at the latest; with power cuts of the SBC of "
+                    "up to {} no bound is known",
+                    durationOf(*undisturbed.by), durationOf(proof.ground.tick_gap_s)));
   } else if (undisturbed.stays.valid()) {
     tell(fmt::format("no clock alone ends the mission: it may stay in `{}`",
                      proof.ground.mission[undisturbed.stays].name));
@@ -46,7 +47,8 @@ void tellEnd(Proof& proof, const EndBound& end) {
   const EndBound soon = boundOf(powered, kLongestMission, Goal::ExitOrSurface);
   const EndBound home = boundOf(proof.ground, kLongestMission, Goal::ExitOrSurface);
   if (soon.by && home.by && (!end.by || *home.by < *end.by)) {
-    tell(fmt::format("it has ended, or ordered the surface, {}", latest(proof.ground, *soon.by, *home.by)));
+    tell(fmt::format("it has ended, or ordered the surface, {}",
+                     latest(proof.ground, *soon.by, *home.by)));
   }
 }
 

@@ -79,9 +79,9 @@ class HeldRanges {
     if (x.empty || lowest > highest) {
       return;
     }
-    const Interval more =
-        held.empty ? Interval{lowest, highest, false}
-                   : Interval{std::min(held.lowest, lowest), std::max(held.highest, highest), false};
+    const Interval more = held.empty ? Interval{lowest, highest, false}
+                                     : Interval{std::min(held.lowest, lowest),
+                                                std::max(held.highest, highest), false};
     if (!held.empty && more.lowest == held.lowest && more.highest == held.highest) {
       return;
     }

@@ -25,6 +25,8 @@ namespace {
 
 /// Ticks that are looked at: rounds of up to four states come twice.
 constexpr size_t kTicks = 9;
+/// So many times of `always` are looked at in every state.
+constexpr size_t kMostTimes = 64;
 
 /// Where a mission is, with its clocks, s; NaN: a clock may be anything.
 struct Moving {
@@ -40,7 +42,13 @@ struct Moving {
 class LivelockCheck {
  public:
   explicit LivelockCheck(Proof& proof)
-      : proof_(proof), m_(proof.ground.mission), cycle_s_(proof.ground.platform.envelope.cycle_s) {}
+      : proof_(proof), m_(proof.ground.mission), cycle_s_(proof.ground.platform.envelope.cycle_s) {
+    gatherTimes(m_.always, always_times_);
+    if (always_times_.size() > kMostTimes) {
+      always_times_.clear();
+    }
+    always_times_.insert(cycle_s_);
+  }
 
   void run() {
     const Structure structure(m_, proof_.dead);
@@ -69,18 +77,19 @@ class LivelockCheck {
   /// Each time that the state's conditions, and those of `always`, compare mission time with, and
   /// the tick after it; and the first ticks of all.
   std::set<double> timesOf(StateId state) const {
-    std::set<double> times{cycle_s_};
-    for (const auto* cases : {&m_.always, &m_[state].cases}) {
-      for (const Case& c : *cases) {
-        forEachIn(m_, c.guard, [&](const Expr& e) {
-          if (e.op == Op::Constant && e.type.dimension == support::dimension::time &&
-              e.number > 0) {
-            times.insert({e.number, e.number + cycle_s_});
-          }
-        });
-      }
-    }
+    std::set<double> times = always_times_;
+    gatherTimes(m_[state].cases, times);
     return times;
+  }
+
+  void gatherTimes(const std::vector<Case>& cases, std::set<double>& times) const {
+    for (const Case& c : cases) {
+      forEachIn(m_, c.guard, [&](const Expr& e) {
+        if (e.op == Op::Constant && e.type.dimension == support::dimension::time && e.number > 0) {
+          times.insert({e.number, e.number + cycle_s_});
+        }
+      });
+    }
   }
 
   /// The states of the round that begins here and comes a second time, in the order in which they
@@ -201,9 +210,8 @@ class LivelockCheck {
     for (const StateId state : round) {
       names.push_back(fmt::format("`{}`", m_[state].name));
     }
-    const std::string between = names.size() == 1
-                                    ? names.front() + " and itself"
-                                    : fmt::format("{}", fmt::join(names, ", "));
+    const std::string between = names.size() == 1 ? names.front() + " and itself"
+                                                  : fmt::format("{}", fmt::join(names, ", "));
     proof_.diagnostics.report(support::DiagnosticId::clockLivelock, m_[round.front()].range,
                               fmt::format("{:.6g} s", time), between);
   }
@@ -211,6 +219,7 @@ class LivelockCheck {
   Proof& proof_;
   const Mission& m_;
   double cycle_s_;
+  std::set<double> always_times_;
   std::set<std::set<StateId>> told_;
 };
 

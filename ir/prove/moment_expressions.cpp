@@ -42,7 +42,7 @@ bool isConstant(const Expr& e) {
 void Moment::lowerNumber(uint32_t index) {
   const Expr& e = mission_.exprs[index];
   NumberTerm made = arithmetic(e, ground_.intervals[index]);
-  constexpr double kRoundedUp = 1 + 0x1p-40;  // adding up slacks rounds too
+  constexpr double kRoundedUp = 1 + 0x1p-40;                        // adding up slacks rounds too
   made.slack = ground_.whole[index] ? 0 : made.slack * kRoundedUp;  // whole: nothing was rounded
   made_.emplace(index, std::move(made));
 }

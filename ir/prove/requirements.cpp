@@ -227,8 +227,7 @@ class RequirementCheck {
     const auto ticks = static_cast<size_t>(std::min(span / cycle + 2, 1.0 * kRandomTicks));
     const size_t flights = std::max<size_t>(1, kRandomTicks / ticks);
     for (uint64_t seed = 1; seed <= flights; ++seed) {
-      if (auto run =
-              flyAtRandom(ground, proof_.facts.stack_depth, requirement, seed, ticks)) {
+      if (auto run = flyAtRandom(ground, proof_.facts.stack_depth, requirement, seed, ticks)) {
         return run;
       }
     }
@@ -281,10 +280,11 @@ class RequirementCheck {
       const double to = run.ticks[i].mission_time;
       if (to - from > proof_.ground.platform.world.tick_gap_s) {
         ++noted;
-        error.note(requirement.range,
-                   fmt::format("from {:.6g} s to {:.6g} s the SBC has no power; the mission goes on "
-                               "after up to {} (`resume within`)",
-                               from, to, durationOf(m_.resume_within_s)));
+        error.note(
+            requirement.range,
+            fmt::format("from {:.6g} s to {:.6g} s the SBC has no power; the mission goes on "
+                        "after up to {} (`resume within`)",
+                        from, to, durationOf(m_.resume_within_s)));
       }
     }
   }

@@ -54,8 +54,9 @@ class GuardedWalk {
     if (!doubtful_.contains(place)) {
       return;
     }
-    const bool fits = knowledge.unreachable || narrowing_.intervalOf(knowledge, value)
-                                                   .within(variable.lowest, variable.highest);
+    const bool fits =
+        knowledge.unreachable ||
+        narrowing_.intervalOf(knowledge, value).within(variable.lowest, variable.highest);
     if (fits) {
       kept_.insert(place);
     }

@@ -58,10 +58,7 @@ Knowledge common(const Knowledge& a, const Knowledge& b) {
 }
 
 Narrowing::Narrowing(const Mission& mission, const std::vector<Interval>& intervals)
-    : m_(mission),
-      plain_(intervals),
-      whole_(wholeExpressions(mission, intervals)),
-      work_(mission) {
+    : m_(mission), plain_(intervals), whole_(wholeExpressions(mission, intervals)), work_(mission) {
   std::map<decltype(keyOf(mission.exprs.front(), {})), uint32_t> firsts;
   for (uint32_t i = 0; i < m_.exprs.size(); ++i) {
     const Expr& e = m_.exprs[i];
@@ -115,9 +112,8 @@ void Narrowing::set(Knowledge& knowledge, VariableId variable, Interval given, b
     return;
   }
   if (!itself) {
-    const auto reads = std::ranges::find_if(m_.exprs, [&](const Expr& e) {
-      return e.op == Op::Variable && e.variable == variable;
-    });
+    const auto reads = std::ranges::find_if(
+        m_.exprs, [&](const Expr& e) { return e.op == Op::Variable && e.variable == variable; });
     if (reads == m_.exprs.end()) {
       return;  // nobody asks
     }
@@ -213,7 +209,8 @@ Interval Narrowing::allowed(ExprId side, Op op, const Interval& now, const Inter
   const bool whole = whole_[side.index];
   const double below =
       whole ? std::ceil(other.highest) - 1 : std::nextafter(other.highest, -kEndless);
-  const double above = whole ? std::floor(other.lowest) + 1 : std::nextafter(other.lowest, kEndless);
+  const double above =
+      whole ? std::floor(other.lowest) + 1 : std::nextafter(other.lowest, kEndless);
   switch (op) {
     case Op::Less:
       return {-kEndless, below, false};

@@ -57,10 +57,68 @@ TEST(CheckReport, IsATableForPeople) {
 TEST(CheckReport, SaysTheWayHome) {
   const Outcome outcome = runShell("$GLIDERCC check --report --target host " + kFigure2);
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_THAT(outcome.out, HasSubstr("\nthe mission has ended after 42 min 0 s at the latest\n"));
   EXPECT_THAT(outcome.out,
-              HasSubstr("\nif the SBC falls silent, hookbeh lets go within 32 s; from 25 m at most "
+              HasSubstr("\nthe mission has ended after 42 min 0 s at the latest; with "
+                        "power cuts of the SBC of up to 5 min 0 s, after 48 min 20 s\n"));
+  EXPECT_THAT(outcome.out,
+              HasSubstr("\nif the SBC falls silent, hookbeh lets go within 32 s (assuming "
+                        "silence_secs 24; see --skeleton); from 25 m at most "
                         "the vehicle is at the surface within 10 min 52 s\n"));
+}
+
+TEST(CheckReport, TakesTheSilenceFromTheVehiclesMissionFile) {
+  const TemporaryFolder folder;
+  const auto skeleton = folder.write("patient.mi",
+                                     "behavior: surface\n    b_arg: start_when(enum) 1\n"
+                                     "behavior: hookbeh\n    b_arg: silence_secs(s) 300\n");
+  const Outcome outcome = runShell("$GLIDERCC check --report --target host --skeleton " +
+                                   skeleton.string() + " " + kFigure2);
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(
+      outcome.out,
+      HasSubstr("hookbeh lets go within 308 s (silence_secs 300 of patient.mi); from 25 m at "
+                "most the vehicle is at the surface within 15 min 28 s\n"));
+}
+
+TEST(CheckReport, RefusesAMissionFileThatSaysNoSilence) {
+  const TemporaryFolder folder;
+  const auto refusal = [&](const std::string& text) {
+    const Outcome outcome = runShell("$GLIDERCC check --report --target host --skeleton " +
+                                     folder.write("a.mi", text).string() + " " + kFigure2);
+    EXPECT_EQ(outcome.status, 2) << outcome.out;
+    return outcome.err;
+  };
+  EXPECT_THAT(refusal("behavior: surface\n"), HasSubstr("no behavior `hookbeh`"));
+  EXPECT_THAT(refusal("behavior: hookbeh\n    b_arg: silence_secs(s) -5\n"),
+              HasSubstr("silence_secs must be above 0 and at most 3600, not -5"));
+  EXPECT_THAT(refusal("behaviour hookbeh\n"), HasSubstr("GL51"));
+  EXPECT_THAT(runShell("$GLIDERCC check --report --target host --skeleton " +
+                       (folder.path() / "none.mi").string() + " " + kFigure2)
+                  .err,
+              HasSubstr("GL9001"));
+}
+
+// `upper` and `lower` have no range; they are only ever set between 5 m and 28 m.
+TEST(CheckReport, TheWayHomeKnowsWhereVariablesAreEverSetTo) {
+  const Outcome outcome = runShell("$GLIDERCC check --report --target host " GLIDER_SOURCE_DIR
+                                   "/missions/gallery/thermocline.mission");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out,
+              HasSubstr("from 33 m at most the vehicle is at the surface within 13 min "
+                        "32 s\n"));
+}
+
+TEST(CheckReport, SaysThatNoBoundIsKnownOfADepthThatMayBeAnything) {
+  const TemporaryFolder folder;
+  const auto mission = folder.write("m.mission",
+                                    "mission m\nvar deep : length = 10 m\n"
+                                    "state first\nbegin\n  flightprofile yo(3 m, deep, 0.4, 0.4)\n"
+                                    "  sensors depth, missiontime\n  events\n"
+                                    "    case depth > 9 m do set deep = deep + 1 m end stay\n"
+                                    "    case missiontime > 1 h exit\nend\n");
+  const Outcome outcome = runShell("$GLIDERCC check --report --target host " + mission.string());
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("how deep the vehicle is then no bound is known\n"));
 }
 
 TEST(CheckReport, SaysWhereTheWayHomeIsShorter) {

@@ -5,12 +5,17 @@
 
 #include "ir/prove/end_bound.h"
 
+#include "ir/prove/prove.h"
 #include "ir/prove/random_flight.h"
+#include "ir/prove/state_depths.h"
 #include "ir/verify/verify.h"
 #include "tests/random_missions/random.h"
 #include "tests/unit/ir/missions.h"
 #include "tests/unit/ir/slocum.h"
 
+#include <fmt/format.h>
+
+#include <cmath>
 #include <limits>
 
 namespace glider::ir::prove {
@@ -205,6 +210,19 @@ TEST(Ending, MayBeBeyondAYear) {
   EXPECT_EQ(ending.by(5e7), 4e7 + kResumeWithin_s) << "the power may be cut just before";
 }
 
+TEST(EndBound, IsNeverRoundedDown) {
+  for (int i = 1; i < 100; ++i) {
+    const double stay = i / 10.0;
+    const Mission mission = missionOf(
+        kHeader + stateText("a", "case (ge statetime " + fmt::format("{}", stay) + ":time) exit"));
+    const Ground ground = Ground(mission, slocum()).withoutPowerCuts();
+    const auto end = boundOf(ground, kForever, Goal::Exit).by;
+    ASSERT_TRUE(end);
+    EXPECT_GE(static_cast<long double>(*end),
+              static_cast<long double>(stay) + static_cast<long double>(ground.tick_gap_s));
+  }
+}
+
 TEST(EndBound, PowerCutsComeOnTop) {
   const auto bound = [](const std::string& text) {
     const Mission mission = missionOf(kHeader + text);
@@ -254,20 +272,48 @@ TEST(EndBound, AnUnknownConditionTakesNeitherBranch) {
   EXPECT_EQ(gapsBeyond(1200, text("(and (known (sensor temp)) (gt (sensor temp) 10:temperature))")),
             1)
       << "this is never unknown";
-  EXPECT_EQ(gapsBeyond(1200,
-                       text("(known (sensor depth)) set limit 900:time "
-                            "if (gt (sensor temp) 10:temperature) set limit 5:time end")),
+  EXPECT_EQ(gapsBeyond(1200, text("(known (sensor depth)) set limit 900:time "
+                                  "if (gt (sensor temp) 10:temperature) set limit 5:time end")),
             1)
       << "an if in an if";
 }
 
+/// With a profile that dives to 20 m.
+std::string withRoute(const std::string& route) {
+  return kHeader + "behaviour profile down symbol \"\" () reads ()\n" +
+         "behaviour route way symbol \"\" () reads ()\n" +
+         "require always (le (sensor depth) 30:length)\n" + "state a route " + route +
+         " profile down begin entry do descend (20:length, 0.4:angle) end end "
+         "case (ge missiontime 500:time) exit\n";
+}
+
+TEST(StateDepths, ARouteInCMayOrderAnyDepth) {
+  const auto deepest = [](const std::string& text) {
+    const Mission mission = missionOf(text);
+    return deepestByState(Ground(mission, slocum())).at(0);
+  };
+  EXPECT_EQ(deepest(withRoute("way begin entry do drift () end end")), 25);
+  EXPECT_TRUE(std::isinf(deepest(withRoute("drift ()"))));
+}
+
+TEST(Requirements, ARouteInCMayBreakADepth) {
+  const auto verdict = [](const std::string& text) {
+    const Mission mission = missionOf(text);
+    support::DiagnosticEngine diagnostics;
+    const MissionFacts facts = verify(mission, diagnostics);
+    return prove(mission, facts, slocum(), {}, diagnostics).requirements.at(0).verdict;
+  };
+  EXPECT_EQ(verdict(withRoute("way begin entry do drift () end end")), Verdict::Proved);
+  EXPECT_EQ(verdict(withRoute("drift ()")), Verdict::Refuted);
+}
+
 TEST(EndBound, ARouteThatOrdersADepthIsNoWayUp) {
   const auto home = [](const std::string& route) {
-    const Mission mission = missionOf(
-        kHeader + "behaviour profile up symbol \"\" () reads ()\n" +
-        "behaviour route way symbol \"\" () reads ()\n" +
-        "state a route way begin entry do " + route +
-        " end end profile up begin entry do surface () end end case (ge missiontime 500:time) exit\n");
+    const Mission mission = missionOf(kHeader + "behaviour profile up symbol \"\" () reads ()\n" +
+                                      "behaviour route way symbol \"\" () reads ()\n" +
+                                      "state a route way begin entry do " + route +
+                                      " end end profile up begin entry do surface () end end case "
+                                      "(ge missiontime 500:time) exit\n");
     const Ground ground = Ground(mission, slocum()).withoutPowerCuts();
     return *boundOf(ground, kForever, Goal::ExitOrSurface).by;
   };

@@ -223,7 +223,7 @@ TEST(Fences, TheMarginGrowsWithTheTimeAndWithoutAWaypoint) {
   const std::string far = boxed({{39, -73}}, {38.7, -73.3}, {39.3, -72.7});
   const double once = judged(far).margin_m;
   const platforms::World& world = slocum().world;
-  const double seconds = 1200 + world.tick_gap_s;
+  const double seconds = 1200 + kResumeWithin_s;
   const double dark = kResumeWithin_s * world.through_water_m_s;
   EXPECT_NEAR(once, world.steering_error_m + seconds * world.surface_drift_m_s + dark, 160);
   EXPECT_GT(world.surface_drift_m_s, slocum().envelope.drift_m_s);

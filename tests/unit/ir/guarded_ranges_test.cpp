@@ -40,7 +40,8 @@ std::string accepted(const std::string& text) {
 
 /// Of a mission whose first state has these cases.
 std::string ofCases(const std::string& cases, const std::string& always = "") {
-  return accepted(kCounters + always + stateText("a", cases + " case (ge missiontime 9:time) exit") +
+  return accepted(kCounters + always +
+                  stateText("a", cases + " case (ge missiontime 9:time) exit") +
                   "state b (\"b.k\") route drift () profile glide () case true goto a\n");
 }
 
@@ -67,53 +68,67 @@ const Row kRows[] = {
     {"accepted", "case (eq (var n) 2) do set n (add (var n) 3) end stay"},
     {"refused", "case (eq (var n) 2) do set n (add (var n) 4) end stay"},
     {"accepted", "case (not (ge (var n) 5)) do set n (add (var n) 1) end stay"},
-    {"accepted", "case (and (gt (sensor depth) 5:length) (lt (var n) 5)) "
-                 "do set n (add (var n) 1) end stay"},
-    {"refused", "case (or (gt (sensor depth) 5:length) (lt (var n) 5)) "
-                "do set n (add (var n) 1) end stay"},
+    {"accepted",
+     "case (and (gt (sensor depth) 5:length) (lt (var n) 5)) "
+     "do set n (add (var n) 1) end stay"},
+    {"refused",
+     "case (or (gt (sensor depth) 5:length) (lt (var n) 5)) "
+     "do set n (add (var n) 1) end stay"},
     {"accepted", "case (or (lt (var n) 2) (eq (var n) 3)) do set n (add (var n) 2) end stay"},
-    {"accepted", "case (not (or (ge (var n) 5) (gt (sensor depth) 5:length))) "
-                 "do set n (add (var n) 1) end stay"},
+    {"accepted",
+     "case (not (or (ge (var n) 5) (gt (sensor depth) 5:length))) "
+     "do set n (add (var n) 1) end stay"},
     // A number that is not whole: only what is above 5 by less than 1 is left out.
     {"accepted", "case (lt (var n) (var top)) do set n (add (var n) 1) end stay"},
-    {"refused", "case true do set n (mul 0.5 (var n)) end stay "
-                "case (lt (var n) 5) do set n (add (var n) 1) end stay"},
-    {"accepted", "case (lt (sensor depth) 40:length) do set x (max (sensor depth) 0:length) end stay"},
+    {"refused",
+     "case (gt (sensor depth) 5:length) do set n (mul 0.5 (var n)) end stay "
+     "case (lt (var n) 5) do set n (add (var n) 1) end stay"},
+    {"accepted",
+     "case (lt (sensor depth) 40:length) do set x (max (sensor depth) 0:length) end stay"},
     {"refused", "case (lt (sensor depth) 40:length) do set x (sensor depth) end stay"},
-    {"accepted", "case (and (le (mul 2 (sensor depth)) 40:length) (ge (mul 2 (sensor depth)) "
-                 "1:length)) do set x (mul 2 (sensor depth)) end stay"},
+    {"accepted",
+     "case (and (le (mul 2 (sensor depth)) 40:length) (ge (mul 2 (sensor depth)) "
+     "1:length)) do set x (mul 2 (sensor depth)) end stay"},
     // More than one in a block.
     {"refused", "case (lt (var n) 5) do set n (add (var n) 1) set n (add (var n) 1) end stay"},
     {"accepted", "case (lt (var n) 4) do set n (add (var n) 1) set n (add (var n) 1) end stay"},
     {"refused", "case (lt (var n) 5) do set n 5 set n (add (var n) 1) end stay"},
     {"accepted", "case true do set n 2 set n (add (var n) 1) end stay"},
     // An unknown value leaves what was there.
-    {"refused", "case (gt (var n) 3) do set n (clamp (div (sensor depth) 1:length) 0 1) "
-                "set n (add (var n) 1) end stay"},
+    {"refused",
+     "case (gt (var n) 3) do set n (clamp (div (sensor depth) 1:length) 0 1) "
+     "set n (add (var n) 1) end stay"},
     // Branches.
     {"accepted", "case true do if (lt (var n) 5) set n (add (var n) 1) end end stay"},
     {"accepted", "case true do if (ge (var n) 5) set n 0 else set n (add (var n) 1) end end stay"},
-    {"refused", "case true do if (gt (sensor depth) 5:length) set n 0 end "
-                "set n (add (var n) 1) end stay"},
-    {"refused", "case (lt (var n) 5) do if (gt (sensor depth) 5:length) set n 5 end "
-                "set n (add (var n) 1) end stay"},
+    {"refused",
+     "case true do if (gt (sensor depth) 5:length) set n 0 end "
+     "set n (add (var n) 1) end stay"},
+    {"refused",
+     "case (lt (var n) 5) do if (gt (sensor depth) 5:length) set n 5 end "
+     "set n (add (var n) 1) end stay"},
     {"refused", "case true do if (lt (var n) 5) set other 1 end set n (add (var n) 1) end stay"},
     // A condition on an unknown reading is not the same as its opposite's being false.
-    {"refused", "case true do if (gt (sensor depth) 50:length) set other 1 else set x (sub "
-                "100:length (sensor depth)) end end stay"},
+    {"refused",
+     "case true do if (gt (sensor depth) 50:length) set other 1 else set x (sub "
+     "100:length (sensor depth)) end end stay"},
     // Cases above it were not true.
     {"accepted", "case (ge (var n) 5) exit case true do set n (add (var n) 1) end stay"},
     {"refused", "case (gt (var n) 5) exit case true do set n (add (var n) 1) end stay"},
-    {"refused", "case (ge (div (var other) (var other)) (var n)) exit "
-                "case true do set n (add (var n) 1) end stay"},
+    {"refused",
+     "case (ge (div (var other) (var other)) (var n)) exit "
+     "case true do set n (add (var n) 1) end stay"},
     {"accepted", "case (and (ge (var n) 5) true) stay case true do set n (add (var n) 1) end stay"},
-    {"refused", "case (and (ge (var n) 5) (gt (sensor depth) 5:length)) stay "
-                "case true do set n (add (var n) 1) end stay"},
-    {"accepted", "case (or (ge (var n) 5) (gt (sensor depth) 5:length)) stay "
-                 "case true do set n (add (var n) 1) end stay"},
+    {"refused",
+     "case (and (ge (var n) 5) (gt (sensor depth) 5:length)) stay "
+     "case true do set n (add (var n) 1) end stay"},
+    {"accepted",
+     "case (or (ge (var n) 5) (gt (sensor depth) 5:length)) stay "
+     "case true do set n (add (var n) 1) end stay"},
     // What never fires sets nothing.
     {"accepted", "case (gt (var n) 10) do set n 1000 end stay"},
-    {"accepted", "case (and (var odd) (lt (var n) 5)) do set odd false set n (add (var n) 1) end stay"},
+    {"accepted",
+     "case (and (var odd) (lt (var n) 5)) do set odd false set n (add (var n) 1) end stay"},
 };
 
 INSTANTIATE_TEST_SUITE_P(Rows, GuardedRanges, testing::ValuesIn(kRows));
@@ -130,8 +145,10 @@ TEST(GuardedRangesTest, ArgumentsAreGuardedToo) {
 }
 
 TEST(GuardedRangesTest, ArgumentsComeAfterTheBlock) {
-  EXPECT_EQ(accepted(kCounters + stateText("a", "case (lt (var n) 5) do set n 5 end "
-                                                "goto c ((add (var n) 1))") +
+  EXPECT_EQ(accepted(kCounters +
+                     stateText("a",
+                               "case (lt (var n) 5) do set n 5 end "
+                               "goto c ((add (var n) 1))") +
                      "variable \"c.k\": number argument of c lowest 0 highest 5\n" +
                      "state c (\"c.k\") route drift () profile glide () case true exit\n"
                      "state b (\"b.k\") route drift () profile glide () case true exit\n"),
@@ -162,8 +179,9 @@ TEST(GuardedRangesTest, WhatIsHeldSaysNothingOfNow) {
 
 TEST(GuardedRangesTest, AWindowHoldsWhatWasBefore) {
   EXPECT_EQ(accepted(kCounters + "temporal highest state a (var n) over 100\n" +
-                     stateText("a", "case (lt (var n) 3) do set n (min (temporal 0) 5) "
-                                    "set other (mul 50 (temporal 0)) end stay") +
+                     stateText("a",
+                               "case (lt (var n) 3) do set n (min (temporal 0) 5) "
+                               "set other (mul 50 (temporal 0)) end stay") +
                      "state b (\"b.k\") route drift () profile glide () case true exit\n"),
             "refused")
       << "50 times 5 is beyond 100";
@@ -196,7 +214,8 @@ variable m: number mission lowest -2 highest 6
 initial p 2
 initial n 0
 initial m 1
-)" + always + stateText("a", cases + "case (ge missiontime 1000:time) exit");
+)" + always +
+           stateText("a", cases + "case (ge missiontime 1000:time) exit");
   }
 
  private:
@@ -243,8 +262,8 @@ initial m 1
     std::string all;
     for (uint64_t i = 0; i < 1 + random_.below(2); ++i) {
       if (depth > 0 && random_.below(3) == 0) {
-        all += fmt::format("if {} {} else {} end ", condition(1), block(depth - 1),
-                           block(depth - 1));
+        all +=
+            fmt::format("if {} {} else {} end ", condition(1), block(depth - 1), block(depth - 1));
       } else {
         const char* counts = random_.below(2) == 0 ? "n" : "m";
         all += random_.below(2) == 0

@@ -60,10 +60,11 @@ TEST(Livelocks, NotWhereASensorOrAVariableHasASay) {
                                         "5:length)) call b") +
                  stateText("b", "case (ge missiontime 100:time) return")),
             "");
-  EXPECT_EQ(said("variable n: number mission lowest 0 highest 5\ninitial n 0\n" +
-                 stateText("a", kExit + "case (and (ge missiontime 500:time) (lt (var n) 3)) call b") +
-                 stateText("b", "case (ge missiontime 100:time) return")),
-            "");
+  EXPECT_EQ(
+      said("variable n: number mission lowest 0 highest 5\ninitial n 0\n" +
+           stateText("a", kExit + "case (and (ge missiontime 500:time) (lt (var n) 3)) call b") +
+           stateText("b", "case (ge missiontime 100:time) return")),
+      "");
   EXPECT_EQ(said(stateText("a", kExit + "case (known (sensor depth)) stay "
                                         "case (ge missiontime 500:time) goto b") +
                  stateText("b", "case (not (known (sensor temp))) stay case true goto a")),
@@ -80,16 +81,16 @@ TEST(Livelocks, NotWhereAStateIsKeptForAWhile) {
             "")
       << "Figure 2";
   EXPECT_EQ(said(stateText("a", "case (ge missiontime 500:time) goto b") +
-                 stateText("b", "case (ge missiontime 500:time) goto c") +
-                 stateText("c", kExit)),
+                 stateText("b", "case (ge missiontime 500:time) goto c") + stateText("c", kExit)),
             "");
 }
 
 TEST(Livelocks, NotAtATimeAtWhichTheStateHasBeenLeft) {
-  EXPECT_EQ(said(stateText("a", "case (ge missiontime 100:time) exit "
-                                "case (and (lt missiontime 99:time) (gt missiontime 1000:time)) "
-                                "goto b "
-                                "case (ge missiontime 500:time) goto b") +
+  EXPECT_EQ(said(stateText("a",
+                           "case (ge missiontime 100:time) exit "
+                           "case (and (lt missiontime 99:time) (gt missiontime 1000:time)) "
+                           "goto b "
+                           "case (ge missiontime 500:time) goto b") +
                  stateText("b", "case (ge missiontime 400:time) goto a")),
             "");
 }

@@ -77,8 +77,7 @@ class StepQuestion {
     for (uint32_t i = 0; i < m_.sensors.size(); ++i) {
       equate(question, moment.reading({i}), interpreter.readingOf({i}));
     }
-    auto outcomes =
-        SymbolicTick(ground_, relevance_, unknowns).run(from, now, moment, Pace::Many);
+    auto outcomes = SymbolicTick(ground_, relevance_, unknowns).run(from, now, moment, Pace::Many);
     question.add(unknowns);
     z3::expr any = context.bool_val(false);
     for (const Outcome& outcome : outcomes) {
@@ -131,8 +130,8 @@ class StepQuestion {
                                        : term.is_false && !term.is_true);
       } else {
         const NumberTerm& term = c.store.numbers.at(i);
-        same = same && (value == value ? term.known && term.value == realOf(context, value)
-                                       : !term.known);
+        same = same &&
+               (value == value ? term.known && term.value == realOf(context, value) : !term.known);
       }
     }
     return same;
@@ -230,6 +229,19 @@ state b route drift () profile glide () entry do if (temporal 0) set hit true en
                             duration),
                 {1, 10, 10, 1, 10, 10});
   }
+}
+
+TEST(ProverStep, ADurationIsRounded) {
+  // 0.1 is a little more than a tenth; 40 times that is 4 where doubles round.
+  expectTicks(R"(variable d: time mission lowest -100 highest 100
+variable hit: bool mission
+initial d 40:time
+initial hit false
+temporal held state b (gt (sensor depth) 5:length) for (mul 0.1 (var d))
+state a route drift () profile glide () case true goto b
+state b route drift () profile glide () case (temporal 0) do set hit true end goto a
+)",
+              {1, 10, 10, 10, 10, 10});
 }
 
 TEST(ProverStep, AWindowStartsAgainWithItsState) {

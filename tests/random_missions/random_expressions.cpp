@@ -466,7 +466,7 @@ ExprId ExpressionMaker::guard(uint32_t depth) {
   if (!scope_.initial && random_.chance(0.2)) {
     return watched(depth - 1);
   }
-  if (random_.chance(0.05)) {
+  if (random_.chance(0.03)) {
     if (const auto made = idleCall()) {
       return *made;
     }

@@ -5,6 +5,7 @@
 
 #include "hooks/clothesline/clothesline.h"
 #include "hooks/protocol/bytes.h"
+#include "hooks/protocol/lockstep.h"
 #include "hooks/protocol/messages.h"
 #include "hooks/protocol/send_queue.h"
 #include "hooks/protocol/sensor_list.h"
@@ -245,6 +246,75 @@ TEST(SensorList, ACountThatIsNotTheListsIsRefused) {
   EXPECT_FALSE(decodeList(frame, list)) << "no such sensor";
 }
 
+TEST(LockstepEdges, HalfAFrameOwesNothingNorDoesOneThatIsNotAnswered) {
+  const auto bytesOf = [](const auto& message, uint8_t sequence) {
+    Frame frame;
+    encode(message, frame);
+    frame.sequence = sequence;
+    std::vector<uint8_t> bytes(kMostEncodedBytes);
+    bytes.resize(encodeFrame(frame, bytes.data()));
+    return bytes;
+  };
+  const auto size = [](const std::vector<uint8_t>& bytes) {
+    return static_cast<uint32_t>(bytes.size());
+  };
+  Lockstep lockstep;
+  auto welcome = bytesOf(Welcome{}, 9);
+  lockstep.toSbc(welcome.data(), size(welcome));
+  EXPECT_FALSE(lockstep.settled());
+  const auto wrong = bytesOf(Done{8, 0, {}}, 1);
+  lockstep.fromSbc(wrong.data(), size(wrong));
+  EXPECT_FALSE(lockstep.settled()) << "that of an earlier frame";
+  const auto done = bytesOf(Done{9, 0, {}}, 2);
+  lockstep.fromSbc(done.data(), size(done));
+  EXPECT_TRUE(lockstep.settled());
+  welcome = bytesOf(Welcome{}, 10);
+  lockstep.toSbc(welcome.data(), size(welcome) - 1);
+  EXPECT_TRUE(lockstep.settled());
+  lockstep.toSbc(&welcome.back(), 1);
+  EXPECT_FALSE(lockstep.settled());
+  const auto settled = bytesOf(Done{10, 0, {}}, 3);
+  lockstep.fromSbc(settled.data(), size(settled));
+  const auto note = bytesOf(MissionNote{}, 11);
+  lockstep.toSbc(note.data(), size(note));
+  EXPECT_TRUE(lockstep.settled()) << "a Note is not answered";
+}
+
+TEST(TickEdges, ReadingsOfAnotherFrameAreNotRead) {
+  const Subscribe subscription = exampleSubscription();
+  Frame frame;
+  encode(TickHead{}, subscription, TickReadings{}, frame);
+  TickReadings readings;
+  ASSERT_TRUE(decode(frame, subscription, readings));
+  frame.type = MessageType::Beacon;
+  EXPECT_FALSE(decode(frame, subscription, readings));
+}
+
+TEST(MessageEdges, ATextLongerThanItsMostIsRefused) {
+  for (const uint32_t over : {0U, 1U}) {
+    Frame frame;
+    encode(MissionNote{}, frame);
+    frame.payload[9] = static_cast<uint8_t>(kMostNoteBytes + over);
+    std::memset(frame.payload + 10, 'x', kMostNoteBytes + over);
+    frame.size = static_cast<uint16_t>(10 + kMostNoteBytes + over);
+    MissionNote note;
+    EXPECT_EQ(decode(frame, note), over == 0) << over;
+  }
+}
+
+TEST(SensorWidths, EndWithTheList) {
+  EXPECT_NE(sensorWidth(GLIDER_SENSOR_COUNT - 1), 0U);
+  EXPECT_EQ(sensorWidth(GLIDER_SENSOR_COUNT), 0U);
+  EXPECT_EQ(sensorWidth(0xFFFF), 0U);
+}
+
+/// Of a Tick without readings.
+uint16_t headBytes() {
+  Frame frame;
+  encode(TickHead{}, Subscribe{}, TickReadings{}, frame);
+  return frame.size;
+}
+
 TEST(TickEdges, OneFieldThatNoSenderWritesRefusesItWhole) {
   const TickHead fine{};
   const auto taken = [](TickHead head, auto&& spoil) {
@@ -276,8 +346,8 @@ TEST(TickEdges, OneFieldThatNoSenderWritesRefusesItWhole) {
         << bit;
   }
   EXPECT_FALSE(taken(fine, [](Frame& f) { f.type = MessageType::Welcome; }));
-  EXPECT_FALSE(taken(fine, [](Frame& f) { f.size = 19; }));
-  EXPECT_TRUE(taken(fine, [](Frame& f) { f.size = 20; }));
+  EXPECT_FALSE(taken(fine, [](Frame& f) { f.size = static_cast<uint16_t>(headBytes() - 1); }));
+  EXPECT_TRUE(taken(fine, [](Frame& f) { f.size = headBytes(); }));
 }
 
 TEST(TickEdges, SubscriptionsUpToTheMost) {
@@ -311,7 +381,7 @@ TEST(TickEdges, EverySensorHasItsOwnBit) {
       readings.values[at] = 3.5;
       Frame frame;
       encode(TickHead{}, subscription, readings, frame);
-      ASSERT_EQ(frame.size, 20 + 2 * ((count + 7) / 8) + (at % 2 == 0 ? 4 : 0));
+      ASSERT_EQ(frame.size, headBytes() + 2 * ((count + 7) / 8) + (at % 2 == 0 ? 4 : 0));
       TickReadings back;
       ASSERT_TRUE(decode(frame, subscription, back));
       for (uint32_t i = 0; i < count; ++i) {

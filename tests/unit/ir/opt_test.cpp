@@ -67,7 +67,7 @@ TEST(FoldConstants, WorksOutWhatIsKnown) {
                          Row{"(min 2:length 3:length)", 2}, Row{"(max 2:length 3:length)", 3},
                          Row{"(neg 2:length)", -2}, Row{"(abs -2:length)", 2},
                          Row{"(clamp 7:length 2:length 3:length)", 3}}) {
-    Mission m = missionOf(kHeader + "variable x: length mission initial 0:length " +
+    Mission m = missionOf(kHeader + "variable x: length mission initial x 0:length " +
                           stateText("a", std::string("case true do set x ") + row.text +
                                              " end exit"));
     opt::foldConstants(m);

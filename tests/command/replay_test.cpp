@@ -157,10 +157,10 @@ TEST_F(Replay, ATraceOfSomethingElseIsRefusedByWhatItLacks) {
     EXPECT_EQ(flown.status, 2) << from << flown.out;
     return flown.err;
   };
-  ASSERT_EQ(runShell("$GLIDERCC sim " + mission_ + " --replay " + trace(2) + " -o " + runs() +
-                     "/same")
-                .status,
-            1)
+  ASSERT_EQ(
+      runShell("$GLIDERCC sim " + mission_ + " --replay " + trace(2) + " -o " + runs() + "/same")
+          .status,
+      1)
       << "as it is";
   EXPECT_THAT(refusal("\"requirement\":1", "\"requirement\":4"),
               HasSubstr("the mission has 4 requirements"));

@@ -138,11 +138,11 @@ struct Statistics {
 
 /// Corners that passes and generated code have gone wrong in.
 struct Corners {
-  size_t idle_calls = 0;     ///< `false && f()`
-  size_t unread_calls = 0;   ///< watched, and read by nothing
-  size_t along_twins = 0;    ///< windows that differ only in what they run along
-  size_t minus_zeros = 0;    ///< constants
-  size_t ages_of_six = 0;    ///< steps of 6 s: what a window just takes
+  size_t idle_calls = 0;    ///< `false && f()`
+  size_t unread_calls = 0;  ///< watched, and read by nothing
+  size_t along_twins = 0;   ///< windows that differ only in what they run along
+  size_t minus_zeros = 0;   ///< constants
+  size_t ages_of_six = 0;   ///< steps of 6 s: what a window just takes
 
   void count(const ir::Mission& m, uint64_t seed) {
     const auto of = [&](ir::ExprId id) { return m[id].op; };

@@ -568,12 +568,11 @@ TEST(ClotheslineEdges, ALineThatTakesAPartKeepsTheRest) {
   struct Narrow {
     GliderByteStream to;
   } narrow{line.left()};
-  const GliderByteStream stream{
-      &narrow, [](void*, uint8_t*, uint32_t) -> int32_t { return 0; },
-      [](void* self, const uint8_t* bytes, uint32_t count) -> int32_t {
-        const GliderByteStream& to = static_cast<Narrow*>(self)->to;
-        return to.write(to.self, bytes, count < 3 ? count : 3);
-      }};
+  const GliderByteStream stream{&narrow, [](void*, uint8_t*, uint32_t) -> int32_t { return 0; },
+                                [](void* self, const uint8_t* bytes, uint32_t count) -> int32_t {
+                                  const GliderByteStream& to = static_cast<Narrow*>(self)->to;
+                                  return to.write(to.self, bytes, count < 3 ? count : 3);
+                                }};
   for (int i = 0; i < 3; ++i) {
     ASSERT_TRUE(flight.send(&update, 1));
     SensorUpdate none[1];

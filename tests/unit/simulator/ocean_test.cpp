@@ -180,7 +180,8 @@ TEST(Ocean, OxygenFollowsTheThermocline) {
 TEST(Ocean, FieldsAreThoseOfTheFormulas) {
   constexpr double kTurn = 2 * std::numbers::pi;
   OceanSettings s = twoLayers();
-  s.wave = {.amplitude_m = 4, .period_s = 900, .wavelength_m = 700, .phase_rad = 0.4, .start_s = 60};
+  s.wave = {
+      .amplitude_m = 4, .period_s = 900, .wavelength_m = 700, .phase_rad = 0.4, .start_s = 60};
   s.current = {0.2, -0.1};
   s.bottom_current = {-0.05, 0.3};
   s.front = {.x = 100, .y = -200, .bearing_rad = 0.7, .width_m = 150, .step_degC = -5};
@@ -188,8 +189,9 @@ TEST(Ocean, FieldsAreThoseOfTheFormulas) {
   s.bottom.slope_bearing_rad = 2.1;
   s.bottom.seamounts = {{.x = 300, .y = 50, .radius_m = 120, .height_m = 12}};
   s.chlorophyll_ugpl = 0.4;
-  s.patches = {{.x = 200, .y = -90, .radius_m = 80, .depth_m = 11, .thickness_m = 4, .peak_ugpl = 6},
-               {.x = -50, .y = 20, .radius_m = 60, .depth_m = 20, .thickness_m = 7, .peak_ugpl = 3}};
+  s.patches = {
+      {.x = 200, .y = -90, .radius_m = 80, .depth_m = 11, .thickness_m = 4, .peak_ugpl = 6},
+      {.x = -50, .y = 20, .radius_m = 60, .depth_m = 20, .thickness_m = 7, .peak_ugpl = 3}};
   s.surface_oxygen_uM = 260;
   s.bottom_oxygen_uM = 170;
   const Ocean ocean(s);
@@ -207,17 +209,16 @@ TEST(Ocean, FieldsAreThoseOfTheFormulas) {
           const double upper = (1 - std::tanh((z - 14 - 4 * std::sin(angle) * shape) / 2.5)) / 2;
           ASSERT_NEAR(ocean.temperature(z, x, y, t), 7 + 17 * upper + front, 1e-9) << z;
           ASSERT_NEAR(ocean.oxygen(z, x, y, t), 170 + 90 * upper, 1e-9);
-          ASSERT_NEAR(ocean.verticalCurrent(z, x, y, t),
-                      -4 * std::cos(angle) * kTurn / 900 * shape, 1e-12);
+          ASSERT_NEAR(ocean.verticalCurrent(z, x, y, t), -4 * std::cos(angle) * kTurn / 900 * shape,
+                      1e-12);
           const Current current = ocean.current(z, x, y);
           ASSERT_NEAR(current.east, 0.2 - 0.25 * z / water, 1e-12);
           ASSERT_NEAR(current.north, -0.1 + 0.4 * z / water, 1e-12);
-          const double green =
-              0.4 +
-              6 * std::exp(-(std::pow(x - 200, 2) + std::pow(y + 90, 2)) / 6400 -
-                           std::pow((z - 11) / 4, 2)) +
-              3 * std::exp(-(std::pow(x + 50, 2) + std::pow(y - 20, 2)) / 3600 -
-                           std::pow((z - 20) / 7, 2));
+          const double green = 0.4 +
+                               6 * std::exp(-(std::pow(x - 200, 2) + std::pow(y + 90, 2)) / 6400 -
+                                            std::pow((z - 11) / 4, 2)) +
+                               3 * std::exp(-(std::pow(x + 50, 2) + std::pow(y - 20, 2)) / 3600 -
+                                            std::pow((z - 20) / 7, 2));
           ASSERT_NEAR(ocean.chlorophyll(z, x, y), green, 1e-9);
         }
       }

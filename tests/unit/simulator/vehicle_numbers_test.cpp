@@ -24,9 +24,7 @@ struct Glide {
 Glide balance(double pitch, double force, double density) {
   const double theta = std::fabs(pitch);
   const double cd0 = 0.15, cd1 = 10.4926354534, lift = 3.8 + 3.7342698373;
-  const auto excess = [&](double a) {
-    return cd0 + cd1 * a * a - lift * a * std::tan(theta + a);
-  };
+  const auto excess = [&](double a) { return cd0 + cd1 * a * a - lift * a * std::tan(theta + a); };
   const bool with_the_force = (force > 0) == (pitch > 0);
   if (theta < 11 * kPi / 180 || !with_the_force) {
     const double speed = std::sqrt(2 * std::fabs(force) / (density * 1.5 * 0.22 * 1.1));

@@ -213,7 +213,9 @@ void ExpressionMaker::unread() {
     if (t.kind == ir::TemporalKind::Held) {
       t.duration = plain(kTime, 4.0 * random_.between(0, 10));
     }
-    temporal(t);
+    t.list = scope_.list;
+    t.state = scope_.state;
+    m_.temporals.push_back(t);
   }
 }
 

@@ -10,7 +10,7 @@ TAG = re.compile(r"\b(?:HB|HP)-\d+\b")
 _TOKENS = re.compile(
     r'//[^\n]*|/\*.*?\*/|R"(?P<raw>[^(\s]*)\(.*?\)(?P=raw)"|"(?:\\.|[^"\\\n])*"|(?<![0-9a-fA-F])\'(?:\\.|[^\'\\\n])\'', re.DOTALL)
 _FUNCTION = re.compile(r"^(?: {2})?(?!return|else|if|for|while|switch|case|using|namespace|#|public|private|typedef)"
-                       r"[\w\[:~<].*?(?P<name>~?[\w:]*\w)\(", re.DOTALL)
+                       r"(?=[\w\[:~<]).*?(?P<name>~?[\w:]*\w)\(", re.DOTALL)
 
 
 def _blank(match):

@@ -266,9 +266,9 @@ TEST(Command, AClosedPipeIsNoCrash) {
   // The reader is gone before the first byte; the command's own status is what counts.
   const TemporaryFolder folder;
   const std::string status = (folder.path() / "status").string();
-  const Outcome outcome = runShell("{ sleep 0.2; $GLIDERCC build " + kFigure2 +
-                                   " --emit=asm -o -; echo $? >" + status + "; } | true; " +
-                                   "until [ -s " + status + " ]; do sleep 0.05; done");
+  const Outcome outcome =
+      runShell("{ sleep 0.2; $GLIDERCC build " + kFigure2 + " --emit=asm -o -; echo $? >" + status +
+               "; } | true; " + "until [ -s " + status + " ]; do sleep 0.05; done");
   EXPECT_EQ(slurp(status), "2\n");
   EXPECT_THAT(outcome.err, HasSubstr("cannot write `standard output`: Broken pipe [GL9002"));
 }

@@ -143,5 +143,34 @@ TEST_F(Replay, AnotherProgramIsFoundOut) {
   EXPECT_THAT(flown.err, HasSubstr("[GL9362 replay-differs]"));
 }
 
+/// A trace that was changed in one place is refused with what is wrong in it.
+TEST_F(Replay, ATraceOfSomethingElseIsRefusedByWhatItLacks) {
+  const std::string whole = slurp(trace(2));
+  const auto refusal = [&](const std::string& from, const std::string& to) {
+    std::string text = whole;
+    const size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    text.replace(at == std::string::npos ? 0 : at, at == std::string::npos ? 0 : from.size(), to);
+    const auto file = folder_.write("changed.json", text);
+    const Outcome flown = runShell("$GLIDERCC sim " + mission_ + " --replay " + file.string() +
+                                   " -o " + runs() + "/changed");
+    EXPECT_EQ(flown.status, 2) << from << flown.out;
+    return flown.err;
+  };
+  ASSERT_EQ(
+      runShell("$GLIDERCC sim " + mission_ + " --replay " + trace(2) + " -o " + runs() + "/same")
+          .status,
+      1)
+      << "as it is";
+  EXPECT_THAT(refusal("\"requirement\":1", "\"requirement\":4"),
+              HasSubstr("the mission has 4 requirements"));
+  EXPECT_THAT(refusal("\"requirement\":1,", ""), HasSubstr("it is of a flight"));
+  EXPECT_THAT(refusal("\"mission\":\"m\"", "\"mission\":\"n\""),
+              HasSubstr("it is of `n`, and this is `m`"));
+  EXPECT_THAT(refusal("\"missiontime\"", "\"mission_time\""), HasSubstr("it has no mission times"));
+  EXPECT_THAT(refusal("\"sci_water_temp\"", "\"sci_water_cond\""),
+              HasSubstr("it has no readings of `sci_water_temp`"));
+}
+
 }  // namespace
 }  // namespace glider::tests

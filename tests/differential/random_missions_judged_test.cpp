@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Random missions on every board against ir/eval, every other one optimised before it is compiled. GLIDER_DIFFERENTIAL_COUNT and
-// GLIDER_DIFFERENTIAL_SEED widen it: scripts/soak/differential.
+// Random missions on every board against ir/eval, every other one optimised before it is compiled.
+// GLIDER_DIFFERENTIAL_COUNT and GLIDER_DIFFERENTIAL_SEED widen it: scripts/soak/differential.
 
 #include "tests/differential/judge.h"
 

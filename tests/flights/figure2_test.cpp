@@ -148,7 +148,8 @@ TEST(Figure2, AnSbcThatHasDoneItsWorkIsNotCalledLost) {
   const Flight flight = flyFigure2("");
   ASSERT_EQ(flight.outcome.status, 0) << flight.outcome.err;
   EXPECT_FALSE(calledLost(flight));
-  EXPECT_TRUE(calledLost(flyFigure2(" --kill-sbc-at 700"))) << "those are the words for one that is";
+  EXPECT_TRUE(calledLost(flyFigure2(" --kill-sbc-at 700")))
+      << "those are the words for one that is";
 }
 
 }  // namespace

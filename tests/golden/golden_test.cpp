@@ -48,10 +48,9 @@ TEST(Goldens, EveryStageHasSomeOfEachKind) {
   for (const char* stage : kStages) {
     const auto found = goldensIn(folderOf(stage));
     for (const char* kind : {"ok_", "fail_"}) {
-      EXPECT_TRUE(std::ranges::any_of(found, [&](const auto& path) {
-        return path.filename().string().starts_with(kind);
-      })) << stage
-          << " has no golden " << kind << "*.mission";
+      EXPECT_TRUE(std::ranges::any_of(
+          found, [&](const auto& path) { return path.filename().string().starts_with(kind); }))
+          << stage << " has no golden " << kind << "*.mission";
     }
   }
 }

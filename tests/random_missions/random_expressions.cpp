@@ -213,7 +213,9 @@ void ExpressionMaker::unread() {
     if (t.kind == ir::TemporalKind::Held) {
       t.duration = plain(kTime, 4.0 * random_.between(0, 10));
     }
-    temporal(t);
+    t.list = scope_.list;
+    t.state = scope_.state;
+    m_.temporals.push_back(t);
   }
 }
 
@@ -466,7 +468,7 @@ ExprId ExpressionMaker::guard(uint32_t depth) {
   if (!scope_.initial && random_.chance(0.2)) {
     return watched(depth - 1);
   }
-  if (random_.chance(0.05)) {
+  if (random_.chance(0.03)) {
     if (const auto made = idleCall()) {
       return *made;
     }

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <bit>
+#include <cmath>
 #include <set>
 
 namespace glider::random_missions {
@@ -134,6 +135,54 @@ struct Statistics {
     }
   }
 };
+
+/// Corners that passes and generated code have gone wrong in.
+struct Corners {
+  size_t idle_calls = 0;    ///< `false && f()`
+  size_t unread_calls = 0;  ///< watched, and read by nothing
+  size_t along_twins = 0;   ///< windows that differ only in what they run along
+  size_t minus_zeros = 0;   ///< constants
+  size_t ages_of_six = 0;   ///< steps of 6 s: what a window just takes
+
+  void count(const ir::Mission& m, uint64_t seed) {
+    const auto of = [&](ir::ExprId id) { return m[id].op; };
+    std::vector<bool> read(m.temporals.size());
+    for (const ir::Expr& e : m.exprs) {
+      if (e.op == ir::Op::And || e.op == ir::Op::Or) {
+        const ir::Op ruling = e.op == ir::Op::And ? ir::Op::False : ir::Op::True;
+        idle_calls += (of(e.operands[0]) == ruling && of(e.operands[1]) == ir::Op::Call) ||
+                      (of(e.operands[1]) == ruling && of(e.operands[0]) == ir::Op::Call);
+      }
+      if (e.temporal.valid()) {
+        read[e.temporal.index] = true;
+      }
+      minus_zeros += e.op == ir::Op::Constant && e.number == 0 && std::signbit(e.number);
+    }
+    for (size_t i = 0; i < m.temporals.size(); ++i) {
+      const ir::Temporal& t = m.temporals[i];
+      unread_calls += !read[i] && of(t.operand) == ir::Op::Call;
+      const ir::Temporal* last = i > 0 ? &m.temporals[i - 1] : nullptr;
+      along_twins += last != nullptr && last->kind == t.kind && last->operand == t.operand &&
+                     last->length == t.length && last->along != t.along;
+    }
+    const auto stream = randomStream(m, seed, kTicks);
+    for (size_t i = 1; i < stream.size(); ++i) {
+      ages_of_six += stream[i].mission_time - stream[i - 1].mission_time == 6;
+    }
+  }
+};
+
+TEST(RandomMissions, ReachTheCorners) {
+  Corners c;
+  for (uint64_t seed = 0; seed < kMissions; ++seed) {
+    c.count(randomMission(seed), seed);
+  }
+  EXPECT_GT(c.idle_calls, 20u);
+  EXPECT_GT(c.unread_calls, 20u);
+  EXPECT_GT(c.along_twins, 20u);
+  EXPECT_GT(c.minus_zeros, 100u);
+  EXPECT_GT(c.ages_of_six, kMissions);
+}
 
 TEST(RandomMissions, AreWorthRunning) {
   Statistics s;

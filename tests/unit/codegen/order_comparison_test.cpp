@@ -83,8 +83,11 @@ TEST_F(OrderComparison, KnownIsAllButNaN) {
 TEST_F(OrderComparison, MinusZeroIsNoPlainOrder) {
   ir::Expr constant;
   constant.op = Op::Constant;
-  for (const auto& [value, plain] : {std::pair{0.0, true}, {-0.0, false}, {1.0, true},
-                                     {-1.0, true}, {Limits::denorm_min(), true}}) {
+  for (const auto& [value, plain] : {std::pair{0.0, true},
+                                     {-0.0, false},
+                                     {1.0, true},
+                                     {-1.0, true},
+                                     {Limits::denorm_min(), true}}) {
     constant.number = value;
     EXPECT_EQ(hasPlainOrder(constant), plain) << value;
   }

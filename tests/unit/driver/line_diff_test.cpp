@@ -133,19 +133,19 @@ TEST(LineDiff, SaysWhatAPilotReads) {
             "--- m\n+++ m\n@@ -1,1 +1,1 @@\n-a\n\\ No newline at end of file\n+a\n");
 }
 
-TEST(LineDiff, ChangesWithinSixLinesShareAHunk) {
+TEST(LineDiff, ChangesWithinFiveLinesShareAHunk) {
   std::string before, near, far;
   for (int i = 1; i <= 30; ++i) {
     const std::string line = std::to_string(i) + "\n";
     before += line;
-    near += i == 10 || i == 17 ? "x\n" : line;
-    far += i == 10 || i == 18 ? "x\n" : line;
+    near += i == 10 || i == 16 ? "x\n" : line;
+    far += i == 10 || i == 17 ? "x\n" : line;
   }
   Patch one(before), two(before);
   EXPECT_EQ(one.apply(lineDiff("m", before, near)), near);
-  EXPECT_EQ(one.hunks, 1U) << "six lines between them";
+  EXPECT_EQ(one.hunks, 1U) << "five lines between them";
   EXPECT_EQ(two.apply(lineDiff("m", before, far)), far);
-  EXPECT_EQ(two.hunks, 2U) << "seven";
+  EXPECT_EQ(two.hunks, 2U) << "six: the hunks touch";
 }
 
 TEST(LineDiff, TurnsAnyTextIntoAnyOtherWithTheFewestLines) {

@@ -3,9 +3,8 @@
 
 // What sema makes of operators, positions, windows and areas, in the IR that it writes.
 
-#include "tests/unit/frontend/compile.h"
-
 #include "ir/core/mission.h"
+#include "tests/unit/frontend/compile.h"
 
 #include <fmt/format.h>
 
@@ -27,7 +26,9 @@ struct Guard {
   [[nodiscard]] const ir::Expr& expr() const {
     return (*mission)[mission->states.at(0).cases.at(0).guard];
   }
-  [[nodiscard]] const ir::Expr& operand(size_t i) const { return (*mission)[expr().operands.at(i)]; }
+  [[nodiscard]] const ir::Expr& operand(size_t i) const {
+    return (*mission)[expr().operands.at(i)];
+  }
 
   FrontendRun run;
   std::optional<ir::Mission> mission;
@@ -44,10 +45,8 @@ TEST(Operators, EachIsItsOwn) {
     EXPECT_EQ(g.operand(0).op, ir::Op::Sensor) << text;
     EXPECT_EQ(g.operand(1).number, 7) << text;
   }
-  const std::pair<const char*, ir::Op> arithmetic[] = {{"+", ir::Op::Add},
-                                                       {"-", ir::Op::Subtract},
-                                                       {"*", ir::Op::Multiply},
-                                                       {"/", ir::Op::Divide}};
+  const std::pair<const char*, ir::Op> arithmetic[] = {
+      {"+", ir::Op::Add}, {"-", ir::Op::Subtract}, {"*", ir::Op::Multiply}, {"/", ir::Op::Divide}};
   for (const auto& [text, op] : arithmetic) {
     const bool product = op == ir::Op::Multiply || op == ir::Op::Divide;
     const Guard g(fmt::format("depth {} {} > 7 m", text, product ? "3" : "3 m"));

@@ -475,6 +475,12 @@ TEST_F(ClientTest, ATickIsAnsweredOnce) {
   EXPECT_TRUE(answers().empty());
 }
 
+TEST_F(ClientTest, AFrameThatIsNotForItIsHandledAndNotAnswered) {
+  say(Done{});
+  EXPECT_EQ(poll(), ClientEvent::Handled);
+  EXPECT_TRUE(answers().empty());
+}
+
 TEST_F(ClientTest, BeforeAnyHelloNoTickIsItsOwn) {
   head_.link = 0;
   sayTick();

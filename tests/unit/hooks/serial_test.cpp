@@ -21,6 +21,7 @@
 #include <string>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <termios.h>
 #include <unistd.h>
 
 /// What `open` answers with while the test plays a device that fails; 0: nothing.
@@ -90,6 +91,51 @@ TEST(SerialDevice, CarriesEveryByteOverAPtyBothWays) {
   uint8_t byte = 0;
   EXPECT_EQ(device.stream().read(&device, &byte, 1), 0) << "nothing yet is not the end";
   EXPECT_EQ(pty->stream().read(&*pty, &byte, 1), 0);
+}
+
+TEST(SerialDevice, SetsEverySpeedThatALineHas) {
+  const std::pair<uint32_t, speed_t> speeds[] = {
+      {1200, B1200},   {2400, B2400},   {4800, B4800},     {9600, B9600},    {19200, B19200},
+      {38400, B38400}, {57600, B57600}, {115200, B115200}, {230400, B230400}};
+  for (const auto& [baud, code] : speeds) {
+    auto pty = Pty::open();
+    ASSERT_TRUE(pty);
+    SerialDevice device;
+    ASSERT_EQ(device.open(pty->name().c_str(), baud), 0) << baud;
+    EXPECT_TRUE(device.isOpen());
+    termios made{};
+    ASSERT_EQ(::tcgetattr(device.descriptor(), &made), 0);
+    EXPECT_EQ(::cfgetospeed(&made), code) << baud;
+    EXPECT_EQ(::cfgetispeed(&made), code) << baud;
+    EXPECT_EQ(made.c_lflag & (ICANON | ECHO | ISIG), 0U);
+    EXPECT_EQ(made.c_oflag & OPOST, 0U);
+    EXPECT_EQ(made.c_iflag & (IXON | IXOFF | ICRNL | INLCR | ISTRIP), 0U);
+    EXPECT_EQ(made.c_cflag & CSIZE, static_cast<tcflag_t>(CS8));
+    EXPECT_EQ(made.c_cflag & (PARENB | CSTOPB), 0U);
+    device.close();
+    EXPECT_FALSE(device.isOpen());
+    EXPECT_EQ(device.descriptor(), -1);
+  }
+  SerialDevice device;
+  auto pty = Pty::open();
+  EXPECT_EQ(device.open(pty->name().c_str(), 1201), EINVAL);
+  EXPECT_FALSE(device.isOpen());
+}
+
+TEST(Pty, MovesWithItsLine) {
+  auto one = Pty::open();
+  auto two = Pty::open();
+  ASSERT_TRUE(one && two);
+  const std::string name = one->name();
+  *two = std::move(*one);
+  EXPECT_EQ(two->name(), name);
+  SerialDevice device;
+  ASSERT_EQ(device.open(name.c_str(), 115200), 0);
+  expectEveryByteCrosses(two->stream(), device.stream(), device.descriptor());
+  Pty& same = *two;
+  *two = std::move(same);
+  expectEveryByteCrosses(device.stream(), two->stream(), two->descriptor());
+  EXPECT_FALSE(isHungUp(two->descriptor()));
 }
 
 TEST(SerialDevice, KeepsWhatThePeerSaidBeforeItWasOpened) {

@@ -76,9 +76,9 @@ TEST_P(Golden, GivesItsDiagnostics) {
 TEST(Goldens, EachFolderHasSome) {
   const auto found = goldens();
   for (const char* folder : {"verify", "ir_text"}) {
-    EXPECT_TRUE(std::ranges::any_of(
-        found, [&](const fs::path& path) { return path.parent_path().filename() == folder; }))
-        << folder;
+    EXPECT_TRUE(std::ranges::any_of(found, [&](const fs::path& path) {
+      return path.parent_path().filename() == folder;
+    })) << folder;
   }
 }
 

@@ -32,26 +32,26 @@ size_t callsIn(const Mission& mission) {
 }
 
 TEST(FoldConstants, ACallIsMadeWhateverRulesItsResult) {
-  for (const char* guard : {"(and false (call 0 (sensor depth)))", "(and (call 0 (sensor depth)) false)",
-                            "(or true (call 0 (sensor depth)))", "(or (call 0 (sensor depth)) true)",
-                            "(and false (not (call 0 (sensor depth))))"}) {
-    const Mission m = optimised(kFunctions + "use f " +
-                                stateText("a", std::string("case ") + guard + " stay"));
+  for (const char* guard :
+       {"(and false (call 0 (sensor depth)))", "(and (call 0 (sensor depth)) false)",
+        "(or true (call 0 (sensor depth)))", "(or (call 0 (sensor depth)) true)",
+        "(and false (not (call 0 (sensor depth))))"}) {
+    const Mission m =
+        optimised(kFunctions + "use f " + stateText("a", std::string("case ") + guard + " stay"));
     EXPECT_EQ(callsIn(m), 1U) << guard;
   }
-  for (const char* guard : {"(and false (gt (sensor depth) 5:length))",
-                            "(and (gt (sensor depth) 5:length) false)"}) {
+  for (const char* guard :
+       {"(and false (gt (sensor depth) 5:length))", "(and (gt (sensor depth) 5:length) false)"}) {
     const Mission m = optimised(stateText("a", std::string("case ") + guard + " exit"));
     EXPECT_EQ(std::ranges::count(m.exprs, Op::Greater, &Expr::op), 0) << guard;
   }
 }
 
 TEST(FoldConstants, NeutralSidesGoAndTheOtherStays) {
-  for (const char* guard : {"(and true (gt (sensor depth) 5:length))",
-                            "(and (gt (sensor depth) 5:length) true)",
-                            "(or false (gt (sensor depth) 5:length))",
-                            "(or (gt (sensor depth) 5:length) false)",
-                            "(not (not (gt (sensor depth) 5:length)))"}) {
+  for (const char* guard :
+       {"(and true (gt (sensor depth) 5:length))", "(and (gt (sensor depth) 5:length) true)",
+        "(or false (gt (sensor depth) 5:length))", "(or (gt (sensor depth) 5:length) false)",
+        "(not (not (gt (sensor depth) 5:length)))"}) {
     Mission m = missionOf(kHeader + stateText("a", std::string("case ") + guard + " exit"));
     opt::foldConstants(m);
     EXPECT_EQ(m[m.states[0].cases.at(0).guard].op, Op::Greater) << guard;
@@ -67,22 +67,22 @@ TEST(FoldConstants, WorksOutWhatIsKnown) {
                          Row{"(min 2:length 3:length)", 2}, Row{"(max 2:length 3:length)", 3},
                          Row{"(neg 2:length)", -2}, Row{"(abs -2:length)", 2},
                          Row{"(clamp 7:length 2:length 3:length)", 3}}) {
-    Mission m = missionOf(kHeader + "variable x: length mission initial 0:length " +
-                          stateText("a", std::string("case true do set x ") + row.text +
-                                             " end exit"));
+    Mission m =
+        missionOf(kHeader + "variable x: length mission initial x 0:length " +
+                  stateText("a", std::string("case true do set x ") + row.text + " end exit"));
     opt::foldConstants(m);
     const Statement& set = m.blocks.at(0).statements.at(0);
     EXPECT_EQ(m[set.value].op, Op::Constant) << row.text;
     EXPECT_EQ(m[set.value].number, row.number) << row.text;
   }
-  for (const char* text : {"(gt 3:length 2:length)", "(ge 2:length 2:length)", "(ne 3:length 2:length)",
-                           "(known 3:length)"}) {
+  for (const char* text : {"(gt 3:length 2:length)", "(ge 2:length 2:length)",
+                           "(ne 3:length 2:length)", "(known 3:length)"}) {
     Mission m = missionOf(kHeader + stateText("a", std::string("case ") + text + " exit"));
     opt::foldConstants(m);
     EXPECT_EQ(m[m.states[0].cases.at(0).guard].op, Op::True) << text;
   }
-  for (const char* text : {"(lt 3:length 2:length)", "(gt 2:length 2:length)", "(eq 3:length 2:length)",
-                           "(not true)"}) {
+  for (const char* text : {"(lt 3:length 2:length)", "(gt 2:length 2:length)",
+                           "(eq 3:length 2:length)", "(not true)"}) {
     Mission m = missionOf(kHeader + stateText("a", std::string("case ") + text + " exit"));
     opt::foldConstants(m);
     EXPECT_EQ(m[m.states[0].cases.at(0).guard].op, Op::False) << text;
@@ -92,8 +92,7 @@ TEST(FoldConstants, WorksOutWhatIsKnown) {
 TEST(Compact, WatchedCallsThatNothingReadsAreStillMade) {
   for (const char* watched : {"temporal held always (call 0 (sensor depth)) for 8:time ",
                               "temporal became always (call 0 (sensor depth)) "}) {
-    const Mission m =
-        optimised(kFunctions + "use f " + watched + stateText("a", "case true stay"));
+    const Mission m = optimised(kFunctions + "use f " + watched + stateText("a", "case true stay"));
     EXPECT_EQ(callsIn(m), 1U) << watched;
     EXPECT_EQ(m.temporals.size(), 1U) << watched;
   }
@@ -102,8 +101,8 @@ TEST(Compact, WatchedCallsThatNothingReadsAreStillMade) {
                                      "temporal became state a (call 0 (sensor depth)) "
                                      "case true stay\n");
   EXPECT_EQ(callsIn(of_state), 1U);
-  const Mission plain = optimised(
-      "temporal held always (gt (sensor depth) 3:length) for 8:time " + stateText("a", "case true stay"));
+  const Mission plain = optimised("temporal held always (gt (sensor depth) 3:length) for 8:time " +
+                                  stateText("a", "case true stay"));
   EXPECT_EQ(plain.temporals.size(), 0U) << "what calls nothing and is not read goes";
 }
 
@@ -128,9 +127,8 @@ TEST(ShareExpressions, WindowsThatDifferInOneThingStayTwo) {
 
 TEST(ShareExpressions, GuardsThatAreHeldForDifferentTimesStayTwo) {
   const auto held = [](const std::string& one, const std::string& two) {
-    const Mission m =
-        optimised("temporal " + one + "\ntemporal " + two + "\n" +
-                  stateText("a", "case (temporal 0) stay case (temporal 1) exit"));
+    const Mission m = optimised("temporal " + one + "\ntemporal " + two + "\n" +
+                                stateText("a", "case (temporal 0) stay case (temporal 1) exit"));
     return m.temporals.size();
   };
   const std::string deep = "held always (gt (sensor depth) 5:length)";
@@ -141,8 +139,9 @@ TEST(ShareExpressions, GuardsThatAreHeldForDifferentTimesStayTwo) {
 
 TEST(ShareExpressions, EqualExpressionsAreOneAndCallsAreNot) {
   Mission m = missionOf(kHeader + kFunctions + "use g use g " +
-                        stateText("a", "case (and (gt (sensor depth) 5:length) (call 0)) stay "
-                                       "case (and (gt (sensor depth) 5:length) (call 1)) exit"));
+                        stateText("a",
+                                  "case (and (gt (sensor depth) 5:length) (call 0)) stay "
+                                  "case (and (gt (sensor depth) 5:length) (call 1)) exit"));
   opt::shareExpressions(m);
   EXPECT_EQ(std::ranges::count(m.exprs, Op::Greater, &Expr::op), 1);
   EXPECT_EQ(callsIn(m), 2U);
@@ -167,14 +166,14 @@ constexpr const char* kHead =
     "stale_after 20\n"
     "sensor altitude: length vehicle m_altitude id 3 encoding linear to_si 1 lowest 0 highest 100 "
     "stale_after 20\n"
-    "sensor temp: temperature vehicle sci_water_temp id 2 encoding linear to_si 1 lowest -2 highest "
+    "sensor temp: temperature vehicle sci_water_temp id 2 encoding linear to_si 1 lowest -2 "
+    "highest "
     "40 stale_after 20\n"
     "behaviour profile glide symbol gliderProfileGlide () reads (altitude)\n"
     "behaviour route drift symbol gliderRouteDrift () reads ()\n";
 
 TEST(DropRequirements, KeepsTheSensorsThatSomethingElseReads) {
-  Mission m = missionOf(std::string(kHead) +
-                        "require always (lt (sensor heading) 3:angle)\n" +
+  Mission m = missionOf(std::string(kHead) + "require always (lt (sensor heading) 3:angle)\n" +
                         stateText("a", "case (gt (sensor temp) 5:temperature) exit"));
   ASSERT_EQ(m.requirements.size(), 1U);
   dropRequirements(m);
@@ -193,8 +192,8 @@ TEST(DropRequirements, TablesOfGuardsFollowTheirSensors) {
   for (int i = 0; i < 40; ++i) {
     cases += "case (gt (sensor temp) " + std::to_string(i) + ":temperature) stay ";
   }
-  Mission m = missionOf(std::string(kHead) +
-                        "require always (lt (sensor heading) 3:angle)\n" + stateText("a", cases));
+  Mission m = missionOf(std::string(kHead) + "require always (lt (sensor heading) 3:angle)\n" +
+                        stateText("a", cases));
   opt::tabulateGuards(m);
   ASSERT_FALSE(m.states[0].table.columns.empty());
   dropRequirements(m);

@@ -245,9 +245,9 @@ TEST_F(StepTest, HeadingsAreWrappedIntoOneTurn) {
   struct Row {
     double given, in_force;
   };
-  for (const Row& row : {Row{0, 0}, Row{1, 1}, Row{kTurn, 0}, Row{-kTurn, 0}, Row{3 * kTurn, 0},
-                         Row{kTurn + 1, 1}, Row{-1, kTurn - 1}, Row{-kTurn - 1, kTurn - 1},
-                         Row{-1e-300, 0}}) {
+  for (const Row& row :
+       {Row{0, 0}, Row{1, 1}, Row{kTurn, 0}, Row{-kTurn, 0}, Row{3 * kTurn, 0}, Row{kTurn + 1, 1},
+        Row{-1, kTurn - 1}, Row{-kTurn - 1, kTurn - 1}, Row{-1e-300, 0}}) {
     gliderSteer(c, row.given);
     EXPECT_NEAR(c->heading, row.in_force, 1e-12) << row.given;
     EXPECT_GE(c->heading, 0) << row.given;

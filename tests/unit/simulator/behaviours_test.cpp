@@ -128,7 +128,8 @@ TEST(Yo, TurnsAboveTheBottom) {
   yo.run({.time_s = 12, .depth_m = 10, .depth_rate_mps = -0.2, .altitude_m = 60});
   EXPECT_EQ(*yo.commands.pump_cc, 210);
   BehaviourBench deep(kYo + " b_arg: start_diving(bool) 1\n");
-  BehaviourBench none("behavior: yo\n b_arg: start_when(enum) 0\n b_arg: d_target_altitude(m) -1\n");
+  BehaviourBench none(
+      "behavior: yo\n b_arg: start_when(enum) 0\n b_arg: d_target_altitude(m) -1\n");
   none.run({.time_s = 0, .depth_m = 1, .depth_rate_mps = 0.2, .altitude_m = -2});
   EXPECT_EQ(*none.commands.pump_cc, -260);
 }

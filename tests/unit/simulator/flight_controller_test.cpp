@@ -248,10 +248,10 @@ TEST(Skeleton, BoundsAreInclusive) {
     support::SourceManager sources;
     support::DiagnosticEngine diagnostics;
     const uint32_t file = sources.add(
-        "x.mi", fmt::format("behavior: {}\n b_arg: {}(X) {}\n{}", row.behaviour, row.argument, value,
-                            std::string_view(row.behaviour) == "goto_wpt"
-                                ? "b_arg: wpt_units(enum) 2\n"
-                                : ""));
+        "x.mi",
+        fmt::format(
+            "behavior: {}\n b_arg: {}(X) {}\n{}", row.behaviour, row.argument, value,
+            std::string_view(row.behaviour) == "goto_wpt" ? "b_arg: wpt_units(enum) 2\n" : ""));
     const auto mission = slocum::readMission(sources, file, diagnostics);
     EXPECT_TRUE(mission);
     checkSkeleton(*mission, {file, 0, 0}, diagnostics);
@@ -262,13 +262,11 @@ TEST(Skeleton, BoundsAreInclusive) {
     }
     return false;
   };
-  for (const Row& row : {Row{"yo", "num_half_cycles_to_do", -1, 1e6},
-                         Row{"yo", "d_target_depth", 0, 2000}, Row{"yo", "c_target_depth", 0, 2000},
-                         Row{"yo", "d_pitch_value", -1.2, 1.2},
-                         Row{"yo", "c_pitch_value", -1.2, 1.2},
-                         Row{"surface", "c_pitch_value", -1.2, 1.2},
-                         Row{"goto_wpt", "wpt_x", -18000, 18000},
-                         Row{"goto_wpt", "wpt_y", -9000, 9000}}) {
+  for (const Row& row :
+       {Row{"yo", "num_half_cycles_to_do", -1, 1e6}, Row{"yo", "d_target_depth", 0, 2000},
+        Row{"yo", "c_target_depth", 0, 2000}, Row{"yo", "d_pitch_value", -1.2, 1.2},
+        Row{"yo", "c_pitch_value", -1.2, 1.2}, Row{"surface", "c_pitch_value", -1.2, 1.2},
+        Row{"goto_wpt", "wpt_x", -18000, 18000}, Row{"goto_wpt", "wpt_y", -9000, 9000}}) {
     EXPECT_FALSE(refused(row, row.lowest)) << row.argument;
     EXPECT_FALSE(refused(row, row.highest)) << row.argument;
     EXPECT_FALSE(refused(row, (row.lowest + row.highest) / 2)) << row.argument;

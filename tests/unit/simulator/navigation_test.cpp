@@ -121,8 +121,13 @@ TEST(SensorArray, KeepsWhatTheWidthHolds) {
   EXPECT_EQ(array.get(0), 3910.123456789);
   array.set(1, 0.1);
   EXPECT_EQ(array.get(1), static_cast<double>(0.1F));
-  for (const auto& [given, kept] : {std::pair{2.4, 2.0}, {2.6, 3.0}, {-2.6, -3.0}, {126.6, 127.0},
-                                    {300.0, 127.0}, {-127.6, -128.0}, {-300.0, -128.0}}) {
+  for (const auto& [given, kept] : {std::pair{2.4, 2.0},
+                                    {2.6, 3.0},
+                                    {-2.6, -3.0},
+                                    {126.6, 127.0},
+                                    {300.0, 127.0},
+                                    {-127.6, -128.0},
+                                    {-300.0, -128.0}}) {
     array.set(2, given);
     EXPECT_EQ(array.get(2), kept) << given;
   }

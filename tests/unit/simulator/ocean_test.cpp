@@ -176,5 +176,55 @@ TEST(Ocean, OxygenFollowsTheThermocline) {
   EXPECT_NEAR(ocean.oxygen(60, 0, 0, 0), 170, 0.01);
 }
 
+/// Every field at once, against the formulas written a second time.
+TEST(Ocean, FieldsAreThoseOfTheFormulas) {
+  constexpr double kTurn = 2 * std::numbers::pi;
+  OceanSettings s = twoLayers();
+  s.wave = {
+      .amplitude_m = 4, .period_s = 900, .wavelength_m = 700, .phase_rad = 0.4, .start_s = 60};
+  s.current = {0.2, -0.1};
+  s.bottom_current = {-0.05, 0.3};
+  s.front = {.x = 100, .y = -200, .bearing_rad = 0.7, .width_m = 150, .step_degC = -5};
+  s.bottom.slope = 0.004;
+  s.bottom.slope_bearing_rad = 2.1;
+  s.bottom.seamounts = {{.x = 300, .y = 50, .radius_m = 120, .height_m = 12}};
+  s.chlorophyll_ugpl = 0.4;
+  s.patches = {
+      {.x = 200, .y = -90, .radius_m = 80, .depth_m = 11, .thickness_m = 4, .peak_ugpl = 6},
+      {.x = -50, .y = 20, .radius_m = 60, .depth_m = 20, .thickness_m = 7, .peak_ugpl = 3}};
+  s.surface_oxygen_uM = 260;
+  s.bottom_oxygen_uM = 170;
+  const Ocean ocean(s);
+  for (const double x : {-310.0, 0.0, 222.0, 333.0}) {
+    for (const double y : {-150.0, 10.0, 95.0}) {
+      for (const double t : {0.0, 333.0, 1234.5}) {
+        const double water = 60 + 0.004 * (x * std::sin(2.1) + y * std::cos(2.1)) -
+                             12 * std::exp(-((x - 300) * (x - 300) + (y - 50) * (y - 50)) / 14400);
+        ASSERT_NEAR(ocean.waterDepth(x, y), water, 1e-9);
+        const double angle = kTurn * ((t - 60) / 900 - x / 700) + 0.4;
+        const double beyond = (x - 100) * std::sin(0.7) + (y + 200) * std::cos(0.7);
+        const double front = -5 * (1 + std::tanh(beyond / 150)) / 2;
+        for (const double z : {0.0, 3.0, 14.0, 15.0, 31.0}) {
+          const double shape = z <= 14 ? z / 14 : (water - z) / (water - 14);
+          const double upper = (1 - std::tanh((z - 14 - 4 * std::sin(angle) * shape) / 2.5)) / 2;
+          ASSERT_NEAR(ocean.temperature(z, x, y, t), 7 + 17 * upper + front, 1e-9) << z;
+          ASSERT_NEAR(ocean.oxygen(z, x, y, t), 170 + 90 * upper, 1e-9);
+          ASSERT_NEAR(ocean.verticalCurrent(z, x, y, t), -4 * std::cos(angle) * kTurn / 900 * shape,
+                      1e-12);
+          const Current current = ocean.current(z, x, y);
+          ASSERT_NEAR(current.east, 0.2 - 0.25 * z / water, 1e-12);
+          ASSERT_NEAR(current.north, -0.1 + 0.4 * z / water, 1e-12);
+          const double green = 0.4 +
+                               6 * std::exp(-(std::pow(x - 200, 2) + std::pow(y + 90, 2)) / 6400 -
+                                            std::pow((z - 11) / 4, 2)) +
+                               3 * std::exp(-(std::pow(x + 50, 2) + std::pow(y - 20, 2)) / 3600 -
+                                            std::pow((z - 20) / 7, 2));
+          ASSERT_NEAR(ocean.chlorophyll(z, x, y), green, 1e-9);
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace glider::simulator

@@ -24,9 +24,7 @@ struct Glide {
 Glide balance(double pitch, double force, double density) {
   const double theta = std::fabs(pitch);
   const double cd0 = 0.15, cd1 = 10.4926354534, lift = 3.8 + 3.7342698373;
-  const auto excess = [&](double a) {
-    return cd0 + cd1 * a * a - lift * a * std::tan(theta + a);
-  };
+  const auto excess = [&](double a) { return cd0 + cd1 * a * a - lift * a * std::tan(theta + a); };
   const bool with_the_force = (force > 0) == (pitch > 0);
   if (theta < 11 * kPi / 180 || !with_the_force) {
     const double speed = std::sqrt(2 * std::fabs(force) / (density * 1.5 * 0.22 * 1.1));
@@ -52,6 +50,7 @@ Glide balance(double pitch, double force, double density) {
 struct Second {
   double pump = 233, pump_to = 233, battery = 0, battery_to = 0, fin = 0, fin_to = 0;
   double pitch = 0, heading = 0, turning = 0, ahead = 0, up = 0, x = 0, y = 0, depth = 0;
+  double used_j = 0;
 
   static void move(double& at, double to, double most) {
     at = to > at ? std::min(to, at + most) : std::max(to, at - most);
@@ -59,7 +58,10 @@ struct Second {
 
   void step(const Ocean& ocean, double now) {
     const double dt = 0.25;
+    const double pump_before = pump;
     move(pump, std::min(std::max(pump_to, -233.0), 233.0), 37.5 * dt);
+    const double out = pump - pump_before;
+    used_j += 1.63 * dt + (out > 0 ? (0.29 + 0.018 * depth) * out : 0.40 * -out);
     move(battery, std::min(std::max(battery_to, -1.425), 1.425), 0.15 * dt);
     move(fin, std::min(std::max(fin_to, -0.45), 0.45), 0.098 * dt);
     const double trim = std::atan(1235 * pump / 1e6 - 28.8 * battery * 0.0254 + 0.14);
@@ -99,6 +101,9 @@ OceanSettings water(double depth) {
 
 void expectSame(const Vehicle& one, const Second& two, double now) {
   ASSERT_NEAR(one.pumpedCc(), two.pump, 1e-9) << now;
+  const double volts = 14.4 - (14.4 - 10.0) * two.used_j / 8e6;
+  ASSERT_NEAR(one.battery().voltage(), volts, 1e-9) << now;
+  ASSERT_NEAR(one.battery().ampHours(), two.used_j / ((14.4 + volts) / 2) / 3600, 1e-9) << now;
   ASSERT_NEAR(one.batteryPositionIn(), two.battery, 1e-12) << now;
   ASSERT_NEAR(one.fin(), two.fin, 1e-12) << now;
   ASSERT_NEAR(one.pitch(), two.pitch, 1e-12) << now;
@@ -142,6 +147,55 @@ TEST(VehicleNumbers, FliesAsTheSecondVehicle) {
 
 TEST(VehicleNumbers, MeetsTheBottomAndLeavesIt) {
   flyBoth(water(15), {{300, -233, 0.47, 0}, {400, 233, -0.4, 0}});
+  OceanSettings slope = water(15);
+  slope.bottom.slope = 0.02;
+  slope.bottom.slope_bearing_rad = 0.5;
+  slope.current = slope.bottom_current = {0.05, 0.2};
+  flyBoth(slope, {{400, -233, 0.47, 0.1}, {400, 233, -0.4, 0}});
+}
+
+/// The smallest angle that balances the forces, by looking at every one.
+double scannedAttack(double pitch) {
+  const FlightCoefficients c;
+  const double lift = c.hull_lift + c.wing_lift;
+  const auto excess = [&](double a) {
+    return c.drag + c.induced_drag * a * a - lift * a * std::tan(pitch + a);
+  };
+  for (double a = 0; pitch + a < 1.57; a += 1e-5) {
+    if (excess(a) <= 0) {
+      return a;
+    }
+  }
+  return std::nan("");
+}
+
+TEST(FlightModelNumbers, AttackIsTheSmallestRootOrNone) {
+  const FlightCoefficients c;
+  for (double pitch = 0.02; pitch < 1.5; pitch += 0.01) {
+    const double scanned = scannedAttack(pitch), found = angleOfAttack(c, pitch);
+    if (pitch > 0.12 && pitch < 0.17) {
+      continue;  // where the roots meet Newton's steps may miss them: all of it is a stall
+    }
+    if (pitch <= 0.12) {
+      EXPECT_TRUE(std::isnan(found) || std::fabs(found - scanned) < 2e-5) << pitch;
+    } else {
+      EXPECT_NEAR(found, scanned, 2e-5) << pitch;
+    }
+    if (!std::isnan(found)) {
+      EXPECT_EQ(angleOfAttack(c, -pitch), -found) << pitch;
+    }
+  }
+}
+
+TEST(FlightModelNumbers, AStallMovesBroadside) {
+  // 2 N on 1.5 m by 0.22 m with a drag of 1.1 in 1025 kg/m3.
+  const FlightCoefficients c;
+  const double speed = std::sqrt(2 * 2 / (1025 * 1.5 * 0.22 * 1.1));
+  const SteadyFlight up = steadyFlight(c, 0.1, 2, 1025), down = steadyFlight(c, 0.1, -2, 1025);
+  EXPECT_NEAR(up.vertical, speed, 1e-12);
+  EXPECT_NEAR(down.vertical, -speed, 1e-12);
+  EXPECT_NEAR(up.speed, speed, 1e-12);
+  EXPECT_EQ(up.horizontal, 0);
 }
 
 TEST(VehicleNumbers, DriftsWithCurrentsAndWaves) {

@@ -86,6 +86,10 @@ class FlightController {
   void readSensors(double now_s, const Ocean& ocean, const Vehicle& vehicle);
   void locate(double now_s, double declination, const Vehicle& vehicle);
   [[nodiscard]] double variation() const;
+  void readPressure(const Vehicle& vehicle);
+  /// What the array holds of sensor `id` after `truth` was put there: `truth`, with all its digits,
+  /// unless the sensor is damaged.
+  [[nodiscard]] double felt(uint16_t id, double truth) const;
   void receive(const GliderByteStream& clothesline);
   void send(const GliderByteStream& clothesline);
   [[nodiscard]] Situation situation(double now_s);
@@ -113,7 +117,8 @@ class FlightController {
   double cycle_s_;
 
   uint32_t cycles_ = 0;
-  double last_depth_ = 0, surfaced_s_ = 0, submerged_s_ = 0;
+  double last_depth_ = 0, depth_rate_ = 0;  ///< as the vehicle itself has them
+  double surfaced_s_ = 0, submerged_s_ = 0;
   double mission_start_s_ = 0;
   bool has_fix_ = false, commanded_whole_ = true;
   Abort abort_ = Abort::None;

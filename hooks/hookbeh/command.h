@@ -7,6 +7,19 @@
 
 namespace glider::hooks {
 
+/// `x_hook_guard`: why hookbeh climbs whatever the SBC says.
+enum class HookGuard : uint8_t {
+  None = 0,
+  TooDeep = 1,
+  NearBottom = 2,
+  DepthUnknown = 3,    ///< no reading, or one that no depth sensor gives
+  DepthJumps = 4,      ///< it moved faster than the vehicle can
+  DepthFrozen = 5,     ///< it stood still to the last bit while the vehicle was driven
+  DepthsDisagree = 6,  ///< the vehicle's own and the CTD's
+  NoDepthGained = 7,   ///< pump in, and the vehicle does not sink
+  NoHeightGained = 8,  ///< pump out, and the vehicle does not rise
+};
+
 enum class HeadingMode : uint8_t { CentreFin, Heading, Waypoint };
 
 /// What a sub-behaviour wants of pitch and pump in one cycle.
@@ -29,6 +42,7 @@ struct Surroundings {
   double depth_m = 0;
   double depth_rate_mps = 0;  ///< positive when sinking
   double altitude_m = 0;
+  double ctd_depth_m = 0;  ///< by the pressure of the CTD
   double latitude_ddmm = 0;
   double longitude_ddmm = 0;
 };

@@ -3,6 +3,7 @@
 
 #include "hooks/hookbeh/guard.h"
 
+#include "hooks/hookbeh/hull.h"
 #include "hooks/protocol/numbers.h"
 
 namespace glider::hooks {
@@ -16,12 +17,54 @@ constexpr double kRetryM = 5.0;
 /// An echo of the bottom is forgotten after this long: the vehicle has moved on, and the echo may
 /// have been a fish.
 constexpr double kBottomLastsSecs = 600.0;
+/// s without a metre gained, as the vendor's dive_to and climb_to have them by default
+/// (stop_when_hover_for, stop_when_stalled_for). Without a second sensor that says that it hangs, a
+/// dive has only the time in which the vehicle may sink to its greatest depth unseen, at this
+/// speed in m/s.
+constexpr double kHoverSecs = 180;
+constexpr double kStalledSecs = 240;
+constexpr double kLeastHoverSecs = 60;
+constexpr double kUnseenMps = 0.25;
+/// s of climbing after a dive that gained no depth; then a living sensor is believed again.
+constexpr double kHomeSecs = 600;
+constexpr double kAliveSecs = 60;
+
+bool isDepthDoubt(HookGuard guard) {
+  return guard == HookGuard::DepthUnknown || guard == HookGuard::DepthJumps;
+}
 
 }  // namespace
 
-void Guard::observe(const Surroundings& now, double step_s) {
-  depth_m_ = now.depth_m;
-  depth_known_ = isFinite(now.depth_m);
+const char* wordsFor(HookGuard guard) {
+  switch (guard) {
+    case HookGuard::None:
+      break;
+    case HookGuard::TooDeep:
+      return "climb: too deep";
+    case HookGuard::NearBottom:
+      return "climb: too near the bottom";
+    case HookGuard::DepthUnknown:
+      return "climb: depth unknown";
+    case HookGuard::DepthJumps:
+      return "climb: depth jumps";
+    case HookGuard::DepthFrozen:
+      return "climb: depth frozen";
+    case HookGuard::DepthsDisagree:
+      return "climb: depths disagree";
+    case HookGuard::NoDepthGained:
+      return "climb: no depth gained";
+    case HookGuard::NoHeightGained:
+      return "climb: no height gained";
+  }
+  return "";
+}
+
+void Guard::observe(const Surroundings& now, double step_s, double pump_cc, Way way) {
+  watch_.observe(now, step_s, pump_cc);
+  const bool known = watch_.doubt() == HookGuard::None;
+  depth_m_ = watch_.deepest();
+  headway_.observe(known ? way : Way::None, watch_.depth(), step_s);
+  tripped_s_ += step_s;
   bottom_age_s_ += step_s;
   if (bottom_age_s_ > kBottomLastsSecs) {
     bottom_known_ = false;
@@ -31,7 +74,7 @@ void Guard::observe(const Surroundings& now, double step_s) {
   // altimeter that is stuck.
   const bool echo =
       now.altitude_m >= 0 && isFinite(now.altitude_m) && now.altitude_m != altitude_m_;
-  if (echo && depth_known_) {
+  if (echo && known) {
     altitude_m_ = now.altitude_m;
     bottom_m_ = depth_m_ + altitude_m_;
     bottom_age_s_ = 0;
@@ -39,24 +82,59 @@ void Guard::observe(const Surroundings& now, double step_s) {
   }
 }
 
-const char* Guard::mustClimb(const HookbehArgs& args, const Instruction& in_force) {
-  if (!depth_known_) {
-    return "climb: depth unknown";
-  }
+HookGuard Guard::brokenLimit(const HookbehArgs& args) const {
   // All comparisons are written so that a NaN among the b_args counts as a broken limit.
-  const char* broken = !(depth_m_ <= args.greatest_depth_m) ? "climb: too deep"
-                       : !clearOfBottom(args, depth_m_, 0)  ? "climb: too near the bottom"
-                                                            : nullptr;
-  if (broken != nullptr) {
-    if (tripped_ == nullptr || depth_m_ < tripped_depth_m_) {
-      tripped_depth_m_ = depth_m_;
-    }
-    tripped_ = broken;
-  } else if (tripped_ != nullptr && keepsLimits(args, depth_m_, kClearM) &&
-             (mayGoOn(args, in_force) || hasClimbedFar())) {
-    tripped_ = nullptr;
+  return !(depth_m_ <= args.greatest_depth_m) ? HookGuard::TooDeep
+         : !clearOfBottom(args, depth_m_, 0)  ? HookGuard::NearBottom
+                                              : HookGuard::None;
+}
+
+HookGuard Guard::stall(const HookbehArgs& args) const {
+  if (headway_.way() == Way::Up) {
+    return headway_.idleFor() >= kStalledSecs ? HookGuard::NoHeightGained : HookGuard::None;
   }
-  return tripped_;
+  const double unseen = (args.greatest_depth_m - depth_m_) / kUnseenMps;
+  const double patience = watch_.isConfirmed() || unseen > kHoverSecs ? kHoverSecs
+                          : unseen > kLeastHoverSecs                  ? unseen
+                                                                      : kLeastHoverSecs;
+  const bool idle = headway_.way() == Way::Down && headway_.idleFor() >= patience;
+  return idle ? HookGuard::NoDepthGained : HookGuard::None;
+}
+
+void Guard::trip(HookGuard broken) {
+  if (tripped_ == HookGuard::None) {
+    tripped_s_ = 0;
+  }
+  if (tripped_ == HookGuard::None || depth_m_ < tripped_depth_m_) {
+    tripped_depth_m_ = depth_m_;
+  }
+  tripped_ = broken;
+}
+
+HookGuard Guard::mustClimb(const HookbehArgs& args, const Instruction& in_force) {
+  const HookGuard doubt = watch_.doubt();
+  if (isDepthDoubt(doubt)) {
+    return doubt;
+  }
+  if (const HookGuard broken = brokenLimit(args); broken != HookGuard::None) {
+    trip(broken);
+  } else if (const HookGuard stalled = stall(args); stalled != HookGuard::None) {
+    trip(stalled);
+  } else if (tripped_ != HookGuard::None && mayLetGo(args, in_force)) {
+    tripped_ = HookGuard::None;
+  }
+  return doubt != HookGuard::None ? doubt : tripped_;
+}
+
+bool Guard::mayLetGo(const HookbehArgs& args, const Instruction& in_force) const {
+  if (tripped_ == HookGuard::NoDepthGained) {
+    const bool home = tripped_s_ >= kHomeSecs && watch_.aliveFor() >= kAliveSecs;
+    return hasClimbedFar() || home;
+  }
+  if (tripped_ == HookGuard::NoHeightGained) {
+    return tripped_depth_m_ - depth_m_ >= kClearM || in_force.depth_m > depth_m_;
+  }
+  return keepsLimits(args, depth_m_, kClearM) && (mayGoOn(args, in_force) || hasClimbedFar());
 }
 
 bool Guard::keepsLimits(const HookbehArgs& args, double depth_m, double margin_m) const {

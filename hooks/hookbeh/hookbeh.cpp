@@ -4,14 +4,15 @@
 #include "hooks/hookbeh/hookbeh.h"
 
 #include "hooks/hookbeh/bounds.h"
+#include "hooks/hookbeh/hull.h"
 #include "hooks/protocol/messages.h"
 #include "hooks/protocol/numbers.h"
 
 namespace glider::hooks {
 namespace {
 
-/// What a control cycle takes when the clock does not say (unknown, stopped or turned back).
-constexpr double kNominalCycleSecs = 4.0;
+/// 10 m of water are 1 bar, as the vehicle itself reckons.
+constexpr double kMetresPerBar = 10.0;
 
 /// The sensor's value when it is a whole number from `lowest` to `highest`.
 bool isWhole(double value, uint32_t lowest, uint32_t highest, uint32_t* whole) {
@@ -47,31 +48,22 @@ bool gather(const HookbehInputs& inputs, uint16_t sequence, Instruction* instruc
   return inputs.check == checkValue(*instruction);
 }
 
-void orUsual(double& value, double usual) {
-  value = isFinite(value) ? value : usual;
-}
-
-/// What is commanded must be a number, so it is the default where the mission file gives none.
-/// Limits of depth and altitude are left: they count as broken then.
-HookbehArgs usable(HookbehArgs args) {
-  const HookbehArgs usual;
-  orUsual(args.steepest_pitch_rad, usual.steepest_pitch_rad);
-  orUsual(args.shallowest_pitch_rad, usual.shallowest_pitch_rad);
-  orUsual(args.dive_pump_cc, usual.dive_pump_cc);
-  orUsual(args.climb_pump_cc, usual.climb_pump_cc);
-  return args;
-}
-
 }  // namespace
 
-Hookbeh::Hookbeh(const HookbehArgs& args) : args_(usable(args)) {}
+Hookbeh::Hookbeh(const HookbehArgs& args) : args_(within(args, kHull)) {}
 
 HookbehOutputs Hookbeh::cycle(const HookbehInputs& inputs) {
-  const Surroundings now{inputs.depth_m, inputs.depth_rate_mps, inputs.altitude_m,
-                         inputs.latitude_ddmm, inputs.longitude_ddmm};
-  advanceClock(inputs.time_s);
-  guard_.observe(now, step_s_);
-  if (state_ == HookState::Waiting && inputs.time_s >= args_.start_secs) {
+  Surroundings now{inputs.depth_m,       inputs.depth_rate_mps,
+                   inputs.altitude_m,    inputs.ctd_bar * kMetresPerBar,
+                   inputs.latitude_ddmm, inputs.longitude_ddmm};
+  clock_.advance(inputs.time_s, inputs.wall_time_s, inputs.cycle_number);
+  const bool drives = commanding_ && !guarding_;
+  guard_.observe(now, clock_.step(), commanding_ ? pump_cc_ : __builtin_nan(""),
+                 drives ? pilot_.way(guard_.depth()) : Way::None);
+  now.depth_m = guard_.depth();
+  // One false reading must not make it ready before its time.
+  const bool time_is_sure = clock_.follows() || !(args_.start_secs > 0);
+  if (state_ == HookState::Waiting && time_is_sure && inputs.time_s >= args_.start_secs) {
     state_ = HookState::Ready;
   }
   watchHeartbeat(inputs.heartbeat);
@@ -81,20 +73,13 @@ HookbehOutputs Hookbeh::cycle(const HookbehInputs& inputs) {
   if (state_ == HookState::Active) {
     command(now, outputs);
   }
+  commanding_ = outputs.commanding;
+  pump_cc_ = outputs.pump_cc;
   outputs.state = state_;
   outputs.answered_sequence = answered_sequence_;
   outputs.answer = answer_;
   outputs.session = session_;
   return outputs;
-}
-
-void Hookbeh::advanceClock(double time_s) {
-  // Silence and holding must end even when the clock stands still or turns back, so each cycle
-  // counts for something.
-  const double step = time_s - last_time_s_;
-  step_s_ = clock_known_ && step > 0 ? step : kNominalCycleSecs;
-  clock_known_ = isFinite(time_s);
-  last_time_s_ = clock_known_ ? time_s : 0;
 }
 
 void Hookbeh::watchHeartbeat(double heartbeat) {
@@ -106,7 +91,7 @@ void Hookbeh::watchHeartbeat(double heartbeat) {
     heartbeat_ = beat;
     silence_s_ = 0;
   } else {
-    silence_s_ += step_s_;
+    silence_s_ += clock_.step();
   }
   if (!(silence_s_ < args_.silence_secs)) {
     letGo();
@@ -144,13 +129,13 @@ void Hookbeh::readInstruction(const HookbehInputs& inputs) {
   answered_sequence_ = sequence;
   if (!isNewerSequence(sequence, settled_sequence_)) {
     answer_ = HookAnswer::OldSequence;  // it was sent before the one that was decided on last
-    garbled_s_ += garbled_s_ > 0 ? step_s_ : 0;
+    garbled_s_ += garbled_s_ > 0 ? clock_.step() : 0;
     return;
   }
   Instruction instruction;
   if (!gather(inputs, sequence, &instruction)) {
     answer_ = HookAnswer::BadCheck;  // not settled: the missing part may still come
-    garbled_s_ += step_s_;
+    garbled_s_ += clock_.step();
     if (!(garbled_s_ < args_.silence_secs)) {
       letGo();  // it lives, but what it wants does not get here
     }
@@ -209,14 +194,14 @@ HookAnswer Hookbeh::giveBack() {
 }
 
 void Hookbeh::command(const Surroundings& now, HookbehOutputs& outputs) {
-  const char* climb = guard_.mustClimb(args_, pilot_.inForce());
-  if (guarding_ && climb == nullptr) {
+  outputs.guard = guard_.mustClimb(args_, pilot_.inForce());
+  if (guarding_ && outputs.guard == HookGuard::None) {
     pilot_.goBack(now, args_);
   }
-  guarding_ = climb != nullptr;
-  VerticalCommand vertical = pilot_.vertical(now, step_s_, args_);
+  guarding_ = outputs.guard != HookGuard::None;
+  VerticalCommand vertical = pilot_.vertical(now, clock_.step(), args_);
   if (guarding_) {
-    vertical = SurfaceNow{climb}.command(args_);
+    vertical = SurfaceNow{wordsFor(outputs.guard)}.command(args_);
   }
   const LateralCommand lateral = pilot_.lateral(now);
   outputs.commanding = true;
@@ -227,7 +212,6 @@ void Hookbeh::command(const Surroundings& now, HookbehOutputs& outputs) {
   outputs.pitch_rad = vertical.pitch_rad;
   outputs.pump_cc = vertical.pump_cc;
   outputs.doing = vertical.doing;
-  outputs.guarding = guarding_;
 }
 
 }  // namespace glider::hooks

@@ -5,6 +5,7 @@
 
 #include "hooks/hookbeh/args.h"
 #include "hooks/hookbeh/command.h"
+#include "hooks/hookbeh/cycle_clock.h"
 #include "hooks/hookbeh/guard.h"
 #include "hooks/hookbeh/pilot.h"
 #include "hooks/protocol/values.h"
@@ -18,7 +19,7 @@ namespace glider::hooks {
 
 /// What hookbeh reads of the sensor array in one cycle; NaN for a value never set.
 struct HookbehInputs {
-  double time_s = 0;  ///< of the vehicle's mission
+  double time_s = 0;  ///< m_present_secs_into_mission
   double depth_m = 0;
   double depth_rate_mps = 0;
   double altitude_m = 0;
@@ -29,6 +30,10 @@ struct HookbehInputs {
   double hook_depth_m = 0, hook_pitch_rad = 0, hook_heading_rad = 0;
   double hook_latitude_ddmm = 0, hook_longitude_ddmm = 0;
   double check = 0;
+  // What the others are held against; a vehicle may lack each of them.
+  double wall_time_s = __builtin_nan("");   ///< m_present_time
+  double cycle_number = __builtin_nan("");  ///< m_cycle_number
+  double ctd_bar = __builtin_nan("");  ///< sci_water_pressure, NaN in a cycle without a new one
 };
 
 /// What it commands and tells in one cycle. When `commanding`, heading, pitch and pump all are
@@ -48,17 +53,17 @@ struct HookbehOutputs {
   /// The sub-behaviour at work ("dive_to", "climb_to", "hover", "hold", "surface", "climb: too
   /// deep"…), for logs.
   const char* doing = "";
-  bool guarding = false;  ///< it climbs by its own bounds, whatever the SBC says
+  HookGuard guard = HookGuard::None;  ///< why it climbs by its own bounds, whatever the SBC says
 };
 
 class Hookbeh {
  public:
+  /// What `args` allow beyond the hull (hull.h) does not count.
   explicit Hookbeh(const HookbehArgs& args);
   /// One control cycle.
   HookbehOutputs cycle(const HookbehInputs& inputs);
 
  private:
-  void advanceClock(double time_s);
   void watchHeartbeat(double heartbeat);
   void readInstruction(const HookbehInputs& inputs);
   void letGo();
@@ -71,11 +76,11 @@ class Hookbeh {
   HookState state_ = HookState::Waiting;
   Guard guard_;
   Pilot pilot_;
-  bool guarding_ = false;  // in the cycle before
+  CycleClock clock_;
+  bool guarding_ = false;    // in the cycle before
+  bool commanding_ = false;  // in the cycle before
+  double pump_cc_ = 0;       // that it commanded then
 
-  bool clock_known_ = false;
-  double last_time_s_ = 0;
-  double step_s_ = 0;     // since the cycle before
   uint32_t heartbeat_ = 0;  // the newest seen, 0 for none
   double silence_s_ = 0;    // since it went on
   double garbled_s_ = 0;  // since an instruction lies there that cannot be read

@@ -13,6 +13,8 @@ constexpr double kFullCircle = 6.283185307179586;
 constexpr double kHoverReachM = 2.0;
 /// So far beyond the target of a dive nothing is held: a steep dive would go on for metres.
 constexpr double kHoldReachM = 1.0;
+/// Farther off than this, hover drives with all of its pump: 233 cc at 40 cc a metre.
+constexpr double kHoverLostM = 6.0;
 /// Shallower than this, hovering means floating.
 constexpr double kSurfaceM = 1.0;
 
@@ -147,6 +149,24 @@ void Pilot::arrive(const VerticalCommand& kept, const HookbehArgs& args) {
 void Pilot::hoverOrSurface() {
   hover_ = {in_force_.depth_m};
   stage_ = in_force_.depth_m < kSurfaceM ? Stage::Surfacing : Stage::Hovering;
+}
+
+Way Pilot::way(double depth_m) const {
+  switch (stage_) {
+    case Stage::Dive:
+      return Way::Down;
+    case Stage::Climb:
+      return Way::Up;
+    case Stage::Hovering:
+      return depth_m > hover_.target_m + kHoverLostM   ? Way::Up
+             : depth_m < hover_.target_m - kHoverLostM ? Way::Down
+                                                       : Way::None;
+    case Stage::Holding:  // short, and no dive by more than a metre
+    case Stage::Choose:
+    case Stage::Surfacing:
+      break;
+  }
+  return Way::None;
 }
 
 LateralCommand Pilot::lateral(const Surroundings& now) const {

@@ -5,6 +5,7 @@
 
 #include "hooks/hookbeh/args.h"
 #include "hooks/hookbeh/command.h"
+#include "hooks/hookbeh/headway.h"
 #include "hooks/hookbeh/sub_behaviours.h"
 #include "hooks/protocol/values.h"
 
@@ -26,6 +27,9 @@ class Pilot {
   void goBack(const Surroundings& now, const HookbehArgs& args);
   /// The commands for pitch and pump in this cycle, `step_s` after the one before.
   VerticalCommand vertical(const Surroundings& now, double step_s, const HookbehArgs& args);
+  /// Which way it drives the vehicle that is at `depth_m`. A hover does where it is farther off its
+  /// depth than its pump alone explains.
+  [[nodiscard]] Way way(double depth_m) const;
   [[nodiscard]] LateralCommand lateral(const Surroundings& now) const;
   [[nodiscard]] const Instruction& inForce() const { return in_force_; }
 

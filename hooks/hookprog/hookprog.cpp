@@ -283,13 +283,15 @@ void Hookprog::beat() {
 }
 
 /// The vehicle's next mission may have no hookbeh, and then nobody overwrites what the last one
-/// reported.
+/// reported. Time and cycle number begin again with it; one of them alone is a false reading.
 void Hookprog::watchHookbeh() {
   const double time = missionTime();
-  if (time < cycle_time_s_) {
+  const uint32_t cycle = newestWhole(GLIDER_M_CYCLE_NUMBER);
+  if (time < cycle_time_s_ && cycle < cycle_number_) {
     most_without_hookbeh_ = kMostCyclesOfAnotherMission;
   }
   cycle_time_s_ = time;
+  cycle_number_ = cycle;
   if (fresh_[GLIDER_X_HOOK_STATE]) {
     cycles_without_hookbeh_ = 0;
     most_without_hookbeh_ = kMostCyclesWithoutHookbeh;
@@ -304,6 +306,7 @@ void Hookprog::sendCycle(const ScienceSensors& own) {
   time_is_new_ = false;
   cycle_is_new_ = false;
   watchHookbeh();
+  forwardPressure(own);
   if (link_ == 0) {
     sendBeacon();
   } else {
@@ -315,6 +318,15 @@ void Hookprog::sendCycle(const ScienceSensors& own) {
   }
   for (bool& fresh : fresh_) {
     fresh = false;
+  }
+}
+
+/// hookbeh holds the vehicle's depth against the CTD's.
+void Hookprog::forwardPressure(const ScienceSensors& own) {
+  pressure_ = own.get(own.self, GLIDER_SCI_WATER_PRESSURE, &pressure_is_new_);
+  if (pressure_is_new_ && hookState() != HookState::Absent) {
+    const SensorUpdate update{GLIDER_SCI_WATER_PRESSURE, pressure_};
+    (void)clothesline_.send(&update, 1);  // no room: the next cycle's is newer
   }
 }
 
@@ -344,8 +356,8 @@ bool Hookprog::readingFor(uint16_t id, const ScienceSensors& own, double* value)
     *value = newest(id);
     return fresh_[id];
   }
-  bool fresh = false;
-  *value = own.get(own.self, id, &fresh);
+  bool fresh = pressure_is_new_;
+  *value = id == GLIDER_SCI_WATER_PRESSURE ? pressure_ : own.get(own.self, id, &fresh);
   return fresh;
 }
 

@@ -57,7 +57,8 @@ class Hookprog {
   /// Complete flight cycles in a row without x_hook_state after which the vehicle's mission has no
   /// hookbeh: one reports in each cycle, but lines lose frames.
   static constexpr uint32_t kMostCyclesWithoutHookbeh = 6;
-  /// The same once mission time has turned back, as it does when another mission starts.
+  /// The same once mission time and cycle number have turned back, as they do when another mission
+  /// starts.
   static constexpr uint32_t kMostCyclesOfAnotherMission = 2;
 
  private:
@@ -83,6 +84,7 @@ class Hookprog {
   void watchInstruction();
   void watchHookbeh();
   void sendCycle(const ScienceSensors& own);
+  void forwardPressure(const ScienceSensors& own);
   void sendBeacon();
   void sendTick(const ScienceSensors& own);
   bool readingFor(uint16_t id, const ScienceSensors& own, double* value);
@@ -110,7 +112,10 @@ class Hookprog {
   bool fresh_[GLIDER_SENSOR_COUNT] = {};
   bool time_is_new_ = false;
   bool cycle_is_new_ = false;
-  double cycle_time_s_ = 0;  // mission time of the newest complete cycle
+  double cycle_time_s_ = 0;    // mission time of the newest complete cycle
+  uint32_t cycle_number_ = 0;  // its number
+  double pressure_ = 0;        // of the CTD, in this cycle
+  bool pressure_is_new_ = false;
   uint32_t cycles_without_hookbeh_ = 0;
   uint32_t most_without_hookbeh_ = kMostCyclesWithoutHookbeh;
 

@@ -34,6 +34,17 @@ uint32_t dictionaryHash(const glider::platforms::Platform& platform) {
   return hash;
 }
 
+/// The limits of the hull as constants, for code that must not be told others.
+std::string hull(const glider::platforms::Envelope& envelope) {
+  return fmt::format(
+      "/* The hull: m, rad, rad, m/s, cc to either side */\n"
+      "#define GLIDER_HULL_GREATEST_DEPTH_M {}\n#define GLIDER_HULL_STEEPEST_PITCH_RAD {}\n"
+      "#define GLIDER_HULL_SHALLOWEST_PITCH_RAD {}\n#define GLIDER_HULL_VERTICAL_RATE_M_S {}\n"
+      "#define GLIDER_HULL_PUMP_CC {}\n\n",
+      envelope.greatest_depth_m, envelope.steepest_pitch_rad, envelope.shallowest_pitch_rad,
+      envelope.vertical_rate_m_s, envelope.pump_cc);
+}
+
 std::string header(const glider::platforms::Platform& platform) {
   const std::string guard = fmt::format("GLIDER_GENERATED_{}_SENSORS_H", upper(platform.name));
   std::string out =
@@ -67,6 +78,7 @@ std::string header(const glider::platforms::Platform& platform) {
     out += fmt::format("  GLIDER_{} = {},\n", upper(s.name), s.id);
   }
   out += fmt::format("  GLIDER_SENSOR_COUNT = {}\n}};\n\n", platform.sensors.size());
+  out += hull(platform.envelope);
   out +=
       fmt::format("#define GLIDER_DICTIONARY_HASH 0x{:08X}u\n\n#endif\n", dictionaryHash(platform));
   return out;

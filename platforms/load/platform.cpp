@@ -139,6 +139,7 @@ constexpr std::pair<const char*, double Envelope::*> kEnvelope[] = {
     {"vertical_rate_m_s", &Envelope::vertical_rate_m_s},
     {"inflection_overshoot_m", &Envelope::inflection_overshoot_m},
     {"drift_m_s", &Envelope::drift_m_s},
+    {"pump_cc", &Envelope::pump_cc},
     {"cycle_s", &Envelope::cycle_s}};
 
 constexpr std::pair<const char*, double World::*> kWorld[] = {

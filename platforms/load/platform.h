@@ -46,6 +46,7 @@ struct Envelope {
   double vertical_rate_m_s = 0;       ///< the fastest it sinks or climbs
   double inflection_overshoot_m = 0;  ///< how far it goes past a target depth while it turns
   double drift_m_s = 0;               ///< the strongest current that missions reckon with
+  double pump_cc = 0;                 ///< of the buoyancy pump, to either side
   double cycle_s = 0;                 ///< of the flight controller
 };
 

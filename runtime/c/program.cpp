@@ -168,7 +168,7 @@ bool Program::takeTick() {
     updates_[i] = {tick.readings[i].value, tick.readings[i].id, 0};
   }
   if (started_) {
-    const double time = clock_.atFrame(tick.vehicle_time_s, sbc_time);
+    const double time = clock_.atFrame(tick.vehicle_time_s, tick.cycle, sbc_time);
     gliderStep(context_, time, updates_, tick.reading_count);
   } else if (!persistence_->isUndecided() && !control_.released() && control_.mayTake()) {
     start(tick.vehicle_time_s, sbc_time);

@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include <stdint.h>
+
 /// Mission time from the vehicle's: 0 when control was given, never going back, whatever the
 /// vehicle's clock does.
 namespace glider::runtime {
@@ -32,15 +34,18 @@ class MissionClock {
   /// Vehicle time of the newest frame, s.
   [[nodiscard]] double vehicle() const { return vehicle_; }
 
-  /// A frame came: returns mission time, s. A vehicle that began its own mission anew counts from 0
-  /// again, and one whose clock is broken from anywhere; mission time then goes on from where it
-  /// was, be it by the SBC's own clock.
-  double atFrame(double vehicle_time, double sbc_time) {
+  /// The vehicle's frame of cycle number `cycle` came: returns mission time, s. A vehicle that
+  /// began its own mission anew counts from 0 again, and one whose clock is broken from anywhere;
+  /// mission time then goes on from where it was, be it by the SBC's own clock.
+  double atFrame(double vehicle_time, uint32_t cycle, double sbc_time) {
     const double reached = missionAt(vehicle_) + silence_;
-    const double now = missionAt(vehicle_time);
-    if (vehicle_time < vehicle_ || reached - now > kMostSilence || now - reached > kMostGap) {
+    const uint32_t cycles = cycle > cycle_ ? cycle - cycle_ : 1;
+    const double passed = vehicle_time - vehicle_;
+    if (!(passed >= 0 && passed <= kMostCycle * cycles) ||
+        reached - missionAt(vehicle_time) > kMostSilence) {
       anchor_ = {vehicle_time, reached};
     }
+    cycle_ = cycle;
     vehicle_ = vehicle_time;
     sbc_ = sbc_time;
     silence_ = 0;
@@ -60,8 +65,9 @@ class MissionClock {
  private:
   /// s; a silent link is told every 12 s. `tick_gap_s` of the platform file is this and a cycle.
   static constexpr double kMostSilence = 16;
-  /// s; no vehicle goes on with the same mission after more than a day without a frame.
-  static constexpr double kMostGap = 86400;
+  /// s; a control cycle takes 4 to 4.5. A time that goes on by more for each cycle that the vehicle
+  /// has counted is a false reading.
+  static constexpr double kMostCycle = 20;
 
   [[nodiscard]] double missionAt(double vehicle_time) const {
     return anchor_.mission + (vehicle_time - anchor_.vehicle);
@@ -69,6 +75,7 @@ class MissionClock {
 
   ClockAnchor anchor_;
   double vehicle_ = 0;  ///< vehicle time of the newest frame
+  uint32_t cycle_ = 0;  ///< its number; 0: not known yet
   double sbc_ = 0;      ///< SBC time when it was last looked at
   double silence_ = 0;  ///< s since the newest frame
 };

@@ -112,7 +112,7 @@ void GliderRuntime::answerTick(const GliderByteStream& stream, double sbc_time) 
   const ControlNews news = control_.observe(tick);
   const uint32_t count = gatherUpdates();
   if (context_ != nullptr) {
-    stepMission(clock_.atFrame(tick.vehicle_time_s, sbc_time), count);
+    stepMission(clock_.atFrame(tick.vehicle_time_s, tick.cycle, sbc_time), count);
   } else if (!persistence_.isUndecided() && !control_.released() && control_.mayTake()) {
     clock_.start(tick.vehicle_time_s, sbc_time);
     startMission(count);

@@ -3,6 +3,7 @@
 
 #include "simulator/flight/flight_controller.h"
 
+#include "hooks/protocol/numbers.h"
 #include "platforms/slocum_sensors.h"
 #include "simulator/flight/position.h"
 
@@ -60,18 +61,32 @@ hooks::HookState FlightController::hookState() const {
   return aborted() ? hooks::HookState::Complete : layers_->hookbeh()->hookState();
 }
 
+double FlightController::felt(uint16_t id, double truth) const {
+  const double held = array_.get(id);
+  return held == hooks::asFloat32(truth) ? truth : held;
+}
+
+/// Depth comes of the pressure, and its rate of the depth: what is wrong with one is with what is
+/// made of it.
+void FlightController::readPressure(const Vehicle& vehicle) {
+  const double bar = depth_sensor_.pressure(vehicle.depth());
+  array_.set(GLIDER_M_PRESSURE, bar);
+  const double pressed = felt(GLIDER_M_PRESSURE, bar) * DepthSensor::kMetresPerBar;
+  const double truth = pressed < 0 ? 0 : pressed;
+  array_.set(GLIDER_M_DEPTH, truth);
+  const double depth = felt(GLIDER_M_DEPTH, truth);
+  const double rate = cycles_ == 0 ? 0 : (depth - last_depth_) / cycle_s_;
+  last_depth_ = depth;
+  array_.set(GLIDER_M_DEPTH_RATE, rate);
+  depth_rate_ = felt(GLIDER_M_DEPTH_RATE, rate);
+}
+
 void FlightController::readSensors(double now_s, const Ocean& ocean, const Vehicle& vehicle) {
   SensorArray& a = array_;
   a.set(GLIDER_M_PRESENT_TIME, kStartOfMission + now_s);
   a.set(GLIDER_M_PRESENT_SECS_INTO_MISSION, now_s - mission_start_s_);
   a.set(GLIDER_M_CYCLE_NUMBER, cycles_);
-  const double bar = depth_sensor_.pressure(vehicle.depth());
-  const double depth = std::max(0.0, bar * DepthSensor::kMetresPerBar);
-  const double rate = cycles_ == 0 ? 0 : (depth - last_depth_) / cycle_s_;
-  last_depth_ = depth;
-  a.set(GLIDER_M_PRESSURE, bar);
-  a.set(GLIDER_M_DEPTH, depth);
-  a.set(GLIDER_M_DEPTH_RATE, rate);
+  readPressure(vehicle);
   a.set(GLIDER_M_PITCH, attitude_.pitch(vehicle.pitch()));
   a.set(GLIDER_M_ROLL, 0);
   a.set(GLIDER_M_HEADING, attitude_.heading(vehicle.heading()));
@@ -79,7 +94,7 @@ void FlightController::readSensors(double now_s, const Ocean& ocean, const Vehic
       altimeter_.altitude(vehicle.depth(), ocean.waterDepth(vehicle.x(), vehicle.y()));
   if (!std::isnan(altitude)) {
     a.set(GLIDER_M_ALTITUDE, altitude);
-    a.set(GLIDER_M_WATER_DEPTH, depth + altitude);
+    a.set(GLIDER_M_WATER_DEPTH, last_depth_ + altitude);
   }
   a.set(GLIDER_M_BATTERY, vehicle.battery().voltage());
   a.set(GLIDER_M_COULOMB_AMPHR_TOTAL, vehicle.battery().ampHours());
@@ -89,8 +104,8 @@ void FlightController::readSensors(double now_s, const Ocean& ocean, const Vehic
   a.set(GLIDER_M_BATTPOS, vehicle.batteryPositionIn());
   a.set(GLIDER_M_FIN, vehicle.fin());
 
-  navigator_.reckon(rate, a.get(GLIDER_M_PITCH), a.get(GLIDER_M_HEADING), depth < kSurfaceDepth,
-                    cycles_ == 0 ? 0 : cycle_s_);
+  navigator_.reckon(depth_rate_, a.get(GLIDER_M_PITCH), a.get(GLIDER_M_HEADING),
+                    last_depth_ < kSurfaceDepth, cycles_ == 0 ? 0 : cycle_s_);
   const auto fix = gps_.fix(vehicle.x(), vehicle.y(), vehicle.depth(), now_s);
   has_fix_ = fix.has_value();
   if (fix) {

@@ -83,6 +83,10 @@ class FlightController {
 
  private:
   void readSensors(double now_s, const Ocean& ocean, const Vehicle& vehicle);
+  void readPressure(const Vehicle& vehicle);
+  /// What the array holds of sensor `id` after `truth` was put there: `truth`, with all its digits,
+  /// unless the sensor is damaged.
+  [[nodiscard]] double felt(uint16_t id, double truth) const;
   void receive(const GliderByteStream& clothesline);
   void send(const GliderByteStream& clothesline);
   [[nodiscard]] Situation situation(double now_s);
@@ -108,7 +112,8 @@ class FlightController {
   double cycle_s_;
 
   uint32_t cycles_ = 0;
-  double last_depth_ = 0, surfaced_s_ = 0, submerged_s_ = 0;
+  double last_depth_ = 0, depth_rate_ = 0;  ///< as the vehicle itself has them
+  double surfaced_s_ = 0, submerged_s_ = 0;
   double mission_start_s_ = 0;
   bool has_fix_ = false, commanded_whole_ = true;
   Abort abort_ = Abort::None;

@@ -59,8 +59,10 @@ double Ocean::temperature(double z, double x, double y, double t) const {
   return settings_.bottom_temperature + contrast * upperShare(z, x, y, t) + frontStep(x, y);
 }
 
-double Ocean::density(double /*z*/) const {
-  return settings_.density;
+double Ocean::density(double z, double x, double y, double t) const {
+  const double step = settings_.density_step;
+  return step == 0 ? settings_.density
+                   : settings_.density + step * (0.5 - upperShare(z, x, y, t));
 }
 
 Current Ocean::current(double z, double x, double y) const {

@@ -17,7 +17,7 @@ class Ocean {
   explicit Ocean(const OceanSettings& settings) : settings_(settings), bottom_(settings.bottom) {}
 
   [[nodiscard]] double temperature(double z, double x, double y, double t) const;  ///< degC
-  [[nodiscard]] double density(double z) const;                                    ///< kg/m3
+  [[nodiscard]] double density(double z, double x, double y, double t) const;      ///< kg/m3
   [[nodiscard]] Current current(double z, double x, double y) const;
   /// The water's own speed up (m/s) as the wave passes.
   [[nodiscard]] double verticalCurrent(double z, double x, double y, double t) const;

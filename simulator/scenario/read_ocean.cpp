@@ -35,6 +35,7 @@ void readWater(Fields& f, OceanSettings& o, CtdSettings& ctd) {
   f.number("thermocline_depth_m", o.thermocline_depth_m, 0.1, 10000);
   f.number("thermocline_thickness_m", o.thermocline_thickness_m, 0.01, 1000);
   f.number("density_kgm3", o.density, 990, 1060);
+  f.number("density_step_kgm3", o.density_step, 0, 30);
   f.number("conductivity_Spm", ctd.conductivity, 0, 9);
   f.number("chlorophyll_ugpl", o.chlorophyll_ugpl, 0, 1000);
   together(f, "surface_oxygen_uM", "bottom_oxygen_uM");
@@ -118,6 +119,7 @@ void readOcean(ScenarioTables& tables, Scenario& scenario) {
                      "thermocline_depth_m",
                      "thermocline_thickness_m",
                      "density_kgm3",
+                     "density_step_kgm3",
                      "current_east_mps",
                      "current_north_mps",
                      "bottom_current_east_mps",

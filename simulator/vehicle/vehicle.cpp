@@ -84,7 +84,7 @@ void Vehicle::step(const Ocean& ocean, double now_s) {
   fin_.step(kStep);
   movePitch();
 
-  const double density = ocean.density(depth_);
+  const double density = ocean.density(depth_, x_, y_, now_s);
   const double buoyancy = netBuoyancy(coefficients_, density, depth_ * kPascalPerDbar,
                                       pump_.position * kCubicMetresPerCc);
   const bool floating = depth_ <= 0 && buoyancy >= 0;

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <limits>
+
 namespace glider::simulator {
 
 using hooks::HookAnswer;
@@ -17,7 +19,12 @@ namespace {
 hooks::HookbehInputs inputs(const Situation& s) {
   const SensorArray& a = *s.array;
   hooks::HookbehInputs in;
-  in.time_s = s.time_s;
+  in.time_s = a.get(GLIDER_M_PRESENT_SECS_INTO_MISSION);
+  in.wall_time_s = a.get(GLIDER_M_PRESENT_TIME);
+  in.cycle_number = a.get(GLIDER_M_CYCLE_NUMBER);
+  const bool ctd_is_new = a.fresh(GLIDER_SCI_WATER_PRESSURE);
+  in.ctd_bar =
+      ctd_is_new ? a.get(GLIDER_SCI_WATER_PRESSURE) : std::numeric_limits<double>::quiet_NaN();
   in.depth_m = s.depth_m;
   in.depth_rate_mps = s.depth_rate_mps;
   in.altitude_m = s.altitude_m;
@@ -124,7 +131,7 @@ void HookbehAdapter::note(const hooks::HookbehInputs& in, const hooks::HookbehOu
                              in.hook_depth_m, in.hook_pitch_rad)});
   }
   if (out.commanding && doing_ != out.doing) {
-    const char* kind = out.guarding ? "hook" : "steering";
+    const char* kind = out.guard != hooks::HookGuard::None ? "hook" : "steering";
     news_.push_back({kind, fmt::format("hookbeh: {} (m_depth {:.1f} m)", out.doing, in.depth_m)});
   }
   state_ = out.state;
@@ -140,6 +147,7 @@ Behaviour::Outcome HookbehAdapter::fly(const Situation& situation, Commands& com
   array.set(GLIDER_X_HOOK_ANSWER, static_cast<double>(out.answer));
   array.set(GLIDER_X_HOOK_SEQUENCE, out.answered_sequence);
   array.set(GLIDER_X_HOOK_SESSION, out.session);
+  array.set(GLIDER_X_HOOK_GUARD, static_cast<double>(out.guard));
   if (out.commanding) {
     commands.steer(heading(out));
     commands.point({PitchCommand::Mode::Servo, out.pitch_rad});

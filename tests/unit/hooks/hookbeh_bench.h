@@ -5,6 +5,7 @@
 
 #include "hooks/hookbeh/hookbeh.h"
 
+#include <cmath>
 #include <limits>
 
 namespace glider::hooks {
@@ -12,7 +13,8 @@ namespace glider::hooks {
 inline constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 /// A hookbeh on the bench: the test is the sensor array and the SBC. Every cycle takes 4 s and
-/// beats the heart, unless `alive` is false.
+/// beats the heart, unless `alive` is false. To a depth far off, the vehicle moves in cycles of its
+/// own, and no two readings of the depth are the same to the last bit, unless `raw_depth`.
 class HookbehBench {
  public:
   explicit HookbehBench(const HookbehArgs& args = {}) : hookbeh(args) {
@@ -26,11 +28,20 @@ class HookbehBench {
   }
 
   HookbehOutputs cycle() {
-    inputs.time_s += 4;
-    if (alive) {
-      inputs.heartbeat = ++beats;
+    constexpr double kStride = 2;
+    HookbehInputs way = last_;
+    for (double far = inputs.depth_m - way.depth_m;
+         begun_ && !raw_depth && std::fabs(far) > kStride; far = inputs.depth_m - way.depth_m) {
+      way.depth_m += std::copysign(kStride, far);
+      way.time_s += 4;
+      inputs.time_s += 4;
+      run(way);
     }
-    return hookbeh.cycle(inputs);
+    inputs.time_s += 4;
+    const HookbehOutputs out = run(inputs);
+    begun_ = true;
+    last_ = inputs;
+    return out;
   }
 
   /// Writes an instruction to the sensor array, with the next sequence number.
@@ -89,8 +100,26 @@ class HookbehBench {
   Hookbeh hookbeh;
   HookbehInputs inputs;
   bool alive = true;
+  bool raw_depth = false;
   double beats = 0;
   uint16_t sequence = 0;
+
+ private:
+  HookbehOutputs run(HookbehInputs& with) {
+    if (alive) {
+      inputs.heartbeat = with.heartbeat = ++beats;
+    }
+    HookbehInputs read = with;
+    constexpr double kNoise = 1e-7;
+    noise_ = !raw_depth && with.depth_m == depth_m_ && noise_ == 0 ? kNoise : 0;
+    depth_m_ = with.depth_m;
+    read.depth_m += noise_;
+    return hookbeh.cycle(read);
+  }
+
+  HookbehInputs last_;
+  bool begun_ = false;
+  double depth_m_ = kNan, noise_ = 0;
 };
 
 }  // namespace glider::hooks

@@ -38,7 +38,7 @@ TEST(HookbehGuard, ADiveThatKeepsTheLimitsGoesOnOnceTheVehicleIsClear) {
   bench.inputs.depth_m = 29.1;
   EXPECT_STREQ(bench.give(Bench::descend(28)).doing, "climb: too deep");
   bench.inputs.depth_m = 28.9;
-  EXPECT_FALSE(bench.cycle().guarding);
+  EXPECT_EQ(bench.cycle().guard, HookGuard::None);
 }
 
 TEST(HookbehGuard, OverABumpTheDiveGoesOn) {
@@ -124,7 +124,7 @@ TEST(HookbehGuard, AnAscendWhoseTargetIsTooLowDoesNotSwingByAMetre) {
   for (double depth = 18.8; depth > 10; depth -= 0.8) {
     bench.inputs.depth_m = depth;
     bench.inputs.altitude_m = 24.9 - depth;
-    EXPECT_TRUE(bench.cycle().guarding) << depth << " m is clear, but 20 m is not";
+    EXPECT_NE(bench.cycle().guard, HookGuard::None) << depth << " m is clear, but 20 m is not";
   }
   bench.inputs.depth_m = 10;
   bench.inputs.altitude_m = 14.9;
@@ -150,9 +150,9 @@ TEST(HookbehGuard, AHoverIsReachedAgainAfterTheDepthWasUnknown) {
   hover.control = HookControl::Take;
   EXPECT_STREQ(bench.give(hover).doing, "hover");
   bench.inputs.depth_m = kNan;
-  EXPECT_TRUE(bench.cycle().guarding);
-  EXPECT_TRUE(bench.give(Bench::vertical(HookVertical::Hover, 21)).guarding);
-  bench.inputs.depth_m = 12;
+  EXPECT_NE(bench.cycle().guard, HookGuard::None);
+  EXPECT_NE(bench.give(Bench::vertical(HookVertical::Hover, 21)).guard, HookGuard::None);
+  bench.inputs.depth_m = 15;
   EXPECT_STREQ(bench.cycle().doing, "dive_to");
 }
 
@@ -162,7 +162,7 @@ TEST(HookbehGuard, InVeryShallowWaterItStaysUpUntilTheBottomIsForgotten) {
   bench.inputs.altitude_m = 4.9;
   bench.cycle();
   bench.inputs.depth_m = 0;
-  for (int i = 0; i < 149; ++i) {
+  for (int i = 0; i < 148; ++i) {
     EXPECT_STREQ(bench.cycle().doing, "climb: too near the bottom") << i;
   }
   bench.cycle();
@@ -184,8 +184,9 @@ TEST(HookbehGuard, HoverEndsItOnlyAMetreClearOfTheLimit) {
   Bench bench = diving();
   bench.inputs.depth_m = 30.1;
   bench.cycle();
-  bench.inputs.depth_m = 20;
   EXPECT_STREQ(bench.give(Bench::vertical(HookVertical::Hover, 29.5)).doing, "climb: too deep");
+  bench.inputs.depth_m = 20;
+  EXPECT_STREQ(bench.cycle().doing, "climb: too deep");
   EXPECT_STREQ(bench.give(Bench::vertical(HookVertical::Hover, 20)).doing, "hover");
 }
 
@@ -215,12 +216,25 @@ TEST(HookbehGuard, AnEchoIsForgottenAfterTenMinutes) {
   Bench bench = diving();
   bench.inputs.depth_m = 12;
   bench.inputs.altitude_m = 6;
-  bench.cycle();
+  bench.give(Bench::vertical(HookVertical::Hover, 12));
   for (int i = 0; i < 151; ++i) {
     bench.cycle();
   }
   bench.inputs.depth_m = 15;
   EXPECT_STREQ(bench.give(Bench::descend(25)).doing, "dive_to");
+}
+
+TEST(HookbehGuard, OneFalseReadingOfTheTimeDoesNotForgetTheBottom) {
+  Bench bench = diving();
+  bench.inputs.depth_m = 12;
+  bench.inputs.altitude_m = 6;
+  bench.cycle();
+  bench.inputs.time_s += 60000;
+  bench.cycle();
+  bench.inputs.time_s -= 60000;
+  bench.cycle();
+  bench.inputs.depth_m = 13.5;
+  EXPECT_STREQ(bench.cycle().doing, "climb: too near the bottom");
 }
 
 TEST(HookbehGuard, NoAltimeterWanted) {

@@ -89,7 +89,7 @@ TEST(Hookbeh, CommandsEveryCycleThroughTheWholeOfADive) {
 TEST(Hookbeh, HoldKeepsTheCommandsForItsTime) {
   Bench bench;
   bench.cycle();
-  bench.inputs.depth_m = 21;
+  bench.inputs.depth_m = 20.9;
   HookbehOutputs out = bench.give(Bench::take(20));
   for (int i = 0; i < 3; ++i) {
     EXPECT_STREQ(out.doing, "hold") << "a target that is passed already is reached at once";
@@ -380,13 +380,42 @@ TEST(Hookbeh, TimeThatStandsStillOrTurnsBackStillCounts) {
   }
 }
 
-TEST(Hookbeh, AGapInItsCyclesIsSilence) {
+TEST(Hookbeh, AGapInItsCyclesThatBothClocksTellOfCountsForTwentySeconds) {
+  Bench bench;
+  bench.inputs.wall_time_s = 1e9;
+  bench.cycle();
+  bench.give(Bench::take(20));
+  bench.alive = false;
+  bench.inputs.wall_time_s += 64;
+  bench.inputs.time_s += 60;
+  EXPECT_EQ(bench.cycle().state, HookState::Active);
+  EXPECT_EQ(bench.cycle().state, HookState::Silent) << "24 s";
+}
+
+TEST(Hookbeh, AGapThatOneClockAloneTellsOfIsAFalseReading) {
   Bench bench;
   bench.cycle();
   bench.give(Bench::take(20));
   bench.alive = false;
-  bench.inputs.time_s += 60;
+  bench.inputs.time_s += 60000;
+  for (int i = 0; i < 5; ++i) {
+    EXPECT_EQ(bench.cycle().state, HookState::Active) << i;
+  }
   EXPECT_EQ(bench.cycle().state, HookState::Silent);
+}
+
+TEST(Hookbeh, OneFalseReadingOfTheTimeDoesNotMakeItReady) {
+  HookbehArgs args;
+  args.start_secs = 100;
+  Bench bench(args);
+  bench.cycle();
+  bench.inputs.time_s += 1000;
+  EXPECT_EQ(bench.cycle().state, HookState::Waiting);
+  bench.inputs.time_s -= 1000;
+  EXPECT_EQ(bench.cycle().state, HookState::Waiting);
+  bench.inputs.time_s = 100;
+  bench.cycle();
+  EXPECT_EQ(bench.cycle().state, HookState::Ready);
 }
 
 TEST(Hookbeh, UnknownTimeIsNeverStart) {
@@ -430,7 +459,7 @@ TEST(Hookbeh, ANumberThatIsNoneAmongTheArgsForPumpAndPitchIsTheDefault) {
     EXPECT_EQ(out.pump_cc, 230);
     bench.inputs.depth_m = 31;
     out = bench.cycle();
-    EXPECT_TRUE(out.guarding);
+    EXPECT_NE(out.guard, HookGuard::None);
     EXPECT_EQ(out.pump_cc, 230);
     EXPECT_NEAR(out.pitch_rad, 0.4538, 1e-9);
     bench.inputs.depth_m = 25;
@@ -443,13 +472,14 @@ TEST(Hookbeh, ANumberThatIsNoneAmongTheArgsForPumpAndPitchIsTheDefault) {
 TEST(Hookbeh, HalfWrittenNumbersAreNoInstruction) {
   Bench bench;
   bench.cycle();
-  bench.give(Bench::take(20));
+  bench.give(Bench::take(29));
   const double wrong[] = {kNan, -1, 0.5, 1e30, static_cast<double>(kMostSession) + 1};
   double HookbehInputs::* const fields[] = {&HookbehInputs::session, &HookbehInputs::control,
                                             &HookbehInputs::vertical, &HookbehInputs::lateral,
                                             &HookbehInputs::check};
   for (const double value : wrong) {
     for (const auto field : fields) {
+      bench.inputs.depth_m += 0.2;
       bench.write(Bench::ascend(5));
       bench.inputs.*field = value;
       const HookbehOutputs out = bench.cycle();

@@ -76,6 +76,25 @@ TEST_F(HookprogTest, NothingGoesToFlightWithoutAHookbeh) {
 }
 
 /// What goes to the flight controller when the SBC writes an instruction and answers.
+TEST_F(HookprogTest, TheCtdsPressureGoesToFlightOnceACycle) {
+  science_[GLIDER_SCI_WATER_PRESSURE] = 2.5;
+  cycle();
+  EXPECT_TRUE(atFlight().empty()) << "no hookbeh";
+  cycle({{GLIDER_X_HOOK_STATE, 2}});
+  atFlight();
+  science_[GLIDER_SCI_WATER_PRESSURE] = 2.75;
+  cycle({{GLIDER_X_HOOK_STATE, 2}});
+  run();
+  const auto sent = atFlight();
+  ASSERT_EQ(sent.size(), 1U);
+  EXPECT_EQ(sent[0].id, GLIDER_SCI_WATER_PRESSURE);
+  EXPECT_EQ(sent[0].value, 2.75);
+  run();
+  EXPECT_TRUE(atFlight().empty());
+  cycle({{GLIDER_X_HOOK_STATE, 2}});
+  EXPECT_TRUE(atFlight().empty()) << "nothing new";
+}
+
 class HookprogMissionsTest : public HookprogBench {
  protected:
   void fly(std::vector<SensorUpdate> report) {
@@ -141,6 +160,24 @@ TEST_F(HookprogMissionsTest, WhenMissionTimeTurnsBackTwoCyclesWithoutAHookbehAre
   for (int i = 0; i < 20; ++i) {
     flyWithout();
     EXPECT_TRUE(atFlight().empty()) << i;
+  }
+}
+
+TEST_F(HookprogMissionsTest, OneFalseReadingOfTheTimeIsNoOtherMission) {
+  cycle({{GLIDER_X_HOOK_STATE, 3}});
+  hello();
+  for (int i = 0; i < 10; ++i) {
+    flyWithHookbeh();
+  }
+  const SensorUpdate early[] = {{GLIDER_M_PRESENT_SECS_INTO_MISSION, 3},
+                                {GLIDER_M_CYCLE_NUMBER, static_cast<double>(++cycle_)}};
+  ASSERT_TRUE(flight_.send(early, 2));
+  SensorUpdate unused[1];
+  flight_.poll(flight_line_.right(), unused, 0);
+  run();
+  for (int i = 0; i < 4; ++i) {
+    flyWithout();
+    EXPECT_EQ(atFlight().size(), 3U) << "reports may be lost for six cycles, as ever: " << i;
   }
 }
 

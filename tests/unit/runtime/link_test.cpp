@@ -284,25 +284,46 @@ TEST_F(LinkTest, AfterSilenceACommandThatIsRefusedDoesNotKeepItFromTakingControl
 }
 
 TEST(MissionClock, NoVehicleTimeStopsItOrCarriesItAway) {
-  for (const double wrong : {1e30, 3.4e38, 1e6, -1e30}) {
+  for (const double wrong : {1e30, 3.4e38, 1e6, 60000.0, 540.0, -1e30}) {
     MissionClock clock;
     clock.start(100, 0);
-    EXPECT_EQ(clock.atFrame(500, 400), 400);
-    EXPECT_EQ(clock.atFrame(wrong, 404), 400) << wrong;
-    EXPECT_EQ(clock.atFrame(wrong, 408), 400) << wrong;
+    EXPECT_EQ(clock.atFrame(500, 125, 400), 400);
+    EXPECT_EQ(clock.atFrame(wrong, 126, 404), 400) << wrong;
+    EXPECT_EQ(clock.atFrame(wrong, 127, 408), 400) << wrong;
     EXPECT_EQ(clock.withoutFrame(420), 412);
-    EXPECT_EQ(clock.atFrame(528, 432), 412) << wrong;
-    EXPECT_EQ(clock.atFrame(532, 436), 416) << wrong;
+    EXPECT_EQ(clock.atFrame(528, 132, 432), 412) << wrong;
+    EXPECT_EQ(clock.atFrame(532, 133, 436), 416) << wrong;
+  }
+}
+
+TEST(MissionClock, OneFalseReadingCostsAtMostTwoCycles) {
+  for (const double wrong : {60000.0, 1020.1, 3.0}) {
+    MissionClock clock;
+    clock.start(0, 0);
+    EXPECT_EQ(clock.atFrame(1000, 250, 0), 1000);
+    EXPECT_EQ(clock.atFrame(wrong, 251, 0), 1000) << wrong;
+    EXPECT_EQ(clock.atFrame(1008, 252, 0), 1000) << wrong;
+    EXPECT_EQ(clock.atFrame(1012, 253, 0), 1004) << wrong;
+  }
+}
+
+TEST(MissionClock, AFalseCycleNumberChangesNothing) {
+  for (const uint32_t wrong : {0U, 16777215U}) {
+    MissionClock clock;
+    clock.start(0, 0);
+    EXPECT_EQ(clock.atFrame(1000, 250, 0), 1000);
+    EXPECT_EQ(clock.atFrame(1004, wrong, 0), 1004);
+    EXPECT_EQ(clock.atFrame(1008, 252, 0), 1008);
   }
 }
 
 TEST(MissionClock, ALongSilenceIsCaughtUpWith) {
   MissionClock clock;
   clock.start(0, 0);
-  EXPECT_EQ(clock.atFrame(40, 40), 40);
-  EXPECT_EQ(clock.atFrame(40040, 40), 40040) << "the SBC's clock stood still";
+  EXPECT_EQ(clock.atFrame(40, 10, 40), 40);
+  EXPECT_EQ(clock.atFrame(40040, 10010, 40), 40040) << "the SBC's clock stood still";
   EXPECT_EQ(clock.withoutFrame(60), 40056);
-  EXPECT_EQ(clock.atFrame(40052, 60), 40052) << "its own ran ahead";
+  EXPECT_EQ(clock.atFrame(40052, 10013, 60), 40052) << "its own ran ahead";
 }
 
 /// Gone for so long, then the vehicle begins its own mission anew.

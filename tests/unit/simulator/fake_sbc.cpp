@@ -22,7 +22,9 @@ FakePilot::FakePilot(Plan plan)
 void FakePilot::steer(double depth) {
   hooks::Instruction instruction;
   instruction.control = taken_ ? hooks::HookControl::Steer : hooks::HookControl::Take;
-  instruction.vertical = diving_ ? hooks::HookVertical::Descend : hooks::HookVertical::Ascend;
+  instruction.vertical = plan_.hovers ? hooks::HookVertical::Hover
+                         : diving_    ? hooks::HookVertical::Descend
+                                      : hooks::HookVertical::Ascend;
   instruction.depth_m = depth;
   instruction.pitch_rad = diving_ ? -plan_.pitch_rad : plan_.pitch_rad;
   client_.instruct(instruction);
@@ -54,7 +56,8 @@ void FakePilot::tick(const GliderByteStream& stream) {
     client_.instruct(instruction);
     client_.notify({mission_time, 3, diving_ ? 0U : 1U, 0, 0});
     given_back_ = true;
-  } else if (taken_ && !given_back_ && (diving_ ? depth >= plan_.bottom_m : depth <= plan_.top_m)) {
+  } else if (taken_ && !given_back_ && !plan_.hovers &&
+             (diving_ ? depth >= plan_.bottom_m : depth <= plan_.top_m)) {
     diving_ = !diving_;
     steer(diving_ ? plan_.bottom_m : plan_.top_m);
     client_.notify({mission_time, 0, diving_ ? 1U : 0U, diving_ ? 0U : 1U, 0});

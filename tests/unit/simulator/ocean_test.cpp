@@ -32,6 +32,18 @@ TEST(Ocean, IsWarmAboveAndColdBelow) {
   }
 }
 
+TEST(Ocean, IsDenserBelowWhereThereIsAPycnocline) {
+  OceanSettings settings = twoLayers();
+  EXPECT_EQ(Ocean(settings).density(3, 0, 0, 0), 1025);
+  EXPECT_EQ(Ocean(settings).density(50, 0, 0, 0), 1025) << "without a step";
+  settings.density_step = 4;
+  const Ocean ocean(settings);
+  EXPECT_NEAR(ocean.density(0, 0, 0, 0), 1023, 0.01);
+  EXPECT_NEAR(ocean.density(60, 0, 0, 0), 1027, 0.01);
+  EXPECT_NEAR(ocean.density(14, 0, 0, 0), 1025, 1e-9);
+  EXPECT_LT(ocean.density(16, 0, 0, 260 + 300), ocean.density(16, 0, 0, 0)) << "the wave lowers it";
+}
+
 TEST(Ocean, HasOneWaveThatIsNowhereElse) {
   const Ocean ocean(twoLayers());
   EXPECT_EQ(ocean.isothermDepth(15.5, 0, 0, 0), 14);

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "hooks/hookbeh/depth_source.h"
+
+#include "hooks/hookbeh/hull.h"
+#include "hooks/protocol/numbers.h"
+
+namespace glider::hooks {
+namespace {
+
+/// m; what noise and waves may add to the way that the vehicle itself can make.
+constexpr double kReachM = 2.5;
+
+bool isDepth(double depth_m) {
+  return depth_m >= kHighestDepthM && depth_m <= kDeepestShare * kHull.greatest_depth_m;
+}
+
+}  // namespace
+
+void DepthSource::observe(double depth_m, double step_s) {
+  age_s_ += step_s;
+  if (!isDepth(depth_m)) {
+    reading_ = Reading::Missing;
+    return;
+  }
+  same_s_ = depth_m == raw_m_ ? same_s_ + step_s : 0;
+  raw_m_ = depth_m;
+  const double moved = depth_m < depth_m_ ? depth_m_ - depth_m : depth_m - depth_m_;
+  // The first reading of all is compared with a NaN, and is good.
+  if (moved > kReachM + kHull.vertical_rate_m_s * age_s_) {
+    reading_ = Reading::Jumped;
+    jumped_s_ += step_s;
+    return;
+  }
+  reading_ = Reading::Good;
+  depth_m_ = depth_m;
+  age_s_ = 0;
+  jumped_s_ = 0;
+}
+
+}  // namespace glider::hooks

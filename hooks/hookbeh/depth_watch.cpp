@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "hooks/hookbeh/depth_watch.h"
+
+#include "hooks/protocol/numbers.h"
+
+namespace glider::hooks {
+namespace {
+
+/// m; in real logs m_depth and the CTD's depth differ by 2.1 m at most, lag included.
+constexpr double kAgreeM = 5;
+/// s; for so long they must disagree, or a jump last, before it counts.
+constexpr double kPersistsSecs = 10;
+/// s; a CTD that was not heard of for longer is not there.
+constexpr double kCtdLastsSecs = 20;
+/// s and m; a sensor that stands still for so long while the other moves so far is frozen.
+constexpr double kFrozenSecs = 16;
+constexpr double kMovesM = 3;
+/// s; so long in hover, where the vehicle may hardly move.
+constexpr double kFrozenHoverSecs = 60;
+/// cc; with less the pump only trims.
+constexpr double kDrivesCc = 100;
+/// m; shallower, m_depth may be clipped: it is never negative.
+constexpr double kClippedM = 1;
+/// m; the CTD moves by less in a vehicle that hangs still.
+constexpr double kStillM = 0.5;
+/// After so many seconds without a doubt the depth is believed again, m: at the surface.
+constexpr double kQuietSecs = 60;
+constexpr double kSurfacedM = 3;
+constexpr double kClimbedSecs = 120;
+
+double distance(double a, double b) {
+  return a < b ? b - a : a - b;
+}
+
+}  // namespace
+
+void DepthWatch::observe(const Surroundings& now, double step_s, double pump_cc) {
+  own_.observe(now.depth_m, step_s);
+  ctd_.observe(now.ctd_depth_m, step_s);
+  if (own_.sameFor() == 0) {
+    ctd_at_own_change_m_ = ctd_.depth();
+  }
+  if (ctd_.sameFor() == 0) {
+    own_at_ctd_change_m_ = own_.depth();
+  }
+  watchCtd(step_s);
+  watchFrozen(pump_cc);
+  watchLife(step_s);
+  settle(now, step_s, pump_cc);
+}
+
+/// It gives readings, and they move when the vehicle does.
+bool DepthWatch::ctdLives() const {
+  const bool frozen =
+      ctd_.sameFor() >= kFrozenSecs && distance(own_.depth(), own_at_ctd_change_m_) >= kMovesM;
+  return ctd_.age() <= kCtdLastsSecs && isFinite(ctd_.depth()) &&
+         ctd_.reading() != DepthSource::Reading::Jumped && !frozen;
+}
+
+void DepthWatch::watchCtd(double step_s) {
+  const bool both = ctdLives() && own_.reading() == DepthSource::Reading::Good;
+  const bool agree = both && distance(own_.depth(), ctd_.depth()) <= kAgreeM;
+  agree_s_ = agree ? agree_s_ + step_s : 0;
+  disagree_s_ = both && !agree ? disagree_s_ + step_s : 0;
+  ctd_known_ = ctd_known_ || agree_s_ >= kPersistsSecs;
+}
+
+void DepthWatch::watchFrozen(double pump_cc) {
+  const bool driven = pump_cc >= kDrivesCc || pump_cc <= -kDrivesCc;
+  const double patience = driven ? kFrozenSecs : kFrozenHoverSecs;
+  const bool same = isFinite(pump_cc) && own_.sameFor() >= patience && own_.depth() > kClippedM;
+  // The vehicle itself hangs still, as another sensor sees that lives.
+  const bool hangs = ctdLives() && ctd_.sameFor() < kFrozenSecs &&
+                     distance(ctd_.depth(), ctd_at_own_change_m_) < kStillM;
+  frozen_ = (frozen_ && own_.sameFor() > 0) || (same && !hangs);
+}
+
+HookGuard DepthWatch::worst() const {
+  return own_.jumpedFor() >= kPersistsSecs            ? HookGuard::DepthJumps
+         : frozen_                                    ? HookGuard::DepthFrozen
+         : ctd_known_ && disagree_s_ >= kPersistsSecs ? HookGuard::DepthsDisagree
+                                                      : HookGuard::None;
+}
+
+/// Nothing is wrong in this cycle that can be seen.
+bool DepthWatch::isQuiet() const {
+  const bool lives = own_.sameFor() < kFrozenSecs || own_.depth() <= kClippedM;
+  return own_.reading() == DepthSource::Reading::Good && lives && disagree_s_ == 0;
+}
+
+void DepthWatch::watchLife(double step_s) {
+  const bool lives = own_.reading() == DepthSource::Reading::Good && own_.sameFor() < kFrozenSecs;
+  alive_s_ = lives || agree_s_ > 0 ? alive_s_ + step_s : 0;
+}
+
+void DepthWatch::settle(const Surroundings& now, double step_s, double pump_cc) {
+  if (const HookGuard found = worst(); found != HookGuard::None) {
+    // One that has jumped is not believed again for less.
+    blind_ = blind_ == HookGuard::DepthJumps ? blind_ : found;
+    quiet_s_ = 0;
+    climbed_s_ = 0;
+    return;
+  }
+  quiet_s_ = isQuiet() ? quiet_s_ + step_s : 0;
+  climbed_s_ += pump_cc > 0 ? step_s : 0;
+  const bool surfaced = now.depth_m <= kSurfacedM && climbed_s_ >= kClimbedSecs;
+  // Two that agree are believed, one that was frozen only where its reading is known to be right:
+  // at the surface. One that has jumped may be wrong there too.
+  const bool two = agree_s_ >= kQuietSecs && blind_ != HookGuard::DepthsDisagree;
+  const bool one = surfaced && blind_ != HookGuard::DepthJumps;
+  if (quiet_s_ >= kQuietSecs && (two || one)) {
+    blind_ = HookGuard::None;
+  }
+}
+
+HookGuard DepthWatch::doubt() const {
+  switch (own_.reading()) {
+    case DepthSource::Reading::Missing:
+      return HookGuard::DepthUnknown;
+    case DepthSource::Reading::Jumped:
+      return HookGuard::DepthJumps;
+    case DepthSource::Reading::Good:
+      break;
+  }
+  return blind_;
+}
+
+double DepthWatch::depth() const {
+  return doubt() == HookGuard::None ? own_.depth() : __builtin_nan("");
+}
+
+double DepthWatch::deepest() const {
+  const bool ctd_is_deeper = ctd_known_ && ctdLives() && ctd_.depth() > own_.depth();
+  return ctd_is_deeper ? ctd_.depth() : own_.depth();
+}
+
+}  // namespace glider::hooks

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <stdint.h>
+
+namespace glider::hooks {
+
+/// Which way a sub-behaviour drives the vehicle.
+enum class Way : uint8_t { None, Down, Up };
+
+/// Whether the vehicle goes where it is driven.
+class Headway {
+ public:
+  /// Takes in one cycle in which it was driven `way`.
+  void observe(Way way, double depth_m, double step_s);
+  [[nodiscard]] Way way() const { return way_; }
+  /// Since it was driven this way and last gained a metre, s.
+  [[nodiscard]] double idleFor() const { return idle_s_; }
+
+ private:
+  Way way_ = Way::None;
+  double best_m_ = 0;
+  double idle_s_ = 0;
+};
+
+}  // namespace glider::hooks

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "hooks/hookbeh/hull.h"
+
+#include "hooks/protocol/numbers.h"
+
+namespace glider::hooks {
+namespace {
+
+/// With less than this share of its pump out a vehicle may not climb out of dense water.
+constexpr double kLeastClimbShare = 0.5;
+/// s; longer than this no SBC is waited for.
+constexpr double kMostSilenceSecs = 600;
+/// m; the altimeter hears nothing nearer.
+constexpr double kLeastAltitudeM = 2;
+
+double orUsual(double value, double usual) {
+  return isFinite(value) ? value : usual;
+}
+
+double magnitude(double value) {
+  return value < 0 ? -value : value;
+}
+
+double between(double value, double lowest, double highest) {
+  return value < lowest ? lowest : value > highest ? highest : value;
+}
+
+}  // namespace
+
+HookbehArgs within(const HookbehArgs& args, const Hull& hull) {
+  const HookbehArgs usual;
+  HookbehArgs out = args;
+  if (out.greatest_depth_m > hull.greatest_depth_m) {
+    out.greatest_depth_m = hull.greatest_depth_m;
+  }
+  if (out.least_altitude_m >= 0 && out.least_altitude_m < kLeastAltitudeM) {
+    out.least_altitude_m = kLeastAltitudeM;
+  }
+  out.shallowest_pitch_rad = between(orUsual(args.shallowest_pitch_rad, usual.shallowest_pitch_rad),
+                                     hull.shallowest_pitch_rad, hull.steepest_pitch_rad);
+  out.steepest_pitch_rad = between(orUsual(args.steepest_pitch_rad, usual.steepest_pitch_rad),
+                                   hull.shallowest_pitch_rad, hull.steepest_pitch_rad);
+  const double dive = magnitude(orUsual(args.dive_pump_cc, usual.dive_pump_cc));
+  const double climb = magnitude(orUsual(args.climb_pump_cc, usual.climb_pump_cc));
+  out.dive_pump_cc = -between(dive, 0, hull.pump_cc);
+  out.climb_pump_cc = between(climb, kLeastClimbShare * hull.pump_cc, hull.pump_cc);
+  if (out.silence_secs > kMostSilenceSecs) {
+    out.silence_secs = kMostSilenceSecs;
+  }
+  return out;
+}
+
+}  // namespace glider::hooks

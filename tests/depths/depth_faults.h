@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "simulator/faults/faults.h"
+
+#include <string>
+#include <vector>
+
+namespace glider::tests {
+
+/// What may be expected of the depth under a fault.
+enum class DepthRule : uint8_t {
+  Wrong,  ///< stuck, missing or jumping: 10 m past max_depth at most
+  False,  ///< a slow drift or a scale: the same where there is a CTD
+  Two,    ///< two sensors at once: one and a half times max_depth at most
+};
+
+/// One or two sensors that are wrong from a time of the flight on.
+struct DepthFault {
+  std::string name;  ///< "m_depth frozen"
+  DepthRule rule = DepthRule::Wrong;
+  std::vector<simulator::SensorFault> sensors;
+  [[nodiscard]] simulator::Faults from(double begin_s) const;
+};
+
+/// Each sensor that hookbeh and the flight control read, in each way that one can be wrong.
+std::vector<DepthFault> singleDepthFaults();
+/// Pairs of such as touch the depth: of two different sensors.
+std::vector<DepthFault> doubleDepthFaults();
+/// A vehicle without a CTD.
+simulator::SensorFault noCtd();
+
+}  // namespace glider::tests

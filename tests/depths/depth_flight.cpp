@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "tests/depths/depth_flight.h"
+
+#include "platforms/slocum_sensors.h"
+#include "simulator/flight/skeleton.h"
+#include "simulator/simulator.h"
+#include "slocum/mission_files/read.h"
+#include "support/check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace glider::tests {
+namespace {
+
+const std::filesystem::path kSource = GLIDER_SOURCE_DIR;
+
+/// Sees how the vehicle itself fares.
+class DepthOnlooker final : public simulator::Onlooker {
+ public:
+  void said(std::span<const uint8_t> /*bytes*/, double /*now_s*/) override {}
+  bool cycle(const simulator::CycleView& view) override {
+    const double depth = view.true_depth_m;
+    seen.deepest_m = std::max(seen.deepest_m, depth);
+    seen.last_m = depth;
+    noteTurn(depth);
+    if (view.hook == hooks::HookState::Complete && seen.given_back_s < 0) {
+      seen.given_back_s = view.time_s;
+    }
+    const double guard = view.array.get(GLIDER_X_HOOK_GUARD);
+    if (guard > 0) {
+      seen.guards.insert(static_cast<int>(guard));
+      seen.guarded_s = seen.guarded_s < 0 ? view.time_s : seen.guarded_s;
+    }
+    return true;
+  }
+  Dived seen;
+
+ private:
+  void noteTurn(double depth) {
+    constexpr double kTurned = 2;
+    extreme_ = sinking_ ? std::max(extreme_, depth) : std::min(extreme_, depth);
+    const double back = sinking_ ? extreme_ - depth : depth - extreme_;
+    if (back > kTurned) {
+      seen.dives += sinking_;
+      sinking_ = !sinking_;
+      extreme_ = depth;
+    }
+  }
+
+  bool sinking_ = true;
+  double extreme_ = 0;
+};
+
+const platforms::Platform& platform() {
+  static const auto kPlatform = platforms::loadPlatform(kSource / "platforms/slocum.toml");
+  return *kPlatform;
+}
+
+}  // namespace
+
+uint64_t wantedNumber(const char* name, uint64_t standard) {
+  const char* text = std::getenv(name);
+  return text == nullptr ? standard : std::stoull(text);
+}
+
+std::string hookbehSkeleton(double greatest_m) {
+  return fmt::format(
+      "behavior: abend\n b_arg: overdepth(m) {}\n b_arg: overtime(s) 43200\n"
+      " b_arg: samedepth_for(s) 1800\n"
+      "behavior: surface\n b_arg: start_when(enum) 1\n b_arg: end_action(enum) 2\n"
+      " b_arg: gps_wait_time(s) 0\n b_arg: c_use_pitch(enum) 3\n b_arg: c_pitch_value(X) 0.4538\n"
+      "behavior: hookbeh\n b_arg: max_depth(m) {}\n b_arg: min_altitude(m) 5\n",
+      greatest_m + 10, greatest_m);
+}
+
+std::string layeredSkeleton(double greatest_m, double bottom_m) {
+  return fmt::format(
+      "behavior: abend\n b_arg: overdepth(m) {}\n b_arg: overtime(s) 43200\n"
+      " b_arg: samedepth_for(s) 1800\n"
+      "behavior: surface\n b_arg: start_when(enum) 1\n b_arg: end_action(enum) 0\n"
+      " b_arg: gps_wait_time(s) 120\n b_arg: c_use_pitch(enum) 3\n b_arg: c_pitch_value(X) 0.4538\n"
+      "behavior: set_heading\n b_arg: use_heading(enum) 1\n b_arg: heading_value(X) 1.5708\n"
+      "behavior: yo\n b_arg: start_when(enum) 2\n b_arg: num_half_cycles_to_do(nodim) 100\n"
+      " b_arg: end_action(enum) 0\n b_arg: d_target_depth(m) {}\n b_arg: d_target_altitude(m) 5\n"
+      " b_arg: d_use_pitch(enum) 3\n b_arg: d_pitch_value(X) -0.4538\n"
+      " b_arg: d_bpump_value(X) -1000\n b_arg: c_target_depth(m) 4\n"
+      " b_arg: c_target_altitude(m) -1\n b_arg: c_use_pitch(enum) 3\n"
+      " b_arg: c_pitch_value(X) 0.4538\n b_arg: c_bpump_value(X) 1000\n",
+      greatest_m + 10, bottom_m);
+}
+
+simulator::Scenario diveScenario(const std::string& skeleton, double water_m) {
+  support::SourceManager sources;
+  support::DiagnosticEngine diagnostics;
+  auto scenario = simulator::loadScenario(kSource / "scenarios/default.toml", sources, diagnostics);
+  CHECK(scenario.has_value(), "the default scenario is not right");
+  const uint32_t file = sources.add("dive.mi", skeleton);
+  auto mission = slocum::readMission(sources, file, diagnostics);
+  CHECK(mission.has_value(), "the skeleton mission is not right");
+  simulator::checkSkeleton(*mission, {file, 0, 0}, diagnostics);
+  CHECK(diagnostics.errorCount() == 0, "the skeleton mission has mistakes");
+  scenario->skeleton = std::move(*mission);
+  scenario->ocean.bottom.depth_m = water_m;
+  scenario->ocean.bottom.wave_height_m = 0;
+  return std::move(*scenario);
+}
+
+Dived flyDive(const Plan* plan, simulator::Scenario scenario, uint64_t seed) {
+  DepthOnlooker onlooker;
+  simulator::SimulationSetup setup;
+  setup.platform = platform();
+  setup.scenario = std::move(scenario);
+  setup.seed = seed;
+  setup.onlooker = &onlooker;
+  if (plan != nullptr) {
+    setup.sbc = std::make_unique<simulator::FakeSbc>(*plan);
+  }
+  const auto trace = simulator::simulate(std::move(setup));
+  CHECK(trace.has_value(), "the flight could not be flown");
+  return onlooker.seen;
+}
+
+}  // namespace glider::tests

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "simulator/scenario/scenario.h"
+#include "tests/unit/simulator/fake_sbc.h"
+
+#include <set>
+#include <string>
+
+namespace glider::tests {
+
+/// The environment's number `name`, or `standard`.
+uint64_t wantedNumber(const char* name, uint64_t standard);
+
+using Plan = simulator::FakePilot::Plan;
+
+/// The default scenario over `water_m` of water with `skeleton` as its mission file.
+simulator::Scenario diveScenario(const std::string& skeleton, double water_m);
+/// As scenarios/skeleton.mi, with this greatest depth, and an abend 10 m below it.
+std::string hookbehSkeleton(double greatest_m);
+/// The layered control's own yo between 4 m and `bottom_m`, at 26 degrees, under the same abend.
+std::string layeredSkeleton(double greatest_m, double bottom_m);
+
+/// What came of a flight.
+struct Dived {
+  double deepest_m = 0;      ///< by the vehicle itself, not by its sensors
+  double last_m = 0;         ///< where it was at the end
+  std::set<int> guards;      ///< values of x_hook_guard that were seen, but 0
+  double guarded_s = -1;     ///< when the first of them was
+  int dives = 0;             ///< how often the vehicle turned from sinking to rising below 2 m
+  double given_back_s = -1;  ///< when the SBC gave control back
+};
+
+/// Flies `plan` (null: no SBC on board) through the real protocol.
+Dived flyDive(const Plan* plan, simulator::Scenario scenario, uint64_t seed);
+
+}  // namespace glider::tests

@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// How deep a vehicle goes whose sensors are wrong, by its true depth, and how deep the layered
+// control's own yo goes with the same fault. scripts/soak/depths flies all and prints the table.
+
+#include "tests/depths/depth_faults.h"
+#include "tests/depths/depth_flight.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace glider::tests {
+namespace {
+
+constexpr double kGreatest = 60;  // max_depth, m
+constexpr double kPast = 10;      // m
+constexpr double kTwo = 1.5;      // times max_depth
+constexpr double kWorse = 5;      // m, than the layered control
+constexpr double kWater = 500;    // m
+constexpr double kHours = 1.2;
+
+/// A plan, and whether a yo of the layered control does the same.
+struct Profile {
+  const char* name;
+  Plan plan;
+  bool is_layered;
+};
+constexpr Profile kProfiles[] = {
+    {"yo to 55 m", {.top_m = 4, .bottom_m = 55}, true},
+    {"yo to 30 m", {.top_m = 4, .bottom_m = 30}, true},
+    {"steep yo to 58 m", {.top_m = 4, .bottom_m = 58, .pitch_rad = 0.6}, false},
+    {"hover at 50 m", {.bottom_m = 50, .hovers = true}, false}};
+
+/// One fault in all of its flights.
+struct Row {
+  double ctd_m = 0, alone_m = 0;  ///< deepest with and without a CTD
+  double worse_m = -1e9;          ///< deeper than the layered control in the same flight, at most
+  double layered_m = 0;           ///< the layered control's deepest, of the yos
+  bool failed = false;
+};
+
+class Judge {
+ public:
+  explicit Judge(uint64_t times) : times_(times) {}
+
+  /// Flies `fault` in each profile from each of the times on.
+  Row row(const DepthFault& fault, size_t profiles) {
+    Row row;
+    for (size_t i = 0; i < profiles; ++i) {
+      for (uint64_t k = 0; k < times_; ++k) {
+        // Over a yo to 55 m, which takes some 500 s; the first at the start.
+        flights(fault, i,
+                k == 0 ? 0 : 900 + 500.0 / static_cast<double>(times_) * static_cast<double>(k),
+                row);
+      }
+    }
+    return row;
+  }
+
+ private:
+  void flights(const DepthFault& fault, size_t profile, double from_s, Row& row) {
+    const double with_ctd = deepest(profile, fault.from(from_s));
+    row.ctd_m = std::max(row.ctd_m, with_ctd);
+    simulator::Faults alone = fault.from(from_s);
+    alone.sensors.push_back(noCtd());
+    const double without = deepest(profile, alone);
+    row.alone_m = std::max(row.alone_m, without);
+    judge(fault, profile, from_s, with_ctd, without, row);
+    if (kProfiles[profile].is_layered) {
+      simulator::Scenario scenario =
+          diveScenario(layeredSkeleton(kGreatest, kProfiles[profile].plan.bottom_m), kWater);
+      scenario.duration_s = kHours * 3600;
+      scenario.faults = fault.from(from_s);
+      const double layered = flyDive(nullptr, scenario, 1).deepest_m;
+      row.layered_m = std::max(row.layered_m, layered);
+      row.worse_m = std::max(
+          row.worse_m, std::max(with_ctd, fault.rule == DepthRule::False ? 0 : without) - layered);
+      EXPECT_LE(row.worse_m, kWorse)
+          << fault.name << " from " << from_s << " s, " << kProfiles[profile].name
+          << ": the layered control " << layered;
+    }
+  }
+
+  void judge(const DepthFault& fault, size_t profile, double from_s, double with_ctd,
+             double without, Row& row) {
+    const double bound = fault.rule == DepthRule::Two ? kTwo * kGreatest : kGreatest + kPast;
+    const bool counts = fault.rule == DepthRule::Wrong;  // also without a CTD
+    const double worst = counts ? std::max(with_ctd, without) : with_ctd;
+    row.failed = row.failed || worst > bound;
+    EXPECT_LE(worst, bound) << fault.name << " from " << from_s << " s, " << kProfiles[profile].name
+                            << ": " << with_ctd << " m, without a CTD " << without << " m";
+  }
+
+  double deepest(size_t profile, simulator::Faults faults) {
+    simulator::Scenario scenario = diveScenario(hookbehSkeleton(kGreatest), kWater);
+    scenario.duration_s = kHours * 3600;
+    scenario.faults = std::move(faults);
+    return flyDive(&kProfiles[profile].plan, scenario, 1).deepest_m;
+  }
+
+  uint64_t times_;
+};
+
+void print(const DepthFault& fault, const Row& row) {
+  fmt::print("| {} | {:.1f} | {:.1f} | {:.1f} | {:+.1f} |{}\n", fault.name, row.ctd_m, row.alone_m,
+             row.layered_m, row.worse_m, row.failed ? " **too deep**" : "");
+  std::fflush(stdout);
+}
+
+TEST(Depths, StayNearTheGreatestWhicheverSensorIsWrong) {
+  const bool all = wantedNumber("GLIDER_DEPTHS_ALL", 0) != 0;
+  Judge judge(all ? 5 : 2);
+  std::vector<DepthFault> faults = singleDepthFaults();
+  if (all) {
+    const auto two = doubleDepthFaults();
+    faults.insert(faults.end(), two.begin(), two.end());
+    fmt::print(
+        "| fault | with a CTD, m | without, m | layered control, m | deeper than it, m "
+        "|\n|---|---|---|---|---|\n");
+  }
+  for (const DepthFault& fault : faults) {
+    // The suite's share: what touches the depth, in the deep yo.
+    const bool few =
+        fault.name.starts_with("m_depth ") || fault.name.starts_with("sci_water_pressure ");
+    if (!all && (!few || fault.name.find("jumps") != std::string::npos)) {
+      continue;
+    }
+    const Row row = judge.row(fault, all ? std::size(kProfiles) : 1);
+    if (all) {
+      print(fault, row);
+    }
+  }
+}
+
+TEST(Depths, TwoWrongAtOnceStayWithinHalfAsMuchAgain) {
+  if (wantedNumber("GLIDER_DEPTHS_ALL", 0) != 0) {
+    GTEST_SKIP() << "flown by the other test";
+  }
+  Judge judge(2);
+  size_t number = 0;
+  for (const DepthFault& fault : doubleDepthFaults()) {
+    if (number++ % 8 == 0) {
+      judge.row(fault, 1);
+    }
+  }
+}
+
+TEST(Depths, AWholeVehicleGoesAsDeepAsItIsTold) {
+  Judge judge(1);
+  const Row row = judge.row({"none", DepthRule::Wrong, {}}, std::size(kProfiles));
+  EXPECT_GT(row.ctd_m, 55);
+  EXPECT_LT(row.ctd_m, 64) << "the steep one";
+  EXPECT_GT(row.layered_m, 55) << "the layered control too";
+}
+
+}  // namespace
+}  // namespace glider::tests

@@ -1,0 +1,447 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// A depth that cannot be believed: what hookbeh makes of it.
+
+#include "tests/unit/hooks/hookbeh_bench.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+namespace glider::hooks {
+namespace {
+
+using Bench = HookbehBench;
+
+/// A vehicle at sea under a hookbeh of its own: it sinks or rises as the pump says.
+class Sea {
+ public:
+  explicit Sea(double greatest_depth_m = 60) : bench(args(greatest_depth_m)) {
+    bench.raw_depth = true;
+    truth = 0.5;
+    cycle();
+  }
+
+  /// One cycle: the vehicle moves, then its sensors are read, then `spoil` may change them.
+  template <typename Spoil>
+  HookbehOutputs cycle(const Spoil& spoil) {
+    const double wanted = pump > 100 ? -kRate : pump < -100 ? kRate : pump / -1000;
+    rate += (wanted - rate) * 0.4;
+    rate = held ? 0 : rate;
+    truth = std::max(0.0, truth + rate * 4);
+    deepest = std::max(deepest, truth);
+    noise = -noise;
+    bench.inputs.depth_m = std::max(0.0, truth + noise);
+    bench.inputs.ctd_bar = has_ctd ? (truth + noise / 2) / 10 : kNan;
+    spoil(bench.inputs);
+    out = bench.cycle();
+    pump = out.commanding ? out.pump_cc : 230;
+    return out;
+  }
+  HookbehOutputs cycle() {
+    return cycle([](HookbehInputs&) {});
+  }
+  /// Dives to `depth` on the way to `target`.
+  void diveTo(double depth, double target) {
+    take(target);
+    for (int i = 0; i < 300 && truth < depth; ++i) {
+      cycle();
+      ASSERT_EQ(out.guard, HookGuard::None) << truth;
+    }
+  }
+  void take(double target) {
+    bench.write(Bench::take(target));
+    cycle();
+    ASSERT_EQ(out.state, HookState::Active);
+  }
+  /// Cycles until `guard`; how many it took, at most 500.
+  template <typename Spoil>
+  int until(HookGuard guard, const Spoil& spoil) {
+    int cycles = 0;
+    while (cycle(spoil).guard != guard && cycles < 500) {
+      ++cycles;
+    }
+    return cycles;
+  }
+  template <typename Spoil>
+  void run(int cycles, const Spoil& spoil) {
+    for (int i = 0; i < cycles; ++i) {
+      cycle(spoil);
+    }
+  }
+
+  static HookbehArgs args(double greatest_depth_m) {
+    HookbehArgs args;
+    args.greatest_depth_m = greatest_depth_m;
+    return args;
+  }
+
+  static constexpr double kRate = 0.3;
+  Bench bench;
+  bool has_ctd = false;
+  bool held = false;  ///< by the water: it hangs
+  double truth = 0, rate = 0, noise = 0.01, pump = 230, deepest = 0;
+  HookbehOutputs out;
+};
+
+constexpr auto kNothing = [](HookbehInputs&) {};
+
+TEST(HookbehDepth, OutsideWhatADepthSensorGivesItIsUnknown) {
+  for (const double wrong :
+       {-50.0, -5.1, 300.1, 1e9, -1e30, std::numeric_limits<double>::infinity()}) {
+    Sea sea;
+    sea.diveTo(20, 50);
+    sea.cycle([=](HookbehInputs& in) { in.depth_m = wrong; });
+    EXPECT_STREQ(sea.out.doing, "climb: depth unknown") << wrong;
+    EXPECT_EQ(sea.out.guard, HookGuard::DepthUnknown);
+    EXPECT_GT(sea.out.pump_cc, 0);
+    EXPECT_EQ(sea.cycle().guard, HookGuard::None) << "one reading is forgiven";
+  }
+}
+
+TEST(HookbehDepth, AtTheEdgesOfWhatASensorGivesItIsKnown) {
+  Bench bench;
+  bench.cycle();
+  bench.inputs.depth_m = -4.9;
+  EXPECT_STREQ(bench.give(Bench::take(20)).doing, "dive_to");
+}
+
+TEST(HookbehDepth, OneThatJumpsClimbsUntilItFollowsAgain) {
+  for (const double jump : {-20.0, 20.0}) {
+    Sea sea;
+    sea.diveTo(30, 55);
+    sea.cycle([=](HookbehInputs& in) { in.depth_m += jump; });
+    EXPECT_STREQ(sea.out.doing, "climb: depth jumps") << jump;
+    EXPECT_EQ(sea.out.guard, HookGuard::DepthJumps);
+    sea.cycle();
+    EXPECT_STREQ(sea.out.doing, "dive_to") << "nor has it reached anything in between";
+  }
+}
+
+TEST(HookbehDepth, OneThatJumpsAndStaysAwayIsNeverBelievedWithoutAnother) {
+  Sea sea;
+  sea.diveTo(45, 55);
+  sea.run(600, [](HookbehInputs& in) { in.depth_m = std::max(0.0, in.depth_m - 25); });
+  EXPECT_EQ(sea.out.guard, HookGuard::DepthJumps);
+  EXPECT_LT(sea.deepest, 50);
+  EXPECT_LT(sea.truth, 1);
+}
+
+TEST(HookbehDepth, OneThatJumpsAndStaysAwayIsBelievedWhenTheCtdAgreesAgain) {
+  Sea sea;
+  sea.has_ctd = true;
+  sea.diveTo(45, 55);
+  sea.run(50, [](HookbehInputs& in) { in.depth_m = std::max(0.0, in.depth_m - 25); });
+  EXPECT_NE(sea.out.guard, HookGuard::None);
+  const int cycles = sea.until(HookGuard::None, kNothing);
+  EXPECT_GE(cycles, 14) << "after 60 s";
+  EXPECT_LE(cycles, 60);
+}
+
+TEST(HookbehDepth, FrozenOnTheWayDownItClimbsInTime) {
+  for (const bool ctd : {false, true}) {
+    Sea sea;
+    sea.has_ctd = ctd;
+    sea.diveTo(50, 58);
+    const double frozen = sea.bench.inputs.depth_m;
+    const auto freeze = [=](HookbehInputs& in) { in.depth_m = frozen; };
+    EXPECT_LE(sea.until(HookGuard::DepthFrozen, freeze), 5) << "16 s";
+    EXPECT_STREQ(sea.out.doing, "climb: depth frozen");
+    sea.run(500, freeze);
+    EXPECT_EQ(sea.out.guard, HookGuard::DepthFrozen) << "for as long as it lasts";
+    EXPECT_LT(sea.deepest, 60);
+    EXPECT_EQ(sea.truth, 0) << "and the vehicle is at the surface";
+  }
+}
+
+TEST(HookbehDepth, FrozenOnTheWayUpItClimbsOn) {
+  Sea sea;
+  sea.diveTo(40, 50);
+  sea.bench.write(Bench::ascend(5));
+  sea.run(8, kNothing);
+  const double frozen = sea.bench.inputs.depth_m;
+  EXPECT_LE(sea.until(HookGuard::DepthFrozen, [=](HookbehInputs& in) { in.depth_m = frozen; }), 5);
+}
+
+TEST(HookbehDepth, FrozenInHoverItClimbsWithinAMinute) {
+  Sea sea;
+  sea.diveTo(18, 20);
+  sea.bench.write(Bench::vertical(HookVertical::Hover, 20));
+  sea.run(40, kNothing);
+  ASSERT_STREQ(sea.out.doing, "hover");
+  const int cycles = sea.until(HookGuard::DepthFrozen, [](HookbehInputs& in) { in.depth_m = 20; });
+  EXPECT_GE(cycles, 14);
+  EXPECT_LE(cycles, 17);
+}
+
+TEST(HookbehDepth, AVehicleThatHangsStillAsTheCtdSeesIsNotFrozen) {
+  Sea sea;
+  sea.has_ctd = true;
+  sea.diveTo(30, 50);
+  const double still = sea.bench.inputs.depth_m;
+  double wobble = 0.01;
+  for (int i = 0; i < 40; ++i) {
+    wobble = -wobble;
+    sea.cycle([&](HookbehInputs& in) { in.depth_m = still, in.ctd_bar = (still + wobble) / 10; });
+    ASSERT_EQ(sea.out.guard, HookGuard::None) << i;
+  }
+  const int cycles = sea.until(HookGuard::NoDepthGained, [&](HookbehInputs& in) {
+    wobble = -wobble;
+    in.depth_m = still, in.ctd_bar = (still + wobble) / 10;
+  });
+  EXPECT_NEAR(cycles, 45 - 40, 2) << "180 s in all";
+}
+
+TEST(HookbehDepth, BothFrozenIsFrozen) {
+  Sea sea;
+  sea.has_ctd = true;
+  sea.diveTo(50, 58);
+  const HookbehInputs frozen = sea.bench.inputs;
+  EXPECT_LE(sea.until(HookGuard::DepthFrozen,
+                      [&](HookbehInputs& in) {
+                        in.depth_m = frozen.depth_m, in.ctd_bar = frozen.ctd_bar;
+                      }),
+            5);
+}
+
+TEST(HookbehDepth, OneThatThawsIsBelievedAtTheSurface) {
+  Sea sea;
+  sea.diveTo(40, 50);
+  const double frozen = sea.bench.inputs.depth_m;
+  sea.run(10, [=](HookbehInputs& in) { in.depth_m = frozen; });
+  ASSERT_EQ(sea.out.guard, HookGuard::DepthFrozen);
+  double highest = 100;
+  int cycles = 0;
+  while (sea.cycle().guard != HookGuard::None && cycles < 500) {
+    highest = std::min(highest, sea.truth);
+    ++cycles;
+  }
+  EXPECT_LT(highest, 3.1) << "not before it was there";
+  EXPECT_LT(cycles, 200);
+  EXPECT_STREQ(sea.out.doing, "dive_to");
+}
+
+TEST(HookbehDepth, OneThatThawsIsBelievedAfterAMinuteWhenTheCtdAgrees) {
+  Sea sea;
+  sea.has_ctd = true;
+  sea.diveTo(40, 50);
+  const double frozen = sea.bench.inputs.depth_m;
+  sea.run(10, [=](HookbehInputs& in) { in.depth_m = frozen; });
+  ASSERT_EQ(sea.out.guard, HookGuard::DepthFrozen);
+  const int cycles = sea.until(HookGuard::None, kNothing);
+  EXPECT_GE(cycles, 14);
+  EXPECT_LE(cycles, 25);
+}
+
+TEST(HookbehDepth, ANewSessionDoesNotMakeItSee) {
+  Sea sea;
+  sea.diveTo(40, 50);
+  const double frozen = sea.bench.inputs.depth_m;
+  const auto freeze = [=](HookbehInputs& in) { in.depth_m = frozen; };
+  sea.run(10, freeze);
+  sea.bench.alive = false;
+  sea.run(8, freeze);
+  ASSERT_EQ(sea.out.state, HookState::Silent);
+  sea.bench.alive = true;
+  sea.bench.write(Bench::take(50, 2));
+  sea.cycle(freeze);
+  EXPECT_EQ(sea.out.state, HookState::Active);
+  EXPECT_EQ(sea.out.guard, HookGuard::DepthFrozen);
+}
+
+TEST(HookbehDepth, FrozenAtTheSurfaceADiveThatGainsNoDepthEndsInTime) {
+  for (const double greatest : {12.0, 30.0, 60.0}) {
+    Sea sea(greatest);
+    sea.take(greatest);
+    const auto freeze = [](HookbehInputs& in) { in.depth_m = 0; };
+    sea.until(HookGuard::NoDepthGained, freeze);
+    EXPECT_STREQ(sea.out.doing, "climb: no depth gained");
+    sea.run(1000, freeze);
+    EXPECT_EQ(sea.out.guard, HookGuard::NoDepthGained) << "nothing says that it lives";
+    EXPECT_LT(sea.deepest, greatest + 10);
+    EXPECT_EQ(sea.truth, 0);
+  }
+}
+
+/// The vehicle hangs for so long, or until a guard comes in.
+HookGuard hang(Sea& sea, int cycles) {
+  sea.held = true;
+  for (int i = 0; i < cycles && sea.out.guard == HookGuard::None; ++i) {
+    sea.cycle();
+  }
+  sea.held = false;
+  return sea.out.guard;
+}
+
+TEST(HookbehDepth, ADiveThatGainsNoDepthHasThreeMinutesOrWhatItCanAfford) {
+  struct Case {
+    bool ctd;
+    double depth;
+    int least, most;  // cycles
+  };
+  for (const Case& c :
+       {Case{true, 50, 43, 46}, {false, 5, 43, 46}, {false, 30, 27, 31}, {false, 50, 13, 16}}) {
+    Sea sea;
+    sea.has_ctd = c.ctd;
+    sea.diveTo(c.depth, 58);
+    EXPECT_EQ(hang(sea, c.least), HookGuard::None) << c.depth;
+    EXPECT_EQ(hang(sea, c.most - c.least), HookGuard::NoDepthGained) << c.depth;
+  }
+}
+
+TEST(HookbehDepth, AfterADiveThatGainedNoDepthItIsTriedAgainFromHalfTheDepth) {
+  Sea sea;
+  sea.has_ctd = true;
+  sea.diveTo(30, 50);
+  ASSERT_EQ(hang(sea, 60), HookGuard::NoDepthGained);
+  const double from = sea.truth;
+  sea.until(HookGuard::None, kNothing);
+  EXPECT_STREQ(sea.out.doing, "dive_to");
+  EXPECT_NEAR(sea.truth, from / 2, 2);
+}
+
+TEST(HookbehDepth, AClimbThatGainsNoHeightClimbsWithAllItHas) {
+  Sea sea;
+  sea.has_ctd = true;
+  sea.diveTo(30, 50);
+  sea.bench.write(Bench::ascend(5));
+  sea.run(6, kNothing);
+  const double at = sea.truth;
+  EXPECT_EQ(hang(sea, 57), HookGuard::None);
+  EXPECT_EQ(hang(sea, 8), HookGuard::NoHeightGained) << "240 s";
+  EXPECT_STREQ(sea.out.doing, "climb: no height gained");
+  EXPECT_NEAR(sea.out.pitch_rad, 0.4538, 1e-9);
+  sea.until(HookGuard::None, kNothing);
+  EXPECT_STREQ(sea.out.doing, "climb_to");
+  EXPECT_NEAR(sea.truth, at - 1, 2);
+}
+
+TEST(HookbehDepth, AHoverThatTheWaterCarriesAwayIsGivenUp) {
+  for (const double way : {0.3, -0.3}) {
+    Sea sea;
+    sea.diveTo(20, 20);
+    sea.bench.write(Bench::vertical(HookVertical::Hover, 20));
+    sea.run(20, kNothing);
+    ASSERT_STREQ(sea.out.doing, "hover");
+    sea.held = true;
+    for (int i = 0; i < 30; ++i) {
+      sea.truth += way;
+      sea.cycle();
+      ASSERT_EQ(sea.out.guard, HookGuard::None) << i;
+    }
+    EXPECT_EQ(hang(sea, 70), way > 0 ? HookGuard::NoHeightGained : HookGuard::NoDepthGained);
+  }
+}
+
+TEST(HookbehDepth, AHoverThatTrimsWithItsPumpIsNotGivenUp) {
+  Sea sea;
+  sea.diveTo(20, 20);
+  sea.bench.write(Bench::vertical(HookVertical::Hover, 20));
+  sea.run(20, kNothing);
+  sea.held = true;
+  for (int i = 0; i < 15; ++i) {
+    sea.truth += 0.3;  // too heavy: it comes to rest 5 m below
+    sea.cycle();
+  }
+  EXPECT_EQ(hang(sea, 500), HookGuard::None);
+}
+
+TEST(HookbehDepth, ADepthThatDriftsFromTheCtdsIsNotBelieved) {
+  for (const double drift : {-0.05, 0.05}) {
+    Sea sea;
+    sea.has_ctd = true;
+    sea.diveTo(20, 58);
+    double off = 0;
+    const auto drifts = [&](HookbehInputs& in) {
+      in.depth_m = std::max(0.0, in.depth_m + (off += 4 * drift));
+    };
+    for (int i = 0; i < 500 && sea.out.guard == HookGuard::None; ++i) {
+      sea.cycle(drifts);
+    }
+    EXPECT_EQ(sea.out.guard, HookGuard::DepthsDisagree) << drift;
+    EXPECT_STREQ(sea.out.doing, "climb: depths disagree");
+    EXPECT_NEAR(std::fabs(off), 5.4, 1);
+    EXPECT_LT(sea.deepest, 60);
+  }
+}
+
+TEST(HookbehDepth, TheDeeperOfTheTwoCountsForTheLimit) {
+  Sea sea;
+  sea.has_ctd = true;
+  sea.diveTo(50, 60);
+  sea.until(HookGuard::TooDeep, [](HookbehInputs& in) { in.depth_m -= 4; });
+  EXPECT_NEAR(sea.truth, 60, 1.5);
+  Sea other;
+  other.has_ctd = true;
+  other.diveTo(50, 60);
+  other.until(HookGuard::TooDeep, [](HookbehInputs& in) { in.ctd_bar -= 0.4; });
+  EXPECT_NEAR(other.truth, 60, 1.5);
+}
+
+TEST(HookbehDepth, ACtdThatIsStuckOrMissingIsNotAsked) {
+  for (const double value : {0.0, 2.0, 20.0, kNan, -3.0, 1e9}) {
+    Sea sea;
+    sea.has_ctd = true;
+    sea.diveTo(20, 50);
+    for (int i = 0; i < 60 && sea.truth < 49; ++i) {
+      sea.cycle([=](HookbehInputs& in) { in.ctd_bar = value; });
+      ASSERT_EQ(sea.out.guard, HookGuard::None) << value << " at " << sea.truth;
+    }
+    EXPECT_GT(sea.truth, 48);
+  }
+}
+
+TEST(HookbehDepth, ACtdThatNeverAgreedIsNotAsked) {
+  Sea sea;
+  sea.has_ctd = true;
+  sea.run(10, [](HookbehInputs& in) { in.ctd_bar += 3; });
+  sea.take(50);
+  for (int i = 0; i < 60 && sea.truth < 45; ++i) {
+    sea.cycle([](HookbehInputs& in) { in.ctd_bar += 3; });
+    ASSERT_EQ(sea.out.guard, HookGuard::None) << sea.truth;
+  }
+}
+
+TEST(HookbehDepth, ACtdThatWasStuckIsAskedAgainWhenItMoves) {
+  Sea sea;
+  sea.has_ctd = true;
+  sea.diveTo(20, 50);
+  const double stuck = sea.bench.inputs.ctd_bar;
+  sea.run(20, [=](HookbehInputs& in) { in.ctd_bar = stuck; });
+  ASSERT_EQ(sea.out.guard, HookGuard::None);
+  EXPECT_LT(sea.until(HookGuard::DepthsDisagree, [](HookbehInputs& in) { in.ctd_bar += 1; }), 80);
+}
+
+TEST(HookbehDepth, DepthsThatDisagreeAreBelievedAtTheSurfaceWhereTheyAgree) {
+  Sea sea;
+  sea.has_ctd = true;
+  sea.diveTo(20, 58);
+  const auto scaled = [](HookbehInputs& in) { in.depth_m *= 0.8; };
+  sea.until(HookGuard::DepthsDisagree, scaled);
+  double highest = 100;
+  int cycles = 0;
+  while (sea.cycle(scaled).guard != HookGuard::None && cycles < 500) {
+    highest = std::min(highest, sea.truth);
+    ++cycles;
+  }
+  EXPECT_LT(highest, 1);
+  EXPECT_LT(cycles, 200);
+  EXPECT_LT(sea.deepest, 45);
+}
+
+TEST(HookbehDepth, WhatItSaysOfItsGuardIsNumbered) {
+  // Missions and logs rely on these numbers (README).
+  EXPECT_EQ(static_cast<int>(HookGuard::TooDeep), 1);
+  EXPECT_EQ(static_cast<int>(HookGuard::NearBottom), 2);
+  EXPECT_EQ(static_cast<int>(HookGuard::DepthUnknown), 3);
+  EXPECT_EQ(static_cast<int>(HookGuard::DepthJumps), 4);
+  EXPECT_EQ(static_cast<int>(HookGuard::DepthFrozen), 5);
+  EXPECT_EQ(static_cast<int>(HookGuard::DepthsDisagree), 6);
+  EXPECT_EQ(static_cast<int>(HookGuard::NoDepthGained), 7);
+  EXPECT_EQ(static_cast<int>(HookGuard::NoHeightGained), 8);
+}
+
+}  // namespace
+}  // namespace glider::hooks

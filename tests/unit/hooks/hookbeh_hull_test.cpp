@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "hooks/hookbeh/hull.h"
+#include "tests/unit/hooks/hookbeh_bench.h"
+
+#include <gtest/gtest.h>
+
+namespace glider::hooks {
+namespace {
+
+using Bench = HookbehBench;
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+Bench ready(const HookbehArgs& args) {
+  Bench bench(args);
+  bench.cycle();
+  return bench;
+}
+
+TEST(HookbehHull, IsThatOfThePlatformFile) {
+  EXPECT_EQ(kHull.greatest_depth_m, 200);
+  EXPECT_EQ(kHull.steepest_pitch_rad, 0.7854);
+  EXPECT_EQ(kHull.shallowest_pitch_rad, 0.19);
+  EXPECT_EQ(kHull.vertical_rate_m_s, 0.4);
+  EXPECT_EQ(kHull.pump_cc, 233);
+}
+
+TEST(HookbehHull, NoArgDivesDeeperThanTheHull) {
+  for (const double wild : {201.0, 1e9, kInfinite}) {
+    HookbehArgs args;
+    args.greatest_depth_m = wild;
+    Bench bench = ready(args);
+    EXPECT_EQ(bench.give(Bench::take(201)).answer, HookAnswer::TooDeep) << wild;
+    EXPECT_EQ(bench.give(Bench::take(200)).answer, HookAnswer::Accepted) << wild;
+    bench.inputs.depth_m = 200.5;
+    EXPECT_EQ(bench.cycle().guard, HookGuard::TooDeep) << wild;
+  }
+}
+
+TEST(HookbehHull, NoArgPitchesSteeperOrFlatterThanTheHull) {
+  HookbehArgs args;
+  args.steepest_pitch_rad = 1e9;
+  args.shallowest_pitch_rad = -1e9;
+  Bench bench = ready(args);
+  Instruction steep = Bench::take(20);
+  steep.pitch_rad = -0.79;
+  EXPECT_EQ(bench.give(steep).answer, HookAnswer::BadPitch);
+  steep.pitch_rad = -0.18;
+  EXPECT_EQ(bench.give(steep).answer, HookAnswer::BadPitch);
+  steep.pitch_rad = -0.78;
+  EXPECT_EQ(bench.give(steep).answer, HookAnswer::Accepted);
+}
+
+TEST(HookbehHull, PitchesThatContradictEachOtherStayInTheHull) {
+  HookbehArgs args;
+  args.steepest_pitch_rad = -3;
+  args.shallowest_pitch_rad = 3;
+  const HookbehArgs narrowed = within(args, kHull);
+  EXPECT_EQ(narrowed.steepest_pitch_rad, 0.19);
+  EXPECT_EQ(narrowed.shallowest_pitch_rad, 0.7854);
+  Bench bench = ready(args);
+  bench.give(Bench::vertical(HookVertical::Surface));
+  EXPECT_EQ(bench.give(Bench::take(20)).answer, HookAnswer::BadPitch) << "none is right";
+}
+
+TEST(HookbehHull, APumpWithTheWrongSignIsTurnedRound) {
+  HookbehArgs args;
+  args.dive_pump_cc = 200;
+  args.climb_pump_cc = -210;
+  Bench bench = ready(args);
+  EXPECT_EQ(bench.give(Bench::take(20)).pump_cc, -200);
+  EXPECT_EQ(bench.give(Bench::ascend(5)).pump_cc, 210);
+  bench.inputs.depth_m = 31;
+  EXPECT_EQ(bench.cycle().pump_cc, 210) << "the guard's too";
+}
+
+TEST(HookbehHull, NoPumpGoesBeyondItsStrokeNorIsTooWeakToClimb) {
+  HookbehArgs args;
+  args.dive_pump_cc = -1000;
+  args.climb_pump_cc = 0;
+  Bench bench = ready(args);
+  EXPECT_EQ(bench.give(Bench::take(20)).pump_cc, -233);
+  EXPECT_EQ(bench.give(Bench::ascend(5)).pump_cc, 116.5);
+  args.climb_pump_cc = 1000;
+  EXPECT_EQ(within(args, kHull).climb_pump_cc, 233);
+}
+
+TEST(HookbehHull, NoAltitudeIsBelowWhatTheAltimeterHears) {
+  HookbehArgs args;
+  args.least_altitude_m = 0.1;
+  EXPECT_EQ(within(args, kHull).least_altitude_m, 2);
+  args.least_altitude_m = -1;
+  EXPECT_EQ(within(args, kHull).least_altitude_m, -1) << "none wanted";
+}
+
+TEST(HookbehHull, NoSbcIsWaitedForForEver) {
+  for (const double wild : {1e9, kInfinite}) {
+    HookbehArgs args;
+    args.silence_secs = wild;
+    Bench bench = ready(args);
+    bench.give(Bench::vertical(HookVertical::Surface));
+    Instruction surface = Bench::vertical(HookVertical::Surface);
+    surface.control = HookControl::Take;
+    bench.give(surface);
+    bench.alive = false;
+    int cycles = 0;
+    while (bench.cycle().state == HookState::Active && cycles < 1000) {
+      ++cycles;
+    }
+    EXPECT_EQ(cycles, 149) << "600 s";
+  }
+}
+
+TEST(HookbehHull, NarrowerArgsCount) {
+  const HookbehArgs usual;
+  const HookbehArgs same = within(usual, kHull);
+  EXPECT_EQ(same.greatest_depth_m, usual.greatest_depth_m);
+  EXPECT_EQ(same.least_altitude_m, usual.least_altitude_m);
+  EXPECT_EQ(same.steepest_pitch_rad, usual.steepest_pitch_rad);
+  EXPECT_EQ(same.shallowest_pitch_rad, usual.shallowest_pitch_rad);
+  EXPECT_EQ(same.silence_secs, usual.silence_secs);
+  EXPECT_EQ(same.dive_pump_cc, usual.dive_pump_cc);
+  EXPECT_EQ(same.climb_pump_cc, usual.climb_pump_cc);
+}
+
+}  // namespace
+}  // namespace glider::hooks

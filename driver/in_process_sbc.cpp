@@ -3,6 +3,7 @@
 
 #include "driver/in_process_sbc.h"
 
+#include "runtime/checkpoint/checkpoint.h"
 #include "simulator/faults/card_damage.h"
 
 #include <algorithm>
@@ -20,7 +21,7 @@ InProcessSbc::InProcessSbc(std::shared_ptr<const codegen::LoadedMission> mission
   // operator new aligns for every fundamental type, which is what the runtime asks for.
   runtime_memory_ = std::make_unique<std::byte[]>(mission_->runtimeSize());
   context_memory_ = std::make_unique<std::byte[]>(mission_->mission().context_bytes);
-  const GliderStore store{card_.get(), readCard, writeCard, [](void*) { return 0; }};
+  const GliderStore store{this, readCard, writeCard, [](void*) { return 0; }};
   const GliderRuntimeOptions options{{}, parameters_.data(), store, 0};
   runtime_ = mission_->init(runtime_memory_.get(), context_memory_.get(), &options);
 }
@@ -47,18 +48,29 @@ int32_t InProcessSbc::writeBytes(void* self, const uint8_t* bytes, uint32_t coun
   return static_cast<int32_t>(count);
 }
 
+/// The card keeps slot behind slot; what lies between them is left out.
+size_t InProcessSbc::onCard(uint32_t offset) const {
+  using runtime::Checkpoint;
+  const uint32_t context = mission_->mission().context_bytes;
+  const uint32_t stride = Checkpoint::offsetOf(1, context);
+  return size_t{offset / stride} * Checkpoint::slotBytes(context) + offset % stride;
+}
+
 int32_t InProcessSbc::readCard(void* self, uint32_t offset, uint8_t* bytes, uint32_t count) {
-  const Card& card = *static_cast<Card*>(self);
-  const size_t from = std::min<size_t>(offset, card.size());
+  const auto& sbc = *static_cast<InProcessSbc*>(self);
+  const Card& card = *sbc.card_;
+  const size_t from = std::min(sbc.onCard(offset), card.size());
   const size_t taken = std::min<size_t>(count, card.size() - from);
   std::copy_n(card.begin() + static_cast<ptrdiff_t>(from), taken, bytes);
   return static_cast<int32_t>(taken);
 }
 
 int32_t InProcessSbc::writeCard(void* self, uint32_t offset, const uint8_t* bytes, uint32_t count) {
-  Card& card = *static_cast<Card*>(self);
-  card.resize(std::max<size_t>(card.size(), size_t{offset} + count));
-  std::copy_n(bytes, count, card.begin() + offset);
+  const auto& sbc = *static_cast<InProcessSbc*>(self);
+  Card& card = *sbc.card_;
+  const size_t from = sbc.onCard(offset);
+  card.resize(std::max<size_t>(card.size(), from + count));
+  std::copy_n(bytes, count, card.begin() + static_cast<ptrdiff_t>(from));
   return static_cast<int32_t>(count);
 }
 

@@ -51,6 +51,7 @@ class InProcessSbc final : public simulator::SbcPort {
   static double now(void* self);
   static int32_t readCard(void* self, uint32_t offset, uint8_t* bytes, uint32_t count);
   static int32_t writeCard(void* self, uint32_t offset, const uint8_t* bytes, uint32_t count);
+  [[nodiscard]] size_t onCard(uint32_t offset) const;
   void run();
   void showToWatcher() const;
   void end(const char* epitaph);

@@ -8,8 +8,13 @@
 #include "driver/link_option.h"
 #include "ir/opt/optimise.h"
 #include "ir/verify/link_bytes.h"
+#include "runtime/checkpoint/checkpoint.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <expected>
+#include <iterator>
 #include <utility>
 
 namespace glider::driver {
@@ -62,7 +67,25 @@ Quantity figureOf(std::string name, const std::expected<uint64_t, std::string>& 
   return figure;
 }
 
-Budget boardBudget(const codegen::Budget& measured, const platforms::Board& board) {
+/// What --checkpoint writes to the card: one on each tick at most, and a tick comes with a cycle of
+/// the vehicle (one of the SBC's clock alone only after 12 s without).
+std::vector<Quantity> checkpointFigures(const codegen::Budget& measured, double cycle_s) {
+  using runtime::Checkpoint;
+  constexpr double kDay_s = 86400;
+  const auto most = static_cast<uint64_t>(kDay_s / cycle_s);
+  const auto least = static_cast<uint64_t>(kDay_s / Checkpoint::kMostApart);
+  const uint64_t slot = Checkpoint::slotBytes(static_cast<uint32_t>(measured.context_bytes));
+  return {{"checkpoint_writes", most, std::nullopt, "writes a day",
+           fmt::format("with --checkpoint: one a tick; {} while no state, variable or command "
+                       "changes",
+                       least)},
+          {"checkpoint_bytes", most * slot, std::nullopt, "bytes a day",
+           fmt::format("of those writes, {} each, in turn to {} places of the card", slot,
+                       Checkpoint::kSlots)}};
+}
+
+Budget boardBudget(const codegen::Budget& measured, const platforms::Board& board,
+                   double cycle_s) {
   Budget budget{board.name, {}};
   budget.quantities = {
       {"executable", measured.executable_bytes, limitOf(board.max_executable_bytes), "bytes",
@@ -76,6 +99,7 @@ Budget boardBudget(const codegen::Budget& measured, const platforms::Board& boar
                "of memory, the stack at its deepest, C library included"),
       figureOf("tick_instructions", measured.tick_instructions, board.max_tick_instructions,
                "instructions", "from a frame's readings to the command")};
+  std::ranges::move(checkpointFigures(measured, cycle_s), std::back_inserter(budget.quantities));
   return budget;
 }
 
@@ -106,7 +130,7 @@ Result<Budget> budgetOn(const std::string& target, const ir::Mission& mission,
   if (!measured) {
     return std::unexpected(measured.error());
   }
-  Budget budget = boardBudget(*measured, *board);
+  Budget budget = boardBudget(*measured, *board, compilation.platform->envelope.cycle_s);
   for (const Quantity& quantity : budget.quantities) {
     if (exceeds(quantity)) {
       const std::string what =

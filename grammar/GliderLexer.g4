@@ -59,6 +59,7 @@ AFTER : 'after' ;
 STALE : 'stale' ;
 SURFACES : 'surfaces' ;
 RESUME : 'resume' ;
+RESTART : 'restart' ;
 
 // Units (support/units/units.def) and the letters of positions; `S` and `W` are both. `min` is also the function.
 MIN : 'min' ;

@@ -61,7 +61,7 @@ declaration
   ;
 reads : READS name (COMMA name)* ;
 
-resumption : RESUME WITHIN expr ;
+resumption : RESUME WITHIN expr (COMMA NEVER AFTER RESTART)? ;
 
 requirement : REQUIRE promise ;
 promise
@@ -99,7 +99,7 @@ argument : expr (OF name)? ;
 
 name
   : NAME | IN | OF | WHERE | DONE | FUNCTION | SENSOR | READS | WITHIN | STACK | REACH | NEVER | AFTER | STALE
-  | SURFACES | RESUME
+  | SURFACES | RESUME | RESTART
   ;
 // A unit's name may name a mission or a state; elsewhere the frontend says why not.
 anyName : name | UNIT | COMPASS | MIN ;

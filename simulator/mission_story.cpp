@@ -132,8 +132,8 @@ bool MissionStory::follow(double now_s, double cycle_s, ScienceComputer& science
                     "hookbeh refuses it: its number is old");
         break;
       case Kind::StaleFrame:
-        journal.add(now_s, "link", fmt::format("{} frames of the SBC come again", event.a),
-                    "they tell of an earlier mission time");
+        journal.add(now_s, "link", fmt::format("{} frames on the serial lines come again", event.a),
+                    "they tell of an earlier time");
         break;
     }
   }

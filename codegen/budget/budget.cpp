@@ -72,6 +72,7 @@ Result<Budget> measureBudget(const ir::Mission& mission, const ir::MissionFacts&
   budget.executable_bytes = splitDebug(*linked, board.name + ".debug").stripped.size();
   budget.memory_bytes = image->loadedBytes();
   budget.data_bytes = image->writableBytes();
+  budget.context_bytes = image->contextBytes();
   MissionSize size = sizeOf(mission, facts);
   size.data_bytes = budget.data_bytes;  // what is moved lies in there
   budget.tick_instructions = tickInstructions(*image, mission, size);

@@ -80,6 +80,7 @@ struct Image::Parts {
   std::unique_ptr<llvm::object::ObjectFile> file;
   std::unique_ptr<llvm::DWARFContext> lines;
   std::vector<Symbol> symbols;  // functions, by address
+  uint64_t context_bytes = 0;
   DataAmongCode data;
   std::vector<Instruction> code;
   std::vector<Segment> segments;
@@ -114,6 +115,8 @@ void Image::Parts::readSymbols() {
       data.add(*address, name->starts_with("$d"));
     } else if (symbol.getELFType() == llvm::ELF::STT_FUNC) {
       symbols.push_back({*address, symbol.getSize(), name->str()});
+    } else if (*name == "gliderContextMemory") {
+      context_bytes = symbol.getSize();
     }
   }
   data.sort();
@@ -390,6 +393,10 @@ uint64_t Image::endOfSymbol(uint64_t address) const {
 uint64_t Image::entry() const {
   const auto* elf = llvm::dyn_cast<ELFObjectFileBase>(parts_->file.get());
   return llvm::cantFail(elf->getStartAddress());
+}
+
+uint64_t Image::contextBytes() const {
+  return parts_->context_bytes;
 }
 
 uint64_t Image::loadedBytes() const {

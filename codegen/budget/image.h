@@ -114,6 +114,8 @@ class Image {
   /// Of what is loaded into memory: all of it, and what is written to.
   [[nodiscard]] uint64_t loadedBytes() const;
   [[nodiscard]] uint64_t writableBytes() const;
+  /// Of the mission's context.
+  [[nodiscard]] uint64_t contextBytes() const;
 
  private:
   struct Parts;

@@ -187,6 +187,8 @@ llvm::Constant* Tables::mission(const MissionFunctions& functions) {
                                     word(bytesOf(lowering_)),
                                     word(mission.uses.size()),
                                     number(mission.resume_within_s),
+                                    word(mission.new_after_restart ? 1 : 0),
+                                    word(0),
                                     text(mission.name),
                                     states(),
                                     sensors(),

@@ -357,6 +357,7 @@ struct Requirement {
 /// How long the SBC may have been away for the mission to go on.
 struct Resumption {
   Expr within;
+  bool never_after_restart = false;
   Where where;
   bool operator==(const Resumption&) const = default;
 };

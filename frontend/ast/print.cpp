@@ -106,7 +106,10 @@ class FilePrinter {
     std::visit([this](const auto& p) { line("require " + promise(p)); }, n.node);
   }
 
-  void write(const Resumption& n) { line("resume within " + print(n.within)); }
+  void write(const Resumption& n) {
+    line("resume within " + print(n.within) +
+         (n.never_after_restart ? ", never after restart" : ""));
+  }
 
   static std::string promise(const AlwaysPromise& p) { return "always " + print(p.condition); }
   static std::string promise(const ExitPromise& p) { return "exit within " + print(p.within); }

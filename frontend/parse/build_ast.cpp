@@ -66,8 +66,7 @@ ast::Item AstBuilder::item(Parser::ItemContext* rule) {
     case GliderParser::RuleBehaviour:
       return behaviour(static_cast<Parser::BehaviourContext*>(child));
     case GliderParser::RuleResumption:
-      return ast::Resumption{expr(static_cast<Parser::ResumptionContext*>(child)->expr()),
-                             where(child)};
+      return resumption(static_cast<Parser::ResumptionContext*>(child));
     case GliderParser::RuleExternal:
       return external(static_cast<Parser::ExternalContext*>(child));
     default:
@@ -164,6 +163,10 @@ ast::Item AstBuilder::external(Parser::ExternalContext* rule) {
     }
   }
   return result;
+}
+
+ast::Resumption AstBuilder::resumption(Parser::ResumptionContext* rule) {
+  return {expr(rule->expr()), rule->RESTART() != nullptr, where(rule)};
 }
 
 ast::Requirement AstBuilder::requirement(Parser::RequirementContext* rule) {

@@ -38,6 +38,7 @@ class AstBuilder {
   ast::Behaviour behaviour(Parser::BehaviourContext* rule);
   ast::Item external(Parser::ExternalContext* rule);
   ast::Requirement requirement(Parser::RequirementContext* rule);
+  ast::Resumption resumption(Parser::ResumptionContext* rule);
   ast::TypeName type(Parser::TypeContext* rule);
   std::optional<ast::Range> range(Parser::RangeContext* rule);
   std::optional<std::vector<ast::Formal>> formals(Parser::FormalsContext* rule);

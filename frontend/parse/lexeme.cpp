@@ -76,7 +76,7 @@ bool isName(uint32_t type) {
 }
 
 bool isSoftKeyword(uint32_t type) {
-  return type >= GliderLexer::IN && type <= GliderLexer::RESUME;
+  return type >= GliderLexer::IN && type <= GliderLexer::RESTART;
 }
 
 bool isAnyName(uint32_t type) {

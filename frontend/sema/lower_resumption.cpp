@@ -41,6 +41,7 @@ void lowerResumption(const ast::File& file, Scope& scope) {
       continue;
     }
     first = node;
+    scope.mission.new_after_restart = node->never_after_restart;
     if (const auto within = longestOutage(*node, scope)) {
       scope.mission.resume_within_s = *within;
     }

@@ -139,6 +139,7 @@ void Client::takeTick(const TickHead& head) {
   tick_.answer = head.answer;
   tick_.answered_sequence = head.answered_sequence;
   tick_.session = head.session;
+  tick_.clock_s = head.clock_s;
   tick_.reading_count = 0;
 }
 

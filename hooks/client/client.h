@@ -29,6 +29,7 @@ struct VehicleTick {
   HookAnswer answer = HookAnswer::None;
   uint16_t answered_sequence = 0;
   uint32_t session = 0;  ///< in control, 0 for none
+  uint32_t clock_s = 0;  ///< the vehicle's clock, s since 1970; 0: unknown
   /// The vehicle obeys this program: the session in control is that of its newest Take.
   bool obeys_us = false;
   /// Number under which the newest instruction goes from now on, 0 before the first: another than

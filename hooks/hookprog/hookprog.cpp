@@ -44,7 +44,17 @@ void Hookprog::run(double science_time_s, const ScienceSensors& own, const Glide
   takeFlight(flight);
   watchInstruction();
   if (time_is_new_ && cycle_is_new_) {
-    sendCycle(own);
+    time_is_new_ = false;
+    cycle_is_new_ = false;
+    watchHookbeh();
+    if (cycles_.isNext(newestWhole(GLIDER_M_CYCLE_NUMBER))) {
+      sendCycle(own);
+    } else {
+      ++stale_;
+    }
+    for (bool& fresh : fresh_) {
+      fresh = false;
+    }
   }
   const bool open = out_.flush(sbc);
   if (link_ != 0 && (!open || (waiting_ && waits_.lasts(now_s_) >= kLostSecs))) {
@@ -243,7 +253,9 @@ void Hookprog::handleDone(const Done& done) {
   // going: only the answers of the session in control keep that session alive. Nor do they when its
   // mission does not go on: somebody answers, but nobody flies.
   const uint32_t in_control = newestWhole(GLIDER_X_HOOK_SESSION);
-  if (in_control == 0 || (done.session == in_control && noteProgress(done))) {
+  // Who is not in control yet has told its time all the same: it is no news when it comes again.
+  const bool counts = done.session != 0 && (in_control == 0 || done.session == in_control);
+  if (counts ? noteProgress(done) : in_control == 0) {
     beat();
   }
 }
@@ -253,7 +265,7 @@ bool Hookprog::noteProgress(const Done& done) {
   if (progress_.hasGoneOn(done.session, done.status.mission_time_s, now_s_)) {
     return true;
   }
-  if (progress_.isStuck(kLostSecs, now_s_)) {
+  if (newestWhole(GLIDER_X_HOOK_SESSION) != 0 && progress_.isStuck(kLostSecs, now_s_)) {
     event(Kind::SbcStuck, done.session);
   }
   return false;
@@ -303,9 +315,6 @@ void Hookprog::watchHookbeh() {
 }
 
 void Hookprog::sendCycle(const ScienceSensors& own) {
-  time_is_new_ = false;
-  cycle_is_new_ = false;
-  watchHookbeh();
   forwardPressure(own);
   if (link_ == 0) {
     sendBeacon();
@@ -315,9 +324,6 @@ void Hookprog::sendCycle(const ScienceSensors& own) {
       waiting_ = true;
       waits_.begin(now_s_);
     }
-  }
-  for (bool& fresh : fresh_) {
-    fresh = false;
   }
 }
 
@@ -375,6 +381,8 @@ TickHead Hookprog::tickHead() const {
                     : HookAnswer::None;
   head.answered_sequence = static_cast<uint16_t>(newestWhole(GLIDER_X_HOOK_SEQUENCE));
   head.session = newestWhole(GLIDER_X_HOOK_SESSION);
+  const double clock = newest(GLIDER_M_PRESENT_TIME);
+  head.clock_s = clock >= 1 && clock < UINT32_MAX ? static_cast<uint32_t>(clock) : 0;
   return head;
 }
 

@@ -112,6 +112,7 @@ class Hookprog {
   bool fresh_[GLIDER_SENSOR_COUNT] = {};
   bool time_is_new_ = false;
   bool cycle_is_new_ = false;
+  CycleWatch cycles_;
   double cycle_time_s_ = 0;    // mission time of the newest complete cycle
   uint32_t cycle_number_ = 0;  // its number
   double pressure_ = 0;        // of the CTD, in this cycle
@@ -125,7 +126,7 @@ class Hookprog {
   Reporter reporter_;
   uint32_t newest_session_ = 0;
   double told_s_ = 0;       // newest mission time that the SBC has told in this link
-  uint32_t stale_ = 0;      // frames that told of an earlier one, in this run
+  uint32_t stale_ = 0;      // frames and reports that come again, in this run
   uint32_t old_told_ = 0;   // instruction of which an event has said that it is old, 0 for none
   uint32_t heartbeat_ = 0;
   ProgressWatch progress_;

@@ -25,6 +25,20 @@ class Since {
   double begun_s_ = 0;
 };
 
+/// Whether a report of the flight controller is of a later cycle than those before it. One of an
+/// earlier cycle comes again; two in their order say that the vehicle counts from the beginning.
+class CycleWatch {
+ public:
+  /// `cycle` counts round at 2^24.
+  bool isNext(uint32_t cycle);
+
+ private:
+  uint32_t newest_ = 0;
+  uint32_t earlier_ = 0;  ///< of the newest report, when `was_earlier_`
+  bool known_ = false;
+  bool was_earlier_ = false;
+};
+
 /// Whether the mission in control goes on.
 class ProgressWatch {
  public:

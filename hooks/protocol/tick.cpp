@@ -10,7 +10,7 @@
 namespace glider::hooks {
 namespace {
 
-constexpr uint32_t kHeadBytes = 20;
+constexpr uint32_t kHeadBytes = 24;
 constexpr uint32_t kSubscriptionBytes = 7;
 constexpr uint32_t kWidest = 8;
 constexpr uint32_t kMapBytes = kMostSubscriptions / 8;
@@ -82,6 +82,7 @@ void writeHead(ByteWriter& out, const TickHead& head) {
   out.u8(static_cast<uint8_t>(head.answer));
   out.u16(head.answered_sequence);
   out.u24(head.session);
+  out.u32(head.clock_s);
 }
 
 }  // namespace
@@ -158,6 +159,7 @@ bool decode(const Frame& frame, TickHead& head) {
   head.answer = static_cast<HookAnswer>(answer);
   head.answered_sequence = in.u16();
   head.session = in.u24();
+  head.clock_s = in.u32();
   return frame.type == MessageType::Tick && in.good() && (flags & ~kFlagVirtualTime) == 0 &&
          isFinite(head.vehicle_time_s) && isHookState(state) && isHookAnswer(answer);
 }

@@ -30,6 +30,7 @@ struct TickHead {
   HookAnswer answer = HookAnswer::None;
   uint16_t answered_sequence = 0;
   uint32_t session = 0;
+  uint32_t clock_s = 0;  ///< m_present_time, whole seconds since 1970; 0: unknown
 };
 
 /// What a Tick says of a subscribed sensor.

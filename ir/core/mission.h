@@ -346,6 +346,9 @@ struct Mission {
   /// The longest outage of the SBC after which the mission goes on, s; kResumeWithin unless the
   /// mission says another.
   double resume_within_s = kResumeWithin_s;
+  /// It does not go on, but begins from the start, if the vehicle has begun its own mission again
+  /// during the outage.
+  bool new_after_restart = false;
 
   [[nodiscard]] const Expr& operator[](ExprId id) const { return exprs.at(id.index); }
   [[nodiscard]] const State& operator[](StateId id) const { return states.at(id.index); }

@@ -38,6 +38,9 @@ std::string Printer::run() {
   if (m_.resume_within_s != kResumeWithin_s) {
     line("resume within {}", m_.resume_within_s);
   }
+  if (m_.new_after_restart) {
+    line("resume never after restart");
+  }
   std::ranges::for_each(m_.sensors, [&](const Sensor& s) { sensor(s); });
   std::ranges::for_each(m_.behaviours, [&](const Behaviour& b) { behaviour(b); });
   std::ranges::for_each(m_.variables, [&](const Variable& v) { variable(v); });

@@ -74,12 +74,22 @@ class Reader {
     } else if (in_.peek().isWord("require")) {
       requirement();
     } else if (in_.accept("resume")) {
-      in_.expect("within");
-      m_.resume_within_s = in_.number(false);
+      resumption();
     } else if (!code_.definition()) {
       in_.failExpecting(
           "`sensor`, `behaviour`, `variable`, `table`, `function`, `use`, `let`, `always`, "
           "`state`, `require` or `resume`");
+    }
+  }
+
+  void resumption() {
+    if (in_.accept("never")) {
+      in_.expect("after");
+      in_.expect("restart");
+      m_.new_after_restart = true;
+    } else {
+      in_.expect("within");
+      m_.resume_within_s = in_.number(false);
     }
   }
 

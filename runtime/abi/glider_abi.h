@@ -13,7 +13,7 @@
 extern "C" {
 #endif
 
-#define GLIDER_ABI_VERSION 5u
+#define GLIDER_ABI_VERSION 6u
 /* Gives a function declared in C the symbol that a mission looks for; ir/core/c_symbols.h says how
    it spells the function's types. */
 #define GLIDER_SYMBOL(name) __asm__(name)

@@ -3,11 +3,11 @@
 
 #include "runtime/board/card.h"
 
+#include "runtime/board/kernel.h"
 #include "runtime/log/mission_log.h"
 
 #include <errno.h>
 #include <poll.h>
-#include <signal.h>
 #include <string.h>
 #include <sys/mman.h>
 #include <sys/wait.h>
@@ -113,7 +113,7 @@ void Card::serve(int orders, int answers) {
   if (line_ >= 0) {
     close(line_);
   }
-  signal(SIGINT, SIG_IGN);
+  ignoreSignal(SIGINT);
   if (process_ >= 0 && work_.reopen != nullptr && work_.log.write != nullptr) {
     work_.reopen(work_.log);
   }

@@ -5,6 +5,8 @@
 
 #include "hooks/protocol/crc.h"
 #include "runtime/board/files.h"
+#include "runtime/board/kernel.h"
+#include "runtime/checkpoint/checkpoint.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -20,12 +22,29 @@ namespace {
 /// The file of checkpoints.
 struct Slots {
   const char* path;
+  uint32_t bytes;
   int descriptor;
 };
 
 bool openSlots(Slots& slots) {
   slots.descriptor = open(slots.path, O_RDWR | O_CREAT, 0644);
   return slots.descriptor >= 0;
+}
+
+/// Takes from the card, once, all that the file will ever have. Later writes then change no table
+/// of the file system, which all files share; and slots lie as far apart on the card as in the
+/// file, which a file with holes would not do.
+void makeRoom(const Slots& slots) {
+  static uint8_t zeros[Checkpoint::kBlock];
+  off_t end = lseek(slots.descriptor, 0, SEEK_END);
+  const bool grows = end >= 0 && end < static_cast<off_t>(slots.bytes);
+  while (end >= 0 && end < static_cast<off_t>(slots.bytes)) {
+    const ssize_t put = write(slots.descriptor, zeros, sizeof zeros);
+    end = put > 0 ? end + put : put < 0 && errno == EINTR ? end : -1;
+  }
+  if (grows) {
+    (void)fdatasync(slots.descriptor);
+  }
 }
 
 int descriptorOf(void* self) {
@@ -55,8 +74,11 @@ int32_t readStore(void* self, uint32_t offset, uint8_t* bytes, uint32_t count) {
 
 int32_t writeStore(void* self, uint32_t offset, const uint8_t* bytes, uint32_t count) {
   auto& slots = *static_cast<Slots*>(self);
-  if (slots.descriptor < 0 && !openSlots(slots)) {
-    return -1;
+  if (slots.descriptor < 0) {
+    if (!openSlots(slots)) {
+      return -1;
+    }
+    makeRoom(slots);
   }
   return moveAll(write, self, offset, bytes, count);
 }
@@ -85,12 +107,13 @@ uint32_t checkOf(const uint8_t* bytes, uint32_t count, uint32_t before) {
 
 }  // namespace
 
-GliderStore openCheckpoints(const char* path) {
+GliderStore openCheckpoints(const char* path, uint32_t context_bytes) {
   static Slots slots;
   if (path == nullptr) {
     return {};
   }
   slots.path = path;
+  slots.bytes = Checkpoint::storeBytes(context_bytes);
   if (!openSlots(slots)) {
     tell("warning: cannot keep checkpoints in `", path,
          "`; the mission flies without until it can");
@@ -99,11 +122,9 @@ GliderStore openCheckpoints(const char* path) {
 }
 
 void holdCheckpoints(const GliderStore& checkpoints) {
-  struct flock whole{};
-  whole.l_type = F_WRLCK;
-  whole.l_whence = SEEK_SET;
-  while (fcntl(descriptorOf(checkpoints.self), F_SETLKW, &whole) != 0 && errno == EINTR) {
+  while (lockWhole(descriptorOf(checkpoints.self)) != 0 && errno == EINTR) {
   }
+  makeRoom(*static_cast<const Slots*>(checkpoints.self));
 }
 
 uint32_t programNumber() {

@@ -4,6 +4,7 @@
 #include "runtime/board/files.h"
 
 #include "hooks/transport/descriptor.h"
+#include "runtime/board/kernel.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -74,9 +75,9 @@ int32_t renewLog(void* self) {
 }
 
 void dontBlock(int descriptor) {
-  const int flags = fcntl(descriptor, F_GETFL);
+  const int flags = controlFile(descriptor, F_GETFL, 0);
   if (flags >= 0) {
-    (void)fcntl(descriptor, F_SETFL, flags | O_NONBLOCK);
+    (void)controlFile(descriptor, F_SETFL, flags | O_NONBLOCK);
   }
 }
 

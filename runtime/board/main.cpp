@@ -9,11 +9,11 @@
 #include "runtime/board/card.h"
 #include "runtime/board/checkpoints.h"
 #include "runtime/board/files.h"
+#include "runtime/board/kernel.h"
 #include "runtime/board/line.h"
 #include "runtime/board/parameters.h"
 #include "runtime/core/runtime.h"
 
-#include <signal.h>
 
 namespace glider::runtime {
 namespace {
@@ -49,7 +49,8 @@ int run(const Options& options) {
   // Before the line is there, so that the card's process does not hold it open.
   static Card card;
   (void)card.start(
-      {openLogOf(options), openCheckpoints(options.checkpoints), holdCheckpoints, reopenLog},
+      {openLogOf(options), openCheckpoints(options.checkpoints, gliderMission.context_bytes),
+       holdCheckpoints, reopenLog},
       gliderMission.context_bytes);
   const OpenPort line = openLine(options);
   if (line.problem != nullptr) {
@@ -75,7 +76,7 @@ int main(int argc, char** argv) {
   using namespace glider::runtime;
   holdStandardFiles();
   useDoublePrecision();
-  signal(SIGPIPE, SIG_IGN);
+  ignoreSignal(SIGPIPE);
   const Options options = readOptions(argc, argv);
   if (options.wish == Options::Wish::Fly) {
     return run(options);

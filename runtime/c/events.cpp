@@ -124,6 +124,10 @@ extern "C" void resumeWithin(double seconds) {
   Program::instance().resumeWithin(seconds);
 }
 
+extern "C" void newAfterRestart(void) {
+  Program::instance().newAfterRestart();
+}
+
 extern "C" int gliderResumed(void) {
   return Program::instance().resumed() ? 1 : 0;
 }

@@ -77,6 +77,9 @@ int keepState(void* state, size_t bytes);
 /* How long an outage may last if the mission is to go on after it, s: 300 unless set. After a
    longer one the vehicle keeps its own control, and gliderRun returns NULL. */
 void resumeWithin(double seconds);
+/* The mission begins from the start, and does not go on, if the vehicle has begun its own mission
+   again during the outage. */
+void newAfterRestart(void);
 /* True once the mission goes on from a checkpoint. */
 int gliderResumed(void);
 

@@ -6,12 +6,12 @@
 #include "runtime/board/card.h"
 #include "runtime/board/checkpoints.h"
 #include "runtime/board/files.h"
+#include "runtime/board/kernel.h"
 #include "runtime/board/line.h"
 #include "runtime/board/options.h"
 #include "runtime/c/glider.h"
 #include "runtime/c/program.h"
 
-#include <signal.h>
 #include <stdlib.h>
 
 namespace {
@@ -36,7 +36,7 @@ extern "C" int gliderOpen(int argc, char** argv, const char* mission_name) {
   static glider::hooks::SystemClock clock;
   holdStandardFiles();
   useDoublePrecision();
-  signal(SIGPIPE, SIG_IGN);
+  ignoreSignal(SIGPIPE);
   mission_name = mission_name != nullptr ? mission_name : "";
   const Options options = readOptions(argc, argv);
   if (options.wish != Options::Wish::Fly) {
@@ -59,7 +59,8 @@ extern "C" int gliderOpen(int argc, char** argv, const char* mission_name) {
     return kWrongUse;
   }
   (void)card().start(
-      {openLogOf(options), openCheckpoints(options.checkpoints), holdCheckpoints, reopenLog},
+      {openLogOf(options), openCheckpoints(options.checkpoints, Program::kMostContextBytes),
+       holdCheckpoints, reopenLog},
       Program::kMostContextBytes);
   const OpenPort line = openLine(options);
   if (line.problem != nullptr) {

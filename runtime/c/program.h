@@ -57,6 +57,8 @@ class Program {
   KeptState& kept() { return kept_; }
   /// So long an outage may last if the mission is to go on after it, s.
   void resumeWithin(double seconds) { mission_.resume_within = seconds; }
+  /// It begins again if the vehicle has begun its own mission again meanwhile.
+  void newAfterRestart() { mission_.new_after_restart = 1; }
   void attach(const Link& link) { link_ = link; }
   [[nodiscard]] bool isAttached() const { return link_.wait != nullptr; }
   /// True when the vehicle said that its time is virtual: it waits for every answer.

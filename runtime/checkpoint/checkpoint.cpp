@@ -10,7 +10,8 @@
 namespace glider::runtime {
 namespace {
 
-constexpr uint32_t kMagic = 0x324B4C47;  // "GLK2": the format's version is its last letter
+constexpr uint32_t kMagic = 0x334B4C47;  // "GLK3": the format's version is its last letter
+constexpr uint32_t kAnyMagic = kMagic & 0xFFFFFFU;
 
 /// The part of a context that a resume needs: all behind its pointers, up to what only one tick
 /// needs (what C functions gave, what tables of guards remember, notes). It lies in one piece, and
@@ -26,9 +27,9 @@ static_assert(offsetof(GliderContext, mission_time) ==
                   offsetof(GliderContext, note_values) + sizeof(double*) &&
               "no pointer stands behind mission_time");
 
-uint32_t offsetOf(uint32_t number, uint32_t head_bytes, uint32_t body_bytes) {
-  const uint32_t slot = head_bytes + body_bytes + Checkpoint::kBlock - 1;
-  return number % Checkpoint::kSlots * (slot - slot % Checkpoint::kBlock);
+/// The first one, which has number 1, goes to the first slot: a file that was begun shows it.
+uint32_t placeOf(uint32_t number, const GliderContext& context) {
+  return Checkpoint::offsetOf((number - 1) % Checkpoint::kSlots, context.mission->context_bytes);
 }
 
 uint32_t digestOf(const void* from, const void* to, uint32_t before) {
@@ -48,12 +49,12 @@ uint32_t digestOf(const GliderContext& context) {
 bool Checkpoint::readHead(uint32_t slot, Head& head) const {
   constexpr auto kBytes = static_cast<int32_t>(sizeof(Head));
   return store_.read(store_.self, slot, reinterpret_cast<uint8_t*>(&head), sizeof head) == kBytes &&
-         head.magic == kMagic;
+         (head.magic & 0xFFFFFFU) == kAnyMagic;
 }
 
 bool Checkpoint::readBody(const Head& head, GliderContext& context) const {
   const Body body(context);
-  const uint32_t at = offsetOf(head.number, sizeof head, body.size) + sizeof head;
+  const uint32_t at = placeOf(head.number, context) + sizeof head;
   return store_.read(store_.self, at, const_cast<uint8_t*>(body.bytes), body.size) ==
              static_cast<int32_t>(body.size) &&
          head.check ==
@@ -70,12 +71,12 @@ Checkpoint::Found Checkpoint::find(GliderContext& context, LinkFacts& facts) {
     Head newest{};
     for (uint32_t slot = 0; slot < kSlots; ++slot) {
       Head head;
-      if (!readHead(offsetOf(slot, sizeof head, body), head)) {
+      if (!readHead(offsetOf(slot, context.mission->context_bytes), head)) {
         continue;
       }
-      if (head.program != program_ || head.bytes != body) {
+      if (head.magic != kMagic || head.program != program_ || head.bytes != body) {
         found = found == Found::Nothing ? Found::Foreign : found;
-      } else if (head.number % kSlots == slot && head.number < below &&
+      } else if ((head.number - 1) % kSlots == slot && head.number < below &&
                  head.number > newest.number) {
         newest = head;
       }
@@ -105,7 +106,7 @@ bool Checkpoint::write(const GliderContext& context, const LinkFacts& facts) {
   // One that fails is tried again in the same slot: the newest whole one is never written over.
   Head head{kMagic, 0, program_, number_ + 1, body.size, 0, facts};
   head.check = hooks::crc32c(body.bytes, body.size, digestOf(&head.program, &head + 1, 0));
-  const uint32_t at = offsetOf(head.number, sizeof head, body.size);
+  const uint32_t at = placeOf(head.number, context);
   constexpr auto kBytes = static_cast<int32_t>(sizeof(Head));
   return store_.write(store_.self, at, reinterpret_cast<const uint8_t*>(&head), sizeof head) ==
              kBytes &&

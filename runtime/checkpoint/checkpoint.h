@@ -17,16 +17,35 @@ struct LinkFacts {
   double anchor_mission = 0;
   uint32_t session = 0;      ///< of the newest handshake; 0: none yet
   uint32_t instruction = 0;  ///< number of the newest instruction
+  uint32_t clock = 0;        ///< of the vehicle in that frame, s since 1970; 0: unknown
+  uint32_t reserved = 0;
 };
 
 class Checkpoint {
  public:
   /// Written in turn, so that all but one are whole whatever happens to a write.
-  static constexpr uint32_t kSlots = 8;
-  /// A slot begins at a multiple of so many bytes: no block of the card holds parts of two.
+  static constexpr uint32_t kSlots = 3;
+  /// A slot begins at a multiple of so many bytes.
   static constexpr uint32_t kBlock = 4096;
+  /// So many bytes at least lie between two slots: what a card may erase and write again as one
+  /// piece, and lose when its power goes meanwhile. The greatest allocation unit of cards of up to
+  /// 32 GB (SD Physical Layer Simplified Specification 4.10, table 4-47).
+  static constexpr uint32_t kEraseBlock = 4U << 20U;
   /// When nothing else asks for one, checkpoints are so far apart, s of mission time.
   static constexpr double kMostApart = 20;
+
+  /// A slot: whole blocks with room for a head and a context, of which a part is kept.
+  static constexpr uint32_t slotBytes(uint32_t context_bytes) {
+    return (context_bytes + uint32_t{sizeof(Head)} + kBlock - 1) / kBlock * kBlock;
+  }
+  /// Where a slot begins in the store of a mission with such a context, bytes.
+  static constexpr uint32_t offsetOf(uint32_t slot, uint32_t context_bytes) {
+    return slot * (kEraseBlock + slotBytes(context_bytes));
+  }
+  /// Bytes that the slots take together: a file that has them never grows.
+  static constexpr uint32_t storeBytes(uint32_t context_bytes) {
+    return offsetOf(kSlots - 1, context_bytes) + slotBytes(context_bytes);
+  }
 
   enum class Found : uint8_t {
     Nothing,  ///< the store is empty, or there is none

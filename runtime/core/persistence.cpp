@@ -29,30 +29,42 @@ void Persistence::look(GliderContext& context) {
 
 bool Persistence::decide(const hooks::VehicleTick& tick, const GliderContext& context,
                          double sbc_time) {
-  if (tick.hook_state == HookState::Ready) {
-    // Since the vehicle's mission began nobody has had control: another flight.
-    found_ = false;
-    begins_anew_ = LogDetail::EarlierFlight;
-    parts_.client.resume(0, parts_.client.sequence());
-  }
-  if (tick.hook_state != HookState::Active && tick.hook_state != HookState::Silent) {
+  const bool free = tick.hook_state == HookState::Ready;
+  if (!free && tick.hook_state != HookState::Active && tick.hook_state != HookState::Silent) {
     return false;
   }
   found_ = false;
-  const double outage = tick.vehicle_time_s - facts_.vehicle_time;
-  if (!(outage >= 0.0 && outage <= context.mission->resume_within)) {
+  const double outage = free ? outageByClock(tick) : tick.vehicle_time_s - facts_.vehicle_time;
+  const bool within = outage >= 0.0 && outage <= context.mission->resume_within;
+  if (free && (!within || context.finished != 0 || context.mission->new_after_restart != 0)) {
+    // Another flight: nobody has had control since the vehicle's mission began.
+    begins_anew_ = LogDetail::EarlierFlight;
+    parts_.client.resume(0, parts_.client.sequence());
+    return false;
+  }
+  if (!within) {
     leaveControl(outage);
     return false;
   }
-  parts_.clock.resume({facts_.anchor_vehicle, facts_.anchor_mission}, facts_.vehicle_time,
-                      sbc_time);
+  ClockAnchor anchor{facts_.anchor_vehicle, facts_.anchor_mission};
+  if (free) {  // the vehicle's time has begun again, and tells nothing of the outage
+    anchor = {tick.vehicle_time_s, context.mission_time + outage};
+  }
+  parts_.clock.resume(anchor, free ? tick.vehicle_time_s : facts_.vehicle_time, sbc_time);
   if (tick.obeys_us) {
     parts_.control.resume();
   }
   // At the mission time that it is now, not that of the checkpoint.
-  parts_.log.event(facts_.anchor_mission + (tick.vehicle_time_s - facts_.anchor_vehicle),
+  parts_.log.event(anchor.mission + (tick.vehicle_time_s - anchor.vehicle),
                    LogEvent::MissionResumed, LogDetail::None, outage);
   return true;
+}
+
+/// By the vehicle's clock, s; unknown if that was not known then, or is not now.
+double Persistence::outageByClock(const hooks::VehicleTick& tick) const {
+  return facts_.clock != 0 && tick.clock_s != 0
+             ? static_cast<double>(tick.clock_s) - static_cast<double>(facts_.clock)
+             : unknown();
 }
 
 void Persistence::leaveControl(double outage) {
@@ -89,7 +101,8 @@ void Persistence::commit(const GliderContext* context) {
   log_fails_ = parts_.log.isFailing();
   const Checkpoint::Kept kept = checkpoint_.keep(
       *context, {parts_.clock.vehicle(), parts_.clock.anchor().vehicle,
-                 parts_.clock.anchor().mission, parts_.client.session(), parts_.client.sequence()});
+                 parts_.clock.anchor().mission, parts_.client.session(), parts_.client.sequence(),
+                 parts_.client.tick().clock_s});
   const bool failed = kept == Checkpoint::Kept::Failed;
   if (failed && !not_kept_) {
     parts_.log.event(context->mission_time, LogEvent::CheckpointNotWritten, LogDetail::None,

@@ -45,6 +45,7 @@ class Persistence {
   void commit(const GliderContext* context);
 
  private:
+  [[nodiscard]] double outageByClock(const hooks::VehicleTick& tick) const;
   void leaveControl(double outage);
   void tellVehicle(const GliderContext& context, const char* what);
 

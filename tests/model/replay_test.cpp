@@ -37,6 +37,7 @@ std::string nameOf(HookAnswer answer) {
          : answer == HookAnswer::Accepted     ? "Accepted"
          : answer == HookAnswer::WrongSession ? "WrongSession"
          : answer == HookAnswer::NotReady     ? "NotReady"
+         : answer == HookAnswer::OldSequence  ? "OldSequence"
                                               : "another";
 }
 
@@ -97,6 +98,7 @@ struct Wire {
   std::deque<uint8_t> there;
   bool held = false;
   int frames_before_held = 0;  ///< that come all the same
+  std::vector<uint8_t> recorded;
 
   [[nodiscard]] bool comes() const { return !there.empty() && !(held && frames_before_held == 0); }
   uint8_t take() {
@@ -122,9 +124,13 @@ struct Wire {
       if (words.type != "Subscribe") {
         EXPECT_EQ(words.link, expected.link) << words.type;
       }
+      const std::vector<uint8_t> bytes(written.begin() + static_cast<ptrdiff_t>(begin),
+                                       written.begin() + static_cast<ptrdiff_t>(i) + 1);
       for (int copy = 0; copy < expected.copies; ++copy) {
-        there.insert(there.end(), written.begin() + static_cast<ptrdiff_t>(begin),
-                     written.begin() + static_cast<ptrdiff_t>(i) + 1);
+        there.insert(there.end(), bytes.begin(), bytes.end());
+      }
+      if (expected.recorded) {
+        recorded = bytes;
       }
       begin = i + 1;
     }
@@ -290,7 +296,7 @@ class Replay {
       client_.reset();
       return;
     }
-    client_->done({mission_time_s_, 0, 0, MissionPhase::Flying}, at_sbc_.stream());
+    client_->done({flies_ ? mission_time_s_ : 0, 0, 0, MissionPhase::Flying}, at_sbc_.stream());
     if (tick.decision == "leaves") {
       client_.reset();
     }
@@ -326,6 +332,9 @@ class Replay {
       Wire& wire = wires_[static_cast<size_t>(what[5] - '0')];
       wire.held = true;
       wire.frames_before_held = what[7] - '0';
+    } else if (what.starts_with("replay ")) {
+      Wire& wire = wires_[static_cast<size_t>(what[7] - '0')];
+      wire.there.insert(wire.there.end(), wire.recorded.begin(), wire.recorded.end());
     } else if (what == "sbc off") {
       client_.reset();
       stuck_ = false;
@@ -430,6 +439,11 @@ TEST(Model, TheCodeFliesAsItDoes) {
                            "stuck",
                            "restart flight",
                            "restart science",
+                           "OldSequence",
+                           "replay 0",
+                           "replay 1",
+                           "replay 2",
+                           "replay 3",
                            "hold 0 0",
                            "hold 1 0",
                            "hold 2 0",

@@ -18,6 +18,7 @@ std::vector<ModelRound> flyModel(int seed) {
       runShell("cd " + folder.path().string() +
                " && " GLIDER_SPIN " -DREPLAY -DFAULTS=40 -DCOMMANDS=60 -T -n" +
                std::to_string(seed) + " " GLIDER_SOURCE_DIR "/hooks/protocol/model/control.pml");
+  EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_EQ(run.out.find("assertion violated"), std::string::npos) << run.out;
   std::vector<ModelRound> rounds;
   std::string decision;  // of the tick that is told next
@@ -34,6 +35,10 @@ std::vector<ModelRound> flyModel(int seed) {
       words >> direction >> frame.type >> frame.link >> frame.session >> frame.sequence >>
           frame.copies;
       rounds.back().frames.at(direction).push_back(frame);
+    } else if (word == "record") {
+      size_t direction = 0;
+      words >> direction;
+      rounds.back().frames.at(direction).back().recorded = true;
     } else if (word == "mission") {
       words >> word;
       rounds.back().ticks.push_back({std::exchange(decision, ""), word});
@@ -47,7 +52,8 @@ std::vector<ModelRound> flyModel(int seed) {
     } else if (word == "full") {
       rounds.pop_back();  // more under way than the model looks at
       return rounds;
-    } else if (word == "hold" || word == "sbc" || word == "stuck" || word == "restart") {
+    } else if (word == "hold" || word == "sbc" || word == "stuck" || word == "restart" ||
+               word == "replay") {
       rounds.back().after.push_back(line.substr(line.find(word)));
     }
   }

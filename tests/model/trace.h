@@ -17,6 +17,7 @@ struct ModelFrame {
   std::string type;
   uint32_t link = 0, session = 0, sequence = 0;
   int copies = 0;
+  bool recorded = false;  ///< it comes again later
 };
 
 /// What hookbeh shows at the end of a round.

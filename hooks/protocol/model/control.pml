@@ -26,15 +26,28 @@ byte rounds;
 /* Mission time that tells of progress. It counts round when all is searched. */
 #ifdef REPLAY
 #define TIMES 250
-#define NEWS(time) (progress == NEVER || time > progress)
+#define NEWS(time, old) (progress == NEVER || time > progress)
+#define STALE(frame) (frame.time < told_time)
+#define OLD_CYCLE(frame) (frame.time <= newest_cycle)
+#define NEXT_CYCLE (told_cycle == 0 || reported_cycle > told_cycle || \
+                    (was_earlier == 1 && reported_cycle > earlier && reported_cycle <= earlier + 8))
+#define NUMBER int        /* of an instruction */
+#define JUMP 16383
+#define ROOM 30           /* frames under way on each line; more is not looked at */
 #else
 #define TIMES 4
-#define NEWS(time) (time != progress)
+#define NEWS(time, old) (progress == NEVER || (old == 0 && time != progress))
+#define STALE(frame) (frame.old == 1 && frame.time != told_time)
+#define OLD_CYCLE(frame) (frame.old == 1)
+#define NEXT_CYCLE (reported_old == 0)
+#define NUMBER byte
+#define JUMP 32
+#define ROOM 10
 #endif
 
 /* HookState, HookAnswer, HookControl of hooks/protocol/values.h */
 mtype = { Absent, Ready, Active, Silent, Complete };
-mtype = { None, Accepted, WrongSession, NotReady };
+mtype = { None, Accepted, WrongSession, NotReady, OldSequence };
 mtype = { Take, Steer, GiveBack };
 /* hooks/protocol/messages.def */
 mtype = { Beacon, Welcome, Tick, Hello, Subscribe, Write, Done, Sensors };
@@ -46,15 +59,15 @@ typedef Frame {
   mtype state;            /* Tick, Sensors to science: x_hook_state */
   mtype answer;           /* the same: x_hook_answer */
   byte session;           /* of Welcome the newest, of Write and Done the SBC's, else x_hook_session */
-  byte sequence;          /* of Write sci_hook_sequence, else x_hook_sequence */
+  bit old;                /* comes again: its cycle, its mission time or its beat has been told before */
+  NUMBER sequence;        /* of Write sci_hook_sequence, else x_hook_sequence */
   mtype control;          /* Write: sci_hook_control */
   byte command;           /* Write: which instruction it is (ghost) */
   bit flag;               /* Tick: it serves a subscription; Sensors to flight: a heartbeat */
-  byte time               /* Done: mission time */
+  byte time               /* Done: mission time; Tick, Sensors to science: the cycle (REPLAY only) */
 }
 hidden Frame in, out;     /* used within one step only */
 
-#define ROOM 10           /* frames under way on each; more is not looked at */
 chan to_sbc = [ROOM] of { Frame };
 chan from_sbc = [ROOM] of { Frame };
 chan to_flight = [ROOM] of { Frame };
@@ -73,12 +86,17 @@ byte quiet;               /* rounds since then */
 byte holds;               /* rounds by which frames may be late in all */
 bit over;
 
+/* A frame that is heard, and comes again later. */
+chan recorder = [1] of { Frame };
+byte recorded_line;       /* and one; 0: none is there */
+bit recorded_is_last;     /* no other frame has come on that line since */
+
 #define DOUBLE_PASSED_OVER(frame) (frame.copy == 1)
 #define ARRIVED(line, number) (len(line) > 0 && held[number] != 1)
 
 inline clear(frame) {
   frame.type = 0; frame.copy = 0; frame.link = 0; frame.state = 0; frame.answer = 0; frame.session = 0; frame.sequence = 0;
-  frame.control = 0; frame.command = 0; frame.flag = 0; frame.time = 0
+  frame.control = 0; frame.command = 0; frame.flag = 0; frame.time = 0; frame.old = 0
 }
 
 /* Takes the next frame of a line. */
@@ -98,25 +116,39 @@ inline note(number, what) {
 #define DOUBLED 2
 #define VANISHES 0
 
-/* Puts `out` on a line, which may lose or double it. */
+inline pass(line, number) {
+  recorded_is_last = (recorded_line == number + 1 -> 0 : recorded_is_last);
+  note(number, PASSES); line ! out
+}
+
+inline record(line, number) {
+  pass(line, number);
+  printf("record %d\n", number);
+  recorder ! out; recorded_line = number + 1; recorded_is_last = 1
+}
+
+/* Puts `out` on a line, which may lose, double or record it. */
 inline put(line, number) {
   if
   :: LOST_ANYWAY(number) -> note(number, VANISHES)
   :: !LOST_ANYWAY(number) && len(line) + 2 > ROOM -> over = 1; printf("full\n")
   :: else ->
      if
-     :: note(number, PASSES); line ! out
+     :: pass(line, number)
 #ifdef REPLAY
-     :: note(number, PASSES); line ! out
-     :: note(number, PASSES); line ! out
-     :: note(number, PASSES); line ! out
-     :: note(number, PASSES); line ! out
-     :: note(number, PASSES); line ! out
-     :: note(number, PASSES); line ! out
-     :: note(number, PASSES); line ! out
+     :: pass(line, number)
+     :: pass(line, number)
+     :: pass(line, number)
+     :: pass(line, number)
+     :: pass(line, number)
+     :: pass(line, number)
+     :: pass(line, number)
 #endif
      :: faults > 0 -> fault(); note(number, VANISHES)
-     :: faults > 0 -> fault(); note(number, DOUBLED); line ! out; out.copy = 1; line ! out
+     :: faults > 0 ->
+        fault(); note(number, DOUBLED); line ! out; out.copy = 1; line ! out;
+        recorded_is_last = (recorded_line == number + 1 -> 0 : recorded_is_last)
+     :: faults > 0 && recorded_line == 0 -> fault(); record(line, number)
      fi
   fi;
   clear(out)
@@ -135,6 +167,27 @@ inline hold(number) {
   :: held[number] = 2
   fi;
   printf("hold %d %d\n", number, held[number] - 1)
+}
+
+inline again(line) {
+  if
+  :: len(line) == ROOM -> over = 1; printf("full\n")
+  :: else -> line ! in
+  fi
+}
+
+inline replay() {
+  recorder ? in;
+  in.old = 1; in.copy = recorded_is_last;
+  printf("replay %d\n", recorded_line - 1);
+  if
+  :: recorded_line == TO_SBC + 1 -> again(to_sbc)
+  :: recorded_line == FROM_SBC + 1 -> again(from_sbc)
+  :: recorded_line == TO_FLIGHT + 1 -> again(to_flight)
+  :: recorded_line == FROM_FLIGHT + 1 -> again(from_flight)
+  fi;
+  recorded_line = 0; recorded_is_last = 0; disagreed = 0;
+  clear(in)
 }
 
 /* Things go wrong, or come right, between the rounds. */
@@ -173,6 +226,7 @@ inline world() {
      :: restart_science()
      :: restart_flight()
      fi
+  :: calm == 0 && recorded_line != 0 && noise == 0 && cut[recorded_line - 1] == 0 -> replay()
   :: calm == 0 && cut[TO_SBC] == 1 -> mend(TO_SBC)
   :: calm == 0 && cut[FROM_SBC] == 1 -> mend(FROM_SBC)
   :: calm == 0 && cut[TO_FLIGHT] == 1 -> mend(TO_FLIGHT)

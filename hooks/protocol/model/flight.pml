@@ -4,11 +4,14 @@
 /* The flight controller: its sensor array, and Hookbeh::cycle. */
 
 mtype hb_state = Ready, hb_answer = None;
-byte hb_session, hb_lost, hb_settled, hb_answered, hb_silence;
+mtype hb_settled_answer = None;
+byte hb_session, hb_lost, hb_silence;
+NUMBER hb_settled, hb_answered;
 bit hb_settled_known;
 mtype array_control;
-byte array_session, array_sequence, array_command;
-bit array_beat;           /* the heartbeat has changed */
+byte array_session, array_command;
+NUMBER array_sequence;
+bit array_beat;           /* the heartbeat is newer than the one before */
 byte in_force;            /* the instruction that is obeyed (ghost) */
 byte newest_obeyed;       /* since hookbeh started (ghost) */
 byte newest_lost;         /* session, since hookbeh started (ghost) */
@@ -20,7 +23,7 @@ inline receive_at_flight() {
      get(to_flight, TO_FLIGHT);
      if
      :: DOUBLE_PASSED_OVER(in) -> skip
-     :: !DOUBLE_PASSED_OVER(in) && in.flag == 1 -> array_beat = 1
+     :: !DOUBLE_PASSED_OVER(in) && in.flag == 1 -> array_beat = 1 - in.old
      :: else ->
         written = 1;
         array_session = in.session; array_control = in.control; array_command = in.command; array_sequence = in.sequence
@@ -78,9 +81,14 @@ inline decide() {
 inline read_instruction() {
   if
   :: hb_settled_known == 0 -> hb_settled_known = 1; hb_settled = array_sequence; hb_answered = array_sequence
-  :: hb_settled_known == 1 && array_sequence != 0 && array_sequence != hb_settled ->
+  :: hb_settled_known == 1 && array_sequence != 0 && array_sequence == hb_settled ->
+     hb_answered = hb_settled; hb_answer = hb_settled_answer
+  :: hb_settled_known == 1 && array_sequence > hb_settled ->
      hb_answered = array_sequence; hb_settled = array_sequence;
-     decide()
+     decide();
+     hb_settled_answer = hb_answer
+  :: hb_settled_known == 1 && array_sequence != 0 && array_sequence < hb_settled ->
+     hb_answered = array_sequence; hb_answer = OldSequence
   :: else -> skip
   fi
 }
@@ -90,12 +98,15 @@ inline flight_cycle() {
   watch_heartbeat();
   read_instruction();
   out.type = Sensors; out.state = hb_state; out.session = hb_session; out.sequence = hb_answered; out.answer = hb_answer;
+#ifdef REPLAY
+  out.time = rounds + 1;
+#endif
   put(from_flight, FROM_FLIGHT)
 }
 
 /* Its mission starts again; the sensor array keeps what lies in it. */
 inline restart_flight() {
-  hb_state = Ready; hb_answer = None; hb_session = 0; hb_lost = 0; hb_settled = 0; hb_answered = 0; hb_settled_known = 0;
+  hb_state = Ready; hb_answer = None; hb_settled_answer = None; hb_session = 0; hb_lost = 0; hb_settled = 0; hb_answered = 0; hb_settled_known = 0;
   hb_silence = 0; in_force = 0; newest_obeyed = 0; newest_lost = 0; written = 0;
   printf("restart flight\n")
 }

@@ -4,24 +4,29 @@
 /* The SBC: Client, and a mission that wants control, steers, and gives back when it likes. */
 
 bit sbc_on = 1, sbc_stuck;
-byte sbc_link, next_session = 1, sbc_session, sequence;
+byte sbc_link, next_session = 1, sbc_session;
+NUMBER sequence, settled, last_settled; /* the second: the newest that hookbeh was seen to look at */
+bit tick_seen;            /* in this link */
+byte newest_cycle;        /* REPLAY only */
 bit link_used, waiting, due, taken;
-byte unanswered, last_answered;
+byte unanswered;
 mtype pending_control;
 byte pending_session, pending_command;
 mtype tick_state = Absent, tick_answer = None;
-byte tick_session, tick_answered;
+byte tick_session;
+NUMBER tick_answered;
 bit resubscribe, finished;
 bit claims = 1;           /* its session is for it to keep alive */
 /* GliderRuntime and Checkpoint: what outlives a power cut, and what comes of it */
 bit kept, kept_finished;
-byte kept_session, kept_sequence;
+byte kept_session;
+NUMBER kept_sequence;
 bit found;                /* there is a checkpoint, and nothing is decided about it */
 bit goes_on, leaves;      /* it was decided in this tick */
 byte mission_time;        /* ticks that the mission has seen; counts round */
 byte commands;            /* given so far, which is the newest one's number (ghost) */
 byte since_progress;      /* rounds since a Done left that claims control and is news to hookprog of a mission that goes on (ghost) */
-byte told_sequence;       /* of the newest instruction that has left this mission, started again or not (ghost) */
+NUMBER told_sequence;       /* of the newest instruction that has left this mission, started again or not (ghost) */
 byte told_end;            /* the same: the instruction with which it has given control back, 0 for none (ghost) */
 byte disagreed;           /* rounds in which hookbeh has obeyed another instruction than the newest, and nothing else went wrong (ghost) */
 
@@ -36,7 +41,7 @@ inline ask_for_link() {
   :: sbc_link != 0 && link_used == 1 -> sbc_link++
   :: else -> skip
   fi;
-  link_used = 0;
+  link_used = 0; tick_seen = 0;
   say(Hello);
   say(Subscribe)
 }
@@ -49,20 +54,20 @@ inline learn_session(number) {
 }
 
 inline answer_done() {
-  out.type = Done; out.session = (claims == 1 && unanswered < UNANSWERED -> sbc_session : 0); out.time = mission_time;
+  out.type = Done; out.session = (claims == 1 && unanswered < UNANSWERED -> sbc_session : 0); 
+  out.time = (found == 1 || leaves == 1 -> 0 : mission_time);
   if
-  :: out.session != 0 && (NEWS(mission_time) || out.session != progress_session) -> since_progress = 0
+  :: out.session != 0 && (NEWS(mission_time, 0) || out.session != progress_session) -> since_progress = 0
   :: else -> skip
   fi;
   put(from_sbc, FROM_SBC)
 }
 
 inline renumber() {
-  sequence++;
-  if
-  :: sequence == tick_answered -> sequence++
-  :: else -> skip
-  fi
+  NUMBER theirs;
+  theirs = (settled != 0 -> settled : tick_answered);
+  sequence = (theirs > sequence -> theirs + 1 : sequence + 1);
+  theirs = 0
 }
 
 #define OBEYED (sbc_session != 0 && tick_session == sbc_session && tick_state == Active)
@@ -70,7 +75,8 @@ inline renumber() {
 inline look_for_answer() {
   if
   :: tick_answered == sequence && tick_answer == None -> renumber()
-  :: tick_answered == sequence && tick_answer != None -> waiting = 0
+  :: tick_answered == sequence && tick_answer == OldSequence -> sequence = sequence + JUMP; renumber()
+  :: tick_answered == sequence && tick_answer != None && tick_answer != OldSequence -> waiting = 0
   :: else -> skip
   fi;
   due = waiting
@@ -82,15 +88,16 @@ inline follow_instruction() {
   :: OBEYED -> taken = 1
   :: else -> skip
   fi;
+  settled = (tick_answer != OldSequence -> tick_answered : settled);
   if
   :: waiting == 1 -> look_for_answer()
   :: else -> skip
   fi;
   if
-  :: waiting == 0 || unwritten == 1 || tick_answered != last_answered -> unanswered = 0
+  :: waiting == 0 || unwritten == 1 || settled != last_settled -> unanswered = 0
   :: else -> unanswered = (unanswered < UNANSWERED -> unanswered + 1 : UNANSWERED)
   fi;
-  last_answered = tick_answered
+  last_settled = settled
 }
 
 inline instruct(what) {
@@ -182,7 +189,10 @@ inline write_answer() {
 
 inline handle_tick() {
   assert(in.copy == 0); /* no cycle is flown twice */
-  link_used = 1; resubscribe = 1 - in.flag;
+  link_used = 1; tick_seen = 1; resubscribe = 1 - in.flag;
+#ifdef REPLAY
+  newest_cycle = in.time;
+#endif
   tick_state = in.state; tick_session = in.session; tick_answered = in.sequence; tick_answer = in.answer;
   learn_session(tick_session);
   follow_instruction();
@@ -219,7 +229,8 @@ inline handle() {
      fi
   :: in.type == Welcome && in.link != sbc_link -> skip
   :: in.type == Tick && (sbc_link == 0 || in.link != sbc_link) -> ask_for_link()
-  :: in.type == Tick && sbc_link != 0 && in.link == sbc_link -> handle_tick()
+  :: in.type == Tick && sbc_link != 0 && in.link == sbc_link && tick_seen == 1 && OLD_CYCLE(in) -> ask_for_link()
+  :: in.type == Tick && sbc_link != 0 && in.link == sbc_link && !(tick_seen == 1 && OLD_CYCLE(in)) -> handle_tick()
   fi;
   if
   :: sbc_on == 1 -> answer_done()
@@ -252,9 +263,10 @@ inline sbc_run() {
 inline power_cut() {
   sbc_on = 0; sbc_stuck = 0;
   sbc_link = 0; next_session = 1; sbc_session = 0; sequence = 0; link_used = 0; waiting = 0; due = 0; taken = 0;
-  unanswered = 0; last_answered = 0; pending_control = 0; pending_session = 0; pending_command = 0;
+  unanswered = 0; settled = 0; last_settled = 0; tick_seen = 0; newest_cycle = 0; pending_control = 0; pending_session = 0; pending_command = 0;
   tick_state = Absent; tick_answer = None; tick_session = 0; tick_answered = 0; resubscribe = 0; finished = 0;
   claims = 1; found = 0; leaves = 0;
+  recorded_is_last = (recorded_line == TO_SBC + 1 -> 0 : recorded_is_last);
   printf("sbc off\n")
 }
 

@@ -9,17 +9,22 @@ byte progress = NEVER;               /* mission time that the session in control
 byte progress_session;
 bit subscribed;
 mtype reported_state = Absent, reported_answer = None;
-byte reported_session, reported_sequence;
+byte reported_session, reported_cycle;
+NUMBER reported_sequence;
+bit reported_old;
 bit cycle_is_new;
+byte told_cycle, earlier;            /* REPLAY only: of CycleWatch */
+bit was_earlier;
+byte told_time;                      /* newest mission time of this link */
 
 inline handle_hello() {
-  link = in.link; subscribed = 0; waiting_rounds = NEVER;
+  link = in.link; subscribed = 0; told_time = 0; waiting_rounds = NEVER;
   out.type = Welcome; out.link = link; out.session = newest_session;
   put(to_sbc, TO_SBC)
 }
 
 inline handle_write() {
-  newest_session = in.session;
+  newest_session = (in.session > newest_session -> in.session : newest_session);
   if
   :: reported_state == Absent -> skip
   :: else ->
@@ -30,20 +35,21 @@ inline handle_write() {
 }
 
 inline handle_done() {
-  waiting_rounds = NEVER;
+  waiting_rounds = NEVER; told_time = in.time;
+  bit counts = (in.session != 0 && (reported_session == 0 || in.session == reported_session));
   if
-  :: reported_session != 0 && in.session == reported_session && progress_session != in.session ->
-     progress_session = in.session; progress = NEVER
+  :: counts == 1 && progress_session != in.session -> progress_session = in.session; progress = NEVER
   :: else -> skip
   fi;
+  bit goes_on_there = (counts == 1 && NEWS(in.time, in.old));
+  progress = (goes_on_there == 1 -> in.time : progress);
   if
-  :: reported_state != Absent &&
-     (reported_session == 0 || (in.session == reported_session && NEWS(in.time))) ->
-     progress = (reported_session == 0 -> progress : in.time);
+  :: reported_state != Absent && (counts == 1 -> goes_on_there : reported_session == 0) ->
      out.type = Sensors; out.flag = 1;
      put(to_flight, TO_FLIGHT)
   :: else -> skip
-  fi
+  fi;
+  counts = 0; goes_on_there = 0
 }
 
 inline serve_sbc() {
@@ -56,7 +62,8 @@ inline serve_sbc() {
      :: !DOUBLE_PASSED_OVER(in) && in.type != Hello && link == 0 -> skip
      :: !DOUBLE_PASSED_OVER(in) && in.type == Subscribe && link != 0 -> subscribed = 1
      :: !DOUBLE_PASSED_OVER(in) && in.type == Write && link != 0 -> handle_write()
-     :: !DOUBLE_PASSED_OVER(in) && in.type == Done && link != 0 -> handle_done()
+     :: !DOUBLE_PASSED_OVER(in) && in.type == Done && link != 0 && STALE(in) -> skip
+     :: !DOUBLE_PASSED_OVER(in) && in.type == Done && link != 0 && !STALE(in) -> handle_done()
      fi
   :: !ARRIVED(from_sbc, FROM_SBC) -> break
   od
@@ -70,19 +77,29 @@ inline take_flight() {
      :: DOUBLE_PASSED_OVER(in) -> skip
      :: else ->
         reported_state = in.state; reported_session = in.session; reported_sequence = in.sequence;
-        reported_answer = in.answer; cycle_is_new = 1
+        reported_answer = in.answer; reported_old = in.old;
+#ifdef REPLAY
+        cycle_is_new = (in.time != reported_cycle -> 1 : cycle_is_new); reported_cycle = in.time
+#else
+        cycle_is_new = 1
+#endif
      fi
   :: !ARRIVED(from_flight, FROM_FLIGHT) -> break
   od
 }
 
+inline skip_cycle() {
+  cycle_is_new = 0; was_earlier = 1; earlier = reported_cycle
+}
+
 inline send_cycle() {
-  cycle_is_new = 0;
+  cycle_is_new = 0; was_earlier = 0; earlier = 0; told_cycle = reported_cycle;
   if
   :: link == 0 -> out.type = Beacon; out.state = reported_state
   :: else ->
      out.type = Tick; out.link = link; out.state = reported_state; out.session = reported_session;
      out.sequence = reported_sequence; out.answer = reported_answer; out.flag = subscribed;
+     out.time = reported_cycle;
      waiting_rounds = (waiting_rounds == NEVER -> 0 : waiting_rounds)
   fi;
   put(to_sbc, TO_SBC)
@@ -92,7 +109,8 @@ inline science_run() {
   serve_sbc();
   take_flight();
   if
-  :: cycle_is_new == 1 -> send_cycle()
+  :: cycle_is_new == 1 && NEXT_CYCLE -> send_cycle()
+  :: cycle_is_new == 1 && !(NEXT_CYCLE) -> skip_cycle()
   :: else -> skip
   fi;
   if
@@ -109,6 +127,8 @@ inline count_rounds() {
 /* Its links and what it has heard are forgotten. */
 inline restart_science() {
   link = 0; newest_session = 0; waiting_rounds = NEVER; progress = NEVER; progress_session = 0; subscribed = 0; cycle_is_new = 0;
+  told_time = 0; told_cycle = 0; was_earlier = 0; earlier = 0; reported_cycle = 0; reported_old = 0;
+  recorded_is_last = (recorded_line == FROM_SBC + 1 || recorded_line == FROM_FLIGHT + 1 -> 0 : recorded_is_last);
   reported_state = Absent; reported_answer = None; reported_session = 0; reported_sequence = 0;
   printf("restart science\n")
 }

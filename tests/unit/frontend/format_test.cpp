@@ -33,6 +33,8 @@ std::string inState(const std::string& cases) {
 }
 
 TEST(Format, ResumeBeginsALineWhereverItStands) {
+  EXPECT_EQ(formatted("mission a resume within 5 min,never\nafter restart"),
+            "mission a\nresume within 5 min, never after restart\n");
   EXPECT_EQ(formatted("resume within 5 min mission a resume within 1 h"),
             "resume within 5 min\nmission a\nresume within 1 h\n");
 }

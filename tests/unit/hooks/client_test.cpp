@@ -468,6 +468,78 @@ TEST_F(ClientTest, ANumberThatTheVehicleFoundAtItsStartIsGivenUp) {
   }
 }
 
+TEST_F(ClientTest, ATickThatComesAgainIsNotReadAndANewLinkTellsItApart) {
+  const uint32_t first = link().link;
+  tick({{Told::Value, Told::Value}, {12.5, 17}});
+  tick({{Told::Value, Told::Value}, {30, 17}});
+  head_.cycle -= 1;
+  sayTick({{Told::Value, Told::Value}, {12.5, 17}});
+  EXPECT_EQ(poll(), ClientEvent::Handled);
+  EXPECT_EQ(client_.tick().readings[0].value, 30) << "nothing of it is believed";
+  const auto frames = answers();
+  ASSERT_EQ(typesOf(frames), (std::vector{Type::Hello, Type::Subscribe, Type::Done}));
+  Hello hello;
+  ASSERT_TRUE(decode(frames[0], hello));
+  EXPECT_EQ(hello.link, first + 1);
+  sayTick({{Told::Value, Told::Value}, {12.5, 17}});
+  EXPECT_EQ(poll(), ClientEvent::Handled) << "nor when it comes once more";
+  answers();
+  head_.link = hello.link;
+  head_.cycle = 1;  // or the vehicle has begun to count again
+  EXPECT_EQ(typesOf(tick()), (std::vector{Type::Done}));
+}
+
+TEST_F(ClientTest, CyclesCountRound) {
+  link();
+  head_.cycle = kMostSession - 1;
+  tick();
+  head_.cycle = 0;
+  tick();
+}
+
+TEST_F(ClientTest, AProgramThatKnowsNothingBeginsBehindTheNumberThatWasDecidedOn) {
+  link();
+  head_.answered_sequence = 40000;
+  head_.answer = HookAnswer::Accepted;
+  tick();
+  EXPECT_EQ(client_.instruct(descend(HookControl::Take)), 40001);
+}
+
+TEST_F(ClientTest, ANumberThatIsOldIsGivenUpForANewerOne) {
+  for (uint32_t settled = 100; settled <= UINT16_MAX; settled += 6500) {
+    client_ = Client(options());
+    link();
+    head_.answered_sequence = 7;  // one that came again hides what was decided on
+    head_.answer = HookAnswer::OldSequence;
+    tick();
+    client_.instruct(descend(HookControl::Take));
+    int refusals = 0;
+    for (; refusals < 10; ++refusals) {
+      const auto list = written(tick().at(0));
+      head_.answered_sequence = static_cast<uint16_t>(list.values[10].value);
+      EXPECT_EQ(client_.tick().instruction_sequence, head_.answered_sequence);
+      if (isNewerSequence(head_.answered_sequence, static_cast<uint16_t>(settled))) {
+        break;
+      }
+    }
+    EXPECT_LE(refusals, 3) << settled;
+    head_.answer = HookAnswer::Accepted;
+    EXPECT_EQ(typesOf(tick()), (std::vector{Type::Done})) << settled;
+  }
+}
+
+TEST_F(ClientTest, ThatAnOldInstructionIsRefusedIsNoAnswerToTheOneThatWaits) {
+  link();
+  client_.instruct(descend(HookControl::Take));
+  tick();
+  for (uint32_t i = 1; i <= 8; ++i) {
+    head_.answered_sequence = static_cast<uint16_t>(60000 + i);
+    head_.answer = HookAnswer::OldSequence;
+    EXPECT_EQ(typesOf(tick()), (std::vector{Type::Write, Type::Done})) << "written again";
+    EXPECT_EQ(client_.tick().unanswered_ticks, i);
+  }
+}
+
 TEST_F(ClientTest, NoiseIsNoFrame) {
   link();
   const uint8_t noise[] = {1, 2, 3, 4, 5, 0, 0, 255, 0};

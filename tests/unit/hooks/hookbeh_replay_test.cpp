@@ -4,6 +4,7 @@
 // What was recorded earlier and comes again: hookbeh refuses it, and says so.
 
 #include "hooks/hookbeh/hookbeh.h"
+#include "hooks/protocol/messages.h"
 #include "tests/unit/hooks/hookbeh_bench.h"
 
 #include <gtest/gtest.h>
@@ -180,7 +181,7 @@ TEST_F(HookbehReplay, OldOnesAmongGarbledOnesDoNotHideThatTheSbcIsNotUnderstood)
   const HookbehInputs garbled = bench_.inputs;
   recorded_.push_back(garbled);
   HookbehOutputs out;
-  for (int i = 0; i < 6; ++i) {
+  for (int i = 0; i < 7; ++i) {
     ASSERT_NE(out.state, HookState::Silent);
     out = again(i % 2 == 0 ? 2 : 0);
   }

@@ -122,6 +122,54 @@ TEST_F(HookprogReportsTest, AnAnswerToWhatIsNoTickConfirmsNothing) {
   EXPECT_EQ(tick(subscription()).told[0], Told::Value);
 }
 
+TEST_F(HookprogReportsTest, AnAnswerThatComesAgainConfirmsNothing) {
+  hello();
+  atSbc();
+  cycle({{GLIDER_M_PITCH, 0.1}});
+  tick(subscription());
+  answerTick();
+  cycle({{GLIDER_M_DEPTH, 12.5}});
+  tick(subscription());  // is lost
+  // An answer of 256 frames ago has the same number.
+  say(Done{tick_sequence_, 0, {now_ - 4, 0, 0, MissionPhase::Flying}});
+  run();
+  cycle({{GLIDER_M_DEPTH, 12.5}});
+  EXPECT_EQ(tick(subscription()).told[0], Told::Value);
+}
+
+TEST_F(HookprogReportsTest, AReportThatComesAgainIsNoTick) {
+  hello();
+  atSbc();
+  for (int i = 0; i < 10; ++i) {
+    cycle({{GLIDER_M_DEPTH, 10.0 + i}});
+  }
+  atSbc();
+  events();
+  const double newest = cycle_;
+  cycle_ = 4;
+  cycle({{GLIDER_M_DEPTH, 14}});
+  EXPECT_TRUE(atSbc().empty());
+  EXPECT_EQ(events(), (std::vector{HookprogEvent::Kind::StaleFrame}));
+  cycle_ = newest;
+  cycle({{GLIDER_M_PITCH, 0.1}});
+  EXPECT_EQ(tick(subscription()).told[0], Told::Nothing) << "nor is its depth a later one's";
+}
+
+TEST_F(HookprogReportsTest, AVehicleThatCountsFromTheStartIsFollowedFromItsSecondReport) {
+  hello();
+  atSbc();
+  cycle_ = 1000;
+  cycle();
+  atSbc();
+  cycle_ = 0;
+  cycle();
+  EXPECT_TRUE(atSbc().empty());
+  for (int i = 0; i < 3; ++i) {
+    cycle();
+    EXPECT_EQ(atSbc().size(), 1U) << i;
+  }
+}
+
 TEST_F(HookprogReportsTest, ANewSubscriptionOrLinkStartsWithNothingHeld) {
   hello();
   atSbc();

@@ -3,6 +3,7 @@
 
 #include "tests/unit/hooks/hookprog_bench.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -255,6 +256,80 @@ TEST_F(HookprogTest, OnlyASessionThatWentOnIsTheNewest) {
   EXPECT_EQ(newest(9), 4U) << "that frame was refused";
 }
 
+TEST_F(HookprogTest, AnInstructionThatComesAgainIsToldOnceAndHookbehAnswersIt) {
+  cycle({{GLIDER_X_HOOK_STATE, 3}, {GLIDER_X_HOOK_SEQUENCE, 9}, {GLIDER_X_HOOK_ANSWER, 1}});
+  hello();
+  atSbc();
+  atFlight();
+  events();
+  write({{GLIDER_SCI_HOOK_SESSION, 4}, {GLIDER_SCI_HOOK_SEQUENCE, 3}});
+  for (int i = 0; i < 6; ++i) {
+    cycle({{GLIDER_X_HOOK_STATE, 3}, {GLIDER_X_HOOK_SEQUENCE, 3}, {GLIDER_X_HOOK_ANSWER, 9}});
+    say(answered());
+    run();
+  }
+  EXPECT_EQ(events(), (std::vector{Kind::OldInstruction}));
+  EXPECT_EQ(last_event_.a, 3U);
+  TickHead head;
+  ASSERT_TRUE(decode(atSbc().at(0), head));
+  EXPECT_EQ(head.answered_sequence, 3);
+  EXPECT_EQ(head.answer, HookAnswer::OldSequence);
+}
+
+TEST_F(HookprogTest, AnEarlierSessionThatComesAgainIsNotTheNewest) {
+  cycle({{GLIDER_X_HOOK_STATE, 3}});
+  hello();
+  write({{GLIDER_SCI_HOOK_SESSION, 4}, {GLIDER_SCI_HOOK_SEQUENCE, 3}});
+  write({{GLIDER_SCI_HOOK_SESSION, 5}, {GLIDER_SCI_HOOK_SEQUENCE, 4}});
+  write({{GLIDER_SCI_HOOK_SESSION, 4}, {GLIDER_SCI_HOOK_SEQUENCE, 3}});
+  run();
+  atSbc();
+  hello(8);
+  Welcome welcome;
+  ASSERT_TRUE(decode(atSbc().at(0), welcome));
+  EXPECT_EQ(welcome.newest_session, 5U);
+}
+
+TEST_F(HookprogTest, AnInstructionThatComesAgainDoesNotHideOneWithoutAnswer) {
+  cycle({{GLIDER_X_HOOK_STATE, 3}, {GLIDER_X_HOOK_SEQUENCE, 6}});
+  hello();
+  events();
+  for (int i = 0; i < 14; ++i) {
+    write({{GLIDER_SCI_HOOK_SESSION, 4}, {GLIDER_SCI_HOOK_SEQUENCE, 7}});
+    write({{GLIDER_SCI_HOOK_SESSION, 4}, {GLIDER_SCI_HOOK_SEQUENCE, 6}});
+    run();
+  }
+  EXPECT_EQ(events(), (std::vector{Kind::SbcUnanswered}));
+  EXPECT_EQ(last_event_.a, 7U);
+}
+
+TEST_F(HookprogTest, WhatTellsOfAnEarlierMissionTimeComesAgainAndIsPassedOver) {
+  cycle({{GLIDER_X_HOOK_STATE, 3}, {GLIDER_X_HOOK_SESSION, 4}});
+  hello();
+  say(answered(4, 100));
+  run();
+  events();
+  atFlight();
+  TransitionNotice notice;
+  notice.mission_time_s = 96;
+  MissionNote note;
+  note.mission_time_s = 96;
+  say(notice);
+  say(note);
+  say(answered(0, 96));  // as it was before control was taken
+  run();
+  EXPECT_EQ(events(), (std::vector{Kind::StaleFrame}));
+  EXPECT_EQ(last_event_.a, 3U);
+  EXPECT_EQ(hookprog_.sbc().mission_time_s, 100);
+  EXPECT_TRUE(atFlight().empty()) << "no heartbeat";
+  for (int i = 0; i < 16; ++i) {
+    say(answered(4, 96));
+    cycle({{GLIDER_X_HOOK_STATE, 3}});
+  }
+  const auto told = events();
+  EXPECT_EQ(std::ranges::count(told, Kind::SbcLost), 1) << "who is dead does not answer";
+}
+
 TEST_F(HookprogTest, EachAnswerOfTheSessionInControlIsAHeartbeat) {
   cycle({{GLIDER_X_HOOK_STATE, 3}, {GLIDER_X_HOOK_SESSION, 4}});
   hello();
@@ -269,6 +344,7 @@ TEST_F(HookprogTest, EachAnswerOfTheSessionInControlIsAHeartbeat) {
     EXPECT_NE(got[0].value, before);
     before = got[0].value;
   }
+  hello(8);
   say(answered(5));  // a program that was started again and has not taken control
   run();
   EXPECT_TRUE(atFlight().empty());
@@ -308,6 +384,8 @@ TEST_F(HookprogTest, AnotherLinkIsNoProgressAnotherSessionIs) {
   run();
   EXPECT_TRUE(atFlight().empty()) << "the same stuck mission";
   cycle({{GLIDER_X_HOOK_SESSION, 5}});
+  hello(9);
+  atFlight();
   say(answered(5, 4));
   run();
   EXPECT_EQ(atFlight().size(), 1U);

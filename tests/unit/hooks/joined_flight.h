@@ -38,6 +38,8 @@ class NoisyLine {
   }
   void setDamage(double damage) { damage_ = damage; }
   void setDelay(double seconds) { delay_ = seconds; }
+  /// Behind so great a share of the frames one that came before comes again, however old.
+  void setReplays(double share) { replays_ = share; }
   /// Longer frames do not get through to the right end.
   void setLongestToRight(size_t bytes) { to_right_.longest = bytes; }
 
@@ -50,7 +52,20 @@ class NoisyLine {
     std::vector<uint8_t> frame;  ///< as far as it has come
     std::deque<UnderWay> bytes;
     size_t longest = SIZE_MAX;
+    std::vector<std::vector<uint8_t>> earlier;
   };
+
+  void replay(Way& way) {
+    if (replays_ <= 0) {
+      return;
+    }
+    way.earlier.push_back(way.frame);
+    if (chance_(random_) < replays_) {
+      for (const uint8_t one : way.earlier[random_() % way.earlier.size()]) {
+        way.bytes.push_back({one, now_ + delay_});
+      }
+    }
+  }
 
   void move(const GliderByteStream& from, const GliderByteStream& to, Way& way, double seconds) {
     uint8_t byte = 0;
@@ -68,6 +83,7 @@ class NoisyLine {
              way.frame.size() <= way.longest ? way.frame : std::vector<uint8_t>()) {
           way.bytes.push_back({one, now_ + delay_});
         }
+        replay(way);
         way.frame.clear();
       }
     }
@@ -78,7 +94,7 @@ class NoisyLine {
 
   double speed_;
   double damage_;
-  double delay_ = 0, now_ = 0;
+  double delay_ = 0, now_ = 0, replays_ = 0;
   Way to_left_, to_right_;
   std::mt19937 random_;
   std::uniform_real_distribution<double> chance_{0, 1};

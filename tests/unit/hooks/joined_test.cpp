@@ -54,6 +54,51 @@ TEST(Joined, DamagedLinesNeverGiveAWrongOrDoubledCommand) {
   }
 }
 
+TEST(Joined, FramesThatComeAgainNeverGiveAWrongOrDoubledCommand) {
+  for (uint32_t seed = 1; seed <= 30; ++seed) {
+    Vehicle vehicle(seed % 2 == 0 ? 0.001 : 0, seed);
+    vehicle.sbc_line.setReplays(seed % 3 == 2 ? 0 : 0.05);
+    vehicle.flight_line.setReplays(seed % 3 == 1 ? 0 : 0.05);
+    Mission mission(1200);
+    uint32_t cycle = 0;
+    mission.watch = [&](const VehicleTick& tick) {
+      EXPECT_GT(tick.cycle, cycle) << "seed " << seed << ": no cycle is flown again";
+      cycle = tick.cycle;
+    };
+    Witness witness;
+    for (int i = 0; i < 1400; ++i) {
+      if (i == 1250) {
+        vehicle.sbc_line.setReplays(0);
+        vehicle.flight_line.setReplays(0);
+      }
+      vehicle.second(&mission);
+      witness.look(vehicle.flight, mission);
+      if (testing::Test::HasFatalFailure()) {
+        FAIL() << "seed " << seed;
+      }
+    }
+    EXPECT_GE(witness.accepted(), 10U) << "seed " << seed;
+    EXPECT_EQ(vehicle.flight.outputs.state, HookState::Complete) << "seed " << seed;
+  }
+}
+
+TEST(Joined, ASbcWhoseFramesComeAgainIsSilentInTime) {
+  for (uint32_t seed = 1; seed <= 10; ++seed) {
+    Vehicle vehicle(0, seed);
+    vehicle.flight_line.setReplays(1e-9);  // it remembers
+    Mission mission(1e9);
+    for (int i = 0; i < 400; ++i) {
+      vehicle.second(&mission);
+    }
+    ASSERT_EQ(vehicle.flight.outputs.state, HookState::Active) << seed;
+    vehicle.flight_line.setReplays(0.5);
+    for (int i = 0; i < 60; ++i) {
+      vehicle.second(nullptr);
+    }
+    EXPECT_EQ(vehicle.flight.outputs.state, HookState::Silent) << seed;
+  }
+}
+
 TEST(Joined, ALineWithMoreThanACycleOfDelayStillMakesALinkAndFlies) {
   for (const double delay : {2.5, 4.5, 5.5}) {
     Vehicle vehicle(0, 1);

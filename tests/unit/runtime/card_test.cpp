@@ -191,7 +191,7 @@ class Store : public ::testing::Test {
 
 TEST_F(Store, CheckpointsAreReadAndWrittenThere) {
   Card card;
-  ASSERT_TRUE(card.start({{}, openCheckpoints(path_.c_str()), holdCheckpoints}, 100));
+  ASSERT_TRUE(card.start({{}, openCheckpoints(path_.c_str(), 0), holdCheckpoints}, 100));
   const GliderStore store = card.checkpoints();
   const std::string words = "checkpoint";
   EXPECT_EQ(store.write(store.self, 7, reinterpret_cast<const uint8_t*>(words.data()), 10), 10);
@@ -221,7 +221,7 @@ TEST_F(Store, AProcessThatIsStartedAnewWritesTheNewestLog) {
 }
 
 TEST_F(Store, AProgramWaitsForTheProcessOfTheOneBefore) {
-  const GliderStore file = openCheckpoints(path_.c_str());
+  const GliderStore file = openCheckpoints(path_.c_str(), 0);
   int held[2];
   ASSERT_EQ(pipe(held), 0);
   const pid_t before = fork();

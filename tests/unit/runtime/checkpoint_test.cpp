@@ -39,7 +39,7 @@ TEST_P(Counting, WhateverAPowerCutLeavesOfTheFileTheLastCommittedTickStandsInIt)
     const bool is_synced = made > 0 && store_.log[made - 1].bytes.empty();
     const size_t newest = made == 0 ? 0 : store_.log[made - 1].answered;
     const size_t whole = is_synced ? newest : newest - (made == 0 ? 0 : 1);
-    eachFileAfterCut(store_.log, made, [&](const Bytes& file) {
+    eachFileAfterCut(store_.log, made, [&](const SparseFile& file) {
       ++files;
       RecordingStore left;
       left.content = file;
@@ -65,6 +65,103 @@ TEST_P(Counting, WhateverAPowerCutLeavesOfTheFileTheLastCommittedTickStandsInIt)
 
 INSTANTIATE_TEST_SUITE_P(, Counting, ::testing::Bool());
 
+/// A mission that has made some commits, each file that they may have left, and what stands in it.
+class EraseBlocks : public ResumeBench {
+ protected:
+  EraseBlocks() : memory_(mission_.memory.size()) {
+    store_.mark = [this] { return static_cast<size_t>(checkpoints_); };
+    GliderContext* context = layOut(memory_.data(), mission_.mission);
+    context->moved_list = GLIDER_NO_LIST;
+    Checkpoint checkpoint(store_.store(), 7);
+    for (checkpoints_ = 1; checkpoints_ <= 8; ++checkpoints_) {
+      EXPECT_EQ(checkpoint.keep(*context, {0, 0, 0, 1, checkpoints_}), Checkpoint::Kept::Written);
+    }
+  }
+
+  /// Number of the checkpoint that is found in `file`, 0 for none.
+  uint32_t foundIn(const SparseFile& file) {
+    RecordingStore left;
+    left.content = file;
+    LinkFacts facts;
+    GliderContext* context = layOut(memory_.data(), mission_.mission);
+    const auto found = Checkpoint(left.store(), 7).find(*context, facts);
+    return found == Checkpoint::Found::Good ? facts.instruction : 0;
+  }
+
+  /// Calls `visit` with blocks of `bytes` that begin anywhere in the file.
+  template <typename Visit>
+  static void eachPhase(uint32_t bytes, Visit visit) {
+    for (uint32_t part = 0; part < 16; ++part) {
+      visit(EraseBlock{bytes, bytes / 16 * part});
+      visit(EraseBlock{bytes, bytes - Checkpoint::kBlock * (part + 1) % bytes});
+    }
+  }
+
+  uint32_t checkpoints_ = 0;
+  std::vector<double> memory_;
+};
+
+constexpr uint32_t kSizes[] = {64U << 10U, 512U << 10U, 1U << 20U, 2U << 20U, 4U << 20U};
+constexpr Leaves kLeavings[] = {Leaves::Zeros, Leaves::Ones, Leaves::Noise};
+
+TEST_F(EraseBlocks, ARewriteThatIsInterruptedTakesNoneThatWasCommitted) {
+  for (size_t made = 1; made < store_.log.size(); ++made) {
+    const RecordedWrite& write = store_.log[made];  // during which the power goes
+    if (write.bytes.empty()) {
+      continue;
+    }
+    const auto committed = static_cast<uint32_t>(write.answered - 1);
+    for (const uint32_t bytes : kSizes) {
+      eachPhase(bytes, [&](const EraseBlock& blocks) {
+        for (const Leaves leaves : kLeavings) {
+          const SparseFile file = withoutBlock(fileAfter(store_.log, made + 1), blocks,
+                                               blocks.of(write.offset), leaves);
+          ASSERT_EQ(foundIn(file), committed)
+              << "blocks of " << bytes << " bytes, phase " << blocks.phase << ", write " << made;
+        }
+      });
+    }
+  }
+}
+
+TEST_F(EraseBlocks, ARewriteOfAnotherFilesBlockTakesTheNewestAtMost) {
+  const SparseFile whole = fileAfter(store_.log, store_.log.size());
+  for (const uint32_t bytes : kSizes) {
+    eachPhase(bytes, [&](const EraseBlock& blocks) {
+      for (uint32_t number = 0; number <= blocks.of(static_cast<uint32_t>(whole.size()));
+           ++number) {
+        ASSERT_GE(foundIn(withoutBlock(whole, blocks, number, Leaves::Noise)), 7U)
+            << "blocks of " << bytes << " bytes, phase " << blocks.phase;
+      }
+    });
+  }
+}
+
+TEST_F(EraseBlocks, OfTwiceTheSizeLeaveTheNewestOrTheOneBefore) {
+  for (size_t made = 9; made < store_.log.size(); ++made) {
+    const RecordedWrite& write = store_.log[made];
+    eachPhase(8U << 20U, [&](const EraseBlock& blocks) {
+      const SparseFile file = withoutBlock(fileAfter(store_.log, made + 1), blocks,
+                                           blocks.of(write.offset), Leaves::Ones);
+      ASSERT_TRUE(write.bytes.empty() || foundIn(file) + 2 >= write.answered)
+          << "phase " << blocks.phase << ", write " << made;
+    });
+  }
+}
+
+TEST_F(EraseBlocks, AFileOfAnOlderFormatIsAnotherPrograms) {
+  store_.content.write(3, reinterpret_cast<const uint8_t*>("2"), 1);  // "GLK2"
+  SparseFile older;
+  uint8_t first[512];
+  store_.content.read(0, first, sizeof first);
+  older.write(0, first, sizeof first);
+  RecordingStore left;
+  left.content = older;
+  LinkFacts facts;
+  GliderContext* context = layOut(memory_.data(), mission_.mission);
+  EXPECT_EQ(Checkpoint(left.store(), 7).find(*context, facts), Checkpoint::Found::Foreign);
+}
+
 TEST_F(CheckpointTest, ACardThatFailsForLongLosesNoneThatWasKept) {
   std::vector<double> memory(mission_.memory.size());
   GliderContext* context = layOut(memory.data(), mission_.mission);
@@ -78,9 +175,10 @@ TEST_F(CheckpointTest, ACardThatFailsForLongLosesNoneThatWasKept) {
     ASSERT_EQ(checkpoint.keep(*context, {0, 0, 0, 1, instruction}), Checkpoint::Kept::Failed);
   }
   store_.fails = false;
+  context->mission_time += 1;
   const size_t made = store_.log.size();
   ASSERT_EQ(checkpoint.keep(*context, {0, 0, 1, 99}), Checkpoint::Kept::Written);
-  eachFileAfterCut(store_.log, made + 1, [&](const Bytes& file) {
+  eachFileAfterCut(store_.log, made + 1, [&](const SparseFile& file) {
     RecordingStore left;
     left.content = file;
     LinkFacts facts;
@@ -100,7 +198,7 @@ TEST_F(CheckpointTest, WearIsBoundedAndTheFileDoesNotGrow) {
       std::ranges::count_if(store_.log, [](const auto& w) { return w.bytes.empty(); });
   EXPECT_LE(syncs, 900 / 20 + 6) << "each 20 s, two transitions and their commands";
   EXPECT_GE(syncs, 900 / 20 - 3);
-  EXPECT_LE(store_.content.size(), Checkpoint::kSlots * 4 * Checkpoint::kBlock);
+  EXPECT_LE(store_.content.size(), Checkpoint::storeBytes(mission_.mission.context_bytes));
   std::map<uint32_t, int> writes;
   for (const auto& write : store_.log) {
     writes[write.offset] += write.bytes.empty() ? 0 : 1;

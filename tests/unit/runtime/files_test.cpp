@@ -6,6 +6,7 @@
 #include "runtime/board/files.h"
 
 #include "runtime/board/checkpoints.h"
+#include "runtime/checkpoint/checkpoint.h"
 
 #include <gtest/gtest.h>
 
@@ -13,8 +14,10 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <vector>
 
 namespace glider::runtime::testing {
 namespace {
@@ -88,14 +91,38 @@ TEST_F(LogFiles, OneThatCannotBeOpenedFailsUntilItCan) {
 
 TEST_F(LogFiles, CheckpointsThatCannotBeOpenedFailUntilTheyCan) {
   const std::string path = folder_ + "/later/checkpoints";
-  const GliderStore store = openCheckpoints(path.c_str());
+  const GliderStore store = openCheckpoints(path.c_str(), 0);
   uint8_t word[4] = {1, 2, 3, 4};
   EXPECT_LT(store.read(store.self, 0, word, 4), 0);
   EXPECT_LT(store.write(store.self, 0, word, 4), 0);
   std::filesystem::create_directory(folder_ + "/later");
   EXPECT_EQ(store.write(store.self, 0, word, 4), 4);
   EXPECT_EQ(store.sync(store.self), 0);
-  EXPECT_EQ(std::filesystem::file_size(path), 4U);
+  EXPECT_EQ(std::filesystem::file_size(path), Checkpoint::storeBytes(0));
+}
+
+TEST_F(LogFiles, CheckpointsTakeTheirRoomOnceAndNeverGrow) {
+  constexpr uint32_t kContext = 3000;
+  const std::string path = folder_ + "/checkpoints";
+  const GliderStore store = openCheckpoints(path.c_str(), kContext);
+  holdCheckpoints(store);
+  struct stat before{};
+  ASSERT_EQ(stat(path.c_str(), &before), 0);
+  const uint32_t whole = Checkpoint::storeBytes(kContext);
+  EXPECT_EQ(static_cast<uint32_t>(before.st_size), whole);
+  EXPECT_GE(before.st_blocks * 512, before.st_size) << "no holes: each slot has its own place";
+  const std::vector<uint8_t> slot(Checkpoint::slotBytes(kContext), 1);
+  for (uint32_t i = 0; i < Checkpoint::kSlots; ++i) {
+    const uint32_t at = Checkpoint::offsetOf(i, kContext);
+    EXPECT_EQ(store.write(store.self, at, slot.data(), static_cast<uint32_t>(slot.size())),
+              static_cast<int32_t>(slot.size()));
+    EXPECT_LE(at + slot.size(), whole);
+  }
+  EXPECT_EQ(store.sync(store.self), 0);
+  struct stat after{};
+  ASSERT_EQ(stat(path.c_str(), &after), 0);
+  EXPECT_EQ(after.st_size, before.st_size);
+  EXPECT_EQ(after.st_blocks, before.st_blocks);
 }
 
 TEST(StandardFiles, ThatAreClosedAreHeld) {

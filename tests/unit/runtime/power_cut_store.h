@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 #include <vector>
 
 /// A file of checkpoints under test: it keeps what was written to it and when it was synced, and
@@ -14,6 +15,50 @@
 namespace glider::runtime::testing {
 
 using Bytes = std::vector<uint8_t>;
+
+/// A file of which most was never written: that reads 0.
+class SparseFile {
+ public:
+  static constexpr uint32_t kBlock = 4096;
+
+  void write(uint32_t offset, const uint8_t* bytes, size_t count) {
+    for (size_t i = 0; i < count; ++i) {
+      at(offset + static_cast<uint32_t>(i)) = bytes[i];
+    }
+  }
+  size_t read(uint32_t offset, uint8_t* bytes, size_t count) const {
+    const size_t taken = offset >= size_ ? 0 : std::min<size_t>(count, size_ - offset);
+    for (size_t i = 0; i < taken; ++i) {
+      const auto place = offset + static_cast<uint32_t>(i);
+      const auto block = blocks_.find(place / kBlock);
+      bytes[i] = block == blocks_.end() ? uint8_t{0} : block->second[place % kBlock];
+    }
+    return taken;
+  }
+  [[nodiscard]] size_t size() const { return size_; }
+  void clear() {
+    blocks_.clear();
+    size_ = 0;
+  }
+  void truncate(size_t size) { size_ = std::min(size, size_); }
+  /// Calls `visit` with each byte that was written, and where it stands.
+  template <typename Visit>
+  void eachByte(Visit visit) {
+    for (auto& [number, block] : blocks_) {
+      for (uint32_t i = 0; i < kBlock; ++i) {
+        visit(number * kBlock + i, block[i]);
+      }
+    }
+  }
+
+ private:
+  uint8_t& at(uint32_t place) {
+    size_ = std::max<size_t>(size_, place + 1);
+    return blocks_.try_emplace(place / kBlock, kBlock, uint8_t{0}).first->second[place % kBlock];
+  }
+  std::map<uint32_t, Bytes> blocks_;
+  size_t size_ = 0;
+};
 
 struct RecordedWrite {
   uint32_t offset = 0;
@@ -23,32 +68,24 @@ struct RecordedWrite {
 
 class RecordingStore {
  public:
-  Bytes content;
+  SparseFile content;
   std::vector<RecordedWrite> log;
   bool fails = false;  ///< as a card with an I/O error
   std::function<size_t()> mark = [] { return size_t{0}; };
 
   GliderStore store() { return {this, read, write, sync}; }
 
-  static void apply(Bytes& file, uint32_t offset, const uint8_t* bytes, size_t count) {
-    file.resize(std::max(file.size(), offset + count));
-    std::copy(bytes, bytes + count, file.begin() + offset);
-  }
-
  private:
   static int32_t read(void* self, uint32_t offset, uint8_t* bytes, uint32_t count) {
-    const Bytes& file = static_cast<RecordingStore*>(self)->content;
-    const size_t from = std::min<size_t>(offset, file.size());
-    const size_t taken = std::min<size_t>(count, file.size() - from);
-    std::copy_n(file.begin() + static_cast<ptrdiff_t>(from), taken, bytes);
-    return static_cast<int32_t>(taken);
+    return static_cast<int32_t>(
+        static_cast<RecordingStore*>(self)->content.read(offset, bytes, count));
   }
   static int32_t write(void* self, uint32_t offset, const uint8_t* bytes, uint32_t count) {
     auto& store = *static_cast<RecordingStore*>(self);
     if (store.fails) {
       return -1;
     }
-    apply(store.content, offset, bytes, count);
+    store.content.write(offset, bytes, count);
     store.log.push_back({offset, Bytes(bytes, bytes + count), store.mark()});
     return static_cast<int32_t>(count);
   }
@@ -59,20 +96,49 @@ class RecordingStore {
   }
 };
 
+inline SparseFile fileAfter(const std::vector<RecordedWrite>& log, size_t made) {
+  SparseFile file;
+  for (size_t i = 0; i < made; ++i) {
+    file.write(log[i].offset, log[i].bytes.data(), log[i].bytes.size());
+  }
+  return file;
+}
+
+/// A block of a card that is erased and written as one.
+struct EraseBlock {
+  uint32_t bytes;
+  uint32_t phase;  ///< of the file's first byte in its block
+  [[nodiscard]] uint32_t of(uint32_t offset) const { return (offset + phase) / bytes; }
+};
+
+/// What the card leaves of a block when its power goes while it is rewritten.
+enum class Leaves { Zeros, Ones, Noise };
+
+inline SparseFile withoutBlock(SparseFile file, const EraseBlock& blocks, uint32_t number,
+                               Leaves leaves) {
+  uint32_t noise = 1;
+  file.eachByte([&](uint32_t place, uint8_t& byte) {
+    noise = noise * 1664525U + 1013904223U;
+    if (blocks.of(place) == number) {
+      byte = leaves == Leaves::Zeros  ? uint8_t{0}
+             : leaves == Leaves::Ones ? uint8_t{255}
+                                      : static_cast<uint8_t>(noise >> 24U);
+    }
+  });
+  return file;
+}
+
 /// Calls `visit` with each file that a power cut after the first `made` entries of `log` may leave:
 /// what was synced is there; of the writes since, any may be missing, and any may be torn anywhere
 /// at a sector's border, in whatever order the card took them.
 inline void eachFileAfterCut(const std::vector<RecordedWrite>& log, size_t made,
-                             const std::function<void(const Bytes&)>& visit) {
+                             const std::function<void(const SparseFile&)>& visit) {
   constexpr size_t kSector = 512;
   size_t synced = made;
   while (synced > 0 && !log[synced - 1].bytes.empty()) {
     --synced;
   }
-  Bytes safe;
-  for (size_t i = 0; i < synced; ++i) {
-    RecordingStore::apply(safe, log[i].offset, log[i].bytes.data(), log[i].bytes.size());
-  }
+  const SparseFile safe = fileAfter(log, synced);
   // Of each unsynced write: nothing, a head, a tail, or all of it.
   struct Piece {
     size_t from, to;
@@ -89,13 +155,13 @@ inline void eachFileAfterCut(const std::vector<RecordedWrite>& log, size_t made,
   }
   std::vector<size_t> chosen(choices.size(), 0);
   while (true) {
-    Bytes file = safe;
+    SparseFile file = safe;
     for (size_t i = 0; i < choices.size(); ++i) {
       const RecordedWrite& write = log[synced + i];
       const Piece piece = choices[i][chosen[i]];
       if (piece.to > piece.from) {
-        RecordingStore::apply(file, write.offset + static_cast<uint32_t>(piece.from),
-                              write.bytes.data() + piece.from, piece.to - piece.from);
+        file.write(write.offset + static_cast<uint32_t>(piece.from),
+                   write.bytes.data() + piece.from, piece.to - piece.from);
       }
     }
     visit(file);

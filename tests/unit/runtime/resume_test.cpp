@@ -212,9 +212,8 @@ TEST_F(ResumeTest, DamagedCheckpointsBeginTheMissionAnewAndSayso) {
   boot(vehicle);
   vehicle.run(60);
   cutPower(vehicle);
-  for (size_t i = 0; i < store_.content.size(); i += 100) {
-    store_.content[i + 60 < store_.content.size() ? i + 60 : i] ^= 0x10;
-  }
+  store_.content.eachByte(
+      [](uint32_t place, uint8_t& byte) { byte ^= place % 100 == 60 ? 0x10 : 0; });
   boot(vehicle);
   vehicle.run(140);
   EXPECT_THAT(logCsv(), HasSubstr("no checkpoint is whole"));
@@ -225,7 +224,7 @@ TEST_F(ResumeTest, NoFileOfAnyBytesAndNoLengthIsACrash) {
   VehicleBench vehicle({.silence_secs = 24});
   boot(vehicle);
   vehicle.run(200);
-  const Bytes whole = store_.content;
+  const SparseFile whole = store_.content;
   uint64_t random = 1;
   const auto next = [&random] {
     random = random * 6364136223846793005U + 1442695040888963407U;
@@ -235,10 +234,11 @@ TEST_F(ResumeTest, NoFileOfAnyBytesAndNoLengthIsACrash) {
   for (int round = 0; round < 400; ++round) {
     RecordingStore damaged;
     damaged.content = whole;
-    damaged.content.resize(next() % 3 == 0 ? next() % (whole.size() * 2) : whole.size());
-    for (size_t i = next() % 200; i > 0 && !damaged.content.empty(); --i) {
-      damaged.content[next() % damaged.content.size()] = static_cast<uint8_t>(next());
-    }
+    damaged.content.truncate(next() % 3 == 0 ? next() % whole.size() : whole.size());
+    const size_t one_in = 1 + next() % 2000;
+    damaged.content.eachByte([&](uint32_t, uint8_t& byte) {
+      byte = next() % one_in == 0 ? static_cast<uint8_t>(next()) : byte;
+    });
     GliderContext* context = layOut(memory.data(), mission_.mission);
     LinkFacts facts;
     if (Checkpoint(damaged.store(), 7).find(*context, facts) == Checkpoint::Found::Good) {

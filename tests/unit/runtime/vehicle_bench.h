@@ -21,7 +21,7 @@ namespace glider::runtime::testing {
 class VehicleBench {
  public:
   explicit VehicleBench(const hooks::HookbehArgs& args, bool virtual_time = true)
-      : hookbeh_(args), hookprog_({.virtual_time = virtual_time}) {
+      : args_(args), hookbeh_(args), hookprog_({.virtual_time = virtual_time}) {
     for (double& value : array_) {
       value = NAN;
     }
@@ -34,6 +34,18 @@ class VehicleBench {
   std::function<double(double)> temperature = [](double) { return 20.0; };
   bool line_is_cut = false;       ///< the SBC is not polled, and hears nothing of it
   bool forgets_sequence = false;  ///< new instructions do not get into the sensor array
+
+  /// What m_present_time says at time 0, s since 1970; 0: it is not reported.
+  double clock_at_start = 0;
+
+  /// The flight controller starts its mission again, with an empty sensor array.
+  void restartMission() {
+    for (double& value : array_) {
+      value = NAN;
+    }
+    hookbeh_ = hooks::Hookbeh(args_);
+    mission_start_ = now_;
+  }
 
   [[nodiscard]] GliderByteStream sbcEnd() { return sbc_line_.right(); }
   void closeLine() { sbc_line_.close(); }
@@ -74,8 +86,9 @@ class VehicleBench {
 
   void controlCycle() {
     receive();
-    array_[GLIDER_M_PRESENT_SECS_INTO_MISSION] = now_;
-    array_[GLIDER_M_CYCLE_NUMBER] = now_ / 4;
+    array_[GLIDER_M_PRESENT_SECS_INTO_MISSION] = now_ - mission_start_;
+    array_[GLIDER_M_CYCLE_NUMBER] = std::floor((now_ - mission_start_) / 4);
+    array_[GLIDER_M_PRESENT_TIME] = clock_at_start > 0 ? clock_at_start + now_ : NAN;
     array_[GLIDER_M_DEPTH] = depth(now_);
     outputs_ = hookbeh_.cycle(inputs());
     if (outputs_.commanding && (doings.empty() || doings.back() != outputs_.doing)) {
@@ -107,7 +120,8 @@ class VehicleBench {
   void report() {
     const uint16_t told[] = {GLIDER_M_DEPTH,        GLIDER_X_HOOK_STATE,
                              GLIDER_X_HOOK_ANSWER,  GLIDER_X_HOOK_SEQUENCE,
-                             GLIDER_X_HOOK_SESSION, GLIDER_M_PRESENT_SECS_INTO_MISSION,
+                             GLIDER_X_HOOK_SESSION, GLIDER_M_PRESENT_TIME,
+                             GLIDER_M_PRESENT_SECS_INTO_MISSION,
                              GLIDER_M_CYCLE_NUMBER};
     std::vector<hooks::SensorUpdate> updates;
     for (const uint16_t id : told) {
@@ -120,7 +134,7 @@ class VehicleBench {
 
   [[nodiscard]] hooks::HookbehInputs inputs() const {
     hooks::HookbehInputs in;
-    in.time_s = now_;
+    in.time_s = now_ - mission_start_;
     in.depth_m = array_[GLIDER_M_DEPTH];
     in.depth_rate_mps = array_[GLIDER_M_DEPTH_RATE];
     in.altitude_m = NAN;
@@ -141,7 +155,9 @@ class VehicleBench {
     return in;
   }
 
+  hooks::HookbehArgs args_;
   double now_ = 0;
+  double mission_start_ = 0;
   double array_[GLIDER_SENSOR_COUNT];
   hooks::Hookbeh hookbeh_;
   hooks::Hookprog hookprog_;

@@ -138,7 +138,7 @@ TEST_F(Judged, AGuardThatDoesNotMindTheBottomIsSeen) {
 TEST_F(Judged, AGuardWithoutALimitIsSeen) {
   take();
   climb();
-  out_.guarding = true;
+  out_.guard = hooks::HookGuard::TooDeep;
   out_.doing = "climb: too deep";
   cycle(HookState::Active, 10);
   EXPECT_EQ(violation(), "the guard comes in (climb: too deep) and no limit is near");

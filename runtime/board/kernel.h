@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <fcntl.h>
+#include <signal.h>
+#include <stdint.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+/// What the C library's own functions would do with much more code on a board.
+namespace glider::runtime {
+
+/// From now on the signal is ignored.
+inline void ignoreSignal(int number) {
+  // The kernel's struct sigaction begins with the handler on every board; its mask has 8 bytes.
+  constexpr uintptr_t kIgnore = 1;  // SIG_IGN
+  const uintptr_t action[8] = {kIgnore};
+  constexpr long kMaskBytes = 8;
+  (void)syscall(SYS_rt_sigaction, number, action, nullptr, kMaskBytes);
+}
+
+/// fcntl for a number, with its result.
+inline int controlFile(int descriptor, int command, long argument) {
+  return static_cast<int>(syscall(SYS_fcntl, descriptor, command, argument));
+}
+
+/// Waits for a lock on a whole file. 0, or -1 with errno.
+inline int lockWhole(int descriptor) {
+  struct flock whole{};
+  whole.l_type = F_WRLCK;
+  whole.l_whence = SEEK_SET;
+#ifdef SYS_fcntl64
+  return static_cast<int>(syscall(SYS_fcntl64, descriptor, F_SETLKW, &whole));
+#else
+  return static_cast<int>(syscall(SYS_fcntl, descriptor, F_SETLKW, &whole));
+#endif
+}
+
+}  // namespace glider::runtime

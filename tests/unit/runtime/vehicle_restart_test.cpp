@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// The vehicle begins its own mission again while the SBC has no power: whether the SBC's goes on.
+
+#include "tests/unit/runtime/resume_bench.h"
+
+#include <gtest/gtest.h>
+
+#include <gmock/gmock.h>
+
+namespace glider::runtime::testing {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+class VehicleRestart : public ResumeBench {
+ protected:
+  VehicleRestart() { vehicle_.clock_at_start = 1.7e9; }
+
+  /// The SBC is without power from 60 s on until `until`; the vehicle begins again at 72 s.
+  void outage(double until) {
+    boot(vehicle_);
+    vehicle_.run(60);
+    ASSERT_EQ(vehicle_.hookbeh().state, hooks::HookState::Active);
+    began_ = vehicle_.now() - ticks_.back().time;
+    while (ticks_.back().time > keptTime()) {
+      ticks_.pop_back();
+    }
+    cutPower(vehicle_);
+    vehicle_.run(72);
+    vehicle_.restartMission();
+    vehicle_.run(until);
+    boot(vehicle_);
+    vehicle_.run(until + 40);
+  }
+
+  double keptTime() {
+    std::vector<double> memory(mission_.memory.size());
+    GliderContext* kept = layOut(memory.data(), mission_.mission);
+    LinkFacts facts;
+    EXPECT_EQ(Checkpoint(store_.store(), 7).find(*kept, facts), Checkpoint::Found::Good);
+    return kept->mission_time;
+  }
+
+  void expectBegunAnew() {
+    EXPECT_THAT(logCsv(), Not(HasSubstr("mission resumed")));
+    EXPECT_THAT(logCsv(), HasSubstr("the checkpoint is of an earlier flight"));
+    EXPECT_EQ(vehicle_.hookbeh().state, hooks::HookState::Active);
+    EXPECT_LT(gliderRuntimeContext(runtime_)->mission_time, 45);
+  }
+
+  VehicleBench vehicle_{{.silence_secs = 24}};
+  double began_ = 0;  ///< vehicle's bench time at which mission time was 0, within a cycle
+};
+
+TEST_F(VehicleRestart, TheMissionGoesOnAsIfItHadOnlyBeenDeaf) {
+  outage(100);
+  EXPECT_THAT(logCsv(), HasSubstr("mission resumed"));
+  EXPECT_EQ(vehicle_.hookbeh().state, hooks::HookState::Active) << "taken with a new handshake";
+  EXPECT_NEAR(ticks_.back().time, vehicle_.now() - began_, 4.0) << "mission time counts on";
+  vehicle_.run(700);
+  EXPECT_TRUE(finished_);
+  EXPECT_EQ(vehicle_.hookbeh().state, hooks::HookState::Complete);
+  const auto expected = undisturbed(ticks_);
+  for (size_t i = 0; i < ticks_.size(); ++i) {
+    ASSERT_EQ(ticks_[i].body, expected[i]) << "tick of " << ticks_[i].time << " s";
+    ASSERT_TRUE(i == 0 || ticks_[i].time > ticks_[i - 1].time);
+  }
+}
+
+TEST_F(VehicleRestart, AMissionThatIsNotToGoOnAfterItBeginsAnew) {
+  mission_.mission.new_after_restart = 1;
+  outage(100);
+  expectBegunAnew();
+}
+
+TEST_F(VehicleRestart, AfterTooLongAnOutageItBeginsAnew) {
+  outage(60 + 120 + 24);
+  expectBegunAnew();
+}
+
+TEST_F(VehicleRestart, WithoutTheVehiclesClockNobodyKnowsHowLongItWas) {
+  vehicle_.clock_at_start = 0;
+  outage(100);
+  expectBegunAnew();
+}
+
+TEST_F(VehicleRestart, WhenTheClockWasSetBackNeither) {
+  boot(vehicle_);
+  vehicle_.run(60);
+  cutPower(vehicle_);
+  vehicle_.restartMission();
+  vehicle_.clock_at_start -= 1000;
+  vehicle_.run(80);
+  boot(vehicle_);
+  vehicle_.run(110);
+  expectBegunAnew();
+}
+
+TEST_F(VehicleRestart, WhatWasFinishedIsNotGoneOnWith) {
+  end = 60;
+  boot(vehicle_);
+  vehicle_.run(90);
+  ASSERT_TRUE(finished_);
+  vehicle_.restartMission();
+  end = 400;
+  boot(vehicle_);
+  vehicle_.run(120);
+  EXPECT_FALSE(finished_);
+  expectBegunAnew();
+}
+
+TEST_F(VehicleRestart, ItGoesOnAgainAfterThat) {
+  outage(100);
+  cutPower(vehicle_);
+  vehicle_.run(150);
+  boot(vehicle_);
+  vehicle_.run(200);
+  EXPECT_EQ(vehicle_.hookbeh().state, hooks::HookState::Active);
+  EXPECT_NEAR(ticks_.back().time, vehicle_.now() - began_, 4.0);
+}
+
+}  // namespace
+}  // namespace glider::runtime::testing

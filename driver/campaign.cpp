@@ -174,7 +174,9 @@ support::Result<Verdict> flyOne(const CampaignPlan& plan, const CampaignFlight& 
   if (drawn.lasts()) {  // it may never come to its exit: abend's overtime ends it
     *setup.duration_s += simulator::overtimeOf(setup.scenario);
   }
-  simulator::JudgeSetup judged = simulator::judgeSetup(plan.platform, setup.scenario, drawn.kinds);
+  std::vector<FaultKind> kinds = simulator::kindsOf(plan.scenario.faults);
+  kinds.insert(kinds.end(), drawn.kinds.begin(), drawn.kinds.end());
+  simulator::JudgeSetup judged = simulator::judgeSetup(plan.platform, setup.scenario, kinds);
   judged.mean_W = mission.mean_W;
   StoppableJudge judge(std::move(judged), stop);
   setup.onlooker = &judge;

@@ -129,7 +129,7 @@ void Hookbeh::readInstruction(const HookbehInputs& inputs) {
   answered_sequence_ = sequence;
   if (!isNewerSequence(sequence, settled_sequence_)) {
     answer_ = HookAnswer::OldSequence;  // it was sent before the one that was decided on last
-    garbled_s_ += garbled_s_ > 0 ? step_s_ : 0;
+    garbled_s_ += garbled_s_ > 0 ? clock_.step() : 0;
     return;
   }
   Instruction instruction;

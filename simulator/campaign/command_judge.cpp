@@ -164,7 +164,7 @@ std::string CommandJudge::judgeLimits(const CycleView& view, double reading) {
 
 /// The guard comes in at a limit only, lets go when it has done its work, and does not swing.
 std::string CommandJudge::judgeGuard(const CycleView& view) {
-  const bool guards = view.hookbeh->guarding;
+  const bool guards = view.hookbeh->guard != hooks::HookGuard::None;
   const double depth = view.true_depth_m;
   const bool near =
       depth > s_.args.greatest_depth_m - kNearLimit ||

@@ -9,6 +9,32 @@
 
 namespace glider::simulator {
 
+std::vector<FaultKind> kindsOf(const Faults& faults) {
+  std::vector<FaultKind> kinds;
+  const auto add = [&](bool there, FaultKind kind) {
+    if (there) {
+      kinds.push_back(kind);
+    }
+  };
+  for (const LineFault& fault : faults.lines) {
+    add(true, fault.cut || fault.heard_at_baud > 0 ? FaultKind::LineCut : FaultKind::ByteLoss);
+  }
+  for (const SensorFault& fault : faults.sensors) {
+    const bool of_hook = fault.name.starts_with("sci_hook");
+    add(true, of_hook ? FaultKind::HookSensor : FaultKind::SensorFrozen);
+  }
+  add(!faults.power.empty(), FaultKind::Power);
+  add(!faults.port.empty(), FaultKind::Port);
+  add(!faults.stuck.empty(), FaultKind::Stuck);
+  add(!faults.science.empty(), FaultKind::Science);
+  add(!faults.clock.empty(), FaultKind::Clock);
+  add(!faults.card.empty(), FaultKind::Checkpoints);
+  add(!faults.flight.empty(), FaultKind::FlightRestart);
+  add(!faults.leftover.empty(), FaultKind::LeftOver);
+  add(!faults.aborts.empty(), FaultKind::FlightAbort);
+  return kinds;
+}
+
 double overtimeOf(const Scenario& scenario) {
   for (const slocum::BehaviourBlock& behaviour : scenario.skeleton.behaviours) {
     if (behaviour.name == "abend") {

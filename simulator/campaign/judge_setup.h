@@ -28,6 +28,9 @@ struct JudgeSetup {
   double mean_W = 0;  ///< of the same mission's flight without a fault; 0: not known
 };
 
+/// The kinds of faults that a scenario has of its own.
+std::vector<FaultKind> kindsOf(const Faults& faults);
+
 /// The time after which abend ends the mission, s; 0 without one.
 double overtimeOf(const Scenario& scenario);
 

@@ -121,10 +121,8 @@ TEST(FaultFlight, AFlightControllerThatStartsAgainBeginsItsMissionAgain) {
     const std::string events = eventText(trace);
     EXPECT_EQ(timeOf(trace, keeps_array ? "the mission begins again" : "starts again"), 332)
         << events;
-    const double again = timeOf(trace, "the SBC takes control", 331);
-    EXPECT_GT(again, 331) << events;
-    EXPECT_LE(again, 400) << events;
-    EXPECT_GT(timeOf(trace, "nothing is left to fly"), again) << events;
+    EXPECT_EQ(timeOf(trace, "hookbeh: is ready for the SBC", 300), 332) << events;
+    EXPECT_EQ(timeOf(trace, "the SBC takes control", 300), -1) << "nobody asked for it\n" << events;
     const int time = trace.column("time");
     for (size_t row = 0; row < trace.rowCount(); ++row) {
       EXPECT_FALSE(trace.at(row, time) > 300 && trace.at(row, time) < 330) << "it did nothing";
@@ -159,7 +157,7 @@ TEST(FaultFlight, AnInstructionLeftOverLiesInTheArrayAndIsNotFollowed) {
   ArrayWatch watch;
   setup.onlooker = &watch;
   (void)fly(std::move(setup));
-  ASSERT_GT(watch.sequences.size(), 5U);
+  ASSERT_GT(watch.sequences.size(), 2U);
   EXPECT_EQ(watch.sequences.back(), 65530) << "it was found";
   for (const hooks::HookState state : watch.states) {
     EXPECT_NE(state, hooks::HookState::Active);

@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// What the judge sees of instructions and of control.
+
+#include "tests/unit/simulator/judged.h"
+
+namespace glider::simulator {
+namespace {
+
+using hooks::HookState;
+using Outcome = Verdict::Outcome;
+
+TEST_F(Judged, AGoodFlightExits) {
+  take();
+  instruct(1, 2, hooks::HookControl::Steer, 5);
+  cycle(HookState::Active);
+  arrive();
+  obey(2);
+  fly(80);
+  giveBack();
+  EXPECT_EQ(judge_.verdict().outcome, Outcome::Exited) << violation();
+  EXPECT_EQ(judge_.verdict().instructions, 3U);
+  EXPECT_EQ(judge_.verdict().hand_backs, 0U);
+}
+
+TEST_F(Judged, AFlightWithoutTheSbcAtTheEndIsHandedBack) {
+  take();
+  cycle(HookState::Silent);
+  EXPECT_EQ(judge_.verdict().outcome, Outcome::HandedBack) << violation();
+  EXPECT_EQ(judge_.verdict().hand_backs, 1U);
+}
+
+TEST_F(Judged, WhatWasNotSaidSoIsSeen) {
+  take();
+  instruct(1, 2, hooks::HookControl::Steer, 5);
+  arrive();
+  array_.set(GLIDER_SCI_HOOK_DEPTH, 6);
+  obey(2);
+  cycle(HookState::Active);
+  EXPECT_EQ(violation(), "instruction 2 of session 1 is obeyed, but was not said so");
+}
+
+TEST_F(Judged, AnInstructionObeyedTwiceIsSeen) {
+  take();
+  instruct(1, 2, hooks::HookControl::Steer, 5);
+  arrive();
+  obey(2);
+  cycle(HookState::Active);
+  instruct(1, 1, hooks::HookControl::Take);
+  arrive();
+  obey(1);
+  cycle(HookState::Active);
+  EXPECT_EQ(violation(), "instruction 1 of session 1 is obeyed twice");
+}
+
+TEST_F(Judged, ANumberThatIsUsedForOtherWordsIsSeen) {
+  take();
+  instruct(1, 1, hooks::HookControl::Take, 12);
+  EXPECT_EQ(violation(), "instruction 1 of session 1 is said anew with other words");
+}
+
+TEST_F(Judged, ALostInstructionIsSeen) {
+  take();
+  instruct(1, 2, hooks::HookControl::Steer, 5);
+  fly(now_ + 56);
+  cycle(HookState::Silent);
+  EXPECT_EQ(violation(), "") << "let go in time";
+  fly(now_ + 64);
+  EXPECT_EQ(violation(), "instruction 2 of session 1 is lost: no answer for 60 s");
+}
+
+TEST_F(Judged, AMissionThatStandsStillInControlIsSeen) {
+  take();
+  for (int i = 0; i < 13; ++i) {
+    cycle(HookState::Active);
+  }
+  EXPECT_EQ(violation().find("stood still"), std::string::npos);
+  cycle(HookState::Active);
+  EXPECT_NE(violation().find("stood still for 60 s"), std::string::npos) << violation();
+}
+
+TEST_F(Judged, ControlBeyondTheStatedTimeIsSeen) {
+  take();
+  fly(232);
+  EXPECT_EQ(violation().find("no power"), std::string::npos);
+  fly(236);
+  EXPECT_EQ(violation(), "the SBC is in control though the SBC has no power");
+  EXPECT_EQ(judge_.verdict().violation_s, 236);
+}
+
+TEST_F(Judged, ControlWithoutAHandshakeIsSeen) {
+  instruct(1, 1, hooks::HookControl::Steer);
+  arrive();
+  obey(1);
+  cycle(HookState::Active);
+  EXPECT_EQ(violation(), "control is taken without a handshake");
+}
+
+TEST_F(Judged, AnotherSessionWithoutAHandshakeIsSeen) {
+  take();
+  instruct(2, 2, hooks::HookControl::Steer);
+  arrive();
+  obey(2, 2);
+  cycle(HookState::Active);
+  EXPECT_EQ(violation(), "control is taken without a handshake");
+}
+
+TEST_F(Judged, AnInstructionAfterControlWasGivenBackIsSeen) {
+  take();
+  giveBack();
+  instruct(2, 10, hooks::HookControl::Take);
+  arrive();
+  obey(10, 2);
+  cycle(HookState::Active);
+  EXPECT_EQ(violation(), "instruction 10 of session 2 is obeyed after control was given back");
+}
+
+TEST_F(Judged, WhatArrivesWhenHookbehDoesNotListenIsNotObeyed) {
+  take();
+  instruct(2, 2, hooks::HookControl::Take);
+  arrive();  // x_hook_sequence stays at 1, accepted
+  cycle(HookState::Silent);
+  cycle(HookState::Complete, 0.1, true);
+  EXPECT_EQ(violation(), "");
+  EXPECT_EQ(judge_.verdict().instructions, 1U);
+}
+
+TEST_F(Judged, AFlightThatDoesNotEndIsSeen) {
+  take();
+  EXPECT_EQ(violation(), "the flight does not end in time");
+  cycle(HookState::Silent, 10);
+  EXPECT_EQ(violation(), "not at the surface in time");
+}
+
+}  // namespace
+}  // namespace glider::simulator

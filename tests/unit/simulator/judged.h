@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "hooks/protocol/messages.h"
+#include "platforms/slocum_sensors.h"
+#include "simulator/campaign/flight_judge.h"
+#include "tests/unit/simulator/flights.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace glider::simulator {
+
+inline constexpr double kCycle = 4;  // s
+
+/// A judge that is told a story: what the SBC says, what hookbeh does with it.
+class Judged : public testing::Test {
+ protected:
+  Judged() : array_(shippedSetup("default").platform) {}
+
+  void say(hooks::Frame& frame) {
+    frame.sequence = ++frame_sequence_;
+    std::array<uint8_t, hooks::kMostEncodedBytes> bytes;
+    judge_.said({bytes.data(), hooks::encodeFrame(frame, bytes.data())}, now_);
+  }
+  void instruct(uint32_t session, uint16_t sequence, hooks::HookControl control,
+                double depth = 20) {
+    hooks::Frame frame;
+    hooks::encodeEmptyList(hooks::MessageType::Write, frame);
+    const std::pair<uint16_t, double> words[] = {
+        {GLIDER_SCI_HOOK_SESSION, session},
+        {GLIDER_SCI_HOOK_CONTROL, static_cast<double>(control)},
+        {GLIDER_SCI_HOOK_VERTICAL, 1},
+        {GLIDER_SCI_HOOK_DEPTH, depth},
+        {GLIDER_SCI_HOOK_PITCH, kPitch},
+        {GLIDER_SCI_HOOK_LATERAL, 0},
+        {GLIDER_SCI_HOOK_HEADING, 0},
+        {GLIDER_SCI_HOOK_LAT, 0},
+        {GLIDER_SCI_HOOK_LON, 0},
+        {GLIDER_SCI_HOOK_CHECK, 7},
+        {GLIDER_SCI_HOOK_SEQUENCE, sequence}};
+    for (const auto& [id, value] : words) {
+      ASSERT_TRUE(hooks::appendValue(frame, {id, value}));
+      arriving_.emplace_back(id, value);
+    }
+    say(frame);
+  }
+  /// What was instructed gets into the sensor array.
+  void arrive() {
+    for (const auto& [id, value] : arriving_) {
+      array_.set(id, value);
+    }
+    arriving_.clear();
+  }
+  void done(uint32_t session) {
+    hooks::Frame frame;
+    hooks::Done done;
+    done.session = session;
+    done.status.mission_time_s = now_;
+    hooks::encode(done, frame);
+    say(frame);
+  }
+  void obey(uint16_t sequence, uint32_t session = 1) {
+    array_.set(GLIDER_X_HOOK_SESSION, session);
+    array_.set(GLIDER_X_HOOK_SEQUENCE, sequence);
+    array_.set(GLIDER_X_HOOK_ANSWER, static_cast<double>(hooks::HookAnswer::Accepted));
+  }
+  bool cycle(hooks::HookState hook, double depth = 0.1, bool aborted = false) {
+    now_ += kCycle;
+    out_.commanding = hook == hooks::HookState::Active;
+    array_.set(GLIDER_M_DEPTH, std::isnan(reading_) ? depth : reading_);
+    return judge_.cycle({now_, hook, depth, aborted, false, array_, now_ - restarted_s_, clearance_,
+                         used_J_, 14, whole_, aborted ? nullptr : &out_});
+  }
+  /// Up to `until_s` in control, the mission going on.
+  void fly(double until_s) {
+    while (now_ < until_s) {
+      done(1);
+      cycle(hooks::HookState::Active, 10);
+    }
+  }
+  void take() {
+    instruct(1, 1, hooks::HookControl::Take);
+    arrive();
+    obey(1);
+    fly(40);
+  }
+  void giveBack() {
+    instruct(1, 9, hooks::HookControl::GiveBack);
+    arrive();
+    obey(9);
+    cycle(hooks::HookState::Complete);
+  }
+  [[nodiscard]] std::string violation() const { return judge_.verdict().violation; }
+
+  static JudgeSetup setup() {
+    JudgeSetup setup;
+    setup.faults.power = {{200, 400}};
+    setup.promise = promiseOf(FaultKind::Power);
+    setup.has_hookbeh = true;
+    setup.args.greatest_depth_m = 60;
+    setup.overdepth_m = 70;
+    setup.undervolts = 10;
+    setup.hull_m = 200;
+    setup.mean_W = 3;
+    return setup;
+  }
+  FlightJudge judge_{setup()};
+  hooks::HookbehOutputs out_ = dives();
+  static hooks::HookbehOutputs dives() {
+    hooks::HookbehOutputs out;
+    out.commanding = true;
+    out.pitch_rad = kPitch;
+    out.pump_cc = -230;
+    return out;
+  }
+  void climb() {
+    out_.pitch_rad = 0.4538;
+    out_.pump_cc = 230;
+  }
+  double restarted_s_ = 0, clearance_ = 100, used_J_ = 0;
+  double reading_ = std::nan("");  ///< of m_depth; NaN: the truth
+  bool whole_ = true;
+  static constexpr double kPitch = -0.5;
+  SensorArray array_;
+  double now_ = 0;
+  uint8_t frame_sequence_ = 0;
+  std::vector<std::pair<uint16_t, double>> arriving_;
+};
+
+}  // namespace glider::simulator

@@ -113,10 +113,25 @@ class CommandCheck {
     }
     const bool judged =
         !down.empty && !up.empty && up.lowest <= kNoBound && down.highest >= -kNoBound;
-    if (judged && (up.lowest >= down.highest || !canTurn())) {
+    if (judged && (up.lowest >= down.highest || !(surelyTurns() || canTurn()))) {
       proof_.diagnostics.report(DiagnosticId::profileTurnedRound, state.profile.range, depths(up),
                                 depths(down));
     }
+  }
+
+  /// Whether some climb leads above where some dive leads, whatever their values are: most profiles
+  /// have depths that are fixed, and no solver needs to be asked.
+  [[nodiscard]] bool surelyTurns() const {
+    const auto known = [&](const Statement* order) {
+      return proof_.ground.known.expressions[order->values.at(0).index];
+    };
+    return std::ranges::any_of(orders_, [&](const Statement* up) {
+      return up->command == Command::Ascend && known(up) &&
+             std::ranges::any_of(orders_, [&](const Statement* down) {
+               return down->command == Command::Descend && known(down) &&
+                      range(*up, 0).highest < range(*down, 0).lowest;
+             });
+    });
   }
 
   /// Whether some climb of the profile leads above where some dive leads, with one value of each

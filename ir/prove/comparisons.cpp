@@ -6,9 +6,12 @@
 #include "ir/prove/passes.h"
 #include "ir/prove/possible.h"
 
+#include <algorithm>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <tuple>
+#include <utility>
 
 namespace glider::ir::prove {
 namespace {
@@ -92,6 +95,10 @@ class ComparisonCheck {
   }
 
   void report() {
+    for (const support::SourceRange& said : proof_.said) {
+      uint32_t& end = said_[{said.file, said.begin}];
+      end = std::max(end, said.end);
+    }
     for (const auto& [place, found] : found_) {
       if (found.always && !isSaid(found.range)) {
         proof_.diagnostics.report(support::DiagnosticId::comparisonDecided, found.range,
@@ -100,14 +107,14 @@ class ComparisonCheck {
     }
   }
 
-  /// Whether the guards' pass has said something of the whole condition.
+  /// Whether the guards' pass has said something of the whole condition. Conditions do not overlap.
   [[nodiscard]] bool isSaid(const support::SourceRange& range) const {
-    for (const support::SourceRange& said : proof_.said) {
-      if (said.file == range.file && said.begin <= range.begin && range.end <= said.end) {
-        return true;
-      }
+    const auto after = said_.upper_bound({range.file, range.begin});
+    if (after == said_.begin()) {
+      return false;
     }
-    return false;
+    const auto& [place, end] = *std::prev(after);
+    return place.first == range.file && range.end <= end;
   }
 
   struct Found {
@@ -119,6 +126,7 @@ class ComparisonCheck {
   const Mission& m_;
   const Possible* possible_ = nullptr;
   std::map<std::tuple<uint32_t, uint32_t, uint32_t>, Found> found_;  ///< by place
+  std::map<std::pair<uint32_t, uint32_t>, uint32_t> said_;  ///< ends, by file and beginning
 };
 
 }  // namespace

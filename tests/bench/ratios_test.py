@@ -87,7 +87,7 @@ class Bench(unittest.TestCase):
 
     def test_wrong_use_and_missing_files(self):
         for words, expected in (
-                (["nonsense"], "no bench `nonsense`"), (["--frob"], "unrecognized"), (["--from", "/none.csv"], "none.csv")):
+                (["nonsense"], "no bench `nonsense`"), (["--frob"], "unrecognized"), (["--runs", "0"], "--runs"), (["--from", "/none.csv"], "none.csv")):
             status, _, err = self.run_bench(*words)
             self.assertEqual(status, 2, words)
             self.assertIn(expected, err)

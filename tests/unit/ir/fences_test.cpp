@@ -361,5 +361,15 @@ TEST(Fences, AtTheSurfaceAndWhileDarkRandomFlightsGoFurther) {
   EXPECT_GT(dark, at_surface + 60);
 }
 
+TEST(Fences, RandomFlightsTakeAProfileInCToSteer) {
+  Dice dice(1);
+  RandomPlace place({39, -73}, slocum(), dice);
+  place.obey({CommandRun{Command::SteerTo, {39, -73}, false},
+              ActivityRun{ListKind::Profile, {}, Phase::Tick, {}}});
+  place.move(3600, false, false);
+  EXPECT_GT(onEarth(Op::Distance, {39, -73}, place.where()),
+            1.01 * 3600 * slocum().envelope.drift_m_s);
+}
+
 }  // namespace
 }  // namespace glider::ir::prove

@@ -124,8 +124,7 @@ llvm::Constant* Tables::compass() {
       {number(compass->declination.value_or(std::numeric_limits<double>::quiet_NaN())),
        word(compass->variation.valid() ? lowering_.mission[compass->variation].id
                                        : GLIDER_NO_SENSOR),
-       word(0), function("gliderTakeHeadings"), function("gliderFollowCompass"),
-       function("gliderMagneticHeading")});
+       word(0), function("gliderConvertHeadings")});
   auto* variable = new llvm::GlobalVariable(lowering_.module, lowering_.types.GliderCompass, true,
                                             llvm::GlobalValue::PrivateLinkage, value, "compass");
   variable->setUnnamedAddr(llvm::GlobalValue::UnnamedAddr::Global);

@@ -61,6 +61,16 @@ bool hasHeadings(const ir::Mission& mission) {
          });
 }
 
+/// The `mission` line, which a mission without errors has.
+support::SourceRange headOf(const ast::File& file) {
+  for (const ast::Item& item : file.items) {
+    if (const auto* line = std::get_if<ast::MissionLine>(&item)) {
+      return line->where;
+    }
+  }
+  return {file.file, 0, 0};
+}
+
 }  // namespace
 
 void lowerDeclination(const ast::File& file, Scope& scope) {
@@ -76,7 +86,7 @@ void lowerDeclination(const ast::File& file, Scope& scope) {
   if (variation != nullptr) {
     compass.variation = scope.subscribe(*variation, variation->name);
   } else if (line == nullptr) {
-    scope.report(DiagnosticId::declinationUnknown, {file.file, 0, 0});
+    scope.report(DiagnosticId::declinationUnknown, headOf(file));
   }
   scope.mission.compass = compass;
 }

@@ -54,8 +54,8 @@ typedef enum GliderNoteKind {
 typedef enum GliderEncoding {
   kGliderLinear,
   kGliderDegreesMinutes,
-  kGliderMagnetic /* linear; a heading, magnetic on the vehicle, true once GliderTakeHeadings has
-                     had it */
+  kGliderMagnetic /* linear; a heading, magnetic on the vehicle, true once GliderConvertHeadings
+                     has had it */
 } GliderEncoding;
 
 /* What a state may log, and what a table of guards looks at. */
@@ -119,14 +119,13 @@ typedef uint32_t(GliderCondition)(const GliderContext* context);
 /* A sensor on the SBC, asked once a tick: a new reading in SI units; NaN if there is none since the
    last. `mission_time` is s since control was given. */
 typedef double(GliderPoll)(double mission_time);
-/* Of a GliderCompass. Take: notes in `variation` (NaN: unknown so far) what the frame's updates say
-   of it, and makes the magnetic headings among them true. `context` is that of the running mission,
-   or NULL. Follow: after each tick. What the vehicle has not said the mission's line says, else 0,
-   and a note that it is so. Magnetic: the heading that the vehicle is to steer, in [0, 2 pi). */
-typedef void(GliderTakeHeadings)(const GliderMission* mission, const GliderContext* context,
-                                 double* variation, GliderUpdate* updates, uint32_t count);
-typedef void(GliderFollowCompass)(GliderContext* context, double* variation);
-typedef double(GliderMagneticHeading)(const GliderContext* context);
+/* Of a GliderCompass. With a frame, before its tick: notes in `variation` (NaN: unknown so far)
+   what the updates say of it, and makes the magnetic headings among them true. `updates` NULL,
+   after each tick: makes the heading in force magnetic. What the vehicle has not told then the
+   mission's line says, else it is 0, and a note says so. `context` is that of the running mission,
+   or NULL before it runs. */
+typedef void(GliderConvertHeadings)(const GliderMission* mission, GliderContext* context,
+                                    double* variation, GliderUpdate* updates, uint32_t count);
 /* 1 if the guard of case `number` of a list is true. */
 typedef uint32_t(GliderHolds)(const GliderContext* context, uint32_t number);
 

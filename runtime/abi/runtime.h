@@ -89,10 +89,8 @@ typedef enum GliderRuntimeStatus {
 #include "runtime/abi/entry_points.def"
 #undef ENTRY_POINT
 
-/* The functions of a GliderCompass (glider_abi.h). */
-GliderTakeHeadings gliderTakeHeadings;
-GliderFollowCompass gliderFollowCompass;
-GliderMagneticHeading gliderMagneticHeading;
+/* The function of a GliderCompass (glider_abi.h). */
+GliderConvertHeadings gliderConvertHeadings;
 
 #ifdef __cplusplus
 }

@@ -52,9 +52,7 @@ Program& Program::instance() {
 }
 
 Program::Program()
-    : compass_{unknown(),          GLIDER_M_GPS_MAG_VAR, 0,
-               gliderTakeHeadings, gliderFollowCompass,  gliderMagneticHeading},
-      variation_(unknown()) {
+    : compass_{unknown(), GLIDER_M_GPS_MAG_VAR, 0, gliderConvertHeadings}, variation_(unknown()) {
   state_.name = "program";
   mission_.abi_version = GLIDER_ABI_VERSION;
   mission_.state_count = 1;
@@ -172,8 +170,8 @@ bool Program::takeTick() {
   for (uint32_t i = 0; i < tick.reading_count; ++i) {
     updates_[i] = {tick.readings[i].value, tick.readings[i].id, 0};
   }
-  compass_.take(&mission_, started_ ? context_ : nullptr, &variation_, updates_,
-                tick.reading_count);
+  compass_.convert(&mission_, started_ ? context_ : nullptr, &variation_, updates_,
+                   tick.reading_count);
   if (started_) {
     const double time = clock_.atFrame(tick.vehicle_time_s, tick.cycle, sbc_time);
     gliderStep(context_, time, updates_, tick.reading_count);
@@ -181,7 +179,6 @@ bool Program::takeTick() {
     start(tick.vehicle_time_s, sbc_time);
   }
   if (started_) {
-    followCompass();
     record();
     link_log_->news(*context_, news);
     link_log_->unanswered(*context_, tick);
@@ -244,11 +241,6 @@ void Program::note(const char* text, const double* values, uint32_t count) {
   tellNow();
 }
 
-void Program::followCompass() {
-  compass_.follow(context_, &variation_);
-  tellNow();
-}
-
 /// Notes are told at once: their text may be gone when the tick is answered.
 void Program::tellNow() {
   tellNotes(*context_, *log_, *client_);
@@ -269,6 +261,8 @@ void Program::answer() {
   ticked_ = false;
   hooks::MissionStatus status;
   if (started_) {
+    compass_.convert(&mission_, context_, &variation_, nullptr, 0);
+    tellNow();
     hooks::Instruction instruction;
     // The SBC never speaks first: what a tick without a frame orders goes with the next answer.
     if (must_answer_ && control_.choose(instructionFor(*context_), finished_, instruction)) {

@@ -98,7 +98,6 @@ class Program {
   void tryToGoOn(const hooks::VehicleTick& tick, double sbc_time);
   void start(double vehicle_time, double sbc_time);
   void record();
-  void followCompass();
   void tellNow();
   void save();
   void restore();

@@ -29,6 +29,7 @@ void setLateral(GliderContext& context, GliderLateral lateral, double heading, d
                 double longitude) {
   context.lateral = lateral;
   context.heading = heading;
+  context.magnetic = heading;
   context.latitude = latitude;
   context.longitude = longitude;
 }

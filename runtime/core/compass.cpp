@@ -39,50 +39,52 @@ bool isMagnetic(const GliderMission& mission, uint32_t id) {
   return false;
 }
 
-}  // namespace
-}  // namespace glider::runtime
-
-using glider::runtime::assumed;
-using glider::runtime::isKnown;
-using glider::runtime::isMagnetic;
-using glider::runtime::kHalfTurn;
-using glider::runtime::kTwoPi;
-using glider::runtime::magnitude;
-using glider::runtime::turned;
-
-extern "C" void gliderTakeHeadings(const GliderMission* mission, const GliderContext* context,
-                                   double* variation, GliderUpdate* updates, uint32_t count) {
-  const GliderCompass& compass = *mission->compass;
-  if (!isKnown(*variation) && context != nullptr) {
-    *variation = context->variation;  // of a checkpoint: the last that was known
-  }
+/// What a frame says, before its tick.
+void take(const GliderMission& mission, double& variation, GliderUpdate* updates, uint32_t count) {
+  const GliderCompass& compass = *mission.compass;
   for (uint32_t i = 0; i < count; ++i) {
     // NaN is not smaller than anything: what makes no sense leaves the last one as it was.
     if (updates[i].id == compass.variation && magnitude(updates[i].value) <= kHalfTurn) {
-      *variation = updates[i].value;
+      variation = updates[i].value;
     }
   }
-  const double by = -(isKnown(*variation) ? *variation : assumed(compass));
+  const double by = negated(isKnown(variation) ? variation : assumed(compass));
   for (uint32_t i = 0; i < count; ++i) {
     const double heading = updates[i].value;
     // One that no compass gives stays as it is, and is found implausible later.
-    if (heading >= 0.0 && heading <= kTwoPi && isMagnetic(*mission, updates[i].id)) {
+    if (heading >= 0.0 && heading <= kTwoPi && isMagnetic(mission, updates[i].id)) {
       updates[i].value = turned(heading, by);
     }
   }
 }
 
-extern "C" void gliderFollowCompass(GliderContext* context, double* variation) {
-  const GliderCompass& compass = *context->mission->compass;
-  if (!isKnown(*variation)) {
-    *variation = assumed(compass);
+/// What a tick commands, after it.
+void follow(GliderContext& context, double& variation) {
+  const GliderCompass& compass = *context.mission->compass;
+  if (!isKnown(variation)) {
+    variation = assumed(compass);
     if (!isKnown(compass.declination)) {
-      gliderNote(context, kGliderNoteLog, "declination unknown: headings are magnetic", nullptr, 0);
+      gliderNote(&context, kGliderNoteLog, "declination unknown: headings are magnetic", nullptr,
+                 0);
     }
   }
-  context->variation = *variation;
+  context.variation = variation;
+  if (context.lateral == kGliderHeading) {
+    context.magnetic = turned(context.heading, variation);
+  }
 }
 
-extern "C" double gliderMagneticHeading(const GliderContext* context) {
-  return turned(context->heading, context->variation);
+}  // namespace
+}  // namespace glider::runtime
+
+extern "C" void gliderConvertHeadings(const GliderMission* mission, GliderContext* context,
+                                      double* variation, GliderUpdate* updates, uint32_t count) {
+  if (!glider::runtime::isKnown(*variation) && context != nullptr && updates != nullptr) {
+    *variation = context->variation;  // of a checkpoint: the last that was known
+  }
+  if (updates != nullptr) {
+    glider::runtime::take(*mission, *variation, updates, count);
+  } else {
+    glider::runtime::follow(*context, *variation);
+  }
 }

@@ -54,10 +54,7 @@ hooks::Instruction instructionFor(const GliderContext& context) {
   instruction.lateral = lateralOf(context.lateral);
   instruction.depth_m = context.depth;
   instruction.pitch_rad = context.pitch;
-  const GliderCompass* compass = context.mission->compass;
-  instruction.heading_rad = compass != nullptr && context.lateral == kGliderHeading
-                                ? compass->magnetic(&context)
-                                : context.heading;
+  instruction.heading_rad = context.magnetic;
   instruction.latitude_ddmm = degreesMinutesOf(context.latitude);
   instruction.longitude_ddmm = degreesMinutesOf(context.longitude);
   hooks::Instruction rounded = hooks::roundToArray(instruction);

@@ -66,11 +66,7 @@ glider::hooks::ClientOptions GliderRuntime::subscribe(const GliderMission& missi
   options.sensors = sensors;
   for (uint32_t i = 0; i < mission.sensor_count; ++i) {
     const auto id = static_cast<uint16_t>(mission.sensors[i].id);
-    bool known = mission.sensors[i].poll != nullptr;  // not the vehicle's
-    for (uint32_t k = 0; k < options.sensor_count; ++k) {
-      known = known || sensors[k].id == id;
-    }
-    if (!known) {
+    if (mission.sensors[i].poll == nullptr) {  // the vehicle's
       sensors[options.sensor_count++] = glider::hooks::usualSubscription(id);
     }
   }
@@ -152,17 +148,21 @@ uint32_t GliderRuntime::gatherUpdates() {
   for (uint32_t i = 0; i < tick.reading_count; ++i) {
     updates_[i] = {tick.readings[i].value, tick.readings[i].id, 0};
   }
-  if (mission_.compass != nullptr) {
-    mission_.compass->take(&mission_, context_, &variation_, updates_, tick.reading_count);
-  }
+  convertHeadings(updates_, tick.reading_count);
   return tick.reading_count;
+}
+
+/// Of a frame before its tick, or, without one, of what a tick commands after it.
+__attribute__((noinline)) void GliderRuntime::convertHeadings(GliderUpdate* updates,
+                                                              uint32_t count) {
+  if (mission_.compass != nullptr) {
+    mission_.compass->convert(&mission_, context_, &variation_, updates, count);
+  }
 }
 
 /// What follows each step of the mission, before its values are logged.
 void GliderRuntime::endStep() {
-  if (mission_.compass != nullptr) {
-    mission_.compass->follow(context_, &variation_);
-  }
+  convertHeadings(nullptr, 0);
   glider::runtime::tellNotes(*context_, log_, client_);
 }
 

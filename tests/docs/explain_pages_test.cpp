@@ -36,7 +36,9 @@ const std::set<DiagnosticId> kNotShown = {DiagnosticId::notUtf8,
                                           DiagnosticId::emptyImport,
                                           DiagnosticId::argumentRange,
                                           DiagnosticId::parameterDefault,
-                                          DiagnosticId::tooManyOwnSensors};
+                                          DiagnosticId::tooManyOwnSensors,
+                                          // Another vehicle.
+                                          DiagnosticId::declinationUnknown};
 /// Their repair needs a second file.
 const std::set<DiagnosticId> kNotRepaired = {DiagnosticId::openString};
 

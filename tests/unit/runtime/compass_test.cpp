@@ -31,8 +31,7 @@ GliderSensorInfo variationSensor() {
   return {"m_gps_mag_var", nullptr, 1, -kPi, kPi, 3600, GLIDER_M_GPS_MAG_VAR, kGliderLinear};
 }
 GliderCompass compassWith(double declination) {
-  return {declination,        GLIDER_M_GPS_MAG_VAR, 0,
-          gliderTakeHeadings, gliderFollowCompass,  gliderMagneticHeading};
+  return {declination, GLIDER_M_GPS_MAG_VAR, 0, gliderConvertHeadings};
 }
 
 class Compass : public ::testing::Test {
@@ -51,8 +50,8 @@ class Compass : public ::testing::Test {
 
   /// The frame, as the mission gets it.
   std::vector<double> taken(std::vector<GliderUpdate> frame) {
-    gliderTakeHeadings(&mission_.mission, nullptr, &variation_, frame.data(),
-                       static_cast<uint32_t>(frame.size()));
+    gliderConvertHeadings(&mission_.mission, nullptr, &variation_, frame.data(),
+                          static_cast<uint32_t>(frame.size()));
     std::vector<double> values;
     for (const GliderUpdate& u : frame) {
       values.push_back(u.value);
@@ -164,11 +163,11 @@ TEST_F(Compass, AResumedMissionKeepsTheLast) {
   GliderContext* kept = mission_.start();
   kept->variation = 0.3;
   GliderUpdate frame[] = {update(GLIDER_M_HEADING, 1)};
-  gliderTakeHeadings(&mission_.mission, kept, &variation_, frame, 1);
+  gliderConvertHeadings(&mission_.mission, kept, &variation_, frame, 1);
   EXPECT_DOUBLE_EQ(frame[0].value, 0.7);
   variation_ = 0.1;  // newer than the checkpoint
   frame[0].value = 1;
-  gliderTakeHeadings(&mission_.mission, kept, &variation_, frame, 1);
+  gliderConvertHeadings(&mission_.mission, kept, &variation_, frame, 1);
   EXPECT_DOUBLE_EQ(frame[0].value, 0.9);
 }
 

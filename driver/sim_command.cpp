@@ -211,7 +211,7 @@ void addOptions(CLI::App& command, SimOptions& options) {
                   "Cut the SBC's power at this time of the vehicle, s")
       ->check(CLI::Validator(checkTime, "", "time"))
       ->option_text("SECONDS");
-  command.add_option("-o", options.output, "Folder for report.html, trace.csv and events.csv")
+  command.add_option("-o", options.output, "Folder for report.html, trace.csv, events.csv and flight.json")
       ->option_text("FOLDER");
   command
       .add_option("--replay", options.replay,

@@ -195,8 +195,8 @@ class ArgumentLowering {
       const auto* rest = std::get_if<ast::Literal>(&arguments_[i + 1].value->node);
       const support::SourceRange& left = arguments_[i].value->where;
       const support::SourceRange& right = arguments_[i + 1].value->where;
-      if (whole != nullptr && rest != nullptr && whole->unit.empty() && right.begin == left.end + 1 &&
-          rest->digits.find_first_not_of("0123456789") == std::string::npos) {
+      if (whole != nullptr && rest != nullptr && whole->unit.empty() && !rest->unit.empty() &&
+          right.begin == left.end + 1 && rest->digits.find_first_not_of("0123456789") == std::string::npos) {
         return fmt::format("a decimal point is a point: write `{}.{}`", scope_.text(left),
                            scope_.text(right));
       }

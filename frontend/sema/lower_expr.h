@@ -50,7 +50,8 @@ class ExprLowering {
 
   /// Refuses the halves of a position in the wrong order, as far as numbers and letters show it;
   /// then true (lower_longitude_first.cpp).
-  bool longitudeFirst(const ast::Expr& first, const ast::Expr& second);
+  bool longitudeFirst(const ast::Expr& first, const ast::Expr& second,
+                      std::string_view between = ", ");
 
   /// The sensors read since this was made.
   [[nodiscard]] const std::vector<SensorRead>& reads() const { return reads_; }

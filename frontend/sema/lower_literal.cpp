@@ -4,6 +4,7 @@
 #include "frontend/bare_positions.h"
 #include "frontend/sema/literals.h"
 #include "frontend/sema/lower_expr.h"
+#include "frontend/spelling.h"
 #include "support/units/units.h"
 
 #include <fmt/format.h>
@@ -19,6 +20,14 @@ namespace {
 
 constexpr ir::Type kLatitude{ir::TypeKind::Latitude, {}};
 constexpr ir::Type kLongitude{ir::TypeKind::Longitude, {}};
+
+/// Whether a word for a unit stands behind a number that has none: repair has dropped it.
+bool unitFollows(const support::SourceRange& range, const Scope& scope) {
+  constexpr uint32_t kLongest = 16;
+  constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
+  const std::string word = scope.text({range.file, range.end, range.end + kLongest});
+  return !unitForWord(word.substr(0, word.find_first_not_of(kLetters))).empty();
+}
 
 bool isLetter(const std::string& unit) {
   return unit == "N" || unit == "S" || unit == "E" || unit == "W";
@@ -103,7 +112,9 @@ ExprLowering::Result ExprLowering::bareLiteral(const ast::Literal& node,
   constexpr double kFullTurn = 6.283185307179586;
   if (type.dimension == support::dimension::angle && si > kFullTurn) {
     const std::string text = (negative ? "-" : "") + node.digits;
-    scope_.report(DiagnosticId::bareAngle, range, text).fix(range, text + " deg");
+    if (!unitFollows(range, scope_)) {  // `26 degrees`: of the unit it has been said what is wrong
+      scope_.report(DiagnosticId::bareAngle, range, text).fix(range, text + " deg");
+    }
   }
   return emitNumber(negative ? -si : si, type, range);
 }
@@ -196,7 +207,7 @@ ExprLowering::Result ExprLowering::visit(const ast::Position& node, const ast::E
   const ast::Literal& longitude = node.longitude;
   const auto& latitude_where = node.latitude_where;
   const auto& longitude_where = node.longitude_where;
-  if (longitudeFirst({latitude, latitude_where}, {longitude, longitude_where})) {
+  if (longitudeFirst({latitude, latitude_where}, {longitude, longitude_where}, " ")) {
     return std::nullopt;
   }
   Result first;

@@ -59,32 +59,35 @@ bool isSwapped(const Half& first, const Half& second) {
 }
 
 /// What else may be meant, if the first number can be a latitude.
-std::string otherwise(const Half& first, const Half& second) {
+std::string otherwise(const Half& first, const Half& second, std::string_view between) {
   constexpr double kMostLatitude = 90;
   if (!(std::fabs(first.degrees()) <= kMostLatitude)) {
     return "";
   }
   if (first.bare() && second.bare()) {
-    return fmt::format("; if it is a latitude, give it a letter: `{}, {}`",
-                       withLetter(first.degrees(), true), withLetter(second.degrees(), false));
+    return fmt::format("; if it is a latitude, give it a letter: `{}{}{}`",
+                       withLetter(first.degrees(), true), between,
+                       withLetter(second.degrees(), false));
   }
   if (first.east() && second.north()) {
-    return fmt::format("; if the letters are swapped, `{}, {}`", first.with(second.literal->unit),
-                       second.with(first.literal->unit));
+    return fmt::format("; if the letters are swapped, `{}{}{}`", first.with(second.literal->unit),
+                       between, second.with(first.literal->unit));
   }
   return "";
 }
 
 }  // namespace
 
-bool ExprLowering::longitudeFirst(const ast::Expr& first, const ast::Expr& second) {
+bool ExprLowering::longitudeFirst(const ast::Expr& first, const ast::Expr& second,
+                                  std::string_view between) {
   const auto one = halfOf(first);
   const auto two = halfOf(second);
   if (!one || !two || !isSwapped(*one, *two)) {
     return false;
   }
   scope_.report(DiagnosticId::longitudeFirst, first.where, scope_.text(first.where),
-                fmt::format("{}, {}", two->text(), one->text()), otherwise(*one, *two));
+                fmt::format("{}{}{}", two->text(), between, one->text()),
+                otherwise(*one, *two, between));
   return true;
 }
 

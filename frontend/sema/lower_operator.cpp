@@ -186,7 +186,7 @@ bool ExprLowering::sideBySide(const ast::Binary& node, const ast::Expr& expr) {
   if (gap.find(')') != std::string::npos) {
     return false;
   }
-  const bool before = !gap.empty();
+  const bool before = node.op_where.begin > node.left->where.end;
   const bool after = node.right->where.begin > node.op_where.end;
   const auto better = pairWithLetters({first->digits, negative}, {second->digits, true});
   if (!better || !isPairByLooks(first->digits, second->digits, before, after)) {

@@ -31,6 +31,13 @@ const Path* findPath(const ast::Expr& expr, Scope& scope) {
   return use == nullptr ? nullptr : findPath(use->name, scope);
 }
 
+/// Whether an expression names a constant of which it has been said what is wrong.
+bool wasRefused(const ast::Expr& expr, Scope& scope) {
+  const auto* use = std::get_if<ast::NameUse>(&expr.node);
+  const Constant* found = use == nullptr ? nullptr : scope.findConstant(use->name);
+  return found != nullptr && found->worked_out && !found->valid;
+}
+
 }  // namespace
 
 bool isPath(const ast::Expr& expr, Scope& scope) {
@@ -48,6 +55,9 @@ std::optional<Path> ExprLowering::lowerPath(const ast::Expr& expr) {
     return lanes(*call, expr);
   }
   const auto* list = std::get_if<ast::List>(&expr.node);
+  if (list == nullptr && wasRefused(expr, scope_)) {
+    return std::nullopt;
+  }
   if (list == nullptr) {
     scope_.report(DiagnosticId::notAPath, expr.where, scope_.text(expr.where));
     return std::nullopt;

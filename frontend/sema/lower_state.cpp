@@ -240,7 +240,11 @@ void StateLowering::warnOfUnlisted(const std::vector<SensorRead>& reads) {
     } else {
       const auto events = seen_.find(indexOf<ast::EventsMember>());
       CHECK(events != seen_.end(), "a guard outside events");
-      const uint32_t begin = events->second->keyword.begin;
+      const support::SourceRange& keyword = events->second->keyword;
+      if (keyword.begin == keyword.end) {
+        continue;  // the word is missing, and its own fix comes first
+      }
+      const uint32_t begin = keyword.begin;
       warning.fix({read.range.file, begin, begin}, "sensors " + read.written + "\n  ");
     }
   }

@@ -27,17 +27,14 @@ void tellHelp(const char* mission_name) {
       defaultPort(),
       ")\n"
       "  --baud N     its speed, bits/s (else 115200)\n"
-      "  --stdio      standard input and output instead of a port\n"
-      "  --log FILE   write the mission's log, for `glidercc log`\n"
-      "  --log-limit N  from N bytes on (4096 or more) it becomes FILE.old, and a new one begins "
-      "(else 32 MiB)\n"
+      "  --stdio      standard input and output instead\n"
+      "  --log FILE   write the log, for `glidercc log`\n"
+      "  --log-limit N  at N bytes (4096 or more) it becomes FILE.old (else 32 MiB)\n"
       "  --checkpoint FILE  keep what a restart needs to go on\n"
-      "  --set NAME=VALUE   give a parameter a value, as in --set bottom=20m\n"
+      "  --set NAME=VALUE   a parameter, as in --set bottom=20m\n"
       "  --parameters FILE  the same in lines of a file; --set goes before it\n"
       "  --version    which mission and runtime this is\n"
-      "status: 0 the mission ended and gave control back, 1 wrong use, 2 no port or its link lost, "
-      "or\n"
-      "parameters that the mission does not allow");
+      "status: 0 the mission ended, 1 wrong use, 2 wrong parameters, no port or its link lost");
 }
 
 }  // namespace

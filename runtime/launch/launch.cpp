@@ -134,12 +134,7 @@ bool Launch::check() {
     return true;
   }
   Text text(problem_, kProblemBytes);
-  text.put("these parameters together do not satisfy `where` number ").putCount(failed + 1);
-  text.put(" of the mission:");
-  for (uint32_t i = 0; i < mission_.parameter_count && i < kMostParameters; ++i) {
-    text.put(i == 0 ? " " : ", ").put(mission_.parameters[i].name).put(" = ");
-    writeQuantity(mission_.parameters[i], values_[i], text);
-  }
+  text.put("the parameters do not satisfy `where` number ").putCount(failed + 1);
   return refuse(text);
 }
 
@@ -170,11 +165,7 @@ bool Launch::refuseValue(const GliderParameterInfo& parameter, const Piece& give
     case Reading::NoSuchUnit:
       text.put(": after the number its unit: ");
       listUnits(parameter.units, text);
-      break;
-    case Reading::NotAPosition:
-      text.put(": write ddmm.mmmm, as in `3910.5`, or degrees and a letter, as in `39.175 ")
-          .put(parameter.units[0])
-          .put('`');
+      text.put(isOnEarth(parameter.units) ? ", or ddmm.mmmm" : "");
       break;
     case Reading::NotANumber:
       text.put(isTruth(parameter.units) ? ": write `true` or `false`" : ": it is not a number");

@@ -120,14 +120,17 @@ bool toDouble(const Decimal& number, double& value) {
 /// decimal degrees are meant.
 bool fromDdmm(const Decimal& number, double& value) {
   constexpr uint32_t kFewest = 3;
-  constexpr double kFarthest = 36000;
-  if (!(value <= kFarthest && value >= -kFarthest)) {
+  constexpr uint32_t kMost = 5;
+  if (number.significant == 0) {
+    return true;
+  }
+  if (number.whole < kFewest || number.whole > kMost || number.exponent > 0) {
     return false;
   }
-  const auto degrees = static_cast<double>(static_cast<int32_t>(value / 100.0));
+  const double degrees = static_cast<int32_t>(value / 100.0);
   const double minutes = value - degrees * 100.0;
   value = degrees + minutes / 60.0;
-  return (number.whole >= kFewest || number.significant == 0) && minutes < 60.0 && minutes > -60.0;
+  return minutes < 60.0 && minutes > -60.0;
 }
 
 bool factorOf(const Piece& unit, const char* units, double& factor) {
@@ -178,7 +181,7 @@ bool isTruth(const char* units) {
 }
 
 bool isOnEarth(const char* units) {
-  return (units[0] == 'N' || units[0] == 'E') && units[1] == '=';
+  return units[0] == 'N' || units[0] == 'E';  // no other list begins so
 }
 
 Reading readQuantity(const Piece& text, const char* units, double& value) {
@@ -191,19 +194,19 @@ Reading readQuantity(const Piece& text, const char* units, double& value) {
   const Decimal number = takeDecimal(rest);
   rest = rest.trimmed();
   if (number.seen == 0) {
-    return earth ? Reading::NotAPosition : Reading::NotANumber;
+    return Reading::NotANumber;
   }
   const bool ddmm = earth && rest.empty();
   double factor = 1;
   if (!factorOf(rest, units, factor) || (earth && number.negative && !ddmm)) {
-    return earth ? Reading::NotAPosition : Reading::NoSuchUnit;
+    return Reading::NoSuchUnit;
   }
   double plain = 0;
   if (!toDouble(number, plain)) {
     return Reading::TooManyDigits;
   }
   value = gliderSettle(plain * factor);
-  return !ddmm || fromDdmm(number, value) ? Reading::Good : Reading::NotAPosition;
+  return !ddmm || fromDdmm(number, value) ? Reading::Good : Reading::NoSuchUnit;
 }
 
 }  // namespace glider::runtime

@@ -46,8 +46,7 @@ enum class Reading : uint8_t {
   Good,
   NotANumber,
   TooManyDigits,  ///< more than can be read the same on every board
-  NoSuchUnit,
-  NotAPosition,  ///< neither ddmm.mmmm nor degrees with a letter
+  NoSuchUnit,  ///< of a latitude or longitude also: neither ddmm.mmmm nor with one letter
 };
 
 /// Reads "20", "20 m", "-1.5e3cm", "39.2 N", or of a truth value "true" or "false", into `value`,

@@ -210,8 +210,11 @@ class LivelockCheck {
     for (const StateId state : round) {
       names.push_back(fmt::format("`{}`", m_[state].name));
     }
-    const std::string between = names.size() == 1 ? names.front() + " and itself"
-                                                  : fmt::format("{}", fmt::join(names, ", "));
+    const std::string last = names.size() == 1 ? "itself" : names.back();
+    if (names.size() > 1) {
+      names.pop_back();
+    }
+    const std::string between = fmt::format("{} and {}", fmt::join(names, ", "), last);
     proof_.diagnostics.report(support::DiagnosticId::clockLivelock, m_[round.front()].range,
                               fmt::format("{:.6g} s", time), between);
   }

@@ -296,6 +296,22 @@ TEST(StateDepths, ARouteInCMayOrderAnyDepth) {
   EXPECT_TRUE(std::isinf(deepest(withRoute("drift ()"))));
 }
 
+TEST(StateDepths, KnowWhereVariablesAreEverSetTo) {
+  const auto deepest = [](const std::string& set) {
+    const Mission mission = missionOf(
+        kHeader + "behaviour profile down symbol \"\" () reads ()\n" +
+        "behaviour route way symbol \"\" () reads ()\n" +
+        "variable d: length mission\ninitial d 5:length\n" +
+        "state a route way begin end profile down begin entry do descend ((var d), 0.4:angle) end "
+        "end case (gt (sensor depth) 1:length) do set d " +
+        set + " end goto a case (ge missiontime 500:time) exit\n");
+    return deepestByState(Ground(mission, slocum())).at(0);
+  };
+  EXPECT_EQ(deepest("(clamp (sensor depth) 5:length 28:length)"), 33);
+  EXPECT_EQ(deepest("(min (add (var d) 1:length) 7.5:length)"), 12.5);
+  EXPECT_TRUE(std::isinf(deepest("(add (var d) 1:length)")));
+}
+
 TEST(Requirements, ARouteInCMayBreakADepth) {
   const auto verdict = [](const std::string& text) {
     const Mission mission = missionOf(text);

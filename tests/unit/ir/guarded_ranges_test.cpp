@@ -108,6 +108,12 @@ const Row kRows[] = {
      "case (lt (var n) 5) do if (gt (sensor depth) 5:length) set n 5 end "
      "set n (add (var n) 1) end stay"},
     {"refused", "case true do if (lt (var n) 5) set other 1 end set n (add (var n) 1) end stay"},
+    {"refused",
+     "case true do if (gt (sensor depth) 5:length) set n 0 else set n 1 end "
+     "set n (add (var n) 1) end stay"},
+    {"accepted",
+     "case (lt (var n) 2) do if (gt (sensor depth) 5:length) set n 0 else set n 1 end "
+     "set n (add (var n) 1) end stay"},
     // A condition on an unknown reading is not the same as its opposite's being false.
     {"refused",
      "case true do if (gt (sensor depth) 50:length) set other 1 else set x (sub "

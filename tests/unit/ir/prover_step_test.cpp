@@ -107,6 +107,12 @@ class StepQuestion {
 
   void equate(Question& question, const Configuration& from, const Left& left) const {
     question.add(holdsWhat(from, left));
+    for (const auto& [index, watched] : from.watched) {
+      z3::context& context = watched.since.ctx();
+      const bool always = m_.temporals[index].list == ListKind::Always;
+      question.add(watched.since >= realOf(context, always ? 0 : left.resumed) &&
+                   watched.since <= realOf(context, left.time));
+    }
   }
 
   [[nodiscard]] bool keeps(const Control& control, const Variable& v) const {
@@ -291,13 +297,13 @@ TEST(ProverStep, AClampTurnedRoundLeaps) {
   expectTicks(R"(variable low: length parameter lowest 0 highest 50
 variable high: length parameter lowest 0 highest 50
 variable x: length mission lowest 0 highest 100
-initial low 40:length
-initial high 10:length
+initial low 0.6000000000000001:length
+initial high 0.1:length
 initial x 0:length
 state a route drift () profile glide ()
   case true do set x (clamp (mul 0.1 (sensor depth)) (var low) (var high)) end stay
 )",
-              {1, 10, 90, 3});
+              {1, 6, 90, 6});  // 0.1 times 6 is rounded up to `low`
 }
 
 /// What the interpreter's variables hold lies in a valuation.
@@ -385,6 +391,15 @@ state b route drift () profile glide ()
   entry do if (gt (sensor depth) 5:length) set n 2 else set n 3 end end case true goto a
 )");
   EXPECT_EQ(followTransitions(mission, streamOf({kNone, kNone, kNone, 10, 10, 2, 2})), 6U);
+}
+
+TEST(AbstractStep, WhatAlwaysOverflowsIsUnknown) {
+  const Mission mission = missionOf(kHeader + R"(variable n: number mission lowest 0 highest 100
+initial n 1
+state a route drift () profile glide ()
+  entry do if (lt (add 1.7e308 1.7e308) 1) set n 2 else set n 3 end end case true goto a
+)");
+  EXPECT_EQ(followTransitions(mission, streamOf({1, 1, 1})), 2U);
 }
 
 TEST(AbstractStep, ArgumentsAreEvaluatedTogether) {

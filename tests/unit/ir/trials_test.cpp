@@ -5,6 +5,7 @@
 
 #include "ir/prove/trials.h"
 
+#include "ir/core/ops.h"
 #include "ir/prove/question.h"
 #include "tests/random_missions/random_mission.h"
 #include "tests/unit/ir/missions.h"

@@ -36,16 +36,13 @@ bool Interpreter::current(const Temporal& temporal) const {
   return temporal.list == ListKind::Always || temporal.state == state_;
 }
 
-/// Step 3.
+/// Step 3. The order shows in the calls of C functions.
 void Interpreter::advanceTemporals() {
-  for (uint32_t i = 0; i < temporals_.size(); ++i) {
-    if (current(mission_.temporals[i])) {
-      update(i, Moment::Advance);
-    }
-  }
+  startTemporals(true, Moment::Advance);
+  startTemporals(false, Moment::Advance);
 }
 
-/// Those of `always`, or those of the current state, start or go on after a return.
+/// Those of `always`, or those of the current state, start, go on after a return, or advance.
 void Interpreter::startTemporals(bool always, Moment moment) {
   for (uint32_t i = 0; i < temporals_.size(); ++i) {
     const Temporal& t = mission_.temporals[i];

@@ -77,6 +77,16 @@ TEST(Externals, AUseIsCalledOnceATickHoweverOftenItIsRead) {
   EXPECT_EQ(run.result.notes.size(), 1U);
 }
 
+TEST(Externals, WhatAlwaysWatchesIsCalledBeforeWhatTheStateWatches) {
+  Called run(
+      "use f use g temporal became state a (gt (call 0 1:length) 5) "
+      "temporal became always (gt (call 1) 5) " +
+      stateA("case (temporal 0) stay case (temporal 1) stay"));
+  EXPECT_EQ(run.calls, "ping@0;g;f 1;");
+  run.tick(4);
+  EXPECT_EQ(run.calls, "ping@4;g;f 1;") << "on every tick as at the start";
+}
+
 TEST(Externals, TwoUsesAreTwoCallsInTheOrderOfTheText) {
   Called run("use f use g use f " +
              stateA("case (lt (add (add (call 0 5:length) (call 1)) (call 2 6:length)) 0) exit"));

@@ -84,8 +84,7 @@ std::vector<Quantity> checkpointFigures(const codegen::Budget& measured, double 
                        Checkpoint::kSlots)}};
 }
 
-Budget boardBudget(const codegen::Budget& measured, const platforms::Board& board,
-                   double cycle_s) {
+Budget boardBudget(const codegen::Budget& measured, const platforms::Board& board, double cycle_s) {
   Budget budget{board.name, {}};
   budget.quantities = {
       {"executable", measured.executable_bytes, limitOf(board.max_executable_bytes), "bytes",

@@ -153,8 +153,8 @@ class Client {
   bool linked_ = false;
   bool virtual_time_ = false;
   Refusal refusal_;
-  uint32_t link_ = 0;       // 0: no Hello sent yet
-  bool link_used_ = false;  // the vehicle was seen to have it
+  uint32_t link_ = 0;         // 0: no Hello sent yet
+  bool link_used_ = false;    // the vehicle was seen to have it
   bool cycle_known_ = false;  // a tick of it was taken: tick_.cycle
   uint32_t next_session_ = 1;
 
@@ -178,11 +178,11 @@ class Client {
   bool waiting_ = false;  // hookbeh has not answered `pending_` yet
   bool due_ = false;      // write `pending_` in the next answer
   uint32_t unanswered_ticks_ = 0;
-  uint16_t settled_ = 0;        // the newest number that hookbeh was seen to look at, 0 for none
-  uint16_t last_settled_ = 0;   // in the tick before
-  uint32_t session_ = 0;        // of the newest Take, 0 before the first
-  bool claims_ = true;          // it is ours to keep alive
-  bool taken_ = false;          // hookbeh was seen active in `session_`
+  uint16_t settled_ = 0;       // the newest number that hookbeh was seen to look at, 0 for none
+  uint16_t last_settled_ = 0;  // in the tick before
+  uint32_t session_ = 0;       // of the newest Take, 0 before the first
+  bool claims_ = true;         // it is ours to keep alive
+  bool taken_ = false;         // hookbeh was seen active in `session_`
   uint16_t sequence_ = 0;
 };
 

@@ -83,7 +83,7 @@ class Hookbeh {
 
   uint32_t heartbeat_ = 0;  // the newest seen, 0 for none
   double silence_s_ = 0;    // since it went on
-  double garbled_s_ = 0;  // since an instruction lies there that cannot be read
+  double garbled_s_ = 0;    // since an instruction lies there that cannot be read
 
   bool settled_known_ = false;
   uint16_t settled_sequence_ = 0;  // its instruction was decided on: once

@@ -24,11 +24,11 @@ struct HookprogEvent {
     BadFrame,       ///< a = frames thrown away on both lines since the last such event
     SbcRefused,  ///< speaks another protocol (a = its version) or has another sensor dictionary (b
                  ///< = its hash)
-    RefusedWrite,  ///< the SBC tried to write sensor a, which is not the hook's; nothing of that
-                   ///< frame was written
+    RefusedWrite,    ///< the SBC tried to write sensor a, which is not the hook's; nothing of that
+                     ///< frame was written
     OldInstruction,  ///< hookbeh refuses an instruction that comes again: a = its sequence
-    StaleFrame,      ///< a = frames of the SBC and reports of the flight controller, in one run, that
-                     ///< tell of an earlier time than they have told already: passed over
+    StaleFrame,  ///< a = frames of the SBC and reports of the flight controller, in one run, that
+                 ///< tell of an earlier time than they have told already: passed over
   } kind = Kind::None;
   double mission_time_s =
       0;  ///< SbcTransition, SbcNote: the mission's own; else m_present_secs_into_mission

@@ -277,7 +277,8 @@ void Hookprog::watchInstruction() {
   if (answers_.isOverdue(kLostSecs, now_s_)) {
     event(Kind::SbcUnanswered, answers_.instruction());
   }
-  const bool old = newestWhole(GLIDER_X_HOOK_ANSWER) == static_cast<uint32_t>(HookAnswer::OldSequence);
+  const bool old =
+      newestWhole(GLIDER_X_HOOK_ANSWER) == static_cast<uint32_t>(HookAnswer::OldSequence);
   const uint32_t refused = old ? newestWhole(GLIDER_X_HOOK_SEQUENCE) : 0;
   if (old && refused != old_told_) {
     event(Kind::OldInstruction, refused);

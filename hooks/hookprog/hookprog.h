@@ -125,9 +125,9 @@ class Hookprog {
   Since waits_;
   Reporter reporter_;
   uint32_t newest_session_ = 0;
-  double told_s_ = 0;       // newest mission time that the SBC has told in this link
-  uint32_t stale_ = 0;      // frames and reports that come again, in this run
-  uint32_t old_told_ = 0;   // instruction of which an event has said that it is old, 0 for none
+  double told_s_ = 0;      // newest mission time that the SBC has told in this link
+  uint32_t stale_ = 0;     // frames and reports that come again, in this run
+  uint32_t old_told_ = 0;  // instruction of which an event has said that it is old, 0 for none
   uint32_t heartbeat_ = 0;
   ProgressWatch progress_;
   AnswerWatch answers_;

@@ -30,7 +30,7 @@ enum class HookAnswer : uint8_t {
   NotOnEarth = 6,    ///< the waypoint is no position
   WrongSession = 7,  ///< not from the session in control, or from one that was lost
   NotReady = 8,      ///< hookbeh waits or is complete
-  OldSequence = 9,   ///< its number is older than one that was decided on: an instruction sent again
+  OldSequence = 9,  ///< its number is older than one that was decided on: an instruction sent again
 };
 
 /// Whether a number on the line stands for one of them.

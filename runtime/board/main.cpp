@@ -14,7 +14,6 @@
 #include "runtime/board/parameters.h"
 #include "runtime/core/runtime.h"
 
-
 namespace glider::runtime {
 namespace {
 

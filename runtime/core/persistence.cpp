@@ -29,14 +29,14 @@ void Persistence::look(GliderContext& context) {
 
 bool Persistence::decide(const hooks::VehicleTick& tick, const GliderContext& context,
                          double sbc_time) {
-  const bool free = tick.hook_state == HookState::Ready;
-  if (!free && tick.hook_state != HookState::Active && tick.hook_state != HookState::Silent) {
+  const bool ready = tick.hook_state == HookState::Ready;
+  if (!ready && tick.hook_state != HookState::Active && tick.hook_state != HookState::Silent) {
     return false;
   }
   found_ = false;
-  const double outage = free ? outageByClock(tick) : tick.vehicle_time_s - facts_.vehicle_time;
+  const double outage = ready ? outageByClock(tick) : tick.vehicle_time_s - facts_.vehicle_time;
   const bool within = outage >= 0.0 && outage <= context.mission->resume_within;
-  if (free && (!within || context.finished != 0 || context.mission->new_after_restart != 0)) {
+  if (ready && (!within || context.finished != 0 || context.mission->new_after_restart != 0)) {
     // Another flight: nobody has had control since the vehicle's mission began.
     begins_anew_ = LogDetail::EarlierFlight;
     parts_.client.resume(0, parts_.client.sequence());
@@ -47,10 +47,10 @@ bool Persistence::decide(const hooks::VehicleTick& tick, const GliderContext& co
     return false;
   }
   ClockAnchor anchor{facts_.anchor_vehicle, facts_.anchor_mission};
-  if (free) {  // the vehicle's time has begun again, and tells nothing of the outage
+  if (ready) {  // the vehicle's time has begun again, and tells nothing of the outage
     anchor = {tick.vehicle_time_s, context.mission_time + outage};
   }
-  parts_.clock.resume(anchor, free ? tick.vehicle_time_s : facts_.vehicle_time, sbc_time);
+  parts_.clock.resume(anchor, ready ? tick.vehicle_time_s : facts_.vehicle_time, sbc_time);
   if (tick.obeys_us) {
     parts_.control.resume();
   }
@@ -99,10 +99,10 @@ void Persistence::commit(const GliderContext* context) {
     tellVehicle(*context, "the SBC's log is not written");
   }
   log_fails_ = parts_.log.isFailing();
-  const Checkpoint::Kept kept = checkpoint_.keep(
-      *context, {parts_.clock.vehicle(), parts_.clock.anchor().vehicle,
-                 parts_.clock.anchor().mission, parts_.client.session(), parts_.client.sequence(),
-                 parts_.client.tick().clock_s});
+  const Checkpoint::Kept kept =
+      checkpoint_.keep(*context, {parts_.clock.vehicle(), parts_.clock.anchor().vehicle,
+                                  parts_.clock.anchor().mission, parts_.client.session(),
+                                  parts_.client.sequence(), parts_.client.tick().clock_s});
   const bool failed = kept == Checkpoint::Kept::Failed;
   if (failed && !not_kept_) {
     parts_.log.event(context->mission_time, LogEvent::CheckpointNotWritten, LogDetail::None,

@@ -158,6 +158,9 @@ inline consider_checkpoint() {
   :: found == 1 && sbc_stuck == 0 && tick_state == Ready -> /* another flight */
      found = 0; sbc_session = 0; mission_time = 0; told_sequence = 0; told_end = 0;
      printf("decides anew\n")
+  :: found == 1 && sbc_stuck == 0 && tick_state == Ready && kept_finished == 0 -> /* or the vehicle's mission has begun again */
+     found = 0; goes_on = 1; finished = 0;
+     printf("decides on\n")
   :: found == 1 && sbc_stuck == 0 && (tick_state == Active || tick_state == Silent) ->
      found = 0;
      if

@@ -112,9 +112,16 @@ TEST_F(HookbehReplay, NewerIsLessThanHalfTheCircleAhead) {
     uint16_t sequence, other;
     bool newer;
   };
-  for (const Pair& pair :
-       {Pair{2, 1, true}, {1, 2, false}, {1, 1, false}, {1, 65535, true}, {65535, 1, false},
-        {32768, 1, true}, {32769, 1, false}, {1, 32769, true}, {7, 0, true}, {65535, 0, true}}) {
+  for (const Pair& pair : {Pair{2, 1, true},
+                           {1, 2, false},
+                           {1, 1, false},
+                           {1, 65535, true},
+                           {65535, 1, false},
+                           {32768, 1, true},
+                           {32769, 1, false},
+                           {1, 32769, true},
+                           {7, 0, true},
+                           {65535, 0, true}}) {
     EXPECT_EQ(isNewerSequence(pair.sequence, pair.other), pair.newer)
         << pair.sequence << " after " << pair.other;
   }

@@ -120,9 +120,12 @@ class VehicleBench {
   }
 
   void report() {
-    const uint16_t told[] = {GLIDER_M_DEPTH,        GLIDER_X_HOOK_STATE,
-                             GLIDER_X_HOOK_ANSWER,  GLIDER_X_HOOK_SEQUENCE,
-                             GLIDER_X_HOOK_SESSION, GLIDER_M_PRESENT_TIME,
+    const uint16_t told[] = {GLIDER_M_DEPTH,
+                             GLIDER_X_HOOK_STATE,
+                             GLIDER_X_HOOK_ANSWER,
+                             GLIDER_X_HOOK_SEQUENCE,
+                             GLIDER_X_HOOK_SESSION,
+                             GLIDER_M_PRESENT_TIME,
                              GLIDER_M_PRESENT_SECS_INTO_MISSION,
                              GLIDER_M_CYCLE_NUMBER};
     std::vector<hooks::SensorUpdate> updates;

@@ -3,6 +3,7 @@
 
 // The vehicle begins its own mission again while the SBC has no power: whether the SBC's goes on.
 
+#include "runtime/checkpoint/checkpoint.h"
 #include "tests/unit/runtime/resume_bench.h"
 
 #include <gtest/gtest.h>

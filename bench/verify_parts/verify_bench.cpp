@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // verify_bench FILE.ir... - for each mission: its states, the errors and warnings found, the
-// greatest depth of its call stack, and the least time that ir::verify took, in ms. Reading the
+// greatest depth of its call stack, and the least processor time of ir::verify, in ms. Reading the
 // file is not measured.
 
 #include "ir/text/read.h"
@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <ctime>
 #include <limits>
 #include <optional>
 
@@ -36,6 +37,13 @@ std::optional<ir::Mission> missionAt(const char* path) {
   return mission;
 }
 
+/// Which a busy machine changes less than the time that passes.
+double processorTime_s() {
+  timespec now = {};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
 /// Runs for about a second, at least three times.
 void measure(const ir::Mission& mission) {
   constexpr int kLeastRuns = 3;
@@ -44,11 +52,11 @@ void measure(const ir::Mission& mission) {
   const auto begin = Clock::now();
   for (int run = 0;; ++run) {
     support::DiagnosticEngine diagnostics;
-    const auto from = Clock::now();
+    const double from = processorTime_s();
     const ir::MissionFacts facts = ir::verify(mission, diagnostics);
-    const auto now = Clock::now();
-    least_s = std::min(least_s, std::chrono::duration<double>(now - from).count());
-    if (run + 1 >= kLeastRuns && std::chrono::duration<double>(now - begin).count() > kEnough_s) {
+    least_s = std::min(least_s, processorTime_s() - from);
+    const std::chrono::duration<double> passed = Clock::now() - begin;
+    if (run + 1 >= kLeastRuns && passed.count() > kEnough_s) {
       fmt::print("{} {} {} {} {:.6f}\n", mission.states.size(), diagnostics.errorCount(),
                  diagnostics.warningCount(), facts.stack_depth, 1e3 * least_s);
       return;

@@ -122,9 +122,10 @@ std::string drawnToText(const simulator::DrawnFaults& drawn) {
   if (drawn.args) {
     out += fmt::format(
         "# in the mission file: start_secs {}, max_depth {}, min_altitude {}, max_pitch {}, "
-        "hold_secs {}\n",
+        "hold_secs {}, d_bpump_value {}, c_bpump_value {}\n",
         drawn.args->start_secs, drawn.args->max_depth_m, drawn.args->min_altitude_m,
-        drawn.args->max_pitch_rad, drawn.args->hold_secs);
+        drawn.args->max_pitch_rad, drawn.args->hold_secs, drawn.args->dive_pump_cc,
+        drawn.args->climb_pump_cc);
   }
   if (drawn.water_depth_m) {
     out += fmt::format("# in [ocean]: water_depth_m = {}\n", *drawn.water_depth_m);

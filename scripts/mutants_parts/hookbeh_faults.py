@@ -23,6 +23,10 @@ PILOT = "hooks/hookbeh/pilot.cpp"
 BOUNDS = "hooks/hookbeh/bounds.cpp"
 VALUES = "hooks/protocol/values.cpp"
 WATCHES = "hooks/hookprog/watches.cpp"
+DEPTH = "hooks/hookbeh/depth_source.cpp"
+WATCH = "hooks/hookbeh/depth_watch.cpp"
+CLOCK = "hooks/hookbeh/cycle_clock.cpp"
+HULL = "hooks/hookbeh/hull.cpp"
 
 PLANTED = [
     Planted("HB-1", "ready before start_secs", HOOKBEH, "inputs.time_s >= args_.start_secs", "true"),
@@ -61,6 +65,19 @@ PLANTED = [
     Planted("HB-17", "a dive is held however deep", PILOT, "now.depth_m > in_force_.depth_m + kHoldReachM", "false"),
     Planted("HB-18", "no way back after the guard", HOOKBEH, "pilot_.goBack(now, args_);", ";"),
     Planted("HB-19", "no floating at the surface", PILOT, "in_force_.depth_m < kSurfaceM", "false"),
+    Planted("HB-20", "any number is a depth", DEPTH,
+            "depth_m >= kHighestDepthM && depth_m <= kDeepestShare * kHull.greatest_depth_m", "isFinite(depth_m)"),
+    Planted("HB-21", "a depth may jump", DEPTH, "moved > kReachM + kHull.vertical_rate_m_s * age_s_", "false"),
+    Planted("HB-22", "a frozen depth is believed", WATCH, "(frozen_ && own_.sameFor() > 0) || (same && !hangs)", "false"),
+    Planted("HB-23", "a dive that gains no depth goes on", GUARD, "headway_.way() == Way::Down && headway_.idleFor() >= patience", "false"),
+    Planted("HB-24", "a climb that gains no height is left as it is", GUARD, "headway_.idleFor() >= kStalledSecs", "false"),
+    Planted("HB-25", "depths that disagree are believed", WATCH, "ctd_known_ && disagree_s_ >= kPersistsSecs", "false"),
+    Planted("HB-26", "a CTD that never agreed is believed", WATCH, "ctd_known_ || agree_s_ >= kPersistsSecs", "true"),
+    Planted("HB-27", "one clock alone is believed", CLOCK, "distance(by_mission, by_wall) <= kAgree && by_mission > 0", "by_mission > 0"),
+    Planted("HB-28", "the pump may go beyond its stroke", HULL, "out.dive_pump_cc = -between(dive, 0, hull.pump_cc);", "out.dive_pump_cc = -dive;"),
+    Planted("HB-29", "a pump with the wrong sign", HULL, "value < 0 ? -value : value", "value"),
+    Planted("HB-30", "a guard has no number", HOOKBEH, "commanding_ = outputs.commanding;",
+            "commanding_ = outputs.commanding; outputs.guard = HookGuard::None;"),
 ]
 
 # What a campaign cannot see, with the reason.

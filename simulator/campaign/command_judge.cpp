@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 namespace glider::simulator {
 
@@ -126,6 +127,11 @@ std::string CommandJudge::judgeWhole(const CycleView& view) const {
                      std::isfinite(out.latitude_ddmm) && std::isfinite(out.longitude_ddmm);
   if (!whole) {
     return "heading, pitch and pump are not all commanded";
+  }
+  const bool named = std::string_view(out.doing).starts_with("climb: ");
+  if (named != (out.guard != hooks::HookGuard::None) ||
+      view.array.get(GLIDER_X_HOOK_GUARD) != static_cast<double>(out.guard)) {
+    return fmt::format("x_hook_guard does not tell of `{}`", out.doing);
   }
   if (view.mission_s < s_.args.start_secs) {
     return "the SBC is in control before start_secs";

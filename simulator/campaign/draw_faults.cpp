@@ -111,6 +111,9 @@ DrawnArgs drawArgs(Draw& draw, const FlightTimes& times) {
   args.min_altitude_m = draw.between(2, 8);
   args.max_pitch_rad = draw.between(0.4, 0.75);
   args.hold_secs = draw.chance(0.3) ? 0 : draw.between(4, 60);
+  // Also more than the pump has, and with the wrong sign: a pilot's slip.
+  args.dive_pump_cc = draw.chance(0.2) ? draw.between(150, 1000) : -draw.between(150, 1000);
+  args.climb_pump_cc = draw.chance(0.2) ? -draw.between(150, 1000) : draw.between(150, 1000);
   return args;
 }
 
@@ -222,6 +225,8 @@ void DrawnFaults::applyTo(Scenario& scenario) const {
       put(behaviour, "min_altitude", args->min_altitude_m);
       put(behaviour, "max_pitch", args->max_pitch_rad);
       put(behaviour, "hold_secs", args->hold_secs);
+      put(behaviour, "d_bpump_value", args->dive_pump_cc);
+      put(behaviour, "c_bpump_value", args->climb_pump_cc);
     }
   }
 }

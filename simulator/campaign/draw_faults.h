@@ -37,6 +37,7 @@ struct FlightTimes {
 /// b_args of hookbeh that are drawn instead of those of the mission file.
 struct DrawnArgs {
   double start_secs = 0, max_depth_m = 0, min_altitude_m = 0, max_pitch_rad = 0, hold_secs = 0;
+  double dive_pump_cc = -230, climb_pump_cc = 230;
 };
 
 /// What goes wrong in a flight.

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <span>
 
 namespace glider::simulator {
 namespace {
@@ -18,15 +19,22 @@ constexpr auto kSensors = std::to_array<Plausible>({
     {"m_depth", 0, 65},
     {"m_depth", 0, 3},  // the one that they live by most
     {"m_pitch", -0.6, 0.6},
-    {"m_heading", 0, 6.28},
     {"m_altitude", 0, 100},
+    {"m_present_secs_into_mission", 0, 5000},
+    {"m_present_time", 1.25e9, 1.2500001e9},
+    {"m_cycle_number", 0, 3000},
+    {"sci_water_pressure", 0, 6.5},
+    {"m_pressure", 0, 6.5},
+    {"m_depth_rate", -0.3, 0.3},
+});
+/// Sensors that hookbeh's limits do not rest on, and the CTD, which it does without.
+constexpr auto kOtherSensors = std::to_array<Plausible>({
+    {"m_heading", 0, 6.28},
     {"m_lat", 3909, 3912},
     {"m_lon", -7352, -7348},
-    {"m_present_secs_into_mission", 0, 5000},
     {"sci_water_temp", 5, 25},
     {"sci_water_pressure", 0, 6.5},
     {"m_battery", 9.8, 15},
-    {"m_depth_rate", -0.3, 0.3},
 });
 /// Words of an instruction, whose check finds what is wrong with them, and the heartbeat.
 constexpr auto kHookSensors = std::to_array<Plausible>({
@@ -56,9 +64,21 @@ SensorFault::Kind howOf(FaultKind kind, Draw& draw) {
     case FaultKind::SensorJumps:
       return SensorFault::Kind::Jumps;
     case FaultKind::HookSensor:
+    case FaultKind::OtherSensor:
       return static_cast<SensorFault::Kind>(draw.below(3));
     default:
       return SensorFault::Kind::Value;
+  }
+}
+
+std::span<const Plausible> sensorsOf(FaultKind kind) {
+  switch (kind) {
+    case FaultKind::HookSensor:
+      return kHookSensors;
+    case FaultKind::OtherSensor:
+      return kOtherSensors;
+    default:
+      return kSensors;
   }
 }
 
@@ -85,14 +105,13 @@ double valueOf(FaultKind kind, const Plausible& sensor, Draw& draw) {
 }  // namespace
 
 bool isSensorKind(FaultKind kind) {
-  return kind == FaultKind::HookSensor || (isOfSensors(kind) && kind != FaultKind::Several);
+  return kind == FaultKind::HookSensor || kind == FaultKind::OtherSensor ||
+         (isOfSensors(kind) && kind != FaultKind::Several);
 }
 
 void addSensor(FaultKind kind, Draw& draw, Faults& faults) {
-  const bool of_hook = kind == FaultKind::HookSensor;
-  const Plausible& sensor =
-      of_hook ? kHookSensors[draw.below(static_cast<uint32_t>(kHookSensors.size()))]
-              : kSensors[draw.below(static_cast<uint32_t>(kSensors.size()))];
+  const std::span<const Plausible> sensors = sensorsOf(kind);
+  const Plausible& sensor = sensors[draw.below(static_cast<uint32_t>(sensors.size()))];
   SensorFault fault;
   fault.name = sensor.name;
   fault.kind = howOf(kind, draw);

@@ -4,10 +4,34 @@
 #include "simulator/campaign/judge_setup.h"
 
 #include "simulator/flight/behaviours/hookbeh_adapter.h"
+#include "simulator/vehicle/vehicle.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace glider::simulator {
+
+namespace {
+
+/// What hookbeh is to make of b_args that the vehicle cannot carry out (hooks/hookbeh/README.md).
+hooks::HookbehArgs withinHull(hooks::HookbehArgs args, const platforms::Envelope& hull) {
+  constexpr double kLeastAltitude = 2, kMostSilence = 600, kLeastClimb = 0.5;
+  args.greatest_depth_m = std::min(args.greatest_depth_m, hull.greatest_depth_m);
+  args.steepest_pitch_rad =
+      std::clamp(args.steepest_pitch_rad, hull.shallowest_pitch_rad, hull.steepest_pitch_rad);
+  args.shallowest_pitch_rad =
+      std::clamp(args.shallowest_pitch_rad, hull.shallowest_pitch_rad, hull.steepest_pitch_rad);
+  args.dive_pump_cc = -std::min(std::fabs(args.dive_pump_cc), Vehicle::kPumpLimitCc);
+  args.climb_pump_cc = std::clamp(std::fabs(args.climb_pump_cc),
+                                  kLeastClimb * Vehicle::kPumpLimitCc, Vehicle::kPumpLimitCc);
+  if (args.least_altitude_m >= 0) {
+    args.least_altitude_m = std::max(args.least_altitude_m, kLeastAltitude);
+  }
+  args.silence_secs = std::min(args.silence_secs, kMostSilence);
+  return args;
+}
+
+}  // namespace
 
 std::vector<FaultKind> kindsOf(const Faults& faults) {
   std::vector<FaultKind> kinds;
@@ -56,7 +80,7 @@ JudgeSetup judgeSetup(const platforms::Platform& platform, const Scenario& scena
   for (const slocum::BehaviourBlock& behaviour : scenario.skeleton.behaviours) {
     if (behaviour.name == "hookbeh") {
       setup.has_hookbeh = true;
-      setup.args = hookbehArgs(behaviour);
+      setup.args = withinHull(hookbehArgs(behaviour), platform.envelope);
     } else if (behaviour.name == "abend") {
       setup.overdepth_m = behaviour.value("overdepth");
       setup.undervolts = behaviour.value("undervolts");

@@ -144,6 +144,14 @@ TEST_F(Judged, AGuardWithoutALimitIsSeen) {
   EXPECT_EQ(violation(), "the guard comes in (climb: too deep) and no limit is near");
 }
 
+TEST_F(Judged, AGuardThatIsNotToldIsSeen) {
+  take();
+  climb();
+  out_.doing = "climb: too deep";
+  cycle(HookState::Active, 10);
+  EXPECT_EQ(violation(), "x_hook_guard does not tell of `climb: too deep`");
+}
+
 TEST_F(Judged, AnInstructionThatIsNotCarriedOutIsSeen) {
   take();
   out_.pitch_rad = -0.4;
@@ -238,7 +246,8 @@ TEST(JudgeKept, ControlThatIsLostWithoutAReasonIsSeen) {
   setup.promise = promiseOf(FaultKind::Clock);
   setup.has_hookbeh = true;
   FlightJudge judge(setup);
-  const SensorArray array(shippedSetup("default").platform);
+  SensorArray array(shippedSetup("default").platform);
+  array.set(GLIDER_X_HOOK_GUARD, 0);
   hooks::HookbehOutputs out;
   const auto cycle = [&](double now, HookState hook) {
     out.commanding = hook == HookState::Active;
@@ -261,7 +270,8 @@ TEST(JudgeForEver, LooksNoLongerThanSomethingCanCome) {
   hooks::HookbehOutputs out;
   out.pitch_rad = 0.4;
   out.pump_cc = 200;
-  const SensorArray array(shippedSetup("default").platform);
+  SensorArray array(shippedSetup("default").platform);
+  array.set(GLIDER_X_HOOK_GUARD, 0);
   double last = 0;
   for (double now = 0; now < 1000; now += kCycle) {
     const bool active = now < 132;

@@ -19,7 +19,7 @@ inline constexpr double kCycle = 4;  // s
 /// A judge that is told a story: what the SBC says, what hookbeh does with it.
 class Judged : public testing::Test {
  protected:
-  Judged() : array_(shippedSetup("default").platform) {}
+  Judged() : array_(shippedSetup("default").platform) { array_.set(GLIDER_X_HOOK_GUARD, 0); }
 
   void say(hooks::Frame& frame) {
     frame.sequence = ++frame_sequence_;
@@ -72,6 +72,7 @@ class Judged : public testing::Test {
     now_ += kCycle;
     out_.commanding = hook == hooks::HookState::Active;
     array_.set(GLIDER_M_DEPTH, std::isnan(reading_) ? depth : reading_);
+    array_.set(GLIDER_X_HOOK_GUARD, static_cast<double>(out_.guard));
     return judge_.cycle({now_, hook, depth, aborted, false, array_, now_ - restarted_s_, clearance_,
                          used_J_, 14, whole_, aborted ? nullptr : &out_});
   }

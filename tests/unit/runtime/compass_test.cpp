@@ -251,6 +251,20 @@ TEST_F(Compass, NorthAcrossTheTurn) {
   EXPECT_NEAR(vehicle.array(GLIDER_SCI_HOOK_HEADING), kOffNewJersey - 0.1, 1e-6);
 }
 
+TEST_F(Compass, AWaypointHasNoHeading) {
+  mission_.fly = [](GliderContext& c, uint32_t) {
+    gliderDescend(&c, 12, .454);
+    gliderSteerTo(&c, 39, -73);
+  };
+  HeadedVehicle vehicle(1);
+  vehicle.reports.push_back(GLIDER_M_GPS_MAG_VAR);
+  vehicle.set(GLIDER_M_GPS_MAG_VAR, kOffNewJersey);
+  boot(vehicle);
+  vehicle.run(20);
+  EXPECT_NEAR(vehicle.array(GLIDER_SCI_HOOK_LAT), 3900, 1e-9);
+  EXPECT_EQ(vehicle.array(GLIDER_SCI_HOOK_HEADING), 0);
+}
+
 TEST_F(Compass, AMissionWithoutHeadingsIsLeftAlone) {
   mission_.mission.compass = nullptr;
   mission_.fly = [](GliderContext& c, uint32_t) {

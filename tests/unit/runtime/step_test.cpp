@@ -288,6 +288,10 @@ TEST(Instruction, IsInTheArraysUnits) {
   EXPECT_NEAR(i.longitude_ddmm, -7349.8, 1e-9);
   EXPECT_EQ(degreesMinutesOf(std::nextafter(180.0, 0)), 18000) << "never 60 minutes";
   EXPECT_EQ(degreesMinutesOf(-0.5), -30);
+  gliderSteer(&c, 0.5);
+  EXPECT_EQ(instructionFor(c).heading_rad, 0.5) << "as it is, without a compass";
+  gliderDriftFree(&c);
+  EXPECT_EQ(instructionFor(c).heading_rad, 0);
   gliderSteer(&c, std::nextafter(2 * std::numbers::pi, 0));
   EXPECT_EQ(instructionFor(c).heading_rad, 0) << "float32 would round it up past a full turn";
 }

@@ -15,6 +15,8 @@
 namespace glider::simulator {
 namespace {
 
+static_assert(Vehicle::kPumpLimitCc == GLIDER_HULL_PUMP_CC, "the platform file's pump is this one");
+
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 // The pilot's clock at the mission's start: nothing may depend on the wall clock of the machine.
 constexpr double kStartOfMission = 1.25e9;  // s since 1970, in 2009

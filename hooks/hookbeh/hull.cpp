@@ -11,7 +11,7 @@ namespace {
 /// With less than this share of its pump out a vehicle may not climb out of dense water.
 constexpr double kLeastClimbShare = 0.5;
 /// s; longer than this no SBC is waited for.
-constexpr double kMostSilenceSecs = 600;
+constexpr double kMostSilenceSecs = 3600;
 /// m; the altimeter hears nothing nearer.
 constexpr double kLeastAltitudeM = 2;
 

@@ -61,8 +61,7 @@ double Ocean::temperature(double z, double x, double y, double t) const {
 
 double Ocean::density(double z, double x, double y, double t) const {
   const double step = settings_.density_step;
-  return step == 0 ? settings_.density
-                   : settings_.density + step * (0.5 - upperShare(z, x, y, t));
+  return step == 0 ? settings_.density : settings_.density + step * (0.5 - upperShare(z, x, y, t));
 }
 
 Current Ocean::current(double z, double x, double y) const {

@@ -67,10 +67,10 @@ struct OceanSettings {
   double thermocline_thickness_m = 3;  ///< scale d of the tanh
   WaveSettings wave;
   FrontSettings front;
-  double density = 1025;   ///< kg/m3, in the middle of the thermocline
+  double density = 1025;    ///< kg/m3, in the middle of the thermocline
   double density_step = 0;  ///< kg/m3, denser below the thermocline than above it
-  Current current;         ///< at the surface
-  Current bottom_current;  ///< at the bottom; straight between the two
+  Current current;          ///< at the surface
+  Current bottom_current;   ///< at the bottom; straight between the two
   BottomSettings bottom;
   /// ug/L outside all patches; NaN: the vehicle carries no fluorometer.
   double chlorophyll_ugpl = std::numeric_limits<double>::quiet_NaN();

@@ -7,6 +7,7 @@
 #include "hooks/protocol/values.h"
 #include "platforms/slocum_sensors.h"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 
@@ -56,6 +57,9 @@ void AgreeingVehicle::cycle(double time) {
 
 /// The array's sensors go first: the time, which makes a cycle of it, comes last.
 void AgreeingVehicle::report(double time) {
+  // A vehicle that was not heard of for a while has counted its cycles all the same.
+  constexpr double kCycle = 4;  // s
+  cycles_ = std::max(cycles_ + 1, static_cast<uint32_t>(std::max(time, 0.0) / kCycle));
   const auto state = in_control_ ? hooks::HookState::Active : hooks::HookState::Ready;
   const bool answers = sequence_ != 0;
   for (const hooks::SensorUpdate& update : std::initializer_list<hooks::SensorUpdate>{
@@ -65,7 +69,7 @@ void AgreeingVehicle::report(double time) {
            {GLIDER_X_HOOK_SEQUENCE, sequence_},
            {GLIDER_X_HOOK_SESSION, in_control_ ? session_ : 0},
            {GLIDER_M_PRESENT_SECS_INTO_MISSION, time},
-           {GLIDER_M_CYCLE_NUMBER, static_cast<double>(++cycles_)}}) {
+           {GLIDER_M_CYCLE_NUMBER, static_cast<double>(cycles_)}}) {
     told_.push_back(update);
   }
   (void)flight_.send(told_.data(), static_cast<uint32_t>(told_.size()));

@@ -89,6 +89,15 @@ TEST(CycleClock, NoStepIsLongerThanTwentySeconds) {
   EXPECT_EQ(clock.step(), 12) << "both clocks say so";
 }
 
+TEST(CycleClock, TwoClocksThatDifferByMoreThanASecondDoNotAgree) {
+  CycleClock clock = running();
+  clock.advance(1030, 1e9 + 1031.5, 251);
+  EXPECT_EQ(clock.step(), 4);
+  clock = running();
+  clock.advance(1019, 1e9 + 1019.5, 251);
+  EXPECT_EQ(clock.step(), 19);
+}
+
 TEST(CycleClock, WhereNothingIsKnownACycleIsACycle) {
   CycleClock clock;
   for (int i = 0; i < 3; ++i) {

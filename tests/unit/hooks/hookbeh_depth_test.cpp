@@ -223,6 +223,17 @@ TEST(HookbehDepth, OneThatThawsIsBelievedAtTheSurface) {
   EXPECT_STREQ(sea.out.doing, "dive_to");
 }
 
+TEST(HookbehDepth, OneThatThawsNearTheSurfaceIsBelievedAfterTwoMinutesOfClimbing) {
+  Sea sea;
+  sea.diveTo(4, 50);
+  const double frozen = sea.bench.inputs.depth_m;
+  sea.run(10, [=](HookbehInputs& in) { in.depth_m = frozen; });
+  ASSERT_EQ(sea.out.guard, HookGuard::DepthFrozen);
+  const int cycles = sea.until(HookGuard::None, kNothing);
+  EXPECT_GE(cycles, 27);
+  EXPECT_LE(cycles, 35);
+}
+
 TEST(HookbehDepth, OneThatThawsIsBelievedAfterAMinuteWhenTheCtdAgrees) {
   Sea sea;
   sea.has_ctd = true;
@@ -302,6 +313,16 @@ TEST(HookbehDepth, AfterADiveThatGainedNoDepthItIsTriedAgainFromHalfTheDepth) {
   EXPECT_NEAR(sea.truth, from / 2, 2);
 }
 
+TEST(HookbehDepth, ADiveThatGainedNoDepthNearTheSurfaceIsTriedAgainAfterTenMinutesIfTheDepthLives) {
+  Sea sea;
+  sea.diveTo(3, 50);
+  ASSERT_EQ(hang(sea, 60), HookGuard::NoDepthGained);
+  sea.held = true;
+  const int cycles = sea.until(HookGuard::None, kNothing);
+  EXPECT_NEAR(cycles, 150, 3);
+  EXPECT_STREQ(sea.out.doing, "dive_to");
+}
+
 TEST(HookbehDepth, AClimbThatGainsNoHeightClimbsWithAllItHas) {
   Sea sea;
   sea.has_ctd = true;
@@ -315,7 +336,22 @@ TEST(HookbehDepth, AClimbThatGainsNoHeightClimbsWithAllItHas) {
   EXPECT_NEAR(sea.out.pitch_rad, 0.4538, 1e-9);
   sea.until(HookGuard::None, kNothing);
   EXPECT_STREQ(sea.out.doing, "climb_to");
-  EXPECT_NEAR(sea.truth, at - 1, 2);
+  EXPECT_LT(sea.truth, at - 0.9);
+  EXPECT_GT(sea.truth, at - 4);
+}
+
+TEST(HookbehDepth, AnInstructionToGoDeeperEndsAClimbThatGainsNoHeight) {
+  Sea sea;
+  sea.has_ctd = true;
+  sea.diveTo(30, 50);
+  sea.bench.write(Bench::ascend(5));
+  sea.run(6, kNothing);
+  ASSERT_EQ(hang(sea, 70), HookGuard::NoHeightGained);
+  sea.held = true;
+  sea.run(5, kNothing);
+  EXPECT_EQ(sea.out.guard, HookGuard::NoHeightGained);
+  sea.bench.write(Bench::descend(50));
+  EXPECT_EQ(sea.cycle().guard, HookGuard::None);
 }
 
 TEST(HookbehDepth, AHoverThatTheWaterCarriesAwayIsGivenUp) {

@@ -237,6 +237,21 @@ TEST(HookbehGuard, OneFalseReadingOfTheTimeDoesNotForgetTheBottom) {
   EXPECT_STREQ(bench.cycle().doing, "climb: too near the bottom");
 }
 
+TEST(HookbehGuard, TheShallowestBreakOfALimitCountsForTheNextTry) {
+  Bench bench = diving();
+  bench.inputs.depth_m = 20;
+  bench.inputs.altitude_m = 4.9;
+  EXPECT_EQ(bench.cycle().guard, HookGuard::NearBottom);
+  bench.inputs.depth_m = 18.5;
+  bench.inputs.altitude_m = 4.8;
+  EXPECT_EQ(bench.cycle().guard, HookGuard::NearBottom) << "the bottom rises";
+  bench.inputs.depth_m = 9.6;
+  bench.inputs.altitude_m = 13.7;
+  EXPECT_EQ(bench.cycle().guard, HookGuard::NearBottom) << "half of 20 m, not of 18.5 m";
+  bench.inputs.depth_m = 9.2;
+  EXPECT_EQ(bench.cycle().guard, HookGuard::None);
+}
+
 TEST(HookbehGuard, NoAltimeterWanted) {
   HookbehArgs args;
   args.least_altitude_m = -1;

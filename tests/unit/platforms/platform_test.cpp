@@ -14,7 +14,7 @@ namespace {
 constexpr const char* kHead =
     "name = \"p\"\ndescription = \"d\"\n[envelope]\ngreatest_depth_m = 1.0\nsteepest_pitch_rad = "
     "1.0\nshallowest_pitch_rad = 0.1\nvertical_rate_m_s = 0.4\ninflection_overshoot_m = "
-    "5.0\ndrift_m_s = 0.5\ncycle_s = "
+    "5.0\ndrift_m_s = 0.5\npump_cc = 233.0\ncycle_s = "
     "4.0\n[world]\nstart_depth_m = 3.0\nsurface_depth_m = 2.0\nslowest_climb_m_s = 0.05\nturn_s = "
     "120.0\ndepth_error_m = 0.5\ntick_gap_s = 12.0\n"
     "through_water_m_s = 0.6\nsteering_error_m = 200.0\nsurface_drift_m_s = 0.8\n";

@@ -74,8 +74,11 @@ TEST_F(Sim, ARefusedCommandNamesTheLimitAndTheArgument) {
 }
 
 TEST_F(Sim, AnAbortIsToldAtTheEnd) {
+  mission();
   const Outcome flown =
-      run("$GLIDERCC sim " GLIDER_SOURCE_DIR "/missions/figure2.mission --scenario low_battery -o f");
+      run("cp " GLIDER_SOURCE_DIR "/scenarios/skeleton.mi . && cp " GLIDER_SOURCE_DIR
+          "/scenarios/default.toml failing.toml && printf '\n[[faults.abort]]\nat_s = 100\n' >> "
+          "failing.toml && $GLIDERCC sim m.mission --scenario failing.toml -o f");
   EXPECT_EQ(flown.status, 1);
   EXPECT_THAT(flown.err, HasSubstr("[GL9370 flight-aborted]"));
   EXPECT_THAT(summary().at("warnings").dump(), HasSubstr("GL9370"));

@@ -63,11 +63,12 @@ class NoFix : public testing::TestWithParam<std::string> {};
 TEST_P(NoFix, WhereTheMeaningIsNotCertain) {
   FrontendRun broken(GetParam());
   broken.compile();
-  ASSERT_NE(broken.said(), "");
+  bool hinted = false;
   for (const support::Diagnostic& d : broken.diagnostics.sorted()) {
     EXPECT_TRUE(d.fixes.empty()) << broken.said();
-    EXPECT_FALSE(d.hint.empty()) << broken.said();
+    hinted = hinted || !d.hint.empty();
   }
+  EXPECT_TRUE(hinted) << broken.said();
 }
 
 const std::string kNav = "sensors missiontime, depth, temp flightroute ";

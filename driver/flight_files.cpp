@@ -50,8 +50,7 @@ support::Result<void> makeFolder(const std::filesystem::path& folder) {
   return {};
 }
 
-support::Result<void> writeFlight(const support::Trace& trace,
-                                  const std::filesystem::path& folder,
+support::Result<void> writeFlight(const support::Trace& trace, const std::filesystem::path& folder,
                                   const std::vector<support::Diagnostic>& reported) {
   if (auto made = makeFolder(folder); !made) {
     return made;

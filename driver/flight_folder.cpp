@@ -129,7 +129,7 @@ Result<FlightFolder> FlightFolder::scratch() {
 
 Result<FlightFolder> FlightFolder::open(const fs::path& target) {
   std::error_code error;
-  fs::path whole = fs::weakly_canonical(target, error);
+  fs::path whole = fs::weakly_canonical(fs::absolute(target), error);
   whole = whole.has_filename() ? whole : whole.parent_path();
   if (!error) {
     fs::create_directories(whole.parent_path(), error);
@@ -176,7 +176,7 @@ FlightFolder::~FlightFolder() {
 
 fs::path FlightFolder::placeOf(const fs::path& file) const {
   std::error_code error;
-  const fs::path whole = fs::weakly_canonical(file, error);
+  const fs::path whole = fs::weakly_canonical(fs::absolute(file), error);
   return !error && whole.parent_path() == target_ ? staging_ / whole.filename() : file;
 }
 

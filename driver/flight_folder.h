@@ -12,8 +12,8 @@
 namespace glider::driver {
 
 /// The folder of one flight's files. They are written beside it, into a folder of their own, and
-/// take its place all at once: files of two flights are never mixed, and what goes wrong before that
-/// leaves the earlier flight as it was.
+/// take its place all at once: files of two flights are never mixed, and what goes wrong before
+/// that leaves the earlier flight as it was.
 class FlightFolder {
  public:
   /// A name in every folder of a flight: the file that lists the others (writeFlightSummary).

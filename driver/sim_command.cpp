@@ -88,10 +88,10 @@ int flyAndReport(simulator::SimulationSetup setup, const SimOptions& options,
     return reportFailure(trace.error());
   }
   const double flown = trace->rowCount() == 0 ? 0 : trace->at(trace->rowCount() - 1, 0);
-  const auto printed =
-      printOut(report::summarize(*trace) +
-               fmt::format("\nflown {:.0f} s in {:.4f} s; report: {}\n", flown, took.count(),
-                           (std::filesystem::path(outputFolder(options)) / "report.html").string()));
+  const auto printed = printOut(
+      report::summarize(*trace) +
+      fmt::format("\nflown {:.0f} s in {:.4f} s; report: {}\n", flown, took.count(),
+                  (std::filesystem::path(outputFolder(options)) / "report.html").string()));
   const auto reported = judge(*trace, compilation, scenario);
   if (auto written = writeAll(*trace, options, reported, folder); !written) {
     return reportFailure(written.error());
@@ -128,8 +128,7 @@ int sim(const SimOptions& options) {
   if (!folder) {
     return reportFailure(folder.error());
   }
-  auto start =
-      chooseSbc(options, compilation.get(), !scenario->faults.empty(), folder->staging());
+  auto start = chooseSbc(options, compilation.get(), !scenario->faults.empty(), folder->staging());
   if (!start) {
     return reportFailure(start.error());
   }
@@ -211,7 +210,9 @@ void addOptions(CLI::App& command, SimOptions& options) {
                   "Cut the SBC's power at this time of the vehicle, s")
       ->check(CLI::Validator(checkTime, "", "time"))
       ->option_text("SECONDS");
-  command.add_option("-o", options.output, "Folder for report.html, trace.csv, events.csv and flight.json")
+  command
+      .add_option("-o", options.output,
+                  "Folder for report.html, trace.csv, events.csv and flight.json")
       ->option_text("FOLDER");
   command
       .add_option("--replay", options.replay,

@@ -16,8 +16,8 @@ struct BareNumber {
   bool negative = false;
 };
 
-/// Whether the digits show that ddmm.mmmm is meant: three or more before the point, or 0. `39.1` can
-/// be degrees or minutes; near the equator minutes are written `0039.1`.
+/// Whether the digits show that ddmm.mmmm is meant: three or more before the point, or 0. `39.1`
+/// can be degrees or minutes; near the equator minutes are written `0039.1`.
 bool isPlainlyDdmm(std::string_view digits);
 
 /// Whether two numbers (degrees) in the place of a latitude and a longitude are a longitude and a
@@ -25,8 +25,8 @@ bool isPlainlyDdmm(std::string_view digits);
 /// the poles bare positions are refused there; with letters every position can be written.
 bool isLongitudeFirst(double first, double second);
 
-/// "39.176667 N 73.831667 W": how the pair `first second` is written, with the latitude first. Empty
-/// if not both can be ddmm.mmmm on Earth.
+/// "39.176667 N 73.831667 W": how the pair `first second` is written, with the latitude first.
+/// Empty if not both can be ddmm.mmmm on Earth.
 std::optional<std::string> pairWithLetters(const BareNumber& first, const BareNumber& second);
 
 /// "73.83 W": a latitude or longitude with its letter, to a tenth of a metre.

@@ -34,8 +34,8 @@ support::Result<void> checkPlatform(const platforms::Platform& platform) {
   constexpr Wanted kAll[] = {GLIDER_SENSOR_LIST(GLIDER_WANTED)};
 #undef GLIDER_WANTED
   for (const platforms::PlatformSensor& sensor : platform.sensors) {
-    const bool known = std::ranges::any_of(
-        kAll, [&](const Wanted& wanted) { return wanted.name == sensor.name; });
+    const bool known =
+        std::ranges::any_of(kAll, [&](const Wanted& wanted) { return wanted.name == sensor.name; });
     if (!known) {
       return support::fail(support::DiagnosticId::sensorNotSimulated, platform.name, sensor.name,
                            "to simulate, take it out of the platform file; a sensor on the SBC is "
@@ -295,8 +295,7 @@ std::vector<NotCarried> sensorsNotCarried(const Scenario& scenario) {
     missing.push_back({"sci_flbbcd_chlor_units", "`chlorophyll_ugpl` in [ocean]"});
   }
   if (std::isnan(scenario.ocean.surface_oxygen_uM)) {
-    missing.push_back(
-        {"sci_oxy4_oxygen", "`surface_oxygen_uM` and `bottom_oxygen_uM` in [ocean]"});
+    missing.push_back({"sci_oxy4_oxygen", "`surface_oxygen_uM` and `bottom_oxygen_uM` in [ocean]"});
   }
   return missing;
 }

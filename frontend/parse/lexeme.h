@@ -50,8 +50,8 @@ bool isSoftKeyword(uint32_t type);
 const std::vector<std::string_view>& hardKeywords();
 /// The type of the hard keyword spelled `word`; 0 if it is none.
 uint32_t keywordType(std::string_view word);
-/// Whether `word` is hard keyword `meant` with one letter missing, added, changed or swapped, and no
-/// other hard keyword is as near: certain enough for a fix that nobody looks at.
+/// Whether `word` is hard keyword `meant` with one letter missing, added, changed or swapped, and
+/// no other hard keyword is as near: certain enough for a fix that nobody looks at.
 bool isSlip(std::string_view word, std::string_view meant);
 /// The token as a pilot would say it: "`begin`", "the number `5`", "the end of the file".
 std::string describe(const Source& source, const Lexeme& lexeme);

@@ -261,8 +261,7 @@ class StructureRepair {
     if (t.type == kEof && header_at_.end == out_.back().begin) {
       // The file ends before the name already.
     } else if (misspelled) {
-      auto report =
-          reporter_.at(t, DiagnosticId::misspelledKeyword, source_.text(t), "begin");
+      auto report = reporter_.at(t, DiagnosticId::misspelledKeyword, source_.text(t), "begin");
       if (isSlip(source_.text(t), "begin")) {
         report.fix(source_.range(t), "begin");
       }

@@ -70,8 +70,8 @@ std::optional<ForeignPosition> foreignPosition(const std::vector<Lexeme>& lexeme
     const std::string_view digits = source.text(lexemes[i]);
     const double number = std::strtod(std::string(digits).c_str(), nullptr);
     // `39.5 10 N` and `39 75 N` are slips of the hand, of which nobody can say which.
-    const bool last = lexemes[i + 1].type == GliderLexer::COMPASS ||
-                      lexemes[i + 2].type == GliderLexer::COMPASS;
+    const bool last =
+        lexemes[i + 1].type == GliderLexer::COMPASS || lexemes[i + 2].type == GliderLexer::COMPASS;
     certain = certain && (numbers == 0 || number < 60) &&
               (last || digits.find_first_not_of("0123456789") == std::string_view::npos);
     degrees += number * part;

@@ -15,10 +15,10 @@ namespace glider::frontend {
 /// `39.175Â°N`.
 struct ForeignPosition {
   Lexeme whole;
-  size_t count = 0;    ///< tokens that it takes
-  Lexeme number;       ///< to go on with: its degrees
-  Lexeme letter;       ///< and N, S, E or W
-  std::string better;  ///< as the language writes it: "39.175 N"
+  size_t count = 0;     ///< tokens that it takes
+  Lexeme number;        ///< to go on with: its degrees
+  Lexeme letter;        ///< and N, S, E or W
+  std::string better;   ///< as the language writes it: "39.175 N"
   bool certain = true;  ///< it can be read in one way only
 };
 

@@ -169,9 +169,9 @@ void ValueRepair::missingComma(const Lexeme& t, const Lexeme& next) {
     return;
   }
   const Lexeme& before = out_.back();
-  auto report = reporter_.at(t, DiagnosticId::missingComma,
-                             fmt::format("`{}`", source_.text(before)),
-                             fmt::format("`{}`", source_.text(t)));
+  auto report =
+      reporter_.at(t, DiagnosticId::missingComma, fmt::format("`{}`", source_.text(before)),
+                   fmt::format("`{}`", source_.text(t)));
   if (listsValues()) {
     report.fix({source_.file, before.end, before.end}, ",");
   }

@@ -119,7 +119,8 @@ std::vector<Lexeme> WordRepair::run(const std::vector<Lexeme>& lexemes) {
 /// Keeps the open parentheses; a keyword closes them all, as it does in ValueRepair.
 void WordRepair::followOpen(const Lexeme& lexeme, const std::vector<Lexeme>& out) {
   if (oneOf(lexeme.type, {GliderLexer::LPAREN, GliderLexer::LBRACKET})) {
-    open_.push_back(lexeme.type == GliderLexer::LPAREN && !out.empty() && isAnyName(out.back().type));
+    open_.push_back(lexeme.type == GliderLexer::LPAREN && !out.empty() &&
+                    isAnyName(out.back().type));
   } else if (oneOf(lexeme.type, {GliderLexer::RPAREN, GliderLexer::RBRACKET})) {
     open_.resize(open_.size() - (open_.empty() ? 0U : 1U));
   } else if (isHardKeyword(lexeme.type) && lexeme.type != GliderLexer::EVERY &&
@@ -142,16 +143,15 @@ size_t WordRepair::barePair(const std::vector<Lexeme>& lexemes, size_t at,
   const Source& source = reporter_.source();
   const bool negative = !out.empty() && out.back().type == GliderLexer::MINUS &&
                         (out.size() < 2 || !endsValue(out[out.size() - 2].type));
-  const auto better = pairWithLetters({source.text(lexemes[at]), negative},
-                                      {source.text(lexemes[at + 1]), false});
+  const auto better =
+      pairWithLetters({source.text(lexemes[at]), negative}, {source.text(lexemes[at + 1]), false});
   if (!better) {
     return 0;
   }
   Lexeme whole{GliderLexer::NUMBER, lexemes[at].begin, lexemes[at + 1].end};
   out.push_back(whole);
   whole.begin = negative ? out[out.size() - 2].begin : whole.begin;
-  reporter_.at(whole, DiagnosticId::barePosition, source.text(whole),
-               fmt::format("`{}`", *better));
+  reporter_.at(whole, DiagnosticId::barePosition, source.text(whole), fmt::format("`{}`", *better));
   return kTokens;
 }
 
@@ -250,7 +250,9 @@ Lexeme WordRepair::replaced(const Lexeme& lexeme, DiagnosticId id, uint32_t type
 /// `39·175`: a decimal point, and not `39 * 175`.
 bool WordRepair::isRaisedPoint(const Lexeme& lexeme) const {
   const std::string_view text = reporter_.source().text();
-  const auto digit = [&](size_t at) { return at < text.size() && text[at] >= '0' && text[at] <= '9'; };
+  const auto digit = [&](size_t at) {
+    return at < text.size() && text[at] >= '0' && text[at] <= '9';
+  };
   return reporter_.source().text(lexeme) == "·" && lexeme.begin > 0 && digit(lexeme.begin - 1) &&
          digit(lexeme.end);
 }

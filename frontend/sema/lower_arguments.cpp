@@ -196,7 +196,8 @@ class ArgumentLowering {
       const support::SourceRange& left = arguments_[i].value->where;
       const support::SourceRange& right = arguments_[i + 1].value->where;
       if (whole != nullptr && rest != nullptr && whole->unit.empty() && !rest->unit.empty() &&
-          right.begin == left.end + 1 && rest->digits.find_first_not_of("0123456789") == std::string::npos) {
+          right.begin == left.end + 1 &&
+          rest->digits.find_first_not_of("0123456789") == std::string::npos) {
         return fmt::format("a decimal point is a point: write `{}.{}`", scope_.text(left),
                            scope_.text(right));
       }
@@ -216,7 +217,7 @@ class ArgumentLowering {
   Scope& scope_;
   std::vector<Step> steps_;
   size_t reported_ = SIZE_MAX;  ///< the argument of which all has been said
-  size_t filled_ = 0;  ///< arguments, a position for two formals counted twice
+  size_t filled_ = 0;           ///< arguments, a position for two formals counted twice
   Arguments result_;
 };
 

@@ -84,8 +84,7 @@ std::optional<std::vector<Value>> ExprLowering::places(const ast::Invocation& no
       }
       continue;
     }
-    if (i + 1 < node.arguments.size() &&
-        longitudeFirst(argument, *node.arguments[i + 1].value)) {
+    if (i + 1 < node.arguments.size() && longitudeFirst(argument, *node.arguments[i + 1].value)) {
       good = false;
       found.emplace_back();
       ++i;

@@ -174,15 +174,15 @@ std::optional<ExprLowering::Pair> ExprLowering::alike(const ast::Expr& left, con
 bool ExprLowering::sideBySide(const ast::Binary& node, const ast::Expr& expr) {
   const auto* unary = std::get_if<ast::Unary>(&node.left->node);
   const bool negative = unary != nullptr && unary->op == ast::UnaryOp::Negate;
-  const auto* first = std::get_if<ast::Literal>(negative ? &unary->operand->node : &node.left->node);
+  const auto* first =
+      std::get_if<ast::Literal>(negative ? &unary->operand->node : &node.left->node);
   const auto* second = std::get_if<ast::Literal>(&node.right->node);
   if (node.op != ast::BinaryOp::Subtract || first == nullptr || second == nullptr ||
       !first->unit.empty() || !second->unit.empty()) {
     return false;
   }
   // `(3910.6) - 7349.9` says that a difference is meant.
-  const std::string gap =
-      scope_.text({expr.where.file, node.left->where.end, node.op_where.begin});
+  const std::string gap = scope_.text({expr.where.file, node.left->where.end, node.op_where.begin});
   if (gap.find(')') != std::string::npos) {
     return false;
   }

@@ -20,21 +20,20 @@ const char* portOf(const Options& options) {
 }
 
 void tellHelp(const char* mission_name) {
-  tell(
-      "mission ", mission_name,
-      ": steers a glider over a serial line\n"
-      "  --port PATH  the line to the science computer (else ",
-      defaultPort(),
-      ")\n"
-      "  --baud N     its speed, bits/s (else 115200)\n"
-      "  --stdio      standard input and output instead\n"
-      "  --log FILE   write the log, for `glidercc log`\n"
-      "  --log-limit N  at N bytes (4096 or more) it becomes FILE.old (else 32 MiB)\n"
-      "  --checkpoint FILE  keep what a restart needs to go on\n"
-      "  --set NAME=VALUE   a parameter, as in --set bottom=20m\n"
-      "  --parameters FILE  the same in lines of a file; --set goes before it\n"
-      "  --version    which mission and runtime this is\n"
-      "status: 0 the mission ended, 1 wrong use, 2 wrong parameters, no port or its link lost");
+  tell("mission ", mission_name,
+       ": steers a glider over a serial line\n"
+       "  --port PATH  the line to the science computer (else ",
+       defaultPort(),
+       ")\n"
+       "  --baud N     its speed, bits/s (else 115200)\n"
+       "  --stdio      standard input and output instead\n"
+       "  --log FILE   write the log, for `glidercc log`\n"
+       "  --log-limit N  at N bytes (4096 or more) it becomes FILE.old (else 32 MiB)\n"
+       "  --checkpoint FILE  keep what a restart needs to go on\n"
+       "  --set NAME=VALUE   a parameter, as in --set bottom=20m\n"
+       "  --parameters FILE  the same in lines of a file; --set goes before it\n"
+       "  --version    which mission and runtime this is\n"
+       "status: 0 the mission ended, 1 wrong use, 2 wrong parameters, no port or its link lost");
 }
 
 }  // namespace

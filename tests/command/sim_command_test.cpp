@@ -23,11 +23,12 @@ class Sim : public ::testing::Test {
   /// A mission that dives to `deepest` for five minutes and reads `sensor`.
   void mission(const std::string& deepest = "20 m", const std::string& sensor = "depth",
                const std::string& head = "") const {
-    (void)folder_.write(
-        "m.mission",
-        "mission m\n" + head + "param w : position = 39.175 N 73.83 W\nstate s\nbegin\n  flightroute nav(w)\n  flightprofile yo(5 m, " +
-            deepest + ", 26 deg, 26 deg)\n  sensors missiontime, " + sensor +
-            "\n  events\n    case missiontime >= 5 min exit\nend\n");
+    (void)folder_.write("m.mission", "mission m\n" + head +
+                                         "param w : position = 39.175 N 73.83 W\nstate s\nbegin\n  "
+                                         "flightroute nav(w)\n  flightprofile yo(5 m, " +
+                                         deepest + ", 26 deg, 26 deg)\n  sensors missiontime, " +
+                                         sensor +
+                                         "\n  events\n    case missiontime >= 5 min exit\nend\n");
   }
   [[nodiscard]] Outcome run(const std::string& arguments) const {
     return runShell("cd " + folder_.path().string() + " && " + arguments);
@@ -74,8 +75,11 @@ TEST_F(Sim, ARefusedCommandNamesTheLimitAndTheArgument) {
 }
 
 TEST_F(Sim, AnAbortIsToldAtTheEnd) {
+  mission();
   const Outcome flown =
-      run("$GLIDERCC sim " GLIDER_SOURCE_DIR "/missions/figure2.mission --scenario low_battery -o f");
+      run("cp " GLIDER_SOURCE_DIR "/scenarios/skeleton.mi . && cp " GLIDER_SOURCE_DIR
+          "/scenarios/default.toml failing.toml && printf '\n[[faults.abort]]\nat_s = 100\n' >> "
+          "failing.toml && $GLIDERCC sim m.mission --scenario failing.toml -o f");
   EXPECT_EQ(flown.status, 1);
   EXPECT_THAT(flown.err, HasSubstr("[GL9370 flight-aborted]"));
   EXPECT_THAT(summary().at("warnings").dump(), HasSubstr("GL9370"));
@@ -93,12 +97,13 @@ TEST_F(Sim, ASensorThatTheVehicleDoesNotCarry) {
 
 TEST_F(Sim, ASensorOfTheUsersOwnPlatformFileIsRefusedWithAWord) {
   // A share directory of our own, with one sensor more in the vehicle's platform file.
-  const Outcome made = run("cp -rL $(dirname $GLIDERCC)/../share/glidercc share && chmod -R u+w share && "
-                           "printf '\\n[[sensor]]\\nname = \"sci_nitrate\"\\nunit = \"1\"\\nlowest = 0\\n"
-                           "highest = 100\\nbytes = 4\\nstale_after_s = 20\\ncomputer = \"science\"\\n"
-                           "description = \"nitrate\"\\n' >> share/platforms/slocum.toml && "
-                           "cp share/platforms/slocum.toml share/platforms/mine.toml && "
-                           "sed -i 's/^name = \"slocum\"/name = \"mine\"/' share/platforms/mine.toml");
+  const Outcome made =
+      run("cp -rL $(dirname $GLIDERCC)/../share/glidercc share && chmod -R u+w share && "
+          "printf '\\n[[sensor]]\\nname = \"sci_nitrate\"\\nunit = \"1\"\\nlowest = 0\\n"
+          "highest = 100\\nbytes = 4\\nstale_after_s = 20\\nwhat = \"nitrate\"\\ncomputer = \"science\"\\n' >> "
+          "share/platforms/slocum.toml && "
+          "cp share/platforms/slocum.toml share/platforms/mine.toml && "
+          "sed -i 's/^name = \"slocum\"/name = \"mine\"/' share/platforms/mine.toml");
   ASSERT_EQ(made.status, 0) << made.err;
   for (const char* head : {"", "platform mine\n"}) {
     mission("20 m", "depth", head);
@@ -132,7 +137,8 @@ TEST_F(Sim, AFolderWithOtherFilesIsNotTouched) {
   EXPECT_THAT(refused.err, HasSubstr("[GL9374 output-folder-in-use]"));
   EXPECT_EQ(namesIn("f"), std::set<std::string>{"notes.txt"});
   // The same once a flight is there.
-  ASSERT_EQ(run("rm f/notes.txt && $GLIDERCC sim m.mission -o f && echo mine > f/notes.txt").status, 0);
+  ASSERT_EQ(run("rm f/notes.txt && $GLIDERCC sim m.mission -o f && echo mine > f/notes.txt").status,
+            0);
   EXPECT_EQ(run("$GLIDERCC sim m.mission -o f").status, 2);
   EXPECT_TRUE(namesIn("f").contains("notes.txt"));
   EXPECT_EQ(run("$GLIDERCC sim m.mission -o m.mission").status, 2) << "a file is no folder";

@@ -1,18 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// What `glidercc fix` makes of every golden is no worse than the golden: no mistake of a new kind, but
-// for those that the mistakes of an earlier stage had hidden, and no condition that compares exactly
-// or always has the same value.
+// What `glidercc fix` makes of every golden is no worse than the golden: no mistake of a new kind,
+// but for those that the mistakes of an earlier stage had hidden, and no condition that compares
+// exactly or always has the same value.
 
 #include "support/diagnostics/fixes.h"
 #include "tests/golden/golden_file.h"
 #include "tests/golden/stages.h"
 
+#include <climits>
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <climits>
 #include <set>
 #include <string>
 #include <vector>
@@ -24,9 +24,8 @@ using support::Diagnostic;
 using support::DiagnosticId;
 
 /// Warnings that a fix may uncover but never cause: they tell of a condition without sense.
-const std::set<DiagnosticId> kSenseless = {DiagnosticId::measuredEquality,
-                                           DiagnosticId::constantAlways,
-                                           DiagnosticId::comparisonDecided};
+const std::set<DiagnosticId> kSenseless = {
+    DiagnosticId::measuredEquality, DiagnosticId::constantAlways, DiagnosticId::comparisonDecided};
 
 int stageOf(DiagnosticId id) {
   return static_cast<int>(id) / 1000;
@@ -64,10 +63,12 @@ class FixedGoldens : public testing::Test {
       const bool is_new = !has(*before, d.id);
       const bool error = d.severity == support::Severity::Error;
       EXPECT_FALSE(is_new && error && stageOf(d.id) <= firstStage(*before))
-          << support::code(d.id) << " " << d.message << "\n" << fixing->text;
+          << support::code(d.id) << " " << d.message << "\n"
+          << fixing->text;
       // Of a mission that was not analysed at first, the condition may stand as the pilot wrote it.
       EXPECT_FALSE(is_new && kSenseless.contains(d.id) && firstStage(*before) > 1)
-          << support::code(d.id) << " " << d.message << "\n" << fixing->text;
+          << support::code(d.id) << " " << d.message << "\n"
+          << fixing->text;
     }
     return !fixing->rounds.empty();
   }

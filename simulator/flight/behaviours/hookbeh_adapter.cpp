@@ -100,9 +100,8 @@ void HookbehAdapter::note(const hooks::HookbehInputs& in, const hooks::HookbehOu
     news_.push_back({"control", fmt::format("hookbeh: {}", describe(out.state))});
   }
   if (out.answered_sequence != answered_ && out.answer != HookAnswer::Accepted) {
-    news_.push_back(
-        {"hook", fmt::format("instruction {} refused: {}", out.answered_sequence,
-                             refusalText(out.answer, in, limits_))});
+    news_.push_back({"hook", fmt::format("instruction {} refused: {}", out.answered_sequence,
+                                         refusalText(out.answer, in, limits_))});
   }
   if (out.commanding && doing_ != out.doing) {
     const char* kind = out.guard != hooks::HookGuard::None ? "hook" : "steering";

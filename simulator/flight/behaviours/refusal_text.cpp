@@ -56,9 +56,10 @@ std::string refusalText(HookAnswer answer, const hooks::HookbehInputs& in,
     case HookAnswer::BadPitch:
       return pitchText(in, args);
     case HookAnswer::BadCommand:
-      return fmt::format("vertical {:.6g}, depth {:.6g} m, lateral {:.6g}, heading {} is not a valid "
-                         "command",
-                         in.vertical, in.hook_depth_m, in.lateral, degrees(in.hook_heading_rad));
+      return fmt::format(
+          "vertical {:.6g}, depth {:.6g} m, lateral {:.6g}, heading {} is not a valid "
+          "command",
+          in.vertical, in.hook_depth_m, in.lateral, degrees(in.hook_heading_rad));
     case HookAnswer::NotOnEarth:
       return fmt::format("waypoint {:.8g}, {:.8g} (ddmm.mmmm) is not a position on Earth",
                          in.hook_latitude_ddmm, in.hook_longitude_ddmm);

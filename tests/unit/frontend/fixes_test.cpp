@@ -54,7 +54,8 @@ INSTANTIATE_TEST_SUITE_P(
                     mission("depth > 5 m", "sensors depth begin"),
                     mission("depth > 5 m", "flightroute nav(3910.5 -7349.8)"),
                     mission("depth > 5 m", "flightroute nav(3910.5, -73.8)"),
-                    mission("!(min(depth; -3 m) > 5 m)"), mission("depth > 5 m", "flightroute nav(39 10.5 N, 73 49.8 W)"),
+                    mission("!(min(depth; -3 m) > 5 m)"),
+                    mission("depth > 5 m", "flightroute nav(39 10.5 N, 73 49.8 W)"),
                     mission("true") + "end\n", mission("true").replace(22, 5, "begni")));
 
 /// What only the pilot can decide: the hint says how, and no fix is offered.
@@ -63,11 +64,12 @@ class NoFix : public testing::TestWithParam<std::string> {};
 TEST_P(NoFix, WhereTheMeaningIsNotCertain) {
   FrontendRun broken(GetParam());
   broken.compile();
-  ASSERT_NE(broken.said(), "");
+  bool hinted = false;
   for (const support::Diagnostic& d : broken.diagnostics.sorted()) {
     EXPECT_TRUE(d.fixes.empty()) << broken.said();
-    EXPECT_FALSE(d.hint.empty()) << broken.said();
+    hinted = hinted || !d.hint.empty();
   }
+  EXPECT_TRUE(hinted) << broken.said();
 }
 
 const std::string kNav = "sensors missiontime, depth, temp flightroute ";
@@ -77,7 +79,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         mission("temp = 20 degC"), mission("temp === 20 degC"), mission("temp !== 20 degC"),
         mission("temp <> 20 degC"), mission("temp ≠ 20 degC"),
-        mission("depth > 5 m || temp > 3) && missiontime > 1 h", "sensors missiontime, depth, temp"),
+        mission("depth > 5 m || temp > 3) && missiontime > 1 h",
+                "sensors missiontime, depth, temp"),
         mission("temp > 20 degrees"), mission("5 m < depth > 3 m"), mission("(depth 5 m) > 3 m"),
         mission("depth > 5·3 m"), mission("depth > 5 m", kNav + "nav(-39.1 N, 73.8 W)"),
         mission("depth > 5 m", kNav + "nav(39.1 N, -73.8 W)"),

@@ -44,8 +44,7 @@ TEST(Warnings, AFlightThatWentWellIsNotReported) {
 }
 
 TEST(Warnings, NeverInControl) {
-  EXPECT_EQ(reported(flight(0)),
-            Lines{"GL9372 the mission was never in control of the vehicle"});
+  EXPECT_EQ(reported(flight(0)), Lines{"GL9372 the mission was never in control of the vehicle"});
   auto without = flight(0);
   without.way = "none";
   EXPECT_EQ(reported(without), Lines{}) << "nobody expected it";
@@ -54,7 +53,8 @@ TEST(Warnings, NeverInControl) {
 TEST(Warnings, AnAbortIsReportedWithItsReason) {
   auto trace = flight(1);
   trace.events.push_back({50, 40, "abort", "undervolts", "battery 10.9 V"});
-  EXPECT_EQ(reported(trace), Lines{"GL9370 the vehicle aborted at 50 s: undervolts, battery 10.9 V"});
+  EXPECT_EQ(reported(trace),
+            Lines{"GL9370 the vehicle aborted at 50 s: undervolts, battery 10.9 V"});
 }
 
 TEST(Warnings, TheFirstInterventionIsReportedAndAllAreCounted) {
@@ -73,10 +73,11 @@ TEST(Warnings, TheFirstInterventionIsReportedAndAllAreCounted) {
 TEST(Warnings, AsJson) {
   support::DiagnosticEngine diagnostics;
   reportFlight(flight(0), diagnostics);
-  EXPECT_EQ(warningsToJson(diagnostics.sorted(), {"cut \"short\""}),
-            R"([{"code":"GL9372","hint":"the events say how far the SBC and the vehicle came",)"
-            R"("message":"the mission was never in control of the vehicle",)"
-            R"("slug":"never-in-control"},{"code":"","hint":"","message":"cut \"short\"","slug":""}])");
+  EXPECT_EQ(
+      warningsToJson(diagnostics.sorted(), {"cut \"short\""}),
+      R"([{"code":"GL9372","hint":"the events say how far the SBC and the vehicle came",)"
+      R"("message":"the mission was never in control of the vehicle",)"
+      R"("slug":"never-in-control"},{"code":"","hint":"","message":"cut \"short\"","slug":""}])");
   EXPECT_EQ(warningsToJson({}, {}), "[]");
 }
 

@@ -12,7 +12,7 @@ namespace glider::ir {
 namespace {
 
 constexpr uint64_t kFrame = 6;  // type, sequence, CRC
-constexpr uint64_t kMostList = 250, kTickHead = 20, kListHead = 1, kNumber = 2, kSubscription = 7;
+constexpr uint64_t kMostList = 250, kTickHead = 24, kListHead = 1, kNumber = 2, kSubscription = 7;
 constexpr uint64_t kDone = 18, kTransition = 22, kNote = 70;
 constexpr uint64_t kMostNotices = 8, kMostNotes = 8;
 constexpr double kFastBaud = 115200, kSlowBaud = 9600, kBitsAByte = 10;

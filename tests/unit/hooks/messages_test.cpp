@@ -75,7 +75,7 @@ TEST(Messages, TheLargestTickFitsAFrameAndComesBack) {
   }
   Frame frame;
   encode(TickHead{}, subscription, readings, frame);
-  EXPECT_EQ(frame.size, 20U + 2 * 8 + 64 * 8);
+  EXPECT_EQ(frame.size, 24U + 2 * 8 + 64 * 8);
   TickReadings again;
   ASSERT_TRUE(decode(frame, subscription, again));
   for (uint32_t i = 0; i < kMostSubscriptions; ++i) {
@@ -94,12 +94,12 @@ TEST(Messages, ATicksMapsMustMakeSense) {
   encode(TickHead{}, subscription, TickReadings{}, frame);
   TickReadings readings;
   ASSERT_TRUE(decode(frame, subscription, readings));
-  frame.payload[20] = 8;  // a fourth sensor of three
+  frame.payload[24] = 8;  // a fourth sensor of three
   EXPECT_FALSE(decode(frame, subscription, readings));
-  frame.payload[20] = 0;
-  frame.payload[21] = 1;  // a value of what was not reported
+  frame.payload[24] = 0;
+  frame.payload[25] = 1;  // a value of what was not reported
   EXPECT_FALSE(decode(frame, subscription, readings));
-  frame.payload[20] = 1;  // the value is missing
+  frame.payload[24] = 1;  // the value is missing
   EXPECT_FALSE(decode(frame, subscription, readings));
   frame.size += 4;
   EXPECT_TRUE(decode(frame, subscription, readings));

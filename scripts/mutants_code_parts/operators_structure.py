@@ -90,6 +90,14 @@ def element(source):
             yield (b, spans[1][0], "") if i == 0 else (spans[i - 1][1], e, "")
 
 
+def key(source):
+    """a key that is made of several parts loses one of them"""
+    for m in re.finditer(r"\bstd::(?:tuple|tie|make_tuple)\(", source.code):
+        spans = arguments(source, m.end() - 1)
+        for i, (b, e) in enumerate(spans if len(spans) > 1 else ()):
+            yield (b, spans[1][0], "") if i == 0 else (spans[i - 1][1], e, "")
+
+
 def join(source):
     """what joins two paths keeps but one of them"""
     for m in re.finditer(r"\b(?:\w+::)?(?:join|joined|merge|merged|unite|hull|both|either|widen)\(", source.code):
@@ -117,4 +125,4 @@ def branch(source):
         yield m.start(), m.end(), "} {"
 
 
-STRUCTURE = {f.__name__: f for f in (delete, returns, enumerator, case, row, leave, element, join, order, branch)}
+STRUCTURE = {f.__name__: f for f in (delete, returns, enumerator, case, row, leave, element, key, join, order, branch)}

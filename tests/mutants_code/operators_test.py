@@ -56,6 +56,7 @@ class Operators(unittest.TestCase):
                    "void f() { ; const int c = d; g(a, c); return c; }",
                    "void f() { a = b; const int c = d; ; return c; }")
         self.check("order", "void f() {\n  x = y;\n  y = z;\n}", "void f() { y = z; x = y; }")
+        self.check("key", "return std::tuple(a, b.c);", "return std::tuple(b.c);", "return std::tuple(a);")
         self.check("join", "r = join(then, otherwise);", "r = then;", "r = otherwise;")
         self.check("element", "for (auto* l : {&a, &b}) {\n}", "for (auto* l : {&b}) { }", "for (auto* l : {&a}) { }")
         self.check("leave", "switch (x) {\n case 1:\n  a();\n  break;\n default:\n  b();\n  break;\n}",

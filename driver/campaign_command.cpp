@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "codegen/digest.h"
-#include "driver/build_id.h"
 #include "driver/campaign.h"
 #include "driver/campaign_boards.h"
 #include "driver/campaign_csv.h"
+#include "driver/campaign_options.h"
 #include "driver/campaign_table.h"
 #include "driver/commands.h"
 #include "driver/exit_code.h"
@@ -23,35 +22,18 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <chrono>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <memory>
-#include <string_view>
 #include <thread>
 
 namespace glider::driver {
 namespace {
-
-struct CampaignOptions {
-  std::vector<std::string> missions;
-  std::string scenario = "default";
-  uint64_t flights = 1000;
-  uint64_t seed = 1;
-  unsigned jobs = 0;
-  unsigned board_percent = 10;
-  std::string csv, resume;
-  std::optional<uint64_t> only;
-  std::string output;
-  LaunchChoice launch;
-  std::vector<std::string> user_code;
-};
 
 /// Compiles and loads all missions into `plan`; not kFine: there are none.
 int loadMissions(const CampaignOptions& options, CampaignPlan& plan) {
@@ -73,74 +55,6 @@ int loadMissions(const CampaignOptions& options, CampaignPlan& plan) {
     plan.missions.push_back(std::move(mission));
   }
   return kFine;
-}
-
-/// What a campaign's flights depend on, as a digest: the program, the missions, the world and the
-/// options.
-support::Result<std::string> identityOf(const CampaignPlan& plan, const CampaignOptions& options) {
-  std::string all = fmt::format("{}\n{} {} {} {}\n", buildId(), plan.flights, plan.seed,
-                                plan.board_percent, fmt::join(plan.boards, " "));
-  std::vector<std::string> files = options.missions;
-  files.insert(files.end(), options.user_code.begin(), options.user_code.end());
-  if (!options.launch.file.empty()) {
-    files.push_back(options.launch.file);
-  }
-  for (const std::string& file : files) {
-    const auto content = support::readFile(file);
-    if (!content) {
-      return std::unexpected(content.error());
-    }
-    all += fmt::format("{} {}\n", file, codegen::digestOf(*content));
-  }
-  for (const std::string& setting : options.launch.settings) {
-    all += setting + "\n";
-  }
-  const auto skeleton = support::readFile(plan.scenario.skeleton_path);
-  const auto world = support::readFile(plan.scenario.path);
-  if (!skeleton || !world) {
-    return std::unexpected(skeleton ? world.error() : skeleton.error());
-  }
-  return codegen::digestOf(all + *skeleton + *world);
-}
-
-/// `text` as one word for a shell.
-std::string shellWord(const std::string& text) {
-  const bool plain = !text.empty() && std::ranges::all_of(text, [](unsigned char c) {
-    return std::isalnum(c) != 0 || std::string_view("_-./=+:,@%").contains(static_cast<char>(c));
-  });
-  std::string quoted = "'";
-  for (const char c : text) {
-    quoted += c == '\'' ? "'\\''" : std::string(1, c);
-  }
-  return plain ? text : quoted + "'";
-}
-
-/// The command that flies one of the flights, but for its number.
-std::string commandOf(const CampaignOptions& options) {
-  std::string command = "glidercc campaign";
-  const auto add = [&](const std::string& option, const std::string& value) {
-    command += " " + option + (option.empty() ? "" : " ") + shellWord(value);
-  };
-  for (const std::string& mission : options.missions) {
-    command += " " + shellWord(mission);
-  }
-  if (options.scenario != CampaignOptions().scenario) {
-    add("--scenario", options.scenario);
-  }
-  for (const std::string& setting : options.launch.settings) {
-    add("--set", setting);
-  }
-  if (!options.launch.file.empty()) {
-    add("--parameters", options.launch.file);
-  }
-  for (const std::string& file : options.user_code) {
-    add("--link", file);
-  }
-  if (options.board_percent != CampaignOptions().board_percent) {
-    add("--boards", fmt::to_string(options.board_percent));
-  }
-  add("--seed", fmt::to_string(options.seed));
-  return command;
 }
 
 int flyOnly(const CampaignPlan& plan, const CampaignOptions& options) {
@@ -221,9 +135,11 @@ int tellResult(const CampaignPlan& plan, const CampaignOptions& options,
   }
   const auto printed = printOut(campaignTable(plan, result) +
                                 violationLines(plan, result, commandOf(options)) + last);
+  // A pipe has the rows already, in the order in which the flights ended.
   const auto written =
-      file.empty() ? support::Result<void>{}
-                   : support::writeFileAtomically(file, campaignCsv(plan, result, identity));
+      file.empty() || !support::isReplaceable(file)
+          ? support::Result<void>{}
+          : support::writeFileAtomically(file, campaignCsv(plan, result, identity));
   return !printed   ? reportFailure(printed.error())
          : !written ? reportFailure(written.error())
                     : statusOf(result);

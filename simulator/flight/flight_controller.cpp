@@ -244,6 +244,7 @@ void FlightController::tellHookIsOver() {
   if (aborted() && layers_->hookbeh() != nullptr) {
     array_.set(GLIDER_X_HOOK_STATE, static_cast<double>(hooks::HookState::Complete));
     array_.set(GLIDER_X_HOOK_SESSION, 0);
+    array_.set(GLIDER_X_HOOK_GUARD, 0);
   }
 }
 

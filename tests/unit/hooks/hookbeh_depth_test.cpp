@@ -429,6 +429,17 @@ TEST(HookbehDepth, ACtdThatIsStuckOrMissingIsNotAsked) {
   }
 }
 
+TEST(HookbehDepth, ACtdThatStandsStillWithTheVehicleIsAsked) {
+  Sea sea;
+  sea.has_ctd = true;
+  sea.diveTo(50, 58);
+  sea.held = true;
+  const double still = sea.bench.inputs.ctd_bar;
+  const int cycles =
+      sea.until(HookGuard::NoDepthGained, [=](HookbehInputs& in) { in.ctd_bar = still; });
+  EXPECT_GE(cycles, 43) << "it confirms that the vehicle hangs";
+}
+
 TEST(HookbehDepth, ACtdThatNeverAgreedIsNotAsked) {
   Sea sea;
   sea.has_ctd = true;

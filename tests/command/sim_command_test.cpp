@@ -100,7 +100,8 @@ TEST_F(Sim, ASensorOfTheUsersOwnPlatformFileIsRefusedWithAWord) {
   const Outcome made =
       run("cp -rL $(dirname $GLIDERCC)/../share/glidercc share && chmod -R u+w share && "
           "printf '\\n[[sensor]]\\nname = \"sci_nitrate\"\\nunit = \"1\"\\nlowest = 0\\n"
-          "highest = 100\\nbytes = 4\\nstale_after_s = 20\\nwhat = \"nitrate\"\\ncomputer = \"science\"\\n' >> "
+          "highest = 100\\nbytes = 4\\nstale_after_s = 20\\nwhat = \"nitrate\"\\ncomputer = "
+          "\"science\"\\n' >> "
           "share/platforms/slocum.toml && "
           "cp share/platforms/slocum.toml share/platforms/mine.toml && "
           "sed -i 's/^name = \"slocum\"/name = \"mine\"/' share/platforms/mine.toml");

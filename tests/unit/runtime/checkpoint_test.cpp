@@ -91,8 +91,8 @@ class EraseBlocks : public ResumeBench {
   /// Calls `visit` with blocks of `bytes` that begin anywhere in the file.
   template <typename Visit>
   static void eachPhase(uint32_t bytes, Visit visit) {
-    for (uint32_t part = 0; part < 16; ++part) {
-      visit(EraseBlock{bytes, bytes / 16 * part});
+    for (uint32_t part = 0; part < 4; ++part) {
+      visit(EraseBlock{bytes, bytes / 4 * part});
       visit(EraseBlock{bytes, bytes - Checkpoint::kBlock * (part + 1) % bytes});
     }
   }

@@ -46,7 +46,7 @@ TEST(Bytes, AWriterFillsItsArrayAndNoByteMore) {
 }
 
 TEST(Bytes, AReaderStopsAtItsEnd) {
-  const uint8_t bytes[] = {1, 2, 3, 4, 5};
+  const uint8_t bytes[] = {1, 2, 3, 4, 5, 6, 7, 8};
   ByteReader in(bytes, 4);
   EXPECT_EQ(in.u16(), 0x0201);
   EXPECT_FALSE(in.exact());
@@ -70,6 +70,7 @@ TEST(Bytes, AReaderStopsAtItsEnd) {
   (void)far.u16();
   far.skip(3);
   EXPECT_FALSE(far.good()) << "2 are left";
+  EXPECT_EQ(far.u8(), 0) << "nor is anything read behind the end";
   ByteReader all(bytes, 4);
   all.skip(4);
   EXPECT_TRUE(all.exact());

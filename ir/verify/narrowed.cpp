@@ -58,7 +58,11 @@ Knowledge common(const Knowledge& a, const Knowledge& b) {
 }
 
 Narrowing::Narrowing(const Mission& mission, const std::vector<Interval>& intervals)
-    : m_(mission), plain_(intervals), whole_(wholeExpressions(mission, intervals)), work_(mission) {
+    : m_(mission),
+      plain_(intervals),
+      whole_(wholeExpressions(mission, intervals)),
+      read_as_(mission.variables.size()),
+      work_(mission) {
   std::map<decltype(keyOf(mission.exprs.front(), {})), uint32_t> firsts;
   for (uint32_t i = 0; i < m_.exprs.size(); ++i) {
     const Expr& e = m_.exprs[i];
@@ -67,6 +71,9 @@ Narrowing::Narrowing(const Mission& mission, const std::vector<Interval>& interv
       operands.at(k) = ExprId{first_[e.operands.at(k).index]};
     }
     first_.push_back(firsts.emplace(keyOf(e, operands), i).first->second);
+    if (e.op == Op::Variable) {
+      read_as_[e.variable.index] = first_.back();
+    }
   }
 }
 
@@ -111,13 +118,9 @@ void Narrowing::set(Knowledge& knowledge, VariableId variable, Interval given, b
   if (v.type.kind == TypeKind::Bool) {
     return;
   }
+  itself = itself ? itself : read_as_[variable.index];
   if (!itself) {
-    const auto reads = std::ranges::find_if(
-        m_.exprs, [&](const Expr& e) { return e.op == Op::Variable && e.variable == variable; });
-    if (reads == m_.exprs.end()) {
-      return;  // nobody asks
-    }
-    itself = first_[static_cast<size_t>(reads - m_.exprs.begin())];
+    return;  // nobody asks
   }
   const Interval after = intersection(range, given);
   knowledge.within.emplace(*itself, kept ? hull(before, after) : after);

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <vector>
 
 namespace glider::ir {
@@ -52,6 +53,7 @@ class Narrowing {
   const std::vector<Interval>& plain_;
   std::vector<bool> whole_;
   std::vector<uint32_t> first_;  ///< of every expression, the first that reads the same
+  std::vector<std::optional<uint32_t>> read_as_;  ///< of every variable, the first that is it
   SubtreeIntervals work_;
 };
 

@@ -21,7 +21,7 @@ using testing::HasSubstr;
 const std::string kMission =
     "mission m\n"
     "param hold : time = 10 min in 5 min .. 20 min\n"
-    "require exit within 46 min\n"
+    "require exit within 60 min\n"
     "require never warm after cold\n"
     "require always depth <= 20 m\n"
     "require reach cold\n"

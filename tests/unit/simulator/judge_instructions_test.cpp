@@ -13,7 +13,7 @@ using Outcome = Verdict::Outcome;
 
 TEST_F(Judged, AGoodFlightExits) {
   take();
-  instruct(1, 2, hooks::HookControl::Steer, 5);
+  instruct(1, 2, hooks::HookControl::Steer, 15);
   cycle(HookState::Active);
   arrive();
   obey(2);
@@ -66,6 +66,7 @@ TEST_F(Judged, ALostInstructionIsSeen) {
   fly(now_ + 56);
   cycle(HookState::Silent);
   EXPECT_EQ(violation(), "") << "let go in time";
+  climb();  // nothing is in force
   fly(now_ + 64);
   EXPECT_EQ(violation(), "instruction 2 of session 1 is lost: no answer for 60 s");
 }

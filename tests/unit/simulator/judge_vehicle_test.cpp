@@ -24,6 +24,7 @@ TEST_F(Judged, TrueDepthPastMaxDepthIsSeenWhateverTheSensorSays) {
 
 TEST_F(Judged, WithoutTheSbcTheDepthIsHeldAgainstOverdepth) {
   take();
+  cycle(HookState::Silent, 10);
   cycle(HookState::Silent, 74);
   EXPECT_EQ(violation().find("deep under"), std::string::npos) << violation();
   cycle(HookState::Silent, 76);
@@ -110,6 +111,7 @@ TEST_F(Judged, CommandsWithoutControlAreSeen) {
 TEST_F(Judged, AGuardThatDoesNotClimbIsSeen) {
   take();
   reading_ = 61;
+  out_.pitch_rad = 0;
   cycle(HookState::Active, 20);
   cycle(HookState::Active, 20);
   EXPECT_EQ(violation(), "m_depth says 61.0 m, and hookbeh does not climb");
@@ -244,6 +246,7 @@ TEST_F(Judged, APumpThatDrainsTheBatteriesIsSeen) {
 TEST(JudgeKept, ControlThatIsLostWithoutAReasonIsSeen) {
   JudgeSetup setup;
   setup.promise = promiseOf(FaultKind::Clock);
+  setup.hull_m = 200;
   setup.has_hookbeh = true;
   FlightJudge judge(setup);
   SensorArray array(shippedSetup("default").platform);

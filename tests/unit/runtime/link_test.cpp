@@ -342,7 +342,7 @@ TEST(MissionClock, OneFalseReadingCostsAtMostTwoCycles) {
 }
 
 TEST(MissionClock, AFalseCycleNumberChangesNothing) {
-  for (const uint32_t wrong : {0U, 16777215U}) {
+  for (const uint32_t wrong : {0U, 250U, 16777215U}) {
     MissionClock clock;
     clock.start(0, 0);
     EXPECT_EQ(clock.atFrame(1000, 250, 0), 1000);

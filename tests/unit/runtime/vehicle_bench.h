@@ -80,6 +80,8 @@ class VehicleBench {
   [[nodiscard]] hooks::Hookprog::SbcView sbcView() const { return hookprog_.sbc(); }
 
  private:
+  double noise_ = 0;
+
   static double scienceSensor(void* self, uint16_t id, bool* fresh) {
     auto& bench = *static_cast<VehicleBench*>(self);
     *fresh = id == GLIDER_SCI_WATER_TEMP;
@@ -91,7 +93,10 @@ class VehicleBench {
     array_[GLIDER_M_PRESENT_SECS_INTO_MISSION] = now_ - mission_start_;
     array_[GLIDER_M_CYCLE_NUMBER] = std::floor((now_ - mission_start_) / 4);
     array_[GLIDER_M_PRESENT_TIME] = clock_at_start > 0 ? clock_at_start + now_ : NAN;
-    array_[GLIDER_M_DEPTH] = depth(now_);
+    // No two readings of a sensor in the sea are the same to the last bit.
+    constexpr double kNoise = 1e-7;
+    noise_ = noise_ == 0 ? kNoise : 0;
+    array_[GLIDER_M_DEPTH] = depth(now_) + noise_;
     outputs_ = hookbeh_.cycle(inputs());
     if (outputs_.commanding && (doings.empty() || doings.back() != outputs_.doing)) {
       doings.emplace_back(outputs_.doing);

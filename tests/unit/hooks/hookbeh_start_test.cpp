@@ -50,9 +50,22 @@ TEST(HookbehStart, AnEmptyArrayIsNoNumberZero) {
   EXPECT_EQ(out.answer, HookAnswer::None) << "nothing was instructed";
 }
 
+TEST(HookbehStart, ANumberThatIsNoneIsNoInstruction) {
+  Bench bench;
+  bench.cycle();
+  ASSERT_EQ(bench.give(Bench::take()).answer, HookAnswer::Accepted);
+  const uint16_t answered = bench.cycle().answered_sequence;
+  for (const double none : {0.0, 65536.0, 1.5, kNan}) {
+    bench.inputs.sequence = none;
+    const HookbehOutputs out = bench.cycle();
+    EXPECT_EQ(out.answer, HookAnswer::Accepted) << none;
+    EXPECT_EQ(out.answered_sequence, answered) << none;
+  }
+}
+
 TEST(HookbehStart, GarbledForExactlyTheTimeOfSilenceLetsGo) {
   // Cycles of 4 s: 24 s are six of them.
-  Bench bench;
+  Bench bench(HookbehArgs{.silence_secs = 24});
   bench.cycle();
   ASSERT_EQ(bench.give(Bench::take()).state, HookState::Active);
   bench.write(Bench::descend(15));
@@ -64,13 +77,14 @@ TEST(HookbehStart, GarbledForExactlyTheTimeOfSilenceLetsGo) {
 }
 
 TEST(HookbehStart, AGoodInstructionBetweenGarbledOnesCountsFromTheStart) {
-  Bench bench;
+  // Seven cycles of 4 s are needed for 25 s.
+  Bench bench(HookbehArgs{.silence_secs = 25});
   bench.cycle();
   ASSERT_EQ(bench.give(Bench::take()).state, HookState::Active);
   for (int round = 0; round < 2; ++round) {
     bench.write(Bench::descend(15 + round));
     bench.inputs.check += 1;
-    for (int i = 1; i < 6; ++i) {
+    for (int i = 1; i < 7; ++i) {
       ASSERT_EQ(bench.cycle().state, HookState::Active) << round << " " << 4 * i << " s";
     }
     bench.inputs.check -= 1;

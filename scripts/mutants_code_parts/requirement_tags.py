@@ -1,12 +1,19 @@
 # SPDX-FileCopyrightText: 2026 The glidercc authors
 # SPDX-License-Identifier: Apache-2.0
-"""The requirements of hookbeh and hookprog, and the lines of code whose comments name them."""
+"""The requirements of hookbeh and hookprog, and the code that implements them.
 
+tests/mutants_code/requirements.csv names the functions; a comment in the code that names a requirement adds its line, or the
+statement below it.
+"""
+
+import csv
+import functools
 import re
 
 from source import ROOT, Source
 
 FOLDERS = ("hooks/hookbeh", "hooks/hookprog")
+TABLE = ROOT / "tests/mutants_code/requirements.csv"
 
 
 def listed():
@@ -18,15 +25,38 @@ def listed():
     return found
 
 
+@functools.cache
+def implementers():
+    """(file, function) → the requirements that it implements."""
+    found = {}
+    with TABLE.open(newline="", encoding="utf-8") as table:
+        for row in csv.DictReader(table):
+            for function in row["functions"].split():
+                found.setdefault((row["file"], function), set()).add(row["requirement"])
+    return found
+
+
+def of(mutant):
+    """The requirements that the mutant's line implements."""
+    return mutant.tags | implementers().get((mutant.path, mutant.function), set())
+
+
 def findings(paths):
-    """What is wrong between tables and tags: a requirement that no line is tagged with, a tag that no table has."""
-    tagged = {}
+    """What is wrong between tables, functions and tags: a requirement that no code is named for, a function that is not
+    there, a tag that no table has."""
+    named = {}
     for path in paths:
         for line, tags in Source(path).tags.items():
             for tag in tags:
-                tagged.setdefault(tag, f"{path}:{line}")
+                named.setdefault(tag, f"{path}:{line}")
+    for (path, function), requirements in implementers().items():
+        if not (ROOT / path).is_file() or function not in Source(path).functions():
+            yield f"{path}: no function {function}, of {' '.join(sorted(requirements))}"
+            continue
+        for requirement in requirements:
+            named.setdefault(requirement, f"{path}: {function}")
     known = listed()
-    for name in sorted(known.keys() - tagged.keys()):
-        yield f"{name} ({known[name]}): no line of code is tagged with it"
-    for name in sorted(tagged.keys() - known.keys()):
-        yield f"{tagged[name]}: {name} is in no table"
+    for name in sorted(known.keys() - named.keys()):
+        yield f"{name} ({known[name]}): no code is named for it"
+    for name in sorted(named.keys() - known.keys()):
+        yield f"{named[name]}: {name} is in no table"

@@ -44,6 +44,10 @@ class Source:
         """The name of the function that line `line` lies in, or the file's top."""
         return self._functions[line - 1]
 
+    def functions(self):
+        """The names of all functions."""
+        return set(self._functions)
+
     def closing(self, at):
         """The place of the bracket that closes the one at `at`; -1 where none does."""
         pairs = {"(": ")", "[": "]", "{": "}"}

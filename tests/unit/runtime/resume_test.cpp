@@ -122,6 +122,30 @@ TEST_F(ResumeTest, AfterAnOutageLongerThanTheMissionAllowsControlStaysWithTheVeh
   EXPECT_EQ(vehicle.hookbeh().state, hooks::HookState::Silent);
 }
 
+/// The mission resumes within 120 s, and after 120 s to the second.
+class AtTheLimit : public ResumeBench, public ::testing::WithParamInterface<int> {};
+
+TEST_P(AtTheLimit, AnOutageOfExactlyTheTimeIsResumed) {
+  VehicleBench vehicle({.silence_secs = 24});
+  boot(vehicle);
+  vehicle.run(60);
+  cutPower(vehicle);
+  vehicle.run(GetParam());
+  boot(vehicle);
+  vehicle.run(GetParam() + 40);
+  const std::string log = logCsv();
+  const bool resumed = log.find("mission resumed") != std::string::npos;
+  const bool left = log.find("control left to the vehicle") != std::string::npos;
+  EXPECT_NE(resumed, left) << log;
+  // Its line: event, seconds of the outage, why.
+  const std::string event = resumed ? "mission resumed," : "control left to the vehicle,";
+  const double outage = std::stod(log.substr(log.find(event) + event.size()));
+  EXPECT_EQ(resumed, outage <= 120) << outage;
+  EXPECT_EQ(outage, GetParam() - 52) << "the first tick is 8 s after, the newest checkpoint of 60";
+}
+
+INSTANTIATE_TEST_SUITE_P(Boots, AtTheLimit, ::testing::Range(160, 192, 4));
+
 TEST_F(ResumeTest, AMissionThatNeverResumesLetsGoEvenOfASessionThatIsStillObeyed) {
   mission_.mission.resume_within = 0;
   VehicleBench vehicle({.silence_secs = 24});

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "tests/unit/hooks/hookbeh_bench.h"
+
+#include <gtest/gtest.h>
+
+/// What lies in the sensor array from before is not followed: not in the first cycle, nor in any
+/// after it.
+namespace glider::hooks {
+namespace {
+
+using Bench = HookbehBench;
+
+TEST(HookbehStart, AWholeTakeFromBeforeIsNeverFollowed) {
+  Bench bench;
+  bench.sequence = 500;
+  bench.write(Bench::take());
+  for (int i = 0; i < 20; ++i) {
+    const HookbehOutputs out = bench.cycle();
+    ASSERT_EQ(out.state, HookState::Ready) << "cycle " << i;
+    ASSERT_EQ(out.answer, HookAnswer::None);
+    ASSERT_EQ(out.answered_sequence, 501);
+    ASSERT_EQ(out.session, 0U);
+    ASSERT_FALSE(out.commanding);
+  }
+  EXPECT_EQ(bench.give(Bench::take()).state, HookState::Active) << "the next number is followed";
+}
+
+TEST(HookbehStart, NorIsOneThatIsGarbled) {
+  Bench bench;
+  bench.write(Bench::take());
+  bench.inputs.check += 1;
+  HookbehOutputs out = bench.cycle();
+  bench.inputs.check -= 1;  // and heals
+  for (int i = 0; i < 20; ++i) {
+    out = bench.cycle();
+    ASSERT_EQ(out.state, HookState::Ready) << "cycle " << i;
+    ASSERT_EQ(out.answer, HookAnswer::None);
+  }
+}
+
+TEST(HookbehStart, AnEmptyArrayIsNoNumberZero) {
+  Bench bench;
+  HookbehOutputs out = bench.cycle();
+  EXPECT_EQ(out.answered_sequence, 0);
+  bench.inputs.sequence = 0;  // no number that an SBC gives
+  out = bench.cycle();
+  EXPECT_EQ(out.answered_sequence, 0);
+  EXPECT_EQ(out.answer, HookAnswer::None) << "nothing was instructed";
+}
+
+TEST(HookbehStart, ANumberThatIsNoneIsNoInstruction) {
+  Bench bench;
+  bench.cycle();
+  ASSERT_EQ(bench.give(Bench::take()).answer, HookAnswer::Accepted);
+  const uint16_t answered = bench.cycle().answered_sequence;
+  for (const double none : {0.0, 65536.0, 1.5, kNan}) {
+    bench.inputs.sequence = none;
+    const HookbehOutputs out = bench.cycle();
+    EXPECT_EQ(out.answer, HookAnswer::Accepted) << none;
+    EXPECT_EQ(out.answered_sequence, answered) << none;
+  }
+}
+
+TEST(HookbehStart, GarbledForExactlyTheTimeOfSilenceLetsGo) {
+  // Cycles of 4 s: 24 s are six of them.
+  Bench bench(HookbehArgs{.silence_secs = 24});
+  bench.cycle();
+  ASSERT_EQ(bench.give(Bench::take()).state, HookState::Active);
+  bench.write(Bench::descend(15));
+  bench.inputs.check += 1;
+  for (int i = 1; i < 6; ++i) {
+    ASSERT_EQ(bench.cycle().state, HookState::Active) << 4 * i << " s";
+  }
+  EXPECT_EQ(bench.cycle().state, HookState::Silent) << "24 s";
+}
+
+TEST(HookbehStart, AGoodInstructionBetweenGarbledOnesCountsFromTheStart) {
+  // Seven cycles of 4 s are needed for 25 s.
+  Bench bench(HookbehArgs{.silence_secs = 25});
+  bench.cycle();
+  ASSERT_EQ(bench.give(Bench::take()).state, HookState::Active);
+  for (int round = 0; round < 2; ++round) {
+    bench.write(Bench::descend(15 + round));
+    bench.inputs.check += 1;
+    for (int i = 1; i < 7; ++i) {
+      ASSERT_EQ(bench.cycle().state, HookState::Active) << round << " " << 4 * i << " s";
+    }
+    bench.inputs.check -= 1;
+    ASSERT_EQ(bench.cycle().answer, HookAnswer::Accepted);
+  }
+}
+
+}  // namespace
+}  // namespace glider::hooks

@@ -339,5 +339,49 @@ TEST(ClotheslineEdges, ALineThatTakesAPartKeepsTheRest) {
   EXPECT_EQ(science.poll(line.right(), got, 8), 3U);
 }
 
+TEST(ClotheslineEdges, NothingOfAListThatIsBadIsGiven) {
+  MemoryLine line;
+  Clothesline science;
+  Frame frame;
+  encodeEmptyList(MessageType::Sensors, frame);
+  ASSERT_TRUE(appendValue(frame, {GLIDER_M_DEPTH, 12.5}));
+  frame.payload[0] = 2;  // and one more, of a sensor that is none
+  frame.payload[frame.size] = frame.payload[frame.size + 1] = 0xFF;
+  frame.size = static_cast<uint16_t>(frame.size + 2);
+  put(line.left(), frame);
+  SensorUpdate got[4];
+  EXPECT_EQ(science.poll(line.right(), got, 4), 0U);
+  EXPECT_EQ(science.badFrames(), 1U);
+}
+
+TEST(ClotheslineEdges, TheRestOfAFrameIsItsRestAndNoMore) {
+  // A long frame leaves its bytes in the buffer; of the short one after it the line takes three
+  // bytes first.
+  MemoryLine line;
+  Clothesline flight, science;
+  struct Slow {
+    GliderByteStream to;
+    bool slow = false;
+  } slow{line.left()};
+  const GliderByteStream stream{&slow, [](void*, uint8_t*, uint32_t) -> int32_t { return 0; },
+                                [](void* self, const uint8_t* bytes, uint32_t count) -> int32_t {
+                                  auto* line_end = static_cast<Slow*>(self);
+                                  const uint32_t most = line_end->slow && count > 3 ? 3 : count;
+                                  line_end->slow = false;
+                                  return line_end->to.write(line_end->to.self, bytes, most);
+                                }};
+  const std::vector<SensorUpdate> twenty(20, {GLIDER_M_LAT, 3910.5});
+  SensorUpdate got[32];
+  ASSERT_TRUE(flight.send(twenty.data(), 20));
+  (void)flight.poll(stream, got, 0);
+  slow.slow = true;
+  ASSERT_TRUE(flight.send(twenty.data(), 1));
+  (void)flight.poll(stream, got, 0);
+  EXPECT_EQ(science.poll(line.right(), got, 32), 21U);
+  uint8_t left = 0;
+  EXPECT_EQ(line.right().read(line.right().self, &left, 1), 0);
+  EXPECT_EQ(science.badFrames(), 0U);
+}
+
 }  // namespace
 }  // namespace glider::hooks

@@ -21,7 +21,7 @@ std::string missionWith(const std::string& line, const std::string& route,
                         const std::string& guard = "missiontime > 1 h") {
   return fmt::format(
       "mission m\n{}\nstate s\nbegin\n flightprofile surfaced\n flightroute {}\n"
-      " sensors missiontime, heading, lat, lon\n events\n case {} exit\nend\n",
+      " sensors missiontime, lat, lon\n events\n case {} exit\nend\n",
       line, route, guard);
 }
 

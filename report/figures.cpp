@@ -169,7 +169,9 @@ FlightFigures flightFigures(const Trace& trace) {
   const int time = trace.column("time");
   const Range times = rangeOf(trace, time);
   figures.duration_s = times.greatest - times.least;
-  const Range depths = rangeOf(trace, depthColumn(trace));
+  // How deep it really was: a sensor at fault must not hide that.
+  const int truth = trace.column("true_depth");
+  const Range depths = rangeOf(trace, truth >= 0 ? truth : depthColumn(trace));
   figures.shallowest_m = depths.least;
   figures.deepest_m = depths.greatest;
   const auto turns = turningPoints(trace);

@@ -165,8 +165,8 @@ TEST(Campaign, AShareOfTheFlightsRunsBoardBinariesWithTheSameOutcome) {
   ASSERT_EQ(boards.size(), 18U);
   size_t ts7800 = 0, ts5500 = 0;
   for (const std::string& row : boards) {
-    ts7800 += row.find(",ts7800,") != std::string::npos ? 1 : 0;
-    ts5500 += row.find(",ts5500,") != std::string::npos ? 1 : 0;
+    ts7800 += row.find(",ts7800,") != std::string::npos ? 1U : 0U;
+    ts5500 += row.find(",ts5500,") != std::string::npos ? 1U : 0U;
   }
   EXPECT_EQ(ts7800 + ts5500, 16U);
   EXPECT_GT(ts7800, 0U);
@@ -214,7 +214,7 @@ TEST(Campaign, AFlightControllerThatStartsAgainIsLeftAndTakenAgain) {
     EXPECT_EQ(flight.outcome.status, 0) << flight.outcome.err;
     size_t taken = 0;
     for (const Event& event : flight.events) {
-      taken += event.what.find("the SBC takes control") != std::string::npos ? 1 : 0;
+      taken += event.what.find("the SBC takes control") != std::string::npos ? 1U : 0U;
     }
     EXPECT_EQ(taken, 2U) << keeps;
     EXPECT_LT(flight.column("true_depth").back(), 1.0);

@@ -73,12 +73,11 @@ std::vector<Quantity> checkpointFigures(const codegen::Budget& measured, double 
   using runtime::Checkpoint;
   constexpr double kDay_s = 86400;
   const auto most = static_cast<uint64_t>(kDay_s / cycle_s);
-  const auto least = static_cast<uint64_t>(kDay_s / Checkpoint::kMostApart);
   const uint64_t slot = Checkpoint::slotBytes(static_cast<uint32_t>(measured.context_bytes));
   return {{"checkpoint_writes", most, std::nullopt, "writes a day",
-           fmt::format("with --checkpoint: one a tick; {} while no state, variable or command "
-                       "changes",
-                       least)},
+           fmt::format("with --checkpoint: one a tick, one every {:g} s while no state, variable "
+                       "or command changes",
+                       Checkpoint::kMostApart)},
           {"checkpoint_bytes", most * slot, std::nullopt, "bytes a day",
            fmt::format("of those writes, {} each, in turn to {} places of the card", slot,
                        Checkpoint::kSlots)}};

@@ -36,6 +36,7 @@ constexpr int kToArrive = 6;          // cycles that the commands of a dive or c
 constexpr double kNearLimit = 2;      // m: the guard may come in
 constexpr double kSwing = 4;          // m: the guard climbs five at least
 constexpr int kSmallSwings = 3;
+constexpr double kAfterOverride = 300;                                // s
 constexpr double kRetryShare = 0.5, kRetry = 5, kRetryTolerance = 3;  // of the guard's climb
 constexpr int kLate = 4;                                              // cycles
 constexpr double kFullCircle = 6.283186;
@@ -177,7 +178,10 @@ std::string CommandJudge::judgeGuard(const CycleView& view) {
       (s_.args.least_altitude_m >= 0 && view.clearance_m < s_.args.least_altitude_m + kNearLimit);
   std::string wrong;
   if (guards && !guarding_) {
-    if (!near) {
+    // A vehicle that another behaviour takes elsewhere gains no depth, whatever hookbeh commands.
+    const bool stalled = view.hookbeh->guard == hooks::HookGuard::NoDepthGained ||
+                         view.hookbeh->guard == hooks::HookGuard::NoHeightGained;
+    if (!near && !(stalled && view.time_s - overridden_s_ < kAfterOverride)) {
       wrong = fmt::format("the guard comes in ({}) and no limit is near", view.hookbeh->doing);
     }
     // In water too shallow for that it comes up, and waits until the echo is forgotten.
@@ -283,6 +287,7 @@ std::string CommandJudge::cycle(const CycleView& view) {
   const double reading = view.array.get(GLIDER_M_DEPTH);
   std::string wrong = judgeWhole(view);
   wrong = wrong.empty() ? judgeLimits(view, reading) : wrong;
+  overridden_s_ = view.overridden ? view.time_s : overridden_s_;
   if (wrong.empty() && s_.promise.follows) {
     wrong = judgeGuard(view);
     // Before the first cycle of the guard's climb, and in its last, limits are a matter of noise.

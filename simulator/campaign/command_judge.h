@@ -45,6 +45,8 @@ class CommandJudge {
   int arrived_cycles_ = 0, far_cycles_ = 0;
   int too_deep_cycles_ = 0, too_low_cycles_ = 0;
 
+  double overridden_s_ = -1e9;  ///< when a behaviour above hookbeh had pitch or pump last
+
   bool guarding_ = false;
   double tripped_m_ = 0;  ///< true depth at which the guard came in
   double shallowest_m_ = std::numeric_limits<double>::infinity();  ///< since then

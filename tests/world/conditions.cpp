@@ -17,8 +17,10 @@ using ir::prove::Dice;
 using simulator::FaultKind;
 
 constexpr double kLongest = 10800;  // s
-constexpr std::array<const char*, 3> kNeeded = {"m_depth", "m_pitch",
-                                                "m_present_secs_into_mission"};
+constexpr std::array<const char*, 9> kNeeded = {
+    "m_depth",        "m_pitch",        "m_present_secs_into_mission",
+    "m_pressure",     "m_depth_rate",   "m_altitude",
+    "m_cycle_number", "m_present_time", "sci_water_pressure"};
 
 /// Water and vehicle as they may be on another day.
 void change(simulator::Scenario& scenario, Dice& dice) {
@@ -61,7 +63,8 @@ std::vector<double> drawParameters(const ir::Mission& mission, Dice& dice) {
 
 /// Whether what goes wrong leaves the SBC and its port alone.
 bool leavesProgram(const simulator::Faults& faults) {
-  return faults.power.empty() && faults.port.empty() && faults.stuck.empty();
+  return faults.power.empty() && faults.port.empty() && faults.stuck.empty() &&
+         faults.flight.empty();
 }
 
 }  // namespace
@@ -79,9 +82,12 @@ Conditions drawConditions(const ir::Mission& mission, const simulator::Scenario&
   drawn.parameters = drawParameters(mission, dice);
   if (dice.chance(0.5)) {
     drawn.kind = static_cast<FaultKind>(dice.below(simulator::kFaultKinds));
-    simulator::Faults faults = simulator::drawFaults(drawn.kind, seed, drawn.scenario.duration_s);
+    const simulator::FlightTimes times{drawn.scenario.duration_s, 0, drawn.scenario.duration_s};
+    const auto manner = static_cast<simulator::Manner>(dice.below(simulator::kManners));
+    simulator::Faults faults = simulator::drawFaults(drawn.kind, manner, seed, times).faults;
     std::erase_if(faults.sensors, [](const simulator::SensorFault& fault) {
-      return std::ranges::find(kNeeded, fault.name) != kNeeded.end();
+      return std::ranges::find(kNeeded, fault.name) != kNeeded.end() ||
+             fault.name.starts_with("x_hook") || fault.name.starts_with("sci_hook");
     });
     drawn.scenario.faults.add(faults);
   }

@@ -44,7 +44,8 @@ class Controller {
   Controller(const std::string& mission, double water_depth)
       : setup_(setupWith(mission)),
         ocean(stillWater(water_depth)),
-        controller(setup_.platform, setup_.scenario.skeleton, noiseless(), 1, frame_, journal) {}
+        controller(setup_.platform, setup_.scenario.skeleton, noiseless(), 1, frame_, 2025,
+                   journal) {}
 
   /// Cycles until `seconds` are over, calling `after` behind each.
   void fly(double seconds, const std::function<void()>& after) {

@@ -22,23 +22,14 @@ using support::DiagnosticId;
 
 /// Mistakes that no page can show: they are about bytes, sizes, other files, or what only the IR's
 /// text form can say.
-const std::set<DiagnosticId> kNotShown = {DiagnosticId::notUtf8,
-                                          DiagnosticId::nulByte,
-                                          DiagnosticId::utf16,
-                                          DiagnosticId::nestedTooDeep,
-                                          DiagnosticId::fileTooLarge,
-                                          DiagnosticId::tooManyMistakes,
-                                          DiagnosticId::expressionTooLong,
-                                          DiagnosticId::notInLibrary,
-                                          DiagnosticId::importUnreadable,
-                                          DiagnosticId::importCycle,
-                                          DiagnosticId::importsTooDeep,
-                                          DiagnosticId::emptyImport,
-                                          DiagnosticId::argumentRange,
-                                          DiagnosticId::parameterDefault,
-                                          DiagnosticId::tooManyOwnSensors,
-                                          // Another vehicle.
-                                          DiagnosticId::declinationUnknown};
+const std::set<DiagnosticId> kNotShown = {
+    DiagnosticId::notUtf8, DiagnosticId::nulByte, DiagnosticId::utf16, DiagnosticId::nestedTooDeep,
+    DiagnosticId::fileTooLarge, DiagnosticId::tooManyMistakes, DiagnosticId::expressionTooLong,
+    DiagnosticId::notInLibrary, DiagnosticId::importUnreadable, DiagnosticId::importCycle,
+    DiagnosticId::importsTooDeep, DiagnosticId::emptyImport, DiagnosticId::argumentRange,
+    DiagnosticId::parameterDefault, DiagnosticId::tooManyOwnSensors,
+    // Another vehicle.
+    DiagnosticId::declinationUnknown};
 /// Their repair needs a second file.
 const std::set<DiagnosticId> kNotRepaired = {DiagnosticId::openString};
 

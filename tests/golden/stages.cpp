@@ -27,15 +27,19 @@ const platforms::Platform& slocum() {
   return platform;
 }
 
-/// The vehicle that an input is for: a line `//@without SENSOR` takes the last sensor from it.
+/// The vehicle that an input is for: a line `//@without SENSOR` takes a sensor from it.
 platforms::Platform platformFor(const std::string& input) {
   platforms::Platform platform = slocum();
   constexpr std::string_view kWithout = "\n//@without ";
   if (const size_t at = input.find(kWithout); at != std::string::npos) {
     const size_t from = at + kWithout.size();
     const std::string name = input.substr(from, input.find('\n', from) - from);
-    CHECK(platform.sensors.back().name == name, "only the last sensor can be left out");
-    platform.sensors.pop_back();
+    const size_t erased = std::erase_if(
+        platform.sensors, [&](const platforms::PlatformSensor& s) { return s.name == name; });
+    CHECK(erased == 1, "//@without names no sensor of the platform");
+    for (uint16_t id = 0; platforms::PlatformSensor & sensor : platform.sensors) {
+      sensor.id = id++;
+    }
   }
   return platform;
 }

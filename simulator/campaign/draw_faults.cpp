@@ -208,9 +208,7 @@ DrawnFaults drawFaults(FaultKind kind, Manner manner, uint64_t seed, const Fligh
 }
 
 bool DrawnFaults::lasts() const {
-  return args || water_depth_m || std::ranges::any_of(faults.sensors, [](const auto& fault) {
-           return fault.when.to_s == kForever;
-         });
+  return args || water_depth_m || !faults.sensors.empty();
 }
 
 void DrawnFaults::applyTo(Scenario& scenario) const {

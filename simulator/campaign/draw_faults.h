@@ -47,8 +47,8 @@ struct DrawnFaults {
   std::optional<DrawnArgs> args;
   std::optional<double> water_depth_m;
 
-  /// True if a sensor is wrong for good, or the world or the mission file another to the end: the
-  /// mission then may wait for ever.
+  /// True if a sensor is wrong, or the world or the mission file another: the mission may then take
+  /// its longest way to the exit, or never find it.
   [[nodiscard]] bool lasts() const;
   /// Puts it into the world of a flight.
   void applyTo(Scenario& scenario) const;

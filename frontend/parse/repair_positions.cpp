@@ -54,6 +54,11 @@ std::optional<ForeignPosition> letterFirst(const std::vector<Lexeme>& lexemes, s
   return found;
 }
 
+/// The file may end before that.
+bool isLetter(const std::vector<Lexeme>& lexemes, size_t at) {
+  return at < lexemes.size() && lexemes[at].type == GliderLexer::COMPASS;
+}
+
 }  // namespace
 
 std::optional<ForeignPosition> foreignPosition(const std::vector<Lexeme>& lexemes, size_t at,
@@ -70,8 +75,7 @@ std::optional<ForeignPosition> foreignPosition(const std::vector<Lexeme>& lexeme
     const std::string_view digits = source.text(lexemes[i]);
     const double number = std::strtod(std::string(digits).c_str(), nullptr);
     // `39.5 10 N` and `39 75 N` are slips of the hand, of which nobody can say which.
-    const bool last =
-        lexemes[i + 1].type == GliderLexer::COMPASS || lexemes[i + 2].type == GliderLexer::COMPASS;
+    const bool last = isLetter(lexemes, i + 1) || isLetter(lexemes, i + 2);
     certain = certain && (numbers == 0 || number < 60) &&
               (last || digits.find_first_not_of("0123456789") == std::string_view::npos);
     degrees += number * part;

@@ -34,7 +34,8 @@ Flight flyUntil(const std::string& guard, const std::string& name, int bottom_m 
                                         " exit\n"
                                         "    case missiontime >= 3000 s exit\nend\n");
   Flight flight = fly(mission.string() + world(name));
-  EXPECT_EQ(flight.outcome.status, 0) << flight.outcome.err;
+  // Each world lacks some of the sensors, which is a warning.
+  EXPECT_LE(flight.outcome.status, 1) << flight.outcome.err;
   return flight;
 }
 

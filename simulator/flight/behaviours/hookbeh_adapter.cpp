@@ -76,6 +76,13 @@ const char* describe(HookState state) {
   return "unknown state";
 }
 
+/// Answers that say nothing of the command: what was damaged, early, old or of another session, and
+/// is sent again where it still counts.
+bool isOfTheLink(HookAnswer answer) {
+  return answer == HookAnswer::BadCheck || answer == HookAnswer::WrongSession ||
+         answer == HookAnswer::NotReady || answer == HookAnswer::OldSequence;
+}
+
 }  // namespace
 
 hooks::HookbehArgs hookbehArgs(const slocum::BehaviourBlock& block) {
@@ -99,8 +106,10 @@ void HookbehAdapter::note(const hooks::HookbehInputs& in, const hooks::HookbehOu
   if (out.state != state_) {
     news_.push_back({"control", fmt::format("hookbeh: {}", describe(out.state))});
   }
-  if (out.answered_sequence != answered_ && out.answer != HookAnswer::Accepted) {
-    news_.push_back({"hook", fmt::format("instruction {} refused: {}", out.answered_sequence,
+  const bool decided = out.answer != HookAnswer::Accepted && out.answer != HookAnswer::None;
+  if (out.answered_sequence != answered_ && decided) {
+    news_.push_back({"hook", fmt::format("instruction {} {}: {}", out.answered_sequence,
+                                         isOfTheLink(out.answer) ? "passed over" : "refused",
                                          refusalText(out.answer, in, limits_))});
   }
   if (out.commanding && doing_ != out.doing) {

@@ -57,14 +57,14 @@ def check(glidercc, text):
 def fly(glidercc, text, world):
     """(digest of trace.csv, Figures)."""
     with tempfile.TemporaryDirectory() as folder:
-        path = pathlib.Path(folder, "mutant.mission")
+        path, flight = pathlib.Path(folder, "mutant.mission"), pathlib.Path(folder, "flight")
         path.write_text(text)
-        command = [glidercc, "sim", str(path), *world_options(world), "-o", folder]
+        command = [glidercc, "sim", str(path), *world_options(world), "-o", str(flight)]
         done = subprocess.run(command, capture_output=True, text=True, timeout=600)
         if done.returncode not in (0, 1) or "internal error" in done.stderr:
             raise BrokenError(f"glidercc sim ended with {done.returncode}: {done.stderr}")
-        trace = pathlib.Path(folder, "trace.csv").read_bytes()
-        events = list(csv.reader(pathlib.Path(folder, "events.csv").read_text().splitlines()))[1:]
+        trace = (flight / "trace.csv").read_bytes()
+        events = list(csv.reader((flight / "events.csv").read_text().splitlines()))[1:]
     figures = Figures()
     _read_trace(figures, trace.decode())
     _read_events(figures, events)

@@ -32,8 +32,14 @@ class Declination : public testing::TestWithParam<bool> {
     auto platform = platforms::loadPlatform(GLIDER_SOURCE_DIR "/platforms/slocum.toml");
     EXPECT_TRUE(platform.has_value());
     if (!GetParam()) {
-      EXPECT_EQ(platform->sensors.back().name, platforms::kVariationSensor);
-      platform->sensors.pop_back();
+      EXPECT_EQ(std::erase_if(platform->sensors,
+                              [](const platforms::PlatformSensor& sensor) {
+                                return sensor.name == platforms::kVariationSensor;
+                              }),
+                1U);
+      for (uint16_t id = 0; platforms::PlatformSensor & sensor : platform->sensors) {
+        sensor.id = id++;
+      }
     }
     const uint32_t library =
         run.sources.add("standard.mission", readSource("missions/library/standard.mission"));

@@ -110,9 +110,8 @@ TEST(Warnings, ALongNameIsTheSameAsFarAsTheLineTellsIt) {
 TEST(Warnings, OneRefusalIsOne) {
   auto trace = flight(1);
   trace.events.push_back({8, 4, "hook", "instruction 1 refused: deeper than max_depth", ""});
-  EXPECT_EQ(flightWarnings(trace),
-            Lines{"1 instruction refused, the first at 8 s: instruction 1 refused: deeper than "
-                  "max_depth"});
+  EXPECT_EQ(reported(trace),
+            Lines{"GL9371 hookbeh refused a command at 8 s: deeper than max_depth"});
   trace.events.back().kind = "log";
   EXPECT_EQ(refusedInstructions(trace), 0U) << "a note that says so";
   trace.events.back() = {8, 4, "hook", "instruction 1: refused", ""};

@@ -197,8 +197,10 @@ TEST_F(Store, CheckpointsAreReadAndWrittenThere) {
   EXPECT_EQ(store.write(store.self, 7, reinterpret_cast<const uint8_t*>(words.data()), 10), 10);
   EXPECT_EQ(store.sync(store.self), 0);
   uint8_t back[20] = {};
-  EXPECT_EQ(store.read(store.self, 7, back, 20), 10);
+  EXPECT_EQ(store.read(store.self, 7, back, 20), 20)
+      << "the file has its whole size from the start";
   EXPECT_EQ(std::string(back, back + 10), words);
+  EXPECT_EQ(std::string(back + 10, back + 20), std::string(10, '\0'));
   EXPECT_LT(store.write(store.self, 0, back, 5000), 0) << "more than was said";
 }
 

@@ -82,4 +82,6 @@ PLANTED = [
 ]
 
 # What a campaign cannot see, with the reason.
-UNSEEN = {}
+UNSEEN = {
+    "a lost session may take control again": "its number is old too (HB-32), and hookprog passes on no frame that comes again",
+}

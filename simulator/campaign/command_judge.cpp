@@ -39,6 +39,12 @@ constexpr int kSmallSwings = 3;
 constexpr double kAfterOverride = 300;                                // s
 constexpr double kRetryShare = 0.5, kRetry = 5, kRetryTolerance = 3;  // of the guard's climb
 constexpr int kLate = 4;                                              // cycles
+// A depth that cannot be believed: what hookbeh allows, and two cycles.
+constexpr double kHighest = -5;     // m
+constexpr double kFrozenSecs = 24;  // of a dive, deeper than a metre
+constexpr double kWrong = 8;        // m beside the truth, where a CTD tells
+constexpr double kWrongSecs = 40;
+constexpr double kIdleSecs = 200;
 constexpr double kFullCircle = 6.283186;
 
 bool climbs(const HookbehOutputs& out) {
@@ -151,7 +157,7 @@ std::string CommandJudge::judgeWhole(const CycleView& view) const {
 /// Where a limit is broken by what hookbeh itself reads, and by the truth of a bottom that it
 /// hears.
 std::string CommandJudge::judgeLimits(const CycleView& view, double reading) {
-  const bool too_deep = !(reading <= s_.args.greatest_depth_m + kDepthError);
+  const bool too_deep = !(reading <= s_.args.greatest_depth_m + kDepthError && reading >= kHighest);
   const bool too_low = s_.promise.clearance && s_.args.least_altitude_m >= 0 &&
                        view.clearance_m < s_.args.least_altitude_m - 1;
   too_deep_cycles_ = too_deep ? too_deep_cycles_ + 1 : 0;
@@ -167,6 +173,29 @@ std::string CommandJudge::judgeLimits(const CycleView& view, double reading) {
   return too_low_cycles_ > 3
              ? fmt::format("{:.1f} m over the bottom, and hookbeh does not climb", view.clearance_m)
              : "";
+}
+
+/// Diving by a depth that is frozen, wrong or does not grow.
+std::string CommandJudge::judgeBlind(const CycleView& view, double reading) {
+  const bool dives = view.hookbeh->pitch_rad < 0 && !view.overridden;
+  const auto lasts = [&](double& seconds, bool so) {
+    seconds = dives && so ? seconds + s_.cycle_s : 0;
+    return seconds;
+  };
+  const bool ctd = std::ranges::none_of(s_.faults.sensors, [](const SensorFault& fault) {
+    return fault.name == "sci_water_pressure";
+  });
+  const bool gains = !dives || reading >= deepest_m_ + 1;
+  deepest_m_ = gains ? reading : deepest_m_;
+  const double same = lasts(same_s_, reading == reading_m_ && reading > kFloats);
+  const double wrong = lasts(wrong_s_, ctd && std::fabs(reading - view.true_depth_m) > kWrong);
+  const double idle = lasts(idle_s_, !gains);
+  reading_m_ = reading;
+  return same > kFrozenSecs ? fmt::format("dives for {:.0f} s by a depth that is frozen", same)
+         : wrong > kWrongSecs
+             ? fmt::format("dives at {:.1f} m by a depth of {:.1f} m", view.true_depth_m, reading)
+         : idle > kIdleSecs ? fmt::format("dives for {:.0f} s without a metre gained", idle)
+                            : "";
 }
 
 /// The guard comes in at a limit only, lets go when it has done its work, and does not swing.
@@ -287,6 +316,7 @@ std::string CommandJudge::cycle(const CycleView& view) {
   const double reading = view.array.get(GLIDER_M_DEPTH);
   std::string wrong = judgeWhole(view);
   wrong = wrong.empty() ? judgeLimits(view, reading) : wrong;
+  wrong = wrong.empty() ? judgeBlind(view, reading) : wrong;
   overridden_s_ = view.overridden ? view.time_s : overridden_s_;
   if (wrong.empty() && s_.promise.follows) {
     wrong = judgeGuard(view);

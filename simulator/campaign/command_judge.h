@@ -30,6 +30,7 @@ class CommandJudge {
   [[nodiscard]] hooks::HookAnswer boundsOf(const hooks::Instruction& instruction) const;
   std::string judgeWhole(const CycleView& view) const;
   std::string judgeLimits(const CycleView& view, double reading);
+  std::string judgeBlind(const CycleView& view, double reading);
   std::string judgeGuard(const CycleView& view);
   std::string judgeFollowing(const CycleView& view, double reading);
   std::string judgeDive(const hooks::HookbehOutputs& out, double reading);
@@ -45,6 +46,11 @@ class CommandJudge {
   int arrived_cycles_ = 0, far_cycles_ = 0;
   int too_deep_cycles_ = 0, too_low_cycles_ = 0;
 
+  double reading_m_ = 0;        ///< of m_depth in the cycle before
+  double same_s_ = 0;           ///< it has been the same to the last bit for so long, in a dive
+  double wrong_s_ = 0;          ///< it has been far from the truth for so long, in a dive
+  double idle_s_ = 0;           ///< so long a dive has gained no metre
+  double deepest_m_ = -1e9;     ///< that m_depth said in this dive
   double overridden_s_ = -1e9;  ///< when a behaviour above hookbeh had pitch or pump last
 
   bool guarding_ = false;

@@ -18,6 +18,8 @@ struct Plausible {
 constexpr auto kSensors = std::to_array<Plausible>({
     {"m_depth", 0, 65},
     {"m_depth", 0, 3},  // the one that they live by most
+    {"m_depth", 0, 30},
+    {"m_depth", 50, 70},
     {"m_pitch", -0.6, 0.6},
     {"m_altitude", 0, 100},
     {"m_present_secs_into_mission", 0, 5000},

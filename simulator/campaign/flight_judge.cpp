@@ -198,6 +198,20 @@ void FlightJudge::judgeAnswer(const CycleView& view) {
   }
 }
 
+/// An SBC that lives, but whose instruction does not get there whole, is let go in time too.
+void FlightJudge::judgeGarbled(const CycleView& view) {
+  const bool garbled =
+      view.hook == HookState::Active &&
+      view.array.get(GLIDER_X_HOOK_ANSWER) == static_cast<double>(hooks::HookAnswer::BadCheck);
+  garbled_since_s_ = !garbled ? -1 : garbled_since_s_ < 0 ? view.time_s : garbled_since_s_;
+  const double most = letGoSecs(Control::Silent, setup_.args.silence_secs, setup_.cycle_s);
+  if (garbled && view.time_s - garbled_since_s_ > most) {
+    violate(view.time_s, fmt::format("the SBC is in control though its instruction is garbled "
+                                     "for {:.0f} s",
+                                     view.time_s - garbled_since_s_));
+  }
+}
+
 void FlightJudge::judgeTimes(const CycleView& view) {
   // hookbeh answers every instruction, and repeats its last answer until the next.
   const bool answered =
@@ -251,6 +265,7 @@ bool FlightJudge::cycle(const CycleView& view) {
   }
   hook_ = view.hook;
   judgeTimes(view);
+  judgeGarbled(view);
   for (std::string wrong : {commands_.cycle(view), depth_.cycle(view), ending_.cycle(view)}) {
     if (!wrong.empty()) {
       violate(view.time_s, std::move(wrong));

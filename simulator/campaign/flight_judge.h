@@ -65,6 +65,7 @@ class FlightJudge final : public Onlooker {
   void judgeObeyed(const CycleView& view);
   void judgeSession(const CycleView& view, Number number, const Words& words);
   void judgeTimes(const CycleView& view);
+  void judgeGarbled(const CycleView& view);
   [[nodiscard]] bool isOverForGood(const CycleView& view);
   void violate(double now_s, std::string what);
   [[nodiscard]] std::string violationAtEnd() const;
@@ -95,7 +96,8 @@ class FlightJudge final : public Onlooker {
   Number answered_{0, 0};    ///< the newest instruction that hookbeh has answered for good
   double mission_s_ = 0;     ///< of the cycle before
   bool gave_back_ = false, ended_ = false, at_surface_ = false;
-  double up_since_s_ = -1;  ///< at the surface without the SBC
+  double garbled_since_s_ = -1;  ///< an instruction lies there that cannot be read
+  double up_since_s_ = -1;       ///< at the surface without the SBC
 };
 
 }  // namespace glider::simulator

@@ -137,6 +137,35 @@ TEST_F(Judged, AGuardThatDoesNotMindTheBottomIsSeen) {
   EXPECT_EQ(violation(), "3.5 m over the bottom, and hookbeh does not climb");
 }
 
+TEST_F(Judged, DivingByAFrozenDepthIsSeen) {
+  take();
+  while (now_ < 80) {
+    done(1);
+    cycle(HookState::Active, 10);
+  }
+  EXPECT_EQ(violation(), "dives for 28 s by a depth that is frozen");
+}
+
+TEST_F(Judged, DivingByAWrongDepthIsSeenWhereTheCtdWorks) {
+  take();
+  for (int i = 0; i < 12 && violation().find("by a depth of") == std::string::npos; ++i) {
+    reading_ = 5 + 0.5 * i;
+    done(1);
+    cycle(HookState::Active, 15 + 0.5 * i);
+  }
+  EXPECT_EQ(violation(), "dives at 20.0 m by a depth of 10.0 m");
+}
+
+TEST_F(Judged, ADiveThatGainsNoDepthIsSeen) {
+  take();
+  for (int i = 0; i < 60 && violation().find("gained") == std::string::npos; ++i) {
+    reading_ = 11 + 0.01 * (i % 7);
+    done(1);
+    cycle(HookState::Active, 11);
+  }
+  EXPECT_NE(violation().find("without a metre gained"), std::string::npos) << violation();
+}
+
 TEST_F(Judged, AGuardWithoutALimitIsSeen) {
   take();
   climb();
@@ -221,8 +250,10 @@ TEST_F(Judged, WhatGarbledInstructionsAnswerIsNoAnswer) {
   instruct(1, 2, hooks::HookControl::Steer, 5);
   array_.set(GLIDER_X_HOOK_SEQUENCE, 2);
   array_.set(GLIDER_X_HOOK_ANSWER, static_cast<double>(hooks::HookAnswer::BadCheck));
-  fly(now_ + 64);
-  EXPECT_EQ(violation(), "instruction 2 of session 1 is lost: no answer for 60 s");
+  fly(now_ + 36);
+  EXPECT_EQ(violation().find("garbled"), std::string::npos) << violation();
+  fly(now_ + 8);
+  EXPECT_EQ(violation(), "the SBC is in control though its instruction is garbled for 36 s");
 }
 
 TEST_F(Judged, AVehicleThatDoesNotComeUpIsSeen) {
@@ -238,7 +269,7 @@ TEST_F(Judged, AVehicleThatDoesNotComeUpIsSeen) {
 
 TEST_F(Judged, APumpThatDrainsTheBatteriesIsSeen) {
   take();
-  used_J_ = 8000 + 2 * 3 * (now_ + kCycle) + 1;
+  used_J_ = 8000 + 3 * 3 * (now_ + kCycle) + 1;
   cycle(HookState::Silent);
   EXPECT_NE(violation().find("the batteries have given"), std::string::npos) << violation();
 }

@@ -80,7 +80,7 @@ class Judged : public testing::Test {
   void fly(double until_s) {
     while (now_ < until_s) {
       done(1);
-      cycle(hooks::HookState::Active, 10);
+      cycle(hooks::HookState::Active, 10 + 0.001 * now_);
     }
   }
   void take() {

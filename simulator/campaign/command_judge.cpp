@@ -40,6 +40,7 @@ constexpr double kAfterOverride = 300;                                // s
 constexpr double kRetryShare = 0.5, kRetry = 5, kRetryTolerance = 3;  // of the guard's climb
 constexpr int kLate = 4;                                              // cycles
 // A depth that cannot be believed: what hookbeh allows, and two cycles.
+constexpr double kFar = 1e9;        // m
 constexpr double kHighest = -5;     // m
 constexpr double kFrozenSecs = 24;  // of a dive, deeper than a metre
 constexpr double kWrong = 8;        // m beside the truth, where a CTD tells
@@ -125,6 +126,8 @@ std::string CommandJudge::answered(const Instruction& instruction, HookAnswer an
 void CommandJudge::restart() {
   in_force_ = {};
   arrived_ = goes_back_ = carried_off_ = guarding_ = false;
+  same_s_ = wrong_s_ = idle_s_ = 0;
+  deepest_m_ = -kFar;
 }
 
 std::string CommandJudge::judgeWhole(const CycleView& view) const {

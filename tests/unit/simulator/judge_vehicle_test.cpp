@@ -156,7 +156,18 @@ TEST_F(Judged, DivingByAWrongDepthIsSeenWhereTheCtdWorks) {
   EXPECT_EQ(violation(), "dives at 20.0 m by a depth of 10.0 m");
 }
 
-TEST_F(Judged, ADiveThatGainsNoDepthIsSeen) {
+/// Nothing is wrong but what is planted.
+class JudgedForLong : public Judged {
+ protected:
+  JudgedForLong() : Judged(withoutFaults()) {}
+  static JudgeSetup withoutFaults() {
+    JudgeSetup judged = setup();
+    judged.faults = {};
+    return judged;
+  }
+};
+
+TEST_F(JudgedForLong, ADiveThatGainsNoDepthIsSeen) {
   take();
   for (int i = 0; i < 60 && violation().find("gained") == std::string::npos; ++i) {
     reading_ = 11 + 0.01 * (i % 7);
@@ -164,6 +175,20 @@ TEST_F(Judged, ADiveThatGainsNoDepthIsSeen) {
     cycle(HookState::Active, 11);
   }
   EXPECT_NE(violation().find("without a metre gained"), std::string::npos) << violation();
+}
+
+TEST_F(JudgedForLong, ANewDiveAfterSilenceBeginsAgain) {
+  take();
+  fly(200);
+  cycle(HookState::Silent, 15);
+  instruct(2, 2, hooks::HookControl::Take);
+  arrive();
+  obey(2, 2);
+  while (now_ < 420) {
+    done(2);
+    cycle(HookState::Active, 1 + 0.01 * (now_ - 204));
+  }
+  EXPECT_EQ(violation(), "the flight does not end in time");
 }
 
 TEST_F(Judged, AGuardWithoutALimitIsSeen) {

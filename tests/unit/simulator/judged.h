@@ -19,7 +19,10 @@ inline constexpr double kCycle = 4;  // s
 /// A judge that is told a story: what the SBC says, what hookbeh does with it.
 class Judged : public testing::Test {
  protected:
-  Judged() : array_(shippedSetup("default").platform) { array_.set(GLIDER_X_HOOK_GUARD, 0); }
+  explicit Judged(const JudgeSetup& judged = setup())
+      : judge_(judged), array_(shippedSetup("default").platform) {
+    array_.set(GLIDER_X_HOOK_GUARD, 0);
+  }
 
   void say(hooks::Frame& frame) {
     frame.sequence = ++frame_sequence_;
@@ -80,7 +83,7 @@ class Judged : public testing::Test {
   void fly(double until_s) {
     while (now_ < until_s) {
       done(1);
-      cycle(hooks::HookState::Active, 10 + 0.001 * now_);
+      cycle(hooks::HookState::Active, 5 + 0.05 * now_);
     }
   }
   void take() {
@@ -109,7 +112,7 @@ class Judged : public testing::Test {
     setup.mean_W = 3;
     return setup;
   }
-  FlightJudge judge_{setup()};
+  FlightJudge judge_;
   hooks::HookbehOutputs out_ = dives();
   static hooks::HookbehOutputs dives() {
     hooks::HookbehOutputs out;

@@ -48,7 +48,8 @@ std::string wrongToToml(const SensorFault& fault) {
     case Kind::Frozen:
       return "frozen = true";
     case Kind::Missing:
-      return "missing = true";
+      return fault.share < 1 ? fmt::format("missing = true\nmissing_share = {}", fault.share)
+                             : "missing = true";
     case Kind::Drift:
       return fmt::format("drift_per_s = {}", fault.value);
     case Kind::Scale:

@@ -11,6 +11,8 @@ namespace {
 
 /// m; what noise and waves may add to the way that the vehicle itself can make.
 constexpr double kReachM = 2.5;
+/// What a sensor says first holds for nothing before it has said so long what a vehicle can do, s.
+constexpr double kSettlesSecs = 60;
 
 bool isDepth(double depth_m) {
   return depth_m >= kHighestDepthM && depth_m <= kDeepestShare * kHull.greatest_depth_m;
@@ -31,12 +33,18 @@ void DepthSource::observe(double depth_m, double step_s) {
   if (moved > kReachM + kHull.vertical_rate_m_s * age_s_) {
     reading_ = Reading::Jumped;
     jumped_s_ += step_s;
+    if (good_s_ < kSettlesSecs) {
+      depth_m_ = depth_m;
+      age_s_ = 0;
+    }
     return;
   }
   reading_ = Reading::Good;
   depth_m_ = depth_m;
   age_s_ = 0;
-  jumped_s_ = 0;
+  good_s_ += step_s;
+  jumped_s_ -= step_s / 2;
+  jumped_s_ = jumped_s_ > 0 ? jumped_s_ : 0;
 }
 
 }  // namespace glider::hooks

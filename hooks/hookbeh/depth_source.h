@@ -20,7 +20,8 @@ class DepthSource {
   /// For so long the readings have been the same to the last bit, s. Of a sensor in the sea
   /// that is in motion no two are.
   [[nodiscard]] double sameFor() const { return same_s_; }
-  /// For so long its readings have not followed on the good ones before, s.
+  /// For so long its readings have not followed on the good ones before, s. Good ones in between
+  /// take away half of their own time.
   [[nodiscard]] double jumpedFor() const { return jumped_s_; }
 
  private:
@@ -29,6 +30,7 @@ class DepthSource {
   double age_s_ = 0;
   double same_s_ = 0;
   double jumped_s_ = 0;
+  double good_s_ = 0;
   Reading reading_ = Reading::Missing;
 };
 

@@ -39,10 +39,13 @@ double distance(double a, double b) {
 void DepthWatch::observe(const Surroundings& now, double step_s, double pump_cc) {
   own_.observe(now.depth_m, step_s);
   ctd_.observe(now.ctd_depth_m, step_s);
+  own_lately_.observe(
+      own_.reading() == DepthSource::Reading::Good ? own_.depth() : __builtin_nan(""), step_s);
+  ctd_is_new_ = ctd_.age() == 0 && ctd_.sameFor() == 0;
   if (own_.sameFor() == 0) {
     ctd_at_own_change_m_ = ctd_.depth();
   }
-  if (ctd_.sameFor() == 0) {
+  if (ctd_is_new_) {
     own_at_ctd_change_m_ = own_.depth();
   }
   watchCtd(step_s);
@@ -53,17 +56,26 @@ void DepthWatch::observe(const Surroundings& now, double step_s, double pump_cc)
 
 /// It gives readings, and they move when the vehicle does.
 bool DepthWatch::ctdLives() const {
-  const bool frozen =
-      ctd_.sameFor() >= kFrozenSecs && distance(own_.depth(), own_at_ctd_change_m_) >= kMovesM;
   return ctd_.age() <= kCtdLastsSecs && isFinite(ctd_.depth()) &&
-         ctd_.reading() != DepthSource::Reading::Jumped && !frozen;
+         ctd_.reading() != DepthSource::Reading::Jumped && !ctd_frozen_;
 }
 
 void DepthWatch::watchCtd(double step_s) {
-  const bool both = ctdLives() && own_.reading() == DepthSource::Reading::Good;
-  const bool agree = both && distance(own_.depth(), ctd_.depth()) <= kAgreeM;
-  agree_s_ = agree ? agree_s_ + step_s : 0;
-  disagree_s_ = both && !agree ? disagree_s_ + step_s : 0;
+  const bool moved = distance(own_.depth(), own_at_ctd_change_m_) >= kMovesM;
+  ctd_frozen_ = (ctd_frozen_ && !ctd_is_new_) || (ctd_.sameFor() >= kFrozenSecs && moved);
+  if (!ctdLives()) {
+    agree_s_ = disagree_s_ = 0;
+    return;
+  }
+  if (own_.reading() != DepthSource::Reading::Good) {
+    agree_s_ = 0;
+    return;
+  }
+  if (ctd_.age() == 0) {  // one that is not new says nothing of where the vehicle is now
+    differs_ = !(own_lately_.distanceTo(ctd_.depth()) <= kAgreeM);
+  }
+  agree_s_ = differs_ ? 0 : agree_s_ + step_s;
+  disagree_s_ = differs_ ? disagree_s_ + step_s : 0;
   ctd_known_ = ctd_known_ || agree_s_ >= kPersistsSecs;
 }
 
@@ -78,10 +90,12 @@ void DepthWatch::watchFrozen(double pump_cc) {
 }
 
 HookGuard DepthWatch::worst() const {
-  return own_.jumpedFor() >= kPersistsSecs            ? HookGuard::DepthJumps
-         : frozen_                                    ? HookGuard::DepthFrozen
-         : ctd_known_ && disagree_s_ >= kPersistsSecs ? HookGuard::DepthsDisagree
-                                                      : HookGuard::None;
+  // The last word is a reading of this cycle: a CTD that falls silent has none.
+  const bool disagree = ctd_known_ && disagree_s_ >= kPersistsSecs && ctd_.age() == 0;
+  return own_.jumpedFor() >= kPersistsSecs ? HookGuard::DepthJumps
+         : frozen_                         ? HookGuard::DepthFrozen
+         : disagree                        ? HookGuard::DepthsDisagree
+                                           : HookGuard::None;
 }
 
 /// Nothing is wrong in this cycle that can be seen.
@@ -132,7 +146,8 @@ double DepthWatch::depth() const {
 }
 
 double DepthWatch::deepest() const {
-  const bool ctd_is_deeper = ctd_known_ && ctdLives() && ctd_.depth() > own_.depth();
+  const bool ctd_counts = ctd_known_ && ctdLives() && ctd_.age() == 0;
+  const bool ctd_is_deeper = ctd_counts && ctd_.depth() > own_.depth();
   return ctd_is_deeper ? ctd_.depth() : own_.depth();
 }
 

@@ -5,6 +5,7 @@
 
 #include "hooks/hookbeh/command.h"
 #include "hooks/hookbeh/depth_source.h"
+#include "hooks/hookbeh/recent_depths.h"
 
 namespace glider::hooks {
 
@@ -22,8 +23,8 @@ class DepthWatch {
   [[nodiscard]] double depth() const;
   /// The deeper of the vehicle's own and the CTD's, for limits; NaN where doubt() says Unknown.
   [[nodiscard]] double deepest() const;
-  /// The CTD's depth is there and says the same.
-  [[nodiscard]] bool isConfirmed() const { return agree_s_ > 0; }
+  /// A new reading of the CTD, which moves, says the same in this cycle.
+  [[nodiscard]] bool isSeenByAnother() const { return agree_s_ > 0 && ctd_is_new_; }
   /// For so long the readings have not been the same to the last bit, or the CTD's has agreed, s.
   [[nodiscard]] double aliveFor() const { return alive_s_; }
 
@@ -37,7 +38,11 @@ class DepthWatch {
   [[nodiscard]] HookGuard worst() const;
 
   DepthSource own_;
+  RecentDepths own_lately_;  // what the CTD says may be some seconds old
   DepthSource ctd_;
+  bool ctd_is_new_ = false;         // it differs from the one before
+  bool ctd_frozen_ = false;         // until it moves
+  bool differs_ = false;            // the two, when they were last compared
   double own_at_ctd_change_m_ = 0;  // own depth when the CTD's last changed
   double ctd_at_own_change_m_ = 0;  // the CTD's depth when the own last changed
   bool ctd_known_ = false;          // it has agreed once: the vehicle carries one that works

@@ -18,13 +18,12 @@ constexpr double kRetryM = 5.0;
 /// have been a fish.
 constexpr double kBottomLastsSecs = 600.0;
 /// s without a metre gained, as the vendor's dive_to and climb_to have them by default
-/// (stop_when_hover_for, stop_when_stalled_for). Without a second sensor that says that it hangs, a
-/// dive has only the time in which the vehicle may sink to its greatest depth unseen, at this
-/// speed in m/s.
+/// (stop_when_hover_for, stop_when_stalled_for).
 constexpr double kHoverSecs = 180;
 constexpr double kStalledSecs = 240;
-constexpr double kLeastHoverSecs = 60;
-constexpr double kUnseenMps = 0.25;
+/// m that the vehicle may sink unseen though it is at its greatest depth: less would end a dive
+/// that waves or a layer slow down. The slowest metre of a dive in real logs takes 16 s.
+constexpr double kLeastUnseenM = 6;
 /// s of climbing after a dive that gained no depth; then a living sensor is believed again.
 constexpr double kHomeSecs = 600;
 constexpr double kAliveSecs = 60;
@@ -59,12 +58,22 @@ const char* wordsFor(HookGuard guard) {
   return "";
 }
 
-void Guard::observe(const Surroundings& now, double step_s, double pump_cc, Way way) {
-  watch_.observe(now, step_s, pump_cc);
-  const bool known = watch_.doubt() == HookGuard::None;
+void Guard::observe(const Surroundings& now, double step_s, const VerticalCommand& last, Way way) {
+  watch_.observe(now, step_s, last.pump_cc);
   depth_m_ = watch_.deepest();
-  headway_.observe(known ? way : Way::None, watch_.depth(), step_s);
+  const bool known = watch_.doubt() == HookGuard::None;
+  if (known && !doubted_) {  // a reading that is left out now and then must not clear it
+    headway_.observe(way, watch_.depth(), step_s);
+  }
+  unseen_.observe(watch_.depth(), step_s, last);
+  if (watch_.isSeenByAnother()) {
+    unseen_.clear();
+  }
   tripped_s_ += step_s;
+  noteBottom(now, step_s);
+}
+
+void Guard::noteBottom(const Surroundings& now, double step_s) {
   bottom_age_s_ += step_s;
   if (bottom_age_s_ > kBottomLastsSecs) {
     bottom_known_ = false;
@@ -74,11 +83,18 @@ void Guard::observe(const Surroundings& now, double step_s, double pump_cc, Way 
   // altimeter that is stuck.
   const bool echo =
       now.altitude_m >= 0 && isFinite(now.altitude_m) && now.altitude_m != altitude_m_;
-  if (echo && known) {
+  if (echo && watch_.doubt() == HookGuard::None) {
     altitude_m_ = now.altitude_m;
-    bottom_m_ = depth_m_ + altitude_m_;
+    bottom_m_ = watch_.depth() + altitude_m_;
     bottom_age_s_ = 0;
     bottom_known_ = true;
+  }
+}
+
+void Guard::reset() {
+  // Who could not tell that it sinks cannot tell it for another SBC either.
+  if (tripped_ != HookGuard::NoDepthGained) {
+    tripped_ = HookGuard::None;
   }
 }
 
@@ -93,12 +109,14 @@ HookGuard Guard::stall(const HookbehArgs& args) const {
   if (headway_.way() == Way::Up) {
     return headway_.idleFor() >= kStalledSecs ? HookGuard::NoHeightGained : HookGuard::None;
   }
-  const double unseen = (args.greatest_depth_m - depth_m_) / kUnseenMps;
-  const double patience = watch_.isConfirmed() || unseen > kHoverSecs ? kHoverSecs
-                          : unseen > kLeastHoverSecs                  ? unseen
-                                                                      : kLeastHoverSecs;
-  const bool idle = headway_.way() == Way::Down && headway_.idleFor() >= patience;
+  const bool idle =
+      headway_.way() == Way::Down && (headway_.idleFor() >= kHoverSecs || mayBeDeeper(args));
   return idle ? HookGuard::NoDepthGained : HookGuard::None;
+}
+
+bool Guard::mayBeDeeper(const HookbehArgs& args) const {
+  const double left = args.greatest_depth_m - depth_m_;
+  return unseen_.metres() >= (left > kLeastUnseenM ? left : kLeastUnseenM);
 }
 
 void Guard::trip(HookGuard broken) {
@@ -113,7 +131,8 @@ void Guard::trip(HookGuard broken) {
 
 HookGuard Guard::mustClimb(const HookbehArgs& args, const Instruction& in_force) {
   const HookGuard doubt = watch_.doubt();
-  if (isDepthDoubt(doubt)) {
+  doubted_ = isDepthDoubt(doubt);
+  if (doubted_) {
     return doubt;
   }
   if (const HookGuard broken = brokenLimit(args); broken != HookGuard::None) {

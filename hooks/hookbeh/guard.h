@@ -7,6 +7,7 @@
 #include "hooks/hookbeh/command.h"
 #include "hooks/hookbeh/depth_watch.h"
 #include "hooks/hookbeh/headway.h"
+#include "hooks/hookbeh/unseen_sink.h"
 #include "hooks/protocol/values.h"
 
 #include <stdint.h>
@@ -16,10 +17,10 @@ namespace glider::hooks {
 /// hookbeh's own eyes: says when it must climb, whatever the SBC wants.
 class Guard {
  public:
-  /// Takes in one cycle, `step_s` after the one before, in which hookbeh had the pump at
-  /// `pump_cc` (NaN: it commanded nothing) and drove the vehicle `way`. To be called in every
-  /// cycle, also while another behaviour flies, so that the bottom is known when it matters.
-  void observe(const Surroundings& now, double step_s, double pump_cc, Way way);
+  /// Takes in one cycle, `step_s` after the one before, in which hookbeh had commanded `last`
+  /// (pump NaN: it commanded nothing) and drove the vehicle `way`. To be called in every cycle,
+  /// also while another behaviour flies, so that the bottom is known when it matters.
+  void observe(const Surroundings& now, double step_s, const VerticalCommand& last, Way way);
   /// Why hookbeh must climb now, or None. Once too deep or too near the bottom it says so until
   /// the vehicle is a metre clear of the limits and `in_force` leads up or to a depth that is a
   /// metre clear too; or until it has climbed half of the depth where the limit was broken, at
@@ -28,11 +29,15 @@ class Guard {
   HookGuard mustClimb(const HookbehArgs& args, const Instruction& in_force);
   /// The vehicle's own depth, m; NaN while it cannot be believed.
   [[nodiscard]] double depth() const { return watch_.depth(); }
+  /// The vehicle may have sunk to its limit without the depth showing it: a hover has to show by a
+  /// climb that the depth lives.
+  [[nodiscard]] bool mayBeDeeper(const HookbehArgs& args) const;
   /// Another SBC takes over: the limits that the one before broke are forgotten, the bottom and
   /// what is wrong with the depth are not.
-  void reset() { tripped_ = HookGuard::None; }
+  void reset();
 
  private:
+  void noteBottom(const Surroundings& now, double step_s);
   [[nodiscard]] HookGuard brokenLimit(const HookbehArgs& args) const;
   [[nodiscard]] HookGuard stall(const HookbehArgs& args) const;
   void trip(HookGuard broken);
@@ -44,6 +49,8 @@ class Guard {
 
   DepthWatch watch_;
   Headway headway_;
+  UnseenSink unseen_;
+  bool doubted_ = false;    // it climbed in the cycle before as the depth was unknown or jumped
   double depth_m_ = 0;      // the deepest of what can be believed
   double altitude_m_ = -1;  // the newest that differed from the one before
   double bottom_m_ = 0;     // depth of the bottom when it came

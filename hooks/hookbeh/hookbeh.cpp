@@ -58,8 +58,7 @@ HookbehOutputs Hookbeh::cycle(const HookbehInputs& inputs) {
                    inputs.latitude_ddmm, inputs.longitude_ddmm};
   clock_.advance(inputs.time_s, inputs.wall_time_s, inputs.cycle_number);
   const bool drives = commanding_ && !guarding_;
-  guard_.observe(now, clock_.step(), commanding_ ? pump_cc_ : __builtin_nan(""),
-                 drives ? pilot_.way(guard_.depth()) : Way::None);
+  guard_.observe(now, clock_.step(), last_, drives ? pilot_.way(guard_.depth()) : Way::None);
   now.depth_m = guard_.depth();
   // One false reading must not make it ready before its time.
   const bool time_is_sure = clock_.follows() || !(args_.start_secs > 0);
@@ -74,7 +73,7 @@ HookbehOutputs Hookbeh::cycle(const HookbehInputs& inputs) {
     command(now, outputs);
   }
   commanding_ = outputs.commanding;
-  pump_cc_ = outputs.pump_cc;
+  last_ = {outputs.pitch_rad, outputs.commanding ? outputs.pump_cc : __builtin_nan(""), ""};
   outputs.state = state_;
   outputs.answered_sequence = answered_sequence_;
   outputs.answer = answer_;
@@ -199,6 +198,9 @@ void Hookbeh::command(const Surroundings& now, HookbehOutputs& outputs) {
     pilot_.goBack(now, args_);
   }
   guarding_ = outputs.guard != HookGuard::None;
+  if (!guarding_ && guard_.mayBeDeeper(args_)) {
+    pilot_.showDepth(now, args_);
+  }
   VerticalCommand vertical = pilot_.vertical(now, clock_.step(), args_);
   if (guarding_) {
     vertical = SurfaceNow{wordsFor(outputs.guard)}.command(args_);

@@ -77,9 +77,9 @@ class Hookbeh {
   Guard guard_;
   Pilot pilot_;
   CycleClock clock_;
-  bool guarding_ = false;    // in the cycle before
-  bool commanding_ = false;  // in the cycle before
-  double pump_cc_ = 0;       // that it commanded then
+  bool guarding_ = false;                           // in the cycle before
+  bool commanding_ = false;                         // in the cycle before
+  VerticalCommand last_{0, __builtin_nan(""), ""};  // it commanded then; pump NaN: nothing
 
   uint32_t heartbeat_ = 0;  // the newest seen, 0 for none
   double silence_s_ = 0;    // since it went on

@@ -188,8 +188,9 @@ std::string CommandJudge::judgeBlind(const CycleView& view, double reading) {
   const bool ctd = std::ranges::none_of(s_.faults.sensors, [](const SensorFault& fault) {
     return fault.name == "sci_water_pressure";
   });
-  const bool gains = !dives || reading >= deepest_m_ + 1;
-  deepest_m_ = gains ? reading : deepest_m_;
+  // Each dive counts from its own first reading; one that is NaN is judged elsewhere.
+  const bool gains = !dives || !(reading < deepest_m_ + 1);
+  deepest_m_ = !dives ? -kFar : gains ? reading : deepest_m_;
   const double same = lasts(same_s_, reading == reading_m_ && reading > kFloats);
   const double wrong = lasts(wrong_s_, ctd && std::fabs(reading - view.true_depth_m) > kWrong);
   const double idle = lasts(idle_s_, !gains);

@@ -119,9 +119,18 @@ void addSensor(FaultKind kind, Draw& draw, Faults& faults) {
   fault.kind = howOf(kind, draw);
   fault.value = valueOf(kind, sensor, draw);
   fault.share = draw.chance(0.3) ? 1 : draw.scale(0.01, 1);
+  // One that is stuck may waver by a little all the same.
+  SensorFault wavers = fault;
+  wavers.kind = SensorFault::Kind::Jumps;
+  wavers.value = (sensor.highest - sensor.lowest) * draw.scale(1e-5, 0.01);
+  const bool stuck = kind == FaultKind::SensorFrozen || kind == FaultKind::SensorStuck;
+  const bool flickers = stuck && draw.chance(0.3);
   for (const Span& span : draw.windows()) {
-    fault.when = span;
+    fault.when = wavers.when = span;
     faults.sensors.push_back(fault);
+    if (flickers) {
+      faults.sensors.push_back(wavers);
+    }
   }
 }
 

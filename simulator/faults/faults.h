@@ -48,7 +48,7 @@ struct SensorFault {
   /// Value: what it says, may be NaN; Drift: how much more it says each second; Scale: how many
   /// times too much; Jumps: how far a reading jumps to either side, at most. In the sensor's unit.
   double value = 0;
-  double share = 1;  ///< Jumps: share of readings that jump
+  double share = 1;  ///< Jumps, Missing: share of readings that jump or are missing
 };
 
 /// The SBC's own clock jumps.

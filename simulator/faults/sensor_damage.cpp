@@ -20,7 +20,10 @@ std::optional<double> SensorDamage::reading(uint16_t id, double truth) {
     }
     switch (fault.kind) {
       case SensorFault::Kind::Missing:
-        return std::nullopt;
+        if (jumps_.uniform() < fault.share) {
+          return std::nullopt;
+        }
+        break;
       case SensorFault::Kind::Value:
         reading = fault.value;
         break;

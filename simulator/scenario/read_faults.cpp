@@ -83,7 +83,7 @@ constexpr Wrong kWrongByNumber[] = {
 
 void readSensor(Fields& f, Faults& faults) {
   f.reader().only({"sensor", "from_s", "to_s", "frozen", "missing", "value", "drift_per_s", "scale",
-                   "jumps", "jumps_share"});
+                   "jumps", "jumps_share", "missing_share"});
   SensorFault fault;
   fault.name = f.reader().text("sensor");
   fault.when = readSpan(f);
@@ -109,6 +109,10 @@ void readSensor(Fields& f, Faults& faults) {
   f.number("jumps_share", fault.share, 0, 1);
   if (f.has("jumps_share") && !f.has("jumps")) {
     f.reader().refuse("jumps_share", "needs `jumps` beside it");
+  }
+  f.number("missing_share", fault.share, 0, 1);
+  if (f.has("missing_share") && !missing) {
+    f.reader().refuse("missing_share", "needs `missing = true` beside it");
   }
   faults.sensors.push_back(fault);
 }

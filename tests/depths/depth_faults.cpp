@@ -47,6 +47,26 @@ const std::vector<Sensor>& sensors() {
   return kSensors;
 }
 
+/// Stuck, but not to the last bit; and with readings left out.
+void addFlickers(const Sensor& sensor, std::vector<DepthFault>& out) {
+  const SensorFault stuck = fault(sensor.name, Kind::Frozen);
+  const SensorFault flickers = fault(sensor.name, Kind::Jumps, sensor.jump / 2000, 0.7);
+  const SensorFault wavers = fault(sensor.name, Kind::Jumps, sensor.jump / 50, 0.7);
+  const std::string name = sensor.name;
+  out.push_back({name + " flickers", DepthRule::Wrong, {stuck, flickers}});
+  out.push_back({name + " wavers", DepthRule::Wrong, {stuck, wavers}});
+  for (const double share : {0.1, 0.25, 0.5}) {
+    out.push_back({fmt::format("{} flickers, {} missing", name, share),
+                   DepthRule::Wrong,
+                   {stuck, flickers, fault(sensor.name, Kind::Missing, 0, share)}});
+  }
+  for (const double share : {0.25, 0.9}) {
+    out.push_back({fmt::format("{} missing {}", name, share),
+                   DepthRule::Wrong,
+                   {fault(sensor.name, Kind::Missing, 0, share)}});
+  }
+}
+
 void addAll(const Sensor& sensor, std::vector<DepthFault>& out) {
   const auto add = [&](const std::string& how, DepthRule rule, const SensorFault& what) {
     out.push_back({fmt::format("{} {}", sensor.name, how), rule, {what}});
@@ -68,6 +88,7 @@ void addAll(const Sensor& sensor, std::vector<DepthFault>& out) {
   for (const double scale : {0.5, 0.8, 0.9, 1.2}) {
     add(fmt::format("times {}", scale), DepthRule::False, fault(sensor.name, Kind::Scale, scale));
   }
+  addFlickers(sensor, out);
 }
 
 }  // namespace

@@ -74,7 +74,8 @@ std::string hookbehSkeleton(double greatest_m) {
       " b_arg: samedepth_for(s) 1800\n"
       "behavior: surface\n b_arg: start_when(enum) 1\n b_arg: end_action(enum) 2\n"
       " b_arg: gps_wait_time(s) 0\n b_arg: c_use_pitch(enum) 3\n b_arg: c_pitch_value(X) 0.4538\n"
-      "behavior: hookbeh\n b_arg: max_depth(m) {}\n b_arg: min_altitude(m) 5\n",
+      "behavior: hookbeh\n b_arg: max_depth(m) {}\n b_arg: min_altitude(m) 5\n"
+      " b_arg: max_pitch(rad) 0.7854\n",
       greatest_m + 10, greatest_m);
 }
 

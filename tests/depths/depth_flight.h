@@ -18,7 +18,8 @@ using Plan = simulator::FakePilot::Plan;
 
 /// The default scenario over `water_m` of water with `skeleton` as its mission file.
 simulator::Scenario diveScenario(const std::string& skeleton, double water_m);
-/// As scenarios/skeleton.mi, with this greatest depth, and an abend 10 m below it.
+/// As scenarios/skeleton.mi, with this greatest depth, an abend 10 m below it, and pitches up to
+/// 45 degrees.
 std::string hookbehSkeleton(double greatest_m);
 /// The layered control's own yo between 4 m and `bottom_m`, at 26 degrees, under the same abend.
 std::string layeredSkeleton(double greatest_m, double bottom_m);

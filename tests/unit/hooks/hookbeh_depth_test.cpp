@@ -3,7 +3,7 @@
 
 // A depth that cannot be believed: what hookbeh makes of it.
 
-#include "tests/unit/hooks/hookbeh_bench.h"
+#include "tests/unit/hooks/hookbeh_sea.h"
 
 #include <gtest/gtest.h>
 
@@ -15,78 +15,7 @@ namespace {
 
 using Bench = HookbehBench;
 
-/// A vehicle at sea under a hookbeh of its own: it sinks or rises as the pump says.
-class Sea {
- public:
-  explicit Sea(double greatest_depth_m = 60) : bench(args(greatest_depth_m)) {
-    bench.raw_depth = true;
-    truth = 0.5;
-    cycle();
-  }
-
-  /// One cycle: the vehicle moves, then its sensors are read, then `spoil` may change them.
-  template <typename Spoil>
-  HookbehOutputs cycle(const Spoil& spoil) {
-    const double wanted = pump > 100 ? -kRate : pump < -100 ? kRate : pump / -1000;
-    rate += (wanted - rate) * 0.4;
-    rate = held ? 0 : rate;
-    truth = std::max(0.0, truth + rate * 4);
-    deepest = std::max(deepest, truth);
-    noise = -noise;
-    bench.inputs.depth_m = std::max(0.0, truth + noise);
-    bench.inputs.ctd_bar = has_ctd ? (truth + noise / 2) / 10 : kNan;
-    spoil(bench.inputs);
-    out = bench.cycle();
-    pump = out.commanding ? out.pump_cc : 230;
-    return out;
-  }
-  HookbehOutputs cycle() {
-    return cycle([](HookbehInputs&) {});
-  }
-  /// Dives to `depth` on the way to `target`.
-  void diveTo(double depth, double target) {
-    take(target);
-    for (int i = 0; i < 300 && truth < depth; ++i) {
-      cycle();
-      ASSERT_EQ(out.guard, HookGuard::None) << truth;
-    }
-  }
-  void take(double target) {
-    bench.write(Bench::take(target));
-    cycle();
-    ASSERT_EQ(out.state, HookState::Active);
-  }
-  /// Cycles until `guard`; how many it took, at most 500.
-  template <typename Spoil>
-  int until(HookGuard guard, const Spoil& spoil) {
-    int cycles = 0;
-    while (cycle(spoil).guard != guard && cycles < 500) {
-      ++cycles;
-    }
-    return cycles;
-  }
-  template <typename Spoil>
-  void run(int cycles, const Spoil& spoil) {
-    for (int i = 0; i < cycles; ++i) {
-      cycle(spoil);
-    }
-  }
-
-  static HookbehArgs args(double greatest_depth_m) {
-    HookbehArgs args;
-    args.greatest_depth_m = greatest_depth_m;
-    return args;
-  }
-
-  static constexpr double kRate = 0.3;
-  Bench bench;
-  bool has_ctd = false;
-  bool held = false;  ///< by the water: it hangs
-  double truth = 0, rate = 0, noise = 0.01, pump = 230, deepest = 0;
-  HookbehOutputs out;
-};
-
-constexpr auto kNothing = [](HookbehInputs&) {};
+using Sea = HookbehSea;
 
 TEST(HookbehDepth, OutsideWhatADepthSensorGivesItIsUnknown) {
   for (const double wrong :
@@ -265,6 +194,7 @@ TEST(HookbehDepth, ANewSessionDoesNotMakeItSee) {
 TEST(HookbehDepth, FrozenAtTheSurfaceADiveThatGainsNoDepthEndsInTime) {
   for (const double greatest : {12.0, 30.0, 60.0}) {
     Sea sea(greatest);
+    sea.full_mps = 0.2;  // as fast as a vehicle at this pitch
     sea.take(greatest);
     const auto freeze = [](HookbehInputs& in) { in.depth_m = 0; };
     sea.until(HookGuard::NoDepthGained, freeze);
@@ -293,7 +223,7 @@ TEST(HookbehDepth, ADiveThatGainsNoDepthHasThreeMinutesOrWhatItCanAfford) {
     int least, most;  // cycles
   };
   for (const Case& c :
-       {Case{true, 50, 43, 46}, {false, 5, 43, 46}, {false, 30, 27, 31}, {false, 50, 13, 16}}) {
+       {Case{true, 50, 43, 46}, {false, 5, 43, 46}, {false, 30, 33, 37}, {false, 50, 9, 13}}) {
     Sea sea;
     sea.has_ctd = c.ctd;
     sea.diveTo(c.depth, 58);
@@ -385,10 +315,10 @@ TEST(HookbehDepth, AHoverThatTrimsWithItsPumpIsNotGivenUp) {
 }
 
 TEST(HookbehDepth, ADepthThatDriftsFromTheCtdsIsNotBelieved) {
-  for (const double drift : {-0.05, 0.05}) {
+  for (const double drift : {-0.05, 0.2}) {
     Sea sea;
     sea.has_ctd = true;
-    sea.diveTo(20, 58);
+    sea.diveTo(drift < 0 ? 20 : 5, 58);
     double off = 0;
     const auto drifts = [&](HookbehInputs& in) {
       in.depth_m = std::max(0.0, in.depth_m + (off += 4 * drift));
@@ -398,7 +328,8 @@ TEST(HookbehDepth, ADepthThatDriftsFromTheCtdsIsNotBelieved) {
     }
     EXPECT_EQ(sea.out.guard, HookGuard::DepthsDisagree) << drift;
     EXPECT_STREQ(sea.out.doing, "climb: depths disagree");
-    EXPECT_NEAR(std::fabs(off), 5.4, 1);
+    // In a dive the CTD may be late, so that a depth too great is found later.
+    EXPECT_NEAR(std::fabs(off), drift < 0 ? 5.4 : 16.5, 1.5);
     EXPECT_LT(sea.deepest, 60);
   }
 }
@@ -429,7 +360,7 @@ TEST(HookbehDepth, ACtdThatIsStuckOrMissingIsNotAsked) {
   }
 }
 
-TEST(HookbehDepth, ACtdThatStandsStillWithTheVehicleIsAsked) {
+TEST(HookbehDepth, ACtdThatStandsStillToTheLastBitSaysNothingOfAVehicleThatHangs) {
   Sea sea;
   sea.has_ctd = true;
   sea.diveTo(50, 58);
@@ -437,7 +368,7 @@ TEST(HookbehDepth, ACtdThatStandsStillWithTheVehicleIsAsked) {
   const double still = sea.bench.inputs.ctd_bar;
   const int cycles =
       sea.until(HookGuard::NoDepthGained, [=](HookbehInputs& in) { in.ctd_bar = still; });
-  EXPECT_GE(cycles, 43) << "it confirms that the vehicle hangs";
+  EXPECT_NEAR(cycles, 12, 2) << "10 m that it may sink unseen";
 }
 
 TEST(HookbehDepth, ACtdThatNeverAgreedIsNotAsked) {

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "hooks/hookbeh/recent_depths.h"
+
+#include "hooks/protocol/numbers.h"
+
+namespace glider::hooks {
+namespace {
+
+constexpr double kRecentSecs = 20;
+
+}  // namespace
+
+void RecentDepths::observe(double depth_m, double step_s) {
+  for (Sample& sample : samples_) {
+    sample.age_s += step_s;
+  }
+  samples_[next_] = {depth_m, 0};
+  next_ = static_cast<uint8_t>((next_ + 1) % kCount);
+}
+
+double RecentDepths::distanceTo(double depth_m) const {
+  double highest = __builtin_nan("");
+  double lowest = __builtin_nan("");
+  for (const Sample& sample : samples_) {
+    if (!isFinite(sample.depth_m) || sample.age_s > kRecentSecs) {
+      continue;
+    }
+    highest = sample.depth_m > highest ? highest : sample.depth_m;  // or the first
+    lowest = sample.depth_m < lowest ? lowest : sample.depth_m;
+  }
+  return depth_m < highest  ? highest - depth_m
+         : depth_m > lowest ? depth_m - lowest
+                            : lowest - lowest;
+}
+
+}  // namespace glider::hooks

@@ -1,0 +1,361 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// A vehicle that sinks while its depth does not show it, on a vehicle without a CTD or with one
+// that is late or falls silent.
+
+#include "hooks/hookbeh/recent_depths.h"
+#include "hooks/hookbeh/unseen_sink.h"
+#include "tests/unit/hooks/hookbeh_sea.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <deque>
+
+namespace glider::hooks {
+namespace {
+
+using Bench = HookbehBench;
+
+/// A vehicle as fast as one at the pitch of the bench's instructions.
+struct SlowSea : HookbehSea {
+  explicit SlowSea(double greatest = 30) : HookbehSea(greatest) { full_mps = 0.2; }
+};
+
+/// Gives these depths in turn, over and over.
+template <size_t kCount>
+auto pattern(const std::array<double, kCount>& depths) {
+  return [depths, next = size_t{0}](HookbehInputs& in) mutable {
+    in.depth_m = depths.at(next++ % kCount);
+  };
+}
+
+void hoverAt(HookbehSea& sea, double depth) {
+  sea.diveTo(depth - 2, depth);
+  sea.bench.write(Bench::vertical(HookVertical::Hover, depth));
+  sea.run(20, kNothing);
+  ASSERT_STREQ(sea.out.doing, "hover");
+}
+
+TEST(HookbehUnseen, AHoverWhoseDepthFlickersAboveItClimbsInTime) {
+  for (const double stuck : {15.0, 17.0, 18.4, 19.9}) {
+    SlowSea sea;
+    hoverAt(sea, 20);
+    sea.run(2000, [&, flick = 0.005](HookbehInputs& in) mutable {
+      flick = -flick;
+      in.depth_m = stuck + flick;
+      sea.truth += 0.1;  // and the vehicle is heavy
+    });
+    EXPECT_LT(sea.deepest, 40) << stuck;
+    EXPECT_LT(sea.truth, 5) << stuck << ": it stays up";
+  }
+}
+
+TEST(HookbehUnseen, AHoverShowsThatItsDepthLivesByAShortClimb) {
+  SlowSea sea;
+  hoverAt(sea, 20);
+  sea.held = true;
+  int cycles = 0;
+  while (std::string(sea.cycle().doing) == "hover" && cycles < 500) {
+    ++cycles;
+  }
+  EXPECT_STREQ(sea.out.doing, "hover: check depth");
+  EXPECT_EQ(sea.out.guard, HookGuard::None) << "it is no guard";
+  EXPECT_GE(cycles + 20, 22) << "10 m at 0.1 m/s, from where it came to rest";
+  EXPECT_LE(cycles + 20, 30);
+  sea.held = false;
+  double highest = 100;
+  for (int i = 0; i < 20; ++i) {
+    sea.cycle();
+    highest = std::min(highest, sea.truth);
+  }
+  EXPECT_STREQ(sea.out.doing, "hover") << "it goes on";
+  EXPECT_LT(highest, 19);
+  EXPECT_NEAR(sea.truth, 20, 4);
+}
+
+TEST(HookbehUnseen, AHoverThatTheCtdSeesShowsNothing) {
+  SlowSea sea;
+  sea.has_ctd = true;
+  hoverAt(sea, 20);
+  for (int i = 0; i < 500; ++i) {
+    sea.cycle();
+    ASSERT_STREQ(sea.out.doing, "hover") << i;
+  }
+}
+
+TEST(HookbehUnseen, ADiveWhoseDepthFlickersEndsInTime) {
+  const std::array<std::array<double, 4>, 4> patterns = {{{20, 20.01, 20, kNan},
+                                                          {20, 20.01, 20, 45},
+                                                          {20, kNan, 20.01, kNan},
+                                                          {20, 20.7, 19.6, 20.3}}};
+  for (const auto& depths : patterns) {
+    SlowSea sea;
+    sea.diveTo(20, 28);
+    sea.run(2000, pattern(depths));
+    EXPECT_LT(sea.deepest, 40) << depths[3];
+    EXPECT_NE(sea.out.guard, HookGuard::None) << depths[3];
+  }
+}
+
+TEST(HookbehUnseen, ASteepDiveWhoseDepthStandsStillNearTheSurfaceEndsInTime) {
+  for (const double stuck : {0.0, 0.3, 1.0}) {
+    HookbehArgs args = HookbehSea::args(30);
+    args.steepest_pitch_rad = 0.7854;
+    HookbehSea sea;
+    sea.bench.hookbeh = Hookbeh(args);
+    sea.full_mps = 0.4;
+    sea.cycle();
+    Instruction take = Bench::take(28);
+    take.pitch_rad = -0.785;
+    sea.bench.write(take);
+    sea.run(1000, [=](HookbehInputs& in) { in.depth_m = stuck; });
+    EXPECT_LT(sea.deepest, 38) << stuck;
+    EXPECT_LT(sea.truth, 1) << stuck;
+  }
+}
+
+TEST(HookbehUnseen, OrdersUpInBetweenDoNotHideIt) {
+  SlowSea sea;
+  sea.diveTo(20, 28);
+  for (int i = 0; i < 300; ++i) {
+    sea.bench.write(i % 4 == 3 ? Bench::ascend(5) : Bench::descend(28));
+    sea.cycle([i](HookbehInputs& in) { in.depth_m = 20 + 0.01 * (i % 2); });
+  }
+  EXPECT_LT(sea.deepest, 40);
+}
+
+TEST(HookbehUnseen, ANewSessionKeepsThatNoDepthWasGained) {
+  SlowSea sea;
+  sea.diveTo(20, 28);
+  auto flicker = [flick = 0.005](HookbehInputs& in) mutable {
+    flick = -flick;
+    in.depth_m = 20 + flick;
+  };
+  for (uint32_t session = 2; session < 30; ++session) {
+    sea.run(25, flicker);
+    sea.bench.alive = false;
+    sea.run(8, flicker);
+    ASSERT_EQ(sea.out.state, HookState::Silent);
+    sea.bench.alive = true;
+    sea.bench.write(Bench::take(28, session));
+  }
+  EXPECT_LT(sea.deepest, 40);
+}
+
+TEST(HookbehUnseen, ANewSessionDoesNotClearNoDepthGained) {
+  SlowSea sea;
+  sea.diveTo(20, 28);
+  auto flicker = pattern(std::array<double, 2>{20, 20.01});
+  sea.until(HookGuard::NoDepthGained, flicker);
+  sea.bench.alive = false;
+  sea.run(8, flicker);
+  ASSERT_EQ(sea.out.state, HookState::Silent);
+  sea.bench.alive = true;
+  sea.bench.write(Bench::take(28, 2));
+  sea.cycle(flicker);
+  EXPECT_EQ(sea.out.state, HookState::Active);
+  EXPECT_EQ(sea.out.guard, HookGuard::NoDepthGained);
+}
+
+/// A steep dive to 50 m whose CTD is spoiled in a way that is no reason to climb.
+template <typename Spoil>
+void expectNoGuard(Spoil&& spoil) {
+  HookbehSea sea;
+  sea.full_mps = 0.4;
+  sea.has_ctd = true;
+  sea.diveTo(15, 55);
+  for (int i = 0; i < 100 && sea.truth < 52; ++i) {
+    sea.cycle(spoil);
+    ASSERT_EQ(sea.out.guard, HookGuard::None) << sea.truth;
+  }
+  ASSERT_GT(sea.truth, 51);
+}
+
+TEST(HookbehCtd, OneThatFallsSilentDoesNotDisagree) {
+  expectNoGuard([](HookbehInputs& in) { in.ctd_bar = kNan; });
+}
+
+TEST(HookbehCtd, OneThatIsHeardOfNowAndThenDoesNotDisagree) {
+  for (const int every : {2, 5, 10}) {
+    expectNoGuard([every, i = 0](HookbehInputs& in) mutable {
+      in.ctd_bar = i++ % every == 0 ? in.ctd_bar : kNan;
+    });
+  }
+}
+
+TEST(HookbehCtd, OneThatIsLateDoesNotDisagree) {
+  for (const size_t late : {1U, 3U, 4U}) {  // cycles of 4 s
+    expectNoGuard([late, past = std::deque<double>()](HookbehInputs& in) mutable {
+      past.push_back(in.ctd_bar);
+      in.ctd_bar = past.at(past.size() - 1 - std::min(late, past.size() - 1));
+    });
+  }
+}
+
+TEST(HookbehCtd, OneThatIsHeardOfNowAndThenStillDisagrees) {
+  HookbehSea sea;
+  sea.has_ctd = true;
+  sea.diveTo(20, 58);
+  int i = 0;
+  const auto scaled = [&](HookbehInputs& in) {
+    in.depth_m *= 0.7;
+    in.ctd_bar = i++ % 4 == 0 ? in.ctd_bar : kNan;
+  };
+  sea.until(HookGuard::DepthsDisagree, scaled);
+  EXPECT_EQ(sea.out.guard, HookGuard::DepthsDisagree);
+  EXPECT_LT(sea.deepest, 60);
+}
+
+TEST(HookbehCtd, OneThatIsStuckDoesNotLiveWhereTheVehiclePassesItsDepth) {
+  HookbehSea sea;
+  sea.has_ctd = true;
+  sea.diveTo(20, 50);
+  const double stuck = sea.bench.inputs.ctd_bar;
+  const auto freeze = [=](HookbehInputs& in) { in.ctd_bar = stuck; };
+  sea.run(60, freeze);
+  sea.bench.write(Bench::ascend(5));
+  for (int i = 0; i < 60 && sea.truth > 7; ++i) {
+    sea.cycle(freeze);
+    ASSERT_EQ(sea.out.guard, HookGuard::None) << sea.truth;
+  }
+  sea.bench.write(Bench::descend(50));
+  for (int i = 0; i < 60; ++i) {
+    sea.cycle(freeze);
+    ASSERT_EQ(sea.out.guard, HookGuard::None) << sea.truth;
+  }
+}
+
+TEST(HookbehCtd, OneThatIsDeeperAndOldDoesNotHoldTheVehicleUp) {
+  HookbehSea sea(30);
+  sea.has_ctd = true;
+  sea.diveTo(27.5, 29);
+  sea.cycle([](HookbehInputs& in) { in.ctd_bar += 0.28; });  // then silence
+  ASSERT_EQ(sea.out.guard, HookGuard::TooDeep);
+  const auto silent = [](HookbehInputs& in) { in.ctd_bar = kNan; };
+  sea.bench.write(Bench::ascend(5));
+  EXPECT_LE(sea.until(HookGuard::None, silent), 2) << "by the depth that is new";
+}
+
+TEST(HookbehDepthSource, WhatASensorSaysInItsFirstSecondsHoldsForNothing) {
+  HookbehSea sea;
+  sea.run(2, [](HookbehInputs& in) { in.depth_m = 25; });
+  sea.take(20);
+  sea.run(30, kNothing);
+  EXPECT_EQ(sea.out.guard, HookGuard::None);
+  EXPECT_GT(sea.truth, 10);
+}
+
+TEST(HookbehDepthSource, GoodReadingsInBetweenDoNotHideOneThatJumps) {
+  HookbehSea sea;
+  sea.diveTo(20, 50);
+  sea.run(40, [i = 0](HookbehInputs& in) mutable { in.depth_m += i++ % 2 == 0 ? 20 : 0; });
+  sea.run(10, kNothing);
+  EXPECT_EQ(sea.out.guard, HookGuard::DepthJumps) << "half of them: it is broken";
+}
+
+TEST(RecentDepths, HoldsWhatWasWithinTwentySeconds) {
+  RecentDepths recent;
+  EXPECT_TRUE(std::isnan(recent.distanceTo(10)));
+  for (const double depth : {10.0, 12.0, kNan, 11.0}) {
+    recent.observe(depth, 4);
+  }
+  EXPECT_EQ(recent.distanceTo(10), 0);
+  EXPECT_EQ(recent.distanceTo(9), 1);
+  EXPECT_EQ(recent.distanceTo(15), 3);
+  EXPECT_EQ(recent.distanceTo(11.3), 0);
+  recent.observe(11, 10);
+  EXPECT_EQ(recent.distanceTo(10), 1) << "the 10 m are 22 s old";
+  recent.observe(30, 100);
+  EXPECT_EQ(recent.distanceTo(12), 18);
+}
+
+/// `cycles` of 4 s in which this was commanded.
+void drive(UnseenSink& sink, int cycles, double depth_m, const VerticalCommand& command) {
+  for (int i = 0; i < cycles; ++i) {
+    sink.observe(depth_m, 4, command);
+  }
+}
+
+TEST(UnseenSink, CountsAsFastAsTheVehicleSinks) {
+  UnseenSink sink;
+  sink.observe(10, 4, {0, kNan, ""});
+  EXPECT_EQ(sink.metres(), 0);
+  drive(sink, 10, 10, {-0.7854, -230, ""});
+  EXPECT_NEAR(sink.metres(), 16, 1e-9) << "0.4 m/s at 45 degrees";
+  UnseenSink flat;
+  drive(flat, 1, 10, {0, kNan, ""});
+  drive(flat, 10, 10, {0, 0, ""});
+  EXPECT_NEAR(flat.metres(), 4, 1e-9) << "0.1 m/s adrift";
+  drive(flat, 10, 10, {0, -200, ""});
+  EXPECT_NEAR(flat.metres(), 4 + 40 * 0.4 * 0.3 / 0.7854, 1e-9);
+}
+
+TEST(UnseenSink, CountsOnWhileThePumpIsOnItsWayOutThenBackNeverBelowZero) {
+  UnseenSink sink;
+  drive(sink, 10, 10, {-0.7854, -230, ""});
+  const double before = sink.metres();
+  drive(sink, 5, 10, {0.7854, 230, ""});
+  EXPECT_NEAR(sink.metres(), before + 8, 1e-9) << "20 s";
+  drive(sink, 5, 10, {0.7854, 230, ""});
+  EXPECT_NEAR(sink.metres(), before, 1e-9);
+  drive(sink, 100, 10, {0.7854, 230, ""});
+  EXPECT_EQ(sink.metres(), 0);
+}
+
+TEST(UnseenSink, OtherBehavioursAndUnknownDepthsLeaveItAsItIs) {
+  UnseenSink sink;
+  drive(sink, 10, 10, {-0.7854, -230, ""});
+  const double before = sink.metres();
+  drive(sink, 10, 10.5, {0, kNan, ""});
+  EXPECT_EQ(sink.metres(), before);
+  drive(sink, 1, kNan, {-0.7854, -230, ""});
+  EXPECT_GT(sink.metres(), before);
+}
+
+TEST(UnseenSink, IsClearedWhereTheDepthMovesAsTheVehicleMust) {
+  const VerticalCommand down{-0.4, -230, ""}, up{0.4, 230, ""}, adrift{0, 0, ""};
+  struct Case {
+    VerticalCommand command;
+    double moved;
+    bool clears;
+  };
+  for (const Case& c : {Case{down, 1, true},
+                        {down, 0.9, false},
+                        {down, -2, false},
+                        {up, -1, true},
+                        {adrift, 1, true},
+                        {adrift, -1, true},
+                        {adrift, 0.9, false},
+                        {adrift, -0.9, false}}) {
+    UnseenSink sink;
+    drive(sink, 20, 20, c.command);
+    drive(sink, 1, 20, {-0.4, -230, ""});
+    drive(sink, 6, 20, c.command);
+    const double before = sink.metres();
+    sink.observe(20 + c.moved, 4, c.command);
+    EXPECT_EQ(sink.metres() == 0, c.clears) << c.command.pump_cc << " " << c.moved << " " << before;
+  }
+}
+
+TEST(UnseenSink, ReadingsThatWaverDoNotClearIt) {
+  UnseenSink sink;
+  for (int i = 0; i < 30; ++i) {
+    sink.observe(20 + 0.8 * (i % 3 - 1), 4, {-0.4, -230, ""});
+  }
+  EXPECT_GT(sink.metres(), 15);
+}
+
+TEST(UnseenSink, ADiveThatWasThrownBackIsSeenAgain) {
+  const VerticalCommand down{-0.4, -230, ""};
+  UnseenSink sink;
+  drive(sink, 10, 20, down);
+  drive(sink, 10, 15, down);  // a wave lifts it
+  EXPECT_GT(sink.metres(), 10);
+  drive(sink, 1, 18, down);
+  EXPECT_EQ(sink.metres(), 0) << "3 m down from there";
+}
+
+}  // namespace
+}  // namespace glider::hooks

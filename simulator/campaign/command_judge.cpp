@@ -205,6 +205,7 @@ std::string CommandJudge::judgeBlind(const CycleView& view, double reading) {
 /// The guard comes in at a limit only, lets go when it has done its work, and does not swing.
 std::string CommandJudge::judgeGuard(const CycleView& view) {
   const bool guards = view.hookbeh->guard != hooks::HookGuard::None;
+  const bool no_depth = view.hookbeh->guard == hooks::HookGuard::NoDepthGained;
   const double depth = view.true_depth_m;
   const bool near =
       depth > s_.args.greatest_depth_m - kNearLimit ||
@@ -212,9 +213,9 @@ std::string CommandJudge::judgeGuard(const CycleView& view) {
   std::string wrong;
   if (guards && !guarding_) {
     // A vehicle that another behaviour takes elsewhere gains no depth, whatever hookbeh commands.
-    const bool stalled = view.hookbeh->guard == hooks::HookGuard::NoDepthGained ||
-                         view.hookbeh->guard == hooks::HookGuard::NoHeightGained;
-    if (!near && !(stalled && view.time_s - overridden_s_ < kAfterOverride)) {
+    const bool stalled = no_depth || view.hookbeh->guard == hooks::HookGuard::NoHeightGained;
+    const bool was_before = no_depth && no_depth_gained_;
+    if (!near && !was_before && !(stalled && view.time_s - overridden_s_ < kAfterOverride)) {
       wrong = fmt::format("the guard comes in ({}) and no limit is near", view.hookbeh->doing);
     }
     // In water too shallow for that it comes up, and waits until the echo is forgotten.
@@ -228,6 +229,7 @@ std::string CommandJudge::judgeGuard(const CycleView& view) {
   }
   goes_back_ = goes_back_ || (guarding_ && !guards && arrived_);
   guarding_ = guards;
+  no_depth_gained_ = no_depth;
   shallowest_m_ = std::min(shallowest_m_, depth);
   const double enough = std::max(kRetryShare * tripped_m_, kRetry) + kRetryTolerance;
   const bool late = guards && !near && tripped_m_ - depth > enough;

@@ -54,7 +54,8 @@ class CommandJudge {
   double overridden_s_ = -1e9;  ///< when a behaviour above hookbeh had pitch or pump last
 
   bool guarding_ = false;
-  double tripped_m_ = 0;  ///< true depth at which the guard came in
+  bool no_depth_gained_ = false;  ///< by its guard, which outlives sessions
+  double tripped_m_ = 0;          ///< true depth at which the guard came in
   double shallowest_m_ = std::numeric_limits<double>::infinity();  ///< since then
   int late_cycles_ = 0;                                            ///< since it should have let go
   int small_swings_ = 0;                                           ///< in a row

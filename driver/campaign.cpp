@@ -163,7 +163,7 @@ support::Result<Verdict> flyOne(const CampaignPlan& plan, const CampaignFlight& 
   }
   const simulator::DrawnFaults drawn = faultsOf(plan, flight);
   simulator::SimulationSetup setup;
-  setup.platform = plan.platform;
+  setup.platform = mission.platform;
   setup.scenario = plan.scenario;
   drawn.applyTo(setup.scenario);
   setup.seed = flight.seed;
@@ -176,7 +176,7 @@ support::Result<Verdict> flyOne(const CampaignPlan& plan, const CampaignFlight& 
   }
   std::vector<FaultKind> kinds = simulator::kindsOf(plan.scenario.faults);
   kinds.insert(kinds.end(), drawn.kinds.begin(), drawn.kinds.end());
-  simulator::JudgeSetup judged = simulator::judgeSetup(plan.platform, setup.scenario, kinds);
+  simulator::JudgeSetup judged = simulator::judgeSetup(mission.platform, setup.scenario, kinds);
   judged.mean_W = mission.mean_W;
   StoppableJudge judge(std::move(judged), stop);
   setup.onlooker = &judge;

@@ -18,6 +18,7 @@ namespace glider::driver {
 /// A mission of a campaign, ready to start as often as wanted.
 struct CampaignMission {
   std::string file;
+  platforms::Platform platform;  ///< that it names
   NewFlight new_flight;
   std::vector<NewFlight> on_board;    ///< one for each of the plan's boards
   simulator::FlightTimes times = {};  ///< of its flight when nothing goes wrong
@@ -26,7 +27,6 @@ struct CampaignMission {
 
 /// What all flights of a campaign share.
 struct CampaignPlan {
-  platforms::Platform platform;
   simulator::Scenario scenario;
   std::vector<CampaignMission> missions;
   std::vector<std::string> boards;  ///< whose binaries fly

@@ -16,7 +16,6 @@
 #include "driver/link_option.h"
 #include "driver/sbc_choice.h"
 #include "driver/scenario_choice.h"
-#include "driver/share.h"
 #include "driver/terminal.h"
 #include "support/files.h"
 
@@ -43,11 +42,18 @@ int loadMissions(const CampaignOptions& options, CampaignPlan& plan) {
     if (compilation == nullptr) {
       return status;
     }
+    auto platform = platformOf(compilation.get());
+    if (!platform) {
+      return reportFailure(platform.error());
+    }
+    if (auto flown = simulator::checkPlatform(*platform); !flown) {
+      return reportFailure(flown.error());
+    }
     auto start = flightsInProcess(*compilation, options.launch, options.user_code, true);
     if (!start) {
       return reportFailure(start.error());
     }
-    CampaignMission mission{file, std::move(*start), {}};
+    CampaignMission mission{file, std::move(*platform), std::move(*start), {}};
     for (const std::string& board : plan.boards) {
       mission.on_board.push_back(
           flightsOnBoard(compilation, options.launch, options.user_code, board));
@@ -205,11 +211,6 @@ int campaign(const CampaignOptions& options) {
     return reportFailure(scenario.error());
   }
   plan.scenario = std::move(*scenario);
-  auto platform = platforms::loadPlatform(shareDirectory() / "platforms" / "slocum.toml");
-  if (!platform) {
-    return reportFailure(platform.error());
-  }
-  plan.platform = std::move(*platform);
   chooseBoards(options, plan);
   if (const int status = loadMissions(options, plan); status != kFine) {
     return status;

@@ -5,6 +5,7 @@
 
 #include "codegen/digest.h"
 #include "driver/build_id.h"
+#include "driver/compilation.h"
 #include "support/files.h"
 
 #include <fmt/format.h>
@@ -33,6 +34,13 @@ support::Result<std::string> identityOf(const CampaignPlan& plan, const Campaign
   }
   for (const std::string& setting : options.launch.settings) {
     all += setting + "\n";
+  }
+  for (const CampaignMission& mission : plan.missions) {
+    const auto platform = support::readFile(platformFile(mission.platform.name));
+    if (!platform) {
+      return std::unexpected(platform.error());
+    }
+    all += codegen::digestOf(*platform) + "\n";
   }
   const auto skeleton = support::readFile(plan.scenario.skeleton_path);
   const auto world = support::readFile(plan.scenario.path);

@@ -28,8 +28,8 @@ struct CampaignOptions {
   std::vector<std::string> user_code;
 };
 
-/// What a campaign's flights depend on, as a digest: the program, the missions, the world and the
-/// options. GL9001.
+/// What a campaign's flights depend on, as a digest: the program, the missions, their platforms,
+/// the world and the options. GL9001.
 support::Result<std::string> identityOf(const CampaignPlan& plan, const CampaignOptions& options);
 /// `text` as one word for a shell.
 std::string shellWord(const std::string& text);

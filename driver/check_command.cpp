@@ -95,7 +95,7 @@ int exitCode(const report::CheckedMission& found) {
 
 std::string flightLine(const report::FlightSearch& search) {
   if (search.flights == 0) {
-    return "  not flown: the mission needs code in C\n";
+    return "  not flown: the mission needs code in C, or the simulator cannot fly its vehicle\n";
   }
   return search.scenario.empty()
              ? fmt::format("  none of {} flights of the simulator breaks it\n", search.flights)

@@ -28,7 +28,8 @@ struct ClosedLoop {
 /// Looks for a flight that breaks what `verdict` says is refuted: in each scenario that comes with
 /// glidercc, with a few seeds and the parameters of the run that was found, until one does. The
 /// compiled mission flies in this process; what it hears is given to the interpreter, which is
-/// judged as a replay is. No flight, if the mission needs code in C. Fails as compiling and
+/// judged as a replay is. No flight, if the mission needs code in C or is for
+/// a vehicle that the simulator cannot fly. Fails as compiling and
 /// simulating do.
 support::Result<ClosedLoop> searchClosedLoop(const Compilation& compilation,
                                              const ir::prove::RequirementVerdict& verdict);

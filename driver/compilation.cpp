@@ -23,10 +23,6 @@ Result<uint32_t> addSource(support::SourceManager& sources, const std::filesyste
   return sources.add(path.string(), std::move(*text));
 }
 
-std::filesystem::path platformFile(const std::string& name) {
-  return shareDirectory() / "platforms" / (name + ".toml");
-}
-
 /// Where the mission names its platform; nowhere if it leaves that to the default.
 support::SourceRange platformRange(const ast::File& file) {
   for (const ast::Item& item : file.items) {
@@ -92,6 +88,10 @@ Result<void> analyse(Compilation& compilation, uint32_t file) {
 }
 
 }  // namespace
+
+std::filesystem::path platformFile(const std::string& name) {
+  return shareDirectory() / "platforms" / (name + ".toml");
+}
 
 Result<std::unique_ptr<Compilation>> compileMission(const std::filesystem::path& path) {
   auto text = support::readFile(path);

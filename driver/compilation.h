@@ -43,6 +43,9 @@ support::Result<std::unique_ptr<Compilation>> compileMission(const std::filesyst
 support::Result<std::unique_ptr<Compilation>> compileText(const std::filesystem::path& path,
                                                           std::string text);
 
+/// Where the platform called `name` lies.
+std::filesystem::path platformFile(const std::string& name);
+
 /// The states' names, by number.
 std::vector<std::string> stateNames(const ir::Mission& mission);
 

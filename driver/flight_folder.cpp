@@ -57,9 +57,12 @@ std::set<std::string> listedIn(const fs::path& folder) {
   return names;
 }
 
-/// The first name in `folder` that no flight has put there; empty if there is none.
-Result<std::string> foreignIn(const fs::path& folder) {
-  const std::set<std::string> listed = listedIn(folder);
+/// The first name in `folder` that no flight, or run, has put there; empty if there is none.
+Result<std::string> foreignIn(const fs::path& folder, FlightFolder::Use use) {
+  std::set<std::string> listed = listedIn(folder);
+  if (use == FlightFolder::Use::Run) {
+    listed.insert(FlightFolder::kRun);
+  }
   std::error_code error;
   std::set<std::string> foreign;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
@@ -115,6 +118,29 @@ Result<void> failed(const fs::path& path, const std::string& why) {
   return support::fail(DiagnosticId::cannotWrite, path.string(), why);
 }
 
+/// Whether what is in the way in `whole` may be replaced. `target`: as the user names it.
+Result<void> checkReplaceable(const fs::path& whole, const fs::path& target,
+                              FlightFolder::Use use) {
+  const bool run = use == FlightFolder::Use::Run;
+  const auto refuse = [&](const std::string& why) -> Result<void> {
+    return run ? failed(target, why)
+               : support::fail(DiagnosticId::outputFolderInUse, target.string(), why);
+  };
+  const auto foreign = foreignIn(whole, use);
+  if (!foreign) {
+    return std::unexpected(foreign.error());
+  }
+  const char* what = run ? "run" : "flight";
+  if (!foreign->empty()) {
+    return refuse(fmt::format("it holds `{}`, which is not from a {}", *foreign, what));
+  }
+  std::error_code error;
+  if (!fs::is_empty(whole, error) && holdsWorkingFolder(whole)) {
+    return refuse(fmt::format("it is the current folder and holds an earlier {}", what));
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<FlightFolder> FlightFolder::scratch() {
@@ -127,7 +153,7 @@ Result<FlightFolder> FlightFolder::scratch() {
   return FlightFolder(folder, folder);
 }
 
-Result<FlightFolder> FlightFolder::open(const fs::path& target) {
+Result<FlightFolder> FlightFolder::open(const fs::path& target, Use use) {
   std::error_code error;
   fs::path whole = fs::weakly_canonical(fs::absolute(target), error);
   whole = whole.has_filename() ? whole : whole.parent_path();
@@ -141,17 +167,8 @@ Result<FlightFolder> FlightFolder::open(const fs::path& target) {
     return support::fail(DiagnosticId::cannotWrite, target.string(), error.message());
   }
   if (fs::exists(whole, error)) {
-    const auto foreign = foreignIn(whole);
-    if (!foreign) {
-      return std::unexpected(foreign.error());
-    }
-    if (!foreign->empty()) {
-      return support::fail(DiagnosticId::outputFolderInUse, target.string(),
-                           fmt::format("it holds `{}`, which is not from a flight", *foreign));
-    }
-    if (!fs::is_empty(whole, error) && holdsWorkingFolder(whole)) {
-      return support::fail(DiagnosticId::outputFolderInUse, target.string(),
-                           "it is the current folder and holds an earlier flight");
+    if (auto replaceable = checkReplaceable(whole, target, use); !replaceable) {
+      return std::unexpected(replaceable.error());
     }
   }
   removeLeftOvers(whole);

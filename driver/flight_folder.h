@@ -5,23 +5,28 @@
 
 #include "support/result.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 namespace glider::driver {
 
-/// The folder of one flight's files. They are written beside it, into a folder of their own, and
-/// take its place all at once: files of two flights are never mixed, and what goes wrong before
-/// that leaves the earlier flight as it was.
+/// The folder of one flight's files, or of one run's that a check has found. They are written
+/// beside it, into a folder of their own, and take its place all at once: files of two flights are
+/// never mixed, and what goes wrong before that leaves the earlier flight as it was.
 class FlightFolder {
  public:
   /// A name in every folder of a flight: the file that lists the others (writeFlightSummary).
   static constexpr const char* kSummary = "flight.json";
+  /// A name in every folder of a run: the file that it is flown again from.
+  static constexpr const char* kRun = "trace.json";
+  enum class Use : uint8_t { Flight, Run };
 
-  /// For `target`, which need not exist. GL9374 if it holds anything but a flight, GL9002 if it
-  /// cannot be made.
-  static support::Result<FlightFolder> open(const std::filesystem::path& target);
+  /// For `target`, which need not exist. GL9374 if it holds anything but a flight (GL9002 if
+  /// anything but a run), GL9002 if it cannot be made.
+  static support::Result<FlightFolder> open(const std::filesystem::path& target,
+                                            Use use = Use::Flight);
   /// For files that nobody keeps, among the system's temporary ones.
   static support::Result<FlightFolder> scratch();
   FlightFolder(FlightFolder&& other) noexcept;

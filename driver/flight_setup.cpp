@@ -5,7 +5,6 @@
 
 #include "driver/exit_code.h"
 #include "driver/explain_guard.h"
-#include "driver/share.h"
 #include "driver/terminal.h"
 #include "ir/opt/optimise.h"
 
@@ -33,7 +32,7 @@ support::Result<platforms::Platform> platformOf(const Compilation* compilation) 
     return *compilation->platform;
   }
   const std::string name = compilation != nullptr ? compilation->mission->platform : "slocum";
-  return platforms::loadPlatform(shareDirectory() / "platforms" / (name + ".toml"));
+  return platforms::loadPlatform(platformFile(name));
 }
 
 void reportMissingSensors(const Compilation& compilation, const simulator::Scenario& scenario,

@@ -4,6 +4,7 @@
 #include "driver/run_trace.h"
 
 #include "driver/flight_files.h"
+#include "driver/flight_folder.h"
 #include "ir/verify/value_text.h"
 #include "support/files.h"
 
@@ -62,6 +63,20 @@ void addRows(support::Trace& trace, const ir::prove::ConcreteRun& run) {
   }
 }
 
+/// Writes all files of a run, which then take the place of those of an earlier one.
+support::Result<void> writeRun(const support::Trace& trace, const std::filesystem::path& place) {
+  auto folder = FlightFolder::open(place, FlightFolder::Use::Run);
+  if (!folder) {
+    return std::unexpected(folder.error());
+  }
+  if (auto written = writeFlight(trace, folder->staging()); !written) {
+    return written;
+  }
+  const auto written = support::writeFileAtomically(folder->staging() / FlightFolder::kRun,
+                                                    support::traceToJson(trace));
+  return written ? folder->commit() : written;
+}
+
 }  // namespace
 
 support::Trace traceOfRun(const Compilation& compilation,
@@ -93,13 +108,7 @@ support::Result<size_t> writeRuns(const Checked& checked, const std::filesystem:
       continue;
     }
     const auto place = folder / fmt::format("requirement-{}", verdict.requirement + 1);
-    const support::Trace trace = traceOfRun(*checked.compilation, verdict);
-    if (auto written = writeFlight(trace, place); !written) {
-      return std::unexpected(written.error());
-    }
-    if (auto written =
-            support::writeFileAtomically(place / "trace.json", support::traceToJson(trace));
-        !written) {
+    if (auto written = writeRun(traceOfRun(*checked.compilation, verdict), place); !written) {
       return std::unexpected(written.error());
     }
     ++count;

@@ -17,7 +17,8 @@ support::Trace traceOfRun(const Compilation& compilation,
                           const ir::prove::RequirementVerdict& verdict);
 
 /// Writes, for each requirement that a run breaks, `folder`/requirement-N/ (N from 1) with
-/// trace.json, trace.csv, events.csv and report.html. Returns how many.
+/// trace.json, trace.csv, events.csv and report.html, all at once as for a flight (FlightFolder).
+/// Returns how many.
 support::Result<size_t> writeRuns(const Checked& checked, const std::filesystem::path& folder);
 
 }  // namespace glider::driver

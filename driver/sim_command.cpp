@@ -100,7 +100,7 @@ int flyAndReport(simulator::SimulationSetup setup, const SimOptions& options,
     return reportFailure(printed.error());
   }
   const bool foreign = !options.program.empty() || !options.serial.empty();
-  if (foreign && report::refusedInstructions(*trace) == 0 && report::wasNeverInControl(*trace)) {
+  if (foreign && !report::spokeTheProtocol(*trace)) {
     return kWorldFailed;  // what was to be the SBC is none
   }
   return reported.empty() ? kFine : kMissionHasErrors;

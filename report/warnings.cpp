@@ -22,10 +22,16 @@ using support::TraceEvent;
 constexpr size_t kMostNames = 20;
 constexpr std::string_view kRefused = " refused: ";
 constexpr std::string_view kByHookbeh = "hookbeh: ";
+constexpr std::string_view kAnswers = "the SBC answers: mission ";
 
 bool isRefusal(const TraceEvent& event) {
   return event.kind == "hook" && event.what.starts_with("instruction ") &&
          event.what.find(kRefused) != std::string::npos;
+}
+
+/// hookprog has opened a link to the SBC, which has told its mission's name.
+bool isHello(const TraceEvent& event) {
+  return event.kind == "link" && event.what.starts_with(kAnswers);
 }
 
 bool isAbort(const TraceEvent& event) {
@@ -63,11 +69,10 @@ std::string after(const std::string& text, std::string_view mark) {
 
 /// The mission that the SBC says it flies if it is not the one whose names the trace has; else "".
 std::string otherMission(const Trace& trace) {
-  constexpr std::string_view kSaid = "the SBC answers: mission ";
   constexpr size_t kMostOnTheLine = 47;  // of a longer name the rest is not told
   for (const TraceEvent& event : trace.events) {
-    if (!trace.state_names.empty() && event.kind == "link" && event.what.starts_with(kSaid)) {
-      const std::string name = event.what.substr(kSaid.size());
+    if (!trace.state_names.empty() && isHello(event)) {
+      const std::string name = event.what.substr(kAnswers.size());
       const bool same = name == trace.mission ||
                         (name.size() >= kMostOnTheLine && trace.mission.starts_with(name));
       return same ? "" : name;
@@ -125,6 +130,10 @@ bool wasNeverInControl(const Trace& trace) {
   return trace.rowCount() > 0;
 }
 
+bool spokeTheProtocol(const Trace& trace) {
+  return std::ranges::any_of(trace.events, isHello);
+}
+
 size_t refusedInstructions(const Trace& trace) {
   return static_cast<size_t>(std::ranges::count_if(trace.events, isRefusal));
 }
@@ -133,7 +142,10 @@ void reportFlight(const Trace& trace, support::DiagnosticEngine& diagnostics) {
   using support::DiagnosticId;
   if (wasNeverInControl(trace)) {
     diagnostics.report(DiagnosticId::neverInControl, {},
-                       "the events say how far the SBC and the vehicle came");
+                       spokeTheProtocol(trace)
+                           ? "the events say how far the SBC and the vehicle came"
+                           : "the SBC never spoke the hook protocol of this version: check that "
+                             "the program, or the device, is that of a mission");
   }
   if (const Told told = tell(trace, isAbort); told.first != nullptr) {
     const std::string why = told.first->why.empty() ? "" : ", " + plain(told.first->why);

@@ -18,6 +18,10 @@ size_t refusedInstructions(const support::Trace& trace);
 /// True if there was an SBC and it never had control.
 bool wasNeverInControl(const support::Trace& trace);
 
+/// True if there was an SBC and hookprog understood it: without that it is no SBC, or one of
+/// another version.
+bool spokeTheProtocol(const support::Trace& trace);
+
 /// Reports what makes a flight one that went wrong: the vehicle aborted (GL9370), a command was
 /// refused (GL9371), the mission was never in control (GL9372), hookbeh intervened (GL9375). Of
 /// several of a kind the first is told, with their number.

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "platforms/slocum_sensors.h"
 #include "simulator/mission_story.h"
 #include "simulator/recorder.h"
 #include "simulator/science/sbc_link.h"
@@ -22,36 +21,6 @@ constexpr int kStepsPerSecond = 4;
 constexpr int64_t kProgressCycles = 25;
 constexpr double kAfloat = 1;  // m
 static_assert(kStepsPerSecond * Vehicle::kStep == 1, "the vehicle's step divides a second");
-
-/// The code here was built with the numbers of one platform file: the one given must have the same.
-support::Result<void> checkPlatform(const platforms::Platform& platform) {
-  struct Wanted {
-    uint16_t id;
-    const char* name;
-    uint8_t bytes;
-  };
-#define GLIDER_WANTED(number, name, bytes, science) Wanted{number, #name, bytes},
-  constexpr Wanted kAll[] = {GLIDER_SENSOR_LIST(GLIDER_WANTED)};
-#undef GLIDER_WANTED
-  for (const platforms::PlatformSensor& sensor : platform.sensors) {
-    const bool known =
-        std::ranges::any_of(kAll, [&](const Wanted& wanted) { return wanted.name == sensor.name; });
-    if (!known) {
-      return support::fail(support::DiagnosticId::sensorNotSimulated, platform.name, sensor.name,
-                           "to simulate, take it out of the platform file; a sensor on the SBC is "
-                           "declared in the mission, as `extern sensor`");
-    }
-  }
-  for (const Wanted& wanted : kAll) {
-    const bool same = wanted.id < platform.sensors.size() &&
-                      platform.sensors[wanted.id].name == wanted.name &&
-                      platform.sensors[wanted.id].bytes == wanted.bytes;
-    if (!same) {
-      return support::fail(support::DiagnosticId::platformLacksSensor, platform.name, wanted.name);
-    }
-  }
-  return {};
-}
 
 /// Gives the sensors that faults name their numbers.
 support::Result<void> numberSensors(const platforms::Platform& platform, Faults& faults) {

@@ -53,10 +53,14 @@ struct NotCarried {
 };
 std::vector<NotCarried> sensorsNotCarried(const Scenario& scenario);
 
+/// Whether the simulator can fly a vehicle: hookprog and hookbeh in it are built for the sensors
+/// and the hull of one platform. GL5121 when the platform lacks a sensor that is needed, GL5122
+/// when it has one that the simulator does not know, GL5001 when its hull is another.
+support::Result<void> checkPlatform(const platforms::Platform& platform);
+
 /// Flies the mission until it has ended, or is aborted and at the surface, or the time is over. The
-/// trace has a row a control cycle; the same setup gives the same rows, byte for byte. GL5121 when
-/// the platform lacks a sensor that is needed, or that a fault names; GL5122 when it has one that
-/// the simulator does not know.
+/// trace has a row a control cycle; the same setup gives the same rows, byte for byte. As
+/// checkPlatform; also GL5121 when a fault names a sensor that the platform lacks.
 support::Result<support::Trace> simulate(SimulationSetup setup);
 
 }  // namespace glider::simulator

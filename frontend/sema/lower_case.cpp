@@ -6,6 +6,7 @@
 #include "frontend/sema/evaluate.h"
 #include "frontend/sema/lower_arguments.h"
 #include "frontend/sema/lower_statement.h"
+#include "frontend/sema/only_item.h"
 #include "frontend/spelling.h"
 #include "support/check.h"
 
@@ -114,17 +115,11 @@ void warnOfConstant(const ast::Case& node, const ir::Case& lowered, Scope& scope
 }  // namespace
 
 void lowerAlways(const ast::File& file, Scope& scope) {
-  const ast::Always* always = nullptr;
-  for (const ast::Item& item : file.items) {
-    const auto* node = std::get_if<ast::Always>(&item);
-    if (node != nullptr && always != nullptr) {
-      scope.report(DiagnosticId::memberTwice, node->where, "a mission", "always")
-          .note(always->where, "the first is here")
-          .hint("write all its cases into one: their order is their rank");
-    } else if (node != nullptr) {
-      always = node;
-    }
-  }
+  const auto* always = onlyItem<ast::Always>(file, [&](const auto& again, const auto& first) {
+    scope.report(DiagnosticId::memberTwice, again.where, "a mission", "always")
+        .note(first.where, "the first is here")
+        .hint("write all its cases into one: their order is their rank");
+  });
   if (always == nullptr) {
     return;
   }

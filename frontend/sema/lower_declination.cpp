@@ -4,6 +4,7 @@
 #include "frontend/sema/lower_declination.h"
 
 #include "frontend/sema/declared_value.h"
+#include "frontend/sema/only_item.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,21 +29,6 @@ std::optional<double> angleOf(const ast::Declination& node, Scope& scope) {
     return std::nullopt;
   }
   return known ? std::optional(known->first) : std::nullopt;
-}
-
-/// The one `declination` line.
-const ast::Declination* lineOf(const ast::File& file, Scope& scope) {
-  const ast::Declination* first = nullptr;
-  for (const ast::Item& item : file.items) {
-    const auto* node = std::get_if<ast::Declination>(&item);
-    if (node != nullptr && first != nullptr) {
-      scope.report(DiagnosticId::declinationTwice, node->where)
-          .note(first->where, "the first is here");
-    } else if (node != nullptr) {
-      first = node;
-    }
-  }
-  return first;
 }
 
 /// Whether the mission reads or commands headings. What a route in C commands nobody knows.
@@ -74,7 +60,10 @@ support::SourceRange headOf(const ast::File& file) {
 }  // namespace
 
 void lowerDeclination(const ast::File& file, Scope& scope) {
-  const ast::Declination* line = lineOf(file, scope);
+  const auto* line = onlyItem<ast::Declination>(file, [&](const auto& again, const auto& first) {
+    scope.report(DiagnosticId::declinationTwice, again.where)
+        .note(first.where, "the first is here");
+  });
   ir::Compass compass;
   if (line != nullptr) {
     compass.declination = angleOf(*line, scope);

@@ -4,6 +4,7 @@
 #include "frontend/sema/lower_resumption.h"
 
 #include "frontend/sema/declared_value.h"
+#include "frontend/sema/only_item.h"
 
 #include <optional>
 
@@ -30,21 +31,15 @@ std::optional<double> longestOutage(const ast::Resumption& node, Scope& scope) {
 }  // namespace
 
 void lowerResumption(const ast::File& file, Scope& scope) {
-  const ast::Resumption* first = nullptr;
-  for (const ast::Item& item : file.items) {
-    const auto* node = std::get_if<ast::Resumption>(&item);
-    if (node == nullptr) {
-      continue;
-    }
-    if (first != nullptr) {
-      scope.report(DiagnosticId::memberTwice, node->where, "a mission", "resume");
-      continue;
-    }
-    first = node;
-    scope.mission.new_after_restart = node->never_after_restart;
-    if (const auto within = longestOutage(*node, scope)) {
-      scope.mission.resume_within_s = *within;
-    }
+  const auto* line = onlyItem<ast::Resumption>(file, [&](const auto& again, const auto&) {
+    scope.report(DiagnosticId::memberTwice, again.where, "a mission", "resume");
+  });
+  if (line == nullptr) {
+    return;
+  }
+  scope.mission.new_after_restart = line->never_after_restart;
+  if (const auto within = longestOutage(*line, scope)) {
+    scope.mission.resume_within_s = *within;
   }
 }
 

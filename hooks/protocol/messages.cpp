@@ -9,7 +9,7 @@
 namespace glider::hooks {
 namespace {
 
-constexpr uint8_t kMostList = 3;  // of a transition
+constexpr uint8_t kMostList = 1;  // of a transition: only these two change the state
 constexpr uint8_t kMostNoteKind = 1;
 
 /// Its length, then the text, at most `most` bytes of it.

@@ -6,7 +6,6 @@
 #include "hooks/protocol/numbers.h"
 #include "platforms/slocum_sensors.h"
 #include "simulator/flight/position.h"
-#include "simulator/magnetism/magnetic_field.h"
 
 #include <fmt/format.h>
 
@@ -46,7 +45,7 @@ FlightController::FlightController(const platforms::Platform& platform,
     : mission_(mission),
       array_(platform),
       frame_(frame),
-      year_(year),
+      declination_(year),
       navigator_(frame),
       depth_sensor_(seed, sensors.depth_m),
       attitude_(seed, sensors.pitch_rad, sensors.heading_rad),
@@ -103,8 +102,7 @@ void FlightController::readSensors(double now_s, const Ocean& ocean, const Vehic
   a.set(GLIDER_M_PITCH, attitude_.pitch(vehicle.pitch()));
   a.set(GLIDER_M_ROLL, 0);
   const GeoPosition truth = frame_.position(vehicle.x(), vehicle.y());
-  const double declination =
-      magneticField(truth.latitude_deg, truth.longitude_deg, 0, year_).declination_rad;
+  const double declination = declination_.at(truth.latitude_deg, truth.longitude_deg);
   a.set(GLIDER_M_HEADING, attitude_.heading(vehicle.heading() - declination));
   const double altitude =
       altimeter_.altitude(vehicle.depth(), ocean.waterDepth(vehicle.x(), vehicle.y()));

@@ -8,6 +8,7 @@
 #include "simulator/flight/dynamic_control.h"
 #include "simulator/flight/layered_control.h"
 #include "simulator/flight/navigator.h"
+#include "simulator/magnetism/declination.h"
 #include "simulator/sensors/altimeter.h"
 #include "simulator/sensors/attitude_sensor.h"
 #include "simulator/sensors/depth_sensor.h"
@@ -104,7 +105,7 @@ class FlightController {
   slocum::MissionFile mission_;
   SensorArray array_;
   const LocalFrame& frame_;
-  double year_;
+  Declination declination_;
   Navigator navigator_;
   DepthSensor depth_sensor_;
   AttitudeSensor attitude_;

@@ -107,7 +107,7 @@ ProcessSbcPort::~ProcessSbcPort() {
   kill();
 }
 
-void ProcessSbcPort::reap(bool block) {
+void ProcessSbcPort::reap(bool block, const std::string& killed) {
   if (pid_ <= 0) {
     return;
   }
@@ -119,27 +119,27 @@ void ProcessSbcPort::reap(bool block) {
     return;
   }
   pid_ = 0;
+  const bool by_us = !killed.empty() && WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL;
   if (epitaph_.empty()) {
-    epitaph_ = WIFEXITED(status) ? fmt::format("exited with status {}", WEXITSTATUS(status))
-                                 : fmt::format("ended by signal {}", WTERMSIG(status));
+    epitaph_ = by_us               ? killed
+               : WIFEXITED(status) ? fmt::format("exited with status {}", WEXITSTATUS(status))
+                                   : fmt::format("ended by signal {}", WTERMSIG(status));
   }
 }
 
-void ProcessSbcPort::destroy(std::string epitaph) {
-  reap(false);  // if it has just ended by itself, that is what is told
+void ProcessSbcPort::destroy(const std::string& epitaph) {
   if (pid_ > 0) {
-    epitaph_ = std::move(epitaph);
     ::kill(pid_, SIGKILL);
-    reap(true);
+    reap(true, epitaph);  // if it has just ended by itself, that is what is told
   }
 }
 
 void ProcessSbcPort::closed() {
-  // A program that ends closes its port a moment before its end can be taken.
-  constexpr double kGraceSecs = 1;
+  // A program that ends closes its port before its end can be taken. How long before depends on how
+  // busy the machine is: it gets the time that it has for an answer.
   constexpr useconds_t kPause = 2000;
   const auto start = Clock::now();
-  for (reap(false); alive() && secondsSince(start) < kGraceSecs; reap(false)) {
+  for (reap(false); alive() && secondsSince(start) < hang_secs_; reap(false)) {
     ::usleep(kPause);
   }
   destroy("closed its serial port");

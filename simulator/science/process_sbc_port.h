@@ -53,9 +53,10 @@ class ProcessSbcPort final : public SbcPort {
   /// True when it owes an answer. Only then its end is noticed: the moment at which a program ends
   /// by itself is one of real time, and a flight must not depend on that.
   [[nodiscard]] bool missed() const { return alive() && !lockstep_.settled(); }
-  /// Takes the program's end if it has ended; `block` waits for it.
-  void reap(bool block);
-  void destroy(std::string epitaph);
+  /// Takes the program's end if it has ended; `block` waits for it. `killed` is told if it was
+  /// SIGKILL that ended it.
+  void reap(bool block, const std::string& killed = "");
+  void destroy(const std::string& epitaph);
   /// The program has let go of the terminal: it has ended, or it will be ended.
   void closed();
 

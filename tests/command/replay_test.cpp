@@ -78,6 +78,39 @@ TEST_F(Replay, TheSameViolationShowsOnTheBoards) {
   }
 }
 
+TEST_F(Replay, ACheckThatIsEndedWhileItWritesLeavesTheEarlierRun) {
+  const auto files = [&](const std::string& of) {
+    return runShell("cd " + runs() + " && ls -A " + of).out;
+  };
+  const std::string folder = runs() + "/requirement-2/", before = slurp(trace(2));
+  const std::string csv = slurp(folder + "trace.csv"), names = files("requirement-2");
+  std::string other = kMission;
+  other.replace(other.find("in 5 min"), 8, "in 6 min");
+  (void)folder_.write("m.mission", other);
+  // The file size limit ends it when trace.csv is written and report.html is not.
+  const std::string again = "$GLIDERCC check " + mission_ + " --traces " + runs();
+  EXPECT_GT(runShell("ulimit -f 100; " + again).status, 2);
+  EXPECT_EQ(slurp(trace(2)), before);
+  EXPECT_EQ(slurp(folder + "trace.csv"), csv);
+  EXPECT_EQ(files("requirement-2"), names);
+  EXPECT_EQ(runShell(again).status, 1);
+  EXPECT_NE(slurp(folder + "trace.csv"), csv) << "another run";
+  EXPECT_EQ(files("requirement-2"), names);
+  EXPECT_EQ(files("."), "requirement-2\nrequirement-3\n") << "nothing beside them";
+}
+
+TEST_F(Replay, AFolderOfARunThatHoldsOtherFilesIsNotTouched) {
+  const auto notes = runs() + "/requirement-2/notes.txt";
+  ASSERT_EQ(runShell("echo mine > " + notes).status, 0);
+  const Outcome refused = runShell("$GLIDERCC check " + mission_ + " --traces " + runs());
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_THAT(refused.err, HasSubstr("it holds `notes.txt`, which is not from a run"));
+  EXPECT_EQ(slurp(notes), "mine\n");
+  EXPECT_EQ(runShell("$GLIDERCC sim " + mission_ + " -o " + runs() + "/requirement-3").status, 2)
+      << "a flight does not take the place of a run";
+  EXPECT_TRUE(std::filesystem::exists(trace(3)));
+}
+
 TEST_F(Replay, AMissionThatWasMendedNoLongerFliesTheRun) {
   std::string mended = kMission;
   mended.replace(mended.find("goto warm"), 9, "exit     ");

@@ -74,6 +74,17 @@ TEST_F(Sim, ARefusedCommandNamesTheLimitAndTheArgument) {
   EXPECT_THAT(slurp(folder_.path() / "f" / "report.html"), HasSubstr("refuses a dive to 75 m"));
 }
 
+TEST_F(Sim, AProgramThatSpeaksButIsNotGivenControlIsAnSbcAllTheSame) {
+  mission();
+  // In scenario `layered` there is no hookbeh: nothing is refused, and nobody gets control.
+  const Outcome flown =
+      run("$GLIDERCC build m.mission --target host -o program && "
+          "$GLIDERCC sim --sbc ./program --scenario layered -o f");
+  EXPECT_EQ(flown.status, 1) << flown.err;
+  EXPECT_THAT(flown.err, HasSubstr("[GL9372 never-in-control]"));
+  EXPECT_THAT(flown.err, Not(HasSubstr("never spoke")));
+}
+
 TEST_F(Sim, AnAbortIsToldAtTheEnd) {
   mission();
   const Outcome flown =

@@ -3,6 +3,7 @@
 
 #include "simulator/flight/behaviours/hookbeh_adapter.h"
 
+#include "hooks/hookbeh/hull.h"
 #include "platforms/slocum_sensors.h"
 #include "simulator/flight/behaviours/refusal_text.h"
 
@@ -100,7 +101,9 @@ hooks::HookbehArgs hookbehArgs(const slocum::BehaviourBlock& block) {
 }
 
 HookbehAdapter::HookbehAdapter(const slocum::BehaviourBlock& block)
-    : Behaviour(block.name), limits_(hookbehArgs(block)), hookbeh_(limits_) {}
+    : Behaviour(block.name),
+      limits_(hooks::within(hookbehArgs(block), hooks::kHull)),
+      hookbeh_(hookbehArgs(block)) {}
 
 void HookbehAdapter::note(const hooks::HookbehInputs& in, const hooks::HookbehOutputs& out) {
   if (out.state != state_) {

@@ -37,7 +37,7 @@ class HookbehAdapter final : public Behaviour {
   };
   void note(const hooks::HookbehInputs& in, const hooks::HookbehOutputs& out);
 
-  hooks::HookbehArgs limits_;
+  hooks::HookbehArgs limits_;  ///< in effect
   hooks::Hookbeh hookbeh_;
   hooks::HookbehOutputs outputs_;
   hooks::HookState state_ = hooks::HookState::Waiting;

@@ -69,9 +69,12 @@ std::string refusalText(HookAnswer answer, const hooks::HookbehInputs& in,
       return "hookbeh is not ready";
     case HookAnswer::OldSequence:
       return "its number is older than one that was decided on";
-    default:
-      return fmt::format("hookbeh answers {}", static_cast<int>(answer));
+    case HookAnswer::None:
+      return "it was there when hookbeh began";
+    case HookAnswer::Accepted:
+      return "it is in force";
   }
+  return "hookbeh gives an unknown answer";
 }
 
 }  // namespace glider::simulator

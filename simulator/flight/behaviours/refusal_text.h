@@ -9,8 +9,8 @@
 
 namespace glider::simulator {
 
-/// Why hookbeh refused the instruction in `in`, with its own argument and what was commanded:
-/// "max_depth 30 m refuses a dive to 45 m".
+/// Why hookbeh refused the instruction in `in`, with the limit in effect, which `args` holds, and
+/// what was commanded: "max_depth 30 m refuses a dive to 45 m".
 std::string refusalText(hooks::HookAnswer answer, const hooks::HookbehInputs& in,
                         const hooks::HookbehArgs& args);
 

@@ -192,10 +192,14 @@ TEST(MessageEdges, TimesThatAreNoneAreRefused) {
 
 TEST(MessageEdges, KindsAndListsUpToTheLast) {
   TransitionNotice notice;
-  notice.list = 3;
-  EXPECT_TRUE(comesBack(notice));
-  notice.list = 4;
-  EXPECT_FALSE(comesBack(notice));
+  for (const uint8_t list : {uint8_t{0}, uint8_t{1}}) {
+    notice.list = list;
+    EXPECT_TRUE(comesBack(notice));
+  }
+  for (const uint8_t list : {uint8_t{2}, uint8_t{3}}) {
+    notice.list = list;
+    EXPECT_FALSE(comesBack(notice)) << "a profile's or a route's cases change no state";
+  }
   MissionNote note;
   note.kind = 1;
   EXPECT_TRUE(comesBack(note));

@@ -50,6 +50,22 @@ TEST(Warnings, NeverInControl) {
   EXPECT_EQ(reported(without), Lines{}) << "nobody expected it";
 }
 
+TEST(Warnings, AnSbcThatNeverSpokeIsToldFromOneThatWasNotGivenControl) {
+  const auto hint = [](const support::Trace& trace) {
+    support::DiagnosticEngine diagnostics;
+    reportFlight(trace, diagnostics);
+    return diagnostics.sorted().at(0).hint;
+  };
+  auto trace = flight(0);
+  trace.events.push_back({4, kUnknown, "link", "hookprog refuses the SBC", "protocol 3"});
+  trace.events.push_back({4, 0, "log", "the SBC answers: mission m", ""});
+  EXPECT_FALSE(spokeTheProtocol(trace)) << "a note can say anything";
+  EXPECT_NE(hint(trace).find("never spoke the hook protocol"), std::string::npos) << hint(trace);
+  trace.events.push_back({8, kUnknown, "link", "the SBC answers: mission m", ""});
+  EXPECT_TRUE(spokeTheProtocol(trace));
+  EXPECT_EQ(hint(trace), "the events say how far the SBC and the vehicle came");
+}
+
 TEST(Warnings, AnAbortIsReportedWithItsReason) {
   auto trace = flight(1);
   trace.events.push_back({50, 40, "abort", "undervolts", "battery 10.9 V"});
@@ -72,7 +88,9 @@ TEST(Warnings, TheFirstInterventionIsReportedAndAllAreCounted) {
 
 TEST(Warnings, AsJson) {
   support::DiagnosticEngine diagnostics;
-  reportFlight(flight(0), diagnostics);
+  auto trace = flight(0);
+  trace.events.push_back({4, kUnknown, "link", "the SBC answers: mission m", ""});
+  reportFlight(trace, diagnostics);
   EXPECT_EQ(
       warningsToJson(diagnostics.sorted(), {"cut \"short\""}),
       R"([{"code":"GL9372","hint":"the events say how far the SBC and the vehicle came",)"

@@ -70,6 +70,19 @@ TEST(ProcessSbc, TellsHowAProgramEnded) {
   EXPECT_EQ(findEvent(never, "the SBC is gone")->why, "exited with status 0");
 }
 
+/// On a busy machine a program may close its port long before its end can be taken.
+TEST(ProcessSbc, WaitsForTheEndOfAProgramThatHasClosedItsPort) {
+  const support::Trace ended = fly(setupFor(start({kProgram, "{port}", "linger", "20"})));
+  ASSERT_NE(findEvent(ended, "the SBC is gone"), nullptr) << eventText(ended);
+  EXPECT_EQ(findEvent(ended, "the SBC is gone")->why, "exited with status 7");
+}
+
+TEST(ProcessSbc, EndsAProgramThatHasClosedItsPortAndStays) {
+  const support::Trace trace = fly(setupFor(start({kProgram, "{port}", "close", "20"}, 0.3)));
+  ASSERT_NE(findEvent(trace, "the SBC is gone"), nullptr) << eventText(trace);
+  EXPECT_EQ(findEvent(trace, "the SBC is gone")->why, "closed its serial port");
+}
+
 TEST(ProcessSbc, EndsAHungProgram) {
   const support::Trace trace = fly(setupFor(start({kProgram, "{port}", "hang", "20"}, 0.3)));
   ASSERT_NE(findEvent(trace, "the SBC is gone"), nullptr) << eventText(trace);

@@ -120,6 +120,21 @@ TEST(SbcFlight, RefusedInstructionsAreToldAndChangeNothing) {
   EXPECT_EQ(trace.at(trace.rowCount() - 1, trace.column("true_depth")), 0);
 }
 
+TEST(SbcFlight, ARefusalNamesTheLimitInEffectWhereTheHullIsNarrower) {
+  SimulationSetup setup = withSbc("default", {.top_m = 5, .bottom_m = 3000});
+  setup.duration_s = 200;
+  for (slocum::BehaviourBlock& block : setup.scenario.skeleton.behaviours) {
+    for (slocum::Setting& argument : block.arguments) {
+      argument.value = argument.name == "max_depth" ? 2000 : argument.value;
+    }
+  }
+  const double hull = setup.platform.envelope.greatest_depth_m;
+  const std::string text =
+      "refused: max_depth " + std::to_string(std::lround(hull)) + " m refuses a dive to 3000 m";
+  const support::Trace trace = fly(std::move(setup));
+  EXPECT_NE(findEvent(trace, text), nullptr) << eventText(trace);
+}
+
 TEST(SbcFlight, Figure5IsLayeredBeforeAndAfter) {
   const support::Trace trace =
       fly(withSbc("figure5", {.top_m = 8, .bottom_m = 20, .give_back_s = 1200}));

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The fake pilot as a program over a serial port: simulator_sbc_program PORT [hang|exit
-// SECONDS-OF-TICKS]
+// The fake pilot as a program over a serial port: simulator_sbc_program PORT [MODE TICKS]. After so
+// many ticks it ends (exit), ends 1.5 s after it has closed the port (linger), stands still (hang),
+// or stands still with its port closed (close).
 
 #include "hooks/transport/host/serial_port.h"
 #include "hooks/transport/system_clock.h"
@@ -10,20 +11,23 @@
 
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
+#include <optional>
 #include <poll.h>
+#include <string_view>
 #include <unistd.h>
+#include <utility>
 
 int main(int argc, char** argv) {
   if (argc < 2) {
     return 2;
   }
-  auto port = glider::hooks::SerialPort::open(argv[1], 115200);
-  if (!port) {
-    std::fprintf(stderr, "%s\n", port.error().message.c_str());
+  auto opened = glider::hooks::SerialPort::open(argv[1], 115200);
+  if (!opened) {
+    std::fprintf(stderr, "%s\n", opened.error().message.c_str());
     return 3;
   }
-  const bool hangs = argc > 3 && std::strcmp(argv[2], "hang") == 0;
+  std::optional port(std::move(*opened));
+  const std::string_view mode = argc > 3 ? argv[2] : "";
   const int most_ticks = argc > 3 ? std::atoi(argv[3]) : 1 << 30;
   glider::simulator::FakePilot pilot({});
   const GliderByteStream stream = port->stream();
@@ -32,8 +36,14 @@ int main(int argc, char** argv) {
     pilot.poll(stream, clock.clock());
     ::usleep(200);
   }
-  while (hangs) {
+  if (mode == "linger" || mode == "close") {
+    port.reset();
+  }
+  while (mode == "hang" || mode == "close") {
     ::pause();
+  }
+  if (mode == "linger") {
+    ::usleep(1'500'000);
   }
   return pilot.closed() ? 0 : 7;
 }

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "simulator/magnetism/declination.h"
+
+#include "simulator/magnetism/magnetic_field.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace glider::simulator {
+namespace {
+
+constexpr double kRadPerDeg = std::numbers::pi / 180;
+constexpr double kKmPerDeg = 111.7;      // a degree of latitude is nowhere longer
+constexpr double kLeastRadiusKm = 6350;  // of the Earth
+
+/// How fast the declination changes along the surface, at most, rad/km: with the horizontal field,
+/// the more the weaker that is, and because true north turns on the way east.
+double steepest(double latitude_deg, double horizontal_nT) {
+  return Declination::kSteepest_nT_per_km / horizontal_nT +
+         std::fabs(std::tan(latitude_deg * kRadPerDeg)) / kLeastRadiusKm;
+}
+
+}  // namespace
+
+bool Declination::isNear(double latitude_deg, double longitude_deg) const {
+  const double north_km = (latitude_deg - latitude_deg_) * kKmPerDeg;
+  const double east_km = std::remainder(longitude_deg - longitude_deg_, 360) * kKmPerDeg;
+  // A degree of longitude is shorter, so the distance is no greater.
+  return std::hypot(north_km, east_km * std::cos(latitude_deg * kRadPerDeg)) <= radius_km_;
+}
+
+double Declination::at(double latitude_deg, double longitude_deg) {
+  if (!isNear(latitude_deg, longitude_deg)) {
+    // What holds here holds nearly as well at the rim, not a kilometre on.
+    constexpr double kShare = 0.9;
+    const MagneticField field = magneticField(latitude_deg, longitude_deg, 0, year_);
+    latitude_deg_ = latitude_deg;
+    longitude_deg_ = longitude_deg;
+    radius_km_ = kShare * kErrorRad / steepest(latitude_deg, field.horizontal_nT);
+    declination_rad_ = field.declination_rad;
+    ++computed_;
+  }
+  return declination_rad_;
+}
+
+}  // namespace glider::simulator

@@ -1,15 +1,28 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "ir/prove/held_ranges.h"
+#include "ir/prove/never_unknown.h"
 #include "ir/prove/orders.h"
 #include "ir/prove/passes.h"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <utility>
 
 namespace glider::ir::prove {
 namespace {
+
+/// What is never unknown as variables lie where they are ever set to: found by some work, which few
+/// missions need.
+struct Held {
+  explicit Held(const Mission& mission)
+      : ranges(heldIntervals(mission)), known(neverUnknown(mission, ranges).expressions) {}
+
+  std::vector<Interval> ranges;
+  std::vector<bool> known;
+};
 
 /// An order stays in force until the next one, so what every profile and route orders when it
 /// begins makes sure that each tick leaves pitch, pump and heading commanded.
@@ -37,23 +50,50 @@ class BeginningCheck {
 
   /// Whether every way through the block gives an order.
   // NOLINTNEXTLINE(misc-no-recursion): as deep as the mission's text nests
-  [[nodiscard]] bool orders(BlockId block, bool vertical) const {
+  [[nodiscard]] bool orders(BlockId block, bool vertical) {
     if (!block.valid()) {
       return false;
     }
     return std::ranges::any_of(m_[block].statements, [&](const Statement& statement) {
       if (statement.kind == StatementKind::Command) {
-        return isVertical(statement.command) == vertical;
+        return isVertical(statement.command) == vertical && takesEffect(statement);
       }
       // An unknown condition takes neither branch.
-      return statement.kind == StatementKind::If &&
-             proof_.ground.known.expressions[statement.value.index] &&
+      return statement.kind == StatementKind::If && isKnown(statement.value) &&
              orders(statement.then, vertical) && orders(statement.otherwise, vertical);
     });
   }
 
+  /// A command with an unknown argument changes nothing. A place of a path counts as known where
+  /// its number is one of the path's at times: cases may see to it that it always is.
+  bool takesEffect(const Statement& command) {
+    return std::ranges::all_of(command.values, [&](ExprId id) {
+      const Expr& e = m_[id];
+      return e.op == Op::Element ? isKnown(e.operands[0]) && mayBeRow(e) : isKnown(id);
+    });
+  }
+
+  [[nodiscard]] bool mayBeRow(const Expr& element) const {
+    const Interval& rows = proof_.ground.intervals[element.operands[0].index];
+    const auto count = static_cast<double>(m_[element.table].values.size());
+    return !rows.empty && rows.highest >= 0 && rows.lowest < count;
+  }
+
+  /// Whatever the sensors say.
+  bool isKnown(ExprId id) {
+    return proof_.ground.known.expressions[id.index] || held().known[id.index];
+  }
+
+  const Held& held() {
+    if (!held_) {
+      held_.emplace(m_);
+    }
+    return *held_;
+  }
+
   Proof& proof_;
   const Mission& m_;
+  std::optional<Held> held_;
   std::set<std::pair<uint32_t, uint32_t>> told_;
 };
 

@@ -77,11 +77,14 @@ class RequirementCheck {
   RequirementVerdict judgeAreas(const Requirement& requirement) {
     const FenceVerdict found = judgeFences(requirement.fences, proof_.ground, proof_.ending);
     if (found.proved) {
-      return {
-          0, Verdict::Proved, std::nullopt,
-          fmt::format("if control is given {0:.0f} m or more on the right side of each edge, and "
-                      "everything between there and the waypoints is {0:.0f} m from the edge too",
-                      std::ceil(found.margin_m))};
+      return {0, Verdict::Proved, std::nullopt,
+              fmt::format(
+                  "if control is given {0:.0f} m or more on the right side of each edge{1}, and "
+                  "everything between there and the waypoints is {0:.0f} m from the edge too",
+                  std::ceil(found.margin_m),
+                  found.start_within_m > 0
+                      ? fmt::format(", within {:g} km of a waypoint", found.start_within_m / 1000)
+                      : "")};
     }
     auto run = tryAtRandom(requirement, proof_.ground.withoutPowerCuts());
     if (!run && powerCutsMatter()) {

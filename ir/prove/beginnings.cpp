@@ -10,6 +10,7 @@
 #include <optional>
 #include <set>
 #include <utility>
+#include <vector>
 
 namespace glider::ir::prove {
 namespace {
@@ -18,10 +19,10 @@ namespace {
 /// missions need.
 struct Held {
   explicit Held(const Mission& mission)
-      : ranges(heldIntervals(mission)), known(neverUnknown(mission, ranges).expressions) {}
+      : ranges(heldIntervals(mission)), known(neverUnknown(mission, ranges)) {}
 
   std::vector<Interval> ranges;
-  std::vector<bool> known;
+  Inherited known;
 };
 
 /// An order stays in force until the next one, so what every profile and route orders when it
@@ -60,8 +61,33 @@ class BeginningCheck {
       }
       // An unknown condition takes neither branch.
       return statement.kind == StatementKind::If && isKnown(statement.value) &&
-             orders(statement.then, vertical) && orders(statement.otherwise, vertical);
+             ordersIf(statement.value, true, statement.then, vertical) &&
+             ordersIf(statement.value, false, statement.otherwise, vertical);
     });
+  }
+
+  /// The same of a branch, in which its condition is true, or false.
+  // NOLINTNEXTLINE(misc-no-recursion): as deep as the mission's text nests
+  bool ordersIf(ExprId condition, bool value, BlockId block, bool vertical) {
+    const size_t before = shown_.size();
+    addShown(condition, value);
+    const bool found = orders(block, vertical);
+    shown_.resize(before);
+    return found;
+  }
+
+  /// What is known as the condition says so.
+  // NOLINTNEXTLINE(misc-no-recursion): as deep as the mission's text nests
+  void addShown(ExprId condition, bool value) {
+    const Expr& e = m_[condition];
+    if (e.op == Op::Not) {
+      addShown(e.operands[0], !value);
+    } else if (e.op == Op::Known && value) {
+      shown_.push_back(e.operands[0]);
+    } else if (e.op == (value ? Op::And : Op::Or)) {
+      addShown(e.operands[0], value);
+      addShown(e.operands[1], value);
+    }
   }
 
   /// A command with an unknown argument changes nothing. A place of a path counts as known where
@@ -81,7 +107,8 @@ class BeginningCheck {
 
   /// Whatever the sensors say.
   bool isKnown(ExprId id) {
-    return proof_.ground.known.expressions[id.index] || held().known[id.index];
+    return proof_.ground.known.expressions[id.index] || held().known.expressions[id.index] ||
+           (!shown_.empty() && knownWhere(m_, held().ranges, held().known, shown_)[id.index]);
   }
 
   const Held& held() {
@@ -94,6 +121,7 @@ class BeginningCheck {
   Proof& proof_;
   const Mission& m_;
   std::optional<Held> held_;
+  std::vector<ExprId> shown_;  ///< known in the branch that is looked at
   std::set<std::pair<uint32_t, uint32_t>> told_;
 };
 

@@ -16,4 +16,8 @@ namespace glider::ir::prove {
 /// makes a variable unknown.) `intervals`: where every expression lies when it is known.
 Inherited neverUnknown(const Mission& mission, const std::vector<Interval>& intervals);
 
+/// Which expressions are known at a moment at which these are besides; `always` is neverUnknown.
+std::vector<bool> knownWhere(const Mission& mission, const std::vector<Interval>& intervals,
+                             const Inherited& always, const std::vector<ExprId>& shown);
+
 }  // namespace glider::ir::prove

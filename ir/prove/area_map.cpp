@@ -96,12 +96,18 @@ AreaMap::AreaMap(const std::vector<Position>& corners, const std::vector<Positio
     east.add(std::remainder(place.longitude - origin_.longitude, 360));
   }
   width_ = east.size();
-  const double outermost = std::min(farthest_ + kBeyond, 89.0) * std::numbers::pi / 180;
-  east_scale_ = kShortestDegree * std::cos(outermost);
-  const double length =
-      kMetresPerDegree *
-      std::hypot(north.size(), east.size() * std::cos(nearest * std::numbers::pi / 180));
-  bend_m_ = length * length * std::tan(outermost) / (8 * kEarthRadius);
+  east_scale_ = kShortestDegree * std::cos(outermost());
+  length_ = kMetresPerDegree *
+            std::hypot(north.size(), east.size() * std::cos(nearest * std::numbers::pi / 180));
+}
+
+double AreaMap::outermost() const {
+  return std::min(farthest_ + kBeyond, 89.0) * std::numbers::pi / 180;
+}
+
+double AreaMap::bend_m(double beyond) const {
+  const double length = length_ + beyond;
+  return length * length * std::tan(outermost()) / (8 * kEarthRadius);
 }
 
 AreaMap::Point AreaMap::at(const Position& place) const {

@@ -30,21 +30,24 @@ class AreaMap {
 
   [[nodiscard]] Clearance clearance(const Fence& fence,
                                     const std::vector<Position>& waypoints) const;
-  /// How far the shortest way between two places of it is off the map's straight line, m, at most:
-  /// the sagitta of a great circle against its parallel.
-  [[nodiscard]] double bend_m() const { return bend_m_; }
+  /// How far the shortest way between two of the places, or from one to a place within `beyond`
+  /// metres of another, is off the map's straight line, m, at most: the sagitta of a great circle
+  /// against its parallel.
+  [[nodiscard]] double bend_m(double beyond) const;
 
  private:
   struct Point {
     double east, north;  ///< m
   };
   [[nodiscard]] Point at(const Position& place) const;
+  /// The map's latitude farthest from the equator, rad.
+  [[nodiscard]] double outermost() const;
 
   Position origin_;
   double farthest_ = 0;    ///< from the equator, degrees
   double width_ = 0;       ///< degrees of longitude
   double east_scale_ = 0;  ///< m in a degree
-  double bend_m_ = 0;
+  double length_ = 0;      ///< of the longest way between two of the places, m
 };
 
 }  // namespace glider::ir::prove

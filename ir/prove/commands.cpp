@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "ir/core/walk.h"
 #include "ir/prove/orders.h"
 #include "ir/prove/passes.h"
 #include "ir/prove/question.h"
+#include "ir/prove/setting.h"
 #include "ir/verify/value_text.h"
 
 #include <fmt/format.h>
@@ -113,7 +115,7 @@ class CommandCheck {
     }
     const bool judged =
         !down.empty && !up.empty && up.lowest <= kNoBound && down.highest >= -kNoBound;
-    if (judged && (up.lowest >= down.highest || !(surelyTurns() || canTurn()))) {
+    if (judged && (up.lowest >= down.highest || !(surelyTurns() || canTurn(state)))) {
       proof_.diagnostics.report(DiagnosticId::profileTurnedRound, state.profile.range, depths(up),
                                 depths(down));
     }
@@ -134,17 +136,20 @@ class CommandCheck {
     });
   }
 
-  /// Whether some climb of the profile leads above where some dive leads, with one value of each
-  /// variable: `yo(layer + 5 m, layer + 5 m, …)` does not, whatever `layer` is.
-  bool canTurn() {
+  /// Whether some climb of the profile leads above where some dive leads: `yo(layer + 5 m, layer +
+  /// 5 m, …)` does not, whatever `layer` is, unless it changes while the profile flies. The two
+  /// orders are given at different times: only what stays as it is has one value for both.
+  bool canTurn(const State& state) {
     Unknowns unknowns(proof_.context);
-    Moment moment(unknowns, proof_.ground);
+    Moment climbing(unknowns, proof_.ground);
+    fix(state, climbing);
+    Moment diving = climbing;
     z3::expr turns = proof_.context.bool_val(false);
     for (const Statement* up : orders_) {
       for (const Statement* down : orders_) {
         if (up->command == Command::Ascend && down->command == Command::Descend) {
-          const NumberTerm top = moment.number(up->values.at(0));
-          const NumberTerm bottom = moment.number(down->values.at(0));
+          const NumberTerm top = climbing.number(up->values.at(0));
+          const NumberTerm bottom = diving.number(down->values.at(0));
           turns = turns || (top.known && bottom.known && top.value < bottom.value);
         }
       }
@@ -153,6 +158,26 @@ class CommandCheck {
     question.add(unknowns);
     question.add(turns);
     return question.ask() != Answer::No;
+  }
+
+  /// Gives a value to each variable that the orders read and that nothing sets while the state
+  /// lasts.
+  void fix(const State& state, Moment& moment) const {
+    const std::vector<bool> set = setWhileCurrent(m_, state);
+    for (const Statement* order : orders_) {
+      for (const ExprId value : order->values) {
+        forEachIn(m_, value, [&](const Expr& e) {
+          if (e.op != Op::Variable || set[e.variable.index]) {
+            return;
+          }
+          if (e.type.kind == TypeKind::Bool) {
+            (void)moment.truthOf(e.variable);
+          } else {
+            (void)moment.numberOf(e.variable);
+          }
+        });
+      }
+    }
   }
 
   static std::string depths(const Interval& range) {

@@ -16,6 +16,9 @@ namespace {
 /// Three days: in more the current takes it beyond any area.
 constexpr double kLongest = 3 * 86400.0;
 
+/// Of an area to keep out of, m: control is given no farther from some waypoint.
+constexpr double kStartWithin = 50000;
+
 /// How far it may get off its legs, m, in `time` seconds.
 double offLegs(const Ground& ground, bool by_heading, double time) {
   const platforms::World& world = ground.platform.world;
@@ -44,27 +47,30 @@ std::string reasonOf(const Ground& ground, const Fence& fence, const Steering& s
 FenceVerdict judgeFences(const std::vector<Fence>& fences, const Ground& ground, Ending& ending) {
   const auto end = ending.by(kLongest);
   if (!end) {
-    return {false, 0, "no time up to three days is known by which the mission has ended"};
+    return {false, 0, 0, "no time up to three days is known by which the mission has ended"};
   }
   const Steering steering = steeringOf(ground);
   const double off_legs = offLegs(ground, steering.by_heading, *end);
-  FenceVerdict verdict{true, off_legs, ""};
+  FenceVerdict verdict{true, off_legs, 0, ""};
   if (steering.waypoints.empty()) {
-    return {false, 0, "it steers to no waypoint, so nothing says where it flies"};
+    return {false, 0, 0, "it steers to no waypoint, so nothing says where it flies"};
   }
   for (const Fence& fence : fences) {
     const AreaMap map(fence.corners, steering.waypoints);
     const Clearance found = map.clearance(fence, steering.waypoints);
-    const double margin = off_legs + map.bend_m();
-    if (!map.holds(margin)) {
-      return {false, 0,
+    // In an area to keep in, it begins among its corners.
+    const double start_within = fence.keep_in ? 0 : kStartWithin;
+    const double margin = off_legs + map.bend_m(start_within);
+    if (!map.holds(margin + start_within)) {
+      return {false, 0, 0,
               "its area and its waypoints lie too far from each other, or too near a pole, for a "
               "plane map"};
     }
     if (!found.right_side || found.distance_m < margin) {
-      return {false, 0, reasonOf(ground, fence, steering, found, *end, margin)};
+      return {false, 0, 0, reasonOf(ground, fence, steering, found, *end, margin)};
     }
     verdict.margin_m = std::max(verdict.margin_m, margin);
+    verdict.start_within_m = std::max(verdict.start_within_m, start_within);
   }
   return verdict;
 }

@@ -31,11 +31,14 @@ namespace glider::ir::prove {
 struct FenceVerdict {
   bool proved = false;  ///< they are kept
   double margin_m = 0;  ///< so far from the edges control has to be given; of what is proved
-  std::string reason;   ///< why they are not known to be kept
+  /// No farther from one of the waypoints, m; 0: an area to keep in says where.
+  double start_within_m = 0;
+  std::string reason;  ///< why they are not known to be kept
 };
 
-/// Of `fences`, for the whole flight, given that control is given on the right side by the margin
-/// and that the hull of that place and the waypoints is. Distances: of area_map.h, rounded down.
+/// Of `fences`, for the whole flight, given that control is given on the right side by the margin,
+/// within `start_within_m`, and that the hull of that place and the waypoints is. (A way from
+/// farther off would bend more on the map.) Distances: of area_map.h, rounded down.
 FenceVerdict judgeFences(const std::vector<Fence>& fences, const Ground& ground, Ending& ending);
 
 }  // namespace glider::ir::prove

@@ -4,6 +4,7 @@
 #include "ir/prove/ground.h"
 
 #include "ir/prove/never_unknown.h"
+#include "ir/prove/setting.h"
 #include "ir/verify/whole_numbers.h"
 
 #include <algorithm>
@@ -17,6 +18,7 @@ Ground::Ground(const Mission& asked, const platforms::Platform& vehicle)
       intervals(intervalsOf(asked)),
       known(neverUnknown(asked, intervals)),
       whole(wholeExpressions(asked, intervals)),
+      set_since(setSinceWatched(asked)),
       depth(depthSensor(asked, vehicle)),
       tick_gap_s(std::max(vehicle.world.tick_gap_s, asked.resume_within_s)) {
   constexpr double kMost = std::numeric_limits<double>::max();

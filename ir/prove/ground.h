@@ -26,7 +26,10 @@ struct Ground {
   std::vector<Interval> windows;    ///< of every temporal that is a window
   Inherited known;                  ///< never unknown
   std::vector<bool> whole;          ///< of every expression: a whole number, exactly
-  std::optional<SensorId> depth;    ///< the vehicle's own depth, if the mission reads it
+  /// Of every temporal: the variables that it reads and that a list tried before its own may set in
+  /// the same tick. It has looked at them before any list, the guards of its own list after.
+  std::vector<std::vector<VariableId>> set_since;
+  std::optional<SensorId> depth;  ///< the vehicle's own depth, if the mission reads it
   /// Two ticks of the mission are no further apart than this, s: the SBC may have been without
   /// power for as long as the mission allows (`resume within`), any number of times.
   double tick_gap_s;

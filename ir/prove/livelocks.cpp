@@ -7,6 +7,7 @@
 #include "ir/eval/evaluate.h"
 #include "ir/prove/control.h"
 #include "ir/prove/duration_text.h"
+#include "ir/prove/earliest_entry.h"
 #include "ir/prove/passes.h"
 
 #include <fmt/format.h>
@@ -60,18 +61,37 @@ class LivelockCheck {
   }
 
  private:
+  /// At the times that are named, and on the first tick that the state can have if it goes to and
+  /// fro at one before.
   void look(StateId state) {
+    bool too_early = false;
     for (const double time : timesOf(state)) {
-      for (const double entered : {kUnknown, time - cycle_s_}) {
-        Control control;
-        control.state = state;
-        const auto round = roundFrom({control, time, {entered}, entered});
-        if (!round.empty() && isCurrent(state, time) && told_.insert(keyOf(round)).second) {
-          tell(round, time);
-          return;
-        }
+      if (lookAt(state, time, too_early)) {
+        return;
       }
     }
+    if (too_early && entryOf(state) < kLongestMission) {
+      (void)lookAt(state, entryOf(state) + cycle_s_, too_early);
+    }
+  }
+
+  /// Whether something is told.
+  bool lookAt(StateId state, double time, bool& too_early) {
+    for (const double entered : {kUnknown, time - cycle_s_}) {
+      Control control;
+      control.state = state;
+      const auto round = roundFrom({control, time, {entered}, entered});
+      if (round.empty()) {
+        continue;
+      }
+      if (isBeforeEntry(state, time, entered)) {
+        too_early = true;
+      } else if (isStillCurrent(state, time) && told_.insert(keyOf(round)).second) {
+        tell(round, time);
+        return true;
+      }
+    }
+    return false;
   }
 
   /// Each time that the state's conditions, and those of `always`, compare mission time with, and
@@ -195,8 +215,21 @@ class LivelockCheck {
         }));
   }
 
+  /// The earliest; asked for by few missions.
+  double entryOf(StateId state) {
+    if (entries_.empty()) {
+      entries_ = earliestEntries(proof_.ground);
+    }
+    return entries_[state.index];
+  }
+
+  /// Whether the state cannot have been entered at `entered`; NaN: at any time before `time`.
+  bool isBeforeEntry(StateId state, double time, double entered) {
+    return isKnown(entered) ? entered < entryOf(state) : time <= entryOf(state);
+  }
+
   /// Whether the state may still be current then, as far as is known.
-  bool isCurrent(StateId state, double time) {
+  bool isStillCurrent(StateId state, double time) {
     const EndBound& end = proof_.ending.boundWithoutPowerCuts();
     return !end.by || time <= end.left_by[state.index];
   }
@@ -223,6 +256,7 @@ class LivelockCheck {
   const Mission& m_;
   double cycle_s_;
   std::set<double> always_times_;
+  std::vector<double> entries_;  ///< the earliest of every state, once it is asked for
   std::set<std::set<StateId>> told_;
 };
 

@@ -144,19 +144,37 @@ const NumberTerm& Moment::numberOf(TemporalId id) {
   return watched_numbers_.emplace(id.index, term).first->second;
 }
 
-/// `became` and `held` are true only while what they watch is; `held` has watched it for its time
-/// since its list became current.
+/// What the temporal reads is worked out here first, so that both moments have it; what a list has
+/// set since is then anything.
+Moment Moment::whenJudged(TemporalId id) {
+  Moment then = *this;
+  for (const VariableId variable : ground_.set_since[id.index]) {
+    then.numbers_.erase(variable.index);
+    then.truths_.erase(variable.index);
+  }
+  then.forget();
+  return then;
+}
+
+/// `became` and `held` are true only while what they watch is, as the tick began; `held` has
+/// watched it for its time since its list became current.
 const TruthTerm& Moment::truthOf(TemporalId id) {
   const auto found = watched_truths_.find(id.index);
   if (found != watched_truths_.end()) {
     return found->second;
   }
   const Temporal& temporal = mission_[id];
-  const TruthTerm watched = truth(temporal.operand);
+  (void)truth(temporal.operand);
+  if (temporal.kind == TemporalKind::Held) {
+    (void)number(temporal.duration);
+  }
+  std::optional<Moment> before;
+  Moment& then = ground_.set_since[id.index].empty() ? *this : before.emplace(whenJudged(id));
+  const TruthTerm watched = then.truth(temporal.operand);
   z3::expr is_true = unknowns_.truth("watched") && watched.is_true;
   z3::expr known = watched.is_true || watched.is_false;
   if (temporal.kind == TemporalKind::Held) {
-    const NumberTerm duration = number(temporal.duration);
+    const NumberTerm duration = then.number(temporal.duration);
     const z3::expr& since = watchesState(temporal) ? resumeTime() : missionTime();
     is_true = is_true && duration.known && since >= duration.value - real(duration.slack);
     known = watched.is_false || (watched.is_true && duration.known);

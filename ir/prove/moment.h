@@ -80,6 +80,9 @@ class Moment {
 
  private:
   z3::expr knownOf(VariableId id);
+  /// The moment at which a temporal was judged whose parts have been worked out in this one: before
+  /// any list was tried.
+  Moment whenJudged(TemporalId id);
   void lower(ExprId root);
   void lowerOne(uint32_t index);
   void lowerNumber(uint32_t index);

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace glider::ir::prove {
 namespace {
@@ -95,6 +96,23 @@ bool beginsKnown(const Variable& variable, bool initial) {
          initial;
 }
 
+/// Whether two expressions say the same.
+// NOLINTNEXTLINE(misc-no-recursion): as deep as the mission's text nests
+bool isSame(const Mission& m, ExprId a, ExprId b) {
+  if (a == b) {
+    return true;
+  }
+  const Expr& x = m[a];
+  const Expr& y = m[b];
+  bool same = x.op == y.op && x.number == y.number && x.sensor == y.sensor &&
+              x.variable == y.variable && x.temporal == y.temporal && x.table == y.table &&
+              x.use == y.use;
+  for (uint32_t i = 0; same && i < operandCount(x); ++i) {
+    same = isSame(m, x.operands.at(i), y.operands.at(i));
+  }
+  return same;
+}
+
 }  // namespace
 
 Inherited neverUnknown(const Mission& mission, const std::vector<Interval>& intervals) {
@@ -103,6 +121,19 @@ Inherited neverUnknown(const Mission& mission, const std::vector<Interval>& inte
       mission, {[&](size_t index, const Inherited& judged) { return known.isKnown(index, judged); },
                 beginsKnown,
                 /*lost_by_set=*/false});  // one to an unknown value does nothing
+}
+
+std::vector<bool> knownWhere(const Mission& mission, const std::vector<Interval>& intervals,
+                             const Inherited& always, const std::vector<ExprId>& shown) {
+  const KnownExpressions known(mission, intervals);
+  Inherited judged{always.variables, {}};
+  for (size_t i = 0; i < mission.exprs.size(); ++i) {
+    const ExprId id{static_cast<uint32_t>(i)};
+    const bool is_shown =
+        std::ranges::any_of(shown, [&](ExprId other) { return isSame(mission, id, other); });
+    judged.expressions.push_back(is_shown || known.isKnown(i, judged));
+  }
+  return std::move(judged.expressions);
 }
 
 }  // namespace glider::ir::prove

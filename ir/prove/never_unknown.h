@@ -13,7 +13,11 @@ namespace glider::ir::prove {
 
 /// Which variables are known whenever they have started: their initial value, or each argument that
 /// they are given, is known whatever the sensors say; and which expressions then are. (`set` never
-/// makes a variable unknown.) `intervals` are intervalsOf(mission).
+/// makes a variable unknown.) `intervals`: where every expression lies when it is known.
 Inherited neverUnknown(const Mission& mission, const std::vector<Interval>& intervals);
+
+/// Which expressions are known at a moment at which these are besides; `always` is neverUnknown.
+std::vector<bool> knownWhere(const Mission& mission, const std::vector<Interval>& intervals,
+                             const Inherited& always, const std::vector<ExprId>& shown);
 
 }  // namespace glider::ir::prove

@@ -38,6 +38,7 @@ class Closure {
         activity(m_.states[i].route, result_.routes, i);
       }
     } while (grown_);
+    result_.expressions = seen_;
     return result_;
   }
 

@@ -5,6 +5,7 @@
 #include "ir/prove/duration_text.h"
 #include "ir/prove/entered_after.h"
 #include "ir/prove/fences.h"
+#include "ir/prove/known_roughly.h"
 #include "ir/prove/passes.h"
 #include "ir/prove/random_flight.h"
 #include "ir/prove/relevance.h"
@@ -76,11 +77,14 @@ class RequirementCheck {
   RequirementVerdict judgeAreas(const Requirement& requirement) {
     const FenceVerdict found = judgeFences(requirement.fences, proof_.ground, proof_.ending);
     if (found.proved) {
-      return {
-          0, Verdict::Proved, std::nullopt,
-          fmt::format("if control is given {0:.0f} m or more on the right side of each edge, and "
-                      "everything between there and the waypoints is {0:.0f} m from the edge too",
-                      std::ceil(found.margin_m))};
+      return {0, Verdict::Proved, std::nullopt,
+              fmt::format(
+                  "if control is given {0:.0f} m or more on the right side of each edge{1}, and "
+                  "everything between there and the waypoints is {0:.0f} m from the edge too",
+                  std::ceil(found.margin_m),
+                  found.start_within_m > 0
+                      ? fmt::format(", within {:g} km of a waypoint", found.start_within_m / 1000)
+                      : "")};
     }
     auto run = tryAtRandom(requirement, proof_.ground.withoutPowerCuts());
     if (!run && powerCutsMatter()) {
@@ -157,7 +161,7 @@ class RequirementCheck {
       found.run = tryAtRandom(requirement, proof_.ground);
     }
     return found.run ? RequirementVerdict{0, Verdict::Proved, std::move(found.run)}
-                     : open(requirement, reasonOf(found.answer));
+                     : open(requirement, reasonOf(requirement, found.answer));
   }
 
   /// Proved for an SBC whose power may be cut; what breaks it is shown without, where it can be.
@@ -189,7 +193,7 @@ class RequirementCheck {
       return broken(requirement, std::move(*found.run));
     }
     return open(requirement,
-                reasonOf(found.answer) +
+                reasonOf(requirement, found.answer) +
                     (powered_proved ? "; it is so if the power of the SBC is never cut" : ""));
   }
 
@@ -206,18 +210,21 @@ class RequirementCheck {
     z3::config config;
     config.set("rlimit", static_cast<int>(proof_.options.run_effort));  // Spacer takes no other
     z3::context context(config);
-    const bool vehicle = reckonsWithDepth(requirement, ground);
-    std::vector<ExprId> asked;
-    if (requirement.condition.valid()) {
-      asked.push_back(requirement.condition);
-    }
-    const Relevance relevance = relevanceFor(m_, asked, vehicle);
+    const Relevance relevance = relevanceOf(requirement, ground);
     try {
       const Watch watch = watchFor(requirement, context, ground);
       return askAboutRuns(context, ground, relevance, watch, proof_.options.run_effort);
     } catch (const z3::exception& trouble) {
       return {Answer::Unknown, std::nullopt, trouble.msg()};
     }
+  }
+
+  [[nodiscard]] Relevance relevanceOf(const Requirement& requirement, const Ground& ground) const {
+    std::vector<ExprId> asked;
+    if (requirement.condition.valid()) {
+      asked.push_back(requirement.condition);
+    }
+    return relevanceFor(m_, asked, reckonsWithDepth(requirement, ground));
   }
 
   /// Seeds 1, 2, …, until so many ticks are flown.
@@ -241,11 +248,15 @@ class RequirementCheck {
     return {0, Verdict::Refuted, std::nullopt};
   }
 
-  static std::string reasonOf(const RunsAnswer& answer) {
-    return answer.bad == Answer::Yes
-               ? "a run seemed to break it, but does not when it is tried; products of measured "
-                 "values, windows and C functions are only known roughly here"
-               : fmt::format("Z3 gave up ({}), and no random flight broke it", answer.trouble);
+  [[nodiscard]] std::string reasonOf(const Requirement& requirement,
+                                     const RunsAnswer& answer) const {
+    if (answer.bad != Answer::Yes) {
+      return fmt::format("Z3 gave up ({}), and no random flight broke it", answer.trouble);
+    }
+    const std::string what = knownRoughly(m_, relevanceOf(requirement, proof_.ground));
+    return fmt::format("a run seemed to {} it, but does not when it is tried{}",
+                       requirement.kind == RequirementKind::Reach ? "do" : "break",
+                       what.empty() ? "" : "; only known roughly here: " + what);
   }
 
   RequirementVerdict open(const Requirement& requirement, const std::string& reason) {

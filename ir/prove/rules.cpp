@@ -116,7 +116,8 @@ void RuleWriter::elapse(const Control& control) {
   const Configuration before = layout_.make(control, unknowns);
   Configuration after = before;
   after.mission_time = unknowns.real("now");
-  z3::expr condition = after.mission_time > before.mission_time;
+  // A frame that comes late, after ticks by the SBC's own clock, brings no later time.
+  z3::expr condition = after.mission_time >= before.mission_time;
   if (before.store.vehicle) {
     after.store.vehicle->depth = unknowns.real("depth");
     condition = condition && moves(*before.store.vehicle, before.mission_time, after.mission_time,

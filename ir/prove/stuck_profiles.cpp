@@ -27,7 +27,10 @@ struct Mode {
 /// come out either way.
 class ProfileModes {
  public:
-  ProfileModes(const Mission& mission, const Activity& profile) : m_(mission), profile_(profile) {
+  /// `resumes`: its state may be returned to, so that its entry runs again, in the mode that it is
+  /// in.
+  ProfileModes(const Mission& mission, const Activity& profile, bool resumes)
+      : m_(mission), profile_(profile), resumes_(resumes) {
     const auto gather = [&](const Statement& statement) {
       const bool sets = statement.kind == StatementKind::Set &&
                         m_[statement.variable].type.kind == TypeKind::Bool &&
@@ -88,6 +91,12 @@ class ProfileModes {
   }
 
   void follow(const Mode& mode) {
+    if (resumes_) {
+      for (const Mode& after : run(profile_.entry, {mode})) {
+        next_[mode].insert(after);
+        arrive(after, profile_.range);
+      }
+    }
     for (const Case& c : profile_.cases) {
       const Truth guard = judge(c.guard, mode);
       if (guard == Truth::False) {
@@ -210,6 +219,7 @@ class ProfileModes {
 
   const Mission& m_;
   const Activity& profile_;
+  bool resumes_;
   std::vector<VariableId> own_;
   std::map<Mode, support::SourceRange> arrivals_;  ///< by which each was first met
   std::map<Mode, std::set<Mode>> next_;
@@ -228,15 +238,27 @@ bool goesBothWays(const Mission& mission, const Activity& profile) {
   return down && up;
 }
 
+/// Whether some of the cases may call a state, which may return.
+bool mayCall(const Proof& proof, StateId state, const std::vector<Case>& cases) {
+  for (uint32_t i = 0; i < cases.size(); ++i) {
+    if (cases[i].transition == Transition::Call && !proof.dead.contains({state, i})) {
+      return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 void passes::stuckProfiles(Proof& proof) {
   const Mission& m = proof.ground.mission;
   std::set<std::pair<uint32_t, uint32_t>> told;
-  for (const State& state : m.states) {
+  const bool always_calls = mayCall(proof, StateId(), m.always);
+  for (uint32_t i = 0; i < m.states.size(); ++i) {
+    const State& state = m.states[i];
     const bool own = !state.profile.cases.empty() &&
                      state.profile.cases.front().range.file != proof.options.library;
-    ProfileModes modes(m, state.profile);
+    ProfileModes modes(m, state.profile, always_calls || mayCall(proof, {i}, state.cases));
     if (!own || !goesBothWays(m, state.profile) || !modes.explore()) {
       continue;
     }

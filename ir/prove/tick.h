@@ -41,6 +41,7 @@ struct Outcome {
 
 /// What matters to a question; the rest of a tick is left out.
 struct Relevance {
+  std::vector<bool> expressions;
   std::vector<bool> variables;
   std::vector<bool> temporals;
   bool vehicle = false;  ///< orders and the depth

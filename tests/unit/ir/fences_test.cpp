@@ -19,6 +19,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -171,11 +172,15 @@ std::string boxed(const Places& waypoints, const Position& low, const Position& 
   return text + boxText(low, high);
 }
 
-FenceVerdict judged(const std::string& text) {
+FenceVerdict judged(const std::string& text, bool keep_in = true) {
   const Mission mission = missionOf(text);
   const Ground ground(mission, slocum());
   Ending ending(ground);
-  return judgeFences(mission.requirements[0].fences, ground, ending);
+  std::vector<Fence> fences = mission.requirements[0].fences;
+  for (Fence& fence : fences) {
+    fence.keep_in = keep_in;
+  }
+  return judgeFences(fences, ground, ending);
 }
 
 Steering steered(const std::string& text) {
@@ -217,6 +222,40 @@ TEST(Fences, WhatIsKeptNoCurrentBreaks) {
   }
   EXPECT_GT(proved, 8);
   EXPECT_GT(left, 8) << "else the flights would find nothing";
+}
+
+/// How far off the map's straight line the shortest way between two places is half way, m.
+double bendBetween(const Position& a, const Position& b) {
+  constexpr double kRadian = std::numbers::pi / 180;
+  const auto point = [](const Position& p) {
+    const double north = p.latitude * kRadian;
+    const double east = p.longitude * kRadian;
+    return std::array{std::cos(north) * std::cos(east), std::cos(north) * std::sin(east),
+                      std::sin(north)};
+  };
+  const auto from = point(a);
+  const auto to = point(b);
+  const double x = from[0] + to[0];
+  const double y = from[1] + to[1];
+  const double z = from[2] + to[2];
+  const Position half{std::atan2(z, std::hypot(x, y)) / kRadian, std::atan2(y, x) / kRadian};
+  return onEarth(Op::Distance, half, between(a, b, 0.5));
+}
+
+TEST(Fences, AWayFromFarOffBendsIntoAnAreaToKeepOutOf) {
+  const Position waypoint{60, 0};
+  const FenceVerdict verdict = judged(boxed({waypoint}, {60.1, -0.3}, {60.2, 0.3}), false);
+  ASSERT_TRUE(verdict.proved) << verdict.reason;
+  ASSERT_GT(verdict.start_within_m, 0) << "from half round the Earth it might come over the pole";
+  const platforms::World& world = slocum().world;
+  const double off_legs = world.steering_error_m +
+                          (1200 + kResumeWithin_s) * world.surface_drift_m_s +
+                          kResumeWithin_s * world.through_water_m_s;
+  const double degrees = verdict.start_within_m / (111195 * 0.5);
+  const double bend = bendBetween({60, -degrees}, waypoint);
+  EXPECT_GT(bend, 50);
+  EXPECT_GE(verdict.margin_m, off_legs + bend);
+  EXPECT_EQ(judged(boxed({waypoint}, {59, -2}, {61, 2})).start_within_m, 0);
 }
 
 TEST(Fences, TheMarginGrowsWithTheTimeAndWithoutAWaypoint) {

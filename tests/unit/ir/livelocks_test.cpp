@@ -96,5 +96,25 @@ TEST(Livelocks, NotAtATimeAtWhichTheStateHasBeenLeft) {
       << "nothing stays in `a` for 500 s";
 }
 
+TEST(Livelocks, NotAtATimeBeforeWhichTheStateCannotBeEntered) {
+  const std::string b = stateText("b", kExit + "case (lt missiontime 500:time) goto c");
+  const std::string c = stateText("c", kExit + "case (lt missiontime 500:time) goto b");
+  const auto after = [&](const std::string& guard) {
+    return said(stateText("a", kExit + "case " + guard + " goto b") + b + c);
+  };
+  EXPECT_EQ(after("(ge missiontime 1000:time)"), "");
+  EXPECT_EQ(after("(gt statetime 600:time)"), "");
+  EXPECT_EQ(after("(and (gt (sensor depth) 5:length) (ge resumetime 500:time))"), "");
+  EXPECT_EQ(after("(gt (sensor depth) 500:length)"), "") << "the sensor ends at 100 m";
+  EXPECT_THAT(after("(ge missiontime 300:time)"), HasSubstr("at 304 s"));
+  EXPECT_EQ(said("always case (ge missiontime 700:time) goto b\n" +
+                 stateText("a", kExit + "case false goto a") + b + c),
+            "");
+  EXPECT_EQ(said(stateText("a", kExit + "case (ge statetime 300:time) call z") +
+                 stateText("z", kExit + "case (ge statetime 300:time) goto b") + b + c),
+            "")
+      << "one stay after the other";
+}
+
 }  // namespace
 }  // namespace glider::ir::prove

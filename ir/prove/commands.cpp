@@ -84,6 +84,7 @@ class CommandCheck {
   void holdUnderWater(const Activity& profile, const Statement& order) {
     const Interval& depth = range(order, 0);
     if (!depth.empty && depth.highest < 0 && told_.insert(profile.range.begin).second) {
+      in_the_air_.insert(profile.range.begin);
       const Type type = m_[order.values.at(0)].type;
       proof_.diagnostics.report(DiagnosticId::orderBeyondEnvelope, profile.range,
                                 shown(depth.highest, type), shown(0, type));
@@ -104,6 +105,9 @@ class CommandCheck {
 
   /// A profile that climbs and dives turns where the one ends and the other begins.
   void checkTurns(const State& state) {
+    if (in_the_air_.contains(state.profile.range.begin)) {
+      return;  // that it does not turn there either goes without saying
+    }
     Interval down{kEndless, -kEndless, true};
     Interval up = down;
     for (const Statement* order : orders_) {
@@ -198,6 +202,7 @@ class CommandCheck {
   const platforms::Envelope& envelope_;
   std::vector<const Statement*> orders_;  ///< of the profile that is looked at
   std::set<uint32_t> told_;
+  std::set<uint32_t> in_the_air_;  ///< profiles that order a depth above the surface
 };
 
 }  // namespace

@@ -18,6 +18,8 @@ class EndingJudge {
 
   /// What is violated in this cycle; empty: nothing.
   std::string cycle(const CycleView& view);
+  /// It was under water in the last cycle, on its way up, and still has time for that.
+  [[nodiscard]] bool isComingUp() const { return up_by_s_ >= last_s_; }
 
  private:
   std::string judgeAscent(const CycleView& view);

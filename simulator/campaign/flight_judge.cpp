@@ -284,7 +284,8 @@ std::string FlightJudge::violationAtEnd() const {
   if (hook_ == HookState::Active) {
     return "the flight does not end in time";
   }
-  if (!at_surface_) {
+  // The time for the flight may be over shortly after something has dived.
+  if (!at_surface_ && (ended_ || !ending_.isComingUp())) {
     return ended_ ? "the flight ends under water" : "not at the surface in time";
   }
   if (setup_.promise.control == Control::Kept && verdict_.hand_backs > 0) {

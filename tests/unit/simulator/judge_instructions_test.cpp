@@ -131,7 +131,18 @@ TEST_F(Judged, AFlightThatDoesNotEndIsSeen) {
   take();
   EXPECT_EQ(violation(), "the flight does not end in time");
   cycle(HookState::Silent, 10);
-  EXPECT_EQ(violation(), "not at the surface in time");
+  EXPECT_EQ(violation(), "") << "it may still come up";
+  for (int i = 0; i < 500; ++i) {
+    cycle(HookState::Silent, 10);
+  }
+  EXPECT_EQ(violation(), "still 10.0 m deep though nothing dives any more");
+}
+
+TEST_F(Judged, AFlightThatEndsUnderWaterIsSeen) {
+  take();
+  ended_ = true;
+  cycle(HookState::Silent, 10);
+  EXPECT_EQ(violation(), "the flight ends under water");
 }
 
 }  // namespace

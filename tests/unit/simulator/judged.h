@@ -76,8 +76,8 @@ class Judged : public testing::Test {
     out_.commanding = hook == hooks::HookState::Active;
     array_.set(GLIDER_M_DEPTH, std::isnan(reading_) ? depth : reading_);
     array_.set(GLIDER_X_HOOK_GUARD, static_cast<double>(out_.guard));
-    return judge_.cycle({now_, hook, depth, aborted, false, array_, now_ - restarted_s_, clearance_,
-                         used_J_, 14, whole_, aborted ? nullptr : &out_});
+    return judge_.cycle({now_, hook, depth, aborted, ended_, array_, now_ - restarted_s_,
+                         clearance_, used_J_, 14, whole_, aborted ? nullptr : &out_});
   }
   /// Up to `until_s` in control, the mission going on.
   void fly(double until_s) {
@@ -127,6 +127,7 @@ class Judged : public testing::Test {
   }
   double restarted_s_ = 0, clearance_ = 100, used_J_ = 0;
   double reading_ = std::nan("");  ///< of m_depth; NaN: the truth
+  bool ended_ = false;  ///< the vehicle's mission is over
   bool whole_ = true;
   static constexpr double kPitch = -0.5;
   SensorArray array_;

@@ -56,23 +56,26 @@ void DepthWatch::observe(const Surroundings& now, double step_s, double pump_cc)
 
 /// It gives readings, and they move when the vehicle does.
 bool DepthWatch::ctdLives() const {
-  return ctd_.age() <= kCtdLastsSecs && isFinite(ctd_.depth()) &&
-         ctd_.reading() != DepthSource::Reading::Jumped && !ctd_frozen_;
+  return ctd_.age() <= kCtdLastsSecs && isFinite(ctd_.depth()) && !ctd_jumped_ && !ctd_frozen_;
 }
 
 void DepthWatch::watchCtd(double step_s) {
   const bool moved = distance(own_.depth(), own_at_ctd_change_m_) >= kMovesM;
   ctd_frozen_ = (ctd_frozen_ && !ctd_is_new_) || (ctd_.sameFor() >= kFrozenSecs && moved);
+  const bool own_good = own_.reading() == DepthSource::Reading::Good;
+  const bool near = ctd_.age() == 0 && own_lately_.distanceTo(ctd_.depth()) <= kAgreeM;
+  ctd_jumped_ =
+      ctd_.reading() == DepthSource::Reading::Jumped || (ctd_jumped_ && !(own_good && near));
   if (!ctdLives()) {
     agree_s_ = disagree_s_ = 0;
     return;
   }
-  if (own_.reading() != DepthSource::Reading::Good) {
+  if (!own_good) {
     agree_s_ = 0;
     return;
   }
   if (ctd_.age() == 0) {  // one that is not new says nothing of where the vehicle is now
-    differs_ = !(own_lately_.distanceTo(ctd_.depth()) <= kAgreeM);
+    differs_ = !near;
   }
   agree_s_ = differs_ ? 0 : agree_s_ + step_s;
   disagree_s_ = differs_ ? disagree_s_ + step_s : 0;
@@ -143,6 +146,11 @@ HookGuard DepthWatch::doubt() const {
 
 double DepthWatch::depth() const {
   return doubt() == HookGuard::None ? own_.depth() : __builtin_nan("");
+}
+
+double DepthWatch::ctdDepth() const {
+  const bool good = ctd_.age() == 0 && ctd_.reading() == DepthSource::Reading::Good;
+  return good ? ctd_.depth() : __builtin_nan("");
 }
 
 double DepthWatch::deepest() const {

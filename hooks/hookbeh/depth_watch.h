@@ -25,6 +25,10 @@ class DepthWatch {
   [[nodiscard]] double deepest() const;
   /// A new reading of the CTD, which moves, says the same in this cycle.
   [[nodiscard]] bool isSeenByAnother() const { return agree_s_ > 0 && ctd_is_new_; }
+  /// The CTD's depth, where it is new in this cycle, m; else NaN.
+  [[nodiscard]] double ctdDepth() const;
+  /// The CTD works, though it has never agreed.
+  void believeCtd() { ctd_known_ = true; }
   /// For so long the readings have not been the same to the last bit, or the CTD's has agreed, s.
   [[nodiscard]] double aliveFor() const { return alive_s_; }
 
@@ -41,6 +45,7 @@ class DepthWatch {
   RecentDepths own_lately_;  // what the CTD says may be some seconds old
   DepthSource ctd_;
   bool ctd_is_new_ = false;         // it differs from the one before
+  bool ctd_jumped_ = false;         // and has not agreed since
   bool ctd_frozen_ = false;         // until it moves
   bool differs_ = false;            // the two, when they were last compared
   double own_at_ctd_change_m_ = 0;  // own depth when the CTD's last changed

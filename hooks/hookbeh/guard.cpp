@@ -24,6 +24,15 @@ constexpr double kStalledSecs = 240;
 /// m that the vehicle may sink unseen though it is at its greatest depth: less would end a dive
 /// that waves or a layer slow down. The slowest metre of a dive in real logs takes 16 s.
 constexpr double kLeastUnseenM = 6;
+/// m; so far before the depth has moved at all.
+constexpr double kMostUnseenAtFirstM = 20;
+/// Two sensors may be wrong: so much of the greatest depth past it in one dive, but so many metres
+/// at least, and at the steepest pitch.
+constexpr double kPastShare = 0.4;
+constexpr double kLeastInDiveM = 11;
+constexpr double kLeastSteeplyM = 18;
+/// m; here the vehicle is at the surface.
+constexpr double kAtSurfaceM = 1;
 /// s of climbing after a dive that gained no depth; then a living sensor is believed again.
 constexpr double kHomeSecs = 600;
 constexpr double kAliveSecs = 60;
@@ -66,8 +75,12 @@ void Guard::observe(const Surroundings& now, double step_s, const VerticalComman
     headway_.observe(way, watch_.depth(), step_s);
   }
   unseen_.observe(watch_.depth(), step_s, last);
+  by_ctd_.observe(watch_.ctdDepth(), step_s, last);
+  if (by_ctd_.hasMoved() && !unseen_.hasMoved()) {
+    watch_.believeCtd();  // it lives, and the depth does not
+  }
   if (watch_.isSeenByAnother()) {
-    unseen_.clear();
+    unseen_.confirm(watch_.depth());
   }
   tripped_s_ += step_s;
   noteBottom(now, step_s);
@@ -115,8 +128,22 @@ HookGuard Guard::stall(const HookbehArgs& args) const {
 }
 
 bool Guard::mayBeDeeper(const HookbehArgs& args) const {
-  const double left = args.greatest_depth_m - depth_m_;
-  return unseen_.metres() >= (left > kLeastUnseenM ? left : kLeastUnseenM);
+  const double shown = unseen_.shown();
+  const double least = shown + kLeastUnseenM;
+  const double first = shown + kMostUnseenAtFirstM;
+  double most = args.greatest_depth_m > least ? args.greatest_depth_m : least;
+  if (!unseen_.hasMoved() && first < most) {
+    most = first;
+  }
+  const double left = args.greatest_depth_m - shown + kPastShare * args.greatest_depth_m;
+  return unseen_.deepest() >= most ||
+         unseen_.sunkInDive() >= (left > kLeastInDiveM ? left : kLeastInDiveM) ||
+         unseen_.sunkSteeply() >= (left > kLeastSteeplyM ? left : kLeastSteeplyM);
+}
+
+bool Guard::mustShowDepth(const HookbehArgs& args) {
+  shows_ = mayBeDeeper(args) || (shows_ && unseen_.deepest() > unseen_.shown());
+  return shows_;
 }
 
 void Guard::trip(HookGuard broken) {
@@ -147,7 +174,8 @@ HookGuard Guard::mustClimb(const HookbehArgs& args, const Instruction& in_force)
 
 bool Guard::mayLetGo(const HookbehArgs& args, const Instruction& in_force) const {
   if (tripped_ == HookGuard::NoDepthGained) {
-    const bool home = tripped_s_ >= kHomeSecs && watch_.aliveFor() >= kAliveSecs;
+    const bool home = tripped_s_ >= kHomeSecs && watch_.aliveFor() >= kAliveSecs &&
+                      unseen_.deepest() <= kAtSurfaceM;
     return hasClimbedFar() || home;
   }
   if (tripped_ == HookGuard::NoHeightGained) {

@@ -29,9 +29,10 @@ class Guard {
   HookGuard mustClimb(const HookbehArgs& args, const Instruction& in_force);
   /// The vehicle's own depth, m; NaN while it cannot be believed.
   [[nodiscard]] double depth() const { return watch_.depth(); }
-  /// The vehicle may have sunk to its limit without the depth showing it: a hover has to show by a
-  /// climb that the depth lives.
-  [[nodiscard]] bool mayBeDeeper(const HookbehArgs& args) const;
+  /// The vehicle must climb to see whether its depth follows: it may have sunk to its limit without
+  /// the depth showing it, and nothing that it was instructed moves it. To be called after
+  /// mustClimb() in each cycle in which hookbeh commands.
+  bool mustShowDepth(const HookbehArgs& args);
   /// Another SBC takes over: the limits that the one before broke are forgotten, the bottom and
   /// what is wrong with the depth are not.
   void reset();
@@ -40,6 +41,7 @@ class Guard {
   void noteBottom(const Surroundings& now, double step_s);
   [[nodiscard]] HookGuard brokenLimit(const HookbehArgs& args) const;
   [[nodiscard]] HookGuard stall(const HookbehArgs& args) const;
+  [[nodiscard]] bool mayBeDeeper(const HookbehArgs& args) const;
   void trip(HookGuard broken);
   [[nodiscard]] bool mayLetGo(const HookbehArgs& args, const Instruction& in_force) const;
   [[nodiscard]] bool keepsLimits(const HookbehArgs& args, double depth_m, double margin_m) const;
@@ -50,6 +52,8 @@ class Guard {
   DepthWatch watch_;
   Headway headway_;
   UnseenSink unseen_;
+  UnseenSink by_ctd_;
+  bool shows_ = false;      // it climbs to see whether its depth follows
   bool doubted_ = false;    // it climbed in the cycle before as the depth was unknown or jumped
   double depth_m_ = 0;      // the deepest of what can be believed
   double altitude_m_ = -1;  // the newest that differed from the one before

@@ -13,6 +13,8 @@ namespace {
 
 /// 10 m of water are 1 bar, as the vehicle itself reckons.
 constexpr double kMetresPerBar = 10.0;
+/// cc; commands to the pump that differ by less are the same.
+constexpr double kPumpErrorCc = 30;
 
 /// The sensor's value when it is a whole number from `lowest` to `highest`.
 bool isWhole(double value, uint32_t lowest, uint32_t highest, uint32_t* whole) {
@@ -57,7 +59,10 @@ HookbehOutputs Hookbeh::cycle(const HookbehInputs& inputs) {
                    inputs.altitude_m,    inputs.ctd_bar * kMetresPerBar,
                    inputs.latitude_ddmm, inputs.longitude_ddmm};
   clock_.advance(inputs.time_s, inputs.wall_time_s, inputs.cycle_number);
-  const bool drives = commanding_ && !guarding_;
+  if (isOverridden(inputs)) {
+    last_.pump_cc = __builtin_nan("");
+  }
+  const bool drives = isFinite(last_.pump_cc) && !guarding_;
   guard_.observe(now, clock_.step(), last_, drives ? pilot_.way(guard_.depth()) : Way::None);
   now.depth_m = guard_.depth();
   // One false reading must not make it ready before its time.
@@ -192,19 +197,27 @@ HookAnswer Hookbeh::giveBack() {
   return HookAnswer::Accepted;
 }
 
-void Hookbeh::command(const Surroundings& now, HookbehOutputs& outputs) {
-  outputs.guard = guard_.mustClimb(args_, pilot_.inForce());
-  if (guarding_ && outputs.guard == HookGuard::None) {
+/// A behaviour above hookbeh has the pump: what hookbeh commanded says nothing of the vehicle.
+bool Hookbeh::isOverridden(const HookbehInputs& inputs) const {
+  const double off_cc = inputs.commanded_pump_cc - last_.pump_cc;
+  return off_cc > kPumpErrorCc || off_cc < -kPumpErrorCc;
+}
+
+VerticalCommand Hookbeh::vertical(const Surroundings& now, HookGuard guard) {
+  const bool shows = guard_.mustShowDepth(args_);
+  const bool climbs = guard != HookGuard::None || shows;
+  if (guarding_ && !climbs) {
     pilot_.goBack(now, args_);
   }
-  guarding_ = outputs.guard != HookGuard::None;
-  if (!guarding_ && guard_.mayBeDeeper(args_)) {
-    pilot_.showDepth(now, args_);
-  }
-  VerticalCommand vertical = pilot_.vertical(now, clock_.step(), args_);
-  if (guarding_) {
-    vertical = SurfaceNow{wordsFor(outputs.guard)}.command(args_);
-  }
+  guarding_ = climbs;
+  const VerticalCommand wanted = pilot_.vertical(now, clock_.step(), args_);
+  return !climbs ? wanted
+                 : climbNow(guard != HookGuard::None ? wordsFor(guard) : "check depth", args_);
+}
+
+void Hookbeh::command(const Surroundings& now, HookbehOutputs& outputs) {
+  outputs.guard = guard_.mustClimb(args_, pilot_.inForce());
+  const VerticalCommand vertical = this->vertical(now, outputs.guard);
   const LateralCommand lateral = pilot_.lateral(now);
   outputs.commanding = true;
   outputs.heading_mode = lateral.mode;

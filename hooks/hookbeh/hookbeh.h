@@ -34,6 +34,8 @@ struct HookbehInputs {
   double wall_time_s = __builtin_nan("");   ///< m_present_time
   double cycle_number = __builtin_nan("");  ///< m_cycle_number
   double ctd_bar = __builtin_nan("");  ///< sci_water_pressure, NaN in a cycle without a new one
+  /// c_ballast_pumped: what all behaviours together commanded in the cycle before.
+  double commanded_pump_cc = __builtin_nan("");
 };
 
 /// What it commands and tells in one cycle. When `commanding`, heading, pitch and pump all are
@@ -71,6 +73,8 @@ class Hookbeh {
   HookAnswer take(const Instruction& instruction);
   HookAnswer giveBack();
   void command(const Surroundings& now, HookbehOutputs& outputs);
+  [[nodiscard]] bool isOverridden(const HookbehInputs& inputs) const;
+  [[nodiscard]] VerticalCommand vertical(const Surroundings& now, HookGuard guard);
 
   HookbehArgs args_;
   HookState state_ = HookState::Waiting;

@@ -17,8 +17,6 @@ constexpr double kHoldReachM = 1.0;
 constexpr double kHoverLostM = 6.0;
 /// Shallower than this, hovering means floating.
 constexpr double kSurfaceM = 1.0;
-/// No climb ends shallower than where a vehicle that floats lies, m.
-constexpr double kAwashM = 0.5;
 
 bool sameVertical(const Instruction& a, const Instruction& b) {
   return a.vertical == b.vertical && a.depth_m == b.depth_m && a.pitch_rad == b.pitch_rad;
@@ -57,14 +55,6 @@ void Pilot::goBack(const Surroundings& now, const HookbehArgs& args) {
   }
 }
 
-void Pilot::showDepth(const Surroundings& now, const HookbehArgs& args) {
-  if (stage_ == Stage::Hovering || stage_ == Stage::Holding) {
-    const double above_m = now.depth_m - kHoverReachM;
-    climb_ = {above_m > kAwashM ? above_m : kAwashM, usualPitch(args)};
-    stage_ = Stage::Showing;
-  }
-}
-
 VerticalCommand Pilot::vertical(const Surroundings& now, double step_s, const HookbehArgs& args) {
   if (stage_ == Stage::Choose) {
     choose(now, args);
@@ -76,8 +66,6 @@ VerticalCommand Pilot::vertical(const Surroundings& now, double step_s, const Ho
       return dive_.command(args);
     case Stage::Climb:
       return climb_.command(args);
-    case Stage::Showing:
-      return {climb_.pitch_rad, args.climb_pump_cc, "hover: check depth"};
     case Stage::Holding:
       return hold_.command();
     case Stage::Hovering:
@@ -132,8 +120,6 @@ void Pilot::advance(const Surroundings& now, double step_s, const HookbehArgs& a
     stopDive(now);
   } else if (stage_ == Stage::Climb && climb_.reached(now.depth_m)) {
     arrive(climb_.command(args), args);
-  } else if (stage_ == Stage::Showing && climb_.reached(now.depth_m)) {
-    hoverOrSurface();
   } else if (stage_ == Stage::Holding) {
     hold_.left_s -= step_s;
     if (!(hold_.left_s > 0)) {
@@ -170,7 +156,6 @@ Way Pilot::way(double depth_m) const {
     case Stage::Dive:
       return Way::Down;
     case Stage::Climb:
-    case Stage::Showing:
       return Way::Up;
     case Stage::Hovering:
       return depth_m > hover_.target_m + kHoverLostM   ? Way::Up

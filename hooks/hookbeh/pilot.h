@@ -25,9 +25,6 @@ class Pilot {
   /// The guard, which climbed, has let go: from where the vehicle is now it goes back to a depth
   /// that it had reached before. To be called before vertical().
   void goBack(const Surroundings& now, const HookbehArgs& args);
-  /// One that hovers or holds climbs a little, so that the depth shows that it lives. To be called
-  /// before vertical().
-  void showDepth(const Surroundings& now, const HookbehArgs& args);
   /// The commands for pitch and pump in this cycle, `step_s` after the one before.
   VerticalCommand vertical(const Surroundings& now, double step_s, const HookbehArgs& args);
   /// Which way it drives the vehicle that is at `depth_m`. A hover does where it is farther off its
@@ -37,7 +34,7 @@ class Pilot {
   [[nodiscard]] const Instruction& inForce() const { return in_force_; }
 
  private:
-  enum class Stage : uint8_t { Choose, Dive, Climb, Holding, Hovering, Showing, Surfacing };
+  enum class Stage : uint8_t { Choose, Dive, Climb, Holding, Hovering, Surfacing };
   void choose(const Surroundings& now, const HookbehArgs& args);
   void approach(const Surroundings& now, const HookbehArgs& args);
   void arrive(const VerticalCommand& kept, const HookbehArgs& args);

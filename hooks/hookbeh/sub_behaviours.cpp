@@ -3,6 +3,7 @@
 
 #include "hooks/hookbeh/sub_behaviours.h"
 
+#include "hooks/hookbeh/hull.h"
 #include "hooks/protocol/numbers.h"
 
 namespace glider::hooks {
@@ -27,7 +28,11 @@ VerticalCommand Hover::command(const Surroundings& now, const HookbehArgs& args)
 }
 
 VerticalCommand SurfaceNow::command(const HookbehArgs& args) const {
-  return {usualPitch(args), args.climb_pump_cc, doing};
+  return {usualPitch(args), args.climb_pump_cc, "surface"};
+}
+
+VerticalCommand climbNow(const char* doing, const HookbehArgs& args) {
+  return {usualPitch(args), kHull.pump_cc, doing};
 }
 
 double usualPitch(const HookbehArgs& args) {

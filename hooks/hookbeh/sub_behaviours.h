@@ -44,9 +44,12 @@ struct Hover {
 
 /// Rises to the surface and stays there.
 struct SurfaceNow {
-  const char* doing = "surface";
   [[nodiscard]] VerticalCommand command(const HookbehArgs& args) const;
 };
+
+/// What hookbeh climbs with by its own bounds: all of the hull's pump, whatever the b_args say of
+/// usual climbs.
+VerticalCommand climbNow(const char* doing, const HookbehArgs& args);
 
 /// The magnitude of pitch for what the SBC gives none for: 26 degrees, as in the vendor's yo,
 /// inside the b_args.

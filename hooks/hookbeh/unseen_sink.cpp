@@ -9,64 +9,122 @@
 namespace glider::hooks {
 namespace {
 
-/// m; noise and waves move a depth by less, a vehicle that is driven by more.
-constexpr double kMovesM = 1;
-/// m; noise and waves move it by less to and fro.
-constexpr double kRegainsM = 3;
-/// cc; with less to either side the pump does not say which way the vehicle goes.
-constexpr double kDrivesCc = 60;
+/// m; a depth that flickers and is not rough does not move so far.
+constexpr double kMovesM = 2.5;
+/// m; a depth rougher than this shows nothing. Waves at the surface make it so, and sensors that
+/// are broken.
+constexpr double kRoughM = 0.6;
+constexpr double kRoughShare = 1.0 / 8;  // of the newest cycle
+/// m; what noise adds to the way of one cycle.
+constexpr double kNoiseM = 0.5;
+/// s; a depth that has not been there for longer may be another one when it is there again.
+constexpr double kGapSecs = 20;
+/// cc and rad; from these on the vehicle is driven up, and with these down.
+constexpr double kLiftsCc = 150;
+constexpr double kSinksCc = -60;
+constexpr double kNoseRad = 0.1;
 /// s; so long the pump takes from one side to the other, and the vehicle to turn.
 constexpr double kTurnsSecs = 20;
-/// s; after so long a vehicle whose pump goes out may rise.
+/// s; after so long driven up it may rise; driven down it still rises as long.
 constexpr double kLiftsSecs = 12;
 /// Flatter than this a vehicle sinks as at this pitch, rad.
 constexpr double kFlatRad = 0.3;
-/// m/s; a vehicle whose pump is about neutral sinks no faster in water that it is not trimmed for.
+/// The fastest vertical rate of the hull is what is usual: a heavy one sinks faster.
+constexpr double kMargin = 1.1;
+/// m/s; a vehicle that is driven neither up nor down sinks no faster in water that it is not
+/// trimmed for.
 constexpr double kAdriftMps = 0.1;
+/// m/s; a vehicle that is driven up climbs no slower.
+constexpr double kClimbMps = 0.1;
+
+constexpr double kSteepestMps = kMargin * kHull.vertical_rate_m_s;
 
 double magnitude(double value) {
   return value < 0 ? -value : value;
 }
 
-/// The fastest a vehicle moves up or down at this pitch, m/s.
+double atLeast(double value, double least) {
+  return value > least ? value : least;
+}
+
+/// The fastest a vehicle sinks at this pitch, m/s.
 double rateAt(double pitch_rad) {
-  const double steep = magnitude(pitch_rad);
-  return kHull.vertical_rate_m_s * (steep > kFlatRad ? steep : kFlatRad) / kHull.steepest_pitch_rad;
+  return kSteepestMps * atLeast(magnitude(pitch_rad), kFlatRad) / kHull.steepest_pitch_rad;
 }
 
 }  // namespace
 
 void UnseenSink::observe(double depth_m, double step_s, const VerticalCommand& last) {
-  out_s_ = last.pump_cc >= kDrivesCc ? out_s_ + step_s : 0;
-  const bool rises = out_s_ > kTurnsSecs;
-  const bool sinks = last.pump_cc <= -kDrivesCc || (out_s_ > 0 && !rises);
-  in_s_ = sinks ? in_s_ + step_s : 0;
   if (isFinite(last.pump_cc)) {
-    const double rate = sinks   ? rateAt(last.pitch_rad)
-                        : rises ? -rateAt(last.pitch_rad)
-                                : kAdriftMps;
-    metres_ += rate * step_s;
-    metres_ = metres_ > 0 ? metres_ : 0;
+    reckon(step_s, last);
+  } else {
+    out_s_ = in_dive_m_ = steeply_m_ = 0;
   }
+  gap_s_ += step_s;
   if (isFinite(depth_m)) {
+    follow(depth_m, step_s);
     seek(depth_m);
   }
 }
 
-/// Whether the depth has moved: down where the vehicle is driven down, else either way.
+void UnseenSink::reckon(double step_s, const VerticalCommand& last) {
+  const bool lifts = last.pump_cc >= kLiftsCc && last.pitch_rad >= kNoseRad;
+  out_s_ = lifts ? out_s_ + step_s : 0;
+  const bool rises = out_s_ > kTurnsSecs;
+  const bool sinks = !rises && (lifts || last.pump_cc <= kSinksCc || last.pitch_rad <= -kNoseRad);
+  since_up_s_ = rises ? 0 : since_up_s_ + step_s;
+  in_s_ = sinks ? in_s_ + step_s : 0;
+  if (rises) {
+    deepest_m_ = atLeast(deepest_m_ - kClimbMps * step_s, 0);
+    in_dive_m_ = steeply_m_ = 0;
+  } else if (since_up_s_ > kLiftsSecs) {
+    deepest_m_ += (sinks ? rateAt(last.pitch_rad) : kAdriftMps) * step_s;
+    const bool dives = last.pitch_rad <= -kNoseRad;
+    in_dive_m_ += dives ? rateAt(last.pitch_rad) * step_s : 0;
+    steeply_m_ += dives ? kSteepestMps * step_s : 0;
+  }
+}
+
+/// How smoothly the depth goes on.
+void UnseenSink::follow(double depth_m, double step_s) {
+  const double moved = depth_m - last_m_;
+  if (isFinite(moved) && gap_s_ <= step_s) {
+    roughness_m_ += (magnitude(moved - moved_m_) - roughness_m_) * kRoughShare;
+  }
+  moved_m_ = isFinite(moved) && gap_s_ <= step_s ? moved : 0;
+}
+
+/// Whether the depth has moved: down where the vehicle is driven down, up where it is driven up,
+/// else either way.
 void UnseenSink::seek(double depth_m) {
-  const double gained = depth_m - seen_m_;
+  // A step that no vehicle makes, or a depth that was not there for long, begins anew.
+  const bool steps = magnitude(depth_m - last_m_) > kSteepestMps * gap_s_ + kNoiseM;
+  if (!isFinite(shown_m_)) {
+    shown_m_ = deepest_m_ = highest_m_ = lowest_m_ = depth_m;
+  } else if (steps || gap_s_ > kGapSecs) {
+    highest_m_ = lowest_m_ = depth_m;
+  }
   highest_m_ = depth_m < highest_m_ ? depth_m : highest_m_;
-  const bool down = !(gained < kMovesM) || depth_m - highest_m_ >= kRegainsM;
-  const bool up = gained <= -kMovesM && (!(in_s_ > 0) || out_s_ >= kLiftsSecs);
-  // After a turn it rises on for a while, which is no sign of sinking.
-  const bool turns = gained < 0 && in_s_ > 0 && in_s_ <= kTurnsSecs && !(out_s_ > 0);
-  if (down || up) {
-    metres_ = 0;
+  lowest_m_ = depth_m > lowest_m_ ? depth_m : lowest_m_;
+  const bool lifts = out_s_ >= kLiftsSecs;
+  const bool down = depth_m - highest_m_ >= kMovesM && out_s_ == 0;
+  const bool up = lowest_m_ - depth_m >= kMovesM && (lifts || in_s_ == 0);
+  if (roughness_m_ <= kRoughM && (down || up)) {
+    show(depth_m);
   }
-  if (down || up || turns) {  // or it is the first of all
-    seen_m_ = highest_m_ = depth_m;
-  }
+  last_m_ = depth_m;
+  gap_s_ = 0;
+}
+
+void UnseenSink::show(double depth_m) {
+  shown_m_ = deepest_m_ = highest_m_ = lowest_m_ = depth_m;
+  in_dive_m_ = steeply_m_ = 0;
+  has_moved_ = true;
+}
+
+void UnseenSink::confirm(double depth_m) {
+  steeply_m_ = 0;
+  shown_m_ = deepest_m_ = depth_m;
 }
 
 }  // namespace glider::hooks

@@ -7,27 +7,49 @@
 
 namespace glider::hooks {
 
-/// How far the vehicle may have sunk while its depth did not show it. A depth that has stopped,
-/// flickers about one value or comes only now and then is found by this, however it is wrong: one
-/// that lives moves with the vehicle.
+/// How deep the vehicle may be by what it was commanded since its depth last showed that it moves
+/// as commanded. Finds a depth that has stopped, flickers about one value, or comes only now and
+/// then: what it says in between does not count.
 class UnseenSink {
  public:
   /// Takes in one cycle, `step_s` after the one before, at whose begin the vehicle had been
-  /// commanded `last` (pump NaN: by another behaviour). `depth_m`: NaN while it is not believed.
+  /// commanded `last` (pump NaN: by another behaviour, or not as hookbeh commanded).
+  /// `depth_m`: NaN while it is not believed.
   void observe(double depth_m, double step_s, const VerticalCommand& last);
-  /// Another sensor that lives says that the vehicle is where its depth says.
-  void clear() { metres_ = 0; }
-  /// At most so far, m.
-  [[nodiscard]] double metres() const { return metres_; }
+  /// Another sensor that lives says that the vehicle is at `depth_m`.
+  void confirm(double depth_m);
+  /// The vehicle is no deeper than this, m; NaN before the first depth.
+  [[nodiscard]] double deepest() const { return deepest_m_; }
+  /// The depth when it last showed that it moves, or the first of all, m.
+  [[nodiscard]] double shown() const { return shown_m_; }
+  /// The depth has moved as commanded since hookbeh began.
+  [[nodiscard]] bool hasMoved() const { return has_moved_; }
+  /// How far it may have sunk in the dive that it is in, m, whatever another sensor says: both may
+  /// be wrong.
+  [[nodiscard]] double sunkInDive() const { return in_dive_m_; }
+  /// The same at the steepest pitch of all, as its pitch may be wrong; another sensor counts.
+  [[nodiscard]] double sunkSteeply() const { return steeply_m_; }
 
  private:
+  void reckon(double step_s, const VerticalCommand& last);
+  void follow(double depth_m, double step_s);
   void seek(double depth_m);
+  void show(double depth_m);
 
-  double metres_ = 0;
-  double seen_m_ = __builtin_nan("");     ///< the depth when it last showed that it moves
-  double highest_m_ = __builtin_nan("");  ///< of the depths since then
-  double out_s_ = 0;                      ///< for so long the pump has been commanded out
-  double in_s_ = 0;                       ///< for so long the vehicle may have been driven down
+  double deepest_m_ = __builtin_nan("");
+  double shown_m_ = __builtin_nan("");
+  bool has_moved_ = false;
+  double in_dive_m_ = 0;
+  double steeply_m_ = 0;
+  double highest_m_ = 0;               ///< of the depths since then
+  double lowest_m_ = 0;                ///< the same
+  double out_s_ = 0;                   ///< for so long the vehicle has been driven up
+  double in_s_ = 0;                    ///< for so long it may have been driven down
+  double since_up_s_ = 0;              ///< since it was driven up long enough to rise
+  double last_m_ = __builtin_nan("");  ///< the newest depth, and what it had moved by
+  double moved_m_ = 0;
+  double gap_s_ = 0;        ///< since then
+  double roughness_m_ = 0;  ///< how much the depth changes from cycle to cycle beside its way
 };
 
 }  // namespace glider::hooks

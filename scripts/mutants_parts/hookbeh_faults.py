@@ -27,6 +27,7 @@ DEPTH = "hooks/hookbeh/depth_source.cpp"
 WATCH = "hooks/hookbeh/depth_watch.cpp"
 CLOCK = "hooks/hookbeh/cycle_clock.cpp"
 HULL = "hooks/hookbeh/hull.cpp"
+BEHAVIOURS = "hooks/hookbeh/sub_behaviours.cpp"
 
 PLANTED = [
     Planted("HB-1", "ready before start_secs", HOOKBEH, "inputs.time_s >= args_.start_secs", "true"),
@@ -71,7 +72,10 @@ PLANTED = [
     Planted("HB-22", "a frozen depth is believed", WATCH, "(frozen_ && own_.sameFor() > 0) || (same && !hangs)", "false"),
     Planted("HB-23", "a dive that gains no depth goes on", GUARD, "headway_.way() == Way::Down && (headway_.idleFor() >= kHoverSecs || mayBeDeeper(args))", "false"),
     Planted("HB-33", "what may have sunk unseen does not count", GUARD,
-            "unseen_.metres() >= (left > kLeastUnseenM ? left : kLeastUnseenM)", "false"),
+            "unseen_.deepest() >= most", "false"),
+    Planted("HB-34", "what another behaviour flies is reckoned", HOOKBEH,
+            "off_cc > kPumpErrorCc || off_cc < -kPumpErrorCc", "false"),
+    Planted("HB-35", "the guard climbs with no more than a usual climb", BEHAVIOURS, "kHull.pump_cc, doing", "args.climb_pump_cc, doing"),
     Planted("HB-24", "a climb that gains no height is left as it is", GUARD, "headway_.idleFor() >= kStalledSecs", "false"),
     Planted("HB-25", "depths that disagree are believed", WATCH, "ctd_known_ && disagree_s_ >= kPersistsSecs && ctd_.age() == 0", "false"),
     Planted("HB-26", "a CTD that never agreed is believed", WATCH, "ctd_known_ || agree_s_ >= kPersistsSecs", "true"),

@@ -3,6 +3,7 @@
 
 #include "simulator/campaign/command_judge.h"
 
+#include "hooks/hookbeh/hull.h"
 #include "hooks/protocol/numbers.h"
 #include "platforms/slocum_sensors.h"
 
@@ -44,7 +45,7 @@ constexpr double kFar = 1e9;        // m
 constexpr double kHighest = -5;     // m
 constexpr double kFrozenSecs = 24;  // of a dive, deeper than a metre
 constexpr double kWrong = 8;        // m beside the truth, where a CTD tells
-constexpr double kWrongSecs = 40;
+constexpr double kWrongSecs = 60;   // of a dive, which takes as long to show it at first
 constexpr double kIdleSecs = 200;
 constexpr double kFullCircle = 6.283186;
 
@@ -150,8 +151,11 @@ std::string CommandJudge::judgeWhole(const CycleView& view) const {
     return fmt::format("a pitch of {:.2f} rad is commanded under max_pitch {}", out.pitch_rad,
                        s_.args.steepest_pitch_rad);
   }
-  if (out.pump_cc > s_.args.climb_pump_cc + kPumpError ||
-      out.pump_cc < s_.args.dive_pump_cc - kPumpError) {
+  // Its own climbs are with all of the pump.
+  const std::string_view doing = out.doing;
+  const bool own = doing.starts_with("climb: ") || doing == "check depth";
+  const double most_cc = own ? hooks::kHull.pump_cc : s_.args.climb_pump_cc;
+  if (out.pump_cc > most_cc + kPumpError || out.pump_cc < s_.args.dive_pump_cc - kPumpError) {
     return fmt::format("a pump of {:.0f} cc is commanded", out.pump_cc);
   }
   return "";

@@ -111,7 +111,7 @@ simulator::Scenario diveScenario(const std::string& skeleton, double water_m) {
   return std::move(*scenario);
 }
 
-Dived flyDive(const Plan* plan, simulator::Scenario scenario, uint64_t seed) {
+Dived flyDive(const Plan* plan, simulator::Scenario scenario, uint64_t seed, bool comes_back) {
   DepthOnlooker onlooker;
   simulator::SimulationSetup setup;
   setup.platform = platform();
@@ -120,6 +120,12 @@ Dived flyDive(const Plan* plan, simulator::Scenario scenario, uint64_t seed) {
   setup.onlooker = &onlooker;
   if (plan != nullptr) {
     setup.sbc = std::make_unique<simulator::FakeSbc>(*plan);
+  }
+  if (comes_back) {
+    setup.restart_sbc = [again = *plan](auto&&...) mutable {
+      again.takes_again = true;
+      return std::make_unique<simulator::FakeSbc>(again);
+    };
   }
   const auto trace = simulator::simulate(std::move(setup));
   CHECK(trace.has_value(), "the flight could not be flown");

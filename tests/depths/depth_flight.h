@@ -34,7 +34,9 @@ struct Dived {
   double given_back_s = -1;  ///< when the SBC gave control back
 };
 
-/// Flies `plan` (null: no SBC on board) through the real protocol.
-Dived flyDive(const Plan* plan, simulator::Scenario scenario, uint64_t seed);
+/// Flies `plan` (null: no SBC on board) through the real protocol. `comes_back`: where the SBC's
+/// power was cut, its program begins again with it and takes control.
+Dived flyDive(const Plan* plan, simulator::Scenario scenario, uint64_t seed,
+              bool comes_back = false);
 
 }  // namespace glider::tests

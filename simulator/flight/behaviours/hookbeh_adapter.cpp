@@ -27,6 +27,7 @@ hooks::HookbehInputs inputs(const Situation& s) {
   const bool ctd_is_new = a.fresh(GLIDER_SCI_WATER_PRESSURE);
   in.ctd_bar =
       ctd_is_new ? a.get(GLIDER_SCI_WATER_PRESSURE) : std::numeric_limits<double>::quiet_NaN();
+  in.commanded_pump_cc = a.get(GLIDER_C_BALLAST_PUMPED);
   in.depth_m = s.depth_m;
   in.depth_rate_mps = s.depth_rate_mps;
   in.altitude_m = s.altitude_m;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "hooks/hookbeh/hull.h"
 #include "tests/unit/hooks/hookbeh_bench.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +23,7 @@ TEST(HookbehGuard, TooDeepClimbsWhateverTheSbcSays) {
   bench.inputs.depth_m = 30.1;
   HookbehOutputs out = bench.cycle();
   EXPECT_STREQ(out.doing, "climb: too deep");
-  EXPECT_EQ(out.pump_cc, 230);
+  EXPECT_EQ(out.pump_cc, kHull.pump_cc);
   EXPECT_GT(out.pitch_rad, 0);
   EXPECT_STREQ(bench.give(Bench::descend(30)).doing, "climb: too deep") << "another dive";
   bench.inputs.depth_m = 20;
@@ -275,7 +276,7 @@ TEST(HookbehGuard, UnknownDepthClimbsUntilItIsKnown) {
   bench.inputs.depth_m = kNan;
   const HookbehOutputs out = bench.cycle();
   EXPECT_STREQ(out.doing, "climb: depth unknown");
-  EXPECT_EQ(out.pump_cc, 230);
+  EXPECT_EQ(out.pump_cc, kHull.pump_cc);
   bench.inputs.depth_m = 12;
   EXPECT_STREQ(bench.cycle().doing, "dive_to");
 }

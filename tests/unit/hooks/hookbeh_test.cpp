@@ -3,6 +3,7 @@
 
 #include "hooks/hookbeh/hookbeh.h"
 
+#include "hooks/hookbeh/hull.h"
 #include "hooks/protocol/messages.h"
 #include "tests/unit/hooks/hookbeh_bench.h"
 
@@ -460,7 +461,7 @@ TEST(Hookbeh, ANumberThatIsNoneAmongTheArgsForPumpAndPitchIsTheDefault) {
     bench.inputs.depth_m = 31;
     out = bench.cycle();
     EXPECT_NE(out.guard, HookGuard::None);
-    EXPECT_EQ(out.pump_cc, 230);
+    EXPECT_EQ(out.pump_cc, kHull.pump_cc);
     EXPECT_NEAR(out.pitch_rad, 0.4538, 1e-9);
     bench.inputs.depth_m = 25;
     out = bench.give(Bench::vertical(HookVertical::Hover, 25));

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "hooks/hookbeh/hull.h"
 #include "tests/fuzz/hooks_hostile.h"
 #include "tests/unit/hooks/examples.h"
 #include "tests/unit/hooks/hookbeh_bench.h"
@@ -104,11 +105,11 @@ TEST(Hostile, InstructionsWithRightChecksAndWildValues) {
       continue;
     }
     ASSERT_LE(std::abs(out.pitch_rad), 0.61 + 1e-6);
-    ASSERT_LE(std::abs(out.pump_cc), 230);
+    ASSERT_LE(std::abs(out.pump_cc), out.guard == HookGuard::None ? 230 : kHull.pump_cc);
     ASSERT_GE(out.heading_rad, 0);
     ASSERT_LE(out.heading_rad, 6.2831854);
     if (!(bench.inputs.depth_m <= 30)) {
-      ASSERT_EQ(out.pump_cc, 230) << "deeper than allowed, or unknown, it climbs";
+      ASSERT_EQ(out.pump_cc, kHull.pump_cc) << "deeper than allowed, or unknown, it climbs";
     }
   }
   EXPECT_GT(accepted, 1000U);

@@ -148,12 +148,12 @@ TEST_F(Judged, DivingByAFrozenDepthIsSeen) {
 
 TEST_F(Judged, DivingByAWrongDepthIsSeenWhereTheCtdWorks) {
   take();
-  for (int i = 0; i < 12 && violation().find("by a depth of") == std::string::npos; ++i) {
+  for (int i = 0; i < 18 && violation().find("by a depth of") == std::string::npos; ++i) {
     reading_ = 5 + 0.5 * i;
     done(1);
     cycle(HookState::Active, 15 + 0.5 * i);
   }
-  EXPECT_EQ(violation(), "dives at 20.0 m by a depth of 10.0 m");
+  EXPECT_EQ(violation(), "dives at 22.5 m by a depth of 12.5 m");
 }
 
 /// Nothing is wrong but what is planted.

@@ -127,7 +127,7 @@ class Judged : public testing::Test {
   }
   double restarted_s_ = 0, clearance_ = 100, used_J_ = 0;
   double reading_ = std::nan("");  ///< of m_depth; NaN: the truth
-  bool ended_ = false;  ///< the vehicle's mission is over
+  bool ended_ = false;             ///< the vehicle's mission is over
   bool whole_ = true;
   static constexpr double kPitch = -0.5;
   SensorArray array_;

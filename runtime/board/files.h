@@ -28,7 +28,7 @@ void tell(Pieces... pieces) {
 GliderByteStream standardStream();
 
 /// Reads a file into `bytes`, and how many bytes it has into `size`. Null, or why it cannot be
-/// read; one that has more than `capacity` bytes cannot.
+/// read; one that has `capacity` bytes or more cannot.
 const char* readFile(const char* path, char* bytes, uint32_t capacity, uint32_t& size);
 
 /// Opens the log and makes a sink of it that writes after what is there: a program that the board

@@ -99,10 +99,7 @@ Crossing WaterColumn::between(const Bin& above, const Bin& below, double middle)
   const double gap = static_cast<double>(below.depth - above.depth);
   const double rise = static_cast<double>(below.temperature - above.temperature);
   const double share = (middle - static_cast<double>(above.temperature)) / rise;
-  // Readings closer than a bin differ by their noise.
-  const double width = gap < kBinMetres ? kBinMetres : gap;
-  return {true, static_cast<double>(above.depth) + share * gap,
-          (rise < 0.0 ? -rise : rise) / width};
+  return {true, static_cast<double>(above.depth) + share * gap};
 }
 
 }  // namespace glider::runtime

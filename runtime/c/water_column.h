@@ -22,8 +22,7 @@ struct Stretch {
 /// Where the temperature passes a value.
 struct Crossing {
   bool found = false;
-  double depth = 0;      ///< m
-  double steepness = 0;  ///< K/m between the readings on its two sides, never negative
+  double depth = 0;  ///< m
 };
 
 class WaterColumn {

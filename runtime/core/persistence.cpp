@@ -11,19 +11,14 @@ using glider::hooks::HookState;
 namespace glider::runtime {
 
 void Persistence::look(GliderContext& context) {
-  switch (checkpoint_.find(context, facts_)) {
-    case Checkpoint::Found::Good:
-      found_ = true;
-      parts_.client.resume(facts_.session, static_cast<uint16_t>(facts_.instruction));
-      break;
-    case Checkpoint::Found::Broken:
-      begins_anew_ = LogDetail::NoneIsWhole;
-      break;
-    case Checkpoint::Found::Foreign:
-      begins_anew_ = LogDetail::OtherProgram;
-      break;
-    case Checkpoint::Found::Nothing:
-      break;
+  const Checkpoint::Found found = checkpoint_.find(context, facts_);
+  if (found == Checkpoint::Found::Good) {
+    found_ = true;
+    parts_.client.resume(facts_.session, static_cast<uint16_t>(facts_.instruction));
+  } else if (found == Checkpoint::Found::Broken) {
+    begins_anew_ = LogDetail::NoneIsWhole;
+  } else if (found == Checkpoint::Found::Foreign) {
+    begins_anew_ = LogDetail::OtherProgram;
   }
 }
 

@@ -25,10 +25,9 @@ double withoutDust(double degrees) {
   return magnitude(degrees) < kNoDegrees ? 0.0 : degrees;
 }
 
-/// False for what is unknown or not on Earth.
+/// False for what is not on Earth, or unknown: that is not smaller than anything.
 bool onEarth(double latitude, double longitude) {
-  return isFinite(latitude) && isFinite(longitude) && magnitude(latitude) <= 90.0 &&
-         magnitude(longitude) <= 360.0;
+  return magnitude(latitude) <= 90.0 && magnitude(longitude) <= 360.0;
 }
 
 /// What both functions want of two places.

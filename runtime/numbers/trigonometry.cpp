@@ -72,8 +72,9 @@ SineCosine turn(const Reduced& angle) {
   }
 }
 
+/// False of what is unknown, which is not smaller than anything.
 bool inRange(double angle) {
-  return isFinite(angle) && magnitude(angle) <= kGreatestAngle;
+  return magnitude(angle) <= kGreatestAngle;
 }
 
 }  // namespace

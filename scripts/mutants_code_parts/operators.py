@@ -100,10 +100,12 @@ def constant(source):
 
 
 def power(source):
-    """a number with an exponent is twice as big"""
+    """a number with an exponent is twice as big, or one more where a double tells that apart"""
     for m in re.finditer(r"(?<![\w.'])\d+(?:\.\d+)?e[+-]?\d+(?![\w.'])|(?<![\w.'])0x1p\d+(?![\w.'])", source.code):
         yield m.start(), m.end(), f"({m[0]} * 2)"
-        yield m.start(), m.end(), f"({m[0]} + 1)"
+        value = float.fromhex(m[0]) if m[0].startswith("0x") else float(m[0])
+        if value + 1.0 != value:
+            yield m.start(), m.end(), f"({m[0]} + 1)"
 
 
 def term(source):

@@ -9,15 +9,19 @@ import dataclasses
 class Suite:
     program: str  # below the build folder
     only: str = "*"  # as for --gtest_filter
-    command: bool = False  # it runs the glidercc command, which is linked with the fault too
+    runs: tuple = ()  # programs of the build that it runs, linked with the fault too: (environment variable, program) each
+    itself: bool = True  # it is linked with the fault, and not only what it runs
 
+
+GLIDERCC = {"runs": (("GLIDERCC", "bin/glidercc"),), "itself": False}
 
 HOOKS = Suite("tests/hooks_test")
 POSIX = Suite("tests/hooks_posix_test")
 RUNTIME = Suite("tests/runtime_test")
 NUMBERS = Suite("tests/numbers_test")
 CARD = Suite("tests/card_test")
-C_MISSION = Suite("tests/c_mission_test")
+C_MISSION = Suite("tests/c_mission_test", runs=(("GLIDER_FIGURE2", "bin/missions/figure2_c"),
+                                                ("GLIDER_FIGURE3", "bin/missions/figure3_c")))
 IR = Suite("tests/ir_test")
 GOLDEN = Suite("tests/golden_test")
 RANDOM = Suite("tests/random_missions_test")
@@ -32,10 +36,10 @@ SBC = Suite("tests/simulator_sbc_test")
 REPORT = Suite("tests/report_test")
 SUPPORT = Suite("tests/support_test")
 SLOCUM = Suite("tests/mission_files_test")
-COMMAND = Suite("tests/command_test", command=True)
+COMMAND = Suite("tests/command_test", **GLIDERCC)
 DRIVER = Suite("tests/driver_test")
-DOCS = Suite("tests/docs_test", command=True)
-FLIGHTS = Suite("tests/flights_test", command=True)
+DOCS = Suite("tests/docs_test", **GLIDERCC)
+FLIGHTS = Suite("tests/flights_test", **GLIDERCC)
 
 # The longest prefix that fits a file has the say.
 SUITES = {
@@ -43,7 +47,7 @@ SUITES = {
     "hooks/transport": (POSIX, HOOKS, CARD, C_MISSION),
     "runtime": (RUNTIME, CARD, C_MISSION, OPERATIONS, JUDGED),
     "runtime/c": (C_MISSION, CARD, RUNTIME),
-    "runtime/board": (CARD, C_MISSION, FLIGHTS),
+    "runtime/board": (CARD, C_MISSION),
     "runtime/numbers": (NUMBERS, RUNTIME, OPERATIONS),
     "ir": (IR, RANDOM, GOLDEN, FRONTEND, JUDGED, COMMAND),
     "ir/eval": (IR, OPERATIONS, RANDOM, JUDGED),

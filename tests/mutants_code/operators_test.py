@@ -49,7 +49,9 @@ class Operators(unittest.TestCase):
     def test_constant(self):
         self.check("constant", "x = 6;", "x = 7;", "x = 0;", "x = 5;")
         self.check("constant", "x = 0.5;", "x = 0.0;", "x = 1.0;")
-        self.check("power", "if (x > 0x1p53) y();", "if (x > (0x1p53 * 2)) y();", "if (x > (0x1p53 + 1)) y();")
+        self.check("power", "if (x > 0x1p53) y();", "if (x > (0x1p53 * 2)) y();")
+        self.check("power", "x = 1e15;", "x = (1e15 * 2);", "x = (1e15 + 1);")
+        self.check("power", "x = 1e16;", "x = (1e16 * 2);")
 
     def test_statements(self):
         self.check("delete", "void f() {\n  a = b;\n  const int c = d;\n  g(a,\n    c);\n  return c;\n}",

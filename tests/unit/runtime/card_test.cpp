@@ -13,11 +13,15 @@
 
 #include <algorithm>
 #include <chrono>
+#include <errno.h>
 #include <fcntl.h>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <signal.h>
 #include <string>
+#include <sys/resource.h>
+#include <sys/time.h>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
@@ -45,7 +49,9 @@ struct Gate {
     if (count > 0 && bytes[0] == 'S' && read(gate.open[0], &byte, 1) != 1) {
       return -1;
     }
-    return static_cast<int32_t>(::write(gate.taken[1], bytes, count));
+    const auto put = static_cast<int32_t>(::write(gate.taken[1], bytes, count));
+    errno = EINTR;  // an errno of before says nothing of what comes after
+    return put;
   }
   void letGo() const { EXPECT_EQ(::write(open[1], "x", 1), 1); }
   /// The next `count` bytes that came to the card; waits for them.
@@ -177,6 +183,254 @@ TEST(CardTest, AProcessThatEndsIsStartedAnewAfterARest) {
   EXPECT_EQ(gate.next(2), "ad");
 }
 
+TEST(CardTest, AnErrnoOfBeforeSaysNothing) {
+  Gate gate;
+  Card card;
+  ASSERT_TRUE(card.start(gate.work(), 0));
+  const GliderLogSink log = card.log();
+  for (int i = 0; i < 3; ++i) {
+    errno = EINTR;
+    EXPECT_EQ(say(log, "a"), 1);
+  }
+  EXPECT_EQ(gate.next(3), "aaa");
+}
+
+/// A signal every 2 ms, which interrupts what waits.
+struct Interruptions {
+  Interruptions() {
+    struct sigaction action{};
+    action.sa_handler = [](int) { count = count + 1; };
+    sigaction(SIGALRM, &action, nullptr);
+    const itimerval often{{0, 2000}, {0, 2000}};
+    setitimer(ITIMER_REAL, &often, nullptr);
+  }
+  Interruptions(const Interruptions&) = delete;
+  Interruptions& operator=(const Interruptions&) = delete;
+  ~Interruptions() {
+    const itimerval never{};
+    setitimer(ITIMER_REAL, &never, nullptr);
+    signal(SIGALRM, SIG_DFL);
+  }
+  static inline volatile sig_atomic_t count = 0;
+};
+
+TEST(CardTest, ASignalNeitherEndsAWaitNorMakesItLonger) {
+  Gate gate;
+  Card card;
+  ASSERT_TRUE(card.start(gate.work(), 0, 0.1, 0));
+  const GliderLogSink log = card.log();
+  std::this_thread::sleep_for(std::chrono::milliseconds(150));  // its clock does not stand at 0
+  const Interruptions interruptions;
+  const double waited = secondsOf([&] { EXPECT_LT(say(log, "S1"), 0); });
+  EXPECT_GE(waited, 0.09);
+  EXPECT_LT(waited, 2);
+  EXPECT_GT(Interruptions::count, 10);
+  gate.letGo();  // its process would stand there for good
+}
+
+TEST(CardTest, AfterASignalOnlyTheRestIsWaited) {
+  Gate gate;
+  Card card;
+  ASSERT_TRUE(card.start(gate.work(), 0, 0.4, 0));
+  const GliderLogSink log = card.log();
+  struct sigaction nothing{};
+  nothing.sa_handler = [](int) {};
+  sigaction(SIGALRM, &nothing, nullptr);
+  const itimerval once{{0, 0}, {0, 350000}};
+  setitimer(ITIMER_REAL, &once, nullptr);
+  const double waited = secondsOf([&] { EXPECT_LT(say(log, "S1"), 0); });
+  signal(SIGALRM, SIG_DFL);
+  EXPECT_GE(waited, 0.39);
+  EXPECT_LT(waited, 0.7) << "not all of it again";
+  gate.letGo();
+}
+
+TEST(CardTest, ALogThatWasRenewedLateIsToldOfOnce) {
+  Gate gate;
+  CardWork work = gate.work();
+  work.log.renew = [](void* self) {
+    static int times = 0;
+    uint8_t byte = 0;
+    return ++times == 1 && read(static_cast<Gate*>(self)->open[0], &byte, 1) == 1 ? 1 : 0;
+  };
+  Card card;
+  ASSERT_TRUE(card.start(work, 0, 0.05, 0));
+  const GliderLogSink log = card.log();
+  EXPECT_EQ(log.renew(log.self), 0) << "nobody waits any more";
+  gate.letGo();
+  int told = 0;
+  for (int tries = 0; tries < 100; ++tries) {
+    card.rested(false);
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    told += log.renew(log.self);
+  }
+  EXPECT_EQ(told, 1);
+}
+
+TEST(CardTest, AByteThatWasWrittenLateIsNoNewLog) {
+  Gate gate;
+  Card card;
+  ASSERT_TRUE(card.start(gate.work(), 0, 0.05, 0));
+  const GliderLogSink log = card.log();
+  EXPECT_LT(say(log, "S"), 0);
+  gate.letGo();
+  EXPECT_EQ(gate.next(1), "S");
+  for (int tries = 0; tries < 20; ++tries) {
+    card.rested(false);
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    EXPECT_EQ(log.renew(log.self), 0);
+  }
+}
+
+TEST(CardTest, WhatASinkCannotDoItsCardCannotEither) {
+  Gate gate;
+  CardWork work = gate.work();
+  work.log.sync = nullptr;
+  work.log.renew = nullptr;
+  Card card;
+  ASSERT_TRUE(card.start(work, 0));
+  EXPECT_EQ(card.log().sync, nullptr);
+  EXPECT_EQ(card.log().renew, nullptr);
+  EXPECT_EQ(card.checkpoints().write, nullptr);
+  Card none;
+  EXPECT_FALSE(none.start({}, 100)) << "there is nothing to write";
+  EXPECT_EQ(none.log().write, nullptr);
+}
+
+/// How many files this process has open, of the first 256.
+int openFiles() {
+  int count = 0;
+  for (int descriptor = 0; descriptor < 256; ++descriptor) {
+    count += fcntl(descriptor, F_GETFD) >= 0 ? 1 : 0;
+  }
+  return count;
+}
+
+/// Does `what` in a process of its own, and fails as it does.
+void alone(const std::function<void()>& what) {
+  const pid_t child = fork();
+  if (child == 0) {
+    what();
+    _exit(::testing::Test::HasFailure() ? 1 : 0);
+  }
+  int status = -1;
+  waitpid(child, &status, 0);
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
+}
+
+/// From now on this process may open `more` files.
+void allowFiles(uint32_t more) {
+  int next = 0;
+  std::vector<int> filled;
+  while ((next = dup(STDERR_FILENO)) <= 64) {  // no gaps below the limit
+    filled.push_back(next);
+  }
+  close(next);
+  rlimit limit{};
+  getrlimit(RLIMIT_NOFILE, &limit);
+  limit.rlim_cur = static_cast<rlim_t>(next) + more;
+  setrlimit(RLIMIT_NOFILE, &limit);
+}
+
+TEST(CardTest, WithoutPipesTheMissionWritesItself) {
+  for (const uint32_t more : {0U, 1U, 2U, 3U, 4U}) {
+    alone([&] {
+      Gate gate;
+      allowFiles(more);
+      const int before = openFiles();
+      Card card;
+      EXPECT_EQ(card.start(gate.work(), 0), more == 4) << more;
+      EXPECT_EQ(openFiles(), before + (more == 4 ? 2 : 0)) << more;
+      EXPECT_EQ(say(card.log(), "abc"), 3);
+      EXPECT_EQ(gate.next(3), "abc");
+    });
+  }
+}
+
+TEST(CardTest, AProcessThatCannotBeStartedAnewIsTriedAgain) {
+  alone([] {
+    signal(SIGPIPE, SIG_IGN);
+    Gate gate;
+    Card card;
+    ASSERT_TRUE(card.start(gate.work(), 0, 5, 0.05));
+    const GliderLogSink log = card.log();
+    EXPECT_EQ(say(log, "a"), 1);
+    const int before = openFiles();
+    killChildrenBut({});
+    EXPECT_LT(say(log, "b"), 0);
+    EXPECT_EQ(openFiles(), before - 2) << "both its pipes are closed";
+    const int fillers[2] = {dup(STDERR_FILENO), dup(STDERR_FILENO)};
+    allowFiles(0);
+    std::this_thread::sleep_for(std::chrono::milliseconds(60));
+    card.rested(false);
+    EXPECT_LT(say(log, "c"), 0);
+    close(fillers[0]);
+    close(fillers[1]);
+    rlimit limit{};
+    getrlimit(RLIMIT_NOFILE, &limit);
+    limit.rlim_cur += 4;
+    setrlimit(RLIMIT_NOFILE, &limit);
+    card.rested(false);
+    EXPECT_LT(say(log, "d"), 0) << "it rests again";
+    std::this_thread::sleep_for(std::chrono::milliseconds(60));
+    card.rested(false);
+    EXPECT_EQ(say(log, "e"), 1);
+    EXPECT_EQ(gate.next(2), "ae");
+  });
+}
+
+TEST(CardTest, WithoutAProcessTheMissionWritesItself) {
+  alone([] {
+    Gate gate;
+    constexpr uid_t kNobody = 65534;
+    if (getuid() == 0) {  // whom no limit holds
+      ASSERT_EQ(setuid(kNobody), 0);
+    }
+    const rlimit none{};
+    ASSERT_EQ(setrlimit(RLIMIT_NPROC, &none), 0);
+    const int before = openFiles();
+    Card card;
+    EXPECT_FALSE(card.start(gate.work(), 0));
+    EXPECT_EQ(openFiles(), before);
+    EXPECT_EQ(say(card.log(), "abc"), 3);
+    EXPECT_EQ(gate.next(3), "abc");
+  });
+}
+
+TEST(CardTest, ItsProcessHoldsNothingOfTheMissions) {
+  signal(SIGPIPE, SIG_IGN);
+  Gate gate;
+  const std::vector<pid_t> before = children();
+  Card card;
+  ASSERT_TRUE(card.start(gate.work(), 0, 5, 0));
+  const GliderLogSink log = card.log();
+  int line[2];
+  ASSERT_EQ(pipe(line), 0);
+  card.setLine(line[1]);
+  EXPECT_EQ(say(log, "a"), 1);
+  const std::vector<pid_t> earlier = children();
+  killChildrenBut(before);
+  EXPECT_LT(say(log, "b"), 0);
+  card.rested(false);
+  EXPECT_EQ(say(log, "c"), 1);
+  close(line[1]);
+  fcntl(line[0], F_SETFL, O_NONBLOCK);
+  char byte = 0;
+  EXPECT_EQ(read(line[0], &byte, 1), 0) << "nobody else has the line open";
+  close(line[0]);
+  for (const pid_t child : children()) {
+    if (std::ranges::find(earlier, child) == earlier.end()) {
+      const std::string files = "/proc/" + std::to_string(child) + "/fd/";
+      EXPECT_NE(access((files + "0").c_str(), F_OK), 0);
+      EXPECT_NE(access((files + "1").c_str(), F_OK), 0);
+      EXPECT_EQ(access((files + "2").c_str(), F_OK), 0);
+      kill(child, SIGINT);
+    }
+  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  EXPECT_EQ(say(log, "d"), 1) << "a key at the terminal does not end it";
+}
+
 /// A file of checkpoints, and its path.
 class Store : public ::testing::Test {
  protected:
@@ -202,6 +456,17 @@ TEST_F(Store, CheckpointsAreReadAndWrittenThere) {
   EXPECT_EQ(std::string(back, back + 10), words);
   EXPECT_EQ(std::string(back + 10, back + 20), std::string(10, '\0'));
   EXPECT_LT(store.write(store.self, 0, back, 5000), 0) << "more than was said";
+  EXPECT_LT(store.read(store.self, 0, back, 5000), 0);
+}
+
+TEST_F(Store, OnlyAProcessThatIsStartedAnewOpensTheLogAgain) {
+  signal(SIGPIPE, SIG_IGN);
+  const std::vector<pid_t> before = children();
+  Card card;
+  ASSERT_TRUE(card.start({openLog(path_.c_str(), 1000), {}, nullptr, reopenLog}, 0, 5, 0));
+  unlink(path_.c_str());
+  EXPECT_EQ(say(card.log(), "into the open file"), 18);
+  EXPECT_NE(access(path_.c_str(), F_OK), 0);
 }
 
 TEST_F(Store, AProcessThatIsStartedAnewWritesTheNewestLog) {

@@ -10,12 +10,16 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <fcntl.h>
 #include <filesystem>
 #include <fstream>
+#include <pthread.h>
+#include <signal.h>
 #include <string>
 #include <sys/stat.h>
 #include <sys/wait.h>
+#include <thread>
 #include <unistd.h>
 #include <vector>
 
@@ -77,6 +81,37 @@ TEST_F(LogFiles, OneThatCouldNotBeMadeIsTriedAgain) {
   std::filesystem::rename(folder_ + ".away", folder_);
   EXPECT_EQ(sink.write(sink.self, reinterpret_cast<const uint8_t*>(words.data()), 10), 10);
   EXPECT_EQ(content(), words);
+}
+
+TEST_F(LogFiles, AWriteThatASignalInterruptsGoesOn) {
+  ASSERT_EQ(mkfifo(path_.c_str(), 0600), 0);
+  const int reader = open(path_.c_str(), O_RDWR);
+  const GliderLogSink sink = openLog(path_.c_str(), 1000);
+  std::string words;
+  while (words.size() < 200000) {  // more than a pipe holds
+    words += std::to_string(words.size()) + ' ';
+  }
+  struct sigaction nothing{};
+  nothing.sa_handler = [](int) {};
+  sigaction(SIGUSR1, &nothing, nullptr);
+  std::string got;
+  std::thread later([&, writer = pthread_self()] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    pthread_kill(writer, SIGUSR1);
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    char piece[4096];
+    while (got.size() < words.size()) {
+      got.append(piece, static_cast<size_t>(read(reader, piece, sizeof piece)));
+    }
+  });
+  const auto count = static_cast<int32_t>(words.size());
+  EXPECT_EQ(sink.write(sink.self, reinterpret_cast<const uint8_t*>(words.data()),
+                       static_cast<uint32_t>(count)),
+            count);
+  later.join();
+  EXPECT_TRUE(got == words);
+  close(reader);
+  signal(SIGUSR1, SIG_DFL);
 }
 
 TEST_F(LogFiles, OneThatCannotBeOpenedFailsUntilItCan) {

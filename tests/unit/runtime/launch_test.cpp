@@ -72,6 +72,10 @@ TEST_F(LaunchTest, TakesValuesWithTheirUnits) {
                {"gain=0.1", 5, 0.1},
                {"gain=-0", 5, 0},
                {"gain=1e22", 5, 1e22},
+               {"gain=25e-2", 5, 0.25},
+               {"gain=2.5E-1", 5, 0.25},
+               {"gain=25e+2", 5, 2500},
+               {"gain=5e-22", 5, 5e-22},
                {"gain=123456789.012345", 5, 123456789.012345},
                {"gain=000000000000000000.5", 5, 0.5}};
   for (const auto& row : table) {
@@ -99,6 +103,8 @@ TEST_F(LaunchTest, SaysWhatIsWrongAndChangesNothing) {
       {"bottom=1e", "`bottom` cannot be `1e`: after the number its unit: m, cm, km"},
       {"gain=1.234567890123456",
        "`gain` cannot be `1.234567890123456`: more than 15 digits, or too large or small"},
+      {"gain=1e23", "`gain` cannot be `1e23`: more than 15 digits, or too large or small"},
+      {"gain=1e-23", "`gain` cannot be `1e-23`: more than 15 digits, or too large or small"},
       {"gain=1e99999999999",
        "`gain` cannot be `1e99999999999`: more than 15 digits, or too large or small"},
       {"lat=39.2", "`lat` cannot be `39.2`: after the number its unit: N, S, or ddmm.mmmm"},

@@ -53,6 +53,7 @@ class VehicleRestart : public ResumeBench {
   }
 
   VehicleBench vehicle_{{.silence_secs = 24}};
+  static constexpr int kOutage = 28;  ///< from the checkpoint at 52 s to the frame at 80 s
   double began_ = 0;  ///< vehicle's bench time at which mission time was 0, within a cycle
 };
 
@@ -99,6 +100,28 @@ TEST_F(VehicleRestart, WhenTheClockWasSetBackNeither) {
   vehicle_.run(110);
   expectBegunAnew();
 }
+
+/// By how much the vehicle's clock is set back, s.
+class ClockSetBack : public VehicleRestart, public ::testing::WithParamInterface<int> {};
+
+TEST_P(ClockSetBack, AnOutageOfNoTimeIsResumed) {
+  boot(vehicle_);
+  vehicle_.run(60);
+  cutPower(vehicle_);
+  vehicle_.restartMission();
+  vehicle_.clock_at_start -= GetParam();
+  vehicle_.run(80);
+  boot(vehicle_);
+  vehicle_.run(110);
+  const double outage = kOutage - GetParam();
+  if (outage < 0) {
+    expectBegunAnew();
+  } else {
+    EXPECT_THAT(logCsv(), HasSubstr("mission resumed," + std::to_string(kOutage - GetParam())));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Boots, ClockSetBack, ::testing::Range(16, 44, 4));
 
 TEST_F(VehicleRestart, WhatWasFinishedIsNotGoneOnWith) {
   end = 60;

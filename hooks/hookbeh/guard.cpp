@@ -24,6 +24,9 @@ constexpr double kStalledSecs = 240;
 /// m that the vehicle may sink unseen though it is at its greatest depth: less would end a dive
 /// that waves or a layer slow down. The slowest metre of a dive in real logs takes 16 s.
 constexpr double kLeastUnseenM = 6;
+/// m; a dive that may be so far past its target, and so far past what the depth last showed, ends.
+constexpr double kPastTargetM = 8;
+constexpr double kPastShownM = 10;
 /// m; so far before the depth has moved at all.
 constexpr double kMostUnseenAtFirstM = 20;
 /// Two sensors may be wrong: so much of the greatest depth past it in one dive, but so many metres
@@ -36,6 +39,10 @@ constexpr double kAtSurfaceM = 1;
 /// s of climbing after a dive that gained no depth; then a living sensor is believed again.
 constexpr double kHomeSecs = 600;
 constexpr double kAliveSecs = 60;
+
+double atLeast(double value, double least) {
+  return value > least ? value : least;
+}
 
 bool isDepthDoubt(HookGuard guard) {
   return guard == HookGuard::DepthUnknown || guard == HookGuard::DepthJumps;
@@ -118,31 +125,34 @@ HookGuard Guard::brokenLimit(const HookbehArgs& args) const {
                                               : HookGuard::None;
 }
 
-HookGuard Guard::stall(const HookbehArgs& args) const {
+HookGuard Guard::stall(const HookbehArgs& args, const Instruction& in_force) const {
   if (headway_.way() == Way::Up) {
     return headway_.idleFor() >= kStalledSecs ? HookGuard::NoHeightGained : HookGuard::None;
   }
-  const bool idle =
-      headway_.way() == Way::Down && (headway_.idleFor() >= kHoverSecs || mayBeDeeper(args));
+  const bool idle = headway_.way() == Way::Down &&
+                    (headway_.idleFor() >= kHoverSecs || mayBeDeeper(args, in_force));
   return idle ? HookGuard::NoDepthGained : HookGuard::None;
 }
 
-bool Guard::mayBeDeeper(const HookbehArgs& args) const {
+bool Guard::mayBeDeeper(const HookbehArgs& args, const Instruction& in_force) const {
   const double shown = unseen_.shown();
   const double least = shown + kLeastUnseenM;
   const double first = shown + kMostUnseenAtFirstM;
-  double most = args.greatest_depth_m > least ? args.greatest_depth_m : least;
+  double most = atLeast(args.greatest_depth_m, least);
   if (!unseen_.hasMoved() && first < most) {
     most = first;
   }
+  const double past = atLeast(in_force.depth_m + kPastTargetM, shown + kPastShownM);
+  if (in_force.vertical == HookVertical::Descend && past < most) {
+    most = past;
+  }
   const double left = args.greatest_depth_m - shown + kPastShare * args.greatest_depth_m;
-  return unseen_.deepest() >= most ||
-         unseen_.sunkInDive() >= (left > kLeastInDiveM ? left : kLeastInDiveM) ||
-         unseen_.sunkSteeply() >= (left > kLeastSteeplyM ? left : kLeastSteeplyM);
+  return unseen_.deepest() >= most || unseen_.sunkInDive() >= atLeast(left, kLeastInDiveM) ||
+         unseen_.sunkSteeply() >= atLeast(left, kLeastSteeplyM);
 }
 
-bool Guard::mustShowDepth(const HookbehArgs& args) {
-  shows_ = mayBeDeeper(args) || (shows_ && unseen_.deepest() > unseen_.shown());
+bool Guard::mustShowDepth(const HookbehArgs& args, const Instruction& in_force) {
+  shows_ = mayBeDeeper(args, in_force) || (shows_ && unseen_.deepest() > unseen_.shown());
   return shows_;
 }
 
@@ -164,7 +174,7 @@ HookGuard Guard::mustClimb(const HookbehArgs& args, const Instruction& in_force)
   }
   if (const HookGuard broken = brokenLimit(args); broken != HookGuard::None) {
     trip(broken);
-  } else if (const HookGuard stalled = stall(args); stalled != HookGuard::None) {
+  } else if (const HookGuard stalled = stall(args, in_force); stalled != HookGuard::None) {
     trip(stalled);
   } else if (tripped_ != HookGuard::None && mayLetGo(args, in_force)) {
     tripped_ = HookGuard::None;

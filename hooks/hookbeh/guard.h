@@ -32,7 +32,7 @@ class Guard {
   /// The vehicle must climb to see whether its depth follows: it may have sunk to its limit without
   /// the depth showing it, and nothing that it was instructed moves it. To be called after
   /// mustClimb() in each cycle in which hookbeh commands.
-  bool mustShowDepth(const HookbehArgs& args);
+  bool mustShowDepth(const HookbehArgs& args, const Instruction& in_force);
   /// Another SBC takes over: the limits that the one before broke are forgotten, the bottom and
   /// what is wrong with the depth are not.
   void reset();
@@ -40,8 +40,8 @@ class Guard {
  private:
   void noteBottom(const Surroundings& now, double step_s);
   [[nodiscard]] HookGuard brokenLimit(const HookbehArgs& args) const;
-  [[nodiscard]] HookGuard stall(const HookbehArgs& args) const;
-  [[nodiscard]] bool mayBeDeeper(const HookbehArgs& args) const;
+  [[nodiscard]] HookGuard stall(const HookbehArgs& args, const Instruction& in_force) const;
+  [[nodiscard]] bool mayBeDeeper(const HookbehArgs& args, const Instruction& in_force) const;
   void trip(HookGuard broken);
   [[nodiscard]] bool mayLetGo(const HookbehArgs& args, const Instruction& in_force) const;
   [[nodiscard]] bool keepsLimits(const HookbehArgs& args, double depth_m, double margin_m) const;

@@ -204,7 +204,7 @@ bool Hookbeh::isOverridden(const HookbehInputs& inputs) const {
 }
 
 VerticalCommand Hookbeh::vertical(const Surroundings& now, HookGuard guard) {
-  const bool shows = guard_.mustShowDepth(args_);
+  const bool shows = guard_.mustShowDepth(args_, pilot_.inForce());
   const bool climbs = guard != HookGuard::None || shows;
   if (guarding_ && !climbs) {
     pilot_.goBack(now, args_);

@@ -70,7 +70,7 @@ PLANTED = [
             "depth_m >= kHighestDepthM && depth_m <= kDeepestShare * kHull.greatest_depth_m", "isFinite(depth_m)"),
     Planted("HB-21", "a depth may jump", DEPTH, "moved > kReachM + kHull.vertical_rate_m_s * age_s_", "false"),
     Planted("HB-22", "a frozen depth is believed", WATCH, "(frozen_ && own_.sameFor() > 0) || (same && !hangs)", "false"),
-    Planted("HB-23", "a dive that gains no depth goes on", GUARD, "headway_.way() == Way::Down && (headway_.idleFor() >= kHoverSecs || mayBeDeeper(args))", "false"),
+    Planted("HB-23", "a dive that gains no depth goes on", GUARD, "headway_.way() == Way::Down && (headway_.idleFor() >= kHoverSecs || mayBeDeeper(args, in_force))", "false"),
     Planted("HB-33", "what may have sunk unseen does not count", GUARD,
             "unseen_.deepest() >= most", "false"),
     Planted("HB-34", "what another behaviour flies is reckoned", HOOKBEH,

@@ -154,6 +154,14 @@ TEST(HookbehUnseen, AGuardClimbsWithAllOfTheHullsPump) {
   EXPECT_EQ(sea.out.pump_cc, 130) << "a climb that was instructed";
 }
 
+TEST(HookbehUnseen, ADiveThatMayBeFarPastItsTargetEndsThoughItsLimitIsFar) {
+  SlowSea sea(150);
+  sea.diveTo(20, 30);
+  auto stuck = pattern(std::array<double, 2>{20, 20.01});
+  sea.until(HookGuard::NoDepthGained, stuck);
+  EXPECT_LT(sea.deepest, 38);
+}
+
 TEST(HookbehUnseen, OrdersUpInBetweenDoNotHideIt) {
   SlowSea sea;
   sea.diveTo(20, 28);

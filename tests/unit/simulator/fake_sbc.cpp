@@ -69,8 +69,8 @@ void FakePilot::tick(const GliderByteStream& stream) {
   client_.done({mission_time, diving_ ? 0U : 1U, 0, phase}, stream);
 }
 
-void FakePilot::poll(const GliderByteStream& stream, const GliderClock& clock) {
-  for (;;) {
+void FakePilot::poll(const GliderByteStream& stream, const GliderClock& clock, int most_ticks) {
+  while (ticks_ < most_ticks) {
     const hooks::ClientEvent event = client_.poll(stream, clock);
     if (event == hooks::ClientEvent::Tick) {
       tick(stream);

@@ -8,6 +8,7 @@
 
 #include <deque>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -25,8 +26,10 @@ class FakePilot {
     bool takes_again = false;  ///< after silence, with the mission where it is
   };
   explicit FakePilot(Plan plan);
-  /// Answers all frames that are there.
-  void poll(const GliderByteStream& stream, const GliderClock& clock);
+  /// Answers all frames that are there, up to the tick `most_ticks` of all: to a program the next
+  /// may be there before it has looked at anything else.
+  void poll(const GliderByteStream& stream, const GliderClock& clock,
+            int most_ticks = std::numeric_limits<int>::max());
   [[nodiscard]] int ticks() const { return ticks_; }
   [[nodiscard]] bool closed() const { return closed_; }
 

@@ -33,7 +33,7 @@ int main(int argc, char** argv) {
   const GliderByteStream stream = port->stream();
   glider::hooks::SystemClock clock;
   while (!pilot.closed() && pilot.ticks() < most_ticks) {
-    pilot.poll(stream, clock.clock());
+    pilot.poll(stream, clock.clock(), most_ticks);
     ::usleep(200);
   }
   if (mode == "linger" || mode == "close") {

@@ -31,7 +31,7 @@ constexpr double kPastShownM = 10;
 constexpr double kMostUnseenAtFirstM = 20;
 /// Two sensors may be wrong: so much of the greatest depth past it in one dive, but so many metres
 /// at least, and at the steepest pitch.
-constexpr double kPastShare = 0.4;
+constexpr double kPastShare = 0.44;
 constexpr double kLeastInDiveM = 11;
 constexpr double kLeastSteeplyM = 18;
 /// m; here the vehicle is at the surface.

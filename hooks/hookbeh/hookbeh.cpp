@@ -77,7 +77,6 @@ HookbehOutputs Hookbeh::cycle(const HookbehInputs& inputs) {
   if (state_ == HookState::Active) {
     command(now, outputs);
   }
-  commanding_ = outputs.commanding;
   last_ = {outputs.pitch_rad, outputs.commanding ? outputs.pump_cc : __builtin_nan(""), ""};
   outputs.state = state_;
   outputs.answered_sequence = answered_sequence_;

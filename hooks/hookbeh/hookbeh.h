@@ -82,7 +82,6 @@ class Hookbeh {
   Pilot pilot_;
   CycleClock clock_;
   bool guarding_ = false;                           // in the cycle before
-  bool commanding_ = false;                         // in the cycle before
   VerticalCommand last_{0, __builtin_nan(""), ""};  // it commanded then; pump NaN: nothing
 
   uint32_t heartbeat_ = 0;  // the newest seen, 0 for none

@@ -83,8 +83,8 @@ PLANTED = [
     Planted("HB-31", "a heartbeat that comes again counts", HOOKBEH, "isNewerSession(beat, heartbeat_)", "beat != heartbeat_"),
     Planted("HB-28", "the pump may go beyond its stroke", HULL, "out.dive_pump_cc = -between(dive, 0, hull.pump_cc);", "out.dive_pump_cc = -dive;"),
     Planted("HB-29", "a pump with the wrong sign", HULL, "value < 0 ? -value : value", "value"),
-    Planted("HB-30", "a guard has no number", HOOKBEH, "commanding_ = outputs.commanding;",
-            "commanding_ = outputs.commanding; outputs.guard = HookGuard::None;"),
+    Planted("HB-30", "a guard has no number", HOOKBEH, "outputs.state = state_;",
+            "outputs.state = state_; outputs.guard = HookGuard::None;"),
 ]
 
 # What a campaign cannot see, with the reason.

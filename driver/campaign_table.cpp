@@ -41,8 +41,9 @@ size_t columnOf(const Verdict& verdict) {
 }
 
 std::string row(const std::string& name, const Counts& counts) {
-  return fmt::format("{:<22}{:>8}{:>9}{:>18}{:>13}{:>12.1f}{:>11}\n", name, counts.all(),
-                     counts.flights[0], counts.flights[1], counts.flights[2], counts.deepest_m,
+  const std::string deepest = counts.all() == 0 ? "-" : fmt::format("{:.1f}", counts.deepest_m);
+  return fmt::format("{:<22}{:>8}{:>9}{:>18}{:>13}{:>12}{:>11}\n", name, counts.all(),
+                     counts.flights[0], counts.flights[1], counts.flights[2], deepest,
                      counts.flights[3]);
 }
 

@@ -16,6 +16,7 @@
 namespace glider::tests {
 namespace {
 
+using testing::ContainsRegex;
 using testing::HasSubstr;
 
 const std::string kMissions =
@@ -33,6 +34,14 @@ TEST(Campaign, EveryKindOfFaultEndsAsStated) {
   EXPECT_EQ(std::ranges::count(rows, '\n'), 2 + 192);
   EXPECT_THAT(rows, HasSubstr("exited after hand-back"));
   EXPECT_THAT(rows, HasSubstr(",handed back,"));
+}
+
+TEST(Campaign, SaysNoDepthOfAFaultThatWasNotFlown) {
+  const Outcome outcome = runShell("$GLIDERCC campaign " + project("missions/figure2.mission") +
+                                   " --flights 1 --boards 0 --seed 1");
+  EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+  EXPECT_THAT(outcome.out, ContainsRegex("\nnone +1 +1 +0 +0 +2[0-9]\\.[0-9] +0\n"));
+  EXPECT_THAT(outcome.out, ContainsRegex("\nseveral at once +0 +0 +0 +0 +- +0\n"));
 }
 
 TEST(Campaign, IsTheSeedsAloneHoweverManyFlyAtATime) {

@@ -53,6 +53,10 @@ bool climbs(const HookbehOutputs& out) {
   return out.pitch_rad > 0 && out.pump_cc > 0;
 }
 
+bool checksDepth(const HookbehOutputs& out) {
+  return out.doing == std::string_view("check depth");
+}
+
 bool isAngle(double ddmm, double most) {
   return std::fabs(ddmm) <= most && std::fmod(std::fabs(ddmm), 100) <= 60;
 }
@@ -153,7 +157,7 @@ std::string CommandJudge::judgeWhole(const CycleView& view) const {
   }
   // Its own climbs are with all of the pump.
   const std::string_view doing = out.doing;
-  const bool own = doing.starts_with("climb: ") || doing == "check depth";
+  const bool own = doing.starts_with("climb: ") || checksDepth(out);
   const double most_cc = own ? hooks::kHull.pump_cc : s_.args.climb_pump_cc;
   if (out.pump_cc > most_cc + kPumpError || out.pump_cc < s_.args.dive_pump_cc - kPumpError) {
     return fmt::format("a pump of {:.0f} cc is commanded", out.pump_cc);
@@ -258,8 +262,10 @@ std::string CommandJudge::judgeDive(const HookbehOutputs& out, double reading) {
 std::string CommandJudge::judgeClimb(const HookbehOutputs& out, double reading) {
   const double target = in_force_.depth_m;
   if (!arrived_ && reading > target + kDepthError) {
-    const bool rises = std::fabs(out.pitch_rad - in_force_.pitch_rad) < kPitchError &&
-                       out.pump_cc > s_.args.climb_pump_cc - kPumpError;
+    // Its own climb leads there at another pitch.
+    const bool as_told =
+        checksDepth(out) || std::fabs(out.pitch_rad - in_force_.pitch_rad) < kPitchError;
+    const bool rises = climbs(out) && as_told && out.pump_cc > s_.args.climb_pump_cc - kPumpError;
     return rises ? "" : fmt::format("no climb to {} m though it is in force", target);
   }
   arrived_ = true;

@@ -215,6 +215,35 @@ TEST_F(Judged, AnInstructionThatIsNotCarriedOutIsSeen) {
   EXPECT_EQ(violation(), "no dive to 20 m though it is in force");
 }
 
+/// hookbeh asks for the depth by a climb of its own, steeper or flatter than the one in force.
+class JudgedClimb : public Judged {
+ protected:
+  void ascend() {
+    take();
+    instruct(1, 2, hooks::HookControl::Take, 4, hooks::HookVertical::Ascend, 0.3);
+    arrive();
+    obey(2);
+    climb();
+  }
+};
+
+TEST_F(JudgedClimb, HookbehsOwnIsOneToo) {
+  ascend();
+  out_.doing = "check depth";
+  cycle(HookState::Active, 10);
+  EXPECT_EQ(violation(), "");
+  out_.pump_cc = -230;
+  cycle(HookState::Active, 10);
+  EXPECT_EQ(violation(), "no climb to 4 m though it is in force");
+}
+
+TEST_F(JudgedClimb, AtAnotherPitchIsSeen) {
+  ascend();
+  out_.doing = "climb_to";
+  cycle(HookState::Active, 10);
+  EXPECT_EQ(violation(), "no climb to 4 m though it is in force");
+}
+
 TEST_F(Judged, ADiveThatGoesOnPastItsTargetIsSeen) {
   take();
   cycle(HookState::Active, 20.9);

@@ -29,16 +29,17 @@ class Judged : public testing::Test {
     std::array<uint8_t, hooks::kMostEncodedBytes> bytes;
     judge_.said({bytes.data(), hooks::encodeFrame(frame, bytes.data())}, now_);
   }
-  void instruct(uint32_t session, uint16_t sequence, hooks::HookControl control,
-                double depth = 20) {
+  void instruct(uint32_t session, uint16_t sequence, hooks::HookControl control, double depth = 20,
+                hooks::HookVertical vertical = hooks::HookVertical::Descend,
+                double pitch = kPitch) {
     hooks::Frame frame;
     hooks::encodeEmptyList(hooks::MessageType::Write, frame);
     const std::pair<uint16_t, double> words[] = {
         {GLIDER_SCI_HOOK_SESSION, session},
         {GLIDER_SCI_HOOK_CONTROL, static_cast<double>(control)},
-        {GLIDER_SCI_HOOK_VERTICAL, 1},
+        {GLIDER_SCI_HOOK_VERTICAL, static_cast<double>(vertical)},
         {GLIDER_SCI_HOOK_DEPTH, depth},
-        {GLIDER_SCI_HOOK_PITCH, kPitch},
+        {GLIDER_SCI_HOOK_PITCH, pitch},
         {GLIDER_SCI_HOOK_LATERAL, 0},
         {GLIDER_SCI_HOOK_HEADING, 0},
         {GLIDER_SCI_HOOK_LAT, 0},

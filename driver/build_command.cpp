@@ -205,13 +205,15 @@ void addBuildCommand(CLI::App& app, int& status) {
   command
       ->add_option("MISSION", options->mission, "The mission file (or the IR's text form, FILE.ir)")
       ->required();
-  command->add_option("--target", options->target, "What to build for (see `glidercc targets`)")
+  command
+      ->add_option("--target", options->target,
+                   "Target to build for, as listed by `glidercc targets`")
       ->capture_default_str();
   command
       ->add_option_function<std::string>(
           "--emit", [options](const std::string& stage) { options->emit = kEmits.at(stage); },
-          "What to write: ast, ir, header (of what the mission has in C), llvm, asm, obj or exe "
-          "(default)")
+          "Output to write: ast, ir, header (C declarations of the mission), llvm, asm, obj or exe "
+          "[exe]")
       ->check(CLI::IsMember(
           std::vector<std::string>{"ast", "ir", "header", "llvm", "asm", "obj", "exe"}))
       ->option_text("STAGE");
@@ -229,7 +231,7 @@ void addBuildCommand(CLI::App& app, int& status) {
       ->check(CLI::IsMember(passes))
       ->option_text("PASS ...");
   addLinkOption(*command, options->user_code);
-  command->add_option("-o", options->output, "The file to write; `-` is standard output")
+  command->add_option("-o", options->output, "Output file; `-` is standard output")
       ->option_text("FILE");
   command->callback([options, &status] { status = build(*options); });
 }

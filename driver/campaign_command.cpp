@@ -224,23 +224,22 @@ int campaign(const CampaignOptions& options) {
 void addFileOptions(CLI::App& command, CampaignOptions& options) {
   constexpr uint64_t kMostFlights = 10'000'000;
   auto* csv =
-      command
-          .add_option("--csv", options.csv, "Write a row for each flight, as soon as it is over")
+      command.add_option("--csv", options.csv, "Write one row per flight, as soon as it ends")
           ->option_text("FILE");
   auto* resume =
       command
           .add_option("--resume", options.resume,
-                      "Go on with the campaign whose --csv FILE was: fly what is missing")
+                      "Resume the campaign that wrote FILE with --csv: fly the missing flights")
           ->option_text("FILE")
           ->excludes(csv);
-  auto* only = command.add_option("--only", options.only, "Fly only the flight of this number")
+  auto* only = command.add_option("--only", options.only, "Fly only the flight with this number")
                    ->check(CLI::Range(uint64_t{0}, kMostFlights - 1))
                    ->excludes(csv)
                    ->excludes(resume)
                    ->option_text("NUMBER");
   command
       .add_option("-o", options.output,
-                  "With --only: folder for report.html, trace.csv, events.csv")
+                  "With --only: output folder for report.html, trace.csv and events.csv")
       ->needs(only)
       ->option_text("FOLDER");
 }
@@ -248,12 +247,12 @@ void addFileOptions(CLI::App& command, CampaignOptions& options) {
 void addOptions(CLI::App& command, CampaignOptions& options) {
   constexpr uint64_t kMostFlights = 10'000'000;
   constexpr unsigned kMostJobs = 1024;
-  command.add_option("MISSION", options.missions, "The mission files; they take turns")->required();
+  command.add_option("MISSION", options.missions, "Mission files, flown in turn")->required();
   command
       .add_option("--scenario", options.scenario,
-                  "The world to fly in: a .toml file, or the name of one that comes with glidercc")
+                  "Scenario to fly in: a .toml file, or the name of a bundled one")
       ->capture_default_str();
-  command.add_option("--flights", options.flights, "How many flights")
+  command.add_option("--flights", options.flights, "Number of flights")
       ->check(CLI::Range(uint64_t{1}, kMostFlights))
       ->capture_default_str()
       ->option_text("N");
@@ -261,12 +260,12 @@ void addOptions(CLI::App& command, CampaignOptions& options) {
       ->check(seedValidator())
       ->capture_default_str()
       ->option_text("N");
-  command.add_option("--jobs", options.jobs, "Flights at the same time (else: one a core)")
+  command.add_option("--jobs", options.jobs, "Number of parallel flights [one per core]")
       ->check(CLI::Range(1U, kMostJobs))
       ->option_text("N");
   command
       .add_option("--boards", options.board_percent,
-                  "Percentage of the flights that run a board's binary under its emulator")
+                  "Percentage of flights that run a board's binary under an emulator")
       ->check(CLI::Range(0U, 100U))
       ->capture_default_str()
       ->option_text("PERCENT");
@@ -281,8 +280,7 @@ void addCampaignCommand(CLI::App& app, int& status) {
   auto options = std::make_shared<CampaignOptions>();
   CLI::App* command = app.add_subcommand(
       "campaign",
-      "Fly missions thousands of times, each time with something that goes wrong, and "
-      "tell how the flights ended");
+      "Fly missions thousands of times with injected faults and summarize the outcomes");
   addOptions(*command, *options);
   command->callback([options, &status] { status = campaign(*options); });
 }

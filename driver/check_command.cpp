@@ -260,36 +260,33 @@ void addCheckCommand(CLI::App& app, int& status) {
           "CI")
       ->check(CLI::IsMember(std::vector<std::string>{"text", "json", "sarif"}))
       ->option_text("FORMAT");
-  command->add_option("-o", options->output, "The file to write; `-` (default): standard output")
+  command->add_option("-o", options->output, "Output file [`-`, standard output]")
       ->option_text("FILE");
-  command->add_flag(
-      "--report", options->check.report,
-      "Also what is no mistake but worth knowing, and what the mission needs at most of "
-      "boards and lines");
+  command->add_flag("--report", options->check.report,
+                    "Also print remarks and upper bounds on board and link usage");
   command
       ->add_option("--target", options->check.targets,
-                   "With --report: the boards (see `glidercc targets`); all of the vehicle if not "
-                   "given")
+                   "With --report: the boards to report on, as listed by `glidercc targets` [all "
+                   "boards of the vehicle]")
       ->option_text("TARGET ...");
   command
       ->add_option("--effort", options->check.effort,
-                   "How many times the usual effort a proof may take (default 1)")
+                   "Multiply the resource limit of each proof by N [1]")
       ->check(CLI::Range(1U, kMostEffort))
       ->option_text("N");
   command
       ->add_option("--skeleton", options->skeleton,
-                   "With --report: the vehicle's mission file (.mi) with hookbeh, whose "
-                   "silence_secs the way home begins with [24 s]")
+                   "With --report: the vehicle's mission file (.mi) with hookbeh; its silence_secs "
+                   "bounds the time to the surface [24 s]")
       ->option_text("FILE");
   addLinkOption(*command, options->check.user_code);
   command->add_flag_callback(
       "--no-cache", [options] { options->check.cache = false; },
-      "Search for every proof again (else what an earlier check of the same mission has proved is "
-      "taken from ~/.cache/glidercc)");
+      "Repeat all proofs instead of reusing results of earlier checks from ~/.cache/glidercc");
   command
-      ->add_option("--traces", options->traces,
-                   "Write a run that breaks it for each requirement that does not hold, for "
-                   "`glidercc sim --replay`")
+      ->add_option(
+          "--traces", options->traces,
+          "Write a counterexample for each violated requirement, for `glidercc sim --replay`")
       ->option_text("FOLDER");
   command->callback([options, &status] { status = check(*options); });
 }

@@ -100,10 +100,9 @@ int explain(const std::string& word) {
 void addExplainCommand(CLI::App& app, int& status) {
   auto word = std::make_shared<std::string>();
   CLI::App* command =
-      app.add_subcommand("explain", "Explain a diagnostic: the rule, an example, the way out");
-  command->add_option("ID", *word,
-                      "As in brackets behind the message: GL2007 or types-differ; "
-                      "without one, all are listed");
+      app.add_subcommand("explain", "Explain a diagnostic: the rule, an example and how to fix it");
+  command->add_option(
+      "ID", *word, "Number or name of the diagnostic, such as GL2007 or types-differ [list all]");
   command->callback([word, &status] { status = explain(*word); });
 }
 

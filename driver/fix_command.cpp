@@ -87,10 +87,10 @@ int fix(const std::string& path, bool dry_run) {
 void addFixCommand(CLI::App& app, int& status) {
   auto files = std::make_shared<std::vector<std::string>>();
   auto dry_run = std::make_shared<bool>(false);
-  CLI::App* command = app.add_subcommand(
-      "fix", "Apply the fixes that can mean one thing only, and report the other errors");
+  CLI::App* command =
+      app.add_subcommand("fix", "Apply automatic fixes and report remaining errors");
   command->add_option("FILE", *files, "Mission files")->required();
-  command->add_flag("--dry-run", *dry_run, "Write nothing; show what would change");
+  command->add_flag("--dry-run", *dry_run, "Show what would change without writing files");
   command->callback([files, dry_run, &status] {
     for (const std::string& path : *files) {
       status = std::max(status, fix(path, *dry_run));

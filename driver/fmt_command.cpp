@@ -66,13 +66,13 @@ int format(const FmtOptions& options, const std::string& path) {
 
 void addFmtCommand(CLI::App& app, int& status) {
   auto options = std::make_shared<FmtOptions>();
-  CLI::App* command = app.add_subcommand(
-      "fmt", "Lay out mission files in the one way; their words and comments stay as they are");
+  CLI::App* command = app.add_subcommand("fmt", "Format mission files; comments are kept");
   command->add_option("FILE", options->files, "Mission or library files; - is standard input")
       ->required();
-  command->add_flag("--check", options->check,
-                    "Write nothing; name the files that would change, and exit with 1 if any");
-  command->add_flag("--diff", options->diff, "Write nothing; show what would change");
+  command->add_flag(
+      "--check", options->check,
+      "List the files that would change without writing them; exit with 1 if there are any");
+  command->add_flag("--diff", options->diff, "Show what would change without writing files");
   command->callback([options, &status] {
     for (const std::string& path : options->files) {
       status = std::max(status, format(*options, path));

@@ -109,8 +109,8 @@ int graph(const GraphOptions& options) {
 
 void addGraphCommand(CLI::App& app, int& status) {
   auto options = std::make_shared<GraphOptions>();
-  CLI::App* command = app.add_subcommand(
-      "graph", "Draw the states of a mission and what leads from one to another");
+  CLI::App* command =
+      app.add_subcommand("graph", "Draw the states of a mission and the transitions between them");
   command
       ->add_option("MISSION", options->mission, "The mission file (or the IR's text form, FILE.ir)")
       ->required();
@@ -118,14 +118,12 @@ void addGraphCommand(CLI::App& app, int& status) {
       ->add_option_function<std::string>(
           "--format",
           [options](const std::string& format) { options->format = kFormats.at(format); },
-          "What to write: svg (default), dot for Graphviz, json, or promela, a model of the "
-          "structure "
-          "for SPIN")
+          "Output format: svg, dot (Graphviz), json, or promela (a model of the structure for "
+          "SPIN) [svg]")
       ->check(CLI::IsMember(std::vector<std::string>{"svg", "dot", "json", "promela"}))
       ->option_text("FORMAT");
-  command->add_flag("--deepest", options->deepest, "Mark a deepest call stack");
-  command
-      ->add_option("-o", options->output, "The file to write (MISSION.svg); `-` is standard output")
+  command->add_flag("--deepest", options->deepest, "Highlight the deepest call stack");
+  command->add_option("-o", options->output, "Output file; `-` is standard output [MISSION.svg]")
       ->option_text("FILE");
   command->callback([options, &status] { status = graph(*options); });
 }

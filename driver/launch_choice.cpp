@@ -23,15 +23,14 @@ using support::DiagnosticId;
 
 void addLaunchOptions(CLI::App& command, LaunchChoice& choice) {
   command
-      .add_option(
-          "--set", choice.settings,
-          "Give a parameter of the mission a value, as in --set bottom=20m; may be repeated")
+      .add_option("--set", choice.settings,
+                  "Set a parameter of the mission, as in --set bottom=20m; may be repeated")
       ->option_text("NAME=VALUE")
       ->take_all()
       ->allow_extra_args(false);
   command
       .add_option("--parameters", choice.file,
-                  "Take parameters from a file with lines `NAME = VALUE`; --set goes before it")
+                  "Read parameters from a file with lines `NAME = VALUE`; --set takes precedence")
       ->option_text("FILE");
 }
 

@@ -10,8 +10,8 @@ namespace glider::driver {
 void addLinkOption(CLI::App& command, std::vector<std::string>& files) {
   command
       .add_option("--link", files,
-                  "Link an object, archive or LLVM bitcode that has what the mission declares with "
-                  "`extern`; may be repeated")
+                  "Link an object file, archive or LLVM bitcode that defines the mission's "
+                  "`extern` declarations; may be repeated")
       ->option_text("FILE")
       ->take_all()
       ->allow_extra_args(false);

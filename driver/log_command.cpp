@@ -78,13 +78,13 @@ int log(const LogOptions& options) {
 
 void addLogCommand(CLI::App& app, int& status) {
   auto options = std::make_shared<LogOptions>();
-  CLI::App* command = app.add_subcommand("log", "Show the log that a mission wrote on the SBC");
-  command->add_option("FILE", options->file, "What --log of the mission's program named")
+  CLI::App* command = app.add_subcommand("log", "Show the log written by a mission on the SBC");
+  command->add_option("FILE", options->file, "Log file written by the mission's program with --log")
       ->required();
   command
-      ->add_option("--csv", options->csv,
-                   "Write it as comma-separated values instead, a row for each value (`-`: to "
-                   "standard output)")
+      ->add_option(
+          "--csv", options->csv,
+          "Write comma-separated values instead, one row per value; `-` is standard output")
       ->option_text("OUT");
   command->callback([options, &status] { status = log(*options); });
 }

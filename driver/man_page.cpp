@@ -81,7 +81,7 @@ std::string manPage(const CLI::App& app) {
   return page +
          ".SH EXIT STATUS\n0 fine; 1 the mission has errors, or its flight ended in an abort or "
          "had "
-         "instructions refused; 2 wrong usage, or the world failed.\n" +
+         "instructions refused; 2 usage error, or a file, port or tool failed.\n" +
          kFiles;
 }
 

@@ -122,7 +122,7 @@ int params(const ParamsOptions& options) {
 void addParamsCommand(CLI::App& app, int& status) {
   auto options = std::make_shared<ParamsOptions>();
   CLI::App* command = app.add_subcommand(
-      "params", "List a mission's parameters: types, defaults, ranges, and what differs from them");
+      "params", "List a mission's parameters: types, defaults, ranges and changed values");
   command->add_option("MISSION", options->mission, "The mission file")->required();
   addLaunchOptions(*command, options->launch);
   command->callback([options, &status] { status = params(*options); });

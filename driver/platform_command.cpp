@@ -179,11 +179,11 @@ int show(const PlatformOptions& options) {
 }  // namespace
 
 void addPlatformCommand(CLI::App& app, int& status) {
-  CLI::App* command = app.add_subcommand(
-      "platform", "List a vehicle's sensors, the commands it obeys and what it can do");
+  CLI::App* command =
+      app.add_subcommand("platform", "List a vehicle's sensors, commands and limits");
   auto options = std::make_shared<PlatformOptions>();
-  command->add_option("name", options->name, "The vehicle; slocum unless given");
-  command->add_flag("--json", options->json, "As JSON");
+  command->add_option("name", options->name, "Vehicle [slocum]");
+  command->add_flag("--json", options->json, "Write JSON");
   command->callback([options, &status] { status = show(*options); });
 }
 

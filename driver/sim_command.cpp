@@ -163,7 +163,7 @@ std::string checkTime(const std::string& text) {
 void addPictureOptions(CLI::App& command, SimOptions& options) {
   auto* picture = command
                       .add_option("--picture", options.picture,
-                                  "Also draw the flight as one SVG, for a paper or a logbook")
+                                  "Also draw the flight as an SVG, for a paper or a logbook")
                       ->option_text("FILE")
                       ->excludes("--replay");
   std::vector<std::string> names = {"state"};
@@ -172,8 +172,7 @@ void addPictureOptions(CLI::App& command, SimOptions& options) {
   }
   command
       .add_option("--colour", options.picture_style.colour,
-                  "What colours the picture's track; without it chlorophyll where it was measured, "
-                  "else the temperature")
+                  "Quantity that colours the track [chlorophyll if measured, else temp]")
       ->check(CLI::IsMember(names))
       ->needs(picture);
 }
@@ -182,42 +181,40 @@ void addOptions(CLI::App& command, SimOptions& options) {
   auto* mission = command.add_option("MISSION", options.mission, "The mission file");
   command
       .add_option("--scenario", options.scenario,
-                  "The world to fly in: a .toml file, or the name of one that comes with glidercc")
+                  "Scenario to fly in: a .toml file, or the name of a bundled one")
       ->capture_default_str();
-  auto* board = command.add_option(
-      "--board", options.board,
-      "Fly the binary of this target behind a serial line (see `glidercc targets`); "
-      "without it the mission flies in this process");
+  auto* board = command.add_option("--board", options.board,
+                                   "Run the binary for this target behind a serial line, as listed "
+                                   "by `glidercc targets` [in this process]");
   auto* program =
       command
-          .add_option("--sbc", options.program, "Fly this program as the SBC instead of a mission")
+          .add_option("--sbc", options.program, "Run this program as the SBC instead of a mission")
           ->option_text("PROGRAM");
   auto* serial = command
                      .add_option("--serial", options.serial,
-                                 "Fly a real SBC on this serial device, in real time; MISSION then "
-                                 "only tells what its states are called")
+                                 "Use a real SBC on this serial device, in real time; MISSION then "
+                                 "only names its states")
                      ->option_text("DEVICE");
   command
       .add_flag("--lockstep", options.lockstep,
-                "With --serial: let the vehicle's clock wait for each answer, as fast as it comes")
+                "With --serial: wait for each answer instead of real time")
       ->needs(serial);
   auto* without = command.add_flag("--no-sbc", options.without_sbc, "Fly without an SBC");
-  command.add_option("--seed", options.seed, "Seed of all noise, instead of the scenario's")
+  command.add_option("--seed", options.seed, "Seed of all noise [the scenario's]")
       ->check(seedValidator())
       ->option_text("N");
   command
       .add_option("--kill-sbc-at", options.kill_sbc_at_s,
-                  "Cut the SBC's power at this time of the vehicle, s")
+                  "Cut the SBC's power at this vehicle time, s")
       ->check(CLI::Validator(checkTime, "", "time"))
       ->option_text("SECONDS");
   command
       .add_option("-o", options.output,
-                  "Folder for report.html, trace.csv, events.csv and flight.json")
+                  "Output folder for report.html, trace.csv, events.csv and flight.json")
       ->option_text("FOLDER");
   command
       .add_option("--replay", options.replay,
-                  "Fly the run in this trace, which `glidercc check --traces` has written, instead "
-                  "of a world")
+                  "Fly a counterexample written by `glidercc check --traces` instead of a scenario")
       ->option_text("TRACE")
       ->excludes("--scenario")
       ->excludes("--seed")
@@ -234,7 +231,7 @@ void addOptions(CLI::App& command, SimOptions& options) {
 void addSimCommand(CLI::App& app, int& status) {
   auto options = std::make_shared<SimOptions>();
   CLI::App* command =
-      app.add_subcommand("sim", "Fly a mission in the shoe-box simulator and write its report");
+      app.add_subcommand("sim", "Fly a mission in the simulator and write a report");
   addOptions(*command, *options);
   addLaunchOptions(*command, options->launch);
   addLinkOption(*command, options->user_code);

@@ -94,14 +94,13 @@ void addTargetsCommand(CLI::App& app, int& status) {
   auto options = std::make_shared<TargetsOptions>();
   CLI::Option* compile =
       command
-          ->add_option(
-              "--cflags", options->compile_for,
-              "Print the flags with which clang compiles a mission's C or C++ for a target")
+          ->add_option("--cflags", options->compile_for,
+                       "Print the clang flags for compiling a mission's C or C++ code for a target")
           ->option_text("TARGET");
   command
       ->add_option("--libs", options->link_for,
-                   "Print what clang links a mission in C with for a target, to be said after its "
-                   "objects")
+                   "Print the clang linker arguments for a mission in C for a target; put them "
+                   "after its objects")
       ->option_text("TARGET")
       ->excludes(compile);
   command->callback([options, &status] { status = runTargets(*options); });

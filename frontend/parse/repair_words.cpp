@@ -231,7 +231,7 @@ std::optional<Lexeme> WordRepair::one(const Lexeme& lexeme) {
 std::optional<Lexeme> WordRepair::semicolon(const Lexeme& lexeme) {
   const bool between = !open_.empty();
   reporter_.at(lexeme, DiagnosticId::semicolon)
-      .hint(between ? "write `,` between values" : "delete it: a line needs no mark at its end")
+      .hint(between ? "write `,` between values" : "delete it: a statement ends with its line")
       .fix(reporter_.source().range(lexeme), between ? "," : "");
   return between ? std::optional(Lexeme{GliderLexer::COMMA, lexeme.begin, lexeme.end})
                  : std::nullopt;

@@ -52,8 +52,8 @@ ExprLowering::Result ExprLowering::window(const ast::Invocation& node, const ast
   }
   const ast::Argument& over = node.arguments.back();
   if (name == (over.of ? "rate" : "slope")) {
-    scope_.report(DiagnosticId::rateOrSlope, expr.where, name, over.of ? "a time" : "a stretch",
-                  over.of ? "a stretch" : "no stretch", over.of ? "slope" : "rate");
+    scope_.report(DiagnosticId::rateOrSlope, expr.where, name, over.of ? "a time" : "a distance",
+                  over.of ? "a distance" : "no distance", over.of ? "slope" : "rate");
     return std::nullopt;
   }
   const ast::Expr& watched = *node.arguments.front().value;

@@ -77,7 +77,8 @@ class CommandCheck {
     }
     const Type type = m_[order.values.at(argument)].type;
     proof_.diagnostics.report(DiagnosticId::orderBeyondEnvelope, profile.range,
-                              shown(greatest, type), shown(most, type));
+                              shown(greatest, type),
+                              "beyond the vehicle's limit of " + shown(most, type));
   }
 
   /// A depth that may come out a little above the surface is none to fly to, but no mistake.
@@ -87,7 +88,7 @@ class CommandCheck {
       in_the_air_.insert(profile.range.begin);
       const Type type = m_[order.values.at(0)].type;
       proof_.diagnostics.report(DiagnosticId::orderBeyondEnvelope, profile.range,
-                                shown(depth.highest, type), shown(0, type));
+                                shown(depth.highest, type), "above the surface");
     }
   }
 

@@ -233,7 +233,7 @@ TEST(CheckReport, TooMuchStackForABoardIsAnError) {
                                    " $GLIDERCC check --report --target ts5500 " + kFigure2);
   EXPECT_EQ(outcome.status, 1) << outcome.out << outcome.err;
   EXPECT_THAT(outcome.err, testing::ContainsRegex("needs up to [0-9]+ bytes of stack on board "
-                                                  "`ts5500`, more than the 1024 .*GL4013"));
+                                                  "`ts5500`, but 1024 .*GL4013"));
   EXPECT_THAT(outcome.out, testing::ContainsRegex("stack +[0-9,]+ of 1,024 bytes"));
 }
 

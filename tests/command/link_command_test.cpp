@@ -140,7 +140,7 @@ TEST_F(Link, AnotherDeclarationIsRefused) {  // GL4011
   changed.replace(changed.find("density(temp"), 12, "density(depth");
   mission_ = folder_.write("salty.mission", changed);
   expectRefused(build("ts7800", object), "GL4011",
-                "defines `function density(temperature, bool): number`, and the mission declares "
+                "defines `function density(temperature, bool): number`, but the mission declares "
                 "`function density(length, bool): number`");
 }
 

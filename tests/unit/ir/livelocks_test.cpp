@@ -34,7 +34,7 @@ TEST(Livelocks, BetweenACallerAndWhatItCalls) {
   EXPECT_THAT(
       said(stateText("a", kExit + "case (ge missiontime 500:time) call b") +
            stateText("b", "case (ge missiontime 100:time) return")),
-      HasSubstr("at 500 s the clocks alone send the mission to and fro between `a` and `b`"));
+      HasSubstr("at 500 s the clocks alone switch the mission between `a` and `b`"));
 }
 
 TEST(Livelocks, ByGotoOfThreeAndByAlways) {

@@ -139,8 +139,9 @@ Told byAllPairs(const Mission& m) {
   Told told;
   const auto tell = [&](const support::SourceRange& range, double nearest) {
     if (std::isfinite(nearest) && nearest > kFarOff && !told.contains(range.begin)) {
-      told.emplace(range.begin, fmt::format("this place is {:.0f} km from the mission's others",
-                                            nearest / 1000));
+      told.emplace(range.begin,
+                   fmt::format("this position is {:.0f} km from the other positions of the mission",
+                               nearest / 1000));
     }
   };
   std::vector<Position> places;

@@ -318,8 +318,9 @@ TEST_F(ScenarioFile, NamesAMissingFileAndASkeletonWithMistakes) {
   EXPECT_TRUE(load(kHead + kStart).starts_with("GL9001"));
   skeleton("behavior: warp_drive\n");
   EXPECT_TRUE(load(kHead + kStart).starts_with("GL5120"));
-  EXPECT_NE(rendered_.find("x.mi:1:11: error: behaviour `warp_drive` is not supported by the simulator"),
-            std::string::npos)
+  EXPECT_NE(
+      rendered_.find("x.mi:1:11: error: behaviour `warp_drive` is not supported by the simulator"),
+      std::string::npos)
       << rendered_;
 }
 

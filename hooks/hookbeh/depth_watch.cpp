@@ -129,15 +129,9 @@ void DepthWatch::settle(const Surroundings& now, double step_s, double pump_cc) 
 }
 
 HookGuard DepthWatch::doubt() const {
-  switch (own_.reading()) {
-    case DepthSource::Reading::Missing:
-      return HookGuard::DepthUnknown;
-    case DepthSource::Reading::Jumped:
-      return HookGuard::DepthJumps;
-    case DepthSource::Reading::Good:
-      break;
-  }
-  return blind_;
+  return own_.reading() == DepthSource::Reading::Missing  ? HookGuard::DepthUnknown
+         : own_.reading() == DepthSource::Reading::Jumped ? HookGuard::DepthJumps
+                                                          : blind_;
 }
 
 double DepthWatch::depth() const {

@@ -3,6 +3,8 @@
 
 #include "hooks/hookprog/hookprog.h"
 
+#include "hooks/protocol/numbers.h"
+
 namespace glider::hooks {
 
 using Kind = HookprogEvent::Kind;
@@ -66,9 +68,8 @@ void Hookprog::run(double science_time_s, const ScienceSensors& own, const Glide
 /// The numbers begin elsewhere each time that the science computer starts: a first frame or
 /// heartbeat that equals the last one from before would be taken for that one.
 void Hookprog::begin() {
-  constexpr double kMost = 1e9;
-  const auto whole =
-      static_cast<uint32_t>(now_s_ > 0 && now_s_ < kMost ? now_s_ : 0) % kMostSession;
+  const double seconds = atMost(atLeast(now_s_, 0), UINT32_MAX);  // of the year 2106 at most
+  const uint32_t whole = static_cast<uint32_t>(seconds) % kMostSession;
   out_sequence_ = static_cast<uint8_t>(whole);
   heartbeat_ = whole;
   started_ = true;

@@ -160,6 +160,90 @@ TEST(HookbehDepthWatch, JumpsCountForTenSecondsAndAreNotForgottenAtTheSurface) {
   EXPECT_EQ(bench.until(HookGuard::None, 2), 0);
 }
 
+TEST(HookbehDepthWatch, TenSecondsOfJumpsAreTooMany) {
+  for (const int jumps : {9, 10}) {
+    WatchBench bench;
+    for (int i = 0; i < 40; ++i) {
+      bench.at(20);
+    }
+    for (int i = 0; i < jumps; ++i) {
+      EXPECT_EQ(bench.at(60, kNan, 1), HookGuard::DepthJumps);
+    }
+    EXPECT_EQ(bench.at(20, kNan, 1) == HookGuard::None, jumps == 9);
+  }
+}
+
+TEST(HookbehDepthWatch, FiveMetresApartTheyAgree) {
+  WatchBench bench;
+  bench.pump_cc = kNan;
+  bench.own_frozen = bench.ctd_frozen = true;
+  for (int i = 0; i < 40; ++i) {
+    bench.at(20, 20);
+  }
+  bench.at(20, 22.5, 1);
+  EXPECT_EQ(bench.until(HookGuard::DepthsDisagree, 20, 25), 0);
+  EXPECT_EQ(bench.until(HookGuard::DepthsDisagree, 20, 25.25), 10);
+}
+
+TEST(HookbehDepthWatch, OneWhoseCtdIsHalfAMetreAwayDoesNotHang) {
+  for (const double far : {0.5, 0.46875}) {
+    WatchBench bench;
+    bench.own_frozen = bench.ctd_frozen = true;
+    for (int i = 0; i < 10; ++i) {
+      bench.at(20 + i * 0.125, 20 + i * 0.125);
+    }
+    bench.pump_cc = -230;
+    HookGuard found = HookGuard::None;
+    for (int i = 0; i < 40 && found == HookGuard::None; ++i) {
+      found = bench.at(21.125, 21.125 + (i % 2 == 0 ? 0.25 : far), 1);
+    }
+    EXPECT_EQ(found == HookGuard::DepthFrozen, far == 0.5) << far;
+  }
+}
+
+/// One that was frozen at 3 m, with a CTD that agrees.
+WatchBench thawedAtThree() {
+  WatchBench bench = WatchBench::agreed(3);
+  bench.pump_cc = -230;
+  bench.own_frozen = bench.ctd_frozen = true;
+  EXPECT_NE(bench.until(HookGuard::DepthFrozen, 3, 3), 0);
+  bench.own_frozen = bench.ctd_frozen = false;
+  bench.pump_cc = 0;
+  return bench;
+}
+
+TEST(HookbehDepthWatch, OneThatIsTheSameForSixteenSecondsAgainIsNotQuiet) {
+  for (const int same : {15, 16}) {
+    WatchBench bench = thawedAtThree();
+    for (int i = 0; i < 20; ++i) {
+      EXPECT_EQ(bench.at(2.5, 2.5, 1), HookGuard::DepthFrozen);
+    }
+    bench.own_frozen = true;
+    for (int i = 0; i <= same; ++i) {
+      EXPECT_EQ(bench.at(2.25, 2.5, 1), HookGuard::DepthFrozen);
+    }
+    bench.own_frozen = false;
+    EXPECT_EQ(bench.until(HookGuard::None, 2.5, 2.5), same == 15 ? 60 - 20 - 16 : 60);
+  }
+}
+
+TEST(HookbehDepthWatch, AtAMetreItMayBeTheSame) {
+  WatchBench bench = thawedAtThree();
+  bench.own_frozen = true;
+  EXPECT_EQ(bench.until(HookGuard::None, 1, 1), 60);
+}
+
+TEST(HookbehDepthWatch, TwoMinutesOfClimbingAreEnough) {
+  WatchBench bench = WatchBench::agreed(2);
+  EXPECT_EQ(bench.untilTheyDisagree(2, 7.5), 10);
+  bench.pump_cc = 1;
+  EXPECT_EQ(bench.until(HookGuard::None, 2, 2), 120);
+  bench = WatchBench::agreed(2);
+  EXPECT_EQ(bench.untilTheyDisagree(2, 7.5), 10);
+  bench.pump_cc = 0;
+  EXPECT_EQ(bench.until(HookGuard::None, 2, 2), 0) << "the pump is not out";
+}
+
 TEST(HookbehDepthWatch, TheDeeperCountsWhereTheCtdIsKnownAndNew) {
   WatchBench bench = WatchBench::agreed();
   bench.at(20, 22);

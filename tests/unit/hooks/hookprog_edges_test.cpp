@@ -127,6 +127,23 @@ TEST_F(HookprogEdgesTest, WhatNoSbcSaysIsBadAndEachIsToldOfOnce) {
   EXPECT_EQ(last_event_.a, 1U);
 }
 
+TEST_F(HookprogEdgesTest, TakesSixtyFourFramesInARunAndAllThatTheVehicleReports) {
+  hello();
+  atSbc();
+  events();
+  for (int i = 0; i < 65; ++i) {
+    say(Beacon{});
+  }
+  run();
+  EXPECT_EQ(events(), (std::vector{Kind::BadFrame}));
+  EXPECT_EQ(last_event_.a, 64U);
+  run();
+  EXPECT_EQ(events(), (std::vector{Kind::BadFrame}));
+  EXPECT_EQ(last_event_.a, 1U);
+  cycle(std::vector<SensorUpdate>(40, {GLIDER_M_DEPTH, 12.5}));
+  EXPECT_EQ(atSbc().size(), 1U) << "in the same run";
+}
+
 TEST_F(HookprogEdgesTest, TheClockIsToldWhereItIsOne) {
   hello();
   for (const auto& [clock, told] : {std::pair{0.5, 0U},
@@ -238,6 +255,22 @@ TEST_F(HookprogForgetsTest, NorWhereTheTimeAloneTurnedBack) {
 }
 TEST_F(HookprogForgetsTest, AfterTheSecondWhereBothTurnedBack) {
   EXPECT_EQ(rememberedAfter(36, 9), 0);
+}
+
+TEST_F(HookprogForgetsTest, NorWhereTheCycleNumberCameBackToWhatItWas) {
+  for (int i = 0; i < 10; ++i) {
+    cycle({{GLIDER_X_HOOK_STATE, 3}});
+  }
+  report({{GLIDER_M_CYCLE_NUMBER, 11},
+          {GLIDER_M_PRESENT_SECS_INTO_MISSION, 3},
+          {GLIDER_M_CYCLE_NUMBER, 10}});
+  for (int i = 0; i < 4; ++i) {
+    atSbc();
+    cycle();
+    Beacon beacon;
+    ASSERT_TRUE(decode(atSbc().at(0), beacon));
+    EXPECT_EQ(beacon.hook_state, HookState::Active) << i;
+  }
 }
 
 TEST_F(HookprogEdgesTest, ALateAnswerLeavesLessOfARate) {

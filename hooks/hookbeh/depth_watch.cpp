@@ -139,8 +139,7 @@ double DepthWatch::depth() const {
 }
 
 double DepthWatch::ctdDepth() const {
-  const bool good = ctd_.age() == 0 && ctd_.reading() == DepthSource::Reading::Good;
-  return good ? ctd_.depth() : __builtin_nan("");
+  return ctd_.reading() == DepthSource::Reading::Good ? ctd_.depth() : __builtin_nan("");
 }
 
 double DepthWatch::deepest() const {

@@ -244,6 +244,75 @@ TEST(HookbehDepthWatch, TwoMinutesOfClimbingAreEnough) {
   EXPECT_EQ(bench.until(HookGuard::None, 2, 2), 0) << "the pump is not out";
 }
 
+TEST(HookbehDepthWatch, ACtdThatFallsSilentHasNoLastWord) {
+  WatchBench bench = WatchBench::agreed();
+  bench.at(20, 22.75, 1);
+  for (int i = 0; i < 9; ++i) {
+    EXPECT_EQ(bench.at(20, 25.5, 1), HookGuard::None);
+  }
+  EXPECT_EQ(bench.at(20, kNan, 1), HookGuard::None);
+  EXPECT_EQ(bench.at(20, 25.5, 1), HookGuard::DepthsDisagree) << "it is heard again";
+}
+
+TEST(HookbehDepthWatch, ACtdThatJumpedAndFellSilentHasNotAgreed) {
+  WatchBench bench = WatchBench::agreed();
+  bench.own_frozen = true;
+  for (int i = 0; i < 20; ++i) {
+    bench.at(20, 20);
+  }
+  EXPECT_GT(bench.watch.aliveFor(), 0);
+  bench.at(20, 60, 1);
+  EXPECT_EQ(bench.watch.aliveFor(), 0);
+  bench.at(20, kNan, 1);
+  EXPECT_EQ(bench.watch.aliveFor(), 0);
+}
+
+TEST(HookbehDepthWatch, ClimbingCountsFromWhereItThawed) {
+  WatchBench bench;
+  bench.at(2);
+  bench.own_frozen = true;
+  bench.pump_cc = -230;
+  EXPECT_NE(bench.until(HookGuard::DepthFrozen, 2), 0);
+  bench.pump_cc = 50;
+  for (int i = 0; i < 30; ++i) {
+    EXPECT_EQ(bench.at(2, kNan, 1), HookGuard::DepthFrozen);
+  }
+  bench.own_frozen = false;
+  EXPECT_EQ(bench.until(HookGuard::None, 2.5), 120);
+}
+
+TEST(HookbehDepthWatch, WhateverIsWrongMeanwhileBeginsTheMinuteAnew) {
+  WatchBench bench;
+  bench.at(2);
+  bench.own_frozen = true;
+  bench.pump_cc = 230;
+  EXPECT_NE(bench.until(HookGuard::DepthFrozen, 2), 0);
+  bench.own_frozen = false;
+  for (int i = 0; i < 100; ++i) {
+    EXPECT_EQ(bench.at(2.5, kNan, 1), HookGuard::DepthFrozen);
+  }
+  EXPECT_EQ(bench.at(kNan, kNan, 1), HookGuard::DepthUnknown);
+  EXPECT_EQ(bench.until(HookGuard::None, 2.5), 60);
+  bench = WatchBench::agreed(2);
+  EXPECT_EQ(bench.untilTheyDisagree(2, 7.5), 10);
+  bench.pump_cc = 230;
+  for (int i = 0; i < 100; ++i) {
+    EXPECT_EQ(bench.at(2, 2, 1), HookGuard::DepthsDisagree);
+  }
+  bench.at(2, 4.75, 1);
+  for (int i = 0; i < 5; ++i) {
+    EXPECT_EQ(bench.at(2, 7.5, 1), HookGuard::DepthsDisagree);
+  }
+  bench.at(2, 4.75, 1);
+  EXPECT_EQ(bench.until(HookGuard::None, 2, 4.75), 59) << "and the second before";
+}
+
+TEST(HookbehDepthWatch, TheCtdMustHaveAgreedForAMinute) {
+  WatchBench bench = thawedAtThree();
+  EXPECT_EQ(bench.until(HookGuard::None, 3.5), 0) << "no other sensor, nor has it climbed";
+  EXPECT_EQ(bench.until(HookGuard::None, 3.5, 3.5), 60);
+}
+
 TEST(HookbehDepthWatch, TheDeeperCountsWhereTheCtdIsKnownAndNew) {
   WatchBench bench = WatchBench::agreed();
   bench.at(20, 22);

@@ -150,6 +150,7 @@ TEST_F(HookprogEdgesTest, TheClockIsToldWhereItIsOne) {
                                     {1.0, 1U},
                                     {1.7e9, 1'700'000'000U},
                                     {4294967294.0, 4294967294U},
+                                    {4294967295.0, 0U},
                                     {4294967296.0, 0U},
                                     {-1.0, 0U},
                                     {kNan, 0U}}) {
@@ -158,6 +159,32 @@ TEST_F(HookprogEdgesTest, TheClockIsToldWhereItIsOne) {
     TickHead head;
     tick(subscription(), &head);
     EXPECT_EQ(head.clock_s, told) << clock;
+    answerTick();
+  }
+}
+
+TEST_F(HookprogEdgesTest, WhatHookbehReportsIsToldWhereItIsOfItsKind) {
+  hello();
+  struct Row {
+    double state, answer, session;
+    HookState told_state;
+    HookAnswer told_answer;
+    uint32_t told_session;
+  };
+  const auto complete = static_cast<double>(HookState::Complete);
+  for (const Row& row :
+       {Row{complete, 1, 16777215, HookState::Complete, HookAnswer::Accepted, 16777215},
+        Row{complete + 1, 257, 16777216, HookState::Absent, HookAnswer::None, 0},
+        Row{1, 255, 0, HookState::Waiting, HookAnswer::None, 0}}) {
+    atSbc();
+    cycle({{GLIDER_X_HOOK_STATE, row.state},
+           {GLIDER_X_HOOK_ANSWER, row.answer},
+           {GLIDER_X_HOOK_SESSION, row.session}});
+    TickHead head;
+    tick(subscription(), &head);
+    EXPECT_EQ(head.hook_state, row.told_state);
+    EXPECT_EQ(head.answer, row.told_answer);
+    EXPECT_EQ(head.session, row.told_session);
     answerTick();
   }
 }
@@ -171,7 +198,10 @@ TEST_F(HookprogEdgesTest, ASessionIsANumberOfASession) {
                                         {kNan, 1U},
                                         {2.0, 2U},
                                         {8388608.0, 8388608U},
-                                        {16777215.0, 16777215U}}) {
+                                        {16777214.0, 16777214U},
+                                        {0.0, 16777214U},
+                                        {16777215.0, 16777215U},
+                                        {16777216.0, 16777215U}}) {
     write({{GLIDER_SCI_HOOK_SESSION, session}, {GLIDER_SCI_HOOK_SEQUENCE, 3}});
     run();
     EXPECT_EQ(newestSession(), newest) << session;

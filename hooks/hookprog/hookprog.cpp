@@ -80,17 +80,10 @@ HookprogEvent Hookprog::nextEvent() {
 }
 
 void Hookprog::takeFlight(const GliderByteStream& flight) {
-  SensorUpdate updates[32];
-  uint32_t count = 0;
-  // The line brings 960 bytes a second; a few rounds take all that can have come.
-  for (int round = 0; round < 64; ++round) {
-    count = clothesline_.poll(flight, updates, 32);
-    for (uint32_t i = 0; i < count; ++i) {
-      takeUpdate(updates[i]);
-    }
-    if (count < 32) {
-      break;
-    }
+  constexpr uint32_t kMostUpdates = 1024;  // more than the line brings in a second, 960 bytes
+  SensorUpdate update;
+  for (uint32_t i = 0; i < kMostUpdates && clothesline_.poll(flight, &update, 1) == 1; ++i) {
+    takeUpdate(update);
   }
 }
 

@@ -351,23 +351,24 @@ TEST(HookbehDepthWatch, IsSeenByAnotherWhereThatIsNewAndAgrees) {
   bench.at(20, 20.5);
   EXPECT_FALSE(bench.watch.isSeenByAnother()) << "the same once more";
   bench.ctd_frozen = false;
+  bench.at(20, 23.5);
+  EXPECT_TRUE(bench.watch.isSeenByAnother());
   bench.at(20, 27);
   EXPECT_FALSE(bench.watch.isSeenByAnother()) << "it differs";
-  bench.at(kNan, 20);
+  bench = WatchBench::agreed();
+  bench.at(kNan, 20.5);
   EXPECT_FALSE(bench.watch.isSeenByAnother()) << "of nothing";
 }
 
 TEST(HookbehDepthWatch, ACtdIsThereForTwentySecondsAfterItWasHeard) {
   for (const double silence : {20.0, 20.25}) {
     WatchBench bench = WatchBench::agreed();
-    bench.at(20, kNan, silence);
     bench.own_frozen = true;
-    EXPECT_EQ(bench.watch.aliveFor() > 0, true);
-    // Two that agreed before the silence agree on for as long as it is there.
-    for (int i = 0; i < 3; ++i) {
-      bench.at(20, kNan, 0.125);
+    for (int i = 0; i < 10; ++i) {
+      bench.at(20, 20);
     }
-    EXPECT_FALSE(bench.watch.isSeenByAnother());
+    bench.at(20, kNan, silence);
+    EXPECT_EQ(bench.watch.aliveFor() > 0, silence == 20) << "what agreed agrees on";
   }
 }
 
@@ -394,6 +395,10 @@ TEST(HookbehDepthWatch, LivesWhileItFlickersOrTheCtdAgrees) {
     bench.at(20, 20, 4);
   }
   EXPECT_EQ(bench.watch.aliveFor(), before + 80);
+  bench.at(20, kNan, 30);
+  EXPECT_EQ(bench.watch.aliveFor(), 0);
+  bench.at(20, 20, 0.5);
+  EXPECT_EQ(bench.watch.aliveFor(), 0.5) << "it agrees again";
 }
 
 TEST(HookbehDepthWatch, ACtdThatStandsStillWhileTheVehicleMovesIsNotAskedBeforeItMoves) {

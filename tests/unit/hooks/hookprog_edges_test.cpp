@@ -144,6 +144,33 @@ TEST_F(HookprogEdgesTest, TakesSixtyFourFramesInARunAndAllThatTheVehicleReports)
   EXPECT_EQ(atSbc().size(), 1U) << "in the same run";
 }
 
+TEST_F(HookprogEdgesTest, TakesAThousandAndTwentyFourUpdatesInARun) {
+  hello();
+  for (const uint32_t before : {1022U, 1023U}) {
+    atSbc();
+    ++cycle_;
+    std::vector<SensorUpdate> updates(before, {GLIDER_X_HOOK_STATE, 3});
+    updates.push_back({GLIDER_M_PRESENT_SECS_INTO_MISSION, 4 * cycle_});
+    updates.push_back({GLIDER_M_CYCLE_NUMBER, cycle_});
+    Frame frame;
+    encodeEmptyList(Type::Sensors, frame);
+    for (const SensorUpdate& update : updates) {
+      if (!appendValue(frame, update)) {
+        frame.sequence = ++said_;
+        put(flight_line_.right(), frame);
+        encodeEmptyList(Type::Sensors, frame);
+        ASSERT_TRUE(appendValue(frame, update));
+      }
+    }
+    frame.sequence = ++said_;
+    put(flight_line_.right(), frame);
+    run();
+    EXPECT_EQ(atSbc().size(), before == 1022 ? 1U : 0U);
+    run();
+    EXPECT_EQ(atSbc().size(), before == 1022 ? 0U : 1U) << "the rest";
+  }
+}
+
 TEST_F(HookprogEdgesTest, TheClockIsToldWhereItIsOne) {
   hello();
   for (const auto& [clock, told] : {std::pair{0.5, 0U},

@@ -77,7 +77,7 @@ HookbehOutputs Hookbeh::cycle(const HookbehInputs& inputs) {
   if (state_ == HookState::Active) {
     command(now, outputs);
   }
-  last_ = {outputs.pitch_rad, outputs.commanding ? outputs.pump_cc : __builtin_nan(""), ""};
+  last_ = {outputs.pitch_rad, outputs.commanding ? outputs.pump_cc : __builtin_nan("")};
   outputs.state = state_;
   outputs.answered_sequence = answered_sequence_;
   outputs.answer = answer_;
@@ -160,7 +160,7 @@ HookAnswer Hookbeh::decide(const Instruction& instruction) {
   if (state_ != HookState::Active && instruction.control == HookControl::Take) {
     return take(instruction);
   }
-  if (state_ != HookState::Active || instruction.session != session_) {
+  if (instruction.session != session_) {  // of nobody, 0, is no instruction
     return HookAnswer::WrongSession;
   }
   if (instruction.control == HookControl::GiveBack) {
@@ -184,7 +184,6 @@ HookAnswer Hookbeh::take(const Instruction& instruction) {
     session_ = instruction.session;
     silence_s_ = 0;
     guard_.reset();
-    guarding_ = false;
     pilot_.begin(instruction);
   }
   return answer;

@@ -18,10 +18,6 @@ constexpr double kHoverLostM = 6.0;
 /// Shallower than this, hovering means floating.
 constexpr double kSurfaceM = 1.0;
 
-bool sameVertical(const Instruction& a, const Instruction& b) {
-  return a.vertical == b.vertical && a.depth_m == b.depth_m && a.pitch_rad == b.pitch_rad;
-}
-
 }  // namespace
 
 void Pilot::begin(const Instruction& instruction) {
@@ -31,12 +27,15 @@ void Pilot::begin(const Instruction& instruction) {
 
 void Pilot::follow(const Instruction& instruction) {
   const Instruction before = in_force_;
+  const bool same = instruction.vertical == before.vertical &&
+                    instruction.depth_m == before.depth_m &&
+                    instruction.pitch_rad == before.pitch_rad;
   in_force_ = instruction;
   if (instruction.vertical == HookVertical::None) {
     in_force_.vertical = before.vertical;
     in_force_.depth_m = before.depth_m;
     in_force_.pitch_rad = before.pitch_rad;
-  } else if (!sameVertical(instruction, before)) {
+  } else if (!same) {
     stage_ = Stage::Choose;
   }
 }
@@ -44,10 +43,12 @@ void Pilot::follow(const Instruction& instruction) {
 void Pilot::goBack(const Surroundings& now, const HookbehArgs& args) {
   const bool arrived = stage_ == Stage::Holding || stage_ == Stage::Hovering;
   const double above_m = in_force_.depth_m - now.depth_m;
-  if (!arrived || (above_m <= kHoverReachM && -above_m <= kHoverReachM)) {
+  const HookVertical way = above_m > kHoverReachM    ? HookVertical::Descend
+                           : above_m < -kHoverReachM ? HookVertical::Ascend
+                                                     : HookVertical::None;
+  if (!arrived || way == HookVertical::None) {
     return;
   }
-  const HookVertical way = above_m > 0 ? HookVertical::Descend : HookVertical::Ascend;
   if (in_force_.vertical == way) {
     stage_ = Stage::Choose;  // once more, as it was told to
   } else {
@@ -58,7 +59,6 @@ void Pilot::goBack(const Surroundings& now, const HookbehArgs& args) {
 VerticalCommand Pilot::vertical(const Surroundings& now, double step_s, const HookbehArgs& args) {
   if (stage_ == Stage::Choose) {
     choose(now, args);
-    step_s = 0;
   }
   advance(now, step_s, args);
   switch (stage_) {
@@ -70,11 +70,9 @@ VerticalCommand Pilot::vertical(const Surroundings& now, double step_s, const Ho
       return hold_.command();
     case Stage::Hovering:
       return hover_.command(now, args);
-    case Stage::Choose:
-    case Stage::Surfacing:
-      break;
+    default:
+      return surface_.command(args);
   }
-  return surface_.command(args);
 }
 
 void Pilot::choose(const Surroundings& now, const HookbehArgs& args) {
@@ -91,22 +89,20 @@ void Pilot::choose(const Surroundings& now, const HookbehArgs& args) {
     case HookVertical::Hover:
       approach(now, args);
       break;
-    case HookVertical::None:
-    case HookVertical::Surface:
-      // A mission that has given no vertical command yet (its sensors are unknown) floats up
-      // meanwhile.
+    default:
+      // None or Surface. A mission that has given no vertical command yet (its sensors are unknown)
+      // floats up meanwhile.
       stage_ = Stage::Surfacing;
-      break;
   }
 }
 
-/// To within reach of the depth at which to hover.
+/// To within reach of the depth at which to hover. Who is there has arrived at once.
 void Pilot::approach(const Surroundings& now, const HookbehArgs& args) {
   const double target_m = in_force_.depth_m;
-  if (now.depth_m < target_m - kHoverReachM) {
+  if (now.depth_m < target_m) {
     dive_ = {target_m - kHoverReachM, -usualPitch(args)};
     stage_ = Stage::Dive;
-  } else if (now.depth_m > target_m + kHoverReachM) {
+  } else if (now.depth_m > target_m) {
     climb_ = {target_m + kHoverReachM, usualPitch(args)};
     stage_ = Stage::Climb;
   } else {
@@ -130,8 +126,8 @@ void Pilot::advance(const Surroundings& now, double step_s, const HookbehArgs& a
 }
 
 void Pilot::stopDive(const Surroundings& now) {
-  const bool held = stage_ == Stage::Holding && in_force_.vertical == HookVertical::Descend;
-  if (held && now.depth_m > in_force_.depth_m + kHoldReachM) {
+  const bool beyond = now.depth_m > in_force_.depth_m + kHoldReachM;
+  if (beyond && in_force_.vertical == HookVertical::Descend) {
     hoverOrSurface();
   }
 }
@@ -161,28 +157,20 @@ Way Pilot::way(double depth_m) const {
       return depth_m > hover_.target_m + kHoverLostM   ? Way::Up
              : depth_m < hover_.target_m - kHoverLostM ? Way::Down
                                                        : Way::None;
-    case Stage::Holding:  // no dive by more than a metre
-    case Stage::Choose:
-    case Stage::Surfacing:
-      break;
+    default:  // it floats, or holds what it did: no dive by more than a metre
+      return Way::None;
   }
-  return Way::None;
 }
 
 LateralCommand Pilot::lateral(const Surroundings& now) const {
-  switch (in_force_.lateral) {
-    case HookLateral::Heading: {
-      const double heading = in_force_.heading_rad;
-      return {HeadingMode::Heading, heading < 0 ? heading + kFullCircle : heading, 0, 0};
-    }
-    case HookLateral::Waypoint:
-      // Who does not know where it is cannot steer to a place: straight on until it does.
-      if (isFinite(now.latitude_ddmm) && isFinite(now.longitude_ddmm)) {
-        return {HeadingMode::Waypoint, 0, in_force_.latitude_ddmm, in_force_.longitude_ddmm};
-      }
-      break;
-    case HookLateral::Drift:
-      break;
+  if (in_force_.lateral == HookLateral::Heading) {
+    const double heading = in_force_.heading_rad;
+    return {HeadingMode::Heading, heading < 0 ? heading + kFullCircle : heading};
+  }
+  // Who does not know where it is cannot steer to a place: straight on until it does.
+  const bool knows_place = isFinite(now.latitude_ddmm) && isFinite(now.longitude_ddmm);
+  if (in_force_.lateral == HookLateral::Waypoint && knows_place) {
+    return {HeadingMode::Waypoint, 0, in_force_.latitude_ddmm, in_force_.longitude_ddmm};
   }
   return {};
 }

@@ -39,14 +39,6 @@ constexpr double kClimbMps = 0.1;
 
 constexpr double kSteepestMps = kMargin * kHull.vertical_rate_m_s;
 
-double magnitude(double value) {
-  return value < 0 ? -value : value;
-}
-
-double atLeast(double value, double least) {
-  return value > least ? value : least;
-}
-
 /// The fastest a vehicle sinks at this pitch, m/s.
 double rateAt(double pitch_rad) {
   return kSteepestMps * atLeast(magnitude(pitch_rad), kFlatRad) / kHull.steepest_pitch_rad;

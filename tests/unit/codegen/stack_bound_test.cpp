@@ -7,12 +7,8 @@
 #include "codegen/budget/stack_bound.h"
 
 #include "codegen/budget/callees.h"
-#include "codegen/budget/disassembler.h"
-#include "codegen/budget/flow_of.h"
 #include "codegen/budget/stack_state.h"
-#include "support/check.h"
-#include "tests/support/command.h"
-#include "tests/unit/codegen/compiled_mission.h"
+#include "tests/unit/codegen/small_program.h"
 
 #include <gtest/gtest.h>
 
@@ -22,50 +18,9 @@
 namespace glider::codegen {
 namespace {
 
-using codegen_tests::board;
+using codegen_tests::function;
+using codegen_tests::Small;
 using testing::HasSubstr;
-
-/// A function `name` of the assembler.
-std::string function(const std::string& name, const std::string& body) {
-  return ".text\n.globl " + name + "\n.type " + name + ", %function\n" + name + ":\n" + body +
-         "\n.size " + name + ", . - " + name + "\n";
-}
-
-/// What the linker makes of assembly for a board; the program begins at `_start`.
-class Small {
- public:
-  Small(const std::string& name, const std::string& assembly) : board_(board(name)) {
-    const tests::TemporaryFolder folder;
-    (void)folder.write("small.s", assembly);
-    const std::string at = folder.path().string();
-    const auto outcome = tests::runShell("cd " + at + " && clang-19 --target=" + board_.triple +
-                                         " -mcpu=" + board_.cpu +
-                                         " -c small.s -o small.o && "
-                                         "ld.lld-19 -static -o small small.o");
-    CHECK(outcome.status == 0, outcome.err.c_str());
-    auto image = Image::read(tests::slurp(folder.path() / "small"), board_);
-    CHECK(image.has_value(), "a small program cannot be taken apart");
-    image_.emplace(std::move(*image));
-  }
-
-  /// Bytes of a call of `_start`; `pointers` is what calls through pointers reach.
-  [[nodiscard]] std::expected<uint64_t, std::string> bytes(
-      const std::vector<std::string>& pointers = {}, uint64_t at_once = 1) const {
-    std::vector<uint64_t> targets;
-    for (const std::string& name : pointers) {
-      targets.push_back(*image_->function(name));
-    }
-    const CallKnowledge knowledge{[&](uint64_t) { return targets; },
-                                  [at_once](const std::string&) { return at_once; }};
-    const auto call = StackBound(*image_, stackMachine(board_), knowledge).bound(image_->entry());
-    return call ? std::expected<uint64_t, std::string>(call->bytes) : std::unexpected(call.error());
-  }
-  [[nodiscard]] const Image& image() const { return *image_; }
-
- private:
-  platforms::Board board_;
-  std::optional<Image> image_;
-};
 
 TEST(StackBoundOfArm, AddsFramesAlongTheDeepestWay) {
   const Small small("ts7800",

@@ -185,5 +185,44 @@ TEST(TakenFunctions, OfArmMayBeDistances) {
   EXPECT_FALSE(has(small.image(), "near"));
 }
 
+/// Whether `far`, whose address is a word that `_start` loads, counts as taken: it does unless the
+/// word is a distance and nothing else.
+bool isTaken(const std::string& between, const std::string& behind = "bx lr") {
+  const Small small("ts7800", function("_start", "ldr r3, 2f\n" + between + "\n add r3, pc, r3\n" +
+                                                     behind + "\n 2: .word far") +
+                                  function("far", "bx lr"));
+  return has(small.image(), "far");
+}
+
+TEST(TakenFunctions, AreNotWhatIsADistanceOnly) {
+  EXPECT_FALSE(isTaken(""));
+  EXPECT_FALSE(isTaken("mov r4, r5"));
+  EXPECT_FALSE(isTaken("bne 1f\n 1:")) << "it may go on";
+  EXPECT_TRUE(isTaken("b 1f\n 1:"));
+  EXPECT_TRUE(isTaken("str r3, [r0]")) << "it is read";
+  EXPECT_TRUE(isTaken("mov r3, r5")) << "it is another";
+  EXPECT_TRUE(isTaken("bl far")) << "r3 may be another";
+  EXPECT_TRUE(isTaken("add r5, pc, r5\n mov r4, r3"));
+  EXPECT_FALSE(isTaken(".rept 63\n nop\n .endr"));
+  EXPECT_TRUE(isTaken(".rept 64\n nop\n .endr")) << "too far off to be sure";
+}
+
+TEST(TakenFunctions, MayBeDistancesFromTheTableOfOffsets) {
+  const Small small("ts5500", function("_start",
+                                       "call 9f\n 9: popl %ebx\n"
+                                       "addl $_GLOBAL_OFFSET_TABLE_+(.-9b), %ebx\n"
+                                       "leal far@GOTOFF(%ebx), %eax\n ret") +
+                                  function("near", "ret") + function("far", "ret"));
+  EXPECT_TRUE(has(small.image(), "far"));
+  EXPECT_FALSE(has(small.image(), "near"));
+}
+
+TEST(TakenFunctions, AreNotThoseThatAreJumpedTo) {
+  const Small small("ts5500", function("_start", "testl %eax, %eax\n je called\n jmp jumped") +
+                                  function("called", "ret") + function("jumped", "ret"));
+  EXPECT_FALSE(has(small.image(), "called"));
+  EXPECT_FALSE(has(small.image(), "jumped"));
+}
+
 }  // namespace
 }  // namespace glider::codegen

@@ -27,12 +27,14 @@ variable top: number parameter lowest 0 highest 4.5
 variable n: number mission lowest 0 highest 5
 variable x: length mission lowest 0 highest 50
 variable other: number mission lowest -100 highest 100
+variable t: time mission lowest 0 highest 50
 variable odd: bool mission
 variable "b.k": number argument of b
 initial top 3
 initial n 0
 initial x 3:length
 initial other 0
+initial t 0:time
 initial odd false
 )";
 
@@ -176,6 +178,20 @@ const Row kRows[] = {
     {"accepted", "case (ne 0 (var n)) do set n (sub (var n) 1) end stay"},
     {"refused", "case (ne 1 (var n)) do set n (sub (var n) 1) end stay"},
     {"refused", "case (ne (var n) (var top)) do set n (add (var n) 1) end stay"},
+    // Of two sides that were not compared so, one may have been unknown.
+    {"accepted", "case (le 5 (var n)) exit case true do set n (add (var n) 1) end stay"},
+    {"accepted",
+     "case (ge missiontime (var t)) exit case true do set t (sub (var t) 1:time) end stay"},
+    {"accepted",
+     "case (ge statetime (var t)) exit case true do set t (sub (var t) 1:time) end stay"},
+    {"accepted",
+     "case (le (var t) resumetime) exit case true do set t (sub (var t) 1:time) end stay"},
+    {"refused",
+     "case (gt missiontime (var t)) exit case true do set t (sub (var t) 1:time) end stay"},
+    {"refused",
+     "case (ge (age depth) (var t)) exit case true do set t (sub (var t) 1:time) end stay"},
+    {"accepted", "case (ge (var n) (var top)) exit case true do set n (add (var n) 1) end stay"},
+    {"refused", "case (gt (var n) 3) do set n (mul 1e300 1e300) set n (add (var n) 1) end stay"},
     // What never fires sets nothing.
     {"accepted", "case (gt (var n) 10) do set n 1000 end stay"},
     {"accepted",
@@ -183,6 +199,26 @@ const Row kRows[] = {
 };
 
 INSTANTIATE_TEST_SUITE_P(Rows, GuardedRanges, testing::ValuesIn(kRows));
+
+TEST(GuardedRangesTest, WhatNestsTooDeepSaysNothing) {
+  const auto nested = [](const std::string& before, const std::string& after, int depth) {
+    std::string text = "(lt (var n) 5)";
+    for (int i = 0; i < depth; ++i) {
+      text = before + text + after;
+    }
+    return ofCases("case " + text + " do set n (add (var n) 1) end stay");
+  };
+  EXPECT_EQ(nested("(and true ", ")", 100), "accepted");
+  EXPECT_EQ(nested("(and true ", ")", 101), "refused");
+  EXPECT_EQ(nested("(and ", " true)", 100), "accepted");
+  EXPECT_EQ(nested("(and ", " true)", 101), "refused");
+  EXPECT_EQ(nested("(or false ", ")", 100), "accepted");
+  EXPECT_EQ(nested("(or false ", ")", 101), "refused");
+  EXPECT_EQ(nested("(or ", " false)", 100), "accepted");
+  EXPECT_EQ(nested("(or ", " false)", 101), "refused");
+  EXPECT_EQ(nested("(not ", ")", 100), "accepted");
+  EXPECT_EQ(nested("(not ", ")", 102), "refused");
+}
 
 TEST(GuardedRangesTest, ArgumentsAreGuardedToo) {
   const auto ofArgument = [](const std::string& guarded) {

@@ -106,6 +106,8 @@ TEST(NeverUnknown, NumbersThatMayBe) {
                               "(mul 1e300 (var up))",
                               "(mul -1e300 (var up))",
                               "(mul 1e300 1)",
+                              "(mul 1e300 (var from0))",
+                              "(mul 1e300 (var to0))",
                               "(mul 1e300 1e300)",
                               "(add 1e300 0)",
                               "(sub 0 1e300)",
@@ -138,6 +140,33 @@ TEST(NeverUnknown, Conditions) {
         "(and (not (known (sensor depth))) (gt (sensor depth) 5:length))"}) {
     EXPECT_FALSE(isConditionKnown(unknown)) << unknown;
   }
+}
+
+TEST(NeverUnknown, VariablesThatBeginKnown) {
+  const Mission m = missionOf(
+      kHeader +
+      "variable top: length parameter lowest 1 highest 4.5\n"
+      "variable \"b.given\": length argument of b\n"
+      "variable \"b.kept\": length state of b\n"
+      "variable \"b.measured\": length state of b\n"
+      "variable mixed: length mission\n"
+      "initial top 3:length\n"
+      "initial \"b.kept\" (add (var \"b.given\") (var top))\n"
+      "initial \"b.measured\" (sensor depth)\n"
+      "initial mixed 1:length\n" +
+      stateText("a", "case true do set mixed (sensor depth) end goto b ((sensor depth))") +
+      "state b (\"b.given\") route drift () profile glide () case true exit\n");
+  EXPECT_EQ(neverUnknown(m, intervalsOf(m)).variables,
+            (std::vector<bool>{true, false, false, false, true}))
+      << "what is set to an unknown value stays as it was";
+  const Mission known =
+      missionOf(kHeader +
+                "variable \"b.given\": length argument of b\n"
+                "variable \"b.kept\": length state of b\n"
+                "initial \"b.kept\" (var \"b.given\")\n" +
+                stateText("a", "case true goto b (7:length)") +
+                "state b (\"b.given\") route drift () profile glide () case true exit\n");
+  EXPECT_EQ(neverUnknown(known, intervalsOf(known)).variables, (std::vector<bool>{true, true}));
 }
 
 TEST(KnownWhere, OnlyWhatIsTheSameIsShown) {

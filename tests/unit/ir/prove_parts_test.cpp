@@ -232,7 +232,8 @@ TEST(MayEnterAfter, FollowsEveryChain) {
 // --- knownRoughly
 
 std::string roughOf(const std::string& condition, bool vehicle = false,
-                    const std::string& profile = "glide ()") {
+                    const std::string& profile = "glide ()",
+                    const std::string& route = "way begin end") {
   const Mission m =
       missionOf(kHeader +
                 "behaviour profile plain symbol \"\" () reads ()\n"
@@ -244,8 +245,8 @@ std::string roughOf(const std::string& condition, bool vehicle = false,
                 "temporal mean always (sensor depth) over 10\n"
                 "temporal became always (gt (sensor depth) 5:length)\n"
                 "temporal held always (gt (sensor depth) 5:length) for 5:time\n"
-                "state a route way begin end profile " +
-                profile + " case " + condition + " stay\n");
+                "state a route " +
+                route + " profile " + profile + " case " + condition + " stay\n");
   return knownRoughly(m, relevanceFor(m, {}, vehicle));
 }
 
@@ -282,6 +283,8 @@ TEST(KnownRoughly, NamesWhatTheSolverDoesNotWorkOut) {
   EXPECT_EQ(roughOf("true"), "");
   EXPECT_EQ(roughOf("true", true), code) << "the profile's";
   EXPECT_EQ(roughOf("true", true, "plain begin end"), "");
+  EXPECT_EQ(roughOf("true", true, "plain begin end", "drift ()"), code) << "the route's";
+  EXPECT_EQ(roughOf("true", false, "plain begin end", "drift ()"), "");
 }
 
 // --- leavingOf
@@ -327,6 +330,24 @@ TEST(Leaving, NoCaseFiresAfterOneBeforeItMustHave) {
   EXPECT_EQ(latest("case (gt (sensor depth) 5:length) exit"), Times{kNever});
   EXPECT_EQ(latest("case (ge statetime 100:time) goto b case (ge statetime 30:time) exit"),
             (Times{100, 100}));
+}
+
+TEST(Leaving, LooksAtTheTimesThatAreNamed) {
+  const auto looks = [](const std::string& guard) {
+    return leavingAt(50, "case " + guard + " exit").looks;
+  };
+  EXPECT_EQ(looks("true"), 3U) << "for the times, at the first tick, at any after it";
+  EXPECT_EQ(looks("(ge statetime 100:time)"), 5U) << "and 100 s, and right after them";
+  EXPECT_EQ(looks("(ge 100:time resumetime)"), 5U);
+  EXPECT_EQ(looks("(ge missiontime 100:time)"), 5U);
+  EXPECT_EQ(looks("(ge missiontime 0:time)"), 5U);
+  EXPECT_EQ(looks("(ge missiontime -5:time)"), 3U);
+  EXPECT_EQ(looks("(ge statetime -5:time)"), 3U);
+  EXPECT_EQ(looks("(ge missiontime 1.7976931348623157e308:time)"), 3U) << "it has no end";
+  EXPECT_EQ(looks("(ge missiontime (mul (mul 1e300 1e300) 1:time))"), 3U) << "it has no value";
+  EXPECT_EQ(looks("(eq statetime 100:time)"), 3U);
+  EXPECT_EQ(looks("(ge (age depth) 100:time)"), 3U);
+  EXPECT_EQ(looks("(and (ge statetime 100:time) (ge missiontime 200:time))"), 7U);
 }
 
 TEST(Leaving, AnInterruptionComesFirstOrAfterItsOwn) {

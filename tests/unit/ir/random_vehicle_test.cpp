@@ -92,6 +92,16 @@ TEST(RandomVehicle, GoesOnFromWhereItIs) {
   expectUpTo(55, range);
 }
 
+TEST(RandomVehicle, OvershootsWhereItIsTurned) {
+  // 80 s of sinking by 0.4 m/s, and the overshoot.
+  expectUpTo(3 + 32 + 5, depthsAfter([](RandomVehicle& vehicle) {
+               vehicle.obey({order(Command::Descend, {50, 0.4})}, 0);
+               fly(vehicle, 0, 80);
+               vehicle.obey({order(Command::Descend, {20, 0.4})}, 80);
+               fly(vehicle, 80, kLong);
+             }));
+}
+
 /// From 50 m and what is overshot, `seconds` after an order to climb.
 Range depthsAfterClimb(const Action& climb, double seconds) {
   return depthsAfter([&](RandomVehicle& vehicle) {
@@ -116,6 +126,12 @@ TEST(RandomVehicle, ClimbsToWhatIsOrdered) {
   const Range there = depthsAfterClimb(order(Command::Ascend, {20, 0.4}), kLong);
   expectUpTo(25, there);
   EXPECT_EQ(depthsAfterClimb(order(Command::Ascend, {0, 0.4}), kLong).most, 0);
+}
+
+TEST(RandomVehicle, DoesNotLeaveTheWater) {
+  const Range there = depthsAfterClimb(order(Command::Ascend, {-3, 0.4}), kLong);
+  EXPECT_EQ(there.least, 0);
+  EXPECT_EQ(there.most, 0);
 }
 
 TEST(RandomVehicle, AnotherOrderToClimbIsTheSame) {

@@ -12,6 +12,7 @@
 #include "tests/unit/ir/missions.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace glider::ir {
 namespace {
@@ -169,6 +170,15 @@ TEST(GuardTable, AThresholdCutsOnceHoweverOftenItIsUsed) {
   EXPECT_EQ(table.rows[16].within[1], (GuardRow::Range{0, 0})) << "known";
   EXPECT_EQ(table.rows[17].within[0], (GuardRow::Range{4, 16})) << "not below 3 m, and known";
   EXPECT_EQ(table.rows[17].within[1], (GuardRow::Range{1, 1})) << "unknown";
+}
+
+TEST(GuardTable, ThereIsOneZero) {
+  Mission m =
+      missionOf(kHeader + stateText("a", "case (gt (sensor depth) -0:length) stay " + longList()));
+  opt::tabulateGuards(m);
+  for (const Cut& cut : m.states[0].table.columns.at(0).cuts) {
+    EXPECT_FALSE(std::signbit(cut.at)) << cut.at;
+  }
 }
 
 TEST(GuardTable, WhatIsMoreThanThresholdsIsAsked) {

@@ -113,15 +113,12 @@ void mentionOfArm(const Written& written, Instruction& one) {
   llvm::StringRef last = parts[2];
   (void)last.consume_back("]");
   int64_t number = 0;
-  if (last.consume_front("#")) {
-    if (!last.getAsInteger(0, number)) {
-      one.mentions.numbers[one.mentions.count++] =
-          static_cast<uint32_t>(one.address + kAhead + static_cast<uint64_t>(number));
-      one.mentions.literal_to = loads ? numberOf(parts[0].upper(), true) : Mentions::kNone;
-    }
-  } else {
-    one.mentions.pc_plus = numberOf(last.upper(), true);
+  if (last.consume_front("#") && !last.getAsInteger(0, number)) {
+    one.mentions.numbers[one.mentions.count++] =
+        static_cast<uint32_t>(one.address + kAhead + static_cast<uint64_t>(number));
+    one.mentions.literal_to = loads ? numberOf(parts[0].upper(), true) : Mentions::kNone;
   }
+  one.mentions.pc_plus = numberOf(last.upper(), true);  // a number is no register
 }
 
 void mentionOfX86(const llvm::MCInst& inst, Instruction& one) {

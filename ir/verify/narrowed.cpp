@@ -145,12 +145,8 @@ void Narrowing::assume(Knowledge& knowledge, ExprId condition, Asked asked, unsi
     }
     case Op::And:
     case Op::Or:
-      if ((e.op == Op::And) == true_or_unknown) {
-        assumeBoth(knowledge, e, asked, depth);
-      } else {
-        assumeEither(knowledge, e, asked, depth);
-      }
-      return;
+      return (e.op == Op::And) == true_or_unknown ? assumeBoth(knowledge, e, asked, depth)
+                                                  : assumeEither(knowledge, e, asked, depth);
     default:
       if (isComparison(e.op)) {
         compare(knowledge, e, asked);

@@ -3,12 +3,19 @@
 
 // The work of codegen grows no faster than the mission.
 
+#include "codegen/program/parts.h"
+#include "codegen/program/work.h"
 #include "tests/unit/codegen/compiled_mission.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <ctime>
+#include <gmock/gmock.h>
+#include <numeric>
+#include <vector>
 
 namespace glider::codegen_tests {
 namespace {
@@ -28,6 +35,38 @@ std::string chain(size_t states) {
         i, i % 500, (i + 1) % states);
   }
   return text;
+}
+
+TEST(Parts, AreOfAboutTheSameWork) {
+  const std::pair<size_t, size_t> counts[] = {{1, 1}, {2, 2}, {63, 2}, {64, 8}, {200, 8}};
+  for (const auto& [states, parts] : counts) {
+    SCOPED_TRACE(states);
+    const Checked checked = checkedMission(chain(states));
+    const auto found = codegen::partsOf(checked.mission);
+    ASSERT_EQ(found.size(), parts);
+    std::vector<uint32_t> wholes, ticks;
+    size_t least = SIZE_MAX, most = 0, greatest = 0;
+    for (size_t i = 0; i < found.size(); ++i) {
+      EXPECT_EQ(found[i].head, i == 0);
+      size_t work = 0;
+      for (const uint32_t state : found[i].states) {
+        wholes.push_back(state);
+        work += codegen::workOfState(checked.mission, state);
+        greatest = std::max(greatest, codegen::workOfState(checked.mission, state));
+      }
+      for (const uint32_t state : found[i].profiles) {
+        ticks.push_back(state);
+        work += codegen::workOfProfileTick(checked.mission, state);
+      }
+      least = std::min(least, work);
+      most = std::max(most, work);
+    }
+    std::vector<uint32_t> all(states);
+    std::iota(all.begin(), all.end(), 0U);
+    EXPECT_THAT(wholes, testing::UnorderedElementsAreArray(all));
+    EXPECT_THAT(ticks, testing::UnorderedElementsAreArray(all));
+    EXPECT_LE(most - least, parts == 1 ? 0 : greatest);
+  }
 }
 
 double secondsToEmit(size_t states) {

@@ -7,12 +7,8 @@
 #include "codegen/budget/stack_bound.h"
 
 #include "codegen/budget/callees.h"
-#include "codegen/budget/disassembler.h"
-#include "codegen/budget/flow_of.h"
 #include "codegen/budget/stack_state.h"
-#include "support/check.h"
-#include "tests/support/command.h"
-#include "tests/unit/codegen/compiled_mission.h"
+#include "tests/unit/codegen/small_program.h"
 
 #include <gtest/gtest.h>
 
@@ -22,50 +18,9 @@
 namespace glider::codegen {
 namespace {
 
-using codegen_tests::board;
+using codegen_tests::function;
+using codegen_tests::Small;
 using testing::HasSubstr;
-
-/// A function `name` of the assembler.
-std::string function(const std::string& name, const std::string& body) {
-  return ".text\n.globl " + name + "\n.type " + name + ", %function\n" + name + ":\n" + body +
-         "\n.size " + name + ", . - " + name + "\n";
-}
-
-/// What the linker makes of assembly for a board; the program begins at `_start`.
-class Small {
- public:
-  Small(const std::string& name, const std::string& assembly) : board_(board(name)) {
-    const tests::TemporaryFolder folder;
-    (void)folder.write("small.s", assembly);
-    const std::string at = folder.path().string();
-    const auto outcome = tests::runShell("cd " + at + " && clang-19 --target=" + board_.triple +
-                                         " -mcpu=" + board_.cpu +
-                                         " -c small.s -o small.o && "
-                                         "ld.lld-19 -static -o small small.o");
-    CHECK(outcome.status == 0, outcome.err.c_str());
-    auto image = Image::read(tests::slurp(folder.path() / "small"), board_);
-    CHECK(image.has_value(), "a small program cannot be taken apart");
-    image_.emplace(std::move(*image));
-  }
-
-  /// Bytes of a call of `_start`; `pointers` is what calls through pointers reach.
-  [[nodiscard]] std::expected<uint64_t, std::string> bytes(
-      const std::vector<std::string>& pointers = {}, uint64_t at_once = 1) const {
-    std::vector<uint64_t> targets;
-    for (const std::string& name : pointers) {
-      targets.push_back(*image_->function(name));
-    }
-    const CallKnowledge knowledge{[&](uint64_t) { return targets; },
-                                  [at_once](const std::string&) { return at_once; }};
-    const auto call = StackBound(*image_, stackMachine(board_), knowledge).bound(image_->entry());
-    return call ? std::expected<uint64_t, std::string>(call->bytes) : std::unexpected(call.error());
-  }
-  [[nodiscard]] const Image& image() const { return *image_; }
-
- private:
-  platforms::Board board_;
-  std::optional<Image> image_;
-};
 
 TEST(StackBoundOfArm, AddsFramesAlongTheDeepestWay) {
   const Small small("ts7800",
@@ -228,6 +183,45 @@ TEST(TakenFunctions, OfArmMayBeDistances) {
                                   function("near", "bx lr") + function("far", "bx lr"));
   EXPECT_TRUE(has(small.image(), "far"));
   EXPECT_FALSE(has(small.image(), "near"));
+}
+
+/// Whether `far`, whose address is a word that `_start` loads, counts as taken: it does unless the
+/// word is a distance and nothing else.
+bool isTaken(const std::string& between, const std::string& behind = "bx lr") {
+  const Small small("ts7800", function("_start", "ldr r3, 2f\n" + between + "\n add r3, pc, r3\n" +
+                                                     behind + "\n 2: .word far") +
+                                  function("far", "bx lr"));
+  return has(small.image(), "far");
+}
+
+TEST(TakenFunctions, AreNotWhatIsADistanceOnly) {
+  EXPECT_FALSE(isTaken(""));
+  EXPECT_FALSE(isTaken("mov r4, r5"));
+  EXPECT_FALSE(isTaken("bne 1f\n 1:")) << "it may go on";
+  EXPECT_TRUE(isTaken("b 1f\n 1:"));
+  EXPECT_TRUE(isTaken("str r3, [r0]")) << "it is read";
+  EXPECT_TRUE(isTaken("mov r3, r5")) << "it is another";
+  EXPECT_TRUE(isTaken("bl far")) << "r3 may be another";
+  EXPECT_TRUE(isTaken("add r5, pc, r5\n mov r4, r3"));
+  EXPECT_FALSE(isTaken(".rept 63\n nop\n .endr"));
+  EXPECT_TRUE(isTaken(".rept 64\n nop\n .endr")) << "too far off to be sure";
+}
+
+TEST(TakenFunctions, MayBeDistancesFromTheTableOfOffsets) {
+  const Small small("ts5500", function("_start",
+                                       "call 9f\n 9: popl %ebx\n"
+                                       "addl $_GLOBAL_OFFSET_TABLE_+(.-9b), %ebx\n"
+                                       "leal far@GOTOFF(%ebx), %eax\n ret") +
+                                  function("near", "ret") + function("far", "ret"));
+  EXPECT_TRUE(has(small.image(), "far"));
+  EXPECT_FALSE(has(small.image(), "near"));
+}
+
+TEST(TakenFunctions, AreNotThoseThatAreJumpedTo) {
+  const Small small("ts5500", function("_start", "testl %eax, %eax\n je called\n jmp jumped") +
+                                  function("called", "ret") + function("jumped", "ret"));
+  EXPECT_FALSE(has(small.image(), "called"));
+  EXPECT_FALSE(has(small.image(), "jumped"));
 }
 
 }  // namespace

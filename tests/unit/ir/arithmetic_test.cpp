@@ -78,6 +78,10 @@ TEST(Arithmetic, ChoicesTakeTheFirstWhenEqual) {
   EXPECT_EQ(bits(clamp(2, kUnknown, 3)), kUnknownBits);
   EXPECT_EQ(bits(binary(Op::Min, 1, kUnknown)), kUnknownBits);
   EXPECT_EQ(bits(binary(Op::Max, kUnknown, 1)), kUnknownBits);
+  for (const Op op : {Op::Min, Op::Max, Op::Add, Op::Atan2}) {
+    EXPECT_EQ(bits(binary(op, -Limits::quiet_NaN(), 1)), kUnknownBits) << "there is one unknown";
+    EXPECT_EQ(bits(binary(op, 1, -Limits::quiet_NaN())), kUnknownBits);
+  }
 }
 
 TEST(Arithmetic, ComparisonsWithAnUnknownAreUnknown) {

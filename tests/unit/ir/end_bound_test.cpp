@@ -104,6 +104,16 @@ TEST(EndBound, CountsWhatVariablesCount) {
   EXPECT_TRUE(never != never);
 }
 
+TEST(EndBound, WhoIsReturnedToGoesOnWithWhatItHad) {
+  EXPECT_EQ(gapsBeyond(600, "variable n: number state of a lowest 0 highest 10 initial n 0 " +
+                                stateText("a",
+                                          "case (lt (var n) 3) do set n (add (var n) 1) end call b "
+                                          "case true exit") +
+                                stateText("b", "case (ge statetime 200:time) return")),
+            7)
+      << "three calls and the end";
+}
+
 TEST(EndBound, InterruptionsAreOnTheWay) {
   EXPECT_EQ(gapsBeyond(600, "always case (gt (sensor depth) 5:length) goto b " +
                                 stateText("a", "case (ge statetime 500:time) exit") +

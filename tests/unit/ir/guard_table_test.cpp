@@ -12,6 +12,7 @@
 #include "tests/unit/ir/missions.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace glider::ir {
 namespace {
@@ -115,6 +116,44 @@ TEST(GuardTable, TooLongListsHaveNone) {
   EXPECT_TRUE(validate(m).empty());
 }
 
+TEST(GuardTable, HasRoomFor4096Rows) {
+  for (const int count : {4096, 4097}) {
+    Mission m = missionOf(kHeader + stateText("a", longList(count)));
+    opt::tabulateGuards(m);
+    EXPECT_EQ(m.states[0].table.empty(), count > 4096) << count;
+  }
+}
+
+/// "case (and (or …) (or …))", of so many comparisons each.
+std::string eitherOf(int left, int right) {
+  const auto any = [](int count, const std::string& sensor, const std::string& unit) {
+    std::string text = "(gt (sensor " + sensor + ") 1:" + unit + ")";
+    for (int i = 1; i < count; ++i) {
+      text = "(or " + text + " (gt (sensor " + sensor + ") " + std::to_string(i + 1) + ":" + unit +
+             "))";
+    }
+    return text;
+  };
+  return "case (and " + any(left, "depth", "length") + " " + any(right, "temp", "temperature") +
+         ") stay";
+}
+
+TEST(GuardTable, EightAlternativesAreThresholdsYet) {
+  const auto rows = [](const std::string& cases) {
+    Mission m = missionOf(kHeader + stateText("a", longList() + cases));
+    opt::tabulateGuards(m);
+    return m.states[0].table.rows;
+  };
+  EXPECT_EQ(rows(eitherOf(8, 1)).size(), 16U + 8);
+  EXPECT_TRUE(rows(eitherOf(8, 1)).back().exact);
+  EXPECT_EQ(rows(eitherOf(9, 1)).size(), 16U + 1);
+  EXPECT_FALSE(rows(eitherOf(9, 1)).back().exact);
+  EXPECT_EQ(rows(eitherOf(2, 4)).size(), 16U + 8);
+  EXPECT_TRUE(rows(eitherOf(2, 4)).back().exact);
+  EXPECT_EQ(rows(eitherOf(3, 3)).size(), 16U + 1);
+  EXPECT_FALSE(rows(eitherOf(3, 3)).back().exact);
+}
+
 TEST(GuardTable, AThresholdCutsOnceHoweverOftenItIsUsed) {
   Mission m =
       missionOf(kHeader + stateText("a", longList() + "case (and (lt (sensor depth) 3:length) "
@@ -131,6 +170,15 @@ TEST(GuardTable, AThresholdCutsOnceHoweverOftenItIsUsed) {
   EXPECT_EQ(table.rows[16].within[1], (GuardRow::Range{0, 0})) << "known";
   EXPECT_EQ(table.rows[17].within[0], (GuardRow::Range{4, 16})) << "not below 3 m, and known";
   EXPECT_EQ(table.rows[17].within[1], (GuardRow::Range{1, 1})) << "unknown";
+}
+
+TEST(GuardTable, ThereIsOneZero) {
+  Mission m =
+      missionOf(kHeader + stateText("a", "case (gt (sensor depth) -0:length) stay " + longList()));
+  opt::tabulateGuards(m);
+  for (const Cut& cut : m.states[0].table.columns.at(0).cuts) {
+    EXPECT_FALSE(std::signbit(cut.at)) << cut.at;
+  }
 }
 
 TEST(GuardTable, WhatIsMoreThanThresholdsIsAsked) {

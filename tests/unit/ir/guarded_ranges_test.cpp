@@ -17,17 +17,24 @@
 namespace glider::ir {
 namespace {
 
-const std::string kCounters = kHeader + R"(behaviour profile yo symbol "" () reads ()
+const std::string kCounters = kHeader + R"(function f symbol f (): number lowest -90 highest 90
+use f
+use f
+table number (-7, 70)
+table number (-7, 77)
+behaviour profile yo symbol "" () reads ()
 variable top: number parameter lowest 0 highest 4.5
 variable n: number mission lowest 0 highest 5
 variable x: length mission lowest 0 highest 50
 variable other: number mission lowest -100 highest 100
+variable t: time mission lowest 0 highest 50
 variable odd: bool mission
 variable "b.k": number argument of b
 initial top 3
 initial n 0
 initial x 3:length
 initial other 0
+initial t 0:time
 initial odd false
 )";
 
@@ -53,7 +60,10 @@ struct Row {
 class GuardedRanges : public testing::TestWithParam<Row> {};
 
 TEST_P(GuardedRanges, AreJudgedByTheGuardsBeforeThem) {
-  EXPECT_EQ(ofCases(GetParam().cases), GetParam().verdict) << GetParam().cases;
+  const std::string windows =
+      "temporal mean always (sensor depth) over 10\n"
+      "temporal mean always (sensor depth) over 20\n";
+  EXPECT_EQ(ofCases(GetParam().cases, windows), GetParam().verdict) << GetParam().cases;
 }
 
 const Row kRows[] = {
@@ -131,6 +141,57 @@ const Row kRows[] = {
     {"accepted",
      "case (or (ge (var n) 5) (gt (sensor depth) 5:length)) stay "
      "case true do set n (add (var n) 1) end stay"},
+    // What is said of one expression says nothing of another that is like it.
+    {"refused", "case (le (add (var n) 1) 5) do set n (add (var n) 4) end stay"},
+    {"accepted", "case (le (add (var n) 1) 5) do set n (add (var n) 1) end stay"},
+    {"refused",
+     "case (and (ge (var other) 0) (lt (var other) 5)) do set n (add (var n) 1) end stay"},
+    {"refused",
+     "case (and (ge (div (sensor depth) 1:length) 0) (le (div (sensor depth) 1:length) 5)) "
+     "do set n (div (sensor temp) 1:temperature) end stay"},
+    {"accepted",
+     "case (and (ge (div (sensor depth) 1:length) 0) (le (div (sensor depth) 1:length) 5)) "
+     "do set n (div (sensor depth) 1:length) end stay"},
+    {"refused",
+     "case (and (ge (element 0 (var other)) 0) (le (element 0 (var other)) 5)) "
+     "do set n (element 1 (var other)) end stay"},
+    {"accepted",
+     "case (and (ge (element 0 (var other)) 0) (le (element 0 (var other)) 5)) "
+     "do set n (element 0 (var other)) end stay"},
+    {"refused",
+     "case (and (ge (temporal 0) 0:length) (le (temporal 0) 5:length)) "
+     "do set x (temporal 1) end stay"},
+    {"accepted",
+     "case (and (ge (temporal 0) 0:length) (le (temporal 0) 5:length)) "
+     "do set x (temporal 0) end stay"},
+    {"refused", "case (and (ge (call 0) 0) (le (call 0) 5)) do set n (call 1) end stay"},
+    {"accepted", "case (and (ge (call 0) 0) (le (call 0) 5)) do set n (call 0) end stay"},
+    // Ends that are left out, from both sides.
+    {"accepted",
+     "case (and (ge (var other) 0) (lt (var other) 5.5)) do set n (var other) end stay"},
+    {"accepted", "case (and (le 0 (var other)) (ge 5 (var other))) do set n (var other) end stay"},
+    {"refused", "case (and (lt -2 (var other)) (ge 5 (var other))) do set n (var other) end stay"},
+    {"refused", "case (and (le 0 (var other)) (gt 7 (var other))) do set n (var other) end stay"},
+    {"accepted", "case (gt 5 (add (var n) 0)) do set n (add (var n) 0) end stay"},
+    {"accepted", "case (lt 0 (var n)) do set n (sub (var n) 1) end stay"},
+    {"refused", "case (le 0 (var n)) do set n (sub (var n) 1) end stay"},
+    {"accepted", "case (ne 0 (var n)) do set n (sub (var n) 1) end stay"},
+    {"refused", "case (ne 1 (var n)) do set n (sub (var n) 1) end stay"},
+    {"refused", "case (ne (var n) (var top)) do set n (add (var n) 1) end stay"},
+    // Of two sides that were not compared so, one may have been unknown.
+    {"accepted", "case (le 5 (var n)) exit case true do set n (add (var n) 1) end stay"},
+    {"accepted",
+     "case (ge missiontime (var t)) exit case true do set t (sub (var t) 1:time) end stay"},
+    {"accepted",
+     "case (ge statetime (var t)) exit case true do set t (sub (var t) 1:time) end stay"},
+    {"accepted",
+     "case (le (var t) resumetime) exit case true do set t (sub (var t) 1:time) end stay"},
+    {"refused",
+     "case (gt missiontime (var t)) exit case true do set t (sub (var t) 1:time) end stay"},
+    {"refused",
+     "case (ge (age depth) (var t)) exit case true do set t (sub (var t) 1:time) end stay"},
+    {"accepted", "case (ge (var n) (var top)) exit case true do set n (add (var n) 1) end stay"},
+    {"refused", "case (gt (var n) 3) do set n (mul 1e300 1e300) set n (add (var n) 1) end stay"},
     // What never fires sets nothing.
     {"accepted", "case (gt (var n) 10) do set n 1000 end stay"},
     {"accepted",
@@ -138,6 +199,26 @@ const Row kRows[] = {
 };
 
 INSTANTIATE_TEST_SUITE_P(Rows, GuardedRanges, testing::ValuesIn(kRows));
+
+TEST(GuardedRangesTest, WhatNestsTooDeepSaysNothing) {
+  const auto nested = [](const std::string& before, const std::string& after, int depth) {
+    std::string text = "(lt (var n) 5)";
+    for (int i = 0; i < depth; ++i) {
+      text = before + text + after;
+    }
+    return ofCases("case " + text + " do set n (add (var n) 1) end stay");
+  };
+  EXPECT_EQ(nested("(and true ", ")", 100), "accepted");
+  EXPECT_EQ(nested("(and true ", ")", 101), "refused");
+  EXPECT_EQ(nested("(and ", " true)", 100), "accepted");
+  EXPECT_EQ(nested("(and ", " true)", 101), "refused");
+  EXPECT_EQ(nested("(or false ", ")", 100), "accepted");
+  EXPECT_EQ(nested("(or false ", ")", 101), "refused");
+  EXPECT_EQ(nested("(or ", " false)", 100), "accepted");
+  EXPECT_EQ(nested("(or ", " false)", 101), "refused");
+  EXPECT_EQ(nested("(not ", ")", 100), "accepted");
+  EXPECT_EQ(nested("(not ", ")", 102), "refused");
+}
 
 TEST(GuardedRangesTest, ArgumentsAreGuardedToo) {
   const auto ofArgument = [](const std::string& guarded) {

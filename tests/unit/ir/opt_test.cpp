@@ -89,6 +89,76 @@ TEST(FoldConstants, WorksOutWhatIsKnown) {
   }
 }
 
+TEST(FoldConstants, WhatHasNoValueStays) {
+  for (const char* text : {"(sqrt -1)", "(div 1 0)", "(mul 1e300 1e300)", "(element 0 2)"}) {
+    Mission m = missionOf(kHeader + "table number (4, 5)\nvariable x: number mission initial x 0 " +
+                          stateText("a", std::string("case true do set x ") + text + " end exit"));
+    opt::foldConstants(m);
+    EXPECT_NE(m[m.blocks.at(0).statements.at(0).value].op, Op::Constant) << text;
+  }
+}
+
+TEST(ShareExpressions, WhatDiffersInOneThingStaysTwo) {
+  // How many expressions are left of two numbers that are compared with 1.
+  const auto left = [](const std::string& one, const std::string& two) {
+    Mission m =
+        missionOf(kHeader +
+                  "table number (4, 5)\ntable number (4, 6)\n"
+                  "variable x: number mission\nvariable y: number mission\n"
+                  "initial x 0\ninitial y 0\n" +
+                  stateText("a", "case (gt " + one + " 1) stay case (gt " + two + " 1) exit"));
+    opt::shareExpressions(m);
+    return m.states[0].cases.at(0).guard == m.states[0].cases.at(1).guard ? 1 : 2;
+  };
+  EXPECT_EQ(left("(add (var x) 2)", "(add (var x) 2)"), 1);
+  EXPECT_EQ(left("(add (var x) 2)", "(sub (var x) 2)"), 2);
+  EXPECT_EQ(left("(add (var x) 2)", "(add (var x) 3)"), 2);
+  EXPECT_EQ(left("(add (var x) 2)", "(add 2 (var x))"), 2);
+  EXPECT_EQ(left("(var x)", "(var y)"), 2);
+  EXPECT_EQ(left("(element 0 (var x))", "(element 1 (var x))"), 2);
+  EXPECT_EQ(left("(element 0 (var x))", "(element 0 (var x))"), 1);
+  EXPECT_EQ(left("(div (sensor depth) 1:length)", "(div (sensor temp) 1:temperature)"), 2);
+}
+
+TEST(DropDeadStates, KeepsThoseToWhichSomeCaseLeads) {
+  const auto names = [](const std::string& text) {
+    Mission m = missionOf(kHeader + text);
+    opt::dropDeadStates(m);
+    std::string all;
+    for (const State& state : m.states) {
+      all += state.name;
+    }
+    return all;
+  };
+  const std::string rest = stateText("c", "case true goto d") + stateText("d", "case true exit");
+  EXPECT_EQ(names(stateText("a", "case true exit") + stateText("b", "case true goto a") + rest),
+            "a");
+  EXPECT_EQ(names(stateText("a", "case true goto b") + stateText("b", "case true exit") + rest),
+            "ab");
+  EXPECT_EQ(names(stateText("a", "case true call c") + stateText("b", "case true exit") + rest),
+            "acd");
+  EXPECT_EQ(names("always case (gt (sensor depth) 5:length) goto b\n" +
+                  stateText("a", "case true exit") + stateText("b", "case true exit") + rest),
+            "ab");
+}
+
+TEST(DropDeadCases, WhatStandsAfterATrueOneGoes) {
+  const auto left = [](const std::string& cases, const std::string& always = "") {
+    Mission m =
+        missionOf(kHeader + always + stateText("a", cases) + stateText("b", "case true exit"));
+    opt::dropDeadCases(m);
+    return std::pair(m.always.size(), m.states[0].cases.size());
+  };
+  using Left = std::pair<size_t, size_t>;
+  const std::string deep = "case (gt (sensor depth) 5:length) stay ";
+  EXPECT_EQ(left(deep + "case true exit " + deep), Left(0, 2));
+  EXPECT_EQ(left("case true exit " + deep + deep), Left(0, 1));
+  EXPECT_EQ(left(deep + "case false exit " + deep), Left(0, 3)) << "numbers stay as they are";
+  EXPECT_EQ(left(deep + "case false exit case false exit"), Left(0, 1));
+  EXPECT_EQ(left(deep, "always case true goto b " + deep + "\n"), Left(2, 1))
+      << "may be passed over";
+}
+
 TEST(Compact, WatchedCallsThatNothingReadsAreStillMade) {
   for (const char* watched : {"temporal held always (call 0 (sensor depth)) for 8:time ",
                               "temporal became always (call 0 (sensor depth)) "}) {

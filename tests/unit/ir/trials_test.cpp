@@ -57,6 +57,15 @@ TEST(Trials, SeeWhatLooksBackInTime) {
   EXPECT_FALSE(seen[2].fires) << "the time has not passed";
 }
 
+TEST(Trials, WhatIsHeldForNobodyKnowsHowLongIsUnknown) {
+  const Mission mission =
+      missionOf(kHeader + "temporal held state a true for (mul (mul 1e300 1e300) 1:time) " +
+                stateText("a", "case (temporal 0) exit case (not (temporal 0)) exit"));
+  const auto seen = tryOut(Ground(mission, slocum()), mission.states[0].cases);
+  EXPECT_FALSE(seen[0].fires);
+  EXPECT_FALSE(seen[1].fires);
+}
+
 TEST(Trials, TimeInAStateIsPartOfTheMissions) {
   const auto seen = triedOut("case (and (gt statetime 100:time) (lt missiontime 50:time)) exit");
   EXPECT_FALSE(seen[0].fires);

@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// What calls through pointers reach, in a program that has a function of every kind.
+
+#include "codegen/budget/callees.h"
+
+#include "tests/unit/codegen/small_program.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace glider::codegen {
+namespace {
+
+using codegen_tests::Small;
+using Names = std::set<std::string>;
+
+const Names kMission = {"act.a",    "advance.a", "begin",     "enter.a",
+                        "guards.a", "holds.a",   "profile.a", "route.a"};
+
+/// All of them but `pollTemp` are in a pointer.
+const char* const kTaken[] = {"_start",
+                              "main",
+                              "libc_start_main_stage2",
+                              "_init",
+                              "_fini",
+                              "__a_barrier_v7",
+                              "__a_cas_v7",
+                              "__a_get_tp",
+                              "__restore_rt",
+                              "cgt_init",
+                              "cgt_time32_wrap",
+                              "act.a",
+                              "advance.a",
+                              "enter.a",
+                              "guards.a",
+                              "profile.a",
+                              "route.a",
+                              "holds.a",
+                              "begin",
+                              "other"};
+
+Names with(Names names, const std::string& one) {
+  names.insert(one);
+  return names;
+}
+
+class CalleesOfSmall : public testing::Test {
+ protected:
+  CalleesOfSmall() : small_("ts5500", program()), callees_(small_.image(), mission()) {}
+
+  Names inProgram(const std::string& caller) const {
+    return namesOf(callees_.inProgram(*small_.image().function(caller)));
+  }
+  Names inTick(const std::vector<Frame>& frames) const { return namesOf(callees_.inTick(frames)); }
+
+  static const std::vector<std::pair<std::string, Names>>& callers();
+
+ private:
+  static std::string program() {
+    std::string text, data = ".data\n";
+    for (const char* name : kTaken) {
+      text += codegen_tests::function(name, "ret");
+      data += std::string(".long ") + name + "\n";
+    }
+    for (const auto& [caller, reached] : callers()) {
+      if (caller.find("cgt_") != 0) {
+        text += codegen_tests::function(caller, "ret");
+      }
+    }
+    return text + codegen_tests::function("pollTemp", "ret") + data;
+  }
+  static ir::Mission mission() {
+    ir::Mission mission;
+    mission.sensors.resize(2);
+    mission.sensors[1].symbol = "pollTemp";
+    return mission;
+  }
+  [[nodiscard]] Names namesOf(const std::vector<uint64_t>& addresses) const {
+    Names names;
+    for (const uint64_t address : addresses) {
+      names.insert(small_.image().symbolAt(address));
+    }
+    EXPECT_EQ(names.size(), addresses.size()) << "each once";
+    return names;
+  }
+
+  Small small_;
+  Callees callees_;
+};
+
+const std::vector<std::pair<std::string, Names>>& CalleesOfSmall::callers() {
+  static const Names tick = with(kMission, "pollTemp"), kernel = {"__a_get_tp"};
+  static const std::vector<std::pair<std::string, Names>> all = {
+      {"of_no_row", {"other"}},
+      {"__libc_start_main", {"libc_start_main_stage2"}},
+      {"libc_start_init", {"_init", "_fini", "other"}},
+      {"libc_exit_fini", {"_init", "_fini", "other"}},
+      {"__clock_gettime", {"cgt_init", "cgt_time32_wrap"}},
+      {"__clock_gettime64", {"cgt_init", "cgt_time32_wrap"}},
+      {"__clock_gettim", {"other"}},
+      {"cgt_init", {"cgt_time32_wrap"}},
+      {"cgt_time32_wrap", {}},
+      {"__init_ssp", kernel},
+      {"__errno_location", kernel},
+      {"___errno_location", kernel},
+      {"__init_tp", kernel},
+      {"__libc_sigaction", kernel},
+      {"__lock", kernel},
+      {"__unlock", kernel},
+      {"__a_barrier_oldkuser", {}},
+      {"raise", kernel},
+      {"gliderStart", tick},
+      {"gliderStep", tick},
+      {"advance", tick},
+      {"enter", tick},
+      {"fire", tick},
+      {"firstTrue", tick},
+      {"gliderFirstTrue", tick},
+      {"fly", tick},
+      {"tryAlways", tick},
+      {"tryState", tick},
+      {"tryActivity", tick},
+      {"pollSensors", {"pollTemp"}},
+  };
+  return all;
+}
+
+TEST_F(CalleesOfSmall, AreThoseOfTheCallersRows) {
+  for (const auto& [caller, reached] : callers()) {
+    EXPECT_EQ(inProgram(caller), reached) << caller;
+  }
+  EXPECT_EQ(inProgram("libc_start_main_stage2"), Names{"main"});
+}
+
+TEST_F(CalleesOfSmall, OfATickAreThoseOfTheFrame) {
+  const std::pair<Frame, Names> cases[] = {
+      {{"readings.cpp", "pollSensors", 1}, {"pollTemp"}},
+      {{"step.cpp", "advance", 1}, {"advance.a"}},
+      {{"step.cpp", "firstTrue", 7}, {"guards.a"}},
+      {{"step.cpp", "fire", 1}, {"act.a"}},
+      {{"step.cpp", "enter", 1}, {"enter.a"}},
+      {{"step.cpp", "fly", 1}, {"profile.a", "route.a"}},
+      {{"guard_table.cpp", "firstTrue", 1}, {"holds.a"}},
+  };
+  for (const auto& [frame, reached] : cases) {
+    EXPECT_EQ(inTick({frame}), reached) << frame.function;
+    EXPECT_EQ(inTick({frame, {"step.cpp", "fire", 3}}), reached) << "the innermost decides";
+  }
+}
+
+TEST_F(CalleesOfSmall, OfATickMayBeAnyWhereTheLineTablesAreSilent) {
+  const Names any = {"pollTemp", "act.a",     "advance.a", "enter.a",
+                     "guards.a", "profile.a", "route.a",   "holds.a"};
+  const Frame cases[] = {
+      {"readings.cpp", "pollSensors", 0}, {"step.cpp", "pollSensors", 1},
+      {"readings.cpp", "find", 1},        {"step.cpp", "fire", 0},
+      {"stack.cpp", "fire", 1},           {"step.cpp", "tryState", 1},
+  };
+  for (const Frame& frame : cases) {
+    EXPECT_EQ(inTick({frame}), any) << frame.file << ' ' << frame.function << ' ' << frame.line;
+  }
+}
+
+TEST(CallsAtOnce, AreOneWithoutARow) {
+  EXPECT_EQ(callsAtOnce("convert_ioctl_struct"), 2u);
+  EXPECT_EQ(callsAtOnce("gliderStep"), 1u);
+}
+
+}  // namespace
+}  // namespace glider::codegen

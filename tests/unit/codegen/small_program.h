@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "codegen/budget/disassembler.h"
+#include "codegen/budget/image.h"
+#include "codegen/budget/stack_bound.h"
+#include "support/check.h"
+#include "tests/support/command.h"
+#include "tests/unit/codegen/compiled_mission.h"
+
+#include <expected>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace glider::codegen_tests {
+
+using codegen::CallKnowledge;
+using codegen::Image;
+using codegen::StackBound;
+using codegen::stackMachine;
+
+/// A function `name` of the assembler.
+inline std::string function(const std::string& name, const std::string& body) {
+  return ".text\n.globl " + name + "\n.type " + name + ", %function\n" + name + ":\n" + body +
+         "\n.size " + name + ", . - " + name + "\n";
+}
+
+/// What the linker makes of assembly for a board; the program begins at `_start`.
+class Small {
+ public:
+  Small(const std::string& name, const std::string& assembly) : board_(board(name)) {
+    const tests::TemporaryFolder folder;
+    (void)folder.write("small.s", assembly);
+    const std::string at = folder.path().string();
+    const auto outcome = tests::runShell("cd " + at + " && clang-19 --target=" + board_.triple +
+                                         " -mcpu=" + board_.cpu +
+                                         " -c small.s -o small.o && "
+                                         "ld.lld-19 -static -o small small.o");
+    CHECK(outcome.status == 0, outcome.err.c_str());
+    auto image = Image::read(tests::slurp(folder.path() / "small"), board_);
+    CHECK(image.has_value(), "a small program cannot be taken apart");
+    image_.emplace(std::move(*image));
+  }
+
+  /// Bytes of a call of `_start`; `pointers` is what calls through pointers reach.
+  [[nodiscard]] std::expected<uint64_t, std::string> bytes(
+      const std::vector<std::string>& pointers = {}, uint64_t at_once = 1) const {
+    std::vector<uint64_t> targets;
+    for (const std::string& name : pointers) {
+      targets.push_back(*image_->function(name));
+    }
+    const CallKnowledge knowledge{[&](uint64_t) { return targets; },
+                                  [at_once](const std::string&) { return at_once; }};
+    const auto call = StackBound(*image_, stackMachine(board_), knowledge).bound(image_->entry());
+    return call ? std::expected<uint64_t, std::string>(call->bytes) : std::unexpected(call.error());
+  }
+  [[nodiscard]] const Image& image() const { return *image_; }
+
+ private:
+  platforms::Board board_;
+  std::optional<Image> image_;
+};
+
+}  // namespace glider::codegen_tests

@@ -1,0 +1,188 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// The vehicle of random flights does all that the platform says it may, and no more: what it never
+// does no flight finds.
+
+#include "ir/prove/random_vehicle.h"
+
+#include "tests/unit/ir/slocum.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace glider::ir::prove {
+namespace {
+
+// Of the platform: control is given at 3 m or above, 5 m are overshot, it sinks at 0.4 m/s at most
+// and climbs at 0.05 m/s at least, from 120 s after the order on.
+constexpr double kLong = 4000;  // s, more than it needs to get anywhere
+
+Action order(Command command, std::vector<double> arguments = {}, bool refused = false) {
+  return CommandRun{command, std::move(arguments), refused};
+}
+
+struct Range {
+  double least = std::numeric_limits<double>::infinity();
+  double most = -std::numeric_limits<double>::infinity();
+};
+
+using Flight = std::function<void(RandomVehicle&)>;
+
+/// Where it is after a flight, of many vehicles.
+Range depthsAfter(const Flight& flight) {
+  Range all;
+  for (uint64_t seed = 1; seed <= 300; ++seed) {
+    Dice dice(seed);
+    RandomVehicle vehicle(slocum(), dice);
+    flight(vehicle);
+    all.least = std::min(all.least, vehicle.depth());
+    all.most = std::max(all.most, vehicle.depth());
+  }
+  return all;
+}
+
+void fly(RandomVehicle& vehicle, double from, double to) {
+  for (double now = from; now < to; now += 20) {
+    vehicle.move(now, std::min(now + 20, to));
+  }
+}
+
+/// After these orders have been in force for long.
+Range depthsUnder(const std::vector<Action>& orders) {
+  return depthsAfter([&](RandomVehicle& vehicle) {
+    vehicle.obey(orders, 0);
+    fly(vehicle, 0, kLong);
+  });
+}
+
+void expectUpTo(double deepest, const Range& range) {
+  EXPECT_LE(range.most, deepest);
+  EXPECT_GT(range.most, deepest - 0.5);
+}
+
+TEST(RandomVehicle, BeginsNearTheSurface) {
+  const Range start = depthsAfter([](RandomVehicle&) {});
+  EXPECT_GE(start.least, 0);
+  expectUpTo(3, start);
+  expectUpTo(8, depthsUnder({}));
+}
+
+TEST(RandomVehicle, SinksToWhatIsOrdered) {
+  expectUpTo(25, depthsUnder({order(Command::Descend, {20, 0.4})}));
+  expectUpTo(25, depthsUnder({order(Command::Hover, {20})}));
+  expectUpTo(8, depthsUnder({order(Command::Descend, {20, 0.4}, true)}));
+  expectUpTo(8, depthsUnder({order(Command::Drift)}));
+  expectUpTo(25,
+             depthsUnder({order(Command::Descend, {50, 0.4}), order(Command::Descend, {20, 0.4})}));
+}
+
+TEST(RandomVehicle, GoesOnFromWhereItIs) {
+  // From about 55 m, ordered to no more than 20 m, it may overshoot by 5 m first.
+  const Range range = depthsAfter([](RandomVehicle& vehicle) {
+    vehicle.obey({order(Command::Descend, {50, 0.4})}, 0);
+    fly(vehicle, 0, kLong);
+    vehicle.obey({order(Command::Descend, {20, 0.4})}, kLong);
+    fly(vehicle, kLong, 2 * kLong);
+  });
+  expectUpTo(55, range);
+}
+
+TEST(RandomVehicle, OvershootsWhereItIsTurned) {
+  // 80 s of sinking by 0.4 m/s, and the overshoot.
+  expectUpTo(3 + 32 + 5, depthsAfter([](RandomVehicle& vehicle) {
+               vehicle.obey({order(Command::Descend, {50, 0.4})}, 0);
+               fly(vehicle, 0, 80);
+               vehicle.obey({order(Command::Descend, {20, 0.4})}, 80);
+               fly(vehicle, 80, kLong);
+             }));
+}
+
+/// From 50 m and what is overshot, `seconds` after an order to climb.
+Range depthsAfterClimb(const Action& climb, double seconds) {
+  return depthsAfter([&](RandomVehicle& vehicle) {
+    vehicle.obey({order(Command::Descend, {50, 0.4})}, 0);
+    fly(vehicle, 0, kLong);
+    vehicle.obey({climb}, kLong);
+    fly(vehicle, kLong, kLong + seconds);
+  });
+}
+
+TEST(RandomVehicle, ClimbsAtLeastAsFastAsItMust) {
+  const Action surface = order(Command::Surface);
+  expectUpTo(55, depthsAfterClimb(surface, 100));
+  expectUpTo(55, depthsAfterClimb(surface, 120));
+  expectUpTo(50, depthsAfterClimb(surface, 220));
+  expectUpTo(5, depthsAfterClimb(surface, 1120));
+  EXPECT_EQ(depthsAfterClimb(surface, 1220).most, 0);
+  EXPECT_EQ(depthsAfterClimb(surface, 160).least, 0) << "or as fast as it can";
+}
+
+TEST(RandomVehicle, ClimbsToWhatIsOrdered) {
+  const Range there = depthsAfterClimb(order(Command::Ascend, {20, 0.4}), kLong);
+  expectUpTo(25, there);
+  EXPECT_EQ(depthsAfterClimb(order(Command::Ascend, {0, 0.4}), kLong).most, 0);
+}
+
+TEST(RandomVehicle, DoesNotLeaveTheWater) {
+  const Range there = depthsAfterClimb(order(Command::Ascend, {-3, 0.4}), kLong);
+  EXPECT_EQ(there.least, 0);
+  EXPECT_EQ(there.most, 0);
+}
+
+TEST(RandomVehicle, AnotherOrderToClimbIsTheSame) {
+  const Range range = depthsAfter([](RandomVehicle& vehicle) {
+    vehicle.obey({order(Command::Descend, {50, 0.4})}, 0);
+    fly(vehicle, 0, kLong);
+    for (double now = kLong; now < kLong + 1220; now += 20) {
+      vehicle.obey({order(Command::Surface)}, now);
+      vehicle.move(now, now + 20);
+    }
+  });
+  EXPECT_EQ(range.most, 0) << "its turn does not begin anew";
+}
+
+TEST(RandomVehicle, IsNoFasterThanItCanBe) {
+  double fastest = 0;
+  for (uint64_t seed = 1; seed <= 100; ++seed) {
+    Dice dice(seed);
+    RandomVehicle vehicle(slocum(), dice);
+    vehicle.obey({order(Command::Descend, {100, 0.4})}, 0);
+    for (double now = 0; now < 100; ++now) {
+      const double before = vehicle.depth();
+      vehicle.move(now, now + 1);
+      fastest = std::max(fastest, std::fabs(vehicle.depth() - before));
+    }
+  }
+  EXPECT_NEAR(fastest, 0.4, 1e-9);
+}
+
+TEST(RandomVehicle, ShowsItsDepthRoughly) {
+  Range error;
+  for (uint64_t seed = 1; seed <= 300; ++seed) {
+    Dice dice(seed);
+    RandomVehicle vehicle(slocum(), dice);
+    const double shown = vehicle.reading();
+    EXPECT_GE(shown, 0);
+    if (vehicle.depth() > 0.5) {
+      error.least = std::min(error.least, shown - vehicle.depth());
+      error.most = std::max(error.most, shown - vehicle.depth());
+    }
+  }
+  EXPECT_NEAR(error.least, -0.5, 0.02);
+  EXPECT_NEAR(error.most, 0.5, 0.02);
+}
+
+TEST(RandomVehicle, WhatIsInCMayOrderAnything) {
+  const Range range = depthsUnder({ActivityRun{ListKind::Profile, {0}, Phase::Tick, {}}});
+  EXPECT_GT(range.most, 190);
+  EXPECT_LE(range.most, 208);
+  EXPECT_EQ(range.least, 0);
+}
+
+}  // namespace
+}  // namespace glider::ir::prove

@@ -28,9 +28,8 @@ void DepthSource::observe(double depth_m, double step_s) {
   }
   same_s_ = depth_m == raw_m_ ? same_s_ + step_s : 0;
   raw_m_ = depth_m;
-  const double moved = depth_m < depth_m_ ? depth_m_ - depth_m : depth_m - depth_m_;
   // The first reading of all is compared with a NaN, and is good.
-  if (moved > kReachM + kHull.vertical_rate_m_s * age_s_) {
+  if (magnitude(depth_m - depth_m_) > kReachM + kHull.vertical_rate_m_s * age_s_) {
     reading_ = Reading::Jumped;
     jumped_s_ += step_s;
     if (good_s_ < kSettlesSecs) {
@@ -43,8 +42,7 @@ void DepthSource::observe(double depth_m, double step_s) {
   depth_m_ = depth_m;
   age_s_ = 0;
   good_s_ += step_s;
-  jumped_s_ -= step_s / 2;
-  jumped_s_ = jumped_s_ > 0 ? jumped_s_ : 0;
+  jumped_s_ = atLeast(jumped_s_ - step_s / 2, 0);
 }
 
 }  // namespace glider::hooks

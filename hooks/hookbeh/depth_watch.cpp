@@ -30,10 +30,6 @@ constexpr double kQuietSecs = 60;
 constexpr double kSurfacedM = 3;
 constexpr double kClimbedSecs = 120;
 
-double distance(double a, double b) {
-  return a < b ? b - a : a - b;
-}
-
 }  // namespace
 
 void DepthWatch::observe(const Surroundings& now, double step_s, double pump_cc) {
@@ -60,7 +56,7 @@ bool DepthWatch::ctdLives() const {
 }
 
 void DepthWatch::watchCtd(double step_s) {
-  const bool moved = distance(own_.depth(), own_at_ctd_change_m_) >= kMovesM;
+  const bool moved = magnitude(own_.depth() - own_at_ctd_change_m_) >= kMovesM;
   ctd_frozen_ = (ctd_frozen_ && !ctd_is_new_) || (ctd_.sameFor() >= kFrozenSecs && moved);
   const bool own_good = own_.reading() == DepthSource::Reading::Good;
   const bool near = ctd_.age() == 0 && own_lately_.distanceTo(ctd_.depth()) <= kAgreeM;
@@ -88,7 +84,7 @@ void DepthWatch::watchFrozen(double pump_cc) {
   const bool same = isFinite(pump_cc) && own_.sameFor() >= patience && own_.depth() > kClippedM;
   // The vehicle itself hangs still, as another sensor sees that lives.
   const bool hangs = ctdLives() && ctd_.sameFor() < kFrozenSecs &&
-                     distance(ctd_.depth(), ctd_at_own_change_m_) < kStillM;
+                     magnitude(ctd_.depth() - ctd_at_own_change_m_) < kStillM;
   frozen_ = (frozen_ && own_.sameFor() > 0) || (same && !hangs);
 }
 
@@ -155,8 +151,7 @@ double DepthWatch::ctdDepth() const {
 
 double DepthWatch::deepest() const {
   const bool ctd_counts = ctd_known_ && ctdLives() && ctd_.age() == 0;
-  const bool ctd_is_deeper = ctd_counts && ctd_.depth() > own_.depth();
-  return ctd_is_deeper ? ctd_.depth() : own_.depth();
+  return ctd_counts ? atLeast(ctd_.depth(), own_.depth()) : own_.depth();
 }
 
 }  // namespace glider::hooks

@@ -40,10 +40,6 @@ constexpr double kAtSurfaceM = 1;
 constexpr double kHomeSecs = 600;
 constexpr double kAliveSecs = 60;
 
-double atLeast(double value, double least) {
-  return value > least ? value : least;
-}
-
 bool isDepthDoubt(HookGuard guard) {
   return guard == HookGuard::DepthUnknown || guard == HookGuard::DepthJumps;
 }
@@ -221,8 +217,7 @@ bool Guard::mayGoOn(const HookbehArgs& args, const Instruction& in_force) const 
 }
 
 bool Guard::hasClimbedFar() const {
-  const double share = kRetryShare * tripped_depth_m_;
-  return tripped_depth_m_ - depth_m_ >= (share > kRetryM ? share : kRetryM);
+  return tripped_depth_m_ - depth_m_ >= atLeast(kRetryShare * tripped_depth_m_, kRetryM);
 }
 
 }  // namespace glider::hooks

@@ -39,14 +39,6 @@ constexpr double kClimbMps = 0.1;
 
 constexpr double kSteepestMps = kMargin * kHull.vertical_rate_m_s;
 
-double magnitude(double value) {
-  return value < 0 ? -value : value;
-}
-
-double atLeast(double value, double least) {
-  return value > least ? value : least;
-}
-
 /// The fastest a vehicle sinks at this pitch, m/s.
 double rateAt(double pitch_rad) {
   return kSteepestMps * atLeast(magnitude(pitch_rad), kFlatRad) / kHull.steepest_pitch_rad;
@@ -71,14 +63,13 @@ void UnseenSink::reckon(double step_s, const VerticalCommand& last) {
   const bool lifts = last.pump_cc >= kLiftsCc && last.pitch_rad >= kNoseRad;
   out_s_ = lifts ? out_s_ + step_s : 0;
   const bool rises = out_s_ > kTurnsSecs;
-  const bool sinks = !rises && (lifts || last.pump_cc <= kSinksCc || last.pitch_rad <= -kNoseRad);
+  sinks_ = !rises && (lifts || last.pump_cc <= kSinksCc || last.pitch_rad <= -kNoseRad);
   since_up_s_ = rises ? 0 : since_up_s_ + step_s;
-  in_s_ = sinks ? in_s_ + step_s : 0;
   if (rises) {
     deepest_m_ = atLeast(deepest_m_ - kClimbMps * step_s, 0);
     in_dive_m_ = steeply_m_ = 0;
   } else if (since_up_s_ > kLiftsSecs) {
-    deepest_m_ += (sinks ? rateAt(last.pitch_rad) : kAdriftMps) * step_s;
+    deepest_m_ += (sinks_ ? rateAt(last.pitch_rad) : kAdriftMps) * step_s;
     const bool dives = last.pitch_rad <= -kNoseRad;
     in_dive_m_ += dives ? rateAt(last.pitch_rad) * step_s : 0;
     steeply_m_ += dives ? kSteepestMps * step_s : 0;
@@ -108,7 +99,7 @@ void UnseenSink::seek(double depth_m) {
   lowest_m_ = depth_m > lowest_m_ ? depth_m : lowest_m_;
   const bool lifts = out_s_ >= kLiftsSecs;
   const bool down = depth_m - highest_m_ >= kMovesM && out_s_ == 0;
-  const bool up = lowest_m_ - depth_m >= kMovesM && (lifts || in_s_ == 0);
+  const bool up = lowest_m_ - depth_m >= kMovesM && (lifts || !sinks_);
   if (roughness_m_ <= kRoughM && (down || up)) {
     show(depth_m);
   }

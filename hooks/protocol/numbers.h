@@ -11,6 +11,15 @@ inline bool isFinite(double value) {
   return value - value == 0;
 }
 
+inline double magnitude(double value) {
+  return __builtin_fabs(value);
+}
+
+/// `value`, but no less than `least`; `least` for a NaN.
+inline double atLeast(double value, double least) {
+  return value > least ? value : least;
+}
+
 /// The value that a 4-byte sensor would keep.
 inline double asFloat32(double value) {
   return static_cast<double>(static_cast<float>(value));

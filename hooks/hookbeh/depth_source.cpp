@@ -28,8 +28,9 @@ void DepthSource::observe(double depth_m, double step_s) {
   }
   same_s_ = depth_m == raw_m_ ? same_s_ + step_s : 0;
   raw_m_ = depth_m;
+  const double moved = magnitude(depth_m - depth_m_);
   // The first reading of all is compared with a NaN, and is good.
-  if (magnitude(depth_m - depth_m_) > kReachM + kHull.vertical_rate_m_s * age_s_) {
+  if (moved > kReachM + kHull.vertical_rate_m_s * age_s_) {
     reading_ = Reading::Jumped;
     jumped_s_ += step_s;
     if (good_s_ < kSettlesSecs) {

@@ -52,7 +52,7 @@ void DepthWatch::observe(const Surroundings& now, double step_s, double pump_cc)
 
 /// It gives readings, and they move when the vehicle does.
 bool DepthWatch::ctdLives() const {
-  return ctd_.age() <= kCtdLastsSecs && isFinite(ctd_.depth()) && !ctd_jumped_ && !ctd_frozen_;
+  return ctd_.age() <= kCtdLastsSecs && !ctd_jumped_ && !ctd_frozen_;
 }
 
 void DepthWatch::watchCtd(double step_s) {
@@ -129,24 +129,21 @@ void DepthWatch::settle(const Surroundings& now, double step_s, double pump_cc) 
 }
 
 HookGuard DepthWatch::doubt() const {
-  switch (own_.reading()) {
-    case DepthSource::Reading::Missing:
-      return HookGuard::DepthUnknown;
-    case DepthSource::Reading::Jumped:
-      return HookGuard::DepthJumps;
-    case DepthSource::Reading::Good:
-      break;
-  }
-  return blind_;
+  return own_.reading() == DepthSource::Reading::Missing  ? HookGuard::DepthUnknown
+         : own_.reading() == DepthSource::Reading::Jumped ? HookGuard::DepthJumps
+                                                          : blind_;
 }
 
 double DepthWatch::depth() const {
   return doubt() == HookGuard::None ? own_.depth() : __builtin_nan("");
 }
 
+bool DepthWatch::isSeenByAnother() const {
+  return agree_s_ > 0 && ctd_is_new_;
+}
+
 double DepthWatch::ctdDepth() const {
-  const bool good = ctd_.age() == 0 && ctd_.reading() == DepthSource::Reading::Good;
-  return good ? ctd_.depth() : __builtin_nan("");
+  return ctd_.reading() == DepthSource::Reading::Good ? ctd_.depth() : __builtin_nan("");
 }
 
 double DepthWatch::deepest() const {

@@ -24,7 +24,7 @@ class DepthWatch {
   /// The deeper of the vehicle's own and the CTD's, for limits; NaN where doubt() says Unknown.
   [[nodiscard]] double deepest() const;
   /// A new reading of the CTD, which moves, says the same in this cycle.
-  [[nodiscard]] bool isSeenByAnother() const { return agree_s_ > 0 && ctd_is_new_; }
+  [[nodiscard]] bool isSeenByAnother() const;
   /// The CTD's depth, where it is new in this cycle, m; else NaN.
   [[nodiscard]] double ctdDepth() const;
   /// The CTD works, though it has never agreed.

@@ -49,7 +49,7 @@ bool isDepthDoubt(HookGuard guard) {
 const char* wordsFor(HookGuard guard) {
   switch (guard) {
     case HookGuard::None:
-      break;
+      return "";
     case HookGuard::TooDeep:
       return "climb: too deep";
     case HookGuard::NearBottom:
@@ -67,7 +67,7 @@ const char* wordsFor(HookGuard guard) {
     case HookGuard::NoHeightGained:
       return "climb: no height gained";
   }
-  return "";
+  return "climb";
 }
 
 void Guard::observe(const Surroundings& now, double step_s, const VerticalCommand& last, Way way) {
@@ -117,7 +117,7 @@ void Guard::reset() {
 HookGuard Guard::brokenLimit(const HookbehArgs& args) const {
   // All comparisons are written so that a NaN among the b_args counts as a broken limit.
   return !(depth_m_ <= args.greatest_depth_m) ? HookGuard::TooDeep
-         : !clearOfBottom(args, depth_m_, 0)  ? HookGuard::NearBottom
+         : !clearOfBottom(args, depth_m_)     ? HookGuard::NearBottom
                                               : HookGuard::None;
 }
 
@@ -132,15 +132,12 @@ HookGuard Guard::stall(const HookbehArgs& args, const Instruction& in_force) con
 
 bool Guard::mayBeDeeper(const HookbehArgs& args, const Instruction& in_force) const {
   const double shown = unseen_.shown();
-  const double least = shown + kLeastUnseenM;
-  const double first = shown + kMostUnseenAtFirstM;
-  double most = atLeast(args.greatest_depth_m, least);
-  if (!unseen_.hasMoved() && first < most) {
-    most = first;
+  double most = atLeast(shown + kLeastUnseenM, args.greatest_depth_m);
+  if (!unseen_.hasMoved()) {
+    most = atMost(shown + kMostUnseenAtFirstM, most);
   }
-  const double past = atLeast(in_force.depth_m + kPastTargetM, shown + kPastShownM);
-  if (in_force.vertical == HookVertical::Descend && past < most) {
-    most = past;
+  if (in_force.vertical == HookVertical::Descend) {
+    most = atMost(atLeast(in_force.depth_m + kPastTargetM, shown + kPastShownM), most);
   }
   const double left = args.greatest_depth_m - shown + kPastShare * args.greatest_depth_m;
   return unseen_.deepest() >= most || unseen_.sunkInDive() >= atLeast(left, kLeastInDiveM) ||
@@ -172,7 +169,7 @@ HookGuard Guard::mustClimb(const HookbehArgs& args, const Instruction& in_force)
     trip(broken);
   } else if (const HookGuard stalled = stall(args, in_force); stalled != HookGuard::None) {
     trip(stalled);
-  } else if (tripped_ != HookGuard::None && mayLetGo(args, in_force)) {
+  } else if (mayLetGo(args, in_force)) {
     tripped_ = HookGuard::None;
   }
   return doubt != HookGuard::None ? doubt : tripped_;
@@ -187,33 +184,25 @@ bool Guard::mayLetGo(const HookbehArgs& args, const Instruction& in_force) const
   if (tripped_ == HookGuard::NoHeightGained) {
     return tripped_depth_m_ - depth_m_ >= kClearM || in_force.depth_m > depth_m_;
   }
-  return keepsLimits(args, depth_m_, kClearM) && (mayGoOn(args, in_force) || hasClimbedFar());
+  return keepsLimits(args, depth_m_ + kClearM) && (mayGoOn(args, in_force) || hasClimbedFar());
 }
 
-bool Guard::keepsLimits(const HookbehArgs& args, double depth_m, double margin_m) const {
-  return depth_m <= args.greatest_depth_m - margin_m && clearOfBottom(args, depth_m, margin_m);
+bool Guard::keepsLimits(const HookbehArgs& args, double depth_m) const {
+  return depth_m <= args.greatest_depth_m && clearOfBottom(args, depth_m);
 }
 
-bool Guard::clearOfBottom(const HookbehArgs& args, double depth_m, double margin_m) const {
+bool Guard::clearOfBottom(const HookbehArgs& args, double depth_m) const {
   if (!bottom_known_ || args.least_altitude_m < 0) {
     return true;
   }
-  return bottom_m_ - depth_m >= args.least_altitude_m + margin_m;
+  return bottom_m_ - depth_m >= args.least_altitude_m;
 }
 
 bool Guard::mayGoOn(const HookbehArgs& args, const Instruction& in_force) const {
-  switch (in_force.vertical) {
-    case HookVertical::Ascend:
-      // Once it is above its target, hovering there leads down.
-      return depth_m_ > in_force.depth_m || keepsLimits(args, in_force.depth_m, kClearM);
-    case HookVertical::Descend:
-    case HookVertical::Hover:
-      return keepsLimits(args, in_force.depth_m, kClearM);
-    case HookVertical::None:
-    case HookVertical::Surface:
-      return true;
-  }
-  return false;
+  const bool has_target =
+      in_force.vertical != HookVertical::None && in_force.vertical != HookVertical::Surface;
+  // Also of an ascend: once the vehicle is above its target, hovering there leads down.
+  return !has_target || keepsLimits(args, in_force.depth_m + kClearM);
 }
 
 bool Guard::hasClimbedFar() const {

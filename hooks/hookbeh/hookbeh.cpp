@@ -77,7 +77,7 @@ HookbehOutputs Hookbeh::cycle(const HookbehInputs& inputs) {
   if (state_ == HookState::Active) {
     command(now, outputs);
   }
-  last_ = {outputs.pitch_rad, outputs.commanding ? outputs.pump_cc : __builtin_nan(""), ""};
+  last_ = {outputs.pitch_rad, outputs.commanding ? outputs.pump_cc : __builtin_nan("")};
   outputs.state = state_;
   outputs.answered_sequence = answered_sequence_;
   outputs.answer = answer_;

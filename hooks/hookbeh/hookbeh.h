@@ -81,8 +81,8 @@ class Hookbeh {
   Guard guard_;
   Pilot pilot_;
   CycleClock clock_;
-  bool guarding_ = false;                           // in the cycle before
-  VerticalCommand last_{0, __builtin_nan(""), ""};  // it commanded then; pump NaN: nothing
+  bool guarding_ = false;                       // in the cycle before
+  VerticalCommand last_{0, __builtin_nan("")};  // it commanded then; pump NaN: nothing
 
   uint32_t heartbeat_ = 0;  // the newest seen, 0 for none
   double silence_s_ = 0;    // since it went on

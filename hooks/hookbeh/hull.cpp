@@ -19,10 +19,6 @@ double orUsual(double value, double usual) {
   return isFinite(value) ? value : usual;
 }
 
-double between(double value, double lowest, double highest) {
-  return value < lowest ? lowest : value > highest ? highest : value;
-}
-
 }  // namespace
 
 HookbehArgs within(const HookbehArgs& args, const Hull& hull) {

@@ -44,10 +44,12 @@ void Pilot::follow(const Instruction& instruction) {
 void Pilot::goBack(const Surroundings& now, const HookbehArgs& args) {
   const bool arrived = stage_ == Stage::Holding || stage_ == Stage::Hovering;
   const double above_m = in_force_.depth_m - now.depth_m;
-  if (!arrived || (above_m <= kHoverReachM && -above_m <= kHoverReachM)) {
+  const HookVertical way = above_m > kHoverReachM    ? HookVertical::Descend
+                           : above_m < -kHoverReachM ? HookVertical::Ascend
+                                                     : HookVertical::None;
+  if (!arrived || way == HookVertical::None) {
     return;
   }
-  const HookVertical way = above_m > 0 ? HookVertical::Descend : HookVertical::Ascend;
   if (in_force_.vertical == way) {
     stage_ = Stage::Choose;  // once more, as it was told to
   } else {
@@ -70,11 +72,9 @@ VerticalCommand Pilot::vertical(const Surroundings& now, double step_s, const Ho
       return hold_.command();
     case Stage::Hovering:
       return hover_.command(now, args);
-    case Stage::Choose:
-    case Stage::Surfacing:
-      break;
+    default:
+      return surface_.command(args);
   }
-  return surface_.command(args);
 }
 
 void Pilot::choose(const Surroundings& now, const HookbehArgs& args) {
@@ -91,12 +91,10 @@ void Pilot::choose(const Surroundings& now, const HookbehArgs& args) {
     case HookVertical::Hover:
       approach(now, args);
       break;
-    case HookVertical::None:
-    case HookVertical::Surface:
-      // A mission that has given no vertical command yet (its sensors are unknown) floats up
-      // meanwhile.
+    default:
+      // None or Surface. A mission that has given no vertical command yet (its sensors are unknown)
+      // floats up meanwhile.
       stage_ = Stage::Surfacing;
-      break;
   }
 }
 
@@ -161,28 +159,20 @@ Way Pilot::way(double depth_m) const {
       return depth_m > hover_.target_m + kHoverLostM   ? Way::Up
              : depth_m < hover_.target_m - kHoverLostM ? Way::Down
                                                        : Way::None;
-    case Stage::Holding:  // no dive by more than a metre
-    case Stage::Choose:
-    case Stage::Surfacing:
-      break;
+    default:  // it floats, or holds what it did: no dive by more than a metre
+      return Way::None;
   }
-  return Way::None;
 }
 
 LateralCommand Pilot::lateral(const Surroundings& now) const {
-  switch (in_force_.lateral) {
-    case HookLateral::Heading: {
-      const double heading = in_force_.heading_rad;
-      return {HeadingMode::Heading, heading < 0 ? heading + kFullCircle : heading, 0, 0};
-    }
-    case HookLateral::Waypoint:
-      // Who does not know where it is cannot steer to a place: straight on until it does.
-      if (isFinite(now.latitude_ddmm) && isFinite(now.longitude_ddmm)) {
-        return {HeadingMode::Waypoint, 0, in_force_.latitude_ddmm, in_force_.longitude_ddmm};
-      }
-      break;
-    case HookLateral::Drift:
-      break;
+  if (in_force_.lateral == HookLateral::Heading) {
+    const double heading = in_force_.heading_rad;
+    return {HeadingMode::Heading, heading < 0 ? heading + kFullCircle : heading};
+  }
+  // Who does not know where it is cannot steer to a place: straight on until it does.
+  const bool knows_place = isFinite(now.latitude_ddmm) && isFinite(now.longitude_ddmm);
+  if (in_force_.lateral == HookLateral::Waypoint && knows_place) {
+    return {HeadingMode::Waypoint, 0, in_force_.latitude_ddmm, in_force_.longitude_ddmm};
   }
   return {};
 }

@@ -16,7 +16,7 @@ void RecentDepths::observe(double depth_m, double step_s) {
   for (Sample& sample : samples_) {
     sample.age_s += step_s;
   }
-  samples_[next_] = {depth_m, 0};
+  samples_[next_] = {depth_m};
   next_ = static_cast<uint8_t>((next_ + 1) % kCount);
 }
 
@@ -27,12 +27,10 @@ double RecentDepths::distanceTo(double depth_m) const {
     if (!isFinite(sample.depth_m) || sample.age_s > kRecentSecs) {
       continue;
     }
-    highest = sample.depth_m > highest ? highest : sample.depth_m;  // or the first
-    lowest = sample.depth_m < lowest ? lowest : sample.depth_m;
+    highest = atMost(highest, sample.depth_m);  // or the first
+    lowest = atLeast(lowest, sample.depth_m);
   }
-  return depth_m < highest  ? highest - depth_m
-         : depth_m > lowest ? depth_m - lowest
-                            : lowest - lowest;
+  return atLeast(0, atLeast(highest - depth_m, depth_m - lowest));
 }
 
 }  // namespace glider::hooks

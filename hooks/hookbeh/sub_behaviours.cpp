@@ -20,11 +20,9 @@ constexpr double kPumpPerMetreASecond = 1000.0;
 VerticalCommand Hover::command(const Surroundings& now, const HookbehArgs& args) const {
   const double rate = isFinite(now.depth_rate_mps) ? now.depth_rate_mps : 0;
   const double wanted = kPumpPerMetre * (now.depth_m - target_m) + kPumpPerMetreASecond * rate;
-  const double pump = wanted >= args.climb_pump_cc  ? args.climb_pump_cc
-                      : wanted <= args.dive_pump_cc ? args.dive_pump_cc
-                                                    : wanted;
-  // An unknown depth is the guard's case; the pump must not see a NaN for all that.
-  return {0, isFinite(pump) ? pump : args.climb_pump_cc, "hover"};
+  // An unknown depth is the guard's case; the pump must not see a NaN for all that: it goes out.
+  const double pump = atLeast(atMost(wanted, args.climb_pump_cc), args.dive_pump_cc);
+  return {0, pump, "hover"};
 }
 
 VerticalCommand SurfaceNow::command(const HookbehArgs& args) const {
@@ -36,9 +34,7 @@ VerticalCommand climbNow(const char* doing, const HookbehArgs& args) {
 }
 
 double usualPitch(const HookbehArgs& args) {
-  return kUsualPitchRad > args.steepest_pitch_rad     ? args.steepest_pitch_rad
-         : kUsualPitchRad < args.shallowest_pitch_rad ? args.shallowest_pitch_rad
-                                                      : kUsualPitchRad;
+  return between(kUsualPitchRad, args.shallowest_pitch_rad, args.steepest_pitch_rad);
 }
 
 }  // namespace glider::hooks

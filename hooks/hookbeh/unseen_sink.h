@@ -47,8 +47,8 @@ class UnseenSink {
   bool sinks_ = false;                    ///< it may be driven down
   double since_up_s_ = 0;                 ///< since it was driven up long enough to rise
   double last_m_ = __builtin_nan("");     ///< the newest depth, and what it had moved by
-  double moved_m_ = 0;
-  double gap_s_ = 0;        ///< since then
+  double moved_m_ = __builtin_nan("");
+  double gap_s_ = __builtin_nan("");  ///< since then
   double roughness_m_ = 0;  ///< how much the depth changes from cycle to cycle beside its way
 };
 

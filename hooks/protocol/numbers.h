@@ -15,9 +15,17 @@ inline double magnitude(double value) {
   return __builtin_fabs(value);
 }
 
-/// `value`, but no less than `least`; `least` for a NaN.
+/// The greater and the lesser of two; the bound where `value` is NaN.
 inline double atLeast(double value, double least) {
   return value > least ? value : least;
+}
+inline double atMost(double value, double most) {
+  return value < most ? value : most;
+}
+
+/// NaN where `value` is NaN.
+inline double between(double value, double lowest, double highest) {
+  return value < lowest ? lowest : value > highest ? highest : value;
 }
 
 /// The value that a 4-byte sensor would keep.

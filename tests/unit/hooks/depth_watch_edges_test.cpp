@@ -227,6 +227,50 @@ TEST(DepthWatchEdges, FiveMetresApartAgreeMoreDisagreeAfterTenSeconds) {
   }
 }
 
+TEST(DepthWatchEdges, ACtdThatFallsSilentDoesNotHaveTheLastWord) {
+  Sensors sensors = sea(20);
+  sensors.ctd_m = 24;
+  sensors.run(30);
+  sensors.ctd_m = 26;
+  EXPECT_EQ(sensors.run(9), HookGuard::None);
+  sensors.ctd_m = kNan;
+  EXPECT_EQ(sensors.run(20), HookGuard::None);
+  sensors.ctd_m = 26;
+  EXPECT_EQ(sensors.run(), HookGuard::DepthsDisagree) << "it differed all the time";
+}
+
+TEST(DepthWatchEdges, ItIsSeenByAnotherInACycleInWhichTheCtdMovedAndAgrees) {
+  Sensors sensors;
+  sensors.run();
+  EXPECT_FALSE(sensors.watch.isSeenByAnother());
+  sensors.ctd_m = 20;
+  sensors.run();
+  EXPECT_TRUE(sensors.watch.isSeenByAnother());
+  sensors.ctd_m = kNan;
+  sensors.run();
+  EXPECT_FALSE(sensors.watch.isSeenByAnother()) << "there is none";
+  sensors.ctd_m = 20;
+  sensors.ctd_still = true;
+  sensors.run(2);
+  EXPECT_FALSE(sensors.watch.isSeenByAnother()) << "it stands still";
+  sensors.ctd_m = 25.01;
+  sensors.run();
+  EXPECT_FALSE(sensors.watch.isSeenByAnother()) << "it differs";
+  sensors.ctd_m = 24;
+  sensors.run();
+  EXPECT_TRUE(sensors.watch.isSeenByAnother());
+}
+
+TEST(DepthWatchEdges, WithoutADepthTheCtdIsNone) {
+  Sensors sensors;
+  sensors.own_m = kNan;
+  sensors.ctd_m = 20;
+  sensors.run();
+  sensors.watch.believeCtd();
+  EXPECT_EQ(sensors.run(), HookGuard::DepthUnknown);
+  EXPECT_TRUE(std::isnan(sensors.watch.deepest()));
+}
+
 TEST(DepthWatchEdges, ADepthThatJumpedForTenSecondsIsNotBelievedWhenItIsBack) {
   for (const int seconds : {9, 10}) {
     Sensors sensors = sea();
@@ -274,7 +318,6 @@ TEST(DepthWatchEdges, WhatIsFrozenStaysSoWhenItIsTrimmed) {
   Sensors sensors = frozenAt(2.5);
   sensors.own_still = true;
   sensors.own_m += 1.0 / 512;
-  sensors.run(17);
   sensors.pump_cc = kTrims;
   sensors.run(30);
   sensors.own_still = false;
@@ -293,7 +336,7 @@ TEST(DepthWatchEdges, OneThatAgreesWithTheCtdForAMinuteIsBelieved) {
 TEST(DepthWatchEdges, AMinuteWithoutDoubtIsNeededThoughTheCtdAgreesForLonger) {
   Sensors sensors = frozenAt(40);
   sensors.own_still = true;
-  sensors.own_m = 40.01;
+  sensors.own_m += 1.0 / 512;
   sensors.ctd_m = 40;
   sensors.run(100);
   sensors.own_still = false;

@@ -89,6 +89,66 @@ TEST(CycleClock, NoStepIsLongerThanTwentySeconds) {
   EXPECT_EQ(clock.step(), 12) << "both clocks say so";
 }
 
+TEST(CycleClock, NorIsOneThatOneClockAloneTellsOf) {
+  CycleClock clock;
+  clock.advance(1000, kNone, 250);
+  clock.advance(1040, kNone, 255);
+  EXPECT_EQ(clock.step(), 20) << "five cycles of twice their time";
+  clock.advance(kNone, 1e9, 255);
+  clock.advance(kNone, 1e9 + 24, 258);
+  EXPECT_EQ(clock.step(), 20);
+}
+
+TEST(CycleClock, AClockAloneIsBelievedUpToTwiceACycle) {
+  CycleClock clock;
+  clock.advance(1000, kNone, kNone);
+  clock.advance(1008, kNone, kNone);
+  EXPECT_EQ(clock.step(), 8);
+  EXPECT_TRUE(clock.follows());
+  clock.advance(1016.25, kNone, kNone);
+  EXPECT_EQ(clock.step(), 4);
+  EXPECT_FALSE(clock.follows());
+}
+
+TEST(CycleClock, UpToFiveCyclesMayBeMissedAndNoneIsLessThanOne) {
+  CycleClock clock;
+  for (const double cycle : {250.0, 255.0}) {
+    clock.advance(kNone, kNone, cycle);
+  }
+  EXPECT_EQ(clock.step(), 20);
+  clock.advance(kNone, kNone, 261);
+  EXPECT_EQ(clock.step(), 4) << "six";
+  clock.advance(kNone, kNone, 261);
+  EXPECT_EQ(clock.step(), 4) << "none";
+  clock.advance(kNone, kNone, 250);
+  EXPECT_EQ(clock.step(), 4) << "it counts back";
+  clock.advance(kNone, kNone, 252);
+  EXPECT_EQ(clock.step(), 8);
+}
+
+TEST(CycleClock, TimeThatStandsStillByBothClocksIsACycle) {
+  CycleClock clock = running();
+  clock.advance(1000, 1e9 + 1000, 251);
+  EXPECT_EQ(clock.step(), 4);
+  EXPECT_FALSE(clock.follows());
+}
+
+TEST(CycleClock, OfTwoThatAreEquallyNearTheMissionsCounts) {
+  CycleClock clock = running();
+  clock.advance(1003, 1e9 + 1005, 251);
+  EXPECT_EQ(clock.step(), 3);
+  clock = running();
+  clock.advance(1005, 1e9 + 1003, 251);
+  EXPECT_EQ(clock.step(), 5);
+}
+
+TEST(CycleClock, TwoClocksThatDifferByASecondAgree) {
+  CycleClock clock = running();
+  clock.advance(1010, 1e9 + 1011, 251);
+  EXPECT_EQ(clock.step(), 10);
+  EXPECT_TRUE(clock.follows());
+}
+
 TEST(CycleClock, TwoClocksThatDifferByMoreThanASecondDoNotAgree) {
   CycleClock clock = running();
   clock.advance(1030, 1e9 + 1031.5, 251);

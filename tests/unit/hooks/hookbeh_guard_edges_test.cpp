@@ -1,0 +1,283 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// The guard by itself, at the very edges of its limits.
+
+#include "hooks/hookbeh/guard.h"
+#include "tests/unit/hooks/hookbeh_bench.h"
+
+#include <gtest/gtest.h>
+
+namespace glider::hooks {
+namespace {
+
+using Bench = HookbehBench;
+
+constexpr VerticalCommand kOther{0, kNan}, kAdrift{0, 0};
+
+/// A guard that is told where the vehicle is. It commands nothing unless `last` says so, and the
+/// vehicle is driven `way`; to a depth far off the vehicle goes by 2 m a cycle, driven nowhere.
+struct GuardBench {
+  explicit GuardBench(const Instruction& wanted = Bench::vertical(HookVertical::Surface))
+      : in_force(wanted) {}
+
+  HookGuard at(double depth_m, double altitude_m = kNan) {
+    for (double far = depth_m - depth; std::fabs(far) > 2; far = depth_m - depth) {
+      depth += std::copysign(2, far);
+      guard.observe({depth, 0, kNan, kNan}, 4, kOther, Way::None);
+      guard.mustClimb(args, in_force);
+    }
+    depth = std::isnan(depth_m) ? depth : depth_m;
+    return cycle({depth_m, 0, altitude_m, ctd_m});
+  }
+  HookGuard cycle(const Surroundings& now) {
+    guard.observe(now, step_s, last, way);
+    return guard.mustClimb(args, in_force);
+  }
+  /// Cycles at `depth_m` that flickers in its last bits until `wanted`; at most 1000.
+  int until(HookGuard wanted, double depth_m, double flicker = 0) {
+    for (int cycles = 1; cycles <= 1000; ++cycles) {
+      if (at(depth_m + (cycles % 2 == 0 ? flicker : 0)) == wanted) {
+        return cycles;
+      }
+    }
+    return 0;
+  }
+
+  Guard guard;
+  HookbehArgs args;
+  Instruction in_force;
+  VerticalCommand last = kOther;
+  Way way = Way::None;
+  double step_s = 4;
+  double depth = 10;
+  double ctd_m = kNan;
+};
+
+TEST(HookbehGuardEdges, AtTheGreatestDepthItIsNotTooDeep) {
+  GuardBench bench;
+  EXPECT_EQ(bench.at(30), HookGuard::None);
+  EXPECT_EQ(bench.at(30.25), HookGuard::TooDeep);
+  EXPECT_EQ(bench.at(29.25), HookGuard::TooDeep);
+  EXPECT_EQ(bench.at(29), HookGuard::None) << "a metre clear";
+}
+
+TEST(HookbehGuardEdges, ATargetIsAMetreClearToo) {
+  for (const auto& [vertical, depth, clear] : {std::tuple{HookVertical::Hover, 29.25, false},
+                                               {HookVertical::Hover, 29.0, true},
+                                               {HookVertical::Ascend, 29.25, false},
+                                               {HookVertical::Descend, 29.0, true},
+                                               {HookVertical::Surface, 29.25, true},
+                                               {HookVertical::None, 29.25, true}}) {
+    GuardBench bench(Bench::vertical(vertical, depth));
+    EXPECT_EQ(bench.at(30.25), HookGuard::TooDeep);
+    EXPECT_EQ(bench.at(28) == HookGuard::None, clear) << depth;
+  }
+}
+
+TEST(HookbehGuardEdges, AtTheLeastAltitudeItIsNotTooNear) {
+  GuardBench bench;
+  EXPECT_EQ(bench.at(10, 8), HookGuard::None);
+  EXPECT_EQ(bench.at(13), HookGuard::None) << "of a bottom at 18 m";
+  EXPECT_EQ(bench.at(13.25), HookGuard::NearBottom);
+  EXPECT_EQ(bench.at(12.25), HookGuard::NearBottom);
+  EXPECT_EQ(bench.at(12), HookGuard::None) << "a metre clear";
+}
+
+TEST(HookbehGuardEdges, ATargetIsAMetreClearOfTheBottomToo) {
+  GuardBench bench(Bench::vertical(HookVertical::Hover, 12.25));
+  bench.at(10, 8);
+  EXPECT_EQ(bench.at(13.25), HookGuard::NearBottom);
+  EXPECT_EQ(bench.at(11), HookGuard::NearBottom);
+  bench.in_force.depth_m = 12;
+  EXPECT_EQ(bench.at(11), HookGuard::None);
+}
+
+TEST(HookbehGuardEdges, NoAltitudeIsTooSmallToBeAnEcho) {
+  for (const double altitude : {0.0, 1.0}) {
+    EXPECT_EQ(GuardBench().at(10, altitude), HookGuard::NearBottom) << altitude;
+  }
+  EXPECT_EQ(GuardBench().at(10, -0.25), HookGuard::None);
+}
+
+TEST(HookbehGuardEdges, WhatIsNoEchoLeavesTheBottomWhereItIs) {
+  for (const double wrong : {std::numeric_limits<double>::infinity(), kNan, -1.0}) {
+    GuardBench bench;
+    EXPECT_EQ(bench.at(10, 5.5), HookGuard::None);
+    EXPECT_EQ(bench.at(10.75, wrong), HookGuard::NearBottom) << wrong;
+  }
+}
+
+TEST(HookbehGuardEdges, AnEchoWithoutADepthIsNone) {
+  GuardBench bench;
+  EXPECT_EQ(bench.at(10), HookGuard::None);
+  EXPECT_EQ(bench.at(kNan, 50), HookGuard::DepthUnknown);
+  EXPECT_EQ(bench.at(10), HookGuard::None);
+  EXPECT_EQ(bench.at(11, 50), HookGuard::None);
+}
+
+TEST(HookbehGuardEdges, AnEchoLastsTenMinutes) {
+  for (const int cycles : {150, 151}) {
+    GuardBench bench;
+    bench.at(12, 6);
+    for (int i = 1; i < cycles; ++i) {
+      ASSERT_EQ(bench.at(12, 6), HookGuard::None) << i;
+    }
+    EXPECT_EQ(bench.at(13.25, 6) == HookGuard::NearBottom, cycles == 150) << cycles;
+  }
+}
+
+TEST(HookbehGuardEdges, WhereNoAltimeterIsWantedThereIsNoBottom) {
+  GuardBench bench;
+  bench.args.least_altitude_m = -1;
+  EXPECT_EQ(bench.at(10, 0), HookGuard::None);
+  EXPECT_EQ(bench.at(11.25), HookGuard::None) << "deeper than its bottom";
+  GuardBench other;
+  other.args.least_altitude_m = 0;
+  EXPECT_EQ(other.at(10, 0), HookGuard::None);
+  EXPECT_EQ(other.at(10.25), HookGuard::NearBottom);
+}
+
+TEST(HookbehGuardEdges, HalfOfTheDepthOrFiveMetresAreFar) {
+  GuardBench bench(Bench::descend(29));
+  bench.at(20, 4.75);
+  EXPECT_EQ(bench.at(20), HookGuard::NearBottom);
+  EXPECT_EQ(bench.at(10.25), HookGuard::NearBottom);
+  EXPECT_EQ(bench.at(10), HookGuard::None);
+  GuardBench shallow(Bench::descend(29));
+  EXPECT_EQ(shallow.at(8, 4.75), HookGuard::NearBottom);
+  EXPECT_EQ(shallow.at(3.25), HookGuard::NearBottom) << "half of the depth is too little";
+  EXPECT_EQ(shallow.at(3), HookGuard::None);
+}
+
+TEST(HookbehGuardEdges, ADiveHasThreeMinutesForAMetreAndAClimbFour) {
+  for (const auto& [way, guard, cycles] : {std::tuple{Way::Down, HookGuard::NoDepthGained, 46},
+                                           {Way::Up, HookGuard::NoHeightGained, 61}}) {
+    GuardBench bench;
+    bench.at(10);
+    bench.way = way;
+    EXPECT_EQ(bench.until(guard, 10, 1e-7), cycles) << "one in which it turns";
+  }
+}
+
+TEST(HookbehGuardEdges, ADepthThatIsNotKnownDoesNotCountNorDoesTheCycleAfterIt) {
+  for (const double wrong : {kNan, 60.0}) {
+    GuardBench bench;
+    for (int i = 0; i < 20; ++i) {
+      bench.at(10 + (i % 2) * 1e-7);
+    }
+    bench.way = Way::Down;
+    for (int i = 0; i < 10; ++i) {
+      bench.at(10 + (i % 2) * 1e-7);
+    }
+    EXPECT_NE(bench.cycle({wrong, 0, kNan, kNan}), HookGuard::None) << wrong;
+    EXPECT_EQ(bench.until(HookGuard::NoDepthGained, 10, 1e-7), 37) << wrong;
+  }
+}
+
+TEST(HookbehGuardEdges, AMetreOfHeightOrATargetBelowEndsAClimbThatGainedNone) {
+  const auto stalled = [] {
+    GuardBench bench(Bench::ascend(5));
+    bench.at(10);
+    bench.way = Way::Up;
+    EXPECT_NE(bench.until(HookGuard::NoHeightGained, 10, 1e-7), 0);
+    bench.way = Way::None;
+    return bench;
+  };
+  GuardBench bench = stalled();
+  EXPECT_EQ(bench.at(9.25), HookGuard::NoHeightGained);
+  EXPECT_EQ(bench.at(9), HookGuard::None);
+  bench = stalled();
+  bench.in_force = Bench::ascend(9.5);
+  EXPECT_EQ(bench.at(9.5), HookGuard::NoHeightGained);
+  bench.in_force = Bench::ascend(9.75);
+  EXPECT_EQ(bench.at(9.5), HookGuard::None);
+}
+
+/// One whose dive gained no depth at `depth_m`.
+GuardBench idleAt(double depth_m) {
+  GuardBench bench(Bench::descend(20));
+  bench.depth = depth_m;
+  bench.way = Way::Down;
+  EXPECT_EQ(bench.until(HookGuard::NoDepthGained, depth_m), 46);
+  bench.way = Way::None;
+  return bench;
+}
+
+TEST(HookbehGuardEdges, AtTheSurfaceADiveIsTriedAgainAfterTenMinutesIfTheDepthLivesForOne) {
+  EXPECT_EQ(idleAt(1).until(HookGuard::None, 1, 1e-7), 150);
+  EXPECT_EQ(idleAt(1.25).until(HookGuard::None, 1.25, 1e-7), 0) << "no surface";
+  GuardBench frozen = idleAt(1);
+  for (int i = 0; i < 200; ++i) {
+    EXPECT_EQ(frozen.at(1), HookGuard::NoDepthGained) << i;
+  }
+  EXPECT_EQ(frozen.until(HookGuard::None, 1, 1e-7), 16) << "the first is the same once more";
+}
+
+TEST(HookbehGuardEdges, FromHalfTheDepthADiveThatGainedNoneIsTriedAgainAtOnce) {
+  GuardBench bench = idleAt(20);
+  EXPECT_EQ(bench.at(10.25), HookGuard::NoDepthGained);
+  EXPECT_EQ(bench.at(10), HookGuard::None);
+}
+
+/// Cycles of 10 s, in each of which it may drift down by a metre, until it must show its depth.
+int untilItShows(const Instruction& in_force, double shown_m, bool has_moved) {
+  GuardBench bench(in_force);
+  bench.depth = has_moved ? shown_m - 10 : shown_m;
+  bench.at(shown_m);
+  bench.step_s = 10;
+  bench.last = kAdrift;
+  EXPECT_EQ(bench.at(shown_m), HookGuard::None) << "it may rise for 12 s";
+  for (int cycles = 1; cycles <= 1000; ++cycles) {
+    bench.at(shown_m);
+    if (bench.guard.mustShowDepth(bench.args, in_force)) {
+      return cycles;
+    }
+  }
+  return 0;
+}
+
+TEST(HookbehGuardEdges, MayBeAsDeepAsItsLimitUnseen) {
+  const Instruction hover = Bench::vertical(HookVertical::Hover, 10);
+  EXPECT_EQ(untilItShows(hover, 20, true), 10) << "to 30 m";
+  EXPECT_EQ(untilItShows(hover, 27, true), 6) << "6 m at least";
+  EXPECT_EQ(untilItShows(hover, 4, true), 26);
+  EXPECT_EQ(untilItShows(hover, 10, false), 20) << "before it has moved";
+}
+
+TEST(HookbehGuardEdges, MayBeEightMetresPastTheTargetOfADiveOrTenPastWhatItShowed) {
+  EXPECT_EQ(untilItShows(Bench::descend(14), 8, true), 14) << "to 22 m";
+  EXPECT_EQ(untilItShows(Bench::descend(8), 8, true), 10) << "to 18 m";
+  EXPECT_EQ(untilItShows(Bench::ascend(14), 8, true), 22) << "no dive: to 30 m";
+}
+
+TEST(HookbehGuardEdges, SaysNothingWhereItDoesNotClimb) {
+  EXPECT_STREQ(wordsFor(HookGuard::None), "");
+  EXPECT_STREQ(wordsFor(HookGuard::NoHeightGained), "climb: no height gained");
+}
+
+/// The depth stands still at 10 m but for its last bits, and the CTD's goes down from there.
+HookGuard withACtdThat(bool moves) {
+  GuardBench bench;
+  HookGuard found = HookGuard::None;
+  for (int i = 0; i < 40 && found == HookGuard::None; ++i) {
+    const double flicker = i % 2 * 1e-7;
+    found = bench.cycle({10 + flicker, 0, kNan, 20 + flicker + (moves ? i * 0.5 : 0)});
+  }
+  return found;
+}
+
+TEST(HookbehGuardEdges, ACtdThatMovesIsBelievedThoughItNeverAgreed) {
+  EXPECT_EQ(withACtdThat(true), HookGuard::DepthsDisagree);
+  EXPECT_EQ(withACtdThat(false), HookGuard::None);
+}
+
+TEST(HookbehGuardEdges, ACtdThatNeverAgreedIsNotBelievedWhereTheDepthMoves) {
+  GuardBench bench;
+  for (int i = 0; i < 40; ++i) {
+    EXPECT_EQ(bench.cycle({5 + i * 0.5, 0, kNan, 20 + i * 0.5}), HookGuard::None) << i;
+  }
+}
+
+}  // namespace
+}  // namespace glider::hooks

@@ -160,7 +160,7 @@ HookAnswer Hookbeh::decide(const Instruction& instruction) {
   if (state_ != HookState::Active && instruction.control == HookControl::Take) {
     return take(instruction);
   }
-  if (state_ != HookState::Active || instruction.session != session_) {
+  if (instruction.session != session_) {  // none is in control unless it is active
     return HookAnswer::WrongSession;
   }
   if (instruction.control == HookControl::GiveBack) {
@@ -184,7 +184,6 @@ HookAnswer Hookbeh::take(const Instruction& instruction) {
     session_ = instruction.session;
     silence_s_ = 0;
     guard_.reset();
-    guarding_ = false;
     pilot_.begin(instruction);
   }
   return answer;

@@ -60,7 +60,6 @@ void Pilot::goBack(const Surroundings& now, const HookbehArgs& args) {
 VerticalCommand Pilot::vertical(const Surroundings& now, double step_s, const HookbehArgs& args) {
   if (stage_ == Stage::Choose) {
     choose(now, args);
-    step_s = 0;
   }
   advance(now, step_s, args);
   switch (stage_) {
@@ -101,10 +100,10 @@ void Pilot::choose(const Surroundings& now, const HookbehArgs& args) {
 /// To within reach of the depth at which to hover.
 void Pilot::approach(const Surroundings& now, const HookbehArgs& args) {
   const double target_m = in_force_.depth_m;
-  if (now.depth_m < target_m - kHoverReachM) {
+  if (now.depth_m < target_m) {  // who is within reach arrives at once
     dive_ = {target_m - kHoverReachM, -usualPitch(args)};
     stage_ = Stage::Dive;
-  } else if (now.depth_m > target_m + kHoverReachM) {
+  } else if (now.depth_m > target_m) {
     climb_ = {target_m + kHoverReachM, usualPitch(args)};
     stage_ = Stage::Climb;
   } else {
@@ -128,8 +127,8 @@ void Pilot::advance(const Surroundings& now, double step_s, const HookbehArgs& a
 }
 
 void Pilot::stopDive(const Surroundings& now) {
-  const bool held = stage_ == Stage::Holding && in_force_.vertical == HookVertical::Descend;
-  if (held && now.depth_m > in_force_.depth_m + kHoldReachM) {
+  const bool dived = in_force_.vertical == HookVertical::Descend;
+  if (dived && now.depth_m > in_force_.depth_m + kHoldReachM) {
     hoverOrSurface();
   }
 }

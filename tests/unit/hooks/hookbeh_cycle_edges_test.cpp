@@ -3,8 +3,10 @@
 
 // Hookbeh as a whole at its edges: what it counts, what it reads, and how it begins.
 
+#include "hooks/hookbeh/bounds.h"
 #include "hooks/hookbeh/hull.h"
 #include "hooks/hookbeh/pilot.h"
+#include "hooks/protocol/numbers.h"
 #include "tests/unit/hooks/hookbeh_bench.h"
 
 #include <gtest/gtest.h>
@@ -190,6 +192,21 @@ TEST(HookbehCycleEdges, WhatIsNotCommandedIsNought) {
   EXPECT_EQ(out.guard, HookGuard::None);
 }
 
+TEST(HookbehCycleEdges, AHeadingIsNoPlaceAndADriftIsNoHeading) {
+  Bench bench = taken(24);
+  Instruction instruction = Bench::descend(20);
+  for (const HookLateral lateral : {HookLateral::Drift, HookLateral::Heading}) {
+    instruction.lateral = lateral;
+    instruction.heading_rad = 0.5;
+    instruction.latitude_ddmm = 3910;
+    instruction.longitude_ddmm = -7350;
+    const HookbehOutputs out = bench.give(instruction);
+    EXPECT_EQ(out.heading_rad, lateral == HookLateral::Drift ? 0 : 0.5);
+    EXPECT_EQ(out.latitude_ddmm, 0);
+    EXPECT_EQ(out.longitude_ddmm, 0);
+  }
+}
+
 TEST(HookbehCycleEdges, NoSessionIsInControlAfterItWasGivenBack) {
   Bench bench = taken(24);
   EXPECT_EQ(bench.give(Bench::giveBack()).session, 0U);
@@ -262,6 +279,19 @@ TEST(HookbehCycleEdges, ADepthIsNotKeptFromItsFirstMinute) {
   EXPECT_EQ(cycle(10, 3).guard, HookGuard::None);
   EXPECT_EQ(cycle(25, 4).guard, HookGuard::DepthJumps);
   EXPECT_EQ(cycle(25, 4).guard, HookGuard::None) << "what it said first held for nothing";
+}
+
+TEST(HookbehCycleEdges, ADepthThatIsNotBelievedReachesNoTarget) {
+  Bench bench = taken(24);
+  bench.raw_depth = true;
+  for (int i = 0; i < 20; ++i) {
+    bench.inputs.depth_m = 10 + i % 2 * 0.01;
+    ASSERT_STREQ(bench.cycle().doing, "dive_to") << i;
+  }
+  bench.inputs.depth_m = 25;
+  EXPECT_EQ(bench.cycle().guard, HookGuard::DepthJumps);
+  bench.inputs.depth_m = 10;
+  EXPECT_STREQ(bench.cycle().doing, "dive_to");
 }
 
 /// A vehicle whose depth goes up by `rises_m` in each of three cycles before hookbeh has it.
@@ -394,6 +424,18 @@ TEST(HookbehHullEdges, WhatIsNarrowedIsNarrowedExactly) {
   EXPECT_TRUE(std::isnan(narrowed.greatest_depth_m)) << "a broken limit";
   EXPECT_TRUE(std::isnan(narrowed.least_altitude_m)) << "likewise";
   EXPECT_TRUE(std::isnan(narrowed.silence_secs)) << "silence";
+}
+
+TEST(HookbehBoundsEdges, AWholeCircleIsAHeadingToEitherSide) {
+  Instruction instruction = Bench::take(20);
+  instruction.lateral = HookLateral::Heading;
+  const double circle = asFloat32(6.283185307179586);
+  for (const double way : {1.0, -1.0}) {
+    instruction.heading_rad = way * circle;
+    EXPECT_EQ(checkBounds(instruction, {}), HookAnswer::Accepted) << way;
+    instruction.heading_rad = way * std::nextafter(circle, 7);
+    EXPECT_EQ(checkBounds(instruction, {}), HookAnswer::BadCommand) << way;
+  }
 }
 
 TEST(HookbehClockEdges, AStepOfLessThanASecondIsOne) {

@@ -10,9 +10,11 @@ namespace glider::hooks {
 Client::Client(const ClientOptions& options)
     : options_(options),
       next_session_(options.session == 0 ? 1 : (options.session - 1) % kMostSession + 1) {
-  while (subscription_.count < options.sensor_count && subscription_.count < kMostSubscriptions) {
-    subscription_.sensors[subscription_.count] = options.sensors[subscription_.count];
-    ++subscription_.count;
+  const bool fits = options.sensor_count < kMostSubscriptions;
+  const uint32_t count = fits ? options.sensor_count : kMostSubscriptions;
+  subscription_.count = static_cast<uint8_t>(count);
+  for (uint32_t i = 0; i < subscription_.count; ++i) {
+    subscription_.sensors[i] = options.sensors[i];
   }
   subscription_check_ = subscriptionCheck(subscription_);
 }
@@ -158,15 +160,12 @@ bool Client::takeReadings(const Frame& frame, const TickHead& head) {
 }
 
 bool Client::takeReading(uint32_t index, const TickReadings& told) {
-  switch (told.told[index]) {
-    case Told::Nothing:
-      return true;
-    case Told::Unchanged:
-      break;
-    case Told::Value:
-      held_[index] = told.values[index];
-      holds_[index] = true;
-      break;
+  if (told.told[index] == Told::Nothing) {
+    return true;
+  }
+  if (told.told[index] == Told::Value) {
+    held_[index] = told.values[index];
+    holds_[index] = true;
   }
   if (holds_[index]) {
     tick_.readings[tick_.reading_count++] = {subscription_.sensors[index].id, held_[index]};
@@ -209,7 +208,7 @@ void Client::lookForAnswer() {
 }
 
 void Client::learnSession(uint32_t session) {
-  if (session != 0 && !isNewerSession(next_session_, session)) {
+  if (!isNewerSession(next_session_, session)) {
     next_session_ = nextSession(session);
   }
 }
@@ -277,7 +276,7 @@ void Client::done(const MissionStatus& status, const GliderByteStream& stream) {
     queue(frame);
   }
   notice_count_ = 0;
-  if (waiting_ && due_) {
+  if (due_) {
     queueInstruction();
   }
   queueNotes();

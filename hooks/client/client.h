@@ -145,7 +145,7 @@ class Client {
 
   ClientOptions options_;
   FrameReader reader_;
-  SendQueue<2048> out_;
+  SendQueue out_;
   uint8_t out_sequence_ = 0;
 
   bool heard_ = false;  // a moment to count silence from is set
@@ -176,7 +176,7 @@ class Client {
 
   Instruction pending_;
   bool waiting_ = false;  // hookbeh has not answered `pending_` yet
-  bool due_ = false;      // write `pending_` in the next answer
+  bool due_ = false;      // it is waited for, and goes with the next answer
   uint32_t unanswered_ticks_ = 0;
   uint16_t settled_ = 0;       // the newest number that hookbeh was seen to look at, 0 for none
   uint16_t last_settled_ = 0;  // in the tick before

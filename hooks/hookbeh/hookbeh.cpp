@@ -160,7 +160,7 @@ HookAnswer Hookbeh::decide(const Instruction& instruction) {
   if (state_ != HookState::Active && instruction.control == HookControl::Take) {
     return take(instruction);
   }
-  if (instruction.session != session_) {  // none is in control unless it is active
+  if (instruction.session != session_) {  // of nobody, 0, is no instruction
     return HookAnswer::WrongSession;
   }
   if (instruction.control == HookControl::GiveBack) {

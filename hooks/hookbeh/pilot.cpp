@@ -18,10 +18,6 @@ constexpr double kHoverLostM = 6.0;
 /// Shallower than this, hovering means floating.
 constexpr double kSurfaceM = 1.0;
 
-bool sameVertical(const Instruction& a, const Instruction& b) {
-  return a.vertical == b.vertical && a.depth_m == b.depth_m && a.pitch_rad == b.pitch_rad;
-}
-
 }  // namespace
 
 void Pilot::begin(const Instruction& instruction) {
@@ -31,12 +27,15 @@ void Pilot::begin(const Instruction& instruction) {
 
 void Pilot::follow(const Instruction& instruction) {
   const Instruction before = in_force_;
+  const bool same = instruction.vertical == before.vertical &&
+                    instruction.depth_m == before.depth_m &&
+                    instruction.pitch_rad == before.pitch_rad;
   in_force_ = instruction;
   if (instruction.vertical == HookVertical::None) {
     in_force_.vertical = before.vertical;
     in_force_.depth_m = before.depth_m;
     in_force_.pitch_rad = before.pitch_rad;
-  } else if (!sameVertical(instruction, before)) {
+  } else if (!same) {
     stage_ = Stage::Choose;
   }
 }
@@ -97,10 +96,10 @@ void Pilot::choose(const Surroundings& now, const HookbehArgs& args) {
   }
 }
 
-/// To within reach of the depth at which to hover.
+/// To within reach of the depth at which to hover. Who is there has arrived at once.
 void Pilot::approach(const Surroundings& now, const HookbehArgs& args) {
   const double target_m = in_force_.depth_m;
-  if (now.depth_m < target_m) {  // who is within reach arrives at once
+  if (now.depth_m < target_m) {
     dive_ = {target_m - kHoverReachM, -usualPitch(args)};
     stage_ = Stage::Dive;
   } else if (now.depth_m > target_m) {
@@ -127,8 +126,8 @@ void Pilot::advance(const Surroundings& now, double step_s, const HookbehArgs& a
 }
 
 void Pilot::stopDive(const Surroundings& now) {
-  const bool dived = in_force_.vertical == HookVertical::Descend;
-  if (dived && now.depth_m > in_force_.depth_m + kHoldReachM) {
+  const bool beyond = now.depth_m > in_force_.depth_m + kHoldReachM;
+  if (beyond && in_force_.vertical == HookVertical::Descend) {
     hoverOrSurface();
   }
 }

@@ -3,6 +3,8 @@
 
 #include "hooks/hookprog/hookprog.h"
 
+#include "hooks/protocol/numbers.h"
+
 namespace glider::hooks {
 
 using Kind = HookprogEvent::Kind;
@@ -66,9 +68,8 @@ void Hookprog::run(double science_time_s, const ScienceSensors& own, const Glide
 /// The numbers begin elsewhere each time that the science computer starts: a first frame or
 /// heartbeat that equals the last one from before would be taken for that one.
 void Hookprog::begin() {
-  constexpr double kMost = 1e9;
-  const auto whole =
-      static_cast<uint32_t>(now_s_ > 0 && now_s_ < kMost ? now_s_ : 0) % kMostSession;
+  const double seconds = atMost(atLeast(now_s_, 0), UINT32_MAX);  // of the year 2106 at most
+  const uint32_t whole = static_cast<uint32_t>(seconds) % kMostSession;
   out_sequence_ = static_cast<uint8_t>(whole);
   heartbeat_ = whole;
   started_ = true;
@@ -79,17 +80,10 @@ HookprogEvent Hookprog::nextEvent() {
 }
 
 void Hookprog::takeFlight(const GliderByteStream& flight) {
-  SensorUpdate updates[32];
-  uint32_t count = 0;
-  // The line brings 960 bytes a second; a few rounds take all that can have come.
-  for (int round = 0; round < 64; ++round) {
-    count = clothesline_.poll(flight, updates, 32);
-    for (uint32_t i = 0; i < count; ++i) {
-      takeUpdate(updates[i]);
-    }
-    if (count < 32) {
-      break;
-    }
+  constexpr uint32_t kMostUpdates = 1024;  // more than the line brings in a second, 960 bytes
+  SensorUpdate update;
+  for (uint32_t i = 0; i < kMostUpdates && clothesline_.poll(flight, &update, 1) == 1; ++i) {
+    takeUpdate(update);
   }
 }
 

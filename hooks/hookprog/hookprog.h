@@ -102,7 +102,7 @@ class Hookprog {
   HookprogOptions options_;
   Clothesline clothesline_;
   FrameReader reader_;
-  SendQueue<2048> out_;
+  SendQueue out_;
   uint8_t out_sequence_ = 0;
   double now_s_ = 0;
   bool started_ = false;

@@ -56,9 +56,8 @@ bool Reporter::isHeld(uint32_t index, uint64_t bits) const {
   }
   const Subscription& wanted = subscription_.sensors[index];
   const double change = fromWire(wanted.id, bits) - fromWire(wanted.id, row.bits);
-  // Of NaN and the infinities only the very same is held.
-  return isFinite(change) && wanted.dead_band > 0 && change <= wanted.dead_band &&
-         -change <= wanted.dead_band;
+  // Of NaN and the infinities only the very same is held: no dead band is as wide.
+  return wanted.dead_band > 0 && magnitude(change) <= wanted.dead_band;
 }
 
 void Reporter::sent(uint8_t sequence) {

@@ -49,15 +49,7 @@ class ByteWriter {
   void f32(float value) { bits(bitsOf(value), 4); }
   void f64(double value) { bits(bitsOf(value), 8); }
   /// The lowest `width` bytes of `value`.
-  void bits(uint64_t value, uint32_t width) {
-    if (capacity_ - size_ < width) {
-      fits_ = false;
-      return;
-    }
-    for (uint32_t i = 0; i < width; ++i) {
-      bytes_[size_++] = static_cast<uint8_t>(value >> (8U * i));
-    }
-  }
+  void bits(uint64_t value, uint32_t width);
   [[nodiscard]] uint32_t size() const { return size_; }
   [[nodiscard]] bool fits() const { return fits_; }
 
@@ -79,22 +71,8 @@ class ByteReader {
   float f32() { return floatOf(u32()); }
   double f64() { return doubleOf(bits(8)); }
   /// A number of `width` bytes.
-  uint64_t bits(uint32_t width) {
-    if (count_ - at_ < width) {
-      good_ = false;
-      at_ = count_;
-      return 0;
-    }
-    uint64_t value = 0;
-    for (uint32_t i = 0; i < width; ++i) {
-      value |= static_cast<uint64_t>(bytes_[at_++]) << (8U * i);
-    }
-    return value;
-  }
-  void skip(uint32_t count) {
-    good_ = good_ && count <= count_ - at_;
-    at_ = count <= count_ - at_ ? at_ + count : count_;
-  }
+  uint64_t bits(uint32_t width);
+  void skip(uint32_t count);
   [[nodiscard]] bool good() const { return good_; }
   /// True when every number was there and nothing is left over.
   [[nodiscard]] bool exact() const { return good_ && at_ == count_; }

@@ -133,7 +133,7 @@ void FrameDecoder::append(uint8_t byte) {
 }
 
 bool FrameDecoder::isGood(uint32_t* check) const {
-  if (group_left_ > 0 || too_long_ || count_ < kHead || !isKnownType(bytes_[0])) {
+  if (group_left_ > 0 || too_long_ || !isKnownType(bytes_[0])) {
     return false;
   }
   const auto type = static_cast<MessageType>(bytes_[0]);

@@ -18,7 +18,7 @@ bool appendValue(Frame& frame, const SensorValue& value) {
   if (width == 0 || frame.size + 2 + width > kMostListPayload) {
     return false;
   }
-  ByteWriter out(frame.payload + frame.size, kMostListPayload - frame.size);
+  ByteWriter out(frame.payload + frame.size, 2 + width);
   out.u16(value.id);
   out.bits(toWire(value.id, value.value), width);
   frame.size = static_cast<uint16_t>(frame.size + out.size());

@@ -6,6 +6,7 @@
 
 #include "hooks/clothesline/clothesline.h"
 #include "hooks/protocol/bytes.h"
+#include "hooks/protocol/crc.h"
 #include "hooks/protocol/messages.h"
 #include "hooks/protocol/send_queue.h"
 #include "hooks/protocol/sensor_list.h"
@@ -74,6 +75,10 @@ TEST(Bytes, AReaderStopsAtItsEnd) {
   ByteReader all(bytes, 4);
   all.skip(4);
   EXPECT_TRUE(all.exact());
+  ByteReader never(bytes, 4);
+  never.skip(5);
+  never.skip(0);
+  EXPECT_FALSE(never.good()) << "nor is it good again";
 }
 
 /// A stream that takes what it is told to.
@@ -106,31 +111,38 @@ TEST(SendQueue, TakesAFrameThatJustFits) {
   EXPECT_EQ(encodedBound(247), 255U);
   EXPECT_EQ(encodedBound(248), 257U);
   EXPECT_EQ(encodedBound(502), 512U);
-  SendQueue<108> just;
+  SendQueue just;
   EXPECT_TRUE(just.empty());
+  EXPECT_EQ(just.room(), 2048U);
+  for (int i = 0; i < 7; ++i) {
+    EXPECT_TRUE(just.add(frameOf(240, 7)));
+  }
+  SendQueue too_small = just;
+  EXPECT_TRUE(just.add(frameOf(196, 7)));
   EXPECT_EQ(just.room(), 108U);
   EXPECT_TRUE(just.add(frameOf(100, 7)));
   EXPECT_FALSE(just.empty());
   EXPECT_EQ(just.room(), 0U);
   EXPECT_FALSE(just.add(frameOf(0, 7)));
-  SendQueue<107> too_small;
+  EXPECT_TRUE(too_small.add(frameOf(197, 7)));
+  EXPECT_EQ(too_small.room(), 107U);
   EXPECT_FALSE(too_small.add(frameOf(100, 7)));
-  EXPECT_TRUE(too_small.empty());
+  EXPECT_EQ(too_small.room(), 107U);
 }
 
 TEST(SendQueue, HandsOverPartByPart) {
-  SendQueue<300> queue;
+  SendQueue queue;
   ASSERT_TRUE(queue.add(frameOf(20, 1)));
   ASSERT_TRUE(queue.add(frameOf(30, 2)));
-  const uint32_t waiting = 300 - queue.room();
+  const uint32_t waiting = 2048 - queue.room();
   Taker line;
   line.takes = 0;
   EXPECT_TRUE(queue.flush(line.stream())) << "a full line is no failure";
-  EXPECT_EQ(queue.room(), 300 - waiting);
+  EXPECT_EQ(queue.room(), 2048 - waiting);
   line.takes = 1;
   EXPECT_TRUE(queue.flush(line.stream())) << "byte by byte";
   EXPECT_TRUE(queue.empty());
-  EXPECT_EQ(queue.room(), 300U);
+  EXPECT_EQ(queue.room(), 2048U);
   ASSERT_EQ(line.got.size(), waiting);
   FrameDecoder decoder;
   std::vector<uint16_t> sizes;
@@ -143,7 +155,7 @@ TEST(SendQueue, HandsOverPartByPart) {
 }
 
 TEST(SendQueue, GoesOnWhereTheLineStopped) {
-  SendQueue<300> queue;
+  SendQueue queue;
   ASSERT_TRUE(queue.add(frameOf(20, 1)));
   Taker line;
   // The line takes 5 bytes, then none.
@@ -170,17 +182,49 @@ TEST(SendQueue, GoesOnWhereTheLineStopped) {
 }
 
 TEST(SendQueue, AStreamThatTakesTooMuchOrFailsDoesNoHarm) {
-  SendQueue<300> queue;
+  SendQueue queue;
   ASSERT_TRUE(queue.add(frameOf(20, 1)));
   Taker line;
   line.takes = 1000;  // says that it took more than there was
   EXPECT_TRUE(queue.flush(line.stream()));
   EXPECT_TRUE(queue.empty());
-  EXPECT_EQ(queue.room(), 300U);
+  EXPECT_EQ(queue.room(), 2048U);
   ASSERT_TRUE(queue.add(frameOf(20, 1)));
   line.takes = -1;
   EXPECT_FALSE(queue.flush(line.stream()));
   EXPECT_FALSE(queue.empty()) << "what waits is kept";
+  line.takes = 5;
+  line.got.clear();
+  EXPECT_TRUE(queue.flush(line.stream()));
+  EXPECT_EQ(line.got.size(), 28U);
+  EXPECT_TRUE(queue.flush(line.stream())) << "of nothing";
+}
+
+TEST(SendQueue, WhatWentBeforeTheLineFailedDoesNotGoAgain) {
+  SendQueue queue;
+  ASSERT_TRUE(queue.add(frameOf(20, 1)));
+  std::vector<uint8_t> got;
+  const GliderByteStream fails{&got, nullptr,
+                               [](void* self, const uint8_t* bytes, uint32_t) -> int32_t {
+                                 auto* taken = static_cast<std::vector<uint8_t>*>(self);
+                                 if (!taken->empty()) {
+                                   return -1;
+                                 }
+                                 taken->assign(bytes, bytes + 8);
+                                 return 8;
+                               }};
+  EXPECT_FALSE(queue.flush(fails));
+  EXPECT_EQ(queue.room(), 2048U - 20);
+  Taker line;
+  line.takes = 1000;
+  EXPECT_TRUE(queue.flush(line.stream()));
+  got.insert(got.end(), line.got.begin(), line.got.end());
+  FrameDecoder decoder;
+  int whole = 0;
+  for (const uint8_t byte : got) {
+    whole += decoder.push(byte) ? 1 : 0;
+  }
+  EXPECT_EQ(whole, 1);
 }
 
 TEST(SensorList, HoldsExactlyItsBytesInEachWidth) {
@@ -240,6 +284,94 @@ TEST(SensorList, ACountThatIsNotTheListsIsRefused) {
   frame.payload[0] = 1;
   frame.size = 3;
   EXPECT_FALSE(decodeList(frame, list)) << "no such sensor";
+}
+
+TEST(SensorList, MoreBytesThanAListMayHaveOrMoreValuesAreRefused) {
+  Frame frame;
+  encodeEmptyList(MessageType::Write, frame);
+  while (appendValue(frame, {GLIDER_X_HOOK_STATE, 1})) {
+  }
+  SensorList list;
+  EXPECT_TRUE(decodeList(frame, list));
+  EXPECT_EQ(list.count, 83U);
+  ++frame.payload[0];
+  EXPECT_FALSE(decodeList(frame, list)) << "one is missing";
+  frame.payload[0] = 25;
+  for (uint32_t i = 0; i < 25; ++i) {
+    frame.payload[1 + 10 * i] = GLIDER_M_LAT & 0xFF;
+    frame.payload[2 + 10 * i] = GLIDER_M_LAT >> 8;
+  }
+  frame.size = 251;
+  EXPECT_FALSE(decodeList(frame, list)) << "a byte too much";
+}
+
+/// These bytes, stuffed as frames are, with an end.
+std::vector<uint8_t> stuffed(const std::vector<uint8_t>& plain) {
+  std::vector<uint8_t> out{0};
+  size_t code = 0;
+  const auto close = [&] {
+    out[code] = static_cast<uint8_t>(out.size() - code);
+    code = out.size();
+    out.push_back(0);
+  };
+  for (const uint8_t byte : plain) {
+    if (out.size() - code == 255) {
+      close();
+    }
+    if (byte == 0) {
+      close();
+    } else {
+      out.push_back(byte);
+    }
+  }
+  close();
+  return out;
+}
+
+/// The bytes of a frame before they are stuffed, its check included.
+std::vector<uint8_t> plain(MessageType type, uint32_t payload, uint32_t check_bytes) {
+  std::vector<uint8_t> bytes(2 + payload, 7);
+  bytes[0] = static_cast<uint8_t>(type);
+  const auto size = static_cast<uint32_t>(bytes.size());
+  const uint32_t check = check_bytes == 2
+                             ? crc16(bytes.data() + 2, size - 2, crc16(bytes.data(), 2))
+                             : crc32c(bytes.data() + 2, size - 2, crc32c(bytes.data(), 2));
+  for (uint32_t i = 0; i < check_bytes; ++i) {
+    bytes.push_back(static_cast<uint8_t>(check >> (8 * i)));
+  }
+  return bytes;
+}
+
+bool isTaken(const std::vector<uint8_t>& bytes) {
+  FrameDecoder decoder;
+  bool good = false;
+  for (const uint8_t byte : stuffed(bytes)) {
+    good = decoder.push(byte);
+  }
+  return good;
+}
+
+TEST(FrameEdges, IsAtMostAsLongAsItMayBeWhateverItsCheckSays) {
+  std::vector<uint8_t> longest = plain(MessageType::Write, kMostPayload, 4);
+  EXPECT_TRUE(isTaken(longest));
+  longest.push_back(7);
+  EXPECT_FALSE(isTaken(longest)) << "a byte behind a good frame";
+  EXPECT_FALSE(isTaken(plain(MessageType::Write, kMostPayload + 1, 4)));
+  EXPECT_TRUE(isTaken(plain(MessageType::Beacon, kMostPayload, 2)));
+  EXPECT_FALSE(isTaken(plain(MessageType::Beacon, kMostPayload + 1, 2))) << "its check is shorter";
+  EXPECT_FALSE(isTaken(plain(MessageType::Beacon, kMostPayload + 2, 2)));
+}
+
+TEST(FrameEdges, IsAtLeastItsHeadAndCheck) {
+  EXPECT_TRUE(isTaken(plain(MessageType::Write, 0, 4)));
+  EXPECT_TRUE(isTaken(plain(MessageType::Beacon, 0, 2)));
+  for (const MessageType type : {MessageType::Write, MessageType::Beacon}) {
+    std::vector<uint8_t> bytes = plain(type, 0, 4);
+    while (!bytes.empty()) {
+      bytes.pop_back();
+      EXPECT_FALSE(isTaken(bytes)) << bytes.size();
+    }
+  }
 }
 
 TEST(FrameEdges, AnEqualCheckWithAnotherNumberIsAnotherFrame) {

@@ -613,6 +613,64 @@ TEST_F(ClientTest, ThatAnOldInstructionIsRefusedIsNoAnswerToTheOneThatWaits) {
   }
 }
 
+TEST_F(ClientTest, AnotherVersionAloneIsRefused) {
+  say(Beacon{kProtocolVersion + 1, false, dictionaryHash(), HookState::Ready});
+  EXPECT_EQ(poll(), ClientEvent::Refused);
+}
+
+TEST_F(ClientTest, AnEarlierSessionTeachesNothing) {
+  const Hello hello = link();
+  for (const uint32_t newest : {2U, 0U, 4U}) {
+    say(Welcome{false, hello.link, newest});
+    EXPECT_EQ(poll(), ClientEvent::Handled);
+  }
+  answers();
+  client_.instruct(descend(HookControl::Take));
+  EXPECT_EQ(client_.session(), 5U);
+  say(Welcome{false, hello.link, 6});
+  EXPECT_EQ(poll(), ClientEvent::Handled);
+  client_.instruct(descend(HookControl::Take));
+  EXPECT_EQ(client_.session(), 7U);
+}
+
+TEST_F(ClientTest, ATakeThatWasAcceptedStaysAccepted) {
+  link();
+  client_.instruct(descend(HookControl::Take));
+  tick();
+  head_.hook_state = HookState::Active;
+  head_.session = 5;
+  tick();
+  EXPECT_TRUE(client_.tick().obeys_us);
+  head_.hook_state = HookState::Silent;
+  tick();
+  EXPECT_FALSE(client_.tick().obeys_us);
+  client_.instruct(descend(HookControl::Steer));
+  EXPECT_EQ(written(tick().at(0)).values[1].value, static_cast<double>(HookControl::Steer));
+}
+
+TEST_F(ClientTest, ItsNumbersFollowThoseThatWereDecidedOnIfAnyWere) {
+  link();
+  head_.answered_sequence = 7;
+  head_.answer = HookAnswer::OldSequence;
+  tick();
+  EXPECT_EQ(client_.instruct(descend(HookControl::Take)), 8) << "nothing else is known";
+  head_.answered_sequence = 20000;
+  head_.answer = HookAnswer::Accepted;
+  tick();
+  head_.answered_sequence = 7;
+  head_.answer = HookAnswer::OldSequence;
+  tick();
+  EXPECT_EQ(client_.instruct(descend(HookControl::Take)), 20001);
+}
+
+TEST_F(ClientTest, AnAnsweredInstructionIsNotWrittenAgain) {
+  link();
+  head_.answered_sequence = client_.instruct(descend(HookControl::Take));
+  head_.answer = HookAnswer::Accepted;
+  EXPECT_EQ(typesOf(tick()), (std::vector{Type::Done})) << "it was there already";
+  EXPECT_EQ(typesOf(tick()), (std::vector{Type::Done}));
+}
+
 TEST_F(ClientTest, NoiseIsNoFrame) {
   link();
   const uint8_t noise[] = {1, 2, 3, 4, 5, 0, 0, 255, 0};

@@ -133,6 +133,14 @@ TEST(CycleClock, TimeThatStandsStillByBothClocksIsACycle) {
   EXPECT_FALSE(clock.follows());
 }
 
+TEST(CycleClock, ACycleMayBeAsShortAsItIs) {
+  CycleClock clock = running();
+  clock.advance(1000.5, 1e9 + 1000.5, 251);
+  EXPECT_EQ(clock.step(), 0.5);
+  clock.advance(1001, kNone, 252);
+  EXPECT_EQ(clock.step(), 0.5) << "by one clock";
+}
+
 TEST(CycleClock, OfTwoThatAreEquallyNearTheMissionsCounts) {
   CycleClock clock = running();
   clock.advance(1003, 1e9 + 1005, 251);

@@ -104,6 +104,12 @@ DepthSource jumpedAfter(int cycles) {
 TEST(HookbehDepthSource, ItsFirstMinuteHoldsForNothing) {
   EXPECT_EQ(jumpedAfter(14).depth(), 50);
   EXPECT_EQ(jumpedAfter(14).age(), 0);
+  DepthSource nearly;
+  for (int i = 0; i < 119; ++i) {
+    nearly.observe(10, 0.5);
+  }
+  nearly.observe(50, 0.5);
+  EXPECT_EQ(nearly.depth(), 50) << "59.5 s";
   EXPECT_EQ(jumpedAfter(15).depth(), 10);
   EXPECT_EQ(jumpedAfter(15).age(), 4);
 }
@@ -198,6 +204,7 @@ TEST(HookbehPilot, WithinTwoMetresItHovers) {
   EXPECT_STREQ(PilotBench(Bench::vertical(HookVertical::Hover, 20)).at(17.75).doing, "dive_to");
   PilotBench above(Bench::vertical(HookVertical::Hover, 20));
   EXPECT_STREQ(above.at(22.25).doing, "climb_to");
+  EXPECT_EQ(above.at(22.25).pitch_rad, 0.4538);
   EXPECT_EQ(above.pilot.way(22.25), Way::Up);
   EXPECT_STREQ(above.at(22).doing, "hover") << "no climb was ordered that might be held";
 }
@@ -216,6 +223,15 @@ TEST(HookbehPilot, AGuardsClimbOfMoreThanTwoMetresIsGoneBackFrom) {
   EXPECT_STREQ(above.goBackFrom(17.75), "dive_to");
 }
 
+TEST(HookbehPilot, WithinTwoMetresItHoldsOn) {
+  for (const auto& [depth, doing] :
+       {std::pair{18.0, "hold"}, {22.0, "hold"}, {17.75, "dive_to"}, {22.25, "climb_to"}}) {
+    PilotBench bench(Bench::ascend(20));
+    EXPECT_STREQ(bench.at(20).doing, "hold");
+    EXPECT_STREQ(bench.goBackFrom(depth), doing) << depth;
+  }
+}
+
 TEST(HookbehPilot, AnAscendThatHadArrivedClimbsAgainAsItWasToldTo) {
   PilotBench bench(Bench::ascend(20));
   EXPECT_STREQ(bench.at(20).doing, "hold");
@@ -229,6 +245,9 @@ TEST(HookbehPilot, WhatHasNotArrivedGoesOnAsItDid) {
   EXPECT_STREQ(bench.at(10).doing, "dive_to");
   EXPECT_STREQ(bench.goBackFrom(5), "dive_to");
   EXPECT_EQ(bench.at(5).pitch_rad, -0.4);
+  PilotBench climbing(Bench::vertical(HookVertical::Hover, 20));
+  EXPECT_STREQ(climbing.at(30).doing, "climb_to");
+  EXPECT_STREQ(climbing.goBackFrom(10), "hover") << "its climb is over";
 }
 
 TEST(HookbehPilot, HoldsForItsTimeWhereItArrived) {
@@ -242,6 +261,12 @@ TEST(HookbehPilot, HoldsForItsTimeWhereItArrived) {
     EXPECT_EQ(bench.pilot.way(21), Way::None);
   }
   EXPECT_STREQ(bench.at(21).doing, "hover") << "12 s";
+  PilotBench nearly(Bench::descend(20));
+  EXPECT_STREQ(nearly.at(20).doing, "hold");
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_STREQ(nearly.at(20, 3.75).doing, "hold") << "0.75 s are left at last";
+  }
+  EXPECT_STREQ(nearly.at(20, 3.75).doing, "hover");
 }
 
 TEST(HookbehPilot, HoldsNothingAMetreBeyondTheTargetOrInNoTime) {
@@ -253,7 +278,11 @@ TEST(HookbehPilot, HoldsNothingAMetreBeyondTheTargetOrInNoTime) {
   HookbehArgs args;
   args.hold_secs = 0;
   EXPECT_STREQ(PilotBench(Bench::descend(20), args).at(20).doing, "hover");
-  EXPECT_STREQ(PilotBench(Bench::ascend(20)).at(15).doing, "hold") << "a climb is no dive";
+  args.hold_secs = 0.5;
+  EXPECT_STREQ(PilotBench(Bench::descend(20), args).at(20).doing, "hold");
+  PilotBench climbed(Bench::ascend(20));
+  EXPECT_STREQ(climbed.at(15).doing, "hold");
+  EXPECT_STREQ(climbed.at(21.5).doing, "hold") << "a climb is no dive";
 }
 
 TEST(HookbehPilot, ShallowerThanAMetreHoveringIsFloating) {
@@ -278,7 +307,9 @@ TEST(HookbehPilot, ANewInstructionIsChosenOnlyWhereItsVerticalPartIsAnother) {
   EXPECT_STREQ(bench.at(20).doing, "hold");
   bench.pilot.follow(Bench::descend(20));
   EXPECT_STREQ(bench.at(19).doing, "hold") << "the same";
-  bench.pilot.follow(Bench::vertical(HookVertical::None));
+  Instruction none = Bench::vertical(HookVertical::None);
+  none.pitch_rad = 0;
+  bench.pilot.follow(none);
   EXPECT_STREQ(bench.at(19).doing, "hold") << "none";
   EXPECT_EQ(bench.pilot.inForce().vertical, HookVertical::Descend);
   EXPECT_EQ(bench.pilot.inForce().depth_m, 20);
@@ -290,6 +321,11 @@ TEST(HookbehPilot, ANewInstructionIsChosenOnlyWhereItsVerticalPartIsAnother) {
   steeper.pitch_rad = -0.5;
   bench.pilot.follow(steeper);
   EXPECT_EQ(bench.at(19).pitch_rad, -0.5) << "steeper";
+  EXPECT_EQ(bench.at(10).pitch_rad, -0.5);
+  Instruction hover = steeper;
+  hover.vertical = HookVertical::Hover;
+  bench.pilot.follow(hover);
+  EXPECT_EQ(bench.at(10).pitch_rad, -0.4538) << "a hover";
 }
 
 TEST(HookbehPilot, LateralCommandsAtTheirEdges) {

@@ -117,13 +117,14 @@ TEST(HookbehGuardEdges, AnEchoWithoutADepthIsNone) {
 }
 
 TEST(HookbehGuardEdges, AnEchoLastsTenMinutes) {
-  for (const int cycles : {150, 151}) {
+  for (const int cycles : {600, 601}) {
     GuardBench bench;
     bench.at(12, 6);
+    bench.step_s = 1;
     for (int i = 1; i < cycles; ++i) {
       ASSERT_EQ(bench.at(12, 6), HookGuard::None) << i;
     }
-    EXPECT_EQ(bench.at(13.25, 6) == HookGuard::NearBottom, cycles == 150) << cycles;
+    EXPECT_EQ(bench.at(13.25, 6) == HookGuard::NearBottom, cycles == 600) << cycles;
   }
 }
 
@@ -151,11 +152,12 @@ TEST(HookbehGuardEdges, HalfOfTheDepthOrFiveMetresAreFar) {
 }
 
 TEST(HookbehGuardEdges, ADiveHasThreeMinutesForAMetreAndAClimbFour) {
-  for (const auto& [way, guard, cycles] : {std::tuple{Way::Down, HookGuard::NoDepthGained, 46},
-                                           {Way::Up, HookGuard::NoHeightGained, 61}}) {
+  for (const auto& [way, guard, cycles] : {std::tuple{Way::Down, HookGuard::NoDepthGained, 181},
+                                           {Way::Up, HookGuard::NoHeightGained, 241}}) {
     GuardBench bench;
     bench.at(10);
     bench.way = way;
+    bench.step_s = 1;
     EXPECT_EQ(bench.until(guard, 10, 1e-7), cycles) << "one in which it turns";
   }
 }
@@ -201,17 +203,18 @@ GuardBench idleAt(double depth_m) {
   bench.way = Way::Down;
   EXPECT_EQ(bench.until(HookGuard::NoDepthGained, depth_m), 46);
   bench.way = Way::None;
+  bench.step_s = 1;
   return bench;
 }
 
 TEST(HookbehGuardEdges, AtTheSurfaceADiveIsTriedAgainAfterTenMinutesIfTheDepthLivesForOne) {
-  EXPECT_EQ(idleAt(1).until(HookGuard::None, 1, 1e-7), 150);
+  EXPECT_EQ(idleAt(1).until(HookGuard::None, 1, 1e-7), 600);
   EXPECT_EQ(idleAt(1.25).until(HookGuard::None, 1.25, 1e-7), 0) << "no surface";
   GuardBench frozen = idleAt(1);
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < 700; ++i) {
     EXPECT_EQ(frozen.at(1), HookGuard::NoDepthGained) << i;
   }
-  EXPECT_EQ(frozen.until(HookGuard::None, 1, 1e-7), 16) << "the first is the same once more";
+  EXPECT_EQ(frozen.until(HookGuard::None, 1, 1e-7), 61) << "the first is the same once more";
 }
 
 TEST(HookbehGuardEdges, FromHalfTheDepthADiveThatGainedNoneIsTriedAgainAtOnce) {
@@ -242,13 +245,70 @@ TEST(HookbehGuardEdges, MayBeAsDeepAsItsLimitUnseen) {
   EXPECT_EQ(untilItShows(hover, 20, true), 10) << "to 30 m";
   EXPECT_EQ(untilItShows(hover, 27, true), 6) << "6 m at least";
   EXPECT_EQ(untilItShows(hover, 4, true), 26);
-  EXPECT_EQ(untilItShows(hover, 10, false), 20) << "before it has moved";
+  EXPECT_EQ(untilItShows(hover, 6, false), 20) << "before it has moved";
 }
 
 TEST(HookbehGuardEdges, MayBeEightMetresPastTheTargetOfADiveOrTenPastWhatItShowed) {
   EXPECT_EQ(untilItShows(Bench::descend(14), 8, true), 14) << "to 22 m";
   EXPECT_EQ(untilItShows(Bench::descend(8), 8, true), 10) << "to 18 m";
   EXPECT_EQ(untilItShows(Bench::ascend(14), 8, true), 22) << "no dive: to 30 m";
+}
+
+TEST(HookbehGuardEdges, OneThatHasShownItsDepthShowsItNoLonger) {
+  const Instruction hover = Bench::vertical(HookVertical::Hover, 10);
+  GuardBench bench(hover);
+  bench.at(20);
+  bench.step_s = 10;
+  bench.last = kAdrift;
+  for (int i = 0; i < 20; ++i) {
+    bench.at(20 + i % 2 * 1e-7);
+    bench.guard.mustShowDepth(bench.args, hover);
+  }
+  bench.step_s = 4;
+  bench.last = kOther;
+  bench.at(18.5);
+  EXPECT_TRUE(bench.guard.mustShowDepth(bench.args, hover)) << "1.5 m are noise";
+  bench.at(17);
+  EXPECT_FALSE(bench.guard.mustShowDepth(bench.args, hover));
+}
+
+TEST(HookbehGuardEdges, ANewSbcHasALimitBeforeIt) {
+  GuardBench bench(Bench::descend(40));
+  EXPECT_EQ(bench.at(30.25), HookGuard::TooDeep);
+  EXPECT_EQ(bench.at(29.5), HookGuard::TooDeep);
+  bench.guard.reset();
+  EXPECT_EQ(bench.at(29.5), HookGuard::None);
+}
+
+/// Seconds of a dive from `shown_m` that is seen by the CTD alone, or by nobody, until it ends.
+int secondsOfADive(double greatest_m, double shown_m, double pitch_rad, bool ctd_sees) {
+  GuardBench bench(Bench::vertical(HookVertical::Hover, shown_m));
+  bench.args.greatest_depth_m = greatest_m;
+  bench.depth = shown_m - 4;
+  for (int i = 0; i < 30; ++i) {  // the two agree, and it has moved
+    const double flicker = i % 2 * 1e-7;
+    const double depth = shown_m - (i < 10 ? 4 - 0.4 * i : 0) + flicker;
+    bench.cycle({depth, 0, kNan, ctd_sees ? depth : kNan});
+  }
+  bench.last = {pitch_rad, -230};
+  bench.step_s = 1;
+  for (int seconds = 1; seconds <= 1000; ++seconds) {
+    const double depth = shown_m + seconds % 2 * 1e-7;
+    bench.cycle({depth, 0, kNan, ctd_sees ? depth : kNan});
+    if (bench.guard.mustShowDepth(bench.args, bench.in_force)) {
+      return seconds;
+    }
+  }
+  return 0;
+}
+
+TEST(HookbehGuardEdges, TwoSensorsMayBeWrongForElevenMetresOrAsFarAsItMayGo) {
+  EXPECT_EQ(secondsOfADive(10, 8, -0.7854, true), 37) << "11 m at 0.44 m/s, once it has turned";
+  EXPECT_EQ(secondsOfADive(20, 12, -0.7854, true), 51) << "16.8 m";
+}
+
+TEST(HookbehGuardEdges, ItsPitchMayBeWrongForEighteenMetres) {
+  EXPECT_EQ(secondsOfADive(20, 12, -0.2, false), 53) << "18 m at 0.44 m/s";
 }
 
 TEST(HookbehGuardEdges, SaysNothingWhereItDoesNotClimb) {

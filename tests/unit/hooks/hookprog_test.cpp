@@ -80,6 +80,7 @@ TEST_F(HookprogTest, NothingGoesToFlightWithoutAHookbeh) {
 TEST_F(HookprogTest, TheCtdsPressureGoesToFlightOnceACycle) {
   science_[GLIDER_SCI_WATER_PRESSURE] = 2.5;
   cycle();
+  run();
   EXPECT_TRUE(atFlight().empty()) << "no hookbeh";
   cycle({{GLIDER_X_HOOK_STATE, 2}});
   atFlight();

@@ -56,5 +56,14 @@ TEST(Values, EveryFieldCounts) {
   EXPECT_TRUE(changed([](Instruction& i) { i.longitude_ddmm = 7349.8058; }));
 }
 
+TEST(Sequences, NoneIsNewerThanNoneAndNoneIsNone) {
+  EXPECT_FALSE(isNewerSequence(0, 0));
+  EXPECT_FALSE(isNewerSequence(0, 65534)) << "no number of an instruction";
+  EXPECT_TRUE(isNewerSequence(1, 0));
+  EXPECT_TRUE(isNewerSequence(32768, 1)) << "half of the round";
+  EXPECT_FALSE(isNewerSequence(32769, 1));
+  EXPECT_FALSE(isNewerSequence(9, 9));
+}
+
 }  // namespace
 }  // namespace glider::hooks

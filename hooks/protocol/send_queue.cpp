@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "hooks/protocol/send_queue.h"
+
+namespace glider::hooks {
+
+bool SendQueue::add(const Frame& frame) {
+  if (room() < encodedBound(frame.size)) {
+    return false;
+  }
+  end_ += encodeFrame(frame, bytes_ + end_);
+  return true;
+}
+
+bool SendQueue::flush(const GliderByteStream& stream) {
+  uint32_t next = 0;
+  int32_t taken = 1;
+  while (next < end_ && taken > 0) {
+    taken = stream.write(stream.self, bytes_ + next, end_ - next);
+    next += taken > 0 ? static_cast<uint32_t>(taken) : 0;
+  }
+  takeAway(next);
+  return taken >= 0;
+}
+
+/// The first `count` bytes; all where a stream says that it took more than there was.
+void SendQueue::takeAway(uint32_t count) {
+  const uint32_t rest = count < end_ ? end_ - count : 0;
+  for (uint32_t i = 0; i < rest; ++i) {
+    bytes_[i] = bytes_[count + i];
+  }
+  end_ = rest;
+}
+
+}  // namespace glider::hooks

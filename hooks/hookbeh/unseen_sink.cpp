@@ -79,10 +79,11 @@ void UnseenSink::reckon(double step_s, const VerticalCommand& last) {
 /// How smoothly the depth goes on.
 void UnseenSink::follow(double depth_m, double step_s) {
   const double moved = depth_m - last_m_;
-  if (isFinite(moved) && gap_s_ <= step_s) {
+  const bool goes_on = gap_s_ <= step_s;  // not the first, nor one after a gap
+  if (goes_on) {
     roughness_m_ += (magnitude(moved - moved_m_) - roughness_m_) * kRoughShare;
   }
-  moved_m_ = isFinite(moved) && gap_s_ <= step_s ? moved : 0;
+  moved_m_ = goes_on ? moved : 0;
 }
 
 /// Whether the depth has moved: down where the vehicle is driven down, up where it is driven up,

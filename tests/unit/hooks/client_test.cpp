@@ -570,6 +570,19 @@ TEST_F(ClientTest, CyclesCountRound) {
   tick();
 }
 
+TEST_F(ClientTest, ACycleIsNewUpToHalfOfTheRoundAhead) {
+  for (const uint32_t ahead : {8388607U, 8388608U}) {
+    client_ = Client(options());
+    link();
+    head_.cycle = 0;
+    tick();
+    head_.cycle = 1 + ahead;
+    sayTick();
+    EXPECT_EQ(poll() == ClientEvent::Tick, ahead == 8388607) << ahead;
+    answers();
+  }
+}
+
 TEST_F(ClientTest, AProgramThatKnowsNothingBeginsBehindTheNumberThatWasDecidedOn) {
   link();
   head_.answered_sequence = 40000;

@@ -497,6 +497,18 @@ TEST(UnseenSinkEdges, MovesByTwoAndAHalfMetresAsFastAsAVehicle) {
   EXPECT_FALSE(showsAt(23, 20.25)) << "it was not there for longer than 20 s";
 }
 
+TEST(UnseenSinkEdges, DrivenUpForTwelveSecondsItMayRise) {
+  for (const int seconds : {11, 12}) {
+    UnseenSink sink;
+    drive(sink, 5, 20, kOther);
+    drive(sink, seconds - 3, 20, kUp);
+    for (const double depth : {19.25, 18.375, 17.5}) {
+      drive(sink, 1, depth, kUp);
+    }
+    EXPECT_EQ(sink.hasMoved(), seconds == 12) << seconds;
+  }
+}
+
 TEST(UnseenSinkEdges, OneThatRoughensShowsNothing) {
   const auto shows = [](double by) {
     UnseenSink sink;

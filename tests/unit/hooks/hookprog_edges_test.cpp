@@ -103,6 +103,22 @@ TEST_F(HookprogEdgesTest, AnotherVersionAloneIsRefusedAndEachIsToldOfOnce) {
   EXPECT_EQ(typesOf(atSbc()), (std::vector{Type::Beacon})) << "no link";
 }
 
+TEST_F(HookprogEdgesTest, AStrangerIsToldOfAgainAfterALink) {
+  Hello other_version, other_dictionary;
+  other_version.version = kProtocolVersion + 1;
+  other_version.link = other_dictionary.link = 9;
+  other_dictionary.dictionary = dictionaryHash() + 1;
+  for (const Hello& stranger : {other_version, other_dictionary}) {
+    for (int i = 0; i < 2; ++i) {
+      events();
+      say(stranger);
+      run();
+      EXPECT_EQ(events(), (std::vector{Kind::SbcRefused})) << i;
+      hello();
+    }
+  }
+}
+
 TEST_F(HookprogEdgesTest, WhatNoSbcSaysIsBadAndEachIsToldOfOnce) {
   hello();
   events();

@@ -122,6 +122,24 @@ TEST(SerialDevice, SetsEverySpeedThatALineHas) {
   EXPECT_FALSE(device.isOpen());
 }
 
+TEST(Pty, WhatHasMovedOrLetGoClosesNothingOfOthers) {
+  const int kept = ::dup(1);
+  ASSERT_GE(kept, 0);
+  {
+    auto one = Pty::open();
+    auto two = Pty::open();
+    auto three = Pty::open();
+    ASSERT_TRUE(one && two && three);
+    one->releaseUserSide();
+    *two = std::move(*one);
+    const Pty four = std::move(*three);
+  }
+  const bool open = ::fcntl(1, F_GETFD) >= 0;
+  ASSERT_EQ(::dup2(kept, 1), 1);
+  ::close(kept);
+  EXPECT_TRUE(open);
+}
+
 TEST(Pty, MovesWithItsLine) {
   auto one = Pty::open();
   auto two = Pty::open();

@@ -15,7 +15,7 @@ class DepthSource {
   [[nodiscard]] Reading reading() const { return reading_; }
   /// The newest good reading, m; NaN before the first.
   [[nodiscard]] double depth() const { return depth_m_; }
-  /// How old that is, s.
+  /// How old that is, s; NaN before the first.
   [[nodiscard]] double age() const { return age_s_; }
   /// For so long the readings have been the same to the last bit, s. Of a sensor in the sea
   /// that is in motion no two are.
@@ -27,7 +27,7 @@ class DepthSource {
  private:
   double depth_m_ = __builtin_nan("");
   double raw_m_ = __builtin_nan("");  // the newest reading, good or not
-  double age_s_ = 0;
+  double age_s_ = __builtin_nan("");
   double same_s_ = 0;
   double jumped_s_ = 0;
   double good_s_ = 0;

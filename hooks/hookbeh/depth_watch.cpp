@@ -52,7 +52,7 @@ void DepthWatch::observe(const Surroundings& now, double step_s, double pump_cc)
 
 /// It gives readings, and they move when the vehicle does.
 bool DepthWatch::ctdLives() const {
-  return ctd_.age() <= kCtdLastsSecs && isFinite(ctd_.depth()) && !ctd_jumped_ && !ctd_frozen_;
+  return ctd_.age() <= kCtdLastsSecs && !ctd_jumped_ && !ctd_frozen_;
 }
 
 void DepthWatch::watchCtd(double step_s) {
@@ -138,14 +138,17 @@ double DepthWatch::depth() const {
   return doubt() == HookGuard::None ? own_.depth() : __builtin_nan("");
 }
 
+bool DepthWatch::isSeenByAnother() const {
+  return agree_s_ > 0 && ctd_is_new_;
+}
+
 double DepthWatch::ctdDepth() const {
   return ctd_.reading() == DepthSource::Reading::Good ? ctd_.depth() : __builtin_nan("");
 }
 
 double DepthWatch::deepest() const {
   const bool ctd_counts = ctd_known_ && ctdLives() && ctd_.age() == 0;
-  const bool ctd_is_deeper = ctd_counts && ctd_.depth() > own_.depth();
-  return ctd_is_deeper ? ctd_.depth() : own_.depth();
+  return ctd_counts ? atLeast(ctd_.depth(), own_.depth()) : own_.depth();
 }
 
 }  // namespace glider::hooks

@@ -24,7 +24,7 @@ class DepthWatch {
   /// The deeper of the vehicle's own and the CTD's, for limits; NaN where doubt() says Unknown.
   [[nodiscard]] double deepest() const;
   /// A new reading of the CTD, which moves, says the same in this cycle.
-  [[nodiscard]] bool isSeenByAnother() const { return agree_s_ > 0 && ctd_is_new_; }
+  [[nodiscard]] bool isSeenByAnother() const;
   /// The CTD's depth, where it is new in this cycle, m; else NaN.
   [[nodiscard]] double ctdDepth() const;
   /// The CTD works, though it has never agreed.
@@ -44,14 +44,14 @@ class DepthWatch {
   DepthSource own_;
   RecentDepths own_lately_;  // what the CTD says may be some seconds old
   DepthSource ctd_;
-  bool ctd_is_new_ = false;         // it differs from the one before
-  bool ctd_jumped_ = false;         // and has not agreed since
-  bool ctd_frozen_ = false;         // until it moves
-  bool differs_ = false;            // the two, when they were last compared
-  double own_at_ctd_change_m_ = 0;  // own depth when the CTD's last changed
-  double ctd_at_own_change_m_ = 0;  // the CTD's depth when the own last changed
-  bool ctd_known_ = false;          // it has agreed once: the vehicle carries one that works
-  double agree_s_ = 0;              // for so long the two agree
+  bool ctd_is_new_ = false;                         // it differs from the one before
+  bool ctd_jumped_ = false;                         // and has not agreed since
+  bool ctd_frozen_ = false;                         // until it moves
+  bool differs_ = false;                            // the two, when they were last compared
+  double own_at_ctd_change_m_ = __builtin_nan("");  // own depth when the CTD's last changed
+  double ctd_at_own_change_m_ = __builtin_nan("");  // the CTD's depth when the own last changed
+  bool ctd_known_ = false;  // it has agreed once: the vehicle carries one that works
+  double agree_s_ = 0;      // for so long the two agree
   double disagree_s_ = 0;
   double alive_s_ = 0;
   bool frozen_ = false;

@@ -55,14 +55,14 @@ class Guard {
   UnseenSink by_ctd_;
   bool shows_ = false;    // it climbs to see whether its depth follows
   bool doubted_ = false;  // it climbed in the cycle before as the depth was unknown or jumped
-  double depth_m_ = 0;    // the deepest of what can be believed
+  double depth_m_ = __builtin_nan("");     // the deepest of what can be believed
   double altitude_m_ = __builtin_nan("");  // the newest that differed from the one before
-  double bottom_m_ = 0;                    // depth of the bottom when it came
-  double bottom_age_s_ = 0;
+  double bottom_m_ = __builtin_nan("");    // depth of the bottom when it came
+  double bottom_age_s_ = __builtin_nan("");
   bool bottom_known_ = false;
   HookGuard tripped_ = HookGuard::None;
-  double tripped_depth_m_ = 0;  // the shallowest at which a limit was broken
-  double tripped_s_ = 0;        // since then
+  double tripped_depth_m_ = __builtin_nan("");  // the shallowest at which a limit was broken
+  double tripped_s_ = __builtin_nan("");        // since then
 };
 
 /// "climb: too deep"…, for logs; "" for None.

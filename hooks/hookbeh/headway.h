@@ -21,7 +21,7 @@ class Headway {
 
  private:
   Way way_ = Way::None;
-  double best_m_ = 0;
+  double best_m_ = __builtin_nan("");
   double idle_s_ = 0;
 };
 

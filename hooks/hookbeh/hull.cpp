@@ -24,9 +24,7 @@ double orUsual(double value, double usual) {
 HookbehArgs within(const HookbehArgs& args, const Hull& hull) {
   const HookbehArgs usual;
   HookbehArgs out = args;
-  if (out.greatest_depth_m > hull.greatest_depth_m) {
-    out.greatest_depth_m = hull.greatest_depth_m;
-  }
+  out.greatest_depth_m = atMost(hull.greatest_depth_m, args.greatest_depth_m);  // NaN stays
   if (out.least_altitude_m >= 0 && out.least_altitude_m < kLeastAltitudeM) {
     out.least_altitude_m = kLeastAltitudeM;
   }
@@ -38,9 +36,7 @@ HookbehArgs within(const HookbehArgs& args, const Hull& hull) {
   const double climb = magnitude(orUsual(args.climb_pump_cc, usual.climb_pump_cc));
   out.dive_pump_cc = -between(dive, 0, hull.pump_cc);
   out.climb_pump_cc = between(climb, kLeastClimbShare * hull.pump_cc, hull.pump_cc);
-  if (out.silence_secs > kMostSilenceSecs) {
-    out.silence_secs = kMostSilenceSecs;
-  }
+  out.silence_secs = atMost(kMostSilenceSecs, args.silence_secs);
   return out;
 }
 

@@ -63,14 +63,13 @@ void UnseenSink::reckon(double step_s, const VerticalCommand& last) {
   const bool lifts = last.pump_cc >= kLiftsCc && last.pitch_rad >= kNoseRad;
   out_s_ = lifts ? out_s_ + step_s : 0;
   const bool rises = out_s_ > kTurnsSecs;
-  const bool sinks = !rises && (lifts || last.pump_cc <= kSinksCc || last.pitch_rad <= -kNoseRad);
+  sinks_ = !rises && (lifts || last.pump_cc <= kSinksCc || last.pitch_rad <= -kNoseRad);
   since_up_s_ = rises ? 0 : since_up_s_ + step_s;
-  in_s_ = sinks ? in_s_ + step_s : 0;
   if (rises) {
     deepest_m_ = atLeast(deepest_m_ - kClimbMps * step_s, 0);
     in_dive_m_ = steeply_m_ = 0;
   } else if (since_up_s_ > kLiftsSecs) {
-    deepest_m_ += (sinks ? rateAt(last.pitch_rad) : kAdriftMps) * step_s;
+    deepest_m_ += (sinks_ ? rateAt(last.pitch_rad) : kAdriftMps) * step_s;
     const bool dives = last.pitch_rad <= -kNoseRad;
     in_dive_m_ += dives ? rateAt(last.pitch_rad) * step_s : 0;
     steeply_m_ += dives ? kSteepestMps * step_s : 0;
@@ -80,10 +79,11 @@ void UnseenSink::reckon(double step_s, const VerticalCommand& last) {
 /// How smoothly the depth goes on.
 void UnseenSink::follow(double depth_m, double step_s) {
   const double moved = depth_m - last_m_;
-  if (isFinite(moved) && gap_s_ <= step_s) {
+  const bool goes_on = gap_s_ <= step_s;  // not the first, nor one after a gap
+  if (goes_on) {
     roughness_m_ += (magnitude(moved - moved_m_) - roughness_m_) * kRoughShare;
   }
-  moved_m_ = isFinite(moved) && gap_s_ <= step_s ? moved : 0;
+  moved_m_ = goes_on ? moved : 0;
 }
 
 /// Whether the depth has moved: down where the vehicle is driven down, up where it is driven up,
@@ -100,7 +100,7 @@ void UnseenSink::seek(double depth_m) {
   lowest_m_ = depth_m > lowest_m_ ? depth_m : lowest_m_;
   const bool lifts = out_s_ >= kLiftsSecs;
   const bool down = depth_m - highest_m_ >= kMovesM && out_s_ == 0;
-  const bool up = lowest_m_ - depth_m >= kMovesM && (lifts || in_s_ == 0);
+  const bool up = lowest_m_ - depth_m >= kMovesM && (lifts || !sinks_);
   if (roughness_m_ <= kRoughM && (down || up)) {
     show(depth_m);
   }

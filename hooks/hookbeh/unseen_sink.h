@@ -41,14 +41,14 @@ class UnseenSink {
   bool has_moved_ = false;
   double in_dive_m_ = 0;
   double steeply_m_ = 0;
-  double highest_m_ = 0;               ///< of the depths since then
-  double lowest_m_ = 0;                ///< the same
-  double out_s_ = 0;                   ///< for so long the vehicle has been driven up
-  double in_s_ = 0;                    ///< for so long it may have been driven down
-  double since_up_s_ = 0;              ///< since it was driven up long enough to rise
-  double last_m_ = __builtin_nan("");  ///< the newest depth, and what it had moved by
-  double moved_m_ = 0;
-  double gap_s_ = 0;        ///< since then
+  double highest_m_ = __builtin_nan("");  ///< of the depths since then
+  double lowest_m_ = __builtin_nan("");   ///< the same
+  double out_s_ = 0;                      ///< for so long the vehicle has been driven up
+  bool sinks_ = false;                    ///< it may be driven down
+  double since_up_s_ = 0;                 ///< since it was driven up long enough to rise
+  double last_m_ = __builtin_nan("");     ///< the newest depth, and what it had moved by
+  double moved_m_ = __builtin_nan("");
+  double gap_s_ = __builtin_nan("");  ///< since then
   double roughness_m_ = 0;  ///< how much the depth changes from cycle to cycle beside its way
 };
 

@@ -1,0 +1,246 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Where exactly each limit of UnseenSink lies, in cycles of a second and in metres.
+
+#include "hooks/hookbeh/hull.h"
+#include "hooks/hookbeh/unseen_sink.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace glider::hooks {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr VerticalCommand kDive{-0.7854, -230, ""}, kLift{0.7854, 230, ""}, kAdrift{0, 0, ""},
+    kOther{0, kNan, ""};
+constexpr double kSteepMps = 1.1 * 0.4, kFlatMps = kSteepMps * 0.3 / 0.7854, kAdriftMps = 0.1;
+
+void run(UnseenSink& sink, int cycles, double depth_m, const VerticalCommand& command) {
+  for (int i = 0; i < cycles; ++i) {
+    sink.observe(depth_m, 1, command);
+  }
+}
+
+/// It has been at this depth for as long as it takes for all that follows to count.
+UnseenSink settledAt(double depth_m, const VerticalCommand& command = kAdrift) {
+  UnseenSink sink;
+  run(sink, 13, depth_m, command);
+  sink.confirm(depth_m);
+  return sink;
+}
+
+/// m/s that it is reckoned to sink at under `command`.
+double rateUnder(const VerticalCommand& command) {
+  UnseenSink sink = settledAt(20);
+  run(sink, 1, 20, command);
+  return sink.deepest() - 20;
+}
+
+TEST(UnseenSinkEdges, WhatSinksIsSixtyCcInOrTheNoseATenthDown) {
+  EXPECT_NEAR(rateUnder({0, -60, ""}), kFlatMps, 1e-9);
+  EXPECT_NEAR(rateUnder({0, -59.9, ""}), kAdriftMps, 1e-9);
+  EXPECT_NEAR(rateUnder({-0.1, 0, ""}), kFlatMps, 1e-9);
+  EXPECT_NEAR(rateUnder({-0.0999, 0, ""}), kAdriftMps, 1e-9);
+  EXPECT_NEAR(rateUnder({0.1, 150, ""}), kFlatMps, 1e-9) << "it has not turned yet";
+  EXPECT_NEAR(rateUnder({0.1, 149.9, ""}), kAdriftMps, 1e-9);
+  EXPECT_NEAR(rateUnder({0.0999, 150, ""}), kAdriftMps, 1e-9);
+}
+
+TEST(UnseenSinkEdges, TheRateIsThatOfThePitchButNeverBelowThatOfSeventeenDegrees) {
+  EXPECT_NEAR(rateUnder({-0.29, -230, ""}), kFlatMps, 1e-9);
+  EXPECT_NEAR(rateUnder({-0.31, -230, ""}), kSteepMps * 0.31 / 0.7854, 1e-9);
+  EXPECT_NEAR(rateUnder({0.5, -230, ""}), kSteepMps * 0.5 / 0.7854, 1e-9);
+  EXPECT_NEAR(rateUnder({kNan, -230, ""}), kFlatMps, 1e-9) << "an unknown one as if level";
+}
+
+TEST(UnseenSinkEdges, ItIsADiveFromATenthDown) {
+  for (const double pitch : {-0.1, -0.0999}) {
+    UnseenSink sink = settledAt(20);
+    run(sink, 1, 20, {pitch, -230, ""});
+    EXPECT_NEAR(sink.sunkInDive(), pitch == -0.1 ? kFlatMps : 0, 1e-9);
+    EXPECT_NEAR(sink.sunkSteeply(), pitch == -0.1 ? kSteepMps : 0, 1e-9);
+  }
+}
+
+TEST(UnseenSinkEdges, TheFirstTwelveSecondsDoNotCount) {
+  UnseenSink sink;
+  run(sink, 12, 20, kDive);
+  EXPECT_EQ(sink.deepest(), 20);
+  EXPECT_EQ(sink.sunkInDive(), 0);
+  run(sink, 1, 20, kDive);
+  EXPECT_NEAR(sink.deepest(), 20 + kSteepMps, 1e-9);
+  EXPECT_NEAR(sink.sunkInDive(), kSteepMps, 1e-9);
+}
+
+TEST(UnseenSinkEdges, ItRisesAfterTwentySecondsAndSinksTwelveSecondsAfterThat) {
+  UnseenSink sink = settledAt(20, kDive);
+  run(sink, 20, 20, kLift);
+  const double turned = 20 + 20 * kSteepMps;
+  EXPECT_NEAR(sink.deepest(), turned, 1e-9);
+  EXPECT_GT(sink.sunkInDive(), 0);
+  run(sink, 1, 20, kLift);
+  EXPECT_NEAR(sink.deepest(), turned - 0.1, 1e-9);
+  EXPECT_EQ(sink.sunkInDive(), 0);
+  EXPECT_EQ(sink.sunkSteeply(), 0);
+  run(sink, 12, 20, kDive);
+  EXPECT_NEAR(sink.deepest(), turned - 0.1, 1e-9);
+  run(sink, 1, 20, kDive);
+  EXPECT_NEAR(sink.deepest(), turned - 0.1 + kSteepMps, 1e-9);
+  run(sink, 20, 20, kLift);
+  EXPECT_NEAR(sink.deepest(), turned - 0.1 + 21 * kSteepMps, 1e-9) << "twenty seconds anew";
+}
+
+TEST(UnseenSinkEdges, AnotherBehavioursCycleEndsTheDiveAndTheClimb) {
+  UnseenSink sink = settledAt(20, kDive);
+  run(sink, 1, 20, kDive);
+  run(sink, 1, 20, kOther);
+  EXPECT_EQ(sink.sunkInDive(), 0);
+  EXPECT_EQ(sink.sunkSteeply(), 0);
+  run(sink, 20, 20, kLift);
+  run(sink, 1, 20, kOther);
+  const double before = sink.deepest();
+  run(sink, 20, 20, kLift);
+  EXPECT_NEAR(sink.deepest(), before + 20 * kSteepMps, 1e-9) << "it turns again";
+}
+
+/// Under `command`: from `from` to `to` in steps that a vehicle makes, a second each.
+void walk(UnseenSink& sink, double from, double to, const VerticalCommand& command) {
+  const double step = from < to ? 0.25 : -0.25;
+  for (double depth = from; depth != to;) {
+    depth += step;
+    sink.observe(depth, 1, command);
+  }
+}
+
+TEST(UnseenSinkEdges, ItMovesFromTwoAndAHalfMetresOn) {
+  for (const double way : {1.0, -1.0}) {
+    UnseenSink sink = settledAt(20);
+    walk(sink, 20, 20 + 2.25 * way, kAdrift);
+    sink.observe(20 + 2.499 * way, 1, kAdrift);
+    EXPECT_FALSE(sink.hasMoved()) << way;
+    sink.observe(20 + 2.5 * way, 1, kAdrift);
+    EXPECT_TRUE(sink.hasMoved()) << way;
+    EXPECT_EQ(sink.shown(), 20 + 2.5 * way);
+    EXPECT_EQ(sink.deepest(), 20 + 2.5 * way);
+  }
+}
+
+TEST(UnseenSinkEdges, WhatMovesBeginsANewDive) {
+  UnseenSink sink = settledAt(20, kDive);
+  walk(sink, 20, 22.5, kDive);
+  EXPECT_TRUE(sink.hasMoved());
+  EXPECT_EQ(sink.sunkInDive(), 0);
+  EXPECT_EQ(sink.sunkSteeply(), 0);
+}
+
+TEST(UnseenSinkEdges, TheWayIsReckonedFromItsTurningPoint) {
+  for (const double way : {1.0, -1.0}) {
+    UnseenSink sink = settledAt(20);
+    walk(sink, 20, 20 + 2 * way, kAdrift);
+    walk(sink, 20 + 2 * way, 20 - 0.25 * way, kAdrift);
+    EXPECT_FALSE(sink.hasMoved()) << way;
+    sink.observe(20 - 0.5 * way, 1, kAdrift);
+    EXPECT_TRUE(sink.hasMoved()) << way << ": 2.5 m from where it turned";
+  }
+}
+
+TEST(UnseenSinkEdges, UpwardsCountsFromTwelveSecondsOfClimbOn) {
+  UnseenSink sink = settledAt(20, kDive);
+  run(sink, 1, 20, kLift);
+  walk(sink, 20, 17.5, kLift);
+  EXPECT_FALSE(sink.hasMoved()) << "11 s";
+  sink.observe(17.5, 1, kLift);
+  EXPECT_TRUE(sink.hasMoved()) << "12 s";
+}
+
+TEST(UnseenSinkEdges, DownwardsDoesNotCountWhereItIsDrivenUp) {
+  UnseenSink sink = settledAt(20);
+  walk(sink, 20, 23, kLift);
+  EXPECT_FALSE(sink.hasMoved());
+  sink.observe(23, 1, kAdrift);
+  EXPECT_TRUE(sink.hasMoved());
+}
+
+TEST(UnseenSinkEdges, WhatRoseIsNotDrivenDownWhenAnotherBehaviourHasIt) {
+  UnseenSink sink = settledAt(20, kDive);
+  run(sink, 21, 20, kLift);
+  walk(sink, 20, 17.5, kOther);
+  EXPECT_TRUE(sink.hasMoved());
+  sink = settledAt(20, kDive);
+  run(sink, 20, 20, kLift);
+  walk(sink, 20, 17.5, kOther);
+  EXPECT_FALSE(sink.hasMoved()) << "it may sink still";
+}
+
+constexpr double kReachIn4S = kSteepMps * 4 + 0.5;
+
+TEST(UnseenSinkEdges, AStepThatNoVehicleMakesBeginsAnew) {
+  for (const bool too_far : {false, true}) {
+    const double step = too_far ? std::nextafter(kReachIn4S, 9) : kReachIn4S;
+    UnseenSink sink;
+    sink.observe(0, 4, kOther);
+    sink.observe(step, 4, kOther);
+    sink.observe(3, 4, kOther);
+    EXPECT_EQ(sink.hasMoved(), !too_far);
+  }
+}
+
+TEST(UnseenSinkEdges, AGapOfMoreThanTwentySecondsBeginsAnew) {
+  for (const double gap : {20.0, 21.0}) {
+    UnseenSink sink;
+    sink.observe(20, 1, kOther);
+    run(sink, 19, kNan, kOther);
+    sink.observe(29, gap - 19, kOther);  // as far as it may: and that is no roughness
+    EXPECT_EQ(sink.hasMoved(), gap == 20) << gap;
+  }
+}
+
+/// One step of so many metres in 12 s, after as many cycles without motion.
+bool movesWith(double step) {
+  UnseenSink sink;
+  sink.observe(5, 12, kOther);
+  sink.observe(5 + step, 12, kOther);
+  return sink.hasMoved();
+}
+
+TEST(UnseenSinkEdges, WhatIsRougherThanItMayBeShowsNothing) {
+  EXPECT_TRUE(movesWith(-4.8)) << "an eighth of it is 0.6 m";
+  EXPECT_FALSE(movesWith(-4.81));
+}
+
+TEST(UnseenSinkEdges, AfterAGapTheFirstStepIsNoRoughness) {
+  UnseenSink sink;
+  sink.observe(5, 12, kOther);
+  sink.observe(kNan, 4, kOther);
+  sink.observe(5, 12, kOther);
+  sink.observe(5 - 4.8, 12, kOther);
+  EXPECT_TRUE(sink.hasMoved());
+}
+
+TEST(UnseenSinkEdges, RoughnessIsWhatAStepHasBeyondTheOneBefore) {
+  UnseenSink sink;
+  sink.observe(0, 12, kOther);
+  sink.observe(4.9, 12, kOther);  // 0.6125 m
+  EXPECT_FALSE(sink.hasMoved());
+  sink.observe(4.9 + 4.9, 12, kOther);  // goes on as before: 7/8 of it
+  EXPECT_TRUE(sink.hasMoved());
+  EXPECT_EQ(sink.shown(), 4.9 + 4.9);
+}
+
+TEST(UnseenSinkEdges, AConfirmedDepthIsWhereItIsReckonedFrom) {
+  UnseenSink sink = settledAt(20, kDive);
+  sink.confirm(25);
+  EXPECT_EQ(sink.shown(), 25);
+  EXPECT_EQ(sink.deepest(), 25);
+  EXPECT_EQ(sink.sunkSteeply(), 0);
+  EXPECT_NEAR(sink.sunkInDive(), kSteepMps, 1e-9);
+  run(sink, 1, 20, kDive);
+  EXPECT_NEAR(sink.deepest(), 25 + kSteepMps, 1e-9);
+}
+
+}  // namespace
+}  // namespace glider::hooks

@@ -5,6 +5,14 @@
 
 namespace glider::hooks {
 
+uint32_t SendQueue::room() const {
+  return kCapacity - end_;
+}
+
+bool SendQueue::empty() const {
+  return end_ == 0;
+}
+
 bool SendQueue::add(const Frame& frame) {
   if (room() < encodedBound(frame.size)) {
     return false;

@@ -20,8 +20,8 @@ class SendQueue {
   bool add(const Frame& frame);
   /// Hands over what `stream` takes. False when the stream is closed or failed.
   bool flush(const GliderByteStream& stream);
-  [[nodiscard]] uint32_t room() const { return kCapacity - end_; }
-  [[nodiscard]] bool empty() const { return end_ == 0; }
+  [[nodiscard]] uint32_t room() const;
+  [[nodiscard]] bool empty() const;
 
  private:
   void takeAway(uint32_t count);

@@ -130,7 +130,7 @@ TEST_F(Link, AnotherMachineIsRefused) {  // GL4009
 
 TEST_F(Link, InstructionsThatA486LacksAreRefused) {  // GL4010
   expectRefused(build("ts5500", compile("ts5500", kCode, "-march=pentium4 -msse2")), "GL4010",
-                "an instruction that board `ts5500` lacks");
+                "an instruction that board `ts5500` does not have");
 }
 
 TEST_F(Link, AnotherDeclarationIsRefused) {  // GL4011

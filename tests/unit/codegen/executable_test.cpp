@@ -109,7 +109,8 @@ TEST(LinkExecutable, NamesABehaviourThatNothingDefines) {  // GL4003; accepts: G
   const auto built = build(checked, board("ts5500"), folder / "figure2");
   ASSERT_FALSE(built.has_value());
   EXPECT_EQ(built.error().id, DiagnosticId::unboundSymbol);
-  EXPECT_EQ(built.error().message, "no linked file defines `gliderProfileMine`");
+  EXPECT_EQ(built.error().message,
+            "undefined symbol `gliderProfileMine`: no linked file defines it");
   EXPECT_THAT(namesIn(folder), testing::IsEmpty());
 }
 

@@ -31,10 +31,9 @@ std::string said(const std::string& text) {
 const std::string kExit = "case (ge missiontime 2000:time) exit ";
 
 TEST(Livelocks, BetweenACallerAndWhatItCalls) {
-  EXPECT_THAT(
-      said(stateText("a", kExit + "case (ge missiontime 500:time) call b") +
-           stateText("b", "case (ge missiontime 100:time) return")),
-      HasSubstr("at 500 s the clocks alone switch the mission between `a` and `b`"));
+  EXPECT_THAT(said(stateText("a", kExit + "case (ge missiontime 500:time) call b") +
+                   stateText("b", "case (ge missiontime 100:time) return")),
+              HasSubstr("at 500 s the clocks alone switch the mission between `a` and `b`"));
 }
 
 TEST(Livelocks, ByGotoOfThreeAndByAlways) {

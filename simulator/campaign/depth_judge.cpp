@@ -17,6 +17,8 @@ namespace {
 constexpr double kClearanceTolerance = 4;  // m
 constexpr double kTouch = 0.05;            // m
 constexpr double kUnderWater = 1;          // m
+// Without a cycle for longer there was no flight controller.
+constexpr double kDarkCycles = 3;
 
 }  // namespace
 
@@ -42,13 +44,22 @@ std::string DepthJudge::judgeDepth(const CycleView& view, bool active) {
                      active ? "max_depth" : "overdepth", limit);
 }
 
+/// A vehicle without a flight controller goes on as it did, and meets what is there.
+bool DepthJudge::isNewOnBottom(const CycleView& view) {
+  const bool touches = view.clearance_m < kTouch && view.true_depth_m > kUnderWater;
+  const bool was_dark = view.time_s - cycle_at_s_ > kDarkCycles * s_.cycle_s;
+  cycle_at_s_ = view.time_s;
+  met_bottom_in_dark_ = touches && (met_bottom_in_dark_ || was_dark);
+  return touches && !met_bottom_in_dark_;
+}
+
 std::string DepthJudge::judgeClearance(const CycleView& view, bool active) {
   if (!s_.promise.clearance || s_.args.least_altitude_m < 0) {
     return "";
   }
   const double lacking = std::max(0.0, s_.args.least_altitude_m - view.clearance_m);
   lacking_m_ = !was_active_ ? lacking : std::min(lacking_m_, lacking);
-  if (view.clearance_m < kTouch && view.true_depth_m > kUnderWater) {
+  if (isNewOnBottom(view)) {
     return "the vehicle is on the bottom";
   }
   if (active && lacking > kClearanceTolerance + lacking_m_) {

@@ -25,6 +25,7 @@ class DepthJudge {
   [[nodiscard]] double limitNow(bool active) const;
   std::string judgeDepth(const CycleView& view, bool active);
   std::string judgeClearance(const CycleView& view, bool active);
+  bool isNewOnBottom(const CycleView& view);
 
   const JudgeSetup& s_;
   double deepest_m_ = 0;
@@ -32,6 +33,8 @@ class DepthJudge {
   double excess_m_ = 0;   ///< so far the vehicle was past the limit when that came into force
   double lacking_m_ = 0;  ///< so far it was below the least altitude when the SBC took control
   bool was_active_ = false;
+  double cycle_at_s_ = __builtin_nan("");  ///< when the cycle before was
+  bool met_bottom_in_dark_ = false;        ///< and has not left it since
 };
 
 }  // namespace glider::simulator

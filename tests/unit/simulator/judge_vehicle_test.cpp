@@ -66,6 +66,21 @@ TEST_F(Judged, TheBottomIsSeenAlsoWithoutTheSbc) {
   EXPECT_EQ(violation(), "the vehicle is on the bottom");
 }
 
+/// A dive goes on while the flight controller starts again.
+TEST_F(Judged, TheBottomThatIsMetWithoutAFlightControllerIsNoViolationUntilItIsLeft) {
+  take();
+  now_ += 170;
+  clearance_ = 0;
+  cycle(HookState::Ready, 65);
+  cycle(HookState::Ready, 65);
+  EXPECT_EQ(violation().find("bottom"), std::string::npos) << violation();
+  clearance_ = 1;
+  cycle(HookState::Ready, 64);
+  clearance_ = 0;
+  cycle(HookState::Ready, 65);
+  EXPECT_EQ(violation(), "the vehicle is on the bottom");
+}
+
 TEST_F(Judged, ACycleWithoutACommandIsSeen) {
   take();
   out_.commanding = false;

@@ -134,10 +134,10 @@ CampaignFlight flightOf(const CampaignPlan& plan, uint64_t number) {
   CampaignFlight flight;
   flight.number = number;
   flight.mission = number % plan.missions.size();
-  flight.kind = static_cast<FaultKind>(turn % simulator::kFaultKinds);
+  const size_t kinds = plan.kinds.size();
+  flight.kind = plan.kinds[turn % kinds];
   // Of each kind another manner in each turn of the kinds.
-  flight.manner =
-      static_cast<simulator::Manner>((turn + turn / simulator::kFaultKinds) % simulator::kManners);
+  flight.manner = static_cast<simulator::Manner>((turn + turn / kinds) % simulator::kManners);
   flight.seed = mixed(plan.seed, number);
   // Apart from what the seed draws, so that the same flight in process has the same faults.
   const uint64_t choice = mixed(~plan.seed, number);

@@ -31,6 +31,7 @@ struct CampaignPlan {
   std::vector<CampaignMission> missions;
   std::vector<std::string> boards;  ///< whose binaries fly
   unsigned board_percent = 0;       ///< of the flights; the others fly in this process
+  std::vector<simulator::FaultKind> kinds = simulator::allFaultKinds();  ///< drawn in turn
   uint64_t flights = 0;
   uint64_t seed = 1;
   unsigned jobs = 1;

@@ -205,6 +205,11 @@ int campaign(const CampaignOptions& options) {
   CampaignPlan plan;
   plan.flights = options.flights;
   plan.seed = options.seed;
+  if (!options.faults.empty()) {
+    std::erase_if(plan.kinds, [&](simulator::FaultKind kind) {
+      return !std::ranges::contains(options.faults, simulator::nameOf(kind));
+    });
+  }
   plan.jobs = options.jobs != 0 ? options.jobs : std::max(1U, std::thread::hardware_concurrency());
   auto scenario = chooseScenario(options.scenario);
   if (!scenario) {
@@ -244,6 +249,20 @@ void addFileOptions(CLI::App& command, CampaignOptions& options) {
       ->option_text("FOLDER");
 }
 
+void addFaultOption(CLI::App& command, CampaignOptions& options) {
+  std::vector<std::string> names;
+  for (const simulator::FaultKind kind : simulator::allFaultKinds()) {
+    names.emplace_back(simulator::nameOf(kind));
+  }
+  command
+      .add_option("--fault", options.faults,
+                  "Kind of fault to inject, as named in the table; may be repeated [all kinds]")
+      ->check(CLI::IsMember(names))
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->option_text("KIND");
+}
+
 void addOptions(CLI::App& command, CampaignOptions& options) {
   constexpr uint64_t kMostFlights = 10'000'000;
   constexpr unsigned kMostJobs = 1024;
@@ -269,6 +288,7 @@ void addOptions(CLI::App& command, CampaignOptions& options) {
       ->check(CLI::Range(0U, 100U))
       ->capture_default_str()
       ->option_text("PERCENT");
+  addFaultOption(command, options);
   addFileOptions(command, options);
   addLaunchOptions(command, options.launch);
   addLinkOption(command, options.user_code);

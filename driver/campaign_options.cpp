@@ -18,8 +18,9 @@
 namespace glider::driver {
 
 support::Result<std::string> identityOf(const CampaignPlan& plan, const CampaignOptions& options) {
-  std::string all = fmt::format("{}\n{} {} {} {}\n", buildId(), plan.flights, plan.seed,
-                                plan.board_percent, fmt::join(plan.boards, " "));
+  std::string all =
+      fmt::format("{}\n{} {} {} {}\n{}\n", buildId(), plan.flights, plan.seed, plan.board_percent,
+                  fmt::join(plan.boards, " "), fmt::join(options.faults, ","));
   std::vector<std::string> files = options.missions;
   files.insert(files.end(), options.user_code.begin(), options.user_code.end());
   if (!options.launch.file.empty()) {
@@ -83,6 +84,9 @@ std::string commandOf(const CampaignOptions& options) {
   }
   if (options.board_percent != CampaignOptions().board_percent) {
     add("--boards", fmt::to_string(options.board_percent));
+  }
+  for (const std::string& fault : options.faults) {
+    add("--fault", fault);
   }
   add("--seed", fmt::to_string(options.seed));
   return command;

@@ -21,6 +21,7 @@ struct CampaignOptions {
   uint64_t seed = 1;
   unsigned jobs = 0;
   unsigned board_percent = 10;
+  std::vector<std::string> faults;  ///< names of kinds; none: all
   std::string csv, resume;
   std::optional<uint64_t> only;
   std::string output;

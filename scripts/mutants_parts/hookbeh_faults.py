@@ -15,6 +15,7 @@ class Planted:
     file: str
     old: str
     new: str
+    faults: tuple = ()  # the campaign flies these kinds only; none: all
 
 
 HOOKBEH = "hooks/hookbeh/hookbeh.cpp"
@@ -28,6 +29,9 @@ WATCH = "hooks/hookbeh/depth_watch.cpp"
 CLOCK = "hooks/hookbeh/cycle_clock.cpp"
 HULL = "hooks/hookbeh/hull.cpp"
 BEHAVIOURS = "hooks/hookbeh/sub_behaviours.cpp"
+
+SENSORS = ("sensor frozen", "sensor stuck", "sensor missing", "sensor NaN", "sensor out of range", "sensor drifts", "sensor scaled",
+           "sensor jumps", "several at once")
 
 PLANTED = [
     Planted("HB-1", "ready before start_secs", HOOKBEH, "inputs.time_s >= args_.start_secs", "true"),
@@ -49,7 +53,7 @@ PLANTED = [
             "if (instruction.control == HookControl::GiveBack) { return giveBack(); } pilot_.follow(instruction);"),
     Planted("HB-6", "depths beyond max_depth are accepted", BOUNDS, "depth <= asFloat32(args.greatest_depth_m)", "true"),
     Planted("HB-6", "pitches beyond max_pitch are accepted", BOUNDS, "pitch <= asFloat32(args.steepest_pitch_rad)", "true"),
-    Planted("HB-7", "no guard against depth", GUARD, "!(depth_m_ <= args.greatest_depth_m)", "false"),
+    Planted("HB-7", "no guard against depth", GUARD, "!(depth_m_ <= args.greatest_depth_m)", "false", SENSORS + ("tight limits",)),
     Planted("HB-7", "no guard against the bottom", GUARD, "!clearOfBottom(args, depth_m_)", "false"),
     Planted("HB-8", "silence is ignored", HOOKBEH, "!(silence_s_ < args_.silence_secs)", "false"),
     Planted("HB-8", "commands go on in silence", HOOKBEH, "outputs.state = state_;",
@@ -67,22 +71,22 @@ PLANTED = [
     Planted("HB-18", "no way back after the guard", HOOKBEH, "pilot_.goBack(now, args_);", ";"),
     Planted("HB-19", "no floating at the surface", PILOT, "in_force_.depth_m < kSurfaceM", "false"),
     Planted("HB-20", "any number is a depth", DEPTH,
-            "depth_m >= kHighestDepthM && depth_m <= kDeepestShare * kHull.greatest_depth_m", "isFinite(depth_m)"),
-    Planted("HB-21", "a depth may jump", DEPTH, "moved > kReachM + kHull.vertical_rate_m_s * age_s_", "false"),
-    Planted("HB-22", "a frozen depth is believed", WATCH, "(frozen_ && own_.sameFor() > 0) || (same && !hangs)", "false"),
+            "depth_m >= kHighestDepthM && depth_m <= kDeepestShare * kHull.greatest_depth_m", "isFinite(depth_m)", SENSORS),
+    Planted("HB-21", "a depth may jump", DEPTH, "moved > kReachM + kHull.vertical_rate_m_s * age_s_", "false", SENSORS),
+    Planted("HB-22", "a frozen depth is believed", WATCH, "(frozen_ && own_.sameFor() > 0) || (same && !hangs)", "false", SENSORS),
     Planted("HB-23", "a dive that gains no depth goes on", GUARD, "return idle ? HookGuard::NoDepthGained : HookGuard::None;",
-            "return HookGuard::None;"),
+            "return HookGuard::None;", SENSORS),
     Planted("HB-33", "what may have sunk unseen does not count", GUARD,
-            "unseen_.deepest() >= most", "false"),
+            "unseen_.deepest() >= most", "false", SENSORS),
     Planted("HB-34", "what another behaviour flies is reckoned", HOOKBEH,
-            "off_cc > kPumpErrorCc || off_cc < -kPumpErrorCc", "false"),
+            "off_cc > kPumpErrorCc || off_cc < -kPumpErrorCc", "false", ("SBC power cut", "science reboot", "mission stuck", "several at once")),
     Planted("HB-35", "the guard climbs with no more than a usual climb", BEHAVIOURS,
-            "return {usualPitch(args), kHull.pump_cc, doing};", "return {usualPitch(args), args.climb_pump_cc, doing};"),
-    Planted("HB-24", "a climb that gains no height is left as it is", GUARD, "headway_.idleFor() >= kStalledSecs", "false"),
-    Planted("HB-25", "depths that disagree are believed", WATCH, "ctd_known_ && disagree_s_ >= kPersistsSecs && ctd_.age() == 0", "false"),
-    Planted("HB-26", "a CTD that never agreed is believed", WATCH, "ctd_known_ || agree_s_ >= kPersistsSecs", "true"),
-    Planted("HB-27", "one clock alone is believed", CLOCK, "magnitude(by_mission - by_wall) <= kAgree && by_mission > 0", "by_mission > 0"),
-    Planted("HB-31", "a heartbeat that comes again counts", HOOKBEH, "isNewerSession(beat, heartbeat_)", "beat != heartbeat_"),
+            "return {usualPitch(args), kHull.pump_cc, doing};", "return {usualPitch(args), args.climb_pump_cc, doing};", SENSORS),
+    Planted("HB-24", "a climb that gains no height is left as it is", GUARD, "headway_.idleFor() >= kStalledSecs", "false", SENSORS),
+    Planted("HB-25", "depths that disagree are believed", WATCH, "ctd_known_ && disagree_s_ >= kPersistsSecs && ctd_.age() == 0", "false", SENSORS),
+    Planted("HB-26", "a CTD that never agreed is believed", WATCH, "ctd_known_ || agree_s_ >= kPersistsSecs", "true", SENSORS),
+    Planted("HB-27", "one clock alone is believed", CLOCK, "magnitude(by_mission - by_wall) <= kAgree && by_mission > 0", "by_mission > 0", ("clock jumps", "hook sensor wrong", "another sensor wrong", "several at once")),
+    Planted("HB-31", "a heartbeat that comes again counts", HOOKBEH, "isNewerSession(beat, heartbeat_)", "beat != heartbeat_", ("old frames again", "doubled frames", "left-over instruction")),
     Planted("HB-28", "the pump may go beyond its stroke", HULL, "out.dive_pump_cc = -between(dive, 0, hull.pump_cc);", "out.dive_pump_cc = -dive;"),
     Planted("HB-29", "a pump with the wrong sign", HULL, "magnitude(orUsual(args.climb_pump_cc, usual.climb_pump_cc))",
             "orUsual(args.climb_pump_cc, usual.climb_pump_cc)"),

@@ -45,6 +45,14 @@ std::string deepestText(Deepest deepest) {
 
 }  // namespace
 
+std::vector<FaultKind> allFaultKinds() {
+  return {
+#define FAULT_KIND(name, ...) FaultKind::name,
+#include "simulator/campaign/fault_kinds.def"
+#undef FAULT_KIND
+  };
+}
+
 const char* nameOf(FaultKind kind) {
   switch (kind) {
 #define FAULT_KIND(name, text, ...) \

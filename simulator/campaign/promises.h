@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace glider::simulator {
 
@@ -23,6 +24,7 @@ inline constexpr uint32_t kFaultKinds = 0
 #undef FAULT_KIND
     ;
 
+std::vector<FaultKind> allFaultKinds();
 /// "byte loss".
 const char* nameOf(FaultKind kind);
 

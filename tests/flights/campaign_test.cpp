@@ -44,6 +44,20 @@ TEST(Campaign, SaysNoDepthOfAFaultThatWasNotFlown) {
   EXPECT_THAT(outcome.out, ContainsRegex("\nseveral at once +0 +0 +0 +0 +- +0\n"));
 }
 
+TEST(Campaign, FliesTheKindsOfFaultsThatAreAskedFor) {
+  const std::string asked = "$GLIDERCC campaign " + project("missions/figure2.mission") +
+                            " --boards 0 --fault 'sensor stuck' --fault 'line cut'";
+  const Outcome outcome = runShell(asked + " --flights 8 --seed 1");
+  EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+  EXPECT_THAT(outcome.out, ContainsRegex("\nline cut +4 "));
+  EXPECT_THAT(outcome.out, ContainsRegex("\nsensor stuck +4 "));
+  EXPECT_THAT(outcome.out, ContainsRegex("\nnone +0 "));
+  EXPECT_THAT(runShell(asked + " --only 3").out, HasSubstr("sensor stuck"));
+  const Outcome unknown = runShell("$GLIDERCC campaign m.mission --fault gremlins");
+  EXPECT_EQ(unknown.status, 2);
+  EXPECT_THAT(unknown.err, HasSubstr("gremlins"));
+}
+
 TEST(Campaign, IsTheSeedsAloneHoweverManyFlyAtATime) {
   const TemporaryFolder folder;
   const auto csv = [&](const std::string& jobs, const std::string& seed) {

@@ -207,7 +207,7 @@ int campaign(const CampaignOptions& options) {
   plan.seed = options.seed;
   if (!options.faults.empty()) {
     std::erase_if(plan.kinds, [&](simulator::FaultKind kind) {
-      return !std::ranges::contains(options.faults, simulator::nameOf(kind));
+      return std::ranges::find(options.faults, simulator::nameOf(kind)) == options.faults.end();
     });
   }
   plan.jobs = options.jobs != 0 ? options.jobs : std::max(1U, std::thread::hardware_concurrency());

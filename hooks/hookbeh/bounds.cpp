@@ -18,12 +18,12 @@ bool pitchFits(double pitch, const HookbehArgs& args) {
 
 /// A position as ddmm.mmmm. Sixty minutes are let through: rounding makes them of 59.99999999.
 bool isAngle(double ddmm, int most_degrees) {
-  const double size = magnitude(ddmm);
-  if (!(size <= most_degrees * 100.0)) {
+  const double either_side = magnitude(ddmm);
+  if (!(either_side <= most_degrees * 100.0)) {
     return false;
   }
-  const int degrees = static_cast<int>(size / 100.0);
-  return size - degrees * 100.0 <= 60.0;
+  const int degrees = static_cast<int>(either_side / 100.0);
+  return either_side - degrees * 100.0 <= 60.0;
 }
 
 HookAnswer checkDepth(double depth, const HookbehArgs& args) {

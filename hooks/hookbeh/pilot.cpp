@@ -70,9 +70,11 @@ VerticalCommand Pilot::vertical(const Surroundings& now, double step_s, const Ho
       return hold_.command();
     case Stage::Hovering:
       return hover_.command(now, args);
-    default:
-      return surface_.command(args);
+    case Stage::Choose:
+    case Stage::Surfacing:
+      break;
   }
+  return surface_.command(args);
 }
 
 void Pilot::choose(const Surroundings& now, const HookbehArgs& args) {
@@ -89,9 +91,10 @@ void Pilot::choose(const Surroundings& now, const HookbehArgs& args) {
     case HookVertical::Hover:
       approach(now, args);
       break;
-    default:
-      // None or Surface. A mission that has given no vertical command yet (its sensors are unknown)
-      // floats up meanwhile.
+    case HookVertical::None:
+    case HookVertical::Surface:
+      // A mission that has given no vertical command yet (its sensors are unknown) floats up
+      // meanwhile.
       stage_ = Stage::Surfacing;
   }
 }
@@ -157,9 +160,12 @@ Way Pilot::way(double depth_m) const {
       return depth_m > hover_.target_m + kHoverLostM   ? Way::Up
              : depth_m < hover_.target_m - kHoverLostM ? Way::Down
                                                        : Way::None;
-    default:  // it floats, or holds what it did: no dive by more than a metre
-      return Way::None;
+    case Stage::Holding:  // no dive by more than a metre
+    case Stage::Choose:
+    case Stage::Surfacing:
+      break;
   }
+  return Way::None;
 }
 
 LateralCommand Pilot::lateral(const Surroundings& now) const {

@@ -54,12 +54,15 @@ std::string wrongToToml(const SensorFault& fault) {
       return fmt::format("drift_per_s = {}", fault.value);
     case Kind::Scale:
       return fmt::format("scale = {}", fault.value);
+    case Kind::Offset:
+      return fmt::format("offset = {}", fault.value);
     case Kind::Jumps:
       return fmt::format("jumps = {}\njumps_share = {}", fault.value, fault.share);
     case Kind::Value:
       break;
   }
-  return std::isnan(fault.value) ? "value = nan" : fmt::format("value = {}", fault.value);
+  return (std::isnan(fault.value) ? "value = nan" : fmt::format("value = {}", fault.value)) +
+         (fault.share < 1 ? fmt::format("\nvalue_share = {}", fault.share) : "");
 }
 
 std::string sensorToToml(const SensorFault& fault) {

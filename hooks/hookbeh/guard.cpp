@@ -78,6 +78,8 @@ void Guard::observe(const Surroundings& now, double step_s, const VerticalComman
     headway_.observe(way, watch_.depth(), step_s);
   }
   unseen_.observe(watch_.depth(), step_s, last);
+  const double deepest = unseen_.deepest();
+  down_from_m_ = way == Way::Down ? atMost(deepest, down_from_m_) : deepest;
   by_ctd_.observe(watch_.ctdDepth(), step_s, last);
   if (by_ctd_.hasMoved() && !unseen_.hasMoved()) {
     watch_.believeCtd();  // it lives, and the depth does not
@@ -125,12 +127,17 @@ HookGuard Guard::stall(const HookbehArgs& args, const Instruction& in_force) con
   if (headway_.way() == Way::Up) {
     return headway_.idleFor() >= kStalledSecs ? HookGuard::NoHeightGained : HookGuard::None;
   }
-  const bool idle = headway_.way() == Way::Down &&
-                    (headway_.idleFor() >= kHoverSecs || mayBeDeeper(args, in_force));
+  const double most = mostUnseen(args, in_force);
+  // What it may have sunk before this dive is for a climb that checks the depth.
+  const double own = atMost(most - unseen_.shown(), kPastShownM);
+  const bool sinks = unseen_.deepest() >= most && !(unseen_.deepest() < down_from_m_ + own);
+  const bool unseen = sinks || mayBeFarDown(args);
+  const bool idle = headway_.way() == Way::Down && (headway_.idleFor() >= kHoverSecs || unseen);
   return idle ? HookGuard::NoDepthGained : HookGuard::None;
 }
 
-bool Guard::mayBeDeeper(const HookbehArgs& args, const Instruction& in_force) const {
+/// How deep the vehicle may be before its depth must show it, m.
+double Guard::mostUnseen(const HookbehArgs& args, const Instruction& in_force) const {
   const double shown = unseen_.shown();
   double most = atLeast(shown + kLeastUnseenM, args.greatest_depth_m);
   if (!unseen_.hasMoved()) {
@@ -139,9 +146,18 @@ bool Guard::mayBeDeeper(const HookbehArgs& args, const Instruction& in_force) co
   if (in_force.vertical == HookVertical::Descend) {
     most = atMost(atLeast(in_force.depth_m + kPastTargetM, shown + kPastShownM), most);
   }
-  const double left = args.greatest_depth_m - shown + kPastShare * args.greatest_depth_m;
-  return unseen_.deepest() >= most || unseen_.sunkInDive() >= atLeast(left, kLeastInDiveM) ||
+  return most;
+}
+
+/// Two sensors may be wrong.
+bool Guard::mayBeFarDown(const HookbehArgs& args) const {
+  const double left = args.greatest_depth_m - unseen_.shown() + kPastShare * args.greatest_depth_m;
+  return unseen_.sunkInDive() >= atLeast(left, kLeastInDiveM) ||
          unseen_.sunkSteeply() >= atLeast(left, kLeastSteeplyM);
+}
+
+bool Guard::mayBeDeeper(const HookbehArgs& args, const Instruction& in_force) const {
+  return unseen_.deepest() >= mostUnseen(args, in_force) || mayBeFarDown(args);
 }
 
 bool Guard::mustShowDepth(const HookbehArgs& args, const Instruction& in_force) {

@@ -41,6 +41,8 @@ class Guard {
   void noteBottom(const Surroundings& now, double step_s);
   [[nodiscard]] HookGuard brokenLimit(const HookbehArgs& args) const;
   [[nodiscard]] HookGuard stall(const HookbehArgs& args, const Instruction& in_force) const;
+  [[nodiscard]] double mostUnseen(const HookbehArgs& args, const Instruction& in_force) const;
+  [[nodiscard]] bool mayBeFarDown(const HookbehArgs& args) const;
   [[nodiscard]] bool mayBeDeeper(const HookbehArgs& args, const Instruction& in_force) const;
   void trip(HookGuard broken);
   [[nodiscard]] bool mayLetGo(const HookbehArgs& args, const Instruction& in_force) const;
@@ -63,6 +65,7 @@ class Guard {
   HookGuard tripped_ = HookGuard::None;
   double tripped_depth_m_ = __builtin_nan("");  // the shallowest at which a limit was broken
   double tripped_s_ = __builtin_nan("");        // since then
+  double down_from_m_ = __builtin_nan("");  // so deep it may have been before it was driven down
 };
 
 /// "climb: too deep"…, for logs; "" for None.

@@ -18,6 +18,9 @@ constexpr double kHoverLostM = 6.0;
 /// Shallower than this, hovering means floating.
 constexpr double kSurfaceM = 1.0;
 
+/// Shallower than this, waves may be all that moves a vehicle on its way up.
+constexpr double kNearSurfaceM = 3.0;
+
 }  // namespace
 
 void Pilot::begin(const Instruction& instruction) {
@@ -160,9 +163,10 @@ Way Pilot::way(double depth_m) const {
       return depth_m > hover_.target_m + kHoverLostM   ? Way::Up
              : depth_m < hover_.target_m - kHoverLostM ? Way::Down
                                                        : Way::None;
+    case Stage::Surfacing:
+      return depth_m > kNearSurfaceM ? Way::Up : Way::None;
     case Stage::Holding:  // no dive by more than a metre
     case Stage::Choose:
-    case Stage::Surfacing:
       break;
   }
   return Way::None;

@@ -16,6 +16,8 @@ class Planted:
     old: str
     new: str
     faults: tuple = ()  # the campaign flies these kinds only; none: all
+    scenario: str = "default"
+    missions: tuple = ()  # the campaign flies these only; none: all
 
 
 HOOKBEH = "hooks/hookbeh/hookbeh.cpp"
@@ -26,6 +28,7 @@ VALUES = "hooks/protocol/values.cpp"
 WATCHES = "hooks/hookprog/watches.cpp"
 DEPTH = "hooks/hookbeh/depth_source.cpp"
 WATCH = "hooks/hookbeh/depth_watch.cpp"
+UNSEEN_SINK = "hooks/hookbeh/unseen_sink.cpp"
 CLOCK = "hooks/hookbeh/cycle_clock.cpp"
 HULL = "hooks/hookbeh/hull.cpp"
 BEHAVIOURS = "hooks/hookbeh/sub_behaviours.cpp"
@@ -76,15 +79,15 @@ PLANTED = [
     Planted("HB-22", "a frozen depth is believed", WATCH, "(frozen_ && own_.sameFor() > 0) || (same && !hangs)", "false", SENSORS),
     Planted("HB-23", "a dive that gains no depth goes on", GUARD, "return idle ? HookGuard::NoDepthGained : HookGuard::None;",
             "return HookGuard::None;", SENSORS),
-    Planted("HB-33", "what may have sunk unseen does not count", GUARD,
-            "unseen_.deepest() >= most", "false", SENSORS),
+    Planted("HB-33", "what may have sunk unseen is not reckoned", UNSEEN_SINK, "reckon(step_s, last);", ";", ("sensor frozen",), "scripts/soak/no_ctd.toml",
+            ("scripts/soak/deep.mission",)),
     Planted("HB-34", "what another behaviour flies is reckoned", HOOKBEH,
             "off_cc > kPumpErrorCc || off_cc < -kPumpErrorCc", "false", ("SBC power cut", "science reboot", "mission stuck", "several at once")),
     Planted("HB-35", "the guard climbs with no more than a usual climb", BEHAVIOURS,
             "return {usualPitch(args), kHull.pump_cc, doing};", "return {usualPitch(args), args.climb_pump_cc, doing};", SENSORS),
     Planted("HB-24", "a climb that gains no height is left as it is", GUARD, "headway_.idleFor() >= kStalledSecs", "false", SENSORS),
     Planted("HB-25", "depths that disagree are believed", WATCH, "ctd_known_ && disagree_s_ >= kPersistsSecs && ctd_.age() == 0", "false", SENSORS),
-    Planted("HB-26", "a CTD that never agreed is believed", WATCH, "ctd_known_ || agree_s_ >= kPersistsSecs", "true", SENSORS),
+    Planted("HB-26", "a CTD that never agreed is believed", WATCH, "ctd_known_ || agree_s_ >= kPersistsSecs", "true", ("another sensor wrong",)),
     Planted("HB-27", "one clock alone is believed", CLOCK, "magnitude(by_mission - by_wall) <= kAgree && by_mission > 0", "by_mission > 0", ("clock jumps", "hook sensor wrong", "another sensor wrong", "several at once")),
     Planted("HB-31", "a heartbeat that comes again counts", HOOKBEH, "isNewerSession(beat, heartbeat_)", "beat != heartbeat_", ("old frames again", "doubled frames", "left-over instruction")),
     Planted("HB-28", "the pump may go beyond its stroke", HULL, "out.dive_pump_cc = -between(dive, 0, hull.pump_cc);", "out.dive_pump_cc = -dive;"),

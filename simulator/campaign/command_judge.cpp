@@ -193,9 +193,10 @@ std::string CommandJudge::judgeBlind(const CycleView& view, double reading) {
     seconds = dives && so ? seconds + s_.cycle_s : 0;
     return seconds;
   };
-  const bool ctd = std::ranges::none_of(s_.faults.sensors, [](const SensorFault& fault) {
-    return fault.name == "sci_water_pressure";
-  });
+  const bool ctd =
+      s_.has_ctd && std::ranges::none_of(s_.faults.sensors, [](const SensorFault& fault) {
+        return fault.name == "sci_water_pressure";
+      });
   // Each dive counts from its own first reading; one that is NaN is judged elsewhere.
   const bool gains = !dives || !(reading < deepest_m_ + 1);
   deepest_m_ = !dives ? -kFar : gains ? reading : deepest_m_;
@@ -248,9 +249,11 @@ std::string CommandJudge::judgeGuard(const CycleView& view) {
 std::string CommandJudge::judgeDive(const HookbehOutputs& out, double reading) {
   const double target = in_force_.depth_m;
   if (!arrived_ && reading < target - kDepthError) {
+    // Its own climb shows that the depth lives, and then it dives.
     const bool dives = std::fabs(out.pitch_rad - in_force_.pitch_rad) < kPitchError &&
                        out.pump_cc < s_.args.dive_pump_cc + kPumpError;
-    return dives ? "" : fmt::format("no dive to {} m though it is in force", target);
+    return dives || checksDepth(out) ? ""
+                                     : fmt::format("no dive to {} m though it is in force", target);
   }
   arrived_ = true;
   if (reading > target + kHoldReach + kDepthError && out.pitch_rad < 0) {

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <span>
+#include <string_view>
 
 namespace glider::simulator {
 namespace {
@@ -104,6 +105,32 @@ double valueOf(FaultKind kind, const Plausible& sensor, Draw& draw) {
   }
 }
 
+/// A heartbeat that stands still may also be one of two that come again and again.
+void addOldHeartbeats(const SensorFault& first, Draw& draw, Faults& faults) {
+  if (first.name == std::string_view("sci_hook_heartbeat") &&
+      first.kind == SensorFault::Kind::Value) {
+    SensorFault second = first;
+    second.value += 1;
+    second.share = draw.between(0.1, 0.9);
+    faults.sensors.push_back(second);
+  }
+}
+
+/// A CTD that fails may in place of that tell the absolute pressure, or be off by as much the other
+/// way: it never agrees with the depth.
+bool isOffset(FaultKind kind, const Plausible& sensor, Draw& draw) {
+  return kind == FaultKind::OtherSensor && sensor.name == std::string_view("sci_water_pressure") &&
+         draw.chance(0.5);
+}
+
+SensorFault offsetOf(const Plausible& sensor, Draw& draw) {
+  SensorFault fault;
+  fault.name = sensor.name;
+  fault.kind = SensorFault::Kind::Offset;
+  fault.value = (draw.chance(0.5) ? 1 : -1) * draw.between(0.6, 3);  // bar
+  return fault;
+}
+
 }  // namespace
 
 bool isSensorKind(FaultKind kind) {
@@ -114,11 +141,15 @@ bool isSensorKind(FaultKind kind) {
 void addSensor(FaultKind kind, Draw& draw, Faults& faults) {
   const std::span<const Plausible> sensors = sensorsOf(kind);
   const Plausible& sensor = sensors[draw.below(static_cast<uint32_t>(sensors.size()))];
+  if (isOffset(kind, sensor, draw)) {
+    return faults.sensors.push_back(offsetOf(sensor, draw));
+  }
   SensorFault fault;
   fault.name = sensor.name;
   fault.kind = howOf(kind, draw);
   fault.value = valueOf(kind, sensor, draw);
   fault.share = draw.chance(0.3) ? 1 : draw.scale(0.01, 1);
+  fault.share = fault.kind == SensorFault::Kind::Value ? 1 : fault.share;
   // One that is stuck may waver by a little all the same.
   SensorFault wavers = fault;
   wavers.kind = SensorFault::Kind::Jumps;
@@ -131,6 +162,7 @@ void addSensor(FaultKind kind, Draw& draw, Faults& faults) {
     if (flickers) {
       faults.sensors.push_back(wavers);
     }
+    addOldHeartbeats(fault, draw, faults);
   }
 }
 

@@ -52,6 +52,7 @@ FlightJudge::FlightJudge(JudgeSetup setup)
     : setup_(std::move(setup)),
       depth_(setup_),
       commands_(setup_),
+      guards_(setup_),
       ending_(setup_),
       last_end_s_(setup_.faults.lastEnd()),
       stated_(statedTimes(setup_.faults, setup_.args.silence_secs, setup_.cycle_s)) {
@@ -176,6 +177,7 @@ void FlightJudge::followRestart(const CycleView& view) {
     session_in_control_ = lost_session_ = 0;
     answered_ = {0, 0};
     commands_.restart();
+    guards_.restart();
   }
   mission_s_ = view.mission_s;
 }
@@ -266,7 +268,8 @@ bool FlightJudge::cycle(const CycleView& view) {
   hook_ = view.hook;
   judgeTimes(view);
   judgeGarbled(view);
-  for (std::string wrong : {commands_.cycle(view), depth_.cycle(view), ending_.cycle(view)}) {
+  for (std::string wrong :
+       {commands_.cycle(view), guards_.cycle(view), depth_.cycle(view), ending_.cycle(view)}) {
     if (!wrong.empty()) {
       violate(view.time_s, std::move(wrong));
     }

@@ -8,6 +8,7 @@
 #include "simulator/campaign/command_judge.h"
 #include "simulator/campaign/depth_judge.h"
 #include "simulator/campaign/ending_judge.h"
+#include "simulator/campaign/guard_judge.h"
 #include "simulator/campaign/judge_setup.h"
 #include "simulator/campaign/stated_times.h"
 #include "simulator/onlooker.h"
@@ -73,6 +74,7 @@ class FlightJudge final : public Onlooker {
   JudgeSetup setup_;
   DepthJudge depth_;
   CommandJudge commands_;
+  GuardJudge guards_;
   EndingJudge ending_;
   double last_end_s_;  ///< of the faults that end
   bool for_ever_;      ///< one takes control away and does not end

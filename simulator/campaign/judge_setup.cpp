@@ -73,6 +73,7 @@ JudgeSetup judgeSetup(const platforms::Platform& platform, const Scenario& scena
   JudgeSetup setup;
   setup.faults = scenario.faults;
   setup.promise = promiseOf(kinds);
+  setup.has_ctd = scenario.sensors.ctd.dropout < 1;
   setup.hull_m = platform.envelope.greatest_depth_m;
   setup.cycle_s = platform.envelope.cycle_s;
   setup.turn_s = platform.world.turn_s;

@@ -18,6 +18,7 @@ struct JudgeSetup {
   Promise promise;
   hooks::HookbehArgs args;  ///< of the mission file's hookbeh
   bool has_hookbeh = false;
+  bool has_ctd = true;
   bool only_hookbeh = true;  ///< nothing else in the mission file dives
   double overdepth_m = -1;   ///< of its abend; negative: none
   double undervolts = -1;    ///< the same

@@ -40,15 +40,16 @@ struct LineFault {
 
 /// What a sensor says for a time instead of the truth.
 struct SensorFault {
-  enum class Kind : uint8_t { Frozen, Value, Missing, Drift, Scale, Jumps };
+  enum class Kind : uint8_t { Frozen, Value, Missing, Drift, Scale, Jumps, Offset };
   std::string name;  ///< the vehicle's
   uint16_t id = 0;   ///< in the platform; set when the flight begins
   Span when = {};
   Kind kind = Kind::Frozen;
   /// Value: what it says, may be NaN; Drift: how much more it says each second; Scale: how many
-  /// times too much; Jumps: how far a reading jumps to either side, at most. In the sensor's unit.
+  /// times too much; Jumps: how far a reading jumps to either side, at most; Offset: how much more it
+  /// says. In the sensor's unit.
   double value = 0;
-  double share = 1;  ///< Jumps, Missing: share of readings that jump or are missing
+  double share = 1;  ///< Value, Jumps, Missing: share of readings that are wrong so
 };
 
 /// The SBC's own clock jumps.

@@ -25,10 +25,13 @@ std::optional<double> SensorDamage::reading(uint16_t id, double truth) {
         }
         break;
       case SensorFault::Kind::Value:
-        reading = fault.value;
+        reading = fault.share >= 1 || jumps_.uniform() < fault.share ? fault.value : reading;
         break;
       case SensorFault::Kind::Drift:
         reading += fault.value * (now_s_ - fault.when.from_s);
+        break;
+      case SensorFault::Kind::Offset:
+        reading += fault.value;
         break;
       case SensorFault::Kind::Scale:
         reading *= fault.value;

@@ -79,11 +79,12 @@ constexpr double kMostWrong = 1e6;
 constexpr Wrong kWrongByNumber[] = {
     {"drift_per_s", SensorFault::Kind::Drift, -kMostWrong, kMostWrong},
     {"scale", SensorFault::Kind::Scale, -kMostWrong, kMostWrong},
+    {"offset", SensorFault::Kind::Offset, -kMostWrong, kMostWrong},
     {"jumps", SensorFault::Kind::Jumps, 0, kMostWrong}};
 
 void readSensor(Fields& f, Faults& faults) {
   f.reader().only({"sensor", "from_s", "to_s", "frozen", "missing", "value", "drift_per_s", "scale",
-                   "jumps", "jumps_share", "missing_share"});
+                   "offset", "jumps", "jumps_share", "missing_share", "value_share"});
   SensorFault fault;
   fault.name = f.reader().text("sensor");
   fault.when = readSpan(f);
@@ -104,7 +105,7 @@ void readSensor(Fields& f, Faults& faults) {
   if (kinds != 1) {
     f.reader().refuse("sensor",
                       "needs one of `frozen = true`, `missing = true`, `value`, `drift_per_s`, "
-                      "`scale` and `jumps`");
+                      "`scale`, `offset` and `jumps`");
   }
   f.number("jumps_share", fault.share, 0, 1);
   if (f.has("jumps_share") && !f.has("jumps")) {
@@ -113,6 +114,10 @@ void readSensor(Fields& f, Faults& faults) {
   f.number("missing_share", fault.share, 0, 1);
   if (f.has("missing_share") && !missing) {
     f.reader().refuse("missing_share", "needs `missing = true` beside it");
+  }
+  f.number("value_share", fault.share, 0, 1);
+  if (f.has("value_share") && !f.has("value")) {
+    f.reader().refuse("value_share", "needs `value` beside it");
   }
   faults.sensors.push_back(fault);
 }

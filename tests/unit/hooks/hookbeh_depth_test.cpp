@@ -273,6 +273,29 @@ TEST(HookbehDepth, AClimbThatGainsNoHeightClimbsWithAllItHas) {
   EXPECT_GT(sea.truth, at - 4);
 }
 
+TEST(HookbehDepth, AWayToTheSurfaceThatGainsNoHeightClimbsWithAllItHas) {
+  Sea sea;
+  sea.has_ctd = true;
+  sea.diveTo(30, 50);
+  sea.bench.write(Bench::vertical(HookVertical::Surface, 0));
+  sea.run(6, kNothing);
+  EXPECT_EQ(hang(sea, 57), HookGuard::None);
+  EXPECT_EQ(hang(sea, 8), HookGuard::NoHeightGained) << "240 s";
+  sea.until(HookGuard::None, kNothing);
+  EXPECT_STREQ(sea.out.doing, "surface");
+}
+
+TEST(HookbehDepth, AtTheSurfaceThereIsNoHeightToGain) {
+  Sea sea;
+  sea.has_ctd = true;
+  sea.diveTo(10, 20);
+  sea.bench.write(Bench::vertical(HookVertical::Surface, 0));
+  for (int i = 0; i < 200; ++i) {
+    ASSERT_EQ(sea.cycle().guard, HookGuard::None) << i;
+  }
+  EXPECT_LT(sea.truth, 3);
+}
+
 TEST(HookbehDepth, AnInstructionToGoDeeperEndsAClimbThatGainsNoHeight) {
   Sea sea;
   sea.has_ctd = true;

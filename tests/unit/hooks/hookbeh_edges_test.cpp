@@ -289,7 +289,8 @@ TEST(HookbehPilot, ShallowerThanAMetreHoveringIsFloating) {
   EXPECT_STREQ(PilotBench(Bench::vertical(HookVertical::Hover, 1)).at(1).doing, "hover");
   PilotBench bench(Bench::vertical(HookVertical::Hover, 0.75));
   EXPECT_STREQ(bench.at(1).doing, "surface");
-  EXPECT_EQ(bench.pilot.way(10), Way::None);
+  EXPECT_EQ(bench.pilot.way(3), Way::None);
+  EXPECT_EQ(bench.pilot.way(3.25), Way::Up);
 }
 
 TEST(HookbehPilot, AHoverDrivesWhereItIsSixMetresOff) {

@@ -75,6 +75,25 @@ TEST(HookbehUnseen, AHoverShowsThatItsDepthLivesByAShortClimb) {
   EXPECT_NEAR(sea.truth, 20, 4);
 }
 
+/// What the hover may have sunk is no dive that gains no depth.
+TEST(HookbehUnseen, ADiveAfterALongHoverMayShowThatItsDepthLivesFirst) {
+  int checks = 0;
+  for (int waits = 0; waits < 30; ++waits) {
+    SlowSea sea(60);
+    hoverAt(sea, 20);
+    sea.held = true;
+    sea.run(waits, kNothing);
+    sea.held = false;
+    sea.bench.write(Bench::descend(22));
+    for (int i = 0; i < 60; ++i) {
+      ASSERT_EQ(sea.cycle().guard, HookGuard::None) << waits << " " << i;
+      checks += std::string(sea.out.doing) == "check depth" ? 1 : 0;
+    }
+    EXPECT_NEAR(sea.truth, 22, 3) << waits;
+  }
+  EXPECT_GT(checks, 0);
+}
+
 TEST(HookbehUnseen, AHoverThatTheCtdSeesShowsNothing) {
   SlowSea sea;
   sea.has_ctd = true;

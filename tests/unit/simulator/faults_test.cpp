@@ -292,6 +292,24 @@ TEST(SensorDamage, DriftsScalesAndJumps) {
   EXPECT_NEAR(up, jumped / 2.0, 40);
 }
 
+TEST(SensorDamage, IsOffAndLiesNowAndThen) {
+  using Kind = SensorFault::Kind;
+  SensorFault off = onSensor("", Kind::Offset, 1.5);
+  SensorFault lies = onSensor("", Kind::Value, 7);
+  off.id = 1, lies.id = 2;
+  lies.share = 0.25;
+  SensorDamage damage({off, lies}, 1);
+  damage.setNow(310);
+  EXPECT_EQ(damage.reading(1, 20), 21.5);
+  int lied = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const double reading = *damage.reading(2, 20);
+    EXPECT_TRUE(reading == 7 || reading == 20) << reading;
+    lied += reading == 7;
+  }
+  EXPECT_NEAR(lied, 250, 50);
+}
+
 TEST(FaultFlight, NoSensorsNanReachesTheVehicle) {
   for (uint16_t id = 0; id < GLIDER_SENSOR_COUNT; ++id) {
     SimulationSetup setup = withFaults({});

@@ -201,7 +201,7 @@ TEST_F(JudgedForLong, ANewDiveAfterSilenceBeginsAgain) {
   obey(2, 2);
   while (now_ < 420) {
     done(2);
-    cycle(HookState::Active, 1 + 0.01 * (now_ - 204));
+    cycle(HookState::Active, 5 + 0.01 * (now_ - 204));
   }
   EXPECT_EQ(violation(), "the flight does not end in time");
 }
@@ -245,6 +245,7 @@ class JudgedClimb : public Judged {
 TEST_F(JudgedClimb, HookbehsOwnIsOneToo) {
   ascend();
   out_.doing = "check depth";
+  out_.pump_cc = 233;
   cycle(HookState::Active, 10);
   EXPECT_EQ(violation().find("no climb"), std::string::npos) << violation();
   out_.pump_cc = -230;

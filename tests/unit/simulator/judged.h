@@ -77,8 +77,10 @@ class Judged : public testing::Test {
     out_.commanding = hook == hooks::HookState::Active;
     array_.set(GLIDER_M_DEPTH, std::isnan(reading_) ? depth : reading_);
     array_.set(GLIDER_X_HOOK_GUARD, static_cast<double>(out_.guard));
+    array_.set(GLIDER_SCI_HOOK_HEARTBEAT, beats_ ? ++heartbeat_ : heartbeat_);
+    array_.set(GLIDER_C_BALLAST_PUMPED, overridden_ ? -out_.pump_cc : out_.pump_cc);
     return judge_.cycle({now_, hook, depth, aborted, ended_, array_, now_ - restarted_s_,
-                         clearance_, used_J_, 14, whole_, aborted ? nullptr : &out_});
+                         clearance_, used_J_, 14, whole_, aborted ? nullptr : &out_, overridden_});
   }
   /// Up to `until_s` in control, the mission going on.
   void fly(double until_s) {
@@ -130,6 +132,9 @@ class Judged : public testing::Test {
   double reading_ = std::nan("");  ///< of m_depth; NaN: the truth
   bool ended_ = false;             ///< the vehicle's mission is over
   bool whole_ = true;
+  bool beats_ = true;        ///< a newer heartbeat comes in every cycle
+  bool overridden_ = false;  ///< another behaviour has the pump
+  double heartbeat_ = 0;
   static constexpr double kPitch = -0.5;
   SensorArray array_;
   double now_ = 0;

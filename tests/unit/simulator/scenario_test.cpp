@@ -197,6 +197,18 @@ TEST_F(ScenarioFile, ReadsFaults) {
   EXPECT_EQ(faults.lastEnd(), 68);
 }
 
+TEST_F(ScenarioFile, ReadsSensorsThatAreOffAndThatLieNowAndThen) {
+  const std::string ctd = "[[faults.sensor]]\nsensor = \"sci_water_pressure\"\nfrom_s = 1\n";
+  ASSERT_EQ(load(kHead + kStart + ctd + "offset = 1.01\n" + ctd + "value = 3\nvalue_share = 0.5\n"),
+            "");
+  const auto& sensors = scenario_.faults.sensors;
+  ASSERT_EQ(sensors.size(), 2U);
+  EXPECT_EQ(sensors[0].kind, SensorFault::Kind::Offset);
+  EXPECT_EQ(sensors[0].value, 1.01);
+  EXPECT_EQ(sensors[1].kind, SensorFault::Kind::Value);
+  EXPECT_EQ(sensors[1].share, 0.5);
+}
+
 TEST_F(ScenarioFile, ReadsSensorsThatDriftScaleAndJump) {
   const std::string depth = "[[faults.sensor]]\nsensor = \"m_depth\"\nfrom_s = 1\n";
   ASSERT_EQ(load(kHead + kStart + depth + "drift_per_s = -0.02\n" + depth + "scale = 0.5\n" +
@@ -265,6 +277,10 @@ TEST_F(ScenarioFile, RefusesFaultsThatAreNone) {
        "needs one of"},
       {"[[faults.sensor]]\nsensor = \"m_depth\"\nfrom_s = 1\nscale = 3\njumps_share = 0.5\n",
        "needs `jumps`"},
+      {"[[faults.sensor]]\nsensor = \"m_depth\"\nfrom_s = 1\nscale = 3\nvalue_share = 0.5\n",
+       "needs `value`"},
+      {"[[faults.sensor]]\nsensor = \"m_depth\"\nfrom_s = 1\nscale = 3\noffset = 1\n",
+       "needs one of"},
       {"[[faults.sensor]]\nsensor = \"m_depth\"\nfrom_s = 1\njumps = -3\n", "between 0 and"},
       {"[[faults.sensor]]\nsensor = \"m_depth\"\nfrom_s = 1\nvalue = \"3\"\n", "must be a number"},
       {"[[faults.clock]]\nat_s = 1\n", "no `by_s`"},

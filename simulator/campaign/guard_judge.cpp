@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "simulator/campaign/guard_judge.h"
+
+#include "hooks/hookbeh/hull.h"
+#include "hooks/protocol/messages.h"
+#include "platforms/slocum_sensors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+namespace glider::simulator {
+
+using hooks::HookGuard;
+using hooks::HookState;
+
+namespace {
+
+constexpr double kPumpError = 1e-3;  // cc
+// What a jump is without a doubt: from a depth that was right for a minute, further than a vehicle
+// and noise go in hookbeh's longest cycle.
+constexpr double kRight = 2;          // m
+constexpr double kRightSecs = 64;     // s
+constexpr double kJump = 12;          // m
+constexpr double kLongestCycle = 20;  // s
+// hookbeh counts 240 s from the last metre gained, which itself may have taken as long.
+constexpr double kStalledSecs = 504;  // s
+constexpr double kStandsStill = 0.5;  // m
+constexpr double kBelowSurface = 3;   // m
+constexpr double kAwayCc = 30;        // that tell two commands to the pump apart
+constexpr double kAwaySecs = 12;      // s
+
+bool climbsByItself(const CycleView& view) {
+  return view.hookbeh->guard != HookGuard::None ||
+         view.hookbeh->doing == std::string_view("check depth");
+}
+
+bool climbs(const CycleView& view) {
+  return view.hookbeh->pitch_rad > 0 && view.hookbeh->pump_cc > 0;
+}
+
+bool damagesClock(const SensorFault& fault) {
+  constexpr std::array<const char*, 3> kClocks = {"m_present_secs_into_mission", "m_present_time",
+                                                  "m_cycle_number"};
+  return std::ranges::find(kClocks, fault.name) != kClocks.end();
+}
+
+}  // namespace
+
+GuardJudge::GuardJudge(const JudgeSetup& setup)
+    : s_(setup), clocks_known_(std::ranges::none_of(setup.faults.sensors, damagesClock)) {}
+
+void GuardJudge::restart() {
+  right_s_ = climbs_s_ = away_s_ = 0;
+  stalled_ = false;
+  hook_ = HookState::Absent;
+}
+
+/// Its own climbs are with all of the pump, whatever c_bpump_value says of usual ones.
+std::string GuardJudge::judgePump(const CycleView& view) const {
+  const bool weak =
+      climbsByItself(view) && view.hookbeh->pump_cc < hooks::kHull.pump_cc - kPumpError;
+  return weak ? fmt::format("{} with {:.0f} cc, and the pump has {:.0f}", view.hookbeh->doing,
+                            view.hookbeh->pump_cc, hooks::kHull.pump_cc)
+              : "";
+}
+
+std::string GuardJudge::judgeJump(const CycleView& view) {
+  const double reading = view.array.get(GLIDER_M_DEPTH);
+  const double by = reading - reading_m_;
+  const bool jumped =
+      right_s_ >= kRightSecs && view.time_s - last_s_ <= kLongestCycle && std::fabs(by) > kJump;
+  const bool right = std::fabs(reading - view.true_depth_m) < kRight;
+  right_s_ = right ? right_s_ + view.time_s - last_s_ : 0;
+  reading_m_ = reading;
+  return jumped && view.hook == HookState::Active && !climbs(view)
+             ? fmt::format("m_depth jumps by {:.1f} m, and hookbeh does not climb", by)
+             : "";
+}
+
+/// A climb that gains no height gets all that there is.
+std::string GuardJudge::judgeClimb(const CycleView& view) {
+  const double reading = view.array.get(GLIDER_M_DEPTH);
+  const bool counts = view.hook == HookState::Active && climbs(view) && !climbsByItself(view) &&
+                      !view.overridden && reading > kBelowSurface;
+  const bool moves = !(climbs_s_ > 0) || std::fabs(reading - stood_m_) >= kStandsStill;
+  stood_m_ = moves ? reading : stood_m_;
+  climbs_s_ = !counts ? 0 : moves ? s_.cycle_s : climbs_s_ + view.time_s - last_s_;
+  return climbs_s_ > kStalledSecs
+             ? fmt::format("climbs for {:.0f} s and gains no height, and no guard comes in",
+                           climbs_s_)
+             : "";
+}
+
+/// What another behaviour flies says nothing of hookbeh's dives and climbs.
+std::string GuardJudge::judgeOverridden(const CycleView& view) {
+  const HookGuard guard = view.hookbeh->guard;
+  const bool stalled = guard == HookGuard::NoDepthGained || guard == HookGuard::NoHeightGained;
+  const bool wrong = stalled && !stalled_ && away_s_ > kAwaySecs;
+  const double off_cc = view.array.get(GLIDER_C_BALLAST_PUMPED) - view.hookbeh->pump_cc;
+  const bool away = view.overridden && std::fabs(off_cc) > kAwayCc;
+  away_s_ = away ? away_s_ + view.time_s - last_s_ : 0;
+  stalled_ = stalled;
+  return wrong ? fmt::format("the guard comes in ({}) while another behaviour has the pump",
+                             view.hookbeh->doing)
+               : "";
+}
+
+/// A heartbeat counts if it is newer than all before.
+std::string GuardJudge::judgeHeartbeat(const CycleView& view) {
+  const double beat = view.array.get(GLIDER_SCI_HOOK_HEARTBEAT);
+  const bool whole = beat >= 0 && beat <= hooks::kMostSession && std::floor(beat) == beat;
+  const bool newer = whole && hooks::isNewerSession(static_cast<uint32_t>(beat),
+                                                    static_cast<uint32_t>(heartbeat_));
+  if (hook_ != HookState::Active || newer) {
+    heartbeat_ = whole ? beat : heartbeat_;
+    heard_s_ = view.time_s;
+  }
+  hook_ = view.hook;
+  const double silent_s = view.time_s - heard_s_;
+  const double most = letGoSecs(Control::Silent, s_.args.silence_secs, s_.cycle_s);
+  return clocks_known_ && view.hook == HookState::Active && silent_s > most
+             ? fmt::format("the SBC is in control without a newer heartbeat for {:.0f} s", silent_s)
+             : "";
+}
+
+std::string GuardJudge::cycle(const CycleView& view) {
+  if (view.hookbeh == nullptr) {
+    return "";
+  }
+  const bool active = view.hook == HookState::Active;
+  const std::array found = {active ? judgePump(view) : "", judgeJump(view), judgeClimb(view),
+                            judgeOverridden(view), judgeHeartbeat(view)};
+  last_s_ = view.time_s;
+  const auto* wrong =
+      std::ranges::find_if(found, [](const std::string& words) { return !words.empty(); });
+  return wrong != found.end() ? *wrong : "";
+}
+
+}  // namespace glider::simulator

@@ -441,8 +441,9 @@ TEST(Fences, AnyEntryOfTheStartMayCommandTheHeading) {
 }
 
 TEST(Fences, AtFirstARowMayBeNone) {
-  const auto free = [](const std::string& row, const std::string& before = "") {
-    return steered(beginning(before + "steer_to ((element 0 %9), (element 1 %9))",
+  const auto free = [](const std::string& row, const std::string& before = "",
+                       const std::string& after = "") {
+    return steered(beginning(before + "steer_to ((element 0 %9), (element 1 %9))" + after,
                              kLeg +
                                  "variable wide: number mission lowest 0 highest 9\n"
                                  "initial wide 0\nlet %9 = " +
@@ -460,6 +461,8 @@ TEST(Fences, AtFirstARowMayBeNone) {
   EXPECT_FALSE(free("(var leg)", "if (known (sensor temp)) set leg 1 end "));
   EXPECT_TRUE(free("(var wide)", "if (known (sensor temp)) set wide 2 end "))
       << "what the entry sets";
+  EXPECT_TRUE(free("(var wide)", "set wide 2 ", " set wide 0"))
+      << "as it stood between two statements";
   EXPECT_TRUE(free("(var leg)", "set leg (clamp (div (sensor depth) 100:length) 0 1) "))
       << "no whole number";
 }

@@ -17,7 +17,8 @@ DebugInfo::DebugInfo(llvm::Module& module, const support::SourceManager* sources
   }
   constexpr unsigned kDwarfVersion = 4;  // what the debuggers of the boards' time read
   module.addModuleFlag(llvm::Module::Warning, "Debug Info Version", llvm::DEBUG_METADATA_VERSION);
-  module.addModuleFlag(llvm::Module::Max, "Dwarf Version", kDwarfVersion);
+  // The runtime that is joined brings a flag of its own, which may be a later version.
+  module.addModuleFlag(llvm::Module::Override, "Dwarf Version", kDwarfVersion);
   unit_ = builder_.createCompileUnit(llvm::dwarf::DW_LANG_C, fileOf(main.file), "glidercc", true,
                                      "", 0, "", llvm::DICompileUnit::LineTablesOnly);
   type_ = builder_.createSubroutineType(builder_.getOrCreateTypeArray({}));

@@ -6,6 +6,7 @@
 #include "ir/prove/world.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace glider::ir::prove {
 
@@ -77,17 +78,15 @@ void RandomVehicle::move(double from, double to) {
     speed_until_ = from + dice_.lasting();
   }
   const double way = platform_.envelope.vertical_rate_m_s * (to - from);
-  double lowest = std::max(0.0, depth_ - way);
+  const double lowest = std::max(0.0, depth_ - way);
   double highest = std::min(deepest_, depth_ + way);
   const double climbs = to - since_ - platform_.world.turn_s;
   if (climbing_ && climbs >= 0) {
     const double lifted = deepest_ - platform_.world.slowest_climb_m_s * climbs;
     highest = std::min(highest, std::max({top_, 0.0, lifted}));
   }
-  lowest = std::min(lowest, highest);
   const bool down = !climbing_ || (depth_ < top_ && dice_.chance(0.5));
-  depth_ = down ? depth_ + speed_ * (highest - depth_) : depth_ + speed_ * (lowest - depth_);
-  depth_ = std::clamp(depth_, lowest, highest);
+  depth_ = std::lerp(std::min(depth_, highest), down ? highest : lowest, speed_);
 }
 
 }  // namespace glider::ir::prove

@@ -4,6 +4,7 @@
 #include "ir/prove/relevance.h"
 
 #include "ir/core/ops.h"
+#include "ir/prove/orders.h"
 
 namespace glider::ir::prove {
 namespace {
@@ -103,20 +104,16 @@ class Closure {
       return false;
     }
     for (const Statement& s : m_[block].statements) {
-      const bool here = s.kind == StatementKind::Set       ? result_.variables[s.variable.index]
-                        : s.kind == StatementKind::Command ? result_.vehicle && isVertical(s)
-                        : s.kind == StatementKind::If      ? matters(s.then) || matters(s.otherwise)
-                                                           : false;
+      const bool here = s.kind == StatementKind::Set ? result_.variables[s.variable.index]
+                        : s.kind == StatementKind::Command
+                            ? result_.vehicle && isVertical(s.command)
+                        : s.kind == StatementKind::If ? matters(s.then) || matters(s.otherwise)
+                                                      : false;
       if (here) {
         return true;
       }
     }
     return false;
-  }
-
-  static bool isVertical(const Statement& s) {
-    return s.command == Command::Descend || s.command == Command::Ascend ||
-           s.command == Command::Hover || s.command == Command::Surface;
   }
 
   void blocks() {
@@ -126,7 +123,7 @@ class Closure {
           read(s.value);
         } else if (s.kind == StatementKind::If && (matters(s.then) || matters(s.otherwise))) {
           read(s.value);
-        } else if (s.kind == StatementKind::Command && result_.vehicle && isVertical(s)) {
+        } else if (s.kind == StatementKind::Command && result_.vehicle && isVertical(s.command)) {
           for (const ExprId value : s.values) {
             read(value);
           }
@@ -143,7 +140,6 @@ class Closure {
       here = here || matters(c.action);
     }
     if (here) {
-      grown_ = grown_ || !relevant[state];
       relevant[state] = true;
       guards(activity.cases);
     }

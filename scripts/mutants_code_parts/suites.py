@@ -38,6 +38,7 @@ SUPPORT = Suite("tests/support_test")
 SLOCUM = Suite("tests/mission_files_test")
 COMMAND = Suite("tests/command_test", **GLIDERCC)
 DRIVER = Suite("tests/driver_test")
+SPIN = Suite("tests/spin_test", runs=(("GLIDERCC", "bin/glidercc"),))  # skips where there is no spin
 DOCS = Suite("tests/docs_test", **GLIDERCC)
 FLIGHTS = Suite("tests/flights_test", **GLIDERCC)
 
@@ -52,6 +53,7 @@ SUITES = {
     "ir": (IR, RANDOM, GOLDEN, FRONTEND, JUDGED, COMMAND),
     "ir/eval": (IR, OPERATIONS, RANDOM, JUDGED),
     "ir/opt": (IR, RANDOM, GOLDEN, JUDGED),
+    "ir/verify": (IR, RANDOM, GOLDEN, FRONTEND, JUDGED, COMMAND, SPIN),
     "ir/prove": (IR, GOLDEN, PROOFS, COMMAND),
     "codegen": (CODEGEN, OPERATIONS, JUDGED, COMMAND),
     "frontend": (FRONTEND, GOLDEN, COMMAND, DOCS),

@@ -117,6 +117,18 @@ TEST_F(Link, OtherFilesAreRefused) {  // GL4008
   }
 }
 
+/// A program of a board has a place of its own in memory; one of this machine, as a library, has
+/// none.
+TEST_F(Link, WhatIsLinkedAlreadyIsRefused) {  // GL4008
+  const std::string object = compile("ts7800");
+  ASSERT_EQ(build("ts7800", object).err, "");
+  const auto program = folder_.path() / "program";
+  std::filesystem::rename(folder_.path() / "product", program);
+  expectRefused(build("ts7800", program), "GL4008", "it is a program or a shared library");
+  expectRefused(build("host", "/bin/true"), "GL4008", "it is a program or a shared library");
+  expectRefused(build("host", mission_), "GL4008", "it is no object, no archive and no bitcode");
+}
+
 TEST_F(Link, AnotherMachineIsRefused) {  // GL4009
   expectRefused(build("ts7800", compile("host")), "GL4009", "64-bit x86");
   expectRefused(build("ts7800", compile("ts5500")), "GL4009", "32-bit x86");

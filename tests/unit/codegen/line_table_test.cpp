@@ -37,6 +37,19 @@ std::set<unsigned> linesOf(const std::string& bytes, const std::string& source) 
   return lines;
 }
 
+/// The version of DWARF in which the ELF file `bytes` describes what comes from `source`.
+unsigned versionOf(const std::string& bytes, const std::string& source) {
+  auto object = llvm::object::createBinary(llvm::MemoryBufferRef(bytes, "debug"));
+  EXPECT_TRUE(static_cast<bool>(object));
+  auto context = llvm::DWARFContext::create(*llvm::cast<llvm::object::ObjectFile>(object->get()));
+  unsigned version = 0;
+  for (const auto& unit : context->compile_units()) {
+    const char* name = unit->getUnitDIE().getShortName();
+    version = name == source ? unit->getVersion() : version;
+  }
+  return version;
+}
+
 unsigned lineOf(const Checked& checked, const support::SourceRange& range) {
   return checked.sources.place(range.file, range.begin).line;
 }
@@ -62,6 +75,23 @@ TEST(LineTables, HoldGuardsAndActivitiesOfEveryBoard) {
         }
       }
       EXPECT_THAT(linesOf(support::readFile(output).value(), "figure2.ir"), testing::IsEmpty());
+    }
+  }
+}
+
+/// The debuggers of the boards' time read no later one, whatever the runtime was compiled with.
+TEST(LineTables, OfTheMissionAreInTheFourthVersionOfDwarf) {
+  const Checked checked = figure2();
+  for (const char* name : kBoards) {
+    for (const int level : {0, 2, 3}) {
+      codegen::CodegenOptions options;
+      options.optimisation_level = level;
+      options.sources = &checked.sources;
+      const auto output = testFolder() / "figure2";
+      ASSERT_TRUE(
+          codegen::linkExecutable(checked.mission, checked.facts, board(name), options, output));
+      EXPECT_EQ(versionOf(support::readFile(output.string() + ".debug").value(), "figure2.ir"), 4U)
+          << name << level;
     }
   }
 }

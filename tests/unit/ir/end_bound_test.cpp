@@ -297,13 +297,16 @@ std::string withRoute(const std::string& route) {
          "case (ge missiontime 500:time) exit\n";
 }
 
-TEST(StateDepths, ARouteInCMayOrderAnyDepth) {
+TEST(StateDepths, WhatIsInCMayOrderAnyDepth) {
   const auto deepest = [](const std::string& text) {
     const Mission mission = missionOf(text);
     return deepestByState(Ground(mission, slocum())).at(0);
   };
   EXPECT_EQ(deepest(withRoute("way begin entry do drift () end end")), 25);
   EXPECT_TRUE(std::isinf(deepest(withRoute("drift ()"))));
+  EXPECT_TRUE(std::isinf(deepest(kHeader + "behaviour route way symbol \"\" () reads ()\n" +
+                                 "state a route way begin entry do drift () end end "
+                                 "profile glide () case true exit\n")));
 }
 
 TEST(StateDepths, KnowWhereVariablesAreEverSetTo) {

@@ -123,6 +123,12 @@ TEST(Fences, AMapAboutAPoleOrHalfTheEarthIsNone) {
   EXPECT_FALSE(holds({{84, 0}, {84, 10}, {88, 5}}, 1e3));
   EXPECT_FALSE(holds({{-84, 0}, {-84, 10}, {-88, 5}}, 1e3));
   EXPECT_FALSE(holds({{0, -60}, {0, 60}, {40, 0}}, 1e3));
+  EXPECT_TRUE(holds({{0, -45}, {0, 45}, {40, 0}}, 1e3)) << "as wide as it is clear";
+  EXPECT_FALSE(holds({{0, -45}, {0, 45.001}, {40, 0}}, 1e3));
+  EXPECT_TRUE(holds({{84, 0}, {84, 10}, {85, 5}}, 1e3)) << "as far north as degrees are alike";
+  EXPECT_FALSE(holds({{84, 0}, {84, 10}, {85.001, 5}}, 1e3));
+  EXPECT_TRUE(holds({{39, -74}, {39, -73}, {40, -73}}, 3 * 110574)) << "3 degrees of latitude";
+  EXPECT_FALSE(holds({{39, -74}, {39, -73}, {40, -73}}, 3 * 110574 + 1));
 }
 
 /// Missions whose profile is written in the language: one in C might steer.
@@ -357,6 +363,7 @@ TEST(Fences, WithoutAHeadingAtFirstItGoesAnywhere) {
       free(beginning("if (gt (sensor temp) 3:temperature) " + here + " else " + here + " end")))
       << "an unknown condition takes neither branch";
   EXPECT_FALSE(free(beginning("if (known (sensor lat)) " + here + " else " + here + " end")));
+  EXPECT_TRUE(free(beginning("if (known (sensor lat)) else " + here + " end")));
   const std::string on_path = "steer_to ((element 0 %9), (element 1 %9))";
   EXPECT_FALSE(free(beginning(on_path, leg + "let %9 = (var leg)\n")));
   EXPECT_TRUE(free(beginning(on_path, leg + "let %9 = (add (var leg) 2)\n")))
@@ -365,6 +372,99 @@ TEST(Fences, WithoutAHeadingAtFirstItGoesAnywhere) {
       << "a command with an unknown argument changes nothing";
   const double margin = judged(beginning("")).margin_m - judged(beginning(here)).margin_m;
   EXPECT_GT(margin, 0.5 * 900 * slocum().world.through_water_m_s);
+}
+
+/// A mission that steers to (39, -73) at first and later where `order` says.
+Steering steeredLater(const std::string& order, const std::string& variables = "") {
+  std::string text = beginning(steerTo({39, -73}), variables);
+  const std::string later = "do " + steerTo({39, -73}) + " end stay end";
+  text.replace(text.find(later), later.size(), "do " + order + " end stay end");
+  return steered(text);
+}
+
+TEST(Fences, APlaceThatIsWorkedOutLiesInItsBox) {
+  const auto within = [](const std::string& north, const std::string& east) {
+    return steeredLater("steer_to ((var n), (var e))",
+                        "variable n: latitude mission " + north + " initial n 38.5:latitude\n" +
+                            "variable e: longitude mission " + east + " initial e 20:longitude\n");
+  };
+  const Steering box = within("lowest 38 highest 39.5", "lowest -74 highest 20");
+  EXPECT_FALSE(box.by_heading);
+  for (const Position corner :
+       {Position{38, -74}, Position{38, 20}, Position{39.5, -74}, Position{39.5, 20}}) {
+    EXPECT_TRUE(std::ranges::find(box.waypoints, corner) != box.waypoints.end())
+        << corner.latitude << " " << corner.longitude;
+  }
+  const auto anywhere = [&](const std::string& north, const std::string& east) {
+    return within(north, east).by_heading;
+  };
+  const std::string there = "lowest 38 highest 39";
+  EXPECT_TRUE(anywhere("", "lowest 19 highest 21"));
+  EXPECT_TRUE(anywhere(there, ""));
+  EXPECT_TRUE(anywhere("lowest -90 highest 39", "lowest 19 highest 21")) << "a pole";
+  EXPECT_FALSE(anywhere("lowest -89 highest 39", "lowest 19 highest 21"));
+  EXPECT_TRUE(anywhere("lowest 38 highest 90", "lowest 19 highest 21"));
+  EXPECT_FALSE(anywhere("lowest 38 highest 89", "lowest 19 highest 21"));
+  EXPECT_TRUE(anywhere(there, "lowest -100 highest 80")) << "either way round the Earth";
+  EXPECT_FALSE(anywhere(there, "lowest -100 highest 79"));
+  EXPECT_FALSE(anywhere(there, "lowest 20 highest 170"));
+}
+
+const std::string kLeg =
+    "table latitude (39.0, 39.01)\ntable longitude (-73.0, -73.01)\n"
+    "table longitude (-73.0, -73.01, -73.02)\n"
+    "variable leg: number mission lowest 0 highest 1\ninitial leg 0\n"
+    "variable other: number mission lowest 0 highest 1\ninitial other 0\n";
+
+TEST(Fences, APathIsItsPlacesWhereOneRowGivesBoth) {
+  const auto anywhere = [](const std::string& east) {
+    return steeredLater("steer_to ((element 0 %9), " + east + ")",
+                        kLeg + "let %9 = (var leg)\nlet %10 = (var other)\n")
+        .by_heading;
+  };
+  EXPECT_FALSE(anywhere("(element 1 %9)"));
+  EXPECT_TRUE(anywhere("(element 1 %10)")) << "any of the one with any of the other";
+  EXPECT_TRUE(anywhere("(element 2 %9)")) << "tables of different lengths are no path";
+}
+
+TEST(Fences, AnyEntryOfTheStartMayCommandTheHeading) {
+  const std::string here = steerTo({39, -73});
+  const std::string none = beginning("");
+  const auto free = [](const std::string& text) { return steered(text).by_heading; };
+  EXPECT_TRUE(free(none)) << "an order of depth is no heading";
+  std::string by_state = none;
+  by_state.replace(by_state.find("case (ge statetime 900"), 0, "entry do " + here + " end ");
+  EXPECT_FALSE(free(by_state));
+  std::string by_profile = none;
+  by_profile.replace(by_profile.find("descend ("), 0, here + " ");
+  EXPECT_FALSE(free(by_profile));
+}
+
+TEST(Fences, AtFirstARowMayBeNone) {
+  const auto free = [](const std::string& row, const std::string& before = "",
+                       const std::string& after = "") {
+    return steered(beginning(before + "steer_to ((element 0 %9), (element 1 %9))" + after,
+                             kLeg +
+                                 "variable wide: number mission lowest 0 highest 9\n"
+                                 "initial wide 0\nlet %9 = " +
+                                 row + "\n"))
+        .by_heading;
+  };
+  EXPECT_FALSE(free("1"));
+  EXPECT_TRUE(free("0.5"));
+  EXPECT_TRUE(free("2"));
+  EXPECT_TRUE(free("-1"));
+  EXPECT_TRUE(free("(sub (var leg) 1)"));
+  EXPECT_TRUE(free("(mul 1e300 1e300)"));
+  EXPECT_FALSE(free("(select (known (sensor temp)) 1 0)"));
+  EXPECT_TRUE(free("(select (gt (sensor temp) 3:temperature) 1 0)")) << "unknown, maybe";
+  EXPECT_FALSE(free("(var leg)", "if (known (sensor temp)) set leg 1 end "));
+  EXPECT_TRUE(free("(var wide)", "if (known (sensor temp)) set wide 2 end "))
+      << "what the entry sets";
+  EXPECT_TRUE(free("(var wide)", "set wide 2 ", " set wide 0"))
+      << "as it stood between two statements";
+  EXPECT_TRUE(free("(var leg)", "set leg (clamp (div (sensor depth) 100:length) 0 1) "))
+      << "no whole number";
 }
 
 TEST(Fences, WhatIsWrittenInCMaySteerAnywhere) {

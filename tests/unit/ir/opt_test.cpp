@@ -31,6 +31,21 @@ size_t callsIn(const Mission& mission) {
   return static_cast<size_t>(std::ranges::count(mission.exprs, Op::Call, &Expr::op));
 }
 
+/// Without one of them a mission flies the same, only larger and slower: nothing else would tell.
+TEST(Optimise, RunsEveryPass) {
+  std::string cases = "case false exit ";
+  for (int i = 0; i < 16; ++i) {
+    cases += "case (ge (sensor depth) (add " + std::to_string(i) + ":length 1:length)) stay ";
+  }
+  const Mission m = optimised(stateText("a", cases) + stateText("never", "case true exit"));
+  EXPECT_EQ(std::ranges::count(m.exprs, Op::Add, &Expr::op), 0) << "fold-constants";
+  EXPECT_EQ(std::ranges::count(m.states.at(0).cases, Transition::Exit, &Case::transition), 0)
+      << "drop-dead-cases";
+  EXPECT_EQ(m.states.size(), 1U) << "drop-dead-states";
+  EXPECT_EQ(std::ranges::count(m.exprs, Op::Sensor, &Expr::op), 1) << "share-expressions";
+  EXPECT_EQ(m.states.at(0).table.rows.size(), 16U) << "tabulate-guards";
+}
+
 TEST(FoldConstants, ACallIsMadeWhateverRulesItsResult) {
   for (const char* guard :
        {"(and false (call 0 (sensor depth)))", "(and (call 0 (sensor depth)) false)",

@@ -229,6 +229,148 @@ TEST(MayEnterAfter, FollowsEveryChain) {
             "ab ac bb bc cb cc ");
 }
 
+// --- relevanceFor
+
+constexpr const char* kWritten =
+    "behaviour profile plain symbol \"\" () reads ()\n"
+    "behaviour route way symbol \"\" () reads ()\n";
+
+/// What matters of a mission: variables by name, temporals by number, clocks, and of each state
+/// whether its profile and its route run.
+std::string relevantIn(const std::string& text, bool vehicle = false) {
+  const Mission m = missionOf(kHeader + kWritten + text);
+  const Relevance relevance = relevanceFor(m, {}, vehicle);
+  std::string found;
+  for (size_t i = 0; i < m.variables.size(); ++i) {
+    found += relevance.variables[i] ? m.variables[i].name + " " : "";
+  }
+  for (size_t i = 0; i < m.temporals.size(); ++i) {
+    found += relevance.temporals[i] ? std::to_string(i) + " " : "";
+  }
+  for (size_t i = 0; i < m.states.size(); ++i) {
+    found += relevance.profiles[i] ? m.states[i].name + ".profile " : "";
+    found += relevance.routes[i] ? m.states[i].name + ".route " : "";
+  }
+  EXPECT_EQ(relevance.vehicle, vehicle);
+  return found + (relevance.state_time ? "statetime " : "") +
+         (relevance.resume_time ? "resumetime " : "");
+}
+
+std::string number(const std::string& name, const std::string& initial = "0",
+                   const std::string& kind = "mission") {
+  return "variable " + name + ": number " + kind + " " +
+         (initial.empty() ? "" : "initial " + name + " " + initial + " ");
+}
+
+/// A state with its own profile and route, and a case that asks for `x`.
+std::string asking(const std::string& profile, const std::string& route = "",
+                   const std::string& more = "") {
+  return "state a route way begin " + route + " end profile plain begin " + profile + " end " +
+         more + " case (gt (var x) 1) exit\n";
+}
+
+TEST(Relevance, IsWhatGuardsRead) {
+  EXPECT_EQ(relevantIn(number("x") + number("y") + stateText("a", "case true exit")), "");
+  EXPECT_EQ(relevantIn(number("x") + number("y") + stateText("a", "case (gt (var x) 1) exit")),
+            "x ");
+  EXPECT_EQ(relevantIn(number("x") + number("y") + "always case (gt (var y) 1) stay " +
+                       stateText("a", "case true exit")),
+            "y ");
+  EXPECT_EQ(relevantIn(stateText("a",
+                                 "case (gt statetime 1:time) exit case (gt (sensor depth) "
+                                 "1:length) stay")),
+            "statetime ");
+  EXPECT_EQ(relevantIn(stateText("a",
+                                 "case (gt resumetime 1:time) exit case (gt (sensor depth) "
+                                 "1:length) stay")),
+            "resumetime ");
+  EXPECT_EQ(relevantIn("temporal mean always (sensor depth) over 10 temporal mean always "
+                       "(sensor depth) over 20 " +
+                       stateText("a",
+                                 "case (gt (temporal 1) 1:length) exit case (gt (sensor "
+                                 "depth) 1:length) stay")),
+            "1 statetime ");
+  EXPECT_EQ(relevantIn(number("x") + number("y") +
+                       "temporal became always (gt (var x) 1) temporal held always (gt (var y) 1) "
+                       "for 5:time " +
+                       stateText("a", "case (temporal 0) exit")),
+            "x 0 ");
+  EXPECT_EQ(relevantIn(number("x") + number("y") +
+                       "temporal held always (gt (var x) 1) for (mul (var y) 1:time) " +
+                       stateText("a", "case (temporal 0) exit")),
+            "x y 0 ");
+}
+
+TEST(Relevance, IsWhatThatIsWorkedOutFrom) {
+  EXPECT_EQ(relevantIn(number("y") + number("z") + number("x", "(var y)") +
+                       stateText("a", "case (gt (var x) 1) exit")),
+            "y x ");
+  const std::string three = number("x") + number("y") + number("z");
+  EXPECT_EQ(relevantIn(three + stateText("a",
+                                         "case (gt (var x) 1) do set x (var y) end stay "
+                                         "case true do set z (var y) end exit")),
+            "x y ");
+  EXPECT_EQ(relevantIn(three + stateText("a",
+                                         "case (gt (var x) 1) do if (gt (var y) 1) set x 2 "
+                                         "end if (gt (var z) 1) log n () end end exit")),
+            "x y ");
+  EXPECT_EQ(relevantIn(three + stateText("a",
+                                         "case (gt (var x) 1) do if (gt (var z) 1) log n () "
+                                         "else set x 3 end end exit")),
+            "x z ");
+  EXPECT_EQ(relevantIn(three + stateText("a",
+                                         "case (gt (var z) 1) do set z (var y) end stay case "
+                                         "true do set y (var x) end stay")),
+            "x y z ")
+      << "by way of another";
+  const std::string passed = number("y") + number("z") + number("p", "", "argument of b") +
+                             number("q", "", "argument of b");
+  const std::string to = "state b (p, q) route drift () profile glide () case (gt (var p) 1) exit ";
+  EXPECT_EQ(relevantIn(passed + stateText("a", "case true goto b ((var y), (var z))") + to),
+            "y p ");
+  EXPECT_EQ(relevantIn(passed + "always case true goto b ((var z), (var y)) " +
+                       stateText("a", "case true exit") + to),
+            "z p ");
+}
+
+TEST(Relevance, IsWhatSetsItInAProfileOrRoute) {
+  const std::string two = number("x") + number("y");
+  EXPECT_EQ(
+      relevantIn(two + asking("entry do log n () end case (gt (var y) 1) do log n () end stay")),
+      "x ");
+  EXPECT_EQ(
+      relevantIn(two + asking("entry do set x 2 end case (gt (var y) 1) do log n () end stay")),
+      "x y a.profile ")
+      << "and so what its guards read";
+  EXPECT_EQ(relevantIn(two + asking("", "case (gt (var y) 1) do set x 2 end stay")),
+            "x y a.route ");
+  EXPECT_EQ(relevantIn(two + asking("case true do set x 2 end stay case (gt (var y) 1) stay")),
+            "x y a.profile ");
+  EXPECT_EQ(relevantIn(two + asking("case true do if (gt (var y) 1) else set x 2 end end stay")),
+            "x y a.profile ");
+  EXPECT_EQ(relevantIn(number("y") + "variable d: bool profile of a state a initial d false route "
+                                     "drift () profile plain done d begin case (gt (var y) 1) done "
+                                     "end case (var d) exit"),
+            "y d a.profile ")
+      << "it is done";
+}
+
+TEST(Relevance, IsWhatOrdersDepthsToTheVehicle) {
+  const std::string two = number("x") + number("y");
+  for (const char* order :
+       {"descend ((mul (var y) 1:length), 0.4:angle)", "ascend ((mul (var y) 1:length), 0.4:angle)",
+        "hover ((mul (var y) 1:length))"}) {
+    const std::string text = two + asking("entry do " + std::string(order) + " end");
+    EXPECT_EQ(relevantIn(text), "x ") << order;
+    EXPECT_EQ(relevantIn(text, true), "x y a.profile ") << order;
+  }
+  EXPECT_EQ(relevantIn(two + asking("entry do surface () end"), true), "x a.profile ");
+  EXPECT_EQ(relevantIn(two + asking("", "entry do steer ((mul (var y) 1:angle)) end"), true), "x ");
+  EXPECT_EQ(relevantIn(stateText("a", "case true exit"), true), "a.profile a.route ")
+      << "in C they may order anything";
+  EXPECT_EQ(relevantIn(stateText("a", "case true exit"), false), "");
+}
+
 // --- knownRoughly
 
 std::string roughOf(const std::string& condition, bool vehicle = false,

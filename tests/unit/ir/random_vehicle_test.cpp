@@ -128,6 +128,27 @@ TEST(RandomVehicle, ClimbsToWhatIsOrdered) {
   EXPECT_EQ(depthsAfterClimb(order(Command::Ascend, {0, 0.4}), kLong).most, 0);
 }
 
+TEST(RandomVehicle, DoesNotTurnBackOnItsWayUp) {
+  for (uint64_t seed = 1; seed <= 50; ++seed) {
+    Dice dice(seed);
+    RandomVehicle vehicle(slocum(), dice);
+    vehicle.obey({order(Command::Descend, {50, 0.4})}, 0);
+    fly(vehicle, 0, kLong);
+    vehicle.obey({order(Command::Surface)}, kLong);
+    for (double now = kLong; now < kLong + 1220; now += 20) {
+      const double before = vehicle.depth();
+      vehicle.move(now, now + 20);
+      EXPECT_LE(vehicle.depth(), before) << seed;
+    }
+  }
+}
+
+TEST(RandomVehicle, AboveWhereItClimbsToItMaySinkOrNot) {
+  const Range there = depthsUnder({order(Command::Ascend, {20, 0.4})});
+  EXPECT_LT(there.least, 10);
+  EXPECT_GT(there.most, 15);
+}
+
 TEST(RandomVehicle, DoesNotLeaveTheWater) {
   const Range there = depthsAfterClimb(order(Command::Ascend, {-3, 0.4}), kLong);
   EXPECT_EQ(there.least, 0);
@@ -159,6 +180,15 @@ TEST(RandomVehicle, IsNoFasterThanItCanBe) {
     }
   }
   EXPECT_NEAR(fastest, 0.4, 1e-9);
+}
+
+TEST(RandomVehicle, IsAsSlowAsItLikes) {
+  const Range sunk = depthsAfter([](RandomVehicle& vehicle) {
+    vehicle.obey({order(Command::Descend, {100, 0.4})}, 0);
+    fly(vehicle, 0, 20);
+  });
+  EXPECT_LT(sunk.least, 1);
+  expectUpTo(3 + 8, sunk);
 }
 
 TEST(RandomVehicle, ShowsItsDepthRoughly) {

@@ -97,12 +97,14 @@ class Build:
                 return False
         return True
 
-    def link(self, scratch, program):
-        """Links the program with the objects in scratch; its path."""
+    def link(self, scratch, program, path):
+        """Links the program with the objects in scratch that its libraries have from `path`; where it is, None if the
+        linker refuses. The others are of libraries that it is not linked with, and want what it lacks."""
         made = scratch / "bin" / pathlib.Path(program).name
         made.parent.mkdir(exist_ok=True)
         words = list(self.link_command(program))
-        objects = {p.name: p for p in (scratch / "objects").iterdir()}
+        mine = [o.replace("/", "_") for o in self.objects_of(path, program)]
+        objects = {name: scratch / "objects" / name for name in mine}
         words[words.index("-o") + 1] = str(made)
         for i, word in enumerate(words):
             if word.replace("/", "_") in objects:

@@ -7,6 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string>
+
 namespace glider::hooks {
 namespace {
 
@@ -99,6 +102,14 @@ TEST_F(ClientTest, SaysNothingUnlessSpokenTo) {
   EXPECT_TRUE(answers().empty());
 }
 
+TEST_F(ClientTest, TellsTheFirstBytesOfALongName) {
+  const std::string name(kMostNameBytes + 9, 'n');
+  ClientOptions long_name = options();
+  long_name.mission_name = name.c_str();
+  client_ = Client(long_name);
+  EXPECT_EQ(link().mission_name, name.substr(0, kMostNameBytes));
+}
+
 TEST_F(ClientTest, AnswersABeaconWithHelloAndSubscription) {
   beacon();
   EXPECT_EQ(poll(), ClientEvent::Handled);
@@ -187,6 +198,7 @@ TEST_F(ClientTest, AnotherDictionaryOrVersionIsRefusedOnce) {
   say(Beacon{2, false, 0, HookState::Ready});
   EXPECT_EQ(poll(), ClientEvent::Refused);
   EXPECT_EQ(client_.refusal().version, 2);
+  EXPECT_EQ(client_.refusal().dictionary, 0U) << "of another version none is read";
   answers();
   sayTick();
   EXPECT_EQ(poll(), ClientEvent::Handled) << "no tick of another link is believed";
@@ -417,6 +429,74 @@ TEST_F(ClientTest, NotesComeLastBeforeDoneAndAreBounded) {
   EXPECT_EQ(frames[1].type, Type::Note);
   EXPECT_EQ(frames.back().type, Type::Done);
   EXPECT_EQ(tick().size(), 1U) << "told once";
+}
+
+/// A client whose line takes nothing while it is stuck.
+class StuckClientTest : public ClientTest {
+ protected:
+  static MissionNote noteOf(uint32_t length) {
+    MissionNote note;
+    std::fill_n(note.text, length, 'x');
+    return note;
+  }
+  template <typename Message>
+  static uint32_t bytesOf(const Message& message) {
+    Frame frame;
+    encode(message, frame);
+    uint8_t bytes[kMostEncodedBytes];
+    return encodeFrame(frame, bytes);
+  }
+  /// A tick that is answered with so many notes of the most letters and one of `length`, and one
+  /// more letter.
+  void tickWithNotes(uint32_t full, uint32_t length) {
+    ++head_.cycle;
+    sayTick();
+    ASSERT_EQ(client_.poll(stream_, clock_.clock()), ClientEvent::Tick);
+    for (uint32_t i = 0; i < full; ++i) {
+      client_.tell(noteOf(kMostNoteBytes));
+    }
+    client_.tell(noteOf(length));
+    client_.tell(noteOf(1));
+    client_.done({}, stream_);
+  }
+  std::vector<Type> afterwards() {
+    stuck_ = false;
+    EXPECT_EQ(client_.poll(stream_, clock_.clock()), ClientEvent::Nothing);
+    return typesOf(answers());
+  }
+
+  bool stuck_ = true;
+  GliderByteStream stream_{this,
+                           [](void* self, uint8_t* bytes, uint32_t capacity) {
+                             const auto& line = static_cast<StuckClientTest*>(self)->sbc_;
+                             return line.read(line.self, bytes, capacity);
+                           },
+                           [](void* self, const uint8_t* bytes, uint32_t count) {
+                             const auto* test = static_cast<StuckClientTest*>(self);
+                             return test->stuck_ ? 0
+                                                 : test->sbc_.write(test->sbc_.self, bytes, count);
+                           }};
+};
+
+TEST_F(StuckClientTest, NotesLeaveHalfOfItsQueueToTheNextAnswers) {
+  constexpr uint32_t kHalf = 1024, kBefore = 6, kFull = 5;
+  const uint32_t most = bytesOf(noteOf(kMostNoteBytes)), least = bytesOf(noteOf(0));
+  const uint32_t first = (kBefore + 1) * most + bytesOf(noteOf(1)) + bytesOf(Done{});
+  const uint32_t rest = kHalf - first - kFull * most;  // bytes of the note that fills the half
+  ASSERT_GT(rest, least);
+  ASSERT_LE(rest, most);
+  for (const uint32_t short_of : {0U, 1U}) {
+    client_ = Client(options());
+    link();
+    stuck_ = true;
+    tickWithNotes(kBefore, kMostNoteBytes);
+    tickWithNotes(kFull, rest - least - short_of);
+    std::vector<Type> told(kBefore + 2, Type::Note);
+    told.push_back(Type::Done);
+    told.insert(told.end(), kFull + 1 + short_of, Type::Note);
+    told.push_back(Type::Done);
+    EXPECT_EQ(afterwards(), told) << "short of the half by " << short_of;
+  }
 }
 
 TEST_F(ClientTest, SilenceIsToldEveryTwelveSecondsButNeverInVirtualTimeOrBeforeTheFirstFrame) {

@@ -58,6 +58,33 @@ TEST(Clothesline, UpdatesArriveInOrderWhateverTheCapacity) {
   }
 }
 
+TEST(Clothesline, ALineThatTakesAFewBytesAtATimeGetsNoOthers) {
+  struct Slow {
+    std::vector<uint8_t> took;
+    uint32_t most = 0;  // that it was offered
+  } slow;
+  const GliderByteStream stream{&slow, [](void*, uint8_t*, uint32_t) { return 0; },
+                                [](void* self, const uint8_t* bytes, uint32_t count) {
+                                  auto& line = *static_cast<Slow*>(self);
+                                  line.most = std::max(line.most, count);
+                                  const uint32_t taken = std::min(count, 7U);
+                                  line.took.insert(line.took.end(), bytes, bytes + taken);
+                                  return static_cast<int32_t>(taken);
+                                }};
+  Clothesline flight;
+  const SensorUpdate update{GLIDER_M_DEPTH, 12.5};
+  ASSERT_TRUE(flight.send(&update, 1));
+  EXPECT_TRUE(drain(flight, stream).empty());
+  EXPECT_EQ(slow.took.size(), slow.most) << "all that it was offered at first, and no more";
+  MemoryLine line;
+  const GliderByteStream left = line.left();
+  left.write(left.self, slow.took.data(), static_cast<uint32_t>(slow.took.size()));
+  Clothesline science;
+  const auto got = drain(science, line.right());
+  ASSERT_EQ(got.size(), 1U);
+  EXPECT_EQ(got[0].value, 12.5);
+}
+
 TEST(Clothesline, AWholeFlightCycleTakesAThirdOfASecond) {
   MemoryLine line;
   Clothesline flight;

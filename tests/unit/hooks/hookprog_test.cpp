@@ -61,6 +61,7 @@ TEST_F(HookprogTest, AnotherDictionaryOrVersionIsRefusedAndToldOnce) {
   run();
   EXPECT_EQ(events(), (std::vector{Kind::SbcRefused}));
   EXPECT_EQ(last_event_.a, 9U);
+  EXPECT_EQ(last_event_.b, 0U) << "of another version no dictionary is read";
 }
 
 TEST_F(HookprogTest, NothingGoesToFlightWithoutAHookbeh) {

@@ -122,22 +122,48 @@ TEST(SerialDevice, SetsEverySpeedThatALineHas) {
   EXPECT_FALSE(device.isOpen());
 }
 
-TEST(Pty, WhatHasMovedOrLetGoClosesNothingOfOthers) {
-  const int kept = ::dup(1);
-  ASSERT_GE(kept, 0);
-  {
-    auto one = Pty::open();
-    auto two = Pty::open();
-    auto three = Pty::open();
-    ASSERT_TRUE(one && two && three);
-    one->releaseUserSide();
-    *two = std::move(*one);
-    const Pty four = std::move(*three);
+/// Sees that nobody has closed the program's input or output; opens it again for the tests that
+/// follow.
+class KeepsOpen {
+ public:
+  explicit KeepsOpen(int descriptor) : descriptor_(descriptor), kept_(::dup(descriptor)) {
+    EXPECT_GE(kept_, 0);
   }
-  const bool open = ::fcntl(1, F_GETFD) >= 0;
-  ASSERT_EQ(::dup2(kept, 1), 1);
-  ::close(kept);
-  EXPECT_TRUE(open);
+  KeepsOpen(const KeepsOpen&) = delete;
+  KeepsOpen& operator=(const KeepsOpen&) = delete;
+  ~KeepsOpen() {
+    const bool open = ::fcntl(descriptor_, F_GETFD) >= 0;
+    EXPECT_EQ(::dup2(kept_, descriptor_), descriptor_);
+    ::close(kept_);
+    EXPECT_TRUE(open) << descriptor_;
+  }
+
+ private:
+  int descriptor_;
+  int kept_;
+};
+
+TEST(Pty, WhatHasMovedOrLetGoClosesNothingOfOthers) {
+  const KeepsOpen input(STDIN_FILENO), output(STDOUT_FILENO);
+  auto one = Pty::open();
+  auto two = Pty::open();
+  auto three = Pty::open();
+  ASSERT_TRUE(one && two && three);
+  one->releaseUserSide();
+  *two = std::move(*one);
+  const Pty four = std::move(*three);
+}
+
+TEST(Pty, TheSideThatWasLetGoIsNotClosedAgain) {
+  int other = -1;
+  {
+    auto pty = Pty::open();
+    ASSERT_TRUE(pty);
+    pty->releaseUserSide();
+    other = ::dup(STDIN_FILENO);  // gets the number that has become free
+  }
+  EXPECT_GE(::fcntl(other, F_GETFD), 0);
+  ::close(other);
 }
 
 TEST(Pty, MovesWithItsLine) {
@@ -290,6 +316,7 @@ TEST(SerialPort, AnythingElseIsGL9105) {
 }
 
 TEST(Pty, NoneToBeHadIsGL9106) {
+  const KeepsOpen input(STDIN_FILENO), output(STDOUT_FILENO);
   const NoDescriptors none;
   const auto pty = Pty::open();
   ASSERT_FALSE(pty);

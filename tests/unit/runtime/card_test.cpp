@@ -132,7 +132,7 @@ TEST(CardTest, PatienceIsForAllThatATickAsks) {
   gate.letGo();
   EXPECT_EQ(gate.next(2), "S1");
   std::thread later([&] {
-    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    std::this_thread::sleep_for(std::chrono::milliseconds(1200));
     gate.letGo();
   });
   EXPECT_EQ(onceFree(card, true, [&] { return say(log, "S2"); }), 2)
@@ -465,6 +465,18 @@ TEST_F(Store, CheckpointsAreReadAndWrittenThere) {
   EXPECT_EQ(std::string(back + 10, back + 20), std::string(10, '\0'));
   EXPECT_LT(store.write(store.self, 0, back, 5000), 0) << "more than was said";
   EXPECT_LT(store.read(store.self, 0, back, 5000), 0);
+}
+
+TEST_F(Store, AProcessThatHasEndedReadsNothing) {
+  signal(SIGPIPE, SIG_IGN);
+  const std::vector<pid_t> before = children();
+  Card card;
+  ASSERT_TRUE(card.start({{}, openCheckpoints(path_.c_str(), 0), holdCheckpoints}, 100));
+  const GliderStore store = card.checkpoints();
+  uint8_t back[1] = {};
+  ASSERT_EQ(store.read(store.self, 0, back, 1), 1);
+  killChildrenBut(before);
+  EXPECT_LT(store.read(store.self, 0, back, 1), 0);
 }
 
 TEST_F(Store, OnlyAProcessThatIsStartedAnewOpensTheLogAgain) {

@@ -81,6 +81,43 @@ TEST_F(Judged, TheBottomThatIsMetWithoutAFlightControllerIsNoViolationUntilItIsL
   EXPECT_EQ(violation(), "the vehicle is on the bottom");
 }
 
+TEST_F(Judged, TheBottomIsTouchedFromLessThanFiveCentimetresAndUnderWaterOnly) {
+  clearance_ = 0.05;
+  cycle(HookState::Ready, 30);
+  clearance_ = 0;
+  cycle(HookState::Ready, 1);
+  EXPECT_EQ(violation().find("bottom"), std::string::npos) << violation();
+  clearance_ = 0.049;
+  cycle(HookState::Ready, 1.01);
+  EXPECT_EQ(violation(), "the vehicle is on the bottom");
+}
+
+TEST_F(Judged, ThreeCyclesWithoutAFlightControllerAreNotDark) {
+  cycle(HookState::Ready, 30);
+  now_ += 2 * kCycle;
+  clearance_ = 0;
+  cycle(HookState::Ready, 30);
+  EXPECT_EQ(violation(), "the vehicle is on the bottom");
+}
+
+TEST_F(Judged, WhatIsLongerThanThreeCyclesIsDark) {
+  cycle(HookState::Ready, 30);
+  now_ += 2 * kCycle + 0.1;
+  clearance_ = 0;
+  cycle(HookState::Ready, 30);
+  EXPECT_EQ(violation().find("bottom"), std::string::npos) << violation();
+}
+
+/// Who came out of the dark in open water has a flight controller that minds the bottom.
+TEST_F(Judged, AfterTheDarkTheBottomIsSeenAgain) {
+  cycle(HookState::Ready, 30);
+  now_ += 40;
+  cycle(HookState::Ready, 30);
+  clearance_ = 0;
+  cycle(HookState::Ready, 30);
+  EXPECT_EQ(violation(), "the vehicle is on the bottom");
+}
+
 TEST_F(Judged, ACycleWithoutACommandIsSeen) {
   take();
   out_.commanding = false;
@@ -233,6 +270,7 @@ TEST_F(Judged, AnInstructionThatIsNotCarriedOutIsSeen) {
 /// hookbeh asks for the depth by a climb of its own, steeper or flatter than the one in force.
 class JudgedClimb : public Judged {
  protected:
+  explicit JudgedClimb(const JudgeSetup& judged = setup()) : Judged(judged) {}
   void ascend() {
     take();
     instruct(1, 2, hooks::HookControl::Take, 4, hooks::HookVertical::Ascend, 0.3);
@@ -258,6 +296,44 @@ TEST_F(JudgedClimb, AtAnotherPitchIsSeen) {
   out_.doing = "climb_to";
   cycle(HookState::Active, 10);
   EXPECT_EQ(violation(), "no climb to 4 m though it is in force");
+}
+
+TEST_F(Judged, ATakeWithoutAWayUpOrDownEndsTheOneBefore) {
+  take();
+  instruct(1, 2, hooks::HookControl::Take, 0, hooks::HookVertical::None);
+  arrive();
+  obey(2);
+  climb();
+  cycle(HookState::Active, 10);
+  EXPECT_EQ(violation().find("in force"), std::string::npos) << violation();
+}
+
+/// A mission file that gives the SBC less than all of the pump.
+class JudgedPump : public JudgedClimb {
+ protected:
+  JudgedPump() : JudgedClimb(ofLessPump()) {}
+  static JudgeSetup ofLessPump() {
+    JudgeSetup judged = setup();
+    judged.args.climb_pump_cc = 200;
+    return judged;
+  }
+};
+
+TEST_F(JudgedPump, HookbehsOwnClimbTakesAllOfIt) {
+  ascend();
+  out_.doing = "check depth";
+  cycle(HookState::Active, 10);
+  EXPECT_EQ(violation().find("a pump of"), std::string::npos) << violation();
+  out_.pump_cc = 234;
+  cycle(HookState::Active, 10);
+  EXPECT_EQ(violation(), "a pump of 234 cc is commanded");
+}
+
+TEST_F(JudgedPump, AnotherClimbDoesNot) {
+  ascend();
+  out_.doing = "climb_to";
+  cycle(HookState::Active, 10);
+  EXPECT_EQ(violation(), "a pump of 230 cc is commanded");
 }
 
 TEST_F(Judged, ADiveThatGoesOnPastItsTargetIsSeen) {

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "codegen/codegen.h"
-#include "driver/boards.h"
+#include "compiler/boards.h"
+#include "compiler/compilation.h"
+#include "compiler/user_code.h"
 #include "driver/commands.h"
-#include "driver/compilation.h"
 #include "driver/exit_code.h"
-#include "driver/link_option.h"
+#include "driver/shared_options.h"
 #include "driver/terminal.h"
 #include "frontend/ast/print.h"
 #include "ir/opt/drop_requirements.h"
@@ -70,7 +71,7 @@ std::string outputName(const BuildOptions& options) {
 }
 
 codegen::CodegenOptions codegenOptions(const BuildOptions& options,
-                                       const Compilation& compilation) {
+                                       const compiler::Compilation& compilation) {
   codegen::CodegenOptions result;
   result.optimisation_level = static_cast<int>(options.level);
   result.sources = &compilation.sources;
@@ -79,7 +80,8 @@ codegen::CodegenOptions codegenOptions(const BuildOptions& options,
 }
 
 /// The product of every stage but the last as text or bytes.
-support::Result<std::string> produce(const BuildOptions& options, const Compilation& compilation) {
+support::Result<std::string> produce(const BuildOptions& options,
+                                     const compiler::Compilation& compilation) {
   if (options.emit == Emit::Ast) {
     if (!compilation.ast) {
       return support::fail(support::DiagnosticId::noSyntaxTree, options.mission);
@@ -92,11 +94,11 @@ support::Result<std::string> produce(const BuildOptions& options, const Compilat
   if (options.emit == Emit::Header) {
     return ir::printHeader(compilation.in_c, compilation.mission->name);
   }
-  const auto board = loadTarget(options.target);
+  const auto board = compiler::loadTarget(options.target);
   if (!board) {
     return std::unexpected(board.error());
   }
-  const auto code = loadUserCode(options.user_code, compilation, *board);
+  const auto code = compiler::loadUserCode(options.user_code, compilation, *board);
   if (!code) {
     return std::unexpected(code.error());
   }
@@ -114,7 +116,8 @@ support::Result<std::string> produce(const BuildOptions& options, const Compilat
   }
 }
 
-support::Result<void> buildProduct(const BuildOptions& options, const Compilation& compilation) {
+support::Result<void> buildProduct(const BuildOptions& options,
+                                   const compiler::Compilation& compilation) {
   const auto product = produce(options, compilation);
   if (!product) {
     return std::unexpected(product.error());
@@ -125,12 +128,13 @@ support::Result<void> buildProduct(const BuildOptions& options, const Compilatio
   return support::writeFileAtomically(options.output, *product, support::FileKind::Product);
 }
 
-support::Result<void> buildExecutable(const BuildOptions& options, const Compilation& compilation) {
-  const auto board = loadTarget(options.target);
+support::Result<void> buildExecutable(const BuildOptions& options,
+                                      const compiler::Compilation& compilation) {
+  const auto board = compiler::loadTarget(options.target);
   if (!board) {
     return std::unexpected(board.error());
   }
-  const auto code = loadUserCode(options.user_code, compilation, *board);
+  const auto code = compiler::loadUserCode(options.user_code, compilation, *board);
   if (!code) {
     return std::unexpected(code.error());
   }
@@ -156,7 +160,7 @@ bool overwritesInput(const BuildOptions& options) {
 
 /// Runs the passes over the IR, and prints it to standard error after those that `--print-after`
 /// names.
-void optimiseIr(const BuildOptions& options, Compilation& compilation) {
+void optimiseIr(const BuildOptions& options, compiler::Compilation& compilation) {
   if (options.level == 0) {
     if (options.emit != Emit::Ir) {
       ir::dropRequirements(*compilation.mission);
@@ -172,14 +176,14 @@ void optimiseIr(const BuildOptions& options, Compilation& compilation) {
 
 int build(BuildOptions options) {
   // The target first: a typing error there should not cost a compilation.
-  if (const auto board = loadTarget(options.target); !board) {
+  if (const auto board = compiler::loadTarget(options.target); !board) {
     return reportFailure(board.error());
   }
-  auto compiled = compileMission(options.mission);
+  auto compiled = compiler::compileMission(options.mission);
   if (!compiled) {
     return reportFailure(compiled.error());
   }
-  Compilation& compilation = **compiled;
+  compiler::Compilation& compilation = **compiled;
   reportDiagnostics(compilation.diagnostics, compilation.sources);
   if (!compilation.ok()) {
     return kMissionHasErrors;

@@ -1,22 +1,23 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "driver/campaign.h"
-#include "driver/campaign_boards.h"
-#include "driver/campaign_csv.h"
-#include "driver/campaign_options.h"
-#include "driver/campaign_table.h"
+#include "campaign/campaign.h"
+#include "campaign/campaign_boards.h"
+#include "campaign/campaign_csv.h"
+#include "campaign/campaign_options.h"
+#include "campaign/campaign_table.h"
+#include "campaign/faults_toml.h"
 #include "driver/commands.h"
+#include "driver/compile_for_flight.h"
 #include "driver/exit_code.h"
-#include "driver/faults_toml.h"
 #include "driver/flight_files.h"
-#include "driver/flight_setup.h"
 #include "driver/interruption.h"
-#include "driver/launch_choice.h"
-#include "driver/link_option.h"
-#include "driver/sbc_choice.h"
-#include "driver/scenario_choice.h"
+#include "driver/shared_options.h"
 #include "driver/terminal.h"
+#include "flights/flight_setup.h"
+#include "flights/launch_choice.h"
+#include "flights/sbc_choice.h"
+#include "flights/scenario_choice.h"
 #include "support/files.h"
 
 #include <CLI/CLI.hpp>
@@ -35,38 +36,38 @@ namespace glider::driver {
 namespace {
 
 /// Compiles and loads all missions into `plan`; not kFine: there are none.
-int loadMissions(const CampaignOptions& options, CampaignPlan& plan) {
+int loadMissions(const campaign::CampaignOptions& options, campaign::CampaignPlan& plan) {
   for (const std::string& file : options.missions) {
     int status = kFine;
-    const std::shared_ptr<const Compilation> compilation = compileForFlight(file, status);
+    const std::shared_ptr<const compiler::Compilation> compilation = compileForFlight(file, status);
     if (compilation == nullptr) {
       return status;
     }
-    auto platform = platformOf(compilation.get());
+    auto platform = flights::platformOf(compilation.get());
     if (!platform) {
       return reportFailure(platform.error());
     }
     if (auto flown = simulator::checkPlatform(*platform); !flown) {
       return reportFailure(flown.error());
     }
-    auto start = flightsInProcess(*compilation, options.launch, options.user_code, true);
+    auto start = flights::flightsInProcess(*compilation, options.launch, options.user_code, true);
     if (!start) {
       return reportFailure(start.error());
     }
-    CampaignMission mission{file, std::move(*platform), std::move(*start), {}};
+    campaign::CampaignMission mission{file, std::move(*platform), std::move(*start), {}};
     for (const std::string& board : plan.boards) {
       mission.on_board.push_back(
-          flightsOnBoard(compilation, options.launch, options.user_code, board));
+          campaign::flightsOnBoard(compilation, options.launch, options.user_code, board));
     }
     plan.missions.push_back(std::move(mission));
   }
   return kFine;
 }
 
-int flyOnly(const CampaignPlan& plan, const CampaignOptions& options) {
-  const CampaignFlight flight = flightOf(plan, *options.only);
+int flyOnly(const campaign::CampaignPlan& plan, const campaign::CampaignOptions& options) {
+  const campaign::CampaignFlight flight = campaign::flightOf(plan, *options.only);
   support::Trace trace;
-  const auto verdict = flyOne(plan, flight, &trace);
+  const auto verdict = campaign::flyOne(plan, flight, &trace);
   if (!verdict) {
     return reportFailure(verdict.error());
   }
@@ -80,9 +81,10 @@ int flyOnly(const CampaignPlan& plan, const CampaignOptions& options) {
       "flight {}: {}, {}, {}, {}, --seed {}\n{}{}\n", flight.number,
       plan.missions[flight.mission].file, simulator::nameOf(flight.kind),
       simulator::nameOf(flight.manner), flight.board ? plan.boards[*flight.board] : "in process",
-      flight.seed, drawnToText(faultsOf(plan, flight)),
+      flight.seed, campaign::drawnToText(campaign::faultsOf(plan, flight)),
       violated ? fmt::format("VIOLATION at {:.0f} s: {}", verdict->violation_s, verdict->violation)
-               : fmt::format("{}, deepest {:.1f} m", outcomeName(*verdict), verdict->deepest_m)));
+               : fmt::format("{}, deepest {:.1f} m", campaign::outcomeName(*verdict),
+                             verdict->deepest_m)));
   return !printed ? reportFailure(printed.error()) : violated ? kMissionHasErrors : kFine;
 }
 
@@ -113,7 +115,7 @@ class FlightsFile {
   std::ofstream out_;
 };
 
-int statusOf(const CampaignResult& result) {
+int statusOf(const campaign::CampaignResult& result) {
   if (result.interrupted) {
     return kInterrupted + Interruption::signal();
   }
@@ -124,8 +126,8 @@ int statusOf(const CampaignResult& result) {
 }
 
 /// Prints how it went; the file of flights gets the order of their numbers.
-int tellResult(const CampaignPlan& plan, const CampaignOptions& options,
-               const CampaignResult& result, const std::string& identity, double took_s) {
+int tellResult(const campaign::CampaignPlan& plan, const campaign::CampaignOptions& options,
+               const campaign::CampaignResult& result, const std::string& identity, double took_s) {
   if (result.failure) {
     return reportFailure(*result.failure);
   }
@@ -137,47 +139,48 @@ int tellResult(const CampaignPlan& plan, const CampaignOptions& options,
   if (result.interrupted) {
     last = fmt::format(
         "interrupted after {} of {} flights, seed {}{}\n", flown, plan.flights, plan.seed,
-        file.empty() ? "" : "; the same with --resume " + shellWord(file) + " goes on");
+        file.empty() ? "" : "; the same with --resume " + campaign::shellWord(file) + " goes on");
   }
-  const auto printed = printOut(campaignTable(plan, result) +
-                                violationLines(plan, result, commandOf(options)) + last);
+  const auto printed =
+      printOut(campaign::campaignTable(plan, result) +
+               campaign::violationLines(plan, result, campaign::commandOf(options)) + last);
   // A pipe has the rows already, in the order in which the flights ended.
   const auto written =
       file.empty() || !support::isReplaceable(file)
           ? support::Result<void>{}
-          : support::writeFileAtomically(file, campaignCsv(plan, result, identity));
+          : support::writeFileAtomically(file, campaign::campaignCsv(plan, result, identity));
   return !printed   ? reportFailure(printed.error())
          : !written ? reportFailure(written.error())
                     : statusOf(result);
 }
 
-int flyThem(const CampaignPlan& plan, const CampaignOptions& options) {
-  const auto identity = identityOf(plan, options);
+int flyThem(const campaign::CampaignPlan& plan, const campaign::CampaignOptions& options) {
+  const auto identity = campaign::identityOf(plan, options);
   if (!identity) {
     return reportFailure(identity.error());
   }
-  CampaignResult known;
+  campaign::CampaignResult known;
   known.verdicts.resize(plan.flights);
   if (!options.resume.empty()) {
-    if (auto read = readCsv(options.resume, plan, *identity, known); !read) {
+    if (auto read = campaign::readCsv(options.resume, plan, *identity, known); !read) {
       return reportFailure(read.error());
     }
   }
   auto file = FlightsFile::begin(options.csv.empty() ? options.resume : options.csv,
-                                 campaignCsv(plan, known, *identity));
+                                 campaign::campaignCsv(plan, known, *identity));
   if (!file) {
     return reportFailure(file.error());
   }
   const Interruption interruption;
   ProgressLine line;
   const auto begin = std::chrono::steady_clock::now();
-  const CampaignListener listener = {
-      [&](const CampaignFlight& flight, const simulator::Verdict& verdict) {
-        return file->add(csvRow(plan, flight, verdict));
+  const campaign::CampaignListener listener = {
+      [&](const campaign::CampaignFlight& flight, const simulator::Verdict& verdict) {
+        return file->add(campaign::csvRow(plan, flight, verdict));
       },
       [&](uint64_t over) { line.show(fmt::format("{} of {} flights", over, plan.flights)); },
       [] { return Interruption::signal() != 0; }};
-  const CampaignResult result = flyAll(plan, std::move(known), listener);
+  const campaign::CampaignResult result = campaign::flyAll(plan, std::move(known), listener);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
   line.clear();
   const int status = tellResult(plan, options, result, *identity, took.count());
@@ -189,20 +192,20 @@ int flyThem(const CampaignPlan& plan, const CampaignOptions& options) {
 
 /// The boards whose binaries fly. Without an emulator everything flies in this process, and the
 /// pilot is told.
-void chooseBoards(const CampaignOptions& options, CampaignPlan& plan) {
+void chooseBoards(const campaign::CampaignOptions& options, campaign::CampaignPlan& plan) {
   if (options.board_percent == 0) {
     return;
   }
   std::vector<std::string> missing;
-  plan.boards = boardsHere(missing);
+  plan.boards = campaign::boardsHere(missing);
   plan.board_percent = options.board_percent;
   for (const std::string& emulator : missing) {
     tell("glidercc: warning: there is no " + emulator + ": those flights run in this process\n");
   }
 }
 
-int campaign(const CampaignOptions& options) {
-  CampaignPlan plan;
+int campaign(const campaign::CampaignOptions& options) {
+  campaign::CampaignPlan plan;
   plan.flights = options.flights;
   plan.seed = options.seed;
   if (!options.faults.empty()) {
@@ -211,7 +214,7 @@ int campaign(const CampaignOptions& options) {
     });
   }
   plan.jobs = options.jobs != 0 ? options.jobs : std::max(1U, std::thread::hardware_concurrency());
-  auto scenario = chooseScenario(options.scenario);
+  auto scenario = flights::chooseScenario(options.scenario, reportDiagnostics);
   if (!scenario) {
     return reportFailure(scenario.error());
   }
@@ -220,13 +223,13 @@ int campaign(const CampaignOptions& options) {
   if (const int status = loadMissions(options, plan); status != kFine) {
     return status;
   }
-  if (auto measured = measureMissions(plan); !measured) {
+  if (auto measured = campaign::measureMissions(plan); !measured) {
     return reportFailure(measured.error());
   }
   return options.only ? flyOnly(plan, options) : flyThem(plan, options);
 }
 
-void addFileOptions(CLI::App& command, CampaignOptions& options) {
+void addFileOptions(CLI::App& command, campaign::CampaignOptions& options) {
   constexpr uint64_t kMostFlights = 10'000'000;
   auto* csv =
       command.add_option("--csv", options.csv, "Write one row per flight, as soon as it ends")
@@ -249,7 +252,7 @@ void addFileOptions(CLI::App& command, CampaignOptions& options) {
       ->option_text("FOLDER");
 }
 
-void addFaultOption(CLI::App& command, CampaignOptions& options) {
+void addFaultOption(CLI::App& command, campaign::CampaignOptions& options) {
   std::vector<std::string> names;
   for (const simulator::FaultKind kind : simulator::allFaultKinds()) {
     names.emplace_back(simulator::nameOf(kind));
@@ -263,7 +266,7 @@ void addFaultOption(CLI::App& command, CampaignOptions& options) {
       ->option_text("KIND");
 }
 
-void addOptions(CLI::App& command, CampaignOptions& options) {
+void addOptions(CLI::App& command, campaign::CampaignOptions& options) {
   constexpr uint64_t kMostFlights = 10'000'000;
   constexpr unsigned kMostJobs = 1024;
   command.add_option("MISSION", options.missions, "Mission files, flown in turn")->required();
@@ -297,7 +300,7 @@ void addOptions(CLI::App& command, CampaignOptions& options) {
 }  // namespace
 
 void addCampaignCommand(CLI::App& app, int& status) {
-  auto options = std::make_shared<CampaignOptions>();
+  auto options = std::make_shared<campaign::CampaignOptions>();
   CLI::App* command = app.add_subcommand(
       "campaign",
       "Fly missions thousands of times with injected faults and summarize the outcomes");

@@ -5,8 +5,8 @@
 #include "driver/commands.h"
 #include "driver/exit_code.h"
 #include "driver/explain_page.h"
-#include "driver/link_option.h"
 #include "driver/run_trace.h"
+#include "driver/shared_options.h"
 #include "driver/terminal.h"
 #include "support/files.h"
 
@@ -232,7 +232,7 @@ const std::string* overwritten(const CommandOptions& options) {
 
 int check(CommandOptions& options) {
   if (!options.skeleton.empty()) {
-    auto silence = silenceOf(options.skeleton);
+    auto silence = analysis::silenceOf(options.skeleton, reportDiagnostics);
     if (!silence) {
       return reportFailure(silence.error());
     }

@@ -3,10 +3,10 @@
 
 #include "driver/check_mission.h"
 
+#include "analysis/closed_loop.h"
+#include "analysis/mission_budget.h"
+#include "compiler/proof_cache.h"
 #include "driver/check_progress.h"
-#include "driver/closed_loop.h"
-#include "driver/mission_budget.h"
-#include "driver/proof_cache.h"
 
 #include <fmt/format.h>
 
@@ -17,10 +17,10 @@ namespace {
 
 using support::Result;
 
-void tellFacts(const Compilation& compilation, report::CheckedMission& found) {
+void tellFacts(const compiler::Compilation& compilation, report::CheckedMission& found) {
   const ir::Mission& mission = *compilation.mission;
   found.mission = mission.name;
-  found.states = stateNames(mission);
+  found.states = compiler::stateNames(mission);
   if (compilation.facts.stack_depth > 0) {
     for (const ir::StateId id : compilation.facts.deepest_path) {
       found.deepest_path.push_back(mission[id].name);
@@ -28,7 +28,7 @@ void tellFacts(const Compilation& compilation, report::CheckedMission& found) {
   }
 }
 
-report::FlightSearch told(const ClosedLoop& search) {
+report::FlightSearch told(const analysis::ClosedLoop& search) {
   report::FlightSearch all;
   all.flights = search.flights;
   if (search.breaking) {
@@ -40,7 +40,7 @@ report::FlightSearch told(const ClosedLoop& search) {
 }
 
 /// `fly`: whether to look for a flight that breaks one that is refuted.
-Result<report::JudgedRequirement> judgedRequirement(const Compilation& compilation,
+Result<report::JudgedRequirement> judgedRequirement(const compiler::Compilation& compilation,
                                                     const ir::prove::RequirementVerdict& verdict,
                                                     bool fly) {
   const auto range = compilation.mission->requirements[verdict.requirement].range;
@@ -51,7 +51,7 @@ Result<report::JudgedRequirement> judgedRequirement(const Compilation& compilati
                                    verdict.premise,
                                    verdict.cached};
   if (fly && verdict.verdict == ir::prove::Verdict::Refuted && verdict.run) {
-    const auto search = searchClosedLoop(compilation, verdict);
+    const auto search = analysis::searchClosedLoop(compilation, verdict);
     if (!search) {
       return std::unexpected(search.error());
     }
@@ -61,8 +61,8 @@ Result<report::JudgedRequirement> judgedRequirement(const Compilation& compilati
 }
 
 /// Proves, and shows on a terminal how far it is.
-Result<ir::prove::Findings> proveWithProgress(Compilation& compilation, const std::string& path,
-                                              ir::prove::Options how) {
+Result<ir::prove::Findings> proveWithProgress(compiler::Compilation& compilation,
+                                              const std::string& path, ir::prove::Options how) {
   CheckProgress progress(path);
   progress.at("looking at cases and orders");
   how.before_requirement = [&](uint32_t number) {
@@ -70,16 +70,17 @@ Result<ir::prove::Findings> proveWithProgress(Compilation& compilation, const st
     progress.at(fmt::format("proving {} of {}: {}", number + 1, all.size(),
                             compilation.sources.text(all[number].range)));
   };
-  return proveMission(compilation, how);
+  return compiler::proveMission(compilation, how);
 }
 
 /// A mission that promises nothing has nothing to keep.
-Result<ir::prove::Findings> proveWithCache(Compilation& compilation, const std::string& path,
-                                           ir::prove::Options how, bool wanted) {
+Result<ir::prove::Findings> proveWithCache(compiler::Compilation& compilation,
+                                           const std::string& path, ir::prove::Options how,
+                                           bool wanted) {
   if (!wanted || compilation.mission->requirements.empty()) {
     return proveWithProgress(compilation, path, how);
   }
-  const ProofCache cache(compilation, how);
+  const compiler::ProofCache cache(compilation, how);
   how.cached = [&](uint32_t requirement) { return cache.find(requirement); };
   auto proved = proveWithProgress(compilation, path, how);
   if (proved) {
@@ -94,7 +95,7 @@ Result<void> checkFurther(Checked& checked, const CheckOptions& options) {
   how.report = options.report;
   how.effort *= options.effort;
   how.run_effort *= options.effort;
-  Compilation& compilation = *checked.compilation;
+  compiler::Compilation& compilation = *checked.compilation;
   auto proved = proveWithCache(compilation, checked.found.path, how, options.cache);
   if (!proved) {
     return std::unexpected(proved.error());
@@ -114,12 +115,12 @@ Result<void> checkFurther(Checked& checked, const CheckOptions& options) {
     return {};
   }
   for (std::string& line :
-       wayHomeLines(*compilation.mission, *compilation.platform, options.silence)) {
+       analysis::wayHomeLines(*compilation.mission, *compilation.platform, options.silence)) {
     checked.found.remarks.push_back({{}, std::move(line)});
   }
-  auto budgets =
-      missionBudgets(compilation, options.targets.empty() ? boardsInTheVehicle() : options.targets,
-                     options.user_code);
+  auto budgets = analysis::missionBudgets(
+      compilation, options.targets.empty() ? analysis::boardsInTheVehicle() : options.targets,
+      options.user_code);
   if (!budgets) {
     return std::unexpected(budgets.error());
   }
@@ -133,13 +134,13 @@ Checked checkMission(const std::string& path, const CheckOptions& options) {
   Checked checked;
   report::CheckedMission& found = checked.found;
   found.path = path;
-  auto compiled = compileMission(path);
+  auto compiled = compiler::compileMission(path);
   if (!compiled) {
     found.failure = compiled.error();
     return checked;
   }
   checked.compilation = std::move(*compiled);
-  Compilation& compilation = *checked.compilation;
+  compiler::Compilation& compilation = *checked.compilation;
   found.sources = &compilation.sources;
   if (compilation.ok()) {
     if (auto done = checkFurther(checked, options); !done) {

@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include "driver/compilation.h"
-#include "driver/way_home.h"
+#include "analysis/way_home.h"
+#include "compiler/compilation.h"
 #include "report/findings/findings.h"
 
 #include <memory>
@@ -15,9 +15,9 @@ namespace glider::driver {
 
 /// How a mission is checked.
 struct CheckOptions {
-  bool report = false;                 ///< also what is no mistake, and the budgets
-  std::vector<std::string> targets;    ///< of the budget; none: all boards of the vehicle
-  Silence silence = usualSilence();    ///< of hookbeh, for the way home
+  bool report = false;               ///< also what is no mistake, and the budgets
+  std::vector<std::string> targets;  ///< of the budget; none: all boards of the vehicle
+  analysis::Silence silence = analysis::usualSilence();  ///< of hookbeh, for the way home
   std::vector<std::string> user_code;  ///< of the budget: what has the mission's `extern` names
   unsigned effort = 1;                 ///< how many times the usual effort a proof may take
   bool cache = true;                   ///< look what earlier checks have proved, and keep it
@@ -26,7 +26,7 @@ struct CheckOptions {
 /// A mission with all that was found; `found` points into `compilation`, which is null if the file
 /// could not be read.
 struct Checked {
-  std::unique_ptr<Compilation> compilation;
+  std::unique_ptr<compiler::Compilation> compilation;
   ir::prove::Findings proved;
   report::CheckedMission found;
 };

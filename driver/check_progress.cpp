@@ -3,7 +3,7 @@
 
 #include "driver/check_progress.h"
 
-#include "driver/one_line.h"
+#include "support/one_line.h"
 
 #include <fmt/format.h>
 
@@ -60,7 +60,7 @@ CheckProgress::~CheckProgress() {
 
 void CheckProgress::at(const std::string& work) {
   const std::lock_guard lock(mutex_);
-  work_ = onOneLine(work);
+  work_ = support::onOneLine(work);
 }
 
 /// The solver gives no sign for seconds, so the time is told from beside it.

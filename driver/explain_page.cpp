@@ -3,13 +3,13 @@
 
 #include "driver/explain_page.h"
 
-#include "driver/share.h"
+#include "compiler/share.h"
 #include "support/files.h"
 
 namespace glider::driver {
 
 support::Result<std::string> explainPage(support::DiagnosticId id) {
-  return support::readFile(shareDirectory() / "explain" / (support::code(id) + ".md"));
+  return support::readFile(compiler::shareDirectory() / "explain" / (support::code(id) + ".md"));
 }
 
 }  // namespace glider::driver

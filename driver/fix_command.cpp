@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "compiler/compilation.h"
 #include "driver/commands.h"
-#include "driver/compilation.h"
 #include "driver/exit_code.h"
 #include "driver/line_diff.h"
 #include "driver/rewrite.h"
@@ -56,9 +56,9 @@ int fix(const std::string& path, bool dry_run) {
   if (!text) {
     return reportFailure(text.error());
   }
-  std::unique_ptr<Compilation> last;
+  std::unique_ptr<compiler::Compilation> last;
   const auto check = [&](const std::string& candidate) -> Result<std::vector<Diagnostic>> {
-    auto compiled = compileText(path, candidate);
+    auto compiled = compiler::compileText(path, candidate);
     if (!compiled) {
       return std::unexpected(compiled.error());
     }

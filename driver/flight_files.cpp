@@ -3,11 +3,11 @@
 
 #include "driver/flight_files.h"
 
-#include "driver/csv.h"
 #include "driver/flight_folder.h"
 #include "report/figures.h"
 #include "report/report.h"
 #include "report/warnings.h"
+#include "support/csv.h"
 #include "support/files.h"
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@ namespace {
 /// A quoted field that is one line.
 std::string textCell(std::string text) {
   std::ranges::replace_if(text, [](char c) { return c == '\n' || c == '\r'; }, ' ');
-  return csvQuoted(text);
+  return support::csvQuoted(text);
 }
 
 std::string numberCell(double value) {

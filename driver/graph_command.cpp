@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "analysis/graph_of.h"
+#include "compiler/compilation.h"
 #include "driver/commands.h"
-#include "driver/compilation.h"
 #include "driver/exit_code.h"
-#include "driver/graph_of.h"
 #include "driver/terminal.h"
 #include "ir/verify/promela.h"
 #include "support/files.h"
@@ -37,16 +37,16 @@ struct GraphOptions {
 
 using DeadCases = std::map<ir::CasePlace, bool>;
 
-std::string draw(const GraphOptions& options, const Compilation& compilation,
+std::string draw(const GraphOptions& options, const compiler::Compilation& compilation,
                  const DeadCases& dead) {
   const report::GraphStyle style{options.deepest};
   switch (options.format) {
     case Format::Svg:
-      return report::graphToSvg(graphOf(compilation, dead), style);
+      return report::graphToSvg(analysis::graphOf(compilation, dead), style);
     case Format::Dot:
-      return report::graphToDot(graphOf(compilation, dead), style);
+      return report::graphToDot(analysis::graphOf(compilation, dead), style);
     case Format::Json:
-      return report::graphToJson(graphOf(compilation, dead));
+      return report::graphToJson(analysis::graphOf(compilation, dead));
     case Format::Promela:
       return ir::promela(*compilation.mission);
   }
@@ -66,14 +66,14 @@ bool overwritesMission(const std::string& output, const std::string& mission) {
   return std::filesystem::equivalent(output, mission, error) && !error;
 }
 
-support::Result<void> put(const GraphOptions& options, Compilation& compilation) {
+support::Result<void> put(const GraphOptions& options, compiler::Compilation& compilation) {
   const std::string output = options.output.empty() ? outputName(options) : options.output;
   if (overwritesMission(output, options.mission)) {
     return support::fail(support::DiagnosticId::outputIsInput, options.mission);
   }
   // Nothing is proved of a mission with errors: what is known of its structure is drawn.
   auto dead = compilation.ok() && options.format != Format::Promela
-                  ? casesThatNeverFire(compilation)
+                  ? compiler::casesThatNeverFire(compilation)
                   : support::Result<DeadCases>(DeadCases());
   if (!dead) {
     return std::unexpected(dead.error());
@@ -90,11 +90,11 @@ support::Result<void> put(const GraphOptions& options, Compilation& compilation)
 }
 
 int graph(const GraphOptions& options) {
-  auto compiled = compileMission(options.mission);
+  auto compiled = compiler::compileMission(options.mission);
   if (!compiled) {
     return reportFailure(compiled.error());
   }
-  Compilation& compilation = **compiled;
+  compiler::Compilation& compilation = **compiled;
   reportDiagnostics(compilation.diagnostics, compilation.sources);
   if (!compilation.mission) {
     return kMissionHasErrors;

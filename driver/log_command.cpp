@@ -3,8 +3,8 @@
 
 #include "driver/commands.h"
 #include "driver/exit_code.h"
-#include "driver/mission_log/render.h"
 #include "driver/terminal.h"
+#include "logs/render.h"
 #include "support/files.h"
 
 #include <CLI/CLI.hpp>
@@ -26,7 +26,7 @@ struct LogOptions {
 };
 
 /// "3 torn or damaged stretches, 2 records missing".
-std::string damageText(const LogDamage& damage) {
+std::string damageText(const logs::LogDamage& damage) {
   std::string text;
   const auto add = [&](uint32_t count, const char* what) {
     if (count > 0) {
@@ -54,9 +54,9 @@ int log(const LogOptions& options) {
   if (!options.csv.empty() && std::filesystem::equivalent(options.file, options.csv, ignored)) {
     return reportFailure(support::fail(DiagnosticId::outputIsInput, options.file).error());
   }
-  std::string text = options.csv.empty() ? "" : kLogCsvHead;
-  const LogDamage damage = readLog(*bytes, [&](const LogEntry& entry) {
-    text += options.csv.empty() ? textLine(entry) : csvLines(entry);
+  std::string text = options.csv.empty() ? "" : logs::kLogCsvHead;
+  const logs::LogDamage damage = logs::readLog(*bytes, [&](const logs::LogEntry& entry) {
+    text += options.csv.empty() ? logs::textLine(entry) : logs::csvLines(entry);
   });
   if (damage.starts == 0) {
     std::string why = bytes->empty() ? "it is empty" : "there is no whole head of one in it";

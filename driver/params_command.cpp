@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "compiler/compilation.h"
 #include "driver/commands.h"
-#include "driver/compilation.h"
 #include "driver/exit_code.h"
-#include "driver/launch_choice.h"
+#include "driver/shared_options.h"
 #include "driver/terminal.h"
+#include "flights/launch_choice.h"
 #include "runtime/launch/launch.h"
 
 #include <CLI/CLI.hpp>
@@ -21,7 +22,7 @@ namespace {
 
 struct ParamsOptions {
   std::string mission;
-  LaunchChoice launch;
+  flights::LaunchChoice launch;
 };
 
 template <typename Write>
@@ -75,13 +76,14 @@ std::string table(const std::vector<Row>& rows) {
   return text;
 }
 
-support::Result<std::string> describe(const Compilation& compilation, const LaunchChoice& choice) {
-  const auto loaded = loadForParameters(compilation);
+support::Result<std::string> describe(const compiler::Compilation& compilation,
+                                      const flights::LaunchChoice& choice) {
+  const auto loaded = flights::loadForParameters(compilation);
   if (!loaded) {
     return std::unexpected(loaded.error());
   }
   const GliderMission& mission = loaded->mission();
-  const auto values = chooseParameters(mission, choice);
+  const auto values = flights::chooseParameters(mission, choice);
   if (!values) {
     return std::unexpected(values.error());
   }
@@ -100,11 +102,11 @@ support::Result<std::string> describe(const Compilation& compilation, const Laun
 }
 
 int params(const ParamsOptions& options) {
-  auto compiled = compileMission(options.mission);
+  auto compiled = compiler::compileMission(options.mission);
   if (!compiled) {
     return reportFailure(compiled.error());
   }
-  const Compilation& compilation = **compiled;
+  const compiler::Compilation& compilation = **compiled;
   reportDiagnostics(compilation.diagnostics, compilation.sources);
   if (!compilation.ok()) {
     return kMissionHasErrors;

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "compiler/share.h"
 #include "driver/commands.h"
 #include "driver/exit_code.h"
-#include "driver/share.h"
 #include "driver/terminal.h"
 #include "ir/core/ops.h"
 #include "platforms/load/platform.h"
@@ -31,7 +31,7 @@ struct PlatformOptions {
 };
 
 support::Result<Platform> load(const std::string& name) {
-  const std::filesystem::path folder = shareDirectory() / "platforms";
+  const std::filesystem::path folder = compiler::shareDirectory() / "platforms";
   std::error_code ignored;
   std::set<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {

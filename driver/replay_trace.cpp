@@ -3,11 +3,12 @@
 
 #include "driver/replay_trace.h"
 
+#include "analysis/replay.h"
+#include "driver/compile_for_flight.h"
 #include "driver/exit_code.h"
 #include "driver/flight_folder.h"
-#include "driver/flight_setup.h"
-#include "driver/replay.h"
 #include "driver/terminal.h"
+#include "flights/flight_setup.h"
 #include "support/files.h"
 #include "support/trace/trace.h"
 
@@ -19,7 +20,8 @@ namespace glider::driver {
 namespace {
 
 /// What a replay came to.
-int tellReplay(const support::Trace& trace, const Replayed& replayed, const std::string& way) {
+int tellReplay(const support::Trace& trace, const analysis::Replayed& replayed,
+               const std::string& way) {
   std::string text;
   for (const support::TraceEvent& event : trace.events) {
     if (event.kind == "transition") {
@@ -51,7 +53,7 @@ int replayTrace(SimOptions options) {
   if (!trace) {
     return reportFailure(trace.error());
   }
-  const auto mission = compileMission(options.mission);
+  const auto mission = compiler::compileMission(options.mission);
   if (!mission) {
     return reportFailure(mission.error());
   }
@@ -60,13 +62,13 @@ int replayTrace(SimOptions options) {
   if (status != kFine) {
     return status;
   }
-  if (auto fits = checkTrace(*trace, options.replay, **mission); !fits) {
+  if (auto fits = analysis::checkTrace(*trace, options.replay, **mission); !fits) {
     return reportFailure(fits.error());
   }
   options.launch.settings = trace->settings;
-  const auto loaded = loadHere(*built, options.user_code);
+  const auto loaded = flights::loadHere(*built, options.user_code);
   const auto parameters =
-      loaded ? chooseParameters(loaded->mission(), options.launch)
+      loaded ? flights::chooseParameters(loaded->mission(), options.launch)
              : support::Result<std::vector<double>>(std::unexpected(loaded.error()));
   if (!parameters) {
     return reportFailure(parameters.error());
@@ -84,8 +86,8 @@ int replayTrace(SimOptions options) {
   if (!sbc) {
     return reportFailure(sbc.error());
   }
-  const auto replayed =
-      replayRun(*trace, **mission, stateNames(*built->mission), *parameters, **sbc);
+  const auto replayed = analysis::replayRun(
+      *trace, **mission, compiler::stateNames(*built->mission), *parameters, **sbc);
   if (!replayed) {
     return reportFailure(replayed.error());
   }

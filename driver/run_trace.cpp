@@ -39,7 +39,7 @@ std::vector<std::string> settingsOf(const ir::Mission& mission,
   return settings;
 }
 
-void addColumns(support::Trace& trace, const Compilation& compilation) {
+void addColumns(support::Trace& trace, const compiler::Compilation& compilation) {
   trace.columns = {{"time", "s"}, {"missiontime", "s"}, {"state", "id"}, {"true_depth", "m"}};
   for (const ir::Sensor& sensor : compilation.mission->sensors) {
     const auto* known =
@@ -79,7 +79,7 @@ support::Result<void> writeRun(const support::Trace& trace, const std::filesyste
 
 }  // namespace
 
-support::Trace traceOfRun(const Compilation& compilation,
+support::Trace traceOfRun(const compiler::Compilation& compilation,
                           const ir::prove::RequirementVerdict& verdict) {
   const ir::prove::ConcreteRun& run = *verdict.run;
   const auto requirement = compilation.mission->requirements[verdict.requirement].range;
@@ -88,7 +88,7 @@ support::Trace traceOfRun(const Compilation& compilation,
   trace.scenario = std::string(compilation.sources.text(requirement));
   trace.way = "proof";
   trace.requirement = verdict.requirement;
-  trace.state_names = stateNames(*compilation.mission);
+  trace.state_names = compiler::stateNames(*compilation.mission);
   trace.settings = settingsOf(*compilation.mission, run.parameters);
   addColumns(trace, compilation);
   addRows(trace, run);

@@ -13,7 +13,7 @@ namespace glider::driver {
 
 /// A run that the verifier found, as the trace of a flight: a row each tick, with the readings as
 /// the vehicle reports them and its true depth.
-support::Trace traceOfRun(const Compilation& compilation,
+support::Trace traceOfRun(const compiler::Compilation& compilation,
                           const ir::prove::RequirementVerdict& verdict);
 
 /// Writes, for each requirement that a run breaks, `folder`/requirement-N/ (N from 1) with

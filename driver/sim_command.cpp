@@ -1,17 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "compiler/compilation.h"
 #include "driver/commands.h"
-#include "driver/compilation.h"
+#include "driver/compile_for_flight.h"
 #include "driver/exit_code.h"
 #include "driver/flight_files.h"
 #include "driver/flight_folder.h"
-#include "driver/flight_setup.h"
-#include "driver/link_option.h"
 #include "driver/replay_trace.h"
-#include "driver/scenario_choice.h"
+#include "driver/shared_options.h"
 #include "driver/sim_options.h"
 #include "driver/terminal.h"
+#include "flights/flight_setup.h"
+#include "flights/scenario_choice.h"
 #include "report/picture/picture.h"
 #include "report/summary.h"
 #include "report/warnings.h"
@@ -42,11 +43,12 @@ void showProgress(simulator::SimulationSetup& setup, ProgressLine& line) {
 }
 
 /// What went wrong in a flight: what the vehicle did, and sensors that it did not carry.
-std::vector<support::Diagnostic> judge(const support::Trace& trace, const Compilation* compilation,
+std::vector<support::Diagnostic> judge(const support::Trace& trace,
+                                       const compiler::Compilation* compilation,
                                        const simulator::Scenario& scenario) {
   support::DiagnosticEngine diagnostics;
   if (compilation != nullptr) {
-    reportMissingSensors(*compilation, scenario, diagnostics);
+    flights::reportMissingSensors(*compilation, scenario, diagnostics);
   }
   report::reportFlight(trace, diagnostics);
   reportDiagnostics(diagnostics, {});
@@ -76,7 +78,7 @@ support::Result<void> writeAll(const support::Trace& trace, const SimOptions& op
 
 /// Flies and writes; the flight has been set up.
 int flyAndReport(simulator::SimulationSetup setup, const SimOptions& options,
-                 const Compilation* compilation, FlightFolder& folder) {
+                 const compiler::Compilation* compilation, FlightFolder& folder) {
   const simulator::Scenario scenario = setup.scenario;
   ProgressLine line;
   showProgress(setup, line);
@@ -110,17 +112,17 @@ int sim(const SimOptions& options) {
   if (!options.replay.empty()) {
     return replayTrace(options);
   }
-  auto scenario = chooseScenario(options.scenario);
+  auto scenario = flights::chooseScenario(options.scenario, reportDiagnostics);
   if (!scenario) {
     return reportFailure(scenario.error());
   }
   int status = kFine;
-  const std::unique_ptr<Compilation> compilation =
+  const std::unique_ptr<compiler::Compilation> compilation =
       options.mission.empty() ? nullptr : compileForFlight(options.mission, status);
   if (status != kFine) {
     return status;
   }
-  auto platform = platformOf(compilation.get());
+  auto platform = flights::platformOf(compilation.get());
   if (!platform) {
     return reportFailure(platform.error());
   }
@@ -146,7 +148,7 @@ int sim(const SimOptions& options) {
   setup.seed = options.seed;
   setup.kill_sbc_at_s = options.kill_sbc_at_s;
   if (compilation != nullptr) {
-    describeMission(setup, *compilation);
+    flights::describeMission(setup, *compilation);
   }
   return flyAndReport(std::move(setup), options, compilation.get(), *folder);
 }

@@ -3,7 +3,7 @@
 
 #include "driver/sim_options.h"
 
-#include "driver/sbc_choice.h"
+#include "flights/sbc_choice.h"
 
 #include <filesystem>
 
@@ -27,22 +27,23 @@ std::string outputFolder(const SimOptions& options) {
 }
 
 support::Result<simulator::StartSbc> chooseSbc(const SimOptions& options,
-                                               const Compilation* compilation, bool keeps_time,
+                                               const compiler::Compilation* compilation,
+                                               bool keeps_time,
                                                const std::filesystem::path& folder) {
   if (options.without_sbc) {
     return simulator::StartSbc();
   }
   if (!options.serial.empty()) {
-    return sbcOnSerialLine(options.serial, options.lockstep);
+    return flights::sbcOnSerialLine(options.serial, options.lockstep);
   }
   if (!options.program.empty()) {
-    return sbcProgram(options.program);
+    return flights::sbcProgram(options.program);
   }
   if (options.board.empty()) {
-    return sbcInProcess(*compilation, options.launch, options.user_code, keeps_time);
+    return flights::sbcInProcess(*compilation, options.launch, options.user_code, keeps_time);
   }
-  return sbcOnBoard(*compilation, options.launch, options.user_code, options.board, stemOf(options),
-                    folder);
+  return flights::sbcOnBoard(*compilation, options.launch, options.user_code, options.board,
+                             stemOf(options), folder);
 }
 
 }  // namespace glider::driver

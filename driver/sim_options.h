@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include "driver/compilation.h"
-#include "driver/launch_choice.h"
+#include "compiler/compilation.h"
+#include "flights/launch_choice.h"
 #include "report/picture/picture.h"
 #include "simulator/simulator.h"
 #include "support/result.h"
@@ -32,7 +32,7 @@ struct SimOptions {
   std::string replay;   ///< the file of a run; empty: none
   std::string picture;  ///< the file of a picture; empty: none
   report::PictureStyle picture_style;
-  LaunchChoice launch;
+  flights::LaunchChoice launch;
   std::vector<std::string> user_code;
 };
 
@@ -42,7 +42,8 @@ std::string outputFolder(const SimOptions& options);
 /// What starts the SBC, empty for none; `keeps_time`: as for a flight in which something goes
 /// wrong. A board's binary is built into `folder`.
 support::Result<simulator::StartSbc> chooseSbc(const SimOptions& options,
-                                               const Compilation* compilation, bool keeps_time,
+                                               const compiler::Compilation* compilation,
+                                               bool keeps_time,
                                                const std::filesystem::path& folder);
 
 }  // namespace glider::driver

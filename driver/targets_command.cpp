@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "driver/boards.h"
+#include "compiler/boards.h"
+#include "compiler/share.h"
 #include "driver/commands.h"
 #include "driver/exit_code.h"
-#include "driver/share.h"
 #include "driver/terminal.h"
 
 #include <CLI/CLI.hpp>
@@ -19,8 +19,8 @@ namespace {
 
 int listTargets() {
   std::string text;
-  for (const std::string& name : targetNames()) {
-    const auto board = loadTarget(name);
+  for (const std::string& name : compiler::targetNames()) {
+    const auto board = compiler::loadTarget(name);
     if (!board) {
       return reportFailure(board.error());
     }
@@ -45,7 +45,8 @@ std::string compilerFlags(const platforms::Board& board) {
   return fmt::format(
       "--target={} {} -O2 -ffreestanding {}-ffp-contract=off -ffunction-sections -fdata-sections "
       "-fno-stack-protector -fno-exceptions -fno-rtti -fno-threadsafe-statics -I{}\n",
-      board.triple, fmt::join(board.clang_flags, " "), library, (shareDirectory() / "c").string());
+      board.triple, fmt::join(board.clang_flags, " "), library,
+      (compiler::shareDirectory() / "c").string());
 }
 
 /// What makes clang link a mission in C for `board`, to be said after its objects.
@@ -66,7 +67,7 @@ std::string linkerFlags(const platforms::Board& board) {
 
 /// Prints what `flags` says of the target `name`.
 int printFlags(const std::string& name, std::string (*flags)(const platforms::Board&)) {
-  const auto board = loadTarget(name);
+  const auto board = compiler::loadTarget(name);
   if (!board) {
     return reportFailure(board.error());
   }

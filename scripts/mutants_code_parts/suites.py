@@ -38,6 +38,7 @@ SUPPORT = Suite("tests/support_test")
 SLOCUM = Suite("tests/mission_files_test")
 COMMAND = Suite("tests/command_test", **GLIDERCC)
 DRIVER = Suite("tests/driver_test")
+UNIT_FLIGHTS = Suite("tests/flights_unit_test")
 SPIN = Suite("tests/spin_test", runs=(("GLIDERCC", "bin/glidercc"),))  # skips where there is no spin
 DOCS = Suite("tests/docs_test", **GLIDERCC)
 FLIGHTS = Suite("tests/flights_test", **GLIDERCC)
@@ -61,6 +62,11 @@ SUITES = {
     "report": (REPORT, COMMAND),
     "support": (SUPPORT, FRONTEND, REPORT, GOLDEN),
     "slocum": (SLOCUM, COMMAND),
+    "compiler": (COMMAND, GOLDEN),
+    "flights": (UNIT_FLIGHTS, COMMAND, FLIGHTS),
+    "analysis": (COMMAND, FLIGHTS),
+    "campaign": (COMMAND,),
+    "logs": (RUNTIME, COMMAND),
     "driver": (DRIVER, COMMAND, FLIGHTS),
 }
 

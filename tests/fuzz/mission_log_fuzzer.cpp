@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "driver/mission_log/render.h"
+#include "logs/render.h"
 #include "hooks/protocol/frame.h"
 
 #include <cstdlib>
@@ -9,14 +9,14 @@
 
 namespace {
 
-using glider::driver::LogEntry;
+using glider::logs::LogEntry;
 
 /// Reads and shows them; returns how many characters that were.
 size_t feed(std::string_view bytes) {
   size_t shown = 0;
-  const auto damage = glider::driver::readLog(bytes, [&](const LogEntry& entry) {
-    const std::string text = glider::driver::textLine(entry);
-    shown += text.size() + glider::driver::csvLines(entry).size();
+  const auto damage = glider::logs::readLog(bytes, [&](const LogEntry& entry) {
+    const std::string text = glider::logs::textLine(entry);
+    shown += text.size() + glider::logs::csvLines(entry).size();
     if (text.find('\x1b') != std::string::npos || text.find('\n') + 1 != text.size()) {
       std::abort();  // a log must not command the terminal
     }

@@ -3,8 +3,8 @@
 
 #include "tests/world/watched_flight.h"
 
-#include "driver/in_process_sbc.h"
-#include "driver/launch_choice.h"
+#include "flights/in_process_sbc.h"
+#include "flights/launch_choice.h"
 #include "hooks/protocol/frame.h"
 #include "hooks/protocol/tick.h"
 #include "ir/opt/optimise.h"
@@ -19,7 +19,7 @@
 namespace glider::tests {
 namespace {
 
-using driver::InProcessSbc;
+using flights::InProcessSbc;
 
 /// An SBC in process that says of what time the newest frame was that it heard.
 class HearingSbc final : public simulator::SbcPort {
@@ -84,14 +84,14 @@ void judgeDrift(const support::Trace& trace, const simulator::Scenario& scenario
 support::Result<FlyingMission> loadMission(const std::string& path, std::string text) {
   FlyingMission mission;
   mission.name = path;
-  auto compiled = driver::compileText(path, std::move(text));
+  auto compiled = compiler::compileText(path, std::move(text));
   if (!compiled) {
     return std::unexpected(compiled.error());
   }
   CHECK((*compiled)->ok(), "a mission to fly has mistakes");
   mission.compilation = std::move(*compiled);
   ir::optimise(*mission.compilation->mission);
-  auto loaded = driver::loadHere(*mission.compilation, {});
+  auto loaded = flights::loadHere(*mission.compilation, {});
   if (!loaded) {
     return std::unexpected(loaded.error());
   }
@@ -107,7 +107,7 @@ support::Result<Seen> flyWatched(const FlyingMission& mission, const Conditions&
   setup.scenario = conditions.scenario;
   setup.seed = conditions.seed;
   setup.onlooker = &watch;
-  const auto card = std::make_shared<driver::Card>();
+  const auto card = std::make_shared<flights::Card>();
   const bool keeps_time = !conditions.scenario.faults.empty();
   const auto start = [&] {
     return std::make_unique<InProcessSbc>(mission.loaded, conditions.parameters, card, keeps_time);

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "codegen/load/loaded_mission.h"
-#include "driver/compilation.h"
+#include "compiler/compilation.h"
 #include "support/result.h"
 #include "tests/world/assumed_world.h"
 #include "tests/world/conditions.h"
@@ -18,7 +18,7 @@ namespace glider::tests {
 /// A compiled mission that can be flown as often as wanted, also at the same time.
 struct FlyingMission {
   std::string name;
-  std::unique_ptr<driver::Compilation> compilation;
+  std::unique_ptr<compiler::Compilation> compilation;
   std::shared_ptr<const codegen::LoadedMission> loaded;
 };
 

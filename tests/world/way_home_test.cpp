@@ -4,9 +4,9 @@
 // The way home that `check --report` states: the SBC is killed at a random moment of a flight, and
 // the vehicle is no deeper than stated and at the surface in the stated time, for good.
 
-#include "driver/way_home.h"
+#include "analysis/way_home.h"
 
-#include "driver/in_process_sbc.h"
+#include "flights/in_process_sbc.h"
 #include "ir/prove/dice.h"
 #include "ir/prove/ground.h"
 #include "ir/prove/state_depths.h"
@@ -22,8 +22,8 @@
 namespace glider::tests {
 namespace {
 
-using driver::InProcessSbc;
-using driver::WayHome;
+using flights::InProcessSbc;
+using analysis::WayHome;
 
 /// Looks at where the vehicle is after the SBC's death.
 class DeathWatch final : public simulator::Onlooker {
@@ -53,7 +53,7 @@ class DeathWatch final : public simulator::Onlooker {
   }
 
   [[nodiscard]] WayHome stated() const {
-    return driver::wayHomeFrom(deepest_.at(state_), slocum());
+    return analysis::wayHomeFrom(deepest_.at(state_), slocum());
   }
   /// The SBC was in control when it died.
   [[nodiscard]] bool counts() const { return controlled_ && !finished_; }
@@ -89,7 +89,7 @@ DeathWatch flyAndKill(const FlyingMission& mission, const simulator::Scenario& s
   setup.kill_sbc_at_s = killed_s;
   setup.onlooker = &watch;
   auto sbc = std::make_unique<InProcessSbc>(mission.loaded, conditions.parameters,
-                                            std::make_shared<driver::Card>(), true);
+                                            std::make_shared<flights::Card>(), true);
   sbc->watch([&](const GliderContext& context, double) { watch.polled(context); });
   setup.sbc = std::move(sbc);
   EXPECT_TRUE(simulator::simulate(std::move(setup)).has_value());
@@ -128,10 +128,10 @@ TEST(WayHome, OfAKilledSbcIsNoLongerThanStated) {
 
 /// The sum is of the platform's numbers and hookbeh's silence: a vehicle that took longer is seen.
 TEST(WayHome, IsTheSumOfItsParts) {
-  const WayHome home = driver::wayHomeFrom(31, slocum());
+  const WayHome home = analysis::wayHomeFrom(31, slocum());
   EXPECT_EQ(home.depth_m, 31);
   EXPECT_NEAR(home.surface_s, 24 + 2 * 4 + 120 + 31 / 0.05, 1e-9);
-  EXPECT_TRUE(std::isinf(driver::wayHomeFrom(INFINITY, slocum()).surface_s));
+  EXPECT_TRUE(std::isinf(analysis::wayHomeFrom(INFINITY, slocum()).surface_s));
 }
 
 }  // namespace

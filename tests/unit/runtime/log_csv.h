@@ -3,17 +3,17 @@
 
 #pragma once
 
-#include "driver/mission_log/render.h"
+#include "logs/render.h"
 
 #include <string>
 
 namespace glider::runtime::testing {
 
 /// A mission log as `glidercc log --csv` writes it.
-inline std::string csvOf(const std::string& log, driver::LogDamage* damage = nullptr) {
-  std::string csv = driver::kLogCsvHead;
+inline std::string csvOf(const std::string& log, logs::LogDamage* damage = nullptr) {
+  std::string csv = logs::kLogCsvHead;
   const auto found =
-      driver::readLog(log, [&](const driver::LogEntry& entry) { csv += driver::csvLines(entry); });
+      logs::readLog(log, [&](const logs::LogEntry& entry) { csv += logs::csvLines(entry); });
   if (damage != nullptr) {
     *damage = found;
   }

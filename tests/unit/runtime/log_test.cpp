@@ -117,7 +117,7 @@ class LogOf : public ::testing::Test {
   const GliderStateInfo* const states_[1] = {&state_};
   GliderMission mission_{};
   MissionLog log_{{&disk_, Disk::write, Disk::sync, Disk::renew}, mission_};
-  mutable driver::LogDamage damage_;
+  mutable logs::LogDamage damage_;
   const std::string head_ = "time_s,record,name,value,from,to\n0,start,bench,,,\n";
 };
 

@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "analysis/closed_loop.h"
+
+#include "flights/flight_setup.h"
+#include "flights/heard_ticks.h"
+#include "flights/in_process_sbc.h"
+#include "flights/launch_choice.h"
+#include "flights/scenario_choice.h"
+#include "ir/prove/ground.h"
+#include "ir/prove/requirement_monitor.h"
+#include "simulator/simulator.h"
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <vector>
+
+namespace glider::analysis {
+namespace {
+
+using support::Result;
+
+constexpr uint64_t kSeeds = 3;  ///< of each scenario
+
+/// The true depth (m) at vehicle times that do not fall; NaN beyond the trace.
+class TrueDepth {
+ public:
+  explicit TrueDepth(const support::Trace& trace)
+      : trace_(trace), column_(trace.column("true_depth")) {}
+
+  double at(double time) {
+    while (row_ < trace_.rowCount() && trace_.at(row_, 0) < time) {
+      ++row_;
+    }
+    const bool there = column_ >= 0 && row_ < trace_.rowCount();
+    return there ? trace_.at(row_, column_) : std::numeric_limits<double>::quiet_NaN();
+  }
+
+ private:
+  const support::Trace& trace_;
+  int column_;
+  size_t row_ = 0;
+};
+
+/// The everyday one first.
+std::vector<std::string> worlds() {
+  std::vector<std::string> names = flights::scenarioNames();
+  std::ranges::stable_partition(names, [](const std::string& name) { return name == "default"; });
+  return names;
+}
+
+class Search {
+ public:
+  Search(const compiler::Compilation& compilation, const ir::prove::RequirementVerdict& verdict,
+         std::shared_ptr<const codegen::LoadedMission> mission)
+      : compilation_(compilation),
+        m_(*compilation.mission),
+        requirement_(m_.requirements[verdict.requirement]),
+        parameters_(verdict.run->parameters),
+        mission_(std::move(mission)) {}
+
+  Result<ClosedLoop> run() {
+    ClosedLoop result;
+    for (uint64_t seed = 1; seed <= kSeeds; ++seed) {
+      for (const std::string& scenario : worlds()) {
+        const auto when = fly(scenario, seed);
+        if (!when) {
+          return std::unexpected(when.error());
+        }
+        ++result.flights;
+        if (*when) {
+          result.breaking = BreakingFlight{scenario, seed, **when};
+          return result;
+        }
+      }
+    }
+    return result;
+  }
+
+ private:
+  /// When the flight breaks the requirement; empty: it does not.
+  Result<std::optional<double>> fly(const std::string& scenario, uint64_t seed) const {
+    auto world = flights::chooseScenario(scenario);
+    if (!world) {
+      return std::unexpected(world.error());
+    }
+    simulator::SimulationSetup setup;
+    setup.platform = *compilation_.platform;
+    setup.scenario = std::move(*world);
+    setup.seed = seed;
+    flights::describeMission(setup, compilation_);
+    auto sbc = std::make_unique<flights::InProcessSbc>(
+        mission_, parameters_, std::make_shared<flights::Card>(), !setup.scenario.faults.empty());
+    flights::HeardTicks heard(m_);
+    sbc->watch([&](const GliderContext& context, double now) { heard.look(context, now); });
+    setup.sbc = std::move(sbc);
+    const auto trace = simulator::simulate(std::move(setup));
+    if (!trace) {
+      return std::unexpected(trace.error());
+    }
+    return judge(heard.ticks(), *trace);
+  }
+
+  [[nodiscard]] std::optional<double> judge(const std::vector<flights::HeardTick>& ticks,
+                                            const support::Trace& trace) const {
+    ir::Interpreter interpreter(m_, compilation_.facts.stack_depth);
+    const auto& platform = *compilation_.platform;
+    ir::RequirementMonitor monitor(m_, requirement_, platform.world.surface_depth_m,
+                                   ir::prove::depthSensor(m_, platform));
+    TrueDepth depth(trace);
+    for (size_t i = 0; i < ticks.size() && !monitor.when(); ++i) {
+      const flights::HeardTick& tick = ticks[i];
+      const auto result = i == 0 ? interpreter.start(tick.frame, parameters_)
+                                 : interpreter.tick(tick.mission_time, tick.frame);
+      monitor.tick(interpreter, tick.mission_time, result, depth.at(tick.vehicle_time));
+    }
+    return monitor.when();
+  }
+
+  const compiler::Compilation& compilation_;
+  const ir::Mission& m_;
+  const ir::Requirement& requirement_;
+  std::vector<double> parameters_;
+  std::shared_ptr<const codegen::LoadedMission> mission_;
+};
+
+bool needsC(const ir::Mission& mission) {
+  return !mission.functions.empty() ||
+         std::ranges::any_of(mission.sensors,
+                             [](const ir::Sensor& s) { return !s.symbol.empty(); }) ||
+         std::ranges::any_of(mission.behaviours,
+                             [](const ir::Behaviour& b) { return !b.symbol.empty(); });
+}
+
+}  // namespace
+
+Result<ClosedLoop> searchClosedLoop(const compiler::Compilation& compilation,
+                                    const ir::prove::RequirementVerdict& verdict) {
+  const bool flies = simulator::checkPlatform(*compilation.platform).has_value();
+  if (!verdict.run || needsC(*compilation.mission) || !flies) {
+    return ClosedLoop{};  // the proof stands without a flight
+  }
+  auto loaded = flights::loadHere(compilation, {});
+  if (!loaded) {
+    return std::unexpected(loaded.error());
+  }
+  return Search(compilation, verdict,
+                std::make_shared<const codegen::LoadedMission>(std::move(*loaded)))
+      .run();
+}
+
+}  // namespace glider::analysis

@@ -1,0 +1,195 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "analysis/graph_of.h"
+
+#include "ir/verify/structure.h"
+#include "support/one_line.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ranges>
+#include <set>
+
+namespace glider::analysis {
+namespace {
+
+using report::GraphTransition;
+
+GraphTransition transitionOf(ir::Transition transition) {
+  switch (transition) {
+    case ir::Transition::Goto:
+      return GraphTransition::Goto;
+    case ir::Transition::Call:
+      return GraphTransition::Call;
+    case ir::Transition::Return:
+      return GraphTransition::Return;
+    case ir::Transition::Exit:
+      return GraphTransition::Exit;
+    case ir::Transition::Stay:
+    case ir::Transition::Done:
+      break;
+  }
+  return GraphTransition::Stay;
+}
+
+class Maker {
+ public:
+  Maker(const compiler::Compilation& compilation, const std::map<ir::CasePlace, bool>& dead)
+      : sources_(compilation.sources),
+        ast_(compilation.ast ? &*compilation.ast : nullptr),
+        mission_(*compilation.mission),
+        dead_(dead),
+        led_(mission_),
+        structure_(mission_, placesOf(dead)) {}
+
+  report::Graph run(const ir::MissionFacts& facts) {
+    report::Graph graph;
+    graph.mission = mission_.name;
+    graph.platform = mission_.platform;
+    for (uint32_t s = 0; s < mission_.states.size(); ++s) {
+      graph.states.push_back(state(s));
+    }
+    graph.always = cases(ir::StateId(), mission_.always, structure_.always, "`always`");
+    for (const ir::StateId id : facts.deepest_path) {
+      graph.deepest_path.push_back(id.index);
+    }
+    return graph;
+  }
+
+ private:
+  static std::set<ir::CasePlace> placesOf(const std::map<ir::CasePlace, bool>& dead) {
+    const auto places = std::views::keys(dead);
+    return {places.begin(), places.end()};
+  }
+  [[nodiscard]] std::string text(support::SourceRange range) const {
+    return range.valid() ? std::string(sources_.text(range)) : "";
+  }
+  [[nodiscard]] std::string line(support::SourceRange range) const {
+    return support::onOneLine(text(range));
+  }
+
+  report::GraphState state(uint32_t number) const {
+    const ir::State& of = mission_.states[number];
+    report::GraphState state;
+    state.name = of.name;
+    state.parameters = parameters(of);
+    state.profile = use(of.profile);
+    state.route = use(of.route);
+    state.source = source(of);
+    state.reached = structure_.reached(number);
+    state.dead_end = state.reached && structure_.deadEnd(number);
+    state.led_to_in_vain = !state.reached && led_.reached(number);
+    state.cases = cases({number}, of.cases, structure_.moves[number], "the state");
+    return state;
+  }
+
+  /// "to: position, limit: time"; of the IR's text form only the names.
+  [[nodiscard]] std::string parameters(const ir::State& state) const {
+    std::string list;
+    auto add = [&](const std::string& one) { list += (list.empty() ? "" : ", ") + one; };
+    if (const ast::State* written = find(state.name); written != nullptr && written->formals) {
+      for (const ast::Formal& formal : *written->formals) {
+        add(formal.name.text + ": " + formal.type.text);
+      }
+    } else {
+      for (const ir::VariableId id : state.parameters) {
+        const std::string& name = mission_[id].name;
+        add(name.starts_with(state.name + ".") ? name.substr(state.name.size() + 1) : name);
+      }
+    }
+    return list;
+  }
+
+  /// A profile or route with its arguments; one that is not written down by its name.
+  [[nodiscard]] std::string use(const ir::Activity& activity) const {
+    const std::string& name = mission_[activity.behaviour].name;
+    const std::string written = ast_ == nullptr ? "" : line(activity.range);
+    return written.starts_with(name) ? written : name;
+  }
+
+  [[nodiscard]] const ast::State* find(const std::string& name) const {
+    if (ast_ != nullptr) {
+      for (const ast::Item& item : ast_->items) {
+        if (const auto* state = std::get_if<ast::State>(&item); state && state->name.text == name) {
+          return state;
+        }
+      }
+    }
+    return nullptr;
+  }
+
+  /// What is written of the state before its events.
+  [[nodiscard]] std::string source(const ir::State& state) const {
+    const ast::State* written = find(state.name);
+    if (written == nullptr) {
+      return "state " + state.name;
+    }
+    support::SourceRange range = written->where;
+    for (const ast::Member& member : written->members) {
+      if (std::holds_alternative<ast::EventsMember>(member.node)) {
+        range.end = std::min(range.end, member.where.begin);
+      }
+    }
+    std::string head = text(range);
+    head.erase(head.find_last_not_of(" \t\r\n") + 1);
+    return head;
+  }
+
+  [[nodiscard]] std::vector<report::GraphCase> cases(ir::StateId state,
+                                                     const std::vector<ir::Case>& cases,
+                                                     const ir::Moves& moves,
+                                                     const char* list) const {
+    std::vector<report::GraphCase> result;
+    for (size_t i = 0; i < cases.size(); ++i) {
+      const ir::Case& c = cases[i];
+      report::GraphCase& told = result.emplace_back();
+      told.guard = line(mission_[c.guard].range);
+      told.action = c.action.valid() ? action(mission_[c.action]) : "";
+      told.source = text(c.range);
+      told.transition = transitionOf(c.transition);
+      told.target = c.target.valid() ? c.target.index : 0;
+      if (moves.dead[i] == ir::Dead::Hidden) {
+        told.never = fmt::format("never fires: an earlier case of {} always does", list);
+      } else if (moves.dead[i] == ir::Dead::AlwaysFalse) {
+        told.never = "never fires: its guard is always false";
+      } else if (moves.dead[i] == ir::Dead::Proved) {
+        told.never = dead_.at({state, static_cast<uint32_t>(i)})
+                         ? "never fires: whenever its condition is true, an earlier case fires"
+                         : "never fires: its condition cannot be true";
+      }
+    }
+    return result;
+  }
+
+  /// The statements, shortened to what they act on.
+  [[nodiscard]] std::string action(const ir::Block& block) const {
+    std::string list;
+    for (const ir::Statement& statement : block.statements) {
+      const std::string one = statement.kind == ir::StatementKind::Set
+                                  ? "set " + mission_[statement.variable].name
+                              : statement.kind == ir::StatementKind::If  ? "if …"
+                              : statement.kind == ir::StatementKind::Log ? "log"
+                                                                         : line(statement.range);
+      list += (list.empty() ? "" : ", ") + one;
+    }
+    return list;
+  }
+
+  const support::SourceManager& sources_;
+  const ast::File* ast_;
+  const ir::Mission& mission_;
+  const std::map<ir::CasePlace, bool>& dead_;
+  const ir::Structure led_;  ///< with the cases that are proved never to fire
+  const ir::Structure structure_;
+};
+
+}  // namespace
+
+report::Graph graphOf(const compiler::Compilation& compilation,
+                      const std::map<ir::CasePlace, bool>& dead) {
+  return Maker(compilation, dead).run(compilation.facts);
+}
+
+}  // namespace glider::analysis

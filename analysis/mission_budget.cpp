@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "analysis/mission_budget.h"
+
+#include "codegen/budget/budget.h"
+#include "compiler/boards.h"
+#include "compiler/user_code.h"
+#include "ir/opt/optimise.h"
+#include "ir/verify/link_bytes.h"
+#include "runtime/checkpoint/checkpoint.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <expected>
+#include <iterator>
+#include <utility>
+
+namespace glider::analysis {
+namespace {
+
+using report::Budget;
+using report::Quantity;
+using support::DiagnosticId;
+using support::Result;
+
+std::optional<uint64_t> limitOf(uint64_t value) {
+  return value == 0 ? std::nullopt : std::optional(value);
+}
+
+bool exceeds(const Quantity& quantity) {
+  return quantity.value && quantity.limit && *quantity.value > *quantity.limit;
+}
+
+Budget linesBudget(const ir::Mission& mission, compiler::Compilation& compilation) {
+  const ir::LinkBytes bytes = ir::linkBytes(mission, *compilation.platform);
+  const std::string unit = "bytes a cycle";
+  const std::string fast = "115200 baud: ", slow = "9600 baud: ";
+  Budget budget{
+      "lines",
+      {{"to_payload", bytes.to_sbc, bytes.fast_line, unit, fast + "the sensors subscribed"},
+       {"from_payload", bytes.from_sbc, bytes.fast_line, unit, fast + "the longest answer"},
+       {"to_science", bytes.to_science, bytes.slow_line, unit,
+        slow + "all sensors of the flight controller"},
+       {"to_flight", bytes.to_flight, bytes.slow_line, unit,
+        slow + "an instruction and the heartbeat"}}};
+  for (const Quantity& quantity : budget.quantities) {
+    if (exceeds(quantity)) {
+      compilation.diagnostics.report(DiagnosticId::lineOverloaded, {}, *quantity.value,
+                                     quantity.remark.starts_with(slow) ? 9600 : 115200,
+                                     *quantity.limit);
+    }
+  }
+  return budget;
+}
+
+Quantity figureOf(std::string name, const std::expected<uint64_t, std::string>& bound,
+                  uint64_t limit, std::string unit, std::string remark) {
+  Quantity figure{std::move(name), std::nullopt, limitOf(limit), std::move(unit),
+                  std::move(remark)};
+  if (bound) {
+    figure.value = *bound;
+  } else {
+    figure.remark = bound.error();
+  }
+  return figure;
+}
+
+/// What --checkpoint writes to the card: one on each tick at most, and a tick comes with a cycle of
+/// the vehicle (one of the SBC's clock alone only after 12 s without).
+std::vector<Quantity> checkpointFigures(const codegen::Budget& measured, double cycle_s) {
+  using runtime::Checkpoint;
+  constexpr double kDay_s = 86400;
+  const auto most = static_cast<uint64_t>(kDay_s / cycle_s);
+  const uint64_t slot = Checkpoint::slotBytes(static_cast<uint32_t>(measured.context_bytes));
+  return {{"checkpoint_writes", most, std::nullopt, "writes a day",
+           fmt::format("with --checkpoint: one a tick, one every {:g} s while no state, variable "
+                       "or command changes",
+                       Checkpoint::kMostApart)},
+          {"checkpoint_bytes", most * slot, std::nullopt, "bytes a day",
+           fmt::format("of those writes, {} each, in turn to {} places of the card", slot,
+                       Checkpoint::kSlots)}};
+}
+
+Budget boardBudget(const codegen::Budget& measured, const platforms::Board& board, double cycle_s) {
+  Budget budget{board.name, {}};
+  budget.quantities = {
+      {"executable", measured.executable_bytes, limitOf(board.max_executable_bytes), "bytes",
+       "the file that goes on board"},
+      {"memory", measured.memory_bytes + measured.stack_bytes.value_or(0),
+       limitOf(board.max_memory_bytes), "bytes",
+       measured.stack_bytes ? "code, data and stack of the running mission"
+                            : "code and data of the running mission, without the stack"},
+      {"data", measured.data_bytes, std::nullopt, "bytes", "of memory, what is written to"},
+      figureOf("stack", measured.stack_bytes, board.max_stack_bytes, "bytes",
+               "of memory, the stack at its deepest, C library included"),
+      figureOf("tick_instructions", measured.tick_instructions, board.max_tick_instructions,
+               "instructions", "from a frame's readings to the command")};
+  std::ranges::move(checkpointFigures(measured, cycle_s), std::back_inserter(budget.quantities));
+  return budget;
+}
+
+/// Of a mission that calls what is not there, `why`, no executable can be measured.
+Budget unmeasured(const platforms::Board& board, const std::string& why) {
+  return {board.name,
+          {{"executable", std::nullopt, limitOf(board.max_executable_bytes), "bytes",
+            why + "; link it with --link FILE"}}};
+}
+
+Result<Budget> budgetOn(const std::string& target, const ir::Mission& mission,
+                        compiler::Compilation& compilation,
+                        const std::vector<std::string>& user_code) {
+  const auto board = compiler::loadTarget(target);
+  if (!board) {
+    return std::unexpected(board.error());
+  }
+  codegen::CodegenOptions options;
+  options.sources = &compilation.sources;
+  const auto code = compiler::loadUserCode(user_code, compilation, *board);
+  if (!code) {
+    return std::unexpected(code.error());
+  }
+  code->addTo(options);
+  const auto measured = codegen::measureBudget(mission, compilation.facts, *board, options);
+  if (!measured && measured.error().id == DiagnosticId::unboundSymbol) {
+    return unmeasured(*board, measured.error().message);
+  }
+  if (!measured) {
+    return std::unexpected(measured.error());
+  }
+  Budget budget = boardBudget(*measured, *board, compilation.platform->envelope.cycle_s);
+  for (const Quantity& quantity : budget.quantities) {
+    if (exceeds(quantity)) {
+      const std::string what =
+          quantity.unit == "bytes" ? "bytes of " + quantity.name : "instructions a tick";
+      compilation.diagnostics.report(DiagnosticId::boardOverloaded, {}, *quantity.value, what,
+                                     target, *quantity.limit);
+    }
+  }
+  return budget;
+}
+
+}  // namespace
+
+Result<std::vector<Budget>> missionBudgets(compiler::Compilation& compilation,
+                                           const std::vector<std::string>& targets,
+                                           const std::vector<std::string>& user_code) {
+  ir::Mission mission = *compilation.mission;  // as `glidercc build` compiles it
+  ir::optimise(mission, {});
+  std::vector<Budget> budgets = {linesBudget(mission, compilation)};
+  for (const std::string& target : targets) {
+    auto budget = budgetOn(target, mission, compilation, user_code);
+    if (!budget) {
+      return std::unexpected(budget.error());
+    }
+    budgets.push_back(std::move(*budget));
+  }
+  return budgets;
+}
+
+std::vector<std::string> boardsInTheVehicle() {
+  std::vector<std::string> names = compiler::targetNames();
+  std::erase(names, "host");
+  return names;
+}
+
+}  // namespace glider::analysis

@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "analysis/replay.h"
+
+#include "ir/eval/interpreter.h"
+#include "ir/prove/ground.h"
+#include "ir/prove/requirement_monitor.h"
+#include "simulator/replay/replay.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace glider::analysis {
+namespace {
+
+using support::DiagnosticId;
+using support::Result;
+
+/// Columns of the trace that hold what the mission's sensors report.
+std::vector<int> sensorColumns(const support::Trace& trace, const ir::Mission& mission) {
+  std::vector<int> columns;
+  for (const ir::Sensor& sensor : mission.sensors) {
+    columns.push_back(trace.column(sensor.vehicle_name));
+  }
+  return columns;
+}
+
+class Replay {
+ public:
+  Replay(const support::Trace& trace, const compiler::Compilation& compilation,
+         const std::vector<std::string>& built_states)
+      : trace_(trace),
+        built_states_(built_states),
+        m_(*compilation.mission),
+        columns_(sensorColumns(trace, m_)),
+        depth_(trace.column("true_depth")),
+        interpreter_(m_, compilation.facts.stack_depth),
+        monitor_(m_, m_.requirements[*trace.requirement],
+                 compilation.platform->world.surface_depth_m,
+                 ir::prove::depthSensor(m_, *compilation.platform)) {}
+
+  Result<Replayed> run(simulator::SbcPort& sbc, const std::vector<double>& parameters) {
+    std::vector<simulator::ReplayTick> ticks;
+    for (size_t row = 0; row < trace_.rowCount(); ++row) {
+      ticks.push_back(tickOf(row));
+    }
+    const auto answers = simulator::replay(sbc, ticks);
+    if (answers.empty()) {
+      return differs("it never asks for control");
+    }
+    for (size_t row = 0; row < trace_.rowCount(); ++row) {
+      const ir::TickResult expected = step(row, parameters);
+      if (row >= answers.size()) {
+        return differs(fmt::format("it is gone after {} ticks", answers.size()));
+      }
+      if (auto same = compare(answers[row], expected, time(row)); !same) {
+        return std::unexpected(same.error());
+      }
+      ++result_.ticks;
+      if (expected.finished) {
+        break;
+      }
+    }
+    result_.broken = monitor_.when().has_value();
+    result_.when = monitor_.when().value_or(0);
+    return result_;
+  }
+
+ private:
+  [[nodiscard]] double time(size_t row) const { return trace_.at(row, 1); }
+
+  simulator::ReplayTick tickOf(size_t row) const {
+    simulator::ReplayTick tick{time(row), {}};
+    for (size_t i = 0; i < columns_.size(); ++i) {
+      tick.readings.push_back({m_.sensors[i].id, trace_.at(row, columns_[i])});
+    }
+    return tick;
+  }
+
+  ir::TickResult step(size_t row, const std::vector<double>& parameters) {
+    std::vector<ir::SensorUpdate> frame;
+    for (uint32_t i = 0; i < columns_.size(); ++i) {
+      frame.push_back({{i}, trace_.at(row, columns_[i])});
+    }
+    ir::TickResult result =
+        row == 0 ? interpreter_.start(frame, parameters) : interpreter_.tick(time(row), frame);
+    monitor_.tick(interpreter_, time(row), result,
+                  depth_ < 0 ? std::nan("") : trace_.at(row, depth_));
+    return result;
+  }
+
+  std::unexpected<support::Failure> differs(const std::string& how) const {
+    return support::fail(DiagnosticId::replayDiffers, how);
+  }
+
+  Result<void> compare(const simulator::ReplayAnswer& answer, const ir::TickResult& expected,
+                       double when) {
+    if (!answer.answered) {
+      return differs(fmt::format("it does not answer at {:.6g} s", when));
+    }
+    const std::string& name = m_[expected.state].name;
+    if (answer.finished != expected.finished) {
+      return differs(fmt::format("at {:.6g} s it {} ended, and {}", when,
+                                 answer.finished ? "has" : "has not",
+                                 expected.finished ? "should have" : "should not"));
+    }
+    const std::string built =
+        answer.state < built_states_.size() ? built_states_[answer.state] : "";
+    if (!expected.finished && (built != name || answer.stack_depth != expected.stack.size())) {
+      return differs(fmt::format("at {:.6g} s it is in `{}` with {} waiting, not in `{}` with {}",
+                                 when, built, answer.stack_depth, name, expected.stack.size()));
+    }
+    return {};
+  }
+
+  const support::Trace& trace_;
+  const std::vector<std::string>& built_states_;
+  const ir::Mission& m_;
+  std::vector<int> columns_;
+  int depth_;
+  ir::Interpreter interpreter_;
+  ir::RequirementMonitor monitor_;
+  Replayed result_;
+};
+
+}  // namespace
+
+Result<void> checkTrace(const support::Trace& trace, const std::string& name,
+                        const compiler::Compilation& compilation) {
+  const ir::Mission& mission = *compilation.mission;
+  auto refuse = [&](const std::string& why) {
+    return support::fail(DiagnosticId::traceNotOfMission, name, why);
+  };
+  if (!trace.requirement) {
+    return refuse("it is of a flight, and breaks no requirement");
+  }
+  if (trace.mission != mission.name) {
+    return refuse(fmt::format("it is of `{}`, and this is `{}`", trace.mission, mission.name));
+  }
+  if (*trace.requirement >= mission.requirements.size()) {
+    return refuse(fmt::format("the mission has {} requirements", mission.requirements.size()));
+  }
+  if (trace.column("missiontime") != 1) {
+    return refuse("it has no mission times");
+  }
+  for (const ir::Sensor& sensor : mission.sensors) {
+    if (trace.column(sensor.vehicle_name) < 0) {
+      return refuse(fmt::format("it has no readings of `{}`", sensor.vehicle_name));
+    }
+  }
+  return {};
+}
+
+Result<Replayed> replayRun(const support::Trace& trace, const compiler::Compilation& mission,
+                           const std::vector<std::string>& built_states,
+                           const std::vector<double>& parameters, simulator::SbcPort& sbc) {
+  return Replay(trace, mission, built_states).run(sbc, parameters);
+}
+
+}  // namespace glider::analysis

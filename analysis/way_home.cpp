@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "analysis/way_home.h"
+
+#include "hooks/hookbeh/args.h"
+#include "ir/prove/duration_text.h"
+#include "ir/prove/ground.h"
+#include "ir/prove/state_depths.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace glider::analysis {
+namespace {
+
+using ir::prove::durationOf;
+
+/// States of which more than a few differ nobody reads.
+constexpr size_t kMostStates = 6;
+
+double letsGoWithin(const platforms::Platform& platform, const Silence& silence) {
+  return silence.seconds + 2 * platform.envelope.cycle_s;
+}
+
+std::string silentLine(const WayHome& home, const platforms::Platform& platform,
+                       const Silence& silence) {
+  const std::string lets_go =
+      fmt::format("if the SBC falls silent, hookbeh lets go within {:.0f} s ({})",
+                  letsGoWithin(platform, silence), silence.source);
+  return std::isfinite(home.depth_m)
+             ? fmt::format("{}; from {:.4g} m at most the vehicle is at the surface within {}",
+                           lets_go, home.depth_m, durationOf(home.surface_s))
+             : lets_go + "; how deep the vehicle is then no bound is known";
+}
+
+}  // namespace
+
+Silence usualSilence() {
+  return {hooks::HookbehArgs{}.silence_secs,
+          fmt::format("assuming silence_secs {:.4g}; see --skeleton",
+                      hooks::HookbehArgs{}.silence_secs)};
+}
+
+WayHome wayHomeFrom(double depth_m, const platforms::Platform& platform, const Silence& silence) {
+  return {depth_m, letsGoWithin(platform, silence) + platform.world.turn_s +
+                       depth_m / platform.world.slowest_climb_m_s};
+}
+
+std::vector<std::string> wayHomeLines(const ir::Mission& mission,
+                                      const platforms::Platform& platform, const Silence& silence) {
+  const auto depths = ir::prove::deepestByState(ir::prove::Ground(mission, platform));
+  const double deepest = std::ranges::max(depths);
+  std::vector<std::string> lines = {
+      silentLine(wayHomeFrom(deepest, platform, silence), platform, silence)};
+  const auto shallower =
+      std::ranges::count_if(depths, [&](double depth) { return depth < deepest; });
+  if (static_cast<size_t>(shallower) > kMostStates) {
+    lines.push_back(fmt::format("  sooner in {} of {} states", shallower, depths.size()));
+    return lines;
+  }
+  for (uint32_t i = 0; i < depths.size(); ++i) {
+    if (depths[i] < deepest) {
+      const WayHome home = wayHomeFrom(depths[i], platform, silence);
+      lines.push_back(fmt::format("  in `{}`: from {:.4g} m at most, within {}",
+                                  mission.states[i].name, home.depth_m,
+                                  durationOf(home.surface_s)));
+    }
+  }
+  return lines;
+}
+
+}  // namespace glider::analysis

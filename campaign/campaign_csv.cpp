@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "campaign/campaign_csv.h"
+
+#include "campaign/campaign_table.h"
+#include "support/csv.h"
+#include "support/files.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <string_view>
+#include <vector>
+
+namespace glider::campaign {
+
+using simulator::Verdict;
+using support::DiagnosticId;
+
+namespace {
+
+constexpr std::string_view kMark = "# glidercc campaign ";
+constexpr std::string_view kColumns =
+    "flight,mission,fault,when,sbc,seed,outcome,hand-backs,instructions,end (s),deepest (m),"
+    "violation (s),violation\n";
+// Columns that the number of a flight does not say.
+constexpr size_t kOutcome = 6, kHandBacks = 7, kInstructions = 8, kEnd = 9, kDeepest = 10,
+                 kViolationTime = 11, kViolation = 12, kCount = 13;
+
+/// The fields of a line, without their quotes.
+std::vector<std::string> fieldsOf(std::string_view line) {
+  std::vector<std::string> fields(1);
+  bool quoted = false;
+  for (size_t i = 0; i < line.size(); ++i) {
+    if (line[i] == '"' && quoted && i + 1 < line.size() && line[i + 1] == '"') {
+      fields.back() += line[++i];
+    } else if (line[i] == '"') {
+      quoted = !quoted;
+    } else if (line[i] == ',' && !quoted) {
+      fields.emplace_back();
+    } else {
+      fields.back() += line[i];
+    }
+  }
+  return fields;
+}
+
+template <typename Number>
+bool parse(const std::string& text, Number& number) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc() && end == text.data() + text.size();
+}
+
+bool parseOutcome(const std::vector<std::string>& fields, Verdict& verdict) {
+  for (const auto outcome :
+       {Verdict::Outcome::Exited, Verdict::Outcome::HandedBack, Verdict::Outcome::Violation}) {
+    verdict.outcome = outcome;
+    if (fields[kOutcome] == outcomeName(verdict)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// False for a line that is no row of flight `number`.
+bool parseRow(const CampaignPlan& plan, std::string_view line, uint64_t& number, Verdict& verdict) {
+  const std::vector<std::string> fields = fieldsOf(line);
+  if (fields.size() != kCount || !parse(fields[0], number) || number >= plan.flights ||
+      !parse(fields[kHandBacks], verdict.hand_backs) ||
+      !parse(fields[kInstructions], verdict.instructions) || !parse(fields[kEnd], verdict.end_s) ||
+      !parse(fields[kDeepest], verdict.deepest_m) || !parseOutcome(fields, verdict)) {
+    return false;
+  }
+  verdict.violation = fields[kViolation];
+  const bool violated = verdict.outcome == Verdict::Outcome::Violation;
+  if (violated && !parse(fields[kViolationTime], verdict.violation_s)) {
+    return false;
+  }
+  // What the number says must be what stands there.
+  return csvRow(plan, flightOf(plan, number), verdict) == std::string(line) + "\n";
+}
+
+std::unexpected<support::Failure> refuse(const std::string& file, const std::string& why,
+                                         const std::string& hint) {
+  return support::fail(DiagnosticId::campaignNotResumed, file, why, hint);
+}
+
+}  // namespace
+
+std::string csvHead(const std::string& identity) {
+  return fmt::format("{}{}\n{}", kMark, identity, kColumns);
+}
+
+std::string csvRow(const CampaignPlan& plan, const CampaignFlight& flight, const Verdict& verdict) {
+  const bool violated = verdict.outcome == Verdict::Outcome::Violation;
+  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", flight.number,
+                     support::csvQuoted(plan.missions[flight.mission].file),
+                     simulator::nameOf(flight.kind), simulator::nameOf(flight.manner),
+                     flight.board ? plan.boards[*flight.board] : "in process", flight.seed,
+                     outcomeName(verdict), verdict.hand_backs, verdict.instructions, verdict.end_s,
+                     verdict.deepest_m, violated ? fmt::to_string(verdict.violation_s) : "",
+                     support::csvQuoted(verdict.violation));
+}
+
+std::string campaignCsv(const CampaignPlan& plan, const CampaignResult& result,
+                        const std::string& identity) {
+  std::string out = csvHead(identity);
+  for (uint64_t i = 0; i < result.verdicts.size(); ++i) {
+    if (result.verdicts[i]) {
+      out += csvRow(plan, flightOf(plan, i), *result.verdicts[i]);
+    }
+  }
+  return out;
+}
+
+support::Result<void> readCsv(const std::string& file, const CampaignPlan& plan,
+                              const std::string& identity, CampaignResult& result) {
+  const auto content = support::readFile(file);
+  if (!content) {
+    return std::unexpected(content.error());
+  }
+  std::string_view rest = *content;
+  if (!rest.starts_with(kMark)) {
+    return refuse(file, "it is not the table of a campaign", "give a file that `--csv` has begun");
+  }
+  const std::string head = csvHead(identity);
+  if (!rest.starts_with(head)) {
+    return refuse(file, "it belongs to another campaign",
+                  "give the same missions, scenario, seed and options, unchanged, and the same "
+                  "glidercc; or begin with `--csv`");
+  }
+  rest.remove_prefix(head.size());
+  for (size_t line = 3; rest.find('\n') != std::string_view::npos; ++line) {
+    const size_t end = rest.find('\n');
+    uint64_t number = 0;
+    Verdict verdict;
+    if (!parseRow(plan, rest.substr(0, end), number, verdict)) {
+      return refuse(file, fmt::format("line {} is not a flight of this campaign", line),
+                    "remove that line: its flight is flown again");
+    }
+    result.verdicts[number] = std::move(verdict);
+    rest.remove_prefix(end + 1);
+  }
+  return {};
+}
+
+}  // namespace glider::campaign

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "campaign/campaign.h"
+#include "flights/launch_choice.h"
+#include "support/result.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace glider::campaign {
+
+struct CampaignOptions {
+  std::vector<std::string> missions;
+  std::string scenario = "default";
+  uint64_t flights = 1000;
+  uint64_t seed = 1;
+  unsigned jobs = 0;
+  unsigned board_percent = 10;
+  std::vector<std::string> faults;  ///< names of kinds; none: all
+  std::string csv, resume;
+  std::optional<uint64_t> only;
+  std::string output;
+  flights::LaunchChoice launch;
+  std::vector<std::string> user_code;
+};
+
+/// What a campaign's flights depend on, as a digest: the program, the missions, their platforms,
+/// the world and the options. GL9001.
+support::Result<std::string> identityOf(const CampaignPlan& plan, const CampaignOptions& options);
+/// `text` as one word for a shell.
+std::string shellWord(const std::string& text);
+/// The command that flies one of the flights, but for its number.
+std::string commandOf(const CampaignOptions& options);
+
+}  // namespace glider::campaign

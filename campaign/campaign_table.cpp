@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "campaign/campaign_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace glider::campaign {
+
+using simulator::FaultKind;
+using simulator::Manner;
+using simulator::Verdict;
+
+namespace {
+
+/// Of one row of the table.
+struct Counts {
+  std::array<uint64_t, 4> flights{};  ///< exited, exited after a hand-back, handed back, violation
+  double deepest_m = 0;
+
+  void add(const Verdict& verdict, size_t column) {
+    ++flights[column];
+    deepest_m = std::max(deepest_m, verdict.deepest_m);
+  }
+  [[nodiscard]] uint64_t all() const { return flights[0] + flights[1] + flights[2] + flights[3]; }
+};
+
+size_t columnOf(const Verdict& verdict) {
+  switch (verdict.outcome) {
+    case Verdict::Outcome::Exited:
+      return verdict.hand_backs == 0 ? 0 : 1;
+    case Verdict::Outcome::HandedBack:
+      return 2;
+    case Verdict::Outcome::Violation:
+      break;
+  }
+  return 3;
+}
+
+std::string row(const std::string& name, const Counts& counts) {
+  const std::string deepest = counts.all() == 0 ? "-" : fmt::format("{:.1f}", counts.deepest_m);
+  return fmt::format("{:<22}{:>8}{:>9}{:>18}{:>13}{:>12}{:>11}\n", name, counts.all(),
+                     counts.flights[0], counts.flights[1], counts.flights[2], deepest,
+                     counts.flights[3]);
+}
+
+std::string head(const char* what) {
+  return fmt::format("{:<22}{:>8}{:>9}{:>18}{:>13}{:>12}{:>11}\n", what, "flights", "exited",
+                     "after hand-back", "handed back", "deepest (m)", "VIOLATION");
+}
+
+/// Calls `visit` with each flight that was flown, and its verdict.
+template <typename Visit>
+void eachFlown(const CampaignPlan& plan, const CampaignResult& result, const Visit& visit) {
+  for (uint64_t i = 0; i < result.verdicts.size(); ++i) {
+    if (result.verdicts[i]) {
+      visit(flightOf(plan, i), *result.verdicts[i]);
+    }
+  }
+}
+
+}  // namespace
+
+const char* outcomeName(const Verdict& verdict) {
+  constexpr std::array<const char*, 4> kNames = {"exited", "exited after hand-back", "handed back",
+                                                 "VIOLATION"};
+  return kNames[columnOf(verdict)];
+}
+
+std::string campaignTable(const CampaignPlan& plan, const CampaignResult& result) {
+  std::array<Counts, simulator::kFaultKinds> kinds{};
+  std::array<Counts, simulator::kManners> manners{};
+  std::vector<Counts> programs(plan.boards.size() + 1);
+  Counts all;
+  eachFlown(plan, result, [&](const CampaignFlight& flight, const Verdict& verdict) {
+    const size_t column = columnOf(verdict);
+    kinds[static_cast<size_t>(flight.kind)].add(verdict, column);
+    manners[static_cast<size_t>(flight.manner)].add(verdict, column);
+    programs[flight.board ? *flight.board + 1 : 0].add(verdict, column);
+    all.add(verdict, column);
+  });
+  std::string out = head("fault");
+  for (size_t kind = 0; kind < kinds.size(); ++kind) {
+    out += row(simulator::nameOf(static_cast<FaultKind>(kind)), kinds[kind]);
+  }
+  out += row("all", all) + "\n" + head("when");
+  for (size_t manner = 0; manner < manners.size(); ++manner) {
+    out += row(simulator::nameOf(static_cast<Manner>(manner)), manners[manner]);
+  }
+  out += "\n" + head("SBC") + row("in process", programs[0]);
+  for (size_t board = 0; board < plan.boards.size(); ++board) {
+    out += row(plan.boards[board], programs[board + 1]);
+  }
+  return out;
+}
+
+std::string violationLines(const CampaignPlan& plan, const CampaignResult& result,
+                           const std::string& command) {
+  constexpr int kMost = 20;
+  std::string out;
+  int shown = 0, violations = 0;
+  eachFlown(plan, result, [&](const CampaignFlight& flight, const Verdict& verdict) {
+    if (verdict.outcome != Verdict::Outcome::Violation || ++violations > kMost) {
+      return;
+    }
+    ++shown;
+    out +=
+        fmt::format("flight {} ({}, {}, {}): at {:.0f} s {}\n  {} --only {} -o flight{}\n",
+                    flight.number, plan.missions[flight.mission].file,
+                    simulator::nameOf(flight.kind), simulator::nameOf(flight.manner),
+                    verdict.violation_s, verdict.violation, command, flight.number, flight.number);
+  });
+  return violations > shown ? out + fmt::format("and {} violations more\n", violations - shown)
+                            : out;
+}
+
+}  // namespace glider::campaign

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "compiler/boards.h"
+
+#include "compiler/share.h"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace glider::compiler {
+
+std::vector<std::string> targetNames() {
+  std::vector<std::string> names;
+  std::error_code ignored;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(shareDirectory() / "boards", ignored)) {
+    if (std::filesystem::exists(entry.path() / "board.toml", ignored)) {
+      names.push_back(entry.path().filename().string());
+    }
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+std::filesystem::path boardDirectory(const std::string& target) {
+  return shareDirectory() / "boards" / target;
+}
+
+support::Result<platforms::Board> loadTarget(const std::string& name) {
+  const std::vector<std::string> names = targetNames();
+  if (std::ranges::find(names, name) == names.end()) {
+    return support::fail(support::DiagnosticId::unknownTarget, name, fmt::join(names, ", "));
+  }
+  return platforms::loadBoard(boardDirectory(name) / "board.toml");
+}
+
+}  // namespace glider::compiler

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "platforms/load/board.h"
+#include "support/result.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace glider::compiler {
+
+/// The names of all targets that this installation can build for, sorted: the folders of
+/// share/glidercc/boards.
+std::vector<std::string> targetNames();
+/// The folder that holds what `target` is linked with.
+std::filesystem::path boardDirectory(const std::string& target);
+/// Loads target `name`; GL4001 (with the names there are) if it is none.
+support::Result<platforms::Board> loadTarget(const std::string& name);
+
+}  // namespace glider::compiler

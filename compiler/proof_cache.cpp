@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "compiler/proof_cache.h"
+
+#include "codegen/digest.h"
+#include "compiler/build_id.h"
+#include "compiler/share.h"
+#include "ir/text/print.h"
+#include "support/files.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+namespace glider::compiler {
+namespace {
+
+using codegen::digestOf;
+using ir::prove::CachedVerdict;
+using ir::prove::RequirementVerdict;
+using ir::prove::Verdict;
+
+constexpr std::string_view kMagic = "glidercc proof 1";
+/// Files kept; a proof is some hundred bytes.
+constexpr size_t kMostKept = 5000;
+/// What a file may hold: longer ones are not ours.
+constexpr uintmax_t kLongest = 4096;
+
+std::filesystem::path cacheFolder() {
+  const auto given = [](const char* name) {
+    const char* value = std::getenv(name);
+    return std::filesystem::path(value == nullptr ? "" : value);
+  };
+  if (const auto cache = given("XDG_CACHE_HOME"); cache.is_absolute()) {
+    return cache / "glidercc" / "proofs";
+  }
+  const auto home = given("HOME");
+  return home.is_absolute() ? home / ".cache" / "glidercc" / "proofs" : std::filesystem::path();
+}
+
+/// "KEY\nverdict\nwords\n", with its own digest: a part of it, or another one's, is none.
+std::string written(const std::string& key, const RequirementVerdict& verdict) {
+  const std::string body =
+      fmt::format("{}\n{}\n{}\n", key, ir::prove::word(verdict.verdict),
+                  verdict.verdict == Verdict::Proved ? verdict.premise : verdict.reason);
+  return fmt::format("{}\n{}\n{}", kMagic, digestOf(body), body);
+}
+
+std::optional<CachedVerdict> readBack(const std::string& key, std::string_view text) {
+  const auto line = [&]() {
+    const size_t end = text.find('\n');
+    const std::string_view found = text.substr(0, end);
+    text = end == std::string_view::npos ? std::string_view() : text.substr(end + 1);
+    return found;
+  };
+  const std::string_view magic = line();
+  const std::string_view digest = line();
+  if (magic != kMagic || digest != digestOf(text) || line() != key) {
+    return std::nullopt;
+  }
+  const std::string_view verdict = line();
+  const bool proved = verdict == ir::prove::word(Verdict::Proved);
+  if (!proved && verdict != ir::prove::word(Verdict::Open)) {
+    return std::nullopt;
+  }
+  return CachedVerdict{proved ? Verdict::Proved : Verdict::Open, std::string(line())};
+}
+
+/// The oldest go, so that there is room for some.
+void makeRoom(const std::filesystem::path& folder) {
+  std::error_code trouble;
+  std::vector<std::pair<std::filesystem::file_time_type, std::filesystem::path>> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, trouble)) {
+    std::error_code gone;
+    files.emplace_back(entry.last_write_time(gone), entry.path());
+  }
+  if (files.size() < kMostKept) {
+    return;
+  }
+  std::ranges::sort(files);
+  for (size_t i = 0; i < files.size() - kMostKept / 2; ++i) {
+    std::filesystem::remove(files[i].second, trouble);
+  }
+}
+
+}  // namespace
+
+ProofCache::ProofCache(const Compilation& compilation, const ir::prove::Options& how) {
+  const std::string program = buildId();
+  const auto vehicle =
+      support::readFile(shareDirectory() / "platforms" / (compilation.mission->platform + ".toml"));
+  if (program.empty() || !vehicle) {
+    return;
+  }
+  folder_ = cacheFolder();
+  all_ = fmt::format("{}\n{} {} {}\n{}\n", program, how.effort, how.run_effort, vehicle->size(),
+                     *vehicle) +
+         ir::print(*compilation.mission);
+}
+
+std::filesystem::path ProofCache::fileOf(uint32_t requirement) const {
+  return folder_ / digestOf(fmt::format("{}\n{}", requirement, all_));
+}
+
+std::optional<CachedVerdict> ProofCache::find(uint32_t requirement) const {
+  if (folder_.empty()) {
+    return std::nullopt;
+  }
+  const std::filesystem::path path = fileOf(requirement);
+  std::error_code trouble;
+  const uintmax_t size = std::filesystem::file_size(path, trouble);
+  if (trouble || size > kLongest || !std::filesystem::is_regular_file(path, trouble)) {
+    return std::nullopt;
+  }
+  const auto text = support::readFile(path);
+  return text ? readBack(path.filename().string(), *text) : std::nullopt;
+}
+
+void ProofCache::keep(const std::vector<RequirementVerdict>& verdicts) const {
+  std::error_code trouble;
+  bool looked = false;
+  for (const RequirementVerdict& verdict : verdicts) {
+    const bool worth = verdict.searched && verdict.verdict != Verdict::Refuted;
+    if (!worth || folder_.empty()) {
+      continue;
+    }
+    if (!std::exchange(looked, true)) {
+      std::filesystem::create_directories(folder_, trouble);
+      makeRoom(folder_);
+    }
+    const std::filesystem::path path = fileOf(verdict.requirement);
+    // A cache that cannot be written is no mistake of the mission.
+    (void)support::writeFileAtomically(path, written(path.filename().string(), verdict));
+  }
+}
+
+}  // namespace glider::compiler

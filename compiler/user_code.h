@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "codegen/user_code/user_code.h"
+#include "compiler/compilation.h"
+
+#include <string>
+#include <vector>
+
+namespace glider::compiler {
+
+/// What `files` hold, checked for the mission and the board. Errors as codegen::UserCode::load.
+support::Result<codegen::UserCode> loadUserCode(const std::vector<std::string>& files,
+                                                const Compilation& compilation,
+                                                const platforms::Board& board);
+
+}  // namespace glider::compiler

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "compiler/compilation.h"
+
+#include <memory>
+#include <string>
+
+namespace glider::driver {
+
+/// Compiles `mission` as it is to be flown and shows its diagnostics; null with `status` set when
+/// it has errors or cannot be read.
+std::unique_ptr<compiler::Compilation> compileForFlight(const std::string& mission, int& status);
+
+}  // namespace glider::driver

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "driver/shared_options.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+namespace glider::driver {
+namespace {
+
+std::string checkSeed(const std::string& text) {
+  uint64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool good = error == std::errc() && end == text.data() + text.size();
+  return good ? "" : fmt::format("`{}` is no whole number from 0 to 2^64-1", text);
+}
+
+}  // namespace
+
+void addLaunchOptions(CLI::App& command, flights::LaunchChoice& choice) {
+  command
+      .add_option("--set", choice.settings,
+                  "Set a parameter of the mission, as in --set bottom=20m; may be repeated")
+      ->option_text("NAME=VALUE")
+      ->take_all()
+      ->allow_extra_args(false);
+  command
+      .add_option("--parameters", choice.file,
+                  "Read parameters from a file with lines `NAME = VALUE`; --set takes precedence")
+      ->option_text("FILE");
+}
+
+void addLinkOption(CLI::App& command, std::vector<std::string>& files) {
+  command
+      .add_option("--link", files,
+                  "Link an object file, archive or LLVM bitcode that defines the mission's "
+                  "`extern` declarations; may be repeated")
+      ->option_text("FILE")
+      ->take_all()
+      ->allow_extra_args(false);
+}
+
+CLI::Validator seedValidator() {
+  return CLI::Validator(checkSeed, "", "seed");
+}
+
+}  // namespace glider::driver

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "compiler/compilation.h"
+#include "simulator/simulator.h"
+#include "support/diagnostics/engine.h"
+
+namespace glider::flights {
+
+/// The vehicle that `compilation`'s mission is for; that of glidercc's own platform file without
+/// one.
+support::Result<platforms::Platform> platformOf(const compiler::Compilation* compilation);
+
+/// Reports each sensor that the mission reads or logs and the scenario's vehicle does not carry.
+void reportMissingSensors(const compiler::Compilation& compilation,
+                          const simulator::Scenario& scenario,
+                          support::DiagnosticEngine& diagnostics);
+
+/// Puts the mission's name, its states' and the texts of its guards into `setup`; `compilation`
+/// must live as long.
+void describeMission(simulator::SimulationSetup& setup, const compiler::Compilation& compilation);
+
+}  // namespace glider::flights

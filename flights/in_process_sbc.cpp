@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "flights/in_process_sbc.h"
+
+#include "runtime/checkpoint/checkpoint.h"
+#include "simulator/faults/card_damage.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace glider::flights {
+
+InProcessSbc::InProcessSbc(std::shared_ptr<const codegen::LoadedMission> mission,
+                           std::vector<double> parameters, std::shared_ptr<Card> card,
+                           bool keeps_time)
+    : mission_(std::move(mission)),
+      parameters_(std::move(parameters)),
+      card_(std::move(card)),
+      keeps_time_(keeps_time) {
+  // operator new aligns for every fundamental type, which is what the runtime asks for.
+  runtime_memory_ = std::make_unique<std::byte[]>(mission_->runtimeSize());
+  context_memory_ = std::make_unique<std::byte[]>(mission_->mission().context_bytes);
+  const GliderStore store{this, readCard, writeCard, [](void*) { return 0; }};
+  const GliderRuntimeOptions options{{}, parameters_.data(), store, 0};
+  runtime_ = mission_->init(runtime_memory_.get(), context_memory_.get(), &options);
+}
+
+int32_t InProcessSbc::readBytes(void* self, uint8_t* bytes, uint32_t capacity) {
+  auto& sbc = *static_cast<InProcessSbc*>(self);
+  if (!sbc.plugged_) {
+    return -1;
+  }
+  const size_t count = std::min<size_t>(capacity, sbc.to_sbc_.size() - sbc.taken_);
+  if (count > 0) {
+    std::memcpy(bytes, sbc.to_sbc_.data() + sbc.taken_, count);
+  }
+  sbc.taken_ += count;
+  return static_cast<int32_t>(count);
+}
+
+int32_t InProcessSbc::writeBytes(void* self, const uint8_t* bytes, uint32_t count) {
+  auto& sbc = *static_cast<InProcessSbc*>(self);
+  if (!sbc.plugged_) {
+    return -1;
+  }
+  sbc.from_sbc_.insert(sbc.from_sbc_.end(), bytes, bytes + count);
+  return static_cast<int32_t>(count);
+}
+
+/// The card keeps slot behind slot; what lies between them is left out.
+size_t InProcessSbc::onCard(uint32_t offset) const {
+  using runtime::Checkpoint;
+  const uint32_t context = mission_->mission().context_bytes;
+  const uint32_t stride = Checkpoint::offsetOf(1, context);
+  return size_t{offset / stride} * Checkpoint::slotBytes(context) + offset % stride;
+}
+
+int32_t InProcessSbc::readCard(void* self, uint32_t offset, uint8_t* bytes, uint32_t count) {
+  const auto& sbc = *static_cast<InProcessSbc*>(self);
+  const Card& card = *sbc.card_;
+  const size_t from = std::min(sbc.onCard(offset), card.size());
+  const size_t taken = std::min<size_t>(count, card.size() - from);
+  std::copy_n(card.begin() + static_cast<ptrdiff_t>(from), taken, bytes);
+  return static_cast<int32_t>(taken);
+}
+
+int32_t InProcessSbc::writeCard(void* self, uint32_t offset, const uint8_t* bytes, uint32_t count) {
+  const auto& sbc = *static_cast<InProcessSbc*>(self);
+  Card& card = *sbc.card_;
+  const size_t from = sbc.onCard(offset);
+  card.resize(std::max<size_t>(card.size(), from + count));
+  std::copy_n(bytes, count, card.begin() + static_cast<ptrdiff_t>(from));
+  return static_cast<int32_t>(count);
+}
+
+void InProcessSbc::damageCard(const simulator::CardFault& fault, uint64_t seed) {
+  simulator::damageCard(fault, seed, *card_);
+}
+
+double InProcessSbc::now(void* self) {
+  return static_cast<InProcessSbc*>(self)->now_s_;
+}
+
+void InProcessSbc::deliver(std::span<const uint8_t> bytes, double now_s) {
+  now_s_ = now_s;
+  if (alive()) {
+    lockstep_.toSbc(bytes.data(), static_cast<uint32_t>(bytes.size()));
+    to_sbc_.insert(to_sbc_.end(), bytes.begin(), bytes.end());
+  }
+}
+
+void InProcessSbc::end(const char* epitaph) {
+  if (alive()) {
+    epitaph_ = epitaph;
+  }
+}
+
+void InProcessSbc::showToWatcher() const {
+  const GliderContext* context = watcher_ ? mission_->context(runtime_) : nullptr;
+  if (context != nullptr) {
+    watcher_(*context, now_s_);
+  }
+}
+
+void InProcessSbc::run() {
+  // A poll handles a frame of what was delivered, or one of the few time-outs that may be due.
+  constexpr int kMostPolls = 10000;
+  const GliderByteStream stream{this, readBytes, writeBytes};
+  const GliderClock clock{this, now};
+  for (int i = 0; i < kMostPolls && alive() && !finished_; ++i) {
+    const GliderRuntimeStatus status = mission_->poll(runtime_, stream, clock);
+    showToWatcher();
+    switch (status) {
+      case kGliderRuntimeIdle:
+        return;
+      case kGliderRuntimeProgressed:
+        break;
+      case kGliderRuntimeFinished:
+        finished_ = true;
+        return;
+      case kGliderRuntimeLinkClosed:
+        end("exited with status 2");
+        return;
+    }
+  }
+  if (!finished_) {
+    end("hung");
+  }
+}
+
+std::vector<uint8_t> InProcessSbc::collect() {
+  run();
+  lockstep_.fromSbc(from_sbc_.data(), static_cast<uint32_t>(from_sbc_.size()));
+  // As the program on a board ends: it is missed when it does not answer any more.
+  if (finished_ && !lockstep_.settled()) {
+    end("exited with status 0");
+  }
+  to_sbc_.erase(to_sbc_.begin(), to_sbc_.begin() + static_cast<ptrdiff_t>(taken_));
+  taken_ = 0;
+  return std::exchange(from_sbc_, {});
+}
+
+}  // namespace glider::flights

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "codegen/load/loaded_mission.h"
+#include "hooks/protocol/lockstep.h"
+#include "hooks/transport/byte_stream.h"
+#include "runtime/abi/runtime.h"
+#include "simulator/sbc_port.h"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace glider::flights {
+
+/// The card of an SBC in this process: what stands on it outlives a power cut.
+using Card = std::vector<uint8_t>;
+
+/// An SBC within this process: the compiled mission, loaded as a shared object, speaks the real
+/// protocol over memory.
+class InProcessSbc final : public simulator::SbcPort {
+ public:
+  /// `parameters`: one value each, as the mission allows them. `keeps_time`: its clock is the
+  /// vehicle's, and time-outs run; else it stands still between frames. `card`: where it keeps its
+  /// checkpoints.
+  InProcessSbc(std::shared_ptr<const codegen::LoadedMission> mission,
+               std::vector<double> parameters, std::shared_ptr<Card> card, bool keeps_time = false);
+
+  /// Calls `watcher` each time that the runtime has been polled, once its mission has started: with
+  /// what it holds, and the vehicle's time, s.
+  using Watcher = std::function<void(const GliderContext&, double now_s)>;
+  void watch(Watcher watcher) { watcher_ = std::move(watcher); }
+
+  [[nodiscard]] std::string way() const override { return "in-process"; }
+  void deliver(std::span<const uint8_t> bytes, double now_s) override;
+  std::vector<uint8_t> collect() override;
+  void kill() override { end("killed"); }
+  [[nodiscard]] bool alive() const override { return epitaph_.empty(); }
+  [[nodiscard]] bool keepsTime() const override { return keeps_time_; }
+  void plug(bool in) override { plugged_ = in; }
+  void damageCard(const simulator::CardFault& fault, uint64_t seed) override;
+  [[nodiscard]] std::string epitaph() const override { return epitaph_; }
+
+ private:
+  static int32_t readBytes(void* self, uint8_t* bytes, uint32_t capacity);
+  static int32_t writeBytes(void* self, const uint8_t* bytes, uint32_t count);
+  static double now(void* self);
+  static int32_t readCard(void* self, uint32_t offset, uint8_t* bytes, uint32_t count);
+  static int32_t writeCard(void* self, uint32_t offset, const uint8_t* bytes, uint32_t count);
+  [[nodiscard]] size_t onCard(uint32_t offset) const;
+  void run();
+  void showToWatcher() const;
+  void end(const char* epitaph);
+
+  std::shared_ptr<const codegen::LoadedMission> mission_;
+  std::vector<double> parameters_;
+  Watcher watcher_;
+  std::shared_ptr<Card> card_;
+  std::unique_ptr<std::byte[]> runtime_memory_;
+  std::unique_ptr<std::byte[]> context_memory_;
+  GliderRuntime* runtime_ = nullptr;
+  std::vector<uint8_t> to_sbc_;
+  size_t taken_ = 0;  ///< of to_sbc_
+  std::vector<uint8_t> from_sbc_;
+  hooks::Lockstep lockstep_;
+  double now_s_ = 0;
+  bool keeps_time_;
+  bool plugged_ = true;
+  bool finished_ = false;  ///< the mission has given control back: a program would end here
+  std::string epitaph_;    ///< empty while it is alive
+};
+
+}  // namespace glider::flights

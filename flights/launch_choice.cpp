@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "flights/launch_choice.h"
+
+#include "codegen/codegen.h"
+#include "compiler/boards.h"
+#include "compiler/user_code.h"
+#include "frontend/bare_positions.h"
+#include "runtime/launch/launch.h"
+#include "support/files.h"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <sstream>
+#include <string_view>
+
+namespace glider::flights {
+
+using support::DiagnosticId;
+
+namespace {
+
+/// The text of each parameter's value, of the later of two.
+using Given = std::map<std::string, std::string>;
+
+std::string trimmed(const std::string& text) {
+  const size_t begin = text.find_first_not_of(" \t\r");
+  return begin == std::string::npos
+             ? ""
+             : text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1);
+}
+
+void addSetting(const std::string& setting, Given& given) {
+  const size_t equals = setting.find('=');
+  if (equals != std::string::npos) {
+    given[trimmed(setting.substr(0, equals))] = trimmed(setting.substr(equals + 1));
+  }
+}
+
+void addLines(const std::string& content, Given& given) {
+  std::istringstream lines(content);
+  for (std::string line; std::getline(lines, line);) {
+    addSetting(line.substr(0, line.find('#')), given);
+  }
+}
+
+/// Whether a longitude and a latitude have been given, without letters, for a latitude and a
+/// longitude; then why that is refused. The language has the same rule.
+std::string longitudeFirst(const GliderMission& mission, const double* values, const Given& given) {
+  constexpr std::string_view kNorth = ".latitude";
+  const auto isBare = [&](const std::string& name) {
+    const auto found = given.find(name);
+    return found != given.end() && found->second.find_first_of("NSEW") == std::string::npos;
+  };
+  for (uint32_t i = 0; i + 1 < mission.parameter_count; ++i) {
+    const std::string north = mission.parameters[i].name;
+    const std::string east = mission.parameters[i + 1].name;
+    const std::string place = north.substr(0, north.rfind('.'));
+    if (north == place + std::string(kNorth) && east == place + ".longitude" && isBare(north) &&
+        isBare(east) && frontend::isLongitudeFirst(values[i], values[i + 1])) {
+      return fmt::format(
+          "`{}` looks like a longitude: the latitude comes first; if it is a latitude, give it a "
+          "letter: `{} = {}`",
+          given.at(north), north, frontend::withLetter(values[i], true));
+    }
+  }
+  return "";
+}
+
+}  // namespace
+
+support::Result<std::vector<double>> chooseParameters(const GliderMission& mission,
+                                                      const LaunchChoice& choice) {
+  runtime::Launch launch(mission);
+  auto piece = [](const std::string& text) {
+    return runtime::Piece{text.data(), text.data() + text.size()};
+  };
+  auto refused = [&] { return support::fail(DiagnosticId::badParameter, launch.problem()); };
+  Given given;
+  if (!choice.file.empty()) {
+    const auto content = support::readFile(choice.file);
+    if (!content) {
+      return std::unexpected(content.error());
+    }
+    if (!launch.setAll(choice.file.c_str(), piece(*content))) {
+      return refused();
+    }
+    addLines(*content, given);
+  }
+  for (const std::string& setting : choice.settings) {
+    if (!launch.set(piece(setting))) {
+      return refused();
+    }
+    addSetting(setting, given);
+  }
+  if (!launch.check()) {
+    return refused();
+  }
+  if (const std::string why = longitudeFirst(mission, launch.values(), given); !why.empty()) {
+    return support::fail(DiagnosticId::badParameter, why);
+  }
+  return std::vector<double>(launch.values(), launch.values() + mission.parameter_count);
+}
+
+namespace {
+
+support::Result<codegen::LoadedMission> load(const compiler::Compilation& compilation,
+                                             const platforms::Board& host,
+                                             const support::Result<codegen::UserCode>& user_code) {
+  if (!user_code) {
+    return std::unexpected(user_code.error());
+  }
+  codegen::CodegenOptions options;
+  options.debug = false;
+  user_code->addTo(options);
+  const auto object = codegen::linkShared(*compilation.mission, compilation.facts, host, options);
+  if (!object) {
+    return std::unexpected(object.error());
+  }
+  return codegen::LoadedMission::load(*object);
+}
+
+}  // namespace
+
+support::Result<codegen::LoadedMission> loadHere(const compiler::Compilation& compilation,
+                                                 const std::vector<std::string>& user_code) {
+  const auto host = compiler::loadTarget("host");
+  if (!host) {
+    return std::unexpected(host.error());
+  }
+  return load(compilation, *host, compiler::loadUserCode(user_code, compilation, *host));
+}
+
+support::Result<codegen::LoadedMission> loadForParameters(
+    const compiler::Compilation& compilation) {
+  const auto host = compiler::loadTarget("host");
+  if (!host) {
+    return std::unexpected(host.error());
+  }
+  return load(compilation, *host, codegen::UserCode::standIn(*compilation.mission, *host));
+}
+
+}  // namespace glider::flights

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "codegen/load/loaded_mission.h"
+#include "compiler/compilation.h"
+#include "support/result.h"
+
+#include <string>
+#include <vector>
+
+namespace glider::flights {
+
+/// What a pilot says of a mission's parameters.
+struct LaunchChoice {
+  std::vector<std::string> settings;  ///< of --set, "name=value"
+  std::string file;                   ///< of --parameters; empty: none
+
+  [[nodiscard]] bool empty() const { return settings.empty() && file.empty(); }
+};
+
+/// The value of each parameter, SI units or degrees: the defaults, then the file's, then those of
+/// --set. GL9052 for what the mission does not allow, and as support::readFile.
+support::Result<std::vector<double>> chooseParameters(const GliderMission& mission,
+                                                      const LaunchChoice& choice);
+
+/// The mission compiled for this process and loaded, with what `user_code` has for it.
+support::Result<codegen::LoadedMission> loadHere(const compiler::Compilation& compilation,
+                                                 const std::vector<std::string>& user_code);
+/// The same to look at its parameters only: it needs no user code and does not fly.
+support::Result<codegen::LoadedMission> loadForParameters(const compiler::Compilation& compilation);
+
+}  // namespace glider::flights

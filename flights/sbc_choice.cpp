@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "flights/sbc_choice.h"
+
+#include "codegen/codegen.h"
+#include "compiler/boards.h"
+#include "compiler/user_code.h"
+#include "flights/in_process_sbc.h"
+#include "simulator/science/process_sbc_port.h"
+#include "simulator/science/serial_sbc_port.h"
+
+namespace glider::flights {
+
+using simulator::ProcessSbcPort;
+using simulator::SbcPort;
+using simulator::SerialSbcPort;
+using simulator::StartSbc;
+using support::Result;
+
+Result<NewFlight> flightsInProcess(const compiler::Compilation& compilation,
+                                   const LaunchChoice& launch,
+                                   const std::vector<std::string>& user_code, bool keeps_time) {
+  auto loaded = loadHere(compilation, user_code);
+  if (!loaded) {
+    return std::unexpected(loaded.error());
+  }
+  auto parameters = chooseParameters(loaded->mission(), launch);
+  if (!parameters) {
+    return std::unexpected(parameters.error());
+  }
+  auto mission = std::make_shared<const codegen::LoadedMission>(std::move(*loaded));
+  return [mission, values = std::move(*parameters), keeps_time]() -> StartSbc {
+    return [mission, values, keeps_time, card = std::make_shared<Card>()] {
+      return Result<std::unique_ptr<SbcPort>>(
+          std::make_unique<InProcessSbc>(mission, values, card, keeps_time));
+    };
+  };
+}
+
+Result<StartSbc> sbcInProcess(const compiler::Compilation& compilation, const LaunchChoice& launch,
+                              const std::vector<std::string>& user_code, bool keeps_time) {
+  const auto flights = flightsInProcess(compilation, launch, user_code, keeps_time);
+  return flights ? Result<StartSbc>((*flights)()) : std::unexpected(flights.error());
+}
+
+namespace {
+
+/// Whether the mission allows what the pilot says, before the board's program refuses it.
+Result<void> checkLaunch(const compiler::Compilation& compilation, const LaunchChoice& launch) {
+  if (launch.empty()) {
+    return {};
+  }
+  const auto loaded = loadForParameters(compilation);
+  if (!loaded) {
+    return std::unexpected(loaded.error());
+  }
+  const auto parameters = chooseParameters(loaded->mission(), launch);
+  return parameters ? Result<void>() : std::unexpected(parameters.error());
+}
+
+StartSbc starterOf(std::string way, std::vector<std::string> command,
+                   std::filesystem::path card = {}, double hang_secs = ProcessSbcPort::kHangSecs) {
+  return [way = std::move(way), command = std::move(command), card = std::move(card),
+          hang_secs]() -> Result<std::unique_ptr<SbcPort>> {
+    return ProcessSbcPort::start(way, command, hang_secs, card);
+  };
+}
+
+}  // namespace
+
+Result<std::vector<std::string>> buildOnBoard(const compiler::Compilation& compilation,
+                                              const LaunchChoice& launch,
+                                              const std::vector<std::string>& user_code,
+                                              const std::string& board,
+                                              const std::filesystem::path& binary) {
+  if (auto allowed = checkLaunch(compilation, launch); !allowed) {
+    return std::unexpected(allowed.error());
+  }
+  const auto target = compiler::loadTarget(board);
+  if (!target) {
+    return std::unexpected(target.error());
+  }
+  const auto code = compiler::loadUserCode(user_code, compilation, *target);
+  if (!code) {
+    return std::unexpected(code.error());
+  }
+  codegen::CodegenOptions options;
+  options.sources = &compilation.sources;
+  code->addTo(options);
+  const auto built =
+      codegen::linkExecutable(*compilation.mission, compilation.facts, *target, options, binary);
+  if (!built) {
+    return std::unexpected(built.error());
+  }
+  std::vector<std::string> command = target->emulator;
+  command.push_back(std::filesystem::absolute(binary).string());
+  return command;
+}
+
+StartSbc startOnBoard(const std::string& board, std::vector<std::string> command,
+                      const LaunchChoice& launch, const std::filesystem::path& folder,
+                      const std::string& name, double hang_secs) {
+  const std::filesystem::path log = folder / "mission.log";
+  const std::filesystem::path checkpoints = folder / (name + ".checkpoint");
+  std::error_code ignored;
+  for (const auto& of_an_earlier_flight : {log, checkpoints}) {
+    std::filesystem::remove(of_an_earlier_flight, ignored);
+  }
+  command.insert(command.end(),
+                 {"--port", "{port}", "--log", log.string(), "--checkpoint", checkpoints.string()});
+  if (!launch.file.empty()) {
+    command.insert(command.end(), {"--parameters", launch.file});
+  }
+  for (const std::string& setting : launch.settings) {
+    command.insert(command.end(), {"--set", setting});
+  }
+  return starterOf(board, std::move(command), checkpoints, hang_secs);
+}
+
+Result<StartSbc> sbcOnBoard(const compiler::Compilation& compilation, const LaunchChoice& launch,
+                            const std::vector<std::string>& user_code, const std::string& board,
+                            const std::string& name, const std::filesystem::path& folder) {
+  const std::string full_name = name + "-" + board;
+  auto command = buildOnBoard(compilation, launch, user_code, board, folder / full_name);
+  if (!command) {
+    return std::unexpected(command.error());
+  }
+  return startOnBoard(board, std::move(*command), launch, folder, full_name,
+                      ProcessSbcPort::kHangSecs);
+}
+
+StartSbc sbcOnSerialLine(const std::string& device, bool lockstep) {
+  const auto pace = lockstep ? SerialSbcPort::Pace::Lockstep : SerialSbcPort::Pace::RealTime;
+  return [device, pace]() -> Result<std::unique_ptr<SbcPort>> {
+    return SerialSbcPort::open(device, pace);
+  };
+}
+
+StartSbc sbcProgram(const std::string& program) {
+  // A file that lies here is meant, not one of that name somewhere in PATH.
+  std::error_code ignored;
+  const bool here = std::filesystem::is_regular_file(program, ignored);
+  return starterOf("program", {here ? std::filesystem::absolute(program).string() : program,
+                               "--port", "{port}"});
+}
+
+}  // namespace glider::flights

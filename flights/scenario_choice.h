@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "simulator/scenario/scenario.h"
+#include "support/diagnostics/show.h"
+#include "support/result.h"
+
+#include <string>
+#include <vector>
+
+namespace glider::flights {
+
+/// The scenarios that come with glidercc, by name.
+std::vector<std::string> scenarioNames();
+
+/// Loads the scenario that --scenario names: a .toml file, or one that comes with glidercc. Its
+/// mistakes are shown. GL9302, and as simulator::loadScenario.
+support::Result<simulator::Scenario> chooseScenario(const std::string& wanted,
+                                                    const support::ShowDiagnostics& show = {});
+
+}  // namespace glider::flights

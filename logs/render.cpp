@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "logs/render.h"
+
+#include "report/text.h"
+#include "support/csv.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace glider::logs {
+
+using runtime::LogRecord;
+
+namespace {
+
+std::string number(double value) {
+  return std::isnan(value) ? "" : fmt::format("{:.12g}", value);
+}
+
+std::string known(double value) {
+  return std::isnan(value) ? "unknown" : fmt::format("{:.6g}", value);
+}
+
+/// In quotes only where it must be.
+std::string field(const std::string& name) {
+  return name.find_first_of(",\"\n\r") == std::string::npos ? name : support::csvQuoted(name);
+}
+
+std::string line(const LogEntry& entry, const char* record, const std::string& name,
+                 const std::string& value, const std::string& from = "",
+                 const std::string& to = "") {
+  return fmt::format("{},{},{},{},{},{}\n", number(entry.time), record, field(name), value,
+                     field(from), field(to));
+}
+
+std::string valueLines(const LogEntry& entry, const char* record) {
+  std::string lines;
+  for (const auto& [name, value] : entry.values) {
+    lines += line(entry, record, name, number(value));
+  }
+  return lines;
+}
+
+std::string noteLines(const LogEntry& entry) {
+  if (entry.unknown_set) {
+    return line(entry, "event", "unknown set", "", entry.name);
+  }
+  std::string lines = entry.values.empty() ? line(entry, "log", entry.name, "") : "";
+  for (const auto& [unnamed, value] : entry.values) {
+    lines += line(entry, "log", entry.name, number(value));
+  }
+  return lines;
+}
+
+/// "depth 10.2, temp unknown".
+std::string valueList(const LogEntry& entry) {
+  std::string list;
+  for (const auto& [name, value] : entry.values) {
+    list +=
+        (list.empty() ? "" : ", ") + (name.empty() ? "" : report::plain(name) + " ") + known(value);
+  }
+  return list;
+}
+
+std::string withList(std::string text, const std::string& list) {
+  return list.empty() ? text : text + ": " + list;
+}
+
+std::string story(const LogEntry& entry) {
+  switch (entry.kind) {
+    case LogRecord::Start:
+      return "the program of mission " + report::plain(entry.name) + " starts";
+    case LogRecord::Begin:
+      return withList("the mission begins", valueList(entry));
+    case LogRecord::Transition:
+      return withList(
+          fmt::format("{} → {} ({}, case {})", report::plain(entry.detail),
+                      entry.to.empty() ? "end" : report::plain(entry.to), entry.name, entry.number),
+          valueList(entry));
+    case LogRecord::Note:
+      return entry.unknown_set ? "unknown set: " + report::plain(entry.name)
+                               : withList("log " + report::plain(entry.name), valueList(entry));
+    case LogRecord::Event:
+      return entry.name + (entry.detail.empty() ? "" : ": " + entry.detail) +
+             (std::isnan(entry.value) ? "" : fmt::format(" ({})", known(entry.value)));
+    default:
+      return valueList(entry);
+  }
+}
+
+}  // namespace
+
+std::string csvLines(const LogEntry& entry) {
+  switch (entry.kind) {
+    case LogRecord::Start:
+      return line(entry, "start", entry.name, "");
+    case LogRecord::Begin:
+      return line(entry, "begin", "", "") + valueLines(entry, "parameter");
+    case LogRecord::Values:
+      return valueLines(entry, "value");
+    case LogRecord::Transition:
+      return line(entry, "transition", entry.name, std::to_string(entry.number), entry.detail,
+                  entry.to) +
+             valueLines(entry, "fired");
+    case LogRecord::Note:
+      return noteLines(entry);
+    case LogRecord::Event:
+      return line(entry, "event", entry.name, number(entry.value), entry.detail);
+    default:
+      return "";
+  }
+}
+
+std::string textLine(const LogEntry& entry) {
+  return fmt::format("{:10.1f} s  {}\n", entry.time, story(entry));
+}
+
+}  // namespace glider::logs

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "logs/reader.h"
+
+#include <string>
+
+namespace glider::logs {
+
+/// The head of what csvLines makes.
+inline constexpr const char* kLogCsvHead = "time_s,record,name,value,from,to\n";
+
+/// An entry as lines of comma-separated values (docs/guide.md has the columns).
+std::string csvLines(const LogEntry& entry);
+/// An entry as one line for people.
+std::string textLine(const LogEntry& entry);
+
+}  // namespace glider::logs

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "logs/render.h"
 #include "hooks/protocol/frame.h"
+#include "logs/render.h"
 
 #include <cstdlib>
 #include <cstring>

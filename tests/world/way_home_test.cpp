@@ -22,8 +22,8 @@
 namespace glider::tests {
 namespace {
 
-using flights::InProcessSbc;
 using analysis::WayHome;
+using flights::InProcessSbc;
 
 /// Looks at where the vehicle is after the SBC's death.
 class DeathWatch final : public simulator::Onlooker {

@@ -3,7 +3,6 @@
 
 #include "flights/heard_ticks.h"
 
-
 #include <gtest/gtest.h>
 
 namespace glider::flights {

@@ -15,6 +15,13 @@ using Kind = hooks::HookprogEvent::Kind;
 
 namespace {
 
+/// A position as missions write it, ddmm.mmmm: its name says what it is.
+std::string valueText(double value, const std::string& unit) {
+  return unit == "lat" || unit == "lon" ? fmt::format("{:.3f}", value)
+         : unit == "1"                  ? fmt::format("{:.6g}", value)
+                                        : fmt::format("{:.6g} {}", value, unit);
+}
+
 /// GliderTransition, as the notice carries it.
 constexpr std::array<const char*, 5> kTransitions = {"goto", "call", "return", "exit", "stay"};
 constexpr uint32_t kExit = 3;
@@ -54,9 +61,9 @@ std::string MissionStory::why(const hooks::HookprogEvent& event, const ScienceCo
     const auto& sensor = platform_.sensors[id];
     const bool of_science = sensor.computer == platforms::Computer::Science;
     const double value = of_science ? science.value(id) : flight.array().get(id);
-    values += fmt::format("{}{} {:.6g}{}{}", values.empty() ? "" : ", ",
-                          sensor.alias.empty() ? sensor.name : sensor.alias, value,
-                          sensor.unit == "1" ? "" : " ", sensor.unit == "1" ? "" : sensor.unit);
+    values += fmt::format("{}{} {}", values.empty() ? "" : ", ",
+                          sensor.alias.empty() ? sensor.name : sensor.alias,
+                          valueText(value, sensor.unit));
   }
   return values.empty() ? text.guard : fmt::format("{} ({})", text.guard, values);
 }

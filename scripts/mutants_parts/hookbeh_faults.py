@@ -88,7 +88,7 @@ PLANTED = [
     Planted("HB-24", "a climb that gains no height is left as it is", GUARD, "headway_.idleFor() >= kStalledSecs", "false", SENSORS),
     Planted("HB-25", "depths that disagree are believed", WATCH, "ctd_known_ && disagree_s_ >= kPersistsSecs && ctd_.age() == 0", "false", SENSORS),
     Planted("HB-26", "a CTD that never agreed is believed", WATCH, "ctd_known_ || agree_s_ >= kPersistsSecs", "true", ("another sensor wrong",)),
-    Planted("HB-27", "one clock alone is believed", CLOCK, "magnitude(by_mission - by_wall) <= kAgree && by_mission > 0", "by_mission > 0", ("clock jumps", "hook sensor wrong", "another sensor wrong", "several at once")),
+    Planted("HB-27", "one clock alone is believed", CLOCK, "magnitude(by_mission - by_wall) <= kAgree && by_mission > 0", "by_mission > 0", ("sensor scaled", "sensor drifts", "sensor jumps", "several at once")),
     Planted("HB-31", "a heartbeat that comes again counts", HOOKBEH, "isNewerSession(beat, heartbeat_)", "beat != heartbeat_", ("old frames again", "doubled frames", "left-over instruction")),
     Planted("HB-28", "the pump may go beyond its stroke", HULL, "out.dive_pump_cc = -between(dive, 0, hull.pump_cc);", "out.dive_pump_cc = -dive;"),
     Planted("HB-29", "a pump with the wrong sign", HULL, "magnitude(orUsual(args.climb_pump_cc, usual.climb_pump_cc))",
@@ -96,8 +96,3 @@ PLANTED = [
     Planted("HB-30", "a guard has no number", HOOKBEH, "outputs.state = state_;",
             "outputs.state = state_; outputs.guard = HookGuard::None;"),
 ]
-
-# What a campaign cannot see, with the reason.
-UNSEEN = {
-    "a lost session may take control again": "its number is old too (HB-32), and hookprog passes on no frame that comes again",
-}

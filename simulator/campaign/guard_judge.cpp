@@ -44,16 +44,20 @@ bool climbs(const CycleView& view) {
   return view.hookbeh->pitch_rad > 0 && view.hookbeh->pump_cc > 0;
 }
 
-bool damagesClock(const SensorFault& fault) {
+/// How many of those that hookbeh tells the time by are damaged in a flight.
+int wrongClocks(const Faults& faults) {
   constexpr std::array<const char*, 3> kClocks = {"m_present_secs_into_mission", "m_present_time",
                                                   "m_cycle_number"};
-  return std::ranges::find(kClocks, fault.name) != kClocks.end();
+  return static_cast<int>(std::ranges::count_if(kClocks, [&](const char* clock) {
+    return std::ranges::any_of(faults.sensors,
+                               [&](const SensorFault& fault) { return fault.name == clock; });
+  }));
 }
 
 }  // namespace
 
 GuardJudge::GuardJudge(const JudgeSetup& setup)
-    : s_(setup), clocks_known_(std::ranges::none_of(setup.faults.sensors, damagesClock)) {}
+    : s_(setup), wrong_clocks_(wrongClocks(setup.faults)) {}
 
 void GuardJudge::restart() {
   right_s_ = climbs_s_ = away_s_ = 0;
@@ -111,20 +115,31 @@ std::string GuardJudge::judgeOverridden(const CycleView& view) {
                : "";
 }
 
+/// By one clock that is wrong a cycle may count twice, and no more.
+bool GuardJudge::isTooSoon(const CycleView& view, double silent_s) const {
+  const bool garbled =
+      view.array.get(GLIDER_X_HOOK_ANSWER) == static_cast<double>(hooks::HookAnswer::BadCheck);
+  return wrong_clocks_ == 1 && !garbled && silent_s < s_.args.silence_secs / 2;
+}
+
 /// A heartbeat counts if it is newer than all before.
 std::string GuardJudge::judgeHeartbeat(const CycleView& view) {
   const double beat = view.array.get(GLIDER_SCI_HOOK_HEARTBEAT);
   const bool whole = beat >= 0 && beat <= hooks::kMostSession && std::floor(beat) == beat;
   const bool newer = whole && hooks::isNewerSession(static_cast<uint32_t>(beat),
                                                     static_cast<uint32_t>(heartbeat_));
-  if (hook_ != HookState::Active || newer) {
+  const bool was_active = hook_ == HookState::Active;
+  if (!was_active || newer) {
     heartbeat_ = whole ? beat : heartbeat_;
     heard_s_ = view.time_s;
   }
   hook_ = view.hook;
   const double silent_s = view.time_s - heard_s_;
+  if (was_active && view.hook == HookState::Silent && isTooSoon(view, silent_s)) {
+    return fmt::format("control ends after {:.0f} s of silence", silent_s);
+  }
   const double most = letGoSecs(Control::Silent, s_.args.silence_secs, s_.cycle_s);
-  return clocks_known_ && view.hook == HookState::Active && silent_s > most
+  return wrong_clocks_ == 0 && view.hook == HookState::Active && silent_s > most
              ? fmt::format("the SBC is in control without a newer heartbeat for {:.0f} s", silent_s)
              : "";
 }

@@ -28,9 +28,10 @@ class GuardJudge {
   std::string judgeClimb(const CycleView& view);
   std::string judgeOverridden(const CycleView& view);
   std::string judgeHeartbeat(const CycleView& view);
+  [[nodiscard]] bool isTooSoon(const CycleView& view, double silent_s) const;
 
   const JudgeSetup& s_;
-  bool clocks_known_;  ///< no fault damages the clocks that hookbeh tells time by
+  int wrong_clocks_;   ///< of those that hookbeh tells the time by
   double last_s_ = 0;  ///< of the cycle before
 
   double reading_m_ = 0;  ///< of m_depth in the cycle before

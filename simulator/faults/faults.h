@@ -46,8 +46,8 @@ struct SensorFault {
   Span when = {};
   Kind kind = Kind::Frozen;
   /// Value: what it says, may be NaN; Drift: how much more it says each second; Scale: how many
-  /// times too much; Jumps: how far a reading jumps to either side, at most; Offset: how much more it
-  /// says. In the sensor's unit.
+  /// times too much; Jumps: how far a reading jumps to either side, at most; Offset: how much more
+  /// it says. In the sensor's unit.
   double value = 0;
   double share = 1;  ///< Value, Jumps, Missing: share of readings that are wrong so
 };

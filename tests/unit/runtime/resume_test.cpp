@@ -236,8 +236,9 @@ TEST_F(ResumeTest, DamagedCheckpointsBeginTheMissionAnewAndSayso) {
   boot(vehicle);
   vehicle.run(60);
   cutPower(vehicle);
-  store_.content.eachByte(
-      [](uint32_t place, uint8_t& byte) { byte = static_cast<uint8_t>(byte ^ (place % 100 == 60 ? 0x10U : 0U)); });
+  store_.content.eachByte([](uint32_t place, uint8_t& byte) {
+    byte = static_cast<uint8_t>(byte ^ (place % 100 == 60 ? 0x10U : 0U));
+  });
   boot(vehicle);
   vehicle.run(140);
   EXPECT_THAT(logCsv(), HasSubstr("no checkpoint is whole"));

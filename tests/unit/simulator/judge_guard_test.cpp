@@ -206,6 +206,35 @@ TEST_F(JudgedGuard, SilenceIsAsLongAsAWrongClockSays) {
   }
 }
 
+TEST_F(JudgedGuard, OneWrongClockMayCountACycleTwiceAndNoMore) {
+  SensorFault fault;
+  fault.name = "m_present_time";
+  setup_.faults.sensors = {fault, fault};
+  judge_.emplace(setup_);
+  for (const double seconds : {4.0, 8.0}) {
+    for (const bool garbled : {false, true}) {
+      stay(10, 40);
+      array_.set(GLIDER_X_HOOK_ANSWER,
+                 garbled ? static_cast<double>(hooks::HookAnswer::BadCheck) : 0);
+      beats_ = false;
+      stay(10, seconds);
+      EXPECT_EQ(cycle(10, 10, HookState::Silent),
+                seconds == 4 && !garbled ? "control ends after 8 s of silence" : "");
+      beats_ = true;
+    }
+  }
+}
+
+TEST_F(JudgedGuard, OfTwoWrongClocksNothingIsPromised) {
+  setup_.faults.sensors.resize(2);
+  setup_.faults.sensors[0].name = "m_present_time";
+  setup_.faults.sensors[1].name = "m_cycle_number";
+  judge_.emplace(setup_);
+  stay(10, 40);
+  beats_ = false;
+  EXPECT_EQ(cycle(10, 10, HookState::Silent), "");
+}
+
 TEST_F(JudgedGuard, AnotherMissionBeginsAnew) {
   dive();
   stay(12, 80);

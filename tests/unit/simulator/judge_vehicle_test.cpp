@@ -322,6 +322,7 @@ class JudgedPump : public JudgedClimb {
 TEST_F(JudgedPump, HookbehsOwnClimbTakesAllOfIt) {
   ascend();
   out_.doing = "check depth";
+  out_.pump_cc = 233;
   cycle(HookState::Active, 10);
   EXPECT_EQ(violation().find("a pump of"), std::string::npos) << violation();
   out_.pump_cc = 234;

@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "platforms/slocum_sensors.h"
 #include "tests/unit/simulator/fake_sbc.h"
 #include "tests/unit/simulator/flights.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <regex>
 
 namespace glider::simulator {
 namespace {
@@ -18,7 +20,8 @@ SimulationSetup withSbc(const std::string& scenario, FakePilot::Plan plan,
   setup.mission_name = "fake";
   setup.state_names = {"down", "up"};
   setup.explain = [](uint32_t, uint32_t state, uint32_t) {
-    return GuardText{state == 0 ? "depth >= 20 m" : "depth <= 5 m", {3}};
+    return state == 0 ? GuardText{"depth >= 20 m", {3}}
+                      : GuardText{"depth <= 5 m", {3, GLIDER_M_LAT}};
   };
   return setup;
 }
@@ -34,6 +37,9 @@ TEST(SbcFlight, TakesControlSteersAndGivesBack) {
   EXPECT_EQ(turn->kind, "transition");
   EXPECT_NE(turn->why.find("depth >= 20 m (depth 20."), std::string::npos) << turn->why;
   EXPECT_NEAR(valueAt(trace, "m_depth", turn->time_s), 20.4, 0.5);
+  const auto* rise = findEvent(trace, "up → down (goto)");
+  ASSERT_NE(rise, nullptr) << events;
+  EXPECT_TRUE(std::regex_search(rise->why, std::regex(R"( m, lat 3910\.\d\d\d\)$)"))) << rise->why;
   EXPECT_NE(findEvent(trace, "up → end (exit)"), nullptr) << events;
   const auto* back = findEvent(trace, "the SBC gives control back");
   ASSERT_NE(back, nullptr) << events;

@@ -182,6 +182,33 @@ TEST(Pty, MovesWithItsLine) {
   EXPECT_FALSE(isHungUp(two->descriptor()));
 }
 
+TEST(Pty, ClosesBothOfItsSides) {
+  const auto lowestFree = [] {
+    const int descriptor = ::dup(STDIN_FILENO);
+    ::close(descriptor);
+    return descriptor;
+  };
+  const int before = lowestFree();
+  {
+    const auto pty = Pty::open();
+    ASSERT_TRUE(pty);
+  }
+  EXPECT_EQ(lowestFree(), before);
+}
+
+TEST(Pty, HoldsTheUserSideThatCameWithTheMove) {
+  auto kept = Pty::open();
+  ASSERT_TRUE(kept);
+  {
+    auto gone = Pty::open();
+    ASSERT_TRUE(gone);
+    *kept = std::move(*gone);
+  }
+  EXPECT_FALSE(isHungUp(kept->descriptor()));
+  kept->releaseUserSide();
+  EXPECT_TRUE(isHungUp(kept->descriptor()));
+}
+
 TEST(SerialDevice, KeepsWhatThePeerSaidBeforeItWasOpened) {
   auto pty = Pty::open();
   ASSERT_TRUE(pty);
@@ -321,6 +348,17 @@ TEST(Pty, NoneToBeHadIsGL9106) {
   const auto pty = Pty::open();
   ASSERT_FALSE(pty);
   EXPECT_EQ(support::code(pty.error().id), "GL9106");
+  EXPECT_NE(pty.error().message.find("Too many open files"), std::string::npos)
+      << pty.error().message;
+}
+
+TEST(Pty, WhoseUserSideCannotBeOpenedIsGL9106) {
+  open_fails_with = EIO;
+  const auto pty = Pty::open();
+  open_fails_with = 0;
+  ASSERT_FALSE(pty);
+  EXPECT_NE(pty.error().message.find("Input/output error"), std::string::npos)
+      << pty.error().message;
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include <fcntl.h>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <memory>
 #include <poll.h>
 #include <string>
@@ -183,17 +184,17 @@ TEST(Pty, MovesWithItsLine) {
 }
 
 TEST(Pty, ClosesBothOfItsSides) {
-  const auto lowestFree = [] {
-    const int descriptor = ::dup(STDIN_FILENO);
-    ::close(descriptor);
-    return descriptor;
+  const auto descriptors = [] {
+    const std::filesystem::directory_iterator open("/proc/self/fd");
+    return std::distance(begin(open), end(open));
   };
-  const int before = lowestFree();
+  const auto before = descriptors();
   {
     const auto pty = Pty::open();
     ASSERT_TRUE(pty);
+    EXPECT_EQ(descriptors(), before + 2);
   }
-  EXPECT_EQ(lowestFree(), before);
+  EXPECT_EQ(descriptors(), before);
 }
 
 TEST(Pty, HoldsTheUserSideThatCameWithTheMove) {
@@ -338,7 +339,7 @@ TEST(SerialPort, AnythingElseIsGL9105) {
   open_fails_with = 0;
   ASSERT_FALSE(port);
   EXPECT_EQ(support::code(port.error().id), "GL9105");
-  EXPECT_NE(port.error().message.find("Input/output error"), std::string::npos)
+  EXPECT_NE(port.error().message.find("failed: Input/output error"), std::string::npos)
       << port.error().message;
 }
 

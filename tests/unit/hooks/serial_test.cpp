@@ -16,6 +16,7 @@
 #include <fcntl.h>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <memory>
 #include <poll.h>
 #include <string>
@@ -182,6 +183,33 @@ TEST(Pty, MovesWithItsLine) {
   EXPECT_FALSE(isHungUp(two->descriptor()));
 }
 
+TEST(Pty, ClosesBothOfItsSides) {
+  const auto descriptors = [] {
+    const std::filesystem::directory_iterator open("/proc/self/fd");
+    return std::distance(begin(open), end(open));
+  };
+  const auto before = descriptors();
+  {
+    const auto pty = Pty::open();
+    ASSERT_TRUE(pty);
+    EXPECT_EQ(descriptors(), before + 2);
+  }
+  EXPECT_EQ(descriptors(), before);
+}
+
+TEST(Pty, HoldsTheUserSideThatCameWithTheMove) {
+  auto kept = Pty::open();
+  ASSERT_TRUE(kept);
+  {
+    auto gone = Pty::open();
+    ASSERT_TRUE(gone);
+    *kept = std::move(*gone);
+  }
+  EXPECT_FALSE(isHungUp(kept->descriptor()));
+  kept->releaseUserSide();
+  EXPECT_TRUE(isHungUp(kept->descriptor()));
+}
+
 TEST(SerialDevice, KeepsWhatThePeerSaidBeforeItWasOpened) {
   auto pty = Pty::open();
   ASSERT_TRUE(pty);
@@ -311,7 +339,7 @@ TEST(SerialPort, AnythingElseIsGL9105) {
   open_fails_with = 0;
   ASSERT_FALSE(port);
   EXPECT_EQ(support::code(port.error().id), "GL9105");
-  EXPECT_NE(port.error().message.find("Input/output error"), std::string::npos)
+  EXPECT_NE(port.error().message.find("failed: Input/output error"), std::string::npos)
       << port.error().message;
 }
 
@@ -321,6 +349,17 @@ TEST(Pty, NoneToBeHadIsGL9106) {
   const auto pty = Pty::open();
   ASSERT_FALSE(pty);
   EXPECT_EQ(support::code(pty.error().id), "GL9106");
+  EXPECT_NE(pty.error().message.find("Too many open files"), std::string::npos)
+      << pty.error().message;
+}
+
+TEST(Pty, WhoseUserSideCannotBeOpenedIsGL9106) {
+  open_fails_with = EIO;
+  const auto pty = Pty::open();
+  open_fails_with = 0;
+  ASSERT_FALSE(pty);
+  EXPECT_NE(pty.error().message.find("Input/output error"), std::string::npos)
+      << pty.error().message;
 }
 
 }  // namespace

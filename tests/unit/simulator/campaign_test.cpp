@@ -69,6 +69,39 @@ TEST(DrawFaults, MannersSayWhen) {
   }
 }
 
+/// What is wrong with the line, in words.
+std::string wrongWith(const LineFault& fault) {
+  std::string wrong;
+  const auto add = [&wrong](bool is, const char* word) { wrong += is ? word : ""; };
+  add(fault.cut, "cut");
+  add(fault.loss > 0, "loss");
+  add(fault.flips > 0, "flips");
+  add(fault.bursts > 0, "bursts");
+  add(fault.delay_s > 0, "delay");
+  add(fault.doubled > 0, "doubled");
+  add(fault.replayed > 0, "replayed");
+  add(fault.heard_at_baud > 0, "baud");
+  return wrong;
+}
+
+TEST(DrawFaults, EachKindOfTheLineIsThatAndNothingElse) {
+  const std::pair<FaultKind, const char*> kinds[] = {
+      {FaultKind::ByteLoss, "loss"},         {FaultKind::BitFlips, "flips"},
+      {FaultKind::Bursts, "bursts"},         {FaultKind::Delay, "delay"},
+      {FaultKind::DoubledFrames, "doubled"}, {FaultKind::OldFrames, "replayed"},
+      {FaultKind::HalfOpen, "cut"},          {FaultKind::LineCut, "cut"},
+      {FaultKind::BaudMismatch, "baud"},     {FaultKind::Clothesline, "cut"}};
+  for (const auto& [kind, wrong] : kinds) {
+    for (uint64_t seed = 0; seed < 20; ++seed) {
+      for (const LineFault& fault : drawFaults(kind, Manner::Once, seed, kTimes).faults.lines) {
+        EXPECT_EQ(wrongWith(fault), wrong) << nameOf(kind);
+        const bool of_flight = fault.way == LineWay::ToFlight || fault.way == LineWay::FromFlight;
+        EXPECT_TRUE(!fault.cut || of_flight == (kind == FaultKind::Clothesline)) << nameOf(kind);
+      }
+    }
+  }
+}
+
 TEST(DrawFaults, WhatIsDrawnForTheWorldGetsIntoIt) {
   Scenario scenario = shippedSetup("default").scenario;
   const DrawnFaults tight = drawFaults(FaultKind::TightLimits, Manner::Once, 1, kTimes);
@@ -80,6 +113,21 @@ TEST(DrawFaults, WhatIsDrawnForTheWorldGetsIntoIt) {
   EXPECT_EQ(judged.args.start_secs, tight.args->start_secs);
   EXPECT_EQ(judged.overdepth_m, 70);
   EXPECT_LE(scenario.ocean.bottom.depth_m, 36);
+}
+
+TEST(JudgeSetup, OfAnSbcThatMayBeSilentForLongIsWhatHookbehMakesOfIt) {
+  const platforms::Platform platform = shippedSetup("default").platform;
+  const auto silence = [&](double secs) {
+    Scenario scenario = shippedSetup("default").scenario;
+    for (slocum::BehaviourBlock& behaviour : scenario.skeleton.behaviours) {
+      for (slocum::Setting& setting : behaviour.arguments) {
+        setting.value = setting.name == "silence_secs" ? secs : setting.value;
+      }
+    }
+    return judgeSetup(platform, scenario, {}).args.silence_secs;
+  };
+  EXPECT_EQ(silence(100), 100);
+  EXPECT_EQ(silence(3600), 600);
 }
 
 TEST(Promises, AreThoseOfTheDocumentWordForWord) {

@@ -4,9 +4,9 @@
 #include "analysis/way_home.h"
 
 #include "hooks/hookbeh/args.h"
-#include "ir/prove/duration_text.h"
-#include "ir/prove/ground.h"
-#include "ir/prove/state_depths.h"
+#include "ir/prove/abstract/state_depths.h"
+#include "ir/prove/ground/duration_text.h"
+#include "ir/prove/ground/ground.h"
 
 #include <fmt/format.h>
 

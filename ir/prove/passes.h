@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include "ir/prove/end_bound.h"
-#include "ir/prove/ground.h"
+#include "ir/prove/abstract/end_bound.h"
+#include "ir/prove/ground/ground.h"
 #include "ir/prove/prove.h"
 #include "ir/verify/structure.h"
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "ir/core/mission.h"
-#include "ir/prove/concrete_run.h"
+#include "ir/prove/falsification/concrete_run.h"
 #include "ir/verify/structure.h"
 #include "platforms/load/platform.h"
 #include "support/diagnostics/engine.h"

@@ -4,8 +4,8 @@
 // What is proved of an example mission survives random flights: all of its properties look on at
 // each of them. scripts/soak/proofs flies more of the same.
 
-#include "ir/prove/ground.h"
-#include "ir/prove/random_flight.h"
+#include "ir/prove/falsification/random_flight.h"
+#include "ir/prove/ground/ground.h"
 #include "ir/verify/verify.h"
 #include "tests/proofs/properties.h"
 #include "tests/unit/frontend/compile.h"

@@ -4,7 +4,7 @@
 #include "tests/world/conditions.h"
 
 #include "ir/eval/interpreter.h"
-#include "ir/prove/dice.h"
+#include "ir/prove/falsification/dice.h"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 
 #include "tests/world/random_text.h"
 
-#include "ir/prove/dice.h"
+#include "ir/prove/falsification/dice.h"
 
 #include <fmt/format.h>
 

@@ -7,9 +7,9 @@
 #include "analysis/way_home.h"
 
 #include "flights/in_process_sbc.h"
-#include "ir/prove/dice.h"
-#include "ir/prove/ground.h"
-#include "ir/prove/state_depths.h"
+#include "ir/prove/abstract/state_depths.h"
+#include "ir/prove/falsification/dice.h"
+#include "ir/prove/ground/ground.h"
 #include "simulator/simulator.h"
 #include "tests/world/fleet.h"
 

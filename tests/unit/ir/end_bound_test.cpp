@@ -3,11 +3,11 @@
 
 // By when a mission has ended: worked out, and never broken by a flight.
 
-#include "ir/prove/end_bound.h"
+#include "ir/prove/abstract/end_bound.h"
 
+#include "ir/prove/abstract/state_depths.h"
+#include "ir/prove/falsification/random_flight.h"
 #include "ir/prove/prove.h"
-#include "ir/prove/random_flight.h"
-#include "ir/prove/state_depths.h"
 #include "ir/verify/verify.h"
 #include "tests/random_missions/random.h"
 #include "tests/unit/ir/missions.h"

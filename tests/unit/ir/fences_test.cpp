@@ -4,13 +4,13 @@
 // Areas to keep in and out of: the map's distances against the ellipsoid's, and what is said to be
 // kept against vehicles that a current sets about.
 
-#include "ir/prove/fences.h"
+#include "ir/prove/geometry/fences.h"
 
 #include "ir/eval/arithmetic.h"
-#include "ir/prove/area_map.h"
-#include "ir/prove/random_flight.h"
-#include "ir/prove/random_place.h"
-#include "ir/prove/steering.h"
+#include "ir/prove/falsification/random_flight.h"
+#include "ir/prove/falsification/random_place.h"
+#include "ir/prove/geometry/area_map.h"
+#include "ir/prove/geometry/steering.h"
 #include "ir/verify/verify.h"
 #include "tests/random_missions/random.h"
 #include "tests/unit/ir/missions.h"

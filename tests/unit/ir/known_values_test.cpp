@@ -4,9 +4,9 @@
 // What proofs take for granted of single expressions: that they are never unknown, that they are
 // whole, that the orders keep the depth they speak of.
 
-#include "ir/prove/depth_bound.h"
-#include "ir/prove/never_unknown.h"
-#include "ir/prove/state_depths.h"
+#include "ir/prove/abstract/depth_bound.h"
+#include "ir/prove/abstract/state_depths.h"
+#include "ir/prove/ground/never_unknown.h"
 #include "ir/verify/whole_numbers.h"
 #include "tests/unit/ir/missions.h"
 #include "tests/unit/ir/slocum.h"

@@ -3,12 +3,12 @@
 
 // What is far from all else, against the comparison of all pairs.
 
-#include "ir/prove/nearest.h"
+#include "ir/prove/geometry/nearest.h"
 
 #include "ir/eval/arithmetic.h"
-#include "ir/prove/orders.h"
+#include "ir/prove/geometry/sphere.h"
+#include "ir/prove/ground/orders.h"
 #include "ir/prove/prove.h"
-#include "ir/prove/sphere.h"
 #include "ir/verify/verify.h"
 #include "tests/random_missions/random.h"
 #include "tests/unit/ir/missions.h"

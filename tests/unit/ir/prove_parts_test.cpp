@@ -3,12 +3,12 @@
 
 // The parts that proofs are made of, each on missions so small that the answer can be written down.
 
-#include "ir/prove/earliest_entry.h"
-#include "ir/prove/entered_after.h"
-#include "ir/prove/known_roughly.h"
-#include "ir/prove/leaving.h"
-#include "ir/prove/possible.h"
-#include "ir/prove/relevance.h"
+#include "ir/prove/abstract/earliest_entry.h"
+#include "ir/prove/abstract/entered_after.h"
+#include "ir/prove/abstract/leaving.h"
+#include "ir/prove/abstract/possible.h"
+#include "ir/prove/encoding/known_roughly.h"
+#include "ir/prove/encoding/relevance.h"
 #include "tests/unit/ir/missions.h"
 #include "tests/unit/ir/slocum.h"
 

@@ -4,9 +4,9 @@
 // Each tick of the interpreter lies inside the step that proofs reckon with: SymbolicTick's terms
 // have a solution that is this tick, and AbstractRun's ranges hold what it leaves.
 
-#include "ir/prove/abstract_run.h"
-#include "ir/prove/layout.h"
-#include "ir/prove/question.h"
+#include "ir/prove/abstract/abstract_run.h"
+#include "ir/prove/encoding/layout.h"
+#include "ir/prove/encoding/question.h"
 #include "tests/random_missions/random_mission.h"
 #include "tests/unit/ir/missions.h"
 #include "tests/unit/ir/slocum.h"

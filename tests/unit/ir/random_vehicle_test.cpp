@@ -4,7 +4,7 @@
 // The vehicle of random flights does all that the platform says it may, and no more: what it never
 // does no flight finds.
 
-#include "ir/prove/random_vehicle.h"
+#include "ir/prove/falsification/random_vehicle.h"
 
 #include "tests/unit/ir/slocum.h"
 

@@ -3,9 +3,9 @@
 
 // What trials show of a case, and that the solver never says otherwise.
 
-#include "ir/prove/trials.h"
+#include "ir/prove/encoding/trials.h"
 
-#include "ir/prove/question.h"
+#include "ir/prove/encoding/question.h"
 #include "tests/random_missions/random_mission.h"
 #include "tests/unit/ir/missions.h"
 #include "tests/unit/ir/slocum.h"

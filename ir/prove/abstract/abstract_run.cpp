@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/prove/abstract/abstract_run.h"
+
+#include "ir/core/walk.h"
+
+namespace glider::ir::prove {
+
+Valuation AbstractRun::begin() const {
+  Valuation values;
+  for (const Variable& variable : m_.variables) {
+    values.push_back(anything(variable));
+  }
+  for (uint32_t i = 0; i < m_.variables.size(); ++i) {
+    if (m_.variables[i].kind == VariableKind::Parameter) {
+      values[i].truths.is_unknown = false;
+    } else if (m_.variables[i].kind == VariableKind::Mission) {
+      start(i, {}, values);
+    }
+  }
+  return values;
+}
+
+void AbstractRun::start(uint32_t variable, const ClockRanges& clocks, Valuation& values) const {
+  const ExprId initial = m_.variables[variable].initial;
+  values[variable] = Possible(ground_, values, clocks).holding(initial);
+}
+
+/// An unknown value changes nothing. None leaves the variable's range: `ir/verify` has proved that.
+void AbstractRun::set(const Statement& statement, const ClockRanges& clocks,
+                      Valuation& values) const {
+  const Possible now(ground_, values, clocks);
+  Holding given = withinRange(now.holding(statement.value), m_[statement.variable]);
+  const bool stays = now.maybeUnknown(statement.value);
+  given.truths.is_unknown = false;
+  Holding& held = values[statement.variable.index];
+  held = stays ? either(held, given) : given;
+}
+
+// NOLINTNEXTLINE(misc-no-recursion): as deep as the mission's text nests
+void AbstractRun::execute(BlockId block, const ClockRanges& clocks, Valuation& values) const {
+  if (!block.valid()) {
+    return;
+  }
+  for (const Statement& statement : m_[block].statements) {
+    if (statement.kind == StatementKind::Set) {
+      set(statement, clocks, values);
+    } else if (statement.kind == StatementKind::If) {
+      branch(statement, clocks, values);
+    }
+  }
+}
+
+/// An unknown condition takes neither branch.
+// NOLINTNEXTLINE(misc-no-recursion): as deep as the mission's text nests
+void AbstractRun::branch(const Statement& statement, const ClockRanges& clocks,
+                         Valuation& values) const {
+  const bool maybe_neither = !ground_.known.expressions[statement.value.index];
+  const Valuation before = values;
+  Valuation otherwise = values;
+  execute(statement.then, clocks, values);
+  execute(statement.otherwise, clocks, otherwise);
+  for (size_t i = 0; i < values.size(); ++i) {
+    values[i] = either(values[i], otherwise[i]);
+    values[i] = maybe_neither ? either(values[i], before[i]) : values[i];
+  }
+}
+
+void AbstractRun::forget(BlockId block, Valuation& values) const {
+  forEachStatement(m_, block, [&](const Statement& statement) {
+    if (statement.kind == StatementKind::Set) {
+      values[statement.variable.index] = anything(m_[statement.variable]);
+    }
+  });
+}
+
+void AbstractRun::enter(StateId state, const Case* c, const ClockRanges& clocks,
+                        Valuation& values) const {
+  if (c != nullptr) {
+    const Possible now(ground_, values, clocks);
+    for (size_t i = 0; i < c->arguments.size(); ++i) {
+      values[m_[state].parameters[i].index] = now.holding(c->arguments[i]);
+    }
+  }
+  constexpr Interval kNow{0, 0, false};
+  const ClockRanges entering{clocks.mission_time, kNow, kNow};
+  for (uint32_t i = 0; i < m_.variables.size(); ++i) {
+    const Variable& variable = m_.variables[i];
+    const bool starts = variable.owner == state && variable.kind != VariableKind::Argument;
+    if (starts) {
+      start(i, entering, values);
+    }
+  }
+  execute(m_[state].entry, entering, values);
+  execute(m_[state].profile.entry, entering, values);
+  execute(m_[state].route.entry, entering, values);
+}
+
+void AbstractRun::resume(StateId state, const ClockRanges& clocks, Valuation& values) const {
+  execute(m_[state].profile.entry, clocks, values);
+  execute(m_[state].route.entry, clocks, values);
+}
+
+}  // namespace glider::ir::prove

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "ir/prove/abstract/possible.h"
+
+namespace glider::ir::prove {
+
+/// What statements and transitions make of what variables may hold.
+class AbstractRun {
+ public:
+  explicit AbstractRun(const Ground& ground) : ground_(ground), m_(ground.mission) {}
+
+  /// When the mission begins: parameters and the variables of the mission have their values, no
+  /// state's have.
+  [[nodiscard]] Valuation begin() const;
+  /// Runs a block; an invalid id does nothing.
+  void execute(BlockId block, const ClockRanges& clocks, Valuation& values) const;
+  /// Enters the target of `c`, which fires at `clocks`; `c` is null for the start of the mission.
+  void enter(StateId state, const Case* c, const ClockRanges& clocks, Valuation& values) const;
+  /// Resumes a state: its profile and route begin anew, its variables stay.
+  void resume(StateId state, const ClockRanges& clocks, Valuation& values) const;
+  /// Anything for what `block` sets.
+  void forget(BlockId block, Valuation& values) const;
+
+ private:
+  void start(uint32_t variable, const ClockRanges& clocks, Valuation& values) const;
+  void set(const Statement& statement, const ClockRanges& clocks, Valuation& values) const;
+  void branch(const Statement& statement, const ClockRanges& clocks, Valuation& values) const;
+
+  const Ground& ground_;
+  const Mission& m_;
+};
+
+}  // namespace glider::ir::prove

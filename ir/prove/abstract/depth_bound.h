@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "ir/prove/ground/ground.h"
+
+namespace glider::ir::prove {
+
+/// Whether a condition is true at every tick for the orders alone: no order of the mission leads
+/// deeper than it allows, whatever the ranges of what the orders are made from. True is a proof in
+/// the world of ir/prove/encoding/world.h; false is none.
+bool heldByOrders(ExprId condition, const Ground& ground);
+
+}  // namespace glider::ir::prove

@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/prove/abstract/earliest_entry.h"
+
+#include "ir/core/walk.h"
+#include "ir/prove/abstract/possible.h"
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <set>
+#include <utility>
+
+namespace glider::ir::prove {
+namespace {
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr double kMost = std::numeric_limits<double>::max();
+
+/// States in the order of the time at which they can first be entered: what is found for one never
+/// is before the one that it comes from.
+class Search {
+ public:
+  explicit Search(const Ground& ground)
+      : ground_(ground), m_(ground.mission), entries_(m_.states.size(), kNever) {
+    for (const Variable& variable : m_.variables) {
+      values_.push_back(anything(variable));
+    }
+  }
+
+  std::vector<double> run() {
+    enter({0}, 0);
+    while (!open_.empty()) {
+      const auto [time, index] = open_.top();
+      open_.pop();
+      if (time == entries_[index]) {
+        follow(m_.always, time);
+        follow(m_.states[index].cases, time);
+      }
+    }
+    return entries_;
+  }
+
+ private:
+  void enter(StateId state, double time) {
+    if (time < entries_[state.index]) {
+      entries_[state.index] = time;
+      open_.emplace(time, state.index);
+    }
+  }
+
+  /// The cases of a state that is entered at `since` at the earliest.
+  void follow(const std::vector<Case>& cases, double since) {
+    for (const Case& c : cases) {
+      const bool enters = c.transition == Transition::Goto || c.transition == Transition::Call;
+      if (enters && since < entries_[c.target.index]) {
+        enter(c.target, firstTrue(c.guard, since));
+      }
+    }
+  }
+
+  /// The greatest of the times that the guard names before which it cannot be true.
+  double firstTrue(ExprId guard, double since) {
+    double first = since;
+    for (const double time : timesOf(guard, since)) {
+      if (mayBeTrue(guard, since, std::nextafter(time, 0))) {
+        return first;
+      }
+      first = time;
+    }
+    return mayBeTrue(guard, since, kMost) ? first : kNever;
+  }
+
+  /// Mission times at which a clock of the state is worth what the guard names.
+  std::set<double> timesOf(ExprId guard, double since) const {
+    std::set<double> times;
+    forEachIn(m_, guard, [&](const Expr& e) {
+      if (e.op == Op::Constant && e.type.dimension == support::dimension::time) {
+        for (const double time : {e.number, since + e.number}) {
+          if (time > since && time < kMost) {
+            times.insert(time);
+          }
+        }
+      }
+    });
+    return times;
+  }
+
+  /// At any mission time from `since` to `until`. The state may have been entered at any of them.
+  bool mayBeTrue(ExprId guard, double since, double until) const {
+    const Interval stay{0, until - since, false};
+    return Possible(ground_, values_, {{since, until, false}, stay, stay}).truth(guard).is_true;
+  }
+
+  const Ground& ground_;
+  const Mission& m_;
+  Valuation values_;
+  std::vector<double> entries_;
+  using Entry = std::pair<double, uint32_t>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open_;
+};
+
+}  // namespace
+
+std::vector<double> earliestEntries(const Ground& ground) {
+  return Search(ground).run();
+}
+
+}  // namespace glider::ir::prove

@@ -1,0 +1,234 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/prove/abstract/end_bound.h"
+
+#include "ir/core/ops.h"
+#include "ir/core/walk.h"
+#include "ir/prove/abstract/abstract_run.h"
+#include "ir/prove/abstract/leaving.h"
+#include "ir/prove/ground/control.h"
+#include "ir/prove/ground/orders.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace glider::ir::prove {
+namespace {
+
+/// Expressions that are looked at, some tenths of a second: missions that count on their fingers
+/// take far less.
+constexpr size_t kMostWork = 20000000;
+
+/// Where a run can be when a state becomes current.
+struct Arrival {
+  Control control;
+  Valuation values;
+  auto operator<=>(const Arrival&) const = default;
+};
+
+class Search {
+ public:
+  Search(const Ground& ground, double latest, Goal goal)
+      : ground_(ground),
+        m_(ground.mission),
+        run_(ground),
+        latest_(latest),
+        goal_(goal),
+        left_by_(ground.mission.states.size(), 0) {}
+
+  EndBound end() {
+    Control control;
+    control.state = {0};
+    Valuation values = run_.begin();
+    run_.enter(control.state, nullptr, {}, values);
+    arrive(control, std::move(values), 0);
+    while (!pending_.empty()) {
+      if (work_ > kMostWork || !follow()) {
+        return {std::nullopt, {}, stays_};
+      }
+    }
+    return {end_, left_by_, {}};
+  }
+
+ private:
+  /// What no waiting state holds starts anew before it is read.
+  void arrive(const Control& control, Valuation values, double time) {
+    if (goal_ == Goal::ExitOrSurface && surfaces(m_[control.state])) {
+      end_ = std::max(end_, time);
+      return;
+    }
+    for (uint32_t i = 0; i < m_.variables.size(); ++i) {
+      const Variable& variable = m_.variables[i];
+      if (variable.owner.valid() && !control.holds(variable.owner)) {
+        values[i] = anything(variable);
+      }
+    }
+    Arrival arrival{control, std::move(values)};
+    const auto [known, fresh] = times_.emplace(arrival, time);
+    if (fresh || known->second < time) {
+      known->second = time;
+      pending_.push_back(std::move(arrival));
+    }
+  }
+
+  /// Whether a state orders the surface as it starts, whatever else: the last order then of its
+  /// profile, and the route gives none about depth.
+  bool surfaces(const State& state) const {
+    const Statement* last = nullptr;
+    if (state.profile.entry.valid()) {
+      for (const Statement& statement : m_[state.profile.entry].statements) {
+        const bool tells = statement.kind == StatementKind::If || isVerticalOrder(statement);
+        last = tells ? &statement : last;
+      }
+    }
+    bool route = !m_[state.route.behaviour].symbol.empty();
+    forEachStatement(m_, state.route.entry,
+                     [&](const Statement& s) { route = route || isVerticalOrder(s); });
+    return !route && last != nullptr && last->kind == StatementKind::Command &&
+           last->command == Command::Surface;
+  }
+
+  static bool isVerticalOrder(const Statement& statement) {
+    return statement.kind == StatementKind::Command && isVertical(statement.command);
+  }
+
+  /// False if a run may stay for longer than is asked.
+  bool follow() {
+    const Arrival from = std::move(pending_.back());
+    pending_.pop_back();
+    const double since = times_.at(from);
+    Valuation held = from.values;
+    forgetWhatStaysChange(m_[from.control.state], held);
+    const Leaving leaving =
+        leavingOf(ground_, m_[from.control.state], interrupting(from.control), held, since);
+    work_ += (leaving.looks + 1) * m_.exprs.size();
+    if (leaving.by > latest_) {
+      stays_ = from.control.state;
+      return false;
+    }
+    double& left_by = left_by_[from.control.state.index];
+    left_by = std::max(left_by, leaving.by);
+    const std::vector<double> any_time(m_.always.size(), leaving.by);
+    branch(from.control, ListKind::State, m_[from.control.state].cases, held, leaving.latest);
+    branch(from.control, ListKind::Always, m_.always, held, any_time);
+    return true;
+  }
+
+  /// Cases that lead nowhere may fire on any tick.
+  void forgetWhatStaysChange(const State& state, Valuation& values) const {
+    for (const auto* cases : {&m_.always, &state.cases, &state.profile.cases, &state.route.cases}) {
+      for (const Case& c : *cases) {
+        if (c.transition == Transition::Stay || c.transition == Transition::Done) {
+          run_.forget(c.action, values);
+        }
+      }
+    }
+    for (const Activity* activity : {&state.profile, &state.route}) {
+      if (activity->done.valid()) {
+        values[activity->done.index] = anything(m_[activity->done]);
+      }
+    }
+  }
+
+  [[nodiscard]] Interruptions interrupting(const Control& control) const {
+    Interruptions found{{}, control.just_returned};
+    for (uint32_t i = 0; i < m_.always.size(); ++i) {
+      if (control.mayInterrupt(m_, i)) {
+        found.cases.push_back(&m_.always[i]);
+      }
+    }
+    return found;
+  }
+
+  static ClockRanges upTo(double time) {
+    const Interval all{0, time, false};
+    return {all, all, all};
+  }
+
+  void branch(const Control& control, ListKind list, const std::vector<Case>& cases,
+              const Valuation& held, const std::vector<double>& latest) {
+    if (cases.empty()) {
+      return;
+    }
+    const Possible now(ground_, held, upTo(std::ranges::max(latest)));
+    for (uint32_t i = 0; i < cases.size(); ++i) {
+      if (list == ListKind::Always && !control.mayInterrupt(m_, i)) {
+        continue;
+      }
+      const Truths& guard = now.truth(cases[i].guard);
+      if (guard.is_true) {
+        fire(control, list, i, cases[i], held, upTo(latest[i]));
+      }
+      if (guard.is_true && !guard.is_false && !guard.is_unknown) {
+        return;  // it hides the rest
+      }
+    }
+  }
+
+  void fire(const Control& control, ListKind list, uint32_t number, const Case& c, Valuation values,
+            const ClockRanges& clocks) {
+    const double time = clocks.mission_time.highest;
+    if (c.transition == Transition::Stay) {
+      return;
+    }
+    if (c.transition == Transition::Exit) {
+      end_ = std::max(end_, time);
+      return;
+    }
+    work_ += 8 * m_.exprs.size();  // about
+    run_.execute(c.action, clocks, values);
+    const Control after = control.moved(list, number, c);
+    if (c.transition == Transition::Return) {
+      run_.resume(after.state, clocks, values);
+    } else {
+      run_.enter(after.state, &c, clocks, values);
+    }
+    arrive(after, std::move(values), time);
+  }
+
+  const Ground& ground_;
+  const Mission& m_;
+  AbstractRun run_;
+  double latest_;
+  Goal goal_;
+  StateId stays_;
+  std::vector<double> left_by_;      ///< of each state
+  std::map<Arrival, double> times_;  ///< the latest at which it becomes so
+  std::vector<Arrival> pending_;
+  double end_ = 0;
+  size_t work_ = 0;
+};
+
+}  // namespace
+
+EndBound boundOf(const Ground& ground, double latest, Goal goal) {
+  return Search(ground, latest, goal).end();
+}
+
+const EndBound& Ending::bound() {
+  if (!bound_) {
+    bound_ = boundOf(ground_, kLongestMission, Goal::Exit);
+  }
+  return *bound_;
+}
+
+const EndBound& Ending::boundWithoutPowerCuts() {
+  if (!without_power_cuts_) {
+    without_power_cuts_ = boundOf(ground_.withoutPowerCuts(), kLongestMission, Goal::Exit);
+  }
+  return *without_power_cuts_;
+}
+
+/// A search up to a sooner time takes the same way, and ends where a state is not left by then.
+std::optional<double> Ending::by(double latest) {
+  const EndBound& found = bound();
+  if (!found.by && latest > kLongestMission) {
+    return boundOf(ground_, latest, Goal::Exit).by;
+  }
+  return found.by && std::ranges::max(found.left_by) <= latest ? found.by : std::nullopt;
+}
+
+}  // namespace glider::ir::prove

@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/prove/abstract/leaving.h"
+
+#include "ir/core/ops.h"
+#include "ir/core/walk.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <utility>
+
+namespace glider::ir::prove {
+namespace {
+
+constexpr double kMost = std::numeric_limits<double>::max();
+
+/// No less than the sum.
+double sumOf(double a, double b) {
+  const double sum = a + b;
+  const bool exact = sum - a == b && sum - b == a;
+  return exact ? sum : std::nextafter(sum, std::numeric_limits<double>::infinity());
+}
+
+class LeavingSearch {
+ public:
+  LeavingSearch(const Ground& ground, const State& state, const Interruptions& always,
+                const Valuation& values)
+      : ground_(ground), m_(ground.mission), always_(always), values_(values) {
+    for (const Case& c : state.cases) {
+      own_.push_back(&c);
+    }
+    const Interval all{0, kMost, false};
+    const Possible ever(ground, values, {all, all, all});
+    for (const Cases* cases : {&always.cases, &std::as_const(own_)}) {
+      for (const Case* c : *cases) {
+        gather(c->guard, ever);
+      }
+    }
+  }
+
+  Leaving leaving(double since) const {
+    const double gap = ground_.tick_gap_s;
+    constexpr Interval kEver{0, kMost, false};
+    constexpr double kNever = std::numeric_limits<double>::infinity();
+    Leaving found{kNever, std::vector<double>(own_.size(), kNever), 1};
+    // From `time` on a sure case, or one before it, fires on every tick; `tick` is when there is
+    // one at the latest.
+    const auto note = [&](double time, double tick, const ClockRanges& clocks) {
+      ++found.looks;
+      const Possible then(ground_, values_, clocks);
+      const size_t sure = firstSure(own_, then);
+      for (size_t i = sure; i < own_.size(); ++i) {
+        found.latest[i] = std::min(found.latest[i], i == sure ? tick : time);
+      }
+      const bool interrupted = firstSure(always_.cases, then) < always_.cases.size();
+      for (double& latest : found.latest) {
+        latest = interrupted && !always_.own_first ? std::min(latest, time) : latest;
+      }
+      found.by = sure < own_.size() || interrupted ? std::min(found.by, tick) : found.by;
+    };
+    // What is sure on the first tick need not stay so: that tick leads away.
+    const double first = sumOf(since, gap);
+    note(since, first, {{0, first, false}, kEver, {0, gap, false}});
+    for (const double stay : stays_) {
+      const Interval on{stay, kMost, false};  // the mission has flown as long as that
+      const double stayed = sumOf(since, stay);
+      note(stayed, sumOf(stayed, gap), {on, on, on});
+    }
+    for (const double time : times_) {
+      note(time, sumOf(std::max(since, time), gap), {{time, kMost, false}, kEver, kEver});
+    }
+    for (double& latest : found.latest) {
+      latest = std::min(latest, found.by);
+    }
+    return found;
+  }
+
+ private:
+  /// Times that the guards compare clocks with.
+  void gather(ExprId root, const Possible& ever) {
+    forEachIn(m_, root, [&](const Expr& e) {
+      if (isOrdering(e.op)) {
+        keep(e.operands[0], e.operands[1], ever);
+        keep(e.operands[1], e.operands[0], ever);
+      }
+    });
+  }
+
+  void keep(ExprId clock, ExprId time, const Possible& ever) {
+    const Op op = m_[clock].op;
+    const Interval& x = ever.number(time);
+    if (x.empty || x.highest >= kMost || x.highest < 0) {
+      return;
+    }
+    std::set<double>* kept = op == Op::MissionTime                         ? &times_
+                             : op == Op::StateTime || op == Op::ResumeTime ? &stays_
+                                                                           : nullptr;
+    if (kept != nullptr) {
+      kept->insert(x.highest);
+      kept->insert(std::nextafter(x.highest, kMost));  // what lies past it
+    }
+  }
+
+  /// The first case that leads away and must be true, with none before it that may keep the state;
+  /// the number of cases if there is none.
+  static size_t firstSure(const Cases& cases, const Possible& then) {
+    for (size_t i = 0; i < cases.size(); ++i) {
+      const Truths& guard = then.truth(cases[i]->guard);
+      if (guard.is_true && cases[i]->transition == Transition::Stay) {
+        break;
+      }
+      if (guard.is_true && !guard.is_false && !guard.is_unknown) {
+        return i;
+      }
+    }
+    return cases.size();
+  }
+
+  const Ground& ground_;
+  const Mission& m_;
+  const Interruptions& always_;
+  Cases own_;
+  const Valuation& values_;
+  std::set<double> stays_{0};  ///< of the state's clocks, s
+  std::set<double> times_;     ///< of mission time, s
+};
+
+}  // namespace
+
+Leaving leavingOf(const Ground& ground, const State& state, const Interruptions& always,
+                  const Valuation& values, double since) {
+  return LeavingSearch(ground, state, always, values).leaving(since);
+}
+
+}  // namespace glider::ir::prove

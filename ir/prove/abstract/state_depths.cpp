@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/prove/abstract/state_depths.h"
+
+#include "ir/core/walk.h"
+#include "ir/prove/abstract/held_ranges.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+namespace glider::ir::prove {
+namespace {
+
+constexpr double kAnyDepth = std::numeric_limits<double>::infinity();
+/// Above this a bound says nothing: the number has no range.
+constexpr double kNoBound = 1e300;
+
+/// Under an order to climb too, which ends in hovering at its target.
+bool leadsDown(const Statement& statement) {
+  return statement.kind == StatementKind::Command &&
+         (statement.command == Command::Descend || statement.command == Command::Hover ||
+          statement.command == Command::Ascend);
+}
+
+class Depths {
+ public:
+  explicit Depths(const Ground& ground)
+      : ground_(ground),
+        m_(ground.mission),
+        held_(heldIntervals(ground.mission)),
+        deepest_(m_.states.size()) {
+    for (uint32_t i = 0; i < m_.states.size(); ++i) {
+      if (anyOf(m_.states[i].cases, Transition::Call) || anyOf(m_.always, Transition::Call)) {
+        callers_.push_back(i);
+      }
+    }
+  }
+
+  /// What a state orders is what all that come after it may begin at: the deepest orders first.
+  std::vector<double> run() {
+    std::vector<double> own;
+    for (const State& state : m_.states) {
+      own.push_back(ordered(state) + ground_.platform.envelope.inflection_overshoot_m);
+    }
+    std::vector<uint32_t> order(own.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::ranges::stable_sort(order, [&](uint32_t a, uint32_t b) { return own[a] > own[b]; });
+    seen_.assign(own.size(), false);
+    for (const uint32_t state : order) {
+      spread(state, own[state]);
+    }
+    return deepest_;
+  }
+
+ private:
+  static bool anyOf(const std::vector<Case>& cases, Transition transition) {
+    return std::ranges::find(cases, transition, &Case::transition) != cases.end();
+  }
+
+  /// m; at least where control may be given.
+  double ordered(const State& state) const {
+    if (!m_[state.profile.behaviour].symbol.empty() || !m_[state.route.behaviour].symbol.empty()) {
+      return kAnyDepth;
+    }
+    double deepest = ground_.platform.world.start_depth_m;
+    const auto look = [&](const Statement& statement) {
+      if (leadsDown(statement)) {
+        const Interval& target = held_[statement.values.at(0).index];
+        const double depth = target.highest < kNoBound ? target.highest : kAnyDepth;
+        deepest = std::max(deepest, target.empty ? deepest : depth);
+      }
+    };
+    forEachStatement(m_, state.entry, look);
+    forEachStatement(m_, state.profile.entry, look);
+    forEachStatement(m_, state.route.entry, look);
+    for (const auto* cases : {&m_.always, &state.cases, &state.profile.cases, &state.route.cases}) {
+      for (const Case& c : *cases) {
+        forEachStatement(m_, c.action, look);
+      }
+    }
+    return deepest;
+  }
+
+  void spread(uint32_t from, double depth) {
+    reach(from, depth);
+    while (!open_.empty()) {
+      const State& state = m_.states[open_.back()];
+      open_.pop_back();
+      for (const auto* cases : {&m_.always, &state.cases}) {
+        for (const Case& c : *cases) {
+          if (c.target.valid()) {
+            reach(c.target.index, depth);
+          }
+        }
+        if (anyOf(*cases, Transition::Return)) {
+          std::ranges::for_each(callers_, [&](uint32_t caller) { reach(caller, depth); });
+        }
+      }
+    }
+  }
+
+  void reach(uint32_t state, double depth) {
+    if (!seen_[state]) {
+      seen_[state] = true;
+      deepest_[state] = depth;
+      open_.push_back(state);
+    }
+  }
+
+  const Ground& ground_;
+  const Mission& m_;
+  std::vector<Interval> held_;  ///< of every expression
+  std::vector<double> deepest_;
+  std::vector<uint32_t> callers_;  ///< states that a `return` may resume
+  std::vector<bool> seen_;
+  std::vector<uint32_t> open_;
+};
+
+}  // namespace
+
+std::vector<double> deepestByState(const Ground& ground) {
+  return Depths(ground).run();
+}
+
+}  // namespace glider::ir::prove

@@ -1,0 +1,257 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Moment's expressions: what each operation is worth.
+
+#include "ir/prove/encoding/moment.h"
+#include "support/check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace glider::ir::prove {
+namespace {
+
+constexpr double kMost = std::numeric_limits<double>::max();
+/// Where a sum or product may overflow, and so be unknown.
+constexpr double kNearOverflow = 1e300;
+
+double magnitudeOf(const Interval& interval) {
+  return std::max(std::fabs(interval.lowest), std::fabs(interval.highest));
+}
+
+/// Whether a result may be unknown although its operands are known; one without an interval always
+/// is.
+bool mayOverflow(const Interval& interval) {
+  return interval.empty || magnitudeOf(interval) > kNearOverflow;
+}
+
+/// One rounding of a result of that size, and what settles to 0.
+double roundingOf(const Interval& interval) {
+  return std::ldexp(magnitudeOf(interval), -53) + 0x1p-1022;
+}
+
+bool isConstant(const Expr& e) {
+  return e.op == Op::Constant;
+}
+
+}  // namespace
+
+void Moment::lowerNumber(uint32_t index) {
+  const Expr& e = mission_.exprs[index];
+  NumberTerm made = arithmetic(e, ground_.intervals[index]);
+  constexpr double kRoundedUp = 1 + 0x1p-40;                        // adding up slacks rounds too
+  made.slack = ground_.whole[index] ? 0 : made.slack * kRoundedUp;  // whole: nothing was rounded
+  made_.emplace(index, std::move(made));
+}
+
+NumberTerm Moment::leaf(const Expr& e) {
+  const z3::expr known = context().bool_val(true);
+  switch (e.op) {
+    case Op::Constant:
+      return {real(e.number), known, 0};
+    case Op::Sensor:
+      return reading(e.sensor);
+    case Op::MissionTime:
+      return {missionTime(), known, 0};
+    case Op::StateTime:
+      return {stateTime(), known, 0};
+    case Op::ResumeTime:
+      return {resumeTime(), known, 0};
+    case Op::Age:
+      return {age(e.sensor), known, 0};
+    case Op::Variable:
+      return numberOf(e.variable);
+    default:
+      CHECK(e.op == Op::Temporal, "a leaf that the prover does not know");
+      return numberOf(e.temporal);
+  }
+}
+
+NumberTerm Moment::arithmetic(const Expr& e, const Interval& interval) {
+  switch (e.op) {
+    case Op::Negate:
+      return {-operand(e, 0).value, operand(e, 0).known, operand(e, 0).slack};
+    case Op::Abs: {
+      const NumberTerm& x = operand(e, 0);
+      return {z3::ite(x.value >= 0, x.value, -x.value), x.known, x.slack};
+    }
+    case Op::Add:
+    case Op::Subtract:
+      return sum(e, interval);
+    case Op::Multiply:
+      return product(e, interval);
+    case Op::Divide:
+      return quotient(e, interval);
+    case Op::Min:
+    case Op::Max:
+      return smallerOrLarger(e);
+    case Op::Clamp:
+      return clamped(e, interval);
+    case Op::Select:
+      return chosen(e);
+    case Op::Sqrt:
+    case Op::Sin:
+    case Op::Cos:
+    case Op::Tan:
+    case Op::Atan2:
+    case Op::Distance:
+    case Op::Bearing:
+    case Op::Element:
+      return anything(e, interval);
+    case Op::Call:
+      return numberOf(e.use);
+    default:
+      return leaf(e);
+  }
+}
+
+NumberTerm Moment::sum(const Expr& e, const Interval& interval) {
+  if (mayOverflow(interval)) {
+    return anything(e, interval);
+  }
+  const NumberTerm& a = operand(e, 0);
+  const NumberTerm& b = operand(e, 1);
+  return {e.op == Op::Add ? a.value + b.value : a.value - b.value, a.known && b.known,
+          a.slack + b.slack + roundingOf(interval)};
+}
+
+NumberTerm Moment::product(const Expr& e, const Interval& interval) {
+  const Expr& left = mission_[e.operands[0]];
+  const Expr& right = mission_[e.operands[1]];
+  if ((!isConstant(left) && !isConstant(right)) || mayOverflow(interval)) {
+    return anything(e, interval);
+  }
+  const NumberTerm& x = operand(e, isConstant(left) ? 1 : 0);
+  const double factor = isConstant(left) ? left.number : right.number;
+  return {x.value * real(factor), x.known, x.slack * std::fabs(factor) + roundingOf(interval)};
+}
+
+NumberTerm Moment::quotient(const Expr& e, const Interval& interval) {
+  const Expr& divisor = mission_[e.operands[1]];
+  if (!isConstant(divisor) || divisor.number == 0 || mayOverflow(interval)) {
+    NumberTerm result = anything(e, interval);
+    const NumberTerm& by = operand(e, 1);
+    unknowns_.require(z3::implies(result.known, by.value != 0 || context().bool_val(by.slack > 0)));
+    return result;
+  }
+  const NumberTerm& x = operand(e, 0);
+  return {x.value / real(divisor.number), x.known,
+          x.slack / std::fabs(divisor.number) + roundingOf(interval)};
+}
+
+NumberTerm Moment::smallerOrLarger(const Expr& e) {
+  const NumberTerm& a = operand(e, 0);
+  const NumberTerm& b = operand(e, 1);
+  const z3::expr first = e.op == Op::Min ? a.value <= b.value : a.value >= b.value;
+  return {z3::ite(first, a.value, b.value), a.known && b.known, std::max(a.slack, b.slack)};
+}
+
+/// Where the lowest is above the highest, a clamp leaps from one to the other: there a rounding is
+/// not kept small.
+NumberTerm Moment::clamped(const Expr& e, const Interval& interval) {
+  const NumberTerm& x = operand(e, 0);
+  const NumberTerm& low = operand(e, 1);
+  const NumberTerm& high = operand(e, 2);
+  const bool rounded = x.slack + low.slack + high.slack > 0;
+  const Interval& lowest = ground_.intervals[e.operands[1].index];
+  const Interval& highest = ground_.intervals[e.operands[2].index];
+  if (rounded && lowest.highest > highest.lowest) {
+    return anything(e, interval);
+  }
+  return {
+      z3::ite(x.value < low.value, low.value, z3::ite(high.value < x.value, high.value, x.value)),
+      x.known && low.known && high.known, std::max({x.slack, low.slack, high.slack})};
+}
+
+NumberTerm Moment::chosen(const Expr& e) {
+  const TruthTerm& condition = truthOperand(e, 0);
+  const NumberTerm& yes = operand(e, 1);
+  const NumberTerm& no = operand(e, 2);
+  return {z3::ite(condition.is_true, yes.value, no.value),
+          (condition.is_true && yes.known) || (condition.is_false && no.known),
+          std::max(yes.slack, no.slack)};
+}
+
+NumberTerm Moment::anything(const Expr& e, const Interval& interval) {
+  z3::expr known = unknowns_.truth("value?");
+  for (const ExprId operand : e.operands) {
+    if (operand.valid()) {
+      known = known && made_.at(operand.index).known;
+    }
+  }
+  const NumberTerm result{unknowns_.real("value"), known, 0};
+  bound(result, interval);
+  return result;
+}
+
+void Moment::lowerTruth(uint32_t index) {
+  const Expr& e = mission_.exprs[index];
+  auto result = [&]() -> TruthTerm {
+    switch (e.op) {
+      case Op::True:
+      case Op::False:
+        return {context().bool_val(e.op == Op::True), context().bool_val(e.op == Op::False)};
+      case Op::Variable:
+        return truthOf(e.variable);
+      case Op::Temporal:
+        return truthOf(e.temporal);
+      case Op::Call:
+        return truthOf(e.use);
+      case Op::Known:
+        return {operand(e, 0).known, !operand(e, 0).known};
+      case Op::Not:
+        return {truthOperand(e, 0).is_false, truthOperand(e, 0).is_true};
+      case Op::And:
+      case Op::Or: {
+        const TruthTerm& a = truthOperand(e, 0);
+        const TruthTerm& b = truthOperand(e, 1);
+        return e.op == Op::And ? TruthTerm{a.is_true && b.is_true, a.is_false || b.is_false}
+                               : TruthTerm{a.is_true || b.is_true, a.is_false && b.is_false};
+      }
+      default:
+        return comparison(e);
+    }
+  };
+  made_truths_.emplace(index, result());
+}
+
+namespace {
+
+z3::expr compare(Op op, const z3::expr& a, const z3::expr& b) {
+  switch (op) {
+    case Op::Less:
+      return a < b;
+    case Op::LessEqual:
+      return a <= b;
+    case Op::Greater:
+      return a > b;
+    case Op::GreaterEqual:
+      return a >= b;
+    case Op::Equal:
+      return a == b;
+    default:
+      return a != b;
+  }
+}
+
+}  // namespace
+
+/// Where the sides are within their roundings of each other, either answer may be the machine's.
+TruthTerm Moment::comparison(const Expr& e) {
+  const NumberTerm& a = operand(e, 0);
+  const NumberTerm& b = operand(e, 1);
+  const z3::expr known = a.known && b.known;
+  const double slack = a.slack + b.slack;
+  z3::expr outcome = compare(e.op, a.value, b.value);
+  if (slack > 0) {
+    const z3::expr apart = a.value - b.value > real(slack) || b.value - a.value > real(slack);
+    const z3::expr either = unknowns_.truth("rounding");
+    outcome = z3::ite(apart, outcome, either);
+  }
+  return {known && outcome, known && !outcome};
+}
+
+}  // namespace glider::ir::prove

@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/prove/encoding/question.h"
+
+#include "ir/verify/value_text.h"
+
+#include <fmt/format.h>
+
+namespace glider::ir::prove {
+
+Question::Question(z3::context& context, unsigned effort)
+    : context_(context), solver_(context, z3::solver::simple()), assumptions_(context) {
+  z3::params parameters(context);
+  parameters.set("rlimit", effort);
+  solver_.set(parameters);
+}
+
+void Question::assume(const z3::expr& holds) {
+  const std::string name = fmt::format("assume!{}", assumptions_.size());
+  const z3::expr assumption = context_.bool_const(name.c_str());
+  solver_.add(z3::implies(assumption, holds));
+  assumptions_.push_back(assumption);
+}
+
+void Question::add(const Unknowns& unknowns) {
+  for (const Fact& fact : unknowns.facts()) {
+    if (fact.from == Fact::From::Nature) {
+      solver_.add(fact.holds);
+      continue;
+    }
+    assume(fact.holds);
+    facts_.emplace_back(fact);
+    names_.emplace_back(std::nullopt);
+  }
+}
+
+void Question::add(const z3::expr& holds, uint32_t name) {
+  assume(holds);
+  facts_.emplace_back(std::nullopt);
+  names_.emplace_back(name);
+}
+
+Answer Question::ask() {
+  const z3::check_result result = solver_.check(assumptions_);
+  if (result != z3::unsat) {
+    return result == z3::sat ? Answer::Yes : Answer::Unknown;
+  }
+  for (const z3::expr& needed : solver_.unsat_core()) {
+    for (unsigned i = 0; i < assumptions_.size(); ++i) {
+      if (!z3::eq(assumptions_[static_cast<int>(i)], needed)) {
+        continue;
+      }
+      if (facts_[i]) {
+        needed_facts_.push_back(*facts_[i]);
+      } else {
+        needed_names_.push_back(*names_[i]);
+      }
+    }
+  }
+  return Answer::No;
+}
+
+namespace {
+
+class Description {
+ public:
+  Description(const z3::model& model, Moment& moment) : model_(model), moment_(moment) {}
+
+  std::string run() {
+    const Mission& m = moment_.mission();
+    for (const auto& [index, term] : moment_.readings()) {
+      number(m.sensors[index].name, m.sensors[index].type, term);
+    }
+    for (const auto& [index, term] : moment_.numbers()) {
+      number(m.variables[index].name, m.variables[index].type, term);
+    }
+    for (const auto& [index, term] : moment_.truths()) {
+      add(m.variables[index].name, holds(model_, term.is_true)    ? "= true"
+                                   : holds(model_, term.is_false) ? "= false"
+                                                                  : "unknown");
+    }
+    for (const auto& [name, clock] : moment_.clocks()) {
+      add(name, fmt::format("= {:.6g} s", doubleOf(model_, clock)));
+    }
+    return text_;
+  }
+
+ private:
+  void number(const std::string& name, Type type, const NumberTerm& term) {
+    add(name, holds(model_, term.known) ? "= " + withUnit(doubleOf(model_, term.value), type)
+                                        : "unknown");
+  }
+  void add(std::string_view name, std::string_view value) {
+    text_ += fmt::format("{}{} {}", text_.empty() ? "" : ", ", name, value);
+  }
+
+  const z3::model& model_;
+  Moment& moment_;
+  std::string text_;
+};
+
+}  // namespace
+
+std::string describe(const z3::model& model, Moment& moment) {
+  return Description(model, moment).run();
+}
+
+}  // namespace glider::ir::prove

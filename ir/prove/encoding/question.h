@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "ir/prove/encoding/moment.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace glider::ir::prove {
+
+enum class Answer : uint8_t { Yes, No, Unknown };
+
+/// A question to Z3: can all this hold together? Effort is bounded by Z3's own count of its steps,
+/// so that the answer does not depend on the machine.
+class Question {
+ public:
+  Question(z3::context& context, unsigned effort);
+
+  void add(const z3::expr& holds) { solver_.add(holds); }
+  /// Adds all that is known, so that a No can say which of it was needed.
+  void add(const Unknowns& unknowns);
+  /// Adds something under a name of the caller's.
+  void add(const z3::expr& holds, uint32_t name);
+
+  Answer ask();
+  /// After Yes.
+  z3::model model() const { return solver_.get_model(); }
+  /// After No: the names of what was needed for it, and the facts.
+  [[nodiscard]] const std::vector<uint32_t>& neededNames() const { return needed_names_; }
+  [[nodiscard]] const std::vector<Fact>& neededFacts() const { return needed_facts_; }
+
+ private:
+  void assume(const z3::expr& holds);
+
+  z3::context& context_;
+  z3::solver solver_;
+  z3::expr_vector assumptions_;
+  std::vector<std::optional<Fact>> facts_;  ///< of each assumption
+  std::vector<std::optional<uint32_t>> names_;
+  std::vector<uint32_t> needed_names_;
+  std::vector<Fact> needed_facts_;
+};
+
+/// What a model says of the readings, clocks and variables that a moment has asked for:
+/// "depth = 12 m, temp unknown, missiontime = 500 s".
+std::string describe(const z3::model& model, Moment& moment);
+
+}  // namespace glider::ir::prove

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "ir/prove/encoding/moment.h"
+
+#include <map>
+#include <optional>
+
+namespace glider::ir::prove {
+
+/// The vehicle, as far as orders reach it (ir/prove/encoding/world.h says how it moves).
+struct Vehicle {
+  z3::expr depth;     ///< true depth, m
+  z3::expr deepest;   ///< where it cannot be deeper under the order in force, m
+  z3::expr climbing;  ///< the order in force leads up
+  z3::expr since;     ///< mission time of the first order to climb that has been in force since, s
+  z3::expr top;       ///< of the order in force, if it leads up, m
+};
+
+/// What a mission keeps from tick to tick, as terms: its variables, and the vehicle if it matters.
+struct Store {
+  std::map<uint32_t, NumberTerm> numbers;  ///< by variable; without slack
+  std::map<uint32_t, TruthTerm> truths;
+  std::optional<Vehicle> vehicle;
+
+  /// Lets `moment` see the variables as they stand here.
+  void show(Moment& moment) const;
+};
+
+/// `yes` where `condition` holds, else `no`; both keep the same.
+Store choose(const z3::expr& condition, const Store& yes, const Store& no);
+
+}  // namespace glider::ir::prove

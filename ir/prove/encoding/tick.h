@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "ir/prove/encoding/store.h"
+#include "ir/prove/ground/control.h"
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace glider::ir::prove {
+
+/// What of a temporal a running mission keeps: whether the operand was true, and since when.
+struct Watched {
+  z3::expr was_true;
+  z3::expr since;
+};
+
+/// A running mission between two ticks: where it is, and the terms that it keeps.
+struct Configuration {
+  Control control;
+  z3::expr mission_time;
+  std::vector<z3::expr> entered;  ///< of the waiting states, outermost first, then of the current
+  z3::expr resumed;
+  Store store;
+  std::map<uint32_t, Watched> watched;  ///< `became` and `held`, by temporal
+  std::vector<z3::expr> memory;         ///< what a question keeps for itself
+};
+
+/// What a tick may do: where it leads if `condition` holds.
+struct Outcome {
+  z3::expr condition;
+  std::optional<Configuration> after;  ///< none: the mission has ended
+  std::optional<Configuration> left;   ///< of a mission that has ended: what its last tick left
+  ListKind list = ListKind::State;     ///< whose case made the transition
+  std::optional<uint32_t> fired;       ///< its number; none: the state stays current
+};
+
+/// What matters to a question; the rest of a tick is left out.
+struct Relevance {
+  std::vector<bool> expressions;
+  std::vector<bool> variables;
+  std::vector<bool> temporals;
+  bool vehicle = false;  ///< orders and the depth
+  bool state_time = false;
+  bool resume_time = false;
+  /// Whether a state's profile and route are run: they set a variable that matters, or give orders.
+  std::vector<bool> profiles;
+  std::vector<bool> routes;
+};
+
+/// How ticks follow each other.
+enum class Pace : uint8_t {
+  Single,  ///< the tick before was the last one
+  Many     ///< any number of ticks has passed without a transition since
+};
+
+/// A tick at `now`, later than the configuration's time, with the readings that `moment` has: all
+/// that it may do. `moment` has its readings already; the vehicle has moved.
+class SymbolicTick {
+ public:
+  SymbolicTick(const Ground& ground, const Relevance& relevance, Unknowns& unknowns)
+      : ground_(ground), m_(ground.mission), relevance_(relevance), unknowns_(unknowns) {}
+
+  std::vector<Outcome> run(const Configuration& before, const z3::expr& now, const Moment& readings,
+                           Pace pace);
+  /// The start of the mission: its variables, `always`, the first state.
+  Configuration start(Configuration before, const Moment& readings);
+
+ private:
+  struct Run;  // a tick under way (tick.cpp)
+
+  void advance(Run& run, Pace pace);
+  void advanceOne(Run& run, TemporalId id, Pace pace);
+  bool tryList(Run& run, ListKind list, const std::vector<Case>& cases);
+  void fire(Run& run, ListKind list, uint32_t number, const Case& c, const z3::expr& condition,
+            const Store& after_action);
+  void pass(const Moment& before, const Case& c, Store& store);
+  void runActivity(Run& run, const Activity& activity, bool relevant);
+
+  Store execute(Moment& moment, BlockId block, Store store, const z3::expr& now);
+  Store executeOne(Moment& moment, const Statement& statement, Store store, const z3::expr& now);
+  /// No rounding leaves the interval of what it rounds.
+  void bound(Moment& moment, const NumberTerm& term, const Interval& interval);
+  void assign(Moment& moment, VariableId variable, ExprId value, Store& store, bool start);
+  TruthTerm heldFor(Moment& moment, const Temporal& temporal, const TruthTerm& operand,
+                    const z3::expr& since);
+  void startWatching(Moment& moment, ListKind list, StateId state, Configuration& configuration);
+  Configuration enter(Configuration before, Moment moment);
+  Configuration resume(Configuration before, Moment moment);
+  void runEntry(Moment& moment, const Activity& activity, bool relevant, Configuration& after);
+
+  const Ground& ground_;
+  const Mission& m_;
+  const Relevance& relevance_;
+  Unknowns& unknowns_;
+};
+
+}  // namespace glider::ir::prove

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/prove/encoding/unknowns.h"
+
+#include <fmt/format.h>
+
+namespace glider::ir::prove {
+
+z3::expr Unknowns::real(const std::string& what) {
+  made_.push_back(context_.real_const(fmt::format("{}{}!{}", prefix_, what, made_.size()).c_str()));
+  return made_.back();
+}
+
+z3::expr Unknowns::truth(const std::string& what) {
+  made_.push_back(context_.bool_const(fmt::format("{}{}!{}", prefix_, what, made_.size()).c_str()));
+  return made_.back();
+}
+
+}  // namespace glider::ir::prove

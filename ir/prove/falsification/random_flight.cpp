@@ -1,0 +1,246 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/prove/falsification/random_flight.h"
+
+#include "ir/prove/falsification/random_place.h"
+#include "ir/prove/falsification/random_vehicle.h"
+#include "ir/prove/falsification/run_recorder.h"
+#include "ir/prove/geometry/area_map.h"
+#include "ir/prove/geometry/steering.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <optional>
+#include <string>
+
+namespace glider::ir::prove {
+namespace {
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double kFar = 1e9;  ///< of a range without an end
+constexpr double kLostTick = 0.01;
+constexpr double kPowerCut = 0.005;
+
+/// What a sensor shows for a while.
+struct Showing {
+  double value = kUnknown;
+  bool steady = true;  ///< else another value in every tick
+  double until = 0;    ///< mission time
+};
+
+class RandomFlight {
+ public:
+  RandomFlight(const Ground& ground, uint32_t stack_depth,
+               std::span<const Requirement> requirements, uint64_t seed)
+      : ground_(ground),
+        m_(ground.mission),
+        recorder_(ground, stack_depth, requirements),
+        dice_(seed),
+        vehicle_(ground.platform, dice_),
+        showing_(m_.sensors.size()) {
+    for (const Sensor& sensor : m_.sensors) {
+      landmarks_.push_back(landmarksOf(sensor));
+    }
+    const auto area =
+        std::ranges::find_if_not(requirements, &std::vector<Fence>::empty, &Requirement::fences);
+    if (area != requirements.end()) {
+      place_.emplace(startOf(*area), ground.platform, dice_);
+      dark_left_s_ = ground.tick_gap_s;  // the premise of areas: all outages together
+    }
+  }
+
+  std::optional<ConcreteRun> fly(size_t ticks) {
+    double time = 0;
+    recorder_.start(parameters(), readings(time), vehicle_.depth());
+    for (size_t i = 0; i < ticks && !recorder_.hit() && !recorder_.last().finished; ++i) {
+      vehicle_.obey(recorder_.last().actions, time);
+      const double step = untilNextTick();
+      if (place_) {
+        place_->obey(recorder_.last().actions);
+      }
+      move(time, time + step);
+      time += step;
+      recorder_.tick(time, readings(time), vehicle_.depth());
+    }
+    return recorder_.hit() ? std::optional(recorder_.take()) : std::nullopt;
+  }
+
+ private:
+  /// s; a power cut may be of any length that the mission goes on after.
+  double untilNextTick() {
+    const platforms::Platform& platform = ground_.platform;
+    const double shortest = platform.world.tick_gap_s;
+    const double longest = std::min(ground_.tick_gap_s, dark_left_s_);
+    if (longest > shortest && dice_.chance(kPowerCut)) {
+      const double cut = dice_.chance(0.5) ? longest : dice_.within(shortest, longest);
+      dark_left_s_ -= cut;
+      return cut;
+    }
+    return dice_.chance(kLostTick) ? platform.world.tick_gap_s : platform.envelope.cycle_s;
+  }
+
+  /// In steps that a vehicle steers by.
+  void move(double from, double to) {
+    const platforms::World& world = ground_.platform.world;
+    const bool dark = to - from > world.tick_gap_s;
+    for (double time = from; time < to; time += world.tick_gap_s) {
+      const double until = std::min(time + world.tick_gap_s, to);
+      vehicle_.move(time, until);
+      if (place_) {
+        place_->move(until - time, vehicle_.depth() <= world.surface_depth_m, dark);
+      }
+    }
+  }
+
+  /// A waypoint, where a mission that keeps its areas well may begin, mostly one on their right
+  /// side; else the middle of an area.
+  Position startOf(const Requirement& requirement) {
+    const std::vector<Position> all = steeringOf(ground_).waypoints;
+    std::vector<Position> kept;
+    std::ranges::copy_if(all, std::back_inserter(kept), [&](const Position& place) {
+      return std::ranges::all_of(requirement.fences, [&](const Fence& fence) {
+        return AreaMap(fence.corners, {place}).clearance(fence, {place}).right_side;
+      });
+    });
+    constexpr double kMostly = 0.8;
+    const std::vector<Position>& from = !kept.empty() && dice_.chance(kMostly) ? kept : all;
+    if (!from.empty()) {
+      return from[dice_.below(from.size())];
+    }
+    Position middle;
+    const std::vector<Position>& corners = requirement.fences.front().corners;
+    for (const Position& corner : corners) {
+      middle.latitude += corner.latitude / static_cast<double>(corners.size());
+      middle.longitude += corner.longitude / static_cast<double>(corners.size());
+    }
+    return middle;
+  }
+
+  /// Of a sensor that tells where the vehicle is; empty: of another.
+  std::optional<double> placeReading(const Sensor& sensor) const {
+    if (!place_ || !sensor.symbol.empty() || sensor.encoding != Encoding::DegreesMinutes) {
+      return std::nullopt;
+    }
+    const platforms::PlatformSensor* row = ground_.platform.find(sensor.vehicle_name);
+    if (row == nullptr || (row->alias != "lat" && row->alias != "lon")) {
+      return std::nullopt;
+    }
+    return row->alias == "lat" ? place_->where().latitude : place_->where().longitude;
+  }
+
+  /// Within their ranges and conditions; the defaults if none are found.
+  std::vector<double> parameters() {
+    constexpr int kTries = 30;
+    for (int i = 0; i < kTries; ++i) {
+      std::vector<double> values = defaultParameters(m_);
+      size_t number = 0;
+      for (const Variable& variable : m_.variables) {
+        if (variable.kind == VariableKind::Parameter) {
+          double& value = values[number++];
+          value = anyParameter(variable, value);
+        }
+      }
+      if (!failedCondition(m_, values)) {
+        return values;
+      }
+    }
+    return defaultParameters(m_);
+  }
+
+  double anyParameter(const Variable& variable, double standard) {
+    if (variable.type.kind == TypeKind::Bool) {
+      return dice_.below(2);
+    }
+    switch (dice_.below(4)) {
+      case 0:
+        return standard;
+      case 1:
+        return variable.lowest;
+      case 2:
+        return variable.highest;
+      default:
+        return std::clamp(
+            std::stod(fmt::format("{:.9g}", dice_.within(std::max(variable.lowest, -kFar),
+                                                         std::min(variable.highest, kFar)))),
+            variable.lowest, variable.highest);
+    }
+  }
+
+  std::vector<double> readings(double time) {
+    std::vector<double> values;
+    for (uint32_t i = 0; i < m_.sensors.size(); ++i) {
+      Showing& now = showing_[i];
+      if (time >= now.until) {
+        now = {anyValue(i), calm_ || dice_.chance(0.7),
+               calm_ ? std::numeric_limits<double>::infinity() : time + dice_.lasting()};
+      } else if (!now.steady) {
+        now.value = anyValue(i);
+      }
+      const bool depth = recorder_.depthSensor() == SensorId{i};
+      const bool heard = now.value == now.value;
+      const auto place = heard ? placeReading(m_.sensors[i]) : std::nullopt;
+      values.push_back(depth && heard ? vehicle_.reading() : place.value_or(now.value));
+    }
+    return values;
+  }
+
+  /// Of a sensor: within its range, at its ends, next to a constant of its type, or unknown.
+  double anyValue(uint32_t sensor) {
+    const Interval& range = ground_.sensors[sensor];
+    if (range.empty || dice_.chance(calm_ ? 0.02 : 0.1)) {
+      return kUnknown;
+    }
+    const double lowest = std::max(range.lowest, -kFar);
+    const double highest = std::min(range.highest, kFar);
+    const std::vector<double>& landmarks = landmarks_[sensor];
+    if (!landmarks.empty() && dice_.chance(0.5)) {
+      const double landmark = landmarks[dice_.below(landmarks.size())];
+      const double reach =
+          std::max(1e-3, std::fabs(landmark)) * std::pow(10, -2.0 * dice_.below(4));
+      return std::clamp(landmark + 0.01 * reach * dice_.within(-1, 1), lowest, highest);
+    }
+    return dice_.within(lowest, highest);
+  }
+
+  /// Numbers of the sensor's type that the mission names.
+  std::vector<double> landmarksOf(const Sensor& sensor) const {
+    std::vector<double> found;
+    for (const Expr& e : m_.exprs) {
+      if (e.op == Op::Constant && e.type == sensor.type) {
+        found.push_back(e.number);
+      }
+    }
+    for (const Table& table : m_.tables) {
+      if (table.type == sensor.type) {
+        found.insert(found.end(), table.values.begin(), table.values.end());
+      }
+    }
+    return found;
+  }
+
+  const Ground& ground_;
+  const Mission& m_;
+  RunRecorder recorder_;
+  Dice dice_;
+  RandomVehicle vehicle_;
+  std::optional<RandomPlace> place_;  ///< where it is, if that is asked about
+  double dark_left_s_ = std::numeric_limits<double>::infinity();  ///< of power cuts
+  bool calm_ = dice_.chance(0.3);  ///< every sensor shows the same all the time
+  std::vector<Showing> showing_;
+  std::vector<std::vector<double>> landmarks_;  ///< by sensor
+};
+
+}  // namespace
+
+std::optional<ConcreteRun> flyAtRandom(const Ground& ground, uint32_t stack_depth,
+                                       std::span<const Requirement> requirements, uint64_t seed,
+                                       size_t ticks) {
+  return RandomFlight(ground, stack_depth, requirements, seed).fly(ticks);
+}
+
+}  // namespace glider::ir::prove

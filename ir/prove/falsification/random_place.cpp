@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/prove/falsification/random_place.h"
+
+#include "ir/eval/arithmetic.h"
+#include "ir/prove/geometry/sphere.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace glider::ir::prove {
+namespace {
+
+constexpr double kTurn = 2 * std::numbers::pi;
+
+}  // namespace
+
+RandomPlace::RandomPlace(const Position& start, const platforms::Platform& platform, Dice& dice)
+    : platform_(platform), dice_(dice), place_(start) {
+  heading_ = dice_.within(0, kTurn);
+  set_ = dice_.within(0, kTurn);
+  // As often at an end of what may be as in between.
+  speed_ = platform_.world.through_water_m_s * (dice_.chance(0.5) ? 1 : dice_.unit());
+  const double strength = dice_.chance(0.7) ? 1 : dice_.unit();
+  drift_ = platform_.envelope.drift_m_s * strength;
+  surface_drift_ = platform_.world.surface_drift_m_s * strength;
+}
+
+void RandomPlace::obey(const std::vector<Action>& actions) {
+  for (const Action& action : actions) {
+    const auto* order = std::get_if<CommandRun>(&action);
+    if (order == nullptr) {
+      // A profile or route in C may command anything.
+      heading_ = dice_.within(0, kTurn);
+      target_.reset();
+    } else if (order->refused) {
+      continue;
+    } else if (order->command == Command::SteerTo) {
+      target_ = Position{order->arguments.at(0), order->arguments.at(1)};
+    } else if (order->command == Command::Steer) {
+      target_.reset();
+      heading_ = order->arguments.at(0);
+    } else if (order->command == Command::Drift) {
+      target_.reset();
+    }
+  }
+}
+
+double RandomPlace::course() {
+  if (!target_) {
+    return heading_;
+  }
+  const double bearing = onEarth(Op::Bearing, place_, *target_);
+  return bearing == bearing ? bearing : heading_;  // unknown at the very place
+}
+
+void RandomPlace::move(double seconds, bool at_surface, bool dark) {
+  const double way = speed_ * seconds;
+  if (dark) {
+    go(dice_.within(0, kTurn), way);
+  } else {
+    go(course(), target_ ? std::min(way, onEarth(Op::Distance, place_, *target_)) : way);
+  }
+  go(set_, (at_surface ? surface_drift_ : drift_) * seconds);
+}
+
+void RandomPlace::go(double course, double metres) {
+  place_.latitude =
+      std::clamp(place_.latitude + std::cos(course) * metres / kMetresPerDegree, -89.0, 89.0);
+  const double narrow = std::cos(place_.latitude * std::numbers::pi / 180);
+  place_.longitude = std::remainder(
+      place_.longitude + std::sin(course) * metres / (kMetresPerDegree * narrow), 360);
+}
+
+}  // namespace glider::ir::prove

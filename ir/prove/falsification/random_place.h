@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "ir/eval/tick_result.h"
+#include "ir/prove/falsification/dice.h"
+#include "platforms/load/platform.h"
+
+#include <optional>
+#include <vector>
+
+namespace glider::ir::prove {
+
+/// Where a vehicle gets to that obeys a mission's commands in a current, and in the wind at the
+/// surface: what ir/prove/geometry/fences.h assumes, with numbers. It always knows where it is.
+class RandomPlace {
+ public:
+  /// Begins at `start`. `platform` and `dice` outlive this.
+  RandomPlace(const Position& start, const platforms::Platform& platform, Dice& dice);
+
+  [[nodiscard]] const Position& where() const { return place_; }
+  /// Takes the orders of a tick.
+  void obey(const std::vector<Action>& actions);
+  /// Sails, and is set by the current, or at the surface by current and wind, for so many seconds.
+  /// While the SBC is `dark` it goes straight on in any direction.
+  void move(double seconds, bool at_surface, bool dark);
+
+ private:
+  [[nodiscard]] double course();
+  void go(double course, double metres);
+
+  const platforms::Platform& platform_;
+  Dice& dice_;
+  Position place_;
+  std::optional<Position> target_;
+  double heading_ = 0;  ///< rad, of what steers to no waypoint
+  double speed_ = 0;    ///< through the water, m/s
+  double set_ = 0;      ///< where the current sets it, rad
+  double drift_ = 0;    ///< under water, m/s
+  double surface_drift_ = 0;
+};
+
+}  // namespace glider::ir::prove

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "ir/eval/tick_result.h"
+#include "ir/prove/falsification/dice.h"
+#include "platforms/load/platform.h"
+
+#include <vector>
+
+namespace glider::ir::prove {
+
+/// A vehicle that does anything that ir/prove/encoding/world.h allows; a second writing of it, in
+/// numbers.
+class RandomVehicle {
+ public:
+  /// Both outlive this.
+  RandomVehicle(const platforms::Platform& platform, Dice& dice);
+
+  /// True depth, m, and what the sensor may show of it.
+  [[nodiscard]] double depth() const { return depth_; }
+  double reading();
+  /// Takes the orders of a tick at mission time `now`, s.
+  void obey(const std::vector<Action>& actions, double now);
+  /// Sinks or climbs from one mission time to another.
+  void move(double from, double to);
+
+ private:
+  void obey(const CommandRun& command, double now);
+  void downTo(double target);
+  void upTo(double target, double now);
+
+  const platforms::Platform& platform_;
+  Dice& dice_;
+  double depth_ = 0;
+  double deepest_ = 0;     ///< under the order in force
+  bool climbing_ = false;  ///< the order in force leads up
+  double since_ = 0;       ///< when the first of the orders to climb was given
+  double top_ = 0;         ///< so deep it may be under it when it has climbed
+  double speed_ = 0;       ///< the share of what it could do that it does
+  double speed_until_ = 0;
+};
+
+}  // namespace glider::ir::prove

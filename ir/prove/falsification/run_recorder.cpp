@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/prove/falsification/run_recorder.h"
+
+#include "ir/verify/value_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+namespace glider::ir::prove {
+namespace {
+
+/// What a sensor reports so that its reading is `value`; NaN for NaN.
+double rawOf(const Sensor& sensor, double value) {
+  if (sensor.encoding == Encoding::DegreesMinutes) {
+    const double whole = std::floor(std::fabs(value));
+    return std::copysign(100 * whole + 60 * (std::fabs(value) - whole), value);
+  }
+  return value / sensor.to_si;
+}
+
+/// Whether a tick leaves control as it was.
+bool quiet(const TickResult& before, const TickResult& after) {
+  return !after.finished && after.state == before.state && after.stack == before.stack &&
+         !after.moved;
+}
+
+}  // namespace
+
+RunRecorder::RunRecorder(const Ground& ground, uint32_t stack_depth,
+                         std::span<const Requirement> requirements)
+    : ground_(ground),
+      m_(ground.mission),
+      requirements_(requirements),
+      depth_sensor_(ground.depth) {
+  for (const Requirement& requirement : requirements_) {
+    monitors_.emplace_back(m_, requirement, ground.platform.world.surface_depth_m, depth_sensor_);
+  }
+  reads_variation_ = m_.compass && std::ranges::any_of(m_.exprs, [&](const Expr& e) {
+                       return e.sensor.valid() && e.sensor == m_.compass->variation;
+                     });
+  interpreter_.emplace(m_, stack_depth);
+}
+
+/// As the vehicle's sensors hold them, most of which are floats of 4 bytes.
+std::vector<SensorUpdate> RunRecorder::frameOf(const std::vector<double>& readings) const {
+  constexpr uint32_t kWide = 8;
+  std::vector<SensorUpdate> frame;
+  for (uint32_t i = 0; i < readings.size(); ++i) {
+    // The headings of a run are true: with a variation of 0 a vehicle gives the same ones again.
+    const bool variation = m_.compass && m_.compass->variation == SensorId{i} && !reads_variation_;
+    const double raw = variation ? 0 : rawOf(m_.sensors[i], readings[i]);
+    const platforms::PlatformSensor* sensor = ground_.platformSensor({i});
+    const bool wide = sensor == nullptr || sensor->bytes == kWide;
+    frame.push_back({{i}, wide ? raw : static_cast<double>(static_cast<float>(raw))});
+  }
+  return frame;
+}
+
+void RunRecorder::start(std::vector<double> parameters, const std::vector<double>& readings,
+                        double depth) {
+  auto frame = frameOf(readings);
+  result_.parameters = std::move(parameters);
+  TickResult result = interpreter_->start(frame, result_.parameters);
+  keep(std::move(result), 0, std::move(frame), depth);
+}
+
+void RunRecorder::tick(double time, const std::vector<double>& readings, double depth) {
+  auto frame = frameOf(readings);
+  TickResult result = interpreter_->tick(time, frame);
+  keep(std::move(result), time, std::move(frame), depth);
+}
+
+bool RunRecorder::tickIfQuiet(double time, const std::vector<double>& readings, double depth) {
+  Interpreter tried = *interpreter_;
+  auto frame = frameOf(readings);
+  TickResult result = tried.tick(time, frame);
+  if (!quiet(last_, result)) {
+    return false;
+  }
+  interpreter_.emplace(std::move(tried));
+  keep(std::move(result), time, std::move(frame), depth);
+  return true;
+}
+
+void RunRecorder::keep(TickResult result, double time, std::vector<SensorUpdate> frame,
+                       double depth) {
+  tell(result, time);
+  for (size_t i = 0; i < monitors_.size(); ++i) {
+    monitors_[i].tick(*interpreter_, time, result, depth);
+    if (!hit_ && monitors_[i].when()) {
+      hit_ = i;
+    }
+  }
+  last_ = std::move(result);
+  result_.ticks.push_back({time, std::move(frame), depth, last_.state,
+                           static_cast<uint32_t>(last_.stack.size()), last_.finished});
+}
+
+void RunRecorder::tell(const TickResult& result, double time) {
+  if (!result.moved) {
+    return;
+  }
+  const bool always = result.moved->list == ListKind::Always;
+  const Case& c = (always ? m_.always : m_[last_.state].cases).at(result.moved->number);
+  const char* verb = c.transition == Transition::Goto     ? "goes to"
+                     : c.transition == Transition::Call   ? "calls"
+                     : c.transition == Transition::Return ? "returns to"
+                                                          : "ends the mission";
+  const std::string from =
+      fmt::format("{}`{}`", always ? "`always`, in " : "", m_[last_.state].name);
+  const std::string text =
+      c.transition == Transition::Exit
+          ? fmt::format("at {:.6g} s {} {}", time, from, verb)
+          : fmt::format("at {:.6g} s {} {} `{}`", time, from, verb, m_[result.state].name);
+  result_.story.push_back({c.range, time, text});
+}
+
+/// What the condition of `always` reads, as it was then.
+void RunRecorder::describeValues() {
+  std::vector<ExprId> open{requirements_[*hit_].condition};
+  std::set<std::string> told;
+  while (!open.empty()) {
+    const ExprId id = open.back();
+    open.pop_back();
+    if (!id.valid()) {
+      continue;
+    }
+    const Expr& e = m_[id];
+    open.insert(open.end(), e.operands.rbegin(), e.operands.rend());
+    const bool depth = e.op == Op::Sensor && depth_sensor_ == e.sensor;
+    const std::string name = e.op == Op::Sensor     ? m_[e.sensor].name
+                             : e.op == Op::Variable ? m_[e.variable].name
+                                                    : "";
+    if (name.empty() || e.type.kind == TypeKind::Bool || !told.insert(name).second) {
+      continue;
+    }
+    const double now = result_.ticks.back().depth;
+    const double value = depth && now == now ? now : interpreter_->number(id);
+    result_.values += fmt::format("{}{} {}", result_.values.empty() ? "" : ", ", name,
+                                  value == value ? "is " + withUnit(value, e.type) : "unknown");
+  }
+}
+
+ConcreteRun RunRecorder::take() {
+  result_.requirement = *hit_;
+  result_.when = *monitors_[*hit_].when();
+  result_.state = m_[last_.state].name;
+  describeValues();
+  return std::move(result_);
+}
+
+}  // namespace glider::ir::prove

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "ir/eval/interpreter.h"
+#include "ir/prove/falsification/concrete_run.h"
+#include "ir/prove/ground/ground.h"
+#include "ir/prove/ground/requirement_monitor.h"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace glider::ir::prove {
+
+/// Flies a mission on the interpreter under the eye of requirements, and keeps what happened.
+class RunRecorder {
+ public:
+  /// All outlive this.
+  RunRecorder(const Ground& ground, uint32_t stack_depth,
+              std::span<const Requirement> requirements);
+
+  /// A tick with these readings, by sensor (SI units; NaN: unknown); the first is the start.
+  /// `depth` is the true one, m; NaN if nobody knows.
+  void start(std::vector<double> parameters, const std::vector<double>& readings, double depth);
+  void tick(double time, const std::vector<double>& readings, double depth);
+  /// The same if nothing fires; else nothing, and false.
+  bool tickIfQuiet(double time, const std::vector<double>& readings, double depth);
+
+  [[nodiscard]] const TickResult& last() const { return last_; }
+  [[nodiscard]] double now() const { return result_.ticks.back().mission_time; }
+  /// One of the requirements is broken (of Reach: kept).
+  [[nodiscard]] bool hit() const { return hit_.has_value(); }
+  /// The sensor that tells the depth, if the mission reads it.
+  [[nodiscard]] std::optional<SensorId> depthSensor() const { return depth_sensor_; }
+  /// After a hit, once.
+  ConcreteRun take();
+
+ private:
+  std::vector<SensorUpdate> frameOf(const std::vector<double>& readings) const;
+  void keep(TickResult result, double time, std::vector<SensorUpdate> frame, double depth);
+  void tell(const TickResult& result, double time);
+  void describeValues();
+
+  const Ground& ground_;
+  const Mission& m_;
+  std::span<const Requirement> requirements_;
+  std::optional<SensorId> depth_sensor_;
+  bool reads_variation_ = false;              ///< the mission itself, beside its compass
+  std::vector<RequirementMonitor> monitors_;  ///< one each
+  std::optional<size_t> hit_;                 ///< the first of them that says so
+  std::optional<Interpreter> interpreter_;
+  TickResult last_;
+  ConcreteRun result_;
+};
+
+}  // namespace glider::ir::prove

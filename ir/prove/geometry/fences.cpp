@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/prove/geometry/fences.h"
+
+#include "ir/prove/geometry/area_map.h"
+#include "ir/prove/geometry/steering.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace glider::ir::prove {
+namespace {
+
+/// Three days: in more the current takes it beyond any area.
+constexpr double kLongest = 3 * 86400.0;
+
+/// Of an area to keep out of, m: control is given no farther from some waypoint.
+constexpr double kStartWithin = 50000;
+
+/// How far it may get off its legs, m, in `time` seconds.
+double offLegs(const Ground& ground, bool by_heading, double time) {
+  const platforms::World& world = ground.platform.world;
+  const double set = std::max(ground.platform.envelope.drift_m_s, world.surface_drift_m_s) * time;
+  const double astray = by_heading ? time : std::min(time, ground.mission.resume_within_s);
+  return world.steering_error_m + set + world.through_water_m_s * astray;
+}
+
+std::string reasonOf(const Ground& ground, const Fence& fence, const Steering& steering,
+                     const Clearance& found, double time, double margin) {
+  const char* bound = fence.keep_in ? "to keep in" : "to keep out of";
+  if (!found.right_side) {
+    return fmt::format("not all of its legs are on the right side of the edge of the area {}",
+                       bound);
+  }
+  return fmt::format(
+      "its legs come within {:.0f} m of the edge of the area {}; in the {:.0f} s that it flies at "
+      "most, it may get {:.0f} m off them: by the drift at the surface of {:g} m/s, and {}",
+      found.distance_m, bound, time, margin, ground.platform.world.surface_drift_m_s,
+      steering.by_heading ? "by what it goes without a waypoint"
+                          : "while the SBC is dark (`resume within`)");
+}
+
+}  // namespace
+
+FenceVerdict judgeFences(const std::vector<Fence>& fences, const Ground& ground, Ending& ending) {
+  const auto end = ending.by(kLongest);
+  if (!end) {
+    return {false, 0, 0, "no time up to three days is known by which the mission has ended"};
+  }
+  const Steering steering = steeringOf(ground);
+  const double off_legs = offLegs(ground, steering.by_heading, *end);
+  FenceVerdict verdict{true, off_legs, 0, ""};
+  if (steering.waypoints.empty()) {
+    return {false, 0, 0, "it steers to no waypoint, so nothing says where it flies"};
+  }
+  for (const Fence& fence : fences) {
+    const AreaMap map(fence.corners, steering.waypoints);
+    const Clearance found = map.clearance(fence, steering.waypoints);
+    // In an area to keep in, it begins among its corners.
+    const double start_within = fence.keep_in ? 0 : kStartWithin;
+    const double margin = off_legs + map.bend_m(start_within);
+    if (!map.holds(margin + start_within)) {
+      return {false, 0, 0,
+              "its area and its waypoints lie too far from each other, or too near a pole, for a "
+              "plane map"};
+    }
+    if (!found.right_side || found.distance_m < margin) {
+      return {false, 0, 0, reasonOf(ground, fence, steering, found, *end, margin)};
+    }
+    verdict.margin_m = std::max(verdict.margin_m, margin);
+    verdict.start_within_m = std::max(verdict.start_within_m, start_within);
+  }
+  return verdict;
+}
+
+}  // namespace glider::ir::prove

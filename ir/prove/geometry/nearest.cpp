@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/prove/geometry/nearest.h"
+
+#include "ir/eval/arithmetic.h"
+
+#include <boost/geometry.hpp>
+#include <boost/geometry/geometries/point.hpp>
+#include <boost/geometry/index/rtree.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace glider::ir::prove {
+namespace {
+
+namespace geometry = boost::geometry;
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+/// On a sphere of radius 1: chords are in the order of distances.
+using SpherePoint = geometry::model::point<double, 3, geometry::cs::cartesian>;
+using Entry = std::pair<SpherePoint, Position>;
+
+SpherePoint onSphere(const Position& place) {
+  const double north = place.latitude * std::numbers::pi / 180;
+  const double east = place.longitude * std::numbers::pi / 180;
+  return {std::cos(north) * std::cos(east), std::cos(north) * std::sin(east), std::sin(north)};
+}
+
+double apart(double a, double b) {
+  return std::fabs(std::remainder(a - b, 360));
+}
+
+}  // namespace
+
+struct PlaceIndex::Tree {
+  geometry::index::rtree<Entry, geometry::index::quadratic<16>> places;
+};
+
+PlaceIndex::PlaceIndex(const std::vector<Position>& places) : tree_(std::make_unique<Tree>()) {
+  const auto before = [](const Position& a, const Position& b) {
+    return std::pair(a.latitude, a.longitude) < std::pair(b.latitude, b.longitude);
+  };
+  std::vector<Position> once = places;
+  std::ranges::sort(once, before);
+  once.erase(std::ranges::unique(once).begin(), once.end());
+  std::vector<Entry> entries;
+  for (const Position& place : once) {
+    entries.emplace_back(onSphere(place), place);
+  }
+  tree_->places = {entries.begin(), entries.end()};
+}
+
+PlaceIndex::~PlaceIndex() = default;
+
+double PlaceIndex::nearestOther(const Position& place) const {
+  if (tree_->places.empty()) {
+    return kInfinite;
+  }
+  // Chords are rounded otherwise than distances, so those that are about as near are measured too.
+  constexpr double kRounding = 1e-9;
+  const SpherePoint here = onSphere(place);
+  const auto nearest = geometry::index::nearest(here, static_cast<unsigned>(tree_->places.size()));
+  double least = kInfinite;
+  double chord_of_least = 0;
+  for (auto it = tree_->places.qbegin(nearest); it != tree_->places.qend(); ++it) {
+    const double chord = geometry::distance(here, it->first);
+    if (std::isfinite(least) && chord > chord_of_least + kRounding) {
+      break;
+    }
+    const double metres = onEarth(Op::Distance, place, it->second);
+    if (metres > 0 && !std::isfinite(least)) {
+      chord_of_least = chord;
+    }
+    least = metres > 0 ? std::min(least, metres) : least;
+  }
+  return least;
+}
+
+std::vector<double> nearestOnCircle(const std::vector<double>& degrees) {
+  std::vector<double> once;
+  for (const double each : degrees) {
+    once.push_back(std::remainder(each, 360));  // exact
+  }
+  std::ranges::sort(once);
+  once.erase(std::ranges::unique(once).begin(), once.end());
+  if (once.size() > 1 && apart(once.front(), once.back()) == 0) {
+    once.pop_back();  // -180 and 180
+  }
+  std::vector<double> nearest;
+  for (const double each : degrees) {
+    // The two before and the two after it: one of them may be the same but for rounding.
+    const auto here = std::ranges::lower_bound(once, std::remainder(each, 360)) - once.begin();
+    const auto count = static_cast<std::ptrdiff_t>(once.size());
+    double least = kInfinite;
+    for (std::ptrdiff_t i = here - 2; i <= here + 2; ++i) {
+      const double other = apart(each, once[static_cast<size_t>((i % count + count) % count)]);
+      least = other > 0 ? std::min(least, other) : least;
+    }
+    nearest.push_back(least);
+  }
+  return nearest;
+}
+
+}  // namespace glider::ir::prove

@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/prove/geometry/steering.h"
+
+#include "ir/prove/abstract/abstract_run.h"
+#include "ir/prove/ground/orders.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace glider::ir::prove {
+namespace {
+
+/// The corners of the box in which a place lies that is worked out; false if it may be anywhere.
+bool addBox(const Interval& north, const Interval& east, std::vector<Position>& places) {
+  if (north.empty || east.empty || north.lowest <= -90 || north.highest >= 90 ||
+      east.highest - east.lowest >= 180) {
+    return false;
+  }
+  for (const double latitude : {north.lowest, north.highest}) {
+    for (const double longitude : {east.lowest, east.highest}) {
+      places.push_back({latitude, longitude});
+    }
+  }
+  return true;
+}
+
+/// Whether a path gives the order both coordinates from one row, so that they are one of its
+/// places.
+bool fromOneRow(const Mission& m, const Expr& north, const Expr& east) {
+  return north.operands[0] == east.operands[0] &&
+         m[north.table].values.size() == m[east.table].values.size();
+}
+
+/// False if it may be anywhere.
+bool addTarget(const Ground& ground, const Statement& order, std::vector<Position>& places) {
+  const ExprId north = order.values.at(0);
+  const ExprId east = order.values.at(1);
+  const std::vector<Position> path = pathTargets(ground.mission, order);
+  if (path.empty()) {
+    return addBox(ground.intervals[north.index], ground.intervals[east.index], places);
+  }
+  places.insert(places.end(), path.begin(), path.end());
+  return fromOneRow(ground.mission, ground.mission[north], ground.mission[east]);
+}
+
+/// What the start of the mission does about its heading, whatever the sensors say.
+class FirstHeading {
+ public:
+  explicit FirstHeading(const Ground& ground)
+      : m_(ground.mission),
+        values_(atStart(ground)),
+        now_(ground, values_, kStart),
+        ground_(ground) {}
+
+  /// Whether every way through the entries of the first state commands one.
+  [[nodiscard]] bool commanded() const {
+    const State& first = m_.states.front();
+    return commands(first.entry) || commands(first.profile.entry) || commands(first.route.entry);
+  }
+
+ private:
+  static constexpr ClockRanges kStart{};
+
+  /// What variables may hold at any moment of the entries.
+  static Valuation atStart(const Ground& ground) {
+    const AbstractRun run(ground);
+    const State& first = ground.mission.states.front();
+    Valuation values = run.begin();
+    run.enter(StateId{0}, nullptr, kStart, values);
+    for (const BlockId entry : {first.entry, first.profile.entry, first.route.entry}) {
+      run.forget(entry, values);
+    }
+    return values;
+  }
+
+  // NOLINTNEXTLINE(misc-no-recursion): as deep as the mission's text nests
+  [[nodiscard]] bool commands(BlockId block) const {
+    return block.valid() &&
+           std::ranges::any_of(m_[block].statements, [&](const Statement& statement) {
+             return statement.kind == StatementKind::Command ? takesEffect(statement)
+                                                             : bothWays(statement);
+           });
+  }
+
+  /// An unknown condition takes neither branch.
+  // NOLINTNEXTLINE(misc-no-recursion): as deep as the mission's text nests
+  [[nodiscard]] bool bothWays(const Statement& statement) const {
+    if (statement.kind != StatementKind::If) {
+      return false;
+    }
+    const Truths& condition = now_.truth(statement.value);
+    return !condition.is_unknown && (!condition.is_true || commands(statement.then)) &&
+           (!condition.is_false || commands(statement.otherwise));
+  }
+
+  /// A command with an unknown argument changes nothing.
+  [[nodiscard]] bool takesEffect(const Statement& command) const {
+    return !isVertical(command.command) &&
+           std::ranges::all_of(command.values, [&](ExprId id) { return isKnown(id); });
+  }
+
+  [[nodiscard]] bool isKnown(ExprId id) const {
+    const Expr& e = m_[id];
+    if (e.op != Op::Element) {
+      return !now_.maybeUnknown(id);
+    }
+    const ExprId row = e.operands[0];
+    const Interval& rows = now_.number(row);
+    const auto last = static_cast<double>(m_[e.table].values.size() - 1);
+    const bool one = rows.lowest == rows.highest && std::floor(rows.lowest) == rows.lowest;
+    return !now_.maybeUnknown(row) && (one || ground_.whole[row.index]) && !rows.empty &&
+           rows.lowest >= 0 && rows.highest <= last;
+  }
+
+  const Mission& m_;
+  Valuation values_;
+  Possible now_;
+  const Ground& ground_;
+};
+
+/// Adds where some commands may steer.
+void addCommands(const Ground& ground, const std::vector<const Statement*>& commands,
+                 Steering& steering) {
+  for (const Statement* command : commands) {
+    const bool somewhere =
+        command->command == Command::SteerTo && addTarget(ground, *command, steering.waypoints);
+    steering.by_heading = steering.by_heading || !(somewhere || isVertical(command->command));
+  }
+}
+
+}  // namespace
+
+Steering steeringOf(const Ground& ground) {
+  const Mission& m = ground.mission;
+  Steering steering;
+  steering.by_heading = !FirstHeading(ground).commanded();
+  addCommands(ground, commandsOfAlways(m), steering);
+  for (const State& state : m.states) {
+    const bool in_c =
+        !m[state.profile.behaviour].symbol.empty() || !m[state.route.behaviour].symbol.empty();
+    steering.by_heading = steering.by_heading || in_c;
+    addCommands(ground, commandsOf(m, state), steering);
+  }
+  return steering;
+}
+
+}  // namespace glider::ir::prove

@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/prove/abstract/held_ranges.h"
+#include "ir/prove/ground/never_unknown.h"
+#include "ir/prove/ground/orders.h"
+#include "ir/prove/passes.h"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace glider::ir::prove {
+namespace {
+
+/// What is never unknown as variables lie where they are ever set to: found by some work, which few
+/// missions need.
+struct Held {
+  explicit Held(const Mission& mission)
+      : ranges(heldIntervals(mission)), known(neverUnknown(mission, ranges)) {}
+
+  std::vector<Interval> ranges;
+  Inherited known;
+};
+
+/// An order stays in force until the next one, so what every profile and route orders when it
+/// begins makes sure that each tick leaves pitch, pump and heading commanded.
+class BeginningCheck {
+ public:
+  explicit BeginningCheck(Proof& proof) : proof_(proof), m_(proof.ground.mission) {}
+
+  void run() {
+    for (const State& state : m_.states) {
+      check(state.profile, true, "this profile", "neither depth nor pitch");
+      check(state.route, false, "this route", "no heading");
+    }
+  }
+
+ private:
+  void check(const Activity& activity, bool vertical, const char* who, const char* what) {
+    const bool in_c = !m_[activity.behaviour].symbol.empty();
+    if (in_c || orders(activity.entry, vertical)) {
+      return;
+    }
+    if (told_.emplace(activity.range.file, activity.range.begin).second) {
+      proof_.diagnostics.report(support::DiagnosticId::nothingOrdered, activity.range, who, what);
+    }
+  }
+
+  /// Whether every way through the block gives an order.
+  // NOLINTNEXTLINE(misc-no-recursion): as deep as the mission's text nests
+  [[nodiscard]] bool orders(BlockId block, bool vertical) {
+    if (!block.valid()) {
+      return false;
+    }
+    return std::ranges::any_of(m_[block].statements, [&](const Statement& statement) {
+      if (statement.kind == StatementKind::Command) {
+        return isVertical(statement.command) == vertical && takesEffect(statement);
+      }
+      // An unknown condition takes neither branch.
+      return statement.kind == StatementKind::If && isKnown(statement.value) &&
+             ordersIf(statement.value, true, statement.then, vertical) &&
+             ordersIf(statement.value, false, statement.otherwise, vertical);
+    });
+  }
+
+  /// The same of a branch, in which its condition is true, or false.
+  // NOLINTNEXTLINE(misc-no-recursion): as deep as the mission's text nests
+  bool ordersIf(ExprId condition, bool value, BlockId block, bool vertical) {
+    const size_t before = shown_.size();
+    addShown(condition, value);
+    const bool found = orders(block, vertical);
+    shown_.resize(before);
+    return found;
+  }
+
+  /// What is known as the condition says so.
+  // NOLINTNEXTLINE(misc-no-recursion): as deep as the mission's text nests
+  void addShown(ExprId condition, bool value) {
+    const Expr& e = m_[condition];
+    if (e.op == Op::Not) {
+      addShown(e.operands[0], !value);
+    } else if (e.op == Op::Known && value) {
+      shown_.push_back(e.operands[0]);
+    } else if (e.op == (value ? Op::And : Op::Or)) {
+      addShown(e.operands[0], value);
+      addShown(e.operands[1], value);
+    }
+  }
+
+  /// A command with an unknown argument changes nothing. A place of a path counts as known where
+  /// its number is one of the path's at times: cases may see to it that it always is.
+  bool takesEffect(const Statement& command) {
+    return std::ranges::all_of(command.values, [&](ExprId id) {
+      const Expr& e = m_[id];
+      return e.op == Op::Element ? isKnown(e.operands[0]) && mayBeRow(e) : isKnown(id);
+    });
+  }
+
+  [[nodiscard]] bool mayBeRow(const Expr& element) const {
+    const Interval& rows = proof_.ground.intervals[element.operands[0].index];
+    const auto count = static_cast<double>(m_[element.table].values.size());
+    return !rows.empty && rows.highest >= 0 && rows.lowest < count;
+  }
+
+  /// Whatever the sensors say.
+  bool isKnown(ExprId id) {
+    return proof_.ground.known.expressions[id.index] || held().known.expressions[id.index] ||
+           (!shown_.empty() && knownWhere(m_, held().ranges, held().known, shown_)[id.index]);
+  }
+
+  const Held& held() {
+    if (!held_) {
+      held_.emplace(m_);
+    }
+    return *held_;
+  }
+
+  Proof& proof_;
+  const Mission& m_;
+  std::optional<Held> held_;
+  std::vector<ExprId> shown_;  ///< known in the branch that is looked at
+  std::set<std::pair<uint32_t, uint32_t>> told_;
+};
+
+}  // namespace
+
+void passes::beginnings(Proof& proof) {
+  BeginningCheck(proof).run();
+}
+
+}  // namespace glider::ir::prove

@@ -1,0 +1,215 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/core/walk.h"
+#include "ir/prove/encoding/question.h"
+#include "ir/prove/ground/orders.h"
+#include "ir/prove/ground/setting.h"
+#include "ir/prove/passes.h"
+#include "ir/verify/value_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace glider::ir::prove {
+namespace {
+
+using support::DiagnosticId;
+
+constexpr double kEndless = std::numeric_limits<double>::infinity();
+
+/// Above this a bound says nothing: the number has no range.
+constexpr double kNoBound = 1e300;
+
+/// Angles as pilots write them.
+std::string shown(double value, Type type) {
+  const bool angle = type.dimension == support::dimension::angle;
+  return angle ? fmt::format("{:.4g} deg", value * 180 / std::numbers::pi) : withUnit(value, type);
+}
+
+/// Looks at the orders of every state's profile, with the ranges of all that they are made from.
+class CommandCheck {
+ public:
+  explicit CommandCheck(Proof& proof)
+      : proof_(proof), m_(proof.ground.mission), envelope_(proof.ground.platform.envelope) {}
+
+  void run() {
+    for (const State& state : m_.states) {
+      orders_ = ordersOf(m_, state.profile);
+      checkEnvelope(state.profile);
+      checkTurns(state);
+    }
+  }
+
+ private:
+  [[nodiscard]] const Interval& range(const Statement& order, size_t argument) const {
+    return proof_.ground.intervals[order.values.at(argument).index];
+  }
+
+  /// Depth and pitch of each order; a number without a range is not judged.
+  void checkEnvelope(const Activity& profile) {
+    for (const Statement* order : orders_) {
+      const bool sloped = order->command == Command::Descend || order->command == Command::Ascend;
+      if (sloped || order->command == Command::Hover) {
+        hold(profile, *order, 0, envelope_.greatest_depth_m);
+        holdUnderWater(profile, *order);
+      }
+      if (sloped) {
+        hold(profile, *order, 1, envelope_.steepest_pitch_rad);
+        holdSteepEnough(profile, *order);
+      }
+    }
+  }
+
+  void hold(const Activity& profile, const Statement& order, size_t argument, double most) {
+    const Interval& given = range(order, argument);
+    const double greatest = std::max(given.highest, -given.lowest);
+    const bool judged = !given.empty && greatest < kNoBound;
+    if (!judged || greatest <= most || !told_.insert(profile.range.begin).second) {
+      return;
+    }
+    const Type type = m_[order.values.at(argument)].type;
+    proof_.diagnostics.report(DiagnosticId::orderBeyondEnvelope, profile.range,
+                              shown(greatest, type),
+                              "beyond the vehicle's limit of " + shown(most, type));
+  }
+
+  /// A depth that may come out a little above the surface is none to fly to, but no mistake.
+  void holdUnderWater(const Activity& profile, const Statement& order) {
+    const Interval& depth = range(order, 0);
+    if (!depth.empty && depth.highest < 0 && told_.insert(profile.range.begin).second) {
+      in_the_air_.insert(profile.range.begin);
+      const Type type = m_[order.values.at(0)].type;
+      proof_.diagnostics.report(DiagnosticId::orderBeyondEnvelope, profile.range,
+                                shown(depth.highest, type), "above the surface");
+    }
+  }
+
+  void holdSteepEnough(const Activity& profile, const Statement& order) {
+    const Interval& pitch = range(order, 1);
+    const double least = std::max({pitch.lowest, -pitch.highest, 0.0});
+    const bool judged = !pitch.empty && pitch.highest - pitch.lowest < kNoBound;
+    if (judged && least < envelope_.shallowest_pitch_rad &&
+        told_.insert(profile.range.begin).second) {
+      const Type type = m_[order.values.at(1)].type;
+      proof_.diagnostics.report(DiagnosticId::pitchTooShallow, profile.range, shown(least, type),
+                                shown(envelope_.shallowest_pitch_rad, type));
+    }
+  }
+
+  /// A profile that climbs and dives turns where the one ends and the other begins.
+  void checkTurns(const State& state) {
+    if (in_the_air_.contains(state.profile.range.begin)) {
+      return;  // that it does not turn there either goes without saying
+    }
+    Interval down{kEndless, -kEndless, true};
+    Interval up = down;
+    for (const Statement* order : orders_) {
+      if (order->command == Command::Descend) {
+        widen(down, range(*order, 0));
+      } else if (order->command == Command::Ascend) {
+        widen(up, range(*order, 0));
+      }
+    }
+    const bool judged =
+        !down.empty && !up.empty && up.lowest <= kNoBound && down.highest >= -kNoBound;
+    if (judged && (up.lowest >= down.highest || !(surelyTurns() || canTurn(state)))) {
+      proof_.diagnostics.report(DiagnosticId::profileTurnedRound, state.profile.range, depths(up),
+                                depths(down));
+    }
+  }
+
+  /// Whether some climb leads above where some dive leads, whatever their values are: most profiles
+  /// have depths that are fixed, and no solver needs to be asked.
+  [[nodiscard]] bool surelyTurns() const {
+    const auto known = [&](const Statement* order) {
+      return proof_.ground.known.expressions[order->values.at(0).index];
+    };
+    return std::ranges::any_of(orders_, [&](const Statement* up) {
+      return up->command == Command::Ascend && known(up) &&
+             std::ranges::any_of(orders_, [&](const Statement* down) {
+               return down->command == Command::Descend && known(down) &&
+                      range(*up, 0).highest < range(*down, 0).lowest;
+             });
+    });
+  }
+
+  /// Whether some climb of the profile leads above where some dive leads: `yo(layer + 5 m, layer +
+  /// 5 m, …)` does not, whatever `layer` is, unless it changes while the profile flies. The two
+  /// orders are given at different times: only what stays as it is has one value for both.
+  bool canTurn(const State& state) {
+    Unknowns unknowns(proof_.context);
+    Moment climbing(unknowns, proof_.ground);
+    fix(state, climbing);
+    Moment diving = climbing;
+    z3::expr turns = proof_.context.bool_val(false);
+    for (const Statement* up : orders_) {
+      for (const Statement* down : orders_) {
+        if (up->command == Command::Ascend && down->command == Command::Descend) {
+          const NumberTerm top = climbing.number(up->values.at(0));
+          const NumberTerm bottom = diving.number(down->values.at(0));
+          turns = turns || (top.known && bottom.known && top.value < bottom.value);
+        }
+      }
+    }
+    Question question(proof_.context, proof_.options.effort);
+    question.add(unknowns);
+    question.add(turns);
+    return question.ask() != Answer::No;
+  }
+
+  /// Gives a value to each variable that the orders read and that nothing sets while the state
+  /// lasts.
+  void fix(const State& state, Moment& moment) const {
+    const std::vector<bool> set = setWhileCurrent(m_, state);
+    for (const Statement* order : orders_) {
+      for (const ExprId value : order->values) {
+        forEachIn(m_, value, [&](const Expr& e) {
+          if (e.op != Op::Variable || set[e.variable.index]) {
+            return;
+          }
+          if (e.type.kind == TypeKind::Bool) {
+            (void)moment.truthOf(e.variable);
+          } else {
+            (void)moment.numberOf(e.variable);
+          }
+        });
+      }
+    }
+  }
+
+  static std::string depths(const Interval& range) {
+    constexpr Type kLength{TypeKind::Quantity, support::dimension::length};
+    return range.lowest == range.highest ? withUnit(range.lowest, kLength)
+                                         : fmt::format("{} to {}", withUnit(range.lowest, kLength),
+                                                       withUnit(range.highest, kLength));
+  }
+
+  static void widen(Interval& all, const Interval& one) {
+    if (!one.empty) {
+      all = {std::min(all.lowest, one.lowest), std::max(all.highest, one.highest), false};
+    }
+  }
+
+  Proof& proof_;
+  const Mission& m_;
+  const platforms::Envelope& envelope_;
+  std::vector<const Statement*> orders_;  ///< of the profile that is looked at
+  std::set<uint32_t> told_;
+  std::set<uint32_t> in_the_air_;  ///< profiles that order a depth above the surface
+};
+
+}  // namespace
+
+void passes::commands(Proof& proof) {
+  CommandCheck(proof).run();
+}
+
+}  // namespace glider::ir::prove

@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/core/ops.h"
+#include "ir/core/walk.h"
+#include "ir/prove/abstract/possible.h"
+#include "ir/prove/passes.h"
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+namespace glider::ir::prove {
+namespace {
+
+/// Looks for comparisons of what is measured with a value beyond all that can be measured: slips of
+/// a unit or a digit, in conditions that other parts keep alive. Of a behaviour's text every use
+/// has to agree, as its arguments differ.
+class ComparisonCheck {
+ public:
+  explicit ComparisonCheck(Proof& proof) : proof_(proof), m_(proof.ground.mission) {}
+
+  void run() {
+    const ClockRanges anytime{kAnytime, kAnytime, kAnytime};
+    Valuation values;
+    for (const Variable& variable : m_.variables) {
+      values.push_back(anything(variable));
+    }
+    const Possible possible(proof_.ground, values, anytime);
+    possible_ = &possible;
+    look(m_.always);
+    for (const State& state : m_.states) {
+      look(state.cases);
+      look(state.profile.cases);
+      look(state.route.cases);
+    }
+    for (const Temporal& temporal : m_.temporals) {
+      look(temporal.operand);
+    }
+    report();
+  }
+
+ private:
+  static constexpr Interval kAnytime{0, 1e9, false};  ///< of clocks, s
+
+  void look(const std::vector<Case>& cases) {
+    for (const Case& c : cases) {
+      look(c.guard);
+    }
+  }
+
+  void look(ExprId root) {
+    forEachIn(m_, root, [&](const Expr& e) {
+      if (isOrdering(e.op) && e.range.file != proof_.options.library && isMeasured(e)) {
+        note(e);
+      }
+    });
+  }
+
+  /// Whether a reading or a clock, as it is, is compared with what is fixed when the mission is
+  /// launched. What is worked out from several readings is known too roughly, and a variable may be
+  /// meant to switch the comparison off.
+  [[nodiscard]] bool isMeasured(const Expr& e) const {
+    return (isReading(m_[e.operands[0]]) && isFixed(e.operands[1])) ||
+           (isFixed(e.operands[0]) && isReading(m_[e.operands[1]]));
+  }
+
+  static bool isReading(const Expr& e) {
+    return e.op == Op::Sensor || e.op == Op::MissionTime || e.op == Op::StateTime ||
+           e.op == Op::ResumeTime;
+  }
+
+  [[nodiscard]] bool isFixed(ExprId id) const {
+    return !anyIn(m_, id, [&](const Expr& e) {
+      const bool changes = e.op == Op::Variable && m_[e.variable].kind != VariableKind::Parameter;
+      return changes || isReading(e) || e.op == Op::Temporal || e.op == Op::Age || e.op == Op::Call;
+    });
+  }
+
+  void note(const Expr& e) {
+    const auto id = ExprId{static_cast<uint32_t>(&e - m_.exprs.data())};
+    const Truths& may = possible_->truth(id);
+    std::optional<bool> always;
+    if (may.is_true != may.is_false) {
+      always = may.is_true;
+    }
+    const auto [at, first] =
+        found_.try_emplace({e.range.file, e.range.begin, e.range.end}, Found{e.range, always});
+    if (!first && at->second.always != always) {
+      at->second.always.reset();
+    }
+  }
+
+  void report() {
+    for (const support::SourceRange& said : proof_.said) {
+      uint32_t& end = said_[{said.file, said.begin}];
+      end = std::max(end, said.end);
+    }
+    for (const auto& [place, found] : found_) {
+      if (found.always && !isSaid(found.range)) {
+        proof_.diagnostics.report(support::DiagnosticId::comparisonDecided, found.range,
+                                  *found.always ? "true" : "false");
+      }
+    }
+  }
+
+  /// Whether the guards' pass has said something of the whole condition. Conditions do not overlap.
+  [[nodiscard]] bool isSaid(const support::SourceRange& range) const {
+    const auto after = said_.upper_bound({range.file, range.begin});
+    if (after == said_.begin()) {
+      return false;
+    }
+    const auto& [place, end] = *std::prev(after);
+    return place.first == range.file && range.end <= end;
+  }
+
+  struct Found {
+    support::SourceRange range;
+    std::optional<bool> always;  ///< what it is of every reading, in all uses
+  };
+
+  Proof& proof_;
+  const Mission& m_;
+  const Possible* possible_ = nullptr;
+  std::map<std::tuple<uint32_t, uint32_t, uint32_t>, Found> found_;  ///< by place
+  std::map<std::pair<uint32_t, uint32_t>, uint32_t> said_;  ///< ends, by file and beginning
+};
+
+}  // namespace
+
+void passes::comparisons(Proof& proof) {
+  ComparisonCheck(proof).run();
+}
+
+}  // namespace glider::ir::prove

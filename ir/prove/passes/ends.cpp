@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/prove/abstract/end_bound.h"
+#include "ir/prove/ground/duration_text.h"
+#include "ir/prove/passes.h"
+
+#include <fmt/format.h>
+
+#include <string>
+#include <utility>
+
+namespace glider::ir::prove {
+namespace {
+
+/// No flight is meant to be so short; the vehicle has not even left the surface.
+constexpr double kAtOnce = 60;
+
+/// "after 42 min 0 s at the latest; with power cuts of the SBC of up to 5 min 0 s, after 48 min".
+std::string latest(const Ground& ground, double undisturbed, double with_power_cuts) {
+  const std::string text = fmt::format("after {} at the latest", durationOf(undisturbed));
+  return with_power_cuts <= undisturbed
+             ? text
+             : fmt::format("{}; with power cuts of the SBC of up to {}, after {}", text,
+                           durationOf(ground.tick_gap_s), durationOf(with_power_cuts));
+}
+
+void tellEnd(Proof& proof, const EndBound& end) {
+  const auto tell = [&](std::string text) {
+    proof.findings.lines.push_back({{}, std::move(text)});
+  };
+  const Ground powered = proof.ground.withoutPowerCuts();
+  const EndBound& undisturbed = proof.ending.boundWithoutPowerCuts();
+  if (end.by && undisturbed.by) {
+    tell(fmt::format("the mission has ended {}", latest(proof.ground, *undisturbed.by, *end.by)));
+  } else if (undisturbed.by) {
+    tell(
+        fmt::format("the mission has ended after {} at the latest; with power cuts of the SBC of "
+                    "up to {} no bound is known",
+                    durationOf(*undisturbed.by), durationOf(proof.ground.tick_gap_s)));
+  } else if (undisturbed.stays.valid()) {
+    tell(fmt::format("no clock alone ends the mission: it may stay in `{}`",
+                     proof.ground.mission[undisturbed.stays].name));
+  } else {
+    tell("no bound for the mission's end is known");
+  }
+  const EndBound soon = boundOf(powered, kLongestMission, Goal::ExitOrSurface);
+  const EndBound home = boundOf(proof.ground, kLongestMission, Goal::ExitOrSurface);
+  if (soon.by && home.by && (!end.by || *home.by < *end.by)) {
+    tell(fmt::format("it has ended, or ordered the surface, {}",
+                     latest(proof.ground, *soon.by, *home.by)));
+  }
+}
+
+}  // namespace
+
+void passes::ends(Proof& proof) {
+  // Only what ends soon is looked for unless there is a report: that is quick.
+  const bool report = proof.options.report;
+  const EndBound end = report ? proof.ending.boundWithoutPowerCuts()
+                              : boundOf(proof.ground.withoutPowerCuts(), kAtOnce, Goal::Exit);
+  if (end.by && *end.by <= kAtOnce) {
+    proof.diagnostics.report(support::DiagnosticId::endsAtOnce,
+                             proof.ground.mission.states.front().range, durationOf(*end.by));
+  } else if (report) {
+    tellEnd(proof, proof.ending.bound());
+  }
+}
+
+}  // namespace glider::ir::prove

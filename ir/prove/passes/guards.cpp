@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/prove/encoding/question.h"
+#include "ir/prove/encoding/reasons.h"
+#include "ir/prove/encoding/trials.h"
+#include "ir/prove/passes.h"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <optional>
+#include <string>
+
+namespace glider::ir::prove {
+namespace {
+
+using support::DiagnosticId;
+
+bool leavesState(Transition transition) {
+  return transition == Transition::Goto || transition == Transition::Call ||
+         transition == Transition::Return || transition == Transition::Exit;
+}
+
+bool isConstant(const Expr& e) {
+  return e.op == Op::True || e.op == Op::False;
+}
+
+/// What was found out about one case.
+struct Verdict {
+  bool never = false;
+  bool always = false;
+  bool hidden = false;
+  std::vector<Fact> facts;          ///< why
+  std::vector<uint32_t> hidden_by;  ///< numbers of earlier cases
+};
+
+class GuardCheck {
+ public:
+  explicit GuardCheck(Proof& proof) : proof_(proof), m_(proof.ground.mission) {}
+
+  void run() {
+    report(StateId(), m_.always, "`always`");
+    for (uint32_t i = 0; i < m_.states.size(); ++i) {
+      const State& state = m_.states[i];
+      report({i}, state.cases, fmt::format("state `{}`", state.name));
+      gather(state.profile);
+      gather(state.route);
+    }
+    reportBehaviours();
+  }
+
+ private:
+  /// A behaviour's case in the uses of it: the arguments may make it idle in some.
+  struct Uses {
+    const std::vector<Case>* list = nullptr;  ///< of the first use
+    uint32_t number = 0;
+    Verdict verdict;
+    bool everywhere = true;  ///< idle in all
+  };
+
+  std::vector<Verdict> judge(const std::vector<Case>& cases) {
+    std::vector<Verdict> verdicts(cases.size());
+    const std::vector<Seen> seen = tryOut(proof_.ground, cases);
+    for (uint32_t i = 0; i < cases.size(); ++i) {
+      if (!seen[i].first || !seen[i].idle) {
+        verdicts[i] = judge(cases, i, verdicts);
+      }
+    }
+    return verdicts;
+  }
+
+  /// Asks the solver.
+  Verdict judge(const std::vector<Case>& cases, uint32_t number,
+                const std::vector<Verdict>& earlier) {
+    Verdict verdict;
+    Unknowns unknowns(proof_.context);
+    Moment moment(unknowns, proof_.ground);
+    const TruthTerm guard = moment.truth(cases[number].guard);
+    Question never(proof_.context, proof_.options.effort);
+    never.add(unknowns);
+    never.add(guard.is_true);
+    verdict.never = never.ask() == Answer::No;
+    if (verdict.never) {
+      verdict.facts = never.neededFacts();
+      return verdict;
+    }
+    judgeHidden(cases, number, earlier, verdict);
+    Question always(proof_.context, proof_.options.effort);
+    always.add(unknowns);
+    always.add(!guard.is_true);
+    verdict.always = !verdict.hidden && always.ask() == Answer::No;
+    if (verdict.always) {
+      verdict.facts = always.neededFacts();
+    }
+    return verdict;
+  }
+
+  void judgeHidden(const std::vector<Case>& cases, uint32_t number,
+                   const std::vector<Verdict>& earlier, Verdict& verdict) {
+    Unknowns unknowns(proof_.context);
+    Moment moment(unknowns, proof_.ground);
+    Question question(proof_.context, proof_.options.effort);
+    question.add(moment.truth(cases[number].guard).is_true);
+    for (uint32_t i = 0; i < number; ++i) {
+      // One of `always` does not fire while its target is current or waits.
+      const bool may_be_kept = &cases == &m_.always && cases[i].target.valid();
+      if (!earlier[i].never && !may_be_kept) {
+        question.add(!moment.truth(cases[i].guard).is_true, i);
+      }
+    }
+    question.add(unknowns);
+    verdict.hidden = number > 0 && question.ask() == Answer::No;
+    if (verdict.hidden) {
+      verdict.hidden_by = question.neededNames();
+      verdict.facts = question.neededFacts();
+    }
+  }
+
+  void report(StateId state, const std::vector<Case>& cases, const std::string& where) {
+    const std::vector<Verdict> verdicts = judge(cases);
+    for (uint32_t i = 0; i < cases.size(); ++i) {
+      if (verdicts[i].never || verdicts[i].hidden) {
+        proof_.dead.insert({state, i});
+        if (verdicts[i].hidden) {
+          proof_.hidden.insert({state, i});
+        }
+      }
+      report(cases, i, verdicts[i], where);
+    }
+  }
+
+  void report(const std::vector<Case>& cases, uint32_t number, const Verdict& verdict,
+              const std::string& where) {
+    const Case& c = cases[number];
+    const support::SourceRange range = m_[c.guard].range;
+    if (verdict.never || verdict.hidden || verdict.always) {
+      proof_.said.push_back(range);
+    }
+    if (verdict.never) {
+      auto warning = proof_.diagnostics.report(DiagnosticId::guardNeverTrue, range);
+      noteReasons(warning, m_, verdict.facts, range);
+    } else if (verdict.hidden) {
+      auto warning = proof_.diagnostics.report(DiagnosticId::caseHidden, range);
+      for (const uint32_t earlier : verdict.hidden_by) {
+        warning.note(m_[cases[earlier].guard].range, "this case is tried before it, and fires");
+      }
+      noteReasons(warning, m_, verdict.facts, range);
+    } else if (verdict.always && leavesState(c.transition) && !isConstant(m_[c.guard])) {
+      auto warning = proof_.diagnostics.report(DiagnosticId::guardAlwaysTrue, range, where);
+      noteReasons(warning, m_, verdict.facts, range);
+    }
+  }
+
+  void gather(const Activity& activity) {
+    if (activity.cases.empty() || activity.cases.front().range.file == proof_.options.library) {
+      return;
+    }
+    const std::vector<Verdict> verdicts = judge(activity.cases);
+    for (size_t i = 0; i < verdicts.size(); ++i) {
+      const Case& c = activity.cases[i];
+      Uses& uses = behaviours_[{c.range.file, c.range.begin}];
+      uses.everywhere = uses.everywhere && (verdicts[i].never || verdicts[i].hidden);
+      if (uses.list == nullptr) {
+        uses.list = &activity.cases;
+        uses.number = static_cast<uint32_t>(i);
+        uses.verdict = verdicts[i];
+      }
+    }
+  }
+
+  void reportBehaviours() {
+    for (const auto& [place, uses] : behaviours_) {
+      if (uses.everywhere) {
+        report(*uses.list, uses.number, uses.verdict, "");
+      }
+    }
+  }
+
+  Proof& proof_;
+  const Mission& m_;
+  std::map<std::pair<uint32_t, uint32_t>, Uses> behaviours_;  ///< by file and place
+};
+
+}  // namespace
+
+void passes::guards(Proof& proof) {
+  GuardCheck(proof).run();
+}
+
+}  // namespace glider::ir::prove

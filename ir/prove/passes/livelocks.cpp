@@ -1,0 +1,269 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/core/ops.h"
+#include "ir/core/walk.h"
+#include "ir/eval/arithmetic.h"
+#include "ir/eval/evaluate.h"
+#include "ir/prove/abstract/earliest_entry.h"
+#include "ir/prove/ground/control.h"
+#include "ir/prove/ground/duration_text.h"
+#include "ir/prove/passes.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace glider::ir::prove {
+namespace {
+
+/// Ticks that are looked at: rounds of up to four states come twice.
+constexpr size_t kTicks = 9;
+/// So many times of `always` are looked at in every state.
+constexpr size_t kMostTimes = 64;
+
+/// Where a mission is, with its clocks, s; NaN: a clock may be anything.
+struct Moving {
+  Control control;
+  double now = 0;
+  std::vector<double> entered;  ///< of the waiting states, outermost first, then of the current
+  double resumed = kUnknown;
+};
+
+/// Looks for states that the clocks alone send a mission to and fro between, tick after tick:
+/// from a state with an empty stack, at each time that its conditions name, by cases that must fire
+/// whatever sensors, variables and other clocks are worth.
+class LivelockCheck {
+ public:
+  explicit LivelockCheck(Proof& proof)
+      : proof_(proof), m_(proof.ground.mission), cycle_s_(proof.ground.platform.envelope.cycle_s) {
+    gatherTimes(m_.always, always_times_);
+    if (always_times_.size() > kMostTimes) {
+      always_times_.clear();
+    }
+    always_times_.insert(cycle_s_);
+  }
+
+  void run() {
+    const Structure structure(m_, proof_.dead);
+    for (uint32_t i = 0; i < m_.states.size(); ++i) {
+      if (structure.at({i, Arrived::Free})) {
+        look({i});
+      }
+    }
+  }
+
+ private:
+  /// At the times that are named, and on the first tick that the state can have if it goes to and
+  /// fro at one before.
+  void look(StateId state) {
+    bool too_early = false;
+    for (const double time : timesOf(state)) {
+      if (lookAt(state, time, too_early)) {
+        return;
+      }
+    }
+    if (too_early && entryOf(state) < kLongestMission) {
+      (void)lookAt(state, entryOf(state) + cycle_s_, too_early);
+    }
+  }
+
+  /// Whether something is told.
+  bool lookAt(StateId state, double time, bool& too_early) {
+    for (const double entered : {kUnknown, time - cycle_s_}) {
+      Control control;
+      control.state = state;
+      const auto round = roundFrom({control, time, {entered}, entered});
+      if (round.empty()) {
+        continue;
+      }
+      if (isBeforeEntry(state, time, entered)) {
+        too_early = true;
+      } else if (isStillCurrent(state, time) && told_.insert(keyOf(round)).second) {
+        tell(round, time);
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// Each time that the state's conditions, and those of `always`, compare mission time with, and
+  /// the tick after it; and the first ticks of all.
+  std::set<double> timesOf(StateId state) const {
+    std::set<double> times = always_times_;
+    gatherTimes(m_[state].cases, times);
+    return times;
+  }
+
+  void gatherTimes(const std::vector<Case>& cases, std::set<double>& times) const {
+    for (const Case& c : cases) {
+      forEachIn(m_, c.guard, [&](const Expr& e) {
+        if (e.op == Op::Constant && e.type.dimension == support::dimension::time && e.number > 0) {
+          times.insert({e.number, e.number + cycle_s_});
+        }
+      });
+    }
+  }
+
+  /// The states of the round that begins here and comes a second time, in the order in which they
+  /// follow each other; empty: none.
+  std::vector<StateId> roundFrom(Moving at) {
+    std::vector<Control> met{at.control};
+    while (met.size() < kTicks && step(at)) {
+      met.push_back(at.control);
+    }
+    for (size_t length = 1; 2 * length < met.size(); ++length) {
+      bool twice = true;
+      for (size_t i = 0; i <= length; ++i) {
+        twice = twice && isSame(met[i], met[i + length]);
+      }
+      if (twice) {
+        std::vector<StateId> round;
+        for (size_t i = 0; i < length; ++i) {
+          round.push_back(met[i].state);
+        }
+        return round;
+      }
+    }
+    return {};
+  }
+
+  static bool isSame(const Control& a, const Control& b) {
+    return a.state == b.state && std::ranges::equal(a.stack, b.stack, {}, &Control::Waiting::state,
+                                                    &Control::Waiting::state);
+  }
+
+  /// A tick; false unless it makes a transition for sure.
+  bool step(Moving& at) {
+    const bool own_first = at.control.just_returned;
+    const auto& own = m_[at.control.state].cases;
+    for (const bool always : {!own_first, own_first}) {
+      const std::vector<Case>& cases = always ? m_.always : own;
+      const auto fired = firstOf(cases, always, at);
+      if (!fired.sure) {
+        return false;
+      }
+      if (fired.number && cases[*fired.number].transition != Transition::Stay) {
+        return move(at, always, *fired.number, cases[*fired.number]);
+      }
+    }
+    return false;
+  }
+
+  struct Fired {
+    bool sure = false;
+    std::optional<uint32_t> number;  ///< none: no case fires
+  };
+
+  Fired firstOf(const std::vector<Case>& cases, bool always, const Moving& at) {
+    for (uint32_t i = 0; i < cases.size(); ++i) {
+      if (always && !at.control.mayInterrupt(m_, i)) {
+        continue;
+      }
+      const Truth guard = judge(cases[i].guard, at);
+      if (guard != Truth::False) {
+        return {guard == Truth::True, i};
+      }
+    }
+    return {true, std::nullopt};
+  }
+
+  bool move(Moving& at, bool always, uint32_t number, const Case& c) {
+    if (c.transition == Transition::Exit ||
+        (c.transition == Transition::Return && at.control.stack.empty())) {
+      return false;
+    }
+    at.control = at.control.moved(always ? ListKind::Always : ListKind::State, number, c);
+    if (c.transition == Transition::Return) {
+      at.entered.pop_back();
+    } else {
+      if (c.transition == Transition::Goto) {
+        at.entered.clear();
+      }
+      at.entered.push_back(at.now);
+    }
+    at.resumed = at.now;
+    at.now += cycle_s_;
+    return true;
+  }
+
+  /// By the clocks alone: what holds whatever else is worth; Unknown: that may be either. `known`
+  /// would take the absence of a value for one.
+  Truth judge(ExprId guard, const Moving& at) const {
+    if (anyIn(m_, guard, [](const Expr& e) { return e.op == Op::Known; })) {
+      return Truth::Unknown;
+    }
+    return std::get<Truth>(
+        evaluate(m_, guard, [&](const Expr& e, std::span<const double>) -> Value {
+          switch (e.op) {
+            case Op::MissionTime:
+              return at.now;
+            case Op::StateTime:
+              return at.now - at.entered.back();
+            case Op::ResumeTime:
+              return at.now - at.resumed;
+            default:
+              return asValue(kUnknown, e.type);
+          }
+        }));
+  }
+
+  /// The earliest; asked for by few missions.
+  double entryOf(StateId state) {
+    if (entries_.empty()) {
+      entries_ = earliestEntries(proof_.ground);
+    }
+    return entries_[state.index];
+  }
+
+  /// Whether the state cannot have been entered at `entered`; NaN: at any time before `time`.
+  bool isBeforeEntry(StateId state, double time, double entered) {
+    return isKnown(entered) ? entered < entryOf(state) : time <= entryOf(state);
+  }
+
+  /// Whether the state may still be current then, as far as is known.
+  bool isStillCurrent(StateId state, double time) {
+    const EndBound& end = proof_.ending.boundWithoutPowerCuts();
+    return !end.by || time <= end.left_by[state.index];
+  }
+
+  static std::set<StateId> keyOf(const std::vector<StateId>& round) {
+    return {round.begin(), round.end()};
+  }
+
+  void tell(const std::vector<StateId>& round, double time) {
+    std::vector<std::string> names;
+    for (const StateId state : round) {
+      names.push_back(fmt::format("`{}`", m_[state].name));
+    }
+    const std::string last = names.size() == 1 ? "itself" : names.back();
+    if (names.size() > 1) {
+      names.pop_back();
+    }
+    const std::string between = fmt::format("{} and {}", fmt::join(names, ", "), last);
+    proof_.diagnostics.report(support::DiagnosticId::clockLivelock, m_[round.front()].range,
+                              fmt::format("{:.6g} s", time), between);
+  }
+
+  Proof& proof_;
+  const Mission& m_;
+  double cycle_s_;
+  std::set<double> always_times_;
+  std::vector<double> entries_;  ///< the earliest of every state, once it is asked for
+  std::set<std::set<StateId>> told_;
+};
+
+}  // namespace
+
+void passes::livelocks(Proof& proof) {
+  LivelockCheck(proof).run();
+}
+
+}  // namespace glider::ir::prove

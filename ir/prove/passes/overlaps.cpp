@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/prove/encoding/moment.h"
+#include "ir/prove/encoding/question.h"
+#include "ir/prove/passes.h"
+
+#include <fmt/format.h>
+
+#include <string>
+#include <utility>
+
+namespace glider::ir::prove {
+namespace {
+
+/// Of longer lists nobody reads all pairs.
+constexpr size_t kMostCases = 12;
+constexpr size_t kMostStates = 50;
+
+bool leadsAway(const Case& c) {
+  return c.transition != Transition::Stay && c.transition != Transition::Done;
+}
+
+std::string wayOf(const Mission& m, const Case& c) {
+  switch (c.transition) {
+    case Transition::Goto:
+      return fmt::format("`goto {}`", m[c.target].name);
+    case Transition::Call:
+      return fmt::format("`call {}`", m[c.target].name);
+    case Transition::Return:
+      return "`return`";
+    default:
+      return "`exit`";
+  }
+}
+
+/// Looks for cases of a state that lead different ways and can be true on the same tick: the order
+/// in which they stand then decides.
+class OverlapCheck {
+ public:
+  explicit OverlapCheck(Proof& proof) : proof_(proof), m_(proof.ground.mission) {}
+
+  void run() {
+    for (uint32_t i = 0; i < m_.states.size() && m_.states.size() <= kMostStates; ++i) {
+      const std::vector<Case>& cases = m_.states[i].cases;
+      for (uint32_t a = 0; a < cases.size() && cases.size() <= kMostCases; ++a) {
+        for (uint32_t b = a + 1; b < cases.size(); ++b) {
+          compare({i}, a, b);
+        }
+      }
+    }
+  }
+
+ private:
+  void compare(StateId state, uint32_t first, uint32_t second) {
+    const Case& a = m_[state].cases[first];
+    const Case& b = m_[state].cases[second];
+    const bool same_way = a.transition == b.transition && a.target == b.target;
+    const bool dead = proof_.dead.contains({state, first}) || proof_.dead.contains({state, second});
+    const bool last_resort = m_[b.guard].op == Op::True || m_[a.guard].op == Op::True;
+    if (!leadsAway(a) || !leadsAway(b) || same_way || dead || last_resort) {
+      return;
+    }
+    Unknowns unknowns(proof_.context);
+    Moment moment(unknowns, proof_.ground);
+    Question question(proof_.context, proof_.options.effort);
+    question.add(moment.truth(a.guard).is_true && moment.truth(b.guard).is_true);
+    question.add(unknowns);
+    if (question.ask() == Answer::Yes) {
+      proof_.findings.lines.push_back(
+          {b.range, fmt::format("in `{}` {} and {} can be due on the same tick: {}; {} comes first",
+                                m_[state].name, wayOf(m_, a), wayOf(m_, b),
+                                describe(question.model(), moment), wayOf(m_, a))});
+    }
+  }
+
+  Proof& proof_;
+  const Mission& m_;
+};
+
+}  // namespace
+
+void passes::overlaps(Proof& proof) {
+  if (proof.options.report) {
+    OverlapCheck(proof).run();
+  }
+}
+
+}  // namespace glider::ir::prove

@@ -1,0 +1,331 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/prove/abstract/depth_bound.h"
+#include "ir/prove/abstract/entered_after.h"
+#include "ir/prove/encoding/known_roughly.h"
+#include "ir/prove/encoding/relevance.h"
+#include "ir/prove/encoding/watches.h"
+#include "ir/prove/falsification/random_flight.h"
+#include "ir/prove/geometry/fences.h"
+#include "ir/prove/ground/duration_text.h"
+#include "ir/prove/passes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace glider::ir::prove {
+namespace {
+
+using support::DiagnosticId;
+
+/// A run of more transitions is told by its ends.
+constexpr size_t kStoryEnds = 6;
+/// What random flights may take where the solver has no answer.
+constexpr size_t kRandomTicks = 120000;
+/// Of a requirement without a time, s.
+constexpr double kLongFlight = 4 * 3600;
+
+class RequirementCheck {
+ public:
+  explicit RequirementCheck(Proof& proof) : proof_(proof), m_(proof.ground.mission) {}
+
+  void run() {
+    for (uint32_t i = 0; i < m_.requirements.size(); ++i) {
+      const Requirement& requirement = m_.requirements[i];
+      if (proof_.options.before_requirement) {
+        proof_.options.before_requirement(i);
+      }
+      RequirementVerdict verdict = judge(requirement, i);
+      verdict.requirement = i;
+      proof_.findings.requirements.push_back(std::move(verdict));
+    }
+  }
+
+ private:
+  RequirementVerdict judge(const Requirement& requirement, uint32_t number) {
+    if (requirement.kind == RequirementKind::StackAtMost) {
+      return judgeStack(requirement);
+    }
+    if (easilyProved(requirement)) {
+      return {0, Verdict::Proved, std::nullopt};
+    }
+    if (const auto& cached = proof_.options.cached) {
+      if (const auto known = cached(number)) {
+        return recall(requirement, *known);
+      }
+    }
+    RequirementVerdict verdict =
+        requirement.fences.empty() ? judgeRuns(requirement) : judgeAreas(requirement);
+    verdict.searched = requirement.kind != RequirementKind::Reach;  // its run is wanted
+    return verdict;
+  }
+
+  RequirementVerdict recall(const Requirement& requirement, const CachedVerdict& known) {
+    RequirementVerdict verdict{0, Verdict::Proved, std::nullopt, known.words};
+    if (known.verdict != Verdict::Proved) {
+      verdict = open(requirement, known.words);
+    }
+    verdict.cached = true;
+    return verdict;
+  }
+
+  RequirementVerdict judgeAreas(const Requirement& requirement) {
+    const FenceVerdict found = judgeFences(requirement.fences, proof_.ground, proof_.ending);
+    if (found.proved) {
+      return {0, Verdict::Proved, std::nullopt,
+              fmt::format(
+                  "if control is given {0:.0f} m or more on the right side of each edge{1}, and "
+                  "everything between there and the waypoints is {0:.0f} m from the edge too",
+                  std::ceil(found.margin_m),
+                  found.start_within_m > 0
+                      ? fmt::format(", within {:g} km of a waypoint", found.start_within_m / 1000)
+                      : "")};
+    }
+    auto run = tryAtRandom(requirement, proof_.ground.withoutPowerCuts());
+    if (!run && powerCutsMatter()) {
+      run = tryAtRandom(requirement, proof_.ground);
+    }
+    if (run) {
+      return broken(requirement, std::move(*run));
+    }
+    return open(requirement, found.reason + "; no random flight broke it");
+  }
+
+  RequirementVerdict judgeStack(const Requirement& requirement) {
+    if (proof_.facts.stack_depth <= requirement.depth) {
+      return {0, Verdict::Proved, std::nullopt};
+    }
+    std::string path;
+    for (const StateId state : proof_.facts.deepest_path) {
+      path += fmt::format("{}`{}`", path.empty() ? "" : " calls ", m_[state].name);
+    }
+    proof_.diagnostics.report(DiagnosticId::requirementBroken, requirement.range,
+                              fmt::format("up to {} of the states may wait on the call stack: {}",
+                                          proof_.facts.stack_depth, path));
+    return {0, Verdict::Refuted, std::nullopt};
+  }
+
+  /// Without a search over runs.
+  bool easilyProved(const Requirement& requirement) {
+    switch (requirement.kind) {
+      case RequirementKind::NeverAfter:
+        return !mayEnterAfter(m_, requirement.state, requirement.after);
+      case RequirementKind::Always:
+        return heldByOrders(requirement.condition, proof_.ground);
+      case RequirementKind::ExitWithin:
+        return proof_.ending.by(requirement.seconds).has_value();
+      default:
+        return false;
+    }
+  }
+
+  /// What came of a question about all runs; `run` is one that was tried.
+  struct Search {
+    RunsAnswer answer;
+    std::optional<ConcreteRun> run;
+  };
+
+  Search search(const Requirement& requirement, const Ground& ground) {
+    Search found{ask(requirement, ground), std::nullopt};
+    if (found.answer.bad == Answer::Yes) {
+      found.run = spellOut(*found.answer.run, ground, proof_.facts.stack_depth, requirement);
+    }
+    return found;
+  }
+
+  [[nodiscard]] bool powerCutsMatter() const {
+    return proof_.ground.tick_gap_s > proof_.ground.platform.world.tick_gap_s;
+  }
+
+  RequirementVerdict judgeRuns(const Requirement& requirement) {
+    return requirement.kind == RequirementKind::Reach ? judgeReach(requirement)
+                                                      : judgePromise(requirement);
+  }
+
+  /// A run without power cuts shows more.
+  RequirementVerdict judgeReach(const Requirement& requirement) {
+    const Ground powered = proof_.ground.withoutPowerCuts();
+    Search found = search(requirement, powered);
+    if (!found.run && powerCutsMatter()) {
+      found = search(requirement, proof_.ground);
+    }
+    if (found.answer.bad == Answer::No) {
+      return unreached(requirement);
+    }
+    if (!found.run) {
+      found.run = tryAtRandom(requirement, proof_.ground);
+    }
+    return found.run ? RequirementVerdict{0, Verdict::Proved, std::move(found.run)}
+                     : open(requirement, reasonOf(requirement, found.answer));
+  }
+
+  /// Proved for an SBC whose power may be cut; what breaks it is shown without, where it can be.
+  RequirementVerdict judgePromise(const Requirement& requirement) {
+    Search found = search(requirement, proof_.ground);
+    if (found.answer.bad == Answer::No) {
+      return {0, Verdict::Proved, std::nullopt};
+    }
+    bool powered_proved = false;
+    if (powerCutsMatter()) {
+      const Ground powered = proof_.ground.withoutPowerCuts();
+      powered_proved = provedWithoutPowerCuts(requirement);
+      Search undisturbed;
+      if (!powered_proved) {
+        undisturbed = search(requirement, powered);
+        powered_proved = undisturbed.answer.bad == Answer::No;
+      }
+      if (!undisturbed.run && !powered_proved) {
+        undisturbed.run = tryAtRandom(requirement, powered);
+      }
+      if (undisturbed.run) {
+        found.run = std::move(undisturbed.run);
+      }
+    }
+    if (!found.run) {
+      found.run = tryAtRandom(requirement, proof_.ground);
+    }
+    if (found.run) {
+      return broken(requirement, std::move(*found.run));
+    }
+    return open(requirement,
+                reasonOf(requirement, found.answer) +
+                    (powered_proved ? "; it is so if the power of the SBC is never cut" : ""));
+  }
+
+  /// Without a search over runs.
+  bool provedWithoutPowerCuts(const Requirement& requirement) {
+    const std::optional<double>& end = requirement.kind == RequirementKind::ExitWithin
+                                           ? proof_.ending.boundWithoutPowerCuts().by
+                                           : std::optional<double>();
+    return end && *end <= requirement.seconds;
+  }
+
+  /// In a context of its own: Z3 counts its effort for all that a context has been asked.
+  RunsAnswer ask(const Requirement& requirement, const Ground& ground) {
+    z3::config config;
+    config.set("rlimit", static_cast<int>(proof_.options.run_effort));  // Spacer takes no other
+    z3::context context(config);
+    const Relevance relevance = relevanceOf(requirement, ground);
+    try {
+      const Watch watch = watchFor(requirement, context, ground);
+      return askAboutRuns(context, ground, relevance, watch, proof_.options.run_effort);
+    } catch (const z3::exception& trouble) {
+      return {Answer::Unknown, std::nullopt, trouble.msg()};
+    }
+  }
+
+  [[nodiscard]] Relevance relevanceOf(const Requirement& requirement, const Ground& ground) const {
+    std::vector<ExprId> asked;
+    if (requirement.condition.valid()) {
+      asked.push_back(requirement.condition);
+    }
+    return relevanceFor(m_, asked, reckonsWithDepth(requirement, ground));
+  }
+
+  /// Seeds 1, 2, …, until so many ticks are flown.
+  std::optional<ConcreteRun> tryAtRandom(const Requirement& requirement, const Ground& ground) {
+    const double cycle = proof_.ground.platform.envelope.cycle_s;
+    const double span = requirement.seconds > 0 ? 2 * requirement.seconds : kLongFlight;
+    const auto ticks = static_cast<size_t>(std::min(span / cycle + 2, 1.0 * kRandomTicks));
+    const size_t flights = std::max<size_t>(1, kRandomTicks / ticks);
+    for (uint64_t seed = 1; seed <= flights; ++seed) {
+      if (auto run = flyAtRandom(ground, proof_.facts.stack_depth, requirement, seed, ticks)) {
+        return run;
+      }
+    }
+    return std::nullopt;
+  }
+
+  RequirementVerdict unreached(const Requirement& requirement) {
+    proof_.diagnostics.report(DiagnosticId::requirementBroken, requirement.range,
+                              fmt::format("no run enters state `{}`, whatever the sensors say",
+                                          m_[requirement.state].name));
+    return {0, Verdict::Refuted, std::nullopt};
+  }
+
+  [[nodiscard]] std::string reasonOf(const Requirement& requirement,
+                                     const RunsAnswer& answer) const {
+    if (answer.bad != Answer::Yes) {
+      return fmt::format("Z3 gave up ({}), and no random flight broke it", answer.trouble);
+    }
+    const std::string what = knownRoughly(m_, relevanceOf(requirement, proof_.ground));
+    return fmt::format("a run seemed to {} it, but does not when it is tried{}",
+                       requirement.kind == RequirementKind::Reach ? "do" : "break",
+                       what.empty() ? "" : "; only known roughly here: " + what);
+  }
+
+  RequirementVerdict open(const Requirement& requirement, const std::string& reason) {
+    proof_.diagnostics.report(DiagnosticId::requirementOpen, requirement.range)
+        .note(requirement.range, reason);
+    return {0, Verdict::Open, std::nullopt, {}, reason};
+  }
+
+  RequirementVerdict broken(const Requirement& requirement, ConcreteRun run) {
+    auto error = proof_.diagnostics.report(DiagnosticId::requirementBroken, requirement.range,
+                                           howBroken(requirement, run));
+    const auto& story = run.story;
+    for (size_t i = 0; i < story.size(); ++i) {
+      if (story.size() > 2 * kStoryEnds && i == kStoryEnds) {
+        i = story.size() - kStoryEnds;
+        error.note(story[i].range, fmt::format("(after {} more transitions) {}",
+                                               story.size() - 2 * kStoryEnds, story[i].text));
+        continue;
+      }
+      error.note(story[i].range, story[i].text);
+    }
+    notePowerCuts(error, requirement, run);
+    return {0, Verdict::Refuted, std::move(run)};
+  }
+
+  void notePowerCuts(support::DiagnosticBuilder& error, const Requirement& requirement,
+                     const ConcreteRun& run) const {
+    constexpr size_t kMostNotes = 3;
+    size_t noted = 0;
+    for (size_t i = 1; i < run.ticks.size() && noted < kMostNotes; ++i) {
+      const double from = run.ticks[i - 1].mission_time;
+      const double to = run.ticks[i].mission_time;
+      if (to - from > proof_.ground.platform.world.tick_gap_s) {
+        ++noted;
+        error.note(
+            requirement.range,
+            fmt::format("from {:.6g} s to {:.6g} s the SBC has no power; the mission goes on "
+                        "after up to {} (`resume within`)",
+                        from, to, durationOf(m_.resume_within_s)));
+      }
+    }
+  }
+
+  std::string howBroken(const Requirement& requirement, const ConcreteRun& run) const {
+    switch (requirement.kind) {
+      case RequirementKind::Always:
+        return fmt::format("at {:.6g} s, in state `{}`{}{}", run.when, run.state,
+                           run.values.empty() ? "" : ", ", run.values);
+      case RequirementKind::ExitWithin:
+        return fmt::format("the mission may {} {:.6g} s, in state `{}`",
+                           run.ticks.back().finished ? "end as late as at" : "still fly at",
+                           run.when, run.state);
+      case RequirementKind::NeverAfter:
+        return fmt::format("state `{}` may be entered after `{}`, at {:.6g} s",
+                           m_[requirement.state].name, m_[requirement.after].name, run.when);
+      default:
+        return fmt::format("the vehicle may still be under water at {:.6g} s, in state `{}`",
+                           run.when, run.state);
+    }
+  }
+
+  Proof& proof_;
+  const Mission& m_;
+};
+
+}  // namespace
+
+void passes::requirements(Proof& proof) {
+  RequirementCheck(proof).run();
+}
+
+}  // namespace glider::ir::prove

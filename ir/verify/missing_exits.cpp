@@ -34,8 +34,8 @@ struct Users {
 ///
 /// A state whose own cases lead to an end needs no limit. Any other ends by way of `always`: of its
 /// first case that leads to an end. That it does not interrupt the state that is its target changes
-/// nothing: the first case's target needs no limit itself, ends by an earlier `exit` of `always`, or
-/// returns, of which nothing is told.
+/// nothing: the first case's target needs no limit itself, ends by an earlier `exit` of `always`,
+/// or returns, of which nothing is told.
 class Ends {
  public:
   Ends(const Structure& structure, const Users& users)

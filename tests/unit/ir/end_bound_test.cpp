@@ -380,7 +380,8 @@ TEST(Requirements, WhatAStateOrdersAsItIsEnteredCounts) {
 
 TEST(Requirements, WhatAStateOrdersAsItIsResumedCounts) {
   expectThatItsOrdersCount([](const std::string& a) {
-    return verdictOf(kHeader + kShallow + "variable back: bool mission\ninitial back false\n" +
+    return verdictOf(kHeader + kShallow +
+                     "resume within 20\nvariable back: bool mission\ninitial back false\n" +
                      "state a " + a + "case (var back) exit " +
                      "case true do set back true end call b\nstate b " + kTo20m + "return\n");
   });

@@ -115,5 +115,20 @@ TEST(Livelocks, NotAtATimeBeforeWhichTheStateCannotBeEntered) {
       << "one stay after the other";
 }
 
+/// A `return` that never fires is no mistake: the look for states that follow each other on tick
+/// after tick takes none from an empty stack.
+TEST(Bounces, AStateWithAReturnThatNeverFires) {
+  const Mission mission =
+      missionOf(kHeader + stateText("a", kExit + "case (gt (sensor temp) 10:temperature) goto b") +
+                stateText("b",
+                          "case (lt (sensor temp) 12:temperature) goto a "
+                          "case false return"));
+  support::DiagnosticEngine diagnostics;
+  const MissionFacts facts = verify(mission, diagnostics);
+  Options options;
+  options.report = true;
+  (void)prove(mission, facts, slocum(), options, diagnostics);
+}
+
 }  // namespace
 }  // namespace glider::ir::prove

@@ -12,15 +12,18 @@
 #include "tests/unit/ir/slocum.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace glider::ir::prove {
 namespace {
 
 /// Whether time may pass from 500 s, where the first state was entered at 300 s and resumed at
-/// 450 s, to `then`. A gap is 20 s.
-bool mayPassTo(double then, const std::string& cases) {
+/// 450 s, to `then`; with `held` in the first variable. A gap is 20 s.
+bool mayPassTo(double then, const std::string& cases, const std::string& variables = "",
+               std::optional<double> held = std::nullopt) {
   const Mission mission =
-      missionOf(kHeader + stateText("a", "case (gt (sensor temp) 30:temperature) call b " + cases) +
+      missionOf(kHeader + variables +
+                stateText("a", "case (gt (sensor temp) 30:temperature) call b " + cases) +
                 stateText("b",
                           "case (gt statetime 1000:time) return "
                           "case (gt resumetime 1000:time) return"));
@@ -43,6 +46,9 @@ bool mayPassTo(double then, const std::string& cases) {
   question.add(rule->condition && rule->before->mission_time == 500 &&
                rule->before->entered.back() == 300 && rule->before->resumed == 450 &&
                rule->after->mission_time == realOf(context, then));
+  if (held) {
+    question.add(rule->before->store.numbers.at(0).value == realOf(context, *held));
+  }
   return question.ask() == Answer::Yes;
 }
 
@@ -69,6 +75,22 @@ TEST(Rules, TimePassesNoGuardOfTheClocksByMoreThanAGap) {
       EXPECT_FALSE(mayPassTo(621, cases)) << cases;
     }
   }
+}
+
+TEST(Rules, TimePassesNoneOfSeveralConditions) {
+  const std::string deep = "(gt (sensor depth) 5:length)";
+  const std::string cases = "case (and " + deep + " (ge missiontime 600:time)) exit case (and " +
+                            deep + " (ge missiontime 700:time)) exit";
+  EXPECT_TRUE(mayPassTo(619, cases));
+  EXPECT_FALSE(mayPassTo(621, cases));
+}
+
+TEST(Rules, TimePassesNoTimeThatAVariableHolds) {
+  const std::string cases = "case (ge missiontime (var t)) exit";
+  const std::string variable =
+      "variable t: time mission lowest 550 highest 600\ninitial t 560:time\n";
+  EXPECT_TRUE(mayPassTo(599, cases, variable, 580));
+  EXPECT_FALSE(mayPassTo(601, cases, variable, 580));
 }
 
 }  // namespace

@@ -78,11 +78,14 @@ TEST(Rules, TimePassesNoGuardOfTheClocksByMoreThanAGap) {
 }
 
 TEST(Rules, TimePassesNoneOfSeveralConditions) {
-  const std::string deep = "(gt (sensor depth) 5:length)";
-  const std::string cases = "case (and " + deep + " (ge missiontime 600:time)) exit case (and " +
-                            deep + " (ge missiontime 700:time)) exit";
-  EXPECT_TRUE(mayPassTo(619, cases));
-  EXPECT_FALSE(mayPassTo(621, cases));
+  const auto from = [](const char* time) {
+    return std::string("case (and (gt (sensor depth) 5:length) (ge missiontime ") + time +
+           ":time)) exit ";
+  };
+  for (const std::string& cases : {from("600") + from("700"), from("700") + from("600")}) {
+    EXPECT_TRUE(mayPassTo(619, cases)) << cases;
+    EXPECT_FALSE(mayPassTo(621, cases)) << cases;
+  }
 }
 
 TEST(Rules, TimePassesNoTimeThatAVariableHolds) {

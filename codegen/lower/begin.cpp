@@ -30,7 +30,6 @@ llvm::Function* lowerBegin(Lowering& lowering) {
       assign(body, {i}, body.expressions.asNumber(mission.variables[i].initial));
     }
   }
-  body.expressions.forget();  // temporals that initial values have read
   lowerWindowStarts(body, lowering.index.always_temporals);
   lowerTemporals(body, lowering.index.always_temporals, Moment::Start);
   body.builder.CreateRetVoid();

@@ -33,8 +33,9 @@ struct Users {
 /// because its target is on the stack is left out: at worst a warning is missing.
 ///
 /// A state whose own cases lead to an end needs no limit. Any other ends by way of `always`: of its
-/// first case that leads to an end, unless the state is that case's target, which it does not
-/// interrupt; then of the first with another target.
+/// first case that leads to an end. That it does not interrupt the state that is its target changes
+/// nothing: the first case's target needs no limit itself, ends by an earlier `exit` of `always`,
+/// or returns, of which nothing is told.
 class Ends {
  public:
   Ends(const Structure& structure, const Users& users)
@@ -57,27 +58,13 @@ class Ends {
  private:
   static constexpr uint64_t kNever = UINT64_MAX;
 
-  /// A case of `always` that leads to an end.
-  struct Interrupt {
-    uint64_t limit = kNever;  ///< with which it may fire
-    uint32_t target = UINT32_MAX;
-    bool operator==(const Interrupt&) const = default;
-  };
-
   /// A return that a `goto` to its state brings to an empty stack.
   [[nodiscard]] bool goesToReturn(const Edge& edge) const {
     return !edge.call && s_.moves[edge.to].return_case;
   }
 
   [[nodiscard]] uint64_t needed(uint32_t state) const {
-    if (needs_none_[state]) {
-      return 0;
-    }
-    // The target may call a state that is interrupted.
-    const auto calls_another = [&](const Edge& edge) { return edge.call && edge.to != state; };
-    const bool first =
-        state != first_.target || std::ranges::any_of(s_.moves[state].edges, calls_another);
-    return std::min(by_exit_, first ? first_.limit : other_.limit);
+    return needs_none_[state] ? 0 : std::min(by_exit_, by_interrupt_);
   }
 
   void needsNone(uint32_t state) {
@@ -98,23 +85,16 @@ class Ends {
     }
   }
 
-  /// Looks for the cases of `always` that lead to an end, and for states that go to one which now
-  /// can end: they need no limit. Whether there was any.
+  /// Looks for the first case of `always` that leads to an end, and for states that go to one which
+  /// now can end: they need no limit. Whether there was any.
   bool interrupt() {
-    Interrupt first, other;
-    for (const Edge& edge : s_.always.edges) {
-      if (!goesToReturn(edge) && !canEnd(edge.to, edge.case_index)) {
-        continue;
-      }
-      if (first.limit == kNever) {
-        first = {edge.case_index + uint64_t{1}, edge.to};
-      } else if (edge.to != first.target) {
-        other = {edge.case_index + uint64_t{1}, edge.to};
-        break;
-      }
-    }
-    bool any = first != std::exchange(first_, first);
-    any |= other != std::exchange(other_, other);
+    const auto leads_to_end = [&](const Edge& edge) {
+      return goesToReturn(edge) || canEnd(edge.to, edge.case_index);
+    };
+    const auto first = std::ranges::find_if(s_.always.edges, leads_to_end);
+    const uint64_t limit =
+        first == s_.always.edges.end() ? kNever : first->case_index + uint64_t{1};
+    bool any = limit != std::exchange(by_interrupt_, limit);
     for (uint32_t state : s_.order) {
       if (!ends_[state] && needed(state) != kNever) {
         ends_[state] = any = true;
@@ -131,9 +111,9 @@ class Ends {
   const Structure& s_;
   const Users& users_;
   std::vector<bool> needs_none_;
-  std::vector<bool> ends_;  ///< with the greatest limit at least
-  uint64_t by_exit_ = kNever;
-  Interrupt first_, other_;
+  std::vector<bool> ends_;          ///< with the greatest limit at least
+  uint64_t by_exit_ = kNever;       ///< limit with which the `exit` of `always` may fire
+  uint64_t by_interrupt_ = kNever;  ///< limit with which its first other case to an end may fire
   std::deque<uint32_t> pending_;
 };
 

@@ -31,7 +31,7 @@ class BounceCheck {
         layout_(ground_, relevance_, memory_) {}
 
   void run() {
-    if (m_.states.size() > kMostStates || hasReturn(m_.always)) {
+    if (m_.states.size() > kMostStates) {
       return;
     }
     for (uint32_t i = 0; i < m_.states.size(); ++i) {
@@ -76,9 +76,12 @@ class BounceCheck {
     const Configuration start = layout_.make(control, unknowns);
     const z3::expr begin = unknowns.real("begin");
     begin_ = &begin;
-    unknowns.require(begin >= start.mission_time);
+    const z3::expr& entered = start.entered.back();
+    for (const z3::expr* since : {&entered, &start.resumed}) {
+      unknowns.require(*since >= 0 && *since <= begin);
+    }
     Moment readings(unknowns, ground_);
-    readings.setClocks(begin, begin, begin);
+    readings.setClocks(begin, begin - entered, begin - start.resumed);
     for (uint32_t i = 0; i < m_.sensors.size(); ++i) {
       (void)readings.reading({i});
     }

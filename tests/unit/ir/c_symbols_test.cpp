@@ -3,6 +3,8 @@
 
 #include "ir/core/c_symbols.h"
 
+#include "ir/text/c_header.h"
+
 #include <gtest/gtest.h>
 
 namespace glider::ir {
@@ -72,6 +74,24 @@ TEST(CSymbols, TypesThatDifferHaveSymbolsThatDiffer) {
       EXPECT_EQ(a == b, sensorSymbol("x", quantity(a)) == sensorSymbol("x", quantity(b)));
     }
   }
+}
+
+/// Also where the language shows another unit.
+TEST(CHeader, SaysInWhichUnitAValueIs) {
+  const auto says = [](const Type& type, const std::string& unit) {
+    Function function;
+    function.name = "f";
+    function.result = type;
+    const std::string header = printHeader({{function}, {}, {}}, "m");
+    EXPECT_NE(header.find("gives " + unit + ". Each"), std::string::npos) << header;
+  };
+  says(quantity(dimension::pressure), "Pa");
+  says(quantity(dimension::charge), "C");
+  says(quantity(dimension::length), "m");
+  says(quantity(dimension::number), "a number");
+  says({TypeKind::Bool, {}}, "0 or 1");
+  says({TypeKind::Latitude, {}}, "degrees north");
+  says({TypeKind::Longitude, {}}, "degrees east");
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace glider::ir::prove {
@@ -325,15 +326,65 @@ TEST(StateDepths, KnowWhereVariablesAreEverSetTo) {
   EXPECT_TRUE(std::isinf(deepest("(add (var d) 1:length)")));
 }
 
+Verdict verdictOf(const std::string& text) {
+  const Mission mission = missionOf(text);
+  support::DiagnosticEngine diagnostics;
+  const MissionFacts facts = verify(mission, diagnostics);
+  return prove(mission, facts, slocum(), {}, diagnostics).requirements.at(0).verdict;
+}
+
 TEST(Requirements, ARouteInCMayBreakADepth) {
-  const auto verdict = [](const std::string& text) {
-    const Mission mission = missionOf(text);
-    support::DiagnosticEngine diagnostics;
-    const MissionFacts facts = verify(mission, diagnostics);
-    return prove(mission, facts, slocum(), {}, diagnostics).requirements.at(0).verdict;
+  EXPECT_EQ(verdictOf(withRoute("way begin entry do drift () end end")), Verdict::Proved);
+  EXPECT_EQ(verdictOf(withRoute("drift ()")), Verdict::Refuted);
+}
+
+const std::string kShallow =
+    "require always (le (sensor depth) 30:length)\n"
+    "behaviour profile down symbol \"\" () reads ()\n"
+    "behaviour route way symbol \"\" () reads ()\n";
+const std::string kQuietRoute = "route way begin end ";
+const std::string kTo20m = kQuietRoute +
+                           "profile down begin entry do descend (20:length, 0.4:angle) end end "
+                           "case (ge missiontime 500:time) ";
+
+/// The guard leads to a dive that breaks the requirement.
+TEST(Requirements, AReadingOfTheDepthIsHalfAMetreOffAtMost) {
+  const auto diveIf = [](const std::string& guard) {
+    return verdictOf(kHeader + kShallow + "state a " + kTo20m + "exit case (" + guard +
+                     ") goto b\nstate b " + kQuietRoute +
+                     "profile down begin entry do descend (40:length, 0.4:angle) end end "
+                     "case (ge missiontime 900:time) exit\n");
   };
-  EXPECT_EQ(verdict(withRoute("way begin entry do drift () end end")), Verdict::Proved);
-  EXPECT_EQ(verdict(withRoute("drift ()")), Verdict::Refuted);
+  EXPECT_EQ(diveIf("lt (sensor depth) -0.6:length"), Verdict::Proved);
+  EXPECT_NE(diveIf("lt (sensor depth) -0.4:length"), Verdict::Proved);
+  EXPECT_EQ(diveIf("gt (sensor depth) 25.6:length"), Verdict::Proved);
+  EXPECT_NE(diveIf("gt (sensor depth) 25.4:length"), Verdict::Proved);
+}
+
+/// From 25 m the vehicle gets below 30 m by the next tick.
+void expectThatItsOrdersCount(const std::function<Verdict(const std::string&)>& verdict) {
+  const std::string deeper = "begin entry do descend (40:length, 0.4:angle) end end ";
+  EXPECT_EQ(verdict(kQuietRoute + "profile down begin end "), Verdict::Proved);
+  EXPECT_NE(verdict(kQuietRoute + "profile down " + deeper), Verdict::Proved);
+  EXPECT_NE(verdict("route way " + deeper + "profile down begin end "), Verdict::Proved);
+  EXPECT_NE(verdict(kQuietRoute + "profile glide () "), Verdict::Proved) << "in C";
+  EXPECT_NE(verdict("route drift () profile down begin end "), Verdict::Proved) << "in C";
+}
+
+TEST(Requirements, WhatAStateOrdersAsItIsEnteredCounts) {
+  expectThatItsOrdersCount([](const std::string& b) {
+    return verdictOf(kHeader + kShallow + "state a " + kTo20m + "goto b\nstate b " + b +
+                     "case true exit\n");
+  });
+}
+
+TEST(Requirements, WhatAStateOrdersAsItIsResumedCounts) {
+  expectThatItsOrdersCount([](const std::string& a) {
+    return verdictOf(kHeader + kShallow +
+                     "resume within 20\nvariable back: bool mission\ninitial back false\n" +
+                     "state a " + a + "case (var back) exit " +
+                     "case true do set back true end call b\nstate b " + kTo20m + "return\n");
+  });
 }
 
 TEST(EndBound, ARouteThatOrdersADepthIsNoWayUp) {

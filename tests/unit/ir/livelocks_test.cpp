@@ -115,5 +115,100 @@ TEST(Livelocks, NotAtATimeBeforeWhichTheStateCannotBeEntered) {
       << "one stay after the other";
 }
 
+/// The lines on states that can follow each other on tick after tick.
+std::string bounces(const std::string& text, const platforms::Platform& platform = slocum()) {
+  const Mission mission = missionOf(text);
+  support::DiagnosticEngine diagnostics;
+  const MissionFacts facts = verify(mission, diagnostics);
+  Options options;
+  options.report = true;
+  std::string all;
+  for (const auto& line : prove(mission, facts, platform, options, diagnostics).lines) {
+    all += line.text.find("follow each other") != std::string::npos ? line.text + "\n" : "";
+  }
+  return all;
+}
+
+const std::string kCold = "case (lt (sensor temp) 12:temperature) goto a ";
+
+/// A `return` that never fires is no mistake: the look for states that follow each other on tick
+/// after tick takes none from an empty stack.
+TEST(Bounces, AStateWithAReturnThatNeverFires) {
+  bounces(kHeader + stateText("a", kExit + "case (gt (sensor temp) 10:temperature) goto b") +
+          stateText("b", kCold + "case false return"));
+}
+
+TEST(Bounces, NotAtTimesThatCannotBe) {
+  const auto after = [](const std::string& guard) {
+    return bounces(kHeader +
+                   "variable t: time mission lowest -100 highest 5000\ninitial t 1:time\n" +
+                   stateText("a", kExit + "case (and (gt (sensor temp) 10:temperature) " + guard +
+                                      ") goto b") +
+                   stateText("b", kCold));
+  };
+  for (const char* clock : {"missiontime", "statetime", "resumetime"}) {
+    const std::string name = clock;
+    EXPECT_NE(after("(lt " + name + " (var t))"), "") << name;
+    EXPECT_EQ(after("(lt " + name + " (min (var t) 0:time))"), "") << name;
+  }
+  EXPECT_EQ(after("(and (lt missiontime (min (var t) 0:time)) (and (lt statetime 900:time) "
+                  "(lt resumetime 900:time)))"),
+            "");
+}
+
+TEST(Bounces, SayHowLongTheStateWasCurrent) {
+  EXPECT_THAT(
+      bounces(kHeader +
+              stateText("a", kExit + "case (and (gt (sensor temp) 10:temperature) (and (gt "
+                                     "missiontime 900:time) (lt statetime 10:time))) goto b") +
+              stateText("b", kCold)),
+      testing::ContainsRegex("missiontime = [0-9.]+ s, statetime = [0-9](.[0-9]+)? s"));
+}
+
+/// From 86 s to `until` by a case of the state, from 98 s by one of `always`, 4 s later back.
+TEST(Bounces, ByTheSameCaseTwice) {
+  const auto between = [](const char* from, const char* to) {
+    return std::string("case (and (ge missiontime ") + from + ":time) (le missiontime " + to +
+           ":time)) goto ";
+  };
+  const auto until = [&](const char* last) {
+    return bounces(kHeader + "always " + between("98", "100") + "b " + between("102", "104") +
+                   "a\n" + stateText("a", between("86", last) + "b " + kExit) +
+                   stateText("b", between("90", "96") + "a"));
+  };
+  EXPECT_NE(until("97.9"), "");
+  EXPECT_EQ(until("92"), "");
+}
+
+/// The noise of the pressure is 0.01 bar.
+TEST(Bounces, TheNoiseIsInTheVehiclesUnit) {
+  const auto apart = [](const char* pressure) {
+    return bounces(
+        kHeader +
+        "sensor p: pressure vehicle sci_water_pressure id 3 encoding linear to_si 100000 "
+        "lowest 0 highest 100 stale_after 20\n" +
+        stateText("a", kExit + "case (gt (sensor p) 200000:pressure) goto b") +
+        stateText("b", std::string("case (lt (sensor p) ") + pressure + ":pressure) goto a"));
+  };
+  EXPECT_THAT(apart("199100"), HasSubstr("within the noise"));
+  EXPECT_EQ(apart("198900"), "");
+}
+
+/// Of degrees and minutes that stand in one number no difference has a meaning.
+TEST(Bounces, NoNoiseOfAPlace) {
+  platforms::Platform noisy = slocum();
+  for (platforms::PlatformSensor& sensor : noisy.sensors) {
+    sensor.noise = sensor.name == "m_lat" ? 0.5 : sensor.noise;
+  }
+  EXPECT_EQ(
+      bounces(kHeader +
+                  "sensor lat: latitude vehicle m_lat id 3 encoding degrees_minutes to_si 1 lowest "
+                  "-9000 highest 9000 stale_after 20\n" +
+                  stateText("a", kExit + "case (gt (sensor lat) 39:latitude) goto b") +
+                  stateText("b", "case (lt (sensor lat) 39:latitude) goto a"),
+              noisy),
+      "");
+}
+
 }  // namespace
 }  // namespace glider::ir::prove

@@ -91,6 +91,33 @@ class StepQuestion {
     return question.ask();
   }
 
+  /// Of the start: can the terms be what the interpreter did, or with `other` something else?
+  Answer askStart(const Left& after, const Interpreter& interpreter, bool other) {
+    z3::context context;
+    Unknowns unknowns(context);
+    const std::vector<z3::sort> memory;
+    Question question(context, 2000000);
+    const Layout layout(ground_, relevance_, memory);
+    Configuration from = layout.make({{0}, {}, Control::kNoLimit, false}, unknowns);
+    from.mission_time = from.resumed = context.real_val(0);
+    from.entered = {context.real_val(0)};
+    Moment moment(unknowns, ground_);
+    for (uint32_t i = 0; i < m_.sensors.size(); ++i) {
+      equate(question, moment.reading({i}), interpreter.readingOf({i}));
+    }
+    for (uint32_t i = 0; i < m_.variables.size(); ++i) {
+      if (m_.variables[i].kind == VariableKind::Parameter) {
+        question.add(holds(from.store, i, after.result.variables[i]));
+      }
+    }
+    const Configuration to = SymbolicTick(ground_, relevance_, unknowns).start(from, moment);
+    question.add(unknowns);
+    const z3::expr same = holdsWhat(to, after);
+    question.add(other ? !same : same);
+    EXPECT_EQ(layout.row(to).size(), layout.row(from).size());
+    return question.ask();
+  }
+
  private:
   static bool isSame(const Outcome& outcome, const TickResult& result) {
     if (outcome.fired.has_value() != result.moved.has_value()) {
@@ -119,6 +146,19 @@ class StepQuestion {
     return !v.owner.valid() || control.holds(v.owner);
   }
 
+  /// Whether a variable has this value; NaN: unknown.
+  [[nodiscard]] z3::expr holds(const Store& store, uint32_t variable, double value) const {
+    if (m_.variables[variable].type.kind == TypeKind::Bool) {
+      const TruthTerm& term = store.truths.at(variable);
+      return value != value ? !term.is_true && !term.is_false
+             : value != 0   ? term.is_true && !term.is_false
+                            : term.is_false && !term.is_true;
+    }
+    const NumberTerm& term = store.numbers.at(variable);
+    return value == value ? term.known && term.value == realOf(term.value.ctx(), value)
+                          : !term.known;
+  }
+
   z3::expr holdsWhat(const Configuration& c, const Left& left) const {
     z3::context& context = c.mission_time.ctx();
     z3::expr same = c.mission_time == realOf(context, left.time) &&
@@ -129,16 +169,7 @@ class StepQuestion {
       if (!keeps(c.control, m_.variables[i])) {
         continue;
       }
-      if (m_.variables[i].type.kind == TypeKind::Bool) {
-        const TruthTerm& term = c.store.truths.at(i);
-        same = same && (value != value ? !term.is_true && !term.is_false
-                        : value != 0   ? term.is_true && !term.is_false
-                                       : term.is_false && !term.is_true);
-      } else {
-        const NumberTerm& term = c.store.numbers.at(i);
-        same = same &&
-               (value == value ? term.known && term.value == realOf(context, value) : !term.known);
-      }
+      same = same && holds(c.store, i, value);
     }
     return same;
   }
@@ -168,6 +199,66 @@ size_t askTicks(const Mission& mission, const std::vector<random_missions::Strea
     before = std::move(after);
   }
   return found;
+}
+
+/// Whether the solver finds the start of `mission`, and something else that it may be.
+std::pair<Answer, Answer> askStart(const Mission& mission, const std::vector<SensorUpdate>& frame,
+                                   const Externals& externals = {}) {
+  const Ground ground(mission, slocum());
+  const Relevance relevance = everything(mission);
+  Interpreter interpreter(mission, static_cast<uint32_t>(mission.states.size()), externals);
+  const Left left{interpreter.start(frame), 0, 0, 0};
+  StepQuestion question(ground, relevance);
+  return {question.askStart(left, interpreter, false), question.askStart(left, interpreter, true)};
+}
+
+TEST(ProverStep, HoldsTheStartOfRandomMissions) {
+  size_t yes = 0;
+  for (uint64_t seed = 0; seed < 60; ++seed) {
+    const Mission mission = random_missions::randomMission(seed);
+    const auto frame = random_missions::randomStream(mission, seed, 0).front().frame;
+    const auto found = askStart(mission, frame, random_missions::randomExternals()).first;
+    ASSERT_NE(found, Answer::No) << "seed " << seed;
+    yes += found == Answer::Yes ? 1 : 0;
+  }
+  EXPECT_GT(yes, 50U);
+}
+
+/// Each sees what was set before it: the mission's variables, what `always` watches, the state's
+/// variables, what it watches, its entry, its profile, its route.
+TEST(ProverStep, TheStartIsThisAndNothingElse) {
+  const Mission mission = missionOf(kHeader + R"(behaviour profile rise symbol "" () reads ()
+behaviour route way symbol "" () reads ()
+variable p: number parameter lowest 0 highest 9
+variable met: bool parameter
+variable n: number mission lowest -100 highest 100
+variable m: number mission lowest -100 highest 100
+variable l: number mission lowest -100 highest 100
+variable at_once: bool mission
+variable turned: bool mission
+variable "a.x": number state of a lowest -100 highest 100
+initial p 2
+initial met true
+initial n (var p)
+initial m 0
+initial l 5
+initial at_once false
+initial turned true
+initial "a.x" (var n)
+temporal held always (and (var met) (gt (sensor depth) 5:length)) for 0:time
+temporal became state a (gt (sensor depth) 5:length)
+state a
+  route way begin entry do set l (var m) end end
+  profile rise begin entry do set m (var n) end end
+  entry do if (temporal 0) set at_once true end
+    if (temporal 1) set turned true else set turned false end
+    if (and (le missiontime 0:time) (eq (var "a.x") (var p))) set n 7 end end
+  case true stay
+)");
+  const std::vector<SensorUpdate> frame = {{{0}, 10}};
+  Interpreter interpreter(mission, 1);
+  EXPECT_EQ(interpreter.start(frame).variables, (std::vector<double>{2, 1, 7, 7, 7, 1, 0, 2}));
+  EXPECT_EQ(askStart(mission, frame), std::pair(Answer::Yes, Answer::No));
 }
 
 TEST(ProverStep, HoldsTheTicksOfRandomMissions) {

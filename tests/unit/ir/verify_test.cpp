@@ -91,6 +91,25 @@ TEST(Verify, TangledMissionsEndInShortNotes) {
   }
 }
 
+TEST(Verify, NamesEightOfTheStatesWithoutEnd) {
+  const auto notes = [](int states) {
+    std::string text = kHeader + stateText("a", clock(4) + "goto s0 " + clock(8) + "exit");
+    for (int i = 0; i < states; ++i) {
+      text +=
+          stateText(fmt::format("s{}", i), clock(4) + fmt::format("goto s{}", (i + 1) % states));
+    }
+    const Verified v(missionOf(text));
+    const auto all = v.diagnostics.sorted();
+    EXPECT_EQ(all.size(), 1u);
+    return std::ranges::count_if(all.at(0).notes, [](const auto& note) {
+      return note.message.find("nor can state") != std::string::npos;
+    });
+  };
+  EXPECT_EQ(notes(9), 8);
+  EXPECT_EQ(notes(10), 8);
+  EXPECT_EQ(notes(8), 7);
+}
+
 TEST(Verify, PassesAreNamedOnceEach) {
   std::set<std::string_view> names;
   for (const VerifyPass& pass : verifyPasses()) {

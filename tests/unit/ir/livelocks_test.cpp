@@ -162,7 +162,7 @@ TEST(Bounces, SayHowLongTheStateWasCurrent) {
               stateText("a", kExit + "case (and (gt (sensor temp) 10:temperature) (and (gt "
                                      "missiontime 900:time) (lt statetime 10:time))) goto b") +
               stateText("b", kCold)),
-      testing::ContainsRegex("missiontime = [0-9.]+ s, statetime = [0-9](.[0-9]+)? s"));
+      testing::ContainsRegex("missiontime = [0-9.]+ s, statetime = [0-9](\\.[0-9]+)? s"));
 }
 
 /// From 86 s to `until` by a case of the state, from 98 s by one of `always`, 4 s later back.

@@ -131,9 +131,8 @@ HookGuard Guard::stall(const HookbehArgs& args, const Instruction& in_force) con
   // What it may have sunk before this dive is for a climb that checks the depth.
   const double own = atMost(most - unseen_.shown(), kPastShownM);
   const bool sinks = unseen_.deepest() >= most && !(unseen_.deepest() < down_from_m_ + own);
-  const bool unseen = sinks || mayBeFarDown(args);
-  const bool idle = headway_.way() == Way::Down && (headway_.idleFor() >= kHoverSecs || unseen);
-  return idle ? HookGuard::NoDepthGained : HookGuard::None;
+  const bool ends = headway_.idleFor() >= kHoverSecs || sinks || mayBeFarDown(args);
+  return headway_.way() == Way::Down && ends ? HookGuard::NoDepthGained : HookGuard::None;
 }
 
 /// How deep the vehicle may be before its depth must show it, m.
@@ -149,7 +148,7 @@ double Guard::mostUnseen(const HookbehArgs& args, const Instruction& in_force) c
   return most;
 }
 
-/// Two sensors may be wrong.
+/// The dive itself may have led past all limits, whatever a second sensor says: both may be wrong.
 bool Guard::mayBeFarDown(const HookbehArgs& args) const {
   const double left = args.greatest_depth_m - unseen_.shown() + kPastShare * args.greatest_depth_m;
   return unseen_.sunkInDive() >= atLeast(left, kLeastInDiveM) ||

@@ -17,7 +17,6 @@ constexpr double kHoldReachM = 1.0;
 constexpr double kHoverLostM = 6.0;
 /// Shallower than this, hovering means floating.
 constexpr double kSurfaceM = 1.0;
-
 /// Shallower than this, waves may be all that moves a vehicle on its way up.
 constexpr double kNearSurfaceM = 3.0;
 

@@ -16,7 +16,7 @@ class Planted:
     old: str
     new: str
     faults: tuple = ()  # the campaign flies these kinds only; none: all
-    scenario: str = "default"
+    ctd: bool = True  # the vehicle has one
     missions: tuple = ()  # the campaign flies these only; none: all
 
 
@@ -79,7 +79,7 @@ PLANTED = [
     Planted("HB-22", "a frozen depth is believed", WATCH, "(frozen_ && own_.sameFor() > 0) || (same && !hangs)", "false", SENSORS),
     Planted("HB-23", "a dive that gains no depth goes on", GUARD, "return idle ? HookGuard::NoDepthGained : HookGuard::None;",
             "return HookGuard::None;", SENSORS),
-    Planted("HB-33", "what may have sunk unseen is not reckoned", UNSEEN_SINK, "reckon(step_s, last);", ";", ("sensor frozen",), "scripts/soak/no_ctd.toml",
+    Planted("HB-33", "what may have sunk unseen is not reckoned", UNSEEN_SINK, "reckon(step_s, last);", ";", ("sensor frozen",), False,
             ("scripts/soak/deep.mission",)),
     Planted("HB-34", "what another behaviour flies is reckoned", HOOKBEH,
             "off_cc > kPumpErrorCc || off_cc < -kPumpErrorCc", "false", ("SBC power cut", "science reboot", "mission stuck", "several at once")),

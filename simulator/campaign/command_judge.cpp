@@ -6,6 +6,7 @@
 #include "hooks/hookbeh/hull.h"
 #include "hooks/protocol/numbers.h"
 #include "platforms/slocum_sensors.h"
+#include "simulator/campaign/commanded.h"
 
 #include <fmt/format.h>
 
@@ -26,7 +27,6 @@ using hooks::Instruction;
 namespace {
 
 constexpr double kPitchError = 1e-5;  // rad
-constexpr double kPumpError = 1e-3;   // cc
 constexpr double kDepthError = 1e-3;  // m
 constexpr double kHoverReach = 2;     // m: hookbeh's own
 constexpr double kHoldReach = 1;      // m: the same
@@ -48,14 +48,6 @@ constexpr double kWrong = 8;        // m beside the truth, where a CTD tells
 constexpr double kWrongSecs = 60;   // of a dive, which takes as long to show it at first
 constexpr double kIdleSecs = 200;
 constexpr double kFullCircle = 6.283186;
-
-bool climbs(const HookbehOutputs& out) {
-  return out.pitch_rad > 0 && out.pump_cc > 0;
-}
-
-bool checksDepth(const HookbehOutputs& out) {
-  return out.doing == std::string_view("check depth");
-}
 
 bool isAngle(double ddmm, double most) {
   return std::fabs(ddmm) <= most && std::fmod(std::fabs(ddmm), 100) <= 60;
@@ -156,9 +148,7 @@ std::string CommandJudge::judgeWhole(const CycleView& view) const {
                        s_.args.steepest_pitch_rad);
   }
   // Its own climbs are with all of the pump.
-  const std::string_view doing = out.doing;
-  const bool own = doing.starts_with("climb: ") || checksDepth(out);
-  const double most_cc = own ? hooks::kHull.pump_cc : s_.args.climb_pump_cc;
+  const double most_cc = climbsByItself(out) ? hooks::kHull.pump_cc : s_.args.climb_pump_cc;
   if (out.pump_cc > most_cc + kPumpError || out.pump_cc < s_.args.dive_pump_cc - kPumpError) {
     return fmt::format("a pump of {:.0f} cc is commanded", out.pump_cc);
   }

@@ -6,13 +6,13 @@
 #include "hooks/hookbeh/hull.h"
 #include "hooks/protocol/messages.h"
 #include "platforms/slocum_sensors.h"
+#include "simulator/campaign/commanded.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string_view>
 
 namespace glider::simulator {
 
@@ -21,7 +21,6 @@ using hooks::HookState;
 
 namespace {
 
-constexpr double kPumpError = 1e-3;  // cc
 // What a jump is without a doubt: from a depth that was right for a minute, further than a vehicle
 // and noise go in hookbeh's longest cycle.
 constexpr double kRight = 2;          // m
@@ -34,15 +33,6 @@ constexpr double kStandsStill = 0.5;  // m
 constexpr double kBelowSurface = 3;   // m
 constexpr double kAwayCc = 30;        // that tell two commands to the pump apart
 constexpr double kAwaySecs = 12;      // s
-
-bool climbsByItself(const CycleView& view) {
-  return view.hookbeh->guard != HookGuard::None ||
-         view.hookbeh->doing == std::string_view("check depth");
-}
-
-bool climbs(const CycleView& view) {
-  return view.hookbeh->pitch_rad > 0 && view.hookbeh->pump_cc > 0;
-}
 
 /// How many of those that hookbeh tells the time by are damaged in a flight.
 int wrongClocks(const Faults& faults) {
@@ -68,7 +58,7 @@ void GuardJudge::restart() {
 /// Its own climbs are with all of the pump, whatever c_bpump_value says of usual ones.
 std::string GuardJudge::judgePump(const CycleView& view) const {
   const bool weak =
-      climbsByItself(view) && view.hookbeh->pump_cc < hooks::kHull.pump_cc - kPumpError;
+      climbsByItself(*view.hookbeh) && view.hookbeh->pump_cc < hooks::kHull.pump_cc - kPumpError;
   return weak ? fmt::format("{} with {:.0f} cc, and the pump has {:.0f}", view.hookbeh->doing,
                             view.hookbeh->pump_cc, hooks::kHull.pump_cc)
               : "";
@@ -82,7 +72,7 @@ std::string GuardJudge::judgeJump(const CycleView& view) {
   const bool right = std::fabs(reading - view.true_depth_m) < kRight;
   right_s_ = right ? right_s_ + view.time_s - last_s_ : 0;
   reading_m_ = reading;
-  return jumped && view.hook == HookState::Active && !climbs(view)
+  return jumped && view.hook == HookState::Active && !climbs(*view.hookbeh)
              ? fmt::format("m_depth jumps by {:.1f} m, and hookbeh does not climb", by)
              : "";
 }
@@ -90,8 +80,8 @@ std::string GuardJudge::judgeJump(const CycleView& view) {
 /// A climb that gains no height gets all that there is.
 std::string GuardJudge::judgeClimb(const CycleView& view) {
   const double reading = view.array.get(GLIDER_M_DEPTH);
-  const bool counts = view.hook == HookState::Active && climbs(view) && !climbsByItself(view) &&
-                      !view.overridden && reading > kBelowSurface;
+  const bool counts = view.hook == HookState::Active && climbs(*view.hookbeh) &&
+                      !climbsByItself(*view.hookbeh) && !view.overridden && reading > kBelowSurface;
   const bool moves = !(climbs_s_ > 0) || std::fabs(reading - stood_m_) >= kStandsStill;
   stood_m_ = moves ? reading : stood_m_;
   climbs_s_ = !counts ? 0 : moves ? s_.cycle_s : climbs_s_ + view.time_s - last_s_;

@@ -11,8 +11,11 @@
 #include <llvm/Object/ELFObjectFile.h>
 #include <llvm/Support/MemoryBuffer.h>
 
+#include <filesystem>
+#include <functional>
 #include <gmock/gmock.h>
 #include <set>
+#include <string>
 
 namespace glider::codegen_tests {
 namespace {
@@ -54,46 +57,45 @@ unsigned lineOf(const Checked& checked, const support::SourceRange& range) {
   return checked.sources.place(range.file, range.begin).line;
 }
 
-TEST(LineTables, HoldGuardsAndActivitiesOfEveryBoard) {
-  const Checked checked = figure2();
+/// Links `checked` for each board at each level and hands what lies at its path to `look`.
+void onEachBoard(const Checked& checked,
+                 const std::function<void(const std::filesystem::path&, int level)>& look) {
   for (const char* name : kBoards) {
     for (const int level : {0, 2, 3}) {
+      SCOPED_TRACE(std::string(name) + std::to_string(level));
       codegen::CodegenOptions options;
       options.optimisation_level = level;
       options.sources = &checked.sources;
       const auto output = testFolder() / "figure2";
       ASSERT_TRUE(
           codegen::linkExecutable(checked.mission, checked.facts, board(name), options, output));
-      const std::set<unsigned> lines =
-          linesOf(support::readFile(output.string() + ".debug").value(), "figure2.ir");
-      for (const ir::State& state : checked.mission.states) {
-        EXPECT_THAT(lines, testing::Contains(lineOf(checked, state.profile.range)));
-        // Above -O0 the guards of a state may become one, which stands for its first line.
-        for (size_t i = 0; i < (level == 0 ? state.cases.size() : 1); ++i) {
-          EXPECT_THAT(lines, testing::Contains(lineOf(checked, state.cases[i].range)))
-              << name << level;
-        }
-      }
-      EXPECT_THAT(linesOf(support::readFile(output).value(), "figure2.ir"), testing::IsEmpty());
+      look(output, level);
     }
   }
+}
+
+TEST(LineTables, HoldGuardsAndActivitiesOfEveryBoard) {
+  const Checked checked = figure2();
+  onEachBoard(checked, [&](const std::filesystem::path& output, int level) {
+    const std::set<unsigned> lines =
+        linesOf(support::readFile(output.string() + ".debug").value(), "figure2.ir");
+    for (const ir::State& state : checked.mission.states) {
+      EXPECT_THAT(lines, testing::Contains(lineOf(checked, state.profile.range)));
+      // Above -O0 the guards of a state may become one, which stands for its first line.
+      for (size_t i = 0; i < (level == 0 ? state.cases.size() : 1); ++i) {
+        EXPECT_THAT(lines, testing::Contains(lineOf(checked, state.cases[i].range)));
+      }
+    }
+    EXPECT_THAT(linesOf(support::readFile(output).value(), "figure2.ir"), testing::IsEmpty());
+  });
 }
 
 /// The debuggers of the boards' time read no later one, whatever the runtime was compiled with.
 TEST(LineTables, OfTheMissionAreInTheFourthVersionOfDwarf) {
   const Checked checked = figure2();
-  for (const char* name : kBoards) {
-    for (const int level : {0, 2, 3}) {
-      codegen::CodegenOptions options;
-      options.optimisation_level = level;
-      options.sources = &checked.sources;
-      const auto output = testFolder() / "figure2";
-      ASSERT_TRUE(
-          codegen::linkExecutable(checked.mission, checked.facts, board(name), options, output));
-      EXPECT_EQ(versionOf(support::readFile(output.string() + ".debug").value(), "figure2.ir"), 4U)
-          << name << level;
-    }
-  }
+  onEachBoard(checked, [&](const std::filesystem::path& output, int) {
+    EXPECT_EQ(versionOf(support::readFile(output.string() + ".debug").value(), "figure2.ir"), 4U);
+  });
 }
 
 TEST(LineTables, AreLeftOutWhenNotWanted) {

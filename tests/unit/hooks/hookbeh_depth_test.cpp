@@ -256,12 +256,17 @@ TEST(HookbehDepth, ADiveThatGainedNoDepthNearTheSurfaceIsTriedAgainAfterTenMinut
   EXPECT_STREQ(sea.out.doing, "dive_to");
 }
 
-TEST(HookbehDepth, AClimbThatGainsNoHeightClimbsWithAllItHas) {
-  Sea sea;
+/// On the way up from 30 m, as `instruction` says.
+void beginToClimb(Sea& sea, const Instruction& instruction) {
   sea.has_ctd = true;
   sea.diveTo(30, 50);
-  sea.bench.write(Bench::ascend(5));
+  sea.bench.write(instruction);
   sea.run(6, kNothing);
+}
+
+TEST(HookbehDepth, AClimbThatGainsNoHeightClimbsWithAllItHas) {
+  Sea sea;
+  beginToClimb(sea, Bench::ascend(5));
   const double at = sea.truth;
   EXPECT_EQ(hang(sea, 57), HookGuard::None);
   EXPECT_EQ(hang(sea, 8), HookGuard::NoHeightGained) << "240 s";
@@ -275,10 +280,7 @@ TEST(HookbehDepth, AClimbThatGainsNoHeightClimbsWithAllItHas) {
 
 TEST(HookbehDepth, AWayToTheSurfaceThatGainsNoHeightClimbsWithAllItHas) {
   Sea sea;
-  sea.has_ctd = true;
-  sea.diveTo(30, 50);
-  sea.bench.write(Bench::vertical(HookVertical::Surface, 0));
-  sea.run(6, kNothing);
+  beginToClimb(sea, Bench::vertical(HookVertical::Surface, 0));
   EXPECT_EQ(hang(sea, 57), HookGuard::None);
   EXPECT_EQ(hang(sea, 8), HookGuard::NoHeightGained) << "240 s";
   sea.until(HookGuard::None, kNothing);
@@ -298,10 +300,7 @@ TEST(HookbehDepth, AtTheSurfaceThereIsNoHeightToGain) {
 
 TEST(HookbehDepth, AnInstructionToGoDeeperEndsAClimbThatGainsNoHeight) {
   Sea sea;
-  sea.has_ctd = true;
-  sea.diveTo(30, 50);
-  sea.bench.write(Bench::ascend(5));
-  sea.run(6, kNothing);
+  beginToClimb(sea, Bench::ascend(5));
   ASSERT_EQ(hang(sea, 70), HookGuard::NoHeightGained);
   sea.held = true;
   sea.run(5, kNothing);

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "hooks/hookbeh/hookbeh.h"
+
+#include <string_view>
+
+/// What judges ask of the commands of a cycle.
+namespace glider::simulator {
+
+inline constexpr double kPumpError = 1e-3;  ///< cc; commands that differ by less are the same
+
+inline bool climbs(const hooks::HookbehOutputs& out) {
+  return out.pitch_rad > 0 && out.pump_cc > 0;
+}
+
+/// hookbeh climbs to see whether the depth follows; no guard does.
+inline bool checksDepth(const hooks::HookbehOutputs& out) {
+  return out.doing == std::string_view("check depth");
+}
+
+/// hookbeh climbs whatever the SBC instructs.
+inline bool climbsByItself(const hooks::HookbehOutputs& out) {
+  return out.guard != hooks::HookGuard::None || checksDepth(out);
+}
+
+}  // namespace glider::simulator

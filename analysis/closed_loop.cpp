@@ -53,13 +53,13 @@ std::vector<std::string> worlds() {
 
 class Search {
  public:
-  Search(const compiler::Compilation& compilation, const ir::prove::RequirementVerdict& verdict,
-         std::shared_ptr<const codegen::LoadedMission> mission)
-      : compilation_(compilation),
-        m_(*compilation.mission),
+  Search(const compiler::Optimised& flown, const ir::prove::RequirementVerdict& verdict,
+         std::shared_ptr<const codegen::LoadedMission> loaded)
+      : flown_(flown),
+        m_(flown.checked->mission()),
         requirement_(m_.requirements[verdict.requirement]),
         parameters_(verdict.run->parameters),
-        mission_(std::move(mission)) {}
+        loaded_(std::move(loaded)) {}
 
   Result<ClosedLoop> run() {
     ClosedLoop result;
@@ -87,12 +87,12 @@ class Search {
       return std::unexpected(world.error());
     }
     simulator::SimulationSetup setup;
-    setup.platform = *compilation_.platform;
+    setup.platform = flown_.platform();
     setup.scenario = std::move(*world);
     setup.seed = seed;
-    flights::describeMission(setup, compilation_);
+    flights::describeMission(setup, flown_);
     auto sbc = std::make_unique<flights::InProcessSbc>(
-        mission_, parameters_, std::make_shared<flights::Card>(), !setup.scenario.faults.empty());
+        loaded_, parameters_, std::make_shared<flights::Card>(), !setup.scenario.faults.empty());
     flights::HeardTicks heard(m_);
     sbc->watch([&](const GliderContext& context, double now) { heard.look(context, now); });
     setup.sbc = std::move(sbc);
@@ -105,8 +105,8 @@ class Search {
 
   [[nodiscard]] std::optional<double> judge(const std::vector<flights::HeardTick>& ticks,
                                             const support::Trace& trace) const {
-    ir::Interpreter interpreter(m_, compilation_.facts.stack_depth);
-    const auto& platform = *compilation_.platform;
+    ir::Interpreter interpreter(m_, flown_.checked->facts.stack_depth);
+    const auto& platform = flown_.platform();
     ir::RequirementMonitor monitor(m_, requirement_, platform.world.surface_depth_m,
                                    ir::prove::depthSensor(m_, platform));
     TrueDepth depth(trace);
@@ -119,11 +119,11 @@ class Search {
     return monitor.when();
   }
 
-  const compiler::Compilation& compilation_;
-  const ir::Mission& m_;
+  const compiler::Optimised& flown_;
+  const ir::Mission& m_;  ///< with its requirements
   const ir::Requirement& requirement_;
   std::vector<double> parameters_;
-  std::shared_ptr<const codegen::LoadedMission> mission_;
+  std::shared_ptr<const codegen::LoadedMission> loaded_;
 };
 
 bool needsC(const ir::Mission& mission) {
@@ -136,17 +136,17 @@ bool needsC(const ir::Mission& mission) {
 
 }  // namespace
 
-Result<ClosedLoop> searchClosedLoop(const compiler::Compilation& compilation,
+Result<ClosedLoop> searchClosedLoop(const compiler::Optimised& mission,
                                     const ir::prove::RequirementVerdict& verdict) {
-  const bool flies = simulator::checkPlatform(*compilation.platform).has_value();
-  if (!verdict.run || needsC(*compilation.mission) || !flies) {
+  const bool flies = simulator::checkPlatform(mission.platform()).has_value();
+  if (!verdict.run || needsC(mission.checked->mission()) || !flies) {
     return ClosedLoop{};  // the proof stands without a flight
   }
-  auto loaded = flights::loadHere(compilation, {});
+  auto loaded = flights::loadHere(mission, {});
   if (!loaded) {
     return std::unexpected(loaded.error());
   }
-  return Search(compilation, verdict,
+  return Search(mission, verdict,
                 std::make_shared<const codegen::LoadedMission>(std::move(*loaded)))
       .run();
 }

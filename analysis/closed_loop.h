@@ -4,6 +4,7 @@
 #pragma once
 
 #include "compiler/compilation.h"
+#include "ir/prove/prove.h"
 #include "support/result.h"
 
 #include <cstdint>
@@ -31,7 +32,7 @@ struct ClosedLoop {
 /// judged as a replay is. No flight, if the mission needs code in C or is for
 /// a vehicle that the simulator cannot fly. Fails as compiling and
 /// simulating do.
-support::Result<ClosedLoop> searchClosedLoop(const compiler::Compilation& compilation,
+support::Result<ClosedLoop> searchClosedLoop(const compiler::Optimised& mission,
                                              const ir::prove::RequirementVerdict& verdict);
 
 }  // namespace glider::analysis

@@ -36,15 +36,15 @@ GraphTransition transitionOf(ir::Transition transition) {
 
 class Maker {
  public:
-  Maker(const compiler::Compilation& compilation, const std::map<ir::CasePlace, bool>& dead)
-      : sources_(compilation.sources),
-        ast_(compilation.ast ? &*compilation.ast : nullptr),
-        mission_(*compilation.mission),
+  Maker(const compiler::Lowered& lowered, const std::map<ir::CasePlace, bool>& dead)
+      : sources_(*lowered.sources),
+        in_the_language_(lowered.standard_library.has_value()),
+        mission_(lowered.mission),
         dead_(dead),
         led_(mission_),
         structure_(mission_, placesOf(dead)) {}
 
-  report::Graph run(const ir::MissionFacts& facts) {
+  report::Graph run(const std::vector<ir::StateId>& deepest_path) {
     report::Graph graph;
     graph.mission = mission_.name;
     graph.platform = mission_.platform;
@@ -52,7 +52,7 @@ class Maker {
       graph.states.push_back(state(s));
     }
     graph.always = cases(ir::StateId(), mission_.always, structure_.always, "`always`");
-    for (const ir::StateId id : facts.deepest_path) {
+    for (const ir::StateId id : deepest_path) {
       graph.deepest_path.push_back(id.index);
     }
     return graph;
@@ -87,17 +87,14 @@ class Maker {
 
   /// "to: position, limit: time"; of the IR's text form only the names.
   [[nodiscard]] std::string parameters(const ir::State& state) const {
+    if (state.formals.valid()) {
+      return line(state.formals);
+    }
     std::string list;
-    auto add = [&](const std::string& one) { list += (list.empty() ? "" : ", ") + one; };
-    if (const ast::State* written = find(state.name); written != nullptr && written->formals) {
-      for (const ast::Formal& formal : *written->formals) {
-        add(formal.name.text + ": " + formal.type.text);
-      }
-    } else {
-      for (const ir::VariableId id : state.parameters) {
-        const std::string& name = mission_[id].name;
-        add(name.starts_with(state.name + ".") ? name.substr(state.name.size() + 1) : name);
-      }
+    for (const ir::VariableId id : state.parameters) {
+      const std::string& name = mission_[id].name;
+      list += (list.empty() ? "" : ", ") +
+              (name.starts_with(state.name + ".") ? name.substr(state.name.size() + 1) : name);
     }
     return list;
   }
@@ -105,34 +102,16 @@ class Maker {
   /// A profile or route with its arguments; one that is not written down by its name.
   [[nodiscard]] std::string use(const ir::Activity& activity) const {
     const std::string& name = mission_[activity.behaviour].name;
-    const std::string written = ast_ == nullptr ? "" : line(activity.range);
+    const std::string written = in_the_language_ ? line(activity.range) : "";
     return written.starts_with(name) ? written : name;
-  }
-
-  [[nodiscard]] const ast::State* find(const std::string& name) const {
-    if (ast_ != nullptr) {
-      for (const ast::Item& item : ast_->items) {
-        if (const auto* state = std::get_if<ast::State>(&item); state && state->name.text == name) {
-          return state;
-        }
-      }
-    }
-    return nullptr;
   }
 
   /// What is written of the state before its events.
   [[nodiscard]] std::string source(const ir::State& state) const {
-    const ast::State* written = find(state.name);
-    if (written == nullptr) {
+    if (!state.head.valid()) {
       return "state " + state.name;
     }
-    support::SourceRange range = written->where;
-    for (const ast::Member& member : written->members) {
-      if (std::holds_alternative<ast::EventsMember>(member.node)) {
-        range.end = std::min(range.end, member.where.begin);
-      }
-    }
-    std::string head = text(range);
+    std::string head = text(state.head);
     head.erase(head.find_last_not_of(" \t\r\n") + 1);
     return head;
   }
@@ -178,7 +157,7 @@ class Maker {
   }
 
   const support::SourceManager& sources_;
-  const ast::File* ast_;
+  const bool in_the_language_;  ///< and not in the IR's text form
   const ir::Mission& mission_;
   const std::map<ir::CasePlace, bool>& dead_;
   const ir::Structure led_;  ///< with the cases that are proved never to fire
@@ -187,9 +166,10 @@ class Maker {
 
 }  // namespace
 
-report::Graph graphOf(const compiler::Compilation& compilation,
+report::Graph graphOf(const compiler::Lowered& mission,
+                      const std::vector<ir::StateId>& deepest_path,
                       const std::map<ir::CasePlace, bool>& dead) {
-  return Maker(compilation, dead).run(compilation.facts);
+  return Maker(mission, dead).run(deepest_path);
 }
 
 }  // namespace glider::analysis

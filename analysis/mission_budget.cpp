@@ -6,7 +6,6 @@
 #include "codegen/budget/budget.h"
 #include "compiler/boards.h"
 #include "compiler/user_code.h"
-#include "ir/opt/optimise.h"
 #include "ir/verify/link_bytes.h"
 #include "runtime/checkpoint/checkpoint.h"
 
@@ -33,8 +32,8 @@ bool exceeds(const Quantity& quantity) {
   return quantity.value && quantity.limit && *quantity.value > *quantity.limit;
 }
 
-Budget linesBudget(const ir::Mission& mission, compiler::Compilation& compilation) {
-  const ir::LinkBytes bytes = ir::linkBytes(mission, *compilation.platform);
+Budget linesBudget(const compiler::Optimised& mission, support::DiagnosticEngine& diagnostics) {
+  const ir::LinkBytes bytes = ir::linkBytes(mission.mission, mission.platform());
   const std::string unit = "bytes a cycle";
   const std::string fast = "115200 baud: ", slow = "9600 baud: ";
   Budget budget{
@@ -47,9 +46,8 @@ Budget linesBudget(const ir::Mission& mission, compiler::Compilation& compilatio
         slow + "an instruction and the heartbeat"}}};
   for (const Quantity& quantity : budget.quantities) {
     if (exceeds(quantity)) {
-      compilation.diagnostics.report(DiagnosticId::lineOverloaded, {}, *quantity.value,
-                                     quantity.remark.starts_with(slow) ? 9600 : 115200,
-                                     *quantity.limit);
+      diagnostics.report(DiagnosticId::lineOverloaded, {}, *quantity.value,
+                         quantity.remark.starts_with(slow) ? 9600 : 115200, *quantity.limit);
     }
   }
   return budget;
@@ -108,34 +106,34 @@ Budget unmeasured(const platforms::Board& board, const std::string& why) {
             why + "; link it with --link FILE"}}};
 }
 
-Result<Budget> budgetOn(const std::string& target, const ir::Mission& mission,
-                        compiler::Compilation& compilation,
-                        const std::vector<std::string>& user_code) {
+Result<Budget> budgetOn(const std::string& target, const compiler::Optimised& mission,
+                        const std::vector<std::string>& user_code,
+                        support::DiagnosticEngine& diagnostics) {
   const auto board = compiler::loadTarget(target);
   if (!board) {
     return std::unexpected(board.error());
   }
   codegen::CodegenOptions options;
-  options.sources = &compilation.sources;
-  const auto code = compiler::loadUserCode(user_code, compilation, *board);
+  options.sources = &mission.sources();
+  const auto code = compiler::loadUserCode(user_code, mission.mission, *board);
   if (!code) {
     return std::unexpected(code.error());
   }
   code->addTo(options);
-  const auto measured = codegen::measureBudget(mission, compilation.facts, *board, options);
+  const auto measured = codegen::measureBudget(mission.input(), *board, options);
   if (!measured && measured.error().id == DiagnosticId::unboundSymbol) {
     return unmeasured(*board, measured.error().message);
   }
   if (!measured) {
     return std::unexpected(measured.error());
   }
-  Budget budget = boardBudget(*measured, *board, compilation.platform->envelope.cycle_s);
+  Budget budget = boardBudget(*measured, *board, mission.platform().envelope.cycle_s);
   for (const Quantity& quantity : budget.quantities) {
     if (exceeds(quantity)) {
       const std::string what =
           quantity.unit == "bytes" ? "bytes of " + quantity.name : "instructions a tick";
-      compilation.diagnostics.report(DiagnosticId::boardOverloaded, {}, *quantity.value, what,
-                                     target, *quantity.limit);
+      diagnostics.report(DiagnosticId::boardOverloaded, {}, *quantity.value, what, target,
+                         *quantity.limit);
     }
   }
   return budget;
@@ -143,14 +141,13 @@ Result<Budget> budgetOn(const std::string& target, const ir::Mission& mission,
 
 }  // namespace
 
-Result<std::vector<Budget>> missionBudgets(compiler::Compilation& compilation,
+Result<std::vector<Budget>> missionBudgets(const compiler::Optimised& mission,
                                            const std::vector<std::string>& targets,
-                                           const std::vector<std::string>& user_code) {
-  ir::Mission mission = *compilation.mission;  // as `glidercc build` compiles it
-  ir::optimise(mission, {});
-  std::vector<Budget> budgets = {linesBudget(mission, compilation)};
+                                           const std::vector<std::string>& user_code,
+                                           support::DiagnosticEngine& diagnostics) {
+  std::vector<Budget> budgets = {linesBudget(mission, diagnostics)};
   for (const std::string& target : targets) {
-    auto budget = budgetOn(target, mission, compilation, user_code);
+    auto budget = budgetOn(target, mission, user_code, diagnostics);
     if (!budget) {
       return std::unexpected(budget.error());
     }

@@ -32,17 +32,16 @@ std::vector<int> sensorColumns(const support::Trace& trace, const ir::Mission& m
 
 class Replay {
  public:
-  Replay(const support::Trace& trace, const compiler::Compilation& compilation,
+  Replay(const support::Trace& trace, const compiler::Checked& checked,
          const std::vector<std::string>& built_states)
       : trace_(trace),
         built_states_(built_states),
-        m_(*compilation.mission),
+        m_(checked.mission()),
         columns_(sensorColumns(trace, m_)),
         depth_(trace.column("true_depth")),
-        interpreter_(m_, compilation.facts.stack_depth),
-        monitor_(m_, m_.requirements[*trace.requirement],
-                 compilation.platform->world.surface_depth_m,
-                 ir::prove::depthSensor(m_, *compilation.platform)) {}
+        interpreter_(m_, checked.facts.stack_depth),
+        monitor_(m_, m_.requirements[*trace.requirement], checked.platform().world.surface_depth_m,
+                 ir::prove::depthSensor(m_, checked.platform())) {}
 
   Result<Replayed> run(simulator::SbcPort& sbc, const std::vector<double>& parameters) {
     std::vector<simulator::ReplayTick> ticks;
@@ -131,8 +130,8 @@ class Replay {
 }  // namespace
 
 Result<void> checkTrace(const support::Trace& trace, const std::string& name,
-                        const compiler::Compilation& compilation) {
-  const ir::Mission& mission = *compilation.mission;
+                        const compiler::Checked& checked) {
+  const ir::Mission& mission = checked.mission();
   auto refuse = [&](const std::string& why) {
     return support::fail(DiagnosticId::traceNotOfMission, name, why);
   };
@@ -156,7 +155,7 @@ Result<void> checkTrace(const support::Trace& trace, const std::string& name,
   return {};
 }
 
-Result<Replayed> replayRun(const support::Trace& trace, const compiler::Compilation& mission,
+Result<Replayed> replayRun(const support::Trace& trace, const compiler::Checked& mission,
                            const std::vector<std::string>& built_states,
                            const std::vector<double>& parameters, simulator::SbcPort& sbc) {
   return Replay(trace, mission, built_states).run(sbc, parameters);

@@ -22,13 +22,11 @@ struct Replayed {
 
 /// Whether `trace` is a run of `mission`: GL9361.
 support::Result<void> checkTrace(const support::Trace& trace, const std::string& name,
-                                 const compiler::Compilation& mission);
+                                 const compiler::Checked& mission);
 
 /// Flies the run in `trace` on `sbc`, and beside it on the interpreter: GL9362 if they part.
-/// `mission` is as its text says, not optimised; the states of what is built, which is, are called
-/// `built_states`. checkTrace has passed.
-support::Result<Replayed> replayRun(const support::Trace& trace,
-                                    const compiler::Compilation& mission,
+/// The states of what is built from `mission` are called `built_states`. checkTrace has passed.
+support::Result<Replayed> replayRun(const support::Trace& trace, const compiler::Checked& mission,
                                     const std::vector<std::string>& built_states,
                                     const std::vector<double>& parameters, simulator::SbcPort& sbc);
 

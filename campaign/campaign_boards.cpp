@@ -42,9 +42,9 @@ bool isHere(const std::string& program) {
 /// A mission's binary for a board, built once however many threads want it.
 class Binary {
  public:
-  Binary(std::shared_ptr<const compiler::Compilation> compilation, flights::LaunchChoice launch,
+  Binary(std::shared_ptr<const compiler::Optimised> mission, flights::LaunchChoice launch,
          std::vector<std::string> user_code, std::string board)
-      : compilation_(std::move(compilation)),
+      : mission_(std::move(mission)),
         launch_(std::move(launch)),
         user_code_(std::move(user_code)),
         board_(std::move(board)) {}
@@ -60,20 +60,20 @@ class Binary {
         return std::unexpected(made.error());
       }
       folder_.emplace(std::move(*made));
-      auto built = flights::buildOnBoard(*compilation_, launch_, user_code_, board_,
-                                         folder_->path() / compilation_->mission->name);
+      auto built = flights::buildOnBoard(*mission_, launch_, user_code_, board_,
+                                         folder_->path() / mission_->mission.name);
       if (!built) {
         return std::unexpected(built.error());
       }
       command_ = std::move(*built);
     }
     constexpr double kHangSecs = 120;  // the machine is busy, and a verdict must not depend on it
-    return flights::startOnBoard(board_, command_, launch_, folder, compilation_->mission->name,
+    return flights::startOnBoard(board_, command_, launch_, folder, mission_->mission.name,
                                  kHangSecs);
   }
 
  private:
-  std::shared_ptr<const compiler::Compilation> compilation_;
+  std::shared_ptr<const compiler::Optimised> mission_;
   flights::LaunchChoice launch_;
   std::vector<std::string> user_code_;
   std::string board_;
@@ -123,11 +123,11 @@ std::vector<std::string> boardsHere(std::vector<std::string>& missing) {
   return boards;
 }
 
-flights::NewFlight flightsOnBoard(std::shared_ptr<const compiler::Compilation> compilation,
+flights::NewFlight flightsOnBoard(std::shared_ptr<const compiler::Optimised> mission,
                                   const flights::LaunchChoice& launch,
                                   const std::vector<std::string>& user_code,
                                   const std::string& board) {
-  return [binary = std::make_shared<Binary>(std::move(compilation), launch, user_code, board)] {
+  return [binary = std::make_shared<Binary>(std::move(mission), launch, user_code, board)] {
     return oneFlight(binary);
   };
 }

@@ -19,7 +19,7 @@ std::vector<std::string> boardsHere(std::vector<std::string>& missing);
 
 /// Flights of the mission's binary for `board`, each with a storage card of its own in a temporary
 /// folder. The binary is built when the first one starts.
-flights::NewFlight flightsOnBoard(std::shared_ptr<const compiler::Compilation> compilation,
+flights::NewFlight flightsOnBoard(std::shared_ptr<const compiler::Optimised> mission,
                                   const flights::LaunchChoice& launch,
                                   const std::vector<std::string>& user_code,
                                   const std::string& board);

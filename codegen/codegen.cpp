@@ -20,19 +20,17 @@ using support::DiagnosticId;
 using support::Result;
 
 /// The mission alone, optimised.
-Result<Unit> compileAlone(const ir::Mission& mission, const ir::MissionFacts& facts,
-                          const Board& board, const CodegenOptions& options) {
-  auto unit = lowerWhole(mission, facts, board, options, ProgramKind::Executable);
+Result<Unit> compileAlone(const Input& input, const Board& board, const CodegenOptions& options) {
+  auto unit = lowerWhole(input, board, options, ProgramKind::Executable);
   if (unit) {
     optimise(*unit->module, *unit->machine, options.optimisation_level);
   }
   return unit;
 }
 
-Result<std::string> emitAlone(const ir::Mission& mission, const ir::MissionFacts& facts,
-                              const Board& board, const CodegenOptions& options,
+Result<std::string> emitAlone(const Input& input, const Board& board, const CodegenOptions& options,
                               llvm::CodeGenFileType type) {
-  auto unit = compileAlone(mission, facts, board, options);
+  auto unit = compileAlone(input, board, options);
   if (!unit) {
     return std::unexpected(unit.error());
   }
@@ -48,9 +46,9 @@ Result<void> checkSize(size_t bytes, const Board& board) {
 }
 
 /// The linked executable, with its symbols and line tables if they are `wanted`.
-Result<std::string> linkWhole(const ir::Mission& mission, const ir::MissionFacts& facts,
-                              const Board& board, const CodegenOptions& options, bool wanted) {
-  auto program = compileProgram(mission, facts, board, options, ProgramKind::Executable, {"main"});
+Result<std::string> linkWhole(const Input& input, const Board& board, const CodegenOptions& options,
+                              bool wanted) {
+  auto program = compileProgram(input, board, options, ProgramKind::Executable, {"main"});
   if (!program) {
     return std::unexpected(program.error());
   }
@@ -93,28 +91,28 @@ const std::vector<std::string>& sharedSymbols() {
 
 }  // namespace
 
-Result<std::string> emitLlvm(const ir::Mission& mission, const ir::MissionFacts& facts,
-                             const Board& board, const CodegenOptions& options) {
-  auto unit = compileAlone(mission, facts, board, options);
+Result<std::string> emitLlvm(const Input& input, const Board& board,
+                             const CodegenOptions& options) {
+  auto unit = compileAlone(input, board, options);
   if (!unit) {
     return std::unexpected(unit.error());
   }
   return printModule(*unit->module);
 }
 
-Result<std::string> emitAssembly(const ir::Mission& mission, const ir::MissionFacts& facts,
-                                 const Board& board, const CodegenOptions& options) {
-  return emitAlone(mission, facts, board, options, llvm::CodeGenFileType::AssemblyFile);
+Result<std::string> emitAssembly(const Input& input, const Board& board,
+                                 const CodegenOptions& options) {
+  return emitAlone(input, board, options, llvm::CodeGenFileType::AssemblyFile);
 }
 
-Result<std::string> emitObject(const ir::Mission& mission, const ir::MissionFacts& facts,
-                               const Board& board, const CodegenOptions& options) {
-  return emitAlone(mission, facts, board, options, llvm::CodeGenFileType::ObjectFile);
+Result<std::string> emitObject(const Input& input, const Board& board,
+                               const CodegenOptions& options) {
+  return emitAlone(input, board, options, llvm::CodeGenFileType::ObjectFile);
 }
 
-Result<std::string> linkForStream(const ir::Mission& mission, const ir::MissionFacts& facts,
-                                  const Board& board, const CodegenOptions& options) {
-  auto linked = linkWhole(mission, facts, board, options, false);
+Result<std::string> linkForStream(const Input& input, const Board& board,
+                                  const CodegenOptions& options) {
+  auto linked = linkWhole(input, board, options, false);
   if (linked) {
     if (auto fits = checkSize(linked->size(), board); !fits) {
       return std::unexpected(fits.error());
@@ -123,17 +121,16 @@ Result<std::string> linkForStream(const ir::Mission& mission, const ir::MissionF
   return linked;
 }
 
-Result<void> linkExecutable(const ir::Mission& mission, const ir::MissionFacts& facts,
-                            const Board& board, const CodegenOptions& options,
+Result<void> linkExecutable(const Input& input, const Board& board, const CodegenOptions& options,
                             const std::filesystem::path& output) {
   // A debug file stands beside a file, not beside a device or pipe.
   if (!options.debug || !support::isReplaceable(output)) {
-    const auto linked = linkForStream(mission, facts, board, options);
+    const auto linked = linkForStream(input, board, options);
     return linked
                ? support::writeFileAtomically(output, *linked, support::FileKind::ExecutableProduct)
                : std::unexpected(linked.error());
   }
-  const auto linked = linkWhole(mission, facts, board, options, true);
+  const auto linked = linkWhole(input, board, options, true);
   if (!linked) {
     return std::unexpected(linked.error());
   }
@@ -144,10 +141,9 @@ Result<void> linkExecutable(const ir::Mission& mission, const ir::MissionFacts& 
   return fits ? writeBoth(split, output, debug_output) : fits;
 }
 
-Result<std::string> linkShared(const ir::Mission& mission, const ir::MissionFacts& facts,
-                               const Board& host, const CodegenOptions& options) {
-  auto program =
-      compileProgram(mission, facts, host, options, ProgramKind::SharedObject, sharedSymbols());
+Result<std::string> linkShared(const Input& input, const Board& host,
+                               const CodegenOptions& options) {
+  auto program = compileProgram(input, host, options, ProgramKind::SharedObject, sharedSymbols());
   if (!program) {
     return std::unexpected(program.error());
   }

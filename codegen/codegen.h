@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "ir/core/mission.h"
+#include "codegen/input.h"
 #include "platforms/load/board.h"
 #include "support/result.h"
 #include "support/source_manager.h"
@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-/// From a mission without errors (and the verifier's facts) to machine code for a board.
+/// From a mission without errors to machine code for a board.
 namespace glider::codegen {
 
 struct CodegenOptions {
@@ -30,32 +30,27 @@ struct CodegenOptions {
 
 /// The mission alone (no runtime), optimised: LLVM's text, assembly, a relocatable ELF object.
 /// GL4002, GL4006, GL4007.
-support::Result<std::string> emitLlvm(const ir::Mission& mission, const ir::MissionFacts& facts,
-                                      const platforms::Board& board, const CodegenOptions& options);
-support::Result<std::string> emitAssembly(const ir::Mission& mission, const ir::MissionFacts& facts,
-                                          const platforms::Board& board,
+support::Result<std::string> emitLlvm(const Input& input, const platforms::Board& board,
+                                      const CodegenOptions& options);
+support::Result<std::string> emitAssembly(const Input& input, const platforms::Board& board,
                                           const CodegenOptions& options);
-support::Result<std::string> emitObject(const ir::Mission& mission, const ir::MissionFacts& facts,
-                                        const platforms::Board& board,
+support::Result<std::string> emitObject(const Input& input, const platforms::Board& board,
                                         const CodegenOptions& options);
 
 /// Writes the board's executable to `output`, stripped, and with options.debug its line tables to
 /// `output`.debug; both whole or not at all. GL4002 to GL4007, GL9001, GL9002, GL9050.
-support::Result<void> linkExecutable(const ir::Mission& mission, const ir::MissionFacts& facts,
-                                     const platforms::Board& board, const CodegenOptions& options,
+support::Result<void> linkExecutable(const Input& input, const platforms::Board& board,
+                                     const CodegenOptions& options,
                                      const std::filesystem::path& output);
 
 /// The content of the board's executable, stripped, for a pipe or device. Errors as linkExecutable.
-support::Result<std::string> linkForStream(const ir::Mission& mission,
-                                           const ir::MissionFacts& facts,
-                                           const platforms::Board& board,
+support::Result<std::string> linkForStream(const Input& input, const platforms::Board& board,
                                            const CodegenOptions& options);
 
 /// The content of a shared object for this machine that exports `gliderMission` and
 /// runtime/abi/entry_points.def: what load/loaded_mission.h loads. `host` must be the host's board.
 /// Errors as linkExecutable.
-support::Result<std::string> linkShared(const ir::Mission& mission, const ir::MissionFacts& facts,
-                                        const platforms::Board& host,
+support::Result<std::string> linkShared(const Input& input, const platforms::Board& host,
                                         const CodegenOptions& options);
 
 }  // namespace glider::codegen

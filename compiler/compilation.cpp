@@ -4,10 +4,16 @@
 #include "compiler/compilation.h"
 
 #include "compiler/share.h"
+#include "frontend/frontend.h"
 #include "frontend/import/imports.h"
+#include "ir/opt/drop_requirements.h"
 #include "ir/text/read.h"
 #include "ir/verify/verify.h"
 #include "support/files.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
 
 namespace glider::compiler {
 namespace {
@@ -33,57 +39,120 @@ support::SourceRange platformRange(const ast::File& file) {
   return {};
 }
 
-/// The platform that the mission names, or the default.
-Result<void> choosePlatform(Compilation& compilation) {
-  const std::string name = frontend::platformName(*compilation.ast);
+/// The platform that the mission names, or the default; empty: there is none of that name.
+Result<std::optional<platforms::Platform>> choosePlatform(const ast::File& mission,
+                                                          support::DiagnosticEngine& diagnostics) {
+  const std::string name = frontend::platformName(mission);
   const std::filesystem::path file = platformFile(name);
-  const support::SourceRange range = platformRange(*compilation.ast);
+  const support::SourceRange range = platformRange(mission);
   std::error_code ignored;
   if (range.valid() && !std::filesystem::exists(file, ignored)) {
-    compilation.diagnostics.report(support::DiagnosticId::unknownPlatform, range, name);
-    return {};
+    diagnostics.report(support::DiagnosticId::unknownPlatform, range, name);
+    return std::nullopt;
   }
   auto platform = platforms::loadPlatform(file);
   if (!platform) {
     return std::unexpected(platform.error());
   }
-  compilation.platform = std::move(*platform);
-  return {};
+  return std::move(*platform);
 }
 
-/// The library's declarations; our own file, so a mistake in it is shown like any other.
-Result<std::optional<ast::File>> loadLibrary(Compilation& compilation) {
-  auto file = addSource(compilation.sources, shareDirectory() / "library" / "standard.mission");
+/// Adds the standard library to `parsed`; false if it does not parse. It is our own file, so an
+/// error in it is shown like any other.
+Result<bool> addLibrary(Parsed& parsed, support::SourceManager& sources,
+                        support::DiagnosticEngine& diagnostics) {
+  const auto file = addSource(sources, shareDirectory() / "library" / "standard.mission");
   if (!file) {
     return std::unexpected(file.error());
   }
-  compilation.library = *file;
-  return frontend::parse(compilation.sources, *file, compilation.diagnostics);
+  parsed.standard_library = *file;
+  auto library = frontend::parse(sources, *file, diagnostics);
+  if (library) {
+    parsed.libraries.push_back(std::move(*library));
+  }
+  return library.has_value();
 }
 
-Result<void> analyse(Compilation& compilation, uint32_t file) {
-  compilation.ast = frontend::parse(compilation.sources, file, compilation.diagnostics);
-  if (!compilation.ast) {
+/// Empty: its structure could not be made out, or it needs what is not there.
+Result<std::shared_ptr<const Parsed>> parse(uint32_t file, support::SourceManager& sources,
+                                            support::DiagnosticEngine& diagnostics) {
+  auto mission = frontend::parse(sources, file, diagnostics);
+  if (!mission) {
+    return nullptr;
+  }
+  auto platform = choosePlatform(*mission, diagnostics);
+  if (!platform || !*platform) {
+    return platform ? Result<std::shared_ptr<const Parsed>>(nullptr)
+                    : std::unexpected(platform.error());
+  }
+  auto parsed = std::make_shared<Parsed>();
+  parsed->mission = std::move(*mission);
+  parsed->platform = std::move(**platform);
+  if (const auto added = addLibrary(*parsed, sources, diagnostics); !added || !*added) {
+    return added ? Result<std::shared_ptr<const Parsed>>(nullptr) : std::unexpected(added.error());
+  }
+  auto imports = frontend::loadImports(parsed->mission, sources, diagnostics);
+  if (!imports) {
+    return nullptr;
+  }
+  std::ranges::move(*imports, std::back_inserter(parsed->libraries));
+  return parsed;
+}
+
+/// Empty: its text has errors.
+std::shared_ptr<const Lowered> lower(const Parsed& parsed,
+                                     std::shared_ptr<const support::SourceManager> sources,
+                                     support::DiagnosticEngine& diagnostics) {
+  frontend::AnalysisInputs inputs{parsed.platform, {}, *sources};
+  for (const ast::File& library : parsed.libraries) {
+    inputs.library.push_back(&library);
+  }
+  ir::CInterface in_c;
+  auto mission = frontend::analyse(parsed.mission, inputs, diagnostics, &in_c);
+  if (!mission) {
+    return nullptr;
+  }
+  return std::make_shared<const Lowered>(Lowered{std::move(sources), std::move(*mission),
+                                                 std::move(in_c), parsed.platform,
+                                                 parsed.standard_library});
+}
+
+/// A mission in the IR's text form; empty: it has errors.
+Result<std::shared_ptr<const Lowered>> readIr(uint32_t file,
+                                              std::shared_ptr<const support::SourceManager> sources,
+                                              support::DiagnosticEngine& diagnostics) {
+  auto mission = ir::read(*sources, file, diagnostics);
+  if (!mission) {
+    return nullptr;
+  }
+  auto platform = platforms::loadPlatform(platformFile(mission->platform));
+  if (!platform) {
+    return std::unexpected(platform.error());
+  }
+  ir::CInterface in_c = ir::usedInC(*mission);
+  return std::make_shared<const Lowered>(Lowered{std::move(sources), std::move(*mission),
+                                                 std::move(in_c), std::move(*platform),
+                                                 std::nullopt});
+}
+
+/// Everything up to the IR.
+Result<void> lowerText(const std::filesystem::path& path, uint32_t file, Compilation& compilation) {
+  if (path.extension() == ".ir") {
+    auto read = readIr(file, compilation.sources, compilation.diagnostics);
+    if (!read) {
+      return std::unexpected(read.error());
+    }
+    compilation.lowered = std::move(*read);
     return {};
   }
-  if (auto chosen = choosePlatform(compilation); !chosen || !compilation.platform) {
-    return chosen;
+  auto parsed = parse(file, *compilation.sources, compilation.diagnostics);
+  if (!parsed) {
+    return std::unexpected(parsed.error());
   }
-  auto library = loadLibrary(compilation);
-  if (!library) {
-    return std::unexpected(library.error());
+  compilation.parsed = std::move(*parsed);
+  if (compilation.parsed) {
+    compilation.lowered = lower(*compilation.parsed, compilation.sources, compilation.diagnostics);
   }
-  const auto imports =
-      frontend::loadImports(*compilation.ast, compilation.sources, compilation.diagnostics);
-  if (!*library || !imports) {
-    return {};
-  }
-  frontend::AnalysisInputs inputs{*compilation.platform, {&**library}, compilation.sources};
-  for (const ast::File& import : *imports) {
-    inputs.library.push_back(&import);
-  }
-  compilation.mission =
-      frontend::analyse(*compilation.ast, inputs, compilation.diagnostics, &compilation.in_c);
   return {};
 }
 
@@ -93,7 +162,7 @@ std::filesystem::path platformFile(const std::string& name) {
   return shareDirectory() / "platforms" / (name + ".toml");
 }
 
-Result<std::unique_ptr<Compilation>> compileMission(const std::filesystem::path& path) {
+Result<Compilation> compileMission(const std::filesystem::path& path) {
   auto text = support::readFile(path);
   if (!text) {
     return std::unexpected(text.error());
@@ -101,21 +170,32 @@ Result<std::unique_ptr<Compilation>> compileMission(const std::filesystem::path&
   return compileText(path, std::move(*text));
 }
 
-Result<std::unique_ptr<Compilation>> compileText(const std::filesystem::path& path,
-                                                 std::string text) {
-  auto compilation = std::make_unique<Compilation>();
-  const uint32_t file = compilation->sources.add(path.string(), std::move(text));
-  if (path.extension() == ".ir") {
-    compilation->mission = ir::read(compilation->sources, file, compilation->diagnostics);
-    compilation->in_c =
-        compilation->mission ? ir::usedInC(*compilation->mission) : ir::CInterface();
-  } else if (auto analysed = analyse(*compilation, file); !analysed) {
-    return std::unexpected(analysed.error());
+Result<Compilation> compileText(const std::filesystem::path& path, std::string text) {
+  Compilation compilation;
+  const uint32_t file = compilation.sources->add(path.string(), std::move(text));
+  if (auto lowered = lowerText(path, file, compilation); !lowered) {
+    return std::unexpected(lowered.error());
   }
-  if (compilation->ok()) {
-    compilation->facts = ir::verify(*compilation->mission, compilation->diagnostics);
+  if (compilation.lowered && !compilation.diagnostics.hasErrors()) {
+    ir::MissionFacts facts = ir::verify(compilation.lowered->mission, compilation.diagnostics);
+    if (!compilation.diagnostics.hasErrors()) {
+      compilation.checked =
+          std::make_shared<const Checked>(Checked{compilation.lowered, std::move(facts)});
+    }
   }
   return compilation;
+}
+
+Optimised optimise(std::shared_ptr<const Checked> checked,
+                   const std::function<void(const ir::OptPass&, const ir::Mission&)>& after) {
+  ir::Mission mission = ir::optimise(checked->mission(), after);
+  return {std::move(checked), std::move(mission)};
+}
+
+Optimised withoutPasses(std::shared_ptr<const Checked> checked) {
+  ir::Mission mission = checked->mission();
+  ir::dropRequirements(mission);
+  return {std::move(checked), std::move(mission)};
 }
 
 std::vector<std::string> stateNames(const ir::Mission& mission) {
@@ -124,41 +204,6 @@ std::vector<std::string> stateNames(const ir::Mission& mission) {
     names.push_back(state.name);
   }
   return names;
-}
-
-namespace {
-
-/// That of the mission; one in the IR's text form does not bring it.
-Result<void> needPlatform(Compilation& compilation) {
-  if (!compilation.platform) {  // a mission in the IR's text form
-    auto platform = platforms::loadPlatform(platformFile(compilation.mission->platform));
-    if (!platform) {
-      return std::unexpected(platform.error());
-    }
-    compilation.platform = std::move(*platform);
-  }
-  return {};
-}
-
-}  // namespace
-
-Result<std::map<ir::CasePlace, bool>> casesThatNeverFire(Compilation& compilation) {
-  if (auto known = needPlatform(compilation); !known) {
-    return std::unexpected(known.error());
-  }
-  ir::prove::Options options;
-  options.library = compilation.library;
-  return ir::prove::casesThatNeverFire(*compilation.mission, compilation.facts,
-                                       *compilation.platform, options);
-}
-
-Result<ir::prove::Findings> proveMission(Compilation& compilation, ir::prove::Options options) {
-  if (auto known = needPlatform(compilation); !known) {
-    return std::unexpected(known.error());
-  }
-  options.library = compilation.library;
-  return ir::prove::prove(*compilation.mission, compilation.facts, *compilation.platform, options,
-                          compilation.diagnostics);
 }
 
 }  // namespace glider::compiler

@@ -90,17 +90,17 @@ void makeRoom(const std::filesystem::path& folder) {
 
 }  // namespace
 
-ProofCache::ProofCache(const Compilation& compilation, const ir::prove::Options& how) {
+ProofCache::ProofCache(const Checked& checked, const ir::prove::Options& how) {
   const std::string program = buildId();
   const auto vehicle =
-      support::readFile(shareDirectory() / "platforms" / (compilation.mission->platform + ".toml"));
+      support::readFile(shareDirectory() / "platforms" / (checked.mission().platform + ".toml"));
   if (program.empty() || !vehicle) {
     return;
   }
   folder_ = cacheFolder();
   all_ = fmt::format("{}\n{} {} {}\n{}\n", program, how.effort, how.run_effort, vehicle->size(),
                      *vehicle) +
-         ir::print(*compilation.mission);
+         ir::print(checked.mission());
 }
 
 std::filesystem::path ProofCache::fileOf(uint32_t requirement) const {

@@ -17,8 +17,8 @@ namespace glider::compiler {
 /// has to be spelled out. A file that is damaged, or cannot be read or written, is as good as none.
 class ProofCache {
  public:
-  /// Of a mission that is ok(), with the efforts of `how`.
-  ProofCache(const Compilation& compilation, const ir::prove::Options& how);
+  /// Of a mission, with the efforts of `how`.
+  ProofCache(const Checked& checked, const ir::prove::Options& how);
 
   /// What is kept of the requirement with that number.
   [[nodiscard]] std::optional<ir::prove::CachedVerdict> find(uint32_t requirement) const;

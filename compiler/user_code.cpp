@@ -6,9 +6,9 @@
 namespace glider::compiler {
 
 support::Result<codegen::UserCode> loadUserCode(const std::vector<std::string>& files,
-                                                const Compilation& compilation,
+                                                const ir::Mission& mission,
                                                 const platforms::Board& board) {
-  return codegen::UserCode::load({files.begin(), files.end()}, *compilation.mission, board);
+  return codegen::UserCode::load({files.begin(), files.end()}, mission, board);
 }
 
 }  // namespace glider::compiler

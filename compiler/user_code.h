@@ -4,7 +4,9 @@
 #pragma once
 
 #include "codegen/user_code/user_code.h"
-#include "compiler/compilation.h"
+#include "ir/core/mission.h"
+#include "platforms/load/board.h"
+#include "support/result.h"
 
 #include <string>
 #include <vector>
@@ -13,7 +15,7 @@ namespace glider::compiler {
 
 /// What `files` hold, checked for the mission and the board. Errors as codegen::UserCode::load.
 support::Result<codegen::UserCode> loadUserCode(const std::vector<std::string>& files,
-                                                const Compilation& compilation,
+                                                const ir::Mission& mission,
                                                 const platforms::Board& board);
 
 }  // namespace glider::compiler

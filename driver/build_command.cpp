@@ -10,10 +10,9 @@
 #include "driver/shared_options.h"
 #include "driver/terminal.h"
 #include "frontend/ast/print.h"
-#include "ir/opt/drop_requirements.h"
-#include "ir/opt/optimise.h"
 #include "ir/text/c_header.h"
 #include "ir/text/print.h"
+#include "support/check.h"
 #include "support/files.h"
 
 #include <CLI/CLI.hpp>
@@ -71,77 +70,89 @@ std::string outputName(const BuildOptions& options) {
 }
 
 codegen::CodegenOptions codegenOptions(const BuildOptions& options,
-                                       const compiler::Compilation& compilation) {
+                                       const compiler::Optimised& mission) {
   codegen::CodegenOptions result;
   result.optimisation_level = static_cast<int>(options.level);
-  result.sources = &compilation.sources;
+  result.sources = &mission.sources();
   result.last_link = true;
   return result;
 }
 
-/// The product of every stage but the last as text or bytes.
-support::Result<std::string> produce(const BuildOptions& options,
-                                     const compiler::Compilation& compilation) {
-  if (options.emit == Emit::Ast) {
-    if (!compilation.ast) {
-      return support::fail(support::DiagnosticId::noSyntaxTree, options.mission);
-    }
-    return ast::print(*compilation.ast);
-  }
-  if (options.emit == Emit::Ir) {
-    return ir::print(*compilation.mission);
-  }
-  if (options.emit == Emit::Header) {
-    return ir::printHeader(compilation.in_c, compilation.mission->name);
-  }
-  const auto board = compiler::loadTarget(options.target);
-  if (!board) {
-    return std::unexpected(board.error());
-  }
-  const auto code = compiler::loadUserCode(options.user_code, compilation, *board);
-  if (!code) {
-    return std::unexpected(code.error());
-  }
-  codegen::CodegenOptions how = codegenOptions(options, compilation);
-  code->addTo(how);
+/// What an early stage has made, as text. Of the IR: of the mission with its requirements if no
+/// pass is to run.
+support::Result<std::string> printStage(const BuildOptions& options,
+                                        const compiler::Compilation& compilation,
+                                        const compiler::Optimised& mission) {
+  const compiler::Lowered& lowered = *compilation.lowered;
   switch (options.emit) {
+    case Emit::Ast:
+      return compilation.parsed
+                 ? support::Result<std::string>(ast::print(compilation.parsed->mission))
+                 : support::fail(support::DiagnosticId::noSyntaxTree, options.mission);
+    case Emit::Ir:
+      return ir::print(options.level == 0 ? lowered.mission : mission.mission);
+    case Emit::Header:
+      return ir::printHeader(lowered.in_c, lowered.mission.name);
     case Emit::Llvm:
-      return codegen::emitLlvm(*compilation.mission, compilation.facts, *board, how);
     case Emit::Asm:
-      return codegen::emitAssembly(*compilation.mission, compilation.facts, *board, how);
+    case Emit::Obj:
     case Emit::Exe:
-      return codegen::linkForStream(*compilation.mission, compilation.facts, *board, how);
-    default:
-      return codegen::emitObject(*compilation.mission, compilation.facts, *board, how);
+      break;
   }
+  CHECK(false, "no early stage");
 }
 
-support::Result<void> buildProduct(const BuildOptions& options,
-                                   const compiler::Compilation& compilation) {
-  const auto product = produce(options, compilation);
+bool needsTarget(Emit emit) {
+  return emit != Emit::Ast && emit != Emit::Ir && emit != Emit::Header;
+}
+
+/// What the code generator makes of a mission, without a file of its own.
+support::Result<std::string> generate(Emit emit, const codegen::Input& input,
+                                      const platforms::Board& board,
+                                      const codegen::CodegenOptions& how) {
+  switch (emit) {
+    case Emit::Llvm:
+      return codegen::emitLlvm(input, board, how);
+    case Emit::Asm:
+      return codegen::emitAssembly(input, board, how);
+    case Emit::Obj:
+      return codegen::emitObject(input, board, how);
+    case Emit::Exe:
+      return codegen::linkForStream(input, board, how);
+    case Emit::Ast:
+    case Emit::Ir:
+    case Emit::Header:
+      break;
+  }
+  CHECK(false, "not made by the code generator");
+}
+
+support::Result<void> writeProduct(const BuildOptions& options,
+                                   const support::Result<std::string>& product) {
   if (!product) {
     return std::unexpected(product.error());
   }
-  if (options.output == "-") {
-    return printOut(*product);
-  }
-  return support::writeFileAtomically(options.output, *product, support::FileKind::Product);
+  return options.output == "-"
+             ? printOut(*product)
+             : support::writeFileAtomically(options.output, *product, support::FileKind::Product);
 }
 
-support::Result<void> buildExecutable(const BuildOptions& options,
-                                      const compiler::Compilation& compilation) {
+support::Result<void> buildForTarget(const BuildOptions& options,
+                                     const compiler::Optimised& mission) {
   const auto board = compiler::loadTarget(options.target);
   if (!board) {
     return std::unexpected(board.error());
   }
-  const auto code = compiler::loadUserCode(options.user_code, compilation, *board);
+  const auto code = compiler::loadUserCode(options.user_code, mission.mission, *board);
   if (!code) {
     return std::unexpected(code.error());
   }
-  codegen::CodegenOptions how = codegenOptions(options, compilation);
+  codegen::CodegenOptions how = codegenOptions(options, mission);
   code->addTo(how);
-  return codegen::linkExecutable(*compilation.mission, compilation.facts, *board, how,
-                                 options.output);
+  if (options.emit == Emit::Exe && options.output != "-") {
+    return codegen::linkExecutable(mission.input(), *board, how, options.output);
+  }
+  return writeProduct(options, generate(options.emit, mission.input(), *board, how));
 }
 
 /// True if the build would write over a file that it reads.
@@ -158,16 +169,14 @@ bool overwritesInput(const BuildOptions& options) {
          (options.emit == Emit::Exe && isInput(options.output + ".debug"));
 }
 
-/// Runs the passes over the IR, and prints it to standard error after those that `--print-after`
-/// names.
-void optimiseIr(const BuildOptions& options, compiler::Compilation& compilation) {
+/// The mission as it is built; the IR is printed to standard error after the passes that
+/// `--print-after` names.
+compiler::Optimised optimise(const BuildOptions& options,
+                             const std::shared_ptr<const compiler::Checked>& checked) {
   if (options.level == 0) {
-    if (options.emit != Emit::Ir) {
-      ir::dropRequirements(*compilation.mission);
-    }
-    return;
+    return compiler::withoutPasses(checked);
   }
-  ir::optimise(*compilation.mission, [&](const ir::OptPass& pass, const ir::Mission& mission) {
+  return compiler::optimise(checked, [&](const ir::OptPass& pass, const ir::Mission& mission) {
     if (std::ranges::find(options.print_after, pass.name) != options.print_after.end()) {
       fmt::print(stderr, "# after {}\n{}", pass.name, ir::print(mission));
     }
@@ -179,24 +188,24 @@ int build(BuildOptions options) {
   if (const auto board = compiler::loadTarget(options.target); !board) {
     return reportFailure(board.error());
   }
-  auto compiled = compiler::compileMission(options.mission);
+  const auto compiled = compiler::compileMission(options.mission);
   if (!compiled) {
     return reportFailure(compiled.error());
   }
-  compiler::Compilation& compilation = **compiled;
-  reportDiagnostics(compilation.diagnostics, compilation.sources);
-  if (!compilation.ok()) {
+  const compiler::Compilation& compilation = *compiled;
+  reportDiagnostics(compilation.diagnostics, *compilation.sources);
+  if (!compilation.checked) {
     return kMissionHasErrors;
   }
-  optimiseIr(options, compilation);
+  const compiler::Optimised mission = optimise(options, compilation.checked);
   options.output = options.output.empty() ? outputName(options) : options.output;
   if (overwritesInput(options)) {
     return reportFailure(
         support::fail(support::DiagnosticId::outputIsInput, options.output).error());
   }
-  const bool executable = options.emit == Emit::Exe && options.output != "-";
-  const auto built =
-      executable ? buildExecutable(options, compilation) : buildProduct(options, compilation);
+  const auto built = needsTarget(options.emit)
+                         ? buildForTarget(options, mission)
+                         : writeProduct(options, printStage(options, compilation, mission));
   return built ? kFine : reportFailure(built.error());
 }
 

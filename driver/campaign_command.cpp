@@ -10,8 +10,8 @@
 #include "driver/commands.h"
 #include "driver/compile_for_flight.h"
 #include "driver/exit_code.h"
-#include "driver/flight_files.h"
 #include "driver/interruption.h"
+#include "driver/output/flight_files.h"
 #include "driver/shared_options.h"
 #include "driver/terminal.h"
 #include "flights/flight_setup.h"
@@ -39,25 +39,25 @@ namespace {
 int loadMissions(const campaign::CampaignOptions& options, campaign::CampaignPlan& plan) {
   for (const std::string& file : options.missions) {
     int status = kFine;
-    const std::shared_ptr<const compiler::Compilation> compilation = compileForFlight(file, status);
-    if (compilation == nullptr) {
+    const std::shared_ptr<const compiler::Optimised> compiled = compileForFlight(file, status);
+    if (compiled == nullptr) {
       return status;
     }
-    auto platform = flights::platformOf(compilation.get());
+    auto platform = flights::platformOf(compiled.get());
     if (!platform) {
       return reportFailure(platform.error());
     }
     if (auto flown = simulator::checkPlatform(*platform); !flown) {
       return reportFailure(flown.error());
     }
-    auto start = flights::flightsInProcess(*compilation, options.launch, options.user_code, true);
+    auto start = flights::flightsInProcess(*compiled, options.launch, options.user_code, true);
     if (!start) {
       return reportFailure(start.error());
     }
     campaign::CampaignMission mission{file, std::move(*platform), std::move(*start), {}};
     for (const std::string& board : plan.boards) {
       mission.on_board.push_back(
-          campaign::flightsOnBoard(compilation, options.launch, options.user_code, board));
+          campaign::flightsOnBoard(compiled, options.launch, options.user_code, board));
     }
     plan.missions.push_back(std::move(mission));
   }

@@ -5,7 +5,7 @@
 #include "driver/commands.h"
 #include "driver/exit_code.h"
 #include "driver/explain_page.h"
-#include "driver/run_trace.h"
+#include "driver/output/run_trace.h"
 #include "driver/shared_options.h"
 #include "driver/terminal.h"
 #include "support/files.h"
@@ -78,7 +78,7 @@ std::string provedLine(const report::CheckedMission& found) {
 }
 
 /// The line at the end of a mission that was checked.
-std::string verdict(const Checked& checked) {
+std::string verdict(const CheckedFile& checked) {
   const report::CheckedMission& found = checked.found;
   const std::string count = counted(checked.compilation->diagnostics);
   if (!found.ok()) {
@@ -116,10 +116,10 @@ std::string requirementLines(const report::CheckedMission& found) {
 }
 
 /// Writes what people read: mistakes to standard error, the rest to `text`.
-void tellPeople(const Checked& checked, const CheckOptions& options, std::string& text) {
+void tellPeople(const CheckedFile& checked, const CheckOptions& options, std::string& text) {
   const report::CheckedMission& found = checked.found;
   if (checked.compilation) {
-    reportDiagnostics(checked.compilation->diagnostics, checked.compilation->sources);
+    reportDiagnostics(checked.compilation->diagnostics, *checked.compilation->sources);
   }
   if (found.failure) {
     reportFailure(*found.failure);
@@ -154,7 +154,7 @@ std::filesystem::path tracesOf(const CommandOptions& options, const std::string&
 }
 
 /// Writes the runs if they are wanted.
-int writeTraces(const CommandOptions& options, const Checked& checked) {
+int writeTraces(const CommandOptions& options, const CheckedFile& checked) {
   if (options.traces.empty() || checked.found.requirements.empty()) {
     return kFine;
   }
@@ -174,7 +174,7 @@ int checkForPeople(const CommandOptions& options) {
   int status = kFine;
   std::string all;
   for (const std::string& path : options.missions) {
-    const Checked checked = checkMission(path, options.check);
+    const CheckedFile checked = checkMission(path, options.check);
     std::string text;
     tellPeople(checked, options.check, text);
     status = std::max({status, exitCode(checked.found), writeTraces(options, checked)});
@@ -201,7 +201,7 @@ std::string pageOrNothing(support::DiagnosticId id) {
 
 int checkForMachines(const CommandOptions& options) {
   int status = kFine;
-  std::vector<Checked> all;
+  std::vector<CheckedFile> all;
   std::vector<report::CheckedMission> found;
   for (const std::string& path : options.missions) {
     all.push_back(checkMission(path, options.check));

@@ -6,6 +6,7 @@
 #include "analysis/closed_loop.h"
 #include "analysis/mission_budget.h"
 #include "compiler/proof_cache.h"
+#include "compiler/proving.h"
 #include "driver/check_progress.h"
 
 #include <fmt/format.h>
@@ -17,12 +18,12 @@ namespace {
 
 using support::Result;
 
-void tellFacts(const compiler::Compilation& compilation, report::CheckedMission& found) {
-  const ir::Mission& mission = *compilation.mission;
+void tellFacts(const compiler::Checked& checked, report::CheckedMission& found) {
+  const ir::Mission& mission = checked.mission();
   found.mission = mission.name;
   found.states = compiler::stateNames(mission);
-  if (compilation.facts.stack_depth > 0) {
-    for (const ir::StateId id : compilation.facts.deepest_path) {
+  if (checked.facts.stack_depth > 0) {
+    for (const ir::StateId id : checked.facts.deepest_path) {
       found.deepest_path.push_back(mission[id].name);
     }
   }
@@ -40,18 +41,18 @@ report::FlightSearch told(const analysis::ClosedLoop& search) {
 }
 
 /// `fly`: whether to look for a flight that breaks one that is refuted.
-Result<report::JudgedRequirement> judgedRequirement(const compiler::Compilation& compilation,
+Result<report::JudgedRequirement> judgedRequirement(const compiler::Optimised& mission,
                                                     const ir::prove::RequirementVerdict& verdict,
                                                     bool fly) {
-  const auto range = compilation.mission->requirements[verdict.requirement].range;
+  const auto range = mission.checked->mission().requirements[verdict.requirement].range;
   report::JudgedRequirement judged{range,
-                                   std::string(compilation.sources.text(range)),
+                                   std::string(mission.sources().text(range)),
                                    ir::prove::word(verdict.verdict),
                                    std::nullopt,
                                    verdict.premise,
                                    verdict.cached};
   if (fly && verdict.verdict == ir::prove::Verdict::Refuted && verdict.run) {
-    const auto search = analysis::searchClosedLoop(compilation, verdict);
+    const auto search = analysis::searchClosedLoop(mission, verdict);
     if (!search) {
       return std::unexpected(search.error());
     }
@@ -61,97 +62,97 @@ Result<report::JudgedRequirement> judgedRequirement(const compiler::Compilation&
 }
 
 /// Proves, and shows on a terminal how far it is.
-Result<ir::prove::Findings> proveWithProgress(compiler::Compilation& compilation,
-                                              const std::string& path, ir::prove::Options how) {
+ir::prove::Findings proveWithProgress(compiler::Compilation& compilation, const std::string& path,
+                                      ir::prove::Options how) {
+  const compiler::Checked& checked = *compilation.checked;
   CheckProgress progress(path);
   progress.at("looking at cases and orders");
   how.before_requirement = [&](uint32_t number) {
-    const auto& all = compilation.mission->requirements;
+    const auto& all = checked.mission().requirements;
     progress.at(fmt::format("proving {} of {}: {}", number + 1, all.size(),
-                            compilation.sources.text(all[number].range)));
+                            checked.sources().text(all[number].range)));
   };
-  return compiler::proveMission(compilation, how);
+  return compiler::prove(checked, how, compilation.diagnostics);
 }
 
 /// A mission that promises nothing has nothing to keep.
-Result<ir::prove::Findings> proveWithCache(compiler::Compilation& compilation,
-                                           const std::string& path, ir::prove::Options how,
-                                           bool wanted) {
-  if (!wanted || compilation.mission->requirements.empty()) {
+ir::prove::Findings proveWithCache(compiler::Compilation& compilation, const std::string& path,
+                                   ir::prove::Options how, bool wanted) {
+  if (!wanted || compilation.checked->mission().requirements.empty()) {
     return proveWithProgress(compilation, path, how);
   }
-  const compiler::ProofCache cache(compilation, how);
+  const compiler::ProofCache cache(*compilation.checked, how);
   how.cached = [&](uint32_t requirement) { return cache.find(requirement); };
   auto proved = proveWithProgress(compilation, path, how);
-  if (proved) {
-    cache.keep(proved->requirements);
-  }
+  cache.keep(proved.requirements);
   return proved;
 }
 
-/// What goes beyond text and structure, of a mission that is ok().
-Result<void> checkFurther(Checked& checked, const CheckOptions& options) {
+/// Puts what the prover found into `file`. `fly`: see judgedRequirement.
+Result<void> tellProved(const compiler::Optimised& mission, bool fly, CheckedFile& file) {
+  for (const ir::prove::ReportLine& line : file.proved.lines) {
+    file.found.remarks.push_back({line.range, line.text});
+  }
+  for (const ir::prove::RequirementVerdict& verdict : file.proved.requirements) {
+    auto judged = judgedRequirement(mission, verdict, fly);
+    if (!judged) {
+      return std::unexpected(judged.error());
+    }
+    file.found.requirements.push_back(std::move(*judged));
+  }
+  return {};
+}
+
+/// What goes beyond text and structure, of a mission without errors.
+Result<void> checkFurther(CheckedFile& file, const CheckOptions& options) {
   ir::prove::Options how;
   how.report = options.report;
   how.effort *= options.effort;
   how.run_effort *= options.effort;
-  compiler::Compilation& compilation = *checked.compilation;
-  auto proved = proveWithCache(compilation, checked.found.path, how, options.cache);
-  if (!proved) {
-    return std::unexpected(proved.error());
+  compiler::Compilation& compilation = *file.compilation;
+  file.proved = proveWithCache(compilation, file.found.path, how, options.cache);
+  const compiler::Optimised mission = compiler::optimise(compilation.checked);
+  if (auto told = tellProved(mission, options.report, file); !told || !options.report) {
+    return told;
   }
-  for (const ir::prove::ReportLine& line : proved->lines) {
-    checked.found.remarks.push_back({line.range, line.text});
-  }
-  for (const ir::prove::RequirementVerdict& verdict : proved->requirements) {
-    auto judged = judgedRequirement(compilation, verdict, options.report);
-    if (!judged) {
-      return std::unexpected(judged.error());
-    }
-    checked.found.requirements.push_back(std::move(*judged));
-  }
-  checked.proved = std::move(*proved);
-  if (!options.report) {
-    return {};
-  }
-  for (std::string& line :
-       analysis::wayHomeLines(*compilation.mission, *compilation.platform, options.silence)) {
-    checked.found.remarks.push_back({{}, std::move(line)});
+  for (std::string& line : analysis::wayHomeLines(compilation.checked->mission(),
+                                                  mission.platform(), options.silence)) {
+    file.found.remarks.push_back({{}, std::move(line)});
   }
   auto budgets = analysis::missionBudgets(
-      compilation, options.targets.empty() ? analysis::boardsInTheVehicle() : options.targets,
-      options.user_code);
+      mission, options.targets.empty() ? analysis::boardsInTheVehicle() : options.targets,
+      options.user_code, compilation.diagnostics);
   if (!budgets) {
     return std::unexpected(budgets.error());
   }
-  checked.found.budgets = std::move(*budgets);
+  file.found.budgets = std::move(*budgets);
   return {};
 }
 
 }  // namespace
 
-Checked checkMission(const std::string& path, const CheckOptions& options) {
-  Checked checked;
-  report::CheckedMission& found = checked.found;
+CheckedFile checkMission(const std::string& path, const CheckOptions& options) {
+  CheckedFile file;
+  report::CheckedMission& found = file.found;
   found.path = path;
   auto compiled = compiler::compileMission(path);
   if (!compiled) {
     found.failure = compiled.error();
-    return checked;
+    return file;
   }
-  checked.compilation = std::move(*compiled);
-  compiler::Compilation& compilation = *checked.compilation;
-  found.sources = &compilation.sources;
-  if (compilation.ok()) {
-    if (auto done = checkFurther(checked, options); !done) {
+  file.compilation = std::move(*compiled);
+  const compiler::Compilation& compilation = *file.compilation;
+  found.sources = compilation.sources.get();
+  if (compilation.checked) {
+    if (auto done = checkFurther(file, options); !done) {
       found.failure = done.error();
     }
   }
   found.diagnostics = compilation.diagnostics.sorted();
-  if (compilation.ok()) {
-    tellFacts(compilation, found);
+  if (compilation.checked && !compilation.diagnostics.hasErrors()) {
+    tellFacts(*compilation.checked, found);
   }
-  return checked;
+  return file;
 }
 
 }  // namespace glider::driver

@@ -5,6 +5,7 @@
 
 #include "analysis/way_home.h"
 #include "compiler/compilation.h"
+#include "ir/prove/prove.h"
 #include "report/findings/findings.h"
 
 #include <memory>
@@ -23,16 +24,16 @@ struct CheckOptions {
   bool cache = true;                   ///< look what earlier checks have proved, and keep it
 };
 
-/// A mission with all that was found; `found` points into `compilation`, which is null if the file
-/// could not be read.
-struct Checked {
-  std::unique_ptr<compiler::Compilation> compilation;
+/// A mission's file with all that was found; `found` points into `compilation`, which is empty if
+/// the file could not be read.
+struct CheckedFile {
+  std::optional<compiler::Compilation> compilation;
   ir::prove::Findings proved;
   report::CheckedMission found;
 };
 
 /// Checks the mission at `path`: its text, its structure, what can be proved of it. A failure of
-/// the world stands in Checked::found.
-Checked checkMission(const std::string& path, const CheckOptions& options);
+/// the world stands in CheckedFile::found.
+CheckedFile checkMission(const std::string& path, const CheckOptions& options);
 
 }  // namespace glider::driver

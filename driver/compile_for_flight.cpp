@@ -5,23 +5,21 @@
 
 #include "driver/exit_code.h"
 #include "driver/terminal.h"
-#include "ir/opt/optimise.h"
 
 namespace glider::driver {
 
-std::unique_ptr<compiler::Compilation> compileForFlight(const std::string& mission, int& status) {
-  auto compiled = compiler::compileMission(mission);
+std::shared_ptr<const compiler::Optimised> compileForFlight(const std::string& mission,
+                                                            int& status) {
+  const auto compiled = compiler::compileMission(mission);
   if (!compiled) {
     status = reportFailure(compiled.error());
     return nullptr;
   }
-  reportDiagnostics((*compiled)->diagnostics, (*compiled)->sources);
-  status = (*compiled)->ok() ? kFine : kMissionHasErrors;
-  if (status != kFine) {
-    return nullptr;
-  }
-  ir::optimise(*(*compiled)->mission);  // as `build` does: the flight's states have those numbers
-  return std::move(*compiled);
+  reportDiagnostics(compiled->diagnostics, *compiled->sources);
+  status = compiled->checked ? kFine : kMissionHasErrors;
+  return compiled->checked
+             ? std::make_shared<const compiler::Optimised>(compiler::optimise(compiled->checked))
+             : nullptr;
 }
 
 }  // namespace glider::driver

@@ -12,6 +12,7 @@ namespace glider::driver {
 
 /// Compiles `mission` as it is to be flown and shows its diagnostics; null with `status` set when
 /// it has errors or cannot be read.
-std::unique_ptr<compiler::Compilation> compileForFlight(const std::string& mission, int& status);
+std::shared_ptr<const compiler::Optimised> compileForFlight(const std::string& mission,
+                                                            int& status);
 
 }  // namespace glider::driver

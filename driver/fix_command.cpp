@@ -4,8 +4,8 @@
 #include "compiler/compilation.h"
 #include "driver/commands.h"
 #include "driver/exit_code.h"
-#include "driver/line_diff.h"
-#include "driver/rewrite.h"
+#include "driver/output/line_diff.h"
+#include "driver/output/rewrite.h"
 #include "driver/terminal.h"
 #include "support/diagnostics/fixes.h"
 #include "support/files.h"
@@ -56,7 +56,7 @@ int fix(const std::string& path, bool dry_run) {
   if (!text) {
     return reportFailure(text.error());
   }
-  std::unique_ptr<compiler::Compilation> last;
+  std::optional<compiler::Compilation> last;
   const auto check = [&](const std::string& candidate) -> Result<std::vector<Diagnostic>> {
     auto compiled = compiler::compileText(path, candidate);
     if (!compiled) {
@@ -78,7 +78,7 @@ int fix(const std::string& path, bool dry_run) {
   if (!done) {
     return reportFailure(done.error());
   }
-  reportDiagnostics(last->diagnostics, last->sources);
+  reportDiagnostics(last->diagnostics, *last->sources);
   return last->diagnostics.hasErrors() ? kMissionHasErrors : kFine;
 }
 

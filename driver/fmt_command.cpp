@@ -3,8 +3,8 @@
 
 #include "driver/commands.h"
 #include "driver/exit_code.h"
-#include "driver/line_diff.h"
-#include "driver/rewrite.h"
+#include "driver/output/line_diff.h"
+#include "driver/output/rewrite.h"
 #include "driver/terminal.h"
 #include "frontend/format/format.h"
 #include "support/files.h"

@@ -3,6 +3,7 @@
 
 #include "analysis/graph_of.h"
 #include "compiler/compilation.h"
+#include "compiler/proving.h"
 #include "driver/commands.h"
 #include "driver/exit_code.h"
 #include "driver/terminal.h"
@@ -39,16 +40,24 @@ using DeadCases = std::map<ir::CasePlace, bool>;
 
 std::string draw(const GraphOptions& options, const compiler::Compilation& compilation,
                  const DeadCases& dead) {
+  const compiler::Lowered& mission = *compilation.lowered;
+  if (options.format == Format::Promela) {
+    return ir::promela(mission.mission);
+  }
+  const report::Graph graph = analysis::graphOf(
+      mission,
+      compilation.checked ? compilation.checked->facts.deepest_path : std::vector<ir::StateId>(),
+      dead);
   const report::GraphStyle style{options.deepest};
   switch (options.format) {
     case Format::Svg:
-      return report::graphToSvg(analysis::graphOf(compilation, dead), style);
+      return report::graphToSvg(graph, style);
     case Format::Dot:
-      return report::graphToDot(analysis::graphOf(compilation, dead), style);
+      return report::graphToDot(graph, style);
     case Format::Json:
-      return report::graphToJson(analysis::graphOf(compilation, dead));
+      return report::graphToJson(graph);
     case Format::Promela:
-      return ir::promela(*compilation.mission);
+      break;
   }
   return "";
 }
@@ -66,43 +75,41 @@ bool overwritesMission(const std::string& output, const std::string& mission) {
   return std::filesystem::equivalent(output, mission, error) && !error;
 }
 
-support::Result<void> put(const GraphOptions& options, compiler::Compilation& compilation) {
+support::Result<void> put(const GraphOptions& options, const compiler::Compilation& compilation) {
   const std::string output = options.output.empty() ? outputName(options) : options.output;
   if (overwritesMission(output, options.mission)) {
     return support::fail(support::DiagnosticId::outputIsInput, options.mission);
   }
   // Nothing is proved of a mission with errors: what is known of its structure is drawn.
-  auto dead = compilation.ok() && options.format != Format::Promela
-                  ? compiler::casesThatNeverFire(compilation)
-                  : support::Result<DeadCases>(DeadCases());
-  if (!dead) {
-    return std::unexpected(dead.error());
-  }
-  const std::string text = draw(options, compilation, *dead);
+  const DeadCases dead = compilation.checked && options.format != Format::Promela
+                             ? compiler::casesThatNeverFire(*compilation.checked)
+                             : DeadCases();
+  const std::string text = draw(options, compilation, dead);
   if (output == "-") {
     return printOut(text);
   }
   if (auto written = support::writeFileAtomically(output, text); !written) {
     return written;
   }
-  return printOut(fmt::format("{}: mission {}, {} states\n", output, compilation.mission->name,
-                              compilation.mission->states.size()));
+  return printOut(fmt::format("{}: mission {}, {} states\n", output,
+                              compilation.lowered->mission.name,
+                              compilation.lowered->mission.states.size()));
 }
 
 int graph(const GraphOptions& options) {
-  auto compiled = compiler::compileMission(options.mission);
+  const auto compiled = compiler::compileMission(options.mission);
   if (!compiled) {
     return reportFailure(compiled.error());
   }
-  compiler::Compilation& compilation = **compiled;
-  reportDiagnostics(compilation.diagnostics, compilation.sources);
-  if (!compilation.mission) {
+  const compiler::Compilation& compilation = *compiled;
+  reportDiagnostics(compilation.diagnostics, *compilation.sources);
+  if (!compilation.lowered) {
     return kMissionHasErrors;
   }
   if (auto done = put(options, compilation); !done) {
     return reportFailure(done.error());
   }
-  return compilation.ok() ? kFine : kMissionHasErrors;
+  return compilation.checked ? kFine : kMissionHasErrors;
 }
 
 }  // namespace

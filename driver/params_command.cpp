@@ -3,6 +3,7 @@
 
 #include "compiler/compilation.h"
 #include "driver/commands.h"
+#include "driver/compile_for_flight.h"
 #include "driver/exit_code.h"
 #include "driver/shared_options.h"
 #include "driver/terminal.h"
@@ -76,23 +77,23 @@ std::string table(const std::vector<Row>& rows) {
   return text;
 }
 
-support::Result<std::string> describe(const compiler::Compilation& compilation,
+support::Result<std::string> describe(const compiler::Optimised& mission,
                                       const flights::LaunchChoice& choice) {
-  const auto loaded = flights::loadForParameters(compilation);
+  const auto loaded = flights::loadForParameters(mission);
   if (!loaded) {
     return std::unexpected(loaded.error());
   }
-  const GliderMission& mission = loaded->mission();
-  const auto values = flights::chooseParameters(mission, choice);
+  const GliderMission& info = loaded->mission();
+  const auto values = flights::chooseParameters(info, choice);
   if (!values) {
     return std::unexpected(values.error());
   }
   if (values->empty()) {
-    return fmt::format("mission {} has no parameters\n", compilation.mission->name);
+    return fmt::format("mission {} has no parameters\n", mission.mission.name);
   }
   std::vector<Row> rows{{"name", "type", "default", "range", "set to"}};
   for (size_t i = 0; i < values->size(); ++i) {
-    rows.push_back(rowOf(compilation.mission->variables[i], mission.parameters[i], values->at(i)));
+    rows.push_back(rowOf(mission.mission.variables[i], info.parameters[i], values->at(i)));
   }
   if (std::ranges::all_of(rows.begin() + 1, rows.end(),
                           [](const Row& row) { return row[4].empty(); })) {
@@ -102,16 +103,12 @@ support::Result<std::string> describe(const compiler::Compilation& compilation,
 }
 
 int params(const ParamsOptions& options) {
-  auto compiled = compiler::compileMission(options.mission);
-  if (!compiled) {
-    return reportFailure(compiled.error());
+  int status = kFine;
+  const auto mission = compileForFlight(options.mission, status);
+  if (mission == nullptr) {
+    return status;
   }
-  const compiler::Compilation& compilation = **compiled;
-  reportDiagnostics(compilation.diagnostics, compilation.sources);
-  if (!compilation.ok()) {
-    return kMissionHasErrors;
-  }
-  const auto text = describe(compilation, options.launch);
+  const auto text = describe(*mission, options.launch);
   if (!text) {
     return reportFailure(text.error());
   }

@@ -6,15 +6,19 @@
 #include "analysis/replay.h"
 #include "driver/compile_for_flight.h"
 #include "driver/exit_code.h"
-#include "driver/flight_folder.h"
+#include "driver/output/flight_folder.h"
 #include "driver/terminal.h"
-#include "flights/flight_setup.h"
+#include "flights/launch_choice.h"
+#include "flights/sbc_choice.h"
 #include "support/files.h"
 #include "support/trace/trace.h"
 
 #include <fmt/format.h>
 
+#include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace glider::driver {
 namespace {
@@ -42,6 +46,55 @@ int tellReplay(const support::Trace& trace, const analysis::Replayed& replayed,
   return replayed.broken ? kMissionHasErrors : kFine;
 }
 
+/// A mission that is built for this process, with the parameters of the trace.
+struct Loaded {
+  std::shared_ptr<const codegen::LoadedMission> mission;
+  std::vector<double> parameters;
+};
+
+support::Result<Loaded> load(const compiler::Optimised& mission, const SimOptions& options) {
+  auto loaded = flights::loadHere(mission, options.user_code);
+  if (!loaded) {
+    return std::unexpected(loaded.error());
+  }
+  auto parameters = flights::chooseParameters(loaded->mission(), options.launch);
+  if (!parameters) {
+    return std::unexpected(parameters.error());
+  }
+  return Loaded{std::make_shared<const codegen::LoadedMission>(std::move(*loaded)),
+                std::move(*parameters)};
+}
+
+/// Flies the run on what `options` choose.
+int replay(const support::Trace& trace, const compiler::Optimised& mission,
+           const SimOptions& options) {
+  auto loaded = load(mission, options);
+  if (!loaded) {
+    return reportFailure(loaded.error());
+  }
+  // Where a board's binary is built and its log written; a replay leaves nothing behind.
+  const auto folder = FlightFolder::scratch();
+  if (!folder) {
+    return reportFailure(folder.error());
+  }
+  const auto start = isInProcess(options)
+                         ? flights::startInProcess(loaded->mission, loaded->parameters, false)
+                         : chooseSbc(options, &mission, false, folder->staging());
+  if (!start) {
+    return reportFailure(start.error());
+  }
+  const auto sbc = (*start)();
+  if (!sbc) {
+    return reportFailure(sbc.error());
+  }
+  const auto replayed = analysis::replayRun(
+      trace, *mission.checked, compiler::stateNames(mission.mission), loaded->parameters, **sbc);
+  if (!replayed) {
+    return reportFailure(replayed.error());
+  }
+  return tellReplay(trace, *replayed, (*sbc)->way());
+}
+
 }  // namespace
 
 int replayTrace(SimOptions options) {
@@ -53,45 +106,16 @@ int replayTrace(SimOptions options) {
   if (!trace) {
     return reportFailure(trace.error());
   }
-  const auto mission = compiler::compileMission(options.mission);
-  if (!mission) {
-    return reportFailure(mission.error());
-  }
   int status = kFine;
-  const auto built = compileForFlight(options.mission, status);
+  const auto mission = compileForFlight(options.mission, status);
   if (status != kFine) {
     return status;
   }
-  if (auto fits = analysis::checkTrace(*trace, options.replay, **mission); !fits) {
+  if (auto fits = analysis::checkTrace(*trace, options.replay, *mission->checked); !fits) {
     return reportFailure(fits.error());
   }
   options.launch.settings = trace->settings;
-  const auto loaded = flights::loadHere(*built, options.user_code);
-  const auto parameters =
-      loaded ? flights::chooseParameters(loaded->mission(), options.launch)
-             : support::Result<std::vector<double>>(std::unexpected(loaded.error()));
-  if (!parameters) {
-    return reportFailure(parameters.error());
-  }
-  // Where a board's binary is built and its log written; a replay leaves nothing behind.
-  const auto folder = FlightFolder::scratch();
-  if (!folder) {
-    return reportFailure(folder.error());
-  }
-  const auto start = chooseSbc(options, built.get(), false, folder->staging());
-  if (!start) {
-    return reportFailure(start.error());
-  }
-  const auto sbc = (*start)();
-  if (!sbc) {
-    return reportFailure(sbc.error());
-  }
-  const auto replayed = analysis::replayRun(
-      *trace, **mission, compiler::stateNames(*built->mission), *parameters, **sbc);
-  if (!replayed) {
-    return reportFailure(replayed.error());
-  }
-  return tellReplay(*trace, *replayed, (*sbc)->way());
+  return replay(*trace, *mission, options);
 }
 
 }  // namespace glider::driver

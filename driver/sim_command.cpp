@@ -5,8 +5,8 @@
 #include "driver/commands.h"
 #include "driver/compile_for_flight.h"
 #include "driver/exit_code.h"
-#include "driver/flight_files.h"
-#include "driver/flight_folder.h"
+#include "driver/output/flight_files.h"
+#include "driver/output/flight_folder.h"
 #include "driver/replay_trace.h"
 #include "driver/shared_options.h"
 #include "driver/sim_options.h"
@@ -44,11 +44,11 @@ void showProgress(simulator::SimulationSetup& setup, ProgressLine& line) {
 
 /// What went wrong in a flight: what the vehicle did, and sensors that it did not carry.
 std::vector<support::Diagnostic> judge(const support::Trace& trace,
-                                       const compiler::Compilation* compilation,
+                                       const compiler::Optimised* mission,
                                        const simulator::Scenario& scenario) {
   support::DiagnosticEngine diagnostics;
-  if (compilation != nullptr) {
-    flights::reportMissingSensors(*compilation, scenario, diagnostics);
+  if (mission != nullptr) {
+    flights::reportMissingSensors(*mission, scenario, diagnostics);
   }
   report::reportFlight(trace, diagnostics);
   reportDiagnostics(diagnostics, {});
@@ -78,7 +78,7 @@ support::Result<void> writeAll(const support::Trace& trace, const SimOptions& op
 
 /// Flies and writes; the flight has been set up.
 int flyAndReport(simulator::SimulationSetup setup, const SimOptions& options,
-                 const compiler::Compilation* compilation, FlightFolder& folder) {
+                 const compiler::Optimised* mission, FlightFolder& folder) {
   const simulator::Scenario scenario = setup.scenario;
   ProgressLine line;
   showProgress(setup, line);
@@ -94,7 +94,7 @@ int flyAndReport(simulator::SimulationSetup setup, const SimOptions& options,
       report::summarize(*trace) +
       fmt::format("\nflown {:.0f} s in {:.4f} s; report: {}\n", flown, took.count(),
                   (std::filesystem::path(outputFolder(options)) / "report.html").string()));
-  const auto reported = judge(*trace, compilation, scenario);
+  const auto reported = judge(*trace, mission, scenario);
   if (auto written = writeAll(*trace, options, reported, folder); !written) {
     return reportFailure(written.error());
   }
@@ -117,12 +117,12 @@ int sim(const SimOptions& options) {
     return reportFailure(scenario.error());
   }
   int status = kFine;
-  const std::unique_ptr<compiler::Compilation> compilation =
+  const std::shared_ptr<const compiler::Optimised> mission =
       options.mission.empty() ? nullptr : compileForFlight(options.mission, status);
   if (status != kFine) {
     return status;
   }
-  auto platform = flights::platformOf(compilation.get());
+  auto platform = flights::platformOf(mission.get());
   if (!platform) {
     return reportFailure(platform.error());
   }
@@ -130,7 +130,7 @@ int sim(const SimOptions& options) {
   if (!folder) {
     return reportFailure(folder.error());
   }
-  auto start = chooseSbc(options, compilation.get(), !scenario->faults.empty(), folder->staging());
+  auto start = chooseSbc(options, mission.get(), !scenario->faults.empty(), folder->staging());
   if (!start) {
     return reportFailure(start.error());
   }
@@ -147,10 +147,10 @@ int sim(const SimOptions& options) {
   setup.scenario = std::move(*scenario);
   setup.seed = options.seed;
   setup.kill_sbc_at_s = options.kill_sbc_at_s;
-  if (compilation != nullptr) {
-    flights::describeMission(setup, *compilation);
+  if (mission != nullptr) {
+    flights::describeMission(setup, *mission);
   }
-  return flyAndReport(std::move(setup), options, compilation.get(), *folder);
+  return flyAndReport(std::move(setup), options, mission.get(), *folder);
 }
 
 /// A time that comes.

@@ -22,13 +22,17 @@ std::string stemOf(const SimOptions& options) {
 
 }  // namespace
 
+bool isInProcess(const SimOptions& options) {
+  return !options.without_sbc && options.serial.empty() && options.program.empty() &&
+         options.board.empty();
+}
+
 std::string outputFolder(const SimOptions& options) {
   return options.output.empty() ? stemOf(options) + "-flight" : options.output;
 }
 
 support::Result<simulator::StartSbc> chooseSbc(const SimOptions& options,
-                                               const compiler::Compilation* compilation,
-                                               bool keeps_time,
+                                               const compiler::Optimised* mission, bool keeps_time,
                                                const std::filesystem::path& folder) {
   if (options.without_sbc) {
     return simulator::StartSbc();
@@ -39,10 +43,10 @@ support::Result<simulator::StartSbc> chooseSbc(const SimOptions& options,
   if (!options.program.empty()) {
     return flights::sbcProgram(options.program);
   }
-  if (options.board.empty()) {
-    return flights::sbcInProcess(*compilation, options.launch, options.user_code, keeps_time);
+  if (isInProcess(options)) {
+    return flights::sbcInProcess(*mission, options.launch, options.user_code, keeps_time);
   }
-  return flights::sbcOnBoard(*compilation, options.launch, options.user_code, options.board,
+  return flights::sbcOnBoard(*mission, options.launch, options.user_code, options.board,
                              stemOf(options), folder);
 }
 

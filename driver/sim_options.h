@@ -39,11 +39,13 @@ struct SimOptions {
 /// The folder that is named, or one called after the mission.
 std::string outputFolder(const SimOptions& options);
 
+/// Whether the mission is to fly in this process.
+bool isInProcess(const SimOptions& options);
+
 /// What starts the SBC, empty for none; `keeps_time`: as for a flight in which something goes
 /// wrong. A board's binary is built into `folder`.
 support::Result<simulator::StartSbc> chooseSbc(const SimOptions& options,
-                                               const compiler::Compilation* compilation,
-                                               bool keeps_time,
+                                               const compiler::Optimised* mission, bool keeps_time,
                                                const std::filesystem::path& folder);
 
 }  // namespace glider::driver

@@ -32,9 +32,9 @@ void addSensors(const ir::Mission& mission, ir::ExprId root, std::vector<uint16_
 
 }  // namespace
 
-simulator::GuardText explainGuard(const compiler::Compilation& compilation, uint32_t list,
-                                  uint32_t state, uint32_t fired_case) {
-  const ir::Mission& mission = *compilation.mission;
+simulator::GuardText explainGuard(const compiler::Optimised& of, uint32_t list, uint32_t state,
+                                  uint32_t fired_case) {
+  const ir::Mission& mission = of.mission;
   simulator::GuardText text;
   if (state >= mission.states.size()) {
     return text;
@@ -46,7 +46,7 @@ simulator::GuardText explainGuard(const compiler::Compilation& compilation, uint
   }
   const ir::ExprId guard = cases[fired_case].guard;
   const support::SourceRange range = mission[guard].range;
-  text.guard = range.valid() ? support::onOneLine(compilation.sources.text(range)) : "";
+  text.guard = range.valid() ? support::onOneLine(of.sources().text(range)) : "";
   addSensors(mission, guard, text.sensors);
   return text;
 }

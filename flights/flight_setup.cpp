@@ -9,19 +9,15 @@
 
 namespace glider::flights {
 
-support::Result<platforms::Platform> platformOf(const compiler::Compilation* compilation) {
-  if (compilation != nullptr && compilation->platform) {
-    return *compilation->platform;
-  }
-  const std::string name = compilation != nullptr ? compilation->mission->platform : "slocum";
-  return platforms::loadPlatform(compiler::platformFile(name));
+support::Result<platforms::Platform> platformOf(const compiler::Optimised* mission) {
+  return mission != nullptr ? mission->platform()
+                            : platforms::loadPlatform(compiler::platformFile("slocum"));
 }
 
-void reportMissingSensors(const compiler::Compilation& compilation,
-                          const simulator::Scenario& scenario,
+void reportMissingSensors(const compiler::Optimised& mission, const simulator::Scenario& scenario,
                           support::DiagnosticEngine& diagnostics) {
   for (const simulator::NotCarried& sensor : simulator::sensorsNotCarried(scenario)) {
-    const bool read = std::ranges::any_of(compilation.mission->sensors, [&](const auto& used) {
+    const bool read = std::ranges::any_of(mission.mission.sensors, [&](const auto& used) {
       return used.symbol.empty() && used.vehicle_name == sensor.name;
     });
     if (read) {
@@ -31,11 +27,11 @@ void reportMissingSensors(const compiler::Compilation& compilation,
   }
 }
 
-void describeMission(simulator::SimulationSetup& setup, const compiler::Compilation& compilation) {
-  setup.mission_name = compilation.mission->name;
-  setup.state_names = compiler::stateNames(*compilation.mission);
-  setup.explain = [&compilation](uint32_t list, uint32_t state, uint32_t fired_case) {
-    return explainGuard(compilation, list, state, fired_case);
+void describeMission(simulator::SimulationSetup& setup, const compiler::Optimised& mission) {
+  setup.mission_name = mission.mission.name;
+  setup.state_names = compiler::stateNames(mission.mission);
+  setup.explain = [&mission](uint32_t list, uint32_t state, uint32_t fired_case) {
+    return explainGuard(mission, list, state, fired_case);
   };
 }
 

@@ -9,17 +9,16 @@
 
 namespace glider::flights {
 
-/// The vehicle that `compilation`'s mission is for; that of glidercc's own platform file without
+/// The vehicle that `mission` is for; that of glidercc's own platform file without
 /// one.
-support::Result<platforms::Platform> platformOf(const compiler::Compilation* compilation);
+support::Result<platforms::Platform> platformOf(const compiler::Optimised* mission);
 
 /// Reports each sensor that the mission reads or logs and the scenario's vehicle does not carry.
-void reportMissingSensors(const compiler::Compilation& compilation,
-                          const simulator::Scenario& scenario,
+void reportMissingSensors(const compiler::Optimised& mission, const simulator::Scenario& scenario,
                           support::DiagnosticEngine& diagnostics);
 
-/// Puts the mission's name, its states' and the texts of its guards into `setup`; `compilation`
+/// Puts the mission's name, its states' and the texts of its guards into `setup`; `mission`
 /// must live as long.
-void describeMission(simulator::SimulationSetup& setup, const compiler::Compilation& compilation);
+void describeMission(simulator::SimulationSetup& setup, const compiler::Optimised& mission);
 
 }  // namespace glider::flights

@@ -106,7 +106,7 @@ support::Result<std::vector<double>> chooseParameters(const GliderMission& missi
 
 namespace {
 
-support::Result<codegen::LoadedMission> load(const compiler::Compilation& compilation,
+support::Result<codegen::LoadedMission> load(const compiler::Optimised& mission,
                                              const platforms::Board& host,
                                              const support::Result<codegen::UserCode>& user_code) {
   if (!user_code) {
@@ -115,7 +115,7 @@ support::Result<codegen::LoadedMission> load(const compiler::Compilation& compil
   codegen::CodegenOptions options;
   options.debug = false;
   user_code->addTo(options);
-  const auto object = codegen::linkShared(*compilation.mission, compilation.facts, host, options);
+  const auto object = codegen::linkShared(mission.input(), host, options);
   if (!object) {
     return std::unexpected(object.error());
   }
@@ -124,22 +124,21 @@ support::Result<codegen::LoadedMission> load(const compiler::Compilation& compil
 
 }  // namespace
 
-support::Result<codegen::LoadedMission> loadHere(const compiler::Compilation& compilation,
+support::Result<codegen::LoadedMission> loadHere(const compiler::Optimised& mission,
                                                  const std::vector<std::string>& user_code) {
   const auto host = compiler::loadTarget("host");
   if (!host) {
     return std::unexpected(host.error());
   }
-  return load(compilation, *host, compiler::loadUserCode(user_code, compilation, *host));
+  return load(mission, *host, compiler::loadUserCode(user_code, mission.mission, *host));
 }
 
-support::Result<codegen::LoadedMission> loadForParameters(
-    const compiler::Compilation& compilation) {
+support::Result<codegen::LoadedMission> loadForParameters(const compiler::Optimised& mission) {
   const auto host = compiler::loadTarget("host");
   if (!host) {
     return std::unexpected(host.error());
   }
-  return load(compilation, *host, codegen::UserCode::standIn(*compilation.mission, *host));
+  return load(mission, *host, codegen::UserCode::standIn(mission.mission, *host));
 }
 
 }  // namespace glider::flights

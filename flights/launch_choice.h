@@ -26,9 +26,9 @@ support::Result<std::vector<double>> chooseParameters(const GliderMission& missi
                                                       const LaunchChoice& choice);
 
 /// The mission compiled for this process and loaded, with what `user_code` has for it.
-support::Result<codegen::LoadedMission> loadHere(const compiler::Compilation& compilation,
+support::Result<codegen::LoadedMission> loadHere(const compiler::Optimised& mission,
                                                  const std::vector<std::string>& user_code);
 /// The same to look at its parameters only: it needs no user code and does not fly.
-support::Result<codegen::LoadedMission> loadForParameters(const compiler::Compilation& compilation);
+support::Result<codegen::LoadedMission> loadForParameters(const compiler::Optimised& mission);
 
 }  // namespace glider::flights

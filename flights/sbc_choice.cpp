@@ -18,10 +18,9 @@ using simulator::SerialSbcPort;
 using simulator::StartSbc;
 using support::Result;
 
-Result<NewFlight> flightsInProcess(const compiler::Compilation& compilation,
-                                   const LaunchChoice& launch,
+Result<NewFlight> flightsInProcess(const compiler::Optimised& mission, const LaunchChoice& launch,
                                    const std::vector<std::string>& user_code, bool keeps_time) {
-  auto loaded = loadHere(compilation, user_code);
+  auto loaded = loadHere(mission, user_code);
   if (!loaded) {
     return std::unexpected(loaded.error());
   }
@@ -29,29 +28,35 @@ Result<NewFlight> flightsInProcess(const compiler::Compilation& compilation,
   if (!parameters) {
     return std::unexpected(parameters.error());
   }
-  auto mission = std::make_shared<const codegen::LoadedMission>(std::move(*loaded));
-  return [mission, values = std::move(*parameters), keeps_time]() -> StartSbc {
-    return [mission, values, keeps_time, card = std::make_shared<Card>()] {
-      return Result<std::unique_ptr<SbcPort>>(
-          std::make_unique<InProcessSbc>(mission, values, card, keeps_time));
-    };
+  auto shared = std::make_shared<const codegen::LoadedMission>(std::move(*loaded));
+  return [shared, values = std::move(*parameters), keeps_time]() -> StartSbc {
+    return startInProcess(shared, values, keeps_time);
   };
 }
 
-Result<StartSbc> sbcInProcess(const compiler::Compilation& compilation, const LaunchChoice& launch,
+StartSbc startInProcess(std::shared_ptr<const codegen::LoadedMission> mission,
+                        std::vector<double> parameters, bool keeps_time) {
+  return [mission = std::move(mission), parameters = std::move(parameters), keeps_time,
+          card = std::make_shared<Card>()] {
+    return Result<std::unique_ptr<SbcPort>>(
+        std::make_unique<InProcessSbc>(mission, parameters, card, keeps_time));
+  };
+}
+
+Result<StartSbc> sbcInProcess(const compiler::Optimised& mission, const LaunchChoice& launch,
                               const std::vector<std::string>& user_code, bool keeps_time) {
-  const auto flights = flightsInProcess(compilation, launch, user_code, keeps_time);
+  const auto flights = flightsInProcess(mission, launch, user_code, keeps_time);
   return flights ? Result<StartSbc>((*flights)()) : std::unexpected(flights.error());
 }
 
 namespace {
 
 /// Whether the mission allows what the pilot says, before the board's program refuses it.
-Result<void> checkLaunch(const compiler::Compilation& compilation, const LaunchChoice& launch) {
+Result<void> checkLaunch(const compiler::Optimised& mission, const LaunchChoice& launch) {
   if (launch.empty()) {
     return {};
   }
-  const auto loaded = loadForParameters(compilation);
+  const auto loaded = loadForParameters(mission);
   if (!loaded) {
     return std::unexpected(loaded.error());
   }
@@ -69,27 +74,26 @@ StartSbc starterOf(std::string way, std::vector<std::string> command,
 
 }  // namespace
 
-Result<std::vector<std::string>> buildOnBoard(const compiler::Compilation& compilation,
+Result<std::vector<std::string>> buildOnBoard(const compiler::Optimised& mission,
                                               const LaunchChoice& launch,
                                               const std::vector<std::string>& user_code,
                                               const std::string& board,
                                               const std::filesystem::path& binary) {
-  if (auto allowed = checkLaunch(compilation, launch); !allowed) {
+  if (auto allowed = checkLaunch(mission, launch); !allowed) {
     return std::unexpected(allowed.error());
   }
   const auto target = compiler::loadTarget(board);
   if (!target) {
     return std::unexpected(target.error());
   }
-  const auto code = compiler::loadUserCode(user_code, compilation, *target);
+  const auto code = compiler::loadUserCode(user_code, mission.mission, *target);
   if (!code) {
     return std::unexpected(code.error());
   }
   codegen::CodegenOptions options;
-  options.sources = &compilation.sources;
+  options.sources = &mission.sources();
   code->addTo(options);
-  const auto built =
-      codegen::linkExecutable(*compilation.mission, compilation.facts, *target, options, binary);
+  const auto built = codegen::linkExecutable(mission.input(), *target, options, binary);
   if (!built) {
     return std::unexpected(built.error());
   }
@@ -118,11 +122,11 @@ StartSbc startOnBoard(const std::string& board, std::vector<std::string> command
   return starterOf(board, std::move(command), checkpoints, hang_secs);
 }
 
-Result<StartSbc> sbcOnBoard(const compiler::Compilation& compilation, const LaunchChoice& launch,
+Result<StartSbc> sbcOnBoard(const compiler::Optimised& mission, const LaunchChoice& launch,
                             const std::vector<std::string>& user_code, const std::string& board,
                             const std::string& name, const std::filesystem::path& folder) {
   const std::string full_name = name + "-" + board;
-  auto command = buildOnBoard(compilation, launch, user_code, board, folder / full_name);
+  auto command = buildOnBoard(mission, launch, user_code, board, folder / full_name);
   if (!command) {
     return std::unexpected(command.error());
   }

@@ -21,7 +21,7 @@ using NewFlight = std::function<simulator::StartSbc()>;
 
 /// Compiles the mission for this process and loads it; `user_code` is what --link names.
 /// `keeps_time`: see InProcessSbc.
-support::Result<NewFlight> flightsInProcess(const compiler::Compilation& compilation,
+support::Result<NewFlight> flightsInProcess(const compiler::Optimised& mission,
                                             const LaunchChoice& launch,
                                             const std::vector<std::string>& user_code,
                                             bool keeps_time);
@@ -29,14 +29,18 @@ support::Result<NewFlight> flightsInProcess(const compiler::Compilation& compila
 // Each makes what starts the SBC of one flight, as often as its power comes back.
 
 /// flightsInProcess, of one flight.
-support::Result<simulator::StartSbc> sbcInProcess(const compiler::Compilation& compilation,
+support::Result<simulator::StartSbc> sbcInProcess(const compiler::Optimised& mission,
                                                   const LaunchChoice& launch,
                                                   const std::vector<std::string>& user_code,
                                                   bool keeps_time);
 
+/// Of a mission that is loaded.
+simulator::StartSbc startInProcess(std::shared_ptr<const codegen::LoadedMission> mission,
+                                   std::vector<double> parameters, bool keeps_time);
+
 /// Builds the mission's binary for `board` at `binary`; the command that runs it here, without its
 /// arguments.
-support::Result<std::vector<std::string>> buildOnBoard(const compiler::Compilation& compilation,
+support::Result<std::vector<std::string>> buildOnBoard(const compiler::Optimised& mission,
                                                        const LaunchChoice& launch,
                                                        const std::vector<std::string>& user_code,
                                                        const std::string& board,
@@ -50,7 +54,7 @@ simulator::StartSbc startOnBoard(const std::string& board, std::vector<std::stri
 
 /// Builds the mission's binary for `board` into `folder` as `name`-`board`, to be started behind a
 /// pseudo-terminal, under the board's emulator if it has one.
-support::Result<simulator::StartSbc> sbcOnBoard(const compiler::Compilation& compilation,
+support::Result<simulator::StartSbc> sbcOnBoard(const compiler::Optimised& mission,
                                                 const LaunchChoice& launch,
                                                 const std::vector<std::string>& user_code,
                                                 const std::string& board, const std::string& name,

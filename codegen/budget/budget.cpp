@@ -53,9 +53,9 @@ std::expected<uint64_t, std::string> stackBytes(const Image& image, const ir::Mi
 
 }  // namespace
 
-Result<Budget> measureBudget(const ir::Mission& mission, const ir::MissionFacts& facts,
-                             const platforms::Board& board, const CodegenOptions& options) {
-  auto program = compileProgram(mission, facts, board, options, ProgramKind::Executable, {"main"});
+Result<Budget> measureBudget(const Input& input, const platforms::Board& board,
+                             const CodegenOptions& options) {
+  auto program = compileProgram(input, board, options, ProgramKind::Executable, {"main"});
   if (!program) {
     return std::unexpected(program.error());
   }
@@ -73,10 +73,10 @@ Result<Budget> measureBudget(const ir::Mission& mission, const ir::MissionFacts&
   budget.memory_bytes = image->loadedBytes();
   budget.data_bytes = image->writableBytes();
   budget.context_bytes = image->contextBytes();
-  MissionSize size = sizeOf(mission, facts);
+  MissionSize size = sizeOf(input);
   size.data_bytes = budget.data_bytes;  // what is moved lies in there
-  budget.tick_instructions = tickInstructions(*image, mission, size);
-  budget.stack_bytes = stackBytes(*image, mission, board);
+  budget.tick_instructions = tickInstructions(*image, input.mission, size);
+  budget.stack_bytes = stackBytes(*image, input.mission, board);
   return budget;
 }
 

@@ -26,7 +26,7 @@ struct Budget {
 /// Builds the mission for `board` as `glidercc build` does and measures that. `mission` is as it is
 /// compiled: optimised, if it is to be. README.md says how. Errors as linkExecutable's, but a file
 /// that is too large is none.
-support::Result<Budget> measureBudget(const ir::Mission& mission, const ir::MissionFacts& facts,
-                                      const platforms::Board& board, const CodegenOptions& options);
+support::Result<Budget> measureBudget(const Input& input, const platforms::Board& board,
+                                      const CodegenOptions& options);
 
 }  // namespace glider::codegen

@@ -51,13 +51,14 @@ void take(MissionSize& size, const ir::GuardTable& table) {
 
 }  // namespace
 
-MissionSize sizeOf(const ir::Mission& mission, const ir::MissionFacts& facts) {
+MissionSize sizeOf(const Input& input) {
+  const ir::Mission& mission = input.mission;
   MissionSize size;
   size.sensors = mission.sensors.size();
   size.calls = mission.uses.size();
   size.most_readings = kMostReadings;
   size.always_cases = mission.always.size();
-  size.stack_depth = facts.stack_depth;
+  size.stack_depth = input.stack_depth;
   size.most_note_values = GLIDER_MOST_NOTE_VALUES;
   take(size, mission.always_table);
   for (const ir::State& state : mission.states) {

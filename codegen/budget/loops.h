@@ -4,7 +4,7 @@
 #pragma once
 
 #include "codegen/budget/worst_path.h"
-#include "ir/core/mission.h"
+#include "codegen/input.h"
 
 #include <cstdint>
 
@@ -32,7 +32,7 @@ constexpr uint64_t kMostReadings = 64;
 constexpr uint64_t kLibraryWindowBins = 66;
 
 /// Without data_bytes.
-MissionSize sizeOf(const ir::Mission& mission, const ir::MissionFacts& facts);
+MissionSize sizeOf(const Input& input);
 
 /// What loops.def says of a function, at least 1 for what has a row; nothing without one.
 Turns turnsIn(const Frame& function, const MissionSize& size);

@@ -9,9 +9,9 @@
 
 namespace glider::codegen {
 
-uint64_t contextBytes(const ir::Mission& mission, const ir::MissionFacts& facts,
-                      const MissionIndex& index, const llvm::DataLayout& layout,
+uint64_t contextBytes(const Input& input, const MissionIndex& index, const llvm::DataLayout& layout,
                       const AbiTypes& types) {
+  const ir::Mission& mission = input.mission;
   constexpr uint64_t kAlignment = 8;
   auto part = [&](llvm::StructType* type, uint64_t count) {
     return llvm::alignTo(count * layout.getTypeAllocSize(type).getFixedValue(), kAlignment);
@@ -19,7 +19,7 @@ uint64_t contextBytes(const ir::Mission& mission, const ir::MissionFacts& facts,
   const uint64_t numbers =
       mission.variables.size() + index.slot_count + uint64_t{GLIDER_MOST_NOTE_VALUES};
   return part(types.GliderContext, 1) + part(types.GliderReading, mission.sensors.size()) +
-         part(types.GliderFrame, facts.stack_depth) + part(types.GliderCall, mission.uses.size()) +
+         part(types.GliderFrame, input.stack_depth) + part(types.GliderCall, mission.uses.size()) +
          uint64_t{index.memory_count} * GLIDER_BEHAVIOUR_MEMORY_BYTES + numbers * sizeof(double) +
          llvm::alignTo(uint64_t{index.interval_count} * sizeof(uint32_t), kAlignment) +
          part(types.GliderNote, GLIDER_MOST_NOTES);

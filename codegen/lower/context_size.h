@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "codegen/input.h"
 #include "codegen/lower/abi_types.h"
 #include "codegen/lower/mission_index.h"
 
@@ -14,8 +15,7 @@ namespace glider::codegen {
 
 /// Bytes of a running mission's context with its arrays: the rule of runtime/abi/context_layout.h
 /// for the machine that `layout` describes.
-uint64_t contextBytes(const ir::Mission& mission, const ir::MissionFacts& facts,
-                      const MissionIndex& index, const llvm::DataLayout& layout,
+uint64_t contextBytes(const Input& input, const MissionIndex& index, const llvm::DataLayout& layout,
                       const AbiTypes& types);
 
 }  // namespace glider::codegen

@@ -84,22 +84,21 @@ MissionPart wholeOf(const ir::Mission& mission) {
   return whole;
 }
 
-std::unique_ptr<llvm::Module> lowerMission(const ir::Mission& mission,
-                                           const ir::MissionFacts& facts, const MissionPart& part,
+std::unique_ptr<llvm::Module> lowerMission(const Input& input, const MissionPart& part,
                                            const llvm::TargetMachine& machine,
                                            const support::SourceManager* sources,
                                            llvm::LLVMContext& context) {
-  CHECK(!part.head || ir::validate(mission).empty(), "a mission that does not hold together");
-  auto module = std::make_unique<llvm::Module>(mission.name, context);
+  CHECK(!part.head || ir::validate(input.mission).empty(), "a mission that does not hold together");
+  auto module = std::make_unique<llvm::Module>(input.mission.name, context);
   module->setTargetTriple(machine.getTargetTriple().str());
   module->setDataLayout(machine.createDataLayout());
   setRelocation(*module, machine);
-  Lowering lowering{mission,
-                    facts,
+  Lowering lowering{input.mission,
+                    input.stack_depth,
                     *module,
                     makeAbiTypes(context),
-                    DebugInfo(*module, sources, mission.states.front().range),
-                    indexMission(mission),
+                    DebugInfo(*module, sources, input.mission.states.front().range),
+                    indexMission(input.mission),
                     machine.Options.FloatABIType == llvm::FloatABI::Soft};
   if (part.head) {
     lowerTables(lowering, lowerFunctions(lowering));

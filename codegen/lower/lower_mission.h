@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "codegen/input.h"
 #include "ir/core/mission.h"
 #include "support/source_manager.h"
 
@@ -27,8 +28,7 @@ MissionPart wholeOf(const ir::Mission& mission);
 /// A part of the mission as a module for `machine`: behaviours and the runtime's functions are
 /// declared, and what other parts hold. The mission must hold together and be free of errors. With
 /// `sources` (of the mission's ranges; null: none) it has line tables.
-std::unique_ptr<llvm::Module> lowerMission(const ir::Mission& mission,
-                                           const ir::MissionFacts& facts, const MissionPart& part,
+std::unique_ptr<llvm::Module> lowerMission(const Input& input, const MissionPart& part,
                                            const llvm::TargetMachine& machine,
                                            const support::SourceManager* sources,
                                            llvm::LLVMContext& context);

@@ -20,7 +20,7 @@ namespace glider::codegen {
 
 struct Lowering {
   const ir::Mission& mission;
-  const ir::MissionFacts& facts;
+  uint32_t stack_depth;  ///< greatest number of frames on the call stack
   llvm::Module& module;
   AbiTypes types;
   DebugInfo debug;

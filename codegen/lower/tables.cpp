@@ -27,7 +27,7 @@ static_assert(static_cast<int>(ir::Encoding::DegreesMinutes) == kGliderDegreesMi
 static_assert(static_cast<int>(ir::Encoding::Magnetic) == kGliderMagnetic);
 
 uint64_t bytesOf(const Lowering& lowering) {
-  return contextBytes(lowering.mission, lowering.facts, lowering.index,
+  return contextBytes({lowering.mission, lowering.stack_depth}, lowering.index,
                       lowering.module.getDataLayout(), lowering.types);
 }
 
@@ -222,7 +222,7 @@ llvm::Constant* Tables::mission(const MissionFunctions& functions) {
                                    {word(GLIDER_ABI_VERSION),
                                     word(mission.states.size()),
                                     word(mission.sensors.size()),
-                                    word(lowering_.facts.stack_depth),
+                                    word(lowering_.stack_depth),
                                     word(index.memory_count),
                                     word(mission.variables.size()),
                                     word(index.slot_count),

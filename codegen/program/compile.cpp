@@ -32,22 +32,21 @@ constexpr int kImportLevel = 2;
 
 /// What all parts of a program are made with.
 struct Recipe {
-  const ir::Mission& mission;
-  const ir::MissionFacts& facts;
+  const Input& input;
   const Board& board;
   const CodegenOptions& options;
   ProgramKind kind;
 };
 
 Result<void> checkLimits(const Recipe& recipe, const llvm::TargetMachine& machine) {
-  const MissionIndex index = indexMission(recipe.mission);
+  const MissionIndex index = indexMission(recipe.input.mission);
   if (index.parameter_count > GLIDER_MOST_PARAMETERS) {
     return support::fail(DiagnosticId::tooManyParameters, index.parameter_count,
                          GLIDER_MOST_PARAMETERS);
   }
   llvm::LLVMContext scratch;  // the module's own is to hold each type once
-  const uint64_t bytes = contextBytes(recipe.mission, recipe.facts, index,
-                                      machine.createDataLayout(), makeAbiTypes(scratch));
+  const uint64_t bytes =
+      contextBytes(recipe.input, index, machine.createDataLayout(), makeAbiTypes(scratch));
   if (bytes > kMostContextBytes) {
     return support::fail(DiagnosticId::missionTooLarge, bytes, kMostContextBytes);
   }
@@ -67,7 +66,7 @@ Result<Unit> lower(const Recipe& recipe, const MissionPart& part) {
     }
   }
   unit.module =
-      lowerMission(recipe.mission, recipe.facts, part, *unit.machine,
+      lowerMission(recipe.input, part, *unit.machine,
                    recipe.options.debug ? recipe.options.sources : nullptr, *unit.context);
   return unit;
 }
@@ -99,17 +98,17 @@ Result<std::string> compilePart(const Recipe& recipe, const MissionPart& part,
 
 }  // namespace
 
-Result<Unit> lowerWhole(const ir::Mission& mission, const ir::MissionFacts& facts,
-                        const Board& board, const CodegenOptions& options, ProgramKind kind) {
-  return lower({mission, facts, board, options, kind}, wholeOf(mission));
+Result<Unit> lowerWhole(const Input& input, const Board& board, const CodegenOptions& options,
+                        ProgramKind kind) {
+  return lower({input, board, options, kind}, wholeOf(input.mission));
 }
 
-Result<Program> compileProgram(const ir::Mission& mission, const ir::MissionFacts& facts,
-                               const Board& board, const CodegenOptions& options, ProgramKind kind,
+Result<Program> compileProgram(const Input& input, const Board& board,
+                               const CodegenOptions& options, ProgramKind kind,
                                const std::vector<std::string>& visible) {
-  const Recipe recipe{mission, facts, board, options, kind};
+  const Recipe recipe{input, board, options, kind};
   const bool whole = options.optimisation_level >= kWholeProgramLevel;
-  const auto parts = whole ? std::vector{wholeOf(mission)} : partsOf(mission);
+  const auto parts = whole ? std::vector{wholeOf(input.mission)} : partsOf(input.mission);
   std::vector<std::future<Result<std::string>>> others;
   for (size_t i = 1; i < parts.size(); ++i) {
     others.push_back(

@@ -25,9 +25,8 @@ struct Unit {
 };
 
 /// The mission alone, lowered and not optimised. GL4002, GL4006, GL4007.
-support::Result<Unit> lowerWhole(const ir::Mission& mission, const ir::MissionFacts& facts,
-                                 const platforms::Board& board, const CodegenOptions& options,
-                                 ProgramKind kind);
+support::Result<Unit> lowerWhole(const Input& input, const platforms::Board& board,
+                                 const CodegenOptions& options, ProgramKind kind);
 
 /// What a program is linked from, besides the board's own inputs.
 struct Program {
@@ -37,8 +36,7 @@ struct Program {
 
 /// Compiles the mission together with the runtime, as the optimisation level says; `visible` is
 /// what the program exports. Uses as many threads as the mission has parts.
-support::Result<Program> compileProgram(const ir::Mission& mission, const ir::MissionFacts& facts,
-                                        const platforms::Board& board,
+support::Result<Program> compileProgram(const Input& input, const platforms::Board& board,
                                         const CodegenOptions& options, ProgramKind kind,
                                         const std::vector<std::string>& visible);
 

@@ -87,9 +87,37 @@ void declareStates(const ast::File& file, Scope& scope) {
   }
 }
 
+namespace {
+
+/// Of what is written of the state before its events.
+support::SourceRange headOf(const ast::State& state) {
+  support::SourceRange head = state.where;
+  for (const ast::Member& member : state.members) {
+    if (std::holds_alternative<ast::EventsMember>(member.node)) {
+      head.end = std::min(head.end, member.where.begin);
+    }
+  }
+  return head;
+}
+
+/// Of its parameters, without the parentheses; nowhere if it has none.
+support::SourceRange formalsOf(const ast::State& state) {
+  const std::span<const ast::Formal> formals = listOf(state.formals);
+  if (formals.empty()) {
+    return {};
+  }
+  support::SourceRange range = formals.front().name.where;
+  range.end = formals.back().type.where.end;
+  return range;
+}
+
+}  // namespace
+
 ir::State StateLowering::run() {
   result_.name = state_.name.text;
   result_.range = state_.name.where;
+  result_.head = headOf(state_);
+  result_.formals = formalsOf(state_);
   result_.parameters = declaration_.parameters;
   Context context;
   context.names = &declaration_.names;

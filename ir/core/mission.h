@@ -277,8 +277,10 @@ struct State {
   std::vector<LogItem> log;
   BlockId entry;  ///< invalid: nothing
   std::vector<Case> cases;
-  GuardTable table;            ///< of the cases; may be empty
-  support::SourceRange range;  ///< of its name
+  GuardTable table;              ///< of the cases; may be empty
+  support::SourceRange range;    ///< of its name
+  support::SourceRange head;     ///< of what is written before its events
+  support::SourceRange formals;  ///< of its parameters, without the parentheses
 };
 
 /// Values that an expression chooses from by their number.
@@ -378,7 +380,7 @@ struct Mission {
   [[nodiscard]] const Block& operator[](BlockId id) const { return blocks.at(id.index); }
 };
 
-/// What the verifier found out and codegen needs: only for missions without errors.
+/// What the verifier found out; only for missions without errors.
 struct MissionFacts {
   uint32_t stack_depth = 0;  ///< greatest number of frames on the call stack
   std::vector<StateId>

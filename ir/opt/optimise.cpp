@@ -19,7 +19,8 @@ std::span<const OptPass> optPasses() {
   return kPasses;
 }
 
-void optimise(Mission& mission, const std::function<void(const OptPass&, const Mission&)>& after) {
+Mission optimise(Mission mission,
+                 const std::function<void(const OptPass&, const Mission&)>& after) {
   dropRequirements(mission);
   for (const OptPass& pass : optPasses()) {
     pass.run(mission);
@@ -28,6 +29,7 @@ void optimise(Mission& mission, const std::function<void(const OptPass&, const M
     }
   }
   CHECK(validate(mission).empty(), "a pass has broken the mission");
+  return mission;
 }
 
 }  // namespace glider::ir

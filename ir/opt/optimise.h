@@ -23,9 +23,9 @@ struct OptPass {
 /// All of them, in order (opt_passes.def).
 std::span<const OptPass> optPasses();
 
-/// Drops the requirements and runs all passes over a valid mission; `after`, if there is one, sees
-/// the mission after each.
-void optimise(Mission& mission,
-              const std::function<void(const OptPass&, const Mission&)>& after = {});
+/// A valid mission without its requirements, after all passes; `after`, if there is one, sees the
+/// mission after each.
+Mission optimise(Mission mission,
+                 const std::function<void(const OptPass&, const Mission&)>& after = {});
 
 }  // namespace glider::ir

@@ -77,7 +77,7 @@ PLANTED = [
             "depth_m >= kHighestDepthM && depth_m <= kDeepestShare * kHull.greatest_depth_m", "isFinite(depth_m)", SENSORS),
     Planted("HB-21", "a depth may jump", DEPTH, "moved > kReachM + kHull.vertical_rate_m_s * age_s_", "false", SENSORS),
     Planted("HB-22", "a frozen depth is believed", WATCH, "(frozen_ && own_.sameFor() > 0) || (same && !hangs)", "false", SENSORS),
-    Planted("HB-23", "a dive that gains no depth goes on", GUARD, "return idle ? HookGuard::NoDepthGained : HookGuard::None;",
+    Planted("HB-23", "a dive that gains no depth goes on", GUARD, "return headway_.way() == Way::Down && ends ? HookGuard::NoDepthGained : HookGuard::None;",
             "return HookGuard::None;", SENSORS),
     Planted("HB-33", "what may have sunk unseen is not reckoned", UNSEEN_SINK, "reckon(step_s, last);", ";", ("sensor frozen",), False,
             ("scripts/soak/deep.mission",)),

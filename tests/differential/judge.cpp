@@ -50,14 +50,12 @@ std::unique_ptr<llvm::Module> joinMissions(std::span<const Trial> trials,
   all->setDataLayout(machine.createDataLayout());
   std::vector<llvm::Constant*> table;
   for (const Trial& trial : trials) {
-    ir::MissionFacts facts;
-    facts.stack_depth = trial.stack_depth;
     ir::Mission mission = trial.mission;
     if (level >= kTableLevel) {
       ir::opt::tabulateGuards(mission);
     }
-    auto module =
-        codegen::lowerMission(mission, facts, codegen::wholeOf(mission), machine, nullptr, context);
+    auto module = codegen::lowerMission({mission, trial.stack_depth}, codegen::wholeOf(mission),
+                                        machine, nullptr, context);
     const std::string name = fmt::format("mission{}", table.size());
     module->getNamedGlobal("gliderMission")->setName(name);
     module->getNamedGlobal("gliderContextMemory")->eraseFromParent();

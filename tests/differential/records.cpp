@@ -120,7 +120,7 @@ Trial randomTrial(uint64_t seed, size_t ticks, bool optimised) {
   trial.parameters = random_missions::randomParameters(trial.mission, seed);
   if (optimised) {
     trial.name += ", optimised";
-    ir::optimise(trial.mission);
+    trial.mission = ir::optimise(std::move(trial.mission));
   }
   support::DiagnosticEngine diagnostics;
   trial.stack_depth = ir::verify(trial.mission, diagnostics).stack_depth;

@@ -108,7 +108,7 @@ TEST_P(Optimised, DoesTheSame) {
     const ir::Mission plain = randomMission(seed);
     ir::Mission optimised = plain;
     if (GetParam() == nullptr) {
-      ir::optimise(optimised);
+      optimised = ir::optimise(plain);
     } else {
       GetParam()->run(optimised);
     }

@@ -88,10 +88,10 @@ support::Result<FlyingMission> loadMission(const std::string& path, std::string 
   if (!compiled) {
     return std::unexpected(compiled.error());
   }
-  CHECK((*compiled)->ok(), "a mission to fly has mistakes");
-  mission.compilation = std::move(*compiled);
-  ir::optimise(*mission.compilation->mission);
-  auto loaded = flights::loadHere(*mission.compilation, {});
+  CHECK(compiled->checked, "a mission to fly has errors");
+  mission.flown =
+      std::make_shared<const compiler::Optimised>(compiler::optimise(compiled->checked));
+  auto loaded = flights::loadHere(*mission.flown, {});
   if (!loaded) {
     return std::unexpected(loaded.error());
   }

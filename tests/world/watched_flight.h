@@ -18,7 +18,7 @@ namespace glider::tests {
 /// A compiled mission that can be flown as often as wanted, also at the same time.
 struct FlyingMission {
   std::string name;
-  std::unique_ptr<compiler::Compilation> compilation;
+  std::shared_ptr<const compiler::Optimised> flown;
   std::shared_ptr<const codegen::LoadedMission> loaded;
 };
 

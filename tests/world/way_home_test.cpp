@@ -75,11 +75,11 @@ class DeathWatch final : public simulator::Onlooker {
 DeathWatch flyAndKill(const FlyingMission& mission, const simulator::Scenario& scenario,
                       uint64_t seed) {
   ir::prove::Dice dice(seed);
-  const Conditions conditions = drawConditions(*mission.compilation->mission, scenario, seed);
+  const Conditions conditions = drawConditions(mission.flown->mission, scenario, seed);
   constexpr double kLatest = 5400;  // s
   const double killed_s = dice.within(60, kLatest);
-  DeathWatch watch(killed_s, ir::prove::deepestByState(
-                                 ir::prove::Ground(*mission.compilation->mission, slocum())));
+  DeathWatch watch(killed_s,
+                   ir::prove::deepestByState(ir::prove::Ground(mission.flown->mission, slocum())));
   simulator::SimulationSetup setup;
   setup.platform = slocum();
   setup.scenario = conditions.scenario;

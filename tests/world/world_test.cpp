@@ -62,7 +62,7 @@ class Flights {
     for (uint64_t number = next_++; number < end_; number = next_++) {
       const FlyingMission& mission = missions_[number % missions_.size()];
       const auto& scenario = scenarios_[number / missions_.size() % scenarios_.size()];
-      const Conditions conditions = drawConditions(*mission.compilation->mission, scenario, number);
+      const Conditions conditions = drawConditions(mission.flown->mission, scenario, number);
       const auto seen = flyWatched(mission, conditions, slocum());
       const std::lock_guard lock(mutex_);
       note(mission, conditions, *seen, number);

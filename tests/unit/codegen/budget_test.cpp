@@ -36,7 +36,7 @@ CodegenOptions optionsFor(const Checked& checked) {
 }
 
 Image imageOf(const Checked& checked, const platforms::Board& target) {
-  const auto program = compileProgram(checked.mission, checked.facts, target, optionsFor(checked),
+  const auto program = compileProgram(checked.input(), target, optionsFor(checked),
                                       ProgramKind::Executable, {"main"});
   CHECK(program.has_value(), "figure 2 does not compile");
   const auto linked =
@@ -52,11 +52,10 @@ TEST(Budget, TheExecutableIsTheOneThatIsBuilt) {
   const Checked checked = figure2();
   for (const char* name : {"ts7800", "ts5500"}) {
     const platforms::Board target = board(name);
-    const auto budget = measureBudget(checked.mission, checked.facts, target, optionsFor(checked));
+    const auto budget = measureBudget(checked.input(), target, optionsFor(checked));
     ASSERT_TRUE(budget) << budget.error().message;
     const fs::path output = codegen_tests::testFolder() / name;
-    ASSERT_TRUE(
-        linkExecutable(checked.mission, checked.facts, target, optionsFor(checked), output));
+    ASSERT_TRUE(linkExecutable(checked.input(), target, optionsFor(checked), output));
     // The name of the debug file stands in it, padded to whole words.
     EXPECT_NEAR(static_cast<double>(budget->executable_bytes),
                 static_cast<double>(fs::file_size(output)), 16);
@@ -72,8 +71,7 @@ TEST(Budget, TheExecutableIsTheOneThatIsBuilt) {
 
 TEST(Budget, WhereTheCodeIsNotFollowedThereIsNoBound) {
   const Checked checked = figure2();
-  const auto budget =
-      measureBudget(checked.mission, checked.facts, board("host"), optionsFor(checked));
+  const auto budget = measureBudget(checked.input(), board("host"), optionsFor(checked));
   ASSERT_TRUE(budget) << budget.error().message;
   EXPECT_GT(budget->executable_bytes, 10'000u);
   ASSERT_FALSE(budget->tick_instructions);
@@ -83,7 +81,7 @@ TEST(Budget, WhereTheCodeIsNotFollowedThereIsNoBound) {
 class PathOn : public testing::TestWithParam<const char*> {
  protected:
   PathOn() : checked_(figure2()), image_(imageOf(checked_, board(GetParam()))) {
-    size_ = sizeOf(checked_.mission, checked_.facts);
+    size_ = sizeOf(checked_.input());
     size_.data_bytes = image_.writableBytes();
     knowledge_ = {[this](const Frame& frame) { return turnsIn(frame, size_); },
                   [this](const std::vector<Frame>&) { return image_.functionsNamed("guards."); },

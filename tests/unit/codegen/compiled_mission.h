@@ -18,6 +18,8 @@ struct Checked {
   support::SourceManager sources;
   ir::Mission mission;
   ir::MissionFacts facts;
+
+  [[nodiscard]] codegen::Input input() const { return {mission, facts.stack_depth}; }
 };
 
 /// The mission of `text`, which must be right; `name` is its file's.

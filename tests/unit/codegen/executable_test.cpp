@@ -28,8 +28,7 @@ codegen::CodegenOptions optionsFor(const Checked& checked, int level = 2) {
 
 support::Result<void> build(const Checked& checked, const platforms::Board& target,
                             const fs::path& output) {
-  return codegen::linkExecutable(checked.mission, checked.facts, target, optionsFor(checked),
-                                 output);
+  return codegen::linkExecutable(checked.input(), target, optionsFor(checked), output);
 }
 
 std::vector<std::string> namesIn(const fs::path& folder) {
@@ -47,8 +46,8 @@ TEST_P(OnBoard, Figure2FitsAndStarts) {
   const Checked checked = figure2();
   const platforms::Board target = board(name);
   const fs::path output = testFolder() / "figure2";
-  const auto built = codegen::linkExecutable(checked.mission, checked.facts, target,
-                                             optionsFor(checked, level), output);
+  const auto built =
+      codegen::linkExecutable(checked.input(), target, optionsFor(checked, level), output);
   ASSERT_TRUE(built.has_value()) << built.error().message;
   if (target.max_executable_bytes != 0 && level > 0) {
     EXPECT_LE(fs::file_size(output), 64U << 10U) << "Figure 2 is to stay that small";
@@ -120,8 +119,8 @@ TEST(LinkExecutable, SaysWhatTheLinkerRefuses) {  // GL4004; accepts: GL4004 in 
   codegen::CodegenOptions options = optionsFor(checked);
   options.further_inputs = {folder / "absent.o"};
   testing::internal::CaptureStderr();
-  const auto built = codegen::linkExecutable(checked.mission, checked.facts, board("host"), options,
-                                             folder / "figure2");
+  const auto built =
+      codegen::linkExecutable(checked.input(), board("host"), options, folder / "figure2");
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
   ASSERT_FALSE(built.has_value());
   EXPECT_EQ(built.error().id, DiagnosticId::linkFailed);
@@ -189,7 +188,7 @@ TEST(LinkExecutable, RefusesARuntimeThatIsNone) {  // GL9050; accepts: GL9050 in
   platforms::Board target = board("ts7800");
   target.folder = testFolder();
   const auto build_there = [&] {
-    return codegen::linkExecutable(checked.mission, checked.facts, target, optionsFor(checked, 2),
+    return codegen::linkExecutable(checked.input(), target, optionsFor(checked, 2),
                                    target.folder / "figure2");
   };
   EXPECT_EQ(build_there().error().id, DiagnosticId::cannotRead);

@@ -72,7 +72,7 @@ TEST(Parts, AreOfAboutTheSameWork) {
 double secondsToEmit(size_t states) {
   const Checked checked = checkedMission(chain(states));
   const std::clock_t begin = std::clock();
-  EXPECT_TRUE(codegen::emitObject(checked.mission, checked.facts, board("ts7800"), {}));
+  EXPECT_TRUE(codegen::emitObject(checked.input(), board("ts7800"), {}));
   return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
 }
 

@@ -67,8 +67,7 @@ void onEachBoard(const Checked& checked,
       options.optimisation_level = level;
       options.sources = &checked.sources;
       const auto output = testFolder() / "figure2";
-      ASSERT_TRUE(
-          codegen::linkExecutable(checked.mission, checked.facts, board(name), options, output));
+      ASSERT_TRUE(codegen::linkExecutable(checked.input(), board(name), options, output));
       look(output, level);
     }
   }
@@ -104,8 +103,8 @@ TEST(LineTables, AreLeftOutWhenNotWanted) {
   options.sources = &checked.sources;
   options.debug = false;
   const auto folder = testFolder();
-  ASSERT_TRUE(codegen::linkExecutable(checked.mission, checked.facts, board("ts7800"), options,
-                                      folder / "figure2"));
+  ASSERT_TRUE(
+      codegen::linkExecutable(checked.input(), board("ts7800"), options, folder / "figure2"));
   EXPECT_FALSE(std::filesystem::exists(folder / "figure2.debug"));
 }
 

@@ -27,7 +27,7 @@ TEST_P(LlvmGolden, HoldsTheLinesThatMatter) {
   const Checked checked = checkedMission(text);
   codegen::CodegenOptions options;
   options.optimisation_level = std::stoi(run[2]);
-  const auto llvm = codegen::emitLlvm(checked.mission, checked.facts, board(run[1]), options);
+  const auto llvm = codegen::emitLlvm(checked.input(), board(run[1]), options);
   ASSERT_TRUE(llvm.has_value()) << llvm.error().message;
   const tests::TemporaryFolder folder;
   const fs::path input = folder.write("mission.ll", *llvm);

@@ -20,7 +20,7 @@ using support::DiagnosticId;
 codegen::LoadedMission load(const Checked& checked, int level) {
   codegen::CodegenOptions options;
   options.optimisation_level = level;
-  const auto shared = codegen::linkShared(checked.mission, checked.facts, board("host"), options);
+  const auto shared = codegen::linkShared(checked.input(), board("host"), options);
   EXPECT_TRUE(shared.has_value()) << shared.error().message;
   auto loaded = codegen::LoadedMission::load(*shared);
   EXPECT_TRUE(loaded.has_value()) << loaded.error().message;
@@ -85,7 +85,7 @@ TEST(LoadedMission, HasAsManyParametersAsALaunchCanSet) {  // GL4007; accepts: G
   const Checked most = withParameters(GLIDER_MOST_PARAMETERS);
   EXPECT_EQ(load(most, 0).mission().parameter_count, GLIDER_MOST_PARAMETERS);
   const Checked more = withParameters(GLIDER_MOST_PARAMETERS + 1);
-  const auto refused = codegen::linkShared(more.mission, more.facts, board("host"), {});
+  const auto refused = codegen::linkShared(more.input(), board("host"), {});
   ASSERT_FALSE(refused.has_value());
   EXPECT_EQ(refused.error().id, DiagnosticId::tooManyParameters);
 }

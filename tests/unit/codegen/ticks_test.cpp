@@ -44,7 +44,7 @@ codegen::LoadedMission load(const std::string& text) {
       "(top: length, bottom: length, dive: angle, climb: angle) reads (depth)\n"
       "behaviour route drift symbol \"glider.route.noheading\" () reads ()\n" +
       text);
-  const auto shared = codegen::linkShared(checked.mission, checked.facts, board("host"), {});
+  const auto shared = codegen::linkShared(checked.input(), board("host"), {});
   EXPECT_TRUE(shared.has_value()) << shared.error().message;
   auto loaded = codegen::LoadedMission::load(*shared);
   EXPECT_TRUE(loaded.has_value()) << loaded.error().message;

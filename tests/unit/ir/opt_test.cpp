@@ -22,9 +22,7 @@ const std::string kFunctions =
 
 /// How many expressions and watched things are left after all passes.
 Mission optimised(const std::string& text) {
-  Mission mission = missionOf(kHeader + text);
-  optimise(mission);
-  return mission;
+  return optimise(missionOf(kHeader + text));
 }
 
 size_t callsIn(const Mission& mission) {

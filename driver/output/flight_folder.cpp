@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "driver/flight_folder.h"
+#include "driver/output/flight_folder.h"
 
 #include "support/files.h"
 

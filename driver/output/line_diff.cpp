@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "driver/line_diff.h"
+#include "driver/output/line_diff.h"
 
 #include <fmt/format.h>
 

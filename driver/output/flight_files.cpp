@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "driver/flight_files.h"
+#include "driver/output/flight_files.h"
 
-#include "driver/flight_folder.h"
+#include "driver/output/flight_folder.h"
 #include "report/figures.h"
 #include "report/report.h"
 #include "report/warnings.h"

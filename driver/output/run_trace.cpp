@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "driver/run_trace.h"
+#include "driver/output/run_trace.h"
 
-#include "driver/flight_files.h"
-#include "driver/flight_folder.h"
+#include "driver/output/flight_files.h"
+#include "driver/output/flight_folder.h"
 #include "ir/verify/value_text.h"
 #include "support/files.h"
 
@@ -39,11 +39,10 @@ std::vector<std::string> settingsOf(const ir::Mission& mission,
   return settings;
 }
 
-void addColumns(support::Trace& trace, const compiler::Compilation& compilation) {
+void addColumns(support::Trace& trace, const compiler::Checked& checked) {
   trace.columns = {{"time", "s"}, {"missiontime", "s"}, {"state", "id"}, {"true_depth", "m"}};
-  for (const ir::Sensor& sensor : compilation.mission->sensors) {
-    const auto* known =
-        compilation.platform ? compilation.platform->find(sensor.vehicle_name) : nullptr;
+  for (const ir::Sensor& sensor : checked.mission().sensors) {
+    const auto* known = checked.platform().find(sensor.vehicle_name);
     trace.columns.push_back(
         {sensor.vehicle_name, known == nullptr || known->unit == "1" ? "" : known->unit});
   }
@@ -79,36 +78,37 @@ support::Result<void> writeRun(const support::Trace& trace, const std::filesyste
 
 }  // namespace
 
-support::Trace traceOfRun(const compiler::Compilation& compilation,
+support::Trace traceOfRun(const compiler::Checked& checked,
                           const ir::prove::RequirementVerdict& verdict) {
   const ir::prove::ConcreteRun& run = *verdict.run;
-  const auto requirement = compilation.mission->requirements[verdict.requirement].range;
+  const auto requirement = checked.mission().requirements[verdict.requirement].range;
   support::Trace trace;
-  trace.mission = compilation.mission->name;
-  trace.scenario = std::string(compilation.sources.text(requirement));
+  trace.mission = checked.mission().name;
+  trace.scenario = std::string(checked.sources().text(requirement));
   trace.way = "proof";
   trace.requirement = verdict.requirement;
-  trace.state_names = compiler::stateNames(*compilation.mission);
-  trace.settings = settingsOf(*compilation.mission, run.parameters);
-  addColumns(trace, compilation);
+  trace.state_names = compiler::stateNames(checked.mission());
+  trace.settings = settingsOf(checked.mission(), run.parameters);
+  addColumns(trace, checked);
   addRows(trace, run);
   for (const auto& event : run.story) {
     trace.events.push_back({event.mission_time, event.mission_time, "transition", event.text,
-                            std::string(compilation.sources.text(event.range))});
+                            std::string(checked.sources().text(event.range))});
   }
   trace.events.push_back(
       {run.when, run.when, "requirement", fmt::format("broken: {}", trace.scenario), run.values});
   return trace;
 }
 
-support::Result<size_t> writeRuns(const Checked& checked, const std::filesystem::path& folder) {
+support::Result<size_t> writeRuns(const CheckedFile& checked, const std::filesystem::path& folder) {
   size_t count = 0;
   for (const ir::prove::RequirementVerdict& verdict : checked.proved.requirements) {
     if (verdict.verdict != ir::prove::Verdict::Refuted || !verdict.run) {
       continue;
     }
     const auto place = folder / fmt::format("requirement-{}", verdict.requirement + 1);
-    if (auto written = writeRun(traceOfRun(*checked.compilation, verdict), place); !written) {
+    if (auto written = writeRun(traceOfRun(*checked.compilation->checked, verdict), place);
+        !written) {
       return std::unexpected(written.error());
     }
     ++count;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "driver/rewrite.h"
+#include "driver/output/rewrite.h"
 
 #include "support/files.h"
 

@@ -13,12 +13,12 @@ namespace glider::driver {
 
 /// A run that the verifier found, as the trace of a flight: a row each tick, with the readings as
 /// the vehicle reports them and its true depth.
-support::Trace traceOfRun(const compiler::Compilation& compilation,
+support::Trace traceOfRun(const compiler::Checked& checked,
                           const ir::prove::RequirementVerdict& verdict);
 
 /// Writes, for each requirement that a run breaks, `folder`/requirement-N/ (N from 1) with
 /// trace.json, trace.csv, events.csv and report.html, all at once as for a flight (FlightFolder).
 /// Returns how many.
-support::Result<size_t> writeRuns(const Checked& checked, const std::filesystem::path& folder);
+support::Result<size_t> writeRuns(const CheckedFile& checked, const std::filesystem::path& folder);
 
 }  // namespace glider::driver

@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "frontend/frontend.h"
-#include "frontend/sema/declarations.h"
-#include "frontend/sema/lower_behaviour.h"
-#include "frontend/sema/lower_case.h"
-#include "frontend/sema/lower_declination.h"
-#include "frontend/sema/lower_requirement.h"
-#include "frontend/sema/lower_resumption.h"
-#include "frontend/sema/lower_state.h"
-#include "frontend/sema/scope.h"
-#include "frontend/sema/variables.h"
+#include "frontend/sema/declarations/declarations.h"
+#include "frontend/sema/declarations/lower_declination.h"
+#include "frontend/sema/declarations/lower_requirement.h"
+#include "frontend/sema/declarations/lower_resumption.h"
+#include "frontend/sema/declarations/variables.h"
+#include "frontend/sema/names/scope.h"
+#include "frontend/sema/states/lower_behaviour.h"
+#include "frontend/sema/states/lower_case.h"
+#include "frontend/sema/states/lower_state.h"
 
 namespace glider::frontend {
 

@@ -24,7 +24,7 @@ endforeach()
 
 # The words of the grammar and the names of the built-in functions.
 file(STRINGS ${CMAKE_SOURCE_DIR}/grammar/GliderLexer.g4 tokens REGEX "^[A-Z_]+ : '[^' ]+'")
-file(STRINGS ${CMAKE_SOURCE_DIR}/frontend/sema/functions.def functions REGEX "^[A-Z_]+\\([a-z_]+")
+file(STRINGS ${CMAKE_SOURCE_DIR}/frontend/sema/names/functions.def functions REGEX "^[A-Z_]+\\([a-z_]+")
 set(dictionary)
 foreach(line ${tokens} ${functions})
   string(REGEX MATCH "'[^'\\\" ]+'|\\([a-z0-9_]+" word "${line}")

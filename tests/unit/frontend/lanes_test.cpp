@@ -4,7 +4,7 @@
 // Lanes against geometry on the sphere that knows nothing of maps and hulls: every place that is a
 // mixture of the corners, weighted as one likes, lies in their hull.
 
-#include "frontend/sema/lanes.h"
+#include "frontend/sema/expressions/lanes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "frontend/sema/literals.h"
+#include "frontend/sema/expressions/literals.h"
 
 #include "tests/unit/frontend/compile.h"
 

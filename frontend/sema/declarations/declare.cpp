@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "frontend/sema/declarations/declarations.h"
+#include "frontend/sema/declarations/externals.h"
+#include "frontend/sema/declarations/variables.h"
+#include "frontend/sema/expressions/evaluate.h"
+#include "frontend/sema/expressions/lower_expr.h"
+
+#include <cmath>
+#include <type_traits>
+
+namespace glider::frontend {
+
+using support::DiagnosticId;
+
+namespace {
+
+class Declarations {
+ public:
+  explicit Declarations(Scope& scope) : scope_(scope) {}
+
+  /// Enters the names of constants, so that one used too early is known as such.
+  void enterConstant(const ast::Const& node) {
+    if (scope_.refuseName(node.name, "a constant") || scope_.refuseSecond(node.name)) {
+      return;
+    }
+    Constant constant;
+    constant.name = &node.name;
+    scope_.constants.emplace(node.name.text, constant);
+  }
+
+  void visit(const ast::Const& node) {
+    const auto place = scope_.constants.find(node.name.text);
+    if (place == scope_.constants.end() || place->second.name != &node.name) {
+      return;  // refused
+    }
+    if (isPath(node.value, scope_) || (node.type && node.type->text == "path")) {
+      workPath(node, place->second);
+    } else {
+      const auto type = node.type ? scope_.declaredType(*node.type, "") : std::nullopt;
+      if (!node.type || type) {
+        work(node, type, place->second);
+      }
+    }
+    place->second.worked_out = true;
+  }
+
+  void enterParameter(const ast::Param& node) {
+    enterName(node.name, NamedKind::Parameter, scope_.names, scope_);
+  }
+  void enterVariable(const ast::Var& node) {
+    enterName(node.name, NamedKind::MissionVariable, scope_.names, scope_);
+  }
+
+  void visit(const ast::Param&) {}
+  void visit(const ast::Var&) {}
+  void visit(const ast::ExternSensor& node) { declareExternal(node, scope_); }
+  void visit(const ast::ExternFunction& node) { declareExternal(node, scope_); }
+  void visit(const ast::Always&) {}
+  void visit(const ast::Import&) {}
+  void visit(const ast::Requirement&) {}
+  void visit(const ast::Resumption&) {}
+  void visit(const ast::Declination&) {}
+
+  void visit(const ast::Behaviour& node) {
+    BehaviourDeclaration declaration;
+    declaration.body = &node;
+    declaration.signature = scope_.signatureOf(node.name, listOf(node.formals), "");
+    enter(node.name, node.kind, std::move(declaration));
+  }
+
+  void visit(const ast::ExternBehaviour& node) {
+    enter(node.name, node.kind, externalBehaviour(node, scope_));
+  }
+
+  void visit(const ast::State&) {}
+  void visit(const ast::MissionLine&) {}
+  void visit(const ast::PlatformLine&) {}
+
+ private:
+  /// Lowers the definition to IR, works its value out and takes the IR back.
+  void work(const ast::Const& node, const std::optional<DeclaredType>& type, Constant& constant) {
+    Context context;
+    context.constant = "a constant";
+    const Scope::Within within(scope_, context);
+    const size_t before = scope_.mission.exprs.size();
+    ExprLowering lowering(scope_);
+    const auto value = type ? lowering.lowerDeclared(node.value, *type, "`" + node.name.text + "`")
+                            : lowering.lower(node.value, std::nullopt);
+    if (value) {
+      settleConstant(node, *value, constant);
+    }
+    scope_.mission.exprs.resize(before);
+  }
+
+  void workPath(const ast::Const& node, Constant& constant) {
+    if (node.type && node.type->text != "path") {
+      if (const auto type = scope_.declaredType(*node.type, "")) {
+        scope_.report(DiagnosticId::wrongType, node.value.where, "`" + node.name.text + "`",
+                      describe(*type), scope_.text(node.value.where), "a path");
+      }
+      return;
+    }
+    ExprLowering lowering(scope_);
+    if (auto path = lowering.lowerPath(node.value)) {
+      constant.path = std::move(*path);
+      constant.valid = true;
+    }
+  }
+
+  void settleConstant(const ast::Const& node, const Value& value, Constant& constant) {
+    const auto number = evaluate(scope_.mission, value.id);
+    if (!number) {
+      scope_.report(DiagnosticId::notConstant, node.value.where, scope_.text(node.value.where),
+                    "a constant");
+      return;
+    }
+    if (std::isnan(*number)) {
+      scope_.report(DiagnosticId::constantUnknown, node.value.where, scope_.text(node.value.where));
+      return;
+    }
+    constant.type = value.type;
+    constant.number = *number;
+    constant.position = value.longitude.valid();
+    constant.second = constant.position ? *evaluate(scope_.mission, value.longitude) : 0;
+    constant.valid = true;
+  }
+
+  void enter(const ast::Name& name, ast::BehaviourKind kind, BehaviourDeclaration declaration) {
+    declaration.name = &name;
+    declaration.kind =
+        kind == ast::BehaviourKind::Profile ? ir::BehaviourKind::Profile : ir::BehaviourKind::Route;
+    const auto [place, fresh] = scope_.behaviours.emplace(name.text, std::move(declaration));
+    if (!fresh) {
+      scope_.report(DiagnosticId::duplicateName, name.where, name.text)
+          .note(place->second.name->where, "the first is here");
+    }
+  }
+
+  Scope& scope_;
+};
+
+}  // namespace
+
+void declare(const ast::File& file, bool library, Scope& scope) {
+  Declarations declarations(scope);
+  std::vector<const ast::Item*> items;
+  for (const ast::Item& item : file.items) {
+    if (!library || mayBeImported(item)) {
+      items.push_back(&item);
+    }
+  }
+  for (const ast::Item* item : items) {
+    if (const auto* constant = std::get_if<ast::Const>(item)) {
+      declarations.enterConstant(*constant);
+    } else if (const auto* parameter = std::get_if<ast::Param>(item)) {
+      declarations.enterParameter(*parameter);
+    } else if (const auto* variable = std::get_if<ast::Var>(item)) {
+      declarations.enterVariable(*variable);
+    } else if (const auto* function = std::get_if<ast::ExternFunction>(item)) {
+      enterExternal(*function, scope);
+    } else if (const auto* sensor = std::get_if<ast::ExternSensor>(item)) {
+      enterExternal(*sensor, scope);
+    }
+  }
+  for (const ast::Item* item : items) {
+    std::visit([&](const auto& node) { declarations.visit(node); }, *item);
+  }
+}
+
+void declareValues(const ast::File& mission, Scope& scope) {
+  const auto each = [&]<typename T>(std::type_identity<T>, auto lower) {
+    for (const ast::Item& item : mission.items) {
+      if (const auto* node = std::get_if<T>(&item)) {
+        lower(*node);
+      }
+    }
+  };
+  each(std::type_identity<ast::Param>(),
+       [&](const ast::Param& node) { lowerMissionParameter(node, scope); });
+  Context context;
+  context.at_start = true;
+  const Scope::Within within(scope, context);
+  each(std::type_identity<ast::Param>(),
+       [&](const ast::Param& node) { lowerMissionCondition(node, scope); });
+  each(std::type_identity<ast::Var>(), [&](const ast::Var& node) {
+    lowerVariable(node, {ir::VariableKind::Mission, {}, ""}, scope.names, scope);
+  });
+}
+
+}  // namespace glider::frontend

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "frontend/sema/declarations/declared_value.h"
+
+#include "frontend/sema/expressions/evaluate.h"
+#include "ir/eval/arithmetic.h"
+#include "support/units/units.h"
+
+#include <fmt/format.h>
+
+namespace glider::frontend {
+
+using support::DiagnosticId;
+
+namespace {
+
+std::string withUnit(double value, const ir::Type& type) {
+  if (type.kind != ir::TypeKind::Quantity) {
+    return fmt::format("{:.10g} degrees", value);
+  }
+  const std::string unit = support::unitName(type.dimension);
+  return fmt::format("{:.10g}{}{}", value, unit.empty() ? "" : " ", unit);
+}
+
+/// Both ends as one place.
+support::SourceRange whole(const ast::Range& range) {
+  return {range.lowest.where.file, range.lowest.where.begin, range.highest.where.end};
+}
+
+}  // namespace
+
+std::optional<Value> DeclaredValue::start(const ast::Expr& expr) {
+  return ExprLowering(scope_).lowerDeclared(expr, type_, "`" + name_.text + "`");
+}
+
+std::optional<std::pair<double, double>> DeclaredValue::constant(const ast::Expr& expr,
+                                                                 std::string_view what) {
+  Context context = scope_.context;
+  context.constant = what;
+  context.list.reset();
+  const Scope::Within within(scope_, context);
+  const size_t before = scope_.mission.exprs.size();
+  const auto value = start(expr);
+  const auto first = value ? evaluate(scope_.mission, value->id) : std::nullopt;
+  const auto second = value && type_.position ? evaluate(scope_.mission, value->longitude) : first;
+  scope_.mission.exprs.resize(before);
+  if (!value) {
+    return std::nullopt;
+  }
+  if (!first || !second) {
+    scope_.report(DiagnosticId::notConstant, expr.where, scope_.text(expr.where), what);
+    return std::nullopt;
+  }
+  if (!ir::isKnown(*first) || !ir::isKnown(*second)) {
+    scope_.report(DiagnosticId::constantUnknown, expr.where, scope_.text(expr.where));
+    return std::nullopt;
+  }
+  return std::pair(*first, *second);
+}
+
+std::optional<Bounds> DeclaredValue::bounds(const std::optional<ast::Range>& range) {
+  if (!range) {
+    return Bounds{};
+  }
+  const support::SourceRange where = whole(*range);
+  if (type_.position || type_.type == boolean()) {
+    scope_.report(DiagnosticId::rangeOfWhat, where, name_.text, describe(type_));
+    return std::nullopt;
+  }
+  const auto lowest = constant(range->lowest, "a range");
+  const auto highest = constant(range->highest, "a range");
+  if (!lowest || !highest) {
+    return std::nullopt;
+  }
+  if (lowest->first > highest->first) {
+    scope_.report(DiagnosticId::emptyRange, where, scope_.text(where));
+    return std::nullopt;
+  }
+  return Bounds{lowest->first, highest->first};
+}
+
+bool DeclaredValue::inside(double value, const Bounds& bounds, const ast::Expr& expr,
+                           const ast::Range& range) {
+  if (bounds.lowest <= value && value <= bounds.highest) {
+    return true;
+  }
+  scope_
+      .report(DiagnosticId::startOutsideRange, expr.where, name_.text, withUnit(value, type_.type),
+              withUnit(bounds.lowest, type_.type), withUnit(bounds.highest, type_.type))
+      .note(whole(range), "its range is here");
+  return false;
+}
+
+}  // namespace glider::frontend

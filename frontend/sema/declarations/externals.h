@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "frontend/ast/ast.h"
+#include "frontend/sema/names/scope.h"
+
+namespace glider::frontend {
+
+/// Enter the names of C functions and of the SBC's own sensors, so that they may be used before
+/// they are declared.
+void enterExternal(const ast::ExternFunction& node, Scope& scope);
+void enterExternal(const ast::ExternSensor& node, Scope& scope);
+
+/// Work out what was entered: types, ranges.
+void declareExternal(const ast::ExternFunction& node, Scope& scope);
+void declareExternal(const ast::ExternSensor& node, Scope& scope);
+
+/// What an `extern flightprofile` or `extern flightroute` declares; sensors were declared before.
+BehaviourDeclaration externalBehaviour(const ast::ExternBehaviour& node, Scope& scope);
+
+}  // namespace glider::frontend

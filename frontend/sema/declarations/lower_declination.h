@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "frontend/ast/ast.h"
+#include "frontend/sema/names/scope.h"
+
+namespace glider::frontend {
+
+/// The mission's compass, if it reads or commands headings: its `declination`, and the vehicle's
+/// sensor of the magnetic variation. Once everything else is lowered.
+void lowerDeclination(const ast::File& file, Scope& scope);
+
+}  // namespace glider::frontend

@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "frontend/sema/declarations/lower_requirement.h"
+
+#include "frontend/sema/expressions/evaluate.h"
+#include "frontend/sema/expressions/lower_expr.h"
+#include "frontend/spelling.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace glider::frontend {
+
+using support::DiagnosticId;
+
+namespace {
+
+/// Lowers one; empty, and reported, if it is wrong.
+class RequirementLowering {
+ public:
+  RequirementLowering(const ast::Requirement& node, Scope& scope) : node_(node), scope_(scope) {}
+
+  std::optional<ir::Requirement> run() {
+    result_.range = node_.where;
+    const bool right = std::visit([&](const auto& promise) { return lower(promise); }, node_.node);
+    return right ? std::optional(result_) : std::nullopt;
+  }
+
+ private:
+  bool lower(const ast::AlwaysPromise& promise) {
+    result_.kind = ir::RequirementKind::Always;
+    const size_t uses = scope_.mission.uses.size();
+    const auto condition = ExprLowering(scope_).lowerCondition(promise.condition);
+    result_.condition = condition.value_or(ir::ExprId());
+    if (scope_.mission.uses.size() > uses) {
+      const ir::FunctionUse& use = scope_.mission.uses[uses];
+      scope_.report(DiagnosticId::requirementCalls, use.range,
+                    scope_.mission.functions[use.function.index].name);
+      return false;
+    }
+    if (condition && !gatherFences(*condition, true)) {
+      result_.fences.clear();
+    }
+    return condition.has_value();
+  }
+
+  /// False if there is more to what is asked than areas to keep in or out of.
+  // NOLINTNEXTLINE(misc-no-recursion): as deep as the mission's text nests
+  bool gatherFences(ir::ExprId id, bool wanted) {
+    const ir::Expr& e = scope_.mission[id];
+    if (e.op == ir::Op::Not) {
+      return gatherFences(e.operands[0], !wanted);
+    }
+    if (e.op == (wanted ? ir::Op::And : ir::Op::Or)) {
+      return gatherFences(e.operands[0], wanted) && gatherFences(e.operands[1], wanted);
+    }
+    const auto known = scope_.areas.find(id.index);
+    if (known == scope_.areas.end() || known->second.range != e.range) {
+      return false;
+    }
+    result_.fences.push_back(known->second.area);
+    result_.fences.back().keep_in = wanted;
+    return true;
+  }
+
+  bool lower(const ast::ExitPromise& promise) {
+    result_.kind = ir::RequirementKind::ExitWithin;
+    return seconds(promise.within, "exit within");
+  }
+
+  bool lower(const ast::SurfacesPromise& promise) {
+    result_.kind = ir::RequirementKind::SurfacesEvery;
+    return seconds(promise.every, "surfaces every");
+  }
+
+  bool lower(const ast::StackPromise& promise) {
+    result_.kind = ir::RequirementKind::StackAtMost;
+    const auto depth =
+        constant(promise.depth, quantity(support::dimension::number), "the depth of the stack");
+    if (depth && !(*depth >= 0 && *depth <= kDeepest && std::floor(*depth) == *depth)) {
+      scope_.report(DiagnosticId::stackNotWhole, promise.depth.where,
+                    scope_.text(promise.depth.where));
+      return false;
+    }
+    result_.depth = static_cast<uint32_t>(depth.value_or(0));
+    return depth.has_value();
+  }
+
+  bool lower(const ast::ReachPromise& promise) {
+    result_.kind = ir::RequirementKind::Reach;
+    return state(promise.state, result_.state);
+  }
+
+  bool lower(const ast::NeverPromise& promise) {
+    result_.kind = ir::RequirementKind::NeverAfter;
+    const bool first = state(promise.state, result_.state);
+    return state(promise.after, result_.after) && first;
+  }
+
+  bool seconds(const ast::Expr& expr, std::string_view what) {
+    const auto time =
+        constant(expr, quantity(support::dimension::time), fmt::format("the time of `{}`", what));
+    if (time && !(*time > 0)) {
+      scope_.report(DiagnosticId::requirementTime, expr.where, what, scope_.text(expr.where));
+      return false;
+    }
+    result_.seconds = time.value_or(0);
+    return time.has_value();
+  }
+
+  std::optional<double> constant(const ast::Expr& expr, const ir::Type& type,
+                                 const std::string& what) {
+    const size_t before = scope_.mission.exprs.size();
+    const auto id = ExprLowering(scope_).lowerAs(expr, type, what);
+    const auto value = id ? evaluate(scope_.mission, *id) : std::nullopt;
+    scope_.mission.exprs.resize(before);
+    if (id && !value) {
+      scope_.report(DiagnosticId::notConstant, expr.where, scope_.text(expr.where), what);
+    }
+    return value;
+  }
+
+  bool state(const ast::Name& name, ir::StateId& id) {
+    const auto found = scope_.states.find(name.text);
+    if (found != scope_.states.end()) {
+      id = found->second;
+      return true;
+    }
+    std::vector<std::string_view> names;
+    for (const auto& [known, number] : scope_.states) {
+      names.push_back(known);
+    }
+    scope_.report(DiagnosticId::unknownState, name.where, name.text,
+                  didYouMean(name.text, names, ""));
+    return false;
+  }
+
+  static constexpr double kDeepest = 1e6;
+
+  const ast::Requirement& node_;
+  Scope& scope_;
+  ir::Requirement result_;
+};
+
+}  // namespace
+
+void lowerRequirements(const ast::File& file, Scope& scope) {
+  for (const ast::Item& item : file.items) {
+    if (const auto* node = std::get_if<ast::Requirement>(&item)) {
+      if (auto requirement = RequirementLowering(*node, scope).run()) {
+        scope.mission.requirements.push_back(*requirement);
+      }
+    }
+  }
+}
+
+}  // namespace glider::frontend

@@ -1,0 +1,245 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "frontend/sema/declarations/variables.h"
+
+#include "frontend/sema/declarations/declared_value.h"
+#include "frontend/sema/expressions/evaluate.h"
+#include "frontend/sema/expressions/lower_expr.h"
+#include "support/check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace glider::frontend {
+
+using support::DiagnosticId;
+
+namespace {
+
+/// False, and reported, if there is no such type.
+bool typed(Named& named, const ast::TypeName& name, Scope& scope) {
+  const auto type = scope.declaredType(name, describe(named.kind));
+  named.type = type.value_or(named.type);
+  return type.has_value();
+}
+
+ir::VariableId push(ir::Variable variable, Scope& scope) {
+  variable.name = scope.freshName(std::move(variable.name));
+  scope.mission.variables.push_back(std::move(variable));
+  return {static_cast<uint32_t>(scope.mission.variables.size() - 1)};
+}
+
+/// The IR variables of `named`, like `model` but for what belongs to the halves of a position.
+void make(Named& named, ir::Variable model, ir::ExprId longitude_start, Scope& scope) {
+  model.type = named.type.type;
+  model.range = named.name->where;
+  ir::Variable second = model;
+  if (named.type.position) {
+    second.name += ".longitude";
+    second.type = longitude();
+    second.initial = longitude_start;
+    model.name += ".latitude";
+  }
+  named.variable = push(std::move(model), scope);
+  if (named.type.position) {
+    named.longitude = push(std::move(second), scope);
+  }
+  named.reached = true;
+}
+
+/// The first node of an expression that is one of `ops`.
+const ir::Expr* firstOf(const ir::Mission& mission, ir::ExprId id,
+                        std::initializer_list<ir::Op> ops) {
+  const ir::Expr& expr = mission[id];
+  if (std::ranges::find(ops, expr.op) != ops.end()) {
+    return &expr;
+  }
+  for (const ir::ExprId operand : expr.operands) {
+    const ir::Expr* found = operand.valid() ? firstOf(mission, operand, ops) : nullptr;
+    if (found != nullptr) {
+      return found;
+    }
+  }
+  return nullptr;
+}
+
+/// False, and reported, if an expression depends on more than constants and parameters.
+bool knownAtStart(ir::ExprId id, Scope& scope) {
+  using enum ir::Op;
+  const ir::Expr* found =
+      firstOf(scope.mission, id, {Sensor, Age, MissionTime, StateTime, ResumeTime, Call});
+  if (found != nullptr) {
+    scope.report(DiagnosticId::notAtStart, found->range, scope.text(found->range));
+  }
+  return found == nullptr;
+}
+
+/// False, and reported, if a variable's start watches something over time, as an argument may: it
+/// has no past when the variable starts.
+bool knownOnEntry(ir::ExprId id, Scope& scope) {
+  const ir::Expr* found = firstOf(scope.mission, id, {ir::Op::Temporal});
+  if (found != nullptr) {
+    scope.report(DiagnosticId::overTimeNowhere, found->range, scope.text(found->range));
+  }
+  return found == nullptr;
+}
+
+ir::ExprId constantExpr(double value, const ir::Type& type, const support::SourceRange& range,
+                        Scope& scope) {
+  ir::Expr expr;
+  expr.type = type;
+  expr.range = range;
+  if (type == boolean()) {
+    expr.op = value != 0 ? ir::Op::True : ir::Op::False;
+  } else {
+    expr.number = value;
+  }
+  scope.mission.exprs.push_back(expr);
+  return {static_cast<uint32_t>(scope.mission.exprs.size() - 1)};
+}
+
+/// Lowers into `named`; false, and reported, if something is wrong.
+bool lowerVar(const ast::Var& node, const VariableOwner& owner, Named& named, Scope& scope) {
+  if (!typed(named, node.type, scope)) {
+    return false;
+  }
+  DeclaredValue lowering(node.name, named.type, scope);
+  const auto bounds = lowering.bounds(node.range);
+  const auto start = lowering.start(node.value);
+  const bool mission = owner.kind == ir::VariableKind::Mission;
+  if (!bounds || !start || (mission && !knownAtStart(start->id, scope)) ||
+      !knownOnEntry(start->id, scope)) {
+    return false;
+  }
+  const auto known = evaluate(scope.mission, start->id);
+  named.starts_constant = known.has_value();
+  if (known && node.range && !lowering.inside(*known, *bounds, node.value, *node.range)) {
+    return false;
+  }
+  ir::Variable model;
+  model.name = owner.prefix + node.name.text;
+  model.kind = owner.kind;
+  model.owner = owner.state;
+  model.initial = start->id;
+  model.lowest = bounds->lowest;
+  model.highest = bounds->highest;
+  make(named, std::move(model), start->longitude, scope);
+  return true;
+}
+
+bool lowerParam(const ast::Param& node, Named& named, Scope& scope) {
+  if (!typed(named, node.type, scope)) {
+    return false;
+  }
+  DeclaredValue lowering(node.name, named.type, scope);
+  const auto bounds = lowering.bounds(node.range);
+  const auto start = lowering.constant(node.value, "the value of a parameter");
+  if (!bounds || !start ||
+      (node.range && !lowering.inside(start->first, *bounds, node.value, *node.range))) {
+    return false;
+  }
+  ir::Variable model;
+  model.name = node.name.text;
+  model.kind = ir::VariableKind::Parameter;
+  model.initial = constantExpr(start->first, named.type.type, node.value.where, scope);
+  model.lowest = bounds->lowest;
+  model.highest = bounds->highest;
+  const ir::ExprId second = named.type.position
+                                ? constantExpr(start->second, longitude(), node.value.where, scope)
+                                : ir::ExprId();
+  make(named, std::move(model), second, scope);
+  return true;
+}
+
+/// The entry of `name` if it is this declaration that has it.
+Named* entryOf(const ast::Name& name, Names& names) {
+  const auto found = names.find(name.text);
+  return found != names.end() && found->second.name == &name ? &found->second : nullptr;
+}
+
+}  // namespace
+
+Named* enterName(const ast::Name& name, NamedKind kind, Names& names, Scope& scope) {
+  const std::string_view what = describe(kind);
+  if (scope.refuseName(name, what) || scope.refuseSecond(name)) {
+    return nullptr;
+  }
+  Named named;
+  named.name = &name;
+  named.kind = kind;
+  return &names.insert_or_assign(name.text, std::move(named)).first->second;
+}
+
+void makeParameter(Named& named, ir::VariableKind kind, ir::StateId state, const std::string& name,
+                   Scope& scope) {
+  ir::Variable model;
+  model.name = name;
+  model.kind = kind;
+  model.owner = state;
+  make(named, std::move(model), {}, scope);
+}
+
+void lowerVariable(const ast::Var& node, const VariableOwner& owner, Names& names, Scope& scope) {
+  if (Named* named = entryOf(node.name, names)) {
+    named->valid = lowerVar(node, owner, *named, scope);
+    named->reached = true;
+  }
+}
+
+ir::VariableId makeDone(const VariableOwner& owner, const support::SourceRange& range,
+                        Scope& scope) {
+  ir::Variable variable;
+  variable.name = owner.prefix + "done";
+  variable.type = boolean();
+  variable.kind = owner.kind;
+  variable.owner = owner.state;
+  variable.initial = constantExpr(0, boolean(), range, scope);
+  variable.range = range;
+  return push(std::move(variable), scope);
+}
+
+void lowerMissionParameter(const ast::Param& node, Scope& scope) {
+  if (Named* named = entryOf(node.name, scope.names)) {
+    named->valid = lowerParam(node, *named, scope);
+    named->reached = true;
+  }
+}
+
+void lowerMissionCondition(const ast::Param& node, Scope& scope) {
+  if (!node.condition) {
+    return;
+  }
+  std::vector<bool> read;
+  for (const auto& [name, named] : scope.names) {
+    read.push_back(named.read);
+  }
+  const auto condition = ExprLowering(scope).lowerCondition(*node.condition);
+  size_t next = 0;
+  for (auto& [name, named] : scope.names) {
+    named.read = read[next++];  // a condition alone is no use of a parameter
+  }
+  if (condition && knownAtStart(*condition, scope)) {
+    scope.mission.conditions.push_back(*condition);
+  }
+}
+
+void warnOfUnused(const Names& names, Scope& scope) {
+  for (const auto& [name, named] : names) {
+    if (!named.valid || !named.reached) {
+      continue;
+    }
+    if (!named.read) {
+      scope.report(DiagnosticId::neverRead, named.name->where, name, describe(named.kind));
+    } else if (isVariable(named.kind) && !named.written && named.starts_constant) {
+      auto warning = scope.report(DiagnosticId::neverSet, named.name->where, name);
+      if (named.kind == NamedKind::BehaviourVariable) {
+        warning.hint("write its value where it is read");
+      }
+    }
+  }
+}
+
+}  // namespace glider::frontend

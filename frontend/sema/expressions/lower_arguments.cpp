@@ -1,0 +1,232 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "frontend/sema/expressions/lower_arguments.h"
+
+#include "frontend/sema/expressions/lower_expr.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace glider::frontend {
+
+using support::DiagnosticId;
+
+namespace {
+
+std::string countOf(size_t n) {
+  return n == 0 ? "no arguments" : n == 1 ? "1 argument" : fmt::format("{} arguments", n);
+}
+
+class ArgumentLowering {
+ public:
+  ArgumentLowering(const std::vector<ast::Argument>& arguments, const Callee& callee,
+                   const support::SourceRange& where, Scope& scope)
+      : arguments_(arguments), callee_(callee), where_(where), scope_(scope) {}
+
+  std::optional<Arguments> run() {
+    if (!plan()) {
+      if (!refusePath()) {
+        wrongCount();
+      }
+      return std::nullopt;
+    }
+    bool good = true;
+    for (const Step& step : steps_) {
+      good = lower(step) && good;
+    }
+    return good ? std::optional(std::move(result_)) : std::nullopt;
+  }
+
+ private:
+  /// Which arguments make which formals.
+  struct Step {
+    size_t formal;
+    size_t formals;  ///< 2: a position for a latitude and a longitude
+    size_t argument;
+    size_t arguments;  ///< 2: a latitude and a longitude for a position
+  };
+
+  [[nodiscard]] const std::vector<Signature::Formal>& formals() const {
+    return callee_.signature.formals;
+  }
+
+  [[nodiscard]] bool latitudeAndLongitude(size_t formal) const {
+    return formal + 1 < formals().size() &&
+           formals()[formal].type == DeclaredType{latitude(), false} &&
+           formals()[formal + 1].type == DeclaredType{longitude(), false};
+  }
+
+  /// False if there are too few or too many arguments.
+  bool plan() {
+    size_t formal = 0;
+    size_t argument = 0;
+    while (formal < formals().size() && argument < arguments_.size()) {
+      const bool position = isPosition(*arguments_[argument].value, scope_);
+      const size_t left = arguments_.size() - argument;
+      const bool halves =
+          formals()[formal].type.position && !position && left > formals().size() - formal;
+      const bool pair = position && latitudeAndLongitude(formal);
+      steps_.push_back({formal, pair ? 2U : 1U, argument, halves ? 2U : 1U});
+      formal += steps_.back().formals;
+      argument += steps_.back().arguments;
+    }
+    filled_ = formal + (arguments_.size() - std::min(argument, arguments_.size()));
+    return formal == formals().size() && argument == arguments_.size();
+  }
+
+  bool lower(const Step& step) {
+    const Signature::Formal& formal = formals()[step.formal];
+    const std::string what = fmt::format("`{}` of `{}`", formal.name->text, callee_.name);
+    if (step.formals == 2) {
+      return add(step.argument, {latitude(), true}, what);
+    }
+    const bool whole = step.arguments == 2 || latitudeAndLongitude(step.formal);
+    if (whole && longitudeFirst(step.argument)) {
+      return false;
+    }
+    if (reported_ == step.argument) {
+      return false;
+    }
+    if (step.arguments == 2) {
+      const bool first = add(step.argument, {latitude(), false}, "the latitude of " + what);
+      return add(step.argument + 1, {longitude(), false}, "the longitude of " + what) && first;
+    }
+    if (formal.type.position && lacksComma(arguments_[step.argument])) {
+      const ast::Argument& pair = arguments_[step.argument];
+      reportMissingComma(pair, "a latitude and a longitude")
+          .fix(differenceIn(pair)->op_where, ", -");
+      return false;
+    }
+    return add(step.argument, formal.type, what);
+  }
+
+  bool add(size_t index, const DeclaredType& type, const std::string& what) {
+    const ast::Argument& argument = arguments_[index];
+    if (argument.of) {
+      scope_.report(DiagnosticId::ofOutsideWindow, argument.of->where, callee_.name);
+      return false;
+    }
+    ExprLowering lowering(scope_);
+    if (type.path) {
+      auto path = lowering.lowerPath(*argument.value);
+      result_.paths.push_back({path.value_or(Path()), argument.value->where});
+      return path.has_value();
+    }
+    const auto value = lowering.lowerDeclared(*argument.value, type, what);
+    if (!value) {
+      return false;
+    }
+    result_.values.push_back(value->id);
+    if (type.position) {
+      result_.values.push_back(value->longitude);
+    }
+    return true;
+  }
+
+  /// Reports a longitude ahead of its latitude, once for both.
+  bool longitudeFirst(size_t argument) {
+    const bool swapped = argument + 1 < arguments_.size() &&
+                         ExprLowering(scope_).longitudeFirst(*arguments_[argument].value,
+                                                             *arguments_[argument + 1].value);
+    reported_ = swapped ? argument + 1 : reported_;
+    return swapped;
+  }
+
+  static const ast::Binary* differenceIn(const ast::Argument& argument) {
+    const auto* binary = std::get_if<ast::Binary>(&argument.value->node);
+    return binary != nullptr && binary->op == ast::BinaryOp::Subtract ? binary : nullptr;
+  }
+
+  /// `nav(3910.5 -7349.8)`: the vehicle's own latitude and longitude without the comma.
+  static bool lacksComma(const ast::Argument& argument) {
+    const ast::Binary* difference = differenceIn(argument);
+    return difference != nullptr && takesUnitOfContext(*difference->left) &&
+           takesUnitOfContext(*difference->right);
+  }
+
+  /// Without a fix: of other arguments than a position, the difference may be meant and another
+  /// argument missing.
+  support::DiagnosticBuilder reportMissingComma(const ast::Argument& argument,
+                                                const std::string& takes) {
+    const ast::Binary* difference = differenceIn(argument);
+    auto report =
+        scope_.report(DiagnosticId::missingCommaBeforeMinus, argument.value->where, callee_.name,
+                      takes, scope_.text(argument.value->where),
+                      scope_.text(difference->left->where), scope_.text(difference->right->where));
+    noteDeclaration(report, "declared as `" + callee_.signature.text + "`");
+    return report;
+  }
+
+  /// A whole path where positions belong.
+  bool refusePath() {
+    for (const ast::Argument& argument : arguments_) {
+      const bool wanted = std::ranges::any_of(formals(), [](const auto& f) { return f.type.path; });
+      if (!wanted && isPath(*argument.value, scope_)) {
+        scope_.report(DiagnosticId::pathAsValue, argument.value->where,
+                      scope_.text(argument.value->where));
+        return true;
+      }
+    }
+    return false;
+  }
+
+  void wrongCount() {
+    const size_t wanted = formals().size();
+    const std::string takes = countOf(wanted);
+    for (const ast::Argument& argument : arguments_) {
+      if (differenceIn(argument) != nullptr && filled_ + 1 == wanted) {
+        reportMissingComma(argument, takes);
+        return;
+      }
+    }
+    const std::string point = filled_ > wanted ? decimalComma() : "";
+    auto report = scope_.report(DiagnosticId::wrongArgumentCount, where_, callee_.name, takes,
+                                arguments_.empty() ? "none" : countOf(filled_),
+                                point.empty() ? "write `" + callee_.signature.text + "`" : point);
+    noteDeclaration(report, "declared here");
+  }
+
+  /// What to write if there is a `39,175 N` among the arguments; empty if there is none.
+  std::string decimalComma() {
+    for (size_t i = 0; i + 1 < arguments_.size(); ++i) {
+      const auto* whole = std::get_if<ast::Literal>(&arguments_[i].value->node);
+      const auto* rest = std::get_if<ast::Literal>(&arguments_[i + 1].value->node);
+      const support::SourceRange& left = arguments_[i].value->where;
+      const support::SourceRange& right = arguments_[i + 1].value->where;
+      if (whole != nullptr && rest != nullptr && whole->unit.empty() && !rest->unit.empty() &&
+          right.begin == left.end + 1 &&
+          rest->digits.find_first_not_of("0123456789") == std::string::npos) {
+        return fmt::format("a decimal point is a point: write `{}.{}`", scope_.text(left),
+                           scope_.text(right));
+      }
+    }
+    return "";
+  }
+
+  void noteDeclaration(support::DiagnosticBuilder& report, const std::string& message) {
+    if (callee_.declared != nullptr) {
+      report.note(callee_.declared->where, message);
+    }
+  }
+
+  const std::vector<ast::Argument>& arguments_;
+  const Callee& callee_;
+  const support::SourceRange& where_;
+  Scope& scope_;
+  std::vector<Step> steps_;
+  size_t reported_ = SIZE_MAX;  ///< the argument of which all has been said
+  size_t filled_ = 0;           ///< arguments, a position for two formals counted twice
+  Arguments result_;
+};
+
+}  // namespace
+
+std::optional<Arguments> lowerArguments(const std::vector<ast::Argument>& arguments,
+                                        const Callee& callee, const support::SourceRange& where,
+                                        Scope& scope) {
+  return ArgumentLowering(arguments, callee, where, scope).run();
+}
+
+}  // namespace glider::frontend

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "frontend/ast/ast.h"
+#include "frontend/sema/names/scope.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace glider::frontend {
+
+/// What arguments are given to.
+struct Callee {
+  const std::string& name;
+  const Signature& signature;
+  const ast::Name* declared = nullptr;  ///< where; null: nowhere in a mission
+};
+
+/// What is given: expressions for `Signature::slots`, and the paths, each in the order of the
+/// parameters.
+struct Arguments {
+  std::vector<ir::ExprId> values;
+  std::vector<PathArgument> paths;
+};
+
+/// Lowers arguments for `callee.signature.slots`, one expression each: a position is given as one
+/// or as a latitude and a longitude, and may fill a latitude and the longitude after it. `where` is
+/// the whole use. Empty, and reported, if they do not fit.
+std::optional<Arguments> lowerArguments(const std::vector<ast::Argument>& arguments,
+                                        const Callee& callee, const support::SourceRange& where,
+                                        Scope& scope);
+
+}  // namespace glider::frontend

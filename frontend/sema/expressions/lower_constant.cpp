@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "frontend/sema/expressions/evaluate.h"
+#include "frontend/sema/expressions/lower_expr.h"
+#include "ir/core/ops.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace glider::frontend {
+
+using support::DiagnosticId;
+
+namespace {
+
+bool isConstant(const Snippet& snippet) {
+  return std::ranges::none_of(snippet, [](const ir::Expr& expr) {
+    using enum ir::Op;
+    return expr.op == Call || (expr.op != Constant && expr.op != True && expr.op != False &&
+                               ir::operandCount(expr) == 0);
+  });
+}
+
+/// The names in an expression, in the order written.
+void collectNames(const ast::Expr& expr, std::vector<std::string_view>& names) {
+  if (const auto* use = std::get_if<ast::NameUse>(&expr.node)) {
+    names.push_back(use->name);
+  } else if (const auto* unary = std::get_if<ast::Unary>(&expr.node)) {
+    collectNames(*unary->operand, names);
+  } else if (const auto* binary = std::get_if<ast::Binary>(&expr.node)) {
+    collectNames(*binary->left, names);
+    collectNames(*binary->right, names);
+  } else if (const auto* call = std::get_if<ast::Invocation>(&expr.node)) {
+    for (const ast::Argument& argument : call->arguments) {
+      collectNames(*argument.value, names);
+    }
+  }
+}
+
+/// In a behaviour that is lowered for a use, the parameter by which `expr` is what it is: the first
+/// that is not constant, else the first; null if it names none.
+const Named* blamed(const ast::Expr& expr, Scope& scope) {
+  std::vector<std::string_view> names;
+  collectNames(expr, names);
+  const Named* first = nullptr;
+  for (const std::string_view name : names) {
+    const Named* named = scope.findNamed(name);
+    if (named == nullptr || named->arguments.empty()) {
+      continue;
+    }
+    if (!isConstant(named->arguments.front())) {
+      return named;
+    }
+    first = first == nullptr ? named : first;
+  }
+  return first;
+}
+
+/// Reports `id` of `expr` and `what` it is, or of what is given for the parameter that is to blame.
+void refuse(DiagnosticId id, const ast::Expr& expr, const std::string& what, std::string_view role,
+            Scope& scope) {
+  const Named* named = blamed(expr, scope);
+  if (named == nullptr) {
+    scope.report(id, expr.where, scope.text(expr.where), what);
+    return;
+  }
+  // Once, however often it plays that role: the places and the words are the same.
+  const support::SourceRange given = named->arguments.front().back().range;
+  scope.diagnostics()
+      .report(id, given, scope.text(given),
+              fmt::format("`{}` of `{}`", named->name->text, scope.context.behaviour))
+      .note(expr.where, std::string(role));
+}
+
+}  // namespace
+
+std::optional<double> ExprLowering::positiveConstant(const ast::Expr& expr, const ir::Type& type,
+                                                     const ConstantRole& role) {
+  const auto lowered = lowerAs(expr, type, role.what);
+  if (!lowered) {
+    return std::nullopt;
+  }
+  const auto known = evaluate(scope_.mission, *lowered);
+  // A behaviour's parameters are known where it is used, not where it is checked by itself.
+  if (!known && scope_.context.checkedAlone()) {
+    return 1.0;
+  }
+  if (!known) {
+    refuse(DiagnosticId::notConstant, expr, role.what, role.role, scope_);
+    return std::nullopt;
+  }
+  if (!(*known > 0)) {
+    refuse(role.not_positive, expr, role.what, role.role, scope_);
+    return std::nullopt;
+  }
+  return known;
+}
+
+}  // namespace glider::frontend

@@ -1,0 +1,188 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "frontend/ast/ast.h"
+#include "frontend/sema/expressions/lanes.h"
+#include "frontend/sema/names/scope.h"
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace glider::frontend {
+
+/// A lowered expression. A position is two: latitude and longitude.
+struct Value {
+  ir::ExprId id;
+  ir::Type type;
+  ir::ExprId longitude;  ///< valid for a position only
+};
+
+/// A sensor that an expression reads.
+struct SensorRead {
+  const platforms::PlatformSensor* sensor;
+  std::string written;
+  support::SourceRange range;
+};
+
+/// Types expressions and lowers them to IR. What is wrong is reported once; then the result is
+/// empty, and so is that of everything around it.
+class ExprLowering {
+ public:
+  explicit ExprLowering(Scope& scope) : scope_(scope) {}
+
+  /// `want` is what the context expects: a bare number takes its unit. The result may be of another
+  /// type.
+  std::optional<Value> lower(const ast::Expr& expr, std::optional<ir::Type> want);
+  /// As lower, and refuses what is not of type `want`; `what` names it: "`top` of `yo`".
+  std::optional<ir::ExprId> lowerAs(const ast::Expr& expr, const ir::Type& want,
+                                    const std::string& what);
+  /// As lowerAs, for a position too.
+  std::optional<Value> lowerDeclared(const ast::Expr& expr, const DeclaredType& want,
+                                     const std::string& what);
+  /// A list of positions, or the name of one; refuses what is none.
+  std::optional<Path> lowerPath(const ast::Expr& expr);
+  /// A guard or an operand of `&&`.
+  std::optional<ir::ExprId> lowerCondition(const ast::Expr& expr);
+
+  /// Refuses the halves of a position in the wrong order, as far as numbers and letters show it;
+  /// then true (lower_longitude_first.cpp).
+  bool longitudeFirst(const ast::Expr& first, const ast::Expr& second,
+                      std::string_view between = ", ");
+
+  /// The sensors read since this was made.
+  [[nodiscard]] const std::vector<SensorRead>& reads() const { return reads_; }
+
+ private:
+  using Result = std::optional<Value>;
+
+  Result visit(const ast::Literal& node, const ast::Expr& expr, std::optional<ir::Type> want);
+  Result visit(const ast::Position& node, const ast::Expr& expr, std::optional<ir::Type> want);
+  Result visit(const ast::Truth& node, const ast::Expr& expr, std::optional<ir::Type> want);
+  Result visit(const ast::NameUse& node, const ast::Expr& expr, std::optional<ir::Type> want);
+  Result visit(const ast::Invocation& node, const ast::Expr& expr, std::optional<ir::Type> want);
+  Result visit(const ast::List& node, const ast::Expr& expr, std::optional<ir::Type> want);
+  Result visit(const ast::Index& node, const ast::Expr& expr, std::optional<ir::Type> want);
+  Result visit(const ast::Unary& node, const ast::Expr& expr, std::optional<ir::Type> want);
+  Result visit(const ast::Binary& node, const ast::Expr& expr, std::optional<ir::Type> want);
+
+  // Literals (lower_literal.cpp).
+  Result bareLiteral(const ast::Literal& node, const support::SourceRange& range,
+                     std::optional<ir::Type> want, bool negative);
+  Result barePosition(const ast::Literal& node, const support::SourceRange& range, ir::Type want,
+                      bool negative);
+  Result letterLiteral(const ast::Literal& node, const support::SourceRange& range,
+                       std::optional<ir::Type> want);
+  Result compass(const ast::Literal& node, const support::SourceRange& range, bool latitude,
+                 double sign);
+  std::optional<double> number(const ast::Literal& node, const support::SourceRange& range);
+  bool checkOnEarth(const support::SourceRange& range, bool latitude, double degrees);
+
+  // Operators (lower_operator.cpp).
+  Result condition(ir::Op op, const ast::Binary& node, const ast::Expr& expr);
+  Result comparison(ir::Op op, const ast::Binary& node, const ast::Expr& expr);
+  Result sum(ir::Op op, const ast::Binary& node, const ast::Expr& expr,
+             std::optional<ir::Type> want);
+  /// Refuses `3910.6 -7349.9`, a position that would be a difference.
+  bool sideBySide(const ast::Binary& node, const ast::Expr& expr);
+  Result scaling(ir::Op op, const ast::Binary& node, const ast::Expr& expr);
+  /// Refuses `5 m < depth < 10 m` and `!depth > 5 m`.
+  bool chained(const ast::Binary& node, const ast::Expr& expr);
+  void warnOfEquality(ir::Op op, const Value& left, const Value& right, const ast::Binary& node);
+  /// Both sides in one type; bare numbers take the other's.
+  struct Pair {
+    Value left;
+    Value right;
+  };
+  std::optional<Pair> alike(const ast::Expr& left, const ast::Expr& right,
+                            std::optional<ir::Type> want, std::string_view op);
+  /// Refuses a condition, a position and, unless `earth`, a latitude or longitude where `op` wants
+  /// numbers.
+  bool numeric(const Value& value, const ast::Expr& expr, std::string_view op, bool earth);
+
+  // Functions (lower_function.cpp).
+  Result callMany(ir::Op op, const ast::Invocation& node, const ast::Expr& expr,
+                  std::optional<ir::Type> want);
+  Result callOne(ir::Op op, const ast::Invocation& node, const ast::Expr& expr,
+                 std::optional<ir::Type> want);
+  /// Refuses `10 m of depth` where no function takes it.
+  bool stretched(const ast::Invocation& node);
+  Result inC(const ast::Invocation& node, const ast::Expr& expr);
+  Result ageOf(const ast::Invocation& node, const ast::Expr& expr);
+
+  // Over time (lower_temporal.cpp).
+  Result overTime(ir::TemporalKind kind, const ast::Invocation& node, const ast::Expr& expr);
+
+  // Windows (lower_window.cpp).
+  struct WindowLength {
+    double length;
+    ir::ExprId along;              ///< of a stretch
+    support::Dimension dimension;  ///< of what the length is measured in
+  };
+  Result window(const ast::Invocation& node, const ast::Expr& expr);
+  std::optional<WindowLength> windowLength(const ast::Argument& over, std::string_view function);
+  Result emitWindow(std::string_view name, const Value& operand, const WindowLength& length,
+                    const support::SourceRange& range);
+
+  // Places (lower_earth.cpp, lower_inside.cpp).
+  Result onEarth(const ast::Invocation& node, const ast::Expr& expr);
+  Result betweenPlaces(ir::Op op, const ast::Invocation& node, const ast::Expr& expr);
+  /// Where the vehicle is: the platform's `lat` and `lon`.
+  Result here(const support::SourceRange& range);
+  /// The arguments as positions, one or two arguments each; a path gives all of its own.
+  std::optional<std::vector<Value>> places(const ast::Invocation& node);
+  Result inside(const std::vector<Value>& corners, const support::SourceRange& range);
+  friend class InsideLowering;
+
+  // Paths (lower_path.cpp).
+  std::optional<Path> lanes(const ast::Invocation& node, const ast::Expr& expr);
+  void refuseLanes(const LaneProblem& problem, const ast::Expr& area);
+  Result countOfPath(const ast::Invocation& node, const ast::Expr& expr);
+  Result chosen(const Path& path, const Value& index, const support::SourceRange& range);
+  Value emitPlace(const Place& place, const support::SourceRange& range);
+  void refusePath(const ast::Expr& expr);
+  std::optional<Place> constantPlace(const ast::Expr& expr);
+
+  // Names (lower_name.cpp).
+  Result variable(Named& named, const support::SourceRange& range);
+  Result sensor(const platforms::PlatformSensor& sensor, const std::string& written,
+                const support::SourceRange& range);
+  Result finished(const ast::NameUse& node, const support::SourceRange& range);
+  Result unknown(const ast::NameUse& node, const support::SourceRange& range);
+  Result constant(const Constant& constant, const support::SourceRange& range);
+  Result clock(Clock clock, const support::SourceRange& range);
+  Value emit(ir::Op op, const ir::Type& type, const support::SourceRange& range,
+             std::initializer_list<ir::ExprId> operands);
+  Value emitNumber(double value, const ir::Type& type, const support::SourceRange& range);
+  ir::ExprId push(ir::Expr expr);
+
+  // What must be known when the mission is compiled (lower_constant.cpp).
+  /// The value of `expr`, a `type` above 0, for `what`; 1 in a behaviour that is checked by itself.
+  /// What is wrong is reported where it is written or, in a behaviour, where it is given for the
+  /// parameter that makes it wrong: `role` says of the place in the behaviour what it is there,
+  /// `not_positive` is the diagnostic for a value that is not above 0.
+  struct ConstantRole {
+    std::string what;
+    std::string_view role;
+    support::DiagnosticId not_positive;
+  };
+  std::optional<double> positiveConstant(const ast::Expr& expr, const ir::Type& type,
+                                         const ConstantRole& role);
+
+  Scope& scope_;
+  std::vector<SensorRead> reads_;
+};
+
+/// Whether an expression is plainly a position: a literal, or the name of one.
+bool isPosition(const ast::Expr& expr, Scope& scope);
+
+/// Whether an expression is plainly a path: a list, the name of one, or lanes.
+bool isPath(const ast::Expr& expr, Scope& scope);
+
+/// Whether an expression is a bare number, or bare numbers added up: it has no unit of its own.
+bool takesUnitOfContext(const ast::Expr& expr);
+
+}  // namespace glider::frontend

@@ -1,0 +1,212 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "frontend/sema/expressions/lower_arguments.h"
+#include "frontend/sema/expressions/lower_expr.h"
+#include "frontend/sema/names/functions.h"
+#include "frontend/spelling.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace glider::frontend {
+
+using support::DiagnosticId;
+
+namespace {
+
+std::string suggestFunction(std::string_view wrong, const Scope& scope) {
+  std::vector<std::string_view> names;
+  for (const auto& [name, function] : scope.functions) {
+    names.push_back(name);
+  }
+  names.insert(names.end(), functionNames().begin(), functionNames().end());
+  return didYouMean(wrong, names, fmt::format("functions: {}", fmt::join(names, " ")));
+}
+
+std::string countOf(size_t n) {
+  return n == 1 ? "1 argument" : fmt::format("{} arguments", n);
+}
+
+}  // namespace
+
+ExprLowering::Result ExprLowering::visit(const ast::Invocation& node, const ast::Expr& expr,
+                                         std::optional<ir::Type> want) {
+  const std::string& name = node.function.text;
+  if (findWindow(name)) {
+    return window(node, expr);
+  }
+  if (name == "became" || name == "held") {
+    const bool held = name == "held";
+    return stretched(node)
+               ? std::nullopt
+               : overTime(held ? ir::TemporalKind::Held : ir::TemporalKind::Became, node, expr);
+  }
+  if (isEarthFunction(name)) {
+    return stretched(node) ? std::nullopt : onEarth(node, expr);
+  }
+  const Function* function = findFunction(name);
+  if (function == nullptr) {
+    return inC(node, expr);
+  }
+  if (stretched(node)) {
+    return std::nullopt;
+  }
+  if (node.arguments.size() != function->fewest) {
+    constexpr std::string_view kSignatures[] = {"(x)", "(x, y)", "(x, lowest, highest)"};
+    scope_.report(DiagnosticId::wrongArgumentCount, expr.where, name, countOf(function->fewest),
+                  node.arguments.empty() ? "none" : countOf(node.arguments.size()),
+                  fmt::format("write `{}{}`", name, kSignatures[function->fewest - 1]));
+    return std::nullopt;
+  }
+  if (function->op == ir::Op::Age) {
+    return ageOf(node, expr);
+  }
+  return node.arguments.size() == 1 ? callOne(function->op, node, expr, want)
+                                    : callMany(function->op, node, expr, want);
+}
+
+/// A function of the user's.
+ExprLowering::Result ExprLowering::inC(const ast::Invocation& node, const ast::Expr& expr) {
+  const std::string& name = node.function.text;
+  const auto found = scope_.functions.find(name);
+  if (found == scope_.functions.end()) {
+    if (scope_.refused_names.contains(name)) {
+      return std::nullopt;
+    }
+    const bool value = findClock(name) || scope_.findSensor(name) != nullptr ||
+                       scope_.findConstant(name) != nullptr || scope_.findNamed(name) != nullptr;
+    scope_.report(DiagnosticId::unknownFunction, node.function.where, name,
+                  value ? "`" + name + "` is a value: write it without parentheses"
+                        : suggestFunction(name, scope_));
+    return std::nullopt;
+  }
+  const FunctionDeclaration& function = found->second;
+  if (!function.usable) {
+    return std::nullopt;
+  }
+  if (!scope_.context.constant.empty()) {
+    scope_
+        .report(DiagnosticId::notConstant, expr.where, scope_.text(expr.where),
+                scope_.context.constant)
+        .note(function.name->where, "it is a C function");
+    return std::nullopt;
+  }
+  const auto arguments =
+      lowerArguments(node.arguments, {name, function.signature, function.name}, expr.where, scope_);
+  if (!arguments) {
+    return std::nullopt;
+  }
+  const Value value = emit(ir::Op::Call, function.result, expr.where, {});
+  ir::Expr& call = scope_.mission.exprs[value.id.index];
+  std::ranges::copy(arguments->values, call.operands.begin());
+  call.use = {static_cast<uint32_t>(scope_.mission.uses.size())};
+  scope_.mission.uses.push_back({scope_.function(function), expr.where});
+  return value;
+}
+
+bool ExprLowering::stretched(const ast::Invocation& node) {
+  for (const ast::Argument& argument : node.arguments) {
+    if (argument.of) {
+      scope_.report(DiagnosticId::ofOutsideWindow, argument.of->where, node.function.text);
+      return true;
+    }
+  }
+  return false;
+}
+
+ExprLowering::Result ExprLowering::ageOf(const ast::Invocation& node, const ast::Expr& expr) {
+  const ast::Expr& argument = *node.arguments.front().value;
+  const auto* use = std::get_if<ast::NameUse>(&argument.node);
+  const platforms::PlatformSensor* sensor = use != nullptr ? scope_.findSensor(use->name) : nullptr;
+  if (sensor == nullptr) {
+    if (use == nullptr || !scope_.refused_names.contains(use->name)) {
+      scope_.report(DiagnosticId::ageOfWhat, argument.where, scope_.text(argument.where));
+    }
+    return std::nullopt;
+  }
+  const ir::SensorId id = scope_.subscribe(*sensor, use->name);
+  reads_.push_back({sensor, use->name, argument.where});
+  const Value value = emit(ir::Op::Age, quantity(support::dimension::time), expr.where, {});
+  scope_.mission.exprs[value.id.index].sensor = id;
+  return value;
+}
+
+ExprLowering::Result ExprLowering::callOne(ir::Op op, const ast::Invocation& node,
+                                           const ast::Expr& expr, std::optional<ir::Type> want) {
+  const ast::Expr& argument = *node.arguments.front().value;
+  const bool keeps = op == ir::Op::Abs;
+  if (op == ir::Op::Sin || op == ir::Op::Cos || op == ir::Op::Tan) {
+    const auto angle = lowerAs(argument, quantity(support::dimension::angle),
+                               "what `" + node.function.text + "` takes");
+    return angle ? Result(emit(op, plainNumber(), expr.where, {*angle})) : std::nullopt;
+  }
+  const Result value = lower(argument, keeps ? want : std::nullopt);
+  if (op == ir::Op::Known && value && value->longitude.valid()) {
+    const ir::ExprId north = emit(op, boolean(), expr.where, {value->id}).id;
+    const ir::ExprId east = emit(op, boolean(), expr.where, {value->longitude}).id;
+    return emit(ir::Op::And, boolean(), expr.where, {north, east});
+  }
+  if (!value || !numeric(*value, argument, node.function.text, op == ir::Op::Known)) {
+    return std::nullopt;
+  }
+  if (op == ir::Op::Known) {
+    return emit(op, boolean(), expr.where, {value->id});
+  }
+  if (keeps) {
+    return emit(op, value->type, expr.where, {value->id});
+  }
+  const auto root = support::squareRoot(value->type.dimension);
+  if (!root) {
+    scope_.report(DiagnosticId::noSquareRoot, argument.where, scope_.text(argument.where),
+                  describe(value->type));
+    return std::nullopt;
+  }
+  return emit(op, quantity(*root), expr.where, {value->id});
+}
+
+/// min, max, clamp and atan2: all arguments of one kind, and bare numbers take the unit of the
+/// others.
+ExprLowering::Result ExprLowering::callMany(ir::Op op, const ast::Invocation& node,
+                                            const ast::Expr& expr, std::optional<ir::Type> want) {
+  const auto leads = [](const ast::Argument& argument) {
+    return !takesUnitOfContext(*argument.value);
+  };
+  const auto leader = std::ranges::find_if(node.arguments, leads);
+  const size_t first =
+      leader == node.arguments.end() ? 0 : static_cast<size_t>(leader - node.arguments.begin());
+  const ast::Expr& model = *node.arguments[first].value;
+  const bool angle = op == ir::Op::Atan2;
+  const Result led = lower(model, angle ? std::nullopt : want);
+  if (!led || !numeric(*led, model, node.function.text, !angle)) {
+    return std::nullopt;
+  }
+  std::array<ir::ExprId, ir::kMostOperands> operands;
+  bool good = true;
+  for (size_t i = 0; i < node.arguments.size(); ++i) {
+    const ast::Expr& argument = *node.arguments[i].value;
+    const Result value = i == first ? led : lower(argument, led->type);
+    if (!value) {
+      good = false;
+    } else if (value->longitude.valid() || value->type != led->type) {
+      scope_.report(DiagnosticId::typesDiffer, argument.where, scope_.text(model.where),
+                    describe(led->type), scope_.text(argument.where),
+                    value->longitude.valid() ? "a position" : describe(value->type),
+                    node.function.text);
+      good = false;
+    } else {
+      operands[i] = value->id;
+    }
+  }
+  if (!good) {
+    return std::nullopt;
+  }
+  const ir::Type type = angle ? quantity(support::dimension::angle) : led->type;
+  const Value result = emit(op, type, expr.where, {});
+  scope_.mission.exprs[result.id.index].operands = operands;
+  return result;
+}
+
+}  // namespace glider::frontend

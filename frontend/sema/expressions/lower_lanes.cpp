@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "frontend/sema/expressions/lanes.h"
+#include "frontend/sema/expressions/lower_expr.h"
+
+#include <fmt/format.h>
+
+namespace glider::frontend {
+
+using support::DiagnosticId;
+
+/// `lanes(area, 500 m)`.
+std::optional<Path> ExprLowering::lanes(const ast::Invocation& node, const ast::Expr& expr) {
+  if (stretched(node)) {
+    return std::nullopt;
+  }
+  if (node.arguments.size() != 2) {
+    scope_.report(DiagnosticId::wrongArgumentCount, expr.where, node.function.text, "2 arguments",
+                  node.arguments.empty() ? "none" : fmt::format("{}", node.arguments.size()),
+                  "write `lanes(area, 500 m)`");
+    return std::nullopt;
+  }
+  const ast::Expr& area = *node.arguments.front().value;
+  const size_t before = scope_.mission.exprs.size();
+  const auto corners = lowerPath(area);
+  const auto spacing = positiveConstant(
+      *node.arguments.back().value, quantity(support::dimension::length),
+      {"the spacing of `lanes`", "it is the spacing of lanes here", DiagnosticId::lanesSpacing});
+  scope_.mission.exprs.resize(before);
+  if (!corners || !spacing) {
+    return std::nullopt;
+  }
+  if (scope_.context.checkedAlone()) {
+    return corners;  // what it is given is not known here
+  }
+  auto laid = layLanes(*corners, *spacing);
+  if (!laid) {
+    refuseLanes(laid.error(), area);
+    return std::nullopt;
+  }
+  return std::move(*laid);
+}
+
+/// Where the area is written or, in a behaviour, where it is given.
+void ExprLowering::refuseLanes(const LaneProblem& problem, const ast::Expr& area) {
+  const auto* use = std::get_if<ast::NameUse>(&area.node);
+  const Named* named = use != nullptr ? scope_.findNamed(use->name) : nullptr;
+  const support::SourceRange where = named != nullptr ? named->path.where : area.where;
+  const std::string text = scope_.text(where);
+  support::DiagnosticEngine& diagnostics = scope_.diagnostics();
+  switch (problem.kind) {
+    case LaneProblem::Kind::Line:
+      diagnostics.report(DiagnosticId::lanesOfLine, where, text);
+      return;
+    case LaneProblem::Kind::TooFar:
+      diagnostics.report(DiagnosticId::lanesTooFar, where, text, problem.metres / 1000,
+                         kFarthestCorner / 1000);
+      return;
+    case LaneProblem::Kind::TooMany:
+      diagnostics.report(DiagnosticId::tooManyLanes, where, text, kMostLanes, problem.metres);
+      return;
+  }
+}
+
+}  // namespace glider::frontend

@@ -1,0 +1,243 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "frontend/bare_positions.h"
+#include "frontend/sema/expressions/literals.h"
+#include "frontend/sema/expressions/lower_expr.h"
+#include "frontend/spelling.h"
+#include "support/units/units.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace glider::frontend {
+
+using support::DiagnosticId;
+
+namespace {
+
+constexpr ir::Type kLatitude{ir::TypeKind::Latitude, {}};
+constexpr ir::Type kLongitude{ir::TypeKind::Longitude, {}};
+
+/// Whether a word for a unit stands behind a number that has none: repair has dropped it.
+bool unitFollows(const support::SourceRange& range, const Scope& scope) {
+  constexpr uint32_t kLongest = 16;
+  constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
+  const std::string word = scope.text({range.file, range.end, range.end + kLongest});
+  return !unitForWord(word.substr(0, word.find_first_not_of(kLetters))).empty();
+}
+
+bool isLetter(const std::string& unit) {
+  return unit == "N" || unit == "S" || unit == "E" || unit == "W";
+}
+
+}  // namespace
+
+bool takesUnitOfContext(const ast::Expr& expr) {
+  if (const auto* literal = std::get_if<ast::Literal>(&expr.node)) {
+    return literal->unit.empty() || literal->unit == "W" || literal->unit == "S";
+  }
+  if (const auto* unary = std::get_if<ast::Unary>(&expr.node)) {
+    return unary->op == ast::UnaryOp::Negate && takesUnitOfContext(*unary->operand);
+  }
+  if (const auto* binary = std::get_if<ast::Binary>(&expr.node)) {
+    const bool adds = binary->op == ast::BinaryOp::Add || binary->op == ast::BinaryOp::Subtract;
+    return adds && takesUnitOfContext(*binary->left) && takesUnitOfContext(*binary->right);
+  }
+  return false;
+}
+
+std::optional<double> ExprLowering::number(const ast::Literal& node,
+                                           const support::SourceRange& range) {
+  const std::optional<double> value = parseNumber(node.digits);
+  if (!value) {
+    scope_.report(DiagnosticId::numberTooLarge, range, node.digits);
+  }
+  return value;
+}
+
+ExprLowering::Result ExprLowering::visit(const ast::Literal& node, const ast::Expr& expr,
+                                         std::optional<ir::Type> want) {
+  if (node.unit.empty()) {
+    return bareLiteral(node, expr.where, want, false);
+  }
+  if (isLetter(node.unit)) {
+    return letterLiteral(node, expr.where, want);
+  }
+  const std::optional<double> value = number(node, expr.where);
+  if (!value) {
+    return std::nullopt;
+  }
+  const auto unit = support::parseUnit(node.unit);
+  if (!unit) {
+    scope_.report(DiagnosticId::unknownUnit, node.unit_where, node.unit,
+                  "a unit is made of those of the language by `*` and `/`, as in `degC/m`");
+    return std::nullopt;
+  }
+  const double si = *value * unit->to_si;
+  if (!std::isfinite(si)) {
+    scope_.report(DiagnosticId::numberTooLarge, expr.where, scope_.text(expr.where));
+    return std::nullopt;
+  }
+  return emitNumber(si, quantity(unit->dimension), expr.where);
+}
+
+ExprLowering::Result ExprLowering::bareLiteral(const ast::Literal& node,
+                                               const support::SourceRange& range,
+                                               std::optional<ir::Type> want, bool negative) {
+  if (node.digits.find_first_of(" \t\r\n") != std::string::npos) {
+    return std::nullopt;  // `3355.2 1825.4`, which the parser has refused
+  }
+  if (want && (want->kind == ir::TypeKind::Latitude || want->kind == ir::TypeKind::Longitude)) {
+    return barePosition(node, range, *want, negative);
+  }
+  const std::optional<double> value = number(node, range);
+  if (!value) {
+    return std::nullopt;
+  }
+  const ir::Type type = want && want->kind == ir::TypeKind::Quantity ? *want : plainNumber();
+  const auto unit = support::bareUnit(type.dimension);
+  if (!unit) {
+    scope_.report(DiagnosticId::needsUnit, range, scope_.text(range),
+                  support::unitName(type.dimension));
+    return std::nullopt;
+  }
+  const double si = *value * unit->to_si;
+  if (!std::isfinite(si)) {
+    scope_.report(DiagnosticId::numberTooLarge, range, node.digits);
+    return std::nullopt;
+  }
+  constexpr double kFullTurn = 6.283185307179586;
+  if (type.dimension == support::dimension::angle && si > kFullTurn) {
+    const std::string text = (negative ? "-" : "") + node.digits;
+    if (!unitFollows(range, scope_)) {  // `26 degrees`: of the unit it has been said what is wrong
+      scope_.report(DiagnosticId::bareAngle, range, text).fix(range, text + " deg");
+    }
+  }
+  return emitNumber(negative ? -si : si, type, range);
+}
+
+ExprLowering::Result ExprLowering::barePosition(const ast::Literal& node,
+                                                const support::SourceRange& range, ir::Type want,
+                                                bool negative) {
+  const auto parts = parseDegreesMinutes(node.digits);
+  if (!parts) {
+    scope_.report(DiagnosticId::numberTooLarge, range, node.digits);
+    return std::nullopt;
+  }
+  const bool latitude = want.kind == ir::TypeKind::Latitude;
+  const std::string text = scope_.text(range);
+  const char letter = latitude ? (negative ? 'S' : 'N') : (negative ? 'W' : 'E');
+  const std::string better = fmt::format("{} {}", node.digits, letter);
+  const bool decimal = !isPlainlyDdmm(node.digits);
+  if (parts->minutes >= 60) {
+    auto report = scope_.report(
+        DiagnosticId::minutesOver60, range, text, parts->degrees, parts->minutes,
+        "positions without a letter are ddmm.mmmm; decimal degrees need `N`, `S`, `E` or `W`");
+    if (decimal) {
+      report.hint(fmt::format("write decimal degrees with their letter: `{}`", better))
+          .fix(range, better);
+    }
+    return std::nullopt;
+  }
+  const double degrees = negative ? -parts->value() : parts->value();
+  if (!checkOnEarth(range, latitude, degrees)) {
+    return std::nullopt;
+  }
+  if (decimal) {  // no fix: near the equator it may be minutes
+    const size_t whole = std::min(node.digits.find_first_not_of("0123456789"), node.digits.size());
+    scope_.report(DiagnosticId::decimalPosition, range, text, node.digits, better,
+                  (negative ? "-" : "") + std::string(4 - whole, '0') + node.digits);
+    return std::nullopt;
+  }
+  return emitNumber(degrees, want, range);
+}
+
+bool ExprLowering::checkOnEarth(const support::SourceRange& range, bool latitude, double degrees) {
+  const double greatest = latitude ? 90 : 180;
+  if (std::fabs(degrees) <= greatest) {
+    return true;
+  }
+  scope_.report(DiagnosticId::notOnEarth, range, scope_.text(range),
+                latitude ? "latitude" : "longitude", std::fabs(degrees), greatest);
+  return false;
+}
+
+ExprLowering::Result ExprLowering::letterLiteral(const ast::Literal& node,
+                                                 const support::SourceRange& range,
+                                                 std::optional<ir::Type> want) {
+  const bool earth =
+      want && (want->kind == ir::TypeKind::Latitude || want->kind == ir::TypeKind::Longitude);
+  if (node.unit == "N" || node.unit == "E") {
+    return compass(node, range, node.unit == "N", 1);
+  }
+  if (earth) {
+    return compass(node, range, node.unit == "S", -1);
+  }
+  if (node.unit == "W" && want && want->kind == ir::TypeKind::Quantity) {
+    const std::optional<double> value = number(node, range);
+    return value ? Result(emitNumber(*value, quantity(support::dimension::power), range))
+                 : std::nullopt;
+  }
+  const bool watt = node.unit == "W";
+  scope_.report(DiagnosticId::ambiguousLetter, range, scope_.text(range),
+                watt ? "watts or west" : "south or siemens",
+                watt ? "say which by a type, as in `const x: power = 5 W`, or write a whole "
+                       "position, as in `39.2 N 73.9 W`"
+                     : "conductivities are in `S/m`; for a latitude say so, as in `const x: "
+                       "latitude = 33.9 S`");
+  return std::nullopt;
+}
+
+ExprLowering::Result ExprLowering::compass(const ast::Literal& node,
+                                           const support::SourceRange& range, bool latitude,
+                                           double sign) {
+  const std::optional<double> value = number(node, range);
+  if (!value || !checkOnEarth(range, latitude, *value)) {
+    return std::nullopt;
+  }
+  return emitNumber(sign * *value, latitude ? kLatitude : kLongitude, range);
+}
+
+ExprLowering::Result ExprLowering::visit(const ast::Position& node, const ast::Expr&,
+                                         std::optional<ir::Type>) {
+  const ast::Literal& latitude = node.latitude;
+  const ast::Literal& longitude = node.longitude;
+  const auto& latitude_where = node.latitude_where;
+  const auto& longitude_where = node.longitude_where;
+  if (longitudeFirst({latitude, latitude_where}, {longitude, longitude_where}, " ")) {
+    return std::nullopt;
+  }
+  Result first;
+  Result second;
+  if (isLetter(latitude.unit)) {
+    first = letterLiteral(latitude, latitude_where, kLatitude);
+  }
+  if (isLetter(longitude.unit)) {
+    second = letterLiteral(longitude, longitude_where, kLongitude);
+  }
+  auto check = [&](const Result& half, const ir::Type& type, const support::SourceRange& where,
+                   const char* letters) {
+    if (half && half->type != type) {
+      scope_.report(DiagnosticId::wrongType, where, "this half of the position", describe(type),
+                    scope_.text(where), fmt::format("{} ({})", describe(half->type), letters));
+      return false;
+    }
+    return half.has_value();
+  };
+  if (!isLetter(node.latitude.unit)) {
+    scope_.report(DiagnosticId::unknownUnit, node.latitude_where, scope_.text(node.latitude_where),
+                  "a position is written like `39.2 N 73.9 W`");
+    return std::nullopt;
+  }
+  if (!check(first, kLatitude, latitude_where, "`E` and `W`") ||
+      !check(second, kLongitude, longitude_where, "`N` and `S`")) {
+    return std::nullopt;
+  }
+  first->longitude = second->id;
+  return first;
+}
+
+}  // namespace glider::frontend

@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "frontend/sema/expressions/lower_expr.h"
+#include "frontend/sema/names/functions.h"
+
+#include <fmt/format.h>
+
+namespace glider::frontend {
+
+using support::DiagnosticId;
+
+bool isPosition(const ast::Expr& expr, Scope& scope) {
+  if (std::holds_alternative<ast::Position>(expr.node) ||
+      std::holds_alternative<ast::Index>(expr.node)) {
+    return true;
+  }
+  const auto* use = std::get_if<ast::NameUse>(&expr.node);
+  if (use == nullptr) {
+    return false;
+  }
+  if (const Named* named = scope.findNamed(use->name)) {
+    return named->type.position;
+  }
+  const Constant* constant = scope.findConstant(use->name);
+  return constant != nullptr && constant->position;
+}
+
+ExprLowering::Result ExprLowering::visit(const ast::NameUse& node, const ast::Expr& expr,
+                                         std::optional<ir::Type>) {
+  if (Named* named = scope_.findNamed(node.name)) {
+    if (named->type.path) {
+      named->read = true;
+      refusePath(expr);
+      return std::nullopt;
+    }
+    return variable(*named, expr.where);
+  }
+  if (const Constant* found = scope_.findConstant(node.name)) {
+    if (!found->worked_out) {
+      scope_.report(DiagnosticId::usedBeforeDefined, expr.where, node.name)
+          .note(found->name->where, "it is defined here");
+      return std::nullopt;
+    }
+    if (!found->path.empty()) {
+      refusePath(expr);
+      return std::nullopt;
+    }
+    return constant(*found, expr.where);
+  }
+  if (const auto which = findClock(node.name)) {
+    return clock(*which, expr.where);
+  }
+  if (const platforms::PlatformSensor* found = scope_.findSensor(node.name)) {
+    return sensor(*found, node.name, expr.where);
+  }
+  if (scope_.refused_names.contains(node.name)) {
+    return std::nullopt;  // its declaration was refused
+  }
+  if (node.name == "profiledone" || node.name == "routedone") {
+    return finished(node, expr.where);
+  }
+  return unknown(node, expr.where);
+}
+
+ExprLowering::Result ExprLowering::variable(Named& named, const support::SourceRange& range) {
+  named.read = true;
+  if (!named.valid) {
+    return std::nullopt;
+  }
+  if (!scope_.context.constant.empty()) {
+    scope_.report(DiagnosticId::notConstant, range, named.name->text, scope_.context.constant)
+        .note(named.name->where, fmt::format("it is {}", describe(named.kind)));
+    return std::nullopt;
+  }
+  if (scope_.context.at_start && named.kind != NamedKind::Parameter) {
+    scope_.report(DiagnosticId::notAtStart, range, named.name->text)
+        .note(named.name->where, fmt::format("it is {}", describe(named.kind)));
+    return std::nullopt;
+  }
+  if (!named.reached) {
+    scope_.report(DiagnosticId::usedBeforeDefined, range, named.name->text)
+        .note(named.name->where, "it is defined here");
+    return std::nullopt;
+  }
+  if (!named.arguments.empty()) {
+    Value value{paste(named.arguments.front(), scope_.mission), named.type.type, {}};
+    if (named.type.position) {
+      value.longitude = paste(named.arguments.back(), scope_.mission);
+    }
+    return value;
+  }
+  Value value = emit(ir::Op::Variable, named.type.type, range, {});
+  scope_.mission.exprs[value.id.index].variable = named.variable;
+  if (named.type.position) {
+    value.longitude = emit(ir::Op::Variable, longitude(), range, {}).id;
+    scope_.mission.exprs[value.longitude.index].variable = named.longitude;
+  }
+  return value;
+}
+
+ExprLowering::Result ExprLowering::sensor(const platforms::PlatformSensor& sensor,
+                                          const std::string& written,
+                                          const support::SourceRange& range) {
+  const ir::SensorId id = scope_.subscribe(sensor, written);
+  reads_.push_back({&sensor, written, range});
+  const ir::Type type = scope_.mission[id].type;
+  const Value value = emit(ir::Op::Sensor, type, range, {});
+  scope_.mission.exprs[value.id.index].sensor = id;
+  return value;
+}
+
+ExprLowering::Result ExprLowering::clock(Clock clock, const support::SourceRange& range) {
+  constexpr ir::Op kOps[] = {ir::Op::MissionTime, ir::Op::StateTime, ir::Op::ResumeTime};
+  return emit(kOps[static_cast<size_t>(clock)], quantity(support::dimension::time), range, {});
+}
+
+ExprLowering::Result ExprLowering::constant(const Constant& constant,
+                                            const support::SourceRange& range) {
+  if (!constant.valid) {
+    return std::nullopt;
+  }
+  if (constant.type.kind == ir::TypeKind::Bool) {
+    return emit(constant.number != 0 ? ir::Op::True : ir::Op::False, boolean(), range, {});
+  }
+  Value value = emitNumber(constant.number, constant.type, range);
+  if (constant.position) {
+    value.longitude = emitNumber(constant.second, longitude(), range).id;
+  }
+  return value;
+}
+
+ExprLowering::Result ExprLowering::finished(const ast::NameUse& node,
+                                            const support::SourceRange& range) {
+  const ir::State* state = scope_.context.activities;
+  if (state == nullptr) {
+    scope_.report(DiagnosticId::doneOutsideState, range, node.name);
+    return std::nullopt;
+  }
+  const bool profile = node.name == "profiledone";
+  const ir::Activity& activity = profile ? state->profile : state->route;
+  if (!activity.behaviour.valid()) {
+    return std::nullopt;  // it was refused, or there is none, and that was said
+  }
+  if (!activity.done.valid()) {
+    scope_
+        .report(DiagnosticId::neverDone, range, node.name,
+                profile ? "flightprofile" : "flightroute", scope_.mission[activity.behaviour].name)
+        .note(activity.range, "it is used here");
+    return emit(ir::Op::False, boolean(), range, {});
+  }
+  const Value value = emit(ir::Op::Variable, boolean(), range, {});
+  scope_.mission.exprs[value.id.index].variable = activity.done;
+  return value;
+}
+
+ExprLowering::Result ExprLowering::unknown(const ast::NameUse& node,
+                                           const support::SourceRange& range) {
+  if (scope_.refuseUnseen(node.name, range)) {
+    return std::nullopt;
+  }
+  const auto function = scope_.functions.find(node.name);
+  const std::string hint = function != scope_.functions.end()
+                               ? "it is a function: write `" + function->second.signature.text + "`"
+                           : isFunctionName(node.name) ? "it is a function: give it arguments"
+                           : scope_.states.contains(node.name)
+                               ? "`" + node.name + "` is a state: only `goto` and `call` take it"
+                           : scope_.behaviours.contains(node.name)
+                               ? "`" + node.name + "` says how the vehicle flies; it has no value"
+                               : scope_.suggestName(node.name);
+  scope_.report(DiagnosticId::unknownName, range, node.name, hint);
+  return std::nullopt;
+}
+
+}  // namespace glider::frontend

@@ -1,0 +1,286 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "frontend/bare_positions.h"
+#include "frontend/sema/expressions/evaluate.h"
+#include "frontend/sema/expressions/lower_expr.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace glider::frontend {
+
+using support::DiagnosticId;
+
+namespace {
+
+struct OperatorRow {
+  ir::Op op;
+  std::string_view text;
+};
+
+/// In the order of ast::BinaryOp.
+constexpr OperatorRow kOperators[] = {
+    {ir::Op::Multiply, "*"},  {ir::Op::Divide, "/"},        {ir::Op::Add, "+"},
+    {ir::Op::Subtract, "-"},  {ir::Op::Less, "<"},          {ir::Op::LessEqual, "<="},
+    {ir::Op::Greater, ">"},   {ir::Op::GreaterEqual, ">="}, {ir::Op::Equal, "=="},
+    {ir::Op::NotEqual, "!="}, {ir::Op::And, "&&"},          {ir::Op::Or, "||"}};
+
+const OperatorRow& rowOf(ast::BinaryOp op) {
+  return kOperators[static_cast<size_t>(op)];
+}
+
+bool isComparison(ast::BinaryOp op) {
+  return op >= ast::BinaryOp::Less && op <= ast::BinaryOp::NotEqual;
+}
+
+/// Both say that values rise, or both that they fall: `5 m < depth <= 10 m`.
+bool sameWay(ast::BinaryOp a, ast::BinaryOp b) {
+  const auto rises = [](ast::BinaryOp op) {
+    return op == ast::BinaryOp::Less || op == ast::BinaryOp::LessEqual;
+  };
+  const auto falls = [](ast::BinaryOp op) {
+    return op == ast::BinaryOp::Greater || op == ast::BinaryOp::GreaterEqual;
+  };
+  return (rises(a) && rises(b)) || (falls(a) && falls(b));
+}
+
+/// Whether a reading or a clock is in the expression.
+bool measured(const ir::Mission& mission, ir::ExprId id) {
+  const ir::Expr& expr = mission[id];
+  switch (expr.op) {
+    case ir::Op::Sensor:
+    case ir::Op::Age:
+    case ir::Op::MissionTime:
+    case ir::Op::StateTime:
+    case ir::Op::ResumeTime:
+      return true;
+    default:
+      return std::ranges::any_of(expr.operands, [&](ir::ExprId operand) {
+        return operand.valid() && measured(mission, operand);
+      });
+  }
+}
+
+}  // namespace
+
+ExprLowering::Result ExprLowering::visit(const ast::Binary& node, const ast::Expr& expr,
+                                         std::optional<ir::Type> want) {
+  const ir::Op op = rowOf(node.op).op;
+  switch (node.op) {
+    case ast::BinaryOp::And:
+    case ast::BinaryOp::Or:
+      return condition(op, node, expr);
+    case ast::BinaryOp::Add:
+    case ast::BinaryOp::Subtract:
+      return sum(op, node, expr, want);
+    case ast::BinaryOp::Multiply:
+    case ast::BinaryOp::Divide:
+      return scaling(op, node, expr);
+    default:
+      return comparison(op, node, expr);
+  }
+}
+
+ExprLowering::Result ExprLowering::visit(const ast::Unary& node, const ast::Expr& expr,
+                                         std::optional<ir::Type> want) {
+  if (node.op == ast::UnaryOp::Not) {
+    const auto operand = lowerCondition(*node.operand);
+    return operand ? Result(emit(ir::Op::Not, boolean(), expr.where, {*operand})) : std::nullopt;
+  }
+  if (const auto* literal = std::get_if<ast::Literal>(&node.operand->node)) {
+    if (literal->unit.empty()) {
+      return bareLiteral(*literal, expr.where, want, true);
+    }
+  }
+  const Result operand = lower(*node.operand, want);
+  if (!operand) {
+    return std::nullopt;
+  }
+  const auto* literal = std::get_if<ast::Literal>(&node.operand->node);
+  const bool earth =
+      operand->type.kind == ir::TypeKind::Latitude || operand->type.kind == ir::TypeKind::Longitude;
+  if (literal != nullptr && earth) {
+    // No fix: `-73.8 W` is 73.8 W to most pilots, and 73.8 E to arithmetic.
+    constexpr std::string_view kLetters = "NSEW";
+    constexpr std::string_view kOpposite = "SNWE";
+    scope_.report(DiagnosticId::signAndLetter, expr.where, scope_.text(expr.where), literal->digits,
+                  literal->unit, kOpposite[kLetters.find(literal->unit)]);
+    return std::nullopt;
+  }
+  if (!numeric(*operand, *node.operand, "-", false)) {
+    return std::nullopt;
+  }
+  return emit(ir::Op::Negate, operand->type, expr.where, {operand->id});
+}
+
+bool ExprLowering::numeric(const Value& value, const ast::Expr& expr, std::string_view op,
+                           bool earth) {
+  if (value.longitude.valid() ||
+      (!earth && value.type.kind != ir::TypeKind::Quantity && value.type != boolean())) {
+    scope_.report(DiagnosticId::positionArithmetic, expr.where, scope_.text(expr.where),
+                  value.longitude.valid() ? "a position" : describe(value.type), op);
+    return false;
+  }
+  if (value.type == boolean()) {
+    scope_.report(DiagnosticId::conditionAsNumber, expr.where, scope_.text(expr.where), op);
+    return false;
+  }
+  return true;
+}
+
+ExprLowering::Result ExprLowering::condition(ir::Op op, const ast::Binary& node,
+                                             const ast::Expr& expr) {
+  const auto left = lowerCondition(*node.left);
+  const auto right = lowerCondition(*node.right);
+  if (!left || !right) {
+    return std::nullopt;
+  }
+  return emit(op, boolean(), expr.where, {*left, *right});
+}
+
+std::optional<ExprLowering::Pair> ExprLowering::alike(const ast::Expr& left, const ast::Expr& right,
+                                                      std::optional<ir::Type> want,
+                                                      std::string_view op) {
+  // The side that has a unit of its own goes first, and the bare numbers of the other take it.
+  const bool rightFirst = takesUnitOfContext(left) && !takesUnitOfContext(right);
+  const ast::Expr& first = rightFirst ? right : left;
+  const ast::Expr& second = rightFirst ? left : right;
+  const bool bothBare = takesUnitOfContext(left) && takesUnitOfContext(right);
+  const Result one = lower(first, bothBare || takesUnitOfContext(first) ? want : std::nullopt);
+  if (!one && takesUnitOfContext(second)) {
+    return std::nullopt;  // a bare number beside something wrong: nothing to say of it
+  }
+  const Result two = lower(second, one ? std::optional(one->type) : want);
+  if (!one || !two) {
+    return std::nullopt;
+  }
+  if (one->longitude.valid() != two->longitude.valid() || one->type != two->type) {
+    const Value& l = rightFirst ? *two : *one;
+    const Value& r = rightFirst ? *one : *two;
+    auto say = [](const Value& v) {
+      return v.longitude.valid() ? std::string("a position") : describe(v.type);
+    };
+    scope_.report(DiagnosticId::typesDiffer,
+                  support::SourceRange{left.where.file, left.where.begin, right.where.end},
+                  scope_.text(left.where), say(l), scope_.text(right.where), say(r), op);
+    return std::nullopt;
+  }
+  return rightFirst ? Pair{*two, *one} : Pair{*one, *two};
+}
+
+bool ExprLowering::sideBySide(const ast::Binary& node, const ast::Expr& expr) {
+  const auto* unary = std::get_if<ast::Unary>(&node.left->node);
+  const bool negative = unary != nullptr && unary->op == ast::UnaryOp::Negate;
+  const auto* first =
+      std::get_if<ast::Literal>(negative ? &unary->operand->node : &node.left->node);
+  const auto* second = std::get_if<ast::Literal>(&node.right->node);
+  if (node.op != ast::BinaryOp::Subtract || first == nullptr || second == nullptr ||
+      !first->unit.empty() || !second->unit.empty()) {
+    return false;
+  }
+  // `(3910.6) - 7349.9` says that a difference is meant.
+  const std::string gap = scope_.text({expr.where.file, node.left->where.end, node.op_where.begin});
+  if (gap.find(')') != std::string::npos) {
+    return false;
+  }
+  const bool before = node.op_where.begin > node.left->where.end;
+  const bool after = node.right->where.begin > node.op_where.end;
+  const auto better = pairWithLetters({first->digits, negative}, {second->digits, true});
+  if (!better || !isPairByLooks(first->digits, second->digits, before, after)) {
+    return false;
+  }
+  scope_.report(DiagnosticId::barePosition, expr.where, scope_.text(expr.where),
+                fmt::format("`{}`; if a difference is meant, `({}) - {}`", *better,
+                            scope_.text(node.left->where), second->digits));
+  return true;
+}
+
+ExprLowering::Result ExprLowering::sum(ir::Op op, const ast::Binary& node, const ast::Expr& expr,
+                                       std::optional<ir::Type> want) {
+  const std::string_view text = rowOf(node.op).text;
+  if (sideBySide(node, expr)) {
+    return std::nullopt;
+  }
+  const auto pair = alike(*node.left, *node.right, want, text);
+  if (!pair || !numeric(pair->left, *node.left, text, false)) {
+    return std::nullopt;
+  }
+  return emit(op, pair->left.type, expr.where, {pair->left.id, pair->right.id});
+}
+
+ExprLowering::Result ExprLowering::scaling(ir::Op op, const ast::Binary& node,
+                                           const ast::Expr& expr) {
+  const std::string_view text = rowOf(node.op).text;
+  const Result left = lower(*node.left, std::nullopt);
+  const Result right = lower(*node.right, std::nullopt);
+  if (!left || !right || !numeric(*left, *node.left, text, false) ||
+      !numeric(*right, *node.right, text, false)) {
+    return std::nullopt;
+  }
+  const bool divides = op == ir::Op::Divide;
+  const auto dimension = divides ? support::quotient(left->type.dimension, right->type.dimension)
+                                 : support::product(left->type.dimension, right->type.dimension);
+  if (!dimension) {
+    scope_.report(DiagnosticId::noSuchQuantity, expr.where, scope_.text(expr.where));
+    return std::nullopt;
+  }
+  if (divides && evaluate(scope_.mission, right->id) == 0.0) {
+    scope_.report(DiagnosticId::divisionByZero, node.right->where, scope_.text(node.right->where));
+    return std::nullopt;
+  }
+  return emit(op, quantity(*dimension), expr.where, {left->id, right->id});
+}
+
+bool ExprLowering::chained(const ast::Binary& node, const ast::Expr& expr) {
+  const auto* unary = std::get_if<ast::Unary>(&node.left->node);
+  if (unary != nullptr && unary->op == ast::UnaryOp::Not) {
+    const std::string first = scope_.text(unary->operand->where);
+    const std::string second = scope_.text(node.right->where);
+    scope_.report(DiagnosticId::notBeforeComparison, expr.where, first, rowOf(node.op).text, second)
+        .fix(expr.where, fmt::format("!({} {} {})", first, rowOf(node.op).text, second));
+    return true;
+  }
+  const auto* inner = std::get_if<ast::Binary>(&node.left->node);
+  if (inner == nullptr || !isComparison(inner->op)) {
+    return false;
+  }
+  const std::string first = scope_.text(node.left->where);
+  const std::string second = fmt::format("{} {} {}", scope_.text(inner->right->where),
+                                         rowOf(node.op).text, scope_.text(node.right->where));
+  auto report = scope_.report(DiagnosticId::chainedComparison, expr.where, scope_.text(expr.where),
+                              first, second);
+  if (sameWay(inner->op, node.op)) {
+    // In parentheses: a `not` before it reaches over the whole.
+    report.fix(expr.where, "(" + first + " && " + second + ")");
+  }
+  return true;
+}
+
+ExprLowering::Result ExprLowering::comparison(ir::Op op, const ast::Binary& node,
+                                              const ast::Expr& expr) {
+  if (chained(node, expr)) {
+    return std::nullopt;
+  }
+  const std::string_view text = rowOf(node.op).text;
+  const auto pair = alike(*node.left, *node.right, std::nullopt, text);
+  if (!pair || !numeric(pair->left, *node.left, text, true)) {
+    return std::nullopt;
+  }
+  warnOfEquality(op, pair->left, pair->right, node);
+  return emit(op, boolean(), expr.where, {pair->left.id, pair->right.id});
+}
+
+void ExprLowering::warnOfEquality(ir::Op op, const Value& left, const Value& right,
+                                  const ast::Binary& node) {
+  const bool equality = op == ir::Op::Equal || op == ir::Op::NotEqual;
+  if (!equality || !(measured(scope_.mission, left.id) || measured(scope_.mission, right.id))) {
+    return;
+  }
+  scope_.report(DiagnosticId::measuredEquality, node.op_where,
+                op == ir::Op::Equal ? "==" : "!=", op == ir::Op::Equal ? "true" : "false");
+}
+
+}  // namespace glider::frontend

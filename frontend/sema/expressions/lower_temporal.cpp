@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "frontend/sema/expressions/evaluate.h"
+#include "frontend/sema/expressions/lower_expr.h"
+
+#include <fmt/format.h>
+
+namespace glider::frontend {
+
+using support::DiagnosticId;
+
+/// `became(g)` and `held(g, 30 s)`.
+ExprLowering::Result ExprLowering::overTime(ir::TemporalKind kind, const ast::Invocation& node,
+                                            const ast::Expr& expr) {
+  const bool held = kind == ir::TemporalKind::Held;
+  if (!scope_.context.list) {
+    scope_.report(DiagnosticId::overTimeNowhere, expr.where, node.function.text);
+    return std::nullopt;
+  }
+  const size_t wanted = held ? 2 : 1;
+  if (node.arguments.size() != wanted) {
+    scope_.report(DiagnosticId::wrongArgumentCount, expr.where, node.function.text,
+                  held ? "2 arguments" : "1 argument",
+                  node.arguments.empty() ? "none"
+                                         : fmt::format("{} argument{}", node.arguments.size(),
+                                                       node.arguments.size() == 1 ? "" : "s"),
+                  held ? "write `held(condition, 30 s)`" : "write `became(condition)`");
+    return std::nullopt;
+  }
+  ir::Temporal temporal;
+  temporal.kind = kind;
+  temporal.list = *scope_.context.list;
+  temporal.state = scope_.context.state;
+  temporal.range = expr.where;
+  const auto operand = lowerCondition(*node.arguments.front().value);
+  if (held) {
+    const ast::Expr& time = *node.arguments.back().value;
+    const auto duration = lowerAs(time, quantity(support::dimension::time), "the time of `held`");
+    if (!duration) {
+      return std::nullopt;
+    }
+    const auto known = evaluate(scope_.mission, *duration);
+    if (known && !(*known > 0)) {
+      scope_.report(DiagnosticId::heldNotPositive, time.where, scope_.text(time.where));
+      return std::nullopt;
+    }
+    temporal.duration = *duration;
+  }
+  if (!operand) {
+    return std::nullopt;
+  }
+  temporal.operand = *operand;
+  scope_.mission.temporals.push_back(temporal);
+  const Value value = emit(ir::Op::Temporal, boolean(), expr.where, {});
+  scope_.mission.exprs[value.id.index].temporal = {
+      static_cast<uint32_t>(scope_.mission.temporals.size() - 1)};
+  return value;
+}
+
+}  // namespace glider::frontend

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "frontend/sema/expressions/lower_expr.h"
+#include "frontend/sema/names/functions.h"
+
+#include <fmt/format.h>
+
+namespace glider::frontend {
+
+using support::DiagnosticId;
+
+/// `mean(x, 60 s)`, `slope(x, 10 m of depth)`.
+ExprLowering::Result ExprLowering::window(const ast::Invocation& node, const ast::Expr& expr) {
+  const std::string& name = node.function.text;
+  if (!scope_.context.list) {
+    scope_.report(DiagnosticId::overTimeNowhere, expr.where, name);
+    return std::nullopt;
+  }
+  const std::string form = name + (name == "slope" ? "(x, 10 m of depth)" : "(x, 60 s)");
+  if (node.arguments.size() != 2) {
+    const size_t count = node.arguments.size();
+    scope_.report(DiagnosticId::wrongArgumentCount, expr.where, name, "2 arguments",
+                  count == 0   ? "none"
+                  : count == 1 ? "1 argument"
+                               : std::to_string(count) + " arguments",
+                  "write `" + form + "`");
+    return std::nullopt;
+  }
+  if (const ast::Argument& first = node.arguments.front(); first.of) {
+    scope_.report(DiagnosticId::ofOutsideWindow, first.of->where, scope_.text(first.value->where));
+    return std::nullopt;
+  }
+  const ast::Argument& over = node.arguments.back();
+  if (name == (over.of ? "rate" : "slope")) {
+    scope_.report(DiagnosticId::rateOrSlope, expr.where, name, over.of ? "a time" : "a distance",
+                  over.of ? "a distance" : "no distance", over.of ? "slope" : "rate");
+    return std::nullopt;
+  }
+  const ast::Expr& watched = *node.arguments.front().value;
+  const Result operand = lower(watched, std::nullopt);
+  const auto shape = windowLength(over, name);
+  if (!operand || !shape || !numeric(*operand, watched, name, false)) {
+    return std::nullopt;
+  }
+  return emitWindow(name, *operand, *shape, expr.where);
+}
+
+std::optional<ExprLowering::WindowLength> ExprLowering::windowLength(const ast::Argument& over,
+                                                                     std::string_view function) {
+  WindowLength result{0, {}, support::dimension::time};
+  if (over.of) {
+    const platforms::PlatformSensor* along = scope_.findSensor(over.of->text);
+    if (along == nullptr || along->kind != platforms::SensorKind::Quantity) {
+      if (!scope_.refused_names.contains(over.of->text)) {
+        scope_.report(DiagnosticId::stretchOfWhat, over.of->where, over.of->text);
+      }
+      return std::nullopt;
+    }
+    const Result value = sensor(*along, over.of->text, over.of->where);
+    if (!value) {
+      return std::nullopt;
+    }
+    result.along = value->id;
+    result.dimension = value->type.dimension;
+  }
+  const auto length =
+      positiveConstant(*over.value, quantity(result.dimension),
+                       {fmt::format("the length of `{}`", function),
+                        "it is the length of a window here", DiagnosticId::windowLength});
+  if (!length) {
+    return std::nullopt;
+  }
+  result.length = *length;
+  return result;
+}
+
+ExprLowering::Result ExprLowering::emitWindow(std::string_view name, const Value& operand,
+                                              const WindowLength& length,
+                                              const support::SourceRange& range) {
+  ir::Temporal temporal;
+  temporal.kind = *findWindow(name);
+  temporal.list = *scope_.context.list;
+  temporal.state = scope_.context.state;
+  temporal.operand = operand.id;
+  temporal.length = length.length;
+  temporal.along = length.along;
+  temporal.range = range;
+  ir::Type type = operand.type;
+  if (temporal.kind == ir::TemporalKind::Slope) {
+    const auto dimension = support::quotient(type.dimension, length.dimension);
+    if (!dimension) {
+      return std::nullopt;
+    }
+    type = quantity(*dimension);
+  }
+  scope_.mission.temporals.push_back(temporal);
+  const Value value = emit(ir::Op::Temporal, type, range, {});
+  scope_.mission.exprs[value.id.index].temporal = {
+      static_cast<uint32_t>(scope_.mission.temporals.size() - 1)};
+  return value;
+}
+
+}  // namespace glider::frontend

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "frontend/sema/names/functions.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace glider::frontend {
+namespace {
+
+struct WindowFunction {
+  std::string_view name;
+  ir::TemporalKind kind;
+};
+
+constexpr Function kFunctions[] = {
+#define FUNCTION(name, op, fewest, most) {#name, ir::Op::op, fewest, most},
+#include "frontend/sema/names/functions.def"
+};
+
+constexpr std::string_view kEarth[] = {
+#define EARTH_FUNCTION(name) #name,
+#include "frontend/sema/names/functions.def"
+};
+
+constexpr WindowFunction kWindows[] = {
+#define WINDOW_FUNCTION(name, kind) {#name, ir::TemporalKind::kind},
+#include "frontend/sema/names/functions.def"
+};
+
+}  // namespace
+
+const Function* findFunction(std::string_view name) {
+  const auto* found = std::ranges::find(kFunctions, name, &Function::name);
+  return found == std::end(kFunctions) ? nullptr : found;
+}
+
+std::optional<ir::TemporalKind> findWindow(std::string_view name) {
+  const auto* found = std::ranges::find(kWindows, name, &WindowFunction::name);
+  return found == std::end(kWindows) ? std::nullopt : std::optional(found->kind);
+}
+
+bool isEarthFunction(std::string_view name) {
+  return std::ranges::find(kEarth, name) != std::end(kEarth);
+}
+
+bool isFunctionName(std::string_view name) {
+  return std::ranges::find(functionNames(), name) != functionNames().end();
+}
+
+const std::vector<std::string_view>& functionNames() {
+  static const std::vector<std::string_view> names = {
+#define FUNCTION(name, op, fewest, most) #name,
+#define EARTH_FUNCTION(name) #name,
+#define SPAN_FUNCTION(name) #name,
+#define WINDOW_FUNCTION(name, kind) #name,
+#include "frontend/sema/names/functions.def"
+  };
+  return names;
+}
+
+}  // namespace glider::frontend

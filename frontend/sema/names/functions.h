@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "ir/core/mission.h"
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace glider::frontend {
+
+/// A function of expressions whose value is one operation.
+struct Function {
+  std::string_view name;
+  ir::Op op;
+  size_t fewest;  ///< arguments
+  size_t most;
+};
+
+/// The function of one operation that `name` is; null if none.
+const Function* findFunction(std::string_view name);
+
+/// What `name` is over a window: mean, lowest, highest, spread, rate, slope.
+std::optional<ir::TemporalKind> findWindow(std::string_view name);
+
+/// Whether `name` is a function that takes places.
+bool isEarthFunction(std::string_view name);
+
+/// Whether `name` is a function of expressions, of whatever sort.
+bool isFunctionName(std::string_view name);
+
+/// All of them.
+const std::vector<std::string_view>& functionNames();
+
+}  // namespace glider::frontend

@@ -1,0 +1,244 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "frontend/sema/names/scope.h"
+
+#include "frontend/sema/names/functions.h"
+#include "frontend/spelling.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace glider::frontend {
+
+using support::DiagnosticId;
+
+namespace {
+
+constexpr std::string_view kClocks[] = {"missiontime", "statetime", "resumetime"};
+
+}  // namespace
+
+std::optional<Clock> findClock(std::string_view name) {
+  for (size_t i = 0; i < std::size(kClocks); ++i) {
+    if (name == kClocks[i]) {
+      return static_cast<Clock>(i);
+    }
+  }
+  return std::nullopt;
+}
+
+std::string Scope::text(const support::SourceRange& range) const {
+  constexpr size_t kLongest = 60;
+  std::string out;
+  bool comment = false;
+  for (char c : inputs_.sources.text(range)) {
+    comment = c == '#' || (comment && c != '\n');
+    const bool blank = comment || c == ' ' || c == '\t' || c == '\n' || c == '\r';
+    if (!blank) {
+      out += c;
+    } else if (!out.empty() && out.back() != ' ') {
+      out += ' ';
+    }
+  }
+  return out.size() > kLongest ? out.substr(0, kLongest) + "…" : out;
+}
+
+const platforms::PlatformSensor* Scope::findSensor(std::string_view name) {
+  if (findNamed(name) != nullptr) {
+    return nullptr;
+  }
+  if (const auto own = own_sensors.find(name); own != own_sensors.end()) {
+    return own->second.usable ? &own->second.sensor : nullptr;
+  }
+  return platform().find(name);
+}
+
+std::string Scope::suggestSensor(std::string_view wrong) const {
+  std::vector<std::string_view> known(std::begin(kClocks), std::end(kClocks));
+  for (const auto& [name, sensor] : own_sensors) {
+    known.push_back(name);
+  }
+  for (const platforms::PlatformSensor& sensor : platform().sensors) {
+    known.push_back(sensor.alias.empty() ? sensor.name : sensor.alias);
+  }
+  for (const platforms::PlatformSensor& sensor : platform().sensors) {
+    known.push_back(sensor.name);
+  }
+  return didYouMean(wrong, known, "its sensors stand in platforms/" + platform().name + ".toml");
+}
+
+std::string Scope::suggestName(std::string_view wrong) const {
+  std::vector<std::string_view> known;
+  for (const Names* list : visibleNames()) {
+    for (const auto& [name, named] : *list) {
+      known.push_back(name);
+    }
+  }
+  for (const auto& [name, constant] : constants) {
+    if (!context.isolated) {
+      known.push_back(name);
+    }
+  }
+  const std::string near = didYouMean(wrong, known, "");
+  return near.empty() ? suggestSensor(wrong) : near;
+}
+
+std::string Scope::takenBy(std::string_view name) const {
+  if (findClock(name)) {
+    return "a clock";
+  }
+  if (platform().find(name) != nullptr) {
+    return "a sensor of platform `" + platform().name + "`";
+  }
+  if (isFunctionName(name)) {
+    return "a function";
+  }
+  return name == "profiledone" || name == "routedone" ? "a word of the language" : "";
+}
+
+bool Scope::refuseUnseen(std::string_view name, const support::SourceRange& range) {
+  if (context.isolated) {
+    const auto constant = constants.find(name);
+    const auto named = names.find(name);
+    const ast::Name* there = constant != constants.end() ? constant->second.name
+                             : named != names.end()      ? named->second.name
+                                                         : nullptr;
+    if (there != nullptr) {
+      report(DiagnosticId::ofTheMission, range, name).note(there->where, "it is defined here");
+    }
+    return there != nullptr;
+  }
+  for (const StateDeclaration& state : state_declarations) {
+    if (const auto found = state.names.find(name); found != state.names.end()) {
+      report(DiagnosticId::ofAnotherState, range, name, state.node->name.text)
+          .note(found->second.name->where, "it is defined here");
+      return true;
+    }
+  }
+  return false;
+}
+
+bool Scope::refuseName(const ast::Name& name, std::string_view owner) {
+  if (isUnitName(name.text)) {
+    report(DiagnosticId::unitAsName, name.where, name.text, owner);
+    return true;
+  }
+  const std::string what = takenBy(name.text);
+  if (!what.empty()) {
+    report(DiagnosticId::nameTaken, name.where, name.text, what);
+    refused_names.insert(name.text);
+  }
+  return !what.empty();
+}
+
+bool Scope::refuseSecond(const ast::Name& name) {
+  const Named* named = findNamed(name.text);
+  const Constant* constant = findConstant(name.text);
+  const ast::Name* first = named != nullptr      ? named->name
+                           : constant != nullptr ? constant->name
+                                                 : findExternal(name.text);
+  if (first == nullptr) {
+    return false;
+  }
+  report(DiagnosticId::duplicateName, name.where, name.text)
+      .note(first->where, "the first is here");
+  return true;
+}
+
+Named* Scope::findNamed(std::string_view name) {
+  if (context.names != nullptr) {
+    if (const auto own = context.names->find(name); own != context.names->end()) {
+      return &own->second;
+    }
+  }
+  const auto found = context.isolated ? names.end() : names.find(name);
+  return found == names.end() ? nullptr : &found->second;
+}
+
+const Constant* Scope::findConstant(std::string_view name) const {
+  const auto found = context.isolated ? constants.end() : constants.find(name);
+  return found == constants.end() ? nullptr : &found->second;
+}
+
+const ast::Name* Scope::findExternal(std::string_view name) const {
+  const auto sensor = own_sensors.find(name);
+  const auto function = functions.find(name);
+  // The names of a behaviour are its own: an `extern` elsewhere does not take one from it.
+  if (context.isolated) {
+    return nullptr;
+  }
+  return sensor != own_sensors.end()   ? sensor->second.name
+         : function != functions.end() ? function->second.name
+                                       : nullptr;
+}
+
+std::vector<const Names*> Scope::visibleNames() const {
+  std::vector<const Names*> lists;
+  if (context.names != nullptr) {
+    lists.push_back(context.names);
+  }
+  if (!context.isolated) {
+    lists.push_back(&names);
+  }
+  return lists;
+}
+
+std::string Scope::freshName(std::string wish) {
+  while (!variable_names_.insert(wish).second) {
+    wish += '_';
+  }
+  return wish;
+}
+
+std::optional<DeclaredType> Scope::declaredType(const ast::TypeName& name,
+                                                std::string_view holder) {
+  if (const auto found = findType(name.text)) {
+    if (!found->path || holder.empty()) {
+      return found;
+    }
+    report(DiagnosticId::pathElsewhere, name.where, holder);
+    return std::nullopt;
+  }
+  static const std::vector<std::string_view> kTypes = {
+      "bool", "latitude", "longitude", "position", "path",
+#define DIMENSION(name, m, kg, s, a, k, rad, unit) #name,
+#include "support/units/dimensions.def"
+#undef DIMENSION
+  };
+  std::string all;
+  for (std::string_view type : kTypes) {
+    all += (all.empty() ? "types: " : ", ") + std::string(type);
+  }
+  report(DiagnosticId::unknownType, name.where, name.text, didYouMean(name.text, kTypes, all));
+  return std::nullopt;
+}
+
+Signature Scope::signatureOf(const ast::Name& name, std::span<const ast::Formal> formals,
+                             std::string_view holder) {
+  Signature result;
+  for (const ast::Formal& formal : formals) {
+    result.text += fmt::format("{}{}: {}", result.text.empty() ? "" : ", ", formal.name.text,
+                               formal.type.text);
+  }
+  result.text = name.text + (result.text.empty() ? "" : "(" + result.text + ")");
+  for (const ast::Formal& formal : formals) {
+    const auto type = declaredType(formal.type, holder);
+    result.valid = result.valid && type.has_value();
+    const DeclaredType known = type.value_or(DeclaredType{plainNumber(), false});
+    result.formals.push_back({&formal.name, known});
+    if (known.path) {
+      continue;
+    }
+    if (known.position) {
+      result.slots.push_back({formal.name.text + ".latitude", latitude()});
+      result.slots.push_back({formal.name.text + ".longitude", longitude()});
+    } else {
+      result.slots.push_back({formal.name.text, known.type});
+    }
+  }
+  return result;
+}
+
+}  // namespace glider::frontend

@@ -1,0 +1,209 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "frontend/frontend.h"
+#include "frontend/sema/names/names.h"
+#include "frontend/sema/names/paths.h"
+#include "frontend/sema/names/types.h"
+#include "ir/core/c_symbols.h"
+
+#include <map>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace glider::frontend {
+
+/// An `inside(…)` whose corners are all known now.
+struct KnownArea {
+  support::SourceRange range;  ///< of the text
+  ir::Fence area;
+};
+
+/// A `const`, worked out.
+struct Constant {
+  const ast::Name* name = nullptr;
+  ir::Type type;
+  bool position = false;  ///< `number` is the latitude, `second` the longitude
+  double number = 0;      ///< SI units or degrees; 1 and 0 for true and false
+  double second = 0;
+  Path path;                ///< not empty: a path, and nothing else
+  bool worked_out = false;  ///< its definition was reached
+  bool valid = false;       ///< worked out, and right; what was wrong was said
+};
+
+/// A flightprofile or flightroute that a mission may use.
+struct BehaviourDeclaration {
+  const ast::Name* name = nullptr;
+  ir::BehaviourKind kind = ir::BehaviourKind::Profile;
+  const ast::Behaviour* body = nullptr;  ///< null: a C function
+  Signature signature;
+  std::vector<const platforms::PlatformSensor*> reads;
+  bool usable = true;  ///< false: its declaration was refused, and said to be so
+  ir::BehaviourId id;  ///< once the mission uses it
+};
+
+/// A C function that expressions may call.
+struct FunctionDeclaration {
+  const ast::Name* name = nullptr;
+  Signature signature;
+  ir::Type result;
+  double lowest = -ir::Variable::kEndless;  ///< a result outside is unknown
+  double highest = ir::Variable::kEndless;
+  bool usable = true;  ///< false: its declaration was refused, and said to be so
+};
+
+/// A sensor of the SBC's own.
+struct OwnSensor {
+  const ast::Name* name = nullptr;
+  platforms::PlatformSensor sensor;  ///< in SI units or degrees; `unit` is left empty
+  bool usable = true;                ///< false: its declaration was refused, and said to be so
+};
+
+/// A state, known before any is lowered, so that cases may name those that come later.
+struct StateDeclaration {
+  const ast::State* node = nullptr;
+  Signature signature;
+  std::vector<ir::VariableId> parameters;
+  Names names;  ///< its parameters and variables
+};
+
+/// The three clocks of the language: names that every mission has.
+enum class Clock : uint8_t { MissionTime, StateTime, ResumeTime };
+std::optional<Clock> findClock(std::string_view name);
+
+/// What analysis knows: the names of a mission, and the mission as far as it is lowered.
+class Scope {
+ public:
+  Scope(const AnalysisInputs& inputs, support::DiagnosticEngine& diagnostics)
+      : inputs_(inputs), diagnostics_(diagnostics) {}
+
+  /// Reports; in the body of a behaviour that is lowered for a use of it, a warning is dropped (it
+  /// was given at the definition) and an error names the use.
+  template <typename... Args>
+  support::DiagnosticBuilder report(support::DiagnosticId id, const support::SourceRange& range,
+                                    Args&&... args) {
+    if (!context.use) {
+      return diagnostics_.report(id, range, std::forward<Args>(args)...);
+    }
+    if (support::catalogueRow(id).severity != support::Severity::Error) {
+      return support::DiagnosticBuilder(dropped_ = {});
+    }
+    auto builder = diagnostics_.report(id, range, std::forward<Args>(args)...);
+    builder.note(*context.use, "with what is given here");
+    return builder;
+  }
+  /// The source text of `range` on one line, shortened.
+  [[nodiscard]] std::string text(const support::SourceRange& range) const;
+  [[nodiscard]] const platforms::Platform& platform() const { return inputs_.platform; }
+  [[nodiscard]] support::DiagnosticEngine& diagnostics() { return diagnostics_; }
+
+  /// The sensor that `name` means in `context`, the vehicle's or the SBC's own; null if none, or if
+  /// its declaration was refused (`refused_names`).
+  [[nodiscard]] const platforms::PlatformSensor* findSensor(std::string_view name);
+  /// The mission's entry of a C function, made on first use.
+  ir::FunctionId function(const FunctionDeclaration& declaration);
+  /// The mission's subscription of a sensor, made on first use; `written` is how the mission calls
+  /// it.
+  ir::SensorId subscribe(const platforms::PlatformSensor& sensor, std::string_view written);
+  /// The mission's table of these values, made on first use.
+  ir::TableId table(ir::Table table);
+  /// The mission's use of a behaviour, made on first use.
+  ir::BehaviourId use(BehaviourDeclaration& declaration);
+  /// All that is declared in C.
+  [[nodiscard]] ir::CInterface declaredInC() const;
+  /// "did you mean `temp`?" over sensors, clocks and constants.
+  [[nodiscard]] std::string suggestName(std::string_view wrong) const;
+  [[nodiscard]] std::string suggestSensor(std::string_view wrong) const;
+  /// What every mission has under this name, "a clock"; empty: nothing.
+  [[nodiscard]] std::string takenBy(std::string_view name) const;
+  /// True, and reported, if `name` is a value that is not seen from `context`.
+  bool refuseUnseen(std::string_view name, const support::SourceRange& range);
+  /// True, and reported, if no value may be called `name` because a unit, sensor, clock or function
+  /// is.
+  bool refuseName(const ast::Name& name, std::string_view owner);
+  /// True, and reported, if a constant, parameter, variable or `extern` that is seen from `context`
+  /// is called so.
+  bool refuseSecond(const ast::Name& name);
+  /// The parameter or variable that `name` means in `context`; null if none.
+  Named* findNamed(std::string_view name);
+  /// The constant that `name` means in `context`; null if none.
+  const Constant* findConstant(std::string_view name) const;
+  /// The parameters and variables that are seen from `context`.
+  [[nodiscard]] std::vector<const Names*> visibleNames() const;
+  /// `wish`, or if a variable has that name already, one like it that none has.
+  std::string freshName(std::string wish);
+  /// The type that is written; empty, and reported, if there is none of that name, or if it is a
+  /// path and `holder`, which has it, cannot: "a variable". An empty holder can.
+  std::optional<DeclaredType> declaredType(const ast::TypeName& name, std::string_view holder);
+  /// Types the parameters of `name`, each `holder`; they must outlive the signature. Their names
+  /// are checked by whoever enters them.
+  Signature signatureOf(const ast::Name& name, std::span<const ast::Formal> formals,
+                        std::string_view holder);
+
+  /// Lowers into an empty mission for as long as it lives: what is checked is not compiled.
+  class Scratch {
+   public:
+    explicit Scratch(Scope& scope) : scope_(scope) { swap(); }
+    Scratch(const Scratch&) = delete;
+    Scratch& operator=(const Scratch&) = delete;
+    ~Scratch() { swap(); }
+
+   private:
+    void swap() {
+      std::swap(scope_.mission, mission_);
+      std::swap(scope_.subscribed_, subscribed_);
+      std::swap(scope_.variable_names_, variable_names_);
+    }
+    Scope& scope_;
+    ir::Mission mission_;
+    std::map<uint16_t, ir::SensorId> subscribed_;
+    std::set<std::string, std::less<>> variable_names_;
+  };
+
+  /// Changes the context for as long as it lives.
+  class Within {
+   public:
+    Within(Scope& scope, Context context)
+        : scope_(scope), before_(std::exchange(scope.context, std::move(context))) {}
+    Within(const Within&) = delete;
+    Within& operator=(const Within&) = delete;
+    ~Within() { scope_.context = std::move(before_); }
+
+   private:
+    Scope& scope_;
+    Context before_;
+  };
+
+  ir::Mission mission;
+  std::map<uint32_t, KnownArea> areas;  ///< by the expression that asks whether it is kept
+  Context context;
+  std::map<std::string, Constant, std::less<>> constants;
+  Names names;  ///< the mission's parameters and variables
+  std::set<std::string, std::less<>>
+      refused_names;  ///< declared, but refused: uses say nothing more
+  std::map<std::string, FunctionDeclaration, std::less<>> functions;
+  static constexpr size_t kMostOwnSensors = 64;
+  std::map<std::string, OwnSensor, std::less<>> own_sensors;
+  std::map<std::string, ir::StateId, std::less<>> states;
+  std::vector<StateDeclaration> state_declarations;  ///< by StateId
+  std::map<std::string, BehaviourDeclaration, std::less<>> behaviours;
+
+ private:
+  /// The `extern sensor` or `extern function` that keeps others from being called `name`.
+  [[nodiscard]] const ast::Name* findExternal(std::string_view name) const;
+
+  const AnalysisInputs& inputs_;
+  support::DiagnosticEngine& diagnostics_;
+  support::Diagnostic dropped_;
+  std::map<uint16_t, ir::SensorId> subscribed_;
+  std::set<std::string, std::less<>> variable_names_;
+};
+
+}  // namespace glider::frontend

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "frontend/sema/states/lower_use.h"
+
+#include "frontend/sema/expressions/lower_arguments.h"
+#include "frontend/sema/states/lower_behaviour.h"
+#include "frontend/sema/states/lower_state.h"
+#include "frontend/spelling.h"
+
+namespace glider::frontend {
+
+using support::DiagnosticId;
+
+std::string_view word(ir::BehaviourKind kind) {
+  return kind == ir::BehaviourKind::Profile ? "flightprofile" : "flightroute";
+}
+
+BehaviourDeclaration* findBehaviour(const ast::Use& use, ir::BehaviourKind kind, Scope& scope) {
+  const auto found = scope.behaviours.find(use.name.text);
+  if (found == scope.behaviours.end()) {
+    std::vector<std::string_view> names;
+    for (const auto& [name, declaration] : scope.behaviours) {
+      if (declaration.kind == kind) {
+        names.push_back(name);
+      }
+    }
+    std::string all;
+    for (std::string_view name : names) {
+      all += (all.empty() ? "there are: " : ", ") + std::string(name);
+    }
+    scope.report(DiagnosticId::unknownProfileOrRoute, use.name.where, word(kind), use.name.text,
+                 didYouMean(use.name.text, names, all));
+    return nullptr;
+  }
+  BehaviourDeclaration& declaration = found->second;
+  if (declaration.kind != kind) {
+    scope.report(DiagnosticId::wrongBehaviour, use.name.where, use.name.text,
+                 word(declaration.kind), word(kind));
+    return nullptr;
+  }
+  return declaration.usable ? &declaration : nullptr;
+}
+
+ir::Activity StateLowering::activity(const ast::Use& use, ir::BehaviourKind kind) {
+  ir::Activity result;
+  result.range = use.where;
+  if (BehaviourDeclaration* declaration = findBehaviour(use, kind, scope_)) {
+    result.behaviour = scope_.use(*declaration);
+    lowerUse(use, *declaration, {id_, state_.name.text}, result, scope_);
+  }
+  return result;
+}
+
+void lowerUse(const ast::Use& use, BehaviourDeclaration& declaration, const User& user,
+              ir::Activity& activity, Scope& scope) {
+  const size_t before = scope.mission.exprs.size();
+  const size_t watched = scope.mission.temporals.size();
+  const Callee callee{use.name.text, declaration.signature, declaration.name};
+  auto arguments = lowerArguments(use.arguments, callee, use.where, scope);
+  if (!arguments) {
+    return;
+  }
+  if (declaration.body == nullptr) {
+    activity.arguments = std::move(arguments->values);
+    return;
+  }
+  BehaviourArguments given{{}, std::move(arguments->paths)};
+  for (const ir::ExprId argument : arguments->values) {
+    given.values.push_back(copy(scope.mission, argument));
+  }
+  // What is watched over time stays where it is; all else stands where the body reads it.
+  if (scope.mission.temporals.size() == watched) {
+    scope.mission.exprs.resize(before);
+  }
+  BehaviourLowering(declaration, scope).use(activity, given, user);
+}
+
+}  // namespace glider::frontend

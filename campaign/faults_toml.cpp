@@ -61,7 +61,7 @@ std::string wrongToToml(const SensorFault& fault) {
     case Kind::Value:
       break;
   }
-  return (std::isnan(fault.value) ? "value = nan" : fmt::format("value = {}", fault.value)) +
+  return fmt::format("value = {}", fault.value) +
          (fault.share < 1 ? fmt::format("\nvalue_share = {}", fault.share) : "");
 }
 

@@ -84,6 +84,15 @@ TEST(Operators, ThoseInParenthesesCountWithTheRest) {
   EXPECT_EQ(reported(withGuard(sum(half) + " + " + sum(half) + " > 7 m")), too_long);
 }
 
+TEST(Operators, AnEqualsSignEndsNoExpression) {
+  const auto compared = [](size_t times) {
+    return withGuard("depth == 7 m" + repeated(" && depth == 7 m", times - 1));
+  };
+  const size_t half = kMostOperators / 2;  // each with an `==`, and an `&&` between them
+  EXPECT_EQ(reported(compared(half)), "");
+  EXPECT_EQ(reported(compared(half + 1)), support::code(DiagnosticId::expressionTooLong));
+}
+
 TEST(Operators, OfSeveralArgumentsTheLongestCounts) {
   const std::string too_long = support::code(DiagnosticId::expressionTooLong);
   const auto sum = [](size_t operators) { return "depth" + repeated(" + 1", operators); };
@@ -92,6 +101,12 @@ TEST(Operators, OfSeveralArgumentsTheLongestCounts) {
   EXPECT_EQ(reported(withGuard("max(" + sum(most) + ", depth) + 1 > 7 m")), too_long);
   EXPECT_EQ(reported(withGuard("max(depth, " + sum(most) + ") + 1 > 7 m")), too_long);
   EXPECT_EQ(reported(withGuard("max(" + sum(kMostOperators + 1) + ", depth) > 7 m")), too_long);
+}
+
+TEST(Keywords, ThatNameAPlatformAreSaidToBeKeywords) {
+  const std::string mission = withGuard("depth > 7 m");
+  const std::string named = "mission t\nplatform end\n" + mission.substr(mission.find("state"));
+  EXPECT_EQ(reported(named), support::code(DiagnosticId::keywordAsName));
 }
 
 TEST(Texts, AnOpenOneEndsBeforeTheCommaOrTheEnd) {

@@ -4,6 +4,7 @@
 #include "hooks/hookbeh/hull.h"
 #include "platforms/slocum_sensors.h"
 #include "simulator/simulator.h"
+#include "simulator/vehicle/vehicle_model.h"
 
 #include <fmt/format.h>
 
@@ -42,6 +43,22 @@ support::Result<void> checkSensors(const platforms::Platform& platform) {
   return {};
 }
 
+/// The simulator has a model that moves it.
+support::Result<void> checkMotion(const platforms::Platform& platform) {
+  const std::string file = fmt::format("platform `{}`", platform.name);
+  if (!platform.motion) {
+    return support::fail(support::DiagnosticId::badDataFile, file,
+                         "the simulator cannot fly this vehicle: its file has no [motion]");
+  }
+  if (!isModel(platform.motion->model)) {
+    return support::fail(support::DiagnosticId::badDataFile, file,
+                         fmt::format("the simulator cannot fly this vehicle: it has no model `{}`, "
+                                     "only `glider`",
+                                     platform.motion->model));
+  }
+  return {};
+}
+
 /// hookbeh in the simulator keeps to the hull that it was built for, whatever the platform says.
 support::Result<void> checkHull(const platforms::Platform& platform) {
   const platforms::Envelope& hull = platform.envelope;
@@ -70,8 +87,12 @@ support::Result<void> checkHull(const platforms::Platform& platform) {
 }  // namespace
 
 support::Result<void> checkPlatform(const platforms::Platform& platform) {
-  const auto sensors = checkSensors(platform);
-  return sensors ? checkHull(platform) : sensors;
+  for (const auto check : {checkSensors, checkMotion, checkHull}) {
+    if (auto checked = check(platform); !checked) {
+      return checked;
+    }
+  }
+  return {};
 }
 
 }  // namespace glider::simulator

@@ -59,7 +59,7 @@ class Simulation {
         trace_(headOf(setup_, seed_)),
         frame_(setup_.scenario.latitude_deg, setup_.scenario.longitude_deg),
         ocean_(setup_.scenario.ocean),
-        vehicle_(setup_.scenario.vehicle),
+        vehicle_(setup_.platform, setup_.scenario.vehicle),
         flight_(setup_.platform, setup_.scenario.skeleton, setup_.scenario.sensors, seed_, frame_,
                 setup_.scenario.year, journal_),
         science_(seed_, setup_.scenario.sensors, !real_time_),

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace glider::platforms {
 namespace {
@@ -118,10 +119,11 @@ support::Result<void> readSensors(const std::string& file, const toml::table& ro
   return {};
 }
 
-/// A table of numbers above 0, each of which is wanted.
+/// A table of numbers above 0, each of which is wanted; `others` are keys that it may have as well.
 template <typename T, size_t kCount>
-T readNumbers(TomlReader& reader, const std::pair<const char*, double T::*> (&fields)[kCount]) {
-  std::vector<std::string_view> keys;
+T readNumbers(TomlReader& reader, const std::pair<const char*, double T::*> (&fields)[kCount],
+              std::vector<std::string_view> others = {}) {
+  std::vector<std::string_view> keys = std::move(others);
   for (const auto& [key, field] : fields) {
     keys.emplace_back(key);
   }
@@ -157,6 +159,29 @@ constexpr std::pair<const char*, double World::*> kWorld[] = {
     {"steering_error_m", &World::steering_error_m},
     {"surface_drift_m_s", &World::surface_drift_m_s}};
 
+constexpr std::pair<const char*, double Motion::*> kMotion[] = {
+    {"pump_rate_cc_s", &Motion::pump_rate_cc_s},
+    {"pitch_battery_limit_in", &Motion::pitch_battery_limit_in},
+    {"pitch_battery_rate_in_s", &Motion::pitch_battery_rate_in_s},
+    {"fin_limit_rad", &Motion::fin_limit_rad},
+    {"fin_rate_rad_s", &Motion::fin_rate_rad_s},
+    {"trim_pump_per_m3", &Motion::trim_pump_per_m3},
+    {"trim_battery_per_m", &Motion::trim_battery_per_m},
+    {"pitch_lag_s", &Motion::pitch_lag_s},
+    {"yaw_gain_rad_s_m2", &Motion::yaw_gain_rad_s_m2},
+    {"yaw_lag_s", &Motion::yaw_lag_s},
+    {"speed_lag_s", &Motion::speed_lag_s},
+    {"pump_out_j_cc", &Motion::pump_out_j_cc},
+    {"pump_out_j_cc_m", &Motion::pump_out_j_cc_m},
+    {"pump_in_j_cc", &Motion::pump_in_j_cc}};
+
+Motion readMotion(TomlReader& reader) {
+  Motion motion = readNumbers<Motion>(reader, kMotion, {"model", "trim_offset"});
+  motion.model = reader.text("model");
+  motion.trim_offset = reader.number("trim_offset");
+  return motion;
+}
+
 }  // namespace
 
 const PlatformSensor* Platform::find(std::string_view wanted) const {
@@ -173,7 +198,7 @@ support::Result<Platform> loadPlatform(const std::filesystem::path& path) {
   }
   Platform platform;
   TomlReader reader(path.string(), *root, "the platform");
-  reader.only({"name", "description", "envelope", "world", "sensor"});
+  reader.only({"name", "description", "envelope", "world", "motion", "sensor"});
   platform.name = reader.text("name");
   platform.description = reader.text("description");
   static const toml::table kNone;
@@ -185,7 +210,11 @@ support::Result<Platform> loadPlatform(const std::filesystem::path& path) {
   platform.envelope = readNumbers(envelope, kEnvelope);
   TomlReader world = part("world", "[world]");
   platform.world = readNumbers(world, kWorld);
-  for (const TomlReader* read : {&reader, &envelope, &world}) {
+  TomlReader motion = part("motion", "[motion]");
+  if (root->contains("motion")) {
+    platform.motion = readMotion(motion);
+  }
+  for (const TomlReader* read : {&reader, &envelope, &world, &motion}) {
     if (read->failure()) {
       return std::unexpected(*read->failure());
     }

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -64,6 +65,31 @@ struct World {
   double surface_drift_m_s = 0;  ///< current, wind and waves set it at the surface no faster
 };
 
+/// How the vehicle moves, for the simulator. Signs: pump positive outwards, battery positive
+/// forward, pitch nose up, fin positive to turn to starboard.
+struct Motion {
+  std::string model;  ///< which of the simulator's models flies it: "glider"
+  // The motors: how far to either side of the middle, and how fast.
+  double pump_rate_cc_s = 0;  ///< how far: Envelope::pump_cc
+  double pitch_battery_limit_in = 0;
+  double pitch_battery_rate_in_s = 0;
+  double fin_limit_rad = 0;
+  double fin_rate_rad_s = 0;
+  // Trim: tan pitch = trim_pump V - trim_battery x + trim_offset; V in m3, x in m.
+  double trim_pump_per_m3 = 0;
+  double trim_battery_per_m = 0;
+  double trim_offset = 0;
+  double pitch_lag_s = 0;  ///< the hull's swing after weight and volume have moved
+  // Yaw: yaw_lag dr/dt = yaw_gain sin(fin) U^2 - r.
+  double yaw_gain_rad_s_m2 = 0;
+  double yaw_lag_s = 0;
+  double speed_lag_s = 0;  ///< mass and added mass against the drag
+  // What the pump takes for each cc: outwards it works against the pressure.
+  double pump_out_j_cc = 0;
+  double pump_out_j_cc_m = 0;  ///< more at each metre of depth
+  double pump_in_j_cc = 0;
+};
+
 /// The sensor that says by how much magnetic headings exceed true ones; a vehicle may lack it.
 inline constexpr std::string_view kVariationSensor = "m_gps_mag_var";
 
@@ -73,6 +99,7 @@ struct Platform {
   std::string description;
   Envelope envelope;
   World world;
+  std::optional<Motion> motion;  ///< empty: missions for it can be checked and built, not simulated
   std::vector<PlatformSensor> sensors;  ///< sensors[i].id == i
 
   /// The sensor called `name` by the vehicle or by the language; null if there is none.

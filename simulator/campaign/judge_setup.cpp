@@ -4,7 +4,6 @@
 #include "simulator/campaign/judge_setup.h"
 
 #include "simulator/flight/behaviours/hookbeh_adapter.h"
-#include "simulator/vehicle/vehicle.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,9 +20,9 @@ hooks::HookbehArgs withinHull(hooks::HookbehArgs args, const platforms::Envelope
       std::clamp(args.steepest_pitch_rad, hull.shallowest_pitch_rad, hull.steepest_pitch_rad);
   args.shallowest_pitch_rad =
       std::clamp(args.shallowest_pitch_rad, hull.shallowest_pitch_rad, hull.steepest_pitch_rad);
-  args.dive_pump_cc = -std::min(std::fabs(args.dive_pump_cc), Vehicle::kPumpLimitCc);
-  args.climb_pump_cc = std::clamp(std::fabs(args.climb_pump_cc),
-                                  kLeastClimb * Vehicle::kPumpLimitCc, Vehicle::kPumpLimitCc);
+  args.dive_pump_cc = -std::min(std::fabs(args.dive_pump_cc), hull.pump_cc);
+  args.climb_pump_cc =
+      std::clamp(std::fabs(args.climb_pump_cc), kLeastClimb * hull.pump_cc, hull.pump_cc);
   if (args.least_altitude_m >= 0) {
     args.least_altitude_m = std::max(args.least_altitude_m, kLeastAltitude);
   }

@@ -48,7 +48,8 @@ void DynamicControl::holdPitch(const PitchCommand& command, const Measured& m, V
     }
     next_servo_s_ = m.time_s + kServoPeriod;
   }
-  battery_in_ = std::clamp(battery_in_, -Vehicle::kBatteryLimitIn, Vehicle::kBatteryLimitIn);
+  battery_in_ = std::clamp(battery_in_, -vehicle.limits().pitch_battery_in,
+                           vehicle.limits().pitch_battery_in);
   vehicle.commandBatteryPosition(battery_in_);
 }
 
@@ -70,7 +71,7 @@ void DynamicControl::holdHeading(const HeadingCommand& command, const Measured& 
     return;
   }
   const double wanted = std::fabs(error) > kHeadingDeadband ? kHeadingGain * error : 0;
-  vehicle.commandFin(Vehicle::kFinLimitRad *
+  vehicle.commandFin(vehicle.limits().fin_rad *
                      std::clamp(wanted - kHeadingRateGain * rate, -1.0, 1.0));
 }
 
@@ -78,7 +79,7 @@ void DynamicControl::cycle(const Commands& commands, const Measured& measured, d
                            Vehicle& vehicle) {
   holdHeading(*commands.heading, measured, seconds, vehicle);
   holdPitch(*commands.pitch, measured, vehicle);
-  pump_cc_ = std::clamp(*commands.pump_cc, -Vehicle::kPumpLimitCc, Vehicle::kPumpLimitCc);
+  pump_cc_ = std::clamp(*commands.pump_cc, -vehicle.limits().pump_cc, vehicle.limits().pump_cc);
   vehicle.commandPump(pump_cc_);
 }
 

@@ -16,8 +16,6 @@
 namespace glider::simulator {
 namespace {
 
-static_assert(Vehicle::kPumpLimitCc == GLIDER_HULL_PUMP_CC, "the platform file's pump is this one");
-
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kTurn = 2 * std::numbers::pi;
 // The pilot's clock at the mission's start: nothing may depend on the wall clock of the machine.

@@ -30,13 +30,7 @@ class Battery {
   void idle(double seconds, bool sbc_alive) {
     use((settings_.hotel_W + (sbc_alive ? settings_.sbc_W : 0)) * seconds);
   }
-  /// The pump moved by `moved_cc` (positive: out) at `depth_m`.
-  void pump(double moved_cc, double depth_m) {
-    // Fits over strokes in real logs of a shallow piston pump: outwards it works against the
-    // pressure.
-    const double per_cc = moved_cc > 0 ? 0.29 + 0.018 * depth_m : -0.40;
-    use(per_cc * moved_cc);
-  }
+  void use(double joules) { used_j_ = std::min(used_j_ + joules, settings_.capacity_j); }
 
   [[nodiscard]] double voltage() const {
     return settings_.full_V -
@@ -49,8 +43,6 @@ class Battery {
   }
 
  private:
-  void use(double joules) { used_j_ = std::min(used_j_ + joules, settings_.capacity_j); }
-
   BatterySettings settings_;
   double used_j_;
 };

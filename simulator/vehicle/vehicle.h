@@ -3,67 +3,54 @@
 
 #pragma once
 
-#include "simulator/ocean/ocean.h"
-#include "simulator/vehicle/battery.h"
-#include "simulator/vehicle/flight_model.h"
-#include "simulator/vehicle/rate_limited.h"
+#include "simulator/vehicle/vehicle_model.h"
+
+#include <memory>
 
 namespace glider::simulator {
 
-/// What a scenario may say of the vehicle.
-struct VehicleSettings {
-  FlightCoefficients flight;
-  double initial_heading_rad = 0;
-  BatterySettings battery = {};
+/// How far the motors can be commanded to either side.
+struct MotorLimits {
+  double pump_cc = 0;
+  double pitch_battery_in = 0;
+  double fin_rad = 0;
 };
 
-/// The true vehicle in the true ocean. Positions in m: x east, y north of the start, depth down.
-/// Moved in steps of a fixed length of virtual time.
+/// The true vehicle in the true ocean: a model, its state and what its devices were told last.
 class Vehicle {
  public:
-  static constexpr double kStep = 0.25;        ///< s
-  static constexpr double kPumpLimitCc = 233;  ///< safety limit 243 less a dead zone of 10
-  static constexpr double kBatteryLimitIn = 1.425;
-  static constexpr double kFinLimitRad = 0.45;  ///< 0.47 less 0.02
+  static constexpr double kStep = VehicleModel::kStep;  ///< s
 
-  explicit Vehicle(const VehicleSettings& settings);
+  /// `platform` is one that the simulator can fly (checkPlatform).
+  Vehicle(const platforms::Platform& platform, const VehicleSettings& settings);
 
-  // What the devices are told.
-  void commandPump(double cc) { pump_.target = cc; }
-  void commandBatteryPosition(double inches) { battery_position_.target = inches; }
-  void commandFin(double rad) { fin_.target = rad; }
-
+  void commandPump(double cc) { command_.pump_cc = cc; }
+  void commandBatteryPosition(double inches) { command_.pitch_battery_in = inches; }
+  void commandFin(double rad) { command_.fin_rad = rad; }
   /// Says whether the SBC draws its power.
-  void feedSbc(bool alive) { sbc_alive_ = alive; }
+  void feedSbc(bool alive) { command_.sbc_alive = alive; }
 
   /// Flies kStep seconds from time `now_s`.
-  void step(const Ocean& ocean, double now_s);
+  void step(const Ocean& ocean, double now_s) { model_->step(state_, command_, ocean, now_s); }
 
-  [[nodiscard]] double x() const { return x_; }
-  [[nodiscard]] double y() const { return y_; }
-  [[nodiscard]] double depth() const { return depth_; }
-  [[nodiscard]] double pitch() const { return pitch_; }
-  [[nodiscard]] double heading() const { return heading_; }  ///< 0…2 pi, clockwise from north
-  [[nodiscard]] double pumpedCc() const { return pump_.position; }
-  [[nodiscard]] double batteryPositionIn() const { return battery_position_.position; }
-  [[nodiscard]] double fin() const { return fin_.position; }
-  [[nodiscard]] const Battery& battery() const { return battery_; }
+  [[nodiscard]] const MotorLimits& limits() const { return limits_; }
+  [[nodiscard]] double x() const { return state_.x_m; }
+  [[nodiscard]] double y() const { return state_.y_m; }
+  [[nodiscard]] double depth() const { return state_.depth_m; }
+  [[nodiscard]] double pitch() const { return state_.pitch_rad; }
+  [[nodiscard]] double heading() const {
+    return state_.heading_rad;
+  }  ///< clockwise from true north
+  [[nodiscard]] double pumpedCc() const { return state_.pump.position; }
+  [[nodiscard]] double batteryPositionIn() const { return state_.pitch_battery.position; }
+  [[nodiscard]] double fin() const { return state_.fin.position; }
+  [[nodiscard]] const Battery& battery() const { return state_.battery; }
 
  private:
-  void movePitch();
-  void turn(double speed);
-  void limitDepth(double water_depth);
-
-  FlightCoefficients coefficients_;
-  RateLimited pump_;
-  RateLimited battery_position_;
-  RateLimited fin_;
-  Battery battery_;
-  bool sbc_alive_ = false;
-  double x_ = 0, y_ = 0, depth_ = 0;
-  double pitch_ = 0;
-  double heading_ = 0, turn_rate_ = 0;
-  double ahead_ = 0, up_ = 0;  ///< velocity through the water
+  std::unique_ptr<const VehicleModel> model_;
+  MotorLimits limits_;
+  VehicleState state_;
+  VehicleCommand command_;
 };
 
 }  // namespace glider::simulator

@@ -63,6 +63,33 @@ TEST_F(PlatformOfFlights, AnotherHullIsRefusedAndNotFlownAsTheSlocums) {
   EXPECT_EQ(glidercc(kCampaign + "slocum.mission mine.mission").status, 2) << "each its own";
 }
 
+TEST_F(PlatformOfFlights, WithoutAModelItIsCheckedAndBuiltAndNotFlown) {
+  mission("mine.mission", "platform mine\n");
+  const auto refused = [&](const std::string& edit, const std::string& why) {
+    platform(edit);
+    EXPECT_NE(glidercc("check mine.mission").status, 2);
+    EXPECT_EQ(glidercc("build mine.mission -o mine").status, 0);
+    const Outcome flown = glidercc("sim -o f mine.mission");
+    EXPECT_EQ(flown.status, 2) << flown.out << flown.err;
+    EXPECT_THAT(flown.err,
+                HasSubstr("platform `mine`: the simulator cannot fly this vehicle: " + why));
+  };
+  refused("/^\\[motion\\]/,/^pump_in_j_cc/d", "its file has no [motion]");
+  refused("s/^model = .*/model = \"propeller\"/", "it has no model `propeller`, only `glider`");
+}
+
+TEST_F(PlatformOfFlights, ThePlatformsNumbersMoveIt) {
+  platform("s/^pump_rate_cc_s = .*/pump_rate_cc_s = 2/");
+  mission("slocum.mission", "");
+  mission("mine.mission", "platform mine\n");
+  const auto deepest = [&](const std::string& name) {
+    const Outcome flown = glidercc("sim -o f " + name);
+    EXPECT_NE(flown.status, 2) << flown.err;
+    return flown.out;
+  };
+  EXPECT_NE(deepest("slocum.mission"), deepest("mine.mission")) << "a slow pump";
+}
+
 TEST_F(PlatformOfFlights, ACampaignRefusesASensorThatIsNotSimulated) {
   platform(
       "$a [[sensor]]\\nname = \"sci_nitrate\"\\nunit = \"1\"\\nlowest = 0\\n"

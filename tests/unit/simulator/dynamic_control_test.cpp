@@ -3,6 +3,8 @@
 
 #include "simulator/flight/dynamic_control.h"
 
+#include "tests/unit/simulator/slocum_vehicle.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -55,7 +57,7 @@ class Bench {
     }
     return vehicle_;
   }
-  Vehicle vehicle_{{}};
+  Vehicle vehicle_ = slocumVehicle();
 };
 
 TEST(DynamicControl, BatteryPositionGoesToTheMotorAsItIs) {

@@ -9,6 +9,7 @@
 #include "simulator/flight/skeleton.h"
 #include "slocum/mission_files/read.h"
 #include "tests/unit/simulator/flights.h"
+#include "tests/unit/simulator/slocum_vehicle.h"
 
 #include <gtest/gtest.h>
 
@@ -66,7 +67,7 @@ class Controller {
 
  public:
   Ocean ocean;
-  Vehicle vehicle{{}};
+  Vehicle vehicle = slocumVehicle();
   hooks::MemoryLine line;
   Journal journal;
   FlightController controller;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "simulator/vehicle/vehicle.h"
+#include "tests/unit/simulator/slocum_vehicle.h"
 
 #include <gtest/gtest.h>
 
@@ -120,7 +120,7 @@ struct Leg {
 
 void flyBoth(const OceanSettings& settings, std::initializer_list<Leg> legs) {
   const Ocean ocean(settings);
-  Vehicle one({});
+  Vehicle one = slocumVehicle();
   Second two;
   double now = 0;
   for (const Leg& leg : legs) {
@@ -209,7 +209,7 @@ TEST(VehicleNumbers, DriftsWithCurrentsAndWaves) {
 
 TEST(VehicleNumbers, TrimFollowsThePublishedFit) {
   // tan pitch = 1235 V - 28.8 x + 0.14 with V in m3 and x in m, approached with a lag of 3 s.
-  Vehicle vehicle({});
+  Vehicle vehicle = slocumVehicle();
   const Ocean ocean(water(500));
   vehicle.step(ocean, 0);
   EXPECT_NEAR(vehicle.pitch(), 0.40410 * (1 - std::exp(-0.25 / 3)), 1e-5);
@@ -222,7 +222,7 @@ TEST(VehicleNumbers, TrimFollowsThePublishedFit) {
 }
 
 TEST(VehicleNumbers, MotorsMoveAtTheirRates) {
-  Vehicle vehicle({});
+  Vehicle vehicle = slocumVehicle();
   const Ocean ocean(water(500));
   vehicle.commandPump(-1000);
   vehicle.commandBatteryPosition(-9);
@@ -246,7 +246,7 @@ TEST(VehicleNumbers, TheHullShrinksWithPressureSoThatDivesGetFaster) {
   const FlightCoefficients c;
   EXPECT_NEAR(netBuoyancy(c, 1025, 0, 0) - netBuoyancy(c, 1025, 1e6, 0), 9.81 * 65 * 5e-4, 1e-9);
   const auto rateAt = [](double depth) {
-    Vehicle vehicle({});
+    Vehicle vehicle = slocumVehicle();
     const Ocean ocean(water(1000));
     vehicle.commandPump(-233);
     vehicle.commandBatteryPosition(0.47);
@@ -270,7 +270,7 @@ TEST(VehicleNumbers, RisingWaterLiftsTheVehicle) {
   wave.thermocline_depth_m = 15;
   wave.wave = {.amplitude_m = 5, .period_s = 600};
   const Ocean still(water(60)), sinking(wave);
-  Vehicle one({}), two({});
+  Vehicle one = slocumVehicle(), two = slocumVehicle();
   for (Vehicle* vehicle : {&one, &two}) {
     vehicle->commandPump(-233);
     vehicle->commandBatteryPosition(0.47);
@@ -286,7 +286,7 @@ TEST(VehicleNumbers, RisingWaterLiftsTheVehicle) {
 }
 
 TEST(VehicleNumbers, FloatsAtZeroAndDivesFromThere) {
-  Vehicle vehicle({});
+  Vehicle vehicle = slocumVehicle();
   const Ocean ocean(water(100));
   double now = 0;
   const auto fly = [&](double seconds) {
@@ -314,7 +314,7 @@ TEST(VehicleNumbers, FloatsAtZeroAndDivesFromThere) {
 TEST(VehicleNumbers, TurnsByThePublishedFit) {
   // tau dr/dt = 0.5 sin(fin) U^2 - r: after many lags of 15 s the rate is 0.5 sin(fin) U^2.
   for (const double fin : {0.3, -0.3}) {
-    Vehicle vehicle({});
+    Vehicle vehicle = slocumVehicle();
     const Ocean ocean(water(2000));
     vehicle.commandPump(-233);
     vehicle.commandBatteryPosition(0.47);

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "simulator/vehicle/glider_model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace glider::simulator {
+namespace {
+
+constexpr double kMetresPerInch = 0.0254;
+constexpr double kPascalPerDbar = 1e4;
+constexpr double kCubicMetresPerCc = 1e-6;
+
+/// The share of a first-order lag's distance that one step covers.
+double share(double lag_s) {
+  return 1 - std::exp(-VehicleModel::kStep / lag_s);
+}
+
+void limitDepth(VehicleState& s, double water_depth_m) {
+  if (s.depth_m <= 0) {
+    s.depth_m = 0;
+    s.up_mps = std::min(s.up_mps, 0.0);
+  } else if (s.depth_m >= water_depth_m) {
+    s.depth_m = water_depth_m;
+    s.up_mps = std::max(s.up_mps, 0.0);
+  }
+}
+
+}  // namespace
+
+GliderModel::GliderModel(const platforms::Motion& motion, double pump_cc,
+                         const VehicleSettings& settings)
+    : motion_(motion),
+      pump_cc_(pump_cc),
+      settings_(settings),
+      pitch_share_(share(motion.pitch_lag_s)),
+      yaw_share_(share(motion.yaw_lag_s)),
+      speed_share_(share(motion.speed_lag_s)) {}
+
+VehicleState GliderModel::start() const {
+  VehicleState state;
+  state.heading_rad = settings_.initial_heading_rad;
+  // Pumped out, battery and fin in the middle.
+  state.pump = {pump_cc_, pump_cc_, motion_.pump_rate_cc_s, -pump_cc_, pump_cc_};
+  state.pitch_battery = {0, 0, motion_.pitch_battery_rate_in_s, -motion_.pitch_battery_limit_in,
+                         motion_.pitch_battery_limit_in};
+  state.fin = {0, 0, motion_.fin_rate_rad_s, -motion_.fin_limit_rad, motion_.fin_limit_rad};
+  state.battery = Battery(settings_.battery);
+  return state;
+}
+
+void GliderModel::moveMotors(VehicleState& s, const VehicleCommand& command) const {
+  s.pump.target = command.pump_cc;
+  s.pitch_battery.target = command.pitch_battery_in;
+  s.fin.target = command.fin_rad;
+  s.battery.idle(kStep, command.sbc_alive);
+  const double moved_cc = s.pump.step(kStep);
+  const double out_j_cc = motion_.pump_out_j_cc + motion_.pump_out_j_cc_m * s.depth_m;
+  s.battery.use((moved_cc > 0 ? out_j_cc : -motion_.pump_in_j_cc) * moved_cc);
+  s.pitch_battery.step(kStep);
+  s.fin.step(kStep);
+}
+
+void GliderModel::movePitch(VehicleState& s) const {
+  const double wanted = std::atan(
+      motion_.trim_pump_per_m3 * s.pump.position * kCubicMetresPerCc -
+      motion_.trim_battery_per_m * s.pitch_battery.position * kMetresPerInch + motion_.trim_offset);
+  s.pitch_rad += (wanted - s.pitch_rad) * pitch_share_;
+}
+
+void GliderModel::moveThroughWater(VehicleState& s, double density) const {
+  const FlightCoefficients& c = settings_.flight;
+  const double buoyancy =
+      netBuoyancy(c, density, s.depth_m * kPascalPerDbar, s.pump.position * kCubicMetresPerCc);
+  const bool floating = s.depth_m <= 0 && buoyancy >= 0;
+  const SteadyFlight steady =
+      floating ? SteadyFlight{} : steadyFlight(c, s.pitch_rad, buoyancy, density);
+  s.ahead_mps += (steady.horizontal - s.ahead_mps) * speed_share_;
+  s.up_mps += (steady.vertical - s.up_mps) * speed_share_;
+}
+
+void GliderModel::turn(VehicleState& s, double speed_mps) const {
+  s.turn_rate_rad_s +=
+      (motion_.yaw_gain_rad_s_m2 * std::sin(s.fin.position) * speed_mps * speed_mps -
+       s.turn_rate_rad_s) *
+      yaw_share_;
+  constexpr double kTurn = 2 * std::numbers::pi;
+  s.heading_rad += s.turn_rate_rad_s * kStep;
+  s.heading_rad -= kTurn * std::floor(s.heading_rad / kTurn);
+}
+
+void GliderModel::step(VehicleState& s, const VehicleCommand& command, const Ocean& ocean,
+                       double now_s) const {
+  moveMotors(s, command);
+  movePitch(s);
+  moveThroughWater(s, ocean.density(s.depth_m, s.x_m, s.y_m, now_s));
+  turn(s, std::hypot(s.ahead_mps, s.up_mps));
+  const Current current = ocean.current(s.depth_m, s.x_m, s.y_m);
+  s.x_m += (s.ahead_mps * std::sin(s.heading_rad) + current.east) * kStep;
+  s.y_m += (s.ahead_mps * std::cos(s.heading_rad) + current.north) * kStep;
+  s.depth_m -= (s.up_mps + ocean.verticalCurrent(s.depth_m, s.x_m, s.y_m, now_s)) * kStep;
+  limitDepth(s, ocean.waterDepth(s.x_m, s.y_m));
+}
+
+}  // namespace glider::simulator

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "simulator/vehicle/vehicle_model.h"
+
+namespace glider::simulator {
+
+/// A buoyancy glider: a pump, a battery that moves for the pitch, and a fin.
+class GliderModel final : public VehicleModel {
+ public:
+  /// `pump_cc`: how far the pump moves to either side.
+  GliderModel(const platforms::Motion& motion, double pump_cc, const VehicleSettings& settings);
+
+  [[nodiscard]] VehicleState start() const override;
+  void step(VehicleState& state, const VehicleCommand& command, const Ocean& ocean,
+            double now_s) const override;
+
+ private:
+  void moveMotors(VehicleState& state, const VehicleCommand& command) const;
+  void movePitch(VehicleState& state) const;
+  void moveThroughWater(VehicleState& state, double density) const;
+  void turn(VehicleState& state, double speed_mps) const;
+
+  platforms::Motion motion_;
+  double pump_cc_;
+  VehicleSettings settings_;
+  double pitch_share_, yaw_share_, speed_share_;  ///< of the way that a step covers of each lag
+};
+
+}  // namespace glider::simulator

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "platforms/load/platform.h"
+#include "simulator/ocean/ocean.h"
+#include "simulator/vehicle/battery.h"
+#include "simulator/vehicle/flight_model.h"
+#include "simulator/vehicle/rate_limited.h"
+
+#include <memory>
+#include <string_view>
+
+namespace glider::simulator {
+
+/// What a scenario may say of the vehicle.
+struct VehicleSettings {
+  FlightCoefficients flight;
+  double initial_heading_rad = 0;
+  BatterySettings battery = {};
+};
+
+/// Where a vehicle is and what it does; plain data. Positions in m: x east, y north of the start,
+/// depth down.
+struct VehicleState {
+  double x_m = 0, y_m = 0, depth_m = 0;
+  double pitch_rad = 0;
+  double heading_rad = 0;  ///< 0…2 pi, clockwise from true north
+  double turn_rate_rad_s = 0;
+  double ahead_mps = 0, up_mps = 0;  ///< velocity through the water
+  RateLimited pump;                  ///< cc
+  RateLimited pitch_battery;         ///< in
+  RateLimited fin;                   ///< rad
+  Battery battery;
+};
+
+/// What its devices are told.
+struct VehicleCommand {
+  double pump_cc = 0;
+  double pitch_battery_in = 0;
+  double fin_rad = 0;
+  bool sbc_alive = false;  ///< the SBC draws its power
+};
+
+/// How a kind of vehicle moves. Has no state of its own.
+class VehicleModel {
+ public:
+  static constexpr double kStep = 0.25;  ///< s, of every model
+
+  virtual ~VehicleModel() = default;
+  /// At the surface before a mission.
+  [[nodiscard]] virtual VehicleState start() const = 0;
+  /// `state` kStep seconds after `now_s`, in `ocean`, under `command`.
+  virtual void step(VehicleState& state, const VehicleCommand& command, const Ocean& ocean,
+                    double now_s) const = 0;
+};
+
+/// The model that the platform names; null if there is none of that name, or it names none.
+std::unique_ptr<const VehicleModel> makeModel(const platforms::Platform& platform,
+                                              const VehicleSettings& settings);
+/// Whether there is a model called `name`.
+bool isModel(std::string_view name);
+
+}  // namespace glider::simulator

@@ -97,7 +97,7 @@ support::Trace traceOfRun(const compiler::Compilation& compilation,
                             std::string(compilation.sources.text(event.range))});
   }
   trace.events.push_back(
-      {run.when, run.when, "requirement", fmt::format("broken: {}", trace.scenario), run.values});
+      {run.when, run.when, "requirement", fmt::format("violated: {}", trace.scenario), run.values});
   return trace;
 }
 

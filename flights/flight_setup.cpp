@@ -26,7 +26,7 @@ void reportMissingSensors(const compiler::Compilation& compilation,
     });
     if (read) {
       diagnostics.report(support::DiagnosticId::sensorNotCarried, {}, scenario.name, sensor.name,
-                         "the scenario's file gives it one with " + sensor.setting);
+                         sensor.setting);
     }
   }
 }

@@ -82,7 +82,7 @@ TEST_F(Sim, AProgramThatSpeaksButIsNotGivenControlIsAnSbcAllTheSame) {
           "$GLIDERCC sim --sbc ./program --scenario layered -o f");
   EXPECT_EQ(flown.status, 1) << flown.err;
   EXPECT_THAT(flown.err, HasSubstr("[GL9372 never-in-control]"));
-  EXPECT_THAT(flown.err, Not(HasSubstr("never spoke")));
+  EXPECT_THAT(flown.err, Not(HasSubstr("never used this version")));
 }
 
 TEST_F(Sim, AnAbortIsToldAtTheEnd) {

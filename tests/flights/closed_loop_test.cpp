@@ -34,7 +34,8 @@ TEST(ClosedLoop, NamesAFlightThatBreaksItAndThatFlightDoes) {
   std::smatch named;
   ASSERT_TRUE(std::regex_search(
       checked.out, named,
-      std::regex("a flight breaks it too: scenario (\\w+), --seed (\\d+), at ([0-9.]+) s")))
+      std::regex(
+          "a simulated flight violates it too: scenario (\\w+), --seed (\\d+), at ([0-9.]+) s")))
       << checked.out;
   EXPECT_EQ(named[1], "default");
   const Flight flight =

@@ -124,7 +124,8 @@ std::string bounces(const std::string& text, const platforms::Platform& platform
   options.report = true;
   std::string all;
   for (const auto& line : prove(mission, facts, platform, options, diagnostics).lines) {
-    all += line.text.find("follow each other") != std::string::npos ? line.text + "\n" : "";
+    all +=
+        line.text.find("can alternate on every tick") != std::string::npos ? line.text + "\n" : "";
   }
   return all;
 }

@@ -158,7 +158,8 @@ TEST_F(ScenarioFile, RefusesWrongTablesWithTheirLine) {
       {"[sensors.ctd]\nlate_s = nan\n", ":9:"},
       {"[sensors.ctd]\nstale_climb = 1\n", "must be true or false"},
       {"[sensors.ctd]\nstale_climb_s = 10\n", "has no effect without `stale_climb = true`"},
-      {"[sensors]\ntemperature_degC = 1\n[sensors.ctd]\nnoise_degC = 1\n", "repeats `temperature_degC`"},
+      {"[sensors]\ntemperature_degC = 1\n[sensors.ctd]\nnoise_degC = 1\n",
+       "repeats `temperature_degC`"},
       {"[sensors.altimeter]\nrange_m = 500\n", ":9:"},
   };
   for (const auto& [text, why] : bad) {

@@ -215,7 +215,7 @@ std::string CommandJudge::judgeGuard(const CycleView& view) {
     const bool stalled = no_depth || view.hookbeh->guard == hooks::HookGuard::NoHeightGained;
     const bool was_before = no_depth && no_depth_gained_;
     if (!near && !was_before && !(stalled && view.time_s - overridden_s_ < kAfterOverride)) {
-      wrong = fmt::format("the guard intervenes ({}) but no limit is near", view.hookbeh->doing);
+      wrong = fmt::format("the guard intervenes ({}), but no limit is near", view.hookbeh->doing);
     }
     // In water too shallow for that it comes up, and waits until the echo is forgotten.
     const bool small = tripped_m_ - shallowest_m_ < kSwing && shallowest_m_ > kFloats &&

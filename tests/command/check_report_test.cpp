@@ -152,7 +152,7 @@ TEST(CheckReport, TheHostHasNoBoundOfTheStack) {
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   const json stack = json::parse(outcome.out)["missions"][0]["budget"]["host"]["stack"];
   EXPECT_TRUE(stack["value"].is_null());
-  EXPECT_THAT(stack["remark"], HasSubstr("not followed"));
+  EXPECT_THAT(stack["remark"], HasSubstr("cannot be analysed"));
 }
 
 TEST(CheckReport, AnUnknownTargetIsAMistakeOfUse) {

@@ -104,7 +104,7 @@ TEST_F(Replay, AFolderOfARunThatHoldsOtherFilesIsNotTouched) {
   ASSERT_EQ(runShell("echo mine > " + notes).status, 0);
   const Outcome refused = runShell("$GLIDERCC check " + mission_ + " --traces " + runs());
   EXPECT_EQ(refused.status, 2);
-  EXPECT_THAT(refused.err, HasSubstr("it holds `notes.txt`, which is not from a run"));
+  EXPECT_THAT(refused.err, HasSubstr("it contains `notes.txt`, which is not from a counterexample"));
   EXPECT_EQ(slurp(notes), "mine\n");
   EXPECT_EQ(runShell("$GLIDERCC sim " + mission_ + " -o " + runs() + "/requirement-3").status, 2)
       << "a flight does not take the place of a run";
@@ -196,7 +196,7 @@ TEST_F(Replay, ATraceOfSomethingElseIsRefusedByWhatItLacks) {
       1)
       << "as it is";
   EXPECT_THAT(refusal("\"requirement\":1", "\"requirement\":4"),
-              HasSubstr("the mission has 4 requirements"));
+              HasSubstr("the mission has only 4 requirements"));
   EXPECT_THAT(refusal("\"requirement\":1,", ""), HasSubstr("it records a flight"));
   EXPECT_THAT(refusal("\"mission\":\"m\"", "\"mission\":\"n\""),
               HasSubstr("it is for mission `n`, but this is `m`"));

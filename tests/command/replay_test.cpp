@@ -104,7 +104,8 @@ TEST_F(Replay, AFolderOfARunThatHoldsOtherFilesIsNotTouched) {
   ASSERT_EQ(runShell("echo mine > " + notes).status, 0);
   const Outcome refused = runShell("$GLIDERCC check " + mission_ + " --traces " + runs());
   EXPECT_EQ(refused.status, 2);
-  EXPECT_THAT(refused.err, HasSubstr("it contains `notes.txt`, which is not from a counterexample"));
+  EXPECT_THAT(refused.err,
+              HasSubstr("it contains `notes.txt`, which is not from a counterexample"));
   EXPECT_EQ(slurp(notes), "mine\n");
   EXPECT_EQ(runShell("$GLIDERCC sim " + mission_ + " -o " + runs() + "/requirement-3").status, 2)
       << "a flight does not take the place of a run";

@@ -130,7 +130,7 @@ class Maker {
       told.transition = transitionOf(c.transition);
       told.target = c.target.valid() ? c.target.index : 0;
       if (moves.dead[i] == ir::Dead::Hidden) {
-        told.never = fmt::format("never fires: an earlier case of {} always does", list);
+        told.never = fmt::format("never fires: an earlier case of {} always fires first", list);
       } else if (moves.dead[i] == ir::Dead::AlwaysFalse) {
         told.never = "never fires: its guard is always false";
       } else if (moves.dead[i] == ir::Dead::Proved) {

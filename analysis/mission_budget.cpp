@@ -38,12 +38,13 @@ Budget linesBudget(const compiler::Optimised& mission, support::DiagnosticEngine
   const std::string fast = "115200 baud: ", slow = "9600 baud: ";
   Budget budget{
       "lines",
-      {{"to_payload", bytes.to_sbc, bytes.fast_line, unit, fast + "the sensors subscribed"},
-       {"from_payload", bytes.from_sbc, bytes.fast_line, unit, fast + "the longest answer"},
+      {{"to_payload", bytes.to_sbc, bytes.fast_line, unit,
+        fast + "readings of the subscribed sensors"},
+       {"from_payload", bytes.from_sbc, bytes.fast_line, unit, fast + "the SBC's longest answer"},
        {"to_science", bytes.to_science, bytes.slow_line, unit,
         slow + "all sensors of the flight controller"},
        {"to_flight", bytes.to_flight, bytes.slow_line, unit,
-        slow + "an instruction and the heartbeat"}}};
+        slow + "one instruction and the heartbeat"}}};
   for (const Quantity& quantity : budget.quantities) {
     if (exceeds(quantity)) {
       diagnostics.report(DiagnosticId::lineOverloaded, {}, *quantity.value,
@@ -73,12 +74,12 @@ std::vector<Quantity> checkpointFigures(const codegen::Budget& measured, double 
   const auto most = static_cast<uint64_t>(kDay_s / cycle_s);
   const uint64_t slot = Checkpoint::slotBytes(static_cast<uint32_t>(measured.context_bytes));
   return {{"checkpoint_writes", most, std::nullopt, "writes a day",
-           fmt::format("with --checkpoint: one a tick, one every {:g} s while no state, variable "
-                       "or command changes",
+           fmt::format("with --checkpoint: one per tick, one every {:g} s while no state, "
+                       "variable or command changes",
                        Checkpoint::kMostApart)},
           {"checkpoint_bytes", most * slot, std::nullopt, "bytes a day",
-           fmt::format("of those writes, {} each, in turn to {} places of the card", slot,
-                       Checkpoint::kSlots)}};
+           fmt::format("{} bytes per write, alternating between {} places on the storage card",
+                       slot, Checkpoint::kSlots)}};
 }
 
 Budget boardBudget(const codegen::Budget& measured, const platforms::Board& board, double cycle_s) {
@@ -90,11 +91,11 @@ Budget boardBudget(const codegen::Budget& measured, const platforms::Board& boar
        limitOf(board.max_memory_bytes), "bytes",
        measured.stack_bytes ? "code, data and stack of the running mission"
                             : "code and data of the running mission, without the stack"},
-      {"data", measured.data_bytes, std::nullopt, "bytes", "of memory, what is written to"},
+      {"data", measured.data_bytes, std::nullopt, "bytes", "part of memory: writable data"},
       figureOf("stack", measured.stack_bytes, board.max_stack_bytes, "bytes",
-               "of memory, the stack at its deepest, C library included"),
+               "part of memory: the stack at its deepest, including the C library"),
       figureOf("tick_instructions", measured.tick_instructions, board.max_tick_instructions,
-               "instructions", "from a frame's readings to the command")};
+               "instructions", "longest path from a frame's readings to the command")};
   std::ranges::move(checkpointFigures(measured, cycle_s), std::back_inserter(budget.quantities));
   return budget;
 }

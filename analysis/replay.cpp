@@ -55,7 +55,7 @@ class Replay {
     for (size_t row = 0; row < trace_.rowCount(); ++row) {
       const ir::TickResult expected = step(row, parameters);
       if (row >= answers.size()) {
-        return differs(fmt::format("it is gone after {} ticks", answers.size()));
+        return differs(fmt::format("it ends after {} ticks", answers.size()));
       }
       if (auto same = compare(answers[row], expected, time(row)); !same) {
         return std::unexpected(same.error());
@@ -104,15 +104,16 @@ class Replay {
     }
     const std::string& name = m_[expected.state].name;
     if (answer.finished != expected.finished) {
-      return differs(fmt::format("at {:.6g} s it {} ended, and {}", when,
+      return differs(fmt::format("at {:.6g} s it {} ended, but {}", when,
                                  answer.finished ? "has" : "has not",
-                                 expected.finished ? "should have" : "should not"));
+                                 expected.finished ? "should have" : "should not have"));
     }
     const std::string built =
         answer.state < built_states_.size() ? built_states_[answer.state] : "";
     if (!expected.finished && (built != name || answer.stack_depth != expected.stack.size())) {
-      return differs(fmt::format("at {:.6g} s it is in `{}` with {} waiting, not in `{}` with {}",
-                                 when, built, answer.stack_depth, name, expected.stack.size()));
+      return differs(
+          fmt::format("at {:.6g} s it is in `{}` with call depth {}, not in `{}` with {}", when,
+                      built, answer.stack_depth, name, expected.stack.size()));
     }
     return {};
   }
@@ -136,13 +137,14 @@ Result<void> checkTrace(const support::Trace& trace, const std::string& name,
     return support::fail(DiagnosticId::traceNotOfMission, name, why);
   };
   if (!trace.requirement) {
-    return refuse("it is of a flight, and breaks no requirement");
+    return refuse("it records a flight and violates no requirement");
   }
   if (trace.mission != mission.name) {
-    return refuse(fmt::format("it is of `{}`, and this is `{}`", trace.mission, mission.name));
+    return refuse(
+        fmt::format("it is for mission `{}`, but this is `{}`", trace.mission, mission.name));
   }
   if (*trace.requirement >= mission.requirements.size()) {
-    return refuse(fmt::format("the mission has {} requirements", mission.requirements.size()));
+    return refuse(fmt::format("the mission has only {} requirements", mission.requirements.size()));
   }
   if (trace.column("missiontime") != 1) {
     return refuse("it has no mission times");

@@ -52,7 +52,7 @@ support::Result<Silence> silenceOf(const std::string& path, const support::ShowD
                          fmt::format("silence_secs must be above 0 and at most {:.0f}, not {}",
                                      kLongestSilence, seconds));
   }
-  return Silence{seconds, fmt::format("silence_secs {:.4g} of {}", seconds,
+  return Silence{seconds, fmt::format("silence_secs {:.4g} from {}", seconds,
                                       std::filesystem::path(path).filename().string())};
 }
 

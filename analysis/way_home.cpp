@@ -28,12 +28,13 @@ double letsGoWithin(const platforms::Platform& platform, const Silence& silence)
 std::string silentLine(const WayHome& home, const platforms::Platform& platform,
                        const Silence& silence) {
   const std::string lets_go =
-      fmt::format("if the SBC falls silent, hookbeh lets go within {:.0f} s ({})",
+      fmt::format("if the SBC stops responding, hookbeh revokes control within {:.0f} s ({})",
                   letsGoWithin(platform, silence), silence.source);
   return std::isfinite(home.depth_m)
-             ? fmt::format("{}; from {:.4g} m at most the vehicle is at the surface within {}",
-                           lets_go, home.depth_m, durationOf(home.surface_s))
-             : lets_go + "; how deep the vehicle is then no bound is known";
+             ? fmt::format(
+                   "{}; from at most {:.4g} m deep, the vehicle is at the surface within {}",
+                   lets_go, home.depth_m, durationOf(home.surface_s))
+             : lets_go + "; no bound on the vehicle's depth is known";
 }
 
 }  // namespace
@@ -64,7 +65,7 @@ std::vector<std::string> wayHomeLines(const ir::Mission& mission,
   for (uint32_t i = 0; i < depths.size(); ++i) {
     if (depths[i] < deepest) {
       const WayHome home = wayHomeFrom(depths[i], platform, silence);
-      lines.push_back(fmt::format("  in `{}`: from {:.4g} m at most, within {}",
+      lines.push_back(fmt::format("  in `{}`: from at most {:.4g} m, within {}",
                                   mission.states[i].name, home.depth_m,
                                   durationOf(home.surface_s)));
     }

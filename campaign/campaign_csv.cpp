@@ -123,7 +123,8 @@ support::Result<void> readCsv(const std::string& file, const CampaignPlan& plan,
   }
   std::string_view rest = *content;
   if (!rest.starts_with(kMark)) {
-    return refuse(file, "it is not the table of a campaign", "give a file that `--csv` has begun");
+    return refuse(file, "it is not the CSV file of a campaign",
+                  "give a file that was begun with `--csv`");
   }
   const std::string head = csvHead(identity);
   if (!rest.starts_with(head)) {

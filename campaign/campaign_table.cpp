@@ -49,7 +49,7 @@ std::string row(const std::string& name, const Counts& counts) {
 
 std::string head(const char* what) {
   return fmt::format("{:<22}{:>8}{:>9}{:>18}{:>13}{:>12}{:>11}\n", what, "flights", "exited",
-                     "after hand-back", "handed back", "deepest (m)", "VIOLATION");
+                     "after release", "released", "deepest (m)", "VIOLATION");
 }
 
 /// Calls `visit` with each flight that was flown, and its verdict.
@@ -113,7 +113,7 @@ std::string violationLines(const CampaignPlan& plan, const CampaignResult& resul
                     simulator::nameOf(flight.kind), simulator::nameOf(flight.manner),
                     verdict.violation_s, verdict.violation, command, flight.number, flight.number);
   });
-  return violations > shown ? out + fmt::format("and {} violations more\n", violations - shown)
+  return violations > shown ? out + fmt::format("and {} more violations\n", violations - shown)
                             : out;
 }
 

@@ -139,7 +139,9 @@ int tellResult(const campaign::CampaignPlan& plan, const campaign::CampaignOptio
   if (result.interrupted) {
     last = fmt::format(
         "interrupted after {} of {} flights, seed {}{}\n", flown, plan.flights, plan.seed,
-        file.empty() ? "" : "; the same with --resume " + campaign::shellWord(file) + " goes on");
+        file.empty()
+            ? ""
+            : "; to continue, give the same options and --resume " + campaign::shellWord(file));
   }
   const auto printed =
       printOut(campaign::campaignTable(plan, result) +
@@ -200,7 +202,7 @@ void chooseBoards(const campaign::CampaignOptions& options, campaign::CampaignPl
   plan.boards = campaign::boardsHere(missing);
   plan.board_percent = options.board_percent;
   for (const std::string& emulator : missing) {
-    tell("glidercc: warning: there is no " + emulator + ": those flights run in this process\n");
+    tell("glidercc: warning: cannot find " + emulator + "; those flights run in this process\n");
   }
 }
 

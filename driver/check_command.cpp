@@ -98,17 +98,18 @@ std::string flightLine(const report::FlightSearch& search) {
     return "  not flown: the mission needs code in C, or the simulator cannot fly its vehicle\n";
   }
   return search.scenario.empty()
-             ? fmt::format("  none of {} flights of the simulator breaks it\n", search.flights)
-             : fmt::format("  a flight breaks it too: scenario {}, --seed {}, at {:.6g} s\n",
-                           search.scenario, search.seed, search.when_s);
+             ? fmt::format("  none of {} simulated flights violates it\n", search.flights)
+             : fmt::format(
+                   "  a simulated flight violates it too: scenario {}, --seed {}, at {:.6g} s\n",
+                   search.scenario, search.seed, search.when_s);
 }
 
 /// What came of each requirement.
 std::string requirementLines(const report::CheckedMission& found) {
   std::string text;
   for (const report::JudgedRequirement& one : found.requirements) {
-    text +=
-        fmt::format("{}{}: {}\n", one.verdict, one.cached ? " by an earlier check" : "", one.text);
+    text += fmt::format("{}{}: {}\n", one.verdict == "open" ? "undecided" : one.verdict,
+                        one.cached ? " by an earlier check" : "", one.text);
     text += one.premise.empty() ? "" : fmt::format("  {}\n", one.premise);
     text += one.closed_loop ? flightLine(*one.closed_loop) : "";
   }
@@ -164,7 +165,7 @@ int writeTraces(const CommandOptions& options, const CheckedFile& checked) {
     return reportFailure(written.error());
   }
   if (*written > 0) {
-    tell(fmt::format("{}: {} run{} written to {}\n", checked.found.path, *written,
+    tell(fmt::format("{}: {} counterexample{} written to {}\n", checked.found.path, *written,
                      *written == 1 ? "" : "s", folder.string()));
   }
   return kFine;

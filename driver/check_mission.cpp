@@ -66,7 +66,7 @@ ir::prove::Findings proveWithProgress(compiler::Compilation& compilation, const 
                                       ir::prove::Options how) {
   const compiler::Checked& checked = *compilation.checked;
   CheckProgress progress(path);
-  progress.at("looking at cases and orders");
+  progress.at("checking cases and commands");
   how.before_requirement = [&](uint32_t number) {
     const auto& all = checked.mission().requirements;
     progress.at(fmt::format("proving {} of {}: {}", number + 1, all.size(),

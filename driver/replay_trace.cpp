@@ -34,10 +34,10 @@ int tellReplay(const support::Trace& trace, const analysis::Replayed& replayed,
   }
   text += replayed.broken
               ? fmt::format(
-                    "at {:.6g} s the mission breaks `{}`: {} flew it as the proof says, "
+                    "at {:.6g} s the mission violates `{}`: {} followed the counterexample, "
                     "tick by tick ({} ticks)\n",
                     replayed.when, trace.scenario, way, replayed.ticks)
-              : fmt::format("`{}` holds in this run ({} ticks, {})\n", trace.scenario,
+              : fmt::format("`{}` holds in this flight ({} ticks, {})\n", trace.scenario,
                             replayed.ticks, way);
   const auto printed = printOut(text);
   if (!printed) {

@@ -159,7 +159,7 @@ std::string checkTime(const std::string& text) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   const bool good = error == std::errc() && end == text.data() + text.size() &&
                     std::isfinite(value) && value >= 0;
-  return good ? "" : fmt::format("`{}` is no time from 0 s on", text);
+  return good ? "" : fmt::format("`{}` is not a valid time in seconds, 0 or more", text);
 }
 
 void addPictureOptions(CLI::App& command, SimOptions& options) {

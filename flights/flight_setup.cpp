@@ -22,7 +22,7 @@ void reportMissingSensors(const compiler::Optimised& mission, const simulator::S
     });
     if (read) {
       diagnostics.report(support::DiagnosticId::sensorNotCarried, {}, scenario.name, sensor.name,
-                         "the scenario's file gives it one with " + sensor.setting);
+                         sensor.setting);
     }
   }
 }

@@ -56,7 +56,7 @@ Told tell(const Trace& trace, bool (*is)(const TraceEvent&)) {
   if (count > 0) {
     told.first = &*std::ranges::find_if(trace.events, is);
     told.at = fmt::format("{:.0f} s", told.first->time_s);
-    told.more = count > 1 ? fmt::format("; {} times in all", count) : "";
+    told.more = count > 1 ? fmt::format("; {} times in total", count) : "";
   }
   return told;
 }
@@ -143,9 +143,9 @@ void reportFlight(const Trace& trace, support::DiagnosticEngine& diagnostics) {
   if (wasNeverInControl(trace)) {
     diagnostics.report(DiagnosticId::neverInControl, {},
                        spokeTheProtocol(trace)
-                           ? "the events say how far the SBC and the vehicle came"
-                           : "the SBC never spoke the hook protocol of this version: check that "
-                             "the program, or the device, is that of a mission");
+                           ? "see the events for how far the SBC and the vehicle got"
+                           : "the SBC never used this version of the hook protocol: check that the "
+                             "program or device runs a mission");
   }
   if (const Told told = tell(trace, isAbort); told.first != nullptr) {
     const std::string why = told.first->why.empty() ? "" : ", " + plain(told.first->why);
@@ -154,9 +154,7 @@ void reportFlight(const Trace& trace, support::DiagnosticEngine& diagnostics) {
   }
   if (const Told told = tell(trace, isRefusal); told.first != nullptr) {
     diagnostics.report(DiagnosticId::commandRefused, {}, told.at,
-                       after(told.first->what, kRefused) + told.more,
-                       "hookbeh's limits stand in the vehicle's mission file, as arguments of the "
-                       "behaviour");
+                       after(told.first->what, kRefused) + told.more);
   }
   if (const Told told = tell(trace, isIntervention); told.first != nullptr) {
     diagnostics.report(DiagnosticId::guardIntervened, {}, told.at,
@@ -168,17 +166,17 @@ std::vector<std::string> flightWarnings(const Trace& trace) {
   std::vector<std::string> warnings;
   if (const std::string other = otherMission(trace); !other.empty()) {
     warnings.push_back(
-        fmt::format("the SBC flies mission {}, not {}: the names of its states are "
-                    "those of the wrong mission",
+        fmt::format("the SBC flies mission {}, not {}, so the state names shown are "
+                    "wrong",
                     plain(other), plain(trace.mission)));
   }
   if (std::ranges::any_of(trace.events, saysNoDeclination)) {
     warnings.emplace_back(
-        "the magnetic declination was not known: headings were taken as magnetic. The mission can "
-        "say it, as `declination -12 deg` (GL2162)");
+        "the magnetic declination was unknown, so headings were taken as magnetic; add a line such "
+        "as `declination -12 deg` to the mission (GL2162)");
   }
   if (wasCutShort(trace)) {
-    warnings.push_back(fmt::format("the mission had not ended when the simulated time was over{}",
+    warnings.push_back(fmt::format("the mission had not ended when the simulated time was up{}",
                                    neverVisited(trace)));
   }
   return warnings;

@@ -27,9 +27,7 @@ support::Result<void> checkSensors(const platforms::Platform& platform) {
     const bool known =
         std::ranges::any_of(kAll, [&](const Wanted& wanted) { return wanted.name == sensor.name; });
     if (!known) {
-      return support::fail(support::DiagnosticId::sensorNotSimulated, platform.name, sensor.name,
-                           "to simulate, take it out of the platform file; a sensor on the SBC is "
-                           "declared in the mission, as `extern sensor`");
+      return support::fail(support::DiagnosticId::sensorNotSimulated, platform.name, sensor.name);
     }
   }
   for (const Wanted& wanted : kAll) {

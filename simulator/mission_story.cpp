@@ -88,7 +88,7 @@ void MissionStory::note(double now_s, const hooks::HookprogEvent& event, Journal
       std::isfinite(origin_s_) ? std::min(now_s, origin_s_ + event.mission_time_s) : now_s;
   if (event.a == kUnknownSet) {
     journal.add(time, "log", fmt::format("{} keeps its value", event.text),
-                "the new one is unknown");
+                "the new value is unknown");
   } else {
     journal.add(time, "log", event.text);
   }
@@ -110,8 +110,8 @@ bool MissionStory::follow(double now_s, double cycle_s, ScienceComputer& science
         journal.add(now_s, "link", "hookprog has no answer from the SBC", "none for 12 s");
         break;
       case Kind::SbcStuck:
-        journal.add(now_s, "link", "the SBC answers, but its mission stands still",
-                    "its time has not gone on for 12 s");
+        journal.add(now_s, "link", "the SBC answers, but its mission makes no progress",
+                    "its time has not advanced for 12 s");
         break;
       case Kind::SbcUnanswered:
         journal.add(now_s, "link", fmt::format("hookbeh does not answer instruction {}", event.a),
@@ -135,12 +135,13 @@ bool MissionStory::follow(double now_s, double cycle_s, ScienceComputer& science
         journal.add(now_s, "hook", fmt::format("the SBC may not write sensor {}", event.a));
         break;
       case Kind::OldInstruction:
-        journal.add(now_s, "hook", fmt::format("instruction {} comes again", event.a),
+        journal.add(now_s, "hook", fmt::format("instruction {} is repeated", event.a),
                     "hookbeh refuses it: its number is old");
         break;
       case Kind::StaleFrame:
-        journal.add(now_s, "link", fmt::format("{} frames on the serial lines come again", event.a),
-                    "they tell of an earlier time");
+        journal.add(now_s, "link",
+                    fmt::format("{} frames are repeated on the serial lines", event.a),
+                    "they have an earlier time");
         break;
     }
   }

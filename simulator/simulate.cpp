@@ -193,7 +193,7 @@ class Simulation {
     const auto has_now = [&](const Span& span) { return span.has(now); };
     const bool down = std::ranges::any_of(faults().science, has_now);
     if (down && !science_down_) {
-      journal_.add(now, "link", "the science computer starts again");
+      journal_.add(now, "link", "the science computer restarts");
       science_.restart();
     }
     if (down) {  // what arrives meanwhile is lost

@@ -26,7 +26,7 @@ std::expected<uint64_t, std::string> tickInstructions(const Image& image,
                                                       const ir::Mission& mission,
                                                       const MissionSize& size) {
   if (image.code().empty()) {
-    return std::unexpected("the machine code of this target is not followed");
+    return std::unexpected("the machine code of this target cannot be analysed");
   }
   const auto entry = image.function("gliderStep");
   if (!entry) {
@@ -42,7 +42,7 @@ std::expected<uint64_t, std::string> tickInstructions(const Image& image,
 std::expected<uint64_t, std::string> stackBytes(const Image& image, const ir::Mission& mission,
                                                 const platforms::Board& board) {
   if (image.code().empty()) {
-    return std::unexpected("the machine code of this target is not followed");
+    return std::unexpected("the machine code of this target cannot be analysed");
   }
   const Callees callees(image, mission);
   StackBound bound(image, stackMachine(board),

@@ -93,11 +93,10 @@ support::Failure unbound(const std::string& symbol) {
   const auto declared = ir::readSymbol(symbol);
   return support::fail(
              DiagnosticId::unboundSymbol, declared ? declared->declaration : symbol,
-             declared
-                 ? "write it in C or C++ against the header of `glidercc build --emit header`, "
-                   "and give its object with `--link FILE`"
-                 : "give the object or archive that defines it with `--link FILE`; a board has "
-                   "a C library and none of C++")
+             declared ? "write it in C or C++ with the header from `glidercc build --emit header`, "
+                        "and add its object with `--link FILE`"
+                      : "add the object or archive that defines it with `--link FILE`; a board has "
+                        "a C library, but no C++ library")
       .error();
 }
 
@@ -152,7 +151,7 @@ Result<void> runLld(const LinkJob& job, const Board& board, const ScratchFiles& 
   if (!text.empty()) {
     return std::unexpected(explain(text, board, files.output));
   }
-  return support::fail(DiagnosticId::linkFailed, board.name, "the linker ended without a word");
+  return support::fail(DiagnosticId::linkFailed, board.name, "the linker ended without a message");
 }
 
 }  // namespace

@@ -118,7 +118,7 @@ Result<std::string> compileBitcode(const std::string& name, const std::string& c
   if (!compileApart(work)) {
     const std::string why = support::readFile(work.said).value_or("");
     return support::fail(DiagnosticId::bitcodeRefused, name, board.name,
-                         why.empty() ? "its compilation ended without a word" : why);
+                         why.empty() ? "its compilation ended without a message" : why);
   }
   return support::readFile(work.object);
 }

@@ -63,7 +63,7 @@ Result<void> readArchive(const Board& board, UserFile& file) {
                    file.name + "(" + buffer->getBufferIdentifier().str() + ")";
                llvm::identify_magic(buffer->getBuffer()) != llvm::file_magic::elf_relocatable) {
       result = support::fail(DiagnosticId::notLinkable, member,
-                             "what an archive holds must be objects for the board");
+                             "an archive can contain only objects for the board");
     } else {
       result = readObject({buffer->getBuffer(), member}, board, file);
     }
@@ -99,7 +99,7 @@ Result<UserFile> readUserFile(const std::filesystem::path& path, const Board& bo
         magic == llvm::file_magic::elf_executable || magic == llvm::file_magic::elf_shared_object;
     return support::fail(DiagnosticId::notLinkable, file.name,
                          linked ? "it is a program or a shared library"
-                                : "it is no object, no archive and no bitcode");
+                                : "it is not an object, an archive or bitcode");
   }
   const auto read = magic == llvm::file_magic::archive
                         ? readArchive(board, file)

@@ -130,13 +130,13 @@ Result<void> checkReplaceable(const fs::path& whole, const fs::path& target,
   if (!foreign) {
     return std::unexpected(foreign.error());
   }
-  const char* what = run ? "run" : "flight";
+  const char* what = run ? "counterexample" : "flight";
   if (!foreign->empty()) {
-    return refuse(fmt::format("it holds `{}`, which is not from a {}", *foreign, what));
+    return refuse(fmt::format("it contains `{}`, which is not from a {}", *foreign, what));
   }
   std::error_code error;
   if (!fs::is_empty(whole, error) && holdsWorkingFolder(whole)) {
-    return refuse(fmt::format("it is the current folder and holds an earlier {}", what));
+    return refuse(fmt::format("it is the current folder and contains an earlier {}", what));
   }
   return {};
 }
@@ -148,7 +148,7 @@ Result<FlightFolder> FlightFolder::scratch() {
   fs::path folder = fs::temp_directory_path(error) / fmt::format("glidercc-{}", ::getpid());
   if (error || !fs::create_directory(folder, error)) {
     return support::fail(DiagnosticId::cannotWrite, folder.string(),
-                         error ? error.message() : "it is there already");
+                         error ? error.message() : "it already exists");
   }
   return FlightFolder(folder, folder);
 }

@@ -96,7 +96,7 @@ support::Trace traceOfRun(const compiler::Checked& checked,
                             std::string(checked.sources().text(event.range))});
   }
   trace.events.push_back(
-      {run.when, run.when, "requirement", fmt::format("broken: {}", trace.scenario), run.values});
+      {run.when, run.when, "requirement", fmt::format("violated: {}", trace.scenario), run.values});
   return trace;
 }
 

@@ -133,7 +133,7 @@ class Importer {
   void refuseCycle(const ast::Import& import, std::vector<Link>::const_iterator open) {
     std::string by;
     for (auto link = std::next(open); link != chain_.end(); ++link) {
-      by += fmt::format("{}`{}`", by.empty() ? ", by way of " : ", ", link->name);
+      by += fmt::format("{}`{}`", by.empty() ? " through " : ", ", link->name);
     }
     noteChain(report(DiagnosticId::importCycle, import.where, open->name, by));
   }

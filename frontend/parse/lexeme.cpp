@@ -153,7 +153,7 @@ std::string describe(const Source& source, const Lexeme& lexeme) {
     case GliderLexer::NUMBER:
       return fmt::format("the number `{}`", text);
     case GliderLexer::STRING:
-      return fmt::format("the text `{}`", text);
+      return fmt::format("the string `{}`", text);
     case GliderLexer::UNIT:
       return fmt::format("the unit `{}`", text);
     default:
@@ -170,7 +170,7 @@ std::string describeType(uint32_t type) {
     case GliderLexer::NUMBER:
       return "a number";
     case GliderLexer::STRING:
-      return "a text in quotes";
+      return "a string in quotes";
     case GliderLexer::UNIT:
     case GliderLexer::MIN:
       return "a unit";

@@ -24,6 +24,7 @@ struct Lookalike {
   std::string_view meant;
   uint32_t type;
 };
+constexpr std::string_view kNoBreakSpace = "\xC2\xA0";
 const Lookalike kLookalikes[] = {{"≥", ">=", GliderLexer::GE},
                                  {"≤", "<=", GliderLexer::LE},
                                  {"≠", "!=", GliderLexer::NE},
@@ -34,7 +35,7 @@ const Lookalike kLookalikes[] = {{"≥", ">=", GliderLexer::GE},
                                  {"°", "deg", GliderLexer::UNIT},
                                  {"“", "\"", 0},
                                  {"”", "\"", 0},
-                                 {"\xC2\xA0", "a blank", 0}};
+                                 {kNoBreakSpace, " ", 0}};
 
 bool isLookalike(std::string_view text) {
   return std::ranges::find(kLookalikes, text, &Lookalike::text) != std::end(kLookalikes);
@@ -231,7 +232,7 @@ std::optional<Lexeme> WordRepair::one(const Lexeme& lexeme) {
 std::optional<Lexeme> WordRepair::semicolon(const Lexeme& lexeme) {
   const bool between = !open_.empty();
   reporter_.at(lexeme, DiagnosticId::semicolon)
-      .hint(between ? "write `,` between values" : "delete it: a statement ends with its line")
+      .hint(between ? "write `,` between values" : "delete it; statements need no separator")
       .fix(reporter_.source().range(lexeme), between ? "," : "");
   return between ? std::optional(Lexeme{GliderLexer::COMMA, lexeme.begin, lexeme.end})
                  : std::nullopt;
@@ -261,8 +262,9 @@ std::optional<Lexeme> WordRepair::foreign(const Lexeme& lexeme) {
   const std::string_view text = reporter_.source().text(lexeme);
   for (const Lookalike& row : kLookalikes) {
     if (row.text == text) {
-      auto report = reporter_.at(lexeme, DiagnosticId::foreignCharacter, text,
-                                 fmt::format("write `{}`", row.meant));
+      auto report = reporter_.at(
+          lexeme, DiagnosticId::foreignCharacter, text,
+          text == kNoBreakSpace ? "write an ordinary space" : fmt::format("write `{}`", row.meant));
       if (row.type == 0) {
         return std::nullopt;
       }
@@ -277,9 +279,8 @@ std::optional<Lexeme> WordRepair::foreign(const Lexeme& lexeme) {
   const bool control = ascii && (text.front() < ' ' || text.front() == 0x7F);
   const std::string shown =
       control ? fmt::format("\\x{:02x}", text.front()) : std::string(text.substr(0, 40));
-  reporter_.at(
-      lexeme, DiagnosticId::foreignCharacter, shown,
-      ascii ? "delete it" : "outside comments and texts the language is written in ASCII letters");
+  reporter_.at(lexeme, DiagnosticId::foreignCharacter, shown,
+               ascii ? "delete it" : "use only ASCII characters outside comments and strings");
   return std::nullopt;
 }
 

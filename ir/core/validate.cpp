@@ -54,17 +54,17 @@ class Validator {
     std::set<uint16_t> ids;
     for (const Sensor& s : m_.sensors) {
       require(names.insert(s.name).second, {}, "two sensors are named `{}`", s.name);
-      require(ids.insert(s.id).second, {}, "sensor `{}` has number {}, which another has", s.name,
-              s.id);
+      require(ids.insert(s.id).second, {}, "sensor `{}` has number {}, which is already used",
+              s.name, s.id);
       require(s.symbol.empty() == (s.id < kFirstOwnSensor), {},
-              "sensor `{}` has a number that does not fit whose it is", s.name);
-      require(s.type.kind != TypeKind::Bool && sound(s.type), {}, "sensor `{}` is no number",
+              "sensor `{}` has a number outside the range for its owner", s.name);
+      require(s.type.kind != TypeKind::Bool && sound(s.type), {}, "sensor `{}` is not a number",
               s.name);
       const bool position = s.type.kind == TypeKind::Latitude || s.type.kind == TypeKind::Longitude;
       require(s.encoding != Encoding::DegreesMinutes || position, {},
-              "sensor `{}` has degrees and minutes but is no latitude or longitude", s.name);
+              "sensor `{}` has degrees and minutes but is not a latitude or longitude", s.name);
       require(s.encoding != Encoding::Magnetic || isAngle(s), {},
-              "sensor `{}` is magnetic but not an angle of the vehicle in rad", s.name);
+              "sensor `{}` is magnetic, but is not an angle of the vehicle in rad", s.name);
       require(std::isfinite(s.to_si) && s.to_si != 0, {}, "sensor `{}` has the factor {}", s.name,
               s.to_si);
       require(s.lowest <= s.highest, {}, "sensor `{}` has the range {} to {}", s.name, s.lowest,
@@ -82,7 +82,7 @@ class Validator {
   void compass() {
     const bool magnetic = std::ranges::any_of(
         m_.sensors, [](const Sensor& s) { return s.encoding == Encoding::Magnetic; });
-    require(m_.compass.has_value() || !magnetic, {}, "a magnetic sensor, and no compass");
+    require(m_.compass.has_value() || !magnetic, {}, "there is a magnetic sensor, but no compass");
     if (!m_.compass) {
       return;
     }
@@ -91,7 +91,7 @@ class Validator {
                 (variation.index < m_.sensors.size() && isAngle(m_.sensors[variation.index])),
             {}, "the variation of the compass is not an angle of the vehicle");
     require(std::fabs(m_.compass->declination.value_or(0)) <= std::numbers::pi, {},
-            "a declination of more than half a turn");
+            "the declination is more than half a turn");
   }
 
   void behaviours() {
@@ -105,7 +105,7 @@ class Validator {
         require(sound(p.type), {}, "parameter `{}` of `{}` has no type", p.name, b.name);
       }
       for (SensorId id : b.reads) {
-        require(id.index < m_.sensors.size(), {}, "`{}` reads a sensor that is not there", b.name);
+        require(id.index < m_.sensors.size(), {}, "`{}` reads an unknown sensor", b.name);
       }
     }
   }
@@ -127,7 +127,7 @@ class Validator {
       const bool finite =
           std::ranges::all_of(t.values, [](double value) { return std::isfinite(value); });
       require(t.type.kind != TypeKind::Bool && sound(t.type) && !t.values.empty() && finite, {},
-              "table {} has no values, or one that is no number", i);
+              "table {} has no values, or one that is not a number", i);
     }
   }
 
@@ -143,8 +143,7 @@ class Validator {
       }
     }
     for (const FunctionUse& use : m_.uses) {
-      require(use.function.index < m_.functions.size(), use.range,
-              "a use of a function that is not there");
+      require(use.function.index < m_.functions.size(), use.range, "a use of an unknown function");
     }
   }
 
@@ -199,7 +198,7 @@ class Validator {
       }
       const std::optional<Type> type = resultType(m_, e);
       require(type == e.type && sound(e.type), e.range,
-              "the operands or the type of `{}` do not fit", opInfo(e.op).text);
+              "the operands or the type of `{}` do not match", opInfo(e.op).text);
       require(std::isfinite(e.number) && (e.op == Op::Constant || e.number == 0), e.range,
               "expression {} holds the number {}", i, e.number);
     }

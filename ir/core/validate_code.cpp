@@ -44,7 +44,7 @@ class CodeValidator {
     temporals();
     for (ExprId condition : m_.conditions) {
       expression(condition, kNoState, kBool, {}, "a condition of the parameters");
-      require(launchTime(condition), {}, "a condition reads what is no parameter");
+      require(launchTime(condition), {}, "a condition reads something other than a parameter");
     }
     require(!m_.states.empty(), {}, "a mission needs at least one state");
     for (uint32_t i = 0; i < m_.blocks.size(); ++i) {
@@ -105,17 +105,17 @@ class CodeValidator {
     if (r.kind == RequirementKind::Always) {
       expression(r.condition, kNoState, kBool, r.range, "a requirement");
       require(exists(r.condition) && reads_[r.condition.index].temporals_end == 0, r.range,
-              "a requirement watches something over time");
+              "a requirement observes something over time");
     }
     require(r.fences.empty() || r.kind == RequirementKind::Always, r.range,
             "a requirement of another kind with an area");
-    require(std::ranges::all_of(r.fences, isArea), r.range, "an area that is none");
+    require(std::ranges::all_of(r.fences, isArea), r.range, "an invalid area");
     require(!timed || (r.seconds > 0 && std::isfinite(r.seconds)), r.range,
-            "a requirement of no time");
+            "a requirement without a time above 0 s");
     require(
         !about_states || (r.state.index < m_.states.size() &&
                           (r.kind == RequirementKind::Reach || r.after.index < m_.states.size())),
-        r.range, "a requirement about a state that is not there");
+        r.range, "a requirement about an unknown state");
   }
 
   /// Each `what` and `where` is a text, or a function that gives it.
@@ -166,7 +166,7 @@ class CodeValidator {
     const Op op = m_[v.initial].op;
     require(v.kind != VariableKind::Parameter || op == Op::Constant || op == Op::True ||
                 op == Op::False,
-            v.range, "{} is no constant", what);
+            v.range, "{} is not a constant", what);
   }
 
   void temporals() {
@@ -202,7 +202,7 @@ class CodeValidator {
     numberOrTruth(w.operand, w.state, w.range,
                   [&] { return fmt::format("what temporal {} watches", i); });
     require(exists(w.operand) && m_[w.operand].type != kBool && !w.duration.valid(), w.range,
-            "window {} is over no number", i);
+            "window {} is not over a number", i);
     require(!w.along.valid() || (exists(w.along) && m_[w.along].op == Op::Sensor), w.range,
             "window {} is not stretched along a sensor", i);
     require(std::isfinite(w.length) && w.length > 0, w.range, "window {} has the length {}", i,
@@ -232,7 +232,7 @@ class CodeValidator {
       return;
     }
     if (id.index >= m_.blocks.size()) {
-      require(false, range, "a block that is not there");
+      require(false, range, "an unknown block");
       return;
     }
     ++block_uses_[id.index];
@@ -269,12 +269,12 @@ class CodeValidator {
         command(s, state);
         return;
     }
-    require(false, s.range, "a statement of no kind");
+    require(false, s.range, "a statement of unknown kind");
   }
 
   void set(const Statement& s, StateId state) {
     if (s.variable.index >= m_.variables.size()) {
-      require(false, s.range, "`set` of a variable that is not there");
+      require(false, s.range, "`set` of an unknown variable");
       return;
     }
     const Variable& v = m_[s.variable];
@@ -287,7 +287,7 @@ class CodeValidator {
 
   void command(const Statement& s, StateId state) {
     if (static_cast<size_t>(s.command) >= commands().size()) {
-      require(false, s.range, "a command that is not there");
+      require(false, s.range, "an unknown command");
       return;
     }
     const CommandInfo& info = commands()[static_cast<size_t>(s.command)];
@@ -403,7 +403,7 @@ class CodeValidator {
       const Variable* v = a.done.index < m_.variables.size() ? &m_[a.done] : nullptr;
       require(v != nullptr && v->type == kBool && v->owner == id &&
                   v->kind == (profile ? VariableKind::Profile : VariableKind::Route),
-              a.range, "{} keeps its `done` in what is no variable of it", where);
+              a.range, "{} keeps its `done` in something that is not its variable", where);
     }
   }
 

@@ -51,12 +51,12 @@ std::string defectOf(const GuardTable& table, const Mission& mission, size_t cas
   }
   for (const GuardColumn& column : table.columns) {
     if (!sound(column, mission)) {
-      return "a column that is no sensor or clock, or whose cuts are not in order";
+      return "a column that is not a sensor or clock, or whose cuts are not in order";
     }
   }
   for (size_t i = 0; i < table.rows.size(); ++i) {
     if (!sound(table.rows[i], table, case_count)) {
-      return "a row that is of no case, or has intervals that its columns lack";
+      return "a row without a case, or with intervals that its columns do not have";
     }
     if (i > 0 && table.rows[i].number < table.rows[i - 1].number) {
       return "rows that are not in the order of the cases";

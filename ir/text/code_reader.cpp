@@ -176,7 +176,7 @@ bool CodeReader::statement(Statement& s, uint32_t depth) {
     condition(s, depth);
   } else if (in_.accept("log")) {
     s.kind = StatementKind::Log;
-    s.text = in_.name("a text");
+    s.text = in_.name("a string");
     s.values = expressionList();
   } else {
     return command(s);

@@ -113,8 +113,7 @@ std::string describe(const Token& token) {
     case TokenKind::End:
       return "the end of the text";
     case TokenKind::Bad:
-      return token.text.front() == '"' ? "a string that is not closed on its line"
-                                       : "a character that has no meaning here";
+      return token.text.front() == '"' ? "an unterminated string" : "an unexpected character";
     case TokenKind::String:
       return "a string";
     case TokenKind::Name:

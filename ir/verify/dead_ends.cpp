@@ -19,9 +19,8 @@ void passes::deadEnds(Verification& v) {
       }
     }
     if (v.structure.lowestLimit(s) != kEndlessLimit) {
-      report.note(
-          v.structure.mission.always[v.structure.lowestLimit(s)].range,
-          "entered by way of this case, which only earlier cases of `always` may interrupt");
+      report.note(v.structure.mission.always[v.structure.lowestLimit(s)].range,
+                  "entered through this case; only earlier cases of `always` can interrupt it");
     }
   }
 }

@@ -18,7 +18,7 @@ void passes::emptyReturns(Verification& v) {
                                        state.cases[*returns].range, state.name);
     if (s == 0) {
       report.hint(fmt::format(
-          "the mission starts in `{}` with nothing to return to: write `exit` to end it, or `goto`",
+          "the mission starts in `{}` with an empty call stack: write `exit` to end it, or `goto`",
           state.name));
     }
     notePath(report, v.structure, v.structure.pathTo(v.structure.root(s)));

@@ -138,7 +138,7 @@ void reportWholeMission(Verification& v) {
   for (uint32_t s = 0; s < v.structure.size(); ++s) {
     noteExits(
         report, m.states[s].cases, v.structure.moves[s],
-        fmt::format("this `exit` does not count: nothing leads to state `{}`", m.states[s].name));
+        fmt::format("this `exit` does not count: state `{}` is unreachable", m.states[s].name));
   }
 }
 
@@ -171,7 +171,7 @@ void reportStates(Verification& v, const std::vector<bool>& endless) {
     notePath(report, v.structure, v.structure.pathTo(v.structure.nearest(first)));
     for (size_t i = 1; i < group.size() && i <= kMost; ++i) {
       const State& other = m.states[group[i]];
-      report.note(other.range, fmt::format("nor can state `{}` reach an `exit`", other.name));
+      report.note(other.range, fmt::format("state `{}` cannot reach an `exit` either", other.name));
     }
   }
 }

@@ -33,7 +33,8 @@ void notePath(support::DiagnosticBuilder& report, const Structure& structure, co
     const support::SourceRange range = structure.caseOf(path[i]).range;
     if (!path.keeps(i + 1) && i + 1 < path.size()) {
       const size_t left_out = path.size() - Path::kLast - i;
-      report.note(range, fmt::format("{} transitions, of which this is the first", left_out));
+      report.note(range,
+                  fmt::format("{} transitions not shown, of which this is the first", left_out));
       i += left_out - 1;
     } else {
       report.note(range, step(structure, path[i]));
@@ -45,8 +46,9 @@ void noteDeadCase(support::DiagnosticBuilder& report, const Case& c, Dead why,
                   std::string_view list) {
   switch (why) {
     case Dead::Hidden:
-      report.note(c.range,
-                  fmt::format("this case never fires: an earlier case of {} always does", list));
+      report.note(
+          c.range,
+          fmt::format("this case never fires: an earlier case of {} always fires first", list));
       return;
     case Dead::Proved:
       report.note(c.range, "this case never fires");

@@ -44,7 +44,7 @@ void noteWhy(support::DiagnosticBuilder& report, const Structure& structure, uin
   const Mission& m = structure.mission;
   if (named[state].empty()) {
     report.note(m.states.front().range,
-                fmt::format("the mission starts in state `{}`, and no case names `{}`",
+                fmt::format("the mission starts in state `{}`, and no case leads to `{}`",
                             m.states.front().name, m.states[state].name));
   }
   for (size_t i = 0; i < named[state].size() && i < kMost; ++i) {
@@ -52,10 +52,10 @@ void noteWhy(support::DiagnosticBuilder& report, const Structure& structure, uin
     if (naming.dead != Dead::No || !naming.from) {
       noteDeadCase(report, *naming.by, naming.dead, naming.from ? "the state" : "`always`");
     } else {
-      report.note(naming.by->range, *naming.from == state
-                                        ? "only its own case leads to it"
-                                        : fmt::format("nothing leads to state `{}` either",
-                                                      m.states[*naming.from].name));
+      report.note(naming.by->range,
+                  *naming.from == state
+                      ? "only its own case leads to it"
+                      : fmt::format("state `{}` is unreachable too", m.states[*naming.from].name));
     }
   }
 }

@@ -65,7 +65,7 @@ PlatformSensor readSensor(TomlReader& reader, size_t id, double cycle_s) {
   sensor.noise = reader.numberOr("noise", 0);
   sensor.what = reader.text("what");
   if (!interpretUnit(sensor)) {
-    reader.refuse("unit", "is no unit of the language, nor `lat`, `lon`, `timestamp` or `1`");
+    reader.refuse("unit", "is not a unit of the language, `lat`, `lon`, `timestamp` or `1`");
   }
   if (!(sensor.lowest < sensor.highest)) {
     reader.refuse("highest", "must be above `lowest`");

@@ -36,7 +36,7 @@ std::string TomlReader::text(std::string_view key) {
   const toml::node* found = node(key);
   const auto value = found != nullptr ? found->value_exact<std::string>() : std::nullopt;
   if (found != nullptr && !value) {
-    refuse(key, "must be a text in quotes");
+    refuse(key, "must be a string");
   }
   return value.value_or("");
 }
@@ -87,7 +87,7 @@ std::vector<std::string> TomlReader::texts(std::string_view key) {
     }
   }
   if (found != nullptr && (list == nullptr || texts.size() != list->size())) {
-    refuse(key, "must be a list of texts in quotes");
+    refuse(key, "must be a list of strings");
   }
   return texts;
 }
@@ -95,7 +95,7 @@ std::vector<std::string> TomlReader::texts(std::string_view key) {
 void TomlReader::only(std::span<const std::string_view> known) {
   for (const auto& [key, value] : table_) {
     if (std::ranges::find(known, key.str()) == known.end()) {
-      fail(&value, fmt::format("{} has a key `{}` that means nothing here", where_, key.str()));
+      fail(&value, fmt::format("{} has an unknown key `{}`", where_, key.str()));
     }
   }
 }

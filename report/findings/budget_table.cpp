@@ -43,7 +43,7 @@ std::string spoken(std::string name) {
 std::string budgetTable(const CheckedMission& mission) {
   std::string table;
   for (const Budget& budget : mission.budgets) {
-    table += fmt::format("{}: at most, {}\n", mission.path, budget.of);
+    table += fmt::format("{}: upper bounds, {}\n", mission.path, budget.of);
     for (const Quantity& quantity : budget.quantities) {
       table += fmt::format("  {:<22}  {:<36}  {}\n", spoken(quantity.name), amount(quantity),
                            quantity.remark);

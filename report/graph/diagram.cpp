@@ -84,7 +84,7 @@ class Maker {
     addStays(box, state.cases);
     if (!state.reached) {
       box.lines.push_back(
-          {state.led_to_in_vain ? "✗ only what never fires leads here" : "✗ nothing leads here",
+          {state.led_to_in_vain ? "✗ only cases that never fire lead here" : "✗ nothing leads here",
            Style::Never});
     } else if (state.dead_end) {
       box.lines.push_back({"✗ nothing leaves", Style::Never});

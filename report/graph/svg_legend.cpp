@@ -38,10 +38,10 @@ std::vector<Entry> entriesFor(const Graph& graph) {
     look(state.cases);
   }
   if (seen[static_cast<size_t>(GraphTransition::Goto)]) {
-    entries.push_back({sample(GraphTransition::Goto), "goto: for good"});
+    entries.push_back({sample(GraphTransition::Goto), "goto: does not return"});
   }
   if (seen[static_cast<size_t>(GraphTransition::Call)]) {
-    entries.push_back({sample(GraphTransition::Call), "call: comes back"});
+    entries.push_back({sample(GraphTransition::Call), "call: returns"});
   }
   if (seen[static_cast<size_t>(GraphTransition::Exit)]) {
     entries.push_back({sample(GraphTransition::Exit), "exit: the mission ends"});

@@ -160,7 +160,7 @@ class Chart {
     }
     addPath(svg_, "order", lines);
     if (!lines.empty()) {
-      legend_.push_back({"order", "", "ordered range"});
+      legend_.push_back({"order", "", "commanded range"});
     }
   }
 

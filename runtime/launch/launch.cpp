@@ -163,7 +163,7 @@ bool Launch::refuseValue(const GliderParameterInfo& parameter, const Piece& give
       text.put(": more than 15 digits, or too large or small");
       break;
     case Reading::NoSuchUnit:
-      text.put(": after the number its unit: ");
+      text.put(": write a value with a unit: ");
       listUnits(parameter.units, text);
       text.put(isOnEarth(parameter.units) ? ", or ddmm.mmmm" : "");
       break;

@@ -107,7 +107,7 @@ std::string CommandJudge::answered(const Instruction& instruction, HookAnswer an
                        instruction.sequence);
   }
   if (of_bounds && bounds != answer) {
-    return fmt::format("instruction {} is refused for a reason that is none", instruction.sequence);
+    return fmt::format("instruction {} is refused without a valid reason", instruction.sequence);
   }
   if (answer == HookAnswer::Accepted && steers) {
     const Instruction next = merged(in_force_, instruction);
@@ -138,7 +138,7 @@ std::string CommandJudge::judgeWhole(const CycleView& view) const {
   const bool named = std::string_view(out.doing).starts_with("climb: ");
   if (named != (out.guard != hooks::HookGuard::None) ||
       view.array.get(GLIDER_X_HOOK_GUARD) != static_cast<double>(out.guard)) {
-    return fmt::format("x_hook_guard does not tell of `{}`", out.doing);
+    return fmt::format("x_hook_guard does not show `{}`", out.doing);
   }
   if (view.mission_s < s_.args.start_secs) {
     return "the SBC is in control before start_secs";
@@ -215,7 +215,7 @@ std::string CommandJudge::judgeGuard(const CycleView& view) {
     const bool stalled = no_depth || view.hookbeh->guard == hooks::HookGuard::NoHeightGained;
     const bool was_before = no_depth && no_depth_gained_;
     if (!near && !was_before && !(stalled && view.time_s - overridden_s_ < kAfterOverride)) {
-      wrong = fmt::format("the guard comes in ({}) and no limit is near", view.hookbeh->doing);
+      wrong = fmt::format("the guard intervenes ({}), but no limit is near", view.hookbeh->doing);
     }
     // In water too shallow for that it comes up, and waits until the echo is forgotten.
     const bool small = tripped_m_ - shallowest_m_ < kSwing && shallowest_m_ > kFloats &&
@@ -233,7 +233,7 @@ std::string CommandJudge::judgeGuard(const CycleView& view) {
   const double enough = std::max(kRetryShare * tripped_m_, kRetry) + kRetryTolerance;
   const bool late = guards && !near && tripped_m_ - depth > enough;
   late_cycles_ = late ? late_cycles_ + 1 : 0;
-  return late_cycles_ > kLate ? "the guard does not let go" : wrong;
+  return late_cycles_ > kLate ? "the guard does not release control" : wrong;
 }
 
 std::string CommandJudge::judgeDive(const HookbehOutputs& out, double reading) {

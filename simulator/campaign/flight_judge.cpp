@@ -96,7 +96,7 @@ void FlightJudge::hear(const hooks::SensorList& write, double now_s) {
   if (!is_new && known->second != instruction && !obeyed_.contains(number)) {
     known->second = instruction;  // of a program that was started again
   } else if (!is_new && known->second != instruction) {
-    violate(now_s, words(number) + " is said anew with other words");
+    violate(now_s, words(number) + " is repeated with other content");
   }
   if (number != newest_) {
     newest_ = number;
@@ -139,7 +139,7 @@ void FlightJudge::judgeObeyed(const CycleView& view) {
   ++verdict_.instructions;
   const auto found = said_.find(number);
   if (found == said_.end() || found->second != words_obeyed) {
-    violate(view.time_s, words(number) + " is obeyed, but was not said so");
+    violate(view.time_s, words(number) + " is obeyed, but was sent differently");
   }
   if (!obeyed_.insert(number).second) {
     violate(view.time_s, words(number) + " is obeyed twice");
@@ -149,7 +149,7 @@ void FlightJudge::judgeObeyed(const CycleView& view) {
 
 void FlightJudge::judgeSession(const CycleView& view, Number number, const Words& words_obeyed) {
   if (gave_back_) {
-    violate(view.time_s, words(number) + " is obeyed after control was given back");
+    violate(view.time_s, words(number) + " is obeyed after control was released");
   }
   if (!gave_back_ && words_obeyed[1] == kGiveBack) {
     gave_back_ = true;
@@ -230,7 +230,7 @@ void FlightJudge::judgeTimes(const CycleView& view) {
   }
   if (view.time_s - progress_s_ > stated_.most_standstill_s) {
     violate(view.time_s,
-            fmt::format("the SBC is in control though its mission stood still for {:.0f} s",
+            fmt::format("the SBC is in control though its mission made no progress for {:.0f} s",
                         view.time_s - progress_s_));
   }
   for (const HandBack& hand_back : stated_.hand_backs) {
@@ -295,7 +295,7 @@ std::string FlightJudge::violationAtEnd() const {
     return "the SBC loses control without a reason";
   }
   if (setup_.promise.control == Control::Kept && setup_.has_hookbeh && !gave_back_) {
-    return "the mission does not give control back";
+    return "the mission does not release control";
   }
   return "";
 }

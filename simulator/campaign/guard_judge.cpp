@@ -86,7 +86,7 @@ std::string GuardJudge::judgeClimb(const CycleView& view) {
   stood_m_ = moves ? reading : stood_m_;
   climbs_s_ = !counts ? 0 : moves ? s_.cycle_s : climbs_s_ + view.time_s - last_s_;
   return climbs_s_ > kStalledSecs
-             ? fmt::format("climbs for {:.0f} s and gains no height, and no guard comes in",
+             ? fmt::format("climbs for {:.0f} s and gains no height, but no guard intervenes",
                            climbs_s_)
              : "";
 }
@@ -100,7 +100,7 @@ std::string GuardJudge::judgeOverridden(const CycleView& view) {
   const bool away = view.overridden && std::fabs(off_cc) > kAwayCc;
   away_s_ = away ? away_s_ + view.time_s - last_s_ : 0;
   stalled_ = stalled;
-  return wrong ? fmt::format("the guard comes in ({}) while another behaviour has the pump",
+  return wrong ? fmt::format("the guard intervenes ({}) while another behaviour has the pump",
                              view.hookbeh->doing)
                : "";
 }

@@ -33,7 +33,7 @@ std::string controlText(Control control, double silence_s, double cycle_s) {
     case Control::Any:
       break;
   }
-  return "as the mission makes of it";
+  return "depends on the mission";
 }
 
 std::string deepestText(Deepest deepest) {

@@ -253,7 +253,7 @@ void FlightController::restart(double now_s, bool keeps_array) {
     return;
   }
   journal_.add(now_s, "behaviour",
-               keeps_array ? "the mission begins again" : "the flight controller starts again");
+               keeps_array ? "the mission restarts" : "the flight controller restarts");
   if (!keeps_array) {
     array_.clear();
     clothesline_ = hooks::Clothesline();

@@ -52,7 +52,7 @@ LayeredControl::Decision LayeredControl::cycle(const Situation& situation, Journ
   }
   if (decision.abort == Abort::None && !quit()) {
     decision.abort = decision.commands.idleAbort();
-    decision.why = "nothing commands what is idle";
+    decision.why = "no behaviour gives a command";
   }
   return decision;
 }

@@ -95,7 +95,7 @@ constexpr auto kBounds = std::to_array<Bounds>({
 });
 
 std::string listOf(const std::vector<int>& codes) {
-  std::string out = "it is one of ";
+  std::string out = "it must be one of ";
   const char* separator = "";
   for (const int code : codes) {
     out += separator + std::to_string(code);

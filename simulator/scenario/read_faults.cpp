@@ -61,7 +61,7 @@ void readLine(Fields& f, Faults& faults) {
                        fault.delay_s == 0 && fault.doubled == 0 && fault.replayed == 0 &&
                        fault.heard_at_baud == 0;
   if (nothing) {
-    f.reader().refuse("line", "has nothing wrong with it here");
+    f.reader().refuse("line", "has no fault set");
   }
   for (const LineWay way : ways) {
     fault.way = way;
@@ -109,15 +109,15 @@ void readSensor(Fields& f, Faults& faults) {
   }
   f.number("jumps_share", fault.share, 0, 1);
   if (f.has("jumps_share") && !f.has("jumps")) {
-    f.reader().refuse("jumps_share", "needs `jumps` beside it");
+    f.reader().refuse("jumps_share", "needs `jumps` as well");
   }
   f.number("missing_share", fault.share, 0, 1);
   if (f.has("missing_share") && !missing) {
-    f.reader().refuse("missing_share", "needs `missing = true` beside it");
+    f.reader().refuse("missing_share", "needs `missing = true` as well");
   }
   f.number("value_share", fault.share, 0, 1);
   if (f.has("value_share") && !f.has("value")) {
-    f.reader().refuse("value_share", "needs `value` beside it");
+    f.reader().refuse("value_share", "needs `value` as well");
   }
   faults.sensors.push_back(fault);
 }
@@ -158,7 +158,7 @@ void readCard(Fields& f, Faults& faults) {
   CardFault fault;
   fault.at_s = f.required("at_s", 0, kLongest);
   if (f.has("flips") + f.has("cut") + f.has("zeroed") != 1) {
-    f.reader().refuse("at_s", "needs one of `flips`, `cut` and `zeroed` beside it");
+    f.reader().refuse("at_s", "needs one of `flips`, `cut` and `zeroed` as well");
   }
   constexpr double kMostFlips = 1e6;
   f.number("flips", fault.amount, 1, kMostFlips);

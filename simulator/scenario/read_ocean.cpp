@@ -24,7 +24,7 @@ void place(Fields& f, const LocalFrame& frame, double& x, double& y) {
 void together(Fields& f, const char* one, const char* other) {
   if (f.has(one) != f.has(other)) {
     const char* given = f.has(one) ? one : other;
-    f.reader().refuse(given, fmt::format("needs `{}` beside it", f.has(one) ? other : one));
+    f.reader().refuse(given, fmt::format("needs `{}` as well", f.has(one) ? other : one));
   }
 }
 

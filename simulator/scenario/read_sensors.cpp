@@ -11,7 +11,7 @@ void readStaleClimbs(Fields& f, StaleClimbs& stale) {
   for (const char* key :
        {"stale_climb_s", "stale_climb_flush_s", "stale_climb_after_s", "stale_climb_count"}) {
     if (f.has(key) && !stale.on) {
-      f.reader().refuse(key, "means nothing without `stale_climb = true`");
+      f.reader().refuse(key, "has no effect without `stale_climb = true`");
     }
   }
   f.number("stale_climb_s", stale.frozen_s, 0, 1e6);
@@ -25,7 +25,7 @@ void readCtd(Fields& f, bool noise_given, CtdSettings& ctd) {
                    "stale_climb_s", "stale_climb_flush_s", "stale_climb_after_s",
                    "stale_climb_count"});
   if (f.has("noise_degC") && noise_given) {
-    f.reader().refuse("noise_degC", "says again what `temperature_degC` of [sensors] says");
+    f.reader().refuse("noise_degC", "repeats `temperature_degC` of [sensors]");
   }
   f.number("noise_degC", ctd.noise_degC, 0, 10);
   f.number("repeat_fraction", ctd.repeat_fraction, 0, 1);

@@ -74,7 +74,7 @@ void SbcLink::startAgain(double now_s, const char* why) {
   }
   auto again = start_();
   if (!again) {
-    journal_.add(now_s, "link", "the SBC does not start again", again.error().message);
+    journal_.add(now_s, "link", "the SBC does not restart", again.error().message);
     return;
   }
   port_ = std::move(*again);
@@ -89,9 +89,9 @@ void SbcLink::followPort(double now_s) {
     port_->plug(!away);
     waiting_.clear();
     line_.dropRight();
-    journal_.add(now_s, "link", away ? "the SBC's port is gone" : "the SBC's port is there again");
+    journal_.add(now_s, "link", away ? "the SBC's port is gone" : "the SBC's port is back");
     if (!away && !alive() && !without_power_) {
-      startAgain(now_s, "the board starts the SBC's program again");
+      startAgain(now_s, "the board restarts the SBC's program");
     }
   }
   without_port_ = away;

@@ -61,7 +61,7 @@ void SerialSbcPort::deliver(std::span<const uint8_t> bytes, double now_s) {
       lockstep_.toSbc(bytes.data(), static_cast<uint32_t>(taken));
       bytes = bytes.subspan(static_cast<size_t>(taken));
     } else if (Clock::now() - start > patience) {
-      end("the serial line takes nothing");
+      end("the serial line accepts no data");
     } else {
       std::this_thread::sleep_for(kPause);
     }
@@ -88,7 +88,7 @@ std::vector<uint8_t> SerialSbcPort::collect() {
   for (read(); alive() && plugged_ && !lockstep_.settled(); read()) {
     if (Clock::now() - start > patience) {
       if (pace_ == Pace::Lockstep) {
-        end("it answers no more");
+        end("it no longer answers");
       }
       break;
     }

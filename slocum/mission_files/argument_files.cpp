@@ -48,7 +48,8 @@ void applyArgumentFiles(MissionFile& mission, const std::filesystem::path& folde
     }
     if (from_file->value > 99 || from_file->value != static_cast<int>(from_file->value)) {
       diagnostics.report(DiagnosticId::argumentValue, from_file->value_range, from_file->name,
-                         from_file->value, "it is a whole number from 0 to 99, or -1 for none");
+                         from_file->value,
+                         "it must be a whole number from 0 to 99, or -1 for none");
       continue;
     }
     const auto path = folder / argumentFileName(block.name, static_cast<int>(from_file->value));

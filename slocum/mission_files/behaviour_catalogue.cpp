@@ -77,7 +77,7 @@ std::string suggestion(const KnownBehaviour& known, std::string_view name) {
       return "did you mean `" + std::string(nearest->name) + "`?";
     }
   }
-  std::string all = "it has: ";
+  std::string all = "its arguments are: ";
   for (const KnownArgument& argument : known.arguments) {
     all += (&argument == known.arguments.data() ? "" : ", ") + std::string(argument.name);
   }

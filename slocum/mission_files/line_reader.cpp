@@ -57,7 +57,7 @@ bool LineReader::acceptable() {
   if (text_.size() > kLargestFile) {
     why = "it is larger than 1 MiB";
   } else if (text_.find('\0') != std::string::npos) {
-    why = "it holds a zero byte";
+    why = "it contains a zero byte";
   }
   if (why != nullptr) {
     diagnostics_.report(DiagnosticId::missionFileUnreadable, {file_, 0, 0}, why);

@@ -336,7 +336,7 @@ TEST(Command, AProgramThatIsNoSbcIsAFailureOfTheWorld) {
       runShell("cd " + folder.path().string() + "; $GLIDERCC sim --sbc /bin/true");
   EXPECT_EQ(outcome.status, 2);
   EXPECT_THAT(outcome.err, HasSubstr("never in control"));
-  EXPECT_THAT(outcome.err, HasSubstr("never spoke the hook protocol"));
+  EXPECT_THAT(outcome.err, HasSubstr("never used this version of the hook protocol"));
 }
 
 TEST(Command, InstructionsThatAreAlwaysRefusedAreWarnedOf) {

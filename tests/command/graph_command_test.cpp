@@ -91,7 +91,7 @@ TEST(GraphCommand, WhatIsProvedDeadIsMarkedInPictures) {
   const std::string mission = folder.write("m.mission", kProvedDead).string();
   const std::string svg = runShell("$GLIDERCC graph -o - " + mission).out;
   EXPECT_THAT(svg, HasSubstr("class=\"unreached\""));
-  EXPECT_THAT(svg, HasSubstr("only what never fires leads here"));
+  EXPECT_THAT(svg, HasSubstr("only cases that never fire lead here"));
   EXPECT_THAT(svg, HasSubstr(">never fires</text>"));
   EXPECT_THAT(svg, HasSubstr(">never entered</text>"));
   const std::string dot = runShell("$GLIDERCC graph --format dot -o - " + mission).out;

@@ -106,7 +106,7 @@ TEST_F(Link, WhatIsMissingIsNamedAsTheMissionHasIt) {  // GL4003
 }
 
 TEST_F(Link, OtherFilesAreRefused) {  // GL4008
-  expectRefused(build("host", mission_), "GL4008", "no object");
+  expectRefused(build("host", mission_), "GL4008", "not an object");
   expectRefused(build("host", "/bin/true"), "GL4008", "a program");
   expectRefused(build("host", "/nonexistent.o"), "GL9001", "nonexistent");
   const std::string object = compile("host");
@@ -126,7 +126,7 @@ TEST_F(Link, WhatIsLinkedAlreadyIsRefused) {  // GL4008
   std::filesystem::rename(folder_.path() / "product", program);
   expectRefused(build("ts7800", program), "GL4008", "it is a program or a shared library");
   expectRefused(build("host", "/bin/true"), "GL4008", "it is a program or a shared library");
-  expectRefused(build("host", mission_), "GL4008", "it is no object, no archive and no bitcode");
+  expectRefused(build("host", mission_), "GL4008", "it is not an object, an archive or bitcode");
 }
 
 TEST_F(Link, AnotherMachineIsRefused) {  // GL4009

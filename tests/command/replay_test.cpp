@@ -58,12 +58,12 @@ class Replay : public testing::Test {
 TEST_F(Replay, TheSameViolationShowsInProcessAndOnTheHost) {
   EXPECT_EQ(checked_.status, 1);
   EXPECT_THAT(checked_.err, HasSubstr("[GL3110 requirement-broken]"));
-  EXPECT_THAT(checked_.err, HasSubstr("2 runs written"));
+  EXPECT_THAT(checked_.err, HasSubstr("2 counterexamples written"));
   for (const int requirement : {2, 3}) {
     for (const std::string how : {"", "--board host"}) {
       const Outcome flown = replay(requirement, how);
       EXPECT_EQ(flown.status, 1) << flown.err;
-      EXPECT_THAT(flown.out, HasSubstr("the mission breaks `require "));
+      EXPECT_THAT(flown.out, HasSubstr("the mission violates `require "));
     }
   }
   EXPECT_FALSE(std::filesystem::exists(trace(1))) << "proved";
@@ -74,7 +74,7 @@ TEST_F(Replay, TheSameViolationShowsOnTheBoards) {
   for (const std::string board : {"ts7800", "ts5500"}) {
     const Outcome flown = replay(2, "--board " + board);
     EXPECT_EQ(flown.status, 1) << flown.err;
-    EXPECT_THAT(flown.out, HasSubstr(board + " flew it"));
+    EXPECT_THAT(flown.out, HasSubstr(board + " followed the counterexample"));
   }
 }
 
@@ -104,7 +104,8 @@ TEST_F(Replay, AFolderOfARunThatHoldsOtherFilesIsNotTouched) {
   ASSERT_EQ(runShell("echo mine > " + notes).status, 0);
   const Outcome refused = runShell("$GLIDERCC check " + mission_ + " --traces " + runs());
   EXPECT_EQ(refused.status, 2);
-  EXPECT_THAT(refused.err, HasSubstr("it holds `notes.txt`, which is not from a run"));
+  EXPECT_THAT(refused.err,
+              HasSubstr("it contains `notes.txt`, which is not from a counterexample"));
   EXPECT_EQ(slurp(notes), "mine\n");
   EXPECT_EQ(runShell("$GLIDERCC sim " + mission_ + " -o " + runs() + "/requirement-3").status, 2)
       << "a flight does not take the place of a run";
@@ -117,7 +118,7 @@ TEST_F(Replay, AMissionThatWasMendedNoLongerFliesTheRun) {
   mission_ = folder_.write("m.mission", mended).string();
   const Outcome flown = replay(2, "");
   EXPECT_EQ(flown.status, 0) << flown.err;
-  EXPECT_THAT(flown.out, HasSubstr("holds in this run"));
+  EXPECT_THAT(flown.out, HasSubstr("holds in this flight"));
 }
 
 /// Parameters in units that are no SI units, positions south and west, and truth values.
@@ -138,10 +139,10 @@ TEST_F(Replay, ParametersOfEveryKindGoAlong) {
                         "    case missiontime >= 40 min exit\nend\n")
                  .string();
   const Outcome checked = runShell("$GLIDERCC check " + mission_ + " --traces " + runs());
-  EXPECT_THAT(checked.err, HasSubstr("1 run written")) << checked.out;
+  EXPECT_THAT(checked.err, HasSubstr("1 counterexample written")) << checked.out;
   const Outcome flown = replay(1, "");
   EXPECT_EQ(flown.status, 1) << flown.err;
-  EXPECT_THAT(flown.out, HasSubstr("the mission breaks"));
+  EXPECT_THAT(flown.out, HasSubstr("the mission violates"));
 }
 
 TEST_F(Replay, OtherFilesAreRefused) {
@@ -196,10 +197,10 @@ TEST_F(Replay, ATraceOfSomethingElseIsRefusedByWhatItLacks) {
       1)
       << "as it is";
   EXPECT_THAT(refusal("\"requirement\":1", "\"requirement\":4"),
-              HasSubstr("the mission has 4 requirements"));
-  EXPECT_THAT(refusal("\"requirement\":1,", ""), HasSubstr("it is of a flight"));
+              HasSubstr("the mission has only 4 requirements"));
+  EXPECT_THAT(refusal("\"requirement\":1,", ""), HasSubstr("it records a flight"));
   EXPECT_THAT(refusal("\"mission\":\"m\"", "\"mission\":\"n\""),
-              HasSubstr("it is of `n`, and this is `m`"));
+              HasSubstr("it is for mission `n`, but this is `m`"));
   EXPECT_THAT(refusal("\"missiontime\"", "\"mission_time\""), HasSubstr("it has no mission times"));
   EXPECT_THAT(refusal("\"sci_water_temp\"", "\"sci_water_cond\""),
               HasSubstr("it has no readings of `sci_water_temp`"));

@@ -168,7 +168,7 @@ TEST(Campaign, ResumesNothingThatIsNotItsOwn) {
   std::ofstream(csv) << good << "3,what,is this\n";
   refused(kMissions + " --boards 0 --flights 4", "line 7 is not a flight");
   std::ofstream(csv) << "flight,mission\n";
-  refused(kMissions + " --boards 0 --flights 4", "not the table of a campaign");
+  refused(kMissions + " --boards 0 --flights 4", "not the CSV file of a campaign");
   std::filesystem::remove(csv);
   EXPECT_EQ(runShell(command + "--resume " + csv).status, 2);
   EXPECT_EQ(runShell(command + "--resume x --csv y").status, 2);

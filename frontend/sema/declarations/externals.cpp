@@ -67,7 +67,7 @@ std::optional<DeclaredType> oneNumber(const ast::Name& name, const ast::TypeName
 /// The type of a function's result; empty, and reported, if it gives none or two numbers.
 std::optional<DeclaredType> resultType(const ast::ExternFunction& node, Scope& scope) {
   return oneNumber(node.name, node.result, "the value of a C function",
-                   "a C function gives one number",
+                   "a C function returns one number",
                    "declare two functions, one for the latitude and one for the longitude", scope);
 }
 

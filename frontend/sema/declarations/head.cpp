@@ -43,7 +43,7 @@ class HeadCheck {
   void visit(const ast::Import& line) {
     if (others_ > imports_) {
       scope_.report(DiagnosticId::headerOrder, line.where, "import",
-                    "after the `mission` and `platform` lines, before all else");
+                    "after the `mission` and `platform` lines, before everything else");
     }
     ++imports_;
     ++others_;

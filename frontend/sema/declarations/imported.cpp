@@ -65,7 +65,7 @@ void checkImported(const ast::File& file, Scope& scope) {
   for (const ast::Item& item : file.items) {
     const auto* import = std::get_if<ast::Import>(&item);
     if (import != nullptr && others) {
-      scope.report(DiagnosticId::headerOrder, import->where, "import", "before all else");
+      scope.report(DiagnosticId::headerOrder, import->where, "import", "before everything else");
     }
     others = others || import == nullptr;
     if (const auto refused = std::visit(Judge(), item)) {

@@ -236,7 +236,7 @@ void warnOfUnused(const Names& names, Scope& scope) {
     } else if (isVariable(named.kind) && !named.written && named.starts_constant) {
       auto warning = scope.report(DiagnosticId::neverSet, named.name->where, name);
       if (named.kind == NamedKind::BehaviourVariable) {
-        warning.hint("write its value where it is read");
+        warning.hint("replace it by its value");
       }
     }
   }

@@ -182,9 +182,12 @@ class ArgumentLowering {
       }
     }
     const std::string point = filled_ > wanted ? decimalComma() : "";
-    auto report = scope_.report(DiagnosticId::wrongArgumentCount, where_, callee_.name, takes,
-                                arguments_.empty() ? "none" : countOf(filled_),
-                                point.empty() ? "write `" + callee_.signature.text + "`" : point);
+    auto report =
+        scope_.report(DiagnosticId::wrongArgumentCount, where_, callee_.name, takes,
+                      arguments_.empty() ? "none" : countOf(filled_), callee_.signature.text);
+    if (!point.empty()) {
+      report.hint(point);
+    }
     noteDeclaration(report, "declared here");
   }
 
@@ -198,7 +201,7 @@ class ArgumentLowering {
       if (whole != nullptr && rest != nullptr && whole->unit.empty() && !rest->unit.empty() &&
           right.begin == left.end + 1 &&
           rest->digits.find_first_not_of("0123456789") == std::string::npos) {
-        return fmt::format("a decimal point is a point: write `{}.{}`", scope_.text(left),
+        return fmt::format("use a decimal point: write `{}.{}`", scope_.text(left),
                            scope_.text(right));
       }
     }

@@ -39,9 +39,11 @@ ExprLowering::Result ExprLowering::betweenPlaces(ir::Op op, const ast::Invocatio
     return std::nullopt;
   }
   if (given->empty() || given->size() > 2) {
-    scope_.report(DiagnosticId::wrongArgumentCount, expr.where, node.function.text,
-                  "1 position, or 2", given->empty() ? "none" : std::to_string(given->size()),
-                  fmt::format("write `{0}(to)` from here, or `{0}(from, to)`", node.function.text));
+    const std::string& name = node.function.text;
+    scope_
+        .report(DiagnosticId::wrongArgumentCount, expr.where, name, "1 or 2 positions",
+                given->empty() ? "none" : std::to_string(given->size()), name + "(to)")
+        .hint(fmt::format("write `{0}(to)` from the current position, or `{0}(from, to)`", name));
     return std::nullopt;
   }
   const Result from = given->size() == 2 ? given->front() : here(expr.where);

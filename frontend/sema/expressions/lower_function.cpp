@@ -58,7 +58,7 @@ ExprLowering::Result ExprLowering::visit(const ast::Invocation& node, const ast:
     constexpr std::string_view kSignatures[] = {"(x)", "(x, y)", "(x, lowest, highest)"};
     scope_.report(DiagnosticId::wrongArgumentCount, expr.where, name, countOf(function->fewest),
                   node.arguments.empty() ? "none" : countOf(node.arguments.size()),
-                  fmt::format("write `{}{}`", name, kSignatures[function->fewest - 1]));
+                  fmt::format("{}{}", name, kSignatures[function->fewest - 1]));
     return std::nullopt;
   }
   if (function->op == ir::Op::Age) {
@@ -140,7 +140,7 @@ ExprLowering::Result ExprLowering::callOne(ir::Op op, const ast::Invocation& nod
   const bool keeps = op == ir::Op::Abs;
   if (op == ir::Op::Sin || op == ir::Op::Cos || op == ir::Op::Tan) {
     const auto angle = lowerAs(argument, quantity(support::dimension::angle),
-                               "what `" + node.function.text + "` takes");
+                               "the argument of `" + node.function.text + "`");
     return angle ? Result(emit(op, plainNumber(), expr.where, {*angle})) : std::nullopt;
   }
   const Result value = lower(argument, keeps ? want : std::nullopt);

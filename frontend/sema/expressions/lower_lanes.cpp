@@ -18,7 +18,7 @@ std::optional<Path> ExprLowering::lanes(const ast::Invocation& node, const ast::
   if (node.arguments.size() != 2) {
     scope_.report(DiagnosticId::wrongArgumentCount, expr.where, node.function.text, "2 arguments",
                   node.arguments.empty() ? "none" : fmt::format("{}", node.arguments.size()),
-                  "write `lanes(area, 500 m)`");
+                  "lanes(area, 500 m)");
     return std::nullopt;
   }
   const ast::Expr& area = *node.arguments.front().value;

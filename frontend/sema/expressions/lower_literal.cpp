@@ -73,7 +73,7 @@ ExprLowering::Result ExprLowering::visit(const ast::Literal& node, const ast::Ex
   const auto unit = support::parseUnit(node.unit);
   if (!unit) {
     scope_.report(DiagnosticId::unknownUnit, node.unit_where, node.unit,
-                  "a unit is made of those of the language by `*` and `/`, as in `degC/m`");
+                  "combine units with `*` and `/`, as in `degC/m`");
     return std::nullopt;
   }
   const double si = *value * unit->to_si;
@@ -133,11 +133,10 @@ ExprLowering::Result ExprLowering::barePosition(const ast::Literal& node,
   const std::string better = fmt::format("{} {}", node.digits, letter);
   const bool decimal = !isPlainlyDdmm(node.digits);
   if (parts->minutes >= 60) {
-    auto report = scope_.report(
-        DiagnosticId::minutesOver60, range, text, parts->degrees, parts->minutes,
-        "positions without a letter are ddmm.mmmm; decimal degrees need `N`, `S`, `E` or `W`");
+    auto report =
+        scope_.report(DiagnosticId::minutesOver60, range, text, parts->degrees, parts->minutes);
     if (decimal) {
-      report.hint(fmt::format("write decimal degrees with their letter: `{}`", better))
+      report.hint(fmt::format("write decimal degrees with a letter: `{}`", better))
           .fix(range, better);
     }
     return std::nullopt;
@@ -184,10 +183,10 @@ ExprLowering::Result ExprLowering::letterLiteral(const ast::Literal& node,
   const bool watt = node.unit == "W";
   scope_.report(DiagnosticId::ambiguousLetter, range, scope_.text(range),
                 watt ? "watts or west" : "south or siemens",
-                watt ? "say which by a type, as in `const x: power = 5 W`, or write a whole "
+                watt ? "give it a type, as in `const x: power = 5 W`, or write a whole "
                        "position, as in `39.2 N 73.9 W`"
-                     : "conductivities are in `S/m`; for a latitude say so, as in `const x: "
-                       "latitude = 33.9 S`");
+                     : "write a conductivity in `S/m`, or give a latitude its type, as in `const "
+                       "x: latitude = 33.9 S`");
   return std::nullopt;
 }
 
@@ -229,7 +228,7 @@ ExprLowering::Result ExprLowering::visit(const ast::Position& node, const ast::E
   };
   if (!isLetter(node.latitude.unit)) {
     scope_.report(DiagnosticId::unknownUnit, node.latitude_where, scope_.text(node.latitude_where),
-                  "a position is written like `39.2 N 73.9 W`");
+                  "write a position such as `39.2 N 73.9 W`");
     return std::nullopt;
   }
   if (!check(first, kLatitude, latitude_where, "`E` and `W`") ||

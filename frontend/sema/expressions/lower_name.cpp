@@ -160,14 +160,15 @@ ExprLowering::Result ExprLowering::unknown(const ast::NameUse& node,
     return std::nullopt;
   }
   const auto function = scope_.functions.find(node.name);
-  const std::string hint = function != scope_.functions.end()
-                               ? "it is a function: write `" + function->second.signature.text + "`"
-                           : isFunctionName(node.name) ? "it is a function: give it arguments"
-                           : scope_.states.contains(node.name)
-                               ? "`" + node.name + "` is a state: only `goto` and `call` take it"
-                           : scope_.behaviours.contains(node.name)
-                               ? "`" + node.name + "` says how the vehicle flies; it has no value"
-                               : scope_.suggestName(node.name);
+  const std::string hint =
+      function != scope_.functions.end()
+          ? "it is a function: write `" + function->second.signature.text + "`"
+      : isFunctionName(node.name) ? "it is a function: give it arguments"
+      : scope_.states.contains(node.name)
+          ? "`" + node.name + "` is a state: use it in `goto` or `call`"
+      : scope_.behaviours.contains(node.name)
+          ? "`" + node.name + "` controls how the vehicle flies; it has no value"
+          : scope_.suggestName(node.name);
   scope_.report(DiagnosticId::unknownName, range, node.name, hint);
   return std::nullopt;
 }

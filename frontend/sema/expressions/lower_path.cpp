@@ -81,7 +81,7 @@ std::optional<Place> ExprLowering::constantPlace(const ast::Expr& expr) {
   Context context = scope_.context;
   context.constant = "a path";
   const Scope::Within within(scope_, context);
-  const auto value = lowerDeclared(expr, {latitude(), true}, "what a path lists");
+  const auto value = lowerDeclared(expr, {latitude(), true}, "an element of a path");
   std::optional<Place> place;
   if (value) {
     const auto north = evaluate(scope_.mission, value->id);
@@ -116,7 +116,7 @@ ExprLowering::Result ExprLowering::countOfPath(const ast::Invocation& node, cons
   if (node.arguments.size() != 1) {
     scope_.report(DiagnosticId::wrongArgumentCount, expr.where, "count", "1 argument",
                   node.arguments.empty() ? "none" : fmt::format("{}", node.arguments.size()),
-                  "write `count(track)`");
+                  "count(track)");
     return std::nullopt;
   }
   const auto path = lowerPath(*node.arguments.front().value);

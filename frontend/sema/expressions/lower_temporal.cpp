@@ -25,7 +25,7 @@ ExprLowering::Result ExprLowering::overTime(ir::TemporalKind kind, const ast::In
                   node.arguments.empty() ? "none"
                                          : fmt::format("{} argument{}", node.arguments.size(),
                                                        node.arguments.size() == 1 ? "" : "s"),
-                  held ? "write `held(condition, 30 s)`" : "write `became(condition)`");
+                  held ? "held(condition, 30 s)" : "became(condition)");
     return std::nullopt;
   }
   ir::Temporal temporal;

@@ -24,7 +24,7 @@ ExprLowering::Result ExprLowering::window(const ast::Invocation& node, const ast
                   count == 0   ? "none"
                   : count == 1 ? "1 argument"
                                : std::to_string(count) + " arguments",
-                  "write `" + form + "`");
+                  form);
     return std::nullopt;
   }
   if (const ast::Argument& first = node.arguments.front(); first.of) {

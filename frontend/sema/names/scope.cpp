@@ -66,7 +66,7 @@ std::string Scope::suggestSensor(std::string_view wrong) const {
   for (const platforms::PlatformSensor& sensor : platform().sensors) {
     known.push_back(sensor.name);
   }
-  return didYouMean(wrong, known, "its sensors stand in platforms/" + platform().name + ".toml");
+  return didYouMean(wrong, known, "`glidercc platform " + platform().name + "` lists its sensors");
 }
 
 std::string Scope::suggestName(std::string_view wrong) const {
@@ -95,7 +95,7 @@ std::string Scope::takenBy(std::string_view name) const {
   if (isFunctionName(name)) {
     return "a function";
   }
-  return name == "profiledone" || name == "routedone" ? "a word of the language" : "";
+  return name == "profiledone" || name == "routedone" ? "a keyword" : "";
 }
 
 bool Scope::refuseUnseen(std::string_view name, const support::SourceRange& range) {

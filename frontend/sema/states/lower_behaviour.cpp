@@ -176,7 +176,7 @@ void BehaviourLowering::checkChain() {
                     declaration_.name->text, by_way_of);
       return;
     }
-    by_way_of += fmt::format("{} `{}`", by_way_of.empty() ? ", by way of" : ",", other->name.text);
+    by_way_of += fmt::format("{} `{}`", by_way_of.empty() ? " through" : ",", other->name.text);
   }
 }
 

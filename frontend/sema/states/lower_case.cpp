@@ -118,7 +118,7 @@ void lowerAlways(const ast::File& file, Scope& scope) {
   const auto* always = onlyItem<ast::Always>(file, [&](const auto& again, const auto& first) {
     scope.report(DiagnosticId::memberTwice, again.where, "a mission", "always")
         .note(first.where, "the first is here")
-        .hint("write all its cases into one: their order is their rank");
+        .hint("merge their cases into one; they are tried in order");
   });
   if (always == nullptr) {
     return;

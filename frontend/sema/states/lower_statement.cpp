@@ -99,8 +99,8 @@ Named* StatementLowering::settable(const ast::Name& name) {
   const bool parameter = named->kind == NamedKind::Parameter;
   scope_
       .report(DiagnosticId::cannotSet, name.where, name.text, describe(named->kind),
-              parameter ? "make it a `var`, or `set` a variable that starts with it"
-                        : "declare a `var` that starts with it, and `set` that")
+              parameter ? "make it a `var`, or `set` a `var` that has it as its initial value"
+                        : "declare a `var` with this initial value, and `set` that")
       .note(named->name->where, "it is declared here");
   return nullptr;
 }
@@ -119,7 +119,7 @@ void StatementLowering::refuseSet(const ast::Name& name) {
   const bool own = scope_.own_sensors.contains(name.text);
   if (const std::string what = own ? "a sensor" : scope_.takenBy(name.text); !what.empty()) {
     scope_.report(DiagnosticId::cannotSet, name.where, name.text, what,
-                  "keep a value of your own in a `var`");
+                  "use a `var` for a value of your own");
     return;
   }
   if (scope_.refuseUnseen(name.text, name.where)) {
@@ -188,11 +188,12 @@ void StatementLowering::visit(const ast::Command& node, const ast::Statement& st
     }
     const bool function = isFunctionName(name);
     const bool behaviour = scope_.behaviours.contains(name);
-    scope_.report(DiagnosticId::unknownCommand, node.call.function.where, name,
-                  function ? "`" + name + "` is a function: `set` a variable to it"
-                  : behaviour
-                      ? "`" + name + "` says how a state flies: give it to a state's `flight…` line"
-                      : didYouMean(name, known, all));
+    scope_.report(
+        DiagnosticId::unknownCommand, node.call.function.where, name,
+        function ? "`" + name + "` is a function: use it in the value of a `set`"
+        : behaviour
+            ? "`" + name + "` controls how a state flies: use it in the state's `flight…` line"
+            : didYouMean(name, known, all));
     return;
   }
   ir::Statement result = statementOf(ir::StatementKind::Command, statement.where);

@@ -27,7 +27,7 @@ BehaviourDeclaration* findBehaviour(const ast::Use& use, ir::BehaviourKind kind,
     }
     std::string all;
     for (std::string_view name : names) {
-      all += (all.empty() ? "there are: " : ", ") + std::string(name);
+      all += (all.empty() ? std::string(word(kind)) + "s: " : ", ") + std::string(name);
     }
     scope.report(DiagnosticId::unknownProfileOrRoute, use.name.where, word(kind), use.name.text,
                  didYouMean(use.name.text, names, all));

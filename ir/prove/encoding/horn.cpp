@@ -129,7 +129,7 @@ RunsAnswer askAboutRuns(z3::context& context, const Ground& ground, const Releva
   }
   auto run = runOfRules(context, ground, writer.rules(), engine.trace(), effort);
   if (!run) {
-    return {Answer::Unknown, std::nullopt, "a run was found that cannot be spelled out"};
+    return {Answer::Unknown, std::nullopt, "a counterexample was found, but not all of its values"};
   }
   return {Answer::Yes, std::move(run), ""};
 }

@@ -22,13 +22,13 @@ const char* nameOf(Rough rough) {
     case Rough::Product:
       return "products of values that are measured or change";
     case Rough::Quotient:
-      return "quotients by such values";
+      return "quotients of values that are measured or change";
     case Rough::Function:
-      return "roots and angles";
+      return "square roots and angles";
     case Rough::Place:
-      return "places, their distances and bearings";
+      return "positions, their distances and bearings";
     case Rough::Watched:
-      return "what `became` and `held` watch between two ticks";
+      return "what `became` and `held` observe between two ticks";
     case Rough::Window:
       return "windows";
     case Rough::Code:

@@ -47,7 +47,7 @@ void noteReasons(support::DiagnosticBuilder& report, const Mission& mission,
         break;
       }
       case Fact::From::Temporal:
-        report.note(mission.temporals[fact.index].range, "this is what can be known of it");
+        report.note(mission.temporals[fact.index].range, "nothing more is known about this");
         break;
       case Fact::From::Nature:
         break;

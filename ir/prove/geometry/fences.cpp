@@ -29,17 +29,18 @@ double offLegs(const Ground& ground, bool by_heading, double time) {
 
 std::string reasonOf(const Ground& ground, const Fence& fence, const Steering& steering,
                      const Clearance& found, double time, double margin) {
-  const char* bound = fence.keep_in ? "to keep in" : "to keep out of";
+  const char* bound = fence.keep_in ? "to stay in" : "to stay out of";
   if (!found.right_side) {
     return fmt::format("not all of its legs are on the right side of the edge of the area {}",
                        bound);
   }
   return fmt::format(
-      "its legs come within {:.0f} m of the edge of the area {}; in the {:.0f} s that it flies at "
-      "most, it may get {:.0f} m off them: by the drift at the surface of {:g} m/s, and {}",
+      "its legs come within {:.0f} m of the edge of the area {}; in at most {:.0f} s of flight, "
+      "the "
+      "vehicle may deviate from them by {:.0f} m: by surface drift of {:g} m/s, and {}",
       found.distance_m, bound, time, margin, ground.platform.world.surface_drift_m_s,
-      steering.by_heading ? "by what it goes without a waypoint"
-                          : "while the SBC is dark (`resume within`)");
+      steering.by_heading ? "by flying without a waypoint"
+                          : "while the SBC has no power (`resume within`)");
 }
 
 }  // namespace
@@ -47,13 +48,13 @@ std::string reasonOf(const Ground& ground, const Fence& fence, const Steering& s
 FenceVerdict judgeFences(const std::vector<Fence>& fences, const Ground& ground, Ending& ending) {
   const auto end = ending.by(kLongest);
   if (!end) {
-    return {false, 0, 0, "no time up to three days is known by which the mission has ended"};
+    return {false, 0, 0, "the mission is not known to end within three days"};
   }
   const Steering steering = steeringOf(ground);
   const double off_legs = offLegs(ground, steering.by_heading, *end);
   FenceVerdict verdict{true, off_legs, 0, ""};
   if (steering.waypoints.empty()) {
-    return {false, 0, 0, "it steers to no waypoint, so nothing says where it flies"};
+    return {false, 0, 0, "it does not steer to a waypoint, so its track has no bound"};
   }
   for (const Fence& fence : fences) {
     const AreaMap map(fence.corners, steering.waypoints);
@@ -63,8 +64,7 @@ FenceVerdict judgeFences(const std::vector<Fence>& fences, const Ground& ground,
     const double margin = off_legs + map.bend_m(start_within);
     if (!map.holds(margin + start_within)) {
       return {false, 0, 0,
-              "its area and its waypoints lie too far from each other, or too near a pole, for a "
-              "plane map"};
+              "its area and its waypoints are too far apart, or too near a pole, for a flat map"};
     }
     if (!found.right_side || found.distance_m < margin) {
       return {false, 0, 0, reasonOf(ground, fence, steering, found, *end, margin)};

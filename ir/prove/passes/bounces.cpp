@@ -159,8 +159,9 @@ class BounceCheck {
     told_.emplace_back(from, to);
     proof_.findings.lines.push_back(
         {m_[from].range,
-         fmt::format("`{}` and `{}` can follow each other on tick after tick{}: {}", m_[from].name,
-                     m_[to].name, noisy_ ? ", within the noise of the sensors" : "", witness_)});
+         fmt::format("possible livelock: `{}` and `{}` can alternate on every tick{}: {}",
+                     m_[from].name, m_[to].name, noisy_ ? ", within the noise of the sensors" : "",
+                     witness_)});
   }
 
   Proof& proof_;

@@ -16,12 +16,12 @@ namespace {
 /// No flight is meant to be so short; the vehicle has not even left the surface.
 constexpr double kAtOnce = 60;
 
-/// "after 42 min 0 s at the latest; with power cuts of the SBC of up to 5 min 0 s, after 48 min".
+/// "after at most 42 min 0 s; with power cuts of the SBC of up to 5 min 0 s, after at most 48 min".
 std::string latest(const Ground& ground, double undisturbed, double with_power_cuts) {
-  const std::string text = fmt::format("after {} at the latest", durationOf(undisturbed));
+  const std::string text = fmt::format("after at most {}", durationOf(undisturbed));
   return with_power_cuts <= undisturbed
              ? text
-             : fmt::format("{}; with power cuts of the SBC of up to {}, after {}", text,
+             : fmt::format("{}; with power cuts of the SBC of up to {}, after at most {}", text,
                            durationOf(ground.tick_gap_s), durationOf(with_power_cuts));
 }
 
@@ -32,22 +32,22 @@ void tellEnd(Proof& proof, const EndBound& end) {
   const Ground powered = proof.ground.withoutPowerCuts();
   const EndBound& undisturbed = proof.ending.boundWithoutPowerCuts();
   if (end.by && undisturbed.by) {
-    tell(fmt::format("the mission has ended {}", latest(proof.ground, *undisturbed.by, *end.by)));
+    tell(fmt::format("the mission ends {}", latest(proof.ground, *undisturbed.by, *end.by)));
   } else if (undisturbed.by) {
     tell(
-        fmt::format("the mission has ended after {} at the latest; with power cuts of the SBC of "
-                    "up to {} no bound is known",
+        fmt::format("the mission ends after at most {}; with power cuts of the SBC of up to {}, no "
+                    "bound is known",
                     durationOf(*undisturbed.by), durationOf(proof.ground.tick_gap_s)));
   } else if (undisturbed.stays.valid()) {
-    tell(fmt::format("no clock alone ends the mission: it may stay in `{}`",
+    tell(fmt::format("no clock condition is sure to end the mission: it may stay in `{}`",
                      proof.ground.mission[undisturbed.stays].name));
   } else {
-    tell("no bound for the mission's end is known");
+    tell("no bound on the mission's duration is known");
   }
   const EndBound soon = boundOf(powered, kLongestMission, Goal::ExitOrSurface);
   const EndBound home = boundOf(proof.ground, kLongestMission, Goal::ExitOrSurface);
   if (soon.by && home.by && (!end.by || *home.by < *end.by)) {
-    tell(fmt::format("it has ended, or ordered the surface, {}",
+    tell(fmt::format("it ends, or commands the surface, {}",
                      latest(proof.ground, *soon.by, *home.by)));
   }
 }

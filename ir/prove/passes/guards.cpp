@@ -143,7 +143,7 @@ class GuardCheck {
     } else if (verdict.hidden) {
       auto warning = proof_.diagnostics.report(DiagnosticId::caseHidden, range);
       for (const uint32_t earlier : verdict.hidden_by) {
-        warning.note(m_[cases[earlier].guard].range, "this case is tried before it, and fires");
+        warning.note(m_[cases[earlier].guard].range, "this earlier case fires first");
       }
       noteReasons(warning, m_, verdict.facts, range);
     } else if (verdict.always && leavesState(c.transition) && !isConstant(m_[c.guard])) {

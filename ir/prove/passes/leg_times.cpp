@@ -94,9 +94,10 @@ void tellIfTooFar(Proof& proof, const State& state, double nearest, double stay)
   }
   proof.findings.lines.push_back(
       {state.range,
-       fmt::format("`{}` has no time for its waypoint: {:.0f} m from the nearest other one, and "
-                   "in {} it gets on by {:.0f} m at most, without a current",
-                   state.name, nearest, durationOf(stay), way)});
+       fmt::format(
+           "`{}` cannot reach its waypoint in time: the nearest other one is {:.0f} m away, "
+           "and in {} the vehicle covers at most {:.0f} m without a current",
+           state.name, nearest, durationOf(stay), way)});
 }
 
 }  // namespace

@@ -68,9 +68,10 @@ class OverlapCheck {
     question.add(unknowns);
     if (question.ask() == Answer::Yes) {
       proof_.findings.lines.push_back(
-          {b.range, fmt::format("in `{}` {} and {} can be due on the same tick: {}; {} comes first",
-                                m_[state].name, wayOf(m_, a), wayOf(m_, b),
-                                describe(question.model(), moment), wayOf(m_, a))});
+          {b.range,
+           fmt::format("in `{}`, {} and {} can be true on the same tick: {}; {} fires first",
+                       m_[state].name, wayOf(m_, a), wayOf(m_, b),
+                       describe(question.model(), moment), wayOf(m_, a))});
     }
   }
 

@@ -77,14 +77,15 @@ class RequirementCheck {
   RequirementVerdict judgeAreas(const Requirement& requirement) {
     const FenceVerdict found = judgeFences(requirement.fences, proof_.ground, proof_.ending);
     if (found.proved) {
-      return {0, Verdict::Proved, std::nullopt,
-              fmt::format(
-                  "if control is given {0:.0f} m or more on the right side of each edge{1}, and "
-                  "everything between there and the waypoints is {0:.0f} m from the edge too",
-                  std::ceil(found.margin_m),
-                  found.start_within_m > 0
-                      ? fmt::format(", within {:g} km of a waypoint", found.start_within_m / 1000)
-                      : "")};
+      return {
+          0, Verdict::Proved, std::nullopt,
+          fmt::format("assuming that control is given on the right side of each edge, at least "
+                      "{0:.0f} m from it{1}, and that "
+                      "everything between there and the waypoints is also {0:.0f} m from the edge",
+                      std::ceil(found.margin_m),
+                      found.start_within_m > 0 ? fmt::format(" and within {:g} km of a waypoint",
+                                                             found.start_within_m / 1000)
+                                               : "")};
     }
     auto run = tryAtRandom(requirement, proof_.ground.withoutPowerCuts());
     if (!run && powerCutsMatter()) {
@@ -93,7 +94,7 @@ class RequirementCheck {
     if (run) {
       return broken(requirement, std::move(*run));
     }
-    return open(requirement, found.reason + "; no random flight broke it");
+    return open(requirement, found.reason + "; no random flight violated it");
   }
 
   RequirementVerdict judgeStack(const Requirement& requirement) {
@@ -105,7 +106,7 @@ class RequirementCheck {
       path += fmt::format("{}`{}`", path.empty() ? "" : " calls ", m_[state].name);
     }
     proof_.diagnostics.report(DiagnosticId::requirementBroken, requirement.range,
-                              fmt::format("up to {} of the states may wait on the call stack: {}",
+                              fmt::format("up to {} states may wait on the call stack: {}",
                                           proof_.facts.stack_depth, path));
     return {0, Verdict::Refuted, std::nullopt};
   }
@@ -192,9 +193,8 @@ class RequirementCheck {
     if (found.run) {
       return broken(requirement, std::move(*found.run));
     }
-    return open(requirement,
-                reasonOf(requirement, found.answer) +
-                    (powered_proved ? "; it is so if the power of the SBC is never cut" : ""));
+    return open(requirement, reasonOf(requirement, found.answer) +
+                                 (powered_proved ? "; it holds if the SBC never loses power" : ""));
   }
 
   /// Without a search over runs.
@@ -242,21 +242,22 @@ class RequirementCheck {
   }
 
   RequirementVerdict unreached(const Requirement& requirement) {
-    proof_.diagnostics.report(DiagnosticId::requirementBroken, requirement.range,
-                              fmt::format("no run enters state `{}`, whatever the sensors say",
-                                          m_[requirement.state].name));
+    proof_.diagnostics.report(
+        DiagnosticId::requirementBroken, requirement.range,
+        fmt::format("no possible flight enters state `{}`", m_[requirement.state].name));
     return {0, Verdict::Refuted, std::nullopt};
   }
 
   [[nodiscard]] std::string reasonOf(const Requirement& requirement,
                                      const RunsAnswer& answer) const {
     if (answer.bad != Answer::Yes) {
-      return fmt::format("Z3 gave up ({}), and no random flight broke it", answer.trouble);
+      return fmt::format("no proof was found ({}), and no random flight violated it",
+                         answer.trouble);
     }
     const std::string what = knownRoughly(m_, relevanceOf(requirement, proof_.ground));
-    return fmt::format("a run seemed to {} it, but does not when it is tried{}",
-                       requirement.kind == RequirementKind::Reach ? "do" : "break",
-                       what.empty() ? "" : "; only known roughly here: " + what);
+    return fmt::format("a possible {} was found, but did not hold when it was checked{}",
+                       requirement.kind == RequirementKind::Reach ? "flight" : "counterexample",
+                       what.empty() ? "" : "; approximated here: " + what);
   }
 
   RequirementVerdict open(const Requirement& requirement, const std::string& reason) {
@@ -293,8 +294,8 @@ class RequirementCheck {
         ++noted;
         error.note(
             requirement.range,
-            fmt::format("from {:.6g} s to {:.6g} s the SBC has no power; the mission goes on "
-                        "after up to {} (`resume within`)",
+            fmt::format("from {:.6g} s to {:.6g} s the SBC has no power; the mission resumes "
+                        "after a power cut of up to {} (`resume within`)",
                         from, to, durationOf(m_.resume_within_s)));
       }
     }
@@ -307,7 +308,7 @@ class RequirementCheck {
                            run.values.empty() ? "" : ", ", run.values);
       case RequirementKind::ExitWithin:
         return fmt::format("the mission may {} {:.6g} s, in state `{}`",
-                           run.ticks.back().finished ? "end as late as at" : "still fly at",
+                           run.ticks.back().finished ? "end only at" : "still be flying at",
                            run.when, run.state);
       case RequirementKind::NeverAfter:
         return fmt::format("state `{}` may be entered after `{}`, at {:.6g} s",

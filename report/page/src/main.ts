@@ -88,7 +88,7 @@ function start(): void {
   const charts = timeCharts(flight, view);
   followTheme(charts);
   if (flight.figures.rows > flight.times.length) {
-    byId("thinned").textContent = `${flight.times.length} of ${flight.figures.rows} rows are drawn, every inflection among them; the trace as CSV has all.`;
+    byId("thinned").textContent = `${flight.times.length} of ${flight.figures.rows} rows are drawn, including every inflection; the CSV trace has all rows.`;
   }
   view.showAll();
   view.moveToRow(0);

@@ -12,15 +12,15 @@ import { View } from "./view";
 const groups: [string, Record<string, string>][] = [
   ["Depth and attitude", {
     m_depth: "depth", true_depth: "true depth", m_depth_rate: "depth rate", water_depth: "water depth", m_altitude: "altitude",
-    m_pitch: "pitch", c_pitch: "pitch ordered", m_roll: "roll", m_heading: "heading", c_heading: "heading ordered",
+    m_pitch: "pitch", c_pitch: "commanded pitch", m_roll: "roll", m_heading: "heading", c_heading: "commanded heading",
   }],
-  ["Orders of the SBC", {
+  ["Commands of the SBC", {
     hook_active: "hookbeh", hook_vertical: "vertical", hook_depth: "target depth", order_top: "range from", order_bottom: "range to",
     layer: "commanding layer",
   }],
   ["Water", { sci_water_temp: "temperature", sci_water_cond: "conductivity", sci_water_pressure: "pressure", isotherm_depth: "marked isotherm" }],
   ["Vehicle", {
-    m_ballast_pumped: "pump", c_ballast_pumped: "pump ordered", m_battpos: "battery position", m_battery: "battery", m_speed: "speed",
+    m_ballast_pumped: "pump", c_ballast_pumped: "commanded pump volume", m_battpos: "battery position", m_battery: "battery", m_speed: "speed",
   }],
   ["Position", {
     m_lat: "latitude", m_lon: "longitude", true_lat: "true latitude", true_lon: "true longitude",

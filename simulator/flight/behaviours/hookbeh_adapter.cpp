@@ -71,9 +71,9 @@ const char* describe(HookState state) {
     case HookState::Active:
       return "the SBC takes control";
     case HookState::Silent:
-      return "the SBC is silent, control taken away";
+      return "the SBC is silent, control revoked";
     case HookState::Complete:
-      return "the SBC gives control back";
+      return "the SBC releases control";
   }
   return "unknown state";
 }
@@ -113,7 +113,7 @@ void HookbehAdapter::note(const hooks::HookbehInputs& in, const hooks::HookbehOu
   const bool decided = out.answer != HookAnswer::Accepted && out.answer != HookAnswer::None;
   if (out.answered_sequence != answered_ && decided) {
     news_.push_back({"hook", fmt::format("instruction {} {}: {}", out.answered_sequence,
-                                         isOfTheLink(out.answer) ? "passed over" : "refused",
+                                         isOfTheLink(out.answer) ? "ignored" : "refused",
                                          refusalText(out.answer, in, limits_))});
   }
   if (out.commanding && doing_ != out.doing) {

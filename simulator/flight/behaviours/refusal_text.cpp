@@ -34,7 +34,7 @@ std::string pitchText(const hooks::HookbehInputs& in, const hooks::HookbehArgs& 
   const bool dives = is(in.vertical, HookVertical::Descend);
   const double steepness = dives ? -in.hook_pitch_rad : in.hook_pitch_rad;
   if (!(steepness > 0)) {
-    return fmt::format("{} at a pitch of {} has its nose the wrong way", wordFor(in.vertical),
+    return fmt::format("{} at a pitch of {} points the wrong way", wordFor(in.vertical),
                        degrees(in.hook_pitch_rad));
   }
   const bool steep = steepness > args.steepest_pitch_rad;
@@ -68,9 +68,9 @@ std::string refusalText(HookAnswer answer, const hooks::HookbehInputs& in,
     case HookAnswer::NotReady:
       return "hookbeh is not ready";
     case HookAnswer::OldSequence:
-      return "its number is older than one that was decided on";
+      return "its number is older than one already processed";
     case HookAnswer::None:
-      return "it was there when hookbeh began";
+      return "it is from before hookbeh started";
     case HookAnswer::Accepted:
       return "it is in force";
   }

@@ -75,7 +75,7 @@ TEST(Budget, WhereTheCodeIsNotFollowedThereIsNoBound) {
   ASSERT_TRUE(budget) << budget.error().message;
   EXPECT_GT(budget->executable_bytes, 10'000u);
   ASSERT_FALSE(budget->tick_instructions);
-  EXPECT_THAT(budget->tick_instructions.error(), HasSubstr("not followed"));
+  EXPECT_THAT(budget->tick_instructions.error(), HasSubstr("cannot be analysed"));
 }
 
 class PathOn : public testing::TestWithParam<const char*> {

@@ -394,9 +394,10 @@ std::string roughOf(const std::string& condition, bool vehicle = false,
 
 TEST(KnownRoughly, NamesWhatTheSolverDoesNotWorkOut) {
   const std::string products = "products of values that are measured or change",
-                    quotients = "quotients by such values", functions = "roots and angles",
-                    places = "places, their distances and bearings",
-                    watched = "what `became` and `held` watch between two ticks",
+                    quotients = "quotients of values that are measured or change",
+                    functions = "square roots and angles",
+                    places = "positions, their distances and bearings",
+                    watched = "what `became` and `held` observe between two ticks",
                     windows = "windows", code = "C functions";
   const std::string depth = "(div (sensor depth) 1:length)";
   const auto rough = [](const std::string& number) { return roughOf("(gt " + number + " 1)"); };

@@ -102,7 +102,7 @@ TEST(Verify, NamesEightOfTheStatesWithoutEnd) {
     const auto all = v.diagnostics.sorted();
     EXPECT_EQ(all.size(), 1u);
     return std::ranges::count_if(all.at(0).notes, [](const auto& note) {
-      return note.message.find("nor can state") != std::string::npos;
+      return note.message.find("cannot reach an `exit` either") != std::string::npos;
     });
   };
   EXPECT_EQ(notes(9), 8);

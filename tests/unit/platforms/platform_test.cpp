@@ -43,9 +43,9 @@ TEST(Platform, MistakesInTheFileAreNamedWithTheirLine) {
   ASSERT_TRUE(load(std::string(kHead) + kSensor));
   const std::pair<std::string, std::string> bad[] = {
       {"", "has no `name`"},
-      {"name = 3\ndescription = \"d\"\n", "must be a text"},
+      {"name = 3\ndescription = \"d\"\n", "must be a string"},
       {kHead, "[[sensor]]"},
-      {std::string(kHead) + "sensor = 5\n", "means nothing here"},
+      {std::string(kHead) + "sensor = 5\n", "unknown key"},
       {std::string(kHead).substr(0, std::string(kHead).find("[world]")) + kSensor, "start_depth_m"},
       {std::string(kHead) + kSensor + kSensor, "taken"},
       {std::string(kHead) + kSensor + "colour = 1\n", "`colour`"},

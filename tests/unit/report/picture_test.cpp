@@ -84,7 +84,7 @@ TEST(PictureContours, AClosedLineEndsWhereItBegins) {
 TEST(Picture, SaysWhatTheFlightWas) {
   const std::string svg = drawPicture(sampleTrace());
   for (const char* text : {"depth (m)", "time (min)", "temperature (°C)", "layered control",
-                           "class=\"isotherm\"", "marked isotherm", "ordered range"}) {
+                           "class=\"isotherm\"", "marked isotherm", "commanded range"}) {
     EXPECT_THAT(svg, HasSubstr(text));
   }
   EXPECT_THAT(svg, Not(HasSubstr("payload computer"))) << "every row of control has a state";

@@ -60,10 +60,11 @@ TEST(Warnings, AnSbcThatNeverSpokeIsToldFromOneThatWasNotGivenControl) {
   trace.events.push_back({4, kUnknown, "link", "hookprog refuses the SBC", "protocol 3"});
   trace.events.push_back({4, 0, "log", "the SBC answers: mission m", ""});
   EXPECT_FALSE(spokeTheProtocol(trace)) << "a note can say anything";
-  EXPECT_NE(hint(trace).find("never spoke the hook protocol"), std::string::npos) << hint(trace);
+  EXPECT_NE(hint(trace).find("never used this version of the hook protocol"), std::string::npos)
+      << hint(trace);
   trace.events.push_back({8, kUnknown, "link", "the SBC answers: mission m", ""});
   EXPECT_TRUE(spokeTheProtocol(trace));
-  EXPECT_EQ(hint(trace), "the events say how far the SBC and the vehicle came");
+  EXPECT_EQ(hint(trace), "see the events for how far the SBC and the vehicle got");
 }
 
 TEST(Warnings, AnAbortIsReportedWithItsReason) {
@@ -80,7 +81,7 @@ TEST(Warnings, TheFirstInterventionIsReportedAndAllAreCounted) {
             Lines{"GL9375 hookbeh intervened at 16 s: climb: too deep (m_depth 30.1 m)"});
   trace.events.push_back({20, 12, "hook", "hookbeh: climb: too near (m_depth 20 m)", ""});
   EXPECT_EQ(reported(trace), Lines{"GL9375 hookbeh intervened at 16 s: climb: too deep (m_depth "
-                                   "30.1 m); 2 times in all"});
+                                   "30.1 m); 2 times in total"});
   trace.events = {{16, 8, "hook", "hookprog and SBC shook hands", ""},
                   {20, 8, "steering", "hookbeh: dive_to (m_depth 3.1 m)", ""}};
   EXPECT_EQ(reported(trace), Lines{}) << "steering is no intervention";
@@ -93,7 +94,7 @@ TEST(Warnings, AsJson) {
   reportFlight(trace, diagnostics);
   EXPECT_EQ(
       warningsToJson(diagnostics.sorted(), {"cut \"short\""}),
-      R"([{"code":"GL9372","hint":"the events say how far the SBC and the vehicle came",)"
+      R"([{"code":"GL9372","hint":"see the events for how far the SBC and the vehicle got",)"
       R"("message":"the mission was never in control of the vehicle",)"
       R"("slug":"never-in-control"},{"code":"","hint":"","message":"cut \"short\"","slug":""}])");
   EXPECT_EQ(warningsToJson({}, {}), "[]");
@@ -105,8 +106,9 @@ TEST(Warnings, AnotherMissionThanThatWhoseStatesAreNamed) {
   trace.events.push_back({4, kUnknown, "link", "the SBC answers: mission front", ""});
   EXPECT_EQ(flightWarnings(trace), Lines{});
   trace.events.back().what = "the SBC answers: mission patch";
-  EXPECT_EQ(flightWarnings(trace), Lines{"the SBC flies mission patch, not front: the names of its "
-                                         "states are those of the wrong mission"});
+  EXPECT_EQ(flightWarnings(trace),
+            Lines{"the SBC flies mission patch, not front, so the state names "
+                  "shown are wrong"});
   trace.state_names.clear();
   EXPECT_EQ(flightWarnings(trace), Lines{}) << "none was named";
 }
@@ -168,9 +170,10 @@ TEST(Warnings, RefusedInstructionsAreCounted) {
   trace.events.push_back({12, 8, "hook", "instruction 2 refused: it is no command", ""});
   trace.events.push_back({16, 8, "hook", "hookbeh: climb: too deep (m_depth 30.1 m)", ""});
   EXPECT_EQ(refusedInstructions(trace), 2U);
-  EXPECT_EQ(reported(trace),
-            (Lines{"GL9371 hookbeh refused a command at 8 s: deeper than max_depth; 2 times in all",
-                   "GL9375 hookbeh intervened at 16 s: climb: too deep (m_depth 30.1 m)"}));
+  EXPECT_EQ(
+      reported(trace),
+      (Lines{"GL9371 hookbeh refused a command at 8 s: deeper than max_depth; 2 times in total",
+             "GL9375 hookbeh intervened at 16 s: climb: too deep (m_depth 30.1 m)"}));
 }
 
 TEST(Warnings, AnUnknownDeclination) {
@@ -186,7 +189,7 @@ TEST(Warnings, AMissionThatHadNotEnded) {
   EXPECT_EQ(flightWarnings(trace), Lines{}) << "the layered control flew on";
   trace.events.erase(trace.events.begin());
   EXPECT_EQ(flightWarnings(trace),
-            Lines{"the mission had not ended when the simulated time was over; never visited: s2"});
+            Lines{"the mission had not ended when the simulated time was up; never visited: s2"});
 }
 
 }  // namespace

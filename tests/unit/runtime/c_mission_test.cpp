@@ -366,7 +366,7 @@ TEST(CMission, LogsControlAndWhatIsRefused) {
                                   }),
             1);
   for (const char* wanted :
-       {"control taken", "instruction refused", "control given back", "500,log,calls s,2"}) {
+       {"control taken", "instruction refused", "control released", "500,log,calls s,2"}) {
     EXPECT_THAT(csv, ::testing::HasSubstr(wanted));
   }
 }

@@ -143,7 +143,7 @@ TEST_F(LinkTest, LogsTheFlight) {
                                   "100,fired,m_depth,10,,\n100,fired,sci_water_temp,20,,\n"
                                   "100,value,depth,10,,\n"));
   EXPECT_THAT(logCsv(), HasSubstr("\n200,transition,exit,1,second,\n"));
-  EXPECT_THAT(logCsv(), HasSubstr(",event,control given back,"));
+  EXPECT_THAT(logCsv(), HasSubstr(",event,control released,"));
 }
 
 TEST_F(LinkTest, ARefusedInstructionIsRecordedAndTheMissionFliesOn) {

@@ -52,7 +52,7 @@ void expectHandBackAndReturn(const Faults& faults, double begin_s, double end_s)
   const double again = timeOf(trace, "the SBC takes control", silent);
   EXPECT_GE(again, end_s) << events;
   EXPECT_LE(again, end_s + 60) << events;
-  EXPECT_GT(timeOf(trace, "gives control back"), again) << events;
+  EXPECT_GT(timeOf(trace, "releases control"), again) << events;
   EXPECT_GT(timeOf(trace, "nothing is left to fly"), again) << events;
 }
 
@@ -79,7 +79,7 @@ TEST(FaultFlight, AStuckMissionIsLetGoThoughItAnswers) {
   Faults faults;
   faults.stuck = {{300, 400}};
   expectHandBackAndReturn(faults, 300, 400);
-  EXPECT_NE(timeOf(fly(withFaults(faults)), "stands still"), -1)
+  EXPECT_NE(timeOf(fly(withFaults(faults)), "makes no progress"), -1)
       << eventText(fly(withFaults(faults)));
 }
 
@@ -93,9 +93,9 @@ TEST(FaultFlight, AShortScienceRebootCostsNothing) {
   Faults faults;
   faults.science = {{301, 307}};
   const support::Trace trace = fly(withFaults(faults));
-  EXPECT_NE(timeOf(trace, "the science computer starts again"), -1) << eventText(trace);
+  EXPECT_NE(timeOf(trace, "the science computer restarts"), -1) << eventText(trace);
   EXPECT_EQ(timeOf(trace, "the SBC is silent"), -1) << eventText(trace);
-  EXPECT_NE(timeOf(trace, "gives control back"), -1) << eventText(trace);
+  EXPECT_NE(timeOf(trace, "releases control"), -1) << eventText(trace);
 }
 
 TEST(FaultFlight, EachDirectionOfEachLineThatIsCutEndsControlInTime) {
@@ -119,7 +119,7 @@ TEST(FaultFlight, AFlightControllerThatStartsAgainBeginsItsMissionAgain) {
     faults.flight = {{{300, 330}, keeps_array}};
     const support::Trace trace = fly(withFaults(faults));
     const std::string events = eventText(trace);
-    EXPECT_EQ(timeOf(trace, keeps_array ? "the mission begins again" : "starts again"), 332)
+    EXPECT_EQ(timeOf(trace, keeps_array ? "the mission restarts" : "controller restarts"), 332)
         << events;
     EXPECT_EQ(timeOf(trace, "hookbeh: is ready for the SBC", 300), 332) << events;
     EXPECT_EQ(timeOf(trace, "the SBC takes control", 300), -1) << "nobody asked for it\n" << events;
@@ -233,7 +233,7 @@ TEST(FaultFlight, DamageThatLeavesEnoughIsFlownThrough) {
     for (const LineWay way : {LineWay::ToSbc, LineWay::FromSbc}) {
       const support::Trace trace = fly(withFaults(onLine(way, fault)));
       EXPECT_EQ(timeOf(trace, "the SBC is silent"), -1) << eventText(trace);
-      EXPECT_NE(timeOf(trace, "gives control back"), -1) << eventText(trace);
+      EXPECT_NE(timeOf(trace, "releases control"), -1) << eventText(trace);
     }
   }
 }
@@ -243,7 +243,7 @@ TEST(FaultFlight, TheSbcsClockMayJump) {
   faults.clock = {{300, 1e6}, {400, -3e6}, {500, 50}};
   const support::Trace trace = fly(withFaults(faults));
   EXPECT_EQ(timeOf(trace, "the SBC is silent"), -1) << eventText(trace);
-  EXPECT_NEAR(timeOf(trace, "gives control back"), 1206, 12) << eventText(trace);
+  EXPECT_NEAR(timeOf(trace, "releases control"), 1206, 12) << eventText(trace);
 }
 
 SensorFault onSensor(const char* name, SensorFault::Kind kind, double value = 0) {
@@ -263,7 +263,7 @@ TEST(FaultFlight, SensorsFreezeVanishAndLie) {
   EXPECT_EQ(valueAt(trace, "m_pitch", 304), valueAt(trace, "m_pitch", 496));
   EXPECT_EQ(valueAt(trace, "m_heading", 400), 99);
   EXPECT_NE(valueAt(trace, "m_heading", 520), 99);
-  EXPECT_NE(timeOf(trace, "gives control back"), -1) << eventText(trace);
+  EXPECT_NE(timeOf(trace, "releases control"), -1) << eventText(trace);
 }
 
 TEST(SensorDamage, DriftsScalesAndJumps) {

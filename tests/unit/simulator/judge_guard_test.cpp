@@ -130,7 +130,7 @@ TEST_F(JudgedGuard, AfterAGapTheDepthMayBeAnother) {
 TEST_F(JudgedGuard, AClimbThatStandsStillWithoutAGuardIsSeen) {
   climb();
   EXPECT_EQ(stay(20, 504), "");
-  EXPECT_EQ(cycle(20), "climbs for 508 s and gains no height, and no guard comes in");
+  EXPECT_EQ(cycle(20), "climbs for 508 s and gains no height, but no guard intervenes");
 }
 
 TEST_F(JudgedGuard, AClimbThatGainsHalfAMetreIsNone) {
@@ -159,7 +159,7 @@ TEST_F(JudgedGuard, AGuardThatReckonsWithWhatAnotherBehaviourFliesIsSeen) {
   EXPECT_EQ(stay(20, 16), "");
   guard(HookGuard::NoDepthGained, "climb: no depth gained");
   EXPECT_EQ(cycle(20),
-            "the guard comes in (climb: no depth gained) while another behaviour has the pump");
+            "the guard intervenes (climb: no depth gained) while another behaviour has the pump");
   EXPECT_EQ(cycle(20), "") << "once";
 }
 

@@ -38,7 +38,7 @@ TEST_F(Judged, WhatWasNotSaidSoIsSeen) {
   array_.set(GLIDER_SCI_HOOK_DEPTH, 6);
   obey(2);
   cycle(HookState::Active);
-  EXPECT_EQ(violation(), "instruction 2 of session 1 is obeyed, but was not said so");
+  EXPECT_EQ(violation(), "instruction 2 of session 1 is obeyed, but was sent differently");
 }
 
 TEST_F(Judged, AnInstructionObeyedTwiceIsSeen) {
@@ -57,7 +57,7 @@ TEST_F(Judged, AnInstructionObeyedTwiceIsSeen) {
 TEST_F(Judged, ANumberThatIsUsedForOtherWordsIsSeen) {
   take();
   instruct(1, 1, hooks::HookControl::Take, 12);
-  EXPECT_EQ(violation(), "instruction 1 of session 1 is said anew with other words");
+  EXPECT_EQ(violation(), "instruction 1 of session 1 is repeated with other content");
 }
 
 TEST_F(Judged, ALostInstructionIsSeen) {
@@ -78,7 +78,7 @@ TEST_F(Judged, AMissionThatStandsStillInControlIsSeen) {
   }
   EXPECT_EQ(violation().find("stood still"), std::string::npos);
   cycle(HookState::Active);
-  EXPECT_NE(violation().find("stood still for 60 s"), std::string::npos) << violation();
+  EXPECT_NE(violation().find("made no progress for 60 s"), std::string::npos) << violation();
 }
 
 TEST_F(Judged, ControlBeyondTheStatedTimeIsSeen) {
@@ -114,7 +114,7 @@ TEST_F(Judged, AnInstructionAfterControlWasGivenBackIsSeen) {
   arrive();
   obey(10, 2);
   cycle(HookState::Active);
-  EXPECT_EQ(violation(), "instruction 10 of session 2 is obeyed after control was given back");
+  EXPECT_EQ(violation(), "instruction 10 of session 2 is obeyed after control was released");
 }
 
 TEST_F(Judged, WhatArrivesWhenHookbehDoesNotListenIsNotObeyed) {

@@ -249,7 +249,7 @@ TEST_F(Judged, AGuardWithoutALimitIsSeen) {
   out_.guard = hooks::HookGuard::TooDeep;
   out_.doing = "climb: too deep";
   cycle(HookState::Active, 10);
-  EXPECT_EQ(violation(), "the guard comes in (climb: too deep) and no limit is near");
+  EXPECT_EQ(violation(), "the guard intervenes (climb: too deep), but no limit is near");
 }
 
 TEST_F(Judged, AGuardThatIsNotToldIsSeen) {
@@ -257,7 +257,7 @@ TEST_F(Judged, AGuardThatIsNotToldIsSeen) {
   climb();
   out_.doing = "climb: too deep";
   cycle(HookState::Active, 10);
-  EXPECT_EQ(violation(), "x_hook_guard does not tell of `climb: too deep`");
+  EXPECT_EQ(violation(), "x_hook_guard does not show `climb: too deep`");
 }
 
 TEST_F(Judged, AnInstructionThatIsNotCarriedOutIsSeen) {
@@ -372,7 +372,7 @@ TEST_F(Judged, ARefusalWithoutAReasonIsSeen) {
   obey(2);
   array_.set(GLIDER_X_HOOK_ANSWER, static_cast<double>(hooks::HookAnswer::TooDeep));
   cycle(HookState::Active, 10);
-  EXPECT_EQ(violation(), "instruction 2 is refused for a reason that is none");
+  EXPECT_EQ(violation(), "instruction 2 is refused without a valid reason");
 }
 
 TEST_F(Judged, ALostSessionThatTakesControlAgainIsSeen) {
@@ -437,7 +437,7 @@ TEST(JudgeKept, ControlThatIsLostWithoutAReasonIsSeen) {
     judge.cycle({now, hook, 0.1, false, false, array, now, 100, 0, 14, true, &out});
   };
   cycle(4, HookState::Silent);
-  EXPECT_EQ(judge.verdict().violation, "the mission does not give control back");
+  EXPECT_EQ(judge.verdict().violation, "the mission does not release control");
   cycle(8, HookState::Active);
   cycle(12, HookState::Silent);
   EXPECT_NE(judge.verdict().violation, "");

@@ -41,7 +41,7 @@ TEST(SbcFlight, TakesControlSteersAndGivesBack) {
   ASSERT_NE(rise, nullptr) << events;
   EXPECT_TRUE(std::regex_search(rise->why, std::regex(R"( m, lat 3910\.\d\d\d\)$)"))) << rise->why;
   EXPECT_NE(findEvent(trace, "up → end (exit)"), nullptr) << events;
-  const auto* back = findEvent(trace, "the SBC gives control back");
+  const auto* back = findEvent(trace, "the SBC releases control");
   ASSERT_NE(back, nullptr) << events;
   EXPECT_NEAR(back->time_s, 906, 12);
   const double t = 600;
@@ -149,7 +149,7 @@ TEST(SbcFlight, Figure5IsLayeredBeforeAndAfter) {
   ASSERT_NE(takes, nullptr) << events;
   EXPECT_GE(takes->time_s, 260);
   EXPECT_LE(takes->time_s, 272);
-  const auto* back = findEvent(trace, "gives control back");
+  const auto* back = findEvent(trace, "releases control");
   ASSERT_NE(back, nullptr) << events;
   EXPECT_GE(back->time_s, 1460);
   EXPECT_LE(back->time_s, 1476);

@@ -157,8 +157,9 @@ TEST_F(ScenarioFile, RefusesWrongTablesWithTheirLine) {
       {"[sensors.ctd]\nrepeat_fraction = 1.5\n", ":9:"},
       {"[sensors.ctd]\nlate_s = nan\n", ":9:"},
       {"[sensors.ctd]\nstale_climb = 1\n", "must be true or false"},
-      {"[sensors.ctd]\nstale_climb_s = 10\n", "means nothing without `stale_climb = true`"},
-      {"[sensors]\ntemperature_degC = 1\n[sensors.ctd]\nnoise_degC = 1\n", "says again"},
+      {"[sensors.ctd]\nstale_climb_s = 10\n", "has no effect without `stale_climb = true`"},
+      {"[sensors]\ntemperature_degC = 1\n[sensors.ctd]\nnoise_degC = 1\n",
+       "repeats `temperature_degC`"},
       {"[sensors.altimeter]\nrange_m = 500\n", ":9:"},
   };
   for (const auto& [text, why] : bad) {
@@ -263,7 +264,7 @@ TEST_F(ScenarioFile, RefusesFaultsThatAreNone) {
       {"[faults]\nwind = 3\n", "`wind`"},
       {"[faults]\nline = 3\n", "[[faults.line]] tables"},
       {"[[faults.line]]\nline = \"up\"\nfrom_s = 1\ncut = true\n", "must be \"sbc\""},
-      {"[[faults.line]]\nline = \"sbc\"\nfrom_s = 1\n", "nothing wrong"},
+      {"[[faults.line]]\nline = \"sbc\"\nfrom_s = 1\n", "no fault set"},
       {"[[faults.line]]\nline = \"sbc\"\nloss = 1\n", "no `from_s`"},
       {"[[faults.line]]\nline = \"sbc\"\nfrom_s = 1\nloss = 1.1\n", "between 0 and 1"},
       {"[[faults.power]]\nfrom_s = 10\nto_s = 10\n", "must be after `from_s`"},

@@ -36,7 +36,7 @@ _TABLE = (
     (r"\boftener\b", "more often"),
     (r"\bto and fro\b", "back and forth"),
     (r"\bbut for\b", "except for"),
-    (r"\breckon(s|ed)?\b", "assume, estimate, account for"),
+    (r"(?<!dead-)\breckon(s|ed)?\b", "assume, estimate, account for"),
     (r"\ball the same\b", "anyway, nevertheless"),
     (r"\bin the same breath\b", "at once"),
     # Inverted and clipped clauses.

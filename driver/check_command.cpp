@@ -98,8 +98,8 @@ std::string flightLine(const report::FlightSearch& search) {
     return "  not flown: the mission needs code in C, or the simulator cannot fly its vehicle\n";
   }
   return search.scenario.empty()
-             ? fmt::format("  none of {} flights of the simulator breaks it\n", search.flights)
-             : fmt::format("  a flight breaks it too: scenario {}, --seed {}, at {:.6g} s\n",
+             ? fmt::format("  none of {} simulated flights violates it\n", search.flights)
+             : fmt::format("  a flight also violates it: scenario {}, --seed {}, at {:.6g} s\n",
                            search.scenario, search.seed, search.when_s);
 }
 
@@ -164,7 +164,7 @@ int writeTraces(const CommandOptions& options, const Checked& checked) {
     return reportFailure(written.error());
   }
   if (*written > 0) {
-    tell(fmt::format("{}: {} run{} written to {}\n", checked.found.path, *written,
+    tell(fmt::format("{}: {} counterexample{} written to {}\n", checked.found.path, *written,
                      *written == 1 ? "" : "s", folder.string()));
   }
   return kFine;
@@ -256,8 +256,9 @@ void addCheckCommand(CLI::App& app, int& status) {
       ->add_option_function<std::string>(
           "--format",
           [options](const std::string& format) { options->format = kFormats.at(format); },
-          "text (default), or all findings as one document: json, or sarif (2.1.0) for editors and "
-          "CI")
+          "Output format: text, or one document with all findings: json, or sarif (2.1.0) for "
+          "editors "
+          "and CI [text]")
       ->check(CLI::IsMember(std::vector<std::string>{"text", "json", "sarif"}))
       ->option_text("FORMAT");
   command->add_option("-o", options->output, "Output file [`-`, standard output]")

@@ -64,7 +64,7 @@ Result<report::JudgedRequirement> judgedRequirement(const compiler::Compilation&
 Result<ir::prove::Findings> proveWithProgress(compiler::Compilation& compilation,
                                               const std::string& path, ir::prove::Options how) {
   CheckProgress progress(path);
-  progress.at("looking at cases and orders");
+  progress.at("checking cases and commands");
   how.before_requirement = [&](uint32_t number) {
     const auto& all = compilation.mission->requirements;
     progress.at(fmt::format("proving {} of {}: {}", number + 1, all.size(),

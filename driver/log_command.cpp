@@ -25,7 +25,7 @@ struct LogOptions {
   std::string csv;
 };
 
-/// "3 torn or damaged stretches, 2 records missing".
+/// "3 incomplete or damaged and skipped, 2 missing (or a multiple of 256 more)".
 std::string damageText(const logs::LogDamage& damage) {
   std::string text;
   const auto add = [&](uint32_t count, const char* what) {
@@ -33,9 +33,9 @@ std::string damageText(const logs::LogDamage& damage) {
       text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, what);
     }
   };
-  add(damage.bad, "torn or damaged and passed over");
+  add(damage.bad, "incomplete or damaged and skipped");
   add(damage.missing, "missing (or a multiple of 256 more)");
-  add(damage.unreadable, "of another version or making no sense");
+  add(damage.unreadable, "of another version or invalid");
   return text;
 }
 
@@ -59,9 +59,9 @@ int log(const LogOptions& options) {
     text += options.csv.empty() ? logs::textLine(entry) : logs::csvLines(entry);
   });
   if (damage.starts == 0) {
-    std::string why = bytes->empty() ? "it is empty" : "there is no whole head of one in it";
+    std::string why = bytes->empty() ? "it is empty" : "it contains no complete header of a log";
     if (const std::string older = options.file + ".old"; std::filesystem::exists(older, ignored)) {
-      why += "; what came before it is in `" + older + "`";
+      why += "; earlier records are in `" + older + "`";
     }
     return reportFailure(support::fail(DiagnosticId::noLog, options.file, why).error());
   }
@@ -69,7 +69,7 @@ int log(const LogOptions& options) {
     return reportFailure(written.error());
   }
   if (const std::string harm = damageText(damage); !harm.empty()) {
-    tell(fmt::format("glidercc: note: {}: of its records {}\n", options.file, harm));
+    tell(fmt::format("glidercc: note: {}: records: {}\n", options.file, harm));
   }
   return kFine;
 }

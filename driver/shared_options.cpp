@@ -14,7 +14,7 @@ std::string checkSeed(const std::string& text) {
   uint64_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   const bool good = error == std::errc() && end == text.data() + text.size();
-  return good ? "" : fmt::format("`{}` is no whole number from 0 to 2^64-1", text);
+  return good ? "" : fmt::format("`{}` is not a whole number from 0 to 2^64-1", text);
 }
 
 }  // namespace

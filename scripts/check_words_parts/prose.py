@@ -9,7 +9,7 @@ adjacent literals) becomes blanks, so that a phrase is found across lines. Line 
 import re
 
 _CPP_TOKEN = re.compile(
-    r'(?P<comment>//[^\n]*|/\*.*?\*/)|(?P<raw>R"(?P<mark>\w*)\(.*?\)(?P=mark)")|(?P<string>"(?:\\.|[^"\\\n])*")'
+    r'(?P<include>#[ \t]*include[^\n]*)|(?P<comment>//[^\n]*|/\*.*?\*/)|(?P<raw>R"(?P<mark>\w*)\(.*?\)(?P=mark)")|(?P<string>"(?:\\.|[^"\\\n])*")'
     r"|(?P<char>'(?:\\.|[^'\\\n])+')", re.DOTALL)
 _SCRIPT_TOKEN = re.compile(r'(?P<doc>""".*?""")|(?P<string>"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])*\')|(?P<comment>#[^\n]*)',
                            re.DOTALL)
@@ -25,7 +25,7 @@ def _hidden(text):
 
 def _quotes_gone(text):
     """A literal or comment without its signs."""
-    return re.sub(r'^(R?"\w*\(?|//+|/\*+|#+)|("|\*/)$|^[ \t]*(\*|//+|#+)(?=\s)', lambda m: " " * len(m[0]), text,
+    return re.sub(r'^(R"\w*\(|"|//+|/\*+|#+)|("|\*/)$|^[ \t]*(\*|//+|#+)(?=\s)', lambda m: " " * len(m[0]), text,
                   flags=re.MULTILINE)
 
 

@@ -34,7 +34,7 @@ TEST(ClosedLoop, NamesAFlightThatBreaksItAndThatFlightDoes) {
   std::smatch named;
   ASSERT_TRUE(std::regex_search(
       checked.out, named,
-      std::regex("a flight breaks it too: scenario (\\w+), --seed (\\d+), at ([0-9.]+) s")))
+      std::regex("a flight also violates it: scenario (\\w+), --seed (\\d+), at ([0-9.]+) s")))
       << checked.out;
   EXPECT_EQ(named[1], "default");
   const Flight flight =
@@ -56,7 +56,7 @@ TEST(ClosedLoop, SaysThatNoFlightBreaksWhatOnlyTheAssumedWorldCan) {
       folder.write("m.mission", yoThatPromises("require always depth < 24 m")).string();
   const Outcome checked = runShell("$GLIDERCC check --report " + mission);
   EXPECT_EQ(checked.status, 1);
-  EXPECT_THAT(checked.out, testing::ContainsRegex("none of [0-9]+ flights of the simulator"));
+  EXPECT_THAT(checked.out, testing::ContainsRegex("none of [0-9]+ simulated flights violates it"));
   const Outcome json = runShell("$GLIDERCC check --report --format json " + mission);
   EXPECT_THAT(json.out, testing::ContainsRegex("\"breaks\": false"));
 }

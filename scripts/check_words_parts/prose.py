@@ -62,6 +62,8 @@ def prose_of(path, text, comments):
     """The prose of the file `path` with this `text`; comments of C++ only if `comments`."""
     if path.suffix == ".md":
         return _markdown(text)
+    if path.suffix == ".3":
+        return text
     if path.suffix in _DATA:
         return _kept(text, _DATA_TOKEN, ("comment", "string"))
     if path.suffix in _CPP:

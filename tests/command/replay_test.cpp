@@ -58,7 +58,7 @@ class Replay : public testing::Test {
 TEST_F(Replay, TheSameViolationShowsInProcessAndOnTheHost) {
   EXPECT_EQ(checked_.status, 1);
   EXPECT_THAT(checked_.err, HasSubstr("[GL3110 requirement-broken]"));
-  EXPECT_THAT(checked_.err, HasSubstr("2 runs written"));
+  EXPECT_THAT(checked_.err, HasSubstr("2 counterexamples written"));
   for (const int requirement : {2, 3}) {
     for (const std::string how : {"", "--board host"}) {
       const Outcome flown = replay(requirement, how);
@@ -138,7 +138,7 @@ TEST_F(Replay, ParametersOfEveryKindGoAlong) {
                         "    case missiontime >= 40 min exit\nend\n")
                  .string();
   const Outcome checked = runShell("$GLIDERCC check " + mission_ + " --traces " + runs());
-  EXPECT_THAT(checked.err, HasSubstr("1 run written")) << checked.out;
+  EXPECT_THAT(checked.err, HasSubstr("1 counterexample written")) << checked.out;
   const Outcome flown = replay(1, "");
   EXPECT_EQ(flown.status, 1) << flown.err;
   EXPECT_THAT(flown.out, HasSubstr("the mission breaks"));

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The glidercc authors
 # SPDX-License-Identifier: Apache-2.0
-"""Ratios that a bench finds: how it hands them on, the committed table of them, and what counts as worse.
+"""The ratios of a benchmark: how it passes them on, the committed table of them, and what counts as worse.
 
 Only ratios are kept: of two things measured in turn in one run, or of a count to a limit. A time by itself says more
 about the machine than about glidercc.

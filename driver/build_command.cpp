@@ -244,7 +244,9 @@ void addBuildCommand(CLI::App& app, int& status) {
       ->check(CLI::IsMember(passes))
       ->option_text("PASS ...");
   addLinkOption(*command, options->user_code);
-  command->add_option("-o", options->output, "Output file; `-` is standard output")
+  command
+      ->add_option("-o", options->output,
+                   "Output file; `-` is standard output [named after MISSION]")
       ->option_text("FILE");
   command->callback([options, &status] { status = build(*options); });
 }

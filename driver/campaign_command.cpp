@@ -276,11 +276,11 @@ void addOptions(CLI::App& command, campaign::CampaignOptions& options) {
       .add_option("--scenario", options.scenario,
                   "Scenario to fly in: a .toml file, or the name of a bundled one")
       ->capture_default_str();
-  command.add_option("--flights", options.flights, "Number of flights")
+  command.add_option("--flights", options.flights, "Number of flights [1000]")
       ->check(CLI::Range(uint64_t{1}, kMostFlights))
       ->capture_default_str()
       ->option_text("N");
-  command.add_option("--seed", options.seed, "Seed of all faults and noise")
+  command.add_option("--seed", options.seed, "Seed of all faults and noise [1]")
       ->check(seedValidator())
       ->capture_default_str()
       ->option_text("N");
@@ -289,7 +289,7 @@ void addOptions(CLI::App& command, campaign::CampaignOptions& options) {
       ->option_text("N");
   command
       .add_option("--boards", options.board_percent,
-                  "Percentage of flights that run a board's binary under an emulator")
+                  "Percentage of flights that run a board's binary under an emulator [10]")
       ->check(CLI::Range(0U, 100U))
       ->capture_default_str()
       ->option_text("PERCENT");

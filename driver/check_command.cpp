@@ -257,8 +257,9 @@ void addCheckCommand(CLI::App& app, int& status) {
       ->add_option_function<std::string>(
           "--format",
           [options](const std::string& format) { options->format = kFormats.at(format); },
-          "text (default), or all findings as one document: json, or sarif (2.1.0) for editors and "
-          "CI")
+          "Output format: text, or one document with all findings: json, or sarif (2.1.0) for "
+          "editors "
+          "and CI [text]")
       ->check(CLI::IsMember(std::vector<std::string>{"text", "json", "sarif"}))
       ->option_text("FORMAT");
   command->add_option("-o", options->output, "Output file [`-`, standard output]")

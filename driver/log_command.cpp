@@ -25,7 +25,7 @@ struct LogOptions {
   std::string csv;
 };
 
-/// "3 torn or damaged stretches, 2 records missing".
+/// "3 incomplete or damaged and skipped, 2 missing (or a multiple of 256 more)".
 std::string damageText(const logs::LogDamage& damage) {
   std::string text;
   const auto add = [&](uint32_t count, const char* what) {
@@ -33,9 +33,9 @@ std::string damageText(const logs::LogDamage& damage) {
       text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, what);
     }
   };
-  add(damage.bad, "incomplete or damaged, and skipped");
+  add(damage.bad, "incomplete or damaged and skipped");
   add(damage.missing, "missing (or a multiple of 256 more)");
-  add(damage.unreadable, "of another version or not valid");
+  add(damage.unreadable, "of another version or invalid");
   return text;
 }
 
@@ -59,9 +59,9 @@ int log(const LogOptions& options) {
     text += options.csv.empty() ? logs::textLine(entry) : logs::csvLines(entry);
   });
   if (damage.starts == 0) {
-    std::string why = bytes->empty() ? "it is empty" : "it has no intact log header";
+    std::string why = bytes->empty() ? "it is empty" : "it contains no complete header of a log";
     if (const std::string older = options.file + ".old"; std::filesystem::exists(older, ignored)) {
-      why += "; the log before it is in `" + older + "`";
+      why += "; earlier records are in `" + older + "`";
     }
     return reportFailure(support::fail(DiagnosticId::noLog, options.file, why).error());
   }

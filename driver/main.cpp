@@ -26,7 +26,7 @@ int tellUnknownCommand(const CLI::App& app, const std::string& word) {
     names += (names.empty() ? "" : ", ") + command->get_name();
   }
   glider::driver::tell("glidercc: error: there is no command `" + word +
-                       "`\n  hint: commands: " + names + "\n");
+                       "`\n  hint: the commands are: " + names + "\n");
   return glider::driver::kWorldFailed;
 }
 

@@ -56,10 +56,11 @@ void addCommand(std::string& page, const CLI::App& command) {
 }
 
 constexpr const char* kFiles =
-    ".SH FILES\n.TP\n.I share/glidercc\nbeside the folder of the program: boards, platforms, the "
+    ".SH FILES\n.TP\n.I share/glidercc\nnext to the folder of the program: boards, platforms, the "
     "library, scenarios.\n"
-    ".SH ENVIRONMENT\n.TP\n.B GLIDERCC_SHARE\nanother folder in place of share/glidercc.\n.TP\n.B "
-    "NO_COLOR\nif it is set, messages have no colours.\n"
+    ".SH ENVIRONMENT\n.TP\n.B GLIDERCC_SHARE\nthe folder to use instead of "
+    "share/glidercc.\n.TP\n.B "
+    "NO_COLOR\nif set, messages have no colours.\n"
     ".SH SEE ALSO\n.BR glidercc\\-runtime (3),\n.BR clang (1)\n";
 
 }  // namespace

@@ -43,7 +43,7 @@ support::Result<Platform> load(const std::string& name) {
     return platforms::loadPlatform(folder / (name + ".toml"));
   }
   auto failure = support::fail(support::DiagnosticId::unknownPlatform, name);
-  failure.error().hint = fmt::format("platforms: {}", fmt::join(names, ", "));
+  failure.error().hint = fmt::format("the platforms are: {}", fmt::join(names, ", "));
   return failure;
 }
 
@@ -73,12 +73,12 @@ std::string_view unitOf(const PlatformSensor& sensor) {
 
 std::string envelopeText(const Envelope& envelope) {
   return fmt::format(
-      "  greatest depth        {:.6g} m\n"
-      "  vertical speed        at most {:.6g} m/s\n"
-      "  pitches               {:.4g} to {:.4g} deg\n"
-      "  inflection overshoot  {:.6g} m\n"
-      "  strongest current     {:.6g} m/s\n"
-      "  readings              at most every {:.6g} s\n",
+      "  greatest depth          {:.6g} m\n"
+      "  fastest vertical rate   {:.6g} m/s\n"
+      "  pitches                 {:.4g} to {:.4g} deg\n"
+      "  inflection overshoot    {:.6g} m\n"
+      "  strongest current       {:.6g} m/s\n"
+      "  control cycle           {:.6g} s\n",
       envelope.greatest_depth_m, envelope.vertical_rate_m_s,
       envelope.shallowest_pitch_rad * 180 / std::numbers::pi,
       envelope.steepest_pitch_rad * 180 / std::numbers::pi, envelope.inflection_overshoot_m,
@@ -87,13 +87,13 @@ std::string envelopeText(const Envelope& envelope) {
 
 std::string worldText(const platforms::World& world) {
   return fmt::format(
-      "  control is given at   {:.6g} m or above\n"
-      "  the surface           above {:.6g} m\n"
-      "  climb                 at least {:.6g} m/s, {:.6g} s after the command\n"
-      "  depth reading         error at most {:.6g} m\n"
-      "  ticks                 at most {:.6g} s apart\n"
-      "  through the water     at most {:.6g} m/s, {:.6g} m off its leg\n"
-      "  surface drift         at most {:.6g} m/s\n",
+      "  control begins at       {:.6g} m or above\n"
+      "  the surface is          {:.6g} m or above\n"
+      "  slowest climb           {:.6g} m/s, {:.6g} s after the command\n"
+      "  error of depth          at most {:.6g} m\n"
+      "  time between ticks      at most {:.6g} s\n"
+      "  speed through water     at most {:.6g} m/s, {:.6g} m off the straight leg\n"
+      "  drift at the surface    at most {:.6g} m/s\n",
       world.start_depth_m, world.surface_depth_m, world.slowest_climb_m_s, world.turn_s,
       world.depth_error_m, world.tick_gap_s, world.through_water_m_s, world.steering_error_m,
       world.surface_drift_m_s);
@@ -101,7 +101,7 @@ std::string worldText(const platforms::World& world) {
 
 std::string text(const Platform& platform) {
   std::string out = fmt::format(
-      "{}: {}\n\nEnvelope\n{}\nFurther assumptions of proofs\n{}\nCommands\n", platform.name,
+      "{}: {}\n\nEnvelope\n{}\nEnvironment model of proofs\n{}\nCommands\n", platform.name,
       platform.description, envelopeText(platform.envelope), worldText(platform.world));
   for (const ir::CommandInfo& command : ir::commands()) {
     out += fmt::format("  {}\n", signatureOf(command));

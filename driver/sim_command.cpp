@@ -153,13 +153,13 @@ int sim(const SimOptions& options) {
   return flyAndReport(std::move(setup), options, mission.get(), *folder);
 }
 
-/// A time that comes.
+/// The error if `text` is not a time of the flight, s.
 std::string checkTime(const std::string& text) {
   double value = -1;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   const bool good = error == std::errc() && end == text.data() + text.size() &&
                     std::isfinite(value) && value >= 0;
-  return good ? "" : fmt::format("`{}` is not a valid time in seconds, 0 or more", text);
+  return good ? "" : fmt::format("`{}` is not a time in seconds, 0 or more", text);
 }
 
 void addPictureOptions(CLI::App& command, SimOptions& options) {

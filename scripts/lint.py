@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The glidercc authors
 # SPDX-License-Identifier: Apache-2.0
-"""What the check_* scripts share: the project's files, and how a finding is told."""
+"""What the check_* scripts share: the project's files, and how findings are reported."""
 
 import pathlib
 import subprocess
@@ -25,7 +25,7 @@ def files(*suffixes):
 
 
 def read(path):
-    """The text of a file of the project; bytes that are no UTF-8 come out as U+FFFD."""
+    """The text of a file of the project; bytes that are not valid UTF-8 become U+FFFD."""
     return (ROOT / path).read_text(encoding="utf-8", errors="replace")
 
 

@@ -4,7 +4,7 @@
 
 
 def top_level(code, begin, end, word):
-    """Where `word` stands in code[begin:end] outside all brackets."""
+    """The positions of `word` in code[begin:end] outside all brackets."""
     depth, found, at = 0, [], begin
     while at < end:
         if code[at] in "([{":

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The list of kinds of faults. Each is a function over a Mission; its docstring is the rule, one line.
 
-It yields the places where a fault of its kind can be planted: (token whose line it is told by, edits), an edit being
-(first token, past the last token, what stands there instead).
+It yields the places where a fault of its kind can be planted: (token whose line identifies it, edits). An edit is
+(first token, past the last token, replacement).
 """
 
 KINDS = {}

@@ -121,7 +121,7 @@ def misspelt_state(m):
 
 @kind("duplicated-state")
 def duplicated_state(m):
-    """a state stands there twice"""
+    """a state is duplicated"""
     for s in m.states:
         yield s.first, [(s.first, s.end, m.source(s.first, s.end) + " " + m.source(s.first, s.end))]
 

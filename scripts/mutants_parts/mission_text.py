@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """A mission's text as tokens and as the parts that faults are planted in: cases, states, calls with arguments.
 
-Reads only missions that `glidercc check` has found fine, so it is no parser: it finds brackets and words.
+Reads only missions that `glidercc check` has accepted, so it is not a parser: it finds brackets and words.
 """
 
 import dataclasses

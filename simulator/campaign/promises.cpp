@@ -29,7 +29,7 @@ std::string controlText(Control control, double silence_s, double cycle_s) {
     case Control::AtOnce:
       return "ends at once; a new handshake";
     case Control::ForGood:
-      return "ends at once, for good";
+      return "ends at once, permanently";
     case Control::Any:
       break;
   }
@@ -110,10 +110,10 @@ std::string promiseTable(double silence_s, double cycle_s) {
   for (uint32_t i = 0; i < kFaultKinds; ++i) {
     const auto kind = static_cast<FaultKind>(i);
     const Promise promise = promiseOf(kind);
-    table += fmt::format("| {} | {} | {} | {} | {} |\n", nameOf(kind),
-                         controlText(promise.control, silence_s, cycle_s),
-                         deepestText(promise.deepest), promise.clearance ? "kept" : "no promise",
-                         promise.follows ? "yes" : "no promise");
+    table += fmt::format(
+        "| {} | {} | {} | {} | {} |\n", nameOf(kind),
+        controlText(promise.control, silence_s, cycle_s), deepestText(promise.deepest),
+        promise.clearance ? "kept" : "not guaranteed", promise.follows ? "yes" : "not guaranteed");
   }
   return table;
 }

@@ -14,6 +14,7 @@
 #include "ir/opt/optimise.h"
 #include "ir/text/c_header.h"
 #include "ir/text/print.h"
+#include "support/check.h"
 #include "support/files.h"
 
 #include <CLI/CLI.hpp>
@@ -111,9 +112,14 @@ support::Result<std::string> produce(const BuildOptions& options,
       return codegen::emitAssembly(*compilation.mission, compilation.facts, *board, how);
     case Emit::Exe:
       return codegen::linkForStream(*compilation.mission, compilation.facts, *board, how);
-    default:
+    case Emit::Obj:
       return codegen::emitObject(*compilation.mission, compilation.facts, *board, how);
+    case Emit::Ast:
+    case Emit::Ir:
+    case Emit::Header:
+      break;
   }
+  CHECK(false, "not made by codegen");
 }
 
 support::Result<void> buildProduct(const BuildOptions& options,

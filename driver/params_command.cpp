@@ -42,9 +42,10 @@ std::string typeName(const ir::Type& type) {
       return "latitude";
     case ir::TypeKind::Longitude:
       return "longitude";
-    default:
-      return support::describe(type.dimension);
+    case ir::TypeKind::Quantity:
+      break;
   }
+  return support::describe(type.dimension);
 }
 
 using Row = std::array<std::string, 5>;

@@ -86,9 +86,11 @@ std::string story(const LogEntry& entry) {
     case LogRecord::Event:
       return entry.name + (entry.detail.empty() ? "" : ": " + entry.detail) +
              (std::isnan(entry.value) ? "" : fmt::format(" ({})", known(entry.value)));
-    default:
-      return valueList(entry);
+    case LogRecord::Values:
+    case LogRecord::Name:
+      break;
   }
+  return valueList(entry);
 }
 
 }  // namespace
@@ -109,9 +111,10 @@ std::string csvLines(const LogEntry& entry) {
       return noteLines(entry);
     case LogRecord::Event:
       return line(entry, "event", entry.name, number(entry.value), entry.detail);
-    default:
-      return "";
+    case LogRecord::Name:
+      break;
   }
+  return "";
 }
 
 std::string textLine(const LogEntry& entry) {

@@ -71,9 +71,16 @@ class StackBound::Walk {
         return finish(one, met);
       case Flow::Return:
         return finish(one, met);
-      default:
-        return pass(node, one, state);
+      case Flow::Next:
+      case Flow::Jump:
+      case Flow::JumpIf:
+      case Flow::JumpByTable:
+      case Flow::JumpAhead:
+      case Flow::JumpAheadIf:
+      case Flow::Unknown:
+        break;
     }
+    pass(node, one, state);
   }
 
   void pass(uint32_t node, const Instruction& one, StackState state) {

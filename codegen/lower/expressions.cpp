@@ -13,6 +13,7 @@
 namespace glider::codegen {
 
 using ir::Op;
+using ir::OpGroup;
 using llvm::Value;
 
 Value* Expressions::number(ir::ExprId id) {
@@ -95,50 +96,43 @@ const Expressions::Lowered& Expressions::lower(ir::ExprId root) {
 }
 
 Expressions::Lowered Expressions::lowerOne(const ir::Expr& expr) {
-  switch (expr.op) {
-    case Op::True:
-      return {builder_.getTrue(), builder_.getFalse()};
-    case Op::False:
-      return {builder_.getFalse(), builder_.getTrue()};
-    case Op::Constant:
-    case Op::Sensor:
-    case Op::MissionTime:
-    case Op::StateTime:
-    case Op::ResumeTime:
-    case Op::Age:
-      return {leaf(expr), nullptr};
-    case Op::Variable:
+  switch (ir::groupOf(expr.op)) {
+    case OpGroup::Truth:
+      return {builder_.getInt1(expr.op == Op::True), builder_.getInt1(expr.op == Op::False)};
+    case OpGroup::Constant:
+      return {llvm::ConstantFP::get(builder_.getDoubleTy(), expr.number), nullptr};
+    case OpGroup::Sensor:
+      return {readingField(expr.sensor, field::GliderReading::value), nullptr};
+    case OpGroup::Clock:
+      return {clock(ir::opIn<ir::ClockOp>(expr.op)), nullptr};
+    case OpGroup::Age:
+      return {age(expr.sensor), nullptr};
+    case OpGroup::Variable:
       return variable(expr);
-    case Op::Temporal:
+    case OpGroup::Temporal:
       return temporal(expr);
-    case Op::Call:
+    case OpGroup::Call:
       return call(expr);
-    case Op::Less:
-    case Op::LessEqual:
-    case Op::Greater:
-    case Op::GreaterEqual:
-    case Op::Equal:
-    case Op::NotEqual:
-    case Op::Known:
+    case OpGroup::Comparison:
       return comparison(expr);
-    case Op::Not:
-    case Op::And:
-    case Op::Or:
+    case OpGroup::Known:
+      return known(expr);
+    case OpGroup::Logic:
       return logic(expr);
-    case Op::Sin:
-    case Op::Cos:
-    case Op::Tan:
-    case Op::Atan2:
-    case Op::Distance:
-    case Op::Bearing:
-      return {function(expr), nullptr};
-    case Op::Select:
+    case OpGroup::Unary:
+      return {unary(expr), nullptr};
+    case OpGroup::Binary:
+      return {binary(expr), nullptr};
+    case OpGroup::Place:
+      return {place(expr), nullptr};
+    case OpGroup::Clamp:
+      return {clamp(operand(expr, 0), operand(expr, 1), operand(expr, 2)), nullptr};
+    case OpGroup::Select:
       return {choice(expr), nullptr};
-    case Op::Element:
+    case OpGroup::Element:
       return {element(expr), nullptr};
-    default:
-      return {arithmetic(expr), nullptr};
   }
+  CHECK(false, "an operation that codegen does not know");
 }
 
 Value* Expressions::choice(const ir::Expr& expr) {
@@ -150,22 +144,17 @@ Value* Expressions::choice(const ir::Expr& expr) {
                                builder_.CreateSelect(condition.is_false, no, unknown));
 }
 
-Value* Expressions::leaf(const ir::Expr& expr) {
+Value* Expressions::clock(ir::ClockOp op) {
   namespace context = field::GliderContext;
-  switch (expr.op) {
-    case Op::Constant:
-      return llvm::ConstantFP::get(builder_.getDoubleTy(), expr.number);
-    case Op::Sensor:
-      return readingField(expr.sensor, field::GliderReading::value);
-    case Op::MissionTime:
+  switch (op) {
+    case ir::ClockOp::MissionTime:
       return missionTime();
-    case Op::StateTime:
+    case ir::ClockOp::StateTime:
       return timeSince(contextField(context::entered));
-    case Op::ResumeTime:
+    case ir::ClockOp::ResumeTime:
       return timeSince(contextField(context::resumed));
-    default:
-      return age(expr.sensor);
   }
+  CHECK(false, "a clock that codegen does not know");
 }
 
 Expressions::Lowered Expressions::variable(const ir::Expr& expr) {

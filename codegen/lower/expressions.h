@@ -4,6 +4,7 @@
 #pragma once
 
 #include "codegen/lower/lowering.h"
+#include "ir/core/ops.h"
 
 #include <unordered_map>
 #include <unordered_set>
@@ -74,13 +75,15 @@ class Expressions {
   llvm::Value* element(const ir::Expr& expr);
   Lowered call(const ir::Expr& expr);
   llvm::Constant* table(ir::TableId id);
-  llvm::Value* leaf(const ir::Expr& expr);
+  llvm::Value* clock(ir::ClockOp op);
   Lowered variable(const ir::Expr& expr);
   Lowered temporal(const ir::Expr& expr);
-  llvm::Value* arithmetic(const ir::Expr& expr);
-  llvm::Value* function(const ir::Expr& expr);
+  llvm::Value* unary(const ir::Expr& expr);
+  llvm::Value* binary(const ir::Expr& expr);
+  llvm::Value* place(const ir::Expr& expr);
   llvm::Value* smallerOrLarger(ir::Op op, llvm::Value* a, llvm::Value* b);
   llvm::Value* clamp(llvm::Value* x, llvm::Value* lowest, llvm::Value* highest);
+  Lowered known(const ir::Expr& expr);
   Lowered comparison(const ir::Expr& expr);
   Lowered logic(const ir::Expr& expr);
   Lowered truthIn(llvm::Value* held);

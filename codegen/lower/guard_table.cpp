@@ -4,8 +4,10 @@
 #include "codegen/lower/guard_table.h"
 
 #include "codegen/lower/body.h"
+#include "ir/core/ops.h"
 #include "runtime/abi/glider_abi.h"
 #include "runtime/abi/order.h"
+#include "support/check.h"
 
 #include <limits>
 
@@ -164,16 +166,18 @@ llvm::Function* lowerHolds(Lowering& lowering, const ir::GuardTable& table,
 }  // namespace
 
 GliderSource sourceOf(ir::Op op) {
-  switch (op) {
-    case ir::Op::Sensor:
-      return kGliderSensor;
-    case ir::Op::MissionTime:
+  if (op == ir::Op::Sensor) {
+    return kGliderSensor;
+  }
+  switch (ir::opIn<ir::ClockOp>(op)) {
+    case ir::ClockOp::MissionTime:
       return kGliderMissionTime;
-    case ir::Op::StateTime:
+    case ir::ClockOp::StateTime:
       return kGliderStateTime;
-    default:
+    case ir::ClockOp::ResumeTime:
       return kGliderResumeTime;
   }
+  CHECK(false, "a clock that the runtime does not have");
 }
 
 llvm::Function* lowerGuardTable(Lowering& lowering, const ir::GuardTable& table,

@@ -18,9 +18,14 @@ uint32_t slotsOf(const ir::Temporal& temporal) {
       return 2;
     case ir::TemporalKind::Held:
       return 3;
-    default:
-      return GLIDER_WINDOW_HEADER + GLIDER_WINDOW_SLOT * ir::windowShape(temporal).bins;
+    case ir::TemporalKind::Mean:
+    case ir::TemporalKind::Lowest:
+    case ir::TemporalKind::Highest:
+    case ir::TemporalKind::Spread:
+    case ir::TemporalKind::Slope:
+      break;
   }
+  return GLIDER_WINDOW_HEADER + GLIDER_WINDOW_SLOT * ir::windowShape(temporal).bins;
 }
 
 void indexVariables(const ir::Mission& mission, MissionIndex& index) {

@@ -13,50 +13,60 @@ namespace glider::codegen {
 using ir::Op;
 using llvm::Value;
 
-Value* Expressions::arithmetic(const ir::Expr& expr) {
-  auto operand = [&](size_t i) { return this->operand(expr, i); };
-  switch (expr.op) {
-    case Op::Negate:
-      return builder_.CreateFNeg(operand(0));
-    case Op::Abs:
-      return builder_.CreateUnaryIntrinsic(llvm::Intrinsic::fabs, operand(0));
-    case Op::Sqrt:
-      return settle(builder_.CreateUnaryIntrinsic(llvm::Intrinsic::sqrt, operand(0)));
-    case Op::Add:
-      return settle(builder_.CreateFAdd(operand(0), operand(1)));
-    case Op::Subtract:
-      return settle(builder_.CreateFSub(operand(0), operand(1)));
-    case Op::Multiply:
-      return settle(builder_.CreateFMul(operand(0), operand(1)));
-    case Op::Divide:
-      return settle(builder_.CreateFDiv(operand(0), operand(1)));
-    case Op::Clamp:
-      return clamp(operand(0), operand(1), operand(2));
-    case Op::Min:
-    case Op::Max:
-      return smallerOrLarger(expr.op, operand(0), operand(1));
-    default:
-      CHECK(false, "an operation that codegen does not know");
+// The functions of runtime/numbers settle their results themselves.
+
+Value* Expressions::unary(const ir::Expr& expr) {
+  Value* x = operand(expr, 0);
+  switch (ir::opIn<ir::UnaryOp>(expr.op)) {
+    case ir::UnaryOp::Negate:
+      return builder_.CreateFNeg(x);
+    case ir::UnaryOp::Abs:
+      return builder_.CreateUnaryIntrinsic(llvm::Intrinsic::fabs, x);
+    case ir::UnaryOp::Sqrt:
+      return settle(builder_.CreateUnaryIntrinsic(llvm::Intrinsic::sqrt, x));
+    case ir::UnaryOp::Sin:
+      return callPure("gliderSin", {x});
+    case ir::UnaryOp::Cos:
+      return callPure("gliderCos", {x});
+    case ir::UnaryOp::Tan:
+      return callPure("gliderTan", {x});
   }
+  CHECK(false, "an operation on one number that codegen does not know");
 }
 
-/// The functions of runtime/numbers, which settle their results.
-Value* Expressions::function(const ir::Expr& expr) {
-  auto operand = [&](size_t i) { return this->operand(expr, i); };
-  switch (expr.op) {
-    case Op::Sin:
-      return callPure("gliderSin", {operand(0)});
-    case Op::Cos:
-      return callPure("gliderCos", {operand(0)});
-    case Op::Tan:
-      return callPure("gliderTan", {operand(0)});
-    case Op::Atan2:
-      return callPure("gliderAtan2", {operand(0), operand(1)});
-    case Op::Distance:
-      return callPure("gliderDistance", {operand(0), operand(1), operand(2), operand(3)});
-    default:
-      return callPure("gliderBearing", {operand(0), operand(1), operand(2), operand(3)});
+Value* Expressions::binary(const ir::Expr& expr) {
+  Value* a = operand(expr, 0);
+  Value* b = operand(expr, 1);
+  switch (ir::opIn<ir::BinaryOp>(expr.op)) {
+    case ir::BinaryOp::Add:
+      return settle(builder_.CreateFAdd(a, b));
+    case ir::BinaryOp::Subtract:
+      return settle(builder_.CreateFSub(a, b));
+    case ir::BinaryOp::Multiply:
+      return settle(builder_.CreateFMul(a, b));
+    case ir::BinaryOp::Divide:
+      return settle(builder_.CreateFDiv(a, b));
+    case ir::BinaryOp::Min:
+    case ir::BinaryOp::Max:
+      return smallerOrLarger(expr.op, a, b);
+    case ir::BinaryOp::Atan2:
+      return callPure("gliderAtan2", {a, b});
   }
+  CHECK(false, "an operation on two numbers that codegen does not know");
+}
+
+Value* Expressions::place(const ir::Expr& expr) {
+  const auto work_out = [&](const char* function) {
+    return callPure(function,
+                    {operand(expr, 0), operand(expr, 1), operand(expr, 2), operand(expr, 3)});
+  };
+  switch (ir::opIn<ir::PlaceOp>(expr.op)) {
+    case ir::PlaceOp::Distance:
+      return work_out("gliderDistance");
+    case ir::PlaceOp::Bearing:
+      return work_out("gliderBearing");
+  }
+  CHECK(false, "an operation on two places that codegen does not know");
 }
 
 Value* Expressions::smallerOrLarger(Op op, Value* a, Value* b) {
@@ -104,14 +114,15 @@ Value* Expressions::element(const ir::Expr& expr) {
                                unknown());
 }
 
+Expressions::Lowered Expressions::known(const ir::Expr& expr) {
+  Value* yes = isKnown(operand(expr, 0));
+  return {yes, builder_.CreateNot(yes)};
+}
+
 /// Ordered comparisons both ways: an unknown operand makes neither bit true.
 Expressions::Lowered Expressions::comparison(const ir::Expr& expr) {
   using llvm::CmpInst;
   Value* a = operand(expr, 0);
-  if (expr.op == Op::Known) {
-    Value* known = isKnown(a);
-    return {known, builder_.CreateNot(known)};
-  }
   Value* b = operand(expr, 1);
   if (lowering_.soft_float && hasPlainOrder(lowering_.mission[expr.operands[0]]) &&
       hasPlainOrder(lowering_.mission[expr.operands[1]])) {
@@ -121,20 +132,21 @@ Expressions::Lowered Expressions::comparison(const ir::Expr& expr) {
   auto both = [&](CmpInst::Predicate yes, CmpInst::Predicate no) {
     return Lowered{builder_.CreateFCmp(yes, a, b), builder_.CreateFCmp(no, a, b)};
   };
-  switch (expr.op) {
-    case Op::Less:
+  switch (ir::opIn<ir::ComparisonOp>(expr.op)) {
+    case ir::ComparisonOp::Less:
       return both(CmpInst::FCMP_OLT, CmpInst::FCMP_OGE);
-    case Op::LessEqual:
+    case ir::ComparisonOp::LessEqual:
       return both(CmpInst::FCMP_OLE, CmpInst::FCMP_OGT);
-    case Op::Greater:
+    case ir::ComparisonOp::Greater:
       return both(CmpInst::FCMP_OGT, CmpInst::FCMP_OLE);
-    case Op::GreaterEqual:
+    case ir::ComparisonOp::GreaterEqual:
       return both(CmpInst::FCMP_OGE, CmpInst::FCMP_OLT);
-    case Op::Equal:
+    case ir::ComparisonOp::Equal:
       return both(CmpInst::FCMP_OEQ, CmpInst::FCMP_ONE);
-    default:
+    case ir::ComparisonOp::NotEqual:
       return both(CmpInst::FCMP_ONE, CmpInst::FCMP_OEQ);
   }
+  CHECK(false, "a comparison that codegen does not know");
 }
 
 Value* Expressions::isKnown(Value* number) {

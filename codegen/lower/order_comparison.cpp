@@ -3,6 +3,7 @@
 
 #include "codegen/lower/order_comparison.h"
 
+#include "ir/core/ops.h"
 #include "runtime/abi/order.h"
 
 #include <cmath>
@@ -29,29 +30,15 @@ Value* isKnownOrder(llvm::IRBuilder<>& builder, Value* order) {
 }  // namespace
 
 bool hasPlainOrder(const ir::Expr& expr) {
-  switch (expr.op) {
-    case Op::Constant:
+  switch (ir::opInfo(expr.op).zero) {
+    case ir::ZeroRule::Constant:
       return expr.number != 0 || !std::signbit(expr.number);
-    case Op::Sensor:
-    case Op::MissionTime:
-    case Op::StateTime:
-    case Op::ResumeTime:
-    case Op::Age:
-    case Op::Sqrt:
-    case Op::Sin:
-    case Op::Cos:
-    case Op::Tan:
-    case Op::Add:
-    case Op::Subtract:
-    case Op::Multiply:
-    case Op::Divide:
-    case Op::Atan2:
-    case Op::Distance:
-    case Op::Bearing:
+    case ir::ZeroRule::Plain:
       return true;
-    default:
-      return false;
+    case ir::ZeroRule::Signed:
+      break;
   }
+  return false;
 }
 
 Value* compareByOrder(llvm::IRBuilder<>& builder, Op op, Value* a, Value* b) {
@@ -62,20 +49,21 @@ Value* compareByOrder(llvm::IRBuilder<>& builder, Op op, Value* a, Value* b) {
     return builder.CreateAnd(builder.CreateICmp(predicate, left, right),
                              isKnownOrder(builder, larger));
   };
-  switch (op) {
-    case Op::Less:
+  switch (ir::opIn<ir::ComparisonOp>(op)) {
+    case ir::ComparisonOp::Less:
       return both(llvm::CmpInst::ICMP_SLT, right);
-    case Op::LessEqual:
+    case ir::ComparisonOp::LessEqual:
       return both(llvm::CmpInst::ICMP_SLE, right);
-    case Op::Greater:
+    case ir::ComparisonOp::Greater:
       return both(llvm::CmpInst::ICMP_SGT, left);
-    case Op::GreaterEqual:
+    case ir::ComparisonOp::GreaterEqual:
       return both(llvm::CmpInst::ICMP_SGE, left);
-    case Op::Equal:
+    case ir::ComparisonOp::Equal:
       return both(llvm::CmpInst::ICMP_EQ, left);
-    default:
-      return builder.CreateAnd(both(llvm::CmpInst::ICMP_NE, left), isKnownOrder(builder, right));
+    case ir::ComparisonOp::NotEqual:
+      break;
   }
+  return builder.CreateAnd(both(llvm::CmpInst::ICMP_NE, left), isKnownOrder(builder, right));
 }
 
 Value* isKnownByBits(llvm::IRBuilder<>& builder, Value* value) {

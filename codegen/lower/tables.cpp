@@ -151,9 +151,11 @@ double mostOnEarth(const ir::Type& type) {
       return 90;
     case ir::TypeKind::Longitude:
       return 180;
-    default:
-      return ir::Variable::kEndless;
+    case ir::TypeKind::Bool:
+    case ir::TypeKind::Quantity:
+      break;
   }
+  return ir::Variable::kEndless;
 }
 
 llvm::Constant* Tables::parameters() {

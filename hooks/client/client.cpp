@@ -54,9 +54,17 @@ ClientEvent Client::handle(const Frame& frame, const GliderByteStream& stream) {
       return handleWelcome(frame, stream);
     case MessageType::Tick:
       return handleTick(frame, stream);
-    default:
-      return ClientEvent::Handled;  // not meant for us: an echo of our own words, perhaps
+    case MessageType::Hello:
+    case MessageType::Subscribe:
+    case MessageType::Write:
+    case MessageType::Transition:
+    case MessageType::Done:
+    case MessageType::Note:
+    case MessageType::Sensors:
+    case MessageType::Log:
+      break;  // not meant for us: an echo of our own words, perhaps
   }
+  return ClientEvent::Handled;
 }
 
 ClientEvent Client::handleBeacon(const Frame& frame, const GliderByteStream& stream) {

@@ -132,9 +132,15 @@ bool Hookprog::handleOfLink(const Frame& frame) {
       return take<Done, &Hookprog::handleDone>(frame);
     case MessageType::Write:
       return take<SensorList, &Hookprog::handleWrite>(frame);
-    default:
-      return false;
+    case MessageType::Hello:  // of no link that stands
+    case MessageType::Beacon:
+    case MessageType::Welcome:
+    case MessageType::Tick:
+    case MessageType::Sensors:
+    case MessageType::Log:
+      break;
   }
+  return false;
 }
 
 void Hookprog::handleHello(const Hello& hello) {

@@ -37,9 +37,8 @@ using FunctionId = Id<struct FunctionTag>;
 using UseId = Id<struct UseTag>;
 
 enum class Op : uint8_t {
-#define OP(name, text, operands, result) name,
+#define OP(name, ...) name,
 #include "ir/core/ops.def"
-#undef OP
 };
 
 enum class TypeKind : uint8_t { Bool, Quantity, Latitude, Longitude };

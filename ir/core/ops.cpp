@@ -5,15 +5,10 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 namespace glider::ir {
 namespace {
-
-constexpr auto kOps = std::to_array<OpInfo>({
-#define OP(name, text, operands, result) {Op::name, text, operands},
-#include "ir/core/ops.def"
-#undef OP
-});
 
 constexpr Type kBool{TypeKind::Bool, {}};
 constexpr Type kNumber{TypeKind::Quantity, support::dimension::number};
@@ -27,47 +22,8 @@ std::optional<Type> quantity(std::optional<support::Dimension> dimension) {
   return dimension ? std::optional(Type{TypeKind::Quantity, *dimension}) : std::nullopt;
 }
 
-/// Of operations that compute: `a` and `b` are the first two operands' types (`b` is `a` for one
-/// operand).
-std::optional<Type> arithmetic(Op op, Type a, Type b) {
-  const bool quantities = a.kind == TypeKind::Quantity && b.kind == TypeKind::Quantity;
-  switch (op) {
-    case Op::Sqrt:
-      return quantities ? quantity(support::squareRoot(a.dimension)) : std::nullopt;
-    case Op::Multiply:
-      return quantities ? quantity(support::product(a.dimension, b.dimension)) : std::nullopt;
-    case Op::Divide:
-      if (!quantities) {
-        return a == b ? std::optional(kNumber) : std::nullopt;
-      }
-      return quantity(support::quotient(a.dimension, b.dimension));
-    default:  // Negate, Abs, Add, Subtract, Min, Max, Clamp
-      return a == b ? std::optional(a) : std::nullopt;
-  }
-}
-
-/// Of what runtime/numbers computes.
-std::optional<Type> geometry(const Mission& mission, const Expr& expr) {
-  auto operand = [&](uint32_t i) { return mission[expr.operands.at(i)].type; };
-  auto from = [](bool fits, Type type) { return fits ? std::optional(type) : std::nullopt; };
-  switch (expr.op) {
-    case Op::Sin:
-    case Op::Cos:
-    case Op::Tan:
-      return from(operand(0) == kAngle, kNumber);
-    case Op::Atan2:
-      return from(operand(0) == operand(1) && operand(0).kind == TypeKind::Quantity, kAngle);
-    default: {  // Distance, Bearing
-      const bool positions = operand(0) == kLatitude && operand(1) == kLongitude &&
-                             operand(2) == kLatitude && operand(3) == kLongitude;
-      return from(positions, expr.op == Op::Distance ? kLength : kAngle);
-    }
-  }
-}
-
-bool isGeometry(Op op) {
-  return op == Op::Sin || op == Op::Cos || op == Op::Tan || op == Op::Atan2 || op == Op::Distance ||
-         op == Op::Bearing;
+std::optional<Type> when(bool fits, Type type) {
+  return fits ? std::optional(type) : std::nullopt;
 }
 
 /// Of a C function.
@@ -82,6 +38,15 @@ std::optional<Type> called(const Mission& mission, const Expr& expr) {
     }
   }
   return function.result;
+}
+
+bool haveOneType(std::span<const Type> types) {
+  return std::ranges::all_of(types, [&](Type type) { return type == types.front(); });
+}
+
+bool arePlaces(std::span<const Type> types) {
+  return types[0] == kLatitude && types[1] == kLongitude && types[2] == kLatitude &&
+         types[3] == kLongitude;
 }
 
 /// Of a truth value that is watched, or a window.
@@ -108,42 +73,48 @@ bool isOrdering(Op op) {
   return op == Op::Less || op == Op::LessEqual || op == Op::Greater || op == Op::GreaterEqual;
 }
 
-bool isComparison(Op op) {
-  return isOrdering(op) || op == Op::Equal || op == Op::NotEqual;
-}
-
 Op negated(Op comparison) {
-  switch (comparison) {
-    case Op::Less:
+  switch (opIn<ComparisonOp>(comparison)) {
+    case ComparisonOp::Less:
       return Op::GreaterEqual;
-    case Op::LessEqual:
+    case ComparisonOp::LessEqual:
       return Op::Greater;
-    case Op::Greater:
+    case ComparisonOp::Greater:
       return Op::LessEqual;
-    case Op::GreaterEqual:
+    case ComparisonOp::GreaterEqual:
       return Op::Less;
-    case Op::Equal:
+    case ComparisonOp::Equal:
       return Op::NotEqual;
-    default:
+    case ComparisonOp::NotEqual:
       return Op::Equal;
   }
+  CHECK(false, "a comparison without an opposite");
+}
+
+Op mirrored(Op comparison) {
+  switch (opIn<ComparisonOp>(comparison)) {
+    case ComparisonOp::Less:
+      return Op::Greater;
+    case ComparisonOp::LessEqual:
+      return Op::GreaterEqual;
+    case ComparisonOp::Greater:
+      return Op::Less;
+    case ComparisonOp::GreaterEqual:
+      return Op::LessEqual;
+    case ComparisonOp::Equal:
+    case ComparisonOp::NotEqual:
+      return comparison;
+  }
+  CHECK(false, "a comparison without a mirror image");
 }
 
 bool isWindow(TemporalKind kind) {
   return kind != TemporalKind::Became && kind != TemporalKind::Held;
 }
 
-const OpInfo& opInfo(Op op) {
-  return kOps.at(static_cast<size_t>(op));
-}
-
 const OpInfo* findOp(std::string_view text) {
   auto found = std::ranges::find(kOps, text, &OpInfo::text);
   return found == kOps.end() ? nullptr : &*found;
-}
-
-size_t opCount() {
-  return kOps.size();
 }
 
 uint32_t operandCount(const Expr& expr) {
@@ -167,61 +138,60 @@ const std::vector<CommandInfo>& commands() {
 }
 
 std::optional<Type> resultType(const Mission& mission, const Expr& expr) {
-  const uint32_t count = opInfo(expr.op).operands;
-  auto operand = [&](uint32_t i) { return mission[expr.operands.at(i)].type; };
-  switch (expr.op) {
-    case Op::Constant:
-      return expr.type.kind == TypeKind::Bool ? std::nullopt : std::optional(expr.type);
-    case Op::Sensor:
-      return mission[expr.sensor].type;
-    case Op::MissionTime:
-    case Op::StateTime:
-    case Op::ResumeTime:
-    case Op::Age:
-      return kTime;
-    case Op::True:
-    case Op::False:
+  const OpInfo& op = opInfo(expr.op);
+  std::array<Type, kMostOperands> all;
+  for (uint32_t i = 0; i < op.operands; ++i) {
+    all.at(i) = mission[expr.operands.at(i)].type;
+  }
+  const auto of = std::span<const Type>(all).first(std::max(op.operands, 1U));
+  const Type a = of.front();
+  const Type b = of.back();
+  const bool quantities = a.kind == TypeKind::Quantity && b.kind == TypeKind::Quantity;
+  const bool numbers = a.kind != TypeKind::Bool && b.kind != TypeKind::Bool;
+  switch (op.type) {
+    case TypeRule::Own:
+      return when(expr.type.kind != TypeKind::Bool, expr.type);
+    case TypeRule::Truth:
       return kBool;
-    case Op::Temporal:
-      return watched(mission, mission[expr.temporal]);
-    case Op::Variable:
+    case TypeRule::Time:
+      return kTime;
+    case TypeRule::Sensor:
+      return mission[expr.sensor].type;
+    case TypeRule::Variable:
       return mission[expr.variable].type;
-    case Op::Call:
+    case TypeRule::Temporal:
+      return watched(mission, mission[expr.temporal]);
+    case TypeRule::Element:
+      return when(a == kNumber, mission[expr.table].type);
+    case TypeRule::Call:
       return called(mission, expr);
-    case Op::Not:
-    case Op::And:
-    case Op::Or:
-      return operand(0) == kBool && operand(count - 1) == kBool ? std::optional(kBool)
-                                                                : std::nullopt;
-    default:
-      break;
+    case TypeRule::Same:
+      return when(numbers && haveOneType(of), a);
+    case TypeRule::Root:
+      return quantities ? quantity(support::squareRoot(a.dimension)) : std::nullopt;
+    case TypeRule::Product:
+      return quantities ? quantity(support::product(a.dimension, b.dimension)) : std::nullopt;
+    case TypeRule::Quotient:
+      return quantities ? quantity(support::quotient(a.dimension, b.dimension))
+                        : when(numbers && a == b, kNumber);
+    case TypeRule::OfAngle:
+      return when(a == kAngle, kNumber);
+    case TypeRule::ToAngle:
+      return when(quantities && a == b, kAngle);
+    case TypeRule::Length:
+      return when(arePlaces(of), kLength);
+    case TypeRule::Course:
+      return when(arePlaces(of), kAngle);
+    case TypeRule::Choice:
+      return when(a == kBool && of[1] == b && b.kind != TypeKind::Bool, b);
+    case TypeRule::Comparison:
+      return when(numbers && a == b, kBool);
+    case TypeRule::Known:
+      return when(numbers, kBool);
+    case TypeRule::Logic:
+      return when(a == kBool && b == kBool, kBool);
   }
-  if (isGeometry(expr.op)) {
-    return geometry(mission, expr);
-  }
-  if (expr.op == Op::Element) {
-    return operand(0) == kNumber ? std::optional(mission[expr.table].type) : std::nullopt;
-  }
-  if (expr.op == Op::Select) {
-    const bool fits =
-        operand(0) == kBool && operand(1) == operand(2) && operand(1).kind != TypeKind::Bool;
-    return fits ? std::optional(operand(1)) : std::nullopt;
-  }
-  for (uint32_t i = 0; i < count; ++i) {
-    if (operand(i).kind == TypeKind::Bool) {
-      return std::nullopt;
-    }
-  }
-  if (expr.op == Op::Known) {
-    return kBool;
-  }
-  if (isComparison(expr.op)) {
-    return operand(0) == operand(1) ? std::optional(kBool) : std::nullopt;
-  }
-  if (expr.op == Op::Clamp && operand(2) != operand(0)) {
-    return std::nullopt;
-  }
-  return arithmetic(expr.op, operand(0), operand(count == 1 ? 0 : 1));
+  CHECK(false, "a type without a rule");
 }
 
 }  // namespace glider::ir

@@ -4,35 +4,197 @@
 #pragma once
 
 #include "ir/core/mission.h"
+#include "ir/core/truth.h"
+#include "support/check.h"
 
+#include <array>
 #include <optional>
 #include <string_view>
 #include <vector>
 
 namespace glider::ir {
 
+/// What operations take, and where their values come from. A group of several operations has a list
+/// of its own below.
+enum class OpGroup : uint8_t {
+  Constant,
+  Truth,
+  Sensor,
+  Clock,
+  Variable,
+  Temporal,
+  Age,
+  Unary,   ///< of one number
+  Binary,  ///< of two numbers
+  Place,   ///< of two places
+  Clamp,
+  Select,
+  Element,
+  Call,
+  Comparison,  ///< of two numbers
+  Known,
+  Logic  ///< of truth values
+};
+
+/// The type of a result.
+enum class TypeRule : uint8_t {
+  Own,    ///< the expression's
+  Truth,  ///< always a truth value
+  Time,
+  Sensor,  ///< what the sensor has; and so on
+  Variable,
+  Temporal,
+  Element,
+  Call,
+  Same,  ///< that of the operands, which have one
+  Root,
+  Product,
+  Quotient,
+  OfAngle,  ///< a plain number of an angle
+  ToAngle,  ///< an angle of two quantities alike
+  Length,   ///< of two places
+  Course,   ///< an angle of two places
+  Choice,
+  Comparison,
+  Known,
+  Logic
+};
+
+/// Where a result is never unknown.
+enum class KnownRule : uint8_t {
+  Always,
+  Operands,  ///< where no operand is unknown
+  Bounded,   ///< there, if it is too small to overflow
+  Quotient,  ///< there, if the divisor is never 0 either
+  Guarded,   ///< there, and where one side asks whether the other is known
+  Variable,  ///< as the variable
+  Maybe      ///< nothing is known of it
+};
+
+/// Where a number is a whole one, and was not rounded.
+enum class WholeRule : uint8_t {
+  Constant,
+  Variable,
+  Operands,  ///< where the operands are
+  Choice,    ///< where both that are chosen from are
+  Broken     ///< nothing is known of it
+};
+
+/// Whether a number may be -0.
+enum class ZeroRule : uint8_t {
+  Constant,
+  Plain,  ///< it settles, or is measured: never
+  Signed
+};
+
 /// A row of ops.def.
 struct OpInfo {
   Op op;
   std::string_view text;  ///< spelling in the text form
   uint32_t operands;      ///< of a Call none: see operandCount
+  OpGroup group;
+  TypeRule type;
+  KnownRule known;
+  WholeRule whole;
+  ZeroRule zero;
 };
 
+inline constexpr auto kOps = std::to_array<OpInfo>({
+#define OP(name, text, operands, group, type, known, whole, zero)                               \
+  {Op::name,         text,          operands, OpGroup::group, TypeRule::type, KnownRule::known, \
+   WholeRule::whole, ZeroRule::zero},
+#include "ir/core/ops.def"
+});
+
 /// The row of `op`.
-const OpInfo& opInfo(Op op);
+constexpr const OpInfo& opInfo(Op op) {
+  return kOps.at(static_cast<size_t>(op));
+}
+constexpr OpGroup groupOf(Op op) {
+  return opInfo(op).group;
+}
+
+// The groups of several operations, so that a switch over one names what it lacks: opIn.
+enum class ClockOp : uint8_t {
+#define CLOCK(name, ...) name = static_cast<uint8_t>(Op::name),
+#include "ir/core/ops.def"
+};
+enum class UnaryOp : uint8_t {
+#define UNARY(name, ...) name = static_cast<uint8_t>(Op::name),
+#include "ir/core/ops.def"
+};
+enum class BinaryOp : uint8_t {
+#define BINARY(name, ...) name = static_cast<uint8_t>(Op::name),
+#include "ir/core/ops.def"
+};
+enum class PlaceOp : uint8_t {
+#define PLACE(name, ...) name = static_cast<uint8_t>(Op::name),
+#include "ir/core/ops.def"
+};
+enum class ComparisonOp : uint8_t {
+#define COMPARISON(name, ...) name = static_cast<uint8_t>(Op::name),
+#include "ir/core/ops.def"
+};
+enum class LogicOp : uint8_t {
+#define LOGIC(name, ...) name = static_cast<uint8_t>(Op::name),
+#include "ir/core/ops.def"
+};
+
+template <typename List>
+inline constexpr OpGroup kGroup = OpGroup::Constant;
+template <>
+inline constexpr OpGroup kGroup<ClockOp> = OpGroup::Clock;
+template <>
+inline constexpr OpGroup kGroup<UnaryOp> = OpGroup::Unary;
+template <>
+inline constexpr OpGroup kGroup<BinaryOp> = OpGroup::Binary;
+template <>
+inline constexpr OpGroup kGroup<PlaceOp> = OpGroup::Place;
+template <>
+inline constexpr OpGroup kGroup<ComparisonOp> = OpGroup::Comparison;
+template <>
+inline constexpr OpGroup kGroup<LogicOp> = OpGroup::Logic;
+
+/// `op`, which is of that group, as one of the group's list.
+template <typename List>
+List opIn(Op op) {
+  CHECK(groupOf(op) == kGroup<List>, "an operation of another group");
+  return static_cast<List>(op);
+}
+
+/// What `op` makes of the truth values that `operand(0)` and, but for Not, `operand(1)` give.
+template <typename Operand>
+Truth logical(LogicOp op, Operand operand) {
+  switch (op) {
+    case LogicOp::Not:
+      return logicalNot(operand(0));
+    case LogicOp::And:
+      return logicalAnd(operand(0), operand(1));
+    case LogicOp::Or:
+      return logicalOr(operand(0), operand(1));
+  }
+  CHECK(false, "a word of logic without a meaning");
+}
+
 /// The row spelled `text`; null if there is none.
 const OpInfo* findOp(std::string_view text);
 /// The number of operations.
-size_t opCount();
+constexpr size_t opCount() {
+  return kOps.size();
+}
 /// The number of operands of `expr`: those of its operation, or as many as a Call has.
 uint32_t operandCount(const Expr& expr);
 
 /// Whether it compares: Less to NotEqual.
-bool isComparison(Op op);
+constexpr bool isComparison(Op op) {
+  return groupOf(op) == OpGroup::Comparison;
+}
 /// Whether it is a comparison that asks for the order of numbers: Less to GreaterEqual.
 bool isOrdering(Op op);
 /// The comparison that is true exactly where `comparison` (Less to NotEqual) is false.
 Op negated(Op comparison);
+/// The comparison that is true of (b, a) exactly where `comparison` is of (a, b).
+Op mirrored(Op comparison);
 
 /// Whether it is a window: a number, not a truth value.
 bool isWindow(TemporalKind kind);

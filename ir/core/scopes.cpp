@@ -42,8 +42,7 @@ Reads readsOf(const Mission& mission, const Expr& e, const std::vector<Reads>& o
     readState(reads, mission[e.temporal].state);
     reads.temporals_end = e.temporal.index + 1;
   } else {
-    reads.moment |= e.sensor.valid() || e.op == Op::MissionTime || e.op == Op::StateTime ||
-                    e.op == Op::ResumeTime || e.op == Op::Call;
+    reads.moment |= e.sensor.valid() || groupOf(e.op) == OpGroup::Clock || e.op == Op::Call;
   }
   return reads;
 }

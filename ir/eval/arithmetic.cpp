@@ -3,6 +3,7 @@
 
 #include "ir/eval/arithmetic.h"
 
+#include "ir/core/ops.h"
 #include "runtime/abi/glider_abi.h"
 #include "support/check.h"
 
@@ -56,46 +57,44 @@ double binary(Op op, double a, double b) {
   if (!isKnown(a) || !isKnown(b)) {
     return kUnknown;
   }
-  switch (op) {
-    case Op::Add:
+  switch (opIn<BinaryOp>(op)) {
+    case BinaryOp::Add:
       return settle(a + b);
-    case Op::Subtract:
+    case BinaryOp::Subtract:
       return settle(a - b);
-    case Op::Multiply:
+    case BinaryOp::Multiply:
       return settle(a * b);
-    case Op::Divide:
+    case BinaryOp::Divide:
       return settle(a / b);
-    case Op::Min:
+    case BinaryOp::Min:
       return b < a ? b : a;
-    case Op::Max:
+    case BinaryOp::Max:
       return a < b ? b : a;
-    case Op::Atan2:
+    case BinaryOp::Atan2:
       return settle(gliderAtan2(a, b));
-    default:
-      CHECK(false, "not an operation on two numbers");
   }
+  CHECK(false, "an operation on two numbers without a meaning");
 }
 
 double unary(Op op, double a) {
   if (!isKnown(a)) {
     return kUnknown;
   }
-  switch (op) {
-    case Op::Negate:
+  switch (opIn<UnaryOp>(op)) {
+    case UnaryOp::Negate:
       return std::bit_cast<double>(bits(a) ^ kSignBit);
-    case Op::Abs:
+    case UnaryOp::Abs:
       return std::bit_cast<double>(bits(a) & ~kSignBit);
-    case Op::Sqrt:
+    case UnaryOp::Sqrt:
       return settle(std::sqrt(a));
-    case Op::Sin:
+    case UnaryOp::Sin:
       return settle(gliderSin(a));
-    case Op::Cos:
+    case UnaryOp::Cos:
       return settle(gliderCos(a));
-    case Op::Tan:
+    case UnaryOp::Tan:
       return settle(gliderTan(a));
-    default:
-      CHECK(false, "not an operation on one number");
   }
+  CHECK(false, "an operation on one number without a meaning");
 }
 
 double onEarth(Op op, Position from, Position to) {
@@ -104,9 +103,16 @@ double onEarth(Op op, Position from, Position to) {
       return kUnknown;
     }
   }
-  CHECK(op == Op::Distance || op == Op::Bearing, "not an operation on two positions");
-  auto* function = op == Op::Distance ? gliderDistance : gliderBearing;
-  return settle(function(from.latitude, from.longitude, to.latitude, to.longitude));
+  const auto of = [&](auto* function) {
+    return settle(function(from.latitude, from.longitude, to.latitude, to.longitude));
+  };
+  switch (opIn<PlaceOp>(op)) {
+    case PlaceOp::Distance:
+      return of(gliderDistance);
+    case PlaceOp::Bearing:
+      return of(gliderBearing);
+  }
+  CHECK(false, "an operation on two places without a meaning");
 }
 
 double clamp(double x, double lowest, double highest) {
@@ -126,22 +132,21 @@ Truth compare(Op op, double a, double b) {
   if (!isKnown(a) || !isKnown(b)) {
     return Truth::Unknown;
   }
-  switch (op) {
-    case Op::Less:
+  switch (opIn<ComparisonOp>(op)) {
+    case ComparisonOp::Less:
       return truth(a < b);
-    case Op::LessEqual:
+    case ComparisonOp::LessEqual:
       return truth(a <= b);
-    case Op::Greater:
+    case ComparisonOp::Greater:
       return truth(a > b);
-    case Op::GreaterEqual:
+    case ComparisonOp::GreaterEqual:
       return truth(a >= b);
-    case Op::Equal:
+    case ComparisonOp::Equal:
       return truth(a == b);
-    case Op::NotEqual:
+    case ComparisonOp::NotEqual:
       return truth(a != b);
-    default:
-      CHECK(false, "not a comparison");
   }
+  CHECK(false, "a comparison without a meaning");
 }
 
 double reading(const Sensor& sensor, double raw, double age_s) {

@@ -62,60 +62,36 @@ std::vector<double> argumentsOf(const Expr& e, const Values& values) {
 Value valueOf(const Mission& mission, const Expr& e, const Values& values, const Leaves& leaves) {
   auto a = [&](size_t i) { return std::get<double>(values.at(e.operands.at(i).index)); };
   auto t = [&](size_t i) { return std::get<Truth>(values.at(e.operands.at(i).index)); };
-  switch (e.op) {
-    case Op::Constant:
+  switch (groupOf(e.op)) {
+    case OpGroup::Constant:
       return e.number;
-    case Op::True:
-    case Op::False:
+    case OpGroup::Truth:
       return truth(e.op == Op::True);
-    case Op::Sensor:
-    case Op::Age:
-    case Op::MissionTime:
-    case Op::StateTime:
-    case Op::ResumeTime:
-    case Op::Variable:
-    case Op::Temporal:
-    case Op::Call:
+    case OpGroup::Sensor:
+    case OpGroup::Age:
+    case OpGroup::Clock:
+    case OpGroup::Variable:
+    case OpGroup::Temporal:
+    case OpGroup::Call:
       return leaves(e, argumentsOf(e, values));
-    case Op::Negate:
-    case Op::Abs:
-    case Op::Sqrt:
-    case Op::Sin:
-    case Op::Cos:
-    case Op::Tan:
+    case OpGroup::Unary:
       return unary(e.op, a(0));
-    case Op::Add:
-    case Op::Subtract:
-    case Op::Multiply:
-    case Op::Divide:
-    case Op::Min:
-    case Op::Max:
-    case Op::Atan2:
+    case OpGroup::Binary:
       return binary(e.op, a(0), a(1));
-    case Op::Distance:
-    case Op::Bearing:
+    case OpGroup::Place:
       return onEarth(e.op, {a(0), a(1)}, {a(2), a(3)});
-    case Op::Clamp:
+    case OpGroup::Clamp:
       return clamp(a(0), a(1), a(2));
-    case Op::Select:
+    case OpGroup::Select:
       return t(0) == Truth::Unknown ? kUnknown : a(t(0) == Truth::True ? 1 : 2);
-    case Op::Element:
+    case OpGroup::Element:
       return element(mission[e.table], a(0));
-    case Op::Less:
-    case Op::LessEqual:
-    case Op::Greater:
-    case Op::GreaterEqual:
-    case Op::Equal:
-    case Op::NotEqual:
+    case OpGroup::Comparison:
       return compare(e.op, a(0), a(1));
-    case Op::Known:
+    case OpGroup::Known:
       return truth(isKnown(a(0)));
-    case Op::Not:
-      return logicalNot(t(0));
-    case Op::And:
-      return logicalAnd(t(0), t(1));
-    case Op::Or:
-      return logicalOr(t(0), t(1));
+    case OpGroup::Logic:
+      return logical(opIn<LogicOp>(e.op), t);
   }
   CHECK(false, "an operation without a meaning");
 }

@@ -5,6 +5,7 @@
 
 #include "ir/eval/interpreter.h"
 
+#include "ir/core/ops.h"
 #include "ir/core/validate.h"
 #include "ir/eval/arithmetic.h"
 #include "support/check.h"
@@ -139,26 +140,45 @@ Value Interpreter::evaluate(ExprId id) const {
 }
 
 Value Interpreter::leaf(const Expr& e, std::span<const double> arguments) const {
-  switch (e.op) {
-    case Op::Sensor:
+  switch (groupOf(e.op)) {
+    case OpGroup::Sensor:
       return readingOf(e.sensor);
-    case Op::Age:
+    case OpGroup::Age:
       return age(e.sensor);
-    case Op::MissionTime:
-      return mission_time_;
-    case Op::StateTime:
-      return settle(mission_time_ - entered_);
-    case Op::ResumeTime:
-      return settle(mission_time_ - resumed_);
-    case Op::Variable:
+    case OpGroup::Clock:
+      return clock(opIn<ClockOp>(e.op));
+    case OpGroup::Variable:
       return asValue(variables_.at(e.variable.index), e.type);
-    case Op::Temporal:
+    case OpGroup::Temporal:
       return temporals_.at(e.temporal.index).value;
-    case Op::Call:
+    case OpGroup::Call:
       return asValue(called(e.use, arguments), e.type);
-    default:
-      CHECK(false, "not a leaf");
+    case OpGroup::Constant:
+    case OpGroup::Truth:
+    case OpGroup::Unary:
+    case OpGroup::Binary:
+    case OpGroup::Place:
+    case OpGroup::Clamp:
+    case OpGroup::Select:
+    case OpGroup::Element:
+    case OpGroup::Comparison:
+    case OpGroup::Known:
+    case OpGroup::Logic:
+      break;
   }
+  CHECK(false, "not a leaf");
+}
+
+double Interpreter::clock(ClockOp op) const {
+  switch (op) {
+    case ClockOp::MissionTime:
+      return mission_time_;
+    case ClockOp::StateTime:
+      return settle(mission_time_ - entered_);
+    case ClockOp::ResumeTime:
+      return settle(mission_time_ - resumed_);
+  }
+  CHECK(false, "a clock without a meaning");
 }
 
 const Activity& Interpreter::activity(ListKind list) const {
@@ -171,9 +191,11 @@ const std::vector<Case>& Interpreter::casesOf(ListKind list) const {
       return mission_.always;
     case ListKind::State:
       return mission_[state_].cases;
-    default:
-      return activity(list).cases;
+    case ListKind::Profile:
+    case ListKind::Route:
+      break;
   }
+  return activity(list).cases;
 }
 
 /// The rule of `always`, the limit aside.

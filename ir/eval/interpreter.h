@@ -4,6 +4,7 @@
 #pragma once
 
 #include "ir/core/mission.h"
+#include "ir/core/ops.h"
 #include "ir/core/truth.h"
 #include "ir/eval/evaluate.h"
 #include "ir/eval/tick_result.h"
@@ -83,6 +84,7 @@ class Interpreter {
   void poll();
   [[nodiscard]] Value leaf(const Expr& expr, std::span<const double> arguments) const;
   [[nodiscard]] double called(UseId use, std::span<const double> arguments) const;
+  [[nodiscard]] double clock(ClockOp op) const;
   [[nodiscard]] double age(SensorId id) const;
 
   [[nodiscard]] bool current(const Temporal& temporal) const;

@@ -4,6 +4,7 @@
 #include "ir/eval/window.h"
 
 #include "ir/eval/arithmetic.h"
+#include "support/check.h"
 
 #include <algorithm>
 #include <cmath>
@@ -97,8 +98,11 @@ double PlainWindow::workOut(double now) const {
       return greatest;
     case TemporalKind::Spread:
       return subtract(greatest, least);
-    default:
+    case TemporalKind::Slope:
       break;
+    case TemporalKind::Became:
+    case TemporalKind::Held:
+      CHECK(false, "not a window");
   }
   const double below = subtract(multiply(count, along_along), multiply(alongs, alongs));
   if (!(below > 0)) {

@@ -95,26 +95,47 @@ class Former {
     if (depth > kDeepest) {
       return opaque();
     }
-    switch (e.op) {
-      case Op::True:
-      case Op::False:
+    switch (groupOf(e.op)) {
+      case OpGroup::Truth:
         return (e.op == Op::True) == (wanted == Wanted::True) ? always() : Disjunction{};
-      case Op::Not:
-        return form(e.operands[0], opposite(wanted), depth + 1);
-      case Op::And:
-      case Op::Or: {
-        const Disjunction a = form(e.operands[0], wanted, depth + 1);
-        const Disjunction b = form(e.operands[1], wanted, depth + 1);
-        return (e.op == Op::And) == (wanted == Wanted::True) ? all(a, b) : any(a, b);
-      }
-      case Op::Known:
+      case OpGroup::Logic:
+        return logic(e, wanted, depth);
+      case OpGroup::Known:
         return known(e, wanted);
-      default:
+      case OpGroup::Comparison:
         return comparison(e, wanted);
+      case OpGroup::Variable:
+      case OpGroup::Temporal:
+      case OpGroup::Call:
+      case OpGroup::Constant:
+      case OpGroup::Sensor:
+      case OpGroup::Clock:
+      case OpGroup::Age:
+      case OpGroup::Unary:
+      case OpGroup::Binary:
+      case OpGroup::Place:
+      case OpGroup::Clamp:
+      case OpGroup::Select:
+      case OpGroup::Element:
+        break;
     }
+    return opaque();
   }
 
  private:
+  Disjunction logic(const Expr& e, Wanted wanted, uint32_t depth) {
+    switch (opIn<LogicOp>(e.op)) {
+      case LogicOp::Not:
+        return form(e.operands[0], opposite(wanted), depth + 1);
+      case LogicOp::And:
+      case LogicOp::Or:
+        break;
+    }
+    const Disjunction a = form(e.operands[0], wanted, depth + 1);
+    const Disjunction b = form(e.operands[1], wanted, depth + 1);
+    return (e.op == Op::And) == (wanted == Wanted::True) ? all(a, b) : any(a, b);
+  }
+
   static Disjunction any(Disjunction a, const Disjunction& b) {
     a.insert(a.end(), b.begin(), b.end());
     return a.size() > kMostAlternatives ? opaque() : a;
@@ -134,8 +155,7 @@ class Former {
 
   std::optional<Watched> watched(ExprId id) const {
     const Expr& e = m_[id];
-    const bool fits = e.op == Op::Sensor || e.op == Op::MissionTime || e.op == Op::StateTime ||
-                      e.op == Op::ResumeTime;
+    const bool fits = e.op == Op::Sensor || groupOf(e.op) == OpGroup::Clock;
     return fits ? std::optional(Watched{e.op, e.sensor}) : std::nullopt;
   }
 
@@ -148,9 +168,6 @@ class Former {
   }
 
   Disjunction comparison(const Expr& e, Wanted wanted) const {
-    if (!isComparison(e.op)) {
-      return opaque();
-    }
     const auto left = watched(e.operands[0]);
     const auto right = watched(e.operands[1]);
     const Expr& a = m_[e.operands[0]];
@@ -165,40 +182,26 @@ class Former {
     return opaque();
   }
 
-  static Op mirrored(Op op) {
-    switch (op) {
-      case Op::Less:
-        return Op::Greater;
-      case Op::LessEqual:
-        return Op::GreaterEqual;
-      case Op::Greater:
-        return Op::Less;
-      case Op::GreaterEqual:
-        return Op::LessEqual;
-      default:
-        return op;
-    }
-  }
-
   static Disjunction compared(const Watched& what, Op op, double constant) {
     const Cut from{constant + 0.0, true};  // -0 is no other place than 0
     const Cut past{constant + 0.0, false};
     const Conjunction less = single(what, {std::nullopt, from, false});
     const Conjunction greater = single(what, {past, std::nullopt, false});
-    switch (op) {
-      case Op::Less:
+    switch (opIn<ComparisonOp>(op)) {
+      case ComparisonOp::Less:
         return {less};
-      case Op::LessEqual:
+      case ComparisonOp::LessEqual:
         return {single(what, {std::nullopt, past, false})};
-      case Op::Greater:
+      case ComparisonOp::Greater:
         return {greater};
-      case Op::GreaterEqual:
+      case ComparisonOp::GreaterEqual:
         return {single(what, {from, std::nullopt, false})};
-      case Op::Equal:
+      case ComparisonOp::Equal:
         return {single(what, {from, past, false})};
-      default:
-        return {less, greater};
+      case ComparisonOp::NotEqual:
+        break;
     }
+    return {less, greater};
   }
 
   const Mission& m_;

@@ -103,49 +103,61 @@ class Folder {
     if (!n || expr.type.kind == TypeKind::Bool) {
       return std::nullopt;
     }
-    switch (expr.op) {
-      case Op::Negate:
-      case Op::Abs:
-      case Op::Sqrt:
-        return unary(expr.op, (*n)[0]);
-      case Op::Add:
-      case Op::Subtract:
-      case Op::Multiply:
-      case Op::Divide:
-      case Op::Min:
-      case Op::Max:
-        return binary(expr.op, (*n)[0], (*n)[1]);
-      case Op::Clamp:
+    switch (groupOf(expr.op)) {
+      case OpGroup::Unary:
+        return isFunction(opIn<UnaryOp>(expr.op)) ? std::nullopt
+                                                  : std::optional(unary(expr.op, (*n)[0]));
+      case OpGroup::Binary:
+        return isFunction(opIn<BinaryOp>(expr.op))
+                   ? std::nullopt
+                   : std::optional(binary(expr.op, (*n)[0], (*n)[1]));
+      case OpGroup::Clamp:
         return clamp((*n)[0], (*n)[1], (*n)[2]);
-      case Op::Element:
+      case OpGroup::Element:
         return element(m_[expr.table], (*n)[0]);
-      default:
-        return std::nullopt;
+      case OpGroup::Place:  // a function of runtime/numbers too
+      case OpGroup::Select:
+      case OpGroup::Constant:
+      case OpGroup::Sensor:
+      case OpGroup::Clock:
+      case OpGroup::Age:
+      case OpGroup::Variable:
+      case OpGroup::Temporal:
+      case OpGroup::Call:
+      case OpGroup::Truth:
+      case OpGroup::Comparison:
+      case OpGroup::Known:
+      case OpGroup::Logic:
+        break;
     }
+    return std::nullopt;
   }
 
-  [[nodiscard]] std::optional<Truth> truthOf(const Expr& expr) const {
-    switch (expr.op) {
-      case Op::Not:
-        if (operand(expr, 0).op == Op::True || operand(expr, 0).op == Op::False) {
-          return truth(operand(expr, 0).op == Op::False);
-        }
-        return std::nullopt;
-      case Op::Known:
-        return constants(expr) ? std::optional(Truth::True) : std::nullopt;
-      case Op::Less:
-      case Op::LessEqual:
-      case Op::Greater:
-      case Op::GreaterEqual:
-      case Op::Equal:
-      case Op::NotEqual:
-        if (const auto n = constants(expr)) {
-          return compare(expr.op, (*n)[0], (*n)[1]);
-        }
-        return std::nullopt;
-      default:
-        return std::nullopt;
+  /// Whether runtime/numbers works it out, when the mission flies.
+  static bool isFunction(UnaryOp op) {
+    switch (op) {
+      case UnaryOp::Sin:
+      case UnaryOp::Cos:
+      case UnaryOp::Tan:
+        return true;
+      case UnaryOp::Negate:
+      case UnaryOp::Abs:
+      case UnaryOp::Sqrt:
+        break;
     }
+    return false;
+  }
+  static bool isFunction(BinaryOp op) { return op == BinaryOp::Atan2; }
+
+  [[nodiscard]] std::optional<Truth> truthOf(const Expr& expr) const {
+    if (expr.op == Op::Not && groupOf(operand(expr, 0).op) == OpGroup::Truth) {
+      return truth(operand(expr, 0).op == Op::False);
+    }
+    if (expr.op == Op::Known && constants(expr)) {
+      return Truth::True;
+    }
+    const auto n = isComparison(expr.op) ? constants(expr) : std::nullopt;
+    return n ? std::optional(compare(expr.op, (*n)[0], (*n)[1])) : std::nullopt;
   }
 
   Mission& m_;

@@ -118,9 +118,12 @@ std::string describe(const Token& token) {
       return "a string";
     case TokenKind::Name:
       return fmt::format("`%{}`", token.text.substr(0, kLongestBad));
-    default:
-      return fmt::format("`{}`", token.text.substr(0, kLongestBad));
+    case TokenKind::Word:
+    case TokenKind::Number:
+    case TokenKind::Mark:
+      break;
   }
+  return fmt::format("`{}`", token.text.substr(0, kLongestBad));
 }
 
 }  // namespace glider::ir::text

@@ -126,42 +126,63 @@ class Analysis {
   }
 
   [[nodiscard]] Interval of(const Expr& e) const {
-    const uint32_t count = operandCount(e);
-    if (e.op == Op::Call) {
-      return between(m_[e.use].lowest, m_[e.use].highest);
-    }
-    if (count == 0) {
-      return leaf(e);
-    }
-    for (uint32_t i = 0; i < count; ++i) {
-      if (operand(e, i).empty && e.op != Op::Select) {
-        return kNowhere;
+    if (opInfo(e.op).operands == 0 && e.op != Op::Call) {
+      if (const auto known = known_(e)) {
+        return *known;
       }
     }
-    const Interval& a = operand(e, 0);
-    if (e.op == Op::Element) {
-      const auto [lowest, highest] = std::ranges::minmax(m_[e.table].values);
-      return {lowest, highest, false};
+    if (e.op != Op::Select && !haveOperands(e)) {
+      return kNowhere;
     }
-    return count == 1 ? unary(e.op, a) : several(e, a, operand(e, 1));
+    const auto x = [&](size_t i) -> const Interval& { return operand(e, i); };
+    switch (groupOf(e.op)) {
+      case OpGroup::Constant:
+        return {e.number, e.number, false};
+      case OpGroup::Sensor:
+        return readings(m_[e.sensor]);
+      case OpGroup::Clock:
+      case OpGroup::Age:
+        return {0, kMost, false};
+      case OpGroup::Variable:
+        return between(m_[e.variable].lowest, m_[e.variable].highest);
+      case OpGroup::Temporal:
+        return window(m_[e.temporal]);
+      case OpGroup::Call:
+        return between(m_[e.use].lowest, m_[e.use].highest);
+      case OpGroup::Element:
+        return elements(m_[e.table]);
+      case OpGroup::Unary:
+        return unary(opIn<UnaryOp>(e.op), x(0));
+      case OpGroup::Binary:
+        return binary(opIn<BinaryOp>(e.op), x(0), x(1));
+      case OpGroup::Place:
+        return place(opIn<PlaceOp>(e.op));
+      case OpGroup::Select:
+        return hull(x(1), x(2));
+      case OpGroup::Clamp:
+        return clamped(x(0), x(1), x(2));
+      case OpGroup::Truth:
+      case OpGroup::Comparison:
+      case OpGroup::Known:
+      case OpGroup::Logic:
+        break;
+    }
+    return kAny;  // a truth value
   }
 
-  [[nodiscard]] Interval leaf(const Expr& e) const {
-    if (const auto known = known_(e)) {
-      return *known;
+  /// Whether every operand has some value. Those of a call do not matter.
+  [[nodiscard]] bool haveOperands(const Expr& e) const {
+    for (uint32_t i = 0; i < opInfo(e.op).operands; ++i) {
+      if (operand(e, i).empty) {
+        return false;
+      }
     }
-    switch (e.op) {
-      case Op::Constant:
-        return {e.number, e.number, false};
-      case Op::Sensor:
-        return readings(m_[e.sensor]);
-      case Op::Variable:
-        return between(m_[e.variable].lowest, m_[e.variable].highest);
-      case Op::Temporal:
-        return window(m_[e.temporal]);
-      default:  // clocks, Age
-        return {0, kMost, false};
-    }
+    return true;
+  }
+
+  static Interval elements(const Table& table) {
+    const auto [lowest, highest] = std::ranges::minmax(table.values);
+    return {lowest, highest, false};
   }
 
   /// A mean is worked out by sums that may round past the readings.
@@ -173,52 +194,60 @@ class Analysis {
         return x;
       case TemporalKind::Spread:
         return x.empty ? x : between(0, x.highest - x.lowest);
-      default:
-        return kAny;
+      case TemporalKind::Mean:
+      case TemporalKind::Slope:
+      case TemporalKind::Became:
+      case TemporalKind::Held:
+        break;
     }
+    return kAny;
   }
 
-  static Interval unary(Op op, const Interval& x) {
+  static Interval unary(UnaryOp op, const Interval& x) {
     switch (op) {
-      case Op::Negate:
+      case UnaryOp::Negate:
         return {-x.highest, -x.lowest, false};
-      case Op::Abs:
+      case UnaryOp::Abs:
         return magnitude(x);
-      case Op::Sqrt:
+      case UnaryOp::Sqrt:
         return root(x);
-      case Op::Sin:
-      case Op::Cos:
+      case UnaryOp::Sin:
+      case UnaryOp::Cos:
         return {-1, 1, false};
-      default:  // Tan
-        return kAny;
+      case UnaryOp::Tan:
+        break;
     }
+    return kAny;
   }
 
-  [[nodiscard]] Interval several(const Expr& e, const Interval& a, const Interval& b) const {
-    switch (e.op) {
-      case Op::Add:
+  static Interval binary(BinaryOp op, const Interval& a, const Interval& b) {
+    switch (op) {
+      case BinaryOp::Add:
         return settled(between(a.lowest + b.lowest, a.highest + b.highest));
-      case Op::Subtract:
+      case BinaryOp::Subtract:
         return settled(between(a.lowest - b.highest, a.highest - b.lowest));
-      case Op::Multiply:
+      case BinaryOp::Multiply:
         return settled(ofEnds(a, b, [](double x, double y) { return x * y; }));
-      case Op::Divide:
+      case BinaryOp::Divide:
         return divided(a, b);
-      case Op::Min:
+      case BinaryOp::Min:
         return {std::min(a.lowest, b.lowest), std::min(a.highest, b.highest), false};
-      case Op::Max:
+      case BinaryOp::Max:
         return {std::max(a.lowest, b.lowest), std::max(a.highest, b.highest), false};
-      case Op::Atan2:
+      case BinaryOp::Atan2:
         return {-std::numbers::pi, std::numbers::pi, false};
-      case Op::Distance:
-        return {0, kFarthest, false};
-      case Op::Bearing:
-        return {0, 2 * std::numbers::pi, false};
-      case Op::Select:
-        return hull(b, operand(e, 2));
-      default:  // Clamp
-        return clamped(a, b, operand(e, 2));
     }
+    return kAny;
+  }
+
+  static Interval place(PlaceOp op) {
+    switch (op) {
+      case PlaceOp::Distance:
+        return {0, kFarthest, false};
+      case PlaceOp::Bearing:
+        return {0, 2 * std::numbers::pi, false};
+    }
+    return kAny;
   }
 
   const Mission& m_;

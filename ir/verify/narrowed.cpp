@@ -88,17 +88,8 @@ Interval Narrowing::intervalOf(const Knowledge& knowledge, ExprId id) {
 
 bool Narrowing::isAlwaysKnown(ExprId id) const {
   const Expr& e = m_[id];
-  switch (e.op) {
-    case Op::Constant:
-    case Op::MissionTime:
-    case Op::StateTime:
-    case Op::ResumeTime:
-      return true;
-    case Op::Variable:
-      return m_[e.variable].kind == VariableKind::Parameter;
-    default:
-      return false;
-  }
+  return e.op == Op::Constant || groupOf(e.op) == OpGroup::Clock ||
+         (e.op == Op::Variable && m_[e.variable].kind == VariableKind::Parameter);
 }
 
 void Narrowing::set(Knowledge& knowledge, VariableId variable, Interval given, bool kept) {
@@ -133,24 +124,21 @@ void Narrowing::assume(Knowledge& knowledge, ExprId condition, Asked asked, unsi
     return;
   }
   const bool true_or_unknown = asked == Asked::True || asked == Asked::NotFalse;
-  switch (e.op) {
-    case Op::True:
-    case Op::False:
-      knowledge.unreachable = (e.op == Op::True) != true_or_unknown;
-      return;
-    case Op::Not: {
-      constexpr Asked kOpposite[] = {Asked::False, Asked::True, Asked::NotFalse, Asked::NotTrue};
-      assume(knowledge, e.operands[0], kOpposite[static_cast<size_t>(asked)], depth + 1);
-      return;
-    }
-    case Op::And:
-    case Op::Or:
-      return (e.op == Op::And) == true_or_unknown ? assumeBoth(knowledge, e, asked, depth)
-                                                  : assumeEither(knowledge, e, asked, depth);
-    default:
-      if (isComparison(e.op)) {
-        compare(knowledge, e, asked);
+  if (groupOf(e.op) == OpGroup::Truth) {
+    knowledge.unreachable = (e.op == Op::True) != true_or_unknown;
+  } else if (isComparison(e.op)) {
+    compare(knowledge, e, asked);
+  } else if (groupOf(e.op) == OpGroup::Logic) {
+    switch (opIn<LogicOp>(e.op)) {
+      case LogicOp::Not: {
+        constexpr Asked kOpposite[] = {Asked::False, Asked::True, Asked::NotFalse, Asked::NotTrue};
+        return assume(knowledge, e.operands[0], kOpposite[static_cast<size_t>(asked)], depth + 1);
       }
+      case LogicOp::And:
+      case LogicOp::Or:
+        return (e.op == Op::And) == true_or_unknown ? assumeBoth(knowledge, e, asked, depth)
+                                                    : assumeEither(knowledge, e, asked, depth);
+    }
   }
 }
 
@@ -174,11 +162,6 @@ void Narrowing::compare(Knowledge& knowledge, const Expr& e, Asked asked) {
   const bool definite = asked == Asked::True || asked == Asked::False;
   const bool holds = asked == Asked::True || asked == Asked::NotFalse;
   const Op op = holds ? e.op : negated(e.op);
-  const Op turned = op == Op::Less           ? Op::Greater
-                    : op == Op::LessEqual    ? Op::GreaterEqual
-                    : op == Op::Greater      ? Op::Less
-                    : op == Op::GreaterEqual ? Op::LessEqual
-                                             : op;
   const Interval left = intervalOf(knowledge, e.operands[0]);
   const Interval right = intervalOf(knowledge, e.operands[1]);
   if (left.empty || right.empty) {
@@ -189,7 +172,7 @@ void Narrowing::compare(Knowledge& knowledge, const Expr& e, Asked asked) {
     narrow(knowledge, e.operands[0], op, right, definite);
   }
   if (definite || isAlwaysKnown(e.operands[0])) {
-    narrow(knowledge, e.operands[1], turned, left, definite);
+    narrow(knowledge, e.operands[1], mirrored(op), left, definite);
   }
 }
 
@@ -210,23 +193,24 @@ Interval Narrowing::allowed(ExprId side, Op op, const Interval& now, const Inter
       whole ? std::ceil(other.highest) - 1 : std::nextafter(other.highest, -kEndless);
   const double above =
       whole ? std::floor(other.lowest) + 1 : std::nextafter(other.lowest, kEndless);
-  switch (op) {
-    case Op::Less:
+  switch (opIn<ComparisonOp>(op)) {
+    case ComparisonOp::Less:
       return {-kEndless, below, false};
-    case Op::LessEqual:
+    case ComparisonOp::LessEqual:
       return {-kEndless, whole ? std::floor(other.highest) : other.highest, false};
-    case Op::Greater:
+    case ComparisonOp::Greater:
       return {above, kEndless, false};
-    case Op::GreaterEqual:
+    case ComparisonOp::GreaterEqual:
       return {whole ? std::ceil(other.lowest) : other.lowest, kEndless, false};
-    case Op::Equal:
+    case ComparisonOp::Equal:
       return other;
-    default: {  // NotEqual: an end of it falls off
-      const bool single = other.lowest == other.highest;
-      return {single && now.lowest == other.lowest ? above : now.lowest,
-              single && now.highest == other.highest ? below : now.highest, false};
-    }
+    case ComparisonOp::NotEqual:
+      break;
   }
+  // An end of it falls off.
+  const bool single = other.lowest == other.highest;
+  return {single && now.lowest == other.lowest ? above : now.lowest,
+          single && now.highest == other.highest ? below : now.highest, false};
 }
 
 }  // namespace glider::ir

@@ -53,9 +53,11 @@ void noteDeadCase(support::DiagnosticBuilder& report, const Case& c, Dead why,
     case Dead::Proved:
       report.note(c.range, "this case never fires");
       return;
-    default:
-      report.note(c.range, "this case never fires: its guard is always false");
+    case Dead::AlwaysFalse:
+    case Dead::No:
+      break;
   }
+  report.note(c.range, "this case never fires: its guard is always false");
 }
 
 }  // namespace glider::ir

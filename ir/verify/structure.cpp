@@ -3,6 +3,7 @@
 
 #include "ir/verify/structure.h"
 
+#include "ir/core/ops.h"
 #include "ir/core/truth.h"
 
 #include <algorithm>
@@ -49,24 +50,10 @@ std::vector<Truth> constantTruths(const Mission& mission) {
   for (size_t i = 0; i < truths.size(); ++i) {
     const Expr& e = mission.exprs[i];
     auto operand = [&](size_t k) { return truths[e.operands.at(k).index]; };
-    switch (e.op) {
-      case Op::True:
-        truths[i] = Truth::True;
-        break;
-      case Op::False:
-        truths[i] = Truth::False;
-        break;
-      case Op::Not:
-        truths[i] = logicalNot(operand(0));
-        break;
-      case Op::And:
-        truths[i] = logicalAnd(operand(0), operand(1));
-        break;
-      case Op::Or:
-        truths[i] = logicalOr(operand(0), operand(1));
-        break;
-      default:
-        break;
+    if (groupOf(e.op) == OpGroup::Truth) {
+      truths[i] = truth(e.op == Op::True);
+    } else if (groupOf(e.op) == OpGroup::Logic) {
+      truths[i] = logical(opIn<LogicOp>(e.op), operand);
     }
   }
   return truths;

@@ -3,6 +3,7 @@
 
 #include "ir/verify/whole_numbers.h"
 
+#include "ir/core/ops.h"
 #include "ir/verify/inherited.h"
 
 #include <cmath>
@@ -20,25 +21,19 @@ class WholeExpressions {
 
   bool isWhole(size_t index, const Inherited& judged) const {
     const Expr& e = m_.exprs[index];
-    switch (e.op) {
-      case Op::Constant:
+    switch (opInfo(e.op).whole) {
+      case WholeRule::Constant:
         return std::floor(e.number) == e.number && std::fabs(e.number) < kEndOfWhole;
-      case Op::Variable:
+      case WholeRule::Variable:
         return judged.variables[e.variable.index] && isSmall(index);
-      case Op::Negate:
-      case Op::Abs:
-      case Op::Add:
-      case Op::Subtract:
-      case Op::Multiply:
-      case Op::Min:
-      case Op::Max:
-      case Op::Clamp:
+      case WholeRule::Operands:
         return judged.haveOperands(e) && isSmall(index);
-      case Op::Select:
+      case WholeRule::Choice:
         return judged.haveOperands(e, 1) && isSmall(index);  // the first is the condition
-      default:
-        return false;
+      case WholeRule::Broken:
+        break;
     }
+    return false;
   }
 
  private:

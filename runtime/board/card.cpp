@@ -135,9 +135,12 @@ int32_t Card::carryOut() {
       return log.sync(log.self);
     case Task::LogRenew:
       return log.renew(log.self);
-    default:
-      return carryOutOnStore();
+    case Task::StoreRead:
+    case Task::StoreWrite:
+    case Task::StoreSync:
+      break;
   }
+  return carryOutOnStore();
 }
 
 int32_t Card::carryOutOnStore() {
@@ -151,9 +154,13 @@ int32_t Card::carryOutOnStore() {
       return store.read(store.self, order_->offset, bytes(), order_->count);
     case Task::StoreWrite:
       return store.write(store.self, order_->offset, bytes(), order_->count);
-    default:
-      return store.sync(store.self);
+    case Task::StoreSync:
+    case Task::LogWrite:
+    case Task::LogSync:
+    case Task::LogRenew:
+      break;
   }
+  return store.sync(store.self);
 }
 
 bool Card::hear(double seconds) {

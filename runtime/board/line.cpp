@@ -48,12 +48,13 @@ int tellWish(const Options& options, const char* mission_name) {
       tell("mission ", mission_name, ", glidercc runtime, ABI ", abi);
       return kDone;
     }
-    default:
-      tell("error: cannot make sense of `", options.wrong,
-           options.wrong_value[0] != '\0' ? " " : "", options.wrong_value,
-           "`; --help says what there is");
-      return kWrongUse;
+    case Options::Wish::Wrong:
+    case Options::Wish::Fly:
+      break;
   }
+  tell("error: cannot make sense of `", options.wrong, options.wrong_value[0] != '\0' ? " " : "",
+       options.wrong_value, "`; --help says what there is");
+  return kWrongUse;
 }
 
 bool areFilesApart(const Options& options) {

@@ -26,9 +26,11 @@ bool fires(const gliderEvent& tested) {
       return value < *tested.limit;
     case GEQ:
       return value >= *tested.limit;
-    default:
-      return value > *tested.limit;
+    case GREATER:
+    case CUSTOM:
+      break;
   }
+  return value > *tested.limit;
 }
 
 /// False of what would be asked at no address.

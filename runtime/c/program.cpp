@@ -133,7 +133,7 @@ bool Program::nextTick() {
           return true;
         }
         break;
-      default:
+      case hooks::ClientEvent::Handled:
         break;
     }
   }

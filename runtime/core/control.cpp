@@ -58,9 +58,11 @@ ControlNews Control::settlePending(const hooks::VehicleTick& tick) {
     case HookControl::GiveBack:
       released_ = true;
       return {Kind::Released, pending_sequence_, tick.answer};
-    default:
-      return {};
+    case HookControl::Steer:
+    case HookControl::None:
+      break;
   }
+  return {};
 }
 
 ControlNews Control::refused(HookAnswer answer) {

@@ -9,7 +9,7 @@ namespace glider::runtime {
 namespace {
 
 hooks::HookVertical verticalOf(uint32_t vertical) {
-  switch (vertical) {
+  switch (static_cast<GliderVertical>(vertical)) {
     case kGliderDescend:
       return hooks::HookVertical::Descend;
     case kGliderAscend:
@@ -18,20 +18,22 @@ hooks::HookVertical verticalOf(uint32_t vertical) {
       return hooks::HookVertical::Hover;
     case kGliderSurface:
       return hooks::HookVertical::Surface;
-    default:
-      return hooks::HookVertical::None;
+    case kGliderNoVertical:
+      break;
   }
+  return hooks::HookVertical::None;
 }
 
 hooks::HookLateral lateralOf(uint32_t lateral) {
-  switch (lateral) {
+  switch (static_cast<GliderLateral>(lateral)) {
     case kGliderHeading:
       return hooks::HookLateral::Heading;
     case kGliderWaypoint:
       return hooks::HookLateral::Waypoint;
-    default:
-      return hooks::HookLateral::Drift;
+    case kGliderDrift:
+      break;
   }
+  return hooks::HookLateral::Drift;
 }
 
 }  // namespace

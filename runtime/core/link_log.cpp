@@ -18,9 +18,11 @@ LogEvent eventOf(ControlNews::Kind kind) {
       return LogEvent::InstructionRefused;
     case ControlNews::Kind::Lost:
       return LogEvent::ControlLost;
-    default:
-      return LogEvent::ControlGivenBack;
+    case ControlNews::Kind::Released:
+    case ControlNews::Kind::None:
+      break;
   }
+  return LogEvent::ControlGivenBack;
 }
 
 constexpr bool sameNumber(LogDetail detail, HookAnswer answer) {

@@ -103,16 +103,17 @@ void refreshReadings(GliderContext& context) {
 }
 
 double valueOf(const GliderContext& context, uint32_t source, uint32_t sensor) {
-  switch (source) {
+  switch (static_cast<GliderSource>(source)) {
     case kGliderSensor:
       return context.readings[sensor].value;
     case kGliderMissionTime:
       return context.mission_time;
     case kGliderStateTime:
       return gliderSettle(context.mission_time - context.entered);
-    default:
-      return gliderSettle(context.mission_time - context.resumed);
+    case kGliderResumeTime:
+      break;
   }
+  return gliderSettle(context.mission_time - context.resumed);
 }
 
 }  // namespace glider::runtime

@@ -97,9 +97,10 @@ GliderRuntimeStatus GliderRuntime::poll(const GliderByteStream& stream, const Gl
     case ClientEvent::Refused:
       link_log_.refusedLink(client_.refusal());
       return kGliderRuntimeProgressed;
-    default:
-      return kGliderRuntimeProgressed;
+    case ClientEvent::Handled:
+      break;
   }
+  return kGliderRuntimeProgressed;
 }
 
 void GliderRuntime::answerTick(const GliderByteStream& stream, double sbc_time) {

@@ -70,7 +70,7 @@ Moved makeTransition(GliderContext& context, const Fired& fired) {
   if (hasTarget(fired.info) && fired.info.target >= context.mission->state_count) {
     return Moved::No;
   }
-  switch (fired.info.transition) {
+  switch (static_cast<GliderTransition>(fired.info.transition)) {
     case kGliderGoto:
       return goTo(context, fired);
     case kGliderCall:
@@ -80,9 +80,11 @@ Moved makeTransition(GliderContext& context, const Fired& fired) {
     case kGliderExit:
       context.finished = 1;
       return Moved::Finished;
-    default:
-      return Moved::No;
+    case kGliderStay:
+    case kGliderDone:
+      break;
   }
+  return Moved::No;
 }
 
 }  // namespace glider::runtime

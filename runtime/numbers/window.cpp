@@ -187,7 +187,7 @@ class Window {
     if (sums.count == 0) {
       return unknown();
     }
-    switch (shape_.kind) {
+    switch (static_cast<GliderWindowKind>(shape_.kind)) {
       case kGliderMean:
         return sum(sums.first, quotient(sums.value, sums.count));
       case kGliderLowest:
@@ -196,9 +196,10 @@ class Window {
         return sums.highest;
       case kGliderSpread:
         return difference(sums.highest, sums.lowest);
-      default:
-        return slope(sums);
+      case kGliderSlope:
+        break;
     }
+    return slope(sums);
   }
 
   Header& header_;

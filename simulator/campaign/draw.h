@@ -43,9 +43,12 @@ class Draw {
         return std::max(0.0, between(times_.give_back_s - 40, times_.give_back_s + 30));
       case Manner::Together:
         return anchor_s_ + between(0, 20);
-      default:
-        return between(0, times_.flight_s);
+      case Manner::Once:
+      case Manner::Recurring:
+      case Manner::ForGood:
+        break;
     }
+    return between(0, times_.flight_s);
   }
   /// Times in which something is wrong; those that may last do not always end.
   std::vector<Span> windows() { return windows(1, 900, true); }

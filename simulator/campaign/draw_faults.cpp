@@ -42,43 +42,43 @@ void addLeftOver(Draw& draw, Faults& faults) {
   faults.leftover.push_back(leftover);
 }
 
-void addLine(FaultKind kind, Draw& draw, Faults& faults) {
+void addLine(LineFaultKind kind, Draw& draw, Faults& faults) {
   LineFault fault;
   fault.way = draw.anyWay();
   std::vector<LineWay> ways;
   switch (kind) {
-    case FaultKind::ByteLoss:
+    case LineFaultKind::ByteLoss:
       fault.loss = draw.scale(1e-4, 0.3);
       break;
-    case FaultKind::BitFlips:
+    case LineFaultKind::BitFlips:
       fault.flips = draw.scale(1e-4, 0.3);
       break;
-    case FaultKind::Bursts:
+    case LineFaultKind::Bursts:
       fault.bursts = draw.scale(1e-5, 0.01);
       fault.burst_bytes = draw.scale(2, 2000);
       break;
-    case FaultKind::Delay:
+    case LineFaultKind::Delay:
       fault.delay_s = draw.scale(0.05, 20);
       break;
-    case FaultKind::DoubledFrames:
+    case LineFaultKind::DoubledFrames:
       fault.doubled = draw.between(0.05, 1);
       break;
-    case FaultKind::OldFrames:
+    case LineFaultKind::OldFrames:
       fault.replayed = draw.between(0.05, 0.5);
       break;
-    case FaultKind::HalfOpen:
+    case LineFaultKind::HalfOpen:
       fault.way = draw.chance(0.5) ? LineWay::ToSbc : LineWay::FromSbc;
       fault.cut = true;
       break;
-    case FaultKind::LineCut:
+    case LineFaultKind::LineCut:
       fault.cut = true;
       ways = {LineWay::ToSbc, LineWay::FromSbc};
       break;
-    case FaultKind::BaudMismatch:
+    case LineFaultKind::BaudMismatch:
       fault.heard_at_baud = draw.chance(0.5) ? 57600 : 230400;
       ways = {LineWay::ToSbc, LineWay::FromSbc};
       break;
-    default:
+    case LineFaultKind::Clothesline:
       fault.cut = true;
       fault.way = draw.chance(0.5) ? LineWay::ToFlight : LineWay::FromFlight;
       ways = draw.chance(0.5) ? std::vector{LineWay::ToFlight, LineWay::FromFlight}
@@ -158,8 +158,12 @@ void addOne(FaultKind kind, Draw& draw, DrawnFaults& drawn) {
       return;
     case FaultKind::Several:
       return addSeveral(draw, drawn);
-    default:
-      return isSensorKind(kind) ? addSensor(kind, draw, faults) : addLine(kind, draw, faults);
+#define LINE_FAULT(name, ...) case FaultKind::name:
+#include "simulator/campaign/fault_kinds.def"
+      return addLine(static_cast<LineFaultKind>(kind), draw, faults);
+#define SENSOR_FAULT(name, ...) case FaultKind::name:
+#include "simulator/campaign/fault_kinds.def"
+      return addSensor(static_cast<SensorFaultKind>(kind), draw, faults);
   }
 }
 

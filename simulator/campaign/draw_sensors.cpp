@@ -54,55 +54,59 @@ constexpr auto kHookSensors = std::to_array<Plausible>({
 /// Readings that no sensor of them gives.
 constexpr std::array<double, 6> kNonsense = {-1e9, -50, 1e-30, 180, 5000, 1e30};
 
-SensorFault::Kind howOf(FaultKind kind, Draw& draw) {
+SensorFault::Kind howOf(SensorFaultKind kind, Draw& draw) {
   switch (kind) {
-    case FaultKind::SensorFrozen:
+    case SensorFaultKind::SensorFrozen:
       return SensorFault::Kind::Frozen;
-    case FaultKind::SensorMissing:
+    case SensorFaultKind::SensorMissing:
       return SensorFault::Kind::Missing;
-    case FaultKind::SensorDrift:
+    case SensorFaultKind::SensorDrift:
       return SensorFault::Kind::Drift;
-    case FaultKind::SensorScale:
+    case SensorFaultKind::SensorScale:
       return SensorFault::Kind::Scale;
-    case FaultKind::SensorJumps:
+    case SensorFaultKind::SensorJumps:
       return SensorFault::Kind::Jumps;
-    case FaultKind::HookSensor:
-    case FaultKind::OtherSensor:
+    case SensorFaultKind::HookSensor:
+    case SensorFaultKind::OtherSensor:
       return static_cast<SensorFault::Kind>(draw.below(3));
-    default:
-      return SensorFault::Kind::Value;
+    case SensorFaultKind::SensorStuck:
+    case SensorFaultKind::SensorNan:
+    case SensorFaultKind::SensorRange:
+      break;
   }
+  return SensorFault::Kind::Value;
 }
 
-std::span<const Plausible> sensorsOf(FaultKind kind) {
-  switch (kind) {
-    case FaultKind::HookSensor:
-      return kHookSensors;
-    case FaultKind::OtherSensor:
-      return kOtherSensors;
-    default:
-      return kSensors;
+std::span<const Plausible> sensorsOf(SensorFaultKind kind) {
+  if (kind == SensorFaultKind::HookSensor) {
+    return kHookSensors;
   }
+  return kind == SensorFaultKind::OtherSensor ? std::span<const Plausible>(kOtherSensors)
+                                              : kSensors;
 }
 
-double valueOf(FaultKind kind, const Plausible& sensor, Draw& draw) {
+double valueOf(SensorFaultKind kind, const Plausible& sensor, Draw& draw) {
   const double range = sensor.highest - sensor.lowest;
   switch (kind) {
-    case FaultKind::SensorNan:
+    case SensorFaultKind::SensorNan:
       return std::nan("");
-    case FaultKind::SensorRange:
+    case SensorFaultKind::SensorRange:
       return kNonsense[draw.below(kNonsense.size())];
-    case FaultKind::SensorDrift:  // through its range within ten minutes to ten hours
+    case SensorFaultKind::SensorDrift:  // through its range within ten minutes to ten hours
       return (draw.chance(0.5) ? 1 : -1) * range / draw.scale(600, 36000);
-    case FaultKind::SensorScale:
+    case SensorFaultKind::SensorScale:
       return draw.chance(0.1) ? -1 : draw.scale(0.1, 3);
-    case FaultKind::SensorJumps:
+    case SensorFaultKind::SensorJumps:
       return range * draw.scale(0.05, 1);
-    case FaultKind::HookSensor:
+    case SensorFaultKind::HookSensor:
       return std::round(draw.between(sensor.lowest, sensor.highest));
-    default:
-      return draw.between(sensor.lowest, sensor.highest);
+    case SensorFaultKind::SensorFrozen:
+    case SensorFaultKind::SensorStuck:
+    case SensorFaultKind::SensorMissing:
+    case SensorFaultKind::OtherSensor:
+      break;
   }
+  return draw.between(sensor.lowest, sensor.highest);
 }
 
 /// A heartbeat that stands still may also be one of two that come again and again.
@@ -118,9 +122,9 @@ void addOldHeartbeats(const SensorFault& first, Draw& draw, Faults& faults) {
 
 /// A CTD that fails may in place of that tell the absolute pressure, or be off by as much the other
 /// way: it never agrees with the depth.
-bool isOffset(FaultKind kind, const Plausible& sensor, Draw& draw) {
-  return kind == FaultKind::OtherSensor && sensor.name == std::string_view("sci_water_pressure") &&
-         draw.chance(0.5);
+bool isOffset(SensorFaultKind kind, const Plausible& sensor, Draw& draw) {
+  return kind == SensorFaultKind::OtherSensor &&
+         sensor.name == std::string_view("sci_water_pressure") && draw.chance(0.5);
 }
 
 SensorFault offsetOf(const Plausible& sensor, Draw& draw) {
@@ -133,12 +137,7 @@ SensorFault offsetOf(const Plausible& sensor, Draw& draw) {
 
 }  // namespace
 
-bool isSensorKind(FaultKind kind) {
-  return kind == FaultKind::HookSensor || kind == FaultKind::OtherSensor ||
-         (isOfSensors(kind) && kind != FaultKind::Several);
-}
-
-void addSensor(FaultKind kind, Draw& draw, Faults& faults) {
+void addSensor(SensorFaultKind kind, Draw& draw, Faults& faults) {
   const std::span<const Plausible> sensors = sensorsOf(kind);
   const Plausible& sensor = sensors[draw.below(static_cast<uint32_t>(sensors.size()))];
   if (isOffset(kind, sensor, draw)) {
@@ -154,7 +153,7 @@ void addSensor(FaultKind kind, Draw& draw, Faults& faults) {
   SensorFault wavers = fault;
   wavers.kind = SensorFault::Kind::Jumps;
   wavers.value = (sensor.highest - sensor.lowest) * draw.scale(1e-5, 0.01);
-  const bool stuck = kind == FaultKind::SensorFrozen || kind == FaultKind::SensorStuck;
+  const bool stuck = kind == SensorFaultKind::SensorFrozen || kind == SensorFaultKind::SensorStuck;
   const bool flickers = stuck && draw.chance(0.3);
   for (const Span& span : draw.windows()) {
     fault.when = wavers.when = span;

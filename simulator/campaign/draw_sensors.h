@@ -7,9 +7,8 @@
 
 namespace glider::simulator {
 
-/// A sensor says what is not true, of the vehicle's own or of the hook's.
-bool isSensorKind(FaultKind kind);
-/// Draws a fault of such a kind: one sensor, in one or more times.
-void addSensor(FaultKind kind, Draw& draw, Faults& faults);
+/// Draws a fault of such a kind: one sensor, of the vehicle's own or of the hook's, in one or more
+/// times.
+void addSensor(SensorFaultKind kind, Draw& draw, Faults& faults);
 
 }  // namespace glider::simulator

@@ -49,7 +49,6 @@ std::vector<FaultKind> allFaultKinds() {
   return {
 #define FAULT_KIND(name, ...) FaultKind::name,
 #include "simulator/campaign/fault_kinds.def"
-#undef FAULT_KIND
   };
 }
 
@@ -59,7 +58,6 @@ const char* nameOf(FaultKind kind) {
   case FaultKind::name:             \
     return text;
 #include "simulator/campaign/fault_kinds.def"
-#undef FAULT_KIND
   }
   return "";
 }
@@ -70,7 +68,6 @@ Promise promiseOf(FaultKind kind) {
   case FaultKind::name:                                            \
     return {Control::control, Deepest::depth, clearance, follows};
 #include "simulator/campaign/fault_kinds.def"
-#undef FAULT_KIND
   }
   return {};
 }

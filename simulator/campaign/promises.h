@@ -14,14 +14,22 @@ namespace glider::simulator {
 enum class FaultKind : uint8_t {
 #define FAULT_KIND(name, ...) name,
 #include "simulator/campaign/fault_kinds.def"
-#undef FAULT_KIND
+};
+
+// Those of a line and those of a sensor, so that a switch over them names what it lacks.
+enum class LineFaultKind : uint8_t {
+#define LINE_FAULT(name, ...) name = static_cast<uint8_t>(FaultKind::name),
+#include "simulator/campaign/fault_kinds.def"
+};
+enum class SensorFaultKind : uint8_t {
+#define SENSOR_FAULT(name, ...) name = static_cast<uint8_t>(FaultKind::name),
+#include "simulator/campaign/fault_kinds.def"
 };
 
 /// How many kinds there are.
 inline constexpr uint32_t kFaultKinds = 0
 #define FAULT_KIND(...) +1
 #include "simulator/campaign/fault_kinds.def"
-#undef FAULT_KIND
     ;
 
 std::vector<FaultKind> allFaultKinds();

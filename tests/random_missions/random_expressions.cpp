@@ -403,15 +403,14 @@ ExprId ExpressionMaker::number(Type type, uint32_t depth) {
                          Op::Max,    Op::Clamp, Op::Multiply, Op::Divide,   Op::Sqrt};
   const bool position = type.kind != TypeKind::Quantity;
   const Op op = kOps[random_.below(std::size(kOps) - (position ? 3 : 0))];
-  switch (op) {
-    case Op::Multiply:
-      return product(type, depth - 1);
-    case Op::Divide:
-      return quotient(type, depth - 1);
-    case Op::Sqrt:
-      return root(type, depth - 1);
-    default:
-      break;
+  if (op == Op::Multiply) {
+    return product(type, depth - 1);
+  }
+  if (op == Op::Divide) {
+    return quotient(type, depth - 1);
+  }
+  if (op == Op::Sqrt) {
+    return root(type, depth - 1);
   }
   std::array<ExprId, ir::kMostOperands> operands;
   for (uint32_t i = 0; i < ir::opInfo(op).operands; ++i) {

@@ -32,9 +32,10 @@ const std::vector<ir::Case>& casesOf(const ir::Mission& mission, ir::StateId sta
       return mission[state].cases;
     case ir::ListKind::Profile:
       return mission[state].profile.cases;
-    default:
-      return mission[state].route.cases;
+    case ir::ListKind::Route:
+      break;
   }
+  return mission[state].route.cases;
 }
 
 /// What happened over many missions: whether they are worth running two things against each other.

@@ -72,7 +72,7 @@ void WorldWatch::obeyed(const simulator::CycleView& view) {
 }
 
 void WorldWatch::order(uint32_t vertical, double target_m, double depth_m, double time_s) {
-  switch (vertical) {
+  switch (static_cast<GliderVertical>(vertical)) {
     case kGliderDescend:
     case kGliderHover:
       world_.orderDown(target_m, depth_m);
@@ -83,7 +83,7 @@ void WorldWatch::order(uint32_t vertical, double target_m, double depth_m, doubl
     case kGliderSurface:
       world_.orderUp(0, depth_m, time_s);
       break;
-    default:
+    case kGliderNoVertical:
       break;
   }
 }

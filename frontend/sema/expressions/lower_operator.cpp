@@ -4,6 +4,7 @@
 #include "frontend/bare_positions.h"
 #include "frontend/sema/expressions/evaluate.h"
 #include "frontend/sema/expressions/lower_expr.h"
+#include "ir/core/ops.h"
 
 #include <fmt/format.h>
 
@@ -50,18 +51,11 @@ bool sameWay(ast::BinaryOp a, ast::BinaryOp b) {
 /// Whether a reading or a clock is in the expression.
 bool measured(const ir::Mission& mission, ir::ExprId id) {
   const ir::Expr& expr = mission[id];
-  switch (expr.op) {
-    case ir::Op::Sensor:
-    case ir::Op::Age:
-    case ir::Op::MissionTime:
-    case ir::Op::StateTime:
-    case ir::Op::ResumeTime:
-      return true;
-    default:
-      return std::ranges::any_of(expr.operands, [&](ir::ExprId operand) {
-        return operand.valid() && measured(mission, operand);
-      });
-  }
+  const bool itself = expr.op == ir::Op::Sensor || expr.op == ir::Op::Age ||
+                      ir::groupOf(expr.op) == ir::OpGroup::Clock;
+  return itself || std::ranges::any_of(expr.operands, [&](ir::ExprId operand) {
+           return operand.valid() && measured(mission, operand);
+         });
 }
 
 }  // namespace
@@ -79,9 +73,15 @@ ExprLowering::Result ExprLowering::visit(const ast::Binary& node, const ast::Exp
     case ast::BinaryOp::Multiply:
     case ast::BinaryOp::Divide:
       return scaling(op, node, expr);
-    default:
-      return comparison(op, node, expr);
+    case ast::BinaryOp::Less:
+    case ast::BinaryOp::LessEqual:
+    case ast::BinaryOp::Greater:
+    case ast::BinaryOp::GreaterEqual:
+    case ast::BinaryOp::Equal:
+    case ast::BinaryOp::NotEqual:
+      break;
   }
+  return comparison(op, node, expr);
 }
 
 ExprLowering::Result ExprLowering::visit(const ast::Unary& node, const ast::Expr& expr,

@@ -3,6 +3,7 @@
 
 #include "ir/prove/abstract/depth_bound.h"
 
+#include "ir/core/ops.h"
 #include "ir/prove/abstract/state_depths.h"
 
 #include <algorithm>
@@ -20,25 +21,31 @@ class Conditions {
 
   [[nodiscard]] bool hold(ExprId id) const {
     const Expr& e = m_[id];
-    switch (e.op) {
-      case Op::And:
-        return hold(e.operands[0]) && hold(e.operands[1]);
-      case Op::Or:
-        return hold(e.operands[0]) || hold(e.operands[1]);
-      case Op::LessEqual:
-        return isDepth(e.operands[0]) && deepest_ <= lowest(e.operands[1]);
-      case Op::Less:
-        return isDepth(e.operands[0]) && deepest_ < lowest(e.operands[1]);
-      case Op::GreaterEqual:
-        return isDepth(e.operands[1]) && deepest_ <= lowest(e.operands[0]);
-      case Op::Greater:
-        return isDepth(e.operands[1]) && deepest_ < lowest(e.operands[0]);
-      default:
-        return false;
+    if (isComparison(e.op)) {
+      return compares(e);
     }
+    return (e.op == Op::And && hold(e.operands[0]) && hold(e.operands[1])) ||
+           (e.op == Op::Or && (hold(e.operands[0]) || hold(e.operands[1])));
   }
 
  private:
+  [[nodiscard]] bool compares(const Expr& e) const {
+    switch (opIn<ComparisonOp>(e.op)) {
+      case ComparisonOp::LessEqual:
+        return isDepth(e.operands[0]) && deepest_ <= lowest(e.operands[1]);
+      case ComparisonOp::Less:
+        return isDepth(e.operands[0]) && deepest_ < lowest(e.operands[1]);
+      case ComparisonOp::GreaterEqual:
+        return isDepth(e.operands[1]) && deepest_ <= lowest(e.operands[0]);
+      case ComparisonOp::Greater:
+        return isDepth(e.operands[1]) && deepest_ < lowest(e.operands[0]);
+      case ComparisonOp::Equal:
+      case ComparisonOp::NotEqual:
+        break;
+    }
+    return false;
+  }
+
   [[nodiscard]] bool isDepth(ExprId id) const {
     const Expr& e = m_[id];
     return e.op == Op::Sensor && e.sensor == ground_.depth;

@@ -3,6 +3,9 @@
 
 #include "ir/prove/abstract/possible.h"
 
+#include "ir/core/ops.h"
+#include "support/check.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -22,6 +25,18 @@ Truths both(const Truths& a, const Truths& b) {
 
 Truths negated(const Truths& a) {
   return {a.is_false, a.is_true, a.is_unknown};
+}
+
+Interval rangeOf(ClockOp clock, const ClockRanges& clocks) {
+  switch (clock) {
+    case ClockOp::MissionTime:
+      return clocks.mission_time;
+    case ClockOp::StateTime:
+      return clocks.state_time;
+    case ClockOp::ResumeTime:
+      return clocks.resume_time;
+  }
+  CHECK(false, "a clock without a range");
 }
 
 }  // namespace
@@ -59,22 +74,15 @@ Possible::Possible(const Ground& ground, const Valuation& values, const ClockRan
     : ground_(ground), values_(values) {
   const Mission& m = ground.mission;
   numbers_ = intervalsOf(m, [&](const Expr& e) -> std::optional<Interval> {
-    switch (e.op) {
-      case Op::MissionTime:
-        return clocks.mission_time;
-      case Op::StateTime:
-        return clocks.state_time;
-      case Op::ResumeTime:
-        return clocks.resume_time;
-      case Op::Variable: {
-        const Holding& held = values[e.variable.index];
-        return Interval{held.lowest, held.highest, held.never};
-      }
-      case Op::Temporal:  // a window holds what was before this moment too
-        return ground.windows[e.temporal.index];
-      default:
-        return std::nullopt;
+    if (groupOf(e.op) == OpGroup::Clock) {
+      return rangeOf(opIn<ClockOp>(e.op), clocks);
     }
+    if (e.op == Op::Variable) {
+      const Holding& held = values[e.variable.index];
+      return Interval{held.lowest, held.highest, held.never};
+    }
+    // A window holds what was before this moment too.
+    return e.op == Op::Temporal ? std::optional(ground.windows[e.temporal.index]) : std::nullopt;
   });
   truths_.reserve(m.exprs.size());
   for (uint32_t i = 0; i < m.exprs.size(); ++i) {
@@ -98,38 +106,36 @@ Holding Possible::holding(ExprId id) const {
 
 Truths Possible::judge(const Expr& e, uint32_t index) const {
   Truths result;
-  switch (e.op) {
-    case Op::True:
-    case Op::False:
-      return exactly(e.op == Op::True);
-    case Op::Variable:
-      result = values_[e.variable.index].truths;
-      break;
-    case Op::Not:
-      result = negated(operand(e, 0));
-      break;
-    case Op::And:
-      result = both(operand(e, 0), operand(e, 1));
-      break;
-    case Op::Or:
-      result = negated(both(negated(operand(e, 0)), negated(operand(e, 1))));
-      break;
-    case Op::Known:
-      return {true, !ground_.known.expressions[e.operands[0].index], false};
-    case Op::Less:
-    case Op::LessEqual:
-    case Op::Greater:
-    case Op::GreaterEqual:
-      result = compared(e);
-      break;
-    default:
-      break;
+  if (groupOf(e.op) == OpGroup::Truth) {
+    return exactly(e.op == Op::True);
+  }
+  if (e.op == Op::Known) {
+    return {true, !ground_.known.expressions[e.operands[0].index], false};
+  }
+  if (e.op == Op::Variable) {
+    result = values_[e.variable.index].truths;
+  } else if (groupOf(e.op) == OpGroup::Logic) {
+    result = logic(e);
+  } else if (isOrdering(e.op)) {
+    result = compared(e);
   }
   result.is_unknown = result.is_unknown && !ground_.known.expressions[index];
   return result;
 }
 
 /// Of two numbers; not of (in)equality, which is rarely of use.
+Truths Possible::logic(const Expr& e) const {
+  switch (opIn<LogicOp>(e.op)) {
+    case LogicOp::Not:
+      return negated(operand(e, 0));
+    case LogicOp::And:
+      return both(operand(e, 0), operand(e, 1));
+    case LogicOp::Or:
+      return negated(both(negated(operand(e, 0)), negated(operand(e, 1))));
+  }
+  CHECK(false, "a word of logic without a meaning");
+}
+
 Truths Possible::compared(const Expr& e) const {
   const bool turned = e.op == Op::Greater || e.op == Op::GreaterEqual;
   const Interval& a = numbers_[e.operands[turned ? 1 : 0].index];

@@ -55,6 +55,7 @@ class Possible {
 
  private:
   [[nodiscard]] Truths judge(const Expr& e, uint32_t index) const;
+  [[nodiscard]] Truths logic(const Expr& e) const;
   [[nodiscard]] Truths compared(const Expr& e) const;
   [[nodiscard]] const Truths& operand(const Expr& e, size_t i) const;
 

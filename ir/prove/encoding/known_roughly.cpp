@@ -37,36 +37,68 @@ const char* nameOf(Rough rough) {
   return "";
 }
 
-bool isConstant(const Mission& m, ExprId id) {
-  return m[id].op == Op::Constant;
+std::optional<Rough> roughnessOf(UnaryOp op) {
+  switch (op) {
+    case UnaryOp::Negate:
+    case UnaryOp::Abs:
+      return std::nullopt;
+    case UnaryOp::Sqrt:
+    case UnaryOp::Sin:
+    case UnaryOp::Cos:
+    case UnaryOp::Tan:
+      break;
+  }
+  return Rough::Function;
+}
+
+std::optional<Rough> roughnessOf(BinaryOp op, const Expr& a, const Expr& b) {
+  const auto unless = [](bool exact, Rough rough) {
+    return exact ? std::nullopt : std::optional(rough);
+  };
+  switch (op) {
+    case BinaryOp::Multiply:
+      return unless(a.op == Op::Constant || b.op == Op::Constant, Rough::Product);
+    case BinaryOp::Divide:
+      return unless(b.op == Op::Constant, Rough::Quotient);
+    case BinaryOp::Atan2:
+      return Rough::Function;
+    case BinaryOp::Add:
+    case BinaryOp::Subtract:
+    case BinaryOp::Min:
+    case BinaryOp::Max:
+      break;
+  }
+  return std::nullopt;
 }
 
 /// As Moment takes it.
 std::optional<Rough> roughnessOf(const Mission& m, const Expr& e) {
-  switch (e.op) {
-    case Op::Multiply:
-      return isConstant(m, e.operands[0]) || isConstant(m, e.operands[1])
-                 ? std::nullopt
-                 : std::optional(Rough::Product);
-    case Op::Divide:
-      return isConstant(m, e.operands[1]) ? std::nullopt : std::optional(Rough::Quotient);
-    case Op::Sqrt:
-    case Op::Sin:
-    case Op::Cos:
-    case Op::Tan:
-    case Op::Atan2:
-      return Rough::Function;
-    case Op::Distance:
-    case Op::Bearing:
-    case Op::Element:
+  switch (groupOf(e.op)) {
+    case OpGroup::Unary:
+      return roughnessOf(opIn<UnaryOp>(e.op));
+    case OpGroup::Binary:
+      return roughnessOf(opIn<BinaryOp>(e.op), m[e.operands[0]], m[e.operands[1]]);
+    case OpGroup::Place:
+    case OpGroup::Element:
       return Rough::Place;
-    case Op::Temporal:
+    case OpGroup::Temporal:
       return isWindow(m[e.temporal].kind) ? Rough::Window : Rough::Watched;
-    case Op::Call:
+    case OpGroup::Call:
       return Rough::Code;
-    default:
-      return std::nullopt;
+    case OpGroup::Constant:
+    case OpGroup::Truth:
+    case OpGroup::Sensor:
+    case OpGroup::Clock:
+    case OpGroup::Variable:
+    case OpGroup::Age:
+    case OpGroup::Clamp:
+    case OpGroup::Select:
+    case OpGroup::Comparison:
+    case OpGroup::Known:
+    case OpGroup::Logic:
+      break;
   }
+  return std::nullopt;
 }
 
 /// Whether a profile or route in C matters: it may order anything.

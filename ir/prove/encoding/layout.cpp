@@ -3,6 +3,8 @@
 
 #include "ir/prove/encoding/layout.h"
 
+#include "ir/core/ops.h"
+
 namespace glider::ir::prove {
 
 bool Layout::keeps(const Control& control, uint32_t variable) const {
@@ -12,8 +14,7 @@ bool Layout::keeps(const Control& control, uint32_t variable) const {
 
 bool Layout::watches(const Control& control, uint32_t temporal) const {
   const Temporal& t = m_.temporals[temporal];
-  const bool kept = t.kind == TemporalKind::Became || t.kind == TemporalKind::Held;
-  return kept && relevance_.temporals[temporal] &&
+  return !isWindow(t.kind) && relevance_.temporals[temporal] &&
          (t.list == ListKind::Always || t.state == control.state);
 }
 

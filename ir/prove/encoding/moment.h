@@ -4,6 +4,7 @@
 #pragma once
 
 #include "ir/core/mission.h"
+#include "ir/core/ops.h"
 #include "ir/prove/encoding/terms.h"
 #include "ir/prove/encoding/unknowns.h"
 #include "ir/prove/ground/ground.h"
@@ -87,8 +88,10 @@ class Moment {
   void lowerOne(uint32_t index);
   void lowerNumber(uint32_t index);
   void lowerTruth(uint32_t index);
-  NumberTerm leaf(const Expr& e);
   NumberTerm arithmetic(const Expr& e, const Interval& interval);
+  z3::expr clock(ClockOp op);
+  NumberTerm unary(const Expr& e, const Interval& interval);
+  NumberTerm binary(const Expr& e, const Interval& interval);
   NumberTerm sum(const Expr& e, const Interval& interval);
   NumberTerm product(const Expr& e, const Interval& interval);
   NumberTerm quotient(const Expr& e, const Interval& interval);
@@ -97,6 +100,7 @@ class Moment {
   NumberTerm chosen(const Expr& e);
   /// Free in its interval, known at most where all operands are.
   NumberTerm anything(const Expr& e, const Interval& interval);
+  TruthTerm logic(const Expr& e);
   TruthTerm comparison(const Expr& e);
   /// `value` within an interval where it is `known`.
   void bound(const NumberTerm& term, const Interval& interval, Fact::From from = Fact::From::Nature,

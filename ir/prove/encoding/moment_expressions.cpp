@@ -47,65 +47,87 @@ void Moment::lowerNumber(uint32_t index) {
   made_.emplace(index, std::move(made));
 }
 
-NumberTerm Moment::leaf(const Expr& e) {
+NumberTerm Moment::arithmetic(const Expr& e, const Interval& interval) {
   const z3::expr known = context().bool_val(true);
-  switch (e.op) {
-    case Op::Constant:
+  switch (groupOf(e.op)) {
+    case OpGroup::Constant:
       return {real(e.number), known, 0};
-    case Op::Sensor:
+    case OpGroup::Sensor:
       return reading(e.sensor);
-    case Op::MissionTime:
-      return {missionTime(), known, 0};
-    case Op::StateTime:
-      return {stateTime(), known, 0};
-    case Op::ResumeTime:
-      return {resumeTime(), known, 0};
-    case Op::Age:
+    case OpGroup::Clock:
+      return {clock(opIn<ClockOp>(e.op)), known, 0};
+    case OpGroup::Age:
       return {age(e.sensor), known, 0};
-    case Op::Variable:
+    case OpGroup::Variable:
       return numberOf(e.variable);
-    default:
-      CHECK(e.op == Op::Temporal, "a leaf that the prover does not know");
+    case OpGroup::Temporal:
       return numberOf(e.temporal);
+    case OpGroup::Call:
+      return numberOf(e.use);
+    case OpGroup::Unary:
+      return unary(e, interval);
+    case OpGroup::Binary:
+      return binary(e, interval);
+    case OpGroup::Clamp:
+      return clamped(e, interval);
+    case OpGroup::Select:
+      return chosen(e);
+    case OpGroup::Place:
+    case OpGroup::Element:
+      return anything(e, interval);
+    case OpGroup::Truth:
+    case OpGroup::Comparison:
+    case OpGroup::Known:
+    case OpGroup::Logic:
+      break;
   }
+  CHECK(false, "not a number");
 }
 
-NumberTerm Moment::arithmetic(const Expr& e, const Interval& interval) {
-  switch (e.op) {
-    case Op::Negate:
-      return {-operand(e, 0).value, operand(e, 0).known, operand(e, 0).slack};
-    case Op::Abs: {
-      const NumberTerm& x = operand(e, 0);
-      return {z3::ite(x.value >= 0, x.value, -x.value), x.known, x.slack};
-    }
-    case Op::Add:
-    case Op::Subtract:
-      return sum(e, interval);
-    case Op::Multiply:
-      return product(e, interval);
-    case Op::Divide:
-      return quotient(e, interval);
-    case Op::Min:
-    case Op::Max:
-      return smallerOrLarger(e);
-    case Op::Clamp:
-      return clamped(e, interval);
-    case Op::Select:
-      return chosen(e);
-    case Op::Sqrt:
-    case Op::Sin:
-    case Op::Cos:
-    case Op::Tan:
-    case Op::Atan2:
-    case Op::Distance:
-    case Op::Bearing:
-    case Op::Element:
-      return anything(e, interval);
-    case Op::Call:
-      return numberOf(e.use);
-    default:
-      return leaf(e);
+z3::expr Moment::clock(ClockOp op) {
+  switch (op) {
+    case ClockOp::MissionTime:
+      return missionTime();
+    case ClockOp::StateTime:
+      return stateTime();
+    case ClockOp::ResumeTime:
+      return resumeTime();
   }
+  CHECK(false, "a clock that the prover does not know");
+}
+
+NumberTerm Moment::unary(const Expr& e, const Interval& interval) {
+  const NumberTerm& x = operand(e, 0);
+  switch (opIn<UnaryOp>(e.op)) {
+    case UnaryOp::Negate:
+      return {-x.value, x.known, x.slack};
+    case UnaryOp::Abs:
+      return {z3::ite(x.value >= 0, x.value, -x.value), x.known, x.slack};
+    case UnaryOp::Sqrt:
+    case UnaryOp::Sin:
+    case UnaryOp::Cos:
+    case UnaryOp::Tan:
+      break;
+  }
+  return anything(e, interval);
+}
+
+NumberTerm Moment::binary(const Expr& e, const Interval& interval) {
+  switch (opIn<BinaryOp>(e.op)) {
+    case BinaryOp::Add:
+    case BinaryOp::Subtract:
+      return sum(e, interval);
+    case BinaryOp::Multiply:
+      return product(e, interval);
+    case BinaryOp::Divide:
+      return quotient(e, interval);
+    case BinaryOp::Min:
+    case BinaryOp::Max:
+      return smallerOrLarger(e);
+    case BinaryOp::Atan2:
+      break;
+  }
+  return anything(e, interval);
 }
 
 NumberTerm Moment::sum(const Expr& e, const Interval& interval) {
@@ -190,51 +212,73 @@ NumberTerm Moment::anything(const Expr& e, const Interval& interval) {
 void Moment::lowerTruth(uint32_t index) {
   const Expr& e = mission_.exprs[index];
   auto result = [&]() -> TruthTerm {
-    switch (e.op) {
-      case Op::True:
-      case Op::False:
+    switch (groupOf(e.op)) {
+      case OpGroup::Truth:
         return {context().bool_val(e.op == Op::True), context().bool_val(e.op == Op::False)};
-      case Op::Variable:
+      case OpGroup::Variable:
         return truthOf(e.variable);
-      case Op::Temporal:
+      case OpGroup::Temporal:
         return truthOf(e.temporal);
-      case Op::Call:
+      case OpGroup::Call:
         return truthOf(e.use);
-      case Op::Known:
+      case OpGroup::Known:
         return {operand(e, 0).known, !operand(e, 0).known};
-      case Op::Not:
-        return {truthOperand(e, 0).is_false, truthOperand(e, 0).is_true};
-      case Op::And:
-      case Op::Or: {
-        const TruthTerm& a = truthOperand(e, 0);
-        const TruthTerm& b = truthOperand(e, 1);
-        return e.op == Op::And ? TruthTerm{a.is_true && b.is_true, a.is_false || b.is_false}
-                               : TruthTerm{a.is_true || b.is_true, a.is_false && b.is_false};
-      }
-      default:
+      case OpGroup::Logic:
+        return logic(e);
+      case OpGroup::Comparison:
         return comparison(e);
+      case OpGroup::Constant:
+      case OpGroup::Sensor:
+      case OpGroup::Clock:
+      case OpGroup::Age:
+      case OpGroup::Unary:
+      case OpGroup::Binary:
+      case OpGroup::Place:
+      case OpGroup::Clamp:
+      case OpGroup::Select:
+      case OpGroup::Element:
+        break;
     }
+    CHECK(false, "not a truth value");
   };
   made_truths_.emplace(index, result());
+}
+
+TruthTerm Moment::logic(const Expr& e) {
+  const TruthTerm& a = truthOperand(e, 0);
+  switch (opIn<LogicOp>(e.op)) {
+    case LogicOp::Not:
+      return {a.is_false, a.is_true};
+    case LogicOp::And: {
+      const TruthTerm& b = truthOperand(e, 1);
+      return {a.is_true && b.is_true, a.is_false || b.is_false};
+    }
+    case LogicOp::Or: {
+      const TruthTerm& b = truthOperand(e, 1);
+      return {a.is_true || b.is_true, a.is_false && b.is_false};
+    }
+  }
+  CHECK(false, "a word of logic that the prover does not know");
 }
 
 namespace {
 
 z3::expr compare(Op op, const z3::expr& a, const z3::expr& b) {
-  switch (op) {
-    case Op::Less:
+  switch (opIn<ComparisonOp>(op)) {
+    case ComparisonOp::Less:
       return a < b;
-    case Op::LessEqual:
+    case ComparisonOp::LessEqual:
       return a <= b;
-    case Op::Greater:
+    case ComparisonOp::Greater:
       return a > b;
-    case Op::GreaterEqual:
+    case ComparisonOp::GreaterEqual:
       return a >= b;
-    case Op::Equal:
+    case ComparisonOp::Equal:
       return a == b;
-    default:
+    case ComparisonOp::NotEqual:
       return a != b;
   }
+  CHECK(false, "a comparison that the prover does not know");
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 // What a tick does: statements, and entering or resuming a state.
 
+#include "ir/core/ops.h"
 #include "ir/prove/encoding/tick.h"
 #include "ir/prove/encoding/world.h"
 
@@ -121,8 +122,7 @@ void SymbolicTick::startWatching(Moment& moment, ListKind list, StateId state,
     const Temporal& temporal = m_.temporals[i];
     const bool here =
         list == ListKind::Always ? temporal.list == ListKind::Always : temporal.state == state;
-    const bool kept = temporal.kind == TemporalKind::Became || temporal.kind == TemporalKind::Held;
-    if (!here || !kept || !relevance_.temporals[i]) {
+    if (!here || isWindow(temporal.kind) || !relevance_.temporals[i]) {
       continue;
     }
     const TruthTerm operand = moment.truth(temporal.operand);

@@ -31,7 +31,7 @@ Leaf leafOf(const Expr& e) {
 }
 
 bool isClock(Op op) {
-  return op == Op::MissionTime || op == Op::StateTime || op == Op::ResumeTime;
+  return groupOf(op) == OpGroup::Clock;
 }
 
 /// The leaves of a guard, each with the values to try. `whole` is false if there is one that cannot
@@ -93,9 +93,7 @@ class Trials {
     return e.op == Op::Sensor || e.op == Op::Variable || e.op == Op::Temporal || isClock(e.op);
   }
 
-  static bool isWindow(const Temporal& temporal) {
-    return temporal.kind != TemporalKind::Became && temporal.kind != TemporalKind::Held;
-  }
+  static bool isWindow(const Temporal& temporal) { return ir::isWindow(temporal.kind); }
 
   /// The clock that bounds for how long something has been watched.
   static Op clockOf(const Temporal& temporal) {

@@ -56,7 +56,9 @@ Vehicle obey(const Vehicle& before, Command command, const std::vector<NumberTer
     case Command::Surface:
       after = upTo(before, context.real_val(0), overshoot, now);
       break;
-    default:
+    case Command::Steer:
+    case Command::SteerTo:
+    case Command::Drift:
       return before;
   }
   Store yes;

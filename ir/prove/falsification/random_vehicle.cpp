@@ -47,7 +47,9 @@ void RandomVehicle::obey(const CommandRun& command, double now) {
     case Command::Surface:
       upTo(0, now);
       break;
-    default:
+    case Command::Steer:
+    case Command::SteerTo:
+    case Command::Drift:
       break;
   }
 }

@@ -24,41 +24,23 @@ class KnownExpressions {
   bool isKnown(size_t index, const Inherited& judged) const {
     const Expr& e = m_.exprs[index];
     const bool operands = judged.haveOperands(e);
-    if (isComparison(e.op)) {
-      return operands;
-    }
-    switch (e.op) {
-      case Op::Known:
+    switch (opInfo(e.op).known) {
+      case KnownRule::Always:
         return true;
-      case Op::Variable:
-        return judged.variables[e.variable.index];
-      case Op::Divide:
-        return operands && !mayBeZero(e.operands[1]) && isSmall(index);
-      case Op::Add:
-      case Op::Subtract:
-      case Op::Multiply:
-        return operands && isSmall(index);
-      case Op::Constant:
-      case Op::True:
-      case Op::False:
-      case Op::MissionTime:
-      case Op::StateTime:
-      case Op::ResumeTime:
-      case Op::Age:
-      case Op::Negate:
-      case Op::Abs:
-      case Op::Min:
-      case Op::Max:
-      case Op::Clamp:
-      case Op::Select:
-      case Op::Not:
-      case Op::Or:
+      case KnownRule::Operands:
         return operands;
-      case Op::And:
+      case KnownRule::Bounded:
+        return operands && isSmall(index);
+      case KnownRule::Quotient:
+        return operands && !mayBeZero(e.operands[1]) && isSmall(index);
+      case KnownRule::Guarded:
         return operands || isGuarded(e, judged);
-      default:
-        return false;  // a reading, what is watched, a call, or what has no value everywhere
+      case KnownRule::Variable:
+        return judged.variables[e.variable.index];
+      case KnownRule::Maybe:
+        break;
     }
+    return false;
   }
 
  private:

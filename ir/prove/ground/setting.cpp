@@ -3,6 +3,7 @@
 
 #include "ir/prove/ground/setting.h"
 
+#include "ir/core/ops.h"
 #include "ir/core/walk.h"
 
 #include <algorithm>
@@ -96,7 +97,7 @@ std::vector<std::vector<VariableId>> setSinceWatched(const Mission& mission) {
   std::vector<std::vector<VariableId>> all;
   for (const Temporal& temporal : mission.temporals) {
     std::vector<VariableId> read;
-    if (temporal.kind == TemporalKind::Became || temporal.kind == TemporalKind::Held) {
+    if (!isWindow(temporal.kind)) {
       read = readBy(mission, temporal);
     }
     if (!read.empty()) {

@@ -69,8 +69,7 @@ class ComparisonCheck {
   }
 
   static bool isReading(const Expr& e) {
-    return e.op == Op::Sensor || e.op == Op::MissionTime || e.op == Op::StateTime ||
-           e.op == Op::ResumeTime;
+    return e.op == Op::Sensor || groupOf(e.op) == OpGroup::Clock;
   }
 
   [[nodiscard]] bool isFixed(ExprId id) const {

@@ -9,6 +9,7 @@
 #include "ir/prove/ground/control.h"
 #include "ir/prove/ground/duration_text.h"
 #include "ir/prove/passes.h"
+#include "support/check.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -202,17 +203,21 @@ class LivelockCheck {
     }
     return std::get<Truth>(
         evaluate(m_, guard, [&](const Expr& e, std::span<const double>) -> Value {
-          switch (e.op) {
-            case Op::MissionTime:
-              return at.now;
-            case Op::StateTime:
-              return at.now - at.entered.back();
-            case Op::ResumeTime:
-              return at.now - at.resumed;
-            default:
-              return asValue(kUnknown, e.type);
-          }
+          return groupOf(e.op) == OpGroup::Clock ? clock(opIn<ClockOp>(e.op), at)
+                                                 : asValue(kUnknown, e.type);
         }));
+  }
+
+  static double clock(ClockOp op, const Moving& at) {
+    switch (op) {
+      case ClockOp::MissionTime:
+        return at.now;
+      case ClockOp::StateTime:
+        return at.now - at.entered.back();
+      case ClockOp::ResumeTime:
+        return at.now - at.resumed;
+    }
+    CHECK(false, "a clock without a meaning");
   }
 
   /// The earliest; asked for by few missions.

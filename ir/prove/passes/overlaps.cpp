@@ -4,6 +4,7 @@
 #include "ir/prove/encoding/moment.h"
 #include "ir/prove/encoding/question.h"
 #include "ir/prove/passes.h"
+#include "support/check.h"
 
 #include <fmt/format.h>
 
@@ -29,9 +30,13 @@ std::string wayOf(const Mission& m, const Case& c) {
       return fmt::format("`call {}`", m[c.target].name);
     case Transition::Return:
       return "`return`";
-    default:
+    case Transition::Exit:
       return "`exit`";
+    case Transition::Stay:
+    case Transition::Done:
+      break;
   }
+  CHECK(false, "it leads nowhere");
 }
 
 /// Looks for cases of a state that lead different ways and can be true on the same tick: the order

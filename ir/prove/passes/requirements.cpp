@@ -120,9 +120,12 @@ class RequirementCheck {
         return heldByOrders(requirement.condition, proof_.ground);
       case RequirementKind::ExitWithin:
         return proof_.ending.by(requirement.seconds).has_value();
-      default:
-        return false;
+      case RequirementKind::SurfacesEvery:
+      case RequirementKind::StackAtMost:
+      case RequirementKind::Reach:
+        break;
     }
+    return false;
   }
 
   /// What came of a question about all runs; `run` is one that was tried.
@@ -313,10 +316,14 @@ class RequirementCheck {
       case RequirementKind::NeverAfter:
         return fmt::format("state `{}` may be entered after `{}`, at {:.6g} s",
                            m_[requirement.state].name, m_[requirement.after].name, run.when);
-      default:
+      case RequirementKind::SurfacesEvery:
         return fmt::format("the vehicle may still be under water at {:.6g} s, in state `{}`",
                            run.when, run.state);
+      case RequirementKind::StackAtMost:
+      case RequirementKind::Reach:
+        break;
     }
+    CHECK(false, "no run breaks it");
   }
 
   Proof& proof_;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "ir/core/ops.h"
 #include "ir/core/walk.h"
 #include "ir/prove/ground/orders.h"
 #include "ir/prove/passes.h"
@@ -195,26 +196,15 @@ class ProfileModes {
   [[nodiscard]] Truth judge(ExprId id, const Mode& mode) const {
     const Expr& e = m_[id];
     const auto operand = [&](size_t i) { return judge(e.operands.at(i), mode); };
-    switch (e.op) {
-      case Op::True:
-      case Op::Known:
-        return Truth::True;
-      case Op::False:
-        return Truth::False;
-      case Op::Not:
-        return logicalNot(operand(0));
-      case Op::And:
-        return logicalAnd(operand(0), operand(1));
-      case Op::Or:
-        return logicalOr(operand(0), operand(1));
-      case Op::Variable: {
-        const auto own = std::ranges::find(own_, e.variable);
-        const auto number = static_cast<size_t>(own - own_.begin());
-        return number < mode.truths.size() ? mode.truths[number] : Truth::Unknown;
-      }
-      default:
-        return Truth::Unknown;
+    if (groupOf(e.op) == OpGroup::Truth || e.op == Op::Known) {
+      return truth(e.op != Op::False);
     }
+    if (groupOf(e.op) == OpGroup::Logic) {
+      return logical(opIn<LogicOp>(e.op), operand);
+    }
+    const auto own = e.op == Op::Variable ? std::ranges::find(own_, e.variable) : own_.end();
+    const auto number = static_cast<size_t>(own - own_.begin());
+    return number < mode.truths.size() ? mode.truths[number] : Truth::Unknown;
   }
 
   const Mission& m_;

@@ -109,6 +109,16 @@ TEST(Keywords, ThatNameAPlatformAreSaidToBeKeywords) {
   EXPECT_EQ(reported(named), support::code(DiagnosticId::keywordAsName));
 }
 
+/// Between the arguments of a name a comma is missing; `true` and its like end no list of
+/// arguments.
+TEST(Words, ThatAreValuesLeaveTheParenthesesOpen) {
+  const std::string comma = support::code(DiagnosticId::missingComma);
+  for (const char* before : {"depth", "true", "false", "not true", "true and false"}) {
+    EXPECT_EQ(reported(withGuard("max(" + std::string(before) + ", 3910 7349) > 7")), comma)
+        << before;
+  }
+}
+
 TEST(Texts, AnOpenOneEndsBeforeTheCommaOrTheEnd) {
   const auto with = [](const std::string& log) {
     return "mission t\nstate s\nbegin\n  flightprofile surfaced\n  sensors depth, missiontime\n"

@@ -40,6 +40,19 @@ TEST(SideBySide, WhatCanBeNoPositionIsADifference) {
   EXPECT_FALSE(difference.says(DiagnosticId::barePosition)) << difference.said();
 }
 
+TEST(Earth, EndsAtItsPolesInBothDirections) {
+  const auto refused = [](const std::string& position) {
+    FrontendRun run(missionWith("const there = " + position + "\n", "depth > 7 m", "exit"));
+    (void)run.compile();
+    return run.says(DiagnosticId::notOnEarth);
+  };
+  EXPECT_FALSE(refused("(8900.0, -7349.9)"));
+  EXPECT_TRUE(refused("(9100.0, -7349.9)"));
+  EXPECT_FALSE(refused("(-8900.0, -7349.9)"));
+  EXPECT_TRUE(refused("(-9100.0, -7349.9)"));
+  EXPECT_TRUE(refused("(-8900.0, -18100.0)"));
+}
+
 /// Only what comes after an argument can be its other half.
 TEST(Arguments, TheLastIsNotTakenForHalfAPosition) {
   const std::string target =

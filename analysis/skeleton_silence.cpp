@@ -39,16 +39,16 @@ support::Result<Silence> silenceOf(const std::string& path, const support::ShowD
     if (show) {
       show(diagnostics, sources);
     }
-    return support::fail(DiagnosticId::skeletonMistakes, path, diagnostics.errorCount());
+    return support::fail(DiagnosticId::skeletonErrors, path, diagnostics.errorCount());
   }
   const auto hookbeh =
       std::ranges::find(mission->behaviours, "hookbeh", &slocum::BehaviourBlock::name);
   if (hookbeh == mission->behaviours.end()) {
-    return support::fail(DiagnosticId::skeletonMistakes, path, "it has no behavior `hookbeh`");
+    return support::fail(DiagnosticId::skeletonErrors, path, "it has no behavior `hookbeh`");
   }
   const double seconds = hookbeh->value("silence_secs");
   if (!(seconds > 0 && seconds <= kLongestSilence)) {
-    return support::fail(DiagnosticId::skeletonMistakes, path,
+    return support::fail(DiagnosticId::skeletonErrors, path,
                          fmt::format("silence_secs must be above 0 and at most {:.0f}, not {}",
                                      kLongestSilence, seconds));
   }

@@ -177,7 +177,7 @@ std::optional<ast::File> parse(const support::SourceManager& sources, uint32_t f
     result = Parse(repaired.lexemes, reporter).run();
   }
   if (reporter.full()) {
-    reporter.at(lexemes.back(), DiagnosticId::tooManyMistakes, SyntaxReporter::kMostMistakes);
+    reporter.at(lexemes.back(), DiagnosticId::tooManyErrors, SyntaxReporter::kMostMistakes);
   }
   return result;
 }

@@ -123,7 +123,7 @@ support::Result<void> loadSkeleton(Scenario& scenario, support::SourceManager& s
     scenario.skeleton = std::move(*mission);
   }
   if (diagnostics.errorCount() != errors_before) {
-    return support::fail(DiagnosticId::skeletonMistakes, name,
+    return support::fail(DiagnosticId::skeletonErrors, name,
                          diagnostics.errorCount() - errors_before);
   }
   return {};

@@ -24,7 +24,7 @@ using support::DiagnosticId;
 /// text form can say.
 const std::set<DiagnosticId> kNotShown = {
     DiagnosticId::notUtf8, DiagnosticId::nulByte, DiagnosticId::utf16, DiagnosticId::nestedTooDeep,
-    DiagnosticId::fileTooLarge, DiagnosticId::tooManyMistakes, DiagnosticId::expressionTooLong,
+    DiagnosticId::fileTooLarge, DiagnosticId::tooManyErrors, DiagnosticId::expressionTooLong,
     DiagnosticId::notInLibrary, DiagnosticId::importUnreadable, DiagnosticId::importCycle,
     DiagnosticId::importsTooDeep, DiagnosticId::emptyImport, DiagnosticId::argumentRange,
     DiagnosticId::parameterDefault, DiagnosticId::tooManyOwnSensors,

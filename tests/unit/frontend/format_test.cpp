@@ -130,6 +130,19 @@ TEST(Format, RemarksStandBelowEachOther) {
                "mission m        # a\nplatform slocum  /* b */\n\nconst a = 5  # c\n");
 }
 
+TEST(Format, RemarksThatDoNotFitBelowEachOtherFollowTheirText) {
+  const std::string longer = "mission with_quite_a_long_name";
+  const std::string shorter = "platform slocum";
+  const auto both = [&](size_t gap, size_t remark) {
+    return longer + "  # one\n" + shorter + std::string(gap, ' ') + "# " +
+           std::string(remark, 'x') + "\n";
+  };
+  const size_t column = longer.size() + 2;
+  const size_t most = 100 - column - 2;  // what fits behind `# ` in a line of 100
+  EXPECT_EQ(formatted(both(1, most)), both(column - shorter.size(), most));
+  EXPECT_EQ(formatted(both(1, most + 1)), both(2, most + 1));
+}
+
 TEST(Format, BlankLines) {
   expectFormat(
       "\n\nmission m\n\n\n\nconst a = 1\nstate s begin flightprofile p end const b = 2\n"

@@ -257,9 +257,8 @@ void addCheckCommand(CLI::App& app, int& status) {
       ->add_option_function<std::string>(
           "--format",
           [options](const std::string& format) { options->format = kFormats.at(format); },
-          "Output format: text, or one document with all findings: json, or sarif (2.1.0) for "
-          "editors "
-          "and CI [text]")
+          "Output format: text, json, or sarif (SARIF 2.1.0, for editors and CI); json and sarif "
+          "write one document with all findings [text]")
       ->check(CLI::IsMember(std::vector<std::string>{"text", "json", "sarif"}))
       ->option_text("FORMAT");
   command->add_option("-o", options->output, "Output file [`-`, standard output]")

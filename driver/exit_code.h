@@ -8,8 +8,7 @@ namespace glider::driver {
 /// What the command tells the shell.
 enum ExitCode : int {
   kFine = 0,
-  kMissionHasErrors = 1,  ///< the mission is wrong, or its flight ended in an abort or had
-                          ///< instructions refused
+  kMissionHasErrors = 1,  ///< the mission has errors, or its flight ended with a warning
   kWorldFailed = 2,       ///< bad usage, or a file, port or tool failed
   kInterrupted = 128,     ///< and the number of the signal that ended it: 130 after Ctrl-C
 };

@@ -25,7 +25,7 @@ struct LogOptions {
   std::string csv;
 };
 
-/// "3 incomplete or damaged and skipped, 2 missing (or a multiple of 256 more)".
+/// "3 incomplete or damaged and skipped, 2 missing (or more, by a multiple of 256)".
 std::string damageText(const logs::LogDamage& damage) {
   std::string text;
   const auto add = [&](uint32_t count, const char* what) {
@@ -34,7 +34,7 @@ std::string damageText(const logs::LogDamage& damage) {
     }
   };
   add(damage.bad, "incomplete or damaged and skipped");
-  add(damage.missing, "missing (or a multiple of 256 more)");
+  add(damage.missing, "missing (or more, by a multiple of 256)");
   add(damage.unreadable, "of another version or invalid");
   return text;
 }

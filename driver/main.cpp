@@ -15,8 +15,8 @@
 namespace {
 
 constexpr const char* kFooter =
-    "Exit codes: 0 fine, 1 the mission has errors (or its flight ended in an abort or had "
-    "instructions refused),\n2 usage error, or a file, port or tool failed.\n"
+    "Exit codes: 0 success, 1 the mission has errors (or its flight ended with a warning),\n"
+    "2 usage error, or a file, port or tool failed.\n"
     "Try: glidercc check FILE.mission";
 
 /// CLI11 would only say that a command is wanted.

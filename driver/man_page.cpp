@@ -80,9 +80,8 @@ std::string manPage(const CLI::App& app) {
     addCommand(page, *command);
   }
   return page +
-         ".SH EXIT STATUS\n0 fine; 1 the mission has errors, or its flight ended in an abort or "
-         "had "
-         "instructions refused; 2 usage error, or a file, port or tool failed.\n" +
+         ".SH EXIT STATUS\n0 success; 1 the mission has errors, or its flight ended with a "
+         "warning; 2 usage error, or a file, port or tool failed.\n" +
          kFiles;
 }
 

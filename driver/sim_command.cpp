@@ -195,11 +195,11 @@ void addOptions(CLI::App& command, SimOptions& options) {
   auto* serial = command
                      .add_option("--serial", options.serial,
                                  "Use a real SBC on this serial device, in real time; MISSION then "
-                                 "only names its states")
+                                 "only provides the names of its states")
                      ->option_text("DEVICE");
   command
       .add_flag("--lockstep", options.lockstep,
-                "With --serial: wait for each answer instead of real time")
+                "With --serial: wait for each answer instead of running in real time")
       ->needs(serial);
   auto* without = command.add_flag("--no-sbc", options.without_sbc, "Fly without an SBC");
   command.add_option("--seed", options.seed, "Seed of all noise [the scenario's]")

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The operators: each finds the places of a source where it can plant its fault.
 
-An operator yields (begin, end, replacement): what stands at text[begin:end] becomes the replacement. `OPERATORS` lists
+An operator yields (begin, end, replacement): text[begin:end] is replaced. `OPERATORS` lists
 them by name, in the order of the tables; its docstring says what an operator does.
 """
 

@@ -38,7 +38,7 @@ SENSORS = ("sensor frozen", "sensor stuck", "sensor missing", "sensor NaN", "sen
 
 PLANTED = [
     Planted("HB-1", "ready before start_secs", HOOKBEH, "inputs.time_s >= args_.start_secs", "true"),
-    Planted("HB-2", "no commands while the guard climbs", HOOKBEH, "outputs.commanding = true;", "outputs.commanding = !guarding_;"),
+    Planted("HB-2", "no commands during the climb of a guard", HOOKBEH, "outputs.commanding = true;", "outputs.commanding = !guarding_;"),
     Planted("HB-2", "no commands while it holds", HOOKBEH, "outputs.doing = vertical.doing;",
             "outputs.doing = vertical.doing; outputs.commanding = vertical.doing[2] != 'l';"),
     Planted("HB-2", "no pump while hovering", HOOKBEH, "outputs.pump_cc = vertical.pump_cc;",
@@ -83,7 +83,7 @@ PLANTED = [
             ("scripts/soak/deep.mission",)),
     Planted("HB-34", "what another behaviour flies is counted", HOOKBEH,
             "off_cc > kPumpErrorCc || off_cc < -kPumpErrorCc", "false", ("SBC power cut", "science reboot", "mission stuck", "several at once")),
-    Planted("HB-35", "the guard climbs with no more than a usual climb", BEHAVIOURS,
+    Planted("HB-35", "a guard uses no more pump than a usual climb", BEHAVIOURS,
             "return {usualPitch(args), kHull.pump_cc, doing};", "return {usualPitch(args), args.climb_pump_cc, doing};", SENSORS),
     Planted("HB-24", "a climb that gains no height is left as it is", GUARD, "headway_.idleFor() >= kStalledSecs", "false", SENSORS),
     Planted("HB-25", "depths that disagree are believed", WATCH, "ctd_known_ && disagree_s_ >= kPersistsSecs && ctd_.age() == 0", "false", SENSORS),

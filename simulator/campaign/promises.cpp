@@ -27,7 +27,7 @@ std::string controlText(Control control, double silence_s, double cycle_s) {
     case Control::Silent:
       return fmt::format("ends within {:.0f} s", letGoSecs(control, silence_s, cycle_s));
     case Control::AtOnce:
-      return "ends at once; a new handshake";
+      return "ends at once, until a new handshake";
     case Control::ForGood:
       return "ends at once, permanently";
     case Control::Any:

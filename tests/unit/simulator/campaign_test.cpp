@@ -134,7 +134,7 @@ TEST(Promises, AreThoseOfTheDocumentWordForWord) {
   std::ifstream file(std::string(GLIDER_SOURCE_DIR) + "/scenarios/README.md");
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   const std::string head =
-      "| fault | the SBC's control | true depth at most | clearance | follows |\n"
+      "| fault | the SBC's control | greatest true depth | clearance | commands followed |\n"
       "|---|---|---|---|---|\n";
   const size_t at = text.find(head);
   ASSERT_NE(at, std::string::npos);

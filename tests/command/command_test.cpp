@@ -51,11 +51,28 @@ TEST(Command, HelpAndVersion) {
   EXPECT_THAT(runShell("$GLIDERCC --version").out, HasSubstr("glidercc 0."));
 }
 
+TEST(Command, HelpHasDefaultsAndTheNamesOfPasses) {
+  const std::string help = runShell("$GLIDERCC build --help").out;
+  EXPECT_THAT(help, HasSubstr("-O UINT:INT in [0 - 3]=2 "));
+  EXPECT_THAT(help, HasSubstr("--target TEXT=host "));
+  EXPECT_THAT(help, HasSubstr("after a pass: fold-constants, drop-dead-cases, drop-dead-states, "
+                              "share-expressions, tabulate-guards (not at -O0)\n"));
+}
+
 TEST(Command, AMisspelledCommandIsNamed) {
   const Outcome outcome = runShell("$GLIDERCC chek " + kFigure2);
   EXPECT_EQ(outcome.status, 2);
   EXPECT_THAT(outcome.err, HasSubstr("`chek`"));
   EXPECT_THAT(outcome.err, HasSubstr("check, build"));
+  const Outcome help = runShell("$GLIDERCC chek --help");
+  EXPECT_EQ(help.status, 0);
+  EXPECT_THAT(help.out, HasSubstr("SUBCOMMAND")) << "the help is what was asked for";
+}
+
+TEST(Command, ACommandThatLacksItsFileIsNotAnUnknownOne) {
+  const Outcome outcome = runShell("$GLIDERCC check");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.err, testing::StartsWith("MISSION is required"));
 }
 
 TEST(Command, AnSbcProgramThatLiesHereNeedsNoDot) {
@@ -217,8 +234,8 @@ TEST(Command, TheStageToEmitIsOneByName) {
 TEST(Command, EveryStageCanBeWritten) {
   const std::pair<const char*, const char*> stages[] = {{"ast", "mission sampleMission"},
                                                         {"ir", "sampleMission"},
-                                                        {"llvm", "gliderMission"},
-                                                        {"asm", "gliderMission"}};
+                                                        {"llvm", "\ndefine "},
+                                                        {"asm", "\n\t.globl\tgliderMission\n"}};
   for (const auto& [stage, expected] : stages) {
     const Outcome outcome =
         runShell("$GLIDERCC build " + kFigure2 + " --target ts7800 --emit=" + stage + " -o -");
@@ -228,6 +245,20 @@ TEST(Command, EveryStageCanBeWritten) {
   EXPECT_EQ(
       runShell("$GLIDERCC build " + kFigure2 + " --target ts7800 --emit=obj -o -").out.substr(1, 3),
       "ELF");
+}
+
+TEST(Command, AProductIsNamedAfterTheMissionAndItsTarget) {
+  const TemporaryFolder folder;
+  for (const auto& [stage, name] :
+       {std::pair("ast", "figure2.ast"), std::pair("ir", "figure2.ir"),
+        std::pair("header", "figure2.h"), std::pair("llvm", "figure2-ts5500.ll"),
+        std::pair("asm", "figure2-ts5500.s"), std::pair("obj", "figure2-ts5500.o"),
+        std::pair("exe", "figure2-ts5500")}) {
+    const Outcome outcome =
+        runShell("cd " + folder.path().string() + "; $GLIDERCC build " + kFigure2 +
+                 " --target ts5500 --emit " + stage + " && ls | grep -v debug; rm -f *");
+    EXPECT_EQ(outcome.out, std::string(name) + "\n") << outcome.err;
+  }
 }
 
 TEST(Command, TheAstAndTheIrAreReadBack) {

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <gmock/gmock.h>
 
@@ -64,6 +65,10 @@ TEST_F(Replay, TheSameViolationShowsInProcessAndOnTheHost) {
       const Outcome flown = replay(requirement, how);
       EXPECT_EQ(flown.status, 1) << flown.err;
       EXPECT_THAT(flown.out, HasSubstr("the mission violates `require "));
+      const std::string rows =
+          slurp(std::filesystem::path(trace(requirement)).replace_filename("trace.csv"));
+      EXPECT_THAT(flown.out,
+                  HasSubstr("(" + std::to_string(std::ranges::count(rows, '\n') - 1) + " ticks)"));
     }
   }
   EXPECT_FALSE(std::filesystem::exists(trace(1))) << "proved";

@@ -170,6 +170,8 @@ TEST(Explain, ByIdNumberAndName) {
 TEST(Explain, WithoutIdListsThemAll) {
   const Outcome outcome = runShell("$GLIDERCC explain");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out,
+              testing::StartsWith("GL1001  unexpected-token              unexpected text\n"));
   EXPECT_THAT(outcome.out, HasSubstr("GL1004  assign-for-equal "));
   EXPECT_THAT(outcome.out, HasSubstr("GL9105  port-failed "));
 }

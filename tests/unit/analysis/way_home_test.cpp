@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// How long the way home takes, and after which silence it begins.
+
+#include "analysis/way_home.h"
+
+#include "tests/support/command.h"
+
+#include <gtest/gtest.h>
+
+namespace glider::analysis {
+namespace {
+
+TEST(WayHome, IsTheSilenceTwoCyclesTheTurnAndTheClimb) {
+  platforms::Platform platform;
+  platform.envelope.cycle_s = 4;
+  platform.world.turn_s = 100;
+  platform.world.slowest_climb_m_s = 0.05;
+  const WayHome home = wayHomeFrom(20, platform, {30, "here"});
+  EXPECT_EQ(home.depth_m, 20);
+  EXPECT_DOUBLE_EQ(home.surface_s, 30 + 8 + 100 + 400);
+  EXPECT_DOUBLE_EQ(wayHomeFrom(0, platform, {30, "here"}).surface_s, 138);
+}
+
+TEST(UsualSilence, IsThatOfHookbeh) {
+  EXPECT_EQ(usualSilence().seconds, 24);
+  EXPECT_EQ(usualSilence().source, "assuming silence_secs 24; see --skeleton");
+}
+
+class SilenceOf : public ::testing::Test {
+ protected:
+  [[nodiscard]] support::Result<Silence> of(const std::string& value) const {
+    return silenceOf(folder_
+                         .write("a.mi",
+                                "behavior: surface\nbehavior: hookbeh\n    b_arg: "
+                                "silence_secs(s) " +
+                                    value + "\n")
+                         .string());
+  }
+  const tests::TemporaryFolder folder_;
+};
+
+TEST_F(SilenceOf, IsThatOfTheVehiclesMissionFile) {
+  const auto silence = of("300.5");
+  ASSERT_TRUE(silence);
+  EXPECT_EQ(silence->seconds, 300.5);
+  EXPECT_EQ(silence->source, "silence_secs 300.5 of a.mi");
+}
+
+TEST_F(SilenceOf, IsFromAboveNothingToAnHour) {
+  EXPECT_TRUE(of("3600"));
+  EXPECT_TRUE(of("0.5"));
+  for (const char* wrong : {"3601", "0", "-5"}) {
+    const auto silence = of(wrong);
+    ASSERT_FALSE(silence) << wrong;
+    EXPECT_EQ(silence.error().id, support::DiagnosticId::skeletonErrors);
+  }
+}
+
+TEST_F(SilenceOf, MayStandInAnArgumentFile) {
+  (void)folder_.write(
+      "hookbe03.ma",
+      "behavior_name=hookbeh\n<start:b_arg>\nb_arg: silence_secs(s) 60\n<end:b_arg>\n");
+  const auto silence = silenceOf(
+      folder_.write("a.mi", "behavior: hookbeh\n    b_arg: args_from_file(enum) 3\n").string());
+  ASSERT_TRUE(silence);
+  EXPECT_EQ(silence->seconds, 60);
+}
+
+TEST_F(SilenceOf, WithoutAHookbehIsNone) {
+  const auto silence = silenceOf(folder_.write("a.mi", "behavior: surface\n").string());
+  ASSERT_FALSE(silence);
+  EXPECT_EQ(silence.error().id, support::DiagnosticId::skeletonErrors);
+  EXPECT_EQ(silenceOf(folder_.path() / "none.mi").error().id, support::DiagnosticId::cannotRead);
+}
+
+}  // namespace
+}  // namespace glider::analysis

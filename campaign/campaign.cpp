@@ -19,8 +19,6 @@ using Clock = std::chrono::steady_clock;
 
 namespace {
 
-constexpr double kHangSecs = 60, kHangSecsOnBoard = 600;
-
 /// SplitMix64 (Steele et al. 2014, doi 10.1145/2660193.2660195): neighbours get unlike seeds.
 uint64_t mixed(uint64_t seed, uint64_t number) {
   uint64_t z = seed + (number + 1) * 0x9E3779B97F4A7C15U;
@@ -70,8 +68,10 @@ struct Work {
     return number < plan.flights && !result.failure && !result.hung && !result.interrupted;
   }
   void finish(const CampaignFlight& flight, support::Result<Verdict> verdict) {
-    if (result.interrupted) {
-      return;  // the signal may have reached the program that was to fly, too
+    // The signal may have reached the program that was to fly, too; and what has been told to hang
+    // may come back.
+    if (result.interrupted || result.verdicts[flight.number]) {
+      return;
     }
     if (!verdict) {
       result.failure = verdict.error();
@@ -120,7 +120,7 @@ void lookForHangs(Work& work) {
     }
     const std::chrono::duration<double> taken = Clock::now() - work.begun[thread];
     const CampaignFlight flight = flightOf(work.plan, *work.flying[thread]);
-    if (taken.count() > (flight.board ? kHangSecsOnBoard : kHangSecs)) {
+    if (taken.count() > (flight.board ? work.plan.hang_on_board_s : work.plan.hang_s)) {
       work.finish(flight, hungVerdict());
       work.result.hung = true;
     }
@@ -137,7 +137,8 @@ CampaignFlight flightOf(const CampaignPlan& plan, uint64_t number) {
   const size_t kinds = plan.kinds.size();
   flight.kind = plan.kinds[turn % kinds];
   // Of each kind another manner in each turn of the kinds.
-  flight.manner = static_cast<simulator::Manner>((turn + turn / kinds) % simulator::kManners);
+  flight.manner =
+      static_cast<simulator::Manner>((turn % kinds + turn / kinds) % simulator::kManners);
   flight.seed = mixed(plan.seed, number);
   // Apart from what the seed draws, so that the same flight in process has the same faults.
   const uint64_t choice = mixed(~plan.seed, number);

@@ -18,6 +18,7 @@ namespace glider::campaign {
 /// A mission of a campaign, ready to start as often as wanted.
 struct CampaignMission {
   std::string file;
+  std::string program;           ///< a digest of what is compiled from it, imports and all
   platforms::Platform platform;  ///< that it names
   flights::NewFlight new_flight;
   std::vector<flights::NewFlight> on_board;  ///< one for each of the plan's boards
@@ -35,6 +36,7 @@ struct CampaignPlan {
   uint64_t flights = 0;
   uint64_t seed = 1;
   unsigned jobs = 1;
+  double hang_s = 60, hang_on_board_s = 600;  ///< of real time; what takes longer hangs
 };
 
 /// One flight of a campaign: the plan and its number say all of it.
@@ -76,8 +78,8 @@ struct CampaignListener {
   std::function<bool()> stop;              ///< true to end it now
 };
 
-/// Flies all of which `known` has no verdict. A flight in this process that takes longer than a
-/// minute of real time, or ten behind an emulator, hangs: its verdict says so and the rest is left.
+/// Flies all of which `known` has no verdict. A flight that takes longer than the plan says hangs:
+/// its verdict says so and the rest is left.
 CampaignResult flyAll(const CampaignPlan& plan, CampaignResult known,
                       const CampaignListener& listener);
 

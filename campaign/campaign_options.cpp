@@ -17,6 +17,22 @@
 
 namespace glider::campaign {
 
+namespace {
+
+/// The vehicle's mission file with what its argument files gave it.
+std::string textOf(const slocum::MissionFile& skeleton) {
+  std::string text;
+  for (const slocum::BehaviourBlock& behaviour : skeleton.behaviours) {
+    text += behaviour.name + "\n";
+    for (const slocum::Setting& setting : behaviour.arguments) {
+      text += fmt::format("{} {}\n", setting.name, setting.value);
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
 support::Result<std::string> identityOf(const CampaignPlan& plan, const CampaignOptions& options) {
   std::string all =
       fmt::format("{}\n{} {} {} {}\n{}\n", compiler::buildId(), plan.flights, plan.seed,
@@ -41,14 +57,14 @@ support::Result<std::string> identityOf(const CampaignPlan& plan, const Campaign
     if (!platform) {
       return std::unexpected(platform.error());
     }
-    all += codegen::digestOf(*platform) + "\n";
+    all += codegen::digestOf(*platform) + " " + mission.program + "\n";
   }
   const auto skeleton = support::readFile(plan.scenario.skeleton_path);
   const auto world = support::readFile(plan.scenario.path);
   if (!skeleton || !world) {
     return std::unexpected(skeleton ? world.error() : skeleton.error());
   }
-  return codegen::digestOf(all + *skeleton + *world);
+  return codegen::digestOf(all + textOf(plan.scenario.skeleton) + *skeleton + *world);
 }
 
 std::string shellWord(const std::string& text) {

@@ -7,6 +7,7 @@
 #include "campaign/campaign_options.h"
 #include "campaign/campaign_table.h"
 #include "campaign/faults_toml.h"
+#include "codegen/digest.h"
 #include "driver/commands.h"
 #include "driver/compile_for_flight.h"
 #include "driver/exit_code.h"
@@ -18,6 +19,7 @@
 #include "flights/launch_choice.h"
 #include "flights/sbc_choice.h"
 #include "flights/scenario_choice.h"
+#include "ir/text/print.h"
 #include "support/files.h"
 
 #include <CLI/CLI.hpp>
@@ -54,7 +56,11 @@ int loadMissions(const campaign::CampaignOptions& options, campaign::CampaignPla
     if (!start) {
       return reportFailure(start.error());
     }
-    campaign::CampaignMission mission{file, std::move(*platform), std::move(*start), {}};
+    campaign::CampaignMission mission;
+    mission.file = file;
+    mission.program = codegen::digestOf(ir::print(compiled->mission));
+    mission.platform = std::move(*platform);
+    mission.new_flight = std::move(*start);
     for (const std::string& board : plan.boards) {
       mission.on_board.push_back(
           campaign::flightsOnBoard(compiled, options.launch, options.user_code, board));

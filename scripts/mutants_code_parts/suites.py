@@ -39,9 +39,14 @@ SLOCUM = Suite("tests/mission_files_test")
 COMMAND = Suite("tests/command_test", **GLIDERCC)
 DRIVER = Suite("tests/driver_test")
 UNIT_FLIGHTS = Suite("tests/flights_unit_test")
+CAMPAIGN = Suite("tests/campaign_test")
+LOGS = Suite("tests/logs_test")
+ANALYSIS = Suite("tests/analysis_test")
 SPIN = Suite("tests/spin_test", runs=(("GLIDERCC", "bin/glidercc"),))  # skips where there is no spin
 DOCS = Suite("tests/docs_test", **GLIDERCC)
 FLIGHTS = Suite("tests/flights_test", **GLIDERCC)
+FLOWN_CAMPAIGNS = Suite("tests/flights_test", "Campaign*:*/Campaign*", **GLIDERCC)
+FLOWN_LOGS = Suite("tests/flights_test", "MissionLog.*", **GLIDERCC)
 
 # The longest prefix that fits a file has the say.
 SUITES = {
@@ -64,9 +69,9 @@ SUITES = {
     "slocum": (SLOCUM, COMMAND),
     "compiler": (COMMAND, GOLDEN),
     "flights": (UNIT_FLIGHTS, COMMAND, FLIGHTS),
-    "analysis": (COMMAND, FLIGHTS),
-    "campaign": (COMMAND,),
-    "logs": (RUNTIME, COMMAND),
+    "analysis": (ANALYSIS, COMMAND, FLIGHTS),
+    "campaign": (CAMPAIGN, FLOWN_CAMPAIGNS),
+    "logs": (LOGS, RUNTIME, FLOWN_LOGS),
     "driver": (DRIVER, COMMAND, FLIGHTS),
 }
 

@@ -97,6 +97,49 @@ TEST(Campaign, FliesOneAgainAndItsFaultsAreAScenarios) {
   EXPECT_EQ(slurp(out + "/trace.csv"), slurp(out + "2/trace.csv"));
 }
 
+TEST(Campaign, AsManyFlyAtATimeAsIsAsked) {
+  // Threads of the program, the one that waits for them with it; the most of a few looks.
+  const Outcome outcome =
+      runShell("$GLIDERCC campaign " + kMissions +
+               " --boards 0 --flights 5000 --jobs 3 > /dev/null & n=0; most=0; "
+               "while [ $n -lt 600 ] && [ $most -lt 4 ]; do t=$(ls /proc/$!/task | wc -l); "
+               "[ $t -gt $most ] && most=$t; sleep 0.05; n=$((n+1)); done; kill -INT $!; wait $!; "
+               "echo $most");
+  EXPECT_EQ(outcome.out, "4\n") << outcome.err;
+}
+
+// accepts: GL9373
+TEST(Campaign, ResumesNothingWhoseImportsOrArgumentFilesAreOthers) {
+  const TemporaryFolder folder;
+  const auto write = [&](const std::string& top, const std::string& wait_s) {
+    (void)folder.write("depths.mission", "const top : length = " + top + "\n");
+    (void)folder.write("surfac07.ma",
+                       "behavior_name=surface\n<start:b_arg>\n    b_arg: gps_wait_time(s) " +
+                           wait_s + "\n<end:b_arg>\n");
+  };
+  (void)folder.write("m.mission",
+                     "mission m\nimport \"depths\"\nstate s\nbegin\n  flightprofile yo(top, 20 m, "
+                     "26 deg, 26 deg)\n  sensors missiontime\n  events\n    case missiontime >= 5 "
+                     "min exit\nend\n");
+  std::string skeleton = slurp(project("scenarios/skeleton.mi"));
+  const size_t at = skeleton.find("behavior: surface");
+  ASSERT_NE(at, std::string::npos);
+  skeleton.insert(skeleton.find('\n', at) + 1, "    b_arg: args_from_file(enum) 7\n");
+  (void)folder.write("skeleton.mi", skeleton);
+  (void)folder.write("world.toml", slurp(project("scenarios/default.toml")));
+  const std::string command = "cd " + folder.path().string() +
+                              "; $GLIDERCC campaign m.mission --scenario world.toml --boards 0 "
+                              "--flights 2 ";
+  write("5 m", "0");
+  const Outcome first = runShell(command + "--csv flights.csv");
+  ASSERT_EQ(first.status, 0) << first.err;
+  EXPECT_EQ(runShell(command + "--resume flights.csv").status, 0);
+  write("6 m", "0");
+  EXPECT_THAT(runShell(command + "--resume flights.csv").err, HasSubstr("another campaign"));
+  write("5 m", "1");
+  EXPECT_THAT(runShell(command + "--resume flights.csv").err, HasSubstr("another campaign"));
+}
+
 /// The rows of a campaign's file of flights, in the order in which they stand there.
 std::vector<std::string> rowsOf(const std::string& file) {
   std::istringstream text(slurp(file));

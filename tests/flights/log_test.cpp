@@ -52,7 +52,25 @@ TEST(MissionLog, AProgramThatStartsAgainWritesAfterTheOldLog) {
   EXPECT_EQ(both.substr(0, first_csv.size()), first_csv);
   EXPECT_EQ(both.substr(first_csv.size()), first_csv.substr(first_csv.find('\n') + 1));
   const Outcome told = runShell("$GLIDERCC log " + log);
-  EXPECT_NE(told.err.find("1 incomplete or damaged and skipped"), std::string::npos) << told.err;
+  EXPECT_EQ(told.err,
+            "glidercc: note: " + log + ": records: 1 incomplete or damaged and skipped\n");
+  EXPECT_EQ(told.status, 0);
+}
+
+TEST(MissionLog, AllThatIsWrongWithItIsTold) {
+  const TemporaryFolder folder;
+  const std::string log = (folder.path() / "figure2.log").string();
+  ASSERT_EQ(fly(flightThatLogs(folder, "--log " + log)).outcome.status, 0);
+  const std::string whole = slurp(log);
+  const size_t third = whole.find('\0', whole.find('\0', 1) + 1) + 1;
+  const size_t fourth = whole.find('\0', third) + 1;
+  std::ofstream(log, std::ios::binary)
+      << whole.substr(0, third) << whole.substr(fourth) << "torn";  // one is missing
+  EXPECT_EQ(
+      runShell("$GLIDERCC log " + log).err,
+      "glidercc: note: " + log +
+          ": records: 1 incomplete or damaged and skipped, 1 missing (or a multiple of 256 "
+          "more)\n");
 }
 
 TEST(MissionLog, AFullOneBecomesTheOlderOne) {

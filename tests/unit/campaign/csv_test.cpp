@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// The table of flights: what stands in it, and that it is read back as it was written.
+
+#include "campaign/campaign_csv.h"
+#include "tests/support/command.h"
+#include "tests/unit/campaign/small_plan.h"
+
+#include <gtest/gtest.h>
+
+#include <gmock/gmock.h>
+
+namespace glider::campaign {
+namespace {
+
+using simulator::Verdict;
+using ::testing::HasSubstr;
+
+Verdict verdictOf(Verdict::Outcome outcome, uint32_t hand_backs = 0) {
+  Verdict verdict;
+  verdict.outcome = outcome;
+  verdict.hand_backs = hand_backs;
+  verdict.instructions = 17;
+  verdict.end_s = 1234.5;
+  verdict.deepest_m = 20.0625;
+  return verdict;
+}
+
+Verdict violation() {
+  Verdict verdict = verdictOf(Verdict::Outcome::Violation, 1);
+  verdict.violation = "too deep, \"60\" m";
+  verdict.violation_s = 0.1;
+  return verdict;
+}
+
+class CampaignCsv : public ::testing::Test {
+ protected:
+  CampaignCsv() {
+    plan_.missions.resize(2);
+    plan_.missions[0].file = "a \"b\", c.mission";
+    plan_.missions[1].file = "two.mission";
+    plan_.kinds = {simulator::FaultKind::Power, simulator::FaultKind::Clock};
+    plan_.flights = 6;
+    plan_.seed = 1234567;
+    result_.verdicts = {verdictOf(Verdict::Outcome::Exited),
+                        verdictOf(Verdict::Outcome::Exited, 2),
+                        std::nullopt,
+                        verdictOf(Verdict::Outcome::HandedBack, 3),
+                        violation(),
+                        std::nullopt};
+  }
+
+  [[nodiscard]] support::Result<void> read(const std::string& text, CampaignResult& result) const {
+    result.verdicts.resize(plan_.flights);
+    return readCsv(folder_.write("flights.csv", text).string(), plan_, "id", result);
+  }
+  /// Why it is refused.
+  [[nodiscard]] std::string refusal(const std::string& text) const {
+    CampaignResult result;
+    const auto done = read(text, result);
+    EXPECT_FALSE(done) << text;
+    if (done) {
+      return "";
+    }
+    EXPECT_EQ(done.error().id, support::DiagnosticId::campaignNotResumed);
+    return done.error().message + "; " + done.error().hint;
+  }
+  [[nodiscard]] std::string written() const { return campaignCsv(plan_, result_, "id"); }
+  [[nodiscard]] std::string row(uint64_t number) const {
+    return csvRow(plan_, flightOf(plan_, number), *result_.verdicts[number]);
+  }
+
+  const tests::TemporaryFolder folder_;
+  CampaignPlan plan_;
+  CampaignResult result_;
+};
+
+TEST_F(CampaignCsv, BeginsWithWhatItBelongsToAndItsColumns) {
+  EXPECT_EQ(csvHead("id"),
+            "# glidercc campaign id\nflight,mission,fault,when,sbc,seed,outcome,hand-backs,"
+            "instructions,end (s),deepest (m),violation (s),violation\n");
+}
+
+TEST_F(CampaignCsv, ARowHasAllOfAFlight) {
+  EXPECT_EQ(row(0),
+            "0,\"a \"\"b\"\", c.mission\",SBC power cut,once,in process,6457827717110365317,exited,"
+            "0,17,1234.5,20.0625,,\"\"\n");
+  EXPECT_EQ(row(3),
+            "3,\"two.mission\",clock jumps,recurring,in process,4593380528125082431,handed back,3,"
+            "17,1234.5,20.0625,,\"\"\n");
+  EXPECT_THAT(row(1), HasSubstr(",exited after hand-back,2,17,"));
+  EXPECT_THAT(row(4), HasSubstr(",VIOLATION,1,17,1234.5,20.0625,0.1,\"too deep, \"\"60\"\" m\"\n"));
+}
+
+TEST_F(CampaignCsv, ARowNamesTheBoard) {
+  plan_.boards = {"ts5500", "ts7800"};
+  CampaignFlight flight = flightOf(plan_, 0);
+  flight.board = 1;
+  EXPECT_THAT(csvRow(plan_, flight, *result_.verdicts[0]), HasSubstr(",once,ts7800,"));
+}
+
+TEST_F(CampaignCsv, HasTheFlightsThatWereFlownInTheirOrder) {
+  EXPECT_EQ(written(), csvHead("id") + row(0) + row(1) + row(3) + row(4));
+  EXPECT_EQ(campaignCsv(plan_, {}, "id"), csvHead("id"));
+}
+
+TEST_F(CampaignCsv, IsReadBackAsItWasWritten) {
+  CampaignResult back;
+  ASSERT_TRUE(read(written(), back));
+  ASSERT_EQ(back.verdicts.size(), 6U);
+  EXPECT_FALSE(back.verdicts[2] || back.verdicts[5]);
+  EXPECT_EQ(campaignCsv(plan_, back, "id"), written());
+  EXPECT_EQ(back.verdicts[1]->outcome, Verdict::Outcome::Exited);
+  EXPECT_EQ(back.verdicts[1]->hand_backs, 2U);
+  EXPECT_EQ(back.verdicts[1]->instructions, 17U);
+  EXPECT_EQ(back.verdicts[1]->end_s, 1234.5);
+  EXPECT_EQ(back.verdicts[1]->deepest_m, 20.0625);
+  EXPECT_EQ(back.verdicts[3]->outcome, Verdict::Outcome::HandedBack);
+  EXPECT_EQ(back.verdicts[4]->outcome, Verdict::Outcome::Violation);
+  EXPECT_EQ(back.verdicts[4]->violation, "too deep, \"60\" m");
+  EXPECT_EQ(back.verdicts[4]->violation_s, 0.1);
+}
+
+TEST_F(CampaignCsv, MayStandInAnyOrderAndIsThenTheSame) {
+  CampaignResult back;
+  ASSERT_TRUE(read(csvHead("id") + row(4) + row(1) + row(0) + row(3), back));
+  EXPECT_EQ(campaignCsv(plan_, back, "id"), written());
+}
+
+TEST_F(CampaignCsv, ALastLineThatWasTornIsLeftOut) {
+  const std::string whole = written();
+  for (size_t cut = whole.size() - row(4).size(); cut < whole.size(); ++cut) {
+    CampaignResult back;
+    ASSERT_TRUE(read(whole.substr(0, cut), back)) << cut;
+    EXPECT_TRUE(back.verdicts[3]);
+    EXPECT_FALSE(back.verdicts[4]) << cut;
+  }
+}
+
+TEST_F(CampaignCsv, OfNothingButItsHeadNothingIsKnown) {
+  CampaignResult back;
+  ASSERT_TRUE(read(csvHead("id"), back));
+  EXPECT_FALSE(back.verdicts[0]);
+}
+
+TEST_F(CampaignCsv, OtherTablesAreRefused) {
+  EXPECT_THAT(refusal(""), HasSubstr("it is not the table of a campaign"));
+  EXPECT_THAT(refusal("flight,mission\n"), HasSubstr("it is not the table of a campaign"));
+  EXPECT_THAT(refusal(csvHead("other")), HasSubstr("it belongs to another campaign"));
+  EXPECT_THAT(refusal(csvHead("id").substr(0, 30)), HasSubstr("it belongs to another campaign"));
+  CampaignResult result;
+  const auto missing = readCsv(folder_.path() / "none.csv", plan_, "id", result);
+  ASSERT_FALSE(missing);
+  EXPECT_EQ(missing.error().id, support::DiagnosticId::cannotRead);
+}
+
+/// `text` with the first `from` in it as `to`.
+std::string with(std::string text, const std::string& from, const std::string& to) {
+  const size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return at == std::string::npos ? text : text.replace(at, from.size(), to);
+}
+
+TEST_F(CampaignCsv, RowsThatAreNoFlightOfItAreRefusedWithTheirLine) {
+  const auto line = [&](const std::string& bad) {
+    return refusal(csvHead("id") + row(0) + bad + row(3));
+  };
+  EXPECT_THAT(line("\n"), HasSubstr("line 4 is not a flight of this campaign; remove that line"));
+  EXPECT_THAT(line(with(row(1), "1,", "6,")), HasSubstr("line 4")) << "there is none";
+  EXPECT_THAT(line(with(row(1), "1,", "5,")), HasSubstr("line 4")) << "that one is another's";
+  EXPECT_THAT(line(with(row(1), "1,", "one,")), HasSubstr("line 4"));
+  EXPECT_THAT(line(with(row(1), ",2,17,", ",2x,17,")), HasSubstr("line 4"));
+  EXPECT_THAT(line(with(row(1), ",2,17,", ",2,17x,")), HasSubstr("line 4"));
+  EXPECT_THAT(line(with(row(1), "1234.5", "later")), HasSubstr("line 4"));
+  EXPECT_THAT(line(with(row(1), "20.0625", "")), HasSubstr("line 4"));
+  EXPECT_THAT(line(with(row(1), "exited after hand-back", "exited")), HasSubstr("line 4"));
+  EXPECT_THAT(line(with(row(1), "exited after hand-back", "sunk")), HasSubstr("line 4"));
+  EXPECT_THAT(line(with(row(1), "two", "three")), HasSubstr("line 4"));
+  EXPECT_THAT(line(with(row(1), "320", "321")), HasSubstr("line 4")) << "another seed";
+  EXPECT_THAT(line(with(row(1), "\"\"\n", "\"\",more\n")), HasSubstr("line 4"));
+  EXPECT_THAT(line(with(row(1), ",,\"\"\n", ",\"\"\n")), HasSubstr("line 4"));
+  EXPECT_THAT(line(with(row(4), ",0.1,", ",,")), HasSubstr("line 4"));
+}
+
+}  // namespace
+}  // namespace glider::campaign

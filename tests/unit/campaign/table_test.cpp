@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// What is told at the end of a campaign.
+
+#include "campaign/campaign_table.h"
+
+#include <gtest/gtest.h>
+
+#include <gmock/gmock.h>
+
+namespace glider::campaign {
+namespace {
+
+using simulator::FaultKind;
+using simulator::Verdict;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+Verdict verdictOf(Verdict::Outcome outcome, double deepest_m, uint32_t hand_backs = 0) {
+  Verdict verdict;
+  verdict.outcome = outcome;
+  verdict.deepest_m = deepest_m;
+  verdict.hand_backs = hand_backs;
+  verdict.violation = outcome == Verdict::Outcome::Violation ? "too deep" : "";
+  verdict.violation_s = 99.6;
+  return verdict;
+}
+
+const Verdict kExited = verdictOf(Verdict::Outcome::Exited, 20.25);
+const Verdict kAfter = verdictOf(Verdict::Outcome::Exited, 21.25, 1);
+const Verdict kBack = verdictOf(Verdict::Outcome::HandedBack, 5, 1);
+const Verdict kBroken = verdictOf(Verdict::Outcome::Violation, 70);
+
+CampaignPlan planOf(std::vector<FaultKind> kinds) {
+  CampaignPlan plan;
+  plan.missions.resize(1);
+  plan.missions[0].file = "m.mission";
+  plan.kinds = std::move(kinds);
+  return plan;
+}
+
+TEST(OutcomeName, TellsExitsWithAndWithoutHandBacksApart) {
+  EXPECT_STREQ(outcomeName(kExited), "exited");
+  EXPECT_STREQ(outcomeName(kAfter), "exited after hand-back");
+  EXPECT_STREQ(outcomeName(kBack), "handed back");
+  EXPECT_STREQ(outcomeName(kBroken), "VIOLATION");
+}
+
+TEST(CampaignTable, CountsByKindByMannerAndByWhatFlew) {
+  const CampaignPlan plan = planOf({FaultKind::Power, FaultKind::Clock});
+  CampaignResult result;
+  result.verdicts = {kExited, kBack, kAfter, std::nullopt, kBroken, kExited, kExited};
+  const std::string table = campaignTable(plan, result);
+  const std::string head =
+      " flights   exited   after hand-back  handed back deepest (m)  VIOLATION\n";
+  EXPECT_THAT(table, StartsWith("fault                 " + head +
+                                "none                         0        0                 0        "
+                                "    0           -          0\n"));
+  EXPECT_THAT(table, HasSubstr("\nSBC power cut                4        2                 1        "
+                               "    0        70.0          1\n"));
+  EXPECT_THAT(table, HasSubstr("\nclock jumps                  2        1                 0        "
+                               "    1        20.2          0\n"));
+  EXPECT_THAT(table, HasSubstr("\nall                          6        3                 1        "
+                               "    1        70.0          1\n\nwhen                  " +
+                               head));
+  // The numbers of manners: 0, 1, 1, (2), 2, 3, 3.
+  EXPECT_THAT(table, HasSubstr("\nonce                         1        1                 0        "
+                               "    0        20.2          0\n"));
+  EXPECT_THAT(table, HasSubstr("\nrecurring                    2        0                 1        "
+                               "    1        21.2          0\n"));
+  EXPECT_THAT(table, HasSubstr("\n\nSBC                   " + head +
+                               "in process                   6        3                 1        "
+                               "    1        70.0          1\n"));
+  EXPECT_TRUE(table.ends_with("70.0          1\n"));
+}
+
+TEST(CampaignTable, HasARowForEachBoard) {
+  CampaignPlan plan = planOf({FaultKind::Power});
+  plan.boards = {"ts5500", "ts7800"};
+  plan.board_percent = 100;
+  CampaignResult result;
+  uint64_t second = 0;
+  for (uint64_t i = 0; i < 10; ++i) {
+    second += *flightOf(plan, i).board;
+    result.verdicts.emplace_back(kExited);
+  }
+  ASSERT_GT(second, 0U);
+  ASSERT_LT(second, 10U);
+  const auto row = [](const char* board, uint64_t count) {
+    return fmt::format("\n{:<22}{:>8}{:>9}", board, count, count);
+  };
+  const std::string table = campaignTable(plan, result);
+  EXPECT_THAT(table, HasSubstr(row("in process", 0)));
+  EXPECT_THAT(table, HasSubstr(row("ts5500", 10 - second)));
+  EXPECT_THAT(table, HasSubstr(row("ts7800", second)));
+}
+
+TEST(ViolationLines, SayHowToFlyEachAgain) {
+  const CampaignPlan plan = planOf({FaultKind::Power});
+  CampaignResult result;
+  result.verdicts = {kExited, kBack, kBroken, std::nullopt, kAfter};
+  EXPECT_EQ(violationLines(plan, result, "glidercc campaign m.mission"),
+            "flight 2 (m.mission, SBC power cut, with another): at 100 s too deep\n"
+            "  glidercc campaign m.mission --only 2 -o flight2\n");
+  result.verdicts[2] = kExited;
+  EXPECT_EQ(violationLines(plan, result, "glidercc"), "");
+}
+
+TEST(ViolationLines, AreTheFirstTwentyAndACount) {
+  const CampaignPlan plan = planOf({FaultKind::Power});
+  CampaignResult result;
+  result.verdicts.assign(20, kBroken);
+  const std::string twenty = violationLines(plan, result, "c");
+  EXPECT_THAT(twenty, HasSubstr("c --only 19 -o flight19\n"));
+  EXPECT_EQ(twenty.find("more"), std::string::npos);
+  result.verdicts.assign(23, kBroken);
+  EXPECT_EQ(violationLines(plan, result, "c"), twenty + "and 3 violations more\n");
+}
+
+}  // namespace
+}  // namespace glider::campaign

@@ -23,10 +23,10 @@ namespace {
 
 constexpr std::string_view kMark = "# glidercc campaign ";
 constexpr std::string_view kColumns =
-    "flight,mission,fault,when,sbc,seed,outcome,hand-backs,instructions,end (s),deepest (m),"
+    "flight,mission,fault,when,sbc,seed,outcome,releases,instructions,end (s),deepest (m),"
     "violation (s),violation\n";
 // Columns that the number of a flight does not say.
-constexpr size_t kOutcome = 6, kHandBacks = 7, kInstructions = 8, kEnd = 9, kDeepest = 10,
+constexpr size_t kOutcome = 6, kReleases = 7, kInstructions = 8, kEnd = 9, kDeepest = 10,
                  kViolationTime = 11, kViolation = 12, kCount = 13;
 
 /// The fields of a line, without their quotes.
@@ -55,7 +55,7 @@ bool parse(const std::string& text, Number& number) {
 
 bool parseOutcome(const std::vector<std::string>& fields, Verdict& verdict) {
   for (const auto outcome :
-       {Verdict::Outcome::Exited, Verdict::Outcome::HandedBack, Verdict::Outcome::Violation}) {
+       {Verdict::Outcome::Exited, Verdict::Outcome::Released, Verdict::Outcome::Violation}) {
     verdict.outcome = outcome;
     if (fields[kOutcome] == outcomeName(verdict)) {
       return true;
@@ -68,7 +68,7 @@ bool parseOutcome(const std::vector<std::string>& fields, Verdict& verdict) {
 bool parseRow(const CampaignPlan& plan, std::string_view line, uint64_t& number, Verdict& verdict) {
   const std::vector<std::string> fields = fieldsOf(line);
   if (fields.size() != kCount || !parse(fields[0], number) || number >= plan.flights ||
-      !parse(fields[kHandBacks], verdict.hand_backs) ||
+      !parse(fields[kReleases], verdict.releases) ||
       !parse(fields[kInstructions], verdict.instructions) || !parse(fields[kEnd], verdict.end_s) ||
       !parse(fields[kDeepest], verdict.deepest_m) || !parseOutcome(fields, verdict)) {
     return false;
@@ -99,7 +99,7 @@ std::string csvRow(const CampaignPlan& plan, const CampaignFlight& flight, const
                      support::csvQuoted(plan.missions[flight.mission].file),
                      simulator::nameOf(flight.kind), simulator::nameOf(flight.manner),
                      flight.board ? plan.boards[*flight.board] : "in process", flight.seed,
-                     outcomeName(verdict), verdict.hand_backs, verdict.instructions, verdict.end_s,
+                     outcomeName(verdict), verdict.releases, verdict.instructions, verdict.end_s,
                      verdict.deepest_m, violated ? fmt::to_string(verdict.violation_s) : "",
                      support::csvQuoted(verdict.violation));
 }

@@ -18,7 +18,7 @@ namespace {
 
 /// Of one row of the table.
 struct Counts {
-  std::array<uint64_t, 4> flights{};  ///< exited, exited after a hand-back, handed back, violation
+  std::array<uint64_t, 4> flights{};  ///< exited, exited after a release, released, violation
   double deepest_m = 0;
 
   void add(const Verdict& verdict, size_t column) {
@@ -31,8 +31,8 @@ struct Counts {
 size_t columnOf(const Verdict& verdict) {
   switch (verdict.outcome) {
     case Verdict::Outcome::Exited:
-      return verdict.hand_backs == 0 ? 0 : 1;
-    case Verdict::Outcome::HandedBack:
+      return verdict.releases == 0 ? 0 : 1;
+    case Verdict::Outcome::Released:
       return 2;
     case Verdict::Outcome::Violation:
       break;
@@ -65,7 +65,7 @@ void eachFlown(const CampaignPlan& plan, const CampaignResult& result, const Vis
 }  // namespace
 
 const char* outcomeName(const Verdict& verdict) {
-  constexpr std::array<const char*, 4> kNames = {"exited", "exited after hand-back", "handed back",
+  constexpr std::array<const char*, 4> kNames = {"exited", "exited after release", "released",
                                                  "VIOLATION"};
   return kNames[columnOf(verdict)];
 }

@@ -9,7 +9,7 @@
 
 namespace glider::campaign {
 
-/// "exited", "exited after hand-back", "handed back", "VIOLATION".
+/// "exited", "exited after release", "released", "VIOLATION".
 const char* outcomeName(const simulator::Verdict& verdict);
 /// Kinds of faults by outcomes, in numbers of flights, with the deepest of each; then when the
 /// faults came, and what flew. Flights that were not flown are not in it.

@@ -57,9 +57,8 @@ FlightJudge::FlightJudge(JudgeSetup setup)
       last_end_s_(setup_.faults.lastEnd()),
       stated_(statedTimes(setup_.faults, setup_.args.silence_secs, setup_.cycle_s)) {
   static_assert(kInstruction.size() == kFields);
-  for_ever_ = std::ranges::any_of(stated_.hand_backs, [](const HandBack& hand_back) {
-    return hand_back.when.to_s == kForever;
-  });
+  for_ever_ = std::ranges::any_of(
+      stated_.releases, [](const Release& release) { return release.when.to_s == kForever; });
 }
 
 void FlightJudge::violate(double now_s, std::string what) {
@@ -233,10 +232,10 @@ void FlightJudge::judgeTimes(const CycleView& view) {
             fmt::format("the SBC is in control though its mission made no progress for {:.0f} s",
                         view.time_s - progress_s_));
   }
-  for (const HandBack& hand_back : stated_.hand_backs) {
+  for (const Release& release : stated_.releases) {
     // A cycle at that very moment may still be the last one.
-    if (view.time_s > hand_back.when.from_s && hand_back.when.has(view.time_s)) {
-      violate(view.time_s, "the SBC is in control though " + hand_back.why);
+    if (view.time_s > release.when.from_s && release.when.has(view.time_s)) {
+      violate(view.time_s, "the SBC is in control though " + release.why);
     }
   }
 }
@@ -249,8 +248,8 @@ bool FlightJudge::isOverForGood(const CycleView& view) {
   }
   const bool complete = view.hook == HookState::Complete && setup_.only_hookbeh;
   return view.aborted || complete ||
-         (for_ever_ && std::ranges::any_of(stated_.hand_backs, [&](const HandBack& hand_back) {
-            return hand_back.when.to_s == kForever && hand_back.when.has(view.time_s);
+         (for_ever_ && std::ranges::any_of(stated_.releases, [&](const Release& release) {
+            return release.when.to_s == kForever && release.when.has(view.time_s);
           }));
 }
 
@@ -276,7 +275,7 @@ bool FlightJudge::cycle(const CycleView& view) {
   }
   verdict_.deepest_m = depth_.deepest();
   verdict_.mean_W = view.time_s > 0 ? view.used_J / view.time_s : 0;
-  verdict_.hand_backs += was_active && hook_ != HookState::Active && !gave_back_;
+  verdict_.releases += was_active && hook_ != HookState::Active && !gave_back_;
   ended_ = view.ended;
   at_surface_ = view.true_depth_m < kAtSurface;
   verdict_.end_s = view.time_s;
@@ -291,7 +290,7 @@ std::string FlightJudge::violationAtEnd() const {
   if (!at_surface_ && (ended_ || !ending_.isComingUp())) {
     return ended_ ? "the flight ends under water" : "not at the surface in time";
   }
-  if (setup_.promise.control == Control::Kept && verdict_.hand_backs > 0) {
+  if (setup_.promise.control == Control::Kept && verdict_.releases > 0) {
     return "the SBC loses control without a reason";
   }
   if (setup_.promise.control == Control::Kept && setup_.has_hookbeh && !gave_back_) {
@@ -302,7 +301,7 @@ std::string FlightJudge::violationAtEnd() const {
 
 Verdict FlightJudge::verdict() const {
   Verdict verdict = verdict_;
-  verdict.outcome = gave_back_ ? Verdict::Outcome::Exited : Verdict::Outcome::HandedBack;
+  verdict.outcome = gave_back_ ? Verdict::Outcome::Exited : Verdict::Outcome::Released;
   if (verdict.violation.empty()) {
     verdict.violation = violationAtEnd();
   }

@@ -24,14 +24,14 @@ namespace glider::simulator {
 /// How a flight went.
 struct Verdict {
   enum class Outcome : uint8_t {
-    Exited,      ///< the mission ended and gave control back
-    HandedBack,  ///< the vehicle flew on without the SBC, and is at the surface
-    Violation,   ///< what is promised was not kept
+    Exited,     ///< the mission ended and gave control back
+    Released,   ///< the vehicle flew on without the SBC, and is at the surface
+    Violation,  ///< what is promised was not kept
   };
-  Outcome outcome = Outcome::HandedBack;
+  Outcome outcome = Outcome::Released;
   std::string violation;      ///< the first that was seen
   double violation_s = 0;     ///< when
-  uint32_t hand_backs = 0;    ///< times that control was taken away from the SBC
+  uint32_t releases = 0;      ///< times that control was taken away from the SBC
   uint32_t instructions = 0;  ///< that hookbeh obeyed
   double end_s = 0;
   double deepest_m = 0;    ///< truly

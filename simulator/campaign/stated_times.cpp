@@ -26,7 +26,7 @@ StatedTimes statedTimes(const Faults& faults, double silence_s, double cycle_s) 
   }
   // What is late is still on the line when the fault begins.
   const auto dead = [&](const Span& span, const char* why) {
-    stated.hand_backs.push_back({{span.from_s + silent_after + delay_s, span.to_s}, why});
+    stated.releases.push_back({{span.from_s + silent_after + delay_s, span.to_s}, why});
   };
   const auto all_dead = [&](const std::vector<Span>& spans, const char* why) {
     std::ranges::for_each(spans, [&](const Span& span) { dead(span, why); });
@@ -41,7 +41,7 @@ StatedTimes statedTimes(const Faults& faults, double silence_s, double cycle_s) 
     }
   }
   for (const double at_s : faults.aborts) {
-    stated.hand_backs.push_back({{at_s, kForever}, "the flight controller has aborted"});
+    stated.releases.push_back({{at_s, kForever}, "the flight controller has aborted"});
   }
   stated.most_standstill_s = letGoSecs(Control::Unanswered, silence_s, cycle_s) + delay_s;
   stated.most_unanswered_s = stated.most_standstill_s;

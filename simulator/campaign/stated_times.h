@@ -11,14 +11,14 @@
 namespace glider::simulator {
 
 /// A time of the flight in which hookbeh may not be active.
-struct HandBack {
+struct Release {
   Span when;
   std::string why;
 };
 
 /// What hooks/protocol/README.md ("Watchdogs") promises, for one flight.
 struct StatedTimes {
-  std::vector<HandBack> hand_backs;
+  std::vector<Release> releases;
   /// While hookbeh is active, the SBC's mission has gone on at most so long ago, s.
   double most_standstill_s = 0;
   /// While hookbeh is active, it answers an instruction of the SBC after at most so long, s.

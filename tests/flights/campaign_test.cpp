@@ -32,8 +32,8 @@ TEST(Campaign, EveryKindOfFaultEndsAsStated) {
   EXPECT_THAT(outcome.out, HasSubstr("192 flights, seed 1"));
   const std::string rows = slurp(csv);
   EXPECT_EQ(std::ranges::count(rows, '\n'), 2 + 192);
-  EXPECT_THAT(rows, HasSubstr("exited after hand-back"));
-  EXPECT_THAT(rows, HasSubstr(",handed back,"));
+  EXPECT_THAT(rows, HasSubstr("exited after release"));
+  EXPECT_THAT(rows, HasSubstr(",released,"));
 }
 
 TEST(Campaign, SaysNoDepthOfAFaultThatWasNotFlown) {

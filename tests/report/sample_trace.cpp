@@ -137,7 +137,7 @@ class Sample {
     }
     if (g.control && g.time >= kControlTo) {
       event(g.time, "transition", "track → exit", "missiontime >= 1200: missiontime = 1200 s");
-      event(g.time, "control", "handed back to layered control", "the mission has ended");
+      event(g.time, "control", "released to layered control", "the mission has ended");
       g.control = false;
       g.state = -1;
     }

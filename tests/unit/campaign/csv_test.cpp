@@ -17,10 +17,10 @@ namespace {
 using simulator::Verdict;
 using ::testing::HasSubstr;
 
-Verdict verdictOf(Verdict::Outcome outcome, uint32_t hand_backs = 0) {
+Verdict verdictOf(Verdict::Outcome outcome, uint32_t releases = 0) {
   Verdict verdict;
   verdict.outcome = outcome;
-  verdict.hand_backs = hand_backs;
+  verdict.releases = releases;
   verdict.instructions = 17;
   verdict.end_s = 1234.5;
   verdict.deepest_m = 20.0625;
@@ -46,7 +46,7 @@ class CampaignCsv : public ::testing::Test {
     result_.verdicts = {verdictOf(Verdict::Outcome::Exited),
                         verdictOf(Verdict::Outcome::Exited, 2),
                         std::nullopt,
-                        verdictOf(Verdict::Outcome::HandedBack, 3),
+                        verdictOf(Verdict::Outcome::Released, 3),
                         violation(),
                         std::nullopt};
   }
@@ -78,7 +78,7 @@ class CampaignCsv : public ::testing::Test {
 
 TEST_F(CampaignCsv, BeginsWithWhatItBelongsToAndItsColumns) {
   EXPECT_EQ(csvHead("id"),
-            "# glidercc campaign id\nflight,mission,fault,when,sbc,seed,outcome,hand-backs,"
+            "# glidercc campaign id\nflight,mission,fault,when,sbc,seed,outcome,releases,"
             "instructions,end (s),deepest (m),violation (s),violation\n");
 }
 
@@ -87,9 +87,9 @@ TEST_F(CampaignCsv, ARowHasAllOfAFlight) {
             "0,\"a \"\"b\"\", c.mission\",SBC power cut,once,in process,6457827717110365317,exited,"
             "0,17,1234.5,20.0625,,\"\"\n");
   EXPECT_EQ(row(3),
-            "3,\"two.mission\",clock jumps,recurring,in process,4593380528125082431,handed back,3,"
+            "3,\"two.mission\",clock jumps,recurring,in process,4593380528125082431,released,3,"
             "17,1234.5,20.0625,,\"\"\n");
-  EXPECT_THAT(row(1), HasSubstr(",exited after hand-back,2,17,"));
+  EXPECT_THAT(row(1), HasSubstr(",exited after release,2,17,"));
   EXPECT_THAT(row(4), HasSubstr(",VIOLATION,1,17,1234.5,20.0625,0.1,\"too deep, \"\"60\"\" m\"\n"));
 }
 
@@ -112,11 +112,11 @@ TEST_F(CampaignCsv, IsReadBackAsItWasWritten) {
   EXPECT_FALSE(back.verdicts[2] || back.verdicts[5]);
   EXPECT_EQ(campaignCsv(plan_, back, "id"), written());
   EXPECT_EQ(back.verdicts[1]->outcome, Verdict::Outcome::Exited);
-  EXPECT_EQ(back.verdicts[1]->hand_backs, 2U);
+  EXPECT_EQ(back.verdicts[1]->releases, 2U);
   EXPECT_EQ(back.verdicts[1]->instructions, 17U);
   EXPECT_EQ(back.verdicts[1]->end_s, 1234.5);
   EXPECT_EQ(back.verdicts[1]->deepest_m, 20.0625);
-  EXPECT_EQ(back.verdicts[3]->outcome, Verdict::Outcome::HandedBack);
+  EXPECT_EQ(back.verdicts[3]->outcome, Verdict::Outcome::Released);
   EXPECT_EQ(back.verdicts[4]->outcome, Verdict::Outcome::Violation);
   EXPECT_EQ(back.verdicts[4]->violation, "too deep, \"60\" m");
   EXPECT_EQ(back.verdicts[4]->violation_s, 0.1);
@@ -174,8 +174,8 @@ TEST_F(CampaignCsv, RowsThatAreNoFlightOfItAreRefusedWithTheirLine) {
   EXPECT_THAT(line(with(row(1), ",2,17,", ",2,17x,")), HasSubstr("line 4"));
   EXPECT_THAT(line(with(row(1), "1234.5", "later")), HasSubstr("line 4"));
   EXPECT_THAT(line(with(row(1), "20.0625", "")), HasSubstr("line 4"));
-  EXPECT_THAT(line(with(row(1), "exited after hand-back", "exited")), HasSubstr("line 4"));
-  EXPECT_THAT(line(with(row(1), "exited after hand-back", "sunk")), HasSubstr("line 4"));
+  EXPECT_THAT(line(with(row(1), "exited after release", "exited")), HasSubstr("line 4"));
+  EXPECT_THAT(line(with(row(1), "exited after release", "sunk")), HasSubstr("line 4"));
   EXPECT_THAT(line(with(row(1), "two", "three")), HasSubstr("line 4"));
   EXPECT_THAT(line(with(row(1), "320", "321")), HasSubstr("line 4")) << "another seed";
   EXPECT_THAT(line(with(row(1), "\"\"\n", "\"\",more\n")), HasSubstr("line 4"));

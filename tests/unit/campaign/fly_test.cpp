@@ -185,8 +185,8 @@ TEST(FlyOne, ItsFaultsAreInTheWorldAndAreJudged) {
   plan.kinds = {simulator::FaultKind::FlightAbort};
   const auto verdict = flyOne(plan, flightOf(plan, 0));
   ASSERT_TRUE(verdict);
-  EXPECT_EQ(verdict->outcome, Verdict::Outcome::HandedBack) << verdict->violation;
-  EXPECT_GT(verdict->hand_backs, 0U);
+  EXPECT_EQ(verdict->outcome, Verdict::Outcome::Released) << verdict->violation;
+  EXPECT_GT(verdict->releases, 0U);
 }
 
 TEST(FlyOne, TheFaultsOfTheScenarioAreJudgedToo) {
@@ -194,7 +194,7 @@ TEST(FlyOne, TheFaultsOfTheScenarioAreJudgedToo) {
   plan.scenario.faults.aborts = {200};
   const auto verdict = flyOne(plan, flightOf(plan, 0));
   ASSERT_TRUE(verdict);
-  EXPECT_EQ(verdict->outcome, Verdict::Outcome::HandedBack) << verdict->violation;
+  EXPECT_EQ(verdict->outcome, Verdict::Outcome::Released) << verdict->violation;
 }
 
 TEST(MeasureMissions, NotesWhatIsUsualOfEach) {

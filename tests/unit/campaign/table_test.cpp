@@ -17,11 +17,11 @@ using simulator::Verdict;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-Verdict verdictOf(Verdict::Outcome outcome, double deepest_m, uint32_t hand_backs = 0) {
+Verdict verdictOf(Verdict::Outcome outcome, double deepest_m, uint32_t releases = 0) {
   Verdict verdict;
   verdict.outcome = outcome;
   verdict.deepest_m = deepest_m;
-  verdict.hand_backs = hand_backs;
+  verdict.releases = releases;
   verdict.violation = outcome == Verdict::Outcome::Violation ? "too deep" : "";
   verdict.violation_s = 99.6;
   return verdict;
@@ -29,7 +29,7 @@ Verdict verdictOf(Verdict::Outcome outcome, double deepest_m, uint32_t hand_back
 
 const Verdict kExited = verdictOf(Verdict::Outcome::Exited, 20.25);
 const Verdict kAfter = verdictOf(Verdict::Outcome::Exited, 21.25, 1);
-const Verdict kBack = verdictOf(Verdict::Outcome::HandedBack, 5, 1);
+const Verdict kBack = verdictOf(Verdict::Outcome::Released, 5, 1);
 const Verdict kBroken = verdictOf(Verdict::Outcome::Violation, 70);
 
 CampaignPlan planOf(std::vector<FaultKind> kinds) {
@@ -42,8 +42,8 @@ CampaignPlan planOf(std::vector<FaultKind> kinds) {
 
 TEST(OutcomeName, TellsExitsWithAndWithoutHandBacksApart) {
   EXPECT_STREQ(outcomeName(kExited), "exited");
-  EXPECT_STREQ(outcomeName(kAfter), "exited after hand-back");
-  EXPECT_STREQ(outcomeName(kBack), "handed back");
+  EXPECT_STREQ(outcomeName(kAfter), "exited after release");
+  EXPECT_STREQ(outcomeName(kBack), "released");
   EXPECT_STREQ(outcomeName(kBroken), "VIOLATION");
 }
 
@@ -53,7 +53,7 @@ TEST(CampaignTable, CountsByKindByMannerAndByWhatFlew) {
   result.verdicts = {kExited, kBack, kAfter, std::nullopt, kBroken, kExited, kExited};
   const std::string table = campaignTable(plan, result);
   const std::string head =
-      " flights   exited   after hand-back  handed back deepest (m)  VIOLATION\n";
+      " flights   exited     after release     released deepest (m)  VIOLATION\n";
   EXPECT_THAT(table, StartsWith("fault                 " + head +
                                 "none                         0        0                 0        "
                                 "    0           -          0\n"));

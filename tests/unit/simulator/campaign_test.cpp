@@ -163,11 +163,11 @@ TEST(StatedTimes, AreThoseOfTheWatchdogs) {
   faults.lines = {{.when = {300, kForever}, .cut = true}, {.when = {0, 50}, .delay_s = 2}};
   faults.aborts = {500};
   const StatedTimes stated = statedTimes(faults, kSilence, kCycle);
-  ASSERT_EQ(stated.hand_backs.size(), 3U);
-  EXPECT_EQ(stated.hand_backs[0].when.from_s, 100 + 32 + 2);
-  EXPECT_EQ(stated.hand_backs[0].when.to_s, 200);
-  EXPECT_EQ(stated.hand_backs[1].when.from_s, 300 + 32 + 2);
-  EXPECT_EQ(stated.hand_backs[2].when.from_s, 500);
+  ASSERT_EQ(stated.releases.size(), 3U);
+  EXPECT_EQ(stated.releases[0].when.from_s, 100 + 32 + 2);
+  EXPECT_EQ(stated.releases[0].when.to_s, 200);
+  EXPECT_EQ(stated.releases[1].when.from_s, 300 + 32 + 2);
+  EXPECT_EQ(stated.releases[2].when.from_s, 500);
   EXPECT_EQ(stated.most_standstill_s, 56 + 2);
 }
 

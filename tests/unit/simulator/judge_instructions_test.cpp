@@ -21,14 +21,14 @@ TEST_F(Judged, AGoodFlightExits) {
   giveBack();
   EXPECT_EQ(judge_.verdict().outcome, Outcome::Exited) << violation();
   EXPECT_EQ(judge_.verdict().instructions, 3U);
-  EXPECT_EQ(judge_.verdict().hand_backs, 0U);
+  EXPECT_EQ(judge_.verdict().releases, 0U);
 }
 
-TEST_F(Judged, AFlightWithoutTheSbcAtTheEndIsHandedBack) {
+TEST_F(Judged, AFlightWithoutTheSbcAtTheEndEndsReleased) {
   take();
   cycle(HookState::Silent);
-  EXPECT_EQ(judge_.verdict().outcome, Outcome::HandedBack) << violation();
-  EXPECT_EQ(judge_.verdict().hand_backs, 1U);
+  EXPECT_EQ(judge_.verdict().outcome, Outcome::Released) << violation();
+  EXPECT_EQ(judge_.verdict().releases, 1U);
 }
 
 TEST_F(Judged, WhatWasNotSaidSoIsSeen) {

@@ -108,8 +108,8 @@ std::string flightLine(const report::FlightSearch& search) {
 std::string requirementLines(const report::CheckedMission& found) {
   std::string text;
   for (const report::JudgedRequirement& one : found.requirements) {
-    text += fmt::format("{}{}: {}\n", one.verdict == "open" ? "undecided" : one.verdict,
-                        one.cached ? " by an earlier check" : "", one.text);
+    text +=
+        fmt::format("{}{}: {}\n", one.verdict, one.cached ? " by an earlier check" : "", one.text);
     text += one.premise.empty() ? "" : fmt::format("  {}\n", one.premise);
     text += one.closed_loop ? flightLine(*one.closed_loop) : "";
   }

@@ -16,7 +16,7 @@ const char* word(Verdict verdict) {
     case Verdict::Refuted:
       return "refuted";
     case Verdict::Open:
-      return "open";
+      return "undecided";
   }
   return "";
 }

@@ -22,7 +22,7 @@ namespace glider::ir::prove {
 
 enum class Verdict : uint8_t { Proved, Refuted, Open };
 
-/// "proved", "refuted", "open".
+/// "proved", "refuted", "undecided".
 const char* word(Verdict verdict);
 
 /// What an earlier check has found out about a requirement.

@@ -33,7 +33,7 @@ struct FlightSearch {
 struct JudgedRequirement {
   support::SourceRange range;
   std::string text;                         ///< as written
-  std::string verdict;                      ///< "proved", "refuted" or "open"
+  std::string verdict;                      ///< "proved", "refuted" or "undecided"
   std::optional<FlightSearch> closed_loop;  ///< of one that is refuted, if it was looked for
   std::string premise = {};                 ///< what its proof takes for granted; may be empty
   bool cached = false;                      ///< an earlier check has found it out

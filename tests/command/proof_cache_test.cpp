@@ -69,7 +69,7 @@ class ProofCache : public testing::Test {
 };
 
 using Verdicts = std::vector<std::string>;
-const Verdicts kSearched = {"proved", "open", "refuted"};
+const Verdicts kSearched = {"proved", "undecided", "refuted"};
 const Verdicts kKept = {"proved, kept", "open, kept", "refuted"};
 
 TEST_F(ProofCache, WhatIsProvedOrOpenIsNotSearchedForAgain) {
@@ -97,7 +97,7 @@ TEST_F(ProofCache, AnotherMissionOrEffortIsAnotherQuestion) {
   EXPECT_EQ(verdicts("--effort 2"), kSearched);
   EXPECT_EQ(verdicts("--no-cache"), kSearched);
   mission(counting(2));
-  EXPECT_EQ(verdicts(), (Verdicts{"refuted", "open", "refuted"}));
+  EXPECT_EQ(verdicts(), (Verdicts{"refuted", "undecided", "refuted"}));
   mission(counting(3));
   EXPECT_EQ(verdicts(), kKept);
 }
@@ -109,7 +109,7 @@ TEST_F(ProofCache, ADamagedFileIsNone) {
     const auto with = [&](const std::string& text) {
       std::ofstream(path, std::ios::binary | std::ios::trunc) << text;
       const Verdicts found = verdicts();
-      EXPECT_EQ(std::ranges::count(found, "proved") + std::ranges::count(found, "open"), 1) << text;
+      EXPECT_EQ(std::ranges::count(found, "proved") + std::ranges::count(found, "undecided"), 1) << text;
       EXPECT_EQ(slurp(path), whole) << "it is written anew";
     };
     with("");
@@ -126,7 +126,7 @@ TEST_F(ProofCache, ADamagedFileIsNone) {
   ASSERT_EQ(both.size(), 2U);
   std::ofstream(both[0], std::ios::binary | std::ios::trunc) << slurp(both[1]);
   const Verdicts swapped = verdicts();
-  EXPECT_EQ(std::ranges::count(swapped, "proved") + std::ranges::count(swapped, "open"), 1);
+  EXPECT_EQ(std::ranges::count(swapped, "proved") + std::ranges::count(swapped, "undecided"), 1);
 }
 
 TEST_F(ProofCache, OneThatCannotBeWrittenIsNoMistake) {

@@ -19,7 +19,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// One promise that is searched for and kept, one that is open, one that is refuted.
+/// One promise that is searched for and kept, one that is undecided, one that is refuted.
 std::string counting(int most) {
   return "mission count\n"
          "var n : number = 0 in 0 .. 9\n"
@@ -70,9 +70,9 @@ class ProofCache : public testing::Test {
 
 using Verdicts = std::vector<std::string>;
 const Verdicts kSearched = {"proved", "undecided", "refuted"};
-const Verdicts kKept = {"proved, kept", "open, kept", "refuted"};
+const Verdicts kKept = {"proved, kept", "undecided, kept", "refuted"};
 
-TEST_F(ProofCache, WhatIsProvedOrOpenIsNotSearchedForAgain) {
+TEST_F(ProofCache, WhatIsProvedOrUndecidedIsNotSearchedForAgain) {
   EXPECT_EQ(verdicts(), kSearched);
   EXPECT_EQ(files().size(), 2U) << "what is refuted is not kept";
   EXPECT_EQ(verdicts(), kKept);
@@ -88,7 +88,7 @@ TEST_F(ProofCache, PeopleAreToldSo) {
   EXPECT_THAT(first.out, HasSubstr("\nproved: require always n <= 3\n"));
   const Outcome again = told();
   EXPECT_THAT(again.out, HasSubstr("\nproved by an earlier check: require always n <= 3\n"));
-  EXPECT_EQ(again.err, first.err) << "it says the same of the one that is open";
+  EXPECT_EQ(again.err, first.err) << "it says the same of the one that is undecided";
   EXPECT_EQ(again.status, first.status);
 }
 
@@ -109,7 +109,8 @@ TEST_F(ProofCache, ADamagedFileIsNone) {
     const auto with = [&](const std::string& text) {
       std::ofstream(path, std::ios::binary | std::ios::trunc) << text;
       const Verdicts found = verdicts();
-      EXPECT_EQ(std::ranges::count(found, "proved") + std::ranges::count(found, "undecided"), 1) << text;
+      EXPECT_EQ(std::ranges::count(found, "proved") + std::ranges::count(found, "undecided"), 1)
+          << text;
       EXPECT_EQ(slurp(path), whole) << "it is written anew";
     };
     with("");
@@ -117,8 +118,8 @@ TEST_F(ProofCache, ADamagedFileIsNone) {
     with(whole + "more");
     std::string other = whole;
     const bool proved = other.contains("\nproved\n");
-    const std::string word = proved ? "\nproved\n" : "\nopen\n";
-    other.replace(other.find(word), word.size(), proved ? "\nopen\n" : "\nproved\n");
+    const std::string word = proved ? "\nproved\n" : "\nundecided\n";
+    other.replace(other.find(word), word.size(), proved ? "\nundecided\n" : "\nproved\n");
     with(other);
     with(std::string(100000, 'x'));
   }

@@ -65,8 +65,8 @@ TEST(Figure5, TheLayeredYoThenCompletesItsThree) {
   const Flight flight = flyFigure5();
   const auto depth = flight.column("true_depth");
   const auto active = flight.column("hook_active");
-  // Those that reach the 30 m of figure5.mi; when control is released it turns at some 12 m to go on with
-  // the climb it was in.
+  // Those that reach the 30 m of figure5.mi; when control is released it turns at some 12 m to go
+  // on with the climb it was in.
   size_t layered = 0;
   for (const size_t turn : deepTurns(depth, 0, depth.size())) {
     layered += active[turn] == 0 && depth[turn] >= 30 ? 1U : 0U;

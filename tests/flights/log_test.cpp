@@ -66,11 +66,10 @@ TEST(MissionLog, AllThatIsWrongWithItIsTold) {
   const size_t fourth = whole.find('\0', third) + 1;
   std::ofstream(log, std::ios::binary)
       << whole.substr(0, third) << whole.substr(fourth) << "torn";  // one is missing
-  EXPECT_EQ(
-      runShell("$GLIDERCC log " + log).err,
-      "glidercc: note: " + log +
-          ": records: 1 incomplete or damaged and skipped, 1 missing (or a multiple of 256 "
-          "more)\n");
+  EXPECT_EQ(runShell("$GLIDERCC log " + log).err,
+            "glidercc: note: " + log +
+                ": records: 1 incomplete or damaged and skipped, 1 missing (or a multiple of 256 "
+                "more)\n");
 }
 
 TEST(MissionLog, AFullOneBecomesTheOlderOne) {

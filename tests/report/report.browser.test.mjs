@@ -138,7 +138,7 @@ describe("the sample flight", () => {
     const pixels = "document.querySelector('canvas').toDataURL()";
     await settle(page);
     const before = await page.eval(pixels);
-    await page.eval("[...document.querySelectorAll('#depth-head .legend button')].find((b) => b.innerText.includes('ordered')).click()");
+    await page.eval("[...document.querySelectorAll('#depth-head .legend button')].find((b) => b.innerText.includes('commanded')).click()");
     await settle(page);
     assert.notEqual(await page.eval(pixels), before);
   }));

@@ -68,8 +68,8 @@ TEST(MissionLog, AllThatIsWrongWithItIsTold) {
       << whole.substr(0, third) << whole.substr(fourth) << "torn";  // one is missing
   EXPECT_EQ(runShell("$GLIDERCC log " + log).err,
             "glidercc: note: " + log +
-                ": records: 1 incomplete or damaged and skipped, 1 missing (or a multiple of 256 "
-                "more)\n");
+                ": records: 1 incomplete or damaged and skipped, 1 missing (or more, by a "
+                "multiple of 256)\n");
 }
 
 TEST(MissionLog, AFullOneBecomesTheOlderOne) {

@@ -135,7 +135,7 @@ TEST_F(GraphOf, SaysWhyACaseNeverFires) {
   EXPECT_EQ(of.states[1].cases.at(1).never, "never fires: its guard is always false");
   EXPECT_EQ(of.states[2].cases.at(1).never, "");
   EXPECT_EQ(of.states[2].cases.at(2).never,
-            "never fires: an earlier case of the state always does");
+            "never fires: an earlier case of the state always fires first");
   EXPECT_EQ(of.always.at(0).never, "");
 }
 

@@ -45,7 +45,7 @@ TEST_F(SilenceOf, IsThatOfTheVehiclesMissionFile) {
   const auto silence = of("300.5");
   ASSERT_TRUE(silence);
   EXPECT_EQ(silence->seconds, 300.5);
-  EXPECT_EQ(silence->source, "silence_secs 300.5 of a.mi");
+  EXPECT_EQ(silence->source, "silence_secs 300.5 from a.mi");
 }
 
 TEST_F(SilenceOf, IsFromAboveNothingToAnHour) {

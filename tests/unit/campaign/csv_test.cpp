@@ -145,8 +145,8 @@ TEST_F(CampaignCsv, OfNothingButItsHeadNothingIsKnown) {
 }
 
 TEST_F(CampaignCsv, OtherTablesAreRefused) {
-  EXPECT_THAT(refusal(""), HasSubstr("it is not the table of a campaign"));
-  EXPECT_THAT(refusal("flight,mission\n"), HasSubstr("it is not the table of a campaign"));
+  EXPECT_THAT(refusal(""), HasSubstr("it is not the CSV file of a campaign"));
+  EXPECT_THAT(refusal("flight,mission\n"), HasSubstr("it is not the CSV file of a campaign"));
   EXPECT_THAT(refusal(csvHead("other")), HasSubstr("it belongs to another campaign"));
   EXPECT_THAT(refusal(csvHead("id").substr(0, 30)), HasSubstr("it belongs to another campaign"));
   CampaignResult result;

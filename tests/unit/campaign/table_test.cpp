@@ -115,7 +115,7 @@ TEST(ViolationLines, AreTheFirstTwentyAndACount) {
   EXPECT_THAT(twenty, HasSubstr("c --only 19 -o flight19\n"));
   EXPECT_EQ(twenty.find("more"), std::string::npos);
   result.verdicts.assign(23, kBroken);
-  EXPECT_EQ(violationLines(plan, result, "c"), twenty + "and 3 violations more\n");
+  EXPECT_EQ(violationLines(plan, result, "c"), twenty + "and 3 more violations\n");
 }
 
 }  // namespace

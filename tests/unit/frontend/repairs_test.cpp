@@ -114,8 +114,8 @@ TEST(Keywords, ThatNameAPlatformAreSaidToBeKeywords) {
 TEST(Words, ThatAreValuesLeaveTheParenthesesOpen) {
   const std::string comma = support::code(DiagnosticId::missingComma);
   for (const char* before : {"depth", "true", "false", "not true", "true and false"}) {
-    EXPECT_EQ(reported(withGuard("max(" + std::string(before) + ", 3910 7349) > 7")), comma)
-        << before;
+    const std::string all = reported(withGuard("max(" + std::string(before) + ", 3910 7349) > 7"));
+    EXPECT_TRUE(all.ends_with(comma)) << before << ": " << all;
   }
 }
 

@@ -40,17 +40,18 @@ TEST(SideBySide, WhatCanBeNoPositionIsADifference) {
   EXPECT_FALSE(difference.says(DiagnosticId::barePosition)) << difference.said();
 }
 
-TEST(Earth, EndsAtItsPolesInBothDirections) {
+TEST(Earth, EndsAt180DegreesInBothDirections) {
   const auto refused = [](const std::string& position) {
-    FrontendRun run(missionWith("const there = " + position + "\n", "depth > 7 m", "exit"));
+    std::string mission = missionWith("", "depth > 7 m", "exit");
+    mission.insert(mission.find("  flightprofile"), "  flightroute nav" + position + "\n");
+    FrontendRun run(mission);
     (void)run.compile();
     return run.says(DiagnosticId::notOnEarth);
   };
-  EXPECT_FALSE(refused("(8900.0, -7349.9)"));
-  EXPECT_TRUE(refused("(9100.0, -7349.9)"));
-  EXPECT_FALSE(refused("(-8900.0, -7349.9)"));
-  EXPECT_TRUE(refused("(-9100.0, -7349.9)"));
-  EXPECT_TRUE(refused("(-8900.0, -18100.0)"));
+  EXPECT_FALSE(refused("(3900.0, 17900.0)"));
+  EXPECT_TRUE(refused("(3900.0, 18100.0)"));
+  EXPECT_FALSE(refused("(3900.0, -17900.0)"));
+  EXPECT_TRUE(refused("(3900.0, -18100.0)"));
 }
 
 /// Only what comes after an argument can be its other half.

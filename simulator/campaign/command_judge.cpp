@@ -37,16 +37,19 @@ constexpr int kToArrive = 6;          // cycles that the commands of a dive or c
 constexpr double kNearLimit = 2;      // m: the guard may come in
 constexpr double kSwing = 4;          // m: the guard climbs five at least
 constexpr int kSmallSwings = 3;
-constexpr double kAfterOverride = 300;                                // s
+constexpr double kOldReading = 30;      // s: hookbeh's guard 6 comes in so soon
+constexpr double kAfterOverride = 300;  // s
 constexpr double kRetryShare = 0.5, kRetry = 5, kRetryTolerance = 3;  // of the guard's climb
 constexpr int kLate = 4;                                              // cycles
 // A depth that cannot be believed: what hookbeh allows, and two cycles.
-constexpr double kFar = 1e9;        // m
-constexpr double kHighest = -5;     // m
-constexpr double kFrozenSecs = 24;  // of a dive, deeper than a metre
-constexpr double kWrong = 8;        // m beside the truth, where a CTD tells
-constexpr double kWrongSecs = 60;   // of a dive, which takes as long to show it at first
-constexpr double kIdleSecs = 200;
+constexpr double kFar = 1e9;         // m
+constexpr double kHighest = -5;      // m
+constexpr double kFrozenSecs = 24;   // of a dive, deeper than a metre
+constexpr double kWrong = 8;         // m beside the truth, where a CTD tells
+constexpr double kWrongSecs = 60;    // of a dive, which takes as long to show it at first
+constexpr double kIdleSecs = 200;    // a dive that stands
+constexpr double kCreepsSecs = 380;  // one that creeps: hookbeh's 180 s may begin up to 180 s later
+constexpr double kStands = 0.3;      // m, gained by less
 constexpr double kFullCircle = 6.283186;
 
 bool isAngle(double ddmm, double most) {
@@ -197,8 +200,9 @@ std::string CommandJudge::judgeBlind(const CycleView& view, double reading) {
   return same > kFrozenSecs ? fmt::format("dives for {:.0f} s by a depth that is frozen", same)
          : wrong > kWrongSecs
              ? fmt::format("dives at {:.1f} m by a depth of {:.1f} m", view.true_depth_m, reading)
-         : idle > kIdleSecs ? fmt::format("dives for {:.0f} s without a metre gained", idle)
-                            : "";
+         : idle > (reading < deepest_m_ + kStands ? kIdleSecs : kCreepsSecs)
+             ? fmt::format("dives for {:.0f} s without a metre gained", idle)
+             : "";
 }
 
 /// The guard comes in at a limit only, lets go when it has done its work, and does not swing.
@@ -314,12 +318,26 @@ std::string CommandJudge::judgeFollowing(const CycleView& view, double reading) 
   return wrong.empty() && arrived_ ? judgeStaying(out, reading) : wrong;
 }
 
+namespace {
+
+/// Whether frames come again on the line to the flight computer, or have until lately: they bring
+/// the CTD's old readings, which no hook can tell from new ones.
+bool oldFramesReachFlight(const Faults& faults, double now_s) {
+  return std::ranges::any_of(faults.lines, [&](const LineFault& fault) {
+    return fault.way == LineWay::ToFlight && fault.replayed > 0 && now_s >= fault.when.from_s &&
+           now_s < fault.when.to_s + kOldReading;
+  });
+}
+
+}  // namespace
+
 std::string CommandJudge::cycle(const CycleView& view) {
   if (view.hookbeh == nullptr) {
     return "";
   }
   if (view.hook != HookState::Active) {
     restart();
+    excused_ = false;
     return view.hookbeh->commanding ? "hookbeh commands, and the SBC is not in control" : "";
   }
   const double reading = view.array.get(GLIDER_M_DEPTH);
@@ -327,7 +345,9 @@ std::string CommandJudge::cycle(const CycleView& view) {
   wrong = wrong.empty() ? judgeLimits(view, reading) : wrong;
   wrong = wrong.empty() ? judgeBlind(view, reading) : wrong;
   overridden_s_ = view.overridden ? view.time_s : overridden_s_;
-  if (wrong.empty() && s_.promise.follows) {
+  excused_ = excused_ || (view.hookbeh->guard == hooks::HookGuard::DepthsDisagree &&
+                          oldFramesReachFlight(s_.faults, view.time_s));
+  if (wrong.empty() && s_.promise.follows && !excused_) {
     wrong = judgeGuard(view);
     // Before the first cycle of the guard's climb, and in its last, limits are a matter of noise.
     if (wrong.empty() && !guarding_) {

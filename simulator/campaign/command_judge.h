@@ -50,6 +50,7 @@ class CommandJudge {
   double same_s_ = 0;           ///< it has been the same to the last bit for so long, in a dive
   double wrong_s_ = 0;          ///< it has been far from the truth for so long, in a dive
   double idle_s_ = 0;           ///< so long a dive has gained no metre
+  bool excused_ = false;        ///< in this session guard 6 has climbed for what old frames say
   double deepest_m_ = -1e9;     ///< that m_depth said in this dive
   double overridden_s_ = -1e9;  ///< when a behaviour above hookbeh had pitch or pump last
 

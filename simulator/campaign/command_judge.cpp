@@ -49,6 +49,7 @@ constexpr double kWrong = 8;         // m beside the truth, where a CTD tells
 constexpr double kWrongSecs = 60;    // of a dive, which takes as long to show it at first
 constexpr double kIdleSecs = 200;    // a dive that stands
 constexpr double kCreepsSecs = 380;  // one that creeps: hookbeh's 180 s may begin up to 180 s later
+constexpr double kJump = 4;          // m in a cycle
 constexpr double kStands = 0.3;      // m, gained by less
 constexpr double kFullCircle = 6.283186;
 
@@ -196,6 +197,9 @@ std::string CommandJudge::judgeBlind(const CycleView& view, double reading) {
   const double same = lasts(same_s_, reading == reading_m_ && reading > kFloats);
   const double wrong = lasts(wrong_s_, ctd && std::fabs(reading - view.true_depth_m) > kWrong);
   const double idle = lasts(idle_s_, !gains);
+  if (std::fabs(reading - reading_m_) > kJump) {
+    same_s_ = -s_.cycle_s;  // hookbeh believes one that has jumped a cycle later
+  }
   reading_m_ = reading;
   return same > kFrozenSecs ? fmt::format("dives for {:.0f} s by a depth that is frozen", same)
          : wrong > kWrongSecs

@@ -218,6 +218,19 @@ class JudgedForLong : public Judged {
     judged.faults = {};
     return judged;
   }
+  /// How long a depth may be frozen at 11 m after a reading of `from_m`, s.
+  double frozenAfter(double from_m) {
+    take();
+    reading_ = from_m;
+    cycle(HookState::Active, 11);
+    reading_ = 11;
+    double seconds = 0;
+    for (; seconds < 100 && violation().find("frozen") == std::string::npos; seconds += kCycle) {
+      done(1);
+      cycle(HookState::Active, 11);
+    }
+    return seconds;
+  }
 };
 
 TEST_F(JudgedForLong, ADiveThatGainsNoDepthIsSeen) {
@@ -232,33 +245,11 @@ TEST_F(JudgedForLong, ADiveThatGainsNoDepthIsSeen) {
 
 /// hookbeh believes a reading that has jumped a cycle later.
 TEST_F(JudgedForLong, ADepthThatFreezesAtAJumpHasACycleMore) {
-  take();
-  const auto frozenAfter = [&](double from_m) {
-    reading_ = from_m;
-    cycle(HookState::Active, 11);
-    reading_ = 11;
-    double seconds = 0;
-    for (; seconds < 100 && violation().find("frozen") == std::string::npos; seconds += kCycle) {
-      done(1);
-      cycle(HookState::Active, 11);
-    }
-    return seconds;
-  };
-  const double usual = 32;
-  EXPECT_EQ(frozenAfter(6), usual + kCycle) << violation();
+  EXPECT_EQ(frozenAfter(6), 32 + kCycle) << violation();
 }
 
 TEST_F(JudgedForLong, ADepthThatFreezesWithoutAJumpHasTheUsualTime) {
-  take();
-  reading_ = 10;
-  cycle(HookState::Active, 11);
-  reading_ = 11;
-  double seconds = 0;
-  for (; seconds < 100 && violation().find("frozen") == std::string::npos; seconds += kCycle) {
-    done(1);
-    cycle(HookState::Active, 11);
-  }
-  EXPECT_EQ(seconds, 32) << violation();
+  EXPECT_EQ(frozenAfter(10), 32) << violation();
 }
 
 /// On a sloping bottom it slides on, and hookbeh counts the metres from another place.

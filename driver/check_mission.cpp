@@ -40,19 +40,20 @@ report::FlightSearch told(const analysis::ClosedLoop& search) {
   return all;
 }
 
-/// `fly`: whether to look for a flight that breaks one that is refuted.
-Result<report::JudgedRequirement> judgedRequirement(const compiler::Optimised& mission,
+/// `flown`: the mission as built, to look for a flight that breaks one that is refuted; null: do
+/// not.
+Result<report::JudgedRequirement> judgedRequirement(const compiler::Checked& checked,
                                                     const ir::prove::RequirementVerdict& verdict,
-                                                    bool fly) {
-  const auto range = mission.checked->mission().requirements[verdict.requirement].range;
+                                                    const compiler::Optimised* flown) {
+  const auto range = checked.mission().requirements[verdict.requirement].range;
   report::JudgedRequirement judged{range,
-                                   std::string(mission.sources().text(range)),
+                                   std::string(checked.sources().text(range)),
                                    ir::prove::word(verdict.verdict),
                                    std::nullopt,
                                    verdict.premise,
                                    verdict.cached};
-  if (fly && verdict.verdict == ir::prove::Verdict::Refuted && verdict.run) {
-    const auto search = analysis::searchClosedLoop(mission, verdict);
+  if (flown != nullptr && verdict.verdict == ir::prove::Verdict::Refuted && verdict.run) {
+    const auto search = analysis::searchClosedLoop(*flown, verdict);
     if (!search) {
       return std::unexpected(search.error());
     }
@@ -88,13 +89,13 @@ ir::prove::Findings proveWithCache(compiler::Compilation& compilation, const std
   return proved;
 }
 
-/// Puts what the prover found into `file`. `fly`: see judgedRequirement.
-Result<void> tellProved(const compiler::Optimised& mission, bool fly, CheckedFile& file) {
+/// Puts what the prover found into `file`. `flown`: see judgedRequirement.
+Result<void> tellProved(const compiler::Optimised* flown, CheckedFile& file) {
   for (const ir::prove::ReportLine& line : file.proved.lines) {
     file.found.remarks.push_back({line.range, line.text});
   }
   for (const ir::prove::RequirementVerdict& verdict : file.proved.requirements) {
-    auto judged = judgedRequirement(mission, verdict, fly);
+    auto judged = judgedRequirement(*file.compilation->checked, verdict, flown);
     if (!judged) {
       return std::unexpected(judged.error());
     }
@@ -111,8 +112,11 @@ Result<void> checkFurther(CheckedFile& file, const CheckOptions& options) {
   how.run_effort *= options.effort;
   compiler::Compilation& compilation = *file.compilation;
   file.proved = proveWithCache(compilation, file.found.path, how, options.cache);
+  if (!options.report) {
+    return tellProved(nullptr, file);
+  }
   const compiler::Optimised mission = compiler::optimise(compilation.checked);
-  if (auto told = tellProved(mission, options.report, file); !told || !options.report) {
+  if (auto told = tellProved(&mission, file); !told) {
     return told;
   }
   for (std::string& line : analysis::wayHomeLines(compilation.checked->mission(),

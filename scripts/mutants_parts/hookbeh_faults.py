@@ -16,7 +16,7 @@ class Planted:
     old: str
     new: str
     faults: tuple = ()  # the campaign flies these kinds only; none: all
-    ctd: bool = True  # the vehicle has one
+    scenario: str = ""  # lines that the campaign's scenario has beside those of scenarios/default.toml
     missions: tuple = ()  # the campaign flies these only; none: all
 
 
@@ -32,6 +32,11 @@ UNSEEN_SINK = "hooks/hookbeh/unseen_sink.cpp"
 CLOCK = "hooks/hookbeh/cycle_clock.cpp"
 HULL = "hooks/hookbeh/hull.cpp"
 BEHAVIOURS = "hooks/hookbeh/sub_behaviours.cpp"
+
+# The CTD fails before the flight.
+WITHOUT_CTD = "[sensors]\nctd_dropout = 1"
+# The SBC is gone for good, and the line to the flight controller repeats what it carried before.
+ECHOES = "[[faults.power]]\nfrom_s = 900\n[[faults.line]]\nline = \"to_flight\"\nfrom_s = 900\nreplayed = 0.5"
 
 SENSORS = ("sensor frozen", "sensor stuck", "sensor missing", "sensor NaN", "sensor out of range", "sensor drifts", "sensor scaled",
            "sensor jumps", "several at once")
@@ -89,7 +94,7 @@ PLANTED = [
     Planted("HB-25", "depths that disagree are believed", WATCH, "ctd_known_ && disagree_s_ >= kPersistsSecs && ctd_.age() == 0", "false", SENSORS),
     Planted("HB-26", "a CTD that never agreed is believed", WATCH, "ctd_known_ || agree_s_ >= kPersistsSecs", "true", ("another sensor wrong",)),
     Planted("HB-27", "one clock alone is believed", CLOCK, "magnitude(by_mission - by_wall) <= kAgree && by_mission > 0", "by_mission > 0", ("sensor scaled", "sensor drifts", "sensor jumps", "several at once")),
-    Planted("HB-31", "a heartbeat that comes again counts", HOOKBEH, "isNewerSession(beat, heartbeat_)", "beat != heartbeat_", ("old frames again", "doubled frames", "left-over instruction")),
+    Planted("HB-31", "a heartbeat that comes again counts", HOOKBEH, "isNewerSession(beat, heartbeat_)", "beat != heartbeat_", ("none",), ECHOES),
     Planted("HB-28", "the pump may go beyond its stroke", HULL, "out.dive_pump_cc = -between(dive, 0, hull.pump_cc);", "out.dive_pump_cc = -dive;"),
     Planted("HB-29", "a pump with the wrong sign", HULL, "magnitude(orUsual(args.climb_pump_cc, usual.climb_pump_cc))",
             "orUsual(args.climb_pump_cc, usual.climb_pump_cc)"),

@@ -6,6 +6,7 @@
 #include "driver/exit_code.h"
 #include "driver/terminal.h"
 #include "ir/core/ops.h"
+#include "platforms/generate/sensor_header.h"
 #include "platforms/load/platform.h"
 
 #include <CLI/CLI.hpp>
@@ -28,6 +29,7 @@ using platforms::PlatformSensor;
 struct PlatformOptions {
   std::string name = "slocum";
   bool json = false;
+  bool header = false;
 };
 
 support::Result<Platform> load(const std::string& name) {
@@ -172,7 +174,9 @@ int show(const PlatformOptions& options) {
   if (!platform) {
     return reportFailure(platform.error());
   }
-  const auto printed = printOut(options.json ? json(*platform) : text(*platform));
+  const auto printed = printOut(options.header ? platforms::sensorHeader(*platform)
+                                : options.json ? json(*platform)
+                                               : text(*platform));
   return printed ? kFine : reportFailure(printed.error());
 }
 
@@ -183,7 +187,11 @@ void addPlatformCommand(CLI::App& app, int& status) {
       app.add_subcommand("platform", "List a vehicle's sensors, commands and limits");
   auto options = std::make_shared<PlatformOptions>();
   command->add_option("name", options->name, "Vehicle [slocum]");
-  command->add_flag("--json", options->json, "Write JSON");
+  CLI::Option* as_json = command->add_flag("--json", options->json, "Write JSON");
+  command
+      ->add_flag("--header", options->header,
+                 "Write the C header of its sensors, for hooks and missions in C")
+      ->excludes(as_json);
   command->callback([options, &status] { status = show(*options); });
 }
 

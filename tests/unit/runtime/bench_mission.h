@@ -3,9 +3,9 @@
 
 #pragma once
 
-#include "platforms/slocum_sensors.h"
 #include "runtime/abi/context_layout.h"
 #include "runtime/abi/runtime.h"
+#include "tests/slocum.h"
 
 #include <algorithm>
 #include <functional>

@@ -3,7 +3,7 @@
 
 #include "tests/unit/simulator/fake_sbc.h"
 
-#include "platforms/slocum_sensors.h"
+#include "tests/slocum.h"
 
 #include <utility>
 

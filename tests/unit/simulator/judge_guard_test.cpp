@@ -183,6 +183,16 @@ TEST_F(JudgedGuard, HeartbeatsThatComeAgainAreSilence) {
   EXPECT_EQ(cycle(10, 10, HookState::Silent), "");
 }
 
+TEST_F(JudgedGuard, ASessionThatBeginsAsTheLastIsLostHasASilenceOfItsOwn) {
+  array_.set(GLIDER_X_HOOK_SESSION, 1);
+  EXPECT_EQ(stay(10, 40), "");
+  beats_ = false;
+  EXPECT_EQ(stay(10, 24), "");
+  array_.set(GLIDER_X_HOOK_SESSION, 2);
+  EXPECT_EQ(stay(10, 36), "");
+  EXPECT_EQ(cycle(10), "the SBC is in control without a newer heartbeat for 36 s");
+}
+
 TEST_F(JudgedGuard, AHeartbeatIsAWholeNumber) {
   stay(10, 40);
   beats_ = false;

@@ -4,8 +4,8 @@
 #pragma once
 
 #include "hooks/protocol/messages.h"
-#include "platforms/slocum_sensors.h"
 #include "simulator/campaign/flight_judge.h"
+#include "tests/slocum.h"
 #include "tests/unit/simulator/flights.h"
 
 #include <gtest/gtest.h>

@@ -44,7 +44,7 @@ T sure(support::Result<T> result) {
 
 const platforms::Platform& slocum() {
   static const platforms::Platform platform =
-      sure(platforms::loadPlatform(GLIDER_SOURCE_DIR "/platforms/slocum.toml"));
+      sure(platforms::loadPlatform(GLIDER_BINARY_DIR "/share/glidercc/platforms/slocum.toml"));
   return platform;
 }
 

@@ -19,6 +19,7 @@ class KeptSbc {
  public:
   KeptSbc() {
     mission_.abi_version = GLIDER_ABI_VERSION;
+    mission_.dictionary = &gliderDictionary;
     mission_.state_count = 1;
     memory_.resize(gliderContextLayout(&mission_).bytes / sizeof(double) + 1);
     start(false);

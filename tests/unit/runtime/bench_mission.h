@@ -57,6 +57,7 @@ struct BenchMission {
     mission.context_bytes = static_cast<uint32_t>(gliderContextLayout(&mission).bytes);
     mission.always = always.data();
     mission.parameters = parameters.data();
+    mission.dictionary = &gliderDictionary;
     mission.name = "bench";
     places.clear();
     for (const GliderStateInfo& state : states) {

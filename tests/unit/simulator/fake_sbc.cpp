@@ -17,7 +17,8 @@ constexpr hooks::Subscription kSensors[] = {
 
 FakePilot::FakePilot(Plan plan)
     : plan_(plan),
-      client_({.mission_name = "fake", .session = 1, .sensors = kSensors, .sensor_count = 3}) {}
+      client_(gliderDictionary,
+              {.mission_name = "fake", .session = 1, .sensors = kSensors, .sensor_count = 3}) {}
 
 void FakePilot::steer(double depth) {
   hooks::Instruction instruction;

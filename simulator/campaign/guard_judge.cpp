@@ -123,7 +123,9 @@ std::string GuardJudge::judgeHeartbeat(const CycleView& view) {
   }
   // In the cycle in which hookbeh lets go of one session it may take the next one's handshake.
   const double session = view.array.get(Sensor::x_hook_session);
-  heard_s_ = session == session_ ? heard_s_ : view.time_s;
+  if (view.hook == HookState::Active && session != session_) {
+    heard_s_ = view.time_s;
+  }
   session_ = session;
   hook_ = view.hook;
   const double silent_s = view.time_s - heard_s_;

@@ -6,6 +6,7 @@
 #include "runtime/abi/context_layout.h"
 #include "runtime/checkpoint/checkpoint.h"
 #include "runtime/core/lay_out.h"
+#include "tests/slocum.h"
 #include "tests/unit/runtime/power_cut_store.h"
 
 #include <optional>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "compiler/share.h"
+#include "compiler/vehicles.h"
 #include "driver/commands.h"
 #include "driver/exit_code.h"
 #include "driver/terminal.h"
@@ -16,7 +16,6 @@
 #include <algorithm>
 #include <memory>
 #include <numbers>
-#include <set>
 
 namespace glider::driver {
 namespace {
@@ -31,23 +30,6 @@ struct PlatformOptions {
   bool json = false;
   bool header = false;
 };
-
-support::Result<Platform> load(const std::string& name) {
-  const std::filesystem::path folder = compiler::shareDirectory() / "platforms";
-  std::error_code ignored;
-  std::set<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
-    if (entry.path().extension() == ".toml") {
-      names.insert(entry.path().stem());
-    }
-  }
-  if (names.contains(name) || names.empty()) {
-    return platforms::loadPlatform(folder / (name + ".toml"));
-  }
-  auto failure = support::fail(support::DiagnosticId::unknownPlatform, name);
-  failure.error().hint = fmt::format("the platforms are: {}", fmt::join(names, ", "));
-  return failure;
-}
 
 /// "descend(to: length, pitch: angle)"
 std::string signatureOf(const ir::CommandInfo& command) {
@@ -170,7 +152,7 @@ std::string json(const Platform& platform) {
 }
 
 int show(const PlatformOptions& options) {
-  const auto platform = load(options.name);
+  const auto platform = compiler::loadVehicle(options.name);
   if (!platform) {
     return reportFailure(platform.error());
   }

@@ -23,11 +23,6 @@ void reportUnsimulated(const compiler::Optimised& mission, support::DiagnosticEn
 
 }  // namespace
 
-support::Result<platforms::Platform> platformOf(const compiler::Optimised* mission) {
-  return mission != nullptr ? mission->platform()
-                            : platforms::loadPlatform(compiler::platformFile("slocum"));
-}
-
 void reportMissingSensors(const compiler::Optimised& mission, const simulator::Scenario& scenario,
                           support::DiagnosticEngine& diagnostics) {
   for (const simulator::NotCarried& sensor : simulator::sensorsNotCarried(scenario)) {

@@ -123,7 +123,7 @@ std::string GuardJudge::judgeHeartbeat(const CycleView& view) {
   }
   // In the cycle in which hookbeh lets go of one session it may take the next one's handshake.
   const double session = view.array.get(Sensor::x_hook_session);
-  if (view.hook == HookState::Active && session != session_) {
+  if (view.hook == HookState::Active && session > 0 && session != session_) {
     heard_s_ = view.time_s;
   }
   session_ = session;

@@ -121,6 +121,35 @@ TEST_F(PlatformOfFlights, AVehicleWithOtherSensorsFliesInProcessAndOnABoard) {
   EXPECT_EQ(glidercc(kCampaign + "--fault none mine.mission").status, 0);
 }
 
+TEST_F(PlatformOfFlights, AMissionInCIsForTheVehicleThatItDefines) {
+  platform("");
+  const std::filesystem::path file = folder_.path() / "share/platforms/mine.toml";
+  const std::string text = otherOrder(slurp(file));
+  std::ofstream(file) << text;
+  ASSERT_EQ(glidercc("platform mine --header > mine_sensors.h").status, 0);
+  (void)folder_.write("dive.c",
+                      "#define GLIDER_DEFINE_VEHICLE\n"
+                      "#define GLIDER_SENSORS_HEADER \"mine_sensors.h\"\n"
+                      "#include <runtime/c/glider.h>\n"
+                      "int main(int argc, char** argv) {\n"
+                      "  const double deep = 15;\n"
+                      "  eventList list = newEventList();\n"
+                      "  addEvent(list, EVENT(GEQ, M_DEPTH, &deep));\n"
+                      "  if (gliderOpen(argc, argv, \"dive\")) return 2;\n"
+                      "  dive();\n"
+                      "  while (gliderRun(list)) giveBack();\n"
+                      "  return gliderExitStatus();\n}\n");
+  const Outcome built =
+      run("cc -I. -I$(dirname $GLIDERCC)/../share/glidercc/c dive.c -o dive "
+          "$(GLIDERCC_SHARE=share $GLIDERCC targets --libs host)");
+  ASSERT_EQ(built.status, 0) << built.err;
+  const Outcome flown = glidercc("sim --platform mine --sbc ./dive -o f");
+  EXPECT_EQ(flown.status, 0) << flown.out << flown.err;
+  EXPECT_GT(greatest("f", "true_depth (m)"), 15);
+  EXPECT_NE(glidercc("sim --sbc ./dive -o f").status, 0) << "another dictionary";
+  EXPECT_THAT(glidercc("sim --platform hers --no-sbc -o f").err, HasSubstr("no platform `hers`"));
+}
+
 TEST_F(PlatformOfFlights, AVehicleWithoutWhatTheHooksNeedIsCheckedAndNotBuilt) {
   platform("s/^name = \"x_hook_answer\"/name = \"x_hook_reply\"/");
   mission("mine.mission", "platform mine\n");

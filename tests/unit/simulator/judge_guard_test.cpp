@@ -21,6 +21,7 @@ class JudgedGuard : public testing::Test {
     JudgeSetup setup;
     setup.promise = promiseOf(FaultKind::SensorStuck);
     setup.args.silence_secs = 24;
+    setup.pump_cc = 233;
     return setup;
   }
   /// What is violated in a cycle at `depth`, as m_depth says or `reading`.

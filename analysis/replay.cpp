@@ -37,6 +37,7 @@ class Replay {
       : trace_(trace),
         built_states_(built_states),
         m_(checked.mission()),
+        platform_(checked.platform()),
         columns_(sensorColumns(trace, m_)),
         depth_(trace.column("true_depth")),
         interpreter_(m_, checked.facts.stack_depth),
@@ -48,7 +49,7 @@ class Replay {
     for (size_t row = 0; row < trace_.rowCount(); ++row) {
       ticks.push_back(tickOf(row));
     }
-    const auto answers = simulator::replay(sbc, ticks);
+    const auto answers = simulator::replay(platform_, sbc, ticks);
     if (answers.empty()) {
       return differs("it never asks for control");
     }
@@ -121,6 +122,7 @@ class Replay {
   const support::Trace& trace_;
   const std::vector<std::string>& built_states_;
   const ir::Mission& m_;
+  const platforms::Platform& platform_;
   std::vector<int> columns_;
   int depth_;
   ir::Interpreter interpreter_;

@@ -45,11 +45,8 @@ int loadMissions(const campaign::CampaignOptions& options, campaign::CampaignPla
     if (compiled == nullptr) {
       return status;
     }
-    auto platform = flights::platformOf(compiled.get());
-    if (!platform) {
-      return reportFailure(platform.error());
-    }
-    if (auto flown = simulator::checkPlatform(*platform); !flown) {
+    const platforms::Platform& platform = compiled->platform();
+    if (auto flown = simulator::checkPlatform(platform); !flown) {
       return reportFailure(flown.error());
     }
     auto start = flights::flightsInProcess(*compiled, options.launch, options.user_code, true);
@@ -59,7 +56,7 @@ int loadMissions(const campaign::CampaignOptions& options, campaign::CampaignPla
     campaign::CampaignMission mission;
     mission.file = file;
     mission.program = codegen::digestOf(ir::print(compiled->mission));
-    mission.platform = std::move(*platform);
+    mission.platform = platform;
     mission.new_flight = std::move(*start);
     for (const std::string& board : plan.boards) {
       mission.on_board.push_back(

@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "compiler/share.h"
+#include "compiler/vehicles.h"
 #include "driver/commands.h"
 #include "driver/exit_code.h"
 #include "driver/terminal.h"
 #include "ir/core/ops.h"
+#include "platforms/generate/sensor_header.h"
 #include "platforms/load/platform.h"
 
 #include <CLI/CLI.hpp>
@@ -15,7 +16,6 @@
 #include <algorithm>
 #include <memory>
 #include <numbers>
-#include <set>
 
 namespace glider::driver {
 namespace {
@@ -28,24 +28,8 @@ using platforms::PlatformSensor;
 struct PlatformOptions {
   std::string name = "slocum";
   bool json = false;
+  bool header = false;
 };
-
-support::Result<Platform> load(const std::string& name) {
-  const std::filesystem::path folder = compiler::shareDirectory() / "platforms";
-  std::error_code ignored;
-  std::set<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
-    if (entry.path().extension() == ".toml") {
-      names.insert(entry.path().stem());
-    }
-  }
-  if (names.contains(name) || names.empty()) {
-    return platforms::loadPlatform(folder / (name + ".toml"));
-  }
-  auto failure = support::fail(support::DiagnosticId::unknownPlatform, name);
-  failure.error().hint = fmt::format("the platforms are: {}", fmt::join(names, ", "));
-  return failure;
-}
 
 /// "descend(to: length, pitch: angle)"
 std::string signatureOf(const ir::CommandInfo& command) {
@@ -168,11 +152,13 @@ std::string json(const Platform& platform) {
 }
 
 int show(const PlatformOptions& options) {
-  const auto platform = load(options.name);
+  const auto platform = compiler::loadVehicle(options.name);
   if (!platform) {
     return reportFailure(platform.error());
   }
-  const auto printed = printOut(options.json ? json(*platform) : text(*platform));
+  const auto printed = printOut(options.header ? platforms::sensorHeader(*platform)
+                                : options.json ? json(*platform)
+                                               : text(*platform));
   return printed ? kFine : reportFailure(printed.error());
 }
 
@@ -183,7 +169,11 @@ void addPlatformCommand(CLI::App& app, int& status) {
       app.add_subcommand("platform", "List a vehicle's sensors, commands and limits");
   auto options = std::make_shared<PlatformOptions>();
   command->add_option("name", options->name, "Vehicle [slocum]");
-  command->add_flag("--json", options->json, "Write JSON");
+  CLI::Option* as_json = command->add_flag("--json", options->json, "Write JSON");
+  command
+      ->add_flag("--header", options->header,
+                 "Write the C header of its sensors, for hooks and missions in C")
+      ->excludes(as_json);
   command->callback([options, &status] { status = show(*options); });
 }
 

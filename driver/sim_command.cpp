@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "compiler/compilation.h"
+#include "compiler/vehicles.h"
 #include "driver/commands.h"
 #include "driver/compile_for_flight.h"
 #include "driver/exit_code.h"
@@ -122,7 +123,9 @@ int sim(const SimOptions& options) {
   if (status != kFine) {
     return status;
   }
-  auto platform = flights::platformOf(mission.get());
+  const auto platform = mission != nullptr
+                            ? support::Result<platforms::Platform>(mission->platform())
+                            : compiler::loadVehicle(options.platform);
   if (!platform) {
     return reportFailure(platform.error());
   }
@@ -143,7 +146,7 @@ int sim(const SimOptions& options) {
     setup.sbc = std::move(*sbc);
     setup.restart_sbc = std::move(*start);
   }
-  setup.platform = std::move(*platform);
+  setup.platform = *platform;
   setup.scenario = std::move(*scenario);
   setup.seed = options.seed;
   setup.kill_sbc_at_s = options.kill_sbc_at_s;
@@ -202,6 +205,12 @@ void addOptions(CLI::App& command, SimOptions& options) {
                 "With --serial: wait for each answer instead of running in real time")
       ->needs(serial);
   auto* without = command.add_flag("--no-sbc", options.without_sbc, "Fly without an SBC");
+  command
+      .add_option("--platform", options.platform,
+                  "Vehicle to fly if no MISSION names it, as listed by `glidercc platform`")
+      ->capture_default_str()
+      ->option_text("NAME")
+      ->excludes(mission);
   command.add_option("--seed", options.seed, "Seed of all noise [the scenario's]")
       ->check(seedValidator())
       ->option_text("N");

@@ -21,6 +21,7 @@ namespace glider::driver {
 struct SimOptions {
   std::string mission;
   std::string scenario = "default";
+  std::string platform = "slocum";  ///< if no mission names it
   std::string board;
   std::string program;
   std::string serial;     ///< the device to which a real SBC is connected; empty: none

@@ -4,15 +4,24 @@
 #include "flights/flight_setup.h"
 
 #include "flights/explain_guard.h"
+#include "simulator/sensors/provided.h"
 
 #include <algorithm>
 
 namespace glider::flights {
 
-support::Result<platforms::Platform> platformOf(const compiler::Optimised* mission) {
-  return mission != nullptr ? mission->platform()
-                            : platforms::loadPlatform(compiler::platformFile("slocum"));
+namespace {
+
+void reportUnsimulated(const compiler::Optimised& mission, support::DiagnosticEngine& diagnostics) {
+  for (const ir::Sensor& used : mission.mission.sensors) {
+    if (used.symbol.empty() && !simulator::isProvided(used.vehicle_name)) {
+      diagnostics.report(support::DiagnosticId::sensorNotSimulated, {}, mission.platform().name,
+                         used.vehicle_name);
+    }
+  }
 }
+
+}  // namespace
 
 void reportMissingSensors(const compiler::Optimised& mission, const simulator::Scenario& scenario,
                           support::DiagnosticEngine& diagnostics) {
@@ -25,6 +34,7 @@ void reportMissingSensors(const compiler::Optimised& mission, const simulator::S
                          sensor.setting);
     }
   }
+  reportUnsimulated(mission, diagnostics);
 }
 
 void describeMission(simulator::SimulationSetup& setup, const compiler::Optimised& mission) {

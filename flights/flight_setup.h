@@ -9,10 +9,6 @@
 
 namespace glider::flights {
 
-/// The vehicle that `mission` is for; that of glidercc's own platform file without
-/// one.
-support::Result<platforms::Platform> platformOf(const compiler::Optimised* mission);
-
 /// Reports each sensor that the mission reads or logs and the scenario's vehicle does not carry.
 void reportMissingSensors(const compiler::Optimised& mission, const simulator::Scenario& scenario,
                           support::DiagnosticEngine& diagnostics);

@@ -22,7 +22,7 @@ struct Moment {
   GeoPosition truth;
   double isotherm_m, water_depth_m;
 
-  [[nodiscard]] double get(uint16_t id) const { return flight.array().get(id); }
+  [[nodiscard]] double get(Sensor sensor) const { return flight.array().get(sensor); }
 };
 
 struct Column {
@@ -54,25 +54,25 @@ constexpr Column kColumns[] = {
     COLUMN("time", "s", m.now_s),
     COLUMN("missiontime", "s", kNaN),
     COLUMN("state", "id", kNaN),
-    COLUMN("m_depth", "m", m.get(GLIDER_M_DEPTH)),
+    COLUMN("m_depth", "m", m.get(Sensor::m_depth)),
     COLUMN("true_depth", "m", m.vehicle.depth()),
-    COLUMN("m_pitch", "rad", m.get(GLIDER_M_PITCH)),
-    COLUMN("c_pitch", "rad", m.get(GLIDER_C_PITCH)),
-    COLUMN("m_heading", "rad", m.get(GLIDER_M_HEADING)),
-    COLUMN("c_heading", "rad", m.get(GLIDER_C_HEADING)),
-    COLUMN("m_lat", "deg", fromDdmm(m.get(GLIDER_M_LAT))),
-    COLUMN("m_lon", "deg", fromDdmm(m.get(GLIDER_M_LON))),
+    COLUMN("m_pitch", "rad", m.get(Sensor::m_pitch)),
+    COLUMN("c_pitch", "rad", m.get(Sensor::c_pitch)),
+    COLUMN("m_heading", "rad", m.get(Sensor::m_heading)),
+    COLUMN("c_heading", "rad", m.get(Sensor::c_heading)),
+    COLUMN("m_lat", "deg", fromDdmm(m.get(Sensor::m_lat))),
+    COLUMN("m_lon", "deg", fromDdmm(m.get(Sensor::m_lon))),
     COLUMN("true_lat", "deg", m.truth.latitude_deg),
     COLUMN("true_lon", "deg", m.truth.longitude_deg),
-    COLUMN("m_x_lmc", "m", m.get(GLIDER_M_X_LMC)),
-    COLUMN("m_y_lmc", "m", m.get(GLIDER_M_Y_LMC)),
+    COLUMN("m_x_lmc", "m", m.get(Sensor::m_x_lmc)),
+    COLUMN("m_y_lmc", "m", m.get(Sensor::m_y_lmc)),
     COLUMN("true_x", "m", m.vehicle.x()),
     COLUMN("true_y", "m", m.vehicle.y()),
-    COLUMN("sci_water_temp", "degC", m.science.value(GLIDER_SCI_WATER_TEMP)),
-    COLUMN("m_ballast_pumped", "cc", m.get(GLIDER_M_BALLAST_PUMPED)),
-    COLUMN("c_ballast_pumped", "cc", m.get(GLIDER_C_BALLAST_PUMPED)),
-    COLUMN("m_battery", "V", m.get(GLIDER_M_BATTERY)),
-    COLUMN("m_depth_rate", "m/s", m.get(GLIDER_M_DEPTH_RATE)),
+    COLUMN("sci_water_temp", "degC", m.science.value(Sensor::sci_water_temp)),
+    COLUMN("m_ballast_pumped", "cc", m.get(Sensor::m_ballast_pumped)),
+    COLUMN("c_ballast_pumped", "cc", m.get(Sensor::c_ballast_pumped)),
+    COLUMN("m_battery", "V", m.get(Sensor::m_battery)),
+    COLUMN("m_depth_rate", "m/s", m.get(Sensor::m_depth_rate)),
     COLUMN("hook_active", "", m.flight.hookActive() ? 1 : 0),
     COLUMN("hook_vertical", "", m.flight.order().vertical),
     COLUMN("hook_depth", "m", m.flight.order().depth_m),
@@ -85,11 +85,11 @@ constexpr Column kColumns[] = {
     COLUMN("layer", "", m.flight.layer() == kNoLayer ? kNaN : m.flight.layer()),
     // NaN in a cycle without an echo.
     COLUMN("m_altitude", "m",
-           m.flight.array().fresh(GLIDER_M_ALTITUDE) ? m.get(GLIDER_M_ALTITUDE) : kNaN,
+           m.flight.array().fresh(Sensor::m_altitude) ? m.get(Sensor::m_altitude) : kNaN,
            wantsAltitude),
-    COLUMN("sci_flbbcd_chlor_units", "ug/L", m.science.value(GLIDER_SCI_FLBBCD_CHLOR_UNITS),
+    COLUMN("sci_flbbcd_chlor_units", "ug/L", m.science.value(Sensor::sci_flbbcd_chlor_units),
            wantsChlorophyll),
-    COLUMN("sci_oxy4_oxygen", "uM", m.science.value(GLIDER_SCI_OXY4_OXYGEN), wantsOxygen),
+    COLUMN("sci_oxy4_oxygen", "uM", m.science.value(Sensor::sci_oxy4_oxygen), wantsOxygen),
 };
 #undef COLUMN
 

@@ -62,7 +62,7 @@ class Simulation {
         vehicle_(setup_.platform, setup_.scenario.vehicle),
         flight_(setup_.platform, setup_.scenario.skeleton, setup_.scenario.sensors, seed_, frame_,
                 setup_.scenario.year, journal_),
-        science_(seed_, setup_.scenario.sensors, !real_time_),
+        science_(setup_.platform, seed_, setup_.scenario.sensors, !real_time_),
         damage_(faults().sensors, seed_),
         clothesline_(kClotheslineBaud, damageOf(LineWay::ToFlight, kClotheslineBaud),
                      damageOf(LineWay::FromFlight, kClotheslineBaud)),

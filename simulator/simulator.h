@@ -53,9 +53,9 @@ struct NotCarried {
 };
 std::vector<NotCarried> sensorsNotCarried(const Scenario& scenario);
 
-/// Whether the simulator can fly a vehicle: hookprog and hookbeh in it are built for the sensors
-/// and the hull of one platform. GL5121 when the platform lacks a sensor that is needed, GL5122
-/// when it has one that the simulator does not know, GL5001 when its hull is another.
+/// Whether the simulator can fly a vehicle. GL5121 when the platform lacks a sensor that the
+/// simulated flight controller needs, GL5001 when it lacks one that the hooks need, and when no
+/// model moves it.
 support::Result<void> checkPlatform(const platforms::Platform& platform);
 
 /// Flies the mission until it has ended, or is aborted and at the surface, or the time is over. The

@@ -3,6 +3,8 @@
 
 #include "bench/link_parts/chain.h"
 
+#include "tests/slocum.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -89,7 +91,7 @@ HookbehInputs Chain::inputs() const {
 
 void Chain::report(const HookbehOutputs& out) {
   std::vector<SensorUpdate> updates;
-  for (uint16_t id = 0; id < sensorCount(); ++id) {
+  for (uint16_t id = 0; id < GLIDER_SENSOR_COUNT; ++id) {
     const bool last = id == GLIDER_M_PRESENT_SECS_INTO_MISSION || id == GLIDER_M_CYCLE_NUMBER;
     if (!isScienceSensor(id) && !last) {
       const double value = id == watched_                 ? value_

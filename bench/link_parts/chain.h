@@ -8,7 +8,7 @@
 #include "hooks/clothesline/clothesline.h"
 #include "hooks/hookbeh/hookbeh.h"
 #include "hooks/hookprog/hookprog.h"
-#include "platforms/slocum_sensors.h"
+#include "tests/slocum.h"
 
 #include <array>
 #include <vector>
@@ -57,12 +57,12 @@ class Chain {
   Noise noise_;
   SerialLine sbc_line_{kFastBaud}, clothesline_{kSlowBaud};
   Tap science_side_, sbc_side_, flight_side_, prog_side_;
-  Clothesline flight_;
-  Hookprog hookprog_{HookprogOptions{}};
-  Hookbeh hookbeh_{HookbehArgs{}};
+  Clothesline flight_{gliderDictionary};
+  Hookprog hookprog_{gliderDictionary};
+  Hookbeh hookbeh_{HookbehArgs{}, kHull};
   std::array<double, GLIDER_SENSOR_COUNT> array_{};
   std::array<Subscription, 1> subscribed_{{{watched_, 1, 0}}};
-  Client client_{{"bench", 1, subscribed_.data(), 1}};
+  Client client_{gliderDictionary, {"bench", 1, subscribed_.data(), 1}};
   double now_ = 0, cycle_ = 0, value_ = 10, known_ = kNaN, changed_at_ = 0;
   HookState state_ = HookState::Absent;
   bool at_rest_ = true, taking_ = false;

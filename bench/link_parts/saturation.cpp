@@ -3,7 +3,7 @@
 
 #include "bench/link_parts/saturation.h"
 
-#include "platforms/slocum_sensors.h"
+#include "tests/slocum.h"
 
 #include <fmt/format.h>
 
@@ -16,7 +16,7 @@ namespace {
 /// The first `count` sensors of the platform that a vehicle reports of itself and the water.
 std::vector<Subscription> sensorsToSubscribe(size_t count) {
   std::vector<Subscription> sensors;
-  for (uint16_t id = 0; id < sensorCount() && sensors.size() < count; ++id) {
+  for (uint16_t id = 0; id < GLIDER_SENSOR_COUNT && sensors.size() < count; ++id) {
     const bool of_hook = isInstructionSensor(id) || id == GLIDER_SCI_HOOK_HEARTBEAT ||
                          (id >= GLIDER_X_HOOK_STATE && id <= GLIDER_X_HOOK_SESSION);
     if (!of_hook) {
@@ -31,7 +31,8 @@ std::vector<Subscription> sensorsToSubscribe(size_t count) {
 Saturation::Saturation(size_t sensors, double changing)
     : subscribed_(sensorsToSubscribe(sensors)),
       changing_(changing),
-      client_({"bench", 1, subscribed_.data(), static_cast<uint32_t>(subscribed_.size())}) {}
+      client_(gliderDictionary,
+              {"bench", 1, subscribed_.data(), static_cast<uint32_t>(subscribed_.size())}) {}
 
 void Saturation::run(double seconds) {
   constexpr double kStep = 0.001;
@@ -126,7 +127,7 @@ GliderByteStream Saturation::counted() {
 void slowSaturation() {
   constexpr double kSeconds = 60;
   SerialLine line(kSlowBaud);
-  Clothesline sender, receiver;
+  Clothesline sender{gliderDictionary}, receiver{gliderDictionary};
   const std::vector<SensorUpdate> report(40, {GLIDER_M_DEPTH, 12.34567});
   double given = 0, arrived = 0;
   std::array<SensorUpdate, 64> updates{};

@@ -8,6 +8,7 @@
 #include "hooks/clothesline/clothesline.h"
 #include "hooks/hookprog/hookprog.h"
 #include "hooks/transport/memory.h"
+#include "tests/slocum.h"
 
 #include <vector>
 
@@ -43,11 +44,11 @@ class Saturation {
   std::vector<Subscription> subscribed_;
   double changing_;
   Client client_;
-  Hookprog hookprog_{HookprogOptions{}};
+  Hookprog hookprog_{gliderDictionary};
   SerialLine line_{kFastBaud};
   Tap tap_{line_.left(), 0, Noise(1, 0)};
   MemoryLine memory_;
-  Clothesline flight_;
+  Clothesline flight_{gliderDictionary};
   double now_ = 0, cycle_ = 0, ticks_ = 0, value_bytes_ = 0;
   uint64_t read_ = 0, written_before_ = 0;
 };

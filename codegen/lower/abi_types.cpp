@@ -18,6 +18,7 @@ AbiTypes makeAbiTypes(llvm::LLVMContext& context) {
 #define STRUCT(name) fields.clear();
 #define FIELD(type, name) fields.push_back(GLIDER_TYPE_##type);
 #define STRUCT_END(name) types.name = llvm::StructType::create(context, fields, #name);
+#include "hooks/protocol/dictionary.def"
 #include "runtime/abi/abi_structs.def"
 #undef STRUCT
 #undef FIELD

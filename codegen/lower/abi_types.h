@@ -13,6 +13,7 @@ struct AbiTypes {
 #define STRUCT(name) llvm::StructType* name = nullptr;
 #define FIELD(type, name)
 #define STRUCT_END(name)
+#include "hooks/protocol/dictionary.def"
 #include "runtime/abi/abi_structs.def"
 #undef STRUCT
 #undef FIELD
@@ -29,6 +30,7 @@ namespace field {
   }                      \
   ;                      \
   }
+#include "hooks/protocol/dictionary.def"
 #include "runtime/abi/abi_structs.def"
 #undef STRUCT
 #undef FIELD

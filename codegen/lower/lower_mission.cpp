@@ -94,6 +94,7 @@ std::unique_ptr<llvm::Module> lowerMission(const Input& input, const MissionPart
   module->setDataLayout(machine.createDataLayout());
   setRelocation(*module, machine);
   Lowering lowering{input.mission,
+                    input.platform,
                     input.stack_depth,
                     *module,
                     makeAbiTypes(context),

@@ -7,6 +7,7 @@
 #include "codegen/lower/debug_info.h"
 #include "codegen/lower/mission_index.h"
 #include "ir/core/mission.h"
+#include "platforms/load/platform.h"
 
 #include <llvm/IR/IRBuilder.h>
 #include <llvm/IR/Module.h>
@@ -20,6 +21,7 @@ namespace glider::codegen {
 
 struct Lowering {
   const ir::Mission& mission;
+  const platforms::Platform& platform;
   uint32_t stack_depth;  ///< greatest number of frames on the call stack
   llvm::Module& module;
   AbiTypes types;

@@ -5,6 +5,7 @@
 #include "codegen/lower/guard_table.h"
 #include "codegen/lower/lowering.h"
 #include "codegen/lower/unit_factors.h"
+#include "platforms/load/dictionary.h"
 #include "runtime/abi/glider_abi.h"
 
 #include <llvm/Support/Alignment.h>
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <span>
 
 namespace glider::codegen {
 namespace {
@@ -27,7 +29,7 @@ static_assert(static_cast<int>(ir::Encoding::DegreesMinutes) == kGliderDegreesMi
 static_assert(static_cast<int>(ir::Encoding::Magnetic) == kGliderMagnetic);
 
 uint64_t bytesOf(const Lowering& lowering) {
-  return contextBytes({lowering.mission, lowering.stack_depth}, lowering.index,
+  return contextBytes({lowering.mission, lowering.platform, lowering.stack_depth}, lowering.index,
                       lowering.module.getDataLayout(), lowering.types);
 }
 
@@ -68,9 +70,10 @@ class Tables {
   }
   llvm::Constant* text(const std::string& text) { return codegen::text(lowering_, text); }
   /// A constant array under `name`; null when it has no elements.
-  llvm::Constant* array(llvm::StructType* type, const std::vector<llvm::Constant*>& elements,
+  llvm::Constant* array(llvm::Type* type, const std::vector<llvm::Constant*>& elements,
                         const std::string& name);
   llvm::Constant* sensors();
+  llvm::Constant* dictionary();
   llvm::Constant* poll(const ir::Sensor& sensor);
   llvm::Constant* compass();
   llvm::Constant* function(const char* name);
@@ -83,7 +86,7 @@ class Tables {
   Lowering& lowering_;
 };
 
-llvm::Constant* Tables::array(llvm::StructType* type, const std::vector<llvm::Constant*>& elements,
+llvm::Constant* Tables::array(llvm::Type* type, const std::vector<llvm::Constant*>& elements,
                               const std::string& name) {
   if (elements.empty()) {
     return nothing();
@@ -142,6 +145,32 @@ llvm::Constant* Tables::sensors() {
                                    word(sensor.id), word(static_cast<size_t>(sensor.encoding))}));
   }
   return array(lowering_.types.GliderSensorInfo, rows, "sensors");
+}
+
+/// The vehicle's sensors, whether the mission uses them or not: the line speaks of all.
+llvm::Constant* Tables::dictionary() {
+  const platforms::Dictionary of(lowering_.platform);
+  const GliderDictionary& whole = of.get();
+  std::vector<llvm::Constant*> rows;
+  for (const GliderSensorFormat& format : std::span(whole.sensors, whole.count)) {
+    rows.push_back(llvm::ConstantStruct::get(lowering_.types.GliderSensorFormat,
+                                             {number(format.dead_band), word(format.bytes),
+                                              word(format.every), word(format.science), word(0)}));
+  }
+  std::vector<llvm::Constant*> roles;
+  for (const uint32_t id : std::span(whole.roles, kGliderRoleCount)) {
+    roles.push_back(word(id));
+  }
+  llvm::Constant* value =
+      llvm::ConstantStruct::get(lowering_.types.GliderDictionary,
+                                {array(lowering_.types.GliderSensorFormat, rows, "sensor_formats"),
+                                 array(llvm::Type::getInt32Ty(context()), roles, "sensor_roles"),
+                                 word(whole.count), word(whole.hash)});
+  auto* variable =
+      new llvm::GlobalVariable(lowering_.module, lowering_.types.GliderDictionary, true,
+                               llvm::GlobalValue::PrivateLinkage, value, "dictionary");
+  variable->setUnnamedAddr(llvm::GlobalValue::UnnamedAddr::Global);
+  return variable;
 }
 
 /// The greatest value of a latitude or longitude, degrees; endless for other types.
@@ -246,7 +275,8 @@ llvm::Constant* Tables::mission(const MissionFunctions& functions) {
                                     code(functions.guards),
                                     code(functions.act),
                                     code(functions.condition),
-                                    compass()});
+                                    compass(),
+                                    dictionary()});
 }
 
 }  // namespace

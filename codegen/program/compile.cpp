@@ -8,6 +8,7 @@
 #include "codegen/program/optimise.h"
 #include "codegen/program/parts.h"
 #include "codegen/program/program.h"
+#include "platforms/load/dictionary.h"
 #include "runtime/abi/glider_abi.h"
 
 #include <future>
@@ -39,6 +40,9 @@ struct Recipe {
 };
 
 Result<void> checkLimits(const Recipe& recipe, const llvm::TargetMachine& machine) {
+  if (auto roles = platforms::checkRoles(recipe.input.platform); !roles) {
+    return roles;
+  }
   const MissionIndex index = indexMission(recipe.input.mission);
   if (index.parameter_count > GLIDER_MOST_PARAMETERS) {
     return support::fail(DiagnosticId::tooManyParameters, index.parameter_count,

@@ -3,12 +3,11 @@
 
 #include "hooks/client/client.h"
 
-#include "platforms/slocum_sensors.h"
-
 namespace glider::hooks {
 
-Client::Client(const ClientOptions& options)
-    : options_(options),
+Client::Client(const GliderDictionary& dictionary, const ClientOptions& options)
+    : dictionary_(&dictionary),
+      options_(options),
       next_session_(options.session == 0 ? 1 : (options.session - 1) % kMostSession + 1) {
   const bool fits = options.sensor_count < kMostSubscriptions;
   const uint32_t count = fits ? options.sensor_count : kMostSubscriptions;
@@ -72,7 +71,7 @@ ClientEvent Client::handleBeacon(const Frame& frame, const GliderByteStream& str
   ClientEvent event = ClientEvent::Handled;
   if (decode(frame, beacon)) {
     linked_ = false;
-    if (beacon.version != kProtocolVersion || beacon.dictionary != dictionaryHash()) {
+    if (beacon.version != kProtocolVersion || beacon.dictionary != dictionary_->hash) {
       event = refuse(beacon.version, beacon.dictionary);
     } else {
       refusal_ = Refusal{};
@@ -157,7 +156,8 @@ void Client::takeTick(const TickHead& head) {
 /// is not: it must be told the subscription anew.
 bool Client::takeReadings(const Frame& frame, const TickHead& head) {
   TickReadings told;
-  if (head.subscription != subscription_check_ || !decode(frame, subscription_, told)) {
+  if (head.subscription != subscription_check_ ||
+      !decode(*dictionary_, frame, subscription_, told)) {
     return false;
   }
   bool all_known = true;
@@ -325,7 +325,7 @@ void Client::askForLink() {
 void Client::queueHello() {
   Hello hello;
   hello.link = link_;
-  hello.dictionary = dictionaryHash();
+  hello.dictionary = dictionary_->hash;
   const char* name = options_.mission_name == nullptr ? "" : options_.mission_name;
   for (uint32_t i = 0; i < kMostNameBytes && name[i] != 0; ++i) {
     hello.mission_name[i] = name[i];
@@ -345,23 +345,27 @@ void Client::queueSubscribe() {
 }
 
 void Client::queueInstruction() {
-  const SensorValue values[] = {
-      {GLIDER_SCI_HOOK_SESSION, static_cast<double>(pending_.session)},
-      {GLIDER_SCI_HOOK_CONTROL, static_cast<double>(pending_.control)},
-      {GLIDER_SCI_HOOK_VERTICAL, static_cast<double>(pending_.vertical)},
-      {GLIDER_SCI_HOOK_DEPTH, pending_.depth_m},
-      {GLIDER_SCI_HOOK_PITCH, pending_.pitch_rad},
-      {GLIDER_SCI_HOOK_LATERAL, static_cast<double>(pending_.lateral)},
-      {GLIDER_SCI_HOOK_HEADING, pending_.heading_rad},
-      {GLIDER_SCI_HOOK_LAT, pending_.latitude_ddmm},
-      {GLIDER_SCI_HOOK_LON, pending_.longitude_ddmm},
-      {GLIDER_SCI_HOOK_CHECK, static_cast<double>(checkValue(pending_))},
-      {GLIDER_SCI_HOOK_SEQUENCE, static_cast<double>(pending_.sequence)},
+  struct Word {
+    GliderRole role;
+    double value;
+  };
+  const Word words[] = {
+      {kGliderRoleHookSession, static_cast<double>(pending_.session)},
+      {kGliderRoleHookControl, static_cast<double>(pending_.control)},
+      {kGliderRoleHookVertical, static_cast<double>(pending_.vertical)},
+      {kGliderRoleHookDepth, pending_.depth_m},
+      {kGliderRoleHookPitch, pending_.pitch_rad},
+      {kGliderRoleHookLateral, static_cast<double>(pending_.lateral)},
+      {kGliderRoleHookHeading, pending_.heading_rad},
+      {kGliderRoleHookLatitude, pending_.latitude_ddmm},
+      {kGliderRoleHookLongitude, pending_.longitude_ddmm},
+      {kGliderRoleHookCheck, static_cast<double>(checkValue(pending_))},
+      {kGliderRoleHookSequence, static_cast<double>(pending_.sequence)},
   };
   Frame frame;
   encodeEmptyList(MessageType::Write, frame);
-  for (const SensorValue& value : values) {
-    (void)appendValue(frame, value);
+  for (const Word& word : words) {
+    (void)appendValue(*dictionary_, frame, {sensorOf(*dictionary_, word.role), word.value});
   }
   queue(frame);
   due_ = false;

@@ -73,7 +73,8 @@ struct Refusal {
 
 class Client {
  public:
-  explicit Client(const ClientOptions& options);
+  /// `dictionary` outlives this.
+  Client(const GliderDictionary& dictionary, const ClientOptions& options);
 
   /// Reads what is there and handles at most one frame; never blocks.
   ClientEvent poll(const GliderByteStream& stream, const GliderClock& clock);
@@ -143,6 +144,7 @@ class Client {
   void queueNotes();
   void answer(const GliderByteStream& stream);
 
+  const GliderDictionary* dictionary_;
   ClientOptions options_;
   FrameReader reader_;
   SendQueue out_;

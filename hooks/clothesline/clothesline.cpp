@@ -10,7 +10,7 @@ bool Clothesline::send(const SensorUpdate* updates, uint32_t count) {
     return false;
   }
   for (uint32_t i = 0; i < count; ++i) {
-    if (sensorWidth(updates[i].id) == 0) {
+    if (sensorWidth(*dictionary_, updates[i].id) == 0) {
       return false;
     }
   }
@@ -34,7 +34,8 @@ uint32_t Clothesline::poll(const GliderByteStream& stream, SensorUpdate* updates
       break;
     }
     received_next_ = 0;
-    if (reader_.frame().type != MessageType::Sensors || !decodeList(reader_.frame(), received_)) {
+    if (reader_.frame().type != MessageType::Sensors ||
+        !decodeList(*dictionary_, reader_.frame(), received_)) {
       received_.count = 0;
       ++malformed_;
     }
@@ -60,7 +61,7 @@ void Clothesline::encodeNext() {
   encodeEmptyList(MessageType::Sensors, frame);
   frame.sequence = ++sequence_;
   do {
-    if (!appendValue(frame, queued(0).update)) {
+    if (!appendValue(*dictionary_, frame, queued(0).update)) {
       break;  // full: the rest of the group goes in the next frame
     }
     first_ = (first_ + 1) % kMostUpdates;

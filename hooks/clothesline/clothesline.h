@@ -18,6 +18,8 @@ using SensorUpdate = SensorValue;
 class Clothesline {
  public:
   static constexpr uint32_t kMostUpdates = 128;
+  /// `dictionary` outlives this; both ends have the same.
+  explicit Clothesline(const GliderDictionary& dictionary) : dictionary_(&dictionary) {}
   /// Queues `count` updates to go in order (a sequence sensor goes last); false, with nothing
   /// queued, when there is no room for all or one of them is no sensor. Those of one call travel in
   /// one frame if they fit one, so that they arrive together or not at all.
@@ -41,6 +43,7 @@ class Clothesline {
     return queue_[(first_ + index) % kMostUpdates];
   }
 
+  const GliderDictionary* dictionary_;
   Queued queue_[kMostUpdates];
   uint32_t first_ = 0;
   uint32_t count_ = 0;

@@ -3,7 +3,6 @@
 
 #include "hooks/hookbeh/depth_source.h"
 
-#include "hooks/hookbeh/hull.h"
 #include "hooks/protocol/numbers.h"
 
 namespace glider::hooks {
@@ -14,15 +13,15 @@ constexpr double kReachM = 2.5;
 /// What a sensor says first holds for nothing before it has said so long what a vehicle can do, s.
 constexpr double kSettlesSecs = 60;
 
-bool isDepth(double depth_m) {
-  return depth_m >= kHighestDepthM && depth_m <= kDeepestShare * kHull.greatest_depth_m;
+bool isDepth(double depth_m, const Hull& hull) {
+  return depth_m >= kHighestDepthM && depth_m <= kDeepestShare * hull.greatest_depth_m;
 }
 
 }  // namespace
 
 void DepthSource::observe(double depth_m, double step_s) {
   age_s_ += step_s;
-  if (!isDepth(depth_m)) {
+  if (!isDepth(depth_m, hull_)) {
     reading_ = Reading::Missing;
     return;
   }
@@ -30,7 +29,7 @@ void DepthSource::observe(double depth_m, double step_s) {
   raw_m_ = depth_m;
   const double moved = magnitude(depth_m - depth_m_);
   // The first reading of all is compared with a NaN, and is good.
-  if (moved > kReachM + kHull.vertical_rate_m_s * age_s_) {
+  if (moved > kReachM + hull_.vertical_rate_m_s * age_s_) {
     reading_ = Reading::Jumped;
     jumped_s_ += step_s;
     if (good_s_ < kSettlesSecs) {

@@ -3,12 +3,16 @@
 
 #pragma once
 
+#include "hooks/hookbeh/hull.h"
+
 namespace glider::hooks {
 
 /// One sensor of the vehicle's depth, held against what a vehicle can do.
 class DepthSource {
  public:
   enum class Reading : unsigned char { Good, Missing, Jumped };
+
+  explicit DepthSource(const Hull& hull) : hull_(hull) {}
 
   /// Takes in one cycle, `step_s` after the one before. NaN: it gave nothing.
   void observe(double depth_m, double step_s);
@@ -25,6 +29,7 @@ class DepthSource {
   [[nodiscard]] double jumpedFor() const { return jumped_s_; }
 
  private:
+  Hull hull_;
   double depth_m_ = __builtin_nan("");
   double raw_m_ = __builtin_nan("");  // the newest reading, good or not
   double age_s_ = __builtin_nan("");

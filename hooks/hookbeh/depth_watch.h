@@ -13,6 +13,7 @@ namespace glider::hooks {
 /// what the vehicle was told to do, and against the CTD where there is one.
 class DepthWatch {
  public:
+  explicit DepthWatch(const Hull& hull) : own_(hull), ctd_(hull) {}
   /// Takes in one cycle, `step_s` after the one before, in which the pump was commanded to
   /// `pump_cc` by hookbeh; NaN where it commanded nothing. To be called in every cycle.
   void observe(const Surroundings& now, double step_s, double pump_cc);

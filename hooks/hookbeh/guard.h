@@ -17,6 +17,7 @@ namespace glider::hooks {
 /// hookbeh's own eyes: says when it must climb, whatever the SBC wants.
 class Guard {
  public:
+  explicit Guard(const Hull& hull) : watch_(hull), unseen_(hull), by_ctd_(hull) {}
   /// Takes in one cycle, `step_s` after the one before, in which hookbeh had commanded `last`
   /// (pump NaN: it commanded nothing) and drove the vehicle `way`. To be called in every cycle,
   /// also while another behaviour flies, so that the bottom is known when it matters.

@@ -4,7 +4,6 @@
 #include "hooks/hookbeh/hookbeh.h"
 
 #include "hooks/hookbeh/bounds.h"
-#include "hooks/hookbeh/hull.h"
 #include "hooks/protocol/messages.h"
 #include "hooks/protocol/numbers.h"
 
@@ -52,7 +51,8 @@ bool gather(const HookbehInputs& inputs, uint16_t sequence, Instruction* instruc
 
 }  // namespace
 
-Hookbeh::Hookbeh(const HookbehArgs& args) : args_(within(args, kHull)) {}
+Hookbeh::Hookbeh(const HookbehArgs& args, const Hull& hull)
+    : hull_(hull), args_(within(args, hull)), guard_(hull) {}
 
 HookbehOutputs Hookbeh::cycle(const HookbehInputs& inputs) {
   Surroundings now{inputs.depth_m,       inputs.depth_rate_mps,
@@ -209,8 +209,9 @@ VerticalCommand Hookbeh::vertical(const Surroundings& now, HookGuard guard) {
   }
   guarding_ = climbs;
   const VerticalCommand wanted = pilot_.vertical(now, clock_.step(), args_);
-  return !climbs ? wanted
-                 : climbNow(guard != HookGuard::None ? wordsFor(guard) : "check depth", args_);
+  return !climbs
+             ? wanted
+             : climbNow(guard != HookGuard::None ? wordsFor(guard) : "check depth", args_, hull_);
 }
 
 void Hookbeh::command(const Surroundings& now, HookbehOutputs& outputs) {

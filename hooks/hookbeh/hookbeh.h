@@ -7,6 +7,7 @@
 #include "hooks/hookbeh/command.h"
 #include "hooks/hookbeh/cycle_clock.h"
 #include "hooks/hookbeh/guard.h"
+#include "hooks/hookbeh/hull.h"
 #include "hooks/hookbeh/pilot.h"
 #include "hooks/protocol/values.h"
 
@@ -60,8 +61,8 @@ struct HookbehOutputs {
 
 class Hookbeh {
  public:
-  /// What `args` allow beyond the hull (hull.h) does not count.
-  explicit Hookbeh(const HookbehArgs& args);
+  /// What `args` allow beyond the hull does not count.
+  Hookbeh(const HookbehArgs& args, const Hull& hull);
   /// One control cycle.
   HookbehOutputs cycle(const HookbehInputs& inputs);
 
@@ -76,6 +77,7 @@ class Hookbeh {
   [[nodiscard]] bool isOverridden(const HookbehInputs& inputs) const;
   [[nodiscard]] VerticalCommand vertical(const Surroundings& now, HookGuard guard);
 
+  Hull hull_;
   HookbehArgs args_;
   HookState state_ = HookState::Waiting;
   Guard guard_;

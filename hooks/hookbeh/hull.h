@@ -4,12 +4,12 @@
 #pragma once
 
 #include "hooks/hookbeh/args.h"
-#include "platforms/slocum_sensors.h"
 
 namespace glider::hooks {
 
-/// What the hull can bear, from the vehicle's platform file. Fixed when hookbeh is built: b_args
-/// and instructions may narrow it, never widen it.
+/// What the hull can bear: the constants GLIDER_HULL_… of the header that is generated from the
+/// vehicle's platform file. Who builds hookbeh into the vehicle's software fixes it; b_args and
+/// instructions may narrow it, never widen it.
 struct Hull {
   double greatest_depth_m = 0;
   double steepest_pitch_rad = 0;    ///< magnitude
@@ -17,10 +17,6 @@ struct Hull {
   double vertical_rate_m_s = 0;     ///< the fastest it sinks or climbs
   double pump_cc = 0;               ///< to either side
 };
-
-inline constexpr Hull kHull{GLIDER_HULL_GREATEST_DEPTH_M, GLIDER_HULL_STEEPEST_PITCH_RAD,
-                            GLIDER_HULL_SHALLOWEST_PITCH_RAD, GLIDER_HULL_VERTICAL_RATE_M_S,
-                            GLIDER_HULL_PUMP_CC};
 
 /// A depth outside these, m, is no reading of a depth sensor: above the surface, or far below what
 /// the hull survives.

@@ -3,7 +3,6 @@
 
 #include "hooks/hookbeh/sub_behaviours.h"
 
-#include "hooks/hookbeh/hull.h"
 #include "hooks/protocol/numbers.h"
 
 namespace glider::hooks {
@@ -29,8 +28,8 @@ VerticalCommand SurfaceNow::command(const HookbehArgs& args) const {
   return {usualPitch(args), args.climb_pump_cc, "surface"};
 }
 
-VerticalCommand climbNow(const char* doing, const HookbehArgs& args) {
-  return {usualPitch(args), kHull.pump_cc, doing};
+VerticalCommand climbNow(const char* doing, const HookbehArgs& args, const Hull& hull) {
+  return {usualPitch(args), hull.pump_cc, doing};
 }
 
 double usualPitch(const HookbehArgs& args) {

@@ -5,6 +5,7 @@
 
 #include "hooks/hookbeh/args.h"
 #include "hooks/hookbeh/command.h"
+#include "hooks/hookbeh/hull.h"
 
 /// The sub-behaviours that hookbeh generates, each a small value with its command for one cycle.
 namespace glider::hooks {
@@ -49,7 +50,7 @@ struct SurfaceNow {
 
 /// What hookbeh climbs with by its own bounds: all of the hull's pump, whatever the b_args say of
 /// usual climbs.
-VerticalCommand climbNow(const char* doing, const HookbehArgs& args);
+VerticalCommand climbNow(const char* doing, const HookbehArgs& args, const Hull& hull);
 
 /// The magnitude of pitch for what the SBC gives none for: 26 degrees, as in the vendor's yo,
 /// inside the b_args.

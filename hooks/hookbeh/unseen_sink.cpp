@@ -3,7 +3,6 @@
 
 #include "hooks/hookbeh/unseen_sink.h"
 
-#include "hooks/hookbeh/hull.h"
 #include "hooks/protocol/numbers.h"
 
 namespace glider::hooks {
@@ -37,14 +36,15 @@ constexpr double kAdriftMps = 0.1;
 /// m/s; a vehicle that is driven up climbs no slower.
 constexpr double kClimbMps = 0.1;
 
-constexpr double kSteepestMps = kMargin * kHull.vertical_rate_m_s;
+}  // namespace
 
-/// The fastest a vehicle sinks at this pitch, m/s.
-double rateAt(double pitch_rad) {
-  return kSteepestMps * atLeast(magnitude(pitch_rad), kFlatRad) / kHull.steepest_pitch_rad;
+double UnseenSink::steepestRate() const {
+  return kMargin * hull_.vertical_rate_m_s;
 }
 
-}  // namespace
+double UnseenSink::rateAt(double pitch_rad) const {
+  return steepestRate() * atLeast(magnitude(pitch_rad), kFlatRad) / hull_.steepest_pitch_rad;
+}
 
 void UnseenSink::observe(double depth_m, double step_s, const VerticalCommand& last) {
   if (isFinite(last.pump_cc)) {
@@ -72,7 +72,7 @@ void UnseenSink::reckon(double step_s, const VerticalCommand& last) {
     deepest_m_ += (sinks_ ? rateAt(last.pitch_rad) : kAdriftMps) * step_s;
     const bool dives = last.pitch_rad <= -kNoseRad;
     in_dive_m_ += dives ? rateAt(last.pitch_rad) * step_s : 0;
-    steeply_m_ += dives ? kSteepestMps * step_s : 0;
+    steeply_m_ += dives ? steepestRate() * step_s : 0;
   }
 }
 
@@ -90,7 +90,7 @@ void UnseenSink::follow(double depth_m, double step_s) {
 /// else either way.
 void UnseenSink::seek(double depth_m) {
   // A step that no vehicle makes, or a depth that was not there for long, begins anew.
-  const bool steps = magnitude(depth_m - last_m_) > kSteepestMps * gap_s_ + kNoiseM;
+  const bool steps = magnitude(depth_m - last_m_) > steepestRate() * gap_s_ + kNoiseM;
   if (!isFinite(shown_m_)) {
     shown_m_ = deepest_m_ = highest_m_ = lowest_m_ = depth_m;
   } else if (steps || gap_s_ > kGapSecs) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "hooks/hookbeh/command.h"
+#include "hooks/hookbeh/hull.h"
 
 namespace glider::hooks {
 
@@ -12,6 +13,7 @@ namespace glider::hooks {
 /// then: what it says in between does not count.
 class UnseenSink {
  public:
+  explicit UnseenSink(const Hull& hull) : hull_(hull) {}
   /// Takes in one cycle, `step_s` after the one before, at whose begin the vehicle had been
   /// commanded `last` (pump NaN: by another behaviour, or not as hookbeh commanded).
   /// `depth_m`: NaN while it is not believed.
@@ -31,11 +33,15 @@ class UnseenSink {
   [[nodiscard]] double sunkSteeply() const { return steeply_m_; }
 
  private:
+  /// The fastest the vehicle sinks, m/s: at its steepest pitch, or at this one.
+  [[nodiscard]] double steepestRate() const;
+  [[nodiscard]] double rateAt(double pitch_rad) const;
   void reckon(double step_s, const VerticalCommand& last);
   void follow(double depth_m, double step_s);
   void seek(double depth_m);
   void show(double depth_m);
 
+  Hull hull_;
   double deepest_m_ = __builtin_nan("");
   double shown_m_ = __builtin_nan("");
   bool has_moved_ = false;

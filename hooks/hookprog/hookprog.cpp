@@ -11,26 +11,23 @@ using Kind = HookprogEvent::Kind;
 
 namespace {
 
-constexpr uint16_t kReportsOfHookbeh[] = {GLIDER_X_HOOK_STATE, GLIDER_X_HOOK_SEQUENCE,
-                                          GLIDER_X_HOOK_ANSWER, GLIDER_X_HOOK_SESSION};
-
-bool decode(const Frame& frame, SensorList& list) {
-  return decodeList(frame, list);
-}
+constexpr GliderRole kReportsOfHookbeh[] = {kGliderRoleHookState, kGliderRoleHookAnswered,
+                                            kGliderRoleHookAnswer, kGliderRoleHookInControl};
 
 }  // namespace
 
 template <typename Message, void (Hookprog::*kHandler)(const Message&)>
 bool Hookprog::take(const Frame& frame) {
   Message message;
-  if (!decode(frame, message)) {
+  if (!read(frame, message)) {
     return false;
   }
   (this->*kHandler)(message);
   return true;
 }
 
-Hookprog::Hookprog(const HookprogOptions& options) : options_(options) {
+Hookprog::Hookprog(const GliderDictionary& dictionary, const HookprogOptions& options)
+    : dictionary_(&dictionary), options_(options), clothesline_(dictionary), reporter_(dictionary) {
   for (double& value : values_) {
     value = __builtin_nan("");
   }
@@ -49,7 +46,7 @@ void Hookprog::run(double science_time_s, const ScienceSensors& own, const Glide
     time_is_new_ = false;
     cycle_is_new_ = false;
     watchHookbeh();
-    if (cycles_.isNext(newestWhole(GLIDER_M_CYCLE_NUMBER))) {
+    if (cycles_.isNext(newestWhole(kGliderRoleCycleNumber))) {
       sendCycle(own);
     } else {
       ++stale_;
@@ -88,10 +85,11 @@ void Hookprog::takeFlight(const GliderByteStream& flight) {
 }
 
 void Hookprog::takeUpdate(const SensorUpdate& update) {
-  if (update.id == GLIDER_M_PRESENT_SECS_INTO_MISSION) {
+  if (update.id == sensor(kGliderRoleMissionTime)) {
     time_is_new_ = update.value - update.value == 0;
   }
-  if (update.id == GLIDER_M_CYCLE_NUMBER && update.value != newest(GLIDER_M_CYCLE_NUMBER)) {
+  if (update.id == sensor(kGliderRoleCycleNumber) &&
+      update.value != newest(kGliderRoleCycleNumber)) {
     cycle_is_new_ = update.value == update.value;
   }
   values_[update.id] = update.value;
@@ -144,7 +142,7 @@ bool Hookprog::handleOfLink(const Frame& frame) {
 }
 
 void Hookprog::handleHello(const Hello& hello) {
-  if (hello.version != kProtocolVersion || hello.dictionary != dictionaryHash()) {
+  if (hello.version != kProtocolVersion || hello.dictionary != dictionary_->hash) {
     link_ = 0;
     view_ = SbcView{};
     if (hello.version != refused_version_ || hello.dictionary != refused_dictionary_) {
@@ -180,16 +178,17 @@ void Hookprog::handleWrite(const SensorList& list) {
   uint32_t session = newest_session_;
   for (uint32_t i = 0; i < list.count; ++i) {
     const SensorValue& value = list.values[i];
-    if (!isInstructionSensor(value.id)) {
+    if (!isInstructionSensor(*dictionary_, value.id)) {
       event(Kind::RefusedWrite, value.id);
       return;
     }
-    if (value.id == GLIDER_SCI_HOOK_SEQUENCE) {
+    if (value.id == sensor(kGliderRoleHookSequence)) {
       sequence = &value;
     } else {
       ordered[count++] = value;
     }
-    if (value.id == GLIDER_SCI_HOOK_SESSION && value.value >= 1 && value.value <= kMostSession) {
+    if (value.id == sensor(kGliderRoleHookSession) && value.value >= 1 &&
+        value.value <= kMostSession) {
       session = static_cast<uint32_t>(value.value);
     }
   }
@@ -252,7 +251,7 @@ void Hookprog::handleDone(const Done& done) {
   // A program that was started again answers too, but it does not steer what its predecessor set
   // going: only the answers of the session in control keep that session alive. Nor do they when its
   // mission does not go on: somebody answers, but nobody flies.
-  const uint32_t in_control = newestWhole(GLIDER_X_HOOK_SESSION);
+  const uint32_t in_control = newestWhole(kGliderRoleHookInControl);
   // Who is not in control yet has told its time all the same: it is no news when it comes again.
   const bool counts = done.session != 0 && (in_control == 0 || done.session == in_control);
   if (counts ? noteProgress(done) : in_control == 0) {
@@ -265,7 +264,7 @@ bool Hookprog::noteProgress(const Done& done) {
   if (progress_.hasGoneOn(done.session, done.status.mission_time_s, now_s_)) {
     return true;
   }
-  if (newestWhole(GLIDER_X_HOOK_SESSION) != 0 && progress_.isStuck(kLostSecs, now_s_)) {
+  if (newestWhole(kGliderRoleHookInControl) != 0 && progress_.isStuck(kLostSecs, now_s_)) {
     event(Kind::SbcStuck, done.session);
   }
   return false;
@@ -273,13 +272,13 @@ bool Hookprog::noteProgress(const Done& done) {
 
 /// Tells of a flight controller that does not answer what goes to it.
 void Hookprog::watchInstruction() {
-  answers_.answered(newestWhole(GLIDER_X_HOOK_SEQUENCE));
+  answers_.answered(newestWhole(kGliderRoleHookAnswered));
   if (answers_.isOverdue(kLostSecs, now_s_)) {
     event(Kind::SbcUnanswered, answers_.instruction());
   }
   const bool old =
-      newestWhole(GLIDER_X_HOOK_ANSWER) == static_cast<uint32_t>(HookAnswer::OldSequence);
-  const uint32_t refused = old ? newestWhole(GLIDER_X_HOOK_SEQUENCE) : 0;
+      newestWhole(kGliderRoleHookAnswer) == static_cast<uint32_t>(HookAnswer::OldSequence);
+  const uint32_t refused = old ? newestWhole(kGliderRoleHookAnswered) : 0;
   if (old && refused != old_told_) {
     event(Kind::OldInstruction, refused);
   }
@@ -289,7 +288,7 @@ void Hookprog::watchInstruction() {
 void Hookprog::beat() {
   heartbeat_ = nextSession(heartbeat_);
   if (hookState() != HookState::Absent) {
-    const SensorUpdate beat{GLIDER_SCI_HOOK_HEARTBEAT, static_cast<double>(heartbeat_)};
+    const SensorUpdate beat{sensor(kGliderRoleHookHeartbeat), static_cast<double>(heartbeat_)};
     (void)clothesline_.send(&beat,
                             1);  // no room: the line is stuck, and that is what silence is for
   }
@@ -299,18 +298,18 @@ void Hookprog::beat() {
 /// reported. Time and cycle number begin again with it; one of them alone is a false reading.
 void Hookprog::watchHookbeh() {
   const double time = missionTime();
-  const uint32_t cycle = newestWhole(GLIDER_M_CYCLE_NUMBER);
+  const uint32_t cycle = newestWhole(kGliderRoleCycleNumber);
   if (time < cycle_time_s_ && cycle < cycle_number_) {
     most_without_hookbeh_ = kMostCyclesOfAnotherMission;
   }
   cycle_time_s_ = time;
   cycle_number_ = cycle;
-  if (fresh_[GLIDER_X_HOOK_STATE]) {
+  if (fresh_[sensor(kGliderRoleHookState)]) {
     cycles_without_hookbeh_ = 0;
     most_without_hookbeh_ = kMostCyclesWithoutHookbeh;
   } else if (++cycles_without_hookbeh_ >= most_without_hookbeh_) {
-    for (const uint16_t id : kReportsOfHookbeh) {
-      values_[id] = __builtin_nan("");
+    for (const GliderRole role : kReportsOfHookbeh) {
+      values_[sensor(role)] = __builtin_nan("");
     }
   }
 }
@@ -330,16 +329,16 @@ void Hookprog::sendCycle(const ScienceSensors& own) {
 
 /// hookbeh holds the vehicle's depth against the CTD's.
 void Hookprog::forwardPressure(const ScienceSensors& own) {
-  pressure_ = own.get(own.self, GLIDER_SCI_WATER_PRESSURE, &pressure_is_new_);
+  pressure_ = own.get(own.self, sensor(kGliderRoleWaterPressure), &pressure_is_new_);
   if (pressure_is_new_ && hookState() != HookState::Absent) {
-    const SensorUpdate update{GLIDER_SCI_WATER_PRESSURE, pressure_};
+    const SensorUpdate update{sensor(kGliderRoleWaterPressure), pressure_};
     (void)clothesline_.send(&update, 1);  // no room: the next cycle's is newer
   }
 }
 
 void Hookprog::sendBeacon() {
   Frame frame;
-  encode(Beacon{kProtocolVersion, options_.virtual_time, dictionaryHash(), hookState()}, frame);
+  encode(Beacon{kProtocolVersion, options_.virtual_time, dictionary_->hash, hookState()}, frame);
   send(frame);
 }
 
@@ -353,18 +352,18 @@ void Hookprog::sendTick(const ScienceSensors& own) {
     }
   }
   Frame frame;
-  encode(tickHead(), subscribed, reporter_.readings(), frame);
+  encode(*dictionary_, tickHead(), subscribed, reporter_.readings(), frame);
   send(frame);
   reporter_.sent(frame.sequence);
 }
 
 bool Hookprog::readingFor(uint16_t id, const ScienceSensors& own, double* value) {
-  if (!isScienceSensor(id)) {
-    *value = newest(id);
+  if (!isScienceSensor(*dictionary_, id)) {
+    *value = values_[id];
     return fresh_[id];
   }
   bool fresh = pressure_is_new_;
-  *value = id == GLIDER_SCI_WATER_PRESSURE ? pressure_ : own.get(own.self, id, &fresh);
+  *value = id == sensor(kGliderRoleWaterPressure) ? pressure_ : own.get(own.self, id, &fresh);
   return fresh;
 }
 
@@ -373,33 +372,33 @@ TickHead Hookprog::tickHead() const {
   head.virtual_time = options_.virtual_time;
   head.link = link_;
   head.vehicle_time_s = missionTime();
-  head.cycle = newestWhole(GLIDER_M_CYCLE_NUMBER);
+  head.cycle = newestWhole(kGliderRoleCycleNumber);
   head.subscription = reporter_.check();
   head.hook_state = hookState();
-  const uint32_t answer = newestWhole(GLIDER_X_HOOK_ANSWER);
+  const uint32_t answer = newestWhole(kGliderRoleHookAnswer);
   head.answer = answer <= UINT8_MAX && isHookAnswer(static_cast<uint8_t>(answer))
                     ? static_cast<HookAnswer>(answer)
                     : HookAnswer::None;
-  head.answered_sequence = static_cast<uint16_t>(newestWhole(GLIDER_X_HOOK_SEQUENCE));
-  head.session = newestWhole(GLIDER_X_HOOK_SESSION);
-  const double clock = newest(GLIDER_M_PRESENT_TIME);
+  head.answered_sequence = static_cast<uint16_t>(newestWhole(kGliderRoleHookAnswered));
+  head.session = newestWhole(kGliderRoleHookInControl);
+  const double clock = newest(kGliderRoleClock);
   head.clock_s = clock >= 1 && clock < UINT32_MAX ? static_cast<uint32_t>(clock) : 0;
   return head;
 }
 
 HookState Hookprog::hookState() const {
-  const uint32_t state = newestWhole(GLIDER_X_HOOK_STATE);
+  const uint32_t state = newestWhole(kGliderRoleHookState);
   return state <= static_cast<uint32_t>(HookState::Complete) ? static_cast<HookState>(state)
                                                              : HookState::Absent;
 }
 
 double Hookprog::missionTime() const {
-  const double time = newest(GLIDER_M_PRESENT_SECS_INTO_MISSION);
+  const double time = newest(kGliderRoleMissionTime);
   return time == time ? time : 0;
 }
 
-uint32_t Hookprog::newestWhole(uint16_t id) const {
-  const double value = newest(id);
+uint32_t Hookprog::newestWhole(GliderRole role) const {
+  const double value = newest(role);
   return value >= 0 && value <= kMostSession ? static_cast<uint32_t>(value) : 0;
 }
 

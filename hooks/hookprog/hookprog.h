@@ -12,7 +12,6 @@
 #include "hooks/protocol/send_queue.h"
 #include "hooks/protocol/values.h"
 #include "hooks/transport/byte_stream.h"
-#include "platforms/slocum_sensors.h"
 
 #include <stdint.h>
 
@@ -35,7 +34,8 @@ struct HookprogOptions {
 
 class Hookprog {
  public:
-  explicit Hookprog(const HookprogOptions& options);
+  /// `dictionary` outlives this, and has all required roles.
+  explicit Hookprog(const GliderDictionary& dictionary, const HookprogOptions& options = {});
   /// One science cycle (1 s): takes the flight controller's updates, serves the SBC, forwards its
   /// writes.
   void run(double science_time_s, const ScienceSensors& own, const GliderByteStream& sbc,
@@ -67,6 +67,14 @@ class Hookprog {
   void takeUpdate(const SensorUpdate& update);
   void serveSbc(const GliderByteStream& sbc);
   void handle(const Frame& frame);
+  template <typename Message>
+  bool read(const Frame& frame, Message& message) {
+    return decode(frame, message);
+  }
+  bool read(const Frame& frame, Subscribe& subscribe) {
+    return decode(*dictionary_, frame, subscribe);
+  }
+  bool read(const Frame& frame, SensorList& list) { return decodeList(*dictionary_, frame, list); }
   /// False when the frame is none of those that an SBC with a link sends.
   bool handleOfLink(const Frame& frame);
   /// Decodes a Message and hands it on; false when it is none.
@@ -93,12 +101,15 @@ class Hookprog {
   void loseSbc();
   void countBadFrames();
   void event(HookprogEvent::Kind kind, uint32_t a = 0, uint32_t b = 0);
-  [[nodiscard]] double newest(uint16_t id) const { return values_[id]; }
+  [[nodiscard]] uint16_t sensor(GliderRole role) const { return sensorOf(*dictionary_, role); }
+  /// Of a required role.
+  [[nodiscard]] double newest(GliderRole role) const { return values_[sensor(role)]; }
   /// 0 when unknown, negative or too large.
-  [[nodiscard]] uint32_t newestWhole(uint16_t id) const;
+  [[nodiscard]] uint32_t newestWhole(GliderRole role) const;
   [[nodiscard]] HookState hookState() const;
   [[nodiscard]] double missionTime() const;
 
+  const GliderDictionary* dictionary_;
   HookprogOptions options_;
   Clothesline clothesline_;
   FrameReader reader_;
@@ -108,8 +119,8 @@ class Hookprog {
   bool started_ = false;
 
   // The flight controller's data memory, as far as it was reported.
-  double values_[GLIDER_SENSOR_COUNT];
-  bool fresh_[GLIDER_SENSOR_COUNT] = {};
+  double values_[GLIDER_MOST_SENSORS];
+  bool fresh_[GLIDER_MOST_SENSORS] = {};
   bool time_is_new_ = false;
   bool cycle_is_new_ = false;
   CycleWatch cycles_;

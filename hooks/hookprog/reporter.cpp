@@ -33,7 +33,7 @@ void Reporter::report(uint32_t index, double value) {
     return;
   }
   row.told_in |= 1U;
-  const uint64_t bits = toWire(subscription_.sensors[index].id, value);
+  const uint64_t bits = toWire(widthOf(index), value);
   if (row.age < kRefreshTicks && isHeld(index, bits)) {
     readings_.told[index] = Told::Unchanged;
     return;
@@ -49,13 +49,18 @@ void Reporter::report(uint32_t index, double value) {
   row.age = 0;
 }
 
+uint32_t Reporter::widthOf(uint32_t index) const {
+  return sensorWidth(*dictionary_, subscription_.sensors[index].id);
+}
+
 bool Reporter::isHeld(uint32_t index, uint64_t bits) const {
   const Row& row = rows_[index];
   if (!row.held || row.bits == bits) {
     return row.held;
   }
   const Subscription& wanted = subscription_.sensors[index];
-  const double change = fromWire(wanted.id, bits) - fromWire(wanted.id, row.bits);
+  const uint32_t width = widthOf(index);
+  const double change = fromWire(width, bits) - fromWire(width, row.bits);
   // Of NaN and the infinities only the very same is held: no dead band is as wide.
   return wanted.dead_band > 0 && magnitude(change) <= wanted.dead_band;
 }

@@ -18,6 +18,9 @@ class Reporter {
   /// frame that passed its CRC has changed does not stay.
   static constexpr uint32_t kRefreshTicks = 16;
 
+  /// `dictionary` outlives this.
+  explicit Reporter(const GliderDictionary& dictionary) : dictionary_(&dictionary) {}
+
   /// From now on `subscribe` is served; the SBC holds nothing.
   void serve(const Subscribe& subscribe);
   [[nodiscard]] const Subscribe& subscription() const { return subscription_; }
@@ -49,6 +52,9 @@ class Reporter {
     uint8_t brought_in = 0;  ///< Ticks that brought this very value: bit 0 the newest
     uint8_t told_in = 0;     ///< Ticks that told of it at all
   };
+  [[nodiscard]] uint32_t widthOf(uint32_t index) const;
+
+  const GliderDictionary* dictionary_;
   Subscribe subscription_;
   uint16_t check_ = 0xFFFF;  ///< of the empty subscription
   Row rows_[kMostSubscriptions];

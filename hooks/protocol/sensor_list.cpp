@@ -13,20 +13,20 @@ void encodeEmptyList(MessageType type, Frame& frame) {
   finishPayload(frame, out);
 }
 
-bool appendValue(Frame& frame, const SensorValue& value) {
-  const uint32_t width = sensorWidth(value.id);
+bool appendValue(const GliderDictionary& dictionary, Frame& frame, const SensorValue& value) {
+  const uint32_t width = sensorWidth(dictionary, value.id);
   if (width == 0 || frame.size + 2 + width > kMostListPayload) {
     return false;
   }
   ByteWriter out(frame.payload + frame.size, 2 + width);
   out.u16(value.id);
-  out.bits(toWire(value.id, value.value), width);
+  out.bits(toWire(width, value.value), width);
   frame.size = static_cast<uint16_t>(frame.size + out.size());
   ++frame.payload[0];
   return true;
 }
 
-bool decodeList(const Frame& frame, SensorList& list) {
+bool decodeList(const GliderDictionary& dictionary, const Frame& frame, SensorList& list) {
   list.count = 0;
   if ((frame.type != MessageType::Write && frame.type != MessageType::Sensors) ||
       frame.size > kMostListPayload) {
@@ -37,11 +37,11 @@ bool decodeList(const Frame& frame, SensorList& list) {
   for (uint32_t i = 0; i < count && i < kMostListed && in.good(); ++i) {
     SensorValue& value = list.values[i];
     value.id = in.u16();
-    const uint32_t width = sensorWidth(value.id);
+    const uint32_t width = sensorWidth(dictionary, value.id);
     if (width == 0) {
       return false;
     }
-    value.value = fromWire(value.id, in.bits(width));
+    value.value = fromWire(width, in.bits(width));
     ++list.count;
   }
   return in.exact() && list.count == count;

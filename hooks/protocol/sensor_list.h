@@ -25,8 +25,9 @@ struct SensorList {
 void encodeEmptyList(MessageType type, Frame& frame);
 /// Appends one value in the sensor's width. False, with nothing changed, when it does not fit or
 /// there is no such sensor.
-bool appendValue(Frame& frame, const SensorValue& value);
+bool appendValue(const GliderDictionary& dictionary, Frame& frame, const SensorValue& value);
 /// Of a Write or a Sensors frame.
-[[nodiscard]] bool decodeList(const Frame& frame, SensorList& list);
+[[nodiscard]] bool decodeList(const GliderDictionary& dictionary, const Frame& frame,
+                              SensorList& list);
 
 }  // namespace glider::hooks

@@ -4,29 +4,9 @@
 #include "hooks/protocol/sensors.h"
 
 #include "hooks/protocol/bytes.h"
-#include "platforms/slocum_sensors.h"
 
 namespace glider::hooks {
 namespace {
-
-struct Row {
-  uint8_t width;
-  bool science;
-};
-
-constexpr Row kRows[] = {
-#define SENSOR(number, name, bytes, science) {bytes, (science) != 0},
-    GLIDER_SENSOR_LIST(SENSOR)
-#undef SENSOR
-};
-static_assert(sizeof(kRows) / sizeof(kRows[0]) == GLIDER_SENSOR_COUNT);
-
-constexpr Subscription kUsual[] = {
-#define SENSOR(number, every, dead_band) {number, every, static_cast<float>(dead_band)},
-    GLIDER_SENSOR_REPORTS(SENSOR)
-#undef SENSOR
-};
-static_assert(sizeof(kUsual) / sizeof(kUsual[0]) == GLIDER_SENSOR_COUNT);
 
 uint8_t toByte(double value) {
   const int whole = value != value  ? -128
@@ -41,45 +21,48 @@ double fromByte(uint8_t byte) {
   return whole == -128 ? __builtin_nan("") : whole;
 }
 
+/// The sensor's row, null if there is none: values are kept for GLIDER_MOST_SENSORS, whatever the
+/// dictionary says.
+const GliderSensorFormat* rowOf(const GliderDictionary& dictionary, uint16_t id) {
+  return id < dictionary.count && id < GLIDER_MOST_SENSORS ? &dictionary.sensors[id] : nullptr;
+}
+
 }  // namespace
 
-uint16_t sensorCount() {
-  return GLIDER_SENSOR_COUNT;
+uint16_t sensorOf(const GliderDictionary& dictionary, GliderRole role) {
+  const uint32_t number = dictionary.roles[role];
+  return number < dictionary.count && number < GLIDER_MOST_SENSORS ? static_cast<uint16_t>(number)
+                                                                   : kNoSensor;
 }
 
-uint32_t sensorWidth(uint16_t id) {
-  return id < GLIDER_SENSOR_COUNT ? kRows[id].width : 0;
+uint32_t sensorWidth(const GliderDictionary& dictionary, uint16_t id) {
+  const GliderSensorFormat* row = rowOf(dictionary, id);
+  return row != nullptr ? row->bytes : 0;
 }
 
-bool isScienceSensor(uint16_t id) {
-  return id < GLIDER_SENSOR_COUNT && kRows[id].science;
+bool isScienceSensor(const GliderDictionary& dictionary, uint16_t id) {
+  const GliderSensorFormat* row = rowOf(dictionary, id);
+  return row != nullptr && row->science != 0;
 }
 
-bool isInstructionSensor(uint16_t id) {
-  switch (id) {
-    case GLIDER_SCI_HOOK_SESSION:
-    case GLIDER_SCI_HOOK_CONTROL:
-    case GLIDER_SCI_HOOK_VERTICAL:
-    case GLIDER_SCI_HOOK_DEPTH:
-    case GLIDER_SCI_HOOK_PITCH:
-    case GLIDER_SCI_HOOK_LATERAL:
-    case GLIDER_SCI_HOOK_HEADING:
-    case GLIDER_SCI_HOOK_LAT:
-    case GLIDER_SCI_HOOK_LON:
-    case GLIDER_SCI_HOOK_CHECK:
-    case GLIDER_SCI_HOOK_SEQUENCE:
+bool isInstructionSensor(const GliderDictionary& dictionary, uint16_t id) {
+  for (uint32_t role = kGliderRoleHookSession; role <= kGliderRoleHookSequence; ++role) {
+    if (id != kNoSensor && sensorOf(dictionary, static_cast<GliderRole>(role)) == id) {
       return true;
-    default:
-      return false;
+    }
   }
+  return false;
 }
 
-Subscription usualSubscription(uint16_t id) {
-  return id < GLIDER_SENSOR_COUNT ? kUsual[id] : Subscription{id};
+Subscription usualSubscription(const GliderDictionary& dictionary, uint16_t id) {
+  const GliderSensorFormat* row = rowOf(dictionary, id);
+  return row != nullptr ? Subscription{id, static_cast<uint8_t>(row->every),
+                                       static_cast<float>(row->dead_band)}
+                        : Subscription{id};
 }
 
-uint64_t toWire(uint16_t id, double value) {
-  switch (sensorWidth(id)) {
+uint64_t toWire(uint32_t width, double value) {
+  switch (width) {
     case 1:
       return toByte(value);
     case 4:
@@ -89,8 +72,8 @@ uint64_t toWire(uint16_t id, double value) {
   }
 }
 
-double fromWire(uint16_t id, uint64_t bits) {
-  switch (sensorWidth(id)) {
+double fromWire(uint32_t width, uint64_t bits) {
+  switch (width) {
     case 1:
       return fromByte(static_cast<uint8_t>(bits));
     case 4:
@@ -98,10 +81,6 @@ double fromWire(uint16_t id, uint64_t bits) {
     default:
       return doubleOf(bits);
   }
-}
-
-uint32_t dictionaryHash() {
-  return GLIDER_DICTIONARY_HASH;
 }
 
 }  // namespace glider::hooks

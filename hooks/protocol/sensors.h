@@ -3,9 +3,11 @@
 
 #pragma once
 
+#include "hooks/protocol/dictionary.h"
+
 #include <stdint.h>
 
-/// The sensors of the vehicle as numbers on the line: see platforms/slocum.toml.
+/// The sensors of the vehicle as numbers on the line, by the dictionary that describes the vehicle.
 namespace glider::hooks {
 
 /// One sensor with its value, in the vehicle's unit.
@@ -21,23 +23,25 @@ struct Subscription {
   float dead_band = 0;  ///< a value within so much of the one that the SBC holds is not sent
 };
 
-uint16_t sensorCount();
+/// No sensor has this number.
+inline constexpr uint16_t kNoSensor = UINT16_MAX;
+
+/// The number of the sensor with this role, kNoSensor if the vehicle has none.
+uint16_t sensorOf(const GliderDictionary& dictionary, GliderRole role);
 /// Bytes that sensor `id` takes in the sensor array and on the line: 1 (int8), 4 (float32), 8
 /// (float64); 0: no such one.
-uint32_t sensorWidth(uint16_t id);
+uint32_t sensorWidth(const GliderDictionary& dictionary, uint16_t id);
 /// True when the science computer has sensor `id`; false for the flight controller's and unknown
 /// ones.
-bool isScienceSensor(uint16_t id);
+bool isScienceSensor(const GliderDictionary& dictionary, uint16_t id);
 /// True for the sensors that make an instruction (`sci_hook_session` … `sci_hook_sequence`): all
 /// that the SBC may write.
-bool isInstructionSensor(uint16_t id);
+bool isInstructionSensor(const GliderDictionary& dictionary, uint16_t id);
 /// As the platform file has it: unless it says otherwise, every report, exactly.
-Subscription usualSubscription(uint16_t id);
-/// The bits of `value` in the width of sensor `id`, as they go on the line: one NaN, and of a
-/// 1-byte sensor whole numbers in -127…127, -128 for NaN.
-uint64_t toWire(uint16_t id, double value);
-double fromWire(uint16_t id, uint64_t bits);
-/// The number that both ends compare before they trust each other's sensor numbers.
-uint32_t dictionaryHash();
+Subscription usualSubscription(const GliderDictionary& dictionary, uint16_t id);
+/// The bits of `value` in `width` bytes (sensorWidth), as they go on the line: one NaN, and in 1
+/// byte whole numbers in -127…127, -128 for NaN.
+uint64_t toWire(uint32_t width, double value);
+double fromWire(uint32_t width, uint64_t bits);
 
 }  // namespace glider::hooks

@@ -67,8 +67,8 @@ void writeList(ByteWriter& out, const Subscribe& subscribe) {
   }
 }
 
-bool isSubscription(const Subscription& wanted) {
-  return sensorWidth(wanted.id) != 0 && wanted.every != 0 && wanted.dead_band >= 0 &&
+bool isSubscription(const GliderDictionary& dictionary, const Subscription& wanted) {
+  return sensorWidth(dictionary, wanted.id) != 0 && wanted.every != 0 && wanted.dead_band >= 0 &&
          isFinite(static_cast<double>(wanted.dead_band));
 }
 
@@ -94,7 +94,7 @@ void encode(const Subscribe& subscribe, Frame& frame) {
   finishPayload(frame, out);
 }
 
-bool decode(const Frame& frame, Subscribe& subscribe) {
+bool decode(const GliderDictionary& dictionary, const Frame& frame, Subscribe& subscribe) {
   ByteReader in = payloadOf(frame);
   subscribe.count = in.u8();
   if (frame.type != MessageType::Subscribe || subscribe.count > kMostSubscriptions) {
@@ -105,7 +105,7 @@ bool decode(const Frame& frame, Subscribe& subscribe) {
     wanted.id = in.u16();
     wanted.every = in.u8();
     wanted.dead_band = in.f32();
-    if (!isSubscription(wanted)) {
+    if (!isSubscription(dictionary, wanted)) {
       return false;
     }
   }
@@ -119,8 +119,8 @@ uint16_t subscriptionCheck(const Subscribe& subscribe) {
   return crc16(bytes, out.size());
 }
 
-void encode(const TickHead& head, const Subscribe& subscription, const TickReadings& readings,
-            Frame& frame) {
+void encode(const GliderDictionary& dictionary, const TickHead& head, const Subscribe& subscription,
+            const TickReadings& readings, Frame& frame) {
   ByteWriter out = startPayload(frame, MessageType::Tick);
   writeHead(out, head);
   const uint32_t count = countOf(subscription);
@@ -139,7 +139,8 @@ void encode(const TickHead& head, const Subscribe& subscription, const TickReadi
   for (uint32_t i = 0; i < count; ++i) {
     if (with_value.has(i)) {
       const uint16_t id = subscription.sensors[i].id;
-      out.bits(toWire(id, readings.values[i]), sensorWidth(id));
+      const uint32_t width = sensorWidth(dictionary, id);
+      out.bits(toWire(width, readings.values[i]), width);
     }
   }
   finishPayload(frame, out);
@@ -164,7 +165,8 @@ bool decode(const Frame& frame, TickHead& head) {
          isFinite(head.vehicle_time_s) && isHookState(state) && isHookAnswer(answer);
 }
 
-bool decode(const Frame& frame, const Subscribe& subscription, TickReadings& readings) {
+bool decode(const GliderDictionary& dictionary, const Frame& frame, const Subscribe& subscription,
+            TickReadings& readings) {
   ByteReader in = payloadOf(frame);
   in.skip(kHeadBytes);
   const uint32_t count = countOf(subscription);
@@ -183,7 +185,8 @@ bool decode(const Frame& frame, const Subscribe& subscription, TickReadings& rea
       if (!reported.has(i)) {
         return false;
       }
-      readings.values[i] = fromWire(id, in.bits(sensorWidth(id)));
+      const uint32_t width = sensorWidth(dictionary, id);
+      readings.values[i] = fromWire(width, in.bits(width));
     }
   }
   return in.exact();

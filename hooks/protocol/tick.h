@@ -47,17 +47,19 @@ struct TickReadings {
 };
 
 void encode(const Subscribe& subscribe, Frame& frame);
-[[nodiscard]] bool decode(const Frame& frame, Subscribe& subscribe);
+/// False too if it names a sensor that `dictionary` lacks.
+[[nodiscard]] bool decode(const GliderDictionary& dictionary, const Frame& frame,
+                          Subscribe& subscribe);
 /// CRC-16 over the list as it stands in a Subscribe: says whether both ends mean the same.
 uint16_t subscriptionCheck(const Subscribe& subscribe);
 
 /// `readings` are those of `subscription`.
-void encode(const TickHead& head, const Subscribe& subscription, const TickReadings& readings,
-            Frame& frame);
+void encode(const GliderDictionary& dictionary, const TickHead& head, const Subscribe& subscription,
+            const TickReadings& readings, Frame& frame);
 /// The head alone: whoever has another subscription cannot read the rest.
 [[nodiscard]] bool decode(const Frame& frame, TickHead& head);
 /// The rest; false if it is not as `subscription` says.
-[[nodiscard]] bool decode(const Frame& frame, const Subscribe& subscription,
-                          TickReadings& readings);
+[[nodiscard]] bool decode(const GliderDictionary& dictionary, const Frame& frame,
+                          const Subscribe& subscription, TickReadings& readings);
 
 }  // namespace glider::hooks

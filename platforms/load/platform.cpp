@@ -3,6 +3,7 @@
 
 #include "platforms/load/platform.h"
 
+#include "hooks/protocol/dictionary.h"
 #include "platforms/load/toml_reader.h"
 
 #include <algorithm>
@@ -92,9 +93,8 @@ PlatformSensor readSensor(TomlReader& reader, size_t id, double cycle_s) {
 
 support::Result<void> readSensors(const std::string& file, const toml::table& root,
                                   Platform& platform) {
-  constexpr size_t kMostSensors = 4096;
   const toml::array* list = root["sensor"].as_array();
-  if (list == nullptr || list->empty() || list->size() > kMostSensors) {
+  if (list == nullptr || list->empty() || list->size() > GLIDER_MOST_SENSORS) {
     return support::fail(support::DiagnosticId::badDataFile, file,
                          "it must have between 1 and 4096 [[sensor]] tables");
   }

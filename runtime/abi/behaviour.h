@@ -18,9 +18,13 @@ extern "C" {
 #endif
 
 /* This tick's reading of the sensor with platform number `id`
-   (generated/platforms/slocum_sensors.h), SI units; NaN if it is unknown or this mission does not
-   subscribe it. */
+   (platforms/slocum_sensors.h of the vehicle `slocum`), SI units; NaN if it is unknown or this
+   mission does not subscribe it. */
 double gliderRead(const GliderContext* context, uint32_t id);
+
+/* The number of the vehicle's sensor with this role (hooks/protocol/roles.def), GLIDER_NO_SENSOR if
+   it has none: for behaviours that fly every vehicle. */
+uint32_t gliderSensorOf(const GliderContext* context, GliderRole role);
 
 /* Seconds since the newest frame that held the sensor; 0 if this tick's did. Of one never seen or
  * not subscribed: NaN. */

@@ -7,18 +7,19 @@
 /* The plain C contract between generated missions, behaviours written in C or C++, and the runtime.
  */
 
+#include "hooks/protocol/dictionary.h"
+
 #include <stdint.h>
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-#define GLIDER_ABI_VERSION 6u
+#define GLIDER_ABI_VERSION 7u
 /* Gives a function declared in C the symbol that a mission looks for; ir/core/c_symbols.h says how
    it spells the function's types. */
 #define GLIDER_SYMBOL(name) __asm__(name)
 #define GLIDER_NO_CASE UINT32_MAX
-#define GLIDER_NO_SENSOR UINT32_MAX
 #define GLIDER_FIRST_OWN_SENSOR 0xFF00u
 #define GLIDER_NO_LIST UINT32_MAX
 #define GLIDER_NO_LIMIT UINT32_MAX

@@ -20,7 +20,11 @@
    One mission a program; all memory is static. Depths in m, angles in rad, positions in degrees,
    temperatures in degC, times in s. */
 
-#include "platforms/slocum_sensors.h"
+/* Which vehicle: vehicle.h. */
+#ifndef GLIDER_SENSORS_HEADER
+#define GLIDER_SENSORS_HEADER "platforms/slocum_sensors.h"
+#endif
+#include GLIDER_SENSORS_HEADER
 
 #include <stddef.h>
 #include <stdint.h>

@@ -3,9 +3,9 @@
 
 #include "runtime/c/program.h"
 
-#include "platforms/slocum_sensors.h"
 #include "runtime/abi/behaviour.h"
 #include "runtime/abi/context_layout.h"
+#include "runtime/c/vehicle.h"
 #include "runtime/core/instruction.h"
 #include "runtime/core/lay_out.h"
 #include "runtime/core/tell_notes.h"
@@ -16,13 +16,6 @@
 
 namespace glider::runtime {
 namespace {
-
-constexpr GliderSensorInfo kSensors[] = {
-#define SENSOR(id, name, to_si, lowest, highest, stale_after, degrees_minutes) \
-  {#name, nullptr, to_si, lowest, highest, stale_after, id, degrees_minutes},
-    GLIDER_SENSOR_TABLE(SENSOR)
-#undef SENSOR
-};
 
 /// As the mission language has it.
 constexpr double kResumeWithin = 300;
@@ -52,7 +45,9 @@ Program& Program::instance() {
 }
 
 Program::Program()
-    : compass_{unknown(), GLIDER_M_GPS_MAG_VAR, 0, gliderConvertHeadings}, variation_(unknown()) {
+    : compass_{unknown(), gliderVehicle.dictionary->roles[kGliderRoleMagneticVariation], 0,
+               gliderConvertHeadings},
+      variation_(unknown()) {
   state_.name = "program";
   mission_.abi_version = GLIDER_ABI_VERSION;
   mission_.state_count = 1;
@@ -60,6 +55,7 @@ Program::Program()
   mission_.sensors = sensors_;  // what the program does stands in its own code, between the ticks
   mission_.resume_within = kResumeWithin;
   mission_.compass = &compass_;
+  mission_.dictionary = gliderVehicle.dictionary;
   wanted_.mission = &nothing_;
   water_.column.clear();
 }
@@ -70,11 +66,13 @@ bool Program::use(uint32_t sensor) {
       return true;
     }
   }
-  if (client_ != nullptr || sensor >= GLIDER_SENSOR_COUNT || mission_.sensor_count == kMost) {
+  if (client_ != nullptr || sensor >= gliderVehicle.dictionary->count ||
+      mission_.sensor_count == kMost) {
     return false;
   }
-  subscription_[mission_.sensor_count] = hooks::usualSubscription(static_cast<uint16_t>(sensor));
-  sensors_[mission_.sensor_count] = kSensors[sensor];
+  subscription_[mission_.sensor_count] =
+      hooks::usualSubscription(*gliderVehicle.dictionary, static_cast<uint16_t>(sensor));
+  sensors_[mission_.sensor_count] = gliderVehicle.sensors[sensor];
   ++mission_.sensor_count;
   return true;
 }
@@ -86,7 +84,7 @@ void Program::open() {
   options.sensors = subscription_;
   options.sensor_count = mission_.sensor_count;
   mission_.name = link_.mission_name;
-  client_ = ::new (client_memory_) hooks::Client(options);
+  client_ = ::new (client_memory_) hooks::Client(*gliderVehicle.dictionary, options);
   log_ = ::new (log_memory_) MissionLog(link_.log, mission_);
   link_log_ = ::new (link_log_memory_) LinkLog(*log_);
   // A change of a variable asks for a checkpoint, one of the water does not.
@@ -225,10 +223,10 @@ void Program::restore() {
 }
 
 void Program::record() {
-  const double depth = gliderRead(context_, GLIDER_M_DEPTH);
-  const double temperature = gliderRead(context_, GLIDER_SCI_WATER_TEMP);
-  if (gliderAge(context_, GLIDER_SCI_WATER_TEMP) == 0.0 && depth == depth &&
-      temperature == temperature) {
+  const double depth = gliderRead(context_, gliderSensorOf(context_, kGliderRoleDepth));
+  const uint32_t thermometer = gliderSensorOf(context_, kGliderRoleWaterTemperature);
+  const double temperature = gliderRead(context_, thermometer);
+  if (gliderAge(context_, thermometer) == 0.0 && depth == depth && temperature == temperature) {
     water_.column.record(context_->mission_time, depth, temperature);
   }
 }

@@ -118,6 +118,10 @@ double valueOf(const GliderContext& context, uint32_t source, uint32_t sensor) {
 
 }  // namespace glider::runtime
 
+extern "C" uint32_t gliderSensorOf(const GliderContext* context, GliderRole role) {
+  return context->mission->dictionary->roles[role];
+}
+
 extern "C" double gliderRead(const GliderContext* context, uint32_t id) {
   const GliderReading* reading = glider::runtime::find(*context, id);
   return reading != nullptr ? reading->value : glider::runtime::unknown();

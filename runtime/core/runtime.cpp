@@ -50,7 +50,7 @@ GliderRuntime::GliderRuntime(void* context_memory, const GliderMission& mission,
     : context_memory_(context_memory),
       mission_(mission),
       parameters_(options.parameters),
-      client_(subscribe(mission, sensors_)),
+      client_(*mission.dictionary, subscribe(mission, sensors_)),
       log_(options.log, mission),
       link_log_(log_),
       variation_(glider::runtime::unknown()),
@@ -67,15 +67,15 @@ glider::hooks::ClientOptions GliderRuntime::subscribe(const GliderMission& missi
   for (uint32_t i = 0; i < mission.sensor_count; ++i) {
     const auto id = static_cast<uint16_t>(mission.sensors[i].id);
     if (mission.sensors[i].poll == nullptr) {  // the vehicle's
-      sensors[options.sensor_count++] = glider::hooks::usualSubscription(id);
+      sensors[options.sensor_count++] = glider::hooks::usualSubscription(*mission.dictionary, id);
     }
   }
   return options;
 }
 
 bool GliderRuntime::acceptable(const GliderMission& mission) {
-  return mission.abi_version == GLIDER_ABI_VERSION && mission.state_count > 0 &&
-         mission.sensor_count <= glider::hooks::kMostSubscriptions &&
+  return mission.abi_version == GLIDER_ABI_VERSION && mission.dictionary != nullptr &&
+         mission.state_count > 0 && mission.sensor_count <= glider::hooks::kMostSubscriptions &&
          mission.parameter_count <= GLIDER_MOST_PARAMETERS &&
          mission.parameter_count <= mission.variable_count &&
          mission.context_bytes == gliderContextLayout(&mission).bytes && hasTables(mission) &&

@@ -4,7 +4,6 @@
 // `thermotrackyo` of missions/library/standard.mission, step by step and bit by bit: that text says
 // what it does and why. tests/flights/library_test.cpp holds the two against each other.
 
-#include "platforms/slocum_sensors.h"
 #include "runtime/abi/window.h"
 #include "runtime/library/library.h"
 #include "runtime/numbers/numbers.h"
@@ -46,6 +45,13 @@ struct Became {
 struct Arguments {
   double top, bottom, dive, climb, dtemp, ddepth;
 };
+
+double depthOf(const GliderContext* context) {
+  return gliderRead(context, gliderSensorOf(context, kGliderRoleDepth));
+}
+double temperatureOf(const GliderContext* context) {
+  return gliderRead(context, gliderSensorOf(context, kGliderRoleWaterTemperature));
+}
 
 /// Unknown if one of the two is.
 double least(double a, double b) {
@@ -92,13 +98,14 @@ static_assert(sizeof(Thermotrackyo) <= GLIDER_BEHAVIOUR_MEMORY_BYTES);
 
 /// (temp - middle) / slant, m.
 double Thermotrackyo::beyondMiddle(const GliderContext* context) const {
-  return gliderSettle((gliderRead(context, GLIDER_SCI_WATER_TEMP) - middle) / slant);
+  return gliderSettle((temperatureOf(context) - middle) / slant);
 }
 
 void Thermotrackyo::window(const GliderContext* context, double* memory, GliderWindowKind kind,
                            bool start) {
-  const double depth_age = gliderAge(context, GLIDER_M_DEPTH);
-  const double temperature_age = gliderAge(context, GLIDER_SCI_WATER_TEMP);
+  const double depth_age = gliderAge(context, gliderSensorOf(context, kGliderRoleDepth));
+  const double temperature_age =
+      gliderAge(context, gliderSensorOf(context, kGliderRoleWaterTemperature));
   const bool fresh = depth_age <= kOldestPartner && temperature_age <= kOldestPartner &&
                      (depth_age == 0.0 || temperature_age == 0.0);
   const GliderWindowShape shape{length, length / kBinsOfStretch, Windows::kBins, kind, 1, 0};
@@ -106,8 +113,8 @@ void Thermotrackyo::window(const GliderContext* context, double* memory, GliderW
   if (start) {
     gliderWindowStart(memory, &shape, time);
   }
-  gliderWindowAdvance(memory, &shape, time, gliderRead(context, GLIDER_M_DEPTH),
-                      gliderRead(context, GLIDER_SCI_WATER_TEMP), fresh ? 1 : 0);
+  gliderWindowAdvance(memory, &shape, time, depthOf(context), temperatureOf(context),
+                      fresh ? 1 : 0);
 }
 
 void Thermotrackyo::advanceWindows(const GliderContext* context, bool start) {
@@ -151,7 +158,7 @@ void Thermotrackyo::fly(GliderContext* context, const Arguments& a) const {
 
 /// The profile's `entry`.
 void Thermotrackyo::depart(GliderContext* context, const Arguments& a) {
-  const double depth = gliderRead(context, GLIDER_M_DEPTH);
+  const double depth = depthOf(context);
   const double bottom = lower(a);
   if (depth != depth || depth >= bottom) {
     down = 0;
@@ -189,7 +196,7 @@ void Thermotrackyo::turn() {
 
 /// The profile's cases.
 void Thermotrackyo::tick(GliderContext* context, const Arguments& a) {
-  const double depth = gliderRead(context, GLIDER_M_DEPTH);
+  const double depth = depthOf(context);
   if (depth != depth) {
     down = 0;
     fly(context, a);

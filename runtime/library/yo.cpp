@@ -3,7 +3,6 @@
 
 #include "runtime/library/yo.h"
 
-#include "platforms/slocum_sensors.h"
 #include "runtime/library/library.h"
 
 namespace glider::runtime {
@@ -35,7 +34,8 @@ extern "C" void gliderProfileYo(GliderContext* context, GliderBehaviourMemory* m
   using glider::runtime::Direction;
   const glider::runtime::YoRange range{top, bottom, dive, climb};
   auto& direction = *reinterpret_cast<Direction*>(memory->bytes);
-  direction = glider::runtime::turn(direction, phase, gliderRead(context, GLIDER_M_DEPTH), range);
+  const double depth = gliderRead(context, gliderSensorOf(context, kGliderRoleDepth));
+  direction = glider::runtime::turn(direction, phase, depth, range);
   glider::runtime::flyLeg(context, direction, range);
 }
 

@@ -3,9 +3,7 @@
 
 #include "simulator/campaign/command_judge.h"
 
-#include "hooks/hookbeh/hull.h"
 #include "hooks/protocol/numbers.h"
-#include "platforms/slocum_sensors.h"
 #include "simulator/campaign/commanded.h"
 
 #include <fmt/format.h>
@@ -141,7 +139,7 @@ std::string CommandJudge::judgeWhole(const CycleView& view) const {
   }
   const bool named = std::string_view(out.doing).starts_with("climb: ");
   if (named != (out.guard != hooks::HookGuard::None) ||
-      view.array.get(GLIDER_X_HOOK_GUARD) != static_cast<double>(out.guard)) {
+      view.array.get(Sensor::x_hook_guard) != static_cast<double>(out.guard)) {
     return fmt::format("x_hook_guard does not show `{}`", out.doing);
   }
   if (view.mission_s < s_.args.start_secs) {
@@ -152,7 +150,7 @@ std::string CommandJudge::judgeWhole(const CycleView& view) const {
                        s_.args.steepest_pitch_rad);
   }
   // Its own climbs are with all of the pump.
-  const double most_cc = climbsByItself(out) ? hooks::kHull.pump_cc : s_.args.climb_pump_cc;
+  const double most_cc = climbsByItself(out) ? s_.pump_cc : s_.args.climb_pump_cc;
   if (out.pump_cc > most_cc + kPumpError || out.pump_cc < s_.args.dive_pump_cc - kPumpError) {
     return fmt::format("a pump of {:.0f} cc is commanded", out.pump_cc);
   }
@@ -344,7 +342,7 @@ std::string CommandJudge::cycle(const CycleView& view) {
     excused_ = false;
     return view.hookbeh->commanding ? "hookbeh commands, and the SBC is not in control" : "";
   }
-  const double reading = view.array.get(GLIDER_M_DEPTH);
+  const double reading = view.array.get(Sensor::m_depth);
   std::string wrong = judgeWhole(view);
   wrong = wrong.empty() ? judgeLimits(view, reading) : wrong;
   wrong = wrong.empty() ? judgeBlind(view, reading) : wrong;

@@ -4,7 +4,6 @@
 #include "simulator/campaign/flight_judge.h"
 
 #include "hooks/protocol/messages.h"
-#include "platforms/slocum_sensors.h"
 
 #include <fmt/format.h>
 
@@ -16,11 +15,11 @@ using hooks::HookState;
 
 namespace {
 
-constexpr std::array<uint16_t, 11> kInstruction = {
-    GLIDER_SCI_HOOK_SESSION, GLIDER_SCI_HOOK_CONTROL, GLIDER_SCI_HOOK_VERTICAL,
-    GLIDER_SCI_HOOK_DEPTH,   GLIDER_SCI_HOOK_PITCH,   GLIDER_SCI_HOOK_LATERAL,
-    GLIDER_SCI_HOOK_HEADING, GLIDER_SCI_HOOK_LAT,     GLIDER_SCI_HOOK_LON,
-    GLIDER_SCI_HOOK_CHECK,   GLIDER_SCI_HOOK_SEQUENCE};
+constexpr std::array<Sensor, 11> kInstruction = {
+    Sensor::sci_hook_session, Sensor::sci_hook_control, Sensor::sci_hook_vertical,
+    Sensor::sci_hook_depth,   Sensor::sci_hook_pitch,   Sensor::sci_hook_lateral,
+    Sensor::sci_hook_heading, Sensor::sci_hook_lat,     Sensor::sci_hook_lon,
+    Sensor::sci_hook_check,   Sensor::sci_hook_sequence};
 constexpr double kAtSurface = 1;  // m
 constexpr double kSettled = 60;   // s at the surface after which nothing more is to come
 constexpr double kGiveBack = static_cast<double>(hooks::HookControl::GiveBack);
@@ -75,19 +74,24 @@ void FlightJudge::said(std::span<const uint8_t> bytes, double now_s) {
     }
     hooks::SensorList list;
     if (decoder_.frame().type == hooks::MessageType::Write &&
-        hooks::decodeList(decoder_.frame(), list)) {
+        hooks::decodeList(setup_.dictionary->get(), decoder_.frame(), list)) {
       hear(list, now_s);
     }
     hearDone(decoder_.frame(), now_s);
   }
 }
 
+/// Under which number the SBC writes a field of an instruction; the roles have their order.
+uint16_t FlightJudge::numberOf(size_t field) const {
+  return hooks::sensorOf(setup_.dictionary->get(),
+                         static_cast<GliderRole>(kGliderRoleHookSession + field));
+}
+
 void FlightJudge::hear(const hooks::SensorList& write, double now_s) {
   Words instruction{};
   for (size_t i = 0; i < kFields; ++i) {
     for (uint32_t k = 0; k < write.count; ++k) {
-      instruction[i] =
-          write.values[k].id == kInstruction[i] ? write.values[k].value : instruction[i];
+      instruction[i] = write.values[k].id == numberOf(i) ? write.values[k].value : instruction[i];
     }
   }
   const Number number{instruction.front(), instruction.back()};
@@ -123,10 +127,10 @@ void FlightJudge::judgeObeyed(const CycleView& view) {
   if (view.aborted || !(view.hook == HookState::Active || gives_back)) {
     return;
   }
-  const uint16_t session = gives_back ? GLIDER_SCI_HOOK_SESSION : GLIDER_X_HOOK_SESSION;
-  const Number number{view.array.get(session), view.array.get(GLIDER_X_HOOK_SEQUENCE)};
+  const Sensor session = gives_back ? Sensor::sci_hook_session : Sensor::x_hook_session;
+  const Number number{view.array.get(session), view.array.get(Sensor::x_hook_sequence)};
   const bool accepted =
-      view.array.get(GLIDER_X_HOOK_ANSWER) == static_cast<double>(hooks::HookAnswer::Accepted);
+      view.array.get(Sensor::x_hook_answer) == static_cast<double>(hooks::HookAnswer::Accepted);
   if (!accepted || number == decided_) {
     return;
   }
@@ -183,12 +187,12 @@ void FlightJudge::followRestart(const CycleView& view) {
 
 /// What hookbeh has answered an instruction, once for each that it has decided on.
 void FlightJudge::judgeAnswer(const CycleView& view) {
-  const auto answer = static_cast<hooks::HookAnswer>(view.array.get(GLIDER_X_HOOK_ANSWER));
-  const Number number{view.array.get(GLIDER_SCI_HOOK_SESSION),
-                      view.array.get(GLIDER_X_HOOK_SEQUENCE)};
+  const auto answer = static_cast<hooks::HookAnswer>(view.array.get(Sensor::x_hook_answer));
+  const Number number{view.array.get(Sensor::sci_hook_session),
+                      view.array.get(Sensor::x_hook_sequence)};
   const bool decided = view.hookbeh != nullptr && answer != hooks::HookAnswer::None &&
                        answer != hooks::HookAnswer::BadCheck &&
-                       number.second == view.array.get(GLIDER_SCI_HOOK_SEQUENCE);
+                       number.second == view.array.get(Sensor::sci_hook_sequence);
   const auto said = said_.find(number);
   if (!decided || number == answered_ || said == said_.end()) {
     return;
@@ -203,7 +207,7 @@ void FlightJudge::judgeAnswer(const CycleView& view) {
 void FlightJudge::judgeGarbled(const CycleView& view) {
   const bool garbled =
       view.hook == HookState::Active &&
-      view.array.get(GLIDER_X_HOOK_ANSWER) == static_cast<double>(hooks::HookAnswer::BadCheck);
+      view.array.get(Sensor::x_hook_answer) == static_cast<double>(hooks::HookAnswer::BadCheck);
   garbled_since_s_ = !garbled ? -1 : garbled_since_s_ < 0 ? view.time_s : garbled_since_s_;
   const double most = letGoSecs(Control::Silent, setup_.args.silence_secs, setup_.cycle_s);
   if (garbled && view.time_s - garbled_since_s_ > most) {
@@ -216,8 +220,8 @@ void FlightJudge::judgeGarbled(const CycleView& view) {
 void FlightJudge::judgeTimes(const CycleView& view) {
   // hookbeh answers every instruction, and repeats its last answer until the next.
   const bool answered =
-      view.array.get(GLIDER_X_HOOK_SEQUENCE) == newest_.second &&
-      view.array.get(GLIDER_X_HOOK_ANSWER) != static_cast<double>(hooks::HookAnswer::BadCheck);
+      view.array.get(Sensor::x_hook_sequence) == newest_.second &&
+      view.array.get(Sensor::x_hook_answer) != static_cast<double>(hooks::HookAnswer::BadCheck);
   newest_answered_ = newest_answered_ || answered;
   if (view.hook != HookState::Active) {
     newest_said_s_ = view.time_s;

@@ -59,6 +59,7 @@ class FlightJudge final : public Onlooker {
   using Words = std::array<double, kFields>;
   using Number = std::pair<double, double>;  ///< session, sequence
 
+  [[nodiscard]] uint16_t numberOf(size_t field) const;
   void hear(const hooks::SensorList& write, double now_s);
   void hearDone(const hooks::Frame& frame, double now_s);
   void followRestart(const CycleView& view);

@@ -3,9 +3,7 @@
 
 #include "simulator/campaign/guard_judge.h"
 
-#include "hooks/hookbeh/hull.h"
 #include "hooks/protocol/messages.h"
-#include "platforms/slocum_sensors.h"
 #include "simulator/campaign/commanded.h"
 
 #include <fmt/format.h>
@@ -58,14 +56,14 @@ void GuardJudge::restart() {
 /// Its own climbs are with all of the pump, whatever c_bpump_value says of usual ones.
 std::string GuardJudge::judgePump(const CycleView& view) const {
   const bool weak =
-      climbsByItself(*view.hookbeh) && view.hookbeh->pump_cc < hooks::kHull.pump_cc - kPumpError;
+      climbsByItself(*view.hookbeh) && view.hookbeh->pump_cc < s_.pump_cc - kPumpError;
   return weak ? fmt::format("{} with {:.0f} cc, and the pump has {:.0f}", view.hookbeh->doing,
-                            view.hookbeh->pump_cc, hooks::kHull.pump_cc)
+                            view.hookbeh->pump_cc, s_.pump_cc)
               : "";
 }
 
 std::string GuardJudge::judgeJump(const CycleView& view) {
-  const double reading = view.array.get(GLIDER_M_DEPTH);
+  const double reading = view.array.get(Sensor::m_depth);
   const double by = reading - reading_m_;
   const bool jumped =
       right_s_ >= kRightSecs && view.time_s - last_s_ <= kLongestCycle && std::fabs(by) > kJump;
@@ -79,7 +77,7 @@ std::string GuardJudge::judgeJump(const CycleView& view) {
 
 /// A climb that gains no height gets all that there is.
 std::string GuardJudge::judgeClimb(const CycleView& view) {
-  const double reading = view.array.get(GLIDER_M_DEPTH);
+  const double reading = view.array.get(Sensor::m_depth);
   const bool counts = view.hook == HookState::Active && climbs(*view.hookbeh) &&
                       !climbsByItself(*view.hookbeh) && !view.overridden && reading > kBelowSurface;
   const bool moves = !(climbs_s_ > 0) || std::fabs(reading - stood_m_) >= kStandsStill;
@@ -96,7 +94,7 @@ std::string GuardJudge::judgeOverridden(const CycleView& view) {
   const HookGuard guard = view.hookbeh->guard;
   const bool stalled = guard == HookGuard::NoDepthGained || guard == HookGuard::NoHeightGained;
   const bool wrong = stalled && !stalled_ && away_s_ > kAwaySecs;
-  const double off_cc = view.array.get(GLIDER_C_BALLAST_PUMPED) - view.hookbeh->pump_cc;
+  const double off_cc = view.array.get(Sensor::c_ballast_pumped) - view.hookbeh->pump_cc;
   const bool away = view.overridden && std::fabs(off_cc) > kAwayCc;
   away_s_ = away ? away_s_ + view.time_s - last_s_ : 0;
   stalled_ = stalled;
@@ -108,13 +106,13 @@ std::string GuardJudge::judgeOverridden(const CycleView& view) {
 /// By one clock that is wrong a cycle may count twice, and no more.
 bool GuardJudge::isTooSoon(const CycleView& view, double silent_s) const {
   const bool garbled =
-      view.array.get(GLIDER_X_HOOK_ANSWER) == static_cast<double>(hooks::HookAnswer::BadCheck);
+      view.array.get(Sensor::x_hook_answer) == static_cast<double>(hooks::HookAnswer::BadCheck);
   return wrong_clocks_ == 1 && !garbled && silent_s < s_.args.silence_secs / 2;
 }
 
 /// A heartbeat counts if it is newer than all before.
 std::string GuardJudge::judgeHeartbeat(const CycleView& view) {
-  const double beat = view.array.get(GLIDER_SCI_HOOK_HEARTBEAT);
+  const double beat = view.array.get(Sensor::sci_hook_heartbeat);
   const bool whole = beat >= 0 && beat <= hooks::kMostSession && std::floor(beat) == beat;
   const bool newer = whole && hooks::isNewerSession(static_cast<uint32_t>(beat),
                                                     static_cast<uint32_t>(heartbeat_));
@@ -123,6 +121,12 @@ std::string GuardJudge::judgeHeartbeat(const CycleView& view) {
     heartbeat_ = whole ? beat : heartbeat_;
     heard_s_ = view.time_s;
   }
+  // In the cycle in which hookbeh lets go of one session it may take the next one's handshake.
+  const double session = view.array.get(Sensor::x_hook_session);
+  if (view.hook == HookState::Active && session > 0 && session != session_) {
+    heard_s_ = view.time_s;
+  }
+  session_ = session;
   hook_ = view.hook;
   const double silent_s = view.time_s - heard_s_;
   if (was_active && view.hook == HookState::Silent && isTooSoon(view, silent_s)) {

@@ -43,7 +43,8 @@ class GuardJudge {
 
   hooks::HookState hook_ = hooks::HookState::Absent;  ///< in the cycle before
   double heartbeat_ = 0;                              ///< the newest
-  double heard_s_ = 0;                                ///< when it came
+  double heard_s_ = 0;                                ///< when it came, or a session began
+  double session_ = 0;                                ///< in control, in the cycle before
 };
 
 }  // namespace glider::simulator

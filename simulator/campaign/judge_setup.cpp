@@ -74,6 +74,8 @@ JudgeSetup judgeSetup(const platforms::Platform& platform, const Scenario& scena
   setup.promise = promiseOf(kinds);
   setup.has_ctd = scenario.sensors.ctd.dropout < 1;
   setup.hull_m = platform.envelope.greatest_depth_m;
+  setup.pump_cc = platform.envelope.pump_cc;
+  setup.dictionary = std::make_shared<const platforms::Dictionary>(platform);
   setup.cycle_s = platform.envelope.cycle_s;
   setup.turn_s = platform.world.turn_s;
   setup.slowest_climb_mps = platform.world.slowest_climb_m_s;

@@ -4,10 +4,12 @@
 #pragma once
 
 #include "hooks/hookbeh/args.h"
+#include "platforms/load/dictionary.h"
 #include "platforms/load/platform.h"
 #include "simulator/campaign/promises.h"
 #include "simulator/scenario/scenario.h"
 
+#include <memory>
 #include <vector>
 
 namespace glider::simulator {
@@ -23,6 +25,8 @@ struct JudgeSetup {
   double overdepth_m = -1;   ///< of its abend; negative: none
   double undervolts = -1;    ///< the same
   double hull_m = 0;         ///< the vehicle's greatest depth
+  double pump_cc = 0;        ///< all that its pump has
+  std::shared_ptr<const platforms::Dictionary> dictionary;  ///< of its sensors; not null
   double cycle_s = 4;
   double turn_s = 120;  ///< from the command to climb until it does
   double slowest_climb_mps = 0.05;

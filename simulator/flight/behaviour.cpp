@@ -48,7 +48,8 @@ void Behaviour::run(const Situation& situation, Commands& commands) {
   }
 }
 
-std::unique_ptr<Behaviour> makeBehaviour(const slocum::BehaviourBlock& block) {
+std::unique_ptr<Behaviour> makeBehaviour(const slocum::BehaviourBlock& block,
+                                         const hooks::Hull& hull) {
   if (block.name == "abend") {
     return std::make_unique<Abend>(block);
   }
@@ -65,7 +66,7 @@ std::unique_ptr<Behaviour> makeBehaviour(const slocum::BehaviourBlock& block) {
     return std::make_unique<GotoWpt>(block);
   }
   if (block.name == "hookbeh") {
-    return std::make_unique<HookbehAdapter>(block);
+    return std::make_unique<HookbehAdapter>(block, hull);
   }
   return nullptr;
 }

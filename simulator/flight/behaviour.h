@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "hooks/hookbeh/hull.h"
 #include "simulator/flight/commands.h"
 #include "simulator/flight/situation.h"
 #include "simulator/journal.h"
@@ -78,6 +79,7 @@ class Behaviour {
 
 /// The behaviour that `block` describes; null for one that has no effect here. `block` has passed
 /// checkSkeleton.
-std::unique_ptr<Behaviour> makeBehaviour(const slocum::BehaviourBlock& block);
+std::unique_ptr<Behaviour> makeBehaviour(const slocum::BehaviourBlock& block,
+                                         const hooks::Hull& hull);
 
 }  // namespace glider::simulator

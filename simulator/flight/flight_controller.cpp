@@ -4,7 +4,7 @@
 #include "simulator/flight/flight_controller.h"
 
 #include "hooks/protocol/numbers.h"
-#include "platforms/slocum_sensors.h"
+#include "simulator/flight/hull.h"
 #include "simulator/flight/position.h"
 
 #include <fmt/format.h>
@@ -49,7 +49,10 @@ FlightController::FlightController(const platforms::Platform& platform,
       attitude_(seed, sensors.pitch_rad, sensors.heading_rad),
       altimeter_(seed, sensors.altimeter),
       gps_(seed, sensors.gps_m),
-      layers_(std::make_unique<LayeredControl>(mission)),
+      hull_(hullOf(platform)),
+      layers_(std::make_unique<LayeredControl>(mission, hull_)),
+      dictionary_(platform),
+      clothesline_(dictionary_.get()),
       journal_(journal),
       cycle_s_(platform.envelope.cycle_s) {}
 
@@ -67,12 +70,12 @@ hooks::HookState FlightController::hookState() const {
 
 /// By what magnetic headings exceed true ones, rad, as far as the vehicle knows: from its last fix.
 double FlightController::variation() const {
-  const double told = array_.get(GLIDER_M_GPS_MAG_VAR);
+  const double told = array_.get(Sensor::m_gps_mag_var);
   return std::isnan(told) ? 0 : told;
 }
 
-double FlightController::felt(uint16_t id, double truth) const {
-  const double held = array_.get(id);
+double FlightController::felt(Sensor sensor, double truth) const {
+  const double held = array_.get(sensor);
   return held == hooks::asFloat32(truth) ? truth : held;
 }
 
@@ -80,48 +83,48 @@ double FlightController::felt(uint16_t id, double truth) const {
 /// made of it.
 void FlightController::readPressure(const Vehicle& vehicle) {
   const double bar = depth_sensor_.pressure(vehicle.depth());
-  array_.set(GLIDER_M_PRESSURE, bar);
-  const double pressed = felt(GLIDER_M_PRESSURE, bar) * DepthSensor::kMetresPerBar;
+  array_.set(Sensor::m_pressure, bar);
+  const double pressed = felt(Sensor::m_pressure, bar) * DepthSensor::kMetresPerBar;
   const double truth = pressed < 0 ? 0 : pressed;
-  array_.set(GLIDER_M_DEPTH, truth);
-  const double depth = felt(GLIDER_M_DEPTH, truth);
+  array_.set(Sensor::m_depth, truth);
+  const double depth = felt(Sensor::m_depth, truth);
   const double rate = cycles_ == 0 ? 0 : (depth - last_depth_) / cycle_s_;
   last_depth_ = depth;
-  array_.set(GLIDER_M_DEPTH_RATE, rate);
-  depth_rate_ = felt(GLIDER_M_DEPTH_RATE, rate);
+  array_.set(Sensor::m_depth_rate, rate);
+  depth_rate_ = felt(Sensor::m_depth_rate, rate);
 }
 
 void FlightController::readSensors(double now_s, const Ocean& ocean, const Vehicle& vehicle) {
   SensorArray& a = array_;
-  a.set(GLIDER_M_PRESENT_TIME, kStartOfMission + now_s);
-  a.set(GLIDER_M_PRESENT_SECS_INTO_MISSION, now_s - mission_start_s_);
-  a.set(GLIDER_M_CYCLE_NUMBER, cycles_);
+  a.set(Sensor::m_present_time, kStartOfMission + now_s);
+  a.set(Sensor::m_present_secs_into_mission, now_s - mission_start_s_);
+  a.set(Sensor::m_cycle_number, cycles_);
   readPressure(vehicle);
-  a.set(GLIDER_M_PITCH, attitude_.pitch(vehicle.pitch()));
-  a.set(GLIDER_M_ROLL, 0);
+  a.set(Sensor::m_pitch, attitude_.pitch(vehicle.pitch()));
+  a.set(Sensor::m_roll, 0);
   const GeoPosition truth = frame_.position(vehicle.x(), vehicle.y());
   const double declination = declination_.at(truth.latitude_deg, truth.longitude_deg);
-  a.set(GLIDER_M_HEADING, attitude_.heading(vehicle.heading() - declination));
+  a.set(Sensor::m_heading, attitude_.heading(vehicle.heading() - declination));
   const double altitude =
       altimeter_.altitude(vehicle.depth(), ocean.waterDepth(vehicle.x(), vehicle.y()));
   if (!std::isnan(altitude)) {
-    a.set(GLIDER_M_ALTITUDE, altitude);
-    a.set(GLIDER_M_WATER_DEPTH, last_depth_ + altitude);
+    a.set(Sensor::m_altitude, altitude);
+    a.set(Sensor::m_water_depth, last_depth_ + altitude);
   }
-  a.set(GLIDER_M_BATTERY, vehicle.battery().voltage());
-  a.set(GLIDER_M_COULOMB_AMPHR_TOTAL, vehicle.battery().ampHours());
-  a.set(GLIDER_M_VACUUM, kVacuum);
-  a.set(GLIDER_M_LEAKDETECT_VOLTAGE, kDryVoltage);
-  a.set(GLIDER_M_BALLAST_PUMPED, vehicle.pumpedCc());
-  a.set(GLIDER_M_BATTPOS, vehicle.batteryPositionIn());
-  a.set(GLIDER_M_FIN, vehicle.fin());
+  a.set(Sensor::m_battery, vehicle.battery().voltage());
+  a.set(Sensor::m_coulomb_amphr_total, vehicle.battery().ampHours());
+  a.set(Sensor::m_vacuum, kVacuum);
+  a.set(Sensor::m_leakdetect_voltage, kDryVoltage);
+  a.set(Sensor::m_ballast_pumped, vehicle.pumpedCc());
+  a.set(Sensor::m_battpos, vehicle.batteryPositionIn());
+  a.set(Sensor::m_fin, vehicle.fin());
   locate(now_s, declination, vehicle);
 }
 
 /// Dead reckoning, and a GPS fix if there is one.
 void FlightController::locate(double now_s, double declination, const Vehicle& vehicle) {
   SensorArray& a = array_;
-  navigator_.reckon(depth_rate_, a.get(GLIDER_M_PITCH), a.get(GLIDER_M_HEADING) - variation(),
+  navigator_.reckon(depth_rate_, a.get(Sensor::m_pitch), a.get(Sensor::m_heading) - variation(),
                     last_depth_ < kSurfaceDepth, cycles_ == 0 ? 0 : cycle_s_);
   const auto fix = gps_.fix(vehicle.x(), vehicle.y(), vehicle.depth(), now_s);
   has_fix_ = fix.has_value();
@@ -129,15 +132,15 @@ void FlightController::locate(double now_s, double declination, const Vehicle& v
     navigator_.fix(*fix);
   }
   const GeoPosition position = navigator_.position();
-  a.set(GLIDER_M_X_LMC, navigator_.x());
-  a.set(GLIDER_M_Y_LMC, navigator_.y());
-  a.set(GLIDER_M_LAT, toDdmm(position.latitude_deg));
-  a.set(GLIDER_M_LON, toDdmm(position.longitude_deg));
-  a.set(GLIDER_M_SPEED, navigator_.speed());
+  a.set(Sensor::m_x_lmc, navigator_.x());
+  a.set(Sensor::m_y_lmc, navigator_.y());
+  a.set(Sensor::m_lat, toDdmm(position.latitude_deg));
+  a.set(Sensor::m_lon, toDdmm(position.longitude_deg));
+  a.set(Sensor::m_speed, navigator_.speed());
   if (fix) {
-    a.set(GLIDER_M_GPS_LAT, a.get(GLIDER_M_LAT));
-    a.set(GLIDER_M_GPS_LON, a.get(GLIDER_M_LON));
-    a.set(GLIDER_M_GPS_MAG_VAR, Gps::variation(declination));
+    a.set(Sensor::m_gps_lat, a.get(Sensor::m_lat));
+    a.set(Sensor::m_gps_lon, a.get(Sensor::m_lon));
+    a.set(Sensor::m_gps_mag_var, Gps::variation(declination));
   }
 }
 
@@ -179,19 +182,19 @@ Situation FlightController::situation(double now_s) {
   Situation s;
   s.flight_s = now_s;
   s.time_s = now_s - mission_start_s_;
-  s.depth_m = array_.get(GLIDER_M_DEPTH);
-  s.depth_rate_mps = array_.get(GLIDER_M_DEPTH_RATE);
-  s.altitude_m = array_.fresh(GLIDER_M_ALTITUDE) ? array_.get(GLIDER_M_ALTITUDE) : kNaN;
-  s.voltage = array_.get(GLIDER_M_BATTERY);
-  s.latitude_ddmm = array_.get(GLIDER_M_LAT);
-  s.longitude_ddmm = array_.get(GLIDER_M_LON);
-  s.waypoint_distance_m = array_.get(GLIDER_M_DIST_TO_WPT);
+  s.depth_m = array_.get(Sensor::m_depth);
+  s.depth_rate_mps = array_.get(Sensor::m_depth_rate);
+  s.altitude_m = array_.fresh(Sensor::m_altitude) ? array_.get(Sensor::m_altitude) : kNaN;
+  s.voltage = array_.get(Sensor::m_battery);
+  s.latitude_ddmm = array_.get(Sensor::m_lat);
+  s.longitude_ddmm = array_.get(Sensor::m_lon);
+  s.waypoint_distance_m = array_.get(Sensor::m_dist_to_wpt);
   s.at_surface = s.depth_m < kSurfaceDepth;
   s.gps_fix = has_fix_;
   s.array = &array_;
   (s.at_surface ? surfaced_s_ : submerged_s_) = s.time_s;
   s.silent_s = s.time_s - surfaced_s_;
-  array_.set(GLIDER_M_DEPTH_STATE, depthState(s));
+  array_.set(Sensor::m_depth_state, depthState(s));
   return s;
 }
 
@@ -201,18 +204,18 @@ void FlightController::noteOrder() {
     ordered_sequence_ = kNaN;
     return;
   }
-  const double sequence = array_.get(GLIDER_X_HOOK_SEQUENCE);
+  const double sequence = array_.get(Sensor::x_hook_sequence);
   const bool accepted =
-      array_.get(GLIDER_X_HOOK_ANSWER) == static_cast<double>(hooks::HookAnswer::Accepted);
+      array_.get(Sensor::x_hook_answer) == static_cast<double>(hooks::HookAnswer::Accepted);
   if (!accepted || sequence == ordered_sequence_) {
     return;
   }
   ordered_sequence_ = sequence;
-  if (array_.get(GLIDER_SCI_HOOK_VERTICAL) == static_cast<double>(hooks::HookVertical::None)) {
+  if (array_.get(Sensor::sci_hook_vertical) == static_cast<double>(hooks::HookVertical::None)) {
     return;  // turns only: the vertical command in force stays
   }
-  order_.vertical = array_.get(GLIDER_SCI_HOOK_VERTICAL);
-  order_.depth_m = array_.get(GLIDER_SCI_HOOK_DEPTH);
+  order_.vertical = array_.get(Sensor::sci_hook_vertical);
+  order_.depth_m = array_.get(Sensor::sci_hook_depth);
   noteRange();
 }
 
@@ -238,9 +241,9 @@ void FlightController::startAbort(Abort abort, const std::string& why, double no
 /// for lines lose frames.
 void FlightController::tellHookIsOver() {
   if (aborted() && layers_->hookbeh() != nullptr) {
-    array_.set(GLIDER_X_HOOK_STATE, static_cast<double>(hooks::HookState::Complete));
-    array_.set(GLIDER_X_HOOK_SESSION, 0);
-    array_.set(GLIDER_X_HOOK_GUARD, 0);
+    array_.set(Sensor::x_hook_state, static_cast<double>(hooks::HookState::Complete));
+    array_.set(Sensor::x_hook_session, 0);
+    array_.set(Sensor::x_hook_guard, 0);
   }
 }
 
@@ -256,10 +259,10 @@ void FlightController::restart(double now_s, bool keeps_array) {
                keeps_array ? "the mission restarts" : "the flight controller restarts");
   if (!keeps_array) {
     array_.clear();
-    clothesline_ = hooks::Clothesline();
+    clothesline_ = hooks::Clothesline(dictionary_.get());
     dynamics_ = DynamicControl();
   }
-  layers_ = std::make_unique<LayeredControl>(mission_);
+  layers_ = std::make_unique<LayeredControl>(mission_, hull_);
   mission_start_s_ = now_s;
   cycles_ = 0;
   surfaced_s_ = submerged_s_ = 0;
@@ -276,21 +279,21 @@ void FlightController::leaveOver(const Leftover& leftover) {
   instruction.depth_m = leftover.depth_m;
   instruction.pitch_rad = -kAbortPitch;
   instruction = hooks::roundToArray(instruction);
-  const std::pair<uint16_t, double> words[] = {
-      {GLIDER_SCI_HOOK_HEARTBEAT, 1},
-      {GLIDER_SCI_HOOK_SESSION, instruction.session},
-      {GLIDER_SCI_HOOK_CONTROL, static_cast<double>(instruction.control)},
-      {GLIDER_SCI_HOOK_VERTICAL, static_cast<double>(instruction.vertical)},
-      {GLIDER_SCI_HOOK_DEPTH, instruction.depth_m},
-      {GLIDER_SCI_HOOK_PITCH, instruction.pitch_rad},
-      {GLIDER_SCI_HOOK_LATERAL, static_cast<double>(instruction.lateral)},
-      {GLIDER_SCI_HOOK_HEADING, instruction.heading_rad},
-      {GLIDER_SCI_HOOK_LAT, instruction.latitude_ddmm},
-      {GLIDER_SCI_HOOK_LON, instruction.longitude_ddmm},
-      {GLIDER_SCI_HOOK_CHECK, hooks::checkValue(instruction)},
-      {GLIDER_SCI_HOOK_SEQUENCE, instruction.sequence}};
-  for (const auto& [id, value] : words) {
-    array_.set(id, value);
+  const std::pair<Sensor, double> words[] = {
+      {Sensor::sci_hook_heartbeat, 1},
+      {Sensor::sci_hook_session, instruction.session},
+      {Sensor::sci_hook_control, static_cast<double>(instruction.control)},
+      {Sensor::sci_hook_vertical, static_cast<double>(instruction.vertical)},
+      {Sensor::sci_hook_depth, instruction.depth_m},
+      {Sensor::sci_hook_pitch, instruction.pitch_rad},
+      {Sensor::sci_hook_lateral, static_cast<double>(instruction.lateral)},
+      {Sensor::sci_hook_heading, instruction.heading_rad},
+      {Sensor::sci_hook_lat, instruction.latitude_ddmm},
+      {Sensor::sci_hook_lon, instruction.longitude_ddmm},
+      {Sensor::sci_hook_check, hooks::checkValue(instruction)},
+      {Sensor::sci_hook_sequence, instruction.sequence}};
+  for (const auto& [sensor, value] : words) {
+    array_.set(sensor, value);
   }
 }
 
@@ -336,14 +339,14 @@ void FlightController::control(const Commands& commands, const Situation& s, Veh
     const double magnetic = std::remainder(bearing + variation(), kTurn);
     bearing = magnetic < 0 ? magnetic + kTurn : magnetic;
   }
-  array_.set(GLIDER_M_DIST_TO_WPT, distance);
+  array_.set(Sensor::m_dist_to_wpt, distance);
   dynamics_.cycle(commands,
-                  {s.time_s, array_.get(GLIDER_M_PITCH), array_.get(GLIDER_M_HEADING), bearing},
+                  {s.time_s, array_.get(Sensor::m_pitch), array_.get(Sensor::m_heading), bearing},
                   cycle_s_, vehicle);
-  array_.set(GLIDER_C_PITCH, dynamics_.pitchCommand());
-  array_.set(GLIDER_C_HEADING, dynamics_.headingCommand());
-  array_.set(GLIDER_C_BALLAST_PUMPED, dynamics_.pumpCommand());
-  array_.set(GLIDER_X_MISSION_STATUS, static_cast<double>(abort_));
+  array_.set(Sensor::c_pitch, dynamics_.pitchCommand());
+  array_.set(Sensor::c_heading, dynamics_.headingCommand());
+  array_.set(Sensor::c_ballast_pumped, dynamics_.pumpCommand());
+  array_.set(Sensor::x_mission_status, static_cast<double>(abort_));
 }
 
 void FlightController::judgeEnd(const Situation& s) {

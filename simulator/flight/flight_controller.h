@@ -4,6 +4,7 @@
 #pragma once
 
 #include "hooks/clothesline/clothesline.h"
+#include "platforms/load/dictionary.h"
 #include "simulator/faults/faults.h"
 #include "simulator/flight/dynamic_control.h"
 #include "simulator/flight/layered_control.h"
@@ -88,9 +89,9 @@ class FlightController {
   void locate(double now_s, double declination, const Vehicle& vehicle);
   [[nodiscard]] double variation() const;
   void readPressure(const Vehicle& vehicle);
-  /// What the array holds of sensor `id` after `truth` was put there: `truth`, with all its digits,
+  /// What the array holds of `sensor` after `truth` was put there: `truth`, with all its digits,
   /// unless the sensor is damaged.
-  [[nodiscard]] double felt(uint16_t id, double truth) const;
+  [[nodiscard]] double felt(Sensor sensor, double truth) const;
   void receive(const GliderByteStream& clothesline);
   void send(const GliderByteStream& clothesline);
   [[nodiscard]] Situation situation(double now_s);
@@ -111,8 +112,10 @@ class FlightController {
   AttitudeSensor attitude_;
   Altimeter altimeter_;
   Gps gps_;
+  hooks::Hull hull_;
   std::unique_ptr<LayeredControl> layers_;
   DynamicControl dynamics_;
+  platforms::Dictionary dictionary_;
   hooks::Clothesline clothesline_;
   Journal& journal_;
   double cycle_s_;

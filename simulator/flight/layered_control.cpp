@@ -8,9 +8,9 @@
 
 namespace glider::simulator {
 
-LayeredControl::LayeredControl(const slocum::MissionFile& mission) {
+LayeredControl::LayeredControl(const slocum::MissionFile& mission, const hooks::Hull& hull) {
   for (size_t i = 0; i < mission.behaviours.size(); ++i) {
-    auto behaviour = makeBehaviour(mission.behaviours[i]);
+    auto behaviour = makeBehaviour(mission.behaviours[i], hull);
     if (behaviour == nullptr) {
       continue;  // checkSkeleton has warned
     }

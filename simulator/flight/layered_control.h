@@ -16,7 +16,8 @@ namespace glider::simulator {
 /// start condition sees what those below command.
 class LayeredControl {
  public:
-  explicit LayeredControl(const slocum::MissionFile& mission);
+  /// `hull`: of the vehicle that hookbeh is built for.
+  LayeredControl(const slocum::MissionFile& mission, const hooks::Hull& hull);
 
   struct Decision {
     Commands commands;

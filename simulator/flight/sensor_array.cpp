@@ -12,7 +12,8 @@
 namespace glider::simulator {
 
 SensorArray::SensorArray(const platforms::Platform& platform)
-    : values_(platform.sensors.size(), std::numeric_limits<double>::quiet_NaN()),
+    : numbers_(platform),
+      values_(platform.sensors.size(), std::numeric_limits<double>::quiet_NaN()),
       fresh_(platform.sensors.size(), 0) {
   for (const auto& sensor : platform.sensors) {
     bytes_.push_back(sensor.bytes);
@@ -22,7 +23,7 @@ SensorArray::SensorArray(const platforms::Platform& platform)
 
 void SensorArray::set(uint16_t id, double value) {
   if (id >= values_.size()) {
-    return;  // a number from the line that this vehicle does not have
+    return;  // the vehicle does not have it
   }
   if (damage_ != nullptr) {
     const std::optional<double> reading = damage_->reading(id, value);

@@ -5,8 +5,10 @@
 
 #include "platforms/load/platform.h"
 #include "simulator/faults/sensor_damage.h"
+#include "simulator/sensors/provided.h"
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace glider::simulator {
@@ -19,10 +21,17 @@ class SensorArray {
 
   /// Stores `value` as the sensor's width holds it and marks it fresh. NaN is stored as never set.
   void set(uint16_t id, double value);
-  /// NaN when never set.
-  [[nodiscard]] double get(uint16_t id) const { return values_[id]; }
+  void set(Sensor sensor, double value) { set(numbers_[sensor], value); }
+  /// NaN when never set, and if the vehicle lacks the sensor.
+  [[nodiscard]] double get(uint16_t id) const {
+    return id < values_.size() ? values_[id] : std::numeric_limits<double>::quiet_NaN();
+  }
+  [[nodiscard]] double get(Sensor sensor) const { return get(numbers_[sensor]); }
   /// Set since beginCycle.
-  [[nodiscard]] bool fresh(uint16_t id) const { return fresh_[id] != 0; }
+  [[nodiscard]] bool fresh(uint16_t id) const { return id < fresh_.size() && fresh_[id] != 0; }
+  [[nodiscard]] bool fresh(Sensor sensor) const { return fresh(numbers_[sensor]); }
+  /// The sensor's number in the platform file; hooks::kNoSensor if the vehicle lacks it.
+  [[nodiscard]] uint16_t number(Sensor sensor) const { return numbers_[sensor]; }
   void beginCycle();
   /// Nothing has ever been set.
   void clear();
@@ -33,6 +42,7 @@ class SensorArray {
   [[nodiscard]] bool ofScience(uint16_t id) const { return science_[id] != 0; }
 
  private:
+  SensorNumbers numbers_;
   SensorDamage* damage_ = nullptr;
   std::vector<double> values_;
   std::vector<uint8_t> bytes_, fresh_, science_;

@@ -5,7 +5,6 @@
 
 #include "hooks/protocol/sensors.h"
 #include "hooks/protocol/values.h"
-#include "platforms/slocum_sensors.h"
 
 #include <algorithm>
 #include <array>
@@ -34,7 +33,7 @@ void AgreeingVehicle::tick(const ReplayTick& tick) {
 
 void AgreeingVehicle::show(const std::vector<ReplayReading>& readings) {
   for (const ReplayReading& reading : readings) {
-    if (hooks::isScienceSensor(reading.sensor)) {
+    if (hooks::isScienceSensor(dictionary_.get(), reading.sensor)) {
       science_[reading.sensor] = reading.raw;
     } else {
       told_.push_back({reading.sensor, reading.raw});
@@ -63,13 +62,13 @@ void AgreeingVehicle::report(double time) {
   const auto state = in_control_ ? hooks::HookState::Active : hooks::HookState::Ready;
   const bool answers = sequence_ != 0;
   for (const hooks::SensorUpdate& update : std::initializer_list<hooks::SensorUpdate>{
-           {GLIDER_X_HOOK_STATE, static_cast<double>(state)},
-           {GLIDER_X_HOOK_ANSWER,
+           {numbers_[Sensor::x_hook_state], static_cast<double>(state)},
+           {numbers_[Sensor::x_hook_answer],
             static_cast<double>(answers ? hooks::HookAnswer::Accepted : hooks::HookAnswer::None)},
-           {GLIDER_X_HOOK_SEQUENCE, sequence_},
-           {GLIDER_X_HOOK_SESSION, in_control_ ? session_ : 0},
-           {GLIDER_M_PRESENT_SECS_INTO_MISSION, time},
-           {GLIDER_M_CYCLE_NUMBER, static_cast<double>(cycles_)}}) {
+           {numbers_[Sensor::x_hook_sequence], sequence_},
+           {numbers_[Sensor::x_hook_session], in_control_ ? session_ : 0},
+           {numbers_[Sensor::m_present_secs_into_mission], time},
+           {numbers_[Sensor::m_cycle_number], static_cast<double>(cycles_)}}) {
     told_.push_back(update);
   }
   (void)flight_.send(told_.data(), static_cast<uint32_t>(told_.size()));
@@ -103,9 +102,9 @@ void AgreeingVehicle::hearInstructions() {
   for (uint32_t count = updates.size(); count == updates.size();) {
     count = flight_.poll(clothesline_.right(), updates.data(), updates.size());
     for (uint32_t i = 0; i < count; ++i) {
-      if (updates[i].id == GLIDER_SCI_HOOK_SESSION) {
+      if (updates[i].id == numbers_[Sensor::sci_hook_session]) {
         session_ = updates[i].value;
-      } else if (updates[i].id == GLIDER_SCI_HOOK_SEQUENCE) {
+      } else if (updates[i].id == numbers_[Sensor::sci_hook_sequence]) {
         sequence_ = updates[i].value;
       }
     }

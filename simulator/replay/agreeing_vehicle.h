@@ -6,7 +6,9 @@
 #include "hooks/clothesline/clothesline.h"
 #include "hooks/hookprog/hookprog.h"
 #include "hooks/transport/memory.h"
+#include "platforms/load/dictionary.h"
 #include "simulator/replay/replay.h"
+#include "simulator/sensors/provided.h"
 
 #include <map>
 #include <vector>
@@ -18,7 +20,12 @@ namespace glider::simulator {
 class AgreeingVehicle {
  public:
   /// `sbc` outlives this.
-  explicit AgreeingVehicle(SbcPort& sbc) : sbc_(sbc), hookprog_({.virtual_time = true}) {}
+  AgreeingVehicle(const platforms::Platform& platform, SbcPort& sbc)
+      : sbc_(sbc),
+        numbers_(platform),
+        dictionary_(platform),
+        hookprog_(dictionary_.get(), {.virtual_time = true}),
+        flight_(dictionary_.get()) {}
 
   /// A flight cycle in which hookbeh is ready; the sensors show what `start` says.
   void offerControl(const ReplayTick& start);
@@ -43,6 +50,8 @@ class AgreeingVehicle {
   static double ownSensor(void* self, uint16_t id, bool* fresh);
 
   SbcPort& sbc_;
+  SensorNumbers numbers_;
+  platforms::Dictionary dictionary_;
   hooks::Hookprog hookprog_;
   hooks::Clothesline flight_;
   hooks::MemoryLine sbc_line_;

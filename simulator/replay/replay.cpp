@@ -25,9 +25,10 @@ ReplayAnswer answerOf(const AgreeingVehicle& vehicle, double mission_time) {
 
 }  // namespace
 
-std::vector<ReplayAnswer> replay(SbcPort& sbc, const std::vector<ReplayTick>& ticks) {
+std::vector<ReplayAnswer> replay(const platforms::Platform& platform, SbcPort& sbc,
+                                 const std::vector<ReplayTick>& ticks) {
   // Too large for a stack: the queues of hooks are arrays.
-  const auto vehicle = std::make_unique<AgreeingVehicle>(sbc);
+  const auto vehicle = std::make_unique<AgreeingVehicle>(platform, sbc);
   std::vector<ReplayAnswer> answers;
   for (int i = 0; i < kMostHandshakeCycles && !vehicle->askedForControl(); ++i) {
     vehicle->offerControl(ticks.front());

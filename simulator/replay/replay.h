@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "platforms/load/platform.h"
 #include "simulator/sbc_port.h"
 
 #include <cstdint>
@@ -36,6 +37,7 @@ struct ReplayAnswer {
 /// Offers `sbc` control with the readings of the first of `ticks`, whose mission time is 0, and
 /// feeds it the others. There is at least one. Ends after them, or earlier when it has ended its
 /// mission or is gone: then with fewer answers. Empty if it never took control.
-std::vector<ReplayAnswer> replay(SbcPort& sbc, const std::vector<ReplayTick>& ticks);
+std::vector<ReplayAnswer> replay(const platforms::Platform& platform, SbcPort& sbc,
+                                 const std::vector<ReplayTick>& ticks);
 
 }  // namespace glider::simulator

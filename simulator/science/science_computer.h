@@ -4,16 +4,17 @@
 #pragma once
 
 #include "hooks/hookprog/hookprog.h"
+#include "platforms/load/dictionary.h"
 #include "platforms/load/platform.h"
-#include "platforms/slocum_sensors.h"
 #include "simulator/faults/sensor_damage.h"
 #include "simulator/journal.h"
 #include "simulator/ocean/ocean.h"
 #include "simulator/sensors/concentration_sensor.h"
 #include "simulator/sensors/ctd.h"
+#include "simulator/sensors/provided.h"
 
-#include <array>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -31,7 +32,8 @@ using GuardResolver = std::function<GuardText(uint32_t list, uint32_t state, uin
 class ScienceComputer {
  public:
   /// `virtual_time`: the SBC is told that time is, and waits with its clock.
-  ScienceComputer(uint64_t seed, const SensorSettings& settings, bool virtual_time = true);
+  ScienceComputer(const platforms::Platform& platform, uint64_t seed,
+                  const SensorSettings& settings, bool virtual_time = true);
 
   /// Where the vehicle is: m down, east and north of the start.
   struct Place {
@@ -47,21 +49,26 @@ class ScienceComputer {
   void damageBy(SensorDamage* damage) { damage_ = damage; }
   [[nodiscard]] hooks::HookprogEvent nextEvent() { return hookprog_.nextEvent(); }
   [[nodiscard]] hooks::Hookprog::SbcView sbc() const { return hookprog_.sbc(); }
-  /// The newest good reading of one of its own sensors, NaN before the first.
-  [[nodiscard]] double value(uint16_t id) const { return values_[id]; }
+  /// The newest good reading of one of its own sensors, NaN before the first and of others.
+  [[nodiscard]] double value(uint16_t id) const {
+    return id < values_.size() ? values_[id] : std::numeric_limits<double>::quiet_NaN();
+  }
+  [[nodiscard]] double value(Sensor sensor) const { return value(numbers_[sensor]); }
 
  private:
   void readCtd(double now_s, const Ocean& ocean, const Place& place);
-  void set(uint16_t id, double value);
+  void set(Sensor sensor, double value);
   static double get(void* self, uint16_t id, bool* fresh);
 
   Ctd ctd_;
   ConcentrationSensor fluorometer_, optode_;
   SensorDamage* damage_ = nullptr;
   bool virtual_time_;
+  SensorNumbers numbers_;
+  platforms::Dictionary dictionary_;
   hooks::Hookprog hookprog_;
-  std::array<double, GLIDER_SENSOR_COUNT> values_;
-  std::array<bool, GLIDER_SENSOR_COUNT> fresh_{};
+  std::vector<double> values_;  ///< by number
+  std::vector<uint8_t> fresh_;
 };
 
 }  // namespace glider::simulator

@@ -61,6 +61,7 @@ Layouts fromLlvm(const platforms::Board& board) {
 #define STRUCT(name) layouts[#name] = numbersOf(types.name, layout);
 #define FIELD(type, name)
 #define STRUCT_END(name)
+#include "hooks/protocol/dictionary.def"
 #include "runtime/abi/abi_structs.def"
 #undef STRUCT
 #undef FIELD

@@ -19,4 +19,5 @@
   }                      \
   ;                      \
   }
+#include "hooks/protocol/dictionary.def"
 #include "runtime/abi/abi_structs.def"

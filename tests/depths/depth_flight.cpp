@@ -3,11 +3,11 @@
 
 #include "tests/depths/depth_flight.h"
 
-#include "platforms/slocum_sensors.h"
 #include "simulator/flight/skeleton.h"
 #include "simulator/simulator.h"
 #include "slocum/mission_files/read.h"
 #include "support/check.h"
+#include "tests/slocum.h"
 
 #include <fmt/format.h>
 

@@ -12,6 +12,7 @@
 #include "codegen/target/machine.h"
 #include "ir/opt/passes.h"
 #include "platforms/load/board.h"
+#include "platforms/load/platform.h"
 #include "support/check.h"
 #include "support/files.h"
 
@@ -41,6 +42,12 @@ T sure(support::Result<T> result) {
   }
 }
 
+const platforms::Platform& slocum() {
+  static const platforms::Platform platform =
+      sure(platforms::loadPlatform(GLIDER_BINARY_DIR "/share/glidercc/platforms/slocum.toml"));
+  return platform;
+}
+
 /// All missions in one module, with the table of them that judged_main.cpp wants.
 std::unique_ptr<llvm::Module> joinMissions(std::span<const Trial> trials,
                                            const llvm::TargetMachine& machine, int level,
@@ -54,8 +61,8 @@ std::unique_ptr<llvm::Module> joinMissions(std::span<const Trial> trials,
     if (level >= kTableLevel) {
       ir::opt::tabulateGuards(mission);
     }
-    auto module = codegen::lowerMission({mission, trial.stack_depth}, codegen::wholeOf(mission),
-                                        machine, nullptr, context);
+    auto module = codegen::lowerMission({mission, slocum(), trial.stack_depth},
+                                        codegen::wholeOf(mission), machine, nullptr, context);
     const std::string name = fmt::format("mission{}", table.size());
     module->getNamedGlobal("gliderMission")->setName(name);
     module->getNamedGlobal("gliderContextMemory")->eraseFromParent();

@@ -10,6 +10,7 @@
 #include "hooks/protocol/messages.h"
 #include "hooks/protocol/sensor_list.h"
 #include "hooks/protocol/tick.h"
+#include "tests/slocum.h"
 
 #include <cstdint>
 #include <cstdlib>
@@ -158,7 +159,7 @@ inline void feedClient(const uint8_t* bytes, uint32_t count) {
   options.mission_name = "hostile";
   options.sensors = subscription.sensors;
   options.sensor_count = subscription.count;
-  Client client(options);
+  Client client(gliderDictionary, options);
   HostileStream hostile{bytes, count};
   const GliderClock clock{nullptr, [](void*) { return 0.0; }};
   const GliderByteStream stream = hostile.stream();
@@ -175,7 +176,7 @@ inline void feedClient(const uint8_t* bytes, uint32_t count) {
 }
 
 inline void feedHookprog(const uint8_t* bytes, uint32_t count) {
-  Hookprog hookprog(HookprogOptions{});
+  Hookprog hookprog(gliderDictionary);
   HostileStream sbc{bytes, count};
   HostileStream flight{bytes, count};
   const ScienceSensors own{nullptr, [](void*, uint16_t, bool* fresh) {
@@ -192,7 +193,7 @@ inline void feedHookprog(const uint8_t* bytes, uint32_t count) {
 /// The bytes as the doubles of one cycle after the other.
 inline void feedHookbeh(const uint8_t* bytes, uint32_t count) {
   HookbehArgs args;
-  Hookbeh hookbeh(args);
+  Hookbeh hookbeh(args, kHull);
   constexpr uint32_t kSize = sizeof(HookbehInputs);
   for (; count >= kSize; bytes += kSize, count -= kSize) {
     HookbehInputs inputs;

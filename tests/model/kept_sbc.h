@@ -6,6 +6,7 @@
 #include "runtime/abi/context_layout.h"
 #include "runtime/checkpoint/checkpoint.h"
 #include "runtime/core/lay_out.h"
+#include "tests/slocum.h"
 #include "tests/unit/runtime/power_cut_store.h"
 
 #include <optional>
@@ -19,6 +20,7 @@ class KeptSbc {
  public:
   KeptSbc() {
     mission_.abi_version = GLIDER_ABI_VERSION;
+    mission_.dictionary = &gliderDictionary;
     mission_.state_count = 1;
     memory_.resize(gliderContextLayout(&mission_).bytes / sizeof(double) + 1);
     start(false);

@@ -11,6 +11,7 @@
 #include "hooks/hookprog/hookprog.h"
 #include "tests/model/kept_sbc.h"
 #include "tests/model/trace.h"
+#include "tests/slocum.h"
 #include "tests/support/command.h"
 
 #include <gtest/gtest.h>
@@ -176,9 +177,9 @@ ClientOptions clientOptions(int cycle) {
 class Replay {
  public:
   Replay() {
-    hookprog_.emplace(HookprogOptions{});
-    hookbeh_.emplace(HookbehArgs{});
-    client_.emplace(clientOptions(cycle_));
+    hookprog_.emplace(gliderDictionary);
+    hookbeh_.emplace(HookbehArgs{}, kHull);
+    client_.emplace(gliderDictionary, clientOptions(cycle_));
   }
 
   void round(const ModelRound& model) {
@@ -347,16 +348,16 @@ class Replay {
     } else if (what == "stuck") {
       stuck_ = true;
     } else if (what == "restart flight") {
-      hookbeh_.emplace(HookbehArgs{});
+      hookbeh_.emplace(HookbehArgs{}, kHull);
     } else if (what == "restart science") {
-      hookprog_.emplace(HookprogOptions{});
+      hookprog_.emplace(gliderDictionary);
     } else {
       FAIL() << "the model tells of `" << what << "`";
     }
   }
 
   void startSbc(bool keeps) {
-    client_.emplace(clientOptions(cycle_));
+    client_.emplace(gliderDictionary, clientOptions(cycle_));
     EXPECT_EQ(kept_.start(keeps), keeps) << "there is no checkpoint";
     flies_ = !keeps;
     stuck_ = false;
@@ -367,7 +368,7 @@ class Replay {
   End at_prog_sbc_{wires_[kFromSbc], wires_[kToSbc]};
   End at_prog_flight_{wires_[kFromFlight], wires_[kToFlight]};
   End at_flight_{wires_[kToFlight], wires_[kFromFlight]};
-  Clothesline flight_;
+  Clothesline flight_{gliderDictionary};
   std::optional<Hookprog> hookprog_;
   std::optional<Hookbeh> hookbeh_;
   std::optional<Client> client_;

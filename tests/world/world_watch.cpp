@@ -4,7 +4,7 @@
 #include "tests/world/world_watch.h"
 
 #include "hooks/protocol/values.h"
-#include "platforms/slocum_sensors.h"
+#include "tests/slocum.h"
 
 #include <algorithm>
 #include <cmath>

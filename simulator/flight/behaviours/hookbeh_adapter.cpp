@@ -3,8 +3,6 @@
 
 #include "simulator/flight/behaviours/hookbeh_adapter.h"
 
-#include "hooks/hookbeh/hull.h"
-#include "platforms/slocum_sensors.h"
 #include "simulator/flight/behaviours/refusal_text.h"
 
 #include <fmt/format.h>
@@ -21,30 +19,30 @@ namespace {
 hooks::HookbehInputs inputs(const Situation& s) {
   const SensorArray& a = *s.array;
   hooks::HookbehInputs in;
-  in.time_s = a.get(GLIDER_M_PRESENT_SECS_INTO_MISSION);
-  in.wall_time_s = a.get(GLIDER_M_PRESENT_TIME);
-  in.cycle_number = a.get(GLIDER_M_CYCLE_NUMBER);
-  const bool ctd_is_new = a.fresh(GLIDER_SCI_WATER_PRESSURE);
+  in.time_s = a.get(Sensor::m_present_secs_into_mission);
+  in.wall_time_s = a.get(Sensor::m_present_time);
+  in.cycle_number = a.get(Sensor::m_cycle_number);
+  const bool ctd_is_new = a.fresh(Sensor::sci_water_pressure);
   in.ctd_bar =
-      ctd_is_new ? a.get(GLIDER_SCI_WATER_PRESSURE) : std::numeric_limits<double>::quiet_NaN();
-  in.commanded_pump_cc = a.get(GLIDER_C_BALLAST_PUMPED);
+      ctd_is_new ? a.get(Sensor::sci_water_pressure) : std::numeric_limits<double>::quiet_NaN();
+  in.commanded_pump_cc = a.get(Sensor::c_ballast_pumped);
   in.depth_m = s.depth_m;
   in.depth_rate_mps = s.depth_rate_mps;
   in.altitude_m = s.altitude_m;
   in.latitude_ddmm = s.latitude_ddmm;
   in.longitude_ddmm = s.longitude_ddmm;
-  in.heartbeat = a.get(GLIDER_SCI_HOOK_HEARTBEAT);
-  in.session = a.get(GLIDER_SCI_HOOK_SESSION);
-  in.sequence = a.get(GLIDER_SCI_HOOK_SEQUENCE);
-  in.control = a.get(GLIDER_SCI_HOOK_CONTROL);
-  in.vertical = a.get(GLIDER_SCI_HOOK_VERTICAL);
-  in.lateral = a.get(GLIDER_SCI_HOOK_LATERAL);
-  in.hook_depth_m = a.get(GLIDER_SCI_HOOK_DEPTH);
-  in.hook_pitch_rad = a.get(GLIDER_SCI_HOOK_PITCH);
-  in.hook_heading_rad = a.get(GLIDER_SCI_HOOK_HEADING);
-  in.hook_latitude_ddmm = a.get(GLIDER_SCI_HOOK_LAT);
-  in.hook_longitude_ddmm = a.get(GLIDER_SCI_HOOK_LON);
-  in.check = a.get(GLIDER_SCI_HOOK_CHECK);
+  in.heartbeat = a.get(Sensor::sci_hook_heartbeat);
+  in.session = a.get(Sensor::sci_hook_session);
+  in.sequence = a.get(Sensor::sci_hook_sequence);
+  in.control = a.get(Sensor::sci_hook_control);
+  in.vertical = a.get(Sensor::sci_hook_vertical);
+  in.lateral = a.get(Sensor::sci_hook_lateral);
+  in.hook_depth_m = a.get(Sensor::sci_hook_depth);
+  in.hook_pitch_rad = a.get(Sensor::sci_hook_pitch);
+  in.hook_heading_rad = a.get(Sensor::sci_hook_heading);
+  in.hook_latitude_ddmm = a.get(Sensor::sci_hook_lat);
+  in.hook_longitude_ddmm = a.get(Sensor::sci_hook_lon);
+  in.check = a.get(Sensor::sci_hook_check);
   return in;
 }
 
@@ -101,10 +99,10 @@ hooks::HookbehArgs hookbehArgs(const slocum::BehaviourBlock& block) {
   return args;
 }
 
-HookbehAdapter::HookbehAdapter(const slocum::BehaviourBlock& block)
+HookbehAdapter::HookbehAdapter(const slocum::BehaviourBlock& block, const hooks::Hull& hull)
     : Behaviour(block.name),
-      limits_(hooks::within(hookbehArgs(block), hooks::kHull)),
-      hookbeh_(hookbehArgs(block)) {}
+      limits_(hooks::within(hookbehArgs(block), hull)),
+      hookbeh_(hookbehArgs(block), hull) {}
 
 void HookbehAdapter::note(const hooks::HookbehInputs& in, const hooks::HookbehOutputs& out) {
   if (out.state != state_) {
@@ -129,11 +127,11 @@ Behaviour::Outcome HookbehAdapter::fly(const Situation& situation, Commands& com
   const hooks::HookbehInputs in = inputs(situation);
   const hooks::HookbehOutputs out = hookbeh_.cycle(in);
   SensorArray& array = *situation.array;
-  array.set(GLIDER_X_HOOK_STATE, static_cast<double>(out.state));
-  array.set(GLIDER_X_HOOK_ANSWER, static_cast<double>(out.answer));
-  array.set(GLIDER_X_HOOK_SEQUENCE, out.answered_sequence);
-  array.set(GLIDER_X_HOOK_SESSION, out.session);
-  array.set(GLIDER_X_HOOK_GUARD, static_cast<double>(out.guard));
+  array.set(Sensor::x_hook_state, static_cast<double>(out.state));
+  array.set(Sensor::x_hook_answer, static_cast<double>(out.answer));
+  array.set(Sensor::x_hook_sequence, out.answered_sequence);
+  array.set(Sensor::x_hook_session, out.session);
+  array.set(Sensor::x_hook_guard, static_cast<double>(out.guard));
   if (out.commanding) {
     commands.steer(heading(out));
     commands.point({PitchCommand::Mode::Servo, out.pitch_rad});

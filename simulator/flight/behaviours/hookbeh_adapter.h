@@ -19,7 +19,7 @@ hooks::HookbehArgs hookbehArgs(const slocum::BehaviourBlock& block);
 /// SBC has given control back.
 class HookbehAdapter final : public Behaviour {
  public:
-  explicit HookbehAdapter(const slocum::BehaviourBlock& block);
+  HookbehAdapter(const slocum::BehaviourBlock& block, const hooks::Hull& hull);
   [[nodiscard]] bool flies() const override { return true; }
   void tell(double time_s, Journal& journal) override;
   /// Of the newest cycle.

@@ -26,6 +26,9 @@ Checked checkedMission(const std::string& text, const std::string& name) {
   checked.mission = std::move(*mission);
   checked.facts = ir::verify(checked.mission, diagnostics);
   CHECK(!diagnostics.hasErrors(), "a test's mission with errors");
+  auto platform = platforms::loadPlatform(GLIDER_SOURCE_DIR "/platforms/slocum.toml");
+  CHECK(platform.has_value(), "slocum.toml cannot be read");
+  checked.platform = std::move(*platform);
   return checked;
 }
 

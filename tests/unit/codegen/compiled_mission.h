@@ -18,8 +18,9 @@ struct Checked {
   support::SourceManager sources;
   ir::Mission mission;
   ir::MissionFacts facts;
+  platforms::Platform platform;  ///< the Slocum
 
-  [[nodiscard]] codegen::Input input() const { return {mission, facts.stack_depth}; }
+  [[nodiscard]] codegen::Input input() const { return {mission, platform, facts.stack_depth}; }
 };
 
 /// The mission of `text`, which must be right; `name` is its file's.

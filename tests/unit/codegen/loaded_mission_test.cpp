@@ -5,7 +5,7 @@
 
 #include "codegen/load/loaded_mission.h"
 
-#include "platforms/slocum_sensors.h"
+#include "tests/slocum.h"
 #include "tests/unit/codegen/compiled_mission.h"
 
 #include <gtest/gtest.h>

@@ -10,6 +10,7 @@
 #include "hooks/protocol/messages.h"
 #include "hooks/protocol/send_queue.h"
 #include "hooks/protocol/sensor_list.h"
+#include "tests/slocum.h"
 #include "tests/unit/hooks/line_ends.h"
 
 #include <gtest/gtest.h>
@@ -422,7 +423,7 @@ TEST(FrameEdges, AnEqualCheckWithAnotherNumberIsAnotherFrame) {
 TEST(ClotheslineEdges, AGroupThatIsTooLongGoesOnInTheNextFrame) {
   // 24 of 10 bytes fill a frame's 249.
   MemoryLine line;
-  Clothesline flight, science;
+  Clothesline flight{gliderDictionary}, science{gliderDictionary};
   std::vector<SensorUpdate> updates;
   for (int i = 0; i < 60; ++i) {
     updates.push_back({GLIDER_M_LAT, 3900.0 + i});
@@ -441,7 +442,7 @@ TEST(ClotheslineEdges, AGroupThatIsTooLongGoesOnInTheNextFrame) {
 
 TEST(ClotheslineEdges, CountsFramesOfBothKindsThatItThrowsAway) {
   MemoryLine line;
-  Clothesline science;
+  Clothesline science{gliderDictionary};
   putMessage(line.left(), Beacon{}, 1);
   const uint8_t noise[] = {5, 5, 5, 0};
   (void)line.left().write(line.left().self, noise, 4);
@@ -452,7 +453,7 @@ TEST(ClotheslineEdges, CountsFramesOfBothKindsThatItThrowsAway) {
 
 TEST(ClotheslineEdges, ALineThatTakesAPartKeepsTheRest) {
   MemoryLine line;
-  Clothesline flight, science;
+  Clothesline flight{gliderDictionary}, science{gliderDictionary};
   const SensorUpdate update{GLIDER_M_DEPTH, 12.5};
   struct Narrow {
     GliderByteStream to;
@@ -473,7 +474,7 @@ TEST(ClotheslineEdges, ALineThatTakesAPartKeepsTheRest) {
 
 TEST(ClotheslineEdges, NothingOfAListThatIsBadIsGiven) {
   MemoryLine line;
-  Clothesline science;
+  Clothesline science{gliderDictionary};
   Frame frame;
   encodeEmptyList(MessageType::Sensors, frame);
   ASSERT_TRUE(appendValue(frame, {GLIDER_M_DEPTH, 12.5}));
@@ -490,7 +491,7 @@ TEST(ClotheslineEdges, TheRestOfAFrameIsItsRestAndNoMore) {
   // A long frame leaves its bytes in the buffer; of the short one after it the line takes three
   // bytes first.
   MemoryLine line;
-  Clothesline flight, science;
+  Clothesline flight{gliderDictionary}, science{gliderDictionary};
   struct Slow {
     GliderByteStream to;
     bool slow = false;

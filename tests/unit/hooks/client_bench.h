@@ -4,6 +4,7 @@
 #pragma once
 
 #include "hooks/client/client.h"
+#include "tests/slocum.h"
 #include "tests/unit/hooks/line_ends.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +16,7 @@ namespace glider::hooks {
 /// A client whose vehicle is the test.
 class ClientTest : public testing::Test {
  protected:
-  ClientTest() : client_(options()) {}
+  ClientTest() : client_(gliderDictionary, options()) {}
 
   static ClientOptions options() {
     static const Subscription sensors[] = {{GLIDER_M_DEPTH}, {GLIDER_SCI_WATER_TEMP, 2, 0.5F}};
@@ -37,7 +38,7 @@ class ClientTest : public testing::Test {
     putMessage(vehicle_, message, ++said_);
   }
 
-  void beacon() { say(Beacon{kProtocolVersion, false, dictionaryHash(), HookState::Ready}); }
+  void beacon() { say(Beacon{kProtocolVersion, false, gliderDictionary.hash, HookState::Ready}); }
 
   Hello link() {
     beacon();

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "tests/slocum.h"
 #include "tests/unit/hooks/client_bench.h"
 
 #include <algorithm>
@@ -178,7 +179,7 @@ TEST_F(ClientTest, AProgramThatKnowsNothingBeginsBehindTheNumberThatWasDecidedOn
 
 TEST_F(ClientTest, ANumberThatIsOldIsGivenUpForANewerOne) {
   for (uint32_t settled = 100; settled <= UINT16_MAX; settled += 6500) {
-    client_ = Client(options());
+    client_ = Client(gliderDictionary, options());
     link();
     head_.answered_sequence = 7;  // one that came again hides what was decided on
     head_.answer = HookAnswer::OldSequence;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "tests/slocum.h"
 #include "tests/unit/hooks/client_bench.h"
 
 #include <algorithm>
@@ -23,7 +24,7 @@ TEST_F(ClientTest, TellsTheFirstBytesOfALongName) {
   const std::string name(kMostNameBytes + 9, 'n');
   ClientOptions long_name = options();
   long_name.mission_name = name.c_str();
-  client_ = Client(long_name);
+  client_ = Client(gliderDictionary, long_name);
   EXPECT_EQ(link().mission_name, name.substr(0, kMostNameBytes));
 }
 
@@ -95,12 +96,12 @@ TEST_F(ClientTest, ALostSubscriptionIsRepeated) {
 }
 
 TEST_F(ClientTest, AnotherDictionaryOrVersionIsRefusedOnce) {
-  say(Beacon{kProtocolVersion, false, dictionaryHash() + 1, HookState::Ready});
+  say(Beacon{kProtocolVersion, false, gliderDictionary.hash + 1, HookState::Ready});
   EXPECT_EQ(poll(), ClientEvent::Refused);
   EXPECT_TRUE(client_.refusal().refused);
-  EXPECT_EQ(client_.refusal().dictionary, dictionaryHash() + 1);
+  EXPECT_EQ(client_.refusal().dictionary, gliderDictionary.hash + 1);
   EXPECT_EQ(typesOf(answers()).back(), Type::Done);
-  say(Beacon{kProtocolVersion, false, dictionaryHash() + 1, HookState::Ready});
+  say(Beacon{kProtocolVersion, false, gliderDictionary.hash + 1, HookState::Ready});
   EXPECT_EQ(poll(), ClientEvent::Handled) << "told once";
   say(Beacon{2, false, 0, HookState::Ready});
   EXPECT_EQ(poll(), ClientEvent::Refused);
@@ -284,7 +285,7 @@ TEST_F(StuckClientTest, NotesLeaveHalfOfItsQueueToTheNextAnswers) {
   ASSERT_GT(rest, least);
   ASSERT_LE(rest, most);
   for (const uint32_t short_of : {0U, 1U}) {
-    client_ = Client(options());
+    client_ = Client(gliderDictionary, options());
     link();
     stuck_ = true;
     tickWithNotes(kBefore, kMostNoteBytes);
@@ -369,8 +370,9 @@ TEST_F(ClientTest, MoreSensorsThanATickHoldsAreLeftOut) {
   options.sensors = many.data();
   options.sensor_count = static_cast<uint32_t>(many.size());
   MemoryLine line;
-  Client client(options);
-  putMessage(line.left(), Beacon{kProtocolVersion, false, dictionaryHash(), HookState::Ready}, 1);
+  Client client(gliderDictionary, options);
+  putMessage(line.left(), Beacon{kProtocolVersion, false, gliderDictionary.hash, HookState::Ready},
+             1);
   const GliderByteStream right = line.right();
   EXPECT_EQ(client.poll(right, clock_.clock()), ClientEvent::Handled);
   const auto frames = framesAt(line.left());
@@ -415,7 +417,7 @@ TEST_F(ClientTest, CyclesCountRound) {
 
 TEST_F(ClientTest, ACycleIsNewUpToHalfOfTheRoundAhead) {
   for (const uint32_t ahead : {8388607U, 8388608U}) {
-    client_ = Client(options());
+    client_ = Client(gliderDictionary, options());
     link();
     head_.cycle = 0;
     tick();
@@ -427,7 +429,7 @@ TEST_F(ClientTest, ACycleIsNewUpToHalfOfTheRoundAhead) {
 }
 
 TEST_F(ClientTest, AnotherVersionAloneIsRefused) {
-  say(Beacon{kProtocolVersion + 1, false, dictionaryHash(), HookState::Ready});
+  say(Beacon{kProtocolVersion + 1, false, gliderDictionary.hash, HookState::Ready});
   EXPECT_EQ(poll(), ClientEvent::Refused);
 }
 

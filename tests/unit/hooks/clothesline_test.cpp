@@ -5,7 +5,7 @@
 
 #include "hooks/protocol/messages.h"
 #include "hooks/transport/memory.h"
-#include "platforms/slocum_sensors.h"
+#include "tests/slocum.h"
 
 #include <gtest/gtest.h>
 
@@ -30,7 +30,7 @@ std::vector<SensorUpdate> drain(Clothesline& end, const GliderByteStream& stream
 
 std::vector<SensorUpdate> flightCycle() {
   std::vector<SensorUpdate> cycle;
-  for (uint16_t id = 0; id < sensorCount(); ++id) {
+  for (uint16_t id = 0; id < GLIDER_SENSOR_COUNT; ++id) {
     if (!isScienceSensor(id) && id != GLIDER_M_PRESENT_SECS_INTO_MISSION &&
         id != GLIDER_M_CYCLE_NUMBER) {
       cycle.push_back({id, 1});
@@ -44,8 +44,8 @@ std::vector<SensorUpdate> flightCycle() {
 TEST(Clothesline, UpdatesArriveInOrderWhateverTheCapacity) {
   for (const uint32_t capacity : {1U, 3U, 128U}) {
     MemoryLine line;
-    Clothesline flight;
-    Clothesline science;
+    Clothesline flight{gliderDictionary};
+    Clothesline science{gliderDictionary};
     const auto cycle = flightCycle();
     ASSERT_TRUE(flight.send(cycle.data(), static_cast<uint32_t>(cycle.size())));
     EXPECT_TRUE(drain(flight, line.left()).empty());
@@ -71,7 +71,7 @@ TEST(Clothesline, ALineThatTakesAFewBytesAtATimeGetsNoOthers) {
                                   line.took.insert(line.took.end(), bytes, bytes + taken);
                                   return static_cast<int32_t>(taken);
                                 }};
-  Clothesline flight;
+  Clothesline flight{gliderDictionary};
   const SensorUpdate update{GLIDER_M_DEPTH, 12.5};
   ASSERT_TRUE(flight.send(&update, 1));
   EXPECT_TRUE(drain(flight, stream).empty());
@@ -79,7 +79,7 @@ TEST(Clothesline, ALineThatTakesAFewBytesAtATimeGetsNoOthers) {
   MemoryLine line;
   const GliderByteStream left = line.left();
   left.write(left.self, slow.took.data(), static_cast<uint32_t>(slow.took.size()));
-  Clothesline science;
+  Clothesline science{gliderDictionary};
   const auto got = drain(science, line.right());
   ASSERT_EQ(got.size(), 1U);
   EXPECT_EQ(got[0].value, 12.5);
@@ -87,7 +87,7 @@ TEST(Clothesline, ALineThatTakesAFewBytesAtATimeGetsNoOthers) {
 
 TEST(Clothesline, AWholeFlightCycleTakesAThirdOfASecond) {
   MemoryLine line;
-  Clothesline flight;
+  Clothesline flight{gliderDictionary};
   const auto cycle = flightCycle();
   ASSERT_TRUE(flight.send(cycle.data(), static_cast<uint32_t>(cycle.size())));
   drain(flight, line.left());
@@ -101,7 +101,7 @@ TEST(Clothesline, AWholeFlightCycleTakesAThirdOfASecond) {
 TEST(Clothesline, OneCallIsOneFrame) {
   // The second call of three does not fit behind the first: it must not be torn apart.
   MemoryLine line;
-  Clothesline flight;
+  Clothesline flight{gliderDictionary};
   const std::vector<SensorUpdate> thirty(30, {GLIDER_M_DEPTH, 1});
   ASSERT_TRUE(flight.send(thirty.data(), 30));
   ASSERT_TRUE(flight.send(thirty.data(), 30));
@@ -122,7 +122,7 @@ TEST(Clothesline, OneCallIsOneFrame) {
 }
 
 TEST(Clothesline, TheQueueIsBoundedAndTakesAllOrNothing) {
-  Clothesline flight;
+  Clothesline flight{gliderDictionary};
   const std::vector<SensorUpdate> many(100, {GLIDER_M_DEPTH, 1});
   EXPECT_TRUE(flight.send(many.data(), 100));
   EXPECT_FALSE(flight.send(many.data(), 29));
@@ -131,7 +131,7 @@ TEST(Clothesline, TheQueueIsBoundedAndTakesAllOrNothing) {
 }
 
 TEST(Clothesline, NoSuchSensorIsNotSent) {
-  Clothesline flight;
+  Clothesline flight{gliderDictionary};
   const SensorUpdate wrong[] = {{GLIDER_M_DEPTH, 1}, {GLIDER_SENSOR_COUNT, 1}};
   EXPECT_FALSE(flight.send(wrong, 2));
   MemoryLine line;
@@ -143,7 +143,7 @@ TEST(Clothesline, NoSuchSensorIsNotSent) {
 
 TEST(Clothesline, NoiseAndStrangersAreCountedNotBelieved) {
   MemoryLine line;
-  Clothesline science;
+  Clothesline science{gliderDictionary};
   const GliderByteStream left = line.left();
   const uint8_t noise[] = {9, 8, 7, 0};
   left.write(left.self, noise, 4);

@@ -6,6 +6,7 @@
 #include "hooks/hookbeh/depth_source.h"
 #include "hooks/hookbeh/hull.h"
 #include "hooks/hookbeh/recent_depths.h"
+#include "tests/slocum.h"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +20,7 @@ using Reading = DepthSource::Reading;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 Reading firstReading(double depth_m) {
-  DepthSource source;
+  DepthSource source{kHull};
   source.observe(depth_m, 4);
   return source.reading();
 }
@@ -35,7 +36,7 @@ TEST(DepthSourceEdges, ADepthIsOneFromFiveMetresAboveToHalfAsMuchAgainAsTheHullB
 TEST(DepthSourceEdges, ItJumpsBeyondWhatTheVehicleMakesAndNoiseAdds) {
   const double reach = 2.5 + 0.4 * 4;
   for (const double way : {1.0, -1.0}) {
-    DepthSource source;
+    DepthSource source{kHull};
     source.observe(0, 4);
     DepthSource other = source;
     source.observe(way * reach, 4);
@@ -46,7 +47,7 @@ TEST(DepthSourceEdges, ItJumpsBeyondWhatTheVehicleMakesAndNoiseAdds) {
 }
 
 TEST(DepthSourceEdges, AnOldDepthReachesFarther) {
-  DepthSource source;
+  DepthSource source{kHull};
   source.observe(0, 4);
   source.observe(kNan, 4);
   EXPECT_EQ(source.reading(), Reading::Missing);
@@ -58,7 +59,7 @@ TEST(DepthSourceEdges, AnOldDepthReachesFarther) {
 
 TEST(DepthSourceEdges, WhatItSaysFirstHoldsForNothingBeforeAMinute) {
   for (const int seconds : {59, 60}) {
-    DepthSource source;
+    DepthSource source{kHull};
     for (int i = 0; i < seconds; ++i) {
       source.observe(10, 1);
     }
@@ -70,7 +71,7 @@ TEST(DepthSourceEdges, WhatItSaysFirstHoldsForNothingBeforeAMinute) {
 }
 
 TEST(DepthSourceEdges, GoodReadingsTakeHalfOfTheirTimeFromJumps) {
-  DepthSource source;
+  DepthSource source{kHull};
   for (int i = 0; i < 60; ++i) {
     source.observe(10, 1);
   }
@@ -87,7 +88,7 @@ TEST(DepthSourceEdges, GoodReadingsTakeHalfOfTheirTimeFromJumps) {
 }
 
 TEST(DepthSourceEdges, TheSameIsTheSameToTheLastBit) {
-  DepthSource source;
+  DepthSource source{kHull};
   source.observe(10, 4);
   EXPECT_EQ(source.sameFor(), 0);
   source.observe(10, 3);

@@ -4,6 +4,7 @@
 // Where exactly each limit of DepthWatch lies, in cycles of a second.
 
 #include "hooks/hookbeh/depth_watch.h"
+#include "tests/slocum.h"
 
 #include <gtest/gtest.h>
 
@@ -41,7 +42,7 @@ class Sensors {
     }
     return cycles;
   }
-  DepthWatch watch;
+  DepthWatch watch{kHull};
 
  private:
   static constexpr double kFlicker = 1.0 / 1024;

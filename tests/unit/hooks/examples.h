@@ -6,7 +6,7 @@
 #include "hooks/protocol/messages.h"
 #include "hooks/protocol/sensor_list.h"
 #include "hooks/protocol/tick.h"
-#include "platforms/slocum_sensors.h"
+#include "tests/slocum.h"
 
 #include <string>
 #include <utility>

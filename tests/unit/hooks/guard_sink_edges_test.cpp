@@ -4,6 +4,7 @@
 // The guard's limits in time, in cycles of a second, and those of a vehicle that may sink unseen.
 
 #include "hooks/hookbeh/guard.h"
+#include "tests/slocum.h"
 #include "tests/unit/hooks/hookbeh_bench.h"
 
 #include <gtest/gtest.h>
@@ -46,7 +47,7 @@ struct StillVehicle {
     return cycles;
   }
 
-  Guard guard;
+  Guard guard{kHull};
   HookbehArgs args;
   Instruction in_force = Bench::vertical(HookVertical::Hover, 10);
   VerticalCommand last = kOther;

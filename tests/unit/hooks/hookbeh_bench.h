@@ -4,6 +4,7 @@
 #pragma once
 
 #include "hooks/hookbeh/hookbeh.h"
+#include "tests/slocum.h"
 
 #include <cmath>
 #include <limits>
@@ -17,7 +18,7 @@ inline constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 /// own, and no two readings of the depth are the same to the last bit, unless `raw_depth`.
 class HookbehBench {
  public:
-  explicit HookbehBench(const HookbehArgs& args = {}) : hookbeh(args) {
+  explicit HookbehBench(const HookbehArgs& args = {}) : hookbeh(args, kHull) {
     inputs.depth_m = 10;
     inputs.altitude_m = kNan;
     inputs.latitude_ddmm = 3910;

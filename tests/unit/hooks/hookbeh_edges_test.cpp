@@ -8,6 +8,7 @@
 #include "hooks/hookbeh/pilot.h"
 #include "hooks/hookbeh/recent_depths.h"
 #include "hooks/hookbeh/sub_behaviours.h"
+#include "tests/slocum.h"
 #include "tests/unit/hooks/hookbeh_bench.h"
 
 #include <gtest/gtest.h>
@@ -54,13 +55,13 @@ TEST(HookbehHeadway, BeginsAtTheSurfaceDrivenNowhere) {
 
 TEST(HookbehDepthSource, ReadsFromFiveMetresAboveTheSurfaceToHalfAsDeepAgainAsTheHull) {
   for (const double depth : {-5.0, 300.0}) {
-    DepthSource source;
+    DepthSource source{kHull};
     source.observe(depth, 4);
     EXPECT_EQ(source.reading(), Reading::Good) << depth;
     EXPECT_EQ(source.depth(), depth);
   }
   for (const double depth : {-5.25, 300.25, kNan}) {
-    DepthSource source;
+    DepthSource source{kHull};
     source.observe(depth, 4);
     EXPECT_EQ(source.reading(), Reading::Missing) << depth;
     EXPECT_TRUE(std::isnan(source.depth()));
@@ -69,7 +70,7 @@ TEST(HookbehDepthSource, ReadsFromFiveMetresAboveTheSurfaceToHalfAsDeepAgainAsTh
 
 TEST(HookbehDepthSource, FollowsAsFarAsTheVehicleAndItsNoiseGo) {
   for (const double way : {1.0, -1.0}) {
-    DepthSource source;
+    DepthSource source{kHull};
     source.observe(10, 4);
     source.observe(10 + way * 3.5, 2.5);  // 2.5 m, and 1 m at 0.4 m/s
     EXPECT_EQ(source.reading(), Reading::Good) << way;
@@ -79,7 +80,7 @@ TEST(HookbehDepthSource, FollowsAsFarAsTheVehicleAndItsNoiseGo) {
 }
 
 TEST(HookbehDepthSource, WhatWasMissingMayHaveGoneOnMeanwhile) {
-  DepthSource source;
+  DepthSource source{kHull};
   source.observe(10, 4);
   source.observe(kNan, 4);
   source.observe(kNan, 6);
@@ -92,7 +93,7 @@ TEST(HookbehDepthSource, WhatWasMissingMayHaveGoneOnMeanwhile) {
 
 /// What has given 10 m for so many cycles of 4 s, and then jumped.
 DepthSource jumpedAfter(int cycles) {
-  DepthSource source;
+  DepthSource source{kHull};
   for (int i = 0; i < cycles; ++i) {
     source.observe(10, 4);
   }
@@ -104,7 +105,7 @@ DepthSource jumpedAfter(int cycles) {
 TEST(HookbehDepthSource, ItsFirstMinuteHoldsForNothing) {
   EXPECT_EQ(jumpedAfter(14).depth(), 50);
   EXPECT_EQ(jumpedAfter(14).age(), 0);
-  DepthSource nearly;
+  DepthSource nearly{kHull};
   for (int i = 0; i < 119; ++i) {
     nearly.observe(10, 0.5);
   }
@@ -126,7 +127,7 @@ TEST(HookbehDepthSource, GoodReadingsTakeAwayHalfOfTheirTime) {
 }
 
 TEST(HookbehDepthSource, CountsHowLongItSaysTheSame) {
-  DepthSource source;
+  DepthSource source{kHull};
   for (int i = 0; i < 4; ++i) {
     EXPECT_EQ(source.sameFor(), 0) << i;
     source.observe(10 + i, 4);

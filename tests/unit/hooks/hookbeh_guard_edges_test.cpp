@@ -4,6 +4,7 @@
 // The guard by itself, at the very edges of its limits.
 
 #include "hooks/hookbeh/guard.h"
+#include "tests/slocum.h"
 #include "tests/unit/hooks/hookbeh_bench.h"
 
 #include <gtest/gtest.h>
@@ -44,7 +45,7 @@ struct GuardBench {
     return 0;
   }
 
-  Guard guard;
+  Guard guard{kHull};
   HookbehArgs args;
   Instruction in_force;
   VerticalCommand last = kOther;

@@ -5,6 +5,7 @@
 
 #include "hooks/hookbeh/hookbeh.h"
 #include "hooks/protocol/messages.h"
+#include "tests/slocum.h"
 #include "tests/unit/hooks/hookbeh_bench.h"
 
 #include <gtest/gtest.h>
@@ -99,7 +100,7 @@ TEST_F(HookbehReplay, AfterARestartWhatCameBeforeTheOneInTheArrayIsOld) {
   give(Bench::take(20));
   give(Bench::descend(25));
   give(Bench::ascend(5));
-  bench_.hookbeh = Hookbeh(HookbehArgs{});
+  bench_.hookbeh = Hookbeh(HookbehArgs{}, kHull);
   EXPECT_EQ(bench_.cycle().answer, HookAnswer::None) << "found in the array";
   const HookbehOutputs out = again(0);
   EXPECT_EQ(out.state, HookState::Ready);

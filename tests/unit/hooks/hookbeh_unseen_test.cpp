@@ -7,6 +7,7 @@
 #include "hooks/hookbeh/hull.h"
 #include "hooks/hookbeh/recent_depths.h"
 #include "hooks/hookbeh/unseen_sink.h"
+#include "tests/slocum.h"
 #include "tests/unit/hooks/hookbeh_sea.h"
 
 #include <gtest/gtest.h>
@@ -123,7 +124,7 @@ TEST(HookbehUnseen, ASteepDiveWhoseDepthStandsStillNearTheSurfaceEndsInTime) {
     HookbehArgs args = HookbehSea::args(30);
     args.steepest_pitch_rad = 0.7854;
     HookbehSea sea;
-    sea.bench.hookbeh = Hookbeh(args);
+    sea.bench.hookbeh = Hookbeh(args, kHull);
     sea.full_mps = 0.4;
     sea.cycle();
     Instruction take = Bench::take(28);
@@ -163,7 +164,7 @@ TEST(HookbehUnseen, AGuardClimbsWithAllOfTheHullsPump) {
   HookbehArgs args = HookbehSea::args(30);
   args.climb_pump_cc = 130;
   HookbehSea sea;
-  sea.bench.hookbeh = Hookbeh(args);
+  sea.bench.hookbeh = Hookbeh(args, kHull);
   sea.cycle();
   sea.diveTo(20, 28);
   sea.cycle([](HookbehInputs& in) { in.depth_m = kNan; });
@@ -374,7 +375,7 @@ void drive(UnseenSink& sink, int cycles, double depth_m, const VerticalCommand& 
 
 /// One that has stood at 20 m while the vehicle turned to what is `commanded`.
 UnseenSink stoodAt20(const VerticalCommand& commanded) {
-  UnseenSink sink;
+  UnseenSink sink{kHull};
   drive(sink, 20, 20, commanded);
   return sink;
 }

@@ -5,6 +5,7 @@
 
 #include "hooks/hookbeh/depth_watch.h"
 #include "hooks/hookbeh/unseen_sink.h"
+#include "tests/slocum.h"
 #include "tests/unit/hooks/hookbeh_bench.h"
 
 #include <gtest/gtest.h>
@@ -47,7 +48,7 @@ struct WatchBench {
     return until(HookGuard::DepthsDisagree, own_m, ctd_m);
   }
 
-  DepthWatch watch;
+  DepthWatch watch{kHull};
   double pump_cc = 0;
   bool own_frozen = false, ctd_frozen = false;
   double flicker = 0;
@@ -447,7 +448,7 @@ TEST(UnseenSinkEdges, FromWhatPumpAndPitchItIsDriven) {
                         {{0.09, 150}, 0.1},
                         {{-0.5, -230}, 0.44 * 0.5 / 0.7854},
                         {{0.5, 150}, 0.44 * 0.5 / 0.7854}}) {
-    UnseenSink sink;
+    UnseenSink sink{kHull};
     drive(sink, 1, 20, kOther);
     drive(sink, 12, 20, c.command);
     EXPECT_EQ(sink.deepest(), 20);
@@ -458,7 +459,7 @@ TEST(UnseenSinkEdges, FromWhatPumpAndPitchItIsDriven) {
 }
 
 TEST(UnseenSinkEdges, RisesAfterTwentySecondsAndSinksAgainAfterTwelve) {
-  UnseenSink sink;
+  UnseenSink sink{kHull};
   drive(sink, 1, 20, kOther);
   drive(sink, 20, 20, kUp);
   const double before = sink.deepest();
@@ -477,7 +478,7 @@ TEST(UnseenSinkEdges, RisesAfterTwentySecondsAndSinksAgainAfterTwelve) {
 
 /// Whether a depth that has stood at 20 m, driven by nobody, is shown at `depth_m` so long after.
 bool showsAt(double depth_m, double gap_s, double middle_m = kNan) {
-  UnseenSink sink;
+  UnseenSink sink{kHull};
   drive(sink, 5, 20, kOther);
   sink.observe(middle_m, gap_s / 2, kOther);
   sink.observe(depth_m, gap_s / 2, kOther);
@@ -499,7 +500,7 @@ TEST(UnseenSinkEdges, MovesByTwoAndAHalfMetresAsFastAsAVehicle) {
 
 TEST(UnseenSinkEdges, DrivenUpForTwelveSecondsItMayRise) {
   for (const int seconds : {11, 12}) {
-    UnseenSink sink;
+    UnseenSink sink{kHull};
     drive(sink, 5, 20, kOther);
     drive(sink, seconds - 3, 20, kUp);
     for (const double depth : {19.25, 18.375, 17.5}) {
@@ -511,7 +512,7 @@ TEST(UnseenSinkEdges, DrivenUpForTwelveSecondsItMayRise) {
 
 TEST(UnseenSinkEdges, OneThatRoughensShowsNothing) {
   const auto shows = [](double by) {
-    UnseenSink sink;
+    UnseenSink sink{kHull};
     drive(sink, 5, 20, kOther, 10);
     sink.observe(20 + by, 10, kOther);
     return sink.hasMoved();

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "hooks/hookprog/hookprog.h"
+#include "tests/slocum.h"
 #include "tests/unit/hooks/line_ends.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +17,7 @@ namespace glider::hooks {
 /// A hookprog whose flight controller, instruments and SBC are the test.
 class HookprogBench : public testing::Test {
  protected:
-  HookprogBench() : hookprog_(HookprogOptions{true}) {}
+  HookprogBench() : hookprog_(gliderDictionary, HookprogOptions{true}) {}
 
   void run(double seconds = 1) {
     now_ += seconds;
@@ -57,7 +58,7 @@ class HookprogBench : public testing::Test {
 
   void hello(uint32_t link = 7) {
     Hello hello;
-    hello.dictionary = dictionaryHash();
+    hello.dictionary = gliderDictionary.hash;
     hello.link = link;
     hello.mission_name[0] = 'm';
     say(hello);
@@ -114,7 +115,7 @@ class HookprogBench : public testing::Test {
 
   MemoryLine sbc_line_;
   MemoryLine flight_line_;
-  Clothesline flight_;
+  Clothesline flight_{gliderDictionary};
   Hookprog hookprog_;
   std::map<uint16_t, double> science_;
   double now_ = 0;

@@ -3,6 +3,7 @@
 
 // What hookprog takes for what, at the very edges.
 
+#include "tests/slocum.h"
 #include "tests/unit/hooks/hookprog_bench.h"
 
 #include <limits>
@@ -45,7 +46,7 @@ TEST_F(HookprogEdgesTest, ItsNumbersBeginWhereTheClockStands) {
                                    {4294967294.0, 4294967295U},
                                    {4294967296.0, 4294967295U},
                                    {-7.0, 0U}}) {
-    Hookprog fresh{HookprogOptions{true}};
+    Hookprog fresh{gliderDictionary, HookprogOptions{true}};
     hookprog_ = fresh;
     now_ = now;
     atSbc();
@@ -76,7 +77,7 @@ TEST_F(HookprogEdgesTest, ACycleIsATimeAndAnotherCycleNumber) {
 
 TEST_F(HookprogEdgesTest, AnotherVersionAloneIsRefusedAndEachIsToldOfOnce) {
   Hello stranger;
-  stranger.dictionary = dictionaryHash();
+  stranger.dictionary = gliderDictionary.hash;
   stranger.link = 7;
   stranger.version = kProtocolVersion + 1;
   for (const int told : {1, 0}) {
@@ -107,7 +108,7 @@ TEST_F(HookprogEdgesTest, AStrangerIsToldOfAgainAfterALink) {
   Hello other_version, other_dictionary;
   other_version.version = kProtocolVersion + 1;
   other_version.link = other_dictionary.link = 9;
-  other_dictionary.dictionary = dictionaryHash() + 1;
+  other_dictionary.dictionary = gliderDictionary.hash + 1;
   for (const Hello& stranger : {other_version, other_dictionary}) {
     for (int i = 0; i < 2; ++i) {
       events();

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "tests/slocum.h"
 #include "tests/unit/hooks/hookprog_bench.h"
 
 #include <algorithm>
@@ -26,7 +27,7 @@ TEST_F(HookprogTest, BeaconsOnceAFlightCycleUntilThereIsALink) {
     Beacon beacon;
     ASSERT_TRUE(decode(frames[0], beacon));
     EXPECT_TRUE(beacon.virtual_time);
-    EXPECT_EQ(beacon.dictionary, dictionaryHash());
+    EXPECT_EQ(beacon.dictionary, gliderDictionary.hash);
     EXPECT_EQ(beacon.hook_state, HookState::Ready);
   }
 }
@@ -47,7 +48,7 @@ TEST_F(HookprogTest, HelloIsWelcomedAndTold) {
 
 TEST_F(HookprogTest, AnotherDictionaryOrVersionIsRefusedAndToldOnce) {
   Hello hello;
-  hello.dictionary = dictionaryHash() + 1;
+  hello.dictionary = gliderDictionary.hash + 1;
   hello.link = 7;
   say(hello);
   run();
@@ -55,7 +56,7 @@ TEST_F(HookprogTest, AnotherDictionaryOrVersionIsRefusedAndToldOnce) {
   run();
   EXPECT_TRUE(atSbc().empty());
   EXPECT_EQ(events(), (std::vector{Kind::SbcRefused}));
-  EXPECT_EQ(last_event_.b, dictionaryHash() + 1);
+  EXPECT_EQ(last_event_.b, gliderDictionary.hash + 1);
   hello.version = 9;
   say(hello);
   run();

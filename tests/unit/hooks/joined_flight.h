@@ -6,6 +6,7 @@
 #include "hooks/client/client.h"
 #include "hooks/hookbeh/hookbeh.h"
 #include "hooks/hookprog/hookprog.h"
+#include "tests/slocum.h"
 #include "tests/unit/hooks/line_ends.h"
 
 #include <gtest/gtest.h>
@@ -107,7 +108,7 @@ class NoisyLine {
 class FlightController {
  public:
   explicit FlightController(bool with_hookbeh = true)
-      : hookbeh_(args()), with_hookbeh_(with_hookbeh) {}
+      : hookbeh_(args(), kHull), with_hookbeh_(with_hookbeh) {}
 
   static HookbehArgs args() {
     HookbehArgs args;
@@ -190,7 +191,7 @@ class FlightController {
   /// Changes now and then, back and forth.
   double latitude() const { return 3910 + std::floor(cycle_ / 3) - 2 * std::floor(cycle_ / 6); }
 
-  Clothesline clothesline_;
+  Clothesline clothesline_{gliderDictionary};
   Hookbeh hookbeh_;
   bool with_hookbeh_;
   std::map<uint16_t, double> array_;
@@ -202,7 +203,7 @@ class FlightController {
 class Mission {
  public:
   explicit Mission(double give_back_s, uint32_t session = 1, float dead_band = 0)
-      : give_back_s_(give_back_s), client_(options(session, dead_band)) {}
+      : give_back_s_(give_back_s), client_(gliderDictionary, options(session, dead_band)) {}
 
   static ClientOptions options(uint32_t session, float dead_band) {
     static Subscription sensors[2];
@@ -320,7 +321,7 @@ class Vehicle {
   NoisyLine sbc_line;
   NoisyLine flight_line;
   FlightController flight;
-  Hookprog hookprog{HookprogOptions{}};
+  Hookprog hookprog{gliderDictionary};
 
  private:
   int now_ = 0;

@@ -9,7 +9,7 @@
 #include "hooks/protocol/tick.h"
 #include "hooks/transport/clock.h"
 #include "hooks/transport/memory.h"
-#include "platforms/slocum_sensors.h"
+#include "tests/slocum.h"
 
 #include <vector>
 

@@ -5,6 +5,7 @@
 
 #include "hooks/hookbeh/hull.h"
 #include "hooks/hookbeh/unseen_sink.h"
+#include "tests/slocum.h"
 
 #include <gtest/gtest.h>
 
@@ -27,7 +28,7 @@ void run(UnseenSink& sink, int cycles, double depth_m, const VerticalCommand& co
 
 /// It has been at this depth for as long as it takes for all that follows to count.
 UnseenSink settledAt(double depth_m, const VerticalCommand& command = kAdrift) {
-  UnseenSink sink;
+  UnseenSink sink{kHull};
   run(sink, 13, depth_m, command);
   sink.confirm(depth_m);
   return sink;
@@ -67,7 +68,7 @@ TEST(UnseenSinkEdges, ItIsADiveFromATenthDown) {
 }
 
 TEST(UnseenSinkEdges, TheFirstTwelveSecondsDoNotCount) {
-  UnseenSink sink;
+  UnseenSink sink{kHull};
   run(sink, 12, 20, kDive);
   EXPECT_EQ(sink.deepest(), 20);
   EXPECT_EQ(sink.sunkInDive(), 0);
@@ -181,7 +182,7 @@ constexpr double kReachIn4S = kSteepMps * 4 + 0.5;
 TEST(UnseenSinkEdges, AStepThatNoVehicleMakesBeginsAnew) {
   for (const bool too_far : {false, true}) {
     const double step = too_far ? std::nextafter(kReachIn4S, 9) : kReachIn4S;
-    UnseenSink sink;
+    UnseenSink sink{kHull};
     sink.observe(0, 4, kOther);
     sink.observe(step, 4, kOther);
     sink.observe(3, 4, kOther);
@@ -191,7 +192,7 @@ TEST(UnseenSinkEdges, AStepThatNoVehicleMakesBeginsAnew) {
 
 TEST(UnseenSinkEdges, AGapOfMoreThanTwentySecondsBeginsAnew) {
   for (const double gap : {20.0, 21.0}) {
-    UnseenSink sink;
+    UnseenSink sink{kHull};
     sink.observe(20, 1, kOther);
     run(sink, 19, kNan, kOther);
     sink.observe(29, gap - 19, kOther);  // as far as it may: and that is no roughness
@@ -201,7 +202,7 @@ TEST(UnseenSinkEdges, AGapOfMoreThanTwentySecondsBeginsAnew) {
 
 /// One step of so many metres in 12 s, after as many cycles without motion.
 bool movesWith(double step) {
-  UnseenSink sink;
+  UnseenSink sink{kHull};
   sink.observe(5, 12, kOther);
   sink.observe(5 + step, 12, kOther);
   return sink.hasMoved();
@@ -213,7 +214,7 @@ TEST(UnseenSinkEdges, WhatIsRougherThanItMayBeShowsNothing) {
 }
 
 TEST(UnseenSinkEdges, AfterAGapTheFirstStepIsNoRoughness) {
-  UnseenSink sink;
+  UnseenSink sink{kHull};
   sink.observe(5, 12, kOther);
   sink.observe(kNan, 4, kOther);
   sink.observe(5, 12, kOther);
@@ -222,7 +223,7 @@ TEST(UnseenSinkEdges, AfterAGapTheFirstStepIsNoRoughness) {
 }
 
 TEST(UnseenSinkEdges, RoughnessIsWhatAStepHasBeyondTheOneBefore) {
-  UnseenSink sink;
+  UnseenSink sink{kHull};
   sink.observe(0, 12, kOther);
   sink.observe(4.9, 12, kOther);  // 0.6125 m
   EXPECT_FALSE(sink.hasMoved());

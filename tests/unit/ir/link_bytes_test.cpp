@@ -8,6 +8,7 @@
 #include "hooks/protocol/messages.h"
 #include "hooks/protocol/sensor_list.h"
 #include "hooks/protocol/tick.h"
+#include "tests/slocum.h"
 #include "tests/unit/ir/slocum.h"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 
 #include "platforms/load/platform.h"
 
-#include "platforms/slocum_sensors.h"
+#include "tests/slocum.h"
 #include "tests/support/command.h"
 
 #include <gtest/gtest.h>

@@ -3,9 +3,9 @@
 
 #pragma once
 
-#include "platforms/slocum_sensors.h"
 #include "runtime/abi/context_layout.h"
 #include "runtime/abi/runtime.h"
+#include "tests/slocum.h"
 
 #include <algorithm>
 #include <functional>
@@ -57,6 +57,7 @@ struct BenchMission {
     mission.context_bytes = static_cast<uint32_t>(gliderContextLayout(&mission).bytes);
     mission.always = always.data();
     mission.parameters = parameters.data();
+    mission.dictionary = &gliderDictionary;
     mission.name = "bench";
     places.clear();
     for (const GliderStateInfo& state : states) {

@@ -4,10 +4,10 @@
 // The functions of runtime/c/glider.h, each by what it does to the vehicle on the bench. A program
 // has one mission: each test is a process of its own.
 
-#include "platforms/slocum_sensors.h"
 #include "runtime/abi/behaviour.h"
 #include "runtime/c/glider.h"
 #include "runtime/c/program.h"
+#include "tests/slocum.h"
 #include "tests/unit/runtime/log_csv.h"
 #include "tests/unit/runtime/vehicle_bench.h"
 

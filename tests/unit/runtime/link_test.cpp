@@ -490,6 +490,9 @@ TEST_F(LinkTest, RefusesAMissionOfAnotherAbi) {
   other.abi_version = GLIDER_ABI_VERSION - 1;
   EXPECT_EQ(init(other), nullptr);
   other = mission_.mission;
+  other.dictionary = nullptr;
+  EXPECT_EQ(init(other), nullptr);
+  other = mission_.mission;
   other.context_bytes -= 8;
   EXPECT_EQ(init(other), nullptr);
   other = mission_.mission;

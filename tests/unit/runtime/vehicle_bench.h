@@ -7,7 +7,7 @@
 #include "hooks/hookbeh/hookbeh.h"
 #include "hooks/hookprog/hookprog.h"
 #include "hooks/transport/memory.h"
-#include "platforms/slocum_sensors.h"
+#include "tests/slocum.h"
 
 #include <cmath>
 #include <functional>
@@ -21,7 +21,9 @@ namespace glider::runtime::testing {
 class VehicleBench {
  public:
   explicit VehicleBench(const hooks::HookbehArgs& args, bool virtual_time = true)
-      : args_(args), hookbeh_(args), hookprog_({.virtual_time = virtual_time}) {
+      : args_(args),
+        hookbeh_(args, hooks::kHull),
+        hookprog_(gliderDictionary, {.virtual_time = virtual_time}) {
     for (double& value : array_) {
       value = NAN;
     }
@@ -45,7 +47,7 @@ class VehicleBench {
     for (double& value : array_) {
       value = NAN;
     }
-    hookbeh_ = hooks::Hookbeh(args_);
+    hookbeh_ = hooks::Hookbeh(args_, hooks::kHull);
     mission_start_ = now_;
   }
 
@@ -174,7 +176,7 @@ class VehicleBench {
   double array_[GLIDER_SENSOR_COUNT];
   hooks::Hookbeh hookbeh_;
   hooks::Hookprog hookprog_;
-  hooks::Clothesline flight_;
+  hooks::Clothesline flight_{gliderDictionary};
   hooks::MemoryLine sbc_line_;
   hooks::MemoryLine clothesline_;
   hooks::HookbehOutputs outputs_;

@@ -5,6 +5,7 @@
 
 #include "simulator/flight/behaviour.h"
 #include "slocum/mission_files/read.h"
+#include "tests/slocum.h"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +22,7 @@ class BehaviourBench {
     support::DiagnosticEngine diagnostics;
     const auto mission = slocum::readMission(sources, sources.add("test.mi", text), diagnostics);
     EXPECT_TRUE(mission) << text;
-    behaviour = makeBehaviour(mission->behaviours.at(0));
+    behaviour = makeBehaviour(mission->behaviours.at(0), hooks::kHull);
   }
 
   /// One cycle on top of what the behaviours below command.

@@ -4,9 +4,9 @@
 // What a campaign draws, promises and sees.
 
 #include "hooks/protocol/messages.h"
-#include "platforms/slocum_sensors.h"
 #include "simulator/campaign/draw_faults.h"
 #include "simulator/campaign/flight_judge.h"
+#include "tests/slocum.h"
 #include "tests/unit/simulator/fake_sbc.h"
 #include "tests/unit/simulator/flights.h"
 

@@ -3,7 +3,7 @@
 
 #include "tests/unit/simulator/fake_sbc.h"
 
-#include "platforms/slocum_sensors.h"
+#include "tests/slocum.h"
 
 #include <utility>
 
@@ -17,7 +17,8 @@ constexpr hooks::Subscription kSensors[] = {
 
 FakePilot::FakePilot(Plan plan)
     : plan_(plan),
-      client_({.mission_name = "fake", .session = 1, .sensors = kSensors, .sensor_count = 3}) {}
+      client_(gliderDictionary,
+              {.mission_name = "fake", .session = 1, .sensors = kSensors, .sensor_count = 3}) {}
 
 void FakePilot::steer(double depth) {
   hooks::Instruction instruction;

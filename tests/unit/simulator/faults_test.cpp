@@ -3,10 +3,10 @@
 
 // Flights in which something goes wrong, each with its stated outcome (scenarios/README.md).
 
-#include "platforms/slocum_sensors.h"
 #include "simulator/faults/card_damage.h"
 #include "simulator/faults/sensor_damage.h"
 #include "simulator/onlooker.h"
+#include "tests/slocum.h"
 #include "tests/unit/simulator/fake_sbc.h"
 #include "tests/unit/simulator/flights.h"
 

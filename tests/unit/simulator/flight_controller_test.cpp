@@ -5,9 +5,9 @@
 
 #include "hooks/protocol/numbers.h"
 #include "hooks/transport/memory.h"
-#include "platforms/slocum_sensors.h"
 #include "simulator/flight/skeleton.h"
 #include "slocum/mission_files/read.h"
+#include "tests/slocum.h"
 #include "tests/unit/simulator/flights.h"
 #include "tests/unit/simulator/slocum_vehicle.h"
 
@@ -146,7 +146,7 @@ TEST(FlightController, DepthStateByTheRateThatItReports) {
 
 TEST(FlightController, ScienceWritesItsOwnSensorsOnly) {
   Controller c(kSurface + kYo, 100);
-  hooks::Clothesline science;
+  hooks::Clothesline science{gliderDictionary};
   const hooks::SensorUpdate updates[] = {{GLIDER_M_BATTERY, 1.5},
                                          {GLIDER_SCI_WATER_TEMP, 17.5},
                                          {GLIDER_M_WATER_DEPTH, 3},
@@ -163,7 +163,7 @@ TEST(FlightController, ScienceWritesItsOwnSensorsOnly) {
 
 TEST(FlightController, SendsWhatIsFreshOfItsOwn) {
   Controller c(kSurface + kYo, 100);
-  hooks::Clothesline science;
+  hooks::Clothesline science{gliderDictionary};
   c.fly(200, [&] {
     std::map<uint16_t, double> got;
     hooks::SensorUpdate updates[hooks::Clothesline::kMostUpdates];

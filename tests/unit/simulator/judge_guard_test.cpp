@@ -21,6 +21,7 @@ class JudgedGuard : public testing::Test {
     JudgeSetup setup;
     setup.promise = promiseOf(FaultKind::SensorStuck);
     setup.args.silence_secs = 24;
+    setup.pump_cc = 233;
     return setup;
   }
   /// What is violated in a cycle at `depth`, as m_depth says or `reading`.
@@ -181,6 +182,16 @@ TEST_F(JudgedGuard, HeartbeatsThatComeAgainAreSilence) {
   }
   EXPECT_EQ(cycle(10), "the SBC is in control without a newer heartbeat for 36 s");
   EXPECT_EQ(cycle(10, 10, HookState::Silent), "");
+}
+
+TEST_F(JudgedGuard, ASessionThatBeginsAsTheLastIsLostHasASilenceOfItsOwn) {
+  array_.set(GLIDER_X_HOOK_SESSION, 1);
+  EXPECT_EQ(stay(10, 40), "");
+  beats_ = false;
+  EXPECT_EQ(stay(10, 24), "");
+  array_.set(GLIDER_X_HOOK_SESSION, 2);
+  EXPECT_EQ(stay(10, 36), "");
+  EXPECT_EQ(cycle(10), "the SBC is in control without a newer heartbeat for 36 s");
 }
 
 TEST_F(JudgedGuard, AHeartbeatIsAWholeNumber) {

@@ -531,6 +531,7 @@ TEST_F(Judged, APumpThatDrainsTheBatteriesIsSeen) {
 
 TEST(JudgeKept, ControlThatIsLostWithoutAReasonIsSeen) {
   JudgeSetup setup;
+  setup.dictionary = slocumSensors();
   setup.promise = promiseOf(FaultKind::Clock);
   setup.hull_m = 200;
   setup.has_hookbeh = true;
@@ -553,6 +554,7 @@ TEST(JudgeKept, ControlThatIsLostWithoutAReasonIsSeen) {
 
 TEST(JudgeForEver, LooksNoLongerThanSomethingCanCome) {
   JudgeSetup setup;
+  setup.dictionary = slocumSensors();
   setup.faults.power = {{100, kForever}};
   setup.promise = promiseOf(FaultKind::Power);
   FlightJudge judge(setup);

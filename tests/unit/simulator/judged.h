@@ -4,8 +4,8 @@
 #pragma once
 
 #include "hooks/protocol/messages.h"
-#include "platforms/slocum_sensors.h"
 #include "simulator/campaign/flight_judge.h"
+#include "tests/slocum.h"
 #include "tests/unit/simulator/flights.h"
 
 #include <gtest/gtest.h>
@@ -15,6 +15,13 @@
 namespace glider::simulator {
 
 inline constexpr double kCycle = 4;  // s
+
+/// Shared: reading the platform file takes longer than a test.
+inline const std::shared_ptr<const platforms::Dictionary>& slocumSensors() {
+  static const auto sensors =
+      std::make_shared<const platforms::Dictionary>(shippedSetup("default").platform);
+  return sensors;
+}
 
 /// A judge that is told a story: what the SBC says, what hookbeh does with it.
 class Judged : public testing::Test {
@@ -112,6 +119,8 @@ class Judged : public testing::Test {
     setup.overdepth_m = 70;
     setup.undervolts = 10;
     setup.hull_m = 200;
+    setup.pump_cc = hooks::kHull.pump_cc;
+    setup.dictionary = slocumSensors();
     setup.mean_W = 3;
     return setup;
   }

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "hooks/protocol/dictionary.h"
+#include "platforms/load/platform.h"
+
+#include <vector>
+
+namespace glider::platforms {
+
+/// GL5001 if missions for the platform cannot fly: it lacks a sensor that hooks need
+/// (hooks/protocol/roles.def).
+support::Result<void> checkRoles(const Platform& platform);
+
+/// A platform's sensors as the hook protocol has them. Hooks keep a pointer to get(), so it stays
+/// where it is made.
+class Dictionary {
+ public:
+  explicit Dictionary(const Platform& platform);
+  Dictionary(const Dictionary&) = delete;
+  Dictionary& operator=(const Dictionary&) = delete;
+
+  [[nodiscard]] const GliderDictionary& get() const { return dictionary_; }
+
+ private:
+  std::vector<GliderSensorFormat> formats_;
+  std::vector<uint32_t> roles_;
+  GliderDictionary dictionary_;
+};
+
+}  // namespace glider::platforms

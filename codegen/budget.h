@@ -3,8 +3,6 @@
 
 #pragma once
 
-#include "codegen/codegen.h"
-
 #include <cstdint>
 #include <expected>
 #include <string>
@@ -22,11 +20,5 @@ struct Budget {
   /// From a frame's readings to the command (gliderStep), at most; or why there is no bound.
   std::expected<uint64_t, std::string> tick_instructions;
 };
-
-/// Builds the mission for `board` as `glidercc build` does and measures that. `mission` is as it is
-/// compiled: optimised, if it is to be. README.md says how. Errors as linkExecutable's, but a file
-/// that is too large is none.
-support::Result<Budget> measureBudget(const Input& input, const platforms::Board& board,
-                                      const CodegenOptions& options);
 
 }  // namespace glider::codegen

@@ -3,17 +3,22 @@
 
 #pragma once
 
+#include "ir/core/c_symbols.h"
 #include "ir/core/mission.h"
 
 #include <cstdint>
 
 namespace glider::codegen {
 
-/// What code is generated for: a mission without errors, and what its checks found out that the
-/// code needs. Refers to the mission, which must outlive it.
+/// What code is generated for: a mission without errors, and what is known of it that a back end
+/// needs. Refers to the missions, which must outlive it.
 struct Input {
-  const ir::Mission& mission;
-  uint32_t stack_depth = 0;  ///< greatest number of frames on the call stack
+  const ir::Mission& mission;  ///< as it is built and flown
+  uint32_t stack_depth = 0;    ///< greatest number of frames on the call stack
+  /// As it was written, before any pass, with its requirements; null: `mission` is all there is.
+  const ir::Mission* written = nullptr;
+  /// All that it declares in C, used or not; null: what `mission` uses is all.
+  const ir::CInterface* in_c = nullptr;
 };
 
 }  // namespace glider::codegen

@@ -3,8 +3,11 @@
 
 #pragma once
 
-#include "codegen/codegen.h"
+#include "codegen/options.h"
 #include "codegen/scratch_folder.h"
+#include "ir/core/mission.h"
+#include "platforms/load/board.h"
+#include "support/result.h"
 
 #include <filesystem>
 #include <vector>

@@ -58,7 +58,9 @@ struct Optimised {
   std::shared_ptr<const Checked> checked;  ///< what it was made from
   ir::Mission mission;
 
-  [[nodiscard]] codegen::Input input() const { return {mission, checked->facts.stack_depth}; }
+  [[nodiscard]] codegen::Input input() const {
+    return {mission, checked->facts.stack_depth, &checked->mission(), &checked->lowered->in_c};
+  }
   [[nodiscard]] const platforms::Platform& platform() const { return checked->platform(); }
   [[nodiscard]] const support::SourceManager& sources() const { return checked->sources(); }
 };

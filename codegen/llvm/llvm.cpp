@@ -1,7 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "codegen/codegen.h"
+#include "codegen/llvm/llvm.h"
+
+#include "codegen/backend.h"
+#include "codegen/llvm/budget/measure.h"
 #include "codegen/llvm/link/debug_file.h"
 #include "codegen/llvm/link/lld.h"
 #include "codegen/llvm/program/compile.h"
@@ -17,6 +20,9 @@ namespace {
 using platforms::Board;
 using support::DiagnosticId;
 using support::Result;
+
+/// Of the file with an executable's symbols and line tables.
+constexpr std::string_view kDebugSuffix = ".debug";
 
 /// The mission alone, optimised.
 Result<Unit> compileAlone(const Input& input, const Board& board, const CodegenOptions& options) {
@@ -109,8 +115,8 @@ Result<std::string> emitObject(const Input& input, const Board& board,
   return emitAlone(input, board, options, llvm::CodeGenFileType::ObjectFile);
 }
 
-Result<std::string> linkForStream(const Input& input, const Board& board,
-                                  const CodegenOptions& options) {
+Result<std::string> makeExecutable(const Input& input, const Board& board,
+                                   const CodegenOptions& options) {
   auto linked = linkWhole(input, board, options, false);
   if (linked) {
     if (auto fits = checkSize(linked->size(), board); !fits) {
@@ -120,11 +126,11 @@ Result<std::string> linkForStream(const Input& input, const Board& board,
   return linked;
 }
 
-Result<void> linkExecutable(const Input& input, const Board& board, const CodegenOptions& options,
-                            const std::filesystem::path& output) {
+Result<void> writeExecutable(const Input& input, const Board& board, const CodegenOptions& options,
+                             const std::filesystem::path& output) {
   // A debug file stands beside a file, not beside a device or pipe.
   if (!options.debug || !support::isReplaceable(output)) {
-    const auto linked = linkForStream(input, board, options);
+    const auto linked = makeExecutable(input, board, options);
     return linked
                ? support::writeFileAtomically(output, *linked, support::FileKind::ExecutableProduct)
                : std::unexpected(linked.error());
@@ -134,13 +140,13 @@ Result<void> linkExecutable(const Input& input, const Board& board, const Codege
     return std::unexpected(linked.error());
   }
   std::filesystem::path debug_output = output;
-  debug_output += ".debug";
+  debug_output += kDebugSuffix;
   const SplitExecutable split = splitDebug(*linked, debug_output.filename().string());
   const auto fits = checkSize(split.stripped.size(), board);
   return fits ? writeBoth(split, output, debug_output) : fits;
 }
 
-Result<std::string> linkShared(const Input& input, const Board& host,
+Result<std::string> makeShared(const Input& input, const Board& host,
                                const CodegenOptions& options) {
   auto program = compileProgram(input, host, options, ProgramKind::SharedObject, sharedSymbols());
   if (!program) {
@@ -150,5 +156,32 @@ Result<std::string> linkShared(const Input& input, const Board& host,
                sharedSymbols(), options.debug, options.last_link},
               host);
 }
+
+namespace {
+
+/// LLVM is asked for whatever machine a board names; it knows which ones it has.
+bool hasMachine(const Board& board) {
+  return !board.triple.empty();
+}
+
+constexpr Product kProducts[] = {
+    {.name = "llvm", .suffix = ".ll", .for_board = true, .make = emitLlvm},
+    {.name = "asm", .suffix = ".s", .for_board = true, .make = emitAssembly},
+    {.name = "obj", .suffix = ".o", .for_board = true, .make = emitObject},
+    {.name = "exe",
+     .suffix = "",
+     .for_board = true,
+     .make = makeExecutable,
+     .write = writeExecutable,
+     .beside = kDebugSuffix},
+};
+
+}  // namespace
+
+constinit const Backend llvmBackend{.serves = hasMachine,
+                                    .products = kProducts,
+                                    .link_executable = writeExecutable,
+                                    .link_shared = makeShared,
+                                    .measure = measureExecutable};
 
 }  // namespace glider::codegen

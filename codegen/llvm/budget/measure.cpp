@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "codegen/budget.h"
+#include "codegen/llvm/budget/measure.h"
+
 #include "codegen/llvm/budget/callees.h"
 #include "codegen/llvm/budget/disassembler.h"
 #include "codegen/llvm/budget/image.h"
@@ -52,8 +53,8 @@ std::expected<uint64_t, std::string> stackBytes(const Image& image, const ir::Mi
 
 }  // namespace
 
-Result<Budget> measureBudget(const Input& input, const platforms::Board& board,
-                             const CodegenOptions& options) {
+Result<Budget> measureExecutable(const Input& input, const platforms::Board& board,
+                                 const CodegenOptions& options) {
   auto program = compileProgram(input, board, options, ProgramKind::Executable, {"main"});
   if (!program) {
     return std::unexpected(program.error());

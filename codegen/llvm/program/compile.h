@@ -3,9 +3,10 @@
 
 #pragma once
 
-#include "codegen/codegen.h"
+#include "codegen/input.h"
 #include "codegen/llvm/lower/lower_mission.h"
 #include "codegen/llvm/target/machine.h"
+#include "codegen/options.h"
 
 #include <llvm/IR/LLVMContext.h>
 #include <llvm/IR/Module.h>

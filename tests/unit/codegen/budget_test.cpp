@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "codegen/budget.h"
-
+#include "codegen/codegen.h"
 #include "codegen/llvm/budget/circles.h"
 #include "codegen/llvm/budget/flow_of.h"
 #include "codegen/llvm/budget/loops.h"

@@ -3,6 +3,7 @@
 
 // The work of codegen grows no faster than the mission.
 
+#include "codegen/llvm/llvm.h"
 #include "codegen/llvm/program/parts.h"
 #include "codegen/llvm/program/work.h"
 #include "tests/unit/codegen/compiled_mission.h"

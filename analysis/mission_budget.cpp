@@ -3,7 +3,7 @@
 
 #include "analysis/mission_budget.h"
 
-#include "codegen/budget/budget.h"
+#include "codegen/codegen.h"
 #include "compiler/boards.h"
 #include "compiler/user_code.h"
 #include "ir/verify/link_bytes.h"

@@ -3,7 +3,7 @@
 
 #include "campaign/campaign_boards.h"
 
-#include "codegen/link/scratch_folder.h"
+#include "codegen/scratch_folder.h"
 #include "compiler/boards.h"
 
 #include <fmt/format.h>

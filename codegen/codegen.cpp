@@ -3,153 +3,84 @@
 
 #include "codegen/codegen.h"
 
-#include "codegen/link/debug_file.h"
-#include "codegen/link/lld.h"
-#include "codegen/program/compile.h"
-#include "codegen/program/emit.h"
-#include "codegen/program/optimise.h"
 #include "support/files.h"
 
-#include <utility>
+#include <algorithm>
 
 namespace glider::codegen {
 namespace {
 
 using platforms::Board;
-using support::DiagnosticId;
 using support::Result;
 
-/// The mission alone, optimised.
-Result<Unit> compileAlone(const Input& input, const Board& board, const CodegenOptions& options) {
-  auto unit = lowerWhole(input, board, options, ProgramKind::Executable);
-  if (unit) {
-    optimise(*unit->module, *unit->machine, options.optimisation_level);
-  }
-  return unit;
-}
+constexpr const Backend* kBackends[] = {
+#define BACKEND(name) &name,
+#include "codegen/backends.def"
+#undef BACKEND
+};
 
-Result<std::string> emitAlone(const Input& input, const Board& board, const CodegenOptions& options,
-                              llvm::CodeGenFileType type) {
-  auto unit = compileAlone(input, board, options);
-  if (!unit) {
-    return std::unexpected(unit.error());
+/// The function `part` of the first back end that serves the board and has it. GL4002 if none does.
+template <typename Function>
+Result<Function*> findPart(Function* Backend::* part, const Board& board) {
+  for (const Backend* backend : kBackends) {
+    if (backend->*part != nullptr && backend->serves(board)) {
+      return backend->*part;
+    }
   }
-  return emitCode(*unit->module, *unit->machine, type);
-}
-
-Result<void> checkSize(size_t bytes, const Board& board) {
-  if (board.max_executable_bytes != 0 && bytes > board.max_executable_bytes) {
-    return support::fail(DiagnosticId::executableTooLarge, bytes, board.max_executable_bytes,
-                         board.name);
-  }
-  return {};
-}
-
-/// The linked executable, with its symbols and line tables if they are `wanted`.
-Result<std::string> linkWhole(const Input& input, const Board& board, const CodegenOptions& options,
-                              bool wanted) {
-  auto program = compileProgram(input, board, options, ProgramKind::Executable, {"main"});
-  if (!program) {
-    return std::unexpected(program.error());
-  }
-  return link({ProgramKind::Executable,
-               program->objects,
-               program->further_inputs,
-               {},
-               wanted,
-               options.last_link},
-              board);
-}
-
-/// Both files or neither, as far as a file system can promise that: both lie there whole before the
-/// first is renamed.
-Result<void> writeBoth(const SplitExecutable& split, const std::filesystem::path& output,
-                       const std::filesystem::path& debug_output) {
-  auto executable =
-      support::StagedFile::write(output, split.stripped, support::FileKind::ExecutableProduct);
-  if (!executable) {
-    return std::unexpected(executable.error());
-  }
-  auto debug = support::StagedFile::write(debug_output, split.debug, support::FileKind::Product);
-  if (!debug) {
-    return std::unexpected(debug.error());
-  }
-  auto published = executable->publish();
-  return published ? debug->publish() : published;
-}
-
-/// What a shared object exports.
-const std::vector<std::string>& sharedSymbols() {
-  static const std::vector<std::string> names{
-      "gliderMission",
-#define ENTRY_POINT(result, name, parameters) #name,
-#include "runtime/abi/entry_points.def"
-#undef ENTRY_POINT
-  };
-  return names;
+  return support::fail(support::DiagnosticId::unsupportedMachine, board.name, board.triple,
+                       board.cpu);
 }
 
 }  // namespace
 
-Result<std::string> emitLlvm(const Input& input, const Board& board,
-                             const CodegenOptions& options) {
-  auto unit = compileAlone(input, board, options);
-  if (!unit) {
-    return std::unexpected(unit.error());
-  }
-  return printModule(*unit->module);
-}
-
-Result<std::string> emitAssembly(const Input& input, const Board& board,
-                                 const CodegenOptions& options) {
-  return emitAlone(input, board, options, llvm::CodeGenFileType::AssemblyFile);
-}
-
-Result<std::string> emitObject(const Input& input, const Board& board,
-                               const CodegenOptions& options) {
-  return emitAlone(input, board, options, llvm::CodeGenFileType::ObjectFile);
-}
-
-Result<std::string> linkForStream(const Input& input, const Board& board,
-                                  const CodegenOptions& options) {
-  auto linked = linkWhole(input, board, options, false);
-  if (linked) {
-    if (auto fits = checkSize(linked->size(), board); !fits) {
-      return std::unexpected(fits.error());
+std::vector<const Product*> products() {
+  std::vector<const Product*> all;
+  for (const Backend* backend : kBackends) {
+    for (const Product& product : backend->products) {
+      if (std::ranges::none_of(all, [&](const Product* p) { return p->name == product.name; })) {
+        all.push_back(&product);
+      }
     }
   }
-  return linked;
+  return all;
+}
+
+const Product* findProduct(std::string_view name, const Board& board) {
+  for (const Backend* backend : kBackends) {
+    const auto found = std::ranges::find(backend->products, name, &Product::name);
+    if (found != backend->products.end() && backend->serves(board)) {
+      return &*found;
+    }
+  }
+  return nullptr;
+}
+
+Result<void> writeProduct(const Product& product, const Input& input, const Board& board,
+                          const CodegenOptions& options, const std::filesystem::path& output) {
+  if (product.write != nullptr) {
+    return product.write(input, board, options, output);
+  }
+  const auto content = product.make(input, board, options);
+  return content ? support::writeFileAtomically(output, *content, support::FileKind::Product)
+                 : std::unexpected(content.error());
 }
 
 Result<void> linkExecutable(const Input& input, const Board& board, const CodegenOptions& options,
                             const std::filesystem::path& output) {
-  // A debug file stands beside a file, not beside a device or pipe.
-  if (!options.debug || !support::isReplaceable(output)) {
-    const auto linked = linkForStream(input, board, options);
-    return linked
-               ? support::writeFileAtomically(output, *linked, support::FileKind::ExecutableProduct)
-               : std::unexpected(linked.error());
-  }
-  const auto linked = linkWhole(input, board, options, true);
-  if (!linked) {
-    return std::unexpected(linked.error());
-  }
-  std::filesystem::path debug_output = output;
-  debug_output += ".debug";
-  const SplitExecutable split = splitDebug(*linked, debug_output.filename().string());
-  const auto fits = checkSize(split.stripped.size(), board);
-  return fits ? writeBoth(split, output, debug_output) : fits;
+  const auto link = findPart(&Backend::link_executable, board);
+  return link ? (*link)(input, board, options, output) : std::unexpected(link.error());
 }
 
 Result<std::string> linkShared(const Input& input, const Board& host,
                                const CodegenOptions& options) {
-  auto program = compileProgram(input, host, options, ProgramKind::SharedObject, sharedSymbols());
-  if (!program) {
-    return std::unexpected(program.error());
-  }
-  return link({ProgramKind::SharedObject, program->objects, program->further_inputs,
-               sharedSymbols(), options.debug, options.last_link},
-              host);
+  const auto link = findPart(&Backend::link_shared, host);
+  return link ? (*link)(input, host, options) : std::unexpected(link.error());
+}
+
+Result<Budget> measureBudget(const Input& input, const Board& board,
+                             const CodegenOptions& options) {
+  const auto measure = findPart(&Backend::measure, board);
+  return measure ? (*measure)(input, board, options) : std::unexpected(measure.error());
 }
 
 }  // namespace glider::codegen

@@ -8,7 +8,7 @@
 
 namespace glider::codegen {
 
-/// The SHA-256 of a text (FIPS 180-4), 64 hexadecimal digits. It stands here because it is LLVM's.
+/// The SHA-256 of a text (FIPS 180-4), 64 hexadecimal digits. It stands here because LLVM has it.
 std::string digestOf(std::string_view text);
 
 }  // namespace glider::codegen

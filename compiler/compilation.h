@@ -59,7 +59,8 @@ struct Optimised {
   ir::Mission mission;
 
   [[nodiscard]] codegen::Input input() const {
-    return {mission, platform(), checked->facts.stack_depth};
+    return {mission, platform(), checked->facts.stack_depth, &checked->mission(),
+            &checked->lowered->in_c};
   }
   [[nodiscard]] const platforms::Platform& platform() const { return checked->platform(); }
   [[nodiscard]] const support::SourceManager& sources() const { return checked->sources(); }

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "codegen/user_code/user_code.h"
+#include "codegen/user_code.h"
 #include "ir/core/mission.h"
 #include "platforms/load/board.h"
 #include "support/result.h"

@@ -10,9 +10,7 @@
 #include "driver/shared_options.h"
 #include "driver/terminal.h"
 #include "frontend/ast/print.h"
-#include "ir/text/c_header.h"
 #include "ir/text/print.h"
-#include "support/check.h"
 #include "support/files.h"
 
 #include <CLI/CLI.hpp>
@@ -20,7 +18,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -28,45 +25,69 @@
 namespace glider::driver {
 namespace {
 
-enum class Emit : uint8_t { Ast, Ir, Header, Llvm, Asm, Obj, Exe };
-
-/// The values of `--emit`.
-const std::map<std::string, Emit> kEmits = {
-    {"ast", Emit::Ast}, {"ir", Emit::Ir},   {"header", Emit::Header}, {"llvm", Emit::Llvm},
-    {"asm", Emit::Asm}, {"obj", Emit::Obj}, {"exe", Emit::Exe}};
+/// The syntax tree is no back end's product: none sees it.
+constexpr codegen::Product kSyntaxTree{.name = "ast", .suffix = ".ast"};
 
 struct BuildOptions {
   std::string mission;
   std::string target = "host";
-  Emit emit = Emit::Exe;
+  std::string emit = "exe";
   unsigned level = 2;
   std::vector<std::string> print_after;
   std::vector<std::string> user_code;
   std::string output;
 };
 
-/// The file to write when none is named: beside where the command runs, named after mission and
-/// target.
-std::string outputName(const BuildOptions& options) {
-  const std::string stem = std::filesystem::path(options.mission).stem().string();
-  const std::string built = fmt::format("{}-{}", stem, options.target);
-  switch (options.emit) {
-    case Emit::Ast:
-      return stem + ".ast";
-    case Emit::Ir:
-      return stem + ".ir";
-    case Emit::Header:
-      return stem + ".h";
-    case Emit::Llvm:
-      return built + ".ll";
-    case Emit::Asm:
-      return built + ".s";
-    case Emit::Obj:
-      return built + ".o";
-    case Emit::Exe:
-      return built;
+/// What `--emit` can name; with a `board`, for that board only.
+std::vector<const codegen::Product*> emitted(const platforms::Board* board = nullptr) {
+  std::vector<const codegen::Product*> all = codegen::products();
+  if (board != nullptr) {
+    std::erase_if(all, [&](const codegen::Product* product) {
+      return codegen::findProduct(product->name, *board) == nullptr;
+    });
   }
-  return built;
+  all.insert(all.begin(), &kSyntaxTree);
+  return all;
+}
+
+std::vector<std::string> namesOf(const std::vector<const codegen::Product*>& products) {
+  std::vector<std::string> names;
+  for (const codegen::Product* product : products) {
+    names.emplace_back(product->name);
+  }
+  return names;
+}
+
+/// All values of `--emit` with their notes: "a, b (note) or c".
+std::string emittedInWords() {
+  std::vector<std::string> values;
+  for (const codegen::Product* product : emitted()) {
+    values.push_back(product->note.empty() ? std::string(product->name)
+                                           : fmt::format("{} ({})", product->name, product->note));
+  }
+  const std::string last = values.back();
+  values.pop_back();
+  return fmt::format("{} or {}", fmt::join(values, ", "), last);
+}
+
+/// What `--emit` names, made for `board`. Throws what CLI11 throws of bad usage if no back end
+/// makes it for that board.
+const codegen::Product& chosenProduct(const BuildOptions& options, const platforms::Board& board) {
+  const codegen::Product* product =
+      options.emit == kSyntaxTree.name ? &kSyntaxTree : codegen::findProduct(options.emit, board);
+  if (product == nullptr) {
+    throw CLI::ValidationError(
+        "--emit", fmt::format("{} cannot be made for target {}; it can be {}", options.emit,
+                              board.name, fmt::join(namesOf(emitted(&board)), ", ")));
+  }
+  return *product;
+}
+
+/// The file to write when none is named: beside where the command runs, named after the mission
+/// and, if it is for the target only, the target.
+std::string outputName(const BuildOptions& options, const codegen::Product& product) {
+  const std::string stem = std::filesystem::path(options.mission).stem().string();
+  return stem + (product.for_board ? "-" + options.target : "") + std::string(product.suffix);
 }
 
 codegen::CodegenOptions codegenOptions(const BuildOptions& options,
@@ -78,85 +99,44 @@ codegen::CodegenOptions codegenOptions(const BuildOptions& options,
   return result;
 }
 
-/// What an early stage has made, as text. Of the IR: of the mission with its requirements if no
-/// pass is to run.
-support::Result<std::string> printStage(const BuildOptions& options,
-                                        const compiler::Compilation& compilation,
-                                        const compiler::Optimised& mission) {
-  const compiler::Lowered& lowered = *compilation.lowered;
-  switch (options.emit) {
-    case Emit::Ast:
-      return compilation.parsed
-                 ? support::Result<std::string>(ast::print(compilation.parsed->mission))
-                 : support::fail(support::DiagnosticId::noSyntaxTree, options.mission);
-    case Emit::Ir:
-      return ir::print(options.level == 0 ? lowered.mission : mission.mission);
-    case Emit::Header:
-      return ir::printHeader(lowered.in_c, lowered.mission.name);
-    case Emit::Llvm:
-    case Emit::Asm:
-    case Emit::Obj:
-    case Emit::Exe:
-      break;
+support::Result<void> writeSyntaxTree(const BuildOptions& options,
+                                      const compiler::Compilation& compilation) {
+  if (!compilation.parsed) {
+    return support::fail(support::DiagnosticId::noSyntaxTree, options.mission);
   }
-  CHECK(false, "no early stage");
-}
-
-bool needsTarget(Emit emit) {
-  return emit != Emit::Ast && emit != Emit::Ir && emit != Emit::Header;
-}
-
-/// What the code generator makes of a mission, without a file of its own.
-support::Result<std::string> generate(Emit emit, const codegen::Input& input,
-                                      const platforms::Board& board,
-                                      const codegen::CodegenOptions& how) {
-  switch (emit) {
-    case Emit::Llvm:
-      return codegen::emitLlvm(input, board, how);
-    case Emit::Asm:
-      return codegen::emitAssembly(input, board, how);
-    case Emit::Obj:
-      return codegen::emitObject(input, board, how);
-    case Emit::Exe:
-      return codegen::linkForStream(input, board, how);
-    case Emit::Ast:
-    case Emit::Ir:
-    case Emit::Header:
-      break;
-  }
-  CHECK(false, "not made by the code generator");
-}
-
-support::Result<void> writeProduct(const BuildOptions& options,
-                                   const support::Result<std::string>& product) {
-  if (!product) {
-    return std::unexpected(product.error());
-  }
+  const std::string text = ast::print(compilation.parsed->mission);
   return options.output == "-"
-             ? printOut(*product)
-             : support::writeFileAtomically(options.output, *product, support::FileKind::Product);
+             ? printOut(text)
+             : support::writeFileAtomically(options.output, text, support::FileKind::Product);
 }
 
-support::Result<void> buildForTarget(const BuildOptions& options,
-                                     const compiler::Optimised& mission) {
-  const auto board = compiler::loadTarget(options.target);
-  if (!board) {
-    return std::unexpected(board.error());
+support::Result<void> writeProduct(const codegen::Product& product, const BuildOptions& options,
+                                   const codegen::Input& input, const platforms::Board& board,
+                                   const codegen::CodegenOptions& how) {
+  if (options.output != "-") {
+    return codegen::writeProduct(product, input, board, how, options.output);
   }
-  const auto code = compiler::loadUserCode(options.user_code, mission.mission, *board);
+  const auto content = product.make(input, board, how);
+  return content ? printOut(*content) : std::unexpected(content.error());
+}
+
+support::Result<void> buildProduct(const codegen::Product& product, const BuildOptions& options,
+                                   const platforms::Board& board,
+                                   const compiler::Optimised& mission) {
+  codegen::CodegenOptions how = codegenOptions(options, mission);
+  if (!product.for_board) {
+    return writeProduct(product, options, mission.input(), board, how);
+  }
+  const auto code = compiler::loadUserCode(options.user_code, mission.mission, board);
   if (!code) {
     return std::unexpected(code.error());
   }
-  codegen::CodegenOptions how = codegenOptions(options, mission);
   code->addTo(how);
-  if (options.emit == Emit::Exe && options.output != "-") {
-    return codegen::linkExecutable(mission.input(), *board, how, options.output);
-  }
-  return writeProduct(options, generate(options.emit, mission.input(), *board, how));
+  return writeProduct(product, options, mission.input(), board, how);
 }
 
 /// True if the build would write over a file that it reads.
-bool overwritesInput(const BuildOptions& options) {
+bool overwritesInput(const BuildOptions& options, const codegen::Product& product) {
   std::error_code error;  // a file that is not there yet is not the mission
   std::vector<std::string> inputs = options.user_code;
   inputs.push_back(options.mission);
@@ -166,7 +146,7 @@ bool overwritesInput(const BuildOptions& options) {
     });
   };
   return isInput(options.output) ||
-         (options.emit == Emit::Exe && isInput(options.output + ".debug"));
+         (!product.beside.empty() && isInput(options.output + std::string(product.beside)));
 }
 
 /// The mission as it is built; the IR is printed to standard error after the passes that
@@ -185,9 +165,11 @@ compiler::Optimised optimise(const BuildOptions& options,
 
 int build(BuildOptions options) {
   // The target first: a typing error there should not cost a compilation.
-  if (const auto board = compiler::loadTarget(options.target); !board) {
+  const auto board = compiler::loadTarget(options.target);
+  if (!board) {
     return reportFailure(board.error());
   }
+  const codegen::Product& product = chosenProduct(options, *board);
   const auto compiled = compiler::compileMission(options.mission);
   if (!compiled) {
     return reportFailure(compiled.error());
@@ -198,14 +180,13 @@ int build(BuildOptions options) {
     return kMissionHasErrors;
   }
   const compiler::Optimised mission = optimise(options, compilation.checked);
-  options.output = options.output.empty() ? outputName(options) : options.output;
-  if (overwritesInput(options)) {
+  options.output = options.output.empty() ? outputName(options, product) : options.output;
+  if (overwritesInput(options, product)) {
     return reportFailure(
         support::fail(support::DiagnosticId::outputIsInput, options.output).error());
   }
-  const auto built = needsTarget(options.emit)
-                         ? buildForTarget(options, mission)
-                         : writeProduct(options, printStage(options, compilation, mission));
+  const auto built = &product == &kSyntaxTree ? writeSyntaxTree(options, compilation)
+                                              : buildProduct(product, options, *board, mission);
   return built ? kFine : reportFailure(built.error());
 }
 
@@ -222,13 +203,8 @@ void addBuildCommand(CLI::App& app, int& status) {
       ->add_option("--target", options->target,
                    "Target to build for, as listed by `glidercc targets`")
       ->capture_default_str();
-  command
-      ->add_option_function<std::string>(
-          "--emit", [options](const std::string& stage) { options->emit = kEmits.at(stage); },
-          "Output to write: ast, ir, header (C declarations of the mission), llvm, asm, obj or exe "
-          "[exe]")
-      ->check(CLI::IsMember(
-          std::vector<std::string>{"ast", "ir", "header", "llvm", "asm", "obj", "exe"}))
+  command->add_option("--emit", options->emit, "Output to write: " + emittedInWords() + " [exe]")
+      ->check(CLI::IsMember(namesOf(emitted())))
       ->option_text("STAGE");
   command->add_option("-O", options->level, "Optimisation level, 0 to 3")
       ->check(CLI::Range(0, 3))

@@ -3,7 +3,7 @@
 
 #include "codegen/load/loaded_mission.h"
 
-#include "codegen/link/scratch_folder.h"
+#include "codegen/scratch_folder.h"
 
 #include <dlfcn.h>
 

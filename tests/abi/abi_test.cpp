@@ -3,8 +3,8 @@
 
 // The structs that runtime and generated code share have one layout: clang's, on every board.
 
-#include "codegen/lower/abi_types.h"
-#include "codegen/target/machine.h"
+#include "codegen/llvm/lower/abi_types.h"
+#include "codegen/llvm/target/machine.h"
 #include "platforms/load/board.h"
 #include "support/files.h"
 

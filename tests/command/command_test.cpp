@@ -231,6 +231,34 @@ TEST(Command, TheStageToEmitIsOneByName) {
   }
 }
 
+TEST(Command, ATargetHasWhatABackEndMakesForIt) {
+  const TemporaryFolder folder;
+  const auto run = [&](const std::string& line) {
+    return runShell("cd " + folder.path().string() + " && " + line);
+  };
+  // A share directory of our own, with a computer that has no processor that we compile for.
+  const Outcome made =
+      run("cp -rL $(dirname $GLIDERCC)/../share/glidercc share && chmod -R u+w share && "
+          "cp -r share/boards/ts7800 share/boards/stock && "
+          "sed -i -e 's/^triple = .*/triple = \"\"/' -e 's/^name = .*/name = \"stock\"/' "
+          "share/boards/stock/board.toml");
+  ASSERT_EQ(made.status, 0) << made.err;
+  const std::string build =
+      "GLIDERCC_SHARE=share $GLIDERCC build " + kFigure2 + " --target stock -o x";
+  for (const char* stage : {"ast", "ir", "header"}) {
+    EXPECT_EQ(run(build + " --emit " + stage).status, 0) << stage;
+  }
+  for (const char* stage : {"llvm", "asm", "obj", "exe"}) {
+    const Outcome outcome = run("rm -f x; " + build + " --emit " + stage + "; s=$?; ls; exit $s");
+    EXPECT_EQ(outcome.status, 2) << stage;
+    EXPECT_EQ(outcome.out, "share\n") << stage;
+    EXPECT_THAT(outcome.err, HasSubstr(std::string("--emit: ") + stage +
+                                       " cannot be made for target stock; it can be ast, ir, "
+                                       "header\n"))
+        << stage;
+  }
+}
+
 TEST(Command, EveryStageCanBeWritten) {
   const std::pair<const char*, const char*> stages[] = {{"ast", "mission sampleMission"},
                                                         {"ir", "sampleMission"},

@@ -1,14 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "codegen/budget/budget.h"
-
-#include "codegen/budget/circles.h"
-#include "codegen/budget/flow_of.h"
-#include "codegen/budget/loops.h"
-#include "codegen/budget/worst_path.h"
-#include "codegen/link/lld.h"
-#include "codegen/program/compile.h"
+#include "codegen/codegen.h"
+#include "codegen/llvm/budget/circles.h"
+#include "codegen/llvm/budget/flow_of.h"
+#include "codegen/llvm/budget/loops.h"
+#include "codegen/llvm/budget/worst_path.h"
+#include "codegen/llvm/link/lld.h"
+#include "codegen/llvm/program/compile.h"
 #include "hooks/protocol/messages.h"
 #include "hooks/protocol/tick.h"
 #include "support/check.h"

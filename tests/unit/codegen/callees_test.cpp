@@ -3,7 +3,7 @@
 
 // What calls through pointers reach, in a program that has a function of every kind.
 
-#include "codegen/budget/callees.h"
+#include "codegen/llvm/budget/callees.h"
 
 #include "tests/unit/codegen/small_program.h"
 

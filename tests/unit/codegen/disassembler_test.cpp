@@ -3,7 +3,7 @@
 
 // What is read off the machine code of small functions: counts, choices, tables, registers.
 
-#include "codegen/budget/disassembler.h"
+#include "codegen/llvm/budget/disassembler.h"
 
 #include "tests/unit/codegen/small_program.h"
 

@@ -3,8 +3,9 @@
 
 // The work of codegen grows no faster than the mission.
 
-#include "codegen/program/parts.h"
-#include "codegen/program/work.h"
+#include "codegen/llvm/llvm.h"
+#include "codegen/llvm/program/parts.h"
+#include "codegen/llvm/program/work.h"
 #include "tests/unit/codegen/compiled_mission.h"
 
 #include <fmt/format.h>

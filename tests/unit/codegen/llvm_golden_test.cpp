@@ -4,6 +4,7 @@
 // tests/golden/llvm: each file is a mission in the IR's text form, and FileCheck lines for the LLVM
 // that it becomes. Its line "# RUN: BOARD OLEVEL" says for which board and at which level.
 
+#include "codegen/llvm/llvm.h"
 #include "support/files.h"
 #include "tests/support/command.h"
 #include "tests/unit/codegen/compiled_mission.h"

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "codegen/lower/order_comparison.h"
+#include "codegen/llvm/lower/order_comparison.h"
 
-#include "codegen/lower/unit_factors.h"
+#include "codegen/llvm/lower/unit_factors.h"
 #include "ir/core/ops.h"
 #include "support/units/units.h"
 

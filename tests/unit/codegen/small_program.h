@@ -3,9 +3,9 @@
 
 #pragma once
 
-#include "codegen/budget/disassembler.h"
-#include "codegen/budget/image.h"
-#include "codegen/budget/stack_bound.h"
+#include "codegen/llvm/budget/disassembler.h"
+#include "codegen/llvm/budget/image.h"
+#include "codegen/llvm/budget/stack_bound.h"
 #include "support/check.h"
 #include "tests/support/command.h"
 #include "tests/unit/codegen/compiled_mission.h"

@@ -4,10 +4,10 @@
 // The bound of the stack on small functions written in assembly, whose depth can be counted by
 // hand.
 
-#include "codegen/budget/stack_bound.h"
+#include "codegen/llvm/budget/stack_bound.h"
 
-#include "codegen/budget/callees.h"
-#include "codegen/budget/stack_state.h"
+#include "codegen/llvm/budget/callees.h"
+#include "codegen/llvm/budget/stack_state.h"
 #include "tests/unit/codegen/small_program.h"
 
 #include <gtest/gtest.h>

@@ -3,9 +3,9 @@
 
 // What single instructions do to the stack, as the assembler writes them.
 
-#include "codegen/budget/stack_effect.h"
+#include "codegen/llvm/budget/stack_effect.h"
 
-#include "codegen/budget/flow_of.h"
+#include "codegen/llvm/budget/flow_of.h"
 
 #include <gtest/gtest.h>
 

@@ -3,9 +3,9 @@
 
 // How deep the stack is after one instruction and another, and where two ways meet.
 
-#include "codegen/budget/stack_state.h"
+#include "codegen/llvm/budget/stack_state.h"
 
-#include "codegen/budget/stack_effect.h"
+#include "codegen/llvm/budget/stack_effect.h"
 
 #include <gtest/gtest.h>
 

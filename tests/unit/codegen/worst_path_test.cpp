@@ -3,7 +3,7 @@
 
 // The bound of instructions on small functions written in assembly, which can be counted by hand.
 
-#include "codegen/budget/worst_path.h"
+#include "codegen/llvm/budget/worst_path.h"
 
 #include "tests/unit/codegen/small_program.h"
 

@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "codegen/llvm/budget/callees.h"
+
+#include "support/check.h"
+
+#include <algorithm>
+#include <set>
+#include <string_view>
+
+namespace glider::codegen {
+namespace {
+
+/// Which of the mission's functions a function of the runtime calls in a tick.
+struct PointerCall {
+  std::string_view file, function;
+  const char* prefix;
+};
+constexpr PointerCall kPointerCalls[] = {
+    {"step.cpp", "advance", "advance."},
+    {"step.cpp", "firstTrue", "guards."},
+    {"step.cpp", "fire", "act."},
+    {"step.cpp", "enter", "enter."},
+    {"step.cpp", "fly", "profile."},
+    {"step.cpp", "fly", "route."},
+    {"guard_table.cpp", "firstTrue", "holds."},
+};
+
+/// What functions are to calls through pointers.
+enum class Kind : uint8_t {
+  kOthers,
+  kStart,
+  kMain,
+  kSecondStage,
+  kEnds,
+  kNobody,
+  kAfterSignals,
+  kNotHere,
+  kKernel,
+  kFindsClock,
+  kClock,
+  kMission,
+  kSensors
+};
+
+struct Row {
+  std::string_view name;
+  Kind kind = Kind::kOthers;
+};
+
+constexpr Row kKinds[] = {
+#define KIND(kind, name, why) {name, Kind::kind},
+#define POINTER(caller, kind, why)
+#define ATONCE(function, calls, why)
+#include "codegen/llvm/budget/callees.def"
+#undef KIND
+#undef POINTER
+#undef ATONCE
+};
+
+constexpr Row kCallers[] = {
+#define KIND(kind, name, why)
+#define POINTER(caller, kind, why) {caller, Kind::kind},
+#define ATONCE(function, calls, why)
+#include "codegen/llvm/budget/callees.def"
+#undef KIND
+#undef POINTER
+#undef ATONCE
+};
+
+struct AtOnce {
+  std::string_view function;
+  uint64_t calls;
+};
+constexpr AtOnce kAtOnce[] = {
+#define KIND(kind, name, why)
+#define POINTER(caller, kind, why)
+#define ATONCE(function, calls, why) {function, calls},
+#include "codegen/llvm/budget/callees.def"
+#undef KIND
+#undef POINTER
+#undef ATONCE
+};
+
+bool fits(std::string_view name, std::string_view row) {
+  return row.ends_with('*') ? name.starts_with(row.substr(0, row.size() - 1)) : name == row;
+}
+
+Kind kindOf(std::string_view name) {
+  const auto* row =
+      std::ranges::find_if(kKinds, [&](const Row& one) { return fits(name, one.name); });
+  return row == std::end(kKinds) ? Kind::kOthers : row->kind;
+}
+
+/// What a function calls through pointers; without a row kOthers.
+std::set<Kind> calledBy(std::string_view caller) {
+  std::set<Kind> kinds;
+  for (const Row& row : kCallers) {
+    if (fits(caller, row.name)) {
+      kinds.insert(row.kind);
+    }
+  }
+  return kinds.empty() ? std::set{Kind::kOthers} : kinds;
+}
+
+}  // namespace
+
+Callees::Callees(const Image& image, const ir::Mission& mission) : image_(image) {
+  for (const ir::Sensor& sensor : mission.sensors) {
+    if (!sensor.symbol.empty()) {
+      const auto poll = image.function(sensor.symbol);
+      CHECK(poll.has_value(), "an executable was linked without the function of a sensor");
+      polls_.push_back(*poll);
+    }
+  }
+}
+
+std::vector<uint64_t> Callees::inTick(const std::vector<Frame>& frames) const {
+  const Frame& frame = frames.front();
+  if (frame.line != 0 && frame.file == "readings.cpp" && frame.function == "pollSensors") {
+    return polls_;
+  }
+  std::vector<uint64_t> some, all = polls_;
+  bool placed = false;
+  for (const PointerCall& call : kPointerCalls) {
+    const std::vector<uint64_t> named = image_.functionsNamed(call.prefix);
+    all.insert(all.end(), named.begin(), named.end());
+    if (frame.line != 0 && frame.file == call.file && frame.function == call.function) {
+      some.insert(some.end(), named.begin(), named.end());
+      placed = true;
+    }
+  }
+  return placed ? some : all;
+}
+
+std::vector<uint64_t> Callees::inProgram(uint64_t call) const {
+  const std::set<Kind> wanted = calledBy(image_.baseNameAt(call));
+  std::vector<uint64_t> targets;
+  if (wanted.contains(Kind::kMission) || wanted.contains(Kind::kSensors)) {
+    targets = polls_;  // pollSensors may be inlined into a tick
+  }
+  for (const uint64_t target : image_.takenFunctions()) {
+    if (wanted.contains(kindOf(image_.symbolAt(target)))) {
+      targets.push_back(target);
+    }
+  }
+  return targets;
+}
+
+uint64_t callsAtOnce(const std::string& symbol) {
+  const auto* row = std::ranges::find(kAtOnce, symbol, &AtOnce::function);
+  return row == std::end(kAtOnce) ? 1 : row->calls;
+}
+
+}  // namespace glider::codegen

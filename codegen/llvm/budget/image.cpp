@@ -1,0 +1,410 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "codegen/llvm/budget/image.h"
+
+#include "codegen/llvm/budget/disassembler.h"
+#include "codegen/llvm/budget/taken.h"
+
+#include <llvm/DebugInfo/DWARF/DWARFContext.h>
+#include <llvm/Demangle/Demangle.h>
+#include <llvm/Object/ELFObjectFile.h>
+#include <llvm/Support/MemoryBuffer.h>
+
+#include <algorithm>
+#include <cstring>
+#include <set>
+#include <tuple>
+#include <utility>
+
+namespace glider::codegen {
+namespace {
+
+using llvm::object::ELFObjectFileBase;
+using support::Result;
+
+/// A function by its symbol.
+struct Symbol {
+  uint64_t address = 0;
+  uint64_t size = 0;
+  std::string name;
+};
+
+/// Bytes of the file that are loaded.
+struct Segment {
+  uint64_t address = 0;
+  uint64_t size = 0;
+  const char* bytes = nullptr;
+};
+
+/// "takeUpdates" of "_ZN6glider7runtime11takeUpdatesE…"; a name of C as it is.
+std::string baseName(const std::string& mangled) {
+  llvm::ItaniumPartialDemangler demangler;
+  if (demangler.partialDemangle(mangled.c_str()) || !demangler.isFunction()) {
+    return mangled;
+  }
+  size_t size = 0;
+  char* name = demangler.getFunctionBaseName(nullptr, &size);
+  std::string base = name != nullptr ? name : mangled;
+  std::free(name);
+  return base;
+}
+
+/// A template's name without its arguments.
+std::string plain(const std::string& name) {
+  return name.substr(0, name.find('<'));
+}
+
+std::string lastPart(const std::string& path) {
+  return path.substr(path.find_last_of('/') + 1);
+}
+
+/// Stretches of data among code, between ARM's mapping symbols `$d` and `$a`.
+class DataAmongCode {
+ public:
+  void add(uint64_t address, bool data) { marks_.emplace_back(address, data); }
+  void sort() { std::ranges::sort(marks_); }
+  [[nodiscard]] bool holds(uint64_t address) const {
+    const auto after = std::ranges::upper_bound(marks_, std::pair(address, true));
+    return after != marks_.begin() && std::prev(after)->second;
+  }
+
+ private:
+  std::vector<std::pair<uint64_t, bool>> marks_;
+};
+
+}  // namespace
+
+struct Image::Parts {
+  std::unique_ptr<llvm::MemoryBuffer> bytes;
+  std::unique_ptr<llvm::object::ObjectFile> file;
+  std::unique_ptr<llvm::DWARFContext> lines;
+  std::vector<Symbol> symbols;  // functions, by address
+  uint64_t context_bytes = 0;
+  DataAmongCode data;
+  std::vector<Instruction> code;
+  std::vector<Segment> segments;
+  uint64_t loaded = 0;
+  uint64_t writable = 0;
+  uint64_t offsets =
+      0;  // _GLOBAL_OFFSET_TABLE_, from which x86's code that may lie anywhere reckons
+  std::vector<uint64_t> taken;
+
+  void readSymbols();
+  void readSegments();
+  void readCode(Disassembler& disassembler);
+  void doubtCounts();
+  void findTaken();
+  [[nodiscard]] std::set<uint64_t> words() const;
+  [[nodiscard]] std::optional<uint32_t> wordAt(uint64_t address) const;
+  [[nodiscard]] const Symbol* symbolOf(uint64_t address) const;
+};
+
+void Image::Parts::readSymbols() {
+  for (const llvm::object::ELFSymbolRef symbol : llvm::cast<ELFObjectFileBase>(*file).symbols()) {
+    const auto name = llvm::expectedToOptional(symbol.getName());
+    const auto address = llvm::expectedToOptional(symbol.getAddress());
+    const auto section = llvm::expectedToOptional(symbol.getSection());
+    if (!name || !address || !section || *section == file->section_end()) {
+      continue;
+    }
+    if (*name == "_GLOBAL_OFFSET_TABLE_") {
+      offsets = *address;
+    }
+    if (name->starts_with("$a") || name->starts_with("$d")) {
+      data.add(*address, name->starts_with("$d"));
+    } else if (symbol.getELFType() == llvm::ELF::STT_FUNC) {
+      symbols.push_back({*address, symbol.getSize(), name->str()});
+    } else if (*name == "gliderContextMemory") {
+      context_bytes = symbol.getSize();
+    }
+  }
+  data.sort();
+  // Of several at one address the first is the largest: aliases have the same size.
+  std::ranges::sort(symbols, [](const Symbol& a, const Symbol& b) {
+    return std::tuple(a.address, b.size, a.name) < std::tuple(b.address, a.size, b.name);
+  });
+}
+
+void Image::Parts::readSegments() {
+  auto take = [&](const auto& elf) {
+    for (const auto& segment : llvm::cantFail(elf.program_headers())) {
+      if (segment.p_type == llvm::ELF::PT_LOAD) {
+        loaded += segment.p_memsz;
+        writable += (segment.p_flags & llvm::ELF::PF_W) != 0 ? uint64_t{segment.p_memsz} : 0;
+        const char* begin = bytes->getBufferStart() + segment.p_offset;
+        segments.push_back({segment.p_vaddr, segment.p_filesz, begin});
+      }
+    }
+  };
+  if (const auto* small = llvm::dyn_cast<llvm::object::ELF32LEObjectFile>(file.get())) {
+    take(small->getELFFile());
+  } else if (const auto* large = llvm::dyn_cast<llvm::object::ELF64LEObjectFile>(file.get())) {
+    take(large->getELFFile());
+  }
+}
+
+/// All that loaded words hold, but distances from a place of the code: those are no addresses,
+/// though the numbers may be the same.
+std::set<uint64_t> Image::Parts::words() const {
+  const std::set<uint64_t> distances = distancesIn(code);
+  std::set<uint64_t> held;
+  for (const Segment& segment : segments) {
+    for (uint64_t place = 0; place + sizeof(uint32_t) <= segment.size; place += sizeof(uint32_t)) {
+      uint32_t word = 0;  // both boards' processors are little-endian, as this machine is
+      std::memcpy(&word, segment.bytes + place, sizeof word);
+      if (!distances.contains(segment.address + place)) {
+        held.insert(word);
+      }
+    }
+  }
+  return held;
+}
+
+void Image::Parts::readCode(Disassembler& disassembler) {
+  for (const llvm::object::SectionRef section : file->sections()) {
+    const auto content =
+        section.isText() ? llvm::expectedToOptional(section.getContents()) : std::nullopt;
+    if (!content) {
+      continue;
+    }
+    for (uint64_t at = 0; at < content->size();) {
+      const uint64_t address = section.getAddress() + at;
+      if (data.holds(address) && !disassembler.isTrap(content->substr(at))) {
+        at += sizeof(uint32_t);
+        continue;
+      }
+      Instruction one = disassembler.read(content->substr(at), address);
+      // ARM's switches have their table right behind them.
+      if (one.flow == Flow::JumpByTable && one.target == 0 && data.holds(address + one.size)) {
+        one.target = address + one.size;
+      }
+      code.push_back(one);
+      at += one.size;
+    }
+  }
+  std::ranges::sort(code, {}, &Instruction::address);
+  doubtCounts();
+}
+
+/// What jumps in between the instruction that sets a count, or chooses a table, and the one that
+/// uses it may bring another.
+void Image::Parts::doubtCounts() {
+  std::set<uint64_t> targets = words();
+  for (const Instruction& one : code) {
+    if (one.flow == Flow::Jump || one.flow == Flow::JumpIf || one.flow == Flow::Call) {
+      targets.insert(one.target);
+    }
+  }
+  auto entered = [&](const Instruction& one) {
+    const auto next = targets.upper_bound(one.counted_at);
+    return next != targets.end() && *next <= one.address;
+  };
+  for (Instruction& one : code) {
+    if (one.repeats >= 0 && entered(one)) {
+      one.repeats = Instruction::kUncounted;
+    }
+    if (one.by_distance && entered(one)) {
+      one.flow = Flow::Unknown;
+    }
+    if (one.choices > 0 && entered(one)) {
+      one.choices = 0;
+    }
+  }
+}
+
+/// Words that are loaded, and what code says.
+void Image::Parts::findTaken() {
+  std::set<uint64_t> addresses = addressesIn(
+      code, offsets, [&](uint64_t address) { return wordAt(address); },
+      [&](uint64_t address) {
+        const Symbol* symbol = symbolOf(address);
+        return symbol == nullptr ? 0 : symbol->address;
+      });
+  addresses.merge(words());
+  for (const Symbol& symbol : symbols) {
+    if (addresses.contains(symbol.address) && (taken.empty() || taken.back() != symbol.address)) {
+      taken.push_back(symbol.address);
+    }
+  }
+}
+
+std::optional<uint32_t> Image::Parts::wordAt(uint64_t address) const {
+  for (const Segment& segment : segments) {
+    if (address >= segment.address &&
+        address + sizeof(uint32_t) <= segment.address + segment.size) {
+      uint32_t word = 0;
+      std::memcpy(&word, segment.bytes + (address - segment.address), sizeof word);
+      return word;
+    }
+  }
+  return std::nullopt;
+}
+
+const Symbol* Image::Parts::symbolOf(uint64_t address) const {
+  auto after = std::ranges::upper_bound(symbols, address, {}, &Symbol::address);
+  if (after == symbols.begin()) {
+    return nullptr;
+  }
+  const uint64_t start = std::prev(after)->address;
+  const auto first = std::ranges::lower_bound(symbols, start, {}, &Symbol::address);
+  return first->size == 0 || address < first->address + first->size ? &*first : nullptr;
+}
+
+Image::Image(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+Image::Image(Image&&) noexcept = default;
+Image::~Image() = default;
+
+Result<Image> Image::read(const std::string& linked, const platforms::Board& board) {
+  auto parts = std::make_unique<Parts>();
+  parts->bytes = llvm::MemoryBuffer::getMemBufferCopy(linked, "linked");
+  auto file = llvm::object::ObjectFile::createELFObjectFile(parts->bytes->getMemBufferRef());
+  if (!file) {
+    return support::fail(support::DiagnosticId::linkFailed, board.name,
+                         llvm::toString(file.takeError()));
+  }
+  parts->file = std::move(*file);
+  parts->lines = llvm::DWARFContext::create(*parts->file);
+  parts->readSymbols();
+  parts->readSegments();
+  if (Disassembler::knows(board)) {
+    auto disassembler = Disassembler::make(board);
+    if (!disassembler) {
+      return std::unexpected(disassembler.error());
+    }
+    parts->readCode(**disassembler);
+    parts->findTaken();
+  }
+  return Image(std::move(parts));
+}
+
+const std::vector<Instruction>& Image::code() const {
+  return parts_->code;
+}
+
+std::optional<uint32_t> Image::at(uint64_t address) const {
+  const auto found = std::ranges::lower_bound(parts_->code, address, {}, &Instruction::address);
+  if (found == parts_->code.end() || found->address != address) {
+    return std::nullopt;
+  }
+  return static_cast<uint32_t>(found - parts_->code.begin());
+}
+
+std::optional<uint64_t> Image::function(const std::string& name) const {
+  const auto found = std::ranges::find(parts_->symbols, name, &Symbol::name);
+  return found == parts_->symbols.end() ? std::nullopt : std::optional(found->address);
+}
+
+std::vector<uint64_t> Image::functionsNamed(const std::string& prefix) const {
+  std::vector<uint64_t> found;
+  for (const Symbol& symbol : parts_->symbols) {
+    if (symbol.name.starts_with(prefix)) {
+      found.push_back(symbol.address);
+    }
+  }
+  return found;
+}
+
+std::string Image::symbolAt(uint64_t address) const {
+  const Symbol* symbol = parts_->symbolOf(address);
+  return symbol == nullptr ? "" : symbol->name;
+}
+
+std::vector<Frame> Image::framesAt(uint64_t address) const {
+  using Specifier = llvm::DILineInfoSpecifier;
+  const llvm::DIInliningInfo inlined = parts_->lines->getInliningInfoForAddress(
+      {address, llvm::object::SectionedAddress::UndefSection},
+      Specifier(Specifier::FileLineInfoKind::RawValue, Specifier::FunctionNameKind::ShortName));
+  std::vector<Frame> frames;
+  for (uint32_t i = 0; i < inlined.getNumberOfFrames(); ++i) {
+    const llvm::DILineInfo& frame = inlined.getFrame(i);
+    const bool known = frame.FileName != llvm::DILineInfo::BadString;
+    frames.push_back(
+        {known ? lastPart(frame.FileName) : "",
+         frame.FunctionName != llvm::DILineInfo::BadString ? plain(frame.FunctionName) : "",
+         frame.Line});
+  }
+  if (frames.empty()) {
+    frames.emplace_back();
+  }
+  // Line tables name only what was inlined and what it was inlined into.
+  frames.back().function = plain(baseName(symbolAt(address)));
+  return frames;
+}
+
+std::vector<uint64_t> Image::tableTargets(const Instruction& jump) const {
+  std::vector<uint64_t> targets;
+  const Symbol* symbol = parts_->symbolOf(jump.address);
+  const uint32_t base = jump.by_distance ? static_cast<uint32_t>(parts_->offsets) : 0;
+  for (uint64_t at_word = static_cast<uint32_t>(jump.target + base); symbol != nullptr;
+       at_word += sizeof(uint32_t)) {
+    const auto word = parts_->wordAt(at_word);
+    const uint32_t target = word.value_or(0) + base;
+    const bool inside =
+        word && target >= symbol->address && target < symbol->address + symbol->size;
+    if (!inside || !at(target)) {
+      break;
+    }
+    targets.push_back(target);
+  }
+  return targets;
+}
+
+std::vector<uint64_t> Image::aheadTargets(const Instruction& jump) const {
+  std::vector<uint64_t> targets;
+  const uint64_t end =
+      jump.choices > 0 ? jump.target + jump.choices * sizeof(uint32_t) : endOfSymbol(jump.address);
+  for (uint64_t target = jump.target; target < end; target += sizeof(uint32_t)) {
+    if (at(target)) {
+      targets.push_back(target);
+    }
+  }
+  return targets;
+}
+
+const std::vector<uint64_t>& Image::takenFunctions() const {
+  return parts_->taken;
+}
+
+std::vector<uint64_t> Image::functionsCalled(const std::string& name) const {
+  std::vector<uint64_t> found;
+  for (const Symbol& symbol : parts_->symbols) {
+    if (symbol.name == name) {
+      found.push_back(symbol.address);
+    }
+  }
+  return found;
+}
+
+std::string Image::baseNameAt(uint64_t address) const {
+  return plain(baseName(symbolAt(address)));
+}
+
+uint64_t Image::startOfSymbol(uint64_t address) const {
+  const Symbol* symbol = parts_->symbolOf(address);
+  return symbol == nullptr ? 0 : symbol->address;
+}
+
+uint64_t Image::endOfSymbol(uint64_t address) const {
+  const Symbol* symbol = parts_->symbolOf(address);
+  return symbol == nullptr ? 0 : symbol->address + symbol->size;
+}
+
+uint64_t Image::entry() const {
+  const auto* elf = llvm::dyn_cast<ELFObjectFileBase>(parts_->file.get());
+  return llvm::cantFail(elf->getStartAddress());
+}
+
+uint64_t Image::contextBytes() const {
+  return parts_->context_bytes;
+}
+
+uint64_t Image::loadedBytes() const {
+  return parts_->loaded;
+}
+
+uint64_t Image::writableBytes() const {
+  return parts_->writable;
+}
+
+}  // namespace glider::codegen

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "codegen/budget.h"
+#include "codegen/input.h"
+#include "codegen/options.h"
+#include "platforms/load/board.h"
+#include "support/result.h"
+
+namespace glider::codegen {
+
+/// Backend::measure: links the mission's executable and measures that. README.md says how. Errors
+/// as writeExecutable's, but a file that is too large is none.
+support::Result<Budget> measureExecutable(const Input& input, const platforms::Board& board,
+                                          const CodegenOptions& options);
+
+}  // namespace glider::codegen

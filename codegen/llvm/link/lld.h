@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "codegen/llvm/target/machine.h"
+#include "platforms/load/board.h"
+#include "support/result.h"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace glider::codegen {
+
+/// What to link into one file.
+struct LinkJob {
+  ProgramKind kind = ProgramKind::Executable;
+  std::vector<std::string> objects;                   ///< contents of the mission's objects
+  std::vector<std::filesystem::path> further_inputs;  ///< objects and archives besides
+  std::vector<std::string> exports;                   ///< of a shared object
+  bool keep_debug = false;                            ///< else symbols and line tables are left out
+  bool last = false;  ///< this process links nothing after it: no child is needed, 3 ms less
+};
+
+/// Links with the lld that is part of this program and writes nothing to the terminal; the content
+/// of the linked file. GL4003 for a symbol that nothing defines, GL4004 for whatever else lld
+/// refuses, GL9002 if there is no room for temporary files.
+support::Result<std::string> link(const LinkJob& job, const platforms::Board& board);
+
+}  // namespace glider::codegen

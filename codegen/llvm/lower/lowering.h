@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "codegen/llvm/lower/abi_types.h"
+#include "codegen/llvm/lower/debug_info.h"
+#include "codegen/llvm/lower/mission_index.h"
+#include "ir/core/mission.h"
+#include "platforms/load/platform.h"
+
+#include <llvm/IR/IRBuilder.h>
+#include <llvm/IR/Module.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+/// What the parts of the lowering share; one file a function family. lower_mission.h is the way in.
+namespace glider::codegen {
+
+struct Lowering {
+  const ir::Mission& mission;
+  const platforms::Platform& platform;
+  uint32_t stack_depth;  ///< greatest number of frames on the call stack
+  llvm::Module& module;
+  AbiTypes types;
+  DebugInfo debug;
+  MissionIndex index;
+  bool soft_float;                                 ///< the processor has no FPU
+  std::map<std::string, llvm::Constant*> texts{};  ///< of text()
+  std::vector<llvm::Constant*> window_shapes =
+      std::vector<llvm::Constant*>(mission.temporals.size());  ///< null: not made yet
+  std::vector<llvm::Constant*> tables =
+      std::vector<llvm::Constant*>(mission.tables.size());  ///< the same
+  std::vector<llvm::Function*> uses =
+      std::vector<llvm::Function*>(mission.uses.size());  ///< the same
+};
+
+/// A constant string; equal ones are one.
+llvm::Constant* text(Lowering& lowering, const std::string& text);
+/// A field of the struct that `base` points to.
+llvm::Value* loadField(llvm::IRBuilder<>& builder, llvm::StructType* type, llvm::Value* base,
+                       unsigned index);
+
+/// The function (context, arguments as numbers) that gives what a use of a C function is worth in
+/// this tick: calls it the first time.
+llvm::Function* lowerUse(Lowering& lowering, ir::UseId use);
+
+/// The functions that a mission is made of, as runtime/abi/glider_abi.h describes them: one a state
+/// keeps the work linear in their number. Null: it would do nothing.
+struct StateFunctions {
+  llvm::Function* guards = nullptr;
+  llvm::Function* act = nullptr;
+  llvm::Function* enter = nullptr;
+  llvm::Function* advance = nullptr;
+  llvm::Function* profile = nullptr;
+  llvm::Function* route = nullptr;
+};
+struct MissionFunctions {
+  llvm::Function* begin = nullptr;
+  llvm::Function* advance = nullptr;
+  llvm::Function* guards = nullptr;
+  llvm::Function* act = nullptr;
+  llvm::Function* condition = nullptr;
+};
+
+/// `name` tells whose functions they are: "always", or the state's name. `memory` is where a table,
+/// if the list has one, remembers what it saw (GliderContext::intervals).
+llvm::Function* lowerGuards(Lowering& lowering, const std::vector<ir::Case>& cases,
+                            const ir::GuardTable& table, uint32_t memory, const std::string& name,
+                            support::SourceRange range);
+llvm::Function* lowerAct(Lowering& lowering, const std::vector<ir::Case>& cases,
+                         const std::string& name, support::SourceRange range);
+llvm::Function* lowerAdvance(Lowering& lowering, const std::vector<ir::TemporalId>& temporals,
+                             const std::string& name, support::SourceRange range);
+llvm::Function* lowerEnter(Lowering& lowering, uint32_t state);
+/// Of a profile or route; `kind` is "profile" or "route".
+llvm::Function* lowerFly(Lowering& lowering, uint32_t state, const ir::Activity& activity,
+                         const std::string& kind, uint32_t memory_block);
+/// The same function, which another part of the mission holds.
+llvm::Function* declareFly(Lowering& lowering, uint32_t state, const ir::Activity& activity,
+                           const std::string& kind);
+llvm::Function* lowerBegin(Lowering& lowering);
+llvm::Function* lowerCondition(Lowering& lowering);
+
+/// The constant that describes a state to the runtime: named by its number, seen by the other parts
+/// of the mission.
+void lowerStateInfo(Lowering& lowering, uint32_t state, const StateFunctions& functions);
+/// The constant `gliderMission` with its tables, and `gliderContextMemory`.
+void lowerTables(Lowering& lowering, const MissionFunctions& functions);
+
+}  // namespace glider::codegen

@@ -1,0 +1,302 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "codegen/llvm/lower/context_size.h"
+#include "codegen/llvm/lower/guard_table.h"
+#include "codegen/llvm/lower/lowering.h"
+#include "codegen/llvm/lower/unit_factors.h"
+#include "platforms/load/dictionary.h"
+#include "runtime/abi/glider_abi.h"
+
+#include <llvm/Support/Alignment.h>
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <span>
+
+namespace glider::codegen {
+namespace {
+
+static_assert(static_cast<int>(ir::Transition::Goto) == kGliderGoto);
+static_assert(static_cast<int>(ir::Transition::Call) == kGliderCall);
+static_assert(static_cast<int>(ir::Transition::Return) == kGliderReturn);
+static_assert(static_cast<int>(ir::Transition::Exit) == kGliderExit);
+static_assert(static_cast<int>(ir::Transition::Stay) == kGliderStay);
+static_assert(static_cast<int>(ir::Transition::Done) == kGliderDone);
+static_assert(static_cast<int>(ir::Encoding::Linear) == kGliderLinear);
+static_assert(static_cast<int>(ir::Encoding::DegreesMinutes) == kGliderDegreesMinutes);
+static_assert(static_cast<int>(ir::Encoding::Magnetic) == kGliderMagnetic);
+
+uint64_t bytesOf(const Lowering& lowering) {
+  return contextBytes({lowering.mission, lowering.platform, lowering.stack_depth}, lowering.index,
+                      lowering.module.getDataLayout(), lowering.types);
+}
+
+/// Where a state's constant stands, here or in another part.
+llvm::GlobalVariable* placeOfState(Lowering& lowering, uint32_t state) {
+  const std::string name = "state." + std::to_string(state);
+  if (llvm::GlobalVariable* found = lowering.module.getNamedGlobal(name)) {
+    return found;
+  }
+  auto* place = new llvm::GlobalVariable(lowering.module, lowering.types.GliderStateInfo, true,
+                                         llvm::GlobalValue::ExternalLinkage, nullptr, name);
+  place->setVisibility(llvm::GlobalValue::HiddenVisibility);
+  place->setDSOLocal(true);
+  return place;
+}
+
+/// Makes the constants.
+class Tables {
+ public:
+  explicit Tables(Lowering& lowering) : lowering_(lowering) {}
+
+  llvm::Constant* mission(const MissionFunctions& functions);
+  llvm::Constant* state(const ir::State& state, const StateFunctions& functions);
+
+ private:
+  llvm::Constant* word(size_t value) {
+    return llvm::ConstantInt::get(llvm::Type::getInt32Ty(context()), value);
+  }
+  llvm::Constant* number(double value) {
+    return llvm::ConstantFP::get(llvm::Type::getDoubleTy(context()), value);
+  }
+  /// A pointer to `function`; null for none.
+  llvm::Constant* code(llvm::Function* function) {
+    return function != nullptr ? static_cast<llvm::Constant*>(function) : nothing();
+  }
+  llvm::Constant* nothing() {
+    return llvm::ConstantPointerNull::get(llvm::PointerType::getUnqual(context()));
+  }
+  llvm::Constant* text(const std::string& text) { return codegen::text(lowering_, text); }
+  /// A constant array under `name`; null when it has no elements.
+  llvm::Constant* array(llvm::Type* type, const std::vector<llvm::Constant*>& elements,
+                        const std::string& name);
+  llvm::Constant* sensors();
+  llvm::Constant* dictionary();
+  llvm::Constant* poll(const ir::Sensor& sensor);
+  llvm::Constant* compass();
+  llvm::Constant* function(const char* name);
+  llvm::Constant* states();
+  llvm::Constant* parameters();
+  llvm::Constant* cases(const std::vector<ir::Case>& cases, const std::string& name);
+  llvm::Constant* log(const ir::State& state);
+  llvm::LLVMContext& context() { return lowering_.module.getContext(); }
+
+  Lowering& lowering_;
+};
+
+llvm::Constant* Tables::array(llvm::Type* type, const std::vector<llvm::Constant*>& elements,
+                              const std::string& name) {
+  if (elements.empty()) {
+    return nothing();
+  }
+  auto* array_type = llvm::ArrayType::get(type, elements.size());
+  auto* variable = new llvm::GlobalVariable(lowering_.module, array_type, true,
+                                            llvm::GlobalValue::PrivateLinkage,
+                                            llvm::ConstantArray::get(array_type, elements), name);
+  variable->setUnnamedAddr(llvm::GlobalValue::UnnamedAddr::Global);
+  return variable;
+}
+
+/// The function that is asked for a reading; null if the vehicle reports it.
+llvm::Constant* Tables::poll(const ir::Sensor& sensor) {
+  if (sensor.symbol.empty()) {
+    return nothing();
+  }
+  llvm::Type* type = llvm::Type::getDoubleTy(context());
+  auto found = lowering_.module.getOrInsertFunction(sensor.symbol,
+                                                    llvm::FunctionType::get(type, {type}, false));
+  return llvm::cast<llvm::Constant>(found.getCallee());
+}
+
+/// One of the runtime's, named only where it is needed. Only its address is taken, so its type is
+/// of no matter.
+llvm::Constant* Tables::function(const char* name) {
+  auto* type = llvm::FunctionType::get(llvm::Type::getVoidTy(context()), false);
+  return llvm::cast<llvm::Constant>(lowering_.module.getOrInsertFunction(name, type).getCallee());
+}
+
+llvm::Constant* Tables::compass() {
+  const std::optional<ir::Compass>& compass = lowering_.mission.compass;
+  if (!compass) {
+    return nothing();
+  }
+  llvm::Constant* value = llvm::ConstantStruct::get(
+      lowering_.types.GliderCompass,
+      {number(compass->declination.value_or(std::numeric_limits<double>::quiet_NaN())),
+       word(compass->variation.valid() ? lowering_.mission[compass->variation].id
+                                       : GLIDER_NO_SENSOR),
+       word(0), function("gliderConvertHeadings")});
+  auto* variable = new llvm::GlobalVariable(lowering_.module, lowering_.types.GliderCompass, true,
+                                            llvm::GlobalValue::PrivateLinkage, value, "compass");
+  variable->setUnnamedAddr(llvm::GlobalValue::UnnamedAddr::Global);
+  return variable;
+}
+
+llvm::Constant* Tables::sensors() {
+  std::vector<llvm::Constant*> rows;
+  for (const ir::Sensor& sensor : lowering_.mission.sensors) {
+    rows.push_back(
+        llvm::ConstantStruct::get(lowering_.types.GliderSensorInfo,
+                                  {text(sensor.symbol.empty() ? sensor.vehicle_name : sensor.name),
+                                   poll(sensor), number(sensor.to_si), number(sensor.lowest),
+                                   number(sensor.highest), number(sensor.stale_after_s),
+                                   word(sensor.id), word(static_cast<size_t>(sensor.encoding))}));
+  }
+  return array(lowering_.types.GliderSensorInfo, rows, "sensors");
+}
+
+/// The vehicle's sensors, whether the mission uses them or not: the line speaks of all.
+llvm::Constant* Tables::dictionary() {
+  const platforms::Dictionary of(lowering_.platform);
+  const GliderDictionary& whole = of.get();
+  std::vector<llvm::Constant*> rows;
+  for (const GliderSensorFormat& format : std::span(whole.sensors, whole.count)) {
+    rows.push_back(llvm::ConstantStruct::get(lowering_.types.GliderSensorFormat,
+                                             {number(format.dead_band), word(format.bytes),
+                                              word(format.every), word(format.science), word(0)}));
+  }
+  std::vector<llvm::Constant*> roles;
+  for (const uint32_t id : std::span(whole.roles, kGliderRoleCount)) {
+    roles.push_back(word(id));
+  }
+  llvm::Constant* value =
+      llvm::ConstantStruct::get(lowering_.types.GliderDictionary,
+                                {array(lowering_.types.GliderSensorFormat, rows, "sensor_formats"),
+                                 array(llvm::Type::getInt32Ty(context()), roles, "sensor_roles"),
+                                 word(whole.count), word(whole.hash)});
+  auto* variable =
+      new llvm::GlobalVariable(lowering_.module, lowering_.types.GliderDictionary, true,
+                               llvm::GlobalValue::PrivateLinkage, value, "dictionary");
+  variable->setUnnamedAddr(llvm::GlobalValue::UnnamedAddr::Global);
+  return variable;
+}
+
+/// The greatest value of a latitude or longitude, degrees; endless for other types.
+double mostOnEarth(const ir::Type& type) {
+  switch (type.kind) {
+    case ir::TypeKind::Latitude:
+      return 90;
+    case ir::TypeKind::Longitude:
+      return 180;
+    case ir::TypeKind::Bool:
+    case ir::TypeKind::Quantity:
+      break;
+  }
+  return ir::Variable::kEndless;
+}
+
+llvm::Constant* Tables::parameters() {
+  std::vector<llvm::Constant*> rows;
+  for (uint32_t i = 0; i < lowering_.index.parameter_count; ++i) {
+    const ir::Variable& parameter = lowering_.mission.variables[i];
+    const ir::Expr& initial = lowering_.mission[parameter.initial];
+    const double value = initial.op == ir::Op::Constant ? initial.number
+                         : initial.op == ir::Op::True   ? 1.0
+                                                        : 0.0;
+    rows.push_back(
+        llvm::ConstantStruct::get(lowering_.types.GliderParameterInfo,
+                                  {text(parameter.name), number(value),
+                                   number(std::max(parameter.lowest, -mostOnEarth(parameter.type))),
+                                   number(std::min(parameter.highest, mostOnEarth(parameter.type))),
+                                   text(unitFactors(parameter.type))}));
+  }
+  return array(lowering_.types.GliderParameterInfo, rows, "parameters");
+}
+
+llvm::Constant* Tables::cases(const std::vector<ir::Case>& cases, const std::string& name) {
+  std::vector<llvm::Constant*> rows;
+  for (const ir::Case& item : cases) {
+    rows.push_back(llvm::ConstantStruct::get(lowering_.types.GliderCaseInfo,
+                                             {word(static_cast<size_t>(item.transition)),
+                                              word(item.target.valid() ? item.target.index : 0)}));
+  }
+  return array(lowering_.types.GliderCaseInfo, rows, "cases." + name);
+}
+
+llvm::Constant* Tables::log(const ir::State& state) {
+  std::vector<llvm::Constant*> rows;
+  for (const ir::LogItem& item : state.log) {
+    const ir::Expr& value = lowering_.mission[item.value];
+    rows.push_back(
+        llvm::ConstantStruct::get(lowering_.types.GliderLogInfo,
+                                  {text(item.name), number(item.period_s), word(sourceOf(value.op)),
+                                   word(value.op == ir::Op::Sensor ? value.sensor.index : 0)}));
+  }
+  return array(lowering_.types.GliderLogInfo, rows, "log_items." + state.name);
+}
+
+llvm::Constant* Tables::state(const ir::State& state, const StateFunctions& functions) {
+  return llvm::ConstantStruct::get(
+      lowering_.types.GliderStateInfo,
+      {text(state.name), cases(state.cases, state.name), log(state), code(functions.guards),
+       code(functions.act), code(functions.enter), code(functions.advance), code(functions.profile),
+       code(functions.route), word(state.cases.size()), word(state.log.size())});
+}
+
+/// Pointers, for a state may stand in another part of the mission.
+llvm::Constant* Tables::states() {
+  std::vector<llvm::Constant*> places;
+  for (uint32_t i = 0; i < lowering_.mission.states.size(); ++i) {
+    places.push_back(placeOfState(lowering_, i));
+  }
+  auto* type = llvm::ArrayType::get(llvm::PointerType::getUnqual(context()), places.size());
+  return new llvm::GlobalVariable(lowering_.module, type, true, llvm::GlobalValue::PrivateLinkage,
+                                  llvm::ConstantArray::get(type, places), "states");
+}
+
+llvm::Constant* Tables::mission(const MissionFunctions& functions) {
+  const ir::Mission& mission = lowering_.mission;
+  const MissionIndex& index = lowering_.index;
+  return llvm::ConstantStruct::get(lowering_.types.GliderMission,
+                                   {word(GLIDER_ABI_VERSION),
+                                    word(mission.states.size()),
+                                    word(mission.sensors.size()),
+                                    word(lowering_.stack_depth),
+                                    word(index.memory_count),
+                                    word(mission.variables.size()),
+                                    word(index.slot_count),
+                                    word(index.interval_count),
+                                    word(index.parameter_count),
+                                    word(mission.always.size()),
+                                    word(bytesOf(lowering_)),
+                                    word(mission.uses.size()),
+                                    number(mission.resume_within_s),
+                                    word(mission.new_after_restart ? 1 : 0),
+                                    word(0),
+                                    text(mission.name),
+                                    states(),
+                                    sensors(),
+                                    cases(mission.always, "always"),
+                                    parameters(),
+                                    code(functions.begin),
+                                    code(functions.advance),
+                                    code(functions.guards),
+                                    code(functions.act),
+                                    code(functions.condition),
+                                    compass(),
+                                    dictionary()});
+}
+
+}  // namespace
+
+void lowerStateInfo(Lowering& lowering, uint32_t state, const StateFunctions& functions) {
+  placeOfState(lowering, state)
+      ->setInitializer(Tables(lowering).state(lowering.mission.states[state], functions));
+}
+
+void lowerTables(Lowering& lowering, const MissionFunctions& functions) {
+  llvm::Module& module = lowering.module;
+  new llvm::GlobalVariable(module, lowering.types.GliderMission, true,
+                           llvm::GlobalValue::ExternalLinkage, Tables(lowering).mission(functions),
+                           "gliderMission");
+  auto* memory_type =
+      llvm::ArrayType::get(llvm::Type::getInt8Ty(module.getContext()), bytesOf(lowering));
+  auto* memory = new llvm::GlobalVariable(
+      module, memory_type, false, llvm::GlobalValue::ExternalLinkage,
+      llvm::ConstantAggregateZero::get(memory_type), "gliderContextMemory");
+  memory->setAlignment(llvm::Align(8));
+}
+
+}  // namespace glider::codegen

@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "codegen/llvm/program/compile.h"
+
+#include "codegen/llvm/lower/context_size.h"
+#include "codegen/llvm/program/emit.h"
+#include "codegen/llvm/program/optimise.h"
+#include "codegen/llvm/program/parts.h"
+#include "codegen/llvm/program/program.h"
+#include "platforms/load/dictionary.h"
+#include "runtime/abi/glider_abi.h"
+
+#include <future>
+#include <utility>
+
+namespace glider::codegen {
+namespace {
+
+using platforms::Board;
+using support::DiagnosticId;
+using support::Result;
+
+/// Half of what the smallest board, the TS-5500, has.
+constexpr uint64_t kMostContextBytes = uint64_t{32} << 20U;
+
+/// From this level on the whole program, mission and runtime, is optimised and compiled as one.
+/// From kImportLevel on the mission is optimised with the bodies of the runtime's shortest
+/// functions; its code is the object that the build has made of the same bitcode: a tenth of the
+/// time.
+constexpr int kWholeProgramLevel = 3;
+constexpr int kImportLevel = 2;
+
+/// What all parts of a program are made with.
+struct Recipe {
+  const Input& input;
+  const Board& board;
+  const CodegenOptions& options;
+  ProgramKind kind;
+};
+
+Result<void> checkLimits(const Recipe& recipe, const llvm::TargetMachine& machine) {
+  if (auto roles = platforms::checkRoles(recipe.input.platform); !roles) {
+    return roles;
+  }
+  const MissionIndex index = indexMission(recipe.input.mission);
+  if (index.parameter_count > GLIDER_MOST_PARAMETERS) {
+    return support::fail(DiagnosticId::tooManyParameters, index.parameter_count,
+                         GLIDER_MOST_PARAMETERS);
+  }
+  llvm::LLVMContext scratch;  // the module's own is to hold each type once
+  const uint64_t bytes =
+      contextBytes(recipe.input, index, machine.createDataLayout(), makeAbiTypes(scratch));
+  if (bytes > kMostContextBytes) {
+    return support::fail(DiagnosticId::missionTooLarge, bytes, kMostContextBytes);
+  }
+  return {};
+}
+
+Result<Unit> lower(const Recipe& recipe, const MissionPart& part) {
+  Unit unit{std::make_unique<llvm::LLVMContext>(), nullptr, nullptr};
+  auto machine = makeMachine(recipe.board, recipe.options.optimisation_level, recipe.kind);
+  if (!machine) {
+    return std::unexpected(machine.error());
+  }
+  unit.machine = std::move(*machine);
+  if (part.head) {
+    if (auto fits = checkLimits(recipe, *unit.machine); !fits) {
+      return std::unexpected(fits.error());
+    }
+  }
+  unit.module =
+      lowerMission(recipe.input, part, *unit.machine,
+                   recipe.options.debug ? recipe.options.sources : nullptr, *unit.context);
+  return unit;
+}
+
+Result<void> bringTogether(llvm::Module& module, const Recipe& recipe,
+                           const std::vector<std::string>& visible) {
+  const std::filesystem::path& folder = recipe.board.folder;
+  if (recipe.options.optimisation_level >= kWholeProgramLevel) {
+    return joinRuntime(module, {folder / "system.bc", folder / "tick.bc"}, visible);
+  }
+  return recipe.options.optimisation_level >= kImportLevel
+             ? importRuntime(module, folder / "inline.bc")
+             : Result<void>{};
+}
+
+/// The object of a part.
+Result<std::string> compilePart(const Recipe& recipe, const MissionPart& part,
+                                const std::vector<std::string>& visible) {
+  auto unit = lower(recipe, part);
+  if (!unit) {
+    return std::unexpected(unit.error());
+  }
+  if (auto together = bringTogether(*unit->module, recipe, visible); !together) {
+    return std::unexpected(together.error());
+  }
+  optimise(*unit->module, *unit->machine, recipe.options.optimisation_level);
+  return emitCode(*unit->module, *unit->machine, llvm::CodeGenFileType::ObjectFile);
+}
+
+}  // namespace
+
+Result<Unit> lowerWhole(const Input& input, const Board& board, const CodegenOptions& options,
+                        ProgramKind kind) {
+  return lower({input, board, options, kind}, wholeOf(input.mission));
+}
+
+Result<Program> compileProgram(const Input& input, const Board& board,
+                               const CodegenOptions& options, ProgramKind kind,
+                               const std::vector<std::string>& visible) {
+  const Recipe recipe{input, board, options, kind};
+  const bool whole = options.optimisation_level >= kWholeProgramLevel;
+  const auto parts = whole ? std::vector{wholeOf(input.mission)} : partsOf(input.mission);
+  std::vector<std::future<Result<std::string>>> others;
+  for (size_t i = 1; i < parts.size(); ++i) {
+    others.push_back(
+        std::async(std::launch::async, [&, i] { return compilePart(recipe, parts[i], visible); }));
+  }
+  std::vector<Result<std::string>> objects;
+  objects.push_back(compilePart(recipe, parts.front(), visible));
+  for (auto& other : others) {
+    objects.push_back(other.get());
+  }
+  Program program{{}, options.further_inputs};
+  for (Result<std::string>& object : objects) {
+    if (!object) {
+      return std::unexpected(object.error());
+    }
+    program.objects.push_back(std::move(*object));
+  }
+  if (!whole) {
+    program.further_inputs.push_back(board.folder / "runtime.o");
+  }
+  return program;
+}
+
+}  // namespace glider::codegen

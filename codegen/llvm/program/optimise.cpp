@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "codegen/llvm/program/optimise.h"
+
+#include <llvm/Analysis/CGSCCPassManager.h>
+#include <llvm/Analysis/InlineCost.h>
+#include <llvm/Analysis/LoopAnalysisManager.h>
+#include <llvm/IR/PassManager.h>
+#include <llvm/Passes/PassBuilder.h>
+#include <llvm/Transforms/IPO/ElimAvailExtern.h>
+#include <llvm/Transforms/IPO/GlobalDCE.h>
+#include <llvm/Transforms/IPO/Inliner.h>
+#include <llvm/Transforms/InstCombine/InstCombine.h>
+#include <llvm/Transforms/Scalar/EarlyCSE.h>
+#include <llvm/Transforms/Scalar/SimplifyCFG.h>
+
+namespace glider::codegen {
+namespace {
+
+/// The boards' memory is small and their code runs once in four seconds: what makes code larger
+/// stays out.
+llvm::PipelineTuningOptions tuning() {
+  llvm::PipelineTuningOptions options;
+  options.LoopInterleaving = false;
+  options.LoopVectorization = false;
+  options.SLPVectorization = false;
+  return options;
+}
+
+llvm::FunctionPassManager simplify(bool thoroughly) {
+  llvm::FunctionPassManager passes;
+  passes.addPass(llvm::EarlyCSEPass(true));
+  passes.addPass(llvm::SimplifyCFGPass());
+  if (thoroughly) {
+    passes.addPass(llvm::InstCombinePass());
+    passes.addPass(llvm::EarlyCSEPass(true));
+    passes.addPass(llvm::SimplifyCFGPass());
+  }
+  return passes;
+}
+
+/// For a mission and its tick: the tick comes optimised, and a mission is many small functions
+/// without loops or local memory. LLVM's own pipeline would find little more and take ten times as
+/// long.
+llvm::ModulePassManager leanPasses(int level) {
+  llvm::ModulePassManager manager;
+  if (level > 1) {
+    llvm::ModuleInlinerWrapperPass inliner(llvm::getInlineParams(static_cast<unsigned>(level), 0));
+    inliner.getPM().addPass(llvm::createCGSCCToFunctionPassAdaptor(simplify(true)));
+    manager.addPass(std::move(inliner));
+    manager.addPass(llvm::EliminateAvailableExternallyPass());
+    manager.addPass(llvm::GlobalDCEPass());  // what was inlined everywhere
+  } else {
+    manager.addPass(llvm::createModuleToFunctionPassAdaptor(simplify(false)));
+  }
+  return manager;
+}
+
+llvm::ModulePassManager passes(llvm::PassBuilder& builder, int level) {
+  switch (level) {
+    case 0:
+      return builder.buildO0DefaultPipeline(llvm::OptimizationLevel::O0);
+    case 1:
+    case 2:
+      return leanPasses(level);
+    default:
+      return builder.buildPerModuleDefaultPipeline(llvm::OptimizationLevel::O3);
+  }
+}
+
+}  // namespace
+
+void optimise(llvm::Module& module, llvm::TargetMachine& machine, int level) {
+  llvm::LoopAnalysisManager loops;
+  llvm::FunctionAnalysisManager functions;
+  llvm::CGSCCAnalysisManager components;
+  llvm::ModuleAnalysisManager modules;
+  llvm::PassBuilder builder(&machine, tuning());
+  builder.registerModuleAnalyses(modules);
+  builder.registerCGSCCAnalyses(components);
+  builder.registerFunctionAnalyses(functions);
+  builder.registerLoopAnalyses(loops);
+  builder.crossRegisterProxies(loops, functions, components, modules);
+  llvm::ModulePassManager manager;
+  manager.addPass(llvm::GlobalDCEPass());  // what the runtime has and this mission does not use
+  manager.addPass(passes(builder, level));
+  manager.run(module, modules);
+}
+
+}  // namespace glider::codegen

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "support/source_manager.h"
+
+#include <filesystem>
+#include <vector>
+
+namespace glider::codegen {
+
+/// How code is generated. A back end takes of it what concerns it.
+struct CodegenOptions {
+  /// 0 to 3. At 3 mission and runtime are optimised as one program; below, the mission is compiled
+  /// alone and linked with the runtime's object, made of the same bitcode: a twentieth of the time.
+  int optimisation_level = 2;
+  /// Line tables for `sources`, which holds the files of the mission's ranges; null: none.
+  bool debug = true;
+  const support::SourceManager* sources = nullptr;
+  /// Objects and archives for the board that define the mission's extern behaviours.
+  std::vector<std::filesystem::path> further_inputs;
+  /// This process links nothing after this; linking is a little faster then.
+  bool last_link = false;
+};
+
+}  // namespace glider::codegen

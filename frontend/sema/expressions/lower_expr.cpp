@@ -30,7 +30,7 @@ std::optional<Value> ExprLowering::lowerDeclared(const ast::Expr& expr, const De
   const DeclaredType given{value->type, value->longitude.valid()};
   if (given != want) {
     scope_.report(DiagnosticId::wrongType, expr.where, what, describe(want),
-                  scope_.text(expr.where), describe(given));
+                  scope_.text(expr.where), describe(given), howToWrite(want));
     return std::nullopt;
   }
   return value;

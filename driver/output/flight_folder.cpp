@@ -3,6 +3,7 @@
 
 #include "driver/output/flight_folder.h"
 
+#include "compiler/boards.h"
 #include "support/files.h"
 
 #include <fmt/format.h>
@@ -19,6 +20,7 @@
 #include <set>
 #include <unistd.h>
 #include <utility>
+#include <vector>
 
 namespace glider::driver {
 namespace {
@@ -29,16 +31,16 @@ using support::Result;
 
 constexpr std::string_view kStagingEnd = ".partial";
 
-/// Files of flights that have no list of them.
-bool isUsualName(const std::string& name) {
+/// Files of flights that have no list of them; `targets` are what a mission may be built for.
+bool isUsualName(const std::string& name, const std::vector<std::string>& targets) {
   constexpr std::array<std::string_view, 5> kNames = {"report.html", "trace.csv", "events.csv",
                                                       "mission.log", FlightFolder::kSummary};
   std::string_view stem = name;
   for (const std::string_view end : {".debug", ".checkpoint"}) {
     stem.remove_suffix(stem.ends_with(end) ? end.size() : 0);
   }
-  const bool binary =
-      stem.ends_with("-host") || stem.ends_with("-ts7800") || stem.ends_with("-ts5500");
+  const bool binary = std::ranges::any_of(
+      targets, [&](const std::string& target) { return stem.ends_with("-" + target); });
   return binary || std::ranges::find(kNames, name) != kNames.end();
 }
 
@@ -63,12 +65,13 @@ Result<std::string> foreignIn(const fs::path& folder, FlightFolder::Use use) {
   if (use == FlightFolder::Use::Run) {
     listed.insert(FlightFolder::kRun);
   }
+  const std::vector<std::string> targets = compiler::targetNames();
   std::error_code error;
   std::set<std::string> foreign;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
        entry.increment(error)) {
     const std::string name = entry->path().filename().string();
-    if (!isUsualName(name) && !listed.contains(name)) {
+    if (!isUsualName(name, targets) && !listed.contains(name)) {
       foreign.insert(name);
     }
   }

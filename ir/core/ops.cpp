@@ -44,6 +44,14 @@ bool haveOneType(std::span<const Type> types) {
   return std::ranges::all_of(types, [&](Type type) { return type == types.front(); });
 }
 
+bool areNumbers(std::span<const Type> types) {
+  return std::ranges::none_of(types, [](Type type) { return type.kind == TypeKind::Bool; });
+}
+
+bool areQuantities(std::span<const Type> types) {
+  return std::ranges::all_of(types, [](Type type) { return type.kind == TypeKind::Quantity; });
+}
+
 bool arePlaces(std::span<const Type> types) {
   return types[0] == kLatitude && types[1] == kLongitude && types[2] == kLatitude &&
          types[3] == kLongitude;
@@ -65,6 +73,76 @@ std::optional<Type> watched(const Mission& mission, const Temporal& t) {
                       : std::nullopt;
   }
   return value;
+}
+
+/// Whether `operands` are what an operation takes.
+bool fit(Takes takes, std::span<const Type> operands) {
+  switch (takes) {
+    case Takes::Nothing:
+      return true;
+    case Takes::Numbers:
+      return areNumbers(operands);
+    case Takes::Alike:
+      return areNumbers(operands) && haveOneType(operands);
+    case Takes::Quantities:
+      return areQuantities(operands);
+    case Takes::AlikeQuantities:
+      return areQuantities(operands) && haveOneType(operands);
+    case Takes::Number:
+    case Takes::Angle:
+    case Takes::Truths:
+      return operands.front() == operandType(takes) && haveOneType(operands);
+    case Takes::Places:
+      return arePlaces(operands);
+    case Takes::Choice:
+      return operands[0] == kBool && fit(Takes::Alike, operands.subspan(1));
+  }
+  CHECK(false, "operands without a rule");
+}
+
+std::optional<Type> quotientOf(Type a, Type b) {
+  return areQuantities(std::array{a, b}) ? quantity(support::quotient(a.dimension, b.dimension))
+                                         : when(a == b, kNumber);
+}
+
+/// The type of a result; `operands` fit.
+std::optional<Type> given(Gives gives, const Mission& mission, const Expr& expr,
+                          std::span<const Type> operands) {
+  switch (gives) {
+    case Gives::Own:
+      return when(expr.type.kind != TypeKind::Bool, expr.type);
+    case Gives::Truth:
+      return kBool;
+    case Gives::Number:
+      return kNumber;
+    case Gives::Time:
+      return kTime;
+    case Gives::Angle:
+      return kAngle;
+    case Gives::Length:
+      return kLength;
+    case Gives::Sensor:
+      return mission[expr.sensor].type;
+    case Gives::Variable:
+      return mission[expr.variable].type;
+    case Gives::Temporal:
+      return watched(mission, mission[expr.temporal]);
+    case Gives::Element:
+      return mission[expr.table].type;
+    case Gives::Call:
+      return called(mission, expr);
+    case Gives::Same:
+      return operands.front();
+    case Gives::Last:
+      return operands.back();
+    case Gives::Root:
+      return quantity(support::squareRoot(operands[0].dimension));
+    case Gives::Product:
+      return quantity(support::product(operands[0].dimension, operands[1].dimension));
+    case Gives::Quotient:
+      return quotientOf(operands[0], operands[1]);
+  }
+  CHECK(false, "a type without a rule");
 }
 
 }  // namespace
@@ -137,61 +215,44 @@ const std::vector<CommandInfo>& commands() {
   return kCommands;
 }
 
+std::string_view symbolOf(FunctionOp op) {
+  switch (op) {
+#define FUNCTION(name, text, operands, takes, gives, known, whole, symbol) \
+  case FunctionOp::name:                                                   \
+    return #symbol;
+#include "ir/core/ops.def"
+  }
+  CHECK(false, "a function that the runtime does not have");
+}
+
+std::optional<Type> operandType(Takes takes) {
+  switch (takes) {
+    case Takes::Number:
+      return kNumber;
+    case Takes::Angle:
+      return kAngle;
+    case Takes::Truths:
+      return kBool;
+    case Takes::Nothing:
+    case Takes::Numbers:
+    case Takes::Alike:
+    case Takes::Quantities:
+    case Takes::AlikeQuantities:
+    case Takes::Places:
+    case Takes::Choice:
+      break;
+  }
+  return std::nullopt;
+}
+
 std::optional<Type> resultType(const Mission& mission, const Expr& expr) {
   const OpInfo& op = opInfo(expr.op);
   std::array<Type, kMostOperands> all;
   for (uint32_t i = 0; i < op.operands; ++i) {
     all.at(i) = mission[expr.operands.at(i)].type;
   }
-  const auto of = std::span<const Type>(all).first(std::max(op.operands, 1U));
-  const Type a = of.front();
-  const Type b = of.back();
-  const bool quantities = a.kind == TypeKind::Quantity && b.kind == TypeKind::Quantity;
-  const bool numbers = a.kind != TypeKind::Bool && b.kind != TypeKind::Bool;
-  switch (op.type) {
-    case TypeRule::Own:
-      return when(expr.type.kind != TypeKind::Bool, expr.type);
-    case TypeRule::Truth:
-      return kBool;
-    case TypeRule::Time:
-      return kTime;
-    case TypeRule::Sensor:
-      return mission[expr.sensor].type;
-    case TypeRule::Variable:
-      return mission[expr.variable].type;
-    case TypeRule::Temporal:
-      return watched(mission, mission[expr.temporal]);
-    case TypeRule::Element:
-      return when(a == kNumber, mission[expr.table].type);
-    case TypeRule::Call:
-      return called(mission, expr);
-    case TypeRule::Same:
-      return when(numbers && haveOneType(of), a);
-    case TypeRule::Root:
-      return quantities ? quantity(support::squareRoot(a.dimension)) : std::nullopt;
-    case TypeRule::Product:
-      return quantities ? quantity(support::product(a.dimension, b.dimension)) : std::nullopt;
-    case TypeRule::Quotient:
-      return quantities ? quantity(support::quotient(a.dimension, b.dimension))
-                        : when(numbers && a == b, kNumber);
-    case TypeRule::OfAngle:
-      return when(a == kAngle, kNumber);
-    case TypeRule::ToAngle:
-      return when(quantities && a == b, kAngle);
-    case TypeRule::Length:
-      return when(arePlaces(of), kLength);
-    case TypeRule::Course:
-      return when(arePlaces(of), kAngle);
-    case TypeRule::Choice:
-      return when(a == kBool && of[1] == b && b.kind != TypeKind::Bool, b);
-    case TypeRule::Comparison:
-      return when(numbers && a == b, kBool);
-    case TypeRule::Known:
-      return when(numbers, kBool);
-    case TypeRule::Logic:
-      return when(a == kBool && b == kBool, kBool);
-  }
-  CHECK(false, "a type without a rule");
+  const auto operands = std::span<const Type>(all).first(op.operands);
+  return fit(op.takes, operands) ? given(op.gives, mission, expr, operands) : std::nullopt;
 }
 
 }  // namespace glider::ir

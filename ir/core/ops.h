@@ -24,9 +24,9 @@ enum class OpGroup : uint8_t {
   Variable,
   Temporal,
   Age,
-  Unary,   ///< of one number
-  Binary,  ///< of two numbers
-  Place,   ///< of two places
+  Unary,     ///< of one number
+  Binary,    ///< of two numbers
+  Function,  ///< of numbers, worked out by runtime/numbers
   Clamp,
   Select,
   Element,
@@ -36,28 +36,38 @@ enum class OpGroup : uint8_t {
   Logic  ///< of truth values
 };
 
+/// The types of operands that fit. Those of a Call are its function's.
+enum class Takes : uint8_t {
+  Nothing,
+  Numbers,          ///< no truth values
+  Alike,            ///< numbers of one type
+  Quantities,       ///< numbers, but no latitudes or longitudes
+  AlikeQuantities,  ///< of one type
+  Number,           ///< plain numbers
+  Angle,
+  Places,  ///< latitude, longitude, latitude, longitude
+  Truths,
+  Choice  ///< a truth value, and two numbers of one type
+};
+
 /// The type of a result.
-enum class TypeRule : uint8_t {
-  Own,    ///< the expression's
-  Truth,  ///< always a truth value
+enum class Gives : uint8_t {
+  Own,  ///< the expression's: a number
+  Truth,
+  Number,  ///< a plain one
   Time,
+  Angle,
+  Length,
   Sensor,  ///< what the sensor has; and so on
   Variable,
   Temporal,
   Element,
   Call,
-  Same,  ///< that of the operands, which have one
+  Same,  ///< that of the first operand
+  Last,
   Root,
   Product,
-  Quotient,
-  OfAngle,  ///< a plain number of an angle
-  ToAngle,  ///< an angle of two quantities alike
-  Length,   ///< of two places
-  Course,   ///< an angle of two places
-  Choice,
-  Comparison,
-  Known,
-  Logic
+  Quotient  ///< of two latitudes or longitudes a plain number
 };
 
 /// Where a result is never unknown.
@@ -77,6 +87,7 @@ enum class WholeRule : uint8_t {
   Variable,
   Operands,  ///< where the operands are
   Choice,    ///< where both that are chosen from are
+  Rounds,    ///< always: what rounds to whole numbers gives nothing else
   Broken     ///< nothing is known of it
 };
 
@@ -93,16 +104,18 @@ struct OpInfo {
   std::string_view text;  ///< spelling in the text form
   uint32_t operands;      ///< of a Call none: see operandCount
   OpGroup group;
-  TypeRule type;
+  Takes takes;
+  Gives gives;
   KnownRule known;
   WholeRule whole;
   ZeroRule zero;
 };
 
 inline constexpr auto kOps = std::to_array<OpInfo>({
-#define OP(name, text, operands, group, type, known, whole, zero)                               \
-  {Op::name,         text,          operands, OpGroup::group, TypeRule::type, KnownRule::known, \
-   WholeRule::whole, ZeroRule::zero},
+#define OP(name, text, operands, group, takes, gives, known, whole, zero) \
+  {Op::name,      text,         operands,         OpGroup::group,         \
+   Takes::takes,  Gives::gives, KnownRule::known, WholeRule::whole,       \
+   ZeroRule::zero},
 #include "ir/core/ops.def"
 });
 
@@ -127,8 +140,8 @@ enum class BinaryOp : uint8_t {
 #define BINARY(name, ...) name = static_cast<uint8_t>(Op::name),
 #include "ir/core/ops.def"
 };
-enum class PlaceOp : uint8_t {
-#define PLACE(name, ...) name = static_cast<uint8_t>(Op::name),
+enum class FunctionOp : uint8_t {
+#define FUNCTION(name, ...) name = static_cast<uint8_t>(Op::name),
 #include "ir/core/ops.def"
 };
 enum class ComparisonOp : uint8_t {
@@ -149,7 +162,7 @@ inline constexpr OpGroup kGroup<UnaryOp> = OpGroup::Unary;
 template <>
 inline constexpr OpGroup kGroup<BinaryOp> = OpGroup::Binary;
 template <>
-inline constexpr OpGroup kGroup<PlaceOp> = OpGroup::Place;
+inline constexpr OpGroup kGroup<FunctionOp> = OpGroup::Function;
 template <>
 inline constexpr OpGroup kGroup<ComparisonOp> = OpGroup::Comparison;
 template <>
@@ -161,6 +174,9 @@ List opIn(Op op) {
   CHECK(groupOf(op) == kGroup<List>, "an operation of another group");
   return static_cast<List>(op);
 }
+
+/// The runtime's function (runtime/abi/glider_abi.h) that works `op` out.
+std::string_view symbolOf(FunctionOp op);
 
 /// What `op` makes of the truth values that `operand(0)` and, but for Not, `operand(1)` give.
 template <typename Operand>
@@ -210,11 +226,13 @@ struct CommandInfo {
 /// The rows of commands.def, in the order of Command.
 const std::vector<CommandInfo>& commands();
 
+/// The type that each operand must have; empty if `takes` leaves a choice, or has several.
+std::optional<Type> operandType(Takes takes);
+
 /// The type that `expr` must have in `mission`, given its operands' types (or its sensor's or
-/// variable's): sums, minima and the like want one type, products and quotients multiply
-/// dimensions, comparisons compare like with like. A Constant keeps its own. Empty if the operands
-/// do not fit. Operands, sensor, variable, temporal, table and use must be in range, and what a
-/// temporal watches must stand before `expr`.
+/// variable's), by the rules of its operation: Takes and Gives. Empty if the operands do not fit.
+/// Operands, sensor, variable, temporal, table and use must be in range, and what a temporal
+/// watches must stand before `expr`.
 std::optional<Type> resultType(const Mission& mission, const Expr& expr);
 
 }  // namespace glider::ir

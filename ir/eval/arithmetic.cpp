@@ -7,8 +7,11 @@
 #include "runtime/abi/glider_abi.h"
 #include "support/check.h"
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 namespace glider::ir {
 namespace {
@@ -22,6 +25,15 @@ uint64_t bits(double value) {
 
 bool isFinite(double value) {
   return (bits(value) & kExponentBits) != kExponentBits;
+}
+
+/// A function of the runtime, which takes as many numbers as its row of ops.def says.
+template <uint32_t count, typename... Numbers>
+double callWith(double (*function)(Numbers...), std::span<const double> operands) {
+  static_assert(sizeof...(Numbers) == count, "ops.def: another number of operands");
+  return [&]<size_t... i>(std::index_sequence<i...>) {
+    return function(operands[i]...);
+  }(std::make_index_sequence<count>());
 }
 
 /// ddmm.mmmm to degrees, the sign kept; unknown from 60 minutes on.
@@ -70,8 +82,6 @@ double binary(Op op, double a, double b) {
       return b < a ? b : a;
     case BinaryOp::Max:
       return a < b ? b : a;
-    case BinaryOp::Atan2:
-      return settle(gliderAtan2(a, b));
   }
   CHECK(false, "an operation on two numbers without a meaning");
 }
@@ -87,32 +97,26 @@ double unary(Op op, double a) {
       return std::bit_cast<double>(bits(a) & ~kSignBit);
     case UnaryOp::Sqrt:
       return settle(std::sqrt(a));
-    case UnaryOp::Sin:
-      return settle(gliderSin(a));
-    case UnaryOp::Cos:
-      return settle(gliderCos(a));
-    case UnaryOp::Tan:
-      return settle(gliderTan(a));
   }
   CHECK(false, "an operation on one number without a meaning");
 }
 
+double function(Op op, std::span<const double> operands) {
+  CHECK(operands.size() == opInfo(op).operands, "a function of another number of operands");
+  if (!std::ranges::all_of(operands, isKnown)) {
+    return kUnknown;
+  }
+  switch (opIn<FunctionOp>(op)) {
+#define FUNCTION(name, text, count, takes, gives, known, whole, symbol) \
+  case FunctionOp::name:                                                \
+    return settle(callWith<count>(&symbol, operands));
+#include "ir/core/ops.def"
+  }
+  CHECK(false, "a function without a meaning");
+}
+
 double onEarth(Op op, Position from, Position to) {
-  for (double value : {from.latitude, from.longitude, to.latitude, to.longitude}) {
-    if (!isKnown(value)) {
-      return kUnknown;
-    }
-  }
-  const auto of = [&](auto* function) {
-    return settle(function(from.latitude, from.longitude, to.latitude, to.longitude));
-  };
-  switch (opIn<PlaceOp>(op)) {
-    case PlaceOp::Distance:
-      return of(gliderDistance);
-    case PlaceOp::Bearing:
-      return of(gliderBearing);
-  }
-  CHECK(false, "an operation on two places without a meaning");
+  return function(op, std::array{from.latitude, from.longitude, to.latitude, to.longitude});
 }
 
 double clamp(double x, double lowest, double highest) {

@@ -6,6 +6,8 @@
 #include "ir/core/mission.h"
 #include "ir/core/truth.h"
 
+#include <span>
+
 /// The operations of ir/README.md on single values. A number is a double; NaN is unknown and comes
 /// out as `kUnknown`.
 namespace glider::ir {
@@ -20,10 +22,12 @@ bool isKnown(double value);
 /// zero included) +0.
 double settle(double value);
 
-/// Add, Subtract, Multiply, Divide, Min, Max or Atan2.
+/// Add, Subtract, Multiply, Divide, Min or Max.
 double binary(Op op, double a, double b);
-/// Negate, Abs, Sqrt, Sin, Cos or Tan.
+/// Negate, Abs or Sqrt.
 double unary(Op op, double a);
+/// One that the runtime's own code works out (OpGroup::Function), of as many numbers as it takes.
+double function(Op op, std::span<const double> operands);
 /// Distance (m) or Bearing (rad).
 double onEarth(Op op, Position from, Position to);
 double clamp(double x, double lowest, double highest);

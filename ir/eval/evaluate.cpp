@@ -78,8 +78,8 @@ Value valueOf(const Mission& mission, const Expr& e, const Values& values, const
       return unary(e.op, a(0));
     case OpGroup::Binary:
       return binary(e.op, a(0), a(1));
-    case OpGroup::Place:
-      return onEarth(e.op, {a(0), a(1)}, {a(2), a(3)});
+    case OpGroup::Function:
+      return function(e.op, argumentsOf(e, values));
     case OpGroup::Clamp:
       return clamp(a(0), a(1), a(2));
     case OpGroup::Select:

@@ -157,7 +157,7 @@ Value Interpreter::leaf(const Expr& e, std::span<const double> arguments) const 
     case OpGroup::Truth:
     case OpGroup::Unary:
     case OpGroup::Binary:
-    case OpGroup::Place:
+    case OpGroup::Function:
     case OpGroup::Clamp:
     case OpGroup::Select:
     case OpGroup::Element:

@@ -113,7 +113,7 @@ class Former {
       case OpGroup::Age:
       case OpGroup::Unary:
       case OpGroup::Binary:
-      case OpGroup::Place:
+      case OpGroup::Function:
       case OpGroup::Clamp:
       case OpGroup::Select:
       case OpGroup::Element:

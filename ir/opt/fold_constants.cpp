@@ -105,17 +105,14 @@ class Folder {
     }
     switch (groupOf(expr.op)) {
       case OpGroup::Unary:
-        return isFunction(opIn<UnaryOp>(expr.op)) ? std::nullopt
-                                                  : std::optional(unary(expr.op, (*n)[0]));
+        return unary(expr.op, (*n)[0]);
       case OpGroup::Binary:
-        return isFunction(opIn<BinaryOp>(expr.op))
-                   ? std::nullopt
-                   : std::optional(binary(expr.op, (*n)[0], (*n)[1]));
+        return binary(expr.op, (*n)[0], (*n)[1]);
       case OpGroup::Clamp:
         return clamp((*n)[0], (*n)[1], (*n)[2]);
       case OpGroup::Element:
         return element(m_[expr.table], (*n)[0]);
-      case OpGroup::Place:  // a function of runtime/numbers too
+      case OpGroup::Function:  // runtime/numbers works it out when the mission flies
       case OpGroup::Select:
       case OpGroup::Constant:
       case OpGroup::Sensor:
@@ -132,22 +129,6 @@ class Folder {
     }
     return std::nullopt;
   }
-
-  /// Whether runtime/numbers works it out, when the mission flies.
-  static bool isFunction(UnaryOp op) {
-    switch (op) {
-      case UnaryOp::Sin:
-      case UnaryOp::Cos:
-      case UnaryOp::Tan:
-        return true;
-      case UnaryOp::Negate:
-      case UnaryOp::Abs:
-      case UnaryOp::Sqrt:
-        break;
-    }
-    return false;
-  }
-  static bool isFunction(BinaryOp op) { return op == BinaryOp::Atan2; }
 
   [[nodiscard]] std::optional<Truth> truthOf(const Expr& expr) const {
     if (expr.op == Op::Not && groupOf(operand(expr, 0).op) == OpGroup::Truth) {

@@ -155,8 +155,8 @@ class Analysis {
         return unary(opIn<UnaryOp>(e.op), x(0));
       case OpGroup::Binary:
         return binary(opIn<BinaryOp>(e.op), x(0), x(1));
-      case OpGroup::Place:
-        return place(opIn<PlaceOp>(e.op));
+      case OpGroup::Function:
+        return function(e);
       case OpGroup::Select:
         return hull(x(1), x(2));
       case OpGroup::Clamp:
@@ -211,11 +211,6 @@ class Analysis {
         return magnitude(x);
       case UnaryOp::Sqrt:
         return root(x);
-      case UnaryOp::Sin:
-      case UnaryOp::Cos:
-        return {-1, 1, false};
-      case UnaryOp::Tan:
-        break;
     }
     return kAny;
   }
@@ -234,17 +229,22 @@ class Analysis {
         return {std::min(a.lowest, b.lowest), std::min(a.highest, b.highest), false};
       case BinaryOp::Max:
         return {std::max(a.lowest, b.lowest), std::max(a.highest, b.highest), false};
-      case BinaryOp::Atan2:
-        return {-std::numbers::pi, std::numbers::pi, false};
     }
     return kAny;
   }
 
-  static Interval place(PlaceOp op) {
-    switch (op) {
-      case PlaceOp::Distance:
+  [[nodiscard]] Interval function(const Expr& e) const {
+    switch (opIn<FunctionOp>(e.op)) {
+      case FunctionOp::Sin:
+      case FunctionOp::Cos:
+        return {-1, 1, false};
+      case FunctionOp::Tan:
+        return kAny;
+      case FunctionOp::Atan2:
+        return {-std::numbers::pi, std::numbers::pi, false};
+      case FunctionOp::Distance:
         return {0, kFarthest, false};
-      case PlaceOp::Bearing:
+      case FunctionOp::Bearing:
         return {0, 2 * std::numbers::pi, false};
     }
     return kAny;

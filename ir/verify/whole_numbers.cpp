@@ -30,6 +30,8 @@ class WholeExpressions {
         return judged.haveOperands(e) && isSmall(index);
       case WholeRule::Choice:
         return judged.haveOperands(e, 1) && isSmall(index);  // the first is the condition
+      case WholeRule::Rounds:
+        return isSmall(index);
       case WholeRule::Broken:
         break;
     }

@@ -101,6 +101,16 @@ class Maker {
     return add(expr);
   }
   ExprId operation(Op op) { return operation(op, operands_); }
+  /// One of numbers of any type, or of angles.
+  ExprId function(const ir::OpInfo& info) {
+    std::array<ExprId, 3> operands = operands_;
+    if (info.takes == ir::Takes::Angle) {
+      for (ExprId& operand : operands) {
+        operand = operation(Op::Multiply, {operand, radian(), {}});
+      }
+    }
+    return operation(info.op, operands);
+  }
   /// Of the table that the first operand gives the number of a value in.
   ExprId element(ir::TableId table) {
     ir::Expr expr;
@@ -139,14 +149,15 @@ ir::Mission numbers() {
   log.kind = ir::StatementKind::Log;
   log.text = "operations";
   for (const Op op : {Op::Negate, Op::Abs, Op::Sqrt, Op::Add, Op::Subtract, Op::Multiply,
-                      Op::Divide, Op::Min, Op::Max, Op::Clamp, Op::Atan2}) {
+                      Op::Divide, Op::Min, Op::Max, Op::Clamp}) {
     log.values.push_back(maker.operation(op));
   }
-  const ExprId a = maker.sensor(0);
-  const ExprId angle = maker.operation(Op::Multiply, {a, maker.radian(), {}});
-  for (const Op op : {Op::Sin, Op::Cos, Op::Tan}) {
-    log.values.push_back(maker.operation(op, {angle, {}, {}}));
+  for (const ir::OpInfo& function : ir::kOps) {
+    if (function.group == ir::OpGroup::Function && function.takes != ir::Takes::Places) {
+      log.values.push_back(maker.function(function));
+    }
   }
+  const ExprId a = maker.sensor(0);
   maker.mission().tables = {{{}, {5, -7, 1e300}}};
   log.values.push_back(maker.element({0}));
   const ExprId less = maker.operation(Op::Less);

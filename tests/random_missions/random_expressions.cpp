@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace glider::random_missions {
 namespace {
@@ -57,6 +58,18 @@ constexpr double kSpecial[] = {0.0,
                                1e200,
                                0x1.fffffffffffffp-1,
                                1e22};
+
+/// Of one number of a certain type, to a plain number.
+std::vector<Op> functionsOfOneToNumber() {
+  std::vector<Op> ops;
+  for (const ir::OpInfo& row : ir::kOps) {
+    if (row.group == ir::OpGroup::Function && row.operands == 1 && ir::operandType(row.takes) &&
+        row.gives == ir::Gives::Number) {
+      ops.push_back(row.op);
+    }
+  }
+  return ops;
+}
 
 }  // namespace
 
@@ -277,9 +290,10 @@ ExprId ExpressionMaker::root(Type type, uint32_t depth) {
 /// What runtime/numbers computes.
 std::optional<ExprId> ExpressionMaker::geometry(Type type, uint32_t depth) {
   if (type == kNumber) {
-    constexpr Op kOps[] = {Op::Sin, Op::Cos, Op::Tan};
-    const Op op = random_.pick(kOps);
-    return add(op, {number(kAngle, depth)});
+    static const std::vector<Op> ops = functionsOfOneToNumber();
+    const Op op = random_.pick(ops);
+    const Type taken = *ir::operandType(ir::opInfo(op).takes);
+    return add(op, {number(taken, depth)});
   }
   if (type == kAngle && random_.chance(0.5)) {
     const Type of = random_.pick(std::array{kNumber, kLength});

@@ -123,8 +123,8 @@ Expressions::Lowered Expressions::lowerOne(const ir::Expr& expr) {
       return {unary(expr), nullptr};
     case OpGroup::Binary:
       return {binary(expr), nullptr};
-    case OpGroup::Place:
-      return {place(expr), nullptr};
+    case OpGroup::Function:
+      return {function(expr), nullptr};
     case OpGroup::Clamp:
       return {clamp(operand(expr, 0), operand(expr, 1), operand(expr, 2)), nullptr};
     case OpGroup::Select:

@@ -80,7 +80,7 @@ class Expressions {
   Lowered temporal(const ir::Expr& expr);
   llvm::Value* unary(const ir::Expr& expr);
   llvm::Value* binary(const ir::Expr& expr);
-  llvm::Value* place(const ir::Expr& expr);
+  llvm::Value* function(const ir::Expr& expr);
   llvm::Value* smallerOrLarger(ir::Op op, llvm::Value* a, llvm::Value* b);
   llvm::Value* clamp(llvm::Value* x, llvm::Value* lowest, llvm::Value* highest);
   Lowered known(const ir::Expr& expr);
@@ -88,7 +88,7 @@ class Expressions {
   Lowered logic(const ir::Expr& expr);
   Lowered truthIn(llvm::Value* held);
   llvm::Value* settle(llvm::Value* value);
-  llvm::Value* callPure(const char* name, llvm::ArrayRef<llvm::Value*> arguments);
+  llvm::Value* callPure(llvm::StringRef name, llvm::ArrayRef<llvm::Value*> arguments);
   llvm::Value* readingField(ir::SensorId sensor, unsigned index);
   llvm::Value* contextField(unsigned index);
   llvm::Value* unknown() { return llvm::ConstantFP::getNaN(builder_.getDoubleTy()); }

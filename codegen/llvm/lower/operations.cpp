@@ -13,8 +13,6 @@ namespace glider::codegen {
 using ir::Op;
 using llvm::Value;
 
-// The functions of runtime/numbers settle their results themselves.
-
 Value* Expressions::unary(const ir::Expr& expr) {
   Value* x = operand(expr, 0);
   switch (ir::opIn<ir::UnaryOp>(expr.op)) {
@@ -24,12 +22,6 @@ Value* Expressions::unary(const ir::Expr& expr) {
       return builder_.CreateUnaryIntrinsic(llvm::Intrinsic::fabs, x);
     case ir::UnaryOp::Sqrt:
       return settle(builder_.CreateUnaryIntrinsic(llvm::Intrinsic::sqrt, x));
-    case ir::UnaryOp::Sin:
-      return callPure("gliderSin", {x});
-    case ir::UnaryOp::Cos:
-      return callPure("gliderCos", {x});
-    case ir::UnaryOp::Tan:
-      return callPure("gliderTan", {x});
   }
   CHECK(false, "an operation on one number that codegen does not know");
 }
@@ -49,24 +41,17 @@ Value* Expressions::binary(const ir::Expr& expr) {
     case ir::BinaryOp::Min:
     case ir::BinaryOp::Max:
       return smallerOrLarger(expr.op, a, b);
-    case ir::BinaryOp::Atan2:
-      return callPure("gliderAtan2", {a, b});
   }
   CHECK(false, "an operation on two numbers that codegen does not know");
 }
 
-Value* Expressions::place(const ir::Expr& expr) {
-  const auto work_out = [&](const char* function) {
-    return callPure(function,
-                    {operand(expr, 0), operand(expr, 1), operand(expr, 2), operand(expr, 3)});
-  };
-  switch (ir::opIn<ir::PlaceOp>(expr.op)) {
-    case ir::PlaceOp::Distance:
-      return work_out("gliderDistance");
-    case ir::PlaceOp::Bearing:
-      return work_out("gliderBearing");
+/// The functions of runtime/numbers settle their results themselves.
+Value* Expressions::function(const ir::Expr& expr) {
+  std::vector<Value*> operands;
+  for (uint32_t i = 0; i < ir::operandCount(expr); ++i) {
+    operands.push_back(operand(expr, i));
   }
-  CHECK(false, "an operation on two places that codegen does not know");
+  return callPure(ir::symbolOf(ir::opIn<ir::FunctionOp>(expr.op)), operands);
 }
 
 Value* Expressions::smallerOrLarger(Op op, Value* a, Value* b) {
@@ -173,7 +158,7 @@ Value* Expressions::settle(Value* value) {
 }
 
 /// A function of doubles that depends on nothing else.
-Value* Expressions::callPure(const char* name, llvm::ArrayRef<Value*> arguments) {
+Value* Expressions::callPure(llvm::StringRef name, llvm::ArrayRef<Value*> arguments) {
   llvm::Type* number = builder_.getDoubleTy();
   const std::vector<llvm::Type*> types(arguments.size(), number);
   llvm::CallInst* call = builder_.CreateCall(

@@ -98,7 +98,7 @@ class Declarations {
     if (node.type && node.type->text != "path") {
       if (const auto type = scope_.declaredType(*node.type, "")) {
         scope_.report(DiagnosticId::wrongType, node.value.where, "`" + node.name.text + "`",
-                      describe(*type), scope_.text(node.value.where), "a path");
+                      describe(*type), scope_.text(node.value.where), "a path", howToWrite(*type));
       }
       return;
     }

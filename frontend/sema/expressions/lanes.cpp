@@ -53,15 +53,15 @@ double length(const Vector& a) {
 Vector vectorOf(const Place& place) {
   const double north = place.latitude * kDegree;
   const double east = place.longitude * kDegree;
-  const double out = ir::unary(Op::Cos, north);
-  return {out * ir::unary(Op::Cos, east), out * ir::unary(Op::Sin, east),
-          ir::unary(Op::Sin, north)};
+  const auto of = [](Op op, double angle) { return ir::function(op, std::array{angle}); };
+  const double out = of(Op::Cos, north);
+  return {out * of(Op::Cos, east), out * of(Op::Sin, east), of(Op::Sin, north)};
 }
 
 /// Rounded to 1e-7 degrees, a centimetre. A pole has longitude 0.
 Place placeOf(const Vector& v) {
   const auto degrees = [](double y, double x) {
-    const double angle = y == 0 && x == 0 ? 0 : ir::binary(Op::Atan2, y, x);
+    const double angle = y == 0 && x == 0 ? 0 : ir::function(Op::Atan2, std::array{y, x});
     return std::round(angle / kDegree * 1e7) / 1e7 + 0.0;  // no -0
   };
   return {degrees(v.z, std::sqrt(v.x * v.x + v.y * v.y)), degrees(v.y, v.x)};

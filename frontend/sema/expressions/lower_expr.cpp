@@ -3,6 +3,9 @@
 
 #include "frontend/sema/expressions/lower_expr.h"
 
+#include "ir/core/ops.h"
+#include "support/check.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -30,7 +33,7 @@ std::optional<Value> ExprLowering::lowerDeclared(const ast::Expr& expr, const De
   const DeclaredType given{value->type, value->longitude.valid()};
   if (given != want) {
     scope_.report(DiagnosticId::wrongType, expr.where, what, describe(want),
-                  scope_.text(expr.where), describe(given));
+                  scope_.text(expr.where), describe(given), howToWrite(want));
     return std::nullopt;
   }
   return value;
@@ -62,6 +65,18 @@ Value ExprLowering::emit(ir::Op op, const ir::Type& type, const support::SourceR
   expr.range = range;
   std::ranges::copy(operands, expr.operands.begin());
   return {push(expr), type, {}};
+}
+
+Value ExprLowering::emitOf(ir::Op op, const support::SourceRange& range,
+                           std::span<const ir::ExprId> operands) {
+  ir::Expr expr;
+  expr.op = op;
+  expr.range = range;
+  std::ranges::copy(operands, expr.operands.begin());
+  const auto type = ir::resultType(scope_.mission, expr);
+  CHECK(type, "operands that an operation does not take");
+  expr.type = *type;
+  return {push(expr), *type, {}};
 }
 
 Value ExprLowering::emitNumber(double value, const ir::Type& type,

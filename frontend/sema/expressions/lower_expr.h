@@ -9,6 +9,7 @@
 
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -104,6 +105,8 @@ class ExprLowering {
   bool numeric(const Value& value, const ast::Expr& expr, std::string_view op, bool earth);
 
   // Functions (lower_function.cpp).
+  Result callOf(const ir::Type& type, ir::Op op, const ast::Invocation& node,
+                const ast::Expr& expr);
   Result callMany(ir::Op op, const ast::Invocation& node, const ast::Expr& expr,
                   std::optional<ir::Type> want);
   Result callOne(ir::Op op, const ast::Invocation& node, const ast::Expr& expr,
@@ -156,6 +159,8 @@ class ExprLowering {
   Result clock(Clock clock, const support::SourceRange& range);
   Value emit(ir::Op op, const ir::Type& type, const support::SourceRange& range,
              std::initializer_list<ir::ExprId> operands);
+  /// Of the type that the operation's row says; the operands must fit.
+  Value emitOf(ir::Op op, const support::SourceRange& range, std::span<const ir::ExprId> operands);
   Value emitNumber(double value, const ir::Type& type, const support::SourceRange& range);
   ir::ExprId push(ir::Expr expr);
 

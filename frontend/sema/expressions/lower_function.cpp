@@ -5,6 +5,7 @@
 #include "frontend/sema/expressions/lower_expr.h"
 #include "frontend/sema/names/functions.h"
 #include "frontend/spelling.h"
+#include "ir/core/ops.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -54,18 +55,21 @@ ExprLowering::Result ExprLowering::visit(const ast::Invocation& node, const ast:
   if (stretched(node)) {
     return std::nullopt;
   }
-  if (node.arguments.size() != function->fewest) {
-    constexpr std::string_view kSignatures[] = {"(x)", "(x, y)", "(x, lowest, highest)"};
-    scope_.report(DiagnosticId::wrongArgumentCount, expr.where, name, countOf(function->fewest),
+  if (const size_t wanted = function->argumentCount(); node.arguments.size() != wanted) {
+    scope_.report(DiagnosticId::wrongArgumentCount, expr.where, name, countOf(wanted),
                   node.arguments.empty() ? "none" : countOf(node.arguments.size()),
-                  fmt::format("{}{}", name, kSignatures[function->fewest - 1]));
+                  fmt::format("{}({})", name, function->arguments));
     return std::nullopt;
   }
   if (function->op == ir::Op::Age) {
     return ageOf(node, expr);
   }
-  return node.arguments.size() == 1 ? callOne(function->op, node, expr, want)
-                                    : callMany(function->op, node, expr, want);
+  if (const auto type = ir::operandType(ir::opInfo(function->op).takes)) {
+    return callOf(*type, function->op, node, expr);
+  }
+  const bool alone =
+      node.arguments.size() == 1 && ir::groupOf(function->op) != ir::OpGroup::Function;
+  return alone ? callOne(function->op, node, expr, want) : callMany(function->op, node, expr, want);
 }
 
 /// A function of the user's.
@@ -134,15 +138,24 @@ ExprLowering::Result ExprLowering::ageOf(const ast::Invocation& node, const ast:
   return value;
 }
 
+/// A function whose arguments all have the type that its operation asks for.
+ExprLowering::Result ExprLowering::callOf(const ir::Type& type, ir::Op op,
+                                          const ast::Invocation& node, const ast::Expr& expr) {
+  std::vector<ir::ExprId> operands;
+  for (const ast::Argument& argument : node.arguments) {
+    const auto value =
+        lowerAs(*argument.value, type, "the argument of `" + node.function.text + "`");
+    operands.push_back(value.value_or(ir::ExprId()));
+  }
+  const bool good = std::ranges::all_of(operands, &ir::ExprId::valid);
+  return good ? Result(emitOf(op, expr.where, operands)) : std::nullopt;
+}
+
+/// abs, sqrt and known.
 ExprLowering::Result ExprLowering::callOne(ir::Op op, const ast::Invocation& node,
                                            const ast::Expr& expr, std::optional<ir::Type> want) {
   const ast::Expr& argument = *node.arguments.front().value;
   const bool keeps = op == ir::Op::Abs;
-  if (op == ir::Op::Sin || op == ir::Op::Cos || op == ir::Op::Tan) {
-    const auto angle = lowerAs(argument, quantity(support::dimension::angle),
-                               "the argument of `" + node.function.text + "`");
-    return angle ? Result(emit(op, plainNumber(), expr.where, {*angle})) : std::nullopt;
-  }
   const Result value = lower(argument, keeps ? want : std::nullopt);
   if (op == ir::Op::Known && value && value->longitude.valid()) {
     const ir::ExprId north = emit(op, boolean(), expr.where, {value->id}).id;
@@ -167,8 +180,8 @@ ExprLowering::Result ExprLowering::callOne(ir::Op op, const ast::Invocation& nod
   return emit(op, quantity(*root), expr.where, {value->id});
 }
 
-/// min, max, clamp and atan2: all arguments of one kind, and bare numbers take the unit of the
-/// others.
+/// min, max, clamp, atan2 and the like: all arguments of one kind, and bare numbers take the unit
+/// of the others.
 ExprLowering::Result ExprLowering::callMany(ir::Op op, const ast::Invocation& node,
                                             const ast::Expr& expr, std::optional<ir::Type> want) {
   const auto leads = [](const ast::Argument& argument) {
@@ -178,12 +191,12 @@ ExprLowering::Result ExprLowering::callMany(ir::Op op, const ast::Invocation& no
   const size_t first =
       leader == node.arguments.end() ? 0 : static_cast<size_t>(leader - node.arguments.begin());
   const ast::Expr& model = *node.arguments[first].value;
-  const bool angle = op == ir::Op::Atan2;
-  const Result led = lower(model, angle ? std::nullopt : want);
-  if (!led || !numeric(*led, model, node.function.text, !angle)) {
+  const ir::OpInfo& info = ir::opInfo(op);
+  const Result led = lower(model, info.gives == ir::Gives::Same ? want : std::nullopt);
+  if (!led || !numeric(*led, model, node.function.text, info.takes == ir::Takes::Alike)) {
     return std::nullopt;
   }
-  std::array<ir::ExprId, ir::kMostOperands> operands;
+  std::vector<ir::ExprId> operands(node.arguments.size());
   bool good = true;
   for (size_t i = 0; i < node.arguments.size(); ++i) {
     const ast::Expr& argument = *node.arguments[i].value;
@@ -200,13 +213,7 @@ ExprLowering::Result ExprLowering::callMany(ir::Op op, const ast::Invocation& no
       operands[i] = value->id;
     }
   }
-  if (!good) {
-    return std::nullopt;
-  }
-  const ir::Type type = angle ? quantity(support::dimension::angle) : led->type;
-  const Value result = emit(op, type, expr.where, {});
-  scope_.mission.exprs[result.id.index].operands = operands;
-  return result;
+  return good ? Result(emitOf(op, expr.where, operands)) : std::nullopt;
 }
 
 }  // namespace glider::frontend

@@ -221,7 +221,8 @@ ExprLowering::Result ExprLowering::visit(const ast::Position& node, const ast::E
                    const char* letters) {
     if (half && half->type != type) {
       scope_.report(DiagnosticId::wrongType, where, "this half of the position", describe(type),
-                    scope_.text(where), fmt::format("{} ({})", describe(half->type), letters));
+                    scope_.text(where), fmt::format("{} ({})", describe(half->type), letters),
+                    howToWrite({type}));
       return false;
     }
     return half.has_value();

@@ -15,7 +15,7 @@ struct WindowFunction {
 };
 
 constexpr Function kFunctions[] = {
-#define FUNCTION(name, op, fewest, most) {#name, ir::Op::op, fewest, most},
+#define FUNCTION(name, op, ...) {#name, ir::Op::op, #__VA_ARGS__},
 #include "frontend/sema/names/functions.def"
 };
 
@@ -30,6 +30,10 @@ constexpr WindowFunction kWindows[] = {
 };
 
 }  // namespace
+
+size_t Function::argumentCount() const {
+  return 1 + static_cast<size_t>(std::ranges::count(arguments, ','));
+}
 
 const Function* findFunction(std::string_view name) {
   const auto* found = std::ranges::find(kFunctions, name, &Function::name);
@@ -51,7 +55,7 @@ bool isFunctionName(std::string_view name) {
 
 const std::vector<std::string_view>& functionNames() {
   static const std::vector<std::string_view> names = {
-#define FUNCTION(name, op, fewest, most) #name,
+#define FUNCTION(name, op, ...) #name,
 #define EARTH_FUNCTION(name) #name,
 #define SPAN_FUNCTION(name) #name,
 #define WINDOW_FUNCTION(name, kind) #name,

@@ -16,8 +16,9 @@ namespace glider::frontend {
 struct Function {
   std::string_view name;
   ir::Op op;
-  size_t fewest;  ///< arguments
-  size_t most;
+  std::string_view arguments;  ///< as messages name them: "x, lowest, highest"
+
+  [[nodiscard]] size_t argumentCount() const;
 };
 
 /// The function of one operation that `name` is; null if none.

@@ -8,6 +8,42 @@
 #include <fmt/format.h>
 
 namespace glider::frontend {
+namespace {
+
+/// A value of that dimension with a unit; empty if no unit has it.
+std::string exampleOf(support::Dimension dimension) {
+  if (dimension.dimensionless()) {
+    return "5";
+  }
+  if (dimension == support::dimension::angle) {
+    return "26 deg";
+  }
+  const std::string unit = support::unitName(dimension);
+  const auto parsed = support::parseUnit(unit);
+  return parsed && parsed->dimension == dimension ? "5 " + unit : "";
+}
+
+std::string exampleOf(const DeclaredType& type) {
+  if (type.path) {
+    return "[39.2 N 73.9 W, 39.3 N 73.8 W]";
+  }
+  if (type.position) {
+    return "39.2 N 73.9 W";
+  }
+  switch (type.type.kind) {
+    case ir::TypeKind::Bool:
+      return "depth > 5 m";
+    case ir::TypeKind::Latitude:
+      return "39.2 N";
+    case ir::TypeKind::Longitude:
+      return "73.9 W";
+    case ir::TypeKind::Quantity:
+      break;
+  }
+  return exampleOf(type.type.dimension);
+}
+
+}  // namespace
 
 std::string describe(const ir::Type& type) {
   switch (type.kind) {
@@ -34,6 +70,12 @@ std::string describe(const ir::Type& type) {
 
 std::string describe(const DeclaredType& type) {
   return type.path ? "a path" : type.position ? "a position" : describe(type.type);
+}
+
+std::string howToWrite(const DeclaredType& type) {
+  const std::string example = exampleOf(type);
+  return example.empty() ? fmt::format("combine values with units into {}", describe(type))
+                         : fmt::format("write {} such as `{}`", describe(type), example);
 }
 
 std::optional<DeclaredType> findType(std::string_view name) {

@@ -23,6 +23,8 @@ struct DeclaredType {
   bool operator==(const DeclaredType&) const = default;
 };
 std::string describe(const DeclaredType& type);
+/// What to type for one, as a hint: "write a length (m) such as `5 m`".
+std::string howToWrite(const DeclaredType& type);
 
 /// What a type's name in the language means:
 /// "length", "bool", "latitude", "position", "path", "temperature/length"; empty: nothing.

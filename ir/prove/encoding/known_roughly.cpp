@@ -15,7 +15,7 @@ namespace glider::ir::prove {
 namespace {
 
 /// In the order in which they are named.
-enum class Rough : uint8_t { Product, Quotient, Function, Place, Watched, Window, Code };
+enum class Rough : uint8_t { Product, Quotient, Angle, Function, Place, Watched, Window, Code };
 
 const char* nameOf(Rough rough) {
   switch (rough) {
@@ -23,8 +23,10 @@ const char* nameOf(Rough rough) {
       return "products of values that are measured or change";
     case Rough::Quotient:
       return "quotients of values that are measured or change";
-    case Rough::Function:
+    case Rough::Angle:
       return "square roots and angles";
+    case Rough::Function:
+      return "functions of numbers";
     case Rough::Place:
       return "positions, their distances and bearings";
     case Rough::Watched:
@@ -43,12 +45,9 @@ std::optional<Rough> roughnessOf(UnaryOp op) {
     case UnaryOp::Abs:
       return std::nullopt;
     case UnaryOp::Sqrt:
-    case UnaryOp::Sin:
-    case UnaryOp::Cos:
-    case UnaryOp::Tan:
       break;
   }
-  return Rough::Function;
+  return Rough::Angle;
 }
 
 std::optional<Rough> roughnessOf(BinaryOp op, const Expr& a, const Expr& b) {
@@ -60,8 +59,6 @@ std::optional<Rough> roughnessOf(BinaryOp op, const Expr& a, const Expr& b) {
       return unless(a.op == Op::Constant || b.op == Op::Constant, Rough::Product);
     case BinaryOp::Divide:
       return unless(b.op == Op::Constant, Rough::Quotient);
-    case BinaryOp::Atan2:
-      return Rough::Function;
     case BinaryOp::Add:
     case BinaryOp::Subtract:
     case BinaryOp::Min:
@@ -71,6 +68,14 @@ std::optional<Rough> roughnessOf(BinaryOp op, const Expr& a, const Expr& b) {
   return std::nullopt;
 }
 
+Rough roughnessOf(const OpInfo& function) {
+  if (function.takes == Takes::Places) {
+    return Rough::Place;
+  }
+  const bool angle = function.takes == Takes::Angle || function.gives == Gives::Angle;
+  return angle ? Rough::Angle : Rough::Function;
+}
+
 /// As Moment takes it.
 std::optional<Rough> roughnessOf(const Mission& m, const Expr& e) {
   switch (groupOf(e.op)) {
@@ -78,7 +83,8 @@ std::optional<Rough> roughnessOf(const Mission& m, const Expr& e) {
       return roughnessOf(opIn<UnaryOp>(e.op));
     case OpGroup::Binary:
       return roughnessOf(opIn<BinaryOp>(e.op), m[e.operands[0]], m[e.operands[1]]);
-    case OpGroup::Place:
+    case OpGroup::Function:
+      return roughnessOf(opInfo(e.op));
     case OpGroup::Element:
       return Rough::Place;
     case OpGroup::Temporal:

@@ -72,7 +72,7 @@ NumberTerm Moment::arithmetic(const Expr& e, const Interval& interval) {
       return clamped(e, interval);
     case OpGroup::Select:
       return chosen(e);
-    case OpGroup::Place:
+    case OpGroup::Function:
     case OpGroup::Element:
       return anything(e, interval);
     case OpGroup::Truth:
@@ -104,9 +104,6 @@ NumberTerm Moment::unary(const Expr& e, const Interval& interval) {
     case UnaryOp::Abs:
       return {z3::ite(x.value >= 0, x.value, -x.value), x.known, x.slack};
     case UnaryOp::Sqrt:
-    case UnaryOp::Sin:
-    case UnaryOp::Cos:
-    case UnaryOp::Tan:
       break;
   }
   return anything(e, interval);
@@ -124,10 +121,8 @@ NumberTerm Moment::binary(const Expr& e, const Interval& interval) {
     case BinaryOp::Min:
     case BinaryOp::Max:
       return smallerOrLarger(e);
-    case BinaryOp::Atan2:
-      break;
   }
-  return anything(e, interval);
+  CHECK(false, "an operation on two numbers that the prover does not know");
 }
 
 NumberTerm Moment::sum(const Expr& e, const Interval& interval) {
@@ -233,7 +228,7 @@ void Moment::lowerTruth(uint32_t index) {
       case OpGroup::Age:
       case OpGroup::Unary:
       case OpGroup::Binary:
-      case OpGroup::Place:
+      case OpGroup::Function:
       case OpGroup::Clamp:
       case OpGroup::Select:
       case OpGroup::Element:

@@ -3,11 +3,16 @@
 
 #include "ir/eval/arithmetic.h"
 
+#include "ir/core/ops.h"
+
 #include <gtest/gtest.h>
 
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <numbers>
+#include <vector>
 
 namespace glider::ir {
 namespace {
@@ -32,6 +37,36 @@ TEST(Settle, KeepsNormalNumbersAndDropsTheRest) {
   for (double unknown : {Limits::infinity(), -Limits::infinity(), Limits::quiet_NaN(),
                          -Limits::quiet_NaN(), signalling}) {
     EXPECT_EQ(bits(settle(unknown)), kUnknownBits);
+  }
+}
+
+/// Each row of a function names the right one: the interpreter and compiled code both take it from
+/// there.
+TEST(Arithmetic, FunctionsAreWhatTheirNamesSay) {
+  struct Known {
+    std::vector<double> operands;
+    double value;
+  };
+  const double degree = std::numbers::pi / 180;
+  const std::map<Op, Known> examples = {
+      {Op::Sin, {{30 * degree}, 0.5}},
+      {Op::Cos, {{60 * degree}, 0.5}},
+      {Op::Tan, {{-45 * degree}, -1}},
+      {Op::Atan2, {{2, -2}, 135 * degree}},
+      {Op::Distance, {{0, 10, 0, 11}, 6371008.8 * degree}},
+      {Op::Bearing, {{0, 10, 0, 11}, 90 * degree}},
+  };
+  for (const OpInfo& row : kOps) {
+    if (row.group == OpGroup::Function) {
+      ASSERT_TRUE(examples.contains(row.op)) << "give an example of " << row.text;
+      const Known& known = examples.at(row.op);
+      EXPECT_NEAR(function(row.op, known.operands), known.value, 1e-8) << row.text;
+      for (size_t i = 0; i < row.operands; ++i) {
+        std::vector<double> operands = known.operands;
+        operands[i] = -Limits::quiet_NaN();
+        EXPECT_EQ(bits(function(row.op, operands)), kUnknownBits) << row.text;
+      }
+    }
   }
 }
 

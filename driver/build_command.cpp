@@ -7,6 +7,8 @@
 #include "compiler/user_code.h"
 #include "driver/commands.h"
 #include "driver/exit_code.h"
+#include "driver/output/emit.h"
+#include "driver/output/symbols.h"
 #include "driver/shared_options.h"
 #include "driver/terminal.h"
 #include "frontend/ast/print.h"
@@ -20,20 +22,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace glider::driver {
 namespace {
-
-enum class Emit : uint8_t { Ast, Ir, Header, Llvm, Asm, Obj, Exe };
-
-/// The values of `--emit`.
-const std::map<std::string, Emit> kEmits = {
-    {"ast", Emit::Ast}, {"ir", Emit::Ir},   {"header", Emit::Header}, {"llvm", Emit::Llvm},
-    {"asm", Emit::Asm}, {"obj", Emit::Obj}, {"exe", Emit::Exe}};
 
 struct BuildOptions {
   std::string mission;
@@ -43,30 +37,15 @@ struct BuildOptions {
   std::vector<std::string> print_after;
   std::vector<std::string> user_code;
   std::string output;
+  std::string at;  ///< of the symbols: `LINE:COLUMN`; empty: all
 };
 
 /// The file to write when none is named: beside where the command runs, named after mission and
 /// target.
 std::string outputName(const BuildOptions& options) {
   const std::string stem = std::filesystem::path(options.mission).stem().string();
-  const std::string built = fmt::format("{}-{}", stem, options.target);
-  switch (options.emit) {
-    case Emit::Ast:
-      return stem + ".ast";
-    case Emit::Ir:
-      return stem + ".ir";
-    case Emit::Header:
-      return stem + ".h";
-    case Emit::Llvm:
-      return built + ".ll";
-    case Emit::Asm:
-      return built + ".s";
-    case Emit::Obj:
-      return built + ".o";
-    case Emit::Exe:
-      return built;
-  }
-  return built;
+  const std::string built = needsTarget(options.emit) ? stem + "-" + options.target : stem;
+  return built + std::string(suffixOf(options.emit));
 }
 
 codegen::CodegenOptions codegenOptions(const BuildOptions& options,
@@ -93,6 +72,7 @@ support::Result<std::string> printStage(const BuildOptions& options,
       return ir::print(options.level == 0 ? lowered.mission : mission.mission);
     case Emit::Header:
       return ir::printHeader(lowered.in_c, lowered.mission.name);
+    case Emit::Symbols:
     case Emit::Llvm:
     case Emit::Asm:
     case Emit::Obj:
@@ -100,10 +80,6 @@ support::Result<std::string> printStage(const BuildOptions& options,
       break;
   }
   CHECK(false, "no early stage");
-}
-
-bool needsTarget(Emit emit) {
-  return emit != Emit::Ast && emit != Emit::Ir && emit != Emit::Header;
 }
 
 /// What the code generator makes of a mission, without a file of its own.
@@ -120,6 +96,7 @@ support::Result<std::string> generate(Emit emit, const codegen::Input& input,
     case Emit::Exe:
       return codegen::linkForStream(input, board, how);
     case Emit::Ast:
+    case Emit::Symbols:
     case Emit::Ir:
     case Emit::Header:
       break;
@@ -183,6 +160,16 @@ compiler::Optimised optimise(const BuildOptions& options,
   });
 }
 
+support::Result<void> write(const BuildOptions& options, const compiler::Compilation& compilation) {
+  if (options.emit == Emit::Symbols) {
+    return writeProduct(options, printSymbols(compilation, options.at));
+  }
+  const compiler::Optimised mission = optimise(options, compilation.checked);
+  return needsTarget(options.emit)
+             ? buildForTarget(options, mission)
+             : writeProduct(options, printStage(options, compilation, mission));
+}
+
 int build(BuildOptions options) {
   // The target first: a typing error there should not cost a compilation.
   if (const auto board = compiler::loadTarget(options.target); !board) {
@@ -192,21 +179,17 @@ int build(BuildOptions options) {
   if (!compiled) {
     return reportFailure(compiled.error());
   }
-  const compiler::Compilation& compilation = *compiled;
-  reportDiagnostics(compilation.diagnostics, *compilation.sources);
-  if (!compilation.checked) {
+  reportDiagnostics(compiled->diagnostics, *compiled->sources);
+  if (!compiled->checked && options.emit != Emit::Symbols) {
     return kMissionHasErrors;
   }
-  const compiler::Optimised mission = optimise(options, compilation.checked);
   options.output = options.output.empty() ? outputName(options) : options.output;
   if (overwritesInput(options)) {
     return reportFailure(
         support::fail(support::DiagnosticId::outputIsInput, options.output).error());
   }
-  const auto built = needsTarget(options.emit)
-                         ? buildForTarget(options, mission)
-                         : writeProduct(options, printStage(options, compilation, mission));
-  return built ? kFine : reportFailure(built.error());
+  const auto written = write(options, *compiled);
+  return !written ? reportFailure(written.error()) : compiled->checked ? kFine : kMissionHasErrors;
 }
 
 }  // namespace
@@ -224,12 +207,19 @@ void addBuildCommand(CLI::App& app, int& status) {
       ->capture_default_str();
   command
       ->add_option_function<std::string>(
-          "--emit", [options](const std::string& stage) { options->emit = kEmits.at(stage); },
-          "Output to write: ast, ir, header (C declarations of the mission), llvm, asm, obj or exe "
-          "[exe]")
-      ->check(CLI::IsMember(
-          std::vector<std::string>{"ast", "ir", "header", "llvm", "asm", "obj", "exe"}))
+          "--emit", [options](const std::string& stage) { options->emit = emitOf(stage); },
+          "Output to write: ast, symbols (JSON for editors: the names of the mission and where "
+          "they "
+          "are used, also of a mission with errors), ir, header (C declarations of the mission), "
+          "llvm, asm, obj or exe [exe]")
+      ->check(CLI::IsMember(emitWords()))
       ->option_text("STAGE");
+  command
+      ->add_option("--at", options->at,
+                   "With --emit symbols: write only the name at this position of MISSION, and the "
+                   "names that can be used there")
+      ->check(CLI::Validator(checkPlace, "", "place"))
+      ->option_text("LINE:COLUMN");
   command->add_option("-O", options->level, "Optimisation level, 0 to 3")
       ->check(CLI::Range(0, 3))
       ->capture_default_str();
@@ -248,7 +238,12 @@ void addBuildCommand(CLI::App& app, int& status) {
       ->add_option("-o", options->output,
                    "Output file; `-` is standard output [named after MISSION]")
       ->option_text("FILE");
-  command->callback([options, &status] { status = build(*options); });
+  command->callback([options, &status] {
+    if (!options->at.empty() && options->emit != Emit::Symbols) {
+      throw CLI::ValidationError("--at", "is for --emit symbols only");
+    }
+    status = build(*options);
+  });
 }
 
 }  // namespace glider::driver

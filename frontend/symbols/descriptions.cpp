@@ -3,6 +3,7 @@
 
 #include "frontend/symbols/descriptions.h"
 
+#include <algorithm>
 #include <string_view>
 
 namespace glider::frontend {
@@ -26,36 +27,46 @@ std::string_view commentOf(std::string_view line) {
                                                     : std::string_view();
 }
 
-std::string commentAbove(const support::SourceManager& sources, const support::SourceRange& where) {
-  constexpr uint32_t kMostLines = 8;
-  const support::LineColumn place = sources.place(where.file, where.begin);
-  const std::string_view before = sources.line(where.file, place.line).substr(0, place.column - 1);
-  if (!trimmed(before).empty()) {
-    return "";
+/// The line before offset `end`, which is the first of a line; moves `end` to its first.
+std::string_view lineBefore(std::string_view text, size_t& end) {
+  const size_t last = end - 1;
+  const size_t newline = last == 0 ? std::string_view::npos : text.rfind('\n', last - 1);
+  end = newline == std::string_view::npos ? 0 : newline + 1;
+  return text.substr(end, last - end);
+}
+
+/// Of what begins at `begin`, if it begins its line. Reads no other line than those of the comment
+/// and one more: a file may be one long line with many declarations.
+std::string commentAbove(std::string_view text, size_t begin) {
+  constexpr int kMostLines = 8;
+  while (begin > 0 && (text[begin - 1] == ' ' || text[begin - 1] == '\t')) {
+    --begin;
   }
-  std::string text;
-  for (uint32_t line = place.line - 1; line > 0 && place.line - line <= kMostLines; --line) {
-    const std::string_view comment = commentOf(sources.line(where.file, line));
+  std::string all;
+  for (int i = 0; i < kMostLines && begin > 0 && text[begin - 1] == '\n'; ++i) {
+    const std::string_view comment = commentOf(lineBefore(text, begin));
     if (comment.empty() || comment.starts_with("SPDX-")) {
       break;
     }
-    text = std::string(comment) + (text.empty() ? "" : " ") + text;
+    all = std::string(comment) + (all.empty() ? "" : " ") + all;
   }
-  return text;
+  return all;
 }
 
-std::string_view commentBehind(const support::SourceManager& sources,
-                               const support::SourceRange& where) {
-  const std::string_view rest = std::string_view(sources.text(where.file)).substr(where.end);
-  return commentOf(rest.substr(0, rest.find('\n')));
+std::string_view commentBehind(std::string_view text, size_t end) {
+  const std::string_view rest =
+      text.substr(std::min(text.find_first_not_of(" \t", end), text.size()));
+  const bool comment = rest.starts_with('#') || rest.starts_with("//");
+  return comment ? commentOf(rest.substr(0, rest.find('\n'))) : std::string_view();
 }
 
 /// The declaration without comments and line breaks, shortened.
 std::string onOneLine(std::string_view text) {
   constexpr size_t kLongest = 100;
+  constexpr size_t kMostRead = 1000;
   std::string out;
   bool comment = false;
-  for (char c : text) {
+  for (char c : text.substr(0, kMostRead)) {
     comment = c == '#' || (comment && c != '\n');
     const bool blank = comment || kBlanks.contains(c);
     if (!blank) {
@@ -70,10 +81,11 @@ std::string onOneLine(std::string_view text) {
 }  // namespace
 
 std::string describe(const support::SourceManager& sources, const support::SourceRange& where) {
-  if (const std::string_view behind = commentBehind(sources, where); !behind.empty()) {
+  const std::string_view text = sources.text(where.file);
+  if (const std::string_view behind = commentBehind(text, where.end); !behind.empty()) {
     return std::string(behind);
   }
-  const std::string above = commentAbove(sources, where);
+  const std::string above = commentAbove(text, where.begin);
   return above.empty() ? onOneLine(sources.text(where)) : above;
 }
 

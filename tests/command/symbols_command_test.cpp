@@ -57,8 +57,9 @@ TEST(SymbolsCommand, OfARightMission) {
 
 TEST(SymbolsCommand, OfABrokenMissionWithABrokenImport) {
   const TemporaryFolder folder;
-  folder.write("good.mission", "const home = 39.2 N 73.9 W\n");
-  folder.write("bad.mission", "const far = 200 m\nconst farther =\nimport \"good\"\n");
+  const auto good = folder.write("good.mission", "const home = 39.2 N 73.9 W\n");
+  const auto bad =
+      folder.write("bad.mission", "const far = 200 m\nconst farther =\nimport \"good\"\n");
   const std::string file =
       folder
           .write("m.mission",
@@ -71,10 +72,11 @@ TEST(SymbolsCommand, OfABrokenMissionWithABrokenImport) {
   const json table = json::parse(outcome.out);
   const json far = named(table, "far");
   EXPECT_EQ(far["type"], "length");
-  EXPECT_THAT(std::string(far["declared"]["file"]), HasSubstr("bad.mission"));
+  EXPECT_EQ(far["declared"]["file"], bad.string());
   EXPECT_EQ(far["uses"][0]["begin"], place(9, 27));
   EXPECT_EQ(far["uses"][0]["end"], place(9, 30));
   EXPECT_EQ(named(table, "home")["type"], "position");
+  EXPECT_EQ(named(table, "home")["declared"]["file"], good.string());
   EXPECT_EQ(named(table, "farther")["type"], nullptr);
   EXPECT_EQ(named(table, "s")["kind"], "state");
   EXPECT_EQ(named(table, "nav")["kind"], "route");

@@ -68,7 +68,9 @@ void checkSymbols(const support::SourceManager& sources, uint32_t file, const as
       check(symbol, use);
     }
   }
-  table.visibleAt(file, static_cast<uint32_t>(sources.text(file).size() / 2));
+  const auto middle = static_cast<uint32_t>(sources.text(file).size() / 2);
+  CHECK(table.visibleAt(file, middle).size() <= table.symbols().size(),
+        "more names than there are");
 }
 
 }  // namespace

@@ -167,19 +167,23 @@ TEST(Symbols, AHalfTypedGuard) {
 }
 
 TEST(Symbols, WithoutAnEndOrABegin) {
-  const std::string first = "mission m\nstate s begin\n  var laps: number = 0\n  events\n";
-  const std::string cases = "    case laps > 1 do set laps = 0 end stay\n";
-  const std::string second = "state t begin events case true goto s end\n";
+  const std::string head = "mission m\nstate s begin\n";
+  const std::string members = "  var laps: number = 0\n  events\n";
+  const std::string first = "    case laps > 1 do set laps = 0 end stay\n";
+  const std::string last = "    case laps > 2 exit\n";
+  const std::string next = "state t begin events case true goto s end\n";
   for (const std::string& text :
-       {first + cases + second,
-        "mission m\nstate s\n" + first.substr(24) + cases + "end\n" + second,
-        first + "    case laps > 1 do set laps = 0 stay\nend\n" + second,
-        first + "    case laps > 1 set laps = 0 end stay\nend\n" + second}) {
+       {head + members + first + last + next,
+        "mission m\nstate s\n" + members + first + last + "end\n" + next,
+        head + members + "    case laps > 1 do set laps = 0 stay\n" + last + "end\n" + next,
+        head + members + "    case laps > 1 set laps = 0 end stay\n" + last + "end\n" + next}) {
     const SymbolsRun run(text);
     EXPECT_THAT(run.at("var laps"), HasSubstr("variable s.laps: number at 3:7, used 5:10 5:"))
         << text;
+    EXPECT_THAT(run.at("var laps"), HasSubstr(" 6:10")) << text;
     EXPECT_THAT(run.at("state s"), HasSubstr("state s: s at 2:7, used ")) << text;
     EXPECT_THAT(run.at("state t"), HasSubstr("state t: t at ")) << text;
+    EXPECT_TRUE(run.sees("laps > 2", "laps")) << text;
     EXPECT_FALSE(run.sees("case true", "laps")) << text;
   }
 }

@@ -7,6 +7,7 @@
 #include "compiler/user_code.h"
 #include "driver/commands.h"
 #include "driver/exit_code.h"
+#include "driver/output/symbols.h"
 #include "driver/shared_options.h"
 #include "driver/terminal.h"
 #include "frontend/ast/print.h"
@@ -25,8 +26,15 @@
 namespace glider::driver {
 namespace {
 
-/// The syntax tree is no back end's product: none sees it.
+/// Products of the front end, which no back end sees.
 constexpr codegen::Product kSyntaxTree{.name = "ast", .suffix = ".ast"};
+constexpr codegen::Product kSymbols{
+    .name = "symbols",
+    .suffix = ".symbols.json",
+    .note =
+        "JSON for editors: the names of the mission and where they are used, also of a mission "
+        "with errors"};
+constexpr const codegen::Product* kOfTheFrontEnd[] = {&kSyntaxTree, &kSymbols};
 
 struct BuildOptions {
   std::string mission;
@@ -36,6 +44,7 @@ struct BuildOptions {
   std::vector<std::string> print_after;
   std::vector<std::string> user_code;
   std::string output;
+  std::string at;  ///< of the symbols: `LINE:COLUMN`; empty: all
 };
 
 /// What `--emit` can name; with a `board`, for that board only.
@@ -46,7 +55,7 @@ std::vector<const codegen::Product*> emitted(const platforms::Board* board = nul
       return codegen::findProduct(product->name, *board) == nullptr;
     });
   }
-  all.insert(all.begin(), &kSyntaxTree);
+  all.insert(all.begin(), std::begin(kOfTheFrontEnd), std::end(kOfTheFrontEnd));
   return all;
 }
 
@@ -73,8 +82,12 @@ std::string emittedInWords() {
 /// What `--emit` names, made for `board`. Throws what CLI11 throws of bad usage if no back end
 /// makes it for that board.
 const codegen::Product& chosenProduct(const BuildOptions& options, const platforms::Board& board) {
-  const codegen::Product* product =
-      options.emit == kSyntaxTree.name ? &kSyntaxTree : codegen::findProduct(options.emit, board);
+  for (const codegen::Product* product : kOfTheFrontEnd) {
+    if (options.emit == product->name) {
+      return *product;
+    }
+  }
+  const codegen::Product* product = codegen::findProduct(options.emit, board);
   if (product == nullptr) {
     throw CLI::ValidationError(
         "--emit", fmt::format("{} cannot be made for target {}; it can be {}", options.emit,
@@ -99,15 +112,20 @@ codegen::CodegenOptions codegenOptions(const BuildOptions& options,
   return result;
 }
 
-support::Result<void> writeSyntaxTree(const BuildOptions& options,
-                                      const compiler::Compilation& compilation) {
-  if (!compilation.parsed) {
-    return support::fail(support::DiagnosticId::noSyntaxTree, options.mission);
+support::Result<std::string> printSyntaxTree(const BuildOptions& options,
+                                             const compiler::Compilation& compilation) {
+  return compilation.parsed ? support::Result<std::string>(ast::print(compilation.parsed->mission))
+                            : support::fail(support::DiagnosticId::noSyntaxTree, options.mission);
+}
+
+support::Result<void> writeText(const BuildOptions& options,
+                                const support::Result<std::string>& text) {
+  if (!text) {
+    return std::unexpected(text.error());
   }
-  const std::string text = ast::print(compilation.parsed->mission);
   return options.output == "-"
-             ? printOut(text)
-             : support::writeFileAtomically(options.output, text, support::FileKind::Product);
+             ? printOut(*text)
+             : support::writeFileAtomically(options.output, *text, support::FileKind::Product);
 }
 
 support::Result<void> writeProduct(const codegen::Product& product, const BuildOptions& options,
@@ -163,6 +181,17 @@ compiler::Optimised optimise(const BuildOptions& options,
   });
 }
 
+support::Result<void> write(const codegen::Product& product, const BuildOptions& options,
+                            const platforms::Board& board,
+                            const compiler::Compilation& compilation) {
+  if (&product == &kSymbols) {
+    return writeText(options, printSymbols(compilation, options.at));
+  }
+  const compiler::Optimised mission = optimise(options, compilation.checked);
+  return &product == &kSyntaxTree ? writeText(options, printSyntaxTree(options, compilation))
+                                  : buildProduct(product, options, board, mission);
+}
+
 int build(BuildOptions options) {
   // The target first: a typing error there should not cost a compilation.
   const auto board = compiler::loadTarget(options.target);
@@ -176,18 +205,18 @@ int build(BuildOptions options) {
   }
   const compiler::Compilation& compilation = *compiled;
   reportDiagnostics(compilation.diagnostics, *compilation.sources);
-  if (!compilation.checked) {
+  if (!compilation.checked && &product != &kSymbols) {
     return kMissionHasErrors;
   }
-  const compiler::Optimised mission = optimise(options, compilation.checked);
   options.output = options.output.empty() ? outputName(options, product) : options.output;
   if (overwritesInput(options, product)) {
     return reportFailure(
         support::fail(support::DiagnosticId::outputIsInput, options.output).error());
   }
-  const auto built = &product == &kSyntaxTree ? writeSyntaxTree(options, compilation)
-                                              : buildProduct(product, options, *board, mission);
-  return built ? kFine : reportFailure(built.error());
+  const auto written = write(product, options, *board, compilation);
+  return !written              ? reportFailure(written.error())
+         : compilation.checked ? kFine
+                               : kMissionHasErrors;
 }
 
 }  // namespace
@@ -206,6 +235,12 @@ void addBuildCommand(CLI::App& app, int& status) {
   command->add_option("--emit", options->emit, "Output to write: " + emittedInWords() + " [exe]")
       ->check(CLI::IsMember(namesOf(emitted())))
       ->option_text("STAGE");
+  command
+      ->add_option("--at", options->at,
+                   "With --emit symbols: write only the name at this position of MISSION, and the "
+                   "names that can be used there")
+      ->check(CLI::Validator(checkPlace, "", "place"))
+      ->option_text("LINE:COLUMN");
   command->add_option("-O", options->level, "Optimisation level, 0 to 3")
       ->check(CLI::Range(0, 3))
       ->capture_default_str();
@@ -224,7 +259,12 @@ void addBuildCommand(CLI::App& app, int& status) {
       ->add_option("-o", options->output,
                    "Output file; `-` is standard output [named after MISSION]")
       ->option_text("FILE");
-  command->callback([options, &status] { status = build(*options); });
+  command->callback([options, &status] {
+    if (!options->at.empty() && options->emit != kSymbols.name) {
+      throw CLI::ValidationError("--at", "is for --emit symbols only");
+    }
+    status = build(*options);
+  });
 }
 
 }  // namespace glider::driver

@@ -24,6 +24,10 @@ namespace glider::frontend {
 std::optional<ast::File> parse(const support::SourceManager& sources, uint32_t file,
                                support::DiagnosticEngine& diagnostics);
 
+/// What of a file parses item by item, for tools that go on where `parse` gives up: items with
+/// mistakes are left out. Reports nothing.
+ast::File parseIntact(const support::SourceManager& sources, uint32_t file);
+
 /// What a mission is compiled against.
 struct AnalysisInputs {
   const platforms::Platform& platform;    ///< the one that platformName() names

@@ -53,10 +53,14 @@ fs::path locate(const fs::path& importer, const std::string& name) {
   return !fs::exists(full, ignored) && fs::exists(plain, ignored) ? plain : full;
 }
 
+/// How an imported file is parsed: `parse`, or parseIntact.
+using Parser = std::optional<ast::File> (*)(const support::SourceManager&, uint32_t,
+                                            support::DiagnosticEngine&);
+
 class Importer {
  public:
-  Importer(support::SourceManager& sources, support::DiagnosticEngine& diagnostics)
-      : sources_(sources), diagnostics_(diagnostics) {}
+  Importer(support::SourceManager& sources, support::DiagnosticEngine& diagnostics, Parser parser)
+      : sources_(sources), diagnostics_(diagnostics), parser_(parser) {}
 
   /// The depth is bounded by kLongestChain.
   void importAll(const ast::File& file) {
@@ -71,9 +75,8 @@ class Importer {
     chain_.pop_back();
   }
 
-  std::optional<std::deque<ast::File>> take() {
-    return whole_ ? std::optional(std::move(files_)) : std::nullopt;
-  }
+  [[nodiscard]] bool whole() const { return whole_; }
+  std::deque<ast::File> take() { return std::move(files_); }
 
  private:
   /// A file that is being read, and the import in it that is being followed.
@@ -115,7 +118,7 @@ class Importer {
       return;
     }
     const uint32_t number = sources_.add(path.string(), std::move(*text));
-    auto file = parse(sources_, number, diagnostics_);
+    auto file = parser_(sources_, number, diagnostics_);
     whole_ = whole_ && file;
     if (file) {
       importAll(*file);
@@ -147,6 +150,7 @@ class Importer {
 
   support::SourceManager& sources_;
   support::DiagnosticEngine& diagnostics_;
+  Parser parser_;
   std::vector<Link> chain_;  ///< outermost first
   std::set<std::string> known_;
   std::deque<ast::File> files_;
@@ -158,7 +162,18 @@ class Importer {
 std::optional<std::deque<ast::File>> loadImports(const ast::File& file,
                                                  support::SourceManager& sources,
                                                  support::DiagnosticEngine& diagnostics) {
-  Importer importer(sources, diagnostics);
+  Importer importer(sources, diagnostics, parse);
+  importer.importAll(file);
+  return importer.whole() ? std::optional(importer.take()) : std::nullopt;
+}
+
+std::deque<ast::File> loadIntactImports(const ast::File& file, support::SourceManager& sources) {
+  support::DiagnosticEngine quiet;
+  Importer importer(
+      sources, quiet,
+      [](const support::SourceManager& all, uint32_t number, support::DiagnosticEngine&) {
+        return std::optional(parseIntact(all, number));
+      });
   importer.importAll(file);
   return importer.take();
 }

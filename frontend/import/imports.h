@@ -22,4 +22,8 @@ std::optional<std::deque<ast::File>> loadImports(const ast::File& file,
                                                  support::SourceManager& sources,
                                                  support::DiagnosticEngine& diagnostics);
 
+/// The same for tools that go on where `loadImports` gives up: the files that can be read, each as
+/// parseIntact reads it. Reports nothing.
+std::deque<ast::File> loadIntactImports(const ast::File& file, support::SourceManager& sources);
+
 }  // namespace glider::frontend

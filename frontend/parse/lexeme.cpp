@@ -49,6 +49,11 @@ std::vector<Lexeme> lex(std::string_view text, size_t start) {
   return lexemes;
 }
 
+std::vector<Lexeme> lex(const Source& source) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  return lex(source.text(), source.text().starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0);
+}
+
 bool isStateName(const Source& source, std::string_view word) {
   constexpr std::string_view kState = "state";
   constexpr std::string_view kBlank = " \t\r\n";

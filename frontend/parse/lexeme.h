@@ -5,6 +5,7 @@
 
 #include "support/source_manager.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -18,6 +19,9 @@ struct Lexeme {
   uint32_t begin = 0;
   uint32_t end = 0;
 };
+
+/// Files with more bytes are not read.
+inline constexpr size_t kLargestFile = 8U << 20U;
 
 /// The text that tokens are of.
 struct Source {
@@ -38,6 +42,8 @@ bool isStateName(const Source& source, std::string_view word);
 
 /// The tokens of a file, one of type end-of-file last. `start` skips a byte order mark.
 std::vector<Lexeme> lex(std::string_view text, size_t start);
+/// The tokens of `source`, without its byte order mark.
+std::vector<Lexeme> lex(const Source& source);
 
 bool isHardKeyword(uint32_t type);
 /// May stand where the grammar says `name` (soft keywords included).

@@ -17,9 +17,6 @@ using support::DiagnosticId;
 
 namespace {
 
-constexpr size_t kLargestFile = 8U << 20U;
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-
 /// The length of the UTF-8 character at `at`; 0 if there is none (RFC 3629, table 3-7 of the
 /// Unicode standard).
 size_t characterLength(std::string_view text, size_t at) {
@@ -101,7 +98,33 @@ class Parse {
     return thorough();
   }
 
+  /// The items that parse, each by itself.
+  ast::File intact() {
+    mode(antlr4::atn::PredictionMode::SLL, std::make_shared<antlr4::BailErrorStrategy>());
+    ast::File file = emptyFile();
+    while (tokens_.LA(1) != antlr4::Token::EOF) {
+      const size_t start = tokens_.index();
+      try {
+        file.items.push_back(builder_.item(parser_.item()));
+      } catch (const antlr4::ParseCancellationException&) {
+        parser_.reset();
+        skipToItem(start + 1);
+      }
+      parser_.getTreeTracker().reset();
+    }
+    return file;
+  }
+
  private:
+  void skipToItem(size_t from) {
+    tokens_.seek(from);
+    for (size_t type = tokens_.LA(1);
+         type != antlr4::Token::EOF && !startsItem(static_cast<uint32_t>(type));
+         type = tokens_.LA(1)) {
+      tokens_.consume();
+    }
+  }
+
   void mode(antlr4::atn::PredictionMode mode,
             const std::shared_ptr<antlr4::ANTLRErrorStrategy>& strategy) {
     tokens_.seek(0);
@@ -165,8 +188,7 @@ std::optional<ast::File> parse(const support::SourceManager& sources, uint32_t f
   if (!checkEncoding(source, reporter)) {
     return std::nullopt;
   }
-  const size_t start = source.text().starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
-  const std::vector<Lexeme> lexemes = lex(source.text(), start);
+  const std::vector<Lexeme> lexemes = lex(source);
   if (lexemes.size() == 1) {
     reporter.at(lexemes.back(), DiagnosticId::emptyFile);
     return std::nullopt;
@@ -180,6 +202,22 @@ std::optional<ast::File> parse(const support::SourceManager& sources, uint32_t f
     reporter.at(lexemes.back(), DiagnosticId::tooManyErrors, SyntaxReporter::kMostMistakes);
   }
   return result;
+}
+
+ast::File parseIntact(const support::SourceManager& sources, uint32_t file) {
+  support::DiagnosticEngine quiet;
+  const Source source{sources, file};
+  SyntaxReporter reporter(source, quiet);
+  if (!checkEncoding(source, reporter)) {
+    return {file, {}};
+  }
+  std::vector<Lexeme> lexemes = repair(lex(source), reporter).lexemes;
+  if (lexemes.empty() || lexemes.back().type != kEof) {
+    // Repair stops where there is too much to repair.
+    const uint32_t end = lexemes.empty() ? 0 : lexemes.back().end;
+    lexemes.push_back({kEof, end, end});
+  }
+  return Parse(lexemes, reporter).intact();
 }
 
 }  // namespace glider::frontend

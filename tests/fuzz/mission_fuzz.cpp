@@ -6,6 +6,7 @@
 
 #include "frontend/format/format.h"
 #include "frontend/frontend.h"
+#include "frontend/symbols.h"
 #include "support/check.h"
 #include "support/diagnostics/render.h"
 #include "support/files.h"
@@ -49,6 +50,29 @@ void checkFormat(const support::SourceManager& sources, uint32_t file, const ast
   CHECK(frontend::format(again, formatted, quiet) == once, "formatting again changes the text");
 }
 
+/// Names stand in the text and do not overlap, and what can be looked up is what is in the table.
+void checkSymbols(const support::SourceManager& sources, uint32_t file, const ast::File& standard) {
+  const ast::File intact = frontend::parseIntact(sources, file);
+  const auto table = frontend::symbolsOf(intact, {slocum(), {&standard}, sources});
+  const auto check = [&](const frontend::Symbol& symbol, const support::SourceRange& range) {
+    const std::string_view text = sources.text(range);
+    CHECK(text == symbol.name || text == symbol.vehicle_name, "a name stands elsewhere");
+    CHECK(table.at(range.file, range.begin) == &symbol, "a name is not found where it stands");
+  };
+  for (const frontend::Symbol& symbol : table.symbols()) {
+    CHECK(!symbol.name.empty(), "a symbol has no name");
+    if (symbol.where.valid()) {
+      check(symbol, symbol.where);
+    }
+    for (const support::SourceRange& use : symbol.uses) {
+      check(symbol, use);
+    }
+  }
+  const auto middle = static_cast<uint32_t>(sources.text(file).size() / 2);
+  CHECK(table.visibleAt(file, middle).size() <= table.symbols().size(),
+        "more names than there are");
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
@@ -73,6 +97,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
       checkFormat(sources, file, *parsed);
     }
   }
+  checkSymbols(sources, file, standard);
   support::render(diagnostics, sources, false);
   for (const support::Diagnostic& d : diagnostics.sorted()) {
     CHECK(d.range.begin <= d.range.end && d.range.end <= sources.text(d.range.file).size(),

@@ -15,17 +15,17 @@ struct WindowFunction {
 };
 
 constexpr Function kFunctions[] = {
-#define FUNCTION(name, op, ...) {#name, ir::Op::op, #__VA_ARGS__},
+#define FUNCTION(name, op, what, ...) {#name, ir::Op::op, #__VA_ARGS__},
 #include "frontend/sema/names/functions.def"
 };
 
 constexpr std::string_view kEarth[] = {
-#define EARTH_FUNCTION(name) #name,
+#define EARTH_FUNCTION(name, use, what) #name,
 #include "frontend/sema/names/functions.def"
 };
 
 constexpr WindowFunction kWindows[] = {
-#define WINDOW_FUNCTION(name, kind) {#name, ir::TemporalKind::kind},
+#define WINDOW_FUNCTION(name, kind, use, what) {#name, ir::TemporalKind::kind},
 #include "frontend/sema/names/functions.def"
 };
 
@@ -54,14 +54,25 @@ bool isFunctionName(std::string_view name) {
 }
 
 const std::vector<std::string_view>& functionNames() {
-  static const std::vector<std::string_view> names = {
-#define FUNCTION(name, op, ...) #name,
-#define EARTH_FUNCTION(name) #name,
-#define SPAN_FUNCTION(name) #name,
-#define WINDOW_FUNCTION(name, kind) #name,
+  static const std::vector<std::string_view> names = [] {
+    std::vector<std::string_view> list;
+    for (const FunctionText& function : functionTexts()) {
+      list.push_back(function.name);
+    }
+    return list;
+  }();
+  return names;
+}
+
+std::span<const FunctionText> functionTexts() {
+  static constexpr FunctionText kTexts[] = {
+#define FUNCTION(name, op, what, ...) {#name, #name "(" #__VA_ARGS__ ")", what},
+#define EARTH_FUNCTION(name, use, what) {#name, use, what},
+#define SPAN_FUNCTION(name, use, what) {#name, use, what},
+#define WINDOW_FUNCTION(name, kind, use, what) {#name, use, what},
 #include "frontend/sema/names/functions.def"
   };
-  return names;
+  return kTexts;
 }
 
 }  // namespace glider::frontend

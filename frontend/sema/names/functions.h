@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -35,5 +36,14 @@ bool isFunctionName(std::string_view name);
 
 /// All of them.
 const std::vector<std::string_view>& functionNames();
+
+/// A function as a pilot reads of it.
+struct FunctionText {
+  std::string_view name;
+  std::string_view use;   ///< "clamp(x, lowest, highest)"
+  std::string_view what;  ///< one line
+};
+/// All of them, in the order of functionNames.
+std::span<const FunctionText> functionTexts();
 
 }  // namespace glider::frontend

@@ -29,6 +29,10 @@ std::optional<Clock> findClock(std::string_view name) {
   return std::nullopt;
 }
 
+std::span<const std::string_view> clockNames() {
+  return kClocks;
+}
+
 std::string Scope::text(const support::SourceRange& range) const {
   constexpr size_t kLongest = 60;
   std::string out;

@@ -77,6 +77,8 @@ struct StateDeclaration {
 /// The three clocks of the language: names that every mission has.
 enum class Clock : uint8_t { MissionTime, StateTime, ResumeTime };
 std::optional<Clock> findClock(std::string_view name);
+/// Their names, in the order of Clock.
+std::span<const std::string_view> clockNames();
 
 /// What analysis knows: the names of a mission, and the mission as far as it is lowered.
 class Scope {

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "compiler/symbols.h"
+
+#include "compiler/share.h"
+#include "frontend/import/imports.h"
+#include "support/files.h"
+
+#include <filesystem>
+#include <iterator>
+#include <utility>
+
+namespace glider::compiler {
+namespace {
+
+using support::Result;
+
+constexpr uint32_t kMission = 0;
+
+/// The platform that the mission names; one without sensors if there is none of that name.
+Result<platforms::Platform> platformOf(const ast::File& mission) {
+  const std::filesystem::path file = platformFile(frontend::platformName(mission));
+  std::error_code ignored;
+  return std::filesystem::exists(file, ignored)
+             ? platforms::loadPlatform(file)
+             : Result<platforms::Platform>(platforms::Platform{});
+}
+
+/// What can be read of a mission with errors.
+Result<Parsed> readIntact(support::SourceManager& sources) {
+  Parsed parsed;
+  parsed.mission = frontend::parseIntact(sources, kMission);
+  auto platform = platformOf(parsed.mission);
+  if (!platform) {
+    return std::unexpected(platform.error());
+  }
+  parsed.platform = std::move(*platform);
+  const std::filesystem::path library = shareDirectory() / "library" / "standard.mission";
+  auto text = support::readFile(library);
+  if (!text) {
+    return std::unexpected(text.error());
+  }
+  parsed.standard_library = sources.add(library.string(), std::move(*text));
+  parsed.libraries.push_back(frontend::parseIntact(sources, parsed.standard_library));
+  std::ranges::move(frontend::loadIntactImports(parsed.mission, sources),
+                    std::back_inserter(parsed.libraries));
+  return parsed;
+}
+
+Symbols namesOf(const Parsed& parsed, std::shared_ptr<const support::SourceManager> sources) {
+  frontend::AnalysisInputs inputs{parsed.platform, {}, *sources};
+  for (const ast::File& library : parsed.libraries) {
+    inputs.library.push_back(&library);
+  }
+  frontend::SymbolTable table = frontend::symbolsOf(parsed.mission, inputs);
+  return {std::move(sources), std::move(table)};
+}
+
+}  // namespace
+
+Result<Symbols> symbolsOf(const Compilation& compilation) {
+  const std::string& path = compilation.sources->name(kMission);
+  if (std::filesystem::path(path).extension() == ".ir") {
+    return support::fail(support::DiagnosticId::noSyntaxTree, path);
+  }
+  if (compilation.parsed) {
+    return namesOf(*compilation.parsed, compilation.sources);
+  }
+  // What is read now is not the compilation's: its sources stay as they are.
+  auto sources = std::make_shared<support::SourceManager>(*compilation.sources);
+  const auto parsed = readIntact(*sources);
+  return parsed ? Result<Symbols>(namesOf(*parsed, sources)) : std::unexpected(parsed.error());
+}
+
+}  // namespace glider::compiler

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "frontend/symbols.h"
+#include "support/source_manager.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace glider::frontend {
+
+/// `depth: length`; the type is empty if it is not there.
+struct OutlineFormal {
+  support::SourceRange name;
+  std::string type;
+};
+
+/// What a declaration says before its value or body.
+struct OutlineDeclaration {
+  SymbolKind kind = SymbolKind::Mission;
+  support::SourceRange name;
+  support::SourceRange where;    ///< as far as its end is plain: of states up to the body
+  std::optional<uint32_t> body;  ///< the one that it stands in
+  bool external = false;         ///< after `extern`
+  bool typed = false;            ///< it has a colon
+  std::string type;              ///< after that, without blanks; empty: it is not there
+  bool parenthesised = false;
+  bool formals_broken = false;
+  std::vector<OutlineFormal> formals;
+};
+
+/// The text of a state, profile or route from its keyword to its `end`, or to what comes next if
+/// that is missing.
+struct OutlineBody {
+  support::SourceRange where;
+  uint32_t declaration = 0;
+};
+
+/// What the place of a name says about what it means.
+enum class Naming : uint8_t { Value, Function, Command, State, Behaviour, Platform };
+
+/// A name that is used.
+struct OutlineUse {
+  Naming naming = Naming::Value;
+  support::SourceRange where;
+  std::optional<uint32_t> body;  ///< the one that it stands in
+};
+
+/// What a file declares and which names it uses, in the order of the text.
+struct Outline {
+  std::vector<OutlineDeclaration> declarations;
+  std::vector<OutlineBody> bodies;
+  std::vector<OutlineUse> uses;
+};
+
+/// Goes by the words of the text alone, not by the grammar, so that a mistake spoils nothing but
+/// the declaration that it is in.
+Outline outlineOf(const support::SourceManager& sources, uint32_t file);
+
+}  // namespace glider::frontend

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "frontend/parse/outline_header.h"
+
+#include "frontend/parse/token_kinds.h"
+
+namespace glider::frontend {
+namespace {
+
+class HeaderReader {
+ public:
+  HeaderReader(const Source& source, const std::vector<Lexeme>& lexemes, size_t at)
+      : source_(source), lexemes_(lexemes), at_(at) {}
+
+  size_t run(OutlineDeclaration& declaration) {
+    if (takesFormals(declaration) && take(GliderLexer::LPAREN)) {
+      formals(declaration);
+    }
+    if (take(GliderLexer::COLON)) {
+      declaration.typed = true;
+      declaration.type = typeName();
+    }
+    return at_;
+  }
+
+ private:
+  static bool takesFormals(const OutlineDeclaration& declaration) {
+    return declaration.kind == SymbolKind::State || declaration.kind == SymbolKind::Profile ||
+           declaration.kind == SymbolKind::Route || declaration.kind == SymbolKind::Function;
+  }
+
+  [[nodiscard]] uint32_t type() const { return lexemes_[at_].type; }
+
+  /// The last token, the end of the file, is never taken.
+  bool take(uint32_t wanted) {
+    const bool there = type() == wanted;
+    at_ += there ? 1U : 0U;
+    return there;
+  }
+
+  void formals(OutlineDeclaration& declaration) {
+    declaration.parenthesised = true;
+    while (!take(GliderLexer::RPAREN)) {
+      if (type() == kEof || isHardKeyword(type())) {
+        declaration.formals_broken = true;
+        return;
+      }
+      formal(declaration);
+    }
+  }
+
+  /// `top: length` and the comma after it. Takes at least one token.
+  void formal(OutlineDeclaration& declaration) {
+    if (!isAnyName(type())) {
+      declaration.formals_broken = true;
+      ++at_;
+      return;
+    }
+    OutlineFormal formal{source_.range(lexemes_[at_]), ""};
+    ++at_;
+    if (take(GliderLexer::COLON)) {
+      formal.type = typeName();
+    }
+    declaration.formals.push_back(std::move(formal));
+    const bool separated =
+        take(GliderLexer::COMMA) ? type() != GliderLexer::RPAREN : type() == GliderLexer::RPAREN;
+    declaration.formals_broken = declaration.formals_broken || !separated;
+  }
+
+  /// `temperature/length`
+  std::string typeName() {
+    std::string text;
+    while (isName(type())) {
+      text += source_.text(lexemes_[at_++]);
+      if (!oneOf(type(), {GliderLexer::TIMES, GliderLexer::DIVIDE})) {
+        return text;
+      }
+      text += source_.text(lexemes_[at_++]);
+    }
+    return "";
+  }
+
+  const Source& source_;
+  const std::vector<Lexeme>& lexemes_;
+  size_t at_;
+};
+
+}  // namespace
+
+size_t readHeader(const Source& source, const std::vector<Lexeme>& lexemes, size_t at,
+                  OutlineDeclaration& declaration) {
+  return HeaderReader(source, lexemes, at).run(declaration);
+}
+
+}  // namespace glider::frontend

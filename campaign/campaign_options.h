@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "campaign/campaign.h"
+#include "campaign/fly_all.h"
 #include "flights/launch_choice.h"
 #include "support/result.h"
 

@@ -2,11 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "campaign/campaign.h"
-#include "campaign/campaign_boards.h"
-#include "campaign/campaign_csv.h"
-#include "campaign/campaign_options.h"
-#include "campaign/campaign_table.h"
-#include "campaign/faults_toml.h"
 #include "codegen/digest.h"
 #include "driver/commands.h"
 #include "driver/compile_for_flight.h"

@@ -3,8 +3,7 @@
 
 #include "driver/check_mission.h"
 
-#include "analysis/closed_loop.h"
-#include "analysis/mission_budget.h"
+#include "analysis/analysis.h"
 #include "compiler/proof_cache.h"
 #include "compiler/proving.h"
 #include "driver/check_progress.h"

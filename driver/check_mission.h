@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "analysis/way_home.h"
+#include "analysis/analysis.h"
 #include "compiler/compilation.h"
 #include "ir/prove/prove.h"
 #include "report/findings/findings.h"

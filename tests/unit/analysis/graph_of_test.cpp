@@ -3,7 +3,7 @@
 
 // The graph of a mission: all that is told of states and cases, in the mission's own words.
 
-#include "analysis/graph_of.h"
+#include "analysis/analysis.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 // How long the way home takes, and after which silence it begins.
 
-#include "analysis/way_home.h"
+#include "analysis/analysis.h"
 
 #include "tests/support/command.h"
 

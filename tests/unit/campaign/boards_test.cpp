@@ -3,7 +3,7 @@
 
 // Which boards' binaries can fly here.
 
-#include "campaign/campaign_boards.h"
+#include "campaign/campaign.h"
 #include "tests/support/command.h"
 
 #include <gtest/gtest.h>

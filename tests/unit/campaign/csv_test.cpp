@@ -3,7 +3,7 @@
 
 // The table of flights: what stands in it, and that it is read back as it was written.
 
-#include "campaign/campaign_csv.h"
+#include "campaign/campaign.h"
 #include "tests/support/command.h"
 #include "tests/unit/campaign/small_plan.h"
 

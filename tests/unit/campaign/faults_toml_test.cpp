@@ -3,7 +3,7 @@
 
 // What went wrong in a flight, as a scenario file: every fault word for word, and read back.
 
-#include "campaign/faults_toml.h"
+#include "campaign/campaign.h"
 
 #include "simulator/scenario/scenario.h"
 #include "tests/support/command.h"

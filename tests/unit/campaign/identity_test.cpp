@@ -3,7 +3,7 @@
 
 // What a campaign's flights depend on, and the command that flies one again.
 
-#include "campaign/campaign_options.h"
+#include "campaign/campaign.h"
 #include "simulator/scenario/scenario.h"
 #include "tests/support/command.h"
 

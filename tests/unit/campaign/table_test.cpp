@@ -3,7 +3,7 @@
 
 // What is told at the end of a campaign.
 
-#include "campaign/campaign_table.h"
+#include "campaign/campaign.h"
 
 #include <gtest/gtest.h>
 

@@ -92,7 +92,7 @@ TEST(BackEnds, PrintTheMissionAsItWasWrittenAtLevelZero) {
   const Checked checked = figure2();
   ir::Mission written = checked.mission;
   written.name = "asWritten";
-  const codegen::Input input{checked.mission, 1, &written};
+  const codegen::Input input{checked.mission, checked.platform, 1, &written};
   const codegen::Product& product = *findProduct("ir", board("host"));
   codegen::CodegenOptions options;
   EXPECT_EQ(product.make(input, board("host"), options).value_or(""), ir::print(checked.mission));
@@ -111,7 +111,8 @@ TEST(BackEnds, DeclareInCWhatTheMissionDeclaresUsedOrNot) {
   declared.sensors.push_back(salinity);
   const codegen::Product& product = *findProduct("header", board("host"));
   EXPECT_THAT(
-      product.make({checked.mission, 1, nullptr, &declared}, board("host"), {}).value_or(""),
+      product.make({checked.mission, checked.platform, 1, nullptr, &declared}, board("host"), {})
+          .value_or(""),
       HasSubstr("salinity"));
   EXPECT_THAT(product.make(checked.input(), board("host"), {}).value_or("salinity"),
               testing::Not(HasSubstr("salinity")));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "campaign/campaign.h"
+#include "campaign/fly_all.h"
 
 #include <algorithm>
 #include <atomic>

@@ -8,8 +8,8 @@
 #include "flights/in_process_sbc.h"
 #include "flights/launch_choice.h"
 #include "flights/scenario_choice.h"
-#include "ir/prove/ground/ground.h"
-#include "ir/prove/ground/requirement_monitor.h"
+#include "ir/prove/context/proof_context.h"
+#include "ir/prove/context/requirement_monitor.h"
 #include "simulator/simulator.h"
 
 #include <algorithm>

@@ -4,8 +4,8 @@
 #include "analysis/replay.h"
 
 #include "ir/eval/interpreter.h"
-#include "ir/prove/ground/ground.h"
-#include "ir/prove/ground/requirement_monitor.h"
+#include "ir/prove/context/proof_context.h"
+#include "ir/prove/context/requirement_monitor.h"
 #include "simulator/replay/replay.h"
 
 #include <fmt/format.h>

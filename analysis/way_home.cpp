@@ -5,8 +5,8 @@
 
 #include "hooks/hookbeh/args.h"
 #include "ir/prove/abstract/state_depths.h"
-#include "ir/prove/ground/duration_text.h"
-#include "ir/prove/ground/ground.h"
+#include "ir/prove/context/duration_text.h"
+#include "ir/prove/context/proof_context.h"
 
 #include <fmt/format.h>
 
@@ -52,7 +52,7 @@ WayHome wayHomeFrom(double depth_m, const platforms::Platform& platform, const S
 
 std::vector<std::string> wayHomeLines(const ir::Mission& mission,
                                       const platforms::Platform& platform, const Silence& silence) {
-  const auto depths = ir::prove::deepestByState(ir::prove::Ground(mission, platform));
+  const auto depths = ir::prove::deepestByState(ir::prove::ProofContext(mission, platform));
   const double deepest = std::ranges::max(depths);
   std::vector<std::string> lines = {
       silentLine(wayHomeFrom(deepest, platform, silence), platform, silence)};

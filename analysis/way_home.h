@@ -29,11 +29,11 @@ support::Result<Silence> silenceOf(const std::string& path,
 
 /// What becomes of the vehicle if the SBC dies or falls silent.
 struct WayHome {
-  double depth_m = 0;    ///< no deeper is it then, by the mission's orders
+  double depth_m = 0;    ///< no deeper is it then, by the mission's commands
   double surface_s = 0;  ///< from the SBC's last word until it is at the surface, at most
 };
 
-/// From where no orders lead deeper than `depth_m`: hookbeh lets go after its silence and two
+/// From where no commands lead deeper than `depth_m`: hookbeh lets go after its silence and two
 /// cycles, then the vehicle's own layers climb as the platform says. For a mission file that
 /// surfaces whenever nothing else commands.
 WayHome wayHomeFrom(double depth_m, const platforms::Platform& platform,

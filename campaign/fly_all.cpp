@@ -35,7 +35,7 @@ Verdict hungVerdict() {
 }
 
 /// The judge, until somebody ends the campaign.
-class StoppableJudge final : public simulator::Onlooker {
+class StoppableJudge final : public simulator::FlightObserver {
  public:
   StoppableJudge(simulator::JudgeSetup setup, const std::function<bool()>& stop)
       : judge_(std::move(setup)), stop_(stop) {}
@@ -180,7 +180,7 @@ support::Result<Verdict> flyOne(const CampaignPlan& plan, const CampaignFlight& 
   simulator::JudgeSetup judged = simulator::judgeSetup(mission.platform, setup.scenario, kinds);
   judged.mean_W = mission.mean_W;
   StoppableJudge judge(std::move(judged), stop);
-  setup.onlooker = &judge;
+  setup.observer = &judge;
   auto flown = simulator::simulate(std::move(setup));
   if (!flown) {
     return std::unexpected(flown.error());

@@ -90,9 +90,9 @@ void InProcessSbc::deliver(std::span<const uint8_t> bytes, double now_s) {
   }
 }
 
-void InProcessSbc::end(const char* epitaph) {
+void InProcessSbc::end(const char* exit_reason) {
   if (alive()) {
-    epitaph_ = epitaph;
+    exit_reason_ = exit_reason;
   }
 }
 

@@ -39,11 +39,11 @@ class InProcessSbc final : public simulator::SbcPort {
   void deliver(std::span<const uint8_t> bytes, double now_s) override;
   std::vector<uint8_t> collect() override;
   void kill() override { end("killed"); }
-  [[nodiscard]] bool alive() const override { return epitaph_.empty(); }
+  [[nodiscard]] bool alive() const override { return exit_reason_.empty(); }
   [[nodiscard]] bool keepsTime() const override { return keeps_time_; }
   void plug(bool in) override { plugged_ = in; }
   void damageCard(const simulator::CardFault& fault, uint64_t seed) override;
-  [[nodiscard]] std::string epitaph() const override { return epitaph_; }
+  [[nodiscard]] std::string exitReason() const override { return exit_reason_; }
 
  private:
   static int32_t readBytes(void* self, uint8_t* bytes, uint32_t capacity);
@@ -54,7 +54,7 @@ class InProcessSbc final : public simulator::SbcPort {
   [[nodiscard]] size_t onCard(uint32_t offset) const;
   void run();
   void showToWatcher() const;
-  void end(const char* epitaph);
+  void end(const char* exit_reason);
 
   std::shared_ptr<const codegen::LoadedMission> mission_;
   std::vector<double> parameters_;
@@ -70,8 +70,8 @@ class InProcessSbc final : public simulator::SbcPort {
   double now_s_ = 0;
   bool keeps_time_;
   bool plugged_ = true;
-  bool finished_ = false;  ///< the mission has given control back: a program would end here
-  std::string epitaph_;    ///< empty while it is alive
+  bool finished_ = false;    ///< the mission has given control back: a program would end here
+  std::string exit_reason_;  ///< empty while it is alive
 };
 
 }  // namespace glider::flights

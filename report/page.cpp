@@ -3,8 +3,8 @@
 
 #include "report/page.h"
 
+#include "report/downsample.h"
 #include "report/figures.h"
-#include "report/thin.h"
 #include "report/warnings.h"
 
 namespace glider::report {
@@ -64,7 +64,7 @@ std::string escapeHtml(std::string_view text) {
 std::string renderPage(const support::Trace& trace,
                        const std::vector<support::Diagnostic>& reported) {
   const std::string figures = figuresToJson(flightFigures(trace));
-  const std::string flight = support::traceToJson(thinned(trace, kPageRows));
+  const std::string flight = support::traceToJson(downsampled(trace, kPageRows));
   std::string page(kPageParts[0]);
   page += escapeHtml(trace.mission);
   page += kPageParts[1];

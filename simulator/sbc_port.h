@@ -47,7 +47,7 @@ class SbcPort {
   virtual void damageCard(const CardFault& /*fault*/, uint64_t /*seed*/) {}
   /// Why it is not alive, for the trace: "killed", "exited with status 1", "hung"; empty while it
   /// is.
-  [[nodiscard]] virtual std::string epitaph() const = 0;
+  [[nodiscard]] virtual std::string exitReason() const = 0;
 };
 
 /// Starts an SBC.

@@ -74,7 +74,7 @@ class Simulation {
         recorder_(trace_, ocean_, frame_, setup_.scenario) {
     flight_.damageBy(&damage_);
     science_.damageBy(&damage_);
-    link_.showTo(setup_.onlooker);
+    link_.showTo(setup_.observer);
     for (const Leftover& leftover : faults().leftover) {
       flight_.leaveOver(leftover);
     }
@@ -147,7 +147,7 @@ class Simulation {
     if (over) {
       journal_.add(now, "log", flight_.end());
     }
-    const bool seen_enough = setup_.onlooker != nullptr && !setup_.onlooker->cycle(view(now, over));
+    const bool seen_enough = setup_.observer != nullptr && !setup_.observer->cycle(view(now, over));
     return over || seen_enough;
   }
 

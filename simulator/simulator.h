@@ -4,7 +4,7 @@
 #pragma once
 
 #include "platforms/load/platform.h"
-#include "simulator/onlooker.h"
+#include "simulator/flight_observer.h"
 #include "simulator/sbc_port.h"
 #include "simulator/scenario/scenario.h"
 #include "simulator/science/science_computer.h"
@@ -41,7 +41,7 @@ struct SimulationSetup {
   std::optional<uint64_t> seed;          ///< instead of the scenario's
   std::optional<double> duration_s;      ///< instead of the scenario's
   std::optional<double> kill_sbc_at_s;   ///< vehicle time at which the SBC loses its power
-  Onlooker* onlooker = nullptr;          ///< may be null
+  FlightObserver* observer = nullptr;    ///< may be null
   std::function<void(const Progress&)>
       progress;  ///< called about every 100 s of virtual time; may be empty
 };

@@ -48,7 +48,7 @@ void addColumns(support::Trace& trace, const compiler::Checked& checked) {
   }
 }
 
-void addRows(support::Trace& trace, const ir::prove::ConcreteRun& run) {
+void addRows(support::Trace& trace, const ir::prove::Counterexample& run) {
   for (const ir::prove::ConcreteTick& tick : run.ticks) {
     std::vector<double> row(trace.columns.size(), kNaN);
     row[0] = tick.mission_time;
@@ -80,7 +80,7 @@ support::Result<void> writeRun(const support::Trace& trace, const std::filesyste
 
 support::Trace traceOfRun(const compiler::Checked& checked,
                           const ir::prove::RequirementVerdict& verdict) {
-  const ir::prove::ConcreteRun& run = *verdict.run;
+  const ir::prove::Counterexample& run = *verdict.run;
   const auto requirement = checked.mission().requirements[verdict.requirement].range;
   support::Trace trace;
   trace.mission = checked.mission().name;

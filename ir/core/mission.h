@@ -307,17 +307,17 @@ struct Position {
 };
 
 /// An area that the vehicle keeps in, or out of; its edges are straight in latitude and longitude.
-struct Fence {
+struct Geofence {
   bool keep_in = true;
   std::vector<Position> corners;  ///< three at least
-  bool operator==(const Fence&) const = default;
+  bool operator==(const Geofence&) const = default;
 };
 
 struct Requirement {
   RequirementKind kind = RequirementKind::Always;
   ExprId condition;  ///< of Always: reads no temporal and nothing that belongs to a state
   /// Of Always: if there are some, the condition asks for nothing but that all of them are kept.
-  std::vector<Fence> fences;
+  std::vector<Geofence> geofences;
   double seconds = 0;  ///< positive
   uint32_t depth = 0;
   StateId state;

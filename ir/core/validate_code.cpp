@@ -91,7 +91,7 @@ class CodeValidator {
            reads->temporals_end == 0;
   }
 
-  static bool isArea(const Fence& fence) {
+  static bool isArea(const Geofence& fence) {
     return fence.corners.size() >= 3 && std::ranges::all_of(fence.corners, [](const Position& p) {
              return std::fabs(p.latitude) <= 90 && std::fabs(p.longitude) <= 180;
            });
@@ -107,9 +107,9 @@ class CodeValidator {
       require(exists(r.condition) && reads_[r.condition.index].temporals_end == 0, r.range,
               "a requirement observes something over time");
     }
-    require(r.fences.empty() || r.kind == RequirementKind::Always, r.range,
+    require(r.geofences.empty() || r.kind == RequirementKind::Always, r.range,
             "a requirement of another kind with an area");
-    require(std::ranges::all_of(r.fences, isArea), r.range, "an invalid area");
+    require(std::ranges::all_of(r.geofences, isArea), r.range, "an invalid area");
     require(!timed || (r.seconds > 0 && std::isfinite(r.seconds)), r.range,
             "a requirement without a time above 0 s");
     require(

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "ir/prove/abstract/end_bound.h"
-#include "ir/prove/ground/ground.h"
+#include "ir/prove/context/proof_context.h"
 #include "ir/prove/prove.h"
 #include "ir/verify/structure.h"
 
@@ -17,11 +17,11 @@ namespace glider::ir::prove {
 /// What a pass works with.
 struct Proof {
   z3::context& context;
-  const Ground& ground;
+  const ProofContext& proof_context;
   const MissionFacts& facts;
   const Options& options;
   support::DiagnosticEngine& diagnostics;
-  Ending ending{ground};
+  Ending ending{proof_context};
   Findings findings = {};
   std::set<CasePlace> dead = {};                ///< cases that were found never to fire
   std::set<CasePlace> hidden = {};              ///< those of them that earlier ones hide

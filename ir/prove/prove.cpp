@@ -24,9 +24,9 @@ const char* word(Verdict verdict) {
 Findings prove(const Mission& mission, const MissionFacts& facts,
                const platforms::Platform& platform, const Options& options,
                support::DiagnosticEngine& diagnostics) {
-  const Ground ground(mission, platform);
+  const ProofContext proof_context(mission, platform);
   z3::context context;
-  Proof proof{context, ground, facts, options, diagnostics};
+  Proof proof{context, proof_context, facts, options, diagnostics};
 #define PASS(name, purpose) passes::name(proof);
 #include "ir/prove/prove_passes.def"
 #undef PASS
@@ -36,10 +36,10 @@ Findings prove(const Mission& mission, const MissionFacts& facts,
 std::map<CasePlace, bool> casesThatNeverFire(const Mission& mission, const MissionFacts& facts,
                                              const platforms::Platform& platform,
                                              const Options& options) {
-  const Ground ground(mission, platform);
+  const ProofContext proof_context(mission, platform);
   z3::context context;
   support::DiagnosticEngine unheard;
-  Proof proof{context, ground, facts, options, unheard};
+  Proof proof{context, proof_context, facts, options, unheard};
   passes::guards(proof);
   std::map<CasePlace, bool> cases;
   for (const CasePlace& place : proof.dead) {

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "ir/core/mission.h"
-#include "ir/prove/falsification/concrete_run.h"
+#include "ir/prove/falsification/counterexample.h"
 #include "ir/verify/structure.h"
 #include "platforms/load/platform.h"
 #include "support/diagnostics/engine.h"
@@ -57,11 +57,11 @@ struct ReportLine {
 struct RequirementVerdict {
   uint32_t requirement = 0;  ///< its number
   Verdict verdict = Verdict::Open;
-  std::optional<ConcreteRun> run;  ///< that breaks it; of Reach, that keeps it
-  std::string premise = {};        ///< what a proof takes for granted beyond the assumed world
-  std::string reason = {};         ///< of an open one: why it is
-  bool searched = false;           ///< it took a search that may be long
-  bool cached = false;             ///< Options::cached knew it
+  std::optional<Counterexample> run;  ///< that breaks it; of Reach, that keeps it
+  std::string premise = {};           ///< what a proof takes for granted beyond the assumed world
+  std::string reason = {};            ///< of an open one: why it is
+  bool searched = false;              ///< it took a search that may be long
+  bool cached = false;                ///< Options::cached knew it
 };
 
 struct Findings {

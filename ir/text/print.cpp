@@ -171,7 +171,7 @@ void Printer::requirement(const Requirement& r) {
       prepare({&r.condition, 1});
       line("require always ");
       use(r.condition);
-      return fences(r);
+      return geofences(r);
     case RequirementKind::ExitWithin:
       return line("require exit within {}", r.seconds);
     case RequirementKind::StackAtMost:
@@ -186,8 +186,8 @@ void Printer::requirement(const Requirement& r) {
   }
 }
 
-void Printer::fences(const Requirement& r) {
-  for (const Fence& fence : r.fences) {
+void Printer::geofences(const Requirement& r) {
+  for (const Geofence& fence : r.geofences) {
     add(" {} (", fence.keep_in ? "inside" : "outside");
     for (size_t i = 0; i < fence.corners.size(); ++i) {
       add("{}{}, {}", i == 0 ? "" : ", ", fence.corners[i].latitude, fence.corners[i].longitude);

@@ -55,7 +55,7 @@ class Printer {
 
   void temporal(const Temporal& temporal);
   void cases(const std::vector<Case>& cases);
-  void fences(const Requirement& r);
+  void geofences(const Requirement& r);
   void table(const GuardTable& table);
   void requirement(const Requirement& requirement);
   void entry(BlockId block);

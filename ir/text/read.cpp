@@ -114,7 +114,7 @@ class Reader {
     if (in_.accept("always")) {
       r.kind = RequirementKind::Always;
       r.condition = code_.expression();
-      fences(r);
+      geofences(r);
     } else if (in_.accept("exit")) {
       r.kind = RequirementKind::ExitWithin;
       in_.expect("within");
@@ -140,9 +140,9 @@ class Reader {
     m_.requirements[number] = r;
   }
 
-  void fences(Requirement& r) {
+  void geofences(Requirement& r) {
     while (in_.peek().isWord("inside") || in_.peek().isWord("outside")) {
-      Fence fence;
+      Geofence fence;
       fence.keep_in = in_.accept("inside");
       if (!fence.keep_in) {
         in_.expect("outside");
@@ -156,7 +156,7 @@ class Reader {
         fence.corners.push_back(corner);
       } while (in_.accept(','));
       in_.expect(')');
-      r.fences.push_back(std::move(fence));
+      r.geofences.push_back(std::move(fence));
     }
   }
 

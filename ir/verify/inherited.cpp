@@ -15,7 +15,7 @@ class Analysis {
     judged_.variables.assign(m_.variables.size(), true);
   }
 
-  Inherited run() {
+  GreatestFixpoint run() {
     for (bool changed = true; changed;) {
       judgeExpressions();
       changed = dropInitials();
@@ -78,12 +78,12 @@ class Analysis {
 
   const Mission& m_;
   const Inheritance& inheritance_;
-  Inherited judged_;
+  GreatestFixpoint judged_;
 };
 
 }  // namespace
 
-bool Inherited::haveOperands(const Expr& e, uint32_t first) const {
+bool GreatestFixpoint::haveOperands(const Expr& e, uint32_t first) const {
   for (uint32_t k = first; k < opInfo(e.op).operands; ++k) {
     if (!expressions[e.operands.at(k).index]) {
       return false;
@@ -92,7 +92,7 @@ bool Inherited::haveOperands(const Expr& e, uint32_t first) const {
   return true;
 }
 
-Inherited greatestSet(const Mission& mission, const Inheritance& inheritance) {
+GreatestFixpoint greatestFixpoint(const Mission& mission, const Inheritance& inheritance) {
   return Analysis(mission, inheritance).run();
 }
 

@@ -11,7 +11,7 @@
 namespace glider::ir {
 
 /// Which variables and which expressions have a property.
-struct Inherited {
+struct GreatestFixpoint {
   std::vector<bool> variables;
   std::vector<bool> expressions;
 
@@ -22,7 +22,7 @@ struct Inherited {
 /// A property of values, as "never unknown": how it is handed on.
 struct Inheritance {
   /// Whether an expression has it, of which all operands, and the variables for now, are judged.
-  std::function<bool(size_t expression, const Inherited& judged)> expression;
+  std::function<bool(size_t expression, const GreatestFixpoint& judged)> expression;
   /// Whether a variable begins with it; `initial`: whether it has an initial value, which has it.
   std::function<bool(const Variable& variable, bool initial)> begins;
   /// Whether a `set` to a value without it takes it away.
@@ -31,6 +31,6 @@ struct Inheritance {
 
 /// The greatest set that explains itself: all variables have the property until something without
 /// it can reach them.
-Inherited greatestSet(const Mission& mission, const Inheritance& inheritance);
+GreatestFixpoint greatestFixpoint(const Mission& mission, const Inheritance& inheritance);
 
 }  // namespace glider::ir

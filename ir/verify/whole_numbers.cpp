@@ -19,7 +19,7 @@ class WholeExpressions {
   WholeExpressions(const Mission& mission, const std::vector<Interval>& intervals)
       : m_(mission), intervals_(intervals) {}
 
-  bool isWhole(size_t index, const Inherited& judged) const {
+  bool isWhole(size_t index, const GreatestFixpoint& judged) const {
     const Expr& e = m_.exprs[index];
     switch (opInfo(e.op).whole) {
       case WholeRule::Constant:
@@ -57,10 +57,10 @@ bool beginsWhole(const Variable& variable, bool initial) {
 
 std::vector<bool> wholeExpressions(const Mission& mission, const std::vector<Interval>& intervals) {
   const WholeExpressions whole(mission, intervals);
-  return greatestSet(mission, {[&](size_t index, const Inherited& judged) {
-                                 return whole.isWhole(index, judged);
-                               },
-                               beginsWhole, /*lost_by_set=*/true})
+  return greatestFixpoint(mission, {[&](size_t index, const GreatestFixpoint& judged) {
+                                      return whole.isWhole(index, judged);
+                                    },
+                                    beginsWhole, /*lost_by_set=*/true})
       .expressions;
 }
 

@@ -25,7 +25,7 @@ double deepestShown(const std::vector<double>& depth, const std::vector<double>&
   return 1.06 * (near ? std::fmin(std::fmax(deepest, ground.greatest), 1.3 * deepest) : deepest);
 }
 
-std::vector<Line> thinned(std::vector<Line> lines) {
+std::vector<Line> downsampled(std::vector<Line> lines) {
   for (Line& line : lines) {
     line = simplified(line, kUnseen);
   }
@@ -92,7 +92,7 @@ class Chart {
         lines.emplace_back();
       }
     }
-    return thinned(std::move(lines));
+    return downsampled(std::move(lines));
   }
 
   void isotherms() {
@@ -177,7 +177,7 @@ class Chart {
       }
       lines.back().push_back(here);
     }
-    return thinned(std::move(lines));
+    return downsampled(std::move(lines));
   }
 
   void marked() {

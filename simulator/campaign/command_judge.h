@@ -5,7 +5,7 @@
 
 #include "hooks/protocol/values.h"
 #include "simulator/campaign/judge_setup.h"
-#include "simulator/onlooker.h"
+#include "simulator/flight_observer.h"
 
 #include <limits>
 #include <string>

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "simulator/campaign/judge_setup.h"
-#include "simulator/onlooker.h"
+#include "simulator/flight_observer.h"
 
 #include <string>
 

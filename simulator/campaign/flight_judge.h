@@ -11,7 +11,7 @@
 #include "simulator/campaign/guard_judge.h"
 #include "simulator/campaign/judge_setup.h"
 #include "simulator/campaign/stated_times.h"
-#include "simulator/onlooker.h"
+#include "simulator/flight_observer.h"
 
 #include <array>
 #include <map>
@@ -45,7 +45,7 @@ struct Verdict {
 /// obeyed twice; none that was said is passed over; control ends when it was promised to; the
 /// commands are those of the instruction in force; limits of depth and clearance hold; the flight
 /// ends at the surface. What is promised for its faults is in fault_kinds.def.
-class FlightJudge final : public Onlooker {
+class FlightJudge final : public FlightObserver {
  public:
   explicit FlightJudge(JudgeSetup setup);
 

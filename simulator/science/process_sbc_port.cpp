@@ -120,17 +120,17 @@ void ProcessSbcPort::reap(bool block, const std::string& killed) {
   }
   pid_ = 0;
   const bool by_us = !killed.empty() && WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL;
-  if (epitaph_.empty()) {
-    epitaph_ = by_us               ? killed
-               : WIFEXITED(status) ? fmt::format("exited with status {}", WEXITSTATUS(status))
-                                   : fmt::format("ended by signal {}", WTERMSIG(status));
+  if (exit_reason_.empty()) {
+    exit_reason_ = by_us               ? killed
+                   : WIFEXITED(status) ? fmt::format("exited with status {}", WEXITSTATUS(status))
+                                       : fmt::format("ended by signal {}", WTERMSIG(status));
   }
 }
 
-void ProcessSbcPort::destroy(const std::string& epitaph) {
+void ProcessSbcPort::destroy(const std::string& exit_reason) {
   if (pid_ > 0) {
     ::kill(pid_, SIGKILL);
-    reap(true, epitaph);  // if it has just ended by itself, that is what is told
+    reap(true, exit_reason);  // if it has just ended by itself, that is what is told
   }
 }
 
@@ -147,7 +147,7 @@ void ProcessSbcPort::closed() {
 
 void ProcessSbcPort::kill() {
   if (alive()) {
-    epitaph_ = "killed";  // also if it has just ended by itself, which nobody knows yet
+    exit_reason_ = "killed";  // also if it has just ended by itself, which nobody knows yet
     ::kill(pid_, SIGKILL);
     reap(true);
   }

@@ -39,7 +39,7 @@ class ProcessSbcPort final : public SbcPort {
   void kill() override;
   [[nodiscard]] bool alive() const override { return pid_ > 0; }
   void damageCard(const CardFault& fault, uint64_t seed) override;
-  [[nodiscard]] std::string epitaph() const override { return epitaph_; }
+  [[nodiscard]] std::string exitReason() const override { return exit_reason_; }
   /// For tests and logs; 0 when it is gone.
   [[nodiscard]] pid_t pid() const { return pid_; }
 
@@ -56,7 +56,7 @@ class ProcessSbcPort final : public SbcPort {
   /// Takes the program's end if it has ended; `block` waits for it. `killed` is told if it was
   /// SIGKILL that ended it.
   void reap(bool block, const std::string& killed = "");
-  void destroy(const std::string& epitaph);
+  void destroy(const std::string& exit_reason);
   /// The program has let go of the terminal: it has ended, or it will be ended.
   void closed();
 
@@ -68,7 +68,7 @@ class ProcessSbcPort final : public SbcPort {
   std::vector<uint8_t> received_;
   bool heard_ = false;  ///< it has opened the terminal and spoken
   pid_t pid_ = 0;
-  std::string epitaph_;
+  std::string exit_reason_;
 };
 
 }  // namespace glider::simulator

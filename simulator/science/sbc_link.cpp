@@ -155,7 +155,7 @@ void SbcLink::flush() {
 void SbcLink::noteDeath(double now_s) {
   if (port_ != nullptr && !death_noted_ && !port_->alive()) {
     death_noted_ = true;
-    journal_.add(now_s, "link", "the SBC is gone", port_->epitaph());
+    journal_.add(now_s, "link", "the SBC is gone", port_->exitReason());
   }
 }
 

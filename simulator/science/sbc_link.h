@@ -6,8 +6,8 @@
 #include "hooks/protocol/frame.h"
 #include "hooks/protocol/messages.h"
 #include "simulator/faults/faults.h"
+#include "simulator/flight_observer.h"
 #include "simulator/journal.h"
-#include "simulator/onlooker.h"
 #include "simulator/sbc_port.h"
 #include "simulator/science/serial_line.h"
 
@@ -33,7 +33,7 @@ class SbcLink {
         journal_(journal) {}
 
   /// Whom to show what the SBC says; null: nobody.
-  void showTo(Onlooker* onlooker) { onlooker_ = onlooker; }
+  void showTo(FlightObserver* observer) { onlooker_ = observer; }
   /// Hands over what has arrived by `now_s` and puts the answers on the line.
   void pump(double now_s);
   [[nodiscard]] bool alive() const { return port_ != nullptr && port_->alive(); }
@@ -59,7 +59,7 @@ class SbcLink {
   SerialLine& line_;
   GliderByteStream end_;
   Journal& journal_;
-  Onlooker* onlooker_ = nullptr;
+  FlightObserver* onlooker_ = nullptr;
   std::vector<uint8_t> waiting_;  ///< answers that the line had no room for yet
   bool death_noted_ = false;
   bool without_power_ = false;

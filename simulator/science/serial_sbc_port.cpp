@@ -24,9 +24,9 @@ support::Result<std::unique_ptr<SerialSbcPort>> SerialSbcPort::open(const std::s
   return std::unique_ptr<SerialSbcPort>(new SerialSbcPort(std::move(*port), pace));
 }
 
-void SerialSbcPort::end(const char* epitaph) {
+void SerialSbcPort::end(const char* exit_reason) {
   if (alive()) {
-    epitaph_ = epitaph;
+    exit_reason_ = exit_reason;
   }
 }
 

@@ -34,10 +34,10 @@ class SerialSbcPort final : public SbcPort {
   std::vector<uint8_t> collect() override;
   /// Its power is not ours: the line is cut.
   void kill() override { end("cut off"); }
-  [[nodiscard]] bool alive() const override { return epitaph_.empty(); }
+  [[nodiscard]] bool alive() const override { return exit_reason_.empty(); }
   [[nodiscard]] bool keepsTime() const override { return pace_ == Pace::RealTime; }
   void plug(bool in) override { plugged_ = in; }
-  [[nodiscard]] std::string epitaph() const override { return epitaph_; }
+  [[nodiscard]] std::string exitReason() const override { return exit_reason_; }
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -45,7 +45,7 @@ class SerialSbcPort final : public SbcPort {
   SerialSbcPort(hooks::SerialPort port, Pace pace) : port_(std::move(port)), pace_(pace) {}
   void waitFor(double now_s);
   void read();
-  void end(const char* epitaph);
+  void end(const char* exit_reason);
   /// How long an answer is waited for, s.
   [[nodiscard]] double patience() const;
 
@@ -55,7 +55,7 @@ class SerialSbcPort final : public SbcPort {
   std::vector<uint8_t> received_;
   std::optional<Clock::time_point> origin_;  ///< vehicle time 0
   bool plugged_ = true;
-  std::string epitaph_;
+  std::string exit_reason_;
 };
 
 }  // namespace glider::simulator

@@ -20,7 +20,7 @@ namespace {
 const std::filesystem::path kSource = GLIDER_SOURCE_DIR;
 
 /// Sees how the vehicle itself fares.
-class DepthOnlooker final : public simulator::Onlooker {
+class DepthOnlooker final : public simulator::FlightObserver {
  public:
   void said(std::span<const uint8_t> /*bytes*/, double /*now_s*/) override {}
   bool cycle(const simulator::CycleView& view) override {
@@ -112,12 +112,12 @@ simulator::Scenario diveScenario(const std::string& skeleton, double water_m) {
 }
 
 Dived flyDive(const Plan* plan, simulator::Scenario scenario, uint64_t seed, bool comes_back) {
-  DepthOnlooker onlooker;
+  DepthOnlooker observer;
   simulator::SimulationSetup setup;
   setup.platform = platform();
   setup.scenario = std::move(scenario);
   setup.seed = seed;
-  setup.onlooker = &onlooker;
+  setup.observer = &observer;
   if (plan != nullptr) {
     setup.sbc = std::make_unique<simulator::FakeSbc>(*plan);
   }
@@ -129,7 +129,7 @@ Dived flyDive(const Plan* plan, simulator::Scenario scenario, uint64_t seed, boo
   }
   const auto trace = simulator::simulate(std::move(setup));
   CHECK(trace.has_value(), "the flight could not be flown");
-  return onlooker.seen;
+  return observer.seen;
 }
 
 }  // namespace glider::tests

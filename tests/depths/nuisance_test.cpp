@@ -17,9 +17,9 @@ namespace glider::tests {
 namespace {
 
 /// What is drawn for one flight.
-class Dice {
+class Rng {
  public:
-  explicit Dice(uint64_t seed)
+  explicit Rng(uint64_t seed)
       : noise_(seed, static_cast<uint32_t>(simulator::NoiseStream::Campaign)) {}
   double within(double low, double high) { return low + (high - low) * noise_.uniform(); }
   bool chance(double share) { return noise_.uniform() < share; }
@@ -36,7 +36,7 @@ constexpr double kHours = 1;
 constexpr double kMostOfLift = 0.84;
 
 /// Yos and hovers at the pitches and depths that pilots use.
-Plan drawPlan(Dice& dice) {
+Plan drawPlan(Rng& dice) {
   Plan plan;
   plan.top_m = dice.within(2, 8);
   plan.bottom_m = dice.within(12, 56);
@@ -46,7 +46,7 @@ Plan drawPlan(Dice& dice) {
   return plan;
 }
 
-simulator::Scenario drawWater(Dice& dice) {
+simulator::Scenario drawWater(Rng& dice) {
   simulator::Scenario scenario = diveScenario(hookbehSkeleton(kGreatest), dice.within(75, 200));
   scenario.duration_s = kHours * 3600 + 1200;
   auto& ocean = scenario.ocean;
@@ -77,7 +77,7 @@ TEST(Nuisance, NoGuardComesInWhereNothingIsWrong) {
   const uint64_t seed = wantedNumber("GLIDER_NUISANCE_SEED", 1);
   uint64_t guarded = 0, dives = 0, deep = 0;
   for (uint64_t i = 0; i < count; ++i) {
-    Dice dice(seed + i);
+    Rng dice(seed + i);
     const Plan plan = drawPlan(dice);
     const Dived dived = flyDive(&plan, drawWater(dice), seed + i);
     dives += static_cast<uint64_t>(dived.dives);

@@ -4,8 +4,8 @@
 // What is proved of an example mission survives random flights: all of its properties look on at
 // each of them. scripts/soak/proofs flies more of the same.
 
+#include "ir/prove/context/proof_context.h"
 #include "ir/prove/falsification/random_flight.h"
-#include "ir/prove/ground/ground.h"
 #include "ir/verify/verify.h"
 #include "tests/proofs/properties.h"
 #include "tests/unit/frontend/compile.h"
@@ -97,7 +97,7 @@ class Flights {
     }
   }
 
-  ir::prove::Ground ground_;
+  ir::prove::ProofContext ground_;
   uint32_t stack_depth_;
   std::atomic<uint64_t> next_ = 0;
   uint64_t end_ = 0;

@@ -18,8 +18,8 @@ namespace glider::tests {
 /// What is assumed.
 enum class Rule : uint8_t {
   Rate,     ///< it sinks and climbs no faster than vertical_rate_m_s
-  Deepest,  ///< an order takes it no further than inflection_overshoot_m beyond
-  Climb,    ///< turn_s after an order to climb it climbs at slowest_climb_m_s, until it is there
+  Deepest,  ///< a command takes it no further than inflection_overshoot_m beyond
+  Climb,    ///< turn_s after a command to climb it climbs at slowest_climb_m_s, until it is there
   Above,    ///< never above the surface
   Start,    ///< control is given at start_depth_m or above
   Surface,  ///< at the surface it is no deeper than surface_depth_m
@@ -93,12 +93,12 @@ class AssumedWorld {
 
   double last_s_ = 0, last_depth_m_ = 0;  ///< where it was last
   double last_tick_s_ = std::numeric_limits<double>::quiet_NaN();
-  double deepest_m_ = 0;  ///< what the orders so far allow
+  double deepest_m_ = 0;  ///< what the commands so far allow
   struct Climb {
-    double since_s = 0;   ///< the first of the orders in a row that lead no further up
+    double since_s = 0;   ///< the first of the commands in a row that lead no further up
     double lowest_m = 0;  ///< when it has climbed
   };
-  std::optional<Climb> climb_;  ///< the order in force leads up
+  std::optional<Climb> climb_;  ///< the command in force leads up
 };
 
 }  // namespace glider::tests

@@ -116,7 +116,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Planted{Rule::ThroughWater, [](Flight& f) { f.gets_on_mps = 0.61; }},
                     Planted{Rule::SurfaceDrift, [](Flight& f) { f.floats_mps = 0.81; }}));
 
-/// An order to climb that comes on the way down stops the dive.
+/// A command to climb that comes on the way down stops the dive.
 TEST(AssumedWorld, AnOrderToClimbStopsADive) {
   const auto sinksOn = [](double metres) {
     AssumedWorld world(slocum());

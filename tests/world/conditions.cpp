@@ -4,7 +4,7 @@
 #include "tests/world/conditions.h"
 
 #include "ir/eval/interpreter.h"
-#include "ir/prove/falsification/dice.h"
+#include "ir/prove/falsification/rng.h"
 
 #include <algorithm>
 #include <array>
@@ -13,7 +13,7 @@
 namespace glider::tests {
 namespace {
 
-using ir::prove::Dice;
+using ir::prove::Rng;
 using simulator::FaultKind;
 
 constexpr double kLongest = 10800;  // s
@@ -23,7 +23,7 @@ constexpr std::array<const char*, 9> kNeeded = {
     "m_cycle_number", "m_present_time", "sci_water_pressure"};
 
 /// Water and vehicle as they may be on another day.
-void change(simulator::Scenario& scenario, Dice& dice) {
+void change(simulator::Scenario& scenario, Rng& dice) {
   scenario.latitude_deg += dice.within(-0.02, 0.02);
   scenario.longitude_deg += dice.within(-0.02, 0.02);
   scenario.vehicle.initial_heading_rad = dice.within(0, 2 * std::numbers::pi);
@@ -38,7 +38,7 @@ void change(simulator::Scenario& scenario, Dice& dice) {
   ocean.bottom.depth_m = dice.within(20, 100);
 }
 
-std::vector<double> drawParameters(const ir::Mission& mission, Dice& dice) {
+std::vector<double> drawParameters(const ir::Mission& mission, Rng& dice) {
   constexpr int kTries = 30;
   constexpr double kFar = 1e6;
   for (int i = 0; i < kTries; ++i) {
@@ -71,7 +71,7 @@ bool leavesProgram(const simulator::Faults& faults) {
 
 Conditions drawConditions(const ir::Mission& mission, const simulator::Scenario& scenario,
                           uint64_t seed) {
-  Dice dice(seed);
+  Rng dice(seed);
   Conditions drawn;
   drawn.scenario = scenario;
   drawn.seed = seed;

@@ -19,7 +19,7 @@ struct Conditions {
   std::vector<double> parameters;  ///< one each, as the mission allows them
   uint64_t seed = 0;               ///< of the noise
   simulator::FaultKind kind = simulator::FaultKind::None;
-  /// No line, computer or power is damaged: orders and frames get through at once.
+  /// No line, computer or power is damaged: commands and frames get through at once.
   bool whole = true;
   bool program_runs =
       true;  ///< the SBC's program, all the time: it ticks though the lines are dead

@@ -3,14 +3,14 @@
 
 #include "tests/world/random_text.h"
 
-#include "ir/prove/falsification/dice.h"
+#include "ir/prove/falsification/rng.h"
 
 #include <fmt/format.h>
 
 namespace glider::tests {
 namespace {
 
-using ir::prove::Dice;
+using ir::prove::Rng;
 
 constexpr double kDeepest = 55;  // m
 
@@ -111,7 +111,7 @@ class Text {
     text_ += "end\n\n";
   }
 
-  Dice dice_;
+  Rng dice_;
   uint32_t flying_ = 0, called_ = 0;
   std::string text_;
 };

@@ -44,7 +44,7 @@ class HearingSbc final : public simulator::SbcPort {
   [[nodiscard]] bool alive() const override { return sbc_->alive(); }
   [[nodiscard]] bool keepsTime() const override { return sbc_->keepsTime(); }
   void plug(bool in) override { sbc_->plug(in); }
-  [[nodiscard]] std::string epitaph() const override { return sbc_->epitaph(); }
+  [[nodiscard]] std::string exitReason() const override { return sbc_->exitReason(); }
 
  private:
   std::unique_ptr<InProcessSbc> sbc_;
@@ -106,7 +106,7 @@ support::Result<Seen> flyWatched(const FlyingMission& mission, const Conditions&
   setup.platform = platform;
   setup.scenario = conditions.scenario;
   setup.seed = conditions.seed;
-  setup.onlooker = &watch;
+  setup.observer = &watch;
   const auto card = std::make_shared<flights::Card>();
   const bool keeps_time = !conditions.scenario.faults.empty();
   const auto start = [&] {

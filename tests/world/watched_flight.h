@@ -31,12 +31,12 @@ struct Seen {
   std::optional<Broken> broken;
   std::array<Use, kRules> uses = {};
   double in_control_s = 0;  ///< how long it was watched
-  bool refused = false;     ///< it was watched until hookbeh refused an order
+  bool refused = false;     ///< it was watched until hookbeh refused a command
 };
 
 /// Flies it in process and holds it to the assumed world from when control is given until it ends:
-/// by `exit`, by hand-back, by an abort, or by an order that hookbeh refuses. Where the lines are
-/// whole an order counts from the tick that gives it, else from the cycle in which hookbeh obeys
+/// by `exit`, by hand-back, by an abort, or by a command that hookbeh refuses. Where the lines are
+/// whole a command counts from the tick that gives it, else from the cycle in which hookbeh obeys
 /// it, and readings, which may be of old frames, are not judged; nor are gaps between ticks where
 /// the SBC's program does not run all the time. As simulate.
 support::Result<Seen> flyWatched(const FlyingMission& mission, const Conditions& conditions,

@@ -5,11 +5,10 @@
 // the vehicle is no deeper than stated and at the surface in the stated time, for good.
 
 #include "analysis/analysis.h"
-
 #include "flights/in_process_sbc.h"
 #include "ir/prove/abstract/state_depths.h"
-#include "ir/prove/falsification/dice.h"
-#include "ir/prove/ground/ground.h"
+#include "ir/prove/context/proof_context.h"
+#include "ir/prove/falsification/rng.h"
 #include "simulator/simulator.h"
 #include "tests/world/fleet.h"
 
@@ -26,7 +25,7 @@ using analysis::WayHome;
 using flights::InProcessSbc;
 
 /// Looks at where the vehicle is after the SBC's death.
-class DeathWatch final : public simulator::Onlooker {
+class DeathWatch final : public simulator::FlightObserver {
  public:
   DeathWatch(double killed_s, std::vector<double> deepest)
       : killed_s_(killed_s), deepest_(std::move(deepest)) {}
@@ -74,12 +73,12 @@ class DeathWatch final : public simulator::Onlooker {
 
 DeathWatch flyAndKill(const FlyingMission& mission, const simulator::Scenario& scenario,
                       uint64_t seed) {
-  ir::prove::Dice dice(seed);
+  ir::prove::Rng dice(seed);
   const Conditions conditions = drawConditions(mission.flown->mission, scenario, seed);
   constexpr double kLatest = 5400;  // s
   const double killed_s = dice.within(60, kLatest);
-  DeathWatch watch(killed_s,
-                   ir::prove::deepestByState(ir::prove::Ground(mission.flown->mission, slocum())));
+  DeathWatch watch(killed_s, ir::prove::deepestByState(
+                                 ir::prove::ProofContext(mission.flown->mission, slocum())));
   simulator::SimulationSetup setup;
   setup.platform = slocum();
   setup.scenario = conditions.scenario;
@@ -87,7 +86,7 @@ DeathWatch flyAndKill(const FlyingMission& mission, const simulator::Scenario& s
   setup.seed = seed;
   setup.duration_s = 2 * kLatest;
   setup.kill_sbc_at_s = killed_s;
-  setup.onlooker = &watch;
+  setup.observer = &watch;
   auto sbc = std::make_unique<InProcessSbc>(mission.loaded, conditions.parameters,
                                             std::make_shared<flights::Card>(), true);
   sbc->watch([&](const GliderContext& context, double) { watch.polled(context); });

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "runtime/abi/runtime.h"
-#include "simulator/onlooker.h"
+#include "simulator/flight_observer.h"
 #include "tests/world/assumed_world.h"
 #include "tests/world/conditions.h"
 
@@ -16,7 +16,7 @@
 namespace glider::tests {
 
 /// Tells the judge what happens in a flight of the simulator.
-class WorldWatch final : public simulator::Onlooker {
+class WorldWatch final : public simulator::FlightObserver {
  public:
   /// Both outlive this.
   WorldWatch(const platforms::Platform& platform, const Conditions& conditions);

@@ -3,8 +3,8 @@
 
 #include "codegen/llvm/budget/worst_path.h"
 
-#include "codegen/llvm/budget/circles.h"
 #include "codegen/llvm/budget/flow_graph.h"
+#include "codegen/llvm/budget/strongly_connected.h"
 
 #include <fmt/format.h>
 

@@ -44,7 +44,7 @@ class RequirementLowering {
       return false;
     }
     if (condition && !gatherFences(*condition, true)) {
-      result_.fences.clear();
+      result_.geofences.clear();
     }
     return condition.has_value();
   }
@@ -63,8 +63,8 @@ class RequirementLowering {
     if (known == scope_.areas.end() || known->second.range != e.range) {
       return false;
     }
-    result_.fences.push_back(known->second.area);
-    result_.fences.back().keep_in = wanted;
+    result_.geofences.push_back(known->second.area);
+    result_.geofences.back().keep_in = wanted;
     return true;
   }
 

@@ -145,8 +145,8 @@ class InsideLowering {
 namespace {
 
 /// The area, if all its corners are known now.
-std::optional<ir::Fence> areaOf(const ir::Mission& mission, const std::vector<Value>& corners) {
-  ir::Fence area;
+std::optional<ir::Geofence> areaOf(const ir::Mission& mission, const std::vector<Value>& corners) {
+  ir::Geofence area;
   for (const Value& corner : corners) {
     const auto north = evaluate(mission, corner.id);
     const auto east = evaluate(mission, corner.longitude);

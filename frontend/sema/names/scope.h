@@ -23,7 +23,7 @@ namespace glider::frontend {
 /// An `inside(…)` whose corners are all known now.
 struct KnownArea {
   support::SourceRange range;  ///< of the text
-  ir::Fence area;
+  ir::Geofence area;
 };
 
 /// A `const`, worked out.

@@ -24,13 +24,13 @@ Valuation AbstractRun::begin() const {
 
 void AbstractRun::start(uint32_t variable, const ClockRanges& clocks, Valuation& values) const {
   const ExprId initial = m_.variables[variable].initial;
-  values[variable] = Possible(ground_, values, clocks).holding(initial);
+  values[variable] = AbstractEvaluator(proof_context_, values, clocks).holding(initial);
 }
 
 /// An unknown value changes nothing. None leaves the variable's range: `ir/verify` has proved that.
 void AbstractRun::set(const Statement& statement, const ClockRanges& clocks,
                       Valuation& values) const {
-  const Possible now(ground_, values, clocks);
+  const AbstractEvaluator now(proof_context_, values, clocks);
   Holding given = withinRange(now.holding(statement.value), m_[statement.variable]);
   const bool stays = now.maybeUnknown(statement.value);
   given.truths.is_unknown = false;
@@ -56,7 +56,7 @@ void AbstractRun::execute(BlockId block, const ClockRanges& clocks, Valuation& v
 // NOLINTNEXTLINE(misc-no-recursion): as deep as the mission's text nests
 void AbstractRun::branch(const Statement& statement, const ClockRanges& clocks,
                          Valuation& values) const {
-  const bool maybe_neither = !ground_.known.expressions[statement.value.index];
+  const bool maybe_neither = !proof_context_.known.expressions[statement.value.index];
   const Valuation before = values;
   Valuation otherwise = values;
   execute(statement.then, clocks, values);
@@ -78,7 +78,7 @@ void AbstractRun::forget(BlockId block, Valuation& values) const {
 void AbstractRun::enter(StateId state, const Case* c, const ClockRanges& clocks,
                         Valuation& values) const {
   if (c != nullptr) {
-    const Possible now(ground_, values, clocks);
+    const AbstractEvaluator now(proof_context_, values, clocks);
     for (size_t i = 0; i < c->arguments.size(); ++i) {
       values[m_[state].parameters[i].index] = now.holding(c->arguments[i]);
     }

@@ -3,14 +3,15 @@
 
 #pragma once
 
-#include "ir/prove/abstract/possible.h"
+#include "ir/prove/abstract/abstract_evaluator.h"
 
 namespace glider::ir::prove {
 
 /// What statements and transitions make of what variables may hold.
 class AbstractRun {
  public:
-  explicit AbstractRun(const Ground& ground) : ground_(ground), m_(ground.mission) {}
+  explicit AbstractRun(const ProofContext& proof_context)
+      : proof_context_(proof_context), m_(proof_context.mission) {}
 
   /// When the mission begins: parameters and the variables of the mission have their values, no
   /// state's have.
@@ -29,7 +30,7 @@ class AbstractRun {
   void set(const Statement& statement, const ClockRanges& clocks, Valuation& values) const;
   void branch(const Statement& statement, const ClockRanges& clocks, Valuation& values) const;
 
-  const Ground& ground_;
+  const ProofContext& proof_context_;
   const Mission& m_;
 };
 

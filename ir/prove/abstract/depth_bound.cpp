@@ -16,8 +16,10 @@ constexpr double kAnyDepth = std::numeric_limits<double>::infinity();
 
 class Conditions {
  public:
-  explicit Conditions(const Ground& ground)
-      : ground_(ground), m_(ground.mission), deepest_(std::ranges::max(deepestByState(ground))) {}
+  explicit Conditions(const ProofContext& proof_context)
+      : proof_context_(proof_context),
+        m_(proof_context.mission),
+        deepest_(std::ranges::max(deepestByState(proof_context))) {}
 
   [[nodiscard]] bool hold(ExprId id) const {
     const Expr& e = m_[id];
@@ -48,23 +50,23 @@ class Conditions {
 
   [[nodiscard]] bool isDepth(ExprId id) const {
     const Expr& e = m_[id];
-    return e.op == Op::Sensor && e.sensor == ground_.depth;
+    return e.op == Op::Sensor && e.sensor == proof_context_.depth;
   }
 
   [[nodiscard]] double lowest(ExprId id) const {
-    const Interval& x = ground_.intervals[id.index];
+    const Interval& x = proof_context_.intervals[id.index];
     return x.empty ? -kAnyDepth : x.lowest;
   }
 
-  const Ground& ground_;
+  const ProofContext& proof_context_;
   const Mission& m_;
   double deepest_;
 };
 
 }  // namespace
 
-bool heldByOrders(ExprId condition, const Ground& ground) {
-  return Conditions(ground).hold(condition);
+bool heldByOrders(ExprId condition, const ProofContext& proof_context) {
+  return Conditions(proof_context).hold(condition);
 }
 
 }  // namespace glider::ir::prove

@@ -3,13 +3,13 @@
 
 #pragma once
 
-#include "ir/prove/ground/ground.h"
+#include "ir/prove/context/proof_context.h"
 
 namespace glider::ir::prove {
 
-/// Whether a condition is true at every tick for the orders alone: no order of the mission leads
-/// deeper than it allows, whatever the ranges of what the orders are made from. True is a proof in
-/// the world of ir/prove/encoding/world.h; false is none.
-bool heldByOrders(ExprId condition, const Ground& ground);
+/// Whether a condition is true at every tick for the commands alone: no command of the mission leads
+/// deeper than it allows, whatever the ranges of what the commands are made from. True is a proof
+/// in the world of ir/prove/encoding/world.h; false is none.
+bool heldByOrders(ExprId condition, const ProofContext& proof_context);
 
 }  // namespace glider::ir::prove

@@ -4,7 +4,7 @@
 #include "ir/prove/abstract/earliest_entry.h"
 
 #include "ir/core/walk.h"
-#include "ir/prove/abstract/possible.h"
+#include "ir/prove/abstract/abstract_evaluator.h"
 
 #include <cmath>
 #include <functional>
@@ -23,8 +23,10 @@ constexpr double kMost = std::numeric_limits<double>::max();
 /// is before the one that it comes from.
 class Search {
  public:
-  explicit Search(const Ground& ground)
-      : ground_(ground), m_(ground.mission), entries_(m_.states.size(), kNever) {
+  explicit Search(const ProofContext& proof_context)
+      : proof_context_(proof_context),
+        m_(proof_context.mission),
+        entries_(m_.states.size(), kNever) {
     for (const Variable& variable : m_.variables) {
       values_.push_back(anything(variable));
     }
@@ -91,10 +93,12 @@ class Search {
   /// At any mission time from `since` to `until`. The state may have been entered at any of them.
   bool mayBeTrue(ExprId guard, double since, double until) const {
     const Interval stay{0, until - since, false};
-    return Possible(ground_, values_, {{since, until, false}, stay, stay}).truth(guard).is_true;
+    return AbstractEvaluator(proof_context_, values_, {{since, until, false}, stay, stay})
+        .truth(guard)
+        .is_true;
   }
 
-  const Ground& ground_;
+  const ProofContext& proof_context_;
   const Mission& m_;
   Valuation values_;
   std::vector<double> entries_;
@@ -104,8 +108,8 @@ class Search {
 
 }  // namespace
 
-std::vector<double> earliestEntries(const Ground& ground) {
-  return Search(ground).run();
+std::vector<double> earliestEntries(const ProofContext& proof_context) {
+  return Search(proof_context).run();
 }
 
 }  // namespace glider::ir::prove

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "ir/prove/ground/ground.h"
+#include "ir/prove/context/proof_context.h"
 
 #include <vector>
 
@@ -11,6 +11,6 @@ namespace glider::ir::prove {
 
 /// Of every state: no run enters it before this mission time, s; infinite: none enters it at all.
 /// By the clocks alone, whatever sensors and variables are worth.
-std::vector<double> earliestEntries(const Ground& ground);
+std::vector<double> earliestEntries(const ProofContext& proof_context);
 
 }  // namespace glider::ir::prove

@@ -7,8 +7,8 @@
 #include "ir/core/walk.h"
 #include "ir/prove/abstract/abstract_run.h"
 #include "ir/prove/abstract/leaving.h"
-#include "ir/prove/ground/control.h"
-#include "ir/prove/ground/orders.h"
+#include "ir/prove/context/commands.h"
+#include "ir/prove/context/control.h"
 
 #include <algorithm>
 #include <map>
@@ -31,13 +31,13 @@ struct Arrival {
 
 class Search {
  public:
-  Search(const Ground& ground, double latest, Goal goal)
-      : ground_(ground),
-        m_(ground.mission),
-        run_(ground),
+  Search(const ProofContext& proof_context, double latest, Goal goal)
+      : proof_context_(proof_context),
+        m_(proof_context.mission),
+        run_(proof_context),
         latest_(latest),
         goal_(goal),
-        left_by_(ground.mission.states.size(), 0) {}
+        left_by_(proof_context.mission.states.size(), 0) {}
 
   EndBound end() {
     Control control;
@@ -74,7 +74,7 @@ class Search {
     }
   }
 
-  /// Whether a state orders the surface as it starts, whatever else: the last order then of its
+  /// Whether a state commands the surface as it starts, whatever else: the last command then of its
   /// profile, and the route gives none about depth.
   bool surfaces(const State& state) const {
     const Statement* last = nullptr;
@@ -103,7 +103,7 @@ class Search {
     Valuation held = from.values;
     forgetWhatStaysChange(m_[from.control.state], held);
     const Leaving leaving =
-        leavingOf(ground_, m_[from.control.state], interrupting(from.control), held, since);
+        leavingOf(proof_context_, m_[from.control.state], interrupting(from.control), held, since);
     work_ += (leaving.looks + 1) * m_.exprs.size();
     if (leaving.by > latest_) {
       stays_ = from.control.state;
@@ -153,7 +153,7 @@ class Search {
     if (cases.empty()) {
       return;
     }
-    const Possible now(ground_, held, upTo(std::ranges::max(latest)));
+    const AbstractEvaluator now(proof_context_, held, upTo(std::ranges::max(latest)));
     for (uint32_t i = 0; i < cases.size(); ++i) {
       if (list == ListKind::Always && !control.mayInterrupt(m_, i)) {
         continue;
@@ -189,7 +189,7 @@ class Search {
     arrive(after, std::move(values), time);
   }
 
-  const Ground& ground_;
+  const ProofContext& proof_context_;
   const Mission& m_;
   AbstractRun run_;
   double latest_;
@@ -204,20 +204,20 @@ class Search {
 
 }  // namespace
 
-EndBound boundOf(const Ground& ground, double latest, Goal goal) {
-  return Search(ground, latest, goal).end();
+EndBound boundOf(const ProofContext& proof_context, double latest, Goal goal) {
+  return Search(proof_context, latest, goal).end();
 }
 
 const EndBound& Ending::bound() {
   if (!bound_) {
-    bound_ = boundOf(ground_, kLongestMission, Goal::Exit);
+    bound_ = boundOf(proof_context_, kLongestMission, Goal::Exit);
   }
   return *bound_;
 }
 
 const EndBound& Ending::boundWithoutPowerCuts() {
   if (!without_power_cuts_) {
-    without_power_cuts_ = boundOf(ground_.withoutPowerCuts(), kLongestMission, Goal::Exit);
+    without_power_cuts_ = boundOf(proof_context_.withoutPowerCuts(), kLongestMission, Goal::Exit);
   }
   return *without_power_cuts_;
 }
@@ -226,7 +226,7 @@ const EndBound& Ending::boundWithoutPowerCuts() {
 std::optional<double> Ending::by(double latest) {
   const EndBound& found = bound();
   if (!found.by && latest > kLongestMission) {
-    return boundOf(ground_, latest, Goal::Exit).by;
+    return boundOf(proof_context_, latest, Goal::Exit).by;
   }
   return found.by && std::ranges::max(found.left_by) <= latest ? found.by : std::nullopt;
 }

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "ir/prove/ground/ground.h"
+#include "ir/prove/context/proof_context.h"
 
 #include <optional>
 #include <vector>
@@ -16,7 +16,7 @@ inline constexpr double kLongestMission = 365 * 86400.0;
 /// What is waited for.
 enum class Goal : uint8_t {
   Exit,
-  ExitOrSurface,  ///< also a state whose profile orders the surface as it is entered
+  ExitOrSurface,  ///< also a state whose profile commands the surface as it is entered
 };
 
 /// When it has come, for the first time.
@@ -33,26 +33,26 @@ struct EndBound {
 ///
 /// Every call stack that a run can have is looked at, with what its variables may hold, and the
 /// latest time at which it can become current. A state is left for sure once a case of its own that
-/// leads away must be true, by the clocks alone; and a tick comes within Ground::tick_gap_s.
+/// leads away must be true, by the clocks alone; and a tick comes within ProofContext::tick_gap_s.
 /// No solver: a mission that counts its legs, or stops at a chosen set of depths, is bounded here
 /// where Spacer, which seeks an invariant over sums of times, gives up.
-EndBound boundOf(const Ground& ground, double latest, Goal goal);
+EndBound boundOf(const ProofContext& proof_context, double latest, Goal goal);
 
 /// By when a mission has ended: one search, however many ask.
 class Ending {
  public:
-  /// `ground` outlives this.
-  explicit Ending(const Ground& ground) : ground_(ground) {}
+  /// `proof_context` outlives this.
+  explicit Ending(const ProofContext& proof_context) : proof_context_(proof_context) {}
 
   /// Of the mission's exit, looked for up to kLongestMission.
   const EndBound& bound();
   /// The same for an SBC whose power is never cut.
   const EndBound& boundWithoutPowerCuts();
-  /// What boundOf(ground, latest, Goal::Exit) finds.
+  /// What boundOf(proof_context, latest, Goal::Exit) finds.
   std::optional<double> by(double latest);
 
  private:
-  const Ground& ground_;
+  const ProofContext& proof_context_;
   std::optional<EndBound> bound_;  ///< none: not looked for yet
   std::optional<EndBound> without_power_cuts_;
 };

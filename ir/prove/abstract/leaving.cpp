@@ -26,14 +26,14 @@ double sumOf(double a, double b) {
 
 class LeavingSearch {
  public:
-  LeavingSearch(const Ground& ground, const State& state, const Interruptions& always,
+  LeavingSearch(const ProofContext& proof_context, const State& state, const Interruptions& always,
                 const Valuation& values)
-      : ground_(ground), m_(ground.mission), always_(always), values_(values) {
+      : proof_context_(proof_context), m_(proof_context.mission), always_(always), values_(values) {
     for (const Case& c : state.cases) {
       own_.push_back(&c);
     }
     const Interval all{0, kMost, false};
-    const Possible ever(ground, values, {all, all, all});
+    const AbstractEvaluator ever(proof_context, values, {all, all, all});
     for (const Cases* cases : {&always.cases, &std::as_const(own_)}) {
       for (const Case* c : *cases) {
         gather(c->guard, ever);
@@ -42,7 +42,7 @@ class LeavingSearch {
   }
 
   Leaving leaving(double since) const {
-    const double gap = ground_.tick_gap_s;
+    const double gap = proof_context_.tick_gap_s;
     constexpr Interval kEver{0, kMost, false};
     constexpr double kNever = std::numeric_limits<double>::infinity();
     Leaving found{kNever, std::vector<double>(own_.size(), kNever), 1};
@@ -50,7 +50,7 @@ class LeavingSearch {
     // one at the latest.
     const auto note = [&](double time, double tick, const ClockRanges& clocks) {
       ++found.looks;
-      const Possible then(ground_, values_, clocks);
+      const AbstractEvaluator then(proof_context_, values_, clocks);
       const size_t sure = firstSure(own_, then);
       for (size_t i = sure; i < own_.size(); ++i) {
         found.latest[i] = std::min(found.latest[i], i == sure ? tick : time);
@@ -80,7 +80,7 @@ class LeavingSearch {
 
  private:
   /// Times that the guards compare clocks with.
-  void gather(ExprId root, const Possible& ever) {
+  void gather(ExprId root, const AbstractEvaluator& ever) {
     forEachIn(m_, root, [&](const Expr& e) {
       if (isOrdering(e.op)) {
         keep(e.operands[0], e.operands[1], ever);
@@ -89,7 +89,7 @@ class LeavingSearch {
     });
   }
 
-  void keep(ExprId clock, ExprId time, const Possible& ever) {
+  void keep(ExprId clock, ExprId time, const AbstractEvaluator& ever) {
     const Op op = m_[clock].op;
     const Interval& x = ever.number(time);
     if (x.empty || x.highest >= kMost || x.highest < 0) {
@@ -106,7 +106,7 @@ class LeavingSearch {
 
   /// The first case that leads away and must be true, with none before it that may keep the state;
   /// the number of cases if there is none.
-  static size_t firstSure(const Cases& cases, const Possible& then) {
+  static size_t firstSure(const Cases& cases, const AbstractEvaluator& then) {
     for (size_t i = 0; i < cases.size(); ++i) {
       const Truths& guard = then.truth(cases[i]->guard);
       if (guard.is_true && cases[i]->transition == Transition::Stay) {
@@ -119,7 +119,7 @@ class LeavingSearch {
     return cases.size();
   }
 
-  const Ground& ground_;
+  const ProofContext& proof_context_;
   const Mission& m_;
   const Interruptions& always_;
   Cases own_;
@@ -130,9 +130,9 @@ class LeavingSearch {
 
 }  // namespace
 
-Leaving leavingOf(const Ground& ground, const State& state, const Interruptions& always,
-                  const Valuation& values, double since) {
-  return LeavingSearch(ground, state, always, values).leaving(since);
+Leaving leavingOf(const ProofContext& proof_context, const State& state,
+                  const Interruptions& always, const Valuation& values, double since) {
+  return LeavingSearch(proof_context, state, always, values).leaving(since);
 }
 
 }  // namespace glider::ir::prove

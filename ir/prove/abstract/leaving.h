@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "ir/prove/abstract/possible.h"
+#include "ir/prove/abstract/abstract_evaluator.h"
 
 #include <vector>
 
@@ -29,7 +29,7 @@ struct Interruptions {
 
 /// Of `state`, if it became current at `since` at the latest and its variables are within `values`
 /// all the while, whatever the sensors say.
-Leaving leavingOf(const Ground& ground, const State& state, const Interruptions& always,
-                  const Valuation& values, double since);
+Leaving leavingOf(const ProofContext& proof_context, const State& state,
+                  const Interruptions& always, const Valuation& values, double since);
 
 }  // namespace glider::ir::prove

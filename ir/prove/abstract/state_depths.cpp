@@ -17,7 +17,7 @@ constexpr double kAnyDepth = std::numeric_limits<double>::infinity();
 /// Above this a bound says nothing: the number has no range.
 constexpr double kNoBound = 1e300;
 
-/// Under an order to climb too, which ends in hovering at its target.
+/// Under a command to climb too, which ends in hovering at its target.
 bool leadsDown(const Statement& statement) {
   return statement.kind == StatementKind::Command &&
          (statement.command == Command::Descend || statement.command == Command::Hover ||
@@ -26,10 +26,10 @@ bool leadsDown(const Statement& statement) {
 
 class Depths {
  public:
-  explicit Depths(const Ground& ground)
-      : ground_(ground),
-        m_(ground.mission),
-        held_(heldIntervals(ground.mission)),
+  explicit Depths(const ProofContext& proof_context)
+      : proof_context_(proof_context),
+        m_(proof_context.mission),
+        held_(heldIntervals(proof_context.mission)),
         deepest_(m_.states.size()) {
     for (uint32_t i = 0; i < m_.states.size(); ++i) {
       if (anyOf(m_.states[i].cases, Transition::Call) || anyOf(m_.always, Transition::Call)) {
@@ -38,11 +38,11 @@ class Depths {
     }
   }
 
-  /// What a state orders is what all that come after it may begin at: the deepest orders first.
+  /// What a state commands is what all that come after it may begin at: the deepest commands first.
   std::vector<double> run() {
     std::vector<double> own;
     for (const State& state : m_.states) {
-      own.push_back(ordered(state) + ground_.platform.envelope.inflection_overshoot_m);
+      own.push_back(commandedDepth(state) + proof_context_.platform.envelope.inflection_overshoot_m);
     }
     std::vector<uint32_t> order(own.size());
     std::iota(order.begin(), order.end(), 0U);
@@ -60,11 +60,11 @@ class Depths {
   }
 
   /// m; at least where control may be given.
-  double ordered(const State& state) const {
+  double commandedDepth(const State& state) const {
     if (!m_[state.profile.behaviour].symbol.empty() || !m_[state.route.behaviour].symbol.empty()) {
       return kAnyDepth;
     }
-    double deepest = ground_.platform.world.start_depth_m;
+    double deepest = proof_context_.platform.world.start_depth_m;
     const auto look = [&](const Statement& statement) {
       if (leadsDown(statement)) {
         const Interval& target = held_[statement.values.at(0).index];
@@ -109,7 +109,7 @@ class Depths {
     }
   }
 
-  const Ground& ground_;
+  const ProofContext& proof_context_;
   const Mission& m_;
   std::vector<Interval> held_;  ///< of every expression
   std::vector<double> deepest_;
@@ -120,8 +120,8 @@ class Depths {
 
 }  // namespace
 
-std::vector<double> deepestByState(const Ground& ground) {
-  return Depths(ground).run();
+std::vector<double> deepestByState(const ProofContext& proof_context) {
+  return Depths(proof_context).run();
 }
 
 }  // namespace glider::ir::prove

@@ -3,7 +3,7 @@
 
 #include "ir/prove/encoding/horn.h"
 
-#include "ir/prove/encoding/rules.h"
+#include "ir/prove/encoding/chc_encoder.h"
 #include "ir/prove/encoding/run_of_rules.h"
 
 #include <fmt/format.h>
@@ -113,9 +113,10 @@ class Engine {
 
 }  // namespace
 
-RunsAnswer askAboutRuns(z3::context& context, const Ground& ground, const Relevance& relevance,
-                        const Watch& watch, unsigned effort) {
-  RuleWriter writer(context, ground, relevance, watch);
+RunsAnswer askAboutRuns(z3::context& context, const ProofContext& proof_context,
+                        const ConeOfInfluence& relevance, const SafetyProperty& watch,
+                        unsigned effort) {
+  ChcEncoder writer(context, proof_context, relevance, watch);
   if (!writer.run()) {
     return {Answer::Unknown, std::nullopt, "the mission has too many call stacks"};
   }
@@ -127,7 +128,7 @@ RunsAnswer askAboutRuns(z3::context& context, const Ground& ground, const Releva
   if (result == z3::unknown) {
     return {Answer::Unknown, std::nullopt, engine.reason()};
   }
-  auto run = runOfRules(context, ground, writer.rules(), engine.trace(), effort);
+  auto run = runOfRules(context, proof_context, writer.rules(), engine.trace(), effort);
   if (!run) {
     return {Answer::Unknown, std::nullopt, "a counterexample was found, but not all of its values"};
   }

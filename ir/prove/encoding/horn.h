@@ -17,7 +17,7 @@ namespace glider::ir::prove {
 
 /// What a question about all runs asks of each step. Every function sees the configuration with the
 /// memory that the question keeps in it.
-struct Watch {
+struct SafetyProperty {
   std::vector<z3::sort> memory;
   /// Memory of the start; after time has passed; after a transition (Outcome) of a tick.
   std::function<void(Configuration& start)> begin;
@@ -25,7 +25,8 @@ struct Watch {
   std::function<void(const Configuration& before, const Outcome& outcome, Configuration& after)>
       move;
   /// What no tick must leave, the start and the last one included: seen with its readings.
-  std::function<std::optional<z3::expr>(const Configuration& left, Moment& moment)> bad_at_tick;
+  std::function<std::optional<z3::expr>(const Configuration& left, SymbolicState& moment)>
+      bad_at_tick;
   /// What must not be after a tick, whatever it read.
   std::function<std::optional<z3::expr>(const Configuration& now)> bad_after;
   /// A transition that must not be made.
@@ -43,7 +44,8 @@ struct RunsAnswer {
 /// system over reals, one pair of predicates for each call stack. Time passes in steps of any
 /// length, but not past a moment at which a condition of clocks and variables turns, by more than
 /// the longest gap between two ticks.
-RunsAnswer askAboutRuns(z3::context& context, const Ground& ground, const Relevance& relevance,
-                        const Watch& watch, unsigned effort);
+RunsAnswer askAboutRuns(z3::context& context, const ProofContext& proof_context,
+                        const ConeOfInfluence& relevance, const SafetyProperty& watch,
+                        unsigned effort);
 
 }  // namespace glider::ir::prove

@@ -76,7 +76,7 @@ Rough roughnessOf(const OpInfo& function) {
   return angle ? Rough::Angle : Rough::Function;
 }
 
-/// As Moment takes it.
+/// As SymbolicState takes it.
 std::optional<Rough> roughnessOf(const Mission& m, const Expr& e) {
   switch (groupOf(e.op)) {
     case OpGroup::Unary:
@@ -107,8 +107,8 @@ std::optional<Rough> roughnessOf(const Mission& m, const Expr& e) {
   return std::nullopt;
 }
 
-/// Whether a profile or route in C matters: it may order anything.
-bool hasCode(const Mission& m, const Relevance& relevance) {
+/// Whether a profile or route in C matters: it may command anything.
+bool hasCode(const Mission& m, const ConeOfInfluence& relevance) {
   for (size_t i = 0; i < m.states.size(); ++i) {
     const State& state = m.states[i];
     if ((relevance.profiles[i] && !m[state.profile.behaviour].symbol.empty()) ||
@@ -121,7 +121,7 @@ bool hasCode(const Mission& m, const Relevance& relevance) {
 
 }  // namespace
 
-std::string knownRoughly(const Mission& mission, const Relevance& relevance) {
+std::string knownRoughly(const Mission& mission, const ConeOfInfluence& relevance) {
   std::set<Rough> found;
   for (size_t i = 0; i < mission.exprs.size(); ++i) {
     if (relevance.expressions[i]) {

@@ -11,6 +11,6 @@ namespace glider::ir::prove {
 
 /// What of all that matters to a question over runs the solver knows less of than the machine does,
 /// in words: "products, windows"; empty if it is nothing.
-std::string knownRoughly(const Mission& mission, const Relevance& relevance);
+std::string knownRoughly(const Mission& mission, const ConeOfInfluence& relevance);
 
 }  // namespace glider::ir::prove

@@ -39,9 +39,9 @@ Configuration Layout::make(const Control& control, Unknowns& unknowns) const {
                                   kept ? TruthTerm{unknowns.truth("true"), unknowns.truth("false")}
                                        : TruthTerm{never, never});
     } else {
-      const z3::expr known = !kept                        ? never
-                             : ground_.known.variables[i] ? context.bool_val(true)
-                                                          : unknowns.truth("known");
+      const z3::expr known = !kept                               ? never
+                             : proof_context_.known.variables[i] ? context.bool_val(true)
+                                                                 : unknowns.truth("known");
       result.store.numbers.emplace(i, NumberTerm{kept ? unknowns.real("v") : nothing, known, 0});
     }
   }
@@ -79,7 +79,7 @@ std::vector<z3::expr> Layout::row(const Configuration& c) const {
       continue;
     }
     row.push_back(c.store.numbers.at(i).value);
-    if (!ground_.known.variables[i]) {
+    if (!proof_context_.known.variables[i]) {
       row.push_back(c.store.numbers.at(i).known);
     }
   }

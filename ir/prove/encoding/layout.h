@@ -14,8 +14,12 @@ namespace glider::ir::prove {
 class Layout {
  public:
   /// `memory` are the sorts of what the question keeps. All outlive this.
-  Layout(const Ground& ground, const Relevance& relevance, const std::vector<z3::sort>& memory)
-      : ground_(ground), m_(ground.mission), relevance_(relevance), memory_(memory) {}
+  Layout(const ProofContext& proof_context, const ConeOfInfluence& relevance,
+         const std::vector<z3::sort>& memory)
+      : proof_context_(proof_context),
+        m_(proof_context.mission),
+        relevance_(relevance),
+        memory_(memory) {}
 
   /// A configuration of unknowns.
   Configuration make(const Control& control, Unknowns& unknowns) const;
@@ -28,9 +32,9 @@ class Layout {
   /// Whether a temporal is watched now.
   [[nodiscard]] bool watches(const Control& control, uint32_t temporal) const;
 
-  const Ground& ground_;
+  const ProofContext& proof_context_;
   const Mission& m_;
-  const Relevance& relevance_;
+  const ConeOfInfluence& relevance_;
   const std::vector<z3::sort>& memory_;
 };
 

@@ -65,7 +65,7 @@ namespace {
 
 class Description {
  public:
-  Description(const z3::model& model, Moment& moment) : model_(model), moment_(moment) {}
+  Description(const z3::model& model, SymbolicState& moment) : model_(model), moment_(moment) {}
 
   std::string run() {
     const Mission& m = moment_.mission();
@@ -96,13 +96,13 @@ class Description {
   }
 
   const z3::model& model_;
-  Moment& moment_;
+  SymbolicState& moment_;
   std::string text_;
 };
 
 }  // namespace
 
-std::string describe(const z3::model& model, Moment& moment) {
+std::string describe(const z3::model& model, SymbolicState& moment) {
   return Description(model, moment).run();
 }
 

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "ir/prove/encoding/moment.h"
+#include "ir/prove/encoding/symbolic_state.h"
 
 #include <optional>
 #include <string>
@@ -46,6 +46,6 @@ class Question {
 
 /// What a model says of the readings, clocks and variables that a moment has asked for:
 /// "depth = 12 m, temp unknown, missiontime = 500 s".
-std::string describe(const z3::model& model, Moment& moment);
+std::string describe(const z3::model& model, SymbolicState& moment);
 
 }  // namespace glider::ir::prove

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "ir/prove/encoding/moment.h"
+#include "ir/prove/encoding/symbolic_state.h"
 #include "support/diagnostics/engine.h"
 
 #include <vector>

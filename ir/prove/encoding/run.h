@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "ir/prove/ground/control.h"
+#include "ir/prove/context/control.h"
 
 #include <optional>
 #include <vector>

@@ -40,7 +40,8 @@ double valueOf(const z3::model& model, const Taken& taken, const NumberTerm& ter
 
 class Reading {
  public:
-  Reading(const Ground& ground, const z3::model& model) : m_(ground.mission), model_(model) {}
+  Reading(const ProofContext& proof_context, const z3::model& model)
+      : m_(proof_context.mission), model_(model) {}
 
   Step step(const Taken& taken) const {
     const Rule& rule = taken.rule();
@@ -89,7 +90,7 @@ class Reading {
 
 }  // namespace
 
-std::optional<Run> runOfRules(z3::context& context, const Ground& ground,
+std::optional<Run> runOfRules(z3::context& context, const ProofContext& proof_context,
                               const std::vector<Rule>& rules, const std::vector<size_t>& trace,
                               unsigned effort) {
   if (trace.empty() || rules[trace.front()].from) {
@@ -109,7 +110,7 @@ std::optional<Run> runOfRules(z3::context& context, const Ground& ground,
     return std::nullopt;
   }
   const z3::model model = question.model();
-  const Reading reading(ground, model);
+  const Reading reading(proof_context, model);
   Run run;
   run.parameters = reading.parameters(steps.front());
   for (const Taken& taken : steps) {

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "ir/prove/encoding/rules.h"
+#include "ir/prove/encoding/chc_encoder.h"
 
 #include <optional>
 #include <vector>
@@ -12,7 +12,7 @@ namespace glider::ir::prove {
 
 /// Values for all that rules `trace` (numbers, the start first, what is bad last) leave open: the
 /// run that takes them one after another.
-std::optional<Run> runOfRules(z3::context& context, const Ground& ground,
+std::optional<Run> runOfRules(z3::context& context, const ProofContext& proof_context,
                               const std::vector<Rule>& rules, const std::vector<size_t>& trace,
                               unsigned effort);
 

@@ -12,7 +12,7 @@ z3::expr either(const z3::expr& condition, const z3::expr& yes, const z3::expr& 
 
 }  // namespace
 
-void Store::show(Moment& moment) const {
+void Store::show(SymbolicState& moment) const {
   for (const auto& [index, term] : numbers) {
     moment.set(VariableId{index}, term);
   }

@@ -3,20 +3,20 @@
 
 #pragma once
 
-#include "ir/prove/encoding/moment.h"
+#include "ir/prove/encoding/symbolic_state.h"
 
 #include <map>
 #include <optional>
 
 namespace glider::ir::prove {
 
-/// The vehicle, as far as orders reach it (ir/prove/encoding/world.h says how it moves).
+/// The vehicle, as far as commands reach it (ir/prove/encoding/world.h says how it moves).
 struct Vehicle {
   z3::expr depth;     ///< true depth, m
-  z3::expr deepest;   ///< where it cannot be deeper under the order in force, m
-  z3::expr climbing;  ///< the order in force leads up
-  z3::expr since;     ///< mission time of the first order to climb that has been in force since, s
-  z3::expr top;       ///< of the order in force, if it leads up, m
+  z3::expr deepest;   ///< where it cannot be deeper under the command in force, m
+  z3::expr climbing;  ///< the command in force leads up
+  z3::expr since;     ///< mission time of the first command to climb that has been in force since, s
+  z3::expr top;       ///< of the command in force, if it leads up, m
 };
 
 /// What a mission keeps from tick to tick, as terms: its variables, and the vehicle if it matters.
@@ -26,7 +26,7 @@ struct Store {
   std::optional<Vehicle> vehicle;
 
   /// Lets `moment` see the variables as they stand here.
-  void show(Moment& moment) const;
+  void show(SymbolicState& moment) const;
 };
 
 /// `yes` where `condition` holds, else `no`; both keep the same.

@@ -13,7 +13,7 @@ namespace glider::ir::prove {
 struct SymbolicTick::Run {
   const Configuration& before;
   z3::expr now;
-  Moment moment;
+  SymbolicState moment;
   Store store;
   std::map<uint32_t, Watched> watched;
   z3::expr alive;  ///< no transition yet
@@ -21,7 +21,7 @@ struct SymbolicTick::Run {
 };
 
 std::vector<Outcome> SymbolicTick::run(const Configuration& before, const z3::expr& now,
-                                       const Moment& readings, Pace pace) {
+                                       const SymbolicState& readings, Pace pace) {
   z3::context& context = unknowns_.context();
   Run run{before, now, readings, before.store, before.watched, context.bool_val(true), {}};
   run.moment.setClocks(now, now - before.entered.back(), now - before.resumed);
@@ -114,7 +114,7 @@ void SymbolicTick::fire(Run& run, ListKind list, uint32_t number, const Case& c,
     after.resumed = run.now;
     after.watched = run.watched;
     after.control = run.before.control.moved(list, number, c);
-    Moment moment = run.moment;
+    SymbolicState moment = run.moment;
     after.store.show(moment);
     if (c.transition == Transition::Return) {
       after.entered.pop_back();
@@ -132,10 +132,10 @@ void SymbolicTick::fire(Run& run, ListKind list, uint32_t number, const Case& c,
 }
 
 /// The arguments are evaluated together, before any parameter changes: `goto b(y, x)` swaps.
-void SymbolicTick::pass(const Moment& before, const Case& c, Store& store) {
+void SymbolicTick::pass(const SymbolicState& before, const Case& c, Store& store) {
   const Store asked = store;
   for (size_t i = 0; i < c.arguments.size(); ++i) {
-    Moment moment = before;
+    SymbolicState moment = before;
     asked.show(moment);
     assign(moment, m_[c.target].parameters[i], c.arguments[i], store, true);
   }
@@ -146,7 +146,7 @@ void SymbolicTick::runActivity(Run& run, const Activity& activity, bool relevant
     return;
   }
   if (!m_[activity.behaviour].symbol.empty()) {
-    if (run.store.vehicle) {  // a route in C may order depths too
+    if (run.store.vehicle) {  // a route in C may command depths too
       run.store.vehicle = obeyAnything(*run.store.vehicle, unknowns_);
     }
     return;

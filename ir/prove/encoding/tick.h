@@ -3,8 +3,8 @@
 
 #pragma once
 
+#include "ir/prove/context/control.h"
 #include "ir/prove/encoding/store.h"
-#include "ir/prove/ground/control.h"
 
 #include <functional>
 #include <map>
@@ -40,14 +40,15 @@ struct Outcome {
 };
 
 /// What matters to a question; the rest of a tick is left out.
-struct Relevance {
+struct ConeOfInfluence {
   std::vector<bool> expressions;
   std::vector<bool> variables;
   std::vector<bool> temporals;
-  bool vehicle = false;  ///< orders and the depth
+  bool vehicle = false;  ///< commands and the depth
   bool state_time = false;
   bool resume_time = false;
-  /// Whether a state's profile and route are run: they set a variable that matters, or give orders.
+  /// Whether a state's profile and route are run: they set a variable that matters, or give
+  /// commands.
   std::vector<bool> profiles;
   std::vector<bool> routes;
 };
@@ -62,13 +63,17 @@ enum class Pace : uint8_t {
 /// that it may do. `moment` has its readings already; the vehicle has moved.
 class SymbolicTick {
  public:
-  SymbolicTick(const Ground& ground, const Relevance& relevance, Unknowns& unknowns)
-      : ground_(ground), m_(ground.mission), relevance_(relevance), unknowns_(unknowns) {}
+  SymbolicTick(const ProofContext& proof_context, const ConeOfInfluence& relevance,
+               Unknowns& unknowns)
+      : proof_context_(proof_context),
+        m_(proof_context.mission),
+        relevance_(relevance),
+        unknowns_(unknowns) {}
 
-  std::vector<Outcome> run(const Configuration& before, const z3::expr& now, const Moment& readings,
-                           Pace pace);
+  std::vector<Outcome> run(const Configuration& before, const z3::expr& now,
+                           const SymbolicState& readings, Pace pace);
   /// The start of the mission: its variables, `always`, the first state.
-  Configuration start(Configuration before, const Moment& readings);
+  Configuration start(Configuration before, const SymbolicState& readings);
 
  private:
   struct Run;  // a tick under way (tick.cpp)
@@ -78,24 +83,27 @@ class SymbolicTick {
   bool tryList(Run& run, ListKind list, const std::vector<Case>& cases);
   void fire(Run& run, ListKind list, uint32_t number, const Case& c, const z3::expr& condition,
             const Store& after_action);
-  void pass(const Moment& before, const Case& c, Store& store);
+  void pass(const SymbolicState& before, const Case& c, Store& store);
   void runActivity(Run& run, const Activity& activity, bool relevant);
 
-  Store execute(Moment& moment, BlockId block, Store store, const z3::expr& now);
-  Store executeOne(Moment& moment, const Statement& statement, Store store, const z3::expr& now);
+  Store execute(SymbolicState& moment, BlockId block, Store store, const z3::expr& now);
+  Store executeOne(SymbolicState& moment, const Statement& statement, Store store,
+                   const z3::expr& now);
   /// No rounding leaves the interval of what it rounds.
-  void bound(Moment& moment, const NumberTerm& term, const Interval& interval);
-  void assign(Moment& moment, VariableId variable, ExprId value, Store& store, bool start);
-  TruthTerm heldFor(Moment& moment, const Temporal& temporal, const TruthTerm& operand,
+  void bound(SymbolicState& moment, const NumberTerm& term, const Interval& interval);
+  void assign(SymbolicState& moment, VariableId variable, ExprId value, Store& store, bool start);
+  TruthTerm heldFor(SymbolicState& moment, const Temporal& temporal, const TruthTerm& operand,
                     const z3::expr& since);
-  void startWatching(Moment& moment, ListKind list, StateId state, Configuration& configuration);
-  Configuration enter(Configuration before, Moment moment);
-  Configuration resume(Configuration before, Moment moment);
-  void runEntry(Moment& moment, const Activity& activity, bool relevant, Configuration& after);
+  void startWatching(SymbolicState& moment, ListKind list, StateId state,
+                     Configuration& configuration);
+  Configuration enter(Configuration before, SymbolicState moment);
+  Configuration resume(Configuration before, SymbolicState moment);
+  void runEntry(SymbolicState& moment, const Activity& activity, bool relevant,
+                Configuration& after);
 
-  const Ground& ground_;
+  const ProofContext& proof_context_;
   const Mission& m_;
-  const Relevance& relevance_;
+  const ConeOfInfluence& relevance_;
   Unknowns& unknowns_;
 };
 

@@ -11,7 +11,8 @@
 
 namespace glider::ir::prove {
 
-Store SymbolicTick::execute(Moment& moment, BlockId block, Store store, const z3::expr& now) {
+Store SymbolicTick::execute(SymbolicState& moment, BlockId block, Store store,
+                            const z3::expr& now) {
   store.show(moment);
   if (block.valid()) {
     for (const Statement& statement : m_[block].statements) {
@@ -21,7 +22,7 @@ Store SymbolicTick::execute(Moment& moment, BlockId block, Store store, const z3
   return store;
 }
 
-Store SymbolicTick::executeOne(Moment& moment, const Statement& statement, Store store,
+Store SymbolicTick::executeOne(SymbolicState& moment, const Statement& statement, Store store,
                                const z3::expr& now) {
   switch (statement.kind) {
     case StatementKind::Set:
@@ -46,7 +47,7 @@ Store SymbolicTick::executeOne(Moment& moment, const Statement& statement, Store
         allowed = allowed && arguments.back().known;
       }
       store.vehicle = obey(*store.vehicle, statement.command, arguments, now, allowed,
-                           ground_.platform, unknowns_);
+                           proof_context_.platform, unknowns_);
       break;
     }
     case StatementKind::Log:
@@ -55,7 +56,7 @@ Store SymbolicTick::executeOne(Moment& moment, const Statement& statement, Store
   return store;
 }
 
-void SymbolicTick::bound(Moment& moment, const NumberTerm& term, const Interval& interval) {
+void SymbolicTick::bound(SymbolicState& moment, const NumberTerm& term, const Interval& interval) {
   constexpr double kMost = std::numeric_limits<double>::max();
   if (interval.lowest > -kMost) {
     unknowns_.require(z3::implies(term.known, term.value >= moment.real(interval.lowest)));
@@ -67,7 +68,7 @@ void SymbolicTick::bound(Moment& moment, const NumberTerm& term, const Interval&
 
 /// A variable's term has no slack: what roundings leave open is an unknown of its own. When it
 /// starts it may be unknown; `set` leaves it as it was where the value is unknown.
-void SymbolicTick::assign(Moment& moment, VariableId variable, ExprId value, Store& store,
+void SymbolicTick::assign(SymbolicState& moment, VariableId variable, ExprId value, Store& store,
                           bool start) {
   if (!relevance_.variables[variable.index]) {
     return;
@@ -89,7 +90,7 @@ void SymbolicTick::assign(Moment& moment, VariableId variable, ExprId value, Sto
       const z3::expr near = rounded - given.value <= slack && given.value - rounded <= slack;
       unknowns_.require(z3::implies(given.known, near));
       given = {rounded, given.known, 0};
-      bound(moment, given, ground_.intervals[value.index]);
+      bound(moment, given, proof_context_.intervals[value.index]);
     }
     held = start ? given
                  : NumberTerm{z3::ite(given.known, given.value, held.value),
@@ -101,8 +102,8 @@ void SymbolicTick::assign(Moment& moment, VariableId variable, ExprId value, Sto
 
 /// What `held` is worth when its operand has been true for so long, s. A duration that is not
 /// constant may be 0, negative or unknown; within its rounding either answer may be the machine's.
-TruthTerm SymbolicTick::heldFor(Moment& moment, const Temporal& temporal, const TruthTerm& operand,
-                                const z3::expr& since) {
+TruthTerm SymbolicTick::heldFor(SymbolicState& moment, const Temporal& temporal,
+                                const TruthTerm& operand, const z3::expr& since) {
   const NumberTerm duration = moment.number(temporal.duration);
   z3::expr long_enough = since >= duration.value;
   if (duration.slack > 0) {
@@ -115,7 +116,7 @@ TruthTerm SymbolicTick::heldFor(Moment& moment, const Temporal& temporal, const 
 }
 
 /// `became` and `held` of a list start from what their operands are now.
-void SymbolicTick::startWatching(Moment& moment, ListKind list, StateId state,
+void SymbolicTick::startWatching(SymbolicState& moment, ListKind list, StateId state,
                                  Configuration& configuration) {
   z3::context& context = unknowns_.context();
   for (uint32_t i = 0; i < m_.temporals.size(); ++i) {
@@ -146,7 +147,7 @@ void keepWatchOfAlways(const Mission& mission, Configuration& configuration) {
 
 }  // namespace
 
-Configuration SymbolicTick::enter(Configuration after, Moment moment) {
+Configuration SymbolicTick::enter(Configuration after, SymbolicState moment) {
   z3::context& context = unknowns_.context();
   const StateId id = after.control.state;
   const State& state = m_[id];
@@ -167,7 +168,7 @@ Configuration SymbolicTick::enter(Configuration after, Moment moment) {
   return after;
 }
 
-Configuration SymbolicTick::resume(Configuration after, Moment moment) {
+Configuration SymbolicTick::resume(Configuration after, SymbolicState moment) {
   const StateId id = after.control.state;
   moment.setClocks(after.mission_time, after.mission_time - after.entered.back(),
                    unknowns_.context().real_val(0));
@@ -179,7 +180,7 @@ Configuration SymbolicTick::resume(Configuration after, Moment moment) {
   return after;
 }
 
-void SymbolicTick::runEntry(Moment& moment, const Activity& activity, bool relevant,
+void SymbolicTick::runEntry(SymbolicState& moment, const Activity& activity, bool relevant,
                             Configuration& after) {
   if (!relevant) {
     return;
@@ -191,8 +192,8 @@ void SymbolicTick::runEntry(Moment& moment, const Activity& activity, bool relev
   }
 }
 
-Configuration SymbolicTick::start(Configuration before, const Moment& readings) {
-  Moment moment = readings;
+Configuration SymbolicTick::start(Configuration before, const SymbolicState& readings) {
+  SymbolicState moment = readings;
   moment.setClocks(before.mission_time, before.mission_time, before.mission_time);
   before.store.show(moment);
   for (uint32_t i = 0; i < m_.variables.size(); ++i) {

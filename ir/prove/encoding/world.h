@@ -12,15 +12,15 @@
 /// thousands against it), narrow enough to prove something.
 ///
 /// - It sinks and climbs at `vertical_rate_m_s` at most, and never above the surface.
-/// - An order to dive to a depth, or to hover at it, never takes it deeper than
-///   `inflection_overshoot_m` beyond that, or beyond where it is; a new order never deeper than it
+/// - A command to dive to a depth, or to hover at it, never takes it deeper than
+///   `inflection_overshoot_m` beyond that, or beyond where it is; a new command never deeper than it
 ///   or the one before would have.
-/// - An order to climb, `turn_s` old, lifts it at `slowest_climb_m_s` at least, until it is there.
+/// - A command to climb, `turn_s` old, lifts it at `slowest_climb_m_s` at least, until it is there.
 ///   There it hovers, give or take the overshoot, and from above it sinks to it; a depth above
-///   `kFloats` means the surface. An order to climb further counts anew: it may have hovered.
+///   `kFloats` means the surface. A command to climb further counts anew: it may have hovered.
 namespace glider::ir::prove {
 
-/// An order to climb to a depth above this (m) ends at the surface: hookbeh does not hover there.
+/// A command to climb to a depth above this (m) ends at the surface: hookbeh does not hover there.
 inline constexpr double kFloats = 1;
 
 /// What a command does to the vehicle that is ordered: `arguments` are its own, `allowed` where it
@@ -29,10 +29,10 @@ Vehicle obey(const Vehicle& before, Command command, const std::vector<NumberTer
              const z3::expr& now, const z3::expr& allowed, const platforms::Platform& platform,
              Unknowns& unknowns);
 
-/// After an order that the prover cannot see (a behaviour in C): any there is.
+/// After a command that the prover cannot see (a behaviour in C): any there is.
 Vehicle obeyAnything(const Vehicle& before, Unknowns& unknowns);
 
-/// What holds between the vehicle at `from` and its depth at `to` (mission time, s) if no order
+/// What holds between the vehicle at `from` and its depth at `to` (mission time, s) if no command
 /// comes in between.
 z3::expr moves(const Vehicle& before, const z3::expr& from, const z3::expr& to,
                const z3::expr& depth, const platforms::Platform& platform);

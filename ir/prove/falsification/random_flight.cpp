@@ -35,26 +35,26 @@ struct Showing {
 
 class RandomFlight {
  public:
-  RandomFlight(const Ground& ground, uint32_t stack_depth,
+  RandomFlight(const ProofContext& proof_context, uint32_t stack_depth,
                std::span<const Requirement> requirements, uint64_t seed)
-      : ground_(ground),
-        m_(ground.mission),
-        recorder_(ground, stack_depth, requirements),
+      : proof_context_(proof_context),
+        m_(proof_context.mission),
+        recorder_(proof_context, stack_depth, requirements),
         dice_(seed),
-        vehicle_(ground.platform, dice_),
+        vehicle_(proof_context.platform, dice_),
         showing_(m_.sensors.size()) {
     for (const Sensor& sensor : m_.sensors) {
       landmarks_.push_back(landmarksOf(sensor));
     }
-    const auto area =
-        std::ranges::find_if_not(requirements, &std::vector<Fence>::empty, &Requirement::fences);
+    const auto area = std::ranges::find_if_not(requirements, &std::vector<Geofence>::empty,
+                                               &Requirement::geofences);
     if (area != requirements.end()) {
-      place_.emplace(startOf(*area), ground.platform, dice_);
-      dark_left_s_ = ground.tick_gap_s;  // the premise of areas: all outages together
+      place_.emplace(startOf(*area), proof_context.platform, dice_);
+      dark_left_s_ = proof_context.tick_gap_s;  // the premise of areas: all outages together
     }
   }
 
-  std::optional<ConcreteRun> fly(size_t ticks) {
+  std::optional<Counterexample> fly(size_t ticks) {
     double time = 0;
     recorder_.start(parameters(), readings(time), vehicle_.depth());
     for (size_t i = 0; i < ticks && !recorder_.hit() && !recorder_.last().finished; ++i) {
@@ -73,9 +73,9 @@ class RandomFlight {
  private:
   /// s; a power cut may be of any length that the mission goes on after.
   double untilNextTick() {
-    const platforms::Platform& platform = ground_.platform;
+    const platforms::Platform& platform = proof_context_.platform;
     const double shortest = platform.world.tick_gap_s;
-    const double longest = std::min(ground_.tick_gap_s, dark_left_s_);
+    const double longest = std::min(proof_context_.tick_gap_s, dark_left_s_);
     if (longest > shortest && dice_.chance(kPowerCut)) {
       const double cut = dice_.chance(0.5) ? longest : dice_.within(shortest, longest);
       dark_left_s_ -= cut;
@@ -86,7 +86,7 @@ class RandomFlight {
 
   /// In steps that a vehicle steers by.
   void move(double from, double to) {
-    const platforms::World& world = ground_.platform.world;
+    const platforms::World& world = proof_context_.platform.world;
     const bool dark = to - from > world.tick_gap_s;
     for (double time = from; time < to; time += world.tick_gap_s) {
       const double until = std::min(time + world.tick_gap_s, to);
@@ -100,10 +100,10 @@ class RandomFlight {
   /// A waypoint, where a mission that keeps its areas well may begin, mostly one on their right
   /// side; else the middle of an area.
   Position startOf(const Requirement& requirement) {
-    const std::vector<Position> all = steeringOf(ground_).waypoints;
+    const std::vector<Position> all = steeringOf(proof_context_).waypoints;
     std::vector<Position> kept;
     std::ranges::copy_if(all, std::back_inserter(kept), [&](const Position& place) {
-      return std::ranges::all_of(requirement.fences, [&](const Fence& fence) {
+      return std::ranges::all_of(requirement.geofences, [&](const Geofence& fence) {
         return AreaMap(fence.corners, {place}).clearance(fence, {place}).right_side;
       });
     });
@@ -113,7 +113,7 @@ class RandomFlight {
       return from[dice_.below(from.size())];
     }
     Position middle;
-    const std::vector<Position>& corners = requirement.fences.front().corners;
+    const std::vector<Position>& corners = requirement.geofences.front().corners;
     for (const Position& corner : corners) {
       middle.latitude += corner.latitude / static_cast<double>(corners.size());
       middle.longitude += corner.longitude / static_cast<double>(corners.size());
@@ -126,7 +126,7 @@ class RandomFlight {
     if (!place_ || !sensor.symbol.empty() || sensor.encoding != Encoding::DegreesMinutes) {
       return std::nullopt;
     }
-    const platforms::PlatformSensor* row = ground_.platform.find(sensor.vehicle_name);
+    const platforms::PlatformSensor* row = proof_context_.platform.find(sensor.vehicle_name);
     if (row == nullptr || (row->alias != "lat" && row->alias != "lon")) {
       return std::nullopt;
     }
@@ -191,7 +191,7 @@ class RandomFlight {
 
   /// Of a sensor: within its range, at its ends, next to a constant of its type, or unknown.
   double anyValue(uint32_t sensor) {
-    const Interval& range = ground_.sensors[sensor];
+    const Interval& range = proof_context_.sensors[sensor];
     if (range.empty || dice_.chance(calm_ ? 0.02 : 0.1)) {
       return kUnknown;
     }
@@ -223,10 +223,10 @@ class RandomFlight {
     return found;
   }
 
-  const Ground& ground_;
+  const ProofContext& proof_context_;
   const Mission& m_;
   RunRecorder recorder_;
-  Dice dice_;
+  Rng dice_;
   RandomVehicle vehicle_;
   std::optional<RandomPlace> place_;  ///< where it is, if that is asked about
   double dark_left_s_ = std::numeric_limits<double>::infinity();  ///< of power cuts
@@ -237,10 +237,10 @@ class RandomFlight {
 
 }  // namespace
 
-std::optional<ConcreteRun> flyAtRandom(const Ground& ground, uint32_t stack_depth,
-                                       std::span<const Requirement> requirements, uint64_t seed,
-                                       size_t ticks) {
-  return RandomFlight(ground, stack_depth, requirements, seed).fly(ticks);
+std::optional<Counterexample> flyAtRandom(const ProofContext& proof_context, uint32_t stack_depth,
+                                          std::span<const Requirement> requirements, uint64_t seed,
+                                          size_t ticks) {
+  return RandomFlight(proof_context, stack_depth, requirements, seed).fly(ticks);
 }
 
 }  // namespace glider::ir::prove

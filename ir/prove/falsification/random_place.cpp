@@ -17,7 +17,7 @@ constexpr double kTurn = 2 * std::numbers::pi;
 
 }  // namespace
 
-RandomPlace::RandomPlace(const Position& start, const platforms::Platform& platform, Dice& dice)
+RandomPlace::RandomPlace(const Position& start, const platforms::Platform& platform, Rng& dice)
     : platform_(platform), dice_(dice), place_(start) {
   heading_ = dice_.within(0, kTurn);
   set_ = dice_.within(0, kTurn);

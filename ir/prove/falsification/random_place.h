@@ -4,7 +4,7 @@
 #pragma once
 
 #include "ir/eval/tick_result.h"
-#include "ir/prove/falsification/dice.h"
+#include "ir/prove/falsification/rng.h"
 #include "platforms/load/platform.h"
 
 #include <optional>
@@ -13,14 +13,14 @@
 namespace glider::ir::prove {
 
 /// Where a vehicle gets to that obeys a mission's commands in a current, and in the wind at the
-/// surface: what ir/prove/geometry/fences.h assumes, with numbers. It always knows where it is.
+/// surface: what ir/prove/geometry/geofences.h assumes, with numbers. It always knows where it is.
 class RandomPlace {
  public:
   /// Begins at `start`. `platform` and `dice` outlive this.
-  RandomPlace(const Position& start, const platforms::Platform& platform, Dice& dice);
+  RandomPlace(const Position& start, const platforms::Platform& platform, Rng& dice);
 
   [[nodiscard]] const Position& where() const { return place_; }
-  /// Takes the orders of a tick.
+  /// Takes the commands of a tick.
   void obey(const std::vector<Action>& actions);
   /// Sails, and is set by the current, or at the surface by current and wind, for so many seconds.
   /// While the SBC is `dark` it goes straight on in any direction.
@@ -31,7 +31,7 @@ class RandomPlace {
   void go(double course, double metres);
 
   const platforms::Platform& platform_;
-  Dice& dice_;
+  Rng& dice_;
   Position place_;
   std::optional<Position> target_;
   double heading_ = 0;  ///< rad, of what steers to no waypoint

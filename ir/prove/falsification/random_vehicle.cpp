@@ -10,7 +10,7 @@
 
 namespace glider::ir::prove {
 
-RandomVehicle::RandomVehicle(const platforms::Platform& platform, Dice& dice)
+RandomVehicle::RandomVehicle(const platforms::Platform& platform, Rng& dice)
     : platform_(platform), dice_(dice) {
   depth_ = dice_.within(0, platform_.world.start_depth_m);
   deepest_ = depth_ + platform_.envelope.inflection_overshoot_m;
@@ -28,7 +28,7 @@ void RandomVehicle::obey(const std::vector<Action>& actions, double now) {
         obey(*command, now);
       }
     } else {
-      // A behaviour in C may order anything.
+      // A behaviour in C may command anything.
       dice_.chance(0.5) ? downTo(depth_ + dice_.within(0, platform_.envelope.greatest_depth_m))
                         : upTo(dice_.within(0, depth_), now);
     }

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "ir/eval/tick_result.h"
-#include "ir/prove/falsification/dice.h"
+#include "ir/prove/falsification/rng.h"
 #include "platforms/load/platform.h"
 
 #include <vector>
@@ -16,12 +16,12 @@ namespace glider::ir::prove {
 class RandomVehicle {
  public:
   /// Both outlive this.
-  RandomVehicle(const platforms::Platform& platform, Dice& dice);
+  RandomVehicle(const platforms::Platform& platform, Rng& dice);
 
   /// True depth, m, and what the sensor may show of it.
   [[nodiscard]] double depth() const { return depth_; }
   double reading();
-  /// Takes the orders of a tick at mission time `now`, s.
+  /// Takes the commands of a tick at mission time `now`, s.
   void obey(const std::vector<Action>& actions, double now);
   /// Sinks or climbs from one mission time to another.
   void move(double from, double to);
@@ -32,11 +32,11 @@ class RandomVehicle {
   void upTo(double target, double now);
 
   const platforms::Platform& platform_;
-  Dice& dice_;
+  Rng& dice_;
   double depth_ = 0;
-  double deepest_ = 0;     ///< under the order in force
-  bool climbing_ = false;  ///< the order in force leads up
-  double since_ = 0;       ///< when the first of the orders to climb was given
+  double deepest_ = 0;     ///< under the command in force
+  bool climbing_ = false;  ///< the command in force leads up
+  double since_ = 0;       ///< when the first of the commands to climb was given
   double top_ = 0;         ///< so deep it may be under it when it has climbed
   double speed_ = 0;       ///< the share of what it could do that it does
   double speed_until_ = 0;

@@ -32,14 +32,15 @@ bool quiet(const TickResult& before, const TickResult& after) {
 
 }  // namespace
 
-RunRecorder::RunRecorder(const Ground& ground, uint32_t stack_depth,
+RunRecorder::RunRecorder(const ProofContext& proof_context, uint32_t stack_depth,
                          std::span<const Requirement> requirements)
-    : ground_(ground),
-      m_(ground.mission),
+    : proof_context_(proof_context),
+      m_(proof_context.mission),
       requirements_(requirements),
-      depth_sensor_(ground.depth) {
+      depth_sensor_(proof_context.depth) {
   for (const Requirement& requirement : requirements_) {
-    monitors_.emplace_back(m_, requirement, ground.platform.world.surface_depth_m, depth_sensor_);
+    monitors_.emplace_back(m_, requirement, proof_context.platform.world.surface_depth_m,
+                           depth_sensor_);
   }
   reads_variation_ = m_.compass && std::ranges::any_of(m_.exprs, [&](const Expr& e) {
                        return e.sensor.valid() && e.sensor == m_.compass->variation;
@@ -55,7 +56,7 @@ std::vector<SensorUpdate> RunRecorder::frameOf(const std::vector<double>& readin
     // The headings of a run are true: with a variation of 0 a vehicle gives the same ones again.
     const bool variation = m_.compass && m_.compass->variation == SensorId{i} && !reads_variation_;
     const double raw = variation ? 0 : rawOf(m_.sensors[i], readings[i]);
-    const platforms::PlatformSensor* sensor = ground_.platformSensor({i});
+    const platforms::PlatformSensor* sensor = proof_context_.platformSensor({i});
     const bool wide = sensor == nullptr || sensor->bytes == kWide;
     frame.push_back({{i}, wide ? raw : static_cast<double>(static_cast<float>(raw))});
   }
@@ -147,7 +148,7 @@ void RunRecorder::describeValues() {
   }
 }
 
-ConcreteRun RunRecorder::take() {
+Counterexample RunRecorder::take() {
   result_.requirement = *hit_;
   result_.when = *monitors_[*hit_].when();
   result_.state = m_[last_.state].name;

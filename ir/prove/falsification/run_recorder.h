@@ -4,9 +4,9 @@
 #pragma once
 
 #include "ir/eval/interpreter.h"
-#include "ir/prove/falsification/concrete_run.h"
-#include "ir/prove/ground/ground.h"
-#include "ir/prove/ground/requirement_monitor.h"
+#include "ir/prove/context/proof_context.h"
+#include "ir/prove/context/requirement_monitor.h"
+#include "ir/prove/falsification/counterexample.h"
 
 #include <optional>
 #include <span>
@@ -18,7 +18,7 @@ namespace glider::ir::prove {
 class RunRecorder {
  public:
   /// All outlive this.
-  RunRecorder(const Ground& ground, uint32_t stack_depth,
+  RunRecorder(const ProofContext& proof_context, uint32_t stack_depth,
               std::span<const Requirement> requirements);
 
   /// A tick with these readings, by sensor (SI units; NaN: unknown); the first is the start.
@@ -35,7 +35,7 @@ class RunRecorder {
   /// The sensor that tells the depth, if the mission reads it.
   [[nodiscard]] std::optional<SensorId> depthSensor() const { return depth_sensor_; }
   /// After a hit, once.
-  ConcreteRun take();
+  Counterexample take();
 
  private:
   std::vector<SensorUpdate> frameOf(const std::vector<double>& readings) const;
@@ -43,7 +43,7 @@ class RunRecorder {
   void tell(const TickResult& result, double time);
   void describeValues();
 
-  const Ground& ground_;
+  const ProofContext& proof_context_;
   const Mission& m_;
   std::span<const Requirement> requirements_;
   std::optional<SensorId> depth_sensor_;
@@ -52,7 +52,7 @@ class RunRecorder {
   std::optional<size_t> hit_;                 ///< the first of them that says so
   std::optional<Interpreter> interpreter_;
   TickResult last_;
-  ConcreteRun result_;
+  Counterexample result_;
 };
 
 }  // namespace glider::ir::prove

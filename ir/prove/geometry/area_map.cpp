@@ -119,7 +119,7 @@ bool AreaMap::holds(double metres) const {
   return farthest_ <= kNearPole && width_ <= kWidest && metres <= kBeyond * kShortestDegree;
 }
 
-Clearance AreaMap::clearance(const Fence& fence, const std::vector<Position>& waypoints) const {
+Clearance AreaMap::clearance(const Geofence& fence, const std::vector<Position>& waypoints) const {
   const auto onMap = [&](const std::vector<Position>& places) {
     std::vector<MapPoint> points;
     for (const Position& place : places) {

@@ -28,7 +28,7 @@ class AreaMap {
   /// that it would be none.
   [[nodiscard]] bool holds(double metres) const;
 
-  [[nodiscard]] Clearance clearance(const Fence& fence,
+  [[nodiscard]] Clearance clearance(const Geofence& fence,
                                     const std::vector<Position>& waypoints) const;
   /// How far the shortest way between two of the places, or from one to a place within `beyond`
   /// metres of another, is off the map's straight line, m, at most: the sagitta of a great circle

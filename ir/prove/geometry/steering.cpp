@@ -4,7 +4,7 @@
 #include "ir/prove/geometry/steering.h"
 
 #include "ir/prove/abstract/abstract_run.h"
-#include "ir/prove/ground/orders.h"
+#include "ir/prove/context/commands.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,25 +34,28 @@ bool fromOneRow(const Mission& m, const Expr& north, const Expr& east) {
 }
 
 /// False if it may be anywhere.
-bool addTarget(const Ground& ground, const Statement& order, std::vector<Position>& places) {
+bool addTarget(const ProofContext& proof_context, const Statement& order,
+               std::vector<Position>& places) {
   const ExprId north = order.values.at(0);
   const ExprId east = order.values.at(1);
-  const std::vector<Position> path = pathTargets(ground.mission, order);
+  const std::vector<Position> path = pathTargets(proof_context.mission, order);
   if (path.empty()) {
-    return addBox(ground.intervals[north.index], ground.intervals[east.index], places);
+    return addBox(proof_context.intervals[north.index], proof_context.intervals[east.index],
+                  places);
   }
   places.insert(places.end(), path.begin(), path.end());
-  return fromOneRow(ground.mission, ground.mission[north], ground.mission[east]);
+  return fromOneRow(proof_context.mission, proof_context.mission[north],
+                    proof_context.mission[east]);
 }
 
 /// What the start of the mission does about its heading, whatever the sensors say.
 class FirstHeading {
  public:
-  explicit FirstHeading(const Ground& ground)
-      : m_(ground.mission),
-        values_(atStart(ground)),
-        now_(ground, values_, kStart),
-        ground_(ground) {}
+  explicit FirstHeading(const ProofContext& proof_context)
+      : m_(proof_context.mission),
+        values_(atStart(proof_context)),
+        now_(proof_context, values_, kStart),
+        proof_context_(proof_context) {}
 
   /// Whether every way through the entries of the first state commands one.
   [[nodiscard]] bool commanded() const {
@@ -64,9 +67,9 @@ class FirstHeading {
   static constexpr ClockRanges kStart{};
 
   /// What variables may hold at any moment of the entries.
-  static Valuation atStart(const Ground& ground) {
-    const AbstractRun run(ground);
-    const State& first = ground.mission.states.front();
+  static Valuation atStart(const ProofContext& proof_context) {
+    const AbstractRun run(proof_context);
+    const State& first = proof_context.mission.states.front();
     Valuation values = run.begin();
     run.enter(StateId{0}, nullptr, kStart, values);
     for (const BlockId entry : {first.entry, first.profile.entry, first.route.entry}) {
@@ -110,38 +113,38 @@ class FirstHeading {
     const Interval& rows = now_.number(row);
     const auto last = static_cast<double>(m_[e.table].values.size() - 1);
     const bool one = rows.lowest == rows.highest && std::floor(rows.lowest) == rows.lowest;
-    return !now_.maybeUnknown(row) && (one || ground_.whole[row.index]) && !rows.empty &&
+    return !now_.maybeUnknown(row) && (one || proof_context_.whole[row.index]) && !rows.empty &&
            rows.lowest >= 0 && rows.highest <= last;
   }
 
   const Mission& m_;
   Valuation values_;
-  Possible now_;
-  const Ground& ground_;
+  AbstractEvaluator now_;
+  const ProofContext& proof_context_;
 };
 
 /// Adds where some commands may steer.
-void addCommands(const Ground& ground, const std::vector<const Statement*>& commands,
+void addCommands(const ProofContext& proof_context, const std::vector<const Statement*>& commands,
                  Steering& steering) {
   for (const Statement* command : commands) {
-    const bool somewhere =
-        command->command == Command::SteerTo && addTarget(ground, *command, steering.waypoints);
+    const bool somewhere = command->command == Command::SteerTo &&
+                           addTarget(proof_context, *command, steering.waypoints);
     steering.by_heading = steering.by_heading || !(somewhere || isVertical(command->command));
   }
 }
 
 }  // namespace
 
-Steering steeringOf(const Ground& ground) {
-  const Mission& m = ground.mission;
+Steering steeringOf(const ProofContext& proof_context) {
+  const Mission& m = proof_context.mission;
   Steering steering;
-  steering.by_heading = !FirstHeading(ground).commanded();
-  addCommands(ground, commandsOfAlways(m), steering);
+  steering.by_heading = !FirstHeading(proof_context).commanded();
+  addCommands(proof_context, commandsOfAlways(m), steering);
   for (const State& state : m.states) {
     const bool in_c =
         !m[state.profile.behaviour].symbol.empty() || !m[state.route.behaviour].symbol.empty();
     steering.by_heading = steering.by_heading || in_c;
-    addCommands(ground, commandsOf(m, state), steering);
+    addCommands(proof_context, commandsOf(m, state), steering);
   }
   return steering;
 }

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "ir/prove/ground/ground.h"
+#include "ir/prove/context/proof_context.h"
 
 #include <vector>
 
@@ -19,6 +19,6 @@ struct Steering {
 /// calls, returns and states whose route commands nothing. Before the first it goes straight on, so
 /// it steers by no heading at first unless the start surely commands one. A profile or route in C
 /// may command anything.
-Steering steeringOf(const Ground& ground);
+Steering steeringOf(const ProofContext& proof_context);
 
 }  // namespace glider::ir::prove

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "ir/prove/abstract/held_ranges.h"
-#include "ir/prove/ground/never_unknown.h"
-#include "ir/prove/ground/orders.h"
+#include "ir/prove/context/commands.h"
+#include "ir/prove/context/never_unknown.h"
 #include "ir/prove/passes.h"
 
 #include <algorithm>
@@ -22,14 +22,14 @@ struct Held {
       : ranges(heldIntervals(mission)), known(neverUnknown(mission, ranges)) {}
 
   std::vector<Interval> ranges;
-  Inherited known;
+  GreatestFixpoint known;
 };
 
-/// An order stays in force until the next one, so what every profile and route orders when it
+/// A command stays in force until the next one, so what every profile and route commands when it
 /// begins makes sure that each tick leaves pitch, pump and heading commanded.
 class BeginningCheck {
  public:
-  explicit BeginningCheck(Proof& proof) : proof_(proof), m_(proof.ground.mission) {}
+  explicit BeginningCheck(Proof& proof) : proof_(proof), m_(proof.proof_context.mission) {}
 
   void run() {
     for (const State& state : m_.states) {
@@ -41,7 +41,7 @@ class BeginningCheck {
  private:
   void check(const Activity& activity, bool vertical, const char* who, const char* what) {
     const bool in_c = !m_[activity.behaviour].symbol.empty();
-    if (in_c || orders(activity.entry, vertical)) {
+    if (in_c || commands(activity.entry, vertical)) {
       return;
     }
     if (told_.emplace(activity.range.file, activity.range.begin).second) {
@@ -49,9 +49,9 @@ class BeginningCheck {
     }
   }
 
-  /// Whether every way through the block gives an order.
+  /// Whether every way through the block gives a command.
   // NOLINTNEXTLINE(misc-no-recursion): as deep as the mission's text nests
-  [[nodiscard]] bool orders(BlockId block, bool vertical) {
+  [[nodiscard]] bool commands(BlockId block, bool vertical) {
     if (!block.valid()) {
       return false;
     }
@@ -71,7 +71,7 @@ class BeginningCheck {
   bool ordersIf(ExprId condition, bool value, BlockId block, bool vertical) {
     const size_t before = shown_.size();
     addShown(condition, value);
-    const bool found = orders(block, vertical);
+    const bool found = commands(block, vertical);
     shown_.resize(before);
     return found;
   }
@@ -100,14 +100,14 @@ class BeginningCheck {
   }
 
   [[nodiscard]] bool mayBeRow(const Expr& element) const {
-    const Interval& rows = proof_.ground.intervals[element.operands[0].index];
+    const Interval& rows = proof_.proof_context.intervals[element.operands[0].index];
     const auto count = static_cast<double>(m_[element.table].values.size());
     return !rows.empty && rows.highest >= 0 && rows.lowest < count;
   }
 
   /// Whatever the sensors say.
   bool isKnown(ExprId id) {
-    return proof_.ground.known.expressions[id.index] || held().known.expressions[id.index] ||
+    return proof_.proof_context.known.expressions[id.index] || held().known.expressions[id.index] ||
            (!shown_.empty() && knownWhere(m_, held().ranges, held().known, shown_)[id.index]);
   }
 

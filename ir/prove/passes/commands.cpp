@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "ir/prove/context/commands.h"
+
 #include "ir/core/walk.h"
+#include "ir/prove/context/setting.h"
 #include "ir/prove/encoding/question.h"
-#include "ir/prove/ground/orders.h"
-#include "ir/prove/ground/setting.h"
 #include "ir/prove/passes.h"
 #include "ir/verify/value_text.h"
 
@@ -34,15 +35,17 @@ std::string shown(double value, Type type) {
   return angle ? fmt::format("{:.4g} deg", value * 180 / std::numbers::pi) : withUnit(value, type);
 }
 
-/// Looks at the orders of every state's profile, with the ranges of all that they are made from.
+/// Looks at the commands of every state's profile, with the ranges of all that they are made from.
 class CommandCheck {
  public:
   explicit CommandCheck(Proof& proof)
-      : proof_(proof), m_(proof.ground.mission), envelope_(proof.ground.platform.envelope) {}
+      : proof_(proof),
+        m_(proof.proof_context.mission),
+        envelope_(proof.proof_context.platform.envelope) {}
 
   void run() {
     for (const State& state : m_.states) {
-      orders_ = ordersOf(m_, state.profile);
+      commands_ = commandsOf(m_, state.profile);
       checkEnvelope(state.profile);
       checkTurns(state);
     }
@@ -50,12 +53,12 @@ class CommandCheck {
 
  private:
   [[nodiscard]] const Interval& range(const Statement& order, size_t argument) const {
-    return proof_.ground.intervals[order.values.at(argument).index];
+    return proof_.proof_context.intervals[order.values.at(argument).index];
   }
 
-  /// Depth and pitch of each order; a number without a range is not judged.
+  /// Depth and pitch of each command; a number without a range is not judged.
   void checkEnvelope(const Activity& profile) {
-    for (const Statement* order : orders_) {
+    for (const Statement* order : commands_) {
       const bool sloped = order->command == Command::Descend || order->command == Command::Ascend;
       if (sloped || order->command == Command::Hover) {
         hold(profile, *order, 0, envelope_.greatest_depth_m);
@@ -111,7 +114,7 @@ class CommandCheck {
     }
     Interval down{kEndless, -kEndless, true};
     Interval up = down;
-    for (const Statement* order : orders_) {
+    for (const Statement* order : commands_) {
       if (order->command == Command::Descend) {
         widen(down, range(*order, 0));
       } else if (order->command == Command::Ascend) {
@@ -130,11 +133,11 @@ class CommandCheck {
   /// have depths that are fixed, and no solver needs to be asked.
   [[nodiscard]] bool surelyTurns() const {
     const auto known = [&](const Statement* order) {
-      return proof_.ground.known.expressions[order->values.at(0).index];
+      return proof_.proof_context.known.expressions[order->values.at(0).index];
     };
-    return std::ranges::any_of(orders_, [&](const Statement* up) {
+    return std::ranges::any_of(commands_, [&](const Statement* up) {
       return up->command == Command::Ascend && known(up) &&
-             std::ranges::any_of(orders_, [&](const Statement* down) {
+             std::ranges::any_of(commands_, [&](const Statement* down) {
                return down->command == Command::Descend && known(down) &&
                       range(*up, 0).highest < range(*down, 0).lowest;
              });
@@ -143,15 +146,15 @@ class CommandCheck {
 
   /// Whether some climb of the profile leads above where some dive leads: `yo(layer + 5 m, layer +
   /// 5 m, …)` does not, whatever `layer` is, unless it changes while the profile flies. The two
-  /// orders are given at different times: only what stays as it is has one value for both.
+  /// commands are given at different times: only what stays as it is has one value for both.
   bool canTurn(const State& state) {
     Unknowns unknowns(proof_.context);
-    Moment climbing(unknowns, proof_.ground);
+    SymbolicState climbing(unknowns, proof_.proof_context);
     fix(state, climbing);
-    Moment diving = climbing;
+    SymbolicState diving = climbing;
     z3::expr turns = proof_.context.bool_val(false);
-    for (const Statement* up : orders_) {
-      for (const Statement* down : orders_) {
+    for (const Statement* up : commands_) {
+      for (const Statement* down : commands_) {
         if (up->command == Command::Ascend && down->command == Command::Descend) {
           const NumberTerm top = climbing.number(up->values.at(0));
           const NumberTerm bottom = diving.number(down->values.at(0));
@@ -165,11 +168,11 @@ class CommandCheck {
     return question.ask() != Answer::No;
   }
 
-  /// Gives a value to each variable that the orders read and that nothing sets while the state
+  /// Gives a value to each variable that the commands read and that nothing sets while the state
   /// lasts.
-  void fix(const State& state, Moment& moment) const {
+  void fix(const State& state, SymbolicState& moment) const {
     const std::vector<bool> set = setWhileCurrent(m_, state);
-    for (const Statement* order : orders_) {
+    for (const Statement* order : commands_) {
       for (const ExprId value : order->values) {
         forEachIn(m_, value, [&](const Expr& e) {
           if (e.op != Op::Variable || set[e.variable.index]) {
@@ -201,9 +204,9 @@ class CommandCheck {
   Proof& proof_;
   const Mission& m_;
   const platforms::Envelope& envelope_;
-  std::vector<const Statement*> orders_;  ///< of the profile that is looked at
+  std::vector<const Statement*> commands_;  ///< of the profile that is looked at
   std::set<uint32_t> told_;
-  std::set<uint32_t> in_the_air_;  ///< profiles that order a depth above the surface
+  std::set<uint32_t> in_the_air_;  ///< profiles that command a depth above the surface
 };
 
 }  // namespace

@@ -3,7 +3,7 @@
 
 #include "ir/core/ops.h"
 #include "ir/core/walk.h"
-#include "ir/prove/abstract/possible.h"
+#include "ir/prove/abstract/abstract_evaluator.h"
 #include "ir/prove/passes.h"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ namespace {
 /// has to agree, as its arguments differ.
 class ComparisonCheck {
  public:
-  explicit ComparisonCheck(Proof& proof) : proof_(proof), m_(proof.ground.mission) {}
+  explicit ComparisonCheck(Proof& proof) : proof_(proof), m_(proof.proof_context.mission) {}
 
   void run() {
     const ClockRanges anytime{kAnytime, kAnytime, kAnytime};
@@ -29,7 +29,7 @@ class ComparisonCheck {
     for (const Variable& variable : m_.variables) {
       values.push_back(anything(variable));
     }
-    const Possible possible(proof_.ground, values, anytime);
+    const AbstractEvaluator possible(proof_.proof_context, values, anytime);
     possible_ = &possible;
     look(m_.always);
     for (const State& state : m_.states) {
@@ -123,7 +123,7 @@ class ComparisonCheck {
 
   Proof& proof_;
   const Mission& m_;
-  const Possible* possible_ = nullptr;
+  const AbstractEvaluator* possible_ = nullptr;
   std::map<std::tuple<uint32_t, uint32_t, uint32_t>, Found> found_;  ///< by place
   std::map<std::pair<uint32_t, uint32_t>, uint32_t> said_;  ///< ends, by file and beginning
 };

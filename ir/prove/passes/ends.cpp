@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "ir/prove/abstract/end_bound.h"
-#include "ir/prove/ground/duration_text.h"
+#include "ir/prove/context/duration_text.h"
 #include "ir/prove/passes.h"
 
 #include <fmt/format.h>
@@ -17,38 +17,38 @@ namespace {
 constexpr double kAtOnce = 60;
 
 /// "after at most 42 min 0 s; with power cuts of the SBC of up to 5 min 0 s, after at most 48 min".
-std::string latest(const Ground& ground, double undisturbed, double with_power_cuts) {
+std::string latest(const ProofContext& proof_context, double undisturbed, double with_power_cuts) {
   const std::string text = fmt::format("after at most {}", durationOf(undisturbed));
   return with_power_cuts <= undisturbed
              ? text
              : fmt::format("{}; with power cuts of the SBC of up to {}, after at most {}", text,
-                           durationOf(ground.tick_gap_s), durationOf(with_power_cuts));
+                           durationOf(proof_context.tick_gap_s), durationOf(with_power_cuts));
 }
 
 void tellEnd(Proof& proof, const EndBound& end) {
   const auto tell = [&](std::string text) {
     proof.findings.lines.push_back({{}, std::move(text)});
   };
-  const Ground powered = proof.ground.withoutPowerCuts();
+  const ProofContext powered = proof.proof_context.withoutPowerCuts();
   const EndBound& undisturbed = proof.ending.boundWithoutPowerCuts();
   if (end.by && undisturbed.by) {
-    tell(fmt::format("the mission ends {}", latest(proof.ground, *undisturbed.by, *end.by)));
+    tell(fmt::format("the mission ends {}", latest(proof.proof_context, *undisturbed.by, *end.by)));
   } else if (undisturbed.by) {
     tell(
         fmt::format("the mission ends after at most {}; with power cuts of the SBC of up to {}, no "
                     "bound is known",
-                    durationOf(*undisturbed.by), durationOf(proof.ground.tick_gap_s)));
+                    durationOf(*undisturbed.by), durationOf(proof.proof_context.tick_gap_s)));
   } else if (undisturbed.stays.valid()) {
     tell(fmt::format("no clock condition is sure to end the mission: it may stay in `{}`",
-                     proof.ground.mission[undisturbed.stays].name));
+                     proof.proof_context.mission[undisturbed.stays].name));
   } else {
     tell("no bound on the mission's duration is known");
   }
   const EndBound soon = boundOf(powered, kLongestMission, Goal::ExitOrSurface);
-  const EndBound home = boundOf(proof.ground, kLongestMission, Goal::ExitOrSurface);
+  const EndBound home = boundOf(proof.proof_context, kLongestMission, Goal::ExitOrSurface);
   if (soon.by && home.by && (!end.by || *home.by < *end.by)) {
     tell(fmt::format("it ends, or commands the surface, {}",
-                     latest(proof.ground, *soon.by, *home.by)));
+                     latest(proof.proof_context, *soon.by, *home.by)));
   }
 }
 
@@ -57,11 +57,12 @@ void tellEnd(Proof& proof, const EndBound& end) {
 void passes::ends(Proof& proof) {
   // Only what ends soon is looked for unless there is a report: that is quick.
   const bool report = proof.options.report;
-  const EndBound end = report ? proof.ending.boundWithoutPowerCuts()
-                              : boundOf(proof.ground.withoutPowerCuts(), kAtOnce, Goal::Exit);
+  const EndBound end = report
+                           ? proof.ending.boundWithoutPowerCuts()
+                           : boundOf(proof.proof_context.withoutPowerCuts(), kAtOnce, Goal::Exit);
   if (end.by && *end.by <= kAtOnce) {
     proof.diagnostics.report(support::DiagnosticId::endsAtOnce,
-                             proof.ground.mission.states.front().range, durationOf(*end.by));
+                             proof.proof_context.mission.states.front().range, durationOf(*end.by));
   } else if (report) {
     tellEnd(proof, proof.ending.bound());
   }

@@ -3,7 +3,7 @@
 
 #include "ir/prove/encoding/question.h"
 #include "ir/prove/encoding/reasons.h"
-#include "ir/prove/encoding/trials.h"
+#include "ir/prove/encoding/sampling.h"
 #include "ir/prove/passes.h"
 
 #include <fmt/format.h>
@@ -37,7 +37,7 @@ struct Verdict {
 
 class GuardCheck {
  public:
-  explicit GuardCheck(Proof& proof) : proof_(proof), m_(proof.ground.mission) {}
+  explicit GuardCheck(Proof& proof) : proof_(proof), m_(proof.proof_context.mission) {}
 
   void run() {
     report(StateId(), m_.always, "`always`");
@@ -61,7 +61,7 @@ class GuardCheck {
 
   std::vector<Verdict> judge(const std::vector<Case>& cases) {
     std::vector<Verdict> verdicts(cases.size());
-    const std::vector<Seen> seen = tryOut(proof_.ground, cases);
+    const std::vector<Seen> seen = tryOut(proof_.proof_context, cases);
     for (uint32_t i = 0; i < cases.size(); ++i) {
       if (!seen[i].first || !seen[i].idle) {
         verdicts[i] = judge(cases, i, verdicts);
@@ -75,7 +75,7 @@ class GuardCheck {
                 const std::vector<Verdict>& earlier) {
     Verdict verdict;
     Unknowns unknowns(proof_.context);
-    Moment moment(unknowns, proof_.ground);
+    SymbolicState moment(unknowns, proof_.proof_context);
     const TruthTerm guard = moment.truth(cases[number].guard);
     Question never(proof_.context, proof_.options.effort);
     never.add(unknowns);
@@ -99,7 +99,7 @@ class GuardCheck {
   void judgeHidden(const std::vector<Case>& cases, uint32_t number,
                    const std::vector<Verdict>& earlier, Verdict& verdict) {
     Unknowns unknowns(proof_.context);
-    Moment moment(unknowns, proof_.ground);
+    SymbolicState moment(unknowns, proof_.proof_context);
     Question question(proof_.context, proof_.options.effort);
     question.add(moment.truth(cases[number].guard).is_true);
     for (uint32_t i = 0; i < number; ++i) {

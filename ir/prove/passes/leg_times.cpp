@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "ir/prove/context/commands.h"
+#include "ir/prove/context/duration_text.h"
 #include "ir/prove/geometry/nearest.h"
-#include "ir/prove/ground/duration_text.h"
-#include "ir/prove/ground/orders.h"
 #include "ir/prove/passes.h"
 
 #include <fmt/format.h>
@@ -88,7 +88,7 @@ std::vector<Position> waypointsOf(const Mission& m) {
 
 /// Of a state that is current for `stay` seconds at most.
 void tellIfTooFar(Proof& proof, const State& state, double nearest, double stay) {
-  const double way = proof.ground.platform.world.through_water_m_s * stay;
+  const double way = proof.proof_context.platform.world.through_water_m_s * stay;
   if (way <= 0 || way >= nearest) {
     return;
   }
@@ -106,7 +106,7 @@ void tellIfTooFar(Proof& proof, const State& state, double nearest, double stay)
 /// mistakes. Where the vehicle is when control is given is not known, so only ways from another
 /// waypoint are looked at.
 void passes::legTimes(Proof& proof) {
-  const Mission& m = proof.ground.mission;
+  const Mission& m = proof.proof_context.mission;
   if (!proof.options.report || !proof.ending.boundWithoutPowerCuts().by) {
     return;
   }

@@ -6,8 +6,8 @@
 #include "ir/eval/arithmetic.h"
 #include "ir/eval/evaluate.h"
 #include "ir/prove/abstract/earliest_entry.h"
-#include "ir/prove/ground/control.h"
-#include "ir/prove/ground/duration_text.h"
+#include "ir/prove/context/control.h"
+#include "ir/prove/context/duration_text.h"
 #include "ir/prove/passes.h"
 #include "support/check.h"
 
@@ -44,7 +44,9 @@ struct Moving {
 class LivelockCheck {
  public:
   explicit LivelockCheck(Proof& proof)
-      : proof_(proof), m_(proof.ground.mission), cycle_s_(proof.ground.platform.envelope.cycle_s) {
+      : proof_(proof),
+        m_(proof.proof_context.mission),
+        cycle_s_(proof.proof_context.platform.envelope.cycle_s) {
     gatherTimes(m_.always, always_times_);
     if (always_times_.size() > kMostTimes) {
       always_times_.clear();
@@ -223,7 +225,7 @@ class LivelockCheck {
   /// The earliest; asked for by few missions.
   double entryOf(StateId state) {
     if (entries_.empty()) {
-      entries_ = earliestEntries(proof_.ground);
+      entries_ = earliestEntries(proof_.proof_context);
     }
     return entries_[state.index];
   }

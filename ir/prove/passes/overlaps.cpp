@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "ir/prove/encoding/moment.h"
 #include "ir/prove/encoding/question.h"
+#include "ir/prove/encoding/symbolic_state.h"
 #include "ir/prove/passes.h"
 #include "support/check.h"
 
@@ -43,7 +43,7 @@ std::string wayOf(const Mission& m, const Case& c) {
 /// in which they stand then decides.
 class OverlapCheck {
  public:
-  explicit OverlapCheck(Proof& proof) : proof_(proof), m_(proof.ground.mission) {}
+  explicit OverlapCheck(Proof& proof) : proof_(proof), m_(proof.proof_context.mission) {}
 
   void run() {
     for (uint32_t i = 0; i < m_.states.size() && m_.states.size() <= kMostStates; ++i) {
@@ -67,7 +67,7 @@ class OverlapCheck {
       return;
     }
     Unknowns unknowns(proof_.context);
-    Moment moment(unknowns, proof_.ground);
+    SymbolicState moment(unknowns, proof_.proof_context);
     Question question(proof_.context, proof_.options.effort);
     question.add(moment.truth(a.guard).is_true && moment.truth(b.guard).is_true);
     question.add(unknowns);

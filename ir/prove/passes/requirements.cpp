@@ -3,12 +3,12 @@
 
 #include "ir/prove/abstract/depth_bound.h"
 #include "ir/prove/abstract/entered_after.h"
+#include "ir/prove/context/duration_text.h"
+#include "ir/prove/encoding/cone_of_influence.h"
 #include "ir/prove/encoding/known_roughly.h"
-#include "ir/prove/encoding/relevance.h"
-#include "ir/prove/encoding/watches.h"
+#include "ir/prove/encoding/safety_properties.h"
 #include "ir/prove/falsification/random_flight.h"
-#include "ir/prove/geometry/fences.h"
-#include "ir/prove/ground/duration_text.h"
+#include "ir/prove/geometry/geofences.h"
 #include "ir/prove/passes.h"
 
 #include <fmt/format.h>
@@ -32,7 +32,7 @@ constexpr double kLongFlight = 4 * 3600;
 
 class RequirementCheck {
  public:
-  explicit RequirementCheck(Proof& proof) : proof_(proof), m_(proof.ground.mission) {}
+  explicit RequirementCheck(Proof& proof) : proof_(proof), m_(proof.proof_context.mission) {}
 
   void run() {
     for (uint32_t i = 0; i < m_.requirements.size(); ++i) {
@@ -60,7 +60,7 @@ class RequirementCheck {
       }
     }
     RequirementVerdict verdict =
-        requirement.fences.empty() ? judgeRuns(requirement) : judgeAreas(requirement);
+        requirement.geofences.empty() ? judgeRuns(requirement) : judgeAreas(requirement);
     verdict.searched = requirement.kind != RequirementKind::Reach;  // its run is wanted
     return verdict;
   }
@@ -75,7 +75,8 @@ class RequirementCheck {
   }
 
   RequirementVerdict judgeAreas(const Requirement& requirement) {
-    const FenceVerdict found = judgeFences(requirement.fences, proof_.ground, proof_.ending);
+    const GeofenceVerdict found =
+        judgeGeofences(requirement.geofences, proof_.proof_context, proof_.ending);
     if (found.proved) {
       return {
           0, Verdict::Proved, std::nullopt,
@@ -87,9 +88,9 @@ class RequirementCheck {
                                                              found.start_within_m / 1000)
                                                : "")};
     }
-    auto run = tryAtRandom(requirement, proof_.ground.withoutPowerCuts());
+    auto run = tryAtRandom(requirement, proof_.proof_context.withoutPowerCuts());
     if (!run && powerCutsMatter()) {
-      run = tryAtRandom(requirement, proof_.ground);
+      run = tryAtRandom(requirement, proof_.proof_context);
     }
     if (run) {
       return broken(requirement, std::move(*run));
@@ -117,7 +118,7 @@ class RequirementCheck {
       case RequirementKind::NeverAfter:
         return !mayEnterAfter(m_, requirement.state, requirement.after);
       case RequirementKind::Always:
-        return heldByOrders(requirement.condition, proof_.ground);
+        return heldByOrders(requirement.condition, proof_.proof_context);
       case RequirementKind::ExitWithin:
         return proof_.ending.by(requirement.seconds).has_value();
       case RequirementKind::SurfacesEvery:
@@ -131,19 +132,20 @@ class RequirementCheck {
   /// What came of a question about all runs; `run` is one that was tried.
   struct Search {
     RunsAnswer answer;
-    std::optional<ConcreteRun> run;
+    std::optional<Counterexample> run;
   };
 
-  Search search(const Requirement& requirement, const Ground& ground) {
-    Search found{ask(requirement, ground), std::nullopt};
+  Search search(const Requirement& requirement, const ProofContext& proof_context) {
+    Search found{ask(requirement, proof_context), std::nullopt};
     if (found.answer.bad == Answer::Yes) {
-      found.run = spellOut(*found.answer.run, ground, proof_.facts.stack_depth, requirement);
+      found.run =
+          concretize(*found.answer.run, proof_context, proof_.facts.stack_depth, requirement);
     }
     return found;
   }
 
   [[nodiscard]] bool powerCutsMatter() const {
-    return proof_.ground.tick_gap_s > proof_.ground.platform.world.tick_gap_s;
+    return proof_.proof_context.tick_gap_s > proof_.proof_context.platform.world.tick_gap_s;
   }
 
   RequirementVerdict judgeRuns(const Requirement& requirement) {
@@ -153,16 +155,16 @@ class RequirementCheck {
 
   /// A run without power cuts shows more.
   RequirementVerdict judgeReach(const Requirement& requirement) {
-    const Ground powered = proof_.ground.withoutPowerCuts();
+    const ProofContext powered = proof_.proof_context.withoutPowerCuts();
     Search found = search(requirement, powered);
     if (!found.run && powerCutsMatter()) {
-      found = search(requirement, proof_.ground);
+      found = search(requirement, proof_.proof_context);
     }
     if (found.answer.bad == Answer::No) {
       return unreached(requirement);
     }
     if (!found.run) {
-      found.run = tryAtRandom(requirement, proof_.ground);
+      found.run = tryAtRandom(requirement, proof_.proof_context);
     }
     return found.run ? RequirementVerdict{0, Verdict::Proved, std::move(found.run)}
                      : open(requirement, reasonOf(requirement, found.answer));
@@ -170,13 +172,13 @@ class RequirementCheck {
 
   /// Proved for an SBC whose power may be cut; what breaks it is shown without, where it can be.
   RequirementVerdict judgePromise(const Requirement& requirement) {
-    Search found = search(requirement, proof_.ground);
+    Search found = search(requirement, proof_.proof_context);
     if (found.answer.bad == Answer::No) {
       return {0, Verdict::Proved, std::nullopt};
     }
     bool powered_proved = false;
     if (powerCutsMatter()) {
-      const Ground powered = proof_.ground.withoutPowerCuts();
+      const ProofContext powered = proof_.proof_context.withoutPowerCuts();
       powered_proved = provedWithoutPowerCuts(requirement);
       Search undisturbed;
       if (!powered_proved) {
@@ -191,7 +193,7 @@ class RequirementCheck {
       }
     }
     if (!found.run) {
-      found.run = tryAtRandom(requirement, proof_.ground);
+      found.run = tryAtRandom(requirement, proof_.proof_context);
     }
     if (found.run) {
       return broken(requirement, std::move(*found.run));
@@ -209,35 +211,38 @@ class RequirementCheck {
   }
 
   /// In a context of its own: Z3 counts its effort for all that a context has been asked.
-  RunsAnswer ask(const Requirement& requirement, const Ground& ground) {
+  RunsAnswer ask(const Requirement& requirement, const ProofContext& proof_context) {
     z3::config config;
     config.set("rlimit", static_cast<int>(proof_.options.run_effort));  // Spacer takes no other
     z3::context context(config);
-    const Relevance relevance = relevanceOf(requirement, ground);
+    const ConeOfInfluence relevance = relevanceOf(requirement, proof_context);
     try {
-      const Watch watch = watchFor(requirement, context, ground);
-      return askAboutRuns(context, ground, relevance, watch, proof_.options.run_effort);
+      const SafetyProperty watch = safetyPropertyFor(requirement, context, proof_context);
+      return askAboutRuns(context, proof_context, relevance, watch, proof_.options.run_effort);
     } catch (const z3::exception& trouble) {
       return {Answer::Unknown, std::nullopt, trouble.msg()};
     }
   }
 
-  [[nodiscard]] Relevance relevanceOf(const Requirement& requirement, const Ground& ground) const {
+  [[nodiscard]] ConeOfInfluence relevanceOf(const Requirement& requirement,
+                                            const ProofContext& proof_context) const {
     std::vector<ExprId> asked;
     if (requirement.condition.valid()) {
       asked.push_back(requirement.condition);
     }
-    return relevanceFor(m_, asked, reckonsWithDepth(requirement, ground));
+    return relevanceFor(m_, asked, reckonsWithDepth(requirement, proof_context));
   }
 
   /// Seeds 1, 2, …, until so many ticks are flown.
-  std::optional<ConcreteRun> tryAtRandom(const Requirement& requirement, const Ground& ground) {
-    const double cycle = proof_.ground.platform.envelope.cycle_s;
+  std::optional<Counterexample> tryAtRandom(const Requirement& requirement,
+                                            const ProofContext& proof_context) {
+    const double cycle = proof_.proof_context.platform.envelope.cycle_s;
     const double span = requirement.seconds > 0 ? 2 * requirement.seconds : kLongFlight;
     const auto ticks = static_cast<size_t>(std::min(span / cycle + 2, 1.0 * kRandomTicks));
     const size_t flights = std::max<size_t>(1, kRandomTicks / ticks);
     for (uint64_t seed = 1; seed <= flights; ++seed) {
-      if (auto run = flyAtRandom(ground, proof_.facts.stack_depth, requirement, seed, ticks)) {
+      if (auto run =
+              flyAtRandom(proof_context, proof_.facts.stack_depth, requirement, seed, ticks)) {
         return run;
       }
     }
@@ -257,7 +262,7 @@ class RequirementCheck {
       return fmt::format("no proof was found ({}), and no random flight violated it",
                          answer.trouble);
     }
-    const std::string what = knownRoughly(m_, relevanceOf(requirement, proof_.ground));
+    const std::string what = knownRoughly(m_, relevanceOf(requirement, proof_.proof_context));
     return fmt::format("a possible {} was found, but did not hold when it was checked{}",
                        requirement.kind == RequirementKind::Reach ? "flight" : "counterexample",
                        what.empty() ? "" : "; approximated here: " + what);
@@ -269,7 +274,7 @@ class RequirementCheck {
     return {0, Verdict::Open, std::nullopt, {}, reason};
   }
 
-  RequirementVerdict broken(const Requirement& requirement, ConcreteRun run) {
+  RequirementVerdict broken(const Requirement& requirement, Counterexample run) {
     auto error = proof_.diagnostics.report(DiagnosticId::requirementBroken, requirement.range,
                                            howBroken(requirement, run));
     const auto& story = run.story;
@@ -287,13 +292,13 @@ class RequirementCheck {
   }
 
   void notePowerCuts(support::DiagnosticBuilder& error, const Requirement& requirement,
-                     const ConcreteRun& run) const {
+                     const Counterexample& run) const {
     constexpr size_t kMostNotes = 3;
     size_t noted = 0;
     for (size_t i = 1; i < run.ticks.size() && noted < kMostNotes; ++i) {
       const double from = run.ticks[i - 1].mission_time;
       const double to = run.ticks[i].mission_time;
-      if (to - from > proof_.ground.platform.world.tick_gap_s) {
+      if (to - from > proof_.proof_context.platform.world.tick_gap_s) {
         ++noted;
         error.note(
             requirement.range,
@@ -304,7 +309,7 @@ class RequirementCheck {
     }
   }
 
-  std::string howBroken(const Requirement& requirement, const ConcreteRun& run) const {
+  std::string howBroken(const Requirement& requirement, const Counterexample& run) const {
     switch (requirement.kind) {
       case RequirementKind::Always:
         return fmt::format("at {:.6g} s, in state `{}`{}{}", run.when, run.state,

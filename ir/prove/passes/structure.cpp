@@ -16,7 +16,7 @@ void passes::structure(Proof& proof) {
   if (proof.dead.empty()) {
     return;
   }
-  const Structure structure(proof.ground.mission, proof.dead);
+  const Structure structure(proof.proof_context.mission, proof.dead);
   support::DiagnosticEngine found;
   Verification verification{structure, found, {}};
   ir::passes::unreachableStates(verification);

@@ -3,7 +3,7 @@
 
 #include "ir/core/ops.h"
 #include "ir/core/walk.h"
-#include "ir/prove/ground/orders.h"
+#include "ir/prove/context/commands.h"
 #include "ir/prove/passes.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 namespace glider::ir::prove {
 namespace {
 
-/// What a profile remembers: its own truth values, and the newest of its orders about depth.
+/// What a profile remembers: its own truth values, and the newest of its commands about depth.
 struct Mode {
   std::vector<Truth> truths;  ///< of ProfileModes::own
   std::optional<Command> order;
@@ -71,7 +71,7 @@ class ProfileModes {
     support::SourceRange range;  ///< of the case that leads into it
   };
 
-  /// A mode from which only its own order is ever given, up or down, and the profile never is done.
+  /// A mode from which only its own command is ever given, up or down, and the profile never is done.
   [[nodiscard]] std::optional<Trap> trap() const {
     for (const auto& [mode, range] : arrivals_) {
       const bool sloped = mode.order == Command::Descend || mode.order == Command::Ascend;
@@ -221,7 +221,7 @@ class ProfileModes {
 bool goesBothWays(const Mission& mission, const Activity& profile) {
   bool down = false;
   bool up = false;
-  for (const Statement* order : ordersOf(mission, profile)) {
+  for (const Statement* order : commandsOf(mission, profile)) {
     down = down || order->command == Command::Descend || order->command == Command::Hover;
     up = up || order->command == Command::Ascend || order->command == Command::Surface;
   }
@@ -241,7 +241,7 @@ bool mayCall(const Proof& proof, StateId state, const std::vector<Case>& cases) 
 }  // namespace
 
 void passes::stuckProfiles(Proof& proof) {
-  const Mission& m = proof.ground.mission;
+  const Mission& m = proof.proof_context.mission;
   std::set<std::pair<uint32_t, uint32_t>> told;
   const bool always_calls = mayCall(proof, StateId(), m.always);
   for (uint32_t i = 0; i < m.states.size(); ++i) {

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "ir/prove/context/commands.h"
 #include "ir/prove/geometry/nearest.h"
 #include "ir/prove/geometry/sphere.h"
-#include "ir/prove/ground/orders.h"
 #include "ir/prove/passes.h"
 
 #include <fmt/format.h>
@@ -29,14 +29,14 @@ struct Waypoint {
 
 class WaypointCheck {
  public:
-  explicit WaypointCheck(Proof& proof) : proof_(proof), m_(proof.ground.mission) {}
+  explicit WaypointCheck(Proof& proof) : proof_(proof), m_(proof.proof_context.mission) {}
 
   void run() {
     for (const Statement* command : commandsOfAlways(m_)) {
       add(*command, command->range);
     }
     for (const State& state : m_.states) {
-      const std::vector<const Statement*> of_route = ordersOf(m_, state.route);
+      const std::vector<const Statement*> of_route = commandsOf(m_, state.route);
       for (const Statement* command : commandsOf(m_, state)) {
         const bool routes = std::ranges::find(of_route, command) != of_route.end();
         add(*command, routes ? state.route.range : command->range);

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "codegen/codegen.h"
-#include "codegen/llvm/budget/circles.h"
 #include "codegen/llvm/budget/flow_of.h"
 #include "codegen/llvm/budget/loops.h"
+#include "codegen/llvm/budget/strongly_connected.h"
 #include "codegen/llvm/budget/worst_path.h"
 #include "codegen/llvm/link/lld.h"
 #include "codegen/llvm/program/compile.h"

@@ -118,24 +118,24 @@ TEST(Windows, RunAlongQuantitiesOnly) {
 TEST(Areas, OnlyWhatMustHoldTogetherIsGathered) {
   const std::string here = "inside(39 N 74 W, 39 N 73 W, 40 N 73.5 W)";
   const std::string there = "inside(39.2 N 73.6 W, 39.2 N 73.4 W, 39.4 N 73.5 W)";
-  const auto fences = [&](const std::string& promise) {
+  const auto geofences = [&](const std::string& promise) {
     const Guard g("missiontime > 20 min", "require always " + promise + "\n");
     EXPECT_TRUE(g.mission) << promise << "\n" << g.run.said();
     std::string found;
     if (g.mission) {
-      for (const auto& fence : g.mission->requirements.at(0).fences) {
+      for (const auto& fence : g.mission->requirements.at(0).geofences) {
         found += fence.keep_in ? "in " : "out ";
       }
     }
     return found;
   };
-  EXPECT_EQ(fences(here), "in ");
-  EXPECT_EQ(fences("!" + there), "out ");
-  EXPECT_EQ(fences(here + " && !" + there), "in out ");
-  EXPECT_EQ(fences(here + " || !" + there), "") << "either may be left";
-  EXPECT_EQ(fences("!(!" + here + " || " + there + ")"), "in out ");
-  EXPECT_EQ(fences("!(" + here + " && " + there + ")"), "");
-  EXPECT_EQ(fences(here + " && depth < 30 m"), "") << "there is more to it";
+  EXPECT_EQ(geofences(here), "in ");
+  EXPECT_EQ(geofences("!" + there), "out ");
+  EXPECT_EQ(geofences(here + " && !" + there), "in out ");
+  EXPECT_EQ(geofences(here + " || !" + there), "") << "either may be left";
+  EXPECT_EQ(geofences("!(!" + here + " || " + there + ")"), "in out ");
+  EXPECT_EQ(geofences("!(" + here + " && " + there + ")"), "");
+  EXPECT_EQ(geofences(here + " && depth < 30 m"), "") << "there is more to it";
 }
 
 }  // namespace

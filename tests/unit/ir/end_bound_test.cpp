@@ -27,8 +27,8 @@ constexpr double kForever = 1e7;
 /// In gaps between ticks beyond `seconds`; NaN: no bound is found. The power is never cut.
 double gapsBeyond(double seconds, const std::string& text, double latest = kForever) {
   const Mission mission = missionOf(kHeader + text);
-  const Ground ground = Ground(mission, slocum()).withoutPowerCuts();
-  const auto end = boundOf(ground, latest, Goal::Exit).by;
+  const ProofContext proof_context = ProofContext(mission, slocum()).withoutPowerCuts();
+  const auto end = boundOf(proof_context, latest, Goal::Exit).by;
   return end ? (*end - seconds) / slocum().world.tick_gap_s
              : std::numeric_limits<double>::quiet_NaN();
 }
@@ -170,8 +170,8 @@ TEST(EndBound, NoRandomFlightIsLonger) {
   double closest = 0;
   for (uint64_t seed = 1; seed <= 300; ++seed) {
     const Mission mission = missionOf(randomWays(seed));
-    const Ground ground = Ground(mission, slocum()).withoutPowerCuts();
-    const auto end = boundOf(ground, kForever, Goal::Exit).by;
+    const ProofContext proof_context = ProofContext(mission, slocum()).withoutPowerCuts();
+    const auto end = boundOf(proof_context, kForever, Goal::Exit).by;
     if (!end) {
       continue;
     }
@@ -182,7 +182,7 @@ TEST(EndBound, NoRandomFlightIsLonger) {
     requirement.kind = RequirementKind::ExitWithin;
     requirement.seconds = *end;
     const auto longer = [&](uint64_t flight) {
-      return flyAtRandom(ground, facts.stack_depth, requirement, flight, 1000).has_value();
+      return flyAtRandom(proof_context, facts.stack_depth, requirement, flight, 1000).has_value();
     };
     for (uint64_t flight = 1; flight <= 5; ++flight) {
       EXPECT_FALSE(longer(flight)) << "mission " << seed << " by " << *end << " s";
@@ -199,11 +199,11 @@ TEST(Ending, OneSearchFindsWhatASearchUpToEachTimeFinds) {
   size_t open = 0;
   for (uint64_t seed = 1; seed <= 100; ++seed) {
     const Mission mission = missionOf(randomWays(seed));
-    const Ground ground = Ground(mission, slocum()).withoutPowerCuts();
-    Ending ending(ground);
+    const ProofContext proof_context = ProofContext(mission, slocum()).withoutPowerCuts();
+    Ending ending(proof_context);
     for (const double latest :
          {60.0, 250.0, 600.0, 1000.0, 2500.0, kForever, 2 * kLongestMission}) {
-      const auto end = boundOf(ground, latest, Goal::Exit).by;
+      const auto end = boundOf(proof_context, latest, Goal::Exit).by;
       EXPECT_EQ(ending.by(latest), end) << "mission " << seed << " up to " << latest << " s";
       ++(end ? bounded : open);
     }
@@ -214,8 +214,8 @@ TEST(Ending, OneSearchFindsWhatASearchUpToEachTimeFinds) {
 
 TEST(Ending, MayBeBeyondAYear) {
   const Mission mission = missionOf(kHeader + stateText("a", "case (ge statetime 4e7:time) exit"));
-  const Ground ground(mission, slocum());
-  Ending ending(ground);
+  const ProofContext proof_context(mission, slocum());
+  Ending ending(proof_context);
   EXPECT_FALSE(ending.bound().by);
   EXPECT_FALSE(ending.by(3.9e7));
   EXPECT_EQ(ending.by(5e7), 4e7 + kResumeWithin_s) << "the power may be cut just before";
@@ -226,18 +226,18 @@ TEST(EndBound, IsNeverRoundedDown) {
     const double stay = i / 10.0;
     const Mission mission = missionOf(
         kHeader + stateText("a", "case (ge statetime " + fmt::format("{}", stay) + ":time) exit"));
-    const Ground ground = Ground(mission, slocum()).withoutPowerCuts();
-    const auto end = boundOf(ground, kForever, Goal::Exit).by;
+    const ProofContext proof_context = ProofContext(mission, slocum()).withoutPowerCuts();
+    const auto end = boundOf(proof_context, kForever, Goal::Exit).by;
     ASSERT_TRUE(end);
     EXPECT_GE(static_cast<long double>(*end),
-              static_cast<long double>(stay) + static_cast<long double>(ground.tick_gap_s));
+              static_cast<long double>(stay) + static_cast<long double>(proof_context.tick_gap_s));
   }
 }
 
 TEST(EndBound, PowerCutsComeOnTop) {
   const auto bound = [](const std::string& text) {
     const Mission mission = missionOf(kHeader + text);
-    return boundOf(Ground(mission, slocum()), kForever, Goal::Exit).by;
+    return boundOf(ProofContext(mission, slocum()), kForever, Goal::Exit).by;
   };
   const std::string plain = stateText("a", "case (ge missiontime 500:time) exit");
   EXPECT_EQ(bound(plain), 500 + kResumeWithin_s);
@@ -252,8 +252,8 @@ TEST(EndBound, NoRandomFlightWithPowerCutsIsLonger) {
   size_t bounded = 0;
   for (uint64_t seed = 1; seed <= 150; ++seed) {
     const Mission mission = missionOf(randomWays(seed));
-    const Ground ground(mission, slocum());
-    const auto end = boundOf(ground, kForever, Goal::Exit).by;
+    const ProofContext proof_context(mission, slocum());
+    const auto end = boundOf(proof_context, kForever, Goal::Exit).by;
     if (!end) {
       continue;
     }
@@ -264,7 +264,8 @@ TEST(EndBound, NoRandomFlightWithPowerCutsIsLonger) {
     requirement.kind = RequirementKind::ExitWithin;
     requirement.seconds = *end;
     for (uint64_t flight = 1; flight <= 10; ++flight) {
-      EXPECT_FALSE(flyAtRandom(ground, facts.stack_depth, requirement, flight, 1000).has_value())
+      EXPECT_FALSE(
+          flyAtRandom(proof_context, facts.stack_depth, requirement, flight, 1000).has_value())
           << "mission " << seed << " by " << *end << " s";
     }
   }
@@ -301,7 +302,7 @@ std::string withRoute(const std::string& route) {
 TEST(StateDepths, WhatIsInCMayOrderAnyDepth) {
   const auto deepest = [](const std::string& text) {
     const Mission mission = missionOf(text);
-    return deepestByState(Ground(mission, slocum())).at(0);
+    return deepestByState(ProofContext(mission, slocum())).at(0);
   };
   EXPECT_EQ(deepest(withRoute("way begin entry do drift () end end")), 25);
   EXPECT_TRUE(std::isinf(deepest(withRoute("drift ()"))));
@@ -319,7 +320,7 @@ TEST(StateDepths, KnowWhereVariablesAreEverSetTo) {
         "state a route way begin end profile down begin entry do descend ((var d), 0.4:angle) end "
         "end case (gt (sensor depth) 1:length) do set d " +
         set + " end goto a case (ge missiontime 500:time) exit\n");
-    return deepestByState(Ground(mission, slocum())).at(0);
+    return deepestByState(ProofContext(mission, slocum())).at(0);
   };
   EXPECT_EQ(deepest("(clamp (sensor depth) 5:length 28:length)"), 33);
   EXPECT_EQ(deepest("(min (add (var d) 1:length) 7.5:length)"), 12.5);
@@ -394,8 +395,8 @@ TEST(EndBound, ARouteThatOrdersADepthIsNoWayUp) {
                                       "state a route way begin entry do " + route +
                                       " end end profile up begin entry do surface () end end case "
                                       "(ge missiontime 500:time) exit\n");
-    const Ground ground = Ground(mission, slocum()).withoutPowerCuts();
-    return *boundOf(ground, kForever, Goal::ExitOrSurface).by;
+    const ProofContext proof_context = ProofContext(mission, slocum()).withoutPowerCuts();
+    return *boundOf(proof_context, kForever, Goal::ExitOrSurface).by;
   };
   EXPECT_EQ(home("drift ()"), 0);
   EXPECT_EQ(home("descend (30:length, 0.4:angle)"), 520);

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // What proofs take for granted of single expressions: that they are never unknown, that they are
-// whole, that the orders keep the depth they speak of.
+// whole, that the commands keep the depth they speak of.
 
 #include "ir/prove/abstract/depth_bound.h"
 #include "ir/prove/abstract/state_depths.h"
-#include "ir/prove/ground/never_unknown.h"
+#include "ir/prove/context/never_unknown.h"
 #include "ir/verify/whole_numbers.h"
 #include "tests/unit/ir/missions.h"
 #include "tests/unit/ir/slocum.h"
@@ -231,7 +231,7 @@ TEST(WholeExpressions, AreThoseThatNothingRounds) {
   }
 }
 
-/// A profile that orders 20 m, which the vehicle overshoots by 5 m.
+/// A profile that commands 20 m, which the vehicle overshoots by 5 m.
 bool isHeld(const std::string& condition) {
   const Mission m =
       missionOf(kHeader + "behaviour profile down symbol \"\" () reads ()\n" +
@@ -239,8 +239,8 @@ bool isHeld(const std::string& condition) {
                 "state a route way begin entry do drift () end end profile down begin "
                 "entry do descend (20:length, 0.4:angle) end end case " +
                 condition + " stay\n");
-  const Ground ground(m, slocum());
-  return heldByOrders(m.states[0].cases.at(0).guard, ground);
+  const ProofContext proof_context(m, slocum());
+  return heldByOrders(m.states[0].cases.at(0).guard, proof_context);
 }
 
 TEST(HeldByOrders, ADepthThatNoOrderLeadsBelow) {
@@ -294,7 +294,7 @@ std::vector<double> depthsOf(const std::vector<std::pair<std::string, std::strin
             (order.empty() ? "" : "entry do " + order + " end ") + "end " + cases + "\n";
   }
   const Mission m = missionOf(text);
-  return deepestByState(Ground(m, slocum()));
+  return deepestByState(ProofContext(m, slocum()));
 }
 
 using Depths = std::vector<double>;

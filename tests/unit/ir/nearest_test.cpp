@@ -6,8 +6,8 @@
 #include "ir/prove/geometry/nearest.h"
 
 #include "ir/eval/arithmetic.h"
+#include "ir/prove/context/commands.h"
 #include "ir/prove/geometry/sphere.h"
-#include "ir/prove/ground/orders.h"
 #include "ir/prove/prove.h"
 #include "ir/verify/verify.h"
 #include "tests/random_missions/random.h"
@@ -146,7 +146,7 @@ Told byAllPairs(const Mission& m) {
   };
   std::vector<Position> places;
   for (const State& state : m.states) {
-    places.push_back(*fixedTarget(m, *ordersOf(m, state.route).front()));
+    places.push_back(*fixedTarget(m, *commandsOf(m, state.route).front()));
   }
   for (size_t i = 0; i < places.size(); ++i) {
     tell(m.states[i].route.range, bruteNearest(places[i], places));

@@ -3,12 +3,12 @@
 
 // The parts that proofs are made of, each on missions so small that the answer can be written down.
 
+#include "ir/prove/abstract/abstract_evaluator.h"
 #include "ir/prove/abstract/earliest_entry.h"
 #include "ir/prove/abstract/entered_after.h"
 #include "ir/prove/abstract/leaving.h"
-#include "ir/prove/abstract/possible.h"
+#include "ir/prove/encoding/cone_of_influence.h"
 #include "ir/prove/encoding/known_roughly.h"
-#include "ir/prove/encoding/relevance.h"
 #include "tests/unit/ir/missions.h"
 #include "tests/unit/ir/slocum.h"
 
@@ -21,23 +21,24 @@ namespace {
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kMost = std::numeric_limits<double>::max();
 
-// --- Possible
+// --- AbstractEvaluator
 
 /// "TFU": what a condition may be where mission time is 10 to 20 s, state time up to 10 s, resume
 /// time up to 5 s.
 std::string truthsOf(const std::string& condition) {
   const Mission m = missionOf(kHeader + "variable odd: bool mission\ninitial odd false\n" +
                               stateText("a", "case " + condition + " stay"));
-  const Ground ground(m, slocum());
+  const ProofContext proof_context(m, slocum());
   Valuation values = {anything(m.variables[0])};
   values[0].truths = {true, false, true};
-  const Possible now(ground, values, {{10, 20, false}, {0, 10, false}, {0, 5, false}});
+  const AbstractEvaluator now(proof_context, values,
+                              {{10, 20, false}, {0, 10, false}, {0, 5, false}});
   const Truths& may = now.truth(m.states[0].cases.at(0).guard);
   return std::string(may.is_true ? "T" : "") + (may.is_false ? "F" : "") +
          (may.is_unknown ? "U" : "");
 }
 
-TEST(Possible, ComparisonsOfRanges) {
+TEST(AbstractEvaluator, ComparisonsOfRanges) {
   const std::pair<const char*, const char*> rows[] = {
       {"(lt missiontime 10:time)", "F"},
       {"(lt missiontime 10.5:time)", "TF"},
@@ -80,7 +81,7 @@ TEST(Possible, ComparisonsOfRanges) {
   }
 }
 
-TEST(Possible, ConditionsOfConditions) {
+TEST(AbstractEvaluator, ConditionsOfConditions) {
   const std::map<std::string, std::string> parts = {
       {"T", "true"},
       {"F", "false"},
@@ -150,7 +151,7 @@ TEST(Holdings, AreJoinedAndKeptInTheirRange) {
 
 std::vector<double> entriesOf(const std::string& text) {
   const Mission m = missionOf(kHeader + text);
-  return earliestEntries(Ground(m, slocum()));
+  return earliestEntries(ProofContext(m, slocum()));
 }
 using Times = std::vector<double>;
 
@@ -239,7 +240,7 @@ constexpr const char* kWritten =
 /// whether its profile and its route run.
 std::string relevantIn(const std::string& text, bool vehicle = false) {
   const Mission m = missionOf(kHeader + kWritten + text);
-  const Relevance relevance = relevanceFor(m, {}, vehicle);
+  const ConeOfInfluence relevance = relevanceFor(m, {}, vehicle);
   std::string found;
   for (size_t i = 0; i < m.variables.size(); ++i) {
     found += relevance.variables[i] ? m.variables[i].name + " " : "";
@@ -269,7 +270,7 @@ std::string asking(const std::string& profile, const std::string& route = "",
          more + " case (gt (var x) 1) exit\n";
 }
 
-TEST(Relevance, IsWhatGuardsRead) {
+TEST(ConeOfInfluence, IsWhatGuardsRead) {
   EXPECT_EQ(relevantIn(number("x") + number("y") + stateText("a", "case true exit")), "");
   EXPECT_EQ(relevantIn(number("x") + number("y") + stateText("a", "case (gt (var x) 1) exit")),
             "x ");
@@ -301,7 +302,7 @@ TEST(Relevance, IsWhatGuardsRead) {
             "x y 0 ");
 }
 
-TEST(Relevance, IsWhatThatIsWorkedOutFrom) {
+TEST(ConeOfInfluence, IsWhatThatIsWorkedOutFrom) {
   EXPECT_EQ(relevantIn(number("y") + number("z") + number("x", "(var y)") +
                        stateText("a", "case (gt (var x) 1) exit")),
             "y x ");
@@ -333,7 +334,7 @@ TEST(Relevance, IsWhatThatIsWorkedOutFrom) {
             "z p ");
 }
 
-TEST(Relevance, IsWhatSetsItInAProfileOrRoute) {
+TEST(ConeOfInfluence, IsWhatSetsItInAProfileOrRoute) {
   const std::string two = number("x") + number("y");
   EXPECT_EQ(
       relevantIn(two + asking("entry do log n () end case (gt (var y) 1) do log n () end stay")),
@@ -355,7 +356,7 @@ TEST(Relevance, IsWhatSetsItInAProfileOrRoute) {
       << "it is done";
 }
 
-TEST(Relevance, IsWhatOrdersDepthsToTheVehicle) {
+TEST(ConeOfInfluence, IsWhatOrdersDepthsToTheVehicle) {
   const std::string two = number("x") + number("y");
   for (const char* order :
        {"descend ((mul (var y) 1:length), 0.4:angle)", "ascend ((mul (var y) 1:length), 0.4:angle)",
@@ -437,13 +438,13 @@ Leaving leavingAt(double since, const std::string& cases, const std::string& alw
                   bool own_first = false) {
   const Mission m = missionOf(kHeader + (always.empty() ? "" : "always " + always + "\n") +
                               stateText("a", cases) + stateText("b", "case true exit"));
-  const Ground ground = Ground(m, slocum()).withoutPowerCuts();
+  const ProofContext proof_context = ProofContext(m, slocum()).withoutPowerCuts();
   Interruptions interruptions;
   interruptions.own_first = own_first;
   for (const Case& c : m.always) {
     interruptions.cases.push_back(&c);
   }
-  return leavingOf(ground, m.states[0], interruptions, {}, since);
+  return leavingOf(proof_context, m.states[0], interruptions, {}, since);
 }
 
 TEST(Leaving, IsATickAfterWhatMustBeTrue) {

@@ -19,8 +19,8 @@ namespace glider::ir::prove {
 namespace {
 
 /// All that a mission keeps matters, but for the vehicle.
-Relevance everything(const Mission& m) {
-  Relevance all;
+ConeOfInfluence everything(const Mission& m) {
+  ConeOfInfluence all;
   all.variables.assign(m.variables.size(), true);
   all.temporals.assign(m.temporals.size(), true);
   all.profiles.assign(m.states.size(), true);
@@ -60,24 +60,25 @@ Control controlOf(const TickResult& result) {
 /// Asks whether a step of the terms is what the interpreter did.
 class StepQuestion {
  public:
-  StepQuestion(const Ground& ground, const Relevance& relevance)
-      : ground_(ground), m_(ground.mission), relevance_(relevance) {}
+  StepQuestion(const ProofContext& proof_context, const ConeOfInfluence& relevance)
+      : proof_context_(proof_context), m_(proof_context.mission), relevance_(relevance) {}
 
   Answer ask(const Left& before, const Left& after, const Interpreter& interpreter) {
     z3::context context;
     Unknowns unknowns(context);
     const std::vector<z3::sort> memory;
     Question question(context, 2000000);
-    const Layout layout(ground_, relevance_, memory);
+    const Layout layout(proof_context_, relevance_, memory);
     const Configuration from = layout.make(controlOf(before.result), unknowns);
     equate(question, from, before);
-    Moment moment(unknowns, ground_);
+    SymbolicState moment(unknowns, proof_context_);
     const z3::expr now = realOf(context, after.time);
     moment.setClocks(now, now, now);
     for (uint32_t i = 0; i < m_.sensors.size(); ++i) {
       equate(question, moment.reading({i}), interpreter.readingOf({i}));
     }
-    auto outcomes = SymbolicTick(ground_, relevance_, unknowns).run(from, now, moment, Pace::Many);
+    auto outcomes =
+        SymbolicTick(proof_context_, relevance_, unknowns).run(from, now, moment, Pace::Many);
     question.add(unknowns);
     z3::expr any = context.bool_val(false);
     for (const Outcome& outcome : outcomes) {
@@ -97,11 +98,11 @@ class StepQuestion {
     Unknowns unknowns(context);
     const std::vector<z3::sort> memory;
     Question question(context, 2000000);
-    const Layout layout(ground_, relevance_, memory);
+    const Layout layout(proof_context_, relevance_, memory);
     Configuration from = layout.make({{0}, {}, Control::kNoLimit, false}, unknowns);
     from.mission_time = from.resumed = context.real_val(0);
     from.entered = {context.real_val(0)};
-    Moment moment(unknowns, ground_);
+    SymbolicState moment(unknowns, proof_context_);
     for (uint32_t i = 0; i < m_.sensors.size(); ++i) {
       equate(question, moment.reading({i}), interpreter.readingOf({i}));
     }
@@ -110,7 +111,7 @@ class StepQuestion {
         question.add(holds(from.store, i, after.result.variables[i]));
       }
     }
-    const Configuration to = SymbolicTick(ground_, relevance_, unknowns).start(from, moment);
+    const Configuration to = SymbolicTick(proof_context_, relevance_, unknowns).start(from, moment);
     question.add(unknowns);
     const z3::expr same = holdsWhat(to, after);
     question.add(other ? !same : same);
@@ -174,23 +175,23 @@ class StepQuestion {
     return same;
   }
 
-  const Ground& ground_;
+  const ProofContext& proof_context_;
   const Mission& m_;
-  const Relevance& relevance_;
+  const ConeOfInfluence& relevance_;
 };
 
 /// Ticks of `mission`, each asked for; the number of those that the solver has found.
 size_t askTicks(const Mission& mission, const std::vector<random_missions::StreamTick>& stream,
                 const Externals& externals = {}) {
-  const Ground ground(mission, slocum());
-  const Relevance relevance = everything(mission);
+  const ProofContext proof_context(mission, slocum());
+  const ConeOfInfluence relevance = everything(mission);
   Interpreter interpreter(mission, static_cast<uint32_t>(mission.states.size()), externals);
   Left before{interpreter.start(stream.front().frame), 0, 0, 0};
   size_t found = 0;
   for (size_t i = 1; i < stream.size() && !before.result.finished; ++i) {
     const double time = std::max(before.time, stream[i].mission_time);
     Left after = leftBy(interpreter.tick(time, stream[i].frame), time, before);
-    const Answer answer = StepQuestion(ground, relevance).ask(before, after, interpreter);
+    const Answer answer = StepQuestion(proof_context, relevance).ask(before, after, interpreter);
     EXPECT_NE(answer, Answer::No) << "tick " << i << " at " << time << " s";
     found += answer == Answer::Yes ? 1 : 0;
     if (testing::Test::HasFailure()) {
@@ -204,11 +205,11 @@ size_t askTicks(const Mission& mission, const std::vector<random_missions::Strea
 /// Whether the solver finds the start of `mission`, and something else that it may be.
 std::pair<Answer, Answer> askStart(const Mission& mission, const std::vector<SensorUpdate>& frame,
                                    const Externals& externals = {}) {
-  const Ground ground(mission, slocum());
-  const Relevance relevance = everything(mission);
+  const ProofContext proof_context(mission, slocum());
+  const ConeOfInfluence relevance = everything(mission);
   Interpreter interpreter(mission, static_cast<uint32_t>(mission.states.size()), externals);
   const Left left{interpreter.start(frame), 0, 0, 0};
-  StepQuestion question(ground, relevance);
+  StepQuestion question(proof_context, relevance);
   return {question.askStart(left, interpreter, false), question.askStart(left, interpreter, true)};
 }
 
@@ -438,8 +439,8 @@ Valuation exactly(const TickResult& result, const Mission& m) {
 size_t followTransitions(const Mission& mission,
                          const std::vector<random_missions::StreamTick>& stream,
                          const Externals& externals = {}) {
-  const Ground ground(mission, slocum());
-  const AbstractRun abstract(ground);
+  const ProofContext proof_context(mission, slocum());
+  const AbstractRun abstract(proof_context);
   Interpreter interpreter(mission, static_cast<uint32_t>(mission.states.size()), externals);
   TickResult before = interpreter.start(stream.front().frame);
   size_t followed = 0;
@@ -502,17 +503,17 @@ state b ("b.x", "b.y") route drift () profile glide () case true goto b ((var "b
   EXPECT_EQ(followTransitions(mission, streamOf({1, 1, 1, 1})), 3U);
 }
 
-TEST(Possible, AWindowHoldsWhatWasBefore) {
+TEST(AbstractEvaluator, AWindowHoldsWhatWasBefore) {
   const Mission mission = missionOf(kHeader + R"(variable n: number mission lowest 0 highest 100
 initial n 7
 temporal highest always (var n) over 100
 always case (gt (temporal 0) 5) stay
 state a route drift () profile glide () case true do set n 1 end stay
 )");
-  const Ground ground(mission, slocum());
+  const ProofContext proof_context(mission, slocum());
   Valuation values{Holding{1, 1, false, {}}};
   const Interval all{0, 1e6, false};
-  const Possible possible(ground, values, {all, all, all});
+  const AbstractEvaluator possible(proof_context, values, {all, all, all});
   EXPECT_TRUE(possible.truth(mission.always[0].guard).is_true) << "it was 7 a moment ago";
 }
 

@@ -37,7 +37,7 @@ using Flight = std::function<void(RandomVehicle&)>;
 Range depthsAfter(const Flight& flight) {
   Range all;
   for (uint64_t seed = 1; seed <= 300; ++seed) {
-    Dice dice(seed);
+    Rng dice(seed);
     RandomVehicle vehicle(slocum(), dice);
     flight(vehicle);
     all.least = std::min(all.least, vehicle.depth());
@@ -52,10 +52,10 @@ void fly(RandomVehicle& vehicle, double from, double to) {
   }
 }
 
-/// After these orders have been in force for long.
-Range depthsUnder(const std::vector<Action>& orders) {
+/// After these commands have been in force for long.
+Range depthsUnder(const std::vector<Action>& commands) {
   return depthsAfter([&](RandomVehicle& vehicle) {
-    vehicle.obey(orders, 0);
+    vehicle.obey(commands, 0);
     fly(vehicle, 0, kLong);
   });
 }
@@ -102,7 +102,7 @@ TEST(RandomVehicle, OvershootsWhereItIsTurned) {
              }));
 }
 
-/// From 50 m and what is overshot, `seconds` after an order to climb.
+/// From 50 m and what is overshot, `seconds` after a command to climb.
 Range depthsAfterClimb(const Action& climb, double seconds) {
   return depthsAfter([&](RandomVehicle& vehicle) {
     vehicle.obey({order(Command::Descend, {50, 0.4})}, 0);
@@ -130,7 +130,7 @@ TEST(RandomVehicle, ClimbsToWhatIsOrdered) {
 
 TEST(RandomVehicle, DoesNotTurnBackOnItsWayUp) {
   for (uint64_t seed = 1; seed <= 50; ++seed) {
-    Dice dice(seed);
+    Rng dice(seed);
     RandomVehicle vehicle(slocum(), dice);
     vehicle.obey({order(Command::Descend, {50, 0.4})}, 0);
     fly(vehicle, 0, kLong);
@@ -170,7 +170,7 @@ TEST(RandomVehicle, AnotherOrderToClimbIsTheSame) {
 TEST(RandomVehicle, IsNoFasterThanItCanBe) {
   double fastest = 0;
   for (uint64_t seed = 1; seed <= 100; ++seed) {
-    Dice dice(seed);
+    Rng dice(seed);
     RandomVehicle vehicle(slocum(), dice);
     vehicle.obey({order(Command::Descend, {100, 0.4})}, 0);
     for (double now = 0; now < 100; ++now) {
@@ -194,7 +194,7 @@ TEST(RandomVehicle, IsAsSlowAsItLikes) {
 TEST(RandomVehicle, ShowsItsDepthRoughly) {
   Range error;
   for (uint64_t seed = 1; seed <= 300; ++seed) {
-    Dice dice(seed);
+    Rng dice(seed);
     RandomVehicle vehicle(slocum(), dice);
     const double shown = vehicle.reading();
     EXPECT_GE(shown, 0);

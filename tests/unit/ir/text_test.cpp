@@ -151,7 +151,7 @@ state s2
   EXPECT_EQ(std::regex_replace(printed, std::regex("%[0-9]+"), "%11"), text);
 }
 
-/// A mission that only a machine would make: names with anything in them, expressions in no order
+/// A mission that only a machine would make: names with anything in them, expressions in no command
 /// that a text could have, used often or never, chains longer than a reader nests.
 Mission strange() {
   Mission m = missionOf(kHeader + stateText("a", "case true exit"));

@@ -3,9 +3,8 @@
 
 // What trials show of a case, and that the solver never says otherwise.
 
-#include "ir/prove/encoding/trials.h"
-
 #include "ir/prove/encoding/question.h"
+#include "ir/prove/encoding/sampling.h"
 #include "tests/random_missions/random_mission.h"
 #include "tests/unit/ir/missions.h"
 #include "tests/unit/ir/slocum.h"
@@ -15,10 +14,10 @@ namespace {
 
 std::vector<Seen> triedOut(const std::string& cases) {
   const Mission mission = missionOf(kHeader + stateText("a", cases));
-  return tryOut(Ground(mission, slocum()), mission.states[0].cases);
+  return tryOut(ProofContext(mission, slocum()), mission.states[0].cases);
 }
 
-TEST(Trials, SeeWhatThePlainCasesOfAPlainMissionDo) {
+TEST(Sampling, SeeWhatThePlainCasesOfAPlainMissionDo) {
   const auto seen = triedOut(
       "case (and (ge missiontime 1234:time) (gt (sensor depth) 5:length)) goto a "
       "case (or (gt (sensor temp) 20:temperature) (gt (sensor depth) 90:length)) goto a "
@@ -31,7 +30,7 @@ TEST(Trials, SeeWhatThePlainCasesOfAPlainMissionDo) {
   }
 }
 
-TEST(Trials, DoNotSeeWhatCannotBe) {
+TEST(Sampling, DoNotSeeWhatCannotBe) {
   const auto seen = triedOut(
       "case (gt (sensor depth) 200:length) goto a "
       "case (ge statetime 0:time) goto a "
@@ -43,7 +42,7 @@ TEST(Trials, DoNotSeeWhatCannotBe) {
   EXPECT_FALSE(seen[2].first) << "the second is always before it";
 }
 
-TEST(Trials, SeeWhatLooksBackInTime) {
+TEST(Sampling, SeeWhatLooksBackInTime) {
   const Mission mission =
       missionOf(kHeader +
                 "temporal held state a (gt (sensor depth) 5:length) for 8:time "
@@ -51,22 +50,22 @@ TEST(Trials, SeeWhatLooksBackInTime) {
                 stateText("a",
                           "case (temporal 0) exit case (temporal 1) exit "
                           "case (and (temporal 0) (lt resumetime 4:time)) exit"));
-  const auto seen = tryOut(Ground(mission, slocum()), mission.states[0].cases);
+  const auto seen = tryOut(ProofContext(mission, slocum()), mission.states[0].cases);
   EXPECT_TRUE(seen[0].first && seen[0].idle);
   EXPECT_FALSE(seen[1].fires) << "what is held never is";
   EXPECT_FALSE(seen[2].fires) << "the time has not passed";
 }
 
-TEST(Trials, WhatIsHeldForNobodyKnowsHowLongIsUnknown) {
+TEST(Sampling, WhatIsHeldForNobodyKnowsHowLongIsUnknown) {
   const Mission mission =
       missionOf(kHeader + "temporal held state a true for (mul (mul 1e300 1e300) 1:time) " +
                 stateText("a", "case (temporal 0) exit case (not (temporal 0)) exit"));
-  const auto seen = tryOut(Ground(mission, slocum()), mission.states[0].cases);
+  const auto seen = tryOut(ProofContext(mission, slocum()), mission.states[0].cases);
   EXPECT_FALSE(seen[0].fires);
   EXPECT_FALSE(seen[1].fires);
 }
 
-TEST(Trials, TimeInAStateIsPartOfTheMissions) {
+TEST(Sampling, TimeInAStateIsPartOfTheMissions) {
   const auto seen = triedOut("case (and (gt statetime 100:time) (lt missiontime 50:time)) exit");
   EXPECT_FALSE(seen[0].fires);
   EXPECT_TRUE(seen[0].idle);
@@ -74,11 +73,11 @@ TEST(Trials, TimeInAStateIsPartOfTheMissions) {
 
 /// Whether a moment in which guard `number` is (or is not) true, after all `before` that are not,
 /// is impossible to the solver.
-bool isImpossible(const Ground& ground, const std::vector<Case>& cases, size_t number, bool fires,
-                  size_t before) {
+bool isImpossible(const ProofContext& proof_context, const std::vector<Case>& cases, size_t number,
+                  bool fires, size_t before) {
   z3::context context;
   Unknowns unknowns(context);
-  Moment moment(unknowns, ground);
+  SymbolicState moment(unknowns, proof_context);
   Question question(context, 400000);
   const z3::expr is_true = moment.truth(cases[number].guard).is_true;
   question.add(fires ? is_true : !is_true);
@@ -89,18 +88,18 @@ bool isImpossible(const Ground& ground, const std::vector<Case>& cases, size_t n
   return question.ask() == Answer::No;
 }
 
-TEST(Trials, SeeNothingThatTheSolverSaysCannotBe) {
+TEST(Sampling, SeeNothingThatTheSolverSaysCannotBe) {
   size_t seen_cases = 0;
   for (uint64_t seed = 1; seed <= 20; ++seed) {
     const Mission mission = random_missions::randomMission(seed);
-    const Ground ground(mission, slocum());
+    const ProofContext proof_context(mission, slocum());
     for (const State& state : mission.states) {
-      const auto seen = tryOut(ground, state.cases);
+      const auto seen = tryOut(proof_context, state.cases);
       for (size_t i = 0; i < seen.size(); ++i) {
         seen_cases += seen[i].first ? 1U : 0U;
-        EXPECT_FALSE(seen[i].fires && isImpossible(ground, state.cases, i, true, 0)) << seed;
-        EXPECT_FALSE(seen[i].idle && isImpossible(ground, state.cases, i, false, 0)) << seed;
-        EXPECT_FALSE(seen[i].first && isImpossible(ground, state.cases, i, true, i)) << seed;
+        EXPECT_FALSE(seen[i].fires && isImpossible(proof_context, state.cases, i, true, 0)) << seed;
+        EXPECT_FALSE(seen[i].idle && isImpossible(proof_context, state.cases, i, false, 0)) << seed;
+        EXPECT_FALSE(seen[i].first && isImpossible(proof_context, state.cases, i, true, i)) << seed;
       }
     }
   }

@@ -183,7 +183,7 @@ TEST(JudgedFlight, OfTheFakePilotIsGood) {
     };
     setup.sbc = std::move(*setup.restart_sbc());
     FlightJudge judge(judgeSetup(setup.platform, setup.scenario, drawn.kinds));
-    setup.onlooker = &judge;
+    setup.observer = &judge;
     const support::Trace trace = fly(std::move(setup));
     EXPECT_NE(judge.verdict().outcome, Outcome::Violation)
         << nameOf(static_cast<FaultKind>(k)) << ": " << judge.verdict().violation << "\n"

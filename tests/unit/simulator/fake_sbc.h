@@ -58,7 +58,7 @@ class FakeSbc final : public SbcPort {
   void plug(bool in) override { plugged_ = in; }
   [[nodiscard]] bool keepsTime() const override { return keeps_time_; }
   [[nodiscard]] bool alive() const override { return !killed_ && !pilot_.closed(); }
-  [[nodiscard]] std::string epitaph() const override {
+  [[nodiscard]] std::string exitReason() const override {
     return killed_ ? "killed" : pilot_.closed() ? "exited with status 2" : "";
   }
 

@@ -5,7 +5,7 @@
 
 #include "simulator/faults/card_damage.h"
 #include "simulator/faults/sensor_damage.h"
-#include "simulator/onlooker.h"
+#include "simulator/flight_observer.h"
 #include "tests/slocum.h"
 #include "tests/unit/simulator/fake_sbc.h"
 #include "tests/unit/simulator/flights.h"
@@ -139,7 +139,7 @@ TEST(FaultFlight, AnAbortedMissionDoesNotBeginAgain) {
 }
 
 /// Notes what lies in the sensor array and what becomes of it.
-class ArrayWatch final : public Onlooker {
+class ArrayWatch final : public FlightObserver {
  public:
   void said(std::span<const uint8_t>, double) override {}
   bool cycle(const CycleView& view) override {
@@ -155,7 +155,7 @@ TEST(FaultFlight, AnInstructionLeftOverLiesInTheArrayAndIsNotFollowed) {
   SimulationSetup setup = shippedSetup("default");  // nobody says anything
   setup.scenario.faults.leftover = {{3, 65530, 12}};
   ArrayWatch watch;
-  setup.onlooker = &watch;
+  setup.observer = &watch;
   (void)fly(std::move(setup));
   ASSERT_GT(watch.sequences.size(), 2U);
   EXPECT_EQ(watch.sequences.back(), 65530) << "it was found";
@@ -201,7 +201,7 @@ TEST(FaultFlight, AnAbortTakesTheVehicleUpForGood) {
 }
 
 /// Counts the reports after an abort, and those of them that tell that hookbeh is complete.
-struct AbortOnlooker : Onlooker {
+struct AbortOnlooker : FlightObserver {
   void said(std::span<const uint8_t> /*bytes*/, double /*now_s*/) override {}
   bool cycle(const CycleView& view) override {
     reports += view.aborted ? 1 : 0;
@@ -218,11 +218,11 @@ TEST(FaultFlight, AfterAnAbortEachReportTellsThatHookbehIsComplete) {
   Faults faults;
   faults.aborts = {300};
   SimulationSetup setup = withFaults(faults);
-  AbortOnlooker onlooker;
-  setup.onlooker = &onlooker;
+  AbortOnlooker observer;
+  setup.observer = &observer;
   fly(std::move(setup));
-  EXPECT_GT(onlooker.reports, 10);
-  EXPECT_EQ(onlooker.complete, onlooker.reports);
+  EXPECT_GT(observer.reports, 10);
+  EXPECT_EQ(observer.complete, observer.reports);
 }
 
 TEST(FaultFlight, DamageThatLeavesEnoughIsFlownThrough) {

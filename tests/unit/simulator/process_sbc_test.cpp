@@ -51,7 +51,7 @@ TEST(ProcessSbc, KilledLeavesNoZombie) {
   const pid_t pid = port->pid();
   port->kill();
   EXPECT_FALSE(port->alive());
-  EXPECT_EQ(port->epitaph(), "killed");
+  EXPECT_EQ(port->exitReason(), "killed");
   EXPECT_NE(::kill(pid, 0), 0) << "it is reaped";
   SimulationSetup setup = setupFor(start({kProgram, "{port}"}));
   setup.kill_sbc_at_s = 200;

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/prove/context/never_unknown.h"
+
+#include "ir/core/ops.h"
+#include "ir/verify/inherited.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace glider::ir::prove {
+namespace {
+
+/// Beyond this a result may overflow.
+constexpr double kNearOverflow = 1e300;
+
+class KnownExpressions {
+ public:
+  KnownExpressions(const Mission& mission, const std::vector<Interval>& intervals)
+      : m_(mission), intervals_(intervals) {}
+
+  bool isKnown(size_t index, const GreatestFixpoint& judged) const {
+    const Expr& e = m_.exprs[index];
+    const bool operands = judged.haveOperands(e);
+    switch (opInfo(e.op).known) {
+      case KnownRule::Always:
+        return true;
+      case KnownRule::Operands:
+        return operands;
+      case KnownRule::Bounded:
+        return operands && isSmall(index);
+      case KnownRule::Quotient:
+        return operands && !mayBeZero(e.operands[1]) && isSmall(index);
+      case KnownRule::Guarded:
+        return operands || isGuarded(e, judged);
+      case KnownRule::Variable:
+        return judged.variables[e.variable.index];
+      case KnownRule::Maybe:
+        break;
+    }
+    return false;
+  }
+
+ private:
+  /// `known(depth) && depth < bottom`, which is false where the depth is unknown.
+  bool isGuarded(const Expr& both, const GreatestFixpoint& judged) const {
+    const Expr& asked = m_[both.operands[0]];
+    const Expr& then = m_[both.operands[1]];
+    if (asked.op != Op::Known || m_[asked.operands[0]].op != Op::Sensor || !isComparison(then.op)) {
+      return false;
+    }
+    const auto known = [&](ExprId side) {
+      const Expr& x = m_[side];
+      return judged.expressions[side.index] ||
+             (x.op == Op::Sensor && x.sensor == m_[asked.operands[0]].sensor);
+    };
+    return known(then.operands[0]) && known(then.operands[1]);
+  }
+
+  bool mayBeZero(ExprId id) const {
+    const Interval& x = intervals_[id.index];
+    return x.lowest <= 0 && x.highest >= 0;
+  }
+  bool isSmall(size_t index) const {
+    const Interval& x = intervals_[index];
+    // What always overflows has no interval.
+    return !x.empty && std::max(std::fabs(x.lowest), std::fabs(x.highest)) < kNearOverflow;
+  }
+
+  const Mission& m_;
+  const std::vector<Interval>& intervals_;
+};
+
+bool beginsKnown(const Variable& variable, bool initial) {
+  return variable.kind == VariableKind::Parameter || variable.kind == VariableKind::Argument ||
+         initial;
+}
+
+/// Whether two expressions say the same.
+// NOLINTNEXTLINE(misc-no-recursion): as deep as the mission's text nests
+bool isSame(const Mission& m, ExprId a, ExprId b) {
+  if (a == b) {
+    return true;
+  }
+  const Expr& x = m[a];
+  const Expr& y = m[b];
+  bool same = x.op == y.op && x.number == y.number && x.sensor == y.sensor &&
+              x.variable == y.variable && x.temporal == y.temporal && x.table == y.table &&
+              x.use == y.use;
+  for (uint32_t i = 0; same && i < operandCount(x); ++i) {
+    same = isSame(m, x.operands.at(i), y.operands.at(i));
+  }
+  return same;
+}
+
+}  // namespace
+
+GreatestFixpoint neverUnknown(const Mission& mission, const std::vector<Interval>& intervals) {
+  const KnownExpressions known(mission, intervals);
+  return greatestFixpoint(
+      mission,
+      {[&](size_t index, const GreatestFixpoint& judged) { return known.isKnown(index, judged); },
+       beginsKnown,
+       /*lost_by_set=*/false});  // one to an unknown value does nothing
+}
+
+std::vector<bool> knownWhere(const Mission& mission, const std::vector<Interval>& intervals,
+                             const GreatestFixpoint& always, const std::vector<ExprId>& shown) {
+  const KnownExpressions known(mission, intervals);
+  GreatestFixpoint judged{always.variables, {}};
+  for (size_t i = 0; i < mission.exprs.size(); ++i) {
+    const ExprId id{static_cast<uint32_t>(i)};
+    const bool is_shown =
+        std::ranges::any_of(shown, [&](ExprId other) { return isSame(mission, id, other); });
+    judged.expressions.push_back(is_shown || known.isKnown(i, judged));
+  }
+  return std::move(judged.expressions);
+}
+
+}  // namespace glider::ir::prove

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "ir/core/mission.h"
+#include "ir/verify/inherited.h"
+#include "ir/verify/intervals.h"
+
+#include <vector>
+
+namespace glider::ir::prove {
+
+/// Which variables are known whenever they have started: their initial value, or each argument that
+/// they are given, is known whatever the sensors say; and which expressions then are. (`set` never
+/// makes a variable unknown.) `intervals`: where every expression lies when it is known.
+GreatestFixpoint neverUnknown(const Mission& mission, const std::vector<Interval>& intervals);
+
+/// Which expressions are known at a moment at which these are besides; `always` is neverUnknown.
+std::vector<bool> knownWhere(const Mission& mission, const std::vector<Interval>& intervals,
+                             const GreatestFixpoint& always, const std::vector<ExprId>& shown);
+
+}  // namespace glider::ir::prove

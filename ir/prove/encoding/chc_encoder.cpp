@@ -1,0 +1,322 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/prove/encoding/chc_encoder.h"
+
+#include "ir/core/ops.h"
+#include "ir/core/walk.h"
+#include "ir/prove/encoding/world.h"
+
+#include <fmt/format.h>
+
+namespace glider::ir::prove {
+namespace {
+
+constexpr size_t kMostControls = 400;
+
+/// All facts together.
+z3::expr allOf(const Unknowns& unknowns, z3::context& context) {
+  z3::expr_vector facts(context);
+  for (const Fact& fact : unknowns.facts()) {
+    facts.push_back(fact.holds);
+  }
+  return z3::mk_and(facts);
+}
+
+}  // namespace
+
+bool ChcEncoder::run() {
+  begin();
+  while (!pending_.empty() && reached_.size() <= kMostControls) {
+    const Control control = pending_.back();
+    pending_.pop_back();
+    elapse(control);
+    tick(control);
+    badAfter(control);
+  }
+  return pending_.empty();
+}
+
+void ChcEncoder::reach(const Control& control) {
+  if (reached_.insert(control).second) {
+    pending_.push_back(control);
+  }
+}
+
+void ChcEncoder::add(Rule rule, const Unknowns& unknowns) {
+  rule.condition = (rule.condition && allOf(unknowns, context_)).simplify();
+  if (rule.condition.is_false()) {
+    return;
+  }
+  if (rule.to) {
+    reach(rule.to->control);
+  }
+  rule.unknowns = unknowns.made();
+  rules_.push_back(std::move(rule));
+}
+
+SymbolicState ChcEncoder::readingsOf(const Configuration& configuration, Unknowns& unknowns) const {
+  SymbolicState moment(unknowns, proof_context_);
+  moment.setClocks(configuration.mission_time, configuration.mission_time,
+                   configuration.mission_time);
+  for (uint32_t i = 0; i < m_.sensors.size(); ++i) {
+    const NumberTerm& reading = moment.reading({i});
+    if (configuration.store.vehicle && proof_context_.depth == SensorId{i}) {
+      const z3::expr error = moment.real(proof_context_.platform.world.depth_error_m);
+      const z3::expr& depth = configuration.store.vehicle->depth;
+      unknowns.require(z3::implies(
+          reading.known, reading.value <= depth + error && reading.value >= depth - error));
+    }
+  }
+  return moment;
+}
+
+/// Mission time 0: parameters within their ranges and conditions, the vehicle as it may be given.
+void ChcEncoder::begin() {
+  Unknowns unknowns(context_, fmt::format("r{}:", next_prefix_++));
+  Control control;
+  control.state = {0};
+  Configuration start = layout_.make(control, unknowns);
+  start.mission_time = context_.real_val(0);
+  start.entered = {context_.real_val(0)};
+  start.resumed = context_.real_val(0);
+  SymbolicState moment = readingsOf(start, unknowns);
+  for (uint32_t i = 0; i < m_.variables.size(); ++i) {
+    if (m_.variables[i].kind != VariableKind::Parameter || !relevance_.variables[i]) {
+      continue;
+    }
+    if (m_.variables[i].type.kind == TypeKind::Bool) {
+      start.store.truths.insert_or_assign(i, moment.truthOf(VariableId{i}));
+    } else {
+      start.store.numbers.insert_or_assign(i, moment.numberOf(VariableId{i}));
+    }
+  }
+  z3::expr condition = context_.bool_val(true);
+  for (const ExprId id : m_.conditions) {
+    condition = condition && moment.truth(id).is_true;
+  }
+  if (start.store.vehicle) {
+    condition = condition && begins(*start.store.vehicle, proof_context_.platform);
+  }
+  Configuration after =
+      SymbolicTick(proof_context_, relevance_, unknowns).start(std::move(start), moment);
+  if (watch_.begin) {
+    watch_.begin(after);
+  }
+  addBad(std::nullopt, {}, condition, std::nullopt, after, moment, unknowns);
+  Rule rule{std::nullopt, Place{control, Side::Done},
+            {},           layout_.row(after),
+            condition,    {},
+            true,         std::nullopt,
+            after,        moment.readings()};
+  add(std::move(rule), unknowns);
+}
+
+void ChcEncoder::elapse(const Control& control) {
+  Unknowns unknowns(context_, fmt::format("r{}:", next_prefix_++));
+  const Configuration before = layout_.make(control, unknowns);
+  Configuration after = before;
+  after.mission_time = unknowns.real("now");
+  // A frame that comes late, after ticks by the SBC's own clock, brings no later time.
+  z3::expr condition = after.mission_time >= before.mission_time;
+  if (before.store.vehicle) {
+    after.store.vehicle->depth = unknowns.real("depth");
+    condition = condition && moves(*before.store.vehicle, before.mission_time, after.mission_time,
+                                   after.store.vehicle->depth, proof_context_.platform);
+  }
+  condition = condition && noticed(before, after, unknowns);
+  if (watch_.elapse) {
+    watch_.elapse(before, after);
+  }
+  add({Place{control, Side::Done},
+       Place{control, Side::Due},
+       layout_.row(before),
+       layout_.row(after),
+       condition,
+       {},
+       false,
+       before,
+       after,
+       {}},
+      unknowns);
+}
+
+/// What the control's lists ask of clocks and variables alone.
+std::vector<ExprId> ChcEncoder::clockConditions(const Control& control) const {
+  std::vector<ExprId> open;
+  auto guards = [&](const std::vector<Case>& cases) {
+    for (const Case& c : cases) {
+      open.push_back(c.guard);
+    }
+  };
+  guards(m_.always);
+  const State& state = m_[control.state];
+  guards(state.cases);
+  if (relevance_.profiles[control.state.index]) {
+    guards(state.profile.cases);
+  }
+  if (relevance_.routes[control.state.index]) {
+    guards(state.route.cases);
+  }
+  std::vector<ExprId> found;
+  std::set<uint32_t> seen;
+  while (!open.empty()) {
+    const ExprId id = open.back();
+    open.pop_back();
+    if (!id.valid() || !seen.insert(id.index).second) {
+      continue;
+    }
+    const Expr& e = m_[id];
+    if (isComparison(e.op)) {
+      if (readsNoSensor(id)) {
+        found.push_back(id);
+      }
+      continue;
+    }
+    if (e.type.kind == TypeKind::Bool) {
+      open.insert(open.end(), e.operands.begin(), e.operands.end());
+    }
+  }
+  return found;
+}
+
+bool ChcEncoder::readsNoSensor(ExprId root) const {
+  return !anyIn(m_, root, [](const Expr& e) {
+    return e.op == Op::Sensor || e.op == Op::Age || e.op == Op::Temporal || e.op == Op::Call;
+  });
+}
+
+/// Guards that fire whatever the sensors say.
+std::vector<ExprId> ChcEncoder::clockGuards(const Control& control) const {
+  std::vector<ExprId> found;
+  for (const auto* cases : {&m_.always, &m_[control.state].cases}) {
+    for (const Case& c : *cases) {
+      if (readsNoSensor(c.guard)) {
+        found.push_back(c.guard);
+      }
+    }
+  }
+  return found;
+}
+
+/// A condition that turned longer ago than the gap has met a tick since: time stops there first.
+/// And a guard that is true then has fired.
+z3::expr ChcEncoder::noticed(const Configuration& before, const Configuration& after,
+                             Unknowns& unknowns) {
+  const z3::expr gap = realOf(context_, proof_context_.tick_gap_s);
+  const z3::expr late = after.mission_time - gap;
+  auto at = [&](const z3::expr& time) {
+    SymbolicState moment(unknowns, proof_context_);
+    moment.setClocks(time, time - before.entered.back(), time - before.resumed);
+    before.store.show(moment);
+    return moment;
+  };
+  SymbolicState then = at(before.mission_time);
+  SymbolicState later = at(late);
+  z3::expr same = context_.bool_val(true);
+  for (const ExprId id : clockConditions(before.control)) {
+    same = same && then.truth(id).is_true == later.truth(id).is_true;
+  }
+  for (const ExprId guard : clockGuards(before.control)) {
+    same = same && !later.truth(guard).is_true;
+  }
+  return late <= before.mission_time || same;
+}
+
+/// What a tick leaves may be bad: seen with its readings.
+void ChcEncoder::addBad(const std::optional<Place>& from, const std::vector<z3::expr>& row,
+                        const z3::expr& condition, const std::optional<Configuration>& before,
+                        const Configuration& left, const SymbolicState& readings,
+                        const Unknowns& unknowns) {
+  if (!watch_.bad_at_tick) {
+    return;
+  }
+  SymbolicState seen = readings;
+  left.store.show(seen);
+  seen.setClocks(left.mission_time, left.mission_time - left.entered.back(),
+                 left.mission_time - left.resumed);
+  if (const auto bad = watch_.bad_at_tick(left, seen)) {
+    add({from,
+         std::nullopt,
+         row,
+         {},
+         condition && *bad,
+         {},
+         true,
+         before,
+         left,
+         readings.readings()},
+        unknowns);
+  }
+}
+
+void ChcEncoder::tick(const Control& control) {
+  Unknowns unknowns(context_, fmt::format("r{}:", next_prefix_++));
+  const Configuration before = layout_.make(control, unknowns);
+  // The tick comes after the time that has passed: the time of the configuration is its own.
+  const SymbolicState moment = readingsOf(before, unknowns);
+  const auto outcomes = SymbolicTick(proof_context_, relevance_, unknowns)
+                            .run(before, before.mission_time, moment, Pace::Many);
+  const Place from{control, Side::Due};
+  const std::vector<z3::expr> row = layout_.row(before);
+  for (const Outcome& outcome : outcomes) {
+    addBad(from, row, outcome.condition, before, outcome.after ? *outcome.after : *outcome.left,
+           moment, unknowns);
+    if (watch_.bad_move) {
+      if (const auto bad = watch_.bad_move(before, outcome)) {
+        add({from,
+             std::nullopt,
+             row,
+             {},
+             outcome.condition && *bad,
+             {},
+             true,
+             before,
+             outcome.after,
+             moment.readings()},
+            unknowns);
+      }
+    }
+    if (!outcome.after) {
+      continue;
+    }
+    Configuration after = *outcome.after;
+    if (watch_.move) {
+      watch_.move(before, outcome, after);
+    }
+    add({from,
+         Place{after.control, Side::Done},
+         row,
+         layout_.row(after),
+         outcome.condition,
+         {},
+         true,
+         before,
+         after,
+         moment.readings()},
+        unknowns);
+  }
+}
+
+void ChcEncoder::badAfter(const Control& control) {
+  if (!watch_.bad_after) {
+    return;
+  }
+  Unknowns unknowns(context_, fmt::format("r{}:", next_prefix_++));
+  const Configuration now = layout_.make(control, unknowns);
+  if (const auto bad = watch_.bad_after(now)) {
+    add({Place{control, Side::Done},
+         std::nullopt,
+         layout_.row(now),
+         {},
+         *bad,
+         {},
+         false,
+         now,
+         std::nullopt,
+         {}},
+        unknowns);
+  }
+}
+
+}  // namespace glider::ir::prove

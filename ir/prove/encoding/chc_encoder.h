@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "ir/prove/encoding/horn.h"
+
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace glider::ir::prove {
+
+/// The two sides of a tick.
+enum class Side : uint8_t {
+  Due,  ///< time has passed
+  Done  ///< the tick is over
+};
+
+/// A predicate: where runs can be.
+struct Place {
+  Control control;
+  Side side = Side::Due;
+  auto operator<=>(const Place&) const = default;
+};
+
+/// A Horn clause: from a place, if `condition` holds of its row, to another, or to what is bad.
+struct Rule {
+  std::optional<Place> from;  ///< none: the start
+  std::optional<Place> to;    ///< none: bad
+  std::vector<z3::expr> from_row;
+  std::vector<z3::expr> to_row;
+  z3::expr condition;
+  std::vector<z3::expr> unknowns;  ///< all that the rule has
+  bool tick = false;
+  std::optional<Configuration> before;  ///< of a rule with `from`
+  std::optional<Configuration> after;   ///< of a rule with `to`, and of a bad tick
+  std::map<uint32_t, NumberTerm> readings;
+};
+
+/// Writes the rules of a mission, from the start on, for each call stack that it can have.
+class ChcEncoder {
+ public:
+  ChcEncoder(z3::context& context, const ProofContext& proof_context,
+             const ConeOfInfluence& relevance, const SafetyProperty& watch)
+      : context_(context),
+        proof_context_(proof_context),
+        m_(proof_context.mission),
+        relevance_(relevance),
+        watch_(watch),
+        layout_(proof_context, relevance, watch_.memory) {}
+
+  /// False if there are too many call stacks.
+  bool run();
+  [[nodiscard]] const std::vector<Rule>& rules() const { return rules_; }
+
+ private:
+  void begin();
+  void elapse(const Control& control);
+  void tick(const Control& control);
+  void badAfter(const Control& control);
+  void addBad(const std::optional<Place>& from, const std::vector<z3::expr>& row,
+              const z3::expr& condition, const std::optional<Configuration>& before,
+              const Configuration& left, const SymbolicState& readings, const Unknowns& unknowns);
+  /// Time passes no condition of clocks by more than the gap between two ticks.
+  z3::expr noticed(const Configuration& before, const Configuration& after, Unknowns& unknowns);
+  std::vector<ExprId> clockConditions(const Control& control) const;
+  std::vector<ExprId> clockGuards(const Control& control) const;
+  bool readsNoSensor(ExprId root) const;
+  void add(Rule rule, const Unknowns& unknowns);
+  void reach(const Control& control);
+  /// A moment with a reading of every sensor; the depth is that of the vehicle, give or take.
+  SymbolicState readingsOf(const Configuration& configuration, Unknowns& unknowns) const;
+
+  z3::context& context_;
+  const ProofContext& proof_context_;
+  const Mission& m_;
+  const ConeOfInfluence& relevance_;
+  const SafetyProperty& watch_;
+  Layout layout_;
+  std::vector<Rule> rules_;
+  std::set<Control> reached_;
+  std::vector<Control> pending_;
+  uint32_t next_prefix_ = 0;
+};
+
+}  // namespace glider::ir::prove

@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/prove/encoding/safety_properties.h"
+
+#include "ir/core/walk.h"
+
+namespace glider::ir::prove {
+namespace {
+
+bool readsDepth(ExprId root, const ProofContext& proof_context) {
+  return anyIn(proof_context.mission, root, [&](const Expr& e) {
+    return e.op == Op::Sensor && e.sensor == proof_context.depth;
+  });
+}
+
+/// The mission flies although its time is over: a tick that ends it then comes too late.
+SafetyProperty exitWithin(double seconds, z3::context& context) {
+  SafetyProperty watch;
+  watch.bad_at_tick = [seconds, &context](const Configuration& left, SymbolicState&) {
+    return std::optional(left.mission_time > realOf(context, seconds));
+  };
+  return watch;
+}
+
+/// Enters it by goto or call; a return is no entering.
+bool enters(const Outcome& outcome, StateId state) {
+  return outcome.fired && outcome.after && outcome.after->control.state == state &&
+         !outcome.after->control.just_returned;
+}
+
+SafetyProperty reaching(StateId state, z3::context& context) {
+  SafetyProperty watch;
+  if (state.index == 0) {
+    watch.bad_after = [&context](const Configuration& now) {
+      return std::optional(now.control.state.index == 0 && now.control.stack.empty()
+                               ? context.bool_val(true)
+                               : context.bool_val(false));
+    };
+    return watch;
+  }
+  watch.bad_move = [state, &context](const Configuration&, const Outcome& outcome) {
+    return enters(outcome, state) ? std::optional(context.bool_val(true)) : std::nullopt;
+  };
+  return watch;
+}
+
+/// Remembers whether `after` has been entered.
+SafetyProperty neverAfter(StateId state, StateId after, z3::context& context) {
+  SafetyProperty watch;
+  watch.memory = {context.bool_sort()};
+  watch.begin = [after, &context](Configuration& start) {
+    start.memory = {context.bool_val(after.index == 0)};
+  };
+  watch.move = [after, &context](const Configuration& before, const Outcome& outcome,
+                                 Configuration& next) {
+    next.memory = {enters(outcome, after) ? context.bool_val(true) : before.memory.front()};
+  };
+  watch.bad_move = [state](const Configuration& before,
+                           const Outcome& outcome) -> std::optional<z3::expr> {
+    return enters(outcome, state) ? std::optional(before.memory.front()) : std::nullopt;
+  };
+  return watch;
+}
+
+/// Remembers when the vehicle was last at the surface.
+SafetyProperty surfacesEvery(double seconds, z3::context& context,
+                             const ProofContext& proof_context) {
+  SafetyProperty watch;
+  watch.memory = {context.real_sort()};
+  const double surface = proof_context.platform.world.surface_depth_m;
+  watch.begin = [&context](Configuration& start) { start.memory = {context.real_val(0)}; };
+  watch.elapse = [surface, &context](const Configuration& before, Configuration& after) {
+    after.memory = {z3::ite(after.store.vehicle->depth <= realOf(context, surface),
+                            after.mission_time, before.memory.front())};
+  };
+  watch.move = [](const Configuration& before, const Outcome&, Configuration& after) {
+    after.memory = before.memory;
+  };
+  watch.bad_at_tick = [seconds, &context](const Configuration& left, SymbolicState&) {
+    return std::optional(left.mission_time - left.memory.front() > realOf(context, seconds));
+  };
+  return watch;
+}
+
+/// The condition of a moment in which the depth is the true one.
+z3::expr isFalse(ExprId condition, const Configuration& now, SymbolicState moment,
+                 const ProofContext& proof_context) {
+  if (proof_context.depth && now.store.vehicle) {
+    moment.setReading(*proof_context.depth,
+                      NumberTerm{now.store.vehicle->depth, moment.context().bool_val(true), 0});
+    moment.forget();
+  }
+  return moment.truth(condition).is_false;
+}
+
+SafetyProperty always(ExprId condition, const ProofContext& proof_context) {
+  SafetyProperty watch;
+  watch.bad_at_tick = [condition, &proof_context](const Configuration& left,
+                                                  SymbolicState& moment) {
+    return std::optional(isFalse(condition, left, moment, proof_context));
+  };
+  return watch;
+}
+
+}  // namespace
+
+bool reckonsWithDepth(const Requirement& requirement, const ProofContext& proof_context) {
+  return requirement.kind == RequirementKind::SurfacesEvery ||
+         (requirement.kind == RequirementKind::Always &&
+          readsDepth(requirement.condition, proof_context));
+}
+
+SafetyProperty safetyPropertyFor(const Requirement& requirement, z3::context& context,
+                                 const ProofContext& proof_context) {
+  switch (requirement.kind) {
+    case RequirementKind::Always:
+      return always(requirement.condition, proof_context);
+    case RequirementKind::ExitWithin:
+      return exitWithin(requirement.seconds, context);
+    case RequirementKind::Reach:
+      return reaching(requirement.state, context);
+    case RequirementKind::NeverAfter:
+      return neverAfter(requirement.state, requirement.after, context);
+    case RequirementKind::SurfacesEvery:
+      return surfacesEvery(requirement.seconds, context, proof_context);
+    case RequirementKind::StackAtMost:
+      break;
+  }
+  return {};
+}
+
+}  // namespace glider::ir::prove

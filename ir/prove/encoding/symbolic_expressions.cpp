@@ -1,0 +1,297 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// SymbolicState's expressions: what each operation is worth.
+
+#include "ir/prove/encoding/symbolic_state.h"
+#include "support/check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace glider::ir::prove {
+namespace {
+
+constexpr double kMost = std::numeric_limits<double>::max();
+/// Where a sum or product may overflow, and so be unknown.
+constexpr double kNearOverflow = 1e300;
+
+double magnitudeOf(const Interval& interval) {
+  return std::max(std::fabs(interval.lowest), std::fabs(interval.highest));
+}
+
+/// Whether a result may be unknown although its operands are known; one without an interval always
+/// is.
+bool mayOverflow(const Interval& interval) {
+  return interval.empty || magnitudeOf(interval) > kNearOverflow;
+}
+
+/// One rounding of a result of that size, and what settles to 0.
+double roundingOf(const Interval& interval) {
+  return std::ldexp(magnitudeOf(interval), -53) + 0x1p-1022;
+}
+
+bool isConstant(const Expr& e) {
+  return e.op == Op::Constant;
+}
+
+}  // namespace
+
+void SymbolicState::lowerNumber(uint32_t index) {
+  const Expr& e = mission_.exprs[index];
+  NumberTerm made = arithmetic(e, proof_context_.intervals[index]);
+  constexpr double kRoundedUp = 1 + 0x1p-40;  // adding up slacks rounds too
+  made.slack =
+      proof_context_.whole[index] ? 0 : made.slack * kRoundedUp;  // whole: nothing was rounded
+  made_.emplace(index, std::move(made));
+}
+
+NumberTerm SymbolicState::arithmetic(const Expr& e, const Interval& interval) {
+  const z3::expr known = context().bool_val(true);
+  switch (groupOf(e.op)) {
+    case OpGroup::Constant:
+      return {real(e.number), known, 0};
+    case OpGroup::Sensor:
+      return reading(e.sensor);
+    case OpGroup::Clock:
+      return {clock(opIn<ClockOp>(e.op)), known, 0};
+    case OpGroup::Age:
+      return {age(e.sensor), known, 0};
+    case OpGroup::Variable:
+      return numberOf(e.variable);
+    case OpGroup::Temporal:
+      return numberOf(e.temporal);
+    case OpGroup::Call:
+      return numberOf(e.use);
+    case OpGroup::Unary:
+      return unary(e, interval);
+    case OpGroup::Binary:
+      return binary(e, interval);
+    case OpGroup::Clamp:
+      return clamped(e, interval);
+    case OpGroup::Select:
+      return chosen(e);
+    case OpGroup::Function:
+    case OpGroup::Element:
+      return anything(e, interval);
+    case OpGroup::Truth:
+    case OpGroup::Comparison:
+    case OpGroup::Known:
+    case OpGroup::Logic:
+      break;
+  }
+  CHECK(false, "not a number");
+}
+
+z3::expr SymbolicState::clock(ClockOp op) {
+  switch (op) {
+    case ClockOp::MissionTime:
+      return missionTime();
+    case ClockOp::StateTime:
+      return stateTime();
+    case ClockOp::ResumeTime:
+      return resumeTime();
+  }
+  CHECK(false, "a clock that the prover does not know");
+}
+
+NumberTerm SymbolicState::unary(const Expr& e, const Interval& interval) {
+  const NumberTerm& x = operand(e, 0);
+  switch (opIn<UnaryOp>(e.op)) {
+    case UnaryOp::Negate:
+      return {-x.value, x.known, x.slack};
+    case UnaryOp::Abs:
+      return {z3::ite(x.value >= 0, x.value, -x.value), x.known, x.slack};
+    case UnaryOp::Sqrt:
+      break;
+  }
+  return anything(e, interval);
+}
+
+NumberTerm SymbolicState::binary(const Expr& e, const Interval& interval) {
+  switch (opIn<BinaryOp>(e.op)) {
+    case BinaryOp::Add:
+    case BinaryOp::Subtract:
+      return sum(e, interval);
+    case BinaryOp::Multiply:
+      return product(e, interval);
+    case BinaryOp::Divide:
+      return quotient(e, interval);
+    case BinaryOp::Min:
+    case BinaryOp::Max:
+      return smallerOrLarger(e);
+  }
+  CHECK(false, "an operation on two numbers that the prover does not know");
+}
+
+NumberTerm SymbolicState::sum(const Expr& e, const Interval& interval) {
+  if (mayOverflow(interval)) {
+    return anything(e, interval);
+  }
+  const NumberTerm& a = operand(e, 0);
+  const NumberTerm& b = operand(e, 1);
+  return {e.op == Op::Add ? a.value + b.value : a.value - b.value, a.known && b.known,
+          a.slack + b.slack + roundingOf(interval)};
+}
+
+NumberTerm SymbolicState::product(const Expr& e, const Interval& interval) {
+  const Expr& left = mission_[e.operands[0]];
+  const Expr& right = mission_[e.operands[1]];
+  if ((!isConstant(left) && !isConstant(right)) || mayOverflow(interval)) {
+    return anything(e, interval);
+  }
+  const NumberTerm& x = operand(e, isConstant(left) ? 1 : 0);
+  const double factor = isConstant(left) ? left.number : right.number;
+  return {x.value * real(factor), x.known, x.slack * std::fabs(factor) + roundingOf(interval)};
+}
+
+NumberTerm SymbolicState::quotient(const Expr& e, const Interval& interval) {
+  const Expr& divisor = mission_[e.operands[1]];
+  if (!isConstant(divisor) || divisor.number == 0 || mayOverflow(interval)) {
+    NumberTerm result = anything(e, interval);
+    const NumberTerm& by = operand(e, 1);
+    unknowns_.require(z3::implies(result.known, by.value != 0 || context().bool_val(by.slack > 0)));
+    return result;
+  }
+  const NumberTerm& x = operand(e, 0);
+  return {x.value / real(divisor.number), x.known,
+          x.slack / std::fabs(divisor.number) + roundingOf(interval)};
+}
+
+NumberTerm SymbolicState::smallerOrLarger(const Expr& e) {
+  const NumberTerm& a = operand(e, 0);
+  const NumberTerm& b = operand(e, 1);
+  const z3::expr first = e.op == Op::Min ? a.value <= b.value : a.value >= b.value;
+  return {z3::ite(first, a.value, b.value), a.known && b.known, std::max(a.slack, b.slack)};
+}
+
+/// Where the lowest is above the highest, a clamp leaps from one to the other: there a rounding is
+/// not kept small.
+NumberTerm SymbolicState::clamped(const Expr& e, const Interval& interval) {
+  const NumberTerm& x = operand(e, 0);
+  const NumberTerm& low = operand(e, 1);
+  const NumberTerm& high = operand(e, 2);
+  const bool rounded = x.slack + low.slack + high.slack > 0;
+  const Interval& lowest = proof_context_.intervals[e.operands[1].index];
+  const Interval& highest = proof_context_.intervals[e.operands[2].index];
+  if (rounded && lowest.highest > highest.lowest) {
+    return anything(e, interval);
+  }
+  return {
+      z3::ite(x.value < low.value, low.value, z3::ite(high.value < x.value, high.value, x.value)),
+      x.known && low.known && high.known, std::max({x.slack, low.slack, high.slack})};
+}
+
+NumberTerm SymbolicState::chosen(const Expr& e) {
+  const TruthTerm& condition = truthOperand(e, 0);
+  const NumberTerm& yes = operand(e, 1);
+  const NumberTerm& no = operand(e, 2);
+  return {z3::ite(condition.is_true, yes.value, no.value),
+          (condition.is_true && yes.known) || (condition.is_false && no.known),
+          std::max(yes.slack, no.slack)};
+}
+
+NumberTerm SymbolicState::anything(const Expr& e, const Interval& interval) {
+  z3::expr known = unknowns_.truth("value?");
+  for (const ExprId operand : e.operands) {
+    if (operand.valid()) {
+      known = known && made_.at(operand.index).known;
+    }
+  }
+  const NumberTerm result{unknowns_.real("value"), known, 0};
+  bound(result, interval);
+  return result;
+}
+
+void SymbolicState::lowerTruth(uint32_t index) {
+  const Expr& e = mission_.exprs[index];
+  auto result = [&]() -> TruthTerm {
+    switch (groupOf(e.op)) {
+      case OpGroup::Truth:
+        return {context().bool_val(e.op == Op::True), context().bool_val(e.op == Op::False)};
+      case OpGroup::Variable:
+        return truthOf(e.variable);
+      case OpGroup::Temporal:
+        return truthOf(e.temporal);
+      case OpGroup::Call:
+        return truthOf(e.use);
+      case OpGroup::Known:
+        return {operand(e, 0).known, !operand(e, 0).known};
+      case OpGroup::Logic:
+        return logic(e);
+      case OpGroup::Comparison:
+        return comparison(e);
+      case OpGroup::Constant:
+      case OpGroup::Sensor:
+      case OpGroup::Clock:
+      case OpGroup::Age:
+      case OpGroup::Unary:
+      case OpGroup::Binary:
+      case OpGroup::Function:
+      case OpGroup::Clamp:
+      case OpGroup::Select:
+      case OpGroup::Element:
+        break;
+    }
+    CHECK(false, "not a truth value");
+  };
+  made_truths_.emplace(index, result());
+}
+
+TruthTerm SymbolicState::logic(const Expr& e) {
+  const TruthTerm& a = truthOperand(e, 0);
+  switch (opIn<LogicOp>(e.op)) {
+    case LogicOp::Not:
+      return {a.is_false, a.is_true};
+    case LogicOp::And: {
+      const TruthTerm& b = truthOperand(e, 1);
+      return {a.is_true && b.is_true, a.is_false || b.is_false};
+    }
+    case LogicOp::Or: {
+      const TruthTerm& b = truthOperand(e, 1);
+      return {a.is_true || b.is_true, a.is_false && b.is_false};
+    }
+  }
+  CHECK(false, "a word of logic that the prover does not know");
+}
+
+namespace {
+
+z3::expr compare(Op op, const z3::expr& a, const z3::expr& b) {
+  switch (opIn<ComparisonOp>(op)) {
+    case ComparisonOp::Less:
+      return a < b;
+    case ComparisonOp::LessEqual:
+      return a <= b;
+    case ComparisonOp::Greater:
+      return a > b;
+    case ComparisonOp::GreaterEqual:
+      return a >= b;
+    case ComparisonOp::Equal:
+      return a == b;
+    case ComparisonOp::NotEqual:
+      return a != b;
+  }
+  CHECK(false, "a comparison that the prover does not know");
+}
+
+}  // namespace
+
+/// Where the sides are within their roundings of each other, either answer may be the machine's.
+TruthTerm SymbolicState::comparison(const Expr& e) {
+  const NumberTerm& a = operand(e, 0);
+  const NumberTerm& b = operand(e, 1);
+  const z3::expr known = a.known && b.known;
+  const double slack = a.slack + b.slack;
+  z3::expr outcome = compare(e.op, a.value, b.value);
+  if (slack > 0) {
+    const z3::expr apart = a.value - b.value > real(slack) || b.value - a.value > real(slack);
+    const z3::expr either = unknowns_.truth("rounding");
+    outcome = z3::ite(apart, outcome, either);
+  }
+  return {known && outcome, known && !outcome};
+}
+
+}  // namespace glider::ir::prove

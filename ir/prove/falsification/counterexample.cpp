@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/prove/falsification/counterexample.h"
+
+#include "ir/prove/falsification/run_recorder.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace glider::ir::prove {
+namespace {
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+constexpr size_t kMostTicks = 200000;
+
+/// Times that the vehicle's clock, a float of 4 bytes, can show for three days.
+double onGrid(double time) {
+  constexpr double kSteps = 64;
+  return std::round(time * kSteps) / kSteps;
+}
+
+/// With digits that a launch takes.
+double shorter(double value, const Variable& parameter) {
+  const double rounded = std::stod(fmt::format("{:.9g}", value));
+  return rounded >= parameter.lowest && rounded <= parameter.highest ? rounded : value;
+}
+
+/// `run` as a vehicle can fly it.
+Run rounded(Run run, const Mission& mission) {
+  for (Step& step : run.steps) {
+    step.mission_time = onGrid(step.mission_time);
+  }
+  size_t number = 0;
+  for (const Variable& variable : mission.variables) {
+    if (variable.kind == VariableKind::Parameter && number < run.parameters.size()) {
+      run.parameters[number] = shorter(run.parameters[number], variable);
+      ++number;
+    }
+  }
+  return run;
+}
+
+class Speller {
+ public:
+  Speller(const Run& run, const ProofContext& proof_context, uint32_t stack_depth,
+          const Requirement& requirement)
+      : run_(rounded(run, proof_context.mission)),
+        proof_context_(proof_context),
+        recorder_(proof_context, stack_depth, {&requirement, 1}) {}
+
+  std::optional<Counterexample> spell() {
+    if (run_.steps.empty() || failedCondition(proof_context_.mission, run_.parameters)) {
+      return std::nullopt;
+    }
+    const Step& first = run_.steps.front();
+    recorder_.start(run_.parameters, first.readings, first.depth.value_or(kUnknown));
+    for (size_t i = 1; i < run_.steps.size() && !recorder_.hit(); ++i) {
+      if (!fill(run_.steps[i - 1], run_.steps[i]) || recorder_.hit() || !arrive(run_.steps[i])) {
+        break;
+      }
+    }
+    return recorder_.hit() ? std::optional(recorder_.take()) : std::nullopt;
+  }
+
+ private:
+  /// `readings` with the depth that the vehicle has, if it is known there.
+  std::vector<double> withDepth(std::vector<double> readings, double depth) const {
+    const auto sensor = recorder_.depthSensor();
+    return sensor && readings[sensor->index] == readings[sensor->index]
+               ? seeing(std::move(readings), depth)
+               : readings;
+  }
+
+  /// `readings` with the depth that the vehicle has.
+  std::vector<double> seeing(std::vector<double> readings, double depth) const {
+    if (recorder_.depthSensor() && depth == depth) {
+      readings[recorder_.depthSensor()->index] = depth;
+    }
+    return readings;
+  }
+
+  /// Ticks between two steps, at which nothing fires.
+  bool fill(const Step& from, const Step& to) {
+    const double cycle = proof_context_.platform.envelope.cycle_s;
+    const double span = to.mission_time - from.mission_time;
+    const auto count = static_cast<size_t>(std::max(0.0, std::ceil(span / cycle) - 1));
+    if (ticks_ + count > kMostTicks) {
+      return false;
+    }
+    ticks_ += count;
+    for (size_t i = 1; i <= count && !recorder_.hit(); ++i) {
+      const double time = from.mission_time + cycle * static_cast<double>(i);
+      const double share = (time - from.mission_time) / span;
+      const double depth =
+          from.depth && to.depth ? *from.depth + share * (*to.depth - *from.depth) : kUnknown;
+      if (!fillOne(from, to, time, depth)) {
+        // Ticks may be lost, for so long: the run is one in which these were.
+        return to.mission_time - recorder_.now() <= proof_context_.tick_gap_s;
+      }
+    }
+    return true;
+  }
+
+  /// The readings of the step to come, those of the one before, none, and others at random: the
+  /// first with which nothing fires.
+  bool fillOne(const Step& from, const Step& to, double time, double depth) {
+    const std::vector<double> none(proof_context_.mission.sensors.size(), kUnknown);
+    for (const std::vector<double>& readings :
+         {seeing(to.readings, depth), withDepth(to.readings, depth),
+          withDepth(from.readings, depth), seeing(none, depth), none}) {
+      if (recorder_.tickIfQuiet(time, readings, depth)) {
+        return true;
+      }
+    }
+    for (int i = 0; i < kTries; ++i) {
+      if (recorder_.tickIfQuiet(time, withDepth(anyReadings(), depth), depth)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// Readings within their ranges, or unknown.
+  std::vector<double> anyReadings() {
+    std::vector<double> readings;
+    for (const Interval& range : proof_context_.sensors) {
+      std::uniform_real_distribution<double> within(std::max(range.lowest, -1e9),
+                                                    std::min(range.highest, 1e9));
+      readings.push_back(random_() % 3 == 0 || range.empty ? kUnknown : within(random_));
+    }
+    return readings;
+  }
+
+  /// The step's own tick; it leads where the run says, or the requirement is broken by it.
+  bool arrive(const Step& step) {
+    recorder_.tick(step.mission_time, step.readings, step.depth.value_or(kUnknown));
+    const TickResult& last = recorder_.last();
+    const bool right = !last.finished && last.state == step.after.state &&
+                       last.stack.size() == step.after.stack.size();
+    return right || recorder_.hit();
+  }
+
+  static constexpr int kTries = 30;
+
+  const Run run_;
+  const ProofContext& proof_context_;
+  RunRecorder recorder_;
+  size_t ticks_ = 0;
+  std::mt19937_64 random_{1};
+};
+
+}  // namespace
+
+std::optional<Counterexample> concretize(const Run& run, const ProofContext& proof_context,
+                                         uint32_t stack_depth, const Requirement& requirement) {
+  return Speller(run, proof_context, stack_depth, requirement).spell();
+}
+
+}  // namespace glider::ir::prove

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/prove/geometry/geofences.h"
+
+#include "ir/prove/geometry/area_map.h"
+#include "ir/prove/geometry/steering.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace glider::ir::prove {
+namespace {
+
+/// Three days: in more the current takes it beyond any area.
+constexpr double kLongest = 3 * 86400.0;
+
+/// Of an area to keep out of, m: control is given no farther from some waypoint.
+constexpr double kStartWithin = 50000;
+
+/// How far it may get off its legs, m, in `time` seconds.
+double offLegs(const ProofContext& proof_context, bool by_heading, double time) {
+  const platforms::World& world = proof_context.platform.world;
+  const double set =
+      std::max(proof_context.platform.envelope.drift_m_s, world.surface_drift_m_s) * time;
+  const double astray = by_heading ? time : std::min(time, proof_context.mission.resume_within_s);
+  return world.steering_error_m + set + world.through_water_m_s * astray;
+}
+
+std::string reasonOf(const ProofContext& proof_context, const Geofence& fence,
+                     const Steering& steering, const Clearance& found, double time, double margin) {
+  const char* bound = fence.keep_in ? "to stay in" : "to stay out of";
+  if (!found.right_side) {
+    return fmt::format("not all of its legs are on the right side of the edge of the area {}",
+                       bound);
+  }
+  return fmt::format(
+      "its legs come within {:.0f} m of the edge of the area {}; in at most {:.0f} s of flight, "
+      "the "
+      "vehicle may deviate from them by {:.0f} m: by surface drift of {:g} m/s, and {}",
+      found.distance_m, bound, time, margin, proof_context.platform.world.surface_drift_m_s,
+      steering.by_heading ? "by flying without a waypoint"
+                          : "while the SBC has no power (`resume within`)");
+}
+
+}  // namespace
+
+GeofenceVerdict judgeGeofences(const std::vector<Geofence>& geofences,
+                               const ProofContext& proof_context, Ending& ending) {
+  const auto end = ending.by(kLongest);
+  if (!end) {
+    return {false, 0, 0, "the mission is not known to end within three days"};
+  }
+  const Steering steering = steeringOf(proof_context);
+  const double off_legs = offLegs(proof_context, steering.by_heading, *end);
+  GeofenceVerdict verdict{true, off_legs, 0, ""};
+  if (steering.waypoints.empty()) {
+    return {false, 0, 0, "it does not steer to a waypoint, so its track has no bound"};
+  }
+  for (const Geofence& fence : geofences) {
+    const AreaMap map(fence.corners, steering.waypoints);
+    const Clearance found = map.clearance(fence, steering.waypoints);
+    // In an area to keep in, it begins among its corners.
+    const double start_within = fence.keep_in ? 0 : kStartWithin;
+    const double margin = off_legs + map.bend_m(start_within);
+    if (!map.holds(margin + start_within)) {
+      return {false, 0, 0,
+              "its area and its waypoints are too far apart, or too near a pole, for a flat map"};
+    }
+    if (!found.right_side || found.distance_m < margin) {
+      return {false, 0, 0, reasonOf(proof_context, fence, steering, found, *end, margin)};
+    }
+    verdict.margin_m = std::max(verdict.margin_m, margin);
+    verdict.start_within_m = std::max(verdict.start_within_m, start_within);
+  }
+  return verdict;
+}
+
+}  // namespace glider::ir::prove

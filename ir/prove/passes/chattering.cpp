@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/prove/encoding/cone_of_influence.h"
+#include "ir/prove/encoding/layout.h"
+#include "ir/prove/encoding/question.h"
+#include "ir/prove/passes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace glider::ir::prove {
+namespace {
+
+/// Of larger missions nobody reads the lines.
+constexpr size_t kMostStates = 200;
+
+/// Looks for states between which a mission goes to and fro on tick after tick while the sensors
+/// show the same, or the same but for their noise: a line of the report each, as it may be meant.
+class BounceCheck {
+ public:
+  explicit BounceCheck(Proof& proof)
+      : proof_(proof),
+        proof_context_(proof.proof_context),
+        m_(proof.proof_context.mission),
+        relevance_(relevanceFor(m_, {}, false)),
+        layout_(proof_context_, relevance_, memory_) {}
+
+  void run() {
+    if (m_.states.size() > kMostStates) {
+      return;
+    }
+    for (uint32_t i = 0; i < m_.states.size(); ++i) {
+      if (!hasReturn(m_.states[i].cases)) {  // it is looked at with an empty stack
+        check({i}, false);
+        check({i}, true);
+      }
+    }
+  }
+
+ private:
+  static bool hasReturn(const std::vector<Case>& cases) {
+    return std::ranges::any_of(cases,
+                               [](const Case& c) { return c.transition == Transition::Return; });
+  }
+
+  /// What cannot be: a return without a caller.
+  bool isSound(const Configuration& configuration) const {
+    const Control& control = configuration.control;
+    return !control.stack.empty() || !hasReturn(m_[control.state].cases);
+  }
+
+  static bool returns(const std::vector<Case>& cases, StateId to) {
+    return std::ranges::any_of(
+        cases, [&](const Case& c) { return c.transition == Transition::Return || c.target == to; });
+  }
+
+  std::vector<Outcome> ticksAt(const Configuration& before, int cycles) {
+    const double later = proof_context_.platform.envelope.cycle_s * cycles;
+    const z3::expr now = *begin_ + realOf(proof_.context, later);
+    SymbolicState& readings = cycles == 2 ? *other_readings_ : *readings_;
+    return SymbolicTick(proof_context_, relevance_, *unknowns_)
+        .run(before, now, readings, Pace::Single);
+  }
+
+  /// Asked of what does not go to and fro while nothing changes at all.
+  void check(StateId from, bool noisy) {
+    noisy_ = noisy;
+    Unknowns unknowns(proof_.context, "b:");
+    unknowns_ = &unknowns;
+    Control control;
+    control.state = from;
+    const Configuration start = layout_.make(control, unknowns);
+    const z3::expr begin = unknowns.real("begin");
+    begin_ = &begin;
+    const z3::expr& entered = start.entered.back();
+    for (const z3::expr* since : {&entered, &start.resumed}) {
+      unknowns.require(*since >= 0 && *since <= begin);
+    }
+    SymbolicState readings(unknowns, proof_context_);
+    readings.setClocks(begin, begin - entered, begin - start.resumed);
+    for (uint32_t i = 0; i < m_.sensors.size(); ++i) {
+      (void)readings.reading({i});
+    }
+    SymbolicState others = readings;
+    if (noisy) {
+      addNoise(readings, others);
+    }
+    readings_ = &readings;
+    other_readings_ = &others;
+    for (const Outcome& there : ticksAt(start, 1)) {
+      const bool leaves =
+          there.fired && there.after && isSound(*there.after) && there.after->control.state != from;
+      const StateId to = leaves ? there.after->control.state : from;
+      if (leaves && !told(from, to) && (returns(m_[to].cases, from) || returns(m_.always, from)) &&
+          checkBack(there, from)) {
+        tell(from, to);
+      }
+    }
+  }
+
+  /// On the tick between, what is known differs by the noise of its sensor at most.
+  void addNoise(SymbolicState& readings, SymbolicState& others) const {
+    for (uint32_t i = 0; i < m_.sensors.size(); ++i) {
+      const platforms::PlatformSensor* row = proof_context_.platformSensor({i});
+      const bool noisy =
+          row != nullptr && row->noise > 0 && m_.sensors[i].encoding != Encoding::DegreesMinutes;
+      if (!noisy) {
+        continue;
+      }
+      const NumberTerm one = readings.reading({i});
+      NumberTerm other = one;
+      other.value = others.unknowns().real("noisy");
+      const z3::expr noise = realOf(proof_.context, row->noise * m_.sensors[i].to_si);
+      others.unknowns().require(other.value <= one.value + noise &&
+                                other.value >= one.value - noise);
+      const Interval& range = proof_context_.sensors[i];
+      others.unknowns().require(other.value >= realOf(proof_.context, range.lowest) &&
+                                other.value <= realOf(proof_.context, range.highest));
+      others.setReading({i}, other);
+    }
+  }
+
+  /// Whether the way back is taken on the next tick, and the same way there on the one after.
+  bool checkBack(const Outcome& there, StateId from) {
+    for (const Outcome& back : ticksAt(*there.after, 2)) {
+      if (back.fired && back.after && back.after->control.state == from && again(there, back)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  bool again(const Outcome& there, const Outcome& back) {
+    for (const Outcome& once_more : ticksAt(*back.after, 3)) {
+      if (once_more.fired != there.fired || once_more.list != there.list) {
+        continue;
+      }
+      Question question(proof_.context, proof_.options.effort);
+      question.add(*unknowns_);
+      question.add(there.condition && back.condition && once_more.condition);
+      if (question.ask() == Answer::Yes) {
+        witness_ = describe(question.model(), *readings_);
+        return true;
+      }
+    }
+    return false;
+  }
+
+  [[nodiscard]] bool told(StateId from, StateId to) const {
+    return std::ranges::find(told_, std::pair(to, from)) != told_.end() ||
+           std::ranges::find(told_, std::pair(from, to)) != told_.end();
+  }
+
+  void tell(StateId from, StateId to) {
+    told_.emplace_back(from, to);
+    proof_.findings.lines.push_back(
+        {m_[from].range,
+         fmt::format("possible livelock: `{}` and `{}` can alternate on every tick{}: {}",
+                     m_[from].name, m_[to].name, noisy_ ? ", within the noise of the sensors" : "",
+                     witness_)});
+  }
+
+  Proof& proof_;
+  const ProofContext& proof_context_;
+  const Mission& m_;
+  ConeOfInfluence relevance_;
+  std::vector<z3::sort> memory_;
+  Layout layout_;
+  Unknowns* unknowns_ = nullptr;
+  const z3::expr* begin_ = nullptr;
+  SymbolicState* readings_ = nullptr;        ///< of the first tick and the third
+  SymbolicState* other_readings_ = nullptr;  ///< of the second
+  bool noisy_ = false;
+  std::string witness_;
+  std::vector<std::pair<StateId, StateId>> told_;
+};
+
+}  // namespace
+
+void passes::chattering(Proof& proof) {
+  if (proof.options.report) {
+    BounceCheck(proof).run();
+  }
+}
+
+}  // namespace glider::ir::prove

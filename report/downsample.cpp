@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "report/downsample.h"
+
+#include "report/figures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace glider::report {
+
+namespace {
+
+using support::Trace;
+
+void keepExtremes(const Trace& trace, int depth, size_t begin, size_t end,
+                  std::vector<bool>& keep) {
+  keep[begin] = true;
+  if (depth < 0) {
+    return;
+  }
+  size_t shallowest = end;
+  size_t deepest = end;
+  for (size_t row = begin; row < end; ++row) {
+    const double here = trace.at(row, depth);
+    if (std::isnan(here)) {
+      continue;
+    }
+    if (shallowest == end || here < trace.at(shallowest, depth)) {
+      shallowest = row;
+    }
+    if (deepest == end || here > trace.at(deepest, depth)) {
+      deepest = row;
+    }
+  }
+  if (shallowest != end) {
+    keep[shallowest] = true;
+    keep[deepest] = true;
+  }
+}
+
+void keepChanges(const Trace& trace, int column, std::vector<bool>& keep) {
+  for (size_t row = 1; column >= 0 && row < keep.size(); ++row) {
+    const double before = trace.at(row - 1, column);
+    const double now = trace.at(row, column);
+    const bool same = before == now || (std::isnan(before) && std::isnan(now));
+    if (!same) {
+      keep[row - 1] = true;
+      keep[row] = true;
+    }
+  }
+}
+
+}  // namespace
+
+Trace downsampled(const Trace& trace, size_t most) {
+  const size_t count = trace.rowCount();
+  if (count <= most) {
+    return trace;
+  }
+  std::vector<bool> keep(count, false);
+  keep.back() = true;
+  const size_t stretches = std::max<size_t>(1, most / 3);
+  const int depth = depthColumn(trace);
+  for (size_t i = 0; i < stretches; ++i) {
+    keepExtremes(trace, depth, i * count / stretches, (i + 1) * count / stretches, keep);
+  }
+  for (const TurningPoint& point : turningPoints(trace)) {
+    keep[point.row] = true;
+  }
+  keepChanges(trace, trace.column("state"), keep);
+  keepChanges(trace, trace.column("hook_active"), keep);
+
+  Trace out = trace;
+  out.rows.clear();
+  const auto width = static_cast<std::ptrdiff_t>(trace.columns.size());
+  for (size_t row = 0; row < count; ++row) {
+    if (keep[row]) {
+      const auto first = trace.rows.begin() + static_cast<std::ptrdiff_t>(row) * width;
+      out.rows.insert(out.rows.end(), first, first + width);
+    }
+  }
+  return out;
+}
+
+}  // namespace glider::report

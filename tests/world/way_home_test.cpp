@@ -5,7 +5,6 @@
 // the vehicle is no deeper than stated and at the surface in the stated time, for good.
 
 #include "analysis/analysis.h"
-
 #include "flights/in_process_sbc.h"
 #include "ir/prove/abstract/state_depths.h"
 #include "ir/prove/falsification/dice.h"

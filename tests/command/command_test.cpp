@@ -253,7 +253,7 @@ TEST(Command, ATargetHasWhatABackEndMakesForIt) {
     EXPECT_EQ(outcome.status, 2) << stage;
     EXPECT_EQ(outcome.out, "share\n") << stage;
     EXPECT_THAT(outcome.err, HasSubstr(std::string("--emit: ") + stage +
-                                       " cannot be made for target stock; it can be ast, ir, "
+                                       " cannot be made for target stock; it can be ast, symbols, ir, "
                                        "header\n"))
         << stage;
   }

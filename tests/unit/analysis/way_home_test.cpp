@@ -4,7 +4,6 @@
 // How long the way home takes, and after which silence it begins.
 
 #include "analysis/analysis.h"
-
 #include "tests/support/command.h"
 
 #include <gtest/gtest.h>

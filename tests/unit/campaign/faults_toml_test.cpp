@@ -4,7 +4,6 @@
 // What went wrong in a flight, as a scenario file: every fault word for word, and read back.
 
 #include "campaign/campaign.h"
-
 #include "simulator/scenario/scenario.h"
 #include "tests/support/command.h"
 

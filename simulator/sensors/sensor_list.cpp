@@ -3,6 +3,8 @@
 
 #include "simulator/sensors/sensor_list.h"
 
+#include "simulator/tables/scenario_tables.h"
+
 namespace glider::simulator {
 namespace {
 

@@ -3,14 +3,14 @@
 
 #pragma once
 
-#include "simulator/tables/scenario_tables.h"
-
 #include <concepts>
 #include <iterator>
 #include <string_view>
 #include <type_traits>
 
 namespace glider::simulator {
+
+class ScenarioTables;
 
 /// A key that a scenario's file may have in [table].
 struct ScenarioKey {

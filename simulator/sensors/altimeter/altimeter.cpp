@@ -3,6 +3,8 @@
 
 #include "simulator/sensors/altimeter/altimeter.h"
 
+#include "simulator/tables/scenario_tables.h"
+
 #include <limits>
 
 namespace glider::simulator {

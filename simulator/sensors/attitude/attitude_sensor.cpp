@@ -3,6 +3,8 @@
 
 #include "simulator/sensors/attitude/attitude_sensor.h"
 
+#include "simulator/tables/scenario_tables.h"
+
 #include <cmath>
 #include <numbers>
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "simulator/sensors/ctd/ctd.h"
+#include "simulator/tables/scenario_tables.h"
 
 namespace glider::simulator {
 namespace {

@@ -3,6 +3,8 @@
 
 #include "simulator/sensors/depth/depth_sensor.h"
 
+#include "simulator/tables/scenario_tables.h"
+
 namespace glider::simulator {
 
 void DepthSettings::read(ScenarioTables& tables) {

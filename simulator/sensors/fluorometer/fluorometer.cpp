@@ -3,6 +3,8 @@
 
 #include "simulator/sensors/fluorometer/fluorometer.h"
 
+#include "simulator/tables/scenario_tables.h"
+
 #include <cmath>
 
 namespace glider::simulator {

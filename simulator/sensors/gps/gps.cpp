@@ -3,6 +3,8 @@
 
 #include "simulator/sensors/gps/gps.h"
 
+#include "simulator/tables/scenario_tables.h"
+
 #include <cmath>
 #include <numbers>
 

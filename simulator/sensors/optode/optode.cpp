@@ -3,6 +3,8 @@
 
 #include "simulator/sensors/optode/optode.h"
 
+#include "simulator/tables/scenario_tables.h"
+
 #include <cmath>
 
 namespace glider::simulator {

@@ -7,14 +7,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace glider::simulator {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
+}  // namespace
+
 /// What a row is made from.
-struct Moment {
+struct RecorderMoment {
   double now_s;
   const FlightController& flight;
   const ScienceComputer& science;
@@ -24,6 +27,10 @@ struct Moment {
 
   [[nodiscard]] double get(Sensor sensor) const { return flight.array().get(sensor); }
 };
+
+namespace {
+
+using Moment = RecorderMoment;
 
 struct Column {
   const char* name;
@@ -36,21 +43,13 @@ struct Column {
 /// A bottom or an altimeter of the scenario's own.
 bool wantsAltitude(const Scenario& s) {
   const BottomSettings& bottom = s.ocean.bottom;
-  return bottom.slope != 0 || !bottom.seamounts.empty() || s.altimeter_given;
-}
-
-bool wantsChlorophyll(const Scenario& s) {
-  return !std::isnan(s.ocean.chlorophyll_ugpl);
-}
-
-bool wantsOxygen(const Scenario& s) {
-  return !std::isnan(s.ocean.surface_oxygen_uM);
+  return bottom.slope != 0 || !bottom.seamounts.empty() || s.sensors.altimeter.given;
 }
 
 // missiontime and state are filled in by Recorder::mission.
 #define COLUMN(name, unit, value, ...) \
   {name, unit, []([[maybe_unused]] const Moment& m) -> double { return value; }, __VA_ARGS__}
-constexpr Column kColumns[] = {
+constexpr Column kFirst[] = {
     COLUMN("time", "s", m.now_s),
     COLUMN("missiontime", "s", kNaN),
     COLUMN("state", "id", kNaN),
@@ -68,7 +67,9 @@ constexpr Column kColumns[] = {
     COLUMN("m_y_lmc", "m", m.get(Sensor::m_y_lmc)),
     COLUMN("true_x", "m", m.vehicle.x()),
     COLUMN("true_y", "m", m.vehicle.y()),
-    COLUMN("sci_water_temp", "degC", m.science.value(Sensor::sci_water_temp)),
+};
+// Between the two: the instruments that each vehicle has. Behind both: the others.
+constexpr Column kSecond[] = {
     COLUMN("m_ballast_pumped", "cc", m.get(Sensor::m_ballast_pumped)),
     COLUMN("c_ballast_pumped", "cc", m.get(Sensor::c_ballast_pumped)),
     COLUMN("m_battery", "V", m.get(Sensor::m_battery)),
@@ -87,9 +88,6 @@ constexpr Column kColumns[] = {
     COLUMN("m_altitude", "m",
            m.flight.array().fresh(Sensor::m_altitude) ? m.get(Sensor::m_altitude) : kNaN,
            wantsAltitude),
-    COLUMN("sci_flbbcd_chlor_units", "ug/L", m.science.value(Sensor::sci_flbbcd_chlor_units),
-           wantsChlorophyll),
-    COLUMN("sci_oxy4_oxygen", "uM", m.science.value(Sensor::sci_oxy4_oxygen), wantsOxygen),
 };
 #undef COLUMN
 
@@ -99,13 +97,33 @@ constexpr size_t kMostTimes = 400, kDepths = 80;
 }  // namespace
 
 Recorder::Recorder(support::Trace& trace, const Ocean& ocean, const LocalFrame& frame,
-                   const Scenario& scenario)
+                   const platforms::Platform& platform, const Scenario& scenario)
     : trace_(trace), ocean_(ocean), frame_(frame), isotherm_(scenario.isotherm_degC) {
-  for (size_t i = 0; i < std::size(kColumns); ++i) {
-    const Column& column = kColumns[i];
-    if (column.wanted == nullptr || column.wanted(scenario)) {
-      columns_.push_back(i);
-      trace_.columns.push_back({column.name, column.unit});
+  const auto add = [&](std::span<const Column> columns) {
+    for (const Column& column : columns) {
+      if (column.wanted == nullptr || column.wanted(scenario)) {
+        columns_.push_back({column.value});
+        trace_.columns.push_back({column.name, column.unit});
+      }
+    }
+  };
+  add(kFirst);
+  addInstruments(platform, scenario, true);
+  add(kSecond);
+  addInstruments(platform, scenario, false);
+}
+
+void Recorder::addInstruments(const platforms::Platform& platform, const Scenario& scenario,
+                              bool of_each_vehicle) {
+  for (const std::unique_ptr<Instrument>& instrument : makeInstruments(0, scenario.sensors)) {
+    if (!instrument->carried() || instrument->setting().empty() != of_each_vehicle) {
+      continue;
+    }
+    for (const InstrumentSensor& sensor : instrument->sensors()) {
+      if (sensor.column_unit != nullptr) {
+        columns_.push_back({nullptr, numberOf(platform, sensor.name)});
+        trace_.columns.push_back({std::string(sensor.name), sensor.column_unit});
+      }
     }
   }
 }
@@ -117,8 +135,9 @@ void Recorder::row(double now_s, const FlightController& flight, const ScienceCo
       std::isnan(isotherm_) ? kNaN : ocean_.isothermDepth(isotherm_, x, y, now_s);
   const Moment moment{
       now_s, flight, science, vehicle, frame_.position(x, y), isotherm, ocean_.waterDepth(x, y)};
-  for (const size_t column : columns_) {
-    trace_.rows.push_back(kColumns[column].value(moment));
+  for (const RecorderColumn& column : columns_) {
+    trace_.rows.push_back(column.value != nullptr ? column.value(moment)
+                                                  : science.value(column.sensor));
   }
 }
 

@@ -12,11 +12,20 @@
 
 namespace glider::simulator {
 
+struct RecorderMoment;
+
+/// A column that is written: what a function makes of the cycle, or, without one, the newest
+/// reading of a sensor of the science computer.
+struct RecorderColumn {
+  double (*value)(const RecorderMoment& moment) = nullptr;
+  uint16_t sensor = 0;
+};
+
 /// Writes the trace's rows and its field of temperatures.
 class Recorder {
  public:
   Recorder(support::Trace& trace, const Ocean& ocean, const LocalFrame& frame,
-           const Scenario& scenario);
+           const platforms::Platform& platform, const Scenario& scenario);
 
   /// The row of the control cycle at `now_s`.
   void row(double now_s, const FlightController& flight, const ScienceComputer& science,
@@ -27,11 +36,15 @@ class Recorder {
   void field();
 
  private:
+  /// The columns of the instruments on board: of those that each vehicle has, or of the others.
+  void addInstruments(const platforms::Platform& platform, const Scenario& scenario,
+                      bool of_each_vehicle);
+
   support::Trace& trace_;
   const Ocean& ocean_;
   const LocalFrame& frame_;
   double isotherm_;
-  std::vector<size_t> columns_;  ///< places in recorder.cpp's list of those that are written
+  std::vector<RecorderColumn> columns_;
 };
 
 }  // namespace glider::simulator

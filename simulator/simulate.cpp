@@ -71,7 +71,7 @@ class Simulation {
         link_(std::move(setup_.sbc), std::move(setup_.restart_sbc), faults(), seed_, sbc_line_,
               journal_),
         story_(setup_.platform, setup_.state_names, setup_.explain),
-        recorder_(trace_, ocean_, frame_, setup_.scenario) {
+        recorder_(trace_, ocean_, frame_, setup_.platform, setup_.scenario) {
     flight_.damageBy(&damage_);
     science_.damageBy(&damage_);
     link_.showTo(setup_.observer);
@@ -260,11 +260,12 @@ class Simulation {
 
 std::vector<NotCarried> sensorsNotCarried(const Scenario& scenario) {
   std::vector<NotCarried> missing;
-  if (std::isnan(scenario.ocean.chlorophyll_ugpl)) {
-    missing.push_back({"sci_flbbcd_chlor_units", "`chlorophyll_ugpl` in [ocean]"});
-  }
-  if (std::isnan(scenario.ocean.surface_oxygen_uM)) {
-    missing.push_back({"sci_oxy4_oxygen", "`surface_oxygen_uM` and `bottom_oxygen_uM` in [ocean]"});
+  for (const std::unique_ptr<Instrument>& instrument : makeInstruments(0, scenario.sensors)) {
+    if (!instrument->carried()) {
+      for (const InstrumentSensor& sensor : instrument->sensors()) {
+        missing.push_back({std::string(sensor.name), std::string(instrument->setting())});
+      }
+    }
   }
   return missing;
 }

@@ -10,11 +10,7 @@
 #include "simulator/flight/layered_control.h"
 #include "simulator/flight/navigator.h"
 #include "simulator/magnetism/declination.h"
-#include "simulator/sensors/altimeter.h"
-#include "simulator/sensors/attitude_sensor.h"
-#include "simulator/sensors/depth_sensor.h"
-#include "simulator/sensors/gps.h"
-#include "simulator/sensors/settings.h"
+#include "simulator/sensors/sensor_list.h"
 
 #include <limits>
 #include <memory>

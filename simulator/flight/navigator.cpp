@@ -18,18 +18,6 @@ constexpr double kMostSpeed = 0.8;  // m/s; what lies above is an inflection, no
 
 }  // namespace
 
-GeoPosition LocalFrame::position(double x, double y) const {
-  GeoPosition out;
-  double height = 0;
-  frame_.Reverse(x, y, 0, out.latitude_deg, out.longitude_deg, height);
-  return out;
-}
-
-void LocalFrame::locate(GeoPosition position, double& x, double& y) const {
-  double up = 0;
-  frame_.Forward(position.latitude_deg, position.longitude_deg, 0, x, y, up);
-}
-
 void Navigator::reckon(double depth_rate, double pitch, double heading, bool at_surface,
                        double seconds) {
   if (at_surface) {

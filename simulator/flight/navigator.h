@@ -3,29 +3,12 @@
 
 #pragma once
 
-#include "simulator/sensors/gps.h"
-
-#include <GeographicLib/LocalCartesian.hpp>
+#include "simulator/geography/local_frame.h"
+#include "simulator/sensors/gps/gps.h"
 
 #include <optional>
 
 namespace glider::simulator {
-
-struct GeoPosition {
-  double latitude_deg = 0, longitude_deg = 0;
-};
-
-/// Metres east and north of a place on the ellipsoid, to degrees and back.
-class LocalFrame {
- public:
-  LocalFrame(double latitude_deg, double longitude_deg) : frame_(latitude_deg, longitude_deg) {}
-  [[nodiscard]] GeoPosition position(double x, double y) const;
-  /// x and y of a position.
-  void locate(GeoPosition position, double& x, double& y) const;
-
- private:
-  GeographicLib::LocalCartesian frame_;
-};
 
 /// Dead reckoning: horizontal speed from depth rate and pitch, as the vehicle does with an angle of
 /// attack of 0; a GPS fix sets it right.

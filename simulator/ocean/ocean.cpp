@@ -95,19 +95,4 @@ double Ocean::isothermDepth(double temperature, double x, double y, double t) co
   return z >= 0 && z <= bottom ? z : std::numeric_limits<double>::quiet_NaN();
 }
 
-double Ocean::chlorophyll(double z, double x, double y) const {
-  double sum = settings_.chlorophyll_ugpl;
-  for (const Patch& patch : settings_.patches) {
-    const double r = std::hypot(x - patch.x, y - patch.y) / patch.radius_m;
-    const double h = (z - patch.depth_m) / patch.thickness_m;
-    sum += patch.peak_ugpl * std::exp(-r * r - h * h);
-  }
-  return sum;
-}
-
-double Ocean::oxygen(double z, double x, double y, double t) const {
-  const double contrast = settings_.surface_oxygen_uM - settings_.bottom_oxygen_uM;
-  return settings_.bottom_oxygen_uM + contrast * upperShare(z, x, y, t);
-}
-
 }  // namespace glider::simulator

@@ -24,10 +24,9 @@ class Ocean {
   [[nodiscard]] double waterDepth(double x, double y) const { return bottom_.depth(x, y); }
   /// Where the water has `temperature`; NaN if that is nowhere.
   [[nodiscard]] double isothermDepth(double temperature, double x, double y, double t) const;
-  /// ug/L; NaN when the scenario gives none.
-  [[nodiscard]] double chlorophyll(double z, double x, double y) const;
-  /// µM; follows the thermocline. NaN when the scenario gives none.
-  [[nodiscard]] double oxygen(double z, double x, double y, double t) const;
+  /// How much of the water above the thermocline there is at z: 1 far above it, 0 far below. What
+  /// differs between the two follows it.
+  [[nodiscard]] double upperShare(double z, double x, double y, double t) const;
 
  private:
   struct Wave {
@@ -36,8 +35,6 @@ class Ocean {
   };
   [[nodiscard]] Wave wave(double x, double t, double water_depth) const;
   [[nodiscard]] double shape(double z, double water_depth) const;
-  /// How much of the water above the thermocline there is at z: 1 far above it, 0 far below.
-  [[nodiscard]] double upperShare(double z, double x, double y, double t) const;
   [[nodiscard]] double frontStep(double x, double y) const;
 
   OceanSettings settings_;

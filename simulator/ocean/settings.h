@@ -3,7 +3,6 @@
 
 #pragma once
 
-#include <limits>
 #include <vector>
 
 /// What a scenario may say of the water. Positions are m east and north of the mission's start,
@@ -35,15 +34,6 @@ struct FrontSettings {
   double step_degC = 0;  ///< 0: no front
 };
 
-/// Water rich in chlorophyll: peak · exp(-(r/radius)² - ((z - depth)/thickness)²).
-struct Patch {
-  double x = 0, y = 0;
-  double radius_m = 0;
-  double depth_m = 0;
-  double thickness_m = 0;
-  double peak_ugpl = 0;
-};
-
 /// A hill on the bottom: height · exp(-(r/radius)²).
 struct Seamount {
   double x = 0, y = 0;
@@ -72,12 +62,6 @@ struct OceanSettings {
   Current current;          ///< at the surface
   Current bottom_current;   ///< at the bottom; straight between the two
   BottomSettings bottom;
-  /// ug/L outside all patches; NaN: the vehicle carries no fluorometer.
-  double chlorophyll_ugpl = std::numeric_limits<double>::quiet_NaN();
-  std::vector<Patch> patches;
-  /// µM above and below the thermocline; NaN: the vehicle carries no optode.
-  double surface_oxygen_uM = std::numeric_limits<double>::quiet_NaN();
-  double bottom_oxygen_uM = std::numeric_limits<double>::quiet_NaN();
 };
 
 }  // namespace glider::simulator

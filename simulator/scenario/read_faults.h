@@ -4,7 +4,7 @@
 #pragma once
 
 #include "simulator/scenario/scenario.h"
-#include "simulator/scenario/scenario_tables.h"
+#include "simulator/tables/scenario_tables.h"
 
 namespace glider::simulator {
 

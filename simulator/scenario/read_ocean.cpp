@@ -3,32 +3,41 @@
 
 #include "simulator/scenario/read_ocean.h"
 
-#include "simulator/flight/navigator.h"
+#include "simulator/sensors/sensor_list.h"
 
 #include <algorithm>
-#include <cmath>
+#include <string_view>
+#include <vector>
 
 namespace glider::simulator {
 namespace {
 
-/// Puts x and y where latitude_deg and longitude_deg say.
-void place(Fields& f, const LocalFrame& frame, double& x, double& y) {
-  const double latitude = f.required("latitude_deg", -89, 89);
-  const double longitude = f.required("longitude_deg", -180, 180);
-  if (!f.reader().failure()) {
-    frame.locate({latitude, longitude}, x, y);
-  }
+/// The keys of [ocean], with those that sensors read.
+std::vector<std::string_view> knownKeys() {
+  std::vector<std::string_view> keys = {"surface_temp_degC",
+                                        "bottom_temp_degC",
+                                        "thermocline_depth_m",
+                                        "thermocline_thickness_m",
+                                        "density_kgm3",
+                                        "density_step_kgm3",
+                                        "current_east_mps",
+                                        "current_north_mps",
+                                        "bottom_current_east_mps",
+                                        "bottom_current_north_mps",
+                                        "water_depth_m",
+                                        "bottom_height_m",
+                                        "bottom_wavelength_m",
+                                        "bottom_slope_m_per_km",
+                                        "bottom_slope_bearing_deg",
+                                        "wave",
+                                        "front",
+                                        "seamount"};
+  const std::vector<std::string_view> of_sensors = sensorKeys("ocean");
+  keys.insert(keys.end(), of_sensors.begin(), of_sensors.end());
+  return keys;
 }
 
-/// Two fields that say something only together.
-void together(Fields& f, const char* one, const char* other) {
-  if (f.has(one) != f.has(other)) {
-    const char* given = f.has(one) ? one : other;
-    f.reader().refuse(given, fmt::format("needs `{}` as well", f.has(one) ? other : one));
-  }
-}
-
-void readWater(Fields& f, OceanSettings& o, CtdSettings& ctd) {
+void readWater(Fields& f, OceanSettings& o) {
   f.number("surface_temp_degC", o.surface_temperature, -2, 40);
   f.number("bottom_temp_degC", o.bottom_temperature, -2, 40);
   f.number("water_depth_m", o.bottom.depth_m, 5, 11000);
@@ -36,11 +45,6 @@ void readWater(Fields& f, OceanSettings& o, CtdSettings& ctd) {
   f.number("thermocline_thickness_m", o.thermocline_thickness_m, 0.01, 1000);
   f.number("density_kgm3", o.density, 990, 1060);
   f.number("density_step_kgm3", o.density_step, 0, 30);
-  f.number("conductivity_Spm", ctd.conductivity, 0, 9);
-  f.number("chlorophyll_ugpl", o.chlorophyll_ugpl, 0, 1000);
-  together(f, "surface_oxygen_uM", "bottom_oxygen_uM");
-  f.number("surface_oxygen_uM", o.surface_oxygen_uM, 0, 1000);
-  f.number("bottom_oxygen_uM", o.bottom_oxygen_uM, 0, 1000);
 }
 
 void readCurrents(Fields& f, OceanSettings& o) {
@@ -55,7 +59,7 @@ void readBottom(Fields& f, OceanSettings& o) {
   BottomSettings& b = o.bottom;
   f.number("bottom_height_m", b.wave_height_m, 0, 5000);
   f.number("bottom_wavelength_m", b.wave_length_m, 1, 1e6);
-  together(f, "bottom_slope_m_per_km", "bottom_slope_bearing_deg");
+  f.together("bottom_slope_m_per_km", "bottom_slope_bearing_deg");
   double slope = 0;
   f.number("bottom_slope_m_per_km", slope, 0, 1000);
   b.slope = slope / 1000;
@@ -78,31 +82,19 @@ void readWave(Fields& f, OceanSettings& o) {
   f.number("count", w.count, 0, 1e6);
 }
 
-void readFront(Fields& f, const LocalFrame& frame, FrontSettings& front) {
+void readFront(Fields& f, FrontSettings& front) {
   f.reader().only({"latitude_deg", "longitude_deg", "bearing_deg", "width_m", "step_degC"});
-  place(f, frame, front.x, front.y);
+  f.place(front.x, front.y);
   front.step_degC = f.required("step_degC", -20, 20);
   f.reader().number("bearing_deg");
   f.bearing("bearing_deg", front.bearing_rad);
   f.number("width_m", front.width_m, 1, 1e6);
 }
 
-Patch readPatch(Fields& f, const LocalFrame& frame) {
-  f.reader().only(
-      {"latitude_deg", "longitude_deg", "radius_m", "depth_m", "thickness_m", "peak_ugpl"});
-  Patch patch;
-  place(f, frame, patch.x, patch.y);
-  patch.radius_m = f.required("radius_m", 1, 1e6);
-  patch.depth_m = f.required("depth_m", 0, 10000);
-  patch.thickness_m = f.required("thickness_m", 0.1, 10000);
-  patch.peak_ugpl = f.required("peak_ugpl", 0, 1000);
-  return patch;
-}
-
-Seamount readSeamount(Fields& f, const LocalFrame& frame) {
+Seamount readSeamount(Fields& f) {
   f.reader().only({"latitude_deg", "longitude_deg", "radius_m", "height_m"});
   Seamount mount;
-  place(f, frame, mount.x, mount.y);
+  f.place(mount.x, mount.y);
   mount.radius_m = f.required("radius_m", 1, 1e6);
   mount.height_m = f.required("height_m", 0, 11000);
   return mount;
@@ -112,45 +104,18 @@ Seamount readSeamount(Fields& f, const LocalFrame& frame) {
 
 void readOcean(ScenarioTables& tables, Scenario& scenario) {
   OceanSettings& o = scenario.ocean;
-  const LocalFrame frame(scenario.latitude_deg, scenario.longitude_deg);
   tables.table("ocean", [&](Fields& f) {
-    f.reader().only({"surface_temp_degC",
-                     "bottom_temp_degC",
-                     "thermocline_depth_m",
-                     "thermocline_thickness_m",
-                     "density_kgm3",
-                     "density_step_kgm3",
-                     "current_east_mps",
-                     "current_north_mps",
-                     "bottom_current_east_mps",
-                     "bottom_current_north_mps",
-                     "water_depth_m",
-                     "bottom_height_m",
-                     "bottom_wavelength_m",
-                     "bottom_slope_m_per_km",
-                     "bottom_slope_bearing_deg",
-                     "conductivity_Spm",
-                     "chlorophyll_ugpl",
-                     "surface_oxygen_uM",
-                     "bottom_oxygen_uM",
-                     "wave",
-                     "front",
-                     "patch",
-                     "seamount"});
-    readWater(f, o, scenario.sensors.ctd);
+    f.reader().only(knownKeys());
+    readWater(f, o);
     readCurrents(f, o);
     readBottom(f, o);
   });
   tables.part("ocean", "wave", [&](Fields& f) { readWave(f, o); });
   if (tables.has("ocean", "front")) {
-    tables.part("ocean", "front", [&](Fields& f) { readFront(f, frame, o.front); });
+    tables.part("ocean", "front", [&](Fields& f) { readFront(f, o.front); });
   }
-  tables.each("ocean", "patch", [&](Fields& f) { o.patches.push_back(readPatch(f, frame)); });
   tables.each("ocean", "seamount",
-              [&](Fields& f) { o.bottom.seamounts.push_back(readSeamount(f, frame)); });
-  if (!o.patches.empty() && std::isnan(o.chlorophyll_ugpl)) {
-    o.chlorophyll_ugpl = 0;
-  }
+              [&](Fields& f) { o.bottom.seamounts.push_back(readSeamount(f)); });
 }
 
 }  // namespace glider::simulator

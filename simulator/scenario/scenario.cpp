@@ -7,8 +7,7 @@
 #include "simulator/magnetism/magnetic_field.h"
 #include "simulator/scenario/read_faults.h"
 #include "simulator/scenario/read_ocean.h"
-#include "simulator/scenario/read_sensors.h"
-#include "simulator/scenario/scenario_tables.h"
+#include "simulator/tables/scenario_tables.h"
 #include "slocum/mission_files/argument_files.h"
 #include "slocum/mission_files/read.h"
 #include "support/files.h"
@@ -99,10 +98,11 @@ Scenario readScenario(ScenarioTables& tables) {
   if (tables.failure()) {
     return scenario;  // places in the ocean are reckoned from the start
   }
+  tables.startAt(scenario.latitude_deg, scenario.longitude_deg);
   readOcean(tables, scenario);
   tables.table("vehicle", [&](Fields& f) { readVehicle(f, scenario); });
   tables.part("vehicle", "battery", [&](Fields& f) { readBattery(f, scenario.vehicle.battery); });
-  readSensors(tables, scenario);
+  scenario.sensors.read(tables);
   readFaults(tables, scenario);
   return scenario;
 }

@@ -5,7 +5,7 @@
 
 #include "simulator/faults/faults.h"
 #include "simulator/ocean/ocean.h"
-#include "simulator/sensors/settings.h"
+#include "simulator/sensors/sensor_list.h"
 #include "simulator/vehicle/vehicle.h"
 #include "slocum/mission_files/mission_file.h"
 #include "support/diagnostics/engine.h"
@@ -33,7 +33,6 @@ struct Scenario {
   VehicleSettings vehicle;
   SensorSettings sensors;
   Faults faults;
-  bool altimeter_given = false;  ///< [sensors.altimeter] is there
 };
 
 /// Reads and checks scenario `path` and its skeleton mission with its argument files, which lie

@@ -15,15 +15,27 @@ constexpr double kStartOfMission = 1.25e9;  // s since 1970: the flight controll
 
 ScienceComputer::ScienceComputer(const platforms::Platform& platform, uint64_t seed,
                                  const SensorSettings& settings, bool virtual_time)
-    : ctd_(seed, settings.ctd),
-      fluorometer_(seed, NoiseStream::Chlorophyll, settings.chlorophyll_ugpl),
-      optode_(seed, NoiseStream::Oxygen, settings.oxygen_uM),
-      virtual_time_(virtual_time),
+    : virtual_time_(virtual_time),
       numbers_(platform),
       dictionary_(platform),
       hookprog_(dictionary_.get(), {.virtual_time = virtual_time}),
       values_(platform.sensors.size(), std::numeric_limits<double>::quiet_NaN()),
-      fresh_(platform.sensors.size(), 0) {}
+      fresh_(platform.sensors.size(), 0) {
+  for (std::unique_ptr<Instrument>& instrument : makeInstruments(seed, settings)) {
+    if (instrument->carried()) {
+      fit(platform, std::move(instrument));
+    }
+  }
+}
+
+void ScienceComputer::fit(const platforms::Platform& platform,
+                          std::unique_ptr<Instrument> instrument) {
+  OnBoard one{std::move(instrument), {}, {}};
+  for (const InstrumentSensor& sensor : one.instrument->sensors()) {
+    one.numbers.push_back(numberOf(platform, sensor.name));
+  }
+  instruments_.push_back(std::move(one));
+}
 
 void ScienceComputer::restart() {
   hookprog_ = hooks::Hookprog(dictionary_.get(), {.virtual_time = virtual_time_});
@@ -31,8 +43,7 @@ void ScienceComputer::restart() {
   std::ranges::fill(fresh_, uint8_t{0});
 }
 
-void ScienceComputer::set(Sensor sensor, double value) {
-  const uint16_t id = numbers_[sensor];
+void ScienceComputer::set(uint16_t id, double value) {
   if (id >= values_.size()) {
     return;  // the vehicle does not carry it
   }
@@ -44,7 +55,7 @@ void ScienceComputer::set(Sensor sensor, double value) {
     value = *reading;
   }
   // As a 4-byte sensor holds it; the clock is the only wider one.
-  values_[id] = sensor == Sensor::sci_m_present_time ? value : hooks::asFloat32(value);
+  values_[id] = id == numbers_[Sensor::sci_m_present_time] ? value : hooks::asFloat32(value);
   fresh_[id] = 1;
 }
 
@@ -59,29 +70,21 @@ double ScienceComputer::get(void* self, uint16_t id, bool* fresh) {
   return science.values_[id];
 }
 
-void ScienceComputer::readCtd(double now_s, const Ocean& ocean, const Place& place) {
-  const auto water = [&](double depth_m) {
-    return ocean.temperature(depth_m, place.x, place.y, now_s);
-  };
-  if (const auto reading = ctd_.read(water, place.depth_m, now_s)) {
-    set(Sensor::sci_water_temp, reading->temperature_degC);
-    set(Sensor::sci_water_cond, reading->conductivity);
-    set(Sensor::sci_water_pressure, reading->depth_m / 10);
+void ScienceComputer::sample(OnBoard& one, const Sampling& at) {
+  one.readings.assign(one.numbers.size(), std::numeric_limits<double>::quiet_NaN());
+  one.instrument->sample(at, one.readings);
+  for (size_t i = 0; i < one.readings.size(); ++i) {
+    if (!std::isnan(one.readings[i])) {
+      set(one.numbers[i], one.readings[i]);
+    }
   }
 }
 
 void ScienceComputer::run(double now_s, const Ocean& ocean, const Place& place,
                           const GliderByteStream& sbc, const GliderByteStream& flight) {
-  set(Sensor::sci_m_present_time, kStartOfMission + now_s);
-  readCtd(now_s, ocean, place);
-  // A vehicle in water of which the scenario says nothing does not carry the sensor.
-  const double chlorophyll = ocean.chlorophyll(place.depth_m, place.x, place.y);
-  if (!std::isnan(chlorophyll)) {
-    set(Sensor::sci_flbbcd_chlor_units, fluorometer_.read(chlorophyll));
-  }
-  const double oxygen = ocean.oxygen(place.depth_m, place.x, place.y, now_s);
-  if (!std::isnan(oxygen)) {
-    set(Sensor::sci_oxy4_oxygen, optode_.read(oxygen));
+  set(numbers_[Sensor::sci_m_present_time], kStartOfMission + now_s);
+  for (OnBoard& one : instruments_) {
+    sample(one, {now_s, place.depth_m, place.x, place.y, ocean});
   }
   hookprog_.run(now_s, {this, get}, sbc, flight);
 }

@@ -9,12 +9,12 @@
 #include "simulator/faults/sensor_damage.h"
 #include "simulator/journal.h"
 #include "simulator/ocean/ocean.h"
-#include "simulator/sensors/concentration_sensor.h"
-#include "simulator/sensors/ctd.h"
 #include "simulator/sensors/provided.h"
+#include "simulator/sensors/sensor_list.h"
 
 #include <functional>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -53,15 +53,20 @@ class ScienceComputer {
   [[nodiscard]] double value(uint16_t id) const {
     return id < values_.size() ? values_[id] : std::numeric_limits<double>::quiet_NaN();
   }
-  [[nodiscard]] double value(Sensor sensor) const { return value(numbers_[sensor]); }
 
  private:
-  void readCtd(double now_s, const Ocean& ocean, const Place& place);
-  void set(Sensor sensor, double value);
+  /// An instrument on board, with the numbers that the vehicle gives its sensors.
+  struct OnBoard {
+    std::unique_ptr<Instrument> instrument;
+    std::vector<uint16_t> numbers;
+    std::vector<double> readings;  ///< the newest
+  };
+  void fit(const platforms::Platform& platform, std::unique_ptr<Instrument> instrument);
+  void sample(OnBoard& one, const Sampling& at);
+  void set(uint16_t id, double value);
   static double get(void* self, uint16_t id, bool* fresh);
 
-  Ctd ctd_;
-  ConcentrationSensor fluorometer_, optode_;
+  std::vector<OnBoard> instruments_;
   SensorDamage* damage_ = nullptr;
   bool virtual_time_;
   SensorNumbers numbers_;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <string_view>
 
 namespace glider::simulator {
 
@@ -18,6 +19,8 @@ class Noise {
  public:
   Noise(uint64_t seed, uint32_t stream)
       : key_{{static_cast<uint32_t>(seed), static_cast<uint32_t>(seed >> 32U)}}, stream_(stream) {}
+  /// `source`: a name of its own, as the sensor's. No name changes the numbers of another.
+  Noise(uint64_t seed, std::string_view source);
 
   /// Gaussian with standard deviation `sd` (Box-Muller).
   double normal(double sd) {
@@ -35,7 +38,8 @@ class Noise {
   };
   Draw next() {
     const r123::Philox4x32::ctr_type counter{
-        {static_cast<uint32_t>(count_), static_cast<uint32_t>(count_ >> 32U), stream_, 0}};
+        {static_cast<uint32_t>(count_), static_cast<uint32_t>(count_ >> 32U),
+         static_cast<uint32_t>(stream_), static_cast<uint32_t>(stream_ >> 32U)}};
     ++count_;
     const auto bits = r123::Philox4x32()(counter, key_);
     return {unit(bits[0], bits[1]), unit(bits[2], bits[3])};
@@ -46,26 +50,14 @@ class Noise {
   }
 
   r123::Philox4x32::key_type key_;
-  uint32_t stream_;
+  uint64_t stream_;  ///< at most 32 bits: a number; more: of a name
   uint64_t count_ = 0;
 };
 
-/// The streams, one a sensor.
-/// One more goes to the end: the others' flights stay what they were.
+/// The numbered streams that are not a sensor's. Those of sensors go by name; the numbers below
+/// LineDamage are those of the first sensors (noise.cpp).
 enum class NoiseStream : uint32_t {
-  Depth,
-  Pitch,
-  Heading,
-  Altitude,
-  Gps,
-  Temperature,
-  CtdDropout,
-  CtdDepth,
-  CtdRepeat,
-  AltimeterDropout,
-  Chlorophyll,
-  Oxygen,
-  LineDamage,  ///< and three more, one a LineWay
+  LineDamage = 12,  ///< and three more, one a LineWay
   Campaign = LineDamage + 4,
   SensorJumps,
   CardDamage,

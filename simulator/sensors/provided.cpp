@@ -4,6 +4,7 @@
 #include "simulator/sensors/provided.h"
 
 #include "hooks/protocol/sensors.h"
+#include "simulator/sensors/sensor_list.h"
 
 #include <algorithm>
 
@@ -26,7 +27,13 @@ constexpr Provided kProvided[] = {
 }  // namespace
 
 bool isProvided(std::string_view name) {
-  return std::ranges::find(kProvided, name, &Provided::name) != std::end(kProvided);
+  const auto sets = [name](const std::unique_ptr<Instrument>& instrument) {
+    return std::ranges::any_of(instrument->sensors(), [name](const InstrumentSensor& sensor) {
+      return sensor.name == name;
+    });
+  };
+  return std::ranges::find(kProvided, name, &Provided::name) != std::end(kProvided) ||
+         std::ranges::any_of(makeInstruments(0, {}), sets);
 }
 
 std::string_view missingSensor(const platforms::Platform& platform) {
@@ -38,12 +45,15 @@ std::string_view missingSensor(const platforms::Platform& platform) {
   return "";
 }
 
+uint16_t numberOf(const platforms::Platform& platform, std::string_view name) {
+  const auto found = std::ranges::find(platform.sensors, name, &platforms::PlatformSensor::name);
+  return found == platform.sensors.end() ? hooks::kNoSensor : found->id;
+}
+
 SensorNumbers::SensorNumbers(const platforms::Platform& platform) {
   static_assert(std::size(kProvided) == kCount);
   for (size_t i = 0; i < kCount; ++i) {
-    const auto found =
-        std::ranges::find(platform.sensors, kProvided[i].name, &platforms::PlatformSensor::name);
-    numbers_[i] = found == platform.sensors.end() ? hooks::kNoSensor : found->id;
+    numbers_[i] = numberOf(platform, kProvided[i].name);
   }
 }
 

@@ -11,17 +11,22 @@
 
 namespace glider::simulator {
 
-/// The sensors that the simulated computers set or read: Sensor::m_depth.
+/// The sensors that the simulated computers set or read, without those of instruments:
+/// Sensor::m_depth.
 enum class Sensor : uint16_t {
 #define SENSOR(name, need) name,
 #include "simulator/sensors/provided.def"
 #undef SENSOR
 };
 
-/// Whether the simulated computers provide the sensor that the vehicle calls `name`.
+/// Whether the simulated computers or instruments provide the sensor that the vehicle calls `name`.
 bool isProvided(std::string_view name);
 /// The first sensor that the simulated flight controller needs and the vehicle lacks; empty: none.
 std::string_view missingSensor(const platforms::Platform& platform);
+
+/// Under which number of its platform file a vehicle has the sensor `name`; hooks::kNoSensor if it
+/// lacks it.
+uint16_t numberOf(const platforms::Platform& platform, std::string_view name);
 
 /// Under which number of its platform file a vehicle has each of them.
 class SensorNumbers {

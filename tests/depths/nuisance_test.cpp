@@ -62,7 +62,7 @@ simulator::Scenario drawWater(Rng& dice) {
   scenario.vehicle.flight.mass_kg += (dice.chance(0.5) ? 1 : -1) * lost * to_trim * lift_kg;
   scenario.vehicle.flight.drag = dice.within(0.10, 0.20);
   scenario.vehicle.initial_heading_rad = dice.within(0, 2 * std::numbers::pi);
-  scenario.sensors.depth_m = dice.within(0.005, 0.1);
+  scenario.sensors.depth.noise_m = dice.within(0.005, 0.1);
   scenario.sensors.ctd.late_s = dice.chance(0.5) ? 0 : dice.within(0, 4);
   scenario.sensors.ctd.repeat_fraction = dice.chance(0.5) ? 0 : 0.2;
   scenario.sensors.ctd.dropout = dice.chance(0.5) ? 0 : 0.3;

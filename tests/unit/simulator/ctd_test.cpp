@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "simulator/sensors/ctd.h"
+#include "simulator/sensors/ctd/ctd.h"
 
 #include <gtest/gtest.h>
 

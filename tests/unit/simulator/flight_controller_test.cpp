@@ -27,7 +27,8 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 SensorSettings noiseless() {
   SensorSettings settings;
-  settings.depth_m = settings.pitch_rad = settings.heading_rad = settings.gps_m = 0;
+  settings.depth.noise_m = settings.attitude.pitch_rad = settings.attitude.heading_rad = 0;
+  settings.gps.noise_m = 0;
   settings.altimeter.noise_m = 0;
   settings.altimeter.range_m = 40;
   return settings;

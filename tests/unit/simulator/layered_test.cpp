@@ -141,7 +141,7 @@ TEST(Layered, HeadingsAreMagnetic) {
     setup.scenario.longitude_deg = place.longitude_deg;
     setup.scenario.year = place.year;
     setup.scenario.vehicle.initial_heading_rad = 1 + place.declination_deg / 57.29578;
-    setup.scenario.sensors.heading_rad = setup.scenario.sensors.gps_m = 0;
+    setup.scenario.sensors.attitude.heading_rad = setup.scenario.sensors.gps.noise_m = 0;
     const support::Trace trace = fly(std::move(setup));
     EXPECT_NEAR(valueAt(trace, "c_heading", 200), 1, 1e-6);
     EXPECT_NEAR(valueAt(trace, "m_heading", 0), 1, 1e-4) << "by the compass";

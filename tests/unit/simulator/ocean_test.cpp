@@ -164,30 +164,6 @@ TEST(Ocean, CurrentIsStraightBetweenSurfaceAndBottom) {
   EXPECT_NEAR(ocean.current(60, 0, 0).east, -0.06, 1e-12);
 }
 
-TEST(Ocean, HasPatchesOfChlorophyllOnABackground) {
-  OceanSettings settings = twoLayers();
-  EXPECT_TRUE(std::isnan(Ocean(settings).chlorophyll(5, 0, 0))) << "no fluorometer on board";
-  settings.chlorophyll_ugpl = 0.4;
-  settings.patches = {
-      {.x = 600, .y = 100, .radius_m = 250, .depth_m = 12, .thickness_m = 5, .peak_ugpl = 8}};
-  const Ocean ocean(settings);
-  EXPECT_NEAR(ocean.chlorophyll(12, 600, 100), 8.4, 1e-12);
-  EXPECT_NEAR(ocean.chlorophyll(12, 600, 350), 0.4 + 8 / std::numbers::e, 1e-12);
-  EXPECT_NEAR(ocean.chlorophyll(17, 350, 100), 0.4 + 8 * std::exp(-2), 1e-12);
-  EXPECT_NEAR(ocean.chlorophyll(12, -5000, 0), 0.4, 1e-12);
-}
-
-TEST(Ocean, OxygenFollowsTheThermocline) {
-  OceanSettings settings = twoLayers();
-  EXPECT_TRUE(std::isnan(Ocean(settings).oxygen(5, 0, 0, 0)));
-  settings.surface_oxygen_uM = 260;
-  settings.bottom_oxygen_uM = 170;
-  const Ocean ocean(settings);
-  EXPECT_NEAR(ocean.oxygen(14, 0, 0, 0), 215, 1e-9);
-  EXPECT_NEAR(ocean.oxygen(0, 0, 0, 0), 260, 0.01);
-  EXPECT_NEAR(ocean.oxygen(60, 0, 0, 0), 170, 0.01);
-}
-
 /// Every field at once, against the formulas written a second time.
 TEST(Ocean, FieldsAreThoseOfTheFormulas) {
   constexpr double kTurn = 2 * std::numbers::pi;
@@ -200,12 +176,6 @@ TEST(Ocean, FieldsAreThoseOfTheFormulas) {
   s.bottom.slope = 0.004;
   s.bottom.slope_bearing_rad = 2.1;
   s.bottom.seamounts = {{.x = 300, .y = 50, .radius_m = 120, .height_m = 12}};
-  s.chlorophyll_ugpl = 0.4;
-  s.patches = {
-      {.x = 200, .y = -90, .radius_m = 80, .depth_m = 11, .thickness_m = 4, .peak_ugpl = 6},
-      {.x = -50, .y = 20, .radius_m = 60, .depth_m = 20, .thickness_m = 7, .peak_ugpl = 3}};
-  s.surface_oxygen_uM = 260;
-  s.bottom_oxygen_uM = 170;
   const Ocean ocean(s);
   for (const double x : {-310.0, 0.0, 222.0, 333.0}) {
     for (const double y : {-150.0, 10.0, 95.0}) {
@@ -220,18 +190,12 @@ TEST(Ocean, FieldsAreThoseOfTheFormulas) {
           const double shape = z <= 14 ? z / 14 : (water - z) / (water - 14);
           const double upper = (1 - std::tanh((z - 14 - 4 * std::sin(angle) * shape) / 2.5)) / 2;
           ASSERT_NEAR(ocean.temperature(z, x, y, t), 7 + 17 * upper + front, 1e-9) << z;
-          ASSERT_NEAR(ocean.oxygen(z, x, y, t), 170 + 90 * upper, 1e-9);
+          ASSERT_NEAR(ocean.upperShare(z, x, y, t), upper, 1e-11);
           ASSERT_NEAR(ocean.verticalCurrent(z, x, y, t), -4 * std::cos(angle) * kTurn / 900 * shape,
                       1e-12);
           const Current current = ocean.current(z, x, y);
           ASSERT_NEAR(current.east, 0.2 - 0.25 * z / water, 1e-12);
           ASSERT_NEAR(current.north, -0.1 + 0.4 * z / water, 1e-12);
-          const double green = 0.4 +
-                               6 * std::exp(-(std::pow(x - 200, 2) + std::pow(y + 90, 2)) / 6400 -
-                                            std::pow((z - 11) / 4, 2)) +
-                               3 * std::exp(-(std::pow(x + 50, 2) + std::pow(y - 20, 2)) / 3600 -
-                                            std::pow((z - 20) / 7, 2));
-          ASSERT_NEAR(ocean.chlorophyll(z, x, y), green, 1e-9);
         }
       }
     }

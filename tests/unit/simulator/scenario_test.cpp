@@ -89,14 +89,15 @@ TEST_F(ScenarioFile, ReadsTheOceansTables) {
   EXPECT_NEAR(o.bottom.slope_bearing_rad, 1.5707963, 1e-7);
   EXPECT_EQ(o.bottom_current.east, 0.1) << "as at the surface, unless told otherwise";
   EXPECT_EQ(o.bottom_current.north, 0.2);
-  EXPECT_EQ(o.surface_oxygen_uM, 260);
+  EXPECT_EQ(scenario_.sensors.optode.surface_uM, 260);
   // At 39 N on the ellipsoid a degree of longitude has 86 627 m, one of latitude 111 015 m.
   EXPECT_NEAR(o.front.x, 866.3, 0.1);
   EXPECT_EQ(o.front.step_degC, -6);
-  ASSERT_EQ(o.patches.size(), 1U);
-  EXPECT_NEAR(o.patches[0].y, 1110.1, 0.2);
-  EXPECT_EQ(o.patches[0].peak_ugpl, 8);
-  EXPECT_EQ(o.chlorophyll_ugpl, 0) << "a patch puts a fluorometer on board";
+  const FluorometerSettings& fluorometer = scenario_.sensors.fluorometer;
+  ASSERT_EQ(fluorometer.patches.size(), 1U);
+  EXPECT_NEAR(fluorometer.patches[0].y, 1110.1, 0.2);
+  EXPECT_EQ(fluorometer.patches[0].peak_ugpl, 8);
+  EXPECT_EQ(fluorometer.background_ugpl, 0) << "a patch puts a fluorometer on board";
   ASSERT_EQ(o.bottom.seamounts.size(), 1U);
   EXPECT_NEAR(o.bottom.seamounts[0].x, -866.3, 0.1);
 }
@@ -120,7 +121,7 @@ TEST_F(ScenarioFile, ReadsTheBatteryAndTheSensorsTables) {
   EXPECT_TRUE(ctd.stale_climbs.on);
   EXPECT_EQ(ctd.stale_climbs.count, 1);
   EXPECT_EQ(scenario_.sensors.altimeter.range_m, 40);
-  EXPECT_TRUE(scenario_.altimeter_given);
+  EXPECT_TRUE(scenario_.sensors.altimeter.given);
   // A pack whose full voltage is given starts full.
   ASSERT_EQ(load(kHead + kStart + "[vehicle.battery]\nfull_V = 16.8\n"), "");
   EXPECT_EQ(scenario_.vehicle.battery.start_V, 16.8);

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "simulator/sensors/altimeter.h"
-#include "simulator/sensors/attitude_sensor.h"
-#include "simulator/sensors/concentration_sensor.h"
-#include "simulator/sensors/depth_sensor.h"
-#include "simulator/sensors/gps.h"
+#include "simulator/sensors/altimeter/altimeter.h"
+#include "simulator/sensors/attitude/attitude_sensor.h"
+#include "simulator/sensors/concentration_noise.h"
+#include "simulator/sensors/depth/depth_sensor.h"
+#include "simulator/sensors/gps/gps.h"
 
 #include <gtest/gtest.h>
 
@@ -32,9 +32,9 @@ TEST(Noise, IsGaussianAndRepeatable) {
 }
 
 TEST(Sensors, ReadTheTruthWithoutNoise) {
-  EXPECT_EQ(DepthSensor(1, 0).pressure(12.5), 1.25);
-  EXPECT_EQ(AttitudeSensor(1, 0, 0).pitch(-0.4), -0.4);
-  EXPECT_NEAR(AttitudeSensor(1, 0, 0).heading(-0.1), 2 * std::numbers::pi - 0.1, 1e-12);
+  EXPECT_EQ(DepthSensor(1, {.noise_m = 0}).pressure(12.5), 1.25);
+  EXPECT_EQ(AttitudeSensor(1, {0, 0}).pitch(-0.4), -0.4);
+  EXPECT_NEAR(AttitudeSensor(1, {0, 0}).heading(-0.1), 2 * std::numbers::pi - 0.1, 1e-12);
   EXPECT_EQ(Altimeter(1, {.noise_m = 0}).altitude(20, 50), 30);
 }
 
@@ -52,7 +52,7 @@ TEST(Altimeter, HasNoEchoTooNearTooFarOrAtTheSurface) {
 }
 
 TEST(Gps, NeedsTimeAtTheSurface) {
-  Gps gps(1, 0);
+  Gps gps(1, {.noise_m = 0});
   EXPECT_TRUE(gps.fix(3, 4, 0, 0)) << "the mission starts with a fix";
   EXPECT_FALSE(gps.fix(3, 4, 10, 100));
   EXPECT_FALSE(gps.fix(3, 4, 0, 110));
@@ -76,9 +76,9 @@ TEST(Altimeter, ReachesAsFarAsTheScenarioSaysAndLosesEchoes) {
   EXPECT_NEAR(lost, 250, 50);
 }
 
-TEST(ConcentrationSensor, IsNoisyAndNeverNegative) {
-  EXPECT_EQ(ConcentrationSensor(1, NoiseStream::Chlorophyll, 0).read(3.5), 3.5);
-  ConcentrationSensor a(1, NoiseStream::Chlorophyll, 0.5), b(1, NoiseStream::Chlorophyll, 0.5);
+TEST(ConcentrationNoise, IsNoisyAndNeverNegative) {
+  EXPECT_EQ(ConcentrationNoise(1, "sci_oxy4_oxygen", 0).read(3.5), 3.5);
+  ConcentrationNoise a(1, "sci_oxy4_oxygen", 0.5), b(1, "sci_oxy4_oxygen", 0.5);
   int zeros = 0;
   for (int i = 0; i < 1000; ++i) {
     const double read = a.read(0);

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "simulator/scenario/read_sensors.h"
+#include "simulator/sensors/ctd/ctd.h"
+#include "simulator/tables/scenario_tables.h"
 
 namespace glider::simulator {
 namespace {
@@ -45,33 +46,17 @@ StaleWater readStaleWater(Fields& f) {
 
 }  // namespace
 
-void readSensors(ScenarioTables& tables, Scenario& scenario) {
-  SensorSettings& s = scenario.sensors;
+void CtdSettings::read(ScenarioTables& tables) {
   bool noise_given = false;
+  tables.table("ocean", [&](Fields& f) { f.number("conductivity_Spm", conductivity, 0, 9); });
   tables.table("sensors", [&](Fields& f) {
-    f.reader().only({"depth_m", "pitch_rad", "heading_rad", "altitude_m", "gps_m",
-                     "temperature_degC", "chlorophyll_ugpl", "oxygen_uM", "ctd_dropout",
-                     "stale_water", "ctd", "altimeter"});
     noise_given = f.has("temperature_degC");
-    f.number("depth_m", s.depth_m, 0, 10);
-    f.number("pitch_rad", s.pitch_rad, 0, 1);
-    f.number("heading_rad", s.heading_rad, 0, 1);
-    f.number("altitude_m", s.altimeter.noise_m, 0, 100);
-    f.number("gps_m", s.gps_m, 0, 10000);
-    f.number("temperature_degC", s.ctd.noise_degC, 0, 10);
-    f.number("chlorophyll_ugpl", s.chlorophyll_ugpl, 0, 100);
-    f.number("oxygen_uM", s.oxygen_uM, 0, 1000);
-    f.number("ctd_dropout", s.ctd.dropout, 0, 1);
+    f.number("temperature_degC", noise_degC, 0, 10);
+    f.number("ctd_dropout", dropout, 0, 1);
   });
   tables.each("sensors", "stale_water",
-              [&](Fields& f) { s.ctd.stale_water.push_back(readStaleWater(f)); });
-  tables.part("sensors", "ctd", [&](Fields& f) { readCtd(f, noise_given, s.ctd); });
-  tables.part("sensors", "altimeter", [&](Fields& f) {
-    f.reader().only({"range_m", "dropout"});
-    f.number("range_m", s.altimeter.range_m, 2, 100);
-    f.number("dropout", s.altimeter.dropout, 0, 1);
-  });
-  scenario.altimeter_given = tables.has("sensors", "altimeter");
+              [&](Fields& f) { stale_water.push_back(readStaleWater(f)); });
+  tables.part("sensors", "ctd", [&](Fields& f) { readCtd(f, noise_given, *this); });
 }
 
 }  // namespace glider::simulator

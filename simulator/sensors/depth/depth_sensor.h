@@ -4,14 +4,24 @@
 #pragma once
 
 #include "simulator/sensors/noise.h"
+#include "simulator/sensors/sensor_settings.h"
 
 namespace glider::simulator {
+
+struct DepthSettings {
+  double noise_m = 0.02;
+
+  static constexpr ScenarioKey kKeys[] = {{"sensors", "depth_m"}};
+  void read(ScenarioTables& tables);
+};
 
 /// The pressure transducer: 10 m of water are 1 bar, as the vehicle reckons.
 class DepthSensor {
  public:
-  DepthSensor(uint64_t seed, double noise_m)
-      : noise_(seed, static_cast<uint32_t>(NoiseStream::Depth)), sd_(noise_m) {}
+  using Settings = DepthSettings;
+
+  DepthSensor(uint64_t seed, const Settings& settings)
+      : noise_(seed, "m_depth"), sd_(settings.noise_m) {}
   /// Gauge pressure in bar at true depth `depth_m`; may be slightly negative at the surface.
   double pressure(double depth_m) { return (depth_m + noise_.normal(sd_)) / kMetresPerBar; }
 

@@ -9,14 +9,13 @@
 
 namespace glider::simulator {
 
-/// A sensor of the science bay that reads how much of something is in the water: the fluorometer,
-/// the oxygen optode.
-class ConcentrationSensor {
+/// The noise of an instrument that reads how much of something is in the water.
+class ConcentrationNoise {
  public:
-  /// `noise`: standard deviation in the sensor's unit.
-  ConcentrationSensor(uint64_t seed, NoiseStream stream, double noise)
-      : noise_(seed, static_cast<uint32_t>(stream)), sd_(noise) {}
-  /// Never negative.
+  /// `sensor`: whose noise it is; `sd`: standard deviation in the sensor's unit.
+  ConcentrationNoise(uint64_t seed, std::string_view sensor, double sd)
+      : noise_(seed, sensor), sd_(sd) {}
+  /// The reading of `truth`, never negative.
   double read(double truth) { return std::max(0.0, truth + noise_.normal(sd_)); }
 
  private:

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "platforms/load/toml_reader.h"
+#include "simulator/geography/local_frame.h"
 
 #include <functional>
 #include <optional>
@@ -14,8 +15,10 @@ namespace glider::simulator {
 /// One table of a scenario file: number fields with bounds beside what TomlReader reads.
 class Fields {
  public:
-  Fields(const std::string& file, const toml::table& table, const std::string& where)
-      : table_(table), reader_(file, table, where) {}
+  /// `frame`: of the scenario's start; null where no position is read.
+  Fields(const std::string& file, const toml::table& table, const std::string& where,
+         const LocalFrame* frame)
+      : table_(table), frame_(frame), reader_(file, table, where) {}
 
   /// Puts the number `key`, if it is there, into `into`; one outside lowest…highest is refused.
   void number(const char* key, double& into, double lowest, double highest);
@@ -25,11 +28,17 @@ class Fields {
   double anyNumber(const char* key);
   /// A bearing in degrees clockwise from north, as rad.
   void bearing(const char* key, double& into);
+  /// The position latitude_deg, longitude_deg, which must be there, in m east and north of the
+  /// start.
+  void place(double& x, double& y);
+  /// Refuses one of two fields, which say something only together, without the other.
+  void together(const char* one, const char* other);
   [[nodiscard]] bool has(const char* key) const { return table_.contains(key); }
   platforms::TomlReader& reader() { return reader_; }
 
  private:
   const toml::table& table_;
+  const LocalFrame* frame_;
   platforms::TomlReader reader_;
 };
 
@@ -45,6 +54,10 @@ class ScenarioTables {
   [[nodiscard]] const toml::table& root() const { return root_; }
   [[nodiscard]] bool has(const char* table, const char* part) const {
     return static_cast<bool>(root_[table][part]);
+  }
+  /// Positions are reckoned from here on.
+  void startAt(double latitude_deg, double longitude_deg) {
+    frame_.emplace(latitude_deg, longitude_deg);
   }
   /// Reads what is not in a table.
   void head(const Read& read);
@@ -62,6 +75,7 @@ class ScenarioTables {
 
   std::string file_;
   const toml::table& root_;
+  std::optional<LocalFrame> frame_;
   std::optional<support::Failure> failure_;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "simulator/scenario/scenario_tables.h"
+#include "simulator/tables/scenario_tables.h"
 
 #include <numbers>
 
@@ -43,8 +43,23 @@ void Fields::bearing(const char* key, double& into) {
   }
 }
 
+void Fields::place(double& x, double& y) {
+  const double latitude = required("latitude_deg", -89, 89);
+  const double longitude = required("longitude_deg", -180, 180);
+  if (frame_ != nullptr && !reader_.failure()) {
+    frame_->locate({latitude, longitude}, x, y);
+  }
+}
+
+void Fields::together(const char* one, const char* other) {
+  if (has(one) != has(other)) {
+    const char* given = has(one) ? one : other;
+    reader_.refuse(given, fmt::format("needs `{}` as well", has(one) ? other : one));
+  }
+}
+
 void ScenarioTables::read(const toml::table& table, const std::string& where, const Read& read) {
-  Fields fields(file_, table, where);
+  Fields fields(file_, table, where, frame_ ? &*frame_ : nullptr);
   read(fields);
   if (!failure_ && fields.reader().failure()) {
     failure_ = fields.reader().failure();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "simulator/sensors/ctd.h"
+#include "simulator/sensors/ctd/ctd.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,13 +9,31 @@
 namespace glider::simulator {
 
 constexpr double kPeriod = 1;  // s between readings
+constexpr double kMetresPerBar = 10;
+constexpr InstrumentSensor kSensors[] = {
+    {"sci_water_temp", "degC"}, {"sci_water_cond"}, {"sci_water_pressure"}};
 
 Ctd::Ctd(uint64_t seed, const CtdSettings& settings)
     : settings_(settings),
-      temperature_noise_(seed, static_cast<uint32_t>(NoiseStream::Temperature)),
-      dropout_(seed, static_cast<uint32_t>(NoiseStream::CtdDropout)),
-      depth_noise_(seed, static_cast<uint32_t>(NoiseStream::CtdDepth)),
-      repeat_(seed, static_cast<uint32_t>(NoiseStream::CtdRepeat)) {}
+      temperature_noise_(seed, "sci_water_temp"),
+      dropout_(seed, "ctd dropout"),
+      depth_noise_(seed, "ctd depth"),
+      repeat_(seed, "ctd repeat") {}
+
+std::span<const InstrumentSensor> Ctd::sensors() const {
+  return kSensors;
+}
+
+void Ctd::sample(const Sampling& at, std::span<double> readings) {
+  const auto water = [&](double depth_m) {
+    return at.ocean.temperature(depth_m, at.x, at.y, at.time_s);
+  };
+  if (const auto reading = read(water, at.depth_m, at.time_s)) {
+    readings[0] = reading->temperature_degC;
+    readings[1] = reading->conductivity;
+    readings[2] = reading->depth_m / kMetresPerBar;
+  }
+}
 
 void Ctd::noteClimb(double depth_m, double now_s) {
   const StaleClimbs& stale = settings_.stale_climbs;

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "simulator/sensors/ctd/climb_watch.h"
+#include "simulator/sensors/instrument.h"
+#include "simulator/sensors/noise.h"
+#include "simulator/sensors/sensor_settings.h"
+
+#include <deque>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace glider::simulator {
+
+/// A time in which the water in the CTD's duct does not change: the sensor goes on giving its last
+/// temperature.
+struct StaleWater {
+  double from_s = 0;
+  double to_s = 0;
+};
+
+/// Climbs on which the CTD's duct is not flushed, as on the lost climb of the paper's Figure 6.
+struct StaleClimbs {
+  bool on = false;
+  double frozen_s = 120;  ///< from the turn on, the duct keeps its water for so long
+  double flush_s = 20;    ///< time constant with which the water is then renewed; 0: at once
+  double after_s = 0;     ///< climbs that begin earlier are not meant
+  double count = 0;       ///< how many climbs; 0: all
+};
+
+struct CtdSettings {
+  double noise_degC = 0.002;
+  double dropout = 0;          ///< share of readings that fail
+  double repeat_fraction = 0;  ///< share of readings that are the one before once more
+  double late_s = 0;           ///< age of a reading when it is given
+  /// The sensor sees water from so far above or below the vehicle (standard deviation, m).
+  double non_monotonic_m = 0;
+  double conductivity = 4;  ///< S/m, the same everywhere, as in the vehicle's own simulator
+  std::vector<StaleWater> stale_water = {};
+  StaleClimbs stale_climbs = {};
+
+  static constexpr ScenarioKey kKeys[] = {{"ocean", "conductivity_Spm"},
+                                          {"sensors", "temperature_degC"},
+                                          {"sensors", "ctd_dropout"},
+                                          {"sensors", "stale_water"},
+                                          {"sensors", "ctd"}};
+  void read(ScenarioTables& tables);
+};
+
+/// The CTD of the science bay, read once a second: the water in its duct, and what can go wrong
+/// with a reading on its way.
+class Ctd final : public Instrument {
+ public:
+  using Settings = CtdSettings;
+  struct Reading {
+    double temperature_degC = 0;
+    double depth_m = 0;       ///< true depth of the vehicle, from the CTD's own pressure
+    double conductivity = 0;  ///< S/m
+  };
+  /// The true temperature (degC) at a depth (m), where the vehicle is.
+  using Water = std::function<double(double depth_m)>;
+
+  Ctd(uint64_t seed, const CtdSettings& settings);
+
+  [[nodiscard]] std::span<const InstrumentSensor> sensors() const override;
+  void sample(const Sampling& at, std::span<double> readings) override;
+  /// The reading that the sensor gives at `now_s`; none when it fails or has none yet.
+  std::optional<Reading> read(const Water& water, double depth_m, double now_s);
+
+ private:
+  struct Measured {
+    double time_s;
+    Reading reading;
+  };
+  /// Renews the water in the duct as far as it is flushed.
+  void flush(double outside_degC, double depth_m, double now_s);
+  /// The share of the water in the duct that is renewed at `now_s`.
+  [[nodiscard]] double renewed(double now_s) const;
+  void noteClimb(double depth_m, double now_s);
+  /// The newest of the readings that are old enough to be given.
+  std::optional<Reading> due(double now_s);
+
+  CtdSettings settings_;
+  Noise temperature_noise_, dropout_, depth_noise_, repeat_;
+  ClimbWatch turns_;
+  bool stale_climb_ = false;
+  double stale_climbs_ = 0;
+  double in_duct_ = std::numeric_limits<double>::quiet_NaN();
+  std::deque<Measured> on_their_way_;
+  std::optional<Reading> given_;
+};
+
+}  // namespace glider::simulator

@@ -252,9 +252,10 @@ TEST(Command, ATargetHasWhatABackEndMakesForIt) {
     const Outcome outcome = run("rm -f x; " + build + " --emit " + stage + "; s=$?; ls; exit $s");
     EXPECT_EQ(outcome.status, 2) << stage;
     EXPECT_EQ(outcome.out, "share\n") << stage;
-    EXPECT_THAT(outcome.err, HasSubstr(std::string("--emit: ") + stage +
-                                       " cannot be made for target stock; it can be ast, symbols, ir, "
-                                       "header\n"))
+    EXPECT_THAT(outcome.err,
+                HasSubstr(std::string("--emit: ") + stage +
+                          " cannot be made for target stock; it can be ast, symbols, ir, "
+                          "header\n"))
         << stage;
   }
 }

@@ -42,7 +42,8 @@ class Depths {
   std::vector<double> run() {
     std::vector<double> own;
     for (const State& state : m_.states) {
-      own.push_back(commandedDepth(state) + proof_context_.platform.envelope.inflection_overshoot_m);
+      own.push_back(commandedDepth(state) +
+                    proof_context_.platform.envelope.inflection_overshoot_m);
     }
     std::vector<uint32_t> order(own.size());
     std::iota(order.begin(), order.end(), 0U);

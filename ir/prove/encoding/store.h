@@ -15,8 +15,8 @@ struct Vehicle {
   z3::expr depth;     ///< true depth, m
   z3::expr deepest;   ///< where it cannot be deeper under the command in force, m
   z3::expr climbing;  ///< the command in force leads up
-  z3::expr since;     ///< mission time of the first command to climb that has been in force since, s
-  z3::expr top;       ///< of the command in force, if it leads up, m
+  z3::expr since;  ///< mission time of the first command to climb that has been in force since, s
+  z3::expr top;    ///< of the command in force, if it leads up, m
 };
 
 /// What a mission keeps from tick to tick, as terms: its variables, and the vehicle if it matters.

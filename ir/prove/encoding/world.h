@@ -13,8 +13,8 @@
 ///
 /// - It sinks and climbs at `vertical_rate_m_s` at most, and never above the surface.
 /// - A command to dive to a depth, or to hover at it, never takes it deeper than
-///   `inflection_overshoot_m` beyond that, or beyond where it is; a new command never deeper than it
-///   or the one before would have.
+///   `inflection_overshoot_m` beyond that, or beyond where it is; a new command never deeper than
+///   it or the one before would have.
 /// - A command to climb, `turn_s` old, lifts it at `slowest_climb_m_s` at least, until it is there.
 ///   There it hovers, give or take the overshoot, and from above it sinks to it; a depth above
 ///   `kFloats` means the surface. A command to climb further counts anew: it may have hovered.

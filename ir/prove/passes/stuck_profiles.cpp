@@ -71,7 +71,8 @@ class ProfileModes {
     support::SourceRange range;  ///< of the case that leads into it
   };
 
-  /// A mode from which only its own command is ever given, up or down, and the profile never is done.
+  /// A mode from which only its own command is ever given, up or down, and the profile never is
+  /// done.
   [[nodiscard]] std::optional<Trap> trap() const {
     for (const auto& [mode, range] : arrivals_) {
       const bool sloped = mode.order == Command::Descend || mode.order == Command::Ascend;

@@ -84,7 +84,7 @@ PLANTED = [
     Planted("HB-22", "a frozen depth is believed", WATCH, "(frozen_ && own_.sameFor() > 0) || (same && !hangs)", "false", SENSORS),
     Planted("HB-23", "a dive that gains no depth goes on", GUARD, "return headway_.way() == Way::Down && ends ? HookGuard::NoDepthGained : HookGuard::None;",
             "return HookGuard::None;", SENSORS),
-    Planted("HB-33", "unnoticed sinking is not counted", UNSEEN_SINK, "reckon(step_s, last);", ";", ("sensor frozen",), False,
+    Planted("HB-33", "unnoticed sinking is not counted", UNSEEN_SINK, "reckon(step_s, last);", ";", ("sensor frozen",), WITHOUT_CTD,
             ("scripts/soak/deep.mission",)),
     Planted("HB-34", "what another behaviour flies is counted", HOOKBEH,
             "off_cc > kPumpErrorCc || off_cc < -kPumpErrorCc", "false", ("SBC power cut", "science reboot", "mission stuck", "several at once")),

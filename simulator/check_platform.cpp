@@ -13,7 +13,7 @@
 namespace glider::simulator {
 namespace {
 
-/// The simulator has a model that moves it.
+/// Checks that the simulator has a model that moves it.
 support::Result<void> checkMotion(const platforms::Platform& platform) {
   const std::string file = fmt::format("platform `{}`", platform.name);
   if (!platform.motion) {

@@ -12,7 +12,7 @@
 
 namespace glider::simulator {
 
-/// How the vehicle stands after a control cycle.
+/// The state of the vehicle after a control cycle.
 struct CycleView {
   double time_s = 0;
   hooks::HookState hook = hooks::HookState::Absent;
@@ -20,22 +20,23 @@ struct CycleView {
   bool aborted = false;  ///< the flight controller has aborted its mission
   bool ended = false;    ///< the flight controller's mission is over
   const SensorArray& array;
-  double mission_s = 0;         ///< of the flight controller's mission, which may have begun again
+  double mission_s = 0;         ///< of the flight controller's mission, which may have restarted
   double clearance_m = 0;       ///< true, over the bottom
   double used_J = 0;            ///< of the batteries, since the flight began
   double volts = 0;             ///< true, of the batteries
-  bool commanded_whole = true;  ///< heading, pitch and pump were commanded, by whichever behaviour
+  bool commanded_whole = true;  ///< heading, pitch and pump were commanded, by any behaviour
   const hooks::HookbehOutputs* hookbeh = nullptr;  ///< what it commanded; null when it does not run
-  bool overridden = false;                         ///< a behaviour above hookbeh had pitch or pump
+  bool overridden = false;  ///< a behaviour above hookbeh controlled pitch or pump
 };
 
-/// Looks on while a mission is flown, from where nothing is damaged.
+/// Observes a mission in flight, at points where no fault has an effect.
 class FlightObserver {
  public:
   virtual ~FlightObserver() = default;
-  /// The SBC says `bytes`, at its own end of the line.
+  /// The SBC sends `bytes`, seen at its own end of the line.
   virtual void said(std::span<const uint8_t> bytes, double now_s) = 0;
-  /// A control cycle is over. False: there is no more to be seen, the flight may end here.
+  /// A control cycle is over. False: nothing more needs to be observed, and the flight may end
+  /// here.
   virtual bool cycle(const CycleView& view) = 0;
 };
 

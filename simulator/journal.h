@@ -11,7 +11,7 @@
 
 namespace glider::simulator {
 
-/// What happens in a flight, in the order in which it comes to be known.
+/// The events of a flight, in the order in which they become known.
 class Journal {
  public:
   void add(double time_s, std::string kind, std::string what, std::string why = "") {

@@ -15,14 +15,14 @@ using Kind = hooks::HookprogEvent::Kind;
 
 namespace {
 
-/// A position as missions write it, ddmm.mmmm: its name says what it is.
+/// A position as missions write it, ddmm.mmmm: the name of the value shows what it is.
 std::string valueText(double value, const std::string& unit) {
   return unit == "lat" || unit == "lon" ? fmt::format("{:.3f}", value)
          : unit == "1"                  ? fmt::format("{:.6g}", value)
                                         : fmt::format("{:.6g} {}", value, unit);
 }
 
-/// GliderTransition, as the notice carries it.
+/// The names of GliderTransition, as numbered in the notice.
 constexpr std::array<const char*, 5> kTransitions = {"goto", "call", "return", "exit", "stay"};
 constexpr uint32_t kExit = 3;
 constexpr uint32_t kAlways = 0;      ///< GliderList
@@ -42,8 +42,8 @@ void MissionStory::learnOrigin(double cycle_s, const hooks::Hookprog::SbcView& v
     return;
   }
   state_ = view.state;
-  // What the SBC says lags behind the cycle that it answers, never ahead: the least difference is
-  // the true one.
+  // What the SBC reports may lag behind the cycle that it answers, but is never ahead of it: the
+  // least difference is the true one.
   origin_s_ = std::min(origin_s_, cycle_s - view.mission_time_s);
 }
 

@@ -14,15 +14,15 @@
 
 namespace glider::simulator {
 
-/// Follows the SBC's mission through what hookprog sees of it: which state, since when, why it
-/// changed.
+/// Follows the SBC's mission through what hookprog receives from it: which state, since when, and
+/// why it changed.
 class MissionStory {
  public:
   MissionStory(const platforms::Platform& platform, const std::vector<std::string>& state_names,
                const GuardResolver& explain)
       : platform_(platform), state_names_(state_names), explain_(explain) {}
 
-  /// After each science cycle: takes hookprog's news into `journal`. `cycle_s` is the time of the
+  /// After each science cycle: writes hookprog's events to `journal`. `cycle_s` is the time of the
   /// newest control cycle. Returns true if the mission has gone to another state.
   bool follow(double now_s, double cycle_s, ScienceComputer& science,
               const FlightController& flight, Journal& journal);

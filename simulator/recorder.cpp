@@ -16,7 +16,7 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
-/// What a row is made from.
+/// The sources of a row.
 struct RecorderMoment {
   double now_s;
   const FlightController& flight;
@@ -36,11 +36,11 @@ struct Column {
   const char* name;
   const char* unit;
   double (*value)(const Moment& m);
-  /// Whether a scenario calls for the column; null: each does.
+  /// Whether a scenario needs the column; null: every scenario does.
   bool (*wanted)(const Scenario& s) = nullptr;
 };
 
-/// A bottom or an altimeter of the scenario's own.
+/// True if the scenario specifies a sloping bottom, seamounts or an altimeter.
 bool wantsAltitude(const Scenario& s) {
   const BottomSettings& bottom = s.ocean.bottom;
   return bottom.slope != 0 || !bottom.seamounts.empty() || s.sensors.altimeter.given;
@@ -68,7 +68,8 @@ constexpr Column kFirst[] = {
     COLUMN("true_x", "m", m.vehicle.x()),
     COLUMN("true_y", "m", m.vehicle.y()),
 };
-// Between the two: the instruments that each vehicle has. Behind both: the others.
+// The columns of instruments that every vehicle has are between these two lists, those of the
+// others after both.
 constexpr Column kSecond[] = {
     COLUMN("m_ballast_pumped", "cc", m.get(Sensor::m_ballast_pumped)),
     COLUMN("c_ballast_pumped", "cc", m.get(Sensor::c_ballast_pumped)),
@@ -158,8 +159,8 @@ void Recorder::field() {
   for (size_t i = 0; i < rows; ++i) {
     deepest = std::max(deepest, trace_.at(i, depth));
   }
-  constexpr double kMargin = 1.15;  // of water below the deepest point
-  // The bottom may fall away from where it is at the start.
+  constexpr double kMargin = 1.15;  // the field's depth as a multiple of the flight's
+  // The bottom may be deeper than at the start.
   const double bottom = std::min(deepest * kMargin + 1, std::max(deepest, ocean_.waterDepth(0, 0)));
   for (size_t j = 0; j < kDepths; ++j) {
     trace_.field.depths_m.push_back(bottom * static_cast<double>(j) / (kDepths - 1));

@@ -14,7 +14,7 @@ namespace glider::simulator {
 
 struct RecorderMoment;
 
-/// A column that is written: what a function makes of the cycle, or, without one, the newest
+/// A column of the trace: the value of a function of the cycle, or, without a function, the newest
 /// reading of a sensor of the science computer.
 struct RecorderColumn {
   double (*value)(const RecorderMoment& moment) = nullptr;
@@ -30,13 +30,13 @@ class Recorder {
   /// The row of the control cycle at `now_s`.
   void row(double now_s, const FlightController& flight, const ScienceComputer& science,
            const Vehicle& vehicle);
-  /// What the SBC's mission said of itself in answer to the newest row.
+  /// What the SBC's mission reported in answer to the newest row.
   void mission(double mission_time_s, uint32_t state);
   /// After the last row: the water along the flight.
   void field();
 
  private:
-  /// The columns of the instruments on board: of those that each vehicle has, or of the others.
+  /// The columns of the instruments on board: those that every vehicle has, or the others.
   void addInstruments(const platforms::Platform& platform, const Scenario& scenario,
                       bool of_each_vehicle);
 

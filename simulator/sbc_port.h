@@ -26,7 +26,7 @@ class SbcPort {
 
   /// "in-process", "host", "ts7800", "ts5500".
   [[nodiscard]] virtual std::string way() const = 0;
-  /// Hands over bytes that have arrived at the SBC by virtual time `now_s`.
+  /// Passes on bytes that have arrived at the SBC by virtual time `now_s`.
   virtual void deliver(std::span<const uint8_t> bytes, double now_s) = 0;
   /// Lockstep: waits until the SBC has ended its answers to all whole frames delivered so far (each
   /// ends with a Done message), or is gone, or has not answered for ten seconds of real time;
@@ -37,13 +37,13 @@ class SbcPort {
   /// A program that has ended by itself counts as alive until it owes an answer.
   [[nodiscard]] virtual bool alive() const = 0;
   /// True when its own clock is the time of deliver(): it is then called in every step of the
-  /// flight, also with no bytes, and its time-outs run. A program's clock is its own, and hears
-  /// only of frames.
+  /// flight, also with no bytes, and its time-outs run. A separate program has its own clock, and
+  /// only receives frames.
   [[nodiscard]] virtual bool keepsTime() const { return false; }
-  /// Its serial port is pulled out, or put in again. Only of one that keeps time.
+  /// Its serial port is unplugged or plugged in again. Only for a port that keeps time.
   virtual void plug(bool /*in*/) {}
-  /// Its storage card damages what is kept there; `seed` says where. An SBC elsewhere has a card
-  /// out of reach.
+  /// Damages the data on its storage card; `seed` determines where. The card of an external SBC
+  /// cannot be reached.
   virtual void damageCard(const CardFault& /*fault*/, uint64_t /*seed*/) {}
   /// Why it is not alive, for the trace: "killed", "exited with status 1", "hung"; empty while it
   /// is.

@@ -22,7 +22,7 @@ constexpr int64_t kProgressCycles = 25;
 constexpr double kAfloat = 1;  // m
 static_assert(kStepsPerSecond * Vehicle::kStep == 1, "the vehicle's step divides a second");
 
-/// Gives the sensors that faults name their numbers.
+/// Sets the numbers of the sensors that faults name.
 support::Result<void> numberSensors(const platforms::Platform& platform, Faults& faults) {
   for (SensorFault& fault : faults.sensors) {
     const platforms::PlatformSensor* sensor = platform.find(fault.name);
@@ -34,7 +34,7 @@ support::Result<void> numberSensors(const platforms::Platform& platform, Faults&
   return {};
 }
 
-/// Gives events while the SBC was in control its mission time, from the rows around them.
+/// Adds the mission time to events while the SBC was in control, from the rows around them.
 void stampMissionTimes(support::Trace& trace) {
   const int time = trace.column("time"), mission_time = trace.column("missiontime");
   size_t row = 0;
@@ -48,7 +48,7 @@ void stampMissionTimes(support::Trace& trace) {
   }
 }
 
-/// All that flies, for one flight.
+/// All parts of one simulated flight.
 class Simulation {
  public:
   explicit Simulation(SimulationSetup setup)
@@ -142,7 +142,8 @@ class Simulation {
       setup_.progress({now, duration_s_, vehicle_.depth(),
                        story_.flying() ? story_.stateName(story_.state()) : ""});
     }
-    // Whatever the depth sensor said: a flight is over when the vehicle is up.
+    // By the true depth, not that of the sensor: a flight is over when the vehicle is at the
+    // surface.
     const bool over = !flight_.end().empty() && vehicle_.depth() < kAfloat;
     if (over) {
       journal_.add(now, "log", flight_.end());
@@ -168,7 +169,7 @@ class Simulation {
             flight_.hookbehOverridden()};
   }
 
-  /// True while the flight controller starts again: what arrives meanwhile is lost.
+  /// True while the flight controller restarts: what arrives meanwhile is lost.
   bool isFlightDown(double now) {
     const FlightRestart* down = nullptr;
     for (const FlightRestart& restart : faults().flight) {
@@ -184,7 +185,8 @@ class Simulation {
     return down != nullptr;
   }
 
-  /// Devices of the flight controller fail, and the science computer starts again, at their times.
+  /// Makes devices of the flight controller fail, and the science computer restart, at the times of
+  /// the faults.
   void failDevices(double now) {
     const auto is_due = [&](double at_s) { return now >= at_s && now < at_s + Vehicle::kStep; };
     if (std::ranges::any_of(faults().aborts, is_due)) {
@@ -234,7 +236,7 @@ class Simulation {
   }
 
   SimulationSetup setup_;
-  bool real_time_;  ///< the SBC has a clock of its own, and its time-outs count
+  bool real_time_;  ///< the SBC has its own clock, and its time-outs run
   uint64_t seed_;
   double duration_s_;
   support::Trace trace_;

@@ -17,12 +17,12 @@
 #include <string>
 #include <vector>
 
-/// The shoe-box simulator: a vehicle in an ocean, its flight controller with a skeleton mission,
-/// its science computer with hookprog, and both serial lines, in virtual time. Needs: platforms,
-/// hooks, slocum/mission_files.
+/// The glider simulator: a vehicle in an ocean, its flight controller with a skeleton mission, its
+/// science computer with hookprog, and both serial lines, in virtual time. Needs: platforms, hooks,
+/// slocum/mission_files.
 namespace glider::simulator {
 
-/// How far a flight is.
+/// The progress of a flight.
 struct Progress {
   double time_s = 0;
   double duration_s = 0;  ///< at most
@@ -38,8 +38,8 @@ struct SimulationSetup {
   std::string mission_name;              ///< for the trace
   std::vector<std::string> state_names;  ///< of the SBC's mission, by number
   GuardResolver explain;                 ///< texts for transitions; may be empty
-  std::optional<uint64_t> seed;          ///< instead of the scenario's
-  std::optional<double> duration_s;      ///< instead of the scenario's
+  std::optional<uint64_t> seed;          ///< replaces the scenario's
+  std::optional<double> duration_s;      ///< replaces the scenario's
   std::optional<double> kill_sbc_at_s;   ///< vehicle time at which the SBC loses its power
   FlightObserver* observer = nullptr;    ///< may be null
   std::function<void(const Progress&)>
@@ -49,18 +49,18 @@ struct SimulationSetup {
 /// A sensor of the platform that the vehicle of a scenario does not carry.
 struct NotCarried {
   std::string name;     ///< as the platform's
-  std::string setting;  ///< what in the scenario's file gives it one
+  std::string setting;  ///< the setting in the scenario file that adds it
 };
 std::vector<NotCarried> sensorsNotCarried(const Scenario& scenario);
 
-/// Whether the simulator can fly a vehicle. GL5121 when the platform lacks a sensor that the
+/// Checks whether the simulator can fly a vehicle. GL5121 when the platform lacks a sensor that the
 /// simulated flight controller needs, GL5001 when it lacks one that the hooks need, and when no
 /// model moves it.
 support::Result<void> checkPlatform(const platforms::Platform& platform);
 
 /// Flies the mission until it has ended, or is aborted and at the surface, or the time is over. The
-/// trace has a row a control cycle; the same setup gives the same rows, byte for byte. As
-/// checkPlatform; also GL5121 when a fault names a sensor that the platform lacks.
+/// trace has one row per control cycle; the same setup gives the same rows, byte for byte. Fails as
+/// checkPlatform does, and with GL5121 when a fault names a sensor that the platform lacks.
 support::Result<support::Trace> simulate(SimulationSetup setup);
 
 }  // namespace glider::simulator

@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <cstdlib>
 
-/// Aborts with the place and `message` when `condition` is false: for our own bugs only, never for
-/// a pilot's mistake (a diagnostic) or the world's failure (a Result).
+/// Aborts with the location and `message` when `condition` is false: for our own bugs only, never
+/// for a pilot's error (a diagnostic) or an I/O or system error (a Result).
 #define CHECK(condition, message)                                                              \
   do {                                                                                         \
     if (!(condition)) {                                                                        \

@@ -8,7 +8,7 @@
 
 namespace glider::support {
 
-/// `text` as a quoted field of comma-separated values: in quotes, each quote in it twice.
+/// `text` as a quoted field of comma-separated values: in quotes, with each quote in it doubled.
 std::string csvQuoted(std::string_view text);
 
 }  // namespace glider::support

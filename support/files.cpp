@@ -54,8 +54,9 @@ bool writeAll(int fd, std::string_view content) {
   return true;
 }
 
-/// The names of open descriptors and of devices: what stands behind them must be written to, also
-/// when it is a regular file, for it is somebody's standard output.
+/// True for the names of open descriptors and of devices. The file that they refer to must be
+/// written to directly, even if it is a regular file, because it is the standard output of some
+/// program.
 bool isDescriptorName(const std::filesystem::path& path) {
   std::error_code error;
   const auto folder = std::filesystem::canonical(path.parent_path(), error);
@@ -69,14 +70,14 @@ bool isSpecialFile(const std::filesystem::path& path) {
 }
 
 /// Where the symbolic links that `path` itself may be lead to: a rename would replace the link. A
-/// descriptor's name is no link to follow; one that leads nowhere yet is followed all the same.
+/// descriptor's name is not followed; a link to a file that does not exist yet is.
 std::filesystem::path followLinks(std::filesystem::path path) {
   constexpr int kMostLinks = 40;  // as many as Linux follows
   std::error_code error;
   for (int i = 0; i < kMostLinks && !isDescriptorName(path); ++i) {
     const auto target = std::filesystem::read_symlink(path, error);
     if (error) {
-      break;  // no link: the end
+      break;  // not a link: the end
     }
     path = path.parent_path() / target;  // an absolute target replaces it all
   }
@@ -84,7 +85,7 @@ std::filesystem::path followLinks(std::filesystem::path path) {
 }
 
 Result<void> writeSpecial(const std::filesystem::path& path, std::string_view content) {
-  // Appended: a regular file behind the name may hold what was written there before.
+  // Appends: a regular file behind the name may contain earlier output.
   Descriptor file(::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
   if (file.get() < 0 || !writeAll(file.get(), content) || file.close() != 0) {
     return fail(DiagnosticId::cannotWrite, path.string(), std::strerror(errno));

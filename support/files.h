@@ -17,16 +17,16 @@ namespace glider::support {
 /// an I/O error).
 Result<std::string> readFile(const std::filesystem::path& path);
 
-/// What is written, and so how: a product can be made again, so it does not wait for the disk, and
-/// a power cut may lose it.
+/// What is written, which decides how: a product can be rebuilt, so writing it does not wait for
+/// the disk, and a power cut may lose it.
 enum class FileKind : uint8_t { Document, Product, ExecutableProduct };
 
-/// True if a file can be put at `path` by a rename; false for what must be written to as it stands:
-/// a device, a pipe, the name of an open descriptor (/dev/stdout, /dev/fd/3).
+/// True if a file can be put at `path` by a rename; false for what must be written to directly: a
+/// device, a pipe, the name of an open descriptor (/dev/stdout, /dev/fd/3).
 bool isReplaceable(const std::filesystem::path& path);
 
-/// A file's new content, whole, in a temporary file beside it: for several files that are to appear
-/// together. Unless published it is gone at the end of the scope.
+/// A file's new content, whole, in a temporary file beside it: for several files that must appear
+/// together. Unless published, it is deleted at the end of the scope.
 class StagedFile {
  public:
   /// Writes `content` to the temporary file, and to the disk if it is a document. Symbolic links

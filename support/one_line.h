@@ -8,7 +8,7 @@
 
 namespace glider::support {
 
-/// `text` on one line, every stretch of white space one blank.
+/// `text` on one line, with each run of white space as one space.
 std::string onOneLine(std::string_view text);
 
 }  // namespace glider::support

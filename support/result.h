@@ -13,14 +13,15 @@
 
 namespace glider::support {
 
-/// The world failed: a file, a port, a tool. `id` is a row of the catalogue (mostly GL9xxx).
+/// An I/O or system error: of a file, a port, a tool. `id` is a row of the catalogue (mostly
+/// GL9xxx).
 struct Failure {
   DiagnosticId id;
   std::string message;
   std::string hint;
 };
 
-/// What a function that meets the world returns.
+/// The result of a function that uses files, ports or tools.
 template <typename T>
 using Result = std::expected<T, Failure>;
 

@@ -10,7 +10,7 @@
 
 namespace glider::support {
 
-/// A stretch of a source file in bytes, [begin, end). The default range is "nowhere".
+/// A range of a source file in bytes, [begin, end). The default range is "nowhere".
 struct SourceRange {
   static constexpr uint32_t kNoFile = UINT32_MAX;
   uint32_t file = kNoFile;

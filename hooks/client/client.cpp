@@ -25,7 +25,8 @@ ClientEvent Client::poll(const GliderByteStream& stream, const GliderClock& cloc
   if (result == FrameReader::Result::Frame) {
     const ClientEvent event = handle(reader_.frame(), stream);
     if (!heard_ || event == ClientEvent::Tick) {
-      // Only ticks bring mission time: it must not stand still while Beacons come.
+      // Only ticks advance mission time. Beacons must not restart this time-out, or mission time
+      // would stop while they arrive.
       last_tick_s_ = now;
     }
     heard_ = true;
@@ -34,8 +35,8 @@ ClientEvent Client::poll(const GliderByteStream& stream, const GliderClock& cloc
   if (result == FrameReader::Result::Closed) {
     return ClientEvent::Closed;
   }
-  // Before the first frame there is no mission time to go on with, and nobody has said yet whether
-  // time is virtual.
+  // Before the first frame there is no mission time to continue from, and it is not yet known
+  // whether time is virtual.
   if (heard_ && !virtual_time_ && now - last_tick_s_ >= kSilenceSecs) {
     last_tick_s_ = now;
     return ClientEvent::SilentLink;
@@ -61,7 +62,7 @@ ClientEvent Client::handle(const Frame& frame, const GliderByteStream& stream) {
     case MessageType::Note:
     case MessageType::Sensors:
     case MessageType::Log:
-      break;  // not meant for us: an echo of our own words, perhaps
+      break;  // not addressed to the SBC; perhaps an echo of its own frames
   }
   return ClientEvent::Handled;
 }
@@ -77,7 +78,7 @@ ClientEvent Client::handleBeacon(const Frame& frame, const GliderByteStream& str
       refusal_ = Refusal{};
       virtual_time_ = beacon.virtual_time;
     }
-    askForLink();  // also when refusing: the vehicle's log is to say why there is no link
+    askForLink();  // also after a refusal, so that the vehicle's log shows why there is no link
   }
   answer(stream);
   return event;
@@ -97,15 +98,16 @@ ClientEvent Client::handleWelcome(const Frame& frame, const GliderByteStream& st
     virtual_time_ = welcome.virtual_time;
     learnSession(welcome.newest_session);
     if (waiting_) {
-      queueInstruction();  // what was written before this link may have found none
+      queueInstruction();  // what was written before this link may not have been delivered
     }
   }
   answer(stream);
   return ClientEvent::Handled;
 }
 
-/// The vehicle has our link, so version and dictionary are its own. It may have been a damaged
-/// frame that passed for a stranger's Beacon, for which CRC-16 is all there is.
+/// The vehicle has accepted our link, so its version and dictionary match ours. An earlier refusal
+/// may have come from a damaged frame that passed as a Beacon of another version: Beacons are
+/// protected by a CRC-16 only.
 void Client::takeLink() {
   refusal_ = Refusal{};
   linked_ = true;
@@ -120,8 +122,8 @@ ClientEvent Client::handleTick(const Frame& frame, const GliderByteStream& strea
   }
   virtual_time_ = head.virtual_time;
   if (link_ == 0 || head.link != link_ || !isNewCycle(head.cycle)) {
-    // The vehicle talks to who was here before us. Or it has begun to count cycles again, or this
-    // is an earlier frame once more: in a new link that is told apart.
+    // The vehicle serves the link of an earlier program, or has restarted its cycle count, or this
+    // is a repeated earlier frame. A new link distinguishes these cases.
     askForLink();
     answer(stream);
     return ClientEvent::Handled;
@@ -152,8 +154,8 @@ void Client::takeTick(const TickHead& head) {
   tick_.reading_count = 0;
 }
 
-/// False when the vehicle serves another subscription, or believes that a value is known here which
-/// is not: it must be told the subscription anew.
+/// False when the vehicle serves a different subscription, or assumes that this side knows a value
+/// that it does not know: the subscription must then be sent again.
 bool Client::takeReadings(const Frame& frame, const TickHead& head) {
   TickReadings told;
   if (head.subscription != subscription_check_ ||
@@ -201,11 +203,11 @@ void Client::followInstruction() {
 void Client::lookForAnswer() {
   const bool shown = tick_.answered_sequence == sequence_;
   const bool old = tick_.answer == HookAnswer::OldSequence;
-  // A hookbeh that has just started takes the number that it finds for an old one.
+  // A hookbeh that has just started treats the number that it finds as an old one.
   const bool never = shown && (tick_.answer == HookAnswer::None || old);
   if (shown && old) {
-    // It has decided on a number that this program has not heard of. Among four numbers that are a
-    // quarter of the circle apart is one that is newer.
+    // It has decided on a number that this program does not know. Of four numbers that are a
+    // quarter of the number range apart, at least one is newer.
     sequence_ = static_cast<uint16_t>((sequence_ + UINT16_MAX / 4) % UINT16_MAX);
   }
   if (never) {
@@ -239,8 +241,8 @@ uint16_t Client::instruct(Instruction instruction) {
 }
 
 void Client::renumber() {
-  // Numbers of an earlier program that hookbeh has decided on, or that lie in the sensor array, are
-  // no further behind than that.
+  // `theirs` is at least as new as any number of an earlier program that hookbeh has decided on or
+  // that is in the sensor array.
   const uint16_t theirs = settled_ != 0 ? settled_ : tick_.answered_sequence;
   if (isNewerSequence(theirs, sequence_)) {
     sequence_ = theirs;
@@ -291,7 +293,7 @@ void Client::done(const MissionStatus& status, const GliderByteStream& stream) {
   answer(stream);
 }
 
-/// They come last before Done, and leave room for it and for the next answers.
+/// Notes come last before Done, and leave room for it and for the next answers.
 void Client::queueNotes() {
   constexpr uint32_t kReserve = 1024;
   for (uint32_t i = 0; i < note_count_ && out_.room() > kReserve; ++i) {
@@ -308,8 +310,8 @@ void Client::queue(Frame& frame) {
       frame);  // no room: the line has been stuck for many answers, and what matters is repeated
 }
 
-/// A number that the vehicle may still take is asked for again: on a line with more than a cycle of
-/// delay every answer would otherwise undo the one before.
+/// Requests the same link number again while the vehicle may still accept it. Otherwise, on a line
+/// with a delay of more than one cycle, each answer would cancel the previous one.
 void Client::askForLink() {
   if (link_ == 0) {
     link_ = next_session_;

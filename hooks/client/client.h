@@ -14,14 +14,14 @@
 
 #include <stdint.h>
 
-/// The SBC's side of the 115200 line. It only ever speaks in answer to a frame of the vehicle;
-/// every answer ends with a Done message, which is the heartbeat at sea and the lockstep in virtual
-/// time. No heap; one object a glider.
+/// The SBC's side of the 115200 line. It sends only in answer to a frame of the vehicle; every
+/// answer ends with a Done message, which is the heartbeat at sea and the lockstep in virtual time.
+/// No heap; one object per glider.
 namespace glider::hooks {
 
 using Reading = SensorValue;
 
-/// One control cycle of the vehicle as its frame tells it.
+/// One control cycle of the vehicle as its frame reports it.
 struct VehicleTick {
   double vehicle_time_s = 0;  ///< since the vehicle's own mission started
   uint32_t cycle = 0;
@@ -32,22 +32,22 @@ struct VehicleTick {
   uint32_t clock_s = 0;  ///< the vehicle's clock, s since 1970; 0: unknown
   /// The vehicle obeys this program: the session in control is that of its newest Take.
   bool obeys_us = false;
-  /// Number under which the newest instruction goes from now on, 0 before the first: another than
-  /// instruct() returned if the vehicle had taken that one for an old one.
+  /// Number under which the newest instruction is sent from now on, 0 before the first. It differs
+  /// from the one that instruct() returned if the vehicle treated that number as old.
   uint16_t instruction_sequence = 0;
   /// Ticks since hookbeh last answered while an instruction waits for its answer; 0: none waits.
   uint32_t unanswered_ticks = 0;
   uint32_t reading_count = 0;
-  /// Those that were reported in this cycle, with their values whether these changed or not; in the
-  /// subscription's order.
+  /// The sensors reported in this cycle with their values, changed or not, in the subscription's
+  /// order.
   Reading readings[kMostSubscriptions];
 };
 
 struct ClientOptions {
-  const char* mission_name = "";  ///< must live as long as the client; 47 bytes of it are told
-  /// First session number, 1…16777215; each new handshake counts up. A program that starts again
-  /// should go on where it was (its checkpoint, or the time): hookbeh refuses numbers that were
-  /// lost, and the client then works its way up.
+  const char* mission_name = "";  ///< must outlive the client; only 47 bytes of it are sent
+  /// First session number, 1…16777215; each new handshake counts up. A program that restarts should
+  /// continue its earlier count (from its checkpoint, or from the time): hookbeh refuses numbers
+  /// that were lost, and the client then counts up until one is accepted.
   uint32_t session = 1;
   const Subscription* sensors = nullptr;  ///< each at most once
   uint32_t sensor_count = 0;              ///< at most kMostSubscriptions
@@ -55,16 +55,16 @@ struct ClientOptions {
 
 enum class ClientEvent : uint8_t {
   Nothing,     ///< no complete frame is there
-  Handled,     ///< a frame was dealt with, and answered, inside the client (a Beacon, a Welcome)
+  Handled,     ///< the client processed and answered a frame itself (a Beacon, a Welcome)
   Tick,        ///< tick() is new: the caller must call done()
   SilentLink,  ///< no whole tick for 12 s of the SBC's own clock (never in virtual time): a tick of
                ///< the clock alone
-  Refused,  ///< another protocol version or sensor dictionary, told once for each that is met: see
-            ///< refusal()
-  Closed,   ///< the stream's other end is gone
+  Refused,     ///< another protocol version or sensor dictionary, reported once for each: see
+               ///< refusal()
+  Closed,      ///< the stream's other end is gone
 };
 
-/// Why there is no link: what the vehicle says it speaks.
+/// Why there is no link: the version and dictionary that the vehicle reported.
 struct Refusal {
   bool refused = false;
   uint8_t version = 0;
@@ -79,8 +79,8 @@ class Client {
   /// Reads what is there and handles at most one frame; never blocks.
   ClientEvent poll(const GliderByteStream& stream, const GliderClock& clock);
   [[nodiscard]] const VehicleTick& tick() const { return tick_; }
-  /// True when the vehicle said that its time is virtual: the SBC's clock then stands still between
-  /// frames.
+  /// True when the vehicle reported that its time is virtual: the SBC's clock then does not advance
+  /// between frames.
   [[nodiscard]] bool virtualTime() const { return virtual_time_; }
 
   [[nodiscard]] const Refusal& refusal() const { return refusal_; }
@@ -90,18 +90,19 @@ class Client {
   /// Adds to the answer of this tick, or of the next one when called between ticks. `instruction`:
   /// session, sequence and check are filled in by the client (Take opens a new session; a Steer of
   /// a session whose Take was never accepted goes as Take); its numbers are rounded to the sensor
-  /// array. Of several only the newest is sent; it is repeated until hookbeh answers it. Returns
-  /// its sequence number: answered when tick().answered_sequence equals it (see
+  /// array. If there are several, only the newest is sent; it is repeated until hookbeh answers it.
+  /// Returns its sequence number: answered when tick().answered_sequence equals it (see
   /// VehicleTick::instruction_sequence).
   uint16_t instruct(Instruction instruction);
-  /// Tells of a transition, with the answer of this tick; of more than kMostNotices in one answer
-  /// the rest is left out.
+  /// Reports a transition with the answer of this tick; notices beyond kMostNotices in one answer
+  /// are dropped.
   void notify(const TransitionNotice& notice);
-  /// Tells of a note, after all that matters more: one for which the line has no room is left out.
+  /// Sends a note after everything more important; a note for which the line has no room is
+  /// dropped.
   void tell(const MissionNote& note);
-  /// Goes on in `session`, whose newest instruction had the number `sequence`, as the program did
-  /// that this one replaces; 0: in none, and the next Take opens a newer one. The session is
-  /// claimed again with the next instruction.
+  /// Continues `session` of the program that this one replaces; its newest instruction had the
+  /// number `sequence`. 0: no session, and the next Take opens a newer one. The session is claimed
+  /// again with the next instruction.
   void resume(uint32_t session, uint16_t sequence);
   /// The session of the newest Take, 0 before the first.
   [[nodiscard]] uint32_t session() const { return session_; }
@@ -111,8 +112,9 @@ class Client {
   /// one.
   void done(const MissionStatus& status, const GliderByteStream& stream);
 
-  /// After so many ticks in which hookbeh answered nothing, while it should, this program does not
-  /// claim control any more: its answers are no heartbeat until hookbeh hears it again.
+  /// After this many ticks without an expected answer of hookbeh, this program no longer claims
+  /// control: its answers do not count as a heartbeat until hookbeh receives its instructions
+  /// again.
   static constexpr uint32_t kMostUnansweredTicks = 6;
   static constexpr uint32_t kMostNotices = 8;
   static constexpr uint32_t kMostNotes = 8;
@@ -127,7 +129,7 @@ class Client {
   ClientEvent handleTick(const Frame& frame, const GliderByteStream& stream);
   ClientEvent refuse(uint8_t version, uint32_t dictionary);
   void takeLink();
-  /// False for a cycle that this link has told already, or an earlier one.
+  /// False for a cycle that this link has reported already, or an earlier one.
   [[nodiscard]] bool isNewCycle(uint32_t cycle) const;
   void takeTick(const TickHead& head);
   bool takeReadings(const Frame& frame, const TickHead& head);
@@ -150,20 +152,20 @@ class Client {
   SendQueue out_;
   uint8_t out_sequence_ = 0;
 
-  bool heard_ = false;  // a moment to count silence from is set
+  bool heard_ = false;  // a start time for counting silence is set
   double last_tick_s_ = 0;
   bool linked_ = false;
   bool virtual_time_ = false;
   Refusal refusal_;
   uint32_t link_ = 0;         // 0: no Hello sent yet
-  bool link_used_ = false;    // the vehicle was seen to have it
+  bool link_used_ = false;    // the vehicle has used it in a frame
   bool cycle_known_ = false;  // a tick of it was taken: tick_.cycle
   uint32_t next_session_ = 1;
 
   Subscribe subscription_;
   uint16_t subscription_check_ = 0;
   bool resubscribe_ = false;
-  // The newest value of each subscribed sensor, as the vehicle believes it to be known here.
+  // The newest value of each subscribed sensor, as the vehicle assumes it to be known here.
   double held_[kMostSubscriptions] = {};
   bool holds_[kMostSubscriptions] = {};
 
@@ -178,9 +180,9 @@ class Client {
 
   Instruction pending_;
   bool waiting_ = false;  // hookbeh has not answered `pending_` yet
-  bool due_ = false;      // it is waited for, and goes with the next answer
+  bool due_ = false;      // its answer is awaited, and it is sent with the next answer
   uint32_t unanswered_ticks_ = 0;
-  uint16_t settled_ = 0;       // the newest number that hookbeh was seen to look at, 0 for none
+  uint16_t settled_ = 0;       // the newest number that hookbeh has reported as seen, 0 for none
   uint16_t last_settled_ = 0;  // in the tick before
   uint32_t session_ = 0;       // of the newest Take, 0 before the first
   bool claims_ = true;         // it is ours to keep alive

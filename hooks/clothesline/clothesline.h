@@ -21,14 +21,14 @@ class Clothesline {
   /// `dictionary` outlives this; both ends have the same.
   explicit Clothesline(const GliderDictionary& dictionary) : dictionary_(&dictionary) {}
   /// Queues `count` updates to go in order (a sequence sensor goes last); false, with nothing
-  /// queued, when there is no room for all or one of them is no sensor. Those of one call travel in
-  /// one frame if they fit one, so that they arrive together or not at all.
+  /// queued, when there is no room for all of them or one id is not a sensor. The updates of one
+  /// call go in one frame if they fit, so that they arrive together or not at all.
   bool send(const SensorUpdate* updates, uint32_t count);
-  /// Writes what the stream takes of the queue, reads what is there; fills `updates` with at most
-  /// `capacity` that came in whole, checked frames. Returns their number: call again while it
-  /// equals `capacity`.
+  /// Writes as much of the queue as the stream accepts, and reads what is available; fills
+  /// `updates` with at most `capacity` updates that arrived in complete, checked frames. Returns
+  /// their number: call again while it equals `capacity`.
   uint32_t poll(const GliderByteStream& stream, SensorUpdate* updates, uint32_t capacity);
-  /// Frames thrown away since the start, for logs.
+  /// Frames discarded since the start, for logs.
   [[nodiscard]] uint32_t badFrames() const { return reader_.badFrames() + malformed_; }
 
  private:

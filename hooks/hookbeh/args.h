@@ -9,8 +9,8 @@ namespace glider::hooks {
 struct HookbehArgs {
   double start_secs = 0;  ///< ready from this time of the vehicle's mission, s
   double greatest_depth_m =
-      30;  ///< deeper targets are refused; below it hookbeh climbs whatever the SBC says
-  double least_altitude_m = 5;  ///< closer to the bottom it climbs; negative: no altimeter wanted
+      30;  ///< deeper targets are refused; below it hookbeh climbs regardless of the SBC
+  double least_altitude_m = 5;  ///< closer to the bottom it climbs; negative: no altimeter is used
   double steepest_pitch_rad = 0.61;  ///< magnitude
   double shallowest_pitch_rad = 0.19;
   double silence_secs = 24;  ///< without a changed heartbeat for this long the SBC is lost

@@ -10,13 +10,13 @@ namespace {
 
 constexpr double kFullCircle = 6.283185307179586;
 
-/// `pitch` is how steep in the wanted direction: positive.
+/// `pitch` is the steepness in the commanded direction, positive.
 bool pitchFits(double pitch, const HookbehArgs& args) {
   return pitch >= asFloat32(args.shallowest_pitch_rad) &&
          pitch <= asFloat32(args.steepest_pitch_rad);
 }
 
-/// A position as ddmm.mmmm. Sixty minutes are let through: rounding makes them of 59.99999999.
+/// A position as ddmm.mmmm. Sixty minutes are accepted: rounding turns 59.99999999 into 60.
 bool isAngle(double ddmm, int most_degrees) {
   const double either_side = magnitude(ddmm);
   if (!(either_side <= most_degrees * 100.0)) {

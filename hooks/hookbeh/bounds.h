@@ -8,9 +8,9 @@
 
 namespace glider::hooks {
 
-/// Whether the b_args allow what `instruction` (a Take or a Steer) wants: Accepted, or why not.
-/// Only the numbers that its vertical and lateral use are looked at. The b_args count as the
-/// float32 that the sensor array would make of them, so that an instruction of exactly the greatest
+/// Checks whether the b_args allow `instruction` (a Take or a Steer): Accepted, or the reason for
+/// refusal. Only the numbers that its vertical and lateral parts use are checked. The b_args are
+/// rounded to float32 as in the sensor array, so that an instruction with exactly the greatest
 /// depth passes.
 HookAnswer checkBounds(const Instruction& instruction, const HookbehArgs& args);
 

@@ -7,14 +7,14 @@
 
 namespace glider::hooks {
 
-/// `x_hook_guard`: why hookbeh climbs whatever the SBC says.
+/// `x_hook_guard`: why hookbeh climbs against any instruction of the SBC.
 enum class HookGuard : uint8_t {
   None = 0,
   TooDeep = 1,
   NearBottom = 2,
-  DepthUnknown = 3,    ///< no reading, or one that no depth sensor gives
+  DepthUnknown = 3,    ///< no reading, or one outside the range of a depth sensor
   DepthJumps = 4,      ///< it moved faster than the vehicle can
-  DepthFrozen = 5,     ///< it stood still to the last bit while the vehicle was driven
+  DepthFrozen = 5,     ///< its bits did not change while the vehicle was driven
   DepthsDisagree = 6,  ///< the vehicle's own and the CTD's
   NoDepthGained = 7,   ///< pump in, and the vehicle does not sink
   NoHeightGained = 8,  ///< pump out, and the vehicle does not rise
@@ -22,14 +22,14 @@ enum class HookGuard : uint8_t {
 
 enum class HeadingMode : uint8_t { CentreFin, Heading, Waypoint };
 
-/// What a sub-behaviour wants of pitch and pump in one cycle.
+/// The pitch and pump that a sub-behaviour commands in one cycle.
 struct VerticalCommand {
   double pitch_rad = 0;  ///< nose up positive
   double pump_cc = 0;    ///< positive lifts
   const char* doing = "";
 };
 
-/// What it wants of the heading.
+/// The heading commanded in one cycle.
 struct LateralCommand {
   HeadingMode mode = HeadingMode::CentreFin;
   double heading_rad = 0;
@@ -37,12 +37,12 @@ struct LateralCommand {
   double longitude_ddmm = 0;
 };
 
-/// What the vehicle knows of itself in one cycle; NaN for unknown.
+/// What the vehicle knows about its own situation in one cycle; NaN for unknown.
 struct Surroundings {
   double depth_m = 0;
   double depth_rate_mps = 0;  ///< positive when sinking
   double altitude_m = 0;
-  double ctd_depth_m = 0;  ///< by the pressure of the CTD
+  double ctd_depth_m = 0;  ///< from the pressure of the CTD
   double latitude_ddmm = 0;
   double longitude_ddmm = 0;
 };

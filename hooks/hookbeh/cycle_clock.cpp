@@ -8,16 +8,16 @@
 namespace glider::hooks {
 namespace {
 
-/// What a control cycle takes: 4.0 to 4.5 s in real logs.
+/// Duration of a control cycle, s: 4.0 to 4.5 s in real logs.
 constexpr double kNominalSecs = 4.0;
-/// A step that one clock alone tells of is believed up to so many times the nominal.
+/// A step that only one clock reports is accepted up to this multiple of the nominal step.
 constexpr double kMostAlone = 2.0;
-/// s; more counts as this even where both clocks agree: what makes them both (the processor's
-/// clock) can be wrong too. So can one that is believed alone where cycles were missed.
+/// s; a longer step is cut to this, even if both clocks agree: their common source (the processor's
+/// clock) can be wrong too. So can a single clock that is accepted where cycles were missed.
 constexpr double kMostSecs = 20.0;
-/// s; two clocks that differ by less agree.
+/// s; two clocks agree if they differ by at most this.
 constexpr double kAgree = 1.0;
-/// More cycles than these are not missed: the number is false.
+/// A jump by more cycles than this does not mean missed cycles: the number is false.
 constexpr double kMostCycles = 5;
 
 /// False for a NaN.

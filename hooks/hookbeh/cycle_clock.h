@@ -5,17 +5,17 @@
 
 namespace glider::hooks {
 
-/// How long each control cycle took. Two clocks and the cycle number are held against each other,
-/// so that one false reading of any of them changes nothing.
+/// Measures how long each control cycle took. Two clocks and the cycle number are compared with
+/// each other, so that one false reading of any of them has no effect.
 class CycleClock {
  public:
   /// Takes in one cycle: m_present_secs_into_mission, m_present_time, m_cycle_number; NaN for
   /// unknown.
   void advance(double mission_s, double wall_s, double cycle);
-  /// Since the cycle before, s; above 0 and at most 20, whatever the clocks say: timers must run
-  /// out even where time stands still.
+  /// Time since the previous cycle, s; above 0 and at most 20 for any readings of the clocks:
+  /// timers must expire even if the clocks do not advance.
   [[nodiscard]] double step() const { return step_s_; }
-  /// The mission's time of this cycle follows on that of the cycle before.
+  /// True if the mission time of this cycle continues that of the previous cycle.
   [[nodiscard]] bool follows() const { return follows_; }
 
  private:

@@ -8,9 +8,10 @@
 namespace glider::hooks {
 namespace {
 
-/// m; what noise and waves may add to the way that the vehicle itself can make.
+/// m; what noise and waves may add to the vehicle's own vertical motion.
 constexpr double kReachM = 2.5;
-/// What a sensor says first holds for nothing before it has said so long what a vehicle can do, s.
+/// s; until a sensor has given readings that a vehicle can follow for this long, a jump also
+/// replaces the depth that later readings are compared with.
 constexpr double kSettlesSecs = 60;
 
 bool isDepth(double depth_m, const Hull& hull) {
@@ -28,7 +29,7 @@ void DepthSource::observe(double depth_m, double step_s) {
   same_s_ = depth_m == raw_m_ ? same_s_ + step_s : 0;
   raw_m_ = depth_m;
   const double moved = magnitude(depth_m - depth_m_);
-  // The first reading of all is compared with a NaN, and is good.
+  // The very first reading is compared with a NaN, and is good.
   if (moved > kReachM + hull_.vertical_rate_m_s * age_s_) {
     reading_ = Reading::Jumped;
     jumped_s_ += step_s;

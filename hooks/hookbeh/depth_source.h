@@ -7,25 +7,25 @@
 
 namespace glider::hooks {
 
-/// One sensor of the vehicle's depth, held against what a vehicle can do.
+/// One sensor of the vehicle's depth, checked against what a vehicle can do.
 class DepthSource {
  public:
   enum class Reading : unsigned char { Good, Missing, Jumped };
 
   explicit DepthSource(const Hull& hull) : hull_(hull) {}
 
-  /// Takes in one cycle, `step_s` after the one before. NaN: it gave nothing.
+  /// Takes in one cycle, `step_s` after the previous one. NaN: no reading.
   void observe(double depth_m, double step_s);
   [[nodiscard]] Reading reading() const { return reading_; }
   /// The newest good reading, m; NaN before the first.
   [[nodiscard]] double depth() const { return depth_m_; }
-  /// How old that is, s; NaN before the first.
+  /// The age of that reading, s; NaN before the first.
   [[nodiscard]] double age() const { return age_s_; }
-  /// For so long the readings have been the same to the last bit, s. Of a sensor in the sea
-  /// that is in motion no two are.
+  /// How long the readings have been identical to the last bit, s. No two readings of a sensor that
+  /// moves in the sea are.
   [[nodiscard]] double sameFor() const { return same_s_; }
-  /// For so long its readings have not followed on the good ones before, s. Good ones in between
-  /// take away half of their own time.
+  /// How long its readings have not continued the earlier good ones, s. Good readings in between
+  /// reduce this by half of their own duration.
   [[nodiscard]] double jumpedFor() const { return jumped_s_; }
 
  private:

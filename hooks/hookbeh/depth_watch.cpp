@@ -10,22 +10,23 @@ namespace {
 
 /// m; in real logs m_depth and the CTD's depth differ by 2.1 m at most, lag included.
 constexpr double kAgreeM = 5;
-/// s; for so long they must disagree, or a jump last, before it counts.
+/// s; a disagreement or a jump must last this long before it counts.
 constexpr double kPersistsSecs = 10;
-/// s; a CTD that was not heard of for longer is not there.
+/// s; a CTD without a reading for longer counts as absent.
 constexpr double kCtdLastsSecs = 20;
-/// s and m; a sensor that stands still for so long while the other moves so far is frozen.
+/// s and m; a sensor is frozen if it does not change for this long while the other moves this far.
 constexpr double kFrozenSecs = 16;
 constexpr double kMovesM = 3;
-/// s; so long in hover, where the vehicle may hardly move.
+/// s; the same in hover, where the vehicle may hardly move.
 constexpr double kFrozenHoverSecs = 60;
-/// cc; with less the pump only trims.
+/// cc; with less, the pump only trims the vehicle.
 constexpr double kDrivesCc = 100;
-/// m; shallower, m_depth may be clipped: it is never negative.
+/// m; above this depth m_depth may be clipped: it is never negative.
 constexpr double kClippedM = 1;
-/// m; the CTD moves by less in a vehicle that hangs still.
+/// m; the CTD's depth changes by less in a vehicle that does not move.
 constexpr double kStillM = 0.5;
-/// After so many seconds without a doubt the depth is believed again, m: at the surface.
+/// After this many seconds without a doubt the depth is believed again. Below, in m: the depth at
+/// the surface.
 constexpr double kQuietSecs = 60;
 constexpr double kSurfacedM = 3;
 constexpr double kClimbedSecs = 120;
@@ -50,7 +51,7 @@ void DepthWatch::observe(const Surroundings& now, double step_s, double pump_cc)
   settle(now, step_s, pump_cc);
 }
 
-/// It gives readings, and they move when the vehicle does.
+/// True if it gives readings, and they change when the vehicle moves.
 bool DepthWatch::ctdLives() const {
   return ctd_.age() <= kCtdLastsSecs && !ctd_jumped_ && !ctd_frozen_;
 }
@@ -70,7 +71,7 @@ void DepthWatch::watchCtd(double step_s) {
     agree_s_ = 0;
     return;
   }
-  if (ctd_.age() == 0) {  // one that is not new says nothing of where the vehicle is now
+  if (ctd_.age() == 0) {  // an old reading does not show where the vehicle is now
     differs_ = !near;
   }
   agree_s_ = differs_ ? 0 : agree_s_ + step_s;
@@ -82,14 +83,14 @@ void DepthWatch::watchFrozen(double pump_cc) {
   const bool driven = pump_cc >= kDrivesCc || pump_cc <= -kDrivesCc;
   const double patience = driven ? kFrozenSecs : kFrozenHoverSecs;
   const bool same = isFinite(pump_cc) && own_.sameFor() >= patience && own_.depth() > kClippedM;
-  // The vehicle itself hangs still, as another sensor sees that lives.
+  // The vehicle itself does not move, as another working sensor shows.
   const bool hangs = ctdLives() && ctd_.sameFor() < kFrozenSecs &&
                      magnitude(ctd_.depth() - ctd_at_own_change_m_) < kStillM;
   frozen_ = (frozen_ && own_.sameFor() > 0) || (same && !hangs);
 }
 
 HookGuard DepthWatch::worst() const {
-  // The last word is a reading of this cycle: a CTD that falls silent has none.
+  // A disagreement counts only with a CTD reading of this cycle: a CTD that falls silent has none.
   const bool disagree = ctd_known_ && disagree_s_ >= kPersistsSecs && ctd_.age() == 0;
   return own_.jumpedFor() >= kPersistsSecs ? HookGuard::DepthJumps
          : frozen_                         ? HookGuard::DepthFrozen
@@ -97,7 +98,7 @@ HookGuard DepthWatch::worst() const {
                                            : HookGuard::None;
 }
 
-/// Nothing is wrong in this cycle that can be seen.
+/// True if no fault is detectable in this cycle.
 bool DepthWatch::isQuiet() const {
   const bool lives = own_.sameFor() < kFrozenSecs || own_.depth() <= kClippedM;
   return own_.reading() == DepthSource::Reading::Good && lives && disagree_s_ == 0;
@@ -110,7 +111,7 @@ void DepthWatch::watchLife(double step_s) {
 
 void DepthWatch::settle(const Surroundings& now, double step_s, double pump_cc) {
   if (const HookGuard found = worst(); found != HookGuard::None) {
-    // One that has jumped is not believed again for less.
+    // A depth that has jumped stays marked so: a lesser doubt must not make it believed sooner.
     blind_ = blind_ == HookGuard::DepthJumps ? blind_ : found;
     quiet_s_ = 0;
     climbed_s_ = 0;
@@ -119,8 +120,8 @@ void DepthWatch::settle(const Surroundings& now, double step_s, double pump_cc) 
   quiet_s_ = isQuiet() ? quiet_s_ + step_s : 0;
   climbed_s_ += pump_cc > 0 ? step_s : 0;
   const bool surfaced = now.depth_m <= kSurfacedM && climbed_s_ >= kClimbedSecs;
-  // Two that agree are believed, one that was frozen only where its reading is known to be right:
-  // at the surface. One that has jumped may be wrong there too.
+  // Two sensors that agree are believed. One that was frozen is believed only where its reading is
+  // known to be right: at the surface. One that has jumped may be wrong there too.
   const bool two = agree_s_ >= kQuietSecs && blind_ != HookGuard::DepthsDisagree;
   const bool one = surfaced && blind_ != HookGuard::DepthJumps;
   if (quiet_s_ >= kQuietSecs && (two || one)) {

@@ -9,28 +9,29 @@
 
 namespace glider::hooks {
 
-/// Whether the vehicle's depth can be believed. Holds the depth sensor against itself, against
-/// what the vehicle was told to do, and against the CTD where there is one.
+/// Decides whether the vehicle's depth can be believed. Compares the depth sensor with its own
+/// earlier readings, with what the vehicle was commanded to do, and with the CTD if there is one.
 class DepthWatch {
  public:
   explicit DepthWatch(const Hull& hull) : own_(hull), ctd_(hull) {}
-  /// Takes in one cycle, `step_s` after the one before, in which the pump was commanded to
-  /// `pump_cc` by hookbeh; NaN where it commanded nothing. To be called in every cycle.
+  /// Takes in one cycle, `step_s` after the previous one, in which the pump was commanded to
+  /// `pump_cc` by hookbeh; NaN if it commanded nothing. Must be called in every cycle.
   void observe(const Surroundings& now, double step_s, double pump_cc);
 
   /// Why the depth cannot be believed in this cycle; None if it can.
   [[nodiscard]] HookGuard doubt() const;
   /// The vehicle's own depth, m; NaN while it cannot be believed.
   [[nodiscard]] double depth() const;
-  /// The deeper of the vehicle's own and the CTD's, for limits; NaN where doubt() says Unknown.
+  /// The deeper of the vehicle's own depth and the CTD's, for limits, m; NaN before the vehicle's
+  /// own first good reading.
   [[nodiscard]] double deepest() const;
-  /// A new reading of the CTD, which moves, says the same in this cycle.
+  /// True if a new reading of the CTD, which changes, agrees in this cycle.
   [[nodiscard]] bool isSeenByAnother() const;
-  /// The CTD's depth, where it is new in this cycle, m; else NaN.
+  /// The CTD's depth if it is new in this cycle, m; else NaN.
   [[nodiscard]] double ctdDepth() const;
-  /// The CTD works, though it has never agreed.
+  /// Records that the CTD works, though it has never agreed.
   void believeCtd() { ctd_known_ = true; }
-  /// For so long the readings have not been the same to the last bit, or the CTD's has agreed, s.
+  /// How long the vehicle's own sensor has worked, s: its readings changed, or the CTD's agreed.
   [[nodiscard]] double aliveFor() const { return alive_s_; }
 
  private:
@@ -43,22 +44,22 @@ class DepthWatch {
   [[nodiscard]] HookGuard worst() const;
 
   DepthSource own_;
-  RecentDepths own_lately_;  // what the CTD says may be some seconds old
+  RecentDepths own_lately_;  // a reading of the CTD may be some seconds old
   DepthSource ctd_;
-  bool ctd_is_new_ = false;                         // it differs from the one before
+  bool ctd_is_new_ = false;                         // it differs from the previous one
   bool ctd_jumped_ = false;                         // and has not agreed since
   bool ctd_frozen_ = false;                         // until it moves
-  bool differs_ = false;                            // the two, when they were last compared
+  bool differs_ = false;                            // the two differed when last compared
   double own_at_ctd_change_m_ = __builtin_nan("");  // own depth when the CTD's last changed
-  double ctd_at_own_change_m_ = __builtin_nan("");  // the CTD's depth when the own last changed
+  double ctd_at_own_change_m_ = __builtin_nan("");  // CTD's depth when the own last changed
   bool ctd_known_ = false;  // it has agreed once: the vehicle carries one that works
-  double agree_s_ = 0;      // for so long the two agree
+  double agree_s_ = 0;      // how long the two have agreed, s
   double disagree_s_ = 0;
   double alive_s_ = 0;
   bool frozen_ = false;
-  HookGuard blind_ = HookGuard::None;  // since then the depth is not believed
-  double quiet_s_ = 0;                 // while blind: for so long nothing was wrong
-  double climbed_s_ = 0;               // while blind: for so long the pump was out
+  HookGuard blind_ = HookGuard::None;  // why the depth is not believed; None: it is
+  double quiet_s_ = 0;                 // while blind: how long no fault was seen, s
+  double climbed_s_ = 0;               // while blind: how long the pump was out, s
 };
 
 }  // namespace glider::hooks

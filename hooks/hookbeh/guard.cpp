@@ -10,33 +10,35 @@ namespace glider::hooks {
 namespace {
 
 constexpr double kClearM = 1.0;
-/// So much of the depth where it came in, and at least so many metres, the guard climbs before it
-/// lets a dive that broke a limit be tried again: without that the pump would never rest.
+/// After a dive that broke a limit, the guard makes the vehicle climb by this share of the depth
+/// where it stepped in, and by at least this many metres, before the dive may be tried again.
+/// Without that the pump would never rest.
 constexpr double kRetryShare = 0.5;
 constexpr double kRetryM = 5.0;
 /// An echo of the bottom is forgotten after this long: the vehicle has moved on, and the echo may
 /// have been a fish.
 constexpr double kBottomLastsSecs = 600.0;
-/// s without a metre gained, as the vendor's dive_to and climb_to have them by default
+/// s without a metre gained: the defaults of the vendor's dive_to and climb_to
 /// (stop_when_hover_for, stop_when_stalled_for).
 constexpr double kHoverSecs = 180;
 constexpr double kStalledSecs = 240;
-/// m that the vehicle may sink unseen though it is at its greatest depth: less would end a dive
+/// m that the vehicle may sink unseen even at its greatest depth: a smaller value would end a dive
 /// that waves or a layer slow down. The slowest metre of a dive in real logs takes 16 s.
 constexpr double kLeastUnseenM = 6;
-/// m; a dive that may be so far past its target, and so far past what the depth last showed, ends.
+/// m; a dive ends if it may be this far past its target, and this far past the depth last shown.
 constexpr double kPastTargetM = 8;
 constexpr double kPastShownM = 10;
-/// m; so far before the depth has moved at all.
+/// m; the same before the depth has moved at all.
 constexpr double kMostUnseenAtFirstM = 20;
-/// Two sensors may be wrong: so much of the greatest depth past it in one dive, but so many metres
-/// at least, and at the steepest pitch.
+/// Two sensors may be wrong: how far one dive may lead past the greatest depth, as a share of it;
+/// below, the least such distance in metres, in the dive and at the steepest pitch.
 constexpr double kPastShare = 0.44;
 constexpr double kLeastInDiveM = 11;
 constexpr double kLeastSteeplyM = 18;
-/// m; here the vehicle is at the surface.
+/// m; at this depth or above, the vehicle is at the surface.
 constexpr double kAtSurfaceM = 1;
-/// s of climbing after a dive that gained no depth; then a living sensor is believed again.
+/// s of climbing after a dive that gained no depth, and s for which the sensor must have worked:
+/// then it is believed again.
 constexpr double kHomeSecs = 600;
 constexpr double kAliveSecs = 60;
 
@@ -74,7 +76,7 @@ void Guard::observe(const Surroundings& now, double step_s, const VerticalComman
   watch_.observe(now, step_s, last.pump_cc);
   depth_m_ = watch_.deepest();
   const bool known = watch_.doubt() == HookGuard::None;
-  if (known && !doubted_) {  // a reading that is left out now and then must not clear it
+  if (known && !doubted_) {  // an occasional missing reading must not clear it
     headway_.observe(way, watch_.depth(), step_s);
   }
   unseen_.observe(watch_.depth(), step_s, last);
@@ -82,7 +84,7 @@ void Guard::observe(const Surroundings& now, double step_s, const VerticalComman
   down_from_m_ = way == Way::Down ? atMost(deepest, down_from_m_) : deepest;
   by_ctd_.observe(watch_.ctdDepth(), step_s, last);
   if (by_ctd_.hasMoved() && !unseen_.hasMoved()) {
-    watch_.believeCtd();  // it lives, and the depth does not
+    watch_.believeCtd();  // the CTD works, and the depth sensor does not
   }
   if (watch_.isSeenByAnother()) {
     unseen_.confirm(watch_.depth());
@@ -96,8 +98,8 @@ void Guard::noteBottom(const Surroundings& now, double step_s) {
   if (bottom_age_s_ > kBottomLastsSecs) {
     bottom_known_ = false;
   }
-  // The sensor array keeps an old altitude when the altimeter hears nothing, so only a changed one
-  // is an echo. Between echoes the clearance follows from the depth, which also catches an
+  // The sensor array keeps an old altitude when the altimeter receives no echo, so only a changed
+  // altitude is an echo. Between echoes the clearance follows from the depth, which also catches an
   // altimeter that is stuck.
   const bool echo =
       now.altitude_m >= 0 && isFinite(now.altitude_m) && now.altitude_m != altitude_m_;
@@ -110,7 +112,7 @@ void Guard::noteBottom(const Surroundings& now, double step_s) {
 }
 
 void Guard::reset() {
-  // Who could not tell that it sinks cannot tell it for another SBC either.
+  // A vehicle that could not detect that it sinks cannot detect it for another SBC either.
   if (tripped_ != HookGuard::NoDepthGained) {
     tripped_ = HookGuard::None;
   }
@@ -128,7 +130,7 @@ HookGuard Guard::stall(const HookbehArgs& args, const Instruction& in_force) con
     return headway_.idleFor() >= kStalledSecs ? HookGuard::NoHeightGained : HookGuard::None;
   }
   const double most = mostUnseen(args, in_force);
-  // What it may have sunk before this dive is for a climb that checks the depth.
+  // What it may have sunk before this dive is left to a climb that checks the depth.
   const double own = atMost(most - unseen_.shown(), kPastShownM);
   const bool sinks = unseen_.deepest() >= most && !(unseen_.deepest() < down_from_m_ + own);
   const bool ends = headway_.idleFor() >= kHoverSecs || sinks || mayBeFarDown(args);
@@ -148,7 +150,8 @@ double Guard::mostUnseen(const HookbehArgs& args, const Instruction& in_force) c
   return most;
 }
 
-/// The dive itself may have led past all limits, whatever a second sensor says: both may be wrong.
+/// True if the dive itself may have led past all limits, even against a second sensor: both may be
+/// wrong.
 bool Guard::mayBeFarDown(const HookbehArgs& args) const {
   const double left = args.greatest_depth_m - unseen_.shown() + kPastShare * args.greatest_depth_m;
   return unseen_.sunkInDive() >= atLeast(left, kLeastInDiveM) ||
@@ -216,7 +219,7 @@ bool Guard::clearOfBottom(const HookbehArgs& args, double depth_m) const {
 bool Guard::mayGoOn(const HookbehArgs& args, const Instruction& in_force) const {
   const bool has_target =
       in_force.vertical != HookVertical::None && in_force.vertical != HookVertical::Surface;
-  // Also of an ascend: once the vehicle is above its target, hovering there leads down.
+  // This also holds for an ascend: once the vehicle is above its target, hovering there leads down.
   return !has_target || keepsLimits(args, in_force.depth_m + kClearM);
 }
 

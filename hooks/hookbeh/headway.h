@@ -10,7 +10,7 @@ namespace glider::hooks {
 /// Which way a sub-behaviour drives the vehicle.
 enum class Way : uint8_t { None, Down, Up };
 
-/// Whether the vehicle goes where it is driven.
+/// Checks whether the vehicle moves in the direction in which it is driven.
 class Headway {
  public:
   /// Takes in one cycle in which it was driven `way`.

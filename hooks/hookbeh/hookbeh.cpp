@@ -10,7 +10,7 @@
 namespace glider::hooks {
 namespace {
 
-/// 10 m of water are 1 bar, as the vehicle itself reckons.
+/// 10 m of water are 1 bar: the vehicle's own conversion.
 constexpr double kMetresPerBar = 10.0;
 /// cc; commands to the pump that differ by less are the same.
 constexpr double kPumpErrorCc = 30;
@@ -24,8 +24,7 @@ bool isWhole(double value, uint32_t lowest, uint32_t highest, uint32_t* whole) {
   return static_cast<double>(*whole) == value;
 }
 
-/// The instruction as it lies in the sensor array. False when no instruction of any SBC looks like
-/// that.
+/// Reads the instruction from the sensor array. False when it cannot be an instruction of any SBC.
 bool gather(const HookbehInputs& inputs, uint16_t sequence, Instruction* instruction) {
   uint32_t session = 0;
   uint32_t control = 0;
@@ -88,8 +87,9 @@ HookbehOutputs Hookbeh::cycle(const HookbehInputs& inputs) {
 void Hookbeh::watchHeartbeat(double heartbeat) {
   uint32_t beat = 0;
   const bool there = isWhole(heartbeat, 0, kMostSession, &beat);
-  // While somebody is in control only a newer one counts: an earlier one that comes again must not
-  // keep alive who is dead. Else it is the one to count from, however hookprog began.
+  // While an SBC is in control only a newer heartbeat counts: a repeated earlier one must not keep
+  // a dead session alive. Otherwise any heartbeat is the one to count from, whichever number
+  // hookprog began with.
   if (there && (state_ != HookState::Active || isNewerSession(beat, heartbeat_))) {
     heartbeat_ = beat;
     silence_s_ = 0;
@@ -114,8 +114,8 @@ void Hookbeh::readInstruction(const HookbehInputs& inputs) {
   const bool there = isWhole(inputs.sequence, 1, UINT16_MAX, &whole);
   const auto sequence = static_cast<uint16_t>(whole);
   if (!settled_known_) {
-    // What lies in the sensor array from an earlier mission was never meant for this one. Its
-    // number is told, so that the SBC does not happen to begin with it.
+    // What an earlier mission left in the sensor array was never meant for this one. Its number is
+    // reported, so that the SBC does not happen to begin with it.
     settled_known_ = true;
     settled_sequence_ = sequence;
     answered_sequence_ = sequence;
@@ -140,7 +140,7 @@ void Hookbeh::readInstruction(const HookbehInputs& inputs) {
     answer_ = HookAnswer::BadCheck;  // not settled: the missing part may still come
     garbled_s_ += clock_.step();
     if (!(garbled_s_ < args_.silence_secs)) {
-      letGo();  // it lives, but what it wants does not get here
+      letGo();  // the SBC is alive, but its instructions do not arrive intact
     }
     return;
   }
@@ -160,13 +160,14 @@ HookAnswer Hookbeh::decide(const Instruction& instruction) {
   if (state_ != HookState::Active && instruction.control == HookControl::Take) {
     return take(instruction);
   }
-  if (instruction.session != session_) {  // of nobody, 0, is no instruction
+  if (instruction.session != session_) {  // session 0 means no session: not an instruction
     return HookAnswer::WrongSession;
   }
   if (instruction.control == HookControl::GiveBack) {
     return giveBack();
   }
-  // A Take of the session in control is one whose answer the SBC has not seen: as good as a Steer.
+  // A Take of the session in control means that the SBC has not seen the answer to it: treat it as
+  // a Steer.
   const HookAnswer answer = checkBounds(instruction, args_);
   if (answer == HookAnswer::Accepted) {
     pilot_.follow(instruction);
@@ -195,7 +196,8 @@ HookAnswer Hookbeh::giveBack() {
   return HookAnswer::Accepted;
 }
 
-/// A behaviour above hookbeh has the pump: what hookbeh commanded says nothing of the vehicle.
+/// True if a behaviour above hookbeh controls the pump: then the vehicle's motion is not the result
+/// of hookbeh's commands.
 bool Hookbeh::isOverridden(const HookbehInputs& inputs) const {
   const double off_cc = inputs.commanded_pump_cc - last_.pump_cc;
   return off_cc > kPumpErrorCc || off_cc < -kPumpErrorCc;

@@ -18,7 +18,7 @@
 /// Portable: no heap, no libc.
 namespace glider::hooks {
 
-/// What hookbeh reads of the sensor array in one cycle; NaN for a value never set.
+/// What hookbeh reads from the sensor array in one cycle; NaN for a value never set.
 struct HookbehInputs {
   double time_s = 0;  ///< m_present_secs_into_mission
   double depth_m = 0;
@@ -31,15 +31,15 @@ struct HookbehInputs {
   double hook_depth_m = 0, hook_pitch_rad = 0, hook_heading_rad = 0;
   double hook_latitude_ddmm = 0, hook_longitude_ddmm = 0;
   double check = 0;
-  // What the others are held against; a vehicle may lack each of them.
+  // What the others are compared with; a vehicle may lack any of them.
   double wall_time_s = __builtin_nan("");   ///< m_present_time
   double cycle_number = __builtin_nan("");  ///< m_cycle_number
   double ctd_bar = __builtin_nan("");  ///< sci_water_pressure, NaN in a cycle without a new one
-  /// c_ballast_pumped: what all behaviours together commanded in the cycle before.
+  /// c_ballast_pumped: what all behaviours together commanded in the previous cycle.
   double commanded_pump_cc = __builtin_nan("");
 };
 
-/// What it commands and tells in one cycle. When `commanding`, heading, pitch and pump all are
+/// What it commands and reports in one cycle. When `commanding`, heading, pitch and pump are all
 /// commanded.
 struct HookbehOutputs {
   bool commanding = false;
@@ -53,15 +53,15 @@ struct HookbehOutputs {
   uint16_t answered_sequence = 0;
   HookAnswer answer = HookAnswer::None;
   uint32_t session = 0;
-  /// The sub-behaviour at work ("dive_to", "climb_to", "hover", "hold", "surface", "climb: too
+  /// The active sub-behaviour ("dive_to", "climb_to", "hover", "hold", "surface", "climb: too
   /// deep"…), for logs.
   const char* doing = "";
-  HookGuard guard = HookGuard::None;  ///< why it climbs by its own bounds, whatever the SBC says
+  HookGuard guard = HookGuard::None;  ///< why it climbs against any instruction of the SBC
 };
 
 class Hookbeh {
  public:
-  /// What `args` allow beyond the hull does not count.
+  /// `args` are narrowed to the limits of the hull.
   Hookbeh(const HookbehArgs& args, const Hull& hull);
   /// One control cycle.
   HookbehOutputs cycle(const HookbehInputs& inputs);
@@ -83,15 +83,15 @@ class Hookbeh {
   Guard guard_;
   Pilot pilot_;
   CycleClock clock_;
-  bool guarding_ = false;                       // in the cycle before
+  bool guarding_ = false;                       // in the previous cycle
   VerticalCommand last_{0, __builtin_nan("")};  // it commanded then; pump NaN: nothing
 
   uint32_t heartbeat_ = 0;  // the newest seen, 0 for none
-  double silence_s_ = 0;    // since it went on
-  double garbled_s_ = 0;    // since an instruction lies there that cannot be read
+  double silence_s_ = 0;    // since it last advanced
+  double garbled_s_ = 0;    // how long an instruction in the sensor array has been unreadable
 
   bool settled_known_ = false;
-  uint16_t settled_sequence_ = 0;  // its instruction was decided on: once
+  uint16_t settled_sequence_ = 0;  // its instruction was decided on, once only
   HookAnswer settled_answer_ = HookAnswer::None;
   uint16_t answered_sequence_ = 0;
   HookAnswer answer_ = HookAnswer::None;

@@ -8,11 +8,12 @@
 namespace glider::hooks {
 namespace {
 
-/// With less than this share of its pump out a vehicle may not climb out of dense water.
+/// With less than this share of its pump range, a vehicle may be unable to climb out of dense
+/// water.
 constexpr double kLeastClimbShare = 0.5;
-/// s; longer than this no SBC is waited for.
+/// s; the longest wait for an SBC.
 constexpr double kMostSilenceSecs = 3600;
-/// m; the altimeter hears nothing nearer.
+/// m; the altimeter receives no echo from nearer.
 constexpr double kLeastAltitudeM = 2;
 
 double orUsual(double value, double usual) {

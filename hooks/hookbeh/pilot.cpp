@@ -9,15 +9,16 @@ namespace glider::hooks {
 namespace {
 
 constexpr double kFullCircle = 6.283185307179586;
-/// Farther from its depth than this, hover gets there by diving or climbing.
+/// m; farther from its depth than this, hover dives or climbs to reach it.
 constexpr double kHoverReachM = 2.0;
-/// So far beyond the target of a dive nothing is held: a steep dive would go on for metres.
+/// m; this far beyond the target of a dive its commands are not held: a steep dive would continue
+/// for metres.
 constexpr double kHoldReachM = 1.0;
-/// Farther off than this, hover drives with all of its pump: 233 cc at 40 cc a metre.
+/// m; farther off than this, hover uses its full pump range: 233 cc at 40 cc a metre.
 constexpr double kHoverLostM = 6.0;
-/// Shallower than this, hovering means floating.
+/// m; shallower than this, hovering means floating.
 constexpr double kSurfaceM = 1.0;
-/// Shallower than this, waves may be all that moves a vehicle on its way up.
+/// m; shallower than this, a climbing vehicle may move only because of waves.
 constexpr double kNearSurfaceM = 3.0;
 
 }  // namespace
@@ -52,7 +53,7 @@ void Pilot::goBack(const Surroundings& now, const HookbehArgs& args) {
     return;
   }
   if (in_force_.vertical == way) {
-    stage_ = Stage::Choose;  // once more, as it was told to
+    stage_ = Stage::Choose;  // again, as it was commanded
   } else {
     approach(now, args);
   }
@@ -101,7 +102,8 @@ void Pilot::choose(const Surroundings& now, const HookbehArgs& args) {
   }
 }
 
-/// To within reach of the depth at which to hover. Who is there has arrived at once.
+/// Dives or climbs to within reach of the hover depth. A vehicle that is already there has arrived
+/// at once.
 void Pilot::approach(const Surroundings& now, const HookbehArgs& args) {
   const double target_m = in_force_.depth_m;
   if (now.depth_m < target_m) {
@@ -139,7 +141,7 @@ void Pilot::stopDive(const Surroundings& now) {
 
 void Pilot::arrive(const VerticalCommand& kept, const HookbehArgs& args) {
   const HookVertical way = stage_ == Stage::Dive ? HookVertical::Descend : HookVertical::Ascend;
-  if (in_force_.vertical != way || !(args.hold_secs > 0)) {  // an approach is no order to hold
+  if (in_force_.vertical != way || !(args.hold_secs > 0)) {  // an approach does not command a hold
     hoverOrSurface();
     return;
   }
@@ -176,7 +178,8 @@ LateralCommand Pilot::lateral(const Surroundings& now) const {
     const double heading = in_force_.heading_rad;
     return {HeadingMode::Heading, heading < 0 ? heading + kFullCircle : heading};
   }
-  // Who does not know where it is cannot steer to a place: straight on until it does.
+  // A vehicle that does not know its position cannot steer to a place: go straight ahead until it
+  // does.
   const bool knows_place = isFinite(now.latitude_ddmm) && isFinite(now.longitude_ddmm);
   if (in_force_.lateral == HookLateral::Waypoint && knows_place) {
     return {HeadingMode::Waypoint, 0, in_force_.latitude_ddmm, in_force_.longitude_ddmm};

@@ -19,15 +19,15 @@ class Pilot {
  public:
   /// A new session: nothing is in force but `instruction`.
   void begin(const Instruction& instruction);
-  /// A further instruction. Its vertical part, if it is none or equals the one in force, changes
-  /// nothing.
+  /// A further instruction. If its vertical part is None or equals the one in force, that part
+  /// changes nothing.
   void follow(const Instruction& instruction);
-  /// The guard, which climbed, has let go: from where the vehicle is now it goes back to a depth
-  /// that it had reached before. To be called before vertical().
+  /// The guard has stopped climbing: from its current depth the vehicle goes back to a depth that
+  /// it had reached before. Must be called before vertical().
   void goBack(const Surroundings& now, const HookbehArgs& args);
-  /// The commands for pitch and pump in this cycle, `step_s` after the one before.
+  /// The commands for pitch and pump in this cycle, `step_s` after the previous one.
   VerticalCommand vertical(const Surroundings& now, double step_s, const HookbehArgs& args);
-  /// Which way it drives the vehicle that is at `depth_m`. A hover does where it is farther off its
+  /// Which way it drives the vehicle at `depth_m`. A hover drives it if it is farther from its
   /// depth than its pump alone explains.
   [[nodiscard]] Way way(double depth_m) const;
   [[nodiscard]] LateralCommand lateral(const Surroundings& now) const;

@@ -7,13 +7,13 @@
 
 namespace glider::hooks {
 
-/// The depths of the last 20 s, to hold against them what another sensor says late.
+/// The depths of the last 20 s, for comparison with the delayed readings of another sensor.
 class RecentDepths {
  public:
-  /// Takes in one cycle, `step_s` after the one before. NaN: there was no depth.
+  /// Takes in one cycle, `step_s` after the previous one. NaN: there was no depth.
   void observe(double depth_m, double step_s);
-  /// How far `depth_m` is outside the depths of these seconds, m; 0 within them, NaN where there
-  /// is none.
+  /// How far `depth_m` is outside the depths of these seconds, m; 0 if within them, NaN if there
+  /// are none.
   [[nodiscard]] double distanceTo(double depth_m) const;
 
  private:

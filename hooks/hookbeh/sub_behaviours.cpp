@@ -19,7 +19,7 @@ constexpr double kPumpPerMetreASecond = 1000.0;
 VerticalCommand Hover::command(const Surroundings& now, const HookbehArgs& args) const {
   const double rate = isFinite(now.depth_rate_mps) ? now.depth_rate_mps : 0;
   const double wanted = kPumpPerMetre * (now.depth_m - target_m) + kPumpPerMetreASecond * rate;
-  // An unknown depth is the guard's case; the pump must not see a NaN for all that: it goes out.
+  // The guard handles an unknown depth. Even so, the pump must not receive a NaN: it goes out.
   const double pump = atLeast(atMost(wanted, args.climb_pump_cc), args.dive_pump_cc);
   return {0, pump, "hover"};
 }

@@ -30,14 +30,15 @@ struct ClimbTo {
   }
 };
 
-/// Keeps what was commanded while the SBC makes up its mind.
+/// Keeps the last commands until the SBC sends its next instruction.
 struct Hold {
   VerticalCommand kept;
   double left_s = 0;
   [[nodiscard]] VerticalCommand command() const { return {kept.pitch_rad, kept.pump_cc, "hold"}; }
 };
 
-/// Level, at a depth, by the pump: proportional to the error with damping by the rate of depth.
+/// Keeps a depth at level pitch by the pump: proportional to the depth error, damped by the depth
+/// rate.
 struct Hover {
   double target_m = 0;
   [[nodiscard]] VerticalCommand command(const Surroundings& now, const HookbehArgs& args) const;
@@ -48,12 +49,12 @@ struct SurfaceNow {
   [[nodiscard]] VerticalCommand command(const HookbehArgs& args) const;
 };
 
-/// What hookbeh climbs with by its own bounds: all of the hull's pump, whatever the b_args say of
-/// usual climbs.
+/// The command with which hookbeh climbs by its own limits: the hull's full pump range, regardless
+/// of the b_args for ordinary climbs.
 VerticalCommand climbNow(const char* doing, const HookbehArgs& args, const Hull& hull);
 
-/// The magnitude of pitch for what the SBC gives none for: 26 degrees, as in the vendor's yo,
-/// inside the b_args.
+/// The magnitude of pitch if the SBC gives none: 26 degrees, as in the vendor's yo, limited to the
+/// b_args.
 double usualPitch(const HookbehArgs& args);
 
 }  // namespace glider::hooks

@@ -8,32 +8,33 @@
 namespace glider::hooks {
 namespace {
 
-/// m; a depth that flickers and is not rough does not move so far.
+/// m; a depth that flickers without being rough moves less than this.
 constexpr double kMovesM = 2.5;
-/// m; a depth rougher than this shows nothing. Waves at the surface make it so, and sensors that
-/// are broken.
+/// m; a depth rougher than this shows nothing. Waves at the surface and broken sensors cause such
+/// roughness.
 constexpr double kRoughM = 0.6;
-constexpr double kRoughShare = 1.0 / 8;  // of the newest cycle
-/// m; what noise adds to the way of one cycle.
+constexpr double kRoughShare = 1.0 / 8;  // weight of the newest cycle
+/// m; what noise adds to the motion of one cycle.
 constexpr double kNoiseM = 0.5;
-/// s; a depth that has not been there for longer may be another one when it is there again.
+/// s; after a longer gap the depth may be a different one.
 constexpr double kGapSecs = 20;
-/// cc and rad; from these on the vehicle is driven up, and with these down.
+/// cc and rad; from kLiftsCc and kNoseRad on the vehicle is driven up, from kSinksCc or a pitch of
+/// -kNoseRad on it is driven down.
 constexpr double kLiftsCc = 150;
 constexpr double kSinksCc = -60;
 constexpr double kNoseRad = 0.1;
-/// s; so long the pump takes from one side to the other, and the vehicle to turn.
+/// s; the time that the pump takes from one end to the other and the vehicle takes to turn.
 constexpr double kTurnsSecs = 20;
-/// s; after so long driven up it may rise; driven down it still rises as long.
+/// s; a vehicle driven up may rise after this time, and one driven down may still rise for as long.
 constexpr double kLiftsSecs = 12;
-/// Flatter than this a vehicle sinks as at this pitch, rad.
+/// rad; at a flatter pitch the vehicle is assumed to sink as at this one.
 constexpr double kFlatRad = 0.3;
-/// The fastest vertical rate of the hull is what is usual: a heavy one sinks faster.
+/// The fastest vertical rate of the hull is the usual one: a heavy vehicle sinks faster.
 constexpr double kMargin = 1.1;
-/// m/s; a vehicle that is driven neither up nor down sinks no faster in water that it is not
+/// m/s; the fastest that a vehicle that is driven neither up nor down sinks in water that it is not
 /// trimmed for.
 constexpr double kAdriftMps = 0.1;
-/// m/s; a vehicle that is driven up climbs no slower.
+/// m/s; the slowest that a vehicle that is driven up climbs.
 constexpr double kClimbMps = 0.1;
 
 }  // namespace
@@ -76,7 +77,7 @@ void UnseenSink::reckon(double step_s, const VerticalCommand& last) {
   }
 }
 
-/// How smoothly the depth goes on.
+/// Measures how smoothly the depth changes.
 void UnseenSink::follow(double depth_m, double step_s) {
   const double moved = depth_m - last_m_;
   const bool goes_on = gap_s_ <= step_s;  // not the first, nor one after a gap
@@ -86,10 +87,10 @@ void UnseenSink::follow(double depth_m, double step_s) {
   moved_m_ = goes_on ? moved : 0;
 }
 
-/// Whether the depth has moved: down where the vehicle is driven down, up where it is driven up,
+/// Checks whether the depth has moved: down if the vehicle is driven down, up if it is driven up,
 /// else either way.
 void UnseenSink::seek(double depth_m) {
-  // A step that no vehicle makes, or a depth that was not there for long, begins anew.
+  // After a step that no vehicle can make, or a long gap in the depth, the search starts again.
   const bool steps = magnitude(depth_m - last_m_) > steepestRate() * gap_s_ + kNoiseM;
   if (!isFinite(shown_m_)) {
     shown_m_ = deepest_m_ = highest_m_ = lowest_m_ = depth_m;

@@ -8,28 +8,29 @@
 
 namespace glider::hooks {
 
-/// How deep the vehicle may be by what it was commanded since its depth last showed that it moves
-/// as commanded. Finds a depth that has stopped, flickers about one value, or comes only now and
-/// then: what it says in between does not count.
+/// Estimates how deep the vehicle may be, from what it was commanded since its depth last showed
+/// that it moves as commanded. Detects a depth that has stopped, flickers about one value, or
+/// arrives only now and then: such readings do not count.
 class UnseenSink {
  public:
   explicit UnseenSink(const Hull& hull) : hull_(hull) {}
-  /// Takes in one cycle, `step_s` after the one before, at whose begin the vehicle had been
-  /// commanded `last` (pump NaN: by another behaviour, or not as hookbeh commanded).
+  /// Takes in one cycle, `step_s` after the previous one, at the beginning of which the vehicle had
+  /// been commanded `last` (pump NaN: by another behaviour, or not as hookbeh commanded).
   /// `depth_m`: NaN while it is not believed.
   void observe(double depth_m, double step_s, const VerticalCommand& last);
-  /// Another sensor that lives says that the vehicle is at `depth_m`.
+  /// Another working sensor reports that the vehicle is at `depth_m`.
   void confirm(double depth_m);
-  /// The vehicle is no deeper than this, m; NaN before the first depth.
+  /// The vehicle is at most this deep, m; NaN before the first depth.
   [[nodiscard]] double deepest() const { return deepest_m_; }
-  /// The depth when it last showed that it moves, or the first of all, m.
+  /// The depth when it last showed that it moves, or the very first depth, m.
   [[nodiscard]] double shown() const { return shown_m_; }
   /// The depth has moved as commanded since hookbeh began.
   [[nodiscard]] bool hasMoved() const { return has_moved_; }
-  /// How far it may have sunk in the dive that it is in, m, whatever another sensor says: both may
-  /// be wrong.
+  /// How far it may have sunk in the current dive, m, without regard to another sensor: both may be
+  /// wrong.
   [[nodiscard]] double sunkInDive() const { return in_dive_m_; }
-  /// The same at the steepest pitch of all, as its pitch may be wrong; another sensor counts.
+  /// The same at the steepest possible pitch, because its pitch may be wrong; here another sensor
+  /// counts.
   [[nodiscard]] double sunkSteeply() const { return steeply_m_; }
 
  private:
@@ -47,15 +48,15 @@ class UnseenSink {
   bool has_moved_ = false;
   double in_dive_m_ = 0;
   double steeply_m_ = 0;
-  double highest_m_ = __builtin_nan("");  ///< of the depths since then
+  double highest_m_ = __builtin_nan("");  ///< the least of the depths since then
   double lowest_m_ = __builtin_nan("");   ///< the same
-  double out_s_ = 0;                      ///< for so long the vehicle has been driven up
+  double out_s_ = 0;                      ///< how long the vehicle has been driven up
   bool sinks_ = false;                    ///< it may be driven down
   double since_up_s_ = 0;                 ///< since it was driven up long enough to rise
-  double last_m_ = __builtin_nan("");     ///< the newest depth, and what it had moved by
+  double last_m_ = __builtin_nan("");     ///< the newest depth, and its last change
   double moved_m_ = __builtin_nan("");
   double gap_s_ = __builtin_nan("");  ///< since then
-  double roughness_m_ = 0;  ///< how much the depth changes from cycle to cycle beside its way
+  double roughness_m_ = 0;            ///< how much the depth's change varies from cycle to cycle
 };
 
 }  // namespace glider::hooks

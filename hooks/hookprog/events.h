@@ -9,26 +9,26 @@
 
 namespace glider::hooks {
 
-/// Things worth a line in the vehicle's log or the simulator's trace.
+/// Events for the vehicle's log or the simulator's trace.
 struct HookprogEvent {
   enum class Kind : uint8_t {
     None,
-    SbcHello,       ///< a link: a = its number; text = the mission's name
-    SbcLost,        ///< no answer for 12 s, or the line is closed, before its mission has finished:
-                    ///< a = the link's number
-    SbcStuck,       ///< it answers, but its mission time has stood still for 12 s while it is in
-                    ///< control: a = its session
+    SbcHello,  ///< a link: a = its number; text = the mission's name
+    SbcLost,   ///< no answer for 12 s, or the line closed, before its mission finished: a = the
+               ///< link's number
+    SbcStuck,  ///< it answers, but its mission time has not advanced for 12 s while it is in
+               ///< control: a = its session
     SbcUnanswered,  ///< hookbeh has not answered an instruction for 12 s: a = its sequence
     SbcTransition,  ///< a transition, b from, c to, d fired case, e its list
-    SbcNote,        ///< a word from the mission: a = its kind (GliderNoteKind); text
-    BadFrame,       ///< a = frames thrown away on both lines since the last such event
+    SbcNote,        ///< a note from the mission: a = its kind (GliderNoteKind); text
+    BadFrame,       ///< a = frames discarded on both lines since the last such event
     SbcRefused,  ///< speaks another protocol (a = its version) or has another sensor dictionary (b
                  ///< = its hash)
     RefusedWrite,    ///< the SBC tried to write sensor a, which is not the hook's; nothing of that
                      ///< frame was written
-    OldInstruction,  ///< hookbeh refuses an instruction that comes again: a = its sequence
-    StaleFrame,  ///< a = frames of the SBC and reports of the flight controller, in one run, that
-                 ///< tell of an earlier time than they have told already: passed over
+    OldInstruction,  ///< hookbeh refuses a repeated instruction: a = its sequence
+    StaleFrame,      ///< a = frames of the SBC and reports of the flight controller in one science
+                 ///< cycle that are ignored because their time is earlier than one reported before
   } kind = Kind::None;
   double mission_time_s =
       0;  ///< SbcTransition, SbcNote: the mission's own; else m_present_secs_into_mission
@@ -37,7 +37,7 @@ struct HookprogEvent {
   static_assert(kMostNameBytes <= kMostNoteBytes);
 };
 
-/// Those that wait to be taken. Newer ones that do not fit are left out, notes before others.
+/// Events that wait to be taken. Newer ones that do not fit are dropped, notes before others.
 class EventQueue {
  public:
   void push(const HookprogEvent& event);

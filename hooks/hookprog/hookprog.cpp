@@ -62,10 +62,10 @@ void Hookprog::run(double science_time_s, const ScienceSensors& own, const Glide
   countBadFrames();
 }
 
-/// The numbers begin elsewhere each time that the science computer starts: a first frame or
-/// heartbeat that equals the last one from before would be taken for that one.
+/// The numbers begin at a different value each time that the science computer starts. A first frame
+/// or heartbeat equal to the last one before the restart would be taken for a repetition of it.
 void Hookprog::begin() {
-  const double seconds = atMost(atLeast(now_s_, 0), UINT32_MAX);  // of the year 2106 at most
+  const double seconds = atMost(atLeast(now_s_, 0), UINT32_MAX);  // up to the year 2106
   const uint32_t whole = static_cast<uint32_t>(seconds) % kMostSession;
   out_sequence_ = static_cast<uint8_t>(whole);
   heartbeat_ = whole;
@@ -77,7 +77,7 @@ HookprogEvent Hookprog::nextEvent() {
 }
 
 void Hookprog::takeFlight(const GliderByteStream& flight) {
-  constexpr uint32_t kMostUpdates = 1024;  // more than the line brings in a second, 960 bytes
+  constexpr uint32_t kMostUpdates = 1024;  // more than the line transmits in a second, 960 bytes
   SensorUpdate update;
   for (uint32_t i = 0; i < kMostUpdates && clothesline_.poll(flight, &update, 1) == 1; ++i) {
     takeUpdate(update);
@@ -97,7 +97,7 @@ void Hookprog::takeUpdate(const SensorUpdate& update) {
 }
 
 void Hookprog::serveSbc(const GliderByteStream& sbc) {
-  // Bounded: an SBC that never stops talking must not keep the science computer from its
+  // Bounded: an SBC that never stops sending must not keep the science computer from its
   // instruments.
   for (int frames = 0; frames < 64; ++frames) {
     const FrameReader::Result result = reader_.next(sbc);
@@ -130,7 +130,7 @@ bool Hookprog::handleOfLink(const Frame& frame) {
       return take<Done, &Hookprog::handleDone>(frame);
     case MessageType::Write:
       return take<SensorList, &Hookprog::handleWrite>(frame);
-    case MessageType::Hello:  // of no link that stands
+    case MessageType::Hello:  // of no existing link
     case MessageType::Beacon:
     case MessageType::Welcome:
     case MessageType::Tick:
@@ -194,7 +194,8 @@ void Hookprog::handleWrite(const SensorList& list) {
   }
   newest_session_ = isNewerSession(session, newest_session_) ? session : newest_session_;
   if (sequence != nullptr) {
-    // hookbeh refuses one that comes again, and answers: that is for it to know.
+    // hookbeh refuses a repeated instruction and answers it; hookprog does not check for
+    // repetitions.
     ordered[count++] = *sequence;
     answers_.written(sequence->value, now_s_);
   }
@@ -232,7 +233,8 @@ void Hookprog::handleNote(const MissionNote& note) {
   events_.push(told);
 }
 
-/// A mission's time never goes back while it has the link: this was told before, and comes again.
+/// A mission's time never goes back while it has the link: an earlier time means a repeated
+/// message.
 bool Hookprog::isStale(double mission_time_s) {
   const bool stale = mission_time_s < told_s_;
   stale_ += stale ? 1 : 0;
@@ -248,18 +250,19 @@ void Hookprog::handleDone(const Done& done) {
   reporter_.answered(done.answered);
   view_ = {true, done.status.mission_time_s, done.status.state, done.status.stack_depth,
            done.status.phase};
-  // A program that was started again answers too, but it does not steer what its predecessor set
-  // going: only the answers of the session in control keep that session alive. Nor do they when its
-  // mission does not go on: somebody answers, but nobody flies.
+  // A restarted program also answers, but it does not steer what its predecessor started: only the
+  // answers of the session in control keep that session alive. They do not if the mission's time
+  // does not advance: then a program answers, but no mission runs.
   const uint32_t in_control = newestWhole(kGliderRoleHookInControl);
-  // Who is not in control yet has told its time all the same: it is no news when it comes again.
+  // A program that is not in control yet has already reported its time, so that a repetition of it
+  // is not progress.
   const bool counts = done.session != 0 && (in_control == 0 || done.session == in_control);
   if (counts ? noteProgress(done) : in_control == 0) {
     beat();
   }
 }
 
-/// True if the time of the mission in control has gone on.
+/// True if the time of the mission in control has advanced.
 bool Hookprog::noteProgress(const Done& done) {
   if (progress_.hasGoneOn(done.session, done.status.mission_time_s, now_s_)) {
     return true;
@@ -270,7 +273,7 @@ bool Hookprog::noteProgress(const Done& done) {
   return false;
 }
 
-/// Tells of a flight controller that does not answer what goes to it.
+/// Reports a flight controller that does not answer instructions.
 void Hookprog::watchInstruction() {
   answers_.answered(newestWhole(kGliderRoleHookAnswered));
   if (answers_.isOverdue(kLostSecs, now_s_)) {
@@ -290,12 +293,13 @@ void Hookprog::beat() {
   if (hookState() != HookState::Absent) {
     const SensorUpdate beat{sensor(kGliderRoleHookHeartbeat), static_cast<double>(heartbeat_)};
     (void)clothesline_.send(&beat,
-                            1);  // no room: the line is stuck, and that is what silence is for
+                            1);  // no room: the line is stuck, as hookbeh's timer detects
   }
 }
 
-/// The vehicle's next mission may have no hookbeh, and then nobody overwrites what the last one
-/// reported. Time and cycle number begin again with it; one of them alone is a false reading.
+/// The vehicle's next mission may have no hookbeh; the last values that hookbeh reported then
+/// remain in place. Time and cycle number both restart with a new mission; if only one does, it is
+/// a false reading.
 void Hookprog::watchHookbeh() {
   const double time = missionTime();
   const uint32_t cycle = newestWhole(kGliderRoleCycleNumber);
@@ -327,7 +331,7 @@ void Hookprog::sendCycle(const ScienceSensors& own) {
   }
 }
 
-/// hookbeh holds the vehicle's depth against the CTD's.
+/// hookbeh compares the vehicle's depth with the CTD's.
 void Hookprog::forwardPressure(const ScienceSensors& own) {
   pressure_ = own.get(own.self, sensor(kGliderRoleWaterPressure), &pressure_is_new_);
   if (pressure_is_new_ && hookState() != HookState::Absent) {
@@ -404,11 +408,11 @@ uint32_t Hookprog::newestWhole(GliderRole role) const {
 
 void Hookprog::send(Frame& frame) {
   frame.sequence = ++out_sequence_;
-  (void)out_.add(frame);  // no room: nobody reads the line; the next cycle brings newer values
+  (void)out_.add(frame);  // no room: the line is not being read; the next cycle brings newer values
 }
 
 void Hookprog::loseSbc() {
-  if (view_.phase != MissionPhase::Finished) {  // who has done its work may go without an alarm
+  if (view_.phase != MissionPhase::Finished) {  // after that it may leave without an alarm
     event(Kind::SbcLost, link_);
   }
   link_ = 0;

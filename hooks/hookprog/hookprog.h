@@ -17,19 +17,19 @@
 
 /// The proglet `hookprog` on the science computer: proxy of the SBC (115200 baud) for the flight
 /// controller's data memory (9600 baud). Portable: no heap, no libc. It forwards nothing to the
-/// flight controller until that reports a hookbeh.
+/// flight controller until the flight controller reports a hookbeh.
 namespace glider::hooks {
 
 /// The science computer's own sensors, as hookprog sees them.
 struct ScienceSensors {
   void* self;
-  /// The newest value of sensor `id` and, in `fresh`, whether it is newer than the last call for
-  /// it; NaN if never set.
+  /// The newest value of sensor `id`; NaN if never set. Sets `fresh` if it was updated since the
+  /// last call for this sensor.
   double (*get)(void* self, uint16_t id, bool* fresh);
 };
 
 struct HookprogOptions {
-  bool virtual_time = false;  ///< told to the SBC
+  bool virtual_time = false;  ///< reported to the SBC
 };
 
 class Hookprog {
@@ -55,9 +55,9 @@ class Hookprog {
   /// Science seconds without an answer after which the SBC is lost.
   static constexpr double kLostSecs = 12;
   /// Complete flight cycles in a row without x_hook_state after which the vehicle's mission has no
-  /// hookbeh: one reports in each cycle, but lines lose frames.
+  /// hookbeh: hookbeh reports in each cycle, but lines lose frames.
   static constexpr uint32_t kMostCyclesWithoutHookbeh = 6;
-  /// The same once mission time and cycle number have turned back, as they do when another mission
+  /// The same after mission time and cycle number have gone back, as they do when another mission
   /// starts.
   static constexpr uint32_t kMostCyclesOfAnotherMission = 2;
 
@@ -77,7 +77,7 @@ class Hookprog {
   bool read(const Frame& frame, SensorList& list) { return decodeList(*dictionary_, frame, list); }
   /// False when the frame is none of those that an SBC with a link sends.
   bool handleOfLink(const Frame& frame);
-  /// Decodes a Message and hands it on; false when it is none.
+  /// Decodes a Message and passes it on; false when it is not one.
   template <typename Message, void (Hookprog::*kHandler)(const Message&)>
   bool take(const Frame& frame);
   void handleHello(const Hello& hello);
@@ -118,7 +118,7 @@ class Hookprog {
   double now_s_ = 0;
   bool started_ = false;
 
-  // The flight controller's data memory, as far as it was reported.
+  // The flight controller's data memory, as far as it has been reported.
   double values_[GLIDER_MOST_SENSORS];
   bool fresh_[GLIDER_MOST_SENSORS] = {};
   bool time_is_new_ = false;
@@ -136,13 +136,13 @@ class Hookprog {
   Since waits_;
   Reporter reporter_;
   uint32_t newest_session_ = 0;
-  double told_s_ = 0;      // newest mission time that the SBC has told in this link
-  uint32_t stale_ = 0;     // frames and reports that come again, in this run
-  uint32_t old_told_ = 0;  // instruction of which an event has said that it is old, 0 for none
+  double told_s_ = 0;      // newest mission time that the SBC has reported in this link
+  uint32_t stale_ = 0;     // repeated frames and reports in this science cycle
+  uint32_t old_told_ = 0;  // the instruction that an event has reported as old, 0 for none
   uint32_t heartbeat_ = 0;
   ProgressWatch progress_;
   AnswerWatch answers_;
-  uint8_t refused_version_ = 0;  // told already
+  uint8_t refused_version_ = 0;  // reported already
   uint32_t refused_dictionary_ = 0;
   uint32_t malformed_ = 0;
   uint32_t bad_frames_told_ = 0;

@@ -61,7 +61,8 @@ bool Reporter::isHeld(uint32_t index, uint64_t bits) const {
   const Subscription& wanted = subscription_.sensors[index];
   const uint32_t width = widthOf(index);
   const double change = fromWire(width, bits) - fromWire(width, row.bits);
-  // Of NaN and the infinities only the very same is held: no dead band is as wide.
+  // NaN and the infinities are held only if identical: no dead band covers a change from or to
+  // them.
   return wanted.dead_band > 0 && magnitude(change) <= wanted.dead_band;
 }
 

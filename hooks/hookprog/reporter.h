@@ -9,13 +9,13 @@
 
 namespace glider::hooks {
 
-/// Decides what each Tick says of the subscribed sensors: only what the SBC does not hold already.
-/// A value counts as held once a Tick that brought it was answered; until then it is sent with each
-/// report, so a Tick that is lost takes no change with it for longer than to the next report.
+/// Decides what each Tick reports about the subscribed sensors: only what the SBC does not hold
+/// already. A value counts as held once a Tick that brought it was answered; until then it is sent
+/// with each report, so a lost Tick delays a change only until the next report.
 class Reporter {
  public:
-  /// A value that was sent so many Ticks ago is sent anew with the next report: what a damaged
-  /// frame that passed its CRC has changed does not stay.
+  /// A value that was sent this many Ticks ago is sent again with the next report, so that the
+  /// effect of a damaged frame that passed its CRC does not last.
   static constexpr uint32_t kRefreshTicks = 16;
 
   /// `dictionary` outlives this.
@@ -30,16 +30,16 @@ class Reporter {
   void begin();
   /// Subscribed sensor number `index` was reported in this cycle.
   void report(uint32_t index, double value);
-  /// What the Tick says, once all is reported.
+  /// The content of the Tick, after all sensors are reported.
   [[nodiscard]] const TickReadings& readings() const { return readings_; }
   /// The Tick goes as frame `sequence`.
   void sent(uint8_t sequence);
-  /// The SBC has answered frame `sequence`: what that said, if it is one of the newest Ticks, is
-  /// known there.
+  /// The SBC has answered frame `sequence`: if that is one of the newest Ticks, the SBC knows its
+  /// content.
   void answered(uint8_t sequence);
 
  private:
-  static constexpr uint32_t kRemembered = 8;  ///< Ticks whose answer may still come
+  static constexpr uint32_t kRemembered = 8;  ///< Ticks whose answer may still arrive
 
   [[nodiscard]] bool isHeld(uint32_t index, uint64_t bits) const;
   void confirm(uint32_t ticks_ago);
@@ -47,10 +47,10 @@ class Reporter {
   struct Row {
     uint64_t bits = 0;       ///< of the newest value sent, as on the line
     bool held = false;       ///< and the SBC has it
-    uint8_t rest = 0;        ///< Ticks until it may be told again
+    uint8_t rest = 0;        ///< Ticks until it may be reported again
     uint8_t age = 0;         ///< Ticks since the value was sent, counted to kRefreshTicks
-    uint8_t brought_in = 0;  ///< Ticks that brought this very value: bit 0 the newest
-    uint8_t told_in = 0;     ///< Ticks that told of it at all
+    uint8_t brought_in = 0;  ///< Ticks that carried exactly this value: bit 0 the newest
+    uint8_t told_in = 0;     ///< Ticks that reported the sensor at all
   };
   [[nodiscard]] uint32_t widthOf(uint32_t index) const;
 

@@ -9,7 +9,7 @@ namespace glider::hooks {
 
 bool CycleWatch::isNext(uint32_t cycle) {
   constexpr uint32_t kCircle = 0xFFFFFF;
-  constexpr uint32_t kMostLost = 8;  // reports between two that come in their order
+  constexpr uint32_t kMostLost = 8;  // lost reports between two that arrive in order
   const uint32_t ahead = (cycle - newest_) & kCircle;
   const uint32_t after_earlier = (cycle - earlier_) & kCircle;
   const bool later = ahead != 0 && ahead <= kCircle / 2;
@@ -46,7 +46,7 @@ void AnswerWatch::written(double sequence, double now_s) {
   const auto number =
       sequence >= 1 && sequence <= UINT16_MAX ? static_cast<uint16_t>(sequence) : uint16_t{0};
   if (isNewerSequence(instruction_, number)) {
-    return;  // that one comes again; the newer one still waits
+    return;  // a repeated answer; the newer instruction still waits
   }
   if (instruction_ == 0 && number != 0) {
     unanswered_.begin(now_s);

@@ -5,15 +5,15 @@
 
 #include <stdint.h>
 
-/// What hookprog watches of the SBC and of hookbeh, in science time.
+/// What hookprog monitors about the SBC and hookbeh, in science time.
 namespace glider::hooks {
 
-/// Since when something lasts. A clock that is set back (by GPS) makes it last since then: an alarm
-/// comes late by what had passed, not by what the clock was set back.
+/// Measures how long a condition has lasted. If the clock is set back (by GPS), counting starts
+/// from that moment: an alarm is late by the time that had passed, not by the amount of the change.
 class Since {
  public:
   void begin(double now_s) { begun_s_ = now_s; }
-  /// To be asked often enough to see the clock turn back.
+  /// Must be called often enough to notice that the clock is set back.
   double lasts(double now_s) {
     if (!(begun_s_ <= now_s)) {
       begun_s_ = now_s;
@@ -25,11 +25,12 @@ class Since {
   double begun_s_ = 0;
 };
 
-/// Whether a report of the flight controller is of a later cycle than those before it. One of an
-/// earlier cycle comes again; two in their order say that the vehicle counts from the beginning.
+/// Checks whether a report of the flight controller is from a later cycle than those before it. A
+/// report from an earlier cycle is a repetition; two in order show that the vehicle has restarted
+/// its count.
 class CycleWatch {
  public:
-  /// `cycle` counts round at 2^24.
+  /// `cycle` wraps at 2^24.
   bool isNext(uint32_t cycle);
 
  private:
@@ -39,30 +40,30 @@ class CycleWatch {
   bool was_earlier_ = false;
 };
 
-/// Whether the mission in control goes on.
+/// Checks whether the mission in control makes progress.
 class ProgressWatch {
  public:
-  /// `session`, which is in control, has told its mission time. True if that has gone on; another
-  /// link changes nothing about it.
+  /// `session`, which is in control, has reported its mission time. True if that has advanced; a
+  /// new link does not change this.
   bool hasGoneOn(uint32_t session, double mission_time_s, double now_s);
-  /// It told the same time for so long: true once.
+  /// True once when it has reported the same time for `limit_s`.
   bool isStuck(double limit_s, double now_s);
 
  private:
   uint32_t session_ = 0;
-  double latest_s_ = -1;  // mission time that it has told
+  double latest_s_ = -1;  // mission time that it has reported
   Since same_;
   bool told_ = false;
 };
 
-/// Whether hookbeh answers instructions.
+/// Checks whether hookbeh answers instructions.
 class AnswerWatch {
  public:
-  /// The instruction with this number went on.
+  /// The instruction with this number was forwarded.
   void written(double sequence, double now_s);
   /// hookbeh's newest answer is to number `sequence`.
   void answered(uint32_t sequence);
-  /// None was answered for so long: true once.
+  /// True once when no instruction has been answered for `limit_s`.
   bool isOverdue(double limit_s, double now_s);
   /// The newest without an answer, 0 for none.
   [[nodiscard]] uint16_t instruction() const { return instruction_; }

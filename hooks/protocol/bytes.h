@@ -10,7 +10,7 @@ namespace glider::hooks {
 
 inline uint32_t bitsOf(float value) {
   if (value != value) {
-    return 0x7FC00000U;  // one NaN on the line, whatever the CPU makes
+    return 0x7FC00000U;  // one NaN on the line, for any NaN of the CPU
   }
   uint32_t bits = 0;
   __builtin_memcpy(&bits, &value, sizeof bits);
@@ -38,7 +38,7 @@ inline double doubleOf(uint64_t bits) {
   return value;
 }
 
-/// Appends to a byte array; what does not fit is left out and `fits` turns false.
+/// Appends to a byte array; what does not fit is dropped and `fits` becomes false.
 class ByteWriter {
  public:
   ByteWriter(uint8_t* bytes, uint32_t capacity) : bytes_(bytes), capacity_(capacity) {}
@@ -60,7 +60,7 @@ class ByteWriter {
   bool fits_ = true;
 };
 
-/// Reads a byte array; past its end every number is zero and `good` turns false.
+/// Reads a byte array; past its end every number is zero and `good` becomes false.
 class ByteReader {
  public:
   ByteReader(const uint8_t* bytes, uint32_t count) : bytes_(bytes), count_(count) {}

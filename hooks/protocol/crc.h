@@ -5,8 +5,8 @@
 
 #include <stdint.h>
 
-/// The check values of the hook protocol, as listed in Greg Cook's catalogue of CRC algorithms. Of
-/// bytes in several pieces: each piece with the CRC of those before it as `before`.
+/// The check values of the hook protocol, as listed in Greg Cook's catalogue of CRC algorithms. For
+/// bytes in several pieces, pass the CRC of the earlier pieces as `before`.
 namespace glider::hooks {
 
 /// CRC-16/CCITT-FALSE: polynomial 0x1021, start 0xFFFF, not reflected; "123456789" gives 0x29B1.

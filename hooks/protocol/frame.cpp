@@ -20,8 +20,8 @@ bool isKnownType(uint8_t number) {
   return false;
 }
 
-/// Bytes of the CRC. Beacon and Hello keep the frame that they have in every version, so that
-/// strangers can tell each other what they speak.
+/// Bytes of the CRC. Beacon and Hello have the same frame in every version, so that two sides with
+/// different versions can report them to each other.
 uint32_t checkBytes(MessageType type) {
   return type == MessageType::Beacon || type == MessageType::Hello ? 2 : 4;
 }
@@ -121,7 +121,7 @@ void FrameDecoder::unstuff(uint8_t byte) {
     append(0);
   }
   group_left_ = static_cast<uint8_t>(byte - 1);
-  zero_follows_ = byte != 255;  // a full group has no zero behind it
+  zero_follows_ = byte != 255;  // a full group is not followed by a zero
 }
 
 void FrameDecoder::append(uint8_t byte) {

@@ -16,7 +16,7 @@ enum class MessageType : uint8_t {
 
 inline constexpr uint32_t kMostPayload = 560;                  ///< without type, sequence, CRC
 inline constexpr uint32_t kMostFrameBytes = kMostPayload + 6;  ///< type to CRC, before COBS
-/// With a COBS code byte for every 254 bytes begun, and the final zero.
+/// With one COBS code byte per 254 bytes or part of them, and the final zero.
 inline constexpr uint32_t kMostEncodedBytes = kMostFrameBytes + kMostFrameBytes / 254 + 2;
 
 struct Frame {
@@ -26,7 +26,7 @@ struct Frame {
   uint8_t payload[kMostPayload] = {};
 };
 
-/// The most bytes that a frame with so large a payload takes on the line.
+/// The most bytes that a frame with a payload of this size takes on the line.
 uint32_t encodedBound(uint32_t payload);
 /// Writes `frame` as it goes on the line, final zero included, to `out` (at least
 /// encodedBound of its size). Returns the number of bytes.
@@ -35,15 +35,14 @@ uint32_t encodeFrame(const Frame& frame, uint8_t* out);
 /// Finds whole, checked frames in a stream of bytes. Any zero byte resynchronises it.
 class FrameDecoder {
  public:
-  /// Takes one byte. True when it completed a good frame, which stands in `frame` until the next
-  /// call. A frame that equals the good one before it, sequence and all, is that one once more and
-  /// passed over.
+  /// Takes one byte. True when it completed a good frame, which is in `frame` until the next call.
+  /// A frame identical to the previous good one, sequence included, is a repetition and is ignored.
   bool push(uint8_t byte);
   [[nodiscard]] const Frame& frame() const { return frame_; }
-  /// Frames thrown away since the start: too long or short, not COBS, wrong CRC, or of no known
+  /// Frames discarded since the start: too long or short, not COBS, wrong CRC, or of an unknown
   /// type.
   [[nodiscard]] uint32_t badFrames() const { return bad_frames_; }
-  /// Frames passed over since the start because they came twice.
+  /// Frames ignored since the start because they were repeated.
   [[nodiscard]] uint32_t doubles() const { return doubles_; }
 
  private:
@@ -58,7 +57,7 @@ class FrameDecoder {
   uint8_t bytes_[kMostFrameBytes] = {};
   uint32_t count_ = 0;
   uint8_t group_left_ = 0;     ///< bytes to come before the next COBS code byte
-  bool zero_follows_ = false;  ///< between this COBS group and the next stands a zero
+  bool zero_follows_ = false;  ///< there is a zero between this COBS group and the next
   bool begun_ = false;         ///< a byte came since the last zero
   bool too_long_ = false;
   bool any_ = false;  ///< a good frame came: frame_ with the CRC last_check_

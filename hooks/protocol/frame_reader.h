@@ -10,14 +10,14 @@
 
 namespace glider::hooks {
 
-/// Reads a stream into whole frames, one at a time; bytes behind a frame wait for the next call.
+/// Splits a stream into whole frames, one at a time; bytes after a frame wait for the next call.
 class FrameReader {
  public:
   enum class Result : uint8_t { Nothing, Frame, Closed };
 
-  /// The next whole frame, if its bytes are there; at most `kMostBytes` are looked at, so that a
-  /// stream full of noise cannot hold its reader. Closed: the other end is gone and all it sent was
-  /// read.
+  /// The next whole frame, if all its bytes have arrived. Reads at most `kMostBytes`, so that a
+  /// stream full of noise cannot block its reader. Closed: the other end is gone and everything it
+  /// sent has been read.
   Result next(const GliderByteStream& stream) {
     for (uint32_t looked = 0; looked < kMostBytes; ++looked) {
       if (at_ == count_) {

@@ -9,14 +9,13 @@
 
 namespace glider::hooks {
 
-/// Listens to the line between vehicle and SBC and knows when the SBC has said all it has to say:
-/// in virtual time the vehicle's clock waits for that. Give it the bytes as they arrive at each
-/// end.
+/// Monitors the line between vehicle and SBC and detects when the SBC has finished its answer: in
+/// virtual time the vehicle's clock waits for that. Pass it the bytes as they arrive at each end.
 class Lockstep {
  public:
   void toSbc(const uint8_t* bytes, uint32_t count);
   void fromSbc(const uint8_t* bytes, uint32_t count);
-  /// True when the newest whole frame that wants an answer has its Done.
+  /// True when the newest whole frame that expects an answer has its Done.
   [[nodiscard]] bool settled() const { return !owed_; }
 
  private:

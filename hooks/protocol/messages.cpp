@@ -102,7 +102,7 @@ bool decode(const Frame& frame, Beacon& beacon) {
     return false;
   }
   if (beacon.version != kProtocolVersion) {
-    return true;  // the rest of another version is not ours to read
+    return true;  // the rest of another version's Hello has an unknown layout
   }
   const uint8_t flags = in.u8();
   beacon.virtual_time = (flags & kFlagVirtualTime) != 0;

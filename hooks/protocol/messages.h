@@ -8,10 +8,10 @@
 
 #include <stdint.h>
 
-/// What the frames say: one struct, one encoder and one strict decoder a message; Tick and
+/// The messages in frames: one struct, one encoder and one strict decoder per message; Tick and
 /// Subscribe are in tick.h, lists of sensors in sensor_list.h. Layouts: README.md. Encoders set the
 /// frame's type and payload and leave its sequence alone; decoders return false for a frame of
-/// another type, of a wrong length, or with a value that no sender of ours writes.
+/// another type, of a wrong length, or with a value that no sender of this protocol writes.
 namespace glider::hooks {
 
 inline constexpr uint8_t kProtocolVersion = 4;
@@ -19,7 +19,7 @@ inline constexpr uint32_t kMostNameBytes = 47;
 inline constexpr uint32_t kMostNoteBytes = 60;
 inline constexpr uint32_t kMostSession = 16777215;  ///< exact in a float32 sensor
 
-/// Vehicle without a link: who is there?
+/// From a vehicle without a link: asks an SBC to open one.
 struct Beacon {
   uint8_t version = kProtocolVersion;
   bool virtual_time = false;
@@ -34,15 +34,15 @@ struct Welcome {
   uint32_t newest_session = 0;  ///< newest that was written to the flight controller, 0 for none
 };
 
-/// The SBC wants a link.
+/// The SBC requests a link.
 struct Hello {
   uint8_t version = kProtocolVersion;
   uint32_t dictionary = 0;
-  uint32_t link = 0;  ///< 1…kMostSession, another one each time
+  uint32_t link = 0;  ///< 1…kMostSession, a different one each time
   char mission_name[kMostNameBytes + 1] = {};
 };
 
-/// A transition of the mission, told to the vehicle's side for logs and the simulator's trace.
+/// A transition of the mission, reported to the vehicle's side for logs and the simulator's trace.
 struct TransitionNotice {
   double mission_time_s = 0;
   uint8_t transition = 0;  ///< GliderTransition
@@ -52,17 +52,17 @@ struct TransitionNotice {
   uint8_t list = 1;         ///< GliderList: which of the two
 };
 
-/// A word from the mission, for people: a `log` statement, a value that was unknown.
+/// A note from the mission for people: a `log` statement, a value that was unknown.
 struct MissionNote {
   double mission_time_s = 0;
   uint8_t kind = 0;  ///< GliderNoteKind
   char text[kMostNoteBytes + 1] = {};
 };
 
-/// How far the SBC's mission is.
+/// The progress of the SBC's mission.
 enum class MissionPhase : uint8_t { Waiting = 0, Flying = 1, Finished = 2 };
 
-/// What the heartbeat says of the mission.
+/// What the heartbeat reports about the mission.
 struct MissionStatus {
   double mission_time_s = 0;
   uint32_t state = 0;
@@ -73,7 +73,7 @@ struct MissionStatus {
 /// Ends the answer to the frame with sequence number `answered`.
 struct Done {
   uint8_t answered = 0;
-  uint32_t session = 0;  ///< in which the SBC believes to be in control, 0 for none
+  uint32_t session = 0;  ///< in which the SBC assumes that it is in control, 0 for none
   MissionStatus status;
 };
 
@@ -95,8 +95,8 @@ void encode(const MissionNote& note, Frame& frame);
 bool expectsAnswer(const Frame& frame);
 /// The session after `session`: counts to kMostSession, then 1 again.
 uint32_t nextSession(uint32_t session);
-/// True when `session` was opened after `other`, counting round at kMostSession: less than half the
-/// circle ahead. 0 means none yet: every session is newer.
+/// True when `session` was opened after `other`, wrapping at kMostSession: less than half the
+/// number range ahead. 0 means none yet: every session is newer.
 bool isNewerSession(uint32_t session, uint32_t other);
 
 }  // namespace glider::hooks

@@ -3,7 +3,7 @@
 
 #pragma once
 
-/// What is needed of a math library on board.
+/// The few functions of a math library that are needed on board.
 namespace glider::hooks {
 
 /// False for NaN and the infinities.

@@ -32,7 +32,8 @@ bool SendQueue::flush(const GliderByteStream& stream) {
   return taken >= 0;
 }
 
-/// The first `count` bytes; all where a stream says that it took more than there was.
+/// Removes the first `count` bytes; all of them if a stream claims to have taken more than there
+/// were.
 void SendQueue::takeAway(uint32_t count) {
   const uint32_t rest = count < end_ ? end_ - count : 0;
   for (uint32_t i = 0; i < rest; ++i) {

@@ -10,15 +10,15 @@
 
 namespace glider::hooks {
 
-/// Encoded frames on their way to a stream that may take only a part at a time. Whole frames go in
-/// or none.
+/// Encoded frames on their way to a stream that may accept only a part at a time. Frames are queued
+/// whole or not at all.
 class SendQueue {
  public:
   static constexpr uint32_t kCapacity = 2048;  ///< bytes
 
   /// False, with nothing queued, when there is no room for `frame`.
   bool add(const Frame& frame);
-  /// Hands over what `stream` takes. False when the stream is closed or failed.
+  /// Writes as much as `stream` accepts. False when the stream is closed or failed.
   bool flush(const GliderByteStream& stream);
   [[nodiscard]] uint32_t room() const;
   [[nodiscard]] bool empty() const;

@@ -8,10 +8,11 @@
 
 #include <stdint.h>
 
-/// Lists of sensors with their values: a Write of the SBC, a Sensors frame of the clothesline.
+/// Lists of sensors with their values: a Write of the SBC, or a Sensors frame on the flight-science
+/// serial link.
 namespace glider::hooks {
 
-/// Lists are kept shorter than a frame may be: on the slow line a damaged frame costs less so.
+/// Lists are shorter than a frame may be, so that a damaged frame costs less time on the slow line.
 inline constexpr uint32_t kMostListPayload = 250;
 /// More values than any list can hold (1-byte sensors).
 inline constexpr uint32_t kMostListed = kMostListPayload / 3;

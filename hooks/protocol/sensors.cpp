@@ -21,8 +21,8 @@ double fromByte(uint8_t byte) {
   return whole == -128 ? __builtin_nan("") : whole;
 }
 
-/// The sensor's row, null if there is none: values are kept for GLIDER_MOST_SENSORS, whatever the
-/// dictionary says.
+/// The sensor's row, null if there is none: values are kept for at most GLIDER_MOST_SENSORS
+/// sensors, even if the dictionary has more.
 const GliderSensorFormat* rowOf(const GliderDictionary& dictionary, uint16_t id) {
   return id < dictionary.count && id < GLIDER_MOST_SENSORS ? &dictionary.sensors[id] : nullptr;
 }

@@ -19,7 +19,7 @@ static_assert(kHeadBytes + 2 * kMapBytes + kMostSubscriptions * kWidest <= kMost
               "the largest Tick fits a frame");
 static_assert(1 + kMostSubscriptions * kSubscriptionBytes <= kMostPayload);
 
-/// One bit a subscribed sensor, the first in the lowest bit of the first byte.
+/// One bit per subscribed sensor, the first in the lowest bit of the first byte.
 struct BitMap {
   uint8_t bytes[kMapBytes] = {};
 
@@ -41,7 +41,7 @@ void write(ByteWriter& out, const BitMap& map, uint32_t count) {
   }
 }
 
-/// False when a bit is set that stands for no sensor.
+/// False when a bit is set that does not represent a sensor.
 bool read(ByteReader& in, uint32_t count, BitMap& map) {
   for (uint32_t i = 0; i < mapBytes(count); ++i) {
     map.bytes[i] = in.u8();

@@ -14,7 +14,7 @@ uint16_t nextSequence(uint16_t sequence) {
 }
 
 bool isNewerSequence(uint16_t sequence, uint16_t other) {
-  // Serial number arithmetic (RFC 1982) on a circle of 65535 numbers: there is no opposite one.
+  // Serial number arithmetic (RFC 1982) modulo 65535: no number has an opposite.
   const uint32_t ahead = (uint32_t{sequence} + UINT16_MAX - other) % UINT16_MAX;
   return sequence != 0 && (other == 0 || (ahead != 0 && ahead <= UINT16_MAX / 2));
 }

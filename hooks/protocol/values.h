@@ -5,7 +5,7 @@
 
 #include <stdint.h>
 
-/// The values that cross the hook, as they stand in the vehicle's sensor array. One list for both
+/// The values that cross the hook, as they are in the vehicle's sensor array. One list for both
 /// sides.
 namespace glider::hooks {
 
@@ -13,10 +13,10 @@ namespace glider::hooks {
 enum class HookState : uint8_t {
   Absent = 0,
   Waiting = 1,   ///< its start condition is not met yet
-  Ready = 2,     ///< wants the handshake
+  Ready = 2,     ///< expects the handshake
   Active = 3,    ///< commands heading, pitch and pump as the SBC instructs
   Silent = 4,    ///< lost the SBC; only a new handshake re-activates it
-  Complete = 5,  ///< the SBC gave control back
+  Complete = 5,  ///< the SBC released control
 };
 
 /// `x_hook_answer`: hookbeh's answer to the instruction with `x_hook_sequence`.
@@ -26,14 +26,14 @@ enum class HookAnswer : uint8_t {
   BadCheck = 2,      ///< the check value does not match: something was lost on the way
   TooDeep = 3,       ///< beyond the b_arg for greatest depth
   BadPitch = 4,      ///< outside the b_args for pitch
-  BadCommand = 5,    ///< no such control, vertical or lateral, or a value that is not finite
-  NotOnEarth = 6,    ///< the waypoint is no position
+  BadCommand = 5,    ///< an unknown control, vertical or lateral, or a value that is not finite
+  NotOnEarth = 6,    ///< the waypoint is not a valid position
   WrongSession = 7,  ///< not from the session in control, or from one that was lost
   NotReady = 8,      ///< hookbeh waits or is complete
   OldSequence = 9,  ///< its number is older than one that was decided on: an instruction sent again
 };
 
-/// Whether a number on the line stands for one of them.
+/// Whether a number on the line is a valid one of these values.
 inline bool isHookState(uint8_t value) {
   return value <= static_cast<uint8_t>(HookState::Complete);
 }
@@ -46,7 +46,7 @@ enum class HookControl : uint8_t {
   None = 0,
   Take = 1,      ///< the handshake: with the first instruction of a new session
   Steer = 2,     ///< a further instruction
-  GiveBack = 3,  ///< `exit`: the layered control flies on alone
+  GiveBack = 3,  ///< `exit`: the layered control takes over
 };
 
 /// `sci_hook_vertical`.
@@ -56,7 +56,7 @@ enum class HookVertical : uint8_t { None = 0, Descend = 1, Ascend = 2, Hover = 3
 enum class HookLateral : uint8_t { Drift = 0, Heading = 1, Waypoint = 2 };
 
 /// One instruction, in the units of the sensor array (m, rad, ddmm.mmmm). Its numbers must be as
-/// the array can hold them (float32 but for the position), or the check value cannot match: see
+/// the array can hold them (float32, except for the position), or the check value cannot match: see
 /// roundToArray.
 struct Instruction {
   uint32_t session = 0;   ///< 1…16777215
@@ -73,7 +73,7 @@ struct Instruction {
 
 /// The number after `sequence`: counts to 65535, then 1 again.
 uint16_t nextSequence(uint16_t sequence);
-/// True when `sequence` was given after `other`, counting round at 65535: at most half the circle
+/// True when `sequence` was given after `other`, wrapping at 65535: at most half the number range
 /// (32767) ahead. 0 means none yet: every number is newer.
 bool isNewerSequence(uint16_t sequence, uint16_t other);
 

@@ -12,7 +12,7 @@ namespace glider::hooks {
 
 int32_t readDescriptor(int descriptor, uint8_t* bytes, uint32_t capacity);
 /// True if the far end has gone for good, or the descriptor itself: no byte will come any more. For
-/// libraries whose reading tells that like "nothing yet".
+/// libraries whose read function reports that as "nothing yet".
 bool isHungUp(int descriptor);
 int32_t writeDescriptor(int descriptor, const uint8_t* bytes, uint32_t count);
 

@@ -13,7 +13,7 @@ namespace glider::hooks {
 /// point into it: it must not move while they are in use.
 class MemoryLine {
  public:
-  static constexpr uint32_t kCapacity = 4096;  ///< bytes under way in each direction
+  static constexpr uint32_t kCapacity = 4096;  ///< bytes in transit in each direction
 
   MemoryLine() { setEnds(); }
   MemoryLine(const MemoryLine&) = delete;
@@ -21,7 +21,7 @@ class MemoryLine {
 
   [[nodiscard]] GliderByteStream left();
   [[nodiscard]] GliderByteStream right();
-  /// Cuts the line: what is under way can still be read, then both ends are told that it is closed.
+  /// Cuts the line: bytes in transit can still be read, then both ends report that it is closed.
   void close() { closed_ = true; }
 
  private:

@@ -34,7 +34,7 @@ double now(void* self) {
 
 SystemClock::SystemClock() : last_ticks_(kernelTicks()) {
   monotonic_ = monotonicSeconds(&start_s_);
-  // What sysconf(_SC_CLK_TCK) answers with, without the rest of what it knows.
+  // The value of sysconf(_SC_CLK_TCK), without linking the rest of sysconf.
   const unsigned long rate = getauxval(AT_CLKTCK);
   if (rate > 0) {
     ticks_a_second_ = static_cast<double>(rate);

@@ -9,7 +9,7 @@
 
 namespace glider::hooks {
 
-/// The time since it was made, by CLOCK_MONOTONIC, or by times(2) on kernels that have none
+/// The time since its construction, from CLOCK_MONOTONIC, or from times(2) on kernels that lack it
 /// (Linux 2.4).
 class SystemClock {
  public:

@@ -28,8 +28,8 @@ int dropInput(int fd) {
   return tcflush(fd, TCIFLUSH);
 }
 #else
-// What musl's tcgetattr, tcsetattr and tcflush do, past its ioctl: that brings 1.5 KB of
-// conversions for old kernels' calls of other devices, and a board's program has a limit.
+// The same as musl's tcgetattr, tcsetattr and tcflush, but without its ioctl, which adds 1.5 KB of
+// conversions for other devices on old kernels; a board's program has a size limit.
 int readSettings(int fd, termios* settings) {
   return static_cast<int>(syscall(SYS_ioctl, fd, TCGETS, settings));
 }
@@ -60,7 +60,8 @@ bool speedCode(uint32_t baud, speed_t* code) {
   return false;
 }
 
-/// Raw, 8N1, no flow control. VMIN 1 lets read tell "nothing yet" (EAGAIN) from "hung up" (0).
+/// Raw, 8N1, no flow control. VMIN 1 lets read distinguish "nothing yet" (EAGAIN) from "hung up"
+/// (0).
 int setRaw(int fd, uint32_t baud) {
   speed_t code = B0;
   if (!speedCode(baud, &code)) {
@@ -80,7 +81,8 @@ int setRaw(int fd, uint32_t baud) {
       writeSettings(fd, settings) != 0) {
     return errno;
   }
-  // The kernel is content when any of its changes was made: look whether the speed was one of them.
+  // The kernel reports success if any of the changes was made: check whether the speed was one of
+  // them.
   termios made{};
   if (readSettings(fd, &made) != 0) {
     return errno;

@@ -20,8 +20,8 @@ class SerialDevice {
 
   /// Opens `path` at `baud` bits/s. Returns 0, or the errno of what failed: ENOENT no such device,
   /// EACCES no permission, ENOTTY no serial line, EINVAL a speed that the device or the kernel does
-  /// not know. What an earlier user left unread is thrown away on a real line, not on a
-  /// pseudo-terminal, where it may be the peer's first words.
+  /// not support. Unread bytes of an earlier user are discarded on a real line, but not on a
+  /// pseudo-terminal, where they may be the peer's first bytes.
   int open(const char* path, uint32_t baud);
   void close();
   [[nodiscard]] bool isOpen() const { return fd_ >= 0; }

@@ -8,7 +8,7 @@
 
 enum state { S1, S2, S3, STATES };
 
-/* All that the program must know to go on after a power cut. */
+/* All that the program needs to continue after a power cut. */
 static struct {
   double min, max;
   enum state current;

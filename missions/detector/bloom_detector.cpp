@@ -1,17 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Finds a bloom as a change of the mean, by a cumulative sum (Page 1954): what chlorophyll has
-// above its slow background adds up, what it has below takes away. One high reading does nothing; a
-// few do.
+// Detects a bloom as a change of the mean, by a cumulative sum (Page 1954): chlorophyll above its
+// slow background adds to the sum, and chlorophyll below it subtracts. A single high reading has no
+// effect; a few have.
 
 #include "bloom_detector.h"
 
 namespace {
 
 constexpr double kMemory_s = 1800;  // of the background
-constexpr double kSlack = 0.5;      // above the background, and no bloom yet
-constexpr double kMostScore = 100;  // so that it comes down again
+constexpr double kSlack = 0.5;      // above the background without being a bloom
+constexpr double kMostScore = 100;  // a limit, so that the score can fall again
 
 struct Detector {
   bool begun = false;
@@ -27,7 +27,8 @@ double between(double lowest, double x, double highest) {
 
 }  // namespace
 
-// Both states of the mission ask, and one of them may in a tick in which the other has: time tells.
+// Both states of the mission call this, possibly in the same tick; the time shows whether the tick
+// was already counted.
 double function_bloom_score(double chlorophyll, double at_s) {
   const bool unknown = chlorophyll != chlorophyll || at_s != at_s;
   if (unknown || (detector.begun && at_s <= detector.updated_s)) {
@@ -44,7 +45,7 @@ double function_bloom_score(double chlorophyll, double at_s) {
   return detector.score;
 }
 
-// A sensor of this computer: what the detector takes for the background.
+// A sensor of this computer: the background as estimated by the detector.
 double sensor_background(double) {
   return detector.begun ? detector.background : __builtin_nan("");
 }

@@ -19,7 +19,7 @@ std::string upper(std::string text) {
   return text;
 }
 
-/// As GliderEncoding of runtime/abi/glider_abi.h numbers them.
+/// The number in GliderEncoding of runtime/abi/glider_abi.h.
 int encoding(const PlatformSensor& sensor) {
   if (sensor.kind != SensorKind::Quantity) {
     return 1;
@@ -27,7 +27,7 @@ int encoding(const PlatformSensor& sensor) {
   return sensor.magnetic ? 2 : 0;
 }
 
-/// The limits of the hull as constants, for code that must not be told others.
+/// The limits of the hull as constants, for code that must not be given other limits.
 std::string hull(const Envelope& envelope) {
   return fmt::format(
       "/* The hull: m, rad, rad, m/s, cc to either side */\n"
@@ -38,7 +38,7 @@ std::string hull(const Envelope& envelope) {
       envelope.vertical_rate_m_s, envelope.pump_cc);
 }
 
-/// What who builds the hooks into the vehicle's software hands to them.
+/// The dictionary for software that builds the hooks into the vehicle.
 std::string dictionary(const Platform& platform) {
   const Dictionary whole(platform);
   const GliderDictionary& d = whole.get();
@@ -65,7 +65,7 @@ std::string dictionary(const Platform& platform) {
                    d.count, d.hash);
 }
 
-/// What the runtime is given in a mission in C.
+/// The vehicle for the runtime of a mission in C.
 std::string vehicle(const Platform& platform) {
   std::string out =
       "/* In one source file of a mission in C, with this defined before: the vehicle that it is "

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Writes the C header of a platform's sensors while glidercc is built, as `glidercc platform
-// --header` does it later:
-//   glider_sensor_ids platforms/slocum.toml generated/platforms/slocum_sensors.h
+// Writes the C header of a platform's sensors while glidercc is built, in the same way as `glidercc
+// platform --header`: glider_sensor_ids platforms/slocum.toml generated/platforms/slocum_sensors.h
 
 #include "platforms/generate/sensor_header.h"
 #include "platforms/load/platform.h"

@@ -10,7 +10,7 @@ namespace {
 
 const toml::table kNoTable;
 
-/// The sub-table `key`, or an empty one; one that is no table is refused.
+/// The sub-table `key`, or an empty one; a value that is not a table is refused.
 const toml::table& subtable(TomlReader& reader, const toml::table& root, std::string_view key) {
   const toml::table* found = root[key].as_table();
   if (found == nullptr && root.contains(key)) {
@@ -19,7 +19,7 @@ const toml::table& subtable(TomlReader& reader, const toml::table& root, std::st
   return found != nullptr ? *found : kNoTable;
 }
 
-/// Link inputs and lists lie in the board's own folder; a path would lead out of it.
+/// Link inputs and lists are in the board's own folder; a path would lead out of it.
 bool isFileName(const std::string& name) {
   return !name.empty() && name.front() != '-' && name.find('/') == std::string::npos &&
          name != "." && name != "..";

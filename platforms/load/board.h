@@ -18,20 +18,20 @@ enum class Relocation : uint8_t { Static, PositionIndependent };
 /// The kernel that a board runs; an empty release means this machine's.
 struct Kernel {
   std::string release;
-  std::string system_calls;  ///< file in the board's folder that lists what it has
+  std::string system_calls;  ///< file in the board's folder that lists the available system calls
 };
 
-/// What lld is given round the mission's objects: names of files in the board's folder.
+/// The inputs of lld before and after the mission's objects: names of files in the board's folder.
 struct LinkInputs {
   std::string dynamic_linker;  ///< absolute, of the target; empty for a static executable
   std::vector<std::string> before;
   std::vector<std::string> after;
 };
 
-/// A single board computer as data: platforms/boards/<name>.toml.
+/// A single-board computer as data: platforms/boards/<name>.toml.
 struct Board {
   std::filesystem::path
-      folder;  ///< where the file stood, with the link inputs and the runtime beside it
+      folder;  ///< the folder of the file, which also contains the link inputs and the runtime
   std::string name;
   std::string description;
   std::string triple;  ///< as LLVM names the machine
@@ -43,15 +43,14 @@ struct Board {
   uint64_t max_executable_bytes = 0;     ///< of the stripped executable; 0: no limit
   uint64_t max_memory_bytes = 0;         ///< of code, data and stack; 0: no limit
   uint64_t max_stack_bytes = 0;          ///< of the stack at its deepest; 0: no limit
-  uint64_t max_tick_instructions = 0;    ///< from a frame's readings to the command; 0: no limit
+  uint64_t max_tick_instructions = 0;  ///< from the readings of a frame to the command; 0: no limit
   Kernel kernel;
   std::vector<std::string>
       emulator;  ///< command that runs its executables here; empty: they run by themselves
   LinkInputs link;
 };
 
-/// Reads and checks a board file. GL9001 if it cannot be read, GL5001 (with line) if it is not
-/// right.
+/// Reads and checks a board file. GL9001 if it cannot be read, GL5001 (with line) if it is invalid.
 support::Result<Board> loadBoard(const std::filesystem::path& path);
 
 }  // namespace glider::platforms

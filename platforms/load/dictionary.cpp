@@ -27,7 +27,7 @@ uint32_t numberOf(const Platform& platform, std::string_view name) {
   return found == platform.sensors.end() ? GLIDER_NO_SENSOR : found->id;
 }
 
-/// FNV-1a over names and widths: two programs with the same number mean the same sensors.
+/// FNV-1a over names and widths: two programs with the same number use the same sensors.
 uint32_t hashOf(const Platform& platform) {
   uint32_t hash = 2166136261U;
   const auto mix = [&](unsigned char byte) { hash = (hash ^ byte) * 16777619U; };

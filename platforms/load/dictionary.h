@@ -14,8 +14,8 @@ namespace glider::platforms {
 /// (hooks/protocol/roles.def).
 support::Result<void> checkRoles(const Platform& platform);
 
-/// A platform's sensors as the hook protocol has them. Hooks keep a pointer to get(), so it stays
-/// where it is made.
+/// A platform's sensors in the form of the hook protocol. Hooks keep a pointer to get(), so this
+/// object cannot be moved.
 class Dictionary {
  public:
   explicit Dictionary(const Platform& platform);

@@ -13,7 +13,7 @@
 namespace glider::platforms {
 namespace {
 
-/// Sets kind, dimension and factor from the sensor's unit; false when the unit is none.
+/// Sets kind, dimension and factor from the sensor's unit; false when the unit is not a valid one.
 bool interpretUnit(PlatformSensor& sensor) {
   if (sensor.unit == "lat" || sensor.unit == "lon") {
     sensor.kind = sensor.unit == "lat" ? SensorKind::Latitude : SensorKind::Longitude;
@@ -31,7 +31,7 @@ bool interpretUnit(PlatformSensor& sensor) {
   return unit.has_value();
 }
 
-/// How often and how exactly the SBC hears of the sensor.
+/// Reads how often and how exactly the sensor is reported to the SBC.
 void readReporting(TomlReader& reader, double cycle_s, PlatformSensor& sensor) {
   constexpr double kMostCycles = 255;
   sensor.every_s = reader.numberOr("every_s", cycle_s);
@@ -119,7 +119,7 @@ support::Result<void> readSensors(const std::string& file, const toml::table& ro
   return {};
 }
 
-/// A table of numbers above 0, each of which is wanted; `others` are keys that it may have as well.
+/// Reads a table of numbers above 0, all of them required; `others` are keys that it may also have.
 template <typename T, size_t kCount>
 T readNumbers(TomlReader& reader, const std::pair<const char*, double T::*> (&fields)[kCount],
               std::vector<std::string_view> others = {}) {

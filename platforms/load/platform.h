@@ -21,7 +21,7 @@ enum class Computer : uint8_t { Flight, Science };
 enum class SensorKind : uint8_t { Quantity, Latitude, Longitude };
 
 struct PlatformSensor {
-  uint16_t id = 0;    ///< place in the file: the number on the wire
+  uint16_t id = 0;    ///< index in the file: the number on the wire
   std::string name;   ///< the vehicle's own: "m_depth"
   std::string alias;  ///< the language's: "depth"; empty if it has none
   std::string unit;   ///< as in the file
@@ -31,12 +31,11 @@ struct PlatformSensor {
   double lowest = 0;             ///< plausible range, in the vehicle's unit
   double highest = 0;
   double stale_after_s = 0;
-  double every_s = 0;    ///< the SBC hears of it at most so often
-  double dead_band = 0;  ///< a change of at most so much is not sent; in the vehicle's unit
+  double every_s = 0;    ///< the shortest time between two reports to the SBC
+  double dead_band = 0;  ///< a change of at most this size is not sent; in the vehicle's unit
   Computer computer = Computer::Flight;
   bool magnetic = false;  ///< a heading from magnetic north; missions see it from true north
-  double noise =
-      0;  ///< two readings of the same water may differ by so much, in the vehicle's unit
+  double noise = 0;   ///< two readings of the same water may differ by this, in the vehicle's unit
   uint8_t bytes = 4;  ///< width in the sensor array: 1 (int8), 4 (float32) or 8 (float64)
   std::string what;   ///< one line of explanation
 };
@@ -44,33 +43,34 @@ struct PlatformSensor {
 struct Envelope {
   double greatest_depth_m = 0;
   double steepest_pitch_rad = 0;
-  double shallowest_pitch_rad = 0;    ///< a dive or climb with less is refused
+  double shallowest_pitch_rad = 0;    ///< a dive or climb at a smaller pitch is refused
   double vertical_rate_m_s = 0;       ///< the fastest it sinks or climbs
   double inflection_overshoot_m = 0;  ///< how far it goes past a target depth while it turns
-  double drift_m_s = 0;               ///< the strongest current that missions reckon with
-  double pump_cc = 0;                 ///< of the buoyancy pump, to either side
+  double drift_m_s = 0;               ///< the strongest current that missions account for
+  double pump_cc = 0;                 ///< of the buoyancy pump, in either direction
   double cycle_s = 0;                 ///< of the flight controller
 };
 
-/// What proofs assume of the vehicle and the water, beside the envelope and the sensors' ranges.
+/// What proofs assume about the vehicle and the water, in addition to the envelope and the sensors'
+/// ranges.
 struct World {
-  double start_depth_m = 0;      ///< not deeper when control is given
-  double surface_depth_m = 0;    ///< not deeper than this is at the surface
-  double slowest_climb_m_s = 0;  ///< once it climbs
-  double turn_s = 0;             ///< from the order to climb until it does
-  double depth_error_m = 0;      ///< of a depth reading, at most
-  double tick_gap_s = 0;         ///< between two ticks of a mission, at most
-  double through_water_m_s = 0;  ///< how fast it gets on horizontally through the water, at most
-  double steering_error_m = 0;   ///< how far turning takes it off the straight way, at most
-  double surface_drift_m_s = 0;  ///< current, wind and waves set it at the surface no faster
+  double start_depth_m = 0;      ///< the greatest depth when the mission gets control
+  double surface_depth_m = 0;    ///< down to this depth the vehicle is at the surface
+  double slowest_climb_m_s = 0;  ///< the slowest vertical speed of a climb
+  double turn_s = 0;             ///< from the command to climb until it climbs
+  double depth_error_m = 0;      ///< the greatest error of a depth reading
+  double tick_gap_s = 0;         ///< the longest time between two ticks of a mission
+  double through_water_m_s = 0;  ///< the greatest horizontal speed through the water
+  double steering_error_m = 0;   ///< the farthest that turning takes it off the straight course
+  double surface_drift_m_s = 0;  ///< the fastest drift at the surface by current, wind and waves
 };
 
 /// How the vehicle moves, for the simulator. Signs: pump positive outwards, battery positive
 /// forward, pitch nose up, fin positive to turn to starboard.
 struct Motion {
   std::string model;  ///< which of the simulator's models flies it: "glider"
-  // The motors: how far to either side of the middle, and how fast.
-  double pump_rate_cc_s = 0;  ///< how far: Envelope::pump_cc
+  // The motors: their range on either side of the middle, and their rate.
+  double pump_rate_cc_s = 0;  ///< its range is Envelope::pump_cc
   double pitch_battery_limit_in = 0;
   double pitch_battery_rate_in_s = 0;
   double fin_limit_rad = 0;
@@ -83,14 +83,14 @@ struct Motion {
   // Yaw: yaw_lag dr/dt = yaw_gain sin(fin) U^2 - r.
   double yaw_gain_rad_s_m2 = 0;
   double yaw_lag_s = 0;
-  double speed_lag_s = 0;  ///< mass and added mass against the drag
-  // What the pump takes for each cc: outwards it works against the pressure.
+  double speed_lag_s = 0;  ///< of mass and added mass against the drag
+  // The energy of the pump for each cc: outwards it works against the pressure.
   double pump_out_j_cc = 0;
-  double pump_out_j_cc_m = 0;  ///< more at each metre of depth
+  double pump_out_j_cc_m = 0;  ///< added for each metre of depth
   double pump_in_j_cc = 0;
 };
 
-/// The sensor that says by how much magnetic headings exceed true ones; a vehicle may lack it.
+/// The sensor for magnetic minus true heading; a vehicle may lack it.
 inline constexpr std::string_view kVariationSensor = "m_gps_mag_var";
 
 /// A vehicle as data: platforms/<name>.toml.
@@ -106,8 +106,8 @@ struct Platform {
   [[nodiscard]] const PlatformSensor* find(std::string_view name) const;
 };
 
-/// Reads and checks a platform file. GL9001 if it cannot be read, GL5001 (with line) if it is not
-/// right.
+/// Reads and checks a platform file. GL9001 if it cannot be read, GL5001 (with line) if it is
+/// invalid.
 support::Result<Platform> loadPlatform(const std::filesystem::path& path);
 
 }  // namespace glider::platforms

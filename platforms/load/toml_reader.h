@@ -36,7 +36,7 @@ class TomlReader {
   /// Refuses keys that are not in `known`.
   void only(std::span<const std::string_view> known);
   void only(std::initializer_list<std::string_view> known) { only(std::span(known)); }
-  /// Notes a failure of the caller's own check about `key`.
+  /// Records a failure of the caller's own check of `key`.
   void refuse(std::string_view key, std::string_view why);
 
   [[nodiscard]] const std::optional<support::Failure>& failure() const { return failure_; }

@@ -4,7 +4,7 @@
 #ifndef GLIDER_RUNTIME_ABI_BEHAVIOUR_H
 #define GLIDER_RUNTIME_ABI_BEHAVIOUR_H
 
-/* For who writes a flightprofile or flightroute in C or C++.
+/* For authors of a flightprofile or flightroute in C or C++.
 
    `extern flightprofile yo(top: length, …)` binds to what `glidercc build --emit header` declares:
        void profile_yo(GliderContext*, GliderBehaviourMemory*, uint32_t phase, double top, …)
@@ -26,16 +26,16 @@ double gliderRead(const GliderContext* context, uint32_t id);
    it has none: for behaviours that fly every vehicle. */
 uint32_t gliderSensorOf(const GliderContext* context, GliderRole role);
 
-/* Seconds since the newest frame that held the sensor; 0 if this tick's did. Of one never seen or
- * not subscribed: NaN. */
+/* Seconds since the newest frame that held the sensor; 0 if this tick's did. NaN for a sensor
+ * never seen or not subscribed. */
 double gliderAge(const GliderContext* context, uint32_t id);
 
-/* Seconds since control was given. */
+/* Seconds since the mission got control. */
 double gliderMissionTime(const GliderContext* context);
 
-/* Vehicle commands. One equal to that in force changes nothing; one with an unknown (NaN) value
-   changes nothing and is counted and logged. Depths in m, pitch in rad (magnitude; the sign follows
-   from the direction), heading in rad clockwise from north, positions in degrees. */
+/* Vehicle commands. A command equal to the one in force has no effect; one with an unknown (NaN)
+   value has no effect and is counted and logged. Depths in m, pitch in rad (magnitude; the sign
+   follows from the direction), heading in rad clockwise from north, positions in degrees. */
 void gliderDescend(GliderContext* context, double depth, double pitch);
 void gliderAscend(GliderContext* context, double depth, double pitch);
 void gliderHover(GliderContext* context, double depth);

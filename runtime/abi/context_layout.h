@@ -4,7 +4,7 @@
 #ifndef GLIDER_RUNTIME_ABI_CONTEXT_LAYOUT_H
 #define GLIDER_RUNTIME_ABI_CONTEXT_LAYOUT_H
 
-/* Where the arrays of a running mission stand behind its GliderContext, in this order and each
+/* The positions of a running mission's arrays behind its GliderContext, in this order and each
    aligned for a double: readings, frames, memory, variables, temporals, calls, intervals, notes,
    note_values. Codegen computes the same from the board's DataLayout and sets
    GliderMission::context_bytes. */

@@ -17,7 +17,7 @@ extern "C" {
 
 #define GLIDER_ABI_VERSION 7u
 /* Gives a function declared in C the symbol that a mission looks for; ir/core/c_symbols.h says how
-   it spells the function's types. */
+   the symbol encodes the function's types. */
 #define GLIDER_SYMBOL(name) __asm__(name)
 #define GLIDER_NO_CASE UINT32_MAX
 #define GLIDER_FIRST_OWN_SENSOR 0xFF00u
@@ -55,11 +55,11 @@ typedef enum GliderNoteKind {
 typedef enum GliderEncoding {
   kGliderLinear,
   kGliderDegreesMinutes,
-  kGliderMagnetic /* linear; a heading, magnetic on the vehicle, true once GliderConvertHeadings
-                     has had it */
+  kGliderMagnetic /* linear; a heading, magnetic on the vehicle, true after
+                     GliderConvertHeadings */
 } GliderEncoding;
 
-/* What a state may log, and what a table of guards looks at. */
+/* What a state may log, and what a table of guards reads. */
 typedef enum GliderSource {
   kGliderSensor,
   kGliderMissionTime,
@@ -80,7 +80,7 @@ typedef enum GliderVertical {
 } GliderVertical;
 
 typedef enum GliderLateral {
-  kGliderDrift,   /* no heading wanted: fin centred */
+  kGliderDrift,   /* no heading commanded: fin centred */
   kGliderHeading, /* heading */
   kGliderWaypoint /* latitude, longitude */
 } GliderLateral;
@@ -97,7 +97,7 @@ typedef union GliderBehaviourMemory {
 /* What the generated code of a mission does; ir/README.md says when. A state's functions are called
    while it is current. One that would do nothing is NULL: guards then answer GLIDER_NO_CASE.
 
-   Begin: gives the mission's variables (not the parameters, which stand there already) their
+   Begin: gives the mission's variables (not the parameters, which are already set) their
    initial values and starts the temporals of `always`.
    Advance: advances the temporals of `always`, or of the state.
    Guards: the number of the first case, from number `from` on, of `always` or of the state whose
@@ -117,14 +117,15 @@ typedef void(GliderAct)(GliderContext* context, uint32_t fired);
 typedef void(GliderEnter)(GliderContext* context, uint32_t phase);
 typedef uint32_t(GliderFly)(GliderContext* context);
 typedef uint32_t(GliderCondition)(const GliderContext* context);
-/* A sensor on the SBC, asked once a tick: a new reading in SI units; NaN if there is none since the
-   last. `mission_time` is s since control was given. */
+/* A sensor on the SBC, read once per tick: a new reading in SI units; NaN if there is none since
+   the last call. `mission_time` is s since the mission got control. */
 typedef double(GliderPoll)(double mission_time);
-/* Of a GliderCompass. With a frame, before its tick: notes in `variation` (NaN: unknown so far)
-   what the updates say of it, and makes the magnetic headings among them true. `updates` NULL,
-   after each tick: makes the heading in force magnetic. What the vehicle has not told then the
-   mission's line says, else it is 0, and a note says so. `context` is that of the running mission,
-   or NULL before it runs. */
+/* The function of a GliderCompass. With a frame, before its tick: stores in `variation` (NaN:
+   unknown so far) the value among the updates, if any, and converts the magnetic headings among
+   them to true ones. With `updates` NULL, after each tick: converts the heading in force to
+   magnetic. If the vehicle has not reported the variation by then, the mission's `declination` line
+   gives it; without that line it is 0, and a note reports this. `context` is that of the running
+   mission, or NULL before it runs. */
 typedef void(GliderConvertHeadings)(const GliderMission* mission, GliderContext* context,
                                     double* variation, GliderUpdate* updates, uint32_t count);
 /* 1 if the guard of case `number` of a list is true. */
@@ -155,18 +156,18 @@ double gliderSettle(double value);
 /* The value of log item `item` of the current state, SI units; NaN: unknown. */
 double gliderLogValue(const GliderContext* context, uint32_t item);
 
-/* What a table remembers: a word for its answer, then for each column its interval and the rows
-   that may hold there. */
+/* The words of memory that a table keeps: a word for its answer, then for each column its interval
+   and the rows that may hold there. */
 static inline uint32_t gliderGuardMemory(uint32_t column_count, uint32_t words) {
   return 1u + column_count * (1u + words);
 }
 
-/* What GliderGuards answers, by a table. Remembers in which intervals the numbers lay, and looks at
+/* The answer of GliderGuards, by a table. Keeps the intervals in which the numbers were, and reads
    no row as long as they stay there. */
 uint32_t gliderFirstTrue(GliderContext* context, const GliderGuardTable* table, uint32_t from);
 
-/* Leaves a note of `kind` (GliderNoteKind) with `count` values, for this tick; `text` outlives the
-   mission. Beyond what there is room for it is counted as lost. */
+/* Adds a note of `kind` (GliderNoteKind) with `count` values, for this tick; `text` outlives the
+   mission. A note for which there is no room is counted as lost. */
 void gliderNote(GliderContext* context, uint32_t kind, const char* text, const double* values,
                 uint32_t count);
 

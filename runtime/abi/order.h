@@ -10,8 +10,8 @@
 #include <stdint.h>
 #include <string.h>
 
-/* A whole number for each double, in the same order; unknown (the NaN that missions see) above
-   all. +0 has 0, -0 the number below. */
+/* A whole number for each double, in the same order; unknown (the NaN that missions see) is above
+   all others. +0 gives 0, -0 gives -1. */
 static inline int64_t gliderOrder(double value) {
   int64_t bits;
   memcpy(&bits, &value, sizeof bits);

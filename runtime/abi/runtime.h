@@ -5,7 +5,7 @@
 #define GLIDER_RUNTIME_ABI_RUNTIME_H
 
 /* The event runtime as a plain C interface: what a board's main program, the in-process driver and
-   the judges of generated code call. A host shared object of a mission exports what
+   the test oracles of generated code call. A host shared object of a mission exports what
    entry_points.def lists, and `gliderMission`.
 
    All memory is the caller's; nothing here allocates, blocks or touches the operating system. */
@@ -31,50 +31,50 @@ struct GliderUpdate {
 typedef struct GliderLogSink {
   void* self;
   /* Takes the bytes of whole records; returns how many were taken. Fewer, or a negative number, is
-     a failure, which is counted and never stops the mission. NULL: there is no log. */
+     a failure: it is counted and never stops the mission. NULL: there is no log. */
   int32_t (*write)(void* self, const uint8_t* bytes, uint32_t count);
-  /* Returns when all that was written would outlive a power cut; 0, or a negative number if it
-     would not. May be NULL. */
+  /* Returns when everything written would survive a power cut: 0, or a negative number if it would
+     not. May be NULL. */
   int32_t (*sync)(void* self);
-  /* Asked after each write: 1 if the log was full, and what comes next begins a new one; else 0.
-     May be NULL: the log has no bounds. */
+  /* Called after each write: 1 if the log was full and the next write begins a new one; else 0.
+     May be NULL: the log has no size limit. */
   int32_t (*renew)(void* self);
 } GliderLogSink;
 
-/* Where checkpoints are kept: a file, of which nothing is believed that a power cut could have
-   torn. Each returns how many bytes it dealt with (sync: 0), or a negative number; what fails never
-   stops the mission. */
+/* Where checkpoints are kept: a file. Data that a power cut could have damaged is never trusted.
+   Each function returns how many bytes it processed (sync: 0), or a negative number; a failure
+   never stops the mission. */
 typedef struct GliderStore {
   void* self;
   /* Beyond its end a store has no bytes. */
   int32_t (*read)(void* self, uint32_t offset, uint8_t* bytes, uint32_t count);
   int32_t (*write)(void* self, uint32_t offset, const uint8_t* bytes, uint32_t count);
-  /* Returns when all that was written would outlive a power cut. */
+  /* Returns when everything written would survive a power cut. */
   int32_t (*sync)(void* self);
 } GliderStore;
 
 typedef struct GliderRuntimeOptions {
   GliderLogSink log;
   const double* parameters; /* as gliderStart's; outlives the runtime */
-  GliderStore checkpoints;  /* all NULL: none are kept, and a program that starts begins anew */
-  uint32_t program; /* a number of this very program: checkpoints of another are not taken */
+  GliderStore checkpoints;  /* all NULL: none are kept, and each start is from the beginning */
+  uint32_t program;         /* identifies this program: checkpoints of another are not used */
 } GliderRuntimeOptions;
 
 typedef enum GliderRuntimeStatus {
   kGliderRuntimeIdle,       /* no whole frame is there: wait for bytes, or for the clock */
-  kGliderRuntimeProgressed, /* a frame, or a tick of the clock alone, was dealt with: poll again */
-  kGliderRuntimeFinished,   /* the mission has ended and the vehicle has its own control back */
+  kGliderRuntimeProgressed, /* a frame, or a tick of the clock alone, was processed: poll again */
+  kGliderRuntimeFinished,   /* the mission has ended and control is released */
   kGliderRuntimeLinkClosed  /* the stream's other end has gone */
 } GliderRuntimeStatus;
 
 #define ENTRY_POINT(result, name, parameters) result name parameters;
 
-/* gliderRuntimeSize: bytes of memory that gliderRuntimeInit wants, aligned for a double.
+/* gliderRuntimeSize: bytes of memory that gliderRuntimeInit needs, aligned for a double.
 
    gliderRuntimeInit: makes a runtime in `memory` that waits for control of the vehicle.
    `context_memory` holds mission->context_bytes, aligned for a double; `options` may be NULL.
-   Returns NULL if the mission was made for another ABI, describes itself wrongly, or subscribes
-   more sensors than the link carries.
+   Returns NULL if the mission was built for another ABI, has an inconsistent description, or
+   subscribes to more sensors than the link carries.
 
    gliderRuntimePoll: handles at most one frame of the vehicle, or, after 12 s of silence by
    `clock`, a tick of the clock alone. Never blocks.

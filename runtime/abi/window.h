@@ -38,8 +38,8 @@ typedef struct GliderWindowShape {
 /* Empties the window, which now starts at mission time `time`, s. Its value is unknown. */
 void gliderWindowStart(double* memory, const GliderWindowShape* shape, double time);
 
-/* A tick of mission time `time`, s: takes the reading `value` at `along` (of a window over time:
-   the mission time too) if `fresh` is not 0 and both are known, and works the value out anew. */
+/* A tick of mission time `time`, s: takes the reading `value` at `along` (for a window over time:
+   also the mission time) if `fresh` is not 0 and both are known, and computes the value again. */
 void gliderWindowAdvance(double* memory, const GliderWindowShape* shape, double time, double along,
                          double value, uint32_t fresh);
 

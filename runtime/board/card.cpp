@@ -20,7 +20,7 @@ Card& cardOf(void* self) {
   return *static_cast<Card*>(self);
 }
 
-/// One byte that says that there is something to do, or that it is done.
+/// Sends one byte, which signals that there is work to do, or that it is done.
 bool nudge(int descriptor) {
   const uint8_t byte = 0;
   ssize_t sent = -1;
@@ -30,7 +30,7 @@ bool nudge(int descriptor) {
   return sent == 1;
 }
 
-/// Waits for such a byte; false if the other end is gone.
+/// Waits for such a byte; false if the other end is closed.
 bool isNudged(int descriptor) {
   uint8_t byte = 0;
   ssize_t got = -1;
@@ -74,7 +74,7 @@ bool Card::spawn() {
     close(orders[1]);
     return false;
   }
-  // Not fork(), which has to do with threads and a heap, of which there are none.
+  // Not fork(), which also handles threads and a heap: this program has neither.
   const pid_t process = _Fork();
   if (process == 0) {
     close(orders[1]);
@@ -96,7 +96,7 @@ bool Card::spawn() {
   return true;
 }
 
-/// The process has ended: its card is left alone for a while, and then another is tried.
+/// The process has ended: the card is left unused for a while, and then another process is started.
 void Card::noteGone() {
   gone_ = true;
   close(orders_);
@@ -105,9 +105,10 @@ void Card::noteGone() {
   rests_until_s_ = clock_.now() + rest_s_;
 }
 
-/// The other process: one order after the other, until the mission's process is gone.
+/// The body of the other process: carries out one task after another until the mission's process is
+/// gone.
 void Card::serve(int orders, int answers) {
-  // The line to the vehicle is not its business, nor is a key at the terminal.
+  // This process must not use the line to the vehicle, nor react to keys at the terminal.
   close(STDIN_FILENO);
   close(STDOUT_FILENO);
   if (line_ >= 0) {
@@ -186,7 +187,7 @@ bool Card::hear(double seconds) {
   return !gone_;
 }
 
-/// False while the card is not to be asked.
+/// False while the card must not be used.
 bool Card::isFree() {
   if (busy_ && !gone_ && hear(0)) {
     rests_until_s_ = clock_.now() + rest_s_;
@@ -244,7 +245,8 @@ int32_t Card::syncLog(void* self) {
   return cardOf(self).ask(Task::LogSync, 0, nullptr, 0);
 }
 
-/// A log that was renewed after nobody waited any more is told of at the next question.
+/// A renewal that finished after the mission had stopped waiting for it is reported by the next
+/// call.
 int32_t Card::renewLog(void* self) {
   Card& card = cardOf(self);
   const bool now = card.ask(Task::LogRenew, 0, nullptr, 0) == 1;
@@ -253,8 +255,8 @@ int32_t Card::renewLog(void* self) {
   return now || late ? 1 : 0;
 }
 
-/// A program that cannot read its checkpoint yet does not fly yet. Once it has waited long enough
-/// it has none.
+/// A program waits for its checkpoint before its mission begins. If the wait is too long, it has
+/// none.
 int32_t Card::read(void* self, uint32_t offset, uint8_t* bytes, uint32_t count) {
   Card& card = cardOf(self);
   if (count > card.most_bytes_ || !card.isFree()) {
@@ -263,7 +265,7 @@ int32_t Card::read(void* self, uint32_t offset, uint8_t* bytes, uint32_t count) 
   card.order(Task::StoreRead, offset, count);
   const double patience = card.left_s_;
   const bool answered = !card.gone_ && card.hear(kMostWait);
-  card.left_s_ = patience;  // that was not of a cycle's time
+  card.left_s_ = patience;  // this wait was outside any cycle
   if (!answered) {
     return -1;
   }

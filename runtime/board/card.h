@@ -8,58 +8,59 @@
 
 #include <sys/types.h>
 
-/// What a mission keeps on the card, written by a process of its own: a card that stands still
-/// holds up that process, and not the heartbeat.
+/// A mission's data on the storage card, written by a separate process: a card that stops
+/// responding blocks that process, and not the heartbeat.
 namespace glider::runtime {
 
-/// What is done on the card.
+/// The functions that access the card.
 struct CardWork {
   GliderLogSink log{};
   GliderStore checkpoints{};
   /// Called once before the checkpoints are first read or written: waits until no other program's
   /// process writes them. May be null.
   void (*hold)(const GliderStore& checkpoints) = nullptr;
-  /// Called in a process that is started in place of one that has ended: that may have begun a new
-  /// log, of which nobody else knows. May be null.
+  /// Called in a process that replaces one that has ended: the ended process may have begun a new
+  /// log without reporting it. May be null.
   void (*reopen)(const GliderLogSink& log) = nullptr;
 };
 
-/// The mission's end of that process. Its log and checkpoints behave as those of the CardWork, but
-/// for this: what is not done in time fails at once, until the card has done it and has then
-/// rested.
+/// The mission's interface to that process. Its log and checkpoints behave as those of the
+/// CardWork, with one exception: after an operation that does not finish in time, all operations
+/// fail at once until the card has finished it and has then rested.
 class Card {
  public:
-  /// What waiting for the card may cost of a cycle, s: less than the cycle's four, so that the SBC
+  /// The longest wait for the card in one cycle, s: less than the cycle's 4 s, so that the SBC
   /// never lags behind the vehicle.
   static constexpr double kPatience = 3;
-  /// So long the card is left alone once it has moved again, s: one that is always slow then costs
-  /// one wait a minute.
+  /// How long the card is left unused after it has responded again, s: a card that is always slow
+  /// then costs one wait per minute.
   static constexpr double kRest = 60;
-  /// So long a program that starts waits for its checkpoints, s: for the process of the one before,
-  /// whose card may stand still for good.
+  /// How long a starting program waits for its checkpoints, s: the process of the previous program
+  /// may still hold them, and its card may never respond again.
   static constexpr double kMostWait = 60;
 
   Card() = default;
   Card(const Card&) = delete;
   Card& operator=(const Card&) = delete;
 
-  /// Starts the process; no checkpoint has more than `most_bytes`. False if there is none: then
-  /// `work` is done in this process, and whatever the card takes. `patience` and `rest` in s. One
-  /// that ends later is started anew after a rest.
+  /// Starts the process; no checkpoint has more than `most_bytes`. False if no process could be
+  /// started: then `work` is done in this process, however long the card takes. `patience` and
+  /// `rest` in s. A process that ends later is restarted after a rest.
   bool start(const CardWork& work, uint32_t most_bytes, double patience = kPatience,
              double rest = kRest);
-  /// The line to the vehicle, which a process that is started anew must not hold open.
+  /// The line to the vehicle, which a restarted process must not hold open.
   void setLine(int descriptor) { line_ = descriptor; }
   /// The log, and where checkpoints are kept; both point into this object.
   [[nodiscard]] GliderLogSink log();
   [[nodiscard]] GliderStore checkpoints();
-  /// The SBC has nothing to do: patience begins anew, and a process that has ended is started anew
-  /// if the card has rested. In virtual time patience has no end, for the vehicle's clock waits.
+  /// The SBC is idle: the full patience is available again, and a process that has ended is
+  /// restarted if the card has rested. In virtual time patience is unlimited, because the vehicle's
+  /// clock waits.
   void rested(bool virtual_time);
 
  private:
   enum class Task : uint32_t { LogWrite, LogSync, LogRenew, StoreRead, StoreWrite, StoreSync };
-  /// Lies in memory that both processes see; the bytes follow.
+  /// Is in memory shared by both processes; the bytes follow.
   struct Order {
     Task task;
     uint32_t offset;
@@ -93,15 +94,15 @@ class Card {
   uint32_t most_bytes_ = 0;
   pid_t process_ = -1;
   int line_ = -1;
-  int orders_ = -1;   ///< a byte for each order
+  int orders_ = -1;   ///< a byte for each task
   int answers_ = -1;  ///< a byte for each answer
   double patience_s_ = kPatience;
   double rest_s_ = kRest;
   double left_s_ = kPatience;
   double rests_until_s_ = 0;
-  bool busy_ = false;     ///< an order was given up, and is not done yet
+  bool busy_ = false;     ///< a task was given up on, and is not done yet
   bool gone_ = false;     ///< the process has ended; another is started when the card has rested
-  bool renewed_ = false;  ///< a new log has begun, and the mission has not been told
+  bool renewed_ = false;  ///< a new log has begun, which was not reported to the mission yet
   bool held_ = false;     ///< in the process: hold() was called
 };
 

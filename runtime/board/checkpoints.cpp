@@ -13,7 +13,7 @@
 #include <link.h>
 #include <unistd.h>
 
-/// Where the linker has put the executable's own head.
+/// The executable's own ELF header, as placed by the linker.
 extern "C" __attribute__((visibility("hidden"))) const ElfW(Ehdr) __ehdr_start;
 
 namespace glider::runtime {
@@ -31,9 +31,9 @@ bool openSlots(Slots& slots) {
   return slots.descriptor >= 0;
 }
 
-/// Takes from the card, once, all that the file will ever have. Later writes then change no table
-/// of the file system, which all files share; and slots lie as far apart on the card as in the
-/// file, which a file with holes would not do.
+/// Allocates the whole file on the card, once. Later writes then do not change any table of the
+/// file system, which all files share; and the slots are as far apart on the card as in the file,
+/// unlike in a file with holes.
 void makeRoom(const Slots& slots) {
   static uint8_t zeros[Checkpoint::kBlock];
   off_t end = lseek(slots.descriptor, 0, SEEK_END);
@@ -51,7 +51,7 @@ int descriptorOf(void* self) {
   return static_cast<const Slots*>(self)->descriptor;
 }
 
-/// How many bytes `move`, read or write, dealt with from `offset` on.
+/// Returns how many bytes `move`, read or write, processed from `offset` on.
 template <typename Move, typename Bytes>
 int32_t moveAll(Move move, void* self, uint32_t offset, Bytes* bytes, uint32_t count) {
   uint32_t done = 0;
@@ -87,8 +87,8 @@ int32_t syncStore(void* self) {
   return fdatasync(descriptorOf(self));
 }
 
-/// A piece of the executable as it lies in memory: also what lies between its variables, where a
-/// sanitizer lets nobody read.
+/// Copies a piece of the executable as it is in memory, including the gaps between its variables,
+/// where a sanitizer would reject reads.
 [[gnu::no_sanitize_address]] void copyImage(const uint8_t* from, uint8_t* to, uint32_t count) {
   for (uint32_t i = 0; i < count; ++i) {
     *static_cast<volatile uint8_t*>(to + i) = from[i];
@@ -131,7 +131,7 @@ uint32_t programNumber() {
   const auto* image = reinterpret_cast<const uint8_t*>(&__ehdr_start);
   const auto* segments = reinterpret_cast<const ElfW(Phdr)*>(image + __ehdr_start.e_phoff);
   uint32_t number = 0;
-  // The first address that the executable was linked for lies where its head is now.
+  // The lowest address that the executable was linked for is where its ELF header is now.
   const ElfW(Phdr)* first = nullptr;
   for (uint32_t i = 0; i < __ehdr_start.e_phnum; ++i) {
     const ElfW(Phdr)& segment = segments[i];

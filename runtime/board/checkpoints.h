@@ -8,18 +8,18 @@
 /// Checkpoints in a file of the board, and which program they belong to.
 namespace glider::runtime {
 
-/// Opens the file, or makes it, for a mission with a context of so many bytes; `path` may be null:
-/// no functions then, else it outlives the store.
-/// One that cannot be opened earns a warning; each write then tries again, and fails as one to a
-/// full card does.
+/// Opens or creates the file, for a mission with a context of `context_bytes`. `path` may be null,
+/// which gives a store without functions; otherwise it outlives the store. If the file cannot be
+/// opened, prints a warning; each write then tries again, and fails like a write to a full card.
 GliderStore openCheckpoints(const char* path, uint32_t context_bytes);
 
 /// Waits until no other process holds the file of `checkpoints`, and holds it as long as this
-/// process lives: that of a program before this one may still be writing. Then makes room in it for
-/// all checkpoints, which takes a new one some seconds.
+/// process lives: the process of the previous program may still be writing. Then makes room in the
+/// file for all checkpoints, which takes some seconds for a new file.
 void holdCheckpoints(const GliderStore& checkpoints);
 
-/// A number of this very executable: CRC-32C over its code and constants as they lie in memory.
+/// A number that identifies this executable: CRC-32C over its code and constants as they are in
+/// memory.
 uint32_t programNumber();
 
 }  // namespace glider::runtime

@@ -23,7 +23,7 @@ int32_t writeOutput(void*, const uint8_t* bytes, uint32_t count) {
   return hooks::writeDescriptor(STDOUT_FILENO, bytes, count);
 }
 
-/// The log's file, and the one that it becomes when it is full.
+/// The log's file, and the file that it is renamed to when it is full.
 struct LogFile {
   const char* path;
   char older[256];
@@ -39,7 +39,7 @@ bool openFile(LogFile& file, int flags) {
   return file.descriptor >= 0;
 }
 
-/// The log of a full card is given up at once, never waited for.
+/// Writes to the log on a full card fail at once; there is no wait for space.
 int32_t writeLog(void* self, const uint8_t* bytes, uint32_t count) {
   auto& file = *static_cast<LogFile*>(self);
   if (file.descriptor < 0 && !openFile(file, 0)) {
@@ -61,8 +61,8 @@ int32_t syncLog(void* self) {
   return fdatasync(static_cast<const LogFile*>(self)->descriptor);
 }
 
-/// A full log becomes the older one, in whose place it comes. Where that cannot be, the log may
-/// have as many bytes as both: it goes on, and only then begins anew.
+/// Renames a full log to the older one, which it replaces. If that fails, the log may grow to the
+/// size of both files together and only then starts again from empty.
 int32_t renewLog(void* self) {
   auto& file = *static_cast<LogFile*>(self);
   if (file.size < file.limit ||
@@ -95,7 +95,7 @@ void holdStandardFiles() {
 
 void say(const char* const* pieces) {
   for (; *pieces != nullptr; ++pieces) {
-    // Nobody may be listening on a vehicle.
+    // On a vehicle standard error may not be connected.
     (void)!write(STDERR_FILENO, *pieces, strlen(*pieces));
   }
 }

@@ -9,12 +9,12 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
-/// What the C library's own functions would do with much more code on a board.
+/// Replacements for functions of the C library that would need much more code on a board.
 namespace glider::runtime {
 
 /// From now on the signal is ignored.
 inline void ignoreSignal(int number) {
-  // The kernel's struct sigaction begins with the handler on every board; its mask has 8 bytes.
+  // The kernel's struct sigaction begins with the handler on every board; its mask is 8 bytes long.
   constexpr uintptr_t kIgnore = 1;  // SIG_IGN
   const uintptr_t action[8] = {kIgnore};
   constexpr long kMaskBytes = 8;

@@ -12,7 +12,7 @@
 namespace glider::runtime {
 namespace {
 
-/// Silence is counted in seconds: so long to sleep when no byte comes, ms.
+/// Silence is counted in seconds: the time to sleep when no byte arrives, ms.
 constexpr int kNapMs = 1000;
 
 const char* portOf(const Options& options) {
@@ -87,7 +87,7 @@ GliderLogSink openLogOf(const Options& options) {
 void waitForLine(int descriptor) {
   pollfd wanted{descriptor, POLLIN, 0};
   if (poll(&wanted, 1, kNapMs) < 0) {
-    (void)poll(nullptr, 0, 10);  // never spin, whatever poll has against the line
+    (void)poll(nullptr, 0, 10);  // never spin, for any error that poll reports for the line
   }
 }
 

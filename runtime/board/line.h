@@ -16,20 +16,21 @@ inline constexpr int kWrongUse = 1;
 inline constexpr int kNoLink = 2;
 inline constexpr int kBadParameters = 2;
 
-/// Answers --help (but for the parameters), --version and what is neither; returns the exit status.
+/// Handles --help (except for the parameters), --version and unknown arguments; returns the exit
+/// status.
 int tellWish(const Options& options, const char* mission_name);
 
-/// False, and says so, if log and checkpoints would be written into the same file.
+/// Returns false, with a message, if log and checkpoints would be written to the same file.
 bool areFilesApart(const Options& options);
 
-/// Opens the line that the options name; says on standard error why it cannot.
+/// Opens the line that the options name; on failure prints the reason on standard error.
 OpenPort openLine(const Options& options);
 
-/// Opens the log that the options name, if any. One that cannot be opened earns a warning: the
-/// mission flies without.
+/// Opens the log that the options name, if any. If it cannot be opened, prints a warning: the
+/// mission flies without it.
 GliderLogSink openLogOf(const Options& options);
 
-/// Sleeps until there are bytes, or the clock may have something to say.
+/// Sleeps until there are bytes, or until a time-out may have expired.
 void waitForLine(int descriptor);
 
 }  // namespace glider::runtime

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The program of a mission on an SBC. Static memory only; what it needs of the operating system,
-// Linux 2.4 has.
+// The program of a mission on an SBC. Static memory only; uses only what Linux 2.4 provides.
 
 #include "hooks/transport/system_clock.h"
 #include "runtime/board/arithmetic.h"
@@ -45,7 +44,7 @@ int run(const Options& options) {
   if (!setParameters(options, launch)) {
     return kBadParameters;
   }
-  // Before the line is there, so that the card's process does not hold it open.
+  // Before the line is opened, so that the card's process does not hold it open.
   static Card card;
   (void)card.start(
       {openLogOf(options), openCheckpoints(options.checkpoints, gliderMission.context_bytes),

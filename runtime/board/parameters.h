@@ -9,8 +9,8 @@
 /// The parameters of a mission on a board: from the command line and a file.
 namespace glider::runtime {
 
-/// Gives `launch` what the options say, the file first. False, having said why on standard error,
-/// if the mission does not allow that.
+/// Sets the parameters of `launch` from the options, the file first. Returns false, with the reason
+/// on standard error, if the mission does not allow the values.
 bool setParameters(const Options& options, Launch& launch);
 
 /// Lists the parameters with their defaults and ranges, for --help.

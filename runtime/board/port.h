@@ -21,7 +21,7 @@ struct OpenPort {
 /// Opens the program's one port.
 OpenPort openPort(const char* path, uint32_t baud);
 
-/// The same for a device of Linux's own kind.
+/// The same for a device that Linux itself drives.
 OpenPort openDevice(const char* path, uint32_t baud);
 
 /// The port that is opened when none is named.

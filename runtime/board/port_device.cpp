@@ -7,8 +7,8 @@
 #include <new>
 
 glider::runtime::OpenPort glider::runtime::openDevice(const char* path, uint32_t baud) {
-  // It lives as long as the program. An object with a destructor would have the C library keep a
-  // list of what to call at the end, on the heap.
+  // It lives as long as the program. For a static object with a destructor, the C library would
+  // keep a list of exit handlers on the heap.
   alignas(hooks::SerialDevice) static uint8_t memory[sizeof(hooks::SerialDevice)];
   static auto* const device = ::new (memory) hooks::SerialDevice;
   const int error = device->open(path, baud);

@@ -55,7 +55,7 @@ OpenPort openSerial(const char* path, uint32_t baud) {
 }  // namespace
 
 OpenPort openPort(const char* path, uint32_t baud) {
-  // A symbolic link may stand for either kind.
+  // A symbolic link may point to either kind.
   static char device[PATH_MAX];
   if (realpath(path, device) == nullptr) {
     return {{}, -1, portProblem(errno)};

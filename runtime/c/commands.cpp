@@ -10,8 +10,9 @@ using glider::runtime::Program;
 
 namespace {
 
-/// trackThermo reaches this part of ddepth to both sides of the thermocline. Less than half: its
-/// two ends are ordered at different moments, between which an internal wave moves the thermocline.
+/// trackThermo extends this fraction of ddepth above and below the thermocline. It is less than
+/// half because the two ends are commanded at different times, and an internal wave moves the
+/// thermocline in between.
 constexpr double kHalfWindow = 0.4;
 
 GliderContext* context() {

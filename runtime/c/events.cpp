@@ -19,7 +19,7 @@ bool fires(const gliderEvent& tested) {
     return tested.test(tested.data) != 0;
   }
   const double value = gliderSensor(tested.sensor);
-  switch (tested.op) {  // no comparison with an unknown reading, NaN, is true
+  switch (tested.op) {  // every comparison with an unknown reading, NaN, is false
     case LEQ:
       return value <= *tested.limit;
     case LESS:
@@ -33,7 +33,7 @@ bool fires(const gliderEvent& tested) {
   return value > *tested.limit;
 }
 
-/// False of what would be asked at no address.
+/// False if the test or the limit is a null pointer.
 bool canBeAsked(const gliderEvent& added) {
   return added.op == CUSTOM ? added.test != nullptr : added.limit != nullptr;
 }
@@ -48,8 +48,8 @@ bool subscribe(const gliderEvent& added) {
 
 }  // namespace
 
-/// What an event is stays here: that which EVENT makes ends with the block it was written in. Its
-/// address is its name all the same.
+/// Keeps copies of the events: an event that EVENT makes ends with the block it was written in. The
+/// address of the original still identifies the event.
 struct gliderEventList {
   event events[kMostEvents];
   gliderEvent tested[kMostEvents];

@@ -13,13 +13,13 @@ class KeptState {
   static constexpr uint32_t kMostPieces = 16;
   static constexpr uint32_t kMostBytes = 2048;
 
-  /// Keeps these bytes too. False, and nothing is kept of them, if they are too many.
+  /// Also keeps these bytes. False, with none of them kept, if they are too many.
   bool add(void* bytes, uint32_t count);
-  /// True if the program has said what it keeps, be it nothing.
+  /// True if the program has declared what it keeps, even if that is nothing.
   [[nodiscard]] bool isDeclared() const { return declared_; }
   /// Bytes in all.
   [[nodiscard]] uint32_t size() const { return size_; }
-  /// All pieces, one behind the other, to `out`; and from there back to where they stand.
+  /// Copies all pieces, one after another, to `out`, and from there back to their places.
   void save(uint8_t* out) const;
   void restore(const uint8_t* from) const;
 

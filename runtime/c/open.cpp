@@ -42,7 +42,7 @@ extern "C" int gliderOpen(int argc, char** argv, const char* mission_name) {
   if (options.wish != Options::Wish::Fly) {
     const int status = tellWish(options, mission_name);
     if (status == kDone) {
-      exit(kDone);  // 0 would say that the link is open
+      exit(kDone);  // 0 would mean that the link is open
     }
     return status;
   }

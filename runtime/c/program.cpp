@@ -17,15 +17,15 @@
 namespace glider::runtime {
 namespace {
 
-/// As the mission language has it.
+/// The default of the mission language, s.
 constexpr double kResumeWithin = 300;
 
-/// How many doubles have room for so many bytes.
+/// The number of doubles that hold `bytes` bytes.
 uint32_t slotsFor(size_t bytes) {
   return static_cast<uint32_t>((bytes + sizeof(double) - 1) / sizeof(double));
 }
 
-/// The commands that the program gave before its mission began.
+/// Copies the commands that the program gave before its mission began.
 void keepCommands(const GliderContext& from, GliderContext& to) {
   to.vertical = from.vertical;
   to.lateral = from.lateral;
@@ -52,7 +52,7 @@ Program::Program()
   mission_.abi_version = GLIDER_ABI_VERSION;
   mission_.state_count = 1;
   mission_.states = states_;
-  mission_.sensors = sensors_;  // what the program does stands in its own code, between the ticks
+  mission_.sensors = sensors_;  // what the program does is in its own code, between the ticks
   mission_.resume_within = kResumeWithin;
   mission_.compass = &compass_;
   mission_.dictionary = gliderVehicle.dictionary;
@@ -78,7 +78,7 @@ bool Program::use(uint32_t sensor) {
 }
 
 void Program::open() {
-  (void)use(compass_.variation);  // without room for it the declination counts
+  (void)use(compass_.variation);  // if there is no room for it, the declination is used
   hooks::ClientOptions options;
   options.mission_name = link_.mission_name;
   options.sensors = subscription_;
@@ -87,7 +87,7 @@ void Program::open() {
   client_ = ::new (client_memory_) hooks::Client(*gliderVehicle.dictionary, options);
   log_ = ::new (log_memory_) MissionLog(link_.log, mission_);
   link_log_ = ::new (link_log_memory_) LinkLog(*log_);
-  // A change of a variable asks for a checkpoint, one of the water does not.
+  // A change of a variable requires a checkpoint; a change of the water column does not.
   mission_.variable_count = slotsFor(sizeof limits_ + kept_.size());
   mission_.temporal_slots = slotsFor(sizeof water_);
   mission_.context_bytes = static_cast<uint32_t>(gliderContextLayout(&mission_).bytes);
@@ -155,7 +155,7 @@ bool Program::tickOfClockAlone() {
   return true;
 }
 
-/// Takes in a frame; true if the program has to look at it.
+/// Takes in a frame; true if the program must process it.
 bool Program::takeTick() {
   const hooks::VehicleTick& tick = client_->tick();
   const double sbc_time = link_.clock.now(link_.clock.self);
@@ -204,7 +204,7 @@ void Program::tryToGoOn(const hooks::VehicleTick& tick, double sbc_time) {
   }
 }
 
-/// What is not the context's own goes where checkpoints have it.
+/// Copies the state outside the context to where checkpoints keep it.
 void Program::save() {
   auto* variables = reinterpret_cast<uint8_t*>(context_->variables);
   memset(variables, 0, mission_.variable_count * sizeof(double));
@@ -239,7 +239,7 @@ void Program::note(const char* text, const double* values, uint32_t count) {
   tellNow();
 }
 
-/// Notes are told at once: their text may be gone when the tick is answered.
+/// Notes are sent at once: their text may no longer exist when the tick is answered.
 void Program::tellNow() {
   tellNotes(*context_, *log_, *client_);
   context_->note_count = 0;
@@ -251,7 +251,7 @@ void Program::beginLeg() {
   water_.leg_began = context_->mission_time;
 }
 
-/// What the program made of the tick under way: to the card, then to the vehicle.
+/// Writes the results of the current tick to the card, then sends them to the vehicle.
 void Program::answer() {
   if (!ticked_) {
     return;
@@ -262,7 +262,7 @@ void Program::answer() {
     compass_.convert(&mission_, context_, &variation_, nullptr, 0);
     tellNow();
     hooks::Instruction instruction;
-    // The SBC never speaks first: what a tick without a frame orders goes with the next answer.
+    // The SBC never speaks first: what a tick without a frame commands goes with the next answer.
     if (must_answer_ && control_.choose(instructionFor(*context_), finished_, instruction)) {
       control_.sent(instruction, client_->instruct(instruction));
     }

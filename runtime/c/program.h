@@ -24,7 +24,7 @@ struct Link {
   const char* mission_name = "";  ///< not null
   GliderLogSink log{};
   GliderStore checkpoints{};
-  uint32_t program = 0;  ///< as GliderRuntimeOptions has it
+  uint32_t program = 0;  ///< as in GliderRuntimeOptions
 };
 
 /// The depths and pitches of dive() and climb().
@@ -37,15 +37,15 @@ struct Limits {
 
 class Program {
   static constexpr uint32_t kMost = hooks::kMostSubscriptions;
-  /// What the newest readings say of the water.
+  /// The water, from the newest readings.
   struct Water {
     double leg_began = 0;
     WaterColumn column{};
   };
 
  public:
-  /// Of its context, and so of a checkpoint. Arrays begin at multiples of 8
-  /// (runtime/abi/context_layout.h), each at most 7 bytes later than need be.
+  /// The greatest size of its context, and so of a checkpoint. Arrays begin at multiples of 8
+  /// (runtime/abi/context_layout.h), so each needs at most 7 bytes of padding.
   static constexpr uint32_t kMostContextBytes =
       sizeof(GliderContext) + kMost * sizeof(GliderReading) + sizeof(Limits) +
       KeptState::kMostBytes + sizeof(Water) + GLIDER_MOST_NOTES * sizeof(GliderNote) +
@@ -53,35 +53,36 @@ class Program {
 
   static Program& instance();
 
-  /// What of the C program's own state its checkpoints keep; settled before attach().
+  /// The part of the C program's own state that its checkpoints keep; fixed before attach().
   KeptState& kept() { return kept_; }
-  /// So long an outage may last if the mission is to go on after it, s.
+  /// The longest outage after which the mission continues, s.
   void resumeWithin(double seconds) { mission_.resume_within = seconds; }
-  /// It begins again if the vehicle has begun its own mission again meanwhile.
+  /// The mission starts from the beginning if the vehicle has restarted its own mission meanwhile.
   void newAfterRestart() { mission_.new_after_restart = 1; }
-  /// What counts for headings while the vehicle has told no variation: rad, east positive.
+  /// The declination used for headings while the vehicle has not reported a variation: rad, east
+  /// positive.
   void declination(double east) { compass_.declination = east; }
   void attach(const Link& link) { link_ = link; }
   [[nodiscard]] bool isAttached() const { return link_.wait != nullptr; }
-  /// True when the vehicle said that its time is virtual: it waits for every answer.
+  /// True when the vehicle reported that its time is virtual: it waits for every answer.
   [[nodiscard]] bool virtualTime() const { return client_ != nullptr && client_->virtualTime(); }
-  /// False if the sensor is no sensor, or not subscribed and it is too late for that.
+  /// False if the sensor does not exist, or is not subscribed and it is too late to do so.
   bool use(uint32_t sensor);
-  /// Answers the tick under way and waits for the next in which the mission runs; false when it is
+  /// Answers the current tick and waits for the next in which the mission runs; false when it is
   /// over.
   bool nextTick();
   /// True once: the tick that nextTick() took is the first after a power cut. The program's own
-  /// state is what the checkpoint kept; it may choose anew what it waits for, and the next
+  /// state is what the checkpoint kept; it may choose again what it waits for, and the next
   /// nextTick() gives this tick again.
   bool takeResume();
-  /// True if the mission goes on from a checkpoint.
+  /// True if the mission continues from a checkpoint.
   [[nodiscard]] bool resumed() const { return resumed_; }
 
   /// The commands in force; may be changed at any time.
   GliderContext& context() { return *context_; }
   Limits& limits() { return limits_; }
   void giveBack() { finished_ = true; }
-  /// A word for the logs of SBC and vehicle; dropped before the mission has begun.
+  /// Sends a note to the logs of SBC and vehicle; dropped before the mission has begun.
   void note(const char* text, const double* values, uint32_t count);
   [[nodiscard]] bool released() const { return control_.released(); }
   /// A dive or climb begins.
@@ -108,7 +109,7 @@ class Program {
   const GliderStateInfo* const states_[1] = {&state_};
   GliderMission mission_{};
   GliderCompass compass_;
-  double variation_;  ///< that the vehicle told; NaN: none yet
+  double variation_;  ///< that the vehicle reported; NaN: none yet
   GliderSensorInfo sensors_[kMost] = {};
   hooks::Subscription subscription_[kMost] = {};
   GliderUpdate updates_[kMost] = {};
@@ -130,7 +131,7 @@ class Program {
   Water water_;
   bool started_ = false;
   bool finished_ = false;
-  bool ticked_ = false;  ///< the program has looked at a tick that is not yet committed
+  bool ticked_ = false;  ///< the program has processed a tick that is not yet committed
   bool must_answer_ = false;
   bool resumed_ = false;
   bool just_resumed_ = false;

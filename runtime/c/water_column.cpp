@@ -6,7 +6,7 @@
 namespace glider::runtime {
 namespace {
 
-/// Neighbouring readings further apart say nothing of the water between them, m.
+/// m; neighbouring readings further apart than this do not describe the water between them.
 constexpr float kWidestGap = 3.0F;
 constexpr int32_t kHalf = WaterColumn::kBins / 2;
 

@@ -5,7 +5,7 @@
 
 #include <stdint.h>
 
-/// What was lately read of temperature over depth, and the thermocline in it: for thermoMet and
+/// The recent readings of temperature over depth, and the thermocline in them: for thermoMet and
 /// trackThermo of runtime/c/glider.h.
 ///
 /// The newest reading in each half metre is kept, over a stretch of 32 m, so nothing depends on
@@ -29,7 +29,7 @@ class WaterColumn {
  public:
   static constexpr double kBinMetres = 0.5;
   static constexpr uint32_t kBins = 64;
-  static constexpr double kGreatestAge = 1800;  ///< s; older readings count no more
+  static constexpr double kGreatestAge = 1800;  ///< s; older readings are ignored
 
   /// Forgets everything.
   void clear();
@@ -39,8 +39,8 @@ class WaterColumn {
   /// Of the stretches at most `length` m long, the one with the greatest difference among readings
   /// not before `since`.
   [[nodiscard]] Stretch steepest(double length, double since) const;
-  /// Where the temperature passes `middle` between neighbouring readings not before `since`; of
-  /// several places the one read last.
+  /// Where the temperature passes `middle` between neighbouring readings not before `since`; if
+  /// there are several places, the one read last.
   [[nodiscard]] Crossing crossing(double middle, double since) const;
 
  private:

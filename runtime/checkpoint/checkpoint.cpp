@@ -13,9 +13,9 @@ namespace {
 constexpr uint32_t kMagic = 0x334B4C47;  // "GLK3": the format's version is its last letter
 constexpr uint32_t kAnyMagic = kMagic & 0xFFFFFFU;
 
-/// The part of a context that a resume needs: all behind its pointers, up to what only one tick
-/// needs (what C functions gave, what tables of guards remember, notes). It lies in one piece, and
-/// holds no pointer.
+/// The part of a context that a resume needs: everything after its pointers, up to what only one
+/// tick needs (results of C functions, the memory of guard tables, notes). It is contiguous and
+/// contains no pointer.
 struct Body {
   explicit Body(const GliderContext& context)
       : bytes(reinterpret_cast<const uint8_t*>(&context.mission_time)),
@@ -27,7 +27,7 @@ static_assert(offsetof(GliderContext, mission_time) ==
                   offsetof(GliderContext, note_values) + sizeof(double*) &&
               "no pointer stands behind mission_time");
 
-/// The first one, which has number 1, goes to the first slot: a file that was begun shows it.
+/// The first checkpoint, number 1, goes to the first slot: a file that has any has that one.
 uint32_t placeOf(uint32_t number, const GliderContext& context) {
   return Checkpoint::offsetOf((number - 1) % Checkpoint::kSlots, context.mission->context_bytes);
 }
@@ -38,7 +38,7 @@ uint32_t digestOf(const void* from, const void* to, uint32_t before) {
                        before);
 }
 
-/// What must not be lost though no transition was made: variables, and the command in force.
+/// What must not be lost even if no transition was made: variables, and the command in force.
 uint32_t digestOf(const GliderContext& context) {
   return digestOf(context.variables, context.temporals,
                   digestOf(&context.vertical, &context.refused_commands, 0));
@@ -103,7 +103,8 @@ bool Checkpoint::isDue(const GliderContext& context, const LinkFacts& facts,
 
 bool Checkpoint::write(const GliderContext& context, const LinkFacts& facts) {
   const Body body(context);
-  // One that fails is tried again in the same slot: the newest whole one is never written over.
+  // A failed write is tried again in the same slot: the newest whole checkpoint is never
+  // overwritten.
   Head head{kMagic, 0, program_, number_ + 1, body.size, 0, facts};
   head.check = hooks::crc32c(body.bytes, body.size, digestOf(&head.program, &head + 1, 0));
   const uint32_t at = placeOf(head.number, context);

@@ -9,7 +9,7 @@
 /// (runtime/README.md, "Checkpoints").
 namespace glider::runtime {
 
-/// What a mission needs beside its context to go on.
+/// What a mission needs in addition to its context to continue.
 struct LinkFacts {
   double vehicle_time = 0;  ///< of the vehicle's newest frame, s
   // The moment from which mission time counts, in both times, s.
@@ -23,35 +23,36 @@ struct LinkFacts {
 
 class Checkpoint {
  public:
-  /// Written in turn, so that all but one are whole whatever happens to a write.
+  /// Written in turn, so that all but one remain whole if a write fails or is interrupted.
   static constexpr uint32_t kSlots = 3;
-  /// A slot begins at a multiple of so many bytes.
+  /// A slot begins at a multiple of this many bytes.
   static constexpr uint32_t kBlock = 4096;
-  /// So many bytes at least lie between two slots: what a card may erase and write again as one
-  /// piece, and lose when its power goes meanwhile. The greatest allocation unit of cards of up to
-  /// 32 GB (SD Physical Layer Simplified Specification 4.10, table 4-47).
+  /// The least distance between two slots, bytes: what a card may erase and rewrite as one piece,
+  /// and lose if its power fails meanwhile. The greatest allocation unit of cards of up to 32 GB
+  /// (SD Physical Layer Simplified Specification 4.10, table 4-47).
   static constexpr uint32_t kEraseBlock = 4U << 20U;
-  /// When nothing else asks for one, checkpoints are so far apart, s of mission time.
+  /// The longest time between checkpoints if nothing else requires one, s of mission time.
   static constexpr double kMostApart = 20;
 
-  /// A slot: whole blocks with room for a head and a context, of which a part is kept.
+  /// The size of a slot, bytes: whole blocks with room for a head and a context (of which only a
+  /// part is kept).
   static constexpr uint32_t slotBytes(uint32_t context_bytes) {
     return (context_bytes + uint32_t{sizeof(Head)} + kBlock - 1) / kBlock * kBlock;
   }
-  /// Where a slot begins in the store of a mission with such a context, bytes.
+  /// Where a slot begins in the store of a mission with a context of this size, bytes.
   static constexpr uint32_t offsetOf(uint32_t slot, uint32_t context_bytes) {
     return slot * (kEraseBlock + slotBytes(context_bytes));
   }
-  /// Bytes that the slots take together: a file that has them never grows.
+  /// The total size of the slots, bytes: a file of this size never grows.
   static constexpr uint32_t storeBytes(uint32_t context_bytes) {
     return offsetOf(kSlots - 1, context_bytes) + slotBytes(context_bytes);
   }
 
   enum class Found : uint8_t {
     Nothing,  ///< the store is empty, or there is none
-    Good,     ///< it stands in the context
-    Broken,   ///< there was one of this program, but none is whole
-    Foreign,  ///< those that are there are another program's
+    Good,     ///< it is in the context
+    Broken,   ///< there were checkpoints of this program, but none is whole
+    Foreign,  ///< the checkpoints found belong to another program
   };
   enum class Kept : uint8_t { NotDue, Written, Failed };
 
@@ -59,21 +60,21 @@ class Checkpoint {
   Checkpoint(const GliderStore& store, uint32_t program) : store_(store), program_(program) {}
 
   /// The newest whole checkpoint of this program, into `context`, which is laid out for its
-  /// mission; whatever is found, the context has to be made anew if it is not taken. Writing goes
-  /// on behind it.
+  /// mission. For any result, the context must be made again if the checkpoint is not used. Later
+  /// checkpoints are written after the one found.
   Found find(GliderContext& context, LinkFacts& facts);
 
   /// Keeps the context if something changed that must not be lost (a transition, a variable, the
   /// command in force, an instruction's number), or if the newest is kMostApart old. Returns when
-  /// it would outlive a power cut.
+  /// it would survive a power cut.
   Kept keep(const GliderContext& context, const LinkFacts& facts);
 
  private:
   struct Head {
     uint32_t magic;
-    uint32_t check;  ///< CRC-32C over all behind it: the rest of the head, then the body
+    uint32_t check;  ///< CRC-32C over everything after it: the rest of the head, then the body
     uint32_t program;
-    uint32_t number;  ///< counts up with each
+    uint32_t number;  ///< increases by 1 with each checkpoint
     uint32_t bytes;   ///< of the body
     uint32_t reserved;
     LinkFacts facts;

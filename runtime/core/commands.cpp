@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The vehicle commands of behaviour.h: each sets what is in force, or is refused and counted. What
-// a command does not use stands at 0, so that equal commands are equal contexts.
+// The vehicle commands of behaviour.h: each sets the command in force, or is refused and counted.
+// Values that a command does not use are 0, so that equal commands give equal contexts.
 
 #include "runtime/abi/behaviour.h"
 #include "runtime/numbers/numbers.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // The one place where headings change from the vehicle's magnetic north to the mission's true north
-// and back. magnetic = true + variation, as real vehicles have it: +16.3 degrees off New England,
-// where the needle points west.
+// and back. magnetic = true + variation, with the sign that real vehicles use: +16.3 degrees off
+// New England, where the needle points west.
 
 #include "runtime/abi/runtime.h"
 #include "runtime/numbers/numbers.h"
@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kHalfTurn = 3.141592653589793;
 
-/// What is assumed while the vehicle has said nothing.
+/// The variation assumed until the vehicle has reported one.
 double assumed(const GliderCompass& compass) {
   return isKnown(compass.declination) ? negated(compass.declination) : 0.0;
 }
@@ -26,10 +26,11 @@ double turned(double heading, double by) {
   } else if (sum >= kTwoPi) {
     sum -= kTwoPi;
   }
-  return sum < kTwoPi ? sum : 0.0;  // a hair below 0 is rounded up to a full turn
+  return sum < kTwoPi ? sum : 0.0;  // a value just below 0 is rounded up to a full turn
 }
 
-/// True if the mission knows `id` as a heading that the vehicle gives from magnetic north.
+/// True if `id` is a sensor of the mission for a heading that the vehicle gives from magnetic
+/// north.
 bool isMagnetic(const GliderMission& mission, uint32_t id) {
   for (uint32_t i = 0; i < mission.sensor_count; ++i) {
     if (mission.sensors[i].id == id) {
@@ -39,11 +40,11 @@ bool isMagnetic(const GliderMission& mission, uint32_t id) {
   return false;
 }
 
-/// What a frame says, before its tick.
+/// Takes in the updates of a frame, before its tick.
 void take(const GliderMission& mission, double& variation, GliderUpdate* updates, uint32_t count) {
   const GliderCompass& compass = *mission.compass;
   for (uint32_t i = 0; i < count; ++i) {
-    // NaN is not smaller than anything: what makes no sense leaves the last one as it was.
+    // A comparison with NaN is false: an invalid value leaves the last one unchanged.
     if (updates[i].id == compass.variation && magnitude(updates[i].value) <= kHalfTurn) {
       variation = updates[i].value;
     }
@@ -51,14 +52,14 @@ void take(const GliderMission& mission, double& variation, GliderUpdate* updates
   const double by = negated(isKnown(variation) ? variation : assumed(compass));
   for (uint32_t i = 0; i < count; ++i) {
     const double heading = updates[i].value;
-    // One that no compass gives stays as it is, and is found implausible later.
+    // A value outside the range of a compass is left unchanged, and is found implausible later.
     if (heading >= 0.0 && heading <= kTwoPi && isMagnetic(mission, updates[i].id)) {
       updates[i].value = turned(heading, by);
     }
   }
 }
 
-/// What a tick commands, after it.
+/// Converts the heading that a tick commands, after that tick.
 void follow(GliderContext& context, double& variation) {
   const GliderCompass& compass = *context.mission->compass;
   if (!isKnown(variation)) {
@@ -80,7 +81,7 @@ void follow(GliderContext& context, double& variation) {
 extern "C" void gliderConvertHeadings(const GliderMission* mission, GliderContext* context,
                                       double* variation, GliderUpdate* updates, uint32_t count) {
   if (!glider::runtime::isKnown(*variation) && context != nullptr && updates != nullptr) {
-    *variation = context->variation;  // of a checkpoint: the last that was known
+    *variation = context->variation;  // from a checkpoint: the last known variation
   }
   if (updates != nullptr) {
     glider::runtime::take(*mission, *variation, updates, count);

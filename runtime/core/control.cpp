@@ -18,8 +18,8 @@ ControlNews Control::observe(const hooks::VehicleTick& tick) {
     pending_sequence_ = tick.instruction_sequence;
   }
   if (overtaken(tick)) {
-    // The answer to the handshake was overtaken by that to the instruction after it, which was
-    // refused: control is ours all the same.
+    // The answer to the handshake was overtaken by the answer to the next instruction, which was
+    // refused: control is ours nevertheless.
     ours_ = true;
     unconfirmed_ = 0;
     pending_ = HookControl::Steer;
@@ -66,13 +66,13 @@ ControlNews Control::settlePending(const hooks::VehicleTick& tick) {
 }
 
 ControlNews Control::refused(HookAnswer answer) {
-  if (answer == HookAnswer::BadCheck) {  // something was lost on the way: the client sends it again
+  if (answer == HookAnswer::BadCheck) {  // damaged on the way: the client sends it again
     const bool told = garbled_told_;
     garbled_told_ = true;
     return told ? ControlNews{} : ControlNews{Kind::Refused, pending_sequence_, answer};
   }
   if (pending_ == HookControl::GiveBack) {
-    released_ = true;  // not ours any more: nothing to give back
+    released_ = true;  // no longer ours: there is no control to release
   } else if (pending_ == HookControl::Take) {
     out_of_bounds_ = answer != HookAnswer::WrongSession && answer != HookAnswer::NotReady;
     has_accepted_ = has_accepted_ && !(out_of_bounds_ && sameCommand(instructed_, accepted_));
@@ -81,14 +81,14 @@ ControlNews Control::refused(HookAnswer answer) {
   return {Kind::Refused, pending_sequence_, answer};
 }
 
-/// A handshake that was accepted counts until the vehicle's state has had time to say otherwise:
-/// answer and state may come in different frames.
+/// An accepted handshake is trusted until the vehicle's state has had time to contradict it: answer
+/// and state may arrive in different frames.
 ControlNews Control::noticeLoss() {
   if (!ours_) {
     return {};
   }
   if (state_ == HookState::Active) {
-    unconfirmed_ = kConfirmTicks;  // from now on any other state is a loss at once
+    unconfirmed_ = kConfirmTicks;  // from now on any other state means loss at once
     return {};
   }
   if (unconfirmed_ < kConfirmTicks) {
@@ -101,7 +101,7 @@ ControlNews Control::noticeLoss() {
 }
 
 bool Control::mayTake() const {
-  // Active, but not for us: a session from before this program was restarted.
+  // Active, but not for us: the session is from before this program was restarted.
   return !ours_ &&
          (state_ == HookState::Ready || state_ == HookState::Silent || state_ == HookState::Active);
 }
@@ -117,7 +117,7 @@ bool Control::choose(const hooks::Instruction& wanted, bool finished, hooks::Ins
     return chooseTake(wanted, out);
   }
   out = wanted;
-  // Of a session that is still being taken the client makes a handshake of it.
+  // While the session is still being taken, the client turns this into a handshake.
   out.control = HookControl::Steer;
   return !sameCommand(wanted, instructed_);
 }

@@ -8,19 +8,19 @@
 
 #include <stdint.h>
 
-/// Taking control of the vehicle, keeping it, and giving it back: which instruction, if any, goes
-/// with the answer to a tick. Pure bookkeeping on what the ticks say. The client repeats an
-/// instruction until it is answered; here is decided what a refusal means.
+/// Takes, keeps and releases control of the vehicle: decides which instruction, if any, goes with
+/// the answer to a tick. It only does bookkeeping on what the ticks report. The client repeats an
+/// instruction until it is answered; this class decides what a refusal means.
 namespace glider::runtime {
 
-/// What a tick told of the control, for the log.
+/// What a tick reported about control, for the log.
 struct ControlNews {
   enum class Kind : uint8_t {
     None,
     Taken,     ///< the vehicle does as the mission commands
-    Refused,   ///< an instruction was refused: `answer` says why; the one before stays in force
-    Lost,      ///< the vehicle no longer listens to this session: it will be taken anew
-    Released,  ///< the vehicle has its own control back
+    Refused,   ///< an instruction was refused: `answer` says why; the previous one stays in force
+    Lost,      ///< the vehicle no longer obeys this session: control will be taken again
+    Released,  ///< control is released
   };
   Kind kind = Kind::None;
   uint16_t sequence = 0;
@@ -29,13 +29,13 @@ struct ControlNews {
 
 class Control {
  public:
-  /// The vehicle's state may come a few ticks after the answer that goes with it.
+  /// The vehicle's state may arrive this many ticks after the answer that belongs to it.
   static constexpr uint32_t kConfirmTicks = 6;
-  /// After so many ticks the vehicle's own time-out is left to take control from a mission that
-  /// could not give it back.
+  /// If a mission could not release control within this many ticks, the vehicle's own time-out is
+  /// left to end it.
   static constexpr uint32_t kGiveBackTicks = 15;
 
-  /// Control is ours already: a program before this one took it, and the vehicle obeys its session.
+  /// Control is ours already: the previous program took it, and the vehicle obeys its session.
   void resume() {
     ours_ = true;
     unconfirmed_ = kConfirmTicks;
@@ -44,16 +44,16 @@ class Control {
   void release() { released_ = true; }
   /// Takes in a tick: its hook state and its answer.
   ControlNews observe(const hooks::VehicleTick& tick);
-  /// True if the vehicle would listen to a handshake now.
+  /// True if the vehicle would accept a handshake now.
   [[nodiscard]] bool mayTake() const;
   /// The instruction for this tick, into `out`; false if there is none to send. `wanted` is the
-  /// command in force; a mission that has commanded no vertical yet sends nothing. Where the
-  /// vehicle refuses it, control is taken with the last command that it accepted. Once `finished`,
-  /// control is given back.
+  /// command in force; a mission that has commanded no vertical yet sends nothing. If the vehicle
+  /// refuses it, control is taken with the last command that it accepted. Once `finished`, control
+  /// is released.
   bool choose(const hooks::Instruction& wanted, bool finished, hooks::Instruction& out);
   /// Must follow a choose() that returned true: the number under which `instruction` was sent.
   void sent(const hooks::Instruction& instruction, uint16_t sequence);
-  /// True once a finished mission has nothing left to give back.
+  /// True once a finished mission has no control left to release.
   [[nodiscard]] bool released() const { return released_; }
 
  private:
@@ -66,19 +66,19 @@ class Control {
 
   hooks::HookState state_ = hooks::HookState::Absent;
   hooks::Instruction instructed_;  ///< the last command sent
-  hooks::Instruction accepted_;    ///< the last that the vehicle took
+  hooks::Instruction accepted_;    ///< the last that the vehicle accepted
   bool has_accepted_ = false;
   hooks::HookControl pending_ =
       hooks::HookControl::None;  ///< the instruction that has no answer yet
   uint16_t pending_sequence_ = 0;
-  bool garbled_told_ = false;  ///< about the pending one
-  bool ours_ = false;          ///< a handshake of ours was accepted
-  bool out_of_bounds_ =
-      false;  ///< the handshake's command was refused: only another one is worth a new one
+  bool garbled_told_ = false;   ///< a refusal of the pending one was reported
+  bool ours_ = false;           ///< a handshake of ours was accepted
+  bool out_of_bounds_ = false;  ///< the handshake's command was refused: only a different command
+                                ///< justifies a new handshake
   bool released_ = false;
   uint32_t unconfirmed_ =
       0;  ///< ticks since the handshake was accepted without hookbeh being active
-  uint32_t giving_back_ = 0;  ///< ticks since control was first given back
+  uint32_t giving_back_ = 0;  ///< ticks since release of control was first commanded
 };
 
 }  // namespace glider::runtime

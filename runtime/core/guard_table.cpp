@@ -7,12 +7,12 @@
 namespace glider::runtime {
 namespace {
 
-// The first word of what is remembered. Memory that is zero remembers nothing.
+// Values of the first word of a table's memory. Memory of zeros holds nothing.
 constexpr uint32_t kNothing = 0;
-constexpr uint32_t kNoAnswer = 1;    // but the columns
+constexpr uint32_t kNoAnswer = 1;    // only the columns are known
 constexpr uint32_t kAnswerBias = 3;  // GLIDER_NO_CASE becomes 2
 
-/// How many of the column's thresholds lie at or below `order`.
+/// The number of the column's thresholds at or below `order`.
 uint32_t search(const GliderGuardColumn& column, int64_t order) {
   uint32_t first = 0;
   uint32_t end = column.key_count;
@@ -27,13 +27,13 @@ uint32_t search(const GliderGuardColumn& column, int64_t order) {
   return first;
 }
 
-/// What is remembered of a column: its interval, then the rows that may hold there.
+/// The memory of a column: its interval, then the rows that may hold there.
 class Column {
  public:
   Column(const GliderGuardColumn& column, uint32_t* memory, uint32_t words)
       : column_(column), interval_(memory[0]), rows_(memory + 1), words_(words) {}
 
-  /// Brings it up to date; true if it was not.
+  /// Brings it up to date; true if it has changed.
   bool refresh(int64_t order, bool remembered) {
     const bool inside = remembered && (interval_ == 0 || column_.keys[interval_ - 1] <= order) &&
                         (interval_ == column_.key_count || order < column_.keys[interval_]);
@@ -87,7 +87,7 @@ uint32_t firstTrue(const GliderContext& context, const GliderGuardTable& table,
     for (uint32_t i = 0; i < table.column_count; ++i) {
       rows &= memory[i * (1 + table.words) + 1 + word];
     }
-    for (; rows != 0; rows &= rows - 1) {  // every round takes one bit away
+    for (; rows != 0; rows &= rows - 1) {  // every round clears one bit
       const auto bit = static_cast<uint32_t>(__builtin_ctz(rows));
       const uint32_t number = table.cases[32 * word + bit];
       const bool exact = (table.exact[word] >> bit & 1U) != 0;

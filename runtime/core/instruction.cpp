@@ -44,7 +44,7 @@ double degreesMinutesOf(double degrees) {
   const double minutes = part * 60.0;
   const double whole = size - part;
   double value = whole * 100.0 + minutes;
-  if (value - whole * 100.0 >= 60.0) {  // 59.9999… rounded up to a minute that is none
+  if (value - whole * 100.0 >= 60.0) {  // 59.9999… was rounded up to 60 minutes
     value = (whole + 1.0) * 100.0;
   }
   return doubleOf(bitsOf(value) | (bitsOf(degrees) & kSignBit));

@@ -6,18 +6,17 @@
 #include "hooks/protocol/values.h"
 #include "runtime/abi/glider_abi.h"
 
-/// From the commands in force to what crosses the hook.
+/// Converts the commands in force to the values that cross the hook.
 namespace glider::runtime {
 
 /// The command in force as the sensor array holds it: ddmm.mmmm, float32, headings from magnetic
-/// north. Control, session and
-/// sequence are left open.
+/// north. Control, session and sequence are not set.
 hooks::Instruction instructionFor(const GliderContext& context);
 
-/// True if the two command the same, whatever their session, sequence and control.
+/// True if the two command the same; session, sequence and control are ignored.
 bool sameCommand(const hooks::Instruction& a, const hooks::Instruction& b);
 
-/// Degrees to ddmm.mmmm, the sign kept.
+/// Converts degrees to ddmm.mmmm; keeps the sign.
 double degreesMinutesOf(double degrees);
 
 }  // namespace glider::runtime

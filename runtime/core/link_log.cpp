@@ -28,7 +28,7 @@ LogEvent eventOf(ControlNews::Kind kind) {
 constexpr bool sameNumber(LogDetail detail, HookAnswer answer) {
   return static_cast<uint8_t>(detail) == static_cast<uint8_t>(answer);
 }
-// A refusal is logged by the number of its answer.
+// A refusal is logged with the number of its answer.
 static_assert(sameNumber(LogDetail::BadCheck, HookAnswer::BadCheck));
 static_assert(sameNumber(LogDetail::TooDeep, HookAnswer::TooDeep));
 static_assert(sameNumber(LogDetail::BadPitch, HookAnswer::BadPitch));

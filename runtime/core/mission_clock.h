@@ -5,8 +5,8 @@
 
 #include <stdint.h>
 
-/// Mission time from the vehicle's: 0 when control was given, never going back, whatever the
-/// vehicle's clock does.
+/// Derives mission time from the vehicle's time: 0 when the mission got control; it never goes
+/// back, even if the vehicle's clock does.
 namespace glider::runtime {
 
 /// A moment in both times, s.
@@ -22,7 +22,7 @@ class MissionClock {
     resume({vehicle_time, 0}, vehicle_time, sbc_time);
   }
 
-  /// Goes on where a clock with this anchor was when it last saw the vehicle's.
+  /// Continues where a clock with this anchor was when it last read the vehicle's time.
   void resume(const ClockAnchor& anchor, double vehicle_time, double sbc_time) {
     anchor_ = anchor;
     vehicle_ = vehicle_time;
@@ -34,9 +34,9 @@ class MissionClock {
   /// Vehicle time of the newest frame, s.
   [[nodiscard]] double vehicle() const { return vehicle_; }
 
-  /// The vehicle's frame of cycle number `cycle` came: returns mission time, s. A vehicle that
-  /// began its own mission anew counts from 0 again, and one whose clock is broken from anywhere;
-  /// mission time then goes on from where it was, be it by the SBC's own clock.
+  /// The vehicle's frame with cycle number `cycle` has arrived: returns mission time, s. A vehicle
+  /// that restarted its own mission counts from 0 again, and one with a broken clock from any
+  /// value; mission time then continues from where it was, if necessary by the SBC's own clock.
   double atFrame(double vehicle_time, uint32_t cycle, double sbc_time) {
     const double reached = missionAt(vehicle_) + silence_;
     const uint32_t cycles = cycle > cycle_ ? cycle - cycle_ : 1;
@@ -52,9 +52,9 @@ class MissionClock {
     return missionAt(vehicle_time);
   }
 
-  /// No frame came: mission time by the SBC's own clock. A clock that has jumped counts for no more
-  /// than kMostSilence since it was last looked at: the vehicle's frames, when they come again,
-  /// need no longer than that to catch up.
+  /// No frame has arrived: mission time by the SBC's own clock. A jump of that clock adds at most
+  /// kMostSilence since it was last read, so that the vehicle's frames, when they resume, need no
+  /// longer than that to catch up.
   double withoutFrame(double sbc_time) {
     const double passed = sbc_time - sbc_;
     sbc_ = sbc_time;
@@ -63,10 +63,11 @@ class MissionClock {
   }
 
  private:
-  /// s; a silent link is told every 12 s. `tick_gap_s` of the platform file is this and a cycle.
+  /// s; a silent link is reported every 12 s. `tick_gap_s` of the platform file is this plus one
+  /// cycle.
   static constexpr double kMostSilence = 16;
-  /// s; a control cycle takes 4 to 4.5. A time that goes on by more for each cycle that the vehicle
-  /// has counted is a false reading.
+  /// s; a control cycle takes 4 to 4.5. A time that advances by more per cycle that the vehicle has
+  /// counted is a false reading.
   static constexpr double kMostCycle = 20;
 
   [[nodiscard]] double missionAt(double vehicle_time) const {
@@ -76,7 +77,7 @@ class MissionClock {
   ClockAnchor anchor_;
   double vehicle_ = 0;  ///< vehicle time of the newest frame
   uint32_t cycle_ = 0;  ///< its number; 0: not known yet
-  double sbc_ = 0;      ///< SBC time when it was last looked at
+  double sbc_ = 0;      ///< SBC time when it was last read
   double silence_ = 0;  ///< s since the newest frame
 };
 

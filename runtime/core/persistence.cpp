@@ -32,7 +32,7 @@ bool Persistence::decide(const hooks::VehicleTick& tick, const GliderContext& co
   const double outage = ready ? outageByClock(tick) : tick.vehicle_time_s - facts_.vehicle_time;
   const bool within = outage >= 0.0 && outage <= context.mission->resume_within;
   if (ready && (!within || context.finished != 0 || context.mission->new_after_restart != 0)) {
-    // Another flight: nobody has had control since the vehicle's mission began.
+    // Another flight: no SBC has had control since the vehicle's mission began.
     begins_anew_ = LogDetail::EarlierFlight;
     parts_.client.resume(0, parts_.client.sequence());
     return false;
@@ -42,20 +42,20 @@ bool Persistence::decide(const hooks::VehicleTick& tick, const GliderContext& co
     return false;
   }
   ClockAnchor anchor{facts_.anchor_vehicle, facts_.anchor_mission};
-  if (ready) {  // the vehicle's time has begun again, and tells nothing of the outage
+  if (ready) {  // the vehicle's time has restarted, and does not show the length of the outage
     anchor = {tick.vehicle_time_s, context.mission_time + outage};
   }
   parts_.clock.resume(anchor, ready ? tick.vehicle_time_s : facts_.vehicle_time, sbc_time);
   if (tick.obeys_us) {
     parts_.control.resume();
   }
-  // At the mission time that it is now, not that of the checkpoint.
+  // Logged at the current mission time, not that of the checkpoint.
   parts_.log.event(anchor.mission + (tick.vehicle_time_s - anchor.vehicle),
                    LogEvent::MissionResumed, LogDetail::None, outage);
   return true;
 }
 
-/// By the vehicle's clock, s; unknown if that was not known then, or is not now.
+/// The outage by the vehicle's clock, s; unknown if the clock was unknown then, or is now.
 double Persistence::outageByClock(const hooks::VehicleTick& tick) const {
   return facts_.clock != 0 && tick.clock_s != 0
              ? static_cast<double>(tick.clock_s) - static_cast<double>(facts_.clock)
@@ -75,7 +75,7 @@ void Persistence::begun() {
   }
 }
 
-/// A word for the vehicle's own log.
+/// Sends a note to the vehicle's own log.
 void Persistence::tellVehicle(const GliderContext& context, const char* what) {
   hooks::MissionNote told;
   told.mission_time_s = context.mission_time;
@@ -83,8 +83,8 @@ void Persistence::tellVehicle(const GliderContext& context, const char* what) {
   parts_.client.tell(told);
 }
 
-/// The log first, so that it holds whatever a checkpoint has behind it. A card that fails is told
-/// once, and never stops the mission.
+/// Writes the log first, so that it contains everything that led to a checkpoint. A card failure is
+/// reported once, and never stops the mission.
 void Persistence::commit(const GliderContext* context) {
   parts_.log.flush();
   if (context == nullptr) {

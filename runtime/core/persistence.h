@@ -9,11 +9,11 @@
 #include "runtime/core/mission_clock.h"
 #include "runtime/log/mission_log.h"
 
-/// What of a running mission outlives a power cut, and whether a program that starts again goes on
-/// where it was ("Checkpoints" of runtime/README.md).
+/// Keeps the part of a running mission that survives a power cut, and decides whether a restarted
+/// program continues where it was ("Checkpoints" of runtime/README.md).
 namespace glider::runtime {
 
-/// The rest of the runtime that has to do with it.
+/// The other parts of the runtime that it uses.
 struct PersistenceParts {
   hooks::Client& client;
   Control& control;
@@ -29,19 +29,20 @@ class Persistence {
   Persistence(const Persistence&) = delete;
   Persistence& operator=(const Persistence&) = delete;
 
-  /// The newest checkpoint into `context`, which is laid out for its mission. To be asked once,
-  /// before the first tick.
+  /// Reads the newest checkpoint into `context`, which is laid out for its mission. Must be called
+  /// once, before the first tick.
   void look(GliderContext& context);
-  /// There is a checkpoint, and hookbeh has not yet said what became of its flight: the mission
-  /// neither begins nor goes on.
+  /// True if there is a checkpoint, and hookbeh has not yet reported the state of its flight: the
+  /// mission neither begins nor continues.
   [[nodiscard]] bool isUndecided() const { return found_; }
-  /// Takes in a tick while it is undecided, before Control does. True if the mission goes on in
-  /// this tick from `context`, the one that look() filled.
+  /// Takes in a tick while it is undecided, before Control does. True if the mission continues in
+  /// this tick from `context`, which look() filled.
   bool decide(const hooks::VehicleTick& tick, const GliderContext& context, double sbc_time);
-  /// The mission has begun: logs why a checkpoint that was there was not taken.
+  /// The mission has begun: logs why an existing checkpoint was not used.
   void begun();
-  /// What this tick leaves, to log and checkpoint; `context` is null before the mission begins. To
-  /// be called before the tick is answered: what the vehicle has been told is never forgotten.
+  /// Writes the results of this tick to log and checkpoint; `context` is null before the mission
+  /// begins. Must be called before the tick is answered, so that nothing reported to the vehicle
+  /// can be lost.
   void commit(const GliderContext* context);
 
  private:
@@ -52,8 +53,8 @@ class Persistence {
   PersistenceParts parts_;
   Checkpoint checkpoint_;
   LinkFacts facts_;                          ///< of the checkpoint that was found
-  bool found_ = false;                       ///< there is one, and nothing is decided about it
-  LogDetail begins_anew_ = LogDetail::None;  ///< why a checkpoint that is there is not taken
+  bool found_ = false;                       ///< there is one, and it is not decided yet
+  LogDetail begins_anew_ = LogDetail::None;  ///< why an existing checkpoint is not used
   bool log_fails_ = false;
   bool not_kept_ = false;  ///< the newest could not be written
 };

@@ -10,7 +10,7 @@
 namespace glider::runtime {
 namespace {
 
-/// ddmm.mmmm to degrees, the sign kept; unknown from 60 minutes on.
+/// Converts ddmm.mmmm to degrees; keeps the sign; unknown from 60 minutes on.
 double degreesOf(double raw) {
   const double size = magnitude(raw);
   const double minutes = restOf(size, 100.0);
@@ -21,7 +21,7 @@ double degreesOf(double raw) {
   return gliderSettle(doubleOf(bitsOf(degrees + minutes / 60.0) | (bitsOf(raw) & kSignBit)));
 }
 
-/// gliderOrder, but -0 is 0.
+/// gliderOrder, except that -0 gives 0.
 int64_t orderOf(double value) {
   const int64_t order = gliderOrder(value);
   return order == -1 ? 0 : order;
@@ -57,7 +57,7 @@ const GliderReading* find(const GliderContext& context, uint32_t id) {
 
 void takeUpdates(GliderContext& context, const GliderUpdate* updates, uint32_t count) {
   const GliderMission& mission = *context.mission;
-  uint32_t place = 0;  // frames mostly hold sensors in the mission's order
+  uint32_t place = 0;  // frames usually hold sensors in the mission's order
   for (uint32_t u = 0; u < count; ++u) {
     for (uint32_t tried = 0; tried < mission.sensor_count; ++tried) {
       const bool found = mission.sensors[place].id == updates[u].id;

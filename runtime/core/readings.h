@@ -12,7 +12,7 @@ namespace glider::runtime {
 /// time.
 void takeUpdates(GliderContext& context, const GliderUpdate* updates, uint32_t count);
 
-/// Asks the SBC's own sensors: the same for those that have a new reading.
+/// Polls the SBC's own sensors, and does the same for those that have a new reading.
 void pollSensors(GliderContext& context);
 
 /// Makes each sensor's reading of this tick: SI units, NaN if it is unknown.

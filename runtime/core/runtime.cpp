@@ -19,14 +19,14 @@ using glider::runtime::ControlNews;
 
 namespace {
 
-/// True if each list that the mission counts is there.
+/// True if no list with a nonzero count is missing.
 bool hasTables(const GliderMission& mission) {
   return mission.states != nullptr && (mission.sensors != nullptr || mission.sensor_count == 0) &&
          (mission.always != nullptr || mission.always_count == 0) &&
          (mission.parameters != nullptr || mission.parameter_count == 0);
 }
 
-/// True if every state is there, and whatever has cases has guards.
+/// True if every state exists, and each list of cases has guards.
 bool hasGuards(const GliderMission& mission) {
   bool all = mission.guards != nullptr || mission.always_count == 0;
   for (uint32_t i = 0; i < mission.state_count; ++i) {
@@ -36,7 +36,7 @@ bool hasGuards(const GliderMission& mission) {
   return all;
 }
 
-/// With other parameters it is another program.
+/// Includes the parameters: with different ones it is another program.
 uint32_t programOf(const GliderMission& mission, const GliderRuntimeOptions& options) {
   const auto* bytes = reinterpret_cast<const uint8_t*>(options.parameters);
   const uint32_t count = bytes == nullptr ? 0 : mission.parameter_count * sizeof(double);
@@ -125,8 +125,8 @@ void GliderRuntime::answerTick(const GliderByteStream& stream, double sbc_time) 
   client_.done(status(), stream);
 }
 
-/// Flies on by its own clock; what it commands now goes with the next answer, for the SBC never
-/// speaks first.
+/// Continues by its own clock. Its commands go with the next answer, because the SBC never sends
+/// first.
 void GliderRuntime::tickOfClockAlone(double sbc_time) {
   if (context_ == nullptr || finished()) {
     return;
@@ -153,7 +153,8 @@ uint32_t GliderRuntime::gatherUpdates() {
   return tick.reading_count;
 }
 
-/// Of a frame before its tick, or, without one, of what a tick commands after it.
+/// Converts the headings of a frame before its tick, or, without a frame, the commanded heading
+/// after a tick.
 __attribute__((noinline)) void GliderRuntime::convertHeadings(GliderUpdate* updates,
                                                               uint32_t count) {
   if (mission_.compass != nullptr) {
@@ -161,7 +162,7 @@ __attribute__((noinline)) void GliderRuntime::convertHeadings(GliderUpdate* upda
   }
 }
 
-/// What follows each step of the mission, before its values are logged.
+/// Runs after each step of the mission, before its values are logged.
 void GliderRuntime::endStep() {
   convertHeadings(nullptr, 0);
   glider::runtime::tellNotes(*context_, log_, client_);

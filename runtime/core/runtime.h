@@ -15,7 +15,7 @@
 /// and an answer.
 struct GliderRuntime {
  public:
-  /// `mission` must be one that acceptable() takes. `context_memory` holds its context_bytes.
+  /// `mission` must be acceptable(). `context_memory` holds its context_bytes.
   GliderRuntime(void* context_memory, const GliderMission& mission,
                 const GliderRuntimeOptions& options);
   GliderRuntime(const GliderRuntime&) = delete;
@@ -26,7 +26,7 @@ struct GliderRuntime {
 
   GliderRuntimeStatus poll(const GliderByteStream& stream, const GliderClock& clock);
   [[nodiscard]] const GliderContext* context() const { return context_; }
-  /// True when the vehicle said that its time is virtual: it waits for every answer.
+  /// True when the vehicle reported that its time is virtual: it waits for every answer.
   [[nodiscard]] bool virtualTime() const { return client_.virtualTime(); }
 
  private:
@@ -48,7 +48,7 @@ struct GliderRuntime {
   void* context_memory_;
   const GliderMission& mission_;
   const double* parameters_;          ///< null: the defaults
-  GliderContext* context_ = nullptr;  ///< once control was given
+  GliderContext* context_ = nullptr;  ///< once the mission got control
   glider::hooks::Subscription sensors_[glider::hooks::kMostSubscriptions] = {};
   glider::hooks::Client client_;
   glider::runtime::Control control_;
@@ -56,6 +56,6 @@ struct GliderRuntime {
   glider::runtime::MissionLog log_;
   glider::runtime::LinkLog link_log_;
   GliderUpdate updates_[glider::hooks::kMostSubscriptions] = {};
-  double variation_;  ///< of a mission with a compass: the last that the vehicle told, else NaN
+  double variation_;  ///< in a mission with a compass: the last that the vehicle reported, else NaN
   glider::runtime::Persistence persistence_;
 };

@@ -24,15 +24,15 @@ struct Fired {
 };
 
 /// Makes the transition of `fired` at the context's mission time. A call on a full stack, a return
-/// on an empty one and a target that is no state change nothing: the verifier proves that none
-/// happens, and a vehicle must not depend on it.
+/// on an empty one, and a target that is not a state change nothing. The verifier proves that none
+/// of these happens; the vehicle must not depend on that proof.
 Moved makeTransition(GliderContext& context, const Fired& fired);
 
 /// Makes `state` current, entered now.
 void enterState(GliderContext& context, uint32_t state);
 
-/// True if case `index` of `always` may fire now: it stands before the limit, and its target is
-/// neither current nor on the stack.
+/// True if case `index` of `always` may fire now: it is before the limit, and its target is neither
+/// current nor on the stack.
 bool mayInterrupt(const GliderContext& context, uint32_t index);
 
 }  // namespace glider::runtime

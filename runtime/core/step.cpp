@@ -34,7 +34,7 @@ GliderContext* layOut(void* memory, const GliderMission& mission) {
 
 namespace {
 
-/// Parameters get their values; what has not started yet is unknown.
+/// Sets the parameters; variables without a value yet are unknown.
 void setVariables(GliderContext& context, const double* parameters) {
   const GliderMission& mission = *context.mission;
   for (uint32_t i = 0; i < mission.variable_count; ++i) {
@@ -46,21 +46,21 @@ void setVariables(GliderContext& context, const double* parameters) {
   }
 }
 
-/// Forgets what functions gave in the tick before.
+/// Clears the results of functions in the previous tick.
 void clearCalls(GliderContext& context) {
   for (uint32_t i = 0; i < context.mission->call_count; ++i) {
     context.calls[i].made = 0;
   }
 }
 
-/// What has not been seen is unknown.
+/// Makes all readings unknown until their sensors are seen.
 void forgetReadings(GliderContext& context) {
   for (uint32_t i = 0; i < context.mission->sensor_count; ++i) {
     context.readings[i].value = unknown();
   }
 }
 
-/// Forgets what the tick before left for logs and displays.
+/// Clears what the previous tick left for logs and displays.
 void clearRecords(GliderContext& context) {
   context.moved_list = GLIDER_NO_LIST;
   context.moved_case = GLIDER_NO_CASE;
@@ -188,7 +188,7 @@ extern "C" void gliderStep(GliderContext* context, double mission_time, const Gl
   glider::runtime::takeUpdates(*context, updates, count);
   glider::runtime::pollSensors(*context);
   glider::runtime::refreshReadings(*context);
-  // Those of `always` first: a state's may look at them, not the other way round.
+  // The temporals of `always` first: those of a state may read them, but not the reverse.
   glider::runtime::advance(*context, context->mission->advance);
   glider::runtime::advance(*context, context->mission->states[context->state]->advance);
   glider::runtime::tryLists(*context);

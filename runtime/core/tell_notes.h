@@ -8,8 +8,8 @@
 
 namespace glider::runtime {
 
-/// What this tick has left in `context` of `log` statements and unknown values: to the log, and as
-/// texts to the vehicle.
+/// Writes the notes that this tick left in `context` (`log` statements, unknown values) to the log,
+/// and sends them as text to the vehicle.
 void tellNotes(const GliderContext& context, MissionLog& log, hooks::Client& client);
 
 }  // namespace glider::runtime

@@ -10,7 +10,7 @@
 namespace glider::runtime {
 namespace {
 
-/// At most so much of what a pilot wrote is said back.
+/// The longest part of a pilot's text that a message quotes.
 constexpr uint32_t kMostQuoted = 60;
 
 Text& quote(Text& text, const Piece& piece) {
@@ -174,7 +174,7 @@ bool Launch::refuseValue(const GliderParameterInfo& parameter, const Piece& give
   return refuse(text);
 }
 
-/// Ends the problem with a zero, and puts the place in front of it. Always false.
+/// Terminates the problem with a zero, and puts the location in front of it. Always false.
 bool Launch::refuse(Text& text) {
   problem_[text.size()] = '\0';
   if (file_ != nullptr) {

@@ -7,13 +7,13 @@
 #include "runtime/launch/quantity.h"
 #include "runtime/log/format.h"
 
-/// The parameters of a mission at its launch: what a pilot says, held against what the mission
-/// allows. For boards and for the command alike.
+/// The parameters of a mission at its launch: the pilot's values, checked against what the mission
+/// allows. Used on boards and by the command-line tool.
 namespace glider::runtime {
 
 class Launch {
  public:
-  /// A mission with more is refused where it is compiled.
+  /// The compiler refuses a mission with more.
   static constexpr uint32_t kMostParameters = GLIDER_MOST_PARAMETERS;
 
   /// All parameters have their defaults. `mission` outlives this.
@@ -21,12 +21,12 @@ class Launch {
   Launch(const Launch&) = delete;
   Launch& operator=(const Launch&) = delete;
 
-  /// Takes "name=value", with blanks where one likes; the later of two counts. False, with a
-  /// problem(), if there is no such parameter, or it cannot have that value.
+  /// Takes "name=value", with optional spaces; of two settings of a parameter the later one counts.
+  /// False, with a problem(), if there is no such parameter, or it cannot have that value.
   bool set(const Piece& setting);
   /// Takes the lines of a file, `name = value`, with comments from # on.
   bool setAll(const char* file_name, const Piece& content);
-  /// Whether the parameters satisfy the mission's `where`s together.
+  /// Checks whether the parameters together satisfy the mission's `where` conditions.
   bool check();
 
   /// One value for each parameter: gliderStart's.

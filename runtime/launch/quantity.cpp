@@ -31,7 +31,7 @@ uint64_t hexadecimal(const char* digits, uint32_t count) {
 /// A decimal number, exactly: digits * 10^exponent.
 struct Decimal {
   bool negative = false;
-  double digits = 0;  ///< a whole number, exact as far as kMostDigits
+  double digits = 0;  ///< a whole number, exact up to kMostDigits digits
   int32_t exponent = 0;
   uint32_t seen = 0;         ///< digits of all kinds
   uint32_t whole = 0;        ///< of them, before the point
@@ -97,7 +97,7 @@ Decimal takeDecimal(Piece& text) {
   return number;
 }
 
-/// False if one operation does not give the nearest double.
+/// False if a single operation cannot give the nearest double.
 bool toDouble(const Decimal& number, double& value) {
   if (number.significant == 0) {
     value = 0;
@@ -116,8 +116,8 @@ bool toDouble(const Decimal& number, double& value) {
   return true;
 }
 
-/// Turns `value`, ddmm.mmmm, into degrees. Three digits or more before the point show that no
-/// decimal degrees are meant.
+/// Turns `value`, ddmm.mmmm, into degrees. Three digits or more before the point distinguish it
+/// from decimal degrees.
 bool fromDdmm(const Decimal& number, double& value) {
   constexpr uint32_t kFewest = 3;
   constexpr uint32_t kMost = 5;
@@ -181,7 +181,7 @@ bool isTruth(const char* units) {
 }
 
 bool isOnEarth(const char* units) {
-  return units[0] == 'N' || units[0] == 'E';  // no other list begins so
+  return units[0] == 'N' || units[0] == 'E';  // no other list begins with these
 }
 
 Reading readQuantity(const Piece& text, const char* units, double& value) {

@@ -8,16 +8,16 @@
 /// Numbers with units, as a person writes them at launch.
 namespace glider::runtime {
 
-/// A piece of text that need not end in a zero.
+/// A piece of text that need not end with a zero.
 struct Piece {
   const char* begin;
   const char* end;
 
   [[nodiscard]] uint32_t size() const { return static_cast<uint32_t>(end - begin); }
   [[nodiscard]] bool empty() const { return begin == end; }
-  /// The same without the blanks at both ends.
+  /// The same without the spaces at both ends.
   [[nodiscard]] Piece trimmed() const;
-  /// True if it is `text`, which ends in a zero.
+  /// True if it equals `text`, which ends with a zero.
   [[nodiscard]] bool is(const char* text) const;
 };
 

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // The flightroutes of the library (ABI: runtime/abi/behaviour.h). A command equal to that in force
-// changes nothing, so each simply says every tick what it wants: live arguments follow of
-// themselves.
+// changes nothing, so each gives its command in every tick: changes of live arguments then take
+// effect automatically.
 
 #include "runtime/library/library.h"
 
-/// No heading wanted: the fin is centred.
+/// No heading commanded: the fin is centred.
 extern "C" void gliderRouteNoheading(GliderContext* context, GliderBehaviourMemory*, uint32_t) {
   gliderDriftFree(context);
 }

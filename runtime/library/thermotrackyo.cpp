@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// `thermotrackyo` of missions/library/standard.mission, step by step and bit by bit: that text says
-// what it does and why. tests/flights/library_test.cpp holds the two against each other.
+// `thermotrackyo` of missions/library/standard.mission, step by step and bit by bit: that file says
+// what it does and why. tests/flights/library_test.cpp compares the two.
 
 #include "runtime/abi/window.h"
 #include "runtime/library/library.h"
@@ -27,7 +27,7 @@ struct Windows {
   double slope[kDoubles];
 };
 
-/// `became(g)` of a `g` that is evaluated by who owns it.
+/// `became(g)` of a `g` that the owner of this object evaluates.
 struct Became {
   uint32_t was_true;
   uint32_t is;
@@ -53,7 +53,7 @@ double temperatureOf(const GliderContext* context) {
   return gliderRead(context, gliderSensorOf(context, kGliderRoleWaterTemperature));
 }
 
-/// Unknown if one of the two is.
+/// The lesser of two; unknown if either is.
 double least(double a, double b) {
   return a != a ? a : b < a || b != b ? b : a;
 }
@@ -64,7 +64,7 @@ double clamped(double x, double low, double high) {
   return low != low ? low : high != high ? high : x < low ? low : high < x ? high : x;
 }
 
-/// What the profile's variables are in the language, and what it watches over time.
+/// The variables that the profile has in the language, and its temporals.
 struct Thermotrackyo {
   double layer;
   double reach;

@@ -18,8 +18,7 @@ struct YoRange {
 };
 
 /// Down or up from `direction`, at `depth` (m, NaN: unknown). On enter and resume it is chosen
-/// anew: down unless the bottom is reached. An unknown depth means up, at once: nothing else is
-/// safe.
+/// again: down unless the bottom is reached. An unknown depth means up, at once: only that is safe.
 Direction turn(Direction direction, uint32_t phase, double depth, const YoRange& range);
 
 /// Commands the leg in `direction`.

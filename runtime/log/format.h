@@ -17,7 +17,7 @@ uint32_t formatNumber(double value, char* out);
 /// Writes `value` in decimal. Returns the number of bytes.
 uint32_t formatCount(uint32_t value, char* out);
 
-/// Text being put together. What does not fit is cut off, and full() says so.
+/// A text under construction. What does not fit is cut off, and full() reports that.
 class Text {
  public:
   Text(char* bytes, uint32_t capacity) : bytes_(bytes), capacity_(capacity) {}
@@ -26,7 +26,7 @@ class Text {
   Text& put(const char* text, uint32_t most = UINT32_MAX);
   Text& put(double value);
   Text& putCount(uint32_t value);
-  /// Takes back what was put after the first `size` bytes.
+  /// Removes what was put after the first `size` bytes.
   void cut(uint32_t size);
   [[nodiscard]] const char* bytes() const { return bytes_; }
   [[nodiscard]] uint32_t size() const { return size_; }

@@ -25,7 +25,7 @@ const GliderCaseInfo& madeCase(const GliderContext& context, uint32_t from) {
 }
 
 hooks::ByteWriter MissionLog::open(LogRecord kind) {
-  if (head_ == Head::Missing) {  // before whatever comes first: a link may be refused at once
+  if (head_ == Head::Missing) {  // before any first record: a link may be refused at once
     head_ = Head::Writing;
     writeHead();
     head_ = head_ == Head::Writing ? Head::HandedOn : head_;
@@ -52,7 +52,7 @@ void MissionLog::close(const hooks::ByteWriter& writer) {
   size_ += encodeFrame(frame_, bytes_ + size_);
 }
 
-/// What a reader needs to know: every name that a number stands for.
+/// What a reader needs: the name that each number stands for.
 void MissionLog::writeHead() {
   hooks::ByteWriter writer = start(LogRecord::Start);
   writer.u8(kLogVersion);
@@ -102,7 +102,7 @@ void MissionLog::values(const GliderContext& context) {
   put16(writer, context.state);
   const uint32_t before = writer.size();
   for (uint32_t item = 0; item < state.log_count && item < kMostItems; ++item) {
-    // Of more than a record holds the rest is due in the next tick.
+    // Items that do not fit into a record are due in the next tick.
     if (due(context, item) && hooks::kMostPayload - writer.size() >= 9) {
       written_[item] = context.mission_time;
       writer.u8(static_cast<uint8_t>(item));
@@ -136,7 +136,7 @@ void MissionLog::transition(const GliderContext& context, uint32_t from, const S
 
 void MissionLog::note(const GliderContext& context, uint32_t note) {
   const GliderNote& told = context.notes[note];
-  constexpr uint32_t kMostValues = 60;  // as many as a record holds beside the longest text
+  constexpr uint32_t kMostValues = 60;  // as many as a record holds in addition to the longest text
   const uint32_t count = told.count < kMostValues ? told.count : kMostValues;
   hooks::ByteWriter writer = open(LogRecord::Note);
   writer.f64(context.mission_time);
@@ -159,7 +159,7 @@ void MissionLog::event(double time, LogEvent what, LogDetail detail, double valu
 }
 
 bool MissionLog::handOver() {
-  // A zero ends whatever stands there torn.
+  // A zero ends any incomplete record at the end of the log.
   static constexpr uint8_t kEnd[] = {0};
   if (torn_) {
     torn_ = sink_.write(sink_.self, kEnd, 1) != 1;
@@ -170,7 +170,7 @@ bool MissionLog::handOver() {
   }
   size_ = 0;
   if (torn_ && head_ != Head::Taken) {
-    head_ = Head::Missing;  // without all of it nobody could read what follows
+    head_ = Head::Missing;  // without all of it, what follows could not be read
   } else if (!torn_ && head_ == Head::HandedOn) {
     head_ = Head::Taken;
   }

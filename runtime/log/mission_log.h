@@ -7,8 +7,8 @@
 #include "runtime/abi/runtime.h"
 #include "runtime/log/records.h"
 
-/// The mission's log on the SBC: frames of the hook protocol, handed on at the end of every tick.
-/// runtime/README.md has its format.
+/// The mission's log on the SBC: frames of the hook protocol, passed to the sink at the end of
+/// every tick. runtime/README.md has its format.
 namespace glider::runtime {
 
 /// The case that made the transition of this tick out of state `from`; there must be one.
@@ -21,11 +21,11 @@ struct StateTimes {
 
 class MissionLog {
  public:
-  /// A state's items after so many are not logged.
+  /// Further items of a state are not logged.
   static constexpr uint32_t kMostItems = 64;
   /// Longer names and texts are cut off.
   static constexpr uint32_t kNameBytes = 60;
-  /// At most so many bytes are handed to the sink at once.
+  /// The most bytes that are passed to the sink at once.
   static constexpr uint32_t kBytes = 2048;
 
   /// `mission` and its name outlive the log.
@@ -34,22 +34,23 @@ class MissionLog {
   MissionLog(const MissionLog&) = delete;
   MissionLog& operator=(const MissionLog&) = delete;
 
-  /// That the mission begins, and with which parameters.
+  /// Records that the mission begins, and with which parameters.
   void begin(const GliderContext& context);
-  /// The current state's items that are due.
+  /// Records the current state's items that are due.
   void values(const GliderContext& context);
-  /// That the case which made this tick's transition led from `from`, a state of those times, to
-  /// the context's state; with every sensor's reading of this tick.
+  /// Records that the case that made this tick's transition led from state `from`, which had those
+  /// times, to the context's state; with every sensor's reading of this tick.
   void transition(const GliderContext& context, uint32_t from, const StateTimes& times);
-  /// Note number `note` of this tick.
+  /// Records note number `note` of this tick.
   void note(const GliderContext& context, uint32_t note);
-  /// Something happened; `value` may be NaN.
+  /// Records an event; `value` may be NaN.
   void event(double time, LogEvent what, LogDetail detail, double value);
-  /// Hands over what has gathered. All but values is on the card when this returns.
+  /// Passes collected records to the sink. Everything except values is on the card when this
+  /// returns.
   void flush();
-  /// How often the sink did not take what it was given.
+  /// How often the sink did not accept the data.
   [[nodiscard]] uint32_t failures() const { return failures_; }
-  /// True if it was so the last time.
+  /// True if the last write or sync failed.
   [[nodiscard]] bool isFailing() const { return failures_ > 0 && (torn_ || unsynced_); }
 
  private:
@@ -58,7 +59,7 @@ class MissionLog {
   void close(const hooks::ByteWriter& writer);
   void writeHead();
   void name(LogNamed what, uint32_t number, uint32_t item, const char* text);
-  /// False if the sink did not take it.
+  /// False if the sink did not accept it.
   bool handOver();
   bool due(const GliderContext& context, uint32_t item);
 
@@ -70,12 +71,12 @@ class MissionLog {
   double written_[kMostItems] = {};  ///< mission time at which each item was last logged
   uint32_t last_written_state_ = UINT32_MAX;
   uint32_t failures_ = 0;
-  /// What is needed to read the log, which it begins with.
+  /// The state of the head, which begins the log and is needed to read it.
   enum class Head : uint8_t { Missing, Writing, HandedOn, Taken };
   Head head_ = Head::Missing;
-  bool torn_ = true;       ///< the sink may stand in the middle of a record
-  bool unsynced_ = false;  ///< what was written last might not outlive a power cut
-  bool urgent_ = false;    ///< there is more than values
+  bool torn_ = true;       ///< the log may end in the middle of a record
+  bool unsynced_ = false;  ///< what was written last might not survive a power cut
+  bool urgent_ = false;    ///< there are records other than values
 };
 
 }  // namespace glider::runtime

@@ -15,7 +15,7 @@ namespace {
 
 constexpr uint64_t kExponentBits = 0x7FF0000000000000U;
 constexpr uint64_t kExponentOfOne = 0x3FF0000000000000U;
-/// Where the second coordinate is smaller by this many powers of two, the quotient is the angle.
+/// If the second coordinate is smaller by this many powers of two, the quotient is the angle.
 constexpr uint64_t kFarApart = 60;
 
 /// atan(small / big), 0 <= small <= big, 1 <= big < 2, small at least 2^-60.

@@ -7,7 +7,7 @@
 
 /// Great circles on a sphere of the Earth's mean radius, (2 a + b) / 3 of WGS 84 (Moritz, Geodetic
 /// Reference System 1980, Journal of Geodesy 74 (2000), 128-133, names it R1). Angles are reduced
-/// in degrees, exactly: the poles and the antimeridian are places like any other.
+/// in degrees, exactly: the poles and the antimeridian need no special cases.
 namespace glider::runtime {
 namespace {
 
@@ -25,12 +25,12 @@ double withoutDust(double degrees) {
   return magnitude(degrees) < kNoDegrees ? 0.0 : degrees;
 }
 
-/// False for what is not on Earth, or unknown: that is not smaller than anything.
+/// False for a position that is not on Earth or is unknown: a comparison with NaN is false.
 bool onEarth(double latitude, double longitude) {
   return magnitude(latitude) <= 90.0 && magnitude(longitude) <= 360.0;
 }
 
-/// What both functions want of two places.
+/// What both functions need for two places.
 struct Halves {
   SineCosine latitudes;   ///< of half the difference
   SineCosine longitudes;  ///< of half the difference
@@ -51,9 +51,9 @@ double root(double x) {
   return __builtin_sqrt(x);
 }
 
-/// The haversine formula, with the haversine and its complement each a sum of two squares
-/// (Delambre's analogies; Todhunter, Spherical Trigonometry, 1886, art. 54), so that neither near
-/// places nor antipodes lose digits.
+/// The haversine formula, with the haversine and its complement each computed as a sum of two
+/// squares (Delambre's analogies; Todhunter, Spherical Trigonometry, 1886, art. 54), so that
+/// neither near places nor antipodes lose digits.
 double distance(const Place& from, const Place& to) {
   const Halves half = halvesOf(from, to);
   const double sine = squared(half.latitudes.sine.high * half.longitudes.cosine.high) +

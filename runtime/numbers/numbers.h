@@ -6,7 +6,7 @@
 #include <stdint.h>
 #include <string.h>
 
-/// Doubles by their bit pattern, which no board's floating-point unit can colour.
+/// Doubles by their bit pattern, which no board's floating-point unit can alter.
 namespace glider::runtime {
 
 inline uint64_t bitsOf(double value) {
@@ -46,8 +46,8 @@ inline double negated(double value) {
   return doubleOf(bitsOf(value) ^ kSignBit);
 }
 
-/// What is left of `size` when it is divided by `of`: fmod, to the bit. `size` is not negative,
-/// `of` at least 1; NaN of what is not finite.
+/// The remainder of `size` divided by `of`: identical to fmod. `size` is not negative, `of` is at
+/// least 1; NaN if an argument is not finite.
 double restOf(double size, double of);
 
 }  // namespace glider::runtime

@@ -4,8 +4,8 @@
 #pragma once
 
 /// Numbers of twice a double's precision, as the sum of two doubles. Every step is an IEEE
-/// operation rounded to 53 bits, so boards agree on each bit, a 486 too as long as no magnitude
-/// comes near the ends of a double's range; who calls sees to that.
+/// operation rounded to 53 bits, so boards agree on each bit. This includes a 486 as long as no
+/// magnitude comes near the ends of a double's range; the caller must ensure that.
 ///
 /// Sources: Knuth, The Art of Computer Programming, vol. 2, 4.2.2 (the error of a sum); Dekker,
 /// Numerische Mathematik 18 (1971), 224-242 (splitting, the error of a product).

@@ -7,7 +7,7 @@
 
 namespace glider::runtime {
 
-/// The polynomial's value by Horner's rule; the constant term stands first.
+/// The polynomial's value by Horner's rule; the constant term comes first.
 template <uint32_t kCount>
 double polynomial(const double (&coefficients)[kCount], double x) {
   double value = coefficients[kCount - 1];

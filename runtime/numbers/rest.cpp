@@ -20,8 +20,8 @@ uint64_t digitsOf(uint64_t bits) {
 
 }  // namespace
 
-/// Division by hand, a binary digit a turn: on whole numbers, for a board's soft floating point is
-/// long and fmod longer.
+/// Long division, one binary digit per step, on whole numbers: a board's soft floating point is
+/// slow, and fmod slower.
 [[gnu::noinline]] double restOf(double size, double of) {
   const uint64_t bits = bitsOf(size);
   const uint64_t divisor = digitsOf(bitsOf(of));

@@ -8,9 +8,9 @@
 #include "runtime/numbers/numbers.h"
 #include "runtime/numbers/polynomial.h"
 
-/// Sine, cosine and tangent: an angle becomes a multiple of a quarter turn and a rest of at most
-/// an eighth, whose sine and cosine are polynomials; the rest carries twice a double's precision,
-/// so that its nearness to zero costs nothing.
+/// Sine, cosine and tangent: an angle is split into a multiple of a quarter turn and a remainder of
+/// at most an eighth, whose sine and cosine are polynomials. The remainder has twice a double's
+/// precision, so that no digits are lost near zero.
 namespace glider::runtime {
 namespace {
 
@@ -72,7 +72,7 @@ SineCosine turn(const Reduced& angle) {
   }
 }
 
-/// False of what is unknown, which is not smaller than anything.
+/// False for an unknown angle: a comparison with NaN is false.
 bool inRange(double angle) {
   return magnitude(angle) <= kGreatestAngle;
 }

@@ -13,7 +13,8 @@ struct SineCosine {
   Pair cosine;
 };
 
-/// Of an angle in degrees, |degrees| <= 720, zero or above 2^-200: exact at the multiples of 90.
+/// Sine and cosine of an angle in degrees, |degrees| <= 720, zero or above 2^-200: exact at the
+/// multiples of 90.
 SineCosine sineCosineOfDegrees(const Pair& degrees);
 
 /// The angle of the point (x, y) from the x axis towards the y axis, in rad, -pi < angle <= pi.

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // Windows as a ring of bins: a bin keeps its newest reading, so that noise of the abscissa,
-// repeated and late readings and hovering cost no memory. Every result settles, which also rounds
-// what a 486 holds in a wider register, so the bits are the same everywhere.
+// repeated and late readings and hovering cost no memory. Every result is settled, which also
+// rounds values that a 486 holds in a wider register, so the bits are the same on all boards.
 
 #include "runtime/abi/window.h"
 
@@ -30,7 +30,7 @@ struct Slot {
 static_assert(sizeof(Header) == GLIDER_WINDOW_HEADER * sizeof(double));
 static_assert(sizeof(Slot) == GLIDER_WINDOW_SLOT * sizeof(double));
 
-/// Beyond this a double holds no fraction, and no bin has a number.
+/// Beyond this a double holds no fraction, and bins are not numbered.
 constexpr double kGreatestBin = 4503599627370496.0;
 
 bool isKnown(double value) {
@@ -50,7 +50,7 @@ double quotient(double a, double b) {
   return gliderSettle(a / b);
 }
 
-/// The number of the bin that holds `along`; unknown if it is too far off.
+/// The number of the bin that holds `along`; unknown if it is too far away.
 double binOf(double along, double width) {
   const double exact = quotient(along, width);
   if (!(exact > -kGreatestBin && exact < kGreatestBin)) {
@@ -120,7 +120,8 @@ class Window {
            difference(time, slot.time) <= GLIDER_STRETCH_MEMORY_S;
   }
 
-  /// What lies between two readings in turn was passed just now: what was there before is old.
+  /// Clears the bins between two consecutive readings: that stretch was just passed, so earlier
+  /// readings in it are outdated.
   void forgetBetween(double a, double b) {
     for (uint32_t i = 0; i < shape_.bins; ++i) {
       const double bin = slots_[i].bin;
@@ -130,7 +131,7 @@ class Window {
     }
   }
 
-  /// What has left the window once does not come back.
+  /// Clears readings outside the window: a reading that has left the window does not come back.
   void forget(double time, double now) {
     for (uint32_t i = 0; i < shape_.bins; ++i) {
       if (isKnown(slots_[i].bin) && !within(slots_[i], time, now)) {
@@ -139,7 +140,7 @@ class Window {
     }
   }
 
-  /// What the readings within the window come to, in the order of their bins.
+  /// Sums over the readings within the window, in the order of their bins.
   struct Sums {
     double count = 0;
     double value = 0;  ///< less that of the first reading, to lose no digits

@@ -28,27 +28,27 @@ constexpr double kPitchError = 1e-5;  // rad
 constexpr double kDepthError = 1e-3;  // m
 constexpr double kHoverReach = 2;     // m: hookbeh's own
 constexpr double kHoldReach = 1;      // m: the same
-constexpr double kFloats = 1;         // m: a target above it is the surface
+constexpr double kFloats = 1;         // m: a target above this is the surface
 constexpr double kFarFromTarget = 6;  // m
 constexpr int kFarCycles = 15;        // a minute
 constexpr int kToArrive = 6;          // cycles that the commands of a dive or climb may be held
-constexpr double kNearLimit = 2;      // m: the guard may come in
-constexpr double kSwing = 4;          // m: the guard climbs five at least
+constexpr double kNearLimit = 2;      // m: the guard may step in
+constexpr double kSwing = 4;          // m: a climb of the guard is at least 5 m
 constexpr int kSmallSwings = 3;
-constexpr double kOldReading = 30;      // s: hookbeh's guard 6 comes in so soon
+constexpr double kOldReading = 30;      // s: hookbeh's guard 6 steps in within this time
 constexpr double kAfterOverride = 300;  // s
 constexpr double kRetryShare = 0.5, kRetry = 5, kRetryTolerance = 3;  // of the guard's climb
 constexpr int kLate = 4;                                              // cycles
-// A depth that cannot be believed: what hookbeh allows, and two cycles.
+// A depth that cannot be believed: hookbeh's own limits, plus two cycles.
 constexpr double kFar = 1e9;         // m
 constexpr double kHighest = -5;      // m
 constexpr double kFrozenSecs = 24;   // of a dive, deeper than a metre
-constexpr double kWrong = 8;         // m beside the truth, where a CTD tells
-constexpr double kWrongSecs = 60;    // of a dive, which takes as long to show it at first
-constexpr double kIdleSecs = 200;    // a dive that stands
-constexpr double kCreepsSecs = 380;  // one that creeps: hookbeh's 180 s may begin up to 180 s later
-constexpr double kJump = 4;          // m in a cycle
-constexpr double kStands = 0.3;      // m, gained by less
+constexpr double kWrong = 8;         // m from the truth, if there is a CTD
+constexpr double kWrongSecs = 60;    // of a dive; an error at its beginning takes as long to show
+constexpr double kIdleSecs = 200;    // a dive that does not gain depth
+constexpr double kCreepsSecs = 380;  // one that gains it slowly: hookbeh may wait 2 x 180 s
+constexpr double kJump = 4;          // m per cycle
+constexpr double kStands = 0.3;      // m; a smaller gain counts as none
 constexpr double kFullCircle = 6.283186;
 
 bool isAngle(double ddmm, double most) {
@@ -70,7 +70,7 @@ bool sameVertical(const Instruction& a, const Instruction& b) {
 
 }  // namespace
 
-/// Accepted, or the reason of a refusal, by what the b_args say.
+/// Accepted, or the reason for a refusal, according to the b_args.
 HookAnswer CommandJudge::boundsOf(const Instruction& instruction) const {
   const auto fits = [&](double pitch) {
     return pitch >= hooks::asFloat32(s_.args.shallowest_pitch_rad) &&
@@ -149,7 +149,7 @@ std::string CommandJudge::judgeWhole(const CycleView& view) const {
     return fmt::format("a pitch of {:.2f} rad is commanded under max_pitch {}", out.pitch_rad,
                        s_.args.steepest_pitch_rad);
   }
-  // Its own climbs are with all of the pump.
+  // Its own climbs use the full pump range.
   const double most_cc = climbsByItself(out) ? s_.pump_cc : s_.args.climb_pump_cc;
   if (out.pump_cc > most_cc + kPumpError || out.pump_cc < s_.args.dive_pump_cc - kPumpError) {
     return fmt::format("a pump of {:.0f} cc is commanded", out.pump_cc);
@@ -157,8 +157,8 @@ std::string CommandJudge::judgeWhole(const CycleView& view) const {
   return "";
 }
 
-/// Where a limit is broken by what hookbeh itself reads, and by the truth of a bottom that it
-/// hears.
+/// Checks for a broken limit: by hookbeh's own depth reading, and by the true distance to a bottom
+/// that the altimeter detects.
 std::string CommandJudge::judgeLimits(const CycleView& view, double reading) {
   const bool too_deep = !(reading <= s_.args.greatest_depth_m + kDepthError && reading >= kHighest);
   const bool too_low = s_.promise.clearance && s_.args.least_altitude_m >= 0 &&
@@ -178,7 +178,7 @@ std::string CommandJudge::judgeLimits(const CycleView& view, double reading) {
              : "";
 }
 
-/// Diving by a depth that is frozen, wrong or does not grow.
+/// Checks for dives by a depth that is frozen, wrong or does not increase.
 std::string CommandJudge::judgeBlind(const CycleView& view, double reading) {
   const bool dives = view.hookbeh->pitch_rad < 0 && !view.overridden;
   const auto lasts = [&](double& seconds, bool so) {
@@ -189,14 +189,14 @@ std::string CommandJudge::judgeBlind(const CycleView& view, double reading) {
       s_.has_ctd && std::ranges::none_of(s_.faults.sensors, [](const SensorFault& fault) {
         return fault.name == "sci_water_pressure";
       });
-  // Each dive counts from its own first reading; one that is NaN is judged elsewhere.
+  // Each dive counts from its own first reading; NaN readings are checked elsewhere.
   const bool gains = !dives || !(reading < deepest_m_ + 1);
   deepest_m_ = !dives ? -kFar : gains ? reading : deepest_m_;
   const double same = lasts(same_s_, reading == reading_m_ && reading > kFloats);
   const double wrong = lasts(wrong_s_, ctd && std::fabs(reading - view.true_depth_m) > kWrong);
   const double idle = lasts(idle_s_, !gains);
   if (std::fabs(reading - reading_m_) > kJump) {
-    same_s_ = -s_.cycle_s;  // hookbeh believes one that has jumped a cycle later
+    same_s_ = -s_.cycle_s;  // hookbeh believes a reading that has jumped one cycle later
   }
   reading_m_ = reading;
   return same > kFrozenSecs ? fmt::format("dives for {:.0f} s by a depth that is frozen", same)
@@ -207,7 +207,7 @@ std::string CommandJudge::judgeBlind(const CycleView& view, double reading) {
              : "";
 }
 
-/// The guard comes in at a limit only, lets go when it has done its work, and does not swing.
+/// Checks that the guard steps in only at a limit, ends its climb in time, and does not oscillate.
 std::string CommandJudge::judgeGuard(const CycleView& view) {
   const bool guards = view.hookbeh->guard != hooks::HookGuard::None;
   const bool no_depth = view.hookbeh->guard == hooks::HookGuard::NoDepthGained;
@@ -217,13 +217,14 @@ std::string CommandJudge::judgeGuard(const CycleView& view) {
       (s_.args.least_altitude_m >= 0 && view.clearance_m < s_.args.least_altitude_m + kNearLimit);
   std::string wrong;
   if (guards && !guarding_) {
-    // A vehicle that another behaviour takes elsewhere gains no depth, whatever hookbeh commands.
+    // A vehicle that another behaviour steers gains no depth, regardless of what hookbeh commands.
     const bool stalled = no_depth || view.hookbeh->guard == hooks::HookGuard::NoHeightGained;
     const bool was_before = no_depth && no_depth_gained_;
     if (!near && !was_before && !(stalled && view.time_s - overridden_s_ < kAfterOverride)) {
       wrong = fmt::format("the guard intervenes ({}), but no limit is near", view.hookbeh->doing);
     }
-    // In water too shallow for that it comes up, and waits until the echo is forgotten.
+    // In water too shallow for such a climb the vehicle surfaces, and waits until the echo is
+    // forgotten.
     const bool small = tripped_m_ - shallowest_m_ < kSwing && shallowest_m_ > kFloats &&
                        std::isfinite(shallowest_m_);
     small_swings_ = small ? small_swings_ + 1 : 0;
@@ -245,7 +246,7 @@ std::string CommandJudge::judgeGuard(const CycleView& view) {
 std::string CommandJudge::judgeDive(const HookbehOutputs& out, double reading) {
   const double target = in_force_.depth_m;
   if (!arrived_ && reading < target - kDepthError) {
-    // Its own climb shows that the depth lives, and then it dives.
+    // hookbeh's own climb first checks that the depth follows, then it dives.
     const bool dives = std::fabs(out.pitch_rad - in_force_.pitch_rad) < kPitchError &&
                        out.pump_cc < s_.args.dive_pump_cc + kPumpError;
     return dives || checksDepth(out) ? ""
@@ -261,7 +262,7 @@ std::string CommandJudge::judgeDive(const HookbehOutputs& out, double reading) {
 std::string CommandJudge::judgeClimb(const HookbehOutputs& out, double reading) {
   const double target = in_force_.depth_m;
   if (!arrived_ && reading > target + kDepthError) {
-    // Its own climb leads there at another pitch.
+    // hookbeh's own climb leads there at another pitch.
     const bool as_told =
         checksDepth(out) || std::fabs(out.pitch_rad - in_force_.pitch_rad) < kPitchError;
     const bool rises = climbs(out) && as_told && out.pump_cc > s_.args.climb_pump_cc - kPumpError;
@@ -281,7 +282,7 @@ std::string CommandJudge::judgeHover(const HookbehOutputs& out, double reading) 
   return "";
 }
 
-/// At a depth that was reached, or on the way back to it.
+/// Checks a vehicle at a depth that was reached, or on the way back to it.
 std::string CommandJudge::judgeStaying(const HookbehOutputs& out, double reading) {
   const double off = std::fabs(reading - in_force_.depth_m);
   arrived_cycles_ = arrived_ ? arrived_cycles_ + 1 : 0;
@@ -322,8 +323,8 @@ std::string CommandJudge::judgeFollowing(const CycleView& view, double reading) 
 
 namespace {
 
-/// Whether frames come again on the line to the flight computer, or have until lately: they bring
-/// the CTD's old readings, which no hook can tell from new ones.
+/// Whether frames are repeated on the line to the flight computer, or were until recently: they
+/// carry old readings of the CTD, which the hooks cannot distinguish from new ones.
 bool oldFramesReachFlight(const Faults& faults, double now_s) {
   return std::ranges::any_of(faults.lines, [&](const LineFault& fault) {
     return fault.way == LineWay::ToFlight && fault.replayed > 0 && now_s >= fault.when.from_s &&
@@ -351,7 +352,8 @@ std::string CommandJudge::cycle(const CycleView& view) {
                           oldFramesReachFlight(s_.faults, view.time_s));
   if (wrong.empty() && s_.promise.follows && !excused_) {
     wrong = judgeGuard(view);
-    // Before the first cycle of the guard's climb, and in its last, limits are a matter of noise.
+    // Just before the guard's climb, and in its last cycle, noise decides whether a limit is
+    // reached.
     if (wrong.empty() && !guarding_) {
       carried_off_ = carried_off_ || view.overridden;
       wrong = judgeFollowing(view, reading);

@@ -7,7 +7,7 @@
 
 #include <string_view>
 
-/// What judges ask of the commands of a cycle.
+/// Properties of a cycle's commands that the checks of a flight need.
 namespace glider::simulator {
 
 inline constexpr double kPumpError = 1e-3;  ///< cc; commands that differ by less are the same
@@ -16,12 +16,12 @@ inline bool climbs(const hooks::HookbehOutputs& out) {
   return out.pitch_rad > 0 && out.pump_cc > 0;
 }
 
-/// hookbeh climbs to see whether the depth follows; no guard does.
+/// True if hookbeh climbs to check whether the depth follows; no guard is active then.
 inline bool checksDepth(const hooks::HookbehOutputs& out) {
   return out.doing == std::string_view("check depth");
 }
 
-/// hookbeh climbs whatever the SBC instructs.
+/// True if hookbeh climbs against any instruction of the SBC.
 inline bool climbsByItself(const hooks::HookbehOutputs& out) {
   return out.guard != hooks::HookGuard::None || checksDepth(out);
 }

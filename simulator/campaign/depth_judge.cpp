@@ -13,11 +13,11 @@ using hooks::HookState;
 
 namespace {
 
-// The pump takes this long way to turn a steep dive round, over a bottom that may rise meanwhile.
+// The distance that the pump needs to reverse a steep dive, over a bottom that may rise meanwhile.
 constexpr double kClearanceTolerance = 4;  // m
 constexpr double kTouch = 0.05;            // m
 constexpr double kUnderWater = 1;          // m
-// Without a cycle for longer there was no flight controller.
+// After a longer time without a cycle, the flight controller was not running.
 constexpr double kDarkCycles = 3;
 
 }  // namespace
@@ -44,7 +44,7 @@ std::string DepthJudge::judgeDepth(const CycleView& view, bool active) {
                      active ? "max_depth" : "overdepth", limit);
 }
 
-/// A vehicle without a flight controller goes on as it did, and meets what is there.
+/// A vehicle without a running flight controller keeps moving as before, and may meet the bottom.
 bool DepthJudge::isNewOnBottom(const CycleView& view) {
   const bool touches = view.clearance_m < kTouch && view.true_depth_m > kUnderWater;
   const bool was_dark = view.time_s - cycle_at_s_ > kDarkCycles * s_.cycle_s;

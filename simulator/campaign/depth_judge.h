@@ -10,15 +10,16 @@
 
 namespace glider::simulator {
 
-/// Judges the true depth against the limit in force (hookbeh's max_depth while the SBC has control,
-/// else abend's overdepth) and against the hull's, and the true clearance over the bottom.
+/// Checks the true depth against the limit in force (hookbeh's max_depth while the SBC has control,
+/// else abend's overdepth) and against the hull's limit, and checks the true clearance over the
+/// bottom.
 class DepthJudge {
  public:
   explicit DepthJudge(const JudgeSetup& setup) : s_(setup) {}
 
   /// What is violated in this cycle; empty: nothing.
   std::string cycle(const CycleView& view);
-  /// The deepest that it was, and the least clearance while the SBC had control, m.
+  /// The greatest depth, and the least clearance while the SBC had control, m.
   [[nodiscard]] double deepest() const { return deepest_m_; }
 
  private:
@@ -29,11 +30,11 @@ class DepthJudge {
 
   const JudgeSetup& s_;
   double deepest_m_ = 0;
-  double limit_m_ = -1;   ///< in force in the cycle before
-  double excess_m_ = 0;   ///< so far the vehicle was past the limit when that came into force
-  double lacking_m_ = 0;  ///< so far it was below the least altitude when the SBC took control
+  double limit_m_ = -1;   ///< in force in the previous cycle
+  double excess_m_ = 0;   ///< how far the vehicle was past the limit when it came into force
+  double lacking_m_ = 0;  ///< how far it was below the least altitude when the SBC took control
   bool was_active_ = false;
-  double cycle_at_s_ = __builtin_nan("");  ///< when the cycle before was
+  double cycle_at_s_ = __builtin_nan("");  ///< when the previous cycle was
   bool met_bottom_in_dark_ = false;        ///< and has not left it since
 };
 

@@ -22,19 +22,19 @@ class Draw {
         anchor_s_(between(0, times.flight_s)) {}
 
   double between(double low, double high) { return low + (high - low) * noise_.uniform(); }
-  /// Each power of ten is as likely.
+  /// Every power of ten is equally likely.
   double scale(double low, double high) { return low * std::pow(high / low, noise_.uniform()); }
   bool chance(double share) { return noise_.uniform() < share; }
   uint32_t below(uint32_t count) { return static_cast<uint32_t>(noise_.uniform() * count); }
   LineWay anyWay() { return static_cast<LineWay>(below(4)); }
-  /// One kind of those that are neither none nor several.
+  /// A kind other than None and Several.
   FaultKind otherKind() {
     constexpr auto kFirst = static_cast<uint32_t>(FaultKind::None) + 1;
     constexpr auto kAfter = static_cast<uint32_t>(FaultKind::Several);
     return static_cast<FaultKind>(kFirst + below(kAfter - kFirst));
   }
 
-  /// When something goes wrong.
+  /// The time at which something goes wrong.
   double moment() {
     switch (manner_) {
       case Manner::Handshake:
@@ -50,7 +50,7 @@ class Draw {
     }
     return between(0, times_.flight_s);
   }
-  /// Times in which something is wrong; those that may last do not always end.
+  /// Times of a fault; with those that may last, some do not end.
   std::vector<Span> windows() { return windows(1, 900, true); }
   /// Times that end.
   std::vector<Span> passing(double shortest_s, double longest_s) {

@@ -35,7 +35,7 @@ void addLeftOver(Draw& draw, Faults& faults) {
   constexpr uint32_t kMostSequence = 65535, kNearTheEnd = 20, kSessions = 4;
   Leftover leftover;
   leftover.session = 1 + draw.below(kSessions);
-  // Numbers count round: half of them are about to.
+  // Numbers wrap: in half of the draws they are about to.
   leftover.sequence = static_cast<uint16_t>(
       draw.chance(0.5) ? kMostSequence - draw.below(kNearTheEnd) : 1 + draw.below(kMostSequence));
   leftover.depth_m = draw.between(2, 30);
@@ -111,7 +111,7 @@ DrawnArgs drawArgs(Draw& draw, const FlightTimes& times) {
   args.min_altitude_m = draw.between(2, 8);
   args.max_pitch_rad = draw.between(0.4, 0.75);
   args.hold_secs = draw.chance(0.3) ? 0 : draw.between(4, 60);
-  // Also more than the pump has, and with the wrong sign: a pilot's slip.
+  // Includes more than the pump's range, and the wrong sign: a pilot's error.
   args.dive_pump_cc = draw.chance(0.2) ? draw.between(150, 1000) : -draw.between(150, 1000);
   args.climb_pump_cc = draw.chance(0.2) ? -draw.between(150, 1000) : draw.between(150, 1000);
   return args;

@@ -13,14 +13,14 @@
 
 namespace glider::simulator {
 
-/// When faults of a kind come.
+/// When faults of a kind occur.
 enum class Manner : uint8_t {
   Once,       ///< at any time; one in eight of those that may last does not end
   Recurring,  ///< three to six times
   Together,   ///< with faults of another kind at the same time
   Handshake,  ///< while control is taken
-  Exit,       ///< while it is given back
-  ForGood,    ///< from any time on, without an end
+  Exit,       ///< while it is released
+  ForGood,    ///< from a random time on, without an end
 };
 inline constexpr uint32_t kManners = 6;
 /// "in the handshake".
@@ -30,7 +30,7 @@ const char* nameOf(Manner manner);
 struct FlightTimes {
   double flight_s = 0;
   double take_s = 0;       ///< when control is taken
-  double give_back_s = 0;  ///< when it is given back
+  double give_back_s = 0;  ///< when it is released
   double deepest_m = 20;
 };
 
@@ -40,17 +40,17 @@ struct DrawnArgs {
   double dive_pump_cc = -230, climb_pump_cc = 230;
 };
 
-/// What goes wrong in a flight.
+/// The faults drawn for a flight.
 struct DrawnFaults {
   std::vector<FaultKind> kinds;
   Faults faults;
   std::optional<DrawnArgs> args;
   std::optional<double> water_depth_m;
 
-  /// True if a sensor is wrong, or the world or the mission file another: the mission may then take
-  /// its longest way to the exit, or never find it.
+  /// True if a sensor is wrong, or the environment or the mission file is changed: the mission may
+  /// then take its longest path to the exit, or never reach it.
   [[nodiscard]] bool lasts() const;
-  /// Puts it into the world of a flight.
+  /// Applies them to the scenario of a flight.
   void applyTo(Scenario& scenario) const;
 };
 

@@ -11,14 +11,14 @@
 namespace glider::simulator {
 namespace {
 
-/// A sensor that missions and hookbeh live by, and readings of it that may be true.
+/// A sensor that missions and hookbeh depend on, and the range of its plausible readings.
 struct Plausible {
   const char* name;
   double lowest, highest;
 };
 constexpr auto kSensors = std::to_array<Plausible>({
     {"m_depth", 0, 65},
-    {"m_depth", 0, 3},  // the one that they live by most
+    {"m_depth", 0, 3},  // the one that they depend on most
     {"m_depth", 0, 30},
     {"m_depth", 50, 70},
     {"m_pitch", -0.6, 0.6},
@@ -30,7 +30,7 @@ constexpr auto kSensors = std::to_array<Plausible>({
     {"m_pressure", 0, 6.5},
     {"m_depth_rate", -0.3, 0.3},
 });
-/// Sensors that hookbeh's limits do not rest on, and the CTD, which it does without.
+/// Sensors that hookbeh's limits do not depend on, and the CTD, which hookbeh can work without.
 constexpr auto kOtherSensors = std::to_array<Plausible>({
     {"m_heading", 0, 6.28},
     {"m_lat", 3909, 3912},
@@ -39,7 +39,7 @@ constexpr auto kOtherSensors = std::to_array<Plausible>({
     {"sci_water_pressure", 0, 6.5},
     {"m_battery", 9.8, 15},
 });
-/// Words of an instruction, whose check finds what is wrong with them, and the heartbeat.
+/// Fields of an instruction, in which the check value detects faults, and the heartbeat.
 constexpr auto kHookSensors = std::to_array<Plausible>({
     {"sci_hook_heartbeat", 0, 100},
     {"sci_hook_session", 1, 4},
@@ -51,7 +51,7 @@ constexpr auto kHookSensors = std::to_array<Plausible>({
     {"sci_hook_check", 0, 65535},
     {"sci_hook_sequence", 1, 65535},
 });
-/// Readings that no sensor of them gives.
+/// Readings that none of these sensors can give.
 constexpr std::array<double, 6> kNonsense = {-1e9, -50, 1e-30, 180, 5000, 1e30};
 
 SensorFault::Kind howOf(SensorFaultKind kind, Draw& draw) {
@@ -92,7 +92,7 @@ double valueOf(SensorFaultKind kind, const Plausible& sensor, Draw& draw) {
       return std::nan("");
     case SensorFaultKind::SensorRange:
       return kNonsense[draw.below(kNonsense.size())];
-    case SensorFaultKind::SensorDrift:  // through its range within ten minutes to ten hours
+    case SensorFaultKind::SensorDrift:  // through its range in ten minutes to ten hours
       return (draw.chance(0.5) ? 1 : -1) * range / draw.scale(600, 36000);
     case SensorFaultKind::SensorScale:
       return draw.chance(0.1) ? -1 : draw.scale(0.1, 3);
@@ -109,7 +109,7 @@ double valueOf(SensorFaultKind kind, const Plausible& sensor, Draw& draw) {
   return draw.between(sensor.lowest, sensor.highest);
 }
 
-/// A heartbeat that stands still may also be one of two that come again and again.
+/// A heartbeat that does not advance may also alternate between two old values.
 void addOldHeartbeats(const SensorFault& first, Draw& draw, Faults& faults) {
   if (first.name == std::string_view("sci_hook_heartbeat") &&
       first.kind == SensorFault::Kind::Value) {
@@ -120,8 +120,8 @@ void addOldHeartbeats(const SensorFault& first, Draw& draw, Faults& faults) {
   }
 }
 
-/// A CTD that fails may in place of that tell the absolute pressure, or be off by as much the other
-/// way: it never agrees with the depth.
+/// A failing CTD may instead report the absolute pressure, or be off by as much in the other
+/// direction: it then never agrees with the depth.
 bool isOffset(SensorFaultKind kind, const Plausible& sensor, Draw& draw) {
   return kind == SensorFaultKind::OtherSensor &&
          sensor.name == std::string_view("sci_water_pressure") && draw.chance(0.5);
@@ -149,7 +149,7 @@ void addSensor(SensorFaultKind kind, Draw& draw, Faults& faults) {
   fault.value = valueOf(kind, sensor, draw);
   fault.share = draw.chance(0.3) ? 1 : draw.scale(0.01, 1);
   fault.share = fault.kind == SensorFault::Kind::Value ? 1 : fault.share;
-  // One that is stuck may waver by a little all the same.
+  // A stuck sensor may still waver a little.
   SensorFault wavers = fault;
   wavers.kind = SensorFault::Kind::Jumps;
   wavers.value = (sensor.highest - sensor.lowest) * draw.scale(1e-5, 0.01);

@@ -7,8 +7,7 @@
 
 namespace glider::simulator {
 
-/// Draws a fault of such a kind: one sensor, of the vehicle's own or of the hook's, in one or more
-/// times.
+/// Draws a fault of this kind: one sensor, the vehicle's or the hook's, at one or more times.
 void addSensor(SensorFaultKind kind, Draw& draw, Faults& faults);
 
 }  // namespace glider::simulator

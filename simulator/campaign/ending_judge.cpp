@@ -14,7 +14,7 @@ using hooks::HookState;
 namespace {
 
 constexpr double kAtSurface = 1;     // m
-constexpr double kPowerTimes = 3;    // of a flight without a fault
+constexpr double kPowerTimes = 3;    // times the power of a flight without a fault
 constexpr double kPowerMore = 8000;  // J: a few strokes of the pump at any time
 constexpr double kVoltageFor = 60;   // s
 constexpr double kVoltageError = 0.05;

@@ -10,7 +10,7 @@
 
 namespace glider::simulator {
 
-/// Judges what the vehicle does by itself: it comes up in time when nothing is left that dives, and
+/// Checks what the vehicle does by itself: it surfaces in time when nothing is left that dives, and
 /// its batteries last as long as they must.
 class EndingJudge {
  public:
@@ -18,7 +18,7 @@ class EndingJudge {
 
   /// What is violated in this cycle; empty: nothing.
   std::string cycle(const CycleView& view);
-  /// It was under water in the last cycle, on its way up, and still has time for that.
+  /// True if it was under water in the last cycle, on its way up, and still has time to surface.
   [[nodiscard]] bool isComingUp() const { return up_by_s_ >= last_s_; }
 
  private:
@@ -27,9 +27,9 @@ class EndingJudge {
 
   const JudgeSetup& s_;
   bool voltage_known_;   ///< no fault damages its sensor
-  double last_s_ = 0;    ///< of the cycle before
-  double up_by_s_ = -1;  ///< at the surface at the latest then; negative: something still dives
-  double below_since_s_ = -1;  ///< the voltage is below what aborts
+  double last_s_ = 0;    ///< of the previous cycle
+  double up_by_s_ = -1;  ///< the latest time to be at the surface; negative: something still dives
+  double below_since_s_ = -1;  ///< since when the voltage is below the abort limit
 };
 
 }  // namespace glider::simulator

@@ -21,7 +21,7 @@ constexpr std::array<Sensor, 11> kInstruction = {
     Sensor::sci_hook_heading, Sensor::sci_hook_lat,     Sensor::sci_hook_lon,
     Sensor::sci_hook_check,   Sensor::sci_hook_sequence};
 constexpr double kAtSurface = 1;  // m
-constexpr double kSettled = 60;   // s at the surface after which nothing more is to come
+constexpr double kSettled = 60;   // s at the surface after which nothing more is expected
 constexpr double kGiveBack = static_cast<double>(hooks::HookControl::GiveBack);
 constexpr double kTake = static_cast<double>(hooks::HookControl::Take);
 
@@ -29,7 +29,7 @@ std::string words(std::pair<double, double> number) {
   return fmt::format("instruction {} of session {}", number.second, number.first);
 }
 
-/// The instruction that lies in the sensor array, or was written there.
+/// The instruction that is in the sensor array, or was written there.
 hooks::Instruction instructionOf(const std::array<double, kInstruction.size()>& words) {
   hooks::Instruction instruction;
   instruction.session = static_cast<uint32_t>(words[0]);
@@ -81,7 +81,7 @@ void FlightJudge::said(std::span<const uint8_t> bytes, double now_s) {
   }
 }
 
-/// Under which number the SBC writes a field of an instruction; the roles have their order.
+/// The sensor number of a field of an instruction; the roles are in the order of the fields.
 uint16_t FlightJudge::numberOf(size_t field) const {
   return hooks::sensorOf(setup_.dictionary->get(),
                          static_cast<GliderRole>(kGliderRoleHookSession + field));
@@ -97,7 +97,7 @@ void FlightJudge::hear(const hooks::SensorList& write, double now_s) {
   const Number number{instruction.front(), instruction.back()};
   const auto [known, is_new] = said_.try_emplace(number, instruction);
   if (!is_new && known->second != instruction && !obeyed_.contains(number)) {
-    known->second = instruction;  // of a program that was started again
+    known->second = instruction;  // of a program that was restarted
   } else if (!is_new && known->second != instruction) {
     violate(now_s, words(number) + " is repeated with other content");
   }
@@ -121,8 +121,8 @@ void FlightJudge::hearDone(const hooks::Frame& frame, double now_s) {
 }
 
 void FlightJudge::judgeObeyed(const CycleView& view) {
-  // After an abort hookbeh runs no more, and silent it obeys nothing: what it answered last stays
-  // in the array. Complete, it tells no session.
+  // After an abort hookbeh no longer runs, and when silent it obeys nothing: its last answer stays
+  // in the array. When complete, it reports no session.
   const bool gives_back = view.hook == HookState::Complete && !gave_back_;
   if (view.aborted || !(view.hook == HookState::Active || gives_back)) {
     return;
@@ -172,7 +172,7 @@ void FlightJudge::judgeSession(const CycleView& view, Number number, const Words
   session_in_control_ = number.first;
 }
 
-/// The flight controller's mission has begun again: another hookbeh, which knows of no session.
+/// The flight controller's mission has restarted: a new hookbeh, which does not know any session.
 void FlightJudge::followRestart(const CycleView& view) {
   if (view.mission_s < mission_s_) {
     gave_back_ = false;
@@ -185,7 +185,7 @@ void FlightJudge::followRestart(const CycleView& view) {
   mission_s_ = view.mission_s;
 }
 
-/// What hookbeh has answered an instruction, once for each that it has decided on.
+/// Checks hookbeh's answer to an instruction, once for each that it has decided on.
 void FlightJudge::judgeAnswer(const CycleView& view) {
   const auto answer = static_cast<hooks::HookAnswer>(view.array.get(Sensor::x_hook_answer));
   const Number number{view.array.get(Sensor::sci_hook_session),
@@ -203,7 +203,8 @@ void FlightJudge::judgeAnswer(const CycleView& view) {
   }
 }
 
-/// An SBC that lives, but whose instruction does not get there whole, is let go in time too.
+/// Checks that control also ends in time if the SBC is alive but its instruction does not arrive
+/// intact.
 void FlightJudge::judgeGarbled(const CycleView& view) {
   const bool garbled =
       view.hook == HookState::Active &&
@@ -237,7 +238,7 @@ void FlightJudge::judgeTimes(const CycleView& view) {
                         view.time_s - progress_s_));
   }
   for (const Release& release : stated_.releases) {
-    // A cycle at that very moment may still be the last one.
+    // A cycle at exactly that time may still be the last one.
     if (view.time_s > release.when.from_s && release.when.has(view.time_s)) {
       violate(view.time_s, "the SBC is in control though " + release.why);
     }
@@ -266,7 +267,7 @@ bool FlightJudge::cycle(const CycleView& view) {
     lost_session_ = session_in_control_;
   }
   if (!was_active && view.hook == HookState::Active) {
-    progress_s_ = std::max(progress_s_, view.time_s);  // from here on it must go on
+    progress_s_ = std::max(progress_s_, view.time_s);  // from here on it must make progress
   }
   hook_ = view.hook;
   judgeTimes(view);
@@ -290,7 +291,7 @@ std::string FlightJudge::violationAtEnd() const {
   if (hook_ == HookState::Active) {
     return "the flight does not end in time";
   }
-  // The time for the flight may be over shortly after something has dived.
+  // The time for the flight may end shortly after a dive.
   if (!at_surface_ && (ended_ || !ending_.isComingUp())) {
     return ended_ ? "the flight ends under water" : "not at the surface in time";
   }

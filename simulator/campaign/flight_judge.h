@@ -24,9 +24,9 @@ namespace glider::simulator {
 /// How a flight went.
 struct Verdict {
   enum class Outcome : uint8_t {
-    Exited,     ///< the mission ended and gave control back
-    Released,   ///< the vehicle flew on without the SBC, and is at the surface
-    Violation,  ///< what is promised was not kept
+    Exited,     ///< the mission ended and released control
+    Released,   ///< the vehicle continued without the SBC, and is at the surface
+    Violation,  ///< a promise was not kept
   };
   Outcome outcome = Outcome::Released;
   std::string violation;      ///< the first that was seen
@@ -34,17 +34,17 @@ struct Verdict {
   uint32_t releases = 0;      ///< times that control was taken away from the SBC
   uint32_t instructions = 0;  ///< that hookbeh obeyed
   double end_s = 0;
-  double deepest_m = 0;    ///< truly
+  double deepest_m = 0;    ///< true depth
   double take_s = 0;       ///< when control was first taken; 0: never
-  double give_back_s = 0;  ///< when it was given back; 0: never
-  double mean_W = 0;       ///< what the batteries gave
+  double give_back_s = 0;  ///< when it was released; 0: never
+  double mean_W = 0;       ///< from the batteries
 };
 
-/// Judges a flight by what the SBC says, what hookbeh does and where the vehicle truly is, from
-/// where no fault reaches: each instruction that is obeyed was said so, word for word; none is
-/// obeyed twice; none that was said is passed over; control ends when it was promised to; the
-/// commands are those of the instruction in force; limits of depth and clearance hold; the flight
-/// ends at the surface. What is promised for its faults is in fault_kinds.def.
+/// Checks a flight by what the SBC sends, what hookbeh does and the true position of the vehicle,
+/// all observed where no fault has an effect. Each instruction that is obeyed was sent exactly so;
+/// none is obeyed twice; none that was sent is skipped; control ends when promised; the commands
+/// are those of the instruction in force; limits of depth and clearance hold; the flight ends at
+/// the surface. The promises for its faults are in fault_kinds.def.
 class FlightJudge final : public FlightObserver {
  public:
   explicit FlightJudge(JudgeSetup setup);
@@ -55,7 +55,7 @@ class FlightJudge final : public FlightObserver {
   [[nodiscard]] Verdict verdict() const;
 
  private:
-  static constexpr size_t kFields = 11;  ///< sensors that make an instruction
+  static constexpr size_t kFields = 11;  ///< sensors that form an instruction
   using Words = std::array<double, kFields>;
   using Number = std::pair<double, double>;  ///< session, sequence
 
@@ -78,7 +78,7 @@ class FlightJudge final : public FlightObserver {
   GuardJudge guards_;
   EndingJudge ending_;
   double last_end_s_;  ///< of the faults that end
-  bool for_ever_;      ///< one takes control away and does not end
+  bool for_ever_;      ///< one ends control and does not end itself
   StatedTimes stated_;
   Verdict verdict_;
 
@@ -88,7 +88,7 @@ class FlightJudge final : public FlightObserver {
   Number newest_{0, 0};
   double newest_said_s_ = 0;
   bool newest_answered_ = true;
-  double progress_s_ = 0;  ///< when the mission was last seen to go on
+  double progress_s_ = 0;  ///< when the mission was last seen to make progress
   double mission_time_s_ = -1;
   uint32_t session_ = 0;
 
@@ -97,9 +97,9 @@ class FlightJudge final : public FlightObserver {
   double session_in_control_ = 0;
   double lost_session_ = 0;  ///< the newest that lost control
   Number answered_{0, 0};    ///< the newest instruction that hookbeh has answered for good
-  double mission_s_ = 0;     ///< of the cycle before
+  double mission_s_ = 0;     ///< of the previous cycle
   bool gave_back_ = false, ended_ = false, at_surface_ = false;
-  double garbled_since_s_ = -1;  ///< an instruction lies there that cannot be read
+  double garbled_since_s_ = -1;  ///< since when the instruction in the array cannot be read
   double up_since_s_ = -1;       ///< at the surface without the SBC
 };
 

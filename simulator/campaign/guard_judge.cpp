@@ -19,8 +19,8 @@ using hooks::HookState;
 
 namespace {
 
-// What a jump is without a doubt: from a depth that was right for a minute, further than a vehicle
-// and noise go in hookbeh's longest cycle.
+// A definite jump: from a depth that was right for a minute, by more than vehicle and noise can
+// move it in hookbeh's longest cycle.
 constexpr double kRight = 2;          // m
 constexpr double kRightSecs = 64;     // s
 constexpr double kJump = 12;          // m
@@ -29,10 +29,10 @@ constexpr double kLongestCycle = 20;  // s
 constexpr double kStalledSecs = 504;  // s
 constexpr double kStandsStill = 0.5;  // m
 constexpr double kBelowSurface = 3;   // m
-constexpr double kAwayCc = 30;        // that tell two commands to the pump apart
-constexpr double kAwaySecs = 12;      // s
+constexpr double kAwayCc = 30;    // a larger difference means two different commands to the pump
+constexpr double kAwaySecs = 12;  // s
 
-/// How many of those that hookbeh tells the time by are damaged in a flight.
+/// How many of the clocks that hookbeh uses are damaged in a flight.
 int wrongClocks(const Faults& faults) {
   constexpr std::array<const char*, 3> kClocks = {"m_present_secs_into_mission", "m_present_time",
                                                   "m_cycle_number"};
@@ -53,7 +53,8 @@ void GuardJudge::restart() {
   hook_ = HookState::Absent;
 }
 
-/// Its own climbs are with all of the pump, whatever c_bpump_value says of usual ones.
+/// Checks that hookbeh's own climbs use the full pump range, regardless of c_bpump_value for
+/// ordinary climbs.
 std::string GuardJudge::judgePump(const CycleView& view) const {
   const bool weak =
       climbsByItself(*view.hookbeh) && view.hookbeh->pump_cc < s_.pump_cc - kPumpError;
@@ -75,7 +76,7 @@ std::string GuardJudge::judgeJump(const CycleView& view) {
              : "";
 }
 
-/// A climb that gains no height gets all that there is.
+/// Checks that a climb that gains no height gets the full pump range.
 std::string GuardJudge::judgeClimb(const CycleView& view) {
   const double reading = view.array.get(Sensor::m_depth);
   const bool counts = view.hook == HookState::Active && climbs(*view.hookbeh) &&
@@ -89,7 +90,7 @@ std::string GuardJudge::judgeClimb(const CycleView& view) {
              : "";
 }
 
-/// What another behaviour flies says nothing of hookbeh's dives and climbs.
+/// The motion under another behaviour says nothing about hookbeh's dives and climbs.
 std::string GuardJudge::judgeOverridden(const CycleView& view) {
   const HookGuard guard = view.hookbeh->guard;
   const bool stalled = guard == HookGuard::NoDepthGained || guard == HookGuard::NoHeightGained;
@@ -103,14 +104,14 @@ std::string GuardJudge::judgeOverridden(const CycleView& view) {
                : "";
 }
 
-/// By one clock that is wrong a cycle may count twice, and no more.
+/// With one wrong clock a cycle may count twice, but no more.
 bool GuardJudge::isTooSoon(const CycleView& view, double silent_s) const {
   const bool garbled =
       view.array.get(Sensor::x_hook_answer) == static_cast<double>(hooks::HookAnswer::BadCheck);
   return wrong_clocks_ == 1 && !garbled && silent_s < s_.args.silence_secs / 2;
 }
 
-/// A heartbeat counts if it is newer than all before.
+/// A heartbeat counts if it is newer than all previous ones.
 std::string GuardJudge::judgeHeartbeat(const CycleView& view) {
   const double beat = view.array.get(Sensor::sci_hook_heartbeat);
   const bool whole = beat >= 0 && beat <= hooks::kMostSession && std::floor(beat) == beat;
@@ -121,7 +122,7 @@ std::string GuardJudge::judgeHeartbeat(const CycleView& view) {
     heartbeat_ = whole ? beat : heartbeat_;
     heard_s_ = view.time_s;
   }
-  // In the cycle in which hookbeh lets go of one session it may take the next one's handshake.
+  // In the cycle in which hookbeh ends one session it may accept the next one's handshake.
   const double session = view.array.get(Sensor::x_hook_session);
   if (view.hook == HookState::Active && session > 0 && session != session_) {
     heard_s_ = view.time_s;

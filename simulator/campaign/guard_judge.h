@@ -10,16 +10,16 @@
 
 namespace glider::simulator {
 
-/// Judges hookbeh's guards by what lies in the sensor array and by the truth, where no limit of
-/// depth is broken yet: a guard that is missing may be covered by another, and the vehicle lives on
-/// one guard less than it should.
+/// Checks hookbeh's guards by the sensor array and the true state, while no depth limit is broken
+/// yet: a missing guard may be covered by another, and the vehicle then has one guard less than it
+/// should.
 class GuardJudge {
  public:
   explicit GuardJudge(const JudgeSetup& setup);
 
   /// What is violated in this cycle; empty: nothing.
   std::string cycle(const CycleView& view);
-  /// Another hookbeh begins.
+  /// A new hookbeh begins.
   void restart();
 
  private:
@@ -31,20 +31,20 @@ class GuardJudge {
   [[nodiscard]] bool isTooSoon(const CycleView& view, double silent_s) const;
 
   const JudgeSetup& s_;
-  int wrong_clocks_;   ///< of those that hookbeh tells the time by
-  double last_s_ = 0;  ///< of the cycle before
+  int wrong_clocks_;   ///< of the clocks that hookbeh uses
+  double last_s_ = 0;  ///< of the previous cycle
 
-  double reading_m_ = 0;  ///< of m_depth in the cycle before
-  double right_s_ = 0;    ///< so long it has been near the truth
-  double stood_m_ = 0;    ///< that m_depth said when it last moved in this climb
-  double climbs_s_ = 0;   ///< so long it has stood still in this climb
-  double away_s_ = 0;     ///< so long another behaviour has had the pump
-  bool stalled_ = false;  ///< by a guard, in the cycle before
+  double reading_m_ = 0;  ///< of m_depth in the previous cycle
+  double right_s_ = 0;    ///< how long it has been near the truth
+  double stood_m_ = 0;    ///< of m_depth when it last changed in this climb
+  double climbs_s_ = 0;   ///< how long it has not changed in this climb
+  double away_s_ = 0;     ///< how long another behaviour has controlled the pump
+  bool stalled_ = false;  ///< by a guard, in the previous cycle
 
-  hooks::HookState hook_ = hooks::HookState::Absent;  ///< in the cycle before
-  double heartbeat_ = 0;                              ///< the newest
-  double heard_s_ = 0;                                ///< when it came, or a session began
-  double session_ = 0;                                ///< in control, in the cycle before
+  hooks::HookState hook_ = hooks::HookState::Absent;  ///< in the previous cycle
+  double heartbeat_ = 0;                              ///< the newest one
+  double heard_s_ = 0;                                ///< when it arrived, or a session began
+  double session_ = 0;                                ///< in control, in the previous cycle
 };
 
 }  // namespace glider::simulator

@@ -12,7 +12,7 @@ namespace glider::simulator {
 
 namespace {
 
-/// What hookbeh is to make of b_args that the vehicle cannot carry out (hooks/hookbeh/README.md).
+/// What hookbeh must make of b_args that the vehicle cannot carry out (hooks/hookbeh/README.md).
 hooks::HookbehArgs withinHull(hooks::HookbehArgs args, const platforms::Envelope& hull) {
   constexpr double kLeastAltitude = 2, kMostSilence = 600, kLeastClimb = 0.5;
   args.greatest_depth_m = std::min(args.greatest_depth_m, hull.greatest_depth_m);

@@ -10,9 +10,9 @@
 namespace glider::simulator {
 namespace {
 
-// The client claims control no more after so many ticks without an answer.
+// The client no longer claims control after this many ticks without an answer.
 constexpr double kUnansweredTicks = 6;
-// A dive at 35 degrees goes on so far past its target while the pump turns it round, with a wave.
+// How far a dive at 35 degrees continues past its target while the pump reverses it, with a wave.
 constexpr double kOvershoot = 5;  // m, the platform's inflection_overshoot_m
 constexpr double kTenMetres = 10;
 constexpr double kOneAndAHalf = 1.5;

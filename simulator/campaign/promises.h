@@ -16,7 +16,8 @@ enum class FaultKind : uint8_t {
 #include "simulator/campaign/fault_kinds.def"
 };
 
-// Those of a line and those of a sensor, so that a switch over them names what it lacks.
+// The kinds of a line and those of a sensor, so that the compiler reports a missing kind in a
+// switch.
 enum class LineFaultKind : uint8_t {
 #define LINE_FAULT(name, ...) name = static_cast<uint8_t>(FaultKind::name),
 #include "simulator/campaign/fault_kinds.def"
@@ -40,20 +41,20 @@ const char* nameOf(FaultKind kind);
 enum class Control : uint8_t {
   Kept,        ///< until the mission exits, which it does
   Unanswered,  ///< it ends in time when an instruction gets no answer
-  Silent,      ///< it ends in time when nothing comes through any more
+  Silent,      ///< it ends in time when nothing arrives any more
   AtOnce,      ///< it ends in the next cycle
   ForGood,     ///< and does not come back
-  Any,         ///< the mission itself may give it back or lose it
+  Any,         ///< the mission itself may release it or lose it
 };
 
-/// How deep the vehicle truly gets at most.
+/// The greatest true depth of the vehicle.
 enum class Deepest : uint8_t {
   Overshoot,   ///< as far past the limit in force as a dive overshoots
-  TenMetres,   ///< ten metres past it
+  TenMetres,   ///< ten metres past the limit
   OneAndAHalf  ///< one and a half times the limit
 };
 
-/// What must come of a fault, beside what holds in every flight (scenarios/README.md).
+/// What must hold under a fault, in addition to what holds in every flight (scenarios/README.md).
 struct Promise {
   Control control = Control::Kept;
   Deepest deepest = Deepest::Overshoot;
@@ -61,15 +62,15 @@ struct Promise {
   bool follows = true;
 };
 Promise promiseOf(FaultKind kind);
-/// Of faults that come together: the weaker promise of each. Two sensors that are wrong at once
-/// keep the depth of Deepest::OneAndAHalf only.
+/// For faults that occur together: in each respect the weakest promise. Two sensors that are wrong
+/// at once only keep the depth of Deepest::OneAndAHalf.
 Promise promiseOf(std::span<const FaultKind> kinds);
-/// A sensor of the vehicle says what is not true.
+/// True if a sensor of the vehicle reports what is not true.
 bool isOfSensors(FaultKind kind);
 
-/// The deepest that the vehicle may truly get while `limit_m` is in force.
+/// The greatest true depth allowed while `limit_m` is in force, m.
 double deepestAllowed(Deepest deepest, double limit_m);
-/// After so many seconds control has ended: of Unanswered and Silent, without the line's delay.
+/// The time after which control has ended, s: for Unanswered and Silent, without the line's delay.
 double letGoSecs(Control control, double silence_s, double cycle_s);
 
 /// The rows of the table in scenarios/README.md, as Markdown: for a hookbeh whose `silence_secs` is

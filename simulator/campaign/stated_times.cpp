@@ -10,7 +10,7 @@
 namespace glider::simulator {
 namespace {
 
-/// True if nothing whole gets through.
+/// True if no frame gets through intact.
 bool isDead(const LineFault& fault) {
   return fault.cut || fault.loss >= 1 || fault.heard_at_baud > 0;
 }
@@ -24,7 +24,7 @@ StatedTimes statedTimes(const Faults& faults, double silence_s, double cycle_s) 
   for (const LineFault& fault : faults.lines) {
     delay_s += fault.delay_s;
   }
-  // What is late is still on the line when the fault begins.
+  // Delayed bytes are still on the line when the fault begins.
   const auto dead = [&](const Span& span, const char* why) {
     stated.releases.push_back({{span.from_s + silent_after + delay_s, span.to_s}, why});
   };

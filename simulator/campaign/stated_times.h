@@ -19,9 +19,9 @@ struct Release {
 /// What hooks/protocol/README.md ("Watchdogs") promises, for one flight.
 struct StatedTimes {
   std::vector<Release> releases;
-  /// While hookbeh is active, the SBC's mission has gone on at most so long ago, s.
+  /// While hookbeh is active, the longest time since the SBC's mission last made progress, s.
   double most_standstill_s = 0;
-  /// While hookbeh is active, it answers an instruction of the SBC after at most so long, s.
+  /// While hookbeh is active, the longest time in which it answers an instruction of the SBC, s.
   double most_unanswered_s = 0;
 };
 

@@ -10,8 +10,8 @@
 
 namespace glider::simulator {
 
-/// Damages the bytes of a file on a storage card as `fault` says. The same seed does the same. An
-/// empty file stays one.
+/// Damages the bytes of a file on a storage card as `fault` says. The same seed gives the same
+/// damage. An empty file stays empty.
 void damageCard(const CardFault& fault, uint64_t seed, std::vector<uint8_t>& bytes);
 
 }  // namespace glider::simulator

@@ -8,7 +8,7 @@
 namespace glider::simulator {
 namespace {
 
-/// Calls `visit` with the span of each fault; what happens at a moment has no length.
+/// Calls `visit` with the span of each fault; a fault at a single moment has a span of length 0.
 template <typename Visit>
 void eachSpan(const Faults& faults, const Visit& visit) {
   for (const LineFault& fault : faults.lines) {

@@ -19,37 +19,37 @@ struct Span {
   [[nodiscard]] bool has(double now_s) const { return now_s >= from_s && now_s < to_s; }
 };
 
-/// The directions of the serial lines: of the one to the SBC (115200 baud) and of the clothesline
-/// to the flight controller (9600 baud), seen from the science computer.
+/// The directions of the serial lines, seen from the science computer: of the line to the SBC
+/// (115200 baud) and of the flight-science serial link (9600 baud).
 enum class LineWay : uint8_t { ToSbc, FromSbc, ToFlight, FromFlight };
 
-/// What a line does to its bytes for a time. Shares are from 0 to 1.
+/// What a line does to its bytes for some time. Shares are from 0 to 1.
 struct LineFault {
   LineWay way = LineWay::ToSbc;
   Span when = {};
   bool cut = false;          ///< nothing gets through
   double loss = 0;           ///< share of bytes that vanish
-  double flips = 0;          ///< share of bytes of which one bit turns
+  double flips = 0;          ///< share of bytes in which one bit is flipped
   double bursts = 0;         ///< share of bytes at which a burst of noise begins
-  double burst_bytes = 20;   ///< as long as so many bytes
-  double delay_s = 0;        ///< bytes come so much later
-  double doubled = 0;        ///< share of frames that come twice
-  double replayed = 0;       ///< share of frames behind which an earlier one comes again
-  double heard_at_baud = 0;  ///< the receiver listens at this speed; 0: at the right one
+  double burst_bytes = 20;   ///< length of a burst, in bytes
+  double delay_s = 0;        ///< bytes arrive this much later
+  double doubled = 0;        ///< share of frames that arrive twice
+  double replayed = 0;       ///< share of frames after which an earlier one is repeated
+  double heard_at_baud = 0;  ///< the receiver runs at this speed; 0: at the right one
 };
 
-/// What a sensor says for a time instead of the truth.
+/// What a sensor reports for some time instead of the truth.
 struct SensorFault {
   enum class Kind : uint8_t { Frozen, Value, Missing, Drift, Scale, Jumps, Offset };
   std::string name;  ///< the vehicle's
   uint16_t id = 0;   ///< in the platform; set when the flight begins
   Span when = {};
   Kind kind = Kind::Frozen;
-  /// Value: what it says, may be NaN; Drift: how much more it says each second; Scale: how many
-  /// times too much; Jumps: how far a reading jumps to either side, at most; Offset: how much more
-  /// it says. In the sensor's unit.
+  /// Value: what it reports, may be NaN; Drift: how much is added per second; Scale: the factor by
+  /// which it is multiplied; Jumps: the greatest jump of a reading in either direction; Offset: how
+  /// much is added. In the sensor's unit.
   double value = 0;
-  double share = 1;  ///< Value, Jumps, Missing: share of readings that are wrong so
+  double share = 1;  ///< Value, Jumps, Missing: share of readings that are wrong in this way
 };
 
 /// The SBC's own clock jumps.
@@ -58,38 +58,38 @@ struct ClockJump {
   double by_s = 0;
 };
 
-/// What becomes of the SBC's checkpoints on its storage card.
+/// What happens to the SBC's checkpoints on its storage card.
 struct CardFault {
   enum class Kind : uint8_t { Flips, Cut, Zeroed };
   double at_s = 0;
   Kind kind = Kind::Flips;
-  /// Flips: so many bits turn, at random. Cut: this share of the file is left. Zeroed: this share
-  /// of its blocks of 4096 bytes, at random, reads zero.
+  /// Flips: this many bits are flipped, at random. Cut: this share of the file remains. Zeroed:
+  /// this share of its blocks of 4096 bytes, at random, reads zero.
   double amount = 0;
 };
 
-/// The flight controller starts its mission again, from the first second.
+/// The flight controller restarts its mission, from the first second.
 struct FlightRestart {
-  Span when = {};  ///< it does nothing meanwhile, and the motors stay where they were sent
+  Span when = {};            ///< it does nothing meanwhile; the motors stay at their last commands
   bool keeps_array = false;  ///< a new mission without a restart: the sensor array stays as it was
 };
 
-/// An instruction that lies in the sensor array from a mission before this one, as if it had been
-/// written whole: take control and descend.
+/// An instruction left in the sensor array by an earlier mission, as if it had been written
+/// completely: take control and descend.
 struct Leftover {
   uint32_t session = 1;
   uint16_t sequence = 1;
   double depth_m = 20;
 };
 
-/// Everything that goes wrong in a flight. Empty: nothing does.
+/// All faults of a flight. Empty: there are none.
 struct Faults {
   std::vector<LineFault> lines;
   std::vector<SensorFault> sensors;
-  std::vector<Span> power;    ///< the SBC has none; afterwards its program starts again
-  std::vector<Span> port;     ///< the SBC's serial port is not there
-  std::vector<Span> stuck;    ///< the SBC answers, but its mission stands still
-  std::vector<Span> science;  ///< the science computer starts again, which takes so long
+  std::vector<Span> power;    ///< the SBC has no power; afterwards its program restarts
+  std::vector<Span> port;     ///< the SBC's serial port is missing
+  std::vector<Span> stuck;    ///< the SBC answers, but its mission does not advance
+  std::vector<Span> science;  ///< the science computer restarts during this time
   std::vector<ClockJump> clock;
   std::vector<double> aborts;  ///< the flight controller aborts its mission at these times
   std::vector<CardFault> card;
@@ -101,7 +101,7 @@ struct Faults {
   [[nodiscard]] double first() const;
   /// When the last of those that end is over; 0 without any.
   [[nodiscard]] double lastEnd() const;
-  /// Puts `more` to them.
+  /// Adds the faults of `more`.
   void add(const Faults& more);
 };
 

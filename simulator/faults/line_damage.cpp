@@ -32,7 +32,8 @@ double LineDamage::pass(uint8_t value, double now_s, double at_s, std::deque<Arr
   return more_s;
 }
 
-/// Sends `frame` once more behind what is at the other end at `at_s`; returns how long that takes.
+/// Sends `frame` again after what arrives at the other end at `at_s`; returns how long that takes,
+/// s.
 double LineDamage::again(const std::vector<uint8_t>& frame, double now_s, double at_s,
                          std::deque<Arrival>& out) {
   const double byte_s = 10 / baud_;
@@ -116,7 +117,7 @@ void LineDamage::spoil(const LineFault& fault, uint8_t& value) {
   }
 }
 
-/// A receiver at twice the speed finds twice as many bytes, and none of them right.
+/// A receiver at twice the speed reads twice as many bytes, all of them wrong.
 int LineDamage::copiesAtAnotherBaud(const LineFault& fault) {
   heard_ += fault.heard_at_baud / baud_;
   const double whole = std::floor(heard_);

@@ -12,23 +12,23 @@
 
 namespace glider::simulator {
 
-/// What becomes of the bytes of one direction of a line: passes them on, late, damaged, doubled or
-/// not at all. The same seed and bytes give the same damage.
+/// Applies faults to the bytes of one direction of a line: passes them on unchanged, late, damaged,
+/// doubled or not at all. The same seed and bytes give the same damage.
 class LineDamage {
  public:
-  /// A byte and when it is at the other end.
+  /// A byte and the time at which it is at the other end.
   struct Arrival {
     uint8_t value;
     double at_s;
   };
 
-  /// Those of `faults` that are of direction `way`; `baud` is the line's speed.
+  /// Uses those of `faults` that are in direction `way`; `baud` is the line's speed.
   LineDamage(const std::vector<LineFault>& faults, LineWay way, uint64_t seed, double baud);
 
   /// Byte `value` is sent at `now_s` and would arrive at `at_s`; what arrives goes to `out`.
   /// Returns how many seconds more the wire is busy, with frames that it sends twice.
   double pass(uint8_t value, double now_s, double at_s, std::deque<Arrival>& out);
-  /// True when nothing is wrong with this direction in the whole flight.
+  /// True when this direction has no fault in the whole flight.
   [[nodiscard]] bool none() const { return faults_.empty(); }
 
  private:
@@ -46,10 +46,10 @@ class LineDamage {
   std::vector<LineFault> faults_;
   Noise noise_;
   double baud_;
-  std::vector<uint8_t> frame_;                 ///< that is being sent
-  std::vector<std::vector<uint8_t>> earlier_;  ///< frames that may come again; empty if none can
+  std::vector<uint8_t> frame_;                 ///< the frame that is being sent
+  std::vector<std::vector<uint8_t>> earlier_;  ///< frames that may be repeated; empty if none can
   double burst_left_ = 0;                      ///< bytes
-  double heard_ = 0;     ///< bytes that a receiver at another speed has begun to hear
+  double heard_ = 0;     ///< bytes that a receiver at another speed has begun to receive
   double newest_s_ = 0;  ///< no byte overtakes another
 };
 

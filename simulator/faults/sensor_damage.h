@@ -12,15 +12,15 @@
 
 namespace glider::simulator {
 
-/// What sensors say while they are wrong.
+/// What sensors report while they are wrong.
 class SensorDamage {
  public:
-  /// `seed`: of readings that jump.
+  /// `seed` is for readings that jump.
   SensorDamage(std::vector<SensorFault> faults, uint64_t seed)
       : faults_(std::move(faults)), jumps_(seed, static_cast<uint32_t>(NoiseStream::SensorJumps)) {}
 
   void setNow(double now_s) { now_s_ = now_s; }
-  /// What the sensor gives instead of `truth`; nothing if it gives nothing.
+  /// What the sensor reports instead of `truth`; empty if it reports nothing.
   std::optional<double> reading(uint16_t id, double truth);
 
  private:
@@ -28,7 +28,7 @@ class SensorDamage {
 
   std::vector<SensorFault> faults_;
   Noise jumps_;
-  std::map<uint16_t, double> last_;  ///< that a sensor gave before it froze
+  std::map<uint16_t, double> last_;  ///< the reading of a sensor before it froze
   double now_s_ = 0;
 };
 

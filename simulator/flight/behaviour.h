@@ -43,17 +43,17 @@ class Behaviour {
 
   /// One control cycle: may start, fly and end.
   void run(const Situation& situation, Commands& commands);
-  /// Told after each cycle whether this behaviour was active and its pitch and pump were not those
-  /// flown.
+  /// Called after each cycle: whether this behaviour was active while its pitch and pump were not
+  /// those flown.
   void noteOverridden(bool overridden) { overridden_ = overridden; }
 
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] State state() const { return state_; }
   [[nodiscard]] bool overridden() const { return overridden_; }
-  /// Steers pitch and pump: a mission is over when no such behaviour is left but those that bring
-  /// the vehicle up.
+  /// True if it steers pitch and pump: a mission is over when no such behaviours are left except
+  /// those that bring the vehicle up.
   [[nodiscard]] virtual bool flies() const { return false; }
-  /// Busy with what must be brought to its end before the mission may count as over.
+  /// True while it is busy with work that must end before the mission may count as over.
   [[nodiscard]] virtual bool atWork() const { return false; }
   /// An abort that the behaviour calls for in this cycle, and why.
   [[nodiscard]] virtual Abort abort(std::string& /*why*/) const { return Abort::None; }
@@ -65,7 +65,8 @@ class Behaviour {
  protected:
   [[nodiscard]] virtual bool starts(const Situation& situation, const Commands& below) const = 0;
   virtual void begin(const Situation& /*situation*/) {}
-  /// Commands what it wants. Who is done and should not fly in this cycle commands nothing.
+  /// Issues its commands. A behaviour that is done and should not fly in this cycle commands
+  /// nothing.
   virtual Outcome fly(const Situation& situation, Commands& commands) = 0;
   /// After Done: true to wait for the next start (end_action 2), false for complete.
   [[nodiscard]] virtual bool resumes() const { return false; }

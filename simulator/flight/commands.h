@@ -40,7 +40,7 @@ const char* abortName(Abort abort);
 
 constexpr int kNoLayer = -1;
 
-/// The command record of one cycle: a slot a channel, and which behaviour (by its place in the
+/// The command record of one cycle: one slot per channel, and which behaviour (by its place in the
 /// mission file, from 0) filled it. Behaviours run from the lowest priority up, and later runners
 /// overwrite.
 struct Commands {

@@ -20,7 +20,7 @@ constexpr double kServoGain = 1.5;         // in/rad
 constexpr double kServoDeadband = 0.0524;  // rad
 constexpr double kServoStep = 0.2;         // in
 constexpr double kServoPeriod = 16;        // s
-constexpr double kInflection = 24;  // s, pump, battery and hull need it before the servo may judge
+constexpr double kInflection = 24;  // s, for pump, battery and hull before the servo corrects
 // Heading autopilot, as in the vehicle: PD on heading, in shares of the fin's range, with a
 // deadband.
 constexpr double kHeadingGain = 1.5;      // per rad
@@ -67,7 +67,7 @@ void DynamicControl::holdHeading(const HeadingCommand& command, const Measured& 
       command.mode == HeadingCommand::Mode::Waypoint ? m.waypoint_bearing : command.value_rad;
   const double error = wrapped(heading_value_ - m.heading);
   if (std::isnan(error)) {
-    vehicle.commandFin(0);  // without a heading, or a place: straight on
+    vehicle.commandFin(0);  // without a heading or a position: straight ahead
     return;
   }
   const double wanted = std::fabs(error) > kHeadingDeadband ? kHeadingGain * error : 0;

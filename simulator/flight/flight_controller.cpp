@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kTurn = 2 * std::numbers::pi;
-// The pilot's clock at the mission's start: nothing may depend on the wall clock of the machine.
+// The vehicle's clock at the mission's start: nothing may depend on the wall clock of the machine.
 constexpr double kStartOfMission = 1.25e9;  // s since 1970, in 2009
 constexpr double kAbortPitch = 0.4538;      // rad, the vehicle's nominal
 constexpr double kAbortPump = 1000;         // cc: as far out as it goes
@@ -68,7 +68,7 @@ hooks::HookState FlightController::hookState() const {
   return aborted() ? hooks::HookState::Complete : layers_->hookbeh()->hookState();
 }
 
-/// By what magnetic headings exceed true ones, rad, as far as the vehicle knows: from its last fix.
+/// Magnetic minus true heading, rad, as known to the vehicle from its last fix.
 double FlightController::variation() const {
   const double told = array_.get(Sensor::m_gps_mag_var);
   return std::isnan(told) ? 0 : told;
@@ -79,8 +79,8 @@ double FlightController::felt(Sensor sensor, double truth) const {
   return held == hooks::asFloat32(truth) ? truth : held;
 }
 
-/// Depth comes of the pressure, and its rate of the depth: what is wrong with one is with what is
-/// made of it.
+/// Depth is computed from pressure, and its rate from depth: a fault of one is also in what is
+/// computed from it.
 void FlightController::readPressure(const Vehicle& vehicle) {
   const double bar = depth_sensor_.pressure(vehicle.depth());
   array_.set(Sensor::m_pressure, bar);
@@ -146,8 +146,8 @@ void FlightController::locate(double now_s, double declination, const Vehicle& v
 
 void FlightController::receive(const GliderByteStream& stream) {
   std::array<hooks::SensorUpdate, hooks::Clothesline::kMostUpdates> updates;
-  // The line carries at most a few frames a cycle; the bound holds against a line that never falls
-  // silent.
+  // The line carries at most a few frames per cycle; the bound protects against a line that never
+  // falls silent.
   constexpr int kMostRounds = 16;
   for (int round = 0; round < kMostRounds; ++round) {
     const uint32_t count =
@@ -173,7 +173,7 @@ void FlightController::send(const GliderByteStream& stream) {
       updates[count++] = {id, array_.get(id)};
     }
   }
-  // A full queue drops this cycle's report whole: the next one says the same, newer.
+  // A full queue drops this cycle's whole report: the next one has newer values.
   clothesline_.send(updates.data(), count);
   clothesline_.poll(stream, updates.data(), 0);
 }
@@ -237,8 +237,8 @@ void FlightController::startAbort(Abort abort, const std::string& why, double no
   journal_.add(now_s, "abort", abortName(abort), why);
 }
 
-/// Behaviours run no more after an abort: the SBC must see that its time is over, in each cycle,
-/// for lines lose frames.
+/// Behaviours do not run after an abort. The SBC must be informed that its control has ended, and
+/// in each cycle, because lines lose frames.
 void FlightController::tellHookIsOver() {
   if (aborted() && layers_->hookbeh() != nullptr) {
     array_.set(Sensor::x_hook_state, static_cast<double>(hooks::HookState::Complete));

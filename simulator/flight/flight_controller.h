@@ -27,10 +27,10 @@ struct HookOrder {
 };
 
 /// The flight controller: every four seconds sensors → layered control → dynamic control → devices
-/// → clothesline.
+/// → flight-science serial link.
 class FlightController {
  public:
-  /// `year`, with its fraction: of the magnetic field.
+  /// `year`, with its fraction, is for the magnetic field.
   FlightController(const platforms::Platform& platform, const slocum::MissionFile& mission,
                    const SensorSettings& sensors, uint64_t seed, const LocalFrame& frame,
                    double year, Journal& journal);
@@ -48,7 +48,7 @@ class FlightController {
   [[nodiscard]] double missionStart() const { return mission_start_s_; }
   /// What hookbeh commanded in this cycle; null without one, and after an abort.
   [[nodiscard]] const hooks::HookbehOutputs* hookbeh() const;
-  /// A behaviour above hookbeh had pitch or pump in this cycle.
+  /// True if a behaviour above hookbeh controlled pitch or pump in this cycle.
   [[nodiscard]] bool hookbehOverridden() const {
     return layers_->hookbeh() != nullptr && layers_->hookbeh()->overridden();
   }
@@ -64,17 +64,17 @@ class FlightController {
   [[nodiscard]] double waypointLongitude() const { return waypoint_longitude_ddmm_; }
   /// Why the mission is over; empty while it is not.
   [[nodiscard]] const std::string& end() const { return end_; }
-  /// The SBC's mission is in another state: of the range that the one before ordered only the
-  /// command in force still holds.
+  /// The SBC's mission has changed state: of the range that the previous state commanded, only the
+  /// command in force is still valid.
   void noteTransition();
   /// A device fails: the mission is aborted.
   void failDevice(double now_s);
-  /// It begins its mission again at `now_s`, as after a restart of the computer; `keeps_array`: as
-  /// a new mission does, without one. A mission that is over or aborted stays so.
+  /// Restarts its mission at `now_s`, as after a restart of the computer; with `keeps_array`, as
+  /// for a new mission without such a restart. A mission that is over or aborted stays so.
   void restart(double now_s, bool keeps_array);
-  /// Puts an instruction into the sensor array as a mission before this one would have left it.
+  /// Puts an instruction into the sensor array as an earlier mission would have left it.
   void leaveOver(const Leftover& leftover);
-  /// What sensors say from now on instead of the truth.
+  /// Sets what sensors report from now on instead of the truth.
   void damageBy(SensorDamage* damage) { array_.damageBy(damage); }
   /// Ends the mission at the surface when nothing is left to fly; `sbc_gone`: the SBC will not come
   /// back.
@@ -85,8 +85,8 @@ class FlightController {
   void locate(double now_s, double declination, const Vehicle& vehicle);
   [[nodiscard]] double variation() const;
   void readPressure(const Vehicle& vehicle);
-  /// What the array holds of `sensor` after `truth` was put there: `truth`, with all its digits,
-  /// unless the sensor is damaged.
+  /// The value of `sensor` after `truth` was stored: `truth`, with all its digits, unless the
+  /// sensor is damaged.
   [[nodiscard]] double felt(Sensor sensor, double truth) const;
   void receive(const GliderByteStream& clothesline);
   void send(const GliderByteStream& clothesline);
@@ -117,7 +117,7 @@ class FlightController {
   double cycle_s_;
 
   uint32_t cycles_ = 0;
-  double last_depth_ = 0, depth_rate_ = 0;  ///< as the vehicle itself has them
+  double last_depth_ = 0, depth_rate_ = 0;  ///< as computed by the vehicle itself
   double surfaced_s_ = 0, submerged_s_ = 0;
   double mission_start_s_ = 0;
   bool has_fix_ = false, commanded_whole_ = true;

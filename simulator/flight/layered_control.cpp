@@ -23,7 +23,7 @@ LayeredControl::LayeredControl(const slocum::MissionFile& mission, const hooks::
 
 void LayeredControl::tell(Layer& layer, double time_s, Journal& journal) {
   layer.behaviour->tell(time_s, journal);
-  // What is always active tells of itself, if at all.
+  // Behaviours that are always active report their own events, if any.
   const std::string& name = layer.behaviour->name();
   const bool quiet = name == "abend" || name == "hookbeh";
   const Behaviour::State now = layer.behaviour->state();

@@ -16,7 +16,7 @@ namespace glider::simulator {
 /// start condition sees what those below command.
 class LayeredControl {
  public:
-  /// `hull`: of the vehicle that hookbeh is built for.
+  /// `hull` is that of the vehicle that hookbeh is built for.
   LayeredControl(const slocum::MissionFile& mission, const hooks::Hull& hull);
 
   struct Decision {
@@ -28,8 +28,8 @@ class LayeredControl {
 
   /// True when a behaviour has ended the mission.
   [[nodiscard]] bool quit() const;
-  /// True when no behaviour that flies can ever fly again; `sbc_gone`: nor can the SBC take control
-  /// anew.
+  /// True when no behaviour that flies can ever fly again; `sbc_gone` means that the SBC cannot
+  /// take control again either.
   [[nodiscard]] bool nothingLeftToFly(bool sbc_gone) const;
   /// The mission's hookbeh; null without one.
   [[nodiscard]] const HookbehAdapter* hookbeh() const { return hookbeh_; }
@@ -38,7 +38,7 @@ class LayeredControl {
   struct Layer {
     std::unique_ptr<Behaviour> behaviour;
     int number = 0;                                     ///< place in the mission file
-    Behaviour::State told = Behaviour::State::Waiting;  ///< what the journal knows
+    Behaviour::State told = Behaviour::State::Waiting;  ///< the state last written to the journal
   };
   static void tell(Layer& layer, double time_s, Journal& journal);
 

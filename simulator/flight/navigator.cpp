@@ -11,10 +11,10 @@
 namespace glider::simulator {
 namespace {
 
-// Nearer to level than this the speed cannot be told from depth rate and pitch: the last one is
-// kept.
+// At a pitch nearer to level than this the speed cannot be computed from depth rate and pitch: the
+// last one is kept.
 constexpr double kLeastPitch = 11 * std::numbers::pi / 180;
-constexpr double kMostSpeed = 0.8;  // m/s; what lies above is an inflection, not flight
+constexpr double kMostSpeed = 0.8;  // m/s; a higher value is an inflection, not flight
 
 }  // namespace
 

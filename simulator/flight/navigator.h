@@ -10,14 +10,13 @@
 
 namespace glider::simulator {
 
-/// Dead reckoning: horizontal speed from depth rate and pitch, as the vehicle does with an angle of
-/// attack of 0; a GPS fix sets it right.
+/// Dead reckoning: horizontal speed from depth rate and pitch, computed as in the vehicle, with an
+/// angle of attack of 0; a GPS fix corrects it.
 class Navigator {
  public:
   explicit Navigator(const LocalFrame& frame) : frame_(frame) {}
 
-  /// One control cycle of `seconds` on a true heading. What is NaN counts as it was when it was
-  /// last known.
+  /// One control cycle of `seconds` on a true heading. A NaN is replaced by the last known value.
   void reckon(double depth_rate, double pitch, double heading, bool at_surface, double seconds);
   void fix(Gps::Fix fix) { x_ = fix.x, y_ = fix.y; }
 
@@ -25,7 +24,8 @@ class Navigator {
   [[nodiscard]] double y() const { return y_; }
   [[nodiscard]] double speed() const { return speed_; }  ///< horizontal, through the water
   [[nodiscard]] GeoPosition position() const { return frame_.position(x_, y_); }
-  /// Distance and true bearing (0…2 pi) from the reckoned position to a waypoint in ddmm.mmmm.
+  /// Distance and true bearing (0…2 pi) from the position by dead reckoning to a waypoint in
+  /// ddmm.mmmm.
   void toWaypoint(double latitude_ddmm, double longitude_ddmm, double& distance,
                   double& bearing) const;
 

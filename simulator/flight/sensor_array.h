@@ -13,13 +13,13 @@
 
 namespace glider::simulator {
 
-/// The flight controller's data memory: every sensor of the platform by its number, as its width
-/// can hold it.
+/// The flight controller's data memory: every sensor of the platform by its number, rounded to its
+/// width.
 class SensorArray {
  public:
   explicit SensorArray(const platforms::Platform& platform);
 
-  /// Stores `value` as the sensor's width holds it and marks it fresh. NaN is stored as never set.
+  /// Stores `value`, rounded to the sensor's width, and marks it fresh. NaN is stored as never set.
   void set(uint16_t id, double value);
   void set(Sensor sensor, double value) { set(numbers_[sensor], value); }
   /// NaN when never set, and if the vehicle lacks the sensor.
@@ -33,9 +33,9 @@ class SensorArray {
   /// The sensor's number in the platform file; hooks::kNoSensor if the vehicle lacks it.
   [[nodiscard]] uint16_t number(Sensor sensor) const { return numbers_[sensor]; }
   void beginCycle();
-  /// Nothing has ever been set.
+  /// Marks all sensors as never set.
   void clear();
-  /// From now on sensors say what `damage` makes of them; null: the truth.
+  /// From now on sensors report what `damage` makes of them; null: the truth.
   void damageBy(SensorDamage* damage) { damage_ = damage; }
   [[nodiscard]] uint16_t size() const { return static_cast<uint16_t>(values_.size()); }
   /// True for a sensor of the science computer.

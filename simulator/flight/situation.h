@@ -10,7 +10,7 @@ namespace glider::simulator {
 /// What behaviours know in one control cycle. NaN for what is not known.
 struct Situation {
   double time_s = 0;    ///< of the mission
-  double flight_s = 0;  ///< since the simulated flight began: the journal's time
+  double flight_s = 0;  ///< since the beginning of the simulated flight: the journal's time
   double depth_m = 0;
   double depth_rate_mps = 0;  ///< positive when sinking
   double altitude_m = 0;

@@ -9,8 +9,8 @@
 namespace glider::simulator {
 
 /// Reports what the simulator cannot fly in `mission`: unknown behaviours (GL5103), b_args (GL5104,
-/// GL5106), values it does not model (GL5107), no behaviour at all (GL5108, at `place`); warns of
-/// what has no effect (GL5110, GL5111).
+/// GL5106), values it does not model (GL5107), no behaviour at all (GL5108, at `place`). Warns
+/// about what has no effect (GL5110, GL5111).
 void checkSkeleton(const slocum::MissionFile& mission, support::SourceRange place,
                    support::DiagnosticEngine& diagnostics);
 

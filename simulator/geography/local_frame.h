@@ -11,7 +11,7 @@ struct GeoPosition {
   double latitude_deg = 0, longitude_deg = 0;
 };
 
-/// Metres east and north of a place on the ellipsoid, to degrees and back.
+/// Converts metres east and north of a place on the ellipsoid to degrees and back.
 class LocalFrame {
  public:
   LocalFrame(double latitude_deg, double longitude_deg) : frame_(latitude_deg, longitude_deg) {}

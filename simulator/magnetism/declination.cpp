@@ -12,11 +12,12 @@ namespace glider::simulator {
 namespace {
 
 constexpr double kRadPerDeg = std::numbers::pi / 180;
-constexpr double kKmPerDeg = 111.7;      // a degree of latitude is nowhere longer
+constexpr double kKmPerDeg = 111.7;      // the greatest length of a degree of latitude
 constexpr double kLeastRadiusKm = 6350;  // of the Earth
 
-/// How fast the declination changes along the surface, at most, rad/km: with the horizontal field,
-/// the more the weaker that is, and because true north turns on the way east.
+/// The fastest change of the declination along the surface, rad/km: because the horizontal field
+/// changes, with more effect where that field is weak, and because true north turns on the way
+/// east.
 double steepest(double latitude_deg, double horizontal_nT) {
   return Declination::kSteepest_nT_per_km / horizontal_nT +
          std::fabs(std::tan(latitude_deg * kRadPerDeg)) / kLeastRadiusKm;
@@ -33,7 +34,8 @@ bool Declination::isNear(double latitude_deg, double longitude_deg) const {
 
 double Declination::at(double latitude_deg, double longitude_deg) {
   if (!isNear(latitude_deg, longitude_deg)) {
-    // What holds here holds nearly as well at the rim, not a kilometre on.
+    // A bound computed here holds nearly as well at the rim of the area, less than a kilometre
+    // away.
     constexpr double kShare = 0.9;
     const MagneticField field = magneticField(latitude_deg, longitude_deg, 0, year_);
     latitude_deg_ = latitude_deg;

@@ -5,21 +5,22 @@
 
 namespace glider::simulator {
 
-/// The declination along the way of a vehicle. A glider moves little between two control cycles, so
-/// the model is computed again only where the declination may have changed by more than
+/// The declination along the path of a vehicle. A glider moves little between two control cycles,
+/// so the model is computed again only where the declination may have changed by more than
 /// kErrorRad.
 class Declination {
  public:
-  /// How far at() may be from the model.
+  /// The greatest error of at() relative to the model.
   static constexpr double kErrorRad = 5e-5;  // 0.003 degrees
-  /// How fast the horizontal field changes along the surface, at most; the test searches the
+  /// The fastest change of the horizontal field along the surface; the test searches the whole
   /// Earth.
   static constexpr double kSteepest_nT_per_km = 11;
 
-  /// Of the magnetic field in `year`, with its fraction.
+  /// Uses the magnetic field in `year`, with its fraction.
   explicit Declination(double year) : year_(year) {}
 
-  /// Of magnetic north from true north, rad, east positive; at a position at sea level, degrees.
+  /// The angle from true north to magnetic north, rad, east positive, at a position at sea level in
+  /// degrees.
   double at(double latitude_deg, double longitude_deg);
 
   /// How many times the model was computed.

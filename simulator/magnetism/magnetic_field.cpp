@@ -52,7 +52,7 @@ struct Legendre {
   }
 };
 
-/// A geodetic position seen from the middle of the Earth.
+/// A geodetic position in geocentric coordinates.
 struct Geocentric {
   double radius_km, cosine, sine;  ///< of the colatitude
   double tilt_rad;                 ///< geocentric less geodetic latitude
@@ -65,7 +65,7 @@ struct Geocentric {
     const double up = (normal * b2 / a2 + height_km) * std::sin(latitude);
     radius_km = std::hypot(out, up);
     cosine = up / radius_km;
-    // Never 0: at a pole east is along the meridian that is asked for.
+    // Never 0: at a pole, east is defined by the given longitude.
     sine = std::max(out / radius_km, 1e-10);
     tilt_rad = std::atan2(up, out) - latitude;
   }

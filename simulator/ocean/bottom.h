@@ -9,7 +9,7 @@
 
 namespace glider::simulator {
 
-/// The bottom: round waves about the start, on a plane that may slope, with seamounts.
+/// The bottom: circular waves around the start, on a plane that may slope, with seamounts.
 class Bottom {
  public:
   explicit Bottom(BottomSettings settings) : settings_(std::move(settings)) {}

@@ -11,7 +11,7 @@
 namespace glider::simulator {
 
 constexpr double kTurn = 2 * std::numbers::pi;
-// A wave higher than the layer under it would fold the water over.
+// A wave higher than the layer below it would fold the water over.
 constexpr double kHighestShareOfLayer = 0.95;
 
 Ocean::Wave Ocean::wave(double x, double t, double water_depth) const {

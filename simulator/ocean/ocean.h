@@ -11,7 +11,8 @@ namespace glider::simulator {
 /// The true ocean. Depth z in m down, x and y in m east and north of the mission's start, t in s
 /// since then. T(z) = Tb + (Ts - Tb)/2 (1 - tanh((z - z0 - eta)/d)), and a step across the front;
 /// eta(z, x, t) has the shape of the lowest mode between two layers: full at the thermocline and
-/// straight to 0 at surface and bottom. Where the bottom rises to the thermocline the wave ends.
+/// falling linearly to 0 at surface and bottom. Where the bottom rises to the thermocline the wave
+/// ends.
 class Ocean {
  public:
   explicit Ocean(const OceanSettings& settings) : settings_(settings), bottom_(settings.bottom) {}
@@ -22,10 +23,10 @@ class Ocean {
   /// The water's own speed up (m/s) as the wave passes.
   [[nodiscard]] double verticalCurrent(double z, double x, double y, double t) const;
   [[nodiscard]] double waterDepth(double x, double y) const { return bottom_.depth(x, y); }
-  /// Where the water has `temperature`; NaN if that is nowhere.
+  /// The depth at which the water has `temperature`, m; NaN if there is none.
   [[nodiscard]] double isothermDepth(double temperature, double x, double y, double t) const;
-  /// How much of the water above the thermocline there is at z: 1 far above it, 0 far below. What
-  /// differs between the two follows it.
+  /// The share of the upper layer's water at z: 1 far above the thermocline, 0 far below.
+  /// Properties that differ between the layers follow it.
   [[nodiscard]] double upperShare(double z, double x, double y, double t) const;
 
  private:

@@ -5,11 +5,11 @@
 
 #include <vector>
 
-/// What a scenario may say of the water. Positions are m east and north of the mission's start,
-/// bearings rad clockwise from north, depths m down.
+/// What a scenario may specify about the water. Positions are m east and north of the mission's
+/// start, bearings rad clockwise from north, depths m down.
 namespace glider::simulator {
 
-/// m/s, towards east and north.
+/// A current, m/s, towards east and north.
 struct Current {
   double east = 0;
   double north = 0;
@@ -23,7 +23,7 @@ struct WaveSettings {
   double wavelength_m = 0;  ///< 0: the same everywhere
   double phase_rad = 0;
   double start_s = 0;
-  double count = 0;  ///< how many waves pass; 0: they never end, nor have a beginning
+  double count = 0;  ///< how many waves pass; 0: without beginning or end
 };
 
 /// A front: beyond it, along the bearing, the water is warmer by the step at every depth.
@@ -60,7 +60,7 @@ struct OceanSettings {
   double density = 1025;    ///< kg/m3, in the middle of the thermocline
   double density_step = 0;  ///< kg/m3, denser below the thermocline than above it
   Current current;          ///< at the surface
-  Current bottom_current;   ///< at the bottom; straight between the two
+  Current bottom_current;   ///< at the bottom; linear between the two
   BottomSettings bottom;
 };
 

@@ -54,9 +54,9 @@ void AgreeingVehicle::cycle(double time) {
   science_.clear();
 }
 
-/// The array's sensors go first: the time, which makes a cycle of it, comes last.
+/// Sends the array's sensors first; the time, which completes a cycle, comes last.
 void AgreeingVehicle::report(double time) {
-  // A vehicle that was not heard of for a while has counted its cycles all the same.
+  // A vehicle that sent no report for a while has continued to count its cycles.
   constexpr double kCycle = 4;  // s
   cycles_ = std::max(cycles_ + 1, static_cast<uint32_t>(std::max(time, 0.0) / kCycle));
   const auto state = in_control_ ? hooks::HookState::Active : hooks::HookState::Ready;
@@ -96,7 +96,7 @@ void AgreeingVehicle::exchange(double time) {
   hearInstructions();
 }
 
-/// Whatever is instructed is accepted, and answered in the next cycle.
+/// Accepts every instruction, and answers it in the next cycle.
 void AgreeingVehicle::hearInstructions() {
   std::array<hooks::SensorUpdate, 64> updates;
   for (uint32_t count = updates.size(); count == updates.size();) {
@@ -111,7 +111,7 @@ void AgreeingVehicle::hearInstructions() {
   }
 }
 
-/// What hookprog has to say is of no use here; its queue is bounded and must be emptied.
+/// The events of hookprog are not needed here, but its queue is bounded and must be emptied.
 void AgreeingVehicle::passOverEvents() {
   while (hookprog_.nextEvent().kind != hooks::HookprogEvent::Kind::None) {
   }

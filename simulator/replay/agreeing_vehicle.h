@@ -16,7 +16,7 @@
 namespace glider::simulator {
 
 /// A vehicle around the real hookprog whose hookbeh accepts every instruction, and whose sensors
-/// report what they are told.
+/// report given values.
 class AgreeingVehicle {
  public:
   /// `sbc` outlives this.
@@ -27,16 +27,16 @@ class AgreeingVehicle {
         hookprog_(dictionary_.get(), {.virtual_time = true}),
         flight_(dictionary_.get()) {}
 
-  /// A flight cycle in which hookbeh is ready; the sensors show what `start` says.
+  /// A flight cycle in which hookbeh is ready; the sensors have the readings of `start`.
   void offerControl(const ReplayTick& start);
-  /// The SBC has asked for control: its mission has started with that cycle's readings, at mission
-  /// time 0.
+  /// True if the SBC has asked for control: its mission has started with that cycle's readings, at
+  /// mission time 0.
   [[nodiscard]] bool askedForControl() const { return session_ != 0; }
-  /// A flight cycle in its control, at a mission time after 0.
+  /// A flight cycle under the SBC's control, at a mission time after 0.
   void tick(const ReplayTick& tick);
 
   [[nodiscard]] hooks::Hookprog::SbcView sbc() const { return hookprog_.sbc(); }
-  /// Its mission has ended.
+  /// True if the SBC's mission has ended.
   [[nodiscard]] bool finished() const;
 
  private:
@@ -56,7 +56,7 @@ class AgreeingVehicle {
   hooks::Clothesline flight_;
   hooks::MemoryLine sbc_line_;
   hooks::MemoryLine clothesline_;
-  std::map<uint16_t, double> science_;     ///< not told yet
+  std::map<uint16_t, double> science_;     ///< not reported yet
   std::vector<hooks::SensorUpdate> told_;  ///< of the flight controller, of this cycle
   std::vector<uint8_t> waiting_;           ///< bytes of the SBC that the line had no room for
   double origin_s_ = 0;                    ///< vehicle time of mission time 0

@@ -10,7 +10,7 @@
 namespace glider::simulator {
 namespace {
 
-/// Cycles in which a handshake has long been made.
+/// The cycles in which a handshake must have been made.
 constexpr int kMostHandshakeCycles = 20;
 
 ReplayAnswer answerOf(const AgreeingVehicle& vehicle, double mission_time) {

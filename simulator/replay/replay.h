@@ -9,8 +9,8 @@
 #include <cstdint>
 #include <vector>
 
-/// Flies a mission on readings that are given, with no water and no vehicle: hookprog is the real
-/// one, and a flight controller that agrees to all hands it the readings.
+/// Flies a mission on given readings, without water or vehicle: hookprog is the real one, and a
+/// flight controller that accepts everything passes it the readings.
 namespace glider::simulator {
 
 /// A reading: the sensor's number in the platform file, and what the vehicle reports in its own
@@ -20,7 +20,7 @@ struct ReplayReading {
   double raw = 0;
 };
 
-/// What the SBC hears at a mission time, s.
+/// What the SBC receives at a mission time, s.
 struct ReplayTick {
   double mission_time = 0;
   std::vector<ReplayReading> readings;

@@ -69,7 +69,7 @@ void readLine(Fields& f, Faults& faults) {
   }
 }
 
-/// How a sensor can be wrong: the field that says so, with its bounds.
+/// How a sensor can be wrong: the field that specifies it, with its bounds.
 struct Wrong {
   const char* field;
   SensorFault::Kind kind;

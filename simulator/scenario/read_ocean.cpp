@@ -12,7 +12,7 @@
 namespace glider::simulator {
 namespace {
 
-/// The keys of [ocean], with those that sensors read.
+/// The keys of [ocean], including those that sensors read.
 std::vector<std::string_view> knownKeys() {
   std::vector<std::string_view> keys = {"surface_temp_degC",
                                         "bottom_temp_degC",
@@ -50,7 +50,7 @@ void readWater(Fields& f, OceanSettings& o) {
 void readCurrents(Fields& f, OceanSettings& o) {
   f.number("current_east_mps", o.current.east, -3, 3);
   f.number("current_north_mps", o.current.north, -3, 3);
-  o.bottom_current = o.current;  // the same everywhere, unless the scenario says otherwise
+  o.bottom_current = o.current;  // the same at all depths, unless the scenario says otherwise
   f.number("bottom_current_east_mps", o.bottom_current.east, -3, 3);
   f.number("bottom_current_north_mps", o.bottom_current.north, -3, 3);
 }

@@ -63,7 +63,7 @@ void readVehicle(Fields& f, Scenario& scenario) {
   f.reader().only({"mass_kg", "hull_volume_m3", "drag", "induced_drag", "wing_lift", "hull_lift",
                    "reference_area_m2", "compressibility_per_Pa", "battery"});
   f.number("mass_kg", c.mass_kg, 30, 200);
-  // Neutral, unless the scenario says otherwise.
+  // Neutrally buoyant, unless the scenario says otherwise.
   c.hull_volume_m3 = c.mass_kg / scenario.ocean.density;
   f.number("hull_volume_m3", c.hull_volume_m3, 0.02, 0.3);
   f.number("drag", c.drag, 0.01, 2);
@@ -96,7 +96,7 @@ Scenario readScenario(ScenarioTables& tables) {
   tables.head([&](Fields& f) { readHead(f, tables, scenario); });
   tables.table("start", [&](Fields& f) { readStart(f, scenario); });
   if (tables.failure()) {
-    return scenario;  // places in the ocean are reckoned from the start
+    return scenario;  // positions in the ocean are relative to the start
   }
   tables.startAt(scenario.latitude_deg, scenario.longitude_deg);
   readOcean(tables, scenario);

@@ -17,7 +17,7 @@
 
 namespace glider::simulator {
 
-/// A world and a vehicle in it with the mission file that it flies: scenarios/<name>.toml.
+/// An environment, and a vehicle in it with the mission file that it flies: scenarios/<name>.toml.
 struct Scenario {
   std::string name;
   std::string description;
@@ -26,7 +26,7 @@ struct Scenario {
   double year = 2025;                          ///< of the magnetic field, with its fraction
   double duration_s = 0;                       ///< at most
   double isotherm_degC = 0;                    ///< NaN: none is marked
-  std::filesystem::path path;                  ///< of its file
+  std::filesystem::path path;                  ///< of the scenario file
   std::filesystem::path skeleton_path;
   slocum::MissionFile skeleton;
   OceanSettings ocean;
@@ -35,9 +35,9 @@ struct Scenario {
   Faults faults;
 };
 
-/// Reads and checks scenario `path` and its skeleton mission with its argument files, which lie
-/// beside it. GL9001, GL5001; mistakes in the mission files go to `diagnostics`, then the failure
-/// is GL5120.
+/// Reads and checks scenario `path` and its skeleton mission with its argument files, which are in
+/// the same folder. Fails with GL9001 or GL5001; errors in the mission files go to `diagnostics`,
+/// and the failure is then GL5120.
 support::Result<Scenario> loadScenario(const std::filesystem::path& path,
                                        support::SourceManager& sources,
                                        support::DiagnosticEngine& diagnostics);

@@ -25,14 +25,14 @@ namespace glider::simulator {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr int kSlice = 50;  // ms between looks at whether the program still runs
+constexpr int kSlice = 50;  // ms between checks whether the program still runs
 
 double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// What the child does between fork and exec: only calls that are safe there. `report` takes errno
-/// if exec fails.
+/// Runs in the child between fork and exec: only calls that are safe there. `report` takes errno if
+/// exec fails.
 [[noreturn]] void becomeProgram(char* const* arguments, pid_t parent, int report) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() == parent) {
@@ -130,13 +130,13 @@ void ProcessSbcPort::reap(bool block, const std::string& killed) {
 void ProcessSbcPort::destroy(const std::string& exit_reason) {
   if (pid_ > 0) {
     ::kill(pid_, SIGKILL);
-    reap(true, exit_reason);  // if it has just ended by itself, that is what is told
+    reap(true, exit_reason);  // if it has just ended by itself, that is the exit reason
   }
 }
 
 void ProcessSbcPort::closed() {
-  // A program that ends closes its port before its end can be taken. How long before depends on how
-  // busy the machine is: it gets the time that it has for an answer.
+  // A program that ends closes its port before its exit status is available. How long before
+  // depends on the load of the machine, so the wait is as long as for an answer.
   constexpr useconds_t kPause = 2000;
   const auto start = Clock::now();
   for (reap(false); alive() && secondsSince(start) < hang_secs_; reap(false)) {
@@ -147,7 +147,7 @@ void ProcessSbcPort::closed() {
 
 void ProcessSbcPort::kill() {
   if (alive()) {
-    exit_reason_ = "killed";  // also if it has just ended by itself, which nobody knows yet
+    exit_reason_ = "killed";  // also if it has just ended by itself, which is not known yet
     ::kill(pid_, SIGKILL);
     reap(true);
   }
@@ -175,7 +175,7 @@ void ProcessSbcPort::read() {
     received_.insert(received_.end(), bytes.begin(), bytes.begin() + count);
     if (!heard_) {
       heard_ = true;
-      pty_.releaseUserSide();  // from now on the program's end closes the line
+      pty_.releaseUserSide();  // from now on the end of the program closes the line
     }
   }
   if (count < 0 && missed()) {
@@ -199,7 +199,7 @@ void ProcessSbcPort::deliver(std::span<const uint8_t> bytes, double /*now_s*/) {
     const int32_t taken =
         stream.write(stream.self, bytes.data(), static_cast<uint32_t>(bytes.size()));
     if (taken < 0) {
-      // The line is closed. That shows when it does not answer a whole frame, as it would if the
+      // The line is closed. This is detected by the missing answer to a whole frame, just as if the
       // program had taken a little longer to end.
       lockstep_.toSbc(bytes.data(), static_cast<uint32_t>(bytes.size()));
       return;

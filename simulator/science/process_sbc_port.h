@@ -16,17 +16,17 @@
 
 namespace glider::simulator {
 
-/// An SBC that is a program of its own behind a pseudo-terminal: the host's binary, or a board's
+/// An SBC that is a separate program behind a pseudo-terminal: the host's binary, or a board's
 /// under an emulator.
 class ProcessSbcPort final : public SbcPort {
  public:
   /// Seconds of real time without an answer after which the program counts as hung.
   static constexpr double kHangSecs = 10;
 
-  /// Starts `command`, a program found by PATH and its arguments; the argument "{port}" stands for
-  /// the terminal's name. Its standard output is thrown away. It dies with this process.
-  /// `card`: the file of its checkpoints, for faults of the card; may be empty. GL9150 when it
-  /// cannot be started, GL9106 without a terminal.
+  /// Starts `command`, a program found by PATH and its arguments; the argument "{port}" is replaced
+  /// by the terminal's name. Its standard output is discarded. It ends with this process. `card`:
+  /// the file of its checkpoints, for faults of the card; may be empty. GL9150 when it cannot be
+  /// started, GL9106 without a terminal.
   static support::Result<std::unique_ptr<ProcessSbcPort>> start(std::string way,
                                                                 std::vector<std::string> command,
                                                                 double hang_secs = kHangSecs,
@@ -50,14 +50,14 @@ class ProcessSbcPort final : public SbcPort {
   /// there.
   void wait(bool to_write, int milliseconds);
   void read();
-  /// True when it owes an answer. Only then its end is noticed: the moment at which a program ends
-  /// by itself is one of real time, and a flight must not depend on that.
+  /// True when it owes an answer. Only then is its end noticed: the moment at which a program ends
+  /// by itself is in real time, and a flight must not depend on that.
   [[nodiscard]] bool missed() const { return alive() && !lockstep_.settled(); }
-  /// Takes the program's end if it has ended; `block` waits for it. `killed` is told if it was
-  /// SIGKILL that ended it.
+  /// Collects the exit status if the program has ended; `block` waits for it. `killed` is the exit
+  /// reason if SIGKILL ended it.
   void reap(bool block, const std::string& killed = "");
   void destroy(const std::string& exit_reason);
-  /// The program has let go of the terminal: it has ended, or it will be ended.
+  /// The program has closed the terminal: it has ended, or will be ended.
   void closed();
 
   std::string way_;
@@ -66,7 +66,7 @@ class ProcessSbcPort final : public SbcPort {
   std::filesystem::path card_;
   hooks::Lockstep lockstep_;
   std::vector<uint8_t> received_;
-  bool heard_ = false;  ///< it has opened the terminal and spoken
+  bool heard_ = false;  ///< it has opened the terminal and sent bytes
   pid_t pid_ = 0;
   std::string exit_reason_;
 };

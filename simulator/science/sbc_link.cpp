@@ -25,7 +25,7 @@ void SbcLink::pump(double now_s) {
     exchange({bytes.begin(), bytes.begin() + std::max(count, 0)}, now_s);
   } else if (alive() && port_->keepsTime()) {
     port_->deliver({}, sbcClock(now_s));
-    (void)port_->collect();  // it has no line to say it on
+    (void)port_->collect();  // it has no line to send it on
   }
   flush();
   noteDeath(now_s);
@@ -50,7 +50,7 @@ double SbcLink::sbcClock(double now_s) {
   for (const ClockJump& jump : faults_.clock) {
     clock += now_s >= jump.at_s ? jump.by_s : 0;
   }
-  newest_clock_s_ = std::max(newest_clock_s_, clock);  // one that is set back stands still
+  newest_clock_s_ = std::max(newest_clock_s_, clock);  // a clock that is set back stops
   return newest_clock_s_;
 }
 
@@ -109,7 +109,7 @@ void SbcLink::followCard(double now_s) {
 }
 
 bool SbcLink::goneForGood(double now_s) const {
-  // Power that comes back in this very cycle has started nothing yet.
+  // Shortly after power returns, no program is running yet.
   constexpr double kToStart = 4;
   const auto passes = [&](const Span& span) {
     return span.to_s != kForever && span.to_s + kToStart > now_s && span.from_s <= now_s;

@@ -16,12 +16,12 @@
 
 namespace glider::simulator {
 
-/// Joins the SBC to its end of the serial line, in lockstep, and does to it what goes wrong with
-/// it: power, port, clock, a mission that stands still. Notes how it ends.
+/// Joins the SBC to its end of the serial line, in lockstep, and applies its faults: power, port,
+/// clock, a mission that does not advance. Records how it ends.
 class SbcLink {
  public:
-  /// `sbc` may be null: a line with nobody at its other end. `start` makes it anew after its power
-  /// has come back; without it, it stays off.
+  /// `sbc` may be null: a line without an SBC at its other end. `start` starts it again after its
+  /// power has returned; without `start`, it stays off.
   SbcLink(std::unique_ptr<SbcPort> sbc, StartSbc start, const Faults& faults, uint64_t seed,
           SerialLine& line, Journal& journal)
       : port_(std::move(sbc)),
@@ -32,9 +32,9 @@ class SbcLink {
         end_(line.right()),
         journal_(journal) {}
 
-  /// Whom to show what the SBC says; null: nobody.
+  /// Sets the observer of what the SBC sends; null: none.
   void showTo(FlightObserver* observer) { onlooker_ = observer; }
-  /// Hands over what has arrived by `now_s` and puts the answers on the line.
+  /// Passes on what has arrived by `now_s` and puts the answers on the line.
   void pump(double now_s);
   [[nodiscard]] bool alive() const { return port_ != nullptr && port_->alive(); }
   /// True when it will not come back.
@@ -64,10 +64,10 @@ class SbcLink {
   bool death_noted_ = false;
   bool without_power_ = false;
   bool without_port_ = false;
-  std::vector<bool> card_fault_done_;  ///< by its place among the faults
+  std::vector<bool> card_fault_done_;  ///< by index in the list of faults
   double newest_clock_s_ = 0;
 
-  // What a stuck SBC goes on saying.
+  // What a stuck SBC keeps sending.
   hooks::FrameDecoder heard_, said_;
   hooks::Done last_done_;
   uint8_t said_sequence_ = 0;

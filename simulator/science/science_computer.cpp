@@ -54,7 +54,7 @@ void ScienceComputer::set(uint16_t id, double value) {
     }
     value = *reading;
   }
-  // As a 4-byte sensor holds it; the clock is the only wider one.
+  // Rounded to a 4-byte sensor; the clock is the only wider one.
   values_[id] = id == numbers_[Sensor::sci_m_present_time] ? value : hooks::asFloat32(value);
   fresh_[id] = 1;
 }

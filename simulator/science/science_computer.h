@@ -31,7 +31,7 @@ using GuardResolver = std::function<GuardText(uint32_t list, uint32_t state, uin
 /// The science computer: runs its sensors and hookprog once a second.
 class ScienceComputer {
  public:
-  /// `virtual_time`: the SBC is told that time is, and waits with its clock.
+  /// `virtual_time`: reported to the SBC, whose clock then waits.
   ScienceComputer(const platforms::Platform& platform, uint64_t seed,
                   const SensorSettings& settings, bool virtual_time = true);
 
@@ -39,13 +39,14 @@ class ScienceComputer {
   struct Place {
     double depth_m = 0, x = 0, y = 0;
   };
-  /// The science cycle at time `now_s`. `sbc` is the 115200 line, `flight` the clothesline.
+  /// The science cycle at time `now_s`. `sbc` is the 115200 line, `flight` the flight-science
+  /// serial link.
   void run(double now_s, const Ocean& ocean, const Place& place, const GliderByteStream& sbc,
            const GliderByteStream& flight);
 
-  /// It starts again: what it knew is gone.
+  /// Restarts it: its state is lost.
   void restart();
-  /// What its sensors say from now on instead of the truth.
+  /// Sets what its sensors report from now on instead of the truth.
   void damageBy(SensorDamage* damage) { damage_ = damage; }
   [[nodiscard]] hooks::HookprogEvent nextEvent() { return hookprog_.nextEvent(); }
   [[nodiscard]] hooks::Hookprog::SbcView sbc() const { return hookprog_.sbc(); }

@@ -13,17 +13,17 @@
 
 namespace glider::simulator {
 
-/// A serial line in virtual time: what one end writes the other end can read once it has arrived,
-/// ten bits a byte (8N1). Both ends point into it, so it must not move.
+/// A serial line in virtual time: what one end writes, the other end can read after it has arrived,
+/// at ten bits per byte (8N1). Both ends point into it, so it must not move.
 class SerialLine {
  public:
-  /// Bytes that may be under way in each direction: a UART's driver queue.
+  /// Bytes that may be in transit in each direction: a UART's driver queue.
   static constexpr size_t kCapacity = 4096;
 
   explicit SerialLine(double baud)
       : SerialLine(baud, LineDamage({}, LineWay::ToSbc, 0, baud),
                    LineDamage({}, LineWay::ToSbc, 0, baud)) {}
-  /// With what its two directions do to their bytes.
+  /// `to_left` and `to_right` are the faults of its two directions.
   SerialLine(double baud, LineDamage to_left, LineDamage to_right)
       : byte_time_s_(10 / baud), to_left_(std::move(to_left)), to_right_(std::move(to_right)) {
     left_ = {this, &to_left_, &to_right_};

@@ -31,7 +31,7 @@ void SerialSbcPort::end(const char* exit_reason) {
 }
 
 double SerialSbcPort::patience() const {
-  // In real time what comes later is heard in the next step of the flight.
+  // In real time, bytes that arrive later are received in the next step of the flight.
   constexpr double kWhileItIsThere = 0.1;
   return pace_ == Pace::RealTime ? kWhileItIsThere : kHangSecs;
 }

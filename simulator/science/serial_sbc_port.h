@@ -16,7 +16,7 @@
 
 namespace glider::simulator {
 
-/// A real SBC at the other end of a serial line, which somebody has started.
+/// A real SBC at the other end of a serial line; it must already be running.
 class SerialSbcPort final : public SbcPort {
  public:
   enum class Pace : uint8_t {
@@ -32,7 +32,7 @@ class SerialSbcPort final : public SbcPort {
   [[nodiscard]] std::string way() const override { return "serial"; }
   void deliver(std::span<const uint8_t> bytes, double now_s) override;
   std::vector<uint8_t> collect() override;
-  /// Its power is not ours: the line is cut.
+  /// Its power cannot be switched from here: the line is cut instead.
   void kill() override { end("cut off"); }
   [[nodiscard]] bool alive() const override { return exit_reason_.empty(); }
   [[nodiscard]] bool keepsTime() const override { return pace_ == Pace::RealTime; }
@@ -46,7 +46,7 @@ class SerialSbcPort final : public SbcPort {
   void waitFor(double now_s);
   void read();
   void end(const char* exit_reason);
-  /// How long an answer is waited for, s.
+  /// How long to wait for an answer, s.
   [[nodiscard]] double patience() const;
 
   hooks::SerialPort port_;

@@ -9,10 +9,10 @@
 
 namespace glider::simulator {
 
-/// The noise of an instrument that reads how much of something is in the water.
+/// The noise of an instrument that measures a concentration in the water.
 class ConcentrationNoise {
  public:
-  /// `sensor`: whose noise it is; `sd`: standard deviation in the sensor's unit.
+  /// `sensor`: the sensor with this noise; `sd`: standard deviation in the sensor's unit.
   ConcentrationNoise(uint64_t seed, std::string_view sensor, double sd)
       : noise_(seed, sensor), sd_(sd) {}
   /// The reading of `truth`, never negative.

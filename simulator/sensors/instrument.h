@@ -20,24 +20,24 @@ struct Sampling {
 /// A sensor of the vehicle that an instrument sets, by the name in the platform file.
 struct InstrumentSensor {
   std::string_view name;
-  const char* column_unit = nullptr;  ///< of its column in the trace; null: it has none
+  const char* column_unit = nullptr;  ///< of its column in the trace; null: no column
 };
 
-/// An instrument of the science bay. All that the simulator knows of one kind lies in one folder,
-/// and the kind is a row of sensor_list.h. Beside these functions its class has Settings
+/// An instrument of the science bay. All code of the simulator for one kind is in one folder, and
+/// the kind is a row of sensor_list.h. In addition to these functions its class has Settings
 /// (sensor_settings.h) and a constructor that takes the seed of the flight and the settings.
 class Instrument {
  public:
   virtual ~Instrument() = default;
   /// The sensors that it sets; the same for each instrument of the kind.
   [[nodiscard]] virtual std::span<const InstrumentSensor> sensors() const = 0;
-  /// What in a scenario's file puts the instrument on board, for the pilot; "": each vehicle has
-  /// it.
+  /// The setting in a scenario file that puts the instrument on board, for messages to the pilot;
+  /// "": every vehicle has the instrument.
   [[nodiscard]] virtual std::string_view setting() const { return ""; }
   /// Whether the scenario has that setting.
   [[nodiscard]] virtual bool carried() const { return true; }
-  /// Once a second: puts a reading for each of sensors() into `readings`, in the same order. What
-  /// is left as it is, NaN, is not set in this second.
+  /// Called once a second: writes a reading for each of sensors() to `readings`, in the same order.
+  /// A sensor whose entry stays NaN is not set in this second.
   virtual void sample(const Sampling& at, std::span<double> readings) = 0;
 };
 

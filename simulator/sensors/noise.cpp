@@ -14,8 +14,8 @@ struct Numbered {
   uint64_t stream;
 };
 
-/// The sources whose streams had numbers before streams had names: they keep them, and with them
-/// their flights stay what they were. No source is ever added.
+/// The sources whose streams had numbers before streams had names. They keep their numbers, so that
+/// their flights do not change. Never add a source here.
 constexpr Numbered kNumbered[] = {
     {"m_depth", 0},
     {"m_pitch", 1},
@@ -31,7 +31,7 @@ constexpr Numbered kNumbered[] = {
     {"sci_oxy4_oxygen", 11},
 };
 
-/// FNV-1a; with the highest bit set it is no number of a stream.
+/// FNV-1a; the highest bit is set, so that the result is not the number of a numbered stream.
 uint64_t hash(std::string_view text) {
   uint64_t sum = 0xcbf29ce484222325;
   for (const char c : text) {

@@ -19,7 +19,8 @@ class Noise {
  public:
   Noise(uint64_t seed, uint32_t stream)
       : key_{{static_cast<uint32_t>(seed), static_cast<uint32_t>(seed >> 32U)}}, stream_(stream) {}
-  /// `source`: a name of its own, as the sensor's. No name changes the numbers of another.
+  /// `source`: a unique name, such as the sensor's. Names do not affect each other's random
+  /// numbers.
   Noise(uint64_t seed, std::string_view source);
 
   /// Gaussian with standard deviation `sd` (Box-Muller).
@@ -29,7 +30,7 @@ class Noise {
                ? 0
                : sd * std::sqrt(-2 * std::log(draw.a)) * std::cos(2 * std::numbers::pi * draw.b);
   }
-  /// Even in (0, 1).
+  /// Uniform in (0, 1).
   double uniform() { return next().a; }
 
  private:
@@ -50,14 +51,14 @@ class Noise {
   }
 
   r123::Philox4x32::key_type key_;
-  uint64_t stream_;  ///< at most 32 bits: a number; more: of a name
+  uint64_t stream_;  ///< at most 32 bits: a number; more: the hash of a name
   uint64_t count_ = 0;
 };
 
-/// The numbered streams that are not a sensor's. Those of sensors go by name; the numbers below
-/// LineDamage are those of the first sensors (noise.cpp).
+/// The numbered streams that do not belong to a sensor. Streams of sensors have names; the numbers
+/// below LineDamage belong to the first sensors (noise.cpp).
 enum class NoiseStream : uint32_t {
-  LineDamage = 12,  ///< and three more, one a LineWay
+  LineDamage = 12,  ///< and three more, one per LineWay
   Campaign = LineDamage + 4,
   SensorJumps,
   CardDamage,

@@ -11,7 +11,7 @@
 
 namespace glider::simulator {
 
-/// The sensors that the simulated computers set or read, without those of instruments:
+/// The sensors that the simulated computers set or read, except those of instruments:
 /// Sensor::m_depth.
 enum class Sensor : uint16_t {
 #define SENSOR(name, need) name,
@@ -24,11 +24,11 @@ bool isProvided(std::string_view name);
 /// The first sensor that the simulated flight controller needs and the vehicle lacks; empty: none.
 std::string_view missingSensor(const platforms::Platform& platform);
 
-/// Under which number of its platform file a vehicle has the sensor `name`; hooks::kNoSensor if it
+/// The number of the sensor `name` in a vehicle's platform file; hooks::kNoSensor if the vehicle
 /// lacks it.
 uint16_t numberOf(const platforms::Platform& platform, std::string_view name);
 
-/// Under which number of its platform file a vehicle has each of them.
+/// The number of each of them in a vehicle's platform file.
 class SensorNumbers {
  public:
   explicit SensorNumbers(const platforms::Platform& platform);

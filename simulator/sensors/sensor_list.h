@@ -15,13 +15,13 @@
 #include <vector>
 
 /// The simulated sensors: ROW(member of SensorSettings, class).
-/// Of the flight controller, which reads each in a way of its own.
+/// The sensors of the flight controller, which reads each of them differently.
 #define GLIDER_FLIGHT_SENSORS(ROW) \
   ROW(depth, DepthSensor)          \
   ROW(attitude, AttitudeSensor)    \
   ROW(altimeter, Altimeter)        \
   ROW(gps, Gps)
-/// Of the science computer. Their columns in the trace come in this order.
+/// The sensors of the science computer. Their columns in the trace are in this order.
 #define GLIDER_INSTRUMENTS(ROW) \
   ROW(ctd, Ctd)                 \
   ROW(fluorometer, Fluorometer) \
@@ -29,21 +29,21 @@
 
 namespace glider::simulator {
 
-/// What a scenario says of the sensors.
+/// What a scenario specifies about the sensors.
 struct SensorSettings {
 #define ROW(name, Class) Class::Settings name = {};
   GLIDER_FLIGHT_SENSORS(ROW)
   GLIDER_INSTRUMENTS(ROW)
 #undef ROW
 
-  /// Reads those of a scenario's file.
+  /// Reads the settings of a scenario file.
   void read(ScenarioTables& tables);
 };
 
 /// The keys that sensors read in [table] of a scenario.
 std::vector<std::string_view> sensorKeys(std::string_view table);
 
-/// Each instrument of the list, carried or not, as the scenario sets it.
+/// All instruments of the list, on board or not, with the scenario's settings.
 std::vector<std::unique_ptr<Instrument>> makeInstruments(uint64_t seed,
                                                          const SensorSettings& settings);
 

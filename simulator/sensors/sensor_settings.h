@@ -12,14 +12,14 @@ namespace glider::simulator {
 
 class ScenarioTables;
 
-/// A key that a scenario's file may have in [table].
+/// A key that a scenario file may have in [table].
 struct ScenarioKey {
   std::string_view table, key;
 };
 
-/// What a scenario says of one sensor: plain data with its defaults, the keys that it reads in
-/// [sensors] and [ocean] (a table of its own, [sensors.name], is one such key), and read(), which
-/// reads them.
+/// What a scenario specifies about one sensor: plain data with its defaults, the keys that it reads
+/// in [sensors] and [ocean] (a table of its own, [sensors.name], is one such key), and read(),
+/// which reads them.
 template <typename S>
 concept SensorSettingsOf =
     std::is_aggregate_v<S> && std::copyable<S> && requires(S settings, ScenarioTables& tables) {

@@ -12,26 +12,26 @@
 
 namespace glider::simulator {
 
-/// One table of a scenario file: number fields with bounds beside what TomlReader reads.
+/// One table of a scenario file: number fields with bounds, in addition to what TomlReader reads.
 class Fields {
  public:
-  /// `frame`: of the scenario's start; null where no position is read.
+  /// `frame` is that of the scenario's start; null if no position is read.
   Fields(const std::string& file, const toml::table& table, const std::string& where,
          const LocalFrame* frame)
       : table_(table), frame_(frame), reader_(file, table, where) {}
 
-  /// Puts the number `key`, if it is there, into `into`; one outside lowest…highest is refused.
+  /// Stores the number `key`, if present, in `into`; a value outside lowest…highest is refused.
   void number(const char* key, double& into, double lowest, double highest);
-  /// The same for a number that must be there.
+  /// The same for a number that must be present.
   double required(const char* key, double lowest, double highest);
-  /// The number `key`, which must be there; it may be infinite or NaN.
+  /// The number `key`, which must be present; it may be infinite or NaN.
   double anyNumber(const char* key);
   /// A bearing in degrees clockwise from north, as rad.
   void bearing(const char* key, double& into);
-  /// The position latitude_deg, longitude_deg, which must be there, in m east and north of the
+  /// The position latitude_deg, longitude_deg, which must be present, in m east and north of the
   /// start.
   void place(double& x, double& y);
-  /// Refuses one of two fields, which say something only together, without the other.
+  /// Refuses one of two fields without the other if they are meaningful only together.
   void together(const char* one, const char* other);
   [[nodiscard]] bool has(const char* key) const { return table_.contains(key); }
   platforms::TomlReader& reader() { return reader_; }
@@ -42,7 +42,7 @@ class Fields {
   platforms::TomlReader reader_;
 };
 
-/// A scenario file while it is read. Tables that are left out read as empty; the first failure is
+/// A scenario file that is being read. Tables that are left out read as empty; the first failure is
 /// kept.
 class ScenarioTables {
  public:
@@ -55,7 +55,7 @@ class ScenarioTables {
   [[nodiscard]] bool has(const char* table, const char* part) const {
     return static_cast<bool>(root_[table][part]);
   }
-  /// Positions are reckoned from here on.
+  /// From now on positions are relative to this start.
   void startAt(double latitude_deg, double longitude_deg) {
     frame_.emplace(latitude_deg, longitude_deg);
   }

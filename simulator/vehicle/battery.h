@@ -13,12 +13,12 @@ struct BatterySettings {
   double full_V = 14.4;
   double empty_V = 10.0;
   double start_V = 14.4;  ///< without load, when the flight begins
-  double hotel_W = 1.63;  ///< median of a real log, submerged with the pump still
-  double sbc_W = 0;       ///< more while the SBC is alive
+  double hotel_W = 1.63;  ///< median of a real log, submerged with the pump off
+  double sbc_W = 0;       ///< added while the SBC is alive
 };
 
-/// The batteries, whose voltage falls in a straight line with the energy that is used, and what
-/// empties them. An empty pack stays at its last voltage.
+/// The batteries, whose voltage falls linearly with the energy used, and their loads. An empty pack
+/// stays at its last voltage.
 class Battery {
  public:
   explicit Battery(const BatterySettings& settings = {})

@@ -32,7 +32,7 @@ double netBuoyancy(const FlightCoefficients& c, double density, double pressure_
 
 double angleOfAttack(const FlightCoefficients& c, double pitch) {
   // Roots of h(a) = C_D0 + C_D1 a^2 - (a_h + a_w) a tan(pitch + a), for a pitch made positive.
-  // Newton's steps from 0, where h is positive and falls, come to the smallest root first.
+  // Newton's method from 0, where h is positive and decreasing, converges to the smallest root.
   constexpr int kMostSteps = 60;
   constexpr double kQuarterTurn = 1.57;
   const double theta = std::fabs(pitch);

@@ -23,8 +23,8 @@ struct FlightCoefficients {
   double compressibility_per_pa = 5e-10;
 };
 
-/// Below this pitch (magnitude) there is no attached glide: physics of the source ends between 9
-/// and 11 degrees.
+/// Below this pitch (magnitude) there is no attached glide: the source's model ends between 9 and
+/// 11 degrees.
 inline constexpr double kStallPitch = 11 * 3.14159265358979323846 / 180;
 
 /// Net upward force (N) in water of `density` (kg/m3) at gauge pressure `pressure` (Pa) with

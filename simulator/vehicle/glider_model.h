@@ -7,10 +7,10 @@
 
 namespace glider::simulator {
 
-/// A buoyancy glider: a pump, a battery that moves for the pitch, and a fin.
+/// A buoyancy glider: a pump, a battery that moves to change the pitch, and a fin.
 class GliderModel final : public VehicleModel {
  public:
-  /// `pump_cc`: how far the pump moves to either side.
+  /// `pump_cc`: how far the pump moves in either direction.
   GliderModel(const platforms::Motion& motion, double pump_cc, const VehicleSettings& settings);
 
   [[nodiscard]] VehicleState start() const override;
@@ -26,7 +26,7 @@ class GliderModel final : public VehicleModel {
   platforms::Motion motion_;
   double pump_cc_;
   VehicleSettings settings_;
-  double pitch_share_, yaw_share_, speed_share_;  ///< of the way that a step covers of each lag
+  double pitch_share_, yaw_share_, speed_share_;  ///< the share of each lag that one step covers
 };
 
 }  // namespace glider::simulator

@@ -13,7 +13,7 @@ Vehicle::Vehicle(const platforms::Platform& platform, const VehicleSettings& set
   limits_ = {platform.envelope.pump_cc, platform.motion->pitch_battery_limit_in,
              platform.motion->fin_limit_rad};
   state_ = model_->start();
-  command_.pump_cc = state_.pump.position;  // nothing moves before it is told to
+  command_.pump_cc = state_.pump.position;  // nothing moves before it is commanded
 }
 
 }  // namespace glider::simulator

@@ -9,14 +9,14 @@
 
 namespace glider::simulator {
 
-/// How far the motors can be commanded to either side.
+/// How far the motors can be commanded in either direction.
 struct MotorLimits {
   double pump_cc = 0;
   double pitch_battery_in = 0;
   double fin_rad = 0;
 };
 
-/// The true vehicle in the true ocean: a model, its state and what its devices were told last.
+/// The true vehicle in the true ocean: a model, its state and the last commands to its devices.
 class Vehicle {
  public:
   static constexpr double kStep = VehicleModel::kStep;  ///< s
@@ -27,7 +27,7 @@ class Vehicle {
   void commandPump(double cc) { command_.pump_cc = cc; }
   void commandBatteryPosition(double inches) { command_.pitch_battery_in = inches; }
   void commandFin(double rad) { command_.fin_rad = rad; }
-  /// Says whether the SBC draws its power.
+  /// Sets whether the SBC draws its power.
   void feedSbc(bool alive) { command_.sbc_alive = alive; }
 
   /// Flies kStep seconds from time `now_s`.

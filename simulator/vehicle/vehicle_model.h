@@ -14,7 +14,7 @@
 
 namespace glider::simulator {
 
-/// What a scenario may say of the vehicle.
+/// What a scenario may specify about the vehicle.
 struct VehicleSettings {
   FlightCoefficients flight;
   double initial_heading_rad = 0;
@@ -35,7 +35,7 @@ struct VehicleState {
   Battery battery;
 };
 
-/// What its devices are told.
+/// The commands to its devices.
 struct VehicleCommand {
   double pump_cc = 0;
   double pitch_battery_in = 0;
@@ -43,7 +43,7 @@ struct VehicleCommand {
   bool sbc_alive = false;  ///< the SBC draws its power
 };
 
-/// How a kind of vehicle moves. Has no state of its own.
+/// How a kind of vehicle moves. It has no state of its own.
 class VehicleModel {
  public:
   static constexpr double kStep = 0.25;  ///< s, of every model
@@ -51,7 +51,7 @@ class VehicleModel {
   virtual ~VehicleModel() = default;
   /// At the surface before a mission.
   [[nodiscard]] virtual VehicleState start() const = 0;
-  /// `state` kStep seconds after `now_s`, in `ocean`, under `command`.
+  /// Advances `state` by kStep seconds from `now_s`, in `ocean`, under `command`.
   virtual void step(VehicleState& state, const VehicleCommand& command, const Ocean& ocean,
                     double now_s) const = 0;
 };

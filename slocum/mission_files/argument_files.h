@@ -15,9 +15,9 @@ namespace glider::slocum {
 /// digits, "goto_l10.ma".
 std::string argumentFileName(std::string_view behaviour, int number);
 
-/// Reads the .ma file of every behaviour whose `args_from_file` is 0 or more from `folder`; what it
-/// sets goes before what the mission file says, as on the vehicle. GL5107 for a number that is
-/// none, GL5113, and the diagnostics of readArguments; a file that is not there is GL9001.
+/// Reads the .ma file of every behaviour whose `args_from_file` is 0 or more from `folder`; its
+/// values take precedence over those of the mission file, as on the vehicle. GL5107 for an invalid
+/// number, GL5113, and the diagnostics of readArguments; GL9001 for a missing file.
 void applyArgumentFiles(MissionFile& mission, const std::filesystem::path& folder,
                         support::SourceManager& sources, support::DiagnosticEngine& diagnostics);
 

@@ -32,7 +32,7 @@ std::span<const KnownBehaviour> knownBehaviours();
 const KnownBehaviour* findBehaviour(std::string_view name);
 
 /// Reports b_args that a known behaviour does not have (GL5104) and needed ones that are missing
-/// (GL5106). Says nothing of behaviours that are not known.
+/// (GL5106). Ignores unknown behaviours.
 void checkArguments(const BehaviourBlock& block, support::DiagnosticEngine& diagnostics);
 
 }  // namespace glider::slocum

@@ -14,7 +14,7 @@
 
 namespace glider::slocum {
 
-/// A stretch of one line with its place in the file.
+/// A part of one line with its location in the file.
 struct Piece {
   std::string_view text;
   support::SourceRange range;
@@ -26,22 +26,22 @@ struct Piece {
 std::string quoted(std::string_view text);
 std::string lowerCase(std::string_view text);
 
-/// Hands out the lines of a mission file: comments cut off, trimmed, empty ones skipped, CR
-/// dropped.
+/// Returns the lines of a mission file one by one: without comments, trimmed, without empty lines
+/// and CR.
 class LineReader {
  public:
   LineReader(const support::SourceManager& sources, uint32_t file,
              support::DiagnosticEngine& diagnostics);
 
-  /// Reports GL5109 and returns false for what is no text or too large to be a mission.
+  /// Reports GL5109 and returns false for a file that is not text or is too large to be a mission.
   bool acceptable();
-  /// The next line that says something; empty at the end.
+  /// The next line with content; empty at the end.
   std::optional<Piece> next();
-  /// Splits at blanks and tabs.
+  /// Splits at spaces and tabs.
   [[nodiscard]] std::vector<Piece> words(Piece line) const;
-  /// Reads `name(unit) value`; reports and returns nothing when it is not that.
+  /// Reads `name(unit) value`; otherwise reports the error and returns nothing.
   std::optional<Setting> setting(Piece rest);
-  /// A finite decimal number in `piece`; reports GL5102 and returns nothing if it is none.
+  /// A finite decimal number in `piece`; reports GL5102 and returns nothing if it is not one.
   std::optional<double> number(Piece piece);
   [[nodiscard]] Piece trimmed(size_t begin, size_t end) const;
 

@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
-/// The Slocum's own mission files as plain data. Names are kept in lower case: the vehicle does not
-/// tell cases apart.
+/// The Slocum's own mission files as plain data. Names are kept in lower case: the vehicle ignores
+/// case.
 namespace glider::slocum {
 
 /// `name(unit) value` of a sensor or b_arg line. The unit is a description only and means nothing

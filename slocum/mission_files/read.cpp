@@ -91,7 +91,7 @@ class MissionReader {
       const Piece found = words.empty() ? rest : words[1];
       diagnostics_.report(DiagnosticId::missionFileSyntax, found.range,
                           "one name after `behavior:`", quoted(found.text));
-      // Its arguments must not be taken for those of the behaviour above.
+      // Its arguments must not be assigned to the previous behaviour.
       if (words.empty()) {
         mission.behaviours.push_back({"", rest.range, {}});
         return;
@@ -143,7 +143,7 @@ class ArgumentReader {
     }
   }
 
-  /// At the end of the file.
+  /// Checks what can only be checked at the end of the file.
   void finish(support::SourceRange end) {
     if (file.behaviour.empty()) {
       diagnostics_.report(DiagnosticId::argumentFileTag, end,
@@ -168,7 +168,7 @@ class ArgumentReader {
         line.range.end);
     if (!word.starts_with("behavior_name") || lines_.words(rest).size() != 1) {
       expected("behavior_name=", line);
-      file.behaviour.assign(1, '?');  // reported once; the rest is still read for its own mistakes
+      file.behaviour.assign(1, '?');  // reported once; the rest is still checked for other errors
       return;
     }
     file.behaviour = lowerCase(rest.text);

@@ -10,8 +10,8 @@
 
 namespace glider::slocum {
 
-/// Reads the .mi file `file`. Every mistake is reported (GL5100-5109); empty when there was an
-/// error. Which behaviours exist is not this function's matter: see checkArguments.
+/// Reads the .mi file `file`. Every error is reported (GL5100-5109); empty when there was one. This
+/// function does not check which behaviours exist: see checkArguments.
 std::optional<MissionFile> readMission(const support::SourceManager& sources, uint32_t file,
                                        support::DiagnosticEngine& diagnostics);
 

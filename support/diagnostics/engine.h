@@ -26,7 +26,7 @@ class DiagnosticBuilder {
   Diagnostic& diagnostic_;
 };
 
-/// Gathers the diagnostics of one compilation.
+/// Collects the diagnostics of one compilation.
 class DiagnosticEngine {
  public:
   /// Reports row `id` at `range`; `args` fill the row's message and hint in order.

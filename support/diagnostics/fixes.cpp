@@ -9,7 +9,7 @@
 namespace glider::support {
 namespace {
 
-/// Insertions at one place touch, for which of them comes first would be a guess.
+/// Insertions at the same place touch, because their order would be a guess.
 bool touch(const FixIt& a, const FixIt& b) {
   return a.range.begin <= b.range.end && b.range.begin <= a.range.end;
 }
@@ -21,7 +21,7 @@ bool fits(const std::vector<FixIt>& chosen, const FixIt& fix, std::string_view t
          std::ranges::none_of(chosen, [&fix](const FixIt& other) { return touch(fix, other); });
 }
 
-/// Errors stage by stage.
+/// The number of errors of each stage.
 using Errors = std::array<size_t, 3>;
 
 Errors errorsOf(const std::vector<Diagnostic>& diagnostics) {

@@ -22,8 +22,8 @@ std::string_view colourOf(Severity severity, const Palette& p) {
   return severity == Severity::Error ? p.error : severity == Severity::Warning ? p.warning : p.note;
 }
 
-/// A source line made safe for a terminal: a tab is one blank (so the caret stays under its place),
-/// other control characters are shown as '?'.
+/// A source line made safe for a terminal: a tab becomes one space (so that the caret stays in its
+/// column), other control characters are shown as '?'.
 std::string printable(std::string_view line) {
   std::string out;
   for (char c : line) {

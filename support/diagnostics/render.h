@@ -10,7 +10,7 @@
 namespace glider::support {
 
 /// The text a pilot reads: `file:line:col: error: message [GL2003 slug]`, the source line, a caret
-/// line, hint and notes; one block a diagnostic, in source order. `colour` adds ANSI colours.
+/// line, hint and notes; one block per diagnostic, in source order. `colour` adds ANSI colours.
 std::string render(const DiagnosticEngine& diagnostics, const SourceManager& sources, bool colour);
 
 }  // namespace glider::support

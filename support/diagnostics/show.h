@@ -10,8 +10,8 @@
 
 namespace glider::support {
 
-/// Shows a pilot the mistakes that reading a file has found. Who reads the file does not know where
-/// they are shown; an empty one shows nothing.
+/// Shows a pilot the errors found while reading a file. The code that reads the file does not know
+/// where they are shown; an empty function shows nothing.
 using ShowDiagnostics = std::function<void(const DiagnosticEngine&, const SourceManager&)>;
 
 }  // namespace glider::support

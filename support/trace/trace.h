@@ -16,7 +16,7 @@ namespace glider::support {
 
 /// One quantity recorded at every flight-control cycle. NaN is "not known".
 struct TraceColumn {
-  std::string name;  ///< "m_depth", "true_x", "state"…; the vehicle's own name where it has one
+  std::string name;  ///< "m_depth", "true_x", "state"…; the vehicle's own name if it has one
   std::string
       unit;  ///< as in the language; "" for a plain number, "id" for an index into Trace::names
 };
@@ -43,16 +43,16 @@ struct TraceField {
 /// One flight: the only trace format of verifier, simulator and report.
 struct Trace {
   std::string mission;   ///< name of the mission
-  std::string scenario;  ///< name of the scenario; of a run that the verifier found: the
-                         ///< requirement that it breaks, as written
+  std::string scenario;  ///< name of the scenario; for a counterexample, the requirement that it
+                         ///< violates, as written
   std::string way;       ///< "in-process", "host", "ts7800", "ts5500", "none" (no SBC)
   uint64_t seed = 0;
   std::vector<std::string> state_names;  ///< for the column "state"
-  /// The parameters of a run that the verifier found, as `--set` takes them; each "name=value".
+  /// The parameters of a counterexample, in the form that `--set` takes; each "name=value".
   std::vector<std::string> settings;
-  std::optional<uint32_t> requirement;  ///< which one such a run breaks, from 0
+  std::optional<uint32_t> requirement;  ///< which one a counterexample violates, from 0
   std::vector<TraceColumn> columns;     ///< columns[0] is "time" in s
-  std::vector<double> rows;             ///< row-major, columns.size() values a row
+  std::vector<double> rows;             ///< row-major, columns.size() values per row
   std::vector<TraceEvent> events;       ///< in order of time
   TraceField field;
 
@@ -71,8 +71,8 @@ struct Trace {
 std::string traceToCsv(const Trace& trace);
 /// The whole trace as one JSON object (NaN is null): what the report page reads.
 std::string traceToJson(const Trace& trace);
-/// Reads what traceToJson writes, but for the field; `name` is for messages. GL9360 if it is
-/// something else.
+/// Reads what traceToJson writes, except for the field; `name` is for messages. GL9360 if it is not
+/// such a trace.
 Result<Trace> traceFromJson(const std::string& text, const std::string& name);
 
 }  // namespace glider::support

@@ -14,7 +14,7 @@ namespace glider::support {
 
 /// A physical dimension: exponents of metre, kilogram, second, ampere, kelvin and radian. Values of
 /// a dimension are always held in the coherent SI unit (a pressure in Pa, a charge in A·s); units
-/// exist at the edges only.
+/// exist only at input and output.
 struct Dimension {
   std::array<int8_t, 6> exponents{};
 
@@ -46,7 +46,7 @@ struct Unit {
 std::optional<Unit> findUnit(std::string_view spelling);
 /// A quotient or product of units, "degC/m"; empty if a part is unknown.
 std::optional<Unit> parseUnit(std::string_view spelling);
-/// The unit a bare number takes where `dimension` is wanted; empty for unnamed dimensions.
+/// The unit of a bare number where `dimension` is expected; empty for unnamed dimensions.
 std::optional<Unit> bareUnit(Dimension dimension);
 /// The units of `dimension` that have a spelling of their own, in the order of units.def.
 std::vector<Unit> unitsOf(Dimension dimension);

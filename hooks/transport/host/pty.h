@@ -26,9 +26,9 @@ class Pty {
   [[nodiscard]] GliderByteStream stream();
   /// For poll(2).
   [[nodiscard]] int descriptor() const { return master_; }
-  /// Lets go of the user's side, which is held so that what we write before the program opens it is
-  /// kept, and that the settings stay: call it when the program runs, and its end shows as a closed
-  /// stream.
+  /// Closes our copy of the user's side, which is held open so that what we write before the
+  /// program opens it is kept, and so that the settings stay. Call it when the program runs; its
+  /// end then shows as a closed stream.
   void releaseUserSide();
 
  private:

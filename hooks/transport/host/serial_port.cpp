@@ -21,7 +21,7 @@ using support::DiagnosticId;
 using support::fail;
 using support::Failure;
 
-/// One writer a port: two programs that share one would each lose half of the answers.
+/// One writer per port: two programs that share one would each lose half of the answers.
 bool lock(int descriptor) {
   return ::flock(descriptor, LOCK_EX | LOCK_NB) == 0;
 }
@@ -83,7 +83,7 @@ class SerialPort::LibraryPort final : public SerialPort::Port {
   /// 0 or an errno.
   int open(const std::string& path, uint32_t baud) {
     if (sp_get_port_by_name(path.c_str(), &port_) != SP_OK) {
-      return ENOTTY;  // it exists, the caller has looked, but no serial driver has it
+      return ENOTTY;  // the caller has checked that it exists, but it is not a serial port
     }
     if (sp_open(port_, SP_MODE_READ_WRITE) != SP_OK) {
       return sp_last_error_code();

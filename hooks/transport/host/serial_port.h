@@ -19,7 +19,7 @@ class SerialPort {
  public:
   /// Opens `path` ("/dev/ttyUSB0", "/dev/pts/3" or a symbolic link to one) at `baud` bits/s. Fails
   /// with GL9100 missing, GL9101 no permission, GL9102 in use, GL9103 not a serial port, GL9104
-  /// baud not possible, GL9105 anything else.
+  /// unsupported baud, GL9105 anything else.
   static support::Result<SerialPort> open(const std::string& path, uint32_t baud);
 
   SerialPort(SerialPort&&) noexcept;

@@ -1,8 +1,8 @@
 /* SPDX-FileCopyrightText: 2026 The glidercc authors
    SPDX-License-Identifier: Apache-2.0 */
 
-/* A mission in C: every dive goes 5 m deeper than the one before, down to 40 m, until the water is
-   colder than 4 degC or half an hour has passed. Run as
+/* A mission in C: every dive goes 5 m deeper than the previous one, down to 40 m, until the water
+   is colder than 4 degC or half an hour has passed. Run as
    deeper --port /dev/ttyS1 --log deeper.log --checkpoint deeper.state */
 
 #include <runtime/c/glider.h>
@@ -21,7 +21,7 @@ int main(int argc, char** argv) {
       addEvent(events, over)) {
     return 1;
   }
-  /* All it must know to go on after a power cut: top never changes. */
+  /* All it needs to continue after a power cut: top never changes. */
   if (keepState(&bottom, sizeof bottom)) {
     return 1;
   }

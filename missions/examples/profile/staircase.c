@@ -1,7 +1,7 @@
 /* SPDX-FileCopyrightText: 2026 The glidercc authors
    SPDX-License-Identifier: Apache-2.0 */
 
-/* A flightprofile: down in steps, a rest on each, up in one climb. */
+/* A flightprofile: dives in steps with a rest on each, and comes up in one climb. */
 
 #include "staircase.h"
 
@@ -9,10 +9,10 @@
 
 static const double kPitch = 0.4538; /* rad, 26 degrees */
 
-/* The state's own memory: zero when the mission starts. Numbers only, for a checkpoint keeps it. */
+/* The state's own memory: zero when the mission starts. Numbers only: checkpoints keep it. */
 typedef struct Stairs {
-  double target; /* m: the step that is flown to; 0 before the first */
-  double since;  /* s: mission time at which it was reached; -1 while it was not */
+  double target; /* m: depth of the current step; 0 before the first */
+  double since;  /* s: mission time at which it was reached; -1: not reached yet */
   int32_t up;    /* 1 on the climb */
 } Stairs;
 _Static_assert(sizeof(Stairs) <= sizeof(GliderBehaviourMemory), "the memory has room for it");
@@ -22,7 +22,7 @@ static void aimAt(Stairs* stairs, double depth) {
   stairs->since = -1;
 }
 
-/* The step is left: the next one, or the climb. */
+/* Leaves the step: begins the next one, or the climb. */
 static void goOn(Stairs* stairs, double top, double bottom, double step) {
   if (stairs->up) {
     stairs->up = 0;
@@ -45,7 +45,7 @@ void profile_staircase(GliderContext* context, GliderBehaviourMemory* memory, ui
   if (stairs->target == 0) {
     aimAt(stairs, top + step < bottom ? top + step : bottom);
   }
-  /* An unknown depth compares as false: the glider flies on as it did. */
+  /* An unknown depth compares as false: the glider continues as before. */
   const int reached = stairs->up ? depth <= stairs->target : depth >= stairs->target - 1;
   if (reached && stairs->since < 0) {
     stairs->since = now;

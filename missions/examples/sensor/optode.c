@@ -1,7 +1,7 @@
 /* SPDX-FileCopyrightText: 2026 The glidercc authors
    SPDX-License-Identifier: Apache-2.0 */
 
-/* An oxygen optode on a serial port of the payload computer. It says a line every second or so:
+/* An oxygen optode on a serial port of the payload computer. It sends a line about every second:
    O2 231.40, in micromole per litre. OPTODE_PORT names the port; /dev/ttyS2 if it is not set.
 
    A tick asks once and must have its answer at once: nothing here waits, and what has not come is
@@ -22,7 +22,7 @@ static int port = -1;
 static char line[LINE];
 static size_t length;
 
-/* 9600 baud, 8N1, lines as they come. What is no terminal (a recording) is left as it is. */
+/* 9600 baud, 8N1, raw lines. A file that is not a terminal (a recording) is used unchanged. */
 static int openPort(void) {
   const char* const named = getenv("OPTODE_PORT");
   const int opened = open(named ? named : "/dev/ttyS2", O_RDONLY | O_NOCTTY | O_NONBLOCK);
@@ -39,7 +39,7 @@ static int openPort(void) {
   return opened;
 }
 
-/* The number of a line "O2 231.40"; NaN if it is none. */
+/* The number of a line "O2 231.40"; NaN if it is not such a line. */
 static double numberOf(const char* text, size_t size) {
   if (size < 4 || text[0] != 'O' || text[1] != '2' || text[2] != ' ') {
     return NAN;
@@ -61,7 +61,7 @@ static double numberOf(const char* text, size_t size) {
   return number;
 }
 
-/* Takes one byte; the number of the line that it ends, else NaN. A line too long is no line. */
+/* Takes one byte; returns the number of the line that it ends, else NaN. Ignores overlong lines. */
 static double takeByte(char byte) {
   double number = NAN;
   if (byte == '\n') {
@@ -76,8 +76,8 @@ static double takeByte(char byte) {
   return number;
 }
 
-/* `extern sensor optode_o2`: the newest that has come since the last tick, NaN if nothing has. The
-   mission takes a reading as unknown that is older than its `stale after`. */
+/* `extern sensor optode_o2`: the newest reading since the last tick, NaN if there is none. The
+   mission treats a reading that is older than its `stale after` as unknown. */
 double sensor_optode_o2(double missiontime) {
   (void)missiontime;
   if (port < 0) {

@@ -18,8 +18,8 @@ class DepthLeg {
   DepthLeg(const slocum::BehaviourBlock& block, Direction direction);
 
   void begin(const Situation& situation);
-  /// True when the leg is over. While `overridden` only truly reaching the target counts: how the
-  /// vehicle moves is then not this leg's doing.
+  /// True when the leg is over. While `overridden` only truly reaching the target counts: the
+  /// vehicle's motion is then not caused by this leg.
   bool over(const Situation& situation, bool overridden);
   void command(Commands& commands) const;
   [[nodiscard]] const char* name() const {
@@ -36,7 +36,7 @@ class DepthLeg {
   double target_depth_, target_altitude_, pump_cc_, hover_for_s_, stalled_for_s_;
   PitchCommand pitch_;
   double moving_s_ = 0;   ///< when it last moved
-  double deepest_s_ = 0;  ///< when it last made way
+  double deepest_s_ = 0;  ///< when it last gained depth or height
   double best_depth_ = 0;
   std::string why_;
 };

@@ -25,7 +25,7 @@ class GotoWpt final : public Behaviour {
   }
   void begin(const Situation& s) override { start_.noteStart(s.time_s), fresh_ = true; }
   Outcome fly(const Situation& s, Commands& commands) override {
-    // The distance known in the first cycle is still that of the waypoint before.
+    // The distance known in the first cycle is still that of the previous waypoint.
     if (!std::exchange(fresh_, false) && stop_.met(s, commands)) {
       return Outcome::Done;
     }

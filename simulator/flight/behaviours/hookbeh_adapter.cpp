@@ -76,8 +76,8 @@ const char* describe(HookState state) {
   return "unknown state";
 }
 
-/// Answers that say nothing of the command: what was damaged, early, old or of another session, and
-/// is sent again where it still counts.
+/// Answers that do not concern the command itself: the instruction was damaged, early, old or of
+/// another session, and is sent again if it still counts.
 bool isOfTheLink(HookAnswer answer) {
   return answer == HookAnswer::BadCheck || answer == HookAnswer::WrongSession ||
          answer == HookAnswer::NotReady || answer == HookAnswer::OldSequence;
@@ -139,7 +139,7 @@ Behaviour::Outcome HookbehAdapter::fly(const Situation& situation, Commands& com
   }
   outputs_ = out;
   note(in, out);
-  // Complete, it still tells its state in every cycle, so it never is Done for the stack.
+  // When complete, it still reports its state in every cycle, so it is never Done for the stack.
   return Outcome::Continue;
 }
 

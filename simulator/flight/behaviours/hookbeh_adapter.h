@@ -15,8 +15,8 @@ namespace glider::simulator {
 hooks::HookbehArgs hookbehArgs(const slocum::BehaviourBlock& block);
 
 /// The behaviour hookbeh in this layered control: hooks::Hookbeh between the sensor array and the
-/// command record. It runs in every cycle, for it has states of its own; it is complete when the
-/// SBC has given control back.
+/// command record. It runs in every cycle because it has states of its own; it is complete when the
+/// SBC has released control.
 class HookbehAdapter final : public Behaviour {
  public:
   HookbehAdapter(const slocum::BehaviourBlock& block, const hooks::Hull& hull);

@@ -29,7 +29,7 @@ std::string degrees(double rad) {
   return fmt::format("{:.4g} deg", rad * kDegrees);
 }
 
-/// A dive is commanded with its nose down; the limits are magnitudes in the wanted direction.
+/// A dive is commanded with its nose down; the limits are magnitudes in the commanded direction.
 std::string pitchText(const hooks::HookbehInputs& in, const hooks::HookbehArgs& args) {
   const bool dives = is(in.vertical, HookVertical::Descend);
   const double steepness = dives ? -in.hook_pitch_rad : in.hook_pitch_rad;

@@ -29,7 +29,7 @@ void Surface::begin(const Situation& situation) {
 }
 
 Behaviour::Outcome Surface::fly(const Situation& s, Commands& commands) {
-  // Commands also in its last cycle: at the surface nothing below may be there to take over.
+  // Also commands in its last cycle: at the surface there may be no lower behaviour to take over.
   commands.point(pitch_);
   commands.pump(pump_cc_);
   if (!commands.heading) {

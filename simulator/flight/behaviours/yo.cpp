@@ -27,7 +27,7 @@ void Yo::begin(const Situation& situation) {
 
 Behaviour::Outcome Yo::fly(const Situation& situation, Commands& commands) {
   // A leg whose target is already passed ends in the cycle that began it; two in a row mean that
-  // the targets contradict each other, and then the second one flies on for a cycle.
+  // the targets contradict each other, and then the second one flies for one cycle.
   for (int legs = 0; legs < 2 && leg_->over(situation, overridden()); ++legs) {
     ++half_cycles_;
     news_.emplace_back(fmt::format("yo: {} over, half cycle {}", leg_->name(), half_cycles_),

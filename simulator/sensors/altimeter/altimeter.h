@@ -12,7 +12,7 @@ struct AltimeterSettings {
   double noise_m = 0.1;
   double range_m = 100;
   double dropout = 0;  ///< share of echoes that are lost
-  bool given = false;  ///< [sensors.altimeter] is there
+  bool given = false;  ///< [sensors.altimeter] is present
 
   static constexpr ScenarioKey kKeys[] = {{"sensors", "altitude_m"}, {"sensors", "altimeter"}};
   void read(ScenarioTables& tables);

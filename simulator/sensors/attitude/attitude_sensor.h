@@ -26,7 +26,7 @@ class AttitudeSensor {
       : pitch_noise_(seed, "m_pitch"), heading_noise_(seed, "m_heading"), settings_(settings) {}
 
   double pitch(double truth) { return truth + pitch_noise_.normal(settings_.pitch_rad); }
-  /// Of a magnetic heading; in [0, 2 pi).
+  /// The reading for a magnetic heading, rad; in [0, 2 pi).
   double heading(double truth);
 
  private:

@@ -7,10 +7,10 @@
 
 namespace glider::simulator {
 
-/// Tells climbs from dives by the true depth.
+/// Distinguishes climbs from dives by the true depth.
 class ClimbWatch {
  public:
-  /// Call with every depth, times rising.
+  /// Call with every depth, in order of time.
   void note(double depth_m, double now_s) {
     // A vehicle that heaves by less than this has not turned.
     constexpr double kTurned = 0.5;  // m
@@ -23,7 +23,7 @@ class ClimbWatch {
     }
   }
   [[nodiscard]] bool climbing() const { return climbing_; }
-  /// When the newest climb or dive was seen to begin.
+  /// When the newest climb or dive was detected.
   [[nodiscard]] double since() const { return since_s_; }
 
  private:

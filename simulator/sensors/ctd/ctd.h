@@ -16,7 +16,7 @@
 
 namespace glider::simulator {
 
-/// A time in which the water in the CTD's duct does not change: the sensor goes on giving its last
+/// A time in which the water in the CTD's duct does not change: the sensor keeps reporting its last
 /// temperature.
 struct StaleWater {
   double from_s = 0;
@@ -26,18 +26,18 @@ struct StaleWater {
 /// Climbs on which the CTD's duct is not flushed, as on the lost climb of the paper's Figure 6.
 struct StaleClimbs {
   bool on = false;
-  double frozen_s = 120;  ///< from the turn on, the duct keeps its water for so long
+  double frozen_s = 120;  ///< how long the duct keeps its water after the inflection, s
   double flush_s = 20;    ///< time constant with which the water is then renewed; 0: at once
-  double after_s = 0;     ///< climbs that begin earlier are not meant
+  double after_s = 0;     ///< climbs that begin earlier are not affected
   double count = 0;       ///< how many climbs; 0: all
 };
 
 struct CtdSettings {
   double noise_degC = 0.002;
   double dropout = 0;          ///< share of readings that fail
-  double repeat_fraction = 0;  ///< share of readings that are the one before once more
+  double repeat_fraction = 0;  ///< share of readings that repeat the previous one
   double late_s = 0;           ///< age of a reading when it is given
-  /// The sensor sees water from so far above or below the vehicle (standard deviation, m).
+  /// How far above or below the vehicle the measured water is (standard deviation, m).
   double non_monotonic_m = 0;
   double conductivity = 4;  ///< S/m, the same everywhere, as in the vehicle's own simulator
   std::vector<StaleWater> stale_water = {};
@@ -51,8 +51,8 @@ struct CtdSettings {
   void read(ScenarioTables& tables);
 };
 
-/// The CTD of the science bay, read once a second: the water in its duct, and what can go wrong
-/// with a reading on its way.
+/// The CTD of the science bay, read once a second: the water in its duct, and the faults of a
+/// reading.
 class Ctd final : public Instrument {
  public:
   using Settings = CtdSettings;

@@ -15,7 +15,7 @@ struct DepthSettings {
   void read(ScenarioTables& tables);
 };
 
-/// The pressure transducer: 10 m of water are 1 bar, as the vehicle reckons.
+/// The pressure transducer: 10 m of water are 1 bar, the vehicle's own conversion.
 class DepthSensor {
  public:
   using Settings = DepthSettings;

@@ -17,7 +17,7 @@ struct GpsSettings {
   void read(ScenarioTables& tables);
 };
 
-/// The receiver in the tail: has a fix once it has been at the surface for a while.
+/// The receiver in the tail: gets a fix after it has been at the surface for a while.
 class Gps {
  public:
   using Settings = GpsSettings;
@@ -29,8 +29,8 @@ class Gps {
   /// The fix at `now_s`, if there is one. Call once a cycle.
   std::optional<Fix> fix(double x, double y, double depth_m, double now_s);
 
-  /// What a fix says of magnetic north, rad: magnetic headings exceed true ones by it, so it is
-  /// west positive. The receiver has it from a table, to a tenth of a degree.
+  /// The variation of a fix, rad: magnetic minus true heading, so it is west positive. The receiver
+  /// takes it from a table, to a tenth of a degree.
   static double variation(double declination_rad);
 
  private:

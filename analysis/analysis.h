@@ -9,8 +9,8 @@
 #include "analysis/replay.h"
 #include "analysis/way_home.h"
 
-/// What can be said of a mission beyond its errors, each as a plain function of a compiled mission:
-/// what it needs of each board (missionBudgets), how the vehicle comes home without the SBC
-/// (wayHomeLines), a simulated flight that violates what it requires (searchClosedLoop), a found
-/// flight flown again tick by tick (replayRun), and its graph (graphOf). Nothing here prints;
-/// others include this header and no other of the folder.
+/// Analyses of a mission beyond its errors, each a plain function of a compiled mission: its budget
+/// on each board (missionBudgets), how the vehicle comes home without the SBC (wayHomeLines), a
+/// simulated flight that violates a requirement (searchClosedLoop), the replay of a counterexample
+/// tick by tick (replayRun), and its graph (graphOf). Nothing here prints. Other folders include
+/// only this header.

@@ -44,7 +44,7 @@ class TrueDepth {
   size_t row_ = 0;
 };
 
-/// The everyday one first.
+/// The scenarios that come with glidercc, the default one first.
 std::vector<std::string> worlds() {
   std::vector<std::string> names = flights::scenarioNames();
   std::ranges::stable_partition(names, [](const std::string& name) { return name == "default"; });
@@ -80,7 +80,7 @@ class Search {
   }
 
  private:
-  /// When the flight breaks the requirement; empty: it does not.
+  /// The time at which the flight violates the requirement; empty: it does not.
   Result<std::optional<double>> fly(const std::string& scenario, uint64_t seed) const {
     auto world = flights::chooseScenario(scenario);
     if (!world) {

@@ -85,7 +85,7 @@ class Maker {
     return state;
   }
 
-  /// "to: position, limit: time"; of the IR's text form only the names.
+  /// "to: position, limit: time"; for the IR's text form only the names.
   [[nodiscard]] std::string parameters(const ir::State& state) const {
     if (state.formals.valid()) {
       return line(state.formals);
@@ -99,14 +99,14 @@ class Maker {
     return list;
   }
 
-  /// A profile or route with its arguments; one that is not written down by its name.
+  /// A profile or route with its arguments, or by its name if its source is not written down.
   [[nodiscard]] std::string use(const ir::Activity& activity) const {
     const std::string& name = mission_[activity.behaviour].name;
     const std::string written = in_the_language_ ? line(activity.range) : "";
     return written.starts_with(name) ? written : name;
   }
 
-  /// What is written of the state before its events.
+  /// The source of the state before its events.
   [[nodiscard]] std::string source(const ir::State& state) const {
     if (!state.head.valid()) {
       return "state " + state.name;

@@ -8,9 +8,9 @@
 
 namespace glider::analysis {
 
-/// The state machine of a mission, with its texts as the pilot wrote them. `deepest_path` as of
-/// ir::MissionFacts; `dead`: what is proved never to fire, as casesThatNeverFire() says. Of a
-/// mission with errors both may be empty.
+/// The state machine of a mission, with its texts as the pilot wrote them. `deepest_path` is that
+/// of ir::MissionFacts; `dead` are the cases proved never to fire, from casesThatNeverFire(). Both
+/// may be empty for a mission with errors.
 report::Graph graphOf(const compiler::Lowered& mission,
                       const std::vector<ir::StateId>& deepest_path,
                       const std::map<ir::CasePlace, bool>& dead);

@@ -66,8 +66,8 @@ Quantity figureOf(std::string name, const std::expected<uint64_t, std::string>& 
   return figure;
 }
 
-/// What --checkpoint writes to the card: one on each tick at most, and a tick comes with a cycle of
-/// the vehicle (one of the SBC's clock alone only after 12 s without).
+/// What --checkpoint writes to the card: at most one checkpoint per tick. A tick comes with each
+/// cycle of the vehicle (or from the SBC's clock alone, after 12 s without one).
 std::vector<Quantity> checkpointFigures(const codegen::Budget& measured, double cycle_s) {
   using runtime::Checkpoint;
   constexpr double kDay_s = 86400;
@@ -100,7 +100,7 @@ Budget boardBudget(const codegen::Budget& measured, const platforms::Board& boar
   return budget;
 }
 
-/// Of a mission that calls what is not there, `why`, no executable can be measured.
+/// The budget of a mission that calls missing code: `why` no executable can be measured.
 Budget unmeasured(const platforms::Board& board, const std::string& why) {
   return {board.name,
           {{"executable", std::nullopt, limitOf(board.max_executable_bytes), "bytes",

@@ -13,19 +13,19 @@
 
 namespace glider::analysis {
 
-/// What came of a replay.
+/// The result of a replay.
 struct Replayed {
-  size_t ticks = 0;     ///< that the SBC answered as the run says
-  bool broken = false;  ///< the requirement
+  size_t ticks = 0;     ///< ticks that the SBC answered as the trace says
+  bool broken = false;  ///< whether the requirement was violated
   double when = 0;      ///< mission time, s
 };
 
-/// Whether `trace` is a run of `mission`: GL9361.
+/// Checks that `trace` is a trace of `mission`: GL9361.
 support::Result<void> checkTrace(const support::Trace& trace, const std::string& name,
                                  const compiler::Checked& mission);
 
-/// Flies the run in `trace` on `sbc`, and beside it on the interpreter: GL9362 if they part.
-/// The states of what is built from `mission` are called `built_states`. checkTrace has passed.
+/// Replays `trace` on `sbc` and in parallel on the interpreter: GL9362 if they differ. The states
+/// of what is built from `mission` are called `built_states`. checkTrace must have passed.
 support::Result<Replayed> replayRun(const support::Trace& trace, const compiler::Checked& mission,
                                     const std::vector<std::string>& built_states,
                                     const std::vector<double>& parameters, simulator::SbcPort& sbc);

@@ -17,7 +17,7 @@ namespace {
 
 using support::DiagnosticId;
 
-/// s; what hookbeh takes at most.
+/// s; the longest silence that hookbeh accepts
 constexpr double kLongestSilence = 3600;
 
 }  // namespace

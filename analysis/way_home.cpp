@@ -18,7 +18,7 @@ namespace {
 
 using ir::prove::durationOf;
 
-/// States of which more than a few differ nobody reads.
+/// If more states than this differ, only their number is reported: a longer list would not be read.
 constexpr size_t kMostStates = 6;
 
 double letsGoWithin(const platforms::Platform& platform, const Silence& silence) {

@@ -13,29 +13,30 @@
 
 namespace glider::analysis {
 
-/// After how long a silence of the SBC hookbeh lets go, and where that is from.
+/// The silence of the SBC after which hookbeh releases control, and where the number is from.
 struct Silence {
   double seconds = 0;
   std::string source;  ///< "silence_secs of skeleton.mi"
 };
 
-/// What hookbeh has if its mission file gives none.
+/// The silence that hookbeh uses if its mission file gives none.
 Silence usualSilence();
 /// `silence_secs` of the hookbeh in the vehicle's mission file at `path`, with the argument files
-/// beside it; its mistakes are shown. GL9001, GL51xx; GL5120 if there is no hookbeh, or its silence
-/// is no time.
+/// beside it; errors in them are shown. GL9001, GL51xx; GL5120 if there is no hookbeh or its
+/// silence is not a valid time.
 support::Result<Silence> silenceOf(const std::string& path,
                                    const support::ShowDiagnostics& show = {});
 
-/// What becomes of the vehicle if the SBC dies or falls silent.
+/// What happens to the vehicle if the SBC fails or stops responding.
 struct WayHome {
-  double depth_m = 0;    ///< no deeper is it then, by the mission's commands
-  double surface_s = 0;  ///< from the SBC's last word until it is at the surface, at most
+  double depth_m = 0;    ///< upper bound of its depth at that time, by the mission's commands
+  double surface_s = 0;  ///< upper bound from the SBC's last frame to the surface
 };
 
-/// From where no commands lead deeper than `depth_m`: hookbeh lets go after its silence and two
-/// cycles, then the vehicle's own layers climb as the platform says. For a mission file that
-/// surfaces whenever nothing else commands.
+/// The way home from a depth of at most `depth_m`, the deepest that commands lead to: hookbeh
+/// releases control after its silence and two cycles, then the vehicle's own layers climb as the
+/// platform says. This holds for a mission file that surfaces whenever nothing else commands the
+/// vehicle.
 WayHome wayHomeFrom(double depth_m, const platforms::Platform& platform,
                     const Silence& silence = usualSilence());
 

@@ -10,8 +10,8 @@
 #include "campaign/faults_toml.h"
 #include "campaign/fly_all.h"
 
-/// Thousands of flights under faults. A CampaignPlan says what flies: number by number (flightOf),
-/// and with which faults (faultsOf), so that any flight can be flown alone (flyOne). flyAll flies
-/// all of them on several threads and hands on each verdict; the table, the lines of violations and
-/// the CSV, from which a campaign can be resumed, are made from those. Nothing here prints; others
-/// include this header and no other of the folder.
+/// Thousands of flights with faults. A CampaignPlan defines each flight by its number (flightOf)
+/// and its faults (faultsOf), so that any flight can be flown alone (flyOne). flyAll flies all of
+/// them on several threads and passes on each verdict. The table, the lines of violations and the
+/// CSV, from which a campaign can be resumed, are made from the verdicts. Nothing here prints.
+/// Other folders include only this header.

@@ -39,7 +39,7 @@ bool isHere(const std::string& program) {
   return false;
 }
 
-/// A mission's binary for a board, built once however many threads want it.
+/// A mission's binary for a board, built once however many threads need it.
 class Binary {
  public:
   Binary(std::shared_ptr<const compiler::Optimised> mission, flights::LaunchChoice launch,
@@ -51,7 +51,7 @@ class Binary {
 
   /// Starts it with what it keeps in `folder`.
   Result<StartSbc> startIn(const std::filesystem::path& folder) {
-    // The code generator is not made for several threads.
+    // The code generator does not support several threads.
     static std::mutex building;
     const std::scoped_lock lock(building);
     if (command_.empty()) {
@@ -81,7 +81,7 @@ class Binary {
   std::vector<std::string> command_;
 };
 
-/// What starts the SBC of one flight, as often as its power comes back.
+/// Returns what starts the SBC of one flight, again each time that its power returns.
 StartSbc oneFlight(const std::shared_ptr<Binary>& binary) {
   struct Card {
     std::optional<ScratchFolder> folder;
@@ -111,7 +111,7 @@ std::vector<std::string> boardsHere(std::vector<std::string>& missing) {
   for (const std::string& name : compiler::targetNames()) {
     const auto board = compiler::loadTarget(name);
     if (!board || board->emulator.empty()) {
-      continue;  // the host, which is this process's own kind
+      continue;  // the host: its flights fly in this process
     }
     if (isHere(board->emulator.front())) {
       boards.push_back(name);

@@ -13,8 +13,8 @@
 
 namespace glider::campaign {
 
-/// The targets that are boards and whose emulator is here; `missing` gets a sentence for each of
-/// the others.
+/// The targets that are boards and whose emulator is installed; `missing` gets a sentence for each
+/// of the others.
 std::vector<std::string> boardsHere(std::vector<std::string>& missing);
 
 /// Flights of the mission's binary for `board`, each with a storage card of its own in a temporary

@@ -25,7 +25,7 @@ constexpr std::string_view kMark = "# glidercc campaign ";
 constexpr std::string_view kColumns =
     "flight,mission,fault,when,sbc,seed,outcome,releases,instructions,end (s),deepest (m),"
     "violation (s),violation\n";
-// Columns that the number of a flight does not say.
+// Columns that do not follow from the number of a flight.
 constexpr size_t kOutcome = 6, kReleases = 7, kInstructions = 8, kEnd = 9, kDeepest = 10,
                  kViolationTime = 11, kViolation = 12, kCount = 13;
 
@@ -64,7 +64,7 @@ bool parseOutcome(const std::vector<std::string>& fields, Verdict& verdict) {
   return false;
 }
 
-/// False for a line that is no row of flight `number`.
+/// False for a line that is not the row of a flight of `plan`. Sets `number` and `verdict`.
 bool parseRow(const CampaignPlan& plan, std::string_view line, uint64_t& number, Verdict& verdict) {
   const std::vector<std::string> fields = fieldsOf(line);
   if (fields.size() != kCount || !parse(fields[0], number) || number >= plan.flights ||
@@ -78,7 +78,7 @@ bool parseRow(const CampaignPlan& plan, std::string_view line, uint64_t& number,
   if (violated && !parse(fields[kViolationTime], verdict.violation_s)) {
     return false;
   }
-  // What the number says must be what stands there.
+  // The columns that follow from the number must be in the row.
   return csvRow(plan, flightOf(plan, number), verdict) == std::string(line) + "\n";
 }
 

@@ -9,19 +9,19 @@
 
 namespace glider::campaign {
 
-/// What a campaign's table of flights begins with: what it belongs to (`identity`, a digest), and
-/// the names of its columns.
+/// The head of a campaign's table of flights: the campaign that it belongs to (`identity`, a
+/// digest) and the names of its columns.
 std::string csvHead(const std::string& identity);
 /// The row of a flight.
 std::string csvRow(const CampaignPlan& plan, const CampaignFlight& flight,
                    const simulator::Verdict& verdict);
-/// All of them, in the order of their numbers.
+/// The whole table, in the order of the flights' numbers.
 std::string campaignCsv(const CampaignPlan& plan, const CampaignResult& result,
                         const std::string& identity);
 
-/// Reads the flights of a table that csvHead and csvRow have written, of a campaign with the same
-/// `identity`, into `result`. A last line without an end was torn and is left out. GL9001; GL9373
-/// when it is not such a table.
+/// Reads the flights of a table that csvHead and csvRow have written, for a campaign with the same
+/// `identity`, into `result`. A last line without a line end is incomplete and is left out. GL9001;
+/// GL9373 if it is not such a table.
 support::Result<void> readCsv(const std::string& file, const CampaignPlan& plan,
                               const std::string& identity, CampaignResult& result);
 

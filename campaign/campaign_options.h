@@ -21,7 +21,7 @@ struct CampaignOptions {
   uint64_t seed = 1;
   unsigned jobs = 0;
   unsigned board_percent = 10;
-  std::vector<std::string> faults;  ///< names of kinds; none: all
+  std::vector<std::string> faults;  ///< names of kinds; empty: all
   std::string csv, resume;
   std::optional<uint64_t> only;
   std::string output;
@@ -29,12 +29,12 @@ struct CampaignOptions {
   std::vector<std::string> user_code;
 };
 
-/// What a campaign's flights depend on, as a digest: the program, the missions, their platforms,
-/// the world and the options. GL9001.
+/// A digest of what a campaign's flights depend on: the program, the missions, their platforms, the
+/// scenario and the options. GL9001.
 support::Result<std::string> identityOf(const CampaignPlan& plan, const CampaignOptions& options);
 /// `text` as one word for a shell.
 std::string shellWord(const std::string& text);
-/// The command that flies one of the flights, but for its number.
+/// The command that flies one of the flights, without the number of the flight.
 std::string commandOf(const CampaignOptions& options);
 
 }  // namespace glider::campaign

@@ -16,7 +16,7 @@ using simulator::Verdict;
 
 namespace {
 
-/// Of one row of the table.
+/// The numbers of one row of the table.
 struct Counts {
   std::array<uint64_t, 4> flights{};  ///< exited, exited after a release, released, violation
   double deepest_m = 0;

@@ -12,7 +12,7 @@ namespace glider::campaign {
 /// "exited", "exited after release", "released", "VIOLATION".
 const char* outcomeName(const simulator::Verdict& verdict);
 /// Kinds of faults by outcomes, in numbers of flights, with the deepest of each; then when the
-/// faults came, and what flew. Flights that were not flown are not in it.
+/// faults came, and what flew. Flights that were not flown are left out.
 std::string campaignTable(const CampaignPlan& plan, const CampaignResult& result);
 /// A line for each of the first violations, with the command that flies it again: `command` and its
 /// number.

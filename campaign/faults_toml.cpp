@@ -41,7 +41,7 @@ std::string lineToToml(const LineFault& fault) {
   return out;
 }
 
-/// What is wrong with a sensor, as a scenario file says it.
+/// The fault of a sensor in the words of a scenario file.
 std::string wrongToToml(const SensorFault& fault) {
   using Kind = SensorFault::Kind;
   switch (fault.kind) {

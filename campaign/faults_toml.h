@@ -9,9 +9,9 @@
 
 namespace glider::campaign {
 
-/// What went wrong in a flight, as the [faults] tables of a scenario file.
+/// The faults of a flight, as the [faults] tables of a scenario file.
 std::string faultsToToml(const simulator::Faults& faults);
-/// The same, and as comments what a campaign changed in the world and in the mission file.
+/// The same, and as comments what a campaign changed in the environment and in the mission file.
 std::string drawnToText(const simulator::DrawnFaults& drawn);
 
 }  // namespace glider::campaign

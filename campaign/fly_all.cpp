@@ -19,7 +19,8 @@ using Clock = std::chrono::steady_clock;
 
 namespace {
 
-/// SplitMix64 (Steele et al. 2014, doi 10.1145/2660193.2660195): neighbours get unlike seeds.
+/// SplitMix64 (Steele et al. 2014, doi 10.1145/2660193.2660195): neighbouring numbers get unrelated
+/// seeds.
 uint64_t mixed(uint64_t seed, uint64_t number) {
   uint64_t z = seed + (number + 1) * 0x9E3779B97F4A7C15U;
   z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
@@ -34,7 +35,7 @@ Verdict hungVerdict() {
   return verdict;
 }
 
-/// The judge, until somebody ends the campaign.
+/// Checks a flight as FlightJudge does, until the campaign is stopped.
 class StoppableJudge final : public simulator::FlightObserver {
  public:
   StoppableJudge(simulator::JudgeSetup setup, const std::function<bool()>& stop)
@@ -68,8 +69,8 @@ struct Work {
     return number < plan.flights && !result.failure && !result.hung && !result.interrupted;
   }
   void finish(const CampaignFlight& flight, support::Result<Verdict> verdict) {
-    // The signal may have reached the program that was to fly, too; and what has been told to hang
-    // may come back.
+    // The signal may also have reached the program that was to fly, and a flight that has been
+    // reported as hanging may still end.
     if (result.interrupted || result.verdicts[flight.number]) {
       return;
     }
@@ -136,11 +137,11 @@ CampaignFlight flightOf(const CampaignPlan& plan, uint64_t number) {
   flight.mission = number % plan.missions.size();
   const size_t kinds = plan.kinds.size();
   flight.kind = plan.kinds[turn % kinds];
-  // Of each kind another manner in each turn of the kinds.
+  // A different manner for each kind in each turn of the kinds.
   flight.manner =
       static_cast<simulator::Manner>((turn % kinds + turn / kinds) % simulator::kManners);
   flight.seed = mixed(plan.seed, number);
-  // Apart from what the seed draws, so that the same flight in process has the same faults.
+  // Independent of what the seed draws, so that the same flight in process has the same faults.
   const uint64_t choice = mixed(~plan.seed, number);
   if (!plan.boards.empty() && choice % 100 < plan.board_percent) {
     flight.board = choice / 100 % plan.boards.size();
@@ -170,9 +171,9 @@ support::Result<Verdict> flyOne(const CampaignPlan& plan, const CampaignFlight& 
   setup.seed = flight.seed;
   setup.sbc = std::move(*sbc);
   setup.restart_sbc = std::move(start);
-  // A mission may have to begin again when the last fault is over.
+  // A mission may have to start again after the last fault.
   setup.duration_s = plan.scenario.duration_s + setup.scenario.faults.lastEnd();
-  if (drawn.lasts()) {  // it may never come to its exit: abend's overtime ends it
+  if (drawn.lasts()) {  // it may never reach its exit: abend's overtime ends it
     *setup.duration_s += simulator::overtimeOf(setup.scenario);
   }
   std::vector<FaultKind> kinds = simulator::kindsOf(plan.scenario.faults);

@@ -15,31 +15,31 @@
 
 namespace glider::campaign {
 
-/// A mission of a campaign, ready to start as often as wanted.
+/// A mission of a campaign, ready to be started any number of times.
 struct CampaignMission {
   std::string file;
-  std::string program;           ///< a digest of what is compiled from it, imports and all
-  platforms::Platform platform;  ///< that it names
+  std::string program;           ///< a digest of what is compiled from it, including imports
+  platforms::Platform platform;  ///< the one that it names
   flights::NewFlight new_flight;
   std::vector<flights::NewFlight> on_board;  ///< one for each of the plan's boards
-  simulator::FlightTimes times = {};         ///< of its flight when nothing goes wrong
-  double mean_W = 0;                         ///< that its batteries give then
+  simulator::FlightTimes times = {};         ///< of its flight without faults
+  double mean_W = 0;                         ///< of its batteries in that flight
 };
 
 /// What all flights of a campaign share.
 struct CampaignPlan {
   simulator::Scenario scenario;
   std::vector<CampaignMission> missions;
-  std::vector<std::string> boards;  ///< whose binaries fly
+  std::vector<std::string> boards;  ///< boards whose binaries fly
   unsigned board_percent = 0;       ///< of the flights; the others fly in this process
   std::vector<simulator::FaultKind> kinds = simulator::allFaultKinds();  ///< drawn in turn
   uint64_t flights = 0;
   uint64_t seed = 1;
   unsigned jobs = 1;
-  double hang_s = 60, hang_on_board_s = 600;  ///< of real time; what takes longer hangs
+  double hang_s = 60, hang_on_board_s = 600;  ///< of real time; a flight that takes longer hangs
 };
 
-/// One flight of a campaign: the plan and its number say all of it.
+/// One flight of a campaign, defined by the plan and its number.
 struct CampaignFlight {
   uint64_t number = 0;
   size_t mission = 0;  ///< of the plan
@@ -50,36 +50,37 @@ struct CampaignFlight {
 };
 /// Missions, kinds of faults and manners take turns; the seed chooses the board.
 CampaignFlight flightOf(const CampaignPlan& plan, uint64_t number);
-/// What goes wrong in it.
+/// The faults of the flight.
 simulator::DrawnFaults faultsOf(const CampaignPlan& plan, const CampaignFlight& flight);
 
-/// Flies it, judged; the trace goes to `trace` unless that is null. It ends in the middle when
-/// `stop` says so, and its verdict then counts for nothing. As StartSbc and simulate.
+/// Flies it and checks it; the trace is written to `trace` unless that is null. The flight ends
+/// early when `stop` returns true; its verdict is then meaningless. Fails as StartSbc and simulate
+/// do.
 support::Result<simulator::Verdict> flyOne(const CampaignPlan& plan, const CampaignFlight& flight,
                                            support::Trace* trace = nullptr,
                                            const std::function<bool()>& stop = {});
 
-/// Flies each mission once with nothing wrong and notes what is usual of it.
+/// Flies each mission once without faults and records its usual values.
 support::Result<void> measureMissions(CampaignPlan& plan);
 
 struct CampaignResult {
   std::vector<std::optional<simulator::Verdict>> verdicts;  ///< by number; none: not flown
-  std::optional<support::Failure> failure;  ///< of the world: the rest was not flown
-  bool hung = false;                        ///< a flight did not come back
-  bool interrupted = false;                 ///< flights that were under way are left
+  std::optional<support::Failure> failure;  ///< an I/O or system error: the rest was not flown
+  bool hung = false;                        ///< a flight did not end
+  bool interrupted = false;                 ///< flights under way were abandoned
   bool running = false;  ///< a thread still runs: the program can only be ended by force
 };
 
-/// What a campaign tells while it flies; each is called by one thread at a time.
+/// Receives the progress of a campaign; each function is called by one thread at a time.
 struct CampaignListener {
   /// A flight is over. A failure ends the campaign.
   std::function<support::Result<void>(const CampaignFlight&, const simulator::Verdict&)> over;
-  std::function<void(uint64_t)> progress;  ///< a few times a second: how many are over
+  std::function<void(uint64_t)> progress;  ///< a few times a second: how many flights are over
   std::function<bool()> stop;              ///< true to end it now
 };
 
-/// Flies all of which `known` has no verdict. A flight that takes longer than the plan says hangs:
-/// its verdict says so and the rest is left.
+/// Flies all flights that have no verdict in `known`. A flight that takes longer than the plan
+/// allows hangs: its verdict reports that, and the rest of the campaign is not flown.
 CampaignResult flyAll(const CampaignPlan& plan, CampaignResult known,
                       const CampaignListener& listener);
 

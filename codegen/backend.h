@@ -14,16 +14,16 @@
 #include <string>
 #include <string_view>
 
-/// What a back end is: constants that say what it makes of a mission, for which boards, and by
-/// which functions. backends.def lists them; codegen.h chooses among them.
+/// The interface of a back end: constants that say what it makes from a mission, for which boards,
+/// and with which functions. backends.def lists the back ends; codegen.h chooses among them.
 namespace glider::codegen {
 
-/// The content of a file made of the mission. Whatever is missing of board or mission is a Failure
-/// that the pilot can read; nothing is written.
+/// Returns the content of a file made from the mission. Anything missing in the board or the
+/// mission is a Failure that the pilot can read; nothing is written.
 using Make = support::Result<std::string>(const Input& input, const platforms::Board& board,
                                           const CodegenOptions& options);
 
-/// Makes the mission's file `output` and what lies beside it: all of them whole, or none.
+/// Writes the mission's file `output` and the files beside it: all of them complete, or none.
 using Write = support::Result<void>(const Input& input, const platforms::Board& board,
                                     const CodegenOptions& options,
                                     const std::filesystem::path& output);
@@ -32,23 +32,23 @@ using Write = support::Result<void>(const Input& input, const platforms::Board& 
 using Measure = support::Result<Budget>(const Input& input, const platforms::Board& board,
                                         const CodegenOptions& options);
 
-/// One value of `--emit`. Several back ends may have the same, for different boards.
+/// A value of `--emit`. Several back ends may have the same one, for different boards.
 struct Product {
   std::string_view name;       ///< the value
   std::string_view suffix;     ///< of the file, if none is named
   std::string_view note = {};  ///< what --help adds to the value; empty: nothing
-  /// It is machine code or as good: it depends on the board, holds the code of `--link`, and its
-  /// file is named after both. If not, it is the same for all boards.
+  /// Whether the product is machine code or similar: it depends on the board, contains the code of
+  /// `--link`, and its file is named after both. If not, it is the same for all boards.
   bool for_board = false;
   Make* make = nullptr;
-  Write* write = nullptr;        ///< null: the file holds what `make` gives
-  std::string_view beside = {};  ///< suffix of a second file that `write` leaves; empty: none
+  Write* write = nullptr;        ///< null: the file contains the result of `make`
+  std::string_view beside = {};  ///< suffix of a second file that `write` makes; empty: none
 };
 
 struct Backend {
   bool (*serves)(const platforms::Board& board) = nullptr;  ///< whether it can make code for it
   std::span<const Product> products = {};
-  // What flies, is loaded and is measured; null: this back end has no such thing.
+  // The functions for a program that flies, is loaded or is measured; null: this back end has none.
   Write* link_executable = nullptr;  ///< what the board runs, or its emulator
   Make* link_shared = nullptr;       ///< what load/loaded_mission.h loads
   Measure* measure = nullptr;

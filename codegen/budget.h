@@ -9,15 +9,15 @@
 
 namespace glider::codegen {
 
-/// What a mission needs of a board at most, measured on its linked executable.
+/// Upper bounds of what a mission needs of a board, measured on its linked executable.
 struct Budget {
   uint64_t executable_bytes = 0;  ///< of the stripped file
   uint64_t memory_bytes = 0;      ///< of code and data once it is loaded, without the stack
-  uint64_t data_bytes = 0;        ///< that part of memory_bytes which is written to
-  uint64_t context_bytes = 0;     ///< that part of data_bytes of which checkpoints are made
-  /// Of the stack, from the program's first instruction on, at most; or why there is no bound.
+  uint64_t data_bytes = 0;        ///< the part of memory_bytes that is written to
+  uint64_t context_bytes = 0;     ///< the part of data_bytes that checkpoints contain
+  /// Upper bound of the stack, from the program's first instruction on; or why there is none.
   std::expected<uint64_t, std::string> stack_bytes;
-  /// From a frame's readings to the command (gliderStep), at most; or why there is no bound.
+  /// Upper bound from a frame's readings to the command (gliderStep); or why there is none.
   std::expected<uint64_t, std::string> tick_instructions;
 };
 

@@ -8,7 +8,8 @@
 
 namespace glider::codegen {
 
-/// The SHA-256 of a text (FIPS 180-4), 64 hexadecimal digits. It stands here because LLVM has it.
+/// The SHA-256 of a text (FIPS 180-4), 64 hexadecimal digits. It is declared here because LLVM
+/// implements it.
 std::string digestOf(std::string_view text);
 
 }  // namespace glider::codegen

@@ -11,15 +11,15 @@
 
 namespace glider::codegen {
 
-/// What code is generated for: a mission without errors, and what is known of it that a back end
-/// needs. Refers to all of it, which must outlive it.
+/// The input of code generation: a mission without errors, and what a back end needs to know about
+/// it. Refers to all of it, which must outlive it.
 struct Input {
   const ir::Mission& mission;           ///< as it is built and flown
   const platforms::Platform& platform;  ///< that the mission is for; has all required roles
   uint32_t stack_depth = 0;             ///< greatest number of frames on the call stack
-  /// As it was written, before any pass, with its requirements; null: `mission` is all there is.
+  /// The mission as written, before any pass, with its requirements; null: there is only `mission`.
   const ir::Mission* written = nullptr;
-  /// All that it declares in C, used or not; null: what `mission` uses is all.
+  /// Everything that it declares in C, used or not; null: only what `mission` uses.
   const ir::CInterface* in_c = nullptr;
 };
 

@@ -10,17 +10,18 @@
 
 namespace glider::codegen {
 
-/// How code is generated. A back end takes of it what concerns it.
+/// How code is generated. A back end ignores options that do not apply to it.
 struct CodegenOptions {
   /// 0 to 3. At 3 mission and runtime are optimised as one program; below, the mission is compiled
-  /// alone and linked with the runtime's object, made of the same bitcode: a twentieth of the time.
+  /// alone and linked with the runtime's object, made from the same bitcode, in a twentieth of the
+  /// time.
   int optimisation_level = 2;
   /// Line tables for `sources`, which holds the files of the mission's ranges; null: none.
   bool debug = true;
   const support::SourceManager* sources = nullptr;
   /// Objects and archives for the board that define the mission's extern behaviours.
   std::vector<std::filesystem::path> further_inputs;
-  /// This process links nothing after this; linking is a little faster then.
+  /// Nothing is linked in this process after this, which makes linking a little faster.
   bool last_link = false;
 };
 

@@ -25,8 +25,8 @@ support::Result<ScratchFolder> ScratchFolder::make() {
 
 support::Result<std::filesystem::path> ScratchFolder::write(const std::string& name,
                                                             std::string_view content) const {
-  // Not support::writeFileAtomically: nobody else reads it, and waiting for the disk would take
-  // longer than to compile.
+  // Not support::writeFileAtomically: no one else reads the file, and waiting for the disk would
+  // take longer than compiling.
   const std::filesystem::path file = path_ / name;
   std::FILE* stream = std::fopen(file.c_str(), "wbe");
   bool written =

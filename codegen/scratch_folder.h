@@ -11,17 +11,17 @@
 
 namespace glider::codegen {
 
-/// A new folder for files that only we see, removed with all it holds at the end of the scope.
+/// A new folder for files of this process, removed with its content at the end of the scope.
 class ScratchFolder {
  public:
-  /// In the system's folder for temporary files. GL9002 if none can be made.
+  /// Makes one in the system's folder for temporary files. GL9002 if that fails.
   static support::Result<ScratchFolder> make();
   ScratchFolder(ScratchFolder&& other) noexcept;
   ScratchFolder& operator=(ScratchFolder&&) = delete;
   ~ScratchFolder();
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  /// Writes a file `name` of this folder; its path. GL9002 if there is no room.
+  /// Writes a file `name` in this folder; returns its path. GL9002 if there is no room.
   support::Result<std::filesystem::path> write(const std::string& name,
                                                std::string_view content) const;
 

@@ -17,19 +17,18 @@ namespace glider::codegen {
 /// The C and C++ code of a mission, checked and ready to link.
 class UserCode {
  public:
-  /// Reads objects, archives and LLVM bitcode, of which it makes objects. GL9001 if one cannot be
-  /// read, GL4008 if it is none of them, GL4009 and GL4010 if it is not for the board, GL4011 if it
-  /// was written for another declaration than the mission's, GL4012 for bitcode that cannot be
-  /// compiled.
+  /// Reads objects, archives and LLVM bitcode, which it compiles to objects. GL9001 if a file
+  /// cannot be read, GL4008 if it is none of these, GL4009 and GL4010 if it is not for the board,
+  /// GL4011 if it was written for a declaration other than the mission's, GL4012 for bitcode that
+  /// cannot be compiled.
   static support::Result<UserCode> load(const std::vector<std::filesystem::path>& files,
                                         const ir::Mission& mission, const platforms::Board& board);
-  /// Stands in for what a mission has in C where the mission is not flown: every function gives
-  /// nothing known.
+  /// Replaces a mission's C code where the mission is not flown: every function returns unknown.
   static support::Result<UserCode> standIn(const ir::Mission& mission,
                                            const platforms::Board& board);
 
-  /// Gives `options` what it holds; it must outlive the link. Calls of the runtime from it are not
-  /// seen by an optimiser of whole programs, so there is no level 3 with it.
+  /// Adds what it holds to `options`; it must outlive the link. A whole-program optimiser does not
+  /// see its calls of the runtime, so level 3 is not possible with it.
   void addTo(CodegenOptions& options) const;
 
  private:

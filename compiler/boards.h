@@ -17,7 +17,7 @@ namespace glider::compiler {
 std::vector<std::string> targetNames();
 /// The folder that holds what `target` is linked with.
 std::filesystem::path boardDirectory(const std::string& target);
-/// Loads target `name`; GL4001 (with the names there are) if it is none.
+/// Loads target `name`; GL4001 (with the names of the targets) if there is none of that name.
 support::Result<platforms::Board> loadTarget(const std::string& name);
 
 }  // namespace glider::compiler

@@ -10,7 +10,7 @@
 namespace glider::compiler {
 namespace {
 
-/// Of the notes in one segment; empty if it is none of them.
+/// The build id among the notes of one segment; empty if there is none.
 std::string idAmong(const char* notes, size_t size) {
   const auto padded = [](size_t bytes) { return (bytes + 3) / 4 * 4; };
   size_t at = 0;

@@ -29,7 +29,7 @@ Result<uint32_t> addSource(support::SourceManager& sources, const std::filesyste
   return sources.add(path.string(), std::move(*text));
 }
 
-/// Where the mission names its platform; nowhere if it leaves that to the default.
+/// Where the mission names its platform; an empty range if it leaves that to the default.
 support::SourceRange platformRange(const ast::File& file) {
   for (const ast::Item& item : file.items) {
     if (const auto* line = std::get_if<ast::PlatformLine>(&item)) {
@@ -57,8 +57,8 @@ Result<std::optional<platforms::Platform>> choosePlatform(const ast::File& missi
   return std::move(*platform);
 }
 
-/// Adds the standard library to `parsed`; false if it does not parse. It is our own file, so an
-/// error in it is shown like any other.
+/// Adds the standard library to `parsed`; false if it does not parse. The file is part of glidercc,
+/// but an error in it is shown like any other.
 Result<bool> addLibrary(Parsed& parsed, support::SourceManager& sources,
                         support::DiagnosticEngine& diagnostics) {
   const auto file = addSource(sources, shareDirectory() / "library" / "standard.mission");
@@ -73,7 +73,7 @@ Result<bool> addLibrary(Parsed& parsed, support::SourceManager& sources,
   return library.has_value();
 }
 
-/// Empty: its structure could not be made out, or it needs what is not there.
+/// Empty if its structure could not be recognised, or a file that it needs is missing.
 Result<std::shared_ptr<const Parsed>> parse(uint32_t file, support::SourceManager& sources,
                                             support::DiagnosticEngine& diagnostics) {
   auto mission = frontend::parse(sources, file, diagnostics);
@@ -99,7 +99,7 @@ Result<std::shared_ptr<const Parsed>> parse(uint32_t file, support::SourceManage
   return parsed;
 }
 
-/// Empty: its text has errors.
+/// Empty if its text has errors.
 std::shared_ptr<const Lowered> lower(const Parsed& parsed,
                                      std::shared_ptr<const support::SourceManager> sources,
                                      support::DiagnosticEngine& diagnostics) {
@@ -117,7 +117,7 @@ std::shared_ptr<const Lowered> lower(const Parsed& parsed,
                                                  parsed.standard_library});
 }
 
-/// A mission in the IR's text form; empty: it has errors.
+/// A mission in the IR's text form; empty if it has errors.
 Result<std::shared_ptr<const Lowered>> readIr(uint32_t file,
                                               std::shared_ptr<const support::SourceManager> sources,
                                               support::DiagnosticEngine& diagnostics) {

@@ -21,8 +21,8 @@
 #include <string>
 #include <vector>
 
-/// A mission on its way from text to what flies. Each product is made from the one before, is
-/// whole when it is there, and does not change; the later ones hold on to the earlier.
+/// The stages of a mission from its text to what flies. Each product is made from the one before;
+/// it is complete when it exists and does not change. Later products keep the earlier ones alive.
 namespace glider::compiler {
 
 /// A mission's text as its syntax tree, and what its names can mean.
@@ -33,13 +33,13 @@ struct Parsed {
   platforms::Platform platform;      ///< the one that the mission names
 };
 
-/// A mission whose every name and type is known; its structure may still have errors.
+/// A mission in which every name and type is known; its structure may still have errors.
 struct Lowered {
   std::shared_ptr<const support::SourceManager> sources;  ///< of all ranges in it
   ir::Mission mission;
   ir::CInterface in_c;  ///< what it declares in C
   platforms::Platform platform;
-  std::optional<uint32_t> standard_library;  ///< number of its file; of the IR's text form: none
+  std::optional<uint32_t> standard_library;  ///< number of its file; none for the IR's text form
 };
 
 /// A mission without errors.
@@ -52,8 +52,8 @@ struct Checked {
   [[nodiscard]] const support::SourceManager& sources() const { return *lowered->sources; }
 };
 
-/// A mission as it is built and flown: without its requirements, and with states and temporals that
-/// have numbers of their own.
+/// A mission as it is built and flown: without its requirements, and with its own numbering of
+/// states and temporals.
 struct Optimised {
   std::shared_ptr<const Checked> checked;  ///< what it was made from
   ir::Mission mission;
@@ -66,31 +66,31 @@ struct Optimised {
   [[nodiscard]] const support::SourceManager& sources() const { return checked->sources(); }
 };
 
-/// What compiling a text came to: the products as far as there are any, and the diagnostics that
-/// say why there are no more. Later stages report to the same `diagnostics`.
+/// The result of compiling a text: the products that could be made, and the diagnostics that say
+/// why the others could not. Later stages report to the same `diagnostics`.
 struct Compilation {
   std::shared_ptr<support::SourceManager> sources = std::make_shared<support::SourceManager>();
   support::DiagnosticEngine diagnostics;
-  std::shared_ptr<const Parsed> parsed;    ///< null of the IR's text form, too
+  std::shared_ptr<const Parsed> parsed;    ///< also null for the IR's text form
   std::shared_ptr<const Lowered> lowered;  ///< null: its text has errors
   std::shared_ptr<const Checked> checked;  ///< null: it has errors
 };
 
-/// Reads `path`, parses, analyses and verifies it; a file ending in `.ir` is read as the IR's text
-/// form. The mission's errors stand in Compilation::diagnostics; only a file that cannot be read
-/// and bad platform data are a Failure.
+/// Reads, parses, analyses and verifies the file at `path`; a file ending in `.ir` is read as the
+/// IR's text form. The mission's errors are in Compilation::diagnostics; only a file that cannot be
+/// read and bad platform data are a Failure.
 support::Result<Compilation> compileMission(const std::filesystem::path& path);
 
-/// The same for a `text` that stands in for the file at `path`; it is file 0 of the sources.
+/// The same for `text`, used instead of the file at `path`; it is file 0 of the sources.
 support::Result<Compilation> compileText(const std::filesystem::path& path, std::string text);
 
-/// The mission as `glidercc build` compiles it; `after` as of ir::optimise.
+/// The mission as `glidercc build` compiles it; `after` is that of ir::optimise.
 Optimised optimise(std::shared_ptr<const Checked> checked,
                    const std::function<void(const ir::OptPass&, const ir::Mission&)>& after = {});
 /// The same at -O0: no pass has run.
 Optimised withoutPasses(std::shared_ptr<const Checked> checked);
 
-/// Where the platform called `name` lies.
+/// The path of the file of the platform called `name`.
 std::filesystem::path platformFile(const std::string& name);
 
 /// The states' names, by number.

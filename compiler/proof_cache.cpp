@@ -26,9 +26,9 @@ using ir::prove::RequirementVerdict;
 using ir::prove::Verdict;
 
 constexpr std::string_view kMagic = "glidercc proof 1";
-/// Files kept; a proof is some hundred bytes.
+/// The number of files that are kept; a proof takes some hundred bytes.
 constexpr size_t kMostKept = 5000;
-/// What a file may hold: longer ones are not ours.
+/// The longest file that is read, in bytes: a longer one was not written by glidercc.
 constexpr uintmax_t kLongest = 4096;
 
 std::filesystem::path cacheFolder() {
@@ -43,7 +43,8 @@ std::filesystem::path cacheFolder() {
   return home.is_absolute() ? home / ".cache" / "glidercc" / "proofs" : std::filesystem::path();
 }
 
-/// "KEY\nverdict\nwords\n", with its own digest: a part of it, or another one's, is none.
+/// "KEY\nverdict\nwords\n" with its own digest, so that a part of a file, or the file of another
+/// key, is not accepted.
 std::string written(const std::string& key, const RequirementVerdict& verdict) {
   const std::string body =
       fmt::format("{}\n{}\n{}\n", key, ir::prove::word(verdict.verdict),
@@ -71,7 +72,7 @@ std::optional<CachedVerdict> readBack(const std::string& key, std::string_view t
   return CachedVerdict{proved ? Verdict::Proved : Verdict::Open, std::string(line())};
 }
 
-/// The oldest go, so that there is room for some.
+/// Removes the oldest files to make room for new ones.
 void makeRoom(const std::filesystem::path& folder) {
   std::error_code trouble;
   std::vector<std::pair<std::filesystem::file_time_type, std::filesystem::path>> files;
@@ -134,7 +135,7 @@ void ProofCache::keep(const std::vector<RequirementVerdict>& verdicts) const {
       makeRoom(folder_);
     }
     const std::filesystem::path path = fileOf(verdict.requirement);
-    // A cache that cannot be written is no mistake of the mission.
+    // A cache that cannot be written is not an error of the mission.
     (void)support::writeFileAtomically(path, written(path.filename().string(), verdict));
   }
 }

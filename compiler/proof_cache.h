@@ -11,24 +11,25 @@
 
 namespace glider::compiler {
 
-/// What earlier checks have proved, or could not, so that a long search is made once: a file for
-/// each requirement, in ${XDG_CACHE_HOME:-~/.cache}/glidercc/proofs. A file speaks of this very
-/// program, mission, vehicle and effort only. What is refuted is searched for again, for its run
-/// has to be spelled out. A file that is damaged, or cannot be read or written, is as good as none.
+/// The verdicts of earlier checks, proved or undecided, so that a long search is made only once: a
+/// file for each requirement in ${XDG_CACHE_HOME:-~/.cache}/glidercc/proofs. A file applies only to
+/// this exact program, mission, vehicle and resource limit. A refuted requirement is searched
+/// again, because its counterexample has to be concretized. A file that is damaged, or cannot be
+/// read or written, is ignored.
 class ProofCache {
  public:
-  /// Of a mission, with the efforts of `how`.
+  /// For a mission, with the resource limits of `how`.
   ProofCache(const Checked& checked, const ir::prove::Options& how);
 
-  /// What is kept of the requirement with that number.
+  /// The stored verdict of the requirement with that number.
   [[nodiscard]] std::optional<ir::prove::CachedVerdict> find(uint32_t requirement) const;
-  /// Keeps what took a search, and lets the oldest go when there are many.
+  /// Stores the verdicts that took a search, and removes the oldest files when there are many.
   void keep(const std::vector<ir::prove::RequirementVerdict>& verdicts) const;
 
  private:
   [[nodiscard]] std::filesystem::path fileOf(uint32_t requirement) const;
 
-  std::filesystem::path folder_;  ///< empty: nothing is kept
+  std::filesystem::path folder_;  ///< empty: nothing is stored
   std::string all_;               ///< what every answer depends on
 };
 

@@ -10,12 +10,12 @@
 
 namespace glider::compiler {
 
-/// Proves what can be proved of a mission; reports GL31xx, and gives lines for the report.
+/// Proves what can be proved about a mission; reports GL31xx, and returns lines for the report.
 ir::prove::Findings prove(const Checked& checked, ir::prove::Options options,
                           support::DiagnosticEngine& diagnostics);
 
-/// The cases of which GL3101 or GL3103 says that they never fire, and of each whether it is earlier
-/// ones that hide it.
+/// The cases that GL3101 or GL3103 reports as never firing, each with whether earlier cases hide
+/// it.
 std::map<ir::CasePlace, bool> casesThatNeverFire(const Checked& checked);
 
 }  // namespace glider::compiler

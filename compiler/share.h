@@ -7,9 +7,9 @@
 
 namespace glider::compiler {
 
-/// Where the command's data lie (platforms, library, boards, scenarios): share/glidercc beside the
-/// bin/ that holds the running program, so that a build tree and an installation are found alike.
-/// GLIDERCC_SHARE overrides.
+/// The folder of the command's data (platforms, library, boards, scenarios): share/glidercc beside
+/// the bin/ that holds the running program, so that it is found both in a build tree and in an
+/// installation. GLIDERCC_SHARE overrides it.
 std::filesystem::path shareDirectory();
 
 }  // namespace glider::compiler

@@ -27,7 +27,7 @@ Result<platforms::Platform> platformOf(const ast::File& mission) {
              : Result<platforms::Platform>(platforms::Platform{});
 }
 
-/// What can be read of a mission with errors.
+/// The parts of a mission with errors that can be read.
 Result<Parsed> readIntact(support::SourceManager& sources) {
   Parsed parsed;
   parsed.mission = frontend::parseIntact(sources, kMission);
@@ -67,7 +67,7 @@ Result<Symbols> symbolsOf(const Compilation& compilation) {
   if (compilation.parsed) {
     return namesOf(*compilation.parsed, compilation.sources);
   }
-  // What is read now is not the compilation's: its sources stay as they are.
+  // The text is read again into a copy: the sources of the compilation do not change.
   auto sources = std::make_shared<support::SourceManager>(*compilation.sources);
   const auto parsed = readIntact(*sources);
   return parsed ? Result<Symbols>(namesOf(*parsed, sources)) : std::unexpected(parsed.error());

@@ -17,8 +17,8 @@ struct Symbols {
   frontend::SymbolTable table;
 };
 
-/// The names of what was compiled, worked out when they are asked for: of Compilation::parsed, or
-/// without that of what can be read of the text and its imports. A file in the IR's text form, bad
+/// The names of what was compiled, found when this is called: from Compilation::parsed, or if there
+/// is none, from what can be read of the text and its imports. A file in the IR's text form, bad
 /// platform data and a missing library are a Failure.
 support::Result<Symbols> symbolsOf(const Compilation& compilation);
 

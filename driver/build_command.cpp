@@ -79,8 +79,8 @@ std::string emittedInWords() {
   return fmt::format("{} or {}", fmt::join(values, ", "), last);
 }
 
-/// What `--emit` names, made for `board`. Throws what CLI11 throws of bad usage if no back end
-/// makes it for that board.
+/// The product that `--emit` names, made for `board`. Throws CLI11's exception for a usage error if
+/// no back end makes it for that board.
 const codegen::Product& chosenProduct(const BuildOptions& options, const platforms::Board& board) {
   for (const codegen::Product* product : kOfTheFrontEnd) {
     if (options.emit == product->name) {
@@ -96,8 +96,8 @@ const codegen::Product& chosenProduct(const BuildOptions& options, const platfor
   return *product;
 }
 
-/// The file to write when none is named: beside where the command runs, named after the mission
-/// and, if it is for the target only, the target.
+/// The file to write if none is named: in the current folder, named after the mission and, if it is
+/// for the target only, the target.
 std::string outputName(const BuildOptions& options, const codegen::Product& product) {
   const std::string stem = std::filesystem::path(options.mission).stem().string();
   return stem + (product.for_board ? "-" + options.target : "") + std::string(product.suffix);
@@ -153,7 +153,7 @@ support::Result<void> buildProduct(const codegen::Product& product, const BuildO
   return writeProduct(product, options, mission.input(), board, how);
 }
 
-/// True if the build would write over a file that it reads.
+/// True if the build would overwrite a file that it reads.
 bool overwritesInput(const BuildOptions& options, const codegen::Product& product) {
   std::error_code error;  // a file that is not there yet is not the mission
   std::vector<std::string> inputs = options.user_code;
@@ -193,7 +193,7 @@ support::Result<void> write(const codegen::Product& product, const BuildOptions&
 }
 
 int build(BuildOptions options) {
-  // The target first: a typing error there should not cost a compilation.
+  // The target first: a typing error there should not cost the time of a compilation.
   const auto board = compiler::loadTarget(options.target);
   if (!board) {
     return reportFailure(board.error());

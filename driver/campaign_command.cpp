@@ -32,7 +32,7 @@
 namespace glider::driver {
 namespace {
 
-/// Compiles and loads all missions into `plan`; not kFine: there are none.
+/// Compiles and loads all missions into `plan`; a value other than kFine if one fails.
 int loadMissions(const campaign::CampaignOptions& options, campaign::CampaignPlan& plan) {
   for (const std::string& file : options.missions) {
     int status = kFine;
@@ -86,7 +86,7 @@ int flyOnly(const campaign::CampaignPlan& plan, const campaign::CampaignOptions&
   return !printed ? reportFailure(printed.error()) : violated ? kMissionHasErrors : kFine;
 }
 
-/// The table of flights as it grows; without a name it is none.
+/// The table of flights as it grows; without a file name nothing is written.
 class FlightsFile {
  public:
   /// Begins it with `content`. GL9002.
@@ -99,7 +99,8 @@ class FlightsFile {
     return written ? support::Result<FlightsFile>(std::move(file))
                    : std::unexpected(written.error());
   }
-  /// Writes `text` and gives it to the system, so that it is there whatever ends this program.
+  /// Writes `text` through to the operating system, so that it is kept if this program ends in any
+  /// way.
   support::Result<void> add(const std::string& text) {
     if (!name_.empty() && !(out_ << text << std::flush)) {
       return support::fail(support::DiagnosticId::cannotWrite, name_, std::strerror(errno));
@@ -123,7 +124,7 @@ int statusOf(const campaign::CampaignResult& result) {
   return violated ? kMissionHasErrors : kFine;
 }
 
-/// Prints how it went; the file of flights gets the order of their numbers.
+/// Prints the result; sorts the file of flights by their numbers.
 int tellResult(const campaign::CampaignPlan& plan, const campaign::CampaignOptions& options,
                const campaign::CampaignResult& result, const std::string& identity, double took_s) {
   if (result.failure) {
@@ -144,7 +145,7 @@ int tellResult(const campaign::CampaignPlan& plan, const campaign::CampaignOptio
   const auto printed =
       printOut(campaign::campaignTable(plan, result) +
                campaign::violationLines(plan, result, campaign::commandOf(options)) + last);
-  // A pipe has the rows already, in the order in which the flights ended.
+  // A pipe already has the rows, in the order in which the flights ended.
   const auto written =
       file.empty() || !support::isReplaceable(file)
           ? support::Result<void>{}
@@ -190,8 +191,8 @@ int flyThem(const campaign::CampaignPlan& plan, const campaign::CampaignOptions&
   return status;
 }
 
-/// The boards whose binaries fly. Without an emulator everything flies in this process, and the
-/// pilot is told.
+/// The boards whose binaries fly. Without an emulator everything flies in this process, which is
+/// reported to the pilot.
 void chooseBoards(const campaign::CampaignOptions& options, campaign::CampaignPlan& plan) {
   if (options.board_percent == 0) {
     return;

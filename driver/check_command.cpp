@@ -39,7 +39,7 @@ struct CommandOptions {
   std::string skeleton;  ///< the vehicle's mission file; empty: none
 };
 
-/// "1 error, 2 warnings" of what is shown, as a pilot would write it; empty if there is neither.
+/// "1 error, 2 warnings" of the diagnostics shown; empty if there are none of either.
 std::string counted(const support::DiagnosticEngine& diagnostics) {
   const auto shown = diagnostics.sorted();
   const auto count = [&](support::Severity severity) {
@@ -104,7 +104,7 @@ std::string flightLine(const report::FlightSearch& search) {
                    search.scenario, search.seed, search.when_s);
 }
 
-/// What came of each requirement.
+/// The verdict of each requirement.
 std::string requirementLines(const report::CheckedMission& found) {
   std::string text;
   for (const report::JudgedRequirement& one : found.requirements) {
@@ -116,7 +116,7 @@ std::string requirementLines(const report::CheckedMission& found) {
   return text;
 }
 
-/// Writes what people read: mistakes to standard error, the rest to `text`.
+/// Writes the output for people: errors to standard error, the rest to `text`.
 void tellPeople(const CheckedFile& checked, const CheckOptions& options, std::string& text) {
   const report::CheckedMission& found = checked.found;
   if (checked.compilation) {
@@ -141,20 +141,20 @@ void tellPeople(const CheckedFile& checked, const CheckOptions& options, std::st
   text += verdict(checked);
 }
 
-/// `text` to where it is wanted.
+/// Writes `text` where the options say.
 support::Result<void> put(const CommandOptions& options, const std::string& text) {
   return options.output == "-" ? printOut(text)
                                : support::writeFileAtomically(options.output, text);
 }
 
-/// Where the runs of a mission go: a folder of its own when there are several missions.
+/// Where the traces of a mission are written: a folder of its own if there are several missions.
 std::filesystem::path tracesOf(const CommandOptions& options, const std::string& mission) {
   const std::filesystem::path folder = options.traces;
   return options.missions.size() == 1 ? folder
                                       : folder / std::filesystem::path(mission).stem().string();
 }
 
-/// Writes the runs if they are wanted.
+/// Writes the traces if the options ask for them.
 int writeTraces(const CommandOptions& options, const CheckedFile& checked) {
   if (options.traces.empty() || checked.found.requirements.empty()) {
     return kFine;
@@ -179,7 +179,7 @@ int checkForPeople(const CommandOptions& options) {
     std::string text;
     tellPeople(checked, options.check, text);
     status = std::max({status, exitCode(checked.found), writeTraces(options, checked)});
-    // At once, so that it stands beside the mistakes of the same mission.
+    // Immediately, so that it appears beside the errors of the same mission.
     if (options.output == "-") {
       if (const auto printed = printOut(text); !printed) {
         return reportFailure(printed.error());
@@ -195,7 +195,7 @@ int checkForPeople(const CommandOptions& options) {
   return status;
 }
 
-/// A page that cannot be read is left out: the findings matter more.
+/// Empty for a page that cannot be read: the findings matter more.
 std::string pageOrNothing(support::DiagnosticId id) {
   return explainPage(id).value_or("");
 }
@@ -220,10 +220,10 @@ int checkForMachines(const CommandOptions& options) {
   return done ? status : reportFailure(done.error());
 }
 
-/// True if the findings would be written over a mission.
+/// The mission that the findings would overwrite; null: none.
 const std::string* overwritten(const CommandOptions& options) {
   for (const std::string& mission : options.missions) {
-    std::error_code error;  // a file that is not there yet is no mission
+    std::error_code error;  // a file that does not exist yet is not a mission
     if (std::filesystem::equivalent(options.output, mission, error) && !error) {
       return &mission;
     }

@@ -39,8 +39,8 @@ report::FlightSearch told(const analysis::ClosedLoop& search) {
   return all;
 }
 
-/// `flown`: the mission as built, to look for a flight that breaks one that is refuted; null: do
-/// not.
+/// `flown`: the mission as built, to look for a flight that violates a refuted requirement; null:
+/// do not look for one.
 Result<report::JudgedRequirement> judgedRequirement(const compiler::Checked& checked,
                                                     const ir::prove::RequirementVerdict& verdict,
                                                     const compiler::Optimised* flown) {
@@ -61,7 +61,7 @@ Result<report::JudgedRequirement> judgedRequirement(const compiler::Checked& che
   return judged;
 }
 
-/// Proves, and shows on a terminal how far it is.
+/// Runs the proofs, with their progress on a terminal.
 ir::prove::Findings proveWithProgress(compiler::Compilation& compilation, const std::string& path,
                                       ir::prove::Options how) {
   const compiler::Checked& checked = *compilation.checked;
@@ -75,7 +75,7 @@ ir::prove::Findings proveWithProgress(compiler::Compilation& compilation, const 
   return compiler::prove(checked, how, compilation.diagnostics);
 }
 
-/// A mission that promises nothing has nothing to keep.
+/// Without requirements there is nothing to cache.
 ir::prove::Findings proveWithCache(compiler::Compilation& compilation, const std::string& path,
                                    ir::prove::Options how, bool wanted) {
   if (!wanted || compilation.checked->mission().requirements.empty()) {
@@ -88,7 +88,7 @@ ir::prove::Findings proveWithCache(compiler::Compilation& compilation, const std
   return proved;
 }
 
-/// Puts what the prover found into `file`. `flown`: see judgedRequirement.
+/// Puts the prover's findings into `file`. `flown`: see judgedRequirement.
 Result<void> tellProved(const compiler::Optimised* flown, CheckedFile& file) {
   for (const ir::prove::ReportLine& line : file.proved.lines) {
     file.found.remarks.push_back({line.range, line.text});
@@ -103,7 +103,7 @@ Result<void> tellProved(const compiler::Optimised* flown, CheckedFile& file) {
   return {};
 }
 
-/// What goes beyond text and structure, of a mission without errors.
+/// The checks beyond text and structure, for a mission without errors.
 Result<void> checkFurther(CheckedFile& file, const CheckOptions& options) {
   ir::prove::Options how;
   how.report = options.report;

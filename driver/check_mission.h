@@ -16,24 +16,24 @@ namespace glider::driver {
 
 /// How a mission is checked.
 struct CheckOptions {
-  bool report = false;               ///< also what is no mistake, and the budgets
-  std::vector<std::string> targets;  ///< of the budget; none: all boards of the vehicle
+  bool report = false;               ///< also findings that are not errors, and the budgets
+  std::vector<std::string> targets;  ///< of the budget; empty: all boards of the vehicle
   analysis::Silence silence = analysis::usualSilence();  ///< of hookbeh, for the way home
   std::vector<std::string> user_code;  ///< of the budget: what has the mission's `extern` names
-  unsigned effort = 1;                 ///< how many times the usual effort a proof may take
-  bool cache = true;                   ///< look what earlier checks have proved, and keep it
+  unsigned effort = 1;                 ///< multiplies the resource limit of a proof
+  bool cache = true;                   ///< use the verdicts of earlier checks, and store new ones
 };
 
-/// A mission's file with all that was found; `found` points into `compilation`, which is empty if
-/// the file could not be read.
+/// A mission's file with all findings; `found` points into `compilation`, which is empty if the
+/// file could not be read.
 struct CheckedFile {
   std::optional<compiler::Compilation> compilation;
   ir::prove::Findings proved;
   report::CheckedMission found;
 };
 
-/// Checks the mission at `path`: its text, its structure, what can be proved of it. A failure of
-/// the world stands in CheckedFile::found.
+/// Checks the mission at `path`: its text, its structure, and what can be proved about it. An I/O
+/// or system error is in CheckedFile::found.
 CheckedFile checkMission(const std::string& path, const CheckOptions& options);
 
 }  // namespace glider::driver

@@ -19,7 +19,7 @@ namespace {
 constexpr std::chrono::seconds kPatience(1);
 constexpr std::chrono::milliseconds kBetween(250);
 
-/// Of the terminal; a line that is longer could not be written over.
+/// The width of the terminal; a longer line could not be overwritten.
 size_t columns() {
   constexpr size_t kUsual = 80;
   winsize size = {};
@@ -63,7 +63,7 @@ void CheckProgress::at(const std::string& work) {
   work_ = support::onOneLine(work);
 }
 
-/// The solver gives no sign for seconds, so the time is told from beside it.
+/// Runs in its own thread and shows the elapsed time: the solver reports nothing for seconds.
 void CheckProgress::run() {
   std::unique_lock lock(mutex_);
   for (auto wait = std::chrono::milliseconds(kPatience);

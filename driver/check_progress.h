@@ -13,18 +13,18 @@
 
 namespace glider::driver {
 
-/// What a check is at, on the last line of a terminal, once it has taken longer than a second:
-/// "survey.mission: proving 3 of 5: require exit within 90 min, 12 s". The line is gone at the end;
-/// where standard error is no terminal there is none.
+/// The current step of a check, on the last line of a terminal, once the check has taken longer
+/// than a second: "survey.mission: proving 3 of 5: require exit within 90 min, 12 s". The line is
+/// removed at the end. Nothing is shown if standard error is not a terminal.
 class CheckProgress {
  public:
-  /// `mission`: the file, as it was named.
+  /// `mission`: the file, as the user named it.
   explicit CheckProgress(std::string mission);
   CheckProgress(const CheckProgress&) = delete;
   CheckProgress& operator=(const CheckProgress&) = delete;
   ~CheckProgress();
 
-  /// What is done from now on, in a few words; line ends in it are shown as spaces.
+  /// What is done from now on, in a few words; line breaks in it are shown as spaces.
   void at(const std::string& work);
 
  private:

@@ -5,12 +5,12 @@
 
 namespace glider::driver {
 
-/// What the command tells the shell.
+/// The exit status of the command.
 enum ExitCode : int {
   kFine = 0,
   kMissionHasErrors = 1,  ///< the mission has errors, or its flight ended with a warning
-  kWorldFailed = 2,       ///< bad usage, or a file, port or tool failed
-  kInterrupted = 128,     ///< and the number of the signal that ended it: 130 after Ctrl-C
+  kWorldFailed = 2,       ///< usage error, or a file, port or tool failed
+  kInterrupted = 128,     ///< plus the number of the signal that ended it: 130 after Ctrl-C
 };
 
 }  // namespace glider::driver

@@ -25,7 +25,7 @@ using support::CatalogueRow;
 using support::DiagnosticId;
 using support::Result;
 
-/// The number in "GL2003", "gl2003" or "2003"; -1 if it is none.
+/// The number in "GL2003", "gl2003" or "2003"; -1 if `word` is not one.
 int numberOf(std::string_view word) {
   constexpr size_t kDigits = 4;
   if (word.starts_with("GL") || word.starts_with("gl")) {
@@ -60,14 +60,14 @@ Result<std::string> pageFor(const std::string& word) {
     return static_cast<int>(r.id) == number || r.slug == word;
   });
   if (row == support::catalogue().end()) {
-    constexpr size_t kLongestShown = 60;  // beyond that a nearest name is no help
+    constexpr size_t kLongestShown = 60;  // for longer words the nearest name does not help
     return support::fail(DiagnosticId::unknownDiagnostic, word.substr(0, kLongestShown),
                          nearest(word.substr(0, kLongestShown)));
   }
   return explainPage(row->id);
 }
 
-/// One line a diagnostic: id, name, title.
+/// One line for each diagnostic: id, name, title.
 Result<std::string> index() {
   std::vector<CatalogueRow> rows = support::catalogue();
   std::ranges::sort(rows, {}, &CatalogueRow::id);

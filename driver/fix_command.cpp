@@ -40,7 +40,7 @@ std::string reportOf(const std::string& path, const Fixing& fixing) {
   return out.empty() ? path + ": nothing to fix\n" : out;
 }
 
-/// Puts the fixed text in its place, or shows what that would change.
+/// Replaces the file's text with the fixed text, or shows what that would change.
 Result<void> put(const std::string& path, const std::string& before, const Fixing& fixing,
                  bool dry_run) {
   if (!dry_run && fixing.text != before) {

@@ -62,14 +62,14 @@ std::string draw(const GraphOptions& options, const compiler::Compilation& compi
   return "";
 }
 
-/// The file to write when none is named: beside where the command runs, named after the mission.
+/// The file to write if none is named: in the current folder, named after the mission.
 std::string outputName(const GraphOptions& options) {
   constexpr const char* kEndings[] = {".svg", ".dot", ".graph.json", ".pml"};
   return std::filesystem::path(options.mission).stem().string() +
          kEndings[static_cast<size_t>(options.format)];
 }
 
-/// True if the picture would be written over the mission.
+/// True if the picture would overwrite the mission.
 bool overwritesMission(const std::string& output, const std::string& mission) {
   std::error_code error;  // a file that is not there yet is not the mission
   return std::filesystem::equivalent(output, mission, error) && !error;
@@ -80,7 +80,7 @@ support::Result<void> put(const GraphOptions& options, const compiler::Compilati
   if (overwritesMission(output, options.mission)) {
     return support::fail(support::DiagnosticId::outputIsInput, options.mission);
   }
-  // Nothing is proved of a mission with errors: what is known of its structure is drawn.
+  // Nothing can be proved about a mission with errors; its known structure is drawn.
   const DeadCases dead = compilation.checked && options.format != Format::Promela
                              ? compiler::casesThatNeverFire(*compilation.checked)
                              : DeadCases();

@@ -5,15 +5,15 @@
 
 namespace glider::driver {
 
-/// While it is there, Ctrl-C (SIGINT) and SIGTERM are noted instead of ending the program; a second
-/// one ends it.
+/// While this exists, the first SIGINT (Ctrl-C) or SIGTERM is recorded instead of ending the
+/// program; a second one ends it.
 class Interruption {
  public:
   Interruption();
   Interruption(const Interruption&) = delete;
   Interruption& operator=(const Interruption&) = delete;
   ~Interruption();
-  /// The signal that came; 0: none.
+  /// The signal that was received; 0: none.
   static int signal();
 };
 

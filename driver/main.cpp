@@ -19,7 +19,7 @@ constexpr const char* kFooter =
     "2 usage error, or a file, port or tool failed.\n"
     "Try: glidercc check FILE.mission";
 
-/// CLI11 would only say that a command is wanted.
+/// Reports an unknown command by its name; CLI11 would only report that a command is required.
 int tellUnknownCommand(const CLI::App& app, const std::string& word) {
   std::string names;
   for (const CLI::App* command : app.get_subcommands({})) {
@@ -72,7 +72,8 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  // A reader that closes its pipe early shows as a failed write, not as a silent death.
+  // A reader that closes its pipe early then causes a failed write instead of ending the program
+  // without a message.
   std::signal(SIGPIPE, SIG_IGN);
   try {
     return run(argc, argv);

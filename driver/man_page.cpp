@@ -9,7 +9,7 @@
 namespace glider::driver {
 namespace {
 
-/// `text` as roff prints it: dashes stay dashes, and no line begins with a control character.
+/// `text` escaped for roff: dashes stay dashes, and no line begins with a control character.
 std::string escaped(std::string_view text) {
   std::string result;
   for (const char c : text) {
@@ -38,7 +38,7 @@ void addOption(std::string& page, const CLI::Option& option) {
       escaped(words.make_option_opts(&option)), escaped(words.make_option_desc(&option)));
 }
 
-/// First what stands alone, then what begins with a dash.
+/// First the positional arguments, then the options.
 void addOptions(std::string& page, const CLI::App& command) {
   for (const bool positional : {true, false}) {
     for (const CLI::Option* option : command.get_options()) {

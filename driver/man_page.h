@@ -12,7 +12,7 @@ class App;
 namespace glider::driver {
 
 /// The manual page glidercc(1) in roff's man macros: every command with every option of `app`, in
-/// the words of its --help, so that neither says what the other does not.
+/// the words of its --help, so that the two cannot differ.
 std::string manPage(const CLI::App& app);
 
 }  // namespace glider::driver

@@ -59,7 +59,7 @@ Row rowOf(const ir::Variable& variable, const GliderParameterInfo& info, double 
           value == info.initial ? "" : quantity(value)};
 }
 
-/// Columns as wide as their longest cell; the last column only if it says something.
+/// Columns as wide as their longest cell; the last column only if it is not empty.
 std::string table(const std::vector<Row>& rows) {
   std::array<size_t, 5> widths{};
   for (const Row& row : rows) {

@@ -23,7 +23,7 @@
 namespace glider::driver {
 namespace {
 
-/// What a replay came to.
+/// Reports the result of a replay.
 int tellReplay(const support::Trace& trace, const analysis::Replayed& replayed,
                const std::string& way) {
   std::string text;
@@ -46,7 +46,7 @@ int tellReplay(const support::Trace& trace, const analysis::Replayed& replayed,
   return replayed.broken ? kMissionHasErrors : kFine;
 }
 
-/// A mission that is built for this process, with the parameters of the trace.
+/// A mission built for this process, with the parameters of the trace.
 struct Loaded {
   std::shared_ptr<const codegen::LoadedMission> mission;
   std::vector<double> parameters;
@@ -65,14 +65,14 @@ support::Result<Loaded> load(const compiler::Optimised& mission, const SimOption
                 std::move(*parameters)};
 }
 
-/// Flies the run on what `options` choose.
+/// Replays the trace on the SBC that `options` choose.
 int replay(const support::Trace& trace, const compiler::Optimised& mission,
            const SimOptions& options) {
   auto loaded = load(mission, options);
   if (!loaded) {
     return reportFailure(loaded.error());
   }
-  // Where a board's binary is built and its log written; a replay leaves nothing behind.
+  // A board's binary is built and its log written here; a replay leaves no files.
   const auto folder = FlightFolder::scratch();
   if (!folder) {
     return reportFailure(folder.error());

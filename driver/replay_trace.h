@@ -7,8 +7,8 @@
 
 namespace glider::driver {
 
-/// Flies the run in the file `options.replay` instead of a world, and says what came of it; the
-/// exit code.
+/// Replays the trace in the file `options.replay` instead of a scenario, and reports the result;
+/// returns the exit code.
 int replayTrace(SimOptions options);
 
 }  // namespace glider::driver

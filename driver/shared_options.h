@@ -20,7 +20,7 @@ void addLaunchOptions(CLI::App& command, flights::LaunchChoice& choice);
 /// Adds --link FILE to `command`.
 void addLinkOption(CLI::App& command, std::vector<std::string>& files);
 
-/// For --seed: a whole number of 64 bits without a sign; CLI11 alone would wrap `-1` round.
+/// For --seed: an unsigned whole number of 64 bits; CLI11 alone would wrap `-1` around.
 CLI::Validator seedValidator();
 
 }  // namespace glider::driver

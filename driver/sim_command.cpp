@@ -43,7 +43,7 @@ void showProgress(simulator::SimulationSetup& setup, ProgressLine& line) {
   };
 }
 
-/// What went wrong in a flight: what the vehicle did, and sensors that it did not carry.
+/// What went wrong in a flight: events of the vehicle, and sensors that it did not carry.
 std::vector<support::Diagnostic> judge(const support::Trace& trace,
                                        const compiler::Optimised* mission,
                                        const simulator::Scenario& scenario) {
@@ -56,7 +56,7 @@ std::vector<support::Diagnostic> judge(const support::Trace& trace,
   return diagnostics.sorted();
 }
 
-/// Writes all that a flight leaves, and puts it where it is wanted.
+/// Writes all files of a flight to where the options say.
 support::Result<void> writeAll(const support::Trace& trace, const SimOptions& options,
                                const std::vector<support::Diagnostic>& reported,
                                FlightFolder& folder) {
@@ -104,7 +104,7 @@ int flyAndReport(simulator::SimulationSetup setup, const SimOptions& options,
   }
   const bool foreign = !options.program.empty() || !options.serial.empty();
   if (foreign && !report::spokeTheProtocol(*trace)) {
-    return kWorldFailed;  // what was to be the SBC is none
+    return kWorldFailed;  // the program to be the SBC cannot be used
   }
   return reported.empty() ? kFine : kMissionHasErrors;
 }
@@ -156,7 +156,7 @@ int sim(const SimOptions& options) {
   return flyAndReport(std::move(setup), options, mission.get(), *folder);
 }
 
-/// The error if `text` is not a time of the flight, s.
+/// The error if `text` is not a valid time of the flight, s.
 std::string checkTime(const std::string& text) {
   double value = -1;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);

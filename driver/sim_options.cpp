@@ -10,8 +10,8 @@
 namespace glider::driver {
 namespace {
 
-/// What files of this flight are called: after the mission's file, whose name is one that a file
-/// can have.
+/// The stem of this flight's file names: that of the mission's file, the program or the serial
+/// device, or another valid name.
 std::string stemOf(const SimOptions& options) {
   const std::string named = !options.mission.empty()   ? options.mission
                             : !options.program.empty() ? options.program

@@ -17,34 +17,34 @@
 
 namespace glider::driver {
 
-/// What `glidercc sim` is asked to fly.
+/// The options of `glidercc sim`.
 struct SimOptions {
   std::string mission;
   std::string scenario = "default";
-  std::string platform = "slocum";  ///< if no mission names it
+  std::string platform = "slocum";  ///< used if no mission names one
   std::string board;
   std::string program;
   std::string serial;     ///< the device to which a real SBC is connected; empty: none
-  bool lockstep = false;  ///< of that one: not in real time
+  bool lockstep = false;  ///< with --serial: not in real time
   bool without_sbc = false;
   std::optional<uint64_t> seed;
   std::optional<double> kill_sbc_at_s;
   std::string output;
-  std::string replay;   ///< the file of a run; empty: none
+  std::string replay;   ///< the file of a trace; empty: none
   std::string picture;  ///< the file of a picture; empty: none
   report::PictureStyle picture_style;
   flights::LaunchChoice launch;
   std::vector<std::string> user_code;
 };
 
-/// The folder that is named, or one called after the mission.
+/// The folder that the user named, or one named after the mission.
 std::string outputFolder(const SimOptions& options);
 
-/// Whether the mission is to fly in this process.
+/// Whether the mission flies in this process.
 bool isInProcess(const SimOptions& options);
 
-/// What starts the SBC, empty for none; `keeps_time`: as for a flight in which something goes
-/// wrong. A board's binary is built into `folder`.
+/// Returns what starts the SBC, empty for none; `keeps_time`: as for a flight with faults. A
+/// board's binary is built into `folder`.
 support::Result<simulator::StartSbc> chooseSbc(const SimOptions& options,
                                                const compiler::Optimised* mission, bool keeps_time,
                                                const std::filesystem::path& folder);

@@ -30,14 +30,14 @@ int listTargets() {
   return printed ? kFine : reportFailure(printed.error());
 }
 
-/// True if the board's programs use the C library of the machine that they run on.
+/// True if the board's programs use the C library of the host.
 bool sharesLibrary(const platforms::Board& board) {
   return !board.link.dynamic_linker.empty();
 }
 
-/// What makes clang compile a mission's C and C++ for `board`.
+/// The flags with which clang compiles a mission's C and C++ for `board`.
 std::string compilerFlags(const platforms::Board& board) {
-  // The headers of the board's own C library; this machine's would be wrong.
+  // The headers of the board's own C library; the host's would be wrong.
   const std::string library =
       sharesLibrary(board)
           ? ""
@@ -49,7 +49,7 @@ std::string compilerFlags(const platforms::Board& board) {
       (compiler::shareDirectory() / "c").string());
 }
 
-/// What makes clang link a mission in C for `board`, to be said after its objects.
+/// The flags with which clang links a mission in C for `board`, given after its objects.
 std::string linkerFlags(const platforms::Board& board) {
   const auto files = [&board](std::vector<std::string> names) {
     for (std::string& name : names) {
@@ -57,7 +57,7 @@ std::string linkerFlags(const platforms::Board& board) {
     }
     return fmt::to_string(fmt::join(names, " "));
   };
-  if (sharesLibrary(board)) {  // clang knows the rest of this machine
+  if (sharesLibrary(board)) {  // clang knows the rest of the host
     return files({"libglider.a", "libserialport.a"}) + " -lm\n";
   }
   return fmt::format("--target={} -fuse-ld=lld -static -nostdlib -Wl,--gc-sections {} {} {}\n",
@@ -65,7 +65,7 @@ std::string linkerFlags(const platforms::Board& board) {
                      files(board.link.after));
 }
 
-/// Prints what `flags` says of the target `name`.
+/// Prints the `flags` of the target `name`.
 int printFlags(const std::string& name, std::string (*flags)(const platforms::Board&)) {
   const auto board = compiler::loadTarget(name);
   if (!board) {

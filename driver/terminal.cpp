@@ -22,8 +22,8 @@ bool colourWanted() {
 }  // namespace
 
 void tell(std::string_view text) {
-  // Not fmt::print, which throws when the write fails: a failure must be told by the exit code
-  // then.
+  // Not fmt::print, which throws when the write fails: such a failure must only show in the exit
+  // code.
   (void)std::fwrite(text.data(), 1, text.size(), stderr);
   (void)std::fflush(stderr);
 }

@@ -10,10 +10,10 @@
 
 namespace glider::driver {
 
-/// Writes to standard error what can be written there: nobody may be listening.
+/// Writes to standard error; a failed write is ignored, since standard error may be closed.
 void tell(std::string_view text);
-/// Prints a failure of the world as `glidercc: error: … [GL9001 slug]` with its hint; returns the
-/// exit code for it.
+/// Prints an I/O or system error as `glidercc: error: … [GL9001 slug]` with its hint; returns its
+/// exit code.
 int reportFailure(const support::Failure& failure);
 /// Prints the diagnostics to standard error, in colour on a terminal (unless NO_COLOR is set).
 void reportDiagnostics(const support::DiagnosticEngine& diagnostics,
@@ -21,7 +21,7 @@ void reportDiagnostics(const support::DiagnosticEngine& diagnostics,
 /// Writes `text` to standard output. GL9002 when that fails (a full disk, a closed pipe).
 support::Result<void> printOut(std::string_view text);
 
-/// One line on a terminal that is written over: shown only when standard error is one.
+/// A progress line that is overwritten in place; shown only if standard error is a terminal.
 class ProgressLine {
  public:
   ProgressLine();

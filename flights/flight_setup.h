@@ -9,12 +9,12 @@
 
 namespace glider::flights {
 
-/// Reports each sensor that the mission reads or logs and the scenario's vehicle does not carry.
+/// Reports each sensor that the mission reads or logs but the scenario's vehicle does not carry.
 void reportMissingSensors(const compiler::Optimised& mission, const simulator::Scenario& scenario,
                           support::DiagnosticEngine& diagnostics);
 
-/// Puts the mission's name, its states' and the texts of its guards into `setup`; `mission`
-/// must live as long.
+/// Puts the names of the mission and its states and the texts of its guards into `setup`; `mission`
+/// must outlive it.
 void describeMission(simulator::SimulationSetup& setup, const compiler::Optimised& mission);
 
 }  // namespace glider::flights

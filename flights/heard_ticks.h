@@ -10,17 +10,17 @@
 
 namespace glider::flights {
 
-/// A tick of a mission in flight, with what the SBC heard for it.
+/// A tick of a mission in flight, with the readings that the SBC received for it.
 struct HeardTick {
   double mission_time = 0;  ///< s
   double vehicle_time = 0;  ///< s
   std::vector<ir::SensorUpdate> frame;
 };
 
-/// Gathers the ticks of a runtime's first mission, so that the interpreter can make them too.
+/// Records the ticks of a runtime's first mission, so that the interpreter can repeat them.
 class HeardTicks {
  public:
-  /// `mission` is what was compiled, and outlives this.
+  /// `mission` is the mission that was compiled; it must outlive this.
   explicit HeardTicks(const ir::Mission& mission) : m_(mission) {}
 
   /// To be called after each poll of the runtime, at vehicle time `now_s`.

@@ -48,7 +48,7 @@ int32_t InProcessSbc::writeBytes(void* self, const uint8_t* bytes, uint32_t coun
   return static_cast<int32_t>(count);
 }
 
-/// The card keeps slot behind slot; what lies between them is left out.
+/// The card stores slot after slot, without the gaps between them.
 size_t InProcessSbc::onCard(uint32_t offset) const {
   using runtime::Checkpoint;
   const uint32_t context = mission_->mission().context_bytes;
@@ -132,7 +132,7 @@ void InProcessSbc::run() {
 std::vector<uint8_t> InProcessSbc::collect() {
   run();
   lockstep_.fromSbc(from_sbc_.data(), static_cast<uint32_t>(from_sbc_.size()));
-  // As the program on a board ends: it is missed when it does not answer any more.
+  // Ends as the program on a board does; the vehicle notices when it does not answer any more.
   if (finished_ && !lockstep_.settled()) {
     end("exited with status 0");
   }

@@ -17,7 +17,7 @@
 
 namespace glider::flights {
 
-/// The card of an SBC in this process: what stands on it outlives a power cut.
+/// The card of an SBC in this process: its content survives a power cut.
 using Card = std::vector<uint8_t>;
 
 /// An SBC within this process: the compiled mission, loaded as a shared object, speaks the real
@@ -25,13 +25,13 @@ using Card = std::vector<uint8_t>;
 class InProcessSbc final : public simulator::SbcPort {
  public:
   /// `parameters`: one value each, as the mission allows them. `keeps_time`: its clock is the
-  /// vehicle's, and time-outs run; else it stands still between frames. `card`: where it keeps its
-  /// checkpoints.
+  /// vehicle's, and time-outs expire; otherwise its clock does not advance between frames. `card`:
+  /// where it stores its checkpoints.
   InProcessSbc(std::shared_ptr<const codegen::LoadedMission> mission,
                std::vector<double> parameters, std::shared_ptr<Card> card, bool keeps_time = false);
 
-  /// Calls `watcher` each time that the runtime has been polled, once its mission has started: with
-  /// what it holds, and the vehicle's time, s.
+  /// Calls `watcher` each time that the runtime has been polled, once its mission has started, with
+  /// the runtime's context and the vehicle's time, s.
   using Watcher = std::function<void(const GliderContext&, double now_s)>;
   void watch(Watcher watcher) { watcher_ = std::move(watcher); }
 
@@ -64,13 +64,13 @@ class InProcessSbc final : public simulator::SbcPort {
   std::unique_ptr<std::byte[]> context_memory_;
   GliderRuntime* runtime_ = nullptr;
   std::vector<uint8_t> to_sbc_;
-  size_t taken_ = 0;  ///< of to_sbc_
+  size_t taken_ = 0;  ///< bytes of to_sbc_ already read
   std::vector<uint8_t> from_sbc_;
   hooks::Lockstep lockstep_;
   double now_s_ = 0;
   bool keeps_time_;
   bool plugged_ = true;
-  bool finished_ = false;    ///< the mission has given control back: a program would end here
+  bool finished_ = false;    ///< the mission has released control: a program would end here
   std::string exit_reason_;  ///< empty while it is alive
 };
 

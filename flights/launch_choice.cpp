@@ -22,7 +22,7 @@ using support::DiagnosticId;
 
 namespace {
 
-/// The text of each parameter's value, of the later of two.
+/// The text of each parameter's value; the later of two settings applies.
 using Given = std::map<std::string, std::string>;
 
 std::string trimmed(const std::string& text) {
@@ -46,8 +46,8 @@ void addLines(const std::string& content, Given& given) {
   }
 }
 
-/// Whether a longitude and a latitude have been given, without letters, for a latitude and a
-/// longitude; then why that is refused. The language has the same rule.
+/// If a longitude and a latitude were given, without letters, where a latitude and a longitude are
+/// expected: why that is refused. Otherwise empty. The language has the same rule.
 std::string longitudeFirst(const GliderMission& mission, const double* values, const Given& given) {
   constexpr std::string_view kNorth = ".latitude";
   const auto isBare = [&](const std::string& name) {

@@ -12,7 +12,7 @@
 
 namespace glider::flights {
 
-/// What a pilot says of a mission's parameters.
+/// The pilot's settings of a mission's parameters.
 struct LaunchChoice {
   std::vector<std::string> settings;  ///< of --set, "name=value"
   std::string file;                   ///< of --parameters; empty: none
@@ -25,10 +25,10 @@ struct LaunchChoice {
 support::Result<std::vector<double>> chooseParameters(const GliderMission& mission,
                                                       const LaunchChoice& choice);
 
-/// The mission compiled for this process and loaded, with what `user_code` has for it.
+/// The mission, compiled for this process and loaded, with the code that `user_code` has for it.
 support::Result<codegen::LoadedMission> loadHere(const compiler::Optimised& mission,
                                                  const std::vector<std::string>& user_code);
-/// The same to look at its parameters only: it needs no user code and does not fly.
+/// The same, only to look at its parameters: it needs no user code and cannot fly.
 support::Result<codegen::LoadedMission> loadForParameters(const compiler::Optimised& mission);
 
 }  // namespace glider::flights

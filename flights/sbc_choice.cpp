@@ -51,7 +51,7 @@ Result<StartSbc> sbcInProcess(const compiler::Optimised& mission, const LaunchCh
 
 namespace {
 
-/// Whether the mission allows what the pilot says, before the board's program refuses it.
+/// Checks that the mission allows the pilot's settings, before the board's program refuses them.
 Result<void> checkLaunch(const compiler::Optimised& mission, const LaunchChoice& launch) {
   if (launch.empty()) {
     return {};
@@ -142,7 +142,7 @@ StartSbc sbcOnSerialLine(const std::string& device, bool lockstep) {
 }
 
 StartSbc sbcProgram(const std::string& program) {
-  // A file that lies here is meant, not one of that name somewhere in PATH.
+  // A file in the current folder takes precedence over one of that name in PATH.
   std::error_code ignored;
   const bool here = std::filesystem::is_regular_file(program, ignored);
   return starterOf("program", {here ? std::filesystem::absolute(program).string() : program,

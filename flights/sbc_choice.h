@@ -16,7 +16,7 @@
 
 namespace glider::flights {
 
-/// For each flight what starts its SBC, which has a card of its own.
+/// Returns, for each flight, what starts its SBC with a card of its own.
 using NewFlight = std::function<simulator::StartSbc()>;
 
 /// Compiles the mission for this process and loads it; `user_code` is what --link names.
@@ -26,28 +26,28 @@ support::Result<NewFlight> flightsInProcess(const compiler::Optimised& mission,
                                             const std::vector<std::string>& user_code,
                                             bool keeps_time);
 
-// Each makes what starts the SBC of one flight, as often as its power comes back.
+// Each returns what starts the SBC of one flight, again each time that its power returns.
 
-/// flightsInProcess, of one flight.
+/// As flightsInProcess, for one flight.
 support::Result<simulator::StartSbc> sbcInProcess(const compiler::Optimised& mission,
                                                   const LaunchChoice& launch,
                                                   const std::vector<std::string>& user_code,
                                                   bool keeps_time);
 
-/// Of a mission that is loaded.
+/// For a mission that is already loaded.
 simulator::StartSbc startInProcess(std::shared_ptr<const codegen::LoadedMission> mission,
                                    std::vector<double> parameters, bool keeps_time);
 
-/// Builds the mission's binary for `board` at `binary`; the command that runs it here, without its
-/// arguments.
+/// Builds the mission's binary for `board` at `binary`; returns the command that runs it here,
+/// without its arguments.
 support::Result<std::vector<std::string>> buildOnBoard(const compiler::Optimised& mission,
                                                        const LaunchChoice& launch,
                                                        const std::vector<std::string>& user_code,
                                                        const std::string& board,
                                                        const std::filesystem::path& binary);
-/// Starts what buildOnBoard has built, with its log and, as `name`.checkpoint, its checkpoints in
-/// `folder`; those of an earlier flight are removed. After `hang_secs` of real time without an
-/// answer it counts as hung.
+/// Starts the binary of buildOnBoard, with its log and its checkpoints (`name`.checkpoint) in
+/// `folder`; those of an earlier flight are removed. It counts as hung after `hang_secs` of real
+/// time without an answer.
 simulator::StartSbc startOnBoard(const std::string& board, std::vector<std::string> command,
                                  const LaunchChoice& launch, const std::filesystem::path& folder,
                                  const std::string& name, double hang_secs);
@@ -60,7 +60,7 @@ support::Result<simulator::StartSbc> sbcOnBoard(const compiler::Optimised& missi
                                                 const std::string& board, const std::string& name,
                                                 const std::filesystem::path& folder);
 
-/// A program that somebody has built, with `--port PTY` as its only arguments.
+/// A program that the user has built, with `--port PTY` as its only arguments.
 simulator::StartSbc sbcProgram(const std::string& program);
 
 /// A real SBC at the other end of the serial line at `device`, in real time or, with `lockstep`, as

@@ -26,7 +26,7 @@ std::vector<std::string> scenarioNames() {
 
 namespace {
 
-/// A file as it is; a bare name among those that come with glidercc.
+/// The path of a file, or of a scenario that comes with glidercc for a bare name.
 support::Result<std::filesystem::path> scenarioPath(const std::string& wanted) {
   if (wanted.ends_with(".toml")) {
     return wanted;

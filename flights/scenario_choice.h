@@ -15,8 +15,8 @@ namespace glider::flights {
 /// The scenarios that come with glidercc, by name.
 std::vector<std::string> scenarioNames();
 
-/// Loads the scenario that --scenario names: a .toml file, or one that comes with glidercc. Its
-/// mistakes are shown. GL9302, and as simulator::loadScenario.
+/// Loads the scenario that --scenario names: a .toml file, or one that comes with glidercc. Errors
+/// in it are shown. GL9302, and as simulator::loadScenario.
 support::Result<simulator::Scenario> chooseScenario(const std::string& wanted,
                                                     const support::ShowDiagnostics& show = {});
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kMostLatitude = 90;
 constexpr double kMostLongitude = 180;
-/// Beyond it few gliders fly, and those in need of a letter in their positions.
+/// Few gliders fly at higher latitudes; positions there need a letter.
 constexpr double kPolar = 70;
 
 size_t wholeDigits(std::string_view digits) {
@@ -25,7 +25,7 @@ double valueOf(std::string_view digits) {
   return std::strtod(std::string(digits).c_str(), nullptr);
 }
 
-/// Degrees, if `digits` can be ddmm.mmmm.
+/// Degrees, if `digits` can be ddmm.mmmm; otherwise empty.
 std::optional<double> readDdmm(std::string_view digits) {
   constexpr size_t kFewest = 3;
   constexpr size_t kMost = 5;

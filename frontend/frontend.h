@@ -18,29 +18,29 @@
 
 namespace glider::frontend {
 
-/// Reads a mission or library file; every mistake in its text is reported (GL1xxx). Empty if its
-/// structure could not be made out; a file whose every mistake was plain enough to be read past
-/// (`=` for `==`) is still given, so that `analyse` can report what else is wrong with it.
+/// Reads a mission or library file; every error in its text is reported (GL1xxx). Empty if its
+/// structure could not be recognised. If every error could be corrected with certainty (such as `=`
+/// for `==`), the file is still returned, so that `analyse` can report its other errors.
 std::optional<ast::File> parse(const support::SourceManager& sources, uint32_t file,
                                support::DiagnosticEngine& diagnostics);
 
-/// What of a file parses item by item, for tools that go on where `parse` gives up: items with
-/// mistakes are left out. Reports nothing.
+/// The parts of a file that parse, item by item, for tools that continue where `parse` gives up:
+/// items with errors are left out. Reports nothing.
 ast::File parseIntact(const support::SourceManager& sources, uint32_t file);
 
-/// What a mission is compiled against.
+/// The inputs of a mission's analysis.
 struct AnalysisInputs {
   const platforms::Platform& platform;    ///< the one that platformName() names
   std::vector<const ast::File*> library;  ///< parsed library files, the standard one first
   const support::SourceManager& sources;  ///< holds the texts of the mission and the library
 };
 
-/// The platform that `mission` asks for: "slocum" if it does not say.
+/// The platform that `mission` names: "slocum" if it names none.
 std::string platformName(const ast::File& mission);
 
-/// Gives names, types and units their meaning (GL2xxx) and lowers the mission to IR. Empty if
-/// anything was wrong with it, now or in `parse`: then `diagnostics` has errors. `in_c`, if wanted,
-/// gets what it declares in C.
+/// Resolves names, types and units (GL2xxx) and lowers the mission to IR. Empty if there was an
+/// error, now or in `parse`: then `diagnostics` has errors. `in_c`, unless null, receives what the
+/// mission declares in C.
 std::optional<ir::Mission> analyse(const ast::File& mission, const AnalysisInputs& inputs,
                                    support::DiagnosticEngine& diagnostics,
                                    ir::CInterface* in_c = nullptr);

@@ -69,7 +69,7 @@ std::string_view closest(std::string_view word, const std::vector<std::string_vi
     return {};
   }
   const std::string wanted = lower(word);
-  // A third of the letters may be wrong: more would suggest words that have nothing to do with it.
+  // A third of the letters may be wrong: with more, unrelated words would be suggested.
   size_t best = std::max<size_t>(word.size() / 3, word.size() > 1 ? 1 : 0) + 1;
   std::string_view found;
   for (std::string_view candidate : candidates) {

@@ -9,18 +9,18 @@
 
 namespace glider::frontend {
 
-/// How many letters to add, drop, change or swap with their neighbour to get from `a` to `b`.
+/// The number of letters to add, drop, change or swap with their neighbour to get from `a` to `b`.
 size_t editDistance(std::string_view a, std::string_view b);
 
-/// The candidate that the writer of `word` most likely meant; empty if none is near. Ties go to the
-/// first.
+/// The candidate that the writer of `word` most likely meant; empty if none is near. For equal
+/// distances it is the first.
 std::string_view closest(std::string_view word, const std::vector<std::string_view>& candidates);
 
 /// "did you mean `temp`?" for the candidate nearest to `word`, or `otherwise` if none is near.
 std::string didYouMean(std::string_view word, const std::vector<std::string_view>& candidates,
                        std::string otherwise);
 
-/// The unit that a word such as "metres", "hours" or "C" stands for; empty if none.
+/// The unit that a word such as "metres", "hours" or "C" means; empty if none.
 std::string_view unitForWord(std::string_view word);
 
 }  // namespace glider::frontend

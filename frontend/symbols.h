@@ -12,8 +12,8 @@
 #include <string_view>
 #include <vector>
 
-/// What the names of a mission mean, for editors. It is there for a mission with errors, too: what
-/// is broken has an unknown type.
+/// The meanings of a mission's names, for editors. Also available for a mission with errors: what
+/// has an error has an unknown type.
 namespace glider::frontend {
 
 enum class SymbolKind : uint8_t {
@@ -21,7 +21,7 @@ enum class SymbolKind : uint8_t {
   Platform,
   Constant,
   Parameter,  ///< of the mission; with an owner: of that state, profile or route
-  Variable,   ///< likewise
+  Variable,   ///< the same
   State,
   Profile,
   Route,
@@ -37,20 +37,20 @@ std::string_view word(SymbolKind kind);
 struct Symbol {
   SymbolKind kind = SymbolKind::Mission;
   std::string name;
-  std::string vehicle_name;  ///< of a sensor that the language calls by another name: "m_depth"
-  /// As a pilot writes it: "length"; of what takes arguments "yo(top: length, …)". Empty: unknown.
+  std::string vehicle_name;  ///< of a sensor that has another name in the language: "m_depth"
+  /// As a pilot writes it: "length"; with parameters "yo(top: length, …)". Empty: unknown.
   std::string type;
   std::string unit;            ///< of a bare number of that type; empty: none
   std::string description;     ///< one line: its comment, or else its declaration
-  support::SourceRange where;  ///< its name in its declaration; nowhere: it is built in
-  /// Where alone it can be used; nowhere: in every file. Profiles and routes see no constant,
-  /// parameter, variable or state of the mission.
+  support::SourceRange where;  ///< its name in its declaration; empty: it is built in
+  /// The only place where it can be used; empty: in every file. Profiles and routes cannot use
+  /// constants, parameters, variables or states of the mission.
   support::SourceRange scope;
   std::optional<uint32_t> owner;           ///< index of the state, profile or route it belongs to
   std::vector<support::SourceRange> uses;  ///< by file and position
 };
 
-/// The names of a mission and of what it imports, its platform and the language.
+/// The names of a mission and its imports, its platform and the language.
 class SymbolTable {
  public:
   /// `isolated`: the profiles and routes in the text.
@@ -58,9 +58,9 @@ class SymbolTable {
 
   /// Those of the mission's text first, in its order, then those of the libraries, then the others.
   [[nodiscard]] std::span<const Symbol> symbols() const { return symbols_; }
-  /// What the name means that stands at or ends at byte `offset`; null: no known name does.
+  /// The meaning of the name at byte `offset`, or that ends there; null: there is no known name.
   [[nodiscard]] const Symbol* at(uint32_t file, uint32_t offset) const;
-  /// What can be named at byte `offset`.
+  /// The symbols that can be named at byte `offset`.
   [[nodiscard]] std::vector<const Symbol*> visibleAt(uint32_t file, uint32_t offset) const;
 
  private:
@@ -73,7 +73,7 @@ class SymbolTable {
   std::vector<Place> places_;  ///< of all names, by file and position
 };
 
-/// The names of `mission` and of `inputs.library`; any of them may be what parseIntact has left.
+/// The names of `mission` and of `inputs.library`, each of which may be the result of parseIntact.
 /// Reports nothing.
 SymbolTable symbolsOf(const ast::File& mission, const AnalysisInputs& inputs);
 

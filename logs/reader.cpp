@@ -57,7 +57,7 @@ class Reader {
         frame(decoder_.frame());
       }
     }
-    // What stands behind the last zero is torn, if it is anything.
+    // Bytes after the last zero, if any, are an incomplete record.
     const bool torn = !bytes.empty() && bytes.back() != '\0';
     damage_.bad = decoder_.badFrames() + (torn ? 1 : 0);
     return damage_;
@@ -165,7 +165,7 @@ class Reader {
     return in.exact();
   }
 
-  /// What stands in the payload from `from` on.
+  /// The text in the payload from `from` on.
   static std::string text(const hooks::Frame& frame, uint32_t from) {
     return from < frame.size ? std::string(frame.payload + from, frame.payload + frame.size) : "";
   }

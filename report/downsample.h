@@ -9,10 +9,10 @@
 
 namespace glider::report {
 
-/// `trace` with about `most` rows: of every stretch of equally many rows the first, the shallowest
-/// and the deepest stay. All turning points of the depth stay too, and the rows on both sides of a
-/// change of state or of control (these may exceed `most`). A trace of at most `most` rows comes
-/// back unchanged. Events and field are kept whole.
+/// Returns `trace` downsampled to about `most` rows: the first, the shallowest and the deepest row
+/// of every stretch of equally many rows are kept. All turning points of the depth are also kept,
+/// and the rows on both sides of a change of state or of control (these may exceed `most`). A trace
+/// of at most `most` rows is returned unchanged. Events and field are always complete.
 support::Trace downsampled(const support::Trace& trace, size_t most);
 
 }  // namespace glider::report

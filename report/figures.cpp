@@ -26,7 +26,7 @@ struct Range {
 Range rangeOf(const Trace& trace, int column) {
   Range range;
   for (size_t row = 0; column >= 0 && row < trace.rowCount(); ++row) {
-    // fmin and fmax pass over NaN.
+    // fmin and fmax ignore NaN.
     range.least = std::fmin(range.least, trace.at(row, column));
     range.greatest = std::fmax(range.greatest, trace.at(row, column));
   }
@@ -169,7 +169,7 @@ FlightFigures flightFigures(const Trace& trace) {
   const int time = trace.column("time");
   const Range times = rangeOf(trace, time);
   figures.duration_s = times.greatest - times.least;
-  // How deep it really was: a sensor at fault must not hide that.
+  // The true depth, which a faulty sensor must not hide.
   const int truth = trace.column("true_depth");
   const Range depths = rangeOf(trace, truth >= 0 ? truth : depthColumn(trace));
   figures.shallowest_m = depths.least;

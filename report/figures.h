@@ -16,15 +16,15 @@ namespace glider::report {
 struct StateFigures {
   double id = 0;  ///< as in the column "state"
   std::string name;
-  size_t visits = 0;  ///< entries, a return into the state included
+  size_t visits = 0;  ///< entries, including returns into the state
   double time_s = 0;
 };
 
-/// Where the distance over ground was taken from.
+/// The source of the distance over ground.
 enum class TrackSource : unsigned char { None, True, DeadReckoned };
 
-/// What a flight comes to in a few numbers. NaN (or an empty list) where the trace has no column
-/// for it.
+/// A flight summarised in a few numbers. NaN (or an empty list) where the trace has no column for
+/// it.
 struct FlightFigures {
   size_t rows = 0;
   double duration_s = 0;
@@ -37,17 +37,17 @@ struct FlightFigures {
   double coldest_degC = 0;
   double warmest_degC = 0;
   std::vector<StateFigures> states;  ///< those that were entered, in the mission's order
-  double layered_s = 0;              ///< time in which the vehicle's layered control decided
+  double layered_s = 0;              ///< time in which the layered control commanded the vehicle
   double stateless_s =
       0;  ///< time in which the SBC was in control without a state: a mission written in C
   std::map<std::string, size_t> events;  ///< count by kind
 };
 
-/// The least change of depth that counts as a leg of a yo: above a pressure sensor's noise and a
-/// surface wave.
+/// The least change of depth that counts as a leg of a yo: more than a pressure sensor's noise and
+/// a surface wave.
 inline constexpr double kYoDepth = 2.0;
 
-/// The figures of `trace`. A row holds until the next row's time; the last one holds for no time.
+/// The figures of `trace`. A row is valid until the next row's time; the last one has no duration.
 FlightFigures flightFigures(const support::Trace& trace);
 /// The same as a JSON object; NaN is null.
 std::string figuresToJson(const FlightFigures& figures);
@@ -62,10 +62,9 @@ struct TurningPoint {
 /// be the start.
 std::vector<TurningPoint> turningPoints(const support::Trace& trace);
 
-/// The column that the report calls depth: m_depth, else true_depth, else -1.
+/// The column that the report calls depth: m_depth, otherwise true_depth, otherwise -1.
 int depthColumn(const support::Trace& trace);
-/// The name of state number `id` of the column "state"; `state 7` for one that the trace does not
-/// name.
+/// The name of state number `id` of the column "state"; `state 7` if the trace does not name it.
 std::string stateName(const support::Trace& trace, double id);
 
 }  // namespace glider::report

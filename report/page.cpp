@@ -11,7 +11,7 @@ namespace glider::report {
 
 namespace {
 
-// Both are 3 bytes in UTF-8 and differ in the last.
+// Both have 3 bytes in UTF-8 and differ in the last.
 constexpr std::string_view kLineSeparator = "\xe2\x80\xa8";
 constexpr std::string_view kParagraphSeparator = "\xe2\x80\xa9";
 

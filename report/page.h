@@ -14,19 +14,20 @@
 
 namespace glider::report {
 
-/// The most rows that a page carries (a day and a half of 4 s cycles); of a longer flight it
-/// carries about as many.
+/// The greatest number of rows in a page (a day and a half of 4 s cycles); a longer flight is
+/// downsampled to about as many.
 inline constexpr size_t kPageRows = 32768;
 
-/// The built page, cut where the title and the flight's data go. Written by report/page/build.mjs.
+/// The built page, divided where the title and the flight's data are inserted. Written by
+/// report/page/build.mjs.
 extern const std::array<std::string_view, 3> kPageParts;
 
 /// The whole page for `trace`, as HTML, with what went wrong at its top.
 std::string renderPage(const support::Trace& trace,
                        const std::vector<support::Diagnostic>& reported = {});
 
-/// `json` such that it may stand inside a script element: no `<`, and no line separator that ends a
-/// line in older JavaScript. Only for JSON, where these characters occur in strings alone.
+/// Escapes `json` for use inside a script element: no `<`, and no line separator that ends a line
+/// in older JavaScript. Only for JSON, where these characters only occur in strings.
 std::string escapeForScript(std::string_view json);
 /// `text` as the content of an HTML element or a quoted attribute.
 std::string escapeHtml(std::string_view text);

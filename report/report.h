@@ -12,11 +12,11 @@
 
 namespace glider::report {
 
-/// Writes `trace` to `path` as one web page that needs nothing else: no network, no other file. A
-/// flight of more than kPageRows rows is thinned (report/downsample.h); its figures are still those
-/// of all rows. Columns the page knows are listed in report/README.md, each may be absent. What
-/// went wrong, `reported`, stands in red at its top. The file appears whole or not at all; GL9201
-/// when it cannot be written.
+/// Writes `trace` to `path` as one self-contained web page: no network, no other file. A flight of
+/// more than kPageRows rows is downsampled (report/downsample.h); its figures are still those of
+/// all rows. report/README.md lists the columns that the page uses, each of which may be absent.
+/// What went wrong, `reported`, is shown in red at its top. The file is written completely or not
+/// at all; GL9201 if it cannot be written.
 support::Result<void> writeReport(const support::Trace& trace, const std::filesystem::path& path,
                                   const std::vector<support::Diagnostic>& reported = {});
 

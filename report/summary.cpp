@@ -123,7 +123,7 @@ std::string eventLines(const Trace& trace, bool transitions) {
   std::string out;
   size_t count = 0;
   for (const TraceEvent& event : trace.events) {
-    // Routine steering would bury what matters; the report has it.
+    // Routine steering would hide what matters; it is in the report.
     if ((event.kind == "transition") != transitions || event.kind == "steering") {
       continue;
     }

@@ -9,10 +9,9 @@
 
 namespace glider::report {
 
-/// What a flight came to, as plain aligned text of at most 100 columns for a terminal: figures,
+/// A summary of a flight, as plain aligned text of at most 100 columns for a terminal: figures,
 /// time in each state, transitions and other events with vehicle time, mission time and reason.
-/// Control characters in names are shown as
-/// `?`. Ends with a newline.
+/// Control characters in names are shown as `?`. Ends with a newline.
 std::string summarize(const support::Trace& trace);
 
 }  // namespace glider::report

@@ -33,7 +33,7 @@ std::string plain(std::string_view text) {
   std::string out;
   for (size_t i = 0; i < text.size(); ++i) {
     const auto c = static_cast<unsigned char>(text[i]);
-    // U+0080 to U+009F, which some terminals obey like an escape, are C2 80 to C2 9F.
+    // U+0080 to U+009F, which some terminals interpret like an escape, are C2 80 to C2 9F.
     const bool c1 = c == 0xC2U && i + 1 < text.size() &&
                     static_cast<unsigned char>(text[i + 1]) >= 0x80U &&
                     static_cast<unsigned char>(text[i + 1]) < 0xA0U;

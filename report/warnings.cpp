@@ -29,7 +29,7 @@ bool isRefusal(const TraceEvent& event) {
          event.what.find(kRefused) != std::string::npos;
 }
 
-/// hookprog has opened a link to the SBC, which has told its mission's name.
+/// Whether hookprog has opened a link to the SBC, which has sent its mission's name.
 bool isHello(const TraceEvent& event) {
   return event.kind == "link" && event.what.starts_with(kAnswers);
 }
@@ -38,12 +38,12 @@ bool isAbort(const TraceEvent& event) {
   return event.kind == "abort";
 }
 
-/// hookbeh climbs by its own bounds, whatever the mission says.
+/// Whether hookbeh climbs because of its own limits, against the mission.
 bool isIntervention(const TraceEvent& event) {
   return event.kind == "hook" && event.what.starts_with(kByHookbeh);
 }
 
-/// "1,250 s" of the first of `trace`'s events that `is`, and "; 3 times in all".
+/// "1,250 s" of the first of `trace`'s events for which `is` is true, and "; 3 times in all".
 struct Told {
   const TraceEvent* first = nullptr;
   std::string at;
@@ -61,15 +61,15 @@ Told tell(const Trace& trace, bool (*is)(const TraceEvent&)) {
   return told;
 }
 
-/// What comes after `mark`; all of it if that is not there.
+/// The text after `mark`; all of it if `mark` is missing.
 std::string after(const std::string& text, std::string_view mark) {
   const size_t at = text.find(mark);
   return plain(at == std::string::npos ? text : text.substr(at + mark.size()));
 }
 
-/// The mission that the SBC says it flies if it is not the one whose names the trace has; else "".
+/// The mission that the SBC reports, if it is not the one whose names the trace has; otherwise "".
 std::string otherMission(const Trace& trace) {
-  constexpr size_t kMostOnTheLine = 47;  // of a longer name the rest is not told
+  constexpr size_t kMostOnTheLine = 47;  // a longer name is cut
   for (const TraceEvent& event : trace.events) {
     if (!trace.state_names.empty() && isHello(event)) {
       const std::string name = event.what.substr(kAnswers.size());
@@ -81,7 +81,7 @@ std::string otherMission(const Trace& trace) {
   return "";
 }
 
-/// True if the flight ended because its time was over, with the mission still on its way.
+/// Whether the flight ended because its time was over, before the mission ended.
 bool wasCutShort(const Trace& trace) {
   const auto any = [&](std::string_view kind, std::string_view part) {
     return std::ranges::any_of(trace.events, [&](const TraceEvent& event) {

@@ -18,13 +18,13 @@ size_t refusedInstructions(const support::Trace& trace);
 /// True if there was an SBC and it never had control.
 bool wasNeverInControl(const support::Trace& trace);
 
-/// True if there was an SBC and hookprog understood it: without that it is no SBC, or one of
-/// another version.
+/// True if there was an SBC and hookprog understood it: otherwise the program is not an SBC, or one
+/// of another version.
 bool spokeTheProtocol(const support::Trace& trace);
 
-/// Reports what makes a flight one that went wrong: the vehicle aborted (GL9370), a command was
-/// refused (GL9371), the mission was never in control (GL9372), hookbeh intervened (GL9375). Of
-/// several of a kind the first is told, with their number.
+/// Reports what went wrong in a flight: the vehicle aborted (GL9370), a command was refused
+/// (GL9371), the mission was never in control (GL9372), hookbeh intervened (GL9375). Of several of
+/// a kind only the first is reported, with their number.
 void reportFlight(const support::Trace& trace, support::DiagnosticEngine& diagnostics);
 
 /// What else the reader must know before any figure of the flight: the mission was another one, or
@@ -32,7 +32,7 @@ void reportFlight(const support::Trace& trace, support::DiagnosticEngine& diagno
 std::vector<std::string> flightWarnings(const support::Trace& trace);
 
 /// All of these as a JSON array, those of `reported` first: {"code", "slug", "message", "hint"};
-/// code and slug are empty for what is no failure.
+/// code and slug are empty for those that are not failures.
 std::string warningsToJson(const std::vector<support::Diagnostic>& reported,
                            const std::vector<std::string>& others);
 

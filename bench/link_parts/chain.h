@@ -13,7 +13,7 @@
 #include <array>
 #include <vector>
 
-/// The way of a sensor's change through SBC and hooks.
+/// The path of a sensor's change through SBC and hooks.
 namespace glider::bench {
 
 using namespace glider::hooks;
@@ -34,7 +34,7 @@ class Chain {
 
   /// Cycles from each of `count` changes of the sensor to the command, sorted.
   std::vector<double> latencies(size_t count);
-  /// How long that took, and the bytes on the clothesline meanwhile.
+  /// How long that took, and the bytes on the flight-science serial link meanwhile.
   [[nodiscard]] double seconds() const { return now_; }
   [[nodiscard]] uint64_t toScience() const { return flight_side_.written; }
   [[nodiscard]] uint64_t toFlight() const { return prog_side_.written; }
@@ -49,7 +49,7 @@ class Chain {
   void report(const HookbehOutputs& out);
   void pollClient();
   void decide();
-  /// The instruction tells by its depth which value caused it.
+  /// The depth of the instruction identifies the value that caused it.
   static double depthFor(double value) { return 10 + value; }
   void instruct(HookControl control, double value);
 

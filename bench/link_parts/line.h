@@ -55,7 +55,7 @@ class Tap {
   Noise noise_;
 };
 
-/// A clock that stands at what it points to.
+/// A clock that shows the time in `now`.
 inline GliderClock clockAt(double& now) {
   return {&now, [](void* self) { return *static_cast<double*>(self); }};
 }

@@ -37,7 +37,7 @@ std::optional<ir::Mission> missionAt(const char* path) {
   return mission;
 }
 
-/// Which a busy machine changes less than the time that passes.
+/// A busy machine changes this less than elapsed time.
 double processorTime_s() {
   timespec now = {};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);

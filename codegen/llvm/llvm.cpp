@@ -21,7 +21,7 @@ using platforms::Board;
 using support::DiagnosticId;
 using support::Result;
 
-/// Of the file with an executable's symbols and line tables.
+/// The suffix of the file with an executable's symbols and line tables.
 constexpr std::string_view kDebugSuffix = ".debug";
 
 /// The mission alone, optimised.
@@ -50,7 +50,7 @@ Result<void> checkSize(size_t bytes, const Board& board) {
   return {};
 }
 
-/// The linked executable, with its symbols and line tables if they are `wanted`.
+/// The linked executable, with its symbols and line tables if `wanted`.
 Result<std::string> linkWhole(const Input& input, const Board& board, const CodegenOptions& options,
                               bool wanted) {
   auto program = compileProgram(input, board, options, ProgramKind::Executable, {"main"});
@@ -66,8 +66,8 @@ Result<std::string> linkWhole(const Input& input, const Board& board, const Code
               board);
 }
 
-/// Both files or neither, as far as a file system can promise that: both lie there whole before the
-/// first is renamed.
+/// Writes both files or neither, as far as a file system allows: both are complete before the first
+/// is renamed.
 Result<void> writeBoth(const SplitExecutable& split, const std::filesystem::path& output,
                        const std::filesystem::path& debug_output) {
   auto executable =
@@ -83,7 +83,7 @@ Result<void> writeBoth(const SplitExecutable& split, const std::filesystem::path
   return published ? debug->publish() : published;
 }
 
-/// What a shared object exports.
+/// The exports of a shared object.
 const std::vector<std::string>& sharedSymbols() {
   static const std::vector<std::string> names{
       "gliderMission",
@@ -128,7 +128,7 @@ Result<std::string> makeExecutable(const Input& input, const Board& board,
 
 Result<void> writeExecutable(const Input& input, const Board& board, const CodegenOptions& options,
                              const std::filesystem::path& output) {
-  // A debug file stands beside a file, not beside a device or pipe.
+  // A debug file is written only beside a regular file, not beside a device or pipe.
   if (!options.debug || !support::isReplaceable(output)) {
     const auto linked = makeExecutable(input, board, options);
     return linked
@@ -159,7 +159,7 @@ Result<std::string> makeShared(const Input& input, const Board& host,
 
 namespace {
 
-/// LLVM is asked for whatever machine a board names; it knows which ones it has.
+/// Any machine that a board names may be passed: LLVM knows which ones it supports.
 bool hasMachine(const Board& board) {
   return !board.triple.empty();
 }

@@ -11,7 +11,7 @@
 #include <filesystem>
 #include <string>
 
-/// The back end that makes machine code, with LLVM and lld.
+/// The back end that generates machine code, with LLVM and lld.
 namespace glider::codegen {
 
 /// The mission alone (no runtime), optimised: LLVM's text, assembly, a relocatable ELF object.
@@ -28,12 +28,12 @@ support::Result<void> writeExecutable(const Input& input, const platforms::Board
                                       const CodegenOptions& options,
                                       const std::filesystem::path& output);
 
-/// The content of the board's executable, stripped, for a pipe or device. Errors as
-/// writeExecutable's.
+/// The content of the board's executable, stripped, for a pipe or device. Fails as writeExecutable
+/// does.
 support::Result<std::string> makeExecutable(const Input& input, const platforms::Board& board,
                                             const CodegenOptions& options);
 
-/// Backend::link_shared. Errors as writeExecutable's.
+/// Backend::link_shared. Fails as writeExecutable does.
 support::Result<std::string> makeShared(const Input& input, const platforms::Board& host,
                                         const CodegenOptions& options);
 

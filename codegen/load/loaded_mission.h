@@ -11,13 +11,13 @@
 
 namespace glider::codegen {
 
-/// A mission compiled by codegen::linkShared, loaded into this process for as long as this object
-/// lives. Its functions keep no state of their own: every runtime stands in memory that the caller
-/// gives.
+/// A mission compiled by codegen::linkShared, loaded into this process for the lifetime of this
+/// object. Its functions keep no state of their own: every runtime is in memory that the caller
+/// provides.
 class LoadedMission {
  public:
-  /// GL9002 if there is no room for a temporary file (gone again on return), GL9051 if it is not
-  /// such a mission.
+  /// GL9002 if there is no room for a temporary file (removed on return), GL9051 if it is not such
+  /// a mission.
   static support::Result<LoadedMission> load(std::string_view shared_object);
 
   [[nodiscard]] const GliderMission& mission() const { return *mission_; }

@@ -19,7 +19,7 @@
 namespace glider::driver {
 namespace {
 
-/// A quoted field that is one line.
+/// A quoted field on one line.
 std::string textCell(std::string text) {
   std::ranges::replace_if(text, [](char c) { return c == '\n' || c == '\r'; }, ' ');
   return support::csvQuoted(text);

@@ -13,19 +13,19 @@
 
 namespace glider::driver {
 
-/// Writes report.html, trace.csv and events.csv of a flight into `folder`, which is made if it is
-/// not there. `reported` is what went wrong.
+/// Writes report.html, trace.csv and events.csv of a flight into `folder`, which is created if it
+/// does not exist. `reported` is what went wrong.
 support::Result<void> writeFlight(const support::Trace& trace, const std::filesystem::path& folder,
                                   const std::vector<support::Diagnostic>& reported = {});
 
 /// Writes flight.json into `folder`: which flight this is, whether it went well, the warnings, the
-/// figures, and the names of all its files, `files` and its own.
+/// figures, and the names of all its files: `files` and flight.json itself.
 support::Result<void> writeFlightSummary(const support::Trace& trace,
                                          const std::vector<support::Diagnostic>& reported,
                                          std::vector<std::string> files,
                                          const std::filesystem::path& folder);
 
-/// Makes `folder` (and what leads to it) if it is not there. GL9002.
+/// Creates `folder` and its parents if they do not exist. GL9002.
 support::Result<void> makeFolder(const std::filesystem::path& folder);
 
 /// The events as CSV: time (s), missiontime (s), kind, what, why; texts in quotes.

@@ -31,7 +31,8 @@ using support::Result;
 
 constexpr std::string_view kStagingEnd = ".partial";
 
-/// Files of flights that have no list of them; `targets` are what a mission may be built for.
+/// Whether this is a usual file name of a flight without a list of files; `targets` are the targets
+/// that a mission may be built for.
 bool isUsualName(const std::string& name, const std::vector<std::string>& targets) {
   constexpr std::array<std::string_view, 5> kNames = {"report.html", "trace.csv", "events.csv",
                                                       "mission.log", FlightFolder::kSummary};
@@ -59,7 +60,8 @@ std::set<std::string> listedIn(const fs::path& folder) {
   return names;
 }
 
-/// The first name in `folder` that no flight, or run, has put there; empty if there is none.
+/// The first name in `folder` that is not a file of a flight, or of a trace; empty if there is
+/// none.
 Result<std::string> foreignIn(const fs::path& folder, FlightFolder::Use use) {
   std::set<std::string> listed = listedIn(folder);
   if (use == FlightFolder::Use::Run) {
@@ -81,7 +83,7 @@ Result<std::string> foreignIn(const fs::path& folder, FlightFolder::Use use) {
   return foreign.empty() ? "" : *foreign.begin();
 }
 
-/// The process that wrote staging folder `name` of `target`; 0 if it is none of that kind.
+/// The process that wrote staging folder `name` of `target`; 0 if it is not a staging folder.
 pid_t writerOf(std::string_view name, const std::string& target) {
   const std::string begin = "." + target + ".";
   pid_t pid = 0;
@@ -94,7 +96,7 @@ pid_t writerOf(std::string_view name, const std::string& target) {
   return pid;
 }
 
-/// Removes what flights that were killed have left beside `target`.
+/// Removes what killed flights have left beside `target`.
 void removeLeftOvers(const fs::path& target) {
   std::error_code ignored;
   std::vector<fs::path> left;
@@ -109,7 +111,7 @@ void removeLeftOvers(const fs::path& target) {
   }
 }
 
-/// Whether a process that stands in the folder would be left in one that is gone.
+/// Whether the current folder is `target` or inside it: it would be gone after the exchange.
 bool holdsWorkingFolder(const fs::path& target) {
   std::error_code error;
   const fs::path here = fs::current_path(error);
@@ -121,7 +123,7 @@ Result<void> failed(const fs::path& path, const std::string& why) {
   return support::fail(DiagnosticId::cannotWrite, path.string(), why);
 }
 
-/// Whether what is in the way in `whole` may be replaced. `target`: as the user names it.
+/// Checks that what is in the way at `whole` may be replaced. `target`: as the user named it.
 Result<void> checkReplaceable(const fs::path& whole, const fs::path& target,
                               FlightFolder::Use use) {
   const bool run = use == FlightFolder::Use::Run;
@@ -214,7 +216,7 @@ Result<void> FlightFolder::commit() {
   std::error_code error;
   const bool there = fs::exists(target_, error);
   if (there && fs::is_empty(target_, error)) {
-    // Perhaps somebody's current folder: it stays the same one.
+    // This may be the current folder of a process, so the folder itself is kept.
     for (const std::string& name : names()) {
       fs::rename(staging_ / name, target_ / name, error);
       if (error) {
@@ -231,7 +233,7 @@ Result<void> FlightFolder::commit() {
   if (::renameat2(AT_FDCWD, staging_.c_str(), AT_FDCWD, target_.c_str(), RENAME_EXCHANGE) != 0) {
     return failed(target_, std::strerror(errno));
   }
-  return {};  // staging_ is the earlier flight now, and goes
+  return {};  // staging_ is now the earlier flight, which the destructor removes
 }
 
 }  // namespace glider::driver

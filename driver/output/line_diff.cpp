@@ -33,8 +33,8 @@ struct Edit {
   std::string_view line;
 };
 
-/// The longest common subsequence of the lines between the equal ends; beyond `kLargest` pairs of
-/// lines all of them count as changed.
+/// The longest common subsequence of the lines between the equal beginnings and ends; beyond
+/// `kLargest` pairs of lines all of them count as changed.
 class Comparison {
  public:
   Comparison(const Lines& before, const Lines& after) : a_(before), b_(after) {}

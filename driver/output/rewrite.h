@@ -10,8 +10,8 @@
 
 namespace glider::driver {
 
-/// Puts `text` in the place of a file's content, atomically; a link to it stays a link, and its
-/// permissions stay. GL9002 on failure, with the file as it was.
+/// Replaces a file's content with `text`, atomically; a link to the file stays a link, and its
+/// permissions stay. GL9002 on failure, with the file unchanged.
 support::Result<void> rewriteFile(const std::filesystem::path& path, std::string_view text);
 
 }  // namespace glider::driver

@@ -62,7 +62,7 @@ void addRows(support::Trace& trace, const ir::prove::Counterexample& run) {
   }
 }
 
-/// Writes all files of a run, which then take the place of those of an earlier one.
+/// Writes all files of a trace, which then replace those of an earlier one.
 support::Result<void> writeRun(const support::Trace& trace, const std::filesystem::path& place) {
   auto folder = FlightFolder::open(place, FlightFolder::Use::Run);
   if (!folder) {

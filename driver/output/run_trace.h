@@ -11,14 +11,14 @@
 
 namespace glider::driver {
 
-/// A run that the verifier found, as the trace of a flight: a row each tick, with the readings as
-/// the vehicle reports them and its true depth.
+/// A counterexample as the trace of a flight: a row for each tick, with the readings as the vehicle
+/// reports them and its true depth.
 support::Trace traceOfRun(const compiler::Checked& checked,
                           const ir::prove::RequirementVerdict& verdict);
 
-/// Writes, for each requirement that a run breaks, `folder`/requirement-N/ (N from 1) with
-/// trace.json, trace.csv, events.csv and report.html, all at once as for a flight (FlightFolder).
-/// Returns how many.
+/// Writes, for each requirement with a counterexample, `folder`/requirement-N/ (N from 1) with
+/// trace.json, trace.csv, events.csv and report.html, in one step as for a flight (FlightFolder).
+/// Returns how many were written.
 support::Result<size_t> writeRuns(const CheckedFile& checked, const std::filesystem::path& folder);
 
 }  // namespace glider::driver

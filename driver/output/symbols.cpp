@@ -19,7 +19,7 @@ using nlohmann::ordered_json;
 constexpr int kVersion = 1;
 constexpr uint32_t kMission = 0;
 
-/// Null for nowhere.
+/// Null for an empty range.
 ordered_json rangeOf(const support::SourceManager& sources, const support::SourceRange& range) {
   if (!range.valid()) {
     return nullptr;
@@ -32,7 +32,7 @@ ordered_json rangeOf(const support::SourceManager& sources, const support::Sourc
       {"file", sources.name(range.file)}, {"begin", place(range.begin)}, {"end", place(range.end)}};
 }
 
-/// Null for what is not known or not there.
+/// Null for an empty text: unknown, or not there.
 ordered_json textOrNull(const std::string& text) {
   return text.empty() ? ordered_json(nullptr) : ordered_json(text);
 }
@@ -62,7 +62,7 @@ std::string dump(const ordered_json& document) {
   return document.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
-/// The byte at `place` of the mission; past the end of a line: that end.
+/// The byte at `place` of the mission; for a column past the end of a line, that end.
 uint32_t offsetOf(const support::SourceManager& sources, support::LineColumn place) {
   const std::string& text = sources.text(kMission);
   const std::string_view line = sources.line(kMission, place.line);
@@ -79,7 +79,7 @@ uint32_t offsetOf(const support::SourceManager& sources, support::LineColumn pla
   return static_cast<uint32_t>(static_cast<size_t>(begin - text.data()) + at);
 }
 
-/// Empty: `text` is not a line and a column.
+/// Empty if `text` is not a line and a column.
 std::optional<support::LineColumn> parsePlace(const std::string& text) {
   support::LineColumn place{0, 0};
   const char* end = text.data() + text.size();

@@ -10,11 +10,13 @@
 
 namespace glider::driver {
 
-/// For CLI11: what is wrong with `text` as a line and a column from 1, `7:12`; empty: nothing.
+/// For CLI11: what is wrong with `text` as a line and a column from 1, such as `7:12`; empty if it
+/// is valid.
 std::string checkPlace(const std::string& text);
 
 /// The names of what was compiled as JSON, for editors, whether or not it has errors. With `place`,
-/// which checkPlace takes: what stands there in the mission, and what can be named there.
+/// in the form that checkPlace accepts: the name at that place of the mission, and the names that
+/// can be used there.
 support::Result<std::string> printSymbols(const compiler::Compilation& compilation,
                                           const std::string& place);
 

@@ -12,8 +12,8 @@
 #include <variant>
 #include <vector>
 
-/// A mission as it was written: plain values, compared without regard to places and comments.
-/// `print` (print.h) writes one down; parsing that gives an equal one.
+/// A mission as it was written: plain values, compared regardless of places and comments. `print`
+/// (print.h) writes a mission as text; parsing that text gives an equal mission.
 namespace glider::ast {
 
 struct Expr;
@@ -24,11 +24,11 @@ struct Name {
   bool operator==(const Name&) const = default;
 };
 
-/// `5`, `.5 degC/m`, `39.2 N`. A letter of a position stands in `unit`, as does the ambiguous `W`
+/// `5`, `.5 degC/m`, `39.2 N`. The letter of a position is in `unit`, including the ambiguous `W`
 /// or `S`.
 struct Literal {
   std::string digits;  ///< as written: minutes of a position are read from it exactly
-  std::string unit;    ///< "" for a bare number; blanks removed
+  std::string unit;    ///< "" for a bare number; without spaces
   Where unit_where;
   bool operator==(const Literal&) const = default;
 };
@@ -120,7 +120,7 @@ inline bool List::operator==(const List& other) const {
   return items == other.items;
 }
 
-/// `length`, `temperature/length`: blanks removed.
+/// `length`, `temperature/length`: without spaces.
 struct TypeName {
   std::string text;
   Where where;
@@ -196,7 +196,7 @@ struct Case {
   std::optional<Block> action;
   Transition transition = Transition::Stay;
   std::optional<Use> target;  ///< of goto and call
-  Where transition_where;     ///< the word
+  Where transition_where;     ///< the keyword
   Where where;
   bool operator==(const Case&) const = default;
 };
@@ -239,8 +239,8 @@ struct SensorItem {
   bool operator==(const SensorItem&) const = default;
 };
 
-// What stands between `begin` and `end` of a state or behaviour, in the order written, repetitions
-// included.
+// What is between `begin` and `end` of a state or behaviour, in the order written, including
+// repetitions.
 struct RouteMember {
   Use use;
   bool operator==(const RouteMember&) const = default;
@@ -354,7 +354,7 @@ struct Requirement {
   bool operator==(const Requirement&) const = default;
 };
 
-/// How long the SBC may have been away for the mission to go on.
+/// The longest outage of the SBC after which the mission continues.
 struct Resumption {
   Expr within;
   bool never_after_restart = false;

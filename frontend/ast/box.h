@@ -10,8 +10,8 @@
 
 namespace glider::ast {
 
-/// A T held by value on the heap, so that a node may hold nodes of its own kind. Never empty,
-/// except when moved from.
+/// A T on the heap with value semantics, so that a node may contain nodes of its own kind. Never
+/// empty, except when moved from.
 template <typename T>
 class Box {
  public:
@@ -33,8 +33,8 @@ class Box {
   std::unique_ptr<T> value_;
 };
 
-/// Where a node stands in its file. Two nodes that differ only here are the same mission, so all
-/// are equal.
+/// The place of a node in its file. Two nodes that differ only in their places are the same
+/// mission, so all places are equal.
 struct Where : support::SourceRange {
   Where() = default;
   Where(support::SourceRange range)

@@ -11,7 +11,7 @@ namespace {
 
 struct Operator {
   std::string_view text;
-  int binds;  ///< the greater, the tighter
+  int binds;  ///< operators with a greater value bind more tightly
 };
 
 constexpr int kUnaryBinds = 6;

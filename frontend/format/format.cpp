@@ -29,7 +29,7 @@ bool isTransition(const Token& token) {
          (token.is("done") && !token.name);
 }
 
-/// How willingly a line is broken before `token`, which stands after `last`.
+/// The rank of a line break before `token`, which comes after `last`.
 int breakRank(const Token& last, const Token& token) {
   const int outer = 4 * static_cast<int>(token.depth);
   if (last.is(",") || last.is("||")) {
@@ -64,8 +64,8 @@ class Composer {
   }
 
  private:
-  /// The rows of comments before a line: a remark on the line above, lines of their own. Returns
-  /// how many stand on the line itself.
+  /// The rows of comments before a line: a remark on the line above, or lines of their own. Returns
+  /// how many comments are on the line itself.
   size_t commentsBefore(const Line& line) {
     const Token& token = tokens_[line.first];
     const bool at_end = line.first + 1 == tokens_.size();
@@ -172,7 +172,7 @@ class Composer {
                            : Piece::Role::Word;
   }
 
-  /// Notes which parts of a one-line row stand below those of its neighbours.
+  /// Records which parts of a one-line row are aligned with those of its neighbours.
   void shape(const Line& line) {
     Row& row = rows_.back();
     std::vector<size_t> cells;
@@ -210,7 +210,7 @@ class Composer {
       return shape;
     }
     if (end == 0) {
-      cells.clear();  // its block stands on lines of its own
+      cells.clear();  // its block is on separate lines
       return "";
     }
     cells.push_back(end);
@@ -236,8 +236,8 @@ class Composer {
   std::vector<Piece> pieces_;   ///< of the line that is being composed
   std::vector<size_t> starts_;  ///< the piece of each of its tokens
   bool broken_ = false;         ///< the next piece begins a line
-  bool apart_ = false;          ///< the next row stands after a blank line
-  bool fresh_ = false;          ///< no row has come since the last line
+  bool apart_ = false;          ///< the next row comes after a blank line
+  bool fresh_ = false;          ///< there has been no row since the last line
 };
 
 std::string write(const std::vector<Row>& rows) {
@@ -259,7 +259,7 @@ std::vector<std::string> commentsOf(const std::vector<Token>& tokens) {
   return comments;
 }
 
-/// A formatter that changes a mission is worse than none.
+/// A formatter that changes a mission would be worse than none.
 void checkUnchanged(const std::vector<Token>& before, const std::vector<Token>& after) {
   CHECK(std::ranges::equal(before, after, {}, &Token::text, &Token::text),
         "formatting would change the words of a mission");

@@ -13,14 +13,14 @@
 namespace glider::frontend {
 
 /// The canonical text of a mission or library file: the same words and comments in the same order,
-/// laid out anew. Formatting the result changes nothing. Empty if the text has syntax errors; they
-/// are reported.
+/// with a new layout. Formatting the result changes nothing. Empty if the text has syntax errors,
+/// which are reported.
 ///
-/// The layout: two blanks an indent; a blank line round states, behaviours and `always`, and
+/// The layout: indents of two spaces; a blank line around states, behaviours and `always`, and
 /// wherever the pilot left one or more; lines of at most 100 columns where commas and operators
-/// allow it; like things in neighbouring lines stand below each other. A `do … end` or `if … end`
-/// that was written on one line stays there if it is simple and fits; a list whose first item was
-/// written below its bracket has one item a line.
+/// allow it; similar parts of neighbouring lines are aligned. A `do … end` or `if … end` that was
+/// written on one line stays there if it is simple and fits; a list whose first item was written on
+/// the line after its bracket has one item per line.
 std::optional<std::string> format(const support::SourceManager& sources, uint32_t file,
                                   support::DiagnosticEngine& diagnostics);
 

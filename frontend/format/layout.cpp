@@ -13,8 +13,8 @@ bool oneOf(const Token& token, std::initializer_list<std::string_view> words) {
   return std::ranges::find(words, token.text) != words.end();
 }
 
-/// Goes through the tokens with the blocks that are open. Hard keywords name nothing, so each says
-/// by itself what begins.
+/// Goes through the tokens with the stack of open blocks. Hard keywords are never names, so each
+/// determines what begins.
 class Layout {
  public:
   explicit Layout(const std::vector<Token>& tokens) : tokens_(tokens) {}
@@ -39,7 +39,7 @@ class Layout {
   struct Frame {
     Kind kind;
     size_t indent;
-    bool flat;  ///< stands on one line with what opens it
+    bool flat;  ///< is on one line with the token that opens it
   };
 
   [[nodiscard]] const Token& token() const { return tokens_[at_]; }
@@ -54,7 +54,7 @@ class Layout {
     lines_.push_back({at_, at_, indent, indent, false});
   }
 
-  /// True at a line `declination -12 deg`: the word is a name where a value or a name is awaited.
+  /// True at a line `declination -12 deg`: where a value or a name is expected, the word is a name.
   [[nodiscard]] bool declination() const {
     return token().is("declination") &&
            !after({"mission", "platform", "const", "param", "var",   "function", "sensor", "=",
@@ -132,7 +132,7 @@ class Layout {
     lines_.back().comment_indent = std::max(inner, frame.indent + kIndent);
   }
 
-  /// Inside a block only.
+  /// Only inside a block.
   [[nodiscard]] bool startsStatement(size_t i) const {
     const Token& last = tokens_[i - 1];
     const bool command = tokens_[i].depth == 0 && tokens_[i].name && tokens_[i + 1].is("(") &&
@@ -140,10 +140,10 @@ class Layout {
     return command || oneOf(tokens_[i], {"set", "if", "log"});
   }
 
-  /// The `do` or `if` at `open` was written on one line up to its `end`, has no more than one
-  /// statement in each arm, and fits on one line with what stands before and after it.
+  /// Whether the `do` or `if` at `open` was written on one line up to its `end`, has at most one
+  /// statement in each branch, and fits on one line with what comes before and after it.
   [[nodiscard]] bool fits(size_t open) const {
-    std::vector<size_t> statements;  // in the arms that are open
+    std::vector<size_t> statements;  // in the open branches
     size_t i = open;
     do {
       const Token& next = tokens_[i];
@@ -180,7 +180,7 @@ class Layout {
     return i;
   }
 
-  /// The line that was begun last fits on one line up to token `end`.
+  /// Whether the line begun last fits on one line up to token `end`.
   [[nodiscard]] bool fitsWhole(size_t end) const {
     size_t columns = lines_.back().indent;
     const size_t first = lines_.back().first;

@@ -14,13 +14,13 @@ namespace glider::frontend::formatting {
 inline constexpr size_t kIndent = 2;     ///< columns of one level
 inline constexpr size_t kColumns = 100;  ///< the longest line
 
-/// What stands on one line unless that would be too long.
+/// The content of one line unless that would be too long.
 struct Line {
   size_t first = 0;  ///< its tokens, [first, end)
   size_t end = 0;
   size_t indent = 0;          ///< columns
   size_t comment_indent = 0;  ///< of the comments on lines of their own before it
-  bool apart = false;         ///< a blank line belongs before it
+  bool apart = false;         ///< there must be a blank line before it
 };
 
 /// The lines of a file in order; the last one holds the empty token at the end.

@@ -17,7 +17,7 @@ bool oneOf(std::string_view text, std::initializer_list<std::string_view> words)
   return std::ranges::find(words, text) != words.end();
 }
 
-/// A comment with `\n` line ends and no blanks before them.
+/// A comment with `\n` line ends and no spaces before them.
 std::string cleaned(std::string_view comment) {
   std::string out;
   auto endLine = [&out] { out.erase(out.find_last_not_of(" \t\f\v") + 1); };
@@ -34,7 +34,7 @@ std::string cleaned(std::string_view comment) {
   return out;
 }
 
-/// Reads what stands between two tokens: blanks, line ends and comments.
+/// Reads what is between two tokens: spaces, line ends and comments.
 class GapReader {
  public:
   explicit GapReader(std::string_view gap) : gap_(gap) {}
@@ -72,7 +72,7 @@ class GapReader {
   size_t newlines_ = 0;
 };
 
-/// Finds what each token is by what stands before and after it.
+/// Determines the role of each token from the tokens before and after it.
 class Classifier {
  public:
   Classifier(std::vector<Token>& tokens, const std::vector<Lexeme>& lexemes)
@@ -90,7 +90,7 @@ class Classifier {
   }
 
  private:
-  /// What a run of names joined by `*` and `/` is.
+  /// The meaning of a sequence of names joined by `*` and `/`.
   enum class Chain : uint8_t { None, Type, Unit };
 
   void brackets(Token& token) {
@@ -118,7 +118,7 @@ class Classifier {
   [[nodiscard]] bool isUnit(size_t i) const {
     return isAnyName(lexemes_[i].type) && !isName(lexemes_[i].type);
   }
-  /// `min(` is the function.
+  /// Not before `min(`, which is the function.
   [[nodiscard]] bool unitFollows(size_t i) const {
     return isUnit(i + 1) && !(i + 2 < tokens_.size() && tokens_[i + 2].is("("));
   }
@@ -140,7 +140,7 @@ class Classifier {
     const std::string_view digits = text.starts_with('.') ? text.substr(1) : text;
     return !digits.empty() && digits[0] >= '0' && digits[0] <= '9';
   }
-  /// After `last`, `in`, `of`, `where`, `done` and their like are words of the language.
+  /// After `last`, words such as `in`, `of`, `where` and `done` are words of the language.
   static bool noNameAfter(const Token& last) {
     return last.ends_value || oneOf(last.text, {"end", "extern", "require", "exit", "stale"});
   }

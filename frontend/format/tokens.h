@@ -13,7 +13,7 @@ namespace glider::frontend::formatting {
 
 /// The comments that begin on one line of the source.
 struct CommentRow {
-  std::vector<std::string> comments;  ///< without blanks at the ends of their lines
+  std::vector<std::string> comments;  ///< without spaces at the ends of their lines
   size_t newlines_before = 0;         ///< since the token or comment before
   bool open_ended = false;            ///< the last one runs to the end of its line
 
@@ -24,23 +24,23 @@ struct Token {
   std::string_view text;
   std::vector<CommentRow> rows;  ///< the comments before it
   size_t newlines_before = 0;    ///< since the last of these, or the token before
-  size_t depth = 0;              ///< of brackets that it stands in; a bracket stands outside
+  size_t depth = 0;              ///< number of open brackets around it; a bracket is outside itself
   bool name = false;             ///< used as a name
   bool ends_value = false;       ///< an expression may end with it
-  bool tight = false;            ///< no blank before it
+  bool tight = false;            ///< no space before it
   bool unit_part = false;        ///< of a unit or a type: `/` and `m` of `degC/m`
   bool operation = false;        ///< an operator between two values
 
   [[nodiscard]] bool is(std::string_view word) const { return text == word; }
-  /// The source breaks the line somewhere before it.
+  /// Whether the source breaks the line somewhere before it.
   [[nodiscard]] bool broken() const;
-  /// Opens or closes a bracket.
+  /// Whether it opens a bracket.
   [[nodiscard]] bool opens() const { return is("(") || is("["); }
   [[nodiscard]] bool closes() const { return is(")") || is("]"); }
 };
 
-/// The tokens of `text`, which has no syntax errors; an empty one at the end holds the comments
-/// after the last. They refer to `text`.
+/// The tokens of `text`, which has no syntax errors; an empty one at the end has the comments after
+/// the last. They refer to `text`.
 std::vector<Token> readTokens(std::string_view text);
 
 }  // namespace glider::frontend::formatting

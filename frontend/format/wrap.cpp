@@ -10,7 +10,7 @@ namespace {
 
 using Role = Piece::Role;
 
-constexpr size_t kFurthestColumn = 60;  ///< of a bracket that its items stand below
+constexpr size_t kFurthestColumn = 60;  ///< of a bracket that its items are aligned with
 
 /// Gives each item of a list a line of its own.
 void breakLists(std::vector<Piece>& pieces) {
@@ -52,8 +52,8 @@ class Wrapper {
 
  private:
   struct Bracket {
-    size_t column;  ///< where lines inside go on
-    size_t base;    ///< the indent of the line it stands on
+    size_t column;  ///< the column where lines inside continue
+    size_t base;    ///< the indent of the line that it is on
     bool list;
   };
 
@@ -65,8 +65,8 @@ class Wrapper {
     return bracket.list && piece.role == Role::Closer ? bracket.base : bracket.column;
   }
 
-  /// Where the line that begins with piece `first` ends: at a break that must be, or else, if it is
-  /// too long, at the last of its best.
+  /// The end of the line that begins with piece `first`: at a required break, or otherwise, if the
+  /// line is too long, at the last of its best breaks.
   [[nodiscard]] size_t lineEnd(size_t first) const {
     size_t best = 0;
     size_t column = line_indent_;
@@ -85,7 +85,7 @@ class Wrapper {
       }
       const bool remark_at_end =
           piece.role == Role::Remark && i + 1 < pieces_.size() && pieces_[i + 1].must_break;
-      if (!remark_at_end) {  // which may run over
+      if (!remark_at_end) {  // a remark may exceed the limit
         column += width(piece.text) + (i > first ? piece.blanks : 0);
       }
     }

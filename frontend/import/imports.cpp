@@ -34,14 +34,14 @@ std::string unquoted(const std::string& written) {
   return out;
 }
 
-/// What stands for a file however it is named.
+/// The same text for a file under any of its names.
 std::string identity(const fs::path& path) {
   std::error_code error;
   const fs::path real = fs::weakly_canonical(path, error);
   return error ? path.lexically_normal().string() : real.string();
 }
 
-/// The file that `name` means beside `importer`.
+/// The file that `name` refers to beside `importer`.
 fs::path locate(const fs::path& importer, const std::string& name) {
   const fs::path plain = (importer.parent_path() / name).lexically_normal();
   if (plain.extension() == ".mission") {
@@ -141,7 +141,7 @@ class Importer {
     noteChain(report(DiagnosticId::importCycle, import.where, open->name, by));
   }
 
-  /// How the file came to be read that has the innermost import.
+  /// Adds notes on the imports that led to the file with the innermost import.
   void noteChain(support::DiagnosticBuilder report) {
     for (size_t i = chain_.size() - 1; i > 0; --i) {
       report.note(chain_[i - 1].import, fmt::format("`{}` is imported here", chain_[i].name));

@@ -13,17 +13,17 @@
 namespace glider::frontend {
 
 /// Reads and parses the files that `file` imports, and those that they import, each once and after
-/// those it imports itself. A name is looked for beside the file that imports it, whose place is
-/// its name in `sources`; `.mission` may be left out. Files that cannot be read, cycles, chains of
-/// more than 8 files (GL2080 and after) and mistakes in the files' own text are reported where
-/// they are, with the imports that led there; then the result is empty, as analysis would only miss
-/// what they define.
+/// those it imports itself. A name is looked up beside the file that imports it, whose path is its
+/// name in `sources`; `.mission` may be omitted. Files that cannot be read, cycles, chains of more
+/// than 8 files (GL2080 and after) and errors in the files' own text are reported where they are,
+/// with the imports that led there. The result is then empty, because analysis would only report
+/// the missing definitions.
 std::optional<std::deque<ast::File>> loadImports(const ast::File& file,
                                                  support::SourceManager& sources,
                                                  support::DiagnosticEngine& diagnostics);
 
-/// The same for tools that go on where `loadImports` gives up: the files that can be read, each as
-/// parseIntact reads it. Reports nothing.
+/// The same for tools that continue where `loadImports` gives up: the files that can be read, each
+/// as parseIntact reads it. Reports nothing.
 std::deque<ast::File> loadIntactImports(const ast::File& file, support::SourceManager& sources);
 
 }  // namespace glider::frontend

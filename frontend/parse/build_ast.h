@@ -11,7 +11,7 @@
 
 namespace glider::frontend {
 
-/// Makes the AST of parse trees that have no errors in them.
+/// Makes the AST from parse trees without errors.
 class AstBuilder {
  public:
   explicit AstBuilder(Source source) : source_(source) {}
@@ -26,7 +26,7 @@ class AstBuilder {
   [[nodiscard]] ast::Where where(const antlr4::Token* token) const;
   [[nodiscard]] std::string text(const Rule* rule) const;
   [[nodiscard]] std::string text(const antlr4::Token* token) const;
-  /// The words of `rule` without the blanks between them.
+  /// The words of `rule` without the spaces between them.
   [[nodiscard]] std::string joined(Rule* rule) const;
   [[nodiscard]] ast::Name name(const Rule* rule) const { return {text(rule), where(rule)}; }
 

@@ -106,7 +106,7 @@ ast::Expr AstBuilder::literal(Parser::LiteralContext* rule) {
   if (rule->unit() != nullptr) {
     first.unit = joined(rule->unit());
     if (first.unit == "°") {
-      first.unit = "deg";  // what was meant; repair has said so
+      first.unit = "deg";  // the intended unit; repair has reported it
     }
     first.unit_where = where(rule->unit());
   }

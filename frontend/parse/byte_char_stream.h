@@ -10,8 +10,8 @@
 
 namespace glider::frontend {
 
-/// A text as ANTLR's lexer reads it: one symbol a byte, so that a token's place is a byte offset of
-/// the source file.
+/// A text for ANTLR's lexer, with one symbol for each byte, so that a token's place is a byte
+/// offset in the source file.
 class ByteCharStream final : public antlr4::CharStream {
  public:
   /// `text` must outlive the stream; reading begins at byte `start`.

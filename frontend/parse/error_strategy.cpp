@@ -19,7 +19,7 @@ using support::DiagnosticId;
 
 namespace {
 
-/// A keyword that begins something: a good place to go on reading.
+/// Whether it is a keyword that begins something: a good place to continue reading.
 bool isBoundary(size_t type) {
   const auto t = static_cast<uint32_t>(type);
   return t == kEof || (isHardKeyword(t) && !oneOf(t, {GliderLexer::TRUE, GliderLexer::FALSE,
@@ -33,8 +33,8 @@ bool endsCase(size_t type) {
          oneOf(t, {kEof, GliderLexer::CASE, GliderLexer::END, GliderLexer::VAR});
 }
 
-/// Skips to a token that `stop` takes, leaping over whole blocks; the end of an outer block is
-/// never passed.
+/// Skips to a token for which `stop` is true, and skips whole blocks; it never passes the end of an
+/// outer block.
 template <typename Stop>
 void skipTo(antlr4::Parser* parser, Stop stop) {
   size_t deep = 0;
@@ -58,8 +58,8 @@ bool isLoop(const antlr4::atn::ATNState* state) {
          type == antlr4::atn::ATNState::PLUS_LOOP_BACK;
 }
 
-/// "`,` or `)`" of a set of tokens, without operators (which go on after every value) if anything
-/// else is in it.
+/// "`,` or `)`" for a set of tokens; operators (which may follow every value) are left out if the
+/// set has anything else.
 std::string listOf(const antlr4::misc::IntervalSet& set) {
   constexpr size_t kMost = 6;
   std::vector<std::string> words;
@@ -102,7 +102,7 @@ void ErrorStrategy::recover(antlr4::Parser* parser, std::exception_ptr) {
   const auto index = static_cast<int>(parser->getTokenStream()->index());
   if (lastErrorIndex == index &&
       lastErrorStates.contains(static_cast<ssize_t>(parser->getState()))) {
-    parser->consume();  // the same rule failed here before: never stand still
+    parser->consume();  // the same rule failed here before: always advance
   }
   if (lastErrorIndex != index) {
     lastErrorStates.clear();
@@ -125,7 +125,7 @@ void ErrorStrategy::sync(antlr4::Parser* parser) {
   const size_t found = parser->getTokenStream()->LA(1);
   const auto next = atn.nextTokens(const_cast<antlr4::atn::ATNState*>(state));
   if (next.contains(found) && isBoundary(found)) {
-    endErrorCondition(parser);  // back in step
+    endErrorCondition(parser);  // recovered
   }
   const bool cases = next.contains(size_t{GliderParser::CASE});
   const bool mayEnd = next.contains(antlr4::Token::EPSILON) && !(cases && !endsCase(found));
@@ -136,8 +136,8 @@ void ErrorStrategy::sync(antlr4::Parser* parser) {
   if (cases) {
     skipTo(parser, endsCase);
   } else {
-    // A list of arguments ends at the next keyword at the latest; a body of a state only at what
-    // may stand in it.
+    // A list of arguments ends at the next keyword at the latest; a body of a state ends only at a
+    // token that may be in it.
     const bool body =
         next.contains(size_t{GliderParser::END}) || next.contains(size_t{GliderParser::STATE});
     skipTo(parser, [&](size_t type) { return next.contains(type) || (!body && isBoundary(type)); });
@@ -152,7 +152,7 @@ void ErrorStrategy::complain(antlr4::Parser* parser, const antlr4::Token* found)
   beginErrorCondition(parser);
   const antlr4::Token* before = parser->getTokenStream()->LT(-1);
   if (before != nullptr && before->getStartIndex() == before->getStopIndex()) {
-    return;  // after something missing that repair put in: reported already
+    return;  // after something missing that repair has inserted: already reported
   }
   if (reporter_.full()) {
     throw antlr4::ParseCancellationException();
@@ -185,7 +185,7 @@ void ErrorStrategy::complainOfTransition(const Lexeme& before, const Lexeme& fou
     auto report = reporter_.at(found, DiagnosticId::wrongTransition, word);
     const std::string_view meant = closest(word, {"goto", "call", "return", "exit", "stay"});
     if (!meant.empty()) {
-      // No fix: where a mission goes on is never guessed.
+      // No fix: where a mission continues is never guessed.
       report.hint(fmt::format("did you mean `{}`?", meant));
     } else if (isStateName(reporter_.source(), word)) {
       report.hint(fmt::format("write `goto {0}` or `call {0}`", word));

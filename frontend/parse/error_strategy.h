@@ -9,13 +9,13 @@
 
 namespace glider::frontend {
 
-/// What the parser does at a token that fits nowhere: says in a pilot's words what was expected,
-/// skips to the next keyword that makes sense, and says nothing more until that has been read.
+/// The parser's reaction to an unexpected token: reports in the pilot's terms what was expected,
+/// skips to the next suitable keyword, and reports nothing more until that has been read.
 class ErrorStrategy final : public antlr4::DefaultErrorStrategy {
  public:
   explicit ErrorStrategy(SyntaxReporter& reporter) : reporter_(reporter) {}
 
-  /// Whether any token fitted nowhere: then the tree has holes.
+  /// Whether there was an unexpected token: then the tree is incomplete.
   [[nodiscard]] bool failed() const { return failed_; }
 
   void reportMatch(antlr4::Parser* parser) override;

@@ -18,8 +18,8 @@ using grammar::GliderLexer;
 
 namespace {
 
-/// Where the next token may begin. The grammar skips blanks too, but a token at a time, which is a
-/// quarter of the work on an indented mission.
+/// Where the next token may begin. The grammar also skips white space, but one token at a time,
+/// which is a quarter of the work on an indented mission.
 size_t pastBlanks(std::string_view text, size_t at) {
   const size_t next = text.find_first_not_of(" \t\r\n\f", at);
   return next == std::string_view::npos ? text.size() : next;
@@ -93,8 +93,7 @@ bool isAnyName(uint32_t type) {
 
 namespace {
 
-/// "`begin`" as ANTLR's vocabulary has it, without quotes; empty for a token that is spelled in
-/// many ways.
+/// "`begin`" as in ANTLR's vocabulary, without quotes; empty for a token with several spellings.
 std::string spelling(size_t type) {
   static ByteCharStream empty("", 0);
   static const GliderLexer lexer(&empty);
@@ -150,7 +149,7 @@ std::string describe(const Source& source, const Lexeme& lexeme) {
   if (text.size() > kLongestShown) {
     size_t cut = kLongestShown;
     while (cut > 0 && (static_cast<unsigned char>(text[cut]) & 0xC0U) == 0x80U) {
-      --cut;  // not in the middle of a character
+      --cut;  // not inside a character
     }
     text = text.substr(0, cut) + "…";
   }

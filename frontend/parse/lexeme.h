@@ -13,17 +13,17 @@
 
 namespace glider::frontend {
 
-/// A token: its type in the grammar and its bytes. One that repair put in is empty.
+/// A token: its type in the grammar and its bytes. A token that repair has inserted is empty.
 struct Lexeme {
   uint32_t type = 0;
   uint32_t begin = 0;
   uint32_t end = 0;
 };
 
-/// Files with more bytes are not read.
+/// Larger files, in bytes, are not read.
 inline constexpr size_t kLargestFile = 8U << 20U;
 
-/// The text that tokens are of.
+/// The text that tokens refer to.
 struct Source {
   const support::SourceManager& sources;
   uint32_t file;
@@ -37,7 +37,8 @@ struct Source {
   }
 };
 
-/// True if the file defines a state called `word`: what was meant where no value fits.
+/// True if the file defines a state called `word`, which was then meant where a value is not
+/// allowed.
 bool isStateName(const Source& source, std::string_view word);
 
 /// The tokens of a file, one of type end-of-file last. `start` skips a byte order mark.
@@ -46,22 +47,22 @@ std::vector<Lexeme> lex(std::string_view text, size_t start);
 std::vector<Lexeme> lex(const Source& source);
 
 bool isHardKeyword(uint32_t type);
-/// May stand where the grammar says `name` (soft keywords included).
+/// Whether it may be used where the grammar says `name` (including soft keywords).
 bool isName(uint32_t type);
-/// May stand where the grammar says `anyName` (units included).
+/// Whether it may be used where the grammar says `anyName` (including units).
 bool isAnyName(uint32_t type);
-/// A word of the language in some places and a name elsewhere, such as `in`.
+/// Whether it is a word of the language in some places and a name elsewhere, such as `in`.
 bool isSoftKeyword(uint32_t type);
 /// All hard keywords, as written.
 const std::vector<std::string_view>& hardKeywords();
-/// The type of the hard keyword spelled `word`; 0 if it is none.
+/// The type of the hard keyword spelled `word`; 0 if there is none.
 uint32_t keywordType(std::string_view word);
 /// Whether `word` is hard keyword `meant` with one letter missing, added, changed or swapped, and
-/// no other hard keyword is as near: certain enough for a fix that nobody looks at.
+/// no other hard keyword is as near: certain enough for a fix that is applied automatically.
 bool isSlip(std::string_view word, std::string_view meant);
-/// The token as a pilot would say it: "`begin`", "the number `5`", "the end of the file".
+/// The token for messages: "`begin`", "the number `5`", "the end of the file".
 std::string describe(const Source& source, const Lexeme& lexeme);
-/// A token type likewise: "a name", "`)`".
+/// The same for a token type: "a name", "`)`".
 std::string describeType(uint32_t type);
 
 }  // namespace glider::frontend

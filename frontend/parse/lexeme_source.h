@@ -13,7 +13,7 @@
 
 namespace glider::frontend {
 
-/// Repaired tokens as ANTLR's parser reads them.
+/// Passes repaired tokens to ANTLR's parser.
 class LexemeSource final : public antlr4::TokenSource {
  public:
   explicit LexemeSource(const std::vector<Lexeme>& lexemes) : lexemes_(lexemes) {}

@@ -12,7 +12,7 @@
 namespace glider::frontend {
 namespace {
 
-/// Ends the declaration before it.
+/// Whether it ends the declaration before it.
 bool startsAnything(uint32_t type) {
   return isHardKeyword(type) &&
          !oneOf(type, {GliderLexer::TRUE, GliderLexer::FALSE, GliderLexer::AND_WORD,
@@ -67,7 +67,7 @@ class OutlineReader {
            (type(0) == GliderLexer::DECLINATION && endsValue(before()));
   }
 
-  /// Reads one construct, at least a token of it.
+  /// Reads one construct, and at least one token.
   void step() {
     if (startsItem(type(0)) && before() != GliderLexer::REQUIRE) {
       closeBody(peek(0).begin);
@@ -97,7 +97,8 @@ class OutlineReader {
 
   // --- declarations ---
 
-  /// What is named `name_at` tokens ahead, if it has a name; what follows its header is read next.
+  /// Declares the name `name_at` tokens ahead, if there is one; what follows its header is read
+  /// next.
   void declare(SymbolKind kind, size_t name_at) {
     const Lexeme first = peek(0);
     at_ += name_at;
@@ -182,7 +183,7 @@ class OutlineReader {
     if (opensBlock(type(0))) {
       ++depth_;
     } else if (type(0) == GliderLexer::END) {
-      // A lost `begin`, `do` or `if` leaves one `end` too many.
+      // If a `begin`, `do` or `if` is missing, there is one `end` too many.
       const bool last = depth_ <= 1 && !goesOnInState(type(1));
       depth_ -= depth_ > 0 ? 1U : 0U;
       if (last) {
@@ -228,7 +229,7 @@ class OutlineReader {
   size_t at_ = 0;
   Outline outline_;
   OutlineDeclaration* declaration_ = nullptr;  ///< the one whose value is being read
-  std::optional<uint32_t> body_;               ///< the one that is open
+  std::optional<uint32_t> body_;               ///< the open one
   size_t depth_ = 0;                           ///< open blocks in it
 };
 

@@ -13,21 +13,21 @@
 
 namespace glider::frontend {
 
-/// `depth: length`; the type is empty if it is not there.
+/// `depth: length`; the type is empty if it is missing.
 struct OutlineFormal {
   support::SourceRange name;
   std::string type;
 };
 
-/// What a declaration says before its value or body.
+/// The part of a declaration before its value or body.
 struct OutlineDeclaration {
   SymbolKind kind = SymbolKind::Mission;
   support::SourceRange name;
-  support::SourceRange where;    ///< as far as its end is plain: of states up to the body
-  std::optional<uint32_t> body;  ///< the one that it stands in
+  support::SourceRange where;    ///< up to where its end is certain: for states up to the body
+  std::optional<uint32_t> body;  ///< the one that contains it
   bool external = false;         ///< after `extern`
   bool typed = false;            ///< it has a colon
-  std::string type;              ///< after that, without blanks; empty: it is not there
+  std::string type;              ///< the type after the colon, without spaces; empty: missing
   bool parenthesised = false;
   bool formals_broken = false;
   std::vector<OutlineFormal> formals;
@@ -40,25 +40,25 @@ struct OutlineBody {
   uint32_t declaration = 0;
 };
 
-/// What the place of a name says about what it means.
+/// What the place of a name says about its meaning.
 enum class Naming : uint8_t { Value, Function, Command, State, Behaviour, Platform };
 
 /// A name that is used.
 struct OutlineUse {
   Naming naming = Naming::Value;
   support::SourceRange where;
-  std::optional<uint32_t> body;  ///< the one that it stands in
+  std::optional<uint32_t> body;  ///< the one that contains it
 };
 
-/// What a file declares and which names it uses, in the order of the text.
+/// The declarations of a file and the names that it uses, in the order of the text.
 struct Outline {
   std::vector<OutlineDeclaration> declarations;
   std::vector<OutlineBody> bodies;
   std::vector<OutlineUse> uses;
 };
 
-/// Goes by the words of the text alone, not by the grammar, so that a mistake spoils nothing but
-/// the declaration that it is in.
+/// Reads only the words of the text, not the grammar, so that an error affects only the declaration
+/// that contains it.
 Outline outlineOf(const support::SourceManager& sources, uint32_t file);
 
 }  // namespace glider::frontend

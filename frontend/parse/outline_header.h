@@ -11,8 +11,8 @@
 
 namespace glider::frontend {
 
-/// Reads `(top: length, …): TYPE` after a declared name, as far as it is there, from token `at` on;
-/// the first token after it.
+/// Reads `(top: length, …): TYPE` after a declared name, as far as it exists, from token `at` on;
+/// returns the first token after it.
 size_t readHeader(const Source& source, const std::vector<Lexeme>& lexemes, size_t at,
                   OutlineDeclaration& declaration);
 

@@ -8,7 +8,7 @@
 namespace glider::frontend {
 namespace {
 
-/// Whether a soft keyword after that is a name.
+/// Whether a soft keyword after `before` is a name.
 bool mayBeName(uint32_t before) {
   return isOperator(before) ||
          oneOf(before,
@@ -46,7 +46,7 @@ std::optional<Naming> valueNaming(uint32_t before, uint32_t t, uint32_t next) {
   if (!isName(t) || (isSoftKeyword(t) && (after_value || !mayBeName(before)))) {
     return std::nullopt;
   }
-  // Two values never stand side by side, so a name after one begins a statement.
+  // Two values are never next to each other, so a name after a value begins a statement.
   const bool begins = after_value || oneOf(before, {GliderLexer::DO, GliderLexer::THEN,
                                                     GliderLexer::ELSE, GliderLexer::END});
   return !arguments ? Naming::Value : begins ? Naming::Command : Naming::Function;

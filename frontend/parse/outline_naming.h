@@ -10,11 +10,11 @@
 
 namespace glider::frontend {
 
-/// What a name right after token type `keyword`, which stands after `before`, is of.
+/// What a name immediately after token type `keyword`, which comes after `before`, refers to.
 std::optional<Naming> namingAfter(uint32_t keyword, uint32_t before);
 
-/// What token type `t` between `before` and `next` names in an expression or statement; none: it is
-/// not a name there.
+/// What token type `t` between `before` and `next` refers to in an expression or statement; none if
+/// it is not a name there.
 std::optional<Naming> valueNaming(uint32_t before, uint32_t t, uint32_t next);
 
 }  // namespace glider::frontend

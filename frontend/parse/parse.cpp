@@ -44,7 +44,7 @@ size_t characterLength(std::string_view text, size_t at) {
   return 0;
 }
 
-/// Checks that the file is text at all. False if it is not worth reading.
+/// Checks that the file is text. False if it is not worth reading.
 bool checkEncoding(const Source& source, SyntaxReporter& reporter) {
   const std::string_view text = source.text();
   auto line = [&](size_t at) {
@@ -88,17 +88,17 @@ class Parse {
     parser_.removeErrorListeners();
   }
 
-  /// Empty if the tokens do not make a mission; reported.
+  /// Empty if the tokens are not a valid mission, which is reported.
   std::optional<ast::File> run() {
-    // Right missions, nearly all, parse in the faster mode; only what fails there is read again in
-    // full.
+    // Valid missions, which are nearly all, parse in the faster mode; only what fails there is
+    // parsed again in the full mode.
     if (auto file = fast()) {
       return file;
     }
     return thorough();
   }
 
-  /// The items that parse, each by itself.
+  /// The items that parse, each separately.
   ast::File intact() {
     mode(antlr4::atn::PredictionMode::SLL, std::make_shared<antlr4::BailErrorStrategy>());
     ast::File file = emptyFile();
@@ -139,7 +139,7 @@ class Parse {
     return file;
   }
 
-  /// Item by item, so that the parse tree of a large mission never stands in memory whole.
+  /// Item by item, so that the parse tree of a large mission is never completely in memory.
   std::optional<ast::File> fast() {
     mode(antlr4::atn::PredictionMode::SLL, std::make_shared<antlr4::BailErrorStrategy>());
     ast::File file = emptyFile();
@@ -167,7 +167,7 @@ class Parse {
         file.items.push_back(builder_.item(item));
       }
     } catch (const antlr4::ParseCancellationException&) {
-      return std::nullopt;  // too many mistakes
+      return std::nullopt;  // too many errors
     }
     return file;
   }
@@ -213,7 +213,7 @@ ast::File parseIntact(const support::SourceManager& sources, uint32_t file) {
   }
   std::vector<Lexeme> lexemes = repair(lex(source), reporter).lexemes;
   if (lexemes.empty() || lexemes.back().type != kEof) {
-    // Repair stops where there is too much to repair.
+    // Repair stops if there is too much to repair.
     const uint32_t end = lexemes.empty() ? 0 : lexemes.back().end;
     lexemes.push_back({kEof, end, end});
   }

@@ -40,8 +40,7 @@ std::string nameOwner(uint32_t keyword) {
   }
 }
 
-/// Was keyword `t`, after `before` and ahead of `next`, meant as a name? If not, the name is
-/// missing.
+/// Was keyword `t`, after `before` and before `next`, meant as a name? If not, the name is missing.
 bool meantAsName(uint32_t before, uint32_t t, uint32_t next) {
   switch (before) {
     case GliderLexer::STATE:
@@ -87,7 +86,7 @@ class StructureRepair {
     Lexeme opener;
     std::string what;     ///< "state `s1`"
     bool events = false;  ///< `events` was seen
-    bool silent = false;  ///< reported already: a missing `end` is no news
+    bool silent = false;  ///< already reported: a missing `end` is not reported again
     bool then = false;    ///< `then` was seen
   };
 
@@ -129,8 +128,8 @@ class StructureRepair {
 
   // --- misspelled keywords ---
 
-  /// If the name `t` stands where only a keyword makes sense and is spelled much like it, makes it
-  /// that keyword.
+  /// If the name `t` is where only a keyword is possible and is spelled similarly, makes it that
+  /// keyword.
   void correct(Lexeme& t) {
     const bool possible =
         out_.empty() || endsValue(previous()) || isTransition(previous()) ||
@@ -182,7 +181,7 @@ class StructureRepair {
                            : std::string_view{};
   }
 
-  /// `x = 5` without `set` or `const`: the name before the `=` that comes now begins a line.
+  /// `x = 5` without `set` or `const`: the name before this `=` begins a line.
   void supplyKeyword() {
     const size_t n = out_.size();
     if (n == 0 || !isName(out_[n - 1].type) || values_.inParentheses()) {
@@ -206,7 +205,7 @@ class StructureRepair {
 
   // --- names ---
 
-  /// Reports a keyword, or nothing, where a name belongs. True if `t` was used up as that name.
+  /// Reports a keyword, or nothing, where a name is expected. True if `t` was used as that name.
   bool becomesName(const Lexeme& t) {
     const uint32_t before = previous();
     const bool name = t.type != kEof && meantAsName(before, t.type, peek(1).type);
@@ -222,7 +221,7 @@ class StructureRepair {
     return name;
   }
 
-  /// If the token just put out names a state or a behaviour: finds out whether `begin` follows,
+  /// If the token just written names a state or a behaviour, finds out whether `begin` follows,
   /// from `ahead` tokens on.
   void noteHeader(size_t ahead) {
     const size_t n = out_.size();
@@ -242,7 +241,8 @@ class StructureRepair {
     begin_at_ = peek(k).type == GliderLexer::BEGIN ? SIZE_MAX : std::min(at_ + k, in_.size() - 1);
   }
 
-  /// How far ahead the first token after a list of formals stands, if one begins `k` tokens ahead.
+  /// How many tokens ahead the first token after a list of formals is, if one begins `k` tokens
+  /// ahead.
   [[nodiscard]] size_t afterFormals(size_t k) const {
     if (peek(k).type != GliderLexer::LPAREN) {
       return k;
@@ -253,13 +253,13 @@ class StructureRepair {
     return peek(k).type == GliderLexer::RPAREN ? k + 1 : k;
   }
 
-  /// `t` stands where `begin` is due. True if it was used up as that.
+  /// `t` is where `begin` is expected. True if it was used as that.
   bool supplyBegin(const Lexeme& t) {
     begin_at_ = SIZE_MAX;
     const bool misspelled =
         t.type == GliderLexer::NAME && closest(source_.text(t), {"begin"}) == "begin";
     if (t.type == kEof && header_at_.end == out_.back().begin) {
-      // The file ends before the name already.
+      // The file ends before the name.
     } else if (misspelled) {
       auto report = reporter_.at(t, DiagnosticId::misspelledKeyword, source_.text(t), "begin");
       if (isSlip(source_.text(t), "begin")) {
@@ -296,7 +296,7 @@ class StructureRepair {
     }
   }
 
-  /// True if `t` may be kept where no block is open.
+  /// True if `t` may be kept outside all blocks.
   bool topLevel(const Lexeme& t) {
     const bool partOfCase =
         isTransition(t.type) || oneOf(t.type, {GliderLexer::CASE, GliderLexer::DO});
@@ -322,7 +322,7 @@ class StructureRepair {
     }
   }
 
-  /// `flightprofile yo(…) begin`, not a use that slipped out of its state.
+  /// `flightprofile yo(…) begin`, not a use that is outside its state by mistyping.
   [[nodiscard]] bool definesBehaviour() const {
     return peek(afterFormals(2)).type == GliderLexer::BEGIN;
   }
@@ -410,8 +410,8 @@ class StructureRepair {
     }
   }
 
-  /// Does an `end` of the open block still come before the next state, so that `t` was written
-  /// inside it?
+  /// Whether an `end` of the open block comes before the next state, so that `t` was written inside
+  /// the block.
   [[nodiscard]] bool stillInside(const Lexeme& t) const {
     constexpr size_t kFarthest = 1000;
     if (t.type == GliderLexer::STATE || t.type == kEof) {
@@ -449,7 +449,7 @@ class StructureRepair {
     closeUntil(keep, found);
   }
 
-  /// Closes the blocks above `keep`, each reported as having no `end` before `found`.
+  /// Closes the blocks above `keep`; each is reported as having no `end` before `found`.
   void closeUntil(size_t keep, const Lexeme& found) {
     while (blocks_.size() > keep) {
       const Block& block = blocks_.back();
@@ -474,11 +474,11 @@ class StructureRepair {
   std::vector<Block> blocks_;
   std::string header_;  ///< "state `s1`" until its `begin`
   Lexeme header_at_;
-  size_t begin_at_ = SIZE_MAX;  ///< where in `in_` a `begin` is due but does not stand
+  size_t begin_at_ = SIZE_MAX;  ///< where in `in_` a `begin` is expected but missing
   bool in_always_ = false;
-  bool skipping_ = false;  ///< what follows stands outside every state: up to the next item
+  bool skipping_ = false;  ///< what follows is outside every state: up to the next item
   bool skipping_in_block_ =
-      false;  ///< what follows may not stand in a state: up to its next member
+      false;  ///< what follows is not allowed in a state: up to its next member
 };
 
 }  // namespace

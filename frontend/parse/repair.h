@@ -10,16 +10,16 @@
 
 namespace glider::frontend {
 
-/// What is left to parse.
+/// The tokens to be parsed.
 struct Repaired {
   std::vector<Lexeme> lexemes;
   bool parseable =
-      true;  ///< false if reading on would only mislead: nested too deep, too many mistakes
+      true;  ///< false if reading further would only mislead: nested too deep, too many errors
 };
 
-/// Reports the usual mistakes (`;`, `=` for `==`, a missing comma, `begin` or `end`…) and mends the
-/// tokens as the pilot meant them, so that one of these never hides what comes after it. Afterwards
-/// every block and parenthesis is closed.
+/// Reports common errors (`;`, `=` for `==`, a missing comma, `begin` or `end`…) and repairs the
+/// tokens as the pilot meant them, so that such an error never hides what comes after it.
+/// Afterwards every block and parenthesis is closed.
 Repaired repair(const std::vector<Lexeme>& lexemes, SyntaxReporter& reporter);
 
 }  // namespace glider::frontend

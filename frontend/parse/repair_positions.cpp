@@ -31,7 +31,7 @@ std::string decimal(double degrees) {
   return text + (text.back() == '.' ? "0" : "");
 }
 
-/// `N39.175`: a name and a number without a blank between.
+/// `N39.175`: a name and a number without a space between them.
 std::optional<ForeignPosition> letterFirst(const std::vector<Lexeme>& lexemes, size_t at,
                                            const Source& source) {
   const Lexeme& name = lexemes[at];
@@ -54,7 +54,7 @@ std::optional<ForeignPosition> letterFirst(const std::vector<Lexeme>& lexemes, s
   return found;
 }
 
-/// The file may end before that.
+/// The file may end before that token.
 bool isLetter(const std::vector<Lexeme>& lexemes, size_t at) {
   return at < lexemes.size() && lexemes[at].type == GliderLexer::COMPASS;
 }
@@ -74,7 +74,7 @@ std::optional<ForeignPosition> foreignPosition(const std::vector<Lexeme>& lexeme
   for (int numbers = 0; numbers < 3 && lexemes[i].type == GliderLexer::NUMBER; ++numbers) {
     const std::string_view digits = source.text(lexemes[i]);
     const double number = std::strtod(std::string(digits).c_str(), nullptr);
-    // `39.5 10 N` and `39 75 N` are slips of the hand, of which nobody can say which.
+    // `39.5 10 N` and `39 75 N` are typing errors, but it is not known which.
     const bool last = isLetter(lexemes, i + 1) || isLetter(lexemes, i + 2);
     certain = certain && (numbers == 0 || number < 60) &&
               (last || digits.find_first_not_of("0123456789") == std::string_view::npos);

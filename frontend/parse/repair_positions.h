@@ -16,10 +16,10 @@ namespace glider::frontend {
 struct ForeignPosition {
   Lexeme whole;
   size_t count = 0;     ///< tokens that it takes
-  Lexeme number;        ///< to go on with: its degrees
-  Lexeme letter;        ///< and N, S, E or W
+  Lexeme number;        ///< used instead: its degrees
+  Lexeme letter;        ///< and its N, S, E or W
   std::string better;   ///< as the language writes it: "39.175 N"
-  bool certain = true;  ///< it can be read in one way only
+  bool certain = true;  ///< it can only be read in one way
 };
 
 /// The half of a position that begins with token `at` and is not written as in the language, if

@@ -88,7 +88,8 @@ bool ValueRepair::close(const Lexeme& t) {
   const bool round = t.type == GliderLexer::RPAREN;
   const uint32_t opens = round ? GliderLexer::LPAREN : GliderLexer::LBRACKET;
   if (parentheses_.empty() || parentheses_.back().opener.type != opens) {
-    // No fix: in `a || b) && c` an opening one is missing, and without both it means another thing.
+    // No fix: in `a || b) && c` an opening one is missing, and removing both would change the
+    // meaning.
     reporter_.at(t, DiagnosticId::strayParenthesis, source_.text(t), round ? "(" : "[");
     return true;
   }
@@ -120,22 +121,22 @@ bool ValueRepair::countOperator(const Lexeme& t) {
   return true;
 }
 
-/// The one `=` after `const`, `param`, `var` and `set` gives a value; every other was meant to
-/// compare.
+/// The first `=` after `const`, `param`, `var` and `set` assigns a value; every other was meant as
+/// a comparison.
 Lexeme ValueRepair::equals(Lexeme t) {
   const bool gives = assignable_ && parentheses_.empty();
   if (gives && t.type == GliderLexer::EQ) {
     reporter_.at(t, DiagnosticId::equalForAssign).fix(source_.range(t), "=");
     t.type = GliderLexer::ASSIGN;
   } else if (!gives && t.type == GliderLexer::ASSIGN) {
-    reporter_.at(t, DiagnosticId::assignForEqual);  // no fix: which comparison, the pilot knows
+    reporter_.at(t, DiagnosticId::assignForEqual);  // no fix: only the pilot knows which
     t.type = GliderLexer::EQ;
   }
   assignable_ = assignable_ && !gives;
   return t;
 }
 
-/// A word after a number that is no unit is reported and left out.
+/// A word after a number that is not a valid unit is reported and left out.
 bool ValueRepair::unknownUnit(const Lexeme& t, const Lexeme& next) {
   if (previous() != GliderLexer::NUMBER || t.type != GliderLexer::NAME ||
       next.type == GliderLexer::LPAREN) {
@@ -146,8 +147,8 @@ bool ValueRepair::unknownUnit(const Lexeme& t, const Lexeme& next) {
   const bool perhapsKeyword = isStateName(source_, word) || isAnyName(next.type) ||
                               !closest(word, hardKeywords()).empty() || isKeywordInCapitals(word);
   if (unit.empty() && parentheses_.empty() && perhapsKeyword) {
-    return false;  // `case depth > 5 jump s3`, `case depth > 5 retrun`: the parser knows what
-                   // belongs there
+    return false;  // `case depth > 5 jump s3`, `case depth > 5 retrun`: the parser knows what is
+                   // expected there
   }
   constexpr std::string_view kAll =
       "units: mm cm m km nmi ft, s min h day, rad deg, degC, m/s cm/s kn, bar dbar, S/m, V A W J "
@@ -155,14 +156,14 @@ bool ValueRepair::unknownUnit(const Lexeme& t, const Lexeme& next) {
   auto report = reporter_.at(t, DiagnosticId::unknownUnit, word,
                              unit.empty() ? std::string(kAll) : fmt::format("write `{}`", unit));
   if (unit == "deg" && t.end - t.begin > unit.size()) {
-    report.hint("write `deg` for an angle, `degC` for a temperature");  // and only the pilot knows
+    report.hint("write `deg` for an angle, `degC` for a temperature");  // the pilot knows which
   } else if (!unit.empty()) {
     report.fix(source_.range(t), std::string(unit));
   }
   return true;
 }
 
-/// Two values side by side in an argument list or a `sensors` list.
+/// Two values next to each other in an argument list or a `sensors` list.
 void ValueRepair::missingComma(const Lexeme& t, const Lexeme& next) {
   const bool inList = !parentheses_.empty() || in_sensors_;
   if (!inList || !endsValue(previous()) || !startsValue(t.type) || belongTogether(t, next)) {
@@ -179,8 +180,8 @@ void ValueRepair::missingComma(const Lexeme& t, const Lexeme& next) {
   insert(GliderLexer::COMMA);
 }
 
-/// Whether what is being read is a list of values: `sensors`, a path, or the arguments of a name.
-/// Between the values of a plain `(…)` an operator is missing, not a comma.
+/// Whether a list of values is being read: `sensors`, a path, or the arguments of a name. Between
+/// the values of a plain `(…)` an operator is missing, not a comma.
 bool ValueRepair::listsValues() const {
   return parentheses_.empty() || parentheses_.back().lists;
 }

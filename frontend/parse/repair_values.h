@@ -11,22 +11,22 @@
 
 namespace glider::frontend {
 
-/// How deep blocks and parentheses may nest, and how many operators an expression may have:
-/// everything behind the parser may then recurse over the tree.
+/// The deepest nesting of blocks and parentheses, and the greatest number of operators in an
+/// expression: everything after the parser may then recurse over the tree.
 inline constexpr size_t kDeepestNesting = 200;
 inline constexpr size_t kMostOperators = 1000;
 
-/// The part of repair that looks between keywords: parentheses, `=` and `==`, units, missing
-/// commas, and the limits.
+/// The part of repair that checks the text between keywords: parentheses, `=` and `==`, units,
+/// missing commas, and the limits.
 class ValueRepair {
  public:
   ValueRepair(SyntaxReporter& reporter, std::vector<Lexeme>& out)
       : reporter_(reporter), source_(reporter.source()), out_(out) {}
 
-  /// Takes `t`, which no keyword is; `next` comes after it. False if a limit was passed: nothing
-  /// more is worth reading.
+  /// Takes `t`, which is not a keyword; `next` comes after it. False if a limit was exceeded: the
+  /// rest is not worth reading.
   bool take(Lexeme t, const Lexeme& next);
-  /// Closes what is open before the keyword `found`, which begins a new expression.
+  /// Closes everything that is open before the keyword `found`, which begins a new expression.
   void keyword(const Lexeme& found);
   [[nodiscard]] bool inParentheses() const { return !parentheses_.empty(); }
 

@@ -17,8 +17,8 @@ using support::DiagnosticId;
 
 namespace {
 
-/// What word processors and web pages put in place of ASCII, and the token that was meant (0:
-/// none).
+/// A character that word processors and web pages put in place of ASCII, and the token that was
+/// meant (0: none).
 struct Lookalike {
   std::string_view text;
   std::string_view meant;
@@ -41,7 +41,7 @@ bool isLookalike(std::string_view text) {
   return std::ranges::find(kLookalikes, text, &Lookalike::text) != std::end(kLookalikes);
 }
 
-/// What was meant, with its type in the grammar.
+/// The intended text, with its type in the grammar.
 struct Meant {
   std::string_view text;
   uint32_t type;
@@ -57,7 +57,7 @@ Meant comparison(std::string_view wrong) {
   return wrong == "===" ? Meant{"==", GliderLexer::EQ} : Meant{"!=", GliderLexer::NE};
 }
 
-/// A fix never writes `==` or `!=`: of readings they are hardly ever right.
+/// A fix never writes `==` or `!=`: for readings they are rarely correct.
 bool comparesExactly(uint32_t type) {
   return type == GliderLexer::EQ || type == GliderLexer::NE;
 }
@@ -117,7 +117,7 @@ std::vector<Lexeme> WordRepair::run(const std::vector<Lexeme>& lexemes) {
   return out;
 }
 
-/// Keeps the open parentheses; a keyword closes them all, as it does in ValueRepair.
+/// Tracks the open parentheses; a keyword closes them all, as in ValueRepair.
 void WordRepair::followOpen(const Lexeme& lexeme, const std::vector<Lexeme>& out) {
   if (oneOf(lexeme.type, {GliderLexer::LPAREN, GliderLexer::LBRACKET})) {
     open_.push_back(lexeme.type == GliderLexer::LPAREN && !out.empty() &&
@@ -131,7 +131,7 @@ void WordRepair::followOpen(const Lexeme& lexeme, const std::vector<Lexeme>& out
   }
 }
 
-/// In the arguments of a name a comma is missing between them, which ValueRepair says.
+/// In the arguments of a name a comma is missing between them, which ValueRepair reports.
 size_t WordRepair::barePair(const std::vector<Lexeme>& lexemes, size_t at,
                             std::vector<Lexeme>& out) {
   constexpr size_t kTokens = 2;
@@ -156,8 +156,8 @@ size_t WordRepair::barePair(const std::vector<Lexeme>& lexemes, size_t at,
   return kTokens;
 }
 
-/// A foreign character right behind or before a name belongs to it: one mistake, not three.
-/// Likewise the point of `5.`.
+/// A foreign character immediately after or before a name is part of it: one error, not three. The
+/// same holds for the point of `5.`.
 bool WordRepair::partOfToken(const Lexeme& lexeme, const Lexeme& next, std::vector<Lexeme>& out) {
   const bool behind = !out.empty() && out.back().end == lexeme.begin;
   if (behind && lexeme.begin == name_end_ &&
@@ -191,8 +191,8 @@ bool WordRepair::partOfToken(const Lexeme& lexeme, const Lexeme& next, std::vect
   return true;
 }
 
-/// A text that never closes was meant to end before a comma, or before the `end` of its block, on
-/// its line.
+/// A text without a closing quote was meant to end before a comma, or before the `end` of its
+/// block, on its line.
 void WordRepair::openString(const Lexeme& lexeme, std::vector<Lexeme>& out) {
   reporter_.at(lexeme, DiagnosticId::openString);
   const std::string_view text = reporter_.source().text(lexeme);
@@ -215,7 +215,7 @@ std::optional<Lexeme> WordRepair::one(const Lexeme& lexeme) {
     case GliderLexer::AND_WORD:
     case GliderLexer::OR_WORD:
       return replaced(lexeme, DiagnosticId::wordOperator, lexeme.type);
-    case GliderLexer::NOT_WORD:  // kept: it reaches further than `!` does
+    case GliderLexer::NOT_WORD:  // kept: it applies to more than `!` does
       reporter_.at(lexeme, DiagnosticId::wordOperator, "not", "!(…)");
       return lexeme;
     case GliderLexer::ONE_AMPERSAND:
@@ -228,7 +228,7 @@ std::optional<Lexeme> WordRepair::one(const Lexeme& lexeme) {
   }
 }
 
-/// Between values it stands for a comma: without either, `min(a; -b)` would be a difference.
+/// Between values it replaces a comma: without either, `min(a; -b)` would be a difference.
 std::optional<Lexeme> WordRepair::semicolon(const Lexeme& lexeme) {
   const bool between = !open_.empty();
   reporter_.at(lexeme, DiagnosticId::semicolon)

@@ -11,13 +11,13 @@
 
 namespace glider::frontend {
 
-/// First pass of repair: single tokens that are never right (`;`, `=>`, `&`, `and`, foreign
-/// characters, `5.`, open strings). Each is reported and replaced by what was meant, or dropped.
-/// Stops at a comment that is never closed.
+/// First pass of repair: single tokens that are never valid (`;`, `=>`, `&`, `and`, foreign
+/// characters, `5.`, texts without a closing quote). Each is reported and replaced by what was
+/// meant, or dropped. Stops at a comment that is never closed.
 class WordRepair {
  public:
   explicit WordRepair(SyntaxReporter& reporter) : reporter_(reporter) {}
-  /// The tokens without such; `cut` tells whether an open comment swallowed the rest.
+  /// The repaired tokens; `cut` says whether an unclosed comment contains the rest of the file.
   std::vector<Lexeme> run(const std::vector<Lexeme>& lexemes);
   [[nodiscard]] bool cut() const { return cut_; }
 
@@ -26,7 +26,8 @@ class WordRepair {
   std::optional<Lexeme> foreign(const Lexeme& lexeme);
   std::optional<Lexeme> semicolon(const Lexeme& lexeme);
   void followOpen(const Lexeme& lexeme, const std::vector<Lexeme>& out);
-  /// `3355.2 1825.4`: how many tokens make the pair that was reported and put out as one; else 0.
+  /// `3355.2 1825.4`: the number of tokens in the pair, which was reported and written as one
+  /// token; otherwise 0.
   size_t barePair(const std::vector<Lexeme>& lexemes, size_t at, std::vector<Lexeme>& out);
   [[nodiscard]] bool isRaisedPoint(const Lexeme& lexeme) const;
   bool partOfToken(const Lexeme& lexeme, const Lexeme& next, std::vector<Lexeme>& out);
@@ -35,9 +36,9 @@ class WordRepair {
 
   SyntaxReporter& reporter_;
   bool cut_ = false;
-  /// The open parentheses and brackets, and whether each has a function's arguments.
+  /// The open parentheses and brackets, and whether each contains a function's arguments.
   std::vector<bool> open_;
-  uint32_t name_end_ = UINT32_MAX;  ///< where a name with foreign letters in it goes on
+  uint32_t name_end_ = UINT32_MAX;  ///< where a name with foreign letters continues
 };
 
 }  // namespace glider::frontend

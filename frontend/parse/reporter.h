@@ -10,7 +10,8 @@
 
 namespace glider::frontend {
 
-/// The mistakes in one file's text; knows when there are so many that reading on helps nobody.
+/// Reports the errors in one file's text, and knows when there are so many that reading further is
+/// of no use.
 class SyntaxReporter {
  public:
   static constexpr size_t kMostMistakes = 100;

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <initializer_list>
 
-/// Groups of tokens that repair and recovery go by.
+/// Groups of tokens that repair and recovery use.
 namespace glider::frontend {
 
 using grammar::GliderLexer;
@@ -21,7 +21,7 @@ inline bool oneOf(uint32_t type, std::initializer_list<uint32_t> types) {
   return std::ranges::find(types, type) != types.end();
 }
 
-/// Begins a thing that stands at the top level only.
+/// Whether it begins an item that is only allowed at the top level.
 inline bool startsItem(uint32_t type) {
   return oneOf(type, {GliderLexer::MISSION, GliderLexer::PLATFORM, GliderLexer::IMPORT,
                       GliderLexer::CONST, GliderLexer::PARAM, GliderLexer::STATE,
@@ -32,7 +32,7 @@ inline bool isBehaviourWord(uint32_t type) {
   return type == GliderLexer::FLIGHTPROFILE || type == GliderLexer::FLIGHTROUTE;
 }
 
-/// Begins a thing that stands directly inside a state.
+/// Whether it begins a member that is directly inside a state.
 inline bool startsMember(uint32_t type) {
   return isBehaviourWord(type) ||
          oneOf(type, {GliderLexer::SENSORS, GliderLexer::ENTRY, GliderLexer::EVENTS});
@@ -58,7 +58,7 @@ inline bool isOperator(uint32_t type) {
   return (type >= GliderLexer::OR && type <= GliderLexer::DIVIDE) || type == GliderLexer::NOT_WORD;
 }
 
-/// Wants a name after it.
+/// Whether a name must follow it.
 inline bool wantsName(uint32_t type) {
   return isBehaviourWord(type) ||
          oneOf(type, {GliderLexer::MISSION, GliderLexer::PLATFORM, GliderLexer::CONST,

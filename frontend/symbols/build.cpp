@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// A table of what the outlines of the files declare and use.
+// Builds a table of what the outlines of the files declare and use.
 
 #include "frontend/parse/outline.h"
 #include "frontend/symbols/built_in.h"
@@ -24,7 +24,7 @@ bool takesArguments(SymbolKind kind) {
          kind == SymbolKind::Function;
 }
 
-/// Imported files may have these only.
+/// Whether imported files may contain it.
 bool mayBeShared(const OutlineDeclaration& declaration) {
   const SymbolKind kind = declaration.kind;
   const bool local = declaration.body.has_value() && kind == SymbolKind::Variable;

@@ -18,7 +18,7 @@ std::string_view trimmed(std::string_view text) {
              : text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
 }
 
-/// What a line that is a comment says; empty if it is none.
+/// The text of a line that is a comment; empty if it is not one.
 std::string_view commentOf(std::string_view line) {
   line = trimmed(line);
   const bool comment = line.starts_with('#') || line.starts_with("//");
@@ -27,7 +27,8 @@ std::string_view commentOf(std::string_view line) {
                                                     : std::string_view();
 }
 
-/// The line before offset `end`, which is the first of a line; moves `end` to its first.
+/// The line before offset `end`, which is the start of a line; moves `end` to the start of the
+/// returned one.
 std::string_view lineBefore(std::string_view text, size_t& end) {
   const size_t last = end - 1;
   const size_t newline = last == 0 ? std::string_view::npos : text.rfind('\n', last - 1);
@@ -35,8 +36,8 @@ std::string_view lineBefore(std::string_view text, size_t& end) {
   return text.substr(end, last - end);
 }
 
-/// Of what begins at `begin`, if it begins its line. Reads no other line than those of the comment
-/// and one more: a file may be one long line with many declarations.
+/// The comment above what begins at `begin`, if that begins its line. Reads only the lines of the
+/// comment and one more: a file may be one long line with many declarations.
 std::string commentAbove(std::string_view text, size_t begin) {
   constexpr int kMostLines = 8;
   while (begin > 0 && (text[begin - 1] == ' ' || text[begin - 1] == '\t')) {

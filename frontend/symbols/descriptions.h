@@ -9,8 +9,8 @@
 
 namespace glider::frontend {
 
-/// One line on what is declared at `where`: the comment behind it on its line, or else the comment
-/// on the lines right above it, or else the declaration itself.
+/// One line about what is declared at `where`: the comment after it on its line, otherwise the
+/// comment on the lines immediately above it, otherwise the declaration itself.
 std::string describe(const support::SourceManager& sources, const support::SourceRange& where);
 
 }  // namespace glider::frontend

@@ -14,29 +14,30 @@
 
 namespace glider::frontend {
 
-/// Indices of symbols by what they are called.
+/// Indices of symbols by name.
 using Indices = std::map<std::string, uint32_t, std::less<>>;
 
-/// A state, profile or route with the names that are its own.
+/// A state, profile or route with its own names.
 struct SymbolBody {
   support::SourceRange where;
   std::optional<uint32_t> owner;  ///< its index; none: the mission may not use it
-  bool isolated = false;          ///< it sees no name of the mission
+  bool isolated = false;          ///< it cannot use names of the mission
   Indices names;
 };
 
-/// What names mean: states, profiles and routes, functions, commands and values are named apart.
+/// Resolves names; states, profiles and routes, functions, commands and values have separate name
+/// spaces.
 class Meanings {
  public:
-  /// Of two with one name, that which is entered first is meant.
+  /// If two have the same name, the first entered applies.
   void enter(const Symbol& symbol, uint32_t index);
-  /// The index of what `name` means; `body`: where it stands; null: in none.
+  /// The index of the meaning of `name`; `body`: the body that contains it; null: none.
   [[nodiscard]] std::optional<uint32_t> find(Naming naming, std::string_view name,
                                              const SymbolBody* body) const;
 
  private:
   static constexpr size_t kKinds = static_cast<size_t>(SymbolKind::Command) + 1;
-  /// Of all with that name that are of one of `kinds`, the one with the least index.
+  /// The lowest index of all symbols with that name and one of `kinds`.
   [[nodiscard]] std::optional<uint32_t> first(std::initializer_list<SymbolKind> kinds,
                                               std::string_view name) const;
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// What can be asked of a table.
+// The queries of a symbol table.
 
 #include "frontend/symbols.h"
 
@@ -12,7 +12,7 @@
 namespace glider::frontend {
 namespace {
 
-/// The end counts too: an editor's cursor stands behind the word that was typed.
+/// Including the end: an editor's cursor is after the word that was typed.
 bool touches(const support::SourceRange& range, uint32_t file, uint32_t offset) {
   return range.file == file && range.begin <= offset && offset <= range.end;
 }

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <utility>
 
-/// Types as a pilot writes them; empty where there is none.
+/// Types as a pilot writes them; empty if there is none.
 namespace glider::frontend {
 
 /// `written` itself if it is a type.

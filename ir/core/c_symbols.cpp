@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::string_view kBaseUnits[] = {"m", "kg", "s", "A", "K", "rad"};
 
-/// "temperature"; "m1s_2" of a dimension without a name.
+/// "temperature"; "m1s_2" for a dimension without a name.
 std::string typeWord(const Type& type) {
   if (auto name = typeName(type)) {
     return std::move(*name);
@@ -33,7 +33,8 @@ std::string typeWord(const Type& type) {
   return word;
 }
 
-/// Takes "s_2" from the front of a word that `typeWord` made; false if it does not begin so.
+/// Takes "s_2" from the front of a word that `typeWord` made; false if the word does not begin with
+/// a power.
 bool takePower(std::string_view& word, support::Dimension& dimension) {
   const size_t unit_end = std::min(word.find_first_of("_0123456789"), word.size());
   const auto* unit = std::ranges::find(kBaseUnits, word.substr(0, unit_end));
@@ -52,7 +53,7 @@ bool takePower(std::string_view& word, support::Dimension& dimension) {
   return true;
 }
 
-/// What `typeWord` made of a dimension without a name as a unit, "m/s^2"; other words as they are.
+/// The word of `typeWord` for a dimension without a name as a unit, "m/s^2"; other words unchanged.
 std::string unitOfWord(std::string_view word) {
   support::Dimension dimension;
   std::string_view rest = word;

@@ -10,10 +10,11 @@
 #include <string_view>
 #include <vector>
 
-/// The symbols by which a mission finds its C code. They spell the types, so what was compiled
-/// against another declaration does not link: "glider.function.density.temperature.number",
-/// "glider.sensor.range.length", "glider.profile.spiral.length". After `reads`, a behaviour's names
-/// the SBC's own sensors that it reads with their numbers: "glider.route.home.reads.range.0".
+/// The symbols by which a mission finds its C code. They contain the types, so code that was
+/// compiled against another declaration does not link:
+/// "glider.function.density.temperature.number", "glider.sensor.range.length",
+/// "glider.profile.spiral.length". After `reads`, the symbol of a behaviour lists the SBC's own
+/// sensors that it reads, with their numbers: "glider.route.home.reads.range.0".
 namespace glider::ir {
 
 std::string functionSymbol(std::string_view name, const std::vector<Parameter>& parameters,
@@ -28,22 +29,22 @@ std::string behaviourSymbol(BehaviourKind kind, std::string_view name,
                             const std::vector<Parameter>& parameters,
                             const std::vector<OwnRead>& own);
 
-/// All that a mission and what it imports declare in C, used or not.
+/// Everything that a mission and its imports declare in C, used or not.
 struct CInterface {
   std::vector<Function> functions;
   std::vector<Sensor> sensors;        ///< of the SBC's own
   std::vector<Behaviour> behaviours;  ///< `reads` is left empty
 };
-/// What a mission uses of C.
+/// The C declarations that a mission uses.
 CInterface usedInC(const Mission& mission);
 
-/// A symbol, read.
+/// The parts of a symbol.
 struct CSymbol {
   std::string kind;  ///< "function", "sensor", "profile", "route"
   std::string name;
   std::string declaration;  ///< as the language has it: "function density(temperature): number"
 };
-/// Empty of what is no such symbol.
+/// Empty if `symbol` is not such a symbol.
 std::optional<CSymbol> readSymbol(std::string_view symbol);
 
 }  // namespace glider::ir

@@ -14,8 +14,8 @@
 
 namespace glider::ir {
 
-/// Gathers what `validate` finds. A valid mission costs no text: messages are put together for
-/// defects only, and so is an argument that is a function.
+/// Collects what `validate` finds. A valid mission costs no text: messages are formatted only for
+/// defects, and an argument that is a function is called only then.
 class Defects {
  public:
   template <typename... Args>

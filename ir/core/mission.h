@@ -14,9 +14,9 @@
 #include <string>
 #include <vector>
 
-/// The typed mission IR: what the frontend lowers to, the verifier proves things of, the
-/// interpreter `ir/eval` runs and codegen compiles. Everything is an index into a vector of
-/// Mission. ir/README.md states what a tick means.
+/// The typed mission IR: the frontend lowers to it, the verifier proves properties of it, the
+/// interpreter `ir/eval` runs it and codegen compiles it. Everything is an index into a vector of
+/// Mission. ir/README.md defines what a tick means.
 namespace glider::ir {
 
 template <typename Tag>
@@ -53,7 +53,7 @@ struct Type {
 
 constexpr size_t kMostOperands = 8;
 
-/// One node; operands stand before it in Mission::exprs, so the vector is in evaluation order.
+/// One node; its operands precede it in Mission::exprs, so the vector is in evaluation order.
 struct Expr {
   Op op = Op::Constant;
   Type type;
@@ -67,14 +67,14 @@ struct Expr {
   support::SourceRange range;
 };
 
-/// How the vehicle writes a sensor's value down.
+/// How the vehicle encodes a sensor's value.
 enum class Encoding : uint8_t {
   Linear,
   DegreesMinutes,  ///< ddmm.mmmm, becomes degrees
-  Magnetic  ///< linear; a heading from magnetic north, which frames have from true north already
+  Magnetic  ///< linear; a heading from magnetic north, which frames already contain from true north
 };
 
-/// Numbers of sensors from here on are not the vehicle's.
+/// Sensors numbered from here on are not the vehicle's.
 constexpr uint16_t kFirstOwnSensor = 0xFF00;
 
 /// A vehicle's sensor that this mission subscribes, or one of the SBC's own.
@@ -88,8 +88,8 @@ struct Sensor {
   double lowest = 0;  ///< plausible range in the vehicle's unit; a reading outside is unknown
   double highest = 0;
   double stale_after_s = 0;  ///< a reading older than this is unknown
-  /// Of the C function that is asked for a reading once a tick (GliderPoll of
-  /// runtime/abi/glider_abi.h); empty: the vehicle's.
+  /// The C function that is called for a reading once a tick (GliderPoll of
+  /// runtime/abi/glider_abi.h); empty for a sensor of the vehicle.
   std::string symbol = {};
 };
 
@@ -110,15 +110,15 @@ struct Function {
   double highest = std::numeric_limits<double>::infinity();
 };
 
-/// A place in the mission's text that calls a function: called once a tick at most, however many
-/// expressions stand for it.
+/// A place in the mission's text that calls a function: called at most once a tick, even if several
+/// expressions represent it.
 struct FunctionUse {
   FunctionId function;
   support::SourceRange range;
 };
 
 /// A flightprofile or flightroute: of a C function (ABI: runtime/abi/behaviour.h), or written in
-/// the language, whose body stands in each Activity, made for that use.
+/// the language. The body of the latter is in each Activity, made for that use.
 struct Behaviour {
   std::string name;    ///< "yo"
   std::string symbol;  ///< c_symbols.h; empty: written in the language
@@ -127,12 +127,12 @@ struct Behaviour {
   std::vector<SensorId> reads;        ///< of a C function
 };
 
-/// What lives longer than a tick. It holds a number (NaN: unknown) or a truth value, also kept as a
-/// number: 0 false, 1 true, NaN unknown.
+/// What is kept for longer than a tick. It holds a number (NaN: unknown) or a truth value, also
+/// stored as a number: 0 false, 1 true, NaN unknown.
 enum class VariableKind : uint8_t {
-  Parameter,  ///< set when the mission is launched, then fixed; these stand first in the vector
+  Parameter,  ///< set when the mission is launched, then fixed; these come first in the vector
   Mission,    ///< starts with the mission
-  Argument,   ///< a state's parameter, given by who goes to or calls it
+  Argument,   ///< a state's parameter, given by the transition that goes to or calls it
   State,      ///< starts when its state is entered by goto or call
   Profile,    ///< of a profile written in the language: as State
   Route
@@ -168,9 +168,9 @@ enum class TemporalKind : uint8_t {
 struct Temporal {
   TemporalKind kind = TemporalKind::Became;
   ListKind list = ListKind::State;
-  StateId state;    ///< of every list but Always
-  ExprId operand;   ///< a truth value; of a window a number; temporals in it stand before this one
-  ExprId duration;  ///< of Held: a time
+  StateId state;      ///< of every list but Always
+  ExprId operand;     ///< a truth value; of a window a number; temporals in it precede this one
+  ExprId duration;    ///< of Held: a time
   double length = 0;  ///< of a window: s, or the SI unit of `along`; positive
   ExprId along;       ///< of a window over a stretch: an expression that is a Sensor
   support::SourceRange range;
@@ -189,7 +189,7 @@ struct Statement {
   StatementKind kind = StatementKind::Set;
   VariableId variable;         ///< Set
   ExprId value;                ///< Set: what it becomes; If: the condition
-  BlockId then;                ///< If; both stand before the block that holds this statement
+  BlockId then;                ///< If; both precede the block that holds this statement
   BlockId otherwise;           ///< If; may be invalid: nothing
   std::string text;            ///< Log
   std::vector<ExprId> values;  ///< Log; Command: its arguments
@@ -212,16 +212,16 @@ struct Case {
   support::SourceRange range;
 };
 
-/// A place at which a number's line is cut: what lies past it is greater than `at`, or, of an
-/// inclusive cut, not smaller.
+/// A place at which a number line is cut: values past it are greater than `at` or, for an inclusive
+/// cut, not smaller.
 struct Cut {
   double at = 0;
   bool inclusive = false;
   auto operator<=>(const Cut&) const = default;
 };
 
-/// A number that guards compare with constants. The cuts part its line into intervals, numbered
-/// from 0 below the first cut; unknown is one more, the last.
+/// A number that guards compare with constants. The cuts divide the number line into intervals,
+/// numbered from 0 below the first cut; unknown has the last number.
 struct GuardColumn {
   Op source = Op::MissionTime;  ///< Sensor or a clock
   SensorId sensor;              ///< of a Sensor
@@ -230,7 +230,7 @@ struct GuardColumn {
 };
 
 /// The guard of case `number` is not true unless each column's number lies in its range of
-/// intervals. Then it is, if `exact`; else the guard itself has to be asked.
+/// intervals. If they all do, it is true if `exact`; otherwise the guard itself must be evaluated.
 struct GuardRow {
   struct Range {
     uint32_t first = 0;
@@ -238,13 +238,13 @@ struct GuardRow {
     bool operator==(const Range&) const = default;
   };
   uint32_t number = 0;
-  std::vector<Range> within;  ///< one a column
+  std::vector<Range> within;  ///< one for each column
   bool exact = true;
 };
 
 /// Another form of the guards of a list of cases, made by ir/opt/tabulate_guards: the first row
-/// that holds says which case fires, and numbers that stay in their intervals need not be looked at
-/// again. The interpreter takes no notice of it.
+/// that holds says which case fires, and numbers that stay in their intervals need not be checked
+/// again. The interpreter ignores it.
 struct GuardTable {
   std::vector<GuardColumn> columns;
   std::vector<GuardRow> rows;  ///< in the order of their cases
@@ -254,7 +254,7 @@ struct GuardTable {
 /// A use of a behaviour by a state.
 struct Activity {
   BehaviourId behaviour;
-  std::vector<ExprId> arguments;  ///< of a C function: evaluated anew each time it is called
+  std::vector<ExprId> arguments;  ///< of a C function: evaluated each time it is called
   BlockId entry;                  ///< of one in the language; invalid: nothing
   std::vector<Case> cases;        ///< of one in the language; Stay or Done
   VariableId done;  ///< of one in the language that has a Done: the truth value that it sets
@@ -289,13 +289,13 @@ struct Table {
   bool operator==(const Table&) const = default;
 };
 
-/// What a mission promises: the prover's question. It is not compiled.
+/// What every flight of a mission must satisfy: the question for the prover. It is not compiled.
 enum class RequirementKind : uint8_t {
   Always,        ///< `condition` is never false
   ExitWithin,    ///< the mission has ended by mission time `seconds`
   StackAtMost,   ///< never more than `depth` states wait on the call stack
-  Reach,         ///< some run enters `state`
-  NeverAfter,    ///< no run enters `state` once it has entered `after`
+  Reach,         ///< some trace enters `state`
+  NeverAfter,    ///< no trace enters `state` once it has entered `after`
   SurfacesEvery  ///< the vehicle is never under water for longer than `seconds`
 };
 
@@ -306,7 +306,8 @@ struct Position {
   bool operator==(const Position&) const = default;
 };
 
-/// An area that the vehicle keeps in, or out of; its edges are straight in latitude and longitude.
+/// An area that the vehicle must stay in, or out of; its edges are straight in latitude and
+/// longitude.
 struct Geofence {
   bool keep_in = true;
   std::vector<Position> corners;  ///< three at least
@@ -316,7 +317,7 @@ struct Geofence {
 struct Requirement {
   RequirementKind kind = RequirementKind::Always;
   ExprId condition;  ///< of Always: reads no temporal and nothing that belongs to a state
-  /// Of Always: if there are some, the condition asks for nothing but that all of them are kept.
+  /// For Always: if not empty, the condition only requires that all of them are kept.
   std::vector<Geofence> geofences;
   double seconds = 0;  ///< positive
   uint32_t depth = 0;
@@ -325,16 +326,16 @@ struct Requirement {
   support::SourceRange range;
 };
 
-/// Of missions that say nothing: longer than any reboot takes, shorter than what the vehicle does
-/// meanwhile matters.
+/// Used if a mission does not define it: longer than any reboot, and short enough that what the
+/// vehicle does meanwhile does not matter.
 inline constexpr double kResumeWithin_s = 300;
 
-/// How a mission that reads or commands headings, which are true, gets along with a vehicle whose
-/// headings are magnetic: what the vehicle has told of the variation counts, else the declination.
+/// How a mission that reads or commands true headings works with a vehicle whose headings are
+/// magnetic: the variation that the vehicle has reported is used, otherwise the declination.
 struct Compass {
   SensorId
-      variation;  ///< by what magnetic headings exceed true ones; invalid: the vehicle has none
-  std::optional<double> declination;  ///< rad, east positive, of the mission's line
+      variation;  ///< by how much magnetic headings exceed true ones; invalid: the vehicle has none
+  std::optional<double> declination;  ///< rad, east positive, from the mission's text
   bool operator==(const Compass&) const = default;
 };
 
@@ -355,13 +356,13 @@ struct Mission {
   GuardTable always_table;         ///< of `always`; may be empty
   std::vector<State> states;       ///< the first is where the mission starts
   std::vector<Requirement> requirements;
-  /// The longest outage of the SBC after which the mission goes on, s; kResumeWithin unless the
-  /// mission says another.
+  /// The longest outage of the SBC after which the mission continues, s; kResumeWithin_s unless the
+  /// mission defines another.
   double resume_within_s = kResumeWithin_s;
-  /// It does not go on, but begins from the start, if the vehicle has begun its own mission again
+  /// The mission does not continue, but starts again, if the vehicle has restarted its own mission
   /// during the outage.
   bool new_after_restart = false;
-  std::optional<Compass> compass;  ///< empty: the mission has nothing to do with headings
+  std::optional<Compass> compass;  ///< empty: the mission does not use headings
 
   [[nodiscard]] const Expr& operator[](ExprId id) const { return exprs.at(id.index); }
   [[nodiscard]] const State& operator[](StateId id) const { return states.at(id.index); }
@@ -379,7 +380,7 @@ struct Mission {
   [[nodiscard]] const Block& operator[](BlockId id) const { return blocks.at(id.index); }
 };
 
-/// What the verifier found out; only for missions without errors.
+/// What the verifier has found; only for missions without errors.
 struct MissionFacts {
   uint32_t stack_depth = 0;  ///< greatest number of frames on the call stack
   std::vector<StateId>

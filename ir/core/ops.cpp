@@ -26,7 +26,7 @@ std::optional<Type> when(bool fits, Type type) {
   return fits ? std::optional(type) : std::nullopt;
 }
 
-/// Of a C function.
+/// The type of a call of a C function.
 std::optional<Type> called(const Mission& mission, const Expr& expr) {
   const Function& function = mission[expr.use];
   if (operandCount(expr) != function.parameters.size()) {
@@ -57,7 +57,7 @@ bool arePlaces(std::span<const Type> types) {
          types[3] == kLongitude;
 }
 
-/// Of a truth value that is watched, or a window.
+/// The type of a watched truth value, or of a window.
 std::optional<Type> watched(const Mission& mission, const Temporal& t) {
   if (!isWindow(t.kind)) {
     return kBool;
@@ -75,7 +75,7 @@ std::optional<Type> watched(const Mission& mission, const Temporal& t) {
   return value;
 }
 
-/// Whether `operands` are what an operation takes.
+/// Whether `operands` have the types that an operation takes.
 bool fit(Takes takes, std::span<const Type> operands) {
   switch (takes) {
     case Takes::Nothing:

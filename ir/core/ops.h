@@ -26,7 +26,7 @@ enum class OpGroup : uint8_t {
   Age,
   Unary,     ///< of one number
   Binary,    ///< of two numbers
-  Function,  ///< of numbers, worked out by runtime/numbers
+  Function,  ///< of numbers, computed by runtime/numbers
   Clamp,
   Select,
   Element,
@@ -58,7 +58,7 @@ enum class Gives : uint8_t {
   Time,
   Angle,
   Length,
-  Sensor,  ///< what the sensor has; and so on
+  Sensor,  ///< that of the sensor, and so on
   Variable,
   Temporal,
   Element,
@@ -70,31 +70,31 @@ enum class Gives : uint8_t {
   Quotient  ///< of two latitudes or longitudes a plain number
 };
 
-/// Where a result is never unknown.
+/// When a result is never unknown.
 enum class KnownRule : uint8_t {
   Always,
-  Operands,  ///< where no operand is unknown
-  Bounded,   ///< there, if it is too small to overflow
-  Quotient,  ///< there, if the divisor is never 0 either
-  Guarded,   ///< there, and where one side asks whether the other is known
-  Variable,  ///< as the variable
+  Operands,  ///< if no operand is unknown
+  Bounded,   ///< the same, if it is too small to overflow
+  Quotient,  ///< the same, if the divisor is also never 0
+  Guarded,   ///< the same, and if one side checks that the other is known
+  Variable,  ///< as for the variable
   Maybe      ///< nothing is known of it
 };
 
-/// Where a number is a whole one, and was not rounded.
+/// When a number is whole and was not rounded.
 enum class WholeRule : uint8_t {
   Constant,
   Variable,
-  Operands,  ///< where the operands are
-  Choice,    ///< where both that are chosen from are
-  Rounds,    ///< always: what rounds to whole numbers gives nothing else
+  Operands,  ///< if the operands are
+  Choice,    ///< if both choices are
+  Rounds,    ///< always: rounding to whole numbers gives nothing else
   Broken     ///< nothing is known of it
 };
 
 /// Whether a number may be -0.
 enum class ZeroRule : uint8_t {
   Constant,
-  Plain,  ///< it settles, or is measured: never
+  Plain,  ///< it is settled, or measured: never
   Signed
 };
 
@@ -127,7 +127,8 @@ constexpr OpGroup groupOf(Op op) {
   return opInfo(op).group;
 }
 
-// The groups of several operations, so that a switch over one names what it lacks: opIn.
+// The groups of several operations, so that the compiler names the operations missing in a switch
+// over a group: opIn.
 enum class ClockOp : uint8_t {
 #define CLOCK(name, ...) name = static_cast<uint8_t>(Op::name),
 #include "ir/core/ops.def"
@@ -168,17 +169,18 @@ inline constexpr OpGroup kGroup<ComparisonOp> = OpGroup::Comparison;
 template <>
 inline constexpr OpGroup kGroup<LogicOp> = OpGroup::Logic;
 
-/// `op`, which is of that group, as one of the group's list.
+/// `op`, which is in that group, as an element of the group's list.
 template <typename List>
 List opIn(Op op) {
   CHECK(groupOf(op) == kGroup<List>, "an operation of another group");
   return static_cast<List>(op);
 }
 
-/// The runtime's function (runtime/abi/glider_abi.h) that works `op` out.
+/// The runtime's function (runtime/abi/glider_abi.h) that computes `op`.
 std::string_view symbolOf(FunctionOp op);
 
-/// What `op` makes of the truth values that `operand(0)` and, but for Not, `operand(1)` give.
+/// The result of `op` for the truth values that `operand(0)` and, except for Not, `operand(1)`
+/// give.
 template <typename Operand>
 Truth logical(LogicOp op, Operand operand) {
   switch (op) {
@@ -201,15 +203,15 @@ constexpr size_t opCount() {
 /// The number of operands of `expr`: those of its operation, or as many as a Call has.
 uint32_t operandCount(const Expr& expr);
 
-/// Whether it compares: Less to NotEqual.
+/// Whether `op` is a comparison: Less to NotEqual.
 constexpr bool isComparison(Op op) {
   return groupOf(op) == OpGroup::Comparison;
 }
-/// Whether it is a comparison that asks for the order of numbers: Less to GreaterEqual.
+/// Whether `op` is a comparison by the order of numbers: Less to GreaterEqual.
 bool isOrdering(Op op);
 /// The comparison that is true exactly where `comparison` (Less to NotEqual) is false.
 Op negated(Op comparison);
-/// The comparison that is true of (b, a) exactly where `comparison` is of (a, b).
+/// The comparison that is true of (b, a) exactly where `comparison` is true of (a, b).
 Op mirrored(Op comparison);
 
 /// Whether it is a window: a number, not a truth value.
@@ -229,10 +231,10 @@ const std::vector<CommandInfo>& commands();
 /// The type that each operand must have; empty if `takes` leaves a choice, or has several.
 std::optional<Type> operandType(Takes takes);
 
-/// The type that `expr` must have in `mission`, given its operands' types (or its sensor's or
-/// variable's), by the rules of its operation: Takes and Gives. Empty if the operands do not fit.
+/// The type that `expr` must have in `mission`, given the types of its operands (or of its sensor
+/// or variable), by the rules of its operation: Takes and Gives. Empty if the operands do not fit.
 /// Operands, sensor, variable, temporal, table and use must be in range, and what a temporal
-/// watches must stand before `expr`.
+/// watches must precede `expr`.
 std::optional<Type> resultType(const Mission& mission, const Expr& expr);
 
 }  // namespace glider::ir

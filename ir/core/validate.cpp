@@ -16,7 +16,7 @@
 namespace glider::ir {
 namespace {
 
-/// Whether only a quantity has a dimension, and one that `support::product` could give.
+/// Whether only a quantity has a dimension, and that is one that `support::product` can give.
 bool sound(Type type) {
   if (type.kind != TypeKind::Quantity) {
     return type.dimension.dimensionless();
@@ -24,7 +24,7 @@ bool sound(Type type) {
   return support::product(type.dimension, {}).has_value();
 }
 
-/// What stands by itself: sensors, behaviours, expressions.
+/// Checks what does not depend on the code of the mission: sensors, behaviours, expressions.
 class Validator {
  public:
   explicit Validator(const Mission& mission) : m_(mission) {}
@@ -78,7 +78,7 @@ class Validator {
            s.type == Type{TypeKind::Quantity, support::dimension::angle};
   }
 
-  /// A mission whose headings are true needs to know by what those of the vehicle differ.
+  /// A mission whose headings are true needs the difference from those of the vehicle.
   void compass() {
     const bool magnetic = std::ranges::any_of(
         m_.sensors, [](const Sensor& s) { return s.encoding == Encoding::Magnetic; });
@@ -147,7 +147,7 @@ class Validator {
     }
   }
 
-  /// Whether the operands of expression `i` are there, and no more than there should be.
+  /// Whether expression `i` has exactly the operands that it should have.
   bool hasOperands(uint32_t i, const Expr& e) const {
     const uint32_t count = operandCount(e);
     for (uint32_t k = 0; k < e.operands.size(); ++k) {
@@ -171,7 +171,7 @@ class Validator {
            fits(e.op == Op::Call, e.use, m_.uses.size());
   }
 
-  /// Whether what `e` watches, or an earlier temporal does, stands before expression `i`.
+  /// Whether what `e` watches, or an earlier temporal watches, precedes expression `i`.
   bool watchedBefore(uint32_t i, const Expr& e) const {
     return e.op != Op::Temporal || watched_end_[e.temporal.index] <= i;
   }

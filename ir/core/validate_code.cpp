@@ -78,13 +78,13 @@ class CodeValidator {
 
   bool exists(ExprId id) const { return id.index < m_.exprs.size(); }
 
-  /// Whether what stands in `state` (kNoState: in `always`) may read what this one does.
+  /// Whether code in `state` (kNoState: in `always`) may read what this expression reads.
   bool inScope(ExprId id, StateId state) const {
     const Reads& reads = reads_[id.index];
     return !reads.two_states && (!reads.state.valid() || reads.state == state);
   }
 
-  /// Whether an expression's value is settled when the mission is launched.
+  /// Whether an expression's value is fixed when the mission is launched.
   bool launchTime(ExprId id) const {
     const Reads* reads = exists(id) ? &reads_[id.index] : nullptr;
     return reads != nullptr && !reads->state.valid() && !reads->moment && !reads->mission &&
@@ -118,7 +118,7 @@ class CodeValidator {
         r.range, "a requirement about an unknown state");
   }
 
-  /// Each `what` and `where` is a text, or a function that gives it.
+  /// Each `what` and `where` is a text, or a function that returns it.
   template <typename Text>
   void expression(ExprId id, StateId state, Type type, SourceRange range, const Text& what) {
     if (!exists(id) || m_[id].type != type) {
@@ -209,7 +209,7 @@ class CodeValidator {
             w.length);
   }
 
-  /// Counts the uses of blocks by block `i`, which must stand after them.
+  /// Counts the uses of blocks by block `i`, which must come after them.
   void nestedBlocks(uint32_t i) {
     for (const Statement& s : m_.blocks[i].statements) {
       if (s.kind != StatementKind::If) {
@@ -226,7 +226,7 @@ class CodeValidator {
     }
   }
 
-  /// Of a `do` or `entry`; `state` is where it runs.
+  /// Checks the block of a `do` or `entry`; `state` is where it runs.
   void action(BlockId id, StateId state, SourceRange range) {
     if (!id.valid()) {
       return;
@@ -244,7 +244,7 @@ class CodeValidator {
       for (const Statement& s : block.statements) {
         statement(s, state);
         for (BlockId nested : {s.then, s.otherwise}) {
-          if (nested.index < number) {  // else a defect that nestedBlocks reports
+          if (nested.index < number) {  // otherwise a defect that nestedBlocks reports
             pending.push_back(nested);
           }
         }
@@ -295,7 +295,7 @@ class CodeValidator {
               [&] { return fmt::format("`{}`", info.text); });
   }
 
-  /// `parameters` have a `type`.
+  /// The elements of `parameters` have a `type`.
   template <typename Parameters, typename Text>
   void arguments(const std::vector<ExprId>& values, const Parameters& parameters, StateId state,
                  SourceRange range, const Text& what) {

@@ -7,8 +7,8 @@
 
 namespace glider::ir {
 
-/// The part of `validate` that looks at what a mission does: variables, temporals, blocks, cases
-/// and states, given sound sensors, behaviours and expressions.
+/// The part of `validate` that checks the code of a mission: variables, temporals, blocks, cases
+/// and states, given valid sensors, behaviours and expressions.
 void validateCode(const Mission& mission, Defects& defects);
 
 }  // namespace glider::ir

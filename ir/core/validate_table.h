@@ -10,7 +10,7 @@
 namespace glider::ir {
 
 /// What is wrong with the form of a table of guards for `case_count` cases; empty if nothing is.
-/// Whether its rows say what the guards say is not looked at.
+/// Does not check that its rows agree with the guards.
 std::string defectOf(const GuardTable& table, const Mission& mission, size_t case_count);
 
 }  // namespace glider::ir

@@ -11,8 +11,8 @@
 
 namespace glider::ir {
 
-/// Whether `is` holds of the expression at `root` or of one in it; each is asked once, however
-/// often it stands there. `is` takes an Expr.
+/// Whether `is` holds for the expression at `root` or for one in it; each is checked once, even if
+/// it occurs several times. `is` takes an Expr.
 template <typename Predicate>
 bool anyIn(const Mission& mission, ExprId root, Predicate is) {
   std::vector<ExprId> open{root};
@@ -32,7 +32,7 @@ bool anyIn(const Mission& mission, ExprId root, Predicate is) {
   return false;
 }
 
-/// Calls `visit` with the expression at `root` and each one in it, once.
+/// Calls `visit` once for the expression at `root` and for each one in it.
 template <typename Visit>
 void forEachIn(const Mission& mission, ExprId root, Visit visit) {
   (void)anyIn(mission, root, [&](const Expr& e) {
@@ -41,8 +41,8 @@ void forEachIn(const Mission& mission, ExprId root, Visit visit) {
   });
 }
 
-/// Calls `visit` with each statement of a block in the order of the text, both sides of an `if`
-/// after it; an invalid id is an empty block.
+/// Calls `visit` for each statement of a block in the order of the text; an `if` comes before both
+/// its branches. An invalid id is an empty block.
 template <typename Visit>
 // NOLINTNEXTLINE(misc-no-recursion): as deep as the mission's text nests
 void forEachStatement(const Mission& mission, BlockId block, const Visit& visit) {

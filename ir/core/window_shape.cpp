@@ -19,7 +19,7 @@ WindowShape windowShape(const Temporal& window) {
   const bool stretch = window.along.valid();
   const double across =
       stretch ? kBinsOfStretch : std::clamp(std::ceil(window.length / kCycle), 1.0, kMostBins);
-  // Both ends may cut a bin, so one more than fit, and one for rounding.
+  // The two ends may cut a bin, so one more than fits, and one for rounding.
   const double bins = (stretch ? 2 * across : across) + 2;
   return {window.kind, stretch, window.length, window.length / across, static_cast<uint32_t>(bins)};
 }

@@ -9,17 +9,17 @@
 
 namespace glider::ir {
 
-/// How a window keeps its readings: what eval and codegen must agree on.
+/// How a window stores its readings: eval and codegen must agree on this.
 struct WindowShape {
   TemporalKind kind = TemporalKind::Mean;
   bool stretch = false;
   double length = 0;  ///< s, or the SI unit of what it is stretched along
   double bin = 0;     ///< width of a bin, same unit
-  uint32_t bins = 0;  ///< how many slots hold the bins of a window
+  uint32_t bins = 0;  ///< the number of slots for the bins of a window
 };
 
-/// A bin a flight cycle (4 s) over a time, at most 256; 32 bins to the length of a stretch, which
-/// reaches that far to both sides.
+/// A window over a time has a bin for each flight cycle (4 s), at most 256. A window over a stretch
+/// has 32 bins in its length, and reaches that far to both sides.
 WindowShape windowShape(const Temporal& window);
 
 }  // namespace glider::ir

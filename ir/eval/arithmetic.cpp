@@ -27,7 +27,7 @@ bool isFinite(double value) {
   return (bits(value) & kExponentBits) != kExponentBits;
 }
 
-/// A function of the runtime, which takes as many numbers as its row of ops.def says.
+/// Calls a function of the runtime, which takes as many numbers as its row of ops.def says.
 template <uint32_t count, typename... Numbers>
 double callWith(double (*function)(Numbers...), std::span<const double> operands) {
   static_assert(sizeof...(Numbers) == count, "ops.def: another number of operands");
@@ -36,7 +36,7 @@ double callWith(double (*function)(Numbers...), std::span<const double> operands
   }(std::make_index_sequence<count>());
 }
 
-/// ddmm.mmmm to degrees, the sign kept; unknown from 60 minutes on.
+/// Converts ddmm.mmmm to degrees and keeps the sign; unknown from 60 minutes on.
 double degreesMinutes(double raw) {
   const double magnitude = std::bit_cast<double>(bits(raw) & ~kSignBit);
   const double minutes = std::fmod(magnitude, 100);    // exact

@@ -13,11 +13,11 @@
 namespace glider::ir {
 namespace {
 
-/// Expressions and what they are worth, in the order of their numbers.
+/// Expressions and their values, in the order of their numbers.
 class Values {
  public:
-  /// All that `id` is made from. Operands have smaller numbers than their users: so all is found
-  /// from the greatest number down, and can be evaluated from the smallest up.
+  /// All expressions that `id` is made from. Operands have smaller numbers than their users, so all
+  /// are found from the greatest number down and can be evaluated from the smallest up.
   Values(const Mission& mission, ExprId id) {
     std::vector<uint32_t> pending{id.index};  // a heap
     while (!pending.empty()) {
@@ -50,7 +50,7 @@ class Values {
   std::vector<Known> all_;
 };
 
-/// What the operands of a call are worth, as numbers; nothing of what has none.
+/// The values of a call's operands, as numbers; empty for other expressions.
 std::vector<double> argumentsOf(const Expr& e, const Values& values) {
   std::vector<double> arguments;
   for (uint32_t i = 0; i < operandCount(e); ++i) {

@@ -106,7 +106,7 @@ void Interpreter::take(double mission_time, std::span<const SensorUpdate> frame)
   }
 }
 
-/// Asks the SBC's own sensors.
+/// Polls the SBC's own sensors.
 void Interpreter::poll() {
   for (uint32_t i = 0; i < sensors_.size() && externals_.poll; ++i) {
     if (mission_.sensors[i].symbol.empty()) {
@@ -198,7 +198,7 @@ const std::vector<Case>& Interpreter::casesOf(ListKind list) const {
   return activity(list).cases;
 }
 
-/// The rule of `always`, the limit aside.
+/// The rule of `always`, without the limit.
 bool Interpreter::mayFire(ListKind list, uint32_t number) const {
   if (list != ListKind::Always) {
     return true;
@@ -209,7 +209,7 @@ bool Interpreter::mayFire(ListKind list, uint32_t number) const {
   return !(target.valid() && in_use);
 }
 
-/// Step 4 for one list: true if that ended the tick.
+/// Step 4 for one list: true if it ended the tick.
 bool Interpreter::tryList(ListKind list) {
   const bool behaviour = list == ListKind::Profile || list == ListKind::Route;
   if (behaviour && !mission_[activity(list).behaviour].symbol.empty()) {
@@ -267,7 +267,7 @@ void Interpreter::move(CaseOf of, const Case& fired) {
   enter(fired.target);
 }
 
-/// The parameters have their arguments.
+/// The parameters already have their arguments.
 void Interpreter::enter(StateId target) {
   state_ = target;
   entered_ = resumed_ = mission_time_;
@@ -299,7 +299,7 @@ void Interpreter::startActivity(ListKind list, Phase phase) {
   }
 }
 
-/// Variables of the current state, or those of the mission, start.
+/// Initialises the variables of the current state, or those of the mission.
 void Interpreter::initialise(bool of_state) {
   for (uint32_t i = 0; i < variables_.size(); ++i) {
     const Variable& v = mission_.variables[i];

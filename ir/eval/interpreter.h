@@ -23,28 +23,28 @@ struct SensorUpdate {
   double raw = 0;
 };
 
-/// What is linked to a mission in C, by its symbol; one that is not there is unknown.
+/// The C code that is linked to a mission, by its symbol; what is missing gives unknown.
 struct Externals {
-  /// What the function gives for these arguments: any double.
+  /// The result of the function for these arguments: any double.
   std::function<double(const Function&, std::span<const double> arguments)> call;
   /// A new reading of one of the SBC's own sensors at that mission time (s); NaN: there is none.
   std::function<double(const Sensor&, double mission_time)> poll;
 };
 
-/// The values that the parameters of `mission` have if nobody sets them.
+/// The values that the parameters of `mission` have unless they are set.
 std::vector<double> defaultParameters(const Mission& mission);
 
-/// The first of `mission`'s conditions that these values of its parameters do not satisfy, unknown
-/// included; empty if all hold.
+/// The first of `mission`'s conditions that these values of its parameters do not satisfy, or that
+/// is unknown; empty if all hold.
 std::optional<uint32_t> failedCondition(const Mission& mission, std::span<const double> parameters);
 
-/// Runs a mission as ir/README.md says, for obviousness and not for speed: the judge of generated
-/// code.
+/// Runs a mission as ir/README.md defines it. Written to be obviously correct, not fast: the
+/// reference for generated code.
 class Interpreter {
  public:
-  /// `mission` must be valid, free of verification errors, and outlive this; `stack_depth` is
-  /// MissionFacts'. What verification rules out (a call deeper than that, a return without a
-  /// caller, a variable that leaves its range) is our own bug and ends the program.
+  /// `mission` must be valid, free of verification errors, and outlive this; `stack_depth` is that
+  /// of MissionFacts. What verification rules out (a call deeper than that, a return without a
+  /// caller, a variable that leaves its range) is a bug of glidercc and ends the program.
   Interpreter(const Mission& mission, uint32_t stack_depth, Externals externals = {});
 
   /// The tick at mission time 0 that enters the first state, with the readings of its frame and
@@ -53,10 +53,11 @@ class Interpreter {
   TickResult start(std::span<const SensorUpdate> frame, std::span<const double> parameters);
   /// The same with the parameters' defaults.
   TickResult start(std::span<const SensorUpdate> frame = {});
-  /// A tick at `mission_time` (s, finite; one smaller than before counts as the one before). A
-  /// sensor that the frame holds twice keeps the later value.
+  /// A tick at `mission_time` (s, finite; a smaller time than before counts as the time before). If
+  /// the frame holds a sensor twice, the later value is used.
   TickResult tick(double mission_time, std::span<const SensorUpdate> frame);
-  /// The value of an expression now, after the latest tick, in the state that it left current.
+  /// The value of an expression now, after the latest tick, in the state that the tick left
+  /// current.
   [[nodiscard]] Value evaluate(ExprId id) const;
   /// The same for one that is known to be a number (a log item, an argument) or a truth value (a
   /// guard).
@@ -127,7 +128,8 @@ class Interpreter {
   double entered_ = 0;
   double resumed_ = 0;
   Externals externals_;
-  /// What each use gave in this tick. An expression that is looked at may be the first to need it.
+  /// The result of each use in this tick. An expression that is evaluated later may be the first to
+  /// need it.
   mutable std::vector<std::optional<double>> called_;
   bool started_ = false;
   bool finished_ = false;

@@ -36,13 +36,14 @@ bool Interpreter::current(const Temporal& temporal) const {
   return temporal.list == ListKind::Always || temporal.state == state_;
 }
 
-/// Step 3. The order shows in the calls of C functions.
+/// Step 3. The order is visible in the calls of C functions.
 void Interpreter::advanceTemporals() {
   startTemporals(true, Moment::Advance);
   startTemporals(false, Moment::Advance);
 }
 
-/// Those of `always`, or those of the current state, start, go on after a return, or advance.
+/// The temporals of `always`, or those of the current state, start, continue after a return, or
+/// advance.
 void Interpreter::startTemporals(bool always, Moment moment) {
   for (uint32_t i = 0; i < temporals_.size(); ++i) {
     const Temporal& t = mission_.temporals[i];

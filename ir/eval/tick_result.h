@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-/// What the interpreter tells of a tick.
+/// The interpreter's report of a tick.
 namespace glider::ir {
 
 /// Why a behaviour runs.
@@ -29,8 +29,8 @@ struct Frame {
   bool operator==(const Frame&) const = default;
 };
 
-/// A call of a C function of the current state with the arguments it was given, SI units
-/// (positions: degrees); NaN: unknown.
+/// A call of a C function of the current state with its arguments, SI units (positions: degrees);
+/// NaN: unknown.
 struct ActivityRun {
   ListKind list = ListKind::Profile;  ///< or Route
   BehaviourId behaviour;
@@ -42,15 +42,15 @@ struct ActivityRun {
 struct CommandRun {
   Command command = Command::Surface;
   std::vector<double> arguments;
-  bool refused = false;  ///< an argument is unknown: it changes nothing
+  bool refused = false;  ///< an argument is unknown: the command changes nothing
 };
 
-/// What was done to the vehicle, or may have been.
+/// What was commanded, or may have been.
 using Action = std::variant<CommandRun, ActivityRun>;
 
 enum class NoteKind : uint8_t { Log, UnknownSet };
 
-/// What a `log`, or a `set` with an unknown value, leaves.
+/// The note of a `log`, or of a `set` with an unknown value.
 struct Note {
   NoteKind kind = NoteKind::Log;
   std::string text;            ///< or the variable's name
@@ -69,11 +69,11 @@ struct TickResult {
   StateId state;          ///< current after the tick
   bool finished = false;  ///< an `exit` has fired in this tick or earlier
   Limit limit = kNoLimit;
-  bool just_returned = false;  ///< on the next tick the state's own cases come before `always`
+  bool just_returned = false;  ///< on the next tick the state's own cases are tried before `always`
   std::array<std::optional<uint32_t>, 4>
-      fired;                    ///< by ListKind: the case that fired, of the state it was tried in
-  std::optional<CaseOf> moved;  ///< whose transition ended the tick
-  std::vector<Frame> stack;     ///< outermost first
+      fired;  ///< by ListKind: the case that fired, of the state in which it was tried
+  std::optional<CaseOf> moved;    ///< whose transition ended the tick
+  std::vector<Frame> stack;       ///< outermost first
   std::vector<double> variables;  ///< NaN: unknown; of a truth value 0 or 1
   std::vector<Action> actions;    ///< in the order in which they happened
   std::vector<Note> notes;

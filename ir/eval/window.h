@@ -9,13 +9,13 @@
 
 namespace glider::ir {
 
-/// A window as ir/README.md says it, with memory that grows as it needs: what the runtime's ring of
-/// bins is held against.
+/// A window as ir/README.md defines it, with memory that grows as needed: the reference for the
+/// runtime's ring of bins.
 class PlainWindow {
  public:
   explicit PlainWindow(const WindowShape& shape) : shape_(shape) {}
 
-  /// Empties it; it starts at mission time `time`, s.
+  /// Empties the window and starts it at mission time `time`, s.
   void start(double time);
   /// A tick; see gliderWindowAdvance of runtime/abi/window.h.
   void advance(double time, double along, double value, bool fresh);

@@ -10,7 +10,7 @@
 namespace glider::ir::opt {
 namespace {
 
-/// Of each expression, whether a C function is called in it.
+/// For each expression, whether a C function is called in it.
 std::vector<bool> callsOf(const Mission& mission) {
   std::vector<bool> calls(mission.exprs.size());
   for (uint32_t i = 0; i < calls.size(); ++i) {
@@ -23,7 +23,7 @@ std::vector<bool> callsOf(const Mission& mission) {
   return calls;
 }
 
-/// What can be reached from the mission's body and variables.
+/// Marks what can be reached from the mission's body and variables.
 class Marker {
  public:
   explicit Marker(Mission& mission)
@@ -65,7 +65,8 @@ class Marker {
   std::vector<bool> uses;
 
  private:
-  /// What is watched is worked out on every tick, wanted or not: functions in it are called.
+  /// A temporal's operand is evaluated on every tick, even if the temporal is not used: the
+  /// functions in it are called.
   void markWatchedCalls() {
     const std::vector<bool> calls = callsOf(mission_);
     for (size_t i = 0; i < mission_.temporals.size(); ++i) {
@@ -133,7 +134,7 @@ std::vector<uint32_t> keep(std::vector<T>& elements, const std::vector<bool>& ma
   return numbers;
 }
 
-/// What no use calls need not be linked.
+/// Drops functions that no use calls: they need not be linked.
 void dropUnusedFunctions(Mission& mission) {
   std::vector<bool> used(mission.functions.size());
   for (const FunctionUse& use : mission.uses) {

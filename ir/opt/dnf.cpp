@@ -17,9 +17,9 @@ using Disjunction = std::vector<Conjunction>;
 constexpr size_t kMostAlternatives = 8;
 constexpr uint32_t kDeepest = 64;
 
-/// The truth of Kleene's logic asks two-valued questions: "is this true?", "is this false?". `not`
-/// swaps them, and each comparison of known numbers is true or false, so that the two forms below
-/// are all that is needed.
+/// Kleene's logic split into two-valued questions: "is this true?", "is this false?". `not` swaps
+/// them, and each comparison of known numbers is true or false, so the two forms below are
+/// sufficient.
 enum class Wanted : uint8_t { True, False };
 
 Wanted opposite(Wanted wanted) {
@@ -36,12 +36,12 @@ Conjunction single(const Watched& watched, const Bounds& bounds) {
   return result;
 }
 
-/// "True": nothing is wanted.
+/// "True": no bounds.
 Disjunction always() {
   return {Conjunction{}};
 }
 
-/// Something that bounds cannot say.
+/// A condition that bounds cannot express.
 Disjunction opaque() {
   Conjunction result;
   result.exact = false;
@@ -55,7 +55,7 @@ bool possible(const Bounds& bounds) {
   return !bounds.above || !bounds.below || earlier(*bounds.above, *bounds.below);
 }
 
-/// Both together; none if they contradict each other.
+/// Both together; empty if they contradict each other.
 std::optional<Bounds> both(const Bounds& a, const Bounds& b) {
   if (a.unknown != b.unknown) {
     return std::nullopt;
@@ -183,7 +183,7 @@ class Former {
   }
 
   static Disjunction compared(const Watched& what, Op op, double constant) {
-    const Cut from{constant + 0.0, true};  // -0 is no other place than 0
+    const Cut from{constant + 0.0, true};  // -0 and 0 are the same place
     const Cut past{constant + 0.0, false};
     const Conjunction less = single(what, {std::nullopt, from, false});
     const Conjunction greater = single(what, {past, std::nullopt, false});

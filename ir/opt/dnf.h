@@ -19,7 +19,7 @@ struct Watched {
   auto operator<=>(const Watched&) const = default;
 };
 
-/// Where a number is wanted: past `above`, not past `below`; or unknown. With neither it is wanted
+/// Where a number must lie: past `above`, not past `below`; or unknown. With neither it must be
 /// known.
 struct Bounds {
   std::optional<Cut> above;
@@ -27,16 +27,16 @@ struct Bounds {
   bool unknown = false;
 };
 
-/// Bounds that hold together.
+/// Bounds that must all hold.
 struct Conjunction {
   std::map<Watched, Bounds> bounds;
-  bool exact = true;    ///< false: there is more to the guard than the bounds
+  bool exact = true;    ///< false: the guard requires more than the bounds
   uint32_t number = 0;  ///< for the caller
 };
 
-/// A guard in disjunctive normal form: it is true exactly if one of these holds, in which each that
-/// is not exact stands for "its bounds hold and the guard is true". Truth in the sense of a guard:
-/// unknown is not true.
+/// A guard in disjunctive normal form: it is true exactly if one of these holds. One that is not
+/// exact stands for "its bounds hold and the guard is true". True is meant as for a guard: unknown
+/// is not true.
 std::vector<Conjunction> disjunctionOf(const Mission& mission, ExprId guard);
 
 }  // namespace glider::ir::opt

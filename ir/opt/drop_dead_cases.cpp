@@ -9,8 +9,8 @@
 namespace glider::ir::opt {
 namespace {
 
-/// A case that never fires keeps its number, which the log names, but nothing else; what stands
-/// after one that always fires goes. In `always` a case may be passed over though its guard holds.
+/// A case that never fires keeps only its number, which the log names. Cases after one that always
+/// fires are removed. In `always` a case may be passed over even if its guard holds.
 void prune(const Mission& mission, std::vector<Case>& cases, bool may_be_passed_over) {
   for (Case& c : cases) {
     if (mission[c.guard].op == Op::False) {
@@ -30,7 +30,7 @@ void prune(const Mission& mission, std::vector<Case>& cases, bool may_be_passed_
   }
 }
 
-/// Puts the statements of `if true` and `if false` in the place of the `if`.
+/// Replaces `if true` and `if false` by their statements.
 void straighten(Mission& mission, Block& block) {
   std::vector<Statement> straight;
   for (Statement& statement : block.statements) {
@@ -40,7 +40,7 @@ void straighten(Mission& mission, Block& block) {
       continue;
     }
     const BlockId taken = op == Op::True ? statement.then : statement.otherwise;
-    if (taken.valid()) {  // stands before this block, so it is straight already
+    if (taken.valid()) {  // it precedes this block, so it has already been straightened
       const auto& inner = mission[taken].statements;
       straight.insert(straight.end(), inner.begin(), inner.end());
     }

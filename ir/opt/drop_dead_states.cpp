@@ -11,7 +11,7 @@
 namespace glider::ir::opt {
 namespace {
 
-/// The states to which cases lead from the first, `always` included.
+/// The states that cases, including those of `always`, lead to from the first state.
 std::vector<bool> reachedStates(const Mission& mission) {
   std::vector<bool> reached(mission.states.size());
   std::deque<StateId> pending;
@@ -43,7 +43,7 @@ struct RenumberStates {
   void operator()(StateId& id) const { id.index = numbers[id.index]; }
 };
 
-/// Drops the variables of dropped states; who uses one is dropped too.
+/// Drops the variables of dropped states; everything that uses them is also dropped.
 void dropVariables(Mission& mission, const std::vector<bool>& reached) {
   std::vector<uint32_t> numbers;
   uint32_t count = 0;

@@ -7,7 +7,7 @@
 
 namespace glider::ir {
 
-/// Leaves what flies: without the requirements, and without the sensors that only they read.
+/// Leaves only what flies: drops the requirements, and the sensors that only they read.
 void dropRequirements(Mission& mission);
 
 }  // namespace glider::ir

@@ -60,7 +60,7 @@ class Folder {
     expr.table = {};
   }
 
-  /// The operand that `expr` is the same as.
+  /// The operand that `expr` is equal to.
   [[nodiscard]] std::optional<ExprId> sameAs(const Expr& expr) const {
     auto is = [&](size_t i, Op op) { return operand(expr, i).op == op; };
     if (expr.op == Op::Not && is(0, Op::Not)) {
@@ -73,7 +73,7 @@ class Folder {
         if (is(i, neutral)) {
           return expr.operands.at(1 - i);
         }
-        // What the other operand calls is called, whatever it gives.
+        // A call in the other operand must be made even if its result does not matter.
         if (is(i, ruling) && !calls_[expr.operands.at(1 - i).index]) {
           return expr.operands.at(i);
         }
@@ -112,7 +112,7 @@ class Folder {
         return clamp((*n)[0], (*n)[1], (*n)[2]);
       case OpGroup::Element:
         return element(m_[expr.table], (*n)[0]);
-      case OpGroup::Function:  // runtime/numbers works it out when the mission flies
+      case OpGroup::Function:  // runtime/numbers computes it when the mission flies
       case OpGroup::Select:
       case OpGroup::Constant:
       case OpGroup::Sensor:

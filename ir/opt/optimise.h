@@ -23,8 +23,8 @@ struct OptPass {
 /// All of them, in order (opt_passes.def).
 std::span<const OptPass> optPasses();
 
-/// A valid mission without its requirements, after all passes; `after`, if there is one, sees the
-/// mission after each.
+/// A valid mission after all passes, without its requirements; `after`, if given, is called with
+/// the mission after each pass.
 Mission optimise(Mission mission,
                  const std::function<void(const OptPass&, const Mission&)>& after = {});
 

@@ -7,8 +7,9 @@
 
 namespace glider::ir::opt {
 
-/// Where a mission names expressions, blocks and states. `Visitor` has `void operator()(ExprId&)`,
-/// `(BlockId&)` and `(StateId&)`, which may change what they are given; invalid ids are left out.
+/// The places where a mission names expressions, blocks and states. `Visitor` has `void
+/// operator()(ExprId&)`, `(BlockId&)` and `(StateId&)`, which may change their argument; invalid
+/// ids are left out.
 template <typename Visitor>
 class References {
  public:
@@ -62,7 +63,7 @@ class References {
       of(c);
     }
   }
-  /// What stands in the mission itself and in its states, not in its blocks, temporals, variables.
+  /// References in the mission itself and in its states, not in its blocks, temporals, variables.
   void ofBody(Mission& mission) {
     for (ExprId& condition : mission.conditions) {
       name(condition);

@@ -9,8 +9,8 @@
 
 namespace glider::ir::opt {
 
-/// Lets whoever used expression i use `by[i]` instead, which must not stand after i, and drops what
-/// is no longer used.
+/// Replaces each use of expression i by `by[i]`, which must not come after i, and drops what is no
+/// longer used.
 void replace(Mission& mission, const std::vector<ExprId>& by);
 
 }  // namespace glider::ir::opt

@@ -13,13 +13,13 @@
 namespace glider::ir::opt {
 namespace {
 
-/// All that makes two expressions the same; numbers by their bits.
+/// Everything that makes two expressions the same; numbers by their bits.
 auto keyOf(const Expr& e) {
   return std::tuple(e.op, e.type.kind, e.type.dimension.exponents, e.operands,
                     std::bit_cast<uint64_t>(e.number), e.sensor, e.variable, e.temporal, e.table);
 }
 
-/// All that makes two temporals the same.
+/// Everything that makes two temporals the same.
 auto keyOf(const Temporal& t) {
   return std::tuple(t.kind, t.list, t.state, t.operand, t.duration,
                     std::bit_cast<uint64_t>(t.length), t.along);
@@ -40,7 +40,7 @@ class Sharing {
       if (expr.temporal.valid()) {
         expr.temporal = firstLike(expr.temporal);
       }
-      // Calls stay where they are: functions are called in the order of the expressions.
+      // Calls are not shared: functions are called in the order of the expressions.
       by_[i] =
           expr.op == Op::Call ? ExprId{i} : exprs_.emplace(keyOf(expr), ExprId{i}).first->second;
     }
@@ -53,7 +53,8 @@ class Sharing {
  private:
   void shared(ExprId& id) const { id = id.valid() ? by_[id.index] : id; }
 
-  /// What a temporal watches stands before an expression that uses it, and so has been shared.
+  /// What a temporal watches precedes every expression that uses it, and so has already been
+  /// shared.
   TemporalId firstLike(TemporalId id) {
     Temporal& temporal = m_.temporals[id.index];
     shared(temporal.operand);
@@ -61,7 +62,7 @@ class Sharing {
     shared(temporal.along);
     const TemporalId first = temporals_.emplace(keyOf(temporal), id).first->second;
     if (first != id) {
-      temporal.list = ListKind::State;  // of no state: it goes
+      temporal.list = ListKind::State;  // of no state: it is removed
       temporal.state = {};
     }
     return first;

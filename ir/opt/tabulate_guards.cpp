@@ -12,9 +12,9 @@
 namespace glider::ir::opt {
 namespace {
 
-/// Below this many comparisons a table costs as much as making them.
+/// With fewer comparisons a table costs as much as the comparisons.
 constexpr size_t kFewestComparisons = 16;
-/// Rows are numbered by 16 bits where they fly.
+/// The compiled mission numbers rows with 16 bits.
 constexpr size_t kMostRows = 4096;
 
 GuardColumn makeColumn(const Watched& watched, const std::vector<Conjunction>& rows) {
@@ -74,8 +74,8 @@ GuardTable makeTable(const std::vector<Conjunction>& rows) {
   return table;
 }
 
-/// Which C functions a tick calls, and in which order, is the mission's business: a table leaves
-/// guards out.
+/// A table skips guards, but a guard with C functions must call them on each tick, in the mission's
+/// order.
 bool callsC(const Mission& mission, ExprId guard) {
   return anyIn(mission, guard, [](const Expr& e) { return e.op == Op::Call; });
 }

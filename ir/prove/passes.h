@@ -14,7 +14,7 @@
 
 namespace glider::ir::prove {
 
-/// What a pass works with.
+/// The data of a pass.
 struct Proof {
   z3::context& context;
   const ProofContext& proof_context;
@@ -25,7 +25,7 @@ struct Proof {
   Findings findings = {};
   std::set<CasePlace> dead = {};                ///< cases that were found never to fire
   std::set<CasePlace> hidden = {};              ///< those of them that earlier ones hide
-  std::vector<support::SourceRange> said = {};  ///< conditions of which something was reported
+  std::vector<support::SourceRange> said = {};  ///< conditions about which something was reported
 };
 
 namespace passes {

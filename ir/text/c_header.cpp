@@ -11,7 +11,7 @@
 namespace glider::ir {
 namespace {
 
-/// Values are in SI units, also those that the language shows in others.
+/// Values are in SI units, even those that the language shows in other units.
 std::string siUnit(const support::Dimension& dimension) {
   if (dimension == support::dimension::pressure) {
     return "Pa";
@@ -19,7 +19,7 @@ std::string siUnit(const support::Dimension& dimension) {
   return dimension == support::dimension::charge ? "C" : support::unitName(dimension);
 }
 
-/// How C sees a value: "m", "degrees north", "0 or 1".
+/// The meaning of a value in C: "m", "degrees north", "0 or 1".
 std::string inC(const Type& type) {
   switch (type.kind) {
     case TypeKind::Bool:
@@ -51,7 +51,7 @@ std::string parametersText(const std::vector<Parameter>& parameters) {
   return fmt::format("({})", fmt::join(texts, ", "));
 }
 
-// The parameters have no names in C: a name of the language may be a word of C.
+// The parameters have no names in C: a name of the language may be a keyword of C.
 
 void add(std::string& text, const Function& function) {
   std::vector<std::string_view> types(function.parameters.size(), "double");

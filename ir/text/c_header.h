@@ -10,8 +10,8 @@
 
 namespace glider::ir {
 
-/// The header against which the C and C++ of mission `name` is compiled: a prototype for all that
-/// `in_c` has, each bound to the symbol that spells its types, and what its numbers mean.
+/// The header for the C and C++ code of mission `name`: a prototype for everything in `in_c`, each
+/// bound to the symbol that contains its types, and the meaning of its numbers.
 std::string printHeader(const CInterface& in_c, std::string_view name);
 
 }  // namespace glider::ir

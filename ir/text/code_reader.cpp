@@ -16,7 +16,8 @@ using support::SourceRange;
 
 constexpr uint32_t kDeepestNesting = 200;
 
-/// The place of the next word in `words`, which it takes; their number if it is none of them.
+/// Accepts the next token if it is in `words` and returns its index; the number of `words` if it is
+/// not.
 template <size_t N>
 size_t choose(Cursor& in, const std::array<std::string_view, N>& words) {
   return static_cast<size_t>(
@@ -145,7 +146,7 @@ BlockId CodeReader::runBlock() {
   return id;
 }
 
-/// Up to the word that is no statement.
+/// Reads statements up to a word that does not begin one.
 BlockId CodeReader::statements(uint32_t depth) {
   if (depth > kDeepestNesting) {
     in_.fail(DiagnosticId::irBlocksTooDeep, in_.peek().range, kDeepestNesting);

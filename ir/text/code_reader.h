@@ -12,8 +12,8 @@
 
 namespace glider::ir::text {
 
-/// Reads what a mission does: definitions, blocks and cases. States may be named before they are
-/// defined; `findTargets` at the end gives each name its state.
+/// Reads the code of a mission: definitions, blocks and cases. States may be named before they are
+/// defined; `findTargets` at the end resolves the names.
 class CodeReader {
  public:
   CodeReader(Cursor& in, Mission& mission, Names& sensors, Names& variables)
@@ -22,7 +22,7 @@ class CodeReader {
         variables_(variables),
         expressions_(in, mission, sensors, variables) {}
 
-  /// `(`, what `element` reads any number of times with commas between, `)`.
+  /// `(`, any number of what `element` reads with commas between, `)`.
   template <typename Element>
   void list(Element element) {
     in_.expect('(');
@@ -37,13 +37,13 @@ class CodeReader {
 
   ExprId expression() { return expressions_.expression(); }
   std::vector<ExprId> expressionList();
-  /// A `let`, `temporal`, `initial`, `condition` or `block`, if one stands here.
+  /// A `let`, `temporal`, `initial`, `condition` or `block`, if the next token begins one.
   bool definition();
   /// What follows the word `entry`, if `block` is not there yet.
   void entry(BlockId& block);
-  /// What follows the word `case` at `begin`. `list` tells how to find it again.
+  /// What follows the word `case` at `begin`. `list` returns the list to add it to.
   void caseInto(std::function<std::vector<Case>&()> list, support::SourceRange begin);
-  /// The name of a state; `place` takes it once all states are read.
+  /// The name of a state; `place` is called with it once all states are read.
   void stateName(std::function<void(StateId)> place);
   VariableId variableName();
   void findTargets(Names& states);

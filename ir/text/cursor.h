@@ -14,9 +14,9 @@
 
 namespace glider::ir::text {
 
-/// Reads tokens one after another. The first mistake is reported and ends the reading: from then on
-/// only End is seen and what is asked for comes back empty, so that callers look at `failed` at
-/// their own end only.
+/// Reads tokens one after another. The first error is reported and ends the reading: from then on
+/// every token is End and every result is empty, so that callers check `failed` only at their own
+/// end.
 class Cursor {
  public:
   Cursor(std::string_view text, uint32_t file, support::DiagnosticEngine& diagnostics);
@@ -31,10 +31,10 @@ class Cursor {
   /// Takes the next token if it is this word or mark.
   bool accept(std::string_view word);
   bool accept(char mark);
-  /// Takes this word or mark; anything else is a mistake. `expect(word)` returns the word's place.
+  /// Takes this word or mark; anything else is an error. `expect(word)` returns the word's place.
   support::SourceRange expect(std::string_view word);
   void expect(char mark);
-  /// A word or string; `what` says of what, "the name of a state".
+  /// A word or string; `what` says what it names, "the name of a state".
   std::string name(std::string_view what);
   /// The same together with its place.
   Token nameToken(std::string_view what);
@@ -47,7 +47,7 @@ class Cursor {
   /// The same, or `bool`.
   Type typeOrBool() { return accept("bool") ? Type{TypeKind::Bool, {}} : type(); }
 
-  /// Reports the first mistake of the text.
+  /// Reports the first error of the text.
   template <typename... Args>
   void fail(support::DiagnosticId id, support::SourceRange range, Args&&... args) {
     if (!failed_) {

@@ -14,7 +14,7 @@ using support::SourceRange;
 
 constexpr uint32_t kDeepestNesting = 200;
 
-/// Leaves that say of what.
+/// Leaves that name what they read.
 bool named(Op op) {
   return op == Op::Sensor || op == Op::Age || op == Op::Variable || op == Op::Temporal ||
          op == Op::Call;

@@ -7,7 +7,7 @@
 
 namespace glider::ir::text {
 
-/// Reads expressions into a mission, each numbered when it ends.
+/// Reads expressions into a mission; each is numbered when it ends.
 class ExpressionReader {
  public:
   ExpressionReader(Cursor& in, Mission& mission, Names& sensors, Names& variables)
@@ -15,7 +15,7 @@ class ExpressionReader {
 
   /// What follows the word `let`: `%name = expression`.
   void let();
-  /// An expression; invalid after a mistake.
+  /// An expression; invalid after an error.
   ExprId expression() { return nested(0); }
 
  private:

@@ -10,7 +10,7 @@
 namespace glider::ir::text {
 namespace {
 
-/// Deeper trees are cut by a name: well below what the reader takes.
+/// Deeper trees are divided by a name: well below the reader's limit.
 constexpr uint32_t kDeepest = 32;
 
 std::vector<uint32_t> countUses(const Mission& mission) {

@@ -29,7 +29,7 @@ bool blank(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\n';
 }
 
-/// The byte that `\xHH` at the start of `text` stands for, or -1.
+/// The byte that `\xHH` at the start of `text` represents, or -1.
 int escaped(std::string_view text) {
   int value = -1;
   if (text.size() < 4 || !text.starts_with("\\x")) {
@@ -68,7 +68,7 @@ Token Lexer::string() {
   while (at(end) != '"') {
     const char c = at(end);
     const int byte = c == '\\' ? escaped(text_.substr(end)) : c;
-    if (c < 0x20 || c > 0x7e || byte < 0) {  // a string ends on its line
+    if (c < 0x20 || c > 0x7e || byte < 0) {  // a string must end on its line
       return take(TokenKind::Bad, std::min({begin + kLongestBad, end + 1, text_.size()}));
     }
     value += static_cast<char>(byte);

@@ -25,13 +25,13 @@ struct Token {
   }
 };
 
-/// Cuts the text form of a mission into tokens: words, quoted strings, numbers, `%` names and the
-/// marks ( ) : , =. Blanks, line ends and comments (`#` to the end of the line) part them. Takes
-/// any bytes; what fits nothing is a Bad token of at most 20 bytes.
+/// Splits the text form of a mission into tokens: words, quoted strings, numbers, `%` names and the
+/// marks ( ) : , =. Spaces, line ends and comments (`#` to the end of the line) separate them.
+/// Accepts any bytes; what is not part of a token is a Bad token of at most 20 bytes.
 class Lexer {
  public:
   Lexer(std::string_view text, uint32_t file) : text_(text), file_(file) {}
-  /// The next token; End for ever once the text is used up.
+  /// The next token; always End after the end of the text.
   Token next();
 
  private:

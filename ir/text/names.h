@@ -11,20 +11,20 @@
 
 namespace glider::ir::text {
 
-/// The things of one kind that a text has named, with their numbers.
+/// The objects of one kind that a text has named, with their numbers.
 class Names {
  public:
   /// `what` is the kind, for messages: "sensor".
   Names(Cursor& in, std::string_view what) : in_(in), what_(what) {}
 
-  /// `name` stands for number `index` from now on; a second time is a mistake.
+  /// Gives number `index` the name `name`; a second definition is an error.
   void define(const Token& name, size_t index) {
     if (!numbers_.emplace(name.text, static_cast<uint32_t>(index)).second) {
       in_.fail(support::DiagnosticId::irDefinedTwice, name.range, what_, name.text);
     }
   }
 
-  /// The number that `name` stands for; UINT32_MAX after the mistake that it stands for none.
+  /// The number with the name `name`; UINT32_MAX after an error if there is none.
   uint32_t find(const Token& name) {
     auto found = numbers_.find(name.text);
     if (found != numbers_.end()) {

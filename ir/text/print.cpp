@@ -128,7 +128,8 @@ void Printer::function(const Function& f) {
   add("): {} lowest {} highest {}", typeText(f.result), f.lowest, f.highest);
 }
 
-/// What holds before any state does, if it stands first among the expressions.
+/// Writes the conditions and values that precede all states, if they come first among the
+/// expressions.
 void Printer::launch() {
   uint32_t end = 0;
   for (const Variable& v : m_.variables) {
@@ -226,7 +227,7 @@ void Printer::table(const GuardTable& table) {
   line("end");
 }
 
-/// Those that come next among the expressions.
+/// Writes the initial values that come next among the expressions.
 void Printer::initials() {
   while (next_initial_ < m_.variables.size()) {
     const ExprId id = m_.variables[next_initial_].initial;

@@ -76,7 +76,7 @@ void Printer::entry(BlockId block) {
   }
 }
 
-/// Writes the blocks before `user`, and it, if it cannot be written in its place.
+/// Writes the blocks before `user`, and `user` itself if it cannot be written in its place.
 void Printer::defineBlocks(BlockId user) {
   if (!user.valid() || block_first_[user.index] == next_block_) {
     return;
@@ -98,7 +98,7 @@ void Printer::useBlock(BlockId block, std::string_view word) {
   line("end");
 }
 
-/// Recursion as deep as the layout lets blocks be.
+/// Recursion is as deep as the layout lets blocks nest.
 void Printer::statements(BlockId block) {
   ++indent_;
   std::ranges::for_each(m_[block].statements, [&](const Statement& s) { statement(s); });
@@ -183,8 +183,8 @@ void Printer::defineUpTo(uint32_t end) {
   }
 }
 
-/// Writes a temporal, an initial value or a condition of expressions below number `end` only; false
-/// if there is none, or one is being written: they stand one after the other.
+/// Writes a temporal, an initial value or a condition whose expressions are all below number `end`;
+/// false if there is none, or one is being written: they are written one after the other.
 bool Printer::defineNext(uint32_t end) {
   if (defining_) {
     return false;
@@ -242,7 +242,7 @@ void Printer::list(std::span<const ExprId> ids) {
   add(")");
 }
 
-/// Recursion as deep as the layout lets trees be.
+/// Recursion is as deep as the layout lets trees nest.
 void Printer::tree(uint32_t i) {
   const Expr& e = m_.exprs[i];
   const OpInfo& op = opInfo(e.op);

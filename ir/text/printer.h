@@ -16,12 +16,12 @@
 
 namespace glider::ir::text {
 
-/// A name as it is if it looks like one, else in quotes with everything but printable ASCII
-/// escaped.
+/// A name unchanged if it has the form of a name, otherwise in quotes with everything but printable
+/// ASCII escaped.
 std::string nameText(std::string_view name);
 
 /// Writes the text form of a valid mission, once. The order of the text is that of the mission's
-/// vectors; what a text could not have in that order is named before its use.
+/// vectors; what cannot be written in that order is named before its use.
 class Printer {
  public:
   explicit Printer(const Mission& mission)
@@ -81,7 +81,7 @@ class Printer {
   uint32_t indent_ = 0;
   bool defining_ = false;
   uint32_t next_ = 0;        ///< expressions below this number are written
-  uint32_t next_block_ = 0;  ///< the same of blocks, and so on
+  uint32_t next_block_ = 0;  ///< the same for blocks, and so on
   uint32_t next_initial_ = 0;
   uint32_t next_temporal_ = 0;
   uint32_t next_condition_ = 0;

@@ -10,9 +10,9 @@
 
 namespace glider::ir {
 
-/// The mission whose text form (see `print`) is file `file` of `sources`, its ranges pointing into
-/// that text; or nothing and exactly one or more errors GL18xx in `diagnostics`. Any bytes are
-/// taken: memory and time grow with the text's length only. What it returns passes `validate`.
+/// The mission whose text form (see `print`) is file `file` of `sources`, with ranges in that text;
+/// or nothing, and at least one error GL18xx in `diagnostics`. Accepts any bytes: memory and time
+/// grow only with the text's length. What it returns passes `validate`.
 std::optional<Mission> read(const support::SourceManager& sources, uint32_t file,
                             support::DiagnosticEngine& diagnostics);
 

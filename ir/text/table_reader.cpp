@@ -27,7 +27,7 @@ uint32_t number(Cursor& in) {
   return static_cast<uint32_t>(in.integer(0, kMost));
 }
 
-/// The sensor or clock; of a sensor its name stands behind.
+/// The sensor or clock; a sensor is followed by its name.
 void source(Cursor& in, Names& sensors, GuardColumn& column) {
   for (const Op op : {Op::Sensor, Op::MissionTime, Op::StateTime, Op::ResumeTime}) {
     if (in.accept(opInfo(op).text)) {

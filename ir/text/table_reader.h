@@ -9,7 +9,7 @@
 
 namespace glider::ir::text {
 
-/// What follows the word `table`, up to and with its `end`.
+/// What follows the word `table`, up to and including its `end`.
 GuardTable readTable(Cursor& in, Names& sensors);
 
 }  // namespace glider::ir::text

@@ -6,8 +6,8 @@
 namespace glider::ir {
 namespace {
 
-/// A `goto` empties the stack, and what it calls returns to it: so a state that was called gives
-/// way to its caller by a case of its own with `return`, or never.
+/// A `goto` empties the stack, and what the state calls returns to it: so a state that was called
+/// returns to its caller only by a case of its own with `return`.
 void reportCalls(Verification& v, const std::vector<Edge>& edges) {
   for (const Edge& edge : edges) {
     const State& target = v.structure.mission.states[edge.to];

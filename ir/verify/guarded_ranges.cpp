@@ -10,7 +10,7 @@
 namespace glider::ir {
 namespace {
 
-/// Follows every list of cases and every block with what conditions say there.
+/// Follows every list of cases and every block with the knowledge from conditions there.
 class GuardedWalk {
  public:
   GuardedWalk(const Mission& mission, const std::vector<Interval>& intervals,

@@ -16,14 +16,15 @@ namespace glider::ir {
 /// A statement by its block and its place in it, or an argument by its case and its place.
 using AssignmentPlace = std::pair<const void*, size_t>;
 
-/// Of the assignments in `doubtful` (statements `set`: block and number; arguments: case and
-/// number), those that the guards before them keep in the range of their variable: `case n < 10 do
-/// set n = n + 1 end`. `intervals`: of every expression, whatever guards say.
+/// The assignments in `doubtful` (statements `set`: block and number; arguments: case and number)
+/// that the guards before them keep in the range of their variable: `case n < 10 do set n = n + 1
+/// end`. `intervals`: of every expression, regardless of guards.
 ///
-/// A guard was true, and an earlier case of its list not true, on the tick on which a block runs;
-/// readings, clocks, windows and what C functions gave stay the same until the tick's transition,
-/// variables until the block sets them. An `if` holds for its branches, and an unknown one takes
-/// neither. What is watched over time says nothing: it was judged before other lists ran.
+/// On the tick on which a block runs, its guard was true and the earlier cases of its list were
+/// not. Readings, clocks, windows and the results of C functions stay the same until the tick's
+/// transition, variables until the block sets them. The condition of an `if` holds in its branches;
+/// an unknown one takes neither. What is watched over time gives no knowledge: it was evaluated
+/// before other lists ran.
 std::set<AssignmentPlace> keptByGuards(const Mission& mission,
                                        const std::vector<Interval>& intervals,
                                        const std::set<AssignmentPlace>& doubtful);

@@ -38,7 +38,7 @@ class Analysis {
 
   [[nodiscard]] bool has(ExprId id) const { return judged_.expressions[id.index]; }
 
-  /// True if it had it.
+  /// Removes the property; true if the variable had it.
   bool drop(VariableId id) {
     const bool was = judged_.variables[id.index];
     judged_.variables[id.index] = false;

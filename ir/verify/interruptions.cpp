@@ -12,16 +12,17 @@ constexpr uint32_t kNone = UINT32_MAX;
 
 /// One walk over the states' own calls, callers first. What can be below a state on the stack is a
 /// *source*: a root, which cases below its limit interrupt, or the target of a case of `always`,
-/// which those before that case do. Let T be the target of the first case i whose target leads to
-/// state x by calls. Then i makes a mistake of x if x is a source for more than i, or if a caller
-/// of x that T does not lead to is led to by one: then x may be on the stack when i calls T. That
-/// is enough: if a later case k with the target U makes a mistake of x and T none, then every way
-/// from U to x goes through T, which U leads to as well; so the way that makes k's mistake comes in
-/// where T does not lead, and makes one of T's.
+/// which cases before that one interrupt. Let T be the target of the first case i whose target
+/// leads to state x by calls. Then i makes x recursive if x is a source for more than i, or if a
+/// caller of x that T does not lead to is led to by such a source: then x may be on the stack when
+/// i calls T. That is sufficient: if a later case k with the target U makes x recursive and T does
+/// not, then every way from U to x goes through T, which U also leads to; so the way by which k
+/// makes x recursive enters the part that T leads to from outside, and makes a state there
+/// recursive for T.
 ///
 /// The roots with the greatest limits are the exception: on the stack as a root, T could keep its
-/// own case from firing. The walk leaves them out, and they are looked at one by one: they are
-/// three.
+/// own case from firing. The walk leaves them out; they are at most three, and are checked one by
+/// one.
 class SourceWalk {
  public:
   explicit SourceWalk(const Structure& structure)
@@ -34,7 +35,7 @@ class SourceWalk {
       own_[s] = s_.rootLimit(s).value_or(0);
     }
     for (const Edge& edge : s_.always.edges) {
-      // A case that no stack lets fire is no source.
+      // A case that no stack lets fire is not a source.
       if (edge.call && s_.otherRoot(edge.case_index, edge.to, edge.to)) {
         own_[edge.to] = std::max(own_[edge.to], edge.case_index);
       }
@@ -46,7 +47,7 @@ class SourceWalk {
 
   [[nodiscard]] bool findsMistake() {
     const std::vector<uint32_t> order = callersFirst(s_);
-    std::vector<uint32_t> inclusive(s_.size(), kNone);  // as led_by_, a state's own case too
+    std::vector<uint32_t> inclusive(s_.size(), kNone);  // as led_by_, including a state's own case
     for (uint32_t s : order) {
       sources_[s] = std::max(sources_[s], own_[s]);
       inclusive[s] = std::min(led_by_[s], target_of_[s]);
@@ -76,14 +77,14 @@ class SourceWalk {
   }
 
   const Structure& s_;
-  std::vector<uint32_t> own_;        ///< what a state is a source for: all cases before this one
-  std::vector<uint32_t> sources_;    ///< the greatest of those that lead to it, its own too
+  std::vector<uint32_t> own_;  ///< what a state itself is a source for: all cases before this one
+  std::vector<uint32_t> sources_;    ///< the greatest of those that lead to it, including its own
   std::vector<uint32_t> target_of_;  ///< the first case of `always` that calls it
-  std::vector<uint32_t> led_by_;     ///< the first one whose target leads to it, not its own
+  std::vector<uint32_t> led_by_;     ///< the first one whose target leads to it, except its own
 };
 
-/// Whether `always`, a call of one of the roots with the greatest limits, leads on to a state that
-/// can be below it.
+/// Whether `always`, a call of one of the roots with the greatest limits, leads to a state that can
+/// be below that root.
 bool recurs(const Structure& s, const Edge& always) {
   std::vector<bool> below(s.size()), above(s.size());
   auto spread = [&](std::vector<bool>& reached, std::vector<uint32_t> pending) {

@@ -24,7 +24,7 @@ constexpr Interval kNowhere{0, 0, true};
 /// more.
 constexpr double kFarthest = 2.0016e7;
 
-/// From `low` to `high` if there is anything finite; the rest is not known.
+/// From `low` to `high` if some of it is finite; otherwise it is unknown.
 Interval between(double low, double high) {
   const bool any = low <= high && low <= kMost && high >= -kMost;
   return any ? Interval{std::max(low, -kMost), std::min(high, kMost), false} : kNowhere;
@@ -37,7 +37,7 @@ Interval hull(const Interval& a, const Interval& b) {
   return {std::min(a.lowest, b.lowest), std::max(a.highest, b.highest), false};
 }
 
-/// The hull of an operation on the ends; an end that overflows stands for the greatest number.
+/// The hull of an operation on the ends; an end that overflows becomes the greatest number.
 template <typename Operation>
 Interval ofEnds(const Interval& a, const Interval& b, Operation operation) {
   const std::array<double, 4> ends = {operation(a.lowest, b.lowest), operation(a.lowest, b.highest),
@@ -46,7 +46,7 @@ Interval ofEnds(const Interval& a, const Interval& b, Operation operation) {
   return between(std::ranges::min(ends), std::ranges::max(ends));
 }
 
-/// A magnitude so small that it settles is 0.
+/// A magnitude so small that it settles becomes 0.
 Interval settled(Interval x) {
   x.lowest = settle(x.lowest);
   x.highest = settle(x.highest);
@@ -114,7 +114,7 @@ class Analysis {
     }
   }
 
-  /// Of one, when its operands have theirs.
+  /// The interval of one expression, when its operands have theirs.
   [[nodiscard]] Interval at(uint32_t index) const {
     const Expr& e = m_.exprs[index];
     return e.type.kind == TypeKind::Bool ? kAny : of(e);
@@ -170,7 +170,7 @@ class Analysis {
     return kAny;  // a truth value
   }
 
-  /// Whether every operand has some value. Those of a call do not matter.
+  /// Whether every operand can have a value. Those of a call do not matter.
   [[nodiscard]] bool haveOperands(const Expr& e) const {
     for (uint32_t i = 0; i < opInfo(e.op).operands; ++i) {
       if (operand(e, i).empty) {
@@ -185,7 +185,7 @@ class Analysis {
     return {lowest, highest, false};
   }
 
-  /// A mean is worked out by sums that may round past the readings.
+  /// A mean is computed from sums that may round to outside the range of the readings.
   [[nodiscard]] Interval window(const Temporal& t) const {
     const Interval& x = all_[t.operand.index];
     switch (t.kind) {

@@ -11,7 +11,7 @@
 
 namespace glider::ir {
 
-/// Where the known values of a number lie: finite, lowest <= highest; or nowhere, if it never is
+/// The range of the known values of a number: finite, lowest <= highest; or empty, if it is never
 /// known.
 struct Interval {
   double lowest = 0;
@@ -23,21 +23,21 @@ struct Interval {
   }
 };
 
-/// Of every expression of a valid mission; of one that is a truth value it means nothing. Readings
-/// lie in their sensor's range, variables in theirs; nothing is assumed of how values depend on
-/// each other. Bounds are worked out with the mission's own arithmetic, in which every operation is
-/// monotone, so they are exact where an operation is.
+/// The interval of every expression of a valid mission; for a truth value it has no meaning.
+/// Readings lie in their sensor's range, variables in theirs; nothing is assumed about how values
+/// depend on each other. Bounds are computed with the mission's own arithmetic, in which every
+/// operation is monotone, so they are exact where an operation is.
 std::vector<Interval> intervalsOf(const Mission& mission);
 
-/// Where a variable or clock lies at some moment; none: as above.
+/// The range of a variable or clock at some moment; none: as above.
 using LeafRange = std::function<std::optional<Interval>(const Expr& leaf)>;
-/// The same at a moment of which more is known.
+/// The same at a moment about which more is known.
 std::vector<Interval> intervalsOf(const Mission& mission, const LeafRange& known);
 
 /// Intervals of single expressions of a mission, for many questions about it.
 class SubtreeIntervals {
  public:
-  /// `narrow` has the last word on what each expression in the tree may be worth.
+  /// `narrow` may restrict the interval of each expression in the tree.
   using Narrow = std::function<Interval(uint32_t expression, const Interval&)>;
   /// `mission` outlives this.
   explicit SubtreeIntervals(const Mission& mission)

@@ -7,7 +7,7 @@
 #include <set>
 #include <string_view>
 
-// tests/unit/ir/link_bytes_test.cpp holds these against what hooks/protocol writes.
+// tests/unit/ir/link_bytes_test.cpp compares these with what hooks/protocol writes.
 namespace glider::ir {
 namespace {
 
@@ -17,13 +17,13 @@ constexpr uint64_t kDone = 18, kTransition = 22, kNote = 70;
 constexpr uint64_t kMostNotices = 8, kMostNotes = 8;
 constexpr double kFastBaud = 115200, kSlowBaud = 9600, kBitsAByte = 10;
 
-/// A frame with so large a payload, with COBS's bytes and the final zero.
+/// The bytes of a frame with a payload of this size, with COBS's bytes and the final zero.
 uint64_t onTheLine(uint64_t payload) {
   constexpr uint64_t kGroup = 254;
   return payload + kFrame + (payload + kFrame) / kGroup + 2;
 }
 
-/// Frames of lists of readings, filled in order: a reading is never torn.
+/// Frames of lists of readings, filled in order: a reading is never divided.
 class Frames {
  public:
   explicit Frames(uint64_t head) : head_(head), used_(head) {}
@@ -85,8 +85,8 @@ uint64_t answer(const Mission& mission, const platforms::Platform& platform) {
          onTheLine(kDone);
 }
 
-/// Whatever the order and the parts in which they go: no frame but the last of a part is left with
-/// room for one more.
+/// For any order and any parts in which they are sent: only the last frame of a part has room for
+/// one more.
 uint64_t report(const platforms::Platform& platform) {
   constexpr uint64_t kWidest = 8, kMostParts = 3;
   uint64_t bytes = 0;

@@ -10,19 +10,19 @@
 
 namespace glider::ir {
 
-/// Bytes in one cycle of the vehicle, at most, by hooks/protocol/README.md: frames with all that
-/// surrounds them. Each direction has the whole line.
+/// Upper bounds of the bytes in one cycle of the vehicle, by hooks/protocol/README.md: frames with
+/// all their overhead. Each direction has the whole line.
 struct LinkBytes {
   uint64_t to_sbc = 0;      ///< 115200 baud: the tick with every subscribed sensor
   uint64_t from_sbc = 0;    ///< the longest answer
   uint64_t to_science = 0;  ///< 9600 baud: all sensors of the flight controller
   uint64_t to_flight = 0;   ///< an instruction and a heartbeat
-  uint64_t fast_line = 0;   ///< what each direction of the line of 115200 baud carries in a cycle
-  uint64_t slow_line = 0;   ///< of that of 9600 baud
+  uint64_t fast_line = 0;   ///< what each direction of the 115200-baud line carries in a cycle
+  uint64_t slow_line = 0;   ///< of the 9600-baud line
 };
 
-/// `platform` is the one that the mission names. Retries after lost frames are in the bound; what
-/// opens a link is not, for nothing else is said then.
+/// `platform` is the one that the mission names. The bound includes retries after lost frames, but
+/// not the opening of a link, because nothing else is sent then.
 LinkBytes linkBytes(const Mission& mission, const platforms::Platform& platform);
 
 }  // namespace glider::ir

@@ -14,7 +14,7 @@ namespace {
 
 using support::DiagnosticId;
 
-/// Who goes to or calls a state.
+/// The transitions that go to or call a state.
 struct Users {
   std::vector<std::vector<Edge>> all;
   explicit Users(const Structure& structure) : all(structure.size()) {
@@ -26,16 +26,16 @@ struct Users {
   }
 };
 
-/// For each state the smallest limit with which a run that is there can end without a return below
-/// where it began: by an `exit`, or by a mistake that has its own report (a state nothing leaves, a
-/// return with an empty stack). What a call leads to is counted; that it may come back gains
-/// nothing, for the caller's own cases are counted anyway. That a case of `always` may not fire
-/// because its target is on the stack is left out: at worst a warning is missing.
+/// For each state the smallest limit with which a trace in that state can end without a return
+/// below where it began: by an `exit`, or by an error that has its own report (a state nothing
+/// leaves, a return with an empty stack). What a call leads to is counted; that it may return gains
+/// nothing, because the caller's own cases are counted anyway. That a case of `always` may not fire
+/// because its target is on the stack is ignored: at worst a warning is missing.
 ///
 /// A state whose own cases lead to an end needs no limit. Any other ends by way of `always`: of its
-/// first case that leads to an end. That it does not interrupt the state that is its target changes
-/// nothing: the first case's target needs no limit itself, ends by an earlier `exit` of `always`,
-/// or returns, of which nothing is told.
+/// first case that leads to an end. That this case does not interrupt the state that is its target
+/// changes nothing: the first case's target needs no limit itself, ends by an earlier `exit` of
+/// `always`, or returns, about which nothing is reported.
 class Ends {
  public:
   Ends(const Structure& structure, const Users& users)
@@ -58,7 +58,7 @@ class Ends {
  private:
   static constexpr uint64_t kNever = UINT64_MAX;
 
-  /// A return that a `goto` to its state brings to an empty stack.
+  /// Whether a `goto` to the state makes its return meet an empty stack.
   [[nodiscard]] bool goesToReturn(const Edge& edge) const {
     return !edge.call && s_.moves[edge.to].return_case;
   }
@@ -74,7 +74,7 @@ class Ends {
     }
   }
 
-  /// Who goes to or calls a state that needs no limit needs none.
+  /// A state that goes to or calls a state that needs no limit needs none either.
   void spread() {
     while (!pending_.empty()) {
       const uint32_t state = pending_.front();
@@ -85,8 +85,8 @@ class Ends {
     }
   }
 
-  /// Looks for the first case of `always` that leads to an end, and for states that go to one which
-  /// now can end: they need no limit. Whether there was any.
+  /// Looks for the first case of `always` that leads to an end, and for states that go to one that
+  /// now can end: they need no limit. Returns whether there was any.
   bool interrupt() {
     const auto leads_to_end = [&](const Edge& edge) {
       return goesToReturn(edge) || canEnd(edge.to, edge.case_index);
@@ -142,14 +142,14 @@ void reportWholeMission(Verification& v) {
   }
 }
 
-/// The states that belong together get one report, at the one that is nearest to the start.
+/// States that belong together get one report, at the one nearest to the start.
 void reportStates(Verification& v, const std::vector<bool>& endless) {
   constexpr size_t kMost = 8;
   const Mission& m = v.structure.mission;
   const Users users(v.structure);
   std::vector<bool> told(v.structure.size());
   for (uint32_t first : v.structure.order) {
-    // Of those that return, only the runs that an endless state began are endless: they are told
+    // States that return are endless only in traces that an endless state began: they are reported
     // with it.
     if (!endless[first] || told[first] || v.structure.moves[first].return_case) {
       continue;
@@ -184,7 +184,7 @@ std::vector<bool> statesWithoutEnd(const Structure& structure) {
   std::vector<bool> endless(structure.size());
   std::deque<uint32_t> pending;
   for (uint32_t s : structure.order) {
-    // One that returns goes on with its caller, or is an error of its own.
+    // A state that returns continues in its caller, or is an error of its own.
     if (!ends.canEnd(s, structure.lowestLimit(s)) && !structure.moves[s].return_case) {
       endless[s] = true;
       pending.push_back(s);
@@ -196,7 +196,7 @@ std::vector<bool> statesWithoutEnd(const Structure& structure) {
     pending.pop_front();
     for (const Edge& edge : structure.moves[state].edges) {
       if (edge.call && !endless[edge.to]) {
-        endless[edge.to] = true;  // if it could reach an end, so could its caller
+        endless[edge.to] = true;  // if it could reach an end, its caller could also
         pending.push_back(edge.to);
       }
     }

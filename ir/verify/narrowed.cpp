@@ -20,7 +20,7 @@ namespace glider::ir {
 namespace {
 
 constexpr double kEndless = std::numeric_limits<double>::infinity();
-constexpr unsigned kDeepest = 100;  ///< what nests deeper says nothing
+constexpr unsigned kDeepest = 100;  ///< conditions that nest deeper are ignored
 
 Interval intersection(const Interval& a, const Interval& b) {
   const double lowest = std::max(a.lowest, b.lowest);
@@ -36,7 +36,7 @@ Interval hull(const Interval& a, const Interval& b) {
   return {std::min(a.lowest, b.lowest), std::max(a.highest, b.highest), false};
 }
 
-/// All that makes two expressions worth the same at every moment; of a Call the use says it.
+/// Everything that gives two expressions the same value at every moment; for a Call its use.
 auto keyOf(const Expr& e, const std::array<ExprId, kMostOperands>& operands) {
   return std::tuple(e.op, e.type.kind, operands, std::bit_cast<uint64_t>(e.number), e.sensor,
                     e.variable, e.temporal, e.table, e.use);
@@ -79,7 +79,7 @@ Narrowing::Narrowing(const Mission& mission, const std::vector<Interval>& interv
 
 Interval Narrowing::intervalOf(const Knowledge& knowledge, ExprId id) {
   return work_.of(id, [&](uint32_t index, const Interval& made) {
-    // A window holds what was before the conditions were judged.
+    // A window contains values from before the conditions were evaluated.
     const Interval& now = m_.exprs[index].op == Op::Temporal ? plain_[index] : made;
     const auto known = knowledge.within.find(first_[index]);
     return known == knowledge.within.end() ? now : intersection(now, known->second);
@@ -111,7 +111,7 @@ void Narrowing::set(Knowledge& knowledge, VariableId variable, Interval given, b
   }
   itself = itself ? itself : read_as_[variable.index];
   if (!itself) {
-    return;  // nobody asks
+    return;  // no expression reads it
   }
   const Interval after = intersection(range, given);
   knowledge.within.emplace(*itself, kept ? hull(before, after) : after);
@@ -156,8 +156,8 @@ void Narrowing::assumeEither(Knowledge& knowledge, const Expr& e, Asked asked, u
   knowledge = common(knowledge, other);
 }
 
-/// What is not true is false or unknown, and says of one side only what holds where the other is
-/// always known: else that may be why.
+/// A comparison that is not true is false or unknown. It restricts one side only if the other is
+/// always known: otherwise that side may be the reason.
 void Narrowing::compare(Knowledge& knowledge, const Expr& e, Asked asked) {
   const bool definite = asked == Asked::True || asked == Asked::False;
   const bool holds = asked == Asked::True || asked == Asked::NotFalse;
@@ -165,7 +165,7 @@ void Narrowing::compare(Knowledge& knowledge, const Expr& e, Asked asked) {
   const Interval left = intervalOf(knowledge, e.operands[0]);
   const Interval right = intervalOf(knowledge, e.operands[1]);
   if (left.empty || right.empty) {
-    knowledge.unreachable = definite;  // one is never known
+    knowledge.unreachable = definite;  // a side is never known
     return;
   }
   if (definite || isAlwaysKnown(e.operands[1])) {
@@ -186,7 +186,7 @@ void Narrowing::narrow(Knowledge& knowledge, ExprId side, Op op, const Interval&
   }
 }
 
-/// Where `side` may lie if it compares so with something in `other`.
+/// The values that `side` may have if it compares this way with a value in `other`.
 Interval Narrowing::allowed(ExprId side, Op op, const Interval& now, const Interval& other) const {
   const bool whole = whole_[side.index];
   const double below =
@@ -207,7 +207,7 @@ Interval Narrowing::allowed(ExprId side, Op op, const Interval& now, const Inter
     case ComparisonOp::NotEqual:
       break;
   }
-  // An end of it falls off.
+  // An end of the interval is excluded.
   const bool single = other.lowest == other.highest;
   return {single && now.lowest == other.lowest ? above : now.lowest,
           single && now.highest == other.highest ? below : now.highest, false};

@@ -13,17 +13,17 @@
 
 namespace glider::ir {
 
-/// What is known at a place in a mission beyond the ranges of its leaves: where expressions lie
-/// that conditions have compared. By the first expression that reads the same.
+/// What is known at a place in a mission beyond the ranges of its leaves: the ranges of expressions
+/// that conditions have compared. The key is the first expression with the same reading.
 struct Knowledge {
   std::map<uint32_t, Interval> within;
   bool unreachable = false;  ///< the place is never reached
 };
 
-/// What either knows.
+/// What holds in either case.
 Knowledge common(const Knowledge& a, const Knowledge& b);
 
-/// What is asked of a condition: of an unknown one only that it is not true, and not false.
+/// The assumed result of a condition: for NotTrue and NotFalse it may also be unknown.
 enum class Asked : uint8_t { True, False, NotTrue, NotFalse };
 
 /// Reasons about a mission's conditions with intervals.
@@ -32,11 +32,11 @@ class Narrowing {
   /// Both outlive this. `intervals`: of every expression.
   Narrowing(const Mission& mission, const std::vector<Interval>& intervals);
 
-  /// Adds what follows from a condition's being as asked.
+  /// Adds what follows from the assumed result of a condition.
   void assume(Knowledge& knowledge, ExprId condition, Asked asked, unsigned depth = 0);
-  /// Where an expression lies when it is known.
+  /// The range of an expression when it is known.
   Interval intervalOf(const Knowledge& knowledge, ExprId id);
-  /// A variable gets a value that lies in `given`; `kept`: or keeps the one it has.
+  /// A variable gets a value that lies in `given`; `kept`: or keeps its present value.
   void set(Knowledge& knowledge, VariableId variable, Interval given, bool kept);
   /// Whether an expression is known at every moment: made of constants, parameters and clocks.
   [[nodiscard]] bool isAlwaysKnown(ExprId id) const;
@@ -52,8 +52,8 @@ class Narrowing {
   const Mission& m_;
   const std::vector<Interval>& plain_;
   std::vector<bool> whole_;
-  std::vector<uint32_t> first_;  ///< of every expression, the first that reads the same
-  std::vector<std::optional<uint32_t>> read_as_;  ///< of every variable, the first that is it
+  std::vector<uint32_t> first_;  ///< for every expression, the first that is the same
+  std::vector<std::optional<uint32_t>> read_as_;  ///< the first that reads each variable
   SubtreeIntervals work_;
 };
 

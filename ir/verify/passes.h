@@ -12,12 +12,12 @@
 
 namespace glider::ir {
 
-/// What a check works with: it reads the structure, reports, and may add to the facts.
+/// The data of a check: it reads the structure, reports, and may add to the facts.
 struct Verification {
   const Structure& structure;
   support::DiagnosticEngine& diagnostics;
   MissionFacts facts;
-  bool recursive = false;  ///< a state could stand on the call stack twice
+  bool recursive = false;  ///< a state could be on the call stack twice
 };
 
 namespace passes {
@@ -26,22 +26,23 @@ namespace passes {
 #undef PASS
 }  // namespace passes
 
-/// The states from which, with some call stack that they can have, no `exit` and no dead end can be
-/// reached any more.
+/// The states from which, with some call stack that they can have, neither an `exit` nor a dead end
+/// can be reached any more.
 std::vector<bool> statesWithoutEnd(const Structure& structure);
 
-/// The reached states in an order in which callers come before those that they call themselves;
-/// where such calls make a cycle, what is in it or called from it is left out.
+/// The reached states in an order in which callers come before the states that they call
+/// themselves; if such calls form a cycle, its states and those called from it are left out.
 std::vector<uint32_t> callersFirst(const Structure& structure);
 
-/// Whether a case of `always` may come between so that a state is on the stack twice; the states'
-/// own calls make no cycle. Linear.
+/// Whether a case of `always` may interrupt so that a state is on the stack twice; the states' own
+/// calls must not form a cycle. Linear.
 bool interruptionsRecur(const Structure& structure);
-/// Reports each call that this makes a mistake. Takes a while for each case of `always`.
+/// Reports each call that is an error for this reason. The time grows with the number of cases of
+/// `always`.
 void reportInterruptions(Verification& verification);
 
-/// Adds a note for each step of a run from the start: `path`'s transitions, the middle of a long
-/// one left out.
+/// Adds a note for each step of a trace from the start: the transitions of `path`; the middle of a
+/// long one is left out.
 void notePath(support::DiagnosticBuilder& report, const Structure& structure, const Path& path);
 
 /// Adds a note that says why `c` of `list` never fires.

@@ -19,8 +19,8 @@ struct Edge {
   bool always = false;  ///< a case of `always`, not of the state
 };
 
-/// The transitions of a run, in order. Of a long one only those at either end are kept, which is
-/// what is told of it: so a path costs the same however long it is.
+/// The transitions of a trace, in order. For a long one only those at both ends are kept, which are
+/// the ones reported: so a path costs the same at any length.
 class Path {
  public:
   static constexpr size_t kFirst = 6, kLast = 5;
@@ -34,7 +34,8 @@ class Path {
     append(size,
            [&](size_t i) { return i < early.size() ? early[i] : late[late.size() - (size - i)]; });
   }
-  /// Appends `count` transitions, of which `at(i)` is number i; asks for those that are kept only.
+  /// Appends `count` transitions, of which `at(i)` is number i; calls `at` only for those that are
+  /// kept.
   template <typename At>
   void append(size_t count, At at) {
     for (size_t i = 0; i < count && first_.size() < kFirst; ++i) {

@@ -98,7 +98,7 @@ class Process {
     }
   }
 
-  /// The name with which Promela can do, made different by the number.
+  /// A name that Promela accepts, made unique by the number.
   [[nodiscard]] std::string label(uint32_t state) const {
     std::string text = fmt::format("s{}_{}", state, m_.states[state].name);
     std::ranges::replace_if(text, [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
@@ -142,7 +142,7 @@ class Process {
   }
 
   void ownCall(uint32_t from, uint32_t to) {
-    // No `else`: in Promela it would be that of all cases together.
+    // No `else`: in Promela it would apply to all cases together.
     const bool itself = from == to;
     const std::string twice = itself ? "true" : fmt::format("waits[{}]", to);
     add("  :: {} -> CALLED_TWICE({}, {}, {}); goto exited\n", twice, name_, from, to);
@@ -200,7 +200,7 @@ class Process {
     add("  EMPTY_RETURN({}, state);\n  goto exited;\n", name_);
   }
 
-  /// The state goes on for which `state` stands.
+  /// The state that `state` represents continues.
   void again() {
     if (m_.always.empty() && !(returns_ && calls_)) {
       return;

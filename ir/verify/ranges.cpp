@@ -19,7 +19,7 @@ namespace {
 
 using support::DiagnosticId;
 
-/// Beyond this a bound is no bound.
+/// A greater bound means that there is none.
 constexpr double kNoBound = 1e300;
 
 /// A value of the interval that is outside the variable's range.

@@ -13,7 +13,7 @@
 namespace glider::ir {
 namespace {
 
-/// Tells of `closing`, a call of a state that can be on the call stack; `path` leads to where it is
+/// Reports `closing`, a call of a state that can be on the call stack; `path` leads to where it is
 /// made.
 void reportCall(Verification& v, const Edge& closing, const Path& path) {
   const Mission& m = v.structure.mission;
@@ -29,9 +29,9 @@ void reportCall(Verification& v, const Edge& closing, const Path& path) {
 }
 
 /// Walks the states' own calls depth first from every state that meets an empty stack or that
-/// `always` calls, so that the walk's own stack is a call stack that can come about; a call of a
-/// state on it is the mistake. Without the calls that it reports the states' own calls are none
-/// that could put a state on the stack twice.
+/// `always` calls, so that the walk's own stack is a possible call stack; a call of a state on it
+/// is the error. Without the reported calls, the states' own calls cannot put a state on the stack
+/// twice.
 class CallWalk {
  public:
   explicit CallWalk(Verification& verification)
@@ -97,20 +97,20 @@ class CallWalk {
   std::vector<Level> levels_;
 };
 
-/// Where a way begins: in a state that meets an empty stack; then perhaps a call by `always`.
+/// Where a path begins: in a state that meets an empty stack; then possibly a call by `always`.
 struct Beginning {
   uint32_t root = 0;
   std::optional<Edge> then;
 };
 
-/// The states to which calls of states lead from some beginnings, each with how.
+/// The states that calls reach from some beginnings, each with how it is reached.
 class CallReach {
  public:
   explicit CallReach(const Structure& structure) : s_(structure), how_(structure.size()) {}
 
   [[nodiscard]] bool has(uint32_t state) const { return how_[state].reached; }
 
-  /// `state` is reached from the start, or is where the way begins.
+  /// `state` is reached from the start, or is where the path begins.
   void begin(uint32_t state, std::optional<Beginning> how = std::nullopt) {
     if (!has(state)) {
       how_[state] = {true, how, std::nullopt};
@@ -118,7 +118,7 @@ class CallReach {
     }
   }
 
-  /// Follows calls; `visit` sees each and says whether to go on with it.
+  /// Follows calls; `visit` is called for each and returns whether to follow it.
   template <typename Visit>
   void follow(Visit visit) {
     while (!pending_.empty()) {
@@ -161,8 +161,8 @@ class CallReach {
   std::deque<uint32_t> pending_;
 };
 
-/// The mistakes in which case `always` comes between: it interrupts a stack, and the state that it
-/// calls leads by calls to one that is on it. README says which states can be on it.
+/// The errors that case `always` causes: it interrupts a stack, and the state that it calls leads
+/// by calls to a state on that stack. The README says which states can be on it.
 class Interruption {
  public:
   Interruption(Verification& v, const Edge& always)

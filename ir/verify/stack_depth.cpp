@@ -17,9 +17,9 @@ constexpr uint32_t kNone = UINT32_MAX;
 
 /// The lengths of the longest call stacks, by the limit that they begin with. ir/README.md says why
 /// they are a chain of the states' own calls from the state at the bottom, then one for each state
-/// that `always` may call, none of which the chains go through. The limit rises from 0 on, and with
-/// it the number of states that `always` may call: then only the chains that went through one of
-/// them are looked at again.
+/// that `always` may call, which the chains do not go through. The limit rises from 0, and with it
+/// the number of states that `always` may call: then only the chains that went through one of these
+/// are computed again.
 class Chains {
  public:
   Chains(const Structure& structure, std::span<const uint32_t> callers_first)
@@ -41,10 +41,10 @@ class Chains {
     }
   }
 
-  /// Raises the limit; it never sinks.
+  /// Raises the limit, which never decreases.
   void raise(uint32_t limit) {
     const std::vector<Edge>& edges = s_.always.edges;
-    std::priority_queue<size_t> changed;  // places of states, the called first
+    std::priority_queue<size_t> changed;  // places of states, called states first
     for (; next_ < edges.size() && edges[next_].case_index < limit; ++next_) {
       const uint32_t target = edges[next_].to;
       if (edges[next_].call && !interrupting_[target]) {
@@ -56,12 +56,12 @@ class Chains {
     shorten(changed);
   }
 
-  /// Of the longest stack that has `root` at its bottom: how many states.
+  /// The number of states in the longest stack that has `root` at its bottom.
   [[nodiscard]] uint32_t states(uint32_t root) const {
     return by_always_ + (interrupting_[root] ? 0 : length_[root]);
   }
 
-  /// Those states, outermost first: of what `always` calls, the last case first.
+  /// Those states, outermost first; of those that `always` calls, the last case first.
   [[nodiscard]] std::vector<StateId> path(uint32_t root) const {
     std::vector<uint32_t> bottoms;
     std::vector<bool> told(s_.size());
@@ -83,7 +83,8 @@ class Chains {
   }
 
  private:
-  /// What a state itself calls that has the longest chain, and its length; kNone and 0 if nothing.
+  /// The state with the longest chain that a state itself calls, and its length; kNone and 0 if
+  /// there is none.
   [[nodiscard]] std::pair<uint32_t, uint32_t> longestCalled(uint32_t state) const {
     std::pair<uint32_t, uint32_t> longest = {kNone, 0};
     for (const Edge& edge : s_.moves[state].edges) {
@@ -100,7 +101,7 @@ class Chains {
     }
   }
 
-  /// Looks at the chains of states anew that call what has changed.
+  /// Computes the chains of states that call a changed state again.
   void shorten(std::priority_queue<size_t>& changed) {
     while (!changed.empty()) {
       const size_t place = changed.top();
@@ -123,14 +124,14 @@ class Chains {
   std::vector<uint32_t> length_;  ///< of the longest chain of own calls from each state
   std::vector<bool> interrupting_;
   std::vector<std::vector<uint32_t>> callers_;
-  size_t next_ = 0;  ///< the first case of `always` that the limit keeps out
+  size_t next_ = 0;  ///< the first case of `always` that the limit excludes
   uint32_t by_always_ = 0;
 };
 
 /// A state that meets an empty stack.
 struct Root {
-  uint32_t limit = 0;  ///< the greatest with which it does
-  size_t place = 0;    ///< among the reached states: of equally deep stacks the nearest is told
+  uint32_t limit = 0;  ///< the greatest limit with which it does
+  size_t place = 0;    ///< among the reached states: of equally deep stacks the nearest is reported
   uint32_t state = 0;
 };
 

@@ -12,8 +12,8 @@
 namespace glider::ir {
 namespace {
 
-/// Whether nothing after `c` in its list can fire if its guard is always true. One of `always` with
-/// a target may not fire at times.
+/// Whether nothing after `c` in its list can fire if its guard is always true. A case of `always`
+/// with a target may sometimes not fire.
 bool hidesLater(const Case& c, bool always) {
   return !always || !c.target.valid();
 }
@@ -81,9 +81,9 @@ const Case& Structure::caseOf(const Edge& edge) const {
                      : mission.states[edge.from].cases[edge.case_index];
 }
 
-/// Breadth first, so that the paths are shortest. The start, which every case of `always` may
-/// interrupt, is enough to reach their targets from; the last comes first, so that a state that
-/// only they lead to is met with the greatest limit.
+/// Breadth first, so that the paths are shortest. The targets of the cases of `always` are reached
+/// from the start, which every case may interrupt. The last case comes first, so that a state that
+/// only these cases lead to is reached with the greatest limit.
 void Structure::explore() {
   std::deque<Place> pending = {Place{}};
   arrivals_[index({})].reached = true;
@@ -131,7 +131,7 @@ void Structure::findRoots() {
   limits_.resize(size());
   for (const Edge& edge : always.edges) {
     if (!edge.call) {
-      limits_[edge.to] = edge.case_index;  // in the end the greatest
+      limits_[edge.to] = edge.case_index;  // at the end the greatest
     }
   }
   for (uint32_t s : order) {
@@ -158,8 +158,8 @@ bool Structure::highRoot(uint32_t state) const {
   return std::ranges::find(highest_roots_, state) != highest_roots_.end();
 }
 
-/// A call hands the limit on, so the smallest of a state is that of the first case of `always` from
-/// whose target calls lead to it.
+/// A call passes the limit on, so the smallest limit of a state is that of the first case of
+/// `always` whose target leads to it by calls.
 void Structure::findLimits() {
   lowest_limit_.assign(size(), kEndlessLimit);
   for (const Edge& start : always.edges) {
@@ -195,7 +195,7 @@ bool Structure::deadEnd(uint32_t state) const {
          lowestLimit(state) != kEndlessLimit;
 }
 
-/// The transition that led to a place that is not the start.
+/// The transition that led to a place other than the start.
 Edge Structure::edgeTo(Place place) const {
   Edge edge = *arrivals_[index(place)].edge;
   edge.from = arrivals_[index(place)].before.state;

@@ -16,7 +16,7 @@
 
 namespace glider::ir {
 
-/// Of every expression: what is true or false whatever the sensors and clocks say; Unknown stands
+/// For every expression: true or false if it is so for any values of sensors and clocks; Unknown
 /// for everything else.
 std::vector<Truth> constantTruths(const Mission& mission);
 
@@ -40,8 +40,8 @@ struct Moves {
   [[nodiscard]] bool leaves() const { return !edges.empty() || return_case || exit_case; }
 };
 
-/// How a state became current: by the start or a `goto` of a state, so that every case of `always`
-/// may interrupt it; by a `goto` of `always`, so that only earlier ones may; by a `call`.
+/// How a state became current: by the start or by a state's `goto`, so that every case of `always`
+/// may interrupt it; by a `goto` of `always`, so that only earlier cases may; or by a `call`.
 enum class Arrived : uint8_t { Free, Limited, Called };
 constexpr Arrived kArrivals[] = {Arrived::Free, Arrived::Limited, Arrived::Called};
 
@@ -54,10 +54,10 @@ struct Place {
 constexpr uint32_t kEndlessLimit = UINT32_MAX;
 
 /// The mission as a pushdown system, where every live case may fire at any tick; ir/README.md, "The
-/// checks", says why what stands here is exact.
+/// checks", says why its results are exact.
 class Structure {
  public:
-  /// `dead` are cases of which the caller knows that they never fire.
+  /// `dead`: cases that the caller knows never to fire.
   explicit Structure(const Mission& mission, const std::set<CasePlace>& dead = {});
 
   const Mission& mission;
@@ -73,24 +73,24 @@ class Structure {
   [[nodiscard]] bool meetsEmptyStack(uint32_t state) const {
     return at({state, Arrived::Free}) || at({state, Arrived::Limited});
   }
-  /// How a state that meets an empty stack does so with the greatest limit.
+  /// How a state meets an empty stack with the greatest limit.
   [[nodiscard]] Place root(uint32_t state) const {
     return {state, at({state, Arrived::Free}) ? Arrived::Free : Arrived::Limited};
   }
   /// The greatest limit with which the state meets an empty stack; empty: it does not.
   [[nodiscard]] std::optional<uint32_t> rootLimit(uint32_t state) const;
-  /// A state, neither of these two, that meets an empty stack with a limit above `limit`.
+  /// A state, other than these two, that meets an empty stack with a limit above `limit`.
   [[nodiscard]] std::optional<uint32_t> otherRoot(uint32_t limit, uint32_t not_this,
                                                   uint32_t nor_this) const;
   /// Whether the state is one of the three that `otherRoot` chooses from.
   [[nodiscard]] bool highRoot(uint32_t state) const;
   /// The smallest limit with which a reached state can be current.
   [[nodiscard]] uint32_t lowestLimit(uint32_t state) const { return lowest_limit_[state]; }
-  /// Whether there is a moment from which on nothing ever leaves the reached state.
+  /// Whether there is a moment after which nothing ever leaves the reached state.
   [[nodiscard]] bool deadEnd(uint32_t state) const;
   /// How a reached place is reached.
   [[nodiscard]] Path pathTo(Place place) const;
-  /// The place of a reached state that is nearest to the start.
+  /// The place of a reached state nearest to the start.
   [[nodiscard]] Place nearest(uint32_t state) const { return {state, nearest_[state]}; }
   /// The case of an edge.
   [[nodiscard]] const Case& caseOf(const Edge& edge) const;
@@ -101,7 +101,7 @@ class Structure {
     Place before;
     std::optional<Edge> edge;  ///< none: the start
     uint32_t steps = 0;        ///< from the start
-    Place early;               ///< on the way here, Path::kFirst steps from the start, or this one
+    Place early;  ///< the place on the way here Path::kFirst steps from the start, or this one
   };
 
   static size_t index(Place place) {

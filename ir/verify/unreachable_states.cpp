@@ -10,7 +10,7 @@
 namespace glider::ir {
 namespace {
 
-/// A case that names a state; without a state of its own one of `always`.
+/// A case that names a state; if its own state is invalid, a case of `always`.
 struct Naming {
   std::optional<uint32_t> from;
   const Case* by = nullptr;

@@ -17,7 +17,7 @@ std::string unitOf(Type type) {
   return type.kind == TypeKind::Quantity ? support::unitName(type.dimension) : "deg";
 }
 
-/// From SI units (positions: degrees) to the unit that is shown.
+/// Converts from SI units (positions: degrees) to the unit that is shown.
 double shown(double value, Type type) {
   const auto unit = type.kind == TypeKind::Quantity ? support::bareUnit(type.dimension)
                                                     : std::optional<support::Unit>();
@@ -32,7 +32,7 @@ std::string withUnit(double value, Type type) {
 }
 
 std::string withUnitExactly(double value, Type type) {
-  constexpr int kMostDigits = 15;  // that a launch reads
+  constexpr int kMostDigits = 15;  // that a launch accepts
   if (type.kind == TypeKind::Latitude || type.kind == TypeKind::Longitude) {
     const bool latitude = type.kind == TypeKind::Latitude;
     const char letter = value < 0 ? (latitude ? 'S' : 'W') : (latitude ? 'N' : 'E');

@@ -9,7 +9,7 @@
 
 namespace glider::ir {
 
-/// A number (SI units; of a position degrees) in the unit that its type is shown in: "12 m",
+/// A number (SI units; for a position degrees) in the unit in which its type is shown: "12 m",
 /// "39.2 deg".
 std::string withUnit(double value, Type type);
 /// The same as `--set` takes it, with 15 digits: "12.25m", "39.2 S".

@@ -17,16 +17,16 @@ struct VerifyPass {
   std::string_view purpose;
 };
 
-/// The checks in the order in which `verify` makes them.
+/// The checks in the order in which `verify` runs them.
 std::span<const VerifyPass> verifyPasses();
 
 /// Checks `mission` (which must be valid) on its pushdown structure, exactly: guards are not
-/// interpreted, except those that are always true or always false whatever the sensors say. Checks
-/// by intervals that no variable leaves its range. Reports GL3xxx; the facts are meaningful only if
-/// none of what was reported is an error. Time and memory are linear in the mission, but for the
-/// time to tell the mistakes that `always` brings about (as often as it has cases), and for
-/// missions in which many cases of `always` go to and many call states that the same chain of calls
-/// holds.
+/// interpreted, except those that are always true or always false for any readings of the sensors.
+/// Checks by intervals that no variable leaves its range. Reports GL3xxx; the facts are meaningful
+/// only if no error was reported. Time and memory are linear in the mission, with two exceptions:
+/// the time to report the errors that `always` causes (multiplied by the number of its cases), and
+/// missions in which many cases of `always` go to, and many call, states that the same chain of
+/// calls contains.
 MissionFacts verify(const Mission& mission, support::DiagnosticEngine& diagnostics);
 
 }  // namespace glider::ir

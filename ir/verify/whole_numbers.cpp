@@ -11,7 +11,7 @@
 namespace glider::ir {
 namespace {
 
-/// From here on doubles are not all whole numbers: 2^53 may stand for 2^53 + 1, rounded.
+/// From here on doubles cannot represent all whole numbers: 2^53 may be 2^53 + 1, rounded.
 constexpr double kEndOfWhole = 0x1p53;
 
 class WholeExpressions {
@@ -47,7 +47,7 @@ class WholeExpressions {
   const std::vector<Interval>& intervals_;
 };
 
-/// A parameter is anything within its range.
+/// A parameter may be anything within its range.
 bool beginsWhole(const Variable& variable, bool initial) {
   return variable.kind != VariableKind::Parameter &&
          (variable.kind == VariableKind::Argument || initial);

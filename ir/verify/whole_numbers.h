@@ -10,8 +10,8 @@
 
 namespace glider::ir {
 
-/// Of every expression of `mission`, whether it is a whole number below 2^53 whenever it is
-/// known: doubles add, subtract and multiply such numbers without rounding. `intervals`: of every
+/// For every expression of `mission`, whether it is a whole number below 2^53 whenever it is known:
+/// doubles add, subtract and multiply such numbers without rounding. `intervals`: of every
 /// expression.
 std::vector<bool> wholeExpressions(const Mission& mission, const std::vector<Interval>& intervals);
 

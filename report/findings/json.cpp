@@ -21,7 +21,7 @@ ordered_json place(const SourceManager& sources, uint32_t file, uint32_t offset)
   return {{"line", at.line}, {"column", at.column}};
 }
 
-/// Adds where `range` is; nothing for nowhere.
+/// Adds the place of `range`; nothing for an empty range.
 void addRange(ordered_json& to, const SourceManager* sources, SourceRange range) {
   if (range.valid() && sources != nullptr) {
     to["file"] = sources->name(range.file);

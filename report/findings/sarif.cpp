@@ -108,7 +108,7 @@ class Log {
     return hint.empty() ? message : message + "\nHint: " + hint;
   }
 
-  /// The place of the rule in the list; it is added when it is met first.
+  /// The place of the rule in the list; a new rule is added.
   size_t ruleIndex(DiagnosticId id) {
     const auto [known, added] = rule_of_.try_emplace(id, rules_.size());
     if (added) {
@@ -170,7 +170,7 @@ class Log {
     return result;
   }
 
-  /// All replacements of a diagnostic belong together: one fix, a change for each file.
+  /// All replacements of a diagnostic are one fix, with a change for each file.
   [[nodiscard]] ordered_json fixOf(const Diagnostic& diagnostic) const {
     std::map<uint32_t, ordered_json> by_file;
     for (const support::FixIt& fix : diagnostic.fixes) {

@@ -8,7 +8,7 @@
 namespace glider::report {
 
 /// A path as a URI (RFC 3986): an absolute one with the scheme `file`, a relative one as a
-/// reference that no scheme can be read into.
+/// reference that cannot be read as having a scheme.
 std::string toUri(const std::string& path);
 
 }  // namespace glider::report

@@ -11,8 +11,9 @@ namespace {
 
 constexpr uint32_t kNone = UINT32_MAX;
 
-/// Pairs of nodes, the first of which comes before the second: the edges, those turned round that
-/// close a cycle on a walk in depth from node 0, then from the nodes that are left.
+/// Pairs of nodes, the first of which comes before the second: the edges, where those that close a
+/// cycle are reversed. Cycles are found by a depth-first search from node 0, then from the
+/// remaining nodes.
 class Acyclic {
  public:
   Acyclic(size_t nodes, const std::vector<Edge>& edges) : out_(nodes), marks_(nodes) {
@@ -25,7 +26,7 @@ class Acyclic {
   }
 
   [[nodiscard]] const std::vector<std::pair<uint32_t, uint32_t>>& pairs() const { return pairs_; }
-  /// Such that each pair's first stands before its second.
+  /// An order in which the first node of each pair comes before its second.
   [[nodiscard]] std::vector<uint32_t> order() const {
     return {finished_.rbegin(), finished_.rend()};
   }
@@ -79,7 +80,7 @@ std::vector<uint32_t> assignLayers(size_t nodes, const std::vector<Edge>& edges)
       rank[next] = std::max(rank[next], rank[node] + 1);
     }
   }
-  // What nothing leads to stands right before what it leads to.
+  // A node that nothing leads to is placed immediately before what it leads to.
   for (size_t i = order.size(); i-- > 0;) {
     const uint32_t node = order[i];
     uint32_t nearest = kNone;
@@ -91,7 +92,7 @@ std::vector<uint32_t> assignLayers(size_t nodes, const std::vector<Edge>& edges)
     }
   }
   for (uint32_t& layer : rank) {
-    layer *= 2;  // labels stand between
+    layer *= 2;  // labels are placed between
   }
   return rank;
 }

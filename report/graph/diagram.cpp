@@ -98,7 +98,7 @@ class Maker {
     return box;
   }
 
-  /// A case that stays leads nowhere: it is told in the box.
+  /// A case that stays leads nowhere: it is written in the box.
   static void addStays(Box& box, const std::vector<GraphCase>& cases) {
     for (size_t i = 0; i < cases.size(); ++i) {
       if (cases[i].transition == GraphTransition::Stay) {
@@ -189,7 +189,7 @@ class Maker {
     return depth > 1 && (arrow.always || made_.boxes[arrow.from].depth == depth - 1);
   }
 
-  /// Boxes are large enough for the arrows that meet them on one side.
+  /// Makes boxes large enough for the arrows that meet them on one side.
   void grow() {
     std::vector<double> out(made_.boxes.size()), in(made_.boxes.size());
     for (const Arrow& arrow : made_.arrows) {

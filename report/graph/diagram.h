@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-/// What of a graph is drawn, and how large it is; in pixels.
+/// The elements of a graph that are drawn, and their sizes; in pixels.
 namespace glider::report::diagram {
 
-/// Characters are of equal widths, so that sizes do not hang on a machine's fonts.
+/// Characters have equal widths, so that sizes do not depend on a machine's fonts.
 constexpr double kCharacter = 7.23, kNameCharacter = 9.03, kLine = 16, kNameLine = 21;
 
 enum class Style : uint8_t { Name, Text, Muted, Never };
@@ -31,11 +31,11 @@ struct Box {
   std::vector<Line> lines;
   double width = 0;
   double height = 0;
-  uint32_t depth = 0;  ///< place on the deepest stack, from 1; 0: none, or not wanted
+  uint32_t depth = 0;  ///< place on the deepest stack, from 1; 0: none, or not to be shown
 };
 
-/// Cases that lead from one box to another in the same way, in one arrow. Of an arrow to itself the
-/// space that it needs stands above the box.
+/// Cases that lead from one box to another in the same way, in one arrow. The space for an arrow
+/// from a box to itself is above the box.
 struct Arrow {
   uint32_t from = 0;
   uint32_t to = 0;
@@ -57,11 +57,11 @@ struct Diagram {
 
 Diagram diagramOf(const Graph& graph, const GraphStyle& style);
 
-/// Which way the layers follow each other.
+/// The direction in which the layers follow each other.
 enum class Direction : uint8_t { Right, Down };
 
 constexpr double kLoopHeight = 22;  ///< of a loop without its text
-constexpr double kThick = 5;        ///< what a call on the deepest stack is thicker than others
+constexpr double kThick = 5;        ///< how much thicker a call on the deepest stack is
 
 layered::Drawing place(const Diagram& diagram, Direction direction);
 

@@ -13,14 +13,14 @@ namespace glider::report {
 enum class GraphTransition : uint8_t { Goto, Call, Return, Exit, Stay };
 
 /// A case. Texts are as written in the mission, on one line; `source` is the whole case with its
-/// own lines.
+/// line breaks.
 struct GraphCase {
   std::string guard;
   std::string action;  ///< what `do` does; may be empty
   std::string source;
   GraphTransition transition = GraphTransition::Stay;
   uint32_t target = 0;  ///< a state's number; of Goto and Call
-  std::string never;    ///< why the case never fires; empty: it may
+  std::string never;    ///< why the case never fires; empty: it may fire
 };
 
 struct GraphState {
@@ -28,9 +28,9 @@ struct GraphState {
   std::string parameters;  ///< "to: position, limit: time"; may be empty
   std::string profile;     ///< "yo(5 m, 20 m, 26 deg, 26 deg)"
   std::string route;
-  std::string source;           ///< the head of the state, up to `events`, with its own lines
+  std::string source;           ///< the head of the state, up to `events`, with its line breaks
   bool reached = true;          ///< something leads to it
-  bool led_to_in_vain = false;  ///< not reached, as only cases that never fire lead to it
+  bool led_to_in_vain = false;  ///< not reached, because only cases that never fire lead to it
   bool dead_end = false;        ///< nothing leaves it
   std::vector<GraphCase> cases;
 };
@@ -48,9 +48,9 @@ struct GraphStyle {
   bool deepest = false;  ///< mark the deepest call stack
 };
 
-/// The picture as one SVG that needs nothing else; the same graph gives the same bytes everywhere.
+/// The picture as one self-contained SVG; the same graph always gives the same bytes.
 std::string graphToSvg(const Graph& graph, const GraphStyle& style);
-/// The graph in Graphviz's language.
+/// The graph in the language of Graphviz.
 std::string graphToDot(const Graph& graph, const GraphStyle& style);
 /// The graph as JSON: the members of Graph under the same names.
 std::string graphToJson(const Graph& graph);

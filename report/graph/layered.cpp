@@ -12,13 +12,13 @@ namespace {
 
 constexpr double kLeastGap = 24, kGreatestGap = 80;
 
-/// Where each layer begins and ends, along.
+/// The beginning and end of each layer, along.
 struct Band {
   double begin = 0;
   double end = 0;
 };
 
-/// A gap is wider where links have a long way across, so that curves stay soft.
+/// A gap is wider where links go a long way across, so that curves stay smooth.
 std::vector<Band> bandsOf(const Layers& layers) {
   std::vector<double> steepest(layers.order.size());
   for (const Link& link : layers.links) {
@@ -64,7 +64,7 @@ class Tracer {
     return {(band.begin + band.end) / 2, item.across};
   }
 
-  /// The links of an edge follow each other, in the order of layers.
+  /// The links of an edge are in the order of the layers.
   void trace(const std::vector<Edge>& edges) {
     for (const Link& link : layers_.links) {
       const Item& from = layers_.items[link.from];
@@ -94,7 +94,7 @@ class Tracer {
 
   [[nodiscard]] Point middleOf(uint32_t node) const { return drawing_.nodes[node]; }
 
-  /// Everything begins at 0.
+  /// Moves everything so that it begins at 0.
   void shift() {
     if (layers_.items.empty()) {
       return;

@@ -7,10 +7,10 @@
 #include <cstdint>
 #include <vector>
 
-/// A layered drawing of a directed graph, after Sugiyama, Tagawa and Toda (1981): nodes stand in
-/// layers so that most edges lead from one layer to a later one; edges get a bend in each layer
-/// between, and labels places of their own, so nothing covers anything. *Along* is the way from
-/// layer to layer, *across* the way within one; both in pixels.
+/// A layered drawing of a directed graph, after Sugiyama, Tagawa and Toda (1981): nodes are in
+/// layers so that most edges lead from one layer to a later one. Edges get a bend in each layer
+/// between, and labels get places of their own, so that nothing overlaps. *Along* is the direction
+/// from layer to layer, *across* the direction within one; both in pixels.
 namespace glider::report::layered {
 
 struct Size {
@@ -27,7 +27,7 @@ struct Edge {
   uint32_t from = 0;
   uint32_t to = 0;  ///< another node
   Size label;
-  double line = 0;  ///< where in the label the line runs, from its middle, across
+  double line = 0;  ///< where in the label the line is, from its middle, across
 };
 
 struct Point {
@@ -35,7 +35,7 @@ struct Point {
   double across = 0;
 };
 
-/// A straight stretch of an edge, along.
+/// A straight part of an edge, along.
 struct Stretch {
   Point from, to;
 };
@@ -51,17 +51,17 @@ struct Drawing {
   std::vector<PlacedEdge> edges;
 };
 
-/// Lays the graph out. Node 0 is in the first layer; without edges that lead back the other layers
-/// follow from it. Deterministic.
+/// Lays the graph out. Node 0 is in the first layer; apart from edges that lead back, the other
+/// layers follow from it. Deterministic.
 Drawing layOut(const std::vector<Node>& nodes, const std::vector<Edge>& edges);
 
 // The steps, in order.
 
-/// What stands in a layer: a node, or where an edge passes through.
+/// An item of a layer: a node, or the place where an edge passes through.
 struct Item {
   enum class Kind : uint8_t { Node, Label, Bend };
   Kind kind = Kind::Node;
-  uint32_t of = 0;  ///< the node's or edge's number
+  uint32_t of = 0;  ///< the number of the node or edge
   uint32_t layer = 0;
   Size size;
   double before = 0;
@@ -84,15 +84,15 @@ struct Layers {
   std::vector<std::vector<uint32_t>> out, in;  ///< links of each item, in no order
 };
 
-/// The layer of each node: nodes have even ones. An edge whose second node does not stand in a
-/// later layer than its first is drawn backwards.
+/// The layer of each node: nodes have even ones. An edge whose second node is not in a later layer
+/// than its first is drawn backwards.
 std::vector<uint32_t> assignLayers(size_t nodes, const std::vector<Edge>& edges);
-/// Items and links for nodes in these layers; the order within a layer is as they are met.
+/// Items and links for nodes in these layers; within a layer in the order in which they are found.
 Layers makeLayers(const std::vector<Node>& nodes, const std::vector<Edge>& edges,
                   const std::vector<uint32_t>& layer_of);
 /// Orders each layer so that few links cross.
 void reduceCrossings(Layers& layers);
-/// Chooses where links meet nodes, and Item::across, so that edges are as straight as can be.
+/// Chooses where links meet nodes, and Item::across, so that edges are as straight as possible.
 void placeAcross(Layers& layers, const std::vector<Edge>& edges);
 
 }  // namespace glider::report::layered

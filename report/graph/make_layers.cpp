@@ -19,8 +19,8 @@ class Maker {
     }
   }
 
-  /// Items of the edge in each layer between its nodes; the label is next to the node from which it
-  /// leads.
+  /// Adds items of the edge in each layer between its nodes; the label is next to the node from
+  /// which it leads.
   void edge(uint32_t number, const Edge& edge) {
     const bool backwards = layer_of_[edge.to] < layer_of_[edge.from];
     const uint32_t first = backwards ? edge.to : edge.from;

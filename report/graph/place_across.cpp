@@ -35,8 +35,8 @@ class Placement {
  private:
   Item& item(uint32_t number) { return layers_.items[number]; }
 
-  /// Spreads the links of one side of a node over it, in the order of their other ends; labels and
-  /// bends have theirs in one line.
+  /// Spreads the links of one side of a node over it, in the order of their other ends; the links
+  /// of labels and bends are in one line.
   void choosePorts() {
     std::vector<size_t> place(layers_.items.size());
     for (const std::vector<uint32_t>& order : layers_.order) {
@@ -72,7 +72,7 @@ class Placement {
     return of.before / 2 + step * (static_cast<double>(k) - gaps / 2);
   }
 
-  /// How far the middles of two neighbours are apart at least.
+  /// The least distance between the middles of two neighbours.
   [[nodiscard]] double apart(const Item& a, const Item& b) const {
     const bool bend = a.kind == Item::Kind::Bend || b.kind == Item::Kind::Bend;
     return (a.size.across + b.size.across) / 2 + (bend ? kBendGap : kGap);
@@ -89,7 +89,8 @@ class Placement {
     }
   }
 
-  /// Where an item's links pull it, and how strongly: long stretches want to be straight most.
+  /// The place that an item's links pull it to, and how strongly: long stretches most need to be
+  /// straight.
   void pull(uint32_t number, bool before, double& sum, double& weight) {
     for (const uint32_t k : before ? layers_.in[number] : layers_.out[number]) {
       const Link& link = layers_.links[k];
@@ -102,8 +103,9 @@ class Placement {
     }
   }
 
-  /// Moves a layer's items to where their links want them, as near as their order and distances
-  /// allow: least squares, by pooling neighbours that come too near (isotonic regression).
+  /// Moves a layer's items as near to the places that their links pull them to as their order and
+  /// distances allow: least squares, by pooling neighbours that come too near (isotonic
+  /// regression).
   void settle(const std::vector<uint32_t>& order, bool by_before, bool by_after) {
     struct Pool {
       double wanted, weight;
@@ -120,7 +122,7 @@ class Placement {
       if (by_after) {
         pull(order[i], false, sum, weight);
       }
-      constexpr double kStay = 0.01;  // what nothing pulls stays
+      constexpr double kStay = 0.01;  // an item that nothing pulls stays
       const double wanted = weight > 0 ? sum / weight : item(order[i]).across;
       pools.push_back({wanted - offsets[i], weight + kStay, 1});
       while (pools.size() > 1 && pools[pools.size() - 2].wanted > pools.back().wanted) {

@@ -52,8 +52,8 @@ class Sweeps {
     return places;
   }
 
-  /// Sorts a layer by the means of the neighbours' places in the layer before it (or after it);
-  /// what has none stays where it is.
+  /// Sorts a layer by the means of the neighbours' places in the layer before it (or after it); an
+  /// item without neighbours stays where it is.
   void arrange(size_t layer, bool before) {
     std::vector<uint32_t>& order = layers_.order[layer];
     std::vector<std::pair<double, uint32_t>> wanted;
@@ -79,7 +79,8 @@ class Sweeps {
     note(layer);
   }
 
-  /// Crossings of the links of `left` with those of `right`, if `left` stands before `right`.
+  /// The number of crossings between the links of `left` and `right`, if `left` comes before
+  /// `right`.
   [[nodiscard]] size_t crossingsOf(uint32_t left, uint32_t right) const {
     size_t count = 0;
     for (const bool before : {true, false}) {
@@ -95,7 +96,7 @@ class Sweeps {
     return count;
   }
 
-  /// Exchanges neighbours in a layer while that takes crossings away.
+  /// Exchanges neighbours in a layer while that removes crossings.
   void exchange() {
     bool better = true;
     for (int round = 0; round < kSweeps && better; ++round) {
@@ -120,8 +121,8 @@ class Sweeps {
     return count;
   }
 
-  /// Of the links from this layer to the next, by inserting their ends in order (a Fenwick tree
-  /// counts those that lie beyond).
+  /// The crossings of the links from this layer to the next, counted by inserting their ends in
+  /// order (a Fenwick tree counts those beyond).
   [[nodiscard]] size_t crossingsAfter(const std::vector<uint32_t>& order) const {
     std::vector<size_t> ends;
     for (const uint32_t item : order) {

@@ -15,7 +15,7 @@ using diagram::Direction;
 constexpr double kMargin = 28, kHeadline = 64, kStart = 36;
 constexpr double kLeastWidth = 460;
 
-/// How large the drawing can be on a sheet of A3, which lies.
+/// The largest scale of the drawing on a landscape sheet of A3.
 double scaleOnSheet(layered::Size size, Direction direction) {
   constexpr double kLong = 420, kShort = 297;
   const bool right = direction == Direction::Right;
@@ -99,7 +99,7 @@ class Picture {
   }
 
  private:
-  /// The middle of a box; loops have their space on one side of it.
+  /// The middle of a box; the space for loops is on one side of it.
   [[nodiscard]] Spot middleOf(uint32_t box, const Page& page) const {
     layered::Point point = drawing_.nodes[box];
     for (const diagram::Arrow& loop : diagram_.loops) {

@@ -13,11 +13,11 @@ using diagram::Arrow;
 
 constexpr double kRow = 30, kSample = 56, kBetween = 26;
 
-/// An entry: a form and what it means.
+/// An entry: a shape and its meaning.
 struct Entry {
   Arrow arrow;
   const char* meaning;
-  bool unreached = false;  ///< the form is that of a state that is not reached
+  bool unreached = false;  ///< the shape is that of a state that is not reached
 };
 
 Arrow sample(GraphTransition transition, bool always = false, bool never = false) {

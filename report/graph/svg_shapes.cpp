@@ -43,7 +43,7 @@ std::string classesOf(const Arrow& arrow) {
   return classes;
 }
 
-/// A line, or for a call two of them beside each other.
+/// A line, or for a call two parallel lines.
 void drawPath(SvgText& svg, const Arrow& arrow, const std::string& path) {
   svg.add("<path class=\"{}\" d=\"{}\"/>\n", classesOf(arrow), path);
   if (arrow.transition == GraphTransition::Call) {

@@ -14,7 +14,7 @@ struct Spot {
   double y = 0;
 };
 
-/// Turns along and across into right and down.
+/// Converts along and across to right and down.
 class Page {
  public:
   Page(diagram::Direction direction, Spot origin) : direction_(direction), origin_(origin) {}
@@ -31,17 +31,18 @@ class Page {
   Spot origin_;
 };
 
-/// Lines of text, the first one's top left corner at `at`. A number that leads a line is bold.
+/// Lines of text; the top left corner of the first is at `at`. A leading number is bold.
 void drawLines(SvgText& svg, const std::vector<diagram::Line>& lines, Spot at);
 /// An arrow's line and head along an edge's stretches.
 void drawArrow(SvgText& svg, const diagram::Arrow& arrow, const layered::PlacedEdge& edge,
                const Page& page);
-/// The same for an arrow from a box to itself; `box` stands around `middle`.
+/// The same for an arrow from a box to itself; the middle of `box` is at `middle`.
 void drawLoop(SvgText& svg, const diagram::Arrow& loop, const diagram::Box& box, Spot middle,
               const Page& page);
 /// A box with its text around `middle`.
 void drawBox(SvgText& svg, const Graph& graph, const diagram::Box& box, Spot middle);
-/// Samples of all forms with their meaning, from `at` on in lines of at most `width`; the height.
+/// Draws samples of all shapes with their meaning, from `at` on in lines of at most `width`;
+/// returns the height.
 double drawLegend(SvgText& svg, const Graph& graph, Spot at, double width);
 
 }  // namespace glider::report

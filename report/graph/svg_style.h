@@ -7,8 +7,8 @@
 
 namespace glider::report {
 
-/// Colours only repeat what form says: a picture printed in black tells as much. Dark on a dark
-/// screen, never on paper.
+/// Colours only repeat the meaning of shapes: a picture printed in black and white has the same
+/// information. Dark on a dark screen, never on paper.
 constexpr std::string_view kSvgStyle = R"svg(<style>
 text { font: 12px "DejaVu Sans Mono", Menlo, Consolas, "Liberation Mono", monospace; fill: #1b2733; white-space: pre }
 .title { font-size: 20px; font-weight: bold }

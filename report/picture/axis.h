@@ -8,7 +8,7 @@
 
 namespace glider::report::picture {
 
-/// A straight scale between values and places on the page.
+/// A linear scale between values and places on the page.
 class Axis {
  public:
   /// Value `from` lies at `from_px`, value `to` at `to_px`; the values differ.
@@ -24,7 +24,7 @@ class Axis {
   double from_, to_, from_px_, to_px_;
 };
 
-/// The least of 1, 2, 5 times a power of ten that goes into `span` (> 0) at most `most` times.
+/// The least of 1, 2, 5 times a power of ten that fits into `span` (> 0) at most `most` times.
 double niceStep(double span, int most);
 /// The multiples of `step` from `from` to `to` (from <= to), both included.
 std::vector<double> ticks(double from, double to, double step);

@@ -28,8 +28,8 @@ std::span<const TrackQuantity> pictureQuantities() {
 namespace picture {
 namespace {
 
-/// The quantity that `style` asks for; without a wish the first of chlorophyll and temperature that
-/// was measured.
+/// The quantity that `style` names; otherwise the first of chlorophyll and temperature that was
+/// measured.
 std::optional<TrackQuantity> choose(const support::Trace& trace, const PictureStyle& style) {
   for (const TrackQuantity& quantity : kQuantities) {
     const bool usual = quantity.name == "chlorophyll" || quantity.name == "temp";
@@ -48,7 +48,7 @@ Colouring::Colouring(const support::Trace& trace, const PictureStyle& style)
     return;
   }
   values_ = valuesOf(trace, quantity_->column);
-  constexpr ptrdiff_t kSeen = 100;  // a smaller share of grey is not seen
+  constexpr ptrdiff_t kSeen = 100;  // a smaller share of grey is not visible
   const auto unknown = std::ranges::count_if(values_, [](double v) { return !std::isfinite(v); });
   has_unknown_ = unknown * kSeen > std::ssize(values_);
   const Extent known = extentOf(values_);
@@ -58,8 +58,8 @@ Colouring::Colouring(const support::Trace& trace, const PictureStyle& style)
   }
 }
 
-/// The step of a value; one that has just crossed a border keeps `before`, so that noise does not
-/// shred the track. -1 for an unknown one.
+/// The step of a value; a value that has just crossed a border keeps `before`, so that noise does
+/// not break the track into small pieces. -1 for an unknown one.
 int Colouring::stepOf(double value, int before) const {
   if (!std::isfinite(value)) {
     return -1;

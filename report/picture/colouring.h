@@ -14,26 +14,26 @@
 
 namespace glider::report::picture {
 
-/// A stretch of the track in one colour, by rows; it shares its last row with the next.
+/// A part of the track in one colour, by rows; it shares its last row with the next.
 struct Piece {
   size_t begin = 0, end = 0;
   std::string colour;
 };
 
-/// What the track's colours say.
+/// The meaning of the track's colours.
 class Colouring {
  public:
   static constexpr size_t kSteps = 12;
 
   Colouring(const support::Trace& trace, const PictureStyle& style);
 
-  /// The quantity; none when the colours are the states'.
+  /// The quantity; none if the colours are those of states.
   [[nodiscard]] const std::optional<TrackQuantity>& quantity() const { return quantity_; }
   /// The values that the scale covers; least < greatest.
   [[nodiscard]] Extent extent() const { return extent_; }
-  /// Whether one row in a hundred has no value, and is grey for that.
+  /// Whether at least one row in a hundred has no value, and is therefore grey.
   [[nodiscard]] bool hasUnknown() const { return has_unknown_; }
-  /// The whole track, cut where the colour changes.
+  /// The whole track, divided where the colour changes.
   [[nodiscard]] std::vector<Piece> pieces() const;
 
  private:

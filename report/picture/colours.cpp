@@ -19,7 +19,7 @@ struct Stop {
   std::array<double, 3> rgb;
 };
 
-/// The report page's thermal scale without its lightest end, which white paper swallows.
+/// The report page's thermal scale without its lightest end, which is not visible on white paper.
 constexpr Stop kScale[] = {
     {0, {0x0b, 0x27, 0x48}},    {0.16, {0x25, 0x3a, 0x7d}}, {0.36, {0x5f, 0x46, 0x93}},
     {0.53, {0x97, 0x52, 0x8a}}, {0.7, {0xcb, 0x60, 0x68}},  {0.86, {0xec, 0x85, 0x49}},
@@ -29,7 +29,7 @@ constexpr Stop kScale[] = {
 constexpr std::string_view kStates[] = {"#0072b2", "#e69f00", "#009e73", "#cc79a7",
                                         "#56b4e9", "#d55e00", "#f0e442"};
 
-/// A part of a colour as light, 0 to 1.
+/// A component of a colour as light, 0 to 1.
 double light(std::string_view hex) {
   unsigned value = 0;
   std::from_chars(hex.data(), hex.data() + 2, value, 16);

@@ -61,7 +61,7 @@ class Stretches {
     ends_.emplace(a, b);
     ends_.emplace(b, a);
   }
-  /// Takes a whole line out, from a loose end if there is one; empty when nothing is left.
+  /// Takes a whole line, from a loose end if there is one; empty if nothing is left.
   std::vector<Edge> take() {
     if (ends_.empty()) {
       return {};
@@ -96,7 +96,7 @@ class Stretches {
   std::multimap<Edge, Edge> ends_;
 };
 
-/// The stretches within one cell: two crossed edges make one, four (a saddle) two.
+/// The stretches within one cell: two crossed edges make one stretch, four (a saddle) make two.
 void addCell(const Grid& grid, size_t time, size_t depth, Stretches& stretches) {
   std::vector<Edge> crossed;
   for (const Edge& edge : {Edge{time, depth, true}, Edge{time + 1, depth, false},

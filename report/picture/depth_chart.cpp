@@ -16,8 +16,8 @@ namespace {
 
 using support::Trace;
 
-/// The greatest depth that the chart shows: a little more than the flight's, and the seabed where
-/// that is near.
+/// The greatest depth that the chart shows: a little more than the flight's, and the seabed if it
+/// is near.
 double deepestShown(const std::vector<double>& depth, const std::vector<double>& seabed) {
   const Extent flown = extentOf(depth), ground = extentOf(seabed);
   const double deepest = std::fmax(flown.greatest > 0 ? flown.greatest : 0, 1);
@@ -82,7 +82,7 @@ class Chart {
     addUp(svg_, box_, y_, niceStep(deepest_, 7), "depth (m)");
   }
 
-  /// The stretches of `values` that are known, over time.
+  /// The parts of `values` that are known, over time.
   [[nodiscard]] std::vector<Line> linesOf(const std::vector<double>& values) const {
     std::vector<Line> lines(1);
     for (size_t row = 0; row < values.size(); ++row) {
@@ -136,7 +136,7 @@ class Chart {
   }
 
   void changes() {
-    constexpr size_t kMost = 40;  // more would be a hatching
+    constexpr size_t kMost = 40;  // more lines would look like hatching
     const auto spans = spansOf(trace_);
     std::vector<Line> lines;
     for (size_t i = 1; i < spans.size() && spans.size() <= kMost; ++i) {
@@ -146,8 +146,8 @@ class Chart {
     addPath(svg_, "change", lines);
   }
 
-  /// The depths between which a yo is ordered, where they change: constant ones are seen from the
-  /// track.
+  /// The depths between which a yo is commanded, where they change: constant depths can be seen
+  /// from the track.
   void range() {
     std::vector<Line> lines;
     for (const char* name : {"order_top", "order_bottom"}) {

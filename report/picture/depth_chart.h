@@ -11,15 +11,16 @@
 
 namespace glider::report::picture {
 
-/// Draws depth against time into `box`, with a band of `kBand` above that says who decides and the
-/// numbers and titles of the axes outside of it. Returns what its lines and areas are.
+/// Draws depth against time into `box`. Above it is a band of `kBand` that shows what controls the
+/// vehicle; the numbers and titles of the axes are outside. Returns the meaning of its lines and
+/// areas.
 std::vector<LegendEntry> drawDepthChart(SvgText& svg, const support::Trace& trace,
                                         const Colouring& colouring, const Box& box);
 
-/// Room that the band above the chart needs, px.
+/// The height of the band above the chart, px.
 inline constexpr double kBand = 26;
 
-/// The scale of colours along the right of `box`; needs `kScaleRoom` there.
+/// Draws the scale of colours along the right of `box`; needs `kScaleRoom` there.
 void drawScale(SvgText& svg, const Colouring& colouring, const Box& box);
 inline constexpr double kScaleRoom = 84;
 

@@ -30,8 +30,8 @@ bool isKnown(const Trace& trace, std::string_view name) {
 std::vector<double> pilotsOf(const Trace& trace) {
   std::vector<double> pilots = valuesOf(trace, "state");
   const auto active = valuesOf(trace, "hook_active");
-  // Taking over and giving back lasts a cycle in which hookbeh is active before the first state and
-  // after the last: that is nobody's state. Only a mission in C has none throughout.
+  // Taking and releasing control each last a cycle in which hookbeh is active before the first
+  // state or after the last: no state is current then. Only a mission in C has none throughout.
   const bool stateless = !isKnown(trace, "state");
   for (size_t row = 0; row < pilots.size(); ++row) {
     if (!(pilots[row] >= 0)) {

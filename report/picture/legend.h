@@ -10,7 +10,7 @@
 
 namespace glider::report::picture {
 
-/// One entry: how something is drawn, and what it is.
+/// One entry: how something is drawn, and its meaning.
 struct LegendEntry {
   std::string classes;  ///< of the sample's shape
   std::string colour;   ///< fills it; empty for a line

@@ -23,14 +23,14 @@ struct Box {
 
 inline constexpr double kTickFont = 12, kLabelFont = 13;
 
-/// About how wide `text` is, rather more than less: the reader's fonts are not known.
+/// The approximate width of `text`, overestimated: the reader's fonts are not known.
 double textWidth(std::string_view text, double font_px);
 
 /// Text with its reference point at `at`. `anchor` is start, middle or end; `classes` as in the
 /// style.
 void addText(SvgText& svg, Dot at, std::string_view anchor, std::string_view classes,
              std::string_view text);
-/// The same, turned to read upwards, with its middle at `at`.
+/// The same, rotated to read upwards, with its middle at `at`.
 void addUpwards(SvgText& svg, Dot at, std::string_view classes, std::string_view text);
 /// One path of class `classes` over all `lines`; nothing if none has two points.
 void addPath(SvgText& svg, std::string_view classes, const std::vector<Line>& lines);

@@ -19,7 +19,7 @@ namespace {
 using namespace picture;
 using support::Trace;
 
-/// Dark on white, whatever the reader's background: the colours are chosen for it.
+/// Dark on white, on any background: the colours are chosen for it.
 constexpr std::string_view kStyle = R"svg(<style>
 text { font-family: "Helvetica Neue", Helvetica, Arial, "Liberation Sans", "DejaVu Sans", sans-serif; fill: #1b2733 }
 .title { font-size: 18px; font-weight: bold }
@@ -64,7 +64,7 @@ std::string headlineOf(const Trace& trace) {
   return text;
 }
 
-/// The states of the flight, each once, in the mission's order, then nobody's.
+/// The states of the flight, each once, in the mission's order, then the time without a state.
 std::vector<LegendEntry> pilotEntries(const Trace& trace) {
   std::vector<double> pilots;
   for (const Span& span : spansOf(trace)) {

@@ -12,7 +12,7 @@
 namespace glider::report::picture {
 namespace {
 
-/// How far `p` is from the stretch from `a` to `b`.
+/// The distance from `p` to the line segment from `a` to `b`.
 double distance(const Dot& p, const Dot& a, const Dot& b) {
   const double dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
   const double along =
@@ -20,12 +20,12 @@ double distance(const Dot& p, const Dot& a, const Dot& b) {
   return std::hypot(p.x - a.x - along * dx, p.y - a.y - along * dy);
 }
 
-/// A tenth of a pixel is one: whole numbers add up without drifting.
+/// Tenths of a pixel as whole numbers, which add up without rounding errors.
 long tenths(double px) {
   return std::lround(px * 10);
 }
 
-/// The number as SVG reads it, as short as can be; a sign also parts it from the one before.
+/// The number in SVG's shortest form; a sign also separates it from the one before.
 std::string shortest(long tenths, bool first) {
   const long whole = std::labs(tenths) / 10, rest = std::labs(tenths) % 10;
   std::string digits = rest == 0

@@ -15,15 +15,15 @@ struct Dot {
 };
 using Line = std::vector<Dot>;
 
-/// `line` without the points that lie within `tolerance` of what stays (Douglas and Peucker 1973).
-/// The ends stay.
+/// `line` without the points that are within `tolerance` of the remaining line (Douglas and Peucker
+/// 1973). The ends are kept.
 Line simplified(const Line& line, double tolerance);
 
-/// How far a line on the page may be off, px: less than is seen.
+/// The greatest error of a line on the page, px: less than can be seen.
 inline constexpr double kUnseen = 1.0 / 3;
 
-/// What stands in the attribute d of a path: `line` to a tenth of a pixel, each step relative to
-/// the point before, so that a long track stays a small text. Empty for fewer than two points.
+/// The value of the attribute d of a path: `line` to a tenth of a pixel, each step relative to the
+/// point before, so that a long track stays a small text. Empty for fewer than two points.
 std::string pathData(const Line& line);
 
 }  // namespace glider::report::picture

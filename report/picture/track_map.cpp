@@ -23,7 +23,7 @@ Track trackOf(const Trace& trace, const char* east, const char* north) {
   return {valuesOf(trace, east), valuesOf(trace, north)};
 }
 
-/// Where a name stands, and on which side of its place.
+/// The place of a name, and on which side of its point it is.
 struct Label {
   Dot place;
   bool to_left;
@@ -37,7 +37,7 @@ class Map {
         box_(box),
         truth_(isKnown(trace, "true_x") ? trackOf(trace, "true_x", "true_y")
                                         : trackOf(trace, "m_x_lmc", "m_y_lmc")) {
-    Track both = truth_;  // and all else that the map holds
+    Track both = truth_;  // and everything else on the map
     if (isKnown(trace, "true_x")) {
       reckoned_ = trackOf(trace, "m_x_lmc", "m_y_lmc");
       both.east.insert(both.east.end(), reckoned_.east.begin(), reckoned_.east.end());
@@ -118,8 +118,8 @@ class Map {
     }
   }
 
-  /// Where text of `name` can stand by `dot` without covering a waypoint or leaving the map: the
-  /// first such of four places, which begin on the side that faces the middle.
+  /// A place for the text `name` near `dot` that does not cover a waypoint or leave the map: the
+  /// first suitable one of four places, beginning on the side that faces the middle.
   [[nodiscard]] Label labelAt(const Dot& dot, double up_first, std::string_view name) const {
     constexpr double kAbove = -13, kBelow = 21, kClear = 7;
     const double wide = textWidth(name, kLabelFont), first = up_first < 0 ? kAbove : kBelow;
@@ -148,7 +148,7 @@ class Map {
     svg_.add("<circle class=\"mark\" cx=\"{}\" cy=\"{}\" r=\"7\"/>\n", px(first.x), px(first.y));
     svg_.add("<rect class=\"mark\" x=\"{}\" y=\"{}\" width=\"9\" height=\"9\"/>\n",
              px(last.x - 4.5), px(last.y - 4.5));
-    // The upper one's name stands above, the lower one's below.
+    // The name of the upper one is above it, that of the lower one below.
     const double up = first.y <= last.y ? -1 : 1;
     const auto name = [&](const Label& label, std::string_view text) {
       addText(svg_, label.place, label.to_left ? "end" : "start", "label halo", text);

@@ -10,9 +10,9 @@
 
 namespace glider::report::picture {
 
-/// The different waypoints that the vehicle steered to, in the order in which it first did, in
-/// metres east (x) and north (y) as true_x and true_y; those within a flight's extent of the track.
-/// None if there are so many that the mission steers to moving points.
+/// The different waypoints that the vehicle steered to, in the order of their first use, in metres
+/// east (x) and north (y) as true_x and true_y; only those within a flight's extent of the track.
+/// Empty if there are so many that the mission steers to moving points.
 std::vector<Dot> waypointsOf(const support::Trace& trace);
 
 }  // namespace glider::report::picture

@@ -24,8 +24,8 @@ std::string_view start(std::string_view text, size_t columns) {
   return text.substr(0, at);
 }
 
-/// Where the first line of `text` ends: in its later half after an operator or comma, else at the
-/// last blank, else in a word.
+/// Where the first line of `text` ends: in its later half after an operator or comma, otherwise at
+/// the last space, otherwise inside a word.
 size_t lineEnd(std::string_view text, size_t columns) {
   const std::string_view fits = start(text, columns);
   if (fits.size() == text.size()) {
@@ -43,7 +43,7 @@ size_t lineEnd(std::string_view text, size_t columns) {
   return blank == std::string_view::npos ? fits.size() : blank;
 }
 
-/// How many bytes the UTF-8 character at the start of `text` has; 0 if it is none.
+/// The number of bytes of the UTF-8 character at the start of `text`; 0 if there is none.
 size_t characterLength(std::string_view text) {
   const auto lead = static_cast<unsigned char>(text[0]);
   const size_t length = lead < 0x80                   ? 1

@@ -10,15 +10,15 @@
 
 namespace glider::report {
 
-/// How many characters `text` (UTF-8) is wide in a font of equal widths.
+/// The width of `text` (UTF-8) in characters of a monospaced font.
 size_t columnsOf(std::string_view text);
 
-/// `text` on at most `most_lines` lines of at most `columns` characters: broken at blanks, if it
-/// can be after `&&`, `||` or a comma. What is left out at the end shows as `…`.
+/// `text` on at most `most_lines` lines of at most `columns` characters: broken at spaces, if
+/// possible after `&&`, `||` or a comma. Text that is left out at the end is shown as `…`.
 std::vector<std::string> wrap(std::string_view text, size_t columns, size_t most_lines);
 
-/// `text` as it stands in XML, between tags or in an attribute; characters that XML lacks, and
-/// bytes that are no UTF-8, become `?`.
+/// `text` escaped for XML, between tags or in an attribute; characters that XML does not have, and
+/// bytes that are not valid UTF-8, become `?`.
 std::string toXml(std::string_view text);
 
 }  // namespace glider::report

@@ -12,7 +12,7 @@
 namespace glider::codegen {
 namespace {
 
-/// Which of the mission's functions a function of the runtime calls in a tick.
+/// The mission's functions that a function of the runtime calls in a tick.
 struct PointerCall {
   std::string_view file, function;
   const char* prefix;
@@ -27,7 +27,7 @@ constexpr PointerCall kPointerCalls[] = {
     {"guard_table.cpp", "firstTrue", "holds."},
 };
 
-/// What functions are to calls through pointers.
+/// The kinds of functions that are called through pointers.
 enum class Kind : uint8_t {
   kOthers,
   kStart,
@@ -93,7 +93,7 @@ Kind kindOf(std::string_view name) {
   return row == std::end(kKinds) ? Kind::kOthers : row->kind;
 }
 
-/// What a function calls through pointers; without a row kOthers.
+/// The kinds of functions that a function calls through pointers; kOthers if it has no row.
 std::set<Kind> calledBy(std::string_view caller) {
   std::set<Kind> kinds;
   for (const Row& row : kCallers) {

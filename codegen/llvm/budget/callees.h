@@ -12,17 +12,17 @@
 
 namespace glider::codegen {
 
-/// What a call through a pointer may reach, in the executable of a mission.
+/// The functions that a call through a pointer may reach, in the executable of a mission.
 class Callees {
  public:
   /// Both must outlive it.
   Callees(const Image& image, const ir::Mission& mission);
 
-  /// Of a call in a tick, made from these frames: only the runtime makes such calls, of functions
+  /// For a call in a tick, made from these frames: only the runtime makes such calls, of functions
   /// that the mission's tables name. The innermost frame that makes one decides; where the line
-  /// tables are silent it may be any of them.
+  /// tables have no information it may be any of them.
   [[nodiscard]] std::vector<uint64_t> inTick(const std::vector<Frame>& frames) const;
-  /// Of any call of the program, at address `call`, by the rows of callees.def.
+  /// For any call of the program, at address `call`, by the rows of callees.def.
   [[nodiscard]] std::vector<uint64_t> inProgram(uint64_t call) const;
 
  private:
@@ -30,7 +30,7 @@ class Callees {
   std::vector<uint64_t> polls_;  // of the SBC's own sensors
 };
 
-/// How often callees.def says that a function is in the middle of a call at most; 1 without a row.
+/// How many calls of a function may be active at one time, by callees.def; 1 without a row.
 uint64_t callsAtOnce(const std::string& symbol);
 
 }  // namespace glider::codegen

@@ -36,7 +36,7 @@ struct Disassembler::Machine {
   std::unique_ptr<llvm::MCInstPrinter> printer;
   std::unique_ptr<llvm::MCInstrAnalysis> analysis;
   bool arm = false;
-  std::vector<std::pair<uint8_t, llvm::MCRegister>> registers;  // by our numbers
+  std::vector<std::pair<uint8_t, llvm::MCRegister>> registers;  // by StackMachine's numbers
 };
 
 namespace {
@@ -56,14 +56,15 @@ Written split(std::string_view line) {
   return {operation, operands};
 }
 
-/// ARM's multiplications, which do nothing but arithmetic. LLVM refuses those whose registers the
-/// manual forbid before ARMv6, and the compiler's arithmetic has some that every ARM9 does right.
+/// ARM's multiplications, which are plain arithmetic. LLVM rejects those with registers that the
+/// manual forbids before ARMv6, but the compiler's arithmetic has some that every ARM9 executes
+/// correctly.
 bool isMultiplication(llvm::StringRef bytes) {
   constexpr uint32_t kMask = 0x0F0000F0, kMultiply = 0x00000090;
   return bytes.size() >= 4 && (llvm::support::endian::read32le(bytes.data()) & kMask) == kMultiply;
 }
 
-/// N of "movl $N, %ecx"; nothing for any other instruction.
+/// N of "movl $N, %ecx"; empty for any other instruction.
 std::optional<int64_t> countSetBy(const Written& written) {
   const std::string_view operands = written.operands;
   constexpr std::string_view kTo = ", %ecx";
@@ -85,7 +86,7 @@ uint64_t tableOf(const Written& written) {
   return wrong || !text.ends_with(",4)") ? 0 : address;
 }
 
-/// The number of a register of the processor; kNone of any other.
+/// The number of a register of the processor; kNone for any other.
 uint8_t numberOf(llvm::StringRef name, bool arm) {
   static constexpr std::array<std::string_view, 16> kArm = {"R0",  "R1", "R2", "R3", "R4",  "R5",
                                                             "R6",  "R7", "R8", "R9", "R10", "R11",
@@ -99,8 +100,8 @@ uint8_t numberOf(llvm::StringRef name, bool arm) {
   return arm ? place(kArm) : place(kX86);
 }
 
-/// What of "ldr r3, [pc, #16]", "add r2, pc, r2", "ldr r0, [pc, r3]" and "add r1, pc, #8" says
-/// where something lies.
+/// The parts of "ldr r3, [pc, #16]", "add r2, pc, r2", "ldr r0, [pc, r3]" and "add r1, pc, #8" that
+/// say where something is.
 void mentionOfArm(const Written& written, Instruction& one) {
   constexpr uint64_t kAhead = 8;  // of pc
   llvm::SmallVector<llvm::StringRef, 4> parts;
@@ -118,7 +119,7 @@ void mentionOfArm(const Written& written, Instruction& one) {
         static_cast<uint32_t>(one.address + kAhead + static_cast<uint64_t>(number));
     one.mentions.literal_to = loads ? numberOf(parts[0].upper(), true) : Mentions::kNone;
   }
-  one.mentions.pc_plus = numberOf(last.upper(), true);  // a number is no register
+  one.mentions.pc_plus = numberOf(last.upper(), true);  // a number is not a register
 }
 
 void mentionOfX86(const llvm::MCInst& inst, Instruction& one) {
@@ -233,7 +234,7 @@ void Disassembler::choose(const Written& written, Instruction& one) {
   }
 }
 
-/// x86's switches in code that may lie anywhere: their tables hold distances.
+/// x86's switches in position-independent code: their tables contain distances.
 void Disassembler::switchByDistance(const Written& written, Instruction& one) {
   const llvm::StringRef operands(written.operands.data(), written.operands.size());
   if (written.operation == "jmpl" && !jumps_by_.empty() && operands == jumps_by_) {
@@ -256,7 +257,7 @@ void Disassembler::switchByDistance(const Written& written, Instruction& one) {
   }
 }
 
-/// What the instruction does to the stack and its registers.
+/// The effect of the instruction on the stack and its registers.
 void Disassembler::judgeStack(const llvm::MCInst& inst, const Written& written, Instruction& one) {
   const StackMachine& machine = machine_->arm ? kArmStack : kX86Stack;
   one.stack = machine_->arm ? armStack(written) : x86Stack(written);

@@ -31,11 +31,11 @@ class Disassembler {
   /// Whether make() knows the machine.
   static bool knows(const platforms::Board& board);
 
-  /// The instruction with which `bytes`, not empty, begin; one of Flow::Unknown if they are none.
-  /// Called in the order of the code.
+  /// The instruction at the beginning of `bytes`, which must not be empty; one of Flow::Unknown if
+  /// they are not a valid instruction. Must be called in the order of the code.
   Instruction read(llvm::StringRef bytes, uint64_t address);
 
-  /// Whether `bytes` begin with ARM's instruction that is none, where a program gives up; the C
+  /// Whether `bytes` begin with ARM's undefined instruction, at which a program gives up; the C
   /// library's assembly has it as a word of data.
   [[nodiscard]] bool isTrap(llvm::StringRef bytes) const;
 
@@ -48,11 +48,12 @@ class Disassembler {
   void judgeStack(const llvm::MCInst& inst, const Written& written, Instruction& one);
 
   std::unique_ptr<Machine> machine_;
-  std::optional<int64_t> count_;  // what ecx holds
+  std::optional<int64_t> count_;  // the value of ecx
   uint64_t counted_at_ = 0;
-  std::string compared_;  // "r3" of ARM's "cmp r3, #10" right before
+  std::string compared_;  // "r3" of ARM's "cmp r3, #10" immediately before
   int64_t compared_with_ = 0;
-  /// Of x86's "movl -8(%ebx,%ecx,4), %ecx", "addl %ebx, %ecx" right before: what jumps next.
+  /// From x86's "movl -8(%ebx,%ecx,4), %ecx", "addl %ebx, %ecx" immediately before: used by the
+  /// next jump.
   std::string added_, jumps_by_;
   int64_t table_ = 0;
   uint64_t compared_at_ = 0;

@@ -17,7 +17,7 @@ bool goesOn(Flow flow) {
          flow == Flow::Call || flow == Flow::CallByPointer || flow == Flow::ReturnIf;
 }
 
-/// Where an instruction may lead; nothing if nobody can tell.
+/// Where an instruction may lead; empty if that is unknown.
 std::optional<std::vector<uint64_t>> successors(const Image& image, const Instruction& one) {
   std::vector<uint64_t> targets;
   if (one.flow == Flow::Unknown) {

@@ -13,18 +13,18 @@
 
 namespace glider::codegen {
 
-/// The instructions that an entry reaches without calls, and which may follow which.
+/// The instructions that are reached from an entry without calls, and which may follow which.
 struct FlowGraph {
   std::vector<uint32_t> instructions;       ///< places in Image::code(); the entry is node 0
   std::vector<std::vector<uint32_t>> next;  ///< by node
 
-  std::set<uint32_t> lost;  ///< nodes that may lead where nobody can tell
+  std::set<uint32_t> lost;  ///< nodes that may lead to an unknown place
 
-  /// Or why it cannot be followed.
+  /// The graph, or why it cannot be followed.
   static std::expected<FlowGraph, std::string> follow(const Image& image, uint64_t entry);
-  /// The same with what is lost left in: a call that never returns has nothing behind it.
+  /// The same, but lost nodes are allowed: a call that never returns has nothing after it.
   static std::expected<FlowGraph, std::string> asFarAsKnown(const Image& image, uint64_t entry);
-  /// For people: that the instruction at `address` is lost.
+  /// A text for people: that the instruction at `address` is lost.
   static std::string whyLost(const Image& image, uint64_t address);
 };
 

@@ -17,7 +17,7 @@ bool isArmCondition(std::string_view text) {
 
 namespace {
 
-/// Whether `operation` is `base`, perhaps with a condition after it.
+/// Whether `operation` is `base`, possibly with a condition after it.
 bool isPlain(std::string_view operation, std::string_view base) {
   return operation == base;
 }
@@ -28,7 +28,7 @@ bool is(std::string_view operation, std::string_view base) {
   return isPlain(operation, base) || isConditional(operation, base);
 }
 
-/// ARM's instructions that name the program counter as what they change.
+/// ARM's instructions whose destination is the program counter.
 Flow armWriteOfPc(const Written& w) {
   const bool conditional =
       w.operation.size() > 3 && isArmCondition(w.operation.substr(w.operation.size() - 2));
@@ -74,7 +74,7 @@ Flow armFlow(const Written& w) {
     const bool conditional = isArmCondition(w.operation.substr(w.operation.size() - 2));
     return conditional ? Flow::ReturnIf : Flow::Return;
   }
-  // A store or a comparison has "pc" first too, and changes nothing.
+  // A store or a comparison also has "pc" first, but does not change it.
   const bool reads = w.operation.starts_with("st") || w.operation.starts_with("cmp") ||
                      w.operation.starts_with("cmn") || w.operation.starts_with("t");
   return w.operands.starts_with("pc,") && !reads ? armWriteOfPc(w) : Flow::Next;
@@ -83,7 +83,8 @@ Flow armFlow(const Written& w) {
 Flow x86Flow(const Written& w) {
   const bool by_pointer = w.operands.starts_with('*');
   if (w.operation.starts_with("call")) {
-    // The C library's system call, an address that the kernel gives: no code of ours.
+    // The C library's system call, at an address that the kernel provides: not code of this
+    // program.
     return w.operands.starts_with("*%gs:") ? Flow::Next
            : by_pointer                    ? Flow::CallByPointer
                                            : Flow::Call;

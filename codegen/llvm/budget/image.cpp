@@ -37,7 +37,7 @@ struct Segment {
   const char* bytes = nullptr;
 };
 
-/// "takeUpdates" of "_ZN6glider7runtime11takeUpdatesE…"; a name of C as it is.
+/// "takeUpdates" for "_ZN6glider7runtime11takeUpdatesE…"; a C name unchanged.
 std::string baseName(const std::string& mangled) {
   llvm::ItaniumPartialDemangler demangler;
   if (demangler.partialDemangle(mangled.c_str()) || !demangler.isFunction()) {
@@ -50,7 +50,7 @@ std::string baseName(const std::string& mangled) {
   return base;
 }
 
-/// A template's name without its arguments.
+/// The name of a template without its arguments.
 std::string plain(const std::string& name) {
   return name.substr(0, name.find('<'));
 }
@@ -87,7 +87,7 @@ struct Image::Parts {
   uint64_t loaded = 0;
   uint64_t writable = 0;
   uint64_t offsets =
-      0;  // _GLOBAL_OFFSET_TABLE_, from which x86's code that may lie anywhere reckons
+      0;  // _GLOBAL_OFFSET_TABLE_, the base of offsets in x86's position-independent code
   std::vector<uint64_t> taken;
 
   void readSymbols();
@@ -120,7 +120,7 @@ void Image::Parts::readSymbols() {
     }
   }
   data.sort();
-  // Of several at one address the first is the largest: aliases have the same size.
+  // At the same address the largest comes first: aliases have the same size.
   std::ranges::sort(symbols, [](const Symbol& a, const Symbol& b) {
     return std::tuple(a.address, b.size, a.name) < std::tuple(b.address, a.size, b.name);
   });
@@ -144,14 +144,14 @@ void Image::Parts::readSegments() {
   }
 }
 
-/// All that loaded words hold, but distances from a place of the code: those are no addresses,
-/// though the numbers may be the same.
+/// All loaded words, except distances from a place in the code: those are not addresses, although
+/// the numbers may be the same.
 std::set<uint64_t> Image::Parts::words() const {
   const std::set<uint64_t> distances = distancesIn(code);
   std::set<uint64_t> held;
   for (const Segment& segment : segments) {
     for (uint64_t place = 0; place + sizeof(uint32_t) <= segment.size; place += sizeof(uint32_t)) {
-      uint32_t word = 0;  // both boards' processors are little-endian, as this machine is
+      uint32_t word = 0;  // the processors of both boards and of this machine are little-endian
       std::memcpy(&word, segment.bytes + place, sizeof word);
       if (!distances.contains(segment.address + place)) {
         held.insert(word);
@@ -175,7 +175,7 @@ void Image::Parts::readCode(Disassembler& disassembler) {
         continue;
       }
       Instruction one = disassembler.read(content->substr(at), address);
-      // ARM's switches have their table right behind them.
+      // The table of an ARM switch comes immediately after it.
       if (one.flow == Flow::JumpByTable && one.target == 0 && data.holds(address + one.size)) {
         one.target = address + one.size;
       }
@@ -187,8 +187,8 @@ void Image::Parts::readCode(Disassembler& disassembler) {
   doubtCounts();
 }
 
-/// What jumps in between the instruction that sets a count, or chooses a table, and the one that
-/// uses it may bring another.
+/// A jump to between the instruction that sets a count, or chooses a table, and the one that uses
+/// it may bring another value.
 void Image::Parts::doubtCounts() {
   std::set<uint64_t> targets = words();
   for (const Instruction& one : code) {
@@ -213,7 +213,7 @@ void Image::Parts::doubtCounts() {
   }
 }
 
-/// Words that are loaded, and what code says.
+/// From words that are loaded, and from the code.
 void Image::Parts::findTaken() {
   std::set<uint64_t> addresses = addressesIn(
       code, offsets, [&](uint64_t address) { return wordAt(address); },
@@ -327,7 +327,7 @@ std::vector<Frame> Image::framesAt(uint64_t address) const {
   if (frames.empty()) {
     frames.emplace_back();
   }
-  // Line tables name only what was inlined and what it was inlined into.
+  // Line tables name only functions that were inlined and the functions they were inlined into.
   frames.back().function = plain(baseName(symbolAt(address)));
   return frames;
 }

@@ -16,7 +16,7 @@ namespace {
 struct Row {
   std::string_view file, function;
   uint64_t (*outer)(const MissionSize& m);
-  uint64_t (*inner)(const MissionSize& m);  // null: no loops within loops
+  uint64_t (*inner)(const MissionSize& m);  // null: no nested loops
 };
 
 #define COUNT(turns) [](const MissionSize& m) -> uint64_t { return (void)m, turns; }
@@ -44,7 +44,7 @@ constexpr std::string_view kNever[] = {
 void take(MissionSize& size, const ir::GuardTable& table) {
   constexpr uint64_t kBits = 32;
   size.table_words = std::max<uint64_t>(size.table_words, (table.rows.size() + kBits - 1) / kBits);
-  // A row begins and ends to hold at most once along a column.
+  // Along a column, each row begins to hold and ends at most once.
   size.table_turns = std::max<uint64_t>(size.table_turns, 2 * table.rows.size());
   size.table_columns = std::max<uint64_t>(size.table_columns, table.columns.size());
 }

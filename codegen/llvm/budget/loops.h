@@ -25,18 +25,18 @@ struct MissionSize {
   uint64_t data_bytes = 0;
 };
 
-/// What a frame can bring: hooks/protocol's kMostSubscriptions.
+/// The greatest number of readings in a frame: hooks/protocol's kMostSubscriptions.
 constexpr uint64_t kMostReadings = 64;
 
-/// Of a window of the library's profiles: Windows::kBins of runtime/library/thermotrackyo.cpp.
+/// For a window of the library's profiles: Windows::kBins of runtime/library/thermotrackyo.cpp.
 constexpr uint64_t kLibraryWindowBins = 66;
 
 /// Without data_bytes.
 MissionSize sizeOf(const Input& input);
 
-/// What loops.def says of a function, at least 1 for what has a row; nothing without one.
+/// The bounds of loops.def for a function, at least 1 if it has a row; empty without one.
 Turns turnsIn(const Frame& function, const MissionSize& size);
-/// Whether loops.def says that the function is never called.
+/// Whether the function is never called, according to loops.def.
 bool neverCalled(const std::string& symbol);
 
 }  // namespace glider::codegen

@@ -74,7 +74,7 @@ Result<Budget> measureExecutable(const Input& input, const platforms::Board& boa
   budget.data_bytes = image->writableBytes();
   budget.context_bytes = image->contextBytes();
   MissionSize size = sizeOf(input);
-  size.data_bytes = budget.data_bytes;  // what is moved lies in there
+  size.data_bytes = budget.data_bytes;  // everything that is moved is in it
   budget.tick_instructions = tickInstructions(*image, input.mission, size);
   budget.stack_bytes = stackBytes(*image, input.mission, board);
   return budget;

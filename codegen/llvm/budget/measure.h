@@ -11,8 +11,8 @@
 
 namespace glider::codegen {
 
-/// Backend::measure: links the mission's executable and measures that. README.md says how. Errors
-/// as writeExecutable's, but a file that is too large is none.
+/// Backend::measure: links the mission's executable and measures it. README.md says how. Fails as
+/// writeExecutable does, except that a file that is too large is not an error.
 support::Result<Budget> measureExecutable(const Input& input, const platforms::Board& board,
                                           const CodegenOptions& options);
 

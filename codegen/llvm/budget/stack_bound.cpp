@@ -13,10 +13,10 @@
 
 namespace glider::codegen {
 
-/// The ways through one function.
+/// Follows the paths through one function.
 class StackBound::Walk {
  public:
-  /// `begin`: how deep the stack is there; more than 0 in a part that a function calls of itself.
+  /// `begin`: the stack depth at the start; more than 0 for a part that a function calls of itself.
   Walk(StackBound& all, uint64_t entry, const FlowGraph& graph, int64_t begin = 0)
       : all_(all),
         entry_(entry),
@@ -37,13 +37,13 @@ class StackBound::Walk {
     if (problem_) {
       return std::unexpected(*problem_);
     }
-    // Each call of itself begins where the deepest of them stands.
+    // Each recursive call begins at the depth of the deepest of them.
     call_.bytes += (all_.knowledge_.at_once(all_.image_.symbolAt(entry_)) - 1) * to_itself_;
     return call_;
   }
 
  private:
-  static constexpr uint32_t kMostVisits = 64;  // of an instruction: the stack grows in a loop
+  static constexpr uint32_t kMostVisits = 64;  // beyond it the stack grows in a loop
 
   void step(uint32_t node) {
     const Instruction& one = all_.image_.code()[graph_.instructions[node]];
@@ -58,7 +58,7 @@ class StackBound::Walk {
     }
   }
 
-  /// An instruction that begins at a depth that is known.
+  /// Follows an instruction that begins at a known depth.
   void take(uint32_t node, const Instruction& one, const StackState& state, const StackState& met) {
     switch (one.flow) {
       case Flow::Call:
@@ -96,7 +96,7 @@ class StackBound::Walk {
       state.apply({.to = all_.machine_.pointer,
                    .from = all_.machine_.pointer,
                    .bytes = all_.machine_.call_bytes});
-      return go(node, state);  // how code that may lie anywhere learns where it is
+      return go(node, state);  // position-independent code finds its own address this way
     }
     if (isPart(one)) {
       return callPart(node, one, state, below);
@@ -110,14 +110,14 @@ class StackBound::Walk {
     }
   }
 
-  /// Whether it calls a part of the function that it stands in, as the compiler's arithmetic does.
+  /// Whether it calls a part of the function that contains it, as the compiler's arithmetic does.
   [[nodiscard]] bool isPart(const Instruction& one) const {
     const uint64_t start = all_.image_.startOfSymbol(one.address);
     return one.flow == Flow::Call && start != 0 && one.target != start &&
            all_.image_.startOfSymbol(one.target) == start;
   }
 
-  /// A part may take its function's stack down and return in its place.
+  /// A part may release its function's stack and return in its place.
   void callPart(uint32_t node, const Instruction& one, StackState state, int64_t below) {
     const auto graph = FlowGraph::asFarAsKnown(all_.image_, one.target);
     if (!graph || begin_ != 0) {
@@ -139,7 +139,7 @@ class StackBound::Walk {
     }
   }
 
-  /// A jump to another function, which returns in this one's place.
+  /// Follows a jump to another function, which returns in this one's place.
   void leave(const Instruction& one, const StackState& met) {
     if (*met.depth() != begin_) {
       return give("nobody can tell where a jump leads in", one);
@@ -170,7 +170,8 @@ class StackBound::Walk {
     }
   }
 
-  /// What is called from `below`; nothing if there is no bound, and `problem_` says why.
+  /// The needs of the function called from depth `below`; empty if there is no bound, with the
+  /// reason in `problem_`.
   std::optional<Call> callee(const Instruction& one, int64_t below) {
     std::vector<uint64_t> targets = {one.target};
     if (one.flow != Flow::Call) {

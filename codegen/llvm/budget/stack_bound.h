@@ -15,31 +15,31 @@
 
 namespace glider::codegen {
 
-/// What the machine code alone does not say of calls.
+/// What the machine code alone does not say about calls.
 struct CallKnowledge {
   /// The functions that the call through a pointer at this address may reach.
   std::function<std::vector<uint64_t>(uint64_t)> pointers;
-  /// How many calls of the function of this name there are at most at one time; 1 but for what
-  /// calls itself.
+  /// The upper bound of calls of the named function that are active at one time; 1 unless it calls
+  /// itself.
   std::function<uint64_t(const std::string&)> at_once;
 };
 
-/// Bounds the bytes of stack that a call takes at most, on linked machine code. README.md says how.
-/// Whatever it cannot follow leaves the bound unknown: it never guesses.
+/// Computes an upper bound of the bytes of stack that a call takes, on linked machine code.
+/// README.md says how. If it cannot follow something, the bound is unknown: it never guesses.
 class StackBound {
  public:
-  /// Of what one call needs, and how it ends.
+  /// What one call needs, and how it ends.
   struct Call {
-    uint64_t bytes = 0;         ///< below where the stack pointer is as it begins
-    std::vector<uint64_t> way;  ///< the functions on the deepest way, this one first
-    uint32_t released = 0;      ///< what it takes off the stack as it returns
+    uint64_t bytes = 0;         ///< below the stack pointer at its beginning
+    std::vector<uint64_t> way;  ///< the functions on the deepest path, this one first
+    uint32_t released = 0;      ///< bytes that it takes off the stack when it returns
     bool returns = false;
   };
   using Bound = std::expected<Call, std::string>;
 
   StackBound(const Image& image, const StackMachine& machine, CallKnowledge knowledge);
-  /// Of a call of the function at `entry`, without the return address of that call; or why there is
-  /// no bound.
+  /// For a call of the function at `entry`, without the return address of that call; or the reason
+  /// why there is none.
   Bound bound(uint64_t entry);
 
  private:

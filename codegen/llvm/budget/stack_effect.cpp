@@ -73,7 +73,7 @@ Operation armOperation(StringRef operation) {
   return {};
 }
 
-/// "sp, r11, #8" as r11 less 8: `sign` is 1 if the operation takes away.
+/// "sp, r11, #8" as r11 less 8: `sign` is 1 if the operation subtracts.
 void armSum(const llvm::SmallVectorImpl<StringRef>& parts, int64_t sign, StackEffect& effect) {
   const auto number = parts.size() == 3 ? constantOf(parts[2]) : std::nullopt;
   const uint8_t to = armRegister(parts[0]);
@@ -85,7 +85,7 @@ void armSum(const llvm::SmallVectorImpl<StringRef>& parts, int64_t sign, StackEf
   }
 }
 
-/// "bic sp, r0, #15" rounds down by 15 at most.
+/// "bic sp, r0, #15" rounds down by at most 15.
 void armRound(const llvm::SmallVectorImpl<StringRef>& parts, StackEffect& effect) {
   armSum(parts, 1, effect);
   const bool mask = effect.bytes >= 0 && (effect.bytes & (effect.bytes + 1)) == 0;
@@ -99,7 +99,7 @@ void moveSp(std::optional<int64_t> bytes, StackEffect& effect) {
   }
 }
 
-/// "str lr, [sp, #-8]!" and "ldr pc, [sp], #8", of one register or two.
+/// "str lr, [sp, #-8]!" and "ldr pc, [sp], #8", with one register or two.
 void armWriteBack(StringRef operands, StackEffect& effect) {
   const auto [registers, place] = operands.split('[');
   StringRef rest = place;
@@ -139,7 +139,7 @@ void x86Address(StringRef source, uint8_t to, StackEffect& effect) {
   }
 }
 
-/// "subl $12, %esp" and what else has two operands.
+/// "subl $12, %esp" and other operations with two operands.
 void x86Two(StringRef operation, StringRef source, uint8_t to, StackEffect& effect) {
   const auto number = constantOf(source);
   const bool pointer = to == kX86Stack.pointer && number;
@@ -169,7 +169,7 @@ StackEffect armStack(const Written& written) {
     const auto count = listed(operands);
     moveSp(count ? std::optional(kWord * *count) : std::nullopt, effect);
   } else if (operation.base == "pop" || (operation.base == "ldm" && parts[0] == "sp!")) {
-    // With sp in the list it would be what memory says.
+    // With sp in the list its new value would come from memory.
     const auto count = operands.split('{').second.contains("sp") ? std::nullopt : listed(operands);
     moveSp(count ? std::optional(-kWord * *count) : std::nullopt, effect);
   } else if (operation.base == "sub" || operation.base == "add") {

@@ -9,26 +9,27 @@ namespace glider::codegen {
 
 struct Written;
 
-/// What an instruction does to the stack pointer, and to registers that hold where it was.
-/// Registers are numbered: of ARM as they are named (sp is 13), of x86 as they are encoded (esp 4).
+/// The effect of an instruction on the stack pointer, and on registers that hold an earlier value
+/// of it. Registers are numbered: on ARM as they are named (sp is 13), on x86 as they are encoded
+/// (esp 4).
 struct StackEffect {
   static constexpr uint8_t kNone = 255;
 
-  /// False: it changes the stack pointer in a way that nobody can tell.
+  /// False: it changes the stack pointer in an unknown way.
   bool known = true;
-  /// After it, register `to` is `bytes` deeper than `from` was, at most (less than 0: higher).
+  /// After it, register `to` is at most `bytes` deeper than `from` was (less than 0: higher).
   uint8_t to = kNone;
   uint8_t from = kNone;
   int64_t bytes = 0;
-  /// The registers that it changes otherwise, a bit each.
+  /// The registers that it changes in another way, a bit each.
   uint16_t writes = 0;
-  /// ARM's condition, as two letters; empty: it is always carried out.
+  /// ARM's condition, as two letters; empty: it is always executed.
   char condition[2] = {};
-  /// What a return takes off the stack besides the address (x86's "ret $4").
+  /// What a return takes off the stack in addition to the address (x86's "ret $4").
   uint32_t released = 0;
-  /// Where the processor stops: nothing comes after it.
+  /// Whether the program stops here: nothing follows.
   bool stops = false;
-  /// A system call by an address that the kernel gives.
+  /// Whether it is a system call by an address that the kernel provides.
   bool enters_kernel = false;
 
   [[nodiscard]] bool conditional() const { return condition[0] != 0; }
@@ -37,20 +38,21 @@ struct StackEffect {
   }
 };
 
-/// The registers that matter of a machine.
+/// The registers of a machine that affect the stack.
 struct StackMachine {
   uint8_t pointer;        ///< the stack pointer
   uint8_t count;          ///< registers that are numbered
-  uint16_t lost;          ///< what a call need not keep, a bit each
+  uint16_t lost;          ///< registers that a call need not preserve, a bit each
   uint32_t call_bytes;    ///< that a call pushes
-  uint32_t kernel_bytes;  ///< that a system call by `call *%gs:` takes, its return address included
+  uint32_t kernel_bytes;  ///< by a system call with `call *%gs:`, including its return address
 };
 constexpr StackMachine kArmStack = {13, 15, 0x500F, 0, 0};
-/// What Linux gives at %gs:16 pushes ecx, edx and ebp before it enters the kernel (2.6 and later).
+/// The code that Linux provides at %gs:16 pushes ecx, edx and ebp before it enters the kernel (2.6
+/// and later).
 constexpr StackMachine kX86Stack = {4, 8, 0x0007, 4, 16};
 
-/// By the rules of ARM (A32) and of x86 (32 bits, AT&T's way of writing). `writes` and whether the
-/// stack pointer is changed at all are not theirs: Disassembler fills them in.
+/// By the rules of ARM (A32) and of x86 (32 bits, AT&T syntax). They do not set `writes`, or
+/// whether the stack pointer is changed at all: Disassembler does that.
 StackEffect armStack(const Written& written);
 StackEffect x86Stack(const Written& written);
 

@@ -93,7 +93,7 @@ void StackState::call(uint32_t released) {
 bool StackState::join(const StackState& other) {
   StackState both = *this, theirs = other;
   bool news = false;
-  // Only the instructions right after each other share a condition.
+  // Only consecutive instructions share a condition.
   if (condition_.conditional() != theirs.condition_.conditional() ||
       !condition_.sameCondition(theirs.condition_)) {
     both.settle();

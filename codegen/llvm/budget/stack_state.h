@@ -11,24 +11,25 @@
 
 namespace glider::codegen {
 
-/// How deep the stack is at most where an instruction begins, from where its function began.
+/// The upper bound of the stack depth at the beginning of an instruction, from the beginning of its
+/// function.
 class StackState {
  public:
   StackState(const StackMachine& machine, int64_t depth) : machine_(&machine) {
     depths_[machine.pointer] = depth;
   }
 
-  /// Nothing if nobody can tell.
+  /// Empty if it is not known.
   [[nodiscard]] std::optional<int64_t> depth() const { return depths_[machine_->pointer]; }
-  /// As an instruction carried out under a condition finds it, after those under the same one.
+  /// The state for an instruction executed under a condition, after those under the same condition.
   [[nodiscard]] StackState under(const StackEffect& effect) const;
-  /// As its successor finds it if the condition does not hold.
+  /// The state for its successor if the condition does not hold.
   [[nodiscard]] StackState passing(const StackEffect& effect) const;
-  /// After an instruction.
+  /// Applies an instruction.
   void apply(const StackEffect& effect);
-  /// After a call that takes `released` bytes off the stack as it returns.
+  /// Applies a call that takes `released` bytes off the stack when it returns.
   void call(uint32_t released);
-  /// What holds if either does; true if that is news.
+  /// Joins two states; true if that changed this one.
   bool join(const StackState& other);
 
  private:

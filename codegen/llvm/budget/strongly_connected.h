@@ -12,14 +12,14 @@ namespace glider::codegen {
 /// recursion.
 class Circles {
  public:
-  /// `next[n]` are the nodes to which n leads.
+  /// `next[n]`: the nodes that n leads to.
   explicit Circles(const std::vector<std::vector<uint32_t>>& next);
 
-  /// The components, each after all those to which it leads.
+  /// The components, each after all those that it leads to.
   [[nodiscard]] const std::vector<std::vector<uint32_t>>& list() const { return list_; }
   /// The number of a node's component.
   [[nodiscard]] uint32_t of(uint32_t node) const { return of_[node]; }
-  /// Whether one can go round in component `number`.
+  /// Whether component `number` contains a cycle.
   [[nodiscard]] bool turns(uint32_t number) const { return turns_[number]; }
 
  private:

@@ -36,8 +36,8 @@ bool loadsLiteral(const Instruction& one) {
   return one.mentions.literal_to < 15;
 }
 
-/// Each literal with each place of its function that adds a distance from that register: more than
-/// there are.
+/// Each literal with each place of its function that adds a distance from that register: an
+/// overestimate.
 void addDistances(const std::vector<Instruction>& code, const WordAt& word_at,
                   const StartOf& start_of, std::set<uint64_t>& addresses) {
   std::multimap<std::pair<uint64_t, uint8_t>, uint64_t> adders;  // by function and register
@@ -64,7 +64,7 @@ std::set<uint64_t> addressesIn(const std::vector<Instruction>& code, uint64_t of
                                const WordAt& word_at, const StartOf& start_of) {
   std::set<uint64_t> addresses;
   for (const Instruction& one : code) {
-    // Where a call or jump goes is no pointer.
+    // The target of a call or jump is not a pointer.
     const bool jumps = one.flow == Flow::Call || one.flow == Flow::Jump || one.flow == Flow::JumpIf;
     for (uint8_t i = 0; i < one.mentions.count && !jumps && !loadsLiteral(one); ++i) {
       addresses.insert(one.mentions.numbers[i]);

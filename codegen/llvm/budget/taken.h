@@ -18,13 +18,13 @@ using WordAt = std::function<std::optional<uint32_t>(uint64_t)>;
 /// Where the function of an instruction begins.
 using StartOf = std::function<uint64_t(uint64_t)>;
 
-/// What may be the address of something, in `code` (by address): operands, distances from where
-/// they are used, distances from `offsets` (x86's _GLOBAL_OFFSET_TABLE_; 0: none).
+/// All values in `code` (by address) that may be addresses: operands, distances from where they are
+/// used, distances from `offsets` (x86's _GLOBAL_OFFSET_TABLE_; 0: none).
 std::set<uint64_t> addressesIn(const std::vector<Instruction>& code, uint64_t offsets,
                                const WordAt& word_at, const StartOf& start_of);
 
-/// Where ARM's code keeps words that are distances and nothing else: each is loaded into a register
-/// whose next use is to be added to the place.
+/// The places where ARM's code keeps words that are only distances: each is loaded into a register
+/// whose next use adds it to the place.
 std::set<uint64_t> distancesIn(const std::vector<Instruction>& code);
 
 }  // namespace glider::codegen

@@ -18,7 +18,7 @@ namespace {
 
 using Bound = std::expected<uint64_t, std::string>;
 using Nodes = std::vector<uint32_t>;
-/// A function with what it was inlined into, outermost first.
+/// A function with the functions it was inlined into, outermost first.
 using Chain = std::vector<std::pair<std::string, std::string>>;
 
 constexpr uint64_t kMost = std::numeric_limits<uint64_t>::max();
@@ -30,10 +30,10 @@ uint64_t multiply(uint64_t a, uint64_t b) {
   return b != 0 && a > kMost / b ? kMost : a * b;
 }
 
-/// Weighs one function: the heaviest way through its graph.
+/// Weighs one function: the heaviest path through its graph.
 class Weigher {
  public:
-  /// `weights`: of each node, with what it calls.
+  /// `weights`: of each node, including what it calls.
   Weigher(const Image& image, const Knowledge& knowledge, const FlowGraph& graph,
           std::vector<uint64_t> weights)
       : image_(image),
@@ -54,8 +54,8 @@ class Weigher {
  private:
   static constexpr uint32_t kNone = UINT32_MAX;
 
-  /// The heaviest way through `nodes`, none of which leads to `cut`. `around` are the owners of the
-  /// loops around them; those of the loops within are added to `explained`.
+  /// The heaviest path through `nodes`, none of which leads to `cut`. `around` are the owners of
+  /// the loops around them; those of the loops within are added to `explained`.
   Bound region(const Nodes& nodes, uint32_t cut, const std::multiset<Chain>& around,
                std::multiset<Chain>& explained) {
     std::vector<uint32_t> place(weights_.size(), kNone);
@@ -93,8 +93,8 @@ class Weigher {
     return most;
   }
 
-  /// A loop: as often as its owner says its heaviest way from the head round. Where that cannot be
-  /// told apart, all of it as often as all owners say.
+  /// A loop: the heaviest path from its head back to it, as often as its owner allows. If loops
+  /// cannot be distinguished, all of it as often as all owners allow.
   Bound loop(const Nodes& nodes, const std::multiset<Chain>& around,
              std::multiset<Chain>& explained) {
     const Chain owner = ownerOf(nodes);
@@ -139,7 +139,7 @@ class Weigher {
     return multiply(turns, weight);
   }
 
-  /// Whether each function of the nodes that may turn has a loop that was weighed as its own.
+  /// Whether each function with loops among the nodes has a loop that was weighed separately.
   bool allExplained(const Nodes& nodes, const std::multiset<Chain>& around,
                     const std::multiset<Chain>& found) {
     return std::ranges::all_of(nodes, [&](uint32_t node) {
@@ -186,7 +186,7 @@ class Weigher {
     return chain;
   }
 
-  /// The functions of a node that may turn.
+  /// The functions of a node that have a row of loops.
   std::vector<Chain> statedChains(uint32_t node) {
     std::vector<Chain> chains;
     Chain chain = chainOf(node);
@@ -198,7 +198,7 @@ class Weigher {
     return chains;
   }
 
-  /// The innermost function in which all nodes lie that the line tables place: the loop is its own.
+  /// The innermost function that contains all nodes with known lines: it owns the loop.
   Chain ownerOf(const Nodes& nodes) {
     const bool placed =
         std::ranges::any_of(nodes, [&](uint32_t node) { return framesOf(node).front().line != 0; });
@@ -225,7 +225,7 @@ class Weigher {
   std::vector<std::vector<Frame>> frames_;
 };
 
-/// An instruction with what it calls or repeats.
+/// The weight of an instruction with what it calls or repeats.
 Bound weightOf(const Image& image, const Knowledge& knowledge, const Instruction& one,
                const std::function<Bound(uint64_t)>& bound) {
   if (one.repeats == Instruction::kUncounted) {
@@ -242,7 +242,7 @@ Bound weightOf(const Image& image, const Knowledge& knowledge, const Instruction
   } else if (one.flow == Flow::CallByPointer || one.flow == Flow::JumpByPointer) {
     targets = knowledge.pointers(image.framesAt(one.address));
   }
-  uint64_t most = 0;  // with no target the pointer is null, and the call is not made
+  uint64_t most = 0;  // without a target the pointer is null, and the call is not made
   for (const uint64_t target : targets) {
     const Bound called = bound(target);
     if (!called) {

@@ -14,10 +14,10 @@
 
 namespace glider::codegen {
 
-/// How often a loop of a function turns at most, each time that it is begun.
+/// Upper bounds of the iterations of a function's loops, each time that one is begun.
 struct Turns {
-  uint64_t outer = 0;  ///< 0: nobody says
-  uint64_t inner = 0;  ///< of a loop within a loop; 0: there is none
+  uint64_t outer = 0;  ///< 0: not known
+  uint64_t inner = 0;  ///< of a nested loop; 0: there is none
 };
 
 /// What the machine code alone does not say.
@@ -29,12 +29,12 @@ struct Knowledge {
   std::function<bool(const std::string&)> never;
 };
 
-/// Bounds how many instructions a call takes at most, on linked machine code. README.md says how.
-/// Whatever it cannot follow leaves the bound unknown: it never guesses.
+/// Computes an upper bound of the instructions that a call takes, on linked machine code. README.md
+/// says how. If it cannot follow something, the bound is unknown: it never guesses.
 class WorstPath {
  public:
   WorstPath(const Image& image, Knowledge knowledge);
-  /// Of a call of the function at `entry`; or why there is no bound.
+  /// For a call of the function at `entry`; or why there is no bound.
   std::expected<uint64_t, std::string> bound(uint64_t entry);
 
  private:

@@ -8,14 +8,14 @@
 
 namespace glider::codegen {
 
-/// An executable as it goes on board, and what a debugger wants besides.
+/// An executable as it goes on board, and a separate file for debuggers.
 struct SplitExecutable {
-  std::string stripped;  ///< names its debug file in .gnu_debuglink
+  std::string stripped;  ///< contains the name of its debug file in .gnu_debuglink
   std::string debug;     ///< symbols and line tables only
 };
 
-/// Splits the linked ELF file `linked`; `debug_name` is the file name under which the debug part
-/// will lie beside the executable.
+/// Splits the linked ELF file `linked`; `debug_name` is the file name that the debug part will have
+/// beside the executable.
 SplitExecutable splitDebug(std::string_view linked, const std::string& debug_name);
 
 }  // namespace glider::codegen

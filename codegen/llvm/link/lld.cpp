@@ -28,19 +28,21 @@ using support::Result;
 
 constexpr std::string_view kUndefined = "undefined symbol: ";
 
-/// What is not code that starts a program: a shared object takes only these of a board's inputs.
+/// Whether it is a library, not code that starts a program: a shared object takes only these of a
+/// board's inputs.
 bool isLibrary(const std::string& name) {
   return name.ends_with(".a") || name.find(".so") != std::string::npos;
 }
 
-/// The files in our scratch folder.
+/// The files in the scratch folder.
 struct ScratchFiles {
   std::vector<std::filesystem::path> objects;
   std::filesystem::path exports;
   std::filesystem::path output;
 };
 
-/// A version script: what a shared object shows, so that --gc-sections can drop all else.
+/// A version script: the exports of a shared object, so that --gc-sections can drop everything
+/// else.
 std::string exportList(const std::vector<std::string>& names) {
   return fmt::format("{{ {}local: *; }};\n",
                      names.empty() ? "" : fmt::format("global: {}; ", fmt::join(names, "; ")));
@@ -80,7 +82,7 @@ std::vector<std::string> arguments(const LinkJob& job, const Board& board,
   return all;
 }
 
-/// The first line of lld's complaint, without its own name.
+/// The first line of lld's message, without its own name.
 std::string firstComplaint(const std::string& said) {
   constexpr std::string_view kError = "error: ";
   const size_t at = said.find(kError);
@@ -88,7 +90,7 @@ std::string firstComplaint(const std::string& said) {
   return said.substr(begin, said.find('\n', begin) - begin);
 }
 
-/// Names what nothing defines as the mission's text has it, if it is from there.
+/// Names an undefined symbol as the mission's text does, if it comes from there.
 support::Failure unbound(const std::string& symbol) {
   const auto declared = ir::readSymbol(symbol);
   return support::fail(
@@ -114,7 +116,7 @@ support::Failure explain(const std::string& said, const Board& board,
   return support::fail(DiagnosticId::linkFailed, board.name, complaint).error();
 }
 
-/// Runs lld, which says what it has to say in `said`; true if it has linked.
+/// Runs lld, which writes its messages to `said`; true if it has linked.
 bool runHere(const std::vector<std::string>& words, const std::filesystem::path& said) {
   std::vector<const char*> pointers;
   std::ranges::transform(words, std::back_inserter(pointers),
@@ -123,11 +125,11 @@ bool runHere(const std::vector<std::string>& words, const std::filesystem::path&
   llvm::raw_fd_ostream stream(said.string(), error);
   const lld::Result result = lld::lldMain(pointers, stream, stream, {{lld::Gnu, &lld::elf::link}});
   stream.close();
-  stream.clear_error();  // a full disk: the verdict stands
+  stream.clear_error();  // a full disk: the result is still valid
   return result.retCode == 0 && !error;
 }
 
-/// The same in a child of this process, which it may end in any way.
+/// The same in a child of this process, which lld may end in any way.
 bool runInChild(const std::vector<std::string>& words, const std::filesystem::path& said) {
   const pid_t child = ::fork();
   if (child == 0) {
@@ -140,7 +142,7 @@ bool runInChild(const std::vector<std::string>& words, const std::filesystem::pa
 }
 
 /// lld keeps pointers into its last run in static variables and writes through them in the next
-/// (`_GLOBAL_OFFSET_TABLE_` and its like), so a process may run it once.
+/// (`_GLOBAL_OFFSET_TABLE_` and similar symbols), so a process may run it only once.
 Result<void> runLld(const LinkJob& job, const Board& board, const ScratchFiles& files) {
   const std::vector<std::string> words = arguments(job, board, files);
   const std::filesystem::path said = files.output.parent_path() / "said";

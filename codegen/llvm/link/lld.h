@@ -18,15 +18,15 @@ namespace glider::codegen {
 struct LinkJob {
   ProgramKind kind = ProgramKind::Executable;
   std::vector<std::string> objects;                   ///< contents of the mission's objects
-  std::vector<std::filesystem::path> further_inputs;  ///< objects and archives besides
+  std::vector<std::filesystem::path> further_inputs;  ///< other objects and archives
   std::vector<std::string> exports;                   ///< of a shared object
-  bool keep_debug = false;                            ///< else symbols and line tables are left out
-  bool last = false;  ///< this process links nothing after it: no child is needed, 3 ms less
+  bool keep_debug = false;  ///< if false, symbols and line tables are left out
+  bool last = false;  ///< this process links nothing after it: no child is needed, which saves 3 ms
 };
 
-/// Links with the lld that is part of this program and writes nothing to the terminal; the content
-/// of the linked file. GL4003 for a symbol that nothing defines, GL4004 for whatever else lld
-/// refuses, GL9002 if there is no room for temporary files.
+/// Links with the lld that is part of this program and writes nothing to the terminal; returns the
+/// content of the linked file. GL4003 for an undefined symbol, GL4004 for any other error of lld,
+/// GL9002 if there is no room for temporary files.
 support::Result<std::string> link(const LinkJob& job, const platforms::Board& board);
 
 }  // namespace glider::codegen

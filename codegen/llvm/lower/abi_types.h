@@ -8,7 +8,7 @@
 
 namespace glider::codegen {
 
-/// The structs of runtime/abi/abi_structs.def as LLVM types, one member a struct.
+/// The structs of runtime/abi/abi_structs.def as LLVM types, one member for each struct.
 struct AbiTypes {
 #define STRUCT(name) llvm::StructType* name = nullptr;
 #define FIELD(type, name)

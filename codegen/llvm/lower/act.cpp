@@ -12,8 +12,8 @@ bool hasNothingToDo(const ir::Case& item) {
   return !item.action.valid() && item.arguments.empty();
 }
 
-/// Arguments are all evaluated before the first is stored: a state that goes to itself may swap
-/// its parameters.
+/// All arguments are evaluated before the first is stored: a state that goes to itself may swap its
+/// parameters.
 void passArguments(Body& body, const ir::Case& item) {
   std::vector<llvm::Value*> values;
   for (const ir::ExprId argument : item.arguments) {

@@ -36,7 +36,7 @@ llvm::Function* lowerBegin(Lowering& lowering) {
   return body.function;
 }
 
-/// The first `where` that is not true.
+/// Returns the first `where` that is not true.
 llvm::Function* lowerCondition(Lowering& lowering) {
   const std::vector<ir::ExprId>& conditions = lowering.mission.conditions;
   if (conditions.empty()) {

@@ -18,8 +18,8 @@ namespace glider::codegen {
 /// Its first parameter is the GliderContext, all others are u32.
 struct Body {
   enum class Result : uint8_t { None, Word };
-  /// `more` parameters after the context. A debugger shows it as `title` at `range`; no title, no
-  /// line table.
+  /// `more` parameters after the context. A debugger shows it as `title` at `range`; without a
+  /// title it has no line table.
   Body(Lowering& shared, const std::string& name, Result result, unsigned more,
        const std::string& title = "", support::SourceRange range = {});
 
@@ -34,29 +34,29 @@ struct Body {
   Expressions expressions;
 };
 
-/// A function as a Body has, which stands in another part of the mission.
+/// Declares a function with the type of a Body that another part of the mission defines.
 llvm::Function* declareFunction(Lowering& lowering, const std::string& name, Body::Result result,
                                 unsigned more);
-/// Lets the other parts call it.
+/// Makes it visible to the other parts.
 void showToParts(llvm::Function& function);
 
-/// Runs the statements of a block where `body` stands; an invalid id is an empty block. What was
-/// made before stays made.
+/// Generates the statements of a block at the place of `body`; an invalid id is an empty block.
+/// Expressions generated before remain usable.
 void lowerBlock(Body& body, ir::BlockId block);
-/// Gives a variable a value.
+/// Generates an assignment to a variable.
 void assign(Body& body, ir::VariableId variable, llvm::Value* value);
 
 /// Start: their list becomes current by goto, call or return, or the mission begins.
 enum class Moment : uint8_t { Start, Advance };
-/// Starts or advances temporals, in their order. Windows advance in either case: they outlive a
-/// call, and lowerWindowStarts empties them.
+/// Starts or advances temporals, in their order. Windows advance in both cases: they keep their
+/// content during a call, and lowerWindowStarts empties them.
 void lowerTemporals(Body& body, const std::vector<ir::TemporalId>& temporals, Moment moment);
 /// Empties those that are windows: their list becomes current by goto or call, or the mission
 /// begins.
 void lowerWindowStarts(Body& body, const std::vector<ir::TemporalId>& temporals);
 /// Whether windows that read the same sensors may take a reading now, as u32.
 using Freshness = std::map<std::set<uint32_t>, llvm::Value*>;
-/// Advances a window. `fresh` holds what has been made in the builder's block.
+/// Advances a window. `fresh` holds the values already generated in the builder's block.
 void lowerWindow(Body& body, ir::TemporalId id, Freshness& fresh);
 
 /// Calls an activity's C function (runtime/abi/behaviour.h) with its arguments, evaluated here.

@@ -15,9 +15,9 @@ DebugInfo::DebugInfo(llvm::Module& module, const support::SourceManager* sources
   if (sources == nullptr || !main.valid()) {
     return;
   }
-  constexpr unsigned kDwarfVersion = 4;  // what the debuggers of the boards' time read
+  constexpr unsigned kDwarfVersion = 4;  // that the debuggers of the boards' time can read
   module.addModuleFlag(llvm::Module::Warning, "Debug Info Version", llvm::DEBUG_METADATA_VERSION);
-  // The runtime that is joined brings a flag of its own, which may be a later version.
+  // The runtime that is linked in has a flag of its own, which may be a later version.
   module.addModuleFlag(llvm::Module::Override, "Dwarf Version", kDwarfVersion);
   unit_ = builder_.createCompileUnit(llvm::dwarf::DW_LANG_C, fileOf(main.file), "glidercc", true,
                                      "", 0, "", llvm::DICompileUnit::LineTablesOnly);
@@ -48,8 +48,8 @@ void DebugInfo::describe(llvm::Function& function, const std::string& name,
 
 void DebugInfo::locate(llvm::IRBuilder<>& builder, support::SourceRange range) {
   llvm::DISubprogram* scope = builder.GetInsertBlock()->getParent()->getSubprogram();
-  // A line of another file than the function's own would need a scope of its own: the line of the
-  // use stands for it.
+  // A line of a file other than the function's would need a scope of its own: the line of the use
+  // is given instead.
   if (scope == nullptr || !range.valid() || fileOf(range.file) != scope->getFile()) {
     return;
   }

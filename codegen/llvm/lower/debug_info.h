@@ -14,20 +14,20 @@
 
 namespace glider::codegen {
 
-/// Line tables: which generated code stands for which line of the mission. Without sources it does
-/// nothing.
+/// Line tables: which generated code belongs to which line of the mission. Does nothing without
+/// sources.
 class DebugInfo {
  public:
-  /// `sources` may be null, else it holds the files of the ranges given below; `main` is a place in
-  /// the mission's main file, or nowhere, which also means no line tables.
+  /// `sources` may be null, otherwise it holds the files of the ranges given below; `main` is a
+  /// place in the mission's main file, or an empty range, which also means no line tables.
   DebugInfo(llvm::Module& module, const support::SourceManager* sources, support::SourceRange main);
 
   /// Gives `function` line tables under `name`, which a debugger shows, starting at `range`.
   void describe(llvm::Function& function, const std::string& name, support::SourceRange range);
-  /// What `builder` makes from now on stands for `range`; nowhere means the place before holds on.
-  /// The builder must stand in a function.
+  /// The code that `builder` generates from now on belongs to `range`; for an empty range the place
+  /// before stays valid. The builder must be inside a function.
   void locate(llvm::IRBuilder<>& builder, support::SourceRange range);
-  /// Once, when all functions are there.
+  /// To be called once, when all functions exist.
   void finish();
 
  private:

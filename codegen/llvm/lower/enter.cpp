@@ -15,7 +15,7 @@ void enterActivity(Body& body, const ir::Activity& activity, uint32_t memory_blo
   }
 }
 
-/// Runs what `only` makes if the phase is enter, then goes on.
+/// Generates `only` for the phase enter, then continues.
 void onEnter(Body& body, llvm::function_ref<void()> only) {
   llvm::IRBuilder<>& builder = body.builder;
   llvm::BasicBlock* enter = body.block("enter");
@@ -51,7 +51,7 @@ bool hasNothingToDo(const Lowering& lowering, uint32_t index) {
 
 }  // namespace
 
-// Entering and resuming differ in what starts anew and in the state's own entry.
+// Entering and resuming differ in what starts again and in the state's own entry.
 llvm::Function* lowerEnter(Lowering& lowering, uint32_t index) {
   if (hasNothingToDo(lowering, index)) {
     return nullptr;

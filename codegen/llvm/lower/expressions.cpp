@@ -59,7 +59,7 @@ void Expressions::forget() {
   ++generation_;
 }
 
-/// Entry by entry: to clear the map would cost its size each time.
+/// Entry by entry: clearing the map would cost its size each time.
 void Expressions::rollBack(Mark mark) {
   const size_t keep = mark.generation == generation_ ? mark.made : 0;
   for (; order_.size() > keep; order_.pop_back()) {
@@ -67,8 +67,8 @@ void Expressions::rollBack(Mark mark) {
   }
 }
 
-/// Without recursion, whatever the depth: operands have smaller ids, so the order of ids is an
-/// order of evaluation.
+/// Without recursion, at any depth: operands have smaller ids, so the order of ids is an order of
+/// evaluation.
 const Expressions::Lowered& Expressions::lower(ir::ExprId root) {
   std::vector<uint32_t> needed;
   std::vector<uint32_t> open{root.index};
@@ -179,7 +179,7 @@ Expressions::Lowered Expressions::call(const ir::Expr& expr) {
   if (expr.type.kind != ir::TypeKind::Bool) {
     return {value, nullptr};
   }
-  // Not truthIn: C says true with any number but 0.
+  // Not truthIn: in C any number but 0 is true.
   Value* zero = llvm::ConstantFP::get(builder_.getDoubleTy(), 0.0);
   return {builder_.CreateFCmpONE(value, zero), builder_.CreateFCmpOEQ(value, zero)};
 }

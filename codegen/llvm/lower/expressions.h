@@ -11,12 +11,12 @@
 
 namespace glider::codegen {
 
-/// Makes code for expressions within one function, each expression once as long as nothing can have
-/// changed it: call it only where everything made before dominates the builder's place, and
-/// rollBack() where that ends.
+/// Generates code for expressions within one function, each expression once as long as nothing can
+/// have changed it. It must only be called where everything generated before dominates the
+/// builder's place, and rollBack() must be called where that ends.
 ///
-/// A number is a double with NaN for unknown. A truth value is a pair of bits, and unknown is
-/// neither.
+/// A number is a double with NaN for unknown. A truth value is a pair of bits; for unknown neither
+/// is set.
 class Expressions {
  public:
   /// `context` is the function's GliderContext*; all three outlive this object.
@@ -25,23 +25,23 @@ class Expressions {
 
   /// The value of a numeric expression.
   llvm::Value* number(ir::ExprId id);
-  /// The bit that says that a truth value is true; that it is false.
+  /// The bit that is set if a truth value is true; if it is false.
   llvm::Value* isTrue(ir::ExprId id);
   llvm::Value* isFalse(ir::ExprId id);
-  /// A number as it is, a truth value as variables hold it: 0, 1 or NaN.
+  /// A number unchanged, a truth value as variables store it: 0, 1 or NaN.
   llvm::Value* asNumber(ir::ExprId id);
 
-  /// The bit that says that a number is not unknown.
+  /// The bit that is set if a number is not unknown.
   llvm::Value* isKnown(llvm::Value* number);
-  /// The truth value that a double holds, 0, 1 or NaN.
+  /// The truth value stored in a double: 0, 1 or NaN.
   llvm::Value* holdsTrue(llvm::Value* held);
   llvm::Value* holdsFalse(llvm::Value* held);
 
-  /// Where a variable stands, a double.
+  /// The address of a variable, a double.
   llvm::Value* placeOf(ir::VariableId id);
-  /// Where slot `slot` of the temporals stands, a double.
+  /// The address of slot `slot` of the temporals, a double.
   llvm::Value* temporalSlot(uint32_t slot);
-  /// Must be told of every change of a variable's value.
+  /// Must be called after every change of a variable's value.
   void changed(ir::VariableId id);
   /// The age of a sensor's newest reading, s.
   llvm::Value* age(ir::SensorId sensor);
@@ -50,19 +50,19 @@ class Expressions {
   /// Mission time less `then`, settled.
   llvm::Value* timeSince(llvm::Value* then);
 
-  /// What has been made up to now.
+  /// The expressions generated up to now.
   struct Mark {
     size_t made = 0;
     uint32_t generation = 0;
   };
   [[nodiscard]] Mark mark() const { return {order_.size(), generation_}; }
-  /// Forgets what was made since `mark`; all, if a variable has changed since then.
+  /// Forgets what was generated since `mark`, or everything if a variable has changed since then.
   void rollBack(Mark mark);
   /// Forgets everything.
   void forget();
 
  private:
-  /// A number stands in `value`; a truth value in `value` (is true) and `is_false`.
+  /// A number has only `value`; a truth value has `value` (is true) and `is_false`.
   struct Lowered {
     llvm::Value* value = nullptr;
     llvm::Value* is_false = nullptr;
@@ -103,7 +103,7 @@ class Expressions {
   std::unordered_map<uint32_t, Lowered> made_;
   std::vector<uint32_t> order_;          ///< of made_
   std::unordered_set<uint32_t> loaded_;  ///< the variables that made_ may depend on
-  uint32_t generation_ = 0;              ///< counts how often all was forgotten
+  uint32_t generation_ = 0;              ///< counts how often everything was forgotten
 };
 
 }  // namespace glider::codegen

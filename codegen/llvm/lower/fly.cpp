@@ -7,7 +7,7 @@
 namespace glider::codegen {
 namespace {
 
-/// The first case whose guard is true fires: its block, and of `done` the truth value.
+/// The first case whose guard is true fires: its block runs, and `done` sets its truth value.
 void lowerCases(Body& body, const ir::Activity& activity) {
   llvm::IRBuilder<>& builder = body.builder;
   for (uint32_t i = 0; i < activity.cases.size(); ++i) {

@@ -16,7 +16,7 @@ namespace {
 
 constexpr uint32_t kWordBits = 32;
 
-/// The least order that lies past a cut.
+/// The least order past a cut.
 int64_t keyOf(const ir::Cut& cut) {
   return gliderOrder(cut.at) + (cut.inclusive ? 0 : 1);
 }
@@ -134,7 +134,7 @@ class Table {
   std::string name_;
 };
 
-/// The guards of the cases that have rows which are not exact, each asked by its number.
+/// The guards of cases with rows that are not exact, each evaluated by its number.
 llvm::Function* lowerHolds(Lowering& lowering, const ir::GuardTable& table,
                            const std::vector<ir::Case>& cases, const std::string& name,
                            support::SourceRange range) {

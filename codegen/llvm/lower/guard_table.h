@@ -11,8 +11,8 @@ namespace glider::codegen {
 /// The runtime's name for a sensor or clock.
 GliderSource sourceOf(ir::Op op);
 
-/// The guards of a list of cases by its table: a call of gliderFirstTrue. The table remembers from
-/// place `memory` of GliderContext::intervals on.
+/// Evaluates the guards of a list of cases by its table: a call of gliderFirstTrue. The table
+/// stores its state from place `memory` of GliderContext::intervals on.
 llvm::Function* lowerGuardTable(Lowering& lowering, const ir::GuardTable& table,
                                 const std::vector<ir::Case>& cases, const std::string& name,
                                 support::SourceRange range, uint32_t memory);

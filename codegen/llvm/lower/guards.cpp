@@ -8,7 +8,7 @@
 namespace glider::codegen {
 namespace {
 
-/// Case i is not looked at if it may not fire for its number: functions in its guard are not
+/// Case i is skipped if its number does not allow it to fire: functions in its guard are not
 /// called.
 void stopAtLimit(Body& body, uint32_t i) {
   llvm::IRBuilder<>& builder = body.builder;
@@ -23,7 +23,8 @@ void stopAtLimit(Body& body, uint32_t i) {
 
 }  // namespace
 
-/// What an earlier guard has worked out serves the later ones, whose blocks it dominates.
+/// Values that an earlier guard has computed are reused by the later ones, whose blocks it
+/// dominates.
 llvm::Function* lowerGuards(Lowering& lowering, const std::vector<ir::Case>& cases,
                             const ir::GuardTable& table, uint32_t memory, const std::string& name,
                             support::SourceRange range) {

@@ -16,8 +16,8 @@
 namespace glider::codegen {
 namespace {
 
-/// The flags that clang gives the runtime for the same machine: position independence is a property
-/// of the module too.
+/// The flags that clang sets for the runtime on the same machine: position independence is also a
+/// property of the module.
 void setRelocation(llvm::Module& module, const llvm::TargetMachine& machine) {
   if (machine.getRelocationModel() == llvm::Reloc::PIC_) {
     module.setPICLevel(llvm::PICLevel::BigPIC);
@@ -29,7 +29,7 @@ llvm::Function* lowerProfile(Lowering& lowering, uint32_t index) {
                   lowering.index.memory_blocks[index].profile);
 }
 
-/// `profile`: whether its profile's ticks are here.
+/// `profile`: whether the ticks of its profile are in this part.
 StateFunctions lowerState(Lowering& lowering, uint32_t index, bool profile) {
   const ir::State& state = lowering.mission.states[index];
   const MissionIndex::Blocks& blocks = lowering.index.memory_blocks[index];

@@ -15,9 +15,9 @@
 
 namespace glider::codegen {
 
-/// What of a mission a module holds, for large ones are compiled in parts, side by side.
+/// The part of a mission in a module: large missions are compiled in parts, in parallel.
 struct MissionPart {
-  bool head = true;                ///< all but the states: `gliderMission`, `gliderContextMemory`
+  bool head = true;  ///< everything except the states: `gliderMission`, `gliderContextMemory`
   std::vector<uint32_t> states;    ///< by their number, each without its profile's ticks
   std::vector<uint32_t> profiles;  ///< by their state's number: what a profile does in a tick
 };
@@ -25,8 +25,8 @@ struct MissionPart {
 /// The whole mission.
 MissionPart wholeOf(const ir::Mission& mission);
 
-/// A part of the mission as a module for `machine`: behaviours and the runtime's functions are
-/// declared, and what other parts hold. The mission must hold together and be free of errors. With
+/// A part of the mission as a module for `machine`. Behaviours, the runtime's functions and the
+/// content of other parts are only declared. The mission must be valid and free of errors. With
 /// `sources` (of the mission's ranges; null: none) it has line tables.
 std::unique_ptr<llvm::Module> lowerMission(const Input& input, const MissionPart& part,
                                            const llvm::TargetMachine& machine,

@@ -16,7 +16,8 @@
 #include <string>
 #include <vector>
 
-/// What the parts of the lowering share; one file a function family. lower_mission.h is the way in.
+/// Shared by the parts of the lowering; one file for each function family. The entry point is
+/// lower_mission.h.
 namespace glider::codegen {
 
 struct Lowering {
@@ -37,18 +38,18 @@ struct Lowering {
       std::vector<llvm::Function*>(mission.uses.size());  ///< the same
 };
 
-/// A constant string; equal ones are one.
+/// A constant string; equal strings share one constant.
 llvm::Constant* text(Lowering& lowering, const std::string& text);
 /// A field of the struct that `base` points to.
 llvm::Value* loadField(llvm::IRBuilder<>& builder, llvm::StructType* type, llvm::Value* base,
                        unsigned index);
 
-/// The function (context, arguments as numbers) that gives what a use of a C function is worth in
-/// this tick: calls it the first time.
+/// The function (context, arguments as numbers) that returns the value of a use of a C function in
+/// this tick: calls the C function the first time.
 llvm::Function* lowerUse(Lowering& lowering, ir::UseId use);
 
-/// The functions that a mission is made of, as runtime/abi/glider_abi.h describes them: one a state
-/// keeps the work linear in their number. Null: it would do nothing.
+/// The functions that a mission is made of, as runtime/abi/glider_abi.h describes them: one for
+/// each state keeps the work linear in the number of states. Null: it would do nothing.
 struct StateFunctions {
   llvm::Function* guards = nullptr;
   llvm::Function* act = nullptr;
@@ -65,8 +66,8 @@ struct MissionFunctions {
   llvm::Function* condition = nullptr;
 };
 
-/// `name` tells whose functions they are: "always", or the state's name. `memory` is where a table,
-/// if the list has one, remembers what it saw (GliderContext::intervals).
+/// `name` says whose functions they are: "always", or the state's name. `memory` is where the table
+/// of the list, if it has one, stores its state (GliderContext::intervals).
 llvm::Function* lowerGuards(Lowering& lowering, const std::vector<ir::Case>& cases,
                             const ir::GuardTable& table, uint32_t memory, const std::string& name,
                             support::SourceRange range);
@@ -75,17 +76,17 @@ llvm::Function* lowerAct(Lowering& lowering, const std::vector<ir::Case>& cases,
 llvm::Function* lowerAdvance(Lowering& lowering, const std::vector<ir::TemporalId>& temporals,
                              const std::string& name, support::SourceRange range);
 llvm::Function* lowerEnter(Lowering& lowering, uint32_t state);
-/// Of a profile or route; `kind` is "profile" or "route".
+/// The function of a profile or route; `kind` is "profile" or "route".
 llvm::Function* lowerFly(Lowering& lowering, uint32_t state, const ir::Activity& activity,
                          const std::string& kind, uint32_t memory_block);
-/// The same function, which another part of the mission holds.
+/// Declares the same function, which another part of the mission defines.
 llvm::Function* declareFly(Lowering& lowering, uint32_t state, const ir::Activity& activity,
                            const std::string& kind);
 llvm::Function* lowerBegin(Lowering& lowering);
 llvm::Function* lowerCondition(Lowering& lowering);
 
-/// The constant that describes a state to the runtime: named by its number, seen by the other parts
-/// of the mission.
+/// The constant that describes a state to the runtime: named by its number, visible to the other
+/// parts of the mission.
 void lowerStateInfo(Lowering& lowering, uint32_t state, const StateFunctions& functions);
 /// The constant `gliderMission` with its tables, and `gliderContextMemory`.
 void lowerTables(Lowering& lowering, const MissionFunctions& functions);

@@ -10,8 +10,8 @@
 namespace glider::codegen {
 namespace {
 
-/// What a temporal keeps: its value; of Became also whether the operand was true, of Held that and
-/// since when; of a window what runtime/abi/window.h says.
+/// The slots of a temporal: its value; for Became also whether the operand was true, for Held that
+/// and since when; for a window those of runtime/abi/window.h.
 uint32_t slotsOf(const ir::Temporal& temporal) {
   switch (temporal.kind) {
     case ir::TemporalKind::Became:

@@ -10,23 +10,23 @@
 
 namespace glider::codegen {
 
-/// What belongs to each state, and where things stand in a running mission's arrays: made once, so
-/// that lowering stays linear.
+/// The elements of each state, and the places in a running mission's arrays: computed once, so that
+/// lowering stays linear.
 struct MissionIndex {
   /// The variables that start when the state is entered, in the order of the mission's vector.
   std::vector<std::vector<ir::VariableId>> state_variables;
   /// The temporals of the state's three lists, and of `always`, in the same way.
   std::vector<std::vector<ir::TemporalId>> state_temporals;
   std::vector<ir::TemporalId> always_temporals;
-  /// Each temporal's first slot in GliderContext::temporals; its value stands there.
+  /// Each temporal's first slot in GliderContext::temporals, which holds its value.
   std::vector<uint32_t> temporal_slots;
   uint32_t slot_count = 0;
-  /// Where the table of `always`, and of each state, remembers in GliderContext::intervals.
+  /// Where the tables of `always` and of each state store their state in GliderContext::intervals.
   uint32_t always_table_memory = 0;
   std::vector<uint32_t> table_memory;
   uint32_t interval_count = 0;
   uint32_t parameter_count = 0;
-  /// Blocks of behaviour memory, one for each use of a C function: of each state its profile's and
+  /// Blocks of behaviour memory, one for each use of a C function: for each state its profile's and
   /// its route's, UINT32_MAX for one that is written in the language.
   struct Blocks {
     uint32_t profile = UINT32_MAX;

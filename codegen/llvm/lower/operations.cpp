@@ -45,7 +45,7 @@ Value* Expressions::binary(const ir::Expr& expr) {
   CHECK(false, "an operation on two numbers that codegen does not know");
 }
 
-/// The functions of runtime/numbers settle their results themselves.
+/// The functions of runtime/numbers settle their own results.
 Value* Expressions::function(const ir::Expr& expr) {
   std::vector<Value*> operands;
   for (uint32_t i = 0; i < ir::operandCount(expr); ++i) {
@@ -82,7 +82,8 @@ llvm::Constant* Expressions::table(ir::TableId id) {
   return found;
 }
 
-/// The number is held against the table's ends before it becomes an integer, which it may not fit.
+/// The number is compared with the table's ends before it is converted to an integer, which it may
+/// not fit.
 Value* Expressions::element(const ir::Expr& expr) {
   Value* number = operand(expr, 0);
   llvm::Type* type = builder_.getDoubleTy();
@@ -104,7 +105,7 @@ Expressions::Lowered Expressions::known(const ir::Expr& expr) {
   return {yes, builder_.CreateNot(yes)};
 }
 
-/// Ordered comparisons both ways: an unknown operand makes neither bit true.
+/// Ordered comparisons in both directions: with an unknown operand neither bit is set.
 Expressions::Lowered Expressions::comparison(const ir::Expr& expr) {
   using llvm::CmpInst;
   Value* a = operand(expr, 0);
@@ -151,8 +152,8 @@ Expressions::Lowered Expressions::logic(const ir::Expr& expr) {
   return {builder_.CreateOr(a.value, b.value), builder_.CreateAnd(a.is_false, b.is_false)};
 }
 
-/// The runtime's own function, so that there is one such rule. A call also takes the value through
-/// memory on the 486, which rounds it to 64 bits.
+/// Calls the runtime's own function, so that this rule is implemented only once. On the 486 a call
+/// also passes the value through memory, which rounds it to 64 bits.
 Value* Expressions::settle(Value* value) {
   return callPure("gliderSettle", {value});
 }

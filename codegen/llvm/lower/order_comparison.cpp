@@ -16,7 +16,7 @@ using llvm::Value;
 
 constexpr uint64_t kInfinityBits = 0x7FF0000000000000U;
 
-/// gliderOrder; LLVM works it out where the value is a constant.
+/// As gliderOrder; LLVM computes it if the value is a constant.
 Value* orderOf(llvm::IRBuilder<>& builder, Value* value) {
   Value* bits = builder.CreateBitCast(value, builder.getInt64Ty());
   Value* sign = builder.CreateAShr(bits, 63);
@@ -44,7 +44,7 @@ bool hasPlainOrder(const ir::Expr& expr) {
 Value* compareByOrder(llvm::IRBuilder<>& builder, Op op, Value* a, Value* b) {
   Value* left = orderOf(builder, a);
   Value* right = orderOf(builder, b);
-  // Unknown lies above all: only the larger side has to be asked whether it is known.
+  // Unknown is greater than everything: only the larger side must be checked for it.
   auto both = [&](llvm::CmpInst::Predicate predicate, Value* larger) {
     return builder.CreateAnd(builder.CreateICmp(predicate, left, right),
                              isKnownOrder(builder, larger));

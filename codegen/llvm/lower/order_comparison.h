@@ -7,19 +7,19 @@
 
 #include <llvm/IR/IRBuilder.h>
 
-/// Comparisons of doubles as whole numbers (runtime/abi/order.h), for a processor without an FPU:
-/// a handful of instructions in place of a call.
+/// Comparisons of doubles as whole numbers (runtime/abi/order.h), for a processor without an FPU: a
+/// few instructions instead of a call.
 namespace glider::codegen {
 
-/// Whether `expr` never is -0, nor another NaN than the one of `unknown`: what settles, and a
+/// Whether `expr` is never -0, and never a NaN other than that of `unknown`: a settled value or a
 /// constant.
 bool hasPlainOrder(const ir::Expr& expr);
 
-/// The bit that says that `op` (Less to NotEqual) holds between two doubles of plain order; false
+/// The bit that is set if `op` (Less to NotEqual) holds between two doubles of plain order; not set
 /// if either is unknown.
 llvm::Value* compareByOrder(llvm::IRBuilder<>& builder, ir::Op op, llvm::Value* a, llvm::Value* b);
 
-/// The bit that says that a double, whatever its order, is not NaN.
+/// The bit that is set if a double is not NaN, whether or not its order is plain.
 llvm::Value* isKnownByBits(llvm::IRBuilder<>& builder, llvm::Value* value);
 
 llvm::Value* haveSameBits(llvm::IRBuilder<>& builder, llvm::Value* a, llvm::Value* b);

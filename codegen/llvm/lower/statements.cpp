@@ -16,7 +16,7 @@ constexpr const char* kCommandSymbols[] = {
 #undef COMMAND
 };
 
-/// Leaves a note (gliderNote).
+/// Generates a note (gliderNote).
 void lowerNote(Body& body, GliderNoteKind kind, const std::string& name, llvm::Value* values,
                size_t count) {
   llvm::IRBuilder<>& builder = body.builder;
@@ -85,7 +85,8 @@ void lowerCommand(Body& body, const ir::Statement& statement) {
       ->setDoesNotThrow();
 }
 
-/// Nested blocks without recursion: a stack of what is still to be written, the next on top.
+/// Generates nested blocks without recursion: a stack of what is still to be written, the next on
+/// top.
 class Blocks {
  public:
   explicit Blocks(Body& body) : body_(body) {}
@@ -104,8 +105,8 @@ class Blocks {
   }
 
  private:
-  /// Either statements from `next` on; or: go to `join`, then write at `at`, where what was made
-  /// since `mark` is not known.
+  /// Either: write statements from `next` on. Or: go to `join`, then write at `at`, where the
+  /// expressions generated since `mark` are not available.
   struct Task {
     const std::vector<ir::Statement>* statements = nullptr;
     size_t next = 0;

@@ -33,7 +33,7 @@ uint64_t bytesOf(const Lowering& lowering) {
                       lowering.module.getDataLayout(), lowering.types);
 }
 
-/// Where a state's constant stands, here or in another part.
+/// The constant of a state, defined here or in another part.
 llvm::GlobalVariable* placeOfState(Lowering& lowering, uint32_t state) {
   const std::string name = "state." + std::to_string(state);
   if (llvm::GlobalVariable* found = lowering.module.getNamedGlobal(name)) {
@@ -99,7 +99,7 @@ llvm::Constant* Tables::array(llvm::Type* type, const std::vector<llvm::Constant
   return variable;
 }
 
-/// The function that is asked for a reading; null if the vehicle reports it.
+/// The function that is called for a reading; null if the vehicle reports it.
 llvm::Constant* Tables::poll(const ir::Sensor& sensor) {
   if (sensor.symbol.empty()) {
     return nothing();
@@ -110,8 +110,8 @@ llvm::Constant* Tables::poll(const ir::Sensor& sensor) {
   return llvm::cast<llvm::Constant>(found.getCallee());
 }
 
-/// One of the runtime's, named only where it is needed. Only its address is taken, so its type is
-/// of no matter.
+/// A function of the runtime, named only where it is needed. Only its address is taken, so its type
+/// does not matter.
 llvm::Constant* Tables::function(const char* name) {
   auto* type = llvm::FunctionType::get(llvm::Type::getVoidTy(context()), false);
   return llvm::cast<llvm::Constant>(lowering_.module.getOrInsertFunction(name, type).getCallee());
@@ -147,7 +147,8 @@ llvm::Constant* Tables::sensors() {
   return array(lowering_.types.GliderSensorInfo, rows, "sensors");
 }
 
-/// The vehicle's sensors, whether the mission uses them or not: the line speaks of all.
+/// All sensors of the vehicle, whether the mission uses them or not: the protocol refers to all of
+/// them.
 llvm::Constant* Tables::dictionary() {
   const platforms::Dictionary of(lowering_.platform);
   const GliderDictionary& whole = of.get();
@@ -173,7 +174,7 @@ llvm::Constant* Tables::dictionary() {
   return variable;
 }
 
-/// The greatest value of a latitude or longitude, degrees; endless for other types.
+/// The greatest value of a latitude or longitude, degrees; infinite for other types.
 double mostOnEarth(const ir::Type& type) {
   switch (type.kind) {
     case ir::TypeKind::Latitude:
@@ -235,7 +236,7 @@ llvm::Constant* Tables::state(const ir::State& state, const StateFunctions& func
        code(functions.route), word(state.cases.size()), word(state.log.size())});
 }
 
-/// Pointers, for a state may stand in another part of the mission.
+/// An array of pointers, because a state may be in another part of the mission.
 llvm::Constant* Tables::states() {
   std::vector<llvm::Constant*> places;
   for (uint32_t i = 0; i < lowering_.mission.states.size(); ++i) {

@@ -14,7 +14,7 @@ constexpr uint32_t kValue = 0;
 constexpr uint32_t kWasTrue = 1;
 constexpr uint32_t kSince = 2;  // of Held only
 
-/// `became` and `held`, which start anew on return.
+/// `became` and `held`, which start again on return.
 class Guards {
  public:
   explicit Guards(Body& body) : body_(body), builder_(body.builder) {}

@@ -9,8 +9,8 @@
 
 namespace glider::codegen {
 
-/// The units in which a parameter of `type` may be given at launch, as GliderParameterInfo::units
-/// has them.
+/// The units in which a parameter of `type` may be given at launch, in the form of
+/// GliderParameterInfo::units.
 std::string unitFactors(const ir::Type& type);
 
 }  // namespace glider::codegen

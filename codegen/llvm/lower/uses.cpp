@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Calls of C functions: each use of one is a function of ours that keeps what it gave for the rest
-// of the tick, so that expressions may be evaluated as often as code generation likes.
+// Calls of C functions: each use of one is a generated function that keeps its result for the rest
+// of the tick, so that code generation may evaluate expressions any number of times.
 
 #include "codegen/llvm/lower/body.h"
 
@@ -27,7 +27,7 @@ llvm::Function* makeFunction(Lowering& lowering, const ir::Function& function) {
   return made;
 }
 
-/// What the C function gives for `arguments`: settled, and unknown outside its range.
+/// The result of the C function for `arguments`: settled, and unknown outside its range.
 Value* callIt(Lowering& lowering, llvm::IRBuilder<>& builder, const ir::Function& function,
               llvm::ArrayRef<Value*> arguments) {
   llvm::Type* number = builder.getDoubleTy();

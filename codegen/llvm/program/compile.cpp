@@ -21,17 +21,17 @@ using platforms::Board;
 using support::DiagnosticId;
 using support::Result;
 
-/// Half of what the smallest board, the TS-5500, has.
+/// Half of the memory of the smallest board, the TS-5500.
 constexpr uint64_t kMostContextBytes = uint64_t{32} << 20U;
 
 /// From this level on the whole program, mission and runtime, is optimised and compiled as one.
 /// From kImportLevel on the mission is optimised with the bodies of the runtime's shortest
-/// functions; its code is the object that the build has made of the same bitcode: a tenth of the
-/// time.
+/// functions; their code is in the object that the build has made from the same bitcode. This takes
+/// a tenth of the time.
 constexpr int kWholeProgramLevel = 3;
 constexpr int kImportLevel = 2;
 
-/// What all parts of a program are made with.
+/// The common settings for all parts of a program.
 struct Recipe {
   const Input& input;
   const Board& board;
@@ -48,7 +48,7 @@ Result<void> checkLimits(const Recipe& recipe, const llvm::TargetMachine& machin
     return support::fail(DiagnosticId::tooManyParameters, index.parameter_count,
                          GLIDER_MOST_PARAMETERS);
   }
-  llvm::LLVMContext scratch;  // the module's own is to hold each type once
+  llvm::LLVMContext scratch;  // the module's own must contain each type only once
   const uint64_t bytes =
       contextBytes(recipe.input, index, machine.createDataLayout(), makeAbiTypes(scratch));
   if (bytes > kMostContextBytes) {

@@ -18,7 +18,7 @@
 
 namespace glider::codegen {
 
-/// A module, and before it what it cannot live without.
+/// A module, and before it the objects that it depends on.
 struct Unit {
   std::unique_ptr<llvm::LLVMContext> context;
   std::unique_ptr<llvm::TargetMachine> machine;
@@ -29,14 +29,14 @@ struct Unit {
 support::Result<Unit> lowerWhole(const Input& input, const platforms::Board& board,
                                  const CodegenOptions& options, ProgramKind kind);
 
-/// What a program is linked from, besides the board's own inputs.
+/// What a program is linked from, in addition to the board's own inputs.
 struct Program {
   std::vector<std::string> objects;
   std::vector<std::filesystem::path> further_inputs;
 };
 
-/// Compiles the mission together with the runtime, as the optimisation level says; `visible` is
-/// what the program exports. Uses as many threads as the mission has parts.
+/// Compiles the mission together with the runtime, as the optimisation level says; `visible` lists
+/// the program's exports. Uses as many threads as the mission has parts.
 support::Result<Program> compileProgram(const Input& input, const platforms::Board& board,
                                         const CodegenOptions& options, ProgramKind kind,
                                         const std::vector<std::string>& visible);

@@ -18,8 +18,8 @@
 namespace glider::codegen {
 namespace {
 
-/// The boards' memory is small and their code runs once in four seconds: what makes code larger
-/// stays out.
+/// The boards' memory is small and their code runs once in four seconds, so transformations that
+/// make code larger are off.
 llvm::PipelineTuningOptions tuning() {
   llvm::PipelineTuningOptions options;
   options.LoopInterleaving = false;
@@ -40,7 +40,7 @@ llvm::FunctionPassManager simplify(bool thoroughly) {
   return passes;
 }
 
-/// For a mission and its tick: the tick comes optimised, and a mission is many small functions
+/// For a mission and its tick: the tick is already optimised, and a mission is many small functions
 /// without loops or local memory. LLVM's own pipeline would find little more and take ten times as
 /// long.
 llvm::ModulePassManager leanPasses(int level) {
@@ -50,7 +50,7 @@ llvm::ModulePassManager leanPasses(int level) {
     inliner.getPM().addPass(llvm::createCGSCCToFunctionPassAdaptor(simplify(true)));
     manager.addPass(std::move(inliner));
     manager.addPass(llvm::EliminateAvailableExternallyPass());
-    manager.addPass(llvm::GlobalDCEPass());  // what was inlined everywhere
+    manager.addPass(llvm::GlobalDCEPass());  // functions that were inlined everywhere
   } else {
     manager.addPass(llvm::createModuleToFunctionPassAdaptor(simplify(false)));
   }
@@ -83,7 +83,7 @@ void optimise(llvm::Module& module, llvm::TargetMachine& machine, int level) {
   builder.registerLoopAnalyses(loops);
   builder.crossRegisterProxies(loops, functions, components, modules);
   llvm::ModulePassManager manager;
-  manager.addPass(llvm::GlobalDCEPass());  // what the runtime has and this mission does not use
+  manager.addPass(llvm::GlobalDCEPass());  // parts of the runtime that this mission does not use
   manager.addPass(passes(builder, level));
   manager.run(module, modules);
 }

@@ -8,8 +8,8 @@
 
 namespace glider::codegen {
 
-/// Optimises in place at `level` (0 to 3; 3 is meant for a whole program, 2 for a mission with
-/// imported bodies, which it drops in the end). No pass may change the meaning of floating-point
+/// Optimises in place at `level` (0 to 3; 3 is for a whole program, 2 for a mission with imported
+/// bodies, which are dropped at the end). No pass may change the meaning of floating-point
 /// arithmetic.
 void optimise(llvm::Module& module, llvm::TargetMachine& machine, int level);
 

@@ -11,7 +11,7 @@
 namespace glider::codegen {
 namespace {
 
-// A part costs about as much as a small state, whatever is in it.
+// A part costs about as much as a small state, for any content.
 constexpr size_t kFewestStates = 2;  ///< of a mission in parts
 constexpr size_t kManyStates = 64;
 
@@ -22,10 +22,10 @@ size_t countOf(size_t states) {
   return states < kManyStates ? 2 : 8;
 }
 
-/// What stands in one part as a whole.
+/// A unit that is never split between parts.
 struct Piece {
   uint32_t state = 0;
-  bool profile = false;  ///< the ticks of its profile, or all else of the state
+  bool profile = false;  ///< the ticks of its profile, or everything else of the state
   size_t work = 0;
 };
 

@@ -9,8 +9,8 @@
 
 namespace glider::codegen {
 
-/// Parts of about the same work, for as many threads; the first has the head. How many depends on
-/// the mission alone, so that every machine makes the same program of it.
+/// Parts with about the same work, for as many threads; the first has the head. Their number
+/// depends only on the mission, so that every machine makes the same program from it.
 std::vector<MissionPart> partsOf(const ir::Mission& mission);
 
 }  // namespace glider::codegen

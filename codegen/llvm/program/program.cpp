@@ -21,7 +21,7 @@
 namespace glider::codegen {
 namespace {
 
-/// Gathers what LLVM says instead of letting it write to the terminal.
+/// Collects LLVM's messages instead of letting it write to the terminal.
 class Listener final : public llvm::DiagnosticHandler {
  public:
   explicit Listener(std::string& text) : text_(text) {}
@@ -38,7 +38,7 @@ class Listener final : public llvm::DiagnosticHandler {
   std::string& text_;
 };
 
-/// Listens to a context for as long as it lives.
+/// Collects the messages of a context for its own lifetime.
 class Listening {
  public:
   explicit Listening(llvm::LLVMContext& context) : context_(context) {
@@ -54,7 +54,7 @@ class Listening {
   std::string heard_;
 };
 
-/// Declares `name` as something undefined, so that linking brings its definition in.
+/// Declares `name` as undefined, so that linking brings its definition in.
 void wantSymbol(llvm::Module& module, const std::string& name) {
   if (module.getNamedValue(name) == nullptr) {
     llvm::Function::Create(

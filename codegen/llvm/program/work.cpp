@@ -11,7 +11,7 @@
 namespace glider::codegen {
 namespace {
 
-/// Counts what one function is made from; a shared expression once.
+/// Counts the expressions of one function; a shared expression once.
 class Work {
  public:
   explicit Work(const ir::Mission& mission) : m_(mission) {}

@@ -10,11 +10,11 @@
 
 namespace glider::codegen {
 
-// How much there is to generate, in expressions and statements; one for a function.
+// The amount of code to generate, in expressions and statements; a function counts one.
 
 /// The ticks of a state's profile.
 size_t workOfProfileTick(const ir::Mission& mission, uint32_t state);
-/// All else of a state.
+/// Everything else of a state.
 size_t workOfState(const ir::Mission& mission, uint32_t state);
 
 }  // namespace glider::codegen

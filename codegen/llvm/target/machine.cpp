@@ -34,8 +34,8 @@ void initialiseArm() {
   LLVMInitializeARMAsmParser();
 }
 
-/// Only the one that is needed: each costs start-up time. Once, for LLVM's registry is not made for
-/// several threads.
+/// Initialises only the target that is needed: each costs start-up time. Once, because LLVM's
+/// registry does not support several threads.
 void initialise(const llvm::Triple& triple) {
   static std::once_flag x86;
   static std::once_flag arm;
@@ -69,7 +69,7 @@ llvm::CodeGenOptLevel codegenLevel(int level) {
   }
 }
 
-/// Asked beforehand, because a machine with an unknown cpu complains on the terminal.
+/// Checked in advance, because LLVM prints a message to the terminal for an unknown cpu.
 bool hasCpu(const llvm::Target& target, const llvm::Triple& triple, const std::string& cpu) {
   const std::unique_ptr<llvm::MCSubtargetInfo> info(
       target.createMCSubtargetInfo(triple.str(), "", ""));

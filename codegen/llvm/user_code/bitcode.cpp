@@ -32,7 +32,7 @@ using platforms::Board;
 using support::DiagnosticId;
 using support::Result;
 
-/// What the child of `compileApart` works with.
+/// The data of the child process of `compileApart`.
 struct Work {
   llvm::Module& module;
   llvm::TargetMachine& machine;
@@ -41,7 +41,7 @@ struct Work {
 };
 
 [[noreturn]] void giveUp(const Work& work, std::string_view why) {
-  // Without room to say why, the parent has words of its own.
+  // If the reason cannot be written, the parent has a text of its own.
   static_cast<void>(support::writeFileAtomically(work.said, why));
   ::_exit(EXIT_FAILURE);
 }
@@ -69,8 +69,8 @@ void onDiagnostic(const llvm::DiagnosticInfo* info, void* work) {
   ::_exit(written ? EXIT_SUCCESS : EXIT_FAILURE);
 }
 
-/// In a child of this process: LLVM ends the process over some mistakes, and what it is given here
-/// is not ours.
+/// Runs in a child of this process: LLVM ends the process on some errors, and this input comes from
+/// the user.
 bool compileApart(Work& work) {
   const pid_t child = ::fork();
   if (child == 0) {
@@ -82,7 +82,7 @@ bool compileApart(Work& work) {
   return child > 0 && WIFEXITED(status) && WEXITSTATUS(status) == EXIT_SUCCESS;
 }
 
-/// Makes the module one of the board's.
+/// Gives the module the machine of the board.
 void adopt(llvm::Module& module, const llvm::TargetMachine& machine) {
   module.setTargetTriple(machine.getTargetTriple().str());
   module.setDataLayout(machine.createDataLayout());
@@ -103,7 +103,7 @@ Result<std::string> compileBitcode(const std::string& name, const std::string& c
   if (const std::string found = machineOf((*module)->getTargetTriple()); found != wanted) {
     return support::fail(DiagnosticId::wrongMachine, name, found, board.name, wanted);
   }
-  // Position-independent, for a board's program as for one that flies in process.
+  // Position-independent, both for a board's program and for one that flies in process.
   auto machine = makeMachine(board, kUserCodeLevel, ProgramKind::Executable);
   if (!machine) {
     return std::unexpected(machine.error());

@@ -11,11 +11,11 @@
 
 namespace glider::codegen {
 
-/// How hard bitcode and what calls it are optimised at most, as -O2.
+/// The highest optimisation level for bitcode and its callers, as -O2.
 inline constexpr int kUserCodeLevel = 2;
 
-/// The object of a bitcode file's `content` for the board's own processor, whatever one the file
-/// names. GL4009 if it is of another machine, GL4012 if it cannot be compiled.
+/// The object of a bitcode file's `content` for the board's own processor, even if the file names
+/// another. GL4009 if it is for another machine, GL4012 if it cannot be compiled.
 support::Result<std::string> compileBitcode(const std::string& name, const std::string& content,
                                             const platforms::Board& board,
                                             const ScratchFolder& scratch);

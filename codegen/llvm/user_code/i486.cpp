@@ -49,7 +49,7 @@ class Disassembler {
     printer_.reset(target->createMCInstPrinter(triple, 0, *syntax_, *instructions_, *registers_));
   }
 
-  /// Takes an instruction from the front of `code`; empty for bytes that are none.
+  /// Takes an instruction from the front of `code`; empty for invalid bytes.
   std::string next(llvm::ArrayRef<uint8_t>& code) {
     llvm::MCInst instruction;
     uint64_t size = 0;
@@ -75,7 +75,7 @@ class Disassembler {
   std::unique_ptr<llvm::MCInstPrinter> printer_;
 };
 
-/// As scripts/check_i486 has it.
+/// As in scripts/check_i486.
 bool isNewer(const std::string& instruction) {
   static const std::regex names(
       "^(f?cmov|fu?comp?i\\b|fisttp|endbr|cmpxchg8b|rdtsc|rdpmc|rdmsr|nop[lw]\\b|sysenter|syscall|"

@@ -12,8 +12,8 @@
 
 namespace glider::codegen {
 
-/// Looks through an i386 object's code for instructions that came after the 486, of which a board
-/// with one dies. GL4010, GL4008 if it cannot be read.
+/// Searches an i386 object's code for instructions later than the 486, on which a program fails on
+/// a board with a 486. GL4010, GL4008 if it cannot be read.
 support::Result<void> checkI486(const llvm::object::ELFObjectFileBase& object,
                                 const std::string& name, const platforms::Board& board);
 

@@ -18,7 +18,7 @@ using platforms::Board;
 using support::DiagnosticId;
 using support::Result;
 
-/// Reads the section in which an ARM object says what it was compiled for; nothing if it has none.
+/// Reads the section of an ARM object that says what it was compiled for; empty if there is none.
 llvm::Error readAttributes(const llvm::object::ELFObjectFileBase& object,
                            llvm::ARMAttributeParser& attributes) {
   for (const llvm::object::ELFSectionRef section : object.sections()) {
@@ -32,7 +32,8 @@ llvm::Error readAttributes(const llvm::object::ELFObjectFileBase& object,
   return llvm::Error::success();
 }
 
-/// What of an ARM object its board's processor lacks; empty if nothing. "built for a later ARM".
+/// What an ARM object needs that its board's processor lacks, such as "built for a later ARM";
+/// empty if nothing.
 std::string armFault(const llvm::object::ELFObjectFileBase& object, const Board& board) {
   llvm::ARMAttributeParser attributes;
   if (llvm::Error error = readAttributes(object, attributes)) {

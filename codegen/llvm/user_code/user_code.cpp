@@ -21,7 +21,7 @@ using platforms::Board;
 using support::DiagnosticId;
 using support::Result;
 
-/// Every symbol that the mission needs of C.
+/// Every symbol that the mission needs from C.
 std::vector<std::string> symbolsOf(const ir::Mission& mission) {
   const ir::CInterface used = ir::usedInC(mission);
   std::vector<std::string> symbols;
@@ -42,7 +42,7 @@ bool defines(const std::vector<UserFile>& files, const std::string& symbol) {
       files, [&](const UserFile& file) { return std::ranges::count(file.defines, symbol) > 0; });
 }
 
-/// Refuses a file that defines what the mission wants under other types.
+/// Refuses a file that defines a symbol that the mission needs with other types.
 Result<void> checkDeclarations(const std::vector<UserFile>& files, const std::string& wanted) {
   const auto mission = ir::readSymbol(wanted);
   if (!mission || defines(files, wanted)) {
@@ -60,7 +60,7 @@ Result<void> checkDeclarations(const std::vector<UserFile>& files, const std::st
   return {};
 }
 
-/// Defines `symbol` as a function of any arguments whose value is not known.
+/// Defines `symbol` as a function with any arguments that returns unknown.
 void defineUnknown(llvm::Module& module, const std::string& symbol) {
   llvm::Type* number = llvm::Type::getDoubleTy(module.getContext());
   auto* function = llvm::Function::Create(llvm::FunctionType::get(number, false),
@@ -84,7 +84,7 @@ Result<UserCode> UserCode::load(const std::vector<std::filesystem::path>& files,
     if (!one) {
       return std::unexpected(one.error());
     }
-    // The linker reads what was checked, whatever happens to the file meanwhile.
+    // A copy, so that the linker reads what was checked even if the file changes meanwhile.
     auto copy = code.folder_.write(fmt::format("user{}", read.size()), one->content);
     if (!copy) {
       return std::unexpected(copy.error());

@@ -13,15 +13,15 @@
 
 namespace glider::codegen {
 
-/// A file that a user gave to be linked.
+/// A file to be linked that the user has given.
 struct UserFile {
   std::string name;                  ///< as it was given
   std::string content;               ///< an object or archive for the board
   std::vector<std::string> defines;  ///< the symbols that others may use
 };
 
-/// Reads and checks an object or archive, and compiles bitcode, with `scratch` for passing files.
-/// Errors as UserCode::load, but GL4011.
+/// Reads and checks an object or archive, and compiles bitcode, with `scratch` for temporary files.
+/// Fails as UserCode::load does, except for GL4011.
 support::Result<UserFile> readUserFile(const std::filesystem::path& path,
                                        const platforms::Board& board, const ScratchFolder& scratch);
 

@@ -20,7 +20,7 @@ class Declarations {
  public:
   explicit Declarations(Scope& scope) : scope_(scope) {}
 
-  /// Enters the names of constants, so that one used too early is known as such.
+  /// Enters the names of constants, so that one used too early is recognised.
   void enterConstant(const ast::Const& node) {
     if (scope_.refuseName(node.name, "a constant") || scope_.refuseSecond(node.name)) {
       return;
@@ -79,7 +79,7 @@ class Declarations {
   void visit(const ast::PlatformLine&) {}
 
  private:
-  /// Lowers the definition to IR, works its value out and takes the IR back.
+  /// Lowers the definition to IR, evaluates it, and removes the IR again.
   void work(const ast::Const& node, const std::optional<DeclaredType>& type, Constant& constant) {
     Context context;
     context.constant = "a constant";

@@ -23,7 +23,7 @@ std::string withUnit(double value, const ir::Type& type) {
   return fmt::format("{:.10g}{}{}", value, unit.empty() ? "" : " ", unit);
 }
 
-/// Both ends as one place.
+/// The range of both ends.
 support::SourceRange whole(const ast::Range& range) {
   return {range.lowest.where.file, range.lowest.where.begin, range.highest.where.end};
 }

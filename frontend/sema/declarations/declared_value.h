@@ -13,25 +13,25 @@
 
 namespace glider::frontend {
 
-/// Between what a value lies, in SI units or degrees; what is not written is endless.
+/// The bounds of a value, in SI units or degrees; a missing bound is infinite.
 struct Bounds {
   double lowest = -ir::Variable::kEndless;
   double highest = ir::Variable::kEndless;
 };
 
-/// Lowers what the declaration of a value holds beside its name.
+/// Lowers the parts of a value's declaration other than its name.
 class DeclaredValue {
  public:
   DeclaredValue(const ast::Name& name, const DeclaredType& type, Scope& scope)
       : name_(name), type_(type), scope_(scope) {}
 
-  /// What it starts with, of its type.
+  /// Its initial value, of its type.
   std::optional<Value> start(const ast::Expr& expr);
-  /// A value of its type that must be known before the mission runs; `what` it is for. The second
-  /// is a position's longitude. Lowers nothing.
+  /// A value of its type that must be known before the mission runs; `what` says what for. The
+  /// second is a position's longitude. Leaves nothing lowered.
   std::optional<std::pair<double, double>> constant(const ast::Expr& expr, std::string_view what);
   std::optional<Bounds> bounds(const std::optional<ast::Range>& range);
-  /// False, and reported, if the start `expr`, which is `value`, lies outside.
+  /// False, and reported, if the initial value `expr`, which is `value`, is out of bounds.
   bool inside(double value, const Bounds& bounds, const ast::Expr& expr, const ast::Range& range);
 
  private:

@@ -15,16 +15,16 @@ using support::DiagnosticId;
 
 namespace {
 
-/// A reading of the SBC's own sensor is unknown after this time, if its declaration does not say:
-/// the usual time of the vehicle's sensors.
+/// A reading of the SBC's own sensor is unknown after this time, unless its declaration says
+/// otherwise: the usual time of the vehicle's sensors.
 constexpr double kStaleAfter_s = 20;
 
-/// True, and reported, if what is declared cannot be called so.
+/// True, and reported, if a declaration cannot have this name.
 bool refuse(const ast::Name& name, std::string_view owner, Scope& scope) {
   return scope.refuseName(name, owner) || scope.refuseSecond(name);
 }
 
-/// Refuses a type of which C gives no single number, or not this one: `fault` says which.
+/// Refuses a type that C cannot return as a single number, or not here: `fault` says which.
 void refuseType(const ast::Name& name, const DeclaredType& type, std::string_view fault,
                 std::string_view hint, const ast::TypeName& where, Scope& scope) {
   scope.report(DiagnosticId::externType, where.where, name.text, describe(type), fault, hint);
@@ -44,14 +44,14 @@ void checkParameters(const Signature& signature, Scope& scope) {
   }
 }
 
-/// The parameters of a C function; their names mean something to who reads them only.
+/// The parameters of a C function; their names are only for the reader.
 Signature signatureInC(const ast::Name& name, std::span<const ast::Formal> formals, Scope& scope) {
   Signature signature = scope.signatureOf(name, formals, "a parameter of a C function");
   checkParameters(signature, scope);
   return signature;
 }
 
-/// The type of what C gives as `role`; empty, and reported with `fault` and `hint`, if it is a
+/// The type of what C returns as `role`; empty, and reported with `fault` and `hint`, if it is a
 /// position: two numbers.
 std::optional<DeclaredType> oneNumber(const ast::Name& name, const ast::TypeName& written,
                                       std::string_view role, std::string_view fault,
@@ -64,7 +64,7 @@ std::optional<DeclaredType> oneNumber(const ast::Name& name, const ast::TypeName
   return type;
 }
 
-/// The type of a function's result; empty, and reported, if it gives none or two numbers.
+/// The type of a function's result; empty, and reported, if there is none or it is two numbers.
 std::optional<DeclaredType> resultType(const ast::ExternFunction& node, Scope& scope) {
   return oneNumber(node.name, node.result, "the value of a C function",
                    "a C function returns one number",
@@ -84,7 +84,7 @@ std::optional<DeclaredType> readingType(const ast::ExternSensor& node, Scope& sc
   return type;
 }
 
-/// How long a reading stands; empty, and reported, if that is no time above 0.
+/// How long a reading is valid; empty, and reported, if that is not a time above 0.
 std::optional<double> staleAfter(const ast::ExternSensor& node, Scope& scope) {
   if (!node.stale_after) {
     return kStaleAfter_s;

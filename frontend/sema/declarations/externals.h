@@ -13,11 +13,12 @@ namespace glider::frontend {
 void enterExternal(const ast::ExternFunction& node, Scope& scope);
 void enterExternal(const ast::ExternSensor& node, Scope& scope);
 
-/// Work out what was entered: types, ranges.
+/// Complete the entries: types, ranges.
 void declareExternal(const ast::ExternFunction& node, Scope& scope);
 void declareExternal(const ast::ExternSensor& node, Scope& scope);
 
-/// What an `extern flightprofile` or `extern flightroute` declares; sensors were declared before.
+/// The declaration of an `extern flightprofile` or `extern flightroute`; sensors must be declared
+/// before.
 BehaviourDeclaration externalBehaviour(const ast::ExternBehaviour& node, Scope& scope);
 
 }  // namespace glider::frontend

@@ -11,7 +11,7 @@ using support::DiagnosticId;
 
 namespace {
 
-/// Walks the items in order and checks that the head stands first, once.
+/// Checks that the items of the head come first, once each.
 class HeadCheck {
  public:
   explicit HeadCheck(Scope& scope) : scope_(scope) {}

@@ -17,7 +17,7 @@ struct Refused {
   support::SourceRange where;
 };
 
-/// What is wrong with an item in an imported file; empty for what may stand there.
+/// What is wrong with an item in an imported file; empty for what may be there.
 struct Judge {
   std::optional<Refused> operator()(const ast::Const&) const { return std::nullopt; }
   std::optional<Refused> operator()(const ast::Import&) const { return std::nullopt; }
@@ -71,7 +71,7 @@ void checkImported(const ast::File& file, Scope& scope) {
     if (const auto refused = std::visit(Judge(), item)) {
       scope.report(DiagnosticId::notInLibrary, refused->where, refused->what);
       if (std::holds_alternative<ast::MissionLine>(item)) {
-        return;  // what else a mission has need not be said
+        return;  // other parts of a mission need not be reported
       }
     }
   }

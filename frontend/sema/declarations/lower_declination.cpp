@@ -17,7 +17,7 @@ using support::DiagnosticId;
 
 namespace {
 
-/// The angle, rad; empty, and reported, if that is more than half a turn or no angle.
+/// The angle, rad; empty, and reported, if it is not an angle or exceeds half a turn.
 std::optional<double> angleOf(const ast::Declination& node, Scope& scope) {
   const DeclaredType angle{quantity(support::dimension::angle)};
   const ast::Name role{"declination", node.where};
@@ -31,7 +31,7 @@ std::optional<double> angleOf(const ast::Declination& node, Scope& scope) {
   return known ? std::optional(known->first) : std::nullopt;
 }
 
-/// Whether the mission reads or commands headings. What a route in C commands nobody knows.
+/// Whether the mission reads or commands headings. What a route in C commands is not known.
 bool hasHeadings(const ir::Mission& mission) {
   const auto steers = [](const ir::Statement& statement) {
     return statement.kind == ir::StatementKind::Command && statement.command == ir::Command::Steer;

@@ -8,8 +8,8 @@
 
 namespace glider::frontend {
 
-/// The mission's compass, if it reads or commands headings: its `declination`, and the vehicle's
-/// sensor of the magnetic variation. Once everything else is lowered.
+/// Lowers the mission's compass, if it reads or commands headings: its `declination`, and the
+/// vehicle's sensor of the magnetic variation. To be called when everything else is lowered.
 void lowerDeclination(const ast::File& file, Scope& scope);
 
 }  // namespace glider::frontend

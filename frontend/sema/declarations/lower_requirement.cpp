@@ -20,7 +20,7 @@ using support::DiagnosticId;
 
 namespace {
 
-/// Lowers one; empty, and reported, if it is wrong.
+/// Lowers one requirement; empty, and reported, if it is wrong.
 class RequirementLowering {
  public:
   RequirementLowering(const ast::Requirement& node, Scope& scope) : node_(node), scope_(scope) {}
@@ -49,7 +49,7 @@ class RequirementLowering {
     return condition.has_value();
   }
 
-  /// False if there is more to what is asked than areas to keep in or out of.
+  /// False if the condition requires more than areas to stay in or out of.
   // NOLINTNEXTLINE(misc-no-recursion): as deep as the mission's text nests
   bool gatherFences(ir::ExprId id, bool wanted) {
     const ir::Expr& e = scope_.mission[id];

@@ -8,7 +8,8 @@
 
 namespace glider::frontend {
 
-/// Lowers the mission's requirements, once all else is: sensors that only they read stand last.
+/// Lowers the mission's requirements after everything else, so that sensors that only they read
+/// come last.
 void lowerRequirements(const ast::File& file, Scope& scope);
 
 }  // namespace glider::frontend

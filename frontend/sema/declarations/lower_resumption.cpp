@@ -14,7 +14,7 @@ using support::DiagnosticId;
 
 namespace {
 
-/// The longest outage, s; empty, and reported, if that is no time above 0.
+/// The longest outage, s; empty, and reported, if it is not a time above 0.
 std::optional<double> longestOutage(const ast::Resumption& node, Scope& scope) {
   const DeclaredType time{quantity(support::dimension::time)};
   const ast::Name role{"resume within", node.where};

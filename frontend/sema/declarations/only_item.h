@@ -9,8 +9,8 @@
 
 namespace glider::frontend {
 
-/// The item of a kind of which a mission has one at most; null if it has none. Of several it is the
-/// first, and `again(item, first)` reports each of the others.
+/// The only item of a kind that a mission may have at most once; null if it has none. If there are
+/// several, it is the first, and `again(item, first)` reports each of the others.
 template <typename Item, typename Again>
 const Item* onlyItem(const ast::File& file, Again again) {
   const Item* first = nullptr;

@@ -32,7 +32,7 @@ ir::VariableId push(ir::Variable variable, Scope& scope) {
   return {static_cast<uint32_t>(scope.mission.variables.size() - 1)};
 }
 
-/// The IR variables of `named`, like `model` but for what belongs to the halves of a position.
+/// The IR variables of `named`, like `model` except for what belongs to the halves of a position.
 void make(Named& named, ir::Variable model, ir::ExprId longitude_start, Scope& scope) {
   model.type = named.type.type;
   model.range = named.name->where;
@@ -77,8 +77,8 @@ bool knownAtStart(ir::ExprId id, Scope& scope) {
   return found == nullptr;
 }
 
-/// False, and reported, if a variable's start watches something over time, as an argument may: it
-/// has no past when the variable starts.
+/// False, and reported, if a variable's initial value watches something over time, as an argument
+/// may: it has no past when the variable starts.
 bool knownOnEntry(ir::ExprId id, Scope& scope) {
   const ir::Expr* found = firstOf(scope.mission, id, {ir::Op::Temporal});
   if (found != nullptr) {
@@ -154,7 +154,7 @@ bool lowerParam(const ast::Param& node, Named& named, Scope& scope) {
   return true;
 }
 
-/// The entry of `name` if it is this declaration that has it.
+/// The entry of `name` if this declaration has made it.
 Named* entryOf(const ast::Name& name, Names& names) {
   const auto found = names.find(name.text);
   return found != names.end() && found->second.name == &name ? &found->second : nullptr;
@@ -219,7 +219,7 @@ void lowerMissionCondition(const ast::Param& node, Scope& scope) {
   const auto condition = ExprLowering(scope).lowerCondition(*node.condition);
   size_t next = 0;
   for (auto& [name, named] : scope.names) {
-    named.read = read[next++];  // a condition alone is no use of a parameter
+    named.read = read[next++];  // a condition alone does not count as a use of a parameter
   }
   if (condition && knownAtStart(*condition, scope)) {
     scope.mission.conditions.push_back(*condition);

@@ -10,18 +10,18 @@
 
 namespace glider::frontend {
 
-/// Whose a variable is.
+/// The owner of a variable.
 struct VariableOwner {
   ir::VariableKind kind = ir::VariableKind::Mission;
   ir::StateId state;   ///< none for the mission
   std::string prefix;  ///< of its name in the IR: "leg.", "search.profile."
 };
 
-/// Enters a name that is seen from the scope's context into `names`. Null, and reported, if it
+/// Enters a name that is visible from the scope's context into `names`. Null, and reported, if it
 /// cannot be used.
 Named* enterName(const ast::Name& name, NamedKind kind, Names& names, Scope& scope);
 
-/// The variable of a parameter whose value is given from elsewhere.
+/// The variable of a parameter whose value is given elsewhere.
 void makeParameter(Named& named, ir::VariableKind kind, ir::StateId state, const std::string& name,
                    Scope& scope);
 
@@ -37,7 +37,7 @@ void lowerMissionParameter(const ast::Param& node, Scope& scope);
 /// Lowers its `where`, once all parameters are lowered.
 void lowerMissionCondition(const ast::Param& node, Scope& scope);
 
-/// Warns of what is never read, and of variables that are never set.
+/// Warns about names that are never read, and about variables that are never set.
 void warnOfUnused(const Names& names, Scope& scope);
 
 }  // namespace glider::frontend

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Great circles are straight lines in the gnomonic projection, so hull and lanes are laid out on a
-// map of it about the middle of the corners. The map shows no distance shorter than it is, and none
-// within kFarthestCorner more than 0.2 % longer: lanes come out closer, never further apart, than
-// they should. Sines and the like are the language's own, so that every computer compiles the same
-// path.
+// Great circles are straight lines in the gnomonic projection, so hull and lanes are computed on
+// such a map around the middle of the corners. The map never shows a distance shorter than it is,
+// and within kFarthestCorner never more than 0.2 % longer: lanes may be closer together than they
+// should be, but never farther apart. Sines and similar functions are the language's own, so that
+// every computer compiles the same path.
 
 #include "frontend/sema/expressions/lanes.h"
 
@@ -26,7 +26,7 @@ using ir::Op;
 
 constexpr double kEarthRadius = 6371008.8;  ///< mean, m (IUGG)
 constexpr double kDegree = std::numbers::pi / 180;
-/// A hull narrower than this is a line, m: way-points are rounded to a centimetre.
+/// A hull narrower than this is a line, m: waypoints are rounded to a centimetre.
 constexpr double kNarrowest = 1;
 constexpr double kRounding = 1e-6;  ///< m
 
@@ -86,7 +86,7 @@ double turn(const Point& a, const Point& b, const Point& c) {
   return u.x * v.y - u.y * v.x;
 }
 
-/// The map about a middle.
+/// The map around a middle.
 class Map {
  public:
   explicit Map(const Vector& middle) : middle_((1 / length(middle)) * middle) {
@@ -133,7 +133,7 @@ std::vector<Point> hullOf(std::vector<Point> points) {
   return hull;
 }
 
-/// The hull as lanes see it: `u` counts along them, `v` across.
+/// The hull in the lanes' coordinates: `u` along them, `v` across.
 struct Frame {
   Point along;
   double low = 0;  ///< least v of the hull
@@ -147,7 +147,7 @@ struct Frame {
   }
 };
 
-/// Where the hull is narrowest across: one of its edges lies along the lanes then.
+/// The frame in which the hull is narrowest across: one of its edges is then parallel to the lanes.
 Frame narrowest(const std::vector<Point>& hull) {
   Frame best;
   for (size_t i = 0; i < hull.size(); ++i) {
@@ -174,7 +174,7 @@ struct Lane {
   double from = 0, to = 0;  ///< u of its ends
 };
 
-/// The lanes' share of the work that knows the hull.
+/// The part of laying out lanes that uses the hull.
 class LaneMaker {
  public:
   LaneMaker(const std::vector<Point>& hull, const Frame& frame, double reach) : reach_(reach) {
@@ -183,8 +183,8 @@ class LaneMaker {
     }
   }
 
-  /// The lane at `v` that serves what lies within `half` of it: from edge to edge, and on until no
-  /// point there is farther than `reach` from it.
+  /// The lane at `v` for everything within `half` of it: from edge to edge, and farther until every
+  /// point there is within `reach` of it.
   [[nodiscard]] Lane lane(double v, double half) const {
     std::optional<Lane> lane;
     for (const double edge : {v - half, v, v + half}) {
@@ -201,7 +201,8 @@ class LaneMaker {
   }
 
  private:
-  /// Where the hull's edges meet the line at `v`. The outermost line may miss it by a rounding.
+  /// Where the hull's edges meet the line at `v`. Because of rounding, the outermost line may miss
+  /// the hull.
   [[nodiscard]] std::vector<double> edges(double v) const {
     std::vector<double> found;
     for (size_t i = 0; i < hull_.size(); ++i) {
@@ -233,7 +234,7 @@ class LaneMaker {
   double reach_;
 };
 
-/// To and fro, from the end that is nearest to `start`.
+/// Back and forth, from the end that is nearest to `start`.
 std::vector<Point> strung(const std::vector<Lane>& lanes, const Point& start) {
   std::vector<Point> best;
   for (const bool last_first : {false, true}) {
@@ -287,7 +288,7 @@ std::expected<Path, LaneProblem> layLanes(const Path& corners, double spacing) {
   if (frame.width < kNarrowest) {
     return std::unexpected(LaneProblem{LaneProblem::Kind::Line});
   }
-  // A width that is a multiple of the spacing but for a rounding makes no lane more.
+  // A width that is a multiple of the spacing except for a rounding error needs no additional lane.
   const double count = std::max(1.0, std::ceil(frame.width / spacing - 1e-4));
   if (count > static_cast<double>(kMostLanes)) {
     return std::unexpected(LaneProblem{LaneProblem::Kind::TooMany,

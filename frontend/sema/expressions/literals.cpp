@@ -15,7 +15,7 @@ std::optional<double> parseNumber(std::string_view digits) {
   double value = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (error == std::errc::result_out_of_range) {
-    // from_chars does not say at which end; strtod does.
+    // from_chars does not say whether it overflowed or underflowed; strtod does.
     value = std::strtod(std::string(digits).c_str(), nullptr);
   }
   if (!std::isfinite(value)) {
@@ -25,7 +25,7 @@ std::optional<double> parseNumber(std::string_view digits) {
 }
 
 std::optional<DegreesMinutes> parseDegreesMinutes(std::string_view digits) {
-  constexpr double kDegree = 100;  // ddmm.mmmm: the degrees are hundreds
+  constexpr double kDegree = 100;  // ddmm.mmmm: the degrees are multiples of 100
   const std::optional<double> whole = parseNumber(digits);
   if (!whole) {
     return std::nullopt;

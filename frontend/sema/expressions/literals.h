@@ -8,7 +8,8 @@
 
 namespace glider::frontend {
 
-/// The number written `digits`; empty if a double cannot hold it. Too small for a double gives 0.
+/// The number written as `digits`; empty if it is too large for a double. Too small for a double
+/// gives 0.
 std::optional<double> parseNumber(std::string_view digits);
 
 /// A bare position: ddmm.mmmm as the vehicle writes it.
@@ -17,8 +18,8 @@ struct DegreesMinutes {
   double minutes = 0;
   [[nodiscard]] double value() const { return degrees + minutes / 60.0; }
 };
-/// Splits `digits` (ddmm.mmmm, without sign) into degrees and minutes, the minutes read from their
-/// own digits so that nothing is lost. Empty if a double cannot hold it.
+/// Splits `digits` (ddmm.mmmm, without sign) into degrees and minutes; the minutes are read from
+/// their own digits so that no precision is lost. Empty if a double cannot hold it.
 std::optional<DegreesMinutes> parseDegreesMinutes(std::string_view digits);
 
 }  // namespace glider::frontend

@@ -40,7 +40,7 @@ class ArgumentLowering {
   }
 
  private:
-  /// Which arguments make which formals.
+  /// Which arguments correspond to which formals.
   struct Step {
     size_t formal;
     size_t formals;  ///< 2: a position for a latitude and a longitude
@@ -125,7 +125,7 @@ class ArgumentLowering {
     return true;
   }
 
-  /// Reports a longitude ahead of its latitude, once for both.
+  /// Reports a longitude before its latitude, once for both.
   bool longitudeFirst(size_t argument) {
     const bool swapped = argument + 1 < arguments_.size() &&
                          ExprLowering(scope_).longitudeFirst(*arguments_[argument].value,
@@ -146,7 +146,7 @@ class ArgumentLowering {
            takesUnitOfContext(*difference->right);
   }
 
-  /// Without a fix: of other arguments than a position, the difference may be meant and another
+  /// Without a fix: for arguments other than a position, the difference may be meant and another
   /// argument missing.
   support::DiagnosticBuilder reportMissingComma(const ast::Argument& argument,
                                                 const std::string& takes) {
@@ -159,7 +159,7 @@ class ArgumentLowering {
     return report;
   }
 
-  /// A whole path where positions belong.
+  /// Refuses a whole path where positions are expected.
   bool refusePath() {
     for (const ast::Argument& argument : arguments_) {
       const bool wanted = std::ranges::any_of(formals(), [](const auto& f) { return f.type.path; });
@@ -191,7 +191,7 @@ class ArgumentLowering {
     noteDeclaration(report, "declared here");
   }
 
-  /// What to write if there is a `39,175 N` among the arguments; empty if there is none.
+  /// The text to write if there is a `39,175 N` among the arguments; empty if there is none.
   std::string decimalComma() {
     for (size_t i = 0; i + 1 < arguments_.size(); ++i) {
       const auto* whole = std::get_if<ast::Literal>(&arguments_[i].value->node);
@@ -219,8 +219,8 @@ class ArgumentLowering {
   const support::SourceRange& where_;
   Scope& scope_;
   std::vector<Step> steps_;
-  size_t reported_ = SIZE_MAX;  ///< the argument of which all has been said
-  size_t filled_ = 0;           ///< arguments, a position for two formals counted twice
+  size_t reported_ = SIZE_MAX;  ///< the argument that has already been reported
+  size_t filled_ = 0;           ///< arguments, with a position for two formals counted twice
   Arguments result_;
 };
 

@@ -12,21 +12,21 @@
 
 namespace glider::frontend {
 
-/// What arguments are given to.
+/// What receives the arguments.
 struct Callee {
   const std::string& name;
   const Signature& signature;
   const ast::Name* declared = nullptr;  ///< where; null: nowhere in a mission
 };
 
-/// What is given: expressions for `Signature::slots`, and the paths, each in the order of the
-/// parameters.
+/// The lowered arguments: expressions for `Signature::slots`, and the paths, each in the order of
+/// the parameters.
 struct Arguments {
   std::vector<ir::ExprId> values;
   std::vector<PathArgument> paths;
 };
 
-/// Lowers arguments for `callee.signature.slots`, one expression each: a position is given as one
+/// Lowers arguments for `callee.signature.slots`, one expression each. A position is given as one
 /// or as a latitude and a longitude, and may fill a latitude and the longitude after it. `where` is
 /// the whole use. Empty, and reported, if they do not fit.
 std::optional<Arguments> lowerArguments(const std::vector<ast::Argument>& arguments,

@@ -39,8 +39,8 @@ void collectNames(const ast::Expr& expr, std::vector<std::string_view>& names) {
   }
 }
 
-/// In a behaviour that is lowered for a use, the parameter by which `expr` is what it is: the first
-/// that is not constant, else the first; null if it names none.
+/// In a behaviour that is lowered for a use, the parameter that determines `expr`: the first that
+/// is not constant, otherwise the first; null if it names none.
 const Named* blamed(const ast::Expr& expr, Scope& scope) {
   std::vector<std::string_view> names;
   collectNames(expr, names);
@@ -58,7 +58,7 @@ const Named* blamed(const ast::Expr& expr, Scope& scope) {
   return first;
 }
 
-/// Reports `id` of `expr` and `what` it is, or of what is given for the parameter that is to blame.
+/// Reports `id` for `expr` and what it is, or for the argument of the parameter that causes it.
 void refuse(DiagnosticId id, const ast::Expr& expr, const std::string& what, std::string_view role,
             Scope& scope) {
   const Named* named = blamed(expr, scope);
@@ -66,7 +66,7 @@ void refuse(DiagnosticId id, const ast::Expr& expr, const std::string& what, std
     scope.report(id, expr.where, scope.text(expr.where), what);
     return;
   }
-  // Once, however often it plays that role: the places and the words are the same.
+  // Once, even if it has that role several times: the places and the words are the same.
   const support::SourceRange given = named->arguments.front().back().range;
   scope.diagnostics()
       .report(id, given, scope.text(given),
@@ -83,7 +83,7 @@ std::optional<double> ExprLowering::positiveConstant(const ast::Expr& expr, cons
     return std::nullopt;
   }
   const auto known = evaluate(scope_.mission, *lowered);
-  // A behaviour's parameters are known where it is used, not where it is checked by itself.
+  // A behaviour's parameters are known where it is used, not where it is checked on its own.
   if (!known && scope_.context.checkedAlone()) {
     return 1.0;
   }

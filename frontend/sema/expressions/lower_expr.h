@@ -29,28 +29,28 @@ struct SensorRead {
   support::SourceRange range;
 };
 
-/// Types expressions and lowers them to IR. What is wrong is reported once; then the result is
-/// empty, and so is that of everything around it.
+/// Checks the types of expressions and lowers them to IR. An error is reported once; the result is
+/// then empty, and so is that of everything around it.
 class ExprLowering {
  public:
   explicit ExprLowering(Scope& scope) : scope_(scope) {}
 
-  /// `want` is what the context expects: a bare number takes its unit. The result may be of another
-  /// type.
+  /// `want` is the type that the context expects: a bare number takes its unit. The result may have
+  /// another type.
   std::optional<Value> lower(const ast::Expr& expr, std::optional<ir::Type> want);
-  /// As lower, and refuses what is not of type `want`; `what` names it: "`top` of `yo`".
+  /// As lower, but refuses a type other than `want`; `what` names it: "`top` of `yo`".
   std::optional<ir::ExprId> lowerAs(const ast::Expr& expr, const ir::Type& want,
                                     const std::string& what);
-  /// As lowerAs, for a position too.
+  /// As lowerAs, also for a position.
   std::optional<Value> lowerDeclared(const ast::Expr& expr, const DeclaredType& want,
                                      const std::string& what);
-  /// A list of positions, or the name of one; refuses what is none.
+  /// A list of positions, or the name of one; refuses anything else.
   std::optional<Path> lowerPath(const ast::Expr& expr);
   /// A guard or an operand of `&&`.
   std::optional<ir::ExprId> lowerCondition(const ast::Expr& expr);
 
-  /// Refuses the halves of a position in the wrong order, as far as numbers and letters show it;
-  /// then true (lower_longitude_first.cpp).
+  /// Refuses the halves of a position in the wrong order, as far as numbers and letters show it,
+  /// and then returns true (lower_longitude_first.cpp).
   bool longitudeFirst(const ast::Expr& first, const ast::Expr& second,
                       std::string_view between = ", ");
 
@@ -93,14 +93,14 @@ class ExprLowering {
   /// Refuses `5 m < depth < 10 m` and `!depth > 5 m`.
   bool chained(const ast::Binary& node, const ast::Expr& expr);
   void warnOfEquality(ir::Op op, const Value& left, const Value& right, const ast::Binary& node);
-  /// Both sides in one type; bare numbers take the other's.
+  /// Both sides with one type; bare numbers take the type of the other side.
   struct Pair {
     Value left;
     Value right;
   };
   std::optional<Pair> alike(const ast::Expr& left, const ast::Expr& right,
                             std::optional<ir::Type> want, std::string_view op);
-  /// Refuses a condition, a position and, unless `earth`, a latitude or longitude where `op` wants
+  /// Refuses a condition, a position and, unless `earth`, a latitude or longitude where `op` needs
   /// numbers.
   bool numeric(const Value& value, const ast::Expr& expr, std::string_view op, bool earth);
 
@@ -111,7 +111,7 @@ class ExprLowering {
                   std::optional<ir::Type> want);
   Result callOne(ir::Op op, const ast::Invocation& node, const ast::Expr& expr,
                  std::optional<ir::Type> want);
-  /// Refuses `10 m of depth` where no function takes it.
+  /// Refuses `10 m of depth` where the function does not accept it.
   bool stretched(const ast::Invocation& node);
   Result inC(const ast::Invocation& node, const ast::Expr& expr);
   Result ageOf(const ast::Invocation& node, const ast::Expr& expr);
@@ -123,7 +123,7 @@ class ExprLowering {
   struct WindowLength {
     double length;
     ir::ExprId along;              ///< of a stretch
-    support::Dimension dimension;  ///< of what the length is measured in
+    support::Dimension dimension;  ///< of the unit of the length
   };
   Result window(const ast::Invocation& node, const ast::Expr& expr);
   std::optional<WindowLength> windowLength(const ast::Argument& over, std::string_view function);
@@ -133,9 +133,9 @@ class ExprLowering {
   // Places (lower_earth.cpp, lower_inside.cpp).
   Result onEarth(const ast::Invocation& node, const ast::Expr& expr);
   Result betweenPlaces(ir::Op op, const ast::Invocation& node, const ast::Expr& expr);
-  /// Where the vehicle is: the platform's `lat` and `lon`.
+  /// The vehicle's position: the platform's `lat` and `lon`.
   Result here(const support::SourceRange& range);
-  /// The arguments as positions, one or two arguments each; a path gives all of its own.
+  /// The arguments as positions, of one or two arguments each; a path gives all its positions.
   std::optional<std::vector<Value>> places(const ast::Invocation& node);
   Result inside(const std::vector<Value>& corners, const support::SourceRange& range);
   friend class InsideLowering;
@@ -159,16 +159,16 @@ class ExprLowering {
   Result clock(Clock clock, const support::SourceRange& range);
   Value emit(ir::Op op, const ir::Type& type, const support::SourceRange& range,
              std::initializer_list<ir::ExprId> operands);
-  /// Of the type that the operation's row says; the operands must fit.
+  /// Has the type from the operation's row; the operands must fit.
   Value emitOf(ir::Op op, const support::SourceRange& range, std::span<const ir::ExprId> operands);
   Value emitNumber(double value, const ir::Type& type, const support::SourceRange& range);
   ir::ExprId push(ir::Expr expr);
 
-  // What must be known when the mission is compiled (lower_constant.cpp).
-  /// The value of `expr`, a `type` above 0, for `what`; 1 in a behaviour that is checked by itself.
-  /// What is wrong is reported where it is written or, in a behaviour, where it is given for the
-  /// parameter that makes it wrong: `role` says of the place in the behaviour what it is there,
-  /// `not_positive` is the diagnostic for a value that is not above 0.
+  // Values that must be known when the mission is compiled (lower_constant.cpp).
+  // The value of `expr`, a `type` above 0, for `what`; 1 in a behaviour that is checked on its own.
+  // An error is reported where the value is written or, in a behaviour, where the argument is given
+  // for the parameter that causes it: `role` says what the value is for in the behaviour,
+  // `not_positive` is the diagnostic for a value that is not above 0.
   struct ConstantRole {
     std::string what;
     std::string_view role;
@@ -181,13 +181,13 @@ class ExprLowering {
   std::vector<SensorRead> reads_;
 };
 
-/// Whether an expression is plainly a position: a literal, or the name of one.
+/// Whether an expression is certainly a position: a literal, or the name of one.
 bool isPosition(const ast::Expr& expr, Scope& scope);
 
-/// Whether an expression is plainly a path: a list, the name of one, or lanes.
+/// Whether an expression is certainly a path: a list, the name of one, or lanes.
 bool isPath(const ast::Expr& expr, Scope& scope);
 
-/// Whether an expression is a bare number, or bare numbers added up: it has no unit of its own.
+/// Whether an expression is a bare number, or a sum of bare numbers: it has no unit of its own.
 bool takesUnitOfContext(const ast::Expr& expr);
 
 }  // namespace glider::frontend

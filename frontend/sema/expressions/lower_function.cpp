@@ -72,7 +72,7 @@ ExprLowering::Result ExprLowering::visit(const ast::Invocation& node, const ast:
   return alone ? callOne(function->op, node, expr, want) : callMany(function->op, node, expr, want);
 }
 
-/// A function of the user's.
+/// A function that the user has written in C.
 ExprLowering::Result ExprLowering::inC(const ast::Invocation& node, const ast::Expr& expr) {
   const std::string& name = node.function.text;
   const auto found = scope_.functions.find(name);
@@ -138,7 +138,7 @@ ExprLowering::Result ExprLowering::ageOf(const ast::Invocation& node, const ast:
   return value;
 }
 
-/// A function whose arguments all have the type that its operation asks for.
+/// A function whose arguments all have the type that its operation requires.
 ExprLowering::Result ExprLowering::callOf(const ir::Type& type, ir::Op op,
                                           const ast::Invocation& node, const ast::Expr& expr) {
   std::vector<ir::ExprId> operands;
@@ -180,8 +180,8 @@ ExprLowering::Result ExprLowering::callOne(ir::Op op, const ast::Invocation& nod
   return emit(op, quantity(*root), expr.where, {value->id});
 }
 
-/// min, max, clamp, atan2 and the like: all arguments of one kind, and bare numbers take the unit
-/// of the others.
+/// min, max, clamp, atan2 and similar functions: all arguments have one type, and bare numbers take
+/// the unit of the others.
 ExprLowering::Result ExprLowering::callMany(ir::Op op, const ast::Invocation& node,
                                             const ast::Expr& expr, std::optional<ir::Type> want) {
   const auto leads = [](const ast::Argument& argument) {

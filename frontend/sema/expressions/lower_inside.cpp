@@ -9,7 +9,7 @@ namespace glider::frontend {
 
 namespace {
 
-/// A plain number: known now, or an expression.
+/// A plain number: known at compile time, or an expression.
 struct Term {
   std::optional<double> number;
   ir::ExprId id;
@@ -26,7 +26,7 @@ struct Point {
 /// `inside`: an area's edges are straight in latitude and longitude; a ray to the east of the
 /// vehicle crosses them an odd number of times from inside (Shimrat, Communications of the ACM 5
 /// (1962), 434, algorithm 112). Longitudes count from the first corner, -180 to 180 degrees. What
-/// is known now is worked out now.
+/// is known at compile time is computed at compile time.
 class InsideLowering {
  public:
   InsideLowering(ExprLowering& lowering, const support::SourceRange& range)
@@ -82,7 +82,7 @@ class InsideLowering {
             lowering_.emit(ir::Op::Select, plainNumber(), range_, {condition, first, second}).id};
   }
 
-  /// Degrees from `origin` to `place`, of one kind.
+  /// Degrees from `origin` to `place`, both latitudes or both longitudes.
   Term degrees(ir::ExprId place, ir::ExprId origin, const ir::Type& type) {
     const ir::Mission& mission = lowering_.scope_.mission;
     const auto a = evaluate(mission, place);
@@ -131,8 +131,8 @@ class InsideLowering {
     return lowering_.emit(ir::Op::Or, boolean(), range_, {first, down()}).id;
   }
 
-  /// Whether the vehicle's latitude is that of an edge from `low` up to `high`, and the edge lies
-  /// to its east.
+  /// Whether the vehicle's latitude is that of an edge from `low` up to `high`, and the edge is to
+  /// its east.
   ir::ExprId way(const Point& low, const Point& high, const Point& here, ir::ExprId east) {
     const ir::ExprId above = compare(ir::Op::LessEqual, low.north, here.north);
     return both(both(above, compare(ir::Op::Less, here.north, high.north)), east);
@@ -144,7 +144,7 @@ class InsideLowering {
 
 namespace {
 
-/// The area, if all its corners are known now.
+/// The area, if all its corners are known at compile time.
 std::optional<ir::Geofence> areaOf(const ir::Mission& mission, const std::vector<Value>& corners) {
   ir::Geofence area;
   for (const Value& corner : corners) {

@@ -32,7 +32,7 @@ std::optional<Path> ExprLowering::lanes(const ast::Invocation& node, const ast::
     return std::nullopt;
   }
   if (scope_.context.checkedAlone()) {
-    return corners;  // what it is given is not known here
+    return corners;  // the arguments are not known here
   }
   auto laid = layLanes(*corners, *spacing);
   if (!laid) {
@@ -42,7 +42,7 @@ std::optional<Path> ExprLowering::lanes(const ast::Invocation& node, const ast::
   return std::move(*laid);
 }
 
-/// Where the area is written or, in a behaviour, where it is given.
+/// Reports at the place where the area is written or, in a behaviour, where it is given.
 void ExprLowering::refuseLanes(const LaneProblem& problem, const ast::Expr& area) {
   const auto* use = std::get_if<ast::NameUse>(&area.node);
   const Named* named = use != nullptr ? scope_.findNamed(use->name) : nullptr;

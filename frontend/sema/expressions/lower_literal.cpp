@@ -21,7 +21,7 @@ namespace {
 constexpr ir::Type kLatitude{ir::TypeKind::Latitude, {}};
 constexpr ir::Type kLongitude{ir::TypeKind::Longitude, {}};
 
-/// Whether a word for a unit stands behind a number that has none: repair has dropped it.
+/// Whether a word for a unit comes after a number that has none: repair has dropped it.
 bool unitFollows(const support::SourceRange& range, const Scope& scope) {
   constexpr uint32_t kLongest = 16;
   constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
@@ -112,7 +112,7 @@ ExprLowering::Result ExprLowering::bareLiteral(const ast::Literal& node,
   constexpr double kFullTurn = 6.283185307179586;
   if (type.dimension == support::dimension::angle && si > kFullTurn) {
     const std::string text = (negative ? "-" : "") + node.digits;
-    if (!unitFollows(range, scope_)) {  // `26 degrees`: of the unit it has been said what is wrong
+    if (!unitFollows(range, scope_)) {  // `26 degrees`: the unit has already been reported
       scope_.report(DiagnosticId::bareAngle, range, text).fix(range, text + " deg");
     }
   }

@@ -15,7 +15,7 @@ using support::DiagnosticId;
 
 namespace {
 
-/// Half of a position as it is written: a number, perhaps with a minus or a letter.
+/// Half of a position as it is written: a number, possibly with a minus or a letter.
 struct Half {
   const ast::Literal* literal = nullptr;
   bool negative = false;
@@ -58,7 +58,7 @@ bool isSwapped(const Half& first, const Half& second) {
          (second.north() && (first.bare() || first.east()));
 }
 
-/// What else may be meant, if the first number can be a latitude.
+/// The other possible meaning, if the first number can be a latitude.
 std::string otherwise(const Half& first, const Half& second, std::string_view between) {
   constexpr double kMostLatitude = 90;
   if (!(std::fabs(first.degrees()) <= kMostLatitude)) {

@@ -140,7 +140,7 @@ ExprLowering::Result ExprLowering::finished(const ast::NameUse& node,
   const bool profile = node.name == "profiledone";
   const ir::Activity& activity = profile ? state->profile : state->route;
   if (!activity.behaviour.valid()) {
-    return std::nullopt;  // it was refused, or there is none, and that was said
+    return std::nullopt;  // it was refused, or there is none, which has been reported
   }
   if (!activity.done.valid()) {
     scope_

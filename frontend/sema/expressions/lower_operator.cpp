@@ -37,7 +37,7 @@ bool isComparison(ast::BinaryOp op) {
   return op >= ast::BinaryOp::Less && op <= ast::BinaryOp::NotEqual;
 }
 
-/// Both say that values rise, or both that they fall: `5 m < depth <= 10 m`.
+/// Whether both mean that values rise, or both that they fall: `5 m < depth <= 10 m`.
 bool sameWay(ast::BinaryOp a, ast::BinaryOp b) {
   const auto rises = [](ast::BinaryOp op) {
     return op == ast::BinaryOp::Less || op == ast::BinaryOp::LessEqual;
@@ -144,14 +144,15 @@ ExprLowering::Result ExprLowering::condition(ir::Op op, const ast::Binary& node,
 std::optional<ExprLowering::Pair> ExprLowering::alike(const ast::Expr& left, const ast::Expr& right,
                                                       std::optional<ir::Type> want,
                                                       std::string_view op) {
-  // The side that has a unit of its own goes first, and the bare numbers of the other take it.
+  // The side that has a unit of its own is lowered first; bare numbers of the other side take that
+  // unit.
   const bool rightFirst = takesUnitOfContext(left) && !takesUnitOfContext(right);
   const ast::Expr& first = rightFirst ? right : left;
   const ast::Expr& second = rightFirst ? left : right;
   const bool bothBare = takesUnitOfContext(left) && takesUnitOfContext(right);
   const Result one = lower(first, bothBare || takesUnitOfContext(first) ? want : std::nullopt);
   if (!one && takesUnitOfContext(second)) {
-    return std::nullopt;  // a bare number beside something wrong: nothing to say of it
+    return std::nullopt;  // a bare number beside an error: nothing to report
   }
   const Result two = lower(second, one ? std::optional(one->type) : want);
   if (!one || !two) {
@@ -181,7 +182,7 @@ bool ExprLowering::sideBySide(const ast::Binary& node, const ast::Expr& expr) {
       !first->unit.empty() || !second->unit.empty()) {
     return false;
   }
-  // `(3910.6) - 7349.9` says that a difference is meant.
+  // `(3910.6) - 7349.9` certainly means a difference.
   const std::string gap = scope_.text({expr.where.file, node.left->where.end, node.op_where.begin});
   if (gap.find(')') != std::string::npos) {
     return false;
@@ -253,7 +254,7 @@ bool ExprLowering::chained(const ast::Binary& node, const ast::Expr& expr) {
   auto report = scope_.report(DiagnosticId::chainedComparison, expr.where, scope_.text(expr.where),
                               first, second);
   if (sameWay(inner->op, node.op)) {
-    // In parentheses: a `not` before it reaches over the whole.
+    // In parentheses: a `not` before it applies to the whole.
     report.fix(expr.where, "(" + first + " && " + second + ")");
   }
   return true;

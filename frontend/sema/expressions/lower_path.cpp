@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::string_view kLanes = "lanes";
 
-/// The path that a name stands for.
+/// The path that a name refers to.
 const Path* findPath(std::string_view name, Scope& scope) {
   if (Named* named = scope.findNamed(name)) {
     named->read = named->read || named->type.path;
@@ -31,7 +31,7 @@ const Path* findPath(const ast::Expr& expr, Scope& scope) {
   return use == nullptr ? nullptr : findPath(use->name, scope);
 }
 
-/// Whether an expression names a constant of which it has been said what is wrong.
+/// Whether an expression names a constant with an error that has already been reported.
 bool wasRefused(const ast::Expr& expr, Scope& scope) {
   const auto* use = std::get_if<ast::NameUse>(&expr.node);
   const Constant* found = use == nullptr ? nullptr : scope.findConstant(use->name);
@@ -150,7 +150,7 @@ ExprLowering::Result ExprLowering::visit(const ast::Index& node, const ast::Expr
   return emitPlace((*path)[static_cast<size_t>(*known)], expr.where);
 }
 
-/// The place whose number `index` is; unknown if it is the number of none.
+/// The place with number `index`; unknown if there is none.
 ExprLowering::Result ExprLowering::chosen(const Path& path, const Value& index,
                                           const support::SourceRange& range) {
   ir::Table north{latitude(), {}};

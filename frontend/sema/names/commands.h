@@ -11,14 +11,14 @@
 
 namespace glider::frontend {
 
-/// What a statement can make the vehicle do.
+/// A command that a statement can give to the vehicle.
 struct VehicleCommand {
   ir::Command command;
   std::string name;
   Signature signature;
 };
 
-/// Those of ir/core/commands.def, in its order.
+/// The commands of ir/core/commands.def, in its order.
 const std::vector<VehicleCommand>& vehicleCommands();
 
 }  // namespace glider::frontend

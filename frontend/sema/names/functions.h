@@ -13,7 +13,7 @@
 
 namespace glider::frontend {
 
-/// A function of expressions whose value is one operation.
+/// A function of expressions that is one operation.
 struct Function {
   std::string_view name;
   ir::Op op;
@@ -22,22 +22,22 @@ struct Function {
   [[nodiscard]] size_t argumentCount() const;
 };
 
-/// The function of one operation that `name` is; null if none.
+/// The function called `name` that is one operation; null if there is none.
 const Function* findFunction(std::string_view name);
 
-/// What `name` is over a window: mean, lowest, highest, spread, rate, slope.
+/// The window function called `name`: mean, lowest, highest, spread, rate, slope.
 std::optional<ir::TemporalKind> findWindow(std::string_view name);
 
 /// Whether `name` is a function that takes places.
 bool isEarthFunction(std::string_view name);
 
-/// Whether `name` is a function of expressions, of whatever sort.
+/// Whether `name` is a function of expressions of any kind.
 bool isFunctionName(std::string_view name);
 
-/// All of them.
+/// The names of all functions.
 const std::vector<std::string_view>& functionNames();
 
-/// A function as a pilot reads of it.
+/// The description of a function for pilots.
 struct FunctionText {
   std::string_view name;
   std::string_view use;   ///< "clamp(x, lowest, highest)"

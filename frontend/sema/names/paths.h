@@ -18,7 +18,7 @@ struct Place {
 /// A list of places, known when the mission is compiled.
 using Path = std::vector<Place>;
 
-/// One that is given for a parameter.
+/// A path that is given for a parameter.
 struct PathArgument {
   Path path;
   support::SourceRange where;

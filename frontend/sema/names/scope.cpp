@@ -169,7 +169,7 @@ const Constant* Scope::findConstant(std::string_view name) const {
 const ast::Name* Scope::findExternal(std::string_view name) const {
   const auto sensor = own_sensors.find(name);
   const auto function = functions.find(name);
-  // The names of a behaviour are its own: an `extern` elsewhere does not take one from it.
+  // A behaviour has its own names: an `extern` elsewhere does not reserve a name in it.
   if (context.isolated) {
     return nullptr;
   }

@@ -20,13 +20,13 @@
 
 namespace glider::frontend {
 
-/// An `inside(…)` whose corners are all known now.
+/// An `inside(…)` whose corners are all known at compile time.
 struct KnownArea {
   support::SourceRange range;  ///< of the text
   ir::Geofence area;
 };
 
-/// A `const`, worked out.
+/// An evaluated `const`.
 struct Constant {
   const ast::Name* name = nullptr;
   ir::Type type;
@@ -35,7 +35,7 @@ struct Constant {
   double second = 0;
   Path path;                ///< not empty: a path, and nothing else
   bool worked_out = false;  ///< its definition was reached
-  bool valid = false;       ///< worked out, and right; what was wrong was said
+  bool valid = false;       ///< evaluated without errors; errors have been reported
 };
 
 /// A flightprofile or flightroute that a mission may use.
@@ -45,7 +45,7 @@ struct BehaviourDeclaration {
   const ast::Behaviour* body = nullptr;  ///< null: a C function
   Signature signature;
   std::vector<const platforms::PlatformSensor*> reads;
-  bool usable = true;  ///< false: its declaration was refused, and said to be so
+  bool usable = true;  ///< false: its declaration was refused, which has been reported
   ir::BehaviourId id;  ///< once the mission uses it
 };
 
@@ -56,17 +56,17 @@ struct FunctionDeclaration {
   ir::Type result;
   double lowest = -ir::Variable::kEndless;  ///< a result outside is unknown
   double highest = ir::Variable::kEndless;
-  bool usable = true;  ///< false: its declaration was refused, and said to be so
+  bool usable = true;  ///< false: its declaration was refused, which has been reported
 };
 
 /// A sensor of the SBC's own.
 struct OwnSensor {
   const ast::Name* name = nullptr;
   platforms::PlatformSensor sensor;  ///< in SI units or degrees; `unit` is left empty
-  bool usable = true;                ///< false: its declaration was refused, and said to be so
+  bool usable = true;  ///< false: its declaration was refused, which has been reported
 };
 
-/// A state, known before any is lowered, so that cases may name those that come later.
+/// A state, entered before any is lowered, so that cases may name later states.
 struct StateDeclaration {
   const ast::State* node = nullptr;
   Signature signature;
@@ -80,13 +80,13 @@ std::optional<Clock> findClock(std::string_view name);
 /// Their names, in the order of Clock.
 std::span<const std::string_view> clockNames();
 
-/// What analysis knows: the names of a mission, and the mission as far as it is lowered.
+/// The data of analysis: the names of a mission, and the mission as far as it is lowered.
 class Scope {
  public:
   Scope(const AnalysisInputs& inputs, support::DiagnosticEngine& diagnostics)
       : inputs_(inputs), diagnostics_(diagnostics) {}
 
-  /// Reports; in the body of a behaviour that is lowered for a use of it, a warning is dropped (it
+  /// Reports. In the body of a behaviour that is lowered for a use of it, a warning is dropped (it
   /// was given at the definition) and an error names the use.
   template <typename... Args>
   support::DiagnosticBuilder report(support::DiagnosticId id, const support::SourceRange& range,
@@ -106,50 +106,50 @@ class Scope {
   [[nodiscard]] const platforms::Platform& platform() const { return inputs_.platform; }
   [[nodiscard]] support::DiagnosticEngine& diagnostics() { return diagnostics_; }
 
-  /// The sensor that `name` means in `context`, the vehicle's or the SBC's own; null if none, or if
-  /// its declaration was refused (`refused_names`).
+  /// The sensor that `name` refers to in `context`, the vehicle's or the SBC's own; null if there
+  /// is none, or if its declaration was refused (`refused_names`).
   [[nodiscard]] const platforms::PlatformSensor* findSensor(std::string_view name);
   /// The mission's entry of a C function, made on first use.
   ir::FunctionId function(const FunctionDeclaration& declaration);
-  /// The mission's subscription of a sensor, made on first use; `written` is how the mission calls
-  /// it.
+  /// The mission's subscription of a sensor, made on first use; `written` is its name in the
+  /// mission.
   ir::SensorId subscribe(const platforms::PlatformSensor& sensor, std::string_view written);
   /// The mission's table of these values, made on first use.
   ir::TableId table(ir::Table table);
   /// The mission's use of a behaviour, made on first use.
   ir::BehaviourId use(BehaviourDeclaration& declaration);
-  /// All that is declared in C.
+  /// Everything that is declared in C.
   [[nodiscard]] ir::CInterface declaredInC() const;
   /// "did you mean `temp`?" over sensors, clocks and constants.
   [[nodiscard]] std::string suggestName(std::string_view wrong) const;
   [[nodiscard]] std::string suggestSensor(std::string_view wrong) const;
-  /// What every mission has under this name, "a clock"; empty: nothing.
+  /// What this name already means in every mission, such as "a clock"; empty: nothing.
   [[nodiscard]] std::string takenBy(std::string_view name) const;
-  /// True, and reported, if `name` is a value that is not seen from `context`.
+  /// True, and reported, if `name` is a value that is not visible from `context`.
   bool refuseUnseen(std::string_view name, const support::SourceRange& range);
-  /// True, and reported, if no value may be called `name` because a unit, sensor, clock or function
-  /// is.
+  /// True, and reported, if `name` cannot be used for a value because it is a unit, sensor, clock
+  /// or function.
   bool refuseName(const ast::Name& name, std::string_view owner);
-  /// True, and reported, if a constant, parameter, variable or `extern` that is seen from `context`
-  /// is called so.
+  /// True, and reported, if a constant, parameter, variable or `extern` visible from `context`
+  /// already has this name.
   bool refuseSecond(const ast::Name& name);
-  /// The parameter or variable that `name` means in `context`; null if none.
+  /// The parameter or variable that `name` refers to in `context`; null if there is none.
   Named* findNamed(std::string_view name);
-  /// The constant that `name` means in `context`; null if none.
+  /// The constant that `name` refers to in `context`; null if there is none.
   const Constant* findConstant(std::string_view name) const;
-  /// The parameters and variables that are seen from `context`.
+  /// The parameters and variables visible from `context`.
   [[nodiscard]] std::vector<const Names*> visibleNames() const;
-  /// `wish`, or if a variable has that name already, one like it that none has.
+  /// `wish`, or if a variable already has that name, a similar unused name.
   std::string freshName(std::string wish);
-  /// The type that is written; empty, and reported, if there is none of that name, or if it is a
-  /// path and `holder`, which has it, cannot: "a variable". An empty holder can.
+  /// The type with this name; empty, and reported, if there is none, or if it is a path, which
+  /// `holder` ("a variable") cannot be. An empty holder can.
   std::optional<DeclaredType> declaredType(const ast::TypeName& name, std::string_view holder);
-  /// Types the parameters of `name`, each `holder`; they must outlive the signature. Their names
-  /// are checked by whoever enters them.
+  /// Resolves the types of the parameters of `name`, each a `holder`; they must outlive the
+  /// signature. Their names are checked where they are entered.
   Signature signatureOf(const ast::Name& name, std::span<const ast::Formal> formals,
                         std::string_view holder);
 
-  /// Lowers into an empty mission for as long as it lives: what is checked is not compiled.
+  /// Lowers into an empty mission during its lifetime: what is only checked is not compiled.
   class Scratch {
    public:
     explicit Scratch(Scope& scope) : scope_(scope) { swap(); }
@@ -169,7 +169,7 @@ class Scope {
     std::set<std::string, std::less<>> variable_names_;
   };
 
-  /// Changes the context for as long as it lives.
+  /// Changes the context during its lifetime.
   class Within {
    public:
     Within(Scope& scope, Context context)
@@ -184,12 +184,12 @@ class Scope {
   };
 
   ir::Mission mission;
-  std::map<uint32_t, KnownArea> areas;  ///< by the expression that asks whether it is kept
+  std::map<uint32_t, KnownArea> areas;  ///< by the expression that checks whether it is kept
   Context context;
   std::map<std::string, Constant, std::less<>> constants;
   Names names;  ///< the mission's parameters and variables
   std::set<std::string, std::less<>>
-      refused_names;  ///< declared, but refused: uses say nothing more
+      refused_names;  ///< declared, but refused: uses are not reported again
   std::map<std::string, FunctionDeclaration, std::less<>> functions;
   static constexpr size_t kMostOwnSensors = 64;
   std::map<std::string, OwnSensor, std::less<>> own_sensors;
@@ -198,7 +198,7 @@ class Scope {
   std::map<std::string, BehaviourDeclaration, std::less<>> behaviours;
 
  private:
-  /// The `extern sensor` or `extern function` that keeps others from being called `name`.
+  /// The `extern sensor` or `extern function` that already has the name `name`.
   [[nodiscard]] const ast::Name* findExternal(std::string_view name) const;
 
   const AnalysisInputs& inputs_;

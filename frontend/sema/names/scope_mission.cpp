@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// What a mission has of sensors, tables, functions and behaviours: those that it uses, each once.
+// The sensors, tables, functions and behaviours of a mission: those that it uses, each once.
 
 #include "frontend/sema/names/scope.h"
 

@@ -9,13 +9,13 @@
 
 namespace glider::frontend {
 
-/// An expression outside its mission: operands count from its own start, the last node is the
-/// whole.
+/// An expression outside its mission: operands are numbered from its own start, the last node is
+/// the root.
 using Snippet = std::vector<ir::Expr>;
 
 /// A copy of the expression `root`.
 Snippet copy(const ir::Mission& mission, ir::ExprId root);
-/// Puts the snippet at the end of the mission's expressions; gives its root.
+/// Appends the snippet to the mission's expressions; returns its root.
 ir::ExprId paste(const Snippet& snippet, ir::Mission& mission);
 
 }  // namespace glider::frontend

@@ -10,7 +10,7 @@
 namespace glider::frontend {
 namespace {
 
-/// A value of that dimension with a unit; empty if no unit has it.
+/// A value of that dimension with a unit; empty if no unit has that dimension.
 std::string exampleOf(support::Dimension dimension) {
   if (dimension.dimensionless()) {
     return "5";

@@ -15,22 +15,22 @@ namespace glider::frontend {
 /// degC/m".
 std::string describe(const ir::Type& type);
 
-/// A type as it is written: a position is two numbers to the IR, a path none.
+/// A type as it is written: in the IR a position is two numbers, and a path is none.
 struct DeclaredType {
-  ir::Type type;  ///< of a position and a path: a latitude
+  ir::Type type;  ///< for a position and a path: a latitude
   bool position = false;
   bool path = false;
   bool operator==(const DeclaredType&) const = default;
 };
 std::string describe(const DeclaredType& type);
-/// What to type for one, as a hint: "write a length (m) such as `5 m`".
+/// How to write a value of the type, as a hint: "write a length (m) such as `5 m`".
 std::string howToWrite(const DeclaredType& type);
 
-/// What a type's name in the language means:
-/// "length", "bool", "latitude", "position", "path", "temperature/length"; empty: nothing.
+/// The meaning of a type's name in the language: "length", "bool", "latitude", "position", "path",
+/// "temperature/length"; empty: none.
 std::optional<DeclaredType> findType(std::string_view name);
 
-/// Whether `name` is a unit or a letter of positions, which name no value.
+/// Whether `name` is a unit or a letter of positions, which cannot name a value.
 bool isUnitName(std::string_view name);
 
 inline ir::Type quantity(support::Dimension dimension) {

@@ -44,7 +44,7 @@ bool saysDone(const ast::Behaviour& behaviour) {
   });
 }
 
-/// The use of a behaviour in a member of that kind; null of any other member.
+/// The use of a behaviour in a member of that kind; null for any other member.
 const ast::Use* useIn(const ast::Member& member, ir::BehaviourKind kind) {
   const auto* route = std::get_if<ast::RouteMember>(&member.node);
   const auto* profile = std::get_if<ast::ProfileMember>(&member.node);
@@ -54,7 +54,7 @@ const ast::Use* useIn(const ast::Member& member, ir::BehaviourKind kind) {
   return profile != nullptr ? &profile->use : nullptr;
 }
 
-/// The use of another behaviour that this one is made of; null if it has cases of its own.
+/// The use of another behaviour that this one consists of; null if it has cases of its own.
 const ast::Use* otherOf(const BehaviourDeclaration& declaration) {
   if (declaration.body == nullptr) {
     return nullptr;
@@ -67,7 +67,7 @@ const ast::Use* otherOf(const BehaviourDeclaration& declaration) {
   return nullptr;
 }
 
-/// Stands for any path.
+/// A placeholder for any path.
 PathArgument anyPath() {
   return {Path(3), {}};
 }
@@ -125,7 +125,7 @@ void BehaviourLowering::checkMembers() {
   }
 }
 
-/// Of one that is made of another; a mistake that is said once.
+/// For a behaviour that consists of another; such an error is reported once.
 void BehaviourLowering::checkNothingBeside(const ast::Use& other) {
   for (const ast::Member& member : declaration_.body->members) {
     if (useIn(member, declaration_.kind) != &other) {
@@ -159,7 +159,7 @@ void BehaviourLowering::checkOther(const ast::Use& other) {
   (void)lowerArguments(other.arguments, callee, other.where, scope_);
 }
 
-/// Refuses a behaviour that is made of one that is made of … itself.
+/// Refuses a behaviour that consists of one that consists of … itself.
 void BehaviourLowering::checkChain() {
   std::string by_way_of;
   const BehaviourDeclaration* next = &declaration_;
@@ -243,7 +243,7 @@ void BehaviourLowering::use(ir::Activity& activity, const BehaviourArguments& ar
 void BehaviourLowering::useOther(const ast::Use& other, ir::Activity& activity, const User& user) {
   BehaviourDeclaration* declaration = findBehaviour(other, declaration_.kind, scope_);
   if (declaration == nullptr) {
-    return;  // refused, and said to be so
+    return;  // refused, which has been reported
   }
   if (declaration->body == nullptr) {
     activity.behaviour = scope_.use(*declaration);

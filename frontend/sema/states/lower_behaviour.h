@@ -12,20 +12,20 @@
 
 namespace glider::frontend {
 
-/// What stands for a behaviour's parameters where it is used.
+/// The arguments for a behaviour's parameters where it is used.
 struct BehaviourArguments {
   std::vector<Snippet> values;  ///< for Signature::slots
   std::vector<PathArgument> paths;
 };
 
-/// A flightprofile or flightroute written in the language: checked once, then lowered anew for each
+/// A flightprofile or flightroute written in the language: checked once, then lowered for each
 /// state that uses it.
 class BehaviourLowering {
  public:
   BehaviourLowering(BehaviourDeclaration& declaration, Scope& scope)
       : declaration_(declaration), scope_(scope) {}
 
-  /// Reports what is wrong with the definition, used or not, and that once.
+  /// Reports the errors of the definition, whether it is used or not, and only once.
   void check();
   /// Lowers the body into `activity` for `user`.
   void use(ir::Activity& activity, const BehaviourArguments& arguments, const User& user);

@@ -99,7 +99,7 @@ void CaseLowering::lowerTarget(const ast::Use& target, ir::Case& lowered) {
 
 namespace {
 
-/// A case of `always` that no state or sensor plays a part in is a slip.
+/// Warns about a case of `always` that depends on no state or sensor, which is probably an error.
 void warnOfConstant(const ast::Case& node, const ir::Case& lowered, Scope& scope) {
   const auto value = lowered.guard.valid() ? evaluate(scope.mission, lowered.guard) : std::nullopt;
   const bool always = value == 1.0;

@@ -12,11 +12,11 @@
 
 namespace glider::frontend {
 
-/// Is told the sensors that each guard reads.
+/// Called with the sensors that each guard reads.
 using GuardReads = std::function<void(const std::vector<SensorRead>&)>;
 
-/// Lowers the cases of one list, in the scope's context; what may stand in them depends on the
-/// context's list.
+/// Lowers the cases of one list, in the scope's context; the context's list determines what they
+/// may contain.
 class CaseLowering {
  public:
   explicit CaseLowering(Scope& scope) : scope_(scope) {}
@@ -25,14 +25,14 @@ class CaseLowering {
 
  private:
   ir::Case lowerCase(const ast::Case& node, ir::ExprId guard);
-  /// False, and reported, if the list has no such transition.
+  /// False, and reported, if the transition is not allowed in the list.
   bool allowed(const ast::Case& node);
   void lowerTarget(const ast::Use& target, ir::Case& lowered);
 
   Scope& scope_;
 };
 
-/// Lowers the mission's `always`, of which there is one at most.
+/// Lowers the mission's `always`, of which there is at most one.
 void lowerAlways(const ast::File& file, Scope& scope);
 
 }  // namespace glider::frontend

@@ -36,7 +36,7 @@ void enterVariables(StateDeclaration& state, Scope& scope) {
   }
 }
 
-/// Enters the names of a state's parameters, of which the first state can have none, and variables.
+/// Enters the names of a state's parameters, which the first state cannot have, and variables.
 void declareNames(ir::StateId id, Scope& scope) {
   StateDeclaration& state = scope.state_declarations[id.index];
   const ast::Name& name = state.node->name;
@@ -89,7 +89,7 @@ void declareStates(const ast::File& file, Scope& scope) {
 
 namespace {
 
-/// Of what is written of the state before its events.
+/// The range of the state before its events.
 support::SourceRange headOf(const ast::State& state) {
   support::SourceRange head = state.where;
   for (const ast::Member& member : state.members) {
@@ -100,7 +100,7 @@ support::SourceRange headOf(const ast::State& state) {
   return head;
 }
 
-/// Of its parameters, without the parentheses; nowhere if it has none.
+/// The range of its parameters, without the parentheses; empty if it has none.
 support::SourceRange formalsOf(const ast::State& state) {
   const std::span<const ast::Formal> formals = listOf(state.formals);
   if (formals.empty()) {
@@ -123,7 +123,7 @@ ir::State StateLowering::run() {
   context.names = &declaration_.names;
   context.state = id_;
   const Scope::Within within(scope_, context);
-  // In one order, however they were written: names first, and what guards read is checked against
+  // In a fixed order, not that of the text: names first, and what guards read is checked against
   // `sensors`.
   visitAll(indexOf<ast::Var>());
   scope_.context.list = ir::ListKind::State;

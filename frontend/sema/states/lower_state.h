@@ -13,12 +13,12 @@
 
 namespace glider::frontend {
 
-/// Numbers the states of a mission and types their parameters, so that cases may name those that
-/// come later.
+/// Numbers the states of a mission and resolves the types of their parameters, so that cases may
+/// name later states.
 void declareStates(const ast::File& file, Scope& scope);
 
-/// Lowers one state. Names of states, constants, variables and behaviours stand in the scope
-/// before.
+/// Lowers one state. The names of states, constants, variables and behaviours must already be in
+/// the scope.
 class StateLowering {
  public:
   StateLowering(ir::StateId id, Scope& scope)
@@ -38,7 +38,7 @@ class StateLowering {
 
   /// Visits the members of one alternative of ast::Member.
   void visitAll(size_t kind);
-  /// False, and reported, if the state has a member of this kind already.
+  /// False, and reported, if the state already has a member of this kind.
   bool first(const ast::Member& member);
 
   // Behaviours (lower_use.cpp).

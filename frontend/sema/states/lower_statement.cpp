@@ -27,7 +27,7 @@ ir::Statement statementOf(ir::StatementKind kind, const support::SourceRange& ra
   return result;
 }
 
-/// The text between the quotes, or where a backslash stands before something else than `"` or `\`.
+/// The text between the quotes, or where a backslash precedes anything but `"` or `\`.
 struct Unquoted {
   std::string text;
   std::optional<size_t> wrong;
@@ -72,7 +72,7 @@ void StatementLowering::visit(const ast::Set& node, const ast::Statement& statem
   ExprLowering lowering(scope_);
   const auto value =
       lowering.lowerDeclared(node.value, named->type, "`" + node.variable.text + "`");
-  named->read = read;  // counting up alone makes a variable no use
+  named->read = read;  // only counting up does not count as a use of a variable
   if (!value || !named->valid) {
     return;
   }

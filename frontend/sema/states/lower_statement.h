@@ -22,7 +22,7 @@ class StatementLowering {
   void visit(const ast::Log& node, const ast::Statement& statement, ir::Block& block);
   void visit(const ast::Command& node, const ast::Statement& statement, ir::Block& block);
 
-  /// The variable that `name` is; null, and reported, if it cannot be set.
+  /// The variable that `name` refers to; null, and reported, if it cannot be set.
   Named* settable(const ast::Name& name);
   void refuseSet(const ast::Name& name);
 

@@ -69,7 +69,7 @@ void lowerUse(const ast::Use& use, BehaviourDeclaration& declaration, const User
   for (const ir::ExprId argument : arguments->values) {
     given.values.push_back(copy(scope.mission, argument));
   }
-  // What is watched over time stays where it is; all else stands where the body reads it.
+  // What is watched over time stays in place; everything else is placed where the body reads it.
   if (scope.mission.temporals.size() == watched) {
     scope.mission.exprs.resize(before);
   }

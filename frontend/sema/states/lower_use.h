@@ -24,8 +24,8 @@ struct User {
   const std::string& name;
 };
 
-/// Lowers a use of `declaration` into `activity`, whose range stands already, with arguments as the
-/// scope's context understands them.
+/// Lowers a use of `declaration` into `activity`, whose range is already set, with arguments in the
+/// scope's context.
 void lowerUse(const ast::Use& use, BehaviourDeclaration& declaration, const User& user,
               ir::Activity& activity, Scope& scope);
 

@@ -82,7 +82,7 @@ AbstractEvaluator::AbstractEvaluator(const ProofContext& proof_context, const Va
       const Holding& held = values[e.variable.index];
       return Interval{held.lowest, held.highest, held.never};
     }
-    // A window holds what was before this moment too.
+    // A window also contains values from before this moment.
     return e.op == Op::Temporal ? std::optional(proof_context.windows[e.temporal.index])
                                 : std::nullopt;
   });
@@ -125,7 +125,7 @@ Truths AbstractEvaluator::judge(const Expr& e, uint32_t index) const {
   return result;
 }
 
-/// Of two numbers; not of (in)equality, which is rarely of use.
+/// For two numbers; not for (in)equality, which is rarely of use.
 Truths AbstractEvaluator::logic(const Expr& e) const {
   switch (opIn<LogicOp>(e.op)) {
     case LogicOp::Not:

@@ -11,13 +11,14 @@
 
 namespace glider::ir::prove {
 
-/// The truth values that something may have, any of the three.
+/// The truth values that an expression may have, any of the three.
 struct Truths {
   bool is_true = true, is_false = true, is_unknown = true;
   auto operator<=>(const Truths&) const = default;
 };
 
-/// What a variable may hold when it is known: a number between two, or a truth value.
+/// The values that a variable may have when it is known: numbers between two bounds, or truth
+/// values.
 struct Holding {
   double lowest = 0, highest = 0;
   bool never = false;  ///< it is never a known number
@@ -25,33 +26,34 @@ struct Holding {
   auto operator<=>(const Holding&) const = default;
 };
 
-/// Of every variable.
+/// The possible values of every variable.
 using Valuation = std::vector<Holding>;
 
-/// Anything that the variable may hold.
+/// Every value that the variable may have.
 Holding anything(const Variable& variable);
-/// What of `holding` lies in the variable's range.
+/// The part of `holding` that lies in the variable's range.
 Holding withinRange(Holding holding, const Variable& variable);
-/// What either says.
+/// The union of both.
 Holding either(const Holding& a, const Holding& b);
 
-/// Where the three clocks lie, s.
+/// The ranges of the three clocks, s.
 struct ClockRanges {
   Interval mission_time, state_time, resume_time;
 };
 
-/// What expressions may be worth at a moment, whatever the sensors say: no solver, nothing about
-/// how values depend on each other, so sometimes more than they can.
+/// Evaluates expressions abstractly: the values that they may have at a moment, for any readings of
+/// the sensors. It uses no solver and ignores how values depend on each other, so the result may
+/// include values that cannot occur.
 class AbstractEvaluator {
  public:
   AbstractEvaluator(const ProofContext& proof_context, const Valuation& values,
                     const ClockRanges& clocks);
 
   [[nodiscard]] const Truths& truth(ExprId id) const { return truths_[id.index]; }
-  /// Of a number, where it lies when it is known; of a truth value its truths.
+  /// For a number, its range when it is known; for a truth value, the values that it may have.
   [[nodiscard]] Holding holding(ExprId id) const;
   [[nodiscard]] const Interval& number(ExprId id) const { return numbers_[id.index]; }
-  /// Whether it may be unknown.
+  /// Whether the expression may be unknown.
   [[nodiscard]] bool maybeUnknown(ExprId id) const;
 
  private:

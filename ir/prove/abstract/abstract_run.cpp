@@ -27,7 +27,8 @@ void AbstractRun::start(uint32_t variable, const ClockRanges& clocks, Valuation&
   values[variable] = AbstractEvaluator(proof_context_, values, clocks).holding(initial);
 }
 
-/// An unknown value changes nothing. None leaves the variable's range: `ir/verify` has proved that.
+/// An unknown value changes nothing. No value leaves the variable's range: `ir/verify` has proved
+/// that.
 void AbstractRun::set(const Statement& statement, const ClockRanges& clocks,
                       Valuation& values) const {
   const AbstractEvaluator now(proof_context_, values, clocks);

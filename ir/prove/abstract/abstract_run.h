@@ -7,22 +7,22 @@
 
 namespace glider::ir::prove {
 
-/// What statements and transitions make of what variables may hold.
+/// The effect of statements and transitions on the values that variables may have.
 class AbstractRun {
  public:
   explicit AbstractRun(const ProofContext& proof_context)
       : proof_context_(proof_context), m_(proof_context.mission) {}
 
-  /// When the mission begins: parameters and the variables of the mission have their values, no
-  /// state's have.
+  /// The start of the mission: parameters and the variables of the mission have their values, the
+  /// variables of states do not.
   [[nodiscard]] Valuation begin() const;
   /// Runs a block; an invalid id does nothing.
   void execute(BlockId block, const ClockRanges& clocks, Valuation& values) const;
   /// Enters the target of `c`, which fires at `clocks`; `c` is null for the start of the mission.
   void enter(StateId state, const Case* c, const ClockRanges& clocks, Valuation& values) const;
-  /// Resumes a state: its profile and route begin anew, its variables stay.
+  /// Resumes a state: its profile and route start again, its variables keep their values.
   void resume(StateId state, const ClockRanges& clocks, Valuation& values) const;
-  /// Anything for what `block` sets.
+  /// Allows any value for what `block` sets.
   void forget(BlockId block, Valuation& values) const;
 
  private:

@@ -7,9 +7,9 @@
 
 namespace glider::ir::prove {
 
-/// Whether a condition is true at every tick for the commands alone: no command of the mission
-/// leads deeper than it allows, whatever the ranges of what the commands are made from. True is a
-/// proof in the world of ir/prove/encoding/world.h; false is none.
+/// Whether a condition is true at every tick because of the commands alone: no command of the
+/// mission leads deeper than the condition allows, for all values that its arguments may have. True
+/// is a proof in the environment model of ir/prove/encoding/world.h; false proves nothing.
 bool heldByOrders(ExprId condition, const ProofContext& proof_context);
 
 }  // namespace glider::ir::prove

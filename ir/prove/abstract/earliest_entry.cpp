@@ -19,8 +19,8 @@ namespace {
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kMost = std::numeric_limits<double>::max();
 
-/// States in the order of the time at which they can first be entered: what is found for one never
-/// is before the one that it comes from.
+/// Searches states in the order of the time at which they can first be entered: a state is never
+/// entered earlier than the state that leads to it.
 class Search {
  public:
   explicit Search(const ProofContext& proof_context)
@@ -53,7 +53,7 @@ class Search {
     }
   }
 
-  /// The cases of a state that is entered at `since` at the earliest.
+  /// Follows the cases of a state that is entered at `since` at the earliest.
   void follow(const std::vector<Case>& cases, double since) {
     for (const Case& c : cases) {
       const bool enters = c.transition == Transition::Goto || c.transition == Transition::Call;
@@ -63,7 +63,7 @@ class Search {
     }
   }
 
-  /// The greatest of the times that the guard names before which it cannot be true.
+  /// The greatest of the times in the guard before which it cannot be true.
   double firstTrue(ExprId guard, double since) {
     double first = since;
     for (const double time : timesOf(guard, since)) {
@@ -75,7 +75,7 @@ class Search {
     return mayBeTrue(guard, since, kMost) ? first : kNever;
   }
 
-  /// Mission times at which a clock of the state is worth what the guard names.
+  /// Mission times at which a clock of the state has a value that the guard names.
   std::set<double> timesOf(ExprId guard, double since) const {
     std::set<double> times;
     forEachIn(m_, guard, [&](const Expr& e) {
@@ -90,7 +90,8 @@ class Search {
     return times;
   }
 
-  /// At any mission time from `since` to `until`. The state may have been entered at any of them.
+  /// Whether the guard may be true at any mission time from `since` to `until`. The state may have
+  /// been entered at any of them.
   bool mayBeTrue(ExprId guard, double since, double until) const {
     const Interval stay{0, until - since, false};
     return AbstractEvaluator(proof_context_, values_, {{since, until, false}, stay, stay})

@@ -9,8 +9,8 @@
 
 namespace glider::ir::prove {
 
-/// Of every state: no run enters it before this mission time, s; infinite: none enters it at all.
-/// By the clocks alone, whatever sensors and variables are worth.
+/// For every state, the earliest mission time, s, at which any trace can enter it; infinite: no
+/// trace enters it. From the clocks alone, for any values of sensors and variables.
 std::vector<double> earliestEntries(const ProofContext& proof_context);
 
 }  // namespace glider::ir::prove

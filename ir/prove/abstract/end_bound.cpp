@@ -18,11 +18,11 @@
 namespace glider::ir::prove {
 namespace {
 
-/// Expressions that are looked at, some tenths of a second: missions that count on their fingers
-/// take far less.
+/// The upper bound of expressions evaluated, some tenths of a second: missions that count with
+/// small numbers need far fewer.
 constexpr size_t kMostWork = 20000000;
 
-/// Where a run can be when a state becomes current.
+/// Where a trace can be when a state becomes current.
 struct Arrival {
   Control control;
   Valuation values;
@@ -54,7 +54,8 @@ class Search {
   }
 
  private:
-  /// What no waiting state holds starts anew before it is read.
+  /// A variable of a state that `control` does not hold starts again before it is read, so it may
+  /// be anything here.
   void arrive(const Control& control, Valuation values, double time) {
     if (goal_ == Goal::ExitOrSurface && surfaces(m_[control.state])) {
       end_ = std::max(end_, time);
@@ -74,8 +75,8 @@ class Search {
     }
   }
 
-  /// Whether a state commands the surface as it starts, whatever else: the last command then of its
-  /// profile, and the route gives none about depth.
+  /// Whether a state always commands the surface when it starts: this is then its profile's last
+  /// command, and the route commands no depth.
   bool surfaces(const State& state) const {
     const Statement* last = nullptr;
     if (state.profile.entry.valid()) {
@@ -95,7 +96,7 @@ class Search {
     return statement.kind == StatementKind::Command && isVertical(statement.command);
   }
 
-  /// False if a run may stay for longer than is asked.
+  /// False if a trace may last longer than the given time.
   bool follow() {
     const Arrival from = std::move(pending_.back());
     pending_.pop_back();
@@ -117,7 +118,7 @@ class Search {
     return true;
   }
 
-  /// Cases that lead nowhere may fire on any tick.
+  /// Cases without a transition may fire on any tick.
   void forgetWhatStaysChange(const State& state, Valuation& values) const {
     for (const auto* cases : {&m_.always, &state.cases, &state.profile.cases, &state.route.cases}) {
       for (const Case& c : *cases) {
@@ -178,7 +179,7 @@ class Search {
       end_ = std::max(end_, time);
       return;
     }
-    work_ += 8 * m_.exprs.size();  // about
+    work_ += 8 * m_.exprs.size();  // approximately
     run_.execute(c.action, clocks, values);
     const Control after = control.moved(list, number, c);
     if (c.transition == Transition::Return) {
@@ -196,7 +197,7 @@ class Search {
   Goal goal_;
   StateId stays_;
   std::vector<double> left_by_;      ///< of each state
-  std::map<Arrival, double> times_;  ///< the latest at which it becomes so
+  std::map<Arrival, double> times_;  ///< the latest time at which it becomes current
   std::vector<Arrival> pending_;
   double end_ = 0;
   size_t work_ = 0;
@@ -222,7 +223,7 @@ const EndBound& Ending::boundWithoutPowerCuts() {
   return *without_power_cuts_;
 }
 
-/// A search up to a sooner time takes the same way, and ends where a state is not left by then.
+/// A search up to an earlier time takes the same path and ends at a state that is not left by then.
 std::optional<double> Ending::by(double latest) {
   const EndBound& found = bound();
   if (!found.by && latest > kLongestMission) {

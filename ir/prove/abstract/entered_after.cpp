@@ -42,7 +42,7 @@ class Search {
     }
   }
 
-  /// Whoever calls may be resumed; of `always`, any state.
+  /// Every caller may be resumed; for a call of `always`, any state.
   void reachCallers() {
     const auto calls = [](const std::vector<Case>& cases) {
       for (const Case& c : cases) {

@@ -8,7 +8,7 @@
 namespace glider::ir::prove {
 
 /// Whether some chain of transitions enters `state`, by goto or call, after `after` was current,
-/// whatever the guards say. False is a proof; true is none.
+/// with any values of the guards. False is a proof; true proves nothing.
 bool mayEnterAfter(const Mission& mission, StateId state, StateId after);
 
 }  // namespace glider::ir::prove

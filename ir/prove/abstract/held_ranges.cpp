@@ -11,10 +11,10 @@ namespace glider::ir::prove {
 namespace {
 
 constexpr double kMost = std::numeric_limits<double>::max();
-/// A variable that still grows after so many rounds has its whole range.
+/// A variable that still grows after this many rounds gets its whole range.
 constexpr int kRounds = 8;
 
-/// The least ranges that explain themselves, from nothing up.
+/// The least fixpoint of the ranges, computed upwards from empty ones.
 class HeldRanges {
  public:
   explicit HeldRanges(const Mission& mission) : m_(mission) {

@@ -10,9 +10,9 @@
 
 namespace glider::ir::prove {
 
-/// Of every expression, where it lies in any run when it is known. As intervalsOf, but a variable
-/// lies where its initial value, its arguments and what it is set to lie, which is often less than
-/// its range, and something for a variable without one.
+/// For every expression, its range in any trace when it is known. As intervalsOf, but the range of
+/// a variable is that of its initial value, its arguments and the values that it is set to. This is
+/// often smaller than its declared range, and also bounds some variables without one.
 std::vector<Interval> heldIntervals(const Mission& mission);
 
 }  // namespace glider::ir::prove

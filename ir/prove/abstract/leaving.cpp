@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kMost = std::numeric_limits<double>::max();
 
-/// No less than the sum.
+/// An upper bound of the sum.
 double sumOf(double a, double b) {
   const double sum = a + b;
   const bool exact = sum - a == b && sum - b == a;
@@ -46,8 +46,8 @@ class LeavingSearch {
     constexpr Interval kEver{0, kMost, false};
     constexpr double kNever = std::numeric_limits<double>::infinity();
     Leaving found{kNever, std::vector<double>(own_.size(), kNever), 1};
-    // From `time` on a sure case, or one before it, fires on every tick; `tick` is when there is
-    // one at the latest.
+    // From `time` on, a certain case, or one before it, fires on every tick; `tick` is the latest
+    // time of such a tick.
     const auto note = [&](double time, double tick, const ClockRanges& clocks) {
       ++found.looks;
       const AbstractEvaluator then(proof_context_, values_, clocks);
@@ -61,11 +61,11 @@ class LeavingSearch {
       }
       found.by = sure < own_.size() || interrupted ? std::min(found.by, tick) : found.by;
     };
-    // What is sure on the first tick need not stay so: that tick leads away.
+    // What is certain on the first tick need not stay so: that tick leads away.
     const double first = sumOf(since, gap);
     note(since, first, {{0, first, false}, kEver, {0, gap, false}});
     for (const double stay : stays_) {
-      const Interval on{stay, kMost, false};  // the mission has flown as long as that
+      const Interval on{stay, kMost, false};  // the mission has flown for at least that long
       const double stayed = sumOf(since, stay);
       note(stayed, sumOf(stayed, gap), {on, on, on});
     }
@@ -100,12 +100,12 @@ class LeavingSearch {
                                                                            : nullptr;
     if (kept != nullptr) {
       kept->insert(x.highest);
-      kept->insert(std::nextafter(x.highest, kMost));  // what lies past it
+      kept->insert(std::nextafter(x.highest, kMost));  // the value after it
     }
   }
 
-  /// The first case that leads away and must be true, with none before it that may keep the state;
-  /// the number of cases if there is none.
+  /// The first case that leads away and must be true, with no case before it that may keep the
+  /// state; the number of cases if there is none.
   static size_t firstSure(const Cases& cases, const AbstractEvaluator& then) {
     for (size_t i = 0; i < cases.size(); ++i) {
       const Truths& guard = then.truth(cases[i]->guard);

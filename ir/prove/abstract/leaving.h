@@ -9,26 +9,26 @@
 
 namespace glider::ir::prove {
 
-/// When a state's own cases fire at the latest, by the clocks; mission times, s.
+/// The latest times at which a state's own cases fire, by the clocks; mission times, s.
 struct Leaving {
-  double by =
-      0;  ///< some case, of its own or of `always`, has led away; infinite: nothing makes it go
-  /// Of each case: no tick after it lets the case fire, for one before it has led away for sure.
+  double by = 0;  ///< some case, of its own or of `always`, has led away; infinite: nothing is
+                  ///< certain to end the state
+  /// For each case: it does not fire on a later tick, because one before it has certainly led away.
   std::vector<double> latest;
-  size_t looks = 0;  ///< how many moments were looked at
+  size_t looks = 0;  ///< the number of moments examined
 };
 
-/// A list of cases, or what of it may fire.
+/// A list of cases, or those of it that may fire.
 using Cases = std::vector<const Case*>;
 
 /// The cases of `always` that may interrupt a state.
 struct Interruptions {
   Cases cases;
-  bool own_first = false;  ///< on its first tick the state's own come before
+  bool own_first = false;  ///< on its first tick the state's own cases come before these
 };
 
-/// Of `state`, if it became current at `since` at the latest and its variables are within `values`
-/// all the while, whatever the sensors say.
+/// The times for `state`, if it became current at `since` at the latest and its variables stay
+/// within `values`, for any readings of the sensors.
 Leaving leavingOf(const ProofContext& proof_context, const State& state,
                   const Interruptions& always, const Valuation& values, double since);
 

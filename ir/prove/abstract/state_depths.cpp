@@ -14,10 +14,10 @@ namespace glider::ir::prove {
 namespace {
 
 constexpr double kAnyDepth = std::numeric_limits<double>::infinity();
-/// Above this a bound says nothing: the number has no range.
+/// A greater bound means that the number has no range.
 constexpr double kNoBound = 1e300;
 
-/// Under a command to climb too, which ends in hovering at its target.
+/// Also under a command to climb, which ends in hovering at its target.
 bool leadsDown(const Statement& statement) {
   return statement.kind == StatementKind::Command &&
          (statement.command == Command::Descend || statement.command == Command::Hover ||
@@ -38,7 +38,8 @@ class Depths {
     }
   }
 
-  /// What a state commands is what all that come after it may begin at: the deepest commands first.
+  /// The depth that a state commands is one at which every later state may begin: the deepest
+  /// commands first.
   std::vector<double> run() {
     std::vector<double> own;
     for (const State& state : m_.states) {
@@ -60,7 +61,7 @@ class Depths {
     return std::ranges::find(cases, transition, &Case::transition) != cases.end();
   }
 
-  /// m; at least where control may be given.
+  /// m; not less than the depth at which control may be given.
   double commandedDepth(const State& state) const {
     if (!m_[state.profile.behaviour].symbol.empty() || !m_[state.route.behaviour].symbol.empty()) {
       return kAnyDepth;

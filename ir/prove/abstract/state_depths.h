@@ -9,9 +9,10 @@
 
 namespace glider::ir::prove {
 
-/// By state: where no run is deeper (m) while it is current, by the commands alone: its own and
-/// those of every state that may have been current before. Infinite where a behaviour in C may
-/// command anything, or a command has no known range. In the world of ir/prove/encoding/world.h.
+/// For each state, the upper bound of the depth (m) while it is current, from the commands alone:
+/// its own and those of every state that may have been current before. Infinite where a behaviour
+/// in C may command anything, or a command has no known range. In the environment model of
+/// ir/prove/encoding/world.h.
 std::vector<double> deepestByState(const ProofContext& proof_context);
 
 }  // namespace glider::ir::prove

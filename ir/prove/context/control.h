@@ -11,8 +11,8 @@
 
 namespace glider::ir::prove {
 
-/// What of a running mission is not a number: where it is, who waits, and which cases of `always`
-/// may interrupt. There are finitely many.
+/// The part of a running mission that is not a number: the current state, the waiting states, and
+/// the cases of `always` that may interrupt. There are finitely many.
 struct Control {
   static constexpr uint32_t kNoLimit = UINT32_MAX;
 
@@ -30,7 +30,7 @@ struct Control {
 
   [[nodiscard]] bool holds(StateId wanted) const;
   [[nodiscard]] bool mayInterrupt(const Mission& mission, uint32_t always_case) const;
-  /// After goto, call or return by case `number` of `list`, which is `c`.
+  /// The control after goto, call or return by case `number` of `list`, which is `c`.
   [[nodiscard]] Control moved(ListKind list, uint32_t number, const Case& c) const;
 };
 

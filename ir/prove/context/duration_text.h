@@ -11,7 +11,7 @@
 
 namespace glider::ir::prove {
 
-/// "2 h 1 min 12 s", rounded up, but for less than a millisecond.
+/// "2 h 1 min 12 s", rounded up; an excess of less than a millisecond is ignored.
 inline std::string durationOf(double seconds) {
   const auto whole = static_cast<int64_t>(std::ceil(seconds - 1e-3));
   std::string text = whole >= 3600 ? fmt::format("{} h ", whole / 3600) : "";

@@ -13,7 +13,7 @@
 namespace glider::ir::prove {
 namespace {
 
-/// Beyond this a result may overflow.
+/// A greater result may overflow.
 constexpr double kNearOverflow = 1e300;
 
 class KnownExpressions {
@@ -44,7 +44,7 @@ class KnownExpressions {
   }
 
  private:
-  /// `known(depth) && depth < bottom`, which is false where the depth is unknown.
+  /// Such as `known(depth) && depth < bottom`, which is false where the depth is unknown.
   bool isGuarded(const Expr& both, const GreatestFixpoint& judged) const {
     const Expr& asked = m_[both.operands[0]];
     const Expr& then = m_[both.operands[1]];
@@ -65,7 +65,7 @@ class KnownExpressions {
   }
   bool isSmall(size_t index) const {
     const Interval& x = intervals_[index];
-    // What always overflows has no interval.
+    // An expression that always overflows has no interval.
     return !x.empty && std::max(std::fabs(x.lowest), std::fabs(x.highest)) < kNearOverflow;
   }
 
@@ -78,7 +78,7 @@ bool beginsKnown(const Variable& variable, bool initial) {
          initial;
 }
 
-/// Whether two expressions say the same.
+/// Whether two expressions are the same.
 // NOLINTNEXTLINE(misc-no-recursion): as deep as the mission's text nests
 bool isSame(const Mission& m, ExprId a, ExprId b) {
   if (a == b) {
@@ -103,7 +103,7 @@ GreatestFixpoint neverUnknown(const Mission& mission, const std::vector<Interval
       mission,
       {[&](size_t index, const GreatestFixpoint& judged) { return known.isKnown(index, judged); },
        beginsKnown,
-       /*lost_by_set=*/false});  // one to an unknown value does nothing
+       /*lost_by_set=*/false});  // setting a variable to an unknown value has no effect
 }
 
 std::vector<bool> knownWhere(const Mission& mission, const std::vector<Interval>& intervals,

@@ -11,12 +11,14 @@
 
 namespace glider::ir::prove {
 
-/// Which variables are known whenever they have started: their initial value, or each argument that
-/// they are given, is known whatever the sensors say; and which expressions then are. (`set` never
-/// makes a variable unknown.) `intervals`: where every expression lies when it is known.
+/// Which variables are known whenever they have started, because their initial value, or each
+/// argument that they are given, is known for any readings of the sensors; and which expressions
+/// are then known. (`set` never makes a variable unknown.) `intervals`: the range of every
+/// expression when it is known.
 GreatestFixpoint neverUnknown(const Mission& mission, const std::vector<Interval>& intervals);
 
-/// Which expressions are known at a moment at which these are besides; `always` is neverUnknown.
+/// Which expressions are known at a moment at which these are also known; `always` is the result of
+/// neverUnknown.
 std::vector<bool> knownWhere(const Mission& mission, const std::vector<Interval>& intervals,
                              const GreatestFixpoint& always, const std::vector<ExprId>& shown);
 

@@ -13,7 +13,7 @@
 
 namespace glider::ir::prove {
 
-/// What all proofs about a mission stand on: the mission, the vehicle, and what follows from them
+/// The basis of all proofs about a mission: the mission, the vehicle, and what follows from them
 /// without a solver.
 struct ProofContext {
   /// Both outlive this.
@@ -25,18 +25,19 @@ struct ProofContext {
   std::vector<Interval> sensors;    ///< of every sensor's reading, SI units
   std::vector<Interval> windows;    ///< of every temporal that is a window
   GreatestFixpoint known;           ///< never unknown
-  std::vector<bool> whole;          ///< of every expression: a whole number, exactly
-  /// Of every temporal: the variables that it reads and that a list tried before its own may set in
-  /// the same tick. It has looked at them before any list, the guards of its own list after.
+  std::vector<bool> whole;          ///< of every expression: whether it is exactly a whole number
+  /// For every temporal: the variables that it reads and that a list tried before its own may set
+  /// in the same tick. The temporal reads them before any list is tried, the guards of its own list
+  /// afterwards.
   std::vector<std::vector<VariableId>> set_since;
   std::optional<SensorId> depth;  ///< the vehicle's own depth, if the mission reads it
-  /// Two ticks of the mission are no further apart than this, s: the SBC may have been without
-  /// power for as long as the mission allows (`resume within`), any number of times.
+  /// The longest time between two ticks of the mission, s: the SBC may have been without power for
+  /// as long as the mission allows (`resume within`), any number of times.
   double tick_gap_s;
   /// The same for an SBC whose power is never cut.
   [[nodiscard]] ProofContext withoutPowerCuts() const;
 
-  /// The platform's row of a sensor; null for one that the platform does not have.
+  /// The platform's row of a sensor; null if the platform does not have it.
   [[nodiscard]] const platforms::PlatformSensor* platformSensor(SensorId id) const {
     return platform.find(mission[id].vehicle_name);
   }

@@ -11,7 +11,7 @@ RequirementMonitor::RequirementMonitor(const Mission& mission, const Requirement
                                        double surface_depth_m, std::optional<SensorId> depth)
     : m_(mission), requirement_(requirement), surface_depth_m_(surface_depth_m), depth_(depth) {}
 
-/// By goto or call, or as the first state of all.
+/// By goto or call, or as the first state of the mission.
 bool RequirementMonitor::enters(const TickResult& result, StateId state) const {
   if (!started_) {
     return result.state == state;

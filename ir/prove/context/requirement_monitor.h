@@ -10,21 +10,22 @@
 
 namespace glider::ir {
 
-/// Watches a run of the interpreter for what a requirement asks: the judge of what proofs say.
-/// Knows nothing of Z3.
+/// Checks a requirement while the interpreter runs: the reference for the results of proofs. It
+/// does not use Z3.
 class RequirementMonitor {
  public:
-  /// `surface_depth_m`: not deeper than this is at the surface; `depth` is the sensor whose place
-  /// the true depth takes in the condition of `always`. Mission and requirement outlive this.
+  /// `surface_depth_m`: the vehicle is at the surface if it is not deeper than this. `depth` is the
+  /// sensor that the true depth replaces in the condition of `always`. Mission and requirement must
+  /// outlive this.
   RequirementMonitor(const Mission& mission, const Requirement& requirement, double surface_depth_m,
                      std::optional<SensorId> depth);
 
-  /// A tick, the start first, after the interpreter has made it. `true_depth` (m) is NaN where
-  /// nobody knows.
+  /// Checks a tick, the start first, after the interpreter has made it. `true_depth` (m) is NaN
+  /// where it is not known.
   void tick(const Interpreter& run, double mission_time, const TickResult& result,
             double true_depth);
 
-  /// When the requirement was broken (of Reach: kept); empty: not yet.
+  /// When the requirement was violated (for Reach: satisfied); empty: not yet.
   [[nodiscard]] std::optional<double> when() const { return when_; }
 
  private:
@@ -36,7 +37,7 @@ class RequirementMonitor {
   double surface_depth_m_;
   std::optional<SensorId> depth_;
   bool started_ = false;
-  bool finished_ = false;  ///< by an earlier tick: nothing is asked any more
+  bool finished_ = false;  ///< by an earlier tick: nothing more is checked
   StateId before_;
   bool after_seen_ = false;
   double last_surface_ = 0;

@@ -24,7 +24,7 @@ class Marks {
     });
   }
 
-  /// Only after `stay` and `done` is a further list tried.
+  /// Another list is tried only after `stay` and `done`.
   void staying(const std::vector<Case>& cases) {
     for (const Case& c : cases) {
       if (c.transition == Transition::Stay || c.transition == Transition::Done) {
@@ -66,7 +66,7 @@ std::vector<VariableId> readBy(const Mission& m, const Temporal& temporal) {
   return read;
 }
 
-/// What may be set before the list of a temporal of a state is tried.
+/// The variables that may be set before the list of a state's temporal is tried.
 Marks setBefore(const Mission& m, const Temporal& temporal, const Marks& by_always) {
   Marks before = by_always;
   const State& state = m[temporal.state];
@@ -89,7 +89,7 @@ bool calls(const std::vector<Case>& cases) {
 std::vector<std::vector<VariableId>> setSinceWatched(const Mission& mission) {
   Marks by_always(mission);
   by_always.staying(mission.always);
-  // On the tick after a `return` the state's own list comes before `always`, whichever it is.
+  // On the tick after a `return` the state's own list comes before `always`, for any list.
   Marks by_states(mission);
   for (const State& state : mission.states) {
     by_states.staying(state.cases);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr size_t kMostControls = 400;
 
-/// All facts together.
+/// The conjunction of all facts.
 z3::expr allOf(const Unknowns& unknowns, z3::context& context) {
   z3::expr_vector facts(context);
   for (const Fact& fact : unknowns.facts()) {
@@ -71,7 +71,8 @@ SymbolicState ChcEncoder::readingsOf(const Configuration& configuration, Unknown
   return moment;
 }
 
-/// Mission time 0: parameters within their ranges and conditions, the vehicle as it may be given.
+/// Mission time 0: parameters within their ranges and conditions, the vehicle as it may be when
+/// control is given.
 void ChcEncoder::begin() {
   Unknowns unknowns(context_, fmt::format("r{}:", next_prefix_++));
   Control control;
@@ -117,7 +118,7 @@ void ChcEncoder::elapse(const Control& control) {
   const Configuration before = layout_.make(control, unknowns);
   Configuration after = before;
   after.mission_time = unknowns.real("now");
-  // A frame that comes late, after ticks by the SBC's own clock, brings no later time.
+  // A frame that arrives late, after ticks of the SBC's own clock, does not advance the time.
   z3::expr condition = after.mission_time >= before.mission_time;
   if (before.store.vehicle) {
     after.store.vehicle->depth = unknowns.real("depth");
@@ -141,7 +142,7 @@ void ChcEncoder::elapse(const Control& control) {
       unknowns);
 }
 
-/// What the control's lists ask of clocks and variables alone.
+/// The conditions of the control's lists that read only clocks and variables.
 std::vector<ExprId> ChcEncoder::clockConditions(const Control& control) const {
   std::vector<ExprId> open;
   auto guards = [&](const std::vector<Case>& cases) {
@@ -186,7 +187,7 @@ bool ChcEncoder::readsNoSensor(ExprId root) const {
   });
 }
 
-/// Guards that fire whatever the sensors say.
+/// Guards that fire for any readings of the sensors.
 std::vector<ExprId> ChcEncoder::clockGuards(const Control& control) const {
   std::vector<ExprId> found;
   for (const auto* cases : {&m_.always, &m_[control.state].cases}) {
@@ -199,8 +200,8 @@ std::vector<ExprId> ChcEncoder::clockGuards(const Control& control) const {
   return found;
 }
 
-/// A condition that turned longer ago than the gap has met a tick since: time stops there first.
-/// And a guard that is true then has fired.
+/// If a condition became true longer ago than the gap, there has been a tick since: time stops
+/// there first. A guard that was true then has fired.
 z3::expr ChcEncoder::noticed(const Configuration& before, const Configuration& after,
                              Unknowns& unknowns) {
   const z3::expr gap = realOf(context_, proof_context_.tick_gap_s);
@@ -223,7 +224,7 @@ z3::expr ChcEncoder::noticed(const Configuration& before, const Configuration& a
   return late <= before.mission_time || same;
 }
 
-/// What a tick leaves may be bad: seen with its readings.
+/// The state that a tick leaves may be bad: it is checked with the tick's readings.
 void ChcEncoder::addBad(const std::optional<Place>& from, const std::vector<z3::expr>& row,
                         const z3::expr& condition, const std::optional<Configuration>& before,
                         const Configuration& left, const SymbolicState& readings,
@@ -253,7 +254,7 @@ void ChcEncoder::addBad(const std::optional<Place>& from, const std::vector<z3::
 void ChcEncoder::tick(const Control& control) {
   Unknowns unknowns(context_, fmt::format("r{}:", next_prefix_++));
   const Configuration before = layout_.make(control, unknowns);
-  // The tick comes after the time that has passed: the time of the configuration is its own.
+  // The tick comes after the time that has passed: its time is that of the configuration.
   const SymbolicState moment = readingsOf(before, unknowns);
   const auto outcomes = SymbolicTick(proof_context_, relevance_, unknowns)
                             .run(before, before.mission_time, moment, Pace::Many);

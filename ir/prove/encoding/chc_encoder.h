@@ -14,34 +14,36 @@
 
 namespace glider::ir::prove {
 
-/// The two sides of a tick.
+/// Before or after a tick.
 enum class Side : uint8_t {
   Due,  ///< time has passed
   Done  ///< the tick is over
 };
 
-/// A predicate: where runs can be.
+/// A predicate: where traces can be.
 struct Place {
   Control control;
   Side side = Side::Due;
   auto operator<=>(const Place&) const = default;
 };
 
-/// A Horn clause: from a place, if `condition` holds of its row, to another, or to what is bad.
+/// A constrained Horn clause: from a place, if `condition` holds for its row, to another place or
+/// to a bad state.
 struct Rule {
   std::optional<Place> from;  ///< none: the start
-  std::optional<Place> to;    ///< none: bad
+  std::optional<Place> to;    ///< none: a bad state
   std::vector<z3::expr> from_row;
   std::vector<z3::expr> to_row;
   z3::expr condition;
-  std::vector<z3::expr> unknowns;  ///< all that the rule has
+  std::vector<z3::expr> unknowns;  ///< all unknowns of the rule
   bool tick = false;
   std::optional<Configuration> before;  ///< of a rule with `from`
   std::optional<Configuration> after;   ///< of a rule with `to`, and of a bad tick
   std::map<uint32_t, NumberTerm> readings;
 };
 
-/// Writes the rules of a mission, from the start on, for each call stack that it can have.
+/// Encodes a mission as constrained Horn clauses, from the start on, for each call stack that it
+/// can have.
 class ChcEncoder {
  public:
   ChcEncoder(z3::context& context, const ProofContext& proof_context,
@@ -65,14 +67,15 @@ class ChcEncoder {
   void addBad(const std::optional<Place>& from, const std::vector<z3::expr>& row,
               const z3::expr& condition, const std::optional<Configuration>& before,
               const Configuration& left, const SymbolicState& readings, const Unknowns& unknowns);
-  /// Time passes no condition of clocks by more than the gap between two ticks.
+  /// Time does not pass the change of a condition of clocks by more than the gap between two ticks.
   z3::expr noticed(const Configuration& before, const Configuration& after, Unknowns& unknowns);
   std::vector<ExprId> clockConditions(const Control& control) const;
   std::vector<ExprId> clockGuards(const Control& control) const;
   bool readsNoSensor(ExprId root) const;
   void add(Rule rule, const Unknowns& unknowns);
   void reach(const Control& control);
-  /// A moment with a reading of every sensor; the depth is that of the vehicle, give or take.
+  /// A moment with a reading of every sensor; the depth reading is that of the vehicle within its
+  /// tolerance.
   SymbolicState readingsOf(const Configuration& configuration, Unknowns& unknowns) const;
 
   z3::context& context_;

@@ -9,7 +9,7 @@
 namespace glider::ir::prove {
 namespace {
 
-/// Grows until nothing more matters.
+/// Grows the cone of influence to a fixpoint.
 class Closure {
  public:
   Closure(const Mission& mission, bool vehicle) : m_(mission), seen_(mission.exprs.size()) {
@@ -44,7 +44,7 @@ class Closure {
   }
 
  private:
-  /// What an expression reads matters.
+  /// Adds what an expression reads.
   void read(ExprId id) {
     std::vector<ExprId> open{id};
     while (!open.empty()) {
@@ -98,7 +98,7 @@ class Closure {
     }
   }
 
-  /// Whether a block sets something that matters, or commands.
+  /// Whether a block sets a variable in the cone, or gives commands.
   bool matters(BlockId block) const {
     if (!block.valid()) {
       return false;

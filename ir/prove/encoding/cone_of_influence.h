@@ -9,8 +9,8 @@
 
 namespace glider::ir::prove {
 
-/// What matters to where a run goes and to the expressions `asked`; with `vehicle` also to its
-/// depth.
+/// The cone of influence of the transitions of a trace and of the expressions `asked`; with
+/// `vehicle` also of the vehicle's depth.
 ConeOfInfluence relevanceFor(const Mission& mission, const std::vector<ExprId>& asked,
                              bool vehicle);
 

@@ -13,8 +13,8 @@
 namespace glider::ir::prove {
 namespace {
 
-/// What Spacer is told not to do: rules that are folded into each other lose their names, and with
-/// them the run.
+/// Turns off the transformations of Spacer that fold rules into each other: the rules would lose
+/// their names, and with them the trace.
 void configure(z3::context& context, z3::fixedpoint& engine) {
   z3::params parameters(context);
   parameters.set("engine", context.str_symbol("spacer"));
@@ -41,7 +41,7 @@ class Engine {
     return engine_.query(query);
   }
 
-  /// After sat: the numbers of the rules that the bad run took, the start first.
+  /// After sat: the numbers of the rules that the bad trace used, the start first.
   std::vector<size_t> trace() {
     const Z3_symbol names = Z3_fixedpoint_get_rule_names_along_trace(context_, engine_);
     std::istringstream in(Z3_get_symbol_string(context_, names));

@@ -76,7 +76,7 @@ Rough roughnessOf(const OpInfo& function) {
   return angle ? Rough::Angle : Rough::Function;
 }
 
-/// As SymbolicState takes it.
+/// The approximation that SymbolicState makes.
 std::optional<Rough> roughnessOf(const Mission& m, const Expr& e) {
   switch (groupOf(e.op)) {
     case OpGroup::Unary:
@@ -107,7 +107,7 @@ std::optional<Rough> roughnessOf(const Mission& m, const Expr& e) {
   return std::nullopt;
 }
 
-/// Whether a profile or route in C matters: it may command anything.
+/// Whether a profile or route in C is in the cone of influence: it may command anything.
 bool hasCode(const Mission& m, const ConeOfInfluence& relevance) {
   for (size_t i = 0; i < m.states.size(); ++i) {
     const State& state = m.states[i];

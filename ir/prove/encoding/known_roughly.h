@@ -9,8 +9,8 @@
 
 namespace glider::ir::prove {
 
-/// What of all that matters to a question over runs the solver knows less of than the machine does,
-/// in words: "products, windows"; empty if it is nothing.
+/// The operations in the cone of influence of a question that the solver only approximates, in
+/// words: "products, windows"; empty if there are none.
 std::string knownRoughly(const Mission& mission, const ConeOfInfluence& relevance);
 
 }  // namespace glider::ir::prove

@@ -18,8 +18,8 @@ bool Layout::watches(const Control& control, uint32_t temporal) const {
          (t.list == ListKind::Always || t.state == control.state);
 }
 
-/// Every variable that is relevant has a term, so that a state that is entered can give its own
-/// theirs; one that is not kept is never asked for before it starts.
+/// Every variable in the cone of influence has a term, so that a state that is entered can set the
+/// terms of its own variables; a variable that is not kept is never read before it starts.
 Configuration Layout::make(const Control& control, Unknowns& unknowns) const {
   z3::context& context = unknowns.context();
   const z3::expr nothing = context.real_val(0);

@@ -9,11 +9,11 @@
 
 namespace glider::ir::prove {
 
-/// The terms of a configuration in a row, for a predicate over those with the same control: which
-/// they are follows from the control and from what is relevant.
+/// The terms of a configuration as a row, for a predicate over configurations with the same
+/// control. The control and the cone of influence determine which terms they are.
 class Layout {
  public:
-  /// `memory` are the sorts of what the question keeps. All outlive this.
+  /// `memory`: the sorts of what the question keeps. All must outlive this.
   Layout(const ProofContext& proof_context, const ConeOfInfluence& relevance,
          const std::vector<z3::sort>& memory)
       : proof_context_(proof_context),
@@ -23,13 +23,13 @@ class Layout {
 
   /// A configuration of unknowns.
   Configuration make(const Control& control, Unknowns& unknowns) const;
-  /// Its terms; those of `make` are unknowns, each another.
+  /// Its terms; those of `make` are unknowns, all different.
   [[nodiscard]] std::vector<z3::expr> row(const Configuration& configuration) const;
 
  private:
-  /// Whether a variable is kept while the control is this.
+  /// Whether a variable is kept with this control.
   [[nodiscard]] bool keeps(const Control& control, uint32_t variable) const;
-  /// Whether a temporal is watched now.
+  /// Whether a temporal is watched with this control.
   [[nodiscard]] bool watches(const Control& control, uint32_t temporal) const;
 
   const ProofContext& proof_context_;

@@ -13,22 +13,22 @@ namespace glider::ir::prove {
 
 enum class Answer : uint8_t { Yes, No, Unknown };
 
-/// A question to Z3: can all this hold together? Effort is bounded by Z3's own count of its steps,
-/// so that the answer does not depend on the machine.
+/// A question to Z3: can all conditions hold together? Its resource limit is Z3's own count of
+/// steps, so the answer does not depend on the machine.
 class Question {
  public:
   Question(z3::context& context, unsigned effort);
 
   void add(const z3::expr& holds) { solver_.add(holds); }
-  /// Adds all that is known, so that a No can say which of it was needed.
+  /// Adds all known facts, so that a No can say which of them were needed.
   void add(const Unknowns& unknowns);
-  /// Adds something under a name of the caller's.
+  /// Adds a condition under a name that the caller chooses.
   void add(const z3::expr& holds, uint32_t name);
 
   Answer ask();
   /// After Yes.
   z3::model model() const { return solver_.get_model(); }
-  /// After No: the names of what was needed for it, and the facts.
+  /// After No: the names of the conditions that were needed for it, and the facts.
   [[nodiscard]] const std::vector<uint32_t>& neededNames() const { return needed_names_; }
   [[nodiscard]] const std::vector<Fact>& neededFacts() const { return needed_facts_; }
 
@@ -44,8 +44,8 @@ class Question {
   std::vector<Fact> needed_facts_;
 };
 
-/// What a model says of the readings, clocks and variables that a moment has asked for:
-/// "depth = 12 m, temp unknown, missiontime = 500 s".
+/// The values in a model of the readings, clocks and variables that `moment` has asked for: "depth
+/// = 12 m, temp unknown, missiontime = 500 s".
 std::string describe(const z3::model& model, SymbolicState& moment);
 
 }  // namespace glider::ir::prove

@@ -10,15 +10,15 @@
 
 namespace glider::ir::prove {
 
-/// A step of a run that was found: what the tick saw.
+/// A step of a trace from the solver: the readings of its tick.
 struct Step {
   double mission_time = 0;
-  Control after;                 ///< where it led; of the last one, perhaps as before
+  Control after;                 ///< the control after it; after the last step, possibly unchanged
   std::vector<double> readings;  ///< by sensor, SI units; NaN: unknown
-  std::optional<double> depth;   ///< true depth (m), if the question reckons with it
+  std::optional<double> depth;   ///< true depth (m), if the question takes it into account
 };
 
-/// A run in steps of any length, between which nothing fires.
+/// A trace in steps of any length, between which nothing fires.
 struct Run {
   std::vector<double> parameters;  ///< by their number
   std::vector<Step> steps;         ///< the first at the start

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-/// A rule with its unknowns made anew.
+/// A rule with a fresh copy of its unknowns.
 class Taken {
  public:
   Taken(z3::context& context, const Rule& rule, size_t place)
@@ -71,7 +71,7 @@ class Reading {
   }
 
  private:
-  /// One that does not matter has its default.
+  /// A parameter outside the cone of influence has its default.
   double parameter(const Taken& start, uint32_t index) const {
     const Store& store = start.rule().after->store;
     if (const auto number = store.numbers.find(index); number != store.numbers.end()) {

@@ -10,8 +10,8 @@
 
 namespace glider::ir::prove {
 
-/// Values for all that rules `trace` (numbers, the start first, what is bad last) leave open: the
-/// run that takes them one after another.
+/// Finds values for everything that the rules `trace` (numbers, the start first, the bad one last)
+/// leave open, and returns the trace that uses these rules in order.
 std::optional<Run> runOfRules(z3::context& context, const ProofContext& proof_context,
                               const std::vector<Rule>& rules, const std::vector<size_t>& trace,
                               unsigned effort);

@@ -14,7 +14,7 @@ bool readsDepth(ExprId root, const ProofContext& proof_context) {
   });
 }
 
-/// The mission flies although its time is over: a tick that ends it then comes too late.
+/// The mission still flies although its time is over: a tick that ends it then is too late.
 SafetyProperty exitWithin(double seconds, z3::context& context) {
   SafetyProperty watch;
   watch.bad_at_tick = [seconds, &context](const Configuration& left, SymbolicState&) {
@@ -23,7 +23,7 @@ SafetyProperty exitWithin(double seconds, z3::context& context) {
   return watch;
 }
 
-/// Enters it by goto or call; a return is no entering.
+/// Whether the outcome enters `state` by goto or call; a return does not count as entering.
 bool enters(const Outcome& outcome, StateId state) {
   return outcome.fired && outcome.after && outcome.after->control.state == state &&
          !outcome.after->control.just_returned;
@@ -45,7 +45,7 @@ SafetyProperty reaching(StateId state, z3::context& context) {
   return watch;
 }
 
-/// Remembers whether `after` has been entered.
+/// The memory holds whether `after` has been entered.
 SafetyProperty neverAfter(StateId state, StateId after, z3::context& context) {
   SafetyProperty watch;
   watch.memory = {context.bool_sort()};
@@ -63,7 +63,7 @@ SafetyProperty neverAfter(StateId state, StateId after, z3::context& context) {
   return watch;
 }
 
-/// Remembers when the vehicle was last at the surface.
+/// The memory holds when the vehicle was last at the surface.
 SafetyProperty surfacesEvery(double seconds, z3::context& context,
                              const ProofContext& proof_context) {
   SafetyProperty watch;
@@ -83,7 +83,7 @@ SafetyProperty surfacesEvery(double seconds, z3::context& context,
   return watch;
 }
 
-/// The condition of a moment in which the depth is the true one.
+/// The condition is evaluated at a moment in which the depth reading is the true depth.
 z3::expr isFalse(ExprId condition, const Configuration& now, SymbolicState moment,
                  const ProofContext& proof_context) {
   if (proof_context.depth && now.store.vehicle) {

@@ -7,12 +7,12 @@
 
 namespace glider::ir::prove {
 
-/// What a requirement asks of all runs: the run that it must not have. Of Reach the run that it
-/// must have. Not for StackAtMost, which the structure answers.
+/// The safety property for a requirement: the trace that it forbids, or for Reach the trace that it
+/// requires. Not for StackAtMost, which follows from the structure.
 SafetyProperty safetyPropertyFor(const Requirement& requirement, z3::context& context,
                                  const ProofContext& proof_context);
 
-/// Whether the answer depends on how deep the vehicle is.
+/// Whether the answer depends on the depth of the vehicle.
 bool reckonsWithDepth(const Requirement& requirement, const ProofContext& proof_context);
 
 }  // namespace glider::ir::prove

@@ -15,10 +15,10 @@
 namespace glider::ir::prove {
 namespace {
 
-constexpr double kEndless = 1e300;  // a range that ends there has no end
+constexpr double kEndless = 1e300;  // a range with this bound is unbounded
 constexpr size_t kMostMoments = 256;
 constexpr double kFar =
-    1e6;  // far from what guards compare with; as seconds, when time-outs are over
+    1e6;  // far from what guards compare with; in seconds, later than all time-outs
 
 /// A leaf that has one value in a moment: its operation, and the number of its sensor or variable.
 using Leaf = std::pair<Op, uint32_t>;
@@ -34,8 +34,8 @@ bool isClock(Op op) {
   return groupOf(op) == OpGroup::Clock;
 }
 
-/// The leaves of a guard, each with the values to try. `whole` is false if there is one that cannot
-/// be tried.
+/// The leaves of a guard, each with the values to try. `whole` is false if one of them cannot be
+/// tried.
 struct Guard {
   std::map<Leaf, std::vector<double>> leaves;
   bool whole = true;
@@ -52,7 +52,8 @@ class Sampling {
   std::vector<Seen> run() {
     for (size_t i = 0; i < cases_.size(); ++i) {
       guards_.push_back(guardOf(cases_[i].guard));
-      // What the guard does not read is unknown, and when that will not do has a plain value.
+      // Leaves that the guard does not read are unknown or, if that is not sufficient, have a
+      // general value.
       for (elsewhere_ = 0; guards_[i].whole && elsewhere_ < 2; ++elsewhere_) {
         tryGuard(i);
       }
@@ -98,14 +99,14 @@ class Sampling {
 
   static bool isWindow(const Temporal& temporal) { return ir::isWindow(temporal.kind); }
 
-  /// The clock that bounds for how long something has been watched.
+  /// The clock that is the upper bound of how long something has been watched.
   static Op clockOf(const Temporal& temporal) {
     return temporal.list == ListKind::Always     ? Op::MissionTime
            : temporal.kind == TemporalKind::Held ? Op::ResumeTime
                                                  : Op::StateTime;
   }
 
-  /// What a guard that looks back in time depends on besides.
+  /// Adds what a guard that looks back in time also depends on.
   static void addWatched(const Temporal& temporal, Guard& guard, std::vector<ExprId>& open) {
     guard.leaves.try_emplace({clockOf(temporal), 0}, std::vector<double>{0, kFar});
     for (const ExprId id : {temporal.operand, temporal.duration}) {
@@ -129,7 +130,7 @@ class Sampling {
                                 : Interval{0, kEndless, false};
   }
 
-  /// First what the leaf is worth where it does not matter, then values far from each other.
+  /// First the value of the leaf where it does not matter, then values far from each other.
   [[nodiscard]] std::vector<double> generalValues(const Expr& e) const {
     const Interval range = rangeOf(e);
     const bool may_be_unknown =
@@ -169,7 +170,7 @@ class Sampling {
     }
   }
 
-  /// All that the values of the guard's leaves make together, until nothing is left to be seen.
+  /// Tries all combinations of the values of the guard's leaves, until nothing more can be learnt.
   void tryGuard(size_t number) {
     const auto& leaves = guards_[number].leaves;
     std::vector<size_t> chosen(leaves.size(), 0);
@@ -224,7 +225,7 @@ class Sampling {
   }
 
   /// A window is known only once its time has passed; `became` and `held` are true only while what
-  /// they watch is, and `held` after its time.
+  /// they watch is true, and `held` only after its time.
   [[nodiscard]] Value watched(const Expr& e) const {
     const Temporal& temporal = m_[e.temporal];
     const double since = clock(clockOf(temporal));
@@ -250,7 +251,7 @@ class Sampling {
     return values[std::min(elsewhere_, values.size() - 1)];
   }
 
-  /// Time since a state became current is part of the time in it, which is part of the mission's.
+  /// Time since a state became current is part of the time in it, which is part of mission time.
   [[nodiscard]] double clock(Op op) const {
     double most = 0;
     for (const Op inner : {Op::ResumeTime, Op::StateTime, Op::MissionTime}) {
@@ -267,8 +268,8 @@ class Sampling {
   const Mission& m_;
   const std::vector<Case>& cases_;
   std::vector<Guard> guards_;
-  std::map<Leaf, double> values_;  ///< of the moment that is looked at
-  size_t elsewhere_ = 0;           ///< which general value the other leaves have in it
+  std::map<Leaf, double> values_;  ///< of the current sample
+  size_t elsewhere_ = 0;           ///< the general value that the other leaves have in it
   std::vector<Seen> seen_;
 };
 

@@ -9,18 +9,17 @@
 
 namespace glider::ir::prove {
 
-/// What moments that were tried out show of a case. What is false was not seen, which shows
-/// nothing.
+/// What sampling has shown about a case. False means not seen, which proves nothing.
 struct Seen {
   bool fires = false;  ///< its guard is true
   bool idle = false;   ///< its guard is not true
-  bool first = false;  ///< its guard is true and that of no earlier case is
+  bool first = false;  ///< its guard is true and no earlier guard is
 };
 
 /// Tries each case of a list at a few moments around the values that its guard compares with. A
-/// moment that was seen is one that a solver would find, so nothing has to be asked that it
-/// answers: most guards of most missions do not need the solver, which takes a hundred times as
-/// long. Guards that look back in time or call C functions are not tried.
+/// moment that was seen is one that a solver would find, so a question that it answers need not be
+/// asked: most guards of most missions do not need the solver, which takes a hundred times as long.
+/// Guards that look back in time or call C functions are not tried.
 std::vector<Seen> tryOut(const ProofContext& proof_context, const std::vector<Case>& cases);
 
 }  // namespace glider::ir::prove

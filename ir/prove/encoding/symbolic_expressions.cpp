@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// SymbolicState's expressions: what each operation is worth.
+// The expressions of SymbolicState: the value of each operation.
 
 #include "ir/prove/encoding/symbolic_state.h"
 #include "support/check.h"
@@ -15,20 +15,20 @@ namespace glider::ir::prove {
 namespace {
 
 constexpr double kMost = std::numeric_limits<double>::max();
-/// Where a sum or product may overflow, and so be unknown.
+/// A sum or product beyond this may overflow, and so be unknown.
 constexpr double kNearOverflow = 1e300;
 
 double magnitudeOf(const Interval& interval) {
   return std::max(std::fabs(interval.lowest), std::fabs(interval.highest));
 }
 
-/// Whether a result may be unknown although its operands are known; one without an interval always
-/// is.
+/// Whether a result may be unknown although its operands are known; a result without an interval
+/// always is.
 bool mayOverflow(const Interval& interval) {
   return interval.empty || magnitudeOf(interval) > kNearOverflow;
 }
 
-/// One rounding of a result of that size, and what settles to 0.
+/// The error of one rounding of a result of that size, including what settles to 0.
 double roundingOf(const Interval& interval) {
   return std::ldexp(magnitudeOf(interval), -53) + 0x1p-1022;
 }
@@ -42,7 +42,7 @@ bool isConstant(const Expr& e) {
 void SymbolicState::lowerNumber(uint32_t index) {
   const Expr& e = mission_.exprs[index];
   NumberTerm made = arithmetic(e, proof_context_.intervals[index]);
-  constexpr double kRoundedUp = 1 + 0x1p-40;  // adding up slacks rounds too
+  constexpr double kRoundedUp = 1 + 0x1p-40;  // adding slacks also rounds
   made.slack =
       proof_context_.whole[index] ? 0 : made.slack * kRoundedUp;  // whole: nothing was rounded
   made_.emplace(index, std::move(made));
@@ -167,8 +167,8 @@ NumberTerm SymbolicState::smallerOrLarger(const Expr& e) {
   return {z3::ite(first, a.value, b.value), a.known && b.known, std::max(a.slack, b.slack)};
 }
 
-/// Where the lowest is above the highest, a clamp leaps from one to the other: there a rounding is
-/// not kept small.
+/// If the lowest is above the highest, a clamp jumps from one to the other, so a rounding error
+/// does not stay small.
 NumberTerm SymbolicState::clamped(const Expr& e, const Interval& interval) {
   const NumberTerm& x = operand(e, 0);
   const NumberTerm& low = operand(e, 1);
@@ -279,7 +279,7 @@ z3::expr compare(Op op, const z3::expr& a, const z3::expr& b) {
 
 }  // namespace
 
-/// Where the sides are within their roundings of each other, either answer may be the machine's.
+/// If the sides differ by less than their rounding errors, the machine may give either answer.
 TruthTerm SymbolicState::comparison(const Expr& e) {
   const NumberTerm& a = operand(e, 0);
   const NumberTerm& b = operand(e, 1);

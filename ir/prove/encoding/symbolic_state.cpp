@@ -144,8 +144,8 @@ const NumberTerm& SymbolicState::numberOf(TemporalId id) {
   return watched_numbers_.emplace(id.index, term).first->second;
 }
 
-/// What the temporal reads is worked out here first, so that both moments have it; what a list has
-/// set since is then anything.
+/// The values that the temporal reads are computed in this state first, so that both states share
+/// them; what a list has set since may then be anything.
 SymbolicState SymbolicState::whenJudged(TemporalId id) {
   SymbolicState then = *this;
   for (const VariableId variable : proof_context_.set_since[id.index]) {
@@ -156,7 +156,7 @@ SymbolicState SymbolicState::whenJudged(TemporalId id) {
   return then;
 }
 
-/// `became` and `held` are true only while what they watch is, as the tick began; `held` has
+/// `became` and `held` are true only while what they watch was true as the tick began; `held` has
 /// watched it for its time since its list became current.
 const TruthTerm& SymbolicState::truthOf(TemporalId id) {
   const auto found = watched_truths_.find(id.index);
@@ -229,7 +229,7 @@ const TruthTerm& SymbolicState::truth(ExprId id) {
   return made_truths_.at(id.index);
 }
 
-/// Without recursion over operands, whatever the depth: they have smaller ids.
+/// Without recursion over operands, at any depth: they have smaller ids.
 void SymbolicState::lower(ExprId root) {
   auto done = [&](uint32_t index) { return made_.contains(index) || made_truths_.contains(index); };
   std::vector<uint32_t> open{root.index};

@@ -17,17 +17,17 @@
 
 namespace glider::ir::prove {
 
-/// The values of a mission at one tick, as terms: readings, clocks, variables and what is watched
-/// over time are free within what is known of them, or given by the caller; expressions follow.
-/// Every value that a run can have at a tick is one that these terms can have.
+/// The values of a mission at one tick, as terms. Readings, clocks, variables and temporals are
+/// free within what is known about them, or given by the caller; expressions follow from them.
+/// Every value that a trace can have at a tick is a value that these terms can have.
 ///
-/// What Z3 knows less of than the machine is free within its interval: products and quotients of
-/// two unknowns, roots, angles, places. So what has no solution here has none in flight, and a
-/// solution has to be tried out (`ir/eval`).
+/// Values that Z3 does not compute exactly are free within their interval: products and quotients
+/// of two unknowns, roots, angles, places. So what has no solution here has none in flight, and a
+/// solution must be checked on the interpreter (`ir/eval`).
 class SymbolicState {
  public:
-  /// Both outlive this. A copy shares the unknowns; what was asked for before it was made is the
-  /// same in both.
+  /// Both must outlive this. A copy shares the unknowns; terms that were made before the copy are
+  /// the same in both.
   SymbolicState(Unknowns& unknowns, const ProofContext& proof_context)
       : unknowns_(unknowns), proof_context_(proof_context), mission_(proof_context.mission) {}
 
@@ -50,7 +50,7 @@ class SymbolicState {
   const NumberTerm& numberOf(UseId id);
   const TruthTerm& truthOf(UseId id);
 
-  /// Gives what was free a value. What was worked out before stands.
+  /// Gives a free term a value. Terms computed before keep the old one.
   void setReading(SensorId id, NumberTerm value) { readings_.insert_or_assign(id.index, value); }
   void setClocks(z3::expr mission_time, z3::expr state_time, z3::expr resume_time);
   void set(VariableId id, const NumberTerm& value) { numbers_.insert_or_assign(id.index, value); }
@@ -61,9 +61,9 @@ class SymbolicState {
   void set(TemporalId id, const TruthTerm& value) {
     watched_truths_.insert_or_assign(id.index, value);
   }
-  /// Forgets what expressions were worth: a variable has changed.
+  /// Forgets the values of expressions, because a variable has changed.
   void forget();
-  /// Forgets what the lists of a state watch: it is entered, and all of it starts again.
+  /// Forgets what the lists of a state watch, because it is entered and all of it starts again.
   void restart(StateId state);
 
   [[nodiscard]] const Mission& mission() const { return mission_; }
@@ -81,7 +81,7 @@ class SymbolicState {
 
  private:
   z3::expr knownOf(VariableId id);
-  /// The moment at which a temporal was judged whose parts have been worked out in this one: before
+  /// The state in which a temporal was evaluated whose parts have been computed in this one: before
   /// any list was tried.
   SymbolicState whenJudged(TemporalId id);
   void lower(ExprId root);
@@ -98,11 +98,11 @@ class SymbolicState {
   NumberTerm smallerOrLarger(const Expr& e);
   NumberTerm clamped(const Expr& e, const Interval& interval);
   NumberTerm chosen(const Expr& e);
-  /// Free in its interval, known at most where all operands are.
+  /// A value that is free in its interval, and known only where all operands are.
   NumberTerm anything(const Expr& e, const Interval& interval);
   TruthTerm logic(const Expr& e);
   TruthTerm comparison(const Expr& e);
-  /// `value` within an interval where it is `known`.
+  /// Bounds `value` by an interval where it is `known`.
   void bound(const NumberTerm& term, const Interval& interval, Fact::From from = Fact::From::Nature,
              uint32_t index = 0);
   const NumberTerm& operand(const Expr& e, size_t i) { return made_.at(e.operands.at(i).index); }

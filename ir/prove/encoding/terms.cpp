@@ -48,7 +48,7 @@ z3::expr realOf(z3::context& context, double value) {
 double doubleOf(const z3::model& model, const z3::expr& value) {
   constexpr int kDigits = 20;
   const std::string text = model.eval(value, true).get_decimal_string(kDigits);
-  return std::strtod(text.c_str(), nullptr);  // a `?` at its end says that there is more
+  return std::strtod(text.c_str(), nullptr);  // a trailing `?` marks more digits
 }
 
 bool holds(const z3::model& model, const z3::expr& truth) {

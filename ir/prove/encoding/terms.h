@@ -8,8 +8,9 @@
 
 namespace glider::ir::prove {
 
-/// A number of a mission as Z3 sees it: a real, with a truth value that says whether it is known.
-/// A double's value is that real, give or take `slack`: the sum of all roundings on the way to it.
+/// A number of a mission for Z3: a real, with a truth value that says whether it is known. The
+/// double's value differs from that real by at most `slack`: the sum of all rounding errors up to
+/// here.
 struct NumberTerm {
   z3::expr value;
   z3::expr known;
@@ -22,11 +23,11 @@ struct TruthTerm {
   z3::expr is_false;
 };
 
-/// The very value of a finite double.
+/// The exact value of a finite double.
 z3::expr realOf(z3::context& context, double value);
-/// What a model gives a real, as the double nearest to it.
+/// The value of a real in a model, as the nearest double.
 double doubleOf(const z3::model& model, const z3::expr& value);
-/// Whether a model makes a truth value true.
+/// Whether a truth value is true in a model.
 bool holds(const z3::model& model, const z3::expr& truth);
 
 }  // namespace glider::ir::prove

@@ -9,7 +9,7 @@
 
 namespace glider::ir::prove {
 
-/// A tick under way.
+/// A tick in progress.
 struct SymbolicTick::Run {
   const Configuration& before;
   z3::expr now;
@@ -49,7 +49,7 @@ void SymbolicTick::advance(Run& run, Pace pace) {
   }
 }
 
-/// With many ticks since the last, what is watched may have turned false and true again.
+/// If many ticks have passed since the last, the operand may have turned false and true again.
 void SymbolicTick::advanceOne(Run& run, TemporalId id, Pace pace) {
   const Temporal& temporal = m_[id];
   const Watched& kept = run.before.watched.at(id.index);
@@ -72,7 +72,7 @@ void SymbolicTick::advanceOne(Run& run, TemporalId id, Pace pace) {
   run.watched.insert_or_assign(id.index, Watched{operand.is_true, since});
 }
 
-/// Guards are asked before anything in the list is done: the first that is true fires.
+/// Guards are evaluated before any action of the list: the first that is true fires.
 bool SymbolicTick::tryList(Run& run, ListKind list, const std::vector<Case>& cases) {
   z3::context& context = unknowns_.context();
   z3::expr none_yet = context.bool_val(true);

@@ -13,13 +13,13 @@
 
 namespace glider::ir::prove {
 
-/// What of a temporal a running mission keeps: whether the operand was true, and since when.
+/// What a running mission keeps of a temporal: whether the operand was true, and since when.
 struct Watched {
   z3::expr was_true;
   z3::expr since;
 };
 
-/// A running mission between two ticks: where it is, and the terms that it keeps.
+/// A running mission between two ticks: its control and the terms that it keeps.
 struct Configuration {
   Control control;
   z3::expr mission_time;
@@ -30,16 +30,16 @@ struct Configuration {
   std::vector<z3::expr> memory;         ///< what a question keeps for itself
 };
 
-/// What a tick may do: where it leads if `condition` holds.
+/// A possible outcome of a tick: where it leads if `condition` holds.
 struct Outcome {
   z3::expr condition;
   std::optional<Configuration> after;  ///< none: the mission has ended
-  std::optional<Configuration> left;   ///< of a mission that has ended: what its last tick left
+  std::optional<Configuration> left;   ///< for a mission that has ended: what its last tick left
   ListKind list = ListKind::State;     ///< whose case made the transition
   std::optional<uint32_t> fired;       ///< its number; none: the state stays current
 };
 
-/// What matters to a question; the rest of a tick is left out.
+/// The cone of influence of a question; a tick leaves out everything else.
 struct ConeOfInfluence {
   std::vector<bool> expressions;
   std::vector<bool> variables;
@@ -47,7 +47,7 @@ struct ConeOfInfluence {
   bool vehicle = false;  ///< commands and the depth
   bool state_time = false;
   bool resume_time = false;
-  /// Whether a state's profile and route are run: they set a variable that matters, or give
+  /// Whether a state's profile and route are run: they set a variable in the cone, or give
   /// commands.
   std::vector<bool> profiles;
   std::vector<bool> routes;
@@ -55,12 +55,12 @@ struct ConeOfInfluence {
 
 /// How ticks follow each other.
 enum class Pace : uint8_t {
-  Single,  ///< the tick before was the last one
+  Single,  ///< the preceding tick was the last one
   Many     ///< any number of ticks has passed without a transition since
 };
 
-/// A tick at `now`, later than the configuration's time, with the readings that `moment` has: all
-/// that it may do. `moment` has its readings already; the vehicle has moved.
+/// A tick at `now`, later than the configuration's time, with the readings of `moment`: all its
+/// possible outcomes. `moment` already has its readings, and the vehicle has moved.
 class SymbolicTick {
  public:
   SymbolicTick(const ProofContext& proof_context, const ConeOfInfluence& relevance,
@@ -76,7 +76,7 @@ class SymbolicTick {
   Configuration start(Configuration before, const SymbolicState& readings);
 
  private:
-  struct Run;  // a tick under way (tick.cpp)
+  struct Run;  // a tick in progress (tick.cpp)
 
   void advance(Run& run, Pace pace);
   void advanceOne(Run& run, TemporalId id, Pace pace);
@@ -89,7 +89,7 @@ class SymbolicTick {
   Store execute(SymbolicState& moment, BlockId block, Store store, const z3::expr& now);
   Store executeOne(SymbolicState& moment, const Statement& statement, Store store,
                    const z3::expr& now);
-  /// No rounding leaves the interval of what it rounds.
+  /// A rounded value stays within the interval of the exact one.
   void bound(SymbolicState& moment, const NumberTerm& term, const Interval& interval);
   void assign(SymbolicState& moment, VariableId variable, ExprId value, Store& store, bool start);
   TruthTerm heldFor(SymbolicState& moment, const Temporal& temporal, const TruthTerm& operand,

@@ -66,8 +66,8 @@ void SymbolicTick::bound(SymbolicState& moment, const NumberTerm& term, const In
   }
 }
 
-/// A variable's term has no slack: what roundings leave open is an unknown of its own. When it
-/// starts it may be unknown; `set` leaves it as it was where the value is unknown.
+/// A variable's term has no slack: a rounding error becomes an unknown of its own. A variable may
+/// be unknown when it starts; `set` leaves it unchanged where the value is unknown.
 void SymbolicTick::assign(SymbolicState& moment, VariableId variable, ExprId value, Store& store,
                           bool start) {
   if (!relevance_.variables[variable.index]) {
@@ -100,8 +100,9 @@ void SymbolicTick::assign(SymbolicState& moment, VariableId variable, ExprId val
   moment.forget();
 }
 
-/// What `held` is worth when its operand has been true for so long, s. A duration that is not
-/// constant may be 0, negative or unknown; within its rounding either answer may be the machine's.
+/// The value of `held` when its operand has been true for so long, s. A duration that is not
+/// constant may be 0, negative or unknown; within its rounding error the machine may give either
+/// answer.
 TruthTerm SymbolicTick::heldFor(SymbolicState& moment, const Temporal& temporal,
                                 const TruthTerm& operand, const z3::expr& since) {
   const NumberTerm duration = moment.number(temporal.duration);
@@ -115,7 +116,7 @@ TruthTerm SymbolicTick::heldFor(SymbolicState& moment, const Temporal& temporal,
   return {compared && long_enough, operand.is_false || (compared && !long_enough)};
 }
 
-/// `became` and `held` of a list start from what their operands are now.
+/// `became` and `held` of a list start from the current values of their operands.
 void SymbolicTick::startWatching(SymbolicState& moment, ListKind list, StateId state,
                                  Configuration& configuration) {
   z3::context& context = unknowns_.context();
@@ -138,7 +139,8 @@ void SymbolicTick::startWatching(SymbolicState& moment, ListKind list, StateId s
 
 namespace {
 
-/// Forgets what the state left current watched: it starts anew when it is entered or resumed.
+/// Forgets what the state that was left watched: that starts again when the state is entered or
+/// resumed.
 void keepWatchOfAlways(const Mission& mission, Configuration& configuration) {
   std::erase_if(configuration.watched, [&](const auto& entry) {
     return mission.temporals[entry.first].list != ListKind::Always;

@@ -11,7 +11,7 @@
 
 namespace glider::ir::prove {
 
-/// What is known of an unknown, and what it follows from.
+/// A known condition of an unknown, and its source.
 struct Fact {
   enum class From : uint8_t { Nature, Sensor, Age, Variable, Temporal };
   z3::expr holds;
@@ -19,10 +19,10 @@ struct Fact {
   uint32_t index = 0;        ///< of the sensor, variable or temporal
 };
 
-/// Makes the unknowns of a question, each under a name of its own, and keeps what is known of them.
+/// Makes the unknowns of a question, each with a unique name, and keeps the facts known about them.
 class Unknowns {
  public:
-  /// `prefix` tells them from those of others.
+  /// `prefix` distinguishes them from those of other objects.
   explicit Unknowns(z3::context& context, std::string prefix = "")
       : context_(context), prefix_(std::move(prefix)) {}
 
@@ -32,7 +32,7 @@ class Unknowns {
     facts_.push_back({holds, from, index});
   }
   [[nodiscard]] const std::vector<Fact>& facts() const { return facts_; }
-  /// All that were made, in order.
+  /// All unknowns, in the order in which they were made.
   [[nodiscard]] const std::vector<z3::expr>& made() const { return made_; }
   [[nodiscard]] z3::context& context() { return context_; }
 

@@ -14,7 +14,7 @@ z3::expr larger(const z3::expr& a, const z3::expr& b) {
   return z3::ite(a >= b, a, b);
 }
 
-/// Towards a depth: from there on down it does not go, give or take an overshoot.
+/// Towards a depth: the vehicle does not go deeper, except for an overshoot.
 Vehicle downTo(const Vehicle& before, const z3::expr& target, const z3::expr& overshoot) {
   Vehicle after = before;
   after.deepest = larger(target + overshoot, smaller(before.deepest, before.depth + overshoot));
@@ -22,7 +22,7 @@ Vehicle downTo(const Vehicle& before, const z3::expr& target, const z3::expr& ov
   return after;
 }
 
-/// Up to a depth; there, or from above, it hovers at it.
+/// Up to a depth: there, or from above it, the vehicle hovers at it.
 Vehicle upTo(const Vehicle& before, const z3::expr& target, const z3::expr& overshoot,
              const z3::expr& now) {
   Vehicle after = before;

@@ -8,36 +8,39 @@
 
 #include <vector>
 
-/// How the vehicle that proofs assume obeys: wide enough for every flight (tests/world flies
-/// thousands against it), narrow enough to prove something.
+/// The environment model of proofs: how the vehicle follows commands. It is wide enough for every
+/// flight (tests/world checks thousands of flights against it), and narrow enough to prove
+/// something.
 ///
 /// - It sinks and climbs at `vertical_rate_m_s` at most, and never above the surface.
 /// - A command to dive to a depth, or to hover at it, never takes it deeper than
-///   `inflection_overshoot_m` beyond that, or beyond where it is; a new command never deeper than
-///   it or the one before would have.
-/// - A command to climb, `turn_s` old, lifts it at `slowest_climb_m_s` at least, until it is there.
-///   There it hovers, give or take the overshoot, and from above it sinks to it; a depth above
-///   `kFloats` means the surface. A command to climb further counts anew: it may have hovered.
+///   `inflection_overshoot_m` beyond that, or beyond where it is; a new command never takes it
+///   deeper than the new or the previous command would have.
+/// - A command to climb that is `turn_s` old lifts it at `slowest_climb_m_s` at least, until it is
+///   there. It then hovers there, within the overshoot, and from above sinks to it; a depth above
+///   `kFloats` means the surface. For a command to climb further that time starts again: the
+///   vehicle may have hovered.
 namespace glider::ir::prove {
 
 /// A command to climb to a depth above this (m) ends at the surface: hookbeh does not hover there.
 inline constexpr double kFloats = 1;
 
-/// What a command does to the vehicle that is ordered: `arguments` are its own, `allowed` where it
+/// The effect of a command on the vehicle: `arguments` are those of the command, `allowed` where it
 /// is given (all arguments known), `now` mission time.
 Vehicle obey(const Vehicle& before, Command command, const std::vector<NumberTerm>& arguments,
              const z3::expr& now, const z3::expr& allowed, const platforms::Platform& platform,
              Unknowns& unknowns);
 
-/// After a command that the prover cannot see (a behaviour in C): any there is.
+/// The effect of a command that the prover cannot see (of a behaviour in C): any command is
+/// possible.
 Vehicle obeyAnything(const Vehicle& before, Unknowns& unknowns);
 
-/// What holds between the vehicle at `from` and its depth at `to` (mission time, s) if no command
-/// comes in between.
+/// The relation between the vehicle at `from` and its depth at `to` (mission time, s) if there is
+/// no command in between.
 z3::expr moves(const Vehicle& before, const z3::expr& from, const z3::expr& to,
                const z3::expr& depth, const platforms::Platform& platform);
 
-/// What holds of it when control is given.
+/// The condition of the vehicle when control is given.
 z3::expr begins(const Vehicle& vehicle, const platforms::Platform& platform);
 
 }  // namespace glider::ir::prove

@@ -21,13 +21,13 @@ namespace {
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr size_t kMostTicks = 200000;
 
-/// Times that the vehicle's clock, a float of 4 bytes, can show for three days.
+/// Rounds to a time that the vehicle's clock, a float of 4 bytes, can represent for three days.
 double onGrid(double time) {
   constexpr double kSteps = 64;
   return std::round(time * kSteps) / kSteps;
 }
 
-/// With digits that a launch takes.
+/// Rounded to the digits that a launch accepts.
 double shorter(double value, const Variable& parameter) {
   const double rounded = std::stod(fmt::format("{:.9g}", value));
   return rounded >= parameter.lowest && rounded <= parameter.highest ? rounded : value;
@@ -71,7 +71,7 @@ class Speller {
   }
 
  private:
-  /// `readings` with the depth that the vehicle has, if it is known there.
+  /// `readings` with the depth of the vehicle, if they have a known depth.
   std::vector<double> withDepth(std::vector<double> readings, double depth) const {
     const auto sensor = recorder_.depthSensor();
     return sensor && readings[sensor->index] == readings[sensor->index]
@@ -79,7 +79,7 @@ class Speller {
                : readings;
   }
 
-  /// `readings` with the depth that the vehicle has.
+  /// `readings` with the depth of the vehicle.
   std::vector<double> seeing(std::vector<double> readings, double depth) const {
     if (recorder_.depthSensor() && depth == depth) {
       readings[recorder_.depthSensor()->index] = depth;
@@ -87,7 +87,7 @@ class Speller {
     return readings;
   }
 
-  /// Ticks between two steps, at which nothing fires.
+  /// Makes ticks between two steps, at which nothing fires.
   bool fill(const Step& from, const Step& to) {
     const double cycle = proof_context_.platform.envelope.cycle_s;
     const double span = to.mission_time - from.mission_time;
@@ -102,15 +102,15 @@ class Speller {
       const double depth =
           from.depth && to.depth ? *from.depth + share * (*to.depth - *from.depth) : kUnknown;
       if (!fillOne(from, to, time, depth)) {
-        // Ticks may be lost, for so long: the run is one in which these were.
+        // Ticks may be lost for so long: in this trace these are.
         return to.mission_time - recorder_.now() <= proof_context_.tick_gap_s;
       }
     }
     return true;
   }
 
-  /// The readings of the step to come, those of the one before, none, and others at random: the
-  /// first with which nothing fires.
+  /// Tries the readings of the next step, those of the step before, unknown ones, and random ones:
+  /// the first with which nothing fires.
   bool fillOne(const Step& from, const Step& to, double time, double depth) {
     const std::vector<double> none(proof_context_.mission.sensors.size(), kUnknown);
     for (const std::vector<double>& readings :
@@ -139,7 +139,7 @@ class Speller {
     return readings;
   }
 
-  /// The step's own tick; it leads where the run says, or the requirement is broken by it.
+  /// Makes the step's own tick; it must lead where `run` says, or violate the requirement.
   bool arrive(const Step& step) {
     recorder_.tick(step.mission_time, step.readings, step.depth.value_or(kUnknown));
     const TickResult& last = recorder_.last();

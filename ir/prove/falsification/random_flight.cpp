@@ -26,10 +26,10 @@ constexpr double kFar = 1e9;  ///< of a range without an end
 constexpr double kLostTick = 0.01;
 constexpr double kPowerCut = 0.005;
 
-/// What a sensor shows for a while.
+/// The value that a sensor reports for a while.
 struct Showing {
   double value = kUnknown;
-  bool steady = true;  ///< else another value in every tick
+  bool steady = true;  ///< otherwise another value in every tick
   double until = 0;    ///< mission time
 };
 
@@ -50,7 +50,7 @@ class RandomFlight {
                                                &Requirement::geofences);
     if (area != requirements.end()) {
       place_.emplace(startOf(*area), proof_context.platform, dice_);
-      dark_left_s_ = proof_context.tick_gap_s;  // the premise of areas: all outages together
+      dark_left_s_ = proof_context.tick_gap_s;  // the geofence premise: all outages together
     }
   }
 
@@ -71,7 +71,7 @@ class RandomFlight {
   }
 
  private:
-  /// s; a power cut may be of any length that the mission goes on after.
+  /// s; a power cut may have any length after which the mission continues.
   double untilNextTick() {
     const platforms::Platform& platform = proof_context_.platform;
     const double shortest = platform.world.tick_gap_s;
@@ -84,7 +84,7 @@ class RandomFlight {
     return dice_.chance(kLostTick) ? platform.world.tick_gap_s : platform.envelope.cycle_s;
   }
 
-  /// In steps that a vehicle steers by.
+  /// Moves in steps in which a vehicle steers.
   void move(double from, double to) {
     const platforms::World& world = proof_context_.platform.world;
     const bool dark = to - from > world.tick_gap_s;
@@ -97,8 +97,8 @@ class RandomFlight {
     }
   }
 
-  /// A waypoint, where a mission that keeps its areas well may begin, mostly one on their right
-  /// side; else the middle of an area.
+  /// A waypoint at which a mission that keeps its geofences well may begin, usually one on the
+  /// right side; otherwise the middle of an area.
   Position startOf(const Requirement& requirement) {
     const std::vector<Position> all = steeringOf(proof_context_).waypoints;
     std::vector<Position> kept;
@@ -121,7 +121,7 @@ class RandomFlight {
     return middle;
   }
 
-  /// Of a sensor that tells where the vehicle is; empty: of another.
+  /// The reading of a sensor that reports the vehicle's position; empty for other sensors.
   std::optional<double> placeReading(const Sensor& sensor) const {
     if (!place_ || !sensor.symbol.empty() || sensor.encoding != Encoding::DegreesMinutes) {
       return std::nullopt;
@@ -133,7 +133,7 @@ class RandomFlight {
     return row->alias == "lat" ? place_->where().latitude : place_->where().longitude;
   }
 
-  /// Within their ranges and conditions; the defaults if none are found.
+  /// Values within their ranges and conditions; the defaults if none are found.
   std::vector<double> parameters() {
     constexpr int kTries = 30;
     for (int i = 0; i < kTries; ++i) {
@@ -189,7 +189,8 @@ class RandomFlight {
     return values;
   }
 
-  /// Of a sensor: within its range, at its ends, next to a constant of its type, or unknown.
+  /// A value of a sensor: within its range, at its ends, next to a constant of its type, or
+  /// unknown.
   double anyValue(uint32_t sensor) {
     const Interval& range = proof_context_.sensors[sensor];
     if (range.empty || dice_.chance(calm_ ? 0.02 : 0.1)) {
@@ -228,7 +229,7 @@ class RandomFlight {
   RunRecorder recorder_;
   Rng dice_;
   RandomVehicle vehicle_;
-  std::optional<RandomPlace> place_;  ///< where it is, if that is asked about
+  std::optional<RandomPlace> place_;  ///< the vehicle's place, if the requirement asks for it
   double dark_left_s_ = std::numeric_limits<double>::infinity();  ///< of power cuts
   bool calm_ = dice_.chance(0.3);  ///< every sensor shows the same all the time
   std::vector<Showing> showing_;

@@ -13,14 +13,14 @@ namespace glider::ir::prove {
 
 struct ProofContext;
 
-/// A flight of random numbers in the world that proofs assume (ir/prove/encoding/world.h), written
-/// without terms or solver: finds what a search misses, and is the judge of what was proved.
-/// Parameters anywhere in their ranges, readings anywhere in theirs and often next to a number that
-/// the mission compares with, or unknown; the vehicle anywhere that its commands allow. A flight
-/// cycle between two ticks, now and then as long as ticks may be apart.
+/// A random flight in the environment model of proofs (ir/prove/encoding/world.h), written without
+/// terms or solver: it finds counterexamples that a search misses, and is the reference for what
+/// was proved. Parameters are anywhere in their ranges; readings are anywhere in theirs, often next
+/// to a number that the mission compares with, or unknown; the vehicle is anywhere that its
+/// commands allow. Ticks are a flight cycle apart, sometimes as far apart as they may be.
 ///
-/// Ends when one of the requirements is broken (of Reach: kept), which is the run that it returns,
-/// when the mission ends, or after `ticks`. The same for the same `seed`.
+/// Ends when one of the requirements is violated (for Reach: satisfied), and returns that trace; or
+/// when the mission ends, or after `ticks`. The same `seed` gives the same flight.
 std::optional<Counterexample> flyAtRandom(const ProofContext& proof_context, uint32_t stack_depth,
                                           std::span<const Requirement> requirements, uint64_t seed,
                                           size_t ticks);

@@ -21,7 +21,7 @@ RandomPlace::RandomPlace(const Position& start, const platforms::Platform& platf
     : platform_(platform), dice_(dice), place_(start) {
   heading_ = dice_.within(0, kTurn);
   set_ = dice_.within(0, kTurn);
-  // As often at an end of what may be as in between.
+  // As often an extreme value as one in between.
   speed_ = platform_.world.through_water_m_s * (dice_.chance(0.5) ? 1 : dice_.unit());
   const double strength = dice_.chance(0.7) ? 1 : dice_.unit();
   drift_ = platform_.envelope.drift_m_s * strength;
@@ -53,7 +53,7 @@ double RandomPlace::course() {
     return heading_;
   }
   const double bearing = onEarth(Op::Bearing, place_, *target_);
-  return bearing == bearing ? bearing : heading_;  // unknown at the very place
+  return bearing == bearing ? bearing : heading_;  // unknown exactly at the target
 }
 
 void RandomPlace::move(double seconds, bool at_surface, bool dark) {

@@ -12,18 +12,19 @@
 
 namespace glider::ir::prove {
 
-/// Where a vehicle gets to that obeys a mission's commands in a current, and in the wind at the
-/// surface: what ir/prove/geometry/geofences.h assumes, with numbers. It always knows where it is.
+/// The position of a vehicle that follows a mission's commands in a current, and in the wind at the
+/// surface: the assumptions of ir/prove/geometry/geofences.h, in numbers. It always knows its
+/// position.
 class RandomPlace {
  public:
   /// Begins at `start`. `platform` and `dice` outlive this.
   RandomPlace(const Position& start, const platforms::Platform& platform, Rng& dice);
 
   [[nodiscard]] const Position& where() const { return place_; }
-  /// Takes the commands of a tick.
+  /// Follows the commands of a tick.
   void obey(const std::vector<Action>& actions);
-  /// Sails, and is set by the current, or at the surface by current and wind, for so many seconds.
-  /// While the SBC is `dark` it goes straight on in any direction.
+  /// Moves through the water, and is set by the current, or at the surface by current and wind, for
+  /// so many seconds. While the SBC is `dark` (without power) it goes straight on in any direction.
   void move(double seconds, bool at_surface, bool dark);
 
  private:
@@ -34,9 +35,9 @@ class RandomPlace {
   Rng& dice_;
   Position place_;
   std::optional<Position> target_;
-  double heading_ = 0;  ///< rad, of what steers to no waypoint
+  double heading_ = 0;  ///< rad, while it steers to no waypoint
   double speed_ = 0;    ///< through the water, m/s
-  double set_ = 0;      ///< where the current sets it, rad
+  double set_ = 0;      ///< direction in which the current sets it, rad
   double drift_ = 0;    ///< under water, m/s
   double surface_drift_ = 0;
 };

@@ -75,7 +75,7 @@ void RandomVehicle::upTo(double target, double now) {
 
 void RandomVehicle::move(double from, double to) {
   if (from >= speed_until_) {
-    // As often at an end of what it can do as in between.
+    // As often an extreme value as one in between.
     speed_ = dice_.chance(0.5) ? 1 : dice_.unit();
     speed_until_ = from + dice_.lasting();
   }

@@ -11,17 +11,17 @@
 
 namespace glider::ir::prove {
 
-/// A vehicle that does anything that ir/prove/encoding/world.h allows; a second writing of it, in
-/// numbers.
+/// A vehicle that does anything that ir/prove/encoding/world.h allows: a second implementation of
+/// it, in numbers.
 class RandomVehicle {
  public:
   /// Both outlive this.
   RandomVehicle(const platforms::Platform& platform, Rng& dice);
 
-  /// True depth, m, and what the sensor may show of it.
+  /// True depth, m, and a reading that the sensor may report for it.
   [[nodiscard]] double depth() const { return depth_; }
   double reading();
-  /// Takes the commands of a tick at mission time `now`, s.
+  /// Follows the commands of a tick at mission time `now`, s.
   void obey(const std::vector<Action>& actions, double now);
   /// Sinks or climbs from one mission time to another.
   void move(double from, double to);
@@ -37,8 +37,8 @@ class RandomVehicle {
   double deepest_ = 0;     ///< under the command in force
   bool climbing_ = false;  ///< the command in force leads up
   double since_ = 0;       ///< when the first of the commands to climb was given
-  double top_ = 0;         ///< so deep it may be under it when it has climbed
-  double speed_ = 0;       ///< the share of what it could do that it does
+  double top_ = 0;         ///< upper bound of its depth under it when it has climbed
+  double speed_ = 0;       ///< the share of its possible speed that it moves at
   double speed_until_ = 0;
 };
 

@@ -9,7 +9,7 @@
 
 namespace glider::ir::prove {
 
-/// Numbers of one seed, the same with every standard library.
+/// Random numbers from a seed, the same with every standard library.
 class Rng {
  public:
   explicit Rng(uint64_t seed) : engine_(seed) {}
@@ -18,7 +18,7 @@ class Rng {
   double unit() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
   double within(double lowest, double highest) { return lowest + (highest - lowest) * unit(); }
   bool chance(double probability) { return unit() < probability; }
-  /// A time, s: from a cycle to a day, each command of magnitude as often as the next.
+  /// A time, s, from a cycle to a day: every order of magnitude is equally likely.
   double lasting() { return 4 * std::pow(10, 4.3 * unit()); }
 
  private:

@@ -15,7 +15,7 @@
 namespace glider::ir::prove {
 namespace {
 
-/// What a sensor reports so that its reading is `value`; NaN for NaN.
+/// The raw value that a sensor reports so that its reading is `value`; NaN for NaN.
 double rawOf(const Sensor& sensor, double value) {
   if (sensor.encoding == Encoding::DegreesMinutes) {
     const double whole = std::floor(std::fabs(value));
@@ -24,7 +24,7 @@ double rawOf(const Sensor& sensor, double value) {
   return value / sensor.to_si;
 }
 
-/// Whether a tick leaves control as it was.
+/// Whether a tick leaves control unchanged.
 bool quiet(const TickResult& before, const TickResult& after) {
   return !after.finished && after.state == before.state && after.stack == before.stack &&
          !after.moved;
@@ -48,12 +48,12 @@ RunRecorder::RunRecorder(const ProofContext& proof_context, uint32_t stack_depth
   interpreter_.emplace(m_, stack_depth);
 }
 
-/// As the vehicle's sensors hold them, most of which are floats of 4 bytes.
+/// As the vehicle stores its sensors, most of which are floats of 4 bytes.
 std::vector<SensorUpdate> RunRecorder::frameOf(const std::vector<double>& readings) const {
   constexpr uint32_t kWide = 8;
   std::vector<SensorUpdate> frame;
   for (uint32_t i = 0; i < readings.size(); ++i) {
-    // The headings of a run are true: with a variation of 0 a vehicle gives the same ones again.
+    // The headings of a trace are true: with a variation of 0 a vehicle reports the same ones.
     const bool variation = m_.compass && m_.compass->variation == SensorId{i} && !reads_variation_;
     const double raw = variation ? 0 : rawOf(m_.sensors[i], readings[i]);
     const platforms::PlatformSensor* sensor = proof_context_.platformSensor({i});
@@ -122,7 +122,7 @@ void RunRecorder::tell(const TickResult& result, double time) {
   result_.story.push_back({c.range, time, text});
 }
 
-/// What the condition of `always` reads, as it was then.
+/// The values that the condition of `always` read at that time.
 void RunRecorder::describeValues() {
   std::vector<ExprId> open{requirements_[*hit_].condition};
   std::set<std::string> told;

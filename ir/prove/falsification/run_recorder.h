@@ -14,7 +14,7 @@
 
 namespace glider::ir::prove {
 
-/// Flies a mission on the interpreter under the eye of requirements, and keeps what happened.
+/// Flies a mission on the interpreter, checks requirements, and records the trace.
 class RunRecorder {
  public:
   /// All outlive this.
@@ -22,19 +22,19 @@ class RunRecorder {
               std::span<const Requirement> requirements);
 
   /// A tick with these readings, by sensor (SI units; NaN: unknown); the first is the start.
-  /// `depth` is the true one, m; NaN if nobody knows.
+  /// `depth` is the true depth, m; NaN if unknown.
   void start(std::vector<double> parameters, const std::vector<double>& readings, double depth);
   void tick(double time, const std::vector<double>& readings, double depth);
-  /// The same if nothing fires; else nothing, and false.
+  /// The same if nothing fires; otherwise does nothing and returns false.
   bool tickIfQuiet(double time, const std::vector<double>& readings, double depth);
 
   [[nodiscard]] const TickResult& last() const { return last_; }
   [[nodiscard]] double now() const { return result_.ticks.back().mission_time; }
-  /// One of the requirements is broken (of Reach: kept).
+  /// Whether one of the requirements is violated (for Reach: satisfied).
   [[nodiscard]] bool hit() const { return hit_.has_value(); }
-  /// The sensor that tells the depth, if the mission reads it.
+  /// The sensor that reports the depth, if the mission reads it.
   [[nodiscard]] std::optional<SensorId> depthSensor() const { return depth_sensor_; }
-  /// After a hit, once.
+  /// The counterexample; to be called once, after a hit.
   Counterexample take();
 
  private:
@@ -47,9 +47,9 @@ class RunRecorder {
   const Mission& m_;
   std::span<const Requirement> requirements_;
   std::optional<SensorId> depth_sensor_;
-  bool reads_variation_ = false;              ///< the mission itself, beside its compass
-  std::vector<RequirementMonitor> monitors_;  ///< one each
-  std::optional<size_t> hit_;                 ///< the first of them that says so
+  bool reads_variation_ = false;  ///< whether the mission itself reads it, apart from its compass
+  std::vector<RequirementMonitor> monitors_;  ///< one for each requirement
+  std::optional<size_t> hit_;                 ///< the first that is violated (Reach: satisfied)
   std::optional<Interpreter> interpreter_;
   TickResult last_;
   Counterexample result_;

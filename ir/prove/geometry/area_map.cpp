@@ -26,11 +26,11 @@ using Polygon = geometry::model::polygon<MapPoint>;
 /// The shortest degree of latitude on WGS 84, m: 110,574.3 at the equator. A degree of longitude is
 /// never shorter than the cosine of its latitude times this.
 constexpr double kShortestDegree = 110574;
-/// So far beyond the places that are named a vehicle may get, degrees of latitude.
+/// How far a vehicle may get beyond the named places, degrees of latitude.
 constexpr double kBeyond = 3;
-/// Farther from the equator the map's degrees of longitude would differ too much, degrees.
+/// At higher latitudes the map's degrees of longitude would differ too much, degrees.
 constexpr double kNearPole = 85;
-/// Wider than this and it is not clear which way round the Earth is meant, degrees.
+/// If the places span more, the direction round the Earth is ambiguous, degrees.
 constexpr double kWidest = 90;
 
 /// From the least of some numbers to the greatest.
@@ -47,7 +47,7 @@ class Extent {
   double most_ = -std::numeric_limits<double>::infinity();
 };
 
-/// The hull as a line round it: of one or two waypoints Boost's polygon would be empty.
+/// The hull as a closed line: for one or two waypoints Boost's polygon would be empty.
 Line lineRound(const std::vector<MapPoint>& waypoints) {
   geometry::model::multi_point<MapPoint> points(waypoints.begin(), waypoints.end());
   Polygon hull;
@@ -60,7 +60,8 @@ Line lineRound(const std::vector<MapPoint>& waypoints) {
   return line;
 }
 
-/// Crossing number of a ray to the east, as the language's `inside`: edges may cross each other.
+/// Crossing number of a ray to the east, as the language's `inside` does; edges may cross each
+/// other.
 bool inside(const std::vector<MapPoint>& corners, const MapPoint& p) {
   bool odd = false;
   for (size_t i = 0; i < corners.size(); ++i) {
@@ -135,7 +136,7 @@ Clearance AreaMap::clearance(const Geofence& fence, const std::vector<Position>&
   Polygon within;
   within.outer().assign(hull.begin(), hull.end());
   geometry::correct(within);
-  // Where no edges cross, an area whose edge lies in the hull holds no part of its border.
+  // If no edges cross, an area whose edge lies in the hull contains no part of the hull's border.
   const bool around = hull.size() > 3 && geometry::within(corners.front(), within);
   const bool right_side = distance > 0 && !around && inside(corners, hull.front()) == fence.keep_in;
   return {right_side, distance};

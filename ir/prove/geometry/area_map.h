@@ -9,30 +9,30 @@
 
 namespace glider::ir::prove {
 
-/// How an area and the hull of some waypoints lie to each other.
+/// The position of an area relative to the hull of some waypoints.
 struct Clearance {
-  bool right_side = false;  ///< the hull is all inside the area, or all outside, as the fence wants
-  double distance_m = 0;    ///< from the hull to the area's edge, never more than it is
+  bool right_side = false;  ///< the hull is all inside the area, or all outside, as required
+  double distance_m = 0;    ///< from the hull to the area's edge; never more than the true distance
 };
 
-/// A map of a neighbourhood whose straight lines are straight in latitude and longitude, and in
-/// which distances are never longer than on the Earth: a degree of longitude is taken as long as on
-/// the latitude of the map that is farthest from the equator, one of latitude as long as it is at
-/// the equator of the WGS 84 ellipsoid, where it is shortest.
+/// A map of a small region whose straight lines are straight in latitude and longitude, and in
+/// which distances are never longer than on the Earth. A degree of longitude is as long as at the
+/// map's latitude farthest from the equator; a degree of latitude is as long as at the equator of
+/// the WGS 84 ellipsoid, where it is shortest.
 class AreaMap {
  public:
-  /// Of the neighbourhood of all these; one place at least.
+  /// A map of the region of all these; at least one place.
   AreaMap(const std::vector<Position>& corners, const std::vector<Position>& waypoints);
 
-  /// Whether it is one of all places within `metres` of those: not so near a pole, nor so wide,
-  /// that it would be none.
+  /// Whether the map is valid for all places within `metres` of those: it must not be too near a
+  /// pole, or too wide.
   [[nodiscard]] bool holds(double metres) const;
 
   [[nodiscard]] Clearance clearance(const Geofence& fence,
                                     const std::vector<Position>& waypoints) const;
-  /// How far the shortest way between two of the places, or from one to a place within `beyond`
-  /// metres of another, is off the map's straight line, m, at most: the sagitta of a great circle
-  /// against its parallel.
+  /// An upper bound, m, of the distance between the map's straight line and the shortest way
+  /// between two of the places, or from one to a place within `beyond` metres of another: the
+  /// sagitta of a great circle against its parallel.
   [[nodiscard]] double bend_m(double beyond) const;
 
  private:

@@ -13,13 +13,13 @@
 namespace glider::ir::prove {
 namespace {
 
-/// Three days: in more the current takes it beyond any area.
+/// Three days: in a longer time the current takes the vehicle out of any area.
 constexpr double kLongest = 3 * 86400.0;
 
-/// Of an area to keep out of, m: control is given no farther from some waypoint.
+/// For an area to stay out of, m: control is given no farther than this from some waypoint.
 constexpr double kStartWithin = 50000;
 
-/// How far it may get off its legs, m, in `time` seconds.
+/// How far the vehicle may get off its legs, m, in `time` seconds.
 double offLegs(const ProofContext& proof_context, bool by_heading, double time) {
   const platforms::World& world = proof_context.platform.world;
   const double set =
@@ -61,7 +61,7 @@ GeofenceVerdict judgeGeofences(const std::vector<Geofence>& geofences,
   for (const Geofence& fence : geofences) {
     const AreaMap map(fence.corners, steering.waypoints);
     const Clearance found = map.clearance(fence, steering.waypoints);
-    // In an area to keep in, it begins among its corners.
+    // For an area to stay in, the vehicle begins among its corners.
     const double start_within = fence.keep_in ? 0 : kStartWithin;
     const double margin = off_legs + map.bend_m(start_within);
     if (!map.holds(margin + start_within)) {

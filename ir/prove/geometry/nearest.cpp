@@ -22,7 +22,7 @@ namespace geometry = boost::geometry;
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-/// On a sphere of radius 1: chords are in the order of distances.
+/// On a sphere of radius 1: chords are in the same order as distances.
 using SpherePoint = geometry::model::point<double, 3, geometry::cs::cartesian>;
 using Entry = std::pair<SpherePoint, Position>;
 
@@ -62,7 +62,7 @@ double PlaceIndex::nearestOther(const Position& place) const {
   if (tree_->places.empty()) {
     return kInfinite;
   }
-  // Chords are rounded otherwise than distances, so those that are about as near are measured too.
+  // Chords are rounded differently from distances, so all places about as near are also measured.
   constexpr double kRounding = 1e-9;
   const SpherePoint here = onSphere(place);
   const auto nearest = geometry::index::nearest(here, static_cast<unsigned>(tree_->places.size()));
@@ -94,7 +94,7 @@ std::vector<double> nearestOnCircle(const std::vector<double>& degrees) {
   }
   std::vector<double> nearest;
   for (const double each : degrees) {
-    // The two before and the two after it: one of them may be the same but for rounding.
+    // The two before and the two after it: one of them may be the same except for rounding.
     const auto here = std::ranges::lower_bound(once, std::remainder(each, 360)) - once.begin();
     const auto count = static_cast<std::ptrdiff_t>(once.size());
     double least = kInfinite;

@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-/// How far apart places are, without comparing all pairs of them: missions may have 10,000.
+/// Distances between places without comparing all pairs of them: missions may have 10,000.
 namespace glider::ir::prove {
 
 /// Some places on the Earth.
@@ -19,8 +19,7 @@ class PlaceIndex {
   PlaceIndex(const PlaceIndex&) = delete;
   PlaceIndex& operator=(const PlaceIndex&) = delete;
 
-  /// Metres from `place` to the nearest of the places that is not the same one; infinite if there
-  /// is none.
+  /// Metres from `place` to the nearest different place; infinite if there is none.
   [[nodiscard]] double nearestOther(const Position& place) const;
 
  private:
@@ -28,8 +27,8 @@ class PlaceIndex {
   std::unique_ptr<Tree> tree_;
 };
 
-/// Of each of some angles, degrees: how far round the circle the nearest other one is, 0 to 180;
-/// infinite if all are the same. 190 and -170 are the same.
+/// For each of some angles, degrees: the distance round the circle to the nearest different one, 0
+/// to 180; infinite if all are the same. 190 and -170 are the same.
 std::vector<double> nearestOnCircle(const std::vector<double>& degrees);
 
 }  // namespace glider::ir::prove

@@ -7,9 +7,9 @@
 
 namespace glider::ir::prove {
 
-/// The Earth's mean radius, m, rounded down from the 6371008.8 m that missions reckon with
-/// (runtime/numbers/earth.cpp): a proof that finds an edge far enough away has not stretched the
-/// way to it.
+/// The Earth's mean radius, m, rounded down from the 6371008.8 m that missions use
+/// (runtime/numbers/earth.cpp): a proof that an edge is far enough away must not overestimate the
+/// distance to it.
 inline constexpr double kEarthRadius = 6371000;
 
 /// Metres in a degree of a great circle.

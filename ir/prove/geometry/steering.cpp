@@ -12,7 +12,7 @@
 namespace glider::ir::prove {
 namespace {
 
-/// The corners of the box in which a place lies that is worked out; false if it may be anywhere.
+/// Adds the corners of the box in which a computed place lies; false if it may be anywhere.
 bool addBox(const Interval& north, const Interval& east, std::vector<Position>& places) {
   if (north.empty || east.empty || north.lowest <= -90 || north.highest >= 90 ||
       east.highest - east.lowest >= 180) {
@@ -26,14 +26,14 @@ bool addBox(const Interval& north, const Interval& east, std::vector<Position>& 
   return true;
 }
 
-/// Whether a path gives the order both coordinates from one row, so that they are one of its
+/// Whether a path gives the command both coordinates from one row, so that the target is one of its
 /// places.
 bool fromOneRow(const Mission& m, const Expr& north, const Expr& east) {
   return north.operands[0] == east.operands[0] &&
          m[north.table].values.size() == m[east.table].values.size();
 }
 
-/// False if it may be anywhere.
+/// False if the target may be anywhere.
 bool addTarget(const ProofContext& proof_context, const Statement& order,
                std::vector<Position>& places) {
   const ExprId north = order.values.at(0);
@@ -48,7 +48,7 @@ bool addTarget(const ProofContext& proof_context, const Statement& order,
                     proof_context.mission[east]);
 }
 
-/// What the start of the mission does about its heading, whatever the sensors say.
+/// What the start of the mission commands about the heading, for any readings of the sensors.
 class FirstHeading {
  public:
   explicit FirstHeading(const ProofContext& proof_context)
@@ -57,7 +57,7 @@ class FirstHeading {
         now_(proof_context, values_, kStart),
         proof_context_(proof_context) {}
 
-  /// Whether every way through the entries of the first state commands one.
+  /// Whether every path through the entries of the first state commands one.
   [[nodiscard]] bool commanded() const {
     const State& first = m_.states.front();
     return commands(first.entry) || commands(first.profile.entry) || commands(first.route.entry);
@@ -66,7 +66,7 @@ class FirstHeading {
  private:
   static constexpr ClockRanges kStart{};
 
-  /// What variables may hold at any moment of the entries.
+  /// The values that variables may have at any moment of the entries.
   static Valuation atStart(const ProofContext& proof_context) {
     const AbstractRun run(proof_context);
     const State& first = proof_context.mission.states.front();
@@ -123,7 +123,7 @@ class FirstHeading {
   const ProofContext& proof_context_;
 };
 
-/// Adds where some commands may steer.
+/// Adds the targets of some commands.
 void addCommands(const ProofContext& proof_context, const std::vector<const Statement*>& commands,
                  Steering& steering) {
   for (const Statement* command : commands) {

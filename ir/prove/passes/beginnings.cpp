@@ -15,8 +15,8 @@
 namespace glider::ir::prove {
 namespace {
 
-/// What is never unknown as variables lie where they are ever set to: found by some work, which few
-/// missions need.
+/// The values that are never unknown when variables lie within the values that they are ever set
+/// to. This takes some work, which few missions need.
 struct Held {
   explicit Held(const Mission& mission)
       : ranges(heldIntervals(mission)), known(neverUnknown(mission, ranges)) {}
@@ -25,8 +25,8 @@ struct Held {
   GreatestFixpoint known;
 };
 
-/// A command stays in force until the next one, so what every profile and route commands when it
-/// begins makes sure that each tick leaves pitch, pump and heading commanded.
+/// A command stays in force until the next one. So the commands that every profile and route gives
+/// when it begins ensure that pitch, pump and heading are commanded after each tick.
 class BeginningCheck {
  public:
   explicit BeginningCheck(Proof& proof) : proof_(proof), m_(proof.proof_context.mission) {}
@@ -49,7 +49,7 @@ class BeginningCheck {
     }
   }
 
-  /// Whether every way through the block gives a command.
+  /// Whether every path through the block gives a command.
   // NOLINTNEXTLINE(misc-no-recursion): as deep as the mission's text nests
   [[nodiscard]] bool commands(BlockId block, bool vertical) {
     if (!block.valid()) {
@@ -66,7 +66,7 @@ class BeginningCheck {
     });
   }
 
-  /// The same of a branch, in which its condition is true, or false.
+  /// The same for a branch, in which its condition is true, or false.
   // NOLINTNEXTLINE(misc-no-recursion): as deep as the mission's text nests
   bool ordersIf(ExprId condition, bool value, BlockId block, bool vertical) {
     const size_t before = shown_.size();
@@ -76,7 +76,7 @@ class BeginningCheck {
     return found;
   }
 
-  /// What is known as the condition says so.
+  /// Adds what is known if the condition has this value.
   // NOLINTNEXTLINE(misc-no-recursion): as deep as the mission's text nests
   void addShown(ExprId condition, bool value) {
     const Expr& e = m_[condition];
@@ -90,8 +90,8 @@ class BeginningCheck {
     }
   }
 
-  /// A command with an unknown argument changes nothing. A place of a path counts as known where
-  /// its number is one of the path's at times: cases may see to it that it always is.
+  /// A command with an unknown argument changes nothing. A place of a path counts as known if its
+  /// number is sometimes one of the path's: cases may ensure that it always is.
   bool takesEffect(const Statement& command) {
     return std::ranges::all_of(command.values, [&](ExprId id) {
       const Expr& e = m_[id];
@@ -105,7 +105,7 @@ class BeginningCheck {
     return !rows.empty && rows.highest >= 0 && rows.lowest < count;
   }
 
-  /// Whatever the sensors say.
+  /// For any readings of the sensors.
   bool isKnown(ExprId id) {
     return proof_.proof_context.known.expressions[id.index] || held().known.expressions[id.index] ||
            (!shown_.empty() && knownWhere(m_, held().ranges, held().known, shown_)[id.index]);
@@ -121,7 +121,7 @@ class BeginningCheck {
   Proof& proof_;
   const Mission& m_;
   std::optional<Held> held_;
-  std::vector<ExprId> shown_;  ///< known in the branch that is looked at
+  std::vector<ExprId> shown_;  ///< known in the current branch
   std::set<std::pair<uint32_t, uint32_t>> told_;
 };
 

@@ -16,11 +16,12 @@
 namespace glider::ir::prove {
 namespace {
 
-/// Of larger missions nobody reads the lines.
+/// For larger missions the lines would be too many to read.
 constexpr size_t kMostStates = 200;
 
-/// Looks for states between which a mission goes to and fro on tick after tick while the sensors
-/// show the same, or the same but for their noise: a line of the report each, as it may be meant.
+/// Looks for states between which a mission goes back and forth on each tick while the readings
+/// stay the same, or differ only by their noise. Each pair is a line of the report, as it may be
+/// intended.
 class BounceCheck {
  public:
   explicit BounceCheck(Proof& proof)
@@ -35,7 +36,7 @@ class BounceCheck {
       return;
     }
     for (uint32_t i = 0; i < m_.states.size(); ++i) {
-      if (!hasReturn(m_.states[i].cases)) {  // it is looked at with an empty stack
+      if (!hasReturn(m_.states[i].cases)) {  // it is checked with an empty stack
         check({i}, false);
         check({i}, true);
       }
@@ -48,7 +49,7 @@ class BounceCheck {
                                [](const Case& c) { return c.transition == Transition::Return; });
   }
 
-  /// What cannot be: a return without a caller.
+  /// False for an impossible configuration: a return without a caller.
   bool isSound(const Configuration& configuration) const {
     const Control& control = configuration.control;
     return !control.stack.empty() || !hasReturn(m_[control.state].cases);
@@ -67,7 +68,7 @@ class BounceCheck {
         .run(before, now, readings, Pace::Single);
   }
 
-  /// Asked of what does not go to and fro while nothing changes at all.
+  /// With `noisy`, only for what does not go back and forth while nothing changes at all.
   void check(StateId from, bool noisy) {
     noisy_ = noisy;
     Unknowns unknowns(proof_.context, "b:");
@@ -103,7 +104,7 @@ class BounceCheck {
     }
   }
 
-  /// On the tick between, what is known differs by the noise of its sensor at most.
+  /// On the tick between, each known value differs by at most the noise of its sensor.
   void addNoise(SymbolicState& readings, SymbolicState& others) const {
     for (uint32_t i = 0; i < m_.sensors.size(); ++i) {
       const platforms::PlatformSensor* row = proof_context_.platformSensor({i});
@@ -125,7 +126,7 @@ class BounceCheck {
     }
   }
 
-  /// Whether the way back is taken on the next tick, and the same way there on the one after.
+  /// Whether the mission goes back on the next tick, and there again on the one after.
   bool checkBack(const Outcome& there, StateId from) {
     for (const Outcome& back : ticksAt(*there.after, 2)) {
       if (back.fired && back.after && back.after->control.state == from && again(there, back)) {

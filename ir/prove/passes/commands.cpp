@@ -26,7 +26,7 @@ using support::DiagnosticId;
 
 constexpr double kEndless = std::numeric_limits<double>::infinity();
 
-/// Above this a bound says nothing: the number has no range.
+/// A greater bound means that the number has no range.
 constexpr double kNoBound = 1e300;
 
 /// Angles as pilots write them.
@@ -35,7 +35,7 @@ std::string shown(double value, Type type) {
   return angle ? fmt::format("{:.4g} deg", value * 180 / std::numbers::pi) : withUnit(value, type);
 }
 
-/// Looks at the commands of every state's profile, with the ranges of all that they are made from.
+/// Checks the commands of every state's profile, with the ranges of all that they are made from.
 class CommandCheck {
  public:
   explicit CommandCheck(Proof& proof)
@@ -56,7 +56,7 @@ class CommandCheck {
     return proof_.proof_context.intervals[order.values.at(argument).index];
   }
 
-  /// Depth and pitch of each command; a number without a range is not judged.
+  /// Checks depth and pitch of each command; a number without a range is not checked.
   void checkEnvelope(const Activity& profile) {
     for (const Statement* order : commands_) {
       const bool sloped = order->command == Command::Descend || order->command == Command::Ascend;
@@ -84,7 +84,7 @@ class CommandCheck {
                               "beyond the vehicle's limit of " + shown(most, type));
   }
 
-  /// A depth that may come out a little above the surface is none to fly to, but no mistake.
+  /// A depth slightly above the surface is not a depth to fly to, but it is not an error either.
   void holdUnderWater(const Activity& profile, const Statement& order) {
     const Interval& depth = range(order, 0);
     if (!depth.empty && depth.highest < 0 && told_.insert(profile.range.begin).second) {
@@ -110,7 +110,7 @@ class CommandCheck {
   /// A profile that climbs and dives turns where the one ends and the other begins.
   void checkTurns(const State& state) {
     if (in_the_air_.contains(state.profile.range.begin)) {
-      return;  // that it does not turn there either goes without saying
+      return;  // it then clearly does not turn there either
     }
     Interval down{kEndless, -kEndless, true};
     Interval up = down;
@@ -129,8 +129,8 @@ class CommandCheck {
     }
   }
 
-  /// Whether some climb leads above where some dive leads, whatever their values are: most profiles
-  /// have depths that are fixed, and no solver needs to be asked.
+  /// Whether some climb leads above where some dive leads, for all their values: most profiles have
+  /// fixed depths, so the solver is not needed.
   [[nodiscard]] bool surelyTurns() const {
     const auto known = [&](const Statement* order) {
       return proof_.proof_context.known.expressions[order->values.at(0).index];
@@ -145,8 +145,8 @@ class CommandCheck {
   }
 
   /// Whether some climb of the profile leads above where some dive leads: `yo(layer + 5 m, layer +
-  /// 5 m, …)` does not, whatever `layer` is, unless it changes while the profile flies. The two
-  /// commands are given at different times: only what stays as it is has one value for both.
+  /// 5 m, …)` does not, for any `layer`, unless `layer` changes while the profile flies. The two
+  /// commands are given at different times: only what does not change has one value for both.
   bool canTurn(const State& state) {
     Unknowns unknowns(proof_.context);
     SymbolicState climbing(unknowns, proof_.proof_context);
@@ -204,7 +204,7 @@ class CommandCheck {
   Proof& proof_;
   const Mission& m_;
   const platforms::Envelope& envelope_;
-  std::vector<const Statement*> commands_;  ///< of the profile that is looked at
+  std::vector<const Statement*> commands_;  ///< of the current profile
   std::set<uint32_t> told_;
   std::set<uint32_t> in_the_air_;  ///< profiles that command a depth above the surface
 };

@@ -16,9 +16,9 @@
 namespace glider::ir::prove {
 namespace {
 
-/// Looks for comparisons of what is measured with a value beyond all that can be measured: slips of
-/// a unit or a digit, in conditions that other parts keep alive. Of a behaviour's text every use
-/// has to agree, as its arguments differ.
+/// Looks for comparisons of a measured value with a value outside all that can be measured: errors
+/// of a unit or a digit, in conditions that other parts keep alive. For a comparison in the text of
+/// a behaviour, all uses must agree, because their arguments differ.
 class ComparisonCheck {
  public:
   explicit ComparisonCheck(Proof& proof) : proof_(proof), m_(proof.proof_context.mission) {}
@@ -60,9 +60,9 @@ class ComparisonCheck {
     });
   }
 
-  /// Whether a reading or a clock, as it is, is compared with what is fixed when the mission is
-  /// launched. What is worked out from several readings is known too roughly, and a variable may be
-  /// meant to switch the comparison off.
+  /// Whether a reading or a clock, unchanged, is compared with a value that is fixed when the
+  /// mission is launched. A value computed from several readings is known too roughly, and a
+  /// variable may be intended to switch the comparison off.
   [[nodiscard]] bool isMeasured(const Expr& e) const {
     return (isReading(m_[e.operands[0]]) && isFixed(e.operands[1])) ||
            (isFixed(e.operands[0]) && isReading(m_[e.operands[1]]));
@@ -106,7 +106,7 @@ class ComparisonCheck {
     }
   }
 
-  /// Whether the guards' pass has said something of the whole condition. Conditions do not overlap.
+  /// Whether the pass `guards` has already reported the whole condition. Conditions do not overlap.
   [[nodiscard]] bool isSaid(const support::SourceRange& range) const {
     const auto after = said_.upper_bound({range.file, range.begin});
     if (after == said_.begin()) {
@@ -118,7 +118,7 @@ class ComparisonCheck {
 
   struct Found {
     support::SourceRange range;
-    std::optional<bool> always;  ///< what it is of every reading, in all uses
+    std::optional<bool> always;  ///< its constant value for every reading, in all uses
   };
 
   Proof& proof_;

@@ -13,7 +13,7 @@
 namespace glider::ir::prove {
 namespace {
 
-/// No flight is meant to be so short; the vehicle has not even left the surface.
+/// A flight is not meant to be shorter than this: the vehicle has not even left the surface.
 constexpr double kAtOnce = 60;
 
 /// "after at most 42 min 0 s; with power cuts of the SBC of up to 5 min 0 s, after at most 48 min".
@@ -55,7 +55,7 @@ void tellEnd(Proof& proof, const EndBound& end) {
 }  // namespace
 
 void passes::ends(Proof& proof) {
-  // Only what ends soon is looked for unless there is a report: that is quick.
+  // Without a report, only an early end is searched for: that is quick.
   const bool report = proof.options.report;
   const EndBound end = report
                            ? proof.ending.boundWithoutPowerCuts()

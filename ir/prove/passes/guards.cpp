@@ -51,7 +51,7 @@ class GuardCheck {
   }
 
  private:
-  /// A behaviour's case in the uses of it: the arguments may make it idle in some.
+  /// A behaviour's case in all its uses: depending on the arguments, it may be idle in some.
   struct Uses {
     const std::vector<Case>* list = nullptr;  ///< of the first use
     uint32_t number = 0;
@@ -103,7 +103,7 @@ class GuardCheck {
     Question question(proof_.context, proof_.options.effort);
     question.add(moment.truth(cases[number].guard).is_true);
     for (uint32_t i = 0; i < number; ++i) {
-      // One of `always` does not fire while its target is current or waits.
+      // A case of `always` does not fire while its target is current or waits.
       const bool may_be_kept = &cases == &m_.always && cases[i].target.valid();
       if (!earlier[i].never && !may_be_kept) {
         question.add(!moment.truth(cases[i].guard).is_true, i);

@@ -33,7 +33,7 @@ std::optional<Position> waypointOf(const Mission& m, const State& state) {
   return found;
 }
 
-/// Before this mission time, s, the condition is not true: what it says of the clock alone.
+/// The mission time, s, before which the condition is not true, according to the clock alone.
 // NOLINTNEXTLINE(misc-no-recursion): as deep as the mission's text nests
 double earliest(const Mission& m, ExprId id) {
   const Expr& e = m[id];
@@ -48,7 +48,7 @@ double earliest(const Mission& m, ExprId id) {
   return later ? m[e.operands[1]].number : 0;
 }
 
-/// Of each state: before this mission time, s, nothing enters it.
+/// For each state: the mission time, s, before which nothing enters it.
 std::vector<double> entriesOf(const Mission& m) {
   std::vector<double> entered(m.states.size(), kLongestMission);
   entered.front() = 0;
@@ -86,7 +86,7 @@ std::vector<Position> waypointsOf(const Mission& m) {
   return found;
 }
 
-/// Of a state that is current for `stay` seconds at most.
+/// Reports a state that is current for at most `stay` seconds.
 void tellIfTooFar(Proof& proof, const State& state, double nearest, double stay) {
   const double way = proof.proof_context.platform.world.through_water_m_s * stay;
   if (way <= 0 || way >= nearest) {
@@ -102,9 +102,9 @@ void tellIfTooFar(Proof& proof, const State& state, double nearest, double stay)
 
 }  // namespace
 
-/// A waypoint may be meant to be steered to for a while and never reached, so these are no
-/// mistakes. Where the vehicle is when control is given is not known, so only ways from another
-/// waypoint are looked at.
+/// A waypoint may be one to steer to for a while and never reach, so these are not errors. The
+/// vehicle's position when control is given is not known, so only ways from another waypoint are
+/// checked.
 void passes::legTimes(Proof& proof) {
   const Mission& m = proof.proof_context.mission;
   if (!proof.options.report || !proof.ending.boundWithoutPowerCuts().by) {

@@ -25,9 +25,9 @@
 namespace glider::ir::prove {
 namespace {
 
-/// Ticks that are looked at: rounds of up to four states come twice.
+/// The number of ticks that are followed: a round of up to four states is then seen twice.
 constexpr size_t kTicks = 9;
-/// So many times of `always` are looked at in every state.
+/// The number of times of `always` that are checked in every state.
 constexpr size_t kMostTimes = 64;
 
 /// Where a mission is, with its clocks, s; NaN: a clock may be anything.
@@ -38,9 +38,9 @@ struct Moving {
   double resumed = kUnknown;
 };
 
-/// Looks for states that the clocks alone send a mission to and fro between, tick after tick:
-/// from a state with an empty stack, at each time that its conditions name, by cases that must fire
-/// whatever sensors, variables and other clocks are worth.
+/// Looks for states that the clocks alone make a mission alternate between, tick after tick: from a
+/// state with an empty stack, at each time that its conditions name, by cases that must fire for
+/// any values of sensors, variables and other clocks.
 class LivelockCheck {
  public:
   explicit LivelockCheck(Proof& proof)
@@ -64,8 +64,8 @@ class LivelockCheck {
   }
 
  private:
-  /// At the times that are named, and on the first tick that the state can have if it goes to and
-  /// fro at one before.
+  /// Checks the times that are named, and the first tick that the state can have if there is a
+  /// livelock at an earlier one.
   void look(StateId state) {
     bool too_early = false;
     for (const double time : timesOf(state)) {
@@ -78,7 +78,7 @@ class LivelockCheck {
     }
   }
 
-  /// Whether something is told.
+  /// Whether something is reported.
   bool lookAt(StateId state, double time, bool& too_early) {
     for (const double entered : {kUnknown, time - cycle_s_}) {
       Control control;
@@ -115,8 +115,7 @@ class LivelockCheck {
     }
   }
 
-  /// The states of the round that begins here and comes a second time, in the order in which they
-  /// follow each other; empty: none.
+  /// The states of the round that begins here and repeats, in their order; empty: none.
   std::vector<StateId> roundFrom(Moving at) {
     std::vector<Control> met{at.control};
     while (met.size() < kTicks && step(at)) {
@@ -143,7 +142,7 @@ class LivelockCheck {
                                                     &Control::Waiting::state);
   }
 
-  /// A tick; false unless it makes a transition for sure.
+  /// Makes a tick; false unless it certainly makes a transition.
   bool step(Moving& at) {
     const bool own_first = at.control.just_returned;
     const auto& own = m_[at.control.state].cases;
@@ -197,8 +196,8 @@ class LivelockCheck {
     return true;
   }
 
-  /// By the clocks alone: what holds whatever else is worth; Unknown: that may be either. `known`
-  /// would take the absence of a value for one.
+  /// The truth according to the clocks alone, for any other values; Unknown: either is possible.
+  /// `known` would treat a missing value as false.
   Truth judge(ExprId guard, const Moving& at) const {
     if (anyIn(m_, guard, [](const Expr& e) { return e.op == Op::Known; })) {
       return Truth::Unknown;
@@ -222,7 +221,7 @@ class LivelockCheck {
     CHECK(false, "a clock without a meaning");
   }
 
-  /// The earliest; asked for by few missions.
+  /// The earliest entry of the state, mission time, s; few missions need it.
   double entryOf(StateId state) {
     if (entries_.empty()) {
       entries_ = earliestEntries(proof_.proof_context);
@@ -235,7 +234,7 @@ class LivelockCheck {
     return isKnown(entered) ? entered < entryOf(state) : time <= entryOf(state);
   }
 
-  /// Whether the state may still be current then, as far as is known.
+  /// Whether the state may still be current at `time`, as far as is known.
   bool isStillCurrent(StateId state, double time) {
     const EndBound& end = proof_.ending.boundWithoutPowerCuts();
     return !end.by || time <= end.left_by[state.index];
@@ -263,7 +262,7 @@ class LivelockCheck {
   const Mission& m_;
   double cycle_s_;
   std::set<double> always_times_;
-  std::vector<double> entries_;  ///< the earliest of every state, once it is asked for
+  std::vector<double> entries_;  ///< the earliest entry of every state, once it is needed
   std::set<std::set<StateId>> told_;
 };
 

@@ -14,7 +14,7 @@
 namespace glider::ir::prove {
 namespace {
 
-/// Of longer lists nobody reads all pairs.
+/// For longer lists the pairs would be too many to read.
 constexpr size_t kMostCases = 12;
 constexpr size_t kMostStates = 50;
 
@@ -39,8 +39,8 @@ std::string wayOf(const Mission& m, const Case& c) {
   CHECK(false, "it leads nowhere");
 }
 
-/// Looks for cases of a state that lead different ways and can be true on the same tick: the order
-/// in which they stand then decides.
+/// Looks for cases of a state that lead to different places and can be true on the same tick: their
+/// order in the list then decides.
 class OverlapCheck {
  public:
   explicit OverlapCheck(Proof& proof) : proof_(proof), m_(proof.proof_context.mission) {}

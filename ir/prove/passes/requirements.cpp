@@ -23,11 +23,11 @@ namespace {
 
 using support::DiagnosticId;
 
-/// A run of more transitions is told by its ends.
+/// Of a longer story only the transitions at both ends are reported.
 constexpr size_t kStoryEnds = 6;
-/// What random flights may take where the solver has no answer.
+/// The upper bound of random ticks where the solver has no answer.
 constexpr size_t kRandomTicks = 120000;
-/// Of a requirement without a time, s.
+/// For a requirement without a time, s.
 constexpr double kLongFlight = 4 * 3600;
 
 class RequirementCheck {
@@ -61,7 +61,7 @@ class RequirementCheck {
     }
     RequirementVerdict verdict =
         requirement.geofences.empty() ? judgeRuns(requirement) : judgeAreas(requirement);
-    verdict.searched = requirement.kind != RequirementKind::Reach;  // its run is wanted
+    verdict.searched = requirement.kind != RequirementKind::Reach;  // for Reach its trace is needed
     return verdict;
   }
 
@@ -112,7 +112,7 @@ class RequirementCheck {
     return {0, Verdict::Refuted, std::nullopt};
   }
 
-  /// Without a search over runs.
+  /// Without a search over traces.
   bool easilyProved(const Requirement& requirement) {
     switch (requirement.kind) {
       case RequirementKind::NeverAfter:
@@ -129,7 +129,8 @@ class RequirementCheck {
     return false;
   }
 
-  /// What came of a question about all runs; `run` is one that was tried.
+  /// The result of a question about all traces; `run` is a trace that was checked on the
+  /// interpreter.
   struct Search {
     RunsAnswer answer;
     std::optional<Counterexample> run;
@@ -153,7 +154,7 @@ class RequirementCheck {
                                                       : judgePromise(requirement);
   }
 
-  /// A run without power cuts shows more.
+  /// A trace without power cuts is easier to understand.
   RequirementVerdict judgeReach(const Requirement& requirement) {
     const ProofContext powered = proof_.proof_context.withoutPowerCuts();
     Search found = search(requirement, powered);
@@ -170,7 +171,8 @@ class RequirementCheck {
                      : open(requirement, reasonOf(requirement, found.answer));
   }
 
-  /// Proved for an SBC whose power may be cut; what breaks it is shown without, where it can be.
+  /// Proves a requirement for an SBC whose power may be cut; a counterexample is shown without
+  /// power cuts if possible.
   RequirementVerdict judgePromise(const Requirement& requirement) {
     Search found = search(requirement, proof_.proof_context);
     if (found.answer.bad == Answer::No) {
@@ -202,7 +204,7 @@ class RequirementCheck {
                                  (powered_proved ? "; it holds if the SBC never loses power" : ""));
   }
 
-  /// Without a search over runs.
+  /// Without a search over traces.
   bool provedWithoutPowerCuts(const Requirement& requirement) {
     const std::optional<double>& end = requirement.kind == RequirementKind::ExitWithin
                                            ? proof_.ending.boundWithoutPowerCuts().by
@@ -210,10 +212,10 @@ class RequirementCheck {
     return end && *end <= requirement.seconds;
   }
 
-  /// In a context of its own: Z3 counts its effort for all that a context has been asked.
+  /// In a separate context: Z3 counts its steps for all questions of a context.
   RunsAnswer ask(const Requirement& requirement, const ProofContext& proof_context) {
     z3::config config;
-    config.set("rlimit", static_cast<int>(proof_.options.run_effort));  // Spacer takes no other
+    config.set("rlimit", static_cast<int>(proof_.options.run_effort));  // Spacer's only limit
     z3::context context(config);
     const ConeOfInfluence relevance = relevanceOf(requirement, proof_context);
     try {
@@ -233,7 +235,7 @@ class RequirementCheck {
     return relevanceFor(m_, asked, reckonsWithDepth(requirement, proof_context));
   }
 
-  /// Seeds 1, 2, …, until so many ticks are flown.
+  /// Tries seeds 1, 2, …, until so many ticks are flown.
   std::optional<Counterexample> tryAtRandom(const Requirement& requirement,
                                             const ProofContext& proof_context) {
     const double cycle = proof_.proof_context.platform.envelope.cycle_s;

@@ -10,8 +10,8 @@
 
 namespace glider::ir::prove {
 
-/// The checks of ir/verify once more, without the cases that the guards' pass has found dead. What
-/// they said before is not said again.
+/// Repeats the checks of ir/verify without the cases that the pass `guards` has found dead. What
+/// was reported before is not reported again.
 void passes::structure(Proof& proof) {
   if (proof.dead.empty()) {
     return;

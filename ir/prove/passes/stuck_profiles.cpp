@@ -16,7 +16,7 @@
 namespace glider::ir::prove {
 namespace {
 
-/// What a profile remembers: its own truth values, and the newest of its commands about depth.
+/// What a profile remembers: its own truth values, and its latest command about depth.
 struct Mode {
   std::vector<Truth> truths;  ///< of ProfileModes::own
   std::optional<Command> order;
@@ -24,12 +24,11 @@ struct Mode {
 };
 
 /// The modes that a profile can be in, and how its cases lead from one to another. Sensors are
-/// taken to be known: what a profile does without them is no way out of a trap. A comparison may
-/// come out either way.
+/// assumed to be known: what a profile does without them does not count as leaving a trap. A
+/// comparison may have either result.
 class ProfileModes {
  public:
-  /// `resumes`: its state may be returned to, so that its entry runs again, in the mode that it is
-  /// in.
+  /// `resumes`: its state may be returned to, so that its entry runs again, in the current mode.
   ProfileModes(const Mission& mission, const Activity& profile, bool resumes)
       : m_(mission), profile_(profile), resumes_(resumes) {
     const auto gather = [&](const Statement& statement) {
@@ -71,8 +70,7 @@ class ProfileModes {
     support::SourceRange range;  ///< of the case that leads into it
   };
 
-  /// A mode from which only its own command is ever given, up or down, and the profile never is
-  /// done.
+  /// A mode from which only its own command is given, up or down, and the profile is never done.
   [[nodiscard]] std::optional<Trap> trap() const {
     for (const auto& [mode, range] : arrivals_) {
       const bool sloped = mode.order == Command::Descend || mode.order == Command::Ascend;
@@ -139,7 +137,7 @@ class ProfileModes {
     return false;
   }
 
-  /// Every mode in which a block may leave one of these.
+  /// All modes in which a block may leave the profile if it starts in one of these.
   // NOLINTNEXTLINE(misc-no-recursion): as deep as the mission's text nests
   std::set<Mode> run(BlockId block, std::set<Mode> modes) const {
     if (!block.valid()) {
@@ -178,7 +176,7 @@ class ProfileModes {
     return {mode};
   }
 
-  /// Unknown stands for either.
+  /// Unknown represents either value.
   static std::set<Mode> with(Mode mode, size_t number, Truth value) {
     if (value != Truth::Unknown) {
       mode.truths[number] = value;
@@ -192,7 +190,7 @@ class ProfileModes {
     return both;
   }
 
-  /// Unknown: it may be either.
+  /// Unknown: either value is possible.
   // NOLINTNEXTLINE(misc-no-recursion): as deep as the mission's text nests
   [[nodiscard]] Truth judge(ExprId id, const Mode& mode) const {
     const Expr& e = m_[id];
@@ -212,13 +210,13 @@ class ProfileModes {
   const Activity& profile_;
   bool resumes_;
   std::vector<VariableId> own_;
-  std::map<Mode, support::SourceRange> arrivals_;  ///< by which each was first met
+  std::map<Mode, support::SourceRange> arrivals_;  ///< the case by which each was first reached
   std::map<Mode, std::set<Mode>> next_;
   std::set<Mode> ends_;  ///< in which it may be done
   std::vector<Mode> pending_;
 };
 
-/// A profile that goes one way only is meant so.
+/// A profile that only goes one way is intended to do so.
 bool goesBothWays(const Mission& mission, const Activity& profile) {
   bool down = false;
   bool up = false;

@@ -19,7 +19,8 @@
 namespace glider::ir::prove {
 namespace {
 
-/// What a glider sails in its longest missions; one that is farther from all others is a slip.
+/// The distance of a glider's longest missions; a waypoint that is farther from all others is
+/// probably a typing error.
 constexpr double kFarOff = 3e6;  // m
 
 struct Waypoint {
@@ -68,7 +69,7 @@ class WaypointCheck {
     }
   }
 
-  /// Latitudes, or longitudes, of places that are not steered to as they stand: corners of areas,
+  /// Checks latitudes, or longitudes, of places that are not directly steered to: corners of areas,
   /// centres, arguments of states.
   void checkCoordinates(TypeKind kind) {
     const std::vector<Coordinate> all = coordinates(kind);
@@ -84,12 +85,12 @@ class WaypointCheck {
 
   struct Coordinate {
     double degrees;
-    double metres;  ///< in one of its degrees
+    double metres;  ///< the length of one of its degrees
     support::SourceRange range;
   };
 
   [[nodiscard]] std::vector<Coordinate> coordinates(TypeKind kind) const {
-    std::set<uint32_t> units;  // what differences are divided by is no place
+    std::set<uint32_t> units;  // constants that differences are divided by are not places
     for (const Expr& e : m_.exprs) {
       if (e.op == Op::Divide) {
         units.insert(e.operands[1].index);
@@ -107,7 +108,7 @@ class WaypointCheck {
     return found;
   }
 
-  /// The median: a slip does not move it.
+  /// The median, which a single typing error does not move.
   [[nodiscard]] double middleLatitude() const {
     std::vector<double> all;
     for (const Expr& e : m_.exprs) {

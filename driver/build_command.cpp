@@ -32,8 +32,8 @@ constexpr codegen::Product kSymbols{
     .name = "symbols",
     .suffix = ".symbols.json",
     .note =
-        "JSON for editors: the names of the mission and where they are used, also of a mission "
-        "with errors"};
+        "JSON for editors: the names of the mission and where they are used, even if the mission "
+        "has errors"};
 constexpr const codegen::Product* kOfTheFrontEnd[] = {&kSyntaxTree, &kSymbols};
 
 struct BuildOptions {
@@ -241,9 +241,9 @@ void addBuildCommand(CLI::App& app, int& status) {
                    "names that can be used there")
       ->check(CLI::Validator(checkPlace, "", "place"))
       ->option_text("LINE:COLUMN");
-  command->add_option("-O", options->level, "Optimisation level, 0 to 3")
+  command->add_option("-O", options->level, "Optimisation level, 0 to 3 [2]")
       ->check(CLI::Range(0, 3))
-      ->capture_default_str();
+      ->option_text("LEVEL");
   std::vector<std::string> passes;
   for (const ir::OptPass& pass : ir::optPasses()) {
     passes.emplace_back(pass.name);

@@ -168,7 +168,7 @@ void addPlatformCommand(CLI::App& app, int& status) {
   CLI::App* command =
       app.add_subcommand("platform", "List a vehicle's sensors, commands and limits");
   auto options = std::make_shared<PlatformOptions>();
-  command->add_option("name", options->name, "Vehicle [slocum]");
+  command->add_option("NAME", options->name, "Vehicle [slocum]");
   CLI::Option* as_json = command->add_flag("--json", options->json, "Write JSON");
   command
       ->add_flag("--header", options->header,

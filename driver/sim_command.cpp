@@ -188,9 +188,10 @@ void addOptions(CLI::App& command, SimOptions& options) {
       .add_option("--scenario", options.scenario,
                   "Scenario to fly in: a .toml file, or the name of a bundled one")
       ->capture_default_str();
-  auto* board = command.add_option("--board", options.board,
-                                   "Run the binary for this target behind a serial line, as listed "
-                                   "by `glidercc targets` [in this process]");
+  auto* board =
+      command.add_option("--board", options.board,
+                         "Run the binary for this target, as listed by `glidercc targets`, "
+                         "behind a serial line [run the mission inside glidercc]");
   auto* program =
       command
           .add_option("--sbc", options.program, "Run this program as the SBC instead of a mission")

@@ -201,7 +201,7 @@ support::Result<void> measureMissions(CampaignPlan& plan) {
     if (!verdict) {
       return std::unexpected(verdict.error());
     }
-    plan.missions[i].times = {verdict->end_s, verdict->take_s, verdict->give_back_s,
+    plan.missions[i].times = {verdict->end_s, verdict->take_s, verdict->release_s,
                               verdict->deepest_m};
     plan.missions[i].mean_W = verdict->mean_W;
   }

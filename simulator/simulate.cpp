@@ -15,7 +15,7 @@
 namespace glider::simulator {
 namespace {
 
-constexpr double kClotheslineBaud = 9600;
+constexpr double kFlightScienceBaud = 9600;
 constexpr double kSbcBaud = 115200;
 constexpr int kStepsPerSecond = 4;
 constexpr int64_t kProgressCycles = 25;
@@ -64,8 +64,8 @@ class Simulation {
                 setup_.scenario.year, journal_),
         science_(setup_.platform, seed_, setup_.scenario.sensors, !real_time_),
         damage_(faults().sensors, seed_),
-        clothesline_(kClotheslineBaud, damageOf(LineWay::ToFlight, kClotheslineBaud),
-                     damageOf(LineWay::FromFlight, kClotheslineBaud)),
+        flight_science_link_(kFlightScienceBaud, damageOf(LineWay::ToFlight, kFlightScienceBaud),
+                             damageOf(LineWay::FromFlight, kFlightScienceBaud)),
         sbc_line_(kSbcBaud, damageOf(LineWay::FromSbc, kSbcBaud),
                   damageOf(LineWay::ToSbc, kSbcBaud)),
         link_(std::move(setup_.sbc), std::move(setup_.restart_sbc), faults(), seed_, sbc_line_,
@@ -87,7 +87,7 @@ class Simulation {
     const auto most_steps = static_cast<int64_t>(duration_s_ / Vehicle::kStep);
     for (int64_t step = 0; step <= most_steps; ++step) {
       const double now = static_cast<double>(step) * Vehicle::kStep;
-      clothesline_.setNow(now);
+      flight_science_link_.setNow(now);
       sbc_line_.setNow(now);
       damage_.setNow(now);
       failDevices(now);
@@ -135,7 +135,7 @@ class Simulation {
       return false;
     }
     flight_.noteSbcGone(link_.goneForGood(now));
-    flight_.cycle(now, ocean_, vehicle_, clothesline_.left());
+    flight_.cycle(now, ocean_, vehicle_, flight_science_link_.left());
     recorder_.row(now, flight_, science_, vehicle_);
     cycle_s_ = now;
     if (setup_.progress && number % kProgressCycles == 0) {
@@ -180,7 +180,7 @@ class Simulation {
     }
     flight_down_ = down;
     if (down != nullptr) {
-      clothesline_.dropLeft();
+      flight_science_link_.dropLeft();
     }
     return down != nullptr;
   }
@@ -199,7 +199,7 @@ class Simulation {
       science_.restart();
     }
     if (down) {  // what arrives meanwhile is lost
-      clothesline_.dropRight();
+      flight_science_link_.dropRight();
       sbc_line_.dropLeft();
     }
     science_down_ = down;
@@ -210,7 +210,7 @@ class Simulation {
       return;
     }
     science_.run(now, ocean_, {vehicle_.depth(), vehicle_.x(), vehicle_.y()}, sbc_line_.left(),
-                 clothesline_.right());
+                 flight_science_link_.right());
     if (story_.follow(now, cycle_s_, science_, flight_, journal_)) {
       flight_.noteTransition();
     }
@@ -247,7 +247,7 @@ class Simulation {
   FlightController flight_;
   ScienceComputer science_;
   SensorDamage damage_;
-  SerialLine clothesline_;
+  SerialLine flight_science_link_;
   SerialLine sbc_line_;
   SbcLink link_;
   MissionStory story_;

@@ -148,16 +148,16 @@ constexpr std::pair<const char*, double Envelope::*> kEnvelope[] = {
     {"pump_cc", &Envelope::pump_cc},
     {"cycle_s", &Envelope::cycle_s}};
 
-constexpr std::pair<const char*, double World::*> kWorld[] = {
-    {"start_depth_m", &World::start_depth_m},
-    {"surface_depth_m", &World::surface_depth_m},
-    {"slowest_climb_m_s", &World::slowest_climb_m_s},
-    {"turn_s", &World::turn_s},
-    {"depth_error_m", &World::depth_error_m},
-    {"tick_gap_s", &World::tick_gap_s},
-    {"through_water_m_s", &World::through_water_m_s},
-    {"steering_error_m", &World::steering_error_m},
-    {"surface_drift_m_s", &World::surface_drift_m_s}};
+constexpr std::pair<const char*, double EnvironmentModel::*> kWorld[] = {
+    {"start_depth_m", &EnvironmentModel::start_depth_m},
+    {"surface_depth_m", &EnvironmentModel::surface_depth_m},
+    {"slowest_climb_m_s", &EnvironmentModel::slowest_climb_m_s},
+    {"turn_s", &EnvironmentModel::turn_s},
+    {"depth_error_m", &EnvironmentModel::depth_error_m},
+    {"tick_gap_s", &EnvironmentModel::tick_gap_s},
+    {"through_water_m_s", &EnvironmentModel::through_water_m_s},
+    {"steering_error_m", &EnvironmentModel::steering_error_m},
+    {"surface_drift_m_s", &EnvironmentModel::surface_drift_m_s}};
 
 constexpr std::pair<const char*, double Motion::*> kMotion[] = {
     {"pump_rate_cc_s", &Motion::pump_rate_cc_s},

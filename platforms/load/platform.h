@@ -53,7 +53,7 @@ struct Envelope {
 
 /// What proofs assume about the vehicle and the water, in addition to the envelope and the sensors'
 /// ranges.
-struct World {
+struct EnvironmentModel {
   double start_depth_m = 0;      ///< the greatest depth when the mission gets control
   double surface_depth_m = 0;    ///< down to this depth the vehicle is at the surface
   double slowest_climb_m_s = 0;  ///< the slowest vertical speed of a climb
@@ -98,7 +98,7 @@ struct Platform {
   std::string name;
   std::string description;
   Envelope envelope;
-  World world;
+  EnvironmentModel world;
   std::optional<Motion> motion;  ///< empty: missions for it can be checked and built, not simulated
   std::vector<PlatformSensor> sensors;  ///< sensors[i].id == i
 

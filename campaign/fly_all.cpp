@@ -167,6 +167,7 @@ support::Result<Verdict> flyOne(const CampaignPlan& plan, const CampaignFlight& 
   simulator::SimulationSetup setup;
   setup.platform = mission.platform;
   setup.scenario = plan.scenario;
+  setup.scenario.vehicle = mission.vehicle;
   drawn.applyTo(setup.scenario);
   setup.seed = flight.seed;
   setup.sbc = std::move(*sbc);

@@ -21,6 +21,9 @@ struct VehicleSettings {
   BatterySettings battery = {};
 };
 
+/// Those of a vehicle as its platform file describes it; its volume is not set.
+VehicleSettings settingsOf(const platforms::Platform& platform);
+
 /// Where a vehicle is and what it does; plain data. Positions in m: x east, y north of the start,
 /// depth down.
 struct VehicleState {

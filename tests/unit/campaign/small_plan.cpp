@@ -29,6 +29,7 @@ CampaignPlan smallPlan(uint64_t flights) {
     CampaignMission& mission = plan.missions.emplace_back();
     mission.file = file;
     mission.platform = setup.platform;
+    mission.vehicle = plan.scenario.vehicle;
     mission.new_flight = pilot;
   }
   return plan;

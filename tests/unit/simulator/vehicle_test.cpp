@@ -45,7 +45,9 @@ TEST(Vehicle, PumpMovesAtItsRateBetweenItsStops) {
 }
 
 TEST(Vehicle, DivesAtTheModelsSpeedAndStopsAtTheBottom) {
-  Vehicle vehicle = slocumVehicle({.flight = {}, .initial_heading_rad = std::numbers::pi / 2});
+  VehicleSettings eastward = slocumSettings();
+  eastward.initial_heading_rad = std::numbers::pi / 2;
+  Vehicle vehicle = slocumVehicle(eastward);
   const Ocean ocean(still());
   vehicle.commandPump(-233);
   vehicle.commandBatteryPosition(0.47);
@@ -95,8 +97,9 @@ TEST(Battery, FallsInAStraightLineToItsEmptyVoltage) {
 }
 
 TEST(Vehicle, FeedsTheSbcFromItsBattery) {
-  const VehicleSettings settings{
-      .flight = {}, .initial_heading_rad = 0, .battery = {.capacity_j = 4400, .sbc_W = 3.37}};
+  VehicleSettings settings = slocumSettings();
+  settings.battery.capacity_j = 4400;
+  settings.battery.sbc_W = 3.37;
   Vehicle vehicle = slocumVehicle(settings);
   const Ocean ocean(still());
   fly(vehicle, ocean, 100);

@@ -132,8 +132,8 @@ void FlightController::locate(double now_s, double declination, const Vehicle& v
     navigator_.fix(*fix);
   }
   const GeoPosition position = navigator_.position();
-  a.set(Sensor::m_x_lmc, navigator_.x());
-  a.set(Sensor::m_y_lmc, navigator_.y());
+  a.set(Sensor::m_x_lmc, navigator_.eastOfStart());
+  a.set(Sensor::m_y_lmc, navigator_.northOfStart());
   a.set(Sensor::m_lat, toDdmm(position.latitude_deg));
   a.set(Sensor::m_lon, toDdmm(position.longitude_deg));
   a.set(Sensor::m_speed, navigator_.speed());

@@ -35,6 +35,8 @@ class FlightController {
                    const SensorSettings& sensors, uint64_t seed, const LocalFrame& frame,
                    double year, Journal& journal);
 
+  /// The vehicle starts at (x, y) of the frame instead of its origin.
+  void startAt(double x, double y) { navigator_.startAt(x, y); }
   /// The control cycle at time `now_s` of the mission.
   void cycle(double now_s, const Ocean& ocean, Vehicle& vehicle, const GliderByteStream& line);
 

@@ -135,8 +135,9 @@ TEST(FaultsToToml, IsReadBackAsItWas) {
       const std::string text = faultsToToml(drawn);
       support::SourceManager sources;
       support::DiagnosticEngine diagnostics;
-      const auto scenario = simulator::loadScenario(folder.write("drawn.toml", world + "\n" + text), simulator::slocumPlatform(),
-                                                    sources, diagnostics);
+      const auto scenario =
+          simulator::loadScenario(folder.write("drawn.toml", world + "\n" + text),
+                                  simulator::slocumPlatform(), sources, diagnostics);
       ASSERT_TRUE(scenario) << text << scenario.error().message;
       const Faults& read = scenario->faults;
       EXPECT_EQ(faultsToToml(read), text);

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "hooks/client/client.h"
-#include "simulator/sbc_port.h"
+#include "simulator/ports/sbc_port.h"
 
 #include <deque>
 #include <functional>

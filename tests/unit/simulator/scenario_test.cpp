@@ -383,8 +383,8 @@ TEST(Scenarios, ShippedOnesLoadWithoutAWord) {
                            "layered", "low_battery", "shelf_slope"}) {
     support::SourceManager sources;
     support::DiagnosticEngine diagnostics;
-    const auto scenario =
-        loadScenario(folder / (std::string(name) + ".toml"), slocumPlatform(), sources, diagnostics);
+    const auto scenario = loadScenario(folder / (std::string(name) + ".toml"), slocumPlatform(),
+                                       sources, diagnostics);
     ASSERT_TRUE(scenario) << scenario.error().message
                           << support::render(diagnostics, sources, false);
     EXPECT_EQ(scenario->name, name);

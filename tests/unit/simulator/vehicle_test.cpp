@@ -131,11 +131,11 @@ TEST(Navigator, ReckonsFromDepthRateAndPitchUntilAFix) {
     navigator.reckon(0.17, -0.454, std::numbers::pi / 2, false, 4);
   }
   EXPECT_NEAR(navigator.speed(), 0.17 / std::tan(0.454), 1e-12);
-  EXPECT_NEAR(navigator.x(), 400 * navigator.speed(), 1e-9);
+  EXPECT_NEAR(navigator.eastOfStart(), 400 * navigator.speed(), 1e-9);
   navigator.reckon(0.17, -0.01, 0, false, 4);
   EXPECT_NEAR(navigator.speed(), 0.17 / std::tan(0.454), 1e-12) << "level: the last speed is kept";
   navigator.fix({5, 6});
-  EXPECT_EQ(navigator.x(), 5);
+  EXPECT_EQ(navigator.eastOfStart(), 5);
   const GeoPosition there = frame.position(1005, 6);
   double distance = 0, bearing = 0;
   navigator.toWaypoint(toDdmm(there.latitude_deg), toDdmm(there.longitude_deg), distance, bearing);

@@ -82,7 +82,7 @@ class Search {
  private:
   /// The time at which the flight violates the requirement; empty: it does not.
   Result<std::optional<double>> fly(const std::string& scenario, uint64_t seed) const {
-    auto world = flights::chooseScenario(scenario);
+    auto world = flights::chooseScenario(scenario, flown_.platform());
     if (!world) {
       return std::unexpected(world.error());
     }

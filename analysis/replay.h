@@ -4,7 +4,7 @@
 #pragma once
 
 #include "compiler/compilation.h"
-#include "simulator/sbc_port.h"
+#include "simulator/ports/sbc_port.h"
 #include "support/result.h"
 #include "support/trace/trace.h"
 

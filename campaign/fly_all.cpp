@@ -167,6 +167,7 @@ support::Result<Verdict> flyOne(const CampaignPlan& plan, const CampaignFlight& 
   simulator::SimulationSetup setup;
   setup.platform = mission.platform;
   setup.scenario = plan.scenario;
+  setup.scenario.vehicle = mission.vehicle;
   drawn.applyTo(setup.scenario);
   setup.seed = flight.seed;
   setup.sbc = std::move(*sbc);
@@ -201,7 +202,7 @@ support::Result<void> measureMissions(CampaignPlan& plan) {
     if (!verdict) {
       return std::unexpected(verdict.error());
     }
-    plan.missions[i].times = {verdict->end_s, verdict->take_s, verdict->give_back_s,
+    plan.missions[i].times = {verdict->end_s, verdict->take_s, verdict->release_s,
                               verdict->deepest_m};
     plan.missions[i].mean_W = verdict->mean_W;
   }

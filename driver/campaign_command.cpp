@@ -48,10 +48,18 @@ int loadMissions(const campaign::CampaignOptions& options, campaign::CampaignPla
     if (!start) {
       return reportFailure(start.error());
     }
+    auto scenario = flights::chooseScenario(
+        options.scenario, platform,
+        plan.missions.empty() ? support::ShowDiagnostics(reportDiagnostics) : nullptr);
+    if (!scenario) {
+      return reportFailure(scenario.error());
+    }
     campaign::CampaignMission mission;
     mission.file = file;
     mission.program = codegen::digestOf(ir::print(compiled->mission));
     mission.platform = platform;
+    mission.vehicle = scenario->vehicle;
+    plan.scenario = std::move(*scenario);
     mission.new_flight = std::move(*start);
     for (const std::string& board : plan.boards) {
       mission.on_board.push_back(
@@ -215,11 +223,6 @@ int campaign(const campaign::CampaignOptions& options) {
     });
   }
   plan.jobs = options.jobs != 0 ? options.jobs : std::max(1U, std::thread::hardware_concurrency());
-  auto scenario = flights::chooseScenario(options.scenario, reportDiagnostics);
-  if (!scenario) {
-    return reportFailure(scenario.error());
-  }
-  plan.scenario = std::move(*scenario);
   chooseBoards(options, plan);
   if (const int status = loadMissions(options, plan); status != kFine) {
     return status;

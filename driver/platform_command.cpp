@@ -69,7 +69,7 @@ std::string envelopeText(const Envelope& envelope) {
       envelope.drift_m_s, envelope.cycle_s);
 }
 
-std::string worldText(const platforms::World& world) {
+std::string worldText(const platforms::EnvironmentModel& world) {
   return fmt::format(
       "  control begins at       {:.6g} m or above\n"
       "  the surface is          {:.6g} m or above\n"

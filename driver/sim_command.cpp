@@ -113,10 +113,6 @@ int sim(const SimOptions& options) {
   if (!options.replay.empty()) {
     return replayTrace(options);
   }
-  auto scenario = flights::chooseScenario(options.scenario, reportDiagnostics);
-  if (!scenario) {
-    return reportFailure(scenario.error());
-  }
   int status = kFine;
   const std::shared_ptr<const compiler::Optimised> mission =
       options.mission.empty() ? nullptr : compileForFlight(options.mission, status);
@@ -128,6 +124,10 @@ int sim(const SimOptions& options) {
                             : compiler::loadVehicle(options.platform);
   if (!platform) {
     return reportFailure(platform.error());
+  }
+  auto scenario = flights::chooseScenario(options.scenario, *platform, reportDiagnostics);
+  if (!scenario) {
+    return reportFailure(scenario.error());
   }
   auto folder = FlightFolder::open(outputFolder(options));
   if (!folder) {

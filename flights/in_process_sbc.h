@@ -7,7 +7,7 @@
 #include "hooks/protocol/lockstep.h"
 #include "hooks/transport/byte_stream.h"
 #include "runtime/abi/runtime.h"
-#include "simulator/sbc_port.h"
+#include "simulator/ports/sbc_port.h"
 
 #include <cstdint>
 #include <functional>

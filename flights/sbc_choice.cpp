@@ -7,8 +7,8 @@
 #include "compiler/boards.h"
 #include "compiler/user_code.h"
 #include "flights/in_process_sbc.h"
-#include "simulator/science/process_sbc_port.h"
-#include "simulator/science/serial_sbc_port.h"
+#include "simulator/ports/process_sbc_port.h"
+#include "simulator/ports/serial_sbc_port.h"
 
 namespace glider::flights {
 

@@ -5,7 +5,7 @@
 
 #include "compiler/compilation.h"
 #include "flights/launch_choice.h"
-#include "simulator/sbc_port.h"
+#include "simulator/ports/sbc_port.h"
 #include "support/result.h"
 
 #include <filesystem>

@@ -42,6 +42,7 @@ support::Result<std::filesystem::path> scenarioPath(const std::string& wanted) {
 }  // namespace
 
 support::Result<simulator::Scenario> chooseScenario(const std::string& wanted,
+                                                    const platforms::Platform& platform,
                                                     const support::ShowDiagnostics& show) {
   const auto path = scenarioPath(wanted);
   if (!path) {
@@ -49,7 +50,7 @@ support::Result<simulator::Scenario> chooseScenario(const std::string& wanted,
   }
   support::SourceManager sources;
   support::DiagnosticEngine diagnostics;
-  auto scenario = simulator::loadScenario(*path, sources, diagnostics);
+  auto scenario = simulator::loadScenario(*path, platform, sources, diagnostics);
   if (show) {
     show(diagnostics, sources);
   }

@@ -15,9 +15,10 @@ namespace glider::flights {
 /// The scenarios that come with glidercc, by name.
 std::vector<std::string> scenarioNames();
 
-/// Loads the scenario that --scenario names: a .toml file, or one that comes with glidercc. Errors
-/// in it are shown. GL9302, and as simulator::loadScenario.
+/// Loads the scenario that --scenario names, for a vehicle: a .toml file, or one that comes with
+/// glidercc. Errors in it are shown. GL9302, and as simulator::loadScenario.
 support::Result<simulator::Scenario> chooseScenario(const std::string& wanted,
+                                                    const platforms::Platform& platform,
                                                     const support::ShowDiagnostics& show = {});
 
 }  // namespace glider::flights

@@ -20,7 +20,7 @@ std::vector<double> Chain::latencies(size_t count) {
   for (double now = 0; latencies_.size() < count; now += kStep) {
     now_ = now;
     sbc_line_.setNow(now);
-    clothesline_.setNow(now);
+    flight_science_link_.setNow(now);
     if (std::fmod(now, kCycle) == 0) {
       flightCycle();
     }

@@ -5,7 +5,7 @@
 
 #include "bench/link_parts/line.h"
 #include "hooks/client/client.h"
-#include "hooks/clothesline/clothesline.h"
+#include "hooks/flight_science_link/flight_science_link.h"
 #include "hooks/hookbeh/hookbeh.h"
 #include "hooks/hookprog/hookprog.h"
 #include "tests/slocum.h"
@@ -27,8 +27,8 @@ class Chain {
         noise_(seed, 10),
         science_side_(sbc_line_.left(), damage, Noise(seed, 11)),
         sbc_side_(sbc_line_.right(), damage, Noise(seed, 12)),
-        flight_side_(clothesline_.left(), damage, Noise(seed, 13)),
-        prog_side_(clothesline_.right(), damage, Noise(seed, 14)) {
+        flight_side_(flight_science_link_.left(), damage, Noise(seed, 13)),
+        prog_side_(flight_science_link_.right(), damage, Noise(seed, 14)) {
     array_.fill(kNaN);
   }
 
@@ -55,9 +55,9 @@ class Chain {
 
   uint16_t watched_;
   Noise noise_;
-  SerialLine sbc_line_{kFastBaud}, clothesline_{kSlowBaud};
+  SerialLine sbc_line_{kFastBaud}, flight_science_link_{kSlowBaud};
   Tap science_side_, sbc_side_, flight_side_, prog_side_;
-  Clothesline flight_{gliderDictionary};
+  FlightScienceLink flight_{gliderDictionary};
   Hookprog hookprog_{gliderDictionary};
   Hookbeh hookbeh_{HookbehArgs{}, kHull};
   std::array<double, GLIDER_SENSOR_COUNT> array_{};

@@ -127,7 +127,7 @@ GliderByteStream Saturation::counted() {
 void slowSaturation() {
   constexpr double kSeconds = 60;
   SerialLine line(kSlowBaud);
-  Clothesline sender{gliderDictionary}, receiver{gliderDictionary};
+  FlightScienceLink sender{gliderDictionary}, receiver{gliderDictionary};
   const std::vector<SensorUpdate> report(40, {GLIDER_M_DEPTH, 12.34567});
   double given = 0, arrived = 0;
   std::array<SensorUpdate, 64> updates{};

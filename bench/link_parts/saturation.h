@@ -5,7 +5,7 @@
 
 #include "bench/link_parts/line.h"
 #include "hooks/client/client.h"
-#include "hooks/clothesline/clothesline.h"
+#include "hooks/flight_science_link/flight_science_link.h"
 #include "hooks/hookprog/hookprog.h"
 #include "hooks/transport/memory.h"
 #include "tests/slocum.h"
@@ -48,7 +48,7 @@ class Saturation {
   SerialLine line_{kFastBaud};
   Tap tap_{line_.left(), 0, Noise(1, 0)};
   MemoryLine memory_;
-  Clothesline flight_{gliderDictionary};
+  FlightScienceLink flight_{gliderDictionary};
   double now_ = 0, cycle_ = 0, ticks_ = 0, value_bytes_ = 0;
   uint64_t read_ = 0, written_before_ = 0;
 };

@@ -187,13 +187,13 @@ HookGuard Guard::mustClimb(const HookbehArgs& args, const Instruction& in_force)
     trip(broken);
   } else if (const HookGuard stalled = stall(args, in_force); stalled != HookGuard::None) {
     trip(stalled);
-  } else if (mayLetGo(args, in_force)) {
+  } else if (mayRelease(args, in_force)) {
     tripped_ = HookGuard::None;
   }
   return doubt != HookGuard::None ? doubt : tripped_;
 }
 
-bool Guard::mayLetGo(const HookbehArgs& args, const Instruction& in_force) const {
+bool Guard::mayRelease(const HookbehArgs& args, const Instruction& in_force) const {
   if (tripped_ == HookGuard::NoDepthGained) {
     const bool home = tripped_s_ >= kHomeSecs && watch_.aliveFor() >= kAliveSecs &&
                       unseen_.deepest() <= kAtSurfaceM;

@@ -47,7 +47,7 @@ class Guard {
   [[nodiscard]] bool mayBeFarDown(const HookbehArgs& args) const;
   [[nodiscard]] bool mayBeDeeper(const HookbehArgs& args, const Instruction& in_force) const;
   void trip(HookGuard broken);
-  [[nodiscard]] bool mayLetGo(const HookbehArgs& args, const Instruction& in_force) const;
+  [[nodiscard]] bool mayRelease(const HookbehArgs& args, const Instruction& in_force) const;
   [[nodiscard]] bool keepsLimits(const HookbehArgs& args, double depth_m) const;
   [[nodiscard]] bool clearOfBottom(const HookbehArgs& args, double depth_m) const;
   [[nodiscard]] bool mayGoOn(const HookbehArgs& args, const Instruction& in_force) const;

@@ -97,11 +97,11 @@ void Hookbeh::watchHeartbeat(double heartbeat) {
     silence_s_ += clock_.step();
   }
   if (!(silence_s_ < args_.silence_secs)) {
-    letGo();
+    loseSession();
   }
 }
 
-void Hookbeh::letGo() {
+void Hookbeh::loseSession() {
   if (state_ == HookState::Active) {
     state_ = HookState::Silent;
     lost_session_ = session_;
@@ -140,7 +140,7 @@ void Hookbeh::readInstruction(const HookbehInputs& inputs) {
     answer_ = HookAnswer::BadCheck;  // not settled: the missing part may still come
     garbled_s_ += clock_.step();
     if (!(garbled_s_ < args_.silence_secs)) {
-      letGo();  // the SBC is alive, but its instructions do not arrive intact
+      loseSession();  // the SBC is alive, but its instructions do not arrive intact
     }
     return;
   }
@@ -151,7 +151,7 @@ void Hookbeh::readInstruction(const HookbehInputs& inputs) {
 
 HookAnswer Hookbeh::decide(const Instruction& instruction) {
   if (instruction.control != HookControl::Take && instruction.control != HookControl::Steer &&
-      instruction.control != HookControl::GiveBack) {
+      instruction.control != HookControl::Release) {
     return HookAnswer::BadCommand;
   }
   if (state_ == HookState::Waiting || state_ == HookState::Complete) {
@@ -163,8 +163,8 @@ HookAnswer Hookbeh::decide(const Instruction& instruction) {
   if (instruction.session != session_) {  // session 0 means no session: not an instruction
     return HookAnswer::WrongSession;
   }
-  if (instruction.control == HookControl::GiveBack) {
-    return giveBack();
+  if (instruction.control == HookControl::Release) {
+    return release();
   }
   // A Take of the session in control means that the SBC has not seen the answer to it: treat it as
   // a Steer.
@@ -190,7 +190,7 @@ HookAnswer Hookbeh::take(const Instruction& instruction) {
   return answer;
 }
 
-HookAnswer Hookbeh::giveBack() {
+HookAnswer Hookbeh::release() {
   state_ = HookState::Complete;
   session_ = 0;
   return HookAnswer::Accepted;

@@ -69,10 +69,10 @@ class Hookbeh {
  private:
   void watchHeartbeat(double heartbeat);
   void readInstruction(const HookbehInputs& inputs);
-  void letGo();
+  void loseSession();
   HookAnswer decide(const Instruction& instruction);
   HookAnswer take(const Instruction& instruction);
-  HookAnswer giveBack();
+  HookAnswer release();
   void command(const Surroundings& now, HookbehOutputs& outputs);
   [[nodiscard]] bool isOverridden(const HookbehInputs& inputs) const;
   [[nodiscard]] VerticalCommand vertical(const Surroundings& now, HookGuard guard);

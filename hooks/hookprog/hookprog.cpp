@@ -27,7 +27,10 @@ bool Hookprog::take(const Frame& frame) {
 }
 
 Hookprog::Hookprog(const GliderDictionary& dictionary, const HookprogOptions& options)
-    : dictionary_(&dictionary), options_(options), clothesline_(dictionary), reporter_(dictionary) {
+    : dictionary_(&dictionary),
+      options_(options),
+      flight_science_link_(dictionary),
+      reporter_(dictionary) {
   for (double& value : values_) {
     value = __builtin_nan("");
   }
@@ -79,7 +82,8 @@ HookprogEvent Hookprog::nextEvent() {
 void Hookprog::takeFlight(const GliderByteStream& flight) {
   constexpr uint32_t kMostUpdates = 1024;  // more than the line transmits in a second, 960 bytes
   SensorUpdate update;
-  for (uint32_t i = 0; i < kMostUpdates && clothesline_.poll(flight, &update, 1) == 1; ++i) {
+  for (uint32_t i = 0; i < kMostUpdates && flight_science_link_.poll(flight, &update, 1) == 1;
+       ++i) {
     takeUpdate(update);
   }
 }
@@ -200,7 +204,8 @@ void Hookprog::handleWrite(const SensorList& list) {
     answers_.written(sequence->value, now_s_);
   }
   if (hookState() != HookState::Absent) {
-    (void)clothesline_.send(ordered, count);  // no room: the SBC gets no answer and writes it again
+    (void)flight_science_link_.send(ordered,
+                                    count);  // no room: the SBC gets no answer and writes it again
   }
 }
 
@@ -292,8 +297,8 @@ void Hookprog::beat() {
   heartbeat_ = nextSession(heartbeat_);
   if (hookState() != HookState::Absent) {
     const SensorUpdate beat{sensor(kGliderRoleHookHeartbeat), static_cast<double>(heartbeat_)};
-    (void)clothesline_.send(&beat,
-                            1);  // no room: the line is stuck, as hookbeh's timer detects
+    (void)flight_science_link_.send(&beat,
+                                    1);  // no room: the line is stuck, as hookbeh's timer detects
   }
 }
 
@@ -336,7 +341,7 @@ void Hookprog::forwardPressure(const ScienceSensors& own) {
   pressure_ = own.get(own.self, sensor(kGliderRoleWaterPressure), &pressure_is_new_);
   if (pressure_is_new_ && hookState() != HookState::Absent) {
     const SensorUpdate update{sensor(kGliderRoleWaterPressure), pressure_};
-    (void)clothesline_.send(&update, 1);  // no room: the next cycle's is newer
+    (void)flight_science_link_.send(&update, 1);  // no room: the next cycle's is newer
   }
 }
 
@@ -421,7 +426,7 @@ void Hookprog::loseSbc() {
 }
 
 void Hookprog::countBadFrames() {
-  const uint32_t bad = reader_.badFrames() + clothesline_.badFrames() + malformed_;
+  const uint32_t bad = reader_.badFrames() + flight_science_link_.badFrames() + malformed_;
   if (bad != bad_frames_told_) {
     event(Kind::BadFrame, bad - bad_frames_told_);
     bad_frames_told_ = bad;

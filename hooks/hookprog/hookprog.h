@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "hooks/clothesline/clothesline.h"
+#include "hooks/flight_science_link/flight_science_link.h"
 #include "hooks/hookprog/events.h"
 #include "hooks/hookprog/reporter.h"
 #include "hooks/hookprog/watches.h"
@@ -111,7 +111,7 @@ class Hookprog {
 
   const GliderDictionary* dictionary_;
   HookprogOptions options_;
-  Clothesline clothesline_;
+  FlightScienceLink flight_science_link_;
   FrameReader reader_;
   SendQueue out_;
   uint8_t out_sequence_ = 0;

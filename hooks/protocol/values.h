@@ -44,9 +44,9 @@ inline bool isHookAnswer(uint8_t value) {
 /// `sci_hook_control`.
 enum class HookControl : uint8_t {
   None = 0,
-  Take = 1,      ///< the handshake: with the first instruction of a new session
-  Steer = 2,     ///< a further instruction
-  GiveBack = 3,  ///< `exit`: the layered control takes over
+  Take = 1,     ///< the handshake: with the first instruction of a new session
+  Steer = 2,    ///< a further instruction
+  Release = 3,  ///< `exit`: the layered control takes over
 };
 
 /// `sci_hook_vertical`.

@@ -107,7 +107,7 @@ int main(int argc, char** argv) {
         back();
       }
       if (iter == theEnd) {
-        giveBack();
+        releaseControl();
       }
     }
   }

@@ -42,7 +42,7 @@ int main(int argc, char** argv) {
         trackThermo(&min, &max, 10, 10);
       }
       if (iter == timeIsUp) {
-        giveBack();
+        releaseControl();
       }
     }
   }

@@ -148,16 +148,16 @@ constexpr std::pair<const char*, double Envelope::*> kEnvelope[] = {
     {"pump_cc", &Envelope::pump_cc},
     {"cycle_s", &Envelope::cycle_s}};
 
-constexpr std::pair<const char*, double World::*> kWorld[] = {
-    {"start_depth_m", &World::start_depth_m},
-    {"surface_depth_m", &World::surface_depth_m},
-    {"slowest_climb_m_s", &World::slowest_climb_m_s},
-    {"turn_s", &World::turn_s},
-    {"depth_error_m", &World::depth_error_m},
-    {"tick_gap_s", &World::tick_gap_s},
-    {"through_water_m_s", &World::through_water_m_s},
-    {"steering_error_m", &World::steering_error_m},
-    {"surface_drift_m_s", &World::surface_drift_m_s}};
+constexpr std::pair<const char*, double EnvironmentModel::*> kWorld[] = {
+    {"start_depth_m", &EnvironmentModel::start_depth_m},
+    {"surface_depth_m", &EnvironmentModel::surface_depth_m},
+    {"slowest_climb_m_s", &EnvironmentModel::slowest_climb_m_s},
+    {"turn_s", &EnvironmentModel::turn_s},
+    {"depth_error_m", &EnvironmentModel::depth_error_m},
+    {"tick_gap_s", &EnvironmentModel::tick_gap_s},
+    {"through_water_m_s", &EnvironmentModel::through_water_m_s},
+    {"steering_error_m", &EnvironmentModel::steering_error_m},
+    {"surface_drift_m_s", &EnvironmentModel::surface_drift_m_s}};
 
 constexpr std::pair<const char*, double Motion::*> kMotion[] = {
     {"pump_rate_cc_s", &Motion::pump_rate_cc_s},
@@ -175,11 +175,38 @@ constexpr std::pair<const char*, double Motion::*> kMotion[] = {
     {"pump_out_j_cc_m", &Motion::pump_out_j_cc_m},
     {"pump_in_j_cc", &Motion::pump_in_j_cc}};
 
-Motion readMotion(TomlReader& reader) {
-  Motion motion = readNumbers<Motion>(reader, kMotion, {"model", "trim_offset"});
+constexpr std::pair<const char*, double FlightCoefficients::*> kFlight[] = {
+    {"mass_kg", &FlightCoefficients::mass_kg},
+    {"reference_area_m2", &FlightCoefficients::reference_area_m2},
+    {"drag", &FlightCoefficients::drag},
+    {"induced_drag", &FlightCoefficients::induced_drag},
+    {"wing_lift", &FlightCoefficients::wing_lift},
+    {"hull_lift", &FlightCoefficients::hull_lift},
+    {"compressibility_per_Pa", &FlightCoefficients::compressibility_per_pa}};
+
+constexpr std::pair<const char*, double Power::*> kPower[] = {{"capacity_kJ", &Power::capacity_kj},
+                                                              {"full_V", &Power::full_V},
+                                                              {"empty_V", &Power::empty_V},
+                                                              {"hotel_W", &Power::hotel_W}};
+
+Motion readMotion(TomlReader& reader, TomlReader& flight) {
+  Motion motion = readNumbers<Motion>(reader, kMotion, {"model", "trim_offset", "flight"});
   motion.model = reader.text("model");
   motion.trim_offset = reader.number("trim_offset");
+  motion.flight = readNumbers(flight, kFlight);
   return motion;
+}
+
+Power readPower(TomlReader& reader) {
+  Power power = readNumbers<Power>(reader, kPower, {"sbc_W"});
+  power.sbc_W = reader.numberOr("sbc_W", 0);
+  if (!(power.sbc_W >= 0)) {
+    reader.refuse("sbc_W", "must not be below 0");
+  }
+  if (!(power.empty_V < power.full_V)) {
+    reader.refuse("empty_V", "must be below `full_V`");
+  }
+  return power;
 }
 
 }  // namespace
@@ -198,23 +225,26 @@ support::Result<Platform> loadPlatform(const std::filesystem::path& path) {
   }
   Platform platform;
   TomlReader reader(path.string(), *root, "the platform");
-  reader.only({"name", "description", "envelope", "world", "motion", "sensor"});
+  reader.only({"name", "description", "envelope", "world", "motion", "power", "sensor"});
   platform.name = reader.text("name");
   platform.description = reader.text("description");
   static const toml::table kNone;
-  auto part = [&](const char* name, const char* title) {
-    const toml::table* table = (*root)[name].as_table();
+  auto part = [&](const toml::node_view<toml::node>& node, const char* title) {
+    const toml::table* table = node.as_table();
     return TomlReader(path.string(), table != nullptr ? *table : kNone, title);
   };
-  TomlReader envelope = part("envelope", "[envelope]");
+  TomlReader envelope = part((*root)["envelope"], "[envelope]");
   platform.envelope = readNumbers(envelope, kEnvelope);
-  TomlReader world = part("world", "[world]");
+  TomlReader world = part((*root)["world"], "[world]");
   platform.world = readNumbers(world, kWorld);
-  TomlReader motion = part("motion", "[motion]");
+  TomlReader motion = part((*root)["motion"], "[motion]");
+  TomlReader flight = part((*root)["motion"]["flight"], "[motion.flight]");
+  TomlReader power = part((*root)["power"], "[power]");
   if (root->contains("motion")) {
-    platform.motion = readMotion(motion);
+    platform.motion = readMotion(motion, flight);
+    platform.power = readPower(power);
   }
-  for (const TomlReader* read : {&reader, &envelope, &world, &motion}) {
+  for (const TomlReader* read : {&reader, &envelope, &world, &motion, &flight, &power}) {
     if (read->failure()) {
       return std::unexpected(*read->failure());
     }

@@ -53,7 +53,7 @@ struct Envelope {
 
 /// What proofs assume about the vehicle and the water, in addition to the envelope and the sensors'
 /// ranges.
-struct World {
+struct EnvironmentModel {
   double start_depth_m = 0;      ///< the greatest depth when the mission gets control
   double surface_depth_m = 0;    ///< down to this depth the vehicle is at the surface
   double slowest_climb_m_s = 0;  ///< the slowest vertical speed of a climb
@@ -63,6 +63,27 @@ struct World {
   double through_water_m_s = 0;  ///< the greatest horizontal speed through the water
   double steering_error_m = 0;   ///< the farthest that turning takes it off the straight course
   double surface_drift_m_s = 0;  ///< the fastest drift at the surface by current, wind and waves
+};
+
+/// The steady flight of a winged hull (simulator/vehicle/flight_model.h has its formulas).
+struct FlightCoefficients {
+  double mass_kg = 0;
+  double hull_volume_m3 = 0;  ///< not the platform's: neutral in the water of a scenario
+  double reference_area_m2 = 0;
+  double drag = 0;          ///< C_D0
+  double induced_drag = 0;  ///< C_D1, rad^-2
+  double wing_lift = 0;     ///< a_w, rad^-1
+  double hull_lift = 0;     ///< a_h, rad^-1
+  double compressibility_per_pa = 0;
+};
+
+/// The batteries and their constant loads.
+struct Power {
+  double capacity_kj = 0;
+  double full_V = 0;
+  double empty_V = 0;
+  double hotel_W = 0;
+  double sbc_W = 0;  ///< added while the SBC is alive
 };
 
 /// How the vehicle moves, for the simulator. Signs: pump positive outwards, battery positive
@@ -88,6 +109,7 @@ struct Motion {
   double pump_out_j_cc = 0;
   double pump_out_j_cc_m = 0;  ///< added for each metre of depth
   double pump_in_j_cc = 0;
+  FlightCoefficients flight;
 };
 
 /// The sensor for magnetic minus true heading; a vehicle may lack it.
@@ -98,8 +120,9 @@ struct Platform {
   std::string name;
   std::string description;
   Envelope envelope;
-  World world;
+  EnvironmentModel world;
   std::optional<Motion> motion;  ///< empty: missions for it can be checked and built, not simulated
+  Power power;                   ///< means something with `motion`
   std::vector<PlatformSensor> sensors;  ///< sensors[i].id == i
 
   /// The sensor called `name` by the vehicle or by the language; null if there is none.

@@ -150,7 +150,7 @@ class Chart {
   /// from the track.
   void range() {
     std::vector<Line> lines;
-    for (const char* name : {"order_top", "order_bottom"}) {
+    for (const char* name : {"commanded_top", "commanded_bottom"}) {
       const auto values = valuesOf(trace_, name);
       const Extent extent = extentOf(values);
       if (extent.greatest - extent.least >= kYoDepth) {
@@ -158,9 +158,9 @@ class Chart {
         lines.insert(lines.end(), more.begin(), more.end());
       }
     }
-    addPath(svg_, "order", lines);
+    addPath(svg_, "commanded", lines);
     if (!lines.empty()) {
-      legend_.push_back({"order", "", "commanded range"});
+      legend_.push_back({"commanded", "", "commanded range"});
     }
   }
 

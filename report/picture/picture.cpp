@@ -32,7 +32,7 @@ path { fill: none; stroke-linejoin: round; stroke-linecap: butt }
 .frame { fill: none; stroke: #1b2733; stroke-width: 1 }
 .isotherm { stroke: #8fa6ba; stroke-width: 1 }
 .marked { stroke: #1b2733; stroke-width: 1.5; stroke-dasharray: 5 3 }
-.order { stroke: #1b2733; stroke-width: .9 }
+.commanded { stroke: #1b2733; stroke-width: .9 }
 .change { stroke: #566573; stroke-width: .8; stroke-dasharray: 1 3 }
 .seabed { fill: #d9cdbd; stroke: #7d6c55; stroke-width: 1 }
 .around { stroke: #ffffff; stroke-width: 3; stroke-opacity: .8 }

@@ -50,13 +50,13 @@ bool Card::start(const CardWork& work, uint32_t most_bytes, double patience, dou
   if (work.log.write == nullptr && work.checkpoints.write == nullptr) {
     return false;
   }
-  void* shared = mmap(nullptr, sizeof(Order) + most_bytes_, PROT_READ | PROT_WRITE,
+  void* shared = mmap(nullptr, sizeof(Request) + most_bytes_, PROT_READ | PROT_WRITE,
                       MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-  order_ = shared == MAP_FAILED ? nullptr : static_cast<Order*>(shared);
-  if (order_ != nullptr && spawn()) {
+  request_ = shared == MAP_FAILED ? nullptr : static_cast<Request*>(shared);
+  if (request_ != nullptr && spawn()) {
     return true;
   }
-  order_ = nullptr;
+  request_ = nullptr;
   if (work_.hold != nullptr && work_.checkpoints.write != nullptr) {
     work_.hold(work_.checkpoints);
   }
@@ -64,32 +64,32 @@ bool Card::start(const CardWork& work, uint32_t most_bytes, double patience, dou
 }
 
 bool Card::spawn() {
-  int orders[2];
+  int nudges[2];
   int answers[2];
-  if (pipe(orders) != 0) {
+  if (pipe(nudges) != 0) {
     return false;
   }
   if (pipe(answers) != 0) {
-    close(orders[0]);
-    close(orders[1]);
+    close(nudges[0]);
+    close(nudges[1]);
     return false;
   }
   // Not fork(), which also handles threads and a heap: this program has neither.
   const pid_t process = _Fork();
   if (process == 0) {
-    close(orders[1]);
+    close(nudges[1]);
     close(answers[0]);
-    serve(orders[0], answers[1]);
+    serve(nudges[0], answers[1]);
   }
-  close(orders[0]);
+  close(nudges[0]);
   close(answers[1]);
   if (process < 0) {
-    close(orders[1]);
+    close(nudges[1]);
     close(answers[0]);
     return false;
   }
   process_ = process;
-  orders_ = orders[1];
+  nudges_ = nudges[1];
   answers_ = answers[0];
   gone_ = false;
   busy_ = false;
@@ -99,7 +99,7 @@ bool Card::spawn() {
 /// The process has ended: the card is left unused for a while, and then another process is started.
 void Card::noteGone() {
   gone_ = true;
-  close(orders_);
+  close(nudges_);
   close(answers_);
   (void)waitpid(process_, nullptr, WNOHANG);
   rests_until_s_ = clock_.now() + rest_s_;
@@ -107,7 +107,7 @@ void Card::noteGone() {
 
 /// The body of the other process: carries out one task after another until the mission's process is
 /// gone.
-void Card::serve(int orders, int answers) {
+void Card::serve(int nudges, int answers) {
   // This process must not use the line to the vehicle, nor react to keys at the terminal.
   close(STDIN_FILENO);
   close(STDOUT_FILENO);
@@ -118,8 +118,8 @@ void Card::serve(int orders, int answers) {
   if (process_ >= 0 && work_.reopen != nullptr && work_.log.write != nullptr) {
     work_.reopen(work_.log);
   }
-  while (isNudged(orders)) {
-    order_->answer = carryOut();
+  while (isNudged(nudges)) {
+    request_->answer = carryOut();
     if (!nudge(answers)) {
       break;
     }
@@ -129,9 +129,9 @@ void Card::serve(int orders, int answers) {
 
 int32_t Card::carryOut() {
   const GliderLogSink& log = work_.log;
-  switch (order_->task) {
+  switch (request_->task) {
     case Task::LogWrite:
-      return log.write(log.self, bytes(), order_->count);
+      return log.write(log.self, bytes(), request_->count);
     case Task::LogSync:
       return log.sync(log.self);
     case Task::LogRenew:
@@ -150,11 +150,11 @@ int32_t Card::carryOutOnStore() {
     work_.hold(store);
   }
   held_ = true;
-  switch (order_->task) {
+  switch (request_->task) {
     case Task::StoreRead:
-      return store.read(store.self, order_->offset, bytes(), order_->count);
+      return store.read(store.self, request_->offset, bytes(), request_->count);
     case Task::StoreWrite:
-      return store.write(store.self, order_->offset, bytes(), order_->count);
+      return store.write(store.self, request_->offset, bytes(), request_->count);
     case Task::StoreSync:
     case Task::LogWrite:
     case Task::LogSync:
@@ -191,7 +191,7 @@ bool Card::hear(double seconds) {
 bool Card::isFree() {
   if (busy_ && !gone_ && hear(0)) {
     rests_until_s_ = clock_.now() + rest_s_;
-    renewed_ = renewed_ || (order_->task == Task::LogRenew && order_->answer == 1);
+    renewed_ = renewed_ || (request_->task == Task::LogRenew && request_->answer == 1);
   }
   return !gone_ && !busy_ && clock_.now() >= rests_until_s_;
 }
@@ -210,14 +210,14 @@ int32_t Card::ask(Task task, uint32_t offset, const uint8_t* from, uint32_t coun
   if (count > 0) {
     memcpy(bytes(), from, count);
   }
-  order(task, offset, count);
-  return !gone_ && hear(left_s_) ? order_->answer : -1;
+  request(task, offset, count);
+  return !gone_ && hear(left_s_) ? request_->answer : -1;
 }
 
-void Card::order(Task task, uint32_t offset, uint32_t count) {
-  *order_ = {task, offset, count, -1};
+void Card::request(Task task, uint32_t offset, uint32_t count) {
+  *request_ = {task, offset, count, -1};
   busy_ = true;
-  if (!nudge(orders_)) {
+  if (!nudge(nudges_)) {
     busy_ = false;
     noteGone();
   }
@@ -225,7 +225,7 @@ void Card::order(Task task, uint32_t offset, uint32_t count) {
 
 GliderLogSink Card::log() {
   const GliderLogSink& inner = work_.log;
-  if (order_ == nullptr || inner.write == nullptr) {
+  if (request_ == nullptr || inner.write == nullptr) {
     return inner;
   }
   return {this, writeLog, inner.sync != nullptr ? syncLog : nullptr,
@@ -234,7 +234,8 @@ GliderLogSink Card::log() {
 
 GliderStore Card::checkpoints() {
   const GliderStore& inner = work_.checkpoints;
-  return order_ == nullptr || inner.write == nullptr ? inner : GliderStore{this, read, write, sync};
+  return request_ == nullptr || inner.write == nullptr ? inner
+                                                       : GliderStore{this, read, write, sync};
 }
 
 int32_t Card::writeLog(void* self, const uint8_t* bytes, uint32_t count) {
@@ -262,14 +263,14 @@ int32_t Card::read(void* self, uint32_t offset, uint8_t* bytes, uint32_t count) 
   if (count > card.most_bytes_ || !card.isFree()) {
     return -1;
   }
-  card.order(Task::StoreRead, offset, count);
+  card.request(Task::StoreRead, offset, count);
   const double patience = card.left_s_;
   const bool answered = !card.gone_ && card.hear(kMostWait);
   card.left_s_ = patience;  // this wait was outside any cycle
   if (!answered) {
     return -1;
   }
-  const int32_t got = card.order_->answer;
+  const int32_t got = card.request_->answer;
   if (got > 0) {
     memcpy(bytes, card.bytes(), static_cast<uint32_t>(got));
   }

@@ -61,7 +61,7 @@ class Card {
  private:
   enum class Task : uint32_t { LogWrite, LogSync, LogRenew, StoreRead, StoreWrite, StoreSync };
   /// Is in memory shared by both processes; the bytes follow.
-  struct Order {
+  struct Request {
     Task task;
     uint32_t offset;
     uint32_t count;
@@ -79,22 +79,22 @@ class Card {
   bool spawn();
   void noteGone();
   int32_t ask(Task task, uint32_t offset, const uint8_t* bytes, uint32_t count);
-  void order(Task task, uint32_t offset, uint32_t count);
+  void request(Task task, uint32_t offset, uint32_t count);
   /// True once the process has answered.
   bool hear(double seconds);
   bool isFree();
-  [[noreturn]] void serve(int orders, int answers);
+  [[noreturn]] void serve(int nudges, int answers);
   int32_t carryOut();
   int32_t carryOutOnStore();
-  [[nodiscard]] uint8_t* bytes() const { return reinterpret_cast<uint8_t*>(order_ + 1); }
+  [[nodiscard]] uint8_t* bytes() const { return reinterpret_cast<uint8_t*>(request_ + 1); }
 
   CardWork work_;
   hooks::SystemClock clock_;
-  Order* order_ = nullptr;  ///< null: there is no process
+  Request* request_ = nullptr;  ///< null: there is no process
   uint32_t most_bytes_ = 0;
   pid_t process_ = -1;
   int line_ = -1;
-  int orders_ = -1;   ///< a byte for each task
+  int nudges_ = -1;   ///< a byte for each task
   int answers_ = -1;  ///< a byte for each answer
   double patience_s_ = kPatience;
   double rest_s_ = kRest;

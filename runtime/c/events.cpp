@@ -150,8 +150,8 @@ extern "C" void gliderLog(const char* text, const double* values, int count) {
   }
 }
 
-extern "C" void giveBack(void) {
-  Program::instance().giveBack();
+extern "C" void releaseControl(void) {
+  Program::instance().releaseControl();
 }
 
 extern "C" int gliderExitStatus(void) {

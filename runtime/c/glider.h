@@ -110,7 +110,7 @@ event nextEvent(eventList fired, event previous);
 /* Exit status for main: 0 if control was released, 2 if the link was lost. */
 int gliderExitStatus(void);
 /* Ends the mission: the next gliderRun releases control of the vehicle and returns NULL. */
-void giveBack(void);
+void releaseControl(void);
 
 /* A note with `count` values (NULL and 0: none) for the logs of the SBC and the vehicle, like the
    mission language's `log`; at most 60 characters. Dropped before the first tick. */

@@ -81,7 +81,7 @@ class Program {
   /// The commands in force; may be changed at any time.
   GliderContext& context() { return *context_; }
   Limits& limits() { return limits_; }
-  void giveBack() { finished_ = true; }
+  void releaseControl() { finished_ = true; }
   /// Sends a note to the logs of SBC and vehicle; dropped before the mission has begun.
   void note(const char* text, const double* values, uint32_t count);
   [[nodiscard]] bool released() const { return control_.released(); }

@@ -46,7 +46,7 @@ ControlNews Control::settlePending(const hooks::VehicleTick& tick) {
   }
   const HookControl accepted = pending_;
   pending_ = HookControl::None;
-  if (accepted != HookControl::GiveBack) {
+  if (accepted != HookControl::Release) {
     accepted_ = instructed_;
     has_accepted_ = true;
   }
@@ -55,7 +55,7 @@ ControlNews Control::settlePending(const hooks::VehicleTick& tick) {
       ours_ = true;
       unconfirmed_ = 0;
       return {Kind::Taken, pending_sequence_, tick.answer};
-    case HookControl::GiveBack:
+    case HookControl::Release:
       released_ = true;
       return {Kind::Released, pending_sequence_, tick.answer};
     case HookControl::Steer:
@@ -71,7 +71,7 @@ ControlNews Control::refused(HookAnswer answer) {
     garbled_told_ = true;
     return told ? ControlNews{} : ControlNews{Kind::Refused, pending_sequence_, answer};
   }
-  if (pending_ == HookControl::GiveBack) {
+  if (pending_ == HookControl::Release) {
     released_ = true;  // no longer ours: there is no control to release
   } else if (pending_ == HookControl::Take) {
     out_of_bounds_ = answer != HookAnswer::WrongSession && answer != HookAnswer::NotReady;
@@ -108,7 +108,7 @@ bool Control::mayTake() const {
 
 bool Control::choose(const hooks::Instruction& wanted, bool finished, hooks::Instruction& out) {
   if (finished) {
-    return chooseGiveBack(out);
+    return chooseRelease(out);
   }
   if (wanted.vertical == hooks::HookVertical::None) {
     return false;
@@ -129,16 +129,16 @@ bool Control::chooseTake(const hooks::Instruction& wanted, hooks::Instruction& o
   return mayTake() && (!hopeless || has_accepted_);
 }
 
-bool Control::chooseGiveBack(hooks::Instruction& out) {
+bool Control::chooseRelease(hooks::Instruction& out) {
   const bool taken = ours_ || pending_ == HookControl::Take;
-  if (!taken || ++giving_back_ > kGiveBackTicks) {
+  if (!taken || ++releasing_ticks_ > kReleaseTicks) {
     released_ = true;
   }
-  if (released_ || pending_ == HookControl::GiveBack) {
+  if (released_ || pending_ == HookControl::Release) {
     return false;
   }
   out = {};
-  out.control = HookControl::GiveBack;
+  out.control = HookControl::Release;
   return true;
 }
 
@@ -148,7 +148,7 @@ void Control::sent(const hooks::Instruction& instruction, uint16_t sequence) {
   pending_ = takes ? HookControl::Take : instruction.control;
   pending_sequence_ = sequence;
   garbled_told_ = false;
-  if (instruction.control != HookControl::GiveBack) {
+  if (instruction.control != HookControl::Release) {
     out_of_bounds_ = false;
     instructed_ = instruction;
   }

@@ -33,7 +33,7 @@ class Control {
   static constexpr uint32_t kConfirmTicks = 6;
   /// If a mission could not release control within this many ticks, the vehicle's own time-out is
   /// left to end it.
-  static constexpr uint32_t kGiveBackTicks = 15;
+  static constexpr uint32_t kReleaseTicks = 15;
 
   /// Control is ours already: the previous program took it, and the vehicle obeys its session.
   void resume() {
@@ -62,7 +62,7 @@ class Control {
   ControlNews refused(hooks::HookAnswer answer);
   ControlNews noticeLoss();
   bool chooseTake(const hooks::Instruction& wanted, hooks::Instruction& out) const;
-  bool chooseGiveBack(hooks::Instruction& out);
+  bool chooseRelease(hooks::Instruction& out);
 
   hooks::HookState state_ = hooks::HookState::Absent;
   hooks::Instruction instructed_;  ///< the last command sent
@@ -78,7 +78,7 @@ class Control {
   bool released_ = false;
   uint32_t unconfirmed_ =
       0;  ///< ticks since the handshake was accepted without hookbeh being active
-  uint32_t giving_back_ = 0;  ///< ticks since release of control was first commanded
+  uint32_t releasing_ticks_ = 0;  ///< ticks since release of control was first commanded
 };
 
 }  // namespace glider::runtime

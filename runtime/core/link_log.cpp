@@ -22,7 +22,7 @@ LogEvent eventOf(ControlNews::Kind kind) {
     case ControlNews::Kind::None:
       break;
   }
-  return LogEvent::ControlGivenBack;
+  return LogEvent::ControlReleased;
 }
 
 constexpr bool sameNumber(LogDetail detail, HookAnswer answer) {

@@ -77,6 +77,6 @@ PHRASES = tuple((re.compile(pattern.replace(" ", r"\s+"), re.IGNORECASE), instea
 
 # Names in code that have a name in the field; counted by --all.
 IDENTIFIERS = frozenset(
-    "ConcreteRun Dice Ground Inherited Moment Onlooker Possible Relevance RuleWriter Watch bounces circles clothesline "
+    "ConcreteRun Dice Ground Inherited Moment Onlooker Possible Relevance RuleWriter Watch bounces circles clothesline Clothesline "
     "epitaph epitaph_ fences greatestSet spellOut".split()
 )

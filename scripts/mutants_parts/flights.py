@@ -75,7 +75,7 @@ def _read_trace(figures, text):
     lines = text.splitlines()
     names = [title.split(" ")[0] for title in next(csv.reader([lines[0]]))]
     time, depth, order, active, vertical, x, y = (
-        names.index(n) for n in ("time", "true_depth", "order_bottom", "hook_active", "hook_vertical", "true_x", "true_y"))
+        names.index(n) for n in ("time", "true_depth", "commanded_bottom", "hook_active", "hook_vertical", "true_x", "true_y"))
     below = False
     for line in lines[1:]:
         row = line.split(",")

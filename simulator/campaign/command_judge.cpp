@@ -100,7 +100,7 @@ HookAnswer CommandJudge::boundsOf(const Instruction& instruction) const {
 }
 
 std::string CommandJudge::answered(const Instruction& instruction, HookAnswer answer) {
-  const bool steers = instruction.control != HookControl::GiveBack;
+  const bool steers = instruction.control != HookControl::Release;
   const HookAnswer bounds = steers ? boundsOf(instruction) : HookAnswer::Accepted;
   const bool of_bounds = answer == HookAnswer::TooDeep || answer == HookAnswer::BadPitch ||
                          answer == HookAnswer::NotOnEarth;

@@ -40,7 +40,7 @@ class Draw {
       case Manner::Handshake:
         return std::max(0.0, between(times_.take_s - 30, times_.take_s + 30));
       case Manner::Exit:
-        return std::max(0.0, between(times_.give_back_s - 40, times_.give_back_s + 30));
+        return std::max(0.0, between(times_.release_s - 40, times_.release_s + 30));
       case Manner::Together:
         return anchor_s_ + between(0, 20);
       case Manner::Once:

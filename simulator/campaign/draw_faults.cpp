@@ -78,7 +78,7 @@ void addLine(LineFaultKind kind, Draw& draw, Faults& faults) {
       fault.heard_at_baud = draw.chance(0.5) ? 57600 : 230400;
       ways = {LineWay::ToSbc, LineWay::FromSbc};
       break;
-    case LineFaultKind::Clothesline:
+    case LineFaultKind::FlightScience:
       fault.cut = true;
       fault.way = draw.chance(0.5) ? LineWay::ToFlight : LineWay::FromFlight;
       ways = draw.chance(0.5) ? std::vector{LineWay::ToFlight, LineWay::FromFlight}

@@ -29,8 +29,8 @@ const char* nameOf(Manner manner);
 /// A mission's flight without a fault.
 struct FlightTimes {
   double flight_s = 0;
-  double take_s = 0;       ///< when control is taken
-  double give_back_s = 0;  ///< when it is released
+  double take_s = 0;     ///< when control is taken
+  double release_s = 0;  ///< when it is released
   double deepest_m = 20;
 };
 

@@ -22,7 +22,7 @@ constexpr std::array<Sensor, 11> kInstruction = {
     Sensor::sci_hook_check,   Sensor::sci_hook_sequence};
 constexpr double kAtSurface = 1;  // m
 constexpr double kSettled = 60;   // s at the surface after which nothing more is expected
-constexpr double kGiveBack = static_cast<double>(hooks::HookControl::GiveBack);
+constexpr double kRelease = static_cast<double>(hooks::HookControl::Release);
 constexpr double kTake = static_cast<double>(hooks::HookControl::Take);
 
 std::string words(std::pair<double, double> number) {
@@ -123,11 +123,11 @@ void FlightJudge::hearDone(const hooks::Frame& frame, double now_s) {
 void FlightJudge::judgeObeyed(const CycleView& view) {
   // After an abort hookbeh no longer runs, and when silent it obeys nothing: its last answer stays
   // in the array. When complete, it reports no session.
-  const bool gives_back = view.hook == HookState::Complete && !gave_back_;
-  if (view.aborted || !(view.hook == HookState::Active || gives_back)) {
+  const bool completes = view.hook == HookState::Complete && !exited_;
+  if (view.aborted || !(view.hook == HookState::Active || completes)) {
     return;
   }
-  const Sensor session = gives_back ? Sensor::sci_hook_session : Sensor::x_hook_session;
+  const Sensor session = completes ? Sensor::sci_hook_session : Sensor::x_hook_session;
   const Number number{view.array.get(session), view.array.get(Sensor::x_hook_sequence)};
   const bool accepted =
       view.array.get(Sensor::x_hook_answer) == static_cast<double>(hooks::HookAnswer::Accepted);
@@ -151,12 +151,12 @@ void FlightJudge::judgeObeyed(const CycleView& view) {
 }
 
 void FlightJudge::judgeSession(const CycleView& view, Number number, const Words& words_obeyed) {
-  if (gave_back_) {
+  if (exited_) {
     violate(view.time_s, words(number) + " is obeyed after control was released");
   }
-  if (!gave_back_ && words_obeyed[1] == kGiveBack) {
-    gave_back_ = true;
-    verdict_.give_back_s = view.time_s;
+  if (!exited_ && words_obeyed[1] == kRelease) {
+    exited_ = true;
+    verdict_.release_s = view.time_s;
   }
   const bool begins = hook_ != HookState::Active || number.first != session_in_control_;
   if (begins && view.hook == HookState::Active) {
@@ -175,7 +175,7 @@ void FlightJudge::judgeSession(const CycleView& view, Number number, const Words
 /// The flight controller's mission has restarted: a new hookbeh, which does not know any session.
 void FlightJudge::followRestart(const CycleView& view) {
   if (view.mission_s < mission_s_) {
-    gave_back_ = false;
+    exited_ = false;
     hook_ = HookState::Absent;
     session_in_control_ = lost_session_ = 0;
     answered_ = {0, 0};
@@ -210,7 +210,7 @@ void FlightJudge::judgeGarbled(const CycleView& view) {
       view.hook == HookState::Active &&
       view.array.get(Sensor::x_hook_answer) == static_cast<double>(hooks::HookAnswer::BadCheck);
   garbled_since_s_ = !garbled ? -1 : garbled_since_s_ < 0 ? view.time_s : garbled_since_s_;
-  const double most = letGoSecs(Control::Silent, setup_.args.silence_secs, setup_.cycle_s);
+  const double most = releaseSecs(Control::Silent, setup_.args.silence_secs, setup_.cycle_s);
   if (garbled && view.time_s - garbled_since_s_ > most) {
     violate(view.time_s, fmt::format("the SBC is in control though its instruction is garbled "
                                      "for {:.0f} s",
@@ -280,7 +280,7 @@ bool FlightJudge::cycle(const CycleView& view) {
   }
   verdict_.deepest_m = depth_.deepest();
   verdict_.mean_W = view.time_s > 0 ? view.used_J / view.time_s : 0;
-  verdict_.releases += was_active && hook_ != HookState::Active && !gave_back_;
+  verdict_.releases += was_active && hook_ != HookState::Active && !exited_;
   ended_ = view.ended;
   at_surface_ = view.true_depth_m < kAtSurface;
   verdict_.end_s = view.time_s;
@@ -298,7 +298,7 @@ std::string FlightJudge::violationAtEnd() const {
   if (setup_.promise.control == Control::Kept && verdict_.releases > 0) {
     return "the SBC loses control without a reason";
   }
-  if (setup_.promise.control == Control::Kept && setup_.has_hookbeh && !gave_back_) {
+  if (setup_.promise.control == Control::Kept && setup_.has_hookbeh && !exited_) {
     return "the mission does not release control";
   }
   return "";
@@ -306,7 +306,7 @@ std::string FlightJudge::violationAtEnd() const {
 
 Verdict FlightJudge::verdict() const {
   Verdict verdict = verdict_;
-  verdict.outcome = gave_back_ ? Verdict::Outcome::Exited : Verdict::Outcome::Released;
+  verdict.outcome = exited_ ? Verdict::Outcome::Exited : Verdict::Outcome::Released;
   if (verdict.violation.empty()) {
     verdict.violation = violationAtEnd();
   }

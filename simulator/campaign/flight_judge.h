@@ -34,10 +34,10 @@ struct Verdict {
   uint32_t releases = 0;      ///< times that control was taken away from the SBC
   uint32_t instructions = 0;  ///< that hookbeh obeyed
   double end_s = 0;
-  double deepest_m = 0;    ///< true depth
-  double take_s = 0;       ///< when control was first taken; 0: never
-  double give_back_s = 0;  ///< when it was released; 0: never
-  double mean_W = 0;       ///< from the batteries
+  double deepest_m = 0;  ///< true depth
+  double take_s = 0;     ///< when control was first taken; 0: never
+  double release_s = 0;  ///< when it was released; 0: never
+  double mean_W = 0;     ///< from the batteries
 };
 
 /// Checks a flight by what the SBC sends, what hookbeh does and the true position of the vehicle,
@@ -98,7 +98,7 @@ class FlightJudge final : public FlightObserver {
   double lost_session_ = 0;  ///< the newest that lost control
   Number answered_{0, 0};    ///< the newest instruction that hookbeh has answered for good
   double mission_s_ = 0;     ///< of the previous cycle
-  bool gave_back_ = false, ended_ = false, at_surface_ = false;
+  bool exited_ = false, ended_ = false, at_surface_ = false;
   double garbled_since_s_ = -1;  ///< since when the instruction in the array cannot be read
   double up_since_s_ = -1;       ///< at the surface without the SBC
 };

@@ -23,9 +23,9 @@ std::string controlText(Control control, double silence_s, double cycle_s) {
       return "kept until the exit";
     case Control::Unanswered:
       return fmt::format("ends within {:.0f} s if an instruction gets no answer",
-                         letGoSecs(control, silence_s, cycle_s));
+                         releaseSecs(control, silence_s, cycle_s));
     case Control::Silent:
-      return fmt::format("ends within {:.0f} s", letGoSecs(control, silence_s, cycle_s));
+      return fmt::format("ends within {:.0f} s", releaseSecs(control, silence_s, cycle_s));
     case Control::AtOnce:
       return "ends at once, until a new handshake";
     case Control::ForGood:
@@ -97,7 +97,7 @@ double deepestAllowed(Deepest deepest, double limit_m) {
              : limit_m + (deepest == Deepest::TenMetres ? kTenMetres : kOvershoot);
 }
 
-double letGoSecs(Control control, double silence_s, double cycle_s) {
+double releaseSecs(Control control, double silence_s, double cycle_s) {
   const double silent = silence_s + 2 * cycle_s;
   return control == Control::Unanswered ? silent + kUnansweredTicks * cycle_s : silent;
 }

@@ -71,7 +71,7 @@ bool isOfSensors(FaultKind kind);
 /// The greatest true depth allowed while `limit_m` is in force, m.
 double deepestAllowed(Deepest deepest, double limit_m);
 /// The time after which control has ended, s: for Unanswered and Silent, without the line's delay.
-double letGoSecs(Control control, double silence_s, double cycle_s);
+double releaseSecs(Control control, double silence_s, double cycle_s);
 
 /// The rows of the table in scenarios/README.md, as Markdown: for a hookbeh whose `silence_secs` is
 /// `silence_s` and whose cycle takes `cycle_s`.

@@ -19,7 +19,7 @@ bool isDead(const LineFault& fault) {
 
 StatedTimes statedTimes(const Faults& faults, double silence_s, double cycle_s) {
   StatedTimes stated;
-  const double silent_after = letGoSecs(Control::Silent, silence_s, cycle_s);
+  const double silent_after = releaseSecs(Control::Silent, silence_s, cycle_s);
   double delay_s = 0;
   for (const LineFault& fault : faults.lines) {
     delay_s += fault.delay_s;
@@ -43,7 +43,7 @@ StatedTimes statedTimes(const Faults& faults, double silence_s, double cycle_s) 
   for (const double at_s : faults.aborts) {
     stated.releases.push_back({{at_s, kForever}, "the flight controller has aborted"});
   }
-  stated.most_standstill_s = letGoSecs(Control::Unanswered, silence_s, cycle_s) + delay_s;
+  stated.most_standstill_s = releaseSecs(Control::Unanswered, silence_s, cycle_s) + delay_s;
   stated.most_unanswered_s = stated.most_standstill_s;
   return stated;
 }

@@ -52,7 +52,7 @@ FlightController::FlightController(const platforms::Platform& platform,
       hull_(hullOf(platform)),
       layers_(std::make_unique<LayeredControl>(mission, hull_)),
       dictionary_(platform),
-      clothesline_(dictionary_.get()),
+      flight_science_link_(dictionary_.get()),
       journal_(journal),
       cycle_s_(platform.envelope.cycle_s) {}
 
@@ -132,8 +132,8 @@ void FlightController::locate(double now_s, double declination, const Vehicle& v
     navigator_.fix(*fix);
   }
   const GeoPosition position = navigator_.position();
-  a.set(Sensor::m_x_lmc, navigator_.x());
-  a.set(Sensor::m_y_lmc, navigator_.y());
+  a.set(Sensor::m_x_lmc, navigator_.eastOfStart());
+  a.set(Sensor::m_y_lmc, navigator_.northOfStart());
   a.set(Sensor::m_lat, toDdmm(position.latitude_deg));
   a.set(Sensor::m_lon, toDdmm(position.longitude_deg));
   a.set(Sensor::m_speed, navigator_.speed());
@@ -145,13 +145,13 @@ void FlightController::locate(double now_s, double declination, const Vehicle& v
 }
 
 void FlightController::receive(const GliderByteStream& stream) {
-  std::array<hooks::SensorUpdate, hooks::Clothesline::kMostUpdates> updates;
+  std::array<hooks::SensorUpdate, hooks::FlightScienceLink::kMostUpdates> updates;
   // The line carries at most a few frames per cycle; the bound protects against a line that never
   // falls silent.
   constexpr int kMostRounds = 16;
   for (int round = 0; round < kMostRounds; ++round) {
     const uint32_t count =
-        clothesline_.poll(stream, updates.data(), static_cast<uint32_t>(updates.size()));
+        flight_science_link_.poll(stream, updates.data(), static_cast<uint32_t>(updates.size()));
     for (uint32_t i = 0; i < count; ++i) {
       const uint16_t id = updates[i].id;
       // Science may write its own sensors only.
@@ -166,7 +166,7 @@ void FlightController::receive(const GliderByteStream& stream) {
 }
 
 void FlightController::send(const GliderByteStream& stream) {
-  std::array<hooks::SensorUpdate, hooks::Clothesline::kMostUpdates> updates;
+  std::array<hooks::SensorUpdate, hooks::FlightScienceLink::kMostUpdates> updates;
   uint32_t count = 0;
   for (uint16_t id = 0; id < array_.size() && count < updates.size(); ++id) {
     if (!array_.ofScience(id) && array_.fresh(id) && !std::isnan(array_.get(id))) {
@@ -174,8 +174,8 @@ void FlightController::send(const GliderByteStream& stream) {
     }
   }
   // A full queue drops this cycle's whole report: the next one has newer values.
-  clothesline_.send(updates.data(), count);
-  clothesline_.poll(stream, updates.data(), 0);
+  flight_science_link_.send(updates.data(), count);
+  flight_science_link_.poll(stream, updates.data(), 0);
 }
 
 Situation FlightController::situation(double now_s) {
@@ -198,37 +198,37 @@ Situation FlightController::situation(double now_s) {
   return s;
 }
 
-void FlightController::noteOrder() {
+void FlightController::noteInstruction() {
   if (!hookActive()) {
-    order_ = {};
-    ordered_sequence_ = kNaN;
+    obeyed_ = {};
+    obeyed_sequence_ = kNaN;
     return;
   }
   const double sequence = array_.get(Sensor::x_hook_sequence);
   const bool accepted =
       array_.get(Sensor::x_hook_answer) == static_cast<double>(hooks::HookAnswer::Accepted);
-  if (!accepted || sequence == ordered_sequence_) {
+  if (!accepted || sequence == obeyed_sequence_) {
     return;
   }
-  ordered_sequence_ = sequence;
+  obeyed_sequence_ = sequence;
   if (array_.get(Sensor::sci_hook_vertical) == static_cast<double>(hooks::HookVertical::None)) {
     return;  // turns only: the vertical command in force stays
   }
-  order_.vertical = array_.get(Sensor::sci_hook_vertical);
-  order_.depth_m = array_.get(Sensor::sci_hook_depth);
+  obeyed_.vertical = array_.get(Sensor::sci_hook_vertical);
+  obeyed_.depth_m = array_.get(Sensor::sci_hook_depth);
   noteRange();
 }
 
 void FlightController::noteRange() {
-  if (order_.vertical == static_cast<double>(hooks::HookVertical::Ascend)) {
-    order_.top_m = order_.depth_m;
-  } else if (order_.vertical == static_cast<double>(hooks::HookVertical::Descend)) {
-    order_.bottom_m = order_.depth_m;
+  if (obeyed_.vertical == static_cast<double>(hooks::HookVertical::Ascend)) {
+    obeyed_.top_m = obeyed_.depth_m;
+  } else if (obeyed_.vertical == static_cast<double>(hooks::HookVertical::Descend)) {
+    obeyed_.bottom_m = obeyed_.depth_m;
   }
 }
 
 void FlightController::noteTransition() {
-  order_.top_m = order_.bottom_m = kNaN;
+  obeyed_.top_m = obeyed_.bottom_m = kNaN;
   noteRange();
 }
 
@@ -259,15 +259,15 @@ void FlightController::restart(double now_s, bool keeps_array) {
                keeps_array ? "the mission restarts" : "the flight controller restarts");
   if (!keeps_array) {
     array_.clear();
-    clothesline_ = hooks::Clothesline(dictionary_.get());
+    flight_science_link_ = hooks::FlightScienceLink(dictionary_.get());
     dynamics_ = DynamicControl();
   }
   layers_ = std::make_unique<LayeredControl>(mission_, hull_);
   mission_start_s_ = now_s;
   cycles_ = 0;
   surfaced_s_ = submerged_s_ = 0;
-  order_ = {};
-  ordered_sequence_ = kNaN;
+  obeyed_ = {};
+  obeyed_sequence_ = kNaN;
 }
 
 void FlightController::leaveOver(const Leftover& leftover) {
@@ -360,16 +360,16 @@ void FlightController::judgeEnd(const Situation& s) {
 }
 
 void FlightController::cycle(double now_s, const Ocean& ocean, Vehicle& vehicle,
-                             const GliderByteStream& clothesline) {
+                             const GliderByteStream& line) {
   array_.beginCycle();
   readSensors(now_s, ocean, vehicle);
-  receive(clothesline);
+  receive(line);
   const Situation s = situation(now_s);
   const Commands commands = decide(s);
-  noteOrder();
+  noteInstruction();
   control(commands, s, vehicle);
   judgeEnd(s);
-  send(clothesline);
+  send(line);
   ++cycles_;
 }
 

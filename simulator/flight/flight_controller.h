@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "hooks/clothesline/clothesline.h"
+#include "hooks/flight_science_link/flight_science_link.h"
 #include "platforms/load/dictionary.h"
 #include "simulator/faults/faults.h"
 #include "simulator/flight/dynamic_control.h"
@@ -19,7 +19,7 @@
 namespace glider::simulator {
 
 /// The instruction of the SBC that hookbeh obeys, for the trace. NaN: none.
-struct HookOrder {
+struct ObeyedInstruction {
   double vertical = std::numeric_limits<double>::quiet_NaN();
   double depth_m = std::numeric_limits<double>::quiet_NaN();
   double top_m = std::numeric_limits<double>::quiet_NaN();  ///< target of the state's last ascend
@@ -35,12 +35,13 @@ class FlightController {
                    const SensorSettings& sensors, uint64_t seed, const LocalFrame& frame,
                    double year, Journal& journal);
 
+  /// The vehicle starts at (x, y) of the frame instead of its origin.
+  void startAt(double x, double y) { navigator_.startAt(x, y); }
   /// The control cycle at time `now_s` of the mission.
-  void cycle(double now_s, const Ocean& ocean, Vehicle& vehicle,
-             const GliderByteStream& clothesline);
+  void cycle(double now_s, const Ocean& ocean, Vehicle& vehicle, const GliderByteStream& line);
 
   [[nodiscard]] const SensorArray& array() const { return array_; }
-  [[nodiscard]] const HookOrder& order() const { return order_; }
+  [[nodiscard]] const ObeyedInstruction& obeyed() const { return obeyed_; }
   [[nodiscard]] bool hookActive() const;
   /// Complete after an abort, Absent without a hookbeh.
   [[nodiscard]] hooks::HookState hookState() const;
@@ -88,10 +89,10 @@ class FlightController {
   /// The value of `sensor` after `truth` was stored: `truth`, with all its digits, unless the
   /// sensor is damaged.
   [[nodiscard]] double felt(Sensor sensor, double truth) const;
-  void receive(const GliderByteStream& clothesline);
-  void send(const GliderByteStream& clothesline);
+  void receive(const GliderByteStream& line);
+  void send(const GliderByteStream& line);
   [[nodiscard]] Situation situation(double now_s);
-  void noteOrder();
+  void noteInstruction();
   void noteRange();
   void startAbort(Abort abort, const std::string& why, double now_s);
   void tellHookIsOver();
@@ -112,7 +113,7 @@ class FlightController {
   std::unique_ptr<LayeredControl> layers_;
   DynamicControl dynamics_;
   platforms::Dictionary dictionary_;
-  hooks::Clothesline clothesline_;
+  hooks::FlightScienceLink flight_science_link_;
   Journal& journal_;
   double cycle_s_;
 
@@ -122,8 +123,8 @@ class FlightController {
   double mission_start_s_ = 0;
   bool has_fix_ = false, commanded_whole_ = true;
   Abort abort_ = Abort::None;
-  HookOrder order_;
-  double ordered_sequence_ = std::numeric_limits<double>::quiet_NaN();
+  ObeyedInstruction obeyed_;
+  double obeyed_sequence_ = std::numeric_limits<double>::quiet_NaN();
   double waypoint_latitude_ddmm_ = std::numeric_limits<double>::quiet_NaN();
   double waypoint_longitude_ddmm_ = std::numeric_limits<double>::quiet_NaN();
   int layer_ = kNoLayer;

@@ -14,14 +14,17 @@ namespace glider::simulator {
 /// angle of attack of 0; a GPS fix corrects it.
 class Navigator {
  public:
+  /// It starts at the origin of `frame`.
   explicit Navigator(const LocalFrame& frame) : frame_(frame) {}
+  /// It starts at (x, y) of the frame instead.
+  void startAt(double x, double y) { x_ = start_x_ = x, y_ = start_y_ = y; }
 
   /// One control cycle of `seconds` on a true heading. A NaN is replaced by the last known value.
   void reckon(double depth_rate, double pitch, double heading, bool at_surface, double seconds);
   void fix(Gps::Fix fix) { x_ = fix.x, y_ = fix.y; }
 
-  [[nodiscard]] double x() const { return x_; }
-  [[nodiscard]] double y() const { return y_; }
+  [[nodiscard]] double eastOfStart() const { return x_ - start_x_; }
+  [[nodiscard]] double northOfStart() const { return y_ - start_y_; }
   [[nodiscard]] double speed() const { return speed_; }  ///< horizontal, through the water
   [[nodiscard]] GeoPosition position() const { return frame_.position(x_, y_); }
   /// Distance and true bearing (0…2 pi) from the position by dead reckoning to a waypoint in
@@ -31,6 +34,7 @@ class Navigator {
 
  private:
   const LocalFrame& frame_;
+  double start_x_ = 0, start_y_ = 0;
   double x_ = 0, y_ = 0, speed_ = 0, heading_ = 0;
 };
 

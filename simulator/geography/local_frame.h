@@ -9,6 +9,7 @@ namespace glider::simulator {
 
 struct GeoPosition {
   double latitude_deg = 0, longitude_deg = 0;
+  bool operator==(const GeoPosition&) const = default;
 };
 
 /// Converts metres east and north of a place on the ellipsoid to degrees and back.

@@ -77,7 +77,7 @@ void AgreeingVehicle::report(double time) {
 
 void AgreeingVehicle::exchange(double time) {
   hearInstructions();
-  hookprog_.run(time, {this, ownSensor}, sbc_line_.left(), clothesline_.left());
+  hookprog_.run(time, {this, ownSensor}, sbc_line_.left(), flight_science_link_.left());
   const GliderByteStream end = sbc_line_.right();
   std::array<uint8_t, hooks::MemoryLine::kCapacity> bytes;
   const int32_t count = end.read(end.self, bytes.data(), static_cast<uint32_t>(bytes.size()));
@@ -91,7 +91,7 @@ void AgreeingVehicle::exchange(double time) {
         end.write(end.self, waiting_.data(), static_cast<uint32_t>(waiting_.size()));
     waiting_.erase(waiting_.begin(), waiting_.begin() + taken);
   }
-  hookprog_.run(time, {this, ownSensor}, sbc_line_.left(), clothesline_.left());
+  hookprog_.run(time, {this, ownSensor}, sbc_line_.left(), flight_science_link_.left());
   passOverEvents();
   hearInstructions();
 }
@@ -100,7 +100,7 @@ void AgreeingVehicle::exchange(double time) {
 void AgreeingVehicle::hearInstructions() {
   std::array<hooks::SensorUpdate, 64> updates;
   for (uint32_t count = updates.size(); count == updates.size();) {
-    count = flight_.poll(clothesline_.right(), updates.data(), updates.size());
+    count = flight_.poll(flight_science_link_.right(), updates.data(), updates.size());
     for (uint32_t i = 0; i < count; ++i) {
       if (updates[i].id == numbers_[Sensor::sci_hook_session]) {
         session_ = updates[i].value;

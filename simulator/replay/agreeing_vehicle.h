@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "hooks/clothesline/clothesline.h"
+#include "hooks/flight_science_link/flight_science_link.h"
 #include "hooks/hookprog/hookprog.h"
 #include "hooks/transport/memory.h"
 #include "platforms/load/dictionary.h"
@@ -53,9 +53,9 @@ class AgreeingVehicle {
   SensorNumbers numbers_;
   platforms::Dictionary dictionary_;
   hooks::Hookprog hookprog_;
-  hooks::Clothesline flight_;
+  hooks::FlightScienceLink flight_;
   hooks::MemoryLine sbc_line_;
-  hooks::MemoryLine clothesline_;
+  hooks::MemoryLine flight_science_link_;
   std::map<uint16_t, double> science_;     ///< not reported yet
   std::vector<hooks::SensorUpdate> told_;  ///< of the flight controller, of this cycle
   std::vector<uint8_t> waiting_;           ///< bytes of the SBC that the line had no room for

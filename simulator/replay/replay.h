@@ -4,7 +4,7 @@
 #pragma once
 
 #include "platforms/load/platform.h"
-#include "simulator/sbc_port.h"
+#include "simulator/ports/sbc_port.h"
 
 #include <cstdint>
 #include <vector>

@@ -28,7 +28,7 @@ std::vector<LineWay> readWays(Fields& f) {
       {"sbc", {LineWay::ToSbc, LineWay::FromSbc}},
       {"to_sbc", {LineWay::ToSbc}},
       {"from_sbc", {LineWay::FromSbc}},
-      {"clothesline", {LineWay::ToFlight, LineWay::FromFlight}},
+      {"flight_science", {LineWay::ToFlight, LineWay::FromFlight}},
       {"to_flight", {LineWay::ToFlight}},
       {"from_flight", {LineWay::FromFlight}}};
   for (const auto& [name, ways] : names) {
@@ -36,9 +36,10 @@ std::vector<LineWay> readWays(Fields& f) {
       return ways;
     }
   }
-  f.reader().refuse("line",
-                    "must be \"sbc\", \"to_sbc\", \"from_sbc\", \"clothesline\", \"to_flight\" or "
-                    "\"from_flight\"");
+  f.reader().refuse(
+      "line",
+      "must be \"sbc\", \"to_sbc\", \"from_sbc\", \"flight_science\", \"to_flight\" or "
+      "\"from_flight\"");
   return {};
 }
 

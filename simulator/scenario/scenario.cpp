@@ -91,8 +91,9 @@ void readBattery(Fields& f, BatterySettings& battery) {
 }
 
 /// Reads all tables; the first failure stays in `tables`.
-Scenario readScenario(ScenarioTables& tables) {
+Scenario readScenario(ScenarioTables& tables, const platforms::Platform& platform) {
   Scenario scenario;
+  scenario.vehicle = settingsOf(platform);
   tables.head([&](Fields& f) { readHead(f, tables, scenario); });
   tables.table("start", [&](Fields& f) { readStart(f, scenario); });
   if (tables.failure()) {
@@ -132,6 +133,7 @@ support::Result<void> loadSkeleton(Scenario& scenario, support::SourceManager& s
 }  // namespace
 
 support::Result<Scenario> loadScenario(const std::filesystem::path& path,
+                                       const platforms::Platform& platform,
                                        support::SourceManager& sources,
                                        support::DiagnosticEngine& diagnostics) {
   auto root = platforms::parseToml(path);
@@ -139,7 +141,7 @@ support::Result<Scenario> loadScenario(const std::filesystem::path& path,
     return std::unexpected(root.error());
   }
   ScenarioTables tables(path.string(), *root);
-  Scenario scenario = readScenario(tables);
+  Scenario scenario = readScenario(tables, platform);
   if (tables.failure()) {
     return std::unexpected(*tables.failure());
   }

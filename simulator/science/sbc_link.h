@@ -8,7 +8,7 @@
 #include "simulator/faults/faults.h"
 #include "simulator/flight_observer.h"
 #include "simulator/journal.h"
-#include "simulator/sbc_port.h"
+#include "simulator/ports/sbc_port.h"
 #include "simulator/science/serial_line.h"
 
 #include <memory>

@@ -47,6 +47,13 @@ uint64_t streamOf(std::string_view source) {
 
 }  // namespace
 
+uint64_t seedOfVehicle(uint64_t world_seed, uint32_t number) {
+  uint64_t z = number * 0x9e3779b97f4a7c15ULL;
+  z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9ULL;
+  z = (z ^ (z >> 27U)) * 0x94d049bb133111ebULL;
+  return world_seed ^ z ^ (z >> 31U);
+}
+
 Noise::Noise(uint64_t seed, std::string_view source)
     : key_{{static_cast<uint32_t>(seed), static_cast<uint32_t>(seed >> 32U)}},
       stream_(streamOf(source)) {}

@@ -55,6 +55,11 @@ class Noise {
   uint64_t count_ = 0;
 };
 
+/// The seed of all random numbers of vehicle `number` (from 0) of a world. That of the first is the
+/// world's own; the others are independent of it and of each other (SplitMix64's output function,
+/// Steele et al. 2014, doi 10.1145/2660193.2660195).
+uint64_t seedOfVehicle(uint64_t world_seed, uint32_t number);
+
 /// The numbered streams that do not belong to a sensor. Streams of sensors have names; the numbers
 /// below LineDamage belong to the first sensors (noise.cpp).
 enum class NoiseStream : uint32_t {

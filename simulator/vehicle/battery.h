@@ -3,19 +3,32 @@
 
 #pragma once
 
+#include "platforms/load/platform.h"
+
 #include <algorithm>
 
 namespace glider::simulator {
 
-/// The pack and its loads; an alkaline pack of a shallow vehicle unless a scenario says otherwise.
+/// The pack and its loads.
 struct BatterySettings {
-  double capacity_j = 8e6;
-  double full_V = 14.4;
-  double empty_V = 10.0;
-  double start_V = 14.4;  ///< without load, when the flight begins
-  double hotel_W = 1.63;  ///< median of a real log, submerged with the pump off
-  double sbc_W = 0;       ///< added while the SBC is alive
+  double capacity_j = 1;
+  double full_V = 1;
+  double empty_V = 0;
+  double start_V = 1;  ///< without load, when the flight begins
+  double hotel_W = 0;
+  double sbc_W = 0;  ///< added while the SBC is alive
 };
+
+/// Those of a vehicle with a full pack.
+inline BatterySettings batteryOf(const platforms::Power& power) {
+  constexpr double kJoulesPerKilojoule = 1000;
+  return {.capacity_j = power.capacity_kj * kJoulesPerKilojoule,
+          .full_V = power.full_V,
+          .empty_V = power.empty_V,
+          .start_V = power.full_V,
+          .hotel_W = power.hotel_W,
+          .sbc_W = power.sbc_W};
+}
 
 /// The batteries, whose voltage falls linearly with the energy used, and their loads. An empty pack
 /// stays at its last voltage.

@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include "platforms/load/platform.h"
+
 /// The steady flight of a buoyancy glider: Merckelbach et al. 2019, J. Atmos. Oceanic Technol. 36,
 /// 281-296, doi 10.1175/JTECH-D-18-0168.1. Signs: z up, pitch nose up, angle of attack with the
 /// sign of the pitch.
@@ -10,18 +12,7 @@ namespace glider::simulator {
 
 inline constexpr double kGravity = 9.81;  ///< m/s2, as in the source
 
-/// Coefficients with the source's values for a Slocum.
-struct FlightCoefficients {
-  double mass_kg = 65;
-  double hull_volume_m3 = 65.0 / 1025.0;
-  double reference_area_m2 = 0.1;
-  double drag = 0.15;  ///< C_D0
-  double induced_drag =
-      10.4926354534;                ///< C_D1, rad^-2: hull 9.7 + wing a_w^2/(pi e AR), e 0.8, AR 7
-  double wing_lift = 3.7342698373;  ///< a_w, rad^-1: AR 7, sweep 43 deg
-  double hull_lift = 3.8;           ///< a_h, rad^-1
-  double compressibility_per_pa = 5e-10;
-};
+using platforms::FlightCoefficients;
 
 /// Below this pitch (magnitude) there is no attached glide: the source's model ends between 9 and
 /// 11 degrees.

@@ -42,6 +42,8 @@ GliderModel::GliderModel(const platforms::Motion& motion, double pump_cc,
 
 VehicleState GliderModel::start() const {
   VehicleState state;
+  state.x_m = settings_.start_x_m;
+  state.y_m = settings_.start_y_m;
   state.heading_rad = settings_.initial_heading_rad;
   // Pumped out, battery and fin in the middle.
   state.pump = {pump_cc_, pump_cc_, motion_.pump_rate_cc_s, -pump_cc_, pump_cc_};

@@ -12,6 +12,15 @@ constexpr std::string_view kGlider = "glider";
 
 }  // namespace
 
+VehicleSettings settingsOf(const platforms::Platform& platform) {
+  VehicleSettings settings;
+  if (platform.motion) {
+    settings.flight = platform.motion->flight;
+    settings.battery = batteryOf(platform.power);
+  }
+  return settings;
+}
+
 bool isModel(std::string_view name) {
   return name == kGlider;
 }

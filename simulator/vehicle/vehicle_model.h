@@ -14,15 +14,19 @@
 
 namespace glider::simulator {
 
-/// What a scenario may specify about the vehicle.
+/// What a scenario specifies about the vehicle.
 struct VehicleSettings {
   FlightCoefficients flight;
   double initial_heading_rad = 0;
+  double start_x_m = 0, start_y_m = 0;  ///< east and north of the world's origin
   BatterySettings battery = {};
 };
 
-/// Where a vehicle is and what it does; plain data. Positions in m: x east, y north of the start,
-/// depth down.
+/// Those of a vehicle as its platform file describes it; its volume is not set.
+VehicleSettings settingsOf(const platforms::Platform& platform);
+
+/// Where a vehicle is and what it does; plain data. Positions in m: x east, y north of the
+/// world's origin, depth down.
 struct VehicleState {
   double x_m = 0, y_m = 0, depth_m = 0;
   double pitch_rad = 0;

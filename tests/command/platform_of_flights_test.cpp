@@ -137,7 +137,7 @@ TEST_F(PlatformOfFlights, AMissionInCIsForTheVehicleThatItDefines) {
                       "  addEvent(list, EVENT(GEQ, M_DEPTH, &deep));\n"
                       "  if (gliderOpen(argc, argv, \"dive\")) return 2;\n"
                       "  dive();\n"
-                      "  while (gliderRun(list)) giveBack();\n"
+                      "  while (gliderRun(list)) releaseControl();\n"
                       "  return gliderExitStatus();\n}\n");
   const Outcome built =
       run("cc -I. -I$(dirname $GLIDERCC)/../share/glidercc/c dive.c -o dive "

@@ -42,7 +42,7 @@ Plan drawPlan(Rng& dice) {
   plan.bottom_m = dice.within(12, 56);
   plan.pitch_rad = dice.within(0.32, 0.6);
   plan.hovers = dice.chance(0.25);
-  plan.give_back_s = kHours * 3600;
+  plan.release_s = kHours * 3600;
   return plan;
 }
 

@@ -93,8 +93,8 @@ INSTANTIATE_TEST_SUITE_P(, Figure2Ways, testing::Values("host", "ts7800", "ts550
 TEST(Figure2, TheOrderedRangeIsTheCurrentStates) {
   const Flight flight = flyFigure2("");
   const auto state = flight.column("state");
-  const auto top = flight.column("order_top");
-  const auto bottom = flight.column("order_bottom");
+  const auto top = flight.column("commanded_top");
+  const auto bottom = flight.column("commanded_bottom");
   // s1 orders 5 to 10 m, s3 5 to 20 m. After a transition the new order needs three rows to come.
   size_t rows = 0, with_top = 0, with_bottom = 0;
   for (size_t i = 3; i < state.size(); ++i) {

@@ -44,8 +44,8 @@ class Tracked {
       : time(flight.column("time")),
         depth(flight.column("true_depth")),
         active_(flight.column("hook_active")),
-        top_(flight.column("order_top")),
-        bottom_(flight.column("order_bottom")),
+        top_(flight.column("commanded_top")),
+        bottom_(flight.column("commanded_bottom")),
         isotherm_(flight.column("isotherm_depth")) {
     first = static_cast<size_t>(std::ranges::find(active_, 1.0) - active_.begin());
     last = first;

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "hooks/client/client.h"
-#include "hooks/clothesline/clothesline.h"
+#include "hooks/flight_science_link/flight_science_link.h"
 #include "hooks/hookbeh/hookbeh.h"
 #include "hooks/hookprog/hookprog.h"
 #include "hooks/protocol/messages.h"

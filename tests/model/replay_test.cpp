@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The code does what the model does: the client, hookprog, clothesline and hookbeh go through
-// random flights of hooks/protocol/model/control.pml, with the same losses and restarts, and must
-// put the same frames on the lines and be in the same states.
+// The code does what the model does: the client, hookprog, flight-science link and hookbeh go
+// through random flights of hooks/protocol/model/control.pml, with the same losses and restarts,
+// and must put the same frames on the lines and be in the same states.
 
 #include "hooks/client/client.h"
-#include "hooks/clothesline/clothesline.h"
+#include "hooks/flight_science_link/flight_science_link.h"
 #include "hooks/hookbeh/hookbeh.h"
 #include "hooks/hookprog/hookprog.h"
 #include "tests/model/kept_sbc.h"
@@ -321,7 +321,7 @@ class Replay {
     Instruction instruction;
     instruction.control = what == "Take"    ? HookControl::Take
                           : what == "Steer" ? HookControl::Steer
-                                            : HookControl::GiveBack;
+                                            : HookControl::Release;
     instruction.vertical = HookVertical::Descend;
     instruction.depth_m = 20;
     instruction.pitch_rad = -0.4;
@@ -368,7 +368,7 @@ class Replay {
   End at_prog_sbc_{wires_[kFromSbc], wires_[kToSbc]};
   End at_prog_flight_{wires_[kFromFlight], wires_[kToFlight]};
   End at_flight_{wires_[kToFlight], wires_[kFromFlight]};
-  Clothesline flight_{gliderDictionary};
+  FlightScienceLink flight_{gliderDictionary};
   std::optional<Hookprog> hookprog_;
   std::optional<Hookbeh> hookbeh_;
   std::optional<Client> client_;

@@ -87,7 +87,7 @@ class AssumedWorld {
   void holdClimb(double time_s, double depth_m);
 
   const platforms::Envelope& envelope_;
-  const platforms::World& world_;
+  const platforms::EnvironmentModel& world_;
   std::array<Use, kRules> uses_ = {};
   std::optional<Broken> broken_;
 

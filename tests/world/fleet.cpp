@@ -63,7 +63,7 @@ std::vector<simulator::Scenario> scenarios() {
   for (const auto& file : files) {
     support::SourceManager sources;
     support::DiagnosticEngine diagnostics;
-    all.push_back(*simulator::loadScenario(file, sources, diagnostics));
+    all.push_back(*simulator::loadScenario(file, slocum(), sources, diagnostics));
   }
   return all;
 }

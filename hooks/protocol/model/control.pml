@@ -48,7 +48,7 @@ byte rounds;
 /* HookState, HookAnswer, HookControl of hooks/protocol/values.h */
 mtype = { Absent, Ready, Active, Silent, Complete };
 mtype = { None, Accepted, WrongSession, NotReady, OldSequence };
-mtype = { Take, Steer, GiveBack };
+mtype = { Take, Steer, Release };
 /* hooks/protocol/messages.def */
 mtype = { Beacon, Welcome, Tick, Hello, Subscribe, Write, Done, Sensors };
 

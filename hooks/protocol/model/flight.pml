@@ -72,9 +72,9 @@ inline decide() {
   :: (hb_state == Ready || hb_state == Silent) && array_control == Take -> take()
   :: (hb_state == Ready || hb_state == Silent) && array_control != Take -> hb_answer = WrongSession
   :: hb_state == Active && array_session != hb_session -> hb_answer = WrongSession
-  :: hb_state == Active && array_session == hb_session && array_control == GiveBack ->
+  :: hb_state == Active && array_session == hb_session && array_control == Release ->
      hb_state = Complete; hb_session = 0; in_force = 0; hb_answer = Accepted
-  :: hb_state == Active && array_session == hb_session && array_control != GiveBack -> hb_answer = Accepted; obey()
+  :: hb_state == Active && array_session == hb_session && array_control != Release -> hb_answer = Accepted; obey()
   fi
 }
 

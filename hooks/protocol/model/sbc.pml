@@ -125,7 +125,7 @@ inline mission() {
      /* The command in force, in the session that hookbeh obeys or a new one; or what was given back once more. */
      if
      :: OBEYED && finished == 0 -> instruct(Steer)
-     :: OBEYED && finished == 1 -> instruct(GiveBack)
+     :: OBEYED && finished == 1 -> instruct(Release)
      :: !OBEYED -> instruct(Take)
      fi
   :: leaves == 0 && goes_on == 0 && found == 0 && sbc_stuck == 0 && commands < COMMANDS && finished == 1 -> rest()
@@ -137,7 +137,7 @@ inline mission() {
      :: !OBEYED && !TAKING && (tick_state == Absent || tick_state == Complete) -> rest()
      :: OBEYED || TAKING -> rest()
      :: (OBEYED || TAKING) && calm == 0 -> instruct(Steer)
-     :: OBEYED && calm == 0 -> instruct(GiveBack); finished = 1
+     :: OBEYED && calm == 0 -> instruct(Release); finished = 1
      fi
   fi
 }
@@ -145,7 +145,7 @@ inline mission() {
 inline write_instruction() {
   due = 0;
   told_sequence = sequence;
-  told_end = (pending_control == GiveBack && told_end == 0 -> pending_command : told_end);
+  told_end = (pending_control == Release && told_end == 0 -> pending_command : told_end);
   out.type = Write; out.session = pending_session; out.control = pending_control; out.sequence = sequence;
   out.command = pending_command;
   put(from_sbc, FROM_SBC)

@@ -65,7 +65,7 @@ class Conditions {
 
 }  // namespace
 
-bool heldByOrders(ExprId condition, const ProofContext& proof_context) {
+bool heldByCommands(ExprId condition, const ProofContext& proof_context) {
   return Conditions(proof_context).hold(condition);
 }
 

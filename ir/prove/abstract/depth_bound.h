@@ -10,6 +10,6 @@ namespace glider::ir::prove {
 /// Whether a condition is true at every tick because of the commands alone: no command of the
 /// mission leads deeper than the condition allows, for all values that its arguments may have. True
 /// is a proof in the environment model of ir/prove/encoding/world.h; false proves nothing.
-bool heldByOrders(ExprId condition, const ProofContext& proof_context);
+bool heldByCommands(ExprId condition, const ProofContext& proof_context);
 
 }  // namespace glider::ir::prove

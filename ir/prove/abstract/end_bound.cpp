@@ -81,18 +81,18 @@ class Search {
     const Statement* last = nullptr;
     if (state.profile.entry.valid()) {
       for (const Statement& statement : m_[state.profile.entry].statements) {
-        const bool tells = statement.kind == StatementKind::If || isVerticalOrder(statement);
+        const bool tells = statement.kind == StatementKind::If || isVerticalCommand(statement);
         last = tells ? &statement : last;
       }
     }
     bool route = !m_[state.route.behaviour].symbol.empty();
     forEachStatement(m_, state.route.entry,
-                     [&](const Statement& s) { route = route || isVerticalOrder(s); });
+                     [&](const Statement& s) { route = route || isVerticalCommand(s); });
     return !route && last != nullptr && last->kind == StatementKind::Command &&
            last->command == Command::Surface;
   }
 
-  static bool isVerticalOrder(const Statement& statement) {
+  static bool isVerticalCommand(const Statement& statement) {
     return statement.kind == StatementKind::Command && isVertical(statement.command);
   }
 

@@ -47,22 +47,22 @@ std::vector<const Statement*> commandsOfAlways(const Mission& mission) {
   return commands;
 }
 
-std::optional<Position> fixedTarget(const Mission& mission, const Statement& order) {
-  if (order.command != Command::SteerTo) {
+std::optional<Position> fixedTarget(const Mission& mission, const Statement& statement) {
+  if (statement.command != Command::SteerTo) {
     return std::nullopt;
   }
-  const Expr& north = mission[order.values.at(0)];
-  const Expr& east = mission[order.values.at(1)];
+  const Expr& north = mission[statement.values.at(0)];
+  const Expr& east = mission[statement.values.at(1)];
   const bool fixed = north.op == Op::Constant && east.op == Op::Constant;
   return fixed ? std::optional(Position{north.number, east.number}) : std::nullopt;
 }
 
-std::vector<Position> pathTargets(const Mission& mission, const Statement& order) {
-  if (order.command != Command::SteerTo) {
+std::vector<Position> pathTargets(const Mission& mission, const Statement& statement) {
+  if (statement.command != Command::SteerTo) {
     return {};
   }
-  const Expr& north = mission[order.values.at(0)];
-  const Expr& east = mission[order.values.at(1)];
+  const Expr& north = mission[statement.values.at(0)];
+  const Expr& east = mission[statement.values.at(1)];
   if (north.op != Op::Element || east.op != Op::Element) {
     return {};
   }

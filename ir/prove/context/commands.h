@@ -23,11 +23,11 @@ std::vector<const Statement*> commandsOf(const Mission& mission, const State& st
 std::vector<const Statement*> commandsOfAlways(const Mission& mission);
 
 /// The target of a SteerTo if it is written as constants; none for other commands.
-std::optional<Position> fixedTarget(const Mission& mission, const Statement& order);
+std::optional<Position> fixedTarget(const Mission& mission, const Statement& statement);
 
 /// The places of the path from which a SteerTo takes its target; empty for other commands, or if
 /// the target does not come from a path.
-std::vector<Position> pathTargets(const Mission& mission, const Statement& order);
+std::vector<Position> pathTargets(const Mission& mission, const Statement& statement);
 
 /// Whether a command is about depth and pitch; otherwise it is about the heading.
 bool isVertical(Command command);

@@ -86,7 +86,7 @@ class RandomFlight {
 
   /// Moves in steps in which a vehicle steers.
   void move(double from, double to) {
-    const platforms::World& world = proof_context_.platform.world;
+    const platforms::EnvironmentModel& world = proof_context_.platform.world;
     const bool dark = to - from > world.tick_gap_s;
     for (double time = from; time < to; time += world.tick_gap_s) {
       const double until = std::min(time + world.tick_gap_s, to);

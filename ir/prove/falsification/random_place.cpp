@@ -30,19 +30,19 @@ RandomPlace::RandomPlace(const Position& start, const platforms::Platform& platf
 
 void RandomPlace::obey(const std::vector<Action>& actions) {
   for (const Action& action : actions) {
-    const auto* order = std::get_if<CommandRun>(&action);
-    if (order == nullptr) {
+    const auto* run = std::get_if<CommandRun>(&action);
+    if (run == nullptr) {
       // A profile or route in C may command anything.
       heading_ = dice_.within(0, kTurn);
       target_.reset();
-    } else if (order->refused) {
+    } else if (run->refused) {
       continue;
-    } else if (order->command == Command::SteerTo) {
-      target_ = Position{order->arguments.at(0), order->arguments.at(1)};
-    } else if (order->command == Command::Steer) {
+    } else if (run->command == Command::SteerTo) {
+      target_ = Position{run->arguments.at(0), run->arguments.at(1)};
+    } else if (run->command == Command::Steer) {
       target_.reset();
-      heading_ = order->arguments.at(0);
-    } else if (order->command == Command::Drift) {
+      heading_ = run->arguments.at(0);
+    } else if (run->command == Command::Drift) {
       target_.reset();
     }
   }

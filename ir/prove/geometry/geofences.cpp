@@ -21,7 +21,7 @@ constexpr double kStartWithin = 50000;
 
 /// How far the vehicle may get off its legs, m, in `time` seconds.
 double offLegs(const ProofContext& proof_context, bool by_heading, double time) {
-  const platforms::World& world = proof_context.platform.world;
+  const platforms::EnvironmentModel& world = proof_context.platform.world;
   const double set =
       std::max(proof_context.platform.envelope.drift_m_s, world.surface_drift_m_s) * time;
   const double astray = by_heading ? time : std::min(time, proof_context.mission.resume_within_s);

@@ -34,11 +34,11 @@ bool fromOneRow(const Mission& m, const Expr& north, const Expr& east) {
 }
 
 /// False if the target may be anywhere.
-bool addTarget(const ProofContext& proof_context, const Statement& order,
+bool addTarget(const ProofContext& proof_context, const Statement& statement,
                std::vector<Position>& places) {
-  const ExprId north = order.values.at(0);
-  const ExprId east = order.values.at(1);
-  const std::vector<Position> path = pathTargets(proof_context.mission, order);
+  const ExprId north = statement.values.at(0);
+  const ExprId east = statement.values.at(1);
+  const std::vector<Position> path = pathTargets(proof_context.mission, statement);
   if (path.empty()) {
     return addBox(proof_context.intervals[north.index], proof_context.intervals[east.index],
                   places);

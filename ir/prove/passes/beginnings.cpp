@@ -45,7 +45,7 @@ class BeginningCheck {
       return;
     }
     if (told_.emplace(activity.range.file, activity.range.begin).second) {
-      proof_.diagnostics.report(support::DiagnosticId::nothingOrdered, activity.range, who, what);
+      proof_.diagnostics.report(support::DiagnosticId::nothingCommanded, activity.range, who, what);
     }
   }
 
@@ -61,14 +61,14 @@ class BeginningCheck {
       }
       // An unknown condition takes neither branch.
       return statement.kind == StatementKind::If && isKnown(statement.value) &&
-             ordersIf(statement.value, true, statement.then, vertical) &&
-             ordersIf(statement.value, false, statement.otherwise, vertical);
+             commandsIf(statement.value, true, statement.then, vertical) &&
+             commandsIf(statement.value, false, statement.otherwise, vertical);
     });
   }
 
   /// The same for a branch, in which its condition is true, or false.
   // NOLINTNEXTLINE(misc-no-recursion): as deep as the mission's text nests
-  bool ordersIf(ExprId condition, bool value, BlockId block, bool vertical) {
+  bool commandsIf(ExprId condition, bool value, BlockId block, bool vertical) {
     const size_t before = shown_.size();
     addShown(condition, value);
     const bool found = commands(block, vertical);

@@ -22,9 +22,9 @@ constexpr size_t kMostStates = 200;
 /// Looks for states between which a mission goes back and forth on each tick while the readings
 /// stay the same, or differ only by their noise. Each pair is a line of the report, as it may be
 /// intended.
-class BounceCheck {
+class ChatteringCheck {
  public:
-  explicit BounceCheck(Proof& proof)
+  explicit ChatteringCheck(Proof& proof)
       : proof_(proof),
         proof_context_(proof.proof_context),
         m_(proof.proof_context.mission),
@@ -185,7 +185,7 @@ class BounceCheck {
 
 void passes::chattering(Proof& proof) {
   if (proof.options.report) {
-    BounceCheck(proof).run();
+    ChatteringCheck(proof).run();
   }
 }
 

@@ -52,56 +52,57 @@ class CommandCheck {
   }
 
  private:
-  [[nodiscard]] const Interval& range(const Statement& order, size_t argument) const {
-    return proof_.proof_context.intervals[order.values.at(argument).index];
+  [[nodiscard]] const Interval& range(const Statement& statement, size_t argument) const {
+    return proof_.proof_context.intervals[statement.values.at(argument).index];
   }
 
   /// Checks depth and pitch of each command; a number without a range is not checked.
   void checkEnvelope(const Activity& profile) {
-    for (const Statement* order : commands_) {
-      const bool sloped = order->command == Command::Descend || order->command == Command::Ascend;
-      if (sloped || order->command == Command::Hover) {
-        hold(profile, *order, 0, envelope_.greatest_depth_m);
-        holdUnderWater(profile, *order);
+    for (const Statement* statement : commands_) {
+      const bool sloped =
+          statement->command == Command::Descend || statement->command == Command::Ascend;
+      if (sloped || statement->command == Command::Hover) {
+        hold(profile, *statement, 0, envelope_.greatest_depth_m);
+        holdUnderWater(profile, *statement);
       }
       if (sloped) {
-        hold(profile, *order, 1, envelope_.steepest_pitch_rad);
-        holdSteepEnough(profile, *order);
+        hold(profile, *statement, 1, envelope_.steepest_pitch_rad);
+        holdSteepEnough(profile, *statement);
       }
     }
   }
 
-  void hold(const Activity& profile, const Statement& order, size_t argument, double most) {
-    const Interval& given = range(order, argument);
+  void hold(const Activity& profile, const Statement& statement, size_t argument, double most) {
+    const Interval& given = range(statement, argument);
     const double greatest = std::max(given.highest, -given.lowest);
     const bool judged = !given.empty && greatest < kNoBound;
     if (!judged || greatest <= most || !told_.insert(profile.range.begin).second) {
       return;
     }
-    const Type type = m_[order.values.at(argument)].type;
-    proof_.diagnostics.report(DiagnosticId::orderBeyondEnvelope, profile.range,
+    const Type type = m_[statement.values.at(argument)].type;
+    proof_.diagnostics.report(DiagnosticId::commandBeyondEnvelope, profile.range,
                               shown(greatest, type),
                               "beyond the vehicle's limit of " + shown(most, type));
   }
 
   /// A depth slightly above the surface is not a depth to fly to, but it is not an error either.
-  void holdUnderWater(const Activity& profile, const Statement& order) {
-    const Interval& depth = range(order, 0);
+  void holdUnderWater(const Activity& profile, const Statement& statement) {
+    const Interval& depth = range(statement, 0);
     if (!depth.empty && depth.highest < 0 && told_.insert(profile.range.begin).second) {
       in_the_air_.insert(profile.range.begin);
-      const Type type = m_[order.values.at(0)].type;
-      proof_.diagnostics.report(DiagnosticId::orderBeyondEnvelope, profile.range,
+      const Type type = m_[statement.values.at(0)].type;
+      proof_.diagnostics.report(DiagnosticId::commandBeyondEnvelope, profile.range,
                                 shown(depth.highest, type), "above the surface");
     }
   }
 
-  void holdSteepEnough(const Activity& profile, const Statement& order) {
-    const Interval& pitch = range(order, 1);
+  void holdSteepEnough(const Activity& profile, const Statement& statement) {
+    const Interval& pitch = range(statement, 1);
     const double least = std::max({pitch.lowest, -pitch.highest, 0.0});
     const bool judged = !pitch.empty && pitch.highest - pitch.lowest < kNoBound;
     if (judged && least < envelope_.shallowest_pitch_rad &&
         told_.insert(profile.range.begin).second) {
-      const Type type = m_[order.values.at(1)].type;
+      const Type type = m_[statement.values.at(1)].type;
       proof_.diagnostics.report(DiagnosticId::pitchTooShallow, profile.range, shown(least, type),
                                 shown(envelope_.shallowest_pitch_rad, type));
     }
@@ -114,11 +115,11 @@ class CommandCheck {
     }
     Interval down{kEndless, -kEndless, true};
     Interval up = down;
-    for (const Statement* order : commands_) {
-      if (order->command == Command::Descend) {
-        widen(down, range(*order, 0));
-      } else if (order->command == Command::Ascend) {
-        widen(up, range(*order, 0));
+    for (const Statement* statement : commands_) {
+      if (statement->command == Command::Descend) {
+        widen(down, range(*statement, 0));
+      } else if (statement->command == Command::Ascend) {
+        widen(up, range(*statement, 0));
       }
     }
     const bool judged =
@@ -132,8 +133,8 @@ class CommandCheck {
   /// Whether some climb leads above where some dive leads, for all their values: most profiles have
   /// fixed depths, so the solver is not needed.
   [[nodiscard]] bool surelyTurns() const {
-    const auto known = [&](const Statement* order) {
-      return proof_.proof_context.known.expressions[order->values.at(0).index];
+    const auto known = [&](const Statement* statement) {
+      return proof_.proof_context.known.expressions[statement->values.at(0).index];
     };
     return std::ranges::any_of(commands_, [&](const Statement* up) {
       return up->command == Command::Ascend && known(up) &&
@@ -172,8 +173,8 @@ class CommandCheck {
   /// lasts.
   void fix(const State& state, SymbolicState& moment) const {
     const std::vector<bool> set = setWhileCurrent(m_, state);
-    for (const Statement* order : commands_) {
-      for (const ExprId value : order->values) {
+    for (const Statement* statement : commands_) {
+      for (const ExprId value : statement->values) {
         forEachIn(m_, value, [&](const Expr& e) {
           if (e.op != Op::Variable || set[e.variable.index]) {
             return;

@@ -118,7 +118,7 @@ class RequirementCheck {
       case RequirementKind::NeverAfter:
         return !mayEnterAfter(m_, requirement.state, requirement.after);
       case RequirementKind::Always:
-        return heldByOrders(requirement.condition, proof_.proof_context);
+        return heldByCommands(requirement.condition, proof_.proof_context);
       case RequirementKind::ExitWithin:
         return proof_.ending.by(requirement.seconds).has_value();
       case RequirementKind::SurfacesEvery:

@@ -19,7 +19,7 @@ namespace {
 /// What a profile remembers: its own truth values, and its latest command about depth.
 struct Mode {
   std::vector<Truth> truths;  ///< of ProfileModes::own
-  std::optional<Command> order;
+  std::optional<Command> command;
   auto operator<=>(const Mode&) const = default;
 };
 
@@ -66,16 +66,16 @@ class ProfileModes {
   }
 
   struct Trap {
-    Command order;
+    Command command;
     support::SourceRange range;  ///< of the case that leads into it
   };
 
   /// A mode from which only its own command is given, up or down, and the profile is never done.
   [[nodiscard]] std::optional<Trap> trap() const {
     for (const auto& [mode, range] : arrivals_) {
-      const bool sloped = mode.order == Command::Descend || mode.order == Command::Ascend;
+      const bool sloped = mode.command == Command::Descend || mode.command == Command::Ascend;
       if (sloped && !leadsToAnother(mode)) {
-        return Trap{*mode.order, range};
+        return Trap{*mode.command, range};
       }
     }
     return std::nullopt;
@@ -121,7 +121,7 @@ class ProfileModes {
     while (!pending.empty()) {
       const Mode mode = pending.back();
       pending.pop_back();
-      if (mode.order != from.order || ends_.contains(mode)) {
+      if (mode.command != from.command || ends_.contains(mode)) {
         return true;
       }
       const auto next = next_.find(mode);
@@ -171,7 +171,7 @@ class ProfileModes {
       return with(mode, static_cast<size_t>(own - own_.begin()), judge(statement.value, mode));
     }
     if (statement.kind == StatementKind::Command && isVertical(statement.command)) {
-      mode.order = statement.command;
+      mode.command = statement.command;
     }
     return {mode};
   }
@@ -220,9 +220,9 @@ class ProfileModes {
 bool goesBothWays(const Mission& mission, const Activity& profile) {
   bool down = false;
   bool up = false;
-  for (const Statement* order : commandsOf(mission, profile)) {
-    down = down || order->command == Command::Descend || order->command == Command::Hover;
-    up = up || order->command == Command::Ascend || order->command == Command::Surface;
+  for (const Statement* statement : commandsOf(mission, profile)) {
+    down = down || statement->command == Command::Descend || statement->command == Command::Hover;
+    up = up || statement->command == Command::Ascend || statement->command == Command::Surface;
   }
   return down && up;
 }
@@ -253,7 +253,7 @@ void passes::stuckProfiles(Proof& proof) {
     }
     const auto trap = modes.trap();
     if (trap && told.emplace(trap->range.file, trap->range.begin).second) {
-      const bool dives = trap->order == Command::Descend;
+      const bool dives = trap->command == Command::Descend;
       proof.diagnostics.report(support::DiagnosticId::profileStuck, trap->range,
                                dives ? "dive" : "climb", dives ? "climb" : "dive");
     }

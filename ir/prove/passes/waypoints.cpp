@@ -49,11 +49,11 @@ class WaypointCheck {
   }
 
  private:
-  void add(const Statement& order, const support::SourceRange& route) {
-    if (const auto fixed = fixedTarget(m_, order)) {
+  void add(const Statement& statement, const support::SourceRange& route) {
+    if (const auto fixed = fixedTarget(m_, statement)) {
       waypoints_.push_back({*fixed, route});
     }
-    for (const Position& place : pathTargets(m_, order)) {
+    for (const Position& place : pathTargets(m_, statement)) {
       waypoints_.push_back({place, route});
     }
   }

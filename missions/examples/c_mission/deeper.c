@@ -43,7 +43,7 @@ int main(int argc, char** argv) {
         setDepths(top, bottom);
         dive();
       } else {
-        giveBack(); /* icy, or over */
+        releaseControl(); /* icy, or over */
       }
     }
   }

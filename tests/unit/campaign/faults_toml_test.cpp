@@ -6,6 +6,7 @@
 #include "campaign/campaign.h"
 #include "simulator/scenario/scenario.h"
 #include "tests/support/command.h"
+#include "tests/unit/simulator/slocum_vehicle.h"
 
 #include <gtest/gtest.h>
 
@@ -134,8 +135,9 @@ TEST(FaultsToToml, IsReadBackAsItWas) {
       const std::string text = faultsToToml(drawn);
       support::SourceManager sources;
       support::DiagnosticEngine diagnostics;
-      const auto scenario = simulator::loadScenario(folder.write("drawn.toml", world + "\n" + text),
-                                                    sources, diagnostics);
+      const auto scenario =
+          simulator::loadScenario(folder.write("drawn.toml", world + "\n" + text),
+                                  simulator::slocumPlatform(), sources, diagnostics);
       ASSERT_TRUE(scenario) << text << scenario.error().message;
       const Faults& read = scenario->faults;
       EXPECT_EQ(faultsToToml(read), text);

@@ -202,16 +202,16 @@ TEST(MeasureMissions, NotesWhatIsUsualOfEach) {
   const auto later = [] {
     return support::Result<std::unique_ptr<simulator::SbcPort>>(
         std::make_unique<simulator::FakeSbc>(
-            simulator::FakePilot::Plan{.bottom_m = 25, .give_back_s = 900}, 1e9, true));
+            simulator::FakePilot::Plan{.bottom_m = 25, .release_s = 900}, 1e9, true));
   };
   plan.missions[1].new_flight = [later] { return later; };
   ASSERT_TRUE(measureMissions(plan));
   const auto& one = plan.missions[0];
   const auto& two = plan.missions[1];
   EXPECT_GT(one.times.take_s, 0);
-  EXPECT_NEAR(one.times.give_back_s - one.times.take_s, 600, 20);
-  EXPECT_NEAR(two.times.give_back_s - two.times.take_s, 900, 20);
-  EXPECT_GT(one.times.flight_s, one.times.give_back_s);
+  EXPECT_NEAR(one.times.release_s - one.times.take_s, 600, 20);
+  EXPECT_NEAR(two.times.release_s - two.times.take_s, 900, 20);
+  EXPECT_GT(one.times.flight_s, one.times.release_s);
   EXPECT_NEAR(one.times.deepest_m, 21, 2);
   EXPECT_NEAR(two.times.deepest_m, 26, 2);
   EXPECT_GT(one.mean_W, 0.1);

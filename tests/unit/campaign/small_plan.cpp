@@ -13,7 +13,7 @@ simulator::StartSbc pilot() {
   return [] {
     return support::Result<std::unique_ptr<simulator::SbcPort>>(
         std::make_unique<simulator::FakeSbc>(
-            simulator::FakePilot::Plan{.give_back_s = 600, .takes_again = true}, 1e9, true));
+            simulator::FakePilot::Plan{.release_s = 600, .takes_again = true}, 1e9, true));
   };
 }
 
@@ -29,6 +29,7 @@ CampaignPlan smallPlan(uint64_t flights) {
     CampaignMission& mission = plan.missions.emplace_back();
     mission.file = file;
     mission.platform = setup.platform;
+    mission.vehicle = plan.scenario.vehicle;
     mission.new_flight = pilot;
   }
   return plan;

@@ -4,7 +4,7 @@
 // Bytes, queues, lists and frames at the very edge of their limits: the last that fits, the first
 // that does not.
 
-#include "hooks/clothesline/clothesline.h"
+#include "hooks/flight_science_link/flight_science_link.h"
 #include "hooks/protocol/bytes.h"
 #include "hooks/protocol/crc.h"
 #include "hooks/protocol/messages.h"
@@ -420,10 +420,10 @@ TEST(FrameEdges, AnEqualCheckWithAnotherNumberIsAnotherFrame) {
   EXPECT_EQ(decoder.doubles(), 1U);
 }
 
-TEST(ClotheslineEdges, AGroupThatIsTooLongGoesOnInTheNextFrame) {
+TEST(FlightScienceLinkEdges, AGroupThatIsTooLongGoesOnInTheNextFrame) {
   // 24 of 10 bytes fill a frame's 249.
   MemoryLine line;
-  Clothesline flight{gliderDictionary}, science{gliderDictionary};
+  FlightScienceLink flight{gliderDictionary}, science{gliderDictionary};
   std::vector<SensorUpdate> updates;
   for (int i = 0; i < 60; ++i) {
     updates.push_back({GLIDER_M_LAT, 3900.0 + i});
@@ -440,9 +440,9 @@ TEST(ClotheslineEdges, AGroupThatIsTooLongGoesOnInTheNextFrame) {
   EXPECT_EQ(science.badFrames(), 0U);
 }
 
-TEST(ClotheslineEdges, CountsFramesOfBothKindsThatItThrowsAway) {
+TEST(FlightScienceLinkEdges, CountsFramesOfBothKindsThatItThrowsAway) {
   MemoryLine line;
-  Clothesline science{gliderDictionary};
+  FlightScienceLink science{gliderDictionary};
   putMessage(line.left(), Beacon{}, 1);
   const uint8_t noise[] = {5, 5, 5, 0};
   (void)line.left().write(line.left().self, noise, 4);
@@ -451,9 +451,9 @@ TEST(ClotheslineEdges, CountsFramesOfBothKindsThatItThrowsAway) {
   EXPECT_EQ(science.badFrames(), 2U);
 }
 
-TEST(ClotheslineEdges, ALineThatTakesAPartKeepsTheRest) {
+TEST(FlightScienceLinkEdges, ALineThatTakesAPartKeepsTheRest) {
   MemoryLine line;
-  Clothesline flight{gliderDictionary}, science{gliderDictionary};
+  FlightScienceLink flight{gliderDictionary}, science{gliderDictionary};
   const SensorUpdate update{GLIDER_M_DEPTH, 12.5};
   struct Narrow {
     GliderByteStream to;
@@ -472,9 +472,9 @@ TEST(ClotheslineEdges, ALineThatTakesAPartKeepsTheRest) {
   EXPECT_EQ(science.poll(line.right(), got, 8), 3U);
 }
 
-TEST(ClotheslineEdges, NothingOfAListThatIsBadIsGiven) {
+TEST(FlightScienceLinkEdges, NothingOfAListThatIsBadIsGiven) {
   MemoryLine line;
-  Clothesline science{gliderDictionary};
+  FlightScienceLink science{gliderDictionary};
   Frame frame;
   encodeEmptyList(MessageType::Sensors, frame);
   ASSERT_TRUE(appendValue(frame, {GLIDER_M_DEPTH, 12.5}));
@@ -487,11 +487,11 @@ TEST(ClotheslineEdges, NothingOfAListThatIsBadIsGiven) {
   EXPECT_EQ(science.badFrames(), 1U);
 }
 
-TEST(ClotheslineEdges, TheRestOfAFrameIsItsRestAndNoMore) {
+TEST(FlightScienceLinkEdges, TheRestOfAFrameIsItsRestAndNoMore) {
   // A long frame leaves its bytes in the buffer; of the short one after it the line takes three
   // bytes first.
   MemoryLine line;
-  Clothesline flight{gliderDictionary}, science{gliderDictionary};
+  FlightScienceLink flight{gliderDictionary}, science{gliderDictionary};
   struct Slow {
     GliderByteStream to;
     bool slow = false;

@@ -94,7 +94,7 @@ class HookbehBench {
   static Instruction giveBack(uint32_t session = 1) {
     Instruction instruction;
     instruction.session = session;
-    instruction.control = HookControl::GiveBack;
+    instruction.control = HookControl::Release;
     return instruction;
   }
 

@@ -69,7 +69,7 @@ TEST_F(HookbehReplay, ARefusedInstructionKeepsItsOwnReason) {
   EXPECT_EQ(out.answered_sequence, 2);
 }
 
-TEST_F(HookbehReplay, AnOldGiveBackEndsNothing) {
+TEST_F(HookbehReplay, AnOldReleaseEndsNothing) {
   give(Bench::take(20));
   bench_.write(Bench::giveBack());
   const HookbehInputs never_arrived = bench_.inputs;

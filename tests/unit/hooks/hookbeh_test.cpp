@@ -308,7 +308,7 @@ TEST(Hookbeh, SilenceIsForGoodUntilANewerSessionTakes) {
   EXPECT_EQ(out.session, 6U);
 }
 
-TEST(Hookbeh, GiveBackIsForGood) {
+TEST(Hookbeh, ReleaseIsFinal) {
   Bench bench;
   bench.cycle();
   bench.give(Bench::take(20));

@@ -115,7 +115,7 @@ class HookprogBench : public testing::Test {
 
   MemoryLine sbc_line_;
   MemoryLine flight_line_;
-  Clothesline flight_{gliderDictionary};
+  FlightScienceLink flight_{gliderDictionary};
   Hookprog hookprog_;
   std::map<uint16_t, double> science_;
   double now_ = 0;

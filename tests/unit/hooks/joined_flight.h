@@ -21,7 +21,7 @@
 #include <set>
 #include <string>
 
-/// Client, hookprog, clothesline and hookbeh joined over lines that lose and flip bytes.
+/// Client, hookprog, flight-science link and hookbeh joined over lines that lose and flip bytes.
 namespace glider::hooks {
 
 /// A serial line with a speed and noise, between two ends in memory.
@@ -103,8 +103,8 @@ class NoisyLine {
   MemoryLine right_;
 };
 
-/// The flight controller: a sensor array, hookbeh, a clothesline, and a vehicle that moves as it is
-/// told.
+/// The flight controller: a sensor array, hookbeh, a flight-science link, and a vehicle that moves
+/// as it is told.
 class FlightController {
  public:
   explicit FlightController(bool with_hookbeh = true)
@@ -122,7 +122,7 @@ class FlightController {
     depth = std::max(0.0, depth + (outputs.commanding ? (outputs.pump_cc < 0 ? 0.8 : -0.8) : 0.0));
     SensorUpdate updates[64];
     for (uint32_t count = 64; count == 64;) {
-      count = clothesline_.poll(line, updates, 64);
+      count = flight_science_link_.poll(line, updates, 64);
       for (uint32_t i = 0; i < count; ++i) {
         array_[updates[i].id] = updates[i].value;
       }
@@ -183,15 +183,15 @@ class FlightController {
     }
     report.push_back({GLIDER_M_PRESENT_SECS_INTO_MISSION, time});
     report.push_back({GLIDER_M_CYCLE_NUMBER, cycle_});
-    clothesline_.send(report.data(), static_cast<uint32_t>(report.size()));
+    flight_science_link_.send(report.data(), static_cast<uint32_t>(report.size()));
     SensorUpdate unused[1];
-    clothesline_.poll(line, unused, 0);
+    flight_science_link_.poll(line, unused, 0);
   }
 
   /// Changes now and then, back and forth.
   double latitude() const { return 3910 + std::floor(cycle_ / 3) - 2 * std::floor(cycle_ / 6); }
 
-  Clothesline clothesline_{gliderDictionary};
+  FlightScienceLink flight_science_link_{gliderDictionary};
   Hookbeh hookbeh_;
   bool with_hookbeh_;
   std::map<uint16_t, double> array_;
@@ -202,8 +202,8 @@ class FlightController {
 /// a while.
 class Mission {
  public:
-  explicit Mission(double give_back_s, uint32_t session = 1, float dead_band = 0)
-      : give_back_s_(give_back_s), client_(gliderDictionary, options(session, dead_band)) {}
+  explicit Mission(double release_s, uint32_t session = 1, float dead_band = 0)
+      : give_back_s_(release_s), client_(gliderDictionary, options(session, dead_band)) {}
 
   static ClientOptions options(uint32_t session, float dead_band) {
     static Subscription sensors[2];
@@ -254,7 +254,7 @@ class Mission {
     }
     if (tick.vehicle_time_s >= give_back_s_) {
       finished = true;
-      tell(HookControl::GiveBack);
+      tell(HookControl::Release);
     } else if ((tick.hook_state == HookState::Ready && !asked_) ||
                tick.hook_state == HookState::Silent) {
       asked_ = true;

@@ -209,7 +209,7 @@ TEST(Joined, CommandsThatNeverArriveEndControlInTimeThoughTheHeartBeats) {
   EXPECT_LE(silent_at, lost_from + 24 + 24 + 8);
 }
 
-TEST(Joined, ACutClotheslineIsSilence) {
+TEST(Joined, ACutFlightScienceLinkIsSilence) {
   Vehicle vehicle(0, 1);
   Mission mission(5000);
   for (int i = 0; i < 400; ++i) {

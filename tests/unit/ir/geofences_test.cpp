@@ -253,7 +253,7 @@ TEST(Fences, AWayFromFarOffBendsIntoAnAreaToKeepOutOf) {
   const GeofenceVerdict verdict = judged(boxed({waypoint}, {60.1, -0.3}, {60.2, 0.3}), false);
   ASSERT_TRUE(verdict.proved) << verdict.reason;
   ASSERT_GT(verdict.start_within_m, 0) << "from half round the Earth it might come over the pole";
-  const platforms::World& world = slocum().world;
+  const platforms::EnvironmentModel& world = slocum().world;
   const double off_legs = world.steering_error_m +
                           (1200 + kResumeWithin_s) * world.surface_drift_m_s +
                           kResumeWithin_s * world.through_water_m_s;
@@ -267,7 +267,7 @@ TEST(Fences, AWayFromFarOffBendsIntoAnAreaToKeepOutOf) {
 TEST(Fences, TheMarginGrowsWithTheTimeAndWithoutAWaypoint) {
   const std::string far = boxed({{39, -73}}, {38.7, -73.3}, {39.3, -72.7});
   const double once = judged(far).margin_m;
-  const platforms::World& world = slocum().world;
+  const platforms::EnvironmentModel& world = slocum().world;
   const double seconds = 1200 + kResumeWithin_s;
   const double dark = kResumeWithin_s * world.through_water_m_s;
   EXPECT_NEAR(once, world.steering_error_m + seconds * world.surface_drift_m_s + dark, 160);

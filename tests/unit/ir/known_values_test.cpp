@@ -240,10 +240,10 @@ bool isHeld(const std::string& condition) {
                 "entry do descend (20:length, 0.4:angle) end end case " +
                 condition + " stay\n");
   const ProofContext proof_context(m, slocum());
-  return heldByOrders(m.states[0].cases.at(0).guard, proof_context);
+  return heldByCommands(m.states[0].cases.at(0).guard, proof_context);
 }
 
-TEST(HeldByOrders, ADepthThatNoOrderLeadsBelow) {
+TEST(HeldByCommands, ADepthThatNoOrderLeadsBelow) {
   for (const char* held : {"(le (sensor depth) 25:length)", "(lt (sensor depth) 25.1:length)",
                            "(ge 25:length (sensor depth))", "(gt 25.1:length (sensor depth))",
                            "(and (le (sensor depth) 25:length) (le (sensor depth) 26:length))",

@@ -134,12 +134,12 @@ const std::string kCold = "case (lt (sensor temp) 12:temperature) goto a ";
 
 /// A `return` that never fires is no mistake: the look for states that follow each other on tick
 /// after tick takes none from an empty stack.
-TEST(Bounces, AStateWithAReturnThatNeverFires) {
+TEST(Chattering, AStateWithAReturnThatNeverFires) {
   bounces(kHeader + stateText("a", kExit + "case (gt (sensor temp) 10:temperature) goto b") +
           stateText("b", kCold + "case false return"));
 }
 
-TEST(Bounces, NotAtTimesThatCannotBe) {
+TEST(Chattering, NotAtTimesThatCannotBe) {
   const auto after = [](const std::string& guard) {
     return bounces(kHeader +
                    "variable t: time mission lowest -100 highest 5000\ninitial t 1:time\n" +
@@ -157,7 +157,7 @@ TEST(Bounces, NotAtTimesThatCannotBe) {
             "");
 }
 
-TEST(Bounces, SayHowLongTheStateWasCurrent) {
+TEST(Chattering, SayHowLongTheStateWasCurrent) {
   EXPECT_THAT(
       bounces(kHeader +
               stateText("a", kExit + "case (and (gt (sensor temp) 10:temperature) (and (gt "
@@ -167,7 +167,7 @@ TEST(Bounces, SayHowLongTheStateWasCurrent) {
 }
 
 /// From 86 s to `until` by a case of the state, from 98 s by one of `always`, 4 s later back.
-TEST(Bounces, ByTheSameCaseTwice) {
+TEST(Chattering, ByTheSameCaseTwice) {
   const auto between = [](const char* from, const char* to) {
     return std::string("case (and (ge missiontime ") + from + ":time) (le missiontime " + to +
            ":time)) goto ";
@@ -182,7 +182,7 @@ TEST(Bounces, ByTheSameCaseTwice) {
 }
 
 /// The noise of the pressure is 0.01 bar.
-TEST(Bounces, TheNoiseIsInTheVehiclesUnit) {
+TEST(Chattering, TheNoiseIsInTheVehiclesUnit) {
   const auto apart = [](const char* pressure) {
     return bounces(
         kHeader +
@@ -196,7 +196,7 @@ TEST(Bounces, TheNoiseIsInTheVehiclesUnit) {
 }
 
 /// Of degrees and minutes that stand in one number no difference has a meaning.
-TEST(Bounces, NoNoiseOfAPlace) {
+TEST(Chattering, NoNoiseOfAPlace) {
   platforms::Platform noisy = slocum();
   for (platforms::PlatformSensor& sensor : noisy.sensors) {
     sensor.noise = sensor.name == "m_lat" ? 0.5 : sensor.noise;

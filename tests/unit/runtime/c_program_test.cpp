@@ -508,7 +508,7 @@ TEST(CProgram, GivesBackWhenItSaysSo) {
     open(vehicle);
     ticks(list, 5);
     EXPECT_EQ(vehicle.hookbeh().state, hooks::HookState::Active);
-    giveBack();
+    releaseControl();
     ::testing::internal::CaptureStderr();
     EXPECT_EQ(gliderRun(list), nullptr);
     EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");

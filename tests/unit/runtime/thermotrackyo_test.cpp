@@ -71,8 +71,8 @@ class Loop {
     return score;
   }
 
-  double order_top = 5;
-  double order_bottom = top_bottom;
+  double commanded_top = 5;
+  double commanded_bottom = top_bottom;
 
  private:
   static constexpr double top_bottom = 20;
@@ -104,8 +104,8 @@ class Loop {
   }
 
   void note(double t, Score& score) {
-    (context_->vertical == kGliderDescend ? order_bottom : order_top) = context_->depth;
-    const bool narrowed = order_top > 5 || order_bottom < top_bottom;
+    (context_->vertical == kGliderDescend ? commanded_bottom : commanded_top) = context_->depth;
+    const bool narrowed = commanded_top > 5 || commanded_bottom < top_bottom;
     if (narrowed && score.detected < 0) {
       score.detected = t;
     }
@@ -116,8 +116,8 @@ class Loop {
     if (turns_ >= 2) {  // the yo in which it was found is over at the second turn
       ++score.ticks;
       const double isotherm = water_.isotherm(t);
-      score.contained += order_top <= isotherm && isotherm <= order_bottom;
-      score.widest = std::max(score.widest, order_bottom - order_top);
+      score.contained += commanded_top <= isotherm && isotherm <= commanded_bottom;
+      score.widest = std::max(score.widest, commanded_bottom - commanded_top);
     }
   }
 
@@ -188,19 +188,19 @@ TEST(Thermotrackyo, OneLegOfStaleWaterInTheCtdLosesNothingForGood) {
 TEST(Thermotrackyo, SearchesTheFullRangeAgainWhenTheThermoclineIsGone) {
   Loop loop({.amplitude = 0}, {}, 1);
   loop.fly(600);
-  EXPECT_LE(loop.order_bottom - loop.order_top, 10);
+  EXPECT_LE(loop.commanded_bottom - loop.commanded_top, 10);
   Loop mixed({.amplitude = 0}, {.stale_from = 600, .stale_until = 1e9}, 1);
   mixed.fly(1200);
-  EXPECT_EQ(mixed.order_top, 5);
-  EXPECT_EQ(mixed.order_bottom, 20);
+  EXPECT_EQ(mixed.commanded_top, 5);
+  EXPECT_EQ(mixed.commanded_bottom, 20);
 }
 
 TEST(Thermotrackyo, IsAYoWhereThereIsNoThermocline) {
   Loop loop({.mean_depth = 1000}, {}, 1);
   const Score score = loop.fly(1200);
   EXPECT_LT(score.detected, 0);
-  EXPECT_EQ(loop.order_top, 5);
-  EXPECT_EQ(loop.order_bottom, 20);
+  EXPECT_EQ(loop.commanded_top, 5);
+  EXPECT_EQ(loop.commanded_bottom, 20);
 }
 
 TEST(Yo, TurnsAtItsDepthsClimbsWhenDepthIsUnknownAndFollowsLiveArguments) {

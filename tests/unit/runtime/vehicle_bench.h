@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "hooks/clothesline/clothesline.h"
+#include "hooks/flight_science_link/flight_science_link.h"
 #include "hooks/hookbeh/hookbeh.h"
 #include "hooks/hookprog/hookprog.h"
 #include "hooks/transport/memory.h"
@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
-/// A vehicle on the bench: sensor array, hookbeh, clothesline and hookprog as they are on board,
-/// with no water round them. The SBC is polled after every second.
+/// A vehicle on the bench: sensor array, hookbeh, flight-science link and hookprog as they are on
+/// board, with no water round them. The SBC is polled after every second.
 namespace glider::runtime::testing {
 
 class VehicleBench {
@@ -64,11 +64,11 @@ class VehicleBench {
         controlCycle();
       }
       const hooks::ScienceSensors own{this, &VehicleBench::scienceSensor};
-      hookprog_.run(now_, own, sbc_line_.left(), clothesline_.left());
+      hookprog_.run(now_, own, sbc_line_.left(), flight_science_link_.left());
       if (!line_is_cut) {
         sbc();
       }
-      hookprog_.run(now_, own, sbc_line_.left(), clothesline_.left());
+      hookprog_.run(now_, own, sbc_line_.left(), flight_science_link_.left());
       for (hooks::HookprogEvent e = hookprog_.nextEvent();
            e.kind != hooks::HookprogEvent::Kind::None; e = hookprog_.nextEvent()) {
         events.push_back(e);
@@ -117,7 +117,7 @@ class VehicleBench {
   void receive() {
     hooks::SensorUpdate updates[64];
     for (uint32_t count = 64; count == 64;) {
-      count = flight_.poll(clothesline_.right(), updates, 64);
+      count = flight_.poll(flight_science_link_.right(), updates, 64);
       for (uint32_t i = 0; i < count; ++i) {
         if (!forgets_sequence || updates[i].id != GLIDER_SCI_HOOK_SEQUENCE) {
           array_[updates[i].id] = updates[i].value;
@@ -144,7 +144,7 @@ class VehicleBench {
     }
     (void)flight_.send(updates.data(), static_cast<uint32_t>(updates.size()));
     hooks::SensorUpdate none[1];
-    (void)flight_.poll(clothesline_.right(), none, 0);
+    (void)flight_.poll(flight_science_link_.right(), none, 0);
   }
 
   [[nodiscard]] hooks::HookbehInputs inputs() const {
@@ -176,9 +176,9 @@ class VehicleBench {
   double array_[GLIDER_SENSOR_COUNT];
   hooks::Hookbeh hookbeh_;
   hooks::Hookprog hookprog_;
-  hooks::Clothesline flight_{gliderDictionary};
+  hooks::FlightScienceLink flight_{gliderDictionary};
   hooks::MemoryLine sbc_line_;
-  hooks::MemoryLine clothesline_;
+  hooks::MemoryLine flight_science_link_;
   hooks::HookbehOutputs outputs_;
 };
 

@@ -59,7 +59,7 @@ TEST(DrawFaults, MannersSayWhen) {
       return drawFaults(FaultKind::LineCut, manner, seed, kTimes);
     };
     EXPECT_LE(draw(Manner::Handshake).faults.first(), kTimes.take_s + 30);
-    EXPECT_GE(draw(Manner::Exit).faults.first(), kTimes.give_back_s - 40);
+    EXPECT_GE(draw(Manner::Exit).faults.first(), kTimes.release_s - 40);
     EXPECT_GE(draw(Manner::Recurring).faults.lines.size(), 2 * 3U);
     for (const LineFault& fault : draw(Manner::ForGood).faults.lines) {
       EXPECT_EQ(fault.when.to_s, kForever);
@@ -90,13 +90,13 @@ TEST(DrawFaults, EachKindOfTheLineIsThatAndNothingElse) {
       {FaultKind::Bursts, "bursts"},         {FaultKind::Delay, "delay"},
       {FaultKind::DoubledFrames, "doubled"}, {FaultKind::OldFrames, "replayed"},
       {FaultKind::HalfOpen, "cut"},          {FaultKind::LineCut, "cut"},
-      {FaultKind::BaudMismatch, "baud"},     {FaultKind::Clothesline, "cut"}};
+      {FaultKind::BaudMismatch, "baud"},     {FaultKind::FlightScience, "cut"}};
   for (const auto& [kind, wrong] : kinds) {
     for (uint64_t seed = 0; seed < 20; ++seed) {
       for (const LineFault& fault : drawFaults(kind, Manner::Once, seed, kTimes).faults.lines) {
         EXPECT_EQ(wrongWith(fault), wrong) << nameOf(kind);
         const bool of_flight = fault.way == LineWay::ToFlight || fault.way == LineWay::FromFlight;
-        EXPECT_TRUE(!fault.cut || of_flight == (kind == FaultKind::Clothesline)) << nameOf(kind);
+        EXPECT_TRUE(!fault.cut || of_flight == (kind == FaultKind::FlightScience)) << nameOf(kind);
       }
     }
   }
@@ -173,7 +173,7 @@ TEST(StatedTimes, AreThoseOfTheWatchdogs) {
 
 TEST(JudgedFlight, OfTheFakePilotIsGood) {
   for (uint32_t k = 0; k < kFaultKinds; ++k) {
-    const FakePilot::Plan plan{.give_back_s = 1200, .takes_again = true};
+    const FakePilot::Plan plan{.release_s = 1200, .takes_again = true};
     SimulationSetup setup = shippedSetup("default");
     const DrawnFaults drawn =
         drawFaults(static_cast<FaultKind>(k), Manner::Once, 5, {1200, 8, 1200, 20});

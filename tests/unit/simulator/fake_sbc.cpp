@@ -51,9 +51,9 @@ void FakePilot::tick(const GliderByteStream& stream) {
     steer(plan_.bottom_m);
     taken_ = true;
     start_s_ = tick.vehicle_time_s;
-  } else if (taken_ && !given_back_ && mission_time >= plan_.give_back_s) {
+  } else if (taken_ && !given_back_ && mission_time >= plan_.release_s) {
     hooks::Instruction instruction;
-    instruction.control = hooks::HookControl::GiveBack;
+    instruction.control = hooks::HookControl::Release;
     client_.instruct(instruction);
     client_.notify({mission_time, 3, diving_ ? 0U : 1U, 0, 0});
     given_back_ = true;

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "hooks/client/client.h"
-#include "simulator/sbc_port.h"
+#include "simulator/ports/sbc_port.h"
 
 #include <deque>
 #include <functional>
@@ -20,7 +20,7 @@ class FakePilot {
  public:
   struct Plan {
     double top_m = 5, bottom_m = 20;
-    double give_back_s = 1e9;  ///< mission time
+    double release_s = 1e9;  ///< mission time
     double pitch_rad = 0.4538;
     bool hovers = false;       ///< at bottom_m, instead of climbing
     bool takes_again = false;  ///< after silence, with the mission where it is

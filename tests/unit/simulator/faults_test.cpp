@@ -22,7 +22,7 @@ namespace {
 constexpr double kSilentAfter = 24 + 8;  // silence_secs and two cycles
 
 SimulationSetup withFaults(const Faults& faults,
-                           FakePilot::Plan plan = {.give_back_s = 1200, .takes_again = true}) {
+                           FakePilot::Plan plan = {.release_s = 1200, .takes_again = true}) {
   SimulationSetup setup = shippedSetup("default");
   setup.scenario.faults = faults;
   setup.duration_s = 6000;

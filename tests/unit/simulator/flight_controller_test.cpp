@@ -19,7 +19,7 @@
 #include <map>
 
 /// The flight controller without noise, cycle by cycle: its sensors against the true vehicle, what
-/// goes over the clothesline, and how missions end.
+/// goes over the flight-science link, and how missions end.
 namespace glider::simulator {
 namespace {
 
@@ -147,7 +147,7 @@ TEST(FlightController, DepthStateByTheRateThatItReports) {
 
 TEST(FlightController, ScienceWritesItsOwnSensorsOnly) {
   Controller c(kSurface + kYo, 100);
-  hooks::Clothesline science{gliderDictionary};
+  hooks::FlightScienceLink science{gliderDictionary};
   const hooks::SensorUpdate updates[] = {{GLIDER_M_BATTERY, 1.5},
                                          {GLIDER_SCI_WATER_TEMP, 17.5},
                                          {GLIDER_M_WATER_DEPTH, 3},
@@ -164,10 +164,10 @@ TEST(FlightController, ScienceWritesItsOwnSensorsOnly) {
 
 TEST(FlightController, SendsWhatIsFreshOfItsOwn) {
   Controller c(kSurface + kYo, 100);
-  hooks::Clothesline science{gliderDictionary};
+  hooks::FlightScienceLink science{gliderDictionary};
   c.fly(200, [&] {
     std::map<uint16_t, double> got;
-    hooks::SensorUpdate updates[hooks::Clothesline::kMostUpdates];
+    hooks::SensorUpdate updates[hooks::FlightScienceLink::kMostUpdates];
     while (const uint32_t count = science.poll(c.line.right(), updates, 128)) {
       for (uint32_t i = 0; i < count; ++i) {
         got[updates[i].id] = updates[i].value;

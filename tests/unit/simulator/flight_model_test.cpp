@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "simulator/vehicle/flight_model.h"
+#include "tests/unit/simulator/slocum_vehicle.h"
 
 #include <gtest/gtest.h>
 
@@ -35,7 +36,7 @@ TEST(FlightModel, GivesTheReferenceNumbers) {
       {0.20, -26, -225, -2.326, -3.161, -29.161, 0.3088, 0.2697, -0.1505},
   };
   for (const Case& c : cases) {
-    FlightCoefficients coefficients;
+    FlightCoefficients coefficients = slocumSettings().flight;
     coefficients.drag = c.drag;
     const double force = netBuoyancy(coefficients, 1025, 20 * kDbar, c.pumped_cc * kCc);
     const SteadyFlight flight = steadyFlight(coefficients, c.pitch_deg * kDegree, force, 1025);
@@ -50,7 +51,7 @@ TEST(FlightModel, GivesTheReferenceNumbers) {
 }
 
 TEST(FlightModel, GivesTheExactCase) {
-  const FlightCoefficients coefficients;
+  const FlightCoefficients coefficients = slocumSettings().flight;
   const double force = netBuoyancy(coefficients, 1025, 0, -225 * kCc);
   const SteadyFlight flight = steadyFlight(coefficients, -0.454, force, 1025);
   EXPECT_NEAR(force, -2.26243125, 1e-11);
@@ -84,7 +85,7 @@ TEST(FlightModel, AgreesWithTheReferenceTable) {
     // Cd0, rho, dbar, pitch_deg, pitch_rad, cc, N, alpha_rad, alpha_deg, glide_deg, U, u, w, …
     const std::vector<double> v = numbers(line);
     ASSERT_GE(v.size(), 13U);
-    FlightCoefficients coefficients;
+    FlightCoefficients coefficients = slocumSettings().flight;
     coefficients.drag = v[0];
     const double force = netBuoyancy(coefficients, v[1], v[2] * kDbar, v[5] * kCc);
     const SteadyFlight flight = steadyFlight(coefficients, v[3] * kDegree, force, v[1]);
@@ -103,7 +104,7 @@ TEST(FlightModel, AgreesWithTheReferenceTable) {
 }
 
 TEST(FlightModel, StallsWhereThereIsNoGlide) {
-  const FlightCoefficients coefficients;
+  const FlightCoefficients coefficients = slocumSettings().flight;
   for (const double pitch : {0.0, 10.9 * kDegree, -10.9 * kDegree}) {
     const SteadyFlight flight = steadyFlight(coefficients, pitch, -2, 1025);
     EXPECT_TRUE(flight.stalled);

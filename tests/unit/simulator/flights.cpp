@@ -32,7 +32,7 @@ SimulationSetup shippedSetup(const std::string& name) {
   SimulationSetup setup;
   setup.platform = must(platforms::loadPlatform(kSource / "platforms/slocum.toml"));
   setup.scenario =
-      must(loadScenario(kSource / "scenarios" / (name + ".toml"), sources, diagnostics));
+      must(loadScenario(kSource / "scenarios" / (name + ".toml"), setup.platform, sources, diagnostics));
   return setup;
 }
 

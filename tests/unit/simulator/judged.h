@@ -103,7 +103,7 @@ class Judged : public testing::Test {
     fly(40);
   }
   void giveBack() {
-    instruct(1, 9, hooks::HookControl::GiveBack);
+    instruct(1, 9, hooks::HookControl::Release);
     arrive();
     obey(9);
     cycle(hooks::HookState::Complete);

@@ -27,7 +27,7 @@ SimulationSetup withSbc(const std::string& scenario, FakePilot::Plan plan,
 }
 
 TEST(SbcFlight, TakesControlSteersAndGivesBack) {
-  const support::Trace trace = fly(withSbc("default", {.give_back_s = 900}));
+  const support::Trace trace = fly(withSbc("default", {.release_s = 900}));
   const std::string events = eventText(trace);
   const auto* takes = findEvent(trace, "the SBC takes control");
   ASSERT_NE(takes, nullptr) << events;
@@ -46,8 +46,8 @@ TEST(SbcFlight, TakesControlSteersAndGivesBack) {
   EXPECT_NEAR(back->time_s, 906, 12);
   const double t = 600;
   EXPECT_EQ(valueAt(trace, "hook_active", t), 1);
-  EXPECT_EQ(valueAt(trace, "order_top", t), 5);
-  EXPECT_EQ(valueAt(trace, "order_bottom", t), 20);
+  EXPECT_EQ(valueAt(trace, "commanded_top", t), 5);
+  EXPECT_EQ(valueAt(trace, "commanded_bottom", t), 20);
   EXPECT_EQ(valueAt(trace, "layer", t), 2);
   EXPECT_NEAR(valueAt(trace, "missiontime", t), t - 4, 8);
   EXPECT_TRUE(std::isnan(valueAt(trace, "state", back->time_s + 8)));
@@ -58,7 +58,7 @@ TEST(SbcFlight, TakesControlSteersAndGivesBack) {
 
 TEST(SbcFlight, KeepsTheDepthsOrdered) {
   const support::Trace trace =
-      fly(withSbc("default", {.top_m = 8, .bottom_m = 18, .give_back_s = 1500}));
+      fly(withSbc("default", {.top_m = 8, .bottom_m = 18, .release_s = 1500}));
   double deepest = 0, shallowest = 100;
   for (size_t row = 0; row < trace.rowCount(); ++row) {
     const double time = trace.at(row, 0), depth = trace.at(row, trace.column("true_depth"));
@@ -143,7 +143,7 @@ TEST(SbcFlight, ARefusalNamesTheLimitInEffectWhereTheHullIsNarrower) {
 
 TEST(SbcFlight, Figure5IsLayeredBeforeAndAfter) {
   const support::Trace trace =
-      fly(withSbc("figure5", {.top_m = 8, .bottom_m = 20, .give_back_s = 1200}));
+      fly(withSbc("figure5", {.top_m = 8, .bottom_m = 20, .release_s = 1200}));
   const std::string events = eventText(trace);
   const auto* takes = findEvent(trace, "takes control");
   ASSERT_NE(takes, nullptr) << events;
@@ -170,8 +170,8 @@ TEST(SbcFlight, WithoutHookbehTheSbcChangesNotAByte) {
 }
 
 TEST(SbcFlight, IsDeterministic) {
-  const std::string first = traceToCsv(fly(withSbc("figure5", {.give_back_s = 600})));
-  EXPECT_EQ(first, traceToCsv(fly(withSbc("figure5", {.give_back_s = 600}))));
+  const std::string first = traceToCsv(fly(withSbc("figure5", {.release_s = 600})));
+  EXPECT_EQ(first, traceToCsv(fly(withSbc("figure5", {.release_s = 600}))));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "slocum/mission_files/read.h"
 #include "support/diagnostics/render.h"
 #include "support/files.h"
+#include "tests/unit/simulator/slocum_vehicle.h"
 
 #include <gtest/gtest.h>
 
@@ -40,7 +41,7 @@ class ScenarioFile : public testing::Test {
     EXPECT_TRUE(support::writeFileAtomically(folder_ / "x.toml", toml));
     support::SourceManager sources;
     support::DiagnosticEngine diagnostics;
-    auto result = loadScenario(folder_ / "x.toml", sources, diagnostics);
+    auto result = loadScenario(folder_ / "x.toml", slocumPlatform(), sources, diagnostics);
     rendered_ = support::render(diagnostics, sources, false);
     if (!result) {
       return support::code(result.error().id) + " " + result.error().message;
@@ -382,8 +383,8 @@ TEST(Scenarios, ShippedOnesLoadWithoutAWord) {
                            "layered", "low_battery", "shelf_slope"}) {
     support::SourceManager sources;
     support::DiagnosticEngine diagnostics;
-    const auto scenario =
-        loadScenario(folder / (std::string(name) + ".toml"), sources, diagnostics);
+    const auto scenario = loadScenario(folder / (std::string(name) + ".toml"), slocumPlatform(),
+                                       sources, diagnostics);
     ASSERT_TRUE(scenario) << scenario.error().message
                           << support::render(diagnostics, sources, false);
     EXPECT_EQ(scenario->name, name);

@@ -15,7 +15,14 @@ inline const platforms::Platform& slocumPlatform() {
   return platform;
 }
 
-inline Vehicle slocumVehicle(const VehicleSettings& settings = {}) {
+/// Its settings, neutral in water of 1025 kg/m3.
+inline VehicleSettings slocumSettings() {
+  VehicleSettings settings = settingsOf(slocumPlatform());
+  settings.flight.hull_volume_m3 = settings.flight.mass_kg / 1025;
+  return settings;
+}
+
+inline Vehicle slocumVehicle(const VehicleSettings& settings = slocumSettings()) {
   return {slocumPlatform(), settings};
 }
 

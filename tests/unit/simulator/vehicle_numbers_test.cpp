@@ -156,7 +156,7 @@ TEST(VehicleNumbers, MeetsTheBottomAndLeavesIt) {
 
 /// The smallest angle that balances the forces, by looking at every one.
 double scannedAttack(double pitch) {
-  const FlightCoefficients c;
+  const FlightCoefficients c = slocumSettings().flight;
   const double lift = c.hull_lift + c.wing_lift;
   const auto excess = [&](double a) {
     return c.drag + c.induced_drag * a * a - lift * a * std::tan(pitch + a);
@@ -170,7 +170,7 @@ double scannedAttack(double pitch) {
 }
 
 TEST(FlightModelNumbers, AttackIsTheSmallestRootOrNone) {
-  const FlightCoefficients c;
+  const FlightCoefficients c = slocumSettings().flight;
   for (double pitch = 0.02; pitch < 1.5; pitch += 0.01) {
     const double scanned = scannedAttack(pitch), found = angleOfAttack(c, pitch);
     if (pitch > 0.12 && pitch < 0.17) {
@@ -189,7 +189,7 @@ TEST(FlightModelNumbers, AttackIsTheSmallestRootOrNone) {
 
 TEST(FlightModelNumbers, AStallMovesBroadside) {
   // 2 N on 1.5 m by 0.22 m with a drag of 1.1 in 1025 kg/m3.
-  const FlightCoefficients c;
+  const FlightCoefficients c = slocumSettings().flight;
   const double speed = std::sqrt(2 * 2 / (1025 * 1.5 * 0.22 * 1.1));
   const SteadyFlight up = steadyFlight(c, 0.1, 2, 1025), down = steadyFlight(c, 0.1, -2, 1025);
   EXPECT_NEAR(up.vertical, speed, 1e-12);
@@ -243,7 +243,7 @@ TEST(VehicleNumbers, MotorsMoveAtTheirRates) {
 
 TEST(VehicleNumbers, TheHullShrinksWithPressureSoThatDivesGetFaster) {
   // At 100 m the hull of 65/1025 m3 is 5e-10 * 1e6 of itself smaller: 0.3188 N heavier.
-  const FlightCoefficients c;
+  const FlightCoefficients c = slocumSettings().flight;
   EXPECT_NEAR(netBuoyancy(c, 1025, 0, 0) - netBuoyancy(c, 1025, 1e6, 0), 9.81 * 65 * 5e-4, 1e-9);
   const auto rateAt = [](double depth) {
     Vehicle vehicle = slocumVehicle();

@@ -45,7 +45,9 @@ TEST(Vehicle, PumpMovesAtItsRateBetweenItsStops) {
 }
 
 TEST(Vehicle, DivesAtTheModelsSpeedAndStopsAtTheBottom) {
-  Vehicle vehicle = slocumVehicle({.flight = {}, .initial_heading_rad = std::numbers::pi / 2});
+  VehicleSettings eastward = slocumSettings();
+  eastward.initial_heading_rad = std::numbers::pi / 2;
+  Vehicle vehicle = slocumVehicle(eastward);
   const Ocean ocean(still());
   vehicle.commandPump(-233);
   vehicle.commandBatteryPosition(0.47);
@@ -95,8 +97,9 @@ TEST(Battery, FallsInAStraightLineToItsEmptyVoltage) {
 }
 
 TEST(Vehicle, FeedsTheSbcFromItsBattery) {
-  const VehicleSettings settings{
-      .flight = {}, .initial_heading_rad = 0, .battery = {.capacity_j = 4400, .sbc_W = 3.37}};
+  VehicleSettings settings = slocumSettings();
+  settings.battery.capacity_j = 4400;
+  settings.battery.sbc_W = 3.37;
   Vehicle vehicle = slocumVehicle(settings);
   const Ocean ocean(still());
   fly(vehicle, ocean, 100);
@@ -128,11 +131,11 @@ TEST(Navigator, ReckonsFromDepthRateAndPitchUntilAFix) {
     navigator.reckon(0.17, -0.454, std::numbers::pi / 2, false, 4);
   }
   EXPECT_NEAR(navigator.speed(), 0.17 / std::tan(0.454), 1e-12);
-  EXPECT_NEAR(navigator.x(), 400 * navigator.speed(), 1e-9);
+  EXPECT_NEAR(navigator.eastOfStart(), 400 * navigator.speed(), 1e-9);
   navigator.reckon(0.17, -0.01, 0, false, 4);
   EXPECT_NEAR(navigator.speed(), 0.17 / std::tan(0.454), 1e-12) << "level: the last speed is kept";
   navigator.fix({5, 6});
-  EXPECT_EQ(navigator.x(), 5);
+  EXPECT_EQ(navigator.eastOfStart(), 5);
   const GeoPosition there = frame.position(1005, 6);
   double distance = 0, bearing = 0;
   navigator.toWaypoint(toDdmm(there.latitude_deg), toDdmm(there.longitude_deg), distance, bearing);

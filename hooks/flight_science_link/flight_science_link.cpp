@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "hooks/clothesline/clothesline.h"
+#include "hooks/flight_science_link/flight_science_link.h"
 
 namespace glider::hooks {
 
-bool Clothesline::send(const SensorUpdate* updates, uint32_t count) {
+bool FlightScienceLink::send(const SensorUpdate* updates, uint32_t count) {
   if (count > kMostUpdates - count_) {
     return false;
   }
@@ -21,8 +21,8 @@ bool Clothesline::send(const SensorUpdate* updates, uint32_t count) {
   return true;
 }
 
-uint32_t Clothesline::poll(const GliderByteStream& stream, SensorUpdate* updates,
-                           uint32_t capacity) {
+uint32_t FlightScienceLink::poll(const GliderByteStream& stream, SensorUpdate* updates,
+                                 uint32_t capacity) {
   flush(stream);
   uint32_t given = 0;
   while (given < capacity) {
@@ -43,7 +43,7 @@ uint32_t Clothesline::poll(const GliderByteStream& stream, SensorUpdate* updates
   return given;
 }
 
-void Clothesline::flush(const GliderByteStream& stream) {
+void FlightScienceLink::flush(const GliderByteStream& stream) {
   while (out_next_ < out_end_ || count_ > 0) {
     if (out_next_ == out_end_) {
       encodeNext();
@@ -56,7 +56,7 @@ void Clothesline::flush(const GliderByteStream& stream) {
   }
 }
 
-void Clothesline::encodeNext() {
+void FlightScienceLink::encodeNext() {
   Frame frame;
   encodeEmptyList(MessageType::Sensors, frame);
   frame.sequence = ++sequence_;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "hooks/clothesline/clothesline.h"
+#include "hooks/flight_science_link/flight_science_link.h"
 
 #include "hooks/protocol/messages.h"
 #include "hooks/transport/memory.h"
@@ -16,7 +16,7 @@
 namespace glider::hooks {
 namespace {
 
-std::vector<SensorUpdate> drain(Clothesline& end, const GliderByteStream& stream,
+std::vector<SensorUpdate> drain(FlightScienceLink& end, const GliderByteStream& stream,
                                 uint32_t capacity = 16) {
   std::vector<SensorUpdate> all;
   std::vector<SensorUpdate> some(capacity);
@@ -41,11 +41,11 @@ std::vector<SensorUpdate> flightCycle() {
   return cycle;
 }
 
-TEST(Clothesline, UpdatesArriveInOrderWhateverTheCapacity) {
+TEST(FlightScienceLink, UpdatesArriveInOrderWhateverTheCapacity) {
   for (const uint32_t capacity : {1U, 3U, 128U}) {
     MemoryLine line;
-    Clothesline flight{gliderDictionary};
-    Clothesline science{gliderDictionary};
+    FlightScienceLink flight{gliderDictionary};
+    FlightScienceLink science{gliderDictionary};
     const auto cycle = flightCycle();
     ASSERT_TRUE(flight.send(cycle.data(), static_cast<uint32_t>(cycle.size())));
     EXPECT_TRUE(drain(flight, line.left()).empty());
@@ -58,7 +58,7 @@ TEST(Clothesline, UpdatesArriveInOrderWhateverTheCapacity) {
   }
 }
 
-TEST(Clothesline, ALineThatTakesAFewBytesAtATimeGetsNoOthers) {
+TEST(FlightScienceLink, ALineThatTakesAFewBytesAtATimeGetsNoOthers) {
   struct Slow {
     std::vector<uint8_t> took;
     uint32_t most = 0;  // that it was offered
@@ -71,7 +71,7 @@ TEST(Clothesline, ALineThatTakesAFewBytesAtATimeGetsNoOthers) {
                                   line.took.insert(line.took.end(), bytes, bytes + taken);
                                   return static_cast<int32_t>(taken);
                                 }};
-  Clothesline flight{gliderDictionary};
+  FlightScienceLink flight{gliderDictionary};
   const SensorUpdate update{GLIDER_M_DEPTH, 12.5};
   ASSERT_TRUE(flight.send(&update, 1));
   EXPECT_TRUE(drain(flight, stream).empty());
@@ -79,15 +79,15 @@ TEST(Clothesline, ALineThatTakesAFewBytesAtATimeGetsNoOthers) {
   MemoryLine line;
   const GliderByteStream left = line.left();
   left.write(left.self, slow.took.data(), static_cast<uint32_t>(slow.took.size()));
-  Clothesline science{gliderDictionary};
+  FlightScienceLink science{gliderDictionary};
   const auto got = drain(science, line.right());
   ASSERT_EQ(got.size(), 1U);
   EXPECT_EQ(got[0].value, 12.5);
 }
 
-TEST(Clothesline, AWholeFlightCycleTakesAThirdOfASecond) {
+TEST(FlightScienceLink, AWholeFlightCycleTakesAThirdOfASecond) {
   MemoryLine line;
-  Clothesline flight{gliderDictionary};
+  FlightScienceLink flight{gliderDictionary};
   const auto cycle = flightCycle();
   ASSERT_TRUE(flight.send(cycle.data(), static_cast<uint32_t>(cycle.size())));
   drain(flight, line.left());
@@ -98,10 +98,10 @@ TEST(Clothesline, AWholeFlightCycleTakesAThirdOfASecond) {
   EXPECT_LT(count, 320) << "at 960 bytes/s";
 }
 
-TEST(Clothesline, OneCallIsOneFrame) {
+TEST(FlightScienceLink, OneCallIsOneFrame) {
   // The second call of three does not fit behind the first: it must not be torn apart.
   MemoryLine line;
-  Clothesline flight{gliderDictionary};
+  FlightScienceLink flight{gliderDictionary};
   const std::vector<SensorUpdate> thirty(30, {GLIDER_M_DEPTH, 1});
   ASSERT_TRUE(flight.send(thirty.data(), 30));
   ASSERT_TRUE(flight.send(thirty.data(), 30));
@@ -121,8 +121,8 @@ TEST(Clothesline, OneCallIsOneFrame) {
   EXPECT_EQ(sizes, (std::vector<uint32_t>{30, 30}));
 }
 
-TEST(Clothesline, TheQueueIsBoundedAndTakesAllOrNothing) {
-  Clothesline flight{gliderDictionary};
+TEST(FlightScienceLink, TheQueueIsBoundedAndTakesAllOrNothing) {
+  FlightScienceLink flight{gliderDictionary};
   const std::vector<SensorUpdate> many(100, {GLIDER_M_DEPTH, 1});
   EXPECT_TRUE(flight.send(many.data(), 100));
   EXPECT_FALSE(flight.send(many.data(), 29));
@@ -130,8 +130,8 @@ TEST(Clothesline, TheQueueIsBoundedAndTakesAllOrNothing) {
   EXPECT_FALSE(flight.send(many.data(), 1));
 }
 
-TEST(Clothesline, NoSuchSensorIsNotSent) {
-  Clothesline flight{gliderDictionary};
+TEST(FlightScienceLink, NoSuchSensorIsNotSent) {
+  FlightScienceLink flight{gliderDictionary};
   const SensorUpdate wrong[] = {{GLIDER_M_DEPTH, 1}, {GLIDER_SENSOR_COUNT, 1}};
   EXPECT_FALSE(flight.send(wrong, 2));
   MemoryLine line;
@@ -141,9 +141,9 @@ TEST(Clothesline, NoSuchSensorIsNotSent) {
   EXPECT_EQ(right.read(right.self, &byte, 1), 0);
 }
 
-TEST(Clothesline, NoiseAndStrangersAreCountedNotBelieved) {
+TEST(FlightScienceLink, NoiseAndStrangersAreCountedNotBelieved) {
   MemoryLine line;
-  Clothesline science{gliderDictionary};
+  FlightScienceLink science{gliderDictionary};
   const GliderByteStream left = line.left();
   const uint8_t noise[] = {9, 8, 7, 0};
   left.write(left.self, noise, 4);

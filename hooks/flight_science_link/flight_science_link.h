@@ -15,11 +15,11 @@ namespace glider::hooks {
 
 using SensorUpdate = SensorValue;
 
-class Clothesline {
+class FlightScienceLink {
  public:
   static constexpr uint32_t kMostUpdates = 128;
   /// `dictionary` outlives this; both ends have the same.
-  explicit Clothesline(const GliderDictionary& dictionary) : dictionary_(&dictionary) {}
+  explicit FlightScienceLink(const GliderDictionary& dictionary) : dictionary_(&dictionary) {}
   /// Queues `count` updates to go in order (a sequence sensor goes last); false, with nothing
   /// queued, when there is no room for all of them or one id is not a sensor. The updates of one
   /// call go in one frame if they fit, so that they arrive together or not at all.

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "simulator/science/serial_sbc_port.h"
+#include "simulator/ports/serial_sbc_port.h"
 
 #include <array>
 #include <thread>

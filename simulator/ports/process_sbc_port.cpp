@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "simulator/science/process_sbc_port.h"
+#include "simulator/ports/process_sbc_port.h"
 
 #include "simulator/faults/card_damage.h"
 

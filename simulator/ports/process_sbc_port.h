@@ -5,7 +5,7 @@
 
 #include "hooks/protocol/lockstep.h"
 #include "hooks/transport/host/pty.h"
-#include "simulator/sbc_port.h"
+#include "simulator/ports/sbc_port.h"
 #include "support/result.h"
 
 #include <filesystem>

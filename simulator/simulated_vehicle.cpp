@@ -1,0 +1,254 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "simulator/simulated_vehicle.h"
+
+#include "simulator/sensors/noise.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace glider::simulator {
+namespace {
+
+constexpr double kFlightScienceBaud = 9600;
+constexpr double kSbcBaud = 115200;
+constexpr int kStepsPerSecond = 4;
+constexpr int64_t kProgressCycles = 25;
+constexpr double kAfloat = 1;  // m
+static_assert(kStepsPerSecond * Vehicle::kStep == 1, "the vehicle's step divides a second");
+
+/// Sets the numbers of the sensors that faults name.
+support::Result<void> numberSensors(const platforms::Platform& platform, Faults& faults) {
+  for (SensorFault& fault : faults.sensors) {
+    const platforms::PlatformSensor* sensor = platform.find(fault.name);
+    if (sensor == nullptr) {
+      return support::fail(support::DiagnosticId::platformLacksSensor, platform.name, fault.name);
+    }
+    fault.id = sensor->id;
+  }
+  return {};
+}
+
+/// --kill-sbc-at is a power cut without an end.
+SimulationSetup withKill(SimulationSetup setup) {
+  if (setup.kill_sbc_at_s) {
+    setup.scenario.faults.power.push_back({*setup.kill_sbc_at_s, kForever});
+  }
+  return setup;
+}
+
+/// Puts the vehicle where its scenario starts.
+SimulationSetup placed(SimulationSetup setup, const World& world) {
+  const GeoPosition start{setup.scenario.latitude_deg, setup.scenario.longitude_deg};
+  VehicleSettings& vehicle = setup.scenario.vehicle;
+  if (start != world.origin()) {  // the origin itself is exactly at 0
+    world.frame().locate(start, vehicle.start_x_m, vehicle.start_y_m);
+  }
+  return setup;
+}
+
+support::Trace headOf(const SimulationSetup& setup) {
+  support::Trace trace;
+  trace.mission = setup.mission_name;
+  trace.scenario = setup.scenario.name;
+  trace.way = setup.sbc ? setup.sbc->way() : "none";
+  trace.seed = setup.seed.value_or(setup.scenario.seed);
+  trace.state_names = setup.state_names;
+  return trace;
+}
+
+/// Adds the mission time to events while the SBC was in control, from the rows around them.
+void stampMissionTimes(support::Trace& trace) {
+  const int time = trace.column("time"), mission_time = trace.column("missiontime");
+  size_t row = 0;
+  for (support::TraceEvent& event : trace.events) {
+    while (row + 1 < trace.rowCount() && trace.at(row + 1, time) <= event.time_s) {
+      ++row;
+    }
+    if (std::isnan(event.mission_time_s) && row < trace.rowCount()) {
+      event.mission_time_s = trace.at(row, mission_time) + event.time_s - trace.at(row, time);
+    }
+  }
+}
+
+}  // namespace
+
+SimulatedVehicle::SimulatedVehicle(SimulationSetup setup, const World& world, uint32_t number)
+    : setup_(placed(withKill(std::move(setup)), world)),
+      world_(world),
+      real_time_(setup_.sbc != nullptr && setup_.sbc->keepsTime()),
+      seed_(seedOfVehicle(setup_.seed.value_or(setup_.scenario.seed), number)),
+      duration_s_(setup_.duration_s.value_or(setup_.scenario.duration_s)),
+      steps_per_cycle_(static_cast<int64_t>(setup_.platform.envelope.cycle_s / Vehicle::kStep)),
+      most_steps_(static_cast<int64_t>(duration_s_ / Vehicle::kStep)),
+      trace_(headOf(setup_)),
+      vehicle_(setup_.platform, setup_.scenario.vehicle),
+      flight_(setup_.platform, setup_.scenario.skeleton, setup_.scenario.sensors, seed_,
+              world.frame(), world.year(), journal_),
+      science_(setup_.platform, seed_, setup_.scenario.sensors, !real_time_),
+      damage_(faults().sensors, seed_),
+      flight_science_link_(kFlightScienceBaud, damageOf(LineWay::ToFlight, kFlightScienceBaud),
+                           damageOf(LineWay::FromFlight, kFlightScienceBaud)),
+      sbc_line_(kSbcBaud, damageOf(LineWay::FromSbc, kSbcBaud), damageOf(LineWay::ToSbc, kSbcBaud)),
+      link_(std::move(setup_.sbc), std::move(setup_.restart_sbc), faults(), seed_, sbc_line_,
+            journal_),
+      story_(setup_.platform, setup_.state_names, setup_.explain),
+      recorder_(trace_, world.ocean(), world.frame(), setup_.platform, setup_.scenario) {
+  flight_.startAt(vehicle_.x(), vehicle_.y());
+  flight_.damageBy(&damage_);
+  science_.damageBy(&damage_);
+  link_.showTo(setup_.observer);
+  for (const Leftover& leftover : faults().leftover) {
+    flight_.leaveOver(leftover);
+  }
+  start_J_ = vehicle_.battery().usedJ();
+}
+
+support::Result<std::unique_ptr<SimulatedVehicle>> SimulatedVehicle::make(SimulationSetup setup,
+                                                                          const World& world,
+                                                                          uint32_t number) {
+  if (auto checked = checkPlatform(setup.platform); !checked) {
+    return std::unexpected(checked.error());
+  }
+  if (auto numbered = numberSensors(setup.platform, setup.scenario.faults); !numbered) {
+    return std::unexpected(numbered.error());
+  }
+  // Too large for a stack: the queues of hooks are arrays.
+  return std::unique_ptr<SimulatedVehicle>(new SimulatedVehicle(std::move(setup), world, number));
+}
+
+void SimulatedVehicle::advance(double time_s) {
+  for (double now = 0; flying() && (now = static_cast<double>(step_) * Vehicle::kStep) < time_s;
+       ++step_) {
+    step(now);
+  }
+}
+
+void SimulatedVehicle::step(double now) {
+  flight_science_link_.setNow(now);
+  sbc_line_.setNow(now);
+  damage_.setNow(now);
+  failDevices(now);
+  if (step_ % steps_per_cycle_ == 0 && controlCycle(now, step_ / steps_per_cycle_)) {
+    over_ = true;
+    return;
+  }
+  if (step_ % kStepsPerSecond == 0) {
+    scienceCycle(now);
+  }
+  link_.pump(now);
+  vehicle_.feedSbc(link_.alive());
+  vehicle_.step(world_.ocean(), now);
+}
+
+/// Returns true when the flight is over.
+bool SimulatedVehicle::controlCycle(double now, int64_t number) {
+  completeRow();
+  if (isFlightDown(now)) {
+    return false;
+  }
+  flight_.noteSbcGone(link_.goneForGood(now));
+  flight_.cycle(now, world_.ocean(), vehicle_, flight_science_link_.left());
+  recorder_.row(now, flight_, science_, vehicle_);
+  cycle_s_ = now;
+  if (setup_.progress && number % kProgressCycles == 0) {
+    setup_.progress({now, duration_s_, vehicle_.depth(),
+                     story_.flying() ? story_.stateName(story_.state()) : ""});
+  }
+  // By the true depth, not that of the sensor: a flight is over when the vehicle is at the
+  // surface.
+  const bool over = !flight_.end().empty() && vehicle_.depth() < kAfloat;
+  if (over) {
+    journal_.add(now, "log", flight_.end());
+  }
+  const bool seen_enough = setup_.observer != nullptr && !setup_.observer->cycle(view(now, over));
+  return over || seen_enough;
+}
+
+CycleView SimulatedVehicle::view(double now, bool over) const {
+  const Battery& battery = vehicle_.battery();
+  return {now,
+          flight_.hookState(),
+          vehicle_.depth(),
+          flight_.aborted(),
+          over,
+          flight_.array(),
+          now - flight_.missionStart(),
+          world_.ocean().waterDepth(vehicle_.x(), vehicle_.y()) - vehicle_.depth(),
+          battery.usedJ() - start_J_,
+          battery.voltage(),
+          flight_.commandedWhole(),
+          flight_.hookbeh(),
+          flight_.hookbehOverridden()};
+}
+
+/// True while the flight controller restarts: what arrives meanwhile is lost.
+bool SimulatedVehicle::isFlightDown(double now) {
+  const FlightRestart* down = nullptr;
+  for (const FlightRestart& restart : faults().flight) {
+    down = restart.when.has(now) ? &restart : down;
+  }
+  if (down == nullptr && flight_down_ != nullptr) {
+    flight_.restart(now, flight_down_->keeps_array);
+  }
+  flight_down_ = down;
+  if (down != nullptr) {
+    flight_science_link_.dropLeft();
+  }
+  return down != nullptr;
+}
+
+/// Makes devices of the flight controller fail, and the science computer restart, at the times of
+/// the faults.
+void SimulatedVehicle::failDevices(double now) {
+  const auto is_due = [&](double at_s) { return now >= at_s && now < at_s + Vehicle::kStep; };
+  if (std::ranges::any_of(faults().aborts, is_due)) {
+    flight_.failDevice(now);
+  }
+  const auto has_now = [&](const Span& span) { return span.has(now); };
+  const bool down = std::ranges::any_of(faults().science, has_now);
+  if (down && !science_down_) {
+    journal_.add(now, "link", "the science computer restarts");
+    science_.restart();
+  }
+  if (down) {  // what arrives meanwhile is lost
+    flight_science_link_.dropRight();
+    sbc_line_.dropLeft();
+  }
+  science_down_ = down;
+}
+
+void SimulatedVehicle::scienceCycle(double now) {
+  if (science_down_) {
+    return;
+  }
+  science_.run(now, world_.ocean(), {vehicle_.depth(), vehicle_.x(), vehicle_.y()},
+               sbc_line_.left(), flight_science_link_.right());
+  if (story_.follow(now, cycle_s_, science_, flight_, journal_)) {
+    flight_.noteTransition();
+  }
+}
+
+/// The SBC's answer to a control cycle is known only by the next one.
+void SimulatedVehicle::completeRow() {
+  if (!trace_.rows.empty() && flight_.hookActive() && story_.flying()) {
+    recorder_.mission(story_.missionTime(cycle_s_), story_.state());
+  }
+}
+
+support::Trace SimulatedVehicle::finish() {
+  completeRow();
+  if (flight_.end().empty()) {
+    journal_.add(cycle_s_, "log", fmt::format("the simulated time of {} s is over", duration_s_));
+  }
+  recorder_.field();
+  trace_.events = std::move(journal_.events());
+  std::ranges::stable_sort(trace_.events, {}, &support::TraceEvent::time_s);
+  stampMissionTimes(trace_);
+  return std::move(trace_);
+}
+
+}  // namespace glider::simulator

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "simulator/mission_story.h"
+#include "simulator/recorder.h"
+#include "simulator/science/sbc_link.h"
+#include "simulator/science/serial_line.h"
+#include "simulator/simulator.h"
+#include "simulator/world/world.h"
+
+#include <cstdint>
+#include <memory>
+
+namespace glider::simulator {
+
+/// A vehicle in a world: its body, its two computers, the serial lines and the SBC at their end.
+class SimulatedVehicle {
+ public:
+  /// It starts where `setup.scenario` does, when the world begins; the water of that scenario is
+  /// not used. `world` outlives it. `number` counts the vehicles of a world from 0: each has random
+  /// numbers of its own. Fails as simulate does.
+  static support::Result<std::unique_ptr<SimulatedVehicle>> make(SimulationSetup setup,
+                                                                 const World& world,
+                                                                 uint32_t number);
+  SimulatedVehicle(const SimulatedVehicle&) = delete;  // its parts refer to each other
+  SimulatedVehicle& operator=(const SimulatedVehicle&) = delete;
+
+  /// False once its mission has ended, it is at the surface after an abort, or its time is over.
+  [[nodiscard]] bool flying() const { return !over_ && step_ <= most_steps_; }
+  /// Flies until `time_s` of the world.
+  void advance(double time_s);
+  /// The trace of its flight; ends it.
+  support::Trace finish();
+
+ private:
+  SimulatedVehicle(SimulationSetup setup, const World& world, uint32_t number);
+
+  [[nodiscard]] const Faults& faults() const { return setup_.scenario.faults; }
+  [[nodiscard]] LineDamage damageOf(LineWay way, double baud) const {
+    return {faults().lines, way, seed_, baud};
+  }
+  void step(double now);
+  bool controlCycle(double now, int64_t number);
+  [[nodiscard]] CycleView view(double now, bool over) const;
+  bool isFlightDown(double now);
+  void failDevices(double now);
+  void scienceCycle(double now);
+  void completeRow();
+
+  SimulationSetup setup_;
+  const World& world_;
+  bool real_time_;  ///< the SBC has its own clock, and its time-outs run
+  uint64_t seed_;
+  double duration_s_;
+  int64_t steps_per_cycle_, most_steps_;
+  int64_t step_ = 0;
+  bool over_ = false;
+  support::Trace trace_;
+  Journal journal_;
+  Vehicle vehicle_;
+  FlightController flight_;
+  ScienceComputer science_;
+  SensorDamage damage_;
+  SerialLine flight_science_link_;
+  SerialLine sbc_line_;
+  SbcLink link_;
+  MissionStory story_;
+  Recorder recorder_;
+  double cycle_s_ = 0;
+  bool science_down_ = false;
+  const FlightRestart* flight_down_ = nullptr;
+  double start_J_ = 0;
+};
+
+}  // namespace glider::simulator

@@ -18,8 +18,8 @@ namespace glider::campaign {
 /// A mission of a campaign, ready to be started any number of times.
 struct CampaignMission {
   std::string file;
-  std::string program;           ///< a digest of what is compiled from it, including imports
-  platforms::Platform platform;  ///< the one that it names
+  std::string program;                 ///< a digest of what is compiled from it, including imports
+  platforms::Platform platform;        ///< the one that it names
   simulator::VehicleSettings vehicle;  ///< the platform's, with the changes of the scenario
   flights::NewFlight new_flight;
   std::vector<flights::NewFlight> on_board;  ///< one for each of the plan's boards

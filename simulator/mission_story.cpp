@@ -22,6 +22,21 @@ std::string valueText(double value, const std::string& unit) {
                                         : fmt::format("{:.6g} {}", value, unit);
 }
 
+/// Why hookprog gives the SBC no link.
+std::string whyRefused(const hooks::HookprogEvent& event) {
+  if (event.a != hooks::kProtocolVersion) {
+    return fmt::format("it uses version {} of the protocol, the vehicle version {}", event.a,
+                       hooks::kProtocolVersion);
+  }
+  if (event.c == 0) {
+    return "its list of sensors is not the vehicle's";
+  }
+  const uint8_t bit = hooks::lowestFeature(static_cast<uint16_t>(event.c));
+  const char* name = hooks::featureName(bit);
+  return fmt::format("the protocol feature {} is missing",
+                     name != nullptr ? name : fmt::format("{}", bit));
+}
+
 /// The names of GliderTransition, as numbered in the notice.
 constexpr std::array<const char*, 5> kTransitions = {"goto", "call", "return", "exit", "stay"};
 constexpr uint32_t kExit = 3;
@@ -128,8 +143,7 @@ bool MissionStory::follow(double now_s, double cycle_s, ScienceComputer& science
         journal.add(now_s, "link", fmt::format("{} damaged frames on the serial lines", event.a));
         break;
       case Kind::SbcRefused:
-        journal.add(now_s, "link", "hookprog refuses the SBC",
-                    fmt::format("it speaks protocol {}, or its sensor list differs", event.a));
+        journal.add(now_s, "link", "hookprog refuses the SBC", whyRefused(event));
         break;
       case Kind::RefusedWrite:
         journal.add(now_s, "hook", fmt::format("the SBC may not write sensor {}", event.a));

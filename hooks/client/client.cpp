@@ -72,11 +72,13 @@ ClientEvent Client::handleBeacon(const Frame& frame, const GliderByteStream& str
   ClientEvent event = ClientEvent::Handled;
   if (decode(frame, beacon)) {
     linked_ = false;
-    if (beacon.version != kProtocolVersion || beacon.dictionary != dictionary_->hash) {
-      event = refuse(beacon.version, beacon.dictionary);
+    const uint16_t missing = missingFeatures(options_.features, beacon.features);
+    if (beacon.version != kProtocolVersion || beacon.dictionary != dictionary_->hash ||
+        missing != 0) {
+      event = refuse({true, beacon.version, beacon.dictionary, missing});
     } else {
       refusal_ = Refusal{};
-      virtual_time_ = beacon.virtual_time;
+      virtual_time_ = (beacon.features.needs & kFeatureVirtualTime) != 0;
     }
     askForLink();  // also after a refusal, so that the vehicle's log shows why there is no link
   }
@@ -84,10 +86,9 @@ ClientEvent Client::handleBeacon(const Frame& frame, const GliderByteStream& str
   return event;
 }
 
-ClientEvent Client::refuse(uint8_t version, uint32_t dictionary) {
-  const bool told =
-      refusal_.refused && refusal_.version == version && refusal_.dictionary == dictionary;
-  refusal_ = {true, version, dictionary};
+ClientEvent Client::refuse(const Refusal& refusal) {
+  const bool told = refusal_ == refusal;
+  refusal_ = refusal;
   return told ? ClientEvent::Handled : ClientEvent::Refused;
 }
 
@@ -105,9 +106,9 @@ ClientEvent Client::handleWelcome(const Frame& frame, const GliderByteStream& st
   return ClientEvent::Handled;
 }
 
-/// The vehicle has accepted our link, so its version and dictionary match ours. An earlier refusal
-/// may have come from a damaged frame that passed as a Beacon of another version: Beacons are
-/// protected by a CRC-16 only.
+/// The vehicle has accepted our link, so its version, dictionary and features match ours. An
+/// earlier refusal may have come from a damaged frame that passed as a Beacon of another version:
+/// Beacons are protected by a CRC-16 only.
 void Client::takeLink() {
   refusal_ = Refusal{};
   linked_ = true;

@@ -51,6 +51,7 @@ struct ClientOptions {
   uint32_t session = 1;
   const Subscription* sensors = nullptr;  ///< each at most once
   uint32_t sensor_count = 0;              ///< at most kMostSubscriptions
+  Features features = {.offers = kAllFeatures, .needs = 0};
 };
 
 enum class ClientEvent : uint8_t {
@@ -59,16 +60,18 @@ enum class ClientEvent : uint8_t {
   Tick,        ///< tick() is new: the caller must call done()
   SilentLink,  ///< no whole tick for 12 s of the SBC's own clock (never in virtual time): a tick of
                ///< the clock alone
-  Refused,     ///< another protocol version or sensor dictionary, reported once for each: see
-               ///< refusal()
+  Refused,     ///< another protocol version or sensor dictionary, or a feature is missing;
+               ///< reported once for each: see refusal()
   Closed,      ///< the stream's other end is gone
 };
 
-/// Why there is no link: the version and dictionary that the vehicle reported.
+/// Why there is no link: what the vehicle reported.
 struct Refusal {
   bool refused = false;
   uint8_t version = 0;
-  uint32_t dictionary = 0;  ///< means something when the version is ours
+  uint32_t dictionary = 0;        ///< means something when the version is ours
+  uint16_t missing_features = 0;  ///< what one side needs and the other does not offer; likewise
+  bool operator==(const Refusal&) const = default;
 };
 
 class Client {
@@ -127,7 +130,7 @@ class Client {
   ClientEvent handleBeacon(const Frame& frame, const GliderByteStream& stream);
   ClientEvent handleWelcome(const Frame& frame, const GliderByteStream& stream);
   ClientEvent handleTick(const Frame& frame, const GliderByteStream& stream);
-  ClientEvent refuse(uint8_t version, uint32_t dictionary);
+  ClientEvent refuse(const Refusal& refusal);
   void takeLink();
   /// False for a cycle that this link has reported already, or an earlier one.
   [[nodiscard]] bool isNewCycle(uint32_t cycle) const;

@@ -22,10 +22,10 @@ struct HookprogEvent {
     SbcTransition,  ///< a transition, b from, c to, d fired case, e its list
     SbcNote,        ///< a note from the mission: a = its kind (GliderNoteKind); text
     BadFrame,       ///< a = frames discarded on both lines since the last such event
-    SbcRefused,  ///< speaks another protocol (a = its version) or has another sensor dictionary (b
-                 ///< = its hash)
-    RefusedWrite,    ///< the SBC tried to write sensor a, which is not the hook's; nothing of that
-                     ///< frame was written
+    SbcRefused,     ///< speaks another protocol (a = its version), has another sensor dictionary (b
+                    ///< = its hash), or one side lacks features that the other needs (c)
+    RefusedWrite,   ///< the SBC tried to write sensor a, which is not the hook's; nothing of that
+                    ///< frame was written
     OldInstruction,  ///< hookbeh refuses a repeated instruction: a = its sequence
     StaleFrame,      ///< a = frames of the SBC and reports of the flight controller in one science
                  ///< cycle that are ignored because their time is earlier than one reported before

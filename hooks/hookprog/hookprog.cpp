@@ -145,19 +145,33 @@ bool Hookprog::handleOfLink(const Frame& frame) {
   return false;
 }
 
+Features Hookprog::features() const {
+  const uint16_t time = options_.virtual_time ? kFeatureVirtualTime : 0;
+  return {.offers = time, .needs = time};
+}
+
+/// No link; reported once for each reason.
+void Hookprog::refuse(const Hello& hello, uint16_t missing) {
+  link_ = 0;
+  view_ = SbcView{};
+  if (hello.version != refused_version_ || hello.dictionary != refused_dictionary_ ||
+      missing != refused_features_) {
+    event(Kind::SbcRefused, hello.version, hello.dictionary, missing);
+  }
+  refused_version_ = hello.version;
+  refused_dictionary_ = hello.dictionary;
+  refused_features_ = missing;
+}
+
 void Hookprog::handleHello(const Hello& hello) {
-  if (hello.version != kProtocolVersion || hello.dictionary != dictionary_->hash) {
-    link_ = 0;
-    view_ = SbcView{};
-    if (hello.version != refused_version_ || hello.dictionary != refused_dictionary_) {
-      event(Kind::SbcRefused, hello.version, hello.dictionary);
-    }
-    refused_version_ = hello.version;
-    refused_dictionary_ = hello.dictionary;
+  const uint16_t missing = missingFeatures(features(), hello.features);
+  if (hello.version != kProtocolVersion || hello.dictionary != dictionary_->hash || missing != 0) {
+    refuse(hello, missing);
     return;
   }
   refused_version_ = 0;
   refused_dictionary_ = 0;
+  refused_features_ = 0;
   link_ = hello.link;
   told_s_ = 0;
   waiting_ = false;
@@ -347,7 +361,7 @@ void Hookprog::forwardPressure(const ScienceSensors& own) {
 
 void Hookprog::sendBeacon() {
   Frame frame;
-  encode(Beacon{kProtocolVersion, options_.virtual_time, dictionary_->hash, hookState()}, frame);
+  encode(Beacon{kProtocolVersion, features(), dictionary_->hash, hookState()}, frame);
   send(frame);
 }
 
@@ -437,12 +451,13 @@ void Hookprog::countBadFrames() {
   }
 }
 
-void Hookprog::event(Kind kind, uint32_t a, uint32_t b) {
+void Hookprog::event(Kind kind, uint32_t a, uint32_t b, uint32_t c) {
   HookprogEvent told;
   told.kind = kind;
   told.mission_time_s = missionTime();
   told.a = a;
   told.b = b;
+  told.c = c;
   events_.push(told);
 }
 

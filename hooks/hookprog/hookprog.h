@@ -29,7 +29,7 @@ struct ScienceSensors {
 };
 
 struct HookprogOptions {
-  bool virtual_time = false;  ///< reported to the SBC
+  bool virtual_time = false;  ///< the SBC must offer it
 };
 
 class Hookprog {
@@ -81,6 +81,8 @@ class Hookprog {
   template <typename Message, void (Hookprog::*kHandler)(const Message&)>
   bool take(const Frame& frame);
   void handleHello(const Hello& hello);
+  [[nodiscard]] Features features() const;
+  void refuse(const Hello& hello, uint16_t missing);
   void handleSubscribe(const Subscribe& subscribe) { reporter_.serve(subscribe); }
   void handleWrite(const SensorList& list);
   void handleTransition(const TransitionNotice& notice);
@@ -100,7 +102,7 @@ class Hookprog {
   void send(Frame& frame);
   void loseSbc();
   void countBadFrames();
-  void event(HookprogEvent::Kind kind, uint32_t a = 0, uint32_t b = 0);
+  void event(HookprogEvent::Kind kind, uint32_t a = 0, uint32_t b = 0, uint32_t c = 0);
   [[nodiscard]] uint16_t sensor(GliderRole role) const { return sensorOf(*dictionary_, role); }
   /// Of a required role.
   [[nodiscard]] double newest(GliderRole role) const { return values_[sensor(role)]; }
@@ -144,6 +146,7 @@ class Hookprog {
   AnswerWatch answers_;
   uint8_t refused_version_ = 0;  // reported already
   uint32_t refused_dictionary_ = 0;
+  uint16_t refused_features_ = 0;
   uint32_t malformed_ = 0;
   uint32_t bad_frames_told_ = 0;
   SbcView view_;

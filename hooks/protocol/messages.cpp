@@ -12,6 +12,18 @@ namespace {
 constexpr uint8_t kMostList = 1;  // of a transition: only these two change the state
 constexpr uint8_t kMostNoteKind = 1;
 
+void writeFeatures(ByteWriter& out, const Features& features) {
+  out.u16(features.offers);
+  out.u16(features.needs);
+}
+
+Features readFeatures(ByteReader& in) {
+  Features features;
+  features.offers = in.u16();
+  features.needs = in.u16();
+  return features;
+}
+
 /// Its length, then the text, at most `most` bytes of it.
 void writeText(ByteWriter& out, const char* text, uint32_t most) {
   uint32_t length = 0;
@@ -42,7 +54,7 @@ bool readText(ByteReader& in, char* text, uint32_t most) {
 void encode(const Beacon& beacon, Frame& frame) {
   ByteWriter out = startPayload(frame, MessageType::Beacon);
   out.u8(beacon.version);
-  out.u8(beacon.virtual_time ? kFlagVirtualTime : 0);
+  writeFeatures(out, beacon.features);
   out.u32(beacon.dictionary);
   out.u8(static_cast<uint8_t>(beacon.hook_state));
   finishPayload(frame, out);
@@ -59,6 +71,7 @@ void encode(const Welcome& welcome, Frame& frame) {
 void encode(const Hello& hello, Frame& frame) {
   ByteWriter out = startPayload(frame, MessageType::Hello);
   out.u8(hello.version);
+  writeFeatures(out, hello.features);
   out.u32(hello.dictionary);
   out.u24(hello.link);
   writeText(out, hello.mission_name, kMostNameBytes);
@@ -104,12 +117,11 @@ bool decode(const Frame& frame, Beacon& beacon) {
   if (beacon.version != kProtocolVersion) {
     return true;  // the rest of another version's Hello has an unknown layout
   }
-  const uint8_t flags = in.u8();
-  beacon.virtual_time = (flags & kFlagVirtualTime) != 0;
+  beacon.features = readFeatures(in);
   beacon.dictionary = in.u32();
   const uint8_t state = in.u8();
   beacon.hook_state = static_cast<HookState>(state);
-  return in.exact() && (flags & ~kFlagVirtualTime) == 0 && isHookState(state);
+  return in.exact() && isHookState(state);
 }
 
 bool decode(const Frame& frame, Welcome& welcome) {
@@ -130,6 +142,7 @@ bool decode(const Frame& frame, Hello& hello) {
   if (hello.version != kProtocolVersion) {
     return true;
   }
+  hello.features = readFeatures(in);
   hello.dictionary = in.u32();
   hello.link = in.u24();
   return hello.link != 0 && readText(in, hello.mission_name, kMostNameBytes);

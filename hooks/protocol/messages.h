@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "hooks/protocol/features.h"
 #include "hooks/protocol/frame.h"
 #include "hooks/protocol/values.h"
 
@@ -14,7 +15,7 @@
 /// another type, of a wrong length, or with a value that no sender of this protocol writes.
 namespace glider::hooks {
 
-inline constexpr uint8_t kProtocolVersion = 4;
+inline constexpr uint8_t kProtocolVersion = 5;
 inline constexpr uint32_t kMostNameBytes = 47;
 inline constexpr uint32_t kMostNoteBytes = 60;
 inline constexpr uint32_t kMostSession = 16777215;  ///< exact in a float32 sensor
@@ -22,7 +23,7 @@ inline constexpr uint32_t kMostSession = 16777215;  ///< exact in a float32 sens
 /// From a vehicle without a link: asks an SBC to open one.
 struct Beacon {
   uint8_t version = kProtocolVersion;
-  bool virtual_time = false;
+  Features features;  ///< the vehicle's
   uint32_t dictionary = 0;
   HookState hook_state = HookState::Absent;
 };
@@ -37,6 +38,7 @@ struct Welcome {
 /// The SBC requests a link.
 struct Hello {
   uint8_t version = kProtocolVersion;
+  Features features = {.offers = kAllFeatures, .needs = 0};  ///< the SBC's
   uint32_t dictionary = 0;
   uint32_t link = 0;  ///< 1…kMostSession, a different one each time
   char mission_name[kMostNameBytes + 1] = {};

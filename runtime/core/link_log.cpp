@@ -3,6 +3,7 @@
 
 #include "runtime/core/link_log.h"
 
+#include "hooks/protocol/features.h"
 #include "runtime/numbers/numbers.h"
 
 using glider::hooks::HookAnswer;
@@ -38,6 +39,15 @@ static_assert(sameNumber(LogDetail::WrongSession, HookAnswer::WrongSession));
 static_assert(sameNumber(LogDetail::NotReady, HookAnswer::NotReady));
 static_assert(sameNumber(LogDetail::OldSequence, HookAnswer::OldSequence));
 
+/// Feature `bit` of the protocol, which is missing.
+constexpr LogDetail featureDetail(uint8_t bit) {
+  constexpr uint8_t kFirst = 32;
+  return hooks::featureName(bit) != nullptr ? static_cast<LogDetail>(kFirst + bit)
+                                            : LogDetail::UnknownFeature;
+}
+#define FEATURE(name, bit, text) static_assert(featureDetail(bit) == LogDetail::No##name);
+#include "hooks/protocol/features.def"
+
 }  // namespace
 
 void LinkLog::news(const GliderContext& context, const ControlNews& news) {
@@ -65,10 +75,15 @@ void LinkLog::refusedCommands(const GliderContext& context) {
 }
 
 void LinkLog::refusedLink(const hooks::Refusal& refusal) {
-  const bool same_version = refusal.version == hooks::kProtocolVersion;
-  log_.event(0.0, LogEvent::LinkRefused,
-             same_version ? LogDetail::OtherDictionary : LogDetail::OtherVersion,
-             static_cast<double>(same_version ? refusal.dictionary : refusal.version));
+  if (refusal.version != hooks::kProtocolVersion) {
+    log_.event(0.0, LogEvent::LinkRefused, LogDetail::OtherVersion, refusal.version);
+  } else if (refusal.missing_features != 0) {
+    const uint8_t bit = hooks::lowestFeature(refusal.missing_features);
+    log_.event(0.0, LogEvent::LinkRefused, featureDetail(bit), bit);
+  } else {
+    log_.event(0.0, LogEvent::LinkRefused, LogDetail::OtherDictionary,
+               static_cast<double>(refusal.dictionary));
+  }
   log_.flush();
 }
 

@@ -36,8 +36,9 @@ struct Scenario {
 };
 
 /// Reads and checks scenario `path`, and its skeleton mission with its argument files, which are in
-/// the same folder. What the scenario does not say of the vehicle is `platform`'s. Fails with GL9001 or GL5001; errors in the mission files go to `diagnostics`,
-/// and the failure is then GL5120.
+/// the same folder. What the scenario does not say of the vehicle is `platform`'s. Fails with
+/// GL9001 or GL5001; errors in the mission files go to `diagnostics`, and the failure is then
+/// GL5120.
 support::Result<Scenario> loadScenario(const std::filesystem::path& path,
                                        const platforms::Platform& platform,
                                        support::SourceManager& sources,

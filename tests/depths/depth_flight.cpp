@@ -98,7 +98,8 @@ std::string layeredSkeleton(double greatest_m, double bottom_m) {
 simulator::Scenario diveScenario(const std::string& skeleton, double water_m) {
   support::SourceManager sources;
   support::DiagnosticEngine diagnostics;
-  auto scenario = simulator::loadScenario(kSource / "scenarios/default.toml", platform(), sources, diagnostics);
+  auto scenario =
+      simulator::loadScenario(kSource / "scenarios/default.toml", platform(), sources, diagnostics);
   CHECK(scenario.has_value(), "the default scenario is not right");
   const uint32_t file = sources.add("dive.mi", skeleton);
   auto mission = slocum::readMission(sources, file, diagnostics);

@@ -38,7 +38,7 @@ class ClientTest : public testing::Test {
     putMessage(vehicle_, message, ++said_);
   }
 
-  void beacon() { say(Beacon{kProtocolVersion, false, gliderDictionary.hash, HookState::Ready}); }
+  void beacon() { say(Beacon{kProtocolVersion, {}, gliderDictionary.hash, HookState::Ready}); }
 
   Hello link() {
     beacon();

@@ -96,14 +96,14 @@ TEST_F(ClientTest, ALostSubscriptionIsRepeated) {
 }
 
 TEST_F(ClientTest, AnotherDictionaryOrVersionIsRefusedOnce) {
-  say(Beacon{kProtocolVersion, false, gliderDictionary.hash + 1, HookState::Ready});
+  say(Beacon{kProtocolVersion, {}, gliderDictionary.hash + 1, HookState::Ready});
   EXPECT_EQ(poll(), ClientEvent::Refused);
   EXPECT_TRUE(client_.refusal().refused);
   EXPECT_EQ(client_.refusal().dictionary, gliderDictionary.hash + 1);
   EXPECT_EQ(typesOf(answers()).back(), Type::Done);
-  say(Beacon{kProtocolVersion, false, gliderDictionary.hash + 1, HookState::Ready});
+  say(Beacon{kProtocolVersion, {}, gliderDictionary.hash + 1, HookState::Ready});
   EXPECT_EQ(poll(), ClientEvent::Handled) << "told once";
-  say(Beacon{2, false, 0, HookState::Ready});
+  say(Beacon{2, {}, 0, HookState::Ready});
   EXPECT_EQ(poll(), ClientEvent::Refused);
   EXPECT_EQ(client_.refusal().version, 2);
   EXPECT_EQ(client_.refusal().dictionary, 0U) << "of another version none is read";
@@ -116,10 +116,45 @@ TEST_F(ClientTest, AnotherDictionaryOrVersionIsRefusedOnce) {
   EXPECT_FALSE(client_.refusal().refused);
 }
 
+TEST_F(ClientTest, AVehicleThatLacksOrNeedsAFeatureIsRefusedForEachOnce) {
+  constexpr uint16_t kOfLaterVersions = 1U << 9;
+  const auto beacon = [&](Features features) {
+    say(Beacon{kProtocolVersion, features, gliderDictionary.hash, HookState::Ready});
+    const ClientEvent event = poll();
+    answers();
+    return event;
+  };
+  EXPECT_EQ(beacon({.offers = 0, .needs = kOfLaterVersions}), ClientEvent::Refused);
+  EXPECT_EQ(client_.refusal().missing_features, kOfLaterVersions);
+  EXPECT_EQ(beacon({.offers = 0, .needs = kOfLaterVersions}), ClientEvent::Handled) << "once";
+  const uint16_t both = kOfLaterVersions | kFeatureVirtualTime;
+  EXPECT_EQ(beacon({.offers = both, .needs = both}), ClientEvent::Refused) << "still lacking";
+  EXPECT_EQ(client_.refusal().missing_features, kOfLaterVersions);
+  EXPECT_FALSE(client_.virtualTime()) << "nothing of a refused vehicle is taken over";
+  EXPECT_EQ(beacon({.offers = both, .needs = kFeatureVirtualTime}), ClientEvent::Handled);
+  EXPECT_FALSE(client_.refusal().refused);
+  EXPECT_TRUE(client_.virtualTime());
+}
+
+TEST_F(ClientTest, AFeatureThatTheProgramNeedsMustBeOffered) {
+  ClientOptions options;
+  options.features = {.offers = kAllFeatures, .needs = kFeatureVirtualTime};
+  Client client(gliderDictionary, options);
+  for (const bool offered : {false, true}) {
+    const Features features{.offers = offered ? kAllFeatures : uint16_t{0}, .needs = 0};
+    say(Beacon{kProtocolVersion, features, gliderDictionary.hash, HookState::Ready});
+    EXPECT_EQ(client.poll(sbc_, clock_.clock()),
+              offered ? ClientEvent::Handled : ClientEvent::Refused);
+    Hello hello;
+    ASSERT_TRUE(decode(answers().at(0), hello)) << "asked for also then: M5";
+    EXPECT_EQ(hello.features, options.features);
+  }
+}
+
 TEST_F(ClientTest, AWelcomeToItsOwnLinkEndsARefusal) {
   link();
   tick();
-  say(Beacon{9, false, 0, HookState::Ready});  // what noise has made of some frame
+  say(Beacon{9, {}, 0, HookState::Ready});  // what noise has made of some frame
   EXPECT_EQ(poll(), ClientEvent::Refused);
   Hello hello;
   ASSERT_TRUE(decode(answers().at(0), hello));
@@ -138,7 +173,7 @@ TEST_F(ClientTest, AWelcomeToItsOwnLinkEndsARefusal) {
 TEST_F(ClientTest, ATickOfItsOwnLinkEndsARefusal) {
   link();
   tick();
-  say(Beacon{9, false, 0, HookState::Ready});
+  say(Beacon{9, {}, 0, HookState::Ready});
   EXPECT_EQ(poll(), ClientEvent::Refused);
   answers();  // the Hello is lost
   sayTick();
@@ -371,8 +406,7 @@ TEST_F(ClientTest, MoreSensorsThanATickHoldsAreLeftOut) {
   options.sensor_count = static_cast<uint32_t>(many.size());
   MemoryLine line;
   Client client(gliderDictionary, options);
-  putMessage(line.left(), Beacon{kProtocolVersion, false, gliderDictionary.hash, HookState::Ready},
-             1);
+  putMessage(line.left(), Beacon{kProtocolVersion, {}, gliderDictionary.hash, HookState::Ready}, 1);
   const GliderByteStream right = line.right();
   EXPECT_EQ(client.poll(right, clock_.clock()), ClientEvent::Handled);
   const auto frames = framesAt(line.left());
@@ -429,7 +463,7 @@ TEST_F(ClientTest, ACycleIsNewUpToHalfOfTheRoundAhead) {
 }
 
 TEST_F(ClientTest, AnotherVersionAloneIsRefused) {
-  say(Beacon{kProtocolVersion + 1, false, gliderDictionary.hash, HookState::Ready});
+  say(Beacon{kProtocolVersion + 1, {}, gliderDictionary.hash, HookState::Ready});
   EXPECT_EQ(poll(), ClientEvent::Refused);
 }
 

@@ -28,8 +28,13 @@ inline std::vector<std::pair<std::string, Frame>> exampleFrames() {
     frame.sequence = sequence;
     examples.emplace_back(name, frame);
   };
-  add("Beacon", 1,
-      [](Frame& f) { encode(Beacon{kProtocolVersion, true, 0x12345678, HookState::Ready}, f); });
+  add("Beacon", 1, [](Frame& f) {
+    encode(Beacon{kProtocolVersion,
+                  {kFeatureVirtualTime, kFeatureVirtualTime},
+                  0x12345678,
+                  HookState::Ready},
+           f);
+  });
   add("Welcome", 2, [](Frame& f) { encode(Welcome{true, 7, 6}, f); });
   add("Tick", 3, [](Frame& f) {
     TickHead head;

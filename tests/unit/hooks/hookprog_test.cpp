@@ -26,7 +26,7 @@ TEST_F(HookprogTest, BeaconsOnceAFlightCycleUntilThereIsALink) {
     ASSERT_EQ(typesOf(frames), (std::vector{Type::Beacon}));
     Beacon beacon;
     ASSERT_TRUE(decode(frames[0], beacon));
-    EXPECT_TRUE(beacon.virtual_time);
+    EXPECT_EQ(beacon.features, (Features{kFeatureVirtualTime, kFeatureVirtualTime}));
     EXPECT_EQ(beacon.dictionary, gliderDictionary.hash);
     EXPECT_EQ(beacon.hook_state, HookState::Ready);
   }
@@ -63,6 +63,30 @@ TEST_F(HookprogTest, AnotherDictionaryOrVersionIsRefusedAndToldOnce) {
   EXPECT_EQ(events(), (std::vector{Kind::SbcRefused}));
   EXPECT_EQ(last_event_.a, 9U);
   EXPECT_EQ(last_event_.b, 0U) << "of another version no dictionary is read";
+}
+
+TEST_F(HookprogTest, AnSbcThatLacksAFeatureIsRefusedForEachOnce) {
+  constexpr uint16_t kOfLaterVersions = 1U << 9;
+  Hello hello;
+  hello.dictionary = gliderDictionary.hash;
+  hello.link = 7;
+  hello.features = {.offers = kOfLaterVersions, .needs = 0};
+  for (int i = 0; i < 2; ++i) {
+    say(hello);
+    run();
+    EXPECT_TRUE(atSbc().empty());
+  }
+  EXPECT_EQ(events(), (std::vector{Kind::SbcRefused}));
+  EXPECT_EQ(last_event_.c, kFeatureVirtualTime) << "the vehicle needs it";
+  hello.features = {.offers = kAllFeatures, .needs = kOfLaterVersions};
+  say(hello);
+  run();
+  EXPECT_EQ(events(), (std::vector{Kind::SbcRefused}));
+  EXPECT_EQ(last_event_.c, kOfLaterVersions) << "the SBC needs it";
+  hello.features = {.offers = kAllFeatures | kOfLaterVersions, .needs = kFeatureVirtualTime};
+  say(hello);
+  run();
+  EXPECT_EQ(typesOf(atSbc()), (std::vector{Type::Welcome})) << "what it offers beyond is unused";
 }
 
 TEST_F(HookprogTest, NothingGoesToFlightWithoutAHookbeh) {

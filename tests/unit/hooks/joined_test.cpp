@@ -251,7 +251,7 @@ TEST(Joined, AFalseBeaconOfAnotherVersionCostsNoControl) {
     mission.watch = [&](const VehicleTick&) { ++ticks; };
     for (int i = 0; i < 400; ++i) {
       if (i == 201) {  // what noise has made of some frame, and CRC-16 has not found
-        putMessage(vehicle.sbc_line.left(), Beacon{9, false, 0, HookState::Active}, 77);
+        putMessage(vehicle.sbc_line.left(), Beacon{9, {}, 0, HookState::Active}, 77);
       }
       vehicle.sbc_line.setDamage(hello_is_lost && i == 202 ? 1 : 0);
       vehicle.second(&mission);

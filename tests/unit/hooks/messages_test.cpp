@@ -150,11 +150,17 @@ TEST(Messages, ValuesThatNoSenderWritesAreRefused) {
   Frame frame;
   encode(Beacon{}, frame);
   Beacon beacon;
-  frame.payload[6] = 6;  // no such hook state
+  frame.payload[9] = 6;  // no such hook state
   EXPECT_FALSE(decode(frame, beacon));
-  frame.payload[6] = 0;
-  frame.payload[1] = 1;  // a flag of no meaning
-  EXPECT_FALSE(decode(frame, beacon));
+  frame.payload[9] = 0;
+  EXPECT_TRUE(decode(frame, beacon));
+  frame.payload[1] = 128;  // a feature of later versions
+  EXPECT_TRUE(decode(frame, beacon));
+  EXPECT_EQ(beacon.features.offers, 128);
+  encode(Welcome{false, 1, 0}, frame);
+  Welcome welcome;
+  frame.payload[0] = 1;  // a flag of no meaning
+  EXPECT_FALSE(decode(frame, welcome));
 
   Done done;
   encode(Done{1, 0, {std::numeric_limits<double>::quiet_NaN()}}, frame);

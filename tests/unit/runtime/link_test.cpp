@@ -266,7 +266,11 @@ TEST_F(LinkTest, ARefusedLinkIsLoggedBelowTheHeader) {
   runtime_ = gliderRuntimeInit(runtime_memory_.data(), mission_.memory.data(), &mission_.mission,
                                &options);
   hooks::Frame frame;
-  encode(hooks::Beacon{hooks::kProtocolVersion, true, 0, hooks::HookState::Ready}, frame);
+  encode(hooks::Beacon{hooks::kProtocolVersion,
+                       {hooks::kFeatureVirtualTime, hooks::kFeatureVirtualTime},
+                       0,
+                       hooks::HookState::Ready},
+         frame);
   uint8_t bytes[hooks::kMostEncodedBytes];
   const uint32_t size = encodeFrame(frame, bytes);
   const GliderByteStream vehicle = line.left();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "simulator/vehicle/flight_model.h"
+
 #include "tests/unit/simulator/slocum_vehicle.h"
 
 #include <gtest/gtest.h>

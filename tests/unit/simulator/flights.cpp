@@ -31,8 +31,8 @@ SimulationSetup shippedSetup(const std::string& name) {
   support::DiagnosticEngine diagnostics;
   SimulationSetup setup;
   setup.platform = must(platforms::loadPlatform(kSource / "platforms/slocum.toml"));
-  setup.scenario =
-      must(loadScenario(kSource / "scenarios" / (name + ".toml"), setup.platform, sources, diagnostics));
+  setup.scenario = must(
+      loadScenario(kSource / "scenarios" / (name + ".toml"), setup.platform, sources, diagnostics));
   return setup;
 }
 

@@ -208,7 +208,7 @@ void addOptions(CLI::App& command, SimOptions& options) {
   auto* without = command.add_flag("--no-sbc", options.without_sbc, "Fly without an SBC");
   command
       .add_option("--platform", options.platform,
-                  "Vehicle to fly if no MISSION names it, as listed by `glidercc platform`")
+                  "Vehicle to fly without a MISSION; a mission names its own")
       ->capture_default_str()
       ->option_text("NAME")
       ->excludes(mission);

@@ -74,6 +74,48 @@ TEST_F(PlatformOfFlights, ACampaignFliesEachMissionsOwn) {
   EXPECT_EQ(glidercc(kCampaign + "slocum.mission mine.mission").status, 0);
 }
 
+TEST_F(PlatformOfFlights, ACampaignFliesEachMissionInItsOwnVehicle) {
+  platform("s/^reference_area_m2 = .*/reference_area_m2 = 0.4/");  // slow
+  mission("slocum.mission", "");
+  mission("mine.mission", "platform mine\n");
+  /// The second flight's row, from its fault on; it is the second mission's.
+  const auto second = [&](const std::string& first_mission, const std::string& second_mission) {
+    const Outcome flown = glidercc(kCampaign + first_mission + " " + second_mission);
+    EXPECT_EQ(flown.status, 0) << flown.err;
+    return run("sed -n 4p f.csv | cut -d, -f3-").out;
+  };
+  const std::string slow = second("slocum.mission", "mine.mission");
+  EXPECT_EQ(slow, second("mine.mission", "mine.mission"));
+  EXPECT_NE(slow, second("mine.mission", "slocum.mission"));
+}
+
+TEST_F(PlatformOfFlights, DragAndBatteriesAreThePlatformsUnlessTheScenarioSaysOtherwise) {
+  mission("mine.mission", "platform mine\n");
+  const std::string slow = "s/^wing_lift = .*/wing_lift = 1.5/";
+  const std::string hungry = "s/^hotel_W = .*/hotel_W = 300/";
+  const auto flight = [&](const std::string& change, const std::string& scenario) {
+    platform(change);
+    const Outcome flown = glidercc("sim -o f mine.mission --scenario " + scenario);
+    EXPECT_EQ(flown.status, 0) << flown.err;
+    return slurp(folder_.path() / "f" / "trace.csv");
+  };
+  const std::string usual = flight("", "default");
+  EXPECT_NE(flight(slow, "default"), usual);
+  EXPECT_NE(flight(hungry, "default"), usual);
+  const std::string given =
+      "sed -e 's/^.vehicle.$/&\\nwing_lift = 3.7342698373/' -e '$a [vehicle.battery]\\nhotel_W = "
+      "1.63' "
+      "share/scenarios/default.toml > share/scenarios/given.toml";
+  platform("");
+  ASSERT_EQ(run(given).status, 0);
+  for (const std::string& change : {slow, hungry}) {
+    platform(change);
+    ASSERT_EQ(run(given).status, 0);
+    ASSERT_EQ(glidercc("sim -o f mine.mission --scenario given").status, 0);
+    EXPECT_EQ(slurp(folder_.path() / "f" / "trace.csv"), usual) << change;
+  }
+}
+
 /// The Slocum with its sensors in another order and two of its own, without those that a Slocum has
 /// for itself: nothing but names may count.
 std::string otherOrder(std::string text) {
@@ -172,7 +214,7 @@ TEST_F(PlatformOfFlights, WithoutAModelItIsCheckedAndBuiltAndNotFlown) {
     EXPECT_THAT(flown.err,
                 HasSubstr("platform `mine`: the simulator cannot fly this vehicle: " + why));
   };
-  refused("/^\\[motion\\]/,/^pump_in_j_cc/d", "its file has no [motion]");
+  refused("/^\\[motion\\]/,/^hotel_W/d", "its file has no [motion]");
   refused("s/^model = .*/model = \"propeller\"/", "it has no model `propeller`, only `glider`");
 }
 
@@ -213,7 +255,7 @@ TEST_F(PlatformOfFlights, ACampaignIsNotResumedWithAnotherPlatformFile) {
 TEST_F(PlatformOfFlights, ACheckOfAVehicleThatCannotBeFlownHasItsFindings) {
   mission("mine.mission", "platform mine\n");
   for (const char* change :
-       {"/^\\[motion\\]/,/^pump_in_j_cc/d", "s/^name = \"m_pitch\"/name = \"m_tilt\"/"}) {
+       {"/^\\[motion\\]/,/^hotel_W/d", "s/^name = \"m_pitch\"/name = \"m_tilt\"/"}) {
     platform(change);
     const Outcome checked = glidercc("check --report mine.mission");
     EXPECT_EQ(checked.status, 1) << checked.err;

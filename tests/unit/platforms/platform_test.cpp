@@ -84,6 +84,26 @@ TEST(Platform, ValuesOutsideTheirMeaningAreRefused) {
   EXPECT_FALSE(with("\"flight\"", "\"kitchen\""));
 }
 
+// accepts: GL5001
+TEST(Platform, WhatMovesItIsGivenAsAWhole) {
+  const std::string slocum = tests::slurp(GLIDER_SOURCE_DIR "/platforms/slocum.toml");
+  const auto with = [&](const std::string& from, const std::string& to) {
+    std::string text = slocum;
+    text.replace(text.find(from), from.size(), to);
+    const auto platform = load(text);
+    return platform ? "" : platform.error().message;
+  };
+  EXPECT_EQ(with("", ""), "");
+  EXPECT_NE(with("[power]", "[might]").find("might"), std::string::npos);
+  EXPECT_NE(with("\nmass_kg = 65.0", "").find("mass_kg"), std::string::npos);
+  EXPECT_NE(with("\nfull_V = 14.4", "").find("full_V"), std::string::npos);
+  EXPECT_NE(with("hull_lift = 3.8", "hull_lift = -3.8").find("above 0"), std::string::npos);
+  EXPECT_NE(with("empty_V = 10.0", "empty_V = 14.4").find("below `full_V`"), std::string::npos);
+  EXPECT_NE(with("hotel_W = 1.63", "hotel_W = 1.63\nsbc_W = -1.0").find("below 0"),
+            std::string::npos);
+  EXPECT_EQ(with("hotel_W = 1.63", "hotel_W = 1.63\nsbc_W = 3.0"), "");
+}
+
 TEST(Platform, HowOftenAndHowExactlyASensorIsHeardOf) {
   const auto with = [](const std::string& stale, const std::string& more) {
     std::string text = std::string(kHead) + kSensor;

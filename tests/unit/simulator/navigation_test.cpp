@@ -24,11 +24,11 @@ TEST(Navigator, SpeedIsTheDepthRateOverTheSlope) {
   // Down at 0.18 m/s, nose down 26.57 degrees (slope 1:2): 0.36 m/s. Heading 30 degrees.
   n.reckon(0.18, -std::atan(0.5), kPi / 6, false, 4);
   EXPECT_NEAR(n.speed(), 0.36, 1e-12);
-  EXPECT_NEAR(n.x(), 0.72, 1e-12);
-  EXPECT_NEAR(n.y(), 0.36 * 4 * std::sqrt(3) / 2, 1e-12);
+  EXPECT_NEAR(n.eastOfStart(), 0.72, 1e-12);
+  EXPECT_NEAR(n.northOfStart(), 0.36 * 4 * std::sqrt(3) / 2, 1e-12);
   n.reckon(-0.09, std::atan(0.5), kPi, false, 4);
   EXPECT_NEAR(n.speed(), 0.18, 1e-12) << "climbs";
-  EXPECT_NEAR(n.y(), 0.72 * std::sqrt(3) - 0.72, 1e-12);
+  EXPECT_NEAR(n.northOfStart(), 0.72 * std::sqrt(3) - 0.72, 1e-12);
 }
 
 TEST(Navigator, KeepsTheSpeedWhereItCannotBeTold) {
@@ -59,8 +59,8 @@ TEST(Navigator, AnUnknownHeadingIsTheLastOne) {
   Navigator n(frame);
   n.reckon(0.18, -std::atan(0.5), kPi / 2, false, 4);
   n.reckon(0.18, -std::atan(0.5), kNaN, false, 4);
-  EXPECT_NEAR(n.x(), 2 * 1.44, 1e-12);
-  EXPECT_NEAR(n.y(), 0, 1e-12);
+  EXPECT_NEAR(n.eastOfStart(), 2 * 1.44, 1e-12);
+  EXPECT_NEAR(n.northOfStart(), 0, 1e-12);
 }
 
 TEST(Navigator, AFixSetsItRight) {
@@ -68,8 +68,8 @@ TEST(Navigator, AFixSetsItRight) {
   Navigator n(frame);
   n.reckon(0.18, -std::atan(0.5), kPi / 2, false, 4);
   n.fix({-7, 8});
-  EXPECT_EQ(n.x(), -7);
-  EXPECT_EQ(n.y(), 8);
+  EXPECT_EQ(n.eastOfStart(), -7);
+  EXPECT_EQ(n.northOfStart(), 8);
 }
 
 TEST(Navigator, BearingsOfTheFourQuarters) {

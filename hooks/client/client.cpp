@@ -327,6 +327,7 @@ void Client::askForLink() {
 
 void Client::queueHello() {
   Hello hello;
+  hello.features = options_.features;
   hello.link = link_;
   hello.dictionary = dictionary_->hash;
   const char* name = options_.mission_name == nullptr ? "" : options_.mission_name;

@@ -259,29 +259,36 @@ TEST(Control, FollowsANumberThatTheClientHadToReplace) {
   EXPECT_EQ(vehicle.news.kind, ControlNews::Kind::Taken);
 }
 
-TEST_F(LinkTest, ARefusedLinkIsLoggedBelowTheHeader) {
+TEST_F(LinkTest, ARefusedLinkIsLoggedBelowTheHeaderWithItsReason) {
+  constexpr uint16_t kOfLaterVersions = 1U << 9;
+  const std::pair<hooks::Beacon, std::string> refused[] = {
+      {{hooks::kProtocolVersion, {}, 0, hooks::HookState::Ready}, "0,another sensor dictionary"},
+      {{9, {}, 0, hooks::HookState::Ready}, "9,another protocol version"},
+      {{hooks::kProtocolVersion,
+        {.offers = 0, .needs = kOfLaterVersions},
+        gliderDictionary.hash,
+        hooks::HookState::Ready},
+       "9,a protocol feature that this version does not know is missing"},
+  };
   hooks::MemoryLine line;
   const GliderRuntimeOptions options{{this, &LinkTest::writeLog, nullptr, nullptr}, nullptr, {}, 0};
   runtime_memory_.assign(gliderRuntimeSize() / sizeof(double) + 1, 0.0);
   runtime_ = gliderRuntimeInit(runtime_memory_.data(), mission_.memory.data(), &mission_.mission,
                                &options);
-  hooks::Frame frame;
-  encode(hooks::Beacon{hooks::kProtocolVersion,
-                       {hooks::kFeatureVirtualTime, hooks::kFeatureVirtualTime},
-                       0,
-                       hooks::HookState::Ready},
-         frame);
-  uint8_t bytes[hooks::kMostEncodedBytes];
-  const uint32_t size = encodeFrame(frame, bytes);
-  const GliderByteStream vehicle = line.left();
-  vehicle.write(vehicle.self, bytes, size);
-  const GliderByteStream stream = line.right();
-  const GliderClock clock{&sbc_time_, [](void* t) { return *static_cast<double*>(t); }};
-  (void)gliderRuntimePoll(runtime_, &stream, &clock);
-  EXPECT_EQ(logCsv(),
-            "time_s,record,name,value,from,to\n"
-            "0,start,bench,,,\n"
-            "0,event,link refused,0,another sensor dictionary,\n");
+  std::string expected = "time_s,record,name,value,from,to\n0,start,bench,,,\n";
+  for (const auto& [beacon, reason] : refused) {
+    hooks::Frame frame;
+    encode(beacon, frame);
+    uint8_t bytes[hooks::kMostEncodedBytes];
+    const uint32_t size = encodeFrame(frame, bytes);
+    const GliderByteStream vehicle = line.left();
+    vehicle.write(vehicle.self, bytes, size);
+    const GliderByteStream stream = line.right();
+    const GliderClock clock{&sbc_time_, [](void* t) { return *static_cast<double*>(t); }};
+    (void)gliderRuntimePoll(runtime_, &stream, &clock);
+    expected += "0,event,link refused," + reason + ",\n";
+  }
+  EXPECT_EQ(logCsv(), expected);
 }
 
 TEST_F(LinkTest, AfterSilenceControlIsTakenAnewAndTheMissionGoesOn) {

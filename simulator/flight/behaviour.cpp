@@ -4,38 +4,20 @@
 #include "simulator/flight/behaviour.h"
 
 #include "simulator/flight/behaviours/abend.h"
+#include "simulator/flight/behaviours/depth_behaviour.h"
+#include "simulator/flight/behaviours/drift_at_depth.h"
+#include "simulator/flight/behaviours/goto_list.h"
 #include "simulator/flight/behaviours/goto_wpt.h"
 #include "simulator/flight/behaviours/hookbeh_adapter.h"
+#include "simulator/flight/behaviours/nop_commands.h"
 #include "simulator/flight/behaviours/set_heading.h"
 #include "simulator/flight/behaviours/surface.h"
 #include "simulator/flight/behaviours/yo.h"
 
-namespace glider::simulator {
+#include <algorithm>
+#include <string_view>
 
-bool When::met(const Situation& situation, const Commands& below) const {
-  switch (code_) {
-    case 0:
-      return true;
-    case 1:
-      return below.anyIdle();
-    case 2:
-      return !below.pitch;
-    case 3:
-      return !below.heading;
-    case 4:
-      return !below.pump_cc;
-    case 6:
-      return situation.time_s - ended_s_ >= secs_;
-    case 7:
-      return situation.waypoint_distance_m < distance_;
-    case 9:
-      return situation.time_s - started_s_ >= secs_;
-    case 12:
-      return situation.silent_s > secs_;
-    default:
-      return false;  // 5: never
-  }
-}
+namespace glider::simulator {
 
 void Behaviour::run(const Situation& situation, Commands& commands) {
   if (state_ == State::Waiting && starts(situation, commands)) {
@@ -48,27 +30,32 @@ void Behaviour::run(const Situation& situation, Commands& commands) {
   }
 }
 
-std::unique_ptr<Behaviour> makeBehaviour(const slocum::BehaviourBlock& block,
-                                         const hooks::Hull& hull) {
-  if (block.name == "abend") {
-    return std::make_unique<Abend>(block);
-  }
-  if (block.name == "surface") {
-    return std::make_unique<Surface>(block);
-  }
-  if (block.name == "yo") {
-    return std::make_unique<Yo>(block);
-  }
-  if (block.name == "set_heading") {
-    return std::make_unique<SetHeading>(block);
-  }
-  if (block.name == "goto_wpt") {
-    return std::make_unique<GotoWpt>(block);
-  }
-  if (block.name == "hookbeh") {
-    return std::make_unique<HookbehAdapter>(block, hull);
-  }
-  return nullptr;
+namespace {
+
+template <typename Made>
+std::unique_ptr<Behaviour> make(const BehaviourSource& source) {
+  return std::make_unique<Made>(source);
+}
+
+struct Kind {
+  std::string_view name;
+  std::unique_ptr<Behaviour> (*make)(const BehaviourSource& source);
+};
+
+constexpr Kind kKinds[] = {
+    {"abend", make<Abend>},          {"climb_to", make<DepthBehaviour>},
+    {"dive_to", make<DepthBehaviour>}, {"drift_at_depth", make<DriftAtDepth>},
+    {"goto_list", make<GotoList>},   {"goto_wpt", make<GotoWpt>},
+    {"hookbeh", make<HookbehAdapter>}, {"nop_cmds", make<NopCommands>},
+    {"set_heading", make<SetHeading>}, {"surface", make<Surface>},
+    {"yo", make<Yo>},
+};
+
+}  // namespace
+
+std::unique_ptr<Behaviour> makeBehaviour(const BehaviourSource& source) {
+  const auto* const kind = std::ranges::find(kKinds, source.block.name, &Kind::name);
+  return kind == std::end(kKinds) ? nullptr : kind->make(source);
 }
 
 }  // namespace glider::simulator

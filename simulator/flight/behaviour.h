@@ -3,32 +3,16 @@
 
 #pragma once
 
-#include "hooks/hookbeh/hull.h"
 #include "simulator/flight/commands.h"
 #include "simulator/flight/situation.h"
 #include "simulator/journal.h"
-#include "slocum/mission_files/mission_file.h"
 
 #include <memory>
 #include <string>
 
 namespace glider::simulator {
 
-/// start_when and stop_when, with the codes of the vehicle's release 10.05.
-class When {
- public:
-  When(int code, double secs, double distance) : code_(code), secs_(secs), distance_(distance) {}
-
-  /// True when the condition holds, given what lower behaviours have commanded in this cycle.
-  [[nodiscard]] bool met(const Situation& situation, const Commands& below) const;
-  void noteStart(double time_s) { started_s_ = time_s; }
-  void noteEnd(double time_s) { ended_s_ = time_s; }
-
- private:
-  int code_;
-  double secs_, distance_;
-  double started_s_ = 0, ended_s_ = 0;  ///< the mission's start counts as the first
-};
+struct BehaviourSource;
 
 /// One behaviour of the mission. waiting → active → complete, or waiting again.
 class Behaviour {
@@ -78,9 +62,8 @@ class Behaviour {
   bool overridden_ = false;
 };
 
-/// The behaviour that `block` describes; null for one that has no effect here. `block` has passed
-/// checkSkeleton.
-std::unique_ptr<Behaviour> makeBehaviour(const slocum::BehaviourBlock& block,
-                                         const hooks::Hull& hull);
+/// The behaviour that `source` describes; null for one that has no effect here. What `source` refers
+/// to outlives it, except for the block.
+std::unique_ptr<Behaviour> makeBehaviour(const BehaviourSource& source);
 
 }  // namespace glider::simulator

@@ -9,14 +9,16 @@
 namespace glider::simulator {
 
 struct HeadingCommand {
-  enum class Mode : uint8_t { Waypoint, Heading, Fin } mode = Mode::Fin;
+  /// Ignore: the slot is busy, and the fin stays where it is.
+  enum class Mode : uint8_t { Waypoint, Heading, Fin, Ignore } mode = Mode::Fin;
   double value_rad = 0;  ///< heading or fin
   double latitude_ddmm = 0, longitude_ddmm = 0;
 };
 
 struct PitchCommand {
-  /// At a battery position (in); once from the calibration curve (rad); held by the servo (rad).
-  enum class Mode : uint8_t { BatteryPosition, Curve, Servo } mode = Mode::Servo;
+  /// At a battery position (in); once from the calibration curve (rad); held by the servo (rad);
+  /// Ignore: the slot is busy, and the battery stays where it is.
+  enum class Mode : uint8_t { BatteryPosition, Curve, Servo, Ignore } mode = Mode::Servo;
   double value = 0;
   bool operator==(const PitchCommand&) const = default;
 };
@@ -46,8 +48,11 @@ constexpr int kNoLayer = -1;
 struct Commands {
   std::optional<HeadingCommand> heading;
   std::optional<PitchCommand> pitch;
-  std::optional<double> pump_cc;
+  std::optional<double> pump_cc;  ///< NaN: the slot is busy, and the pump stays where it is
   int heading_layer = kNoLayer, pitch_layer = kNoLayer, pump_layer = kNoLayer;
+
+  bool hit_waypoint = false;  ///< a list of waypoints has reached one in this cycle
+  bool hovering = false;      ///< drift_at_depth holds its depth
 
   /// `layer` of what is commanded from now on.
   int layer = kNoLayer;

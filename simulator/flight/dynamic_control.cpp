@@ -34,6 +34,9 @@ double wrapped(double angle) {
 }  // namespace
 
 void DynamicControl::holdPitch(const PitchCommand& command, const Measured& m, Vehicle& vehicle) {
+  if (command.mode == PitchCommand::Mode::Ignore) {
+    return;
+  }
   const bool servo = command.mode == PitchCommand::Mode::Servo;
   const bool battery = command.mode == PitchCommand::Mode::BatteryPosition;
   pitch_value_ = battery ? std::numeric_limits<double>::quiet_NaN() : command.value;
@@ -58,6 +61,9 @@ void DynamicControl::holdHeading(const HeadingCommand& command, const Measured& 
   const double rate = heading_known_ ? wrapped(m.heading - last_heading_) / seconds : 0;
   last_heading_ = m.heading;
   heading_known_ = !std::isnan(m.heading);
+  if (command.mode == HeadingCommand::Mode::Ignore) {
+    return;
+  }
   if (command.mode == HeadingCommand::Mode::Fin) {
     heading_value_ = std::numeric_limits<double>::quiet_NaN();
     vehicle.commandFin(command.value_rad);
@@ -79,8 +85,10 @@ void DynamicControl::cycle(const Commands& commands, const Measured& measured, d
                            Vehicle& vehicle) {
   holdHeading(*commands.heading, measured, seconds, vehicle);
   holdPitch(*commands.pitch, measured, vehicle);
-  pump_cc_ = std::clamp(*commands.pump_cc, -vehicle.limits().pump_cc, vehicle.limits().pump_cc);
-  vehicle.commandPump(pump_cc_);
+  if (!std::isnan(*commands.pump_cc)) {
+    pump_cc_ = std::clamp(*commands.pump_cc, -vehicle.limits().pump_cc, vehicle.limits().pump_cc);
+    vehicle.commandPump(pump_cc_);
+  }
 }
 
 }  // namespace glider::simulator

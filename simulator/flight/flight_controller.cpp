@@ -31,7 +31,7 @@ double depthState(const Situation& s) {
   if (s.at_surface) {
     return 0;
   }
-  return std::fabs(s.depth_rate_mps) < 0.25 * 0.19 ? 3 : s.depth_rate_mps > 0 ? 1 : 2;
+  return std::fabs(s.depth_rate_mps) < kHoverRate ? 3 : s.depth_rate_mps > 0 ? 1 : 2;
 }
 
 }  // namespace
@@ -39,8 +39,11 @@ double depthState(const Situation& s) {
 FlightController::FlightController(const platforms::Platform& platform,
                                    const slocum::MissionFile& mission,
                                    const SensorSettings& sensors, uint64_t seed,
-                                   const LocalFrame& frame, double year, Journal& journal)
+                                   const LocalFrame& frame, double year, Journal& journal,
+                                   Code15 code_15)
     : mission_(mission),
+      code_15_(code_15),
+      variables_(mission),
       array_(platform),
       frame_(frame),
       declination_(year),
@@ -50,7 +53,7 @@ FlightController::FlightController(const platforms::Platform& platform,
       altimeter_(seed, sensors.altimeter),
       gps_(seed, sensors.gps),
       hull_(hullOf(platform)),
-      layers_(std::make_unique<LayeredControl>(mission, hull_)),
+      layers_(std::make_unique<LayeredControl>(mission, hull_, variables_, code_15)),
       dictionary_(platform),
       flight_science_link_(dictionary_.get()),
       journal_(journal),
@@ -194,8 +197,31 @@ Situation FlightController::situation(double now_s) {
   s.array = &array_;
   (s.at_surface ? surfaced_s_ : submerged_s_) = s.time_s;
   s.silent_s = s.time_s - surfaced_s_;
+  s.utc_s = array_.get(Sensor::m_present_time);
+  s.mission_mode = variables_.get("u_mission_mode");
+  s.science_wants_surface = variables_.get("sci_wants_surface") != 0;
+  if (!geography_) {
+    geography_.emplace(GeoPosition{fromDdmm(s.latitude_ddmm), fromDdmm(s.longitude_ddmm)},
+                       variation());
+  }
+  s.geography = &*geography_;
+  countInflections(s);
+  s.inflections = inflections_;
   array_.set(Sensor::m_depth_state, depthState(s));
   return s;
+}
+
+/// Changes between sinking and rising since the vehicle was last at the surface.
+void FlightController::countInflections(const Situation& s) {
+  if (s.at_surface) {
+    inflections_ = last_moving_ = 0;
+    return;
+  }
+  const double moving = std::fabs(s.depth_rate_mps) < kHoverRate ? 0 : std::copysign(1, s.depth_rate_mps);
+  if (moving != 0) {
+    inflections_ += last_moving_ != 0 && moving != last_moving_ ? 1 : 0;
+    last_moving_ = moving;
+  }
 }
 
 void FlightController::noteInstruction() {
@@ -262,7 +288,10 @@ void FlightController::restart(double now_s, bool keeps_array) {
     flight_science_link_ = hooks::FlightScienceLink(dictionary_.get());
     dynamics_ = DynamicControl();
   }
-  layers_ = std::make_unique<LayeredControl>(mission_, hull_);
+  variables_ = MissionVariables(mission_);
+  layers_ = std::make_unique<LayeredControl>(mission_, hull_, variables_, code_15_);
+  geography_.reset();
+  inflections_ = 0;
   mission_start_s_ = now_s;
   cycles_ = 0;
   surfaced_s_ = submerged_s_ = 0;

@@ -7,13 +7,16 @@
 #include "platforms/load/dictionary.h"
 #include "simulator/faults/faults.h"
 #include "simulator/flight/dynamic_control.h"
+#include "simulator/flight/geography.h"
 #include "simulator/flight/layered_control.h"
+#include "simulator/flight/mission_variables.h"
 #include "simulator/flight/navigator.h"
 #include "simulator/magnetism/declination.h"
 #include "simulator/sensors/sensor_list.h"
 
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace glider::simulator {
@@ -33,7 +36,7 @@ class FlightController {
   /// `year`, with its fraction, is for the magnetic field.
   FlightController(const platforms::Platform& platform, const slocum::MissionFile& mission,
                    const SensorSettings& sensors, uint64_t seed, const LocalFrame& frame,
-                   double year, Journal& journal);
+                   double year, Journal& journal, Code15 code_15 = Code15::FarFromWaypoint);
 
   /// The vehicle starts at (x, y) of the frame instead of its origin.
   void startAt(double x, double y) { navigator_.startAt(x, y); }
@@ -68,6 +71,8 @@ class FlightController {
   /// The SBC's mission has changed state: of the range that the previous state commanded, only the
   /// command in force is still valid.
   void noteTransition();
+  /// The operator or the science computer sets a sensor of the mission's, as u_mission_param_a.
+  void put(const std::string& sensor, double value) { variables_.set(sensor, value); }
   /// A device fails: the mission is aborted.
   void failDevice(double now_s);
   /// Restarts its mission at `now_s`, as after a restart of the computer; with `keeps_array`, as
@@ -99,8 +104,11 @@ class FlightController {
   [[nodiscard]] Commands decide(const Situation& situation);
   void control(const Commands& commands, const Situation& situation, Vehicle& vehicle);
   void judgeEnd(const Situation& situation);
+  void countInflections(const Situation& situation);
 
   slocum::MissionFile mission_;
+  Code15 code_15_;
+  MissionVariables variables_;
   SensorArray array_;
   const LocalFrame& frame_;
   Declination declination_;
@@ -121,6 +129,8 @@ class FlightController {
   double last_depth_ = 0, depth_rate_ = 0;  ///< as computed by the vehicle itself
   double surfaced_s_ = 0, submerged_s_ = 0;
   double mission_start_s_ = 0;
+  std::optional<Geography> geography_;  ///< of the place where the mission started
+  double inflections_ = 0, last_moving_ = 0;
   bool has_fix_ = false, commanded_whole_ = true;
   Abort abort_ = Abort::None;
   ObeyedInstruction obeyed_;

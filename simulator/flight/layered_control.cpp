@@ -3,14 +3,17 @@
 
 #include "simulator/flight/layered_control.h"
 
+#include "simulator/flight/behaviours/source.h"
+
 #include <algorithm>
 #include <ranges>
 
 namespace glider::simulator {
 
-LayeredControl::LayeredControl(const slocum::MissionFile& mission, const hooks::Hull& hull) {
+LayeredControl::LayeredControl(const slocum::MissionFile& mission, const hooks::Hull& hull,
+                               const MissionVariables& variables, Code15 code_15) {
   for (size_t i = 0; i < mission.behaviours.size(); ++i) {
-    auto behaviour = makeBehaviour(mission.behaviours[i], hull);
+    auto behaviour = makeBehaviour({mission.behaviours[i], hull, variables, code_15});
     if (behaviour == nullptr) {
       continue;  // checkSkeleton has warned
     }

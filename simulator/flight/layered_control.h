@@ -5,6 +5,8 @@
 
 #include "simulator/flight/behaviour.h"
 #include "simulator/flight/behaviours/hookbeh_adapter.h"
+#include "simulator/flight/mission_variables.h"
+#include "simulator/flight/when.h"
 
 #include <memory>
 #include <vector>
@@ -16,8 +18,9 @@ namespace glider::simulator {
 /// start condition sees what those below command.
 class LayeredControl {
  public:
-  /// `hull` is that of the vehicle that hookbeh is built for.
-  LayeredControl(const slocum::MissionFile& mission, const hooks::Hull& hull);
+  /// `hull` is that of the vehicle that hookbeh is built for. `variables` outlives this.
+  LayeredControl(const slocum::MissionFile& mission, const hooks::Hull& hull,
+                 const MissionVariables& variables, Code15 code_15);
 
   struct Decision {
     Commands commands;

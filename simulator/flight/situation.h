@@ -7,6 +7,8 @@
 
 namespace glider::simulator {
 
+class Geography;
+
 /// What behaviours know in one control cycle. NaN for what is not known.
 struct Situation {
   double time_s = 0;    ///< of the mission
@@ -18,12 +20,19 @@ struct Situation {
   double latitude_ddmm = 0, longitude_ddmm = 0;
   double waypoint_distance_m = 0;  ///< to the waypoint in force in the last cycle
   double silent_s = 0;             ///< since the vehicle was last at the surface
+  double utc_s = 0;                ///< since 1970
+  double mission_mode = 0;         ///< u_mission_mode, a set of bits
+  double inflections = 0;          ///< since the vehicle was last at the surface
+  bool science_wants_surface = false;
   bool at_surface = false;
   bool gps_fix = false;
   SensorArray* array = nullptr;
+  const Geography* geography = nullptr;
 };
 
 /// Shallower than this the vehicle counts as at the surface.
 constexpr double kSurfaceDepth = 0.5;  // m
+/// Slower than a quarter of the nominal 0.19 m/s the vehicle counts as hovering.
+constexpr double kHoverRate = 0.25 * 0.19;  // m/s
 
 }  // namespace glider::simulator

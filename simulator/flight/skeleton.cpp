@@ -35,27 +35,26 @@ struct Codes {
   std::string_view behaviour, argument;
   std::vector<int> codes;
 };
-const std::vector<int> kStart = {0, 1, 2, 3, 4, 5, 6, 7, 9, 12};
-const std::vector<int> kStop = {1, 2, 3, 4, 5, 7, 9};
+const std::vector<int> kStart = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16};
+const std::vector<int> kStop = {1, 2, 3, 4, 5, 7, 8, 9, 15};
 const std::vector<int> kFlag = {0, 1};
-const std::vector<int> kPump = {2};
+const std::vector<int> kPump = {0, 2};
+const std::vector<int> kUnits = {0, 1, 2};
 const std::vector<int> kPitch = {1, 2, 3};
 const std::vector<int> kEnd = {0, 2};
 const auto kCodes = std::to_array<Codes>({
     {"surface", "start_when", kStart},
-    {"surface", "end_action", {0, 1, 2}},
-    {"surface", "c_use_bpump", {2, 3}},
+    {"surface", "end_action", {0, 1, 2, 3, 4, 5}},
+    {"surface", "c_use_bpump", {0, 2, 3}},
     {"surface", "c_use_pitch", kPitch},
     {"yo", "start_when", kStart},
     {"yo", "end_action", kEnd},
-    {"yo", "stop_when", {5}},
+    {"yo", "stop_when", kStop},
     {"yo", "start_diving", kFlag},
     {"yo", "d_use_bpump", kPump},
     {"yo", "c_use_bpump", kPump},
     {"yo", "d_use_pitch", kPitch},
     {"yo", "c_use_pitch", kPitch},
-    {"yo", "d_use_thruster", {0}},
-    {"yo", "c_use_thruster", {0}},
     {"set_heading", "start_when", kStart},
     {"set_heading", "stop_when", kStop},
     {"set_heading", "end_action", kEnd},
@@ -63,7 +62,25 @@ const auto kCodes = std::to_array<Codes>({
     {"goto_wpt", "start_when", kStart},
     {"goto_wpt", "stop_when", kStop},
     {"goto_wpt", "end_action", kEnd},
-    {"goto_wpt", "wpt_units", {2}},
+    {"goto_wpt", "wpt_units", kUnits},
+    {"goto_list", "start_when", kStart},
+    {"goto_list", "list_stop_when", kStop},
+    {"goto_list", "end_action", {0, 2, 6}},
+    {"dive_to", "start_when", kStart},
+    {"dive_to", "use_bpump", kPump},
+    {"dive_to", "use_pitch", kPitch},
+    {"dive_to", "end_action", kEnd},
+    {"climb_to", "start_when", kStart},
+    {"climb_to", "use_bpump", kPump},
+    {"climb_to", "use_pitch", kPitch},
+    {"climb_to", "end_action", kEnd},
+    {"drift_at_depth", "start_when", kStart},
+    {"drift_at_depth", "end_action", kEnd},
+    {"drift_at_depth", "use_pitch", kPitch},
+    {"drift_at_depth", "d_use_bpump", kPump},
+    {"drift_at_depth", "c_use_bpump", kPump},
+    {"drift_at_depth", "d_use_pitch", kPitch},
+    {"drift_at_depth", "c_use_pitch", kPitch},
 });
 
 /// Bounds of a number.

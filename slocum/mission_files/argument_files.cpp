@@ -27,6 +27,7 @@ void apply(BehaviourBlock& block, const ArgumentFile& file,
         .note(block.range, "it is read here");
     return;
   }
+  block.waypoints = file.waypoints;
   for (const Setting& setting : file.arguments) {
     const auto given = std::ranges::find(block.arguments, setting.name, &Setting::name);
     if (given != block.arguments.end()) {

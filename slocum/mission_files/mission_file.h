@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,6 +15,21 @@
 /// The Slocum's own mission files as plain data. Names are kept in lower case: the vehicle ignores
 /// case.
 namespace glider::slocum {
+
+/// A position that was never set, in lat and lon.
+inline constexpr double kUnsetPosition = 69696969;
+
+/// The mission parameters u_mission_param_a to z.
+inline constexpr int kMissionParameters = 26;
+
+/// A b_arg of 1000000 or more is not a number but a mission parameter, which the vehicle reads at run
+/// time: 1000000 is u_mission_param_a, number 0. Empty for a number.
+constexpr std::optional<int> missionParameter(double value) {
+  constexpr double kFirst = 1'000'000;
+  return value >= kFirst && value < kFirst + kMissionParameters
+             ? std::optional(static_cast<int>(value - kFirst))
+             : std::nullopt;
+}
 
 /// `name(unit) value` of a sensor or b_arg line. The unit is a description only and means nothing
 /// to the vehicle.
@@ -25,11 +41,18 @@ struct Setting {
   support::SourceRange value_range;
 };
 
+/// One line of a waypoint list, ddmm.mmmm as on the vehicle.
+struct Waypoint {
+  double longitude_ddmm = 0;
+  double latitude_ddmm = 0;
+};
+
 /// One `behavior:` line with its `b_arg:` lines.
 struct BehaviourBlock {
   std::string name;
   support::SourceRange range;  ///< of the name
   std::vector<Setting> arguments;
+  std::vector<Waypoint> waypoints = {};  ///< of its .ma file
 
   [[nodiscard]] const Setting* find(std::string_view argument) const;
   /// The value of `argument`, else the default of the catalogue (behaviours.def).
@@ -47,12 +70,6 @@ struct MissionFile {
   std::vector<Setting> sensors;
   std::vector<BehaviourBlock> behaviours;
   std::vector<SetupLine> setup;
-};
-
-/// One line of a waypoint list, ddmm.mmmm as on the vehicle.
-struct Waypoint {
-  double longitude_ddmm = 0;
-  double latitude_ddmm = 0;
 };
 
 /// A .ma file.

@@ -3,6 +3,8 @@
 
 #include "simulator/flight/behaviours/abend.h"
 
+#include "simulator/flight/behaviours/source.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -12,13 +14,13 @@ namespace glider::simulator {
 // A vehicle that moves less than this has stayed at its depth.
 constexpr double kSameDepth = 1;  // m
 
-Abend::Abend(const slocum::BehaviourBlock& block)
-    : Behaviour(block.name),
-      overdepth_(block.value("overdepth")),
-      overtime_(block.value("overtime")),
-      undervolts_(block.value("undervolts")),
-      same_depth_for_(block.value("samedepth_for")),
-      waypoint_distance_(block.value("max_wpt_distance")) {}
+Abend::Abend(const BehaviourSource& source)
+    : Behaviour(source.block.name),
+      overdepth_(source.argument("overdepth")),
+      overtime_(source.argument("overtime")),
+      undervolts_(source.argument("undervolts")),
+      same_depth_for_(source.argument("samedepth_for")),
+      waypoint_distance_(source.argument("max_wpt_distance")) {}
 
 void Abend::watchDepth(const Situation& s) {
   if (s.at_surface || !(std::fabs(s.depth_m - reference_depth_) < kSameDepth)) {
@@ -36,22 +38,22 @@ Behaviour::Outcome Abend::fly(const Situation& s, Commands& /*commands*/) {
       why_ = std::move(why);
     }
   };
-  if (overdepth_ >= 0 && s.depth_m > overdepth_) {
+  if (overdepth_() >= 0 && s.depth_m > overdepth_()) {
     found(Abort::Overdepth,
-          fmt::format("m_depth {:.1f} m > overdepth {} m", s.depth_m, overdepth_));
+          fmt::format("m_depth {:.1f} m > overdepth {} m", s.depth_m, overdepth_()));
   }
-  if (overtime_ >= 0 && s.time_s > overtime_) {
-    found(Abort::Overtime, fmt::format("{:.0f} s > overtime {} s", s.time_s, overtime_));
+  if (overtime_() >= 0 && s.time_s > overtime_()) {
+    found(Abort::Overtime, fmt::format("{:.0f} s > overtime {} s", s.time_s, overtime_()));
   }
-  if (undervolts_ >= 0 && s.voltage < undervolts_) {
+  if (undervolts_() >= 0 && s.voltage < undervolts_()) {
     found(Abort::Undervolts,
-          fmt::format("m_battery {:.2f} V < undervolts {} V", s.voltage, undervolts_));
+          fmt::format("m_battery {:.2f} V < undervolts {} V", s.voltage, undervolts_()));
   }
-  if (same_depth_for_ >= 0 && same_for > same_depth_for_) {
+  if (same_depth_for_() >= 0 && same_for > same_depth_for_()) {
     found(Abort::SameDepth, fmt::format("within {} m of {:.1f} m for {:.0f} s", kSameDepth,
                                         reference_depth_, same_for));
   }
-  if (waypoint_distance_ >= 0 && s.waypoint_distance_m > waypoint_distance_) {
+  if (waypoint_distance_() >= 0 && s.waypoint_distance_m > waypoint_distance_()) {
     found(Abort::WaypointTooFar,
           fmt::format("the waypoint is {:.0f} m away", s.waypoint_distance_m));
   }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "simulator/flight/behaviour.h"
+#include "simulator/flight/mission_variables.h"
 
 namespace glider::simulator {
 
@@ -11,7 +12,7 @@ namespace glider::simulator {
 /// samedepth_for, max_wpt_distance. The other limits of a real abend watch what is not simulated.
 class Abend final : public Behaviour {
  public:
-  explicit Abend(const slocum::BehaviourBlock& block);
+  explicit Abend(const BehaviourSource& source);
   [[nodiscard]] Abort abort(std::string& why) const override;
 
  protected:
@@ -21,7 +22,7 @@ class Abend final : public Behaviour {
  private:
   void watchDepth(const Situation& situation);
 
-  double overdepth_, overtime_, undervolts_, same_depth_for_, waypoint_distance_;
+  Argument overdepth_, overtime_, undervolts_, same_depth_for_, waypoint_distance_;
   double reference_depth_ = 0, reference_since_s_ = 0;
   Abort found_ = Abort::None;
   std::string why_;

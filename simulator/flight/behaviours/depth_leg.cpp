@@ -3,35 +3,23 @@
 
 #include "simulator/flight/behaviours/depth_leg.h"
 
-#include "simulator/flight/behaviours/arguments.h"
-
 #include <fmt/format.h>
 
 #include <cmath>
 
 namespace glider::simulator {
 
-// Slower than a quarter of the nominal 0.19 m/s is hovering; a leg that has not gained a metre is
-// stalled.
-constexpr double kHoverRate = 0.25 * 0.19;
+// A leg that has not gained a metre is stalled.
 constexpr double kProgress = 1;  // m
 
-namespace {
-
-std::string prefixOf(DepthLeg::Direction direction) {
-  return direction == DepthLeg::Direction::Dive ? "d_" : "c_";
-}
-
-}  // namespace
-
-DepthLeg::DepthLeg(const slocum::BehaviourBlock& block, Direction direction)
+DepthLeg::DepthLeg(const BehaviourSource& source, Direction direction, const std::string& prefix)
     : direction_(direction),
-      target_depth_(block.value(prefixOf(direction) + "target_depth")),
-      target_altitude_(block.value(prefixOf(direction) + "target_altitude")),
-      pump_cc_(block.value(prefixOf(direction) + "bpump_value")),
-      hover_for_s_(block.value(prefixOf(direction) + "stop_when_hover_for")),
-      stalled_for_s_(block.value(prefixOf(direction) + "stop_when_stalled_for")),
-      pitch_(pitchCommand(block, prefixOf(direction))) {}
+      target_depth_(source.argument(prefix + "target_depth")),
+      target_altitude_(source.argument(prefix + "target_altitude")),
+      pump_cc_(source.pump(prefix)),
+      hover_for_s_(source.argument(prefix + "stop_when_hover_for")),
+      stalled_for_s_(source.argument(prefix + "stop_when_stalled_for")),
+      pitch_(source.pitch(prefix)) {}
 
 void DepthLeg::begin(const Situation& s) {
   moving_s_ = deepest_s_ = s.time_s;
@@ -40,13 +28,13 @@ void DepthLeg::begin(const Situation& s) {
 
 bool DepthLeg::reached(const Situation& s) {
   const bool dives = direction_ == Direction::Dive;
-  if (dives ? s.depth_m >= target_depth_ : s.depth_m <= target_depth_) {
-    why_ = fmt::format("m_depth {:.1f} m, target {} m", s.depth_m, target_depth_);
+  if (dives ? s.depth_m >= target_depth_() : s.depth_m <= target_depth_()) {
+    why_ = fmt::format("m_depth {:.1f} m, target {} m", s.depth_m, target_depth_());
     return true;
   }
-  const bool past = dives ? s.altitude_m <= target_altitude_ : s.altitude_m >= target_altitude_;
-  if (target_altitude_ >= 0 && past) {
-    why_ = fmt::format("m_altitude {:.1f} m, target {} m", s.altitude_m, target_altitude_);
+  const bool past = dives ? s.altitude_m <= target_altitude_() : s.altitude_m >= target_altitude_();
+  if (target_altitude_() >= 0 && past) {
+    why_ = fmt::format("m_altitude {:.1f} m, target {} m", s.altitude_m, target_altitude_());
     return true;
   }
   return false;
@@ -62,12 +50,12 @@ bool DepthLeg::stuck(const Situation& s) {
     best_depth_ = s.depth_m;
     deepest_s_ = s.time_s;
   }
-  if (hover_for_s_ >= 0 && s.time_s - moving_s_ >= hover_for_s_) {
-    why_ = fmt::format("hovering at {:.1f} m for {} s", s.depth_m, hover_for_s_);
+  if (hover_for_s_() >= 0 && s.time_s - moving_s_ >= hover_for_s_()) {
+    why_ = fmt::format("hovering at {:.1f} m for {} s", s.depth_m, hover_for_s_());
     return true;
   }
-  if (stalled_for_s_ >= 0 && s.time_s - deepest_s_ >= stalled_for_s_) {
-    why_ = fmt::format("no way made at {:.1f} m for {} s", s.depth_m, stalled_for_s_);
+  if (stalled_for_s_() >= 0 && s.time_s - deepest_s_ >= stalled_for_s_()) {
+    why_ = fmt::format("no way made at {:.1f} m for {} s", s.depth_m, stalled_for_s_());
     return true;
   }
   return false;
@@ -85,8 +73,8 @@ bool DepthLeg::over(const Situation& s, bool overridden) {
 }
 
 void DepthLeg::command(Commands& commands) const {
-  commands.point(pitch_);
-  commands.pump(pump_cc_);
+  commands.point(pitch_.now());
+  commands.pump(pump_cc_());
 }
 
 }  // namespace glider::simulator

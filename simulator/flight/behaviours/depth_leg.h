@@ -4,18 +4,19 @@
 #pragma once
 
 #include "simulator/flight/behaviour.h"
+#include "simulator/flight/behaviours/source.h"
 
 #include <string>
 
 namespace glider::simulator {
 
-/// The sub-behaviours dive_to and climb_to of a yo: one half cycle to a depth or an altitude.
+/// dive_to or climb_to, also as a sub-behaviour of a yo: one half cycle to a depth or an altitude.
 class DepthLeg {
  public:
   enum class Direction : uint8_t { Dive, Climb };
 
-  /// Reads the arguments with prefix `d_` or `c_`.
-  DepthLeg(const slocum::BehaviourBlock& block, Direction direction);
+  /// Reads the arguments behind `prefix`: `d_` or `c_` of a yo, nothing of dive_to and climb_to.
+  DepthLeg(const BehaviourSource& source, Direction direction, const std::string& prefix);
 
   void begin(const Situation& situation);
   /// True when the leg is over. While `overridden` only truly reaching the target counts: the
@@ -33,8 +34,8 @@ class DepthLeg {
   [[nodiscard]] bool stuck(const Situation& situation);
 
   Direction direction_;
-  double target_depth_, target_altitude_, pump_cc_, hover_for_s_, stalled_for_s_;
-  PitchCommand pitch_;
+  Argument target_depth_, target_altitude_, pump_cc_, hover_for_s_, stalled_for_s_;
+  PitchSource pitch_;
   double moving_s_ = 0;   ///< when it last moved
   double deepest_s_ = 0;  ///< when it last gained depth or height
   double best_depth_ = 0;

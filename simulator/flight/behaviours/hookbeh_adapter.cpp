@@ -4,6 +4,7 @@
 #include "simulator/flight/behaviours/hookbeh_adapter.h"
 
 #include "simulator/flight/behaviours/refusal_text.h"
+#include "simulator/flight/behaviours/source.h"
 
 #include <fmt/format.h>
 
@@ -99,10 +100,10 @@ hooks::HookbehArgs hookbehArgs(const slocum::BehaviourBlock& block) {
   return args;
 }
 
-HookbehAdapter::HookbehAdapter(const slocum::BehaviourBlock& block, const hooks::Hull& hull)
-    : Behaviour(block.name),
-      limits_(hooks::within(hookbehArgs(block), hull)),
-      hookbeh_(hookbehArgs(block), hull) {}
+HookbehAdapter::HookbehAdapter(const BehaviourSource& source)
+    : Behaviour(source.block.name),
+      limits_(hooks::within(hookbehArgs(source.block), source.hull)),
+      hookbeh_(hookbehArgs(source.block), source.hull) {}
 
 void HookbehAdapter::note(const hooks::HookbehInputs& in, const hooks::HookbehOutputs& out) {
   if (out.state != state_) {

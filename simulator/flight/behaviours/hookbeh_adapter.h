@@ -5,6 +5,7 @@
 
 #include "hooks/hookbeh/hookbeh.h"
 #include "simulator/flight/behaviour.h"
+#include "slocum/mission_files/mission_file.h"
 
 #include <string>
 #include <vector>
@@ -19,7 +20,7 @@ hooks::HookbehArgs hookbehArgs(const slocum::BehaviourBlock& block);
 /// SBC has released control.
 class HookbehAdapter final : public Behaviour {
  public:
-  HookbehAdapter(const slocum::BehaviourBlock& block, const hooks::Hull& hull);
+  explicit HookbehAdapter(const BehaviourSource& source);
   [[nodiscard]] bool flies() const override { return true; }
   void tell(double time_s, Journal& journal) override;
   /// Of the newest cycle.

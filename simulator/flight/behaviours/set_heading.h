@@ -3,21 +3,22 @@
 
 #pragma once
 
-#include "simulator/flight/behaviours/arguments.h"
+#include "simulator/flight/behaviour.h"
+#include "simulator/flight/behaviours/source.h"
 
 namespace glider::simulator {
 
 /// Holds a heading (use_heading 1) or the fin (4).
 class SetHeading final : public Behaviour {
  public:
-  explicit SetHeading(const slocum::BehaviourBlock& block)
-      : Behaviour(block.name),
-        start_(startCondition(block)),
-        stop_(stopCondition(block)),
-        resumes_(block.value("end_action") == 2),
-        command_{block.value("use_heading") == 4 ? HeadingCommand::Mode::Fin
-                                                 : HeadingCommand::Mode::Heading,
-                 block.value("heading_value"), 0, 0} {}
+  explicit SetHeading(const BehaviourSource& source)
+      : Behaviour(source.block.name),
+        start_(source.startCondition()),
+        stop_(source.stopCondition()),
+        resumes_(source.code("end_action") == 2),
+        mode_(source.code("use_heading") == 4 ? HeadingCommand::Mode::Fin
+                                              : HeadingCommand::Mode::Heading),
+        value_(source.argument("heading_value")) {}
 
  protected:
   [[nodiscard]] bool starts(const Situation& s, const Commands& below) const override {
@@ -30,7 +31,7 @@ class SetHeading final : public Behaviour {
     if (stop_.met(s, commands)) {
       return Outcome::Done;
     }
-    commands.steer(command_);
+    commands.steer({mode_, value_(), 0, 0});
     return Outcome::Continue;
   }
   [[nodiscard]] bool resumes() const override { return resumes_; }
@@ -39,7 +40,8 @@ class SetHeading final : public Behaviour {
  private:
   When start_, stop_;
   bool resumes_;
-  HeadingCommand command_;
+  HeadingCommand::Mode mode_;
+  Argument value_;
 };
 
 }  // namespace glider::simulator

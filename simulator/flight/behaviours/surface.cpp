@@ -3,8 +3,6 @@
 
 #include "simulator/flight/behaviours/surface.h"
 
-#include "simulator/flight/behaviours/arguments.h"
-
 #include <cmath>
 #include <limits>
 
@@ -12,15 +10,28 @@ namespace glider::simulator {
 
 constexpr double kNotYet = std::numeric_limits<double>::quiet_NaN();
 
-Surface::Surface(const slocum::BehaviourBlock& block)
-    : Behaviour(block.name),
-      start_(startCondition(block)),
-      end_action_(static_cast<int>(block.value("end_action"))),
-      pitch_(pitchCommand(block, "c_")),
-      pump_cc_(block.value("c_bpump_value")),
-      gps_wait_s_(block.value("gps_wait_time")),
-      // Only end_action 1 waits for the operator's keys.
-      keystroke_wait_s_(end_action_ == 1 ? block.value("keystroke_wait_time") : 0) {}
+Surface::Surface(const BehaviourSource& source)
+    : Behaviour(source.block.name),
+      start_(source.startCondition()),
+      end_action_(static_cast<EndAction>(source.code("end_action"))),
+      pitch_(source.pitch("c_")),
+      pump_cc_(source.pump("c_")),
+      gps_wait_s_(source.argument("gps_wait_time")),
+      keystroke_wait_s_(source.argument("keystroke_wait_time")),
+      end_distance_m_(source.argument("end_wpt_dist")) {}
+
+bool Surface::waitsForKeys() const {
+  return end_action_ == EndAction::WaitThenResume || end_action_ == EndAction::WaitThenQuit ||
+         (end_action_ == EndAction::WaitOnce && !has_waited_);
+}
+
+/// The fix is there, or will not come.
+bool Surface::dialogueOver(const Situation& s) const {
+  if (end_action_ == EndAction::DriftAway) {
+    return s.waypoint_distance_m > end_distance_m_();
+  }
+  return s.time_s - fixed_s_ >= (waitsForKeys() ? keystroke_wait_s_() : 0);
+}
 
 void Surface::begin(const Situation& situation) {
   start_.noteStart(situation.time_s);
@@ -30,8 +41,8 @@ void Surface::begin(const Situation& situation) {
 
 Behaviour::Outcome Surface::fly(const Situation& s, Commands& commands) {
   // Also commands in its last cycle: at the surface there may be no lower behaviour to take over.
-  commands.point(pitch_);
-  commands.pump(pump_cc_);
+  commands.point(pitch_.now());
+  commands.pump(pump_cc_());
   if (!commands.heading) {
     commands.steer({HeadingCommand::Mode::Fin, 0, 0, 0});
   }
@@ -41,11 +52,15 @@ Behaviour::Outcome Surface::fly(const Situation& s, Commands& commands) {
   if (std::isnan(surfaced_s_)) {
     return Outcome::Continue;
   }
-  const bool fixed = s.gps_fix || s.time_s - surfaced_s_ >= gps_wait_s_;
+  const bool fixed = s.gps_fix || s.time_s - surfaced_s_ >= gps_wait_s_();
   if (std::isnan(fixed_s_) && fixed) {
     fixed_s_ = s.time_s;
   }
-  return s.time_s - fixed_s_ >= keystroke_wait_s_ ? Outcome::Done : Outcome::Continue;
+  if (std::isnan(fixed_s_) || !dialogueOver(s)) {
+    return Outcome::Continue;
+  }
+  has_waited_ = true;
+  return Outcome::Done;
 }
 
 }  // namespace glider::simulator

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "simulator/flight/behaviour.h"
+#include "simulator/flight/behaviours/source.h"
 
 namespace glider::simulator {
 
@@ -11,10 +12,10 @@ namespace glider::simulator {
 /// then ends, resumes or quits the mission.
 class Surface final : public Behaviour {
  public:
-  explicit Surface(const slocum::BehaviourBlock& block);
+  explicit Surface(const BehaviourSource& source);
   [[nodiscard]] bool atWork() const override { return state() == State::Active; }
   [[nodiscard]] bool endsMission() const override {
-    return state() == State::Complete && end_action_ == 0;
+    return state() == State::Complete;
   }
 
  protected:
@@ -23,15 +24,30 @@ class Surface final : public Behaviour {
   }
   void begin(const Situation& situation) override;
   Outcome fly(const Situation& situation, Commands& commands) override;
-  [[nodiscard]] bool resumes() const override { return end_action_ != 0; }
+  [[nodiscard]] bool resumes() const override {
+    return end_action_ != EndAction::Quit && end_action_ != EndAction::WaitThenQuit;
+  }
   void ended(const Situation& situation) override { start_.noteEnd(situation.time_s); }
 
  private:
+  /// end_action. The operator's keys are waited for, but nobody presses one.
+  enum class EndAction : uint8_t {
+    Quit,
+    WaitThenResume,
+    Resume,
+    DriftAway,     ///< until the waypoint is further away than end_wpt_dist
+    WaitOnce,      ///< at the first surfacing only
+    WaitThenQuit,
+  };
+  [[nodiscard]] bool waitsForKeys() const;
+  [[nodiscard]] bool dialogueOver(const Situation& situation) const;
+
   When start_;
-  int end_action_;
-  PitchCommand pitch_;
-  double pump_cc_, gps_wait_s_, keystroke_wait_s_;
+  EndAction end_action_;
+  PitchSource pitch_;
+  Argument pump_cc_, gps_wait_s_, keystroke_wait_s_, end_distance_m_;
   double surfaced_s_ = 0, fixed_s_ = 0;  ///< NaN: not yet
+  bool has_waited_ = false;
 };
 
 }  // namespace glider::simulator

@@ -3,29 +3,32 @@
 
 #include "simulator/flight/behaviours/yo.h"
 
-#include "simulator/flight/behaviours/arguments.h"
-
 #include <fmt/format.h>
 
 namespace glider::simulator {
 
-Yo::Yo(const slocum::BehaviourBlock& block)
-    : Behaviour(block.name),
-      start_(startCondition(block)),
-      dive_(block, DepthLeg::Direction::Dive),
-      climb_(block, DepthLeg::Direction::Climb),
-      starts_diving_(block.value("start_diving") != 0),
-      half_cycles_to_do_(static_cast<int>(block.value("num_half_cycles_to_do"))),
-      end_action_(static_cast<int>(block.value("end_action"))) {}
+Yo::Yo(const BehaviourSource& source)
+    : Behaviour(source.block.name),
+      start_(source.startCondition()),
+      stop_(source.stopCondition()),
+      dive_(source, DepthLeg::Direction::Dive, "d_"),
+      climb_(source, DepthLeg::Direction::Climb, "c_"),
+      starts_diving_(source.code("start_diving") != 0),
+      half_cycles_to_do_(source.code("num_half_cycles_to_do")),
+      end_action_(source.code("end_action")) {}
 
 void Yo::begin(const Situation& situation) {
   start_.noteStart(situation.time_s);
+  stop_.noteStart(situation.time_s), stop_.noteEnd(situation.time_s);
   half_cycles_ = 0;
   leg_ = starts_diving_ ? &dive_ : &climb_;
   leg_->begin(situation);
 }
 
 Behaviour::Outcome Yo::fly(const Situation& situation, Commands& commands) {
+  if (stop_.met(situation, commands)) {
+    return Outcome::Done;
+  }
   // A leg whose target is already passed ends in the cycle that began it; two in a row mean that
   // the targets contradict each other, and then the second one flies for one cycle.
   for (int legs = 0; legs < 2 && leg_->over(situation, overridden()); ++legs) {

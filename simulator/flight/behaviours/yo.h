@@ -10,7 +10,7 @@ namespace glider::simulator {
 /// Dives and climbs in turn.
 class Yo final : public Behaviour {
  public:
-  explicit Yo(const slocum::BehaviourBlock& block);
+  explicit Yo(const BehaviourSource& source);
   [[nodiscard]] bool flies() const override { return true; }
   void tell(double time_s, Journal& journal) override;
 
@@ -24,7 +24,7 @@ class Yo final : public Behaviour {
   void ended(const Situation& situation) override { start_.noteEnd(situation.time_s); }
 
  private:
-  When start_;
+  When start_, stop_;
   DepthLeg dive_, climb_;
   bool starts_diving_;
   int half_cycles_to_do_, end_action_;

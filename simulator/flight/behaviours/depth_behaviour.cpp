@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "simulator/flight/behaviours/depth_behaviour.h"
+
+#include <fmt/format.h>
+
+namespace glider::simulator {
+
+DepthBehaviour::DepthBehaviour(const BehaviourSource& source)
+    : Behaviour(source.block.name),
+      start_(source.startCondition()),
+      resumes_(source.code("end_action") == 2),
+      leg_(source,
+           source.block.name == "dive_to" ? DepthLeg::Direction::Dive : DepthLeg::Direction::Climb,
+           "") {}
+
+void DepthBehaviour::begin(const Situation& s) {
+  start_.noteStart(s.time_s);
+  leg_.begin(s);
+}
+
+Behaviour::Outcome DepthBehaviour::fly(const Situation& s, Commands& commands) {
+  if (leg_.over(s, overridden())) {
+    why_over_ = leg_.why();
+    return Outcome::Done;
+  }
+  leg_.command(commands);
+  return Outcome::Continue;
+}
+
+void DepthBehaviour::tell(double time_s, Journal& journal) {
+  if (why_over_) {
+    journal.add(time_s, "behaviour", fmt::format("{} over", name()), *why_over_);
+    why_over_.reset();
+  }
+}
+
+}  // namespace glider::simulator

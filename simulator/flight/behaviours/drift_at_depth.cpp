@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "simulator/flight/behaviours/drift_at_depth.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace glider::simulator {
+
+// Faster than this the drift is corrected, in either direction.
+constexpr double kDrift = 0.02;      // m/s
+constexpr double kMostTrim = 100.0;  // cc, on either side of neutral
+
+DriftAtDepth::DriftAtDepth(const BehaviourSource& source)
+    : Behaviour(source.block.name),
+      start_(source.startCondition()),
+      resumes_(source.code("end_action") == 2),
+      target_m_(source.argument("target_depth")),
+      deadband_m_(source.argument("target_deadband")),
+      hover_for_s_(source.argument("stop_when_hover_for")),
+      step_cc_(source.argument("bpump_delta_value")),
+      delay_s_(source.argument("bpump_delay")),
+      pitch_(source.pitch("")),
+      dive_(source, DepthLeg::Direction::Dive, "d_"),
+      climb_(source, DepthLeg::Direction::Climb, "c_") {}
+
+bool DriftAtDepth::within(const Situation& s) const {
+  return std::fabs(s.depth_m - target_m_()) <= deadband_m_();
+}
+
+void DriftAtDepth::begin(const Situation& s) {
+  start_.noteStart(s.time_s);
+  hovers_ = false;
+  pump_cc_ = 0;
+  dive_.begin(s), climb_.begin(s);
+}
+
+/// A step of the pump against the drift, or towards the depth.
+void DriftAtDepth::correct(const Situation& s) {
+  if (s.time_s - corrected_s_ < delay_s_()) {
+    return;
+  }
+  corrected_s_ = s.time_s;
+  const double off_m = s.depth_m - target_m_();  // positive: too deep
+  const bool sinks = s.depth_rate_mps > kDrift, rises = s.depth_rate_mps < -kDrift;
+  const double up = (sinks || (off_m > deadband_m_() && !rises))    ? 1
+                    : (rises || (off_m < -deadband_m_() && !sinks)) ? -1
+                                                                    : 0;
+  pump_cc_ = std::clamp(pump_cc_ + up * step_cc_(), -kMostTrim, kMostTrim);
+}
+
+Behaviour::Outcome DriftAtDepth::fly(const Situation& s, Commands& commands) {
+  if (!hovers_ && within(s)) {
+    hovers_ = true;
+    hovering_since_s_ = corrected_s_ = s.time_s;
+    news_.push_back(fmt::format("drift_at_depth: hovering at {:.1f} m", s.depth_m));
+  }
+  if (!hovers_) {
+    (s.depth_m < target_m_() ? dive_ : climb_).command(commands);
+    return Outcome::Continue;
+  }
+  if (s.time_s - hovering_since_s_ >= hover_for_s_()) {
+    return Outcome::Done;
+  }
+  correct(s);
+  commands.point(pitch_.now());
+  commands.pump(pump_cc_);
+  commands.hovering = true;
+  return Outcome::Continue;
+}
+
+void DriftAtDepth::tell(double time_s, Journal& journal) {
+  for (std::string& what : news_) {
+    journal.add(time_s, "behaviour", std::move(what));
+  }
+  news_.clear();
+}
+
+}  // namespace glider::simulator

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "simulator/flight/behaviours/goto_list.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace glider::simulator {
+namespace {
+
+constexpr int kAfterLastReached = -1, kNearest = -2;  // initial_wpt
+constexpr int kOnce = -2;                             // num_legs_to_run
+
+}  // namespace
+
+GotoList::GotoList(const BehaviourSource& source)
+    : Behaviour(source.block.name),
+      start_(source.startCondition()),
+      stop_(source.code("list_stop_when"),
+            {.secs = {0, source.variables}, .distance_m = source.argument("list_when_wpt_dist")},
+            source.code_15, true),
+      resumes_(source.code("end_action") == 2),
+      initial_(source.code("initial_wpt")),
+      legs_to_run_(source.code("num_legs_to_run")) {
+  for (const slocum::Waypoint& waypoint : source.block.waypoints) {
+    places_.push_back({WaypointUnits::LatLon,
+                       {waypoint.longitude_ddmm, source.variables},
+                       {waypoint.latitude_ddmm, source.variables}});
+  }
+  const auto stated = static_cast<size_t>(std::max(0, source.code("num_waypoints")));
+  for (size_t i = places_.size(); i < stated && source.block.waypoints.empty(); ++i) {
+    const std::string number = std::to_string(i);
+    places_.push_back({static_cast<WaypointUnits>(source.code("wpt_units_" + number)),
+                       source.argument("wpt_x_" + number), source.argument("wpt_y_" + number)});
+  }
+  places_.resize(std::min(places_.size(), std::max<size_t>(stated, 1)), places_.front());
+}
+
+WaypointPosition GotoList::at(const Situation& s, size_t number) const {
+  const Place& place = places_[number];
+  return s.geography->position(place.units, place.x(), place.y());
+}
+
+size_t GotoList::first(const Situation& s) const {
+  if (initial_ == kAfterLastReached) {
+    return static_cast<size_t>(last_reached_ + 1) % places_.size();
+  }
+  if (initial_ != kNearest) {
+    return std::min(static_cast<size_t>(std::max(0, initial_)), places_.size() - 1);
+  }
+  size_t nearest = 0;
+  const WaypointPosition here{s.latitude_ddmm, s.longitude_ddmm};
+  for (size_t i = 1; i < places_.size(); ++i) {
+    if (Geography::distance(here, at(s, i)) < Geography::distance(here, at(s, nearest))) {
+      nearest = i;
+    }
+  }
+  return nearest;
+}
+
+int GotoList::legs(size_t first) const {
+  return legs_to_run_ == kOnce ? static_cast<int>(places_.size() - first) : legs_to_run_;
+}
+
+void GotoList::begin(const Situation& s) {
+  start_.noteStart(s.time_s);
+  stop_.noteStart(s.time_s), stop_.noteEnd(s.time_s);
+  current_ = first(s);
+  wanted_ = legs(current_);
+  reached_ = 0;
+  fresh_ = true;
+}
+
+Behaviour::Outcome GotoList::fly(const Situation& s, Commands& commands) {
+  if (!std::exchange(fresh_, false) && stop_.met(s, commands)) {
+    commands.hit_waypoint = true;
+    last_reached_ = static_cast<int>(current_);
+    news_.push_back(fmt::format("goto_list: waypoint {} reached", current_));
+    if (wanted_ >= 0 && ++reached_ >= wanted_) {
+      return Outcome::Done;
+    }
+    current_ = (current_ + 1) % places_.size();
+    stop_.noteStart(s.time_s), stop_.noteEnd(s.time_s);
+    fresh_ = true;
+  }
+  const WaypointPosition to = at(s, current_);
+  commands.steer({HeadingCommand::Mode::Waypoint, 0, to.latitude_ddmm, to.longitude_ddmm});
+  return Outcome::Continue;
+}
+
+void GotoList::tell(double time_s, Journal& journal) {
+  for (std::string& what : news_) {
+    journal.add(time_s, "behaviour", std::move(what));
+  }
+  news_.clear();
+}
+
+}  // namespace glider::simulator

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "slocum/mission_files/mission_file.h"
+
+#include <map>
+#include <string>
+#include <string_view>
+
+namespace glider::simulator {
+
+/// The vehicle's sensors that are settings of its mission: those of the `sensor:` lines, the mission
+/// parameters u_mission_param_a to z and the mission mode. One that was never set is 0, as on the
+/// vehicle.
+class MissionVariables {
+ public:
+  explicit MissionVariables(const slocum::MissionFile& mission);
+
+  [[nodiscard]] double get(std::string_view name) const;
+  void set(std::string_view name, double value) { values_[std::string(name)] = value; }
+  /// The value of mission parameter `number` (0 is a); the address stays valid.
+  [[nodiscard]] const double* parameter(int number) const;
+
+ private:
+  std::map<std::string, double, std::less<>> values_;
+};
+
+/// A b_arg: a number, or a mission parameter that is read whenever the b_arg is used.
+class Argument {
+ public:
+  Argument(double given, const MissionVariables& variables);
+
+  [[nodiscard]] double operator()() const { return parameter_ != nullptr ? *parameter_ : value_; }
+
+ private:
+  double value_;
+  const double* parameter_;  ///< null: a number
+};
+
+}  // namespace glider::simulator

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "simulator/flight/when.h"
+
+#include <chrono>
+#include <cmath>
+
+namespace glider::simulator {
+namespace {
+
+/// The seconds since 1970 of a stamp yymmddhhmm in UTC; NaN for one that is no time.
+double secondsOf(double stamp) {
+  const auto digits = static_cast<int64_t>(stamp);
+  const auto part = [&](int64_t unit) { return static_cast<int>(digits / unit % 100); };
+  using namespace std::chrono;
+  const year_month_day date{year(2000 + part(100'000'000)), month(static_cast<unsigned>(part(1'000'000))),
+                            day(static_cast<unsigned>(part(10'000)))};
+  if (stamp < 0 || !date.ok() || part(100) > 23 || part(1) > 59) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  const auto at = sys_days(date) + hours(part(100)) + minutes(part(1));
+  return static_cast<double>(duration_cast<seconds>(at.time_since_epoch()).count());
+}
+
+}  // namespace
+
+bool When::isMode(const Situation& s) const {
+  const auto mask = static_cast<uint64_t>(numbers_.secs());
+  const bool set = (mask & static_cast<uint64_t>(s.mission_mode)) != 0;
+  return stops_ ? !set : set;
+}
+
+/// Once, when the time comes: a start before it does not count, one after it does.
+bool When::isTime(const Situation& s) const {
+  const double due_s = secondsOf(numbers_.utc_stamp) - (s.utc_s - s.time_s);
+  return s.time_s >= due_s && std::max(started_s_, ended_s_) < due_s;
+}
+
+bool When::met(const Situation& s, const Commands& below) const {
+  switch (code_) {
+    case 0:
+      return true;
+    case 1:
+      return below.anyIdle();
+    case 2:
+      return !below.pitch;
+    case 3:
+      return !below.heading;
+    case 4:
+      return !below.pump_cc;
+    case 6:
+      return s.time_s - ended_s_ >= numbers_.secs();
+    case 7:
+      return s.waypoint_distance_m < numbers_.distance_m();
+    case 8:
+      return below.hit_waypoint;
+    case 9:
+      return s.time_s - started_s_ >= numbers_.secs();
+    case 10:
+      return s.time_s - started_s_ >= numbers_.secs() && !below.pump_cc;
+    case 11:
+      return s.science_wants_surface;
+    case 12:
+      return s.silent_s > numbers_.secs();
+    case 13:
+      return isTime(s);
+    case 14:
+      return below.hovering;
+    case 15:
+      return code_15_ == Code15::MissionMode ? isMode(s)
+                                             : s.waypoint_distance_m > numbers_.distance_m();
+    case 16:
+      return s.inflections > numbers_.inflections;
+    default:
+      return false;  // 5: never
+  }
+}
+
+}  // namespace glider::simulator

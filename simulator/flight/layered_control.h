@@ -16,7 +16,7 @@ namespace glider::simulator {
 /// start condition sees what those below command.
 class LayeredControl {
  public:
-  /// `hull` is that of the vehicle that hookbeh is built for.
+  /// `hull` is that of the vehicle, for hookbeh.
   LayeredControl(const slocum::MissionFile& mission, const hooks::Hull& hull);
 
   struct Decision {

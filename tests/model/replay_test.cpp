@@ -305,13 +305,13 @@ class Replay {
 
   /// As GliderRuntime::considerCheckpoint.
   void decide(const std::string& what) {
-    if (what == "restart" || what == "leaves") {
+    if (what == "start" || what == "leaves") {
       client_->resume(0, client_->sequence());
     }
-    if (what == "restart") {
+    if (what == "start") {
       mission_time_s_ = 0;
     }
-    flies_ = flies_ || what == "restart" || what == "on";
+    flies_ = flies_ || what == "start" || what == "on";
   }
 
   void instruct(const std::string& what) {
@@ -433,7 +433,7 @@ TEST(Model, TheCodeFliesAsItDoes) {
                            "sbc off",
                            "sbc on",
                            "sbc on with its checkpoint",
-                           "restart",
+                           "start",
                            "on",
                            "leaves",
                            "dies",

@@ -157,7 +157,7 @@ inline consider_checkpoint() {
   :: found == 0 || sbc_stuck == 1 || tick_state == Absent || tick_state == Complete -> skip
   :: found == 1 && sbc_stuck == 0 && tick_state == Ready -> /* another flight */
      found = 0; sbc_session = 0; mission_time = 0; told_sequence = 0; told_end = 0;
-     printf("decides restart\n")
+     printf("decides start\n")
   :: found == 1 && sbc_stuck == 0 && tick_state == Ready && kept_finished == 0 -> /* or the vehicle's mission has begun again */
      found = 0; goes_on = 1; finished = 0;
      printf("decides on\n")

@@ -64,7 +64,8 @@ TEST_F(PlatformOfFlights, HookbehHasTheHullOfThisVehicle) {
   mission("mine.mission", "platform mine\n");
   ASSERT_EQ(glidercc("sim -o f mine.mission").status, 0);
   EXPECT_EQ(greatest("f", "c_ballast_pumped (cc)"), 100);
-  EXPECT_EQ(glidercc(kCampaign + "mine.mission").status, 0) << "nor does the judge know another";
+  EXPECT_EQ(glidercc(kCampaign + "mine.mission").status, 0)
+      << "the checks of the flight use the same number";
 }
 
 TEST_F(PlatformOfFlights, ACampaignFliesEachMissionsOwn) {
@@ -230,7 +231,7 @@ TEST_F(PlatformOfFlights, ThePlatformsNumbersMoveIt) {
   EXPECT_NE(deepest("slocum.mission"), deepest("mine.mission")) << "a slow pump";
 }
 
-TEST_F(PlatformOfFlights, AVehicleThatIsOnlyCalledOtherwiseFliesTheSame) {
+TEST_F(PlatformOfFlights, AVehicleThatOnlyHasAnotherNameFliesTheSame) {
   platform("");
   mission("slocum.mission", "");
   mission("mine.mission", "platform mine\n");

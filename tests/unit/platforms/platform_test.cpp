@@ -39,7 +39,7 @@ TEST(Platform, TheSlocumLoadsAndItsNumbersAreTheHeaders) {
 }
 
 // accepts: GL5001
-TEST(Platform, MistakesInTheFileAreNamedWithTheirLine) {
+TEST(Platform, ErrorsInTheFileAreReportedWithTheirLine) {
   ASSERT_TRUE(load(std::string(kHead) + kSensor));
   const std::pair<std::string, std::string> bad[] = {
       {"", "has no `name`"},
@@ -104,7 +104,7 @@ TEST(Platform, WhatMovesItIsGivenAsAWhole) {
   EXPECT_EQ(with("hotel_W = 1.63", "hotel_W = 1.63\nsbc_W = 3.0"), "");
 }
 
-TEST(Platform, HowOftenAndHowExactlyASensorIsHeardOf) {
+TEST(Platform, HowOftenAndHowExactlyASensorIsReported) {
   const auto with = [](const std::string& stale, const std::string& more) {
     std::string text = std::string(kHead) + kSensor;
     text.replace(text.rfind("stale_after_s = 1.0"), 19, "stale_after_s = " + stale);

@@ -202,6 +202,18 @@ TEST_F(PlatformOfFlights, AVehicleWithoutWhatTheHooksNeedIsCheckedAndNotBuilt) {
     EXPECT_EQ(refused.status, 2) << refused.err;
     EXPECT_THAT(refused.err, HasSubstr("it has no sensor `x_hook_answer`, which the hooks need"));
   }
+  const Outcome header = glidercc("platform mine --header");
+  EXPECT_EQ(header.status, 2) << header.out;
+  EXPECT_THAT(header.err, HasSubstr("it has no sensor `x_hook_answer`, which the hooks need"));
+  EXPECT_EQ(glidercc("platform mine").status, 0) << "it can be looked at";
+}
+
+TEST_F(PlatformOfFlights, TheSimulatorsSensorsGoByTheVehiclesNamesNotTheLanguages) {
+  platform("/^name = \"m_pitch\"/{s/m_pitch/pitch_x/;n;s/.*/alias = \"m_pitch\"/}");
+  mission("mine.mission", "platform mine\n");
+  const Outcome flown = glidercc("sim -o f mine.mission");
+  EXPECT_EQ(flown.status, 2);
+  EXPECT_THAT(flown.err, HasSubstr("has no sensor `m_pitch`"));
 }
 
 TEST_F(PlatformOfFlights, WithoutAModelItIsCheckedAndBuiltAndNotFlown) {

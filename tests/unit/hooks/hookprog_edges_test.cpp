@@ -388,6 +388,26 @@ TEST_F(HookprogEdgesTest, AnAnswerCountsForTheEightNewestTicks) {
   }
 }
 
+TEST(Hookprog, AsksOnlyForSensorsOfTheVehicle) {
+  std::vector<uint32_t> roles(gliderDictionary.roles, gliderDictionary.roles + kGliderRoleCount);
+  roles[kGliderRoleWaterPressure] = GLIDER_NO_SENSOR;
+  GliderDictionary without_ctd = gliderDictionary;
+  without_ctd.roles = roles.data();
+  Hookprog hookprog(without_ctd);
+  MemoryLine sbc, flight;
+  uint16_t greatest = 0;
+  const ScienceSensors own{&greatest, [](void* self, uint16_t id, bool* fresh) {
+                             auto& most = *static_cast<uint16_t*>(self);
+                             most = std::max(most, id);
+                             *fresh = true;
+                             return 1.0;
+                           }};
+  for (int i = 1; i < 9; ++i) {
+    hookprog.run(i, own, sbc.left(), flight.left());
+  }
+  EXPECT_LT(greatest, without_ctd.count);
+}
+
 TEST(HookprogWatches, CyclesWrapAroundAndTwoInSequenceBegin) {
   CycleWatch half;
   EXPECT_TRUE(half.isNext(1));

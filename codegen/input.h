@@ -15,7 +15,7 @@ namespace glider::codegen {
 /// it. Refers to all of it, which must outlive it.
 struct Input {
   const ir::Mission& mission;           ///< as it is built and flown
-  const platforms::Platform& platform;  ///< that the mission is for; has all required roles
+  const platforms::Platform& platform;  ///< that the mission is for
   uint32_t stack_depth = 0;             ///< greatest number of frames on the call stack
   /// The mission as written, before any pass, with its requirements; null: there is only `mission`.
   const ir::Mission* written = nullptr;

@@ -3,6 +3,7 @@
 
 #include "compiler/vehicles.h"
 
+#include "compiler/compilation.h"
 #include "compiler/share.h"
 
 #include <fmt/ranges.h>
@@ -22,7 +23,7 @@ support::Result<platforms::Platform> loadVehicle(const std::string& name) {
     }
   }
   if (names.contains(name) || names.empty()) {
-    return platforms::loadPlatform(folder / (name + ".toml"));
+    return platforms::loadPlatform(platformFile(name));
   }
   auto failure = support::fail(support::DiagnosticId::unknownPlatform, name);
   failure.error().hint = fmt::format("the platforms are: {}", fmt::join(names, ", "));

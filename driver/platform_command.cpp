@@ -7,6 +7,7 @@
 #include "driver/terminal.h"
 #include "ir/core/ops.h"
 #include "platforms/generate/sensor_header.h"
+#include "platforms/load/dictionary.h"
 #include "platforms/load/platform.h"
 
 #include <CLI/CLI.hpp>
@@ -155,6 +156,9 @@ int show(const PlatformOptions& options) {
   const auto platform = compiler::loadVehicle(options.name);
   if (!platform) {
     return reportFailure(platform.error());
+  }
+  if (auto roles = platforms::checkRoles(*platform); options.header && !roles) {
+    return reportFailure(roles.error());
   }
   const auto printed = printOut(options.header ? platforms::sensorHeader(*platform)
                                 : options.json ? json(*platform)

@@ -10,14 +10,14 @@ readonly root program
 # say WORDS...: one progress line, apart from the output of the tools.
 say() { printf '%s: %s\n' "$program" "$*" >&2; }
 
-# die MESSAGE [WAY OUT]: ends the script with status 1.
+# die MESSAGE [SUGGESTED FIX]: ends the script with status 1.
 die() {
   printf '%s: error: %s\n' "$program" "$1" >&2
   if [ $# -gt 1 ]; then printf '%s: hint: %s\n' "$program" "$2" >&2; fi
   exit 1
 }
 
-# print_help: the comment that stands at the top of the script, below the licence lines.
+# print_help: the comment at the top of the script, below the licence lines.
 print_help() { awk 'NR > 3 { if (!/^#/) exit; sub(/^# ?/, ""); print }' "$0"; }
 
 # help_only ARGUMENTS...: for scripts that take no argument but --help.

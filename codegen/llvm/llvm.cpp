@@ -12,8 +12,6 @@
 #include "codegen/llvm/program/optimise.h"
 #include "support/files.h"
 
-#include <utility>
-
 namespace glider::codegen {
 namespace {
 

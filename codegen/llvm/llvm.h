@@ -15,7 +15,7 @@
 namespace glider::codegen {
 
 /// The mission alone (no runtime), optimised: LLVM's text, assembly, a relocatable ELF object.
-/// GL4002, GL4006, GL4007.
+/// GL4002, GL4006, GL4007; GL5001 if the platform lacks a sensor that the hooks need.
 support::Result<std::string> emitLlvm(const Input& input, const platforms::Board& board,
                                       const CodegenOptions& options);
 support::Result<std::string> emitAssembly(const Input& input, const platforms::Board& board,
@@ -23,7 +23,7 @@ support::Result<std::string> emitAssembly(const Input& input, const platforms::B
 support::Result<std::string> emitObject(const Input& input, const platforms::Board& board,
                                         const CodegenOptions& options);
 
-/// Backend::link_executable. GL4002 to GL4007, GL9001, GL9002, GL9050.
+/// Backend::link_executable. GL4002 to GL4007, GL5001, GL9001, GL9002, GL9050.
 support::Result<void> writeExecutable(const Input& input, const platforms::Board& board,
                                       const CodegenOptions& options,
                                       const std::filesystem::path& output);

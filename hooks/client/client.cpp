@@ -78,7 +78,8 @@ ClientEvent Client::handleBeacon(const Frame& frame, const GliderByteStream& str
       event = refuse({true, beacon.version, beacon.dictionary, missing});
     } else {
       refusal_ = Refusal{};
-      virtual_time_ = (beacon.features.needs & kFeatureVirtualTime) != 0;
+      virtual_time_ =
+          (beacon.features.offers & options_.features.offers & kFeatureVirtualTime) != 0;
     }
     askForLink();  // also after a refusal, so that the vehicle's log shows why there is no link
   }

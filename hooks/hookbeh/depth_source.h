@@ -17,7 +17,8 @@ class DepthSource {
   /// Takes in one cycle, `step_s` after the previous one. NaN: no reading.
   void observe(double depth_m, double step_s);
   [[nodiscard]] Reading reading() const { return reading_; }
-  /// The newest good reading, m; NaN before the first.
+  /// The newest good reading, m; while the sensor has been good for less than a minute, also a
+  /// newer one that jumped. NaN before the first.
   [[nodiscard]] double depth() const { return depth_m_; }
   /// The age of that reading, s; NaN before the first.
   [[nodiscard]] double age() const { return age_s_; }

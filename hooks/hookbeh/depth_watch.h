@@ -22,8 +22,9 @@ class DepthWatch {
   [[nodiscard]] HookGuard doubt() const;
   /// The vehicle's own depth, m; NaN while it cannot be believed.
   [[nodiscard]] double depth() const;
-  /// The deeper of the vehicle's own depth and the CTD's, for limits, m; NaN before the vehicle's
-  /// own first good reading.
+  /// For limits, m: the newest depth of the vehicle's own sensor, also while depth() is not known;
+  /// or that of the CTD, if it is deeper, of this cycle, and from a CTD that works. NaN before the
+  /// vehicle's own first reading.
   [[nodiscard]] double deepest() const;
   /// True if a new reading of the CTD, which changes, agrees in this cycle.
   [[nodiscard]] bool isSeenByAnother() const;

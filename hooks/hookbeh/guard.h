@@ -59,7 +59,7 @@ class Guard {
   UnseenSink by_ctd_;
   bool shows_ = false;    // it climbs to see whether its depth follows
   bool doubted_ = false;  // it climbed in the previous cycle: the depth was unknown or jumped
-  double depth_m_ = __builtin_nan("");     // the greatest depth that can be believed
+  double depth_m_ = __builtin_nan("");     // for limits: DepthWatch::deepest()
   double altitude_m_ = __builtin_nan("");  // the newest that differed from its predecessor
   double bottom_m_ = __builtin_nan("");    // depth of the bottom when it came
   double bottom_age_s_ = __builtin_nan("");

@@ -49,7 +49,7 @@ class UnseenSink {
   double in_dive_m_ = 0;
   double steeply_m_ = 0;
   double highest_m_ = __builtin_nan("");  ///< the least of the depths since then
-  double lowest_m_ = __builtin_nan("");   ///< the same
+  double lowest_m_ = __builtin_nan("");   ///< the greatest
   double out_s_ = 0;                      ///< how long the vehicle has been driven up
   bool sinks_ = false;                    ///< it may be driven down
   double since_up_s_ = 0;                 ///< since it was driven up long enough to rise

@@ -352,6 +352,9 @@ void Hookprog::sendCycle(const ScienceSensors& own) {
 
 /// hookbeh compares the vehicle's depth with the CTD's.
 void Hookprog::forwardPressure(const ScienceSensors& own) {
+  if (sensor(kGliderRoleWaterPressure) == kNoSensor) {
+    return;
+  }
   pressure_ = own.get(own.self, sensor(kGliderRoleWaterPressure), &pressure_is_new_);
   if (pressure_is_new_ && hookState() != HookState::Absent) {
     const SensorUpdate update{sensor(kGliderRoleWaterPressure), pressure_};

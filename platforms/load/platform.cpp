@@ -95,8 +95,9 @@ support::Result<void> readSensors(const std::string& file, const toml::table& ro
                                   Platform& platform) {
   const toml::array* list = root["sensor"].as_array();
   if (list == nullptr || list->empty() || list->size() > GLIDER_MOST_SENSORS) {
-    return support::fail(support::DiagnosticId::badDataFile, file,
-                         "it must have between 1 and 4096 [[sensor]] tables");
+    return support::fail(
+        support::DiagnosticId::badDataFile, file,
+        fmt::format("it must have between 1 and {} [[sensor]] tables", GLIDER_MOST_SENSORS));
   }
   for (const toml::node& node : *list) {
     const toml::table* table = node.as_table();
@@ -209,6 +210,14 @@ Power readPower(TomlReader& reader) {
   return power;
 }
 
+/// Whether missions and C can use `name`.
+bool isName(std::string_view name) {
+  const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  return !name.empty() && letter(name.front()) && std::ranges::all_of(name, [&](char c) {
+    return letter(c) || (c >= '0' && c <= '9') || c == '_';
+  });
+}
+
 }  // namespace
 
 const PlatformSensor* Platform::find(std::string_view wanted) const {
@@ -227,6 +236,11 @@ support::Result<Platform> loadPlatform(const std::filesystem::path& path) {
   TomlReader reader(path.string(), *root, "the platform");
   reader.only({"name", "description", "envelope", "world", "motion", "power", "sensor"});
   platform.name = reader.text("name");
+  if (!isName(platform.name)) {
+    reader.refuse("name", "must be letters, digits and `_`, and begin with a letter");
+  } else if (platform.name != path.stem()) {
+    reader.refuse("name", "must be that of the file: missions find the platform by it");
+  }
   platform.description = reader.text("description");
   static const toml::table kNone;
   auto part = [&](const toml::node_view<toml::node>& node, const char* title) {
@@ -243,6 +257,8 @@ support::Result<Platform> loadPlatform(const std::filesystem::path& path) {
   if (root->contains("motion")) {
     platform.motion = readMotion(motion, flight);
     platform.power = readPower(power);
+  } else if (root->contains("power")) {
+    reader.refuse("power", "means nothing without [motion]");
   }
   for (const TomlReader* read : {&reader, &envelope, &world, &motion, &flight, &power}) {
     if (read->failure()) {

@@ -29,7 +29,6 @@ class WaterColumn {
  public:
   static constexpr double kBinMetres = 0.5;
   static constexpr uint32_t kBins = 64;
-  static constexpr double kGreatestAge = 1800;  ///< s; older readings are ignored
 
   /// Forgets everything.
   void clear();

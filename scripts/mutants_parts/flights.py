@@ -26,9 +26,9 @@ class Figures:
     exit_s: float = None  # the mission ends
     last_s: float = 0  # the last time at which the SBC was in control
     deepest_m: float = 0
-    deepest_order_m: float = 0
+    deepest_command_m: float = 0
     farthest_m: float = 0  # from the start
-    idle_s: float = None  # the first cycle in control without an order up, down or level
+    idle_s: float = None  # the first cycle in control without a command up, down or level
     surfaced: bool = False  # came up to 1.5 m from below 4 m, in control
     aborted: str = None
     refused: str = None
@@ -74,7 +74,7 @@ def fly(glidercc, text, world):
 def _read_trace(figures, text):
     lines = text.splitlines()
     names = [title.split(" ")[0] for title in next(csv.reader([lines[0]]))]
-    time, depth, order, active, vertical, x, y = (
+    time, depth, bottom, active, vertical, x, y = (
         names.index(n) for n in ("time", "true_depth", "commanded_bottom", "hook_active", "hook_vertical", "true_x", "true_y"))
     below = False
     for line in lines[1:]:
@@ -85,8 +85,8 @@ def _read_trace(figures, text):
         figures.last_s = float(row[time])
         if figures.control_s is None:
             figures.control_s = figures.last_s
-        if row[order]:
-            figures.deepest_order_m = max(figures.deepest_order_m, float(row[order]))
+        if row[bottom]:
+            figures.deepest_command_m = max(figures.deepest_command_m, float(row[bottom]))
         if row[vertical] in ("", "0") and figures.idle_s is None:
             figures.idle_s = figures.last_s
         below = below or float(row[depth]) > 4

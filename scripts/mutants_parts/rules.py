@@ -39,8 +39,8 @@ def ends_at_once(good, bad):
 
 
 def too_deep(good, bad):
-    """deeper than the vehicle may, or than the good mission's deepest order and the overshoot of a turn"""
-    limit = min(GREATEST_DEPTH_M, max(good.deepest_order_m + OVERSHOOT_M, good.deepest_m + 1))
+    """deeper than the vehicle may, or than the good mission's deepest command and the inflection overshoot"""
+    limit = min(GREATEST_DEPTH_M, max(good.deepest_command_m + OVERSHOOT_M, good.deepest_m + 1))
     if bad.deepest_m > limit:
         return f"{bad.deepest_m:.1f} m deep; more than {limit:.1f} m"
     return None
@@ -57,14 +57,14 @@ def refused(good, bad):
 
 
 def guarded(good, bad):
-    """hookbeh's own guard has to climb, because of the depth or the ground"""
+    """hookbeh's own guard has to climb, because of the depth or the bottom"""
     return bad.guarded if good.guarded is None else None
 
 
 def no_command(good, bad):
-    """a cycle in control without an order up, down or level"""
+    """a cycle in control without a command up, down or level"""
     if good.idle_s is None and bad.idle_s is not None:
-        return f"nothing is ordered at {bad.idle_s:.0f} s"
+        return f"nothing is commanded at {bad.idle_s:.0f} s"
     return None
 
 

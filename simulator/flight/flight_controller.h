@@ -59,7 +59,6 @@ class FlightController {
   /// Heading, pitch and pump were all commanded in this cycle, by whichever behaviour.
   [[nodiscard]] bool commandedWhole() const { return commanded_whole_; }
   [[nodiscard]] bool aborted() const { return abort_ != Abort::None; }
-  [[nodiscard]] bool hasHookbeh() const { return layers_->hookbeh() != nullptr; }
   /// The behaviour that commands the pitch, by its place in the mission file; kNoLayer after an
   /// abort.
   [[nodiscard]] int layer() const { return layer_; }

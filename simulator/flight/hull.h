@@ -8,7 +8,7 @@
 
 namespace glider::simulator {
 
-/// The hull that hookbeh is built for in the software of this vehicle.
+/// The hull that the software of this vehicle passes to hookbeh.
 inline hooks::Hull hullOf(const platforms::Platform& platform) {
   const platforms::Envelope& envelope = platform.envelope;
   return {.greatest_depth_m = envelope.greatest_depth_m,

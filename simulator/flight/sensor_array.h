@@ -30,8 +30,6 @@ class SensorArray {
   /// Set since beginCycle.
   [[nodiscard]] bool fresh(uint16_t id) const { return id < fresh_.size() && fresh_[id] != 0; }
   [[nodiscard]] bool fresh(Sensor sensor) const { return fresh(numbers_[sensor]); }
-  /// The sensor's number in the platform file; hooks::kNoSensor if the vehicle lacks it.
-  [[nodiscard]] uint16_t number(Sensor sensor) const { return numbers_[sensor]; }
   void beginCycle();
   /// Marks all sensors as never set.
   void clear();

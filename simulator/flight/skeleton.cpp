@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -29,6 +30,12 @@ constexpr auto kIdle = std::to_array<Idle>({
     {"sensors_in", "every simulated sensor is always on"},
     {"prepare_to_dive", "the simulated vehicle starts with a fix"},
 });
+
+/// Sensors whose settings this simulator reads.
+bool isRead(std::string_view sensor) {
+  return sensor.starts_with("u_mission_param_") || sensor == "u_mission_mode" ||
+         sensor == "sci_wants_surface";
+}
 
 /// The codes that this simulator models for an enumerated b_arg.
 struct Codes {
@@ -99,8 +106,6 @@ constexpr auto kBounds = std::to_array<Bounds>({
     {"surface", "c_pitch_value", -kSteep, kSteep},
     {"surface", "gps_wait_time", 0, kNoLimit},
     {"surface", "keystroke_wait_time", 0, kNoLimit},
-    {"goto_wpt", "wpt_x", -18000, 18000},
-    {"goto_wpt", "wpt_y", -9000, 9000},
     {"hookbeh", "start_secs", 0, kNoLimit},
     {"hookbeh", "max_depth", 1, 2000},
     {"hookbeh", "max_pitch", 0.1, kSteep},
@@ -147,10 +152,65 @@ void checkValues(const slocum::BehaviourBlock& block, DiagnosticEngine& diagnost
     }
     for (const Bounds& row : kBounds) {
       const bool within = given.value >= row.lowest && given.value <= row.highest;
-      if (row.behaviour == block.name && row.argument == given.name && !within) {
+      const bool number = !slocum::missionParameter(given.value);
+      if (row.behaviour == block.name && row.argument == given.name && number && !within) {
         refuse(block, given, fmt::format("it must be between {} and {}", row.lowest, row.highest),
                diagnostics);
       }
+    }
+  }
+}
+
+/// Positions in latitude and longitude must be on Earth: one that was never set is not.
+void checkPlace(const slocum::BehaviourBlock& block, const std::string& suffix,
+                DiagnosticEngine& diagnostics) {
+  constexpr double kLatLon = 2;
+  if (block.value("wpt_units" + suffix) != kLatLon) {
+    return;
+  }
+  const auto check = [&](const std::string& name, double most) {
+    const slocum::Setting* given = block.find(name);
+    if (given != nullptr && !slocum::missionParameter(given->value) &&
+        !(std::fabs(given->value) <= most)) {
+      refuse(block, *given,
+             given->value == slocum::kUnsetPosition
+                 ? "it is the vehicle's value for a position that was never set"
+                 : fmt::format("it must be between {} and {}", -most, most),
+             diagnostics);
+    }
+  };
+  check("wpt_x" + suffix, 18000);
+  check("wpt_y" + suffix, 9000);
+}
+
+void checkList(const slocum::BehaviourBlock& block, DiagnosticEngine& diagnostics) {
+  constexpr int kMostInArguments = 8;
+  const double stated = block.value("num_waypoints");
+  const slocum::Setting* given = block.find("num_waypoints");
+  const double most = block.waypoints.empty() ? kMostInArguments
+                                              : static_cast<double>(block.waypoints.size());
+  if (!(stated >= 1 && stated <= most)) {
+    diagnostics
+        .report(DiagnosticId::argumentValue, given != nullptr ? given->value_range : block.range,
+                "num_waypoints", stated,
+                fmt::format("it must be between 1 and {}, the number of waypoints", most))
+        .note(block.range, "in this behaviour");
+  }
+  if (block.value("num_legs_to_run") == 0 || block.value("num_legs_to_run") < -2) {
+    refuse(block, *block.find("num_legs_to_run"), "it must be -2, -1 or at least 1", diagnostics);
+  }
+  for (int i = 0; i < kMostInArguments && i < stated && block.waypoints.empty(); ++i) {
+    checkPlace(block, "_" + std::to_string(i), diagnostics);
+  }
+}
+
+/// What this simulator does not have is named once for each behaviour.
+void warnOfThruster(const slocum::BehaviourBlock& block, DiagnosticEngine& diagnostics) {
+  for (const slocum::Setting& given : block.arguments) {
+    if (given.name.ends_with("use_thruster") && given.value != 0) {
+      diagnostics.report(DiagnosticId::argumentWithoutEffect, given.name_range, given.name,
+                         block.name, "the simulated vehicle has no thruster");
+      return;
     }
   }
 }
@@ -161,11 +221,26 @@ void checkBehaviour(const slocum::BehaviourBlock& block, DiagnosticEngine& diagn
     return;
   }
   if (slocum::findBehaviour(block.name) == nullptr) {
-    diagnostics.report(DiagnosticId::unknownBehaviour, block.range, block.name, flown());
+    if (slocum::isNearlyABehaviour(block.name)) {
+      diagnostics.report(DiagnosticId::unknownBehaviour, block.range, block.name, flown());
+    } else {
+      diagnostics.report(DiagnosticId::behaviourWithoutEffect, block.range, block.name,
+                         "the simulator does not know it");
+    }
     return;
   }
+  const size_t errors_before = diagnostics.errorCount();
   slocum::checkArguments(block, diagnostics);
   checkValues(block, diagnostics);
+  warnOfThruster(block, diagnostics);
+  if (diagnostics.errorCount() != errors_before) {
+    return;
+  }
+  if (block.name == "goto_list") {
+    checkList(block, diagnostics);
+  } else if (block.name == "goto_wpt") {
+    checkPlace(block, "", diagnostics);
+  }
 }
 
 }  // namespace
@@ -176,6 +251,9 @@ void checkSkeleton(const slocum::MissionFile& mission, support::SourceRange plac
     diagnostics.report(DiagnosticId::noBehaviours, place);
   }
   for (const slocum::Setting& sensor : mission.sensors) {
+    if (isRead(sensor.name)) {
+      continue;
+    }
     diagnostics.report(DiagnosticId::sensorWithoutEffect, sensor.name_range, sensor.name);
   }
   const slocum::BehaviourBlock* hookbeh = nullptr;

@@ -8,11 +8,11 @@
 
 namespace glider::simulator {
 
-/// The true ocean. Depth z in m down, x and y in m east and north of the mission's start, t in s
-/// since then. T(z) = Tb + (Ts - Tb)/2 (1 - tanh((z - z0 - eta)/d)), and a step across the front;
-/// eta(z, x, t) has the shape of the lowest mode between two layers: full at the thermocline and
-/// falling linearly to 0 at surface and bottom. Where the bottom rises to the thermocline the wave
-/// ends.
+/// The true ocean. Depth z in m down, x and y in m east and north of the world's origin, t in s
+/// since the world began. T(z) = Tb + (Ts - Tb)/2 (1 - tanh((z - z0 - eta)/d)), and a step across
+/// the front; eta(z, x, t) has the shape of the lowest mode between two layers: full at the
+/// thermocline and falling linearly to 0 at surface and bottom. Where the bottom rises to the
+/// thermocline the wave ends.
 class Ocean {
  public:
   explicit Ocean(const OceanSettings& settings) : settings_(settings), bottom_(settings.bottom) {}

@@ -38,8 +38,8 @@ void SbcLink::exchange(const std::vector<uint8_t>& bytes, double now_s) {
     port_->deliver(bytes, sbcClock(now_s));
     const std::vector<uint8_t> answer = port_->collect();
     watchDone(answer);
-    if (onlooker_ != nullptr && !answer.empty()) {
-      onlooker_->said(answer, now_s);
+    if (observer_ != nullptr && !answer.empty()) {
+      observer_->said(answer, now_s);
     }
     waiting_.insert(waiting_.end(), answer.begin(), answer.end());
   }

@@ -33,7 +33,7 @@ class SbcLink {
         journal_(journal) {}
 
   /// Sets the observer of what the SBC sends; null: none.
-  void showTo(FlightObserver* observer) { onlooker_ = observer; }
+  void showTo(FlightObserver* observer) { observer_ = observer; }
   /// Passes on what has arrived by `now_s` and puts the answers on the line.
   void pump(double now_s);
   [[nodiscard]] bool alive() const { return port_ != nullptr && port_->alive(); }
@@ -59,7 +59,7 @@ class SbcLink {
   SerialLine& line_;
   GliderByteStream end_;
   Journal& journal_;
-  FlightObserver* onlooker_ = nullptr;
+  FlightObserver* observer_ = nullptr;
   std::vector<uint8_t> waiting_;  ///< answers that the line had no room for yet
   bool death_noted_ = false;
   bool without_power_ = false;

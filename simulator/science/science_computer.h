@@ -35,7 +35,7 @@ class ScienceComputer {
   ScienceComputer(const platforms::Platform& platform, uint64_t seed,
                   const SensorSettings& settings, bool virtual_time = true);
 
-  /// Where the vehicle is: m down, east and north of the start.
+  /// Where the vehicle is: m down, east and north of the world's origin.
   struct Place {
     double depth_m = 0, x = 0, y = 0;
   };

@@ -10,7 +10,7 @@
 
 namespace glider::simulator {
 
-/// Where and when an instrument samples the water: m down, m east and north of the start.
+/// Where and when an instrument samples the water: m down, m east and north of the world's origin.
 struct Sampling {
   double time_s = 0;
   double depth_m = 0, x = 0, y = 0;

@@ -38,7 +38,7 @@ bool isProvided(std::string_view name) {
 
 std::string_view missingSensor(const platforms::Platform& platform) {
   for (const Provided& sensor : kProvided) {
-    if (sensor.need == Need::Required && platform.find(sensor.name) == nullptr) {
+    if (sensor.need == Need::Required && numberOf(platform, sensor.name) == hooks::kNoSensor) {
       return sensor.name;
     }
   }

@@ -3,6 +3,7 @@
 
 #include "slocum/mission_files/argument_files.h"
 
+#include "slocum/mission_files/behaviour_catalogue.h"
 #include "slocum/mission_files/read.h"
 #include "support/files.h"
 
@@ -17,6 +18,16 @@ std::string argumentFileName(std::string_view behaviour, int number) {
 }
 
 namespace {
+
+/// Where the vehicle's argument files may lie relative to the mission file.
+std::filesystem::path find(const std::filesystem::path& folder, const std::string& name) {
+  for (const char* beside : {"mafiles", "../mafiles"}) {
+    if (!std::filesystem::exists(folder / name) && std::filesystem::exists(folder / beside / name)) {
+      return folder / beside / name;
+    }
+  }
+  return folder / name;
+}
 
 void apply(BehaviourBlock& block, const ArgumentFile& file,
            support::DiagnosticEngine& diagnostics) {
@@ -53,8 +64,13 @@ void applyArgumentFiles(MissionFile& mission, const std::filesystem::path& folde
                          "it must be a whole number from 0 to 99, or -1 for none");
       continue;
     }
-    const auto path = folder / argumentFileName(block.name, static_cast<int>(from_file->value));
+    const auto path = find(folder, argumentFileName(block.name, static_cast<int>(from_file->value)));
     auto text = support::readFile(path);
+    if (!text && findBehaviour(block.name) == nullptr) {
+      diagnostics.report(DiagnosticId::argumentFileMissing, from_file->value_range,
+                         path.filename().string(), block.name);
+      continue;
+    }
     if (!text) {
       diagnostics.add({text.error().id,
                        support::Severity::Error,

@@ -15,9 +15,10 @@ namespace glider::slocum {
 /// digits, "goto_l10.ma".
 std::string argumentFileName(std::string_view behaviour, int number);
 
-/// Reads the .ma file of every behaviour whose `args_from_file` is 0 or more from `folder`; its
-/// values take precedence over those of the mission file, as on the vehicle. GL5107 for an invalid
-/// number, GL5113, and the diagnostics of readArguments; GL9001 for a missing file.
+/// Reads the .ma file of every behaviour whose `args_from_file` is 0 or more from `folder`, or from
+/// `mafiles` in it or beside it; its values take precedence over those of the mission file, as on
+/// the vehicle. GL5107 for an invalid number, GL5113, and the diagnostics of readArguments; for a
+/// missing file GL9001, or GL5115 if glidercc does not know the behaviour.
 void applyArgumentFiles(MissionFile& mission, const std::filesystem::path& folder,
                         support::SourceManager& sources, support::DiagnosticEngine& diagnostics);
 

@@ -67,21 +67,18 @@ size_t distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
-std::string suggestion(const KnownBehaviour& known, std::string_view name) {
-  constexpr size_t kLongestName = 64;  // bounds the work on hostile input
-  if (name.size() <= kLongestName) {
-    const auto nearest = std::ranges::min_element(
-        known.arguments, {},
-        [&](const KnownArgument& argument) { return distance(argument.name, name); });
-    if (nearest != known.arguments.end() && distance(nearest->name, name) <= 3) {
-      return "did you mean `" + std::string(nearest->name) + "`?";
-    }
+constexpr size_t kLongestName = 64;  // bounds the work on hostile input
+
+/// The argument whose name is nearest to `name`, if it is near.
+const KnownArgument* nearest(const KnownBehaviour& known, std::string_view name) {
+  constexpr size_t kNear = 3;
+  if (name.size() > kLongestName || known.arguments.empty()) {
+    return nullptr;
   }
-  std::string all = "its arguments are: ";
-  for (const KnownArgument& argument : known.arguments) {
-    all += (&argument == known.arguments.data() ? "" : ", ") + std::string(argument.name);
-  }
-  return all;
+  const auto found = std::ranges::min_element(
+      known.arguments, {},
+      [&](const KnownArgument& argument) { return distance(argument.name, name); });
+  return distance(found->name, name) <= kNear ? &*found : nullptr;
 }
 
 }  // namespace
@@ -100,6 +97,14 @@ const KnownBehaviour* findBehaviour(std::string_view name) {
   const auto all = knownBehaviours();
   const auto found = std::ranges::find(all, name, &KnownBehaviour::name);
   return found == all.end() ? nullptr : &*found;
+}
+
+bool isNearlyABehaviour(std::string_view name) {
+  constexpr size_t kNear = 2;
+  return name.size() <= kLongestName &&
+         std::ranges::any_of(knownBehaviours(), [&](const KnownBehaviour& known) {
+           return distance(known.name, name) <= kNear;
+         });
 }
 
 const Setting* BehaviourBlock::find(std::string_view argument) const {
@@ -123,9 +128,15 @@ void checkArguments(const BehaviourBlock& block, support::DiagnosticEngine& diag
     return;
   }
   for (const Setting& given : block.arguments) {
-    if (known->find(given.name) == nullptr) {
+    if (known->find(given.name) != nullptr) {
+      continue;
+    }
+    if (const KnownArgument* meant = nearest(*known, given.name)) {
       diagnostics.report(DiagnosticId::unknownBehaviourArgument, given.name_range, block.name,
-                         given.name, suggestion(*known, given.name));
+                         given.name, "did you mean `" + std::string(meant->name) + "`?");
+    } else {
+      diagnostics.report(DiagnosticId::argumentWithoutEffect, given.name_range, given.name,
+                         block.name, "the simulator does not know it");
     }
   }
   for (const KnownArgument& argument : known->arguments) {

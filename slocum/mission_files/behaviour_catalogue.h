@@ -31,8 +31,11 @@ std::span<const KnownBehaviour> knownBehaviours();
 /// The row of `name`; null if glidercc does not know the behaviour.
 const KnownBehaviour* findBehaviour(std::string_view name);
 
-/// Reports b_args that a known behaviour does not have (GL5104) and needed ones that are missing
-/// (GL5106). Ignores unknown behaviours.
+/// Whether `name` is probably a known behaviour, misspelled.
+bool isNearlyABehaviour(std::string_view name);
+
+/// Reports b_args that a known behaviour does not have (GL5104 for one that is probably misspelled,
+/// else a warning, GL5116) and needed ones that are missing (GL5106). Ignores unknown behaviours.
 void checkArguments(const BehaviourBlock& block, support::DiagnosticEngine& diagnostics);
 
 }  // namespace glider::slocum

@@ -12,7 +12,7 @@
 #include <time.h>
 #include <unistd.h>
 
-// A kernel may lack the monotonic clock, but must then say so.
+// A kernel may lack the monotonic clock, but must then report an error.
 static int clocksWork(void) {
   struct timespec now;
   if (clock_gettime(CLOCK_REALTIME, &now) != 0 || now.tv_sec < 1) {

@@ -51,7 +51,7 @@ TEST(CheckFormats, SarifOfSeveralMissionsIsOneLog) {
   EXPECT_TRUE(found) << outcome.out;
 }
 
-TEST(CheckFormats, JsonTellsWhatIsFine) {
+TEST(CheckFormats, JsonListsWhatIsFine) {
   const Outcome outcome = runShell("$GLIDERCC check --format json " + kFigure2);
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.err, IsEmpty());
@@ -87,7 +87,7 @@ TEST(CheckFormats, TextOfSeveralMissions) {
   EXPECT_THAT(outcome.out, HasSubstr("figure2.mission: fine; mission sampleMission, 3 states"));
 }
 
-TEST(CheckFormats, TheOutputIsAFileThatIsNoMission) {
+TEST(CheckFormats, TheOutputIsAFileThatIsNotAMission) {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "findings.sarif").string();
   const Outcome outcome = runShell("$GLIDERCC check --format sarif -o " + file + " " + kFigure2);
@@ -101,7 +101,7 @@ TEST(CheckFormats, TheOutputIsAFileThatIsNoMission) {
   EXPECT_EQ(slurp(mission), slurp(kFigure2));
 }
 
-TEST(CheckFormats, WrongUsage) {
+TEST(CheckFormats, UsageErrors) {
   EXPECT_EQ(runShell("$GLIDERCC check").status, 2);
   EXPECT_EQ(runShell("$GLIDERCC check --format xml " + kFigure2).status, 2);
   EXPECT_EQ(runShell("$GLIDERCC check --format json -o /none/x " + kFigure2).status, 2);

@@ -155,7 +155,7 @@ TEST(CheckReport, TheHostHasNoBoundOfTheStack) {
   EXPECT_THAT(stack["remark"], HasSubstr("cannot be analysed"));
 }
 
-TEST(CheckReport, AnUnknownTargetIsAMistakeOfUse) {
+TEST(CheckReport, AnUnknownTargetIsAUsageError) {
   const Outcome outcome = runShell("$GLIDERCC check --report --target ts1 " + kFigure2);
   EXPECT_EQ(outcome.status, 2);
   EXPECT_THAT(outcome.err, HasSubstr("GL4001"));
@@ -175,7 +175,7 @@ TEST(CheckReport, TooMuchForABoardIsAnError) {
   EXPECT_EQ(outcome.status, 1) << outcome.out;
   EXPECT_THAT(outcome.err, HasSubstr("[GL4013 board-overloaded]"));
   EXPECT_THAT(outcome.err, HasSubstr("instructions a tick"));
-  EXPECT_THAT(outcome.out, HasSubstr("tick instructions")) << "the table is shown all the same";
+  EXPECT_THAT(outcome.out, HasSubstr("tick instructions")) << "the table is still shown";
   EXPECT_EQ(runShell("$GLIDERCC check " + mission).status, 0) << "not asked for";
 }
 

@@ -64,7 +64,8 @@ TEST_F(PlatformOfFlights, HookbehHasTheHullOfThisVehicle) {
   mission("mine.mission", "platform mine\n");
   ASSERT_EQ(glidercc("sim -o f mine.mission").status, 0);
   EXPECT_EQ(greatest("f", "c_ballast_pumped (cc)"), 100);
-  EXPECT_EQ(glidercc(kCampaign + "mine.mission").status, 0) << "nor does the judge know another";
+  EXPECT_EQ(glidercc(kCampaign + "mine.mission").status, 0)
+      << "the checks of the flight use the same number";
 }
 
 TEST_F(PlatformOfFlights, ACampaignFliesEachMissionsOwn) {
@@ -201,6 +202,18 @@ TEST_F(PlatformOfFlights, AVehicleWithoutWhatTheHooksNeedIsCheckedAndNotBuilt) {
     EXPECT_EQ(refused.status, 2) << refused.err;
     EXPECT_THAT(refused.err, HasSubstr("it has no sensor `x_hook_answer`, which the hooks need"));
   }
+  const Outcome header = glidercc("platform mine --header");
+  EXPECT_EQ(header.status, 2) << header.out;
+  EXPECT_THAT(header.err, HasSubstr("it has no sensor `x_hook_answer`, which the hooks need"));
+  EXPECT_EQ(glidercc("platform mine").status, 0) << "it can be looked at";
+}
+
+TEST_F(PlatformOfFlights, TheSimulatorsSensorsGoByTheVehiclesNamesNotTheLanguages) {
+  platform("/^name = \"m_pitch\"/{s/m_pitch/pitch_x/;n;s/.*/alias = \"m_pitch\"/}");
+  mission("mine.mission", "platform mine\n");
+  const Outcome flown = glidercc("sim -o f mine.mission");
+  EXPECT_EQ(flown.status, 2);
+  EXPECT_THAT(flown.err, HasSubstr("has no sensor `m_pitch`"));
 }
 
 TEST_F(PlatformOfFlights, WithoutAModelItIsCheckedAndBuiltAndNotFlown) {
@@ -230,7 +243,7 @@ TEST_F(PlatformOfFlights, ThePlatformsNumbersMoveIt) {
   EXPECT_NE(deepest("slocum.mission"), deepest("mine.mission")) << "a slow pump";
 }
 
-TEST_F(PlatformOfFlights, AVehicleThatIsOnlyCalledOtherwiseFliesTheSame) {
+TEST_F(PlatformOfFlights, AVehicleThatOnlyHasAnotherNameFliesTheSame) {
   platform("");
   mission("slocum.mission", "");
   mission("mine.mission", "platform mine\n");

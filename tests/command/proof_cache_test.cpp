@@ -78,7 +78,7 @@ TEST_F(ProofCache, WhatIsProvedOrUndecidedIsNotSearchedForAgain) {
   EXPECT_EQ(verdicts(), kKept);
 }
 
-TEST_F(ProofCache, PeopleAreToldSo) {
+TEST_F(ProofCache, TheTextOutputReportsIt) {
   const auto told = [&] {
     return runShell("cd " + folder_.path().string() +
                     " && XDG_CACHE_HOME=$PWD/cache $GLIDERCC check --report --target ts7800 "
@@ -111,7 +111,7 @@ TEST_F(ProofCache, ADamagedFileIsNone) {
       const Verdicts found = verdicts();
       EXPECT_EQ(std::ranges::count(found, "proved") + std::ranges::count(found, "undecided"), 1)
           << text;
-      EXPECT_EQ(slurp(path), whole) << "it is written anew";
+      EXPECT_EQ(slurp(path), whole) << "it is written again";
     };
     with("");
     with(whole.substr(0, whole.size() / 2));
@@ -130,7 +130,7 @@ TEST_F(ProofCache, ADamagedFileIsNone) {
   EXPECT_EQ(std::ranges::count(swapped, "proved") + std::ranges::count(swapped, "undecided"), 1);
 }
 
-TEST_F(ProofCache, OneThatCannotBeWrittenIsNoMistake) {
+TEST_F(ProofCache, OneThatCannotBeWrittenIsNotAnError) {
   (void)folder_.write("cache", "a file in its place");
   EXPECT_EQ(check().err, "");
   EXPECT_EQ(verdicts(), kSearched);

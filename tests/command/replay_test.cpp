@@ -83,7 +83,7 @@ TEST_F(Replay, TheSameViolationShowsOnTheBoards) {
   }
 }
 
-TEST_F(Replay, ACheckThatIsEndedWhileItWritesLeavesTheEarlierRun) {
+TEST_F(Replay, ACheckThatIsEndedWhileItWritesLeavesTheEarlierTrace) {
   const auto files = [&](const std::string& of) {
     return runShell("cd " + runs() + " && ls -A " + of).out;
   };
@@ -104,7 +104,7 @@ TEST_F(Replay, ACheckThatIsEndedWhileItWritesLeavesTheEarlierRun) {
   EXPECT_EQ(files("."), "requirement-2\nrequirement-3\n") << "nothing beside them";
 }
 
-TEST_F(Replay, AFolderOfARunThatHoldsOtherFilesIsNotTouched) {
+TEST_F(Replay, AFolderOfATraceThatHoldsOtherFilesIsNotTouched) {
   const auto notes = runs() + "/requirement-2/notes.txt";
   ASSERT_EQ(runShell("echo mine > " + notes).status, 0);
   const Outcome refused = runShell("$GLIDERCC check " + mission_ + " --traces " + runs());
@@ -117,7 +117,7 @@ TEST_F(Replay, AFolderOfARunThatHoldsOtherFilesIsNotTouched) {
   EXPECT_TRUE(std::filesystem::exists(trace(3)));
 }
 
-TEST_F(Replay, AMissionThatWasMendedNoLongerFliesTheRun) {
+TEST_F(Replay, AMissionThatWasFixedNoLongerFliesTheTrace) {
   std::string mended = kMission;
   mended.replace(mended.find("goto warm"), 9, "exit     ");
   mission_ = folder_.write("m.mission", mended).string();
@@ -126,7 +126,7 @@ TEST_F(Replay, AMissionThatWasMendedNoLongerFliesTheRun) {
   EXPECT_THAT(flown.out, HasSubstr("holds in this flight"));
 }
 
-/// Parameters in units that are no SI units, positions south and west, and truth values.
+/// Parameters in units other than SI units, positions south and west, and truth values.
 TEST_F(Replay, ParametersOfEveryKindGoAlong) {
   mission_ = folder_
                  .write("p.mission",

@@ -74,9 +74,9 @@ TEST_F(Sim, ARefusedCommandNamesTheLimitAndTheArgument) {
   EXPECT_THAT(slurp(folder_.path() / "f" / "report.html"), HasSubstr("refuses a dive to 75 m"));
 }
 
-TEST_F(Sim, AProgramThatSpeaksButIsNotGivenControlIsAnSbcAllTheSame) {
+TEST_F(Sim, AProgramThatAnswersButGetsNoControlIsStillAnSbc) {
   mission();
-  // In scenario `layered` there is no hookbeh: nothing is refused, and nobody gets control.
+  // In scenario `layered` there is no hookbeh: nothing is refused, and no SBC gets control.
   const Outcome flown =
       run("$GLIDERCC build m.mission --target host -o program && "
           "$GLIDERCC sim --sbc ./program --scenario layered -o f");
@@ -85,7 +85,7 @@ TEST_F(Sim, AProgramThatSpeaksButIsNotGivenControlIsAnSbcAllTheSame) {
   EXPECT_THAT(flown.err, Not(HasSubstr("never used this version")));
 }
 
-TEST_F(Sim, AnAbortIsToldAtTheEnd) {
+TEST_F(Sim, AnAbortIsReportedAtTheEnd) {
   mission();
   const Outcome flown =
       run("cp " GLIDER_SOURCE_DIR "/scenarios/skeleton.mi . && cp " GLIDER_SOURCE_DIR
@@ -155,7 +155,7 @@ TEST_F(Sim, AFolderWithOtherFilesIsNotTouched) {
             0);
   EXPECT_EQ(run("$GLIDERCC sim m.mission -o f").status, 2);
   EXPECT_TRUE(namesIn("f").contains("notes.txt"));
-  EXPECT_EQ(run("$GLIDERCC sim m.mission -o m.mission").status, 2) << "a file is no folder";
+  EXPECT_EQ(run("$GLIDERCC sim m.mission -o m.mission").status, 2) << "a file is not a folder";
   EXPECT_EQ(run("mkdir here && cd here && $GLIDERCC sim ../m.mission -o .").status, 0);
   EXPECT_EQ(run("cd here && $GLIDERCC sim ../m.mission -o .").status, 2) << "it would be gone";
   EXPECT_EQ(namesIn("here"), kFiles);

@@ -141,7 +141,7 @@ TEST(SymbolsCommand, IsWrittenBesideWhereTheCommandRuns) {
   EXPECT_EQ(json::parse(slurp(folder.path() / "m.symbols.json"))["version"], 1);
 }
 
-TEST(SymbolsCommand, WrongUsage) {
+TEST(SymbolsCommand, UsageErrors) {
   const TemporaryFolder folder;
   const Outcome place = symbolsOf(kFigure2, "--at 7");
   EXPECT_EQ(place.status, 2);

@@ -89,7 +89,7 @@ TEST(Fmt, TheDiffIsOneThatPatchApplies) {
       "");
 }
 
-TEST(Fmt, AFileWithMistakesIsLeftAlone) {
+TEST(Fmt, AFileWithErrorsIsLeftAlone) {
   const TemporaryFolder folder;
   const auto mistaken = folder.write("mistaken.mission", kMistaken);
   const auto untidy = folder.write("untidy.mission", kUntidy);
@@ -97,10 +97,10 @@ TEST(Fmt, AFileWithMistakesIsLeftAlone) {
   EXPECT_EQ(outcome.status, 1);
   EXPECT_THAT(outcome.err, HasSubstr("mistaken.mission:4:25: error: "));
   EXPECT_EQ(slurp(mistaken), kMistaken);
-  EXPECT_EQ(slurp(untidy), kTidy) << "the other file is formatted all the same";
+  EXPECT_EQ(slurp(untidy), kTidy) << "the other file is still formatted";
 }
 
-TEST(Fmt, TheWorldFails) {
+TEST(Fmt, SystemErrorsExitWithTwo) {
   EXPECT_EQ(runShell("$GLIDERCC fmt").status, 2);
   const Outcome missing = runShell("$GLIDERCC fmt /nonexistent/m.mission");
   EXPECT_EQ(missing.status, 2);
@@ -108,7 +108,7 @@ TEST(Fmt, TheWorldFails) {
   EXPECT_EQ(runShell("$GLIDERCC fmt /").status, 2);
 }
 
-TEST(Fix, MendsWhatIsPlainAndReportsTheRest) {
+TEST(Fix, FixesWhatIsCertainAndReportsTheRest) {
   const TemporaryFolder folder;
   const auto path = folder.write("m.mission", kMistaken);
   const Outcome outcome = runShell("$GLIDERCC fix " + path.string());

@@ -103,9 +103,9 @@ simulator::Scenario diveScenario(const std::string& skeleton, double water_m) {
   CHECK(scenario.has_value(), "the default scenario is not right");
   const uint32_t file = sources.add("dive.mi", skeleton);
   auto mission = slocum::readMission(sources, file, diagnostics);
-  CHECK(mission.has_value(), "the skeleton mission is not right");
+  CHECK(mission.has_value(), "the skeleton mission cannot be read");
   simulator::checkSkeleton(*mission, {file, 0, 0}, diagnostics);
-  CHECK(diagnostics.errorCount() == 0, "the skeleton mission has mistakes");
+  CHECK(diagnostics.errorCount() == 0, "the skeleton mission has errors");
   scenario->skeleton = std::move(*mission);
   scenario->ocean.bottom.depth_m = water_m;
   scenario->ocean.bottom.wave_height_m = 0;

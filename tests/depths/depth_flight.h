@@ -31,7 +31,7 @@ struct Dived {
   std::set<int> guards;      ///< values of x_hook_guard that were seen, but 0
   double guarded_s = -1;     ///< when the first of them was
   int dives = 0;             ///< how often the vehicle turned from sinking to rising below 2 m
-  double given_back_s = -1;  ///< when the SBC gave control back
+  double given_back_s = -1;  ///< when the SBC released control
 };
 
 /// Flies `plan` (null: no SBC on board) through the real protocol. `comes_back`: where the SBC's

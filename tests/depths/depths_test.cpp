@@ -86,7 +86,7 @@ class Judge {
       scenario.faults = fault.from(from_s);
       const double layered = flyDive(nullptr, scenario, 1).deepest_m;
       row.layered_m = std::max(row.layered_m, layered - greatest);
-      // A layered yo that turns early is no better than one that goes as deep as it is told.
+      // A layered yo that turns early is not better than one that goes to its commanded depth.
       const double without_ctd = fault.rule == DepthRule::Wrong ? without : 0;
       const double worse =
           std::max(with_ctd, without_ctd) - std::max(layered, whole_m_.at(profile));
@@ -174,7 +174,7 @@ TEST(Depths, TwoWrongAtOnceStayWithinHalfAsMuchAgain) {
   }
 }
 
-TEST(Depths, AWholeVehicleGoesAsDeepAsItIsTold) {
+TEST(Depths, AVehicleWithoutFaultsGoesAsDeepAsCommanded) {
   Judge judge(1);
   const Row row = judge.row({"none", DepthRule::Wrong, {}}, std::size(kProfiles));
   EXPECT_GT(row.ctd_m, 1) << "the steep ones, before they turn";

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Depth sensors that stand still and look alive, as a hostile review thought of them, each from
-// several moments of the flight on.
+// Depth sensors that are stuck but look alive, as devised by a hostile review, each from several
+// times of the flight onwards.
 
 #include "platforms/load/platform.h"
 #include "simulator/simulator.h"
@@ -74,7 +74,7 @@ auto flickers(double by) {
   };
 }
 
-TEST(StubbornDepths, FlickerAsMuchAsTheyWant) {
+TEST(StubbornDepths, FlickerByAnyAmount) {
   for (const double by : {0.01, 0.4, 1.1, 1.6, 3.0}) {
     EXPECT_LT(deepest({kYo26}, flickers(by)), 70) << by;
     EXPECT_LT(deepest({kYo45}, flickers(by)), 70) << by;

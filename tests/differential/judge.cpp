@@ -48,11 +48,11 @@ const platforms::Platform& slocum() {
   return platform;
 }
 
-/// All missions in one module, with the table of them that judged_main.cpp wants.
+/// All missions in one module, with the table of them that judged_main.cpp expects.
 std::unique_ptr<llvm::Module> joinMissions(std::span<const Trial> trials,
                                            const llvm::TargetMachine& machine, int level,
                                            llvm::LLVMContext& context) {
-  auto all = std::make_unique<llvm::Module>("judged", context);
+  auto all = std::make_unique<llvm::Module>("compared", context);
   all->setTargetTriple(machine.getTargetTriple().str());
   all->setDataLayout(machine.createDataLayout());
   std::vector<llvm::Constant*> table;
@@ -88,7 +88,8 @@ std::string buildProgram(std::span<const Trial> trials, const Board& board, int 
   llvm::LLVMContext context;
   auto machine = sure(codegen::makeMachine(board, level, codegen::ProgramKind::Executable));
   auto module = joinMissions(trials, *machine, level, context);
-  const fs::path runtime = fs::path(GLIDER_BINARY_DIR) / "tests" / "judged" / (board.name + ".bc");
+  const fs::path runtime =
+      fs::path(GLIDER_BINARY_DIR) / "tests" / "differential_runtime" / (board.name + ".bc");
   sure(codegen::joinRuntime(*module, {runtime}, {"main"}));
   codegen::optimise(*module, *machine, level);
   const std::string object =
@@ -103,12 +104,13 @@ Words fly(std::span<const Trial> trials, const Board& board, const std::string& 
   }
   const auto scratch = sure(codegen::ScratchFolder::make());
   auto file = [&](const char* name) { return (scratch.path() / name).string(); };
-  sure(support::writeFileAtomically(file("judged"), program, support::FileKind::ExecutableProduct));
+  sure(
+      support::writeFileAtomically(file("program"), program, support::FileKind::ExecutableProduct));
   sure(support::writeFileAtomically(file("streams"), {reinterpret_cast<const char*>(streams.data()),
                                                       streams.size() * sizeof(uint64_t)}));
   const std::string command = fmt::format("{} {} {} {}", fmt::join(board.emulator, " "),
-                                          file("judged"), file("streams"), file("records"));
-  CHECK(std::system(command.c_str()) == 0, "the judged program failed");
+                                          file("program"), file("streams"), file("records"));
+  CHECK(std::system(command.c_str()) == 0, "the program under test failed");
   const std::string bytes = sure(support::readFile(file("records")));
   Words words(bytes.size() / sizeof(uint64_t));
   std::memcpy(words.data(), bytes.data(), words.size() * sizeof(uint64_t));

@@ -45,7 +45,7 @@ double externalOf(uint32_t which, const double (&arguments)[N]) {
 }
 
 void giveUp(const char* why) {
-  fprintf(stderr, "judged: %s\n", why);
+  fprintf(stderr, "judged_main: %s\n", why);
   exit(1);
 }
 
@@ -261,7 +261,7 @@ int main(int argc, char** argv) {
   glider::runtime::useDoublePrecision();
   if (argc != 3 || (streams = fopen(argv[1], "rb")) == nullptr ||
       (records = fopen(argv[2], "wb")) == nullptr) {
-    giveUp("usage: judged STREAMS RECORDS");
+    giveUp("usage: judged_main STREAMS RECORDS");
   }
   for (uint32_t i = 0; i < judgedMissionCount; ++i) {
     fly(judgedMissions[i]);

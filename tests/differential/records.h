@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-/// What passes between a test and the judged program (judged_main.cpp), as little-endian words of
-/// 64 bits; a number is the bits of a double, with one NaN for all.
+/// What passes between a test and the program under test (judged_main.cpp), as little-endian words
+/// of 64 bits; a number is the bits of a double, with one NaN for all.
 ///
 /// Streams, for each mission: number of parameters and their values, number of ticks, then for
 /// each: mission time, number of readings, for each: platform id, raw value. Records, for each

@@ -20,7 +20,7 @@ namespace {
 using frontend::testing_support::FrontendRun;
 using support::DiagnosticId;
 
-/// Mistakes that no page can show: they are about bytes, sizes, other files, or what only the IR's
+/// Errors that no page can show: they are about bytes, sizes, other files, or what only the IR's
 /// text form can say.
 const std::set<DiagnosticId> kNotShown = {
     DiagnosticId::notUtf8, DiagnosticId::nulByte, DiagnosticId::utf16, DiagnosticId::nestedTooDeep,

@@ -140,7 +140,7 @@ TEST(Campaign, ResumesNothingWhoseImportsOrArgumentFilesAreOthers) {
   EXPECT_THAT(runShell(command + "--resume flights.csv").err, HasSubstr("another campaign"));
 }
 
-/// The rows of a campaign's file of flights, in the order in which they stand there.
+/// The rows of a campaign's file of flights, in the order of the file.
 std::vector<std::string> rowsOf(const std::string& file) {
   std::istringstream text(slurp(file));
   std::vector<std::string> rows;
@@ -239,7 +239,7 @@ TEST(Campaign, AShareOfTheFlightsRunsBoardBinariesWithTheSameOutcome) {
   EXPECT_GT(ts5500, 0U);
 }
 
-TEST(Campaign, WithoutAnEmulatorEverythingFliesInProcessAndThatIsTold) {
+TEST(Campaign, WithoutAnEmulatorEverythingFliesInProcessAndThatIsReported) {
   const Outcome outcome =
       runShell("PATH=/nowhere $GLIDERCC campaign " + project("missions/figure2.mission") +
                " --flights 3 --boards 100");
@@ -302,7 +302,7 @@ TEST(Campaign, RefusesWhatItCannotFly) {
   EXPECT_EQ(runShell("$GLIDERCC campaign " + bad.string()).status, 1);
 }
 
-TEST(Campaign, AViolationIsToldAndIsAnError) {
+TEST(Campaign, AViolationIsReportedAndIsAnError) {
   // Nothing can keep this promise: a hookbeh that waits for five minutes of silence, in a world
   // that ends before they are over.
   const TemporaryFolder folder;

@@ -51,7 +51,7 @@ TEST(ClosedLoop, NamesAFlightThatBreaksItAndThatFlightDoes) {
 }
 
 /// The prover's vehicle may turn later than the simulator's does.
-TEST(ClosedLoop, SaysThatNoFlightBreaksWhatOnlyTheAssumedWorldCan) {
+TEST(ClosedLoop, SaysThatNoFlightBreaksWhatOnlyTheEnvironmentModelCan) {
   const TemporaryFolder folder;
   const std::string mission =
       folder.write("m.mission", yoThatPromises("require always depth < 24 m")).string();
@@ -62,7 +62,7 @@ TEST(ClosedLoop, SaysThatNoFlightBreaksWhatOnlyTheAssumedWorldCan) {
   EXPECT_THAT(json.out, testing::ContainsRegex("\"breaks\": false"));
 }
 
-TEST(ClosedLoop, IsNotTriedOfWhatIsProvedNorWithoutTheReport) {
+TEST(ClosedLoop, IsNotTriedForWhatIsProvedNorWithoutTheReport) {
   const TemporaryFolder folder;
   const std::string proved =
       folder.write("p.mission", yoThatPromises("require always depth < 40 m")).string();

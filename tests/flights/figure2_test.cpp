@@ -39,7 +39,7 @@ TEST(Figure2, FollowsThePapersTimes) {
   expectFigure2(flight.transitions());
 }
 
-TEST(Figure2, YosBetweenTheOrderedDepths) {
+TEST(Figure2, YosBetweenTheCommandedDepths) {
   const Flight flight = flyFigure2("");
   const auto state = flight.column("state");
   const auto mission_time = flight.column("missiontime");
@@ -90,12 +90,13 @@ TEST_P(Figure2Ways, GiveTheSameTransitionsAtTheSameTimes) {
 
 INSTANTIATE_TEST_SUITE_P(, Figure2Ways, testing::Values("host", "ts7800", "ts5500"));
 
-TEST(Figure2, TheOrderedRangeIsTheCurrentStates) {
+TEST(Figure2, TheCommandedRangeIsTheCurrentStates) {
   const Flight flight = flyFigure2("");
   const auto state = flight.column("state");
   const auto top = flight.column("commanded_top");
   const auto bottom = flight.column("commanded_bottom");
-  // s1 orders 5 to 10 m, s3 5 to 20 m. After a transition the new order needs three rows to come.
+  // s1 commands 5 to 10 m, s3 5 to 20 m. After a transition the new command appears within three
+  // rows.
   size_t rows = 0, with_top = 0, with_bottom = 0;
   for (size_t i = 3; i < state.size(); ++i) {
     const bool settled =

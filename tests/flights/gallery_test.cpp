@@ -21,7 +21,7 @@ using testing::Not;
 struct GalleryFlight {
   const char* mission;
   const char* scenario;
-  const char* shows;  ///< stands in the summary of the flight
+  const char* shows;  ///< text in the summary of the flight
 };
 
 const GalleryFlight kFlights[] = {

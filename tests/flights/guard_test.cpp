@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Water shallower than what Figure 2 orders: hookbeh's guard turns the dives, and the yos go on.
+// Water shallower than what Figure 2 commands: hookbeh's guard ends the dives early, and the yos go
+// on.
 
 #include "tests/flights/flight.h"
 

@@ -60,7 +60,7 @@ double trackOf(const Flight& flight) {
   return std::atan2(x[last] - x[first], y[last] - y[first]) * kDegPerRad;
 }
 
-/// Where the vehicle reckons itself, from where it is, metres, at the end of the mission.
+/// Distance from the true position to the dead-reckoned one, metres, at the end of the mission.
 double reckoningError(const Flight& flight) {
   const auto x = flight.column("true_x"), y = flight.column("true_y");
   const auto mx = flight.column("m_x_lmc"), my = flight.column("m_y_lmc");
@@ -85,7 +85,7 @@ TEST(Headings, EastIsTrueEastByTheVehiclesVariation) {
   EXPECT_NEAR(heading[heading.size() / 2] * kDegPerRad, 102.35, 0.2);
 }
 
-TEST(Headings, AVehicleThatDoesNotTellItsVariationFliesByTheLine) {
+TEST(Headings, AVehicleThatDoesNotReportItsVariationFliesByTheLine) {
   const Flight flight = flyEast("declination -12.3 deg", "heading(90 deg)", kNoVariation);
   ASSERT_EQ(flight.outcome.status, 0) << flight.outcome.err;
   EXPECT_NEAR(trackOf(flight), 90, 2);
@@ -97,7 +97,7 @@ TEST(Headings, TheVehiclesVariationGoesBeforeTheLine) {
   EXPECT_NEAR(trackOf(flight), 90, 2);
 }
 
-TEST(Headings, WithoutEitherTheFlightIsOffByTheDeclinationAndSaysSo) {
+TEST(Headings, WithoutEitherTheFlightIsOffByTheDeclinationAndReportsThat) {
   const Flight flight = flyEast("", "heading(90 deg)", kNoVariation);
   EXPECT_NEAR(trackOf(flight), 77.65, 2);
   bool told = false;

@@ -57,7 +57,7 @@ TEST(MissionLog, AProgramThatStartsAgainWritesAfterTheOldLog) {
   EXPECT_EQ(told.status, 0);
 }
 
-TEST(MissionLog, AllThatIsWrongWithItIsTold) {
+TEST(MissionLog, AllThatIsWrongWithItIsReported) {
   const TemporaryFolder folder;
   const std::string log = (folder.path() / "figure2.log").string();
   ASSERT_EQ(fly(flightThatLogs(folder, "--log " + log)).outcome.status, 0);

@@ -44,7 +44,7 @@ void expectFigure2Times(const Flight& flight) {
 
 class PowerCut : public testing::TestWithParam<const char*> {};
 
-TEST_P(PowerCut, AShortOneLosesNothingAndHookbehNeverLetsGo) {
+TEST_P(PowerCut, AShortOneLosesNothingAndHookbehNeverEndsControl) {
   const Flight flight = flyWithPowerCut(812, GetParam());
   expectFigure2Times(flight);
   EXPECT_EQ(count(flight, "the SBC has power again"), 1U);
@@ -59,7 +59,7 @@ TEST_P(PowerCut, ALongerOneTakesANewHandshakeAndThenGoesOn) {
   EXPECT_EQ(count(flight, "the SBC takes control"), 2U);
 }
 
-TEST_P(PowerCut, OneThatEndsAtTheSurfaceOnTheTickOfACycleEndsNotTheFlight) {
+TEST_P(PowerCut, OneThatEndsAtTheSurfaceOnTheTickOfACycleDoesNotEndTheFlight) {
   const Flight flight = flyWithPowerCut(1080, GetParam());
   expectFigure2Times(flight);
   EXPECT_EQ(count(flight, "the SBC has power again"), 1U);
@@ -85,7 +85,7 @@ TEST_P(PowerCut, TheMissionSaysHowLongIsTooLong) {
   EXPECT_EQ(count(patient, "the SBC takes control"), 2U);
 }
 
-TEST(PowerCuts, OnAFullCardTheMissionFliesOnAndTheVehicleIsTold) {
+TEST(PowerCuts, OnAFullCardTheMissionContinuesAndTheVehicleIsInformed) {
   const TemporaryFolder folder;
   const std::string program = (folder.path() / "figure2").string();
   ASSERT_EQ(

@@ -15,7 +15,7 @@
 namespace glider::tests {
 namespace {
 
-constexpr double kNarrow = 12;  ///< m, more than the range that tracking orders
+constexpr double kNarrow = 12;  ///< m, more than the range that tracking commands
 
 /// Where the glider turns from a climb into a dive: the least depths, each 2 m below what follows.
 std::vector<size_t> shallowTurns(const std::vector<double>& depth) {
@@ -37,7 +37,7 @@ std::vector<size_t> shallowTurns(const std::vector<double>& depth) {
   return turns;
 }
 
-/// What a flight's ordered range did, tick by tick.
+/// How a flight's commanded range changed, tick by tick.
 class Tracked {
  public:
   explicit Tracked(const Flight& flight)
@@ -84,7 +84,7 @@ class Tracked {
   std::vector<double> depth;
   size_t first = 0;      ///< row at which the SBC flies
   size_t last = 0;       ///< and last does
-  size_t detected = 0;   ///< where the ordered range first is narrow
+  size_t detected = 0;   ///< where the commanded range is first narrow
   size_t second_yo = 0;  ///< where the yo after that of the detection begins
 
  private:
@@ -103,8 +103,8 @@ void expectControlThroughout(const Flight& flight, const Tracked& tracked) {
   }
 }
 
-/// From the second yo after detection on the ordered range holds the isotherm, and is narrow on
-/// `narrow` of the ticks.
+/// From the second yo after detection on the commanded range contains the isotherm, and is narrow
+/// on `narrow` of the ticks.
 void expectTracked(const Tracked& tracked, double narrow) {
   ASSERT_GT(tracked.second_yo, tracked.detected);
   EXPECT_GE(tracked.last - tracked.second_yo, 150U) << "found late";
@@ -138,7 +138,7 @@ TEST_P(Thermocline, DoesFigure5) {
     const Tracked tracked(flight);
     expectControlThroughout(flight, tracked);
     expectTracked(tracked, 1);
-    // It flies what it orders: turns overshoot by what the vehicle needs to turn.
+    // It flies what it commands: it overshoots by what the vehicle needs for an inflection.
     for (size_t i = tracked.second_yo; i <= tracked.last; ++i) {
       EXPECT_LT(tracked.depth[i], 28) << tracked.time[i];
     }
@@ -169,7 +169,8 @@ TEST_P(Thermocline, FindsItAgainOnTheDiveAfterTheLostClimbOfFigure6) {
     }
     ASSERT_GT(lost, 0U) << "the climb was not lost";
     EXPECT_NEAR(tracked.time[lost], 740, 120);
-    // Whatever was ordered then, from the end of the next dive on it is round the thermocline.
+    // Whichever range was commanded then, from the end of the next dive on it is around the
+    // thermocline.
     const auto deepest = std::ranges::max_element(
         tracked.depth.begin() + static_cast<ptrdiff_t>(lost),
         tracked.depth.begin() + static_cast<ptrdiff_t>(std::min(lost + 60, tracked.last)));

@@ -18,7 +18,7 @@ std::string world(const std::string& name) {
   return " --scenario " + project("scenarios/" + name + ".toml");
 }
 
-/// Flies a yo to the east until `guard` and then gives back; 3000 s at most.
+/// Flies a yo to the east until `guard` and then releases control; 3000 s at most.
 Flight flyUntil(const std::string& guard, const std::string& name, int bottom_m = 25) {
   const TemporaryFolder folder;
   const auto mission = folder.write("until.mission",
@@ -69,7 +69,7 @@ TEST(Worlds, OxygenFallsBelowTheThermocline) {
   EXPECT_GT(valueAt(flight, "true_depth", endOf(flight, "oxygen < 200").time_s), 14);
 }
 
-TEST(Worlds, SeamountIsHeard) {
+TEST(Worlds, SeamountIsDetected) {
   const Flight flight = flyUntil("altitude < 12 m", "shelf_slope", 20);
   const Event end = endOf(flight, "altitude < 12");
   EXPECT_NEAR(valueAt(flight, "true_x", end.time_s), 527, 40);

@@ -50,7 +50,7 @@ void checkFormat(const support::SourceManager& sources, uint32_t file, const ast
   CHECK(frontend::format(again, formatted, quiet) == once, "formatting again changes the text");
 }
 
-/// Names stand in the text and do not overlap, and what can be looked up is what is in the table.
+/// Names are in the text and do not overlap, and what can be looked up is what is in the table.
 void checkSymbols(const support::SourceManager& sources, uint32_t file, const ast::File& standard) {
   const ast::File intact = frontend::parseIntact(sources, file);
   const auto table = frontend::symbolsOf(intact, {slocum(), {&standard}, sources});
@@ -87,7 +87,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     const bool sound = !diagnostics.hasErrors();
     const auto mission = frontend::analyse(*parsed, {slocum(), {&standard}, sources}, diagnostics);
     CHECK(mission.has_value() != diagnostics.hasErrors(),
-          "a mission came of a mistake, or none of none");
+          "a mission in spite of an error, or no mission and no error");
     if (sound) {
       support::SourceManager again;
       support::DiagnosticEngine quiet;

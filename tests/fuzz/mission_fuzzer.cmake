@@ -5,7 +5,7 @@
 # scripts/soak/fuzz runs it as long as one likes.
 set(fuzzing ${CMAKE_BINARY_DIR}/fuzz/mission_fuzzer)
 find_program(CLANG_19 clang-19 REQUIRED)
-# -w: the warnings are gcc's to give; those of clang about the library's headers are nobody's.
+# -w: the warnings are gcc's to give; those of clang about the library's headers are of no use.
 add_custom_target(mission_fuzzer
   COMMAND ${CMAKE_COMMAND} -S ${CMAKE_SOURCE_DIR} -B ${fuzzing}/build -G Ninja -DGLIDER_LIBFUZZER=ON -DGLIDER_SANITIZE=ON
     -DCMAKE_C_COMPILER=${CLANG_19} -DCMAKE_CXX_COMPILER=${CLANGXX_19} -DCMAKE_CXX_FLAGS=-w

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// What `glidercc fix` makes of every golden is no worse than the golden: no mistake of a new kind,
-// but for those that the mistakes of an earlier stage had hidden, and no condition that compares
+// What `glidercc fix` makes of every golden is not worse than the golden: no error of a new kind,
+// except those that the errors of an earlier stage had hidden, and no condition that compares
 // exactly or always has the same value.
 
 #include "support/diagnostics/fixes.h"

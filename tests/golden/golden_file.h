@@ -19,7 +19,7 @@ class GoldenFile {
   /// The mission; a line `//@repeat N: text` stands for N times `text`, on one line.
   [[nodiscard]] std::string input() const;
   [[nodiscard]] const std::string& expected() const { return expected_; }
-  /// Writes the file anew with `actual` as what is expected.
+  /// Rewrites the file with `actual` as what is expected.
   void update(const std::string& actual) const;
 
  private:

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // One test a golden: tests/golden/<stage>/{ok,warn,fail}_*. With GLIDER_UPDATE_GOLDENS set, what is
-// expected is rewritten first (scripts/update_goldens) and then compared all the same: a file that
-// does not keep what is written to it fails.
+// expected is rewritten first (scripts/update_goldens) and then compared anyway: a file that does
+// not keep what is written to it fails.
 
 #include "tests/golden/golden_file.h"
 #include "tests/golden/stages.h"
@@ -43,7 +43,7 @@ std::filesystem::path folderOf(const char* stage) {
   return std::filesystem::path(GLIDER_SOURCE_DIR) / "tests" / "golden" / stage;
 }
 
-/// A folder that was moved or emptied is no test that passes.
+/// A folder that was moved or emptied must not pass as a test.
 TEST(Goldens, EveryStageHasSomeOfEachKind) {
   for (const char* stage : kStages) {
     const auto found = goldensIn(folderOf(stage));

@@ -98,7 +98,7 @@ struct Wire {
   std::vector<uint8_t> written;
   std::deque<uint8_t> there;
   bool held = false;
-  int frames_before_held = 0;  ///< that come all the same
+  int frames_before_held = 0;  ///< that still arrive
   std::vector<uint8_t> recorded;
 
   [[nodiscard]] bool comes() const { return !there.empty() && !(held && frames_before_held == 0); }
@@ -278,7 +278,7 @@ class Replay {
     EXPECT_EQ(tick, model.ticks.size());
   }
 
-  /// Nobody listens any more; what is held comes later.
+  /// Nothing listens any more; what is held comes later.
   void dropUnread() {
     while (!client_ && wires_[kToSbc].comes()) {
       (void)wires_[kToSbc].take();
@@ -305,13 +305,13 @@ class Replay {
 
   /// As GliderRuntime::considerCheckpoint.
   void decide(const std::string& what) {
-    if (what == "anew" || what == "leaves") {
+    if (what == "start" || what == "leaves") {
       client_->resume(0, client_->sequence());
     }
-    if (what == "anew") {
+    if (what == "start") {
       mission_time_s_ = 0;
     }
-    flies_ = flies_ || what == "anew" || what == "on";
+    flies_ = flies_ || what == "start" || what == "on";
   }
 
   void instruct(const std::string& what) {
@@ -433,7 +433,7 @@ TEST(Model, TheCodeFliesAsItDoes) {
                            "sbc off",
                            "sbc on",
                            "sbc on with its checkpoint",
-                           "anew",
+                           "start",
                            "on",
                            "leaves",
                            "dies",

@@ -21,7 +21,7 @@ std::vector<ModelRound> flyModel(int seed) {
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_EQ(run.out.find("assertion violated"), std::string::npos) << run.out;
   std::vector<ModelRound> rounds;
-  std::string decision;  // of the tick that is told next
+  std::string decision;  // of the tick that is reported next
   std::istringstream lines(run.out);
   for (std::string line; std::getline(lines, line);) {
     std::istringstream words(line);

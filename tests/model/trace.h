@@ -28,7 +28,7 @@ struct ModelState {
 
 /// A tick as the model's SBC lives it.
 struct ModelTick {
-  std::string decision;  ///< about its checkpoint: "anew", "on", "leaves"; empty: none
+  std::string decision;  ///< about its checkpoint: "start", "on", "leaves"; empty: none
   std::string mission;   ///< what it does then: "rests", "Take", "Steer", "Release"
   bool dies = false;     ///< it loses its power before the answer
 };

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// What is proved of an example mission survives random flights: all of its properties look on at
+// What is proved about an example mission survives random flights: all of its properties observe
 // each of them. scripts/soak/proofs flies more of the same.
 
 #include "ir/prove/context/proof_context.h"
@@ -32,7 +32,7 @@ uint64_t wanted(const char* name, uint64_t standard) {
   return text == nullptr ? standard : std::stoull(text);
 }
 
-/// What is proved of a mission.
+/// What is proved about a mission.
 struct Proved {
   std::string mission;
   std::vector<std::string> requirements;

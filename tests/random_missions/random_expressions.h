@@ -32,7 +32,7 @@ class ExpressionMaker {
   /// top).
   ir::ExprId guard(uint32_t depth);
   /// Comparisons of sensors and clocks with constants, as long lists of cases have them; at times
-  /// with something else besides.
+  /// combined with something else.
   ir::ExprId thresholds();
   /// Either, kept in the variable's range.
   ir::ExprId valueFor(const ir::Variable& variable, uint32_t depth);

@@ -354,7 +354,7 @@ class MissionMaker {
     cases.insert(cases.begin() + random_.below(cases.size() + 1), c);
   }
 
-  /// Cases anywhere to anywhere, but for those that would make a mistake.
+  /// Cases anywhere to anywhere, except those that would be errors.
   void always() {
     constexpr Transition kKinds[] = {Transition::Call, Transition::Call, Transition::Goto,
                                      Transition::Stay, Transition::Exit};

@@ -43,7 +43,7 @@ struct StreamTick {
 
 /// `ticks` + 1 ticks for `mission`, the first for the start at 0 s: steps of mostly 4 s, at times
 /// none, backwards or long ones; sensors that fall silent; readings that wander, jump, repeat,
-/// stand at or beyond the ends of their range, and special ones (NaN with and without the quiet
+/// are at or beyond the ends of their range, and special ones (NaN with and without the quiet
 /// bit, infinities, minus zero, subnormals, the largest numbers).
 std::vector<StreamTick> randomStream(const ir::Mission& mission, uint64_t seed, size_t ticks);
 

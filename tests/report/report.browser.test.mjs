@@ -87,7 +87,7 @@ describe("the sample flight", () => {
     await page.mouse("mouseMoved", plot.left + plot.width * 0.9, plot.top + plot.height / 2);
     assert.match(await text(page, "#readout .state"), /layered control/);
     assert.notEqual(await value(page, "m_depth"), depth);
-    assert.equal(await value(page, "order_top"), "–");
+    assert.equal(await value(page, "commanded_top"), "–");
     assert.equal(await value(page, "c_pitch"), "−26.0°");
   }));
 

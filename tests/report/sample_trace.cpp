@@ -58,7 +58,7 @@ double waver(double time_s, double period_s) {
 
 std::vector<Cell> cells(const Flown& g) {
   const double inside = g.control ? 1 : kNaN;
-  const double ordered_pitch = g.down ? -kPitch : kPitch;
+  const double commanded_pitch = g.down ? -kPitch : kPitch;
   const double pump = g.down ? -210 : 210;
   const double lat = 39.175 + g.y / 111000;
   const double lon = -73.83 + g.x / 86400;
@@ -70,7 +70,7 @@ std::vector<Cell> cells(const Flown& g) {
       {"true_depth", "m", g.depth},
       {"m_depth_rate", "m/s", 0.17 * std::sin(-g.pitch) / std::sin(kPitch)},
       {"m_pitch", "rad", g.pitch + 0.012 * waver(g.time, 26)},
-      {"c_pitch", "rad", ordered_pitch},
+      {"c_pitch", "rad", commanded_pitch},
       {"m_heading", "rad", g.heading + 0.05 * waver(g.time, 90)},
       {"c_heading", "rad", g.control ? kNaN : 1.1},
       {"m_lat", "deg", 39.175 + g.y_dr / 111000},
@@ -187,8 +187,8 @@ class Sample {
 
   void move() {
     Flown& g = glider_;
-    const double ordered = g.down ? -kPitch : kPitch;
-    g.pitch += (ordered - g.pitch) * (1 - std::exp(-kCycle / 9));
+    const double commanded = g.down ? -kPitch : kPitch;
+    g.pitch += (commanded - g.pitch) * (1 - std::exp(-kCycle / 9));
     g.depth = std::max(0.0, g.depth - 0.17 * kCycle * std::sin(g.pitch) / std::sin(kPitch));
     const double speed = 0.31 * std::cos(g.pitch);
     g.heading = g.control ? 1.1 + 0.6 * std::sin((g.time - kControlFrom) / 500) : 1.1;

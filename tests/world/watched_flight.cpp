@@ -21,7 +21,7 @@ namespace {
 
 using flights::InProcessSbc;
 
-/// An SBC in process that says of what time the newest frame was that it heard.
+/// An SBC in process that reports the time of the newest frame that it received.
 class HearingSbc final : public simulator::SbcPort {
  public:
   HearingSbc(std::unique_ptr<InProcessSbc> sbc, WorldWatch& watch) : sbc_(std::move(sbc)) {
@@ -54,7 +54,7 @@ class HearingSbc final : public simulator::SbcPort {
 
 /// What the water did where the vehicle was, and how the vehicle went on in it.
 void judgeDrift(const support::Trace& trace, const simulator::Scenario& scenario,
-                const platforms::Platform& platform, AssumedWorld& world) {
+                const platforms::Platform& platform, EnvironmentCheck& world) {
   // A glider that has come up glides on for some seconds.
   constexpr double kStill_s = 60;
   const simulator::Ocean ocean(scenario.ocean);

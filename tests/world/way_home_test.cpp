@@ -100,7 +100,7 @@ TEST(WayHome, OfAKilledSbcIsNoLongerThanStated) {
   const uint64_t count = wanted("GLIDER_WORLD_FLIGHTS", kFew);
   const auto all = missions(6, 1);
   auto worlds = scenarios();
-  // Where the layered control yos when the SBC is gone, that is what was wanted.
+  // If the layered control flies a yo without the SBC, that was intended.
   std::erase_if(worlds, [](const auto& world) {
     return std::ranges::any_of(world.skeleton.behaviours,
                                [](const auto& behaviour) { return behaviour.name == "yo"; });

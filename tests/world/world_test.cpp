@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The simulator stays inside the world that proofs assume: compiled missions, of the examples and
-// of random texts, fly in it through the real protocol while a judge looks on. scripts/soak/world
-// flies more of the same.
+// The simulator stays inside the environment model of proofs: compiled missions, of the examples
+// and of random texts, fly in it through the real protocol while each flight is checked.
+// scripts/soak/world flies more of the same.
 
 #include "tests/world/fleet.h"
 
@@ -52,7 +52,7 @@ class Flights {
     }
     return text + fmt::format(
                       "{} missions, {} scenarios; {} flights in control, {:.0f} h of it; of "
-                      "these {} with damaged lines, {} until an order is refused\n",
+                      "these {} with damaged lines, {} until a command is refused\n",
                       missions_.size(), scenarios_.size(), in_control_, seconds_ / 3600, damaged_,
                       refused_);
   }

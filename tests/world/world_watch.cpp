@@ -22,7 +22,7 @@ WorldWatch::WorldWatch(const platforms::Platform& platform, const Conditions& co
   for (const auto& fault : conditions.scenario.faults.sensors) {
     wrong_.at(platform.find(fault.name)->id) = true;
   }
-  // A fix is told by way of the vehicle's position.
+  // A fix is reported through the vehicle's position.
   wrong_.at(GLIDER_M_GPS_LAT) = wrong_.at(GLIDER_M_LAT);
   wrong_.at(GLIDER_M_GPS_LON) = wrong_.at(GLIDER_M_LON);
 }
@@ -61,27 +61,27 @@ bool WorldWatch::cycle(const simulator::CycleView& view) {
   return !world_.broken();
 }
 
-/// The order that hookbeh carries out.
+/// The command that hookbeh carries out.
 void WorldWatch::obeyed(const simulator::CycleView& view) {
   const auto& array = view.array;
   if (array.get(GLIDER_X_HOOK_ANSWER) == static_cast<double>(HookAnswer::Accepted) &&
       array.get(GLIDER_X_HOOK_SEQUENCE) == array.get(GLIDER_SCI_HOOK_SEQUENCE)) {
-    order(static_cast<uint32_t>(array.get(GLIDER_SCI_HOOK_VERTICAL)),
-          array.get(GLIDER_SCI_HOOK_DEPTH), view.true_depth_m, view.time_s);
+    command(static_cast<uint32_t>(array.get(GLIDER_SCI_HOOK_VERTICAL)),
+            array.get(GLIDER_SCI_HOOK_DEPTH), view.true_depth_m, view.time_s);
   }
 }
 
-void WorldWatch::order(uint32_t vertical, double target_m, double depth_m, double time_s) {
+void WorldWatch::command(uint32_t vertical, double target_m, double depth_m, double time_s) {
   switch (static_cast<GliderVertical>(vertical)) {
     case kGliderDescend:
     case kGliderHover:
-      world_.orderDown(target_m, depth_m);
+      world_.commandDown(target_m, depth_m);
       break;
     case kGliderAscend:
-      world_.orderUp(target_m, depth_m, time_s);
+      world_.commandUp(target_m, depth_m, time_s);
       break;
     case kGliderSurface:
-      world_.orderUp(0, depth_m, time_s);
+      world_.commandUp(0, depth_m, time_s);
       break;
     case kGliderNoVertical:
       break;
@@ -127,7 +127,7 @@ void WorldWatch::polled(const GliderContext& context, double frame_s) {
 void WorldWatch::newTick(const GliderContext& context, double frame_s) {
   const double depth_m = depthAt(frame_s);
   world_.ticks(first_frame_s_ + context.mission_time);
-  order(context.vertical, context.depth, depth_m, frame_s);
+  command(context.vertical, context.depth, depth_m, frame_s);
   for (uint32_t i = 0; i < context.mission->sensor_count; ++i) {
     const double reading = context.readings[i].value;
     if (context.mission->sensors[i].id == GLIDER_M_DEPTH && !std::isnan(reading)) {

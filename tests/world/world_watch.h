@@ -5,8 +5,8 @@
 
 #include "runtime/abi/runtime.h"
 #include "simulator/flight_observer.h"
-#include "tests/world/assumed_world.h"
 #include "tests/world/conditions.h"
+#include "tests/world/environment_check.h"
 
 #include <deque>
 #include <optional>
@@ -15,7 +15,7 @@
 
 namespace glider::tests {
 
-/// Tells the judge what happens in a flight of the simulator.
+/// Tells EnvironmentCheck what happens in a flight of the simulator.
 class WorldWatch final : public simulator::FlightObserver {
  public:
   /// Both outlive this.
@@ -26,7 +26,7 @@ class WorldWatch final : public simulator::FlightObserver {
   /// The runtime has been polled; the newest frame that it had was of the vehicle's time `frame_s`.
   void polled(const GliderContext& context, double frame_s);
 
-  AssumedWorld& world() { return world_; }
+  EnvironmentCheck& world() { return world_; }
   [[nodiscard]] double inControl() const { return watched_s_; }
   [[nodiscard]] bool refused() const { return refused_; }
 
@@ -34,13 +34,13 @@ class WorldWatch final : public simulator::FlightObserver {
   void obeyed(const simulator::CycleView& view);
   void reports(const simulator::CycleView& view);
   [[nodiscard]] bool refuses(const simulator::CycleView& view) const;
-  void order(uint32_t vertical, double target_m, double depth_m, double time_s);
+  void command(uint32_t vertical, double target_m, double depth_m, double time_s);
   void newTick(const GliderContext& context, double frame_s);
   [[nodiscard]] double depthAt(double time_s) const;
 
   const platforms::Platform& platform_;
   const Conditions& conditions_;
-  AssumedWorld world_;
+  EnvironmentCheck world_;
   std::vector<bool> wrong_;                       ///< sensors that a fault makes lie
   std::deque<std::pair<double, double>> depths_;  ///< time and true depth of the last cycles
   bool begun_ = false, was_active_ = false, over_ = false, refused_ = false;

@@ -59,7 +59,9 @@ std::vector<std::string> arguments(const LinkJob& job, const Board& board,
   } else if (board.relocation == platforms::Relocation::PositionIndependent) {
     add({"-pie", "-z", "now", "--dynamic-linker", board.link.dynamic_linker});
   } else {
-    add({"-static"});
+    // Beyond every number that code is likely to contain: what bounds the stack takes a number that
+    // is a function's address for a pointer to it.
+    add({"-static", "--image-base=0x2000000"});
   }
   if (!job.keep_debug) {
     add({"--strip-all"});

@@ -27,7 +27,7 @@ constexpr uint64_t kMostContextBytes = uint64_t{32} << 20U;
 /// From this level on the whole program, mission and runtime, is optimised and compiled as one.
 /// From kImportLevel on the mission is optimised with the bodies of the runtime's shortest
 /// functions; their code is in the object that the build has made from the same bitcode. This takes
-/// a tenth of the time.
+/// a twentieth of the time.
 constexpr int kWholeProgramLevel = 3;
 constexpr int kImportLevel = 2;
 

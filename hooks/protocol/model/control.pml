@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 
 /* Who controls the vehicle: the SBC (client and mission), hookprog and hookbeh over the four directions of the two lines, a
-   flight cycle a round. README.md says what is left out and how the model is held against the code. */
+   flight cycle a round. README.md says what is left out and how the model is compared with the code. */
 
 #ifndef FAULTS
 #define FAULTS 2          /* of all kinds, in one flight */
@@ -59,7 +59,7 @@ typedef Frame {
   mtype state;            /* Tick, Sensors to science: x_hook_state */
   mtype answer;           /* the same: x_hook_answer */
   byte session;           /* of Welcome the newest, of Write and Done the SBC's, else x_hook_session */
-  bit old;                /* comes again: its cycle, its mission time or its beat has been told before */
+  bit old;                /* comes again: its cycle, its mission time or its beat was reported before */
   NUMBER sequence;        /* of Write sci_hook_sequence, else x_hook_sequence */
   mtype control;          /* Write: sci_hook_control */
   byte command;           /* Write: which instruction it is (ghost) */
@@ -86,7 +86,7 @@ byte quiet;               /* rounds since then */
 byte holds;               /* rounds by which frames may be late in all */
 bit over;
 
-/* A frame that is heard, and comes again later. */
+/* A frame that is received, and arrives again later. */
 chan recorder = [1] of { Frame };
 byte recorded_line;       /* and one; 0: none is there */
 bit recorded_is_last;     /* no other frame has come on that line since */
@@ -239,9 +239,9 @@ inline world() {
 #define FLIES (sbc_on == 1 && sbc_stuck == 0)
 #define WHOLE (noise == 0 && cut[TO_SBC] == 0 && cut[FROM_SBC] == 0 && cut[TO_FLIGHT] == 0 && cut[FROM_FLIGHT] == 0)
 
-/* What must hold after each round, whatever has gone wrong. */
+/* What must hold after each round, after any faults. */
 inline judge() {
-  /* Silence always ends in hand-back. A beat takes two cycles at most, and as much longer as frames were held up. */
+  /* Silence always ends in a release of control. A beat takes two cycles at most, and as much longer as frames were held up. */
   assert(hb_state != Active || since_progress <= SILENCE + 2 + holds);
   /* No instruction is lost while its session stays in control. */
   assert(disagreed <= UNANSWERED + SILENCE + 3 + holds);

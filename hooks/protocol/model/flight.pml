@@ -48,9 +48,9 @@ inline watch_heartbeat() {
 
 inline obey() {
   assert(written == 1);                  /* not what lies in the array from before */
-  assert(array_session == hb_session);   /* nobody else's */
+  assert(array_session == hb_session);   /* of no other session */
   assert(array_command > newest_obeyed); /* none twice, none out of turn */
-  assert(told_end == 0 || array_command < told_end); /* nor any of a mission after it has given control back */
+  assert(told_end == 0 || array_command < told_end); /* nor any of a mission after it has released control */
   newest_obeyed = array_command;
   in_force = array_command
 }
@@ -59,7 +59,7 @@ inline take() {
   if
   :: array_session <= hb_lost -> hb_answer = WrongSession
   :: else ->
-     assert(hb_state != Complete);         /* hand-back is for good */
+     assert(hb_state != Complete);         /* a release is final */
      assert(array_session > newest_lost);  /* after silence only a newer session takes control */
      hb_answer = Accepted; hb_state = Active; hb_session = array_session; hb_silence = 0; since_progress = 0;
      obey()

@@ -1,7 +1,7 @@
 /* SPDX-FileCopyrightText: 2026 The glidercc authors */
 /* SPDX-License-Identifier: Apache-2.0 */
 
-/* The SBC: Client, and a mission that wants control, steers, and gives back when it likes. */
+/* The SBC: Client, and a mission that takes control, steers, and releases control at any time. */
 
 bit sbc_on = 1, sbc_stuck;
 byte sbc_link, next_session = 1, sbc_session;
@@ -17,7 +17,7 @@ byte tick_session;
 NUMBER tick_answered;
 bit resubscribe, finished;
 bit claims = 1;           /* its session is for it to keep alive */
-/* GliderRuntime and Checkpoint: what outlives a power cut, and what comes of it */
+/* GliderRuntime and Checkpoint: what outlives a power cut, and the result of it */
 bit kept, kept_finished;
 byte kept_session;
 NUMBER kept_sequence;
@@ -27,7 +27,7 @@ byte mission_time;        /* ticks that the mission has seen; counts round */
 byte commands;            /* given so far, which is the newest one's number (ghost) */
 byte since_progress;      /* rounds since a Done left that claims control and is news to hookprog of a mission that goes on (ghost) */
 NUMBER told_sequence;       /* of the newest instruction that has left this mission, started again or not (ghost) */
-byte told_end;            /* the same: the instruction with which it has given control back, 0 for none (ghost) */
+byte told_end;            /* the same: the instruction with which it has released control, 0 for none (ghost) */
 byte disagreed;           /* rounds in which hookbeh has obeyed another instruction than the newest, and nothing else went wrong (ghost) */
 
 inline say(kind) {
@@ -122,7 +122,7 @@ inline mission() {
   if
   :: leaves == 1 || found == 1 || sbc_stuck == 1 || commands == COMMANDS -> rest()
   :: leaves == 0 && goes_on == 1 && sbc_stuck == 0 && commands < COMMANDS ->
-     /* The command in force, in the session that hookbeh obeys or a new one; or what was given back once more. */
+     /* The command in force, in the session that hookbeh obeys or a new one; or the release once more. */
      if
      :: OBEYED && finished == 0 -> instruct(Steer)
      :: OBEYED && finished == 1 -> instruct(Release)
@@ -157,7 +157,7 @@ inline consider_checkpoint() {
   :: found == 0 || sbc_stuck == 1 || tick_state == Absent || tick_state == Complete -> skip
   :: found == 1 && sbc_stuck == 0 && tick_state == Ready -> /* another flight */
      found = 0; sbc_session = 0; mission_time = 0; told_sequence = 0; told_end = 0;
-     printf("decides anew\n")
+     printf("decides start\n")
   :: found == 1 && sbc_stuck == 0 && tick_state == Ready && kept_finished == 0 -> /* or the vehicle's mission has begun again */
      found = 0; goes_on = 1; finished = 0;
      printf("decides on\n")
@@ -165,7 +165,7 @@ inline consider_checkpoint() {
      found = 0;
      if
      :: kept_finished == 0 || OBEYED -> goes_on = 1; finished = kept_finished; printf("decides on\n")
-     :: sbc_session = 0; leaves = 1; printf("decides leaves\n") /* too late, or there is nothing to give back */
+     :: sbc_session = 0; leaves = 1; printf("decides leaves\n") /* too late, or there is nothing to release */
      fi
   fi
 }
@@ -280,7 +280,7 @@ inline power_back() {
   :: kept == 1 ->
      printf("sbc on with its checkpoint\n");
      found = 1; claims = 0; sbc_session = kept_session; sequence = kept_sequence;
-     assert(sequence >= told_sequence); /* what the vehicle has been told is never forgotten */
+     assert(sequence >= told_sequence); /* what was sent to the vehicle is never forgotten */
      learn_session(kept_session)
   :: printf("sbc on\n");
      mission_time = 0; kept = 0; kept_session = 0; kept_sequence = 0; kept_finished = 0; told_sequence = 0; told_end = 0

@@ -124,7 +124,7 @@ inline count_rounds() {
   waiting_rounds = (waiting_rounds == NEVER -> NEVER : waiting_rounds + 1)
 }
 
-/* Its links and what it has heard are forgotten. */
+/* Its links and what it has received are forgotten. */
 inline restart_science() {
   link = 0; newest_session = 0; waiting_rounds = NEVER; progress = NEVER; progress_session = 0; subscribed = 0; cycle_is_new = 0;
   told_time = 0; told_cycle = 0; was_earlier = 0; earlier = 0; reported_cycle = 0; reported_old = 0;

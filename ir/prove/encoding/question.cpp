@@ -47,15 +47,14 @@ Answer Question::ask() {
     return result == z3::sat ? Answer::Yes : Answer::Unknown;
   }
   for (const z3::expr& needed : solver_.unsat_core()) {
-    for (unsigned i = 0; i < assumptions_.size(); ++i) {
-      if (!z3::eq(assumptions_[static_cast<int>(i)], needed)) {
-        continue;
-      }
-      if (facts_[i]) {
+    size_t i = 0;
+    for (const z3::expr& assumption : assumptions_) {
+      if (z3::eq(assumption, needed) && facts_[i]) {
         needed_facts_.push_back(*facts_[i]);
-      } else {
+      } else if (z3::eq(assumption, needed)) {
         needed_names_.push_back(*names_[i]);
       }
+      ++i;
     }
   }
   return Answer::No;

@@ -59,8 +59,8 @@ enum class Pace : uint8_t {
   Many     ///< any number of ticks has passed without a transition since
 };
 
-/// A tick at `now`, later than the configuration's time, with the readings of `moment`: all its
-/// possible outcomes. `moment` already has its readings, and the vehicle has moved.
+/// A tick at `now`, not before the configuration's time, with these `readings`: all its possible
+/// outcomes. The vehicle has already moved.
 class SymbolicTick {
  public:
   SymbolicTick(const ProofContext& proof_context, const ConeOfInfluence& relevance,

@@ -22,11 +22,11 @@ function linesOf(flight: Flight, onField: boolean): Line[] {
   };
   // On the field, light lines with a dark edge read on warm and on cold water alike.
   const edge = (width: number) => (onField ? { halo: { colour: "rgb(7 12 22 / .78)", width } } : {});
-  const [main, order, pale] = onField ? ["#ffffff", "#9df5d8", "#ffffff"] : ["ink", "kind-hook", "muted"];
+  const [main, commanded, pale] = onField ? ["#ffffff", "#9df5d8", "#ffffff"] : ["ink", "kind-hook", "muted"];
   add("isotherm_depth", { label: "marked isotherm", colour: pale, width: 1.5, dash: [1.5, 4.5], ...edge(3) });
-  add("order_top", { label: "commanded range", colour: order, width: 1.5, stepped: true, ...edge(3.5) });
-  add("order_bottom", { label: "commanded range", colour: order, width: 1.5, stepped: true, ...edge(3.5) });
-  add("hook_depth", { label: "commanded target", colour: order, width: 1.5, dash: [6, 4], stepped: true, hidden: true, ...edge(3.5) });
+  add("commanded_top", { label: "commanded range", colour: commanded, width: 1.5, stepped: true, ...edge(3.5) });
+  add("commanded_bottom", { label: "commanded range", colour: commanded, width: 1.5, stepped: true, ...edge(3.5) });
+  add("hook_depth", { label: "commanded target", colour: commanded, width: 1.5, dash: [6, 4], stepped: true, hidden: true, ...edge(3.5) });
   const measured = flight.column("m_depth") !== null;
   add("true_depth", { label: "true depth", colour: measured ? "#ffb3c7" : main, width: measured ? 1.3 : 2.4, hidden: measured, ...edge(4.8) });
   add("m_depth", { label: "measured depth", colour: main, width: 2.4, ...edge(5) });

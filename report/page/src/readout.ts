@@ -15,7 +15,7 @@ const groups: [string, Record<string, string>][] = [
     m_pitch: "pitch", c_pitch: "commanded pitch", m_roll: "roll", m_heading: "heading", c_heading: "commanded heading",
   }],
   ["Commands of the SBC", {
-    hook_active: "hookbeh", hook_vertical: "vertical", hook_depth: "target depth", order_top: "range from", order_bottom: "range to",
+    hook_active: "hookbeh", hook_vertical: "vertical", hook_depth: "target depth", commanded_top: "range from", commanded_bottom: "range to",
     layer: "commanding layer",
   }],
   ["Water", { sci_water_temp: "temperature", sci_water_cond: "conductivity", sci_water_pressure: "pressure", isotherm_depth: "marked isotherm" }],

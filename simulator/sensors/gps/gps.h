@@ -22,7 +22,7 @@ class Gps {
  public:
   using Settings = GpsSettings;
   struct Fix {
-    double x = 0, y = 0;  ///< m east and north of the start
+    double x = 0, y = 0;  ///< m east and north of the world's origin
   };
   Gps(uint64_t seed, const Settings& settings) : noise_(seed, "gps"), sd_(settings.noise_m) {}
 

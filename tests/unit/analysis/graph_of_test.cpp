@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The graph of a mission: all that is told of states and cases, in the mission's own words.
+// The graph of a mission: all that it contains about states and cases, in the mission's own words.
 
 #include "analysis/analysis.h"
 
@@ -17,7 +17,7 @@ using report::GraphTransition;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-/// Every transition; `deaf` is reached by a case that never fires alone, `end` has no way out.
+/// Every transition; `deaf` is reached by a case that never fires alone, `end` has no transition.
 const std::string kMission = R"(mission m
 var n : number = 0
 always

@@ -57,7 +57,7 @@ TEST_F(SilenceOf, IsFromAboveNothingToAnHour) {
   }
 }
 
-TEST_F(SilenceOf, MayStandInAnArgumentFile) {
+TEST_F(SilenceOf, MayBeInAnArgumentFile) {
   (void)folder_.write(
       "hookbe03.ma",
       "behavior_name=hookbeh\n<start:b_arg>\nb_arg: silence_secs(s) 60\n<end:b_arg>\n");

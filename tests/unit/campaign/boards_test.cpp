@@ -70,7 +70,7 @@ TEST_F(BoardsHere, AreThoseWhoseEmulatorIsFound) {
   EXPECT_THAT(missing_, IsEmpty());
 }
 
-TEST_F(BoardsHere, AFileThatCannotBeRunIsNoEmulator) {
+TEST_F(BoardsHere, AFileThatCannotBeRunIsNotAnEmulator) {
   fs::create_directory(folder_.path() / "one" / "qemu-i386.not");
   (void)program("one/qemu-arm", false);
   EXPECT_THAT(here(), IsEmpty());

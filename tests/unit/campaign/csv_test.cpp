@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The table of flights: what stands in it, and that it is read back as it was written.
+// The table of flights: its contents, and that it is read back as it was written.
 
 #include "campaign/campaign.h"
 #include "tests/support/command.h"
@@ -122,7 +122,7 @@ TEST_F(CampaignCsv, IsReadBackAsItWasWritten) {
   EXPECT_EQ(back.verdicts[4]->violation_s, 0.1);
 }
 
-TEST_F(CampaignCsv, MayStandInAnyOrderAndIsThenTheSame) {
+TEST_F(CampaignCsv, RowsMayBeInAnyOrder) {
   CampaignResult back;
   ASSERT_TRUE(read(csvHead("id") + row(4) + row(1) + row(0) + row(3), back));
   EXPECT_EQ(campaignCsv(plan_, back, "id"), written());
@@ -162,7 +162,7 @@ std::string with(std::string text, const std::string& from, const std::string& t
   return at == std::string::npos ? text : text.replace(at, from.size(), to);
 }
 
-TEST_F(CampaignCsv, RowsThatAreNoFlightOfItAreRefusedWithTheirLine) {
+TEST_F(CampaignCsv, RowsOfOtherFlightsAreRefusedWithTheirLine) {
   const auto line = [&](const std::string& bad) {
     return refusal(csvHead("id") + row(0) + bad + row(3));
   };

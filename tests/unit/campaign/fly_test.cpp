@@ -23,7 +23,7 @@ using testing::known;
 using testing::smallPlan;
 using ::testing::UnorderedElementsAre;
 
-/// Hears which flights are over.
+/// Records which flights are over.
 CampaignListener hearing(std::vector<uint64_t>& numbers) {
   CampaignListener listener = deaf();
   listener.over = [&numbers](const CampaignFlight& flight, const Verdict&) {
@@ -80,7 +80,7 @@ TEST(FlyAll, OfWhichAllAreKnownFliesNone) {
   EXPECT_EQ(result.verdicts[1]->end_s, 2);
 }
 
-TEST(FlyAll, SeveralFlyAtATimeIfThatIsWanted) {
+TEST(FlyAll, SeveralFlyAtATimeIfRequested) {
   CampaignPlan plan = smallPlan(6);
   plan.jobs = 3;
   std::atomic<int> flying = 0, most = 0;
@@ -105,7 +105,7 @@ TEST(FlyAll, SeveralFlyAtATimeIfThatIsWanted) {
   EXPECT_THAT(flown, UnorderedElementsAre(0, 1, 2, 3, 4, 5));
 }
 
-TEST(FlyAll, AFailureOfTheWorldEndsIt) {
+TEST(FlyAll, ASystemErrorEndsIt) {
   CampaignPlan plan = smallPlan(10);
   plan.missions[1].new_flight = [] {
     return []() -> support::Result<std::unique_ptr<simulator::SbcPort>> {
@@ -131,7 +131,7 @@ TEST(FlyAll, ATableThatCannotBeWrittenEndsIt) {
   EXPECT_EQ(std::ranges::count_if(result.verdicts, [](const auto& v) { return v.has_value(); }), 1);
 }
 
-TEST(FlyAll, WhatIsUnderWayWhenItIsEndedCountsForNothing) {
+TEST(FlyAll, WhatIsUnderWayWhenItIsEndedIsIgnored) {
   CampaignPlan plan = smallPlan(1000);
   std::vector<uint64_t> flown;
   CampaignListener listener = hearing(flown);
@@ -179,7 +179,7 @@ TEST(FlyOne, FliesTheBinaryOfItsBoard) {
   EXPECT_EQ(started, "b");
 }
 
-TEST(FlyOne, ItsFaultsAreInTheWorldAndAreJudged) {
+TEST(FlyOne, ItsFaultsAreInTheScenarioAndAreChecked) {
   CampaignPlan plan = smallPlan(1);
   ASSERT_TRUE(measureMissions(plan));
   plan.kinds = {simulator::FaultKind::FlightAbort};
@@ -189,7 +189,7 @@ TEST(FlyOne, ItsFaultsAreInTheWorldAndAreJudged) {
   EXPECT_GT(verdict->releases, 0U);
 }
 
-TEST(FlyOne, TheFaultsOfTheScenarioAreJudgedToo) {
+TEST(FlyOne, TheFaultsOfTheScenarioAreCheckedToo) {
   CampaignPlan plan = smallPlan(1);
   plan.scenario.faults.aborts = {200};
   const auto verdict = flyOne(plan, flightOf(plan, 0));

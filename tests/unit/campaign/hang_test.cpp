@@ -24,9 +24,9 @@ using ::testing::ElementsAre;
 /// What outlives the test as long as a flight of it does.
 struct Shared {
   std::atomic<bool> let_go = false;
-  std::atomic<bool> comes_back = false;  ///< once it has been told that it hangs
+  std::atomic<bool> comes_back = false;  ///< once it has been reported that it hangs
   std::mutex mutex;
-  std::vector<std::string> over;  ///< of flight 1: what was told of it
+  std::vector<std::string> over;  ///< of flight 1: what was reported about it
 };
 
 /// A campaign of four flights, of which 0 and 2 are known. The SBC of 1 and 3 does not start.
@@ -87,7 +87,7 @@ TEST_F(Hang, IsAViolationThatEndsTheCampaign) {
 }
 
 // The campaign waits a second for the flights that are under way.
-TEST_F(Hang, ThatComesBackAfterAllIsToldOnce) {
+TEST_F(Hang, ThatEndsAfterAllIsReportedOnce) {
   shared_->comes_back = true;
   const CampaignResult result = fly();
   EXPECT_TRUE(result.hung);

@@ -68,7 +68,7 @@ TEST_F(Identity, IsADigestAndTheSameForTheSame) {
   EXPECT_EQ(now(), now());
 }
 
-TEST_F(Identity, IsAnotherWhateverIsChanged) {
+TEST_F(Identity, IsDifferentAfterAnyChange) {
   const std::function<void()> changes[] = {
       [&] { ++plan_.flights; }, [&] { ++plan_.seed; }, [&] { ++plan_.board_percent; },
       [&] { plan_.boards.emplace_back("ts7800"); },
@@ -91,7 +91,7 @@ TEST_F(Identity, IsAnotherWhateverIsChanged) {
   }
 }
 
-TEST_F(Identity, HowManyFlyAtATimeIsNoPartOfIt) {
+TEST_F(Identity, HowManyFlyAtATimeIsNotPartOfIt) {
   const std::string before = now();
   plan_.jobs = 7;
   options_.jobs = 7;

@@ -52,8 +52,8 @@ TEST(FlightOf, BeginsWithTheFirstMannerAndGoesOnByOne) {
   EXPECT_EQ(flightOf(planOf(1), 1).manner, Manner::Recurring);
 }
 
-// A number that is told with its seed must mean the same flight in later versions, too: the seeds
-// are SplitMix64's, whose first numbers from 1234567 are published.
+// A number that is reported with its seed must mean the same flight in later versions, too: the
+// seeds are SplitMix64's, whose first numbers from 1234567 are published.
 TEST(FlightOf, HasTheSeedsOfSplitMix64) {
   CampaignPlan plan = planOf(2);
   plan.seed = 1234567;

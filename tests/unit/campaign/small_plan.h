@@ -8,9 +8,9 @@
 namespace glider::campaign::testing {
 
 /// Two missions, `one.mission` and `two.mission`, in the scenario `default`, with nothing wrong.
-/// The pilot of both is the simulator tests' own and gives control back after ten minutes.
+/// The pilot of both is the simulator tests' own and releases control after ten minutes.
 CampaignPlan smallPlan(uint64_t flights);
-/// Hears nothing and never stops.
+/// Ignores everything and never stops.
 CampaignListener deaf();
 /// A verdict that no flight of it has: `number` is in its figures.
 simulator::Verdict known(double number);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// What is told at the end of a campaign.
+// What is reported at the end of a campaign.
 
 #include "campaign/campaign.h"
 
@@ -40,7 +40,7 @@ CampaignPlan planOf(std::vector<FaultKind> kinds) {
   return plan;
 }
 
-TEST(OutcomeName, TellsExitsWithAndWithoutHandBacksApart) {
+TEST(OutcomeName, DistinguishesExitsWithAndWithoutRelease) {
   EXPECT_STREQ(outcomeName(kExited), "exited");
   EXPECT_STREQ(outcomeName(kAfter), "exited after release");
   EXPECT_STREQ(outcomeName(kBack), "released");

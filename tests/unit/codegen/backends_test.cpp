@@ -119,7 +119,7 @@ TEST(BackEnds, DeclareInCWhatTheMissionDeclaresUsedOrNot) {
 }
 
 // docs/architecture.md, the last column of the stages: what `--emit` names, in its order.
-TEST(BackEnds, StandInTheTableOfStages) {
+TEST(BackEnds, AreInTheTableOfStages) {
   std::istringstream page(
       support::readFile(GLIDER_SOURCE_DIR "/docs/architecture.md").value_or(""));
   std::vector<std::string> documented;

@@ -55,7 +55,7 @@ TEST(Budget, TheExecutableIsTheOneThatIsBuilt) {
     ASSERT_TRUE(budget) << budget.error().message;
     const fs::path output = codegen_tests::testFolder() / name;
     ASSERT_TRUE(linkExecutable(checked.input(), target, optionsFor(checked), output));
-    // The name of the debug file stands in it, padded to whole words.
+    // It contains the name of the debug file, padded to whole words.
     EXPECT_NEAR(static_cast<double>(budget->executable_bytes),
                 static_cast<double>(fs::file_size(output)), 16);
     EXPECT_GT(budget->memory_bytes, budget->data_bytes);
@@ -109,7 +109,7 @@ TEST_P(PathOn, MoreTurnsMakeAGreaterBound) {
   EXPECT_GT(*sensors, *readings);
 }
 
-TEST_P(PathOn, ALoopOfWhichNobodySpeaksHasNoBound) {
+TEST_P(PathOn, ALoopWithoutAStatedBoundHasNoBound) {
   knowledge_.turns = [this](const Frame& frame) {
     return frame.function == "takeUpdates" ? Turns{} : turnsIn(frame, size_);
   };
@@ -118,7 +118,7 @@ TEST_P(PathOn, ALoopOfWhichNobodySpeaksHasNoBound) {
   EXPECT_THAT(none.error(), HasSubstr("the loop in `takeUpdates`"));
 }
 
-TEST_P(PathOn, LoopsInLoopsAreToldApartOrAllOfThemMultiplied) {
+TEST_P(PathOn, LoopsInLoopsAreDistinguishedOrAllOfThemMultiplied) {
   const auto apart = bound();
   // Only their product is stated: nothing says which is which.
   knowledge_.turns = [this](const Frame& frame) {
@@ -209,16 +209,16 @@ TEST(FlowOf, X86) {
 
 TEST(Circles, EachStandsAfterWhatItLeadsTo) {
   // 0 → 1 ⇄ 2 → 3, 3 → 3, 0 → 4
-  const Circles circles({{1, 4}, {2}, {1, 3}, {3}, {}});
-  EXPECT_EQ(circles.list().size(), 4u);
-  EXPECT_EQ(circles.of(1), circles.of(2));
-  EXPECT_TRUE(circles.turns(circles.of(1)));
-  EXPECT_TRUE(circles.turns(circles.of(3)));
-  EXPECT_FALSE(circles.turns(circles.of(0)));
-  EXPECT_FALSE(circles.turns(circles.of(4)));
-  EXPECT_LT(circles.of(3), circles.of(1));
-  EXPECT_LT(circles.of(1), circles.of(0));
-  EXPECT_LT(circles.of(4), circles.of(0));
+  const Circles components({{1, 4}, {2}, {1, 3}, {3}, {}});
+  EXPECT_EQ(components.list().size(), 4u);
+  EXPECT_EQ(components.of(1), components.of(2));
+  EXPECT_TRUE(components.turns(components.of(1)));
+  EXPECT_TRUE(components.turns(components.of(3)));
+  EXPECT_FALSE(components.turns(components.of(0)));
+  EXPECT_FALSE(components.turns(components.of(4)));
+  EXPECT_LT(components.of(3), components.of(1));
+  EXPECT_LT(components.of(1), components.of(0));
+  EXPECT_LT(components.of(4), components.of(0));
 }
 
 TEST(Circles, LongWaysNeedNoStack) {

@@ -100,7 +100,7 @@ TEST(DisassemblerOfArm, SaysWhereThingsLie) {
   const auto code = codeOf("ts7800",
                            "ldr r3, 1f\n add r2, pc, r2\n ldr r0, [pc, r4]\n add r1, pc, #8\n"
                            "ldr r5, [r6, #4]\n sub r7, pc, r7\n bx lr\n 1: .word 77");
-  ASSERT_EQ(code.size(), 7u) << "the word is no code";
+  ASSERT_EQ(code.size(), 7u) << "the word is not code";
   EXPECT_EQ(code[0].mentions.count, 1);
   EXPECT_EQ(code[0].mentions.numbers[0], code[0].address + 28);
   EXPECT_EQ(code[0].mentions.literal_to, 3);
@@ -125,7 +125,7 @@ TEST(DisassemblerOfArm, TrapsAreCodeEvenAsData) {
   EXPECT_EQ(code[2].address, code[1].address + 8);
 }
 
-TEST(DisassemblerOfArm, WhatIsNoInstructionLeadsNobodyKnowsWhere) {
+TEST(DisassemblerOfArm, WhatIsNotAnInstructionLeadsToAnUnknownPlace) {
   const auto code = codeOf("ts7800", ".inst 0xffffffff\n .inst 0xe0000090\n bx lr");
   ASSERT_EQ(code.size(), 3u);
   EXPECT_EQ(code[0].flow, Flow::Unknown);

@@ -89,7 +89,8 @@ TEST(LineTables, HoldGuardsAndActivitiesOfEveryBoard) {
   });
 }
 
-/// The debuggers of the boards' time read no later one, whatever the runtime was compiled with.
+/// The debuggers of the boards' time do not read later versions, so the version does not depend on
+/// how the runtime was compiled.
 TEST(LineTables, OfTheMissionAreInTheFourthVersionOfDwarf) {
   const Checked checked = figure2();
   onEachBoard(checked, [&](const std::filesystem::path& output, int) {
@@ -97,7 +98,7 @@ TEST(LineTables, OfTheMissionAreInTheFourthVersionOfDwarf) {
   });
 }
 
-TEST(LineTables, AreLeftOutWhenNotWanted) {
+TEST(LineTables, AreLeftOutIfNotRequested) {
   const Checked checked = figure2();
   codegen::CodegenOptions options;
   options.sources = &checked.sources;

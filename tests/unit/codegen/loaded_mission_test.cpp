@@ -90,7 +90,7 @@ TEST(LoadedMission, HasAsManyParametersAsALaunchCanSet) {  // GL4007; accepts: G
   EXPECT_EQ(refused.error().id, DiagnosticId::tooManyParameters);
 }
 
-TEST(LoadedMission, RefusesWhatIsNoMission) {  // GL9051; accepts: GL9051 above
+TEST(LoadedMission, RefusesWhatIsNotAMission) {  // GL9051; accepts: GL9051 above
   for (const char* bytes : {"", "hello",
                             "\x7f"
                             "ELF"}) {

@@ -17,7 +17,7 @@
 #include <limits>
 #include <sstream>
 
-/// Comparisons without a floating-point unit, on constants that LLVM works out: every pair of
+/// Comparisons without a floating-point unit, on constants that LLVM folds: every pair of
 /// awkward numbers against what the comparison means.
 namespace glider::codegen {
 namespace {
@@ -30,7 +30,7 @@ class OrderComparison : public testing::Test {
   llvm::Value* number(double value) { return llvm::ConstantFP::get(builder_.getDoubleTy(), value); }
   static bool isTrue(llvm::Value* value) {
     const auto* constant = llvm::dyn_cast<llvm::ConstantInt>(value);
-    EXPECT_NE(constant, nullptr) << "not worked out";
+    EXPECT_NE(constant, nullptr) << "not folded";
     return constant != nullptr && constant->isOne();
   }
 

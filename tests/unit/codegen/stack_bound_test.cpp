@@ -41,7 +41,7 @@ TEST(StackBoundOfArm, AFramePointerTakesTheStackBack) {
   EXPECT_EQ(small.bytes(), 8 + 20 + 31);
 }
 
-TEST(StackBoundOfArm, WhatACallLosesIsNoFramePointer) {
+TEST(StackBoundOfArm, WhatACallLosesIsNotAFramePointer) {
   const Small small("ts7800", function("_start",
                                        "push {r4, lr}\n mov r12, sp\n sub sp, sp, #20\n"
                                        "bl leaf\n mov sp, r12\n pop {r4, pc}") +

@@ -84,7 +84,7 @@ TEST(Ticks, AWindowTakesAReadingWhenTheVehicleHasMovedAlong) {
                      {{4, {{20, kTemp, 0}, {1, kDepth, 0}}}, {8, {{6, kDepth, 0}}}}));
 }
 
-TEST(Ticks, HeldForNobodyKnowsHowLong) {
+TEST(Ticks, HeldForAnUnknownTime) {
   const std::string held =
       "temporal held always (gt (sensor temp) 15:temperature) for (mul 1:time (div (sensor depth) "
       "1:length))\n";

@@ -96,9 +96,9 @@ TEST(WorstPathOf, LoopsInLoopsTurnAsStated) {
       << "one after the other";
 }
 
-TEST(WorstPathOf, WhatIsNotToldApartIsAllMultiplied) {
+TEST(WorstPathOf, WhatIsNotDistinguishedIsAllMultiplied) {
   EXPECT_EQ(ofStart(kTwoLoops, {{10, 0}}), 11 * (1 + 2 * 11 + 2) + 1)
-      << "nobody speaks of an inner";
+      << "no inner loop is mentioned";
   EXPECT_EQ(ofStart("1: nop\n 2: nop\n 3: decl %eax\n jne 3b\n decl %ecx\n jne 2b\n"
                     "decl %ebx\n jne 1b\n ret",
                     {{10, 3}}),
@@ -127,7 +127,7 @@ TEST(WorstPathOf, RepeatsAreCounted) {
   EXPECT_THAT(any.error(), HasSubstr("how often `_start` repeats"));
 }
 
-TEST(WorstPathOf, WhereNobodyCanTellThereIsNoBound) {
+TEST(WorstPathOf, WhereItIsUnknownThereIsNoBound) {
   const Count lost = count(function("_start", "ldr pc, [r4]"), {}, "ts7800");
   ASSERT_FALSE(lost);
   EXPECT_THAT(lost.error(), HasSubstr("where `_start` goes on"));

@@ -20,7 +20,7 @@ namespace {
 using testing::EndsWith;
 using testing::StartsWith;
 
-/// What is told on standard error while that is a terminal of so many columns; 0: it does not say.
+/// What is written to standard error while that is a terminal of so many columns; 0: unknown width.
 std::string toldOn(unsigned short columns, const std::string& work) {
   int master = -1, slave = -1;
   const winsize size = {24, columns, 0, 0};

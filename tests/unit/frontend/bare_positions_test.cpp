@@ -24,7 +24,7 @@ TEST(BarePositions, ALongitudeFirst) {
   EXPECT_TRUE(isLongitudeFirst(70.01, 70));
   EXPECT_FALSE(isLongitudeFirst(70, 39)) << "70 itself is flown";
   EXPECT_FALSE(isLongitudeFirst(78, 71)) << "both are polar";
-  EXPECT_FALSE(isLongitudeFirst(-77.5, 165)) << "165 is no latitude";
+  EXPECT_FALSE(isLongitudeFirst(-77.5, 165)) << "165 is not a latitude";
   EXPECT_FALSE(isLongitudeFirst(39.175, -73.83));
   EXPECT_FALSE(isLongitudeFirst(190, 39)) << "not on Earth either way";
 }

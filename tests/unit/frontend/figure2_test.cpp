@@ -47,7 +47,7 @@ TEST(Figure2, MeansWhatThePaperSays) {
   EXPECT_EQ(mission->states[2].cases[0].transition, ir::Transition::Exit);
 }
 
-TEST(Figure2, OperandsStandBeforeWhatUsesThem) {
+TEST(Figure2, OperandsComeBeforeWhatUsesThem) {
   FrontendRun run(readSource("missions/figure2.mission"));
   const auto mission = run.compile();
   ASSERT_TRUE(mission.has_value());

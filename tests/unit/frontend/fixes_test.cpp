@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Fix-its, applied, give a mission without that mistake.
+// Suggested fixes, applied, give a mission without that error.
 
 #include "tests/unit/frontend/compile.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Whatever is formatted keeps its AST and its comments, and is not changed by formatting it again.
+// Formatted text keeps its AST and its comments, and is not changed by formatting it again.
 // What is printed of the AST of the same texts reads back as that AST.
 
 #include "frontend/format/format.h"
@@ -40,7 +40,7 @@ std::string commentsOf(const std::string& text) {
   return out;
 }
 
-/// False if `text` has mistakes.
+/// False if `text` has errors.
 bool expectKept(const std::string& text) {
   FrontendRun first(text);
   const auto once = format(first.sources, first.file, first.diagnostics);
@@ -327,7 +327,7 @@ TEST(FormatAll, RandomFiles) {
       return;
     }
   }
-  EXPECT_GT(sound, 350U) << "the generator writes files with mistakes";
+  EXPECT_GT(sound, 350U) << "the generator writes files with errors";
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ std::string inState(const std::string& cases) {
   return "mission m\n\nstate s\nbegin\n  flightprofile surfaced\n  events\n" + cases + "end\n";
 }
 
-TEST(Format, ResumeBeginsALineWhereverItStands) {
+TEST(Format, ResumeAlwaysBeginsALine) {
   EXPECT_EQ(formatted("mission a resume within 5 min,never\nafter restart"),
             "mission a\nresume within 5 min, never after restart\n");
   EXPECT_EQ(formatted("resume within 5 min mission a resume within 1 h"),
@@ -50,7 +50,7 @@ TEST(Format, AWholeState) {
       "    case true        exit\nend\n");
 }
 
-TEST(Format, BlanksRoundOperators) {
+TEST(Format, SpacesAroundOperators) {
   const std::pair<const char*, const char*> examples[] = {
       {"-  5-3*-  2/( 4 )", "-5 - 3 * -2 / (4)"},
       {"! a&&b||! ( c )", "!a && b || !(c)"},
@@ -83,7 +83,7 @@ TEST(Format, WordsThatAreNamesElsewhere) {
       "extern sensor stale: length in 0 .. 1 m stale after -stale\n");
 }
 
-TEST(Format, DeclarationsStandBelowEachOther) {
+TEST(Format, DeclarationsAreAligned) {
   expectFormat(
       "mission m\nvar upper:length=5m in 3m..24m\nvar low:temperature/length=.5degC/m in 9..10\n\n"
       "const a=1\nconst bcd=2",
@@ -125,12 +125,12 @@ TEST(Format, CommentsKeepTheirPlace) {
       "    # case c exit\nend  # s\n\n# end\n");
 }
 
-TEST(Format, RemarksStandBelowEachOther) {
+TEST(Format, RemarksAreAligned) {
   expectFormat("mission m # a\nplatform slocum /* b */\n\nconst a = 5 # c\n",
                "mission m        # a\nplatform slocum  /* b */\n\nconst a = 5  # c\n");
 }
 
-TEST(Format, RemarksThatDoNotFitBelowEachOtherFollowTheirText) {
+TEST(Format, RemarksThatCannotBeAlignedFollowTheirText) {
   const std::string longer = "mission with_quite_a_long_name";
   const std::string shorter = "platform slocum";
   const auto both = [&](size_t gap, size_t remark) {
@@ -177,7 +177,7 @@ TEST(Format, OddBytes) {
                "mission m\n# caf\xC3\xA9\n/* a\n   b */\nconst a = 5\n");
 }
 
-TEST(Format, MistakesAreReportedAndNothingIsMade) {
+TEST(Format, ErrorsAreReportedAndNothingIsMade) {
   FrontendRun run("mission m\nconst a = = 5\n");
   EXPECT_FALSE(format(run.sources, run.file, run.diagnostics).has_value());
   EXPECT_NE(run.said(), "");

@@ -200,7 +200,7 @@ TEST(Lanes, AreAsFewAsCanBe) {
   RandomHulls hulls(2);
   hulls.eachBroad([&](const Path& corners, double width) {
     const double spacing = width / hulls.uniform(0.5, 40);
-    // The map stretches by 0.2 % at most, and the plane of this judge shrinks as much.
+    // The map stretches by 0.2 % at most, and the plane of this test shrinks as much.
     const size_t most = 2 * static_cast<size_t>(std::ceil(1.005 * width / spacing));
     EXPECT_LE(laid(corners, spacing).size(), most);
   });
@@ -234,7 +234,7 @@ TEST(Lanes, DoNotDependOnWhatAddsNothingToTheHull) {
     }
     Path more = corners;
     more.insert(more.end(), corners.begin(), corners.end());
-    // Their coverage is judged by the corners alone.
+    // Their coverage is checked at the corners alone.
     const Path path = laid(more, width / 5);
     EXPECT_EQ(path.size(), laid(corners, width / 5).size());
     EXPECT_LE(farthest(corners, path, 6), width / 10 + kCentimetres);

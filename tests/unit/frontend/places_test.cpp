@@ -69,7 +69,7 @@ TEST(Places, InsideIsUnknownWithoutAPosition) {
   const Guard guard("inside(area)");
   EXPECT_EQ(guard.at(ir::kUnknown, -73.5), kUnsure);
   EXPECT_EQ(guard.at(39.5, ir::kUnknown), kUnsure);
-  EXPECT_EQ(guard.at(45, ir::kUnknown), kFalse);  // outside whatever the longitude
+  EXPECT_EQ(guard.at(45, ir::kUnknown), kFalse);  // outside at any longitude
 }
 
 TEST(Places, InsideAcrossTheAntimeridianEitherWayRound) {
@@ -86,7 +86,7 @@ TEST(Places, InsideAcrossTheAntimeridianEitherWayRound) {
   }
 }
 
-/// The sum of the angles under which the edges are seen: an independent judge.
+/// The sum of the angles under which the edges are seen: an independent reference.
 bool wound(const std::vector<std::pair<double, double>>& corners, double north, double east) {
   double sum = 0;
   for (size_t i = 0; i < corners.size(); ++i) {

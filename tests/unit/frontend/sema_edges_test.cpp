@@ -30,7 +30,7 @@ TEST(StackDepth, AMillionIsTheLargest) {
   EXPECT_TRUE(compiled("1000001"));
 }
 
-/// Two longitudes side by side are no position, though each looks like half of one.
+/// Two longitudes side by side are not a position, though each looks like half of one.
 TEST(SideBySide, WhatCanBeNoPositionIsADifference) {
   FrontendRun position(missionWith("", "temp > 3910.5 -7349.9", "exit"));
   (void)position.compile();

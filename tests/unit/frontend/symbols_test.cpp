@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// What an editor is told of the names of a mission, right or broken.
+// What an editor learns about the names of a mission, valid or with errors.
 
 #include "tests/unit/frontend/symbols_of.h"
 
@@ -188,7 +188,7 @@ TEST(Symbols, WithoutAnEndOrABegin) {
   }
 }
 
-TEST(Symbols, OfTextsThatAreNoMission) {
+TEST(Symbols, OfTextsThatAreNotAMission) {
   for (const char* text : {"", "mission", "state", "extern", "extern function", "const",
                            "var :", "state s(", "state s(x", "state s(x:", "flightprofile p(x:",
                            "flightprofile", "goto", "require never a after", "end end end", "/*",

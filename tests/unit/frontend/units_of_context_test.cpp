@@ -72,7 +72,7 @@ TEST(Operators, BareNumbersTakeTheUnitOfTheOtherSide) {
   EXPECT_EQ(minutes.operand(1).number, 90);
   EXPECT_FALSE(Guard("depth > temp").mission);
   EXPECT_FALSE(Guard("depth > 7 degC").mission);
-  EXPECT_FALSE(Guard("depth && temp > 3 degC").mission) << "a length is no condition";
+  EXPECT_FALSE(Guard("depth && temp > 3 degC").mission) << "a length is not a condition";
 }
 
 TEST(Positions, LettersAndCommasSayTheSamePlace) {

@@ -59,7 +59,7 @@ TEST(Bytes, AReaderStopsAtItsEnd) {
   EXPECT_FALSE(in.exact());
   ByteReader torn(bytes, 4);
   EXPECT_EQ(torn.u8(), 1);
-  EXPECT_EQ(torn.u32(), 0U) << "3 bytes are no number of 4";
+  EXPECT_EQ(torn.u32(), 0U) << "3 bytes are not a number of 4";
   EXPECT_FALSE(torn.good());
   EXPECT_EQ(torn.u8(), 0) << "nor is what is left of them one";
   ByteReader skipping(bytes, 4);
@@ -82,7 +82,7 @@ TEST(Bytes, AReaderStopsAtItsEnd) {
   EXPECT_FALSE(never.good()) << "nor is it good again";
 }
 
-/// A stream that takes what it is told to.
+/// A stream that takes as many bytes as the test says.
 struct Taker {
   std::vector<uint8_t> got;
   int32_t takes = 0;
@@ -138,7 +138,7 @@ TEST(SendQueue, HandsOverPartByPart) {
   const uint32_t waiting = 2048 - queue.room();
   Taker line;
   line.takes = 0;
-  EXPECT_TRUE(queue.flush(line.stream())) << "a full line is no failure";
+  EXPECT_TRUE(queue.flush(line.stream())) << "a full line is not a failure";
   EXPECT_EQ(queue.room(), 2048 - waiting);
   line.takes = 1;
   EXPECT_TRUE(queue.flush(line.stream())) << "byte by byte";
@@ -352,7 +352,7 @@ bool isTaken(const std::vector<uint8_t>& bytes) {
   return good;
 }
 
-TEST(FrameEdges, IsAtMostAsLongAsItMayBeWhateverItsCheckSays) {
+TEST(FrameEdges, IsAtMostAsLongAsItMayBeWithAnyCheck) {
   std::vector<uint8_t> longest = plain(MessageType::Write, kMostPayload, 4);
   EXPECT_TRUE(isTaken(longest));
   longest.push_back(7);

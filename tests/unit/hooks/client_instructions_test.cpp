@@ -138,7 +138,7 @@ TEST_F(ClientTest, ANumberThatTheVehicleFoundAtItsStartIsGivenUp) {
   link();
   const uint16_t dead = client_.instruct(descend(HookControl::Take));
   tick();
-  head_.answered_sequence = dead;  // hookbeh began anew and took it for an old one
+  head_.answered_sequence = dead;  // hookbeh restarted and took it for an old one
   const auto frames = tick();
   ASSERT_EQ(typesOf(frames), (std::vector{Type::Write, Type::Done}));
   EXPECT_EQ(client_.tick().instruction_sequence, dead + 1);
@@ -200,7 +200,7 @@ TEST_F(ClientTest, ANumberThatIsOldIsGivenUpForANewerOne) {
   }
 }
 
-TEST_F(ClientTest, ThatAnOldInstructionIsRefusedIsNoAnswerToTheOneThatWaits) {
+TEST_F(ClientTest, TheRefusalOfAnOldInstructionDoesNotAnswerTheOneThatWaits) {
   link();
   client_.instruct(descend(HookControl::Take));
   tick();

@@ -20,7 +20,7 @@ TEST_F(ClientTest, SaysNothingUnlessSpokenTo) {
   EXPECT_TRUE(answers().empty());
 }
 
-TEST_F(ClientTest, TellsTheFirstBytesOfALongName) {
+TEST_F(ClientTest, SendsTheFirstBytesOfALongName) {
   const std::string name(kMostNameBytes + 9, 'n');
   ClientOptions long_name = options();
   long_name.mission_name = name.c_str();
@@ -102,7 +102,7 @@ TEST_F(ClientTest, AnotherDictionaryOrVersionIsRefusedOnce) {
   EXPECT_EQ(client_.refusal().dictionary, gliderDictionary.hash + 1);
   EXPECT_EQ(typesOf(answers()).back(), Type::Done);
   say(Beacon{kProtocolVersion, {}, gliderDictionary.hash + 1, HookState::Ready});
-  EXPECT_EQ(poll(), ClientEvent::Handled) << "told once";
+  EXPECT_EQ(poll(), ClientEvent::Handled) << "reported once";
   say(Beacon{2, {}, 0, HookState::Ready});
   EXPECT_EQ(poll(), ClientEvent::Refused);
   EXPECT_EQ(client_.refusal().version, 2);
@@ -210,11 +210,11 @@ TEST_F(ClientTest, AReadingThatIsNotHeldIsAskedFor) {
   link();
   EXPECT_EQ(typesOf(tick({{Told::Unchanged, Told::Value}, {0, 17}})),
             (std::vector{Type::Subscribe, Type::Done}));
-  ASSERT_EQ(client_.tick().reading_count, 1U) << "what is known is a reading all the same";
+  ASSERT_EQ(client_.tick().reading_count, 1U) << "a known value is still a reading";
   EXPECT_EQ(client_.tick().readings[0].value, 17);
   EXPECT_EQ(typesOf(tick({{Told::Nothing, Told::Unchanged}, {}})),
             (std::vector{Type::Subscribe, Type::Done}))
-      << "who subscribes anew holds nothing";
+      << "after a new subscription nothing is held";
 }
 
 TEST_F(ClientTest, ReadingsOfAnotherSubscriptionAreNotRead) {
@@ -261,7 +261,7 @@ TEST_F(ClientTest, NotesComeLastBeforeDoneAndAreBounded) {
   EXPECT_EQ(frames.front().type, Type::Transition);
   EXPECT_EQ(frames[1].type, Type::Note);
   EXPECT_EQ(frames.back().type, Type::Done);
-  EXPECT_EQ(tick().size(), 1U) << "told once";
+  EXPECT_EQ(tick().size(), 1U) << "reported once";
 }
 
 /// A client whose line takes nothing while it is stuck.
@@ -333,7 +333,7 @@ TEST_F(StuckClientTest, NotesLeaveHalfOfItsQueueToTheNextAnswers) {
   }
 }
 
-TEST_F(ClientTest, SilenceIsToldEveryTwelveSecondsButNeverInVirtualTimeOrBeforeTheFirstFrame) {
+TEST_F(ClientTest, SilenceIsReportedEveryTwelveSecondsButNeverInVirtualTimeOrBeforeTheFirstFrame) {
   clock_.seconds = 100;
   EXPECT_EQ(poll(), ClientEvent::Nothing);
   link();
@@ -350,7 +350,7 @@ TEST_F(ClientTest, SilenceIsToldEveryTwelveSecondsButNeverInVirtualTimeOrBeforeT
   EXPECT_EQ(poll(), ClientEvent::Nothing);
 }
 
-TEST_F(ClientTest, BeaconsAreNoTicksSoSilenceGoesOnAmongThem) {
+TEST_F(ClientTest, BeaconsAreNotTicksSoSilenceGoesOnAmongThem) {
   clock_.seconds = 100;
   link();
   tick();
@@ -385,7 +385,7 @@ TEST_F(ClientTest, BeforeAnyHelloNoTickIsItsOwn) {
   EXPECT_FALSE(client_.linked());
 }
 
-TEST_F(ClientTest, TicksThatComeAreNoSilence) {
+TEST_F(ClientTest, TicksThatArriveAreNotSilence) {
   link();
   for (int i = 0; i < 10; ++i) {
     clock_.seconds += 4;
@@ -482,7 +482,7 @@ TEST_F(ClientTest, AnEarlierSessionTeachesNothing) {
   EXPECT_EQ(client_.session(), 7U);
 }
 
-TEST_F(ClientTest, NoiseIsNoFrame) {
+TEST_F(ClientTest, NoiseIsNotAFrame) {
   link();
   const uint8_t noise[] = {1, 2, 3, 4, 5, 0, 0, 255, 0};
   vehicle_.write(vehicle_.self, noise, sizeof noise);
@@ -490,7 +490,7 @@ TEST_F(ClientTest, NoiseIsNoFrame) {
   tick();
 }
 
-TEST_F(ClientTest, AClosedLineIsTold) {
+TEST_F(ClientTest, AClosedLineIsReported) {
   line_.close();
   EXPECT_EQ(poll(), ClientEvent::Closed);
 }

@@ -57,7 +57,7 @@ TEST(DepthSourceEdges, AnOldDepthReachesFarther) {
   EXPECT_EQ(source.age(), 0);
 }
 
-TEST(DepthSourceEdges, WhatItSaysFirstHoldsForNothingBeforeAMinute) {
+TEST(DepthSourceEdges, WhatItSaysFirstDoesNotCountBeforeAMinute) {
   for (const int seconds : {59, 60}) {
     DepthSource source{kHull};
     for (int i = 0; i < seconds; ++i) {

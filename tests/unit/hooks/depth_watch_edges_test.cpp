@@ -18,7 +18,7 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kIn = -230, kOut = 230, kTrims = 50;
 
 /// Two sensors that the test reads out to a DepthWatch. Each flickers, so that no two of its
-/// readings are the same, unless it stands still.
+/// readings are the same, unless it is stuck.
 class Sensors {
  public:
   double own_m = 20, ctd_m = kNan, pump_cc = 0, step_s = 1;
@@ -140,7 +140,7 @@ TEST(DepthWatchEdges, WithoutACtdNothingAgrees) {
   EXPECT_EQ(sensors.watch.aliveFor(), 0) << "the same for 16 s";
 }
 
-/// A CTD that is 4 m deeper than the depth, has agreed and then stands still.
+/// A CTD that is 4 m deeper than the depth, has agreed and is then stuck.
 Sensors withCtdStuckBelow() {
   Sensors sensors = sea(24);
   sensors.ctd_still = true;
@@ -253,7 +253,7 @@ TEST(DepthWatchEdges, ItIsSeenByAnotherInACycleInWhichTheCtdMovedAndAgrees) {
   sensors.ctd_m = 20;
   sensors.ctd_still = true;
   sensors.run(2);
-  EXPECT_FALSE(sensors.watch.isSeenByAnother()) << "it stands still";
+  EXPECT_FALSE(sensors.watch.isSeenByAnother()) << "it is stuck";
   sensors.ctd_m = 25.01;
   sensors.run();
   EXPECT_FALSE(sensors.watch.isSeenByAnother()) << "it differs";
@@ -371,7 +371,7 @@ TEST(DepthWatchEdges, AMinuteWithoutAnythingWrongMustPass) {
       << "it jumped";
 }
 
-TEST(DepthWatchEdges, StandingStillForSixteenSecondsIsWrongBelowAMetre) {
+TEST(DepthWatchEdges, NoChangeForSixteenSecondsIsWrongBelowAMetre) {
   for (const double own_m : {1.0, 1.001}) {
     for (const int same : {15, 16}) {
       Sensors sensors = frozenAt(2.5);

@@ -29,11 +29,8 @@ inline std::vector<std::pair<std::string, Frame>> exampleFrames() {
     examples.emplace_back(name, frame);
   };
   add("Beacon", 1, [](Frame& f) {
-    encode(Beacon{kProtocolVersion,
-                  {kFeatureVirtualTime, kFeatureVirtualTime},
-                  0x12345678,
-                  HookState::Ready},
-           f);
+    const Features all{kAllFeatures, kAllFeatures};
+    encode(Beacon{kProtocolVersion, all, 0x12345678, HookState::Ready}, f);
   });
   add("Welcome", 2, [](Frame& f) { encode(Welcome{true, 7, 6}, f); });
   add("Tick", 3, [](Frame& f) {

@@ -41,7 +41,7 @@ std::vector<SensorUpdate> flightCycle() {
   return cycle;
 }
 
-TEST(FlightScienceLink, UpdatesArriveInOrderWhateverTheCapacity) {
+TEST(FlightScienceLink, UpdatesArriveInOrderWithAnyCapacity) {
   for (const uint32_t capacity : {1U, 3U, 128U}) {
     MemoryLine line;
     FlightScienceLink flight{gliderDictionary};

@@ -107,7 +107,7 @@ TEST(GuardSinkEdges, BeforeItHasMovedTwentyMetresAreAllThatItMaySink) {
   EXPECT_TRUE(vehicle.shows(10));
 }
 
-/// Metres to the surface from which a dive of one cycle is reckoned, where the CTD sees the
+/// Metres to the surface from which a dive of one cycle is counted, where the CTD sees the
 /// vehicle.
 bool diveEnds(double greatest_m, double depth_m, double dive_m) {
   StillVehicle vehicle(depth_m);
@@ -120,7 +120,7 @@ bool diveEnds(double greatest_m, double depth_m, double dive_m) {
   return vehicle.shows(step_s);
 }
 
-TEST(GuardSinkEdges, WhateverTheCtdSaysADiveEndsPastTheLimitByAShareOfIt) {
+TEST(GuardSinkEdges, WithAnyCtdADiveEndsPastTheLimitByAShareOfIt) {
   EXPECT_TRUE(diveEnds(8, 7.5, 11)) << "11 m at least";
   EXPECT_FALSE(diveEnds(8, 7.5, 10.875));
   EXPECT_TRUE(diveEnds(50, 22, 50.0625)) << "0.44 of 50 m past 50 m";

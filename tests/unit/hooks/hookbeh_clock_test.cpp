@@ -20,7 +20,7 @@ CycleClock running() {
   return clock;
 }
 
-TEST(CycleClock, TellsWhatACycleTook) {
+TEST(CycleClock, SaysHowLongACycleTook) {
   CycleClock clock = running();
   EXPECT_EQ(clock.step(), 4);
   clock.advance(1004.5, 1e9 + 1004.5, 251);
@@ -61,7 +61,7 @@ TEST(CycleClock, AFalseCycleNumberChangesNothing) {
   }
 }
 
-TEST(CycleClock, AClockAloneIsHeldAgainstTheCycleNumber) {
+TEST(CycleClock, AClockAloneIsComparedWithTheCycleNumber) {
   CycleClock clock;
   clock.advance(1000, kNone, 250);
   clock.advance(1009, kNone, 251);
@@ -86,10 +86,10 @@ TEST(CycleClock, NoStepIsLongerThanTwentySeconds) {
   clock.advance(1300, 1e9 + 1300, 251);
   EXPECT_EQ(clock.step(), 20);
   clock.advance(1312, 1e9 + 1312, 252);
-  EXPECT_EQ(clock.step(), 12) << "both clocks say so";
+  EXPECT_EQ(clock.step(), 12) << "both clocks agree";
 }
 
-TEST(CycleClock, NorIsOneThatOneClockAloneTellsOf) {
+TEST(CycleClock, NorIsOneThatOneClockAloneReports) {
   CycleClock clock;
   clock.advance(1000, kNone, 250);
   clock.advance(1040, kNone, 255);
@@ -126,7 +126,7 @@ TEST(CycleClock, UpToFiveCyclesMayBeMissedAndNoneIsLessThanOne) {
   EXPECT_EQ(clock.step(), 8);
 }
 
-TEST(CycleClock, TimeThatStandsStillByBothClocksIsACycle) {
+TEST(CycleClock, TimeThatDoesNotAdvanceByBothClocksIsACycle) {
   CycleClock clock = running();
   clock.advance(1000, 1e9 + 1000, 251);
   EXPECT_EQ(clock.step(), 4);

@@ -66,7 +66,7 @@ TEST(HookbehCycleEdges, TheFirstBeatOfAllCounts) {
   EXPECT_EQ(activeFor(bench), 5);
 }
 
-TEST(HookbehCycleEdges, AHeartbeatOfNoughtBeforeTheTakeCountsFromThere) {
+TEST(HookbehCycleEdges, AHeartbeatOfZeroBeforeTheTakeCountsFromThere) {
   Bench bench(HookbehArgs{.silence_secs = 21});
   bench.beats = 50;
   bench.cycle();
@@ -89,7 +89,7 @@ TEST(HookbehCycleEdges, AHeartbeatThatIsNotThereIsNotCountedFrom) {
   EXPECT_EQ(activeFor(bench), 5);
 }
 
-/// Writes what nobody understands.
+/// Writes an instruction that cannot be understood.
 void garble(Bench& bench, double depth) {
   bench.write(Bench::descend(depth));
   bench.inputs.check += 1;
@@ -170,7 +170,7 @@ TEST(HookbehCycleEdges, NumbersOfCommandsGoUpTo127AndSessionsFromOne) {
   }
 }
 
-TEST(HookbehCycleEdges, AnyStartButNoughtWaitsForATimeThatFollows) {
+TEST(HookbehCycleEdges, AnyStartExceptZeroWaitsForATimeThatFollows) {
   for (const double start : {0.0, 0.5}) {
     Bench bench(HookbehArgs{.start_secs = start});
     EXPECT_EQ(bench.cycle().state, start > 0 ? HookState::Waiting : HookState::Ready);
@@ -178,7 +178,7 @@ TEST(HookbehCycleEdges, AnyStartButNoughtWaitsForATimeThatFollows) {
   }
 }
 
-TEST(HookbehCycleEdges, WhatIsNotCommandedIsNought) {
+TEST(HookbehCycleEdges, WhatIsNotCommandedIsZero) {
   Bench bench;
   const HookbehOutputs out = bench.cycle();
   EXPECT_FALSE(out.commanding);
@@ -192,7 +192,7 @@ TEST(HookbehCycleEdges, WhatIsNotCommandedIsNought) {
   EXPECT_EQ(out.guard, HookGuard::None);
 }
 
-TEST(HookbehCycleEdges, AHeadingIsNoPlaceAndADriftIsNoHeading) {
+TEST(HookbehCycleEdges, AHeadingIsNotAPlaceAndADriftIsNotAHeading) {
   Bench bench = taken(24);
   Instruction instruction = Bench::descend(20);
   for (const HookLateral lateral : {HookLateral::Drift, HookLateral::Heading}) {
@@ -207,12 +207,12 @@ TEST(HookbehCycleEdges, AHeadingIsNoPlaceAndADriftIsNoHeading) {
   }
 }
 
-TEST(HookbehCycleEdges, NoSessionIsInControlAfterItWasGivenBack) {
+TEST(HookbehCycleEdges, NoSessionIsInControlAfterARelease) {
   Bench bench = taken(24);
   EXPECT_EQ(bench.give(Bench::giveBack()).session, 0U);
 }
 
-/// Whether a depth that stands still to the last bit in a dive is found while something above
+/// Whether a depth that is stuck to the last bit in a dive is detected while something above
 /// hookbeh commands the pump `off_cc` from what hookbeh does.
 HookGuard stillWithPumpOffBy(double off_cc) {
   Bench bench = taken(24);
@@ -245,7 +245,7 @@ TEST(HookbehCycleEdges, ANewSessionMayStayWhereTheOneBeforeWasTooDeep) {
   EXPECT_EQ(bench.give(Bench::take(30, 2)).guard, HookGuard::None);
 }
 
-TEST(HookbehCycleEdges, GoesBackFromWhereTheGuardLetGoAndNotFromWhereItHadCome) {
+TEST(HookbehCycleEdges, GoesBackFromWhereTheGuardEndedAndNotFromWhereItHadCome) {
   Bench bench;
   bench.cycle();
   bench.inputs.depth_m = 20;
@@ -320,7 +320,7 @@ int untilGivenUp(Bench& bench) {
   return 0;
 }
 
-TEST(HookbehCycleEdges, AFirstDiveIsReckonedFromTheThirdCycleOn) {
+TEST(HookbehCycleEdges, AFirstDiveCountsFromTheThirdCycleOn) {
   // 10 m at 0.44 m/s times 0.4 / 0.7854 are 44.6 s: 12 cycles after the 12 s that do not count,
   // the first of which is the one of the Take.
   Bench bench = movedBefore(30, 0);
@@ -375,7 +375,7 @@ TEST(HookbehCycleEdges, ACtdThatMovesIsBelievedTenSecondsAfterItDiffered) {
   EXPECT_EQ(cycle(0.5).guard, HookGuard::DepthsDisagree) << "10 s";
 }
 
-TEST(HookbehCycleEdges, JumpsCountFromNought) {
+TEST(HookbehCycleEdges, JumpsCountFromZero) {
   Bench bench(HookbehArgs{.greatest_depth_m = 100});
   bench.raw_depth = true;
   const auto cycle = [&](double depth, double step_s) {

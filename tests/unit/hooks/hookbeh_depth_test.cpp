@@ -386,7 +386,7 @@ TEST(HookbehDepth, ACtdThatIsStuckOrMissingIsNotAsked) {
   }
 }
 
-TEST(HookbehDepth, ACtdThatStandsStillToTheLastBitSaysNothingOfAVehicleThatHangs) {
+TEST(HookbehDepth, ACtdThatIsStuckToTheLastBitSaysNothingAboutAVehicleThatHangs) {
   Sea sea;
   sea.has_ctd = true;
   sea.diveTo(50, 58);

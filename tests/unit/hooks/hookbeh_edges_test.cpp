@@ -79,7 +79,7 @@ TEST(HookbehDepthSource, FollowsAsFarAsTheVehicleAndItsNoiseGo) {
   }
 }
 
-TEST(HookbehDepthSource, WhatWasMissingMayHaveGoneOnMeanwhile) {
+TEST(HookbehDepthSource, WhatWasMissingMayHaveChangedInTheMeantime) {
   DepthSource source{kHull};
   source.observe(10, 4);
   source.observe(kNan, 4);
@@ -102,7 +102,7 @@ DepthSource jumpedAfter(int cycles) {
   return source;
 }
 
-TEST(HookbehDepthSource, ItsFirstMinuteHoldsForNothing) {
+TEST(HookbehDepthSource, ItsFirstMinuteDoesNotCount) {
   EXPECT_EQ(jumpedAfter(14).depth(), 50);
   EXPECT_EQ(jumpedAfter(14).age(), 0);
   DepthSource nearly{kHull};
@@ -207,7 +207,7 @@ TEST(HookbehPilot, WithinTwoMetresItHovers) {
   EXPECT_STREQ(above.at(22.25).doing, "climb_to");
   EXPECT_EQ(above.at(22.25).pitch_rad, 0.4538);
   EXPECT_EQ(above.pilot.way(22.25), Way::Up);
-  EXPECT_STREQ(above.at(22).doing, "hover") << "no climb was ordered that might be held";
+  EXPECT_STREQ(above.at(22).doing, "hover") << "no climb was commanded that might be held";
 }
 
 TEST(HookbehPilot, AGuardsClimbOfMoreThanTwoMetresIsGoneBackFrom) {
@@ -233,7 +233,7 @@ TEST(HookbehPilot, WithinTwoMetresItHoldsOn) {
   }
 }
 
-TEST(HookbehPilot, AnAscendThatHadArrivedClimbsAgainAsItWasToldTo) {
+TEST(HookbehPilot, AnAscendThatHadArrivedClimbsAgainAsInstructed) {
   PilotBench bench(Bench::ascend(20));
   EXPECT_STREQ(bench.at(20).doing, "hold");
   EXPECT_STREQ(bench.goBackFrom(22.25), "climb_to");
@@ -283,7 +283,7 @@ TEST(HookbehPilot, HoldsNothingAMetreBeyondTheTargetOrInNoTime) {
   EXPECT_STREQ(PilotBench(Bench::descend(20), args).at(20).doing, "hold");
   PilotBench climbed(Bench::ascend(20));
   EXPECT_STREQ(climbed.at(15).doing, "hold");
-  EXPECT_STREQ(climbed.at(21.5).doing, "hold") << "a climb is no dive";
+  EXPECT_STREQ(climbed.at(21.5).doing, "hold") << "a climb is not a dive";
 }
 
 TEST(HookbehPilot, ShallowerThanAMetreHoveringIsFloating) {

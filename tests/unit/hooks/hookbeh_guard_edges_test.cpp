@@ -16,8 +16,9 @@ using Bench = HookbehBench;
 
 constexpr VerticalCommand kOther{0, kNan}, kAdrift{0, 0};
 
-/// A guard that is told where the vehicle is. It commands nothing unless `last` says so, and the
-/// vehicle is driven `way`; to a depth far off the vehicle goes by 2 m a cycle, driven nowhere.
+/// A guard that gets the position of the vehicle. It commands nothing unless `last` is a command,
+/// and the vehicle is driven `way`; to a depth far off the vehicle goes by 2 m a cycle, driven
+/// nowhere.
 struct GuardBench {
   explicit GuardBench(const Instruction& wanted = Bench::vertical(HookVertical::Surface))
       : in_force(wanted) {}
@@ -101,7 +102,7 @@ TEST(HookbehGuardEdges, NoAltitudeIsTooSmallToBeAnEcho) {
   EXPECT_EQ(GuardBench().at(10, -0.25), HookGuard::None);
 }
 
-TEST(HookbehGuardEdges, WhatIsNoEchoLeavesTheBottomWhereItIs) {
+TEST(HookbehGuardEdges, WhatIsNotAnEchoLeavesTheBottomWhereItIs) {
   for (const double wrong : {std::numeric_limits<double>::infinity(), kNan, -1.0}) {
     GuardBench bench;
     EXPECT_EQ(bench.at(10, 5.5), HookGuard::None);
@@ -129,7 +130,7 @@ TEST(HookbehGuardEdges, AnEchoLastsTenMinutes) {
   }
 }
 
-TEST(HookbehGuardEdges, WhereNoAltimeterIsWantedThereIsNoBottom) {
+TEST(HookbehGuardEdges, WhereNoAltimeterIsUsedThereIsNoBottom) {
   GuardBench bench;
   bench.args.least_altitude_m = -1;
   EXPECT_EQ(bench.at(10, 0), HookGuard::None);
@@ -281,7 +282,7 @@ TEST(HookbehGuardEdges, ANewSbcHasALimitBeforeIt) {
   EXPECT_EQ(bench.at(29.5), HookGuard::None);
 }
 
-/// Seconds of a dive from `shown_m` that is seen by the CTD alone, or by nobody, until it ends.
+/// Seconds of a dive from `shown_m` that is seen by the CTD alone, or by no sensor, until it ends.
 int secondsOfADive(double greatest_m, double shown_m, double pitch_rad, bool ctd_sees) {
   GuardBench bench(Bench::vertical(HookVertical::Hover, shown_m));
   bench.args.greatest_depth_m = greatest_m;
@@ -317,7 +318,7 @@ TEST(HookbehGuardEdges, SaysNothingWhereItDoesNotClimb) {
   EXPECT_STREQ(wordsFor(HookGuard::NoHeightGained), "climb: no height gained");
 }
 
-/// The depth stands still at 10 m but for its last bits, and the CTD's goes down from there.
+/// The depth stays at 10 m except in its last bits, and the CTD's increases from there.
 HookGuard withACtdThat(bool moves) {
   GuardBench bench;
   HookGuard found = HookGuard::None;

@@ -18,7 +18,7 @@ Bench diving() {
   return bench;
 }
 
-TEST(HookbehGuard, TooDeepClimbsWhateverTheSbcSays) {
+TEST(HookbehGuard, TooDeepClimbsAgainstAnyInstruction) {
   Bench bench = diving();
   bench.inputs.depth_m = 30.1;
   HookbehOutputs out = bench.cycle();
@@ -27,7 +27,8 @@ TEST(HookbehGuard, TooDeepClimbsWhateverTheSbcSays) {
   EXPECT_GT(out.pitch_rad, 0);
   EXPECT_STREQ(bench.give(Bench::descend(30)).doing, "climb: too deep") << "another dive";
   bench.inputs.depth_m = 20;
-  EXPECT_STREQ(bench.cycle().doing, "climb: too deep") << "its target is no metre from the limit";
+  EXPECT_STREQ(bench.cycle().doing, "climb: too deep")
+      << "its target is less than a metre from the limit";
   EXPECT_STREQ(bench.give(Bench::ascend(5)).doing, "climb_to");
   EXPECT_STREQ(bench.give(Bench::descend(30)).doing, "dive_to") << "free again";
 }
@@ -69,7 +70,7 @@ TEST(HookbehGuard, OverAShallowBottomTheDiveIsTriedAgainFromHalfItsDepth) {
   }
 }
 
-/// Arrived at its target, with a bottom that has risen so far that the guard climbs, at 20 m.
+/// Arrived at its target, with a bottom that has risen so far that the guard intervenes, at 20 m.
 Bench overABump(Instruction instruction) {
   Bench bench;
   bench.cycle();
@@ -104,7 +105,7 @@ TEST(HookbehGuard, ADescendThatHadArrivedDivesAgain) {
   bench.inputs.altitude_m = 60;
   HookbehOutputs out = bench.cycle();
   EXPECT_STREQ(out.doing, "dive_to");
-  EXPECT_EQ(out.pitch_rad, static_cast<double>(-0.4F)) << "as it was told to";
+  EXPECT_EQ(out.pitch_rad, static_cast<double>(-0.4F)) << "as instructed";
   bench.inputs.depth_m = 20;
   EXPECT_STREQ(bench.cycle().doing, "hold");
 }
@@ -117,7 +118,7 @@ TEST(HookbehGuard, AnAscendThatHadArrivedComesBackToItsDepthAtPitch) {
   EXPECT_STREQ(out.doing, "dive_to");
   EXPECT_NEAR(out.pitch_rad, -0.4538, 1e-9);
   bench.inputs.depth_m = 18;
-  EXPECT_STREQ(bench.cycle().doing, "hover") << "no dive was ordered that might be held";
+  EXPECT_STREQ(bench.cycle().doing, "hover") << "no dive was commanded that might be held";
 }
 
 TEST(HookbehGuard, AnAscendWhoseTargetIsTooLowDoesNotSwingByAMetre) {
@@ -170,7 +171,7 @@ TEST(HookbehGuard, InVeryShallowWaterItStaysUpUntilTheBottomIsForgotten) {
   EXPECT_STREQ(bench.cycle().doing, "dive_to") << "after 10 minutes it tries again";
 }
 
-TEST(HookbehGuard, AnOrderUpwardsDoesNotEndItBeforeTheDepthIsSafe) {
+TEST(HookbehGuard, ACommandToClimbDoesNotEndItBeforeTheDepthIsSafe) {
   Bench bench = diving();
   bench.inputs.depth_m = 30.1;
   bench.cycle();
@@ -253,7 +254,7 @@ TEST(HookbehGuard, TheShallowestBreakOfALimitCountsForTheNextTry) {
   EXPECT_EQ(bench.cycle().guard, HookGuard::None);
 }
 
-TEST(HookbehGuard, NoAltimeterWanted) {
+TEST(HookbehGuard, NoAltimeterUsed) {
   HookbehArgs args;
   args.least_altitude_m = -1;
   Bench bench(args);
@@ -263,7 +264,7 @@ TEST(HookbehGuard, NoAltimeterWanted) {
   EXPECT_STREQ(bench.cycle().doing, "dive_to");
 }
 
-TEST(HookbehGuard, NoEchoIsNoBottom) {
+TEST(HookbehGuard, NoEchoMeansNoBottom) {
   Bench bench = diving();
   for (const double altitude : {kNan, -1.0}) {
     bench.inputs.altitude_m = altitude;

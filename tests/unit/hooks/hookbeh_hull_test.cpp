@@ -86,12 +86,12 @@ TEST(HookbehHull, NoPumpGoesBeyondItsStrokeNorIsTooWeakToClimb) {
   EXPECT_EQ(within(args, kHull).climb_pump_cc, 233);
 }
 
-TEST(HookbehHull, NoAltitudeIsBelowWhatTheAltimeterHears) {
+TEST(HookbehHull, NoAltitudeIsBelowTheRangeOfTheAltimeter) {
   HookbehArgs args;
   args.least_altitude_m = 0.1;
   EXPECT_EQ(within(args, kHull).least_altitude_m, 2);
   args.least_altitude_m = -1;
-  EXPECT_EQ(within(args, kHull).least_altitude_m, -1) << "none wanted";
+  EXPECT_EQ(within(args, kHull).least_altitude_m, -1) << "no altimeter is used";
 }
 
 TEST(HookbehHull, NoSbcIsWaitedForForEver) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// What was recorded earlier and comes again: hookbeh refuses it, and says so.
+// What was recorded earlier and arrives again: hookbeh refuses it, and reports that.
 
 #include "hooks/hookbeh/hookbeh.h"
 #include "hooks/protocol/messages.h"

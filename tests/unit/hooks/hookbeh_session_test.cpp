@@ -76,7 +76,7 @@ TEST(HookbehSession, AHeartbeatThatIsNoneChangesNothing) {
   EXPECT_EQ(afterBeatsBelowTen(kNan), HookState::Silent) << "earlier ones that come again";
 }
 
-TEST(HookbehSession, WhatWasGivenBackIsNobodys) {
+TEST(HookbehSession, AfterAReleaseNoSessionIsInControl) {
   Bench bench = inControl();
   const HookbehOutputs out = bench.give(Bench::giveBack());
   EXPECT_EQ(out.state, HookState::Complete);
@@ -173,7 +173,7 @@ TEST(HookbehSession, AnInstructionsNumbersGoUpTo127) {
   EXPECT_EQ(answerTo(steer, 128, drift), HookAnswer::BadCheck);
   EXPECT_EQ(answerTo(steer, surface, 128), HookAnswer::BadCheck);
   EXPECT_EQ(answerTo(steer, surface, drift, 2), HookAnswer::WrongSession);
-  EXPECT_EQ(answerTo(steer, surface, drift, 0), HookAnswer::BadCheck) << "nobody's";
+  EXPECT_EQ(answerTo(steer, surface, drift, 0), HookAnswer::BadCheck) << "of no session";
 }
 
 TEST(HookbehSession, AHeadingMayBeAWholeTurnEitherWay) {
@@ -233,7 +233,7 @@ TEST(HookbehSession, ANewSbcIsNotHeldUpByALimitThatTheOneBeforeBroke) {
   EXPECT_STREQ(bench.give(Bench::take(29.75, 2)).doing, "dive_to");
 }
 
-TEST(HookbehSession, WhereTheGuardLetsGoCountsNotWhereItClimbed) {
+TEST(HookbehSession, WhereTheGuardEndsCountsNotWhereItClimbed) {
   Bench bench = inControl();
   bench.inputs.depth_m = 20;
   for (int i = 0; i < 5; ++i) {

@@ -40,7 +40,7 @@ TEST(HookbehStart, NorIsOneThatIsGarbled) {
   }
 }
 
-TEST(HookbehStart, AnEmptyArrayIsNoNumberZero) {
+TEST(HookbehStart, AnEmptyArrayIsNotTheNumberZero) {
   Bench bench;
   HookbehOutputs out = bench.cycle();
   EXPECT_EQ(out.answered_sequence, 0);
@@ -50,7 +50,7 @@ TEST(HookbehStart, AnEmptyArrayIsNoNumberZero) {
   EXPECT_EQ(out.answer, HookAnswer::None) << "nothing was instructed";
 }
 
-TEST(HookbehStart, ANumberThatIsNoneIsNoInstruction) {
+TEST(HookbehStart, ANumberThatIsNoneIsNotAnInstruction) {
   Bench bench;
   bench.cycle();
   ASSERT_EQ(bench.give(Bench::take()).answer, HookAnswer::Accepted);
@@ -63,7 +63,7 @@ TEST(HookbehStart, ANumberThatIsNoneIsNoInstruction) {
   }
 }
 
-TEST(HookbehStart, GarbledForExactlyTheTimeOfSilenceLetsGo) {
+TEST(HookbehStart, GarbledForExactlyTheTimeOfSilenceReleasesControl) {
   // Cycles of 4 s: 24 s are six of them.
   Bench bench(HookbehArgs{.silence_secs = 24});
   bench.cycle();

@@ -193,7 +193,7 @@ TEST(Hookbeh, HoldsNoDiveFarBeyondItsTarget) {
   EXPECT_STREQ(bench.cycle().doing, "hover") << "a steep dive would go on for metres";
   bench.inputs.depth_m = 25;
   const HookbehOutputs out = bench.give(Bench::descend(10));
-  EXPECT_STREQ(out.doing, "hover") << "nor is an order dived on that is passed long ago";
+  EXPECT_STREQ(out.doing, "hover") << "nor does it dive for a target that was passed long ago";
   EXPECT_EQ(out.pump_cc, 230);
 }
 
@@ -325,7 +325,7 @@ TEST(Hookbeh, OnlyTheSessionInControlSteers) {
   Bench bench;
   bench.cycle();
   EXPECT_EQ(bench.give(Bench::descend(20)).answer, HookAnswer::WrongSession)
-      << "nobody took control yet";
+      << "no SBC has taken control yet";
   EXPECT_EQ(bench.give(Bench::giveBack()).answer, HookAnswer::WrongSession);
   bench.give(Bench::take(20, 3));
   Instruction other = Bench::ascend(5);
@@ -365,7 +365,7 @@ TEST(Hookbeh, ARefusedSteerLeavesTheOldOneInForce) {
   EXPECT_STREQ(bench.cycle().doing, "hold");
 }
 
-TEST(Hookbeh, TimeThatStandsStillOrTurnsBackStillCounts) {
+TEST(Hookbeh, TimeThatStopsOrGoesBackwardsStillCounts) {
   for (const double step : {0.0, -100.0, kNan}) {
     Bench bench;
     bench.cycle();
@@ -381,7 +381,7 @@ TEST(Hookbeh, TimeThatStandsStillOrTurnsBackStillCounts) {
   }
 }
 
-TEST(Hookbeh, AGapInItsCyclesThatBothClocksTellOfCountsForTwentySeconds) {
+TEST(Hookbeh, AGapInItsCyclesThatBothClocksShowCountsForTwentySeconds) {
   Bench bench;
   bench.inputs.wall_time_s = 1e9;
   bench.cycle();
@@ -393,7 +393,7 @@ TEST(Hookbeh, AGapInItsCyclesThatBothClocksTellOfCountsForTwentySeconds) {
   EXPECT_EQ(bench.cycle().state, HookState::Silent) << "24 s";
 }
 
-TEST(Hookbeh, AGapThatOneClockAloneTellsOfIsAFalseReading) {
+TEST(Hookbeh, AGapThatOneClockAloneShowsIsAFalseReading) {
   Bench bench;
   bench.cycle();
   bench.give(Bench::take(20));
@@ -470,7 +470,7 @@ TEST(Hookbeh, ANumberThatIsNoneAmongTheArgsForPumpAndPitchIsTheDefault) {
   }
 }
 
-TEST(Hookbeh, HalfWrittenNumbersAreNoInstruction) {
+TEST(Hookbeh, HalfWrittenNumbersAreNotAnInstruction) {
   Bench bench;
   bench.cycle();
   bench.give(Bench::take(29));

@@ -62,7 +62,7 @@ TEST(HookbehUnseen, AHoverShowsThatItsDepthLivesByAShortClimb) {
     ++cycles;
   }
   EXPECT_STREQ(sea.out.doing, "check depth");
-  EXPECT_EQ(sea.out.guard, HookGuard::None) << "it is no guard";
+  EXPECT_EQ(sea.out.guard, HookGuard::None) << "it is not a guard";
   EXPECT_GE(cycles + 20, 22) << "10 m at 0.1 m/s, from where it came to rest";
   EXPECT_LE(cycles + 20, 30);
   sea.held = false;
@@ -76,7 +76,7 @@ TEST(HookbehUnseen, AHoverShowsThatItsDepthLivesByAShortClimb) {
   EXPECT_NEAR(sea.truth, 20, 4);
 }
 
-/// What the hover may have sunk is no dive that gains no depth.
+/// What the vehicle may have sunk in the hover does not count as a dive that gains no depth.
 TEST(HookbehUnseen, ADiveAfterALongHoverMayShowThatItsDepthLivesFirst) {
   int checks = 0;
   for (int waits = 0; waits < 30; ++waits) {
@@ -119,7 +119,7 @@ TEST(HookbehUnseen, ADiveWhoseDepthFlickersEndsInTime) {
   }
 }
 
-TEST(HookbehUnseen, ASteepDiveWhoseDepthStandsStillNearTheSurfaceEndsInTime) {
+TEST(HookbehUnseen, ASteepDiveWhoseDepthIsStuckNearTheSurfaceEndsInTime) {
   for (const double stuck : {0.0, 0.3, 1.0}) {
     HookbehArgs args = HookbehSea::args(30);
     args.steepest_pitch_rad = 0.7854;
@@ -136,7 +136,7 @@ TEST(HookbehUnseen, ASteepDiveWhoseDepthStandsStillNearTheSurfaceEndsInTime) {
   }
 }
 
-TEST(HookbehUnseen, AHoverThatIsOrderedAnewInEachCycleShowsItToo) {
+TEST(HookbehUnseen, AHoverThatIsCommandedAgainInEachCycleShowsItToo) {
   SlowSea sea;
   hoverAt(sea, 20);
   for (int i = 0; i < 1000; ++i) {
@@ -149,7 +149,7 @@ TEST(HookbehUnseen, AHoverThatIsOrderedAnewInEachCycleShowsItToo) {
   EXPECT_LT(sea.deepest, 40);
 }
 
-TEST(HookbehUnseen, WhatAnotherBehaviourFliesIsNotReckoned) {
+TEST(HookbehUnseen, WhatAnotherBehaviourFliesDoesNotCount) {
   SlowSea sea;
   sea.diveTo(5, 28);
   for (int i = 0; i < 200; ++i) {  // a behaviour above it keeps the vehicle at the surface
@@ -182,7 +182,7 @@ TEST(HookbehUnseen, ADiveThatMayBeFarPastItsTargetEndsThoughItsLimitIsFar) {
   EXPECT_LT(sea.deepest, 38);
 }
 
-TEST(HookbehUnseen, OrdersUpInBetweenDoNotHideIt) {
+TEST(HookbehUnseen, CommandsToClimbInBetweenDoNotHideIt) {
   SlowSea sea;
   sea.diveTo(20, 28);
   for (int i = 0; i < 300; ++i) {
@@ -225,7 +225,7 @@ TEST(HookbehUnseen, ANewSessionDoesNotClearNoDepthGained) {
   EXPECT_EQ(sea.out.guard, HookGuard::NoDepthGained);
 }
 
-/// A steep dive to 50 m whose CTD is spoiled in a way that is no reason to climb.
+/// A steep dive to 50 m whose CTD is spoiled in a way that does not call for a climb.
 template <typename Spoil>
 void expectNoGuard(Spoil&& spoil) {
   HookbehSea sea;
@@ -243,7 +243,7 @@ TEST(HookbehCtd, OneThatFallsSilentDoesNotDisagree) {
   expectNoGuard([](HookbehInputs& in) { in.ctd_bar = kNan; });
 }
 
-TEST(HookbehCtd, OneThatIsHeardOfNowAndThenDoesNotDisagree) {
+TEST(HookbehCtd, OneThatReportsNowAndThenDoesNotDisagree) {
   for (const int every : {2, 5, 10}) {
     expectNoGuard([every, i = 0](HookbehInputs& in) mutable {
       in.ctd_bar = i++ % every == 0 ? in.ctd_bar : kNan;
@@ -286,7 +286,7 @@ TEST(HookbehCtd, OneThatMovesIsBelievedWhereTheDepthHasNeverMoved) {
   EXPECT_LT(sea.deepest, 15);
 }
 
-TEST(HookbehCtd, OneThatIsHeardOfNowAndThenStillDisagrees) {
+TEST(HookbehCtd, OneThatReportsNowAndThenStillDisagrees) {
   HookbehSea sea;
   sea.has_ctd = true;
   sea.diveTo(20, 58);
@@ -330,7 +330,7 @@ TEST(HookbehCtd, OneThatIsDeeperAndOldDoesNotHoldTheVehicleUp) {
   EXPECT_LE(sea.until(HookGuard::None, silent), 2) << "by the depth that is new";
 }
 
-TEST(HookbehDepthSource, WhatASensorSaysInItsFirstSecondsHoldsForNothing) {
+TEST(HookbehDepthSource, WhatASensorSaysInItsFirstSecondsDoesNotCount) {
   HookbehSea sea;
   sea.run(2, [](HookbehInputs& in) { in.depth_m = 25; });
   sea.take(20);
@@ -380,7 +380,7 @@ UnseenSink stoodAt20(const VerticalCommand& commanded) {
   return sink;
 }
 
-TEST(UnseenSink, ReckonsAsFastAsTheVehicleSinks) {
+TEST(UnseenSink, AssumesTheRateAtWhichTheVehicleSinks) {
   UnseenSink sink = stoodAt20(kOther);
   EXPECT_EQ(sink.deepest(), 20);
   drive(sink, 3, 20, kSteep);
@@ -396,7 +396,7 @@ TEST(UnseenSink, ReckonsAsFastAsTheVehicleSinks) {
   EXPECT_FALSE(sink.hasMoved());
 }
 
-TEST(UnseenSink, ADiveSinksWhateverItsPump) {
+TEST(UnseenSink, ADiveSinksWithAnyPump) {
   UnseenSink sink = stoodAt20(kOther);
   drive(sink, 13, 20, {-0.7854, -30, ""});
   EXPECT_NEAR(sink.deepest(), 20 + 40 * 0.44, 1e-9);
@@ -475,7 +475,7 @@ TEST(UnseenSink, WhatFlickersSwapsOrIsRoughShowsNothing) {
     for (int i = 0; i < 400; ++i) {
       sink.observe(20 + 3 * (i / cycles % 2), 4, kAdrift);
     }
-    EXPECT_FALSE(sink.hasMoved()) << "3 m to and fro, each " << cycles << " cycles";
+    EXPECT_FALSE(sink.hasMoved()) << "3 m back and forth, each " << cycles << " cycles";
   }
 }
 

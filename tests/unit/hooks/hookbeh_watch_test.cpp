@@ -13,7 +13,7 @@
 namespace glider::hooks {
 namespace {
 
-/// A watch that is told both depths. Each flickers in its last bits unless it is frozen.
+/// A watch that gets both depths. Each flickers in its last bits unless it is frozen.
 struct WatchBench {
   HookGuard at(double own_m, double ctd_m = kNan, double step_s = 4) {
     flicker = flicker == 0 ? 1e-7 : 0;
@@ -31,7 +31,7 @@ struct WatchBench {
     }
     return bench;
   }
-  /// Seconds until it says so, at most 1000, while nothing moves but by `metres_a_second`.
+  /// Seconds until it reports `wanted`, at most 1000, while it moves by `metres_a_second`.
   int until(HookGuard wanted, double own_m, double ctd_m = kNan, double metres_a_second = 0) {
     for (int seconds = 1; seconds <= 1000; ++seconds) {
       const double way = metres_a_second * seconds;
@@ -88,7 +88,7 @@ TEST(HookbehDepthWatch, TwoThatDisagreeAreBelievedAfterAMinuteWhereTheyAgreeAtTh
   EXPECT_EQ(bench.until(HookGuard::None, 3, 3), 0) << "nor has it climbed";
 }
 
-TEST(HookbehDepthWatch, OneThatStandsStillWhileItIsDrivenIsFrozenAfterSixteenSeconds) {
+TEST(HookbehDepthWatch, OneThatIsStuckWhileTheVehicleIsDrivenIsFrozenAfterSixteenSeconds) {
   for (const auto& [pump, seconds] :
        {std::pair{100.0, 17}, {-100.0, 17}, {99.0, 61}, {-99.0, 61}, {kNan, 0}}) {
     WatchBench bench;
@@ -142,7 +142,7 @@ TEST(HookbehDepthWatch, AVehicleThatHangsAsTheCtdSeesIsNotFrozen) {
   EXPECT_EQ(until_frozen(19.875, false), 0);
   EXPECT_EQ(until_frozen(20.875, false), 16) << "by half a metre it has moved";
   EXPECT_EQ(until_frozen(19.625, false), 16);
-  EXPECT_EQ(until_frozen(20.25, true), 16) << "nor is one that stands still itself believed";
+  EXPECT_EQ(until_frozen(20.25, true), 16) << "nor is one believed that is stuck itself";
   EXPECT_EQ(until_frozen(kNan, false), 21) << "or that has been silent for more than 20 s";
 }
 
@@ -252,7 +252,7 @@ TEST(HookbehDepthWatch, ACtdThatFallsSilentHasNoLastWord) {
     EXPECT_EQ(bench.at(20, 25.5, 1), HookGuard::None);
   }
   EXPECT_EQ(bench.at(20, kNan, 1), HookGuard::None);
-  EXPECT_EQ(bench.at(20, 25.5, 1), HookGuard::DepthsDisagree) << "it is heard again";
+  EXPECT_EQ(bench.at(20, 25.5, 1), HookGuard::DepthsDisagree) << "it reports again";
 }
 
 TEST(HookbehDepthWatch, ACtdThatJumpedAndFellSilentHasNotAgreed) {
@@ -282,7 +282,7 @@ TEST(HookbehDepthWatch, ClimbingCountsFromWhereItThawed) {
   EXPECT_EQ(bench.until(HookGuard::None, 2.5), 120);
 }
 
-TEST(HookbehDepthWatch, WhateverIsWrongMeanwhileBeginsTheMinuteAnew) {
+TEST(HookbehDepthWatch, AnyFaultInTheMeantimeRestartsTheMinute) {
   WatchBench bench;
   bench.at(2);
   bench.own_frozen = true;
@@ -325,7 +325,7 @@ TEST(HookbehDepthWatch, TheDeeperCountsWhereTheCtdIsKnownAndNew) {
   EXPECT_NEAR(bench.watch.deepest(), 20, 1e-6) << "it fell silent";
   WatchBench strange;
   strange.at(20, 22);
-  EXPECT_NEAR(strange.watch.deepest(), 20, 1e-6) << "nobody knows it yet";
+  EXPECT_NEAR(strange.watch.deepest(), 20, 1e-6) << "it is not known yet";
   bench = WatchBench::agreed();
   bench.at(20, 60);
   EXPECT_NEAR(bench.watch.deepest(), 20, 1e-6) << "it jumps";
@@ -361,7 +361,7 @@ TEST(HookbehDepthWatch, IsSeenByAnotherWhereThatIsNewAndAgrees) {
   EXPECT_FALSE(bench.watch.isSeenByAnother()) << "of nothing";
 }
 
-TEST(HookbehDepthWatch, ACtdIsThereForTwentySecondsAfterItWasHeard) {
+TEST(HookbehDepthWatch, ACtdIsAvailableForTwentySecondsAfterItsLastReading) {
   for (const double silence : {20.0, 20.25}) {
     WatchBench bench = WatchBench::agreed();
     bench.own_frozen = true;
@@ -402,7 +402,7 @@ TEST(HookbehDepthWatch, LivesWhileItFlickersOrTheCtdAgrees) {
   EXPECT_EQ(bench.watch.aliveFor(), 0.5) << "it agrees again";
 }
 
-TEST(HookbehDepthWatch, ACtdThatStandsStillWhileTheVehicleMovesIsNotAskedBeforeItMoves) {
+TEST(HookbehDepthWatch, ACtdThatIsStuckWhileTheVehicleMovesIsNotUsedBeforeItMoves) {
   for (const double way : {2.75, 3.0}) {
     WatchBench bench = WatchBench::agreed();
     bench.ctd_frozen = true;
@@ -473,10 +473,11 @@ TEST(UnseenSinkEdges, RisesAfterTwentySecondsAndSinksAgainAfterTwelve) {
   EXPECT_NEAR(sink.sunkInDive(), 0.44 * 0.5 / 0.7854, 1e-9);
   EXPECT_NEAR(sink.sunkSteeply(), 0.44, 1e-9);
   drive(sink, 1, 20, {0, -230});
-  EXPECT_NEAR(sink.sunkSteeply(), 0.44, 1e-9) << "level it is no dive";
+  EXPECT_NEAR(sink.sunkSteeply(), 0.44, 1e-9) << "level it is not a dive";
 }
 
-/// Whether a depth that has stood at 20 m, driven by nobody, is shown at `depth_m` so long after.
+/// Whether a depth that has stood at 20 m, not driven by anything, is shown at `depth_m` so long
+/// after.
 bool showsAt(double depth_m, double gap_s, double middle_m = kNan) {
   UnseenSink sink{kHull};
   drive(sink, 5, 20, kOther);

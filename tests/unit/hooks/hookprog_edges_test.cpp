@@ -40,7 +40,7 @@ class HookprogEdgesTest : public HookprogBench {
   uint32_t link_ = 7;
 };
 
-TEST_F(HookprogEdgesTest, ItsNumbersBeginWhereTheClockStands) {
+TEST_F(HookprogEdgesTest, ItsNumbersBeginAtTheTimeOfTheClock) {
   for (const auto& [now, first] : {std::pair{1.7e9, 1'700'000'001U},
                                    {0.0, 1U},
                                    {4294967294.0, 4294967295U},
@@ -75,7 +75,7 @@ TEST_F(HookprogEdgesTest, ACycleIsATimeAndAnotherCycleNumber) {
   EXPECT_EQ(atSbc().size(), 1U);
 }
 
-TEST_F(HookprogEdgesTest, AnotherVersionAloneIsRefusedAndEachIsToldOfOnce) {
+TEST_F(HookprogEdgesTest, AnotherVersionAloneIsRefusedAndEachIsReportedOnce) {
   Hello stranger;
   stranger.dictionary = gliderDictionary.hash;
   stranger.link = 7;
@@ -104,7 +104,7 @@ TEST_F(HookprogEdgesTest, AnotherVersionAloneIsRefusedAndEachIsToldOfOnce) {
   EXPECT_EQ(typesOf(atSbc()), (std::vector{Type::Beacon})) << "no link";
 }
 
-TEST_F(HookprogEdgesTest, AStrangerIsToldOfAgainAfterALink) {
+TEST_F(HookprogEdgesTest, AStrangerIsReportedAgainAfterALink) {
   Hello other_version, other_dictionary;
   other_version.version = kProtocolVersion + 1;
   other_version.link = other_dictionary.link = 9;
@@ -120,7 +120,7 @@ TEST_F(HookprogEdgesTest, AStrangerIsToldOfAgainAfterALink) {
   }
 }
 
-TEST_F(HookprogEdgesTest, WhatNoSbcSaysIsBadAndEachIsToldOfOnce) {
+TEST_F(HookprogEdgesTest, WhatNoSbcSendsIsBadAndEachIsReportedOnce) {
   hello();
   events();
   for (int i = 0; i < 2; ++i) {
@@ -188,7 +188,7 @@ TEST_F(HookprogEdgesTest, TakesAThousandAndTwentyFourUpdatesInARun) {
   }
 }
 
-TEST_F(HookprogEdgesTest, TheClockIsToldWhereItIsOne) {
+TEST_F(HookprogEdgesTest, TheClockIsSentIfItIsValid) {
   hello();
   for (const auto& [clock, told] : {std::pair{0.5, 0U},
                                     {1.0, 1U},
@@ -207,7 +207,7 @@ TEST_F(HookprogEdgesTest, TheClockIsToldWhereItIsOne) {
   }
 }
 
-TEST_F(HookprogEdgesTest, WhatHookbehReportsIsToldWhereItIsOfItsKind) {
+TEST_F(HookprogEdgesTest, WhatHookbehReportsIsSentIfItIsValid) {
   hello();
   struct Row {
     double state, answer, session;
@@ -262,7 +262,7 @@ TEST_F(HookprogEdgesTest, TheTimeOfASessionGoesOnByLessThanASecondToo) {
   }
 }
 
-TEST_F(HookprogEdgesTest, WhereNobodyIsInControlNobodyIsStuckAndWhoHasNoSessionLives) {
+TEST_F(HookprogEdgesTest, WithoutAnSbcInControlNoneIsStuckAndOneWithoutASessionLives) {
   cycle({{GLIDER_X_HOOK_STATE, 3}, {GLIDER_X_HOOK_SESSION, 0}});
   hello();
   events();
@@ -279,7 +279,7 @@ TEST_F(HookprogEdgesTest, WhereNobodyIsInControlNobodyIsStuckAndWhoHasNoSessionL
   }
 }
 
-TEST_F(HookprogEdgesTest, ThatAnInstructionIsOldIsToldOnceForEach) {
+TEST_F(HookprogEdgesTest, EachOldInstructionIsReportedOnce) {
   cycle({{GLIDER_X_HOOK_STATE, 3}, {GLIDER_X_HOOK_SEQUENCE, 3}, {GLIDER_X_HOOK_ANSWER, 9}});
   EXPECT_EQ(events(), (std::vector{Kind::OldInstruction}));
   EXPECT_EQ(last_event_.a, 3U);
@@ -388,7 +388,27 @@ TEST_F(HookprogEdgesTest, AnAnswerCountsForTheEightNewestTicks) {
   }
 }
 
-TEST(HookprogWatches, CyclesCountRoundAndTwoInTheirOrderBegin) {
+TEST(Hookprog, AsksOnlyForSensorsOfTheVehicle) {
+  std::vector<uint32_t> roles(gliderDictionary.roles, gliderDictionary.roles + kGliderRoleCount);
+  roles[kGliderRoleWaterPressure] = GLIDER_NO_SENSOR;
+  GliderDictionary without_ctd = gliderDictionary;
+  without_ctd.roles = roles.data();
+  Hookprog hookprog(without_ctd);
+  MemoryLine sbc, flight;
+  uint16_t greatest = 0;
+  const ScienceSensors own{&greatest, [](void* self, uint16_t id, bool* fresh) {
+                             auto& most = *static_cast<uint16_t*>(self);
+                             most = std::max(most, id);
+                             *fresh = true;
+                             return 1.0;
+                           }};
+  for (int i = 1; i < 9; ++i) {
+    hookprog.run(i, own, sbc.left(), flight.left());
+  }
+  EXPECT_LT(greatest, without_ctd.count);
+}
+
+TEST(HookprogWatches, CyclesWrapAroundAndTwoInSequenceBegin) {
   CycleWatch half;
   EXPECT_TRUE(half.isNext(1));
   EXPECT_TRUE(half.isNext(1 + 0x7FFFFF)) << "half of the round";
@@ -404,7 +424,7 @@ TEST(HookprogWatches, CyclesCountRoundAndTwoInTheirOrderBegin) {
   CycleWatch again;
   EXPECT_TRUE(again.isNext(1000));
   EXPECT_FALSE(again.isNext(500));
-  EXPECT_FALSE(again.isNext(500)) << "the same is no order";
+  EXPECT_FALSE(again.isNext(500)) << "twice the same is not a sequence";
 }
 
 TEST(HookprogWatches, AnInstructionWaitsFromOneToTheLargestNumber) {

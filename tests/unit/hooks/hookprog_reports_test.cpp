@@ -40,7 +40,7 @@ TEST_F(HookprogReportsTest, ATickHasTheSubscribedSensorsThatAreFresh) {
   EXPECT_EQ(readings.told[2], Told::Nothing) << "never reported";
   cycle();
   readings = tick(subscription());
-  EXPECT_EQ(readings.told[0], Told::Nothing) << "nothing was reported anew";
+  EXPECT_EQ(readings.told[0], Told::Nothing) << "nothing was reported again";
   EXPECT_EQ(readings.told[1], Told::Nothing);
 }
 
@@ -53,7 +53,7 @@ TEST_F(HookprogReportsTest, OneTickACycleHoweverOftenItRuns) {
   EXPECT_EQ(atSbc().size(), 1U);
 }
 
-TEST_F(HookprogReportsTest, ATickNeedsTimeAndCycleAnew) {
+TEST_F(HookprogReportsTest, ATickNeedsANewTimeAndCycle) {
   hello();
   atSbc();
   const SensorUpdate only_cycle[] = {{GLIDER_M_CYCLE_NUMBER, 5}};
@@ -84,7 +84,7 @@ TEST_F(HookprogReportsTest, AValueWhoseTickWasNotAnsweredIsSentAgain) {
   answerTick();
   cycle({{GLIDER_M_DEPTH, 14}});
   EXPECT_EQ(tick(subscription()).told[0], Told::Value);
-  cycle({{GLIDER_M_DEPTH, 12.5}});  // as before the lost one: the SBC may have heard that
+  cycle({{GLIDER_M_DEPTH, 12.5}});  // as before the lost one: the SBC may have received that
   EXPECT_EQ(tick(subscription()).told[0], Told::Value);
   cycle({{GLIDER_M_DEPTH, 12.5}});
   EXPECT_EQ(tick(subscription()).told[0], Told::Value);
@@ -111,7 +111,7 @@ TEST_F(HookprogReportsTest, ALateAnswerConfirmsWhatItsTickSaidUnlessAnotherValue
   EXPECT_EQ(readings.told[2], Told::Value) << "the SBC may hold 0.2";
 }
 
-TEST_F(HookprogReportsTest, AnAnswerToWhatIsNoTickConfirmsNothing) {
+TEST_F(HookprogReportsTest, AnAnswerToWhatIsNotATickConfirmsNothing) {
   hello();
   atSbc();
   cycle({{GLIDER_M_DEPTH, 12.5}});
@@ -137,7 +137,7 @@ TEST_F(HookprogReportsTest, AnAnswerThatComesAgainConfirmsNothing) {
   EXPECT_EQ(tick(subscription()).told[0], Told::Value);
 }
 
-TEST_F(HookprogReportsTest, AReportThatComesAgainIsNoTick) {
+TEST_F(HookprogReportsTest, AReportThatComesAgainIsNotATick) {
   hello();
   atSbc();
   for (int i = 0; i < 10; ++i) {
@@ -189,7 +189,7 @@ TEST_F(HookprogReportsTest, ANewSubscriptionOrLinkStartsWithNothingHeld) {
   }
 }
 
-TEST_F(HookprogReportsTest, EachValueIsSentAnewAfterSixteenTicks) {
+TEST_F(HookprogReportsTest, EachValueIsSentAgainAfterSixteenTicks) {
   hello();
   atSbc();
   int last = 0;

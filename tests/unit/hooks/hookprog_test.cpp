@@ -32,7 +32,7 @@ TEST_F(HookprogTest, BeaconsOnceAFlightCycleUntilThereIsALink) {
   }
 }
 
-TEST_F(HookprogTest, HelloIsWelcomedAndTold) {
+TEST_F(HookprogTest, HelloIsWelcomedAndReported) {
   cycle();
   atSbc();
   hello();
@@ -46,7 +46,7 @@ TEST_F(HookprogTest, HelloIsWelcomedAndTold) {
   EXPECT_TRUE(hookprog_.sbc().known);
 }
 
-TEST_F(HookprogTest, AnotherDictionaryOrVersionIsRefusedAndToldOnce) {
+TEST_F(HookprogTest, AnotherDictionaryOrVersionIsRefusedAndReportedOnce) {
   Hello hello;
   hello.dictionary = gliderDictionary.hash + 1;
   hello.link = 7;
@@ -191,7 +191,7 @@ TEST_F(HookprogMissionsTest, WhenMissionTimeTurnsBackTwoCyclesWithoutAHookbehAre
   }
 }
 
-TEST_F(HookprogMissionsTest, OneFalseReadingOfTheTimeIsNoOtherMission) {
+TEST_F(HookprogMissionsTest, OneFalseReadingOfTheTimeIsNotAnotherMission) {
   cycle({{GLIDER_X_HOOK_STATE, 3}});
   hello();
   for (int i = 0; i < 10; ++i) {
@@ -283,7 +283,7 @@ TEST_F(HookprogTest, OnlyASessionThatWentOnIsTheNewest) {
   EXPECT_EQ(newest(9), 4U) << "that frame was refused";
 }
 
-TEST_F(HookprogTest, AnInstructionThatComesAgainIsToldOnceAndHookbehAnswersIt) {
+TEST_F(HookprogTest, AnInstructionThatComesAgainIsReportedOnceAndHookbehAnswersIt) {
   cycle({{GLIDER_X_HOOK_STATE, 3}, {GLIDER_X_HOOK_SEQUENCE, 9}, {GLIDER_X_HOOK_ANSWER, 1}});
   hello();
   atSbc();
@@ -330,7 +330,7 @@ TEST_F(HookprogTest, AnInstructionThatComesAgainDoesNotHideOneWithoutAnswer) {
   EXPECT_EQ(last_event_.a, 7U);
 }
 
-TEST_F(HookprogTest, WhatTellsOfAnEarlierMissionTimeComesAgainAndIsPassedOver) {
+TEST_F(HookprogTest, AFrameWithAnEarlierMissionTimeIsIgnored) {
   cycle({{GLIDER_X_HOOK_STATE, 3}, {GLIDER_X_HOOK_SESSION, 4}});
   hello();
   say(answered(4, 100));
@@ -378,10 +378,10 @@ TEST_F(HookprogTest, EachAnswerOfTheSessionInControlIsAHeartbeat) {
   cycle({{GLIDER_X_HOOK_STATE, 4}, {GLIDER_X_HOOK_SESSION, 0}});
   say(answered(5));
   run();
-  EXPECT_EQ(atFlight().size(), 1U) << "nobody is in control: any answer shows that an SBC lives";
+  EXPECT_EQ(atFlight().size(), 1U) << "no SBC is in control: any answer shows that one lives";
 }
 
-TEST_F(HookprogTest, AnswersWithoutProgressAreNoHeartbeatAndAreToldOnce) {
+TEST_F(HookprogTest, AnswersWithoutProgressAreNotAHeartbeatAndAreReportedOnce) {
   cycle({{GLIDER_X_HOOK_STATE, 3}, {GLIDER_X_HOOK_SESSION, 4}});
   hello();
   say(answered(4, 100));
@@ -400,7 +400,7 @@ TEST_F(HookprogTest, AnswersWithoutProgressAreNoHeartbeatAndAreToldOnce) {
   EXPECT_EQ(atFlight().size(), 1U) << "it flies again";
 }
 
-TEST_F(HookprogTest, AnotherLinkIsNoProgressAnotherSessionIs) {
+TEST_F(HookprogTest, AnotherLinkIsNotProgressAnotherSessionIs) {
   cycle({{GLIDER_X_HOOK_STATE, 3}, {GLIDER_X_HOOK_SESSION, 4}});
   hello();
   say(answered(4, 5000));
@@ -418,7 +418,7 @@ TEST_F(HookprogTest, AnotherLinkIsNoProgressAnotherSessionIs) {
   EXPECT_EQ(atFlight().size(), 1U);
 }
 
-TEST_F(HookprogTest, AnInstructionThatHookbehDoesNotAnswerIsToldOnce) {
+TEST_F(HookprogTest, AnInstructionThatHookbehDoesNotAnswerIsReportedOnce) {
   cycle({{GLIDER_X_HOOK_STATE, 3}, {GLIDER_X_HOOK_SEQUENCE, 6}});
   hello();
   events();
@@ -524,7 +524,7 @@ TEST_F(HookprogTest, AClockThatIsSetBackDoesNotHideAnInstructionWithoutAnswer) {
   EXPECT_EQ(last_event_.kind, Kind::SbcUnanswered);
 }
 
-TEST_F(HookprogTest, AClosedLineIsALostSbcToldOnce) {
+TEST_F(HookprogTest, AClosedLineIsALostSbcReportedOnce) {
   hello();
   events();
   sbc_line_.close();
@@ -570,7 +570,7 @@ TEST_F(HookprogTest, EventsAreBounded) {
   EXPECT_EQ(events().size(), 32U);
 }
 
-TEST_F(HookprogTest, NotesAreToldAndLeaveRoomForOtherEvents) {
+TEST_F(HookprogTest, NotesAreReportedAndLeaveRoomForOtherEvents) {
   hello();
   events();
   MissionNote note;

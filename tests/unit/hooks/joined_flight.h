@@ -104,7 +104,7 @@ class NoisyLine {
 };
 
 /// The flight controller: a sensor array, hookbeh, a flight-science link, and a vehicle that moves
-/// as it is told.
+/// as commanded.
 class FlightController {
  public:
   explicit FlightController(bool with_hookbeh = true)
@@ -198,8 +198,8 @@ class FlightController {
   double cycle_ = 0;
 };
 
-/// A mission on the SBC: takes control, flies a yo whose pitch differs each time, gives back after
-/// a while.
+/// A mission on the SBC: takes control, flies a yo whose pitch differs each time, releases control
+/// after a while.
 class Mission {
  public:
   explicit Mission(double release_s, uint32_t session = 1, float dead_band = 0)
@@ -233,7 +233,7 @@ class Mission {
     }
   }
 
-  /// What was told to hookbeh under each sequence number.
+  /// The instruction sent to hookbeh under each sequence number.
   std::map<uint16_t, Instruction> told;
   bool finished = false;
   bool stuck = false;  ///< it answers, but that is all
@@ -335,7 +335,7 @@ class Witness {
     const HookbehOutputs& out = flight.outputs;
     if (out.answer == HookAnswer::Accepted && out.answered_sequence != accepted_) {
       accepted_ = out.answered_sequence;
-      ASSERT_TRUE(mission.told.contains(accepted_)) << "an instruction nobody gave";
+      ASSERT_TRUE(mission.told.contains(accepted_)) << "an instruction that was never given";
       ASSERT_TRUE(seen_.insert(accepted_).second) << "a command twice";
     }
     if (!out.commanding) {

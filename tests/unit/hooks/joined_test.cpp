@@ -8,7 +8,7 @@
 namespace glider::hooks {
 namespace {
 
-TEST(Joined, ACleanFlightTakesSteersAndGivesBack) {
+TEST(Joined, ACleanFlightTakesSteersAndReleases) {
   Vehicle vehicle(0, 1);
   Mission mission(1200);
   Witness witness;
@@ -262,7 +262,7 @@ TEST(Joined, AFalseBeaconOfAnotherVersionCostsNoControl) {
   }
 }
 
-TEST(Joined, WithoutAHookbehTheFlightControllerHearsNothing) {
+TEST(Joined, WithoutAHookbehTheFlightControllerReceivesNothing) {
   Vehicle vehicle(0, 1, false);
   Mission mission(500);
   for (int i = 0; i < 600; ++i) {

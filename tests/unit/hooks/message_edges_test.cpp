@@ -138,7 +138,7 @@ TEST(TickEdges, SubscriptionsUpToTheMost) {
   frame.payload[0] = kMostSubscriptions + 1;
   frame.size += 7;
   std::memcpy(frame.payload + 1 + 7 * kMostSubscriptions, frame.payload + 1, 7);
-  EXPECT_FALSE(decode(frame, back)) << "right but for their number";
+  EXPECT_FALSE(decode(frame, back)) << "right except for their number";
   encode(Subscribe{1, {Subscription{GLIDER_M_DEPTH, 1, 3.0F}}}, frame);
   EXPECT_TRUE(decode(frame, back));
   frame.type = MessageType::Hello;

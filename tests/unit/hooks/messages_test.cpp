@@ -215,7 +215,7 @@ TEST(Messages, WidthsKeepWhatTheSensorArrayKeeps) {
   }
 }
 
-TEST(Messages, AFullListSaysSoAndStaysWhole) {
+TEST(Messages, AFullListReportsItAndStaysWhole) {
   Frame frame;
   encodeEmptyList(MessageType::Sensors, frame);
   uint32_t count = 0;

@@ -105,7 +105,7 @@ sp_return __wrap_sp_nonblocking_write(sp_port* /*port*/, const void* bytes, size
 namespace glider::hooks {
 namespace {
 
-/// Any device that is no pseudo-terminal.
+/// Any device that is not a pseudo-terminal.
 constexpr const char* kDevice = "/dev/null";
 
 class LibraryPort : public testing::Test {

@@ -123,7 +123,7 @@ TEST(SerialDevice, SetsEverySpeedThatALineHas) {
   EXPECT_FALSE(device.isOpen());
 }
 
-/// Sees that nobody has closed the program's input or output; opens it again for the tests that
+/// Checks that the program's input or output was not closed; opens it again for the tests that
 /// follow.
 class KeepsOpen {
  public:
@@ -144,7 +144,7 @@ class KeepsOpen {
   int kept_;
 };
 
-TEST(Pty, WhatHasMovedOrLetGoClosesNothingOfOthers) {
+TEST(Pty, WhatHasMovedOrReleasedClosesNothingOfOthers) {
   const KeepsOpen input(STDIN_FILENO), output(STDOUT_FILENO);
   auto one = Pty::open();
   auto two = Pty::open();
@@ -155,7 +155,7 @@ TEST(Pty, WhatHasMovedOrLetGoClosesNothingOfOthers) {
   const Pty four = std::move(*three);
 }
 
-TEST(Pty, TheSideThatWasLetGoIsNotClosedAgain) {
+TEST(Pty, TheSideThatWasReleasedIsNotClosedAgain) {
   int other = -1;
   {
     auto pty = Pty::open();

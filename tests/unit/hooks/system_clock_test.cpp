@@ -105,7 +105,7 @@ TEST_F(TickClock, CountsRound) {
   EXPECT_DOUBLE_EQ(at(clock, 0x70000004), 0.2 + 0x70000000 / 100.0);
 }
 
-TEST_F(TickClock, WhatGoesBackStandsStillUntilItIsThereAgain) {
+TEST_F(TickClock, WhatGoesBackDoesNotAdvanceUntilItIsThereAgain) {
   SystemClock clock = from(1000);
   EXPECT_DOUBLE_EQ(at(clock, 1100), 1);
   for (const uint32_t back : {1099U, 1090U, 5U, 1100U}) {

@@ -34,7 +34,7 @@ UnseenSink settledAt(double depth_m, const VerticalCommand& command = kAdrift) {
   return sink;
 }
 
-/// m/s that it is reckoned to sink at under `command`.
+/// m/s that it is assumed to sink at under `command`.
 double rateUnder(const VerticalCommand& command) {
   UnseenSink sink = settledAt(20);
   run(sink, 1, 20, command);
@@ -92,7 +92,7 @@ TEST(UnseenSinkEdges, ItRisesAfterTwentySecondsAndSinksTwelveSecondsAfterThat) {
   run(sink, 1, 20, kDive);
   EXPECT_NEAR(sink.deepest(), turned - 0.1 + kSteepMps, 1e-9);
   run(sink, 20, 20, kLift);
-  EXPECT_NEAR(sink.deepest(), turned - 0.1 + 21 * kSteepMps, 1e-9) << "twenty seconds anew";
+  EXPECT_NEAR(sink.deepest(), turned - 0.1 + 21 * kSteepMps, 1e-9) << "another twenty seconds";
 }
 
 TEST(UnseenSinkEdges, AnotherBehavioursCycleEndsTheDiveAndTheClimb) {
@@ -138,7 +138,7 @@ TEST(UnseenSinkEdges, WhatMovesBeginsANewDive) {
   EXPECT_EQ(sink.sunkSteeply(), 0);
 }
 
-TEST(UnseenSinkEdges, TheWayIsReckonedFromItsTurningPoint) {
+TEST(UnseenSinkEdges, TheDistanceCountsFromItsTurningPoint) {
   for (const double way : {1.0, -1.0}) {
     UnseenSink sink = settledAt(20);
     walk(sink, 20, 20 + 2 * way, kAdrift);
@@ -179,7 +179,7 @@ TEST(UnseenSinkEdges, WhatRoseIsNotDrivenDownWhenAnotherBehaviourHasIt) {
 
 constexpr double kReachIn4S = kSteepMps * 4 + 0.5;
 
-TEST(UnseenSinkEdges, AStepThatNoVehicleMakesBeginsAnew) {
+TEST(UnseenSinkEdges, AStepThatNoVehicleMakesRestartsIt) {
   for (const bool too_far : {false, true}) {
     const double step = too_far ? std::nextafter(kReachIn4S, 9) : kReachIn4S;
     UnseenSink sink{kHull};
@@ -190,12 +190,12 @@ TEST(UnseenSinkEdges, AStepThatNoVehicleMakesBeginsAnew) {
   }
 }
 
-TEST(UnseenSinkEdges, AGapOfMoreThanTwentySecondsBeginsAnew) {
+TEST(UnseenSinkEdges, AGapOfMoreThanTwentySecondsRestartsIt) {
   for (const double gap : {20.0, 21.0}) {
     UnseenSink sink{kHull};
     sink.observe(20, 1, kOther);
     run(sink, 19, kNan, kOther);
-    sink.observe(29, gap - 19, kOther);  // as far as it may: and that is no roughness
+    sink.observe(29, gap - 19, kOther);  // as far as it may: and that is not roughness
     EXPECT_EQ(sink.hasMoved(), gap == 20) << gap;
   }
 }
@@ -213,7 +213,7 @@ TEST(UnseenSinkEdges, WhatIsRougherThanItMayBeShowsNothing) {
   EXPECT_FALSE(movesWith(-4.81));
 }
 
-TEST(UnseenSinkEdges, AfterAGapTheFirstStepIsNoRoughness) {
+TEST(UnseenSinkEdges, AfterAGapTheFirstStepIsNotRoughness) {
   UnseenSink sink{kHull};
   sink.observe(5, 12, kOther);
   sink.observe(kNan, 4, kOther);
@@ -232,7 +232,7 @@ TEST(UnseenSinkEdges, RoughnessIsWhatAStepHasBeyondTheOneBefore) {
   EXPECT_EQ(sink.shown(), 4.9 + 4.9);
 }
 
-TEST(UnseenSinkEdges, AConfirmedDepthIsWhereItIsReckonedFrom) {
+TEST(UnseenSinkEdges, AConfirmedDepthIsWhereItCountsFrom) {
   UnseenSink sink = settledAt(20, kDive);
   sink.confirm(25);
   EXPECT_EQ(sink.shown(), 25);

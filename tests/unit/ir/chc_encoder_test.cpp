@@ -52,7 +52,7 @@ bool mayPassTo(double then, const std::string& cases, const std::string& variabl
   return question.ask() == Answer::Yes;
 }
 
-TEST(Rules, TimePassesAGapWhateverTheClocksSay) {
+TEST(Rules, TimePassesAGapWithAnyGuardOnTheClocks) {
   for (const char* guard : {"(ge resumetime 60:time)", "true", "(lt missiontime 510:time)"}) {
     const std::string cases = std::string("case ") + guard + " exit";
     EXPECT_FALSE(mayPassTo(499, cases)) << guard;

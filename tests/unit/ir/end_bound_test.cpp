@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// By when a mission has ended: worked out, and never broken by a flight.
+// By when a mission has ended: computed, and never exceeded by a flight.
 
 #include "ir/prove/abstract/end_bound.h"
 
@@ -299,7 +299,7 @@ std::string withRoute(const std::string& route) {
          "case (ge missiontime 500:time) exit\n";
 }
 
-TEST(StateDepths, WhatIsInCMayOrderAnyDepth) {
+TEST(StateDepths, WhatIsInCMayCommandAnyDepth) {
   const auto deepest = [](const std::string& text) {
     const Mission mission = missionOf(text);
     return deepestByState(ProofContext(mission, slocum())).at(0);
@@ -363,7 +363,7 @@ TEST(Requirements, AReadingOfTheDepthIsHalfAMetreOffAtMost) {
 }
 
 /// From 25 m the vehicle gets below 30 m by the next tick.
-void expectThatItsOrdersCount(const std::function<Verdict(const std::string&)>& verdict) {
+void expectThatItsCommandsCount(const std::function<Verdict(const std::string&)>& verdict) {
   const std::string deeper = "begin entry do descend (40:length, 0.4:angle) end end ";
   EXPECT_EQ(verdict(kQuietRoute + "profile down begin end "), Verdict::Proved);
   EXPECT_NE(verdict(kQuietRoute + "profile down " + deeper), Verdict::Proved);
@@ -372,15 +372,15 @@ void expectThatItsOrdersCount(const std::function<Verdict(const std::string&)>& 
   EXPECT_NE(verdict("route drift () profile down begin end "), Verdict::Proved) << "in C";
 }
 
-TEST(Requirements, WhatAStateOrdersAsItIsEnteredCounts) {
-  expectThatItsOrdersCount([](const std::string& b) {
+TEST(Requirements, WhatAStateCommandsAsItIsEnteredCounts) {
+  expectThatItsCommandsCount([](const std::string& b) {
     return verdictOf(kHeader + kShallow + "state a " + kTo20m + "goto b\nstate b " + b +
                      "case true exit\n");
   });
 }
 
-TEST(Requirements, WhatAStateOrdersAsItIsResumedCounts) {
-  expectThatItsOrdersCount([](const std::string& a) {
+TEST(Requirements, WhatAStateCommandsAsItIsResumedCounts) {
+  expectThatItsCommandsCount([](const std::string& a) {
     return verdictOf(kHeader + kShallow +
                      "resume within 20\nvariable back: bool mission\ninitial back false\n" +
                      "state a " + a + "case (var back) exit " +
@@ -388,7 +388,7 @@ TEST(Requirements, WhatAStateOrdersAsItIsResumedCounts) {
   });
 }
 
-TEST(EndBound, ARouteThatOrdersADepthIsNoWayUp) {
+TEST(EndBound, ARouteThatCommandsADepthIsNotAClimb) {
   const auto home = [](const std::string& route) {
     const Mission mission = missionOf(kHeader + "behaviour profile up symbol \"\" () reads ()\n" +
                                       "behaviour route way symbol \"\" () reads ()\n" +

@@ -64,7 +64,7 @@ double sampledDistance(const Places& corners, const Places& waypoints) {
   return least;
 }
 
-TEST(Fences, TheMapsDistancesAreTheSpheresAndNeverMore) {
+TEST(Geofences, TheMapsDistancesAreTheSpheresAndNeverMore) {
   random_missions::Random random(1);
   int on_right_side = 0;
   for (int i = 0; i < 30; ++i) {
@@ -83,7 +83,7 @@ TEST(Fences, TheMapsDistancesAreTheSpheresAndNeverMore) {
   EXPECT_GT(on_right_side, 3);
 }
 
-TEST(Fences, TheSideIsThatOfTheWholeHull) {
+TEST(Geofences, TheSideIsThatOfTheWholeHull) {
   const Places box{{39, -74}, {39, -73.5}, {39.4, -73.5}, {39.4, -74}};
   const auto right = [&](bool keep_in, const Places& waypoints) {
     return AreaMap(box, waypoints).clearance({keep_in, box}, waypoints).right_side;
@@ -101,7 +101,7 @@ TEST(Fences, TheSideIsThatOfTheWholeHull) {
       << "both ends are inside, the leg is not";
 }
 
-TEST(Fences, TheMapsDegreesAreNoLongerThanTheEllipsoids) {
+TEST(Geofences, TheMapsDegreesAreNoLongerThanTheEllipsoids) {
   const auto apart = [](double latitude, const Position& step) {
     const Geofence fence{
         true, {{latitude - 1, -1}, {latitude - 1, 1}, {latitude + 1, 1}, {latitude + 1, -1}}};
@@ -113,7 +113,7 @@ TEST(Fences, TheMapsDegreesAreNoLongerThanTheEllipsoids) {
   EXPECT_LE(apart(0, {0, 0.5}), 0.5 * 111319.5);
 }
 
-TEST(Fences, AMapAboutAPoleOrHalfTheEarthIsNone) {
+TEST(Geofences, AMapAboutAPoleOrHalfTheEarthIsNone) {
   const auto holds = [](const Places& corners, double metres) {
     return AreaMap(corners, {corners.front()}).holds(metres);
   };
@@ -206,7 +206,7 @@ bool broken(const std::string& text, uint64_t flights, size_t ticks) {
   return false;
 }
 
-TEST(Fences, WhatIsKeptNoCurrentBreaks) {
+TEST(Geofences, WhatIsKeptNoCurrentBreaks) {
   random_missions::Random random(7);
   constexpr int kFlights = 60;
   int proved = 0;
@@ -248,7 +248,7 @@ double bendBetween(const Position& a, const Position& b) {
   return onEarth(Op::Distance, half, between(a, b, 0.5));
 }
 
-TEST(Fences, AWayFromFarOffBendsIntoAnAreaToKeepOutOf) {
+TEST(Geofences, AWayFromFarOffBendsIntoAnAreaToKeepOutOf) {
   const Position waypoint{60, 0};
   const GeofenceVerdict verdict = judged(boxed({waypoint}, {60.1, -0.3}, {60.2, 0.3}), false);
   ASSERT_TRUE(verdict.proved) << verdict.reason;
@@ -264,7 +264,7 @@ TEST(Fences, AWayFromFarOffBendsIntoAnAreaToKeepOutOf) {
   EXPECT_EQ(judged(boxed({waypoint}, {59, -2}, {61, 2})).start_within_m, 0);
 }
 
-TEST(Fences, TheMarginGrowsWithTheTimeAndWithoutAWaypoint) {
+TEST(Geofences, TheMarginGrowsWithTheTimeAndWithoutAWaypoint) {
   const std::string far = boxed({{39, -73}}, {38.7, -73.3}, {39.3, -72.7});
   const double once = judged(far).margin_m;
   const platforms::EnvironmentModel& world = slocum().world;
@@ -309,7 +309,7 @@ std::string withCommandAt(size_t at, const std::string& command) {
          boxText({38.9, -73.1}, {39.1, -72.9});
 }
 
-TEST(Fences, CommandsSteerWhereverTheyStand) {
+TEST(Geofences, CommandsSteerWhereverTheyAreWritten) {
   const GeofenceVerdict without = judged(withCommandAt(0, ""));
   EXPECT_TRUE(without.proved) << without.reason << ": b's route commands nothing, a's holds";
   EXPECT_FALSE(steered(withCommandAt(0, "")).by_heading);
@@ -324,7 +324,7 @@ TEST(Fences, CommandsSteerWhereverTheyStand) {
   }
 }
 
-TEST(Fences, RandomFlightsFollowCommandsOfCases) {
+TEST(Geofences, RandomFlightsFollowCommandsOfCases) {
   // One that is given control inside, and leaves by the command of a case alone.
   const auto leaves = [](const std::string& command) {
     std::string text = withCommandAt(6, command);
@@ -349,7 +349,7 @@ std::string beginning(const std::string& entry, const std::string& variables = "
          "case (ge statetime 900:time) exit\n" + boxText({38.9, -73.1}, {39.1, -72.9});
 }
 
-TEST(Fences, WithoutAHeadingAtFirstItGoesAnywhere) {
+TEST(Geofences, WithoutAHeadingAtFirstItGoesAnywhere) {
   const std::string here = steerTo({39, -73});
   const std::string leg =
       "table latitude (39.0, 39.01)\ntable longitude (-73.0, -73.01)\n"
@@ -374,15 +374,15 @@ TEST(Fences, WithoutAHeadingAtFirstItGoesAnywhere) {
   EXPECT_GT(margin, 0.5 * 900 * slocum().world.through_water_m_s);
 }
 
-/// A mission that steers to (39, -73) at first and later where `order` says.
-Steering steeredLater(const std::string& order, const std::string& variables = "") {
+/// A mission that steers to (39, -73) at first and later where `command` says.
+Steering steeredLater(const std::string& command, const std::string& variables = "") {
   std::string text = beginning(steerTo({39, -73}), variables);
   const std::string later = "do " + steerTo({39, -73}) + " end stay end";
-  text.replace(text.find(later), later.size(), "do " + order + " end stay end");
+  text.replace(text.find(later), later.size(), "do " + command + " end stay end");
   return steered(text);
 }
 
-TEST(Fences, APlaceThatIsWorkedOutLiesInItsBox) {
+TEST(Geofences, APlaceThatIsComputedLiesInItsBox) {
   const auto within = [](const std::string& north, const std::string& east) {
     return steeredLater("steer_to ((var n), (var e))",
                         "variable n: latitude mission " + north + " initial n 38.5:latitude\n" +
@@ -416,7 +416,7 @@ const std::string kLeg =
     "variable leg: number mission lowest 0 highest 1\ninitial leg 0\n"
     "variable other: number mission lowest 0 highest 1\ninitial other 0\n";
 
-TEST(Fences, APathIsItsPlacesWhereOneRowGivesBoth) {
+TEST(Geofences, APathIsItsPlacesWhereOneRowGivesBoth) {
   const auto anywhere = [](const std::string& east) {
     return steeredLater("steer_to ((element 0 %9), " + east + ")",
                         kLeg + "let %9 = (var leg)\nlet %10 = (var other)\n")
@@ -424,14 +424,14 @@ TEST(Fences, APathIsItsPlacesWhereOneRowGivesBoth) {
   };
   EXPECT_FALSE(anywhere("(element 1 %9)"));
   EXPECT_TRUE(anywhere("(element 1 %10)")) << "any of the one with any of the other";
-  EXPECT_TRUE(anywhere("(element 2 %9)")) << "tables of different lengths are no path";
+  EXPECT_TRUE(anywhere("(element 2 %9)")) << "tables of different lengths are not a path";
 }
 
-TEST(Fences, AnyEntryOfTheStartMayCommandTheHeading) {
+TEST(Geofences, AnyEntryOfTheStartMayCommandTheHeading) {
   const std::string here = steerTo({39, -73});
   const std::string none = beginning("");
   const auto free = [](const std::string& text) { return steered(text).by_heading; };
-  EXPECT_TRUE(free(none)) << "an order of depth is no heading";
+  EXPECT_TRUE(free(none)) << "a depth command is not a heading";
   std::string by_state = none;
   by_state.replace(by_state.find("case (ge statetime 900"), 0, "entry do " + here + " end ");
   EXPECT_FALSE(free(by_state));
@@ -440,7 +440,7 @@ TEST(Fences, AnyEntryOfTheStartMayCommandTheHeading) {
   EXPECT_FALSE(free(by_profile));
 }
 
-TEST(Fences, AtFirstARowMayBeNone) {
+TEST(Geofences, AtFirstARowMayBeNone) {
   const auto free = [](const std::string& row, const std::string& before = "",
                        const std::string& after = "") {
     return steered(beginning(before + "steer_to ((element 0 %9), (element 1 %9))" + after,
@@ -467,7 +467,7 @@ TEST(Fences, AtFirstARowMayBeNone) {
       << "no whole number";
 }
 
-TEST(Fences, WhatIsWrittenInCMaySteerAnywhere) {
+TEST(Geofences, WhatIsWrittenInCMaySteerAnywhere) {
   std::string text = beginning(steerTo({39, -73}));
   EXPECT_FALSE(steered(text).by_heading);
   std::string profile = text;
@@ -478,7 +478,7 @@ TEST(Fences, WhatIsWrittenInCMaySteerAnywhere) {
   EXPECT_TRUE(steered(text).by_heading);
 }
 
-TEST(Fences, AtTheSurfaceAndWhileDarkRandomFlightsGoFurther) {
+TEST(Geofences, AtTheSurfaceAndWhileDarkRandomFlightsGoFurther) {
   const Position start{39, -73};
   double under = 0;
   double at_surface = 0;
@@ -500,7 +500,7 @@ TEST(Fences, AtTheSurfaceAndWhileDarkRandomFlightsGoFurther) {
   EXPECT_GT(dark, at_surface + 60);
 }
 
-TEST(Fences, RandomFlightsTakeAProfileInCToSteer) {
+TEST(Geofences, RandomFlightsTakeAProfileInCToSteer) {
   Rng dice(1);
   RandomPlace place({39, -73}, slocum(), dice);
   place.obey({CommandRun{Command::SteerTo, {39, -73}, false},

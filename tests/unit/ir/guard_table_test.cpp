@@ -49,7 +49,7 @@ struct Looked {
   size_t exact = 0;  ///< rows that held, without a guard to ask
 };
 
-/// Holds a table against its cases at this tick.
+/// Compares a table with its cases at this tick.
 void compare(const Interpreter& interpreter, const Mission& m, const GuardTable& table,
              const std::vector<Case>& cases, Looked& looked) {
   std::vector<uint32_t> intervals;

@@ -59,7 +59,7 @@ struct Row {
 
 class GuardedRanges : public testing::TestWithParam<Row> {};
 
-TEST_P(GuardedRanges, AreJudgedByTheGuardsBeforeThem) {
+TEST_P(GuardedRanges, AreNarrowedByTheGuardsBeforeThem) {
   const std::string windows =
       "temporal mean always (sensor depth) over 10\n"
       "temporal mean always (sensor depth) over 20\n";
@@ -365,7 +365,7 @@ initial m 1
   random_missions::Random random_;
 };
 
-/// Whether every assignment fits whatever the guards say.
+/// Whether every assignment fits if the guards are ignored.
 bool fitsPlainly(const Mission& m) {
   const std::vector<Interval> intervals = intervalsOf(m);
   for (const Block& block : m.blocks) {

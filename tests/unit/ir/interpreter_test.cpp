@@ -77,7 +77,7 @@ TEST(Interpreter, TellsClocksApart) {
   EXPECT_EQ(r.firedIn(ListKind::State), std::nullopt);
   EXPECT_EQ(runOf(r).phase, Phase::Tick);
   EXPECT_EQ(i.number(clock_b), 2);
-  r = tick(i, 8);  // back in a: its time runs on, its resume time starts anew
+  r = tick(i, 8);  // back in a: its time runs on, its resume time restarts
   EXPECT_EQ(r.state.index, 0u);
   EXPECT_EQ(runOf(r).phase, Phase::Resume);
   EXPECT_EQ(runOf(r, ListKind::Route).phase, Phase::Resume);

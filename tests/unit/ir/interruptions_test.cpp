@@ -57,7 +57,7 @@ TEST(Interruptions, OneWalkFindsWhatEachCaseDoes) {
 }
 
 /// On the stack as a root, a state keeps its own case of `always` from firing; another case whose
-/// target calls what the root calls is a mistake all the same.
+/// target calls what the root calls is nevertheless an error.
 TEST(Interruptions, ARootThatAlwaysCallsHidesNothing) {
   const auto guarded = [](const std::string& what) { return fmt::format("{} {} ", kGuard, what); };
   const Mission mission = missionOf(kHeader + "always " + guarded("call a") + guarded("call b") +

@@ -243,7 +243,7 @@ bool isHeld(const std::string& condition) {
   return heldByCommands(m.states[0].cases.at(0).guard, proof_context);
 }
 
-TEST(HeldByCommands, ADepthThatNoOrderLeadsBelow) {
+TEST(HeldByCommands, ADepthThatNoCommandLeadsBelow) {
   for (const char* held : {"(le (sensor depth) 25:length)", "(lt (sensor depth) 25.1:length)",
                            "(ge 25:length (sensor depth))", "(gt 25.1:length (sensor depth))",
                            "(and (le (sensor depth) 25:length) (le (sensor depth) 26:length))",
@@ -289,9 +289,9 @@ std::vector<double> depthsOf(const std::vector<std::pair<std::string, std::strin
   std::string text = kHeader + "behaviour profile vertical symbol \"\" () reads ()\n" +
                      "behaviour route way symbol \"\" () reads ()\n" + always;
   char name = 'a';
-  for (const auto& [order, cases] : states) {
+  for (const auto& [command, cases] : states) {
     text += std::string("state ") + name++ + " route way begin end profile vertical begin " +
-            (order.empty() ? "" : "entry do " + order + " end ") + "end " + cases + "\n";
+            (command.empty() ? "" : "entry do " + command + " end ") + "end " + cases + "\n";
   }
   const Mission m = missionOf(text);
   return deepestByState(ProofContext(m, slocum()));
@@ -299,7 +299,7 @@ std::vector<double> depthsOf(const std::vector<std::pair<std::string, std::strin
 
 using Depths = std::vector<double>;
 
-TEST(StateDepths, AreThoseOfTheOrders) {
+TEST(StateDepths, AreThoseOfTheCommands) {
   EXPECT_EQ(depthsOf({{"", "case true exit"}}), Depths{8}) << "where control is given, and 5 m";
   EXPECT_EQ(depthsOf({{"descend (20:length, 0.4:angle)", "case true exit"}}), Depths{25});
   EXPECT_EQ(depthsOf({{"ascend (20:length, 0.4:angle)", "case true exit"}}), Depths{25});

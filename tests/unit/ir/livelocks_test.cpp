@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// GL3114: states that the clocks alone send a mission to and fro between.
+// GL3114: states between which the clocks alone send a mission back and forth.
 
 #include "ir/prove/prove.h"
 #include "ir/verify/verify.h"
@@ -116,7 +116,7 @@ TEST(Livelocks, NotAtATimeBeforeWhichTheStateCannotBeEntered) {
 }
 
 /// The lines on states that can follow each other on tick after tick.
-std::string bounces(const std::string& text, const platforms::Platform& platform = slocum()) {
+std::string livelocks(const std::string& text, const platforms::Platform& platform = slocum()) {
   const Mission mission = missionOf(text);
   support::DiagnosticEngine diagnostics;
   const MissionFacts facts = verify(mission, diagnostics);
@@ -132,20 +132,20 @@ std::string bounces(const std::string& text, const platforms::Platform& platform
 
 const std::string kCold = "case (lt (sensor temp) 12:temperature) goto a ";
 
-/// A `return` that never fires is no mistake: the look for states that follow each other on tick
-/// after tick takes none from an empty stack.
+/// A `return` that never fires is not an error: the search for states that follow each other on
+/// tick after tick takes none from an empty stack.
 TEST(Chattering, AStateWithAReturnThatNeverFires) {
-  bounces(kHeader + stateText("a", kExit + "case (gt (sensor temp) 10:temperature) goto b") +
-          stateText("b", kCold + "case false return"));
+  livelocks(kHeader + stateText("a", kExit + "case (gt (sensor temp) 10:temperature) goto b") +
+            stateText("b", kCold + "case false return"));
 }
 
 TEST(Chattering, NotAtTimesThatCannotBe) {
   const auto after = [](const std::string& guard) {
-    return bounces(kHeader +
-                   "variable t: time mission lowest -100 highest 5000\ninitial t 1:time\n" +
-                   stateText("a", kExit + "case (and (gt (sensor temp) 10:temperature) " + guard +
-                                      ") goto b") +
-                   stateText("b", kCold));
+    return livelocks(kHeader +
+                     "variable t: time mission lowest -100 highest 5000\ninitial t 1:time\n" +
+                     stateText("a", kExit + "case (and (gt (sensor temp) 10:temperature) " + guard +
+                                        ") goto b") +
+                     stateText("b", kCold));
   };
   for (const char* clock : {"missiontime", "statetime", "resumetime"}) {
     const std::string name = clock;
@@ -159,10 +159,10 @@ TEST(Chattering, NotAtTimesThatCannotBe) {
 
 TEST(Chattering, SayHowLongTheStateWasCurrent) {
   EXPECT_THAT(
-      bounces(kHeader +
-              stateText("a", kExit + "case (and (gt (sensor temp) 10:temperature) (and (gt "
-                                     "missiontime 900:time) (lt statetime 10:time))) goto b") +
-              stateText("b", kCold)),
+      livelocks(kHeader +
+                stateText("a", kExit + "case (and (gt (sensor temp) 10:temperature) (and (gt "
+                                       "missiontime 900:time) (lt statetime 10:time))) goto b") +
+                stateText("b", kCold)),
       testing::ContainsRegex("missiontime = [0-9.]+ s, statetime = [0-9](\\.[0-9]+)? s"));
 }
 
@@ -173,9 +173,9 @@ TEST(Chattering, ByTheSameCaseTwice) {
            ":time)) goto ";
   };
   const auto until = [&](const char* last) {
-    return bounces(kHeader + "always " + between("98", "100") + "b " + between("102", "104") +
-                   "a\n" + stateText("a", between("86", last) + "b " + kExit) +
-                   stateText("b", between("90", "96") + "a"));
+    return livelocks(kHeader + "always " + between("98", "100") + "b " + between("102", "104") +
+                     "a\n" + stateText("a", between("86", last) + "b " + kExit) +
+                     stateText("b", between("90", "96") + "a"));
   };
   EXPECT_NE(until("97.9"), "");
   EXPECT_EQ(until("92"), "");
@@ -184,7 +184,7 @@ TEST(Chattering, ByTheSameCaseTwice) {
 /// The noise of the pressure is 0.01 bar.
 TEST(Chattering, TheNoiseIsInTheVehiclesUnit) {
   const auto apart = [](const char* pressure) {
-    return bounces(
+    return livelocks(
         kHeader +
         "sensor p: pressure vehicle sci_water_pressure id 3 encoding linear to_si 100000 "
         "lowest 0 highest 100 stale_after 20\n" +
@@ -195,19 +195,20 @@ TEST(Chattering, TheNoiseIsInTheVehiclesUnit) {
   EXPECT_EQ(apart("198900"), "");
 }
 
-/// Of degrees and minutes that stand in one number no difference has a meaning.
+/// The difference of two numbers that combine degrees and minutes has no meaning.
 TEST(Chattering, NoNoiseOfAPlace) {
   platforms::Platform noisy = slocum();
   for (platforms::PlatformSensor& sensor : noisy.sensors) {
     sensor.noise = sensor.name == "m_lat" ? 0.5 : sensor.noise;
   }
   EXPECT_EQ(
-      bounces(kHeader +
-                  "sensor lat: latitude vehicle m_lat id 3 encoding degrees_minutes to_si 1 lowest "
-                  "-9000 highest 9000 stale_after 20\n" +
-                  stateText("a", kExit + "case (gt (sensor lat) 39:latitude) goto b") +
-                  stateText("b", "case (lt (sensor lat) 39:latitude) goto a"),
-              noisy),
+      livelocks(
+          kHeader +
+              "sensor lat: latitude vehicle m_lat id 3 encoding degrees_minutes to_si 1 lowest "
+              "-9000 highest 9000 stale_after 20\n" +
+              stateText("a", kExit + "case (gt (sensor lat) 39:latitude) goto b") +
+              stateText("b", "case (lt (sensor lat) 39:latitude) goto a"),
+          noisy),
       "");
 }
 

@@ -174,7 +174,7 @@ Told byAllPairs(const Mission& m) {
   return told;
 }
 
-TEST(Nearest, MissionsAreToldWhatAllPairsTell) {
+TEST(Nearest, MissionsGetWhatAllPairsGive) {
   Random random(11);
   size_t told = 0;
   for (int i = 0; i < 60; ++i) {

@@ -44,7 +44,7 @@ TEST(Optimise, RunsEveryPass) {
   EXPECT_EQ(m.states.at(0).table.rows.size(), 16U) << "tabulate-guards";
 }
 
-TEST(FoldConstants, ACallIsMadeWhateverRulesItsResult) {
+TEST(FoldConstants, ACallIsMadeEvenIfItsResultIsKnown) {
   for (const char* guard :
        {"(and false (call 0 (sensor depth)))", "(and (call 0 (sensor depth)) false)",
         "(or true (call 0 (sensor depth)))", "(or (call 0 (sensor depth)) true)",
@@ -71,7 +71,7 @@ TEST(FoldConstants, NeutralSidesGoAndTheOtherStays) {
   }
 }
 
-TEST(FoldConstants, WorksOutWhatIsKnown) {
+TEST(FoldConstants, EvaluatesWhatIsKnown) {
   struct Row {
     const char* text;
     double number;
@@ -155,7 +155,7 @@ TEST(DropDeadStates, KeepsThoseToWhichSomeCaseLeads) {
             "ab");
 }
 
-TEST(DropDeadCases, WhatStandsAfterATrueOneGoes) {
+TEST(DropDeadCases, WhatFollowsATrueOneIsRemoved) {
   const auto left = [](const std::string& cases, const std::string& always = "") {
     Mission m =
         missionOf(kHeader + always + stateText("a", cases) + stateText("b", "case true exit"));
@@ -189,7 +189,7 @@ TEST(Compact, WatchedCallsThatNothingReadsAreStillMade) {
   EXPECT_EQ(plain.temporals.size(), 0U) << "what calls nothing and is not read goes";
 }
 
-/// Two windows of one text but for `one` and `two`: how many are left.
+/// Two windows of the same text except for `one` and `two`: how many are left.
 size_t windowsOf(const std::string& one, const std::string& two) {
   const Mission m = optimised(
       "temporal " + one + "\ntemporal " + two + "\n" +

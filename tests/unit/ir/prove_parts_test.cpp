@@ -302,7 +302,7 @@ TEST(ConeOfInfluence, IsWhatGuardsRead) {
             "x y 0 ");
 }
 
-TEST(ConeOfInfluence, IsWhatThatIsWorkedOutFrom) {
+TEST(ConeOfInfluence, IsWhatThatIsComputedFrom) {
   EXPECT_EQ(relevantIn(number("y") + number("z") + number("x", "(var y)") +
                        stateText("a", "case (gt (var x) 1) exit")),
             "y x ");
@@ -356,19 +356,19 @@ TEST(ConeOfInfluence, IsWhatSetsItInAProfileOrRoute) {
       << "it is done";
 }
 
-TEST(ConeOfInfluence, IsWhatOrdersDepthsToTheVehicle) {
+TEST(ConeOfInfluence, IsWhatCommandsDepthsToTheVehicle) {
   const std::string two = number("x") + number("y");
-  for (const char* order :
+  for (const char* command :
        {"descend ((mul (var y) 1:length), 0.4:angle)", "ascend ((mul (var y) 1:length), 0.4:angle)",
         "hover ((mul (var y) 1:length))"}) {
-    const std::string text = two + asking("entry do " + std::string(order) + " end");
-    EXPECT_EQ(relevantIn(text), "x ") << order;
-    EXPECT_EQ(relevantIn(text, true), "x y a.profile ") << order;
+    const std::string text = two + asking("entry do " + std::string(command) + " end");
+    EXPECT_EQ(relevantIn(text), "x ") << command;
+    EXPECT_EQ(relevantIn(text, true), "x y a.profile ") << command;
   }
   EXPECT_EQ(relevantIn(two + asking("entry do surface () end"), true), "x a.profile ");
   EXPECT_EQ(relevantIn(two + asking("", "entry do steer ((mul (var y) 1:angle)) end"), true), "x ");
   EXPECT_EQ(relevantIn(stateText("a", "case true exit"), true), "a.profile a.route ")
-      << "in C they may order anything";
+      << "in C they may command anything";
   EXPECT_EQ(relevantIn(stateText("a", "case true exit"), false), "");
 }
 
@@ -393,7 +393,7 @@ std::string roughOf(const std::string& condition, bool vehicle = false,
   return knownRoughly(m, relevanceFor(m, {}, vehicle));
 }
 
-TEST(KnownRoughly, NamesWhatTheSolverDoesNotWorkOut) {
+TEST(KnownRoughly, NamesWhatTheSolverDoesNotCompute) {
   const std::string products = "products of values that are measured or change",
                     quotients = "quotients of values that are measured or change",
                     functions = "square roots and angles",

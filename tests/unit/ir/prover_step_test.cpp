@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Each tick of the interpreter lies inside the step that proofs reckon with: SymbolicTick's terms
+// Each tick of the interpreter lies inside the step that proofs assume: SymbolicTick's terms
 // have a solution that is this tick, and AbstractRun's ranges hold what it leaves.
 
 #include "ir/prove/abstract/abstract_run.h"
@@ -18,7 +18,7 @@
 namespace glider::ir::prove {
 namespace {
 
-/// All that a mission keeps matters, but for the vehicle.
+/// All that a mission keeps matters, except for the vehicle.
 ConeOfInfluence everything(const Mission& m) {
   ConeOfInfluence all;
   all.variables.assign(m.variables.size(), true);

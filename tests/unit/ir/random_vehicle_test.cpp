@@ -19,10 +19,10 @@ namespace glider::ir::prove {
 namespace {
 
 // Of the platform: control is given at 3 m or above, 5 m are overshot, it sinks at 0.4 m/s at most
-// and climbs at 0.05 m/s at least, from 120 s after the order on.
+// and climbs at 0.05 m/s at least, from 120 s after the command on.
 constexpr double kLong = 4000;  // s, more than it needs to get anywhere
 
-Action order(Command command, std::vector<double> arguments = {}, bool refused = false) {
+Action commanded(Command command, std::vector<double> arguments = {}, bool refused = false) {
   return CommandRun{command, std::move(arguments), refused};
 }
 
@@ -72,21 +72,21 @@ TEST(RandomVehicle, BeginsNearTheSurface) {
   expectUpTo(8, depthsUnder({}));
 }
 
-TEST(RandomVehicle, SinksToWhatIsOrdered) {
-  expectUpTo(25, depthsUnder({order(Command::Descend, {20, 0.4})}));
-  expectUpTo(25, depthsUnder({order(Command::Hover, {20})}));
-  expectUpTo(8, depthsUnder({order(Command::Descend, {20, 0.4}, true)}));
-  expectUpTo(8, depthsUnder({order(Command::Drift)}));
-  expectUpTo(25,
-             depthsUnder({order(Command::Descend, {50, 0.4}), order(Command::Descend, {20, 0.4})}));
+TEST(RandomVehicle, SinksToWhatIsCommanded) {
+  expectUpTo(25, depthsUnder({commanded(Command::Descend, {20, 0.4})}));
+  expectUpTo(25, depthsUnder({commanded(Command::Hover, {20})}));
+  expectUpTo(8, depthsUnder({commanded(Command::Descend, {20, 0.4}, true)}));
+  expectUpTo(8, depthsUnder({commanded(Command::Drift)}));
+  expectUpTo(25, depthsUnder({commanded(Command::Descend, {50, 0.4}),
+                              commanded(Command::Descend, {20, 0.4})}));
 }
 
 TEST(RandomVehicle, GoesOnFromWhereItIs) {
-  // From about 55 m, ordered to no more than 20 m, it may overshoot by 5 m first.
+  // From about 55 m, commanded to no more than 20 m, it may overshoot by 5 m first.
   const Range range = depthsAfter([](RandomVehicle& vehicle) {
-    vehicle.obey({order(Command::Descend, {50, 0.4})}, 0);
+    vehicle.obey({commanded(Command::Descend, {50, 0.4})}, 0);
     fly(vehicle, 0, kLong);
-    vehicle.obey({order(Command::Descend, {20, 0.4})}, kLong);
+    vehicle.obey({commanded(Command::Descend, {20, 0.4})}, kLong);
     fly(vehicle, kLong, 2 * kLong);
   });
   expectUpTo(55, range);
@@ -95,9 +95,9 @@ TEST(RandomVehicle, GoesOnFromWhereItIs) {
 TEST(RandomVehicle, OvershootsWhereItIsTurned) {
   // 80 s of sinking by 0.4 m/s, and the overshoot.
   expectUpTo(3 + 32 + 5, depthsAfter([](RandomVehicle& vehicle) {
-               vehicle.obey({order(Command::Descend, {50, 0.4})}, 0);
+               vehicle.obey({commanded(Command::Descend, {50, 0.4})}, 0);
                fly(vehicle, 0, 80);
-               vehicle.obey({order(Command::Descend, {20, 0.4})}, 80);
+               vehicle.obey({commanded(Command::Descend, {20, 0.4})}, 80);
                fly(vehicle, 80, kLong);
              }));
 }
@@ -105,7 +105,7 @@ TEST(RandomVehicle, OvershootsWhereItIsTurned) {
 /// From 50 m and what is overshot, `seconds` after a command to climb.
 Range depthsAfterClimb(const Action& climb, double seconds) {
   return depthsAfter([&](RandomVehicle& vehicle) {
-    vehicle.obey({order(Command::Descend, {50, 0.4})}, 0);
+    vehicle.obey({commanded(Command::Descend, {50, 0.4})}, 0);
     fly(vehicle, 0, kLong);
     vehicle.obey({climb}, kLong);
     fly(vehicle, kLong, kLong + seconds);
@@ -113,7 +113,7 @@ Range depthsAfterClimb(const Action& climb, double seconds) {
 }
 
 TEST(RandomVehicle, ClimbsAtLeastAsFastAsItMust) {
-  const Action surface = order(Command::Surface);
+  const Action surface = commanded(Command::Surface);
   expectUpTo(55, depthsAfterClimb(surface, 100));
   expectUpTo(55, depthsAfterClimb(surface, 120));
   expectUpTo(50, depthsAfterClimb(surface, 220));
@@ -122,19 +122,19 @@ TEST(RandomVehicle, ClimbsAtLeastAsFastAsItMust) {
   EXPECT_EQ(depthsAfterClimb(surface, 160).least, 0) << "or as fast as it can";
 }
 
-TEST(RandomVehicle, ClimbsToWhatIsOrdered) {
-  const Range there = depthsAfterClimb(order(Command::Ascend, {20, 0.4}), kLong);
+TEST(RandomVehicle, ClimbsToWhatIsCommanded) {
+  const Range there = depthsAfterClimb(commanded(Command::Ascend, {20, 0.4}), kLong);
   expectUpTo(25, there);
-  EXPECT_EQ(depthsAfterClimb(order(Command::Ascend, {0, 0.4}), kLong).most, 0);
+  EXPECT_EQ(depthsAfterClimb(commanded(Command::Ascend, {0, 0.4}), kLong).most, 0);
 }
 
 TEST(RandomVehicle, DoesNotTurnBackOnItsWayUp) {
   for (uint64_t seed = 1; seed <= 50; ++seed) {
     Rng dice(seed);
     RandomVehicle vehicle(slocum(), dice);
-    vehicle.obey({order(Command::Descend, {50, 0.4})}, 0);
+    vehicle.obey({commanded(Command::Descend, {50, 0.4})}, 0);
     fly(vehicle, 0, kLong);
-    vehicle.obey({order(Command::Surface)}, kLong);
+    vehicle.obey({commanded(Command::Surface)}, kLong);
     for (double now = kLong; now < kLong + 1220; now += 20) {
       const double before = vehicle.depth();
       vehicle.move(now, now + 20);
@@ -144,27 +144,27 @@ TEST(RandomVehicle, DoesNotTurnBackOnItsWayUp) {
 }
 
 TEST(RandomVehicle, AboveWhereItClimbsToItMaySinkOrNot) {
-  const Range there = depthsUnder({order(Command::Ascend, {20, 0.4})});
+  const Range there = depthsUnder({commanded(Command::Ascend, {20, 0.4})});
   EXPECT_LT(there.least, 10);
   EXPECT_GT(there.most, 15);
 }
 
 TEST(RandomVehicle, DoesNotLeaveTheWater) {
-  const Range there = depthsAfterClimb(order(Command::Ascend, {-3, 0.4}), kLong);
+  const Range there = depthsAfterClimb(commanded(Command::Ascend, {-3, 0.4}), kLong);
   EXPECT_EQ(there.least, 0);
   EXPECT_EQ(there.most, 0);
 }
 
-TEST(RandomVehicle, AnotherOrderToClimbIsTheSame) {
+TEST(RandomVehicle, AnotherCommandToClimbIsTheSame) {
   const Range range = depthsAfter([](RandomVehicle& vehicle) {
-    vehicle.obey({order(Command::Descend, {50, 0.4})}, 0);
+    vehicle.obey({commanded(Command::Descend, {50, 0.4})}, 0);
     fly(vehicle, 0, kLong);
     for (double now = kLong; now < kLong + 1220; now += 20) {
-      vehicle.obey({order(Command::Surface)}, now);
+      vehicle.obey({commanded(Command::Surface)}, now);
       vehicle.move(now, now + 20);
     }
   });
-  EXPECT_EQ(range.most, 0) << "its turn does not begin anew";
+  EXPECT_EQ(range.most, 0) << "its turn does not start again";
 }
 
 TEST(RandomVehicle, IsNoFasterThanItCanBe) {
@@ -172,7 +172,7 @@ TEST(RandomVehicle, IsNoFasterThanItCanBe) {
   for (uint64_t seed = 1; seed <= 100; ++seed) {
     Rng dice(seed);
     RandomVehicle vehicle(slocum(), dice);
-    vehicle.obey({order(Command::Descend, {100, 0.4})}, 0);
+    vehicle.obey({commanded(Command::Descend, {100, 0.4})}, 0);
     for (double now = 0; now < 100; ++now) {
       const double before = vehicle.depth();
       vehicle.move(now, now + 1);
@@ -184,7 +184,7 @@ TEST(RandomVehicle, IsNoFasterThanItCanBe) {
 
 TEST(RandomVehicle, IsAsSlowAsItLikes) {
   const Range sunk = depthsAfter([](RandomVehicle& vehicle) {
-    vehicle.obey({order(Command::Descend, {100, 0.4})}, 0);
+    vehicle.obey({commanded(Command::Descend, {100, 0.4})}, 0);
     fly(vehicle, 0, 20);
   });
   EXPECT_LT(sunk.least, 1);
@@ -207,7 +207,7 @@ TEST(RandomVehicle, ShowsItsDepthRoughly) {
   EXPECT_NEAR(error.most, 0.5, 0.02);
 }
 
-TEST(RandomVehicle, WhatIsInCMayOrderAnything) {
+TEST(RandomVehicle, WhatIsInCMayCommandAnything) {
   const Range range = depthsUnder({ActivityRun{ListKind::Profile, {0}, Phase::Tick, {}}});
   EXPECT_GT(range.most, 190);
   EXPECT_LE(range.most, 208);

@@ -123,8 +123,8 @@ TEST(IntervalsTest, WhatAlwaysOverflowsIsNeverKnown) {
   }
 }
 
-/// Whatever the interpreter works out lies in its interval.
-TEST(IntervalsTest, HoldWhatRandomMissionsWorkOut) {
+/// Every value that the interpreter computes lies in its interval.
+TEST(IntervalsTest, HoldWhatRandomMissionsCompute) {
   size_t looked_at = 0;
   for (uint64_t seed = 0; seed < 30; ++seed) {
     const Mission m = random_missions::randomMission(seed);

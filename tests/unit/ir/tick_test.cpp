@@ -210,7 +210,7 @@ TEST(Tick, ArgumentsAreEvaluatedInTheOldStateAllBeforeAnyIsGiven) {
   EXPECT_EQ(run.variable("z"), 1);
 }
 
-TEST(Tick, VariablesLiveThroughCallsAndStartAnewByGoto) {
+TEST(Tick, VariablesSurviveCallsAndRestartWithGoto) {
   Flight run(kHeader + "variable n: number state of a variable m: number mission initial m 0 " +
              "state a initial n 0 route drift () profile glide () case " + at(4) +
              " do set n 7 set m 7 end call b case " + at(12) + " goto a " +
@@ -218,7 +218,7 @@ TEST(Tick, VariablesLiveThroughCallsAndStartAnewByGoto) {
   run.start();
   run.tick(4);
   run.tick(8);
-  EXPECT_EQ(run.variable("n"), 7) << "return starts nothing anew";
+  EXPECT_EQ(run.variable("n"), 7) << "return restarts nothing";
   run.tick(12);
   EXPECT_EQ(run.variable("n"), 0);
   EXPECT_EQ(run.variable("m"), 7);
@@ -330,7 +330,7 @@ TEST(Tick, HeldCountsFromTheEntryAndFromTheTurn) {
   EXPECT_EQ(run.tick(24, {{kDepth, 9}}).notes.size(), 1u);
 }
 
-TEST(Tick, TemporalsNestAndStartAnewOnReturnButThoseOfAlwaysDoNot) {
+TEST(Tick, TemporalsNestAndRestartOnReturnButThoseOfAlwaysDoNot) {
   Flight run(kHeader + "temporal held always (gt (sensor depth) 5:length) for 12:time " +
              "temporal held state a (gt (sensor depth) 5:length) for 12:time " +
              "temporal became state a (temporal 1) " + "always case (temporal 0) " + log("always") +
@@ -358,7 +358,7 @@ TEST(Tick, WindowsAreUnknownUntilCoveredAndSurviveCalls) {
   EXPECT_NE(mean(), mean());
   run.tick(4, {{kDepth, 4}});
   run.tick(8, {{kDepth, 6}});
-  EXPECT_EQ(mean(), 4) << "it advances on return and did not start anew";
+  EXPECT_EQ(mean(), 4) << "it advances on return and was not restarted";
 }
 
 TEST(Tick, ParametersComeBeforeTheVariablesThatReadThem) {

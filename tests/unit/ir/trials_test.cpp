@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// What trials show of a case, and that the solver never says otherwise.
+// What sampling shows about a case, and that the solver never contradicts it.
 
 #include "ir/prove/encoding/question.h"
 #include "ir/prove/encoding/sampling.h"
@@ -56,7 +56,7 @@ TEST(Sampling, SeeWhatLooksBackInTime) {
   EXPECT_FALSE(seen[2].fires) << "the time has not passed";
 }
 
-TEST(Sampling, WhatIsHeldForNobodyKnowsHowLongIsUnknown) {
+TEST(Sampling, WhatIsHeldForAnUnknownTimeIsUnknown) {
   const Mission mission =
       missionOf(kHeader + "temporal held state a true for (mul (mul 1e300 1e300) 1:time) " +
                 stateText("a", "case (temporal 0) exit case (not (temporal 0)) exit"));

@@ -89,7 +89,7 @@ TEST(Validate, AcceptsACompass) {
   EXPECT_TRUE(validate(m).empty());
 }
 
-/// A table of two rows for the first state's cases: sound but for what a damage does to it.
+/// A table of two rows for the first state's cases: sound until a damage is planted in it.
 GuardTable& tabled(Mission& m) {
   GuardTable& table = m.states[0].table;
   if (table.empty()) {

@@ -236,8 +236,7 @@ TEST(VerifyReference, AgreesWithEveryConfigurationOfRandomMissions) {
 }
 
 /// Depth, recursion, empty returns and what is reached are exact with `always` too; no warning of
-/// a dead end or of a missing exit is false, and few are missed (of states that return none is
-/// told).
+/// a dead end or of a missing exit is false, and few are missed (states that return get none).
 TEST(VerifyReference, AgreesWithAlways) {
   random_missions::Random random(20260102);
   Statistics s;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The windows of the interpreter, worked out by hand.
+// The windows of the interpreter, compared with values computed by hand.
 
 #include "ir/eval/window.h"
 
@@ -115,7 +115,7 @@ TEST(PlainWindow, TakesNoBinThatHasNoNumber) {
   EXPECT_EQ(overDepth(kHighest, {{0, 0, 1}, {4, 1 - far, 7}}), 7);
 }
 
-TEST(PlainWindow, BeginsAnew) {
+TEST(PlainWindow, Restarts) {
   PlainWindow window({kHighest, false, 10, 4, 99});
   window.start(0);
   window.advance(0, 0, 9, true);

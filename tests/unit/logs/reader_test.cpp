@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// What is read out of a mission log: each number of each record, and what is no good counted.
+// What is read out of a mission log: each number of each record; unreadable records are counted.
 
 #include "logs/reader.h"
 
@@ -133,7 +133,7 @@ TEST_F(ReadLog, ATransitionSaysWhatFiredAndOnWhichReadings) {
                                         Pair("?0", 0.5), Pair("m_depth", 17)));
 }
 
-TEST_F(ReadLog, EveryTransitionHasItsWordAndThoseOfAlwaysSaySo) {
+TEST_F(ReadLog, EveryTransitionHasItsWordAndThoseOfAlwaysAreMarked) {
   const char* const words[] = {"goto", "call", "return", "exit", "stay", "done", "?"};
   for (uint8_t kind = 0; kind < 7; ++kind) {
     for (uint8_t list = 0; list < 4; ++list) {
@@ -160,7 +160,7 @@ TEST_F(ReadLog, ANoteHasItsTextBehindItsValues) {
   EXPECT_TRUE(std::isnan(entry.values[1].second));
 }
 
-TEST_F(ReadLog, ANoteMayTellOfASetThatWasUnknown) {
+TEST_F(ReadLog, ANoteMayReportASetThatWasUnknown) {
   log_.add(Record(LogRecord::Note).f64(8).u8(1).u8(0).text("count"));
   EXPECT_TRUE(only().unknown_set);
   EXPECT_EQ(only().name, "count");
@@ -177,7 +177,7 @@ TEST_F(ReadLog, AnEventHasItsWordsAndItsNumber) {
   EXPECT_EQ(entry.value, 41);
 }
 
-TEST_F(ReadLog, EventsOfALaterProgramAreToldByTheirNumber) {
+TEST_F(ReadLog, EventsOfALaterProgramAreShownByTheirNumber) {
   log_.event(1, 200, 201);
   EXPECT_EQ(only().name, "event 200");
   EXPECT_EQ(only().detail, "detail 201");
@@ -213,7 +213,7 @@ TEST_F(ReadLog, GapsInTheNumbersAreCountedRoundTheirEnd) {
   expectDamage(0, 3, 0);
 }
 
-TEST_F(ReadLog, AStartBeginsNumbersAnew) {
+TEST_F(ReadLog, AStartRestartsTheNumbers) {
   log_.event(1);
   log_.sequence = 77;
   log_.start();
@@ -251,7 +251,7 @@ TEST_F(ReadLog, OfNothingThereIsNothing) {
   expectDamage(1, 0, 0);
 }
 
-TEST_F(ReadLog, AFrameThatIsNoRecordIsUnreadable) {
+TEST_F(ReadLog, AFrameThatIsNotARecordIsUnreadable) {
   log_.add("\x05", hooks::MessageType::Note);
   read();
   expectDamage(0, 0, 1);

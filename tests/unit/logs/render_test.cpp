@@ -97,7 +97,7 @@ TEST(LogCsv, QuotesWhatWouldBreakARowAndNothingElse) {
   EXPECT_EQ(csvLines(entry), "1500,transition,goto,2,\"a,1\",\"b,2\"\n");
 }
 
-TEST(LogText, TellsWhatHappened) {
+TEST(LogText, SaysWhatHappened) {
   EXPECT_EQ(textLine(entryOf(LogRecord::Start, 0, "bench")),
             "       0.0 s  the program of mission bench starts\n");
   LogEntry begin = entryOf(LogRecord::Begin);

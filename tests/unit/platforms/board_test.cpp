@@ -73,7 +73,7 @@ TEST(Board, WhatTheFileSaysIsReadOut) {
 }
 
 // accepts: GL5001; refused: GL5001
-TEST(Board, MistakesAreNamedWithTheirLine) {
+TEST(Board, ErrorsAreReportedWithTheirLine) {
   const std::pair<std::string, std::string> bad[] = {
       {with("cpu = \"i486\"", "cpu = 486"), ":4"},
       {with("cpu = \"i486\"", "cpus = \"i486\""), ":4"},

@@ -39,7 +39,7 @@ TEST(Platform, TheSlocumLoadsAndItsNumbersAreTheHeaders) {
 }
 
 // accepts: GL5001
-TEST(Platform, MistakesInTheFileAreNamedWithTheirLine) {
+TEST(Platform, ErrorsInTheFileAreReportedWithTheirLine) {
   ASSERT_TRUE(load(std::string(kHead) + kSensor));
   const std::pair<std::string, std::string> bad[] = {
       {"", "has no `name`"},
@@ -85,8 +85,25 @@ TEST(Platform, ValuesOutsideTheirMeaningAreRefused) {
 }
 
 // accepts: GL5001
+TEST(Platform, ItsNameIsThatOfItsFileAndAWordOfTheLanguage) {
+  const tests::TemporaryFolder folder;
+  const auto named = [&](const std::string& file, const std::string& name) {
+    const std::string rest = std::string(kHead).substr(std::string(kHead).find('\n'));
+    const auto platform =
+        loadPlatform(folder.write(file + ".toml", "name = \"" + name + "\"" + rest + kSensor));
+    return platform ? "" : platform.error().message;
+  };
+  EXPECT_EQ(named("p", "p"), "");
+  EXPECT_EQ(named("deep_2", "deep_2"), "");
+  EXPECT_NE(named("p", "q").find("that of the file"), std::string::npos);
+  EXPECT_NE(named("my-glider", "my-glider").find("letters, digits"), std::string::npos);
+  EXPECT_NE(named("2_deep", "2_deep").find("begin with a letter"), std::string::npos);
+}
+
+// accepts: GL5001
 TEST(Platform, WhatMovesItIsGivenAsAWhole) {
-  const std::string slocum = tests::slurp(GLIDER_SOURCE_DIR "/platforms/slocum.toml");
+  std::string slocum = tests::slurp(GLIDER_SOURCE_DIR "/platforms/slocum.toml");
+  slocum.replace(slocum.find("name = \"slocum\""), 15, "name = \"p\"");
   const auto with = [&](const std::string& from, const std::string& to) {
     std::string text = slocum;
     text.replace(text.find(from), from.size(), to);
@@ -95,6 +112,10 @@ TEST(Platform, WhatMovesItIsGivenAsAWhole) {
   };
   EXPECT_EQ(with("", ""), "");
   EXPECT_NE(with("[power]", "[might]").find("might"), std::string::npos);
+  EXPECT_NE(load(std::string(kHead) + "[power]\nfull_V = 5\n" + kSensor)
+                .error()
+                .message.find("without [motion]"),
+            std::string::npos);
   EXPECT_NE(with("\nmass_kg = 65.0", "").find("mass_kg"), std::string::npos);
   EXPECT_NE(with("\nfull_V = 14.4", "").find("full_V"), std::string::npos);
   EXPECT_NE(with("hull_lift = 3.8", "hull_lift = -3.8").find("above 0"), std::string::npos);
@@ -104,7 +125,7 @@ TEST(Platform, WhatMovesItIsGivenAsAWhole) {
   EXPECT_EQ(with("hotel_W = 1.63", "hotel_W = 1.63\nsbc_W = 3.0"), "");
 }
 
-TEST(Platform, HowOftenAndHowExactlyASensorIsHeardOf) {
+TEST(Platform, HowOftenAndHowExactlyASensorIsReported) {
   const auto with = [](const std::string& stale, const std::string& more) {
     std::string text = std::string(kHead) + kSensor;
     text.replace(text.rfind("stale_after_s = 1.0"), 19, "stale_after_s = " + stale);

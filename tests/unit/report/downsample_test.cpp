@@ -12,13 +12,13 @@
 namespace glider::report {
 namespace {
 
-TEST(Thin, AShortTraceComesBackUnchanged) {
+TEST(Downsample, AShortTraceComesBackUnchanged) {
   const support::Trace trace = sampleTrace();
   const support::Trace thin = downsampled(trace, trace.rowCount());
   EXPECT_EQ(support::traceToCsv(thin), support::traceToCsv(trace));
 }
 
-TEST(Thin, ALongTraceKeepsEndsExtremesAndEveryChangeOfState) {
+TEST(Downsample, ALongTraceKeepsEndsExtremesAndEveryChangeOfState) {
   const support::Trace trace = longTrace(40'000);
   const support::Trace thin = downsampled(trace, 9000);
   EXPECT_LT(thin.rowCount(), 10'000U);
@@ -35,13 +35,13 @@ TEST(Thin, ALongTraceKeepsEndsExtremesAndEveryChangeOfState) {
   }
 }
 
-TEST(Thin, NeedsNoDepthColumn) {
+TEST(Downsample, NeedsNoDepthColumn) {
   auto trace = smallTrace({{"time", "s"}}, {{0}, {1}, {2}, {3}, {4}, {5}, {6}, {7}});
   const support::Trace thin = downsampled(trace, 3);
   EXPECT_EQ(thin.rows, (std::vector<double>{0, 7}));
 }
 
-TEST(Thin, CopesWithDepthsThatAreAllUnknown) {
+TEST(Downsample, CopesWithDepthsThatAreAllUnknown) {
   auto trace =
       smallTrace({{"time", "s"}, {"m_depth", "m"}}, {{0, kUnknown}, {1, kUnknown}, {2, kUnknown}});
   EXPECT_EQ(downsampled(trace, 1).rowCount(), 2U);

@@ -54,11 +54,11 @@ class Findings : public testing::Test {
   std::vector<CheckedMission> missions_;
 };
 
-TEST_F(Findings, SarifIsWhatTheStandardWants) {
+TEST_F(Findings, SarifConformsToTheStandard) {
   EXPECT_THAT(sarifFaults(sarif()), IsEmpty());
 }
 
-TEST_F(Findings, TheJudgeOfSarifSeesFaults) {
+TEST_F(Findings, TheCheckOfSarifDetectsFaults) {
   json log = sarif();
   log["runs"][0]["results"][0].erase("message");
   EXPECT_FALSE(sarifFaults(log).empty());
@@ -70,7 +70,7 @@ TEST_F(Findings, TheJudgeOfSarifSeesFaults) {
   EXPECT_FALSE(sarifFaults(log).empty());
 }
 
-TEST_F(Findings, SarifTellsRulesFromThePages) {
+TEST_F(Findings, SarifTakesItsRulesFromThePages) {
   const json rules = sarif()["runs"][0]["tool"]["driver"]["rules"];
   ASSERT_EQ(rules.size(), 2);
   EXPECT_EQ(rules[1]["id"], "GL1005");
@@ -94,7 +94,7 @@ TEST_F(Findings, SarifCountsColumnsInCodePoints) {
   EXPECT_EQ(change["replacements"][0]["deletedRegion"], place["region"]);
 }
 
-TEST_F(Findings, SarifTellsWhatTheWorldRefused) {
+TEST_F(Findings, SarifReportsSystemErrors) {
   const json invocation = sarif()["runs"][0]["invocations"][0];
   EXPECT_EQ(invocation["executionSuccessful"], false);
   EXPECT_EQ(invocation["exitCode"], 2);

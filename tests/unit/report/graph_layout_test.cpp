@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Laying out a graph: nothing covers anything, whatever the graph.
+// The layout of a graph: nothing covers anything, in any graph.
 
 #include "report/graph/layered.h"
 

@@ -41,7 +41,7 @@ TEST(PictureAxis, TicksLieOnMultiplesAndInside) {
   EXPECT_EQ(picture::tickText(-200, 100), "\u2212200");
 }
 
-TEST(PictureLine, ThinningKeepsWhatIsFurtherOffThanTheTolerance) {
+TEST(PictureLine, SimplificationKeepsWhatIsFurtherOffThanTheTolerance) {
   const Line zigzag = {{0, 0}, {1, 0.2}, {2, 0}, {3, 5}, {4, 0}};
   const Line thin = picture::simplified(zigzag, 0.3);
   ASSERT_EQ(thin.size(), 4U);
@@ -119,7 +119,7 @@ TEST(Picture, NamesCannotRunAnything) {
   EXPECT_THAT(svg, HasSubstr("&lt;script"));
 }
 
-TEST(Picture, IsDrawnOfWhateverThereIs) {
+TEST(Picture, IsDrawnOfWhatThereIs) {
   EXPECT_THAT(drawPicture(bareTrace()), HasSubstr("</svg>"));
   EXPECT_THAT(drawPicture(support::Trace()), HasSubstr("</svg>"));
   const auto unknown = smallTrace({{"time", "s"}, {"m_depth", "m"}, {"true_x", "m"}},

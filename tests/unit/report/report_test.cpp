@@ -85,7 +85,7 @@ TEST(Page, NamesNoPlaceOutsideItself) {
   EXPECT_NE(page.find("default-src 'none'"), std::string::npos);
 }
 
-TEST(Page, OfALongFlightIsThinnedButCountsAllRows) {
+TEST(Page, OfALongFlightIsDownsampledButCountsAllRows) {
   const auto data = nlohmann::json::parse(dataOf(renderPage(longTrace(40'000))));
   EXPECT_EQ(data.at("figures").at("rows"), 40'000);
   const auto& trace = data.at("trace");

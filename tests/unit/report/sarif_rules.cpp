@@ -30,7 +30,7 @@ class Judge {
   }
 
   void require(const json& object, const std::string& what, const std::vector<const char*>& names) {
-    expect(object.is_object(), what + " is no object");
+    expect(object.is_object(), what + " is not an object");
     for (const char* name : names) {
       expect(object.contains(name), what + " lacks " + name);
     }

@@ -47,10 +47,10 @@ TEST(Warnings, NeverInControl) {
   EXPECT_EQ(reported(flight(0)), Lines{"GL9372 the mission was never in control of the vehicle"});
   auto without = flight(0);
   without.way = "none";
-  EXPECT_EQ(reported(without), Lines{}) << "nobody expected it";
+  EXPECT_EQ(reported(without), Lines{}) << "none was expected";
 }
 
-TEST(Warnings, AnSbcThatNeverSpokeIsToldFromOneThatWasNotGivenControl) {
+TEST(Warnings, AnSbcThatNeverAnsweredDiffersFromOneThatGotNoControl) {
   const auto hint = [](const support::Trace& trace) {
     support::DiagnosticEngine diagnostics;
     reportFlight(trace, diagnostics);
@@ -84,7 +84,7 @@ TEST(Warnings, TheFirstInterventionIsReportedAndAllAreCounted) {
                                    "30.1 m); 2 times in total"});
   trace.events = {{16, 8, "hook", "hookprog and SBC shook hands", ""},
                   {20, 8, "steering", "hookbeh: dive_to (m_depth 3.1 m)", ""}};
-  EXPECT_EQ(reported(trace), Lines{}) << "steering is no intervention";
+  EXPECT_EQ(reported(trace), Lines{}) << "steering is not an intervention";
 }
 
 TEST(Warnings, AsJson) {
@@ -113,7 +113,7 @@ TEST(Warnings, AnotherMissionThanThatWhoseStatesAreNamed) {
   EXPECT_EQ(flightWarnings(trace), Lines{}) << "none was named";
 }
 
-TEST(Warnings, ALongNameIsTheSameAsFarAsTheLineTellsIt) {
+TEST(Warnings, ALongNameIsTheSameAsFarAsTheLineShowsIt) {
   const auto warnings = [](const std::string& flown, const std::string& told) {
     auto trace = flight(1);
     trace.mission = flown;
@@ -133,7 +133,7 @@ TEST(Warnings, OneRefusalIsOne) {
   EXPECT_EQ(reported(trace),
             Lines{"GL9371 hookbeh refused a command at 8 s: deeper than max_depth"});
   trace.events.back().kind = "log";
-  EXPECT_EQ(refusedInstructions(trace), 0U) << "a note that says so";
+  EXPECT_EQ(refusedInstructions(trace), 0U) << "a note with the same text";
   trace.events.back() = {8, 4, "hook", "instruction 1: refused", ""};
   EXPECT_EQ(refusedInstructions(trace), 0U);
   trace.events.back() = {8, 4, "hook", "the instruction 1 refused: x", ""};
@@ -167,7 +167,7 @@ TEST(Warnings, InControlAtAnyTimeIsInControl) {
 TEST(Warnings, RefusedInstructionsAreCounted) {
   auto trace = flight(1);
   trace.events.push_back({8, 4, "hook", "instruction 1 refused: deeper than max_depth", ""});
-  trace.events.push_back({12, 8, "hook", "instruction 2 refused: it is no command", ""});
+  trace.events.push_back({12, 8, "hook", "instruction 2 refused: it is not a command", ""});
   trace.events.push_back({16, 8, "hook", "hookbeh: climb: too deep (m_depth 30.1 m)", ""});
   EXPECT_EQ(refusedInstructions(trace), 2U);
   EXPECT_EQ(

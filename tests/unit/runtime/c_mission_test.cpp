@@ -171,7 +171,7 @@ std::string logOf(const EmptyFile& file) {
 }
 
 /// A glider that does what hookbeh says, in water with a thermocline at 14 m; remembers what it was
-/// ordered.
+/// commanded.
 class Diver {
  public:
   explicit Diver(VehicleBench& vehicle) : vehicle_(vehicle) {
@@ -200,7 +200,7 @@ class Diver {
   double time_ = 0;
 };
 
-TEST(CMission, Figure3TracksTheThermoclineAndGivesBack) {
+TEST(CMission, Figure3TracksTheThermoclineAndReleasesControl) {
   VehicleBench vehicle({});
   Diver diver(vehicle);
   CMission mission(kFigure3, vehicle);
@@ -245,7 +245,7 @@ TEST(CMission, Figure2FliesItsStates) {
   EXPECT_EQ(mission.exitStatus(), 0);
 }
 
-TEST(CMission, ACardThatStandsStillEndsNothing) {
+TEST(CMission, ACardThatStopsRespondingEndsNothing) {
   VehicleBench vehicle({}, false);
   Diver diver(vehicle);
   const EmptyFile log;
@@ -262,7 +262,7 @@ TEST(CMission, ACardThatStandsStillEndsNothing) {
   vehicle.run(1100);
   EXPECT_EQ(vehicle.hookbeh().state, hooks::HookState::Complete);
   EXPECT_EQ(mission.exitStatus(), 0);
-  EXPECT_EQ(std::ifstream(log.name).get(), EOF) << "the card stood still all the time";
+  EXPECT_EQ(std::ifstream(log.name).get(), EOF) << "the card did not respond at any time";
   kill(writer, SIGKILL);
 }
 
@@ -324,7 +324,7 @@ TEST(CMission, WithoutKeptStateThereAreNoCheckpoints) {
   EXPECT_EQ(mission.exitStatus(), 1);
 }
 
-TEST(KeptState, TakesWhatFitsAndGivesItBack) {
+TEST(KeptState, StoresWhatFitsAndReturnsIt) {
   KeptState kept;
   EXPECT_FALSE(kept.isDeclared());
   EXPECT_TRUE(kept.add(nullptr, 0));
@@ -371,7 +371,7 @@ TEST(CMission, LogsControlAndWhatIsRefused) {
   }
 }
 
-TEST(CMission, TellsTheVehicleOfACardThatIsGone) {
+TEST(CMission, TellsTheVehicleThatTheCardIsGone) {
   VehicleBench vehicle({});
   const Diver diver(vehicle);
   const EmptyFile log;

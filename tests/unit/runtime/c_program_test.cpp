@@ -398,7 +398,7 @@ int met(double dtemp, double ddepth) {
   return thermoMet(&thermo);
 }
 
-TEST(CProgram, AThermoclineIsAsStrongAsItIsWanted) {
+TEST(CProgram, AThermoclineIsAsStrongAsRequired) {
   inWater({{8, 20}, {9, 20}, {10, 19}, {11, 16}, {12, 15}, {13, 15}}, [] {
     EXPECT_EQ(met(5, 10), 1);
     EXPECT_EQ(met(5.25, 10), 0);
@@ -473,7 +473,7 @@ TEST(CProgram, EachWordIsLoggedWithItsValues) {
     const size_t from = csv.find("0,log");
     EXPECT_EQ(csv.substr(from, wanted.size()), wanted);
     EXPECT_TRUE(csv.find("0,event,notes lost,1,,\n0,log,after,7,,\n") != std::string::npos);
-    EXPECT_EQ(csv.find("notes lost"), csv.rfind("notes lost")) << "told once";
+    EXPECT_EQ(csv.find("notes lost"), csv.rfind("notes lost")) << "reported once";
   });
 }
 
@@ -500,7 +500,7 @@ TEST(CProgram, HeadingsAreTrueWithTheDeclinationSet) {
   });
 }
 
-TEST(CProgram, GivesBackWhenItSaysSo) {
+TEST(CProgram, ReleasesControlOnRequest) {
   alone([] {
     VehicleBench vehicle({}, false);
     eventList list = everyTick();
@@ -519,7 +519,7 @@ TEST(CProgram, GivesBackWhenItSaysSo) {
   });
 }
 
-TEST(CProgram, FliesOnByItsOwnClockWhileTheLinkIsSilent) {
+TEST(CProgram, ContinuesByItsOwnClockWhileTheLinkIsSilent) {
   alone([] {
     VehicleBench vehicle({}, false);
     eventList list = everyTick();

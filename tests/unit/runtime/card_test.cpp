@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The process that writes for the mission: what is on the card when it says so, and that a card
-// which stands still costs a bounded wait and nothing else.
+// The process that writes for the mission: what it confirms is on the storage card, and a card that
+// stops responding costs a bounded wait and nothing else.
 
 #include "runtime/board/card.h"
 
@@ -31,7 +31,7 @@ namespace glider::runtime::testing {
 namespace {
 
 /// A card in memory that both processes see through pipes: what is written comes out of one, and a
-/// write waits for a byte in the other while it is told to.
+/// write waits for a byte in the other if the test requests that.
 struct Gate {
   int taken[2];  ///< what was written, byte by byte
   int open[2];   ///< a write with the first byte 'S' waits for a byte here
@@ -105,7 +105,7 @@ TEST(CardTest, WhatItHasTakenIsOnTheCard) {
   EXPECT_EQ(log.renew(log.self), 0);
 }
 
-TEST(CardTest, OneThatStandsStillCostsABoundedWaitOnce) {
+TEST(CardTest, OneThatStopsRespondingCostsABoundedWaitOnce) {
   Gate gate;
   Card card;
   ASSERT_TRUE(card.start(gate.work(), 0, 0.05, 0));
@@ -117,7 +117,7 @@ TEST(CardTest, OneThatStandsStillCostsABoundedWaitOnce) {
   EXPECT_LT(log.sync(log.self), 0);
   EXPECT_EQ(log.renew(log.self), 0) << "no new log has begun";
   gate.letGo();
-  EXPECT_EQ(gate.next(2), "S1") << "what was given up is written all the same";
+  EXPECT_EQ(gate.next(2), "S1") << "what was given up is still written";
   EXPECT_EQ(onceFree(card, false, [&] { return say(log, "c"); }), 1)
       << "a card that moves again is written again";
   EXPECT_EQ(gate.next(1), "c");
@@ -140,7 +140,7 @@ TEST(CardTest, PatienceIsForAllThatATickAsks) {
   later.join();
 }
 
-TEST(CardTest, OneThatHasStoodStillIsLeftAloneForAWhile) {
+TEST(CardTest, OneThatStoppedRespondingIsLeftAloneForAWhile) {
   Gate gate;
   Card card;
   ASSERT_TRUE(card.start(gate.work(), 0, 0.02, 1000));
@@ -174,7 +174,7 @@ void killChildrenBut(const std::vector<pid_t>& these) {
   }
 }
 
-TEST(CardTest, AProcessThatEndsIsStartedAnewAfterARest) {
+TEST(CardTest, AProcessThatEndsIsRestartedAfterAPause) {
   signal(SIGPIPE, SIG_IGN);
   Gate gate;
   const std::vector<pid_t> before = children();
@@ -228,13 +228,13 @@ TEST(CardTest, ASignalNeitherEndsAWaitNorMakesItLonger) {
   Card card;
   ASSERT_TRUE(card.start(gate.work(), 0, 0.1, 0));
   const GliderLogSink log = card.log();
-  std::this_thread::sleep_for(std::chrono::milliseconds(150));  // its clock does not stand at 0
+  std::this_thread::sleep_for(std::chrono::milliseconds(150));  // so that its clock is not 0
   const Interruptions interruptions;
   const double waited = secondsOf([&] { EXPECT_LT(say(log, "S1"), 0); });
   EXPECT_GE(waited, 0.09);
   EXPECT_LT(waited, 2);
   EXPECT_GT(Interruptions::count, 10);
-  gate.letGo();  // its process would stand there for good
+  gate.letGo();  // its process would hang for ever
 }
 
 TEST(CardTest, AfterASignalOnlyTheRestIsWaited) {
@@ -254,7 +254,7 @@ TEST(CardTest, AfterASignalOnlyTheRestIsWaited) {
   gate.letGo();
 }
 
-TEST(CardTest, ALogThatWasRenewedLateIsToldOfOnce) {
+TEST(CardTest, ALogThatWasRenewedLateIsReportedOnce) {
   Gate gate;
   CardWork work = gate.work();
   work.log.renew = [](void* self) {
@@ -265,7 +265,7 @@ TEST(CardTest, ALogThatWasRenewedLateIsToldOfOnce) {
   Card card;
   ASSERT_TRUE(card.start(work, 0, 0.05, 0));
   const GliderLogSink log = card.log();
-  EXPECT_EQ(log.renew(log.self), 0) << "nobody waits any more";
+  EXPECT_EQ(log.renew(log.self), 0) << "nothing waits any more";
   gate.letGo();
   EXPECT_EQ(onceFree(card, false, [&] { return log.renew(log.self) == 1 ? 1 : -1; }), 1);
   for (int tries = 0; tries < 20; ++tries) {
@@ -275,7 +275,7 @@ TEST(CardTest, ALogThatWasRenewedLateIsToldOfOnce) {
   }
 }
 
-TEST(CardTest, AByteThatWasWrittenLateIsNoNewLog) {
+TEST(CardTest, AByteThatWasWrittenLateIsNotANewLog) {
   Gate gate;
   Card card;
   ASSERT_TRUE(card.start(gate.work(), 0, 0.05, 0));
@@ -355,7 +355,7 @@ TEST(CardTest, WithoutPipesTheMissionWritesItself) {
   }
 }
 
-TEST(CardTest, AProcessThatCannotBeStartedAnewIsTriedAgain) {
+TEST(CardTest, AProcessThatCannotBeRestartedIsTriedAgain) {
   alone([] {
     signal(SIGPIPE, SIG_IGN);
     Gate gate;
@@ -424,7 +424,7 @@ TEST(CardTest, ItsProcessHoldsNothingOfTheMissions) {
   close(line[1]);
   fcntl(line[0], F_SETFL, O_NONBLOCK);
   char byte = 0;
-  EXPECT_EQ(read(line[0], &byte, 1), 0) << "nobody else has the line open";
+  EXPECT_EQ(read(line[0], &byte, 1), 0) << "no other process has the line open";
   close(line[0]);
   for (const pid_t child : children()) {
     if (std::ranges::find(earlier, child) == earlier.end()) {
@@ -479,7 +479,7 @@ TEST_F(Store, AProcessThatHasEndedReadsNothing) {
   EXPECT_LT(store.read(store.self, 0, back, 1), 0);
 }
 
-TEST_F(Store, OnlyAProcessThatIsStartedAnewOpensTheLogAgain) {
+TEST_F(Store, OnlyARestartedProcessOpensTheLogAgain) {
   signal(SIGPIPE, SIG_IGN);
   const std::vector<pid_t> before = children();
   Card card;
@@ -489,7 +489,7 @@ TEST_F(Store, OnlyAProcessThatIsStartedAnewOpensTheLogAgain) {
   EXPECT_NE(access(path_.c_str(), F_OK), 0);
 }
 
-TEST_F(Store, AProcessThatIsStartedAnewWritesTheNewestLog) {
+TEST_F(Store, ARestartedProcessWritesTheNewestLog) {
   signal(SIGPIPE, SIG_IGN);
   const std::vector<pid_t> before = children();
   Card card;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Whatever a power cut leaves of the file of checkpoints, the last committed tick stands in it.
+// After any power cut, the file of checkpoints contains the last committed tick.
 
 #include "runtime/checkpoint/checkpoint.h"
 
@@ -18,7 +18,7 @@ class CheckpointTest : public ResumeBench {};
 
 class Counting : public ResumeBench, public ::testing::WithParamInterface<bool> {};
 
-TEST_P(Counting, WhateverAPowerCutLeavesOfTheFileTheLastCommittedTickStandsInIt) {
+TEST_P(Counting, AfterAnyPowerCutTheFileContainsTheLastCommittedTick) {
   counts = GetParam();
   std::vector<Bytes> kept;  // of each commit, in order
   VehicleBench vehicle({.silence_secs = 24});
@@ -65,7 +65,7 @@ TEST_P(Counting, WhateverAPowerCutLeavesOfTheFileTheLastCommittedTickStandsInIt)
 
 INSTANTIATE_TEST_SUITE_P(, Counting, ::testing::Bool());
 
-/// A mission that has made some commits, each file that they may have left, and what stands in it.
+/// A mission that has made some commits, each file that they may have left, and what is in it.
 class EraseBlocks : public ResumeBench {
  protected:
   EraseBlocks() : memory_(mission_.memory.size()) {

@@ -148,7 +148,7 @@ TEST_F(Compass, AnAbsurdVariationLeavesTheLast) {
   }
 }
 
-TEST_F(Compass, UntilTheVehicleTellsTheMissionsDeclinationCounts) {
+TEST_F(Compass, UntilTheVehicleReportsItTheMissionsDeclinationCounts) {
   compass_.declination = -0.2;
   EXPECT_DOUBLE_EQ(trueOf(1), 0.8);
   hear(kOffNewJersey);
@@ -187,7 +187,7 @@ TEST_F(Compass, TheVehicleGetsMagneticHeadingsAndTheMissionTrueOnes) {
   EXPECT_NEAR(readHeading(), 1.3, 1e-6);
 }
 
-TEST_F(Compass, WhatWasToldBeforeControlCounts) {
+TEST_F(Compass, WhatWasReportedBeforeControlCounts) {
   VehicleBench vehicle({.start_secs = 60, .silence_secs = 24});
   vehicle.reports = {GLIDER_M_GPS_MAG_VAR};
   vehicle.set(GLIDER_M_GPS_MAG_VAR, kOffNewJersey);
@@ -198,7 +198,7 @@ TEST_F(Compass, WhatWasToldBeforeControlCounts) {
   EXPECT_NEAR(vehicle.array(GLIDER_SCI_HOOK_HEADING), kEast + kOffNewJersey, 1e-6);
 }
 
-TEST_F(Compass, AVehicleThatNeverTellsFliesByTheMissionsLine) {
+TEST_F(Compass, AVehicleThatNeverReportsItFliesByTheMissionsLine) {
   compass_.declination = -0.2;
   HeadedVehicle vehicle(1);
   boot(vehicle);
@@ -208,7 +208,7 @@ TEST_F(Compass, AVehicleThatNeverTellsFliesByTheMissionsLine) {
   EXPECT_THAT(log_text_, ::testing::Not(::testing::HasSubstr("declination")));
 }
 
-TEST_F(Compass, WithoutEitherItFliesMagneticAndSaysSoOnce) {
+TEST_F(Compass, WithoutEitherItFliesMagneticAndReportsThatOnce) {
   HeadedVehicle vehicle(1);
   boot(vehicle);
   vehicle.run(60);

@@ -75,7 +75,7 @@ TEST_F(LogFiles, OneThatCouldNotBeMadeIsTriedAgain) {
   std::filesystem::rename(folder_, folder_ + ".away");
   const std::string words(10, 'a');
   EXPECT_EQ(sink.write(sink.self, reinterpret_cast<const uint8_t*>(words.data()), 10), 10)
-      << "into the file that nobody sees any more";
+      << "into the file that no longer has a name";
   EXPECT_EQ(sink.renew(sink.self), 1) << "and there is no folder for a new one";
   EXPECT_LT(sink.write(sink.self, reinterpret_cast<const uint8_t*>(words.data()), 10), 0);
   std::filesystem::rename(folder_ + ".away", folder_);

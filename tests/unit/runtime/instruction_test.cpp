@@ -27,7 +27,7 @@ TEST(SameCommand, DiffersWithEachOfItsParts) {
   }
 }
 
-TEST(SameCommand, WhoeverGivesItAndWhenever) {
+TEST(SameCommand, IsIndependentOfSenderAndTime) {
   Instruction later;
   later.session = 2;
   later.sequence = 9;

@@ -155,7 +155,7 @@ TEST_F(LaunchTest, ParametersMustFitTogether) {
   EXPECT_STREQ(launch.problem(), "the parameters do not satisfy `where` number 1");
 }
 
-TEST_F(LaunchTest, AMissionWithoutParametersSaysSo) {
+TEST_F(LaunchTest, AMissionWithoutParametersIsReported) {
   BenchMission bench;
   bench.states = {benchState("a")};
   bench.finish(0);

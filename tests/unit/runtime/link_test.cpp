@@ -86,7 +86,7 @@ class LinkTest : public ::testing::Test {
   std::string log_text_;
 };
 
-TEST_F(LinkTest, WaitsForHookbehThenTakesFliesAndGivesBack) {
+TEST_F(LinkTest, WaitsForHookbehThenTakesFliesAndReleases) {
   VehicleBench vehicle({.start_secs = 60});
   boot(vehicle);
   vehicle.run(60);
@@ -98,17 +98,17 @@ TEST_F(LinkTest, WaitsForHookbehThenTakesFliesAndGivesBack) {
   EXPECT_EQ(vehicle.array(GLIDER_SCI_HOOK_DEPTH), 12);
   EXPECT_EQ(vehicle.array(GLIDER_SCI_HOOK_PITCH), static_cast<double>(-.454F));
   vehicle.run(200);
-  EXPECT_EQ(vehicle.array(GLIDER_SCI_HOOK_DEPTH), 15) << "the second state's order";
+  EXPECT_EQ(vehicle.array(GLIDER_SCI_HOOK_DEPTH), 15) << "the second state's command";
   EXPECT_FALSE(finished_);
   vehicle.run(300);
   EXPECT_TRUE(finished_);
   EXPECT_EQ(vehicle.hookbeh().state, hooks::HookState::Complete);
   EXPECT_THAT(vehicle.answers, ElementsAre(hooks::HookAnswer::Accepted, hooks::HookAnswer::Accepted,
                                            hooks::HookAnswer::Accepted))
-      << "take, one steer, give back";
+      << "take, one steer, release";
 }
 
-TEST_F(LinkTest, MissionTimeCountsFromControlAndTransitionsAreTold) {
+TEST_F(LinkTest, MissionTimeCountsFromControlAndTransitionsAreReported) {
   VehicleBench vehicle({.start_secs = 60});
   boot(vehicle);
   vehicle.run(300);
@@ -146,7 +146,7 @@ TEST_F(LinkTest, LogsTheFlight) {
   EXPECT_THAT(logCsv(), HasSubstr(",event,control released,"));
 }
 
-TEST_F(LinkTest, ARefusedInstructionIsRecordedAndTheMissionFliesOn) {
+TEST_F(LinkTest, ARefusedInstructionIsRecordedAndTheMissionContinues) {
   VehicleBench vehicle({.greatest_depth_m = 14});
   boot(vehicle);
   vehicle.run(160);
@@ -214,7 +214,7 @@ TEST(Control, ARefusalThatOvertakesTheAnswerToTheHandshakeLeavesControlOurs) {
 }
 
 /// Answer and state may come in different frames: how many ticks the state may lag.
-TEST(Control, AStateThatLagsBehindTheAnswerIsNoLoss) {
+TEST(Control, AStateThatLagsBehindTheAnswerIsNotALoss) {
   HandMadeTicks vehicle;
   vehicle.tick.hook_state = hooks::HookState::Ready;
   ASSERT_TRUE(vehicle.answer(12));
@@ -244,7 +244,7 @@ TEST(Control, OnceSeenActiveAnyOtherStateIsALossAtOnce) {
   (void)vehicle.answer(12);
   EXPECT_EQ(vehicle.news.kind, ControlNews::Kind::Lost);
   (void)vehicle.answer(12);
-  EXPECT_NE(vehicle.news.kind, ControlNews::Kind::Lost) << "told once";
+  EXPECT_NE(vehicle.news.kind, ControlNews::Kind::Lost) << "reported once";
 }
 
 TEST(Control, FollowsANumberThatTheClientHadToReplace) {
@@ -291,7 +291,7 @@ TEST_F(LinkTest, ARefusedLinkIsLoggedBelowTheHeaderWithItsReason) {
   EXPECT_EQ(logCsv(), expected);
 }
 
-TEST_F(LinkTest, AfterSilenceControlIsTakenAnewAndTheMissionGoesOn) {
+TEST_F(LinkTest, AfterSilenceControlIsTakenAgainAndTheMissionContinues) {
   VehicleBench vehicle({.silence_secs = 24});
   boot(vehicle);
   vehicle.run(60);
@@ -366,12 +366,12 @@ TEST(MissionClock, ALongSilenceIsCaughtUpWith) {
   MissionClock clock;
   clock.start(0, 0);
   EXPECT_EQ(clock.atFrame(40, 10, 40), 40);
-  EXPECT_EQ(clock.atFrame(40040, 10010, 40), 40040) << "the SBC's clock stood still";
+  EXPECT_EQ(clock.atFrame(40040, 10010, 40), 40040) << "the SBC's clock did not advance";
   EXPECT_EQ(clock.withoutFrame(60), 40056);
   EXPECT_EQ(clock.atFrame(40052, 10013, 60), 40052) << "its own ran ahead";
 }
 
-/// Gone for so long, then the vehicle begins its own mission anew.
+/// Gone for so long, then the vehicle restarts its own mission.
 class NewVehicleMission : public LinkTest, public ::testing::WithParamInterface<double> {};
 
 TEST_P(NewVehicleMission, TheMissionGoesOnFromTheTimeThatItsOwnClockHadReached) {
@@ -392,7 +392,7 @@ TEST_P(NewVehicleMission, TheMissionGoesOnFromTheTimeThatItsOwnClockHadReached) 
   VehicleBench second({.silence_secs = 24}, false);
   int heard_at = -1;
   for (double t = 1; t < 1000; ++t) {
-    // The second is heard when its own time is later already than the first's last.
+    // The second is received when its own time is already later than the first's last.
     second.line_is_cut = t < 150;
     second.sbc = [&] { poll(second); };
     second.run(t);
@@ -453,7 +453,8 @@ TEST_F(LinkTest, AClockThatJumpsDoesNotCarryTheMissionAway) {
   EXPECT_LE(gliderRuntimeContext(runtime_)->mission_time, before + 16);
   vehicle.run(100);
   EXPECT_NEAR(gliderRuntimeContext(runtime_)->mission_time, before + 40, 0.1);
-  EXPECT_EQ(vehicle.hookbeh().state, hooks::HookState::Active) << "it stood still for 16 s at most";
+  EXPECT_EQ(vehicle.hookbeh().state, hooks::HookState::Active)
+      << "its time stopped for 16 s at most";
 }
 
 TEST_F(LinkTest, AnInstructionWithoutAnswerIsLoggedOnce) {

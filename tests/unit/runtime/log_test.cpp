@@ -67,7 +67,7 @@ TEST(Format, IsRightToTwelveDigits) {
   }
 }
 
-TEST(Format, TextIsCutAtItsEndAndSaysSo) {
+TEST(Format, TextIsCutAtItsEndAndIsMarkedAsCut) {
   char bytes[4];
   Text text(bytes, sizeof bytes);
   text.put("abc");
@@ -150,7 +150,7 @@ TEST_F(LogOf, AFullDiskIsCountedAndLaterRecordsAreReadable) {
   EXPECT_EQ(damage_.missing, 1U);
 }
 
-TEST_F(LogOf, WhoseFirstWriteFailsCanBeReadAllTheSame) {
+TEST_F(LogOf, WhoseFirstWriteFailsCanStillBeRead) {
   for (const int32_t room : {0, 1, 10}) {
     disk_.content.clear();
     MissionLog log({&disk_, Disk::write, Disk::sync, Disk::renew}, mission_);
@@ -213,7 +213,7 @@ TEST_F(LogOf, NamesOfAnyLengthFit) {
                        std::string(MissionLog::kNameBytes, 'x') + ",,,\n" + eventRow(1));
 }
 
-TEST_F(LogOf, WhateverAPowerCutLeavesOfItsEndAllBeforeIsRead) {
+TEST_F(LogOf, AfterAnyPowerCutAllBeforeItsEndIsRead) {
   std::string before = head_;
   for (int i = 0; i < 3; ++i) {
     event(i);
@@ -262,7 +262,7 @@ TEST_F(LogOf, IsOnTheCardWhenItMattersAndOnlyThen) {
   EXPECT_EQ(disk_.syncs, 2);
 }
 
-TEST_F(LogOf, AFullLogBeginsAnewWithAllThatIsNeededToReadIt) {
+TEST_F(LogOf, AFullLogRestartsWithAllThatIsNeededToReadIt) {
   event(1);
   log_.flush();
   disk_.full = true;

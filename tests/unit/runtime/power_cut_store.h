@@ -130,7 +130,7 @@ inline SparseFile withoutBlock(SparseFile file, const EraseBlock& blocks, uint32
 
 /// Calls `visit` with each file that a power cut after the first `made` entries of `log` may leave:
 /// what was synced is there; of the writes since, any may be missing, and any may be torn anywhere
-/// at a sector's border, in whatever order the card took them.
+/// at a sector's border, in any order in which the card took them.
 inline void eachFileAfterCut(const std::vector<RecordedWrite>& log, size_t made,
                              const std::function<void(const SparseFile&)>& visit) {
   constexpr size_t kSector = 512;

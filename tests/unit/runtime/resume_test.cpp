@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The SBC loses its power in flight: from whatever that leaves of the checkpoints the mission goes
-// on as if it had only been deaf meanwhile.
+// The SBC loses its power in flight: from what that leaves of the checkpoints the mission continues
+// as if it had only received nothing in the meantime.
 
 #include "runtime/checkpoint/checkpoint.h"
 #include "tests/unit/runtime/resume_bench.h"
@@ -24,7 +24,7 @@ class ResumeTest : public ResumeBench {};
 struct Outage {
   double at, lasts;
   bool counts;
-  /// As its fields: their padding is nobody's.
+  /// Prints the fields, without their padding.
   friend std::ostream& operator<<(std::ostream& out, const Outage& outage) {
     return out << outage.lasts << " s at " << outage.at << (outage.counts ? ", counting" : "");
   }
@@ -32,14 +32,14 @@ struct Outage {
 
 class Outages : public ResumeBench, public ::testing::WithParamInterface<Outage> {};
 
-TEST_P(Outages, TheMissionGoesOnAsIfItHadOnlyBeenDeaf) {
+TEST_P(Outages, TheMissionContinuesAsIfItHadOnlyReceivedNothing) {
   const auto [at, lasts, every_tick] = GetParam();
   counts = every_tick;
   VehicleBench vehicle({.silence_secs = 24});
   boot(vehicle);
   vehicle.run(at);
   ASSERT_FALSE(ticks_.empty());
-  // Ticks since the last that was kept are as if never heard.
+  // Ticks since the last that was kept are as if never received.
   std::vector<double> memory(mission_.memory.size());
   GliderContext* kept = layOut(memory.data(), mission_.mission);
   LinkFacts facts;
@@ -58,7 +58,7 @@ TEST_P(Outages, TheMissionGoesOnAsIfItHadOnlyBeenDeaf) {
   EXPECT_THAT(logCsv(), HasSubstr("mission resumed"));
   vehicle.run(700);
   EXPECT_TRUE(finished_);
-  EXPECT_EQ(vehicle.hookbeh().state, hooks::HookState::Complete) << "given back by the mission";
+  EXPECT_EQ(vehicle.hookbeh().state, hooks::HookState::Complete) << "released by the mission";
   const auto expected = undisturbed(ticks_);
   for (size_t i = 0; i < ticks_.size(); ++i) {
     ASSERT_EQ(ticks_[i].body, expected[i]) << "tick of " << ticks_[i].time << " s";
@@ -75,7 +75,7 @@ INSTANTIATE_TEST_SUITE_P(, Outages,
                                            Outage{130, 60, true}, Outage{150, 100, false},
                                            Outage{158, 8, false}, Outage{230, 90, true}));
 
-TEST_F(ResumeTest, AShortOutageGoesOnInTheSameSessionAndHookbehNeverLetsGo) {
+TEST_F(ResumeTest, AShortOutageContinuesInTheSameSessionAndHookbehNeverEndsControl) {
   VehicleBench vehicle({.silence_secs = 24});
   boot(vehicle);
   vehicle.run(60);
@@ -146,7 +146,7 @@ TEST_P(AtTheLimit, AnOutageOfExactlyTheTimeIsResumed) {
 
 INSTANTIATE_TEST_SUITE_P(Boots, AtTheLimit, ::testing::Range(160, 192, 4));
 
-TEST_F(ResumeTest, AMissionThatNeverResumesLetsGoEvenOfASessionThatIsStillObeyed) {
+TEST_F(ResumeTest, AMissionThatNeverResumesReleasesEvenASessionThatIsStillObeyed) {
   mission_.mission.resume_within = 0;
   VehicleBench vehicle({.silence_secs = 24});
   boot(vehicle);
@@ -159,7 +159,7 @@ TEST_F(ResumeTest, AMissionThatNeverResumesLetsGoEvenOfASessionThatIsStillObeyed
   EXPECT_EQ(vehicle.hookbeh().state, hooks::HookState::Silent);
 }
 
-TEST_F(ResumeTest, AnotherFlightOfTheVehicleBeginsTheMissionAnew) {
+TEST_F(ResumeTest, AnotherFlightOfTheVehicleRestartsTheMission) {
   {
     VehicleBench first({.silence_secs = 24});
     boot(first);
@@ -231,7 +231,7 @@ TEST_F(ResumeTest, WithOtherParametersItIsAnotherProgram) {
   EXPECT_THAT(found(), HasSubstr("another program's"));
 }
 
-TEST_F(ResumeTest, DamagedCheckpointsBeginTheMissionAnewAndSayso) {
+TEST_F(ResumeTest, DamagedCheckpointsRestartTheMissionAndAreReported) {
   VehicleBench vehicle({.silence_secs = 24});
   boot(vehicle);
   vehicle.run(60);
@@ -273,7 +273,7 @@ TEST_F(ResumeTest, NoFileOfAnyBytesAndNoLengthIsACrash) {
   }
 }
 
-TEST_F(ResumeTest, ACardThatFailsIsToldOnceAndTheMissionFliesOn) {
+TEST_F(ResumeTest, ACardThatFailsIsReportedOnceAndTheMissionContinues) {
   VehicleBench vehicle({.silence_secs = 24});
   boot(vehicle);
   vehicle.run(60);

@@ -86,7 +86,7 @@ TEST(Options, AreTakenInAnyOrder) {
   EXPECT_STREQ(all.settings[1], "b=2");
 }
 
-TEST(Options, WishesAreTold) {
+TEST(Options, SettingsAreReported) {
   EXPECT_EQ(optionsOf({"--help"}).wish, Wish::Help);
   EXPECT_EQ(optionsOf({"-h"}).wish, Wish::Help);
   EXPECT_EQ(optionsOf({"--version"}).wish, Wish::Version);
@@ -197,7 +197,7 @@ class Parameters : public Folder {
   BenchMission bench_;
 };
 
-TEST_F(Parameters, AreToldWithTheirRanges) {
+TEST_F(Parameters, AreListedWithTheirRanges) {
   EXPECT_EQ(said([&] { tellParameters(bench_.mission); }),
             "parameters:\n"
             "  a_long_name_of_a_depth = 25.5 m, 10 m to 30 m\n"
@@ -207,7 +207,7 @@ TEST_F(Parameters, AreToldWithTheirRanges) {
             "  gain = 0.5\n");
 }
 
-TEST_F(Parameters, OfALongNameAreToldAsFarAsALineGoes) {
+TEST_F(Parameters, OfALongNameAreListedUpToTheEndOfALine) {
   const std::string name(200, 'x');
   bench_.parameters[0].name = name.c_str();
   bench_.finish(0);

@@ -34,7 +34,7 @@ struct Flaws {
   double temperature_noise = 0.05;
   double depth_noise = 0.1;
   double lost_share = 0;     ///< of readings that never arrive
-  double stale_from = 1e9;   ///< the CTD's water stands still from here…
+  double stale_from = 1e9;   ///< the CTD's water does not change from here…
   double stale_until = 1e9;  ///< …to here
 };
 

@@ -36,7 +36,7 @@ class VehicleBench {
   std::function<double(double)> temperature = [](double) { return 20.0; };
   std::vector<uint16_t>
       reports;               ///< sensors that the vehicle reports in each cycle, beside its own
-  bool line_is_cut = false;  ///< the SBC is not polled, and hears nothing of it
+  bool line_is_cut = false;  ///< the SBC is not polled and receives nothing
   bool forgets_sequence = false;  ///< new instructions do not get into the sensor array
 
   /// What m_present_time says at time 0, s since 1970; 0: it is not reported.

@@ -57,7 +57,7 @@ class VehicleRestart : public ResumeBench {
   double began_ = 0;  ///< vehicle's bench time at which mission time was 0, within a cycle
 };
 
-TEST_F(VehicleRestart, TheMissionGoesOnAsIfItHadOnlyBeenDeaf) {
+TEST_F(VehicleRestart, TheMissionContinuesAsIfItHadOnlyReceivedNothing) {
   outage(100);
   EXPECT_THAT(logCsv(), HasSubstr("mission resumed"));
   EXPECT_EQ(vehicle_.hookbeh().state, hooks::HookState::Active) << "taken with a new handshake";
@@ -72,18 +72,18 @@ TEST_F(VehicleRestart, TheMissionGoesOnAsIfItHadOnlyBeenDeaf) {
   }
 }
 
-TEST_F(VehicleRestart, AMissionThatIsNotToGoOnAfterItBeginsAnew) {
+TEST_F(VehicleRestart, AMissionThatMustNotContinueAfterItRestarts) {
   mission_.mission.new_after_restart = 1;
   outage(100);
   expectBegunAnew();
 }
 
-TEST_F(VehicleRestart, AfterTooLongAnOutageItBeginsAnew) {
+TEST_F(VehicleRestart, AfterTooLongAnOutageItRestarts) {
   outage(60 + 120 + 24);
   expectBegunAnew();
 }
 
-TEST_F(VehicleRestart, WithoutTheVehiclesClockNobodyKnowsHowLongItWas) {
+TEST_F(VehicleRestart, WithoutTheVehiclesClockItsLengthIsUnknown) {
   vehicle_.clock_at_start = 0;
   outage(100);
   expectBegunAnew();

@@ -210,7 +210,7 @@ TEST(Yo, BeginsAgainFromItsFirstLeg) {
   EXPECT_EQ(*yo.commands.pump_cc, -260);
 }
 
-TEST(Yo, ContradictingTargetsFlyOn) {
+TEST(Yo, ContradictingTargetsContinue) {
   BehaviourBench yo(
       "behavior: yo\n b_arg: start_when(enum) 0\n b_arg: d_target_depth(m) 5\n"
       " b_arg: c_target_depth(m) 15\n");

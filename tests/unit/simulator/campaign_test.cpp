@@ -102,7 +102,7 @@ TEST(DrawFaults, EachKindOfTheLineIsThatAndNothingElse) {
   }
 }
 
-TEST(DrawFaults, WhatIsDrawnForTheWorldGetsIntoIt) {
+TEST(DrawFaults, WhatIsDrawnIsAppliedToTheScenario) {
   Scenario scenario = shippedSetup("default").scenario;
   const DrawnFaults tight = drawFaults(FaultKind::TightLimits, Manner::Once, 1, kTimes);
   tight.applyTo(scenario);

@@ -11,7 +11,7 @@
 #include <limits>
 #include <numbers>
 
-/// Pitch servo, heading autopilot and pump, in numbers worked out by hand.
+/// Pitch servo, heading autopilot and pump, in numbers computed by hand.
 namespace glider::simulator {
 namespace {
 

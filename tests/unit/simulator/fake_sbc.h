@@ -14,8 +14,8 @@
 
 namespace glider::simulator {
 
-/// A pilot in a few lines, on the real client: dives and climbs between two depths, gives back
-/// after a while.
+/// A pilot in a few lines, on the real client: dives and climbs between two depths, releases
+/// control after a while.
 class FakePilot {
  public:
   struct Plan {
@@ -44,8 +44,8 @@ class FakePilot {
   int ticks_ = 0, silent_ticks_ = 0;
 };
 
-/// The pilot as an SBC in memory. `silent_from_s`: from then on it hears but does not answer, as a
-/// hung board would.
+/// The pilot as an SBC in memory. `silent_from_s`: from then on it receives but does not answer, as
+/// a hung board would.
 class FakeSbc final : public SbcPort {
  public:
   explicit FakeSbc(FakePilot::Plan plan, double silent_from_s = 1e9, bool keeps_time = false)

@@ -75,7 +75,7 @@ TEST(FaultFlight, APortThatVanishesEndsControlInTimeAndTheBoardStartsTheProgramA
   expectHandBackAndReturn(faults, 300, 400);
 }
 
-TEST(FaultFlight, AStuckMissionIsLetGoThoughItAnswers) {
+TEST(FaultFlight, AStuckMissionLosesControlThoughItAnswers) {
   Faults faults;
   faults.stuck = {{300, 400}};
   expectHandBackAndReturn(faults, 300, 400);
@@ -122,7 +122,7 @@ TEST(FaultFlight, AFlightControllerThatStartsAgainBeginsItsMissionAgain) {
     EXPECT_EQ(timeOf(trace, keeps_array ? "the mission restarts" : "controller restarts"), 332)
         << events;
     EXPECT_EQ(timeOf(trace, "hookbeh: is ready for the SBC", 300), 332) << events;
-    EXPECT_EQ(timeOf(trace, "the SBC takes control", 300), -1) << "nobody asked for it\n" << events;
+    EXPECT_EQ(timeOf(trace, "the SBC takes control", 300), -1) << "not asked for\n" << events;
     const int time = trace.column("time");
     for (size_t row = 0; row < trace.rowCount(); ++row) {
       EXPECT_FALSE(trace.at(row, time) > 300 && trace.at(row, time) < 330) << "it did nothing";
@@ -152,7 +152,7 @@ class ArrayWatch final : public FlightObserver {
 };
 
 TEST(FaultFlight, AnInstructionLeftOverLiesInTheArrayAndIsNotFollowed) {
-  SimulationSetup setup = shippedSetup("default");  // nobody says anything
+  SimulationSetup setup = shippedSetup("default");  // no SBC is there
   setup.scenario.faults.leftover = {{3, 65530, 12}};
   ArrayWatch watch;
   setup.observer = &watch;
@@ -214,7 +214,7 @@ struct AbortOnlooker : FlightObserver {
   int reports = 0, complete = 0;
 };
 
-TEST(FaultFlight, AfterAnAbortEachReportTellsThatHookbehIsComplete) {
+TEST(FaultFlight, AfterAnAbortEachReportSaysThatHookbehIsComplete) {
   Faults faults;
   faults.aborts = {300};
   SimulationSetup setup = withFaults(faults);
@@ -325,7 +325,7 @@ TEST(FaultFlight, NoSensorsNanReachesTheVehicle) {
   }
 }
 
-TEST(FaultFlight, IsNotOverUnderWaterWhateverTheDepthSensorSays) {
+TEST(FaultFlight, IsNotOverUnderWaterForAnyReadingOfTheDepthSensor) {
   Faults faults;
   faults.sensors = {onSensor("m_depth", SensorFault::Kind::Value, 0)};
   faults.power = {{320, kForever}};

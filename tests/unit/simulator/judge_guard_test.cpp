@@ -12,7 +12,7 @@ namespace {
 using hooks::HookGuard;
 using hooks::HookState;
 
-// What the judge must see of hookbeh's guards where no limit of depth is broken yet.
+// What FlightJudge must detect in hookbeh's guards where no limit of depth is broken yet.
 
 class JudgedGuard : public testing::Test {
  protected:
@@ -128,7 +128,7 @@ TEST_F(JudgedGuard, AfterAGapTheDepthMayBeAnother) {
   EXPECT_EQ(cycle(26), "");
 }
 
-TEST_F(JudgedGuard, AClimbThatStandsStillWithoutAGuardIsSeen) {
+TEST_F(JudgedGuard, AClimbWithoutProgressOrGuardIsSeen) {
   climb();
   EXPECT_EQ(stay(20, 504), "");
   EXPECT_EQ(cycle(20), "climbs for 508 s and gains no height, but no guard intervenes");
@@ -151,10 +151,10 @@ TEST_F(JudgedGuard, NoHeightIsToBeGainedAtTheSurfaceOrByAnother) {
   guard(HookGuard::NoHeightGained, "climb: no height gained");
   EXPECT_EQ(stay(20, 1000), "");
   dive();
-  EXPECT_EQ(stay(20, 1000), "") << "that is another judge's";
+  EXPECT_EQ(stay(20, 1000), "") << "another check reports that";
 }
 
-TEST_F(JudgedGuard, AGuardThatReckonsWithWhatAnotherBehaviourFliesIsSeen) {
+TEST_F(JudgedGuard, AGuardThatCountsWhatAnotherBehaviourFliesIsSeen) {
   dive();
   overridden_ = true;
   EXPECT_EQ(stay(20, 16), "");
@@ -246,7 +246,7 @@ TEST_F(JudgedGuard, OfTwoWrongClocksNothingIsPromised) {
   EXPECT_EQ(cycle(10, 10, HookState::Silent), "");
 }
 
-TEST_F(JudgedGuard, AnotherMissionBeginsAnew) {
+TEST_F(JudgedGuard, AnotherMissionStartsFromTheBeginning) {
   dive();
   stay(12, 80);
   judge_->restart();
@@ -254,7 +254,7 @@ TEST_F(JudgedGuard, AnotherMissionBeginsAnew) {
   EXPECT_EQ(cycle(40), "");
 }
 
-/// The flight's judge listens to it.
+/// The checks of the flight include those of the guards.
 TEST_F(Judged, AGuardThatIsTooWeakIsSeen) {
   take();
   climb();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// What the judge sees of instructions and of control.
+// What FlightJudge detects in instructions and in control.
 
 #include "tests/unit/simulator/judged.h"
 
@@ -31,7 +31,7 @@ TEST_F(Judged, AFlightWithoutTheSbcAtTheEndEndsReleased) {
   EXPECT_EQ(judge_.verdict().releases, 1U);
 }
 
-TEST_F(Judged, WhatWasNotSaidSoIsSeen) {
+TEST_F(Judged, AnInstructionThatDiffersFromWhatWasSentIsSeen) {
   take();
   instruct(1, 2, hooks::HookControl::Steer, 5);
   arrive();
@@ -54,7 +54,7 @@ TEST_F(Judged, AnInstructionObeyedTwiceIsSeen) {
   EXPECT_EQ(violation(), "instruction 1 of session 1 is obeyed twice");
 }
 
-TEST_F(Judged, ANumberThatIsUsedForOtherWordsIsSeen) {
+TEST_F(Judged, ANumberThatIsUsedForAnotherInstructionIsSeen) {
   take();
   instruct(1, 1, hooks::HookControl::Take, 12);
   EXPECT_EQ(violation(), "instruction 1 of session 1 is repeated with other content");
@@ -65,18 +65,18 @@ TEST_F(Judged, ALostInstructionIsSeen) {
   instruct(1, 2, hooks::HookControl::Steer, 5);
   fly(now_ + 56);
   cycle(HookState::Silent);
-  EXPECT_EQ(violation(), "") << "let go in time";
+  EXPECT_EQ(violation(), "") << "released in time";
   climb();  // nothing is in force
   fly(now_ + 64);
   EXPECT_EQ(violation(), "instruction 2 of session 1 is lost: no answer for 60 s");
 }
 
-TEST_F(Judged, AMissionThatStandsStillInControlIsSeen) {
+TEST_F(Judged, AMissionThatMakesNoProgressInControlIsSeen) {
   take();
   for (int i = 0; i < 13; ++i) {
     cycle(HookState::Active);
   }
-  EXPECT_EQ(violation().find("stood still"), std::string::npos);
+  EXPECT_EQ(violation().find("made no progress"), std::string::npos);
   cycle(HookState::Active);
   EXPECT_NE(violation().find("made no progress for 60 s"), std::string::npos) << violation();
 }
@@ -107,7 +107,7 @@ TEST_F(Judged, AnotherSessionWithoutAHandshakeIsSeen) {
   EXPECT_EQ(violation(), "control is taken without a handshake");
 }
 
-TEST_F(Judged, AnInstructionAfterControlWasGivenBackIsSeen) {
+TEST_F(Judged, AnInstructionAfterControlWasReleasedIsSeen) {
   take();
   giveBack();
   instruct(2, 10, hooks::HookControl::Take);

@@ -10,9 +10,9 @@ namespace {
 using hooks::HookState;
 using Outcome = Verdict::Outcome;
 
-// What the judge must see of the vehicle: each test plants one fault in a good flight's trace.
+// What FlightJudge must detect in the vehicle: each test plants one fault in a good flight's trace.
 
-TEST_F(Judged, TrueDepthPastMaxDepthIsSeenWhateverTheSensorSays) {
+TEST_F(Judged, TrueDepthPastMaxDepthIsSeenForAnyReadingOfTheSensor) {
   take();
   reading_ = 20;
   out_.pitch_rad = 0.4;
@@ -23,7 +23,7 @@ TEST_F(Judged, TrueDepthPastMaxDepthIsSeenWhateverTheSensorSays) {
   EXPECT_EQ(violation(), "65.1 m deep under max_depth 60 m");
 }
 
-TEST_F(Judged, WithoutTheSbcTheDepthIsHeldAgainstOverdepth) {
+TEST_F(Judged, WithoutTheSbcTheDepthIsComparedWithOverdepth) {
   take();
   cycle(HookState::Silent, 10);
   cycle(HookState::Silent, 74);
@@ -32,7 +32,7 @@ TEST_F(Judged, WithoutTheSbcTheDepthIsHeldAgainstOverdepth) {
   EXPECT_EQ(violation(), "76.0 m deep under overdepth 70 m");
 }
 
-TEST_F(Judged, ADepthFromBeforeTheLimitIsNoViolationUntilItIsLeft) {
+TEST_F(Judged, ADepthFromBeforeTheLimitIsNotAViolationUntilItIsLeft) {
   cycle(HookState::Ready, 72);
   instruct(1, 1, hooks::HookControl::Take);
   arrive();
@@ -68,7 +68,7 @@ TEST_F(Judged, TheBottomIsSeenAlsoWithoutTheSbc) {
 }
 
 /// A dive goes on while the flight controller starts again.
-TEST_F(Judged, TheBottomThatIsMetWithoutAFlightControllerIsNoViolationUntilItIsLeft) {
+TEST_F(Judged, TheBottomThatIsMetWithoutAFlightControllerIsNotAViolationUntilItIsLeft) {
   take();
   now_ += 170;
   clearance_ = 0;
@@ -110,7 +110,7 @@ TEST_F(Judged, WhatIsLongerThanThreeCyclesIsDark) {
 }
 
 /// Who came out of the dark in open water has a flight controller that minds the bottom.
-TEST_F(Judged, AfterTheDarkTheBottomIsSeenAgain) {
+TEST_F(Judged, AfterThePowerIsBackTheBottomIsSeenAgain) {
   cycle(HookState::Ready, 30);
   now_ += 40;
   cycle(HookState::Ready, 30);
@@ -134,7 +134,7 @@ TEST_F(Judged, AnIdleStackIsSeen) {
   EXPECT_EQ(violation(), "heading, pitch and pump are not all commanded");
 }
 
-TEST_F(Judged, ACommandThatIsNoNumberIsSeen) {
+TEST_F(Judged, ACommandThatIsNotANumberIsSeen) {
   take();
   out_.heading_rad = std::nan("");
   cycle(HookState::Active, 10);
@@ -314,7 +314,7 @@ class JudgedOldFrames : public Judged {
     out_.pump_cc = hooks::kHull.pump_cc;
     out_.guard = guard;
     out_.doing = "climb: a guard";
-    for (double depth = 10; depth > 0; depth -= 0.4) {  // to the surface, whatever is instructed
+    for (double depth = 10; depth > 0; depth -= 0.4) {  // to the surface, against any instruction
       done(1);
       cycle(HookState::Active, depth);
     }
@@ -360,7 +360,7 @@ TEST_F(JudgedLostBytes, ExcuseNothing) {
             "the guard intervenes (climb: a guard), but no limit is near");
 }
 
-TEST_F(Judged, AGuardThatIsNotToldIsSeen) {
+TEST_F(Judged, AGuardThatIsNotReportedIsSeen) {
   take();
   climb();
   out_.doing = "climb: too deep";
@@ -496,11 +496,11 @@ TEST_F(Judged, ALostSessionThatTakesControlAgainIsSeen) {
 TEST_F(Judged, AfterARestartOfTheFlightControllerAnOldInstructionIsObeyedTwice) {
   take();
   restarted_s_ = now_;
-  cycle(HookState::Active, 10);  // session 1 again, without a word of the SBC
+  cycle(HookState::Active, 10);  // session 1 again, without a message of the SBC
   EXPECT_NE(violation(), "");
 }
 
-TEST_F(Judged, WhatGarbledInstructionsAnswerIsNoAnswer) {
+TEST_F(Judged, WhatGarbledInstructionsAnswerIsNotAnAnswer) {
   take();
   instruct(1, 2, hooks::HookControl::Steer, 5);
   array_.set(GLIDER_X_HOOK_SEQUENCE, 2);

@@ -23,7 +23,7 @@ inline const std::shared_ptr<const platforms::Dictionary>& slocumSensors() {
   return sensors;
 }
 
-/// A judge that is told a story: what the SBC says, what hookbeh does with it.
+/// A FlightJudge and what it observes: what the SBC sends, what hookbeh does with it.
 class Judged : public testing::Test {
  protected:
   explicit Judged(const JudgeSetup& judged = setup())

@@ -147,7 +147,7 @@ TEST(Layered, HeadingsAreMagnetic) {
     EXPECT_NEAR(valueAt(trace, "m_heading", 0), 1, 1e-4) << "by the compass";
     const double true_heading = 1 + place.declination_deg / 57.29578;
     EXPECT_NEAR(wayFrom(trace, "true_x", "true_y"), true_heading, 0.01);
-    EXPECT_NEAR(wayFrom(trace, "m_x_lmc", "m_y_lmc"), true_heading, 0.01) << "reckoned";
+    EXPECT_NEAR(wayFrom(trace, "m_x_lmc", "m_y_lmc"), true_heading, 0.01) << "dead-reckoned";
   }
 }
 

@@ -94,7 +94,7 @@ TEST(LineDamage, DoublesWholeFramesAndTakesTheTimeForIt) {
   EXPECT_EQ(got, "780780");
 }
 
-TEST(LineDamage, AReceiverAtAnotherSpeedHearsOtherBytesAndAnotherNumber) {
+TEST(LineDamage, AReceiverAtAnotherSpeedReceivesOtherBytesAndAnotherNumber) {
   EXPECT_EQ(pass({.heard_at_baud = 230400}).size(), size_t{2 * kBytes});
   EXPECT_EQ(pass({.heard_at_baud = 57600}).size(), size_t{kBytes / 2});
 }

@@ -11,7 +11,7 @@
 #include <limits>
 #include <numbers>
 
-/// Dead reckoning and the data memory, in numbers worked out by hand.
+/// Dead reckoning and the data memory, in numbers computed by hand.
 namespace glider::simulator {
 namespace {
 
@@ -41,7 +41,7 @@ TEST(Navigator, KeepsTheSpeedWhereItCannotBeTold) {
   n.reckon(0.1, 0.5, 0, false, 4);
   EXPECT_NEAR(n.speed(), 0.36, 1e-12) << "sinks nose up: an inflection";
   n.reckon(0.41, -std::atan(0.5), 0, false, 4);
-  EXPECT_NEAR(n.speed(), 0.36, 1e-12) << "0.82 m/s is no flight";
+  EXPECT_NEAR(n.speed(), 0.36, 1e-12) << "0.82 m/s is not a flight";
   n.reckon(0.395, -std::atan(0.5), 0, false, 4);
   EXPECT_NEAR(n.speed(), 0.79, 1e-12);
   n.reckon(0.1, -11.1 * degree, 0, false, 4);

@@ -26,7 +26,7 @@ SimulationSetup withSbc(const std::string& scenario, FakePilot::Plan plan,
   return setup;
 }
 
-TEST(SbcFlight, TakesControlSteersAndGivesBack) {
+TEST(SbcFlight, TakesControlSteersAndReleases) {
   const support::Trace trace = fly(withSbc("default", {.release_s = 900}));
   const std::string events = eventText(trace);
   const auto* takes = findEvent(trace, "the SBC takes control");
@@ -56,7 +56,7 @@ TEST(SbcFlight, TakesControlSteersAndGivesBack) {
   EXPECT_EQ(trace.at(trace.rowCount() - 1, trace.column("true_depth")), 0);
 }
 
-TEST(SbcFlight, KeepsTheDepthsOrdered) {
+TEST(SbcFlight, KeepsTheCommandedDepths) {
   const support::Trace trace =
       fly(withSbc("default", {.top_m = 8, .bottom_m = 18, .release_s = 1500}));
   double deepest = 0, shallowest = 100;
@@ -114,7 +114,7 @@ TEST(SbcFlight, ClimbsSoonAfterTheSbcFallsSilent) {
   EXPECT_EQ(findEvent(trace, "the SBC is gone"), nullptr) << "it is still there, only mute";
 }
 
-TEST(SbcFlight, RefusedInstructionsAreToldAndChangeNothing) {
+TEST(SbcFlight, RefusedInstructionsAreReportedAndChangeNothing) {
   const support::Trace trace = fly([] {
     SimulationSetup setup = withSbc("default", {.top_m = 5, .bottom_m = 75});
     setup.duration_s = 200;

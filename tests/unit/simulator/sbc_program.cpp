@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // The fake pilot as a program over a serial port: simulator_sbc_program PORT [MODE TICKS]. After so
-// many ticks it ends (exit), ends 1.5 s after it has closed the port (linger), stands still (hang),
-// or stands still with its port closed (close).
+// many ticks it ends (exit), ends 1.5 s after it has closed the port (linger), hangs (hang),
+// or hangs with its port closed (close).
 
 #include "hooks/transport/host/serial_port.h"
 #include "hooks/transport/system_clock.h"

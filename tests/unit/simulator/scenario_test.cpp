@@ -129,7 +129,7 @@ TEST_F(ScenarioFile, ReadsTheBatteryAndTheSensorsTables) {
 }
 
 TEST_F(ScenarioFile, RefusesWrongTablesWithTheirLine) {
-  // The mistake is on line 9 of the file.
+  // The error is on line 9 of the file.
   const std::string place = "latitude_deg = 39\nlongitude_deg = -73\n";
   const std::pair<std::string, const char*> bad[] = {
       {"[ocean]\nbottom_slope_m_per_km = -1\nbottom_slope_bearing_deg = 3\n", ":9:"},
@@ -332,7 +332,7 @@ TEST_F(ScenarioFile, RefusesWhatIsNotRight) {
   }
 }
 
-TEST_F(ScenarioFile, NamesAMissingFileAndASkeletonWithMistakes) {
+TEST_F(ScenarioFile, NamesAMissingFileAndASkeletonWithErrors) {
   fs::remove(folder_ / "x.mi");
   EXPECT_TRUE(load(kHead + kStart).starts_with("GL9001"));
   skeleton("behavior: warp_drive\n");
@@ -377,7 +377,7 @@ TEST(Skeleton, WarnsOfWhatHasNoEffect) {
   EXPECT_EQ(check("behavior: yo\n"), "");  // accepts: GL5110 GL5111
 }
 
-TEST(Scenarios, ShippedOnesLoadWithoutAWord) {
+TEST(Scenarios, ShippedOnesLoadWithoutAMessage) {
   const fs::path folder = fs::path(GLIDER_SOURCE_DIR) / "scenarios";
   for (const char* name : {"bloom", "default", "figure5", "figure6", "first_deployment", "front",
                            "layered", "low_battery", "shelf_slope"}) {

@@ -9,8 +9,8 @@
 #include <cmath>
 #include <numbers>
 
-/// The vehicle held against a second one, written from the published formulas and sharing no code
-/// with it, and against numbers worked out by hand.
+/// The vehicle compared with a second one, which was written from the published formulas and shares
+/// no code with it, and with numbers computed by hand.
 namespace glider::simulator {
 namespace {
 

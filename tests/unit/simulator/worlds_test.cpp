@@ -56,8 +56,8 @@ double least(const std::vector<double>& values) {
   return least;
 }
 
-/// The detector that failed at sea: a window of readings that begins anew whenever the temperature
-/// does not go on in its direction. Says the greatest change (degC) within `length_m` that it sees.
+/// The detector that failed at sea: a window of readings that restarts whenever the temperature
+/// stops changing in its direction. Says the greatest change (degC) within `length_m` that it sees.
 double naiveDetector(const support::Trace& trace, double length_m) {
   const auto depth = columnOf(trace, "m_depth");
   const auto temperature = columnOf(trace, "sci_water_temp");

@@ -71,7 +71,7 @@ TEST(MissionFile, ReadsSensorsBehavioursCommentsAndWindowsLines) {
   EXPECT_EQ(r.codes(), "");
 }
 
-TEST(MissionFile, PointsAtEachMistake) {
+TEST(MissionFile, PointsAtEachError) {
   EXPECT_EQ(mission("behaviour: yo\n").codes(), "GL5100");
   EXPECT_EQ(mission("behavior: yo yo\n").codes(), "GL5100");
   EXPECT_EQ(mission("behavior:\n b_arg: x(s) 1\n").codes(), "GL5100");
@@ -134,7 +134,7 @@ TEST(ArgumentFile, ReadsArgumentsAndWaypointsLongitudeFirst) {
   EXPECT_EQ(r.arguments->waypoints[0].latitude_ddmm, 4138.1060);
 }
 
-TEST(ArgumentFile, PointsAtEachMistake) {
+TEST(ArgumentFile, PointsAtEachError) {
   EXPECT_EQ(arguments("").codes(), "GL5112");
   EXPECT_EQ(arguments("<start:b_arg>\n<end:b_arg>\n").codes(), "GL5112 GL5112");
   EXPECT_EQ(arguments("behavior_name=yo\n<start:b_arg>\nb_arg: d_target_depth(m) 3\n").codes(),

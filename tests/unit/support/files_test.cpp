@@ -52,7 +52,7 @@ TEST(Files, ALinkStaysALinkAndItsTargetIsWritten) {
 
 /// As `-o /dev/stdout` when standard output is a file; here by a descriptor's name in a folder of
 /// the test, for /dev is not to be tried on.
-TEST(Files, TheNameOfADescriptorIsWrittenToAsItStands) {
+TEST(Files, TheNameOfADescriptorIsWrittenToAsItIs) {
   const tests::TemporaryFolder folder;
   const auto file = folder.write("out", "before,");
   const int descriptor = ::open(file.c_str(), O_RDWR);
@@ -84,7 +84,7 @@ TEST(Files, WhatWasStagedAndNotPublishedIsGone) {
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
 }
 
-TEST(Files, ReadingWhatIsNoFileSaysWhy) {
+TEST(Files, ReadingSomethingOtherThanAFileSaysWhy) {
   const tests::TemporaryFolder folder;
   EXPECT_FALSE(readFile(folder.path()));
   const auto missing = readFile(folder.path() / "missing");

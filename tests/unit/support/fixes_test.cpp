@@ -104,7 +104,7 @@ TEST(Fixes, ThoseThatUndoEachOtherEnd) {
   EXPECT_EQ(fixing->rounds.size(), 100U);
 }
 
-TEST(Fixes, AFailureOfTheWorldIsPassedOn) {
+TEST(Fixes, ASystemErrorIsPassedOn) {
   const auto fixing = fixAll("a", 0, [](const std::string&) -> Result<std::vector<Diagnostic>> {
     return fail(DiagnosticId::cannotRead, "platform", "gone");
   });

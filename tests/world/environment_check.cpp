@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "tests/world/assumed_world.h"
+#include "tests/world/environment_check.h"
 
 #include <fmt/format.h>
 
@@ -46,11 +46,12 @@ const char* nameOf(Rule rule) {
   return "";
 }
 
-AssumedWorld::AssumedWorld(const platforms::Platform& platform)
+EnvironmentCheck::EnvironmentCheck(const platforms::Platform& platform)
     : envelope_(platform.envelope), world_(platform.world) {}
 
 /// `value` is to be `limit` at most; a NaN is not.
-void AssumedWorld::hold(Rule rule, double time_s, double value, double limit, const char* what) {
+void EnvironmentCheck::hold(Rule rule, double time_s, double value, double limit,
+                            const char* what) {
   Use& use = uses_.at(static_cast<size_t>(rule));
   ++use.looks;
   use.most = std::max(use.most, limit > 0 ? value / limit : value);
@@ -59,7 +60,7 @@ void AssumedWorld::hold(Rule rule, double time_s, double value, double limit, co
   }
 }
 
-void AssumedWorld::begin(double time_s, double depth_m, bool from_surface) {
+void EnvironmentCheck::begin(double time_s, double depth_m, bool from_surface) {
   if (from_surface) {
     hold(Rule::Start, time_s, depth_m, world_.start_depth_m, "control is given at depth");
   }
@@ -69,14 +70,14 @@ void AssumedWorld::begin(double time_s, double depth_m, bool from_surface) {
   climb_.reset();
 }
 
-void AssumedWorld::orderDown(double target_m, double depth_m) {
-  // What the order before allowed it may still reach, but no further beyond where it is.
+void EnvironmentCheck::commandDown(double target_m, double depth_m) {
+  // It may still reach what the previous command allowed, but not further beyond where it is.
   const double beyond = envelope_.inflection_overshoot_m;
   deepest_m_ = std::max(target_m + beyond, std::min(deepest_m_, depth_m + beyond));
   climb_.reset();
 }
 
-void AssumedWorld::orderUp(double target_m, double depth_m, double time_s) {
+void EnvironmentCheck::commandUp(double target_m, double depth_m, double time_s) {
   const double beyond = envelope_.inflection_overshoot_m;
   // To less than a metre means to the surface. Elsewhere it hovers when it is there, and where it
   // is above it sinks to it.
@@ -91,22 +92,22 @@ void AssumedWorld::orderUp(double target_m, double depth_m, double time_s) {
   deepest_m_ = hovers ? std::max(deepest_m_, lowest_m) : deepest_m_;
 }
 
-void AssumedWorld::moved(double time_s, double depth_m) {
+void EnvironmentCheck::moved(double time_s, double depth_m) {
   const double passed = time_s - last_s_;
   hold(Rule::Above, time_s, -depth_m, 0, "height above the surface");
   if (passed > 0) {
     hold(Rule::Rate, time_s, std::fabs(depth_m - last_depth_m_) / passed,
          envelope_.vertical_rate_m_s, "vertical speed");
   }
-  // How far beyond what was ordered, or beyond where it was when it began to turn.
+  // How far beyond what was commanded, or beyond where it was when it began to turn.
   hold(Rule::Deepest, time_s, depth_m - (deepest_m_ - envelope_.inflection_overshoot_m),
-       envelope_.inflection_overshoot_m, "beyond the order by");
+       envelope_.inflection_overshoot_m, "beyond the command by");
   holdClimb(time_s, depth_m);
   last_s_ = time_s;
   last_depth_m_ = depth_m;
 }
 
-void AssumedWorld::holdClimb(double time_s, double depth_m) {
+void EnvironmentCheck::holdClimb(double time_s, double depth_m) {
   const double climbs_s = climb_ ? time_s - climb_->since_s - world_.turn_s : -1;
   if (climbs_s < 0) {
     return;
@@ -116,37 +117,37 @@ void AssumedWorld::holdClimb(double time_s, double depth_m) {
        "climbing, but at depth");
 }
 
-void AssumedWorld::floats(double time_s, double depth_m) {
+void EnvironmentCheck::floats(double time_s, double depth_m) {
   hold(Rule::Surface, time_s, depth_m, world_.surface_depth_m, "floating at depth");
 }
 
-void AssumedWorld::ticks(double time_s) {
+void EnvironmentCheck::ticks(double time_s) {
   if (!std::isnan(last_tick_s_)) {
     hold(Rule::TickGap, time_s, time_s - last_tick_s_, world_.tick_gap_s, "between two ticks");
   }
   last_tick_s_ = time_s;
 }
 
-void AssumedWorld::sees(double time_s, double reading_m, double depth_m) {
+void EnvironmentCheck::sees(double time_s, double reading_m, double depth_m) {
   hold(Rule::Reading, time_s, std::fabs(reading_m - depth_m), world_.depth_error_m,
        "the reading of depth is off by");
 }
 
-void AssumedWorld::reports(double time_s, const platforms::PlatformSensor& sensor, double raw) {
+void EnvironmentCheck::reports(double time_s, const platforms::PlatformSensor& sensor, double raw) {
   const double middle = (sensor.lowest + sensor.highest) / 2;
   hold(Rule::Range, time_s, std::fabs(raw - middle), (sensor.highest - sensor.lowest) / 2,
        sensor.name.c_str());
 }
 
-void AssumedWorld::drifts(double time_s, double speed_mps) {
+void EnvironmentCheck::drifts(double time_s, double speed_mps) {
   hold(Rule::Drift, time_s, speed_mps, envelope_.drift_m_s, "the water's speed");
 }
 
-void AssumedWorld::getsOn(double time_s, double speed_mps) {
+void EnvironmentCheck::getsOn(double time_s, double speed_mps) {
   hold(Rule::ThroughWater, time_s, speed_mps, world_.through_water_m_s, "speed through the water");
 }
 
-void AssumedWorld::floatsAlong(double time_s, double speed_mps) {
+void EnvironmentCheck::floatsAlong(double time_s, double speed_mps) {
   hold(Rule::SurfaceDrift, time_s, speed_mps, world_.surface_drift_m_s, "speed at the surface");
 }
 

@@ -11,8 +11,8 @@
 #include <optional>
 #include <string>
 
-/// The world that proofs assume (docs/verification.md), as a judge of one flight: numbers of what
-/// is seen against the numbers of the platform file. Written from the words, without ir/prove.
+/// The environment model of proofs (docs/verification.md), as a check of one flight: compares what
+/// is seen with the numbers of the platform file. Written from the document, without ir/prove.
 namespace glider::tests {
 
 /// What is assumed.
@@ -52,15 +52,15 @@ struct Use {
 };
 
 /// Times are the vehicle's (s), depths m down, nothing is NaN unless said.
-class AssumedWorld {
+class EnvironmentCheck {
  public:
-  explicit AssumedWorld(const platforms::Platform& platform);
+  explicit EnvironmentCheck(const platforms::Platform& platform);
 
   /// Control is given. `from_surface`: the vehicle's own mission file waits for it at the surface.
   void begin(double time_s, double depth_m, bool from_surface);
-  // The order in force, as often as wanted; `depth_m` is where the vehicle is.
-  void orderDown(double target_m, double depth_m);  ///< to dive to a depth, or to hover at it
-  void orderUp(double target_m, double depth_m, double time_s);  ///< 0: to the surface
+  // The command in force, any number of times; `depth_m` is where the vehicle is.
+  void commandDown(double target_m, double depth_m);  ///< to dive to a depth, or to hover at it
+  void commandUp(double target_m, double depth_m, double time_s);  ///< 0: to the surface
   /// Where the vehicle is; times rise.
   void moved(double time_s, double depth_m);
   /// The vehicle floats, by its own senses.

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The judge of flights sees each rule broken: a flight that keeps all, and beside it the same with
+// The check of flights detects each broken rule: a flight that keeps all, and the same flight with
 // one number wrong.
 
-#include "tests/world/assumed_world.h"
+#include "tests/world/environment_check.h"
 
 #include "tests/world/fleet.h"
 
@@ -21,8 +21,8 @@ constexpr double kCycle = 4;  // s
 struct Flight {
   double sinks_mps = 0.2, climbs_mps = 0.15;
   double start_m = 0;
-  double beyond_m = 4;    ///< the order it goes
-  double turns_s = 60;    ///< after the order to climb
+  double beyond_m = 4;    ///< how far it goes past the command
+  double turns_s = 60;    ///< after the command to climb
   double stops_at_m = 0;  ///< on its way up
   double floats_at_m = 0.2;
   double reading_off_m = 0.1;
@@ -33,8 +33,8 @@ struct Flight {
   double floats_mps = 0.5;
   double top_m = 0;  ///< it climbs so high
 
-  [[nodiscard]] AssumedWorld fly() const {
-    AssumedWorld world(slocum());
+  [[nodiscard]] EnvironmentCheck fly() const {
+    EnvironmentCheck world(slocum());
     world.begin(0, start_m, true);
     double time = 0, depth = start_m;
     const auto move = [&](double speed) {
@@ -42,18 +42,18 @@ struct Flight {
       depth += speed * kCycle;
       world.moved(time, depth);
     };
-    world.orderDown(20, depth);
+    world.commandDown(20, depth);
     while (depth + sinks_mps * kCycle <= 20 + beyond_m) {
       move(sinks_mps);
-      world.orderDown(20, depth);
+      world.commandDown(20, depth);
     }
     const double turned = time + turns_s;
     while (depth > stops_at_m + 1 && time < 5000) {
-      world.orderUp(0, depth, time);
+      world.commandUp(0, depth, time);
       move(time >= turned ? -climbs_mps : 0);
     }
     for (int i = 0; i < 200; ++i) {
-      world.orderUp(0, depth, time);
+      world.commandUp(0, depth, time);
       depth = stops_at_m > 0 ? depth : top_m;
       world.moved(time += kCycle, depth);
     }
@@ -61,7 +61,7 @@ struct Flight {
     return world;
   }
 
-  void others(AssumedWorld& world, double time) const {
+  void others(EnvironmentCheck& world, double time) const {
     world.floats(time, floats_at_m);
     world.sees(time, 10 + reading_off_m, 10);
     world.ticks(time);
@@ -73,8 +73,8 @@ struct Flight {
   }
 };
 
-TEST(AssumedWorld, AFlightThatKeepsAllIsFineAndEachRuleIsLookedAt) {
-  const AssumedWorld world = Flight{}.fly();
+TEST(EnvironmentCheck, AFlightThatKeepsAllIsFineAndEachRuleIsLookedAt) {
+  const EnvironmentCheck world = Flight{}.fly();
   EXPECT_FALSE(world.broken().has_value()) << world.broken()->what;
   for (const Rule rule : kAllRules) {
     EXPECT_GT(world.use(rule).looks, 0U) << nameOf(rule);
@@ -92,7 +92,7 @@ class Violation : public testing::TestWithParam<Planted> {};
 TEST_P(Violation, IsSeen) {
   Flight flight;
   GetParam().plant(flight);
-  const AssumedWorld world = flight.fly();
+  const EnvironmentCheck world = flight.fly();
   ASSERT_TRUE(world.broken().has_value());
   EXPECT_EQ(world.broken()->rule, GetParam().rule) << world.broken()->what;
 }
@@ -117,17 +117,17 @@ INSTANTIATE_TEST_SUITE_P(
                     Planted{Rule::SurfaceDrift, [](Flight& f) { f.floats_mps = 0.81; }}));
 
 /// A command to climb that comes on the way down stops the dive.
-TEST(AssumedWorld, AnOrderToClimbStopsADive) {
+TEST(EnvironmentCheck, ACommandToClimbStopsADive) {
   const auto sinksOn = [](double metres) {
-    AssumedWorld world(slocum());
+    EnvironmentCheck world(slocum());
     world.begin(0, 0, true);
-    world.orderDown(50, 0);
+    world.commandDown(50, 0);
     double time = 0, depth = 0;
     for (; depth < 20; time += kCycle, depth += 0.8) {
       world.moved(time, depth);
     }
     world.moved(time, depth);
-    world.orderUp(5, depth, time);
+    world.commandUp(5, depth, time);
     for (const double end = depth + metres; depth + 0.8 <= end;) {
       world.moved(time += kCycle, depth += 0.8);
     }

@@ -115,7 +115,8 @@ int sim(const SimOptions& options) {
   }
   int status = kFine;
   const std::shared_ptr<const compiler::Optimised> mission =
-      options.mission.empty() ? nullptr : compileForFlight(options.mission, status);
+      options.mission.empty() || isVehiclesOwn(options) ? nullptr
+                                                        : compileForFlight(options.mission, status);
   if (status != kFine) {
     return status;
   }
@@ -128,6 +129,13 @@ int sim(const SimOptions& options) {
   auto scenario = flights::chooseScenario(options.scenario, *platform, reportDiagnostics);
   if (!scenario) {
     return reportFailure(scenario.error());
+  }
+  if (isVehiclesOwn(options)) {
+    auto own = flights::loadVehiclesOwn(options.mission, reportDiagnostics);
+    if (!own) {
+      return reportFailure(own.error());
+    }
+    scenario->skeleton = std::move(*own);
   }
   auto folder = FlightFolder::open(outputFolder(options));
   if (!folder) {
@@ -152,6 +160,8 @@ int sim(const SimOptions& options) {
   setup.kill_sbc_at_s = options.kill_sbc_at_s;
   if (mission != nullptr) {
     flights::describeMission(setup, *mission);
+  } else if (isVehiclesOwn(options)) {
+    setup.mission_name = std::filesystem::path(options.mission).filename().string();
   }
   return flyAndReport(std::move(setup), options, mission.get(), *folder);
 }
@@ -183,7 +193,10 @@ void addPictureOptions(CLI::App& command, SimOptions& options) {
 }
 
 void addOptions(CLI::App& command, SimOptions& options) {
-  auto* mission = command.add_option("MISSION", options.mission, "The mission file");
+  auto* mission =
+      command.add_option("MISSION", options.mission,
+                         "The mission file, or a mission of the vehicle's own (FILE.mi), "
+                         "which flies without an SBC");
   command
       .add_option("--scenario", options.scenario,
                   "Scenario to fly in: a .toml file, or the name of a bundled one")
@@ -252,7 +265,8 @@ void addSimCommand(CLI::App& app, int& status) {
         !options->without_sbc) {
       throw CLI::RequiredError("MISSION (or --sbc PROGRAM, --serial DEVICE, or --no-sbc)");
     }
-    if (!options->mission.empty() && !options->program.empty() && options->replay.empty()) {
+    if (!options->mission.empty() && !isVehiclesOwn(*options) && !options->program.empty() &&
+        options->replay.empty()) {
       throw CLI::ExcludesError("--sbc", "MISSION");
     }
     status = sim(*options);

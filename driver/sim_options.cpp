@@ -5,6 +5,8 @@
 
 #include "flights/sbc_choice.h"
 
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
 
 namespace glider::driver {
@@ -22,6 +24,13 @@ std::string stemOf(const SimOptions& options) {
 
 }  // namespace
 
+bool isVehiclesOwn(const SimOptions& options) {
+  std::string extension = std::filesystem::path(options.mission).extension().string();
+  std::ranges::transform(extension, extension.begin(),
+                         [](unsigned char c) { return std::tolower(c); });
+  return extension == ".mi";
+}
+
 bool isInProcess(const SimOptions& options) {
   return !options.without_sbc && options.serial.empty() && options.program.empty() &&
          options.board.empty();
@@ -34,7 +43,8 @@ std::string outputFolder(const SimOptions& options) {
 support::Result<simulator::StartSbc> chooseSbc(const SimOptions& options,
                                                const compiler::Optimised* mission, bool keeps_time,
                                                const std::filesystem::path& folder) {
-  if (options.without_sbc) {
+  const bool other_sbc = !options.program.empty() || !options.serial.empty();
+  if (options.without_sbc || (isVehiclesOwn(options) && !other_sbc)) {
     return simulator::StartSbc();
   }
   if (!options.serial.empty()) {

@@ -40,6 +40,9 @@ struct SimOptions {
 /// The folder that the user named, or one named after the mission.
 std::string outputFolder(const SimOptions& options);
 
+/// Whether MISSION is one of the vehicle's own, a .mi file, and not one of the language.
+bool isVehiclesOwn(const SimOptions& options);
+
 /// Whether the mission flies in this process.
 bool isInProcess(const SimOptions& options);
 

@@ -4,6 +4,7 @@
 #include "flights/scenario_choice.h"
 
 #include "compiler/share.h"
+#include "simulator/flight/skeleton.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -55,6 +56,17 @@ support::Result<simulator::Scenario> chooseScenario(const std::string& wanted,
     show(diagnostics, sources);
   }
   return scenario;
+}
+
+support::Result<slocum::MissionFile> loadVehiclesOwn(const std::filesystem::path& file,
+                                                     const support::ShowDiagnostics& show) {
+  support::SourceManager sources;
+  support::DiagnosticEngine diagnostics;
+  auto mission = simulator::loadMissionFile(file, sources, diagnostics);
+  if (show) {
+    show(diagnostics, sources);
+  }
+  return mission;
 }
 
 }  // namespace glider::flights

@@ -21,4 +21,9 @@ support::Result<simulator::Scenario> chooseScenario(const std::string& wanted,
                                                     const platforms::Platform& platform,
                                                     const support::ShowDiagnostics& show = {});
 
+/// Loads a mission of the vehicle's own, `file`.mi with its argument files, to be flown in the
+/// place of a scenario's. Errors in it are shown. Fails as simulator::loadMissionFile does.
+support::Result<slocum::MissionFile> loadVehiclesOwn(const std::filesystem::path& file,
+                                                     const support::ShowDiagnostics& show = {});
+
 }  // namespace glider::flights

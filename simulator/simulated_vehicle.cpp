@@ -87,7 +87,7 @@ SimulatedVehicle::SimulatedVehicle(SimulationSetup setup, const World& world, ui
       trace_(headOf(setup_)),
       vehicle_(setup_.platform, setup_.scenario.vehicle),
       flight_(setup_.platform, setup_.scenario.skeleton, setup_.scenario.sensors, seed_,
-              world.frame(), world.year(), journal_),
+              world.frame(), world.year(), journal_, setup_.scenario.code_15),
       science_(setup_.platform, seed_, setup_.scenario.sensors, !real_time_),
       damage_(faults().sensors, seed_),
       flight_science_link_(kFlightScienceBaud, damageOf(LineWay::ToFlight, kFlightScienceBaud),
@@ -149,6 +149,12 @@ bool SimulatedVehicle::controlCycle(double now, int64_t number) {
   completeRow();
   if (isFlightDown(now)) {
     return false;
+  }
+  for (const Put& put : setup_.scenario.puts) {
+    if (now >= put.at_s && now < put.at_s + setup_.platform.envelope.cycle_s) {
+      flight_.put(put.sensor, put.value);
+      journal_.add(now, "operator", fmt::format("put {} {}", put.sensor, put.value));
+    }
   }
   flight_.noteSbcGone(link_.goneForGood(now));
   flight_.cycle(now, world_.ocean(), vehicle_, flight_science_link_.left());

@@ -43,11 +43,16 @@ struct Kind {
 };
 
 constexpr Kind kKinds[] = {
-    {"abend", make<Abend>},          {"climb_to", make<DepthBehaviour>},
-    {"dive_to", make<DepthBehaviour>}, {"drift_at_depth", make<DriftAtDepth>},
-    {"goto_list", make<GotoList>},   {"goto_wpt", make<GotoWpt>},
-    {"hookbeh", make<HookbehAdapter>}, {"nop_cmds", make<NopCommands>},
-    {"set_heading", make<SetHeading>}, {"surface", make<Surface>},
+    {"abend", make<Abend>},
+    {"climb_to", make<DepthBehaviour>},
+    {"dive_to", make<DepthBehaviour>},
+    {"drift_at_depth", make<DriftAtDepth>},
+    {"goto_list", make<GotoList>},
+    {"goto_wpt", make<GotoWpt>},
+    {"hookbeh", make<HookbehAdapter>},
+    {"nop_cmds", make<NopCommands>},
+    {"set_heading", make<SetHeading>},
+    {"surface", make<Surface>},
     {"yo", make<Yo>},
 };
 

@@ -62,8 +62,8 @@ class Behaviour {
   bool overridden_ = false;
 };
 
-/// The behaviour that `source` describes; null for one that has no effect here. What `source` refers
-/// to outlives it, except for the block.
+/// The behaviour that `source` describes; null for one that has no effect here. What `source`
+/// refers to outlives it, except for the block.
 std::unique_ptr<Behaviour> makeBehaviour(const BehaviourSource& source);
 
 }  // namespace glider::simulator

@@ -217,7 +217,8 @@ void FlightController::countInflections(const Situation& s) {
     inflections_ = last_moving_ = 0;
     return;
   }
-  const double moving = std::fabs(s.depth_rate_mps) < kHoverRate ? 0 : std::copysign(1, s.depth_rate_mps);
+  const double moving =
+      std::fabs(s.depth_rate_mps) < kHoverRate ? 0 : std::copysign(1, s.depth_rate_mps);
   if (moving != 0) {
     inflections_ += last_moving_ != 0 && moving != last_moving_ ? 1 : 0;
     last_moving_ = moving;

@@ -36,8 +36,8 @@ WaypointPosition Geography::position(WaypointUnits units, double x, double y) co
       int zone = 0;
       bool north = true;
       double start_x = 0, start_y = 0;
-      GeographicLib::UTMUPS::Forward(start_.latitude_deg, start_.longitude_deg, zone, north, start_x,
-                                     start_y);
+      GeographicLib::UTMUPS::Forward(start_.latitude_deg, start_.longitude_deg, zone, north,
+                                     start_x, start_y);
       GeoPosition found;
       GeographicLib::UTMUPS::Reverse(zone, north, x, y, found.latitude_deg, found.longitude_deg);
       return vehicles(found);

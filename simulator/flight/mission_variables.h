@@ -11,9 +11,9 @@
 
 namespace glider::simulator {
 
-/// The vehicle's sensors that are settings of its mission: those of the `sensor:` lines, the mission
-/// parameters u_mission_param_a to z and the mission mode. One that was never set is 0, as on the
-/// vehicle.
+/// The vehicle's sensors that are settings of its mission: those of the `sensor:` lines, the
+/// mission parameters u_mission_param_a to z and the mission mode. One that was never set is 0, as
+/// on the vehicle.
 class MissionVariables {
  public:
   explicit MissionVariables(const slocum::MissionFile& mission);

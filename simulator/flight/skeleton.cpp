@@ -3,7 +3,10 @@
 
 #include "simulator/flight/skeleton.h"
 
+#include "slocum/mission_files/argument_files.h"
 #include "slocum/mission_files/behaviour_catalogue.h"
+#include "slocum/mission_files/read.h"
+#include "support/files.h"
 
 #include <algorithm>
 #include <array>
@@ -187,8 +190,8 @@ void checkList(const slocum::BehaviourBlock& block, DiagnosticEngine& diagnostic
   constexpr int kMostInArguments = 8;
   const double stated = block.value("num_waypoints");
   const slocum::Setting* given = block.find("num_waypoints");
-  const double most = block.waypoints.empty() ? kMostInArguments
-                                              : static_cast<double>(block.waypoints.size());
+  const double most =
+      block.waypoints.empty() ? kMostInArguments : static_cast<double>(block.waypoints.size());
   if (!(stated >= 1 && stated <= most)) {
     diagnostics
         .report(DiagnosticId::argumentValue, given != nullptr ? given->value_range : block.range,
@@ -265,6 +268,28 @@ void checkSkeleton(const slocum::MissionFile& mission, support::SourceRange plac
     }
     hookbeh = block.name == "hookbeh" ? &block : hookbeh;
   }
+}
+
+support::Result<slocum::MissionFile> loadMissionFile(const std::filesystem::path& path,
+                                                     support::SourceManager& sources,
+                                                     DiagnosticEngine& diagnostics) {
+  auto text = support::readFile(path);
+  if (!text) {
+    return std::unexpected(text.error());
+  }
+  const size_t errors_before = diagnostics.errorCount();
+  const std::string name = path.string();
+  const uint32_t file = sources.add(name, std::move(*text));
+  auto mission = slocum::readMission(sources, file, diagnostics);
+  if (mission) {
+    slocum::applyArgumentFiles(*mission, path.parent_path(), sources, diagnostics);
+    checkSkeleton(*mission, {file, 0, 0}, diagnostics);
+  }
+  if (!mission || diagnostics.errorCount() != errors_before) {
+    return support::fail(DiagnosticId::skeletonErrors, name,
+                         diagnostics.errorCount() - errors_before);
+  }
+  return std::move(*mission);
 }
 
 }  // namespace glider::simulator

@@ -5,6 +5,9 @@
 
 #include "slocum/mission_files/mission_file.h"
 #include "support/diagnostics/engine.h"
+#include "support/result.h"
+
+#include <filesystem>
 
 namespace glider::simulator {
 
@@ -13,5 +16,12 @@ namespace glider::simulator {
 /// about what has no effect (GL5110, GL5111).
 void checkSkeleton(const slocum::MissionFile& mission, support::SourceRange place,
                    support::DiagnosticEngine& diagnostics);
+
+/// Reads the vehicle's mission file `path` with its argument files, and checks that the simulator
+/// can fly it. Fails with GL9001; errors in the files go to `diagnostics`, and the failure is then
+/// GL5120.
+support::Result<slocum::MissionFile> loadMissionFile(const std::filesystem::path& path,
+                                                     support::SourceManager& sources,
+                                                     support::DiagnosticEngine& diagnostics);
 
 }  // namespace glider::simulator

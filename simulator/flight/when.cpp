@@ -14,7 +14,8 @@ double secondsOf(double stamp) {
   const auto digits = static_cast<int64_t>(stamp);
   const auto part = [&](int64_t unit) { return static_cast<int>(digits / unit % 100); };
   using namespace std::chrono;
-  const year_month_day date{year(2000 + part(100'000'000)), month(static_cast<unsigned>(part(1'000'000))),
+  const year_month_day date{year(2000 + part(100'000'000)),
+                            month(static_cast<unsigned>(part(1'000'000))),
                             day(static_cast<unsigned>(part(10'000)))};
   if (stamp < 0 || !date.ok() || part(100) > 23 || part(1) > 59) {
     return std::numeric_limits<double>::quiet_NaN();

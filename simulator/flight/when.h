@@ -40,8 +40,8 @@ class When {
   int code_;
   WhenNumbers numbers_;
   Code15 code_15_;
-  bool stops_;                               ///< a stop_when
-  double started_s_ = 0, ended_s_ = 0;       ///< the mission's start counts as the first
+  bool stops_;                          ///< a stop_when
+  double started_s_ = 0, ended_s_ = 0;  ///< the mission's start counts as the first
 };
 
 }  // namespace glider::simulator

@@ -8,9 +8,6 @@
 #include "simulator/scenario/read_faults.h"
 #include "simulator/scenario/read_ocean.h"
 #include "simulator/tables/scenario_tables.h"
-#include "slocum/mission_files/argument_files.h"
-#include "slocum/mission_files/read.h"
-#include "support/files.h"
 
 #include <cmath>
 #include <limits>
@@ -27,8 +24,8 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 void readHead(Fields& f, const ScenarioTables& tables, Scenario& scenario) {
   TomlReader& r = f.reader();
   r.only({"name", "description", "seed", "skeleton", "duration_s", "isotherm_degC", "start",
-          "ocean", "vehicle", "sensors", "faults"});
-  for (const char* table : {"start", "ocean", "vehicle", "sensors", "faults"}) {
+          "ocean", "vehicle", "sensors", "faults", "operator"});
+  for (const char* table : {"start", "ocean", "vehicle", "sensors", "faults", "operator"}) {
     if (f.has(table) && !tables.root()[table].is_table()) {
       r.refuse(table, "must be a table");
     }
@@ -50,6 +47,25 @@ void readHead(Fields& f, const ScenarioTables& tables, Scenario& scenario) {
   scenario.isotherm_degC = r.numberOr("isotherm_degC", kNaN);
 }
 
+/// What code 15 of start_when and stop_when means to the vehicle's release.
+void readCode15(Fields& f, Scenario& scenario) {
+  const std::string text = f.reader().textOr("code_15", "far_from_waypoint");
+  if (text != "far_from_waypoint" && text != "mission_mode") {
+    f.reader().refuse("code_15", "must be \"far_from_waypoint\" or \"mission_mode\"");
+  }
+  scenario.code_15 = text == "mission_mode" ? Code15::MissionMode : Code15::FarFromWaypoint;
+}
+
+/// Reads [[operator.put]].
+Put readPut(Fields& f) {
+  f.reader().only({"at_s", "sensor", "value"});
+  Put put;
+  put.at_s = f.required("at_s", 0, 1e9);
+  put.sensor = f.reader().text("sensor");
+  put.value = f.required("value", -1e12, 1e12);
+  return put;
+}
+
 void readStart(Fields& f, Scenario& scenario) {
   f.reader().only({"latitude_deg", "longitude_deg", "heading_rad", "year"});
   scenario.latitude_deg = f.required("latitude_deg", -89, 89);
@@ -61,7 +77,8 @@ void readStart(Fields& f, Scenario& scenario) {
 void readVehicle(Fields& f, Scenario& scenario) {
   FlightCoefficients& c = scenario.vehicle.flight;
   f.reader().only({"mass_kg", "hull_volume_m3", "drag", "induced_drag", "wing_lift", "hull_lift",
-                   "reference_area_m2", "compressibility_per_Pa", "battery"});
+                   "reference_area_m2", "compressibility_per_Pa", "battery", "code_15"});
+  readCode15(f, scenario);
   f.number("mass_kg", c.mass_kg, 30, 200);
   // Neutrally buoyant, unless the scenario says otherwise.
   c.hull_volume_m3 = c.mass_kg / scenario.ocean.density;
@@ -105,29 +122,8 @@ Scenario readScenario(ScenarioTables& tables, const platforms::Platform& platfor
   tables.part("vehicle", "battery", [&](Fields& f) { readBattery(f, scenario.vehicle.battery); });
   scenario.sensors.read(tables);
   readFaults(tables, scenario);
+  tables.each("operator", "put", [&](Fields& f) { scenario.puts.push_back(readPut(f)); });
   return scenario;
-}
-
-support::Result<void> loadSkeleton(Scenario& scenario, support::SourceManager& sources,
-                                   support::DiagnosticEngine& diagnostics) {
-  auto text = support::readFile(scenario.skeleton_path);
-  if (!text) {
-    return std::unexpected(text.error());
-  }
-  const size_t errors_before = diagnostics.errorCount();
-  const std::string name = scenario.skeleton_path.string();
-  const uint32_t file = sources.add(name, std::move(*text));
-  if (auto mission = slocum::readMission(sources, file, diagnostics)) {
-    slocum::applyArgumentFiles(*mission, scenario.skeleton_path.parent_path(), sources,
-                               diagnostics);
-    checkSkeleton(*mission, {file, 0, 0}, diagnostics);
-    scenario.skeleton = std::move(*mission);
-  }
-  if (diagnostics.errorCount() != errors_before) {
-    return support::fail(DiagnosticId::skeletonErrors, name,
-                         diagnostics.errorCount() - errors_before);
-  }
-  return {};
 }
 
 }  // namespace
@@ -145,9 +141,11 @@ support::Result<Scenario> loadScenario(const std::filesystem::path& path,
   if (tables.failure()) {
     return std::unexpected(*tables.failure());
   }
-  if (auto loaded = loadSkeleton(scenario, sources, diagnostics); !loaded) {
-    return std::unexpected(loaded.error());
+  auto skeleton = loadMissionFile(scenario.skeleton_path, sources, diagnostics);
+  if (!skeleton) {
+    return std::unexpected(skeleton.error());
   }
+  scenario.skeleton = std::move(*skeleton);
   return scenario;
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "simulator/faults/faults.h"
+#include "simulator/flight/when.h"
 #include "simulator/ocean/ocean.h"
 #include "simulator/sensors/sensor_list.h"
 #include "simulator/vehicle/vehicle.h"
@@ -14,8 +15,16 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace glider::simulator {
+
+/// A sensor that the operator or the science computer sets in flight, as u_mission_param_a.
+struct Put {
+  double at_s = 0;
+  std::string sensor;
+  double value = 0;
+};
 
 /// An environment, and a vehicle in it with the mission file that it flies: scenarios/<name>.toml.
 struct Scenario {
@@ -29,6 +38,8 @@ struct Scenario {
   std::filesystem::path path;                  ///< of the scenario file
   std::filesystem::path skeleton_path;
   slocum::MissionFile skeleton;
+  Code15 code_15 = Code15::FarFromWaypoint;  ///< of the vehicle's release
+  std::vector<Put> puts;
   OceanSettings ocean;
   VehicleSettings vehicle;
   SensorSettings sensors;

@@ -20,8 +20,8 @@ struct PitchSource {
   [[nodiscard]] PitchCommand now() const { return {mode, value()}; }
 };
 
-/// What a behaviour is made from: its block of the mission file, which has passed checkSkeleton, and
-/// what else it depends on.
+/// What a behaviour is made from: its block of the mission file, which has passed checkSkeleton,
+/// and what else it depends on.
 struct BehaviourSource {
   const slocum::BehaviourBlock& block;
   const hooks::Hull& hull;

@@ -14,9 +14,7 @@ class Surface final : public Behaviour {
  public:
   explicit Surface(const BehaviourSource& source);
   [[nodiscard]] bool atWork() const override { return state() == State::Active; }
-  [[nodiscard]] bool endsMission() const override {
-    return state() == State::Complete;
-  }
+  [[nodiscard]] bool endsMission() const override { return state() == State::Complete; }
 
  protected:
   [[nodiscard]] bool starts(const Situation& s, const Commands& below) const override {
@@ -35,8 +33,8 @@ class Surface final : public Behaviour {
     Quit,
     WaitThenResume,
     Resume,
-    DriftAway,     ///< until the waypoint is further away than end_wpt_dist
-    WaitOnce,      ///< at the first surfacing only
+    DriftAway,  ///< until the waypoint is further away than end_wpt_dist
+    WaitOnce,   ///< at the first surfacing only
     WaitThenQuit,
   };
   [[nodiscard]] bool waitsForKeys() const;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "simulator/flight/behaviour.h"
+#include "simulator/flight/behaviours/source.h"
 #include "slocum/mission_files/read.h"
 #include "tests/slocum.h"
 
@@ -22,7 +23,8 @@ class BehaviourBench {
     support::DiagnosticEngine diagnostics;
     const auto mission = slocum::readMission(sources, sources.add("test.mi", text), diagnostics);
     EXPECT_TRUE(mission) << text;
-    behaviour = makeBehaviour(mission->behaviours.at(0), hooks::kHull);
+    variables = std::make_unique<MissionVariables>(*mission);
+    behaviour = makeBehaviour({mission->behaviours.at(0), hooks::kHull, *variables});
   }
 
   /// One cycle on top of what the behaviours below command.
@@ -32,6 +34,7 @@ class BehaviourBench {
   }
   [[nodiscard]] Behaviour::State state() const { return behaviour->state(); }
 
+  std::unique_ptr<MissionVariables> variables;
   std::unique_ptr<Behaviour> behaviour;
   Commands commands;  ///< after the newest cycle
 };

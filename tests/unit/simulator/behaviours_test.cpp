@@ -25,6 +25,13 @@ Commands filled() {
   return commands;
 }
 
+/// A condition with plain numbers.
+When when(int code, double secs, double distance_m) {
+  static const MissionVariables kNone{{}};
+  return {
+      code, {.secs = {secs, kNone}, .distance_m = {distance_m, kNone}}, Code15::FarFromWaypoint};
+}
+
 TEST(When, Codes) {
   const Situation at{.time_s = 100, .waypoint_distance_m = 10, .silent_s = 50};
   Commands no_heading = filled(), no_pitch = filled(), no_pump = filled();
@@ -38,17 +45,17 @@ TEST(When, Codes) {
   for (const Row& row : {Row{0, true, true, true, true}, Row{1, false, true, true, true},
                          Row{2, false, false, true, false}, Row{3, false, true, false, false},
                          Row{4, false, false, false, true}, Row{5, false, false, false, false}}) {
-    const When when(row.code, 1e9, 0);
-    EXPECT_EQ(when.met(at, filled()), row.full) << row.code;
-    EXPECT_EQ(when.met(at, no_heading), row.heading) << row.code;
-    EXPECT_EQ(when.met(at, no_pitch), row.pitch) << row.code;
-    EXPECT_EQ(when.met(at, no_pump), row.pump) << row.code;
+    const When condition = when(row.code, 1e9, 0);
+    EXPECT_EQ(condition.met(at, filled()), row.full) << row.code;
+    EXPECT_EQ(condition.met(at, no_heading), row.heading) << row.code;
+    EXPECT_EQ(condition.met(at, no_pitch), row.pitch) << row.code;
+    EXPECT_EQ(condition.met(at, no_pump), row.pump) << row.code;
   }
-  EXPECT_FALSE(When(7, 0, 10).met(at, filled())) << "not nearer than 10 m";
-  EXPECT_TRUE(When(7, 0, 10.1).met(at, filled()));
-  EXPECT_FALSE(When(12, 50, 0).met(at, filled())) << "not longer than 50 s";
-  EXPECT_TRUE(When(12, 49.9, 0).met(at, filled()));
-  When since_end(6, 40, 0), since_start(9, 40, 0);
+  EXPECT_FALSE(when(7, 0, 10).met(at, filled())) << "not nearer than 10 m";
+  EXPECT_TRUE(when(7, 0, 10.1).met(at, filled()));
+  EXPECT_FALSE(when(12, 50, 0).met(at, filled())) << "not longer than 50 s";
+  EXPECT_TRUE(when(12, 49.9, 0).met(at, filled()));
+  When since_end = when(6, 40, 0), since_start = when(9, 40, 0);
   EXPECT_TRUE(since_end.met(at, filled())) << "100 s since the mission's start";
   EXPECT_TRUE(since_start.met(at, filled()));
   since_end.noteEnd(60);

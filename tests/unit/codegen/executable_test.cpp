@@ -10,6 +10,7 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <tuple>
 #include <gmock/gmock.h>
 #include <sys/resource.h>
 

@@ -10,9 +10,9 @@
 
 #include <csignal>
 #include <cstdlib>
-#include <tuple>
 #include <gmock/gmock.h>
 #include <sys/resource.h>
+#include <tuple>
 
 namespace glider::codegen_tests {
 namespace {

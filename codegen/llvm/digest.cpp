@@ -6,6 +6,8 @@
 #include <llvm/ADT/StringExtras.h>
 #include <llvm/Support/SHA256.h>
 
+#include <cstdint>
+
 namespace glider::codegen {
 
 std::string digestOf(std::string_view text) {

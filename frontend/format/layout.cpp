@@ -4,6 +4,7 @@
 #include "frontend/format/layout.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <initializer_list>
 
 namespace glider::frontend::formatting {

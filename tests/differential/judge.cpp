@@ -22,6 +22,7 @@
 #include <llvm/Linker/Linker.h>
 #include <llvm/Transforms/IPO/Internalize.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 

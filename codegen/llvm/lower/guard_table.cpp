@@ -9,6 +9,7 @@
 #include "runtime/abi/order.h"
 #include "support/check.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace glider::codegen {

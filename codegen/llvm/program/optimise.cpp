@@ -15,6 +15,8 @@
 #include <llvm/Transforms/Scalar/EarlyCSE.h>
 #include <llvm/Transforms/Scalar/SimplifyCFG.h>
 
+#include <utility>
+
 namespace glider::codegen {
 namespace {
 

@@ -16,6 +16,7 @@
 #include <llvm/Transforms/IPO/Internalize.h>
 
 #include <algorithm>
+#include <memory>
 #include <set>
 
 namespace glider::codegen {

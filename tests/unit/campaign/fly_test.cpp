@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <gmock/gmock.h>
 
 namespace glider::campaign {

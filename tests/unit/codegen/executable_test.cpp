@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <gmock/gmock.h>
 #include <sys/resource.h>
+#include <tuple>
 
 namespace glider::codegen_tests {
 namespace {

@@ -14,6 +14,7 @@
 
 #include <array>
 #include <deque>
+#include <string>
 
 namespace glider::hooks {
 namespace {

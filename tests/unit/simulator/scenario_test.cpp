@@ -335,10 +335,10 @@ TEST_F(ScenarioFile, RefusesWhatIsNotRight) {
 TEST_F(ScenarioFile, NamesAMissingFileAndASkeletonWithErrors) {
   fs::remove(folder_ / "x.mi");
   EXPECT_TRUE(load(kHead + kStart).starts_with("GL9001"));
-  skeleton("behavior: warp_drive\n");
+  skeleton("behavior: surfac\n");
   EXPECT_TRUE(load(kHead + kStart).starts_with("GL5120"));
   EXPECT_NE(
-      rendered_.find("x.mi:1:11: error: behaviour `warp_drive` is not supported by the simulator"),
+      rendered_.find("x.mi:1:11: error: behaviour `surfac` is not supported by the simulator"),
       std::string::npos)
       << rendered_;
 }
@@ -360,8 +360,8 @@ std::string check(const std::string& mission) {
 }
 
 TEST(Skeleton, RefusesWhatTheSimulatorCannotFly) {
-  EXPECT_EQ(check("behavior: warp_drive\n"), "GL5103");
-  EXPECT_EQ(check("behavior: yo\n b_arg: start_when(enum) 15\n"), "GL5107");
+  EXPECT_EQ(check("behavior: hookbe\n"), "GL5103") << "nearly hookbeh";
+  EXPECT_EQ(check("behavior: yo\n b_arg: start_when(enum) 17\n"), "GL5107");
   EXPECT_EQ(check("behavior: yo\n b_arg: d_pitch_value(X) -26\n"), "GL5107");
   EXPECT_EQ(check("behavior: hookbeh\n b_arg: silence_secs(s) 1\n"), "GL5107");
   EXPECT_EQ(check("behavior: hookbeh\nbehavior: hookbeh\n"), "GL5105");
@@ -374,7 +374,33 @@ TEST(Skeleton, RefusesWhatTheSimulatorCannotFly) {
 TEST(Skeleton, WarnsOfWhatHasNoEffect) {
   EXPECT_EQ(check("behavior: yo\nbehavior: sample\n"), "GL5110");
   EXPECT_EQ(check("sensor: u_use_current_correction(nodim) 1\nbehavior: yo\n"), "GL5111");
-  EXPECT_EQ(check("behavior: yo\n"), "");  // accepts: GL5110 GL5111
+  EXPECT_EQ(check("behavior: yo\nbehavior: pinger_on\n"), "GL5110");
+  EXPECT_EQ(check("behavior: yo\n b_arg: wobble_amplitude(m) 3\n"), "GL5116");
+  EXPECT_EQ(check("behavior: yo\n b_arg: d_use_thruster(enum) 4\n b_arg: c_use_thruster(enum) 4\n"),
+            "GL5116")
+      << "once";
+  EXPECT_EQ(check("sensor: u_mission_param_a(X) 1\nbehavior: yo\n"), "") << "it is read";
+  EXPECT_EQ(check("behavior: yo\n b_arg: d_use_thruster(enum) 0\n"),
+            "");  // accepts: GL5110 GL5111 GL5116
+}
+
+TEST(Skeleton, WaypointsAreOnEarthAndAsManyAsStated) {
+  const std::string to = "behavior: goto_wpt\n b_arg: wpt_units(enum) 2\n b_arg: wpt_y(lat) 3900\n";
+  EXPECT_EQ(check(to + " b_arg: wpt_x(lon) -7300\n"), "");
+  EXPECT_EQ(check(to + " b_arg: wpt_x(lon) 69696969\n"), "GL5107") << "never set";
+  EXPECT_EQ(check(to + " b_arg: wpt_x(lon) -18001\n"), "GL5107");
+  EXPECT_EQ(check(to + " b_arg: wpt_x(lon) 1000000\n"), "") << "a mission parameter";
+  EXPECT_EQ(check("behavior: goto_wpt\n b_arg: wpt_x(X) 90000\n b_arg: wpt_y(X) 0\n"), "")
+      << "metres";
+  EXPECT_EQ(check("behavior: goto_list\n"), "GL5107") << "no waypoint";
+  EXPECT_EQ(check("behavior: goto_list\n b_arg: num_waypoints(nodim) 9\n"), "GL5107");
+  EXPECT_EQ(check("behavior: goto_list\n b_arg: num_waypoints(nodim) 8\n"), "");
+  EXPECT_EQ(check("behavior: goto_list\n b_arg: num_waypoints(nodim) 1\n"
+                  " b_arg: num_legs_to_run(nodim) 0\n"),
+            "GL5107");
+  EXPECT_EQ(check("behavior: goto_list\n b_arg: num_waypoints(nodim) 1\n"
+                  " b_arg: wpt_units_0(enum) 2\n b_arg: wpt_y_0(X) 9100\n"),
+            "GL5107");
 }
 
 TEST(Scenarios, ShippedOnesLoadWithoutAMessage) {

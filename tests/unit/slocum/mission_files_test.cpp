@@ -84,6 +84,10 @@ TEST(MissionFile, PointsAtEachError) {
   EXPECT_EQ(mission("behavior: yo\n b_arg: d_target_depth(m) nan\n").codes(), "GL5102");
   EXPECT_EQ(mission("behavior: yo\n b_arg: d_target_depth(m) 1e999\n").codes(), "GL5102");
   EXPECT_EQ(mission("behavior: yo\n b_arg: d_target_dept(m) 3\n").codes(), "GL5104");
+  EXPECT_EQ(missionParameter(999999), std::nullopt);
+  EXPECT_EQ(missionParameter(1000000), 0);
+  EXPECT_EQ(missionParameter(1000025), 25);
+  EXPECT_EQ(missionParameter(1000026), std::nullopt);
   EXPECT_EQ(
       mission("behavior: yo\n b_arg: d_target_depth(m) 3\n b_arg: D_TARGET_DEPTH(m) 4\n").codes(),
       "GL5105");
@@ -174,6 +178,25 @@ TEST(ArgumentFile, GoesBeforeTheMissionFile) {
   Reading missing = mission("behavior: yo\n b_arg: args_from_file(enum) 8\n");
   applyArgumentFiles(*missing.mission, folder, missing.sources, missing.diagnostics);
   EXPECT_EQ(missing.codes(), "GL9001");
+  // accepts: GL5115
+  Reading sample = mission("behavior: sample\n b_arg: args_from_file(enum) 8\n");
+  applyArgumentFiles(*sample.mission, folder, sample.sources, sample.diagnostics);
+  EXPECT_EQ(sample.codes(), "GL5115") << "glidercc does not need it";
+  fs::create_directories(folder / "mafiles");
+  ASSERT_TRUE(support::writeFileAtomically(
+      folder / "mafiles/yo09.ma",
+      "behavior_name=yo\n<start:b_arg>\nb_arg: d_target_depth(m) 45\n<end:b_arg>\n"));
+  Reading beside = mission("behavior: yo\n b_arg: args_from_file(enum) 9\n");
+  applyArgumentFiles(*beside.mission, folder, beside.sources, beside.diagnostics);
+  EXPECT_EQ(beside.codes(), "");
+  EXPECT_EQ(beside.mission->behaviours[0].value("d_target_depth"), 45);
+  ASSERT_TRUE(support::writeFileAtomically(
+      folder / "goto_l01.ma",
+      "behavior_name=goto_list\n<start:waypoints>\n-7359.9 3910.5\n713 5433.5\n<end:waypoints>\n"));
+  Reading list = mission("behavior: goto_list\n b_arg: args_from_file(enum) 1\n");
+  applyArgumentFiles(*list.mission, folder, list.sources, list.diagnostics);
+  ASSERT_EQ(list.mission->behaviours[0].waypoints.size(), 2U);
+  EXPECT_EQ(list.mission->behaviours[0].waypoints[1].longitude_ddmm, 713);
   Reading fraction = mission("behavior: yo\n b_arg: args_from_file(enum) 1e30\n");
   applyArgumentFiles(*fraction.mission, folder, fraction.sources, fraction.diagnostics);
   EXPECT_EQ(fraction.codes(), "GL5107");

@@ -16,6 +16,7 @@ void addParamsCommand(CLI::App& app, int& status);
 void addGraphCommand(CLI::App& app, int& status);
 void addSimCommand(CLI::App& app, int& status);
 void addCampaignCommand(CLI::App& app, int& status);
+void addMiCommand(CLI::App& app, int& status);
 void addLogCommand(CLI::App& app, int& status);
 void addExplainCommand(CLI::App& app, int& status);
 void addFixCommand(CLI::App& app, int& status);

@@ -51,6 +51,7 @@ int run(int argc, char** argv) {
   addSimCommand(app, status);
   addCampaignCommand(app, status);
   addLogCommand(app, status);
+  addMiCommand(app, status);
   addFmtCommand(app, status);
   addFixCommand(app, status);
   addExplainCommand(app, status);

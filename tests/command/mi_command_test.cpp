@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Missions of the vehicle's own: `glidercc mi` and `glidercc sim FILE.mi`.
+
+#include "tests/support/command.h"
+
+#include <gtest/gtest.h>
+
+#include <gmock/gmock.h>
+#include <string>
+
+namespace glider::tests {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+/// Odd as real files are: CRLF, tabs, comments, capitals, no line end.
+const std::string kMission =
+    "# a survey\r\nsensor: u_mission_param_a(X) 25   # deepest\r\n"
+    "behavior: abend\r\n\tb_arg: overtime(sec) 7200\r\n"
+    "behavior: surface\r\n\tb_arg: start_when(enum) 12\r\n\tb_arg: when_secs(s)\t1200 # comms\r\n"
+    "behavior: surface\r\n    b_arg: start_when(enum) 1\r\n    b_arg: end_action(enum) 0\r\n"
+    "behavior: set_heading\r\n b_arg: heading_value(X)  1.5\r\n"
+    "behavior: Yo\r\n b_arg: args_from_file(enum) 7\r\n b_arg: num_half_cycles_to_do(nodim) 4\r\n"
+    " b_arg: end_action(enum) 0\r\n"
+    "behavior: sample\r\n b_arg: args_from_file(enum) 3";
+const std::string kArguments =
+    "behavior_name=yo\n<start:b_arg>\n b_arg: d_target_depth(m) 1000000\n"
+    " b_arg: c_target_depth(m)   +3.0 # top\n<end:b_arg>\n";
+
+class MiCommand : public ::testing::Test {
+ protected:
+  MiCommand() {
+    (void)folder_.write("survey.mi", kMission);
+    (void)folder_.write("yo07.ma", kArguments);
+  }
+  [[nodiscard]] Outcome glidercc(const std::string& line) const {
+    return runShell("cd " + folder_.path().string() + " && $GLIDERCC " + line);
+  }
+  [[nodiscard]] std::string text(const std::string& file) const {
+    return slurp(folder_.path() / file);
+  }
+  static std::string with(std::string text, const std::string& from, const std::string& to) {
+    return text.replace(text.find(from), from.size(), to);
+  }
+
+  const TemporaryFolder folder_;
+};
+
+TEST_F(MiCommand, ListsTheValuesInForceAndWhereTheyAreFrom) {
+  const Outcome shown = glidercc("mi survey.mi");
+  EXPECT_EQ(shown.status, 0) << shown.err;
+  EXPECT_THAT(shown.out, HasSubstr("overtime                                       7200 sec"));
+  EXPECT_THAT(shown.out, testing::ContainsRegex("c_target_depth +3 m +yo07.ma"));
+  EXPECT_THAT(shown.out, testing::ContainsRegex("d_target_depth +u_mission_param_a m +yo07.ma"));
+  EXPECT_THAT(shown.err, HasSubstr("[GL5115 argument-file-missing]"));
+  EXPECT_THAT(shown.err, HasSubstr("cannot find `sample03.ma`"));
+}
+
+TEST_F(MiCommand, ChangesOneNumberAndNoOtherByte) {
+  struct Row {
+    std::string edit, file, from, to;
+  };
+  for (const Row& row :
+       {Row{"abend.overtime=3600", "survey.mi", "7200", "3600"},
+        Row{"surface.when_secs=90.5", "survey.mi", "1200", "90.5"},
+        Row{"surface#2.end_action=2", "survey.mi", "end_action(enum) 0\r\nbehavior: set",
+            "end_action(enum) 2\r\nbehavior: set"},
+        Row{"sensor.u_mission_param_a=30", "survey.mi", "25", "30"},
+        Row{"SAMPLE.args_from_file=-1", "survey.mi", "args_from_file(enum) 3",
+            "args_from_file(enum) -1"},
+        Row{"yo.c_target_depth=4", "yo07.ma", "+3.0", "4"}}) {
+    (void)folder_.write("survey.mi", kMission);
+    (void)folder_.write("yo07.ma", kArguments);
+    const Outcome changed = glidercc("mi survey.mi --set " + row.edit);
+    EXPECT_EQ(changed.status, 0) << changed.err;
+    EXPECT_EQ(text("survey.mi"),
+              row.file == "survey.mi" ? with(kMission, row.from, row.to) : kMission)
+        << row.edit;
+    EXPECT_EQ(text("yo07.ma"),
+              row.file == "yo07.ma" ? with(kArguments, row.from, row.to) : kArguments)
+        << row.edit;
+  }
+}
+
+TEST_F(MiCommand, ChangesSeveralAtOnceAndShowsThemFirst) {
+  const std::string sets = " --set surface.when_secs=60 --set abend.overtime=100000";
+  const Outcome shown = glidercc("mi survey.mi --diff" + sets);
+  EXPECT_EQ(shown.status, 0) << shown.err;
+  EXPECT_THAT(shown.out, HasSubstr("100000"));
+  EXPECT_EQ(text("survey.mi"), kMission) << "nothing is written";
+  EXPECT_EQ(glidercc("mi survey.mi" + sets).status, 0);
+  EXPECT_EQ(text("survey.mi"), with(with(kMission, "7200", "100000"), "1200", "60"));
+}
+
+TEST_F(MiCommand, RefusesWhatIsNotThere) {
+  for (const char* edit : {"yo.when_secs=3", "surface#3.when_secs=3", "climb.depth=3"}) {
+    const Outcome refused = glidercc("mi survey.mi --set " + std::string(edit));
+    EXPECT_EQ(refused.status, 2) << edit;
+    EXPECT_THAT(refused.err, HasSubstr("no file gives")) << edit;
+  }
+  for (const char* edit : {"yo", "yo.depth", "=3", "yo.depth=deep", "yo.depth=nan", "yo#0.a=1",
+                           "yo.=3", "yo.depth=3m", "'yo.depth='"}) {
+    const Outcome refused = glidercc("mi survey.mi --set " + std::string(edit));
+    EXPECT_EQ(refused.status, 2) << edit;
+    EXPECT_THAT(refused.err, HasSubstr("is not BEHAVIOUR.ARGUMENT=NUMBER")) << edit;
+  }
+  EXPECT_EQ(glidercc("mi nothing.mi").status, 2);
+  EXPECT_EQ(glidercc("mi survey.mi --diff").status, 2);
+  (void)folder_.write("bad.mi", "behavior: yo\n b_arg: d_target_dept(m) 3\n");
+  const Outcome bad = glidercc("mi bad.mi");
+  EXPECT_EQ(bad.status, 1);
+  EXPECT_THAT(bad.err, HasSubstr("did you mean `d_target_depth`?"));
+  EXPECT_EQ(text("survey.mi"), kMission);
+}
+
+TEST_F(MiCommand, SimFliesItWithoutAnSbc) {
+  const Outcome flown = glidercc("sim survey.mi -o flight");
+  EXPECT_EQ(flown.status, 0) << flown.out << flown.err;
+  EXPECT_THAT(flown.out, HasSubstr("survey.mi"));
+  EXPECT_THAT(flown.out, HasSubstr("yo: dive_to over, half cycle 1"));
+  EXPECT_THAT(flown.out, Not(HasSubstr("abort")));
+  EXPECT_THAT(text("flight/flight.json"), HasSubstr("survey.mi"));
+  const Outcome bad = glidercc("sim nothing.mi");
+  EXPECT_EQ(bad.status, 2);
+  EXPECT_THAT(bad.err, HasSubstr("nothing.mi"));
+}
+
+}  // namespace
+}  // namespace glider::tests

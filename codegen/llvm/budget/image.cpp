@@ -128,7 +128,8 @@ void Image::Parts::readSymbols() {
 
 void Image::Parts::readSegments() {
   auto take = [&](const auto& elf) {
-    for (const auto& segment : llvm::cantFail(elf.program_headers())) {
+    const auto headers = llvm::cantFail(elf.program_headers());
+    for (const auto& segment : headers) {
       if (segment.p_type == llvm::ELF::PT_LOAD) {
         loaded += segment.p_memsz;
         writable += (segment.p_flags & llvm::ELF::PF_W) != 0 ? uint64_t{segment.p_memsz} : 0;

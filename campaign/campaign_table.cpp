@@ -42,13 +42,13 @@ size_t columnOf(const Verdict& verdict) {
 
 std::string row(const std::string& name, const Counts& counts) {
   const std::string deepest = counts.all() == 0 ? "-" : fmt::format("{:.1f}", counts.deepest_m);
-  return fmt::format("{:<22}{:>8}{:>9}{:>18}{:>13}{:>12}{:>11}\n", name, counts.all(),
+  return fmt::format("{:<24}{:>8}{:>9}{:>18}{:>13}{:>12}{:>11}\n", name, counts.all(),
                      counts.flights[0], counts.flights[1], counts.flights[2], deepest,
                      counts.flights[3]);
 }
 
 std::string head(const char* what) {
-  return fmt::format("{:<22}{:>8}{:>9}{:>18}{:>13}{:>12}{:>11}\n", what, "flights", "exited",
+  return fmt::format("{:<24}{:>8}{:>9}{:>18}{:>13}{:>12}{:>11}\n", what, "flights", "exited",
                      "after release", "released", "deepest (m)", "VIOLATION");
 }
 

@@ -53,8 +53,10 @@ TEST(Command, HelpAndVersion) {
 
 TEST(Command, HelpHasDefaultsAndTheNamesOfPasses) {
   const std::string help = runShell("$GLIDERCC build --help").out;
-  EXPECT_THAT(help, HasSubstr("-O LEVEL                    Optimisation level, 0 to 3 [2]\n"));
-  EXPECT_THAT(help, HasSubstr("--target TEXT=host "));
+  EXPECT_THAT(help, testing::ContainsRegex("-O LEVEL +Optimisation level, 0 to 3 \\[2\\]"));
+  // As CLI11 2.3 and 2.4 show a default.
+  EXPECT_THAT(help,
+              testing::AnyOf(HasSubstr("--target TEXT=host "), HasSubstr("--target TEXT [host] ")));
   EXPECT_THAT(help, HasSubstr("after a pass: fold-constants, drop-dead-cases, drop-dead-states, "
                               "share-expressions, tabulate-guards (not at -O0)\n"));
 }

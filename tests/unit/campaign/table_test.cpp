@@ -54,23 +54,29 @@ TEST(CampaignTable, CountsByKindByMannerAndByWhatFlew) {
   const std::string table = campaignTable(plan, result);
   const std::string head =
       " flights   exited     after release     released deepest (m)  VIOLATION\n";
-  EXPECT_THAT(table, StartsWith("fault                 " + head +
-                                "none                         0        0                 0        "
-                                "    0           -          0\n"));
-  EXPECT_THAT(table, HasSubstr("\nSBC power cut                4        2                 1        "
-                               "    0        70.0          1\n"));
-  EXPECT_THAT(table, HasSubstr("\nclock jumps                  2        1                 0        "
-                               "    1        20.2          0\n"));
-  EXPECT_THAT(table, HasSubstr("\nall                          6        3                 1        "
-                               "    1        70.0          1\n\nwhen                  " +
-                               head));
+  EXPECT_THAT(table,
+              StartsWith("fault                   " + head +
+                         "none                           0        0                 0        "
+                         "    0           -          0\n"));
+  EXPECT_THAT(table,
+              HasSubstr("\nSBC power cut                  4        2                 1        "
+                        "    0        70.0          1\n"));
+  EXPECT_THAT(table,
+              HasSubstr("\nclock jumps                    2        1                 0        "
+                        "    1        20.2          0\n"));
+  EXPECT_THAT(table,
+              HasSubstr("\nall                            6        3                 1        "
+                        "    1        70.0          1\n\nwhen                    " +
+                        head));
   // The numbers of manners: 0, 1, 1, (2), 2, 3, 3.
-  EXPECT_THAT(table, HasSubstr("\nonce                         1        1                 0        "
-                               "    0        20.2          0\n"));
-  EXPECT_THAT(table, HasSubstr("\nrecurring                    2        0                 1        "
-                               "    1        21.2          0\n"));
-  EXPECT_THAT(table, HasSubstr("\n\nSBC                   " + head +
-                               "in process                   6        3                 1        "
+  EXPECT_THAT(table,
+              HasSubstr("\nonce                           1        1                 0        "
+                        "    0        20.2          0\n"));
+  EXPECT_THAT(table,
+              HasSubstr("\nrecurring                      2        0                 1        "
+                        "    1        21.2          0\n"));
+  EXPECT_THAT(table, HasSubstr("\n\nSBC                     " + head +
+                               "in process                     6        3                 1        "
                                "    1        70.0          1\n"));
   EXPECT_TRUE(table.ends_with("70.0          1\n"));
 }
@@ -88,7 +94,7 @@ TEST(CampaignTable, HasARowForEachBoard) {
   ASSERT_GT(second, 0U);
   ASSERT_LT(second, 10U);
   const auto row = [](const char* board, uint64_t count) {
-    return fmt::format("\n{:<22}{:>8}{:>9}", board, count, count);
+    return fmt::format("\n{:<24}{:>8}{:>9}", board, count, count);
   };
   const std::string table = campaignTable(plan, result);
   EXPECT_THAT(table, HasSubstr(row("in process", 0)));

@@ -101,7 +101,7 @@ struct Bounds {
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 constexpr double kSteep = 1.2;  // rad
 constexpr auto kBounds = std::to_array<Bounds>({
-    {"yo", "num_half_cycles_to_do", -1, 1e6},
+    {"yo", "num_half_cycles_to_do", -1, 999999},
     {"yo", "d_target_depth", 0, 2000},
     {"yo", "c_target_depth", 0, 2000},
     {"yo", "d_pitch_value", -kSteep, kSteep},
@@ -232,13 +232,9 @@ void checkBehaviour(const slocum::BehaviourBlock& block, DiagnosticEngine& diagn
     }
     return;
   }
-  const size_t errors_before = diagnostics.errorCount();
   slocum::checkArguments(block, diagnostics);
   checkValues(block, diagnostics);
   warnOfThruster(block, diagnostics);
-  if (diagnostics.errorCount() != errors_before) {
-    return;
-  }
   if (block.name == "goto_list") {
     checkList(block, diagnostics);
   } else if (block.name == "goto_wpt") {

@@ -19,6 +19,8 @@ class NopCommands final : public Behaviour {
         pump_(source.code("nop_bpump") != 0),
         heading_(source.code("nop_heading") != 0),
         runs_s_(source.argument("secs_to_run")) {}
+  /// It keeps the mission going, as on the vehicle.
+  [[nodiscard]] bool flies() const override { return true; }
 
  protected:
   [[nodiscard]] bool starts(const Situation&, const Commands&) const override { return true; }

@@ -14,7 +14,7 @@ Yo::Yo(const BehaviourSource& source)
       dive_(source, DepthLeg::Direction::Dive, "d_"),
       climb_(source, DepthLeg::Direction::Climb, "c_"),
       starts_diving_(source.code("start_diving") != 0),
-      half_cycles_to_do_(source.code("num_half_cycles_to_do")),
+      half_cycles_to_do_(source.argument("num_half_cycles_to_do")),
       end_action_(source.code("end_action")) {}
 
 void Yo::begin(const Situation& situation) {
@@ -35,7 +35,7 @@ Behaviour::Outcome Yo::fly(const Situation& situation, Commands& commands) {
     ++half_cycles_;
     news_.emplace_back(fmt::format("yo: {} over, half cycle {}", leg_->name(), half_cycles_),
                        leg_->why());
-    if (half_cycles_to_do_ >= 0 && half_cycles_ >= half_cycles_to_do_) {
+    if (half_cycles_to_do_() >= 0 && half_cycles_ >= half_cycles_to_do_()) {
       return Outcome::Done;
     }
     leg_ = leg_ == &dive_ ? &climb_ : &dive_;

@@ -27,7 +27,8 @@ class Yo final : public Behaviour {
   When start_, stop_;
   DepthLeg dive_, climb_;
   bool starts_diving_;
-  int half_cycles_to_do_, end_action_;
+  Argument half_cycles_to_do_;
+  int end_action_;
   DepthLeg* leg_ = nullptr;
   int half_cycles_ = 0;
   std::vector<std::pair<std::string, std::string>> news_;

@@ -266,7 +266,7 @@ TEST(Skeleton, BoundsAreInclusive) {
     return false;
   };
   for (const Row& row :
-       {Row{"yo", "num_half_cycles_to_do", -1, 1e6}, Row{"yo", "d_target_depth", 0, 2000},
+       {Row{"yo", "num_half_cycles_to_do", -1, 999999}, Row{"yo", "d_target_depth", 0, 2000},
         Row{"yo", "c_target_depth", 0, 2000}, Row{"yo", "d_pitch_value", -1.2, 1.2},
         Row{"yo", "c_pitch_value", -1.2, 1.2}, Row{"surface", "c_pitch_value", -1.2, 1.2},
         Row{"goto_wpt", "wpt_x", -18000, 18000}, Row{"goto_wpt", "wpt_y", -9000, 9000}}) {

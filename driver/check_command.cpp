@@ -4,7 +4,7 @@
 #include "driver/check_mission.h"
 #include "driver/commands.h"
 #include "driver/exit_code.h"
-#include "driver/explain_page.h"
+#include "driver/output/explain_page.h"
 #include "driver/output/run_trace.h"
 #include "driver/shared_options.h"
 #include "driver/terminal.h"

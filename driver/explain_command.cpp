@@ -3,7 +3,7 @@
 
 #include "driver/commands.h"
 #include "driver/exit_code.h"
-#include "driver/explain_page.h"
+#include "driver/output/explain_page.h"
 #include "driver/terminal.h"
 #include "frontend/spelling.h"
 #include "support/diagnostics/diagnostic.h"

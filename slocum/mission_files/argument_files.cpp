@@ -22,7 +22,8 @@ namespace {
 /// Where the vehicle's argument files may lie relative to the mission file.
 std::filesystem::path find(const std::filesystem::path& folder, const std::string& name) {
   for (const char* beside : {"mafiles", "../mafiles"}) {
-    if (!std::filesystem::exists(folder / name) && std::filesystem::exists(folder / beside / name)) {
+    if (!std::filesystem::exists(folder / name) &&
+        std::filesystem::exists(folder / beside / name)) {
       return folder / beside / name;
     }
   }
@@ -64,7 +65,8 @@ void applyArgumentFiles(MissionFile& mission, const std::filesystem::path& folde
                          "it must be a whole number from 0 to 99, or -1 for none");
       continue;
     }
-    const auto path = find(folder, argumentFileName(block.name, static_cast<int>(from_file->value)));
+    const auto path =
+        find(folder, argumentFileName(block.name, static_cast<int>(from_file->value)));
     auto text = support::readFile(path);
     if (!text && findBehaviour(block.name) == nullptr) {
       diagnostics.report(DiagnosticId::argumentFileMissing, from_file->value_range,

@@ -7,7 +7,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,8 +21,8 @@ inline constexpr double kUnsetPosition = 69696969;
 /// The mission parameters u_mission_param_a to z.
 inline constexpr int kMissionParameters = 26;
 
-/// A b_arg of 1000000 or more is not a number but a mission parameter, which the vehicle reads at run
-/// time: 1000000 is u_mission_param_a, number 0. Empty for a number.
+/// A b_arg of 1000000 or more is not a number but a mission parameter, which the vehicle reads at
+/// run time: 1000000 is u_mission_param_a, number 0. Empty for a number.
 constexpr std::optional<int> missionParameter(double value) {
   constexpr double kFirst = 1'000'000;
   return value >= kFirst && value < kFirst + kMissionParameters

@@ -265,7 +265,8 @@ TEST(VehicleRules, NopCommandsKeepSlotsBusyAndMoveNothing) {
   EXPECT_EQ(nop.commands.idleAbort(), Abort::StackIdle);
   BehaviourBench pitch("behavior: nop_cmds\n b_arg: nop_pitch(bool) 1\n");
   pitch.run({.time_s = 1e6});
-  EXPECT_EQ(pitch.commands.idleAbort(), Abort::HeadingIdle) << "only what it is told, for ever";
+  EXPECT_EQ(pitch.commands.idleAbort(), Abort::HeadingIdle)
+      << "only the slots that are set, for ever";
 }
 
 TEST(VehicleRules, DiveToAndClimbToAreOneLegEach) {

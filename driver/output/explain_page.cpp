@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "driver/explain_page.h"
+#include "driver/output/explain_page.h"
 
 #include "compiler/share.h"
 #include "support/files.h"

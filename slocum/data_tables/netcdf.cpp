@@ -5,6 +5,7 @@
 
 #include "support/files.h"
 
+#include <cstdlib>
 #include <limits>
 #include <memory>
 #include <netcdf.h>

@@ -130,6 +130,21 @@ void dropDuplicates(LogFiles& logs) {
   std::erase_if(logs.files, [&](const LogFile&) { return dropped[index++]; });
 }
 
+/// The computers' clocks differ by up to minutes: a segment begins when the first of its files was
+/// opened.
+void sortBySegment(std::vector<LogFile>& files) {
+  std::map<std::string, double> begin;
+  for (const LogFile& file : files) {
+    const double opened = timeOf(file.data.header.opened).value_or(0);
+    const auto [entry, fresh] = begin.try_emplace(file.data.header.full_name, opened);
+    entry->second = std::min(entry->second, opened);
+  }
+  std::ranges::stable_sort(files, {}, [&](const LogFile& file) {
+    const std::string& segment = file.data.header.full_name;
+    return std::tuple(file.vehicle, begin[segment], segment, file.data.computer);
+  });
+}
+
 }  // namespace
 
 std::pair<double, double> LogFile::span() const {
@@ -155,10 +170,7 @@ LogFiles readLogFiles(const std::vector<fs::path>& paths, SensorLists& lists) {
   collector.finish();
   LogFiles logs = std::move(collector.out);
   dropDuplicates(logs);
-  std::ranges::stable_sort(logs.files, {}, [](const LogFile& file) {
-    const double opened = timeOf(file.data.header.opened).value_or(0);
-    return std::tuple(file.vehicle, opened, file.data.computer);
-  });
+  sortBySegment(logs.files);
   return logs;
 }
 

@@ -27,7 +27,7 @@ struct LogFile {
 
 /// The files of one command line.
 struct LogFiles {
-  std::vector<LogFile> files;              ///< by vehicle and time of opening; flight, then science
+  std::vector<LogFile> files;              ///< by vehicle and segment; flight, then science
   std::vector<support::Failure> failures;  ///< files that could not be read, and damage
   std::vector<std::string> skipped;        ///< why files were left out that could be read
 };

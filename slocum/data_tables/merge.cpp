@@ -113,6 +113,16 @@ Merged merge(const std::vector<LogFile>& files, const std::vector<std::string>& 
   return merged;
 }
 
+double initialValue(const Merged& merged, size_t column) {
+  for (size_t i = 0; i < merged.files.size(); ++i) {
+    const size_t at = merged.in_file[i][column];
+    if (at != Merged::kNone && merged.files[i].first > 0) {
+      return merged.files[i].data.columns[at].values[0];
+    }
+  }
+  return NAN;
+}
+
 std::string valueText(double value, uint8_t width) {
   if (std::isnan(value)) {
     return "nan";

@@ -53,6 +53,9 @@ struct Merged {
   }
 };
 
+/// What a column held before the first row, from the records of initial values; NaN: nothing.
+double initialValue(const Merged& merged, size_t column);
+
 /// True if `name` matches `pattern`, in which `*` stands for any characters.
 bool matches(std::string_view name, std::string_view pattern);
 

@@ -57,6 +57,11 @@ std::string filesText(const std::vector<LogFile>& files) {
   return text;
 }
 
+/// A value with the digits that a float32 has, or to the millisecond for the time of a record.
+std::string readable(double value, uint8_t width) {
+  return std::isnan(value) ? "-" : fmt::format("{:.{}g}", value, width == 4 ? 7 : 13);
+}
+
 /// A row of the table of sensors.
 using Cells = std::vector<std::string>;
 
@@ -87,14 +92,15 @@ std::string sensorsText(const std::vector<LogFile>& files,
   for (size_t column = 0; column < merged.columns.size(); ++column) {
     Figures figures;
     merged.forEachUpdateOf(column, [&](uint32_t, double value) { figures.take(value); });
-    if (figures.updates == 0 && patterns.empty()) {
-      ++never;
-      continue;
-    }
     const auto& [name, sensor, computer] = merged.columns[column];
-    const auto text = [&](double value) {
-      return std::isnan(value) ? std::string("-") : valueText(value, sensor.width);
-    };
+    if (figures.updates == 0) {
+      if (std::ranges::find(patterns, name) == patterns.end()) {
+        ++never;
+        continue;
+      }
+      figures.last = initialValue(merged, column);
+    }
+    const auto text = [&](double value) { return readable(value, sensor.width); };
     rows.push_back({name, sensor.unit, std::to_string(figures.updates), text(figures.min),
                     text(figures.max), text(figures.last)});
   }

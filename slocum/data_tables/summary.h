@@ -10,8 +10,9 @@
 
 namespace glider::slocum {
 
-/// The files of one vehicle and their sensors as text for people. `patterns`: the sensors to show;
-/// none: all that were updated.
+/// The files of one vehicle and their sensors as text for people. `patterns`: the sensors to show.
+/// Those that were never updated are shown, with their initial value, if a pattern without `*`
+/// names them.
 std::string summaryOf(const std::vector<LogFile>& files, const std::vector<std::string>& patterns);
 
 /// "2019-08-09 15:24:50"; "unknown" for what is not a time.

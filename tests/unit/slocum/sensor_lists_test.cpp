@@ -49,7 +49,7 @@ TEST(SensorLists, AMissingOneIsNamedWithThePlacesSearched) {
   ASSERT_FALSE(file);
   EXPECT_EQ(support::code(file.error().id), "GL5201");
   for (const std::string& part : {path.string(), crc + ".cac", (folder.path() / "cac").string(),
-                                 (folder.path() / "cache").string()}) {
+                                  (folder.path() / "cache").string()}) {
     EXPECT_NE(file.error().message.find("`" + part + "`"), std::string::npos) << part;
   }
 }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "driver/commands.h"
-#include "driver/data_log.h"
 #include "driver/exit_code.h"
+#include "driver/output/data_log.h"
 #include "driver/terminal.h"
 #include "logs/render.h"
 #include "support/files.h"

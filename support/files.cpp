@@ -94,7 +94,9 @@ Result<void> writeSpecial(const std::filesystem::path& path, std::string_view co
 }  // namespace
 
 Result<std::string> readFile(const std::filesystem::path& path, size_t largest) {
-  auto failed = [&](const std::string& why) { return fail(DiagnosticId::cannotRead, path.string(), why); };
+  auto failed = [&](const std::string& why) {
+    return fail(DiagnosticId::cannotRead, path.string(), why);
+  };
   Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   if (file.get() < 0) {
     return failed(std::strerror(errno));

@@ -106,7 +106,8 @@ std::string sensorsText(const std::vector<LogFile>& files,
   }
   std::string text = "\n" + aligned(rows);
   if (never > 0) {
-    text += fmt::format("  and {} sensors that were never updated\n", never);
+    text += never == 1 ? "  and 1 sensor that was never updated\n"
+                       : fmt::format("  and {} sensors that were never updated\n", never);
   }
   return text;
 }

@@ -85,7 +85,7 @@ TEST(DataTable, SummaryCountsUpdatesWithoutInitialValues) {
       "  m_lat           lat         1  5441.25  5441.25  5441.25\n"
       "  sci_water_temp  degC        2    17.25    17.25    17.25\n"
       "  x_state         enum        0        -        -        7\n");
-  EXPECT_NE(summaryOf(logs.files, {}).find("and 1 sensors that were never updated"),
+  EXPECT_NE(summaryOf(logs.files, {}).find("and 1 sensor that was never updated"),
             std::string::npos);
 }
 

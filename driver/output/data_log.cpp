@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "driver/data_log.h"
+#include "driver/output/data_log.h"
 
 #include "driver/exit_code.h"
 #include "driver/terminal.h"

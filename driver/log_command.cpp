@@ -135,14 +135,14 @@ void addLogCommand(CLI::App& app, int& status) {
           "Show or write only these sensors of data files, separated by commas; `*` stands "
           "for any characters")
       ->option_text("NAMES")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->allow_extra_args(false);
   command
       ->add_option("--cache", options->caches,
                    "Folder with the vehicle's sensor lists (.cac); may be repeated [the folder of "
                    "each file and its folders cac and cache]")
       ->option_text("FOLDER")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+      ->allow_extra_args(false);
   command->footer(kFooter);
   command->callback([options, &status] { status = log(*options); });
 }

@@ -50,7 +50,7 @@ TEST(DataLog, ShowsFilesAndSensors) {
 TEST(DataLog, WritesTheSensorsAskedFor) {
   const TemporaryFolder folder;
   (void)folder.write("a.sbd", write(draftOf("unit")));
-  const Outcome csv = logOf(folder, ". --sensors 'm_d*' --csv -");
+  const Outcome csv = logOf(folder, "--sensors 'm_d*' --csv - .");
   EXPECT_EQ(csv.status, 0) << csv.err;
   EXPECT_EQ(csv.out, "time_s,computer,m_depth\n1719946531,flight,3.5\n1719946535,flight,\n");
   // accepts: GL9364 GL9365
@@ -82,7 +82,7 @@ TEST(DataLog, MissingFilesAndListsEndWithTwo) {
   EXPECT_NE(missing.err.find("[GL5201 "), std::string::npos) << missing.err;
   fs::create_directory(folder.path() / "lists");
   (void)folder.write("lists/" + slocum::second::crcOf(listText(draft)) + ".cac", listText(draft));
-  EXPECT_EQ(logOf(folder, "a.sbd --cache lists").status, 0);
+  EXPECT_EQ(logOf(folder, "--cache none --cache lists a.sbd").status, 0);
   EXPECT_EQ(logOf(folder, "a.sbd none.sbd --cache lists").status, 2);
   fs::create_directory(folder.path() / "empty");
   EXPECT_EQ(logOf(folder, "empty").status, 2);

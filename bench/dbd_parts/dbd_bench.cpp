@@ -64,7 +64,9 @@ std::string fileOf(const Kind& kind) {
   for (int record = 0; record < kind.records; ++record) {
     std::string states(static_cast<size_t>((kind.sensors + 3) / 4), '\0'), values;
     for (int i = 0; i < kind.sensors; ++i) {
-      const double draw = share(random);
+      // In real files some sensors are updated often and most others never.
+      const double busy = std::min(1.0, 2 * (kind.fresh + kind.repeated));
+      const double draw = i * 7 % 100 < 100 * busy ? share(random) * busy : 1;
       const int state = draw < kind.fresh ? 2 : draw < kind.fresh + kind.repeated ? 1 : 0;
       char& byte = states[static_cast<size_t>(i / 4)];
       byte = static_cast<char>(byte | state << (6 - 2 * (i % 4)));

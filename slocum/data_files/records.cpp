@@ -74,18 +74,24 @@ class RecordDecoder {
     return false;
   }
 
+  /// The states of the 32 sensors from byte `at` on, the first in the top bits; those after the
+  /// last are 0.
+  [[nodiscard]] uint64_t statesAt(const uint8_t* states, size_t at) const {
+    uint64_t word = 0;
+    if (at + sizeof word <= file_.header.state_bytes) {
+      std::memcpy(&word, states + at, sizeof word);
+    } else {
+      std::memcpy(&word, states + at, file_.header.state_bytes - at);
+    }
+    return std::endian::native == std::endian::little ? std::byteswap(word) : word;
+  }
+
   /// True if two bits are both set: no sensor has such a state; or one of the padding is.
   [[nodiscard]] bool hasReserved(const uint8_t* states) const {
-    const size_t size = file_.header.state_bytes;
-    uint64_t reserved = states[size - 1] & padding_;
-    size_t i = 0;
-    for (; i + sizeof(uint64_t) <= size; i += sizeof(uint64_t)) {
-      uint64_t word;
-      std::memcpy(&word, states + i, sizeof word);
+    uint64_t reserved = states[file_.header.state_bytes - 1] & padding_;
+    for (size_t at = 0; at < file_.header.state_bytes; at += sizeof reserved) {
+      const uint64_t word = statesAt(states, at);
       reserved |= word & word >> 1U & 0x5555555555555555U;
-    }
-    for (; i < size; ++i) {
-      reserved |= states[i] & states[i] >> 1U & 0x55U;
     }
     return reserved != 0;
   }
@@ -93,21 +99,12 @@ class RecordDecoder {
   /// Calls `take(column)` for each sensor with a new value, in order.
   template <typename Take>
   void forEachNew(const uint8_t* states, Take take) const {
-    const size_t size = file_.header.state_bytes;
-    for (size_t i = 0; i < size; ++i) {
-      if (i + sizeof(uint64_t) <= size) {  // most sensors are not updated: skip 32 at once
-        uint64_t word;
-        std::memcpy(&word, states + i, sizeof word);
-        if ((word & 0xAAAAAAAAAAAAAAAAU) == 0) {
-          i += sizeof word - 1;
-          continue;
-        }
-      }
-      unsigned fresh = states[i] & 0xAAU;
+    for (size_t at = 0; at < file_.header.state_bytes; at += sizeof(uint64_t)) {
+      uint64_t fresh = statesAt(states, at) & 0xAAAAAAAAAAAAAAAAU;
       while (fresh != 0) {
-        const auto zeros = static_cast<unsigned>(std::countl_zero(static_cast<uint8_t>(fresh)));
-        take(4 * i + zeros / 2);
-        fresh &= ~(0x80U >> zeros);
+        const auto zeros = static_cast<unsigned>(std::countl_zero(fresh));
+        take(4 * at + zeros / 2);
+        fresh &= ~(uint64_t{1} << 63U >> zeros);
       }
     }
   }

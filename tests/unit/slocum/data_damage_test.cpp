@@ -67,6 +67,22 @@ TEST(DamagedDataFile, EveryBitFlipped) {
   EXPECT_EQ(readable, 8 * (whole.size() - whole.find("sa\x34") - 16));
 }
 
+TEST(DamagedDataFile, AStateThatDoesNotExistIsSeenAtEverySensor) {
+  second::Draft draft;
+  for (int i = 0; i < 71; ++i) {  // more than are looked at together, and one padding state
+    draft.sensors.push_back({"x_" + std::to_string(i), "nodim", i % 2 == 0 ? 1 : 4, true});
+  }
+  draft.rows.assign(2, std::vector<second::Cell>(71, {'*', 5}));
+  draft.rows.push_back(std::vector<second::Cell>(71));
+  const std::string whole = write(draft);
+  const size_t states = whole.size() - 1 - 18;  // of the last record, which has no values
+  for (size_t i = 0; i < 72; ++i) {
+    std::string bytes = whole;
+    bytes[states + i / 4] = static_cast<char>(3U << (6 - 2 * (i % 4)));
+    EXPECT_EQ(compare(bytes, "sensor " + std::to_string(i)), 2U);
+  }
+}
+
 TEST(DamagedDataFile, CompressedCutAtEveryLength) {
   const std::string whole = write(smallDraft());
   const std::string packed = second::pack(whole, 300);

@@ -3,6 +3,7 @@
 
 #include "driver/commands.h"
 #include "driver/exit_code.h"
+#include "driver/output/data_log.h"
 #include "driver/terminal.h"
 #include "logs/render.h"
 #include "support/files.h"
@@ -20,10 +21,7 @@ namespace {
 using support::DiagnosticId;
 using support::Result;
 
-struct LogOptions {
-  std::string file;
-  std::string csv;
-};
+using LogOptions = DataLogOptions;
 
 /// "3 incomplete or damaged and skipped, 2 missing (or more, by a multiple of 256)".
 std::string damageText(const logs::LogDamage& damage) {
@@ -45,47 +43,107 @@ Result<void> write(const LogOptions& options, const std::string& text) {
              : support::writeFileAtomically(options.csv, text);
 }
 
-int log(const LogOptions& options) {
-  const auto bytes = support::readFile(options.file);
+/// Shows the log of a mission.
+int showMissionLog(const std::string& file, const LogOptions& options) {
+  const auto bytes = support::readFile(file);
   if (!bytes) {
     return reportFailure(bytes.error());
   }
   std::error_code ignored;
-  if (!options.csv.empty() && std::filesystem::equivalent(options.file, options.csv, ignored)) {
-    return reportFailure(support::fail(DiagnosticId::outputIsInput, options.file).error());
-  }
   std::string text = options.csv.empty() ? "" : logs::kLogCsvHead;
   const logs::LogDamage damage = logs::readLog(*bytes, [&](const logs::LogEntry& entry) {
     text += options.csv.empty() ? logs::textLine(entry) : logs::csvLines(entry);
   });
   if (damage.starts == 0) {
     std::string why = bytes->empty() ? "it is empty" : "it contains no complete header of a log";
-    if (const std::string older = options.file + ".old"; std::filesystem::exists(older, ignored)) {
+    if (const std::string older = file + ".old"; std::filesystem::exists(older, ignored)) {
       why += "; earlier records are in `" + older + "`";
     }
-    return reportFailure(support::fail(DiagnosticId::noLog, options.file, why).error());
+    return reportFailure(support::fail(DiagnosticId::noLog, file, why).error());
   }
   if (const auto written = write(options, text); !written) {
     return reportFailure(written.error());
   }
   if (const std::string harm = damageText(damage); !harm.empty()) {
-    tell(fmt::format("glidercc: note: {}: records: {}\n", options.file, harm));
+    tell(fmt::format("glidercc: note: {}: records: {}\n", file, harm));
   }
   return kFine;
 }
+
+int log(const LogOptions& options) {
+  std::error_code ignored;
+  for (const std::string& file : options.files) {
+    for (const std::string& output : {options.csv, options.netcdf}) {
+      if (!output.empty() && std::filesystem::equivalent(file, output, ignored)) {
+        return reportFailure(support::fail(DiagnosticId::outputIsInput, file).error());
+      }
+    }
+  }
+  if (areDataFiles(options.files)) {
+    return showDataFiles(options);
+  }
+  const std::string& file = options.files[0];
+  if (!options.sensors.empty() || !options.netcdf.empty() || !options.caches.empty()) {
+    return reportFailure(
+        support::fail(DiagnosticId::notDataFile, file,
+                      "`--sensors`, `--netcdf` and `--cache` are not for the logs of missions")
+            .error());
+  }
+  return showMissionLog(file, options);
+}
+
+constexpr const char* kFooter =
+    "The log of a mission on the SBC is given alone. Any number of the vehicle's data files (.dbd "
+    ".mbd .sbd\n"
+    ".ebd .nbd .tbd, compressed .dcd .mcd .scd .ecd .ncd .tcd) and folders of them are shown "
+    "together:\n"
+    "each file, and for each sensor its updates, minimum, maximum and last value.\n"
+    "The first record of a data file holds the values from before the file was opened and is not "
+    "shown.\n"
+    "The CSV of data files has one row per record of either computer, by time; a field is empty "
+    "where the\n"
+    "record does not update the sensor. If both computers have a sensor, the copy that does not "
+    "come from\n"
+    "its owner is named gld_dup_NAME (flight's copy) or sci_dup_NAME (science's copy).\n"
+    "Exit codes: 0 success, 1 a data file is damaged (what can be read is shown), 2 usage error, "
+    "or a file\n"
+    "failed or is missing.";
 
 }  // namespace
 
 void addLogCommand(CLI::App& app, int& status) {
   auto options = std::make_shared<LogOptions>();
-  CLI::App* command = app.add_subcommand("log", "Show the log written by a mission on the SBC");
-  command->add_option("FILE", options->file, "Log file written by the mission's program with --log")
+  CLI::App* command = app.add_subcommand(
+      "log", "Show the log written by a mission on the SBC, or the vehicle's data files");
+  command
+      ->add_option("FILES", options->files,
+                   "Log file written by the mission's program with --log, or data files of the "
+                   "vehicle, or folders of them")
       ->required();
   command
-      ->add_option(
-          "--csv", options->csv,
-          "Write comma-separated values instead, one row per value; `-` is standard output")
+      ->add_option("--csv", options->csv,
+                   "Write comma-separated values instead: of a mission's log one row per value, "
+                   "of data files one row per record; `-` is standard output")
       ->option_text("OUT");
+  command
+      ->add_option("--netcdf", options->netcdf,
+                   "Write the records of data files to a netCDF-4 file")
+      ->option_text("OUT");
+  command
+      ->add_option(
+          "--sensors", options->sensors,
+          "Show or write only these sensors of data files, separated by commas; `*` stands "
+          "for any characters")
+      ->option_text("NAMES")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command
+      ->add_option("--cache", options->caches,
+                   "Folder with the vehicle's sensor lists (.cac); may be repeated [the folder of "
+                   "each file and its folders cac and cache]")
+      ->option_text("FOLDER")
+      ->allow_extra_args(false);
+  command->footer(kFooter);
   command->callback([options, &status] { status = log(*options); });
 }
 

@@ -15,8 +15,6 @@
 namespace glider::support {
 namespace {
 
-constexpr size_t kLargestFile = size_t{64} << 20U;
-
 /// Closes a file descriptor at the end of a scope.
 class Descriptor {
  public:
@@ -95,8 +93,10 @@ Result<void> writeSpecial(const std::filesystem::path& path, std::string_view co
 
 }  // namespace
 
-Result<std::string> readFile(const std::filesystem::path& path) {
-  auto failed = [&](const char* why) { return fail(DiagnosticId::cannotRead, path.string(), why); };
+Result<std::string> readFile(const std::filesystem::path& path, size_t largest) {
+  auto failed = [&](const std::string& why) {
+    return fail(DiagnosticId::cannotRead, path.string(), why);
+  };
   Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   if (file.get() < 0) {
     return failed(std::strerror(errno));
@@ -115,8 +115,8 @@ Result<std::string> readFile(const std::filesystem::path& path) {
       return content;
     }
     content.append(buffer.data(), static_cast<size_t>(n));
-    if (content.size() > kLargestFile) {
-      return failed("it is larger than 64 MiB");
+    if (content.size() > largest) {
+      return failed(fmt::format("it is larger than {} MiB", largest >> 20U));
     }
   }
 }

@@ -13,9 +13,12 @@
 
 namespace glider::support {
 
-/// The whole content of `path`; GL9001 when it cannot be read (missing, a directory, over 64 MiB,
-/// an I/O error).
-Result<std::string> readFile(const std::filesystem::path& path);
+/// The largest file that is read unless more is asked for.
+inline constexpr size_t kLargestFile = size_t{64} << 20U;
+
+/// The whole content of `path`; GL9001 when it cannot be read (missing, a directory, more than
+/// `largest` bytes, an I/O error).
+Result<std::string> readFile(const std::filesystem::path& path, size_t largest = kLargestFile);
 
 /// What is written, which decides how: a product can be rebuilt, so writing it does not wait for
 /// the disk, and a power cut may lose it.

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace glider::driver {
+
+/// What `glidercc log` was given.
+struct DataLogOptions {
+  std::vector<std::string> files;
+  std::string csv;                   ///< empty: none; "-": standard output
+  std::string netcdf;                ///< empty: none
+  std::vector<std::string> sensors;  ///< patterns; empty: all
+  std::vector<std::string> caches;
+};
+
+/// True for data files of the vehicle; false for a single file of another kind.
+bool areDataFiles(const std::vector<std::string>& files);
+/// Shows the data files, or writes them as CSV and netCDF; returns the exit code.
+int showDataFiles(const DataLogOptions& options);
+
+}  // namespace glider::driver

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "slocum/data_tables/log_files.h"
+
+#include <string>
+#include <vector>
+
+namespace glider::slocum {
+
+/// A sensor of one computer, in all files of a vehicle.
+struct MergedColumn {
+  std::string name;  ///< where both computers have a sensor, the copy is gld_dup_ or sci_dup_
+  Sensor sensor;
+  Computer computer = Computer::Flight;
+};
+
+/// One record of one file.
+struct MergedRow {
+  double time = 0;
+  uint32_t file = 0;
+  uint32_t record = 0;
+};
+
+/// The files of one vehicle as one table: a row for each record, by time. Records of initial values
+/// are left out.
+struct Merged {
+  const std::vector<LogFile>& files;
+  std::vector<MergedColumn> columns;          ///< by name
+  std::vector<MergedRow> rows;                ///< by time, as far as it is known
+  std::vector<std::vector<uint32_t>> row_of;  ///< row of each record from `first` on, for each file
+  std::vector<std::vector<size_t>> in_file;   ///< column in each file; kNone: it is not there
+
+  static constexpr size_t kNone = SIZE_MAX;
+
+  /// Calls `take(row, value)` for each update of a column, file by file.
+  template <typename Take>
+  void forEachUpdateOf(size_t column, Take take) const {
+    for (size_t i = 0; i < files.size(); ++i) {
+      const size_t at = in_file[i][column];
+      if (at == kNone) {
+        continue;
+      }
+      const uint32_t first = files[i].first;
+      forEachUpdate(files[i].data, at, [&](uint32_t record, Update, double value) {
+        if (record >= first) {
+          take(row_of[i][record - first], value);
+        }
+      });
+    }
+  }
+};
+
+/// What a column held before the first row, from the records of initial values; NaN: nothing.
+double initialValue(const Merged& merged, size_t column);
+
+/// True if `name` matches `pattern`, in which `*` stands for any characters.
+bool matches(std::string_view name, std::string_view pattern);
+
+/// All sensors of the files, by name.
+std::vector<MergedColumn> columnsOf(const std::vector<LogFile>& files);
+
+/// Merges `files`, with the columns whose names match one of `patterns` (all if there are none).
+Merged merge(const std::vector<LogFile>& files, const std::vector<std::string>& patterns);
+
+/// A value as text, as short as the sensor's width permits: reading it gives the same value.
+std::string valueText(double value, uint8_t width);
+
+}  // namespace glider::slocum

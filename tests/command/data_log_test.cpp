@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// `glidercc log` with the data files of the vehicle.
+
+#include "tests/support/command.h"
+#include "tests/unit/slocum/second_reader.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace glider::tests {
+namespace {
+
+namespace fs = std::filesystem;
+using slocum::second::Draft;
+
+Draft draftOf(const std::string& vehicle) {
+  Draft draft;
+  draft.full_name = vehicle + "-2024-183-2-7";
+  draft.sensors = {{"m_depth", "m", 4, true}, {"m_present_time", "timestamp", 8, true}};
+  draft.rows = {
+      {{'*', 0}, {'*', 1719946527}}, {{'*', 3.5}, {'*', 1719946531}}, {{}, {'*', 1719946535}}};
+  return draft;
+}
+
+Outcome logOf(const TemporaryFolder& folder, const std::string& words) {
+  return runShell("cd " + folder.path().string() + " && $GLIDERCC log " + words);
+}
+
+TEST(DataLog, ShowsFilesAndSensors) {
+  const TemporaryFolder folder;
+  (void)folder.write("a.sbd", write(draftOf("unit")));
+  const Outcome shown = logOf(folder, "a.sbd");
+  EXPECT_EQ(shown.status, 0);
+  EXPECT_EQ(shown.err, "");
+  EXPECT_EQ(shown.out,
+            "unit: 1 file, times in UTC\n"
+            "  a.sbd  flight   TEST.MI  segment unit-2024-183-2-7, 2024-07-02 18:55:31 to "
+            "2024-07-02 18:55:35, 3 records\n"
+            "\n"
+            "  sensor          unit       updates         min         max        last\n"
+            "  m_depth         m                1         3.5         3.5         3.5\n"
+            "  m_present_time  timestamp        2  1719946531  1719946535  1719946535\n");
+}
+
+TEST(DataLog, WritesTheSensorsAskedFor) {
+  const TemporaryFolder folder;
+  (void)folder.write("a.sbd", write(draftOf("unit")));
+  const Outcome csv = logOf(folder, "--sensors 'm_d*' --csv - .");
+  EXPECT_EQ(csv.status, 0) << csv.err;
+  EXPECT_EQ(csv.out, "time_s,computer,m_depth\n1719946531,flight,3.5\n1719946535,flight,\n");
+  // accepts: GL9364 GL9365
+  EXPECT_EQ(logOf(folder, "a.sbd --sensors m_depth,m_present_time --netcdf o.nc").status, 0);
+  EXPECT_EQ(slurp(folder.path() / "o.nc").substr(1, 3), "HDF");
+  const Outcome unknown = logOf(folder, "a.sbd --sensors m_deph");
+  EXPECT_EQ(unknown.status, 2);
+  EXPECT_NE(unknown.err.find("[GL9364 "), std::string::npos) << unknown.err;
+}
+
+TEST(DataLog, DamageEndsWithOneAndShowsTheRest) {
+  const TemporaryFolder folder;
+  const std::string bytes = write(draftOf("unit"));
+  (void)folder.write("a.sbd", bytes.substr(0, bytes.size() - 5));
+  const Outcome shown = logOf(folder, "a.sbd");
+  EXPECT_EQ(shown.status, 1);
+  EXPECT_NE(shown.out.find("2 records\n"), std::string::npos) << shown.out;
+  EXPECT_NE(shown.err.find("the file ends within a record"), std::string::npos) << shown.err;
+  EXPECT_NE(shown.err.find("[GL5203 "), std::string::npos) << shown.err;
+}
+
+TEST(DataLog, MissingFilesAndListsEndWithTwo) {
+  const TemporaryFolder folder;
+  Draft draft = draftOf("unit");
+  draft.factored = true;
+  (void)folder.write("a.sbd", write(draft));
+  const Outcome missing = logOf(folder, "a.sbd");
+  EXPECT_EQ(missing.status, 2);
+  EXPECT_NE(missing.err.find("[GL5201 "), std::string::npos) << missing.err;
+  fs::create_directory(folder.path() / "lists");
+  (void)folder.write("lists/" + slocum::second::crcOf(listText(draft)) + ".cac", listText(draft));
+  EXPECT_EQ(logOf(folder, "--cache none --cache lists a.sbd").status, 0);
+  EXPECT_EQ(logOf(folder, "a.sbd none.sbd --cache lists").status, 2);
+  fs::create_directory(folder.path() / "empty");
+  EXPECT_EQ(logOf(folder, "empty").status, 2);
+}
+
+TEST(DataLog, TablesAreOfOneVehicle) {
+  const TemporaryFolder folder;
+  (void)folder.write("a.sbd", write(draftOf("unit")));
+  (void)folder.write("b.sbd", write(draftOf("other")));
+  const Outcome shown = logOf(folder, ".");
+  EXPECT_EQ(shown.status, 0);
+  EXPECT_TRUE(shown.out.starts_with("other: 1 file")) << shown.out;
+  EXPECT_NE(shown.out.find("\nunit: 1 file"), std::string::npos) << shown.out;
+  const Outcome csv = logOf(folder, ". --csv o.csv");
+  EXPECT_EQ(csv.status, 2);
+  EXPECT_NE(csv.err.find("[GL9365 "), std::string::npos) << csv.err;
+}
+
+TEST(DataLog, NeverOverwritesItsInput) {
+  const TemporaryFolder folder;
+  const std::string bytes = write(draftOf("unit"));
+  const auto path = folder.write("a.sbd", bytes);
+  for (const std::string& option : std::vector<std::string>{"--csv", "--netcdf"}) {
+    const Outcome refused = logOf(folder, "a.sbd " + option + " ./a.sbd");
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_NE(refused.err.find("[GL9350 "), std::string::npos) << refused.err;
+  }
+  EXPECT_EQ(slurp(path), bytes);
+}
+
+TEST(DataLog, OptionsOfDataFilesAreNotForMissionLogs) {
+  const TemporaryFolder folder;
+  (void)folder.write("mission.log", "hello");
+  const Outcome refused = logOf(folder, "mission.log --netcdf o.nc");
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("[GL5200 "), std::string::npos) << refused.err;
+  EXPECT_NE(logOf(folder, "mission.log").err.find("[GL9363 "), std::string::npos);
+}
+
+/// The lines below `    $ COMMAND` in the guide, without their indentation, up to an empty line
+/// that text follows.
+std::string guideOutput(const std::string& command) {
+  const std::string page = slurp(fs::path(GLIDER_SOURCE_DIR) / "docs/guide.md");
+  const std::string prompt = "    $ " + command + "\n";
+  std::string text;
+  size_t at = page.find(prompt);
+  EXPECT_NE(at, std::string::npos) << command;
+  for (at += prompt.size(); at < page.size();) {
+    const std::string line = page.substr(at, page.find('\n', at) - at);
+    if (!line.empty() && !line.starts_with("    ")) {
+      break;
+    }
+    text += (line.empty() ? "" : line.substr(4)) + "\n";
+    at += line.size() + 1;
+  }
+  return text.substr(0, text.find_last_not_of('\n') + 1) + "\n";
+}
+
+TEST(DataLog, TheGuideShowsWhatRealFilesGive) {
+  const fs::path real = fs::path(GLIDER_SOURCE_DIR) / "../shared/data/dbd";
+  if (!fs::exists(real)) {
+    GTEST_SKIP() << "the real data files are not here: " << real;
+  }
+  for (const std::string& command : std::vector<std::string>{
+           "glidercc log comet-2019-218-00-033.sbd comet-2019-218-00-033.tbd",
+           "glidercc log comet-2019-218-00-033.sbd comet-2019-218-00-033.tbd --sensors "
+           "'m_depth,sci_water*' --csv -"}) {
+    const Outcome shown =
+        runShell("cd " + real.string() + " && " + "$GLIDERCC" + command.substr(8));
+    EXPECT_EQ(shown.out, guideOutput(command));
+    EXPECT_EQ(shown.status, 0) << shown.err;
+  }
+}
+
+}  // namespace
+}  // namespace glider::tests

@@ -50,7 +50,7 @@ struct Column {
 
 /// A part of a file that could not be read.
 struct Damage {
-  size_t offset = 0;  ///< byte of the file; for what is inside compressed blocks, `what` says so
+  size_t offset = 0;  ///< byte of the file; for what is inside compressed blocks, `what` reports it
   std::string what;
 };
 

@@ -13,7 +13,7 @@
 
 namespace glider::slocum {
 
-/// True for what readDataFile is meant for, judged by the beginning of the content or by the
+/// True for what readDataFile is meant for, decided by the beginning of the content or by the
 /// extension of the name.
 bool looksLikeDataFile(const std::filesystem::path& path, std::string_view bytes);
 

@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -256,7 +257,11 @@ void checkSkeleton(const slocum::MissionFile& mission, support::SourceRange plac
     diagnostics.report(DiagnosticId::sensorWithoutEffect, sensor.name_range, sensor.name);
   }
   const slocum::BehaviourBlock* hookbeh = nullptr;
+  std::set<std::string_view> without_effect;  // each is named once
   for (const slocum::BehaviourBlock& block : mission.behaviours) {
+    if (slocum::findBehaviour(block.name) == nullptr && !without_effect.insert(block.name).second) {
+      continue;
+    }
     checkBehaviour(block, diagnostics);
     if (block.name == "hookbeh" && hookbeh != nullptr) {
       diagnostics.report(DiagnosticId::duplicateArgument, block.range, block.name)

@@ -102,6 +102,7 @@ TEST(DataTable, PatternsMatchWholeNames) {
   EXPECT_FALSE(matches("m_gps_lat", "m_gps"));
   EXPECT_TRUE(matches("m_gps_lat", "m_*"));
   EXPECT_TRUE(matches("m_gps_lat", "*lat"));
+  EXPECT_FALSE(matches("m_lat_x", "*lat")) << "at the end, not anywhere";
   EXPECT_TRUE(matches("m_gps_lat", "*gps*"));
   EXPECT_TRUE(matches("m_gps_lat", "m*_l*t"));
   EXPECT_TRUE(matches("m_gps_lat", "*"));

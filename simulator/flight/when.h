@@ -32,6 +32,8 @@ class When {
   [[nodiscard]] bool met(const Situation& situation, const Commands& below) const;
   void noteStart(double time_s) { started_s_ = time_s; }
   void noteEnd(double time_s) { ended_s_ = time_s; }
+  /// Counts from now on.
+  void restart(double time_s) { started_s_ = ended_s_ = time_s; }
 
  private:
   [[nodiscard]] bool isMode(const Situation& situation) const;

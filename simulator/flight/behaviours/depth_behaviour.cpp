@@ -8,15 +8,13 @@
 namespace glider::simulator {
 
 DepthBehaviour::DepthBehaviour(const BehaviourSource& source)
-    : Behaviour(source.block.name),
-      start_(source.startCondition()),
-      resumes_(source.code("end_action") == 2),
+    : StartedBehaviour(source),
       leg_(source,
            source.block.name == "dive_to" ? DepthLeg::Direction::Dive : DepthLeg::Direction::Climb,
            "") {}
 
 void DepthBehaviour::begin(const Situation& s) {
-  start_.noteStart(s.time_s);
+  StartedBehaviour::begin(s);
   leg_.begin(s);
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "simulator/flight/behaviours/depth_leg.h"
+#include "simulator/flight/behaviours/started.h"
 
 #include <optional>
 #include <string>
@@ -11,24 +12,17 @@
 namespace glider::simulator {
 
 /// dive_to or climb_to by itself: one leg to a depth or an altitude.
-class DepthBehaviour final : public Behaviour {
+class DepthBehaviour final : public StartedBehaviour {
  public:
   explicit DepthBehaviour(const BehaviourSource& source);
   [[nodiscard]] bool flies() const override { return true; }
   void tell(double time_s, Journal& journal) override;
 
  protected:
-  [[nodiscard]] bool starts(const Situation& s, const Commands& below) const override {
-    return start_.met(s, below);
-  }
   void begin(const Situation& situation) override;
   Outcome fly(const Situation& situation, Commands& commands) override;
-  [[nodiscard]] bool resumes() const override { return resumes_; }
-  void ended(const Situation& s) override { start_.noteEnd(s.time_s); }
 
  private:
-  When start_;
-  bool resumes_;
   DepthLeg leg_;
   std::optional<std::string> why_over_;
 };

@@ -15,9 +15,7 @@ constexpr double kDrift = 0.02;      // m/s
 constexpr double kMostTrim = 100.0;  // cc, on either side of neutral
 
 DriftAtDepth::DriftAtDepth(const BehaviourSource& source)
-    : Behaviour(source.block.name),
-      start_(source.startCondition()),
-      resumes_(source.code("end_action") == 2),
+    : StartedBehaviour(source),
       target_m_(source.argument("target_depth")),
       deadband_m_(source.argument("target_deadband")),
       hover_for_s_(source.argument("stop_when_hover_for")),
@@ -32,7 +30,7 @@ bool DriftAtDepth::within(const Situation& s) const {
 }
 
 void DriftAtDepth::begin(const Situation& s) {
-  start_.noteStart(s.time_s);
+  StartedBehaviour::begin(s);
   hovers_ = false;
   pump_cc_ = 0;
   dive_.begin(s), climb_.begin(s);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "simulator/flight/behaviours/depth_leg.h"
+#include "simulator/flight/behaviours/started.h"
 
 #include <string>
 #include <vector>
@@ -12,27 +13,20 @@ namespace glider::simulator {
 
 /// Flies to a depth and drifts there with a pump that is corrected in small steps, for
 /// stop_when_hover_for.
-class DriftAtDepth final : public Behaviour {
+class DriftAtDepth final : public StartedBehaviour {
  public:
   explicit DriftAtDepth(const BehaviourSource& source);
   [[nodiscard]] bool flies() const override { return true; }
   void tell(double time_s, Journal& journal) override;
 
  protected:
-  [[nodiscard]] bool starts(const Situation& s, const Commands& below) const override {
-    return start_.met(s, below);
-  }
   void begin(const Situation& situation) override;
   Outcome fly(const Situation& situation, Commands& commands) override;
-  [[nodiscard]] bool resumes() const override { return resumes_; }
-  void ended(const Situation& s) override { start_.noteEnd(s.time_s); }
 
  private:
   [[nodiscard]] bool within(const Situation& situation) const;
   void correct(const Situation& situation);
 
-  When start_;
-  bool resumes_;
   Argument target_m_, deadband_m_, hover_for_s_, step_cc_, delay_s_;
   PitchSource pitch_;
   DepthLeg dive_, climb_;

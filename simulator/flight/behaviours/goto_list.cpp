@@ -17,12 +17,10 @@ constexpr int kOnce = -2;                             // num_legs_to_run
 }  // namespace
 
 GotoList::GotoList(const BehaviourSource& source)
-    : Behaviour(source.block.name),
-      start_(source.startCondition()),
+    : StartedBehaviour(source),
       stop_(source.code("list_stop_when"),
             {.secs = {0, source.variables}, .distance_m = source.argument("list_when_wpt_dist")},
             source.code_15, true),
-      resumes_(source.code("end_action") == 2),
       initial_(source.code("initial_wpt")),
       legs_to_run_(source.code("num_legs_to_run")) {
   for (const slocum::Waypoint& waypoint : source.block.waypoints) {
@@ -66,8 +64,8 @@ int GotoList::legs(size_t first) const {
 }
 
 void GotoList::begin(const Situation& s) {
-  start_.noteStart(s.time_s);
-  stop_.noteStart(s.time_s), stop_.noteEnd(s.time_s);
+  StartedBehaviour::begin(s);
+  stop_.restart(s.time_s);
   current_ = first(s);
   wanted_ = legs(current_);
   reached_ = 0;
@@ -83,7 +81,7 @@ Behaviour::Outcome GotoList::fly(const Situation& s, Commands& commands) {
       return Outcome::Done;
     }
     current_ = (current_ + 1) % places_.size();
-    stop_.noteStart(s.time_s), stop_.noteEnd(s.time_s);
+    stop_.restart(s.time_s);
     fresh_ = true;
   }
   const WaypointPosition to = at(s, current_);

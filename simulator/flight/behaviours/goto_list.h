@@ -3,8 +3,7 @@
 
 #pragma once
 
-#include "simulator/flight/behaviour.h"
-#include "simulator/flight/behaviours/source.h"
+#include "simulator/flight/behaviours/started.h"
 #include "simulator/flight/geography.h"
 
 #include <string>
@@ -14,19 +13,14 @@ namespace glider::simulator {
 
 /// Steers to the waypoints of a list in turn: those of its .ma file, in latitude and longitude, or
 /// wpt_x_0, wpt_y_0 and on.
-class GotoList final : public Behaviour {
+class GotoList final : public StartedBehaviour {
  public:
   explicit GotoList(const BehaviourSource& source);
   void tell(double time_s, Journal& journal) override;
 
  protected:
-  [[nodiscard]] bool starts(const Situation& s, const Commands& below) const override {
-    return start_.met(s, below);
-  }
   void begin(const Situation& situation) override;
   Outcome fly(const Situation& situation, Commands& commands) override;
-  [[nodiscard]] bool resumes() const override { return resumes_; }
-  void ended(const Situation& s) override { start_.noteEnd(s.time_s); }
 
  private:
   struct Place {
@@ -38,8 +32,7 @@ class GotoList final : public Behaviour {
   /// The number of waypoints to reach from `first`; negative: no end.
   [[nodiscard]] int legs(size_t first) const;
 
-  When start_, stop_;
-  bool resumes_;
+  When stop_;
   std::vector<Place> places_;
   int initial_, legs_to_run_;
   size_t current_ = 0;

@@ -8,17 +8,15 @@
 namespace glider::simulator {
 
 GotoWpt::GotoWpt(const BehaviourSource& source)
-    : Behaviour(source.block.name),
-      start_(source.startCondition()),
+    : StartedBehaviour(source),
       stop_(source.stopCondition()),
-      resumes_(source.code("end_action") == 2),
       units_(static_cast<WaypointUnits>(source.code("wpt_units"))),
       x_(source.argument("wpt_x")),
       y_(source.argument("wpt_y")) {}
 
 void GotoWpt::begin(const Situation& s) {
-  start_.noteStart(s.time_s);
-  stop_.noteStart(s.time_s), stop_.noteEnd(s.time_s);
+  StartedBehaviour::begin(s);
+  stop_.restart(s.time_s);
   fresh_ = true;
 }
 

@@ -11,8 +11,7 @@ namespace glider::simulator {
 constexpr double kNotYet = std::numeric_limits<double>::quiet_NaN();
 
 Surface::Surface(const BehaviourSource& source)
-    : Behaviour(source.block.name),
-      start_(source.startCondition()),
+    : StartedBehaviour(source),
       end_action_(static_cast<EndAction>(source.code("end_action"))),
       pitch_(source.pitch("c_")),
       pump_cc_(source.pump("c_")),
@@ -34,7 +33,7 @@ bool Surface::dialogueOver(const Situation& s) const {
 }
 
 void Surface::begin(const Situation& situation) {
-  start_.noteStart(situation.time_s);
+  StartedBehaviour::begin(situation);
   surfaced_s_ = kNotYet;
   fixed_s_ = kNotYet;
 }

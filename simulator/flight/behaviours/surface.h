@@ -3,29 +3,24 @@
 
 #pragma once
 
-#include "simulator/flight/behaviour.h"
-#include "simulator/flight/behaviours/source.h"
+#include "simulator/flight/behaviours/started.h"
 
 namespace glider::simulator {
 
 /// Brings the vehicle to the surface, waits there for a fix and for an operator (there is none),
 /// then ends, resumes or quits the mission.
-class Surface final : public Behaviour {
+class Surface final : public StartedBehaviour {
  public:
   explicit Surface(const BehaviourSource& source);
   [[nodiscard]] bool atWork() const override { return state() == State::Active; }
   [[nodiscard]] bool endsMission() const override { return state() == State::Complete; }
 
  protected:
-  [[nodiscard]] bool starts(const Situation& s, const Commands& below) const override {
-    return start_.met(s, below);
-  }
   void begin(const Situation& situation) override;
   Outcome fly(const Situation& situation, Commands& commands) override;
   [[nodiscard]] bool resumes() const override {
     return end_action_ != EndAction::Quit && end_action_ != EndAction::WaitThenQuit;
   }
-  void ended(const Situation& situation) override { start_.noteEnd(situation.time_s); }
 
  private:
   /// end_action. The operator's keys are waited for, but nobody presses one.
@@ -40,7 +35,6 @@ class Surface final : public Behaviour {
   [[nodiscard]] bool waitsForKeys() const;
   [[nodiscard]] bool dialogueOver(const Situation& situation) const;
 
-  When start_;
   EndAction end_action_;
   PitchSource pitch_;
   Argument pump_cc_, gps_wait_s_, keystroke_wait_s_, end_distance_m_;

@@ -8,18 +8,16 @@
 namespace glider::simulator {
 
 Yo::Yo(const BehaviourSource& source)
-    : Behaviour(source.block.name),
-      start_(source.startCondition()),
+    : StartedBehaviour(source),
       stop_(source.stopCondition()),
       dive_(source, DepthLeg::Direction::Dive, "d_"),
       climb_(source, DepthLeg::Direction::Climb, "c_"),
       starts_diving_(source.code("start_diving") != 0),
-      half_cycles_to_do_(source.argument("num_half_cycles_to_do")),
-      end_action_(source.code("end_action")) {}
+      half_cycles_to_do_(source.argument("num_half_cycles_to_do")) {}
 
 void Yo::begin(const Situation& situation) {
-  start_.noteStart(situation.time_s);
-  stop_.noteStart(situation.time_s), stop_.noteEnd(situation.time_s);
+  StartedBehaviour::begin(situation);
+  stop_.restart(situation.time_s);
   half_cycles_ = 0;
   leg_ = starts_diving_ ? &dive_ : &climb_;
   leg_->begin(situation);

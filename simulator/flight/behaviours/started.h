@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "simulator/flight/behaviour.h"
+#include "simulator/flight/behaviours/source.h"
+
+namespace glider::simulator {
+
+/// A behaviour that begins by its start_when, and after end_action 2 waits for the next start.
+class StartedBehaviour : public Behaviour {
+ protected:
+  explicit StartedBehaviour(const BehaviourSource& source)
+      : Behaviour(source.block.name),
+        start_(source.startCondition()),
+        resumes_(source.code("end_action") == 2) {}
+
+  [[nodiscard]] bool starts(const Situation& s, const Commands& below) const override {
+    return start_.met(s, below);
+  }
+  void begin(const Situation& s) override { start_.noteStart(s.time_s); }
+  [[nodiscard]] bool resumes() const override { return resumes_; }
+  void ended(const Situation& s) override { start_.noteEnd(s.time_s); }
+
+ private:
+  When start_;
+  bool resumes_;
+};
+
+}  // namespace glider::simulator

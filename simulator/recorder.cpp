@@ -89,6 +89,8 @@ constexpr Column kSecond[] = {
     COLUMN("m_altitude", "m",
            m.flight.array().fresh(Sensor::m_altitude) ? m.get(Sensor::m_altitude) : kNaN,
            wantsAltitude),
+    COLUMN("m_water_vx", "m/s", m.get(Sensor::m_water_vx)),
+    COLUMN("m_water_vy", "m/s", m.get(Sensor::m_water_vy)),
 };
 #undef COLUMN
 

@@ -3,7 +3,15 @@
 
 #pragma once
 
+#include <stdint.h>
+
 namespace glider::hooks {
+
+/// d_use_bpump and c_use_bpump, with the vehicle's codes. Any other code counts as Absolute.
+enum class PumpMode : uint8_t {
+  Autoballast = 0,  ///< the vehicle trims by itself: hookbeh commands the hull's whole stroke
+  Absolute = 2,     ///< d_bpump_value, c_bpump_value
+};
 
 /// The b_args, from the mission file.
 struct HookbehArgs {
@@ -14,6 +22,8 @@ struct HookbehArgs {
   double steepest_pitch_rad = 0.61;  ///< magnitude
   double shallowest_pitch_rad = 0.19;
   double silence_secs = 24;  ///< without a changed heartbeat for this long the SBC is lost
+  PumpMode dive_pump_mode = PumpMode::Absolute;
+  PumpMode climb_pump_mode = PumpMode::Absolute;
   double dive_pump_cc = -230;
   double climb_pump_cc = 230;
   double hold_secs =

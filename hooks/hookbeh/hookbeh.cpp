@@ -58,7 +58,8 @@ HookbehOutputs Hookbeh::cycle(const HookbehInputs& inputs) {
                    inputs.altitude_m,    inputs.ctd_bar * kMetresPerBar,
                    inputs.latitude_ddmm, inputs.longitude_ddmm};
   clock_.advance(inputs.time_s, inputs.wall_time_s, inputs.cycle_number);
-  if (isOverridden(inputs)) {
+  const uint8_t masked = maskedIn(inputs);
+  if ((masked & kMaskedPump) != 0) {
     last_.pump_cc = __builtin_nan("");
   }
   const bool drives = isFinite(last_.pump_cc) && !guarding_;
@@ -74,13 +75,14 @@ HookbehOutputs Hookbeh::cycle(const HookbehInputs& inputs) {
 
   HookbehOutputs outputs;
   if (state_ == HookState::Active) {
-    command(now, outputs);
+    command(now, (masked & (kMaskedPitch | kMaskedPump)) != 0, outputs);
   }
   last_ = {outputs.pitch_rad, outputs.commanding ? outputs.pump_cc : __builtin_nan("")};
   outputs.state = state_;
   outputs.answered_sequence = answered_sequence_;
   outputs.answer = answer_;
   outputs.session = session_;
+  outputs.masked = outputs.commanding ? masked : 0;
   return outputs;
 }
 
@@ -196,29 +198,36 @@ HookAnswer Hookbeh::release() {
   return HookAnswer::Accepted;
 }
 
-/// True if a behaviour above hookbeh controls the pump: then the vehicle's motion is not the result
-/// of hookbeh's commands.
-bool Hookbeh::isOverridden(const HookbehInputs& inputs) const {
+/// What behaviours above hookbeh replaced in the previous cycle. While they control the pump, the
+/// vehicle's motion is not the result of hookbeh's commands.
+uint8_t Hookbeh::maskedIn(const HookbehInputs& inputs) const {
+  if (!isFinite(last_.pump_cc)) {
+    return 0;  // it commanded nothing
+  }
   const double off_cc = inputs.commanded_pump_cc - last_.pump_cc;
-  return off_cc > kPumpErrorCc || off_cc < -kPumpErrorCc;
+  const bool elsewhere = off_cc > kPumpErrorCc || off_cc < -kPumpErrorCc;
+  return inputs.masked | (elsewhere ? kMaskedPump : 0);
 }
 
-VerticalCommand Hookbeh::vertical(const Surroundings& now, HookGuard guard) {
+/// `masked`: pitch or pump were not its own in the previous cycle. Then the times for which it
+/// flies a command stand still, and afterwards it goes back to a depth that it had reached.
+VerticalCommand Hookbeh::vertical(const Surroundings& now, HookGuard guard, bool masked) {
   const bool shows = guard_.mustShowDepth(args_, pilot_.inForce());
   const bool climbs = guard != HookGuard::None || shows;
-  if (guarding_ && !climbs) {
+  if ((guarding_ || masked_) && !climbs && !masked) {
     pilot_.goBack(now, args_);
   }
   guarding_ = climbs;
-  const VerticalCommand wanted = pilot_.vertical(now, clock_.step(), args_);
+  masked_ = masked;
+  const VerticalCommand wanted = pilot_.vertical(now, masked ? 0 : clock_.step(), args_);
   return !climbs
              ? wanted
              : climbNow(guard != HookGuard::None ? wordsFor(guard) : "check depth", args_, hull_);
 }
 
-void Hookbeh::command(const Surroundings& now, HookbehOutputs& outputs) {
+void Hookbeh::command(const Surroundings& now, bool masked, HookbehOutputs& outputs) {
   outputs.guard = guard_.mustClimb(args_, pilot_.inForce());
-  const VerticalCommand vertical = this->vertical(now, outputs.guard);
+  const VerticalCommand vertical = this->vertical(now, outputs.guard, masked);
   const LateralCommand lateral = pilot_.lateral(now);
   outputs.commanding = true;
   outputs.heading_mode = lateral.mode;

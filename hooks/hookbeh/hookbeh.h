@@ -37,6 +37,9 @@ struct HookbehInputs {
   double ctd_bar = __builtin_nan("");  ///< sci_water_pressure, NaN in a cycle without a new one
   /// c_ballast_pumped: what all behaviours together commanded in the previous cycle.
   double commanded_pump_cc = __builtin_nan("");
+  /// kMaskedHeading… of the previous cycle, as the layered control knows. 0 if it does not: then
+  /// only a pump that moves elsewhere is noticed.
+  uint8_t masked = 0;
 };
 
 /// What it commands and reports in one cycle. When `commanding`, heading, pitch and pump are all
@@ -57,6 +60,7 @@ struct HookbehOutputs {
   /// deep"…), for logs.
   const char* doing = "";
   HookGuard guard = HookGuard::None;  ///< why it climbs against any instruction of the SBC
+  uint8_t masked = 0;                 ///< kMaskedHeading… of the previous cycle
 };
 
 class Hookbeh {
@@ -73,9 +77,9 @@ class Hookbeh {
   HookAnswer decide(const Instruction& instruction);
   HookAnswer take(const Instruction& instruction);
   HookAnswer release();
-  void command(const Surroundings& now, HookbehOutputs& outputs);
-  [[nodiscard]] bool isOverridden(const HookbehInputs& inputs) const;
-  [[nodiscard]] VerticalCommand vertical(const Surroundings& now, HookGuard guard);
+  void command(const Surroundings& now, bool masked, HookbehOutputs& outputs);
+  [[nodiscard]] uint8_t maskedIn(const HookbehInputs& inputs) const;
+  [[nodiscard]] VerticalCommand vertical(const Surroundings& now, HookGuard guard, bool masked);
 
   Hull hull_;
   HookbehArgs args_;
@@ -84,6 +88,7 @@ class Hookbeh {
   Pilot pilot_;
   CycleClock clock_;
   bool guarding_ = false;                       // in the previous cycle
+  bool masked_ = false;                         // pitch or pump were not its own
   VerticalCommand last_{0, __builtin_nan("")};  // it commanded then; pump NaN: nothing
 
   uint32_t heartbeat_ = 0;  // the newest seen, 0 for none

@@ -35,8 +35,11 @@ HookbehArgs within(const HookbehArgs& args, const Hull& hull) {
                                    hull.shallowest_pitch_rad, hull.steepest_pitch_rad);
   const double dive = magnitude(orUsual(args.dive_pump_cc, usual.dive_pump_cc));
   const double climb = magnitude(orUsual(args.climb_pump_cc, usual.climb_pump_cc));
-  out.dive_pump_cc = -between(dive, 0, hull.pump_cc);
-  out.climb_pump_cc = between(climb, kLeastClimbShare * hull.pump_cc, hull.pump_cc);
+  const bool whole_dive = args.dive_pump_mode == PumpMode::Autoballast;
+  const bool whole_climb = args.climb_pump_mode == PumpMode::Autoballast;
+  out.dive_pump_cc = whole_dive ? -hull.pump_cc : -between(dive, 0, hull.pump_cc);
+  out.climb_pump_cc =
+      whole_climb ? hull.pump_cc : between(climb, kLeastClimbShare * hull.pump_cc, hull.pump_cc);
   out.silence_secs = atMost(kMostSilenceSecs, args.silence_secs);
   return out;
 }

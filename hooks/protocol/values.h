@@ -55,6 +55,12 @@ enum class HookVertical : uint8_t { None = 0, Descend = 1, Ascend = 2, Hover = 3
 /// `sci_hook_lateral`.
 enum class HookLateral : uint8_t { Drift = 0, Heading = 1, Waypoint = 2 };
 
+/// `x_hook_masked`, a sum: which of hookbeh's commands a behaviour above it replaced in the
+/// previous cycle.
+constexpr uint8_t kMaskedHeading = 1;
+constexpr uint8_t kMaskedPitch = 2;
+constexpr uint8_t kMaskedPump = 4;
+
 /// One instruction, in the units of the sensor array (m, rad, ddmm.mmmm). Its numbers must be as
 /// the array can hold them (float32, except for the position), or the check value cannot match: see
 /// roundToArray.

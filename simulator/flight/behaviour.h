@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "hooks/protocol/values.h"
 #include "simulator/flight/commands.h"
 #include "simulator/flight/situation.h"
 #include "simulator/journal.h"
@@ -27,13 +28,17 @@ class Behaviour {
 
   /// One control cycle: may start, fly and end.
   void run(const Situation& situation, Commands& commands);
-  /// Called after each cycle: whether this behaviour was active while its pitch and pump were not
-  /// those flown.
-  void noteOverridden(bool overridden) { overridden_ = overridden; }
+  /// Called after each cycle: which slots of the command record are not this behaviour's, as
+  /// hooks::kMaskedHeading….
+  void noteMasked(uint8_t masked) { masked_ = masked; }
 
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] State state() const { return state_; }
-  [[nodiscard]] bool overridden() const { return overridden_; }
+  [[nodiscard]] uint8_t masked() const { return masked_; }
+  /// True if another behaviour's pitch or pump was flown in the previous cycle.
+  [[nodiscard]] bool overridden() const {
+    return (masked_ & (hooks::kMaskedPitch | hooks::kMaskedPump)) != 0;
+  }
   /// True if it steers pitch and pump: a mission is over when no such behaviours are left except
   /// those that bring the vehicle up.
   [[nodiscard]] virtual bool flies() const { return false; }
@@ -59,7 +64,7 @@ class Behaviour {
  private:
   std::string name_;
   State state_ = State::Waiting;
-  bool overridden_ = false;
+  uint8_t masked_ = 0;
 };
 
 /// The behaviour that `source` describes; null for one that has no effect here. What `source`

@@ -3,6 +3,8 @@
 
 #include "simulator/flight/commands.h"
 
+#include "hooks/protocol/values.h"
+
 namespace glider::simulator {
 
 const char* abortName(Abort abort) {
@@ -31,6 +33,12 @@ const char* abortName(Abort abort) {
       return "MS_ABORT_WPT_TOOFAR";
   }
   return "unknown";
+}
+
+uint8_t Commands::maskedFor(int of_layer) const {
+  return static_cast<uint8_t>((heading_layer != of_layer ? hooks::kMaskedHeading : 0) |
+                              (pitch_layer != of_layer ? hooks::kMaskedPitch : 0) |
+                              (pump_layer != of_layer ? hooks::kMaskedPump : 0));
 }
 
 Abort Commands::idleAbort() const {

@@ -60,6 +60,8 @@ struct Commands {
   void point(PitchCommand command) { pitch = command, pitch_layer = layer; }
   void pump(double cc) { pump_cc = cc, pump_layer = layer; }
 
+  /// The slots that `of_layer` did not fill last, as hooks::kMaskedHeading….
+  [[nodiscard]] uint8_t maskedFor(int of_layer) const;
   [[nodiscard]] bool anyIdle() const { return !heading || !pitch || !pump_cc; }
   /// The abort that idle slots call for.
   [[nodiscard]] Abort idleAbort() const;

@@ -47,7 +47,7 @@ FlightController::FlightController(const platforms::Platform& platform,
       array_(platform),
       frame_(frame),
       declination_(year),
-      navigator_(frame),
+      navigator_(frame, platform.motion ? platform.motion->flight : FlightCoefficients{}),
       depth_sensor_(seed, sensors.depth),
       attitude_(seed, sensors.attitude),
       altimeter_(seed, sensors.altimeter),
@@ -127,10 +127,13 @@ void FlightController::readSensors(double now_s, const Ocean& ocean, const Vehic
 /// Dead reckoning, and a GPS fix if there is one.
 void FlightController::locate(double now_s, double declination, const Vehicle& vehicle) {
   SensorArray& a = array_;
+  const bool at_surface = last_depth_ < kSurfaceDepth;
+  const Planar current = at_surface ? Planar{} : currentUsed();
   navigator_.reckon(depth_rate_, a.get(Sensor::m_pitch), a.get(Sensor::m_heading) - variation(),
-                    last_depth_ < kSurfaceDepth, cycles_ == 0 ? 0 : cycle_s_);
+                    at_surface, cycles_ == 0 ? 0 : cycle_s_, current);
   const auto fix = gps_.fix(vehicle.x(), vehicle.y(), vehicle.depth(), now_s);
   has_fix_ = fix.has_value();
+  noteCurrent(now_s, at_surface, fix, current);
   if (fix) {
     navigator_.fix(*fix);
   }
@@ -144,6 +147,23 @@ void FlightController::locate(double now_s, double declination, const Vehicle& v
     a.set(Sensor::m_gps_lat, a.get(Sensor::m_lat));
     a.set(Sensor::m_gps_lon, a.get(Sensor::m_lon));
     a.set(Sensor::m_gps_mag_var, Gps::variation(declination));
+  }
+}
+
+/// The current that the reckoning and the steering count on: u_use_current_correction.
+Planar FlightController::currentUsed() const {
+  return variables_.get("u_use_current_correction") != 0 ? current_.current().value_or(Planar{})
+                                                         : Planar{};
+}
+
+void FlightController::noteCurrent(double now_s, bool at_surface,
+                                   const std::optional<Gps::Fix>& fix, Planar used) {
+  current_.observe(now_s, at_surface, navigator_.at(),
+                   fix ? std::optional<Planar>({fix->x, fix->y}) : std::nullopt, used);
+  array_.set(Sensor::x_dr_state, static_cast<double>(current_.state()));
+  if (const auto& found = current_.current(); found && at_surface) {
+    array_.set(Sensor::m_water_vx, found->east);
+    array_.set(Sensor::m_water_vy, found->north);
   }
 }
 
@@ -271,6 +291,7 @@ void FlightController::tellHookIsOver() {
     array_.set(Sensor::x_hook_state, static_cast<double>(hooks::HookState::Complete));
     array_.set(Sensor::x_hook_session, 0);
     array_.set(Sensor::x_hook_guard, 0);
+    array_.set(Sensor::x_hook_masked, 0);
   }
 }
 
@@ -292,6 +313,7 @@ void FlightController::restart(double now_s, bool keeps_array) {
   variables_ = MissionVariables(mission_);
   layers_ = std::make_unique<LayeredControl>(mission_, hull_, variables_, code_15_);
   geography_.reset();
+  current_ = {};
   inflections_ = 0;
   mission_start_s_ = now_s;
   cycles_ = 0;
@@ -365,8 +387,9 @@ void FlightController::control(const Commands& commands, const Situation& s, Veh
   if (to_waypoint) {
     navigator_.toWaypoint(commands.heading->latitude_ddmm, commands.heading->longitude_ddmm,
                           distance, bearing);
+    const double heading = navigator_.headingFor(bearing, currentUsed());
     // The compass is magnetic, and the command with it.
-    const double magnetic = std::remainder(bearing + variation(), kTurn);
+    const double magnetic = std::remainder(heading + variation(), kTurn);
     bearing = magnetic < 0 ? magnetic + kTurn : magnetic;
   }
   array_.set(Sensor::m_dist_to_wpt, distance);

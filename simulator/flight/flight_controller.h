@@ -6,6 +6,7 @@
 #include "hooks/flight_science_link/flight_science_link.h"
 #include "platforms/load/dictionary.h"
 #include "simulator/faults/faults.h"
+#include "simulator/flight/current_estimate.h"
 #include "simulator/flight/dynamic_control.h"
 #include "simulator/flight/geography.h"
 #include "simulator/flight/layered_control.h"
@@ -88,6 +89,8 @@ class FlightController {
  private:
   void readSensors(double now_s, const Ocean& ocean, const Vehicle& vehicle);
   void locate(double now_s, double declination, const Vehicle& vehicle);
+  [[nodiscard]] Planar currentUsed() const;
+  void noteCurrent(double now_s, bool at_surface, const std::optional<Gps::Fix>& fix, Planar used);
   [[nodiscard]] double variation() const;
   void readPressure(const Vehicle& vehicle);
   /// The value of `sensor` after `truth` was stored: `truth`, with all its digits, unless the
@@ -112,6 +115,7 @@ class FlightController {
   const LocalFrame& frame_;
   Declination declination_;
   Navigator navigator_;
+  CurrentEstimate current_;
   DepthSensor depth_sensor_;
   AttitudeSensor attitude_;
   Altimeter altimeter_;

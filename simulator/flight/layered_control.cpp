@@ -50,8 +50,7 @@ LayeredControl::Decision LayeredControl::cycle(const Situation& situation, Journ
     }
   }
   for (Layer& layer : layers_) {
-    const Commands& c = decision.commands;
-    layer.behaviour->noteOverridden(c.pitch_layer != layer.number || c.pump_layer != layer.number);
+    layer.behaviour->noteMasked(decision.commands.maskedFor(layer.number));
   }
   if (decision.abort == Abort::None && !quit()) {
     decision.abort = decision.commands.idleAbort();

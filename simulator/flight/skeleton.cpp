@@ -38,7 +38,7 @@ constexpr auto kIdle = std::to_array<Idle>({
 /// Sensors whose settings this simulator reads.
 bool isRead(std::string_view sensor) {
   return sensor.starts_with("u_mission_param_") || sensor == "u_mission_mode" ||
-         sensor == "sci_wants_surface";
+         sensor == "sci_wants_surface" || sensor == "u_use_current_correction";
 }
 
 /// The codes that this simulator models for an enumerated b_arg.
@@ -92,6 +92,8 @@ const auto kCodes = std::to_array<Codes>({
     {"drift_at_depth", "c_use_bpump", kPump},
     {"drift_at_depth", "d_use_pitch", kPitch},
     {"drift_at_depth", "c_use_pitch", kPitch},
+    {"hookbeh", "d_use_bpump", kPump},
+    {"hookbeh", "c_use_bpump", kPump},
 });
 
 /// Bounds of a number.

@@ -7,8 +7,11 @@
 #include "simulator/flight/behaviours/source.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <limits>
+#include <string_view>
+#include <utility>
 
 namespace glider::simulator {
 
@@ -77,6 +80,21 @@ const char* describe(HookState state) {
   return "unknown state";
 }
 
+/// "heading, pitch and pump" for kMaskedHeading….
+std::string channels(uint8_t masked) {
+  std::vector<std::string_view> names;
+  for (const auto& [bit, name] : {std::pair(hooks::kMaskedHeading, "heading"),
+                                  {hooks::kMaskedPitch, "pitch"},
+                                  {hooks::kMaskedPump, "pump"}}) {
+    if ((masked & bit) != 0) {
+      names.emplace_back(name);
+    }
+  }
+  const std::string_view last = names.back();
+  names.pop_back();
+  return names.empty() ? std::string(last) : fmt::format("{} and {}", fmt::join(names, ", "), last);
+}
+
 /// Answers that do not concern the command itself: the instruction was damaged, early, old or of
 /// another session, and is sent again if it still counts.
 bool isOfTheLink(HookAnswer answer) {
@@ -94,6 +112,8 @@ hooks::HookbehArgs hookbehArgs(const slocum::BehaviourBlock& block) {
   args.steepest_pitch_rad = block.value("max_pitch");
   args.shallowest_pitch_rad = block.value("min_pitch");
   args.silence_secs = block.value("silence_secs");
+  args.dive_pump_mode = static_cast<hooks::PumpMode>(block.value("d_use_bpump"));
+  args.climb_pump_mode = static_cast<hooks::PumpMode>(block.value("c_use_bpump"));
   args.dive_pump_cc = block.value("d_bpump_value");
   args.climb_pump_cc = block.value("c_bpump_value");
   args.hold_secs = block.value("hold_secs");
@@ -109,6 +129,11 @@ void HookbehAdapter::note(const hooks::HookbehInputs& in, const hooks::HookbehOu
   if (out.state != state_) {
     news_.push_back({"control", fmt::format("hookbeh: {}", describe(out.state))});
   }
+  if (out.masked != masked_now_) {
+    news_.push_back({"control", out.masked == 0
+                                    ? "hookbeh: its commands fly again"
+                                    : "hookbeh: another behaviour masks " + channels(out.masked)});
+  }
   const bool decided = out.answer != HookAnswer::Accepted && out.answer != HookAnswer::None;
   if (out.answered_sequence != answered_ && decided) {
     news_.push_back({"hook", fmt::format("instruction {} {}: {}", out.answered_sequence,
@@ -120,12 +145,14 @@ void HookbehAdapter::note(const hooks::HookbehInputs& in, const hooks::HookbehOu
     news_.push_back({kind, fmt::format("hookbeh: {} (m_depth {:.1f} m)", out.doing, in.depth_m)});
   }
   state_ = out.state;
+  masked_now_ = out.masked;
   answered_ = out.answered_sequence;
   doing_ = out.commanding ? out.doing : "";
 }
 
 Behaviour::Outcome HookbehAdapter::fly(const Situation& situation, Commands& commands) {
-  const hooks::HookbehInputs in = inputs(situation);
+  hooks::HookbehInputs in = inputs(situation);
+  in.masked = masked();
   const hooks::HookbehOutputs out = hookbeh_.cycle(in);
   SensorArray& array = *situation.array;
   array.set(Sensor::x_hook_state, static_cast<double>(out.state));
@@ -133,6 +160,7 @@ Behaviour::Outcome HookbehAdapter::fly(const Situation& situation, Commands& com
   array.set(Sensor::x_hook_sequence, out.answered_sequence);
   array.set(Sensor::x_hook_session, out.session);
   array.set(Sensor::x_hook_guard, static_cast<double>(out.guard));
+  array.set(Sensor::x_hook_masked, out.masked);
   if (out.commanding) {
     commands.steer(heading(out));
     commands.point({PitchCommand::Mode::Servo, out.pitch_rad});

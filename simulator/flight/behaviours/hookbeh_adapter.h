@@ -42,6 +42,7 @@ class HookbehAdapter final : public Behaviour {
   hooks::Hookbeh hookbeh_;
   hooks::HookbehOutputs outputs_;
   hooks::HookState state_ = hooks::HookState::Waiting;
+  uint8_t masked_now_ = 0;  ///< as last written to the journal
   uint16_t answered_ = 0;
   std::string doing_;
   std::vector<Line> news_;

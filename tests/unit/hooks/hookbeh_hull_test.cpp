@@ -75,6 +75,19 @@ TEST(HookbehHull, APumpWithTheWrongSignIsTurnedRound) {
   EXPECT_EQ(bench.cycle().pump_cc, kHull.pump_cc) << "the guard has all of it";
 }
 
+TEST(HookbehHull, AutoballastUsesTheWholeStroke) {
+  HookbehArgs args;
+  args.dive_pump_mode = args.climb_pump_mode = PumpMode::Autoballast;
+  args.dive_pump_cc = -20;
+  args.climb_pump_cc = 150;
+  Bench bench = ready(args);
+  EXPECT_EQ(bench.give(Bench::take(20)).pump_cc, -kHull.pump_cc);
+  EXPECT_EQ(bench.give(Bench::ascend(5)).pump_cc, kHull.pump_cc);
+  args.dive_pump_mode = static_cast<PumpMode>(1);  // a code that hookbeh does not have
+  bench = ready(args);
+  EXPECT_EQ(bench.give(Bench::take(20)).pump_cc, -20);
+}
+
 TEST(HookbehHull, NoPumpGoesBeyondItsStrokeNorIsTooWeakToClimb) {
   HookbehArgs args;
   args.dive_pump_cc = -1000;

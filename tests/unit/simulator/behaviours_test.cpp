@@ -188,15 +188,15 @@ TEST(Yo, NoWayMadeEndsALeg) {
 TEST(Yo, WhatAnotherFliesIsNotItsStall) {
   BehaviourBench yo(kYo);
   yo.run({.time_s = 0, .depth_m = 5, .depth_rate_mps = 0, .altitude_m = kNaN});
-  yo.behaviour->noteOverridden(true);
+  yo.behaviour->noteMasked(hooks::kMaskedPump);
   yo.run({.time_s = 500, .depth_m = 5, .depth_rate_mps = 0, .altitude_m = kNaN});
   EXPECT_EQ(*yo.commands.pump_cc, -200);
-  yo.behaviour->noteOverridden(false);
+  yo.behaviour->noteMasked(0);
   yo.run({.time_s = 539, .depth_m = 5, .depth_rate_mps = 0, .altitude_m = kNaN});
   EXPECT_EQ(*yo.commands.pump_cc, -200) << "its 40 s begin when it has the motors again";
   yo.run({.time_s = 540, .depth_m = 5, .depth_rate_mps = 0, .altitude_m = kNaN});
   EXPECT_EQ(*yo.commands.pump_cc, 210);
-  yo.behaviour->noteOverridden(true);
+  yo.behaviour->noteMasked(hooks::kMaskedPump);
   yo.run({.time_s = 544, .depth_m = 4, .depth_rate_mps = 0, .altitude_m = kNaN});
   EXPECT_EQ(*yo.commands.pump_cc, -200) << "a target that is reached counts";
 }

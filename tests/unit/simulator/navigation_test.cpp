@@ -10,6 +10,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
+#include <utility>
 
 /// Dead reckoning and the data memory, in numbers computed by hand.
 namespace glider::simulator {
@@ -29,6 +31,118 @@ TEST(Navigator, SpeedIsTheDepthRateOverTheSlope) {
   n.reckon(-0.09, std::atan(0.5), kPi, false, 4);
   EXPECT_NEAR(n.speed(), 0.18, 1e-12) << "climbs";
   EXPECT_NEAR(n.northOfStart(), 0.72 * std::sqrt(3) - 0.72, 1e-12);
+}
+
+/// Comet's u_angle_of_attack in a real log (2019-222-2-154): 0.040 rad at a pitch of 0.45, 0.046 at
+/// 0.36, 0.034 at 0.60. Its curve is a little flatter than that of the steady flight.
+TEST(Navigator, TheAngleOfAttackOfTheHullMakesTheGlideSteeper) {
+  const LocalFrame frame(39, -73);
+  const FlightCoefficients hull{.mass_kg = 65,
+                                .reference_area_m2 = 0.1,
+                                .drag = 0.15,
+                                .induced_drag = 10.4926,
+                                .wing_lift = 3.73427,
+                                .hull_lift = 3.8};
+  Navigator n(frame, hull);
+  for (const auto& [pitch, attack] : {std::pair(0.45, 0.040), {0.36, 0.0465}, {0.60, 0.034}}) {
+    n.reckon(-0.1, pitch, 0, false, 4);
+    EXPECT_NEAR(std::atan(0.1 / n.speed()) - pitch, attack, 0.009) << "climbs at " << pitch;
+    n.reckon(0.1, -pitch, 0, false, 4);
+    EXPECT_NEAR(std::atan(0.1 / n.speed()) - pitch, attack, 0.009) << "dives at " << pitch;
+  }
+}
+
+TEST(Navigator, ACurrentCarriesItAlong) {
+  const LocalFrame frame(39, -73);
+  Navigator n(frame);
+  n.reckon(0.18, -std::atan(0.5), 0, false, 10, {0.2, -0.1});
+  EXPECT_NEAR(n.eastOfStart(), 2, 1e-12);
+  EXPECT_NEAR(n.northOfStart(), 3.6 - 1, 1e-12);
+}
+
+TEST(Navigator, PointsIntoTheCurrent) {
+  const LocalFrame frame(39, -73);
+  Navigator n(frame);
+  n.reckon(0.15, -std::atan(0.5), 0, false, 4);  // 0.3 m/s
+  EXPECT_NEAR(n.headingFor(0, {0.15, 0}), -kPi / 6, 1e-12) << "north, with water that goes east";
+  EXPECT_NEAR(n.headingFor(0, {-0.15, 0}), kPi / 6, 1e-12);
+  EXPECT_NEAR(n.headingFor(kPi / 2, {0, 0.15}), kPi / 2 + kPi / 6, 1e-12) << "east, going north";
+  EXPECT_NEAR(n.headingFor(1, {0.2 * std::sin(1.0), 0.2 * std::cos(1.0)}), 1, 1e-12) << "along";
+  EXPECT_NEAR(n.headingFor(0, {5, 0}), -kPi / 3, 1e-12) << "too strong: as far as it goes";
+  n.reckon(0, 0, 0, true, 4);
+  EXPECT_NEAR(n.headingFor(0, {0.15, 0}), -kPi / 6, 1e-12) << "afloat: with the usual 0.3 m/s";
+}
+
+/// A dive of 1000 s in water that moves 0.2 m/s east and 0.1 m/s south, then 40 s of drifting at
+/// 0.5 m/s north until the first fix.
+class EstimatedCurrent : public testing::Test {
+ protected:
+  void cycle(double until_s, bool at_surface, Planar drift, bool fixes) {
+    for (; time_ < until_s; time_ += 4) {
+      truth_ = {truth_.east + drift.east * 4, truth_.north + drift.north * 4};
+      const Planar used = at_surface ? Planar{} : used_;
+      reckoned_ = {reckoned_.east + used.east * 4, reckoned_.north + used.north * 4};
+      const auto fix = fixes ? std::optional(truth_) : std::nullopt;
+      estimate_.observe(time_, at_surface, reckoned_, fix, used);
+      reckoned_ = fix.value_or(reckoned_);
+    }
+  }
+  void dive(double seconds) { cycle(time_ + seconds, false, kWater, false); }
+
+  static constexpr Planar kWater{0.2, -0.1}, kAfloat{0, 0.5};
+  CurrentEstimate estimate_;
+  Planar truth_{10, 20}, reckoned_{10, 20}, used_;
+  double time_ = 0;
+};
+
+TEST_F(EstimatedCurrent, TheSecondFixTakesTheDriftAtTheSurfaceOutOfIt) {
+  using State = CurrentEstimate::State;
+  cycle(20, true, {}, true);
+  EXPECT_EQ(estimate_.state(), State::MissionStart);
+  dive(1000);
+  EXPECT_EQ(estimate_.state(), State::UnderWater);
+  EXPECT_FALSE(estimate_.current());
+  cycle(time_ + 40, true, kAfloat, false);
+  EXPECT_EQ(estimate_.state(), State::AwaitingFix);
+  cycle(time_ + 4, true, kAfloat, true);
+  EXPECT_EQ(estimate_.state(), State::AwaitingPostfix);
+  ASSERT_TRUE(estimate_.current());
+  EXPECT_NEAR(estimate_.current()->east, 0.2, 0.001);
+  EXPECT_NEAR(estimate_.current()->north, -0.1 + 44 * 0.5 / 1000, 0.003) << "the first estimate";
+  cycle(time_ + 56, true, kAfloat, true);
+  EXPECT_EQ(estimate_.state(), State::AwaitingPostfix) << "56 s after the first";
+  cycle(time_ + 4, true, kAfloat, true);
+  EXPECT_EQ(estimate_.state(), State::AwaitingDive);
+  EXPECT_NEAR(estimate_.current()->east, 0.2, 0.001);
+  EXPECT_NEAR(estimate_.current()->north, -0.1, 0.003);
+}
+
+TEST_F(EstimatedCurrent, WhatWasUsedCounts) {
+  cycle(20, true, {}, true);
+  used_ = {0.15, 0};
+  dive(1000);
+  cycle(time_ + 4, true, {}, true);
+  EXPECT_NEAR(estimate_.current()->east, 0.2, 0.001);
+  EXPECT_NEAR(estimate_.current()->north, -0.1, 0.001);
+}
+
+TEST_F(EstimatedCurrent, ASurfacingWithoutAFixGoesOnWithTheDive) {
+  cycle(20, true, {}, true);
+  dive(1000);
+  cycle(time_ + 12, true, kWater, false);
+  dive(1000);
+  cycle(time_ + 4, true, kWater, true);
+  EXPECT_NEAR(estimate_.current()->east, 0.2, 0.001) << "over both, with the 12 s between";
+}
+
+TEST_F(EstimatedCurrent, ADiveThatIsTooShortSaysNothing) {
+  cycle(20, true, {}, true);
+  dive(116);
+  cycle(time_ + 200, true, kAfloat, true);
+  EXPECT_FALSE(estimate_.current());
+  dive(124);
+  cycle(time_ + 4, true, {}, true);
+  EXPECT_TRUE(estimate_.current());
 }
 
 TEST(Navigator, KeepsTheSpeedWhereItCannotBeTold) {

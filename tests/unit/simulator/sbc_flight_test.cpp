@@ -49,7 +49,7 @@ TEST(SbcFlight, TakesControlSteersAndReleases) {
   EXPECT_EQ(valueAt(trace, "hook_active", t), 1);
   EXPECT_EQ(valueAt(trace, "commanded_top", t), 5);
   EXPECT_EQ(valueAt(trace, "commanded_bottom", t), 20);
-  EXPECT_EQ(valueAt(trace, "layer", t), 2);
+  EXPECT_EQ(valueAt(trace, "layer", t), 3);
   EXPECT_NEAR(valueAt(trace, "missiontime", t), t - 4, 8);
   EXPECT_TRUE(std::isnan(valueAt(trace, "state", back->time_s + 8)));
   EXPECT_EQ(valueAt(trace, "hook_active", back->time_s + 8), 0);
@@ -163,6 +163,34 @@ TEST(SbcFlight, Figure5IsLayeredBeforeAndAfter) {
                                       << events;
   EXPECT_NE(findEvent(trace, "half cycle 6"), nullptr) << events;
   EXPECT_NE(findEvent(trace, "ended normally"), nullptr) << events;
+}
+
+TEST(SbcFlight, ASurfacingForWantOfContactMasksHookbehAndThenItsMissionGoesOn) {
+  SimulationSetup setup = withSbc("default", {.top_m = 8, .bottom_m = 30});
+  setup.duration_s = 2400;
+  for (slocum::BehaviourBlock& block : setup.scenario.skeleton.behaviours) {
+    for (slocum::Setting& argument : block.arguments) {
+      argument.value = argument.name == "when_secs" ? 900 : argument.value;
+    }
+  }
+  const support::Trace trace = fly(std::move(setup));
+  const std::string events = eventText(trace);
+  const auto* up = findEvent(trace, "surface started");
+  ASSERT_NE(up, nullptr) << events;
+  const auto* masked = findEvent(trace, "another behaviour masks pitch and pump");
+  ASSERT_NE(masked, nullptr) << events;
+  EXPECT_EQ(masked->time_s, up->time_s + 4) << "hookbeh is told of the previous cycle";
+  const auto* free = findEvent(trace, "hookbeh: its commands fly again");
+  ASSERT_NE(free, nullptr) << events;
+  bool floats = false, dives = false;
+  for (size_t row = 0; row < trace.rowCount(); ++row) {
+    const double time = trace.at(row, 0), depth = trace.at(row, trace.column("true_depth"));
+    floats = floats || (time > masked->time_s && time < free->time_s && depth < 0.5);
+    dives = dives || (time > free->time_s && depth > 25);
+  }
+  EXPECT_TRUE(floats && dives) << events;
+  EXPECT_EQ(findEvent(trace, "the SBC is silent"), nullptr) << events;
+  EXPECT_EQ(findEvent(trace, "MS_ABORT"), nullptr) << events;
 }
 
 TEST(SbcFlight, WithoutHookbehTheSbcChangesNotAByte) {

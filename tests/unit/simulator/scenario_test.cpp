@@ -373,7 +373,7 @@ TEST(Skeleton, RefusesWhatTheSimulatorCannotFly) {
 
 TEST(Skeleton, WarnsOfWhatHasNoEffect) {
   EXPECT_EQ(check("behavior: yo\nbehavior: sample\n"), "GL5110");
-  EXPECT_EQ(check("sensor: u_use_current_correction(nodim) 1\nbehavior: yo\n"), "GL5111");
+  EXPECT_EQ(check("sensor: u_alt_reduced_usage_mode(bool) 1\nbehavior: yo\n"), "GL5111");
   EXPECT_EQ(check("behavior: yo\nbehavior: pinger_on\n"), "GL5110");
   EXPECT_EQ(check("behavior: yo\nbehavior: sample\nbehavior: sample\n"), "GL5110") << "once";
   EXPECT_EQ(check("behavior: yo\n b_arg: wobble_amplitude(m) 3\n"), "GL5116");

@@ -53,6 +53,7 @@ struct Commands {
 
   bool hit_waypoint = false;  ///< a list of waypoints has reached one in this cycle
   bool hovering = false;      ///< drift_at_depth holds its depth
+  bool at_once = false;       ///< an abort: no inflection may delay it
 
   /// `layer` of what is commanded from now on.
   int layer = kNoLayer;

@@ -21,6 +21,7 @@ constexpr double kServoDeadband = 0.0524;  // rad
 constexpr double kServoStep = 0.2;         // in
 constexpr double kServoPeriod = 16;        // s
 constexpr double kInflection = 24;  // s, for pump, battery and hull before the servo corrects
+constexpr double kSettles = 12;     // s, for the hull after an inflection
 // Heading autopilot, as in the vehicle: PD on heading, in shares of the fin's range, with a
 // deadband.
 constexpr double kHeadingGain = 1.5;      // per rad
@@ -33,16 +34,22 @@ double wrapped(double angle) {
 
 }  // namespace
 
+/// The battery's position at the beginning of a pitch command.
+double DynamicControl::batteryFor(const PitchCommand& command, const Vehicle& vehicle) {
+  const double wanted = command.mode == PitchCommand::Mode::BatteryPosition
+                            ? command.value
+                            : (command.value - kCurveOffset) / kCurveSlope;
+  return std::clamp(wanted, -vehicle.limits().pitch_battery_in, vehicle.limits().pitch_battery_in);
+}
+
 void DynamicControl::holdPitch(const PitchCommand& command, const Measured& m, Vehicle& vehicle) {
   if (command.mode == PitchCommand::Mode::Ignore) {
     return;
   }
   const bool servo = command.mode == PitchCommand::Mode::Servo;
-  const bool battery = command.mode == PitchCommand::Mode::BatteryPosition;
-  pitch_value_ = battery ? std::numeric_limits<double>::quiet_NaN() : command.value;
   if (command != pitch_in_force_) {
     pitch_in_force_ = command;
-    battery_in_ = battery ? command.value : (command.value - kCurveOffset) / kCurveSlope;
+    battery_in_ = batteryFor(command, vehicle);
     next_servo_s_ = m.time_s + kInflection;
   } else if (servo && m.time_s >= next_servo_s_) {
     const double error = command.value - m.pitch;
@@ -81,12 +88,48 @@ void DynamicControl::holdHeading(const HeadingCommand& command, const Measured& 
                      std::clamp(wanted - kHeadingRateGain * rate, -1.0, 1.0));
 }
 
+/// Begins an inflection if the commands call for one, and carries on with one that has begun.
+void DynamicControl::turn(const Commands& commands, const Measured& m, Vehicle& vehicle) {
+  if (commands.at_once) {
+    inflection_ = {};
+    return;
+  }
+  if (inflection_.active()) {
+    inflection_.cycle(vehicle);
+    next_servo_s_ = m.time_s + kSettles;
+  }
+  const PitchCommand& pitch = *commands.pitch;
+  const bool both = pitch.mode != PitchCommand::Mode::Ignore && !std::isnan(*commands.pump_cc);
+  if (inflection_.active() || !both || pitch == pitch_in_force_) {
+    return;
+  }
+  const Inflection::Targets to{pump_cc_, batteryFor(pitch, vehicle)};
+  if (Inflection::isNeeded(to, vehicle)) {
+    pitch_in_force_ = pitch;
+    battery_in_ = to.battery_in;
+    inflection_.begin(to, vehicle);
+    inflection_.cycle(vehicle);
+  }
+}
+
 void DynamicControl::cycle(const Commands& commands, const Measured& measured, double seconds,
                            Vehicle& vehicle) {
   holdHeading(*commands.heading, measured, seconds, vehicle);
-  holdPitch(*commands.pitch, measured, vehicle);
-  if (!std::isnan(*commands.pump_cc)) {
+  const PitchCommand& pitch = *commands.pitch;
+  if (pitch.mode != PitchCommand::Mode::Ignore) {
+    const bool battery = pitch.mode == PitchCommand::Mode::BatteryPosition;
+    pitch_value_ = battery ? std::numeric_limits<double>::quiet_NaN() : pitch.value;
+  }
+  const bool pumps = !std::isnan(*commands.pump_cc);
+  if (pumps) {
     pump_cc_ = std::clamp(*commands.pump_cc, -vehicle.limits().pump_cc, vehicle.limits().pump_cc);
+  }
+  turn(commands, measured, vehicle);
+  if (inflection_.active()) {
+    return;
+  }
+  holdPitch(pitch, measured, vehicle);
+  if (pumps) {
     vehicle.commandPump(pump_cc_);
   }
 }

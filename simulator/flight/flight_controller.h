@@ -137,6 +137,7 @@ class FlightController {
   bool has_fix_ = false, commanded_whole_ = true;
   Abort abort_ = Abort::None;
   ObeyedInstruction obeyed_;
+  bool range_inherited_ = false;  ///< the command in force is one of the previous state
   double obeyed_sequence_ = std::numeric_limits<double>::quiet_NaN();
   double waypoint_latitude_ddmm_ = std::numeric_limits<double>::quiet_NaN();
   double waypoint_longitude_ddmm_ = std::numeric_limits<double>::quiet_NaN();

@@ -11,6 +11,8 @@
 #include <filesystem>
 #include <fstream>
 #include <gmock/gmock.h>
+#include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -90,6 +92,26 @@ TEST_F(PlatformOfFlights, ACampaignFliesEachMissionInItsOwnVehicle) {
   EXPECT_NE(slow, second("mine.mission", "slocum.mission"));
 }
 
+/// A trace without the dead-reckoned position: the vehicle's software knows the hull of the
+/// platform, not the one of a scenario.
+std::string withoutReckoning(const std::string& csv) {
+  std::string out;
+  std::set<size_t> reckoned;
+  std::istringstream lines(csv);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream fields(line);
+    size_t at = 0;
+    for (std::string field; std::getline(fields, field, ','); ++at) {
+      if (field.starts_with("m_lat") || field.starts_with("m_lon") || field.contains("_lmc")) {
+        reckoned.insert(at);
+      }
+      out += reckoned.contains(at) ? "," : field + ",";
+    }
+    out += "\n";
+  }
+  return out;
+}
+
 TEST_F(PlatformOfFlights, DragAndBatteriesAreThePlatformsUnlessTheScenarioSaysOtherwise) {
   mission("mine.mission", "platform mine\n");
   const std::string slow = "s/^wing_lift = .*/wing_lift = 1.5/";
@@ -98,7 +120,7 @@ TEST_F(PlatformOfFlights, DragAndBatteriesAreThePlatformsUnlessTheScenarioSaysOt
     platform(change);
     const Outcome flown = glidercc("sim -o f mine.mission --scenario " + scenario);
     EXPECT_EQ(flown.status, 0) << flown.err;
-    return slurp(folder_.path() / "f" / "trace.csv");
+    return withoutReckoning(slurp(folder_.path() / "f" / "trace.csv"));
   };
   const std::string usual = flight("", "default");
   EXPECT_NE(flight(slow, "default"), usual);
@@ -113,7 +135,7 @@ TEST_F(PlatformOfFlights, DragAndBatteriesAreThePlatformsUnlessTheScenarioSaysOt
     platform(change);
     ASSERT_EQ(run(given).status, 0);
     ASSERT_EQ(glidercc("sim -o f mine.mission --scenario given").status, 0);
-    EXPECT_EQ(slurp(folder_.path() / "f" / "trace.csv"), usual) << change;
+    EXPECT_EQ(withoutReckoning(slurp(folder_.path() / "f" / "trace.csv")), usual) << change;
   }
 }
 

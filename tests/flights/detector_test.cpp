@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace glider::tests {
 namespace {
 
@@ -23,11 +25,17 @@ TEST(Detector, FindsTheBloomOnEveryBoardAlike) {
   };
   const Flight here = flyOn("host");
   ASSERT_EQ(here.outcome.status, 0) << here.outcome.err;
-  size_t found = 0;
+  // Patches of 250 m and 350 m radius, 600 m and 1.5 km east of the start.
+  bool near = false, far = false;
   for (const Event& event : here.transitions()) {
-    found += event.what.find("transect → sample") != std::string::npos ? 1U : 0U;
+    if (event.what.find("transect → sample") != std::string::npos) {
+      const double east = here.valueAt("true_x", event.time_s);
+      near = near || std::fabs(east - 600) < 300;
+      far = far || std::fabs(east - 1500) < 400;
+      EXPECT_TRUE(std::fabs(east - 600) < 300 || std::fabs(east - 1500) < 400) << east;
+    }
   }
-  EXPECT_EQ(found, 2U) << here.outcome.out;
+  EXPECT_TRUE(near && far) << here.outcome.out;
   for (const char* board : {"ts7800", "ts5500"}) {
     const Flight there = flyOn(board);
     EXPECT_EQ(there.outcome.status, 0) << there.outcome.err;

@@ -72,6 +72,16 @@ std::vector<Event> Flight::transitions() const {
   return found;
 }
 
+double Flight::valueAt(const std::string& name, double time_s) const {
+  const auto times = column("time");
+  const auto values = column(name);
+  double value = std::numeric_limits<double>::quiet_NaN();
+  for (size_t i = 0; i < times.size() && times[i] <= time_s; ++i) {
+    value = values[i];
+  }
+  return value;
+}
+
 std::vector<double> Flight::column(const std::string& name) const {
   const auto at = std::ranges::find(columns, name) - columns.begin();
   std::vector<double> values;

@@ -29,6 +29,8 @@ struct Flight {
   [[nodiscard]] std::vector<Event> transitions() const;
   /// All values of a column; fails the test if there is none.
   [[nodiscard]] std::vector<double> column(const std::string& name) const;
+  /// The newest value of a column at that time of the flight; NaN before the first row.
+  [[nodiscard]] double valueAt(const std::string& column, double time_s) const;
 };
 
 /// Flies `glidercc sim ARGUMENTS -o <temporary folder>` and reads what it wrote.

@@ -76,7 +76,8 @@ TEST(GalleryFlights, TheVirtualMooringStaysWhereItIsInTruth) {
     furthest = std::fmax(furthest, std::hypot(east[i], north[i]));
   }
   EXPECT_GT(furthest, 300) << "it drifts at all";
-  EXPECT_LT(furthest, 450) << "and comes back";
+  // The watch circle of 400 m, and what an hour's reckoning does not see of a current of 0.036 m/s.
+  EXPECT_LT(furthest, 530) << "and comes back";
 }
 
 TEST(GalleryFlights, TheFrontIsCrossedAgainAndAgain) {

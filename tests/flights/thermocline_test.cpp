@@ -174,7 +174,7 @@ TEST_P(Thermocline, FindsItAgainOnTheDiveAfterTheLostClimbOfFigure6) {
     // thermocline.
     const auto deepest = std::ranges::max_element(
         tracked.depth.begin() + static_cast<ptrdiff_t>(lost),
-        tracked.depth.begin() + static_cast<ptrdiff_t>(std::min(lost + 60, tracked.last)));
+        tracked.depth.begin() + static_cast<ptrdiff_t>(std::min(lost + 45, tracked.last)));
     const auto again = static_cast<size_t>(deepest - tracked.depth.begin());
     EXPECT_LT(tracked.time[again] - tracked.time[lost], 200);
     EXPECT_EQ(tracked.share(again,

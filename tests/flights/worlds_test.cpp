@@ -48,31 +48,21 @@ Event endOf(const Flight& flight, const std::string& guard) {
   return end;
 }
 
-double valueAt(const Flight& flight, const std::string& column, double time_s) {
-  const auto times = flight.column("time");
-  const auto values = flight.column(column);
-  double value = NAN;
-  for (size_t i = 0; i < times.size() && times[i] <= time_s; ++i) {
-    value = values[i];
-  }
-  return value;
-}
-
 TEST(Worlds, BloomIsFound) {
   const Flight flight = flyUntil("chlorophyll > 4", "bloom", 20);
   const Event end = endOf(flight, "chlorophyll > 4");
-  EXPECT_NEAR(valueAt(flight, "true_x", end.time_s), 425, 30);
+  EXPECT_NEAR(flight.valueAt("true_x", end.time_s), 425, 30);
 }
 
 TEST(Worlds, OxygenFallsBelowTheThermocline) {
   const Flight flight = flyUntil("oxygen < 200", "bloom", 20);
-  EXPECT_GT(valueAt(flight, "true_depth", endOf(flight, "oxygen < 200").time_s), 14);
+  EXPECT_GT(flight.valueAt("true_depth", endOf(flight, "oxygen < 200").time_s), 14);
 }
 
 TEST(Worlds, SeamountIsDetected) {
   const Flight flight = flyUntil("altitude < 12 m", "shelf_slope", 20);
   const Event end = endOf(flight, "altitude < 12");
-  EXPECT_NEAR(valueAt(flight, "true_x", end.time_s), 527, 40);
+  EXPECT_NEAR(flight.valueAt("true_x", end.time_s), 527, 40);
 }
 
 TEST(Worlds, BatteryRunsLow) {
@@ -82,7 +72,11 @@ TEST(Worlds, BatteryRunsLow) {
 
 TEST(Worlds, FrontIsCrossed) {
   const Flight flight = flyUntil("depth < 8 m && temp < 18 degC", "front");
-  EXPECT_NEAR(valueAt(flight, "true_x", endOf(flight, "temp < 18").time_s), 724, 30);
+  // The middle of the front is at 700 m; the vehicle is above 8 m once in each yo, about 90 m
+  // apart.
+  const double crossed = flight.valueAt("true_x", endOf(flight, "temp < 18").time_s);
+  EXPECT_GT(crossed, 695);
+  EXPECT_LT(crossed, 820);
 }
 
 }  // namespace

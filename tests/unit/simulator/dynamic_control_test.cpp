@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 /// Pitch servo, heading autopilot and pump, in numbers computed by hand.
 namespace glider::simulator {
@@ -184,6 +185,113 @@ TEST(DynamicControl, ThePumpKeepsToItsLimits) {
   EXPECT_EQ(bench.control.pumpCommand(), 233);
   EXPECT_EQ(bench.pump(-1000), -233);
   EXPECT_EQ(bench.control.pumpCommand(), -233);
+}
+
+/// A vehicle whose motors move as fast as the platform says, under a dynamic control.
+class Turning : public testing::Test {
+ protected:
+  Turning() {
+    OceanSettings settings;
+    settings.density = 1025;
+    ocean_.emplace(settings);
+  }
+  void command(double battery, double pump, bool at_once = false) {
+    commands_ = {};
+    commands_.point({Pitch::BatteryPosition, battery});
+    commands_.steer({});
+    commands_.pump(pump);
+    commands_.at_once = at_once;
+  }
+  /// Until the motors rest.
+  void settle() { cycles(10); }
+  void cycles(int count) {
+    for (int i = 0; i < count; ++i) {
+      control_.cycle(commands_, {time_, 0, 0, 0}, kCycle, vehicle_);
+      for (int step = 0; step < kCycle / Vehicle::kStep; ++step) {
+        vehicle_.step(*ocean_, time_ + step * Vehicle::kStep);
+      }
+      time_ += kCycle;
+    }
+  }
+  [[nodiscard]] double pump() const { return vehicle_.pumpedCc(); }
+  [[nodiscard]] double battery() const { return vehicle_.batteryPositionIn(); }
+
+  std::optional<Ocean> ocean_;
+  DynamicControl control_;
+  Vehicle vehicle_ = slocumVehicle();
+  Commands commands_;
+  double time_ = 0;
+};
+
+/// 466 cc at 37.5 cc/s: 12.4 s, so 4 cycles until it is seen.
+constexpr int kStroke = 4;
+
+TEST_F(Turning, TheBallastMovesFirstWhereTheBatteryHelpsToClimb) {
+  command(0.4, -233), settle();
+  command(-0.4, 233), cycles(kStroke);
+  EXPECT_EQ(pump(), 233);
+  EXPECT_EQ(battery(), 0.4) << "it waits for the ballast";
+  cycles(2);
+  EXPECT_NEAR(battery(), -0.4, 0.05);
+}
+
+TEST_F(Turning, TheBallastMovesFirstWhereTheBatteryHelpsToDive) {
+  command(-0.4, 233), settle();
+  command(0.4, -233), cycles(kStroke);
+  EXPECT_EQ(pump(), -233);
+  EXPECT_EQ(battery(), -0.4);
+  cycles(2);
+  EXPECT_NEAR(battery(), 0.4, 0.05);
+}
+
+TEST_F(Turning, TheBatteryMovesFirstWhereItWorksAgainstTheTurn) {
+  command(-0.2, -233), settle();
+  command(0.2, 233), cycles(1);
+  EXPECT_GT(battery(), -0.2);
+  EXPECT_EQ(pump(), -233) << "a climb with the battery forward";
+  settle();
+  EXPECT_EQ(pump(), 233);
+  EXPECT_EQ(battery(), 0.2);
+}
+
+TEST_F(Turning, OtherCommandsWaitUntilItIsOver) {
+  command(0.4, -233), settle();
+  command(-0.4, 233), cycles(1);
+  command(0.4, -233), cycles(kStroke - 1);
+  EXPECT_EQ(pump(), 233);
+  cycles(2);
+  EXPECT_NEAR(battery(), -0.4, 0.05) << "the turn that had begun";
+  cycles(8);
+  EXPECT_EQ(pump(), -233);
+  EXPECT_NEAR(battery(), 0.4, 0.05);
+}
+
+TEST_F(Turning, AnAbortWaitsForNothing) {
+  command(-0.4, 233), settle();
+  command(0.4, -233), cycles(1);
+  command(-0.4, 233, true), cycles(4);
+  EXPECT_EQ(pump(), 233);
+  EXPECT_EQ(battery(), -0.4);
+}
+
+TEST_F(Turning, SmallMovesOfThePumpAreNoInflection) {
+  command(0.4, -100), settle();
+  command(-0.4, 100), cycles(1);
+  EXPECT_GT(pump(), -100);
+  EXPECT_LT(battery(), 0.4) << "both at once: less than half of the pump's range";
+}
+
+TEST_F(Turning, TheServoWaitsForTheHull) {
+  command(0.4, -233), settle();
+  commands_.point({Pitch::Servo, 0.4538});
+  commands_.pump(233);
+  cycles(kStroke + 2);
+  const double begins = battery();
+  EXPECT_NEAR(begins, -0.3988 / 1.2565, 0.05) << "the vendor's curve";
+  cycles(3);
+  EXPECT_NEAR(battery(), begins, 0.05) << "12 s";
+  cycles(3);
+  EXPECT_LT(battery(), begins - 0.1) << "the measured pitch is 0: nose up";
 }
 
 }  // namespace

@@ -210,7 +210,7 @@ uint8_t Hookbeh::maskedIn(const HookbehInputs& inputs) const {
 }
 
 /// `masked`: pitch or pump were not its own in the previous cycle. Then the times for which it
-/// flies a command stand still, and afterwards it goes back to a depth that it had reached.
+/// flies a command do not advance, and afterwards it goes back to a depth that it had reached.
 VerticalCommand Hookbeh::vertical(const Surroundings& now, HookGuard guard, bool masked) {
   const bool shows = guard_.mustShowDepth(args_, pilot_.inForce());
   const bool climbs = guard != HookGuard::None || shows;

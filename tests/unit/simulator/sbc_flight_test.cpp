@@ -179,7 +179,7 @@ TEST(SbcFlight, ASurfacingForWantOfContactMasksHookbehAndThenItsMissionGoesOn) {
   ASSERT_NE(up, nullptr) << events;
   const auto* masked = findEvent(trace, "another behaviour masks pitch and pump");
   ASSERT_NE(masked, nullptr) << events;
-  EXPECT_EQ(masked->time_s, up->time_s + 4) << "hookbeh is told of the previous cycle";
+  EXPECT_EQ(masked->time_s, up->time_s + 4) << "it reports the previous cycle";
   const auto* free = findEvent(trace, "hookbeh: its commands fly again");
   ASSERT_NE(free, nullptr) << events;
   bool floats = false, dives = false;

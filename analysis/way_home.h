@@ -34,9 +34,9 @@ struct WayHome {
 };
 
 /// The way home from a depth of at most `depth_m`, the deepest that commands lead to: hookbeh
-/// releases control after its silence and two cycles, then the vehicle's own layers climb as the
-/// platform says. This holds for a mission file that surfaces whenever nothing else commands the
-/// vehicle.
+/// releases control after its silence and two of the longest cycles, then the vehicle's own layers
+/// climb as the platform says. This holds for a mission file that surfaces whenever nothing else
+/// commands the vehicle.
 WayHome wayHomeFrom(double depth_m, const platforms::Platform& platform,
                     const Silence& silence = usualSilence());
 

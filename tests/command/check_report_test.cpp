@@ -62,9 +62,9 @@ TEST(CheckReport, SaysTheWayHome) {
                         "power cuts of the SBC of up to 5 min 0 s, after at most 48 min 20 s\n"));
   EXPECT_THAT(
       outcome.out,
-      HasSubstr("\nif the SBC stops responding, hookbeh revokes control within 32 s (assuming "
+      HasSubstr("\nif the SBC stops responding, hookbeh revokes control within 64 s (assuming "
                 "silence_secs 24; see --skeleton); from at most 25 m deep, "
-                "the vehicle is at the surface within 10 min 52 s\n"));
+                "the vehicle is at the surface within 11 min 24 s\n"));
 }
 
 TEST(CheckReport, TakesTheSilenceFromTheVehiclesMissionFile) {
@@ -77,8 +77,8 @@ TEST(CheckReport, TakesTheSilenceFromTheVehiclesMissionFile) {
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(
       outcome.out,
-      HasSubstr("hookbeh revokes control within 308 s (silence_secs 300 from patient.mi); from at "
-                "most 25 m deep, the vehicle is at the surface within 15 min 28 s\n"));
+      HasSubstr("hookbeh revokes control within 340 s (silence_secs 300 from patient.mi); from at "
+                "most 25 m deep, the vehicle is at the surface within 16 min 0 s\n"));
 }
 
 TEST(CheckReport, RefusesAMissionFileThatSaysNoSilence) {
@@ -105,8 +105,8 @@ TEST(CheckReport, TheWayHomeKnowsWhereVariablesAreEverSetTo) {
                                    "/missions/gallery/thermocline.mission");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.out,
-              HasSubstr("from at most 33 m deep, the vehicle is at the surface within 13 min "
-                        "32 s\n"));
+              HasSubstr("from at most 33 m deep, the vehicle is at the surface within 14 min "
+                        "4 s\n"));
 }
 
 TEST(CheckReport, SaysThatNoBoundIsKnownOfADepthThatMayBeAnything) {
@@ -136,7 +136,7 @@ TEST(CheckReport, SaysWhereTheWayHomeIsShorter) {
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.out,
               HasSubstr("from at most 35 m deep, the vehicle is at the surface within 14 min"));
-  EXPECT_THAT(outcome.out, HasSubstr("\n  in `first`: from at most 15 m, within 7 min 32 s\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("\n  in `first`: from at most 15 m, within 8 min 4 s\n"));
   EXPECT_THAT(outcome.out, testing::Not(HasSubstr("in `up`"))) << "it comes there from `deep`";
 }
 

@@ -11,15 +11,17 @@
 namespace glider::analysis {
 namespace {
 
-TEST(WayHome, IsTheSilenceTwoCyclesTheTurnAndTheClimb) {
+// A real vehicle's cycle may take as long as `tick_gap_s`; `cycle_s` is the usual one.
+TEST(WayHome, IsTheSilenceTwoOfTheLongestCyclesTheTurnAndTheClimb) {
   platforms::Platform platform;
   platform.envelope.cycle_s = 4;
+  platform.world.tick_gap_s = 15;
   platform.world.turn_s = 100;
   platform.world.slowest_climb_m_s = 0.05;
   const WayHome home = wayHomeFrom(20, platform, {30, "here"});
   EXPECT_EQ(home.depth_m, 20);
-  EXPECT_DOUBLE_EQ(home.surface_s, 30 + 8 + 100 + 400);
-  EXPECT_DOUBLE_EQ(wayHomeFrom(0, platform, {30, "here"}).surface_s, 138);
+  EXPECT_DOUBLE_EQ(home.surface_s, 30 + 30 + 100 + 400);
+  EXPECT_DOUBLE_EQ(wayHomeFrom(0, platform, {30, "here"}).surface_s, 160);
 }
 
 TEST(UsualSilence, IsThatOfHookbeh) {

@@ -349,17 +349,20 @@ const std::string kTo20m = kQuietRoute +
                            "case (ge missiontime 500:time) ";
 
 /// The guard leads to a dive that breaks the requirement.
-TEST(Requirements, AReadingOfTheDepthIsHalfAMetreOffAtMost) {
-  const auto diveIf = [](const std::string& guard) {
-    return verdictOf(kHeader + kShallow + "state a " + kTo20m + "exit case (" + guard +
+TEST(Requirements, AReadingOfTheDepthIsTwoAndAHalfMetresOffAtMost) {
+  // A reading below the sensor's range is unknown: the range must not hide the error.
+  std::string header = kHeader;
+  header.replace(header.find("lowest -1"), 9, "lowest -9");
+  const auto diveIf = [&](const std::string& guard) {
+    return verdictOf(header + kShallow + "state a " + kTo20m + "exit case (" + guard +
                      ") goto b\nstate b " + kQuietRoute +
                      "profile down begin entry do descend (40:length, 0.4:angle) end end "
                      "case (ge missiontime 900:time) exit\n");
   };
-  EXPECT_EQ(diveIf("lt (sensor depth) -0.6:length"), Verdict::Proved);
-  EXPECT_NE(diveIf("lt (sensor depth) -0.4:length"), Verdict::Proved);
-  EXPECT_EQ(diveIf("gt (sensor depth) 25.6:length"), Verdict::Proved);
-  EXPECT_NE(diveIf("gt (sensor depth) 25.4:length"), Verdict::Proved);
+  EXPECT_EQ(diveIf("lt (sensor depth) -2.6:length"), Verdict::Proved);
+  EXPECT_NE(diveIf("lt (sensor depth) -2.4:length"), Verdict::Proved);
+  EXPECT_EQ(diveIf("gt (sensor depth) 27.6:length"), Verdict::Proved);
+  EXPECT_NE(diveIf("gt (sensor depth) 27.4:length"), Verdict::Proved);
 }
 
 /// From 25 m the vehicle gets below 30 m by the next tick.

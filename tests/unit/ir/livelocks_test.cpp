@@ -191,8 +191,8 @@ TEST(Chattering, TheNoiseIsInTheVehiclesUnit) {
         stateText("a", kExit + "case (gt (sensor p) 200000:pressure) goto b") +
         stateText("b", std::string("case (lt (sensor p) ") + pressure + ":pressure) goto a"));
   };
-  EXPECT_THAT(apart("199100"), HasSubstr("within the noise"));
-  EXPECT_EQ(apart("198900"), "");
+  EXPECT_THAT(apart("198100"), HasSubstr("within the noise"));
+  EXPECT_EQ(apart("197900"), "");
 }
 
 /// The difference of two numbers that combine degrees and minutes has no meaning.

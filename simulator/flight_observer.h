@@ -27,6 +27,7 @@ struct CycleView {
   bool commanded_whole = true;  ///< heading, pitch and pump were commanded, by any behaviour
   const hooks::HookbehOutputs* hookbeh = nullptr;  ///< what it commanded; null when it does not run
   bool overridden = false;  ///< a behaviour above hookbeh controlled pitch or pump
+  uint8_t masked = 0;       ///< which slots hookbeh did not fill last, as hooks::kMaskedHeading…
 };
 
 /// Observes a mission in flight, at points where no fault has an effect.

@@ -188,7 +188,8 @@ CycleView SimulatedVehicle::view(double now, bool over) const {
           battery.voltage(),
           flight_.commandedWhole(),
           flight_.hookbeh(),
-          flight_.hookbehOverridden()};
+          flight_.hookbehOverridden(),
+          flight_.hookbehMasked()};
 }
 
 /// True while the flight controller restarts: what arrives meanwhile is lost.

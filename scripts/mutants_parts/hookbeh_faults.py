@@ -18,6 +18,7 @@ class Planted:
     faults: tuple = ()  # the campaign flies these kinds only; none: all
     scenario: str = ""  # lines that the campaign's scenario has beside those of scenarios/default.toml
     missions: tuple = ()  # the campaign flies these only; none: all
+    skeleton: str = ""  # the vehicle's mission file; none: that of scenarios/default.toml
 
 
 HOOKBEH = "hooks/hookbeh/hookbeh.cpp"
@@ -33,6 +34,8 @@ CLOCK = "hooks/hookbeh/cycle_clock.cpp"
 HULL = "hooks/hookbeh/hull.cpp"
 BEHAVIOURS = "hooks/hookbeh/sub_behaviours.cpp"
 
+# A surfacing above hookbeh masks it every few minutes.
+MASKED = "scripts/soak/masked.mi"
 # The CTD fails before the flight.
 WITHOUT_CTD = "[sensors]\nctd_dropout = 1"
 # The SBC is gone for good, and the line to the flight controller repeats what it carried before.
@@ -87,7 +90,11 @@ PLANTED = [
     Planted("HB-33", "unnoticed sinking is not counted", UNSEEN_SINK, "reckon(step_s, last);", ";", ("sensor frozen",), WITHOUT_CTD,
             ("scripts/soak/deep.mission",)),
     Planted("HB-34", "what another behaviour flies is counted", HOOKBEH,
-            "off_cc > kPumpErrorCc || off_cc < -kPumpErrorCc", "false", ("SBC power cut", "science reboot", "mission stuck", "several at once")),
+            "(masked & kMaskedPump) != 0", "false", ("none",), skeleton=MASKED),
+    Planted("HB-36", "what the layered control reports is ignored", HOOKBEH, "inputs.masked | (elsewhere ? kMaskedPump : 0)",
+            "elsewhere ? kMaskedPump : 0", ("none",), skeleton=MASKED),
+    Planted("HB-38", "a masked hookbeh waits for its SBC", HOOKBEH, "silence_s_ += clock_.step();",
+            "silence_s_ += masked_ ? 0 : clock_.step();", ("SBC power cut",), skeleton=MASKED),
     Planted("HB-35", "a guard uses no more pump than a usual climb", BEHAVIOURS,
             "return {usualPitch(args), hull.pump_cc, doing};", "return {usualPitch(args), args.climb_pump_cc, doing};", SENSORS),
     Planted("HB-24", "a climb that gains no height is left as it is", GUARD, "headway_.idleFor() >= kStalledSecs", "false", SENSORS),
@@ -95,9 +102,15 @@ PLANTED = [
     Planted("HB-26", "a CTD that never agreed is believed", WATCH, "ctd_known_ || agree_s_ >= kPersistsSecs", "true", ("another sensor wrong",)),
     Planted("HB-27", "one clock alone is believed", CLOCK, "magnitude(by_mission - by_wall) <= kAgree && by_mission > 0", "by_mission > 0", ("sensor scaled", "sensor drifts", "sensor jumps", "several at once")),
     Planted("HB-31", "a heartbeat that comes again counts", HOOKBEH, "isNewerSession(beat, heartbeat_)", "beat != heartbeat_", ("none",), ECHOES),
-    Planted("HB-28", "the pump may go beyond its stroke", HULL, "out.dive_pump_cc = -between(dive, 0, hull.pump_cc);", "out.dive_pump_cc = -dive;"),
+    Planted("HB-28", "the pump may go beyond its stroke", HULL, "-between(dive, 0, hull.pump_cc)", "-dive"),
     Planted("HB-29", "a pump with the wrong sign", HULL, "magnitude(orUsual(args.climb_pump_cc, usual.climb_pump_cc))",
             "orUsual(args.climb_pump_cc, usual.climb_pump_cc)"),
     Planted("HB-30", "a guard has no number", HOOKBEH, "outputs.state = state_;",
             "outputs.state = state_; outputs.guard = HookGuard::None;"),
 ]
+
+# Requirements whose loss no flight of a campaign shows, and why. Unit tests hold them.
+UNSEEN = {
+    "HB-37": "after another behaviour has had the vehicle, any way back to the target is within the campaign's rules",
+    "HB-39": "the bundled mission files give the pump's volume",
+}

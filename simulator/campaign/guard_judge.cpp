@@ -104,6 +104,20 @@ std::string GuardJudge::judgeOverridden(const CycleView& view) {
                : "";
 }
 
+/// hookbeh reports which of its commands of the previous cycle were not those flown. A wrong
+/// reading of the commanded pump may add the pump.
+std::string GuardJudge::judgeMasked(const CycleView& view) {
+  const bool commands = view.hookbeh->commanding;
+  const auto reported = static_cast<uint8_t>(view.array.get(Sensor::x_hook_masked));
+  const uint8_t expected = commands ? masked_ : 0;
+  const bool extra = (reported & ~expected & ~hooks::kMaskedPump) != 0;
+  const bool wrong = extra || (expected & ~reported) != 0 || (!commands && reported != 0);
+  masked_ = commands ? view.masked : 0;
+  return wrong ? fmt::format("x_hook_masked is {}, but other behaviours replaced {}", reported,
+                             expected)
+               : "";
+}
+
 /// With one wrong clock a cycle may count twice, but no more.
 bool GuardJudge::isTooSoon(const CycleView& view, double silent_s) const {
   const bool garbled =
@@ -144,8 +158,8 @@ std::string GuardJudge::cycle(const CycleView& view) {
     return "";
   }
   const bool active = view.hook == HookState::Active;
-  const std::array found = {active ? judgePump(view) : "", judgeJump(view), judgeClimb(view),
-                            judgeOverridden(view), judgeHeartbeat(view)};
+  const std::array found = {active ? judgePump(view) : "", judgeJump(view),   judgeClimb(view),
+                            judgeOverridden(view),         judgeMasked(view), judgeHeartbeat(view)};
   last_s_ = view.time_s;
   const auto* wrong =
       std::ranges::find_if(found, [](const std::string& words) { return !words.empty(); });

@@ -27,6 +27,7 @@ class GuardJudge {
   std::string judgeJump(const CycleView& view);
   std::string judgeClimb(const CycleView& view);
   std::string judgeOverridden(const CycleView& view);
+  std::string judgeMasked(const CycleView& view);
   std::string judgeHeartbeat(const CycleView& view);
   [[nodiscard]] bool isTooSoon(const CycleView& view, double silent_s) const;
 
@@ -40,6 +41,7 @@ class GuardJudge {
   double climbs_s_ = 0;   ///< how long it has not changed in this climb
   double away_s_ = 0;     ///< how long another behaviour has controlled the pump
   bool stalled_ = false;  ///< by a guard, in the previous cycle
+  uint8_t masked_ = 0;    ///< what others replaced of its commands in the previous cycle
 
   hooks::HookState hook_ = hooks::HookState::Absent;  ///< in the previous cycle
   double heartbeat_ = 0;                              ///< the newest one

@@ -261,10 +261,6 @@ void FlightController::noteInstruction() {
   if (array_.get(Sensor::sci_hook_vertical) == static_cast<double>(hooks::HookVertical::None)) {
     return;  // turns only: the vertical command in force stays
   }
-  if (range_inherited_) {
-    obeyed_.top_m = obeyed_.bottom_m = kNaN;
-    range_inherited_ = false;
-  }
   obeyed_.vertical = array_.get(Sensor::sci_hook_vertical);
   obeyed_.depth_m = array_.get(Sensor::sci_hook_depth);
   noteRange();
@@ -279,7 +275,6 @@ void FlightController::noteRange() {
 }
 
 void FlightController::noteTransition() {
-  range_inherited_ = true;
   obeyed_.top_m = obeyed_.bottom_m = kNaN;
   noteRange();
 }

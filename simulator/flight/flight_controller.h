@@ -57,6 +57,10 @@ class FlightController {
   [[nodiscard]] bool hookbehOverridden() const {
     return layers_->hookbeh() != nullptr && layers_->hookbeh()->overridden();
   }
+  /// Which slots of the command record hookbeh did not fill last in this cycle.
+  [[nodiscard]] uint8_t hookbehMasked() const {
+    return layers_->hookbeh() != nullptr ? layers_->hookbeh()->masked() : 0;
+  }
   /// Heading, pitch and pump were all commanded in this cycle, by whichever behaviour.
   [[nodiscard]] bool commandedWhole() const { return commanded_whole_; }
   [[nodiscard]] bool aborted() const { return abort_ != Abort::None; }
@@ -137,7 +141,6 @@ class FlightController {
   bool has_fix_ = false, commanded_whole_ = true;
   Abort abort_ = Abort::None;
   ObeyedInstruction obeyed_;
-  bool range_inherited_ = false;  ///< the command in force is one of the previous state
   double obeyed_sequence_ = std::numeric_limits<double>::quiet_NaN();
   double waypoint_latitude_ddmm_ = std::numeric_limits<double>::quiet_NaN();
   double waypoint_longitude_ddmm_ = std::numeric_limits<double>::quiet_NaN();

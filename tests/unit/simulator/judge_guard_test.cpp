@@ -30,8 +30,9 @@ class JudgedGuard : public testing::Test {
     array_.set(GLIDER_M_DEPTH, reading);
     array_.set(GLIDER_SCI_HOOK_HEARTBEAT, beats_ ? ++heartbeat_ : heartbeat_);
     array_.set(GLIDER_C_BALLAST_PUMPED, overridden_ ? -out_.pump_cc : out_.pump_cc);
-    return judge_->cycle(
-        {now_, hook, depth, false, false, array_, now_, 100, 0, 14, true, &out_, overridden_});
+    array_.set(GLIDER_X_HOOK_MASKED, reported_);
+    return judge_->cycle({now_, hook, depth, false, false, array_, now_, 100, 0, 14, true, &out_,
+                          overridden_, masked_});
   }
   std::string cycle(double depth) { return cycle(depth, depth); }
   /// The first violation in `seconds` at `depth`.
@@ -67,7 +68,26 @@ class JudgedGuard : public testing::Test {
   double now_ = 0, heartbeat_ = 0;
   bool beats_ = true;        ///< a newer heartbeat comes in every cycle
   bool overridden_ = false;  ///< another behaviour has the pump
+  uint8_t masked_ = 0, reported_ = 0;
 };
+
+TEST_F(JudgedGuard, WhatMasksItIsReportedACycleLater) {
+  out_.commanding = true;
+  dive();
+  EXPECT_EQ(cycle(10), "");
+  masked_ = hooks::kMaskedPitch | hooks::kMaskedPump;
+  EXPECT_EQ(cycle(10), "") << "it cannot know yet";
+  EXPECT_EQ(cycle(10), "x_hook_masked is 0, but other behaviours replaced 6");
+  reported_ = 6;
+  EXPECT_EQ(cycle(10), "");
+  masked_ = 0;
+  EXPECT_EQ(cycle(10), "");
+  EXPECT_EQ(cycle(10), "x_hook_masked is 6, but other behaviours replaced 0");
+  reported_ = hooks::kMaskedPump;
+  EXPECT_EQ(cycle(10), "") << "the commanded pump may be read wrongly";
+  out_.commanding = false;
+  EXPECT_EQ(cycle(10), "x_hook_masked is 4, but other behaviours replaced 0");
+}
 
 TEST_F(JudgedGuard, AGuardClimbsWithAllOfThePump) {
   guard(HookGuard::NoDepthGained, "climb: no depth gained");

@@ -123,6 +123,9 @@ constexpr const char* kFooter =
     "record does not update the sensor. If both computers have a sensor, the copy that does not "
     "come from\n"
     "its owner is named gld_dup_NAME (flight's copy) or sci_dup_NAME (science's copy).\n"
+    "--report and --picture draw the flight in UTC. --beside adds the simulated flight of the same "
+    "mission,\n"
+    "aligned so that both flights leave the surface at the same time.\n"
     "Exit codes: 0 success, 1 a data file is damaged (what can be read is shown), 2 usage error, "
     "or a file\n"
     "failed or is missing.";

@@ -42,7 +42,7 @@ export interface ChartOptions {
 const colour = (name: string) => (name.startsWith("#") || name.startsWith("rgb") ? name : theme(name));
 const steps = [1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800, 3600, 7200, 10800, 21600, 43200, 86400, 172800, 604800];
 
-/** Few values in a log are far apart: each is a point, because a line between them would say what is not known. */
+/** A quantity of which a log has few values: they are far apart, so they are drawn as points. */
 const isSparse = (line: Line) => line.values.filter((v) => v !== null).length < 100;
 
 function seriesOf(lines: Line[], logged: boolean): uPlot.Series[] {

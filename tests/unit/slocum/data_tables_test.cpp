@@ -74,7 +74,7 @@ TEST(DataTable, EachComputerHasItsOwnClock) {
   science.sensors.push_back({"m_present_time", "timestamp", 8, true});
   for (Draft* draft : {&flight, &science}) {
     for (auto& row : draft->rows) {
-      row.push_back({'*', 5000});  // the other computer's clock, as this one has heard it
+      row.push_back({'*', 5000});  // the other computer's clock, as this one received it
     }
   }
   const TestFolder folder;

@@ -114,14 +114,44 @@ TEST(FlightTrace, FlightAndScienceAreRowsOfOneClock) {
   EXPECT_EQ(column(*trace, "sci_water_temp"), (Values{10, 11, 15, kNone}));
   EXPECT_EQ(unitOf(*trace, "sci_water_temp"), "degC");
   EXPECT_EQ(column(*trace, "m_depth")[2], 2.444444) << "on the line between two updates";
+  EXPECT_EQ(eventsOf(*trace, "log").size(), 1U) << "both files are of one segment";
 }
 
 TEST(FlightTrace, NothingIsKnownInALongGap) {
-  const auto trace = traceOf({draftOf(
-      "dbd", {kDepth}, {{0, {{"m_depth", 1}}}, {300, {{"m_depth", 2}}}, {602, {{"m_depth", 4}}}})});
+  const auto trace = traceOf({draftOf("dbd", {kDepth, {"m_depth_state", "enum", 1, true}},
+                                      {{0, {{"m_depth", 1}, {"m_depth_state", 1}}},
+                                       {300, {{"m_depth", 2}}},
+                                       {602, {{"m_depth", 4}}}})});
   ASSERT_TRUE(trace);
   EXPECT_EQ(column(*trace, "time"), (Values{0, 300, 451, 602}));
   EXPECT_EQ(column(*trace, "m_depth"), (Values{1, 2, kNone, 4}));
+  EXPECT_EQ(column(*trace, "state"), (Values{1, 1, kNone, 1}));
+}
+
+TEST(FlightTrace, BatteryChangesSlowly) {
+  const auto trace = traceOf({draftOf(
+      "dbd", {kDepth, {"m_battery", "volts", 4, true}, {"m_battery_inst", "volts", 4, true}},
+      {{0, {{"m_depth", 1}, {"m_battery", 14}, {"m_battery_inst", 9}}},
+       {200, {{"m_depth", 1}, {"m_battery_inst", 9}}},
+       {400, {{"m_depth", 1}, {"m_battery", 13}}}})});
+  ASSERT_TRUE(trace);
+  EXPECT_EQ(column(*trace, "m_battery"), (Values{14, 13.5, 13}));
+  EXPECT_EQ(std::ranges::count(trace->columns, "m_battery", &support::TraceColumn::name), 1)
+      << "m_battery_inst is for files without m_battery";
+}
+
+TEST(FlightTrace, FilesOfSeveralSegmentsAndMissionsAreOneFlight) {
+  Draft first = draftOf("dbd", {kDepth}, {{0, {{"m_depth", 0}}}});
+  Draft second = draftOf("dbd", {kDepth}, {{20, {{"m_depth", 0}}}});
+  second.full_name = "unit-2024-183-2-8";
+  // The same record again, as if the clock had stood still.
+  Draft third = draftOf("dbd", {kDepth}, {{20, {{"m_depth", 0}}}, {24, {{"m_depth", 0}}}});
+  third.full_name = "unit-2024-183-2-9";
+  const auto trace = traceOf({first, second, third});
+  ASSERT_TRUE(trace);
+  EXPECT_EQ(column(*trace, "time"), (Values{0, 20, 24}));
+  EXPECT_EQ(trace->mission, "TEST.MI");
+  EXPECT_EQ(eventsOf(*trace, "log").size(), 3U);
 }
 
 TEST(FlightTrace, RecordsOfAnUnsetClockAreLeftOut) {
@@ -206,6 +236,22 @@ TEST(FlightTrace, PositionsAreDegreesAndMetres) {
   EXPECT_EQ(column(*trace, "dr_leg"), (Values{0, 0, 0, 1, 1, 1}));
 }
 
+TEST(FlightTrace, TheTrackEndsWherePositionsWereNotLogged) {
+  const std::vector<SensorLine> sensors = {
+      kDepth, {"m_lat", "lat", 8, true}, {"m_lon", "lon", 8, true}};
+  const auto at = [](double time, double lat, double lon) {
+    return Record{time, {{"m_depth", 0}, {"m_lat", lat}, {"m_lon", lon}}};
+  };
+  const auto trace = traceOf(
+      {draftOf("dbd", sensors,
+               {at(0, 5400, 17959.99), at(3590, 5400, -17959.99), at(7200, 5400, -17959.99)})});
+  ASSERT_TRUE(trace);
+  EXPECT_EQ(column(*trace, "dr_leg"), (Values{0, kNone, 0, kNone, 1})) << "3610 s are too long";
+  EXPECT_NEAR(column(*trace, "dr_x")[2], 0.02 / 60 * 65578, 0.1) << "across the date line";
+  const auto invalid = traceOf({draftOf("dbd", sensors, {at(0, 9100, 600)})});
+  EXPECT_EQ(unitOf(*invalid, "m_lat"), "none") << "there is no latitude of 91 degrees";
+}
+
 TEST(FlightTrace, NoTrackLeadsToAFixThatMovesThePosition) {
   const std::vector<SensorLine> sensors = {
       kDepth, {"m_lat", "lat", 8, true}, {"m_lon", "lon", 8, true}};
@@ -283,6 +329,29 @@ TEST(FlightTrace, OfTheCurrentsBetweenTwoDivesTheLastIsUsed) {
   EXPECT_TRUE(trace->log->notes.empty());
 }
 
+TEST(FlightTrace, CurrentsAreTurnedByTheDeclinationOfTheirTime) {
+  const std::vector<SensorLine> sensors = {kDepth,
+                                           {"m_water_vx", "m/s", 4, true},
+                                           {"m_water_vy", "m/s", 4, true},
+                                           {"m_gps_mag_var", "rad", 4, true}};
+  constexpr double kHalf = std::numbers::pi;
+  const auto trace = traceOf({draftOf("dbd", sensors,
+                                      dives({{40, {{"m_gps_mag_var", 0}}},
+                                             {60, {{"m_water_vx", 0.25}, {"m_water_vy", 0}}},
+                                             {280, {{"m_gps_mag_var", kHalf}}},
+                                             {300, {{"m_water_vx", 0.25}, {"m_water_vy", 0}}},
+                                             {320, {{"m_gps_mag_var", 0}}}}))});
+  ASSERT_TRUE(trace);
+  EXPECT_EQ(column(*trace, "current_x")[4], 0.25);
+  EXPECT_EQ(column(*trace, "current_x")[16], -0.25);
+}
+
+TEST(FlightTrace, WithoutCurrentsThereIsNoNote) {
+  const auto trace = traceOf({draftOf("dbd", {kDepth}, {{0, {{"m_depth", 0}}}})});
+  ASSERT_TRUE(trace);
+  EXPECT_TRUE(trace->log->notes.empty());
+}
+
 TEST(FlightTrace, CurrentsWithoutDeclinationHaveANote) {
   const std::vector<SensorLine> sensors = {
       kDepth, {"m_final_water_vx", "m/s", 4, true}, {"m_final_water_vy", "m/s", 4, true}};
@@ -332,6 +401,27 @@ TEST(FlightTrace, AbortsAreEventsInWords) {
   EXPECT_EQ(eventsOf(*trace, "log")[2], "20 the mission ended normally; mission status -1");
   EXPECT_EQ(trace->events[1].mission_time_s, 104);
   EXPECT_EQ(missionStatusText(10), "the depth has not changed for too long");
+  const auto other =
+      traceOf({draftOf("dbd", {kDepth, {"cc_final_mission_status_mode", "enum", 1, true}},
+                       {{0, {{"m_depth", 0}, {"cc_final_mission_status_mode", 24}}}})});
+  EXPECT_EQ(eventsOf(*other, "abort"), std::vector<std::string>{"0 leak; mission status 24"});
+}
+
+TEST(FlightTrace, EventsAreInTheOrderOfTime) {
+  const auto trace = traceOf(
+      {draftOf("dbd", {kDepth, {"x_hit_a_waypoint", "bool", 1, true}},
+               dives({{20, {{"x_hit_a_waypoint", 0}}}, {140, {{"x_hit_a_waypoint", 1}}}}))});
+  ASSERT_TRUE(trace);
+  EXPECT_EQ(trace->events.size(), 5U);
+  EXPECT_TRUE(std::ranges::is_sorted(trace->events, {}, &support::TraceEvent::time_s));
+}
+
+TEST(FlightTrace, ALogThatBeginsUnderWaterDidNotLeaveTheSurface) {
+  const auto trace =
+      traceOf({draftOf("dbd", {kDepth}, {{0, {{"m_depth", 9}}}, {4, {{"m_depth", 1}}}})});
+  ASSERT_TRUE(trace);
+  EXPECT_TRUE(eventsOf(*trace, "dive").empty());
+  EXPECT_EQ(eventsOf(*trace, "surface"), std::vector<std::string>{"4 at the surface"});
 }
 
 TEST(FlightTrace, ReachedWaypointsAreEvents) {
@@ -375,6 +465,13 @@ TEST(FlightTrace, HeadingsTurnTheShorterWay) {
                                        {8, {{"m_depth", 0}, {"m_heading", b}}}})});
   ASSERT_TRUE(trace);
   EXPECT_NEAR(column(*trace, "m_heading")[1], (a + b) / 2 - std::numbers::pi, 1e-5);
+  const auto back = traceOf({draftOf("dbd", {kDepth, {"m_heading", "rad", 4, true}},
+                                     {{0, {{"m_depth", 0}, {"m_heading", b}}},
+                                      {6, {{"m_depth", 0}}},
+                                      {8, {{"m_depth", 0}, {"m_heading", a}}}})});
+  ASSERT_TRUE(back);
+  EXPECT_NEAR(column(*back, "m_heading")[1], a + 0.25 * (b + 2 * std::numbers::pi - a), 1e-5)
+      << "never below 0";
 }
 
 TEST(FlightTrace, PowerAndEnergyAreFromVoltageCurrentAndCharge) {
@@ -396,6 +493,9 @@ TEST(FlightTrace, PowerAndEnergyAreFromVoltageCurrentAndCharge) {
   EXPECT_EQ(column(*trace, "power"), (Values{6, 24, 12, 12}));
   EXPECT_EQ(column(*trace, "energy"), (Values{0, 6, 6, 9})) << "the counter was reset at 8 s";
   EXPECT_EQ(unitOf(*trace, "energy"), "Wh");
+  const auto gap = traceOf({draftOf("dbd", sensors, {record(0, 0.5, 100), record(400, 0.5, 101)})});
+  ASSERT_TRUE(gap);
+  EXPECT_EQ(column(*gap, "energy").back(), 12) << "the charge of a gap is known at its end";
 }
 
 TEST(FlightTrace, AltitudeIsNotKnownBetweenEchoes) {

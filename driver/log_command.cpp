@@ -132,8 +132,8 @@ constexpr const char* kFooter =
 
 void addDrawingOptions(CLI::App& command, LogOptions& options) {
   auto* report = command.add_option("--report", options.report,
-                                    "Write a web page with the flight in data files, as `sim` "
-                                    "does of a simulated flight");
+                                    "Draw the flight in data files as a web page, like the "
+                                    "report of `sim`");
   report->option_text("PAGE.html");
   auto* picture = addPictureOptions(command, options.picture, options.picture_style);
   command

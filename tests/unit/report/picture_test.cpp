@@ -177,6 +177,9 @@ TEST(Picture, OfALogHasItsVehicleTimeStatesAndSimulatedFlight) {
 
 TEST(Picture, ALogWithoutStatesHasNoBandOfThem) {
   support::Trace trace = logTrace();
+  EXPECT_THAT(drawPicture(trace), Not(HasSubstr("state not known")));
+  trace.rows[static_cast<size_t>(trace.column("state"))] = kUnknown;
+  EXPECT_THAT(drawPicture(trace), HasSubstr("state not known")) << "but of one row it is";
   trace.columns[static_cast<size_t>(trace.column("state"))].name = "m_vacuum";
   EXPECT_THAT(drawPicture(trace), Not(HasSubstr("state not known")));
 }
@@ -202,8 +205,42 @@ TEST(Picture, ChlorophyllOfAnyInstrumentColoursTheTrack) {
   EXPECT_THAT(drawPicture(trace, {"chlorophyll"}), Not(HasSubstr("not known")));
 }
 
+TEST(Picture, WithoutAMeasuredQuantityTheColoursAreThoseOfStates) {
+  const auto trace = smallTrace({{"time", "s"}, {"m_depth", "m"}}, {{0, 1}, {4, 2}});
+  EXPECT_THAT(drawPicture(trace), Not(HasSubstr("chlorophyll")));
+}
+
+/// The names of the legend of the map of `trace`.
+std::string legendOf(const support::Trace& trace) {
+  SvgText text;
+  std::string names;
+  for (const picture::LegendEntry& entry : picture::drawMap(text, trace, {0, 0, 300, 300})) {
+    names += entry.text + ";";
+  }
+  return names;
+}
+
+TEST(PictureMap, OfALogHasTheWaypointsThatAreNear) {
+  auto trace = smallTrace({{"time", "s"},
+                           {"m_lat", "deg"},
+                           {"m_lon", "deg"},
+                           {"dr_x", "m"},
+                           {"dr_y", "m"},
+                           {"c_wpt_lat", "deg"},
+                           {"c_wpt_lon", "deg"}},
+                          {{0, kUnknown, kUnknown, kUnknown, kUnknown, kUnknown, kUnknown},
+                           {4, 40, -70, 100, 0, 40, -69.9953},
+                           {8, 40, -69.9953, 501, 0, 41, -69.9953}});
+  trace.log.emplace();
+  const auto waypoints = picture::waypointsOf(trace);
+  ASSERT_EQ(waypoints.size(), 1U);
+  EXPECT_NEAR(waypoints[0].x, 501, 2);
+}
+
 TEST(PictureMap, OfALogHasItsFixesAndNoLineToThem) {
   support::Trace trace = logTrace();
+  EXPECT_THAT(legendOf(trace), HasSubstr("GPS fix"));
+  EXPECT_THAT(legendOf(outAndBack()), Not(HasSubstr("GPS fix")));
   const std::string svg = [&] {
     SvgText text;
     (void)picture::drawMap(text, trace, {0, 0, 300, 300});

@@ -144,7 +144,7 @@ TEST(FlightTrace, FilesOfSeveralSegmentsAndMissionsAreOneFlight) {
   Draft first = draftOf("dbd", {kDepth}, {{0, {{"m_depth", 0}}}});
   Draft second = draftOf("dbd", {kDepth}, {{20, {{"m_depth", 0}}}});
   second.full_name = "unit-2024-183-2-8";
-  // The same record again, as if the clock had stood still.
+  // The same record again, at the same time.
   Draft third = draftOf("dbd", {kDepth}, {{20, {{"m_depth", 0}}}, {24, {{"m_depth", 0}}}});
   third.full_name = "unit-2024-183-2-9";
   const auto trace = traceOf({first, second, third});

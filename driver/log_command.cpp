@@ -4,6 +4,7 @@
 #include "driver/commands.h"
 #include "driver/exit_code.h"
 #include "driver/output/data_log.h"
+#include "driver/shared_options.h"
 #include "driver/terminal.h"
 #include "logs/render.h"
 #include "support/files.h"
@@ -70,24 +71,41 @@ int showMissionLog(const std::string& file, const LogOptions& options) {
   return kFine;
 }
 
-int log(const LogOptions& options) {
+/// The input that one of the outputs would overwrite; "" if there is none.
+std::string overwrittenInput(const LogOptions& options) {
+  std::vector<std::string> inputs = options.files;
+  inputs.push_back(options.beside);
   std::error_code ignored;
-  for (const std::string& file : options.files) {
-    for (const std::string& output : {options.csv, options.netcdf}) {
-      if (!output.empty() && std::filesystem::equivalent(file, output, ignored)) {
-        return reportFailure(support::fail(DiagnosticId::outputIsInput, file).error());
+  for (const std::string& input : inputs) {
+    for (const std::string& output :
+         {options.csv, options.netcdf, options.report, options.picture}) {
+      if (!output.empty() && std::filesystem::equivalent(input, output, ignored)) {
+        return input;
       }
     }
+  }
+  return "";
+}
+
+/// True if there is an option that only data files have.
+bool isForDataFiles(const LogOptions& options) {
+  return !options.sensors.empty() || !options.netcdf.empty() || !options.caches.empty() ||
+         !options.report.empty() || !options.picture.empty();
+}
+
+int log(const LogOptions& options) {
+  if (const std::string input = overwrittenInput(options); !input.empty()) {
+    return reportFailure(support::fail(DiagnosticId::outputIsInput, input).error());
   }
   if (areDataFiles(options.files)) {
     return showDataFiles(options);
   }
   const std::string& file = options.files[0];
-  if (!options.sensors.empty() || !options.netcdf.empty() || !options.caches.empty()) {
-    return reportFailure(
-        support::fail(DiagnosticId::notDataFile, file,
-                      "`--sensors`, `--netcdf` and `--cache` are not for the logs of missions")
-            .error());
+  if (isForDataFiles(options)) {
+    return reportFailure(support::fail(DiagnosticId::notDataFile, file,
+                                       "only `--csv` can be used with the log of a mission; all "
+                                       "other options are for data files")
+                             .error());
   }
   return showMissionLog(file, options);
 }
@@ -105,9 +123,29 @@ constexpr const char* kFooter =
     "record does not update the sensor. If both computers have a sensor, the copy that does not "
     "come from\n"
     "its owner is named gld_dup_NAME (flight's copy) or sci_dup_NAME (science's copy).\n"
+    "--report and --picture draw the flight in UTC. --beside adds the simulated flight of the same "
+    "mission,\n"
+    "aligned so that both flights leave the surface at the same time.\n"
     "Exit codes: 0 success, 1 a data file is damaged (what can be read is shown), 2 usage error, "
     "or a file\n"
     "failed or is missing.";
+
+void addDrawingOptions(CLI::App& command, LogOptions& options) {
+  auto* report = command.add_option("--report", options.report,
+                                    "Draw the flight in data files as a web page, like the "
+                                    "report of `sim`");
+  report->option_text("PAGE.html");
+  auto* picture = addPictureOptions(command, options.picture, options.picture_style);
+  command
+      .add_option("--beside", options.beside,
+                  "Also draw this simulated flight in the report and the picture: the trace.csv "
+                  "that `glidercc sim -o FOLDER` writes")
+      ->option_text("FLIGHT.csv")
+      ->check([report, picture](const std::string&) {
+        return report->count() + picture->count() > 0 ? std::string()
+                                                      : std::string("needs --report or --picture");
+      });
+}
 
 }  // namespace
 
@@ -143,6 +181,7 @@ void addLogCommand(CLI::App& app, int& status) {
                    "each file and its folders cac and cache]")
       ->option_text("FOLDER")
       ->allow_extra_args(false);
+  addDrawingOptions(*command, *options);
   command->footer(kFooter);
   command->callback([options, &status] { status = log(*options); });
 }

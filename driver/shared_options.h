@@ -4,6 +4,7 @@
 #pragma once
 
 #include "flights/launch_choice.h"
+#include "report/picture/picture.h"
 
 #include <CLI/CLI.hpp>
 
@@ -19,6 +20,9 @@ void addLaunchOptions(CLI::App& command, flights::LaunchChoice& choice);
 
 /// Adds --link FILE to `command`.
 void addLinkOption(CLI::App& command, std::vector<std::string>& files);
+
+/// Adds --picture FILE and --colour to `command`; returns the first.
+CLI::Option* addPictureOptions(CLI::App& command, std::string& file, report::PictureStyle& style);
 
 /// For --seed: an unsigned whole number of 64 bits; CLI11 alone would wrap `-1` around.
 CLI::Validator seedValidator();

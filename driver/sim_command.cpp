@@ -175,23 +175,6 @@ std::string checkTime(const std::string& text) {
   return good ? "" : fmt::format("`{}` is not a time in seconds, 0 or more", text);
 }
 
-void addPictureOptions(CLI::App& command, SimOptions& options) {
-  auto* picture = command
-                      .add_option("--picture", options.picture,
-                                  "Also draw the flight as an SVG, for a paper or a logbook")
-                      ->option_text("FILE")
-                      ->excludes("--replay");
-  std::vector<std::string> names = {"state"};
-  for (const report::TrackQuantity& quantity : report::pictureQuantities()) {
-    names.emplace_back(quantity.name);
-  }
-  command
-      .add_option("--colour", options.picture_style.colour,
-                  "Quantity that colours the track [chlorophyll if measured, else temp]")
-      ->check(CLI::IsMember(names))
-      ->needs(picture);
-}
-
 void addOptions(CLI::App& command, SimOptions& options) {
   auto* mission =
       command.add_option("MISSION", options.mission,
@@ -245,7 +228,7 @@ void addOptions(CLI::App& command, SimOptions& options) {
       ->excludes("--seed")
       ->excludes("--kill-sbc-at")
       ->needs(mission);
-  addPictureOptions(command, options);
+  addPictureOptions(command, options.picture, options.picture_style)->excludes("--replay");
   program->excludes(board);
   serial->excludes(board)->excludes(program)->excludes("--replay");
   without->excludes(mission)->excludes(board)->excludes(program)->excludes(serial);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <vector>
 
 namespace glider::report {
@@ -41,12 +42,14 @@ void keepExtremes(const Trace& trace, int depth, size_t begin, size_t end,
   }
 }
 
-void keepChanges(const Trace& trace, int column, std::vector<bool>& keep) {
+/// Keeps the rows beside those where a column changes or becomes known or unknown; `same`: of two
+/// values.
+template <typename Same>
+void keepChanges(const Trace& trace, int column, std::vector<bool>& keep, Same same) {
   for (size_t row = 1; column >= 0 && row < keep.size(); ++row) {
     const double before = trace.at(row - 1, column);
     const double now = trace.at(row, column);
-    const bool same = before == now || (std::isnan(before) && std::isnan(now));
-    if (!same) {
+    if (std::isnan(before) != std::isnan(now) || !(std::isnan(now) || same(before, now))) {
       keep[row - 1] = true;
       keep[row] = true;
     }
@@ -70,8 +73,11 @@ Trace downsampled(const Trace& trace, size_t most) {
   for (const TurningPoint& point : turningPoints(trace)) {
     keep[point.row] = true;
   }
-  keepChanges(trace, trace.column("state"), keep);
-  keepChanges(trace, trace.column("hook_active"), keep);
+  for (const char* name : {"state", "hook_active", "dr_leg", "current_x", "gps_x"}) {
+    keepChanges(trace, trace.column(name), keep, std::equal_to<>());
+  }
+  // A gap in the depth, over which no line may be drawn.
+  keepChanges(trace, depth, keep, [](double, double) { return true; });
 
   Trace out = trace;
   out.rows.clear();

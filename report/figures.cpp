@@ -33,11 +33,13 @@ Range rangeOf(const Trace& trace, int column) {
   return range;
 }
 
-void measureTrack(const Trace& trace, int east, int north, FlightFigures& figures) {
+/// `leg`: a column that changes where a GPS fix moved the position, which is no distance; or -1.
+void measureTrack(const Trace& trace, int east, int north, int leg, FlightFigures& figures) {
   double first_x = kNaN;
   double first_y = kNaN;
   double last_x = kNaN;
   double last_y = kNaN;
+  double last_leg = 0;
   double sum = 0;
   for (size_t row = 0; row < trace.rowCount(); ++row) {
     const double x = trace.at(row, east);
@@ -45,14 +47,16 @@ void measureTrack(const Trace& trace, int east, int north, FlightFigures& figure
     if (!std::isfinite(x) || !std::isfinite(y)) {
       continue;
     }
+    const double this_leg = leg < 0 ? 0 : trace.at(row, leg);
     if (std::isnan(first_x)) {
       first_x = x;
       first_y = y;
-    } else {
+    } else if (this_leg == last_leg) {
       sum += std::hypot(x - last_x, y - last_y);
     }
     last_x = x;
     last_y = y;
+    last_leg = this_leg;
   }
   if (!std::isnan(first_x)) {
     figures.distance_m = sum;
@@ -70,10 +74,11 @@ void measureTrack(const Trace& trace, FlightFigures& figures) {
   } candidates[] = {
       {TrackSource::True, trace.column("true_x"), trace.column("true_y")},
       {TrackSource::DeadReckoned, trace.column("m_x_lmc"), trace.column("m_y_lmc")},
+      {TrackSource::DeadReckoned, trace.column("dr_x"), trace.column("dr_y")},
   };
   for (const auto& candidate : candidates) {
     if (candidate.east >= 0 && candidate.north >= 0 && std::isnan(figures.distance_m)) {
-      measureTrack(trace, candidate.east, candidate.north, figures);
+      measureTrack(trace, candidate.east, candidate.north, trace.column("dr_leg"), figures);
       figures.track = std::isnan(figures.distance_m) ? TrackSource::None : candidate.source;
     }
   }
@@ -154,6 +159,10 @@ std::vector<TurningPoint> turningPoints(const Trace& trace) {
 int depthColumn(const Trace& trace) {
   const int measured = trace.column("m_depth");
   return measured >= 0 ? measured : trace.column("true_depth");
+}
+
+std::string flightTitle(const Trace& trace) {
+  return trace.log ? trace.log->vehicle + ": " + trace.mission : trace.mission;
 }
 
 std::string stateName(const Trace& trace, double id) {

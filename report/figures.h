@@ -64,6 +64,8 @@ std::vector<TurningPoint> turningPoints(const support::Trace& trace);
 
 /// The column that the report calls depth: m_depth, otherwise true_depth, otherwise -1.
 int depthColumn(const support::Trace& trace);
+/// The mission, for a log after its vehicle: "comet: SPIRAL.MI".
+std::string flightTitle(const support::Trace& trace);
 /// The name of state number `id` of the column "state"; `state 7` if the trace does not name it.
 std::string stateName(const support::Trace& trace, double id);
 

@@ -66,7 +66,7 @@ std::string renderPage(const support::Trace& trace,
   const std::string figures = figuresToJson(flightFigures(trace));
   const std::string flight = support::traceToJson(downsampled(trace, kPageRows));
   std::string page(kPageParts[0]);
-  page += escapeHtml(trace.mission);
+  page += escapeHtml(flightTitle(trace));
   page += kPageParts[1];
   const std::string warnings = warningsToJson(reported, flightWarnings(trace));
   page += escapeForScript("{\"figures\":" + figures + ",\"warnings\":" + warnings +

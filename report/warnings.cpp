@@ -5,6 +5,7 @@
 
 #include "report/figures.h"
 #include "report/text.h"
+#include "support/utc.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -43,7 +44,14 @@ bool isIntervention(const TraceEvent& event) {
   return event.kind == "hook" && event.what.starts_with(kByHookbeh);
 }
 
-/// "1,250 s" of the first of `trace`'s events for which `is` is true, and "; 3 times in all".
+/// "1250 s", or for a log the UTC.
+std::string timeText(const Trace& trace, double time_s) {
+  return trace.log ? support::utcText(trace.log->utc_s + time_s) + " UTC"
+                   : fmt::format("{:.0f} s", time_s);
+}
+
+/// The time, as timeText() writes it, of the first of `trace`'s events for which `is` is true, and
+/// "; 3 times in all".
 struct Told {
   const TraceEvent* first = nullptr;
   std::string at;
@@ -55,7 +63,7 @@ Told tell(const Trace& trace, bool (*is)(const TraceEvent&)) {
   const auto count = std::ranges::count_if(trace.events, is);
   if (count > 0) {
     told.first = &*std::ranges::find_if(trace.events, is);
-    told.at = fmt::format("{:.0f} s", told.first->time_s);
+    told.at = timeText(trace, told.first->time_s);
     told.more = count > 1 ? fmt::format("; {} times in total", count) : "";
   }
   return told;
@@ -164,6 +172,9 @@ void reportFlight(const Trace& trace, support::DiagnosticEngine& diagnostics) {
 
 std::vector<std::string> flightWarnings(const Trace& trace) {
   std::vector<std::string> warnings;
+  if (trace.log) {
+    return trace.log->notes;
+  }
   if (const std::string other = otherMission(trace); !other.empty()) {
     warnings.push_back(
         fmt::format("the SBC flies mission {}, not {}, so the state names shown are "

@@ -4,6 +4,7 @@
 #include "driver/output/data_log.h"
 
 #include "driver/exit_code.h"
+#include "driver/output/log_report.h"
 #include "driver/terminal.h"
 #include "slocum/data_files/read.h"
 #include "slocum/data_tables/csv.h"
@@ -65,8 +66,16 @@ Result<void> checkPatterns(const std::vector<std::vector<LogFile>>& vehicles,
   return {};
 }
 
-Result<void> writeTables(const std::vector<std::vector<LogFile>>& vehicles,
-                         const DataLogOptions& options) {
+bool hasTables(const DataLogOptions& options) {
+  return !options.csv.empty() || !options.netcdf.empty();
+}
+
+bool hasDrawings(const DataLogOptions& options) {
+  return !options.report.empty() || !options.picture.empty();
+}
+
+/// GL9365 if the files are not of one vehicle.
+Result<void> checkOneVehicle(const std::vector<std::vector<LogFile>>& vehicles) {
   if (vehicles.size() > 1) {
     std::string names;
     for (const auto& files : vehicles) {
@@ -74,7 +83,11 @@ Result<void> writeTables(const std::vector<std::vector<LogFile>>& vehicles,
     }
     return support::fail(DiagnosticId::severalVehicles, names);
   }
-  const slocum::Merged merged = slocum::merge(vehicles[0], options.sensors);
+  return {};
+}
+
+Result<void> writeTables(const std::vector<LogFile>& files, const DataLogOptions& options) {
+  const slocum::Merged merged = slocum::merge(files, options.sensors);
   if (!options.csv.empty()) {
     const std::string text = slocum::csvOf(merged);
     const auto written =
@@ -91,8 +104,12 @@ Result<void> show(const std::vector<std::vector<LogFile>>& vehicles,
   if (const auto known = checkPatterns(vehicles, options.sensors); !known) {
     return known;
   }
-  if (!options.csv.empty() || !options.netcdf.empty()) {
-    return writeTables(vehicles, options);
+  if (hasTables(options) || hasDrawings(options)) {
+    auto done = checkOneVehicle(vehicles);
+    if (done && hasTables(options)) {
+      done = writeTables(vehicles[0], options);
+    }
+    return done && hasDrawings(options) ? drawLog(vehicles[0], options) : done;
   }
   std::string text;
   for (const auto& files : vehicles) {

@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include "report/picture/picture.h"
+
 #include <string>
 #include <vector>
 
@@ -15,6 +17,10 @@ struct DataLogOptions {
   std::string netcdf;                ///< empty: none
   std::vector<std::string> sensors;  ///< patterns; empty: all
   std::vector<std::string> caches;
+  std::string report;   ///< empty: none
+  std::string picture;  ///< empty: none
+  report::PictureStyle picture_style;
+  std::string beside;  ///< the trace.csv of a simulated flight; empty: none
 };
 
 /// True for data files of the vehicle; false for a single file of another kind.

@@ -13,6 +13,7 @@ namespace {
 
 constexpr TrackQuantity kQuantities[] = {
     {"chlorophyll", "sci_flbbcd_chlor_units", "chlorophyll (µg/L)"},
+    {"chlorophyll", "sci_flntu_chlor_units", "chlorophyll (µg/L)"},
     {"temp", "sci_water_temp", "temperature (°C)"},
     {"oxygen", "sci_oxy4_oxygen", "oxygen (µM)"},
     {"battery", "m_battery", "battery (V)"},
@@ -31,13 +32,18 @@ namespace {
 /// The quantity that `style` names; otherwise the first of chlorophyll and temperature that was
 /// measured.
 std::optional<TrackQuantity> choose(const support::Trace& trace, const PictureStyle& style) {
+  std::optional<TrackQuantity> unknown;
   for (const TrackQuantity& quantity : kQuantities) {
     const bool usual = quantity.name == "chlorophyll" || quantity.name == "temp";
-    if (style.colour ? *style.colour == quantity.name : usual && isKnown(trace, quantity.column)) {
+    if (!(style.colour ? *style.colour == quantity.name : usual)) {
+      continue;
+    }
+    if (isKnown(trace, quantity.column)) {
       return quantity;
     }
+    unknown = unknown ? unknown : quantity;
   }
-  return std::nullopt;
+  return style.colour ? unknown : std::nullopt;
 }
 
 }  // namespace

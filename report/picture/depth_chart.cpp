@@ -61,6 +61,7 @@ class Chart {
     range();
     track();
     marked();
+    beside();
     svg_.add("</g>\n");
     addFrame(svg_, box_);
     band();
@@ -190,6 +191,17 @@ class Chart {
     }
   }
 
+  /// The simulated flight of the same mission.
+  void beside() {
+    const auto lines = linesOf(valuesOf(trace_, "sim_depth"));
+    if (isKnown(trace_, "sim_depth")) {
+      svg_.add(
+          "<style>.beside { stroke: #b3206b; stroke-width: 1.2; stroke-dasharray: 6 3 }</style>\n");
+      addPath(svg_, "beside", lines);
+      legend_.push_back({"beside", "", "simulated flight"});
+    }
+  }
+
   /// All pieces of one colour are one path.
   void track() {
     ColouredLines by_colour;
@@ -199,6 +211,9 @@ class Chart {
       for (size_t row = piece.begin; row <= piece.end; ++row) {
         if (std::isfinite(depth_[row])) {
           line.push_back(at(time_[row], depth_[row]));
+        } else if (trace_.log && !line.empty()) {  // nothing was logged for long
+          lines.push_back(simplified(line, kUnseen));
+          line.clear();
         }
       }
       lines.push_back(simplified(line, kUnseen));
@@ -207,6 +222,9 @@ class Chart {
   }
 
   void band() {
+    if (!hasPilots(trace_)) {
+      return;
+    }
     const double top = box_.top - kBand, high = kBand - 7;
     for (const Span& span : spansOf(trace_)) {
       const double left = at(time_[span.begin], 0).x, right = at(time_[span.end], 0).x;

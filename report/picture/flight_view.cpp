@@ -27,6 +27,10 @@ bool isKnown(const Trace& trace, std::string_view name) {
   return std::ranges::any_of(valuesOf(trace, name), [](double v) { return std::isfinite(v); });
 }
 
+bool hasPilots(const Trace& trace) {
+  return !trace.log || isKnown(trace, "state");
+}
+
 std::vector<double> pilotsOf(const Trace& trace) {
   std::vector<double> pilots = valuesOf(trace, "state");
   const auto active = valuesOf(trace, "hook_active");
@@ -58,7 +62,7 @@ std::vector<Span> spansOf(const Trace& trace) {
 }
 
 std::string pilotName(const Trace& trace, double pilot) {
-  return pilot == kLayered     ? "layered control"
+  return pilot == kLayered     ? (trace.log ? "state not known" : "layered control")
          : pilot == kStateless ? "payload computer"
                                : stateName(trace, pilot);
 }

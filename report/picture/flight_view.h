@@ -27,6 +27,9 @@ struct Span {
 std::vector<double> valuesOf(const support::Trace& trace, std::string_view name);
 /// Whether column `name` exists and has a known value.
 bool isKnown(const support::Trace& trace, std::string_view name);
+/// False if the trace does not say at all what controls the vehicle, or what it does: a log of few
+/// sensors.
+bool hasPilots(const support::Trace& trace);
 /// What controls the vehicle, one for each row.
 std::vector<double> pilotsOf(const support::Trace& trace);
 /// The stretches in order, without a gap.

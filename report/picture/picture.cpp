@@ -9,6 +9,7 @@
 #include "report/picture/track_map.h"
 #include "report/svg/text_lines.h"
 #include "report/text.h"
+#include "support/utc.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,7 +49,8 @@ constexpr double kWide = 940, kWideWithMap = 1080, kAxisRoom = 62;
 
 std::string headlineOf(const Trace& trace) {
   const FlightFigures figures = flightFigures(trace);
-  std::string text = "scenario " + plain(trace.scenario);
+  std::string text = trace.log ? "from " + support::utcText(trace.log->utc_s) + " UTC"
+                               : "scenario " + plain(trace.scenario);
   if (std::isfinite(figures.duration_s)) {
     const auto minutes = static_cast<long>(std::lround(figures.duration_s / 60));
     text += minutes >= 100 ? fmt::format(" · {} h {:02} min", minutes / 60, minutes % 60)
@@ -59,13 +61,17 @@ std::string headlineOf(const Trace& trace) {
                         figures.deepest_m);
   }
   if (figures.track != TrackSource::None) {
-    text += fmt::format(" · {:.1f} km over ground", figures.distance_m / 1000);
+    text += fmt::format(" · {:.1f} km {}", figures.distance_m / 1000,
+                        trace.log ? "dead-reckoned track" : "over ground");
   }
   return text;
 }
 
 /// The states of the flight, each once, in the mission's order, then the time without a state.
 std::vector<LegendEntry> pilotEntries(const Trace& trace) {
+  if (!hasPilots(trace)) {
+    return {};
+  }
   std::vector<double> pilots;
   for (const Span& span : spansOf(trace)) {
     if (std::ranges::find(pilots, span.pilot) == pilots.end()) {
@@ -107,7 +113,7 @@ std::string drawPicture(const Trace& trace, const PictureStyle& style) {
   const double legend_top = box.bottom + kAxisRoom;
   const double height =
       legend_top + drawLegend(body, legend, {kLeft, legend_top}, width - kLeft - kMargin) + 2;
-  const std::string name = trace.mission.empty() ? "layered control" : plain(trace.mission);
+  const std::string name = trace.mission.empty() ? "layered control" : plain(flightTitle(trace));
   SvgText svg;
   svg.add(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" width=\"{0}\" height=\"{1}\" "

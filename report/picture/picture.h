@@ -19,7 +19,7 @@ struct TrackQuantity {
   std::string_view title;   ///< of the colour bar, with its unit
 };
 
-/// Every quantity that can colour a track.
+/// Every quantity that can colour a track; one that several instruments measure has several rows.
 std::span<const TrackQuantity> pictureQuantities();
 
 /// How a flight is drawn.

@@ -15,6 +15,8 @@ namespace {
 
 using support::Trace;
 
+constexpr std::string_view kFixColour = "#b3206b";
+
 struct Track {
   std::vector<double> east, north;
 };
@@ -35,14 +37,19 @@ class Map {
       : svg_(svg),
         trace_(trace),
         box_(box),
-        truth_(isKnown(trace, "true_x") ? trackOf(trace, "true_x", "true_y")
-                                        : trackOf(trace, "m_x_lmc", "m_y_lmc")) {
+        truth_(isKnown(trace, "true_x")    ? trackOf(trace, "true_x", "true_y")
+               : isKnown(trace, "m_x_lmc") ? trackOf(trace, "m_x_lmc", "m_y_lmc")
+                                           : trackOf(trace, "dr_x", "dr_y")),
+        legs_(valuesOf(trace, "dr_leg")),
+        fixes_(trackOf(trace, "gps_x", "gps_y")) {
     Track both = truth_;  // and everything else on the map
     if (isKnown(trace, "true_x")) {
       reckoned_ = trackOf(trace, "m_x_lmc", "m_y_lmc");
       both.east.insert(both.east.end(), reckoned_.east.begin(), reckoned_.east.end());
       both.north.insert(both.north.end(), reckoned_.north.begin(), reckoned_.north.end());
     }
+    both.east.insert(both.east.end(), fixes_.east.begin(), fixes_.east.end());
+    both.north.insert(both.north.end(), fixes_.north.begin(), fixes_.north.end());
     for (const Dot& dot : waypoints_) {
       both.east.push_back(dot.x);
       both.north.push_back(dot.y);
@@ -58,12 +65,16 @@ class Map {
     axes();
     addPath(svg_, "reckoned", {lineOf(reckoned_, 0, reckoned_.east.size())});
     flown();
+    const bool has_fixes = drawFixes();
     addFrame(svg_, box_);
     ends();
     waypoints();
     std::vector<LegendEntry> legend;
     if (!reckoned_.east.empty()) {
       legend.push_back({"reckoned", "", "dead-reckoned track"});
+    }
+    if (has_fixes) {
+      legend.push_back({"swatch", std::string(kFixColour), "GPS fix"});
     }
     if (!waypoints_.empty()) {
       legend.push_back({"waypoint", "", "waypoint"});
@@ -106,10 +117,32 @@ class Map {
   void flown() {
     ColouredLines by_colour;
     for (const Span& span : spansOf(trace_)) {
-      by_colour[std::string(pilotColour(span.pilot))].push_back(
-          lineOf(truth_, span.begin, span.end));
+      std::vector<Line>& lines = by_colour[std::string(pilotColour(span.pilot))];
+      size_t begin = span.begin;
+      for (size_t row = span.begin + 1; row <= span.end; ++row) {
+        // A GPS fix has moved the dead-reckoned position: no track leads there.
+        if (std::isfinite(legs_[row]) && legs_[row] > legs_[row - 1]) {
+          lines.push_back(lineOf(truth_, begin, row - 1));
+          begin = row;
+        }
+      }
+      lines.push_back(lineOf(truth_, begin, span.end));
     }
     addPaths(svg_, "track", by_colour);
+  }
+
+  /// False if there are none.
+  bool drawFixes() {
+    bool any = false;
+    for (size_t row = 0; row < fixes_.east.size(); ++row) {
+      if (std::isfinite(fixes_.east[row])) {
+        const Dot dot = at(fixes_.east[row], fixes_.north[row]);
+        svg_.add("<circle cx=\"{}\" cy=\"{}\" r=\"2.5\" fill=\"{}\"/>\n", px(dot.x), px(dot.y),
+                 kFixColour);
+        any = true;
+      }
+    }
+    return any;
   }
 
   void waypoints() {
@@ -161,6 +194,8 @@ class Map {
   const Trace& trace_;
   Box box_;
   Track truth_, reckoned_;
+  std::vector<double> legs_;  ///< of a log, see report/README.md
+  Track fixes_;
   std::vector<Dot> waypoints_ = waypointsOf(trace_);
   double metres_ = 1;
   Dot middle_;

@@ -41,13 +41,20 @@ struct Bounds {
 std::vector<Dot> waypointsOf(const Trace& trace) {
   constexpr size_t kMost = 40;
   constexpr double kSame = 1;  // m
-  const auto lat = valuesOf(trace, "true_lat"), lon = valuesOf(trace, "true_lon");
-  const auto x = valuesOf(trace, "true_x"), y = valuesOf(trace, "true_y");
+  const bool logged = trace.log.has_value();
+  const auto lat = valuesOf(trace, logged ? "m_lat" : "true_lat");
+  const auto lon = valuesOf(trace, logged ? "m_lon" : "true_lon");
+  const auto x = valuesOf(trace, logged ? "dr_x" : "true_x");
+  const auto y = valuesOf(trace, logged ? "dr_y" : "true_y");
   const auto to_lat = valuesOf(trace, "c_wpt_lat"), to_lon = valuesOf(trace, "c_wpt_lon");
-  if (lat.empty() || !std::isfinite(lat[0] + lon[0] + x[0] + y[0])) {
+  size_t known = 0;
+  while (logged && known < lat.size() && !std::isfinite(lat[known] + x[known])) {
+    ++known;
+  }
+  if (known >= lat.size() || !std::isfinite(lat[known] + lon[known] + x[known] + y[known])) {
     return {};
   }
-  const Anchor anchor{lat[0], lon[0], x[0], y[0]};
+  const Anchor anchor{lat[known], lon[known], x[known], y[known]};
   const Bounds flown{extentOf(x), extentOf(y)};
   std::vector<Dot> found;
   for (size_t row = 0; row < to_lat.size() && found.size() <= kMost; ++row) {

@@ -5,11 +5,11 @@
 
 #include "slocum/data_files/header.h"
 #include "slocum/data_tables/merge.h"
+#include "support/utc.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <iterator>
 
@@ -32,6 +32,8 @@ struct Figures {
     }
   }
 };
+
+using support::utcText;
 
 std::string_view word(Computer computer) {
   return computer == Computer::Flight ? "flight" : "science";
@@ -113,21 +115,6 @@ std::string sensorsText(const std::vector<LogFile>& files,
 }
 
 }  // namespace
-
-std::string utcText(double time) {
-  // From 1900 to 2200: anything else is a clock that was never set, or damage.
-  if (!(time > -2208988800.0 && time < 7258118400.0)) {
-    return "unknown";
-  }
-  const std::chrono::sys_seconds seconds{
-      std::chrono::seconds(static_cast<int64_t>(std::floor(time)))};
-  const auto days = std::chrono::floor<std::chrono::days>(seconds);
-  const std::chrono::year_month_day day(days);
-  const int64_t rest = (seconds - days).count();
-  return fmt::format("{:04}-{:02}-{:02} {:02}:{:02}:{:02}", static_cast<int>(day.year()),
-                     static_cast<unsigned>(day.month()), static_cast<unsigned>(day.day()),
-                     rest / 3600, rest / 60 % 60, rest % 60);
-}
 
 std::string summaryOf(const std::vector<LogFile>& files, const std::vector<std::string>& patterns) {
   const std::string count = files.size() == 1 ? "1 file" : fmt::format("{} files", files.size());

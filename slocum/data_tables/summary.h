@@ -15,7 +15,4 @@ namespace glider::slocum {
 /// names them.
 std::string summaryOf(const std::vector<LogFile>& files, const std::vector<std::string>& patterns);
 
-/// "2019-08-09 15:24:50"; "unknown" for what is not a time.
-std::string utcText(double time);
-
 }  // namespace glider::slocum

@@ -74,6 +74,10 @@ std::string traceToJson(const Trace& trace) {
                      {"times", trace.field.times_s},
                      {"depths", trace.field.depths_m},
                      {"values", trace.field.values}}}};
+  if (trace.log) {
+    document["log"] = {
+        {"vehicle", trace.log->vehicle}, {"utc", trace.log->utc_s}, {"beside", trace.log->beside}};
+  }
   if (trace.requirement) {
     document["settings"] = trace.settings;
     document["requirement"] = *trace.requirement;

@@ -40,6 +40,14 @@ struct TraceField {
   std::vector<double> values;  ///< times × depths, depth fastest
 };
 
+/// What only a flight that a real vehicle has logged has.
+struct VehicleLog {
+  std::string vehicle;             ///< its name
+  double utc_s = 0;                ///< UTC of time 0 by the vehicle's clock, s since 1970
+  std::string beside;              ///< the simulated flight that is drawn beside it; "": none
+  std::vector<std::string> notes;  ///< what the reader must know, one sentence each
+};
+
 /// One flight: the only trace format of verifier, simulator and report.
 struct Trace {
   std::string mission;   ///< name of the mission
@@ -55,6 +63,7 @@ struct Trace {
   std::vector<double> rows;             ///< row-major, columns.size() values per row
   std::vector<TraceEvent> events;       ///< in order of time
   TraceField field;
+  std::optional<VehicleLog> log;  ///< empty for a simulated flight or a counterexample
 
   [[nodiscard]] size_t rowCount() const {
     return columns.empty() ? 0 : rows.size() / columns.size();
@@ -71,8 +80,11 @@ struct Trace {
 std::string traceToCsv(const Trace& trace);
 /// The whole trace as one JSON object (NaN is null): what the report page reads.
 std::string traceToJson(const Trace& trace);
-/// Reads what traceToJson writes, except for the field; `name` is for messages. GL9360 if it is not
-/// such a trace.
+/// Reads what traceToJson writes, except for the field and the log; `name` is for messages. GL9360
+/// if it is not such a trace.
 Result<Trace> traceFromJson(const std::string& text, const std::string& name);
+/// Reads the rows and columns that traceToCsv writes; `name` is for messages. GL9366 if it is not
+/// such a table, or has no depth.
+Result<Trace> traceFromCsv(const std::string& text, const std::string& name);
 
 }  // namespace glider::support

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -105,7 +106,8 @@ TEST(DataLog, NeverOverwritesItsInput) {
   const TemporaryFolder folder;
   const std::string bytes = write(draftOf("unit"));
   const auto path = folder.write("a.sbd", bytes);
-  for (const std::string& option : std::vector<std::string>{"--csv", "--netcdf"}) {
+  for (const std::string& option :
+       std::vector<std::string>{"--csv", "--netcdf", "--report", "--picture"}) {
     const Outcome refused = logOf(folder, "a.sbd " + option + " ./a.sbd");
     EXPECT_EQ(refused.status, 2);
     EXPECT_NE(refused.err.find("[GL9350 "), std::string::npos) << refused.err;
@@ -116,10 +118,129 @@ TEST(DataLog, NeverOverwritesItsInput) {
 TEST(DataLog, OptionsOfDataFilesAreNotForMissionLogs) {
   const TemporaryFolder folder;
   (void)folder.write("mission.log", "hello");
-  const Outcome refused = logOf(folder, "mission.log --netcdf o.nc");
-  EXPECT_EQ(refused.status, 2);
-  EXPECT_NE(refused.err.find("[GL5200 "), std::string::npos) << refused.err;
+  for (const std::string& option :
+       std::vector<std::string>{"--netcdf o.nc", "--report o.html", "--picture o.svg"}) {
+    const Outcome refused = logOf(folder, "mission.log " + option);
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_NE(refused.err.find("[GL5200 "), std::string::npos) << refused.err;
+  }
   EXPECT_NE(logOf(folder, "mission.log").err.find("[GL9363 "), std::string::npos);
+}
+
+/// A dive to 40 m and back, a record every 20 s.
+Draft diveOf(const std::string& vehicle) {
+  Draft draft = draftOf(vehicle);
+  draft.rows.resize(1);
+  for (int i = 0; i <= 60; ++i) {
+    const double depth = i < 10 || i > 50 ? 0.5 : 40.0 - 2.0 * std::abs(i - 30);
+    draft.rows.push_back({{'*', depth}, {'*', 1719946531.0 + 20 * i}});
+  }
+  return draft;
+}
+
+const char* const kFlight =
+    "time (s),missiontime (s),m_depth (m),m_pitch (rad)\n0,,0,\n4,,3,0.1\n30,,33,\n";
+
+TEST(DataLogReport, WritesThePageAndThePicture) {
+  const TemporaryFolder folder;
+  (void)folder.write("a.sbd", write(diveOf("unit")));
+  // accepts: GL5204 GL9366 GL9367
+  const Outcome drawn = logOf(folder, "a.sbd --report p.html --picture p.svg --csv o.csv");
+  EXPECT_EQ(drawn.status, 0) << drawn.err;
+  EXPECT_EQ(drawn.out, "");
+  const std::string page = slurp(folder.path() / "p.html");
+  EXPECT_NE(page.find("<title>unit: TEST.MI</title>"), std::string::npos);
+  EXPECT_NE(page.find("\"beside\":\"\""), std::string::npos);
+  EXPECT_NE(page.find("left the surface"), std::string::npos);
+  EXPECT_NE(slurp(folder.path() / "p.svg").find(">unit: TEST.MI</text>"), std::string::npos);
+  EXPECT_TRUE(slurp(folder.path() / "o.csv").starts_with("time_s,computer,m_depth,"));
+}
+
+TEST(DataLogReport, DrawsASimulatedFlightBeside) {
+  const TemporaryFolder folder;
+  (void)folder.write("a.sbd", write(diveOf("unit")));
+  (void)folder.write("f.csv", kFlight);
+  const Outcome drawn = logOf(folder, "a.sbd --beside f.csv --report p.html --picture p.svg");
+  EXPECT_EQ(drawn.status, 0) << drawn.err;
+  const std::string page = slurp(folder.path() / "p.html");
+  EXPECT_NE(page.find("\"beside\":\"f.csv\""), std::string::npos);
+  EXPECT_NE(page.find("sim_depth"), std::string::npos);
+  EXPECT_NE(slurp(folder.path() / "p.svg").find("simulated flight"), std::string::npos);
+  EXPECT_EQ(logOf(folder, "a.sbd --beside f.csv").status, 2) << "there is nothing to draw it in";
+}
+
+/// Checks that drawing `words` fails with 2 and `code`, and writes nothing.
+void expectRefused(const TemporaryFolder& folder, const std::string& words,
+                   const std::string& code) {
+  const Outcome refused = logOf(folder, words + " --report p.html");
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("[" + code + " "), std::string::npos) << refused.err;
+  EXPECT_FALSE(fs::exists(folder.path() / "p.html"));
+}
+
+TEST(DataLogReport, WhatCannotBeDrawnIsRefused) {
+  const TemporaryFolder folder;
+  (void)folder.write("a.sbd", write(diveOf("unit")));
+  (void)folder.write("b.sbd", write(diveOf("other")));
+  (void)folder.write("bad.csv", "hello\n");
+  (void)folder.write("flat.csv", "time (s),m_depth (m)\n0,0\n4,1\n");
+  Draft blind = diveOf("unit");
+  blind.sensors[0].name = "m_pitch";
+  (void)folder.write("blind.sbd", write(blind));
+  expectRefused(folder, "a.sbd b.sbd", "GL9365");
+  expectRefused(folder, "blind.sbd", "GL5204");
+  expectRefused(folder, "a.sbd --beside bad.csv", "GL9366");
+  expectRefused(folder, "a.sbd --beside flat.csv", "GL9367");
+  expectRefused(folder, "a.sbd --beside none.csv", "GL9001");
+}
+
+TEST(DataLogReport, NeverOverwritesTheFlightBeside) {
+  const TemporaryFolder folder;
+  (void)folder.write("a.sbd", write(diveOf("unit")));
+  const auto path = folder.write("f.csv", kFlight);
+  EXPECT_EQ(logOf(folder, "a.sbd --beside f.csv --picture ./f.csv").status, 2);
+  EXPECT_EQ(slurp(path), kFlight);
+}
+
+TEST(DataLogReport, AnAbortIsOnThePageAndTheCommandSucceeds) {
+  const TemporaryFolder folder;
+  Draft draft = diveOf("unit");
+  draft.sensors.push_back({"x_mission_status", "enum", 1, true});
+  for (size_t i = 0; i < draft.rows.size(); ++i) {
+    draft.rows[i].push_back({'*', i < 30 ? 0.0 : 7.0});
+  }
+  (void)folder.write("a.sbd", write(draft));
+  const Outcome drawn = logOf(folder, "a.sbd --report p.html");
+  EXPECT_EQ(drawn.status, 0) << drawn.err;
+  EXPECT_NE(slurp(folder.path() / "p.html")
+                .find("the vehicle aborted at 2024-07-02 19:05:11 UTC: too deep, mission status 7"),
+            std::string::npos);
+}
+
+TEST(DataLogReport, ASimulatedFlightIsDrawnBesideARealOne) {
+  const fs::path real = fs::path(GLIDER_SOURCE_DIR) / "../shared/data/dbd";
+  if (!fs::exists(real)) {
+    GTEST_SKIP() << "the real data files are not here: " << real;
+  }
+  const TemporaryFolder folder;
+  const std::string mission =
+      (real / "../missions/comet-and-helgoland/nsb3/nsb3.mi").lexically_normal().string();
+  // Wherever its waypoints are, the simulated glider dives.
+  (void)folder.write("there.toml",
+                     "name = \"there\"\nskeleton = \"skeleton.mi\"\nduration_s = 3600\n"
+                     "[start]\nlatitude_deg = 54.3161\nlongitude_deg = 7.4098\n"
+                     "[ocean]\nwater_depth_m = 45.0\n");
+  fs::copy_file(fs::path(GLIDER_SOURCE_DIR) / "scenarios/skeleton.mi",
+                folder.path() / "skeleton.mi");
+  const Outcome flown = runShell("cd " + folder.path().string() + " && $GLIDERCC sim " + mission +
+                                 " --scenario there.toml -o flight");
+  ASSERT_EQ(flown.status, 0) << flown.err;
+  const std::string log = (real / "comet-2019-222-02-154").string();
+  const Outcome drawn =
+      logOf(folder, log + ".dbd " + log + ".ebd --beside flight/trace.csv --report p.html");
+  EXPECT_EQ(drawn.status, 0) << drawn.err;
+  EXPECT_NE(slurp(folder.path() / "p.html").find("<title>comet: NSB3.MI</title>"),
+            std::string::npos);
 }
 
 /// The lines below `    $ COMMAND` in the guide, without their indentation, up to an empty line
@@ -155,6 +276,30 @@ TEST(DataLog, TheGuideShowsWhatRealFilesGive) {
     EXPECT_EQ(shown.out, guideOutput(command));
     EXPECT_EQ(shown.status, 0) << shown.err;
   }
+}
+
+TEST(DataLogReport, TheCommandsOfTheGuideDrawRealFiles) {
+  const fs::path real = fs::path(GLIDER_SOURCE_DIR) / "../shared/data/dbd";
+  if (!fs::exists(real)) {
+    GTEST_SKIP() << "the real data files are not here: " << real;
+  }
+  const TemporaryFolder folder;
+  for (const char* name : {"comet-2019-218-00-034.dbd", "comet-2019-218-00-034.ebd", "cac"}) {
+    fs::create_symlink(real / name, folder.path() / name);
+  }
+  fs::create_directory(folder.path() / "flight");
+  (void)folder.write("flight/trace.csv", kFlight);
+  const std::string page = slurp(fs::path(GLIDER_SOURCE_DIR) / "docs/guide.md");
+  const std::string files = "comet-2019-218-00-034.dbd comet-2019-218-00-034.ebd ";
+  for (const std::string& words : {files + "--report comet.html --picture comet.svg",
+                                   files + "--beside flight/trace.csv --report comet.html"}) {
+    EXPECT_NE(page.find("    glidercc log " + words + "\n"), std::string::npos) << words;
+    const Outcome drawn = logOf(folder, words);
+    EXPECT_EQ(drawn.status, 0) << drawn.err;
+  }
+  EXPECT_NE(slurp(folder.path() / "comet.html").find("<title>comet: SPIRAL.MI</title>"),
+            std::string::npos);
+  EXPECT_NE(slurp(folder.path() / "comet.svg").find("</svg>"), std::string::npos);
 }
 
 }  // namespace

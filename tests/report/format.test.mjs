@@ -13,7 +13,7 @@ const bundled = buildSync({
   entryPoints: [new URL("src/format.ts", page).pathname], bundle: true, format: "esm", write: false,
 });
 const text = bundled.outputFiles[0].text;
-const { digitsFor, fixed } = await import(`data:text/javascript,${encodeURIComponent(text)}`);
+const { digitsFor, fixed, utcMark, utcText } = await import(`data:text/javascript,${encodeURIComponent(text)}`);
 
 test("an axis shows each of its steps without rounding", () => {
   const cases = [[1, 0], [2, 0], [10, 0], [250, 0], [2.5, 1], [0.5, 1], [0.2, 1], [0.25, 2], [0.1, 1], [0.025, 3], [0.001, 3]];
@@ -21,6 +21,15 @@ test("an axis shows each of its steps without rounding", () => {
     assert.equal(digitsFor(step), digits, `step ${step}`);
   }
   assert.deepEqual([0, 2.5, 5, 7.5].map((v) => fixed(v, digitsFor(2.5))), ["0.0", "2.5", "5.0", "7.5"]);
+});
+
+test("the marks of a UTC axis are times, and dates at midnight", () => {
+  const noon = Date.UTC(2019, 7, 9, 12) / 1000;
+  assert.equal(utcText(noon + 59.9), "2019-08-09 12:00:59", "as the terminal shows it, which does not round");
+  assert.equal(utcMark(noon + 61, 1), "12:01:01");
+  assert.equal(utcMark(noon + 61, 60), "12:01");
+  assert.equal(utcMark(noon + 43200, 3600), "08-10");
+  assert.equal(utcMark(noon, 86400), "08-09");
 });
 
 test("a step that is none ends", () => {

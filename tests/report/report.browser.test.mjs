@@ -184,6 +184,51 @@ describe("other flights", () => {
     await picture(page, "bare");
   }));
 
+  test("the log of a vehicle", () => withPage("log", async (page) => {
+    await ready(page);
+    await settle(page);
+    assert.equal(await page.eval("document.title"), "comet: SPIRAL.MI: flight report");
+    const head = await text(page, "#header");
+    assert.match(head, /log of the vehicle · 2019-08-09 15:24:32 to 16:05:12 UTC · simulated flight: flight\/trace.csv · 3 events/);
+    assert.doesNotMatch(head, /seed|layered/);
+    assert.match(head, /a note/);
+    assert.match(head, /energy used\s*6\.1 Wh/);
+    assert.equal(await count(page, "canvas"), 8, "depth, pitch, heading, pump, vertical speed, battery, power, energy");
+    assert.match(await text(page, "#depth-head"), /simulated flight/);
+    assert.match(await text(page, "#map-legend"), /dead-reckoned track, in the state's colour\s*GPS fix\s*depth-averaged current, up to 0\.22 m\/s\s*simulated flight/);
+    assert.equal(await count(page, "#map .fix"), 2);
+    assert.equal(await count(page, "#map .current"), 2, "one arrow for each estimate");
+    assert.equal(await count(page, "#map .simulated"), 1);
+    // The fix moves the position by 200 m: no piece of the track is that long.
+    const lengths = await page.eval(`[...document.querySelectorAll("#map .faded path")].map((p) => p.getTotalLength())`);
+    assert.ok(lengths.length > 8 && Math.max(...lengths) < 100, "the track jumps to the fix");
+    assert.match(await text(page, "#events tbody"), /15:26:32[^]*left the surface[^]*15:46:12[^]*too deep/);
+    assert.match(await text(page, "#events thead"), /UTC/);
+    const plot = await boxOf(page, "#depth .u-over");
+    await page.mouse("mouseMoved", plot.left + plot.width / 2, plot.top + 100);
+    assert.match(await text(page, ".now"), /15:44:52\s*UTC, 2019-08-09, 1220 s/);
+    assert.equal(await value(page, "cc_final_heading_mode"), "to the waypoint");
+    assert.doesNotMatch(await text(page, "#readout .state"), /control/);
+    await picture(page, "log");
+  }));
+
+  test("the depth of a log has the colours of an instrument, or none", () => withPage("log", async (page) => {
+    await ready(page);
+    await settle(page);
+    const pixels = "document.querySelector('canvas').toDataURL().length";
+    const coloured = await page.eval(pixels);
+    assert.equal(await page.eval("document.querySelector('.chooser select').selectedOptions[0].text"), "temperature");
+    await page.eval("(() => { const s = document.querySelector('.chooser select'); s.value = '-1'; s.dispatchEvent(new Event('change')); })()");
+    await settle(page);
+    assert.ok(await page.eval(pixels) < 0.7 * coloured, "the temperature is still drawn");
+  }));
+
+  test("a simulated flight has no colours to choose", () => withPage("sample", async (page) => {
+    await ready(page);
+    assert.equal(await count(page, ".chooser"), 0);
+    assert.match(await text(page, "#map-legend"), /true track, in the state's colour\s*dead reckoned/);
+  }));
+
   test("a single row", () => withPage("one_row", async (page) => {
     await ready(page);
     assert.equal(await value(page, "m_depth"), "1.2 m");

@@ -240,6 +240,82 @@ Trace longTrace(size_t rows) {
   return trace;
 }
 
+namespace {
+
+/// What becomes of a column of the sample in the log of a vehicle.
+struct Logged {
+  const char* from;
+  support::TraceColumn to;
+};
+
+const Logged kLogged[] = {
+    {"m_x_lmc", {"dr_x", "m"}},
+    {"m_y_lmc", {"dr_y", "m"}},
+    {"true_depth", {"sim_depth", "m"}},
+    {"true_x", {"sim_x", "m"}},
+    {"true_y", {"sim_y", "m"}},
+    {"true_lat", {"m_gps_lat", "deg"}},
+    {"true_lon", {"m_gps_lon", "deg"}},
+    {"c_wpt_x_lmc", {"current_x", "m/s"}},
+    {"c_wpt_y_lmc", {"current_y", "m/s"}},
+    {"hook_active", {"m_leak", ""}},
+    {"hook_vertical", {"dr_leg", ""}},
+    {"hook_depth", {"power", "W"}},
+    {"commanded_top", {"energy", "Wh"}},
+    {"commanded_bottom", {"gps_x", "m"}},
+    {"isotherm_depth", {"gps_y", "m"}},
+    {"layer", {"cc_final_heading_mode", ""}},
+};
+
+/// The columns that only a log has, at a row: a fix moves the position in the middle, where a
+/// current is estimated; before that nothing was logged for a while.
+void fillLogged(Trace& trace, size_t row, size_t middle) {
+  const auto set = [&](const char* name, double value) {
+    trace.rows[row * trace.columns.size() + static_cast<size_t>(trace.column(name))] = value;
+  };
+  const bool later = row >= middle;
+  const bool fix = row == 0 || row == middle;
+  set("state", static_cast<double>(row / 40 % 3));
+  set("current_x", later ? 0.2 : 0.1);
+  set("current_y", later ? -0.1 : 0.1);
+  set("dr_leg", later ? 1 : 0);
+  set("dr_x", trace.at(row, trace.column("dr_x")) + (later ? 200 : 0));
+  for (const char* name : {"m_gps_lat", "m_gps_lon"}) {
+    set(name, fix ? trace.at(row, trace.column(name)) : kNaN);
+  }
+  set("gps_x", fix ? trace.at(row, trace.column("dr_x")) : kNaN);
+  set("gps_y", fix ? trace.at(row, trace.column("dr_y")) : kNaN);
+  set("power", 2);
+  set("energy", static_cast<double>(row) * 0.01);
+  set("cc_final_heading_mode", 0);
+  if (row > middle - 40 && row < middle - 20) {
+    set("m_depth", kNaN);
+    set("water_depth", kNaN);
+  }
+}
+
+}  // namespace
+
+Trace logTrace() {
+  Trace trace = sampleTrace();
+  trace.mission = "SPIRAL.MI";
+  trace.scenario = "";
+  trace.way = "";
+  trace.state_names = {"surface", "dive", "climb", "hover"};
+  trace.field = {};
+  trace.log = support::VehicleLog{"comet", 1565364272, "flight/trace.csv", {"a note"}};
+  for (const Logged& logged : kLogged) {
+    trace.columns[static_cast<size_t>(trace.column(logged.from))] = logged.to;
+  }
+  for (size_t row = 0; row < trace.rowCount(); ++row) {
+    fillLogged(trace, row, trace.rowCount() / 2);
+  }
+  trace.events = {{120, 1000, "dive", "left the surface", ""},
+                  {1220, 2100, "surface", "at the surface", ""},
+                  {1300, 2180, "abort", "too deep", "mission status 7"}};
+  return trace;
+}
+
 Trace hostileTrace() {
   Trace trace = sampleTrace();
   const std::string script = "</script><script>window.glider_was_here = 1</script>";

@@ -25,4 +25,7 @@ support::Trace hostileTrace();
 /// The sample without field, states and events, with a gap of unknown depths.
 support::Trace bareTrace();
 
+/// The same flight as the log of a vehicle would show it, beside a simulated one.
+support::Trace logTrace();
+
 }  // namespace glider::report

@@ -39,6 +39,7 @@ int main(int argc, char** argv) {
       {"one_row", oneRow()},
       {"empty", {}},
       {"long", longTrace(100'000)},
+      {"log", logTrace()},
   };
   for (const auto& [name, trace] : samples) {
     const auto path = folder / (std::string(name) + ".html");

@@ -4,9 +4,10 @@
 /** The main chart: depth over time on the temperature field, as in Figure 5 of the paper. */
 
 import uPlot from "uplot";
+import { colourChooser, Colouring, colouringsOf, paintColouring } from "./colouring";
 import { FieldImage, fieldImage } from "./field_image";
 import { Flight, Values } from "./flight";
-import { clock, fixed, niceStep, quantity } from "./format";
+import { fixed, niceStep, quantity, shownUnit } from "./format";
 import { css, theme, thermal } from "./palette";
 import { markedEvents, paintControl, paintEvents, paintStates, stripHeight } from "./strip";
 import { Line, TimeChart } from "./time_chart";
@@ -14,7 +15,7 @@ import { View } from "./view";
 
 export const rightMargin = 74;
 
-function linesOf(flight: Flight, onField: boolean): Line[] {
+function linesOf(flight: Flight, onField: boolean, coloured: boolean): Line[] {
   const lines: Line[] = [];
   const add = (name: string, line: Omit<Line, "values">) => {
     const values = flight.column(name);
@@ -29,7 +30,8 @@ function linesOf(flight: Flight, onField: boolean): Line[] {
   add("hook_depth", { label: "commanded target", colour: commanded, width: 1.5, dash: [6, 4], stepped: true, hidden: true, ...edge(3.5) });
   const measured = flight.column("m_depth") !== null;
   add("true_depth", { label: "true depth", colour: measured ? "#ffb3c7" : main, width: measured ? 1.3 : 2.4, hidden: measured, ...edge(4.8) });
-  add("m_depth", { label: "measured depth", colour: main, width: 2.4, ...edge(5) });
+  add("sim_depth", { label: "simulated flight", colour: "simulated", width: 1.6, dash: [6, 3] });
+  add("m_depth", { label: "measured depth", colour: main, width: coloured ? 1 : 2.4, ...edge(5) });
   return lines;
 }
 
@@ -43,7 +45,7 @@ function depthRange(lines: Line[]): [number, number] {
       greatest = Math.max(greatest, value);
     }
   }
-  return [least, greatest > 0 ? greatest * 1.08 : 10];
+  return [least, greatest > 0 ? Math.max(greatest * 1.08, 2) : 10];
 }
 
 function paintGround(u: uPlot, field: FieldImage | null): void {
@@ -77,24 +79,27 @@ function paintSeabed(u: uPlot, times: number[], depths: Values): void {
   ctx.beginPath();
   let last = NaN;
   depths.forEach((depth, row) => {
-    if (depth === null) return;
+    if (depth === null) {
+      if (!Number.isNaN(last)) ctx.lineTo(last, bottom);
+      last = NaN;
+      return;
+    }
     const x = u.valToPos(times[row], "x", true);
     if (Number.isNaN(last)) ctx.moveTo(x, bottom);
     ctx.lineTo(x, Math.min(u.valToPos(depth, "y", true), bottom));
     last = x;
   });
-  ctx.lineTo(last, bottom);
+  if (!Number.isNaN(last)) ctx.lineTo(last, bottom);
   ctx.fill();
   ctx.restore();
 }
 
-function paintColourBar(u: uPlot, field: FieldImage, unit: string): void {
+function paintColourBar(u: uPlot, [low, high]: [number, number], unit: string): void {
   const { ctx } = u;
   const scale = devicePixelRatio;
   const { top, height } = u.bbox;
   const left = u.bbox.left + u.bbox.width + 14 * scale;
   const width = 13 * scale;
-  const [low, high] = field.range;
   ctx.save();
   const gradient = ctx.createLinearGradient(0, top, 0, top + height);
   for (let i = 0; i <= 20; ++i) gradient.addColorStop(i / 20, css(thermal(1 - i / 20)));
@@ -112,20 +117,26 @@ function paintColourBar(u: uPlot, field: FieldImage, unit: string): void {
     ctx.fillText(fixed(value, digits), left + width + 8 * scale, y);
   }
   ctx.textBaseline = "alphabetic";
-  ctx.fillText(unit === "degC" ? "°C" : unit, left, top - 8 * scale);
+  ctx.fillText(shownUnit(unit), left, top - 8 * scale);
   ctx.restore();
 }
 
-export function depthChart(host: HTMLElement, flight: Flight, view: View): { chart: TimeChart; lines: Line[]; onField: boolean } {
+/** `chooser`: what else belongs in the chart's head. */
+interface DepthChart { chart: TimeChart; lines: Line[]; onField: boolean; chooser: HTMLElement[] }
+
+export function depthChart(host: HTMLElement, flight: Flight, view: View): DepthChart {
   const field = flight.field ? fieldImage(flight.field) : null;
-  const lines = linesOf(flight, field !== null);
+  const colourings = colouringsOf(flight);
+  let colouring: Colouring | undefined = colourings[0];
+  const lines = linesOf(flight, field !== null, colouring !== undefined);
   const seabed = flight.column("water_depth");
-  const states = flight.spans((row) => flight.pilot(row));
+  const states = flight.log && !flight.column("state") ? [] : flight.spans((row) => flight.pilot(row));
   const control = flight.spans((row) => flight.inControl(row));
   const events = markedEvents(flight);
   const depth = flight.firstOf("m_depth", "true_depth");
+  const depths = depth ? flight.column(depth) : null;
   const describe = (row: number) => {
-    const value = depth ? flight.column(depth)?.[row] ?? null : null;
+    const value = depths?.[row] ?? null;
     return `${value === null ? "depth not known" : `depth ${quantity(value, "m")}`}, ${flight.pilotName(flight.pilot(row))}`;
   };
   const chart = new TimeChart(host, flight, view, {
@@ -134,20 +145,23 @@ export function depthChart(host: HTMLElement, flight: Flight, view: View): { cha
     paintUnder: (u) => {
       paintGround(u, field);
       if (seabed) paintSeabed(u, flight.times, seabed);
+      if (colouring && depths) paintColouring(u, flight.times, depths, colouring);
     },
     paintOver: (u) => {
       paintStates(u, states, (pilot) => flight.pilotName(pilot));
-      paintControl(u, control);
+      if (!flight.log) paintControl(u, control);
       paintEvents(u, events);
-      if (field && flight.field) paintColourBar(u, field, flight.field.unit);
+      if (field && flight.field) paintColourBar(u, field.range, flight.field.unit);
+      if (colouring) paintColourBar(u, colouring.range, colouring.unit);
     },
   });
-  attachTips(chart.plot, events);
-  return { chart, lines, onField: field !== null };
+  attachTips(chart.plot, flight, events);
+  const choose = (index: number) => { colouring = colourings[index]; chart.redraw(); };
+  return { chart, lines, onField: field !== null, chooser: colourings.length === 0 ? [] : [colourChooser(colourings, choose)] };
 }
 
 /** What happened under the pointer, as a small note beside it. */
-function attachTips(u: uPlot, events: ReturnType<typeof markedEvents>): void {
+function attachTips(u: uPlot, flight: Flight, events: ReturnType<typeof markedEvents>): void {
   const tip = document.createElement("div");
   tip.className = "tip";
   tip.hidden = true;
@@ -164,7 +178,7 @@ function attachTips(u: uPlot, events: ReturnType<typeof markedEvents>): void {
       const head = document.createElement("b");
       head.textContent = e.what;
       const rest = document.createElement("span");
-      rest.textContent = `${e.kind} at ${clock(e.time)}${e.missionTime === null ? "" : `, mission time ${fixed(e.missionTime, 0)} s`}`;
+      rest.textContent = `${e.kind} at ${flight.clock(e.time)}${e.missionTime === null ? "" : `, mission time ${fixed(e.missionTime, 0)} s`}`;
       const why = document.createElement("span");
       why.textContent = e.why;
       return e.why === "" ? [head, rest] : [head, rest, why];

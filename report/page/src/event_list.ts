@@ -5,7 +5,7 @@
 
 import { element } from "./dom";
 import { Flight, FlightEvent } from "./flight";
-import { clock, fixed } from "./format";
+import { fixed } from "./format";
 import { kindOf } from "./kinds";
 import { View } from "./view";
 
@@ -17,11 +17,11 @@ function badge(kind: string): HTMLElement {
   return element("span", { class: `badge ${colour}` }, element("i", { "aria-hidden": "true" }, glyph), kind);
 }
 
-function rowOf(event: FlightEvent, view: View): HTMLElement {
+function rowOf(event: FlightEvent, flight: Flight, view: View): HTMLElement {
   const seconds = (v: number | null) => (v === null ? "–" : `${fixed(v, 0)} s`);
   const { time } = event;
   const when = time === null ? element("span", {}, "–")
-    : element("button", { type: "button", title: "show this moment in the charts" }, clock(time));
+    : element("button", { type: "button", title: "show this moment in the charts" }, flight.clock(time));
   const row = element("tr", { "data-kind": event.kind },
     element("td", { class: "number" }, when, element("span", { class: "aside" }, time === null ? "" : ` ${seconds(time)}`)),
     element("td", { class: "number" }, seconds(event.missionTime)), element("td", {}, badge(event.kind)),
@@ -39,7 +39,7 @@ export function eventList(host: HTMLElement, flight: Flight, view: View): void {
   const more = element("button", { type: "button", class: "more" });
   const fill = () => {
     const chosen = flight.events.filter((e) => !hidden.has(e.kind));
-    body.replaceChildren(...chosen.slice(0, most).map((e) => rowOf(e, view)));
+    body.replaceChildren(...chosen.slice(0, most).map((e) => rowOf(e, flight, view)));
     more.hidden = chosen.length <= most;
     more.textContent = `show ${Math.min(batch, chosen.length - most)} more of ${chosen.length - most}`;
   };
@@ -54,7 +54,7 @@ export function eventList(host: HTMLElement, flight: Flight, view: View): void {
     });
     filters.append(button);
   }
-  const heads = ["vehicle time", "mission time", "kind", "what", "why"];
+  const heads = [flight.log ? "UTC" : "vehicle time", "mission time", "kind", "what", "why"];
   const table = element("table", {}, element("thead", {}, element("tr", {}, ...heads.map((h) => element("th", { scope: "col" }, h)))), body);
   host.replaceChildren(filters, element("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": "Events" }, table), more);
   fill();

@@ -3,6 +3,8 @@
 
 /** The flight as the compiler's side wrote it into the page, and the quick look-ups that all views share. */
 
+import { clock, utcText } from "./format";
+
 export interface Column { name: string; unit: string }
 
 export interface FlightEvent {
@@ -34,6 +36,15 @@ export interface Figures {
 /** What went wrong (with a code), or what else to know of the flight. */
 export interface Warning { code: string; slug: string; message: string; hint: string }
 
+/** What only a flight that a real vehicle has logged has. */
+export interface VehicleLog {
+  vehicle: string;
+  /** UTC of time 0, s since 1970. */
+  utc: number;
+  /** The simulated flight that is drawn beside it; "": none. */
+  beside: string;
+}
+
 interface TraceJson {
   mission: string;
   scenario: string;
@@ -44,6 +55,7 @@ interface TraceJson {
   rows: (number | null)[];
   events: FlightEvent[];
   field: Field;
+  log?: VehicleLog;
 }
 
 export type Values = (number | null)[];
@@ -64,6 +76,7 @@ export class Flight {
   readonly columns: Column[];
   readonly events: FlightEvent[];
   readonly field: Field | null;
+  readonly log: VehicleLog | null;
   /** Vehicle time of each row, ascending, s. */
   readonly times: number[];
   /** The columns that have a value somewhere. */
@@ -81,6 +94,7 @@ export class Flight {
     this.columns = t.columns;
     this.events = t.events;
     this.field = soundField(t.field);
+    this.log = t.log ?? null;
     const rows = rowsInOrder(t);
     const width = t.columns.length;
     t.columns.forEach((column, c) => {
@@ -106,8 +120,23 @@ export class Flight {
     return time - this.times[above - 1] <= this.times[above] - time ? above - 1 : above;
   }
 
-  /** True while hookbeh flies: the column hook_active, or a current state where there is none. */
+  /** The mission, for a log after its vehicle. */
+  get title(): string {
+    const mission = this.mission === "" ? "A flight" : this.mission;
+    return this.log ? `${this.log.vehicle}: ${mission}` : mission;
+  }
+
+  /** How a time is written: since the start, for a log UTC, with its date if the log is of several days. */
+  clock(time: number): string {
+    if (!this.log) return clock(time);
+    const text = utcText(this.log.utc + time);
+    const last = this.times[this.times.length - 1] ?? 0;
+    return utcText(this.log.utc).slice(0, 10) === utcText(this.log.utc + last).slice(0, 10) ? text.slice(11) : text;
+  }
+
+  /** True while hookbeh flies: the column hook_active, or a current state where there is none. A log has no hookbeh. */
   inControl(row: number): boolean {
+    if (this.log) return false;
     const active = this.column("hook_active");
     return active ? (active[row] ?? 0) > 0 : (this.column("state")?.[row] ?? null) !== null;
   }
@@ -119,7 +148,8 @@ export class Flight {
   }
 
   pilotName(pilot: Pilot): string {
-    return pilot === "sbc" ? "SBC" : pilot === "layered" ? "layered control" : this.stateNames[pilot] ?? `state ${pilot}`;
+    if (pilot === "layered") return this.log ? "state not known" : "layered control";
+    return pilot === "sbc" ? "SBC" : this.stateNames[pilot] ?? `state ${pilot}`;
   }
 
   /** Runs of rows for which `of` gives the same. */

@@ -12,6 +12,18 @@ export function clock(seconds: number): string {
   return sign + (h > 0 ? `${h}:${two(m)}:${two(s)}` : `${m}:${two(s)}`);
 }
 
+/** `2019-08-09 15:24:32` for seconds since 1970. */
+export function utcText(seconds: number): string {
+  return new Date(Math.floor(seconds) * 1000).toISOString().slice(0, 19).replace("T", " ");
+}
+
+/** A mark of a UTC axis whose marks are `step` s apart: `15:24`, and the date `08-09` at midnight. */
+export function utcMark(seconds: number, step: number): string {
+  const text = utcText(seconds);
+  if (step >= 86400 || text.endsWith(" 00:00:00")) return text.slice(5, 10);
+  return step < 60 ? text.slice(11) : text.slice(11, 16);
+}
+
 export function fixed(value: number, digits: number): string {
   const text = value.toFixed(digits);
   return (Number(text) === 0 ? text.replace("-", "") : text).replace("-", "−");
@@ -36,7 +48,7 @@ export function degreesMinutes(degrees: number, positive: string, negative: stri
   return `${Math.floor(thousandths / 60000)}° ${minutes}′ ${degrees < 0 ? negative : positive}`;
 }
 
-const shownUnits = new Map([["degC", "°C"], ["cc", "cm³"], ["deg", "°"], ["rad", "°"], ["id", ""]]);
+const shownUnits = new Map([["degC", "°C"], ["ug/l", "µg/L"], ["uM", "µmol/L"], ["ntu", "NTU"], ["nodim", ""], ["cc", "cm³"], ["deg", "°"], ["rad", "°"], ["id", ""]]);
 
 /** The unit in which values of `unit` are shown: angles in degrees. */
 export function shownUnit(unit: string): string {
@@ -46,7 +58,7 @@ export function shownUnit(unit: string): string {
 /** What a value in `unit` is multiplied by to be shown in shownUnit(unit). */
 export function shownFactor(unit: string): number { return unit === "rad" ? 180 / Math.PI : 1; }
 
-const digitsOf = new Map([["m", 1], ["rad", 1], ["degC", 2], ["s", 0], ["V", 2], ["cc", 0], ["m/s", 3], ["A", 3], ["W", 2], ["bar", 2],
+const digitsOf = new Map([["m", 1], ["rad", 1], ["degC", 2], ["s", 0], ["V", 2], ["cc", 0], ["m/s", 3], ["A", 3], ["W", 2], ["Wh", 1], ["%", 1], ["in", 2], ["inHg", 2], ["bar", 2],
   ["dbar", 2], ["S/m", 3]]);
 
 /** A value of a column as text with its shown unit. */

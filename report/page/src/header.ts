@@ -5,7 +5,7 @@
 
 import { element, swatch } from "./dom";
 import { Figures, Flight, Warning } from "./flight";
-import { clock, fixed, length } from "./format";
+import { clock, fixed, length, quantity, utcText } from "./format";
 import { layeredColour, pilotColour } from "./palette";
 
 const ways = new Map(Object.entries({
@@ -34,7 +34,7 @@ function timeShares(flight: Flight): HTMLElement | null {
   const parts = f.states.map((s) => ({ ...s, colour: pilotColour(s.id) }));
   if (f.stateless) parts.push({ id: -1, name: "SBC", visits: 0, time: f.stateless, colour: pilotColour("sbc") });
   if (parts.length === 0) return null;
-  if (f.layered) parts.push({ id: -1, name: "layered control", visits: 0, time: f.layered, colour: layeredColour });
+  if (f.layered) parts.push({ id: -1, name: flight.pilotName("layered"), visits: 0, time: f.layered, colour: layeredColour });
   const bar = element("div", { class: "shares", "aria-hidden": "true" });
   const list = element("ul", { class: "share-list" });
   for (const part of parts) {
@@ -55,12 +55,26 @@ function warningList(warnings: Warning[]): HTMLElement {
     element("li", {}, w.message, ...(w.code === "" ? [] : [" ", element("code", {}, `${w.code} ${w.slug}`)]))));
 }
 
+/** How the flight came about: when it was logged, or how it was simulated. */
+function origin(flight: Flight): string[] {
+  if (!flight.log) return [flight.scenario === "" ? "" : `scenario ${flight.scenario}`, ways.get(flight.way) ?? flight.way, `seed ${flight.seed}`];
+  const last = flight.times[flight.times.length - 1] ?? 0;
+  const [from, to] = [utcText(flight.log.utc), utcText(flight.log.utc + last)];
+  const beside = flight.log.beside === "" ? "" : `simulated flight: ${flight.log.beside}`;
+  return ["log of the vehicle", `${from} to ${from.slice(0, 10) === to.slice(0, 10) ? to.slice(11) : to} UTC`, beside];
+}
+
+/** What the vehicle has used up by its last record. */
+function energyOf(flight: Flight): [string, string][] {
+  const used = flight.column("energy")?.filter((v) => v !== null).pop() ?? null;
+  return used === null ? [] : [["energy used", quantity(used, "Wh")]];
+}
+
 export function header(host: HTMLElement, flight: Flight): void {
-  const title = flight.mission === "" ? "A flight" : flight.mission;
+  const { title } = flight;
   document.title = `${title}: flight report`;
-  const facts = [flight.scenario === "" ? "" : `scenario ${flight.scenario}`, ways.get(flight.way) ?? flight.way, `seed ${flight.seed}`,
-    `${flight.events.length} event${flight.events.length === 1 ? "" : "s"}`];
-  const tiles = element("dl", { class: "tiles" }, ...figuresOf(flight.figures).map(([name, value]) =>
+  const facts = [...origin(flight), `${flight.events.length} event${flight.events.length === 1 ? "" : "s"}`];
+  const tiles = element("dl", { class: "tiles" }, ...[...figuresOf(flight.figures), ...energyOf(flight)].map(([name, value]) =>
     element("div", {}, element("dt", {}, name), element("dd", {}, value))));
   const shares = timeShares(flight);
   host.replaceChildren(element("h1", {}, title), element("p", { class: "facts" }, facts.filter((x) => x !== "").join(" · ")),

@@ -22,6 +22,8 @@ const kinds = new Map<string, Kind>(Object.entries({
   hook: { colour: "kind-hook", glyph: "◆", marked: false, flagged: false },
   behaviour: { colour: "kind-behaviour", glyph: "●", marked: false, flagged: false },
   abort: { colour: "kind-abort", glyph: "✖", marked: true, flagged: true },
+  surface: { colour: "kind-control", glyph: "▲", marked: true, flagged: false },
+  dive: { colour: "kind-control", glyph: "▼", marked: true, flagged: false },
   link: { colour: "kind-link", glyph: "≈", marked: true, flagged: false },
 }));
 

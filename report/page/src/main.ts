@@ -53,8 +53,8 @@ function zoomButtons(view: View): HTMLElement {
 
 function timeCharts(flight: Flight, view: View): TimeChart[] {
   const host = byId("depth");
-  const { chart, lines, onField } = depthChart(host, flight, view);
-  byId("depth-head").append(legend(lines, onField, (label, show) => chart.toggle(label, show)), zoomButtons(view));
+  const { chart, lines, onField, chooser } = depthChart(host, flight, view);
+  byId("depth-head").append(legend(lines, onField, (label, show) => chart.toggle(label, show)), ...chooser, zoomButtons(view));
   const others = otherCharts(flight, view, (title, shown) => {
     const place = element("div", { class: "chart" });
     byId("others").append(element("div", { class: "head" }, element("h3", {}, title), legend(shown)), place);
@@ -83,12 +83,12 @@ function start(): void {
   }
   byId("charts-card").hidden = false;
   byId("readout-card").hidden = false;
-  byId("map-card").hidden = !trackMap(byId("map"), flight, view);
+  byId("map-card").hidden = !trackMap(byId("map"), byId("map-legend"), flight, view);
   readout(byId("readout"), flight, view);
   const charts = timeCharts(flight, view);
   followTheme(charts);
   if (flight.figures.rows > flight.times.length) {
-    byId("thinned").textContent = `${flight.times.length} of ${flight.figures.rows} rows are drawn, including every inflection; the CSV trace has all rows.`;
+    byId("thinned").textContent = `${flight.times.length} of ${flight.figures.rows} rows are drawn, including every inflection; ${flight.log ? "`glidercc log --csv` writes all records" : "the CSV trace has all rows"}.`;
   }
   view.showAll();
   view.moveToRow(0);

@@ -3,27 +3,31 @@
 
 /** The track seen from above: equal scales, a grid in metres, degrees where they are known. */
 
-import { svg } from "./dom";
+import { element, svg } from "./dom";
 import { Flight, Pilot } from "./flight";
 import { degreesMinutes, fixed, length, niceStep } from "./format";
 import { pilotColour } from "./palette";
-import { Anchor, anchorOf, Place, Point, Track, tracksOf, waypointsOf } from "./track";
+import { Anchor, anchorOf, Current, currentsOf, fixesOf, Place, Point, Track, tracksOf, waypointsOf } from "./track";
 import { View } from "./view";
 
 const edge = { left: 58, right: 14, top: 26, bottom: 40 };
+/** The arrow of the fastest current, px. */
+const longestArrow = 60;
 /** A waypoint further off than this many times the track's extent is only pointed at. */
 const farFactor = 1.2;
 
 interface Size { width: number; height: number }
 interface Frame extends Size { x: (east: number) => number; y: (north: number) => number; scale: number; west: number; east: number; south: number; north: number }
 
-function frameFor(places: Place[], size: Size): Frame {
+/** `margin`: pixels on each side that the places must leave free. */
+function frameFor(places: Place[], size: Size, margin: number): Frame {
   const xs = places.map((p) => p.x);
   const ys = places.map((p) => p.y);
   const [west, east] = [xs.reduce((a, b) => Math.min(a, b)), xs.reduce((a, b) => Math.max(a, b))];
   const [south, north] = [ys.reduce((a, b) => Math.min(a, b)), ys.reduce((a, b) => Math.max(a, b))];
   const [w, h] = [size.width - edge.left - edge.right, size.height - edge.top - edge.bottom];
-  const perMetre = Math.min(w / Math.max(east - west, 10), h / Math.max(north - south, 10)) * 0.86;
+  const room = (all: number) => Math.min(all * 0.86, all - 2 * margin);
+  const perMetre = Math.min(room(w) / Math.max(east - west, 10), room(h) / Math.max(north - south, 10));
   const [cx, cy] = [(west + east) / 2, (south + north) / 2];
   return {
     ...size,
@@ -87,14 +91,18 @@ function path(points: Point[], frame: Frame): string {
   return out;
 }
 
-/** The track cut where the state changes; a piece begins at the last point of the one before. */
+/** The track cut where the state changes; a piece begins at the last point of the one before, unless a GPS fix has moved it. */
 function pieces(track: Track, flight: Flight): { pilot: Pilot; points: Point[] }[] {
   const out: { pilot: Pilot; points: Point[] }[] = [];
+  const legs = flight.column("dr_leg");
+  let leg: number | null = null;
   for (const point of track.points) {
     const pilot = flight.pilot(point.row);
     const open = out[out.length - 1];
-    open?.points.push(point);
-    if (!open || open.pilot !== pilot) out.push({ pilot, points: [point] });
+    const moved = open !== undefined && (legs?.[point.row] ?? null) !== leg;
+    leg = legs?.[point.row] ?? null;
+    if (!moved) open?.points.push(point);
+    if (!open || moved || open.pilot !== pilot) out.push({ pilot, points: [point] });
   }
   return out;
 }
@@ -142,8 +150,35 @@ function endMarks(frame: Frame, points: Point[]): SVGElement[] {
   ];
 }
 
+/** Each estimate as an arrow from where it was made, in proportion to the speed of the current. */
+function arrows(currents: Current[], frame: Frame): SVGElement[] {
+  const fastest = fastestOf(currents);
+  return currents.filter((c) => c.east !== 0 || c.north !== 0).map((c) => {
+    const speed = Math.hypot(c.east, c.north);
+    const [size, turn] = [(longestArrow * speed) / fastest, (Math.atan2(-c.north, c.east) * 180) / Math.PI];
+    return svg("g", { class: "current", transform: `translate(${frame.x(c.x)} ${frame.y(c.y)}) rotate(${turn})` },
+      svg("path", { d: `M0 0H${size}m-7 -4l7 4l-7 4` }), svg("title", {}, `depth-averaged current, ${fixed(speed, 2)} m/s`));
+  });
+}
+
+const fastestOf = (currents: Current[]) => currents.reduce((most, c) => Math.max(most, Math.hypot(c.east, c.north)), 0);
+
+function legend(chart: Chart): HTMLElement[] {
+  const entry = (shape: string, words: string) => element("span", {}, element("i", { class: `swatch ${shape}`, "aria-hidden": "true" }), words);
+  if (!chart.flight.log) return [entry("line state-line", "true track, in the state's colour"), entry("line dashed reckoned-line", "dead reckoned")];
+  const fastest = fastestOf(chart.currents);
+  return [
+    entry("line state-line", `${chart.tracks[0].name === "GPS" ? "line between GPS fixes" : "dead-reckoned track"}, in the state's colour`),
+    ...(chart.fixes.length > 0 ? [entry("fix-mark", "GPS fix")] : []),
+    ...(fastest > 0 ? [entry("line current-line", `depth-averaged current, up to ${fixed(fastest, 2)} m/s`)] : []),
+    ...(chart.tracks.some((t) => t.name === "simulated") ? [entry("line dashed simulated-line", "simulated flight")] : []),
+  ];
+}
+
 /** What the map shows, apart from its size. */
-interface Chart { flight: Flight; anchor: Anchor | null; tracks: Track[]; waypoints: Place[]; near: Set<Place> }
+interface Chart {
+  flight: Flight; anchor: Anchor | null; tracks: Track[]; waypoints: Place[]; near: Set<Place>; fixes: Place[]; currents: Current[];
+}
 
 function chartOf(flight: Flight): Chart | null {
   const anchor = anchorOf(flight);
@@ -152,7 +187,7 @@ function chartOf(flight: Flight): Chart | null {
   const flown = tracks.flatMap((t) => t.points as Place[]);
   const [places, reach] = [waypointsOf(flight, anchor), extent(flown) * farFactor];
   const near = new Set(places.filter((p) => flown.some((q) => Math.hypot(p.x - q.x, p.y - q.y) < reach)));
-  return { flight, anchor, tracks, waypoints: places, near };
+  return { flight, anchor, tracks, waypoints: places, near, fixes: fixesOf(flight), currents: currentsOf(flight) };
 }
 
 const frameBox = (frame: Frame) =>
@@ -165,8 +200,9 @@ function picture(chart: Chart, frame: Frame): { root: SVGSVGElement; shown: SVGE
   const shown = svg("g", { class: "track" });
   const here = svg("circle", { class: "here", r: 5.5 });
   root.append(grid(frame));
-  if (other) root.append(svg("path", { class: "reckoned", d: path(other.points, frame) }));
-  root.append(svg("g", { class: "track faded" }, ...strokes(chart, frame, () => true)), shown,
+  if (other) root.append(svg("path", { class: chart.flight.log ? "simulated" : "reckoned", d: path(other.points, frame) }));
+  root.append(svg("g", { class: "track faded" }, ...strokes(chart, frame, () => true)), shown, ...arrows(chart.currents, frame),
+    ...chart.fixes.map((p) => svg("circle", { class: "fix", cx: frame.x(p.x), cy: frame.y(p.y), r: 2.5 })),
     ...waypoints(chart.waypoints, frame, chart.near, main.points[0]), ...endMarks(frame, main.points), scaleBar(frame),
     svg("rect", { class: "frame", ...frameBox(frame) }), text(edge.left, edge.top - 9, caption(chart.anchor, main.points[0])), here);
   return { root, shown, here };
@@ -178,12 +214,14 @@ function strokes(chart: Chart, frame: Frame, keep: (p: Point) => boolean): SVGEl
 }
 
 /** Draws the map into `host`, again whenever its width changes; false when the flight has no positions. */
-export function trackMap(host: HTMLElement, flight: Flight, view: View): boolean {
+export function trackMap(host: HTMLElement, key: HTMLElement, flight: Flight, view: View): boolean {
   const chart = chartOf(flight);
   if (!chart) return false;
+  key.replaceChildren(...legend(chart));
   const points = chart.tracks[0].points;
-  const everywhere = [...chart.tracks.flatMap((t) => t.points as Place[]), ...chart.near];
-  let frame = frameFor(everywhere, { width: 640, height: 480 });
+  const everywhere = [...chart.tracks.flatMap((t) => t.points as Place[]), ...chart.fixes, ...chart.near];
+  const margin = chart.currents.length > 0 ? longestArrow : 0;
+  let frame = frameFor(everywhere, { width: 640, height: 480 }, margin);
   let drawn = picture(chart, frame);
   const showRange = () => drawn.shown.replaceChildren(...strokes(chart, frame,
     (p) => flight.times[p.row] >= view.range[0] && flight.times[p.row] <= view.range[1]));
@@ -193,7 +231,7 @@ export function trackMap(host: HTMLElement, flight: Flight, view: View): boolean
     drawn.here.setAttribute("cy", String(frame.y(at.y)));
   };
   const draw = (width: number) => {
-    frame = frameFor(everywhere, { width, height: Math.min(Math.max(width * 0.8, 300), 520) });
+    frame = frameFor(everywhere, { width, height: Math.min(Math.max(width * 0.8, 300), 520) }, margin);
     drawn = picture(chart, frame);
     drawn.root.addEventListener("pointermove", (event) => pointAt(event, points, frame, drawn.root, view));
     host.replaceChildren(drawn.root);

@@ -23,8 +23,11 @@ const panels: Panel[] = [
   { title: "Pitch", measured: "m_pitch", commanded: "c_pitch", least: 0.2 },
   { title: "Heading, magnetic", measured: "m_heading", commanded: "c_heading", least: 0.35, round: true },
   { title: "Buoyancy pump", measured: "m_ballast_pumped", commanded: "c_ballast_pumped", least: 20 },
+  { title: "Oil volume", measured: "m_de_oil_vol", commanded: "c_de_oil_vol", least: 20 },
   { title: "Vertical speed", measured: "m_depth_rate", least: 0.1 },
   { title: "Battery", measured: "m_battery", least: 0.5 },
+  { title: "Power", measured: "power", least: 1 },
+  { title: "Energy used", measured: "energy", least: 1 },
 ];
 
 /** In the shown unit; a heading that passes north leaves a gap instead of a stroke across the chart. */

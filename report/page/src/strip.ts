@@ -93,7 +93,11 @@ function paintMark(ctx: CanvasRenderingContext2D, kind: string, x: number, y: nu
     ctx.stroke();
     return;
   }
-  if (kind === "control") {
+  if (kind === "surface") {
+    ctx.moveTo(x - size, y + size * 0.7);
+    ctx.lineTo(x + size, y + size * 0.7);
+    ctx.lineTo(x, y - size);
+  } else if (kind === "control") {
     ctx.moveTo(x, y + size * 1.6);
     ctx.lineTo(x, y - size * 1.4);
     ctx.lineTo(x + size * 2, y - size * 0.5);

@@ -6,7 +6,7 @@
 import uPlot from "uplot";
 import { element } from "./dom";
 import { Flight, Values } from "./flight";
-import { clock, digitsFor, fixed } from "./format";
+import { clock, digitsFor, fixed, utcMark } from "./format";
 import { theme } from "./palette";
 import { View } from "./view";
 
@@ -42,7 +42,10 @@ export interface ChartOptions {
 const colour = (name: string) => (name.startsWith("#") || name.startsWith("rgb") ? name : theme(name));
 const steps = [1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800, 3600, 7200, 10800, 21600, 43200, 86400, 172800, 604800];
 
-function seriesOf(lines: Line[]): uPlot.Series[] {
+/** A quantity of which a log has few values: they are far apart, so they are drawn as points. */
+const isSparse = (line: Line) => line.values.filter((v) => v !== null).length < 100;
+
+function seriesOf(lines: Line[], logged: boolean): uPlot.Series[] {
   const one = (line: Line, stroke: string, width: number): uPlot.Series => ({
     label: line.label,
     show: !line.hidden,
@@ -50,7 +53,7 @@ function seriesOf(lines: Line[]): uPlot.Series[] {
     width,
     ...(line.dash && stroke === line.colour ? { dash: line.dash } : {}),
     ...(line.stepped && uPlot.paths.stepped ? { paths: uPlot.paths.stepped({ align: 1 }) } : {}),
-    points: { show: (u: uPlot) => (u.data[0].length < 2 ? true : undefined) as boolean, size: 4 },
+    points: { show: (u: uPlot) => (u.data[0].length < 2 || (logged && isSparse(line)) ? true : undefined) as boolean, size: 4 },
     spanGaps: false,
   });
   return lines.flatMap((line) => [
@@ -59,7 +62,20 @@ function seriesOf(lines: Line[]): uPlot.Series[] {
   ]);
 }
 
-function axes(height: number): uPlot.Axis[] {
+/** Marks of the time axis: round times since the start, of a log round times of UTC. */
+function timeAxis(flight: Flight): Partial<uPlot.Axis> {
+  const { log } = flight;
+  if (!log) return { values: (_: uPlot, at: number[]) => at.map(clock) };
+  return {
+    splits: (_u: uPlot, _axis: number, min: number, max: number, step: number) => {
+      const first = Math.ceil((log.utc + min) / step) * step - log.utc;
+      return Array.from({ length: Math.max(0, Math.floor((max - first) / step) + 1) }, (_, i) => first + i * step);
+    },
+    values: (_: uPlot, at: number[], _axis: number, _space: number, step: number) => at.map((t) => utcMark(log.utc + t, step)),
+  };
+}
+
+function axes(height: number, flight: Flight): uPlot.Axis[] {
   const common = {
     stroke: () => theme("muted"),
     grid: { stroke: () => theme("grid"), width: 1 },
@@ -67,7 +83,7 @@ function axes(height: number): uPlot.Axis[] {
     font: "12px system-ui, sans-serif",
   };
   return [
-    { ...common, incrs: steps, space: 70, size: 30, values: (_: uPlot, at: number[]) => at.map(clock) },
+    { ...common, incrs: steps, space: 70, size: 30, ...timeAxis(flight) },
     { ...common, size: 52, space: height > 200 ? 36 : 24, values: (_: uPlot, at: number[]) => {
       const digits = digitsFor(at.length > 1 ? Math.abs(at[1] - at[0]) : 1);
       return at.map((v) => fixed(v, digits));
@@ -115,8 +131,8 @@ export class TimeChart {
       legend: { show: false },
       cursor: { x: false, y: false, points: { show: false }, drag: { x: true, y: false, setScale: false } },
       scales: { x: { time: false, range: () => this.view.range }, y: { range: o.range, dir: o.inverted ? -1 : 1 } },
-      series: [{}, ...seriesOf(o.lines)],
-      axes: axes(o.height),
+      series: [{}, ...seriesOf(o.lines, this.flight.log !== null)],
+      axes: axes(o.height, this.flight),
       hooks: {
         drawClear: [(u: uPlot) => { this.thinLines(u); u.ctx.globalAlpha = 1; o.paintUnder?.(u); }],
         draw: [(u: uPlot) => { u.ctx.globalAlpha = 1; o.paintOver?.(u); }],
@@ -195,7 +211,7 @@ export class TimeChart {
     plot.over.setAttribute("aria-valuemin", String(view.full[0]));
     plot.over.setAttribute("aria-valuemax", String(view.full[1]));
     plot.over.setAttribute("aria-valuenow", String(view.time));
-    plot.over.setAttribute("aria-valuetext", `${clock(view.time)}, ${this.options.describe(view.row)}`);
+    plot.over.setAttribute("aria-valuetext", `${this.flight.clock(view.time)}, ${this.options.describe(view.row)}`);
   }
 
   private resize(): void {

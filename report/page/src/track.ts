@@ -38,7 +38,8 @@ function pointsOf(flight: Flight, east: string, north: string): Point[] {
 
 /** A place known both in metres and in degrees; from degrees alone the first one becomes the origin. */
 export function anchorOf(flight: Flight): Anchor | null {
-  const tries = [["true_lat", "true_lon", "true_x", "true_y"], ["m_lat", "m_lon", "m_x_lmc", "m_y_lmc"]];
+  const tries = [["true_lat", "true_lon", "true_x", "true_y"], ["m_lat", "m_lon", "m_x_lmc", "m_y_lmc"], ["m_lat", "m_lon", "dr_x", "dr_y"],
+    ["m_gps_lat", "m_gps_lon", "gps_x", "gps_y"]];
   for (const [lat, lon, x, y] of tries) {
     const degrees = pointsOf(flight, lon, lat);
     const metres = new Map(pointsOf(flight, x, y).map((p) => [p.row, p]));
@@ -62,8 +63,33 @@ function fromDegrees(points: Point[], anchor: Anchor | null): Point[] {
   }));
 }
 
+/** Of a log: the dead-reckoned track, or at least the GPS fixes, then the simulated one. */
+function logTracks(flight: Flight): Track[] {
+  const one = (name: string, x: string, y: string): Track => ({ name, points: pointsOf(flight, x, y) });
+  const [reckoned, fixes, simulated] = [one("dead reckoned", "dr_x", "dr_y"), one("GPS", "gps_x", "gps_y"), one("simulated", "sim_x", "sim_y")];
+  return [reckoned.points.length > 0 ? reckoned : fixes, simulated].filter((t) => t.points.length > 0);
+}
+
+/** The GPS fixes of a log. */
+export function fixesOf(flight: Flight): Place[] { return pointsOf(flight, "gps_x", "gps_y"); }
+
+/** A depth-averaged current, m/s, and where the vehicle was when it had estimated it. */
+export interface Current extends Place { east: number; north: number }
+
+/** The estimates of the current, each once. */
+export function currentsOf(flight: Flight): Current[] {
+  const [east, north] = [flight.column("current_x"), flight.column("current_y")];
+  if (!east || !north) return [];
+  const places = [...pointsOf(flight, "gps_x", "gps_y"), ...pointsOf(flight, "dr_x", "dr_y")].sort((a, b) => a.row - b.row);
+  return pairs(east, north).filter((p, i, all) => i === 0 || p.x !== all[i - 1].x || p.y !== all[i - 1].y).flatMap((p) => {
+    const at = places.find((place) => place.row >= p.row) ?? places[places.length - 1];
+    return at ? [{ x: at.x, y: at.y, east: p.x, north: p.y }] : [];
+  });
+}
+
 /** The true track and the dead-reckoned one, those there are, the true one first. */
 export function tracksOf(flight: Flight, anchor: Anchor | null): Track[] {
+  if (flight.log) return logTracks(flight);
   const one = (name: string, x: string, y: string, lat: string, lon: string): Track => {
     const metres = pointsOf(flight, x, y);
     return { name, points: metres.length > 0 ? metres : fromDegrees(pointsOf(flight, lon, lat), anchor) };

@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace glider::report {
 namespace {
 
@@ -45,6 +47,26 @@ TEST(Downsample, CopesWithDepthsThatAreAllUnknown) {
   auto trace =
       smallTrace({{"time", "s"}, {"m_depth", "m"}}, {{0, kUnknown}, {1, kUnknown}, {2, kUnknown}});
   EXPECT_EQ(downsampled(trace, 1).rowCount(), 2U);
+}
+
+TEST(Downsample, OfALogKeepsGapsFixesAndCurrents) {
+  support::Trace trace;
+  trace.columns = {
+      {"time", "s"}, {"m_depth", "m"}, {"gps_x", "m"}, {"current_x", "m/s"}, {"dr_leg", ""}};
+  for (int i = 0; i < 1000; ++i) {
+    const double gap = i == 500 ? kUnknown : 10, fix = i == 301 ? 7 : kUnknown;
+    trace.rows.insert(trace.rows.end(),
+                      {4.0 * i, gap, fix, i < 703 ? 0.1 : 0.2, i < 853 ? 0.0 : 1.0});
+  }
+  const support::Trace thin = downsampled(trace, 30);
+  EXPECT_LT(thin.rowCount(), 60U);
+  std::vector<double> times;
+  for (size_t row = 0; row < thin.rowCount(); ++row) {
+    times.push_back(thin.at(row, 0) / 4);
+  }
+  for (const double kept : {499, 500, 501, 301, 702, 703, 852, 853}) {
+    EXPECT_NE(std::ranges::find(times, kept), times.end()) << kept;
+  }
 }
 
 }  // namespace

@@ -82,6 +82,23 @@ TEST(Figures, WithoutATrueTrackTheDeadReckonedOneServes) {
   EXPECT_DOUBLE_EQ(figures.distance_m, 13);
 }
 
+TEST(Figures, AFixThatMovesThePositionOfALogIsNoDistance) {
+  const auto trace = smallTrace({{"time", "s"}, {"dr_x", "m"}, {"dr_y", "m"}, {"dr_leg", ""}},
+                                {{0, 0, 0, 0}, {4, 3, 4, 0}, {8, 503, 4, 1}, {12, 503, 5, 1}});
+  const FlightFigures figures = flightFigures(trace);
+  EXPECT_DOUBLE_EQ(figures.distance_m, 6);
+  EXPECT_NEAR(figures.made_good_m, 503.02, 0.01);
+  EXPECT_EQ(figures.track, TrackSource::DeadReckoned);
+}
+
+TEST(Figures, TheTitleOfALogNamesTheVehicle) {
+  support::Trace trace;
+  trace.mission = "SPIRAL.MI";
+  EXPECT_EQ(flightTitle(trace), "SPIRAL.MI");
+  trace.log.emplace().vehicle = "comet";
+  EXPECT_EQ(flightTitle(trace), "comet: SPIRAL.MI");
+}
+
 TEST(Figures, WhatIsNotThereIsNullInJson) {
   const auto json = nlohmann::json::parse(figuresToJson(flightFigures({})));
   for (const char* key : {"duration", "deepest", "distance", "layered", "warmest"}) {

@@ -17,6 +17,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <gmock/gmock.h>
 
 namespace glider::report {
@@ -158,6 +159,104 @@ TEST(PictureMap, HasTheWaypointsThatAreNear) {
   ASSERT_EQ(waypoints.size(), 1U);
   EXPECT_NEAR(waypoints[0].x, 401, 2);
   EXPECT_NEAR(waypoints[0].y, 0, 0.1);
+}
+
+TEST(Picture, OfALogHasItsVehicleTimeStatesAndSimulatedFlight) {
+  const std::string svg = drawPicture(logTrace());
+  EXPECT_THAT(svg, HasSubstr(">comet: SPIRAL.MI</text>"));
+  EXPECT_THAT(svg, HasSubstr("from 2019-08-09 15:24:32 UTC · 41 min"));
+  EXPECT_THAT(svg, HasSubstr("dead-reckoned track"));
+  EXPECT_THAT(svg, HasSubstr(">climb</text>"));
+  EXPECT_THAT(svg, HasSubstr("<style>.beside { stroke"));
+  EXPECT_THAT(svg, HasSubstr("<path class=\"beside\""));
+  EXPECT_THAT(svg, HasSubstr(">simulated flight</text>"));
+  EXPECT_THAT(svg, Not(HasSubstr("layered")));
+  EXPECT_THAT(svg, Not(HasSubstr("scenario")));
+  EXPECT_THAT(drawPicture(sampleTrace()), Not(HasSubstr("beside")));
+}
+
+TEST(Picture, ALogWithoutStatesHasNoBandOfThem) {
+  support::Trace trace = logTrace();
+  EXPECT_THAT(drawPicture(trace), Not(HasSubstr("state not known")));
+  trace.rows[static_cast<size_t>(trace.column("state"))] = kUnknown;
+  EXPECT_THAT(drawPicture(trace), HasSubstr("state not known")) << "but of one row it is";
+  trace.columns[static_cast<size_t>(trace.column("state"))].name = "m_vacuum";
+  EXPECT_THAT(drawPicture(trace), Not(HasSubstr("state not known")));
+}
+
+TEST(Picture, NoLineIsDrawnOverAGapOfALog) {
+  auto trace = smallTrace({{"time", "s"}, {"m_depth", "m"}},
+                          {{0, 1}, {100, 9}, {200, kUnknown}, {300, 5}, {400, 2}});
+  const auto strokes = [](const std::string& svg) {
+    const size_t begin = svg.find("<path class=\"track\"");
+    const std::string path = svg.substr(begin, svg.find("/>", begin) - begin);
+    return std::ranges::count(path, 'M');
+  };
+  EXPECT_EQ(strokes(drawPicture(trace)), 1);
+  trace.log.emplace();
+  EXPECT_EQ(strokes(drawPicture(trace)), 2);
+}
+
+TEST(Picture, ChlorophyllOfAnyInstrumentColoursTheTrack) {
+  const auto trace =
+      smallTrace({{"time", "s"}, {"m_depth", "m"}, {"sci_flntu_chlor_units", "ug/l"}},
+                 {{0, 1, 2}, {4, 2, 3}, {8, 3, 4}});
+  EXPECT_THAT(drawPicture(trace), HasSubstr("chlorophyll"));
+  EXPECT_THAT(drawPicture(trace, {"chlorophyll"}), Not(HasSubstr("not known")));
+}
+
+TEST(Picture, WithoutAMeasuredQuantityTheColoursAreThoseOfStates) {
+  const auto trace = smallTrace({{"time", "s"}, {"m_depth", "m"}}, {{0, 1}, {4, 2}});
+  EXPECT_THAT(drawPicture(trace), Not(HasSubstr("chlorophyll")));
+}
+
+/// The names of the legend of the map of `trace`.
+std::string legendOf(const support::Trace& trace) {
+  SvgText text;
+  std::string names;
+  for (const picture::LegendEntry& entry : picture::drawMap(text, trace, {0, 0, 300, 300})) {
+    names += entry.text + ";";
+  }
+  return names;
+}
+
+TEST(PictureMap, OfALogHasTheWaypointsThatAreNear) {
+  auto trace = smallTrace({{"time", "s"},
+                           {"m_lat", "deg"},
+                           {"m_lon", "deg"},
+                           {"dr_x", "m"},
+                           {"dr_y", "m"},
+                           {"c_wpt_lat", "deg"},
+                           {"c_wpt_lon", "deg"}},
+                          {{0, kUnknown, kUnknown, kUnknown, kUnknown, kUnknown, kUnknown},
+                           {4, 40, -70, 100, 0, 40, -69.9953},
+                           {8, 40, -69.9953, 501, 0, 41, -69.9953}});
+  trace.log.emplace();
+  const auto waypoints = picture::waypointsOf(trace);
+  ASSERT_EQ(waypoints.size(), 1U);
+  EXPECT_NEAR(waypoints[0].x, 501, 2);
+}
+
+TEST(PictureMap, OfALogHasItsFixesAndNoLineToThem) {
+  support::Trace trace = logTrace();
+  EXPECT_THAT(legendOf(trace), HasSubstr("GPS fix"));
+  EXPECT_THAT(legendOf(outAndBack()), Not(HasSubstr("GPS fix")));
+  const std::string svg = [&] {
+    SvgText text;
+    (void)picture::drawMap(text, trace, {0, 0, 300, 300});
+    return text.take();
+  }();
+  size_t fixes = 0;
+  for (size_t at = svg.find("r=\"2.5\""); at != std::string::npos;
+       at = svg.find("r=\"2.5\"", at + 1)) {
+    ++fixes;
+  }
+  EXPECT_EQ(fixes, 2U);
+  const auto strokes = [](const std::string& text) { return std::ranges::count(text, 'M'); };
+  SvgText whole;
+  trace.columns[static_cast<size_t>(trace.column("dr_leg"))].name = "m_vacuum";
+  (void)picture::drawMap(whole, trace, {0, 0, 300, 300});
+  EXPECT_EQ(strokes(svg), strokes(whole.take()) + 1);
 }
 
 }  // namespace

@@ -67,6 +67,10 @@ TEST(Page, CarriesWhatWentWrong) {
   EXPECT_EQ(data.at("warnings").at(0).at("message"), "the vehicle aborted </script>");
 }
 
+TEST(Page, TheTitleOfALogNamesTheVehicle) {
+  EXPECT_NE(renderPage(logTrace()).find("<title>comet: SPIRAL.MI</title>"), std::string::npos);
+}
+
 TEST(Page, HostileNamesReadBackAsTheyWereAndStayInsideTheirPlace) {
   const support::Trace trace = hostileTrace();
   const std::string page = renderPage(trace);

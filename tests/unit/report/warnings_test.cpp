@@ -192,5 +192,16 @@ TEST(Warnings, AMissionThatHadNotEnded) {
             Lines{"the mission had not ended when the simulated time was up; never visited: s2"});
 }
 
+TEST(Warnings, OfALogHaveItsNotesAndTimesOfUtc) {
+  auto trace = flight(1);
+  trace.way = "";
+  trace.log = support::VehicleLog{"comet", 1565364272, "", {"a note"}};
+  trace.events = {{30.5, kUnknown, "abort", "too deep", "mission status 7"}};
+  EXPECT_EQ(flightWarnings(trace), Lines{"a note"});
+  EXPECT_EQ(reported(trace),
+            Lines{"GL9370 the vehicle aborted at 2019-08-09 15:25:02 UTC: too deep, "
+                  "mission status 7"});
+}
+
 }  // namespace
 }  // namespace glider::report

@@ -68,6 +68,30 @@ TEST(DataTable, MergesTheComputersByTime) {
             "1002,science,17.25,\n1004,flight,,\n1008,flight,,\n");
 }
 
+TEST(DataTable, EachComputerHasItsOwnClock) {
+  Draft flight = flightDraft(), science = scienceDraft();
+  flight.sensors.push_back({"sci_m_present_time", "timestamp", 8, true});
+  science.sensors.push_back({"m_present_time", "timestamp", 8, true});
+  for (Draft* draft : {&flight, &science}) {
+    for (auto& row : draft->rows) {
+      row.push_back({'*', 5000});  // the other computer's clock, as this one received it
+    }
+  }
+  const TestFolder folder;
+  folder.write("a.dbd", write(flight));
+  folder.write("a.ebd", write(science));
+  SensorLists lists;
+  const LogFiles logs = readLogFiles({folder.path()}, lists);
+  ASSERT_EQ(logs.files.size(), 2U);
+  EXPECT_EQ(logs.files[0].span(), std::pair(1000.0, 1008.0));
+  EXPECT_EQ(logs.files[1].span(), std::pair(1002.0, 1002.0));
+  // A file with the other one's clock only is shown by that.
+  science.sensors[1].name = "sci_x";
+  folder.write("a.ebd", write(science));
+  const LogFiles other = readLogFiles({folder.path()}, lists);
+  EXPECT_EQ(other.files[1].span(), std::pair(5000.0, 5000.0));
+}
+
 TEST(DataTable, SummaryCountsUpdatesWithoutInitialValues) {
   const TestFolder folder;
   const LogFiles logs = readPair(folder);
@@ -87,14 +111,6 @@ TEST(DataTable, SummaryCountsUpdatesWithoutInitialValues) {
       "  x_state         enum        0        -        -        7\n");
   EXPECT_NE(summaryOf(logs.files, {}).find("and 1 sensor that was never updated"),
             std::string::npos);
-}
-
-TEST(DataTable, WritesTimesOfAnyCalendarDay) {
-  EXPECT_EQ(utcText(1709251199.9), "2024-02-29 23:59:59");
-  EXPECT_EQ(utcText(0), "1970-01-01 00:00:00");
-  EXPECT_EQ(utcText(-1), "1969-12-31 23:59:59");
-  EXPECT_EQ(utcText(1e300), "unknown");
-  EXPECT_EQ(utcText(NAN), "unknown");
 }
 
 TEST(DataTable, PatternsMatchWholeNames) {

@@ -3,8 +3,11 @@
 
 #include "support/csv.h"
 #include "support/one_line.h"
+#include "support/utc.h"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace glider::support {
 namespace {
@@ -19,6 +22,14 @@ TEST(Texts, OnOneLine) {
 TEST(Texts, CsvQuoted) {
   EXPECT_EQ(csvQuoted(""), "\"\"");
   EXPECT_EQ(csvQuoted("a \"b\", c"), "\"a \"\"b\"\", c\"");
+}
+
+TEST(UtcText, IsOfAnyCalendarDay) {
+  EXPECT_EQ(utcText(1709251199.9), "2024-02-29 23:59:59");
+  EXPECT_EQ(utcText(0), "1970-01-01 00:00:00");
+  EXPECT_EQ(utcText(-1), "1969-12-31 23:59:59");
+  EXPECT_EQ(utcText(1e300), "unknown");
+  EXPECT_EQ(utcText(NAN), "unknown");
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 
 #include "driver/shared_options.h"
 
+#include "report/picture/picture.h"
+
 #include <fmt/format.h>
 
 #include <charconv>
@@ -40,6 +42,14 @@ void addLinkOption(CLI::App& command, std::vector<std::string>& files) {
       ->option_text("FILE")
       ->take_all()
       ->allow_extra_args(false);
+}
+
+std::vector<std::string> trackColours() {
+  std::vector<std::string> names = {"state"};
+  for (const report::TrackQuantity& quantity : report::pictureQuantities()) {
+    names.emplace_back(quantity.name);
+  }
+  return names;
 }
 
 CLI::Validator seedValidator() {

@@ -20,6 +20,9 @@ void addLaunchOptions(CLI::App& command, flights::LaunchChoice& choice);
 /// Adds --link FILE to `command`.
 void addLinkOption(CLI::App& command, std::vector<std::string>& files);
 
+/// The values of --colour: what can colour the track of a picture.
+std::vector<std::string> trackColours();
+
 /// For --seed: an unsigned whole number of 64 bits; CLI11 alone would wrap `-1` around.
 CLI::Validator seedValidator();
 

@@ -181,14 +181,10 @@ void addPictureOptions(CLI::App& command, SimOptions& options) {
                                   "Also draw the flight as an SVG, for a paper or a logbook")
                       ->option_text("FILE")
                       ->excludes("--replay");
-  std::vector<std::string> names = {"state"};
-  for (const report::TrackQuantity& quantity : report::pictureQuantities()) {
-    names.emplace_back(quantity.name);
-  }
   command
       .add_option("--colour", options.picture_style.colour,
                   "Quantity that colours the track [chlorophyll if measured, else temp]")
-      ->check(CLI::IsMember(names))
+      ->check(CLI::IsMember(trackColours()))
       ->needs(picture);
 }
 

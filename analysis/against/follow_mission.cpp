@@ -32,6 +32,9 @@ class Follower {
   Followed run() {
     out_.states.assign(log_.ticks.size(), Followed::kNoState);
     for (uint32_t tick = firstDive(); tick < log_.ticks.size(); ++tick) {
+      if (running_ && isAfterGap(tick)) {
+        interrupt(tick);
+      }
       if (running_) {
         step(tick);
       } else if (dives(tick)) {
@@ -75,6 +78,17 @@ class Follower {
     was_up_ = blind_ = false;
     out_.states[tick] = state_.index;
     out_.steps.push_back({momentOf(log_, tick), "start", "", m_[state_].name, false, {}, "", {}});
+  }
+
+  /// Whether so much time has passed that the mission would not continue after a power cut.
+  [[nodiscard]] bool isAfterGap(uint32_t tick) const {
+    return log_.ticks[tick].time_s - log_.ticks[tick - 1].time_s > m_.resume_within_s;
+  }
+
+  void interrupt(uint32_t tick) {
+    out_.steps.push_back({momentOf(log_, tick - 1), "gap", m_[state_].name, "", false, {}, "", {}});
+    running_.reset();
+    was_up_ = true;
   }
 
   void step(uint32_t tick) {

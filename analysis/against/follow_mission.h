@@ -22,8 +22,9 @@ struct Followed {
 };
 
 /// Starts the mission at the first tick below the surface, takes every transition that fires, and
-/// starts it again at the first dive from the surface after it has ended. A case
-/// that stays is a step once while its guard remains true.
+/// starts it again at the first dive from the surface after it has ended, and at the first tick
+/// below the surface after a gap that is longer than the mission's `resume within`. A case that
+/// stays is a step once while its guard remains true.
 Followed followMission(const compiler::Checked& checked, const LogTicks& log,
                        std::span<const double> parameters);
 

@@ -53,24 +53,33 @@ class Walk {
       case ir::OpGroup::Variable:
         add(reads_.variables, e.variable);
         // The values of parameters do not change.
-        add(id, m_[e.variable].name, show && m_[e.variable].kind != ir::VariableKind::Parameter);
+        add(id, textOf(e.range, m_[e.variable].name),
+            show && m_[e.variable].kind != ir::VariableKind::Parameter);
         return;
       case ir::OpGroup::Temporal:
         visitTemporal(id, m_[e.temporal], show);
         return;
       case ir::OpGroup::Call:
         add(reads_.functions, m_.uses.at(e.use.index).function);
-        add(id, textOf(e.range), show);
+        add(id, textOf(e.range, m_[e.use].name), show);
         show = false;
         break;
       case ir::OpGroup::Constant:
         constant(e);
         return;
-      case ir::OpGroup::Truth:
       case ir::OpGroup::Clock:
+        add(id, textOf(e.range, "clock"), show);
+        return;
+      case ir::OpGroup::Function:
+        // A distance says more than the positions that it is computed from.
+        if (e.op == ir::Op::Distance || e.op == ir::Op::Bearing) {
+          add(id, textOf(e.range, "distance"), show);
+          show = false;
+        }
+        break;
+      case ir::OpGroup::Truth:
       case ir::OpGroup::Unary:
       case ir::OpGroup::Binary:
-      case ir::OpGroup::Function:
       case ir::OpGroup::Clamp:
       case ir::OpGroup::Select:
       case ir::OpGroup::Element:
@@ -87,7 +96,7 @@ class Walk {
   // NOLINTNEXTLINE(misc-no-recursion): as above
   void visitTemporal(ir::ExprId id, const ir::Temporal& temporal, bool show) {
     const bool window = ir::isWindow(temporal.kind);
-    add(id, textOf(temporal.range), show && window);
+    add(id, textOf(temporal.range, "window"), show && window);
     for (const ir::ExprId part : {temporal.operand, temporal.duration, temporal.along}) {
       if (part.valid()) {
         visit(part, show && !window);
@@ -127,8 +136,9 @@ class Walk {
     }
   }
 
-  [[nodiscard]] std::string textOf(support::SourceRange range) const {
-    return range.valid() ? support::onOneLine(sources_.text(range)) : "window";
+  /// `otherwise`: in a mission of the IR's text form, which has no source.
+  [[nodiscard]] std::string textOf(support::SourceRange range, const std::string& otherwise) const {
+    return range.valid() ? support::onOneLine(sources_.text(range)) : otherwise;
   }
 
   const ir::Mission& m_;
@@ -159,7 +169,10 @@ GuardRead usualUnit(ir::Type type) {
   if (type.kind == ir::TypeKind::Latitude || type.kind == ir::TypeKind::Longitude) {
     return {"", {}, "deg", 1};
   }
-  if (type.kind != ir::TypeKind::Quantity || type.dimension.dimensionless()) {
+  if (type.kind == ir::TypeKind::Bool) {
+    return {"", {}, report::kTruthUnit, 1};
+  }
+  if (type.dimension.dimensionless()) {
     return {"", {}, "", 1};
   }
   const auto unit = type.dimension == support::dimension::angle ? support::findUnit("deg")

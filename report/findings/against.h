@@ -28,6 +28,7 @@ struct LoggedValue {
   double value = 0;
   std::string unit;  ///< that in which the guard is written; "" for a plain number
 };
+inline constexpr const char* kTruthUnit = "bool";  ///< of a truth value, which is 0 or 1
 
 /// A tick on which a guard became true.
 struct LoggedFiring {
@@ -74,11 +75,12 @@ struct LoggedSensor {
 /// What the mission does when it follows the data files.
 struct FollowedStep {
   LoggedMoment at;
-  std::string kind;  ///< "start", "goto", "call", "return", "exit" or "stay"
+  std::string kind;  ///< "start", "goto", "call", "return", "exit", "stay" or "gap": no records
+                     ///< for longer than the outage after which the mission continues
   std::string from;  ///< state; empty for "start"
-  std::string to;    ///< state; empty for "exit"
+  std::string to;    ///< state; empty for "exit" and "gap"
   bool always = false;
-  support::SourceRange range;  ///< of the case; none for "start"
+  support::SourceRange range;  ///< of the case; none for "start" and "gap"
   std::string guard;
   std::vector<LoggedValue> values;
 };

@@ -37,7 +37,10 @@ ordered_json momentJson(const LoggedMoment& at) {
 ordered_json valuesJson(const std::vector<LoggedValue>& values) {
   ordered_json all = ordered_json::array();
   for (const LoggedValue& value : values) {
-    all.push_back({{"name", value.name}, {"value", known(value.value)}, {"unit", value.unit}});
+    const bool truth = value.unit == kTruthUnit && std::isfinite(value.value);
+    all.push_back({{"name", value.name},
+                   {"value", truth ? ordered_json(value.value != 0) : known(value.value)},
+                   {"unit", value.unit}});
   }
   return all;
 }

@@ -40,6 +40,9 @@ std::string number(double value) {
 }
 
 std::string withUnit(double value, const std::string& unit) {
+  if (unit == kTruthUnit && !std::isnan(value)) {
+    return value != 0 ? "true" : "false";
+  }
   return std::isnan(value) || unit.empty() ? number(value) : number(value) + " " + unit;
 }
 
@@ -159,7 +162,12 @@ class Text {
     }
     const std::string known = fmt::format("known on {} of ticks", share(one.known_ticks, a_.ticks));
     if (one.firings.empty()) {
-      line("      never true, {}", known);
+      line("{}", one.true_ticks == 0
+                     ? "      never true, " + known
+                     : fmt::format(
+                           "      does not fire: true on {} of ticks, on each of which an earlier "
+                           "case fires; {}",
+                           share(one.true_ticks, a_.ticks), known));
       return;
     }
     line("      fires {}, true on {} of ticks, {}", times(one.firings.size()),
@@ -252,6 +260,11 @@ class Text {
   void step(const FollowedStep& step) {
     if (step.kind == "start") {
       line("  {}  starts in {}: {}", momentText(step.at), step.to, valuesText(step.at, {}));
+      return;
+    }
+    if (step.kind == "gap") {
+      line("  {}  {} ends: no records for too long to continue (`resume within`)",
+           momentText(step.at), step.from);
       return;
     }
     const std::string what = step.kind == "stay" ? step.from + " (stay)"

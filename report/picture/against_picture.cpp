@@ -94,7 +94,8 @@ class Page {
     bool any = false;
     for (const FollowedStep& step : a_.followed) {
       const double depth = depth_.at(step.at.number);
-      if (step.kind != "stay" && step.kind != "start" && std::isfinite(depth)) {
+      if (step.kind != "stay" && step.kind != "start" && step.kind != "gap" &&
+          std::isfinite(depth)) {
         drawDiamond(body_, {time_.at(step.at.hours * 3600), depthAt(depth)});
         any = true;
       }

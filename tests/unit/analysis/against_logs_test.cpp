@@ -301,6 +301,56 @@ TEST(AgainstLogs, AStayIsOneStepWhileItFires) {
   EXPECT_EQ(against.followed.at(2).at.time_s, LogBench::kBegin + 20);
 }
 
+/// On a tick on which an earlier case that stays fires, a case does not; it does on the next one.
+TEST(AgainstLogs, AnEarlierCaseFiresFirst) {
+  LogBench bench;
+  bench.dive({1, 12, 12, 1, 12, 1});
+  const AgainstLogs against =
+      bench.run("var n: number = 0 in 0 .. 9\n" +
+                watching("case became(depth > 10 m) do set n = 1 end stay\n"
+                         "    case depth > 10 m goto b\n    case n > 5 goto b",
+                         "depth"));
+  EXPECT_THAT(timesOf(against.cases.at(0)), ElementsAre(4, 16));
+  EXPECT_THAT(timesOf(against.cases.at(1)), ElementsAre(8));
+  EXPECT_EQ(against.cases.at(1).true_ticks, 3U);
+  bench.dive({1, 12, 1});
+  EXPECT_THAT(bench.textOf(bench.run(watching("case became(depth > 10 m) do log \"x\" end stay\n"
+                                              "    case depth > 10 m goto b",
+                                              "depth"))),
+              HasSubstr("does not fire: true on 50 % of ticks, on each of which an earlier case"));
+}
+
+/// P3: after an outage of more than 300 s the mission does not continue.
+TEST(AgainstLogs, AGapEndsTheMission) {
+  const auto kinds = [](double gap_s, const std::string& limit) {
+    LogBench bench;
+    bench.flight({0, 4, 8, 8 + gap_s, 12 + gap_s}, {{"m_depth", {1, 5, 5, 5, 5}}});
+    return kindsOf(bench.run(limit + watching("case depth > 10 m goto b", "depth")));
+  };
+  EXPECT_THAT(kinds(300, ""), ElementsAre("start >a"));
+  EXPECT_THAT(kinds(301, ""), ElementsAre("start >a", "gap a>", "start >a"));
+  EXPECT_THAT(kinds(301, "resume within 10 min\n"), ElementsAre("start >a"));
+}
+
+TEST(AgainstLogs, ShowsDistancesClocksAndTruthValues) {
+  LogBench bench;
+  bench.dive({1, 12, 12}, {{"m_lat", {3900, 3900, 3900}}, {"m_lon", {-7300, -7300, -7300}}});
+  const AgainstLogs against = bench.run(
+      "const place = 39 N 73 W\nvar seen: bool = false\n" +
+      watching("case !seen && distance(place) < 0.5 km && statetime > 5 s do set seen = true end "
+               "stay",
+               "depth, lat, lon, statetime"));
+  const auto& values = against.cases.at(0).firings.at(0).values;
+  ASSERT_EQ(values.size(), 3U);
+  EXPECT_EQ(values[0].name + " " + values[0].unit, "seen bool");
+  EXPECT_EQ(values[0].value, 0);
+  EXPECT_EQ(values[1].name + " " + values[1].unit, "distance(place) km");
+  EXPECT_EQ(values[1].value, 0);
+  EXPECT_EQ(values[2].name + " " + values[2].unit, "statetime s");
+  EXPECT_EQ(values[2].value, 8);
+  EXPECT_THAT(bench.textOf(against), HasSubstr("seen false, distance(place) 0 km, statetime 8 s"));
+}
+
 TEST(AgainstLogs, ReportsGaps) {
   LogBench bench;
   bench.flight({0, 4, 304, 605, 609}, {{"m_depth", {5, 5, 5, 5, 5}}});

@@ -375,5 +375,36 @@ TEST(AgainstLogs, TheTextSaysWhatAPilotNeeds) {
   EXPECT_THAT(text, HasSubstr("a → b (goto), line 7: depth 11.0 m"));
 }
 
+/// A real glider: 21 dives through a thermocline at 12 to 18 m. The numbers were counted in the CSV
+/// of `glidercc log` by a script of a few lines.
+TEST(AgainstRealLogs, FireOnEachDive) {
+  const std::filesystem::path folder =
+      std::filesystem::path(GLIDER_SOURCE_DIR) / "../shared/data/dbd";
+  if (!std::filesystem::exists(folder)) {
+    GTEST_SKIP() << "the real data files are not here: " << folder;
+  }
+  LogBench bench;
+  const AgainstLogs against =
+      bench.runAlong(watching("case depth > 30 m goto b\n    case temp < 17 degC goto b\n"
+                              "    case spread(temp, 10 m of depth) >= 1.5 degC goto b",
+                              "depth, temp"),
+                     {folder / "comet-2019-218-00-034.dbd", folder / "comet-2019-218-00-034.ebd"},
+                     {folder / "cac"});
+  EXPECT_EQ(against.vehicle, "comet");
+  EXPECT_EQ(against.ticks, 2359U);
+  const LoggedCase& deep = against.cases.at(0);
+  ASSERT_EQ(deep.firings.size(), 21U);
+  EXPECT_NEAR(deep.firings[0].at.time_s, 1565364619.6, 0.1);
+  EXPECT_NEAR(deep.firings[0].at.depth_m, 30.3923, 1e-4);
+  EXPECT_EQ(against.cases.at(1).firings.size(), 21U);
+  // Through the layer on each leg, down and up.
+  const LoggedCase& layer = against.cases.at(2);
+  EXPECT_EQ(layer.firings.size(), 42U);
+  for (const LoggedFiring& firing : layer.firings) {
+    EXPECT_GT(firing.at.depth_m, 8);
+    EXPECT_LT(firing.at.depth_m, 20);
+  }
+}
+
 }  // namespace
 }  // namespace glider::analysis

@@ -67,6 +67,12 @@ class LogBench {
 
   /// The mission `text`, without its name, along the files.
   [[nodiscard]] report::AgainstLogs run(const std::string& text) {
+    return runAlong(text, {folder_.path()});
+  }
+  /// The same along other files, whose sensor lists are in `caches`.
+  [[nodiscard]] report::AgainstLogs runAlong(
+      const std::string& text, const std::vector<std::filesystem::path>& files,
+      const std::vector<std::filesystem::path>& caches = {}) {
     auto compiled = compiler::compileText("test.mission", "mission test\n" + text);
     EXPECT_TRUE(compiled.has_value());
     compilation_ = std::move(*compiled);
@@ -74,8 +80,8 @@ class LogBench {
       ADD_FAILURE() << support::render(compilation_.diagnostics, *compilation_.sources, false);
       return {};
     }
-    slocum::SensorLists lists;
-    const slocum::LogFiles logs = slocum::readLogFiles({folder_.path()}, lists);
+    slocum::SensorLists lists(caches);
+    const slocum::LogFiles logs = slocum::readLogFiles(files, lists);
     EXPECT_TRUE(logs.failures.empty());
     auto against = runAgainstLogs(*compilation_.checked, logs.files,
                                   ir::defaultParameters(compilation_.checked->mission()));

@@ -4,6 +4,7 @@
 #include "driver/check_mission.h"
 #include "driver/commands.h"
 #include "driver/exit_code.h"
+#include "driver/output/against_logs.h"
 #include "driver/output/explain_page.h"
 #include "driver/output/run_trace.h"
 #include "driver/shared_options.h"
@@ -37,6 +38,7 @@ struct CommandOptions {
   CheckOptions check;
   std::string traces;    ///< folder; empty: none
   std::string skeleton;  ///< the vehicle's mission file; empty: none
+  AgainstOptions against;
 };
 
 /// "1 error, 2 warnings" of the diagnostics shown; empty if there are none of either.
@@ -138,6 +140,10 @@ void tellPeople(const CheckedFile& checked, const CheckOptions& options, std::st
   if (options.report) {
     text += requirementLines(found);
   }
+  for (const report::AgainstLogs& against : found.against) {
+    text +=
+        fmt::format("{} against {}\n", found.path, report::againstText(against, *found.sources));
+  }
   text += verdict(checked);
 }
 
@@ -171,14 +177,22 @@ int writeTraces(const CommandOptions& options, const CheckedFile& checked) {
   return kFine;
 }
 
+/// Writes what the options ask for in addition to the findings; returns the exit code.
+int writeFiles(const CommandOptions& options, const CheckedFile& checked) {
+  const auto drawn = drawAgainst(options.against, checked);
+  return std::max(writeTraces(options, checked), drawn ? kFine : reportFailure(drawn.error()));
+}
+
 int checkForPeople(const CommandOptions& options) {
-  int status = kFine;
+  const VehicleLogs logs = readVehicleLogs(options.against);
+  int status = logs.status;
   std::string all;
   for (const std::string& path : options.missions) {
-    const CheckedFile checked = checkMission(path, options.check);
+    CheckedFile checked = checkMission(path, options.check);
+    runAgainst(logs, options.against, checked);
     std::string text;
     tellPeople(checked, options.check, text);
-    status = std::max({status, exitCode(checked.found), writeTraces(options, checked)});
+    status = std::max({status, exitCode(checked.found), writeFiles(options, checked)});
     // Immediately, so that it appears beside the errors of the same mission.
     if (options.output == "-") {
       if (const auto printed = printOut(text); !printed) {
@@ -201,13 +215,15 @@ std::string pageOrNothing(support::DiagnosticId id) {
 }
 
 int checkForMachines(const CommandOptions& options) {
-  int status = kFine;
+  const VehicleLogs logs = readVehicleLogs(options.against);
+  int status = logs.status;
   std::vector<CheckedFile> all;
   std::vector<report::CheckedMission> found;
   for (const std::string& path : options.missions) {
     all.push_back(checkMission(path, options.check));
+    runAgainst(logs, options.against, all.back());
     found.push_back(all.back().found);
-    status = std::max({status, exitCode(found.back()), writeTraces(options, all.back())});
+    status = std::max({status, exitCode(found.back()), writeFiles(options, all.back())});
     if (found.back().failure) {
       reportFailure(*found.back().failure);
     }
@@ -220,12 +236,16 @@ int checkForMachines(const CommandOptions& options) {
   return done ? status : reportFailure(done.error());
 }
 
-/// The mission that the findings would overwrite; null: none.
+/// The mission or data file that an output would overwrite; null: none.
 const std::string* overwritten(const CommandOptions& options) {
-  for (const std::string& mission : options.missions) {
-    std::error_code error;  // a file that does not exist yet is not a mission
-    if (std::filesystem::equivalent(options.output, mission, error) && !error) {
-      return &mission;
+  for (const auto* inputs : {&options.missions, &options.against.logs}) {
+    for (const std::string& input : *inputs) {
+      for (const std::string& output : {options.output, options.against.picture}) {
+        std::error_code error;  // a file that does not exist yet is not an input
+        if (std::filesystem::equivalent(output, input, error) && !error) {
+          return &input;
+        }
+      }
     }
   }
   return nullptr;
@@ -239,10 +259,45 @@ int check(CommandOptions& options) {
     }
     options.check.silence = std::move(*silence);
   }
-  if (const std::string* mission = overwritten(options)) {
-    return reportFailure(support::fail(support::DiagnosticId::outputIsInput, *mission).error());
+  if (!options.against.picture.empty() && options.missions.size() > 1) {
+    tell("glidercc: error: `--picture` draws one mission; name only one\n");
+    return kWorldFailed;
+  }
+  if (const std::string* input = overwritten(options)) {
+    return reportFailure(support::fail(support::DiagnosticId::outputIsInput, *input).error());
   }
   return options.format == Format::Text ? checkForPeople(options) : checkForMachines(options);
+}
+
+void addAgainstOptions(CLI::App& command, AgainstOptions& options) {
+  auto* against =
+      command
+          .add_option("--against", options.logs,
+                      "Also evaluate the mission's guards on the readings in the vehicle's data "
+                      "files, or folders of them: when each would have become true, with which "
+                      "values, and what the mission would have done")
+          ->option_text("LOG ...");
+  command
+      .add_option("--cache", options.caches,
+                  "With --against: folder with the vehicle's sensor lists (.cac); may be repeated "
+                  "[the folder of each file and its folders cac and cache]")
+      ->option_text("FOLDER")
+      ->allow_extra_args(false)
+      ->needs(against);
+  addLaunchOptions(command, options.launch);
+  command.get_option("--set")->needs(against);
+  command.get_option("--parameters")->needs(against);
+  auto* picture =
+      command
+          .add_option("--picture", options.picture,
+                      "With --against: draw depth and guards over time as an SVG, for one mission")
+          ->option_text("FILE")
+          ->needs(against);
+  command
+      .add_option("--colour", options.picture_style.colour,
+                  "Quantity that colours the track [one that the mission reads]")
+      ->check(CLI::IsMember(trackColours()))
+      ->needs(picture);
 }
 
 }  // namespace
@@ -289,6 +344,7 @@ void addCheckCommand(CLI::App& app, int& status) {
           "--traces", options->traces,
           "Write a counterexample for each violated requirement, for `glidercc sim --replay`")
       ->option_text("FOLDER");
+  addAgainstOptions(*command, options->against);
   command->callback([options, &status] { status = check(*options); });
 }
 

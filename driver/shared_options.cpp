@@ -43,20 +43,24 @@ void addLinkOption(CLI::App& command, std::vector<std::string>& files) {
       ->allow_extra_args(false);
 }
 
-CLI::Option* addPictureOptions(CLI::App& command, std::string& file, report::PictureStyle& style) {
-  auto* picture = command.add_option("--picture", file,
-                                     "Also draw the flight as an SVG, for a paper or a logbook");
-  picture->option_text("FILE");
+std::vector<std::string> trackColours() {
   std::vector<std::string> names = {"state"};
   for (const report::TrackQuantity& quantity : report::pictureQuantities()) {
     if (std::ranges::find(names, quantity.name) == names.end()) {
       names.emplace_back(quantity.name);
     }
   }
+  return names;
+}
+
+CLI::Option* addPictureOptions(CLI::App& command, std::string& file, report::PictureStyle& style) {
+  auto* picture = command.add_option("--picture", file,
+                                     "Also draw the flight as an SVG, for a paper or a logbook");
+  picture->option_text("FILE");
   command
       .add_option("--colour", style.colour,
                   "Quantity that colours the track [chlorophyll if measured, else temp]")
-      ->check(CLI::IsMember(names))
+      ->check(CLI::IsMember(trackColours()))
       ->needs(picture);
   return picture;
 }

@@ -21,6 +21,8 @@ void addLaunchOptions(CLI::App& command, flights::LaunchChoice& choice);
 /// Adds --link FILE to `command`.
 void addLinkOption(CLI::App& command, std::vector<std::string>& files);
 
+/// The values of --colour: what can colour the track of a picture.
+std::vector<std::string> trackColours();
 /// Adds --picture FILE and --colour to `command`; returns the first.
 CLI::Option* addPictureOptions(CLI::App& command, std::string& file, report::PictureStyle& style);
 

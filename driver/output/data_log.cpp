@@ -36,18 +36,6 @@ std::string beginningOf(const std::string& path) {
   return bytes;
 }
 
-/// Splits files, which are in the order of their vehicles, by vehicle.
-std::vector<std::vector<LogFile>> byVehicle(std::vector<LogFile> files) {
-  std::vector<std::vector<LogFile>> groups;
-  for (LogFile& file : files) {
-    if (groups.empty() || groups.back()[0].vehicle != file.vehicle) {
-      groups.emplace_back();
-    }
-    groups.back().push_back(std::move(file));
-  }
-  return groups;
-}
-
 /// The patterns that the names of a vehicle's sensors match; GL9364 for one that none matches.
 Result<void> checkPatterns(const std::vector<std::vector<LogFile>>& vehicles,
                            const std::vector<std::string>& patterns) {
@@ -142,7 +130,7 @@ int showDataFiles(const DataLogOptions& options) {
   }
   int status = kFine;
   if (!logs.files.empty()) {
-    if (const auto shown = show(byVehicle(std::move(logs.files)), options); !shown) {
+    if (const auto shown = show(slocum::byVehicle(std::move(logs.files)), options); !shown) {
       status = reportFailure(shown.error());
     }
   }

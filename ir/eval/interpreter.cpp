@@ -56,6 +56,26 @@ TickResult Interpreter::start(std::span<const SensorUpdate> frame) {
 
 TickResult Interpreter::start(std::span<const SensorUpdate> frame,
                               std::span<const double> parameters) {
+  begin(frame, parameters);
+  enter({0});
+  return result();
+}
+
+TickResult Interpreter::startIn(StateId state, std::span<const double> arguments,
+                                std::span<const SensorUpdate> frame,
+                                std::span<const double> parameters) {
+  begin(frame, parameters);
+  const std::vector<VariableId>& formals = mission_[state].parameters;
+  CHECK(arguments.size() == formals.size(), "a value for each parameter of the state");
+  for (size_t i = 0; i < formals.size(); ++i) {
+    assign(formals[i], arguments[i]);
+  }
+  enter(state);
+  return result();
+}
+
+/// The start up to the first state.
+void Interpreter::begin(std::span<const SensorUpdate> frame, std::span<const double> parameters) {
   CHECK(!started_, "a mission starts once");
   CHECK(parameters.size() == defaultParameters(mission_).size(), "a value for each parameter");
   started_ = true;
@@ -66,18 +86,26 @@ TickResult Interpreter::start(std::span<const SensorUpdate> frame,
   }
   initialise(false);
   startTemporals(true, Moment::Start);
-  enter({0});
-  return result();
 }
 
 TickResult Interpreter::tick(double mission_time, std::span<const SensorUpdate> frame) {
+  advance(mission_time, frame);
+  return decide();
+}
+
+void Interpreter::advance(double mission_time, std::span<const SensorUpdate> frame) {
   CHECK(started_, "a tick before the start");
   CHECK(std::isfinite(mission_time), "mission time is a number");
+  if (!finished_) {
+    take(mission_time, frame);
+    advanceTemporals();
+  }
+}
+
+TickResult Interpreter::decide() {
   if (finished_) {
     return result();
   }
-  take(mission_time, frame);
-  advanceTemporals();
   const bool own_first = std::exchange(just_returned_, false);
   const ListKind first = own_first ? ListKind::State : ListKind::Always;
   const ListKind second = own_first ? ListKind::Always : ListKind::State;

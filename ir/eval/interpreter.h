@@ -53,9 +53,18 @@ class Interpreter {
   TickResult start(std::span<const SensorUpdate> frame, std::span<const double> parameters);
   /// The same with the parameters' defaults.
   TickResult start(std::span<const SensorUpdate> frame = {});
+  /// The same, but enters `state` with these values of its parameters instead of the mission's
+  /// first state: for analyses of one state.
+  TickResult startIn(StateId state, std::span<const double> arguments,
+                     std::span<const SensorUpdate> frame, std::span<const double> parameters);
   /// A tick at `mission_time` (s, finite; a smaller time than before counts as the time before). If
   /// the frame holds a sensor twice, the later value is used.
   TickResult tick(double mission_time, std::span<const SensorUpdate> frame);
+  /// The two halves of a tick. `advance` makes steps 1 to 3: then `evaluate` gives the guards
+  /// before any case of this tick has fired. `decide` makes the others. After the mission has
+  /// finished, `advance` does nothing.
+  void advance(double mission_time, std::span<const SensorUpdate> frame);
+  TickResult decide();
   /// The value of an expression now, after the latest tick, in the state that the tick left
   /// current.
   [[nodiscard]] Value evaluate(ExprId id) const;
@@ -81,6 +90,7 @@ class Interpreter {
   };
   enum class Moment : uint8_t { Start, Resume, Advance };
 
+  void begin(std::span<const SensorUpdate> frame, std::span<const double> parameters);
   void take(double mission_time, std::span<const SensorUpdate> frame);
   void poll();
   [[nodiscard]] Value leaf(const Expr& expr, std::span<const double> arguments) const;

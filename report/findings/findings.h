@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "report/findings/against.h"
 #include "support/diagnostics/diagnostic.h"
 #include "support/result.h"
 
@@ -67,6 +68,7 @@ struct CheckedMission {
   std::vector<Remark> remarks;
   std::vector<JudgedRequirement> requirements;  ///< empty if there are errors of another kind
   std::vector<Budget> budgets;
+  std::vector<AgainstLogs> against;  ///< one for each vehicle, if asked for
 
   /// Whether it is free of errors, and all of it could be checked.
   [[nodiscard]] bool ok() const;

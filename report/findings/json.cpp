@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "report/findings/against_json.h"
 #include "report/findings/findings.h"
 
 #include <nlohmann/json.hpp>
@@ -123,6 +124,9 @@ ordered_json missionOf(const CheckedMission& mission) {
   }
   for (const Budget& budget : mission.budgets) {
     one["budget"][budget.of] = budgetOf(budget);
+  }
+  if (!mission.against.empty()) {
+    one["against"] = againstJson(mission.against, *mission.sources);
   }
   return one;
 }

@@ -25,6 +25,10 @@ double deepestShown(const std::vector<double>& depth, const std::vector<double>&
   return 1.06 * (near ? std::fmin(std::fmax(deepest, ground.greatest), 1.3 * deepest) : deepest);
 }
 
+std::vector<double> depthsOf(const Trace& trace) {
+  return valuesOf(trace, trace.column("m_depth") >= 0 ? "m_depth" : "true_depth");
+}
+
 std::vector<Line> downsampled(std::vector<Line> lines) {
   for (Line& line : lines) {
     line = simplified(line, kUnseen);
@@ -40,10 +44,10 @@ class Chart {
         colouring_(colouring),
         box_(box),
         time_(valuesOf(trace, "time")),
-        depth_(valuesOf(trace, trace.column("m_depth") >= 0 ? "m_depth" : "true_depth")),
+        depth_(depthsOf(trace)),
         seabed_(valuesOf(trace, "water_depth")),
         deepest_(deepestShown(depth_, seabed_)),
-        y_(deepest_, 0, box.bottom, box.top) {
+        y_(depthAxis(trace, box)) {
     const Extent times = extentOf(time_);
     first_ = times.least >= 0 ? times.least : 0;
     last_ = times.greatest > first_ ? times.greatest : first_ + 1;
@@ -255,6 +259,10 @@ class Chart {
 };
 
 }  // namespace
+
+Axis depthAxis(const Trace& trace, const Box& box) {
+  return {deepestShown(depthsOf(trace), valuesOf(trace, "water_depth")), 0, box.bottom, box.top};
+}
 
 std::vector<LegendEntry> drawDepthChart(SvgText& svg, const Trace& trace,
                                         const Colouring& colouring, const Box& box) {

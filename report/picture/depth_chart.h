@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "report/picture/axis.h"
 #include "report/picture/colouring.h"
 #include "report/picture/legend.h"
 #include "report/picture/page.h"
@@ -16,6 +17,9 @@ namespace glider::report::picture {
 /// areas.
 std::vector<LegendEntry> drawDepthChart(SvgText& svg, const support::Trace& trace,
                                         const Colouring& colouring, const Box& box);
+
+/// The scale of the depths of that chart in `box`.
+Axis depthAxis(const support::Trace& trace, const Box& box);
 
 /// The height of the band above the chart, px.
 inline constexpr double kBand = 26;

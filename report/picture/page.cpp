@@ -5,7 +5,45 @@
 
 #include "report/svg/text_lines.h"
 
+#include <cmath>
+
 namespace glider::report::picture {
+namespace {
+
+/// Dark on white, on any background: the colours are chosen for it.
+constexpr std::string_view kStyle = R"svg(<style>
+text { font-family: "Helvetica Neue", Helvetica, Arial, "Liberation Sans", "DejaVu Sans", sans-serif; fill: #1b2733 }
+.title { font-size: 18px; font-weight: bold }
+.label { font-size: 13px }
+.tick { font-size: 12px }
+.muted { font-size: 13px; fill: #566573 }
+.halo { paint-order: stroke; stroke: #ffffff; stroke-width: 4px; stroke-linejoin: round }
+path { fill: none; stroke-linejoin: round; stroke-linecap: butt }
+.grid { stroke: #e6eaee; stroke-width: 1 }
+.frame { fill: none; stroke: #1b2733; stroke-width: 1 }
+.isotherm { stroke: #8fa6ba; stroke-width: 1 }
+.marked { stroke: #1b2733; stroke-width: 1.5; stroke-dasharray: 5 3 }
+.commanded { stroke: #1b2733; stroke-width: .9 }
+.change { stroke: #566573; stroke-width: .8; stroke-dasharray: 1 3 }
+.seabed { fill: #d9cdbd; stroke: #7d6c55; stroke-width: 1 }
+.around { stroke: #ffffff; stroke-width: 3; stroke-opacity: .8 }
+.track { stroke-width: 2.4; stroke-linecap: round }
+.reckoned { stroke: #566573; stroke-width: 1; stroke-dasharray: 4 3 }
+.waypoint { fill: #ffffff; stroke: #1b2733; stroke-width: 1.3 }
+.mark { fill: #ffffff; stroke: #1b2733; stroke-width: 1.8 }
+</style>
+)svg";
+
+}  // namespace
+
+void beginPage(SvgText& svg, double width, double height, std::string_view title) {
+  svg.add(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" width=\"{0}\" height=\"{1}\" "
+      "viewBox=\"0 0 {0} {1}\">\n<title>{2}</title>\n",
+      px(width), px(std::ceil(height)), toXml(title));
+  svg.add(kStyle);
+  svg.add("<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n");
+}
 
 double textWidth(std::string_view text, double font_px) {
   constexpr double kWide = 0.58;  // of the font's size; most letters are narrower

@@ -21,6 +21,9 @@ struct Box {
   [[nodiscard]] double height() const { return bottom - top; }
 };
 
+/// Begins an SVG of that size, dark on white, with the style of all pictures. `title`: plain text.
+void beginPage(SvgText& svg, double width, double height, std::string_view title);
+
 inline constexpr double kTickFont = 12, kLabelFont = 13;
 
 /// The approximate width of `text`, overestimated: the reader's fonts are not known.

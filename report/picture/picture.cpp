@@ -20,30 +20,6 @@ namespace {
 using namespace picture;
 using support::Trace;
 
-/// Dark on white, on any background: the colours are chosen for it.
-constexpr std::string_view kStyle = R"svg(<style>
-text { font-family: "Helvetica Neue", Helvetica, Arial, "Liberation Sans", "DejaVu Sans", sans-serif; fill: #1b2733 }
-.title { font-size: 18px; font-weight: bold }
-.label { font-size: 13px }
-.tick { font-size: 12px }
-.muted { font-size: 13px; fill: #566573 }
-.halo { paint-order: stroke; stroke: #ffffff; stroke-width: 4px; stroke-linejoin: round }
-path { fill: none; stroke-linejoin: round; stroke-linecap: butt }
-.grid { stroke: #e6eaee; stroke-width: 1 }
-.frame { fill: none; stroke: #1b2733; stroke-width: 1 }
-.isotherm { stroke: #8fa6ba; stroke-width: 1 }
-.marked { stroke: #1b2733; stroke-width: 1.5; stroke-dasharray: 5 3 }
-.commanded { stroke: #1b2733; stroke-width: .9 }
-.change { stroke: #566573; stroke-width: .8; stroke-dasharray: 1 3 }
-.seabed { fill: #d9cdbd; stroke: #7d6c55; stroke-width: 1 }
-.around { stroke: #ffffff; stroke-width: 3; stroke-opacity: .8 }
-.track { stroke-width: 2.4; stroke-linecap: round }
-.reckoned { stroke: #566573; stroke-width: 1; stroke-dasharray: 4 3 }
-.waypoint { fill: #ffffff; stroke: #1b2733; stroke-width: 1.3 }
-.mark { fill: #ffffff; stroke: #1b2733; stroke-width: 1.8 }
-</style>
-)svg";
-
 constexpr double kLeft = 62, kMargin = 16, kTop = 92, kHigh = 320, kMapWide = 320, kMapLeft = 70;
 constexpr double kWide = 940, kWideWithMap = 1080, kAxisRoom = 62;
 
@@ -115,12 +91,7 @@ std::string drawPicture(const Trace& trace, const PictureStyle& style) {
       legend_top + drawLegend(body, legend, {kLeft, legend_top}, width - kLeft - kMargin) + 2;
   const std::string name = trace.mission.empty() ? "layered control" : plain(flightTitle(trace));
   SvgText svg;
-  svg.add(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" width=\"{0}\" height=\"{1}\" "
-      "viewBox=\"0 0 {0} {1}\">\n<title>{2}</title>\n",
-      px(width), px(std::ceil(height)), toXml("the flight of mission " + name));
-  svg.add(kStyle);
-  svg.add("<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n");
+  beginPage(svg, width, height, "the flight of mission " + name);
   addText(svg, {kLeft, 30}, "start", "title", name);
   addText(svg, {kLeft, 51}, "start", "muted", headlineOf(trace));
   svg.add(body.take());

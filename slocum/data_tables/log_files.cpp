@@ -174,4 +174,15 @@ LogFiles readLogFiles(const std::vector<fs::path>& paths, SensorLists& lists) {
   return logs;
 }
 
+std::vector<std::vector<LogFile>> byVehicle(std::vector<LogFile> files) {
+  std::vector<std::vector<LogFile>> groups;
+  for (LogFile& file : files) {
+    if (groups.empty() || groups.back()[0].vehicle != file.vehicle) {
+      groups.emplace_back();
+    }
+    groups.back().push_back(std::move(file));
+  }
+  return groups;
+}
+
 }  // namespace glider::slocum

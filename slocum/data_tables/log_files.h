@@ -36,4 +36,7 @@ struct LogFiles {
 /// and segment (plain and compressed, .dbd and .sbd) the one with most sensors is kept.
 LogFiles readLogFiles(const std::vector<std::filesystem::path>& paths, SensorLists& lists);
 
+/// Splits files, which are in the order of their vehicles, by vehicle.
+std::vector<std::vector<LogFile>> byVehicle(std::vector<LogFile> files);
+
 }  // namespace glider::slocum

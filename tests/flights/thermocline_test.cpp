@@ -194,6 +194,22 @@ INSTANTIATE_TEST_SUITE_P(Missions, Thermocline, testing::Values("figure5", "gall
                            return name;
                          });
 
+/// What the paper reports of its first deployment: on the bench the detector finds the layer, at
+/// sea a reading against the trend empties its window before the change is large enough.
+TEST(FirstDeploymentDetector, FindsTheLayerOnTheBenchButNotAtSea) {
+  const auto finds = [](const std::string& scenario, int seed) {
+    const auto events = fly(project("missions/first_deployment.mission") + " --scenario " +
+                            scenario + " --seed " + std::to_string(seed))
+                            .transitions();
+    return std::ranges::any_of(
+        events, [](const Event& event) { return event.what.find("→ track") != std::string::npos; });
+  };
+  for (const int seed : kSeeds) {
+    EXPECT_TRUE(finds("figure5", seed)) << seed;
+    EXPECT_FALSE(finds("first_deployment", seed)) << seed;
+  }
+}
+
 /// What the issue asks of an example in the language.
 TEST(ThermoclineExample, IsUnderFortyLinesOfTheLanguage) {
   const std::string text = slurp(project("missions/gallery/thermocline.mission"));

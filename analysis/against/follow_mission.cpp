@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "analysis/against/follow_mission.h"
+
+#include "analysis/against/held_guards.h"
+#include "support/one_line.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace glider::analysis {
+namespace {
+
+using ir::ListKind;
+using report::FollowedStep;
+
+class Follower {
+ public:
+  Follower(const compiler::Checked& checked, const LogTicks& log,
+           std::span<const double> parameters)
+      : checked_(checked),
+        m_(checked.mission()),
+        log_(log),
+        parameters_(parameters),
+        surface_m_(checked.platform().world.surface_depth_m),
+        watched_(watchedCases(checked)),
+        once_(watched_.size()),
+        values_(watched_.size()) {}
+
+  Followed run() {
+    out_.states.assign(log_.ticks.size(), Followed::kNoState);
+    for (uint32_t tick = firstDive(); tick < log_.ticks.size(); ++tick) {
+      if (running_ && isAfterGap(tick)) {
+        interrupt(tick);
+      }
+      if (running_) {
+        step(tick);
+      } else if (dives(tick)) {
+        start(tick);
+      }
+    }
+    return std::move(out_);
+  }
+
+ private:
+  [[nodiscard]] bool submerged(uint32_t tick) const {
+    return log_.ticks[tick].depth_m > surface_m_;
+  }
+
+  [[nodiscard]] bool isUp(uint32_t tick) const { return log_.ticks[tick].depth_m <= surface_m_; }
+
+  /// The first tick below the surface; the first of all if the depth is never known.
+  [[nodiscard]] uint32_t firstDive() {
+    for (uint32_t tick = 0; tick < log_.ticks.size(); ++tick) {
+      if (submerged(tick)) {
+        return tick;
+      }
+    }
+    const bool unknown = std::ranges::all_of(
+        log_.ticks, [](const LogTick& tick) { return std::isnan(tick.depth_m); });
+    blind_ = unknown;
+    return unknown ? 0 : static_cast<uint32_t>(log_.ticks.size());
+  }
+
+  bool dives(uint32_t tick) {
+    was_up_ = was_up_ || isUp(tick);
+    return was_up_ && (submerged(tick) || blind_);
+  }
+
+  void start(uint32_t tick) {
+    running_.emplace(m_, checked_.facts.stack_depth);
+    origin_s_ = log_.ticks[tick].time_s;
+    const ir::TickResult begun = running_->start(log_.ticks[tick].frame, parameters_);
+    once_.assign(watched_.size(), {});
+    state_ = begun.state;
+    was_up_ = blind_ = false;
+    out_.states[tick] = state_.index;
+    out_.steps.push_back({momentOf(log_, tick), "start", "", m_[state_].name, false, {}, "", {}});
+  }
+
+  /// Whether so much time has passed that the mission would not continue after a power cut.
+  [[nodiscard]] bool isAfterGap(uint32_t tick) const {
+    return log_.ticks[tick].time_s - log_.ticks[tick - 1].time_s > m_.resume_within_s;
+  }
+
+  void interrupt(uint32_t tick) {
+    out_.steps.push_back({momentOf(log_, tick - 1), "gap", m_[state_].name, "", false, {}, "", {}});
+    running_.reset();
+    was_up_ = true;
+  }
+
+  void step(uint32_t tick) {
+    running_->advance(log_.ticks[tick].time_s - origin_s_, log_.ticks[tick].frame);
+    for (size_t i = 0; i < watched_.size(); ++i) {
+      const bool true_now =
+          current(watched_[i]) && running_->truthOf(guardOf(i)) == ir::Truth::True;
+      once_[i].look(true_now);
+      values_[i] = true_now ? valuesOf(watched_[i].reads, *running_) : Values();
+    }
+    const ir::TickResult result = running_->decide();
+    for (size_t i = 0; i < watched_.size(); ++i) {
+      const WatchedCase& one = watched_[i];
+      const bool fired = current(one) && result.firedIn(one.list) == one.number;
+      const bool moved = fired && result.moved == ir::CaseOf{one.list, one.number};
+      if (moved || (fired && once_[i].due())) {
+        tell(tick, i, result);
+        once_[i].fire();
+      }
+    }
+    if (result.finished) {
+      running_.reset();
+      was_up_ = isUp(tick);
+      return;
+    }
+    state_ = result.state;
+    out_.states[tick] = state_.index;
+  }
+
+  /// Whether the case belongs to the state in which the tick began.
+  [[nodiscard]] bool current(const WatchedCase& watched) const {
+    return !watched.state.valid() || watched.state == state_;
+  }
+  [[nodiscard]] ir::ExprId guardOf(size_t watched) const {
+    return caseOf(m_, watched_[watched]).guard;
+  }
+
+  void tell(uint32_t tick, size_t watched, const ir::TickResult& result) {
+    const ir::Case& fired = caseOf(m_, watched_[watched]);
+    const support::SourceRange guard = m_[fired.guard].range;
+    FollowedStep step;
+    step.at = momentOf(log_, tick);
+    step.kind = kindOf(fired.transition);
+    step.from = m_[state_].name;
+    step.to = step.kind == "exit" ? "" : step.kind == "stay" ? step.from : m_[result.state].name;
+    step.always = watched_[watched].list == ListKind::Always;
+    step.range = fired.range;
+    step.guard = guard.valid() ? support::onOneLine(checked_.sources().text(guard)) : "";
+    step.values = values_[watched];
+    out_.steps.push_back(std::move(step));
+  }
+
+  static std::string kindOf(ir::Transition transition) {
+    switch (transition) {
+      case ir::Transition::Goto:
+        return "goto";
+      case ir::Transition::Call:
+        return "call";
+      case ir::Transition::Return:
+        return "return";
+      case ir::Transition::Exit:
+        return "exit";
+      case ir::Transition::Stay:
+      case ir::Transition::Done:
+        break;
+    }
+    return "stay";
+  }
+
+  using Values = std::vector<report::LoggedValue>;
+
+  const compiler::Checked& checked_;
+  const ir::Mission& m_;
+  const LogTicks& log_;
+  std::span<const double> parameters_;
+  double surface_m_;
+  std::vector<WatchedCase> watched_;
+  std::vector<FiringOnce> once_;
+  std::vector<Values> values_;
+  std::optional<ir::Interpreter> running_;
+  double origin_s_ = 0;  ///< mission time 0 of the current start, in the log
+  ir::StateId state_{0};
+  bool was_up_ = true;
+  bool blind_ = false;  ///< the log has no depth, and the mission has not started yet
+  Followed out_;
+};
+
+}  // namespace
+
+Followed followMission(const compiler::Checked& checked, const LogTicks& log,
+                       std::span<const double> parameters) {
+  return Follower(checked, log, parameters).run();
+}
+
+}  // namespace glider::analysis

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "driver/output/against_logs.h"
+
+#include "analysis/analysis.h"
+#include "driver/exit_code.h"
+#include "driver/terminal.h"
+#include "ir/eval/interpreter.h"
+#include "report/picture/against_picture.h"
+#include "support/files.h"
+
+#include <utility>
+
+namespace glider::driver {
+namespace {
+
+support::Result<std::vector<double>> parametersOf(const compiler::Compilation& compilation,
+                                                  const flights::LaunchChoice& choice) {
+  if (choice.empty()) {
+    return ir::defaultParameters(compilation.checked->mission());
+  }
+  const auto loaded = flights::loadForParameters(compiler::optimise(compilation.checked));
+  if (!loaded) {
+    return std::unexpected(loaded.error());
+  }
+  return flights::chooseParameters(loaded->mission(), choice);
+}
+
+}  // namespace
+
+VehicleLogs readVehicleLogs(const AgainstOptions& options) {
+  slocum::SensorLists lists({options.caches.begin(), options.caches.end()});
+  slocum::LogFiles logs = slocum::readLogFiles({options.logs.begin(), options.logs.end()}, lists);
+  for (const std::string& why : logs.skipped) {
+    tell("glidercc: note: " + why + "\n");
+  }
+  VehicleLogs out;
+  for (const support::Failure& failure : logs.failures) {
+    out.status = reportFailure(failure);
+  }
+  out.vehicles = slocum::byVehicle(std::move(logs.files));
+  return out;
+}
+
+void runAgainst(const VehicleLogs& logs, const AgainstOptions& options, CheckedFile& checked) {
+  if (logs.vehicles.empty() || !checked.found.ok() || !checked.compilation ||
+      !checked.compilation->checked) {
+    return;
+  }
+  const auto parameters = parametersOf(*checked.compilation, options.launch);
+  if (!parameters) {
+    checked.found.failure = parameters.error();
+    return;
+  }
+  for (const auto& files : logs.vehicles) {
+    auto against = analysis::runAgainstLogs(*checked.compilation->checked, files, *parameters);
+    if (!against) {
+      checked.found.failure = against.error();
+      return;
+    }
+    checked.found.against.push_back(std::move(*against));
+  }
+}
+
+support::Result<void> drawAgainst(const AgainstOptions& options, const CheckedFile& checked) {
+  const auto& all = checked.found.against;
+  if (options.picture.empty() || all.empty()) {
+    return {};
+  }
+  if (all.size() > 1) {
+    std::string names;
+    for (const report::AgainstLogs& one : all) {
+      names += (names.empty() ? "`" : ", `") + one.vehicle + "`";
+    }
+    return support::fail(support::DiagnosticId::severalVehicles, names);
+  }
+  return support::writeFileAtomically(
+      options.picture, report::drawAgainst(all[0], *checked.found.sources, options.picture_style));
+}
+
+}  // namespace glider::driver

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "driver/check_mission.h"
+#include "flights/launch_choice.h"
+#include "report/picture/picture.h"
+#include "slocum/data_tables/log_files.h"
+
+#include <string>
+#include <vector>
+
+namespace glider::driver {
+
+/// What `glidercc check --against` was given.
+struct AgainstOptions {
+  std::vector<std::string> logs;  ///< data files and folders of them; empty: none
+  std::vector<std::string> caches;
+  flights::LaunchChoice launch;
+  std::string picture;  ///< file; empty: none
+  report::PictureStyle picture_style;
+};
+
+/// The data files of a command line.
+struct VehicleLogs {
+  std::vector<std::vector<slocum::LogFile>> vehicles;
+  int status = 0;  ///< exit code: kWorldFailed if a file could not be read as a whole
+};
+
+/// Reads the data files; reports those that are damaged or cannot be read.
+VehicleLogs readVehicleLogs(const AgainstOptions& options);
+
+/// Adds what the mission would have done with each vehicle's readings to the findings, if it has no
+/// errors.
+void runAgainst(const VehicleLogs& logs, const AgainstOptions& options, CheckedFile& checked);
+
+/// Draws the findings of runAgainst if the options ask for a picture. GL9365: there are several
+/// vehicles.
+support::Result<void> drawAgainst(const AgainstOptions& options, const CheckedFile& checked);
+
+}  // namespace glider::driver

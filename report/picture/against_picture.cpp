@@ -128,7 +128,7 @@ class Page {
     }
     if (!one.flickers.empty() && !flicker_told_) {
       legend_.push_back({"swatch", kFlicker,
-                         fmt::format("flickers: true {} times or more within {:.0f} s",
+                         fmt::format("flickers: fires {} times or more within {:.0f} s",
                                      kFlickerFirings, kFlickerSeconds)});
       flicker_told_ = true;
     }
@@ -158,8 +158,8 @@ class Page {
     beginPage(svg, kWide, height, "mission " + name + " against " + a_.vehicle);
     addText(svg, {kLeft, 30}, "start", "title", name + " against " + plain(a_.vehicle));
     addText(svg, {kLeft, 51}, "start", "muted",
-            fmt::format("{} to {} UTC · what the mission would have done with these readings; the "
-                        "vehicle did not obey it",
+            fmt::format("{} to {} UTC · what the mission would have done; the vehicle did not "
+                        "obey it",
                         a_.begin.utc, a_.end.utc));
     svg.add(body_.take());
     svg.add("</svg>\n");

@@ -3,8 +3,8 @@
 
 #include "analysis/against/held_guards.h"
 
-#include "slocum/data_tables/summary.h"
 #include "support/one_line.h"
+#include "support/utc.h"
 
 #include <algorithm>
 #include <array>
@@ -226,7 +226,7 @@ std::vector<WatchedCase> watchedCases(const compiler::Checked& checked) {
 
 report::LoggedMoment momentOf(const LogTicks& log, uint32_t tick) {
   const LogTick& at = log.ticks.at(tick);
-  return {at.utc_s, slocum::utcText(at.utc_s), at.time_s / 3600, at.depth_m, tick};
+  return {at.utc_s, support::utcText(at.utc_s), at.time_s / 3600, at.depth_m, tick};
 }
 
 std::vector<LoggedCase> evaluateGuards(const compiler::Checked& checked, const LogTicks& log,

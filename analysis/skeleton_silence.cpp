@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "analysis/way_home.h"
-#include "slocum/mission_files/argument_files.h"
-#include "slocum/mission_files/read.h"
-#include "support/files.h"
+#include "slocum/mission_files/load.h"
 
 #include <fmt/format.h>
 
@@ -23,23 +21,14 @@ constexpr double kLongestSilence = 3600;
 }  // namespace
 
 support::Result<Silence> silenceOf(const std::string& path, const support::ShowDiagnostics& show) {
-  auto text = support::readFile(path);
-  if (!text) {
-    return std::unexpected(text.error());
-  }
   support::SourceManager sources;
   support::DiagnosticEngine diagnostics;
-  const uint32_t file = sources.add(path, std::move(*text));
-  auto mission = slocum::readMission(sources, file, diagnostics);
-  if (mission) {
-    slocum::applyArgumentFiles(*mission, std::filesystem::path(path).parent_path(), sources,
-                               diagnostics);
-  }
-  if (diagnostics.errorCount() > 0) {
-    if (show) {
+  const auto mission = slocum::loadMission(path, sources, diagnostics, [](auto&&...) {});
+  if (!mission) {
+    if (show && diagnostics.hasErrors()) {
       show(diagnostics, sources);
     }
-    return support::fail(DiagnosticId::skeletonErrors, path, diagnostics.errorCount());
+    return std::unexpected(mission.error());
   }
   const auto hookbeh =
       std::ranges::find(mission->behaviours, "hookbeh", &slocum::BehaviourBlock::name);

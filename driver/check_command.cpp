@@ -178,8 +178,8 @@ int writeTraces(const CommandOptions& options, const CheckedFile& checked) {
 }
 
 /// Writes what the options ask for in addition to the findings; returns the exit code.
-int writeFiles(const CommandOptions& options, const CheckedFile& checked) {
-  const auto drawn = drawAgainst(options.against, checked);
+int writeFiles(const CommandOptions& options, const VehicleLogs& logs, const CheckedFile& checked) {
+  const auto drawn = drawAgainst(logs, options.against, checked);
   return std::max(writeTraces(options, checked), drawn ? kFine : reportFailure(drawn.error()));
 }
 
@@ -192,7 +192,7 @@ int checkForPeople(const CommandOptions& options) {
     runAgainst(logs, options.against, checked);
     std::string text;
     tellPeople(checked, options.check, text);
-    status = std::max({status, exitCode(checked.found), writeFiles(options, checked)});
+    status = std::max({status, exitCode(checked.found), writeFiles(options, logs, checked)});
     // Immediately, so that it appears beside the errors of the same mission.
     if (options.output == "-") {
       if (const auto printed = printOut(text); !printed) {
@@ -223,7 +223,7 @@ int checkForMachines(const CommandOptions& options) {
     all.push_back(checkMission(path, options.check));
     runAgainst(logs, options.against, all.back());
     found.push_back(all.back().found);
-    status = std::max({status, exitCode(found.back()), writeFiles(options, all.back())});
+    status = std::max({status, exitCode(found.back()), writeFiles(options, logs, all.back())});
     if (found.back().failure) {
       reportFailure(*found.back().failure);
     }
@@ -240,7 +240,8 @@ int checkForMachines(const CommandOptions& options) {
 const std::string* overwritten(const CommandOptions& options) {
   for (const auto* inputs : {&options.missions, &options.against.logs}) {
     for (const std::string& input : *inputs) {
-      for (const std::string& output : {options.output, options.against.picture}) {
+      for (const std::string& output :
+           {options.output, options.against.picture, options.against.page}) {
         std::error_code error;  // a file that does not exist yet is not an input
         if (std::filesystem::equivalent(output, input, error) && !error) {
           return &input;
@@ -259,8 +260,9 @@ int check(CommandOptions& options) {
     }
     options.check.silence = std::move(*silence);
   }
-  if (!options.against.picture.empty() && options.missions.size() > 1) {
-    tell("glidercc: error: `--picture` draws one mission; name only one\n");
+  const bool draws = !options.against.picture.empty() || !options.against.page.empty();
+  if (draws && options.missions.size() > 1) {
+    tell("glidercc: error: `--picture` and `--page` draw one mission; name only one\n");
     return kWorldFailed;
   }
   if (const std::string* input = overwritten(options)) {
@@ -287,6 +289,12 @@ void addAgainstOptions(CLI::App& command, AgainstOptions& options) {
   addLaunchOptions(command, options.launch);
   command.get_option("--set")->needs(against);
   command.get_option("--parameters")->needs(against);
+  command
+      .add_option("--page", options.page,
+                  "With --against: write the web page of the logs, with marks where one mission "
+                  "would have changed state and where its guards flicker")
+      ->option_text("FILE")
+      ->needs(against);
   auto* picture =
       command
           .add_option("--picture", options.picture,

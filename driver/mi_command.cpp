@@ -6,8 +6,9 @@
 #include "driver/output/line_diff.h"
 #include "driver/output/rewrite.h"
 #include "driver/terminal.h"
-#include "simulator/flight/skeleton.h"
+#include "slocum/mission_files/behaviour_catalogue.h"
 #include "slocum/mission_files/edit.h"
+#include "slocum/mission_files/load.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -98,6 +99,14 @@ support::Result<void> put(const MiOptions& options, const support::SourceManager
   return {};
 }
 
+/// Reports b_args that their behaviours do not have. What a simulator lacks is of no concern here.
+void checkNames(const slocum::MissionFile& mission, support::SourceRange /*place*/,
+                support::DiagnosticEngine& diagnostics) {
+  for (const slocum::BehaviourBlock& block : mission.behaviours) {
+    slocum::checkArguments(block, diagnostics);
+  }
+}
+
 int show(const MiOptions& options) {
   std::vector<slocum::Edit> edits;
   for (const std::string& text : options.edits) {
@@ -105,7 +114,7 @@ int show(const MiOptions& options) {
   }
   support::SourceManager sources;
   support::DiagnosticEngine diagnostics;
-  const auto mission = simulator::loadMissionFile(options.file, sources, diagnostics);
+  const auto mission = slocum::loadMission(options.file, sources, diagnostics, checkNames);
   reportDiagnostics(diagnostics, sources);
   if (!mission) {
     return diagnostics.hasErrors() ? kMissionHasErrors : reportFailure(mission.error());

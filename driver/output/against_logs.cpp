@@ -7,7 +7,11 @@
 #include "driver/exit_code.h"
 #include "driver/terminal.h"
 #include "ir/eval/interpreter.h"
+#include "report/against_marks.h"
 #include "report/picture/against_picture.h"
+#include "report/report.h"
+#include "slocum/data_tables/merge.h"
+#include "slocum/data_traces/flight_trace.h"
 #include "support/files.h"
 
 #include <utility>
@@ -25,6 +29,18 @@ support::Result<std::vector<double>> parametersOf(const compiler::Compilation& c
     return std::unexpected(loaded.error());
   }
   return flights::chooseParameters(loaded->mission(), choice);
+}
+
+/// The report page of the vehicle's logs, with what the mission would have done.
+support::Result<void> writePage(const std::vector<slocum::LogFile>& files,
+                                const CheckedFile& checked, const std::string& path) {
+  auto flight = slocum::flightTrace(slocum::merge(files, slocum::flightTraceSensors()));
+  if (!flight) {
+    return std::unexpected(flight.error());
+  }
+  report::markAgainst(checked.compilation->checked->mission().name, checked.found.against[0],
+                      *flight);
+  return report::writeReport(*flight, path);
 }
 
 }  // namespace
@@ -63,9 +79,10 @@ void runAgainst(const VehicleLogs& logs, const AgainstOptions& options, CheckedF
   }
 }
 
-support::Result<void> drawAgainst(const AgainstOptions& options, const CheckedFile& checked) {
+support::Result<void> drawAgainst(const VehicleLogs& logs, const AgainstOptions& options,
+                                  const CheckedFile& checked) {
   const auto& all = checked.found.against;
-  if (options.picture.empty() || all.empty()) {
+  if ((options.picture.empty() && options.page.empty()) || all.empty()) {
     return {};
   }
   if (all.size() > 1) {
@@ -75,8 +92,16 @@ support::Result<void> drawAgainst(const AgainstOptions& options, const CheckedFi
     }
     return support::fail(support::DiagnosticId::severalVehicles, names);
   }
-  return support::writeFileAtomically(
-      options.picture, report::drawAgainst(all[0], *checked.found.sources, options.picture_style));
+  if (!options.page.empty()) {
+    if (auto written = writePage(logs.vehicles[0], checked, options.page); !written) {
+      return written;
+    }
+  }
+  return options.picture.empty()
+             ? support::Result<void>()
+             : support::writeFileAtomically(
+                   options.picture,
+                   report::drawAgainst(all[0], *checked.found.sources, options.picture_style));
 }
 
 }  // namespace glider::driver

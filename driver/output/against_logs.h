@@ -18,6 +18,7 @@ struct AgainstOptions {
   std::vector<std::string> logs;  ///< data files and folders of them; empty: none
   std::vector<std::string> caches;
   flights::LaunchChoice launch;
+  std::string page;     ///< file; empty: none
   std::string picture;  ///< file; empty: none
   report::PictureStyle picture_style;
 };
@@ -35,8 +36,9 @@ VehicleLogs readVehicleLogs(const AgainstOptions& options);
 /// errors.
 void runAgainst(const VehicleLogs& logs, const AgainstOptions& options, CheckedFile& checked);
 
-/// Draws the findings of runAgainst if the options ask for a picture. GL9365: there are several
-/// vehicles.
-support::Result<void> drawAgainst(const AgainstOptions& options, const CheckedFile& checked);
+/// Draws the findings of runAgainst as the options say: as a picture, and as marks on the report
+/// page of the logs. GL9365: there are several vehicles.
+support::Result<void> drawAgainst(const VehicleLogs& logs, const AgainstOptions& options,
+                                  const CheckedFile& checked);
 
 }  // namespace glider::driver

@@ -104,6 +104,8 @@ struct AgainstLogs {
 };
 inline constexpr double kLongGapSeconds = 300;
 
+/// "depth 21.3 m, temp 14.2 degC"; the depth only once.
+std::string loggedValues(const LoggedMoment& at, const std::vector<LoggedValue>& values);
 /// The same for people.
 std::string againstText(const AgainstLogs& against, const support::SourceManager& sources);
 

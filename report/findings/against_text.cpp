@@ -50,18 +50,6 @@ std::string momentText(const LoggedMoment& at) {
   return fmt::format("{} ({:.2f} h)", at.utc, at.hours);
 }
 
-/// "depth 21.3 m, temp 14.2 degC"; the depth only once.
-std::string valuesText(const LoggedMoment& at, const std::vector<LoggedValue>& values) {
-  std::string text =
-      std::isnan(at.depth_m) ? "depth unknown" : fmt::format("depth {:.1f} m", at.depth_m);
-  for (const LoggedValue& value : values) {
-    if (value.name != "depth") {
-      text += fmt::format(", {} {}", value.name, withUnit(value.value, value.unit));
-    }
-  }
-  return text;
-}
-
 /// "line 12"; "figure2.mission:12" in another file than the mission's.
 std::string lineText(const SourceManager& sources, support::SourceRange range) {
   if (!range.valid()) {
@@ -184,7 +172,7 @@ class Text {
   }
 
   void firing(const char* word, const LoggedFiring& firing) {
-    line("        {}  {}  {}", word, momentText(firing.at), valuesText(firing.at, firing.values));
+    line("        {}  {}  {}", word, momentText(firing.at), loggedValues(firing.at, firing.values));
   }
 
   void flickers(const LoggedCase& one) {
@@ -197,7 +185,7 @@ class Text {
       const Flicker& flicker = one.flickers[i];
       const LoggedFiring& first = one.firings.at(flicker.first);
       line("        from   {}  {}: fires {} within {:.0f} s", momentText(first.at),
-           valuesText(first.at, first.values), times(flicker.count), flicker.seconds);
+           loggedValues(first.at, first.values), times(flicker.count), flicker.seconds);
     }
     if (one.flickers.size() > kMostFlickers) {
       line("        and {} more", one.flickers.size() - kMostFlickers);
@@ -259,7 +247,7 @@ class Text {
 
   void step(const FollowedStep& step) {
     if (step.kind == "start") {
-      line("  {}  starts in {}: {}", momentText(step.at), step.to, valuesText(step.at, {}));
+      line("  {}  starts in {}: {}", momentText(step.at), step.to, loggedValues(step.at, {}));
       return;
     }
     if (step.kind == "gap") {
@@ -272,7 +260,7 @@ class Text {
                                  ? step.from + " → exit"
                                  : fmt::format("{} → {} ({})", step.from, step.to, step.kind);
     line("  {}  {}, {}: {}", momentText(step.at), what, placeOf(step),
-         valuesText(step.at, step.values));
+         loggedValues(step.at, step.values));
   }
 
   const AgainstLogs& a_;
@@ -282,6 +270,17 @@ class Text {
 };
 
 }  // namespace
+
+std::string loggedValues(const LoggedMoment& at, const std::vector<LoggedValue>& values) {
+  std::string text =
+      std::isnan(at.depth_m) ? "depth unknown" : fmt::format("depth {:.1f} m", at.depth_m);
+  for (const LoggedValue& value : values) {
+    if (value.name != "depth") {
+      text += fmt::format(", {} {}", value.name, withUnit(value.value, value.unit));
+    }
+  }
+  return text;
+}
 
 std::string againstText(const AgainstLogs& against, const SourceManager& sources) {
   return Text(against, sources).write();

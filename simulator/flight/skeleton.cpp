@@ -3,10 +3,8 @@
 
 #include "simulator/flight/skeleton.h"
 
-#include "slocum/mission_files/argument_files.h"
 #include "slocum/mission_files/behaviour_catalogue.h"
-#include "slocum/mission_files/read.h"
-#include "support/files.h"
+#include "slocum/mission_files/load.h"
 
 #include <algorithm>
 #include <array>
@@ -276,23 +274,7 @@ void checkSkeleton(const slocum::MissionFile& mission, support::SourceRange plac
 support::Result<slocum::MissionFile> loadMissionFile(const std::filesystem::path& path,
                                                      support::SourceManager& sources,
                                                      DiagnosticEngine& diagnostics) {
-  auto text = support::readFile(path);
-  if (!text) {
-    return std::unexpected(text.error());
-  }
-  const size_t errors_before = diagnostics.errorCount();
-  const std::string name = path.string();
-  const uint32_t file = sources.add(name, std::move(*text));
-  auto mission = slocum::readMission(sources, file, diagnostics);
-  if (mission) {
-    slocum::applyArgumentFiles(*mission, path.parent_path(), sources, diagnostics);
-    checkSkeleton(*mission, {file, 0, 0}, diagnostics);
-  }
-  if (!mission || diagnostics.errorCount() != errors_before) {
-    return support::fail(DiagnosticId::skeletonErrors, name,
-                         diagnostics.errorCount() - errors_before);
-  }
-  return std::move(*mission);
+  return slocum::loadMission(path, sources, diagnostics, checkSkeleton);
 }
 
 }  // namespace glider::simulator

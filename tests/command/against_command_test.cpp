@@ -148,6 +148,19 @@ TEST_F(Against, DrawsThePicture) {
   EXPECT_NE(check("m.mission --picture p.svg").status, 0);
 }
 
+TEST_F(Against, MarksThePageOfTheLogs) {
+  EXPECT_EQ(check("m.mission --against a.sbd --page p.html").status, 0);
+  const std::string page = slurp(folder_.path() / "p.html");
+  EXPECT_THAT(page, HasSubstr("the mission would have started in look"));
+  EXPECT_THAT(page, HasSubstr("look → end (exit)"));
+  EXPECT_EQ(check("m.mission m.mission --against a.sbd --page p.html").status, 2);
+  EXPECT_THAT(check("m.mission --against a.sbd --page a.sbd").err, HasSubstr("[GL9350 "));
+  EXPECT_NE(check("m.mission --page p.html").status, 0);
+  (void)folder_.write("b.sbd", write(dive("other")));
+  EXPECT_THAT(check("m.mission --against . --page q.html").err, HasSubstr("[GL9365 "));
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "q.html"));
+}
+
 TEST_F(Against, AMissionWithErrorsIsNotRun) {
   (void)folder_.write("bad.mission", "mission bad\nstate a\nbegin\nend\n");
   const Outcome shown = check("bad.mission --against a.sbd");

@@ -49,6 +49,18 @@ class MiCommand : public ::testing::Test {
   const TemporaryFolder folder_;
 };
 
+TEST_F(MiCommand, ReadsAutoexecAndDoesNotSayWhatTheSimulatorLacks) {
+  (void)folder_.write("autoexec.mi",
+                      "name unit_999\r\ninstalled gps\r\nuse science 0 1 2\n"
+                      "sensor: F_MAX_WORKING_DEPTH(m) 98 # ours\n");
+  const Outcome shown = glidercc("mi autoexec.mi");
+  EXPECT_EQ(shown.status, 0);
+  EXPECT_EQ(shown.err, "");
+  EXPECT_THAT(shown.out, testing::ContainsRegex("sensor f_max_working_depth +98"));
+  (void)folder_.write("typo.mi", "behavior: yo\n b_arg: d_target_dept(m) 20\n");
+  EXPECT_THAT(glidercc("mi typo.mi").err, HasSubstr("[GL5104 "));
+}
+
 TEST_F(MiCommand, ListsTheValuesInForceAndWhereTheyAreFrom) {
   const Outcome shown = glidercc("mi survey.mi");
   EXPECT_EQ(shown.status, 0) << shown.err;

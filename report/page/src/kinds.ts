@@ -24,6 +24,7 @@ const kinds = new Map<string, Kind>(Object.entries({
   abort: { colour: "kind-abort", glyph: "✖", marked: true, flagged: true },
   surface: { colour: "kind-control", glyph: "▲", marked: true, flagged: false },
   dive: { colour: "kind-control", glyph: "▼", marked: true, flagged: false },
+  guard: { colour: "kind-hook", glyph: "∿", marked: true, flagged: false },
   link: { colour: "kind-link", glyph: "≈", marked: true, flagged: false },
 }));
 

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "slocum/mission_files/load.h"
+
+#include "slocum/mission_files/argument_files.h"
+#include "slocum/mission_files/read.h"
+#include "support/files.h"
+
+#include <string>
+#include <utility>
+
+namespace glider::slocum {
+
+support::Result<MissionFile> loadMission(const std::filesystem::path& path,
+                                         support::SourceManager& sources,
+                                         support::DiagnosticEngine& diagnostics,
+                                         const CheckMission& check) {
+  auto text = support::readFile(path);
+  if (!text) {
+    return std::unexpected(text.error());
+  }
+  const size_t errors_before = diagnostics.errorCount();
+  const std::string name = path.string();
+  const uint32_t file = sources.add(name, std::move(*text));
+  auto mission = readMission(sources, file, diagnostics);
+  if (mission) {
+    applyArgumentFiles(*mission, path.parent_path(), sources, diagnostics);
+    check(*mission, {file, 0, 0}, diagnostics);
+  }
+  if (!mission || diagnostics.errorCount() != errors_before) {
+    return support::fail(support::DiagnosticId::skeletonErrors, name,
+                         diagnostics.errorCount() - errors_before);
+  }
+  return std::move(*mission);
+}
+
+}  // namespace glider::slocum

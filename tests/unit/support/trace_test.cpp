@@ -104,6 +104,8 @@ TEST(Submersions, BeginAndEndAtTheSurface) {
   EXPECT_EQ(of({0, 2.9, 0}), Rows()) << "a wave";
   EXPECT_EQ(of({0, 9, 1, 1, 1, 1, 1, 9, 0}), (Rows{{1, 8}})) << "100 s is the turn of a climb";
   EXPECT_EQ(of({0, 9, 1, 1, 1, 1, 1, 1, 9}), (Rows{{1, 2}, {8, std::nullopt}})) << "120 s is not";
+  EXPECT_EQ(of({0, 9, 1, 1, 1, 1, 1, 1, 1, 2.5, 1}), (Rows{{1, 2}})) << "a wave after a dive";
+  EXPECT_EQ(of({9, NAN, NAN, NAN, NAN, NAN, NAN, NAN, 9, 0}), (Rows{{0, 9}})) << "a gap";
   EXPECT_EQ(of({}), Rows());
   Trace unmeasured = dives({0, 9});
   unmeasured.columns[1].name = "true_depth";

@@ -134,9 +134,8 @@ export class Flight {
     return utcText(this.log.utc).slice(0, 10) === utcText(this.log.utc + last).slice(0, 10) ? text.slice(11) : text;
   }
 
-  /** True while hookbeh flies: the column hook_active, or a current state where there is none. A log has no hookbeh. */
+  /** True while hookbeh flies: the column hook_active, or a current state where there is none. */
   inControl(row: number): boolean {
-    if (this.log) return false;
     const active = this.column("hook_active");
     return active ? (active[row] ?? 0) > 0 : (this.column("state")?.[row] ?? null) !== null;
   }

@@ -18,6 +18,8 @@ METRES_PER_BAR = 1e5 / (1025 * 9.80665)  # in sea water
 OWN_SILENCE = 16  # s without a frame; then the mission ticks by the SBC's own clock (runtime/core/mission_clock.h)
 SETTLED = 30  # s after a command; until then the vehicle turns, and its glide is not steady
 LONGEST_OFFSET = 6.0  # s between the flight controller's depth and the science computer's, either way
+OVERRUN = 2.0  # s longer than usual: the cycle has overrun
+LONGEST_CYCLE = 30.0  # s; a longer one is a gap in the log
 SCIENCE_GAP = 6  # s; over a longer one the CTD's depth is not known
 
 
@@ -186,17 +188,27 @@ def ctd_depth(ctd, times, time):
 def depth_error(log, platform):
     """The difference between m_depth and the CTD's depth in sea water of 1025 kg/m3, in every cycle, at the surface and below.
     The two computers' clocks and the moments of reading differ by a constant of at most 6 s: the one with the smallest mean
-    difference. Single readings count, also those from cycles that overran: a mission gets them with the cycle's time."""
+    difference. A cycle that overruns is dated from its beginning and reads its depth at some time before its end: there, the smallest
+    difference in the cycle counts. The mission gets the reading when the cycle is over, so it is not old then. Single readings count."""
     ctd = [(t, bar * METRES_PER_BAR) for t, bar in log.series("sci_water_pressure")]
     times = [t for t, _ in ctd]
     depths = log.series("m_depth")
+    usual = log.cycle() or platform["envelope"]["cycle_s"]
+
+    def moments(time, end):
+        """When the depth of the cycle from `time` to `end` may have been read: every half second of one that overran."""
+        over = min(end - time, LONGEST_CYCLE) if end - time > usual + OVERRUN else 0
+        return [time + k / 2 for k in range(int(2 * over) + 1)]
 
     def errors(offset):
-        pairs = ((t, depth, ctd_depth(ctd, times, t + offset)) for t, depth in depths)
-        return [(abs(depth - other), t) for t, depth, other in pairs if other is not None]
+        for (t, depth), end in zip(depths, [t for t, _ in depths[1:] + depths[-1:]]):
+            others = [ctd_depth(ctd, times, moment + offset) for moment in moments(t, end)]
+            found = [abs(depth - other) for other in others if other is not None]
+            if found:
+                yield min(found), t
 
     offsets = [k / 4 for k in range(int(-4 * LONGEST_OFFSET), int(4 * LONGEST_OFFSET) + 1)]
-    found = [(statistics.fmean(e for e, _ in all_errors), all_errors) for all_errors in map(errors, offsets) if all_errors]
+    found = [(statistics.fmean(e for e, _ in all_errors), all_errors) for all_errors in map(list, map(errors, offsets)) if all_errors]
     if log.every_cycle and found:
         yield from min(found, key=lambda pair: pair[0])[1]
 

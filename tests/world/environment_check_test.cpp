@@ -109,7 +109,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Planted{Rule::Above, [](Flight& f) { f.top_m = -0.1; }},
                     Planted{Rule::Start, [](Flight& f) { f.start_m = 3.1; }},
                     Planted{Rule::Surface, [](Flight& f) { f.floats_at_m = 2.1; }},
-                    Planted{Rule::Reading, [](Flight& f) { f.reading_off_m = -2.51; }},
+                    Planted{Rule::Reading, [](Flight& f) { f.reading_off_m = -0.91; }},
                     Planted{Rule::TickGap, [](Flight& f) { f.tick_s = 20.5; }},
                     Planted{Rule::Range, [](Flight& f) { f.pressure_bar = -1.1; }},
                     Planted{Rule::Drift, [](Flight& f) { f.drift_mps = 0.51; }},

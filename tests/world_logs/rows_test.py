@@ -97,7 +97,10 @@ class Motion(unittest.TestCase):
         self.assertEqual(broken(Flight(error_m=-8)), {"depth_error_m"})
 
     def test_a_depth_read_late_in_a_long_cycle_is_no_motion(self):
-        self.assertEqual(broken(Flight(late_s=9)), {"depth_error_m"})
+        self.assertEqual(broken(Flight(late_s=9)), set())
+
+    def test_a_wrong_depth_in_a_long_cycle_is_an_error(self):
+        self.assertEqual(broken(Flight(late_s=9, error_m=-4)), {"depth_error_m"})
 
     def test_by_the_ctd_alone_a_fast_dive_is_seen(self):
         self.assertEqual(broken(Flight(sinks_mps=0.42, without=("m_depth",))), {"vertical_rate_m_s"})

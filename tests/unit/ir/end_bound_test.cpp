@@ -349,7 +349,7 @@ const std::string kTo20m = kQuietRoute +
                            "case (ge missiontime 500:time) ";
 
 /// The guard leads to a dive that breaks the requirement.
-TEST(Requirements, AReadingOfTheDepthIsTwoAndAHalfMetresOffAtMost) {
+TEST(Requirements, AReadingOfTheDepthIsOffByTheDepthErrorAtMost) {
   // A reading below the sensor's range is unknown: the range must not hide the error.
   std::string header = kHeader;
   header.replace(header.find("lowest -1"), 9, "lowest -9");
@@ -359,10 +359,10 @@ TEST(Requirements, AReadingOfTheDepthIsTwoAndAHalfMetresOffAtMost) {
                      "profile down begin entry do descend (40:length, 0.4:angle) end end "
                      "case (ge missiontime 900:time) exit\n");
   };
-  EXPECT_EQ(diveIf("lt (sensor depth) -2.6:length"), Verdict::Proved);
-  EXPECT_NE(diveIf("lt (sensor depth) -2.4:length"), Verdict::Proved);
-  EXPECT_EQ(diveIf("gt (sensor depth) 27.6:length"), Verdict::Proved);
-  EXPECT_NE(diveIf("gt (sensor depth) 27.4:length"), Verdict::Proved);
+  EXPECT_EQ(diveIf("lt (sensor depth) -1.0:length"), Verdict::Proved);
+  EXPECT_NE(diveIf("lt (sensor depth) -0.8:length"), Verdict::Proved);
+  EXPECT_EQ(diveIf("gt (sensor depth) 26.0:length"), Verdict::Proved);
+  EXPECT_NE(diveIf("gt (sensor depth) 25.8:length"), Verdict::Proved);
 }
 
 /// From 25 m the vehicle gets below 30 m by the next tick.

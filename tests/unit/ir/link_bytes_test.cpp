@@ -125,7 +125,8 @@ TEST(LinkBytes, TheSlowLineCarriesAllSensorsAndAnInstruction) {
   EXPECT_TRUE(appendValue(frame, {slocum().find("sci_hook_heartbeat")->id, 1}));
   const LinkBytes bytes = linkBytes(subscribing(1), slocum());
   EXPECT_GE(bytes.to_science, report);
-  EXPECT_LE(bytes.to_science, report + 3 * 9) << "a frame more for each part, and no more";
+  EXPECT_LE(bytes.to_science, report + 4 * 9)
+      << "a frame more for each part, one for another order, and no more";
   EXPECT_EQ(bytes.to_flight, instruction + onTheLine(frame));
   EXPECT_EQ(bytes.slow_line, 3840u);
   EXPECT_EQ(bytes.fast_line, 46080u);

@@ -3,13 +3,12 @@
 
 #include "slocum/data_tables/netcdf.h"
 
+#include "slocum/data_tables/netcdf_library.h"
 #include "support/files.h"
 
 #include <cstdlib>
 #include <limits>
 #include <memory>
-#include <netcdf.h>
-#include <netcdf_mem.h>
 #include <set>
 #include <string>
 #include <string_view>
@@ -24,13 +23,14 @@ constexpr int kDeflateLevel = 1;  // most of a column is fill values: more gains
 /// nothing, and the first error is kept.
 class MemoryFile {
  public:
-  MemoryFile() {
-    check(nc_create_mem("glidercc", NC_NETCDF4 | NC_CLASSIC_MODEL, 0, &id_), "");
+  /// `library` has all functions.
+  explicit MemoryFile(const NetcdfLibrary& library) : nc_(library) {
+    check(nc_.create_mem("glidercc", NC_NETCDF4 | NC_CLASSIC_MODEL, 0, &id_), "");
     open_ = good();
   }
   ~MemoryFile() {
     if (open_) {
-      nc_abort(id_);
+      nc_.abort(id_);
     }
   }
   MemoryFile(const MemoryFile&) = delete;
@@ -38,36 +38,36 @@ class MemoryFile {
 
   int dimension(const char* name, size_t size) {
     int id = -1;
-    run([&] { return nc_def_dim(id_, name, size, &id); }, name);
+    run([&] { return nc_.def_dim(id_, name, size, &id); }, name);
     return id;
   }
   /// A compressed variable along `along`.
   int variable(const std::string& name, nc_type type, int along) {
     int id = -1;
-    run([&] { return nc_def_var(id_, name.c_str(), type, 1, &along, &id); }, name);
-    run([&] { return nc_def_var_deflate(id_, id, 1, 1, kDeflateLevel); }, name);
+    run([&] { return nc_.def_var(id_, name.c_str(), type, 1, &along, &id); }, name);
+    run([&] { return nc_.def_var_deflate(id_, id, 1, 1, kDeflateLevel); }, name);
     return id;
   }
   void attribute(int variable, const char* name, std::string_view text) {
-    run([&] { return nc_put_att_text(id_, variable, name, text.size(), text.data()); }, name);
+    run([&] { return nc_.put_att_text(id_, variable, name, text.size(), text.data()); }, name);
   }
   void fill(int variable, nc_type type, double value) {
-    run([&] { return nc_put_att_double(id_, variable, "_FillValue", type, 1, &value); }, "");
+    run([&] { return nc_.put_att_double(id_, variable, "_FillValue", type, 1, &value); }, "");
   }
   void attributeBytes(int variable, const char* name, const std::vector<signed char>& values) {
     run(
         [&] {
-          return nc_put_att_schar(id_, variable, name, NC_BYTE, values.size(), values.data());
+          return nc_.put_att_schar(id_, variable, name, NC_BYTE, values.size(), values.data());
         },
         name);
   }
   void endDefinitions() {
-    run([&] { return nc_enddef(id_); }, "");
+    run([&] { return nc_.enddef(id_); }, "");
   }
   void put(int variable, const std::vector<double>& values, const std::string& name) {
     const size_t start = 0, count = values.size();
     if (count > 0) {
-      run([&] { return nc_put_vara_double(id_, variable, &start, &count, values.data()); }, name);
+      run([&] { return nc_.put_vara_double(id_, variable, &start, &count, values.data()); }, name);
     }
   }
   /// The content of the finished file.
@@ -75,7 +75,7 @@ class MemoryFile {
     NC_memio memory{};
     if (good()) {
       open_ = false;
-      check(nc_close_memio(id_, &memory), "");
+      check(nc_.close_memio(id_, &memory), "");
     }
     const std::unique_ptr<void, decltype(&std::free)> owner(memory.memory, &std::free);
     return good() ? std::string(static_cast<const char*>(memory.memory), memory.size) : "";
@@ -92,10 +92,11 @@ class MemoryFile {
   }
   void check(int status, const std::string& name) {
     if (status != NC_NOERR) {
-      error_ = (name.empty() ? "" : "`" + name + "`: ") + nc_strerror(status);
+      error_ = (name.empty() ? "" : "`" + name + "`: ") + nc_.strerror(status);
     }
   }
 
+  const NetcdfLibrary& nc_;
   int id_ = -1;
   bool open_ = false;
   std::string error_;
@@ -190,7 +191,11 @@ void putRows(MemoryFile& out, const Merged& merged, const RowVariables& rows) {
 }  // namespace
 
 support::Result<void> writeNetcdf(const Merged& merged, const std::filesystem::path& path) {
-  MemoryFile out;
+  const NetcdfLibrary& library = NetcdfLibrary::get();
+  if (!library.error.empty()) {
+    return support::fail(support::DiagnosticId::cannotWrite, path.string(), library.error);
+  }
+  MemoryFile out(library);
   const int along = out.dimension("time", merged.rows.size());
   describeFile(out, merged.files);
   const RowVariables rows = defineRows(out, along);

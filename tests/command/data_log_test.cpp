@@ -48,6 +48,29 @@ TEST(DataLog, ShowsFilesAndSensors) {
             "  m_present_time  timestamp        2  1719946531  1719946535  1719946535\n");
 }
 
+/// The library of netCDF is found as any other. Here another file has its name.
+TEST(DataLog, SaysWhyItCannotWriteNetcdf) {
+  const TemporaryFolder folder;
+  (void)folder.write("a.sbd", write(draftOf("unit")));
+  const std::string name = GLIDER_NETCDF;
+  const auto log = [&](const std::string& arguments) {
+    return runShell("cd " + folder.path().string() + " && LD_LIBRARY_PATH=. $GLIDERCC log a.sbd " +
+                    arguments);
+  };
+  (void)folder.write(name, "");
+  const Outcome broken = log("--netcdf o.nc");
+  EXPECT_EQ(broken.status, 2);
+  EXPECT_NE(broken.err.find("cannot write `o.nc`: "), std::string::npos) << broken.err;
+  EXPECT_NE(broken.err.find(name + ": file too short"), std::string::npos) << broken.err;
+  EXPECT_FALSE(fs::exists(folder.path() / "o.nc"));
+  EXPECT_EQ(log("--csv o.csv").status, 0) << "nothing else needs it";
+  fs::copy_file(GLIDER_ANY_LIBRARY, folder.path() / name, fs::copy_options::overwrite_existing);
+  const Outcome another = log("--netcdf o.nc");
+  EXPECT_EQ(another.status, 2);
+  EXPECT_NE(another.err.find(name + " has no nc_"), std::string::npos) << another.err;
+  EXPECT_FALSE(fs::exists(folder.path() / "o.nc"));
+}
+
 TEST(DataLog, WritesTheSensorsAskedFor) {
   const TemporaryFolder folder;
   (void)folder.write("a.sbd", write(draftOf("unit")));

@@ -5,6 +5,7 @@
 
 #include "hooks/hookbeh/hookbeh.h"
 #include "hooks/protocol/values.h"
+#include "simulator/flight/commands.h"
 #include "simulator/flight/sensor_array.h"
 
 #include <cstdint>
@@ -26,8 +27,10 @@ struct CycleView {
   double volts = 0;             ///< true, of the batteries
   bool commanded_whole = true;  ///< heading, pitch and pump were commanded, by any behaviour
   const hooks::HookbehOutputs* hookbeh = nullptr;  ///< what it commanded; null when it does not run
-  bool overridden = false;  ///< a behaviour above hookbeh controlled pitch or pump
-  uint8_t masked = 0;       ///< which slots hookbeh did not fill last, as hooks::kMaskedHeading…
+  uint8_t masked = 0;  ///< which slots hookbeh did not fill last, as hooks::kMaskedHeading…
+
+  /// A behaviour above hookbeh controlled pitch or pump.
+  [[nodiscard]] bool overridden() const { return masksPitchOrPump(masked); }
 };
 
 /// Observes a mission in flight, at points where no fault has an effect.

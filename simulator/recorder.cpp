@@ -63,8 +63,8 @@ constexpr Column kFirst[] = {
     COLUMN("m_lon", "deg", fromDdmm(m.get(Sensor::m_lon))),
     COLUMN("true_lat", "deg", m.truth.latitude_deg),
     COLUMN("true_lon", "deg", m.truth.longitude_deg),
-    COLUMN("m_x_lmc", "m", m.get(Sensor::m_x_lmc)),
-    COLUMN("m_y_lmc", "m", m.get(Sensor::m_y_lmc)),
+    COLUMN("m_x_lmc", "m", m.flight.reckoned().east),
+    COLUMN("m_y_lmc", "m", m.flight.reckoned().north),
     COLUMN("true_x", "m", m.vehicle.x()),
     COLUMN("true_y", "m", m.vehicle.y()),
 };
@@ -89,8 +89,8 @@ constexpr Column kSecond[] = {
     COLUMN("m_altitude", "m",
            m.flight.array().fresh(Sensor::m_altitude) ? m.get(Sensor::m_altitude) : kNaN,
            wantsAltitude),
-    COLUMN("m_water_vx", "m/s", m.get(Sensor::m_water_vx)),
-    COLUMN("m_water_vy", "m/s", m.get(Sensor::m_water_vy)),
+    COLUMN("m_water_vx", "m/s", m.flight.waterVelocity().east),
+    COLUMN("m_water_vy", "m/s", m.flight.waterVelocity().north),
 };
 #undef COLUMN
 
@@ -140,7 +140,7 @@ void Recorder::row(double now_s, const FlightController& flight, const ScienceCo
       now_s, flight, science, vehicle, frame_.position(x, y), isotherm, ocean_.waterDepth(x, y)};
   for (const RecorderColumn& column : columns_) {
     trace_.rows.push_back(column.value != nullptr ? column.value(moment)
-                                                  : science.value(column.sensor));
+                                                  : science.recorded(column.sensor));
   }
 }
 

@@ -158,6 +158,7 @@ bool SimulatedVehicle::controlCycle(double now, int64_t number) {
   }
   flight_.noteSbcGone(link_.goneForGood(now));
   flight_.cycle(now, world_.ocean(), vehicle_, flight_science_link_.left());
+  science_.sampleEvery(flight_.samplePeriods());
   recorder_.row(now, flight_, science_, vehicle_);
   cycle_s_ = now;
   if (setup_.progress && number % kProgressCycles == 0) {
@@ -188,7 +189,6 @@ CycleView SimulatedVehicle::view(double now, bool over) const {
           battery.voltage(),
           flight_.commandedWhole(),
           flight_.hookbeh(),
-          flight_.hookbehOverridden(),
           flight_.hookbehMasked()};
 }
 

@@ -180,7 +180,7 @@ std::string CommandJudge::judgeLimits(const CycleView& view, double reading) {
 
 /// Checks for dives by a depth that is frozen, wrong or does not increase.
 std::string CommandJudge::judgeBlind(const CycleView& view, double reading) {
-  const bool dives = view.hookbeh->pitch_rad < 0 && !view.overridden;
+  const bool dives = view.hookbeh->pitch_rad < 0 && !view.overridden();
   const auto lasts = [&](double& seconds, bool so) {
     seconds = dives && so ? seconds + s_.cycle_s : 0;
     return seconds;
@@ -347,7 +347,7 @@ std::string CommandJudge::cycle(const CycleView& view) {
   std::string wrong = judgeWhole(view);
   wrong = wrong.empty() ? judgeLimits(view, reading) : wrong;
   wrong = wrong.empty() ? judgeBlind(view, reading) : wrong;
-  overridden_s_ = view.overridden ? view.time_s : overridden_s_;
+  overridden_s_ = view.overridden() ? view.time_s : overridden_s_;
   excused_ = excused_ || (view.hookbeh->guard == hooks::HookGuard::DepthsDisagree &&
                           oldFramesReachFlight(s_.faults, view.time_s));
   if (wrong.empty() && s_.promise.follows && !excused_) {
@@ -355,7 +355,7 @@ std::string CommandJudge::cycle(const CycleView& view) {
     // Just before the guard's climb, and in its last cycle, noise decides whether a limit is
     // reached.
     if (wrong.empty() && !guarding_) {
-      carried_off_ = carried_off_ || view.overridden;
+      carried_off_ = carried_off_ || view.overridden();
       wrong = judgeFollowing(view, reading);
     }
   }

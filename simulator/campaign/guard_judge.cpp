@@ -80,7 +80,8 @@ std::string GuardJudge::judgeJump(const CycleView& view) {
 std::string GuardJudge::judgeClimb(const CycleView& view) {
   const double reading = view.array.get(Sensor::m_depth);
   const bool counts = view.hook == HookState::Active && climbs(*view.hookbeh) &&
-                      !climbsByItself(*view.hookbeh) && !view.overridden && reading > kBelowSurface;
+                      !climbsByItself(*view.hookbeh) && !view.overridden() &&
+                      reading > kBelowSurface;
   const bool moves = !(climbs_s_ > 0) || std::fabs(reading - stood_m_) >= kStandsStill;
   stood_m_ = moves ? reading : stood_m_;
   climbs_s_ = !counts ? 0 : moves ? s_.cycle_s : climbs_s_ + view.time_s - last_s_;
@@ -96,7 +97,7 @@ std::string GuardJudge::judgeOverridden(const CycleView& view) {
   const bool stalled = guard == HookGuard::NoDepthGained || guard == HookGuard::NoHeightGained;
   const bool wrong = stalled && !stalled_ && away_s_ > kAwaySecs;
   const double off_cc = view.array.get(Sensor::c_ballast_pumped) - view.hookbeh->pump_cc;
-  const bool away = view.overridden && std::fabs(off_cc) > kAwayCc;
+  const bool away = view.overridden() && std::fabs(off_cc) > kAwayCc;
   away_s_ = away ? away_s_ + view.time_s - last_s_ : 0;
   stalled_ = stalled;
   return wrong ? fmt::format("the guard intervenes ({}) while another behaviour has the pump",

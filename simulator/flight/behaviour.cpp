@@ -10,6 +10,8 @@
 #include "simulator/flight/behaviours/goto_wpt.h"
 #include "simulator/flight/behaviours/hookbeh_adapter.h"
 #include "simulator/flight/behaviours/nop_commands.h"
+#include "simulator/flight/behaviours/prepare_to_dive.h"
+#include "simulator/flight/behaviours/sample.h"
 #include "simulator/flight/behaviours/set_heading.h"
 #include "simulator/flight/behaviours/surface.h"
 #include "simulator/flight/behaviours/yo.h"
@@ -51,6 +53,8 @@ constexpr Kind kKinds[] = {
     {"goto_wpt", make<GotoWpt>},
     {"hookbeh", make<HookbehAdapter>},
     {"nop_cmds", make<NopCommands>},
+    {"prepare_to_dive", make<PrepareToDive>},
+    {"sample", make<Sample>},
     {"set_heading", make<SetHeading>},
     {"surface", make<Surface>},
     {"yo", make<Yo>},

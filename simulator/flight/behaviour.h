@@ -36,9 +36,7 @@ class Behaviour {
   [[nodiscard]] State state() const { return state_; }
   [[nodiscard]] uint8_t masked() const { return masked_; }
   /// True if another behaviour's pitch or pump was flown in the previous cycle.
-  [[nodiscard]] bool overridden() const {
-    return (masked_ & (hooks::kMaskedPitch | hooks::kMaskedPump)) != 0;
-  }
+  [[nodiscard]] bool overridden() const { return masksPitchOrPump(masked_); }
   /// True if it steers pitch and pump: a mission is over when no such behaviours are left except
   /// those that bring the vehicle up.
   [[nodiscard]] virtual bool flies() const { return false; }

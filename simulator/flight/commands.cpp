@@ -3,8 +3,6 @@
 
 #include "simulator/flight/commands.h"
 
-#include "hooks/protocol/values.h"
-
 namespace glider::simulator {
 
 const char* abortName(Abort abort) {

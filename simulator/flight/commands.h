@@ -3,8 +3,12 @@
 
 #pragma once
 
+#include "hooks/protocol/values.h"
+#include "simulator/flight/science_switches.h"
+
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace glider::simulator {
 
@@ -40,6 +44,11 @@ enum class Abort : int8_t {
 /// "MS_ABORT_OVERDEPTH".
 const char* abortName(Abort abort);
 
+/// Whether the slots in `masked`, hooks::kMaskedHeading…, include pitch or pump.
+constexpr bool masksPitchOrPump(uint8_t masked) {
+  return (masked & (hooks::kMaskedPitch | hooks::kMaskedPump)) != 0;
+}
+
 constexpr int kNoLayer = -1;
 
 /// The command record of one cycle: one slot per channel, and which behaviour (by its place in the
@@ -54,6 +63,8 @@ struct Commands {
   bool hit_waypoint = false;  ///< a list of waypoints has reached one in this cycle
   bool hovering = false;      ///< drift_at_depth holds its depth
   bool at_once = false;       ///< an abort: no inflection may delay it
+
+  std::vector<SampleOrder> samples;  ///< of the behaviours sample
 
   /// `layer` of what is commanded from now on.
   int layer = kNoLayer;

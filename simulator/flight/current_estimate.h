@@ -3,15 +3,12 @@
 
 #pragma once
 
+#include "simulator/geography/planar.h"
+
 #include <cstdint>
 #include <optional>
 
 namespace glider::simulator {
-
-/// m or m/s, east and north.
-struct Planar {
-  double east = 0, north = 0;
-};
 
 /// The depth-averaged current as the vehicle estimates it: by how far the first fix of a surfacing
 /// is from the dead-reckoned position, less the drift at the surface until that fix, which a second

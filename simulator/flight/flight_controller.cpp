@@ -26,12 +26,11 @@ constexpr double kSettledAtSurface = 12;    // s; a mission ends only then
 constexpr double kVacuum = 8;               // inHg
 constexpr double kDryVoltage = 2.49;        // V, leak detector
 
-/// 0 surface, 1 diving, 2 climbing, 3 hovering: by a quarter of the nominal 0.19 m/s.
-double depthState(const Situation& s) {
-  if (s.at_surface) {
-    return 0;
-  }
-  return std::fabs(s.depth_rate_mps) < kHoverRate ? 3 : s.depth_rate_mps > 0 ? 1 : 2;
+DepthState depthState(const Situation& s) {
+  return s.at_surface                               ? DepthState::Surface
+         : std::fabs(s.depth_rate_mps) < kHoverRate ? DepthState::Hovering
+         : s.depth_rate_mps > 0                     ? DepthState::Diving
+                                                    : DepthState::Climbing;
 }
 
 }  // namespace
@@ -84,40 +83,62 @@ double FlightController::felt(Sensor sensor, double truth) const {
 
 /// Depth is computed from pressure, and its rate from depth: a fault of one is also in what is
 /// computed from it.
-void FlightController::readPressure(const Vehicle& vehicle) {
+void FlightController::readPressure(double now_s, const Vehicle& vehicle) {
   const double bar = depth_sensor_.pressure(vehicle.depth());
   array_.set(Sensor::m_pressure, bar);
   const double pressed = felt(Sensor::m_pressure, bar) * DepthSensor::kMetresPerBar;
   const double truth = pressed < 0 ? 0 : pressed;
   array_.set(Sensor::m_depth, truth);
   const double depth = felt(Sensor::m_depth, truth);
-  const double rate = cycles_ == 0 ? 0 : (depth - last_depth_) / cycle_s_;
+  const double rate = cycles_ == 0 ? 0 : (depth - last_depth_) / (now_s - pressed_s_);
   last_depth_ = depth;
+  pressed_s_ = now_s;
   array_.set(Sensor::m_depth_rate, rate);
   depth_rate_ = felt(Sensor::m_depth_rate, rate);
 }
 
-void FlightController::readSensors(double now_s, const Ocean& ocean, const Vehicle& vehicle) {
-  SensorArray& a = array_;
-  a.set(Sensor::m_present_time, kStartOfMission + now_s);
-  a.set(Sensor::m_present_secs_into_mission, now_s - mission_start_s_);
-  a.set(Sensor::m_cycle_number, cycles_);
-  readPressure(vehicle);
-  a.set(Sensor::m_pitch, attitude_.pitch(vehicle.pitch()));
-  a.set(Sensor::m_roll, 0);
-  const GeoPosition truth = frame_.position(vehicle.x(), vehicle.y());
-  const double declination = declination_.at(truth.latitude_deg, truth.longitude_deg);
-  a.set(Sensor::m_heading, attitude_.heading(vehicle.heading() - declination));
+void FlightController::readAttitude(double declination, const Vehicle& vehicle) {
+  array_.set(Sensor::m_pitch, attitude_.pitch(vehicle.pitch()));
+  array_.set(Sensor::m_roll, 0);
+  array_.set(Sensor::m_heading, attitude_.heading(vehicle.heading() - declination));
+}
+
+void FlightController::readAltimeter(const Ocean& ocean, const Vehicle& vehicle) {
   const double altitude =
       altimeter_.altitude(vehicle.depth(), ocean.waterDepth(vehicle.x(), vehicle.y()));
   if (!std::isnan(altitude)) {
-    a.set(Sensor::m_altitude, altitude);
-    a.set(Sensor::m_water_depth, last_depth_ + altitude);
+    array_.set(Sensor::m_altitude, altitude);
+    array_.set(Sensor::m_water_depth, last_depth_ + altitude);
   }
-  a.set(Sensor::m_battery, vehicle.battery().voltage());
+}
+
+void FlightController::readSensors(double now_s, const Ocean& ocean, const Vehicle& vehicle) {
+  SensorArray& a = array_;
+  const auto due = [&](Device& device) { return device.due(variables_, now_s); };
+  a.set(Sensor::m_present_time, kStartOfMission + now_s);
+  a.set(Sensor::m_present_secs_into_mission, now_s - mission_start_s_);
+  a.set(Sensor::m_cycle_number, cycles_);
+  if (due(pressure_device_)) {
+    readPressure(now_s, vehicle);
+  }
+  const GeoPosition truth = frame_.position(vehicle.x(), vehicle.y());
+  const double declination = declination_.at(truth.latitude_deg, truth.longitude_deg);
+  if (due(attitude_device_)) {
+    readAttitude(declination, vehicle);
+  }
+  if (due(altimeter_device_)) {
+    readAltimeter(ocean, vehicle);
+  }
+  if (due(battery_device_)) {
+    a.set(Sensor::m_battery, vehicle.battery().voltage());
+  }
   a.set(Sensor::m_coulomb_amphr_total, vehicle.battery().ampHours());
-  a.set(Sensor::m_vacuum, kVacuum);
-  a.set(Sensor::m_leakdetect_voltage, kDryVoltage);
+  if (due(vacuum_device_)) {
+    a.set(Sensor::m_vacuum, kVacuum);
+  }
+  if (due(leak_device_)) {
+    a.set(Sensor::m_leakdetect_voltage, kDryVoltage);
+  }
   a.set(Sensor::m_ballast_pumped, vehicle.pumpedCc());
   a.set(Sensor::m_battpos, vehicle.batteryPositionIn());
   a.set(Sensor::m_fin, vehicle.fin());
@@ -131,15 +152,16 @@ void FlightController::locate(double now_s, double declination, const Vehicle& v
   const Planar current = at_surface ? Planar{} : currentUsed();
   navigator_.reckon(depth_rate_, a.get(Sensor::m_pitch), a.get(Sensor::m_heading) - variation(),
                     at_surface, cycles_ == 0 ? 0 : cycle_s_, current);
-  const auto fix = gps_.fix(vehicle.x(), vehicle.y(), vehicle.depth(), now_s);
+  auto fix = gps_.fix(vehicle.x(), vehicle.y(), vehicle.depth(), now_s);
+  if (fix && !gps_device_.due(variables_, now_s)) {
+    fix.reset();
+  }
   has_fix_ = fix.has_value();
   noteCurrent(now_s, at_surface, fix, current);
   if (fix) {
     navigator_.fix(*fix);
   }
   const GeoPosition position = navigator_.position();
-  a.set(Sensor::m_x_lmc, navigator_.eastOfStart());
-  a.set(Sensor::m_y_lmc, navigator_.northOfStart());
   a.set(Sensor::m_lat, toDdmm(position.latitude_deg));
   a.set(Sensor::m_lon, toDdmm(position.longitude_deg));
   a.set(Sensor::m_speed, navigator_.speed());
@@ -148,6 +170,31 @@ void FlightController::locate(double now_s, double declination, const Vehicle& v
     a.set(Sensor::m_gps_lon, a.get(Sensor::m_lon));
     a.set(Sensor::m_gps_mag_var, Gps::variation(declination));
   }
+  noteLocalPosition();
+}
+
+/// Local mission coordinates: from where the mission started, along magnetic east and north.
+void FlightController::noteLocalPosition() {
+  const Planar at{navigator_.eastOfStart(), navigator_.northOfStart()};
+  if (!geography_) {
+    geography_.emplace(
+        GeoPosition{fromDdmm(array_.get(Sensor::m_lat)), fromDdmm(array_.get(Sensor::m_lon))},
+        variation());
+    origin_ = at;
+  }
+  const Planar local = geography_->toLocal({at.east - origin_.east, at.north - origin_.north});
+  array_.set(Sensor::m_x_lmc, local.east);
+  array_.set(Sensor::m_y_lmc, local.north);
+}
+
+Planar FlightController::reckoned() const {
+  const Planar from_origin =
+      geography_->fromLocal(array_.get(Sensor::m_x_lmc), array_.get(Sensor::m_y_lmc));
+  return {origin_.east + from_origin.east, origin_.north + from_origin.north};
+}
+
+Planar FlightController::waterVelocity() const {
+  return geography_->fromLocal(array_.get(Sensor::m_water_vx), array_.get(Sensor::m_water_vy));
 }
 
 /// The current that the reckoning and the steering count on: u_use_current_correction.
@@ -161,9 +208,10 @@ void FlightController::noteCurrent(double now_s, bool at_surface,
   current_.observe(now_s, at_surface, navigator_.at(),
                    fix ? std::optional<Planar>({fix->x, fix->y}) : std::nullopt, used);
   array_.set(Sensor::x_dr_state, static_cast<double>(current_.state()));
-  if (const auto& found = current_.current(); found && at_surface) {
-    array_.set(Sensor::m_water_vx, found->east);
-    array_.set(Sensor::m_water_vy, found->north);
+  if (const auto& found = current_.current(); found && at_surface && geography_) {
+    const Planar local = geography_->toLocal(*found);
+    array_.set(Sensor::m_water_vx, local.east);
+    array_.set(Sensor::m_water_vy, local.north);
   }
 }
 
@@ -212,6 +260,7 @@ Situation FlightController::situation(double now_s) {
   s.latitude_ddmm = array_.get(Sensor::m_lat);
   s.longitude_ddmm = array_.get(Sensor::m_lon);
   s.waypoint_distance_m = array_.get(Sensor::m_dist_to_wpt);
+  s.primary_distance_m = variables_.find("m_dist_to_primary_wpt").value_or(kNaN);
   s.at_surface = s.depth_m < kSurfaceDepth;
   s.gps_fix = has_fix_;
   s.array = &array_;
@@ -220,14 +269,11 @@ Situation FlightController::situation(double now_s) {
   s.utc_s = array_.get(Sensor::m_present_time);
   s.mission_mode = variables_.get("u_mission_mode");
   s.science_wants_surface = variables_.get("sci_wants_surface") != 0;
-  if (!geography_) {
-    geography_.emplace(GeoPosition{fromDdmm(s.latitude_ddmm), fromDdmm(s.longitude_ddmm)},
-                       variation());
-  }
   s.geography = &*geography_;
   countInflections(s);
   s.inflections = inflections_;
-  array_.set(Sensor::m_depth_state, depthState(s));
+  s.depth_state = depthState(s);
+  array_.set(Sensor::m_depth_state, static_cast<double>(s.depth_state));
   return s;
 }
 
@@ -359,6 +405,7 @@ Commands FlightController::decide(const Situation& s) {
   if (abort_ == Abort::None) {
     LayeredControl::Decision decision = layers_->cycle(s, journal_);
     commanded_whole_ = !decision.commands.anyIdle();
+    sample_periods_ = simulator::samplePeriods(decision.commands.samples, variables_);
     if (decision.abort == Abort::None && !layers_->quit()) {
       layer_ = decision.commands.pitch_layer;
       return decision.commands;

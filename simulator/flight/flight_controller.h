@@ -7,6 +7,7 @@
 #include "platforms/load/dictionary.h"
 #include "simulator/faults/faults.h"
 #include "simulator/flight/current_estimate.h"
+#include "simulator/flight/device.h"
 #include "simulator/flight/dynamic_control.h"
 #include "simulator/flight/geography.h"
 #include "simulator/flight/layered_control.h"
@@ -45,6 +46,10 @@ class FlightController {
   void cycle(double now_s, const Ocean& ocean, Vehicle& vehicle, const GliderByteStream& line);
 
   [[nodiscard]] const SensorArray& array() const { return array_; }
+  /// m_x_lmc and m_y_lmc as metres true east and north of where the flight started.
+  [[nodiscard]] Planar reckoned() const;
+  /// m_water_vx and m_water_vy towards true east and north.
+  [[nodiscard]] Planar waterVelocity() const;
   [[nodiscard]] const ObeyedInstruction& obeyed() const { return obeyed_; }
   [[nodiscard]] bool hookActive() const;
   /// Complete after an abort, Absent without a hookbeh.
@@ -53,14 +58,12 @@ class FlightController {
   [[nodiscard]] double missionStart() const { return mission_start_s_; }
   /// What hookbeh commanded in this cycle; null without one, and after an abort.
   [[nodiscard]] const hooks::HookbehOutputs* hookbeh() const;
-  /// True if a behaviour above hookbeh controlled pitch or pump in this cycle.
-  [[nodiscard]] bool hookbehOverridden() const {
-    return layers_->hookbeh() != nullptr && layers_->hookbeh()->overridden();
-  }
   /// Which slots of the command record hookbeh did not fill last in this cycle.
   [[nodiscard]] uint8_t hookbehMasked() const {
     return layers_->hookbeh() != nullptr ? layers_->hookbeh()->masked() : 0;
   }
+  /// How often the instruments of the science bay are to sample.
+  [[nodiscard]] const SamplePeriods& samplePeriods() const { return sample_periods_; }
   /// Heading, pitch and pump were all commanded in this cycle, by whichever behaviour.
   [[nodiscard]] bool commandedWhole() const { return commanded_whole_; }
   [[nodiscard]] bool aborted() const { return abort_ != Abort::None; }
@@ -93,10 +96,13 @@ class FlightController {
  private:
   void readSensors(double now_s, const Ocean& ocean, const Vehicle& vehicle);
   void locate(double now_s, double declination, const Vehicle& vehicle);
+  void noteLocalPosition();
   [[nodiscard]] Planar currentUsed() const;
   void noteCurrent(double now_s, bool at_surface, const std::optional<Gps::Fix>& fix, Planar used);
   [[nodiscard]] double variation() const;
-  void readPressure(const Vehicle& vehicle);
+  void readPressure(double now_s, const Vehicle& vehicle);
+  void readAttitude(double declination, const Vehicle& vehicle);
+  void readAltimeter(const Ocean& ocean, const Vehicle& vehicle);
   /// The value of `sensor` after `truth` was stored: `truth`, with all its digits, unless the
   /// sensor is damaged.
   [[nodiscard]] double felt(Sensor sensor, double truth) const;
@@ -124,6 +130,10 @@ class FlightController {
   AttitudeSensor attitude_;
   Altimeter altimeter_;
   Gps gps_;
+  Device pressure_device_{"c_pressure_time"}, attitude_device_{"c_att_time"},
+      altimeter_device_{"c_alt_time"}, gps_device_{"c_gps_on"}, battery_device_{"u_battery_time"},
+      vacuum_device_{"u_vacuum_time"}, leak_device_{"c_leakdetect_time"};
+  SamplePeriods sample_periods_;
   hooks::Hull hull_;
   std::unique_ptr<LayeredControl> layers_;
   DynamicControl dynamics_;
@@ -134,9 +144,11 @@ class FlightController {
 
   uint32_t cycles_ = 0;
   double last_depth_ = 0, depth_rate_ = 0;  ///< as computed by the vehicle itself
+  double pressed_s_ = 0;                    ///< when the pressure was last read
   double surfaced_s_ = 0, submerged_s_ = 0;
   double mission_start_s_ = 0;
   std::optional<Geography> geography_;  ///< of the place where the mission started
+  Planar origin_;                       ///< that place, from where the flight started
   double inflections_ = 0, last_moving_ = 0;
   bool has_fix_ = false, commanded_whole_ = true;
   Abort abort_ = Abort::None;

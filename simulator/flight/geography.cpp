@@ -26,10 +26,9 @@ WaypointPosition vehicles(GeoPosition position) {
 WaypointPosition Geography::position(WaypointUnits units, double x, double y) const {
   switch (units) {
     case WaypointUnits::LocalMetres: {
-      // From axes that point to magnetic east and north to true ones.
-      const double east = x * std::cos(variation_) - y * std::sin(variation_);
-      const double north = x * std::sin(variation_) + y * std::cos(variation_);
-      return vehicles(LocalFrame(start_.latitude_deg, start_.longitude_deg).position(east, north));
+      const Planar from_start = fromLocal(x, y);
+      return vehicles(LocalFrame(start_.latitude_deg, start_.longitude_deg)
+                          .position(from_start.east, from_start.north));
     }
     case WaypointUnits::Utm: {
       // In the zone of the mission's start.
@@ -46,6 +45,16 @@ WaypointPosition Geography::position(WaypointUnits units, double x, double y) co
       break;
   }
   return {y, x};
+}
+
+Planar Geography::fromLocal(double x, double y) const {
+  return {x * std::cos(variation_) - y * std::sin(variation_),
+          x * std::sin(variation_) + y * std::cos(variation_)};
+}
+
+Planar Geography::toLocal(Planar towards) const {
+  return {towards.east * std::cos(variation_) + towards.north * std::sin(variation_),
+          towards.north * std::cos(variation_) - towards.east * std::sin(variation_)};
 }
 
 double Geography::distance(const WaypointPosition& a, const WaypointPosition& b) {

@@ -13,9 +13,10 @@ namespace glider::simulator {
 LayeredControl::LayeredControl(const slocum::MissionFile& mission, const hooks::Hull& hull,
                                const MissionVariables& variables, Code15 code_15) {
   for (size_t i = 0; i < mission.behaviours.size(); ++i) {
-    auto behaviour = makeBehaviour({mission.behaviours[i], hull, variables, code_15});
+    const slocum::BehaviourBlock& block = mission.behaviours[i];
+    auto behaviour = block.lacks_file ? nullptr : makeBehaviour({block, hull, variables, code_15});
     if (behaviour == nullptr) {
-      continue;  // checkSkeleton has warned
+      continue;  // sensors_in (MissionVariables), or the pilot has been warned
     }
     if (auto* hookbeh = dynamic_cast<HookbehAdapter*>(behaviour.get())) {
       hookbeh_ = hookbeh;
@@ -28,7 +29,7 @@ void LayeredControl::tell(Layer& layer, double time_s, Journal& journal) {
   layer.behaviour->tell(time_s, journal);
   // Behaviours that are always active report their own events, if any.
   const std::string& name = layer.behaviour->name();
-  const bool quiet = name == "abend" || name == "hookbeh";
+  const bool quiet = name == "abend" || name == "hookbeh" || name == "sample";
   const Behaviour::State now = layer.behaviour->state();
   if (now != layer.told && !quiet) {
     const char* what = now == Behaviour::State::Active     ? "started"

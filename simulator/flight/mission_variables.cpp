@@ -3,6 +3,8 @@
 
 #include "simulator/flight/mission_variables.h"
 
+#include <ranges>
+
 namespace glider::simulator {
 namespace {
 
@@ -16,14 +18,34 @@ MissionVariables::MissionVariables(const slocum::MissionFile& mission) {
   for (int number = 0; number < slocum::kMissionParameters; ++number) {
     values_.emplace(parameterName(number), 0);
   }
+  for (const slocum::Setting& sensor : mission.vehicle_sensors) {
+    values_[sensor.name] = sensor.value;
+  }
   for (const slocum::Setting& sensor : mission.sensors) {
     values_[sensor.name] = sensor.value;
+  }
+  // sensors_in sets its own once, when the mission starts: what is put later counts more.
+  for (const slocum::BehaviourBlock& block : mission.behaviours | std::views::reverse) {
+    if (block.name == "sensors_in" && !block.lacks_file) {
+      for (const slocum::Setting& given : block.arguments) {
+        values_[given.name] = given.value;
+      }
+    }
   }
 }
 
 double MissionVariables::get(std::string_view name) const {
   const auto found = values_.find(name);
   return found == values_.end() ? 0 : found->second;
+}
+
+std::optional<double> MissionVariables::find(std::string_view name) const {
+  const auto found = values_.find(name);
+  if (found == values_.end()) {
+    return std::nullopt;
+  }
+  const auto number = slocum::missionParameter(found->second);
+  return number ? *parameter(*number) : found->second;
 }
 
 const double* MissionVariables::parameter(int number) const {

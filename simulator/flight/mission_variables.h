@@ -6,19 +6,23 @@
 #include "slocum/mission_files/mission_file.h"
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 
 namespace glider::simulator {
 
-/// The vehicle's sensors that are settings of its mission: those of the `sensor:` lines, the
-/// mission parameters u_mission_param_a to z and the mission mode. One that was never set is 0, as
-/// on the vehicle.
+/// The vehicle's sensors that are settings of its mission: those of autoexec.mi, above them
+/// those of the `sensor:` lines, above them those of the behaviour sensors_in; the mission
+/// parameters u_mission_param_a to z and the mission mode. One that was never set is 0, as on the
+/// vehicle.
 class MissionVariables {
  public:
   explicit MissionVariables(const slocum::MissionFile& mission);
 
   [[nodiscard]] double get(std::string_view name) const;
+  /// Empty for one that was never set. A mission parameter (slocum::missionParameter) is read.
+  [[nodiscard]] std::optional<double> find(std::string_view name) const;
   void set(std::string_view name, double value) { values_[std::string(name)] = value; }
   /// The value of mission parameter `number` (0 is a); the address stays valid.
   [[nodiscard]] const double* parameter(int number) const;

@@ -5,9 +5,15 @@
 
 #include "simulator/flight/sensor_array.h"
 
+#include <cstdint>
+#include <limits>
+
 namespace glider::simulator {
 
 class Geography;
+
+/// m_depth_state.
+enum class DepthState : uint8_t { Surface, Diving, Climbing, Hovering };
 
 /// What behaviours know in one control cycle. NaN for what is not known.
 struct Situation {
@@ -15,14 +21,17 @@ struct Situation {
   double flight_s = 0;  ///< since the beginning of the simulated flight: the journal's time
   double depth_m = 0;
   double depth_rate_mps = 0;  ///< positive when sinking
+  DepthState depth_state = DepthState::Surface;
   double altitude_m = 0;
   double voltage = 0;
   double latitude_ddmm = 0, longitude_ddmm = 0;
   double waypoint_distance_m = 0;  ///< to the waypoint in force in the last cycle
-  double silent_s = 0;             ///< since the vehicle was last at the surface
-  double utc_s = 0;                ///< since 1970
-  double mission_mode = 0;         ///< u_mission_mode, a set of bits
-  double inflections = 0;          ///< since the vehicle was last at the surface
+  /// To the primary waypoint, m_dist_to_primary_wpt.
+  double primary_distance_m = std::numeric_limits<double>::quiet_NaN();
+  double silent_s = 0;      ///< since the vehicle was last at the surface
+  double utc_s = 0;         ///< since 1970
+  double mission_mode = 0;  ///< u_mission_mode, a set of bits
+  double inflections = 0;   ///< since the vehicle was last at the surface
   bool science_wants_surface = false;
   bool at_surface = false;
   bool gps_fix = false;

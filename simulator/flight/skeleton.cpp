@@ -3,6 +3,9 @@
 
 #include "simulator/flight/skeleton.h"
 
+#include "simulator/flight/device.h"
+#include "simulator/flight/science_switches.h"
+#include "simulator/sensors/sensor_list.h"
 #include "slocum/mission_files/behaviour_catalogue.h"
 #include "slocum/mission_files/load.h"
 
@@ -22,21 +25,13 @@ using support::DiagnosticId;
 
 namespace {
 
-/// Behaviours that command neither heading nor pitch nor pump: their work is always done in this
-/// simulator.
-struct Idle {
-  std::string_view name, why;
-};
-constexpr auto kIdle = std::to_array<Idle>({
-    {"sample", "the simulated CTD always samples"},
-    {"sensors_in", "every simulated sensor is always on"},
-    {"prepare_to_dive", "the simulated vehicle starts with a fix"},
-});
+constexpr std::string_view kPrimaryDistance = "m_dist_to_primary_wpt";
 
 /// Sensors whose settings this simulator reads.
 bool isRead(std::string_view sensor) {
   return sensor.starts_with("u_mission_param_") || sensor == "u_mission_mode" ||
-         sensor == "sci_wants_surface" || sensor == "u_use_current_correction";
+         sensor == "sci_wants_surface" || sensor == "u_use_current_correction" ||
+         sensor == kPrimaryDistance || isDeviceSetting(sensor) || isScienceSwitch(sensor);
 }
 
 /// The codes that this simulator models for an enumerated b_arg.
@@ -44,8 +39,8 @@ struct Codes {
   std::string_view behaviour, argument;
   std::vector<int> codes;
 };
-const std::vector<int> kStart = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16};
-const std::vector<int> kStop = {1, 2, 3, 4, 5, 7, 8, 9, 15};
+const std::vector<int> kStart = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18};
+const std::vector<int> kStop = {1, 2, 3, 4, 5, 7, 8, 9, 15, 17, 18};
 const std::vector<int> kFlag = {0, 1};
 const std::vector<int> kPump = {0, 2};
 const std::vector<int> kUnits = {0, 1, 2};
@@ -83,6 +78,7 @@ const auto kCodes = std::to_array<Codes>({
     {"climb_to", "use_bpump", kPump},
     {"climb_to", "use_pitch", kPitch},
     {"climb_to", "end_action", kEnd},
+    {"prepare_to_dive", "start_when", {0, 1, 2, 3, 4, 5, 8, 11, 14}},  // it has no other b_args
     {"drift_at_depth", "start_when", kStart},
     {"drift_at_depth", "end_action", kEnd},
     {"drift_at_depth", "use_pitch", kPitch},
@@ -110,6 +106,7 @@ constexpr auto kBounds = std::to_array<Bounds>({
     {"surface", "c_pitch_value", -kSteep, kSteep},
     {"surface", "gps_wait_time", 0, kNoLimit},
     {"surface", "keystroke_wait_time", 0, kNoLimit},
+    {"sample", "state_to_sample", 0, 15},
     {"hookbeh", "start_secs", 0, kNoLimit},
     {"hookbeh", "max_depth", 1, 2000},
     {"hookbeh", "max_pitch", 0.1, kSteep},
@@ -219,11 +216,62 @@ void warnOfThruster(const slocum::BehaviourBlock& block, DiagnosticEngine& diagn
   }
 }
 
-void checkBehaviour(const slocum::BehaviourBlock& block, DiagnosticEngine& diagnostics) {
-  if (const auto idle = std::ranges::find(kIdle, block.name, &Idle::name); idle != kIdle.end()) {
-    diagnostics.report(DiagnosticId::behaviourWithoutEffect, block.range, block.name, idle->why);
+/// A negative value switches off what is not there anyway.
+bool switchesOn(const slocum::Setting& given) {
+  return given.value >= 0;
+}
+
+/// Of what sensors_in and sample switch on, what this simulator does not have.
+void warnOfInstruments(const slocum::BehaviourBlock& block, DiagnosticEngine& diagnostics) {
+  const auto warn = [&](const slocum::Setting& given, const char* why) {
+    diagnostics.report(DiagnosticId::argumentWithoutEffect, given.name_range, given.name,
+                       block.name, why);
+  };
+  for (const slocum::Setting& given : block.arguments) {
+    const bool proglet = given.name.starts_with("c_") && given.name.ends_with("_on");
+    const bool known = isDeviceSetting(given.name) || isScienceSwitch(given.name);
+    if (block.name == "sensors_in" && proglet && !known && switchesOn(given)) {
+      warn(given, "the simulated science computer has no such instrument");
+    }
+  }
+  const slocum::Setting* type = block.name == "sample" ? block.find("sensor_type") : nullptr;
+  const auto is_type = [&](const Proglet& proglet) { return proglet.sensor_type == type->value; };
+  if (type != nullptr && type->value != 0 && block.value("intersample_time") >= 0 &&
+      std::ranges::none_of(simulatedProglets(), is_type)) {
+    warn(*type, "the simulated science computer has no such instrument");
+  }
+}
+
+/// Which waypoint is the primary one, the vehicle's public documents do not say.
+void warnOfPrimaryWaypoint(const slocum::BehaviourBlock& block, DiagnosticEngine& diagnostics) {
+  for (const slocum::Setting& given : block.arguments) {
+    if (given.name.ends_with("_when") && (given.value == 17 || given.value == 18)) {
+      diagnostics.report(DiagnosticId::argumentWithoutEffect, given.name_range, given.name,
+                         block.name,
+                         "the simulated vehicle has no primary waypoint: set "
+                         "`m_dist_to_primary_wpt` in the mission or in [[operator.put]]");
+    }
+  }
+}
+
+/// An autoexec.mi has hundreds of settings: one warning is for all that have no effect.
+void warnOfVehicleSettings(const std::vector<slocum::Setting>& settings,
+                           DiagnosticEngine& diagnostics) {
+  const auto unread = [](const slocum::Setting& setting) { return !isRead(setting.name); };
+  const auto first = std::ranges::find_if(settings, unread);
+  if (first == settings.end()) {
     return;
   }
+  const auto others = std::ranges::count_if(settings, unread) - 1;
+  auto warning =
+      diagnostics.report(DiagnosticId::sensorWithoutEffect, first->name_range, first->name);
+  if (others > 0) {
+    warning.note(first->name_range, fmt::format("and {} more of this file have no effect", others));
+  }
+}
+
+void checkBehaviour(const slocum::BehaviourBlock& block, bool has_primary,
+                    DiagnosticEngine& diagnostics) {
   if (slocum::findBehaviour(block.name) == nullptr) {
     if (slocum::isNearlyABehaviour(block.name)) {
       diagnostics.report(DiagnosticId::unknownBehaviour, block.range, block.name, flown());
@@ -236,6 +284,10 @@ void checkBehaviour(const slocum::BehaviourBlock& block, DiagnosticEngine& diagn
   slocum::checkArguments(block, diagnostics);
   checkValues(block, diagnostics);
   warnOfThruster(block, diagnostics);
+  warnOfInstruments(block, diagnostics);
+  if (!has_primary) {
+    warnOfPrimaryWaypoint(block, diagnostics);
+  }
   if (block.name == "goto_list") {
     checkList(block, diagnostics);
   } else if (block.name == "goto_wpt") {
@@ -251,18 +303,25 @@ void checkSkeleton(const slocum::MissionFile& mission, support::SourceRange plac
     diagnostics.report(DiagnosticId::noBehaviours, place);
   }
   for (const slocum::Setting& sensor : mission.sensors) {
-    if (isRead(sensor.name)) {
-      continue;
+    if (!isRead(sensor.name)) {
+      diagnostics.report(DiagnosticId::sensorWithoutEffect, sensor.name_range, sensor.name);
     }
-    diagnostics.report(DiagnosticId::sensorWithoutEffect, sensor.name_range, sensor.name);
   }
+  warnOfVehicleSettings(mission.vehicle_sensors, diagnostics);
+  const auto is_primary = [](const slocum::Setting& setting) {
+    return setting.name == kPrimaryDistance;
+  };
+  const bool has_primary = std::ranges::any_of(mission.sensors, is_primary) ||
+                           std::ranges::any_of(mission.vehicle_sensors, is_primary);
   const slocum::BehaviourBlock* hookbeh = nullptr;
   std::set<std::string_view> without_effect;  // each is named once
   for (const slocum::BehaviourBlock& block : mission.behaviours) {
     if (slocum::findBehaviour(block.name) == nullptr && !without_effect.insert(block.name).second) {
       continue;
     }
-    checkBehaviour(block, diagnostics);
+    if (!block.lacks_file) {
+      checkBehaviour(block, has_primary, diagnostics);
+    }
     if (block.name == "hookbeh" && hookbeh != nullptr) {
       diagnostics.report(DiagnosticId::duplicateArgument, block.range, block.name)
           .note(hookbeh->range, "the first is here");

@@ -73,6 +73,10 @@ bool When::met(const Situation& s, const Commands& below) const {
                                              : s.waypoint_distance_m > numbers_.distance_m();
     case 16:
       return s.inflections > numbers_.inflections;
+    case 17:
+      return s.primary_distance_m < numbers_.distance_m();
+    case 18:
+      return s.primary_distance_m > numbers_.distance_m();
     default:
       return false;  // 5: never
   }

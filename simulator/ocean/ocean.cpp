@@ -64,9 +64,9 @@ double Ocean::density(double z, double x, double y, double t) const {
   return step == 0 ? settings_.density : settings_.density + step * (0.5 - upperShare(z, x, y, t));
 }
 
-Current Ocean::current(double z, double x, double y) const {
-  const Current& top = settings_.current;
-  const Current& bottom = settings_.bottom_current;
+Planar Ocean::current(double z, double x, double y) const {
+  const Planar& top = settings_.current;
+  const Planar& bottom = settings_.bottom_current;
   const double water_depth = waterDepth(x, y);
   const double share = water_depth > 0 ? std::clamp(z / water_depth, 0.0, 1.0) : 0;
   return {top.east + (bottom.east - top.east) * share,

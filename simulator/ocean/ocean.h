@@ -19,7 +19,7 @@ class Ocean {
 
   [[nodiscard]] double temperature(double z, double x, double y, double t) const;  ///< degC
   [[nodiscard]] double density(double z, double x, double y, double t) const;      ///< kg/m3
-  [[nodiscard]] Current current(double z, double x, double y) const;
+  [[nodiscard]] Planar current(double z, double x, double y) const;
   /// The water's own speed up (m/s) as the wave passes.
   [[nodiscard]] double verticalCurrent(double z, double x, double y, double t) const;
   [[nodiscard]] double waterDepth(double x, double y) const { return bottom_.depth(x, y); }

@@ -3,17 +3,13 @@
 
 #pragma once
 
+#include "simulator/geography/planar.h"
+
 #include <vector>
 
 /// What a scenario may specify about the water. Positions are m east and north of the mission's
 /// start, bearings rad clockwise from north, depths m down.
 namespace glider::simulator {
-
-/// A current, m/s, towards east and north.
-struct Current {
-  double east = 0;
-  double north = 0;
-};
 
 /// An internal wave that travels east: lowers the thermocline by
 /// amplitude · sin(2 pi ((t - start)/period - x/wavelength) + phase).
@@ -59,8 +55,8 @@ struct OceanSettings {
   FrontSettings front;
   double density = 1025;    ///< kg/m3, in the middle of the thermocline
   double density_step = 0;  ///< kg/m3, denser below the thermocline than above it
-  Current current;          ///< at the surface
-  Current bottom_current;   ///< at the bottom; linear between the two
+  Planar current;           ///< at the surface
+  Planar bottom_current;    ///< at the bottom; linear between the two
   BottomSettings bottom;
 };
 

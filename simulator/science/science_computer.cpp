@@ -30,11 +30,26 @@ ScienceComputer::ScienceComputer(const platforms::Platform& platform, uint64_t s
 
 void ScienceComputer::fit(const platforms::Platform& platform,
                           std::unique_ptr<Instrument> instrument) {
-  OnBoard one{std::move(instrument), {}, {}};
+  OnBoard one;
+  one.instrument = std::move(instrument);
   for (const InstrumentSensor& sensor : one.instrument->sensors()) {
     one.numbers.push_back(numberOf(platform, sensor.name));
   }
   instruments_.push_back(std::move(one));
+}
+
+void ScienceComputer::sampleEvery(const SamplePeriods& periods) {
+  for (OnBoard& one : instruments_) {
+    one.period_s = periods.at(one.instrument->proglet().sensor_type);
+  }
+}
+
+double ScienceComputer::recorded(uint16_t id) const {
+  const auto is_off = [id](const OnBoard& one) {
+    return one.period_s < 0 && std::ranges::find(one.numbers, id) != one.numbers.end();
+  };
+  return std::ranges::any_of(instruments_, is_off) ? std::numeric_limits<double>::quiet_NaN()
+                                                   : value(id);
 }
 
 void ScienceComputer::restart() {
@@ -84,7 +99,10 @@ void ScienceComputer::run(double now_s, const Ocean& ocean, const Place& place,
                           const GliderByteStream& sbc, const GliderByteStream& flight) {
   set(numbers_[Sensor::sci_m_present_time], kStartOfMission + now_s);
   for (OnBoard& one : instruments_) {
-    sample(one, {now_s, place.depth_m, place.x, place.y, ocean});
+    if (one.period_s >= 0 && now_s - one.sampled_s >= one.period_s) {
+      one.sampled_s = now_s;
+      sample(one, {now_s, place.depth_m, place.x, place.y, ocean});
+    }
   }
   hookprog_.run(now_s, {this, get}, sbc, flight);
 }

@@ -9,6 +9,7 @@
 #include "simulator/faults/sensor_damage.h"
 #include "simulator/journal.h"
 #include "simulator/ocean/ocean.h"
+#include "simulator/science/sample_periods.h"
 #include "simulator/sensors/provided.h"
 #include "simulator/sensors/sensor_list.h"
 
@@ -44,6 +45,8 @@ class ScienceComputer {
   void run(double now_s, const Ocean& ocean, const Place& place, const GliderByteStream& sbc,
            const GliderByteStream& flight);
 
+  /// From now on each instrument samples that often; until this is called, in each cycle.
+  void sampleEvery(const SamplePeriods& periods);
   /// Restarts it: its state is lost.
   void restart();
   /// Sets what its sensors report from now on instead of the truth.
@@ -54,6 +57,8 @@ class ScienceComputer {
   [[nodiscard]] double value(uint16_t id) const {
     return id < values_.size() ? values_[id] : std::numeric_limits<double>::quiet_NaN();
   }
+  /// The same for the trace: NaN while the instrument is off.
+  [[nodiscard]] double recorded(uint16_t id) const;
 
  private:
   /// An instrument on board, with the numbers that the vehicle gives its sensors.
@@ -61,6 +66,8 @@ class ScienceComputer {
     std::unique_ptr<Instrument> instrument;
     std::vector<uint16_t> numbers;
     std::vector<double> readings;  ///< the newest
+    double period_s = 0;           ///< negative: off
+    double sampled_s = -std::numeric_limits<double>::infinity();
   };
   void fit(const platforms::Platform& platform, std::unique_ptr<Instrument> instrument);
   void sample(OnBoard& one, const Sampling& at);

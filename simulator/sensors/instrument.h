@@ -23,6 +23,13 @@ struct InstrumentSensor {
   const char* column_unit = nullptr;  ///< of its column in the trace; null: no column
 };
 
+/// The program of the science computer that runs an instrument: its number in sensor_type of the
+/// behaviour sample, and the middle of its switch, c_profile_on.
+struct Proglet {
+  int sensor_type = 0;
+  std::string_view name;
+};
+
 /// An instrument of the science bay. All code of the simulator for one kind is in one folder, and
 /// the kind is a row of sensor_list.h. In addition to these functions its class has Settings
 /// (sensor_settings.h) and a constructor that takes the seed of the flight and the settings.
@@ -31,6 +38,7 @@ class Instrument {
   virtual ~Instrument() = default;
   /// The sensors that it sets; the same for each instrument of the kind.
   [[nodiscard]] virtual std::span<const InstrumentSensor> sensors() const = 0;
+  [[nodiscard]] virtual Proglet proglet() const = 0;
   /// The setting in a scenario file that puts the instrument on board, for messages to the pilot;
   /// "": every vehicle has the instrument.
   [[nodiscard]] virtual std::string_view setting() const { return ""; }

@@ -36,6 +36,17 @@ void SensorSettings::read(ScenarioTables& tables) {
 #undef ROW
 }
 
+const std::vector<Proglet>& simulatedProglets() {
+  static const std::vector<Proglet> all = [] {
+    std::vector<Proglet> proglets;
+    for (const std::unique_ptr<Instrument>& instrument : makeInstruments(0, {})) {
+      proglets.push_back(instrument->proglet());
+    }
+    return proglets;
+  }();
+  return all;
+}
+
 std::vector<std::unique_ptr<Instrument>> makeInstruments(uint64_t seed,
                                                          const SensorSettings& settings) {
   std::vector<std::unique_ptr<Instrument>> all;

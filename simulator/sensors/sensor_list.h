@@ -43,6 +43,9 @@ struct SensorSettings {
 /// The keys that sensors read in [table] of a scenario.
 std::vector<std::string_view> sensorKeys(std::string_view table);
 
+/// The proglets of all instruments of the list.
+const std::vector<Proglet>& simulatedProglets();
+
 /// All instruments of the list, on board or not, with the scenario's settings.
 std::vector<std::unique_ptr<Instrument>> makeInstruments(uint64_t seed,
                                                          const SensorSettings& settings);

@@ -100,7 +100,7 @@ void GliderModel::step(VehicleState& s, const VehicleCommand& command, const Oce
   movePitch(s);
   moveThroughWater(s, ocean.density(s.depth_m, s.x_m, s.y_m, now_s));
   turn(s, std::hypot(s.ahead_mps, s.up_mps));
-  const Current current = ocean.current(s.depth_m, s.x_m, s.y_m);
+  const Planar current = ocean.current(s.depth_m, s.x_m, s.y_m);
   s.x_m += (s.ahead_mps * std::sin(s.heading_rad) + current.east) * kStep;
   s.y_m += (s.ahead_mps * std::cos(s.heading_rad) + current.north) * kStep;
   s.depth_m -= (s.up_mps + ocean.verticalCurrent(s.depth_m, s.x_m, s.y_m, now_s)) * kStep;

@@ -68,7 +68,8 @@ void applyArgumentFiles(MissionFile& mission, const std::filesystem::path& folde
     const auto path =
         find(folder, argumentFileName(block.name, static_cast<int>(from_file->value)));
     auto text = support::readFile(path);
-    if (!text && findBehaviour(block.name) == nullptr) {
+    if (!text && !drivesMotors(block.name)) {
+      block.lacks_file = true;
       diagnostics.report(DiagnosticId::argumentFileMissing, from_file->value_range,
                          path.filename().string(), block.name);
       continue;

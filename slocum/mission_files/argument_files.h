@@ -18,7 +18,7 @@ std::string argumentFileName(std::string_view behaviour, int number);
 /// Reads the .ma file of every behaviour whose `args_from_file` is 0 or more from `folder`, or from
 /// `mafiles` in it or beside it; its values take precedence over those of the mission file, as on
 /// the vehicle. GL5107 for an invalid number, GL5113, and the diagnostics of readArguments; for a
-/// missing file GL9001, or GL5115 if glidercc does not know the behaviour.
+/// missing file GL9001, or GL5115 and no effect if the behaviour drives no motors.
 void applyArgumentFiles(MissionFile& mission, const std::filesystem::path& folder,
                         support::SourceManager& sources, support::DiagnosticEngine& diagnostics);
 

@@ -81,6 +81,11 @@ const KnownArgument* nearest(const KnownBehaviour& known, std::string_view name)
   return distance(found->name, name) <= kNear ? &*found : nullptr;
 }
 
+/// A b_arg of sensors_in that switches a proglet, of which vehicles have many: c_profile_on.
+bool isProgletSwitch(const KnownBehaviour& known, std::string_view name) {
+  return known.name == "sensors_in" && name.starts_with("c_") && name.ends_with("_on");
+}
+
 }  // namespace
 
 const KnownArgument* KnownBehaviour::find(std::string_view argument) const {
@@ -97,6 +102,10 @@ const KnownBehaviour* findBehaviour(std::string_view name) {
   const auto all = knownBehaviours();
   const auto found = std::ranges::find(all, name, &KnownBehaviour::name);
   return found == all.end() ? nullptr : &*found;
+}
+
+bool drivesMotors(std::string_view name) {
+  return findBehaviour(name) != nullptr && name != "sample" && name != "sensors_in";
 }
 
 bool isNearlyABehaviour(std::string_view name) {
@@ -128,7 +137,7 @@ void checkArguments(const BehaviourBlock& block, support::DiagnosticEngine& diag
     return;
   }
   for (const Setting& given : block.arguments) {
-    if (known->find(given.name) != nullptr) {
+    if (known->find(given.name) != nullptr || isProgletSwitch(*known, given.name)) {
       continue;
     }
     if (const KnownArgument* meant = nearest(*known, given.name)) {

@@ -31,6 +31,10 @@ std::span<const KnownBehaviour> knownBehaviours();
 /// The row of `name`; null if glidercc does not know the behaviour.
 const KnownBehaviour* findBehaviour(std::string_view name);
 
+/// Whether `name` is a known behaviour that moves the vehicle or watches over it; the others only
+/// switch sensors.
+bool drivesMotors(std::string_view name);
+
 /// Whether `name` is probably a known behaviour, misspelled.
 bool isNearlyABehaviour(std::string_view name);
 

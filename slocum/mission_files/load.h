@@ -16,8 +16,9 @@ namespace glider::slocum {
 using CheckMission =
     std::function<void(const MissionFile&, support::SourceRange place, support::DiagnosticEngine&)>;
 
-/// Reads the .mi file `path` with its argument files, and runs `check`. Fails with GL9001; errors
-/// in the files go to `diagnostics`, and the failure is then GL5120.
+/// Reads the .mi file `path` with its argument files, and the settings of the vehicle's autoexec.mi
+/// if that is beside it, or in `config` in its folder or beside that; runs `check`. Fails with
+/// GL9001; errors in the files go to `diagnostics`, and the failure is then GL5120.
 support::Result<MissionFile> loadMission(const std::filesystem::path& path,
                                          support::SourceManager& sources,
                                          support::DiagnosticEngine& diagnostics,

@@ -52,6 +52,7 @@ struct BehaviourBlock {
   support::SourceRange range;  ///< of the name
   std::vector<Setting> arguments;
   std::vector<Waypoint> waypoints = {};  ///< of its .ma file
+  bool lacks_file = false;               ///< its .ma file is missing: it has no effect
 
   [[nodiscard]] const Setting* find(std::string_view argument) const;
   /// The value of `argument`, else the default of the catalogue (behaviours.def).
@@ -67,6 +68,7 @@ struct SetupLine {
 /// A .mi file: behaviours in the order of the file, the first has the highest priority.
 struct MissionFile {
   std::vector<Setting> sensors;
+  std::vector<Setting> vehicle_sensors = {};  ///< of autoexec.mi; each stands below `sensors`
   std::vector<BehaviourBlock> behaviours;
   std::vector<SetupLine> setup;
 };

@@ -12,9 +12,10 @@ namespace glider::simulator {
 class StartedBehaviour : public Behaviour {
  protected:
   explicit StartedBehaviour(const BehaviourSource& source)
-      : Behaviour(source.block.name),
-        start_(source.startCondition()),
-        resumes_(source.code("end_action") == 2) {}
+      : StartedBehaviour(source, source.code("end_action") == 2) {}
+  /// For a behaviour without end_action.
+  StartedBehaviour(const BehaviourSource& source, bool resumes)
+      : Behaviour(source.block.name), start_(source.startCondition()), resumes_(resumes) {}
 
   [[nodiscard]] bool starts(const Situation& s, const Commands& below) const override {
     return start_.met(s, below);

@@ -67,6 +67,7 @@ class Ctd final : public Instrument {
   Ctd(uint64_t seed, const CtdSettings& settings);
 
   [[nodiscard]] std::span<const InstrumentSensor> sensors() const override;
+  [[nodiscard]] Proglet proglet() const override { return {1, "profile"}; }
   void sample(const Sampling& at, std::span<double> readings) override;
   /// The reading that the sensor gives at `now_s`; none when it fails or has none yet.
   std::optional<Reading> read(const Water& water, double depth_m, double now_s);

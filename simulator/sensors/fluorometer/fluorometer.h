@@ -41,6 +41,7 @@ class Fluorometer final : public Instrument {
 
   Fluorometer(uint64_t seed, const Settings& settings);
   [[nodiscard]] std::span<const InstrumentSensor> sensors() const override;
+  [[nodiscard]] Proglet proglet() const override { return {48, "flbbcd"}; }
   [[nodiscard]] std::string_view setting() const override;
   [[nodiscard]] bool carried() const override;
   void sample(const Sampling& at, std::span<double> readings) override;

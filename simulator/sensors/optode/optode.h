@@ -29,6 +29,7 @@ class Optode final : public Instrument {
 
   Optode(uint64_t seed, const Settings& settings);
   [[nodiscard]] std::span<const InstrumentSensor> sensors() const override;
+  [[nodiscard]] Proglet proglet() const override { return {54, "oxy4"}; }
   [[nodiscard]] std::string_view setting() const override;
   [[nodiscard]] bool carried() const override;
   void sample(const Sampling& at, std::span<double> readings) override;

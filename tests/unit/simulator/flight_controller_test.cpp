@@ -209,6 +209,103 @@ TEST(FlightController, KnowsItsWaypoint) {
   EXPECT_EQ(c.controller.waypointLongitude(), -7300.0);
 }
 
+/// The times of the cycles in which each of `sensors` is read during 100 s of a dive.
+std::map<uint16_t, std::vector<double>> readingTimes(const std::string& sensors_in,
+                                                     const std::vector<uint16_t>& sensors) {
+  Controller c(kSurface + kYo + "behavior: sensors_in\n" + sensors_in, 30);
+  std::map<uint16_t, std::vector<double>> times;
+  c.fly(100, [&] {
+    for (const uint16_t sensor : sensors) {
+      if (c.controller.array().fresh(sensor)) {
+        times[sensor].push_back(c.now);
+      }
+    }
+  });
+  return times;
+}
+
+TEST(FlightController, SensorsInSaysHowOftenEachDeviceIsRead) {
+  struct Row {
+    const char* setting;
+    std::vector<uint16_t> sensors;
+  };
+  const std::vector<double> every_40 = {0, 40, 80};
+  for (const Row& row :
+       {Row{"c_att_time", {GLIDER_M_PITCH, GLIDER_M_ROLL, GLIDER_M_HEADING}},
+        Row{"c_pressure_time", {GLIDER_M_PRESSURE, GLIDER_M_DEPTH, GLIDER_M_DEPTH_RATE}},
+        Row{"u_battery_time", {GLIDER_M_BATTERY}}, Row{"u_vacuum_time", {GLIDER_M_VACUUM}},
+        Row{"c_leakdetect_time", {GLIDER_M_LEAKDETECT_VOLTAGE}}}) {
+    const auto with = [&](int period) {
+      return readingTimes(fmt::format(" b_arg: {}(sec) {}\n", row.setting, period), row.sensors);
+    };
+    auto as_fast_as_possible = with(0), seldom = with(40), off = with(-1);
+    for (const uint16_t sensor : row.sensors) {
+      EXPECT_EQ(as_fast_as_possible[sensor].size(), 25U) << row.setting;
+      EXPECT_EQ(seldom[sensor], every_40) << row.setting;
+      EXPECT_TRUE(off[sensor].empty()) << row.setting;
+    }
+  }
+  const std::vector<uint16_t> echoes = {GLIDER_M_ALTITUDE, GLIDER_M_WATER_DEPTH};
+  auto pings = readingTimes("", echoes);
+  EXPECT_GT(pings[GLIDER_M_ALTITUDE].size(), 10U);
+  auto seldom = readingTimes(" b_arg: c_alt_time(sec) 40\n", echoes);
+  EXPECT_EQ(seldom[GLIDER_M_ALTITUDE], (std::vector<double>{40, 80}));
+  EXPECT_EQ(seldom[GLIDER_M_WATER_DEPTH], (std::vector<double>{40, 80}));
+  EXPECT_TRUE(readingTimes(" b_arg: c_alt_time(sec) -1\n", echoes).empty());
+}
+
+TEST(FlightController, ADepthRateIsOverTheTimeBetweenTwoReadings) {
+  Controller c(kSurface + kYo + "behavior: sensors_in\n b_arg: c_pressure_time(sec) 20\n", 100);
+  std::map<double, double> depths;
+  c.fly(100, [&] { depths[c.now] = c.depth; });
+  EXPECT_NEAR(c.read(GLIDER_M_DEPTH_RATE), (depths[80] - depths[60]) / 20, 1e-6);
+  EXPECT_GT(c.read(GLIDER_M_DEPTH_RATE), 0.05);
+}
+
+TEST(FlightController, WithoutGpsThereIsNoFix) {
+  const auto fixes = [](const char* gps) {
+    Controller c("behavior: prepare_to_dive\n b_arg: wait_time(s) 100\nbehavior: sensors_in\n" +
+                     std::string(" b_arg: c_gps_on(bool) ") + gps + "\nbehavior: nop_cmds\n" +
+                     " b_arg: nop_heading(bool) 1\n b_arg: nop_pitch(bool) 1\n" +
+                     " b_arg: nop_bpump(bool) 1\n",
+                 100);
+    int found = 0;
+    std::vector<double> held;
+    c.fly(120, [&] {
+      found += c.controller.array().fresh(GLIDER_M_GPS_LAT) ? 1 : 0;
+      if (c.read(GLIDER_C_BALLAST_PUMPED) > 200) {
+        held.push_back(c.now);
+      }
+    });
+    return std::pair(found, held.size());
+  };
+  EXPECT_EQ(fixes("0"), (std::pair<int, size_t>(30, 0))) << "prepare_to_dive has its fix at once";
+  EXPECT_EQ(fixes("60"), (std::pair<int, size_t>(2, 0)));
+  EXPECT_EQ(fixes("-1"), (std::pair<int, size_t>(0, 30)))
+      << "it holds the pump out for 100 s, and nop_cmds leaves it there";
+}
+
+/// LMC: the origin is where the mission starts, and y points to magnetic north.
+TEST(FlightController, LocalCoordinatesAreMagnetic) {
+  Controller c(kSurface + kYo, 100);
+  c.controller.startAt(300, -200);
+  c.vehicle = slocumVehicle();
+  c.fly(4, [] {});
+  const double variation = c.read(GLIDER_M_GPS_MAG_VAR);
+  ASSERT_GT(variation, 0.2) << "12 degrees west";
+  EXPECT_EQ(c.read(GLIDER_M_X_LMC), 0);
+  EXPECT_EQ(c.read(GLIDER_M_Y_LMC), 0);
+  const Planar began = c.controller.reckoned();
+  c.fly(300, [] {});
+  // The heading is 0.5 rad from magnetic north, the reckoning without a current.
+  const double x = c.read(GLIDER_M_X_LMC), y = c.read(GLIDER_M_Y_LMC);
+  ASSERT_GT(std::hypot(x, y), 20);
+  const Planar now = c.controller.reckoned();
+  const double true_way = std::atan2(now.east - began.east, now.north - began.north);
+  EXPECT_NEAR(std::atan2(x, y), true_way + variation, 1e-5);
+  EXPECT_NEAR(std::hypot(x, y), std::hypot(now.east - began.east, now.north - began.north), 1e-3);
+}
+
 TEST(FlightController, AFailedDeviceBringsItUp) {
   Controller c(kSurface + kYo, 100);
   c.fly(200, [] {});

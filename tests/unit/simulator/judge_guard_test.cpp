@@ -30,9 +30,10 @@ class JudgedGuard : public testing::Test {
     array_.set(GLIDER_M_DEPTH, reading);
     array_.set(GLIDER_SCI_HOOK_HEARTBEAT, beats_ ? ++heartbeat_ : heartbeat_);
     array_.set(GLIDER_C_BALLAST_PUMPED, overridden_ ? -out_.pump_cc : out_.pump_cc);
-    array_.set(GLIDER_X_HOOK_MASKED, reported_);
+    array_.set(GLIDER_X_HOOK_MASKED, reported_ | was_overridden_);
+    was_overridden_ = overridden_ ? hooks::kMaskedPump : uint8_t{0};
     return judge_->cycle({now_, hook, depth, false, false, array_, now_, 100, 0, 14, true, &out_,
-                          overridden_, masked_});
+                          static_cast<uint8_t>(masked_ | was_overridden_)});
   }
   std::string cycle(double depth) { return cycle(depth, depth); }
   /// The first violation in `seconds` at `depth`.
@@ -66,8 +67,9 @@ class JudgedGuard : public testing::Test {
   hooks::HookbehOutputs out_;
   SensorArray array_;
   double now_ = 0, heartbeat_ = 0;
-  bool beats_ = true;        ///< a newer heartbeat comes in every cycle
-  bool overridden_ = false;  ///< another behaviour has the pump
+  bool beats_ = true;           ///< a newer heartbeat comes in every cycle
+  bool overridden_ = false;     ///< another behaviour has the pump
+  uint8_t was_overridden_ = 0;  ///< the same, as x_hook_masked reports it a cycle later
   uint8_t masked_ = 0, reported_ = 0;
 };
 

@@ -79,6 +79,7 @@ class Judged : public testing::Test {
     array_.set(GLIDER_X_HOOK_SEQUENCE, sequence);
     array_.set(GLIDER_X_HOOK_ANSWER, static_cast<double>(hooks::HookAnswer::Accepted));
   }
+  [[nodiscard]] uint8_t masked() const { return overridden_ ? hooks::kMaskedPump : uint8_t{0}; }
   bool cycle(hooks::HookState hook, double depth = 0.1, bool aborted = false) {
     now_ += kCycle;
     out_.commanding = hook == hooks::HookState::Active;
@@ -87,7 +88,7 @@ class Judged : public testing::Test {
     array_.set(GLIDER_SCI_HOOK_HEARTBEAT, beats_ ? ++heartbeat_ : heartbeat_);
     array_.set(GLIDER_C_BALLAST_PUMPED, overridden_ ? -out_.pump_cc : out_.pump_cc);
     return judge_.cycle({now_, hook, depth, aborted, ended_, array_, now_ - restarted_s_,
-                         clearance_, used_J_, 14, whole_, aborted ? nullptr : &out_, overridden_});
+                         clearance_, used_J_, 14, whole_, aborted ? nullptr : &out_, masked()});
   }
   /// Up to `until_s` in control, the mission going on.
   void fly(double until_s) {

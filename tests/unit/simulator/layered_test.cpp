@@ -151,6 +151,22 @@ TEST(Layered, UsesTheCurrentThatItHasFound) {
   EXPECT_LT(heading[1], heading[0] - 0.3) << "it points to the north of its way";
 }
 
+/// Where the needle points 16.7 degrees east: the sensors are magnetic, the trace is true.
+TEST(Layered, TheTraceShowsTheCurrentTowardsTrueEastAndNorth) {
+  SimulationSetup setup = setupWith(
+      "behavior: surface\n b_arg: start_when(enum) 1\n b_arg: end_action(enum) 1\n"
+      " b_arg: keystroke_wait_time(s) 300\n" +
+      kHeading + kYo);
+  setup.scenario.latitude_deg = 51.65;
+  setup.scenario.longitude_deg = -128.09;
+  setup.scenario.sensors.gps.noise_m = 0;
+  setup.scenario.ocean.current = setup.scenario.ocean.bottom_current = {0.3, 0};
+  const support::Trace trace = fly(std::move(setup));
+  const size_t last = trace.rowCount() - 1;
+  EXPECT_NEAR(trace.at(last, trace.column("m_water_vx")), 0.3, 0.04);
+  EXPECT_NEAR(trace.at(last, trace.column("m_water_vy")), 0, 0.04);
+}
+
 /// Of the way from the start, rad clockwise from true north, at 400 s.
 double wayFrom(const support::Trace& trace, const char* x, const char* y) {
   return std::atan2(valueAt(trace, x, 400), valueAt(trace, y, 400));

@@ -193,7 +193,7 @@ TEST(Ocean, FieldsAreThoseOfTheFormulas) {
           ASSERT_NEAR(ocean.upperShare(z, x, y, t), upper, 1e-11);
           ASSERT_NEAR(ocean.verticalCurrent(z, x, y, t), -4 * std::cos(angle) * kTurn / 900 * shape,
                       1e-12);
-          const Current current = ocean.current(z, x, y);
+          const Planar current = ocean.current(z, x, y);
           ASSERT_NEAR(current.east, 0.2 - 0.25 * z / water, 1e-12);
           ASSERT_NEAR(current.north, -0.1 + 0.4 * z / water, 1e-12);
         }

@@ -3,6 +3,7 @@
 
 #include "simulator/scenario/scenario.h"
 
+#include "simulator/flight/mission_variables.h"
 #include "simulator/flight/skeleton.h"
 #include "slocum/mission_files/read.h"
 #include "support/diagnostics/render.h"
@@ -361,7 +362,9 @@ std::string check(const std::string& mission) {
 
 TEST(Skeleton, RefusesWhatTheSimulatorCannotFly) {
   EXPECT_EQ(check("behavior: hookbe\n"), "GL5103") << "nearly hookbeh";
-  EXPECT_EQ(check("behavior: yo\n b_arg: start_when(enum) 17\n"), "GL5107");
+  EXPECT_EQ(check("behavior: yo\n b_arg: start_when(enum) 19\n"), "GL5107");
+  EXPECT_EQ(check("behavior: sample\n b_arg: state_to_sample(enum) 16\n"), "GL5107");
+  EXPECT_EQ(check("behavior: prepare_to_dive\n b_arg: start_when(enum) 6\n"), "GL5107");
   EXPECT_EQ(check("behavior: yo\n b_arg: d_pitch_value(X) -26\n"), "GL5107");
   EXPECT_EQ(check("behavior: hookbeh\n b_arg: silence_secs(s) 1\n"), "GL5107");
   EXPECT_EQ(check("behavior: hookbeh\nbehavior: hookbeh\n"), "GL5105");
@@ -372,10 +375,11 @@ TEST(Skeleton, RefusesWhatTheSimulatorCannotFly) {
 }
 
 TEST(Skeleton, WarnsOfWhatHasNoEffect) {
-  EXPECT_EQ(check("behavior: yo\nbehavior: sample\n"), "GL5110");
+  const std::string plain = "behavior: yo\nbehavior: sample\nbehavior: sensors_in\n";
+  EXPECT_EQ(check("behavior: prepare_to_dive\n" + plain), "");
   EXPECT_EQ(check("sensor: u_alt_reduced_usage_mode(bool) 1\nbehavior: yo\n"), "GL5111");
   EXPECT_EQ(check("behavior: yo\nbehavior: pinger_on\n"), "GL5110");
-  EXPECT_EQ(check("behavior: yo\nbehavior: sample\nbehavior: sample\n"), "GL5110") << "once";
+  EXPECT_EQ(check("behavior: yo\nbehavior: pinger_on\nbehavior: pinger_on\n"), "GL5110") << "once";
   EXPECT_EQ(check("behavior: yo\n b_arg: wobble_amplitude(m) 3\n"), "GL5116");
   EXPECT_EQ(check("behavior: yo\n b_arg: d_use_thruster(enum) 4\n b_arg: c_use_thruster(enum) 4\n"),
             "GL5116")
@@ -383,6 +387,123 @@ TEST(Skeleton, WarnsOfWhatHasNoEffect) {
   EXPECT_EQ(check("sensor: u_mission_param_a(X) 1\nbehavior: yo\n"), "") << "it is read";
   EXPECT_EQ(check("behavior: yo\n b_arg: d_use_thruster(enum) 0\n"),
             "");  // accepts: GL5110 GL5111 GL5116
+}
+
+TEST(Skeleton, WarnsOfInstrumentsThatItDoesNotHave) {
+  const std::string sensors_in = "behavior: sensors_in\n";
+  EXPECT_EQ(check(sensors_in + " b_arg: c_flntu_on(sec) 0\n"), "GL5116");
+  EXPECT_EQ(check(sensors_in + " b_arg: c_oxy3_on(sec) 4\n"), "GL5116") << "nearly c_oxy4_on";
+  EXPECT_EQ(check(sensors_in + " b_arg: c_flntu_on(sec) -1\n"), "") << "switches nothing on";
+  EXPECT_EQ(check(sensors_in + " b_arg: c_profile_on(sec) 0\n b_arg: c_flbbcd_on(sec) 1\n"
+                               " b_arg: c_oxy4_on(sec) 1\n b_arg: c_gps_on(bool) 1\n"
+                               " b_arg: c_science_all_on(sec) 1\n"),
+            "");
+  EXPECT_EQ(check(sensors_in + " b_arg: c_alt_tim(sec) 0\n"), "GL5104");
+  EXPECT_EQ(check("behavior: sample\n b_arg: sensor_type(enum) 39\n"), "GL5116");
+  EXPECT_EQ(check("behavior: sample\n b_arg: sensor_type(enum) 39\n"
+                  " b_arg: intersample_time(s) -1\n"),
+            "");
+  for (const int simulated : {0, 1, 48, 54}) {
+    EXPECT_EQ(check(fmt::format("behavior: sample\n b_arg: sensor_type(enum) {}\n", simulated)),
+              "");
+  }
+  EXPECT_EQ(check("sensor: c_science_all_on_enabled(bool) 0\nsensor: c_profile_on(sec) 1\n"
+                  "sensor: c_alt_time(sec) 1\nbehavior: yo\n"),
+            "");
+  EXPECT_EQ(check("sensor: c_flntu_on(sec) 0\nbehavior: yo\n"), "GL5111");
+}
+
+TEST(Skeleton, ThePrimaryWaypointIsNotKnownUnlessItsDistanceIsSet) {
+  for (const int code : {17, 18}) {
+    const std::string yo = fmt::format("behavior: yo\n b_arg: start_when(enum) {}\n", code);
+    EXPECT_EQ(check(yo), "GL5116");
+    EXPECT_EQ(check("sensor: m_dist_to_primary_wpt(m) 800\n" + yo), "");
+  }
+  EXPECT_EQ(check("behavior: yo\n b_arg: start_when(enum) 16\n"), "");
+}
+
+/// A folder of mission files, as the vehicle has them.
+class Folder {
+ public:
+  Folder() : path_(fs::path(testing::TempDir()) / "autoexec_beside") {
+    fs::remove_all(path_);
+    fs::create_directories(path_ / "missions/config");
+    fs::create_directories(path_ / "config");
+    write("missions/m.mi", "sensor: c_alt_time(sec) 8\nbehavior: yo\n");
+  }
+  void write(const char* name, const std::string& text) const {
+    ASSERT_TRUE(support::writeFileAtomically(path_ / name, text));
+  }
+  void remove(const char* name) const { fs::remove(path_ / name); }
+  /// The settings in force, and the codes of what was reported.
+  std::pair<MissionVariables, std::string> load(const char* name = "missions/m.mi") {
+    support::SourceManager sources;
+    support::DiagnosticEngine diagnostics;
+    const auto mission = loadMissionFile(path_ / name, sources, diagnostics);
+    std::string codes;
+    for (const auto& diagnostic : diagnostics.sorted()) {
+      codes += support::code(diagnostic.id) + " ";
+    }
+    rendered = support::render(diagnostics, sources, false);
+    return {MissionVariables(mission ? *mission : slocum::MissionFile{}), codes};
+  }
+  std::string rendered;
+
+ private:
+  fs::path path_;
+};
+
+TEST(Autoexec, StandsBelowTheMission) {
+  Folder folder;
+  const std::string autoexec =
+      "name unit_999\nsensor: c_alt_time(sec) 4\nsensor: u_mission_param_a(X) 7\n";
+  for (const char* place :
+       {"missions/autoexec.mi", "missions/config/autoexec.mi", "config/autoexec.mi"}) {
+    folder.write(place, autoexec);
+    const auto [settings, codes] = folder.load();
+    EXPECT_EQ(codes, "") << folder.rendered;
+    EXPECT_EQ(settings.find("c_alt_time"), 8) << place;
+    EXPECT_EQ(settings.find("u_mission_param_a"), 7) << place;
+    folder.remove(place);
+  }
+  // The nearest one is the vehicle's.
+  folder.write("config/autoexec.mi", "sensor: u_mission_param_a(X) 1\n");
+  folder.write("missions/config/autoexec.mi", "sensor: u_mission_param_a(X) 3\n");
+  EXPECT_EQ(folder.load().first.find("u_mission_param_a"), 3);
+  folder.write("missions/autoexec.mi", "sensor: u_mission_param_a(X) 2\n");
+  EXPECT_EQ(folder.load().first.find("u_mission_param_a"), 2);
+  folder.write("missions/m.mi", "behavior: sensors_in\n b_arg: c_alt_time(sec) 12\nbehavior: yo\n");
+  folder.write("missions/autoexec.mi", autoexec);
+  EXPECT_EQ(folder.load().first.find("c_alt_time"), 12) << "and below the behaviour";
+}
+
+TEST(Autoexec, BehavioursWhoseFileIsMissingHaveNoEffect) {
+  Folder folder;
+  folder.write("missions/m.mi",
+               "sensor: c_alt_time(sec) 8\nbehavior: yo\n"
+               "behavior: sensors_in\n b_arg: args_from_file(enum) 3\n b_arg: c_alt_time(sec) 9\n"
+               " b_arg: c_flntu_on(sec) 0\n");
+  const auto [settings, codes] = folder.load();
+  EXPECT_EQ(codes, "GL5115 ") << "and nothing of its arguments";
+  EXPECT_EQ(settings.find("c_alt_time"), 8);
+}
+
+TEST(Autoexec, SettingsWithoutEffectAreNamedOnce) {
+  Folder folder;
+  folder.write("missions/autoexec.mi",
+               "sensor: c_alt_time(sec) 4\nsensor: f_one(X) 1\nsensor: f_two(X) 1\n"
+               "sensor: f_three(X) 1\n");
+  EXPECT_EQ(folder.load().second, "GL5111 ");
+  EXPECT_NE(folder.rendered.find("setting `f_one` has no effect"), std::string::npos);
+  EXPECT_NE(folder.rendered.find("and 2 more of this file have no effect"), std::string::npos)
+      << folder.rendered;
+  folder.write("missions/autoexec.mi", "sensor: f_one(X) 1\n");
+  EXPECT_EQ(folder.load().second, "GL5111 ");
+  EXPECT_EQ(folder.rendered.find("more"), std::string::npos) << folder.rendered;
+  EXPECT_EQ(folder.load("missions/autoexec.mi").second, "GL5108 GL5111 ")
+      << "it is read once also as the mission";
+  folder.write("missions/autoexec.mi", "sensor: f_one 1\n");
+  EXPECT_EQ(folder.load().second, "GL5100 ") << "an error there is one of the mission";
 }
 
 TEST(Skeleton, WaypointsAreOnEarthAndAsManyAsStated) {

@@ -77,7 +77,7 @@ struct Second {
     const double wanted = 0.5 * std::sin(fin) * (ahead * ahead + up * up);
     turning = wanted - (wanted - turning) * std::exp(-dt / 15);
     heading = std::fmod(heading + turning * dt + 4 * kPi, 2 * kPi);
-    const Current drift = ocean.current(depth, x, y);
+    const Planar drift = ocean.current(depth, x, y);
     x += dt * (drift.east + ahead * std::sin(heading));
     y += dt * (drift.north + ahead * std::cos(heading));
     depth -= dt * (up + ocean.verticalCurrent(depth, x, y, now));

@@ -87,6 +87,31 @@ TEST(VehicleRules, Code15IsTheDistanceOrTheModeByRelease) {
   EXPECT_FALSE(when(15, stops).met(s, filled()));
 }
 
+TEST(VehicleRules, LocalAxesArePerpendicularAndMagnetic) {
+  // magnetic = true + variation: with 0.25 rad, magnetic north is true 0.25 rad to the west.
+  const Geography geography({39.5, -73.25}, 0.25);
+  const Planar north = geography.fromLocal(0, 2);
+  EXPECT_NEAR(north.east, -2 * std::sin(0.25), 1e-12);
+  EXPECT_NEAR(north.north, 2 * std::cos(0.25), 1e-12);
+  const Planar east = geography.fromLocal(3, 0);
+  EXPECT_NEAR(east.east, 3 * std::cos(0.25), 1e-12);
+  EXPECT_NEAR(east.north, 3 * std::sin(0.25), 1e-12);
+  const Planar back = geography.toLocal(geography.fromLocal(5, -7));
+  EXPECT_NEAR(back.east, 5, 1e-12);
+  EXPECT_NEAR(back.north, -7, 1e-12);
+}
+
+TEST(VehicleRules, Codes17And18AreTheDistanceToThePrimaryWaypoint) {
+  Situation s{.waypoint_distance_m = 1, .primary_distance_m = 500};
+  EXPECT_TRUE(when(17, {.distance_m = 501}).met(s, filled()));
+  EXPECT_FALSE(when(17, {.distance_m = 500}).met(s, filled()));
+  EXPECT_TRUE(when(18, {.distance_m = 499}).met(s, filled()));
+  EXPECT_FALSE(when(18, {.distance_m = 500}).met(s, filled()));
+  const Situation none{.waypoint_distance_m = 1};
+  EXPECT_FALSE(when(17, {.distance_m = 501}).met(none, filled())) << "it is not known";
+  EXPECT_FALSE(when(18, {.distance_m = 0}).met(none, filled()));
+}
+
 TEST(VehicleRules, AUtcTimeComesOnce) {
   // 2009-08-11 14:13:20 is 1.25e9 s since 1970.
   When at = when(13, {.utc_stamp = 908111414});

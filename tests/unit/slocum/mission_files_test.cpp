@@ -182,6 +182,13 @@ TEST(ArgumentFile, GoesBeforeTheMissionFile) {
   Reading sample = mission("behavior: sample\n b_arg: args_from_file(enum) 8\n");
   applyArgumentFiles(*sample.mission, folder, sample.sources, sample.diagnostics);
   EXPECT_EQ(sample.codes(), "GL5115") << "glidercc does not need it";
+  EXPECT_TRUE(sample.mission->behaviours[0].lacks_file);
+  Reading unknown = mission("behavior: pinger_on\n b_arg: args_from_file(enum) 8\n");
+  applyArgumentFiles(*unknown.mission, folder, unknown.sources, unknown.diagnostics);
+  EXPECT_EQ(unknown.codes(), "GL5115");
+  Reading prepare = mission("behavior: prepare_to_dive\n b_arg: args_from_file(enum) 8\n");
+  applyArgumentFiles(*prepare.mission, folder, prepare.sources, prepare.diagnostics);
+  EXPECT_EQ(prepare.codes(), "GL9001") << "it moves the vehicle";
   fs::create_directories(folder / "mafiles");
   ASSERT_TRUE(support::writeFileAtomically(
       folder / "mafiles/yo09.ma",

@@ -104,15 +104,9 @@ Interval readings(const Sensor& s) {
 
 class Analysis {
  public:
-  /// `all` has an interval for every expression.
-  Analysis(const Mission& mission, const LeafRange& known, std::vector<Interval>& all)
-      : m_(mission), known_(known), all_(all) {}
-
-  void run() {
-    for (uint32_t i = 0; i < m_.exprs.size(); ++i) {
-      all_[i] = at(i);
-    }
-  }
+  /// Both outlive this.
+  Analysis(const Mission& mission, const LeafRange& known, OperandRange all)
+      : m_(mission), known_(known), all_(std::move(all)) {}
 
   /// The interval of one expression, when its operands have theirs.
   [[nodiscard]] Interval at(uint32_t index) const {
@@ -122,7 +116,7 @@ class Analysis {
 
  private:
   [[nodiscard]] const Interval& operand(const Expr& e, size_t i) const {
-    return all_[e.operands.at(i).index];
+    return all_(e.operands.at(i).index);
   }
 
   [[nodiscard]] Interval of(const Expr& e) const {
@@ -187,7 +181,7 @@ class Analysis {
 
   /// A mean is computed from sums that may round to outside the range of the readings.
   [[nodiscard]] Interval window(const Temporal& t) const {
-    const Interval& x = all_[t.operand.index];
+    const Interval& x = all_(t.operand.index);
     switch (t.kind) {
       case TemporalKind::Lowest:
       case TemporalKind::Highest:
@@ -252,7 +246,7 @@ class Analysis {
 
   const Mission& m_;
   const LeafRange& known_;
-  std::vector<Interval>& all_;
+  OperandRange all_;
 };
 
 std::optional<Interval> nothingMore(const Expr&) {
@@ -267,8 +261,17 @@ std::vector<Interval> intervalsOf(const Mission& mission) {
 
 std::vector<Interval> intervalsOf(const Mission& mission, const LeafRange& known) {
   std::vector<Interval> all(mission.exprs.size());
-  Analysis(mission, known, all).run();
+  const Analysis analysis(mission, known,
+                          [&](uint32_t i) -> const Interval& { return all[i]; });
+  for (uint32_t i = 0; i < mission.exprs.size(); ++i) {
+    all[i] = analysis.at(i);
+  }
   return all;
+}
+
+Interval intervalOf(const Mission& mission, uint32_t expression, const LeafRange& known,
+                    const OperandRange& operand) {
+  return Analysis(mission, known, operand).at(expression);
 }
 
 Interval SubtreeIntervals::of(ExprId root, const Narrow& narrow) {
@@ -286,7 +289,7 @@ Interval SubtreeIntervals::of(ExprId root, const Narrow& narrow) {
     }
   }
   const LeafRange known = nothingMore;
-  const Analysis analysis(mission_, known, all_);
+  const Analysis analysis(mission_, known, [&](uint32_t i) -> const Interval& { return all_[i]; });
   for (const uint32_t index : tree) {  // operands before their users
     all_[index] = narrow(index, analysis.at(index));
   }

@@ -34,6 +34,13 @@ using LeafRange = std::function<std::optional<Interval>(const Expr& leaf)>;
 /// The same at a moment about which more is known.
 std::vector<Interval> intervalsOf(const Mission& mission, const LeafRange& known);
 
+/// The interval of another expression.
+using OperandRange = std::function<const Interval&(uint32_t expression)>;
+/// The interval of one expression, from those of the expressions that it reads: `operand` is asked
+/// for its operands, and for what it watches if it is a window that `known` does not know.
+Interval intervalOf(const Mission& mission, uint32_t expression, const LeafRange& known,
+                    const OperandRange& operand);
+
 /// Intervals of single expressions of a mission, for many questions about it.
 class SubtreeIntervals {
  public:

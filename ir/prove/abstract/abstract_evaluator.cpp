@@ -4,6 +4,7 @@
 #include "ir/prove/abstract/abstract_evaluator.h"
 
 #include "ir/core/ops.h"
+#include "ir/core/walk.h"
 #include "support/check.h"
 
 #include <algorithm>
@@ -71,30 +72,68 @@ Holding either(const Holding& a, const Holding& b) {
 }
 
 AbstractEvaluator::AbstractEvaluator(const ProofContext& proof_context, const Valuation& values,
-                                     const ClockRanges& clocks)
-    : proof_context_(proof_context), values_(values) {
-  const Mission& m = proof_context.mission;
-  numbers_ = intervalsOf(m, [&](const Expr& e) -> std::optional<Interval> {
-    if (groupOf(e.op) == OpGroup::Clock) {
-      return rangeOf(opIn<ClockOp>(e.op), clocks);
-    }
-    if (e.op == Op::Variable) {
-      const Holding& held = values[e.variable.index];
-      return Interval{held.lowest, held.highest, held.never};
-    }
-    // A window also contains values from before this moment.
-    return e.op == Op::Temporal ? std::optional(proof_context.windows[e.temporal.index])
-                                : std::nullopt;
-  });
-  truths_.reserve(m.exprs.size());
-  for (uint32_t i = 0; i < m.exprs.size(); ++i) {
-    const bool truth = m.exprs[i].type.kind == TypeKind::Bool;
-    truths_.push_back(truth ? judge(m.exprs[i], i) : Truths{});
-  }
+                                     const ClockRanges& clocks, std::optional<Sight> sight)
+    : proof_context_(proof_context), values_(values), clocks_(clocks), sight_(sight) {}
+
+const AbstractEvaluator::Made& AbstractEvaluator::operand(const Expr& e, size_t i) const {
+  return made_.at(e.operands.at(i).index);
 }
 
-const Truths& AbstractEvaluator::operand(const Expr& e, size_t i) const {
-  return truths_[e.operands.at(i).index];
+/// Without recursion, at any depth: what an expression reads has a smaller id.
+const AbstractEvaluator::Made& AbstractEvaluator::at(ExprId id) const {
+  if (const auto found = made_.find(id.index); found != made_.end()) {
+    return found->second;
+  }
+  const Mission& m = proof_context_.mission;
+  std::vector<uint32_t> open{id.index};
+  while (!open.empty()) {
+    const uint32_t index = open.back();
+    const Expr& e = m.exprs[index];
+    const size_t before = open.size();
+    for (uint32_t k = 0; k < operandCount(e); ++k) {
+      if (!made_.contains(e.operands.at(k).index)) {
+        open.push_back(e.operands.at(k).index);
+      }
+    }
+    if (e.op == Op::Temporal && !isWindow(m[e.temporal].kind) &&
+        !made_.contains(m[e.temporal].operand.index)) {
+      open.push_back(m[e.temporal].operand.index);
+    }
+    if (open.size() == before) {
+      open.pop_back();
+      if (!made_.contains(index)) {
+        made_.emplace(index, make(index));
+      }
+    }
+  }
+  return made_.at(id.index);
+}
+
+std::optional<Interval> AbstractEvaluator::leaf(const Expr& e) const {
+  if (groupOf(e.op) == OpGroup::Clock) {
+    return rangeOf(opIn<ClockOp>(e.op), clocks_);
+  }
+  if (e.op == Op::Variable) {
+    const Holding& held = values_[e.variable.index];
+    return Interval{held.lowest, held.highest, held.never};
+  }
+  if (e.op == Op::Sensor && sight_ && e.sensor == sight_->sensor) {
+    return sight_->reading;
+  }
+  // A window also contains values from before this moment.
+  return e.op == Op::Temporal ? std::optional(proof_context_.windows[e.temporal.index])
+                              : std::nullopt;
+}
+
+AbstractEvaluator::Made AbstractEvaluator::make(uint32_t index) const {
+  const Mission& m = proof_context_.mission;
+  const Expr& e = m.exprs[index];
+  Made made;
+  made.number = intervalOf(
+      m, index, [&](const Expr& x) { return leaf(x); },
+      [&](uint32_t i) -> const Interval& { return made_.at(i).number; });
+  made.truths = e.type.kind == TypeKind::Bool ? judge(e, index) : Truths{};
+  return made;
 }
 
 bool AbstractEvaluator::maybeUnknown(ExprId id) const {
@@ -102,8 +141,8 @@ bool AbstractEvaluator::maybeUnknown(ExprId id) const {
 }
 
 Holding AbstractEvaluator::holding(ExprId id) const {
-  const Interval& x = numbers_[id.index];
-  return {x.lowest, x.highest, x.empty, truths_[id.index]};
+  const Made& made = at(id);
+  return {made.number.lowest, made.number.highest, made.number.empty, made.truths};
 }
 
 Truths AbstractEvaluator::judge(const Expr& e, uint32_t index) const {
@@ -116,6 +155,8 @@ Truths AbstractEvaluator::judge(const Expr& e, uint32_t index) const {
   }
   if (e.op == Op::Variable) {
     result = values_[e.variable.index].truths;
+  } else if (e.op == Op::Temporal) {
+    result = watched(proof_context_.mission[e.temporal]);
   } else if (groupOf(e.op) == OpGroup::Logic) {
     result = logic(e);
   } else if (isOrdering(e.op)) {
@@ -125,23 +166,36 @@ Truths AbstractEvaluator::judge(const Expr& e, uint32_t index) const {
   return result;
 }
 
+/// `became` and `held` are true only on a tick that began with their operand true (B2, B5). Readings
+/// and mission time are the same from then on until the tick is over; the other clocks and the
+/// variables may have changed since.
+Truths AbstractEvaluator::watched(const Temporal& temporal) const {
+  Truths all;
+  const bool same = !anyIn(proof_context_.mission, temporal.operand, [](const Expr& e) {
+    return e.op == Op::Variable || e.op == Op::StateTime || e.op == Op::ResumeTime ||
+           e.op == Op::Temporal || e.op == Op::Call;
+  });
+  all.is_true = !same || made_.at(temporal.operand.index).truths.is_true;
+  return all;
+}
+
 /// For two numbers; not for (in)equality, which is rarely of use.
 Truths AbstractEvaluator::logic(const Expr& e) const {
   switch (opIn<LogicOp>(e.op)) {
     case LogicOp::Not:
-      return negated(operand(e, 0));
+      return negated(operand(e, 0).truths);
     case LogicOp::And:
-      return both(operand(e, 0), operand(e, 1));
+      return both(operand(e, 0).truths, operand(e, 1).truths);
     case LogicOp::Or:
-      return negated(both(negated(operand(e, 0)), negated(operand(e, 1))));
+      return negated(both(negated(operand(e, 0).truths), negated(operand(e, 1).truths)));
   }
   CHECK(false, "a word of logic without a meaning");
 }
 
 Truths AbstractEvaluator::compared(const Expr& e) const {
   const bool turned = e.op == Op::Greater || e.op == Op::GreaterEqual;
-  const Interval& a = numbers_[e.operands[turned ? 1 : 0].index];
-  const Interval& b = numbers_[e.operands[turned ? 0 : 1].index];
+  const Interval& a = operand(e, turned ? 1 : 0).number;
+  const Interval& b = operand(e, turned ? 0 : 1).number;
   const bool unknown = maybeUnknown(e.operands[0]) || maybeUnknown(e.operands[1]);
   if (a.empty || b.empty) {
     return {false, false, true};

@@ -7,6 +7,8 @@
 
 #include <compare>
 #include <cstdint>
+#include <optional>
+#include <unordered_map>
 #include <vector>
 
 namespace glider::ir::prove {
@@ -41,31 +43,53 @@ struct ClockRanges {
   Interval mission_time, state_time, resume_time;
 };
 
+/// What the reading of one sensor may be at a moment.
+struct Sight {
+  SensorId sensor;
+  Interval reading;  ///< when it is known
+};
+
 /// Evaluates expressions abstractly: the values that they may have at a moment, for any readings of
 /// the sensors. It uses no solver and ignores how values depend on each other, so the result may
 /// include values that cannot occur.
+///
+/// An expression is evaluated when it is first asked for, with all that it reads and nothing else:
+/// a state of a large mission costs what its own guards cost.
 class AbstractEvaluator {
  public:
+  /// `proof_context` and `values` outlive this, and `values` stays the same meanwhile.
   AbstractEvaluator(const ProofContext& proof_context, const Valuation& values,
-                    const ClockRanges& clocks);
+                    const ClockRanges& clocks, std::optional<Sight> sight = std::nullopt);
 
-  [[nodiscard]] const Truths& truth(ExprId id) const { return truths_[id.index]; }
+  [[nodiscard]] const Truths& truth(ExprId id) const { return at(id).truths; }
   /// For a number, its range when it is known; for a truth value, the values that it may have.
   [[nodiscard]] Holding holding(ExprId id) const;
-  [[nodiscard]] const Interval& number(ExprId id) const { return numbers_[id.index]; }
+  [[nodiscard]] const Interval& number(ExprId id) const { return at(id).number; }
   /// Whether the expression may be unknown.
   [[nodiscard]] bool maybeUnknown(ExprId id) const;
+  /// The number of expressions that were evaluated.
+  [[nodiscard]] size_t work() const { return made_.size(); }
 
  private:
+  struct Made {
+    Interval number;
+    Truths truths;
+  };
+
+  [[nodiscard]] const Made& at(ExprId id) const;
+  [[nodiscard]] Made make(uint32_t index) const;
+  [[nodiscard]] std::optional<Interval> leaf(const Expr& e) const;
   [[nodiscard]] Truths judge(const Expr& e, uint32_t index) const;
+  [[nodiscard]] Truths watched(const Temporal& temporal) const;
   [[nodiscard]] Truths logic(const Expr& e) const;
   [[nodiscard]] Truths compared(const Expr& e) const;
-  [[nodiscard]] const Truths& operand(const Expr& e, size_t i) const;
+  [[nodiscard]] const Made& operand(const Expr& e, size_t i) const;
 
   const ProofContext& proof_context_;
   const Valuation& values_;
-  std::vector<Interval> numbers_;
-  std::vector<Truths> truths_;
+  ClockRanges clocks_;
+  std::optional<Sight> sight_;
+  mutable std::unordered_map<uint32_t, Made> made_;
 };
 
 }  // namespace glider::ir::prove

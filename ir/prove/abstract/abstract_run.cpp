@@ -24,7 +24,10 @@ Valuation AbstractRun::begin() const {
 
 void AbstractRun::start(uint32_t variable, const ClockRanges& clocks, Valuation& values) const {
   const ExprId initial = m_.variables[variable].initial;
-  values[variable] = AbstractEvaluator(proof_context_, values, clocks).holding(initial);
+  const AbstractEvaluator now(proof_context_, values, clocks);
+  const Holding begins = now.holding(initial);
+  work_ += now.work();
+  values[variable] = begins;
 }
 
 /// An unknown value changes nothing. No value leaves the variable's range: `ir/verify` has proved
@@ -33,6 +36,7 @@ void AbstractRun::set(const Statement& statement, const ClockRanges& clocks,
                       Valuation& values) const {
   const AbstractEvaluator now(proof_context_, values, clocks);
   Holding given = withinRange(now.holding(statement.value), m_[statement.variable]);
+  work_ += now.work();
   const bool stays = now.maybeUnknown(statement.value);
   given.truths.is_unknown = false;
   Holding& held = values[statement.variable.index];
@@ -79,9 +83,14 @@ void AbstractRun::forget(BlockId block, Valuation& values) const {
 void AbstractRun::enter(StateId state, const Case* c, const ClockRanges& clocks,
                         Valuation& values) const {
   if (c != nullptr) {
+    std::vector<Holding> passed;  // all before any changes: `goto b(y, x)` swaps
     const AbstractEvaluator now(proof_context_, values, clocks);
-    for (size_t i = 0; i < c->arguments.size(); ++i) {
-      values[m_[state].parameters[i].index] = now.holding(c->arguments[i]);
+    for (const ExprId argument : c->arguments) {
+      passed.push_back(now.holding(argument));
+    }
+    work_ += now.work();
+    for (size_t i = 0; i < passed.size(); ++i) {
+      values[m_[state].parameters[i].index] = passed[i];
     }
   }
   constexpr Interval kNow{0, 0, false};

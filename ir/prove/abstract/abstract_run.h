@@ -5,6 +5,8 @@
 
 #include "ir/prove/abstract/abstract_evaluator.h"
 
+#include <utility>
+
 namespace glider::ir::prove {
 
 /// The effect of statements and transitions on the values that variables may have.
@@ -24,6 +26,8 @@ class AbstractRun {
   void resume(StateId state, const ClockRanges& clocks, Valuation& values) const;
   /// Allows any value for what `block` sets.
   void forget(BlockId block, Valuation& values) const;
+  /// The number of expressions evaluated since the last call.
+  size_t takeWork() const { return std::exchange(work_, 0); }
 
  private:
   void start(uint32_t variable, const ClockRanges& clocks, Valuation& values) const;
@@ -32,6 +36,7 @@ class AbstractRun {
 
   const ProofContext& proof_context_;
   const Mission& m_;
+  mutable size_t work_ = 0;
 };
 
 }  // namespace glider::ir::prove

@@ -11,7 +11,9 @@
 #include "ir/prove/context/control.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -20,7 +22,13 @@ namespace {
 
 /// The upper bound of expressions evaluated, some tenths of a second: missions that count with
 /// small numbers need far fewer.
-constexpr size_t kMostWork = 20000000;
+constexpr size_t kMostWork = 4000000;
+
+/// The latest time at which it becomes current, and how often that has been raised.
+struct Latest {
+  double time = 0;
+  unsigned raised = 0;
+};
 
 /// Where a trace can be when a state becomes current.
 struct Arrival {
@@ -68,10 +76,48 @@ class Search {
       }
     }
     Arrival arrival{control, std::move(values)};
-    const auto [known, fresh] = times_.emplace(arrival, time);
-    if (fresh || known->second < time) {
-      known->second = time;
+    const auto [known, fresh] = times_.emplace(arrival, Latest{time, 0});
+    if (fresh || known->second.time < time) {
+      known->second = {widened(time, known->second.raised), known->second.raised + 1};
       pending_.push_back(std::move(arrival));
+    }
+  }
+
+  /// A time that has been raised often is raised by a loop that only a condition of mission time can
+  /// end: it becomes the next time that a condition names, or endless if there is none. A later time
+  /// allows everything that an earlier one does.
+  [[nodiscard]] double widened(double time, unsigned raised) {
+    constexpr unsigned kOften = 20;
+    if (raised < kOften) {
+      return time;
+    }
+    const auto next = thresholds().lower_bound(time);
+    return next == thresholds().end() ? std::numeric_limits<double>::max() : *next;
+  }
+
+  /// The mission times that guards name.
+  const std::set<double>& thresholds() {
+    if (!thresholds_) {
+      thresholds_.emplace();
+      const auto look = [&](const std::vector<Case>& cases) {
+        for (const Case& c : cases) {
+          forEachIn(m_, c.guard, [&](const Expr& e) { keepThreshold(e); });
+        }
+      };
+      look(m_.always);
+      for (const State& state : m_.states) {
+        look(state.cases);
+      }
+    }
+    return *thresholds_;
+  }
+
+  void keepThreshold(const Expr& e) {
+    for (const auto& [clock, time] : {std::pair<size_t, size_t>{0, 1}, {1, 0}}) {
+      if (isOrdering(e.op) && m_[e.operands.at(clock)].op == Op::MissionTime) {
+        const Interval& x = proof_context_.intervals[e.operands.at(time).index];
+        thresholds_->insert({x.lowest, x.highest});
+      }
     }
   }
 
@@ -100,21 +146,23 @@ class Search {
   bool follow() {
     const Arrival from = std::move(pending_.back());
     pending_.pop_back();
-    const double since = times_.at(from);
+    const double since = times_.at(from).time;
     Valuation held = from.values;
     forgetWhatStaysChange(m_[from.control.state], held);
-    const Leaving leaving =
-        leavingOf(proof_context_, m_[from.control.state], interrupting(from.control), held, since);
-    work_ += (leaving.looks + 1) * m_.exprs.size();
+    const Leaving leaving = leavingOf(proof_context_, m_[from.control.state],
+                                      interrupting(from.control), held, {0, since});
+    work_ += leaving.work;
     if (leaving.by > latest_) {
       stays_ = from.control.state;
       return false;
     }
     double& left_by = left_by_[from.control.state.index];
     left_by = std::max(left_by, leaving.by);
-    const std::vector<double> any_time(m_.always.size(), leaving.by);
     branch(from.control, ListKind::State, m_[from.control.state].cases, held, leaving.latest);
-    branch(from.control, ListKind::Always, m_.always, held, any_time);
+    if (leaving.interrupted >= 0) {
+      const std::vector<double> any_time(m_.always.size(), leaving.interrupted);
+      branch(from.control, ListKind::Always, m_.always, held, any_time);
+    }
     return true;
   }
 
@@ -164,9 +212,10 @@ class Search {
         fire(control, list, i, cases[i], held, upTo(latest[i]));
       }
       if (guard.is_true && !guard.is_false && !guard.is_unknown) {
-        return;  // it hides the rest
+        break;  // it hides the rest
       }
     }
+    work_ += now.work();
   }
 
   void fire(const Control& control, ListKind list, uint32_t number, const Case& c, Valuation values,
@@ -179,7 +228,6 @@ class Search {
       end_ = std::max(end_, time);
       return;
     }
-    work_ += 8 * m_.exprs.size();  // approximately
     run_.execute(c.action, clocks, values);
     const Control after = control.moved(list, number, c);
     if (c.transition == Transition::Return) {
@@ -187,6 +235,7 @@ class Search {
     } else {
       run_.enter(after.state, &c, clocks, values);
     }
+    work_ += run_.takeWork() + m_.variables.size() + 4 * after.stack.size();  // what it takes to keep
     arrive(after, std::move(values), time);
   }
 
@@ -197,7 +246,8 @@ class Search {
   Goal goal_;
   StateId stays_;
   std::vector<double> left_by_;      ///< of each state
-  std::map<Arrival, double> times_;  ///< the latest time at which it becomes current
+  std::map<Arrival, Latest> times_;
+  std::optional<std::set<double>> thresholds_;
   std::vector<Arrival> pending_;
   double end_ = 0;
   size_t work_ = 0;

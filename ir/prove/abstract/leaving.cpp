@@ -39,13 +39,60 @@ class LeavingSearch {
         gather(c->guard, ever);
       }
     }
+    work_ = ever.work();
   }
 
-  Leaving leaving(double since) const {
+  /// The union over all parts of the time of arrival.
+  Leaving leaving(const Arriving& arriving) const {
+    Leaving all = none(-1);
+    all.looks = 1;
+    all.work = work_;
+    for (const Arriving& part : split(arriving)) {
+      const Leaving found = ofPart(part, part.latest);
+      for (size_t i = 0; i < own_.size(); ++i) {
+        all.latest[i] = std::max(all.latest[i], found.latest[i]);
+      }
+      all.by = std::max(all.by, found.by);
+      all.interrupted = std::max(all.interrupted, found.interrupted);
+      all.looks += found.looks;
+      all.work += found.work;
+    }
+    return all;
+  }
+
+  /// For a mission time T that a guard names, a state that became current at s is left by
+  /// max(s, T) + gap, after at most T + gap: the sum for s = 0. The other times do not depend on s.
+  Leaving stay() const { return ofPart({0, kMost}, 0); }
+
+ private:
+  /// With these as all times.
+  [[nodiscard]] Leaving none(double time) const {
+    return {time, std::vector<double>(own_.size(), time), time, 0, 0};
+  }
+
+  /// The parts that begin at the times which the guards name; too many are not worth it.
+  [[nodiscard]] std::vector<Arriving> split(const Arriving& arriving) const {
+    constexpr size_t kMostParts = 9;
+    std::vector<Arriving> parts;
+    double from = arriving.earliest;
+    for (const double time : times_) {
+      const bool within = time > from && time <= arriving.latest;
+      if (within && std::isnormal(time) && times_.size() < kMostParts) {
+        parts.push_back({from, std::nextafter(time, 0)});
+        from = time;
+      }
+    }
+    parts.push_back({from, arriving.latest});
+    return parts;
+  }
+
+  /// `since`: the latest time of arrival to count from.
+  [[nodiscard]] Leaving ofPart(const Arriving& arriving, double since) const {
     const double gap = proof_context_.tick_gap_s;
+    const double earliest = arriving.earliest;
     constexpr Interval kEver{0, kMost, false};
     constexpr double kNever = std::numeric_limits<double>::infinity();
-    Leaving found{kNever, std::vector<double>(own_.size(), kNever), 1};
+    Leaving found = none(kNever);
     // From `time` on, a certain case, or one before it, fires on every tick; `tick` is the latest
     // time of such a tick.
     const auto note = [&](double time, double tick, const ClockRanges& clocks) {
@@ -60,25 +107,39 @@ class LeavingSearch {
         latest = interrupted && !always_.own_first ? std::min(latest, time) : latest;
       }
       found.by = sure < own_.size() || interrupted ? std::min(found.by, tick) : found.by;
+      return std::pair(sure < own_.size(), std::move(then));
+    };
+    // From `time` on, some cases cannot be true.
+    const auto until = [&](double time, const AbstractEvaluator& then) {
+      for (size_t i = 0; i < own_.size(); ++i) {
+        const bool over = !then.truth(own_[i]->guard).is_true;
+        found.latest[i] = over ? std::min(found.latest[i], time) : found.latest[i];
+      }
+      found.work += then.work();
     };
     // What is certain on the first tick need not stay so: that tick leads away.
-    const double first = sumOf(since, gap);
-    note(since, first, {{0, first, false}, kEver, {0, gap, false}});
+    const double last = arriving.latest >= kMost ? kMost : sumOf(arriving.latest, gap);
+    const auto [at_once, first] =
+        note(since, sumOf(since, gap), {{earliest, last, false}, kEver, {0, gap, false}});
+    found.work += first.work();
     for (const double stay : stays_) {
       const Interval on{stay, kMost, false};  // the mission has flown for at least that long
       const double stayed = sumOf(since, stay);
-      note(stayed, sumOf(stayed, gap), {on, on, on});
+      const ClockRanges then{{std::max(stay, earliest), kMost, false}, on, on};
+      until(stayed, note(stayed, sumOf(stayed, gap), then).second);
     }
     for (const double time : times_) {
-      note(time, sumOf(std::max(since, time), gap), {{time, kMost, false}, kEver, kEver});
+      const ClockRanges then{{std::max(time, earliest), kMost, false}, kEver, kEver};
+      until(time, note(time, sumOf(std::max(since, time), gap), then).second);
     }
     for (double& latest : found.latest) {
       latest = std::min(latest, found.by);
     }
+    // The state's own cases, if they come first, leave nothing to those of `always`.
+    found.interrupted = at_once && always_.own_first ? -1 : found.by;
     return found;
   }
 
- private:
   /// Times that the guards compare clocks with.
   void gather(ExprId root, const AbstractEvaluator& ever) {
     forEachIn(m_, root, [&](const Expr& e) {
@@ -126,13 +187,19 @@ class LeavingSearch {
   const Valuation& values_;
   std::set<double> stays_{0};  ///< of the state's clocks, s
   std::set<double> times_;     ///< of mission time, s
+  size_t work_ = 0;
 };
 
 }  // namespace
 
 Leaving leavingOf(const ProofContext& proof_context, const State& state,
-                  const Interruptions& always, const Valuation& values, double since) {
-  return LeavingSearch(proof_context, state, always, values).leaving(since);
+                  const Interruptions& always, const Valuation& values, const Arriving& arriving) {
+  return LeavingSearch(proof_context, state, always, values).leaving(arriving);
+}
+
+Leaving stayOf(const ProofContext& proof_context, const State& state, const Interruptions& always,
+               const Valuation& values) {
+  return LeavingSearch(proof_context, state, always, values).stay();
 }
 
 }  // namespace glider::ir::prove

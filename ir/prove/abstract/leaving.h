@@ -15,7 +15,15 @@ struct Leaving {
                   ///< certain to end the state
   /// For each case: it does not fire on a later tick, because one before it has certainly led away.
   std::vector<double> latest;
-  size_t looks = 0;  ///< the number of moments examined
+  double interrupted = 0;  ///< no case of `always` fires on a later tick; negative: none ever does
+  size_t looks = 0;        ///< the number of moments examined
+  size_t work = 0;         ///< the number of expressions evaluated
+};
+
+/// When a state has become current, mission times, s.
+struct Arriving {
+  double earliest = 0;
+  double latest = 0;
 };
 
 /// A list of cases, or those of it that may fire.
@@ -27,9 +35,17 @@ struct Interruptions {
   bool own_first = false;  ///< on its first tick the state's own cases come before these
 };
 
-/// The times for `state`, if it became current at `since` at the latest and its variables stay
-/// within `values`, for any readings of the sensors.
+/// The times for `state`, if it became current between these times and its variables stay within
+/// `values`, for any readings of the sensors.
+///
+/// If it may have become current both before and after a time that its guards compare mission time
+/// with, these arrivals are examined apart: what must fire at once on a late one says nothing about
+/// an early one, and what may still fire after an early one need not after a late one.
 Leaving leavingOf(const ProofContext& proof_context, const State& state,
-                  const Interruptions& always, const Valuation& values, double since);
+                  const Interruptions& always, const Valuation& values, const Arriving& arriving);
+
+/// The same in seconds since the state became current, whenever that was.
+Leaving stayOf(const ProofContext& proof_context, const State& state, const Interruptions& always,
+               const Valuation& values);
 
 }  // namespace glider::ir::prove

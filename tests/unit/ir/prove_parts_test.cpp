@@ -444,7 +444,7 @@ Leaving leavingAt(double since, const std::string& cases, const std::string& alw
   for (const Case& c : m.always) {
     interruptions.cases.push_back(&c);
   }
-  return leavingOf(proof_context, m.states[0], interruptions, {}, since);
+  return leavingOf(proof_context, m.states[0], interruptions, {}, {0, since});
 }
 
 TEST(Leaving, IsATickAfterWhatMustBeTrue) {

@@ -24,7 +24,8 @@ namespace {
 /// small numbers need far fewer.
 constexpr size_t kMostWork = 4000000;
 
-/// The latest time at which it becomes current, and how often that has been raised.
+/// The latest time at which it becomes current, and how often that has been raised since it
+/// passed a time that a guard names.
 struct Latest {
   double time = 0;
   unsigned raised = 0;
@@ -65,7 +66,7 @@ class Search {
   /// A variable of a state that `control` does not hold starts again before it is read, so it may
   /// be anything here.
   void arrive(const Control& control, Valuation values, double time) {
-    if (goal_ == Goal::ExitOrSurface && surfaces(m_[control.state])) {
+    if (goal_ == Goal::ExitOrSurface && commandsSurface(m_, m_[control.state])) {
       end_ = std::max(end_, time);
       return;
     }
@@ -78,7 +79,7 @@ class Search {
     Arrival arrival{control, std::move(values)};
     const auto [known, fresh] = times_.emplace(arrival, Latest{time, 0});
     if (fresh || known->second.time < time) {
-      known->second = {widened(time, known->second.raised), known->second.raised + 1};
+      raise(known->second, time);
       pending_.push_back(std::move(arrival));
     }
   }
@@ -86,13 +87,14 @@ class Search {
   /// A time that has been raised often is raised by a loop that only a condition of mission time can
   /// end: it becomes the next time that a condition names, or endless if there is none. A later time
   /// allows everything that an earlier one does.
-  [[nodiscard]] double widened(double time, unsigned raised) {
+  void raise(Latest& latest, double time) {
     constexpr unsigned kOften = 20;
-    if (raised < kOften) {
-      return time;
-    }
     const auto next = thresholds().lower_bound(time);
-    return next == thresholds().end() ? std::numeric_limits<double>::max() : *next;
+    const bool passed = next != thresholds().lower_bound(latest.time);
+    latest = {time, passed ? 0 : latest.raised + 1};
+    if (latest.raised > kOften) {
+      latest.time = next == thresholds().end() ? std::numeric_limits<double>::max() : *next;
+    }
   }
 
   /// The mission times that guards name.
@@ -119,27 +121,6 @@ class Search {
         thresholds_->insert({x.lowest, x.highest});
       }
     }
-  }
-
-  /// Whether a state always commands the surface when it starts: this is then its profile's last
-  /// command, and the route commands no depth.
-  bool surfaces(const State& state) const {
-    const Statement* last = nullptr;
-    if (state.profile.entry.valid()) {
-      for (const Statement& statement : m_[state.profile.entry].statements) {
-        const bool tells = statement.kind == StatementKind::If || isVerticalCommand(statement);
-        last = tells ? &statement : last;
-      }
-    }
-    bool route = !m_[state.route.behaviour].symbol.empty();
-    forEachStatement(m_, state.route.entry,
-                     [&](const Statement& s) { route = route || isVerticalCommand(s); });
-    return !route && last != nullptr && last->kind == StatementKind::Command &&
-           last->command == Command::Surface;
-  }
-
-  static bool isVerticalCommand(const Statement& statement) {
-    return statement.kind == StatementKind::Command && isVertical(statement.command);
   }
 
   /// False if a trace may last longer than the given time.

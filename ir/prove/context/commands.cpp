@@ -75,6 +75,24 @@ std::vector<Position> pathTargets(const Mission& mission, const Statement& state
   return places;
 }
 
+bool commandsSurface(const Mission& mission, const State& state) {
+  const auto commandsDepth = [](const Statement& s) {
+    return s.kind == StatementKind::Command && isVertical(s.command);
+  };
+  const Statement* last = nullptr;
+  if (state.profile.entry.valid()) {
+    for (const Statement& statement : mission[state.profile.entry].statements) {
+      const bool tells = statement.kind == StatementKind::If || commandsDepth(statement);
+      last = tells ? &statement : last;
+    }
+  }
+  bool route = !mission[state.route.behaviour].symbol.empty();
+  forEachStatement(mission, state.route.entry,
+                   [&](const Statement& s) { route = route || commandsDepth(s); });
+  return !route && last != nullptr && last->kind == StatementKind::Command &&
+         last->command == Command::Surface;
+}
+
 bool isVertical(Command command) {
   switch (command) {
     case Command::Descend:

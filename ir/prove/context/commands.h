@@ -29,6 +29,10 @@ std::optional<Position> fixedTarget(const Mission& mission, const Statement& sta
 /// the target does not come from a path.
 std::vector<Position> pathTargets(const Mission& mission, const Statement& statement);
 
+/// Whether a state always commands the surface when it becomes current: this is then its profile's
+/// last command, and the route commands no depth.
+bool commandsSurface(const Mission& mission, const State& state);
+
 /// Whether a command is about depth and pitch; otherwise it is about the heading.
 bool isVertical(Command command);
 

@@ -3,6 +3,7 @@
 
 #include "ir/prove/context/proof_context.h"
 
+#include "ir/core/ops.h"
 #include "ir/prove/context/never_unknown.h"
 #include "ir/prove/context/setting.h"
 #include "ir/verify/whole_numbers.h"
@@ -11,17 +12,33 @@
 #include <limits>
 
 namespace glider::ir::prove {
+namespace {
+
+constexpr double kMost = std::numeric_limits<double>::max();
+
+/// Every clock runs from 0 and no faster than mission time.
+std::vector<Interval> intervalsUntil(const Mission& mission, double latest) {
+  return intervalsOf(mission, [&](const Expr& e) {
+    const bool clock = groupOf(e.op) == OpGroup::Clock || groupOf(e.op) == OpGroup::Age;
+    return clock ? std::optional(Interval{0, latest, false}) : std::nullopt;
+  });
+}
+
+}  // namespace
 
 ProofContext::ProofContext(const Mission& asked, const platforms::Platform& vehicle)
+    : ProofContext(asked, vehicle, kMost) {}
+
+ProofContext::ProofContext(const Mission& asked, const platforms::Platform& vehicle, double latest)
     : mission(asked),
       platform(vehicle),
-      intervals(intervalsOf(asked)),
+      intervals(intervalsUntil(asked, latest)),
       known(neverUnknown(asked, intervals)),
       whole(wholeExpressions(asked, intervals)),
       set_since(setSinceWatched(asked)),
       depth(depthSensor(asked, vehicle)),
-      tick_gap_s(std::max(vehicle.world.tick_gap_s, asked.resume_within_s)) {
-  constexpr double kMost = std::numeric_limits<double>::max();
+      tick_gap_s(std::max(vehicle.world.tick_gap_s, asked.resume_within_s)),
+      latest_s(latest) {
   sensors.assign(mission.sensors.size(), {-kMost, kMost, false});
   windows.assign(mission.temporals.size(), {-kMost, kMost, false});
   for (size_t i = 0; i < mission.exprs.size(); ++i) {
@@ -37,6 +54,12 @@ ProofContext::ProofContext(const Mission& asked, const platforms::Platform& vehi
 ProofContext ProofContext::withoutPowerCuts() const {
   ProofContext same = *this;
   same.tick_gap_s = platform.world.tick_gap_s;
+  return same;
+}
+
+ProofContext ProofContext::endingBy(double latest) const {
+  ProofContext same(mission, platform, latest);
+  same.tick_gap_s = tick_gap_s;
   return same;
 }
 

@@ -8,6 +8,7 @@
 #include "ir/verify/intervals.h"
 #include "platforms/load/platform.h"
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -18,6 +19,9 @@ namespace glider::ir::prove {
 struct ProofContext {
   /// Both outlive this.
   ProofContext(const Mission& mission, const platforms::Platform& platform);
+  /// The same for a mission of which every trace has ended by mission time `latest`, s: what that
+  /// says of clocks holds for all that is computed from them.
+  [[nodiscard]] ProofContext endingBy(double latest) const;
 
   const Mission& mission;
   const platforms::Platform& platform;
@@ -34,6 +38,8 @@ struct ProofContext {
   /// The longest time between two ticks of the mission, s: the SBC may have been without power for
   /// as long as the mission allows (`resume within`), any number of times.
   double tick_gap_s;
+  /// No tick comes at a later mission time, s.
+  double latest_s = std::numeric_limits<double>::max();
   /// The same for an SBC whose power is never cut.
   [[nodiscard]] ProofContext withoutPowerCuts() const;
 
@@ -41,6 +47,9 @@ struct ProofContext {
   [[nodiscard]] const platforms::PlatformSensor* platformSensor(SensorId id) const {
     return platform.find(mission[id].vehicle_name);
   }
+
+ private:
+  ProofContext(const Mission& mission, const platforms::Platform& platform, double latest);
 };
 
 /// The sensor of a mission that is the vehicle's own depth; none if the mission does not read it.

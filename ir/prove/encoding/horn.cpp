@@ -54,6 +54,8 @@ class Engine {
     return {numbers.rbegin(), numbers.rend()};
   }
 
+  uint64_t steps() { return stepsIn(engine_.statistics()); }
+
   std::string reason() { return engine_.reason_unknown(); }
 
  private:
@@ -118,21 +120,26 @@ RunsAnswer askAboutRuns(z3::context& context, const ProofContext& proof_context,
                         unsigned effort) {
   ChcEncoder writer(context, proof_context, relevance, watch);
   if (!writer.run()) {
-    return {Answer::Unknown, std::nullopt, "the mission has too many call stacks"};
+    return {Answer::Unknown, std::nullopt, "the mission has too many call stacks", 0};
   }
   Engine engine(context, writer.rules());
   const z3::check_result result = engine.ask();
-  if (result == z3::unsat) {
-    return {Answer::No, std::nullopt, ""};
-  }
+  RunsAnswer answer;
+  answer.steps = engine.steps();
   if (result == z3::unknown) {
-    return {Answer::Unknown, std::nullopt, engine.reason()};
+    answer.trouble = engine.reason();
+    return answer;
   }
-  auto run = runOfRules(context, proof_context, writer.rules(), engine.trace(), effort);
-  if (!run) {
-    return {Answer::Unknown, std::nullopt, "a counterexample was found, but not all of its values"};
+  if (result == z3::unsat) {
+    answer.bad = Answer::No;
+    return answer;
   }
-  return {Answer::Yes, std::move(run), ""};
+  answer.run = runOfRules(context, proof_context, writer.rules(), engine.trace(), effort);
+  answer.bad = answer.run ? Answer::Yes : Answer::Unknown;
+  if (!answer.run) {
+    answer.trouble = "a counterexample was found, but not all of its values";
+  }
+  return answer;
 }
 
 }  // namespace glider::ir::prove

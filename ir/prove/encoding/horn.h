@@ -39,6 +39,7 @@ struct RunsAnswer {
   Answer bad = Answer::Unknown;  ///< whether some trace is bad: No is a proof that none is
   std::optional<Run> run;        ///< after Yes
   std::string trouble;           ///< after Unknown: what was attempted
+  uint64_t steps = 0;            ///< what it took, in Z3's own count
 };
 
 /// Asks Z3's Spacer about all traces of the mission, from the start on. The mission is a pushdown

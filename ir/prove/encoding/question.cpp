@@ -60,6 +60,19 @@ Answer Question::ask() {
   return Answer::No;
 }
 
+uint64_t Question::steps() const {
+  return stepsIn(solver_.statistics());
+}
+
+uint64_t stepsIn(const z3::stats& statistics) {
+  for (unsigned i = 0; i < statistics.size(); ++i) {
+    if (statistics.key(i) == "rlimit count") {
+      return statistics.uint_value(i);
+    }
+  }
+  return 0;
+}
+
 namespace {
 
 class Description {

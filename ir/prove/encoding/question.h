@@ -26,6 +26,8 @@ class Question {
   void add(const z3::expr& holds, uint32_t name);
 
   Answer ask();
+  /// What the last answer took, in Z3's own count.
+  [[nodiscard]] uint64_t steps() const;
   /// After Yes.
   z3::model model() const { return solver_.get_model(); }
   /// After No: the names of the conditions that were needed for it, and the facts.
@@ -43,6 +45,9 @@ class Question {
   std::vector<uint32_t> needed_names_;
   std::vector<Fact> needed_facts_;
 };
+
+/// Z3's own count of the steps that it has made in its context so far.
+uint64_t stepsIn(const z3::stats& statistics);
 
 /// The values in a model of the readings, clocks and variables that `moment` has asked for: "depth
 /// = 12 m, temp unknown, missiontime = 500 s".

@@ -87,6 +87,7 @@ SafetyProperty surfacesEvery(double seconds, z3::context& context,
 z3::expr isFalse(ExprId condition, const Configuration& now, SymbolicState moment,
                  const ProofContext& proof_context) {
   if (proof_context.depth && now.store.vehicle) {
+    (void)moment.age(*proof_context.depth);  // of the reading, which may be unknown
     moment.setReading(*proof_context.depth,
                       NumberTerm{now.store.vehicle->depth, moment.context().bool_val(true), 0});
     moment.forget();

@@ -1,9 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "ir/prove/abstract/bounds_by_state.h"
 #include "ir/prove/abstract/depth_bound.h"
 #include "ir/prove/abstract/entered_after.h"
+#include "ir/prove/abstract/surfacing.h"
 #include "ir/prove/context/duration_text.h"
+#include "ir/prove/encoding/any_moment.h"
 #include "ir/prove/encoding/cone_of_influence.h"
 #include "ir/prove/encoding/known_roughly.h"
 #include "ir/prove/encoding/safety_properties.h"
@@ -15,6 +18,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -30,33 +35,155 @@ constexpr size_t kRandomTicks = 120000;
 /// For a requirement without a time, s.
 constexpr double kLongFlight = 4 * 3600;
 
-class RequirementCheck {
+/// What is known of a mission before any search over traces, with power cuts or without: computed
+/// once for all of its requirements.
+class Insight {
  public:
-  explicit RequirementCheck(Proof& proof) : proof_(proof), m_(proof.proof_context.mission) {}
+  /// Both outlive this. `end`: of `proof_context`.
+  Insight(const ProofContext& proof_context, const EndBound& end)
+      : context_(end.by ? proof_context.endingBy(std::ranges::max(end.left_by)) : proof_context),
+        end_(end),
+        bounds_(stateBounds(context_, end)),
+        moment_(context_, bounds_) {}
+  Insight(const Insight&) = delete;
+  Insight& operator=(const Insight&) = delete;
 
-  void run() {
-    for (uint32_t i = 0; i < m_.requirements.size(); ++i) {
-      const Requirement& requirement = m_.requirements[i];
-      if (proof_.options.before_requirement) {
-        proof_.options.before_requirement(i);
-      }
-      RequirementVerdict verdict = judge(requirement, i);
-      verdict.requirement = i;
-      proof_.findings.requirements.push_back(std::move(verdict));
+  /// The mission, with what the end bound says of its clocks.
+  [[nodiscard]] const ProofContext& context() const { return context_; }
+
+  [[nodiscard]] bool proves(const Requirement& requirement, unsigned effort, uint64_t& steps) {
+    switch (requirement.kind) {
+      case RequirementKind::Always:
+        return moment_.neverFalse(requirement.condition, effort, steps);
+      case RequirementKind::ExitWithin:
+        return ended_by_ <= requirement.seconds;
+      case RequirementKind::SurfacesEvery:
+        return std::min(ended_by_, surfaces_every_) <= requirement.seconds ||
+               longestSubmersion(context_, end_, requirement.seconds).has_value();
+      case RequirementKind::NeverAfter:
+      case RequirementKind::StackAtMost:
+      case RequirementKind::Reach:
+        break;
+    }
+    return false;
+  }
+
+  /// `requirement` has been proved: it is known from now on.
+  void know(const Requirement& requirement) {
+    switch (requirement.kind) {
+      case RequirementKind::Always:
+        if (requirement.geofences.empty()) {
+          moment_.know(requirement.condition);
+        }
+        break;
+      case RequirementKind::ExitWithin:
+        ended_by_ = std::min(ended_by_, requirement.seconds);
+        break;
+      case RequirementKind::SurfacesEvery:
+        surfaces_every_ = std::min(surfaces_every_, requirement.seconds);
+        break;
+      case RequirementKind::NeverAfter:
+      case RequirementKind::StackAtMost:
+      case RequirementKind::Reach:
+        break;
     }
   }
 
  private:
-  RequirementVerdict judge(const Requirement& requirement, uint32_t number) {
+  ProofContext context_;
+  const EndBound& end_;
+  std::vector<StateBounds> bounds_;
+  AnyMoment moment_;
+  double ended_by_ = end_.by ? std::ranges::max(end_.left_by)
+                             : std::numeric_limits<double>::infinity();
+  double surfaces_every_ = std::numeric_limits<double>::infinity();
+};
+
+class RequirementCheck {
+ public:
+  explicit RequirementCheck(Proof& proof) : proof_(proof), m_(proof.proof_context.mission) {}
+
+  /// First what needs no search, then the searches. What a search has proved may prove others.
+  void run() {
+    std::vector<RequirementVerdict>& verdicts = proof_.findings.requirements;
+    for (uint32_t i = 0; i < m_.requirements.size(); ++i) {
+      auto found = judgeAtOnce(m_.requirements[i]);
+      waiting_.push_back(!found);
+      verdicts.push_back(found.value_or(RequirementVerdict()));
+      verdicts.back().requirement = i;
+    }
+    for (uint32_t i = 0; i < m_.requirements.size(); ++i) {
+      if (!waiting_[i]) {
+        continue;
+      }
+      if (proof_.options.before_requirement) {
+        proof_.options.before_requirement(i);
+      }
+      verdicts[i] = judge(m_.requirements[i], i);
+      verdicts[i].requirement = i;
+      if (verdicts[i].verdict == Verdict::Proved && m_.requirements[i].geofences.empty()) {
+        insight().know(m_.requirements[i]);
+        fresh_ = true;
+      }
+    }
+    for (RequirementVerdict& verdict : verdicts) {
+      settle(verdict);
+    }
+  }
+
+ private:
+  /// A requirement left undecided may follow from one that was proved after it.
+  void settle(RequirementVerdict& verdict) {
+    const Requirement& requirement = m_.requirements[verdict.requirement];
+    if (verdict.verdict != Verdict::Open) {
+      return;
+    }
+    if (fresh_ && isSeen(requirement)) {
+      verdict = {verdict.requirement, Verdict::Proved, std::nullopt};
+      return;
+    }
+    proof_.diagnostics.report(DiagnosticId::requirementOpen, requirement.range)
+        .note(requirement.range, verdict.reason);
+  }
+
+  [[nodiscard]] Insight& insight() {
+    if (!insight_) {
+      insight_.emplace(proof_.proof_context, proof_.ending.bound());
+    }
+    return *insight_;
+  }
+
+  [[nodiscard]] Insight& insightWithoutPowerCuts() {
+    if (!powered_) {
+      powered_.emplace(proof_.proof_context.withoutPowerCuts(),
+                       proof_.ending.boundWithoutPowerCuts());
+    }
+    return *powered_;
+  }
+
+  /// Whether a requirement is proved without a search over traces.
+  [[nodiscard]] bool isSeen(const Requirement& requirement) {
+    return requirement.geofences.empty() &&
+           insight().proves(requirement, proof_.options.effort, steps_);
+  }
+
+  std::optional<RequirementVerdict> judgeAtOnce(const Requirement& requirement) {
     if (requirement.kind == RequirementKind::StackAtMost) {
       return judgeStack(requirement);
     }
-    if (easilyProved(requirement)) {
+    if (easilyProved(requirement) || isSeen(requirement)) {
+      return RequirementVerdict{0, Verdict::Proved, std::nullopt};
+    }
+    return std::nullopt;
+  }
+
+  RequirementVerdict judge(const Requirement& requirement, uint32_t number) {
+    if (fresh_ && isSeen(requirement)) {
       return {0, Verdict::Proved, std::nullopt};
     }
     if (const auto& cached = proof_.options.cached) {
       if (const auto known = cached(number)) {
-        return recall(requirement, *known);
+        return recall(*known);
       }
     }
     RequirementVerdict verdict =
@@ -65,10 +192,10 @@ class RequirementCheck {
     return verdict;
   }
 
-  RequirementVerdict recall(const Requirement& requirement, const CachedVerdict& known) {
+  static RequirementVerdict recall(const CachedVerdict& known) {
     RequirementVerdict verdict{0, Verdict::Proved, std::nullopt, known.words};
     if (known.verdict != Verdict::Proved) {
-      verdict = open(requirement, known.words);
+      verdict = open(known.words);
     }
     verdict.cached = true;
     return verdict;
@@ -95,7 +222,7 @@ class RequirementCheck {
     if (run) {
       return broken(requirement, std::move(*run));
     }
-    return open(requirement, found.reason + "; no random flight violated it");
+    return open(found.reason + "; no random flight violated it");
   }
 
   RequirementVerdict judgeStack(const Requirement& requirement) {
@@ -168,13 +295,13 @@ class RequirementCheck {
       found.run = tryAtRandom(requirement, proof_.proof_context);
     }
     return found.run ? RequirementVerdict{0, Verdict::Proved, std::move(found.run)}
-                     : open(requirement, reasonOf(requirement, found.answer));
+                     : open(reasonOf(requirement, found.answer));
   }
 
   /// Proves a requirement for an SBC whose power may be cut; a counterexample is shown without
   /// power cuts if possible.
   RequirementVerdict judgePromise(const Requirement& requirement) {
-    Search found = search(requirement, proof_.proof_context);
+    Search found = search(requirement, insight().context());
     if (found.answer.bad == Answer::No) {
       return {0, Verdict::Proved, std::nullopt};
     }
@@ -184,7 +311,7 @@ class RequirementCheck {
       powered_proved = provedWithoutPowerCuts(requirement);
       Search undisturbed;
       if (!powered_proved) {
-        undisturbed = search(requirement, powered);
+        undisturbed = search(requirement, insightWithoutPowerCuts().context());
         powered_proved = undisturbed.answer.bad == Answer::No;
       }
       if (!undisturbed.run && !powered_proved) {
@@ -200,16 +327,13 @@ class RequirementCheck {
     if (found.run) {
       return broken(requirement, std::move(*found.run));
     }
-    return open(requirement, reasonOf(requirement, found.answer) +
-                                 (powered_proved ? "; it holds if the SBC never loses power" : ""));
+    return open(reasonOf(requirement, found.answer) +
+                (powered_proved ? "; it holds if the SBC never loses power" : ""));
   }
 
   /// Without a search over traces.
   bool provedWithoutPowerCuts(const Requirement& requirement) {
-    const std::optional<double>& end = requirement.kind == RequirementKind::ExitWithin
-                                           ? proof_.ending.boundWithoutPowerCuts().by
-                                           : std::optional<double>();
-    return end && *end <= requirement.seconds;
+    return insightWithoutPowerCuts().proves(requirement, proof_.options.effort, steps_);
   }
 
   /// In a separate context: Z3 counts its steps for all questions of a context.
@@ -222,7 +346,7 @@ class RequirementCheck {
       const SafetyProperty watch = safetyPropertyFor(requirement, context, proof_context);
       return askAboutRuns(context, proof_context, relevance, watch, proof_.options.run_effort);
     } catch (const z3::exception& trouble) {
-      return {Answer::Unknown, std::nullopt, trouble.msg()};
+      return {Answer::Unknown, std::nullopt, trouble.msg(), proof_.options.run_effort};
     }
   }
 
@@ -270,9 +394,8 @@ class RequirementCheck {
                        what.empty() ? "" : "; approximated here: " + what);
   }
 
-  RequirementVerdict open(const Requirement& requirement, const std::string& reason) {
-    proof_.diagnostics.report(DiagnosticId::requirementOpen, requirement.range)
-        .note(requirement.range, reason);
+  /// It is reported by settle().
+  static RequirementVerdict open(const std::string& reason) {
     return {0, Verdict::Open, std::nullopt, {}, reason};
   }
 
@@ -335,6 +458,11 @@ class RequirementCheck {
 
   Proof& proof_;
   const Mission& m_;
+  std::optional<Insight> insight_;  ///< with power cuts; none: not asked for yet
+  std::optional<Insight> powered_;
+  std::vector<bool> waiting_;  ///< by requirement: a search has to decide it
+  bool fresh_ = false;         ///< something was proved since the first look
+  uint64_t steps_ = 0;
 };
 
 }  // namespace

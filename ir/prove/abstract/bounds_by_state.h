@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "ir/prove/abstract/abstract_evaluator.h"
+#include "ir/prove/abstract/end_bound.h"
+#include "ir/prove/abstract/leaving.h"
+#include "ir/prove/context/state_bounds.h"
+
+#include <vector>
+
+namespace glider::ir::prove {
+
+/// For each state that may become current. `end`: of `proof_context`.
+///
+/// - A state is not current before earliestEntries, nor after EndBound::left_by.
+/// - It is left a certain time after it became current, whenever that was (stayOf): `resumetime`
+///   does not exceed that. Nor does `statetime` if the state never waits for a return.
+/// - deepestByState bounds the depth.
+std::vector<StateBounds> stateBounds(const ProofContext& proof_context, const EndBound& end);
+
+/// The cases of `always` that may fire whatever has happened before, so that they certainly fire
+/// where they are true. Without a target no state keeps them from firing (L1). Case j of `always`
+/// that leads to a state sets the limit to j (L3): it keeps itself and all cases after it from
+/// firing, so these are the cases before the first of those.
+Cases neverPrevented(const Mission& mission);
+
+/// Every value that the variables may have.
+Valuation anyValues(const Mission& mission);
+
+}  // namespace glider::ir::prove

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "ir/prove/abstract/end_bound.h"
+
+#include <optional>
+
+namespace glider::ir::prove {
+
+/// The longest time, s, from a tick with the vehicle at the surface (or the start) to any tick with
+/// none such in between, in any trace; none if it may exceed `limit`, or is not found. `end`: of
+/// `proof_context`.
+///
+/// It is the longest path through the states, without a solver. While a state is current the time
+/// since the last such tick grows, at most until the state is left (stayOf). A state *climbs* if it
+/// commands the surface whenever it becomes current, and no other depth while it is. From
+///
+///     turn_s + (its greatest depth - surface_depth_m) / slowest_climb_m_s
+///
+/// after it became current on, every tick is one at the surface (ir/prove/encoding/world.h). So a
+/// state that climbs adds no more than that, and whatever leaves it later starts from 0. The same
+/// holds for a case that can only be true on a tick at the surface: one whose guard needs a reading
+/// of the depth that is further above than `depth_error_m` allows under water. Mission time bounds
+/// all: the vehicle is at the surface when control is given.
+///
+/// Stacks are not followed: a `return` leads to every state that may wait for it (all of them, if
+/// `always` calls the state), and a case of `always` may fire in every state but its target.
+std::optional<double> longestSubmersion(const ProofContext& proof_context, const EndBound& end,
+                                        double limit);
+
+}  // namespace glider::ir::prove

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "ir/prove/context/state_bounds.h"
+#include "ir/prove/encoding/question.h"
+
+#include <vector>
+
+namespace glider::ir::prove {
+
+/// Proofs that a condition is false at no moment of any trace, each from one question about a
+/// single moment: for any readings, any values of variables in their ranges, the clocks in order and
+/// the true depth within StateBounds. It needs no search over traces, so it costs the same for ten
+/// states and for thousands.
+class AnyMoment {
+ public:
+  /// `proof_context` and `bounds` outlive this.
+  AnyMoment(const ProofContext& proof_context, const std::vector<StateBounds>& bounds)
+      : proof_context_(proof_context), bounds_(bounds) {}
+
+  /// A condition that has been proved never to be false, from now on known for later ones.
+  void know(ExprId condition) { known_.push_back(condition); }
+  /// Whether `condition` is proved. Asks first about all states together, then about each apart, if
+  /// they are not too many. `effort`: the limit of each question; `steps` is increased by what was
+  /// used.
+  [[nodiscard]] bool neverFalse(ExprId condition, unsigned effort, uint64_t& steps) const;
+
+ private:
+  [[nodiscard]] Answer falseWithin(ExprId condition, const StateBounds& bounds, unsigned effort,
+                                   uint64_t& steps) const;
+
+  const ProofContext& proof_context_;
+  const std::vector<StateBounds>& bounds_;
+  std::vector<ExprId> known_;
+};
+
+}  // namespace glider::ir::prove

@@ -68,6 +68,7 @@ std::string stackLine(const report::CheckedMission& found) {
 }
 
 constexpr unsigned kMostEffort = 100;
+constexpr double kLongestTimeout_s = 1e6;
 
 /// ", 3 requirements proved"; empty if the mission requires nothing.
 std::string provedLine(const report::CheckedMission& found) {
@@ -335,9 +336,16 @@ void addCheckCommand(CLI::App& app, int& status) {
       ->option_text("TARGET ...");
   command
       ->add_option("--effort", options->check.effort,
-                   "Multiply the resource limit of each proof by N [1]")
+                   "Multiply the resource limits of proofs by N: 1 million steps of Z3 a question, 40 "
+                   "million all requirements of a mission [1]")
       ->check(CLI::Range(1U, kMostEffort))
       ->option_text("N");
+  command
+      ->add_option("--timeout", options->check.timeout_s,
+                   "Begin no question of a proof later than S seconds after the first; what is left "
+                   "is undecided [no limit in seconds]")
+      ->check(CLI::Range(0.001, kLongestTimeout_s))
+      ->option_text("S");
   command
       ->add_option("--skeleton", options->skeleton,
                    "With --report: the vehicle's mission file (.mi) with hookbeh; its silence_secs "

@@ -10,6 +10,8 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
+#include <cstdint>
 #include <utility>
 
 namespace glider::driver {
@@ -109,6 +111,11 @@ Result<void> checkFurther(CheckedFile& file, const CheckOptions& options) {
   how.report = options.report;
   how.effort *= options.effort;
   how.run_effort *= options.effort;
+  how.total_effort *= options.effort;
+  if (options.timeout_s > 0) {
+    how.until = std::chrono::steady_clock::now() +
+                std::chrono::milliseconds(static_cast<int64_t>(1000 * options.timeout_s));
+  }
   compiler::Compilation& compilation = *file.compilation;
   file.proved = proveWithCache(compilation, file.found.path, how, options.cache);
   if (!options.report) {

@@ -20,7 +20,8 @@ struct CheckOptions {
   std::vector<std::string> targets;  ///< of the budget; empty: all boards of the vehicle
   analysis::Silence silence = analysis::usualSilence();  ///< of hookbeh, for the way home
   std::vector<std::string> user_code;  ///< of the budget: what has the mission's `extern` names
-  unsigned effort = 1;                 ///< multiplies the resource limit of a proof
+  unsigned effort = 1;                 ///< multiplies the resource limits of proofs
+  double timeout_s = 0;                ///< of the proofs about a mission; 0: none
   bool cache = true;                   ///< use the verdicts of earlier checks, and store new ones
 };
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "ir/prove/abstract/end_bound.h"
+#include "ir/prove/context/budget.h"
 #include "ir/prove/context/proof_context.h"
 #include "ir/prove/prove.h"
 #include "ir/verify/structure.h"
@@ -14,6 +15,15 @@
 
 namespace glider::ir::prove {
 
+/// The checks of cases and commands get this share of what requirements may take, on top: neither
+/// takes from the other, so no verdict on a requirement hangs on what else is checked.
+inline constexpr double kShareOfChecks = 0.25;
+
+inline Budget budgetOf(const Options& options, double share) {
+  return Budget(static_cast<uint64_t>(share * static_cast<double>(options.total_effort)),
+                options.until);
+}
+
 /// The data of a pass.
 struct Proof {
   z3::context& context;
@@ -21,6 +31,8 @@ struct Proof {
   const MissionFacts& facts;
   const Options& options;
   support::DiagnosticEngine& diagnostics;
+  Budget checks = budgetOf(options, kShareOfChecks);  ///< of all passes but `requirements`
+  Budget searches = budgetOf(options, 1);             ///< of `requirements`
   Ending ending{proof_context};
   Findings findings = {};
   std::set<CasePlace> dead = {};                ///< cases that were found never to fire

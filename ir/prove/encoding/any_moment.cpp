@@ -77,11 +77,10 @@ StateBounds projected(const Mission& m, ExprId condition, const ProofContext& pr
 }  // namespace
 
 Answer AnyMoment::falseWithin(ExprId condition, const StateBounds& bounds, unsigned effort,
-                              uint64_t& steps) const {
-  z3::context context;
-  Unknowns unknowns(context);
+                              Budget& budget) {
+  Unknowns unknowns(context_);
   Moment moment(proof_context_, bounds, unknowns);
-  Question question(context, effort);
+  Question question(context_, budget, effort);
   question.add(moment.truth(condition).is_false);
   for (const ExprId known : known_) {
     question.add(!moment.truth(known).is_false);
@@ -89,14 +88,12 @@ Answer AnyMoment::falseWithin(ExprId condition, const StateBounds& bounds, unsig
   for (const Fact& fact : unknowns.facts()) {
     question.add(fact.holds);
   }
-  const Answer answer = question.ask();
-  steps += question.steps();
-  return answer;
+  return question.ask();
 }
 
-bool AnyMoment::neverFalse(ExprId condition, unsigned effort, uint64_t& steps) const {
+bool AnyMoment::neverFalse(ExprId condition, unsigned effort, Budget& budget) {
   const StateBounds hull = hullOf(bounds_);
-  if (falseWithin(condition, hull, effort, steps) == Answer::No) {
+  if (falseWithin(condition, hull, effort, budget) == Answer::No) {
     return true;
   }
   std::set<StateBounds> groups;
@@ -108,7 +105,7 @@ bool AnyMoment::neverFalse(ExprId condition, unsigned effort, uint64_t& steps) c
   }
   return !groups.empty() && groups.begin()->latest > 0 && !groups.contains(hull) &&
          std::ranges::all_of(groups, [&](const StateBounds& bounds) {
-           return falseWithin(condition, bounds, effort, steps) == Answer::No;
+           return falseWithin(condition, bounds, effort, budget) == Answer::No;
          });
 }
 

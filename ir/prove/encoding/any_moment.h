@@ -23,17 +23,17 @@ class AnyMoment {
   /// A condition that has been proved never to be false, from now on known for later ones.
   void know(ExprId condition) { known_.push_back(condition); }
   /// Whether `condition` is proved. Asks first about all states together, then about each apart, if
-  /// they are not too many. `effort`: the limit of each question; `steps` is increased by what was
-  /// used.
-  [[nodiscard]] bool neverFalse(ExprId condition, unsigned effort, uint64_t& steps) const;
+  /// they are not too many. `effort`: the limit of each question.
+  [[nodiscard]] bool neverFalse(ExprId condition, unsigned effort, Budget& budget);
 
  private:
   [[nodiscard]] Answer falseWithin(ExprId condition, const StateBounds& bounds, unsigned effort,
-                                   uint64_t& steps) const;
+                                   Budget& budget);
 
   const ProofContext& proof_context_;
   const std::vector<StateBounds>& bounds_;
   std::vector<ExprId> known_;
+  z3::context context_;  ///< of all questions
 };
 
 }  // namespace glider::ir::prove

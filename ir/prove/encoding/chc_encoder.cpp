@@ -9,10 +9,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace glider::ir::prove {
 namespace {
 
+/// Call stacks; without calls there are no more than states (and what has just returned).
 constexpr size_t kMostControls = 400;
+constexpr size_t kMostStates = 1000;
+
+bool calls(const std::vector<Case>& cases) {
+  return std::ranges::find(cases, Transition::Call, &Case::transition) != cases.end();
+}
 
 /// The conjunction of all facts.
 z3::expr allOf(const Unknowns& unknowns, z3::context& context) {
@@ -26,8 +34,11 @@ z3::expr allOf(const Unknowns& unknowns, z3::context& context) {
 }  // namespace
 
 bool ChcEncoder::run() {
+  const bool stacks =
+      calls(m_.always) || std::ranges::any_of(m_.states, [](const State& s) { return calls(s.cases); });
+  const size_t most = stacks ? kMostControls : kMostStates;
   begin();
-  while (!pending_.empty() && reached_.size() <= kMostControls) {
+  while (!pending_.empty() && reached_.size() <= most) {
     const Control control = pending_.back();
     pending_.pop_back();
     elapse(control);

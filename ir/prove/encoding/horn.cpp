@@ -120,12 +120,13 @@ RunsAnswer askAboutRuns(z3::context& context, const ProofContext& proof_context,
                         unsigned effort) {
   ChcEncoder writer(context, proof_context, relevance, watch);
   if (!writer.run()) {
-    return {Answer::Unknown, std::nullopt, "the mission has too many call stacks", 0};
+    return {Answer::Unknown, std::nullopt, "the mission has too many call stacks",
+            Budget::kRule * writer.rules().size()};
   }
   Engine engine(context, writer.rules());
   const z3::check_result result = engine.ask();
   RunsAnswer answer;
-  answer.steps = engine.steps();
+  answer.steps = engine.steps() + Budget::kRule * writer.rules().size();
   if (result == z3::unknown) {
     answer.trouble = engine.reason();
     return answer;

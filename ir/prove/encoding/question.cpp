@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace glider::ir::prove {
 
 Question::Question(z3::context& context, unsigned effort)
@@ -16,17 +18,42 @@ Question::Question(z3::context& context, unsigned effort)
   solver_.set(parameters);
 }
 
+Question::Question(z3::context& context, Budget& budget, unsigned effort)
+    : Question(context, budget.allow(effort)) {
+  budget_ = &budget;
+}
+
+/// Z3 counts the steps of all questions of a context together.
+z3::check_result Question::check() {
+  if (budget_ == nullptr) {
+    return solver_.check(assumptions_);
+  }
+  budget_->spend(Budget::kQuestion + Budget::kCondition * conditions_);
+  if (budget_->isUsedUp()) {
+    return z3::unknown;
+  }
+  if (const auto limit = budget_->milliseconds()) {
+    solver_.set("timeout", *limit);
+  }
+  const uint64_t before = stepsIn(solver_.statistics());
+  const z3::check_result result = solver_.check(assumptions_);
+  const uint64_t after = stepsIn(solver_.statistics());
+  budget_->spend(after - std::min(before, after));
+  return result;
+}
+
 void Question::assume(const z3::expr& holds) {
   const std::string name = fmt::format("assume!{}", assumptions_.size());
   const z3::expr assumption = context_.bool_const(name.c_str());
   solver_.add(z3::implies(assumption, holds));
   assumptions_.push_back(assumption);
+  ++conditions_;
 }
 
 void Question::add(const Unknowns& unknowns) {
   for (const Fact& fact : unknowns.facts()) {
     if (fact.from == Fact::From::Nature) {
-      solver_.add(fact.holds);
+      add(fact.holds);
       continue;
     }
     assume(fact.holds);
@@ -42,7 +69,7 @@ void Question::add(const z3::expr& holds, uint32_t name) {
 }
 
 Answer Question::ask() {
-  const z3::check_result result = solver_.check(assumptions_);
+  const z3::check_result result = check();
   if (result != z3::unsat) {
     return result == z3::sat ? Answer::Yes : Answer::Unknown;
   }
@@ -58,10 +85,6 @@ Answer Question::ask() {
     }
   }
   return Answer::No;
-}
-
-uint64_t Question::steps() const {
-  return stepsIn(solver_.statistics());
 }
 
 uint64_t stepsIn(const z3::stats& statistics) {

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "ir/prove/context/budget.h"
 #include "ir/prove/encoding/symbolic_state.h"
 
 #include <optional>
@@ -18,16 +19,19 @@ enum class Answer : uint8_t { Yes, No, Unknown };
 class Question {
  public:
   Question(z3::context& context, unsigned effort);
+  /// The same out of a budget, which outlives this: a question that it does not cover has no answer.
+  Question(z3::context& context, Budget& budget, unsigned effort);
 
-  void add(const z3::expr& holds) { solver_.add(holds); }
+  void add(const z3::expr& holds) {
+    solver_.add(holds);
+    ++conditions_;
+  }
   /// Adds all known facts, so that a No can say which of them were needed.
   void add(const Unknowns& unknowns);
   /// Adds a condition under a name that the caller chooses.
   void add(const z3::expr& holds, uint32_t name);
 
   Answer ask();
-  /// What the last answer took, in Z3's own count.
-  [[nodiscard]] uint64_t steps() const;
   /// After Yes.
   z3::model model() const { return solver_.get_model(); }
   /// After No: the names of the conditions that were needed for it, and the facts.
@@ -37,7 +41,11 @@ class Question {
  private:
   void assume(const z3::expr& holds);
 
+  z3::check_result check();
+
   z3::context& context_;
+  Budget* budget_ = nullptr;  ///< none: not limited together with others
+  uint64_t conditions_ = 0;
   z3::solver solver_;
   z3::expr_vector assumptions_;
   std::vector<std::optional<Fact>> facts_;  ///< of each assumption

@@ -141,7 +141,7 @@ class ChatteringCheck {
       if (once_more.fired != there.fired || once_more.list != there.list) {
         continue;
       }
-      Question question(proof_.context, proof_.options.effort);
+      Question question(proof_.context, proof_.checks, proof_.options.effort);
       question.add(*unknowns_);
       question.add(there.condition && back.condition && once_more.condition);
       if (question.ask() == Answer::Yes) {

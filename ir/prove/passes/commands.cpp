@@ -163,7 +163,7 @@ class CommandCheck {
         }
       }
     }
-    Question question(proof_.context, proof_.options.effort);
+    Question question(proof_.context, proof_.checks, proof_.options.effort);
     question.add(unknowns);
     question.add(turns);
     return question.ask() != Answer::No;

@@ -48,6 +48,12 @@ class GuardCheck {
       gather(state.route);
     }
     reportBehaviours();
+    if (proof_.options.report && unchecked_ > 0) {
+      proof_.findings.lines.push_back(
+          {{}, fmt::format("whether they can fire was not checked for {} cases: all checks together "
+                           "reached their limit (--effort)",
+                           unchecked_)});
+    }
   }
 
  private:
@@ -63,30 +69,42 @@ class GuardCheck {
     std::vector<Verdict> verdicts(cases.size());
     const std::vector<Seen> seen = tryOut(proof_.proof_context, cases);
     for (uint32_t i = 0; i < cases.size(); ++i) {
-      if (!seen[i].first || !seen[i].idle) {
-        verdicts[i] = judge(cases, i, verdicts);
+      if (seen[i].first && seen[i].idle) {
+        continue;
+      }
+      if (proof_.checks.isUsedUp()) {
+        ++unchecked_;
+      } else {
+        verdicts[i] = judge(cases, i, verdicts, seen[i]);
       }
     }
     return verdicts;
   }
 
-  /// Asks the solver.
+  /// Asks the solver what was not seen.
   Verdict judge(const std::vector<Case>& cases, uint32_t number,
-                const std::vector<Verdict>& earlier) {
+                const std::vector<Verdict>& earlier, const Seen& seen) {
     Verdict verdict;
     Unknowns unknowns(proof_.context);
     SymbolicState moment(unknowns, proof_.proof_context);
     const TruthTerm guard = moment.truth(cases[number].guard);
-    Question never(proof_.context, proof_.options.effort);
-    never.add(unknowns);
-    never.add(guard.is_true);
-    verdict.never = never.ask() == Answer::No;
-    if (verdict.never) {
-      verdict.facts = never.neededFacts();
+    if (!seen.fires) {
+      Question never(proof_.context, proof_.checks, proof_.options.effort);
+      never.add(unknowns);
+      never.add(guard.is_true);
+      verdict.never = never.ask() == Answer::No;
+      if (verdict.never) {
+        verdict.facts = never.neededFacts();
+        return verdict;
+      }
+    }
+    if (!seen.first) {
+      judgeHidden(cases, number, earlier, verdict);
+    }
+    if (seen.idle) {
       return verdict;
     }
-    judgeHidden(cases, number, earlier, verdict);
-    Question always(proof_.context, proof_.options.effort);
+    Question always(proof_.context, proof_.checks, proof_.options.effort);
     always.add(unknowns);
     always.add(!guard.is_true);
     verdict.always = !verdict.hidden && always.ask() == Answer::No;
@@ -100,7 +118,7 @@ class GuardCheck {
                    const std::vector<Verdict>& earlier, Verdict& verdict) {
     Unknowns unknowns(proof_.context);
     SymbolicState moment(unknowns, proof_.proof_context);
-    Question question(proof_.context, proof_.options.effort);
+    Question question(proof_.context, proof_.checks, proof_.options.effort);
     question.add(moment.truth(cases[number].guard).is_true);
     for (uint32_t i = 0; i < number; ++i) {
       // A case of `always` does not fire while its target is current or waits.
@@ -179,6 +197,7 @@ class GuardCheck {
 
   Proof& proof_;
   const Mission& m_;
+  size_t unchecked_ = 0;  ///< cases, when the budget was used up
   std::map<std::pair<uint32_t, uint32_t>, Uses> behaviours_;  ///< by file and place
 };
 

@@ -68,7 +68,7 @@ class OverlapCheck {
     }
     Unknowns unknowns(proof_.context);
     SymbolicState moment(unknowns, proof_.proof_context);
-    Question question(proof_.context, proof_.options.effort);
+    Question question(proof_.context, proof_.checks, proof_.options.effort);
     question.add(moment.truth(a.guard).is_true && moment.truth(b.guard).is_true);
     question.add(unknowns);
     if (question.ask() == Answer::Yes) {

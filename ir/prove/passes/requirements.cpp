@@ -51,10 +51,10 @@ class Insight {
   /// The mission, with what the end bound says of its clocks.
   [[nodiscard]] const ProofContext& context() const { return context_; }
 
-  [[nodiscard]] bool proves(const Requirement& requirement, unsigned effort, uint64_t& steps) {
+  [[nodiscard]] bool proves(const Requirement& requirement, unsigned effort, Budget& budget) {
     switch (requirement.kind) {
       case RequirementKind::Always:
-        return moment_.neverFalse(requirement.condition, effort, steps);
+        return moment_.neverFalse(requirement.condition, effort, budget);
       case RequirementKind::ExitWithin:
         return ended_by_ <= requirement.seconds;
       case RequirementKind::SurfacesEvery:
@@ -164,7 +164,7 @@ class RequirementCheck {
   /// Whether a requirement is proved without a search over traces.
   [[nodiscard]] bool isSeen(const Requirement& requirement) {
     return requirement.geofences.empty() &&
-           insight().proves(requirement, proof_.options.effort, steps_);
+           insight().proves(requirement, proof_.options.effort, proof_.searches);
   }
 
   std::optional<RequirementVerdict> judgeAtOnce(const Requirement& requirement) {
@@ -186,10 +186,20 @@ class RequirementCheck {
         return recall(*known);
       }
     }
+    if (proof_.searches.isUsedUp()) {
+      return open("it was not searched for: " + limitReached());
+    }
     RequirementVerdict verdict =
         requirement.geofences.empty() ? judgeRuns(requirement) : judgeAreas(requirement);
-    verdict.searched = requirement.kind != RequirementKind::Reach;  // for Reach its trace is needed
+    // For Reach its trace is needed; what was cut short hangs on what was searched for before.
+    verdict.searched =
+        requirement.kind != RequirementKind::Reach && !proof_.searches.isUsedUp();
     return verdict;
+  }
+
+  [[nodiscard]] std::string limitReached() const {
+    return proof_.searches.isOver() ? "the time limit was reached (`--timeout`)"
+                                    : "all requirements together reached their limit (`--effort`)";
   }
 
   static RequirementVerdict recall(const CachedVerdict& known) {
@@ -333,20 +343,33 @@ class RequirementCheck {
 
   /// Without a search over traces.
   bool provedWithoutPowerCuts(const Requirement& requirement) {
-    return insightWithoutPowerCuts().proves(requirement, proof_.options.effort, steps_);
+    return insightWithoutPowerCuts().proves(requirement, proof_.options.effort, proof_.searches);
   }
 
   /// In a separate context: Z3 counts its steps for all questions of a context.
   RunsAnswer ask(const Requirement& requirement, const ProofContext& proof_context) {
+    const unsigned effort = proof_.searches.allow(proof_.options.run_effort);
+    if (effort == 0) {
+      return {Answer::Unknown, std::nullopt, limitReached(), 0};
+    }
     z3::config config;
-    config.set("rlimit", static_cast<int>(proof_.options.run_effort));  // Spacer's only limit
+    config.set("rlimit", static_cast<int>(effort));  // Spacer's only limit, but for the time
+    if (const auto limit = proof_.searches.milliseconds()) {
+      config.set("timeout", static_cast<int>(*limit));
+    }
     z3::context context(config);
     const ConeOfInfluence relevance = relevanceOf(requirement, proof_context);
     try {
       const SafetyProperty watch = safetyPropertyFor(requirement, context, proof_context);
-      return askAboutRuns(context, proof_context, relevance, watch, proof_.options.run_effort);
+      RunsAnswer answer = askAboutRuns(context, proof_context, relevance, watch, effort);
+      proof_.searches.spend(answer.steps);
+      if (answer.bad == Answer::Unknown && proof_.searches.isUsedUp()) {
+        answer.trouble = limitReached();
+      }
+      return answer;
     } catch (const z3::exception& trouble) {
-      return {Answer::Unknown, std::nullopt, trouble.msg(), proof_.options.run_effort};
+      proof_.searches.spend(effort);
+      return {Answer::Unknown, std::nullopt, trouble.msg(), effort};
     }
   }
 
@@ -366,7 +389,9 @@ class RequirementCheck {
     const double span = requirement.seconds > 0 ? 2 * requirement.seconds : kLongFlight;
     const auto ticks = static_cast<size_t>(std::min(span / cycle + 2, 1.0 * kRandomTicks));
     const size_t flights = std::max<size_t>(1, kRandomTicks / ticks);
-    for (uint64_t seed = 1; seed <= flights; ++seed) {
+    const uint64_t tick = Budget::kTick + m_.exprs.size() / Budget::kExpressions;
+    for (uint64_t seed = 1; seed <= flights && !proof_.searches.isUsedUp(); ++seed) {
+      proof_.searches.spend(ticks * tick);
       if (auto run =
               flyAtRandom(proof_context, proof_.facts.stack_depth, requirement, seed, ticks)) {
         return run;
@@ -462,7 +487,6 @@ class RequirementCheck {
   std::optional<Insight> powered_;
   std::vector<bool> waiting_;  ///< by requirement: a search has to decide it
   bool fresh_ = false;         ///< something was proved since the first look
-  uint64_t steps_ = 0;
 };
 
 }  // namespace

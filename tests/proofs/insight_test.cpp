@@ -229,6 +229,66 @@ TEST(Surfacing, DoesNotHangOnTheErrorOfTheDepth) {
   }
 }
 
+// --- What all requirements may take together
+
+/// Promises of a counter that only a search proves.
+std::string counting(int promises) {
+  std::string text = "mission m\n";
+  for (int i = 0; i < promises; ++i) {
+    text += fmt::format("require always n <= {}\n", 30 - i);
+  }
+  return text + "var n : number = 0 in 0 .. 99\n" +
+         state("a", kYo, "case missiontime >= 1 h exit\n"
+                         "case n < 20 && temp > 20 degC do set n = n + 1 end stay");
+}
+
+struct Judged {
+  Words words;
+  std::vector<std::string> reasons;
+  std::vector<bool> searched;
+};
+
+Judged judged(const std::string& text, const ir::prove::Options& how) {
+  frontend::testing_support::FrontendRun run(text);
+  const auto mission = run.compile();
+  EXPECT_TRUE(mission.has_value()) << run.said();
+  const ir::MissionFacts facts = ir::verify(*mission, run.diagnostics);
+  Judged all;
+  for (const auto& verdict :
+       ir::prove::prove(*mission, facts, slocum(), how, run.diagnostics).requirements) {
+    all.words.emplace_back(ir::prove::word(verdict.verdict));
+    all.reasons.push_back(verdict.reason);
+    all.searched.push_back(verdict.searched);
+  }
+  return all;
+}
+
+TEST(TotalEffort, LeavesRequirementsUndecidedAndSaysSo) {
+  ir::prove::Options how;
+  EXPECT_EQ(judged(counting(9), how).words, Words(9, "proved"));
+  how.total_effort = 100000;
+  const Judged some = judged(counting(9), how);
+  EXPECT_EQ(some.words.front(), "proved") << "what comes first is searched for first";
+  EXPECT_EQ(some.words.back(), "undecided");
+  EXPECT_EQ(some.reasons.back(),
+            "it was not searched for: all requirements together reached their limit (`--effort`)");
+  EXPECT_FALSE(some.searched.back()) << "with less before it, it may be decided: not for the cache";
+  EXPECT_EQ(judged(counting(9), how).words, some.words);
+  how.total_effort = 0;
+  EXPECT_EQ(judged(counting(2), how).words, Words(2, "undecided"));
+}
+
+TEST(TotalEffort, MayBeATime) {
+  ir::prove::Options how;
+  how.until = std::chrono::steady_clock::now();
+  const Judged none = judged(counting(2), how);
+  EXPECT_EQ(none.words, Words(2, "undecided"));
+  EXPECT_EQ(none.reasons.back(),
+            "it was not searched for: the time limit was reached (`--timeout`)");
+  how.until = std::chrono::steady_clock::now() + std::chrono::hours(1);
+  EXPECT_EQ(judged(counting(2), how).words, Words(2, "proved"));
+}
+
 // --- Large missions
 
 std::string chain(int states, const std::string& requirements, const std::string& set) {

@@ -4,9 +4,7 @@
 #include "ir/prove/abstract/depth_bound.h"
 
 #include "ir/core/ops.h"
-#include "ir/prove/abstract/state_depths.h"
 
-#include <algorithm>
 #include <limits>
 
 namespace glider::ir::prove {
@@ -16,10 +14,8 @@ constexpr double kAnyDepth = std::numeric_limits<double>::infinity();
 
 class Conditions {
  public:
-  explicit Conditions(const ProofContext& proof_context)
-      : proof_context_(proof_context),
-        m_(proof_context.mission),
-        deepest_(std::ranges::max(deepestByState(proof_context))) {}
+  Conditions(const ProofContext& proof_context, double deepest)
+      : proof_context_(proof_context), m_(proof_context.mission), deepest_(deepest) {}
 
   [[nodiscard]] bool hold(ExprId id) const {
     const Expr& e = m_[id];
@@ -65,8 +61,8 @@ class Conditions {
 
 }  // namespace
 
-bool heldByCommands(ExprId condition, const ProofContext& proof_context) {
-  return Conditions(proof_context).hold(condition);
+bool heldByCommands(ExprId condition, const ProofContext& proof_context, double deepest) {
+  return Conditions(proof_context, deepest).hold(condition);
 }
 
 }  // namespace glider::ir::prove

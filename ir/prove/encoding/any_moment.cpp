@@ -93,6 +93,9 @@ Answer AnyMoment::falseWithin(ExprId condition, const StateBounds& bounds, unsig
 
 bool AnyMoment::neverFalse(ExprId condition, unsigned effort, Budget& budget) {
   const StateBounds hull = hullOf(bounds_);
+  if (budget.isUsedUp()) {
+    return false;
+  }
   if (falseWithin(condition, hull, effort, budget) == Answer::No) {
     return true;
   }

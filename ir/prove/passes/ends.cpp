@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "ir/prove/abstract/end_bound.h"
+#include "ir/prove/abstract/end_depends_on.h"
 #include "ir/prove/context/duration_text.h"
 #include "ir/prove/passes.h"
 
@@ -25,6 +26,15 @@ std::string latest(const ProofContext& proof_context, double undisturbed, double
                            durationOf(proof_context.tick_gap_s), durationOf(with_power_cuts));
 }
 
+/// "; its end depends on readings of `lat`, `lon`".
+std::string dependsOn(const ProofContext& proof_context, StateId stays) {
+  std::vector<std::string> names;
+  for (const SensorId id : endDependsOn(proof_context, stays)) {
+    names.push_back(fmt::format("`{}`", proof_context.mission[id].name));
+  }
+  return names.empty() ? "" : fmt::format("; its end depends on readings of {}", fmt::join(names, ", "));
+}
+
 void tellEnd(Proof& proof, const EndBound& end) {
   const auto tell = [&](std::string text) {
     proof.findings.lines.push_back({{}, std::move(text)});
@@ -39,10 +49,11 @@ void tellEnd(Proof& proof, const EndBound& end) {
                     "bound is known",
                     durationOf(*undisturbed.by), durationOf(proof.proof_context.tick_gap_s)));
   } else if (undisturbed.stays.valid()) {
-    tell(fmt::format("no clock condition is sure to end the mission: it may stay in `{}`",
-                     proof.proof_context.mission[undisturbed.stays].name));
+    tell(fmt::format("no clock condition is sure to end the mission: it may stay in `{}`{}",
+                     proof.proof_context.mission[undisturbed.stays].name,
+                     dependsOn(proof.proof_context, undisturbed.stays)));
   } else {
-    tell("no bound on the mission's duration is known");
+    tell("no bound on the mission's duration is known" + dependsOn(proof.proof_context, {}));
   }
   const EndBound soon = boundOf(powered, kLongestMission, Goal::ExitOrSurface);
   const EndBound home = boundOf(proof.proof_context, kLongestMission, Goal::ExitOrSurface);

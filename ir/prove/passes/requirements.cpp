@@ -4,6 +4,7 @@
 #include "ir/prove/abstract/bounds_by_state.h"
 #include "ir/prove/abstract/depth_bound.h"
 #include "ir/prove/abstract/entered_after.h"
+#include "ir/prove/abstract/state_depths.h"
 #include "ir/prove/abstract/surfacing.h"
 #include "ir/prove/context/duration_text.h"
 #include "ir/prove/encoding/any_moment.h"
@@ -59,7 +60,7 @@ class Insight {
         return ended_by_ <= requirement.seconds;
       case RequirementKind::SurfacesEvery:
         return std::min(ended_by_, surfaces_every_) <= requirement.seconds ||
-               longestSubmersion(context_, end_, requirement.seconds).has_value();
+               submersion() <= requirement.seconds;
       case RequirementKind::NeverAfter:
       case RequirementKind::StackAtMost:
       case RequirementKind::Reach:
@@ -90,18 +91,30 @@ class Insight {
   }
 
  private:
+  static constexpr double kEver = std::numeric_limits<double>::infinity();
+
+  double submersion() {
+    if (!submersion_) {
+      submersion_ = longestSubmersion(context_, end_, kLongestMission).value_or(kEver);
+    }
+    return *submersion_;
+  }
+
   ProofContext context_;
   const EndBound& end_;
   std::vector<StateBounds> bounds_;
   AnyMoment moment_;
-  double ended_by_ = end_.by ? std::ranges::max(end_.left_by)
-                             : std::numeric_limits<double>::infinity();
-  double surfaces_every_ = std::numeric_limits<double>::infinity();
+  double ended_by_ = end_.by ? std::ranges::max(end_.left_by) : kEver;
+  double surfaces_every_ = kEver;
+  std::optional<double> submersion_;  ///< infinite: not bounded; none: not asked for yet
 };
 
 class RequirementCheck {
  public:
-  explicit RequirementCheck(Proof& proof) : proof_(proof), m_(proof.proof_context.mission) {}
+  explicit RequirementCheck(Proof& proof)
+      : proof_(proof),
+        m_(proof.proof_context.mission),
+        deepest_(std::ranges::max(deepestByState(proof.proof_context))) {}
 
   /// First what needs no search, then the searches. What a search has proved may prove others.
   void run() {
@@ -255,7 +268,7 @@ class RequirementCheck {
       case RequirementKind::NeverAfter:
         return !mayEnterAfter(m_, requirement.state, requirement.after);
       case RequirementKind::Always:
-        return heldByCommands(requirement.condition, proof_.proof_context);
+        return heldByCommands(requirement.condition, proof_.proof_context, deepest_);
       case RequirementKind::ExitWithin:
         return proof_.ending.by(requirement.seconds).has_value();
       case RequirementKind::SurfacesEvery:
@@ -485,6 +498,7 @@ class RequirementCheck {
   const Mission& m_;
   std::optional<Insight> insight_;  ///< with power cuts; none: not asked for yet
   std::optional<Insight> powered_;
+  double deepest_;  ///< of the mission, m
   std::vector<bool> waiting_;  ///< by requirement: a search has to decide it
   bool fresh_ = false;         ///< something was proved since the first look
 };
@@ -492,7 +506,9 @@ class RequirementCheck {
 }  // namespace
 
 void passes::requirements(Proof& proof) {
-  RequirementCheck(proof).run();
+  if (!proof.proof_context.mission.requirements.empty()) {
+    RequirementCheck(proof).run();
+  }
 }
 
 }  // namespace glider::ir::prove

@@ -6,12 +6,15 @@
 
 #include "ir/prove/abstract/depth_bound.h"
 #include "ir/prove/abstract/state_depths.h"
+#include "ir/prove/abstract/state_depths.h"
 #include "ir/prove/context/never_unknown.h"
 #include "ir/verify/whole_numbers.h"
 #include "tests/unit/ir/missions.h"
 #include "tests/unit/ir/slocum.h"
 
 #include <cmath>
+
+#include <algorithm>
 
 namespace glider::ir::prove {
 namespace {
@@ -240,7 +243,8 @@ bool isHeld(const std::string& condition) {
                 "entry do descend (20:length, 0.4:angle) end end case " +
                 condition + " stay\n");
   const ProofContext proof_context(m, slocum());
-  return heldByCommands(m.states[0].cases.at(0).guard, proof_context);
+  return heldByCommands(m.states[0].cases.at(0).guard, proof_context,
+                        std::ranges::max(deepestByState(proof_context)));
 }
 
 TEST(HeldByCommands, ADepthThatNoCommandLeadsBelow) {

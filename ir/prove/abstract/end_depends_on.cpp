@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/prove/abstract/end_depends_on.h"
+
+#include "ir/core/walk.h"
+#include "ir/prove/abstract/end_bound.h"
+
+namespace glider::ir::prove {
+namespace {
+
+/// More sensors in guards are not tried: each takes a search for the end.
+constexpr size_t kMostTried = 12;
+
+class Sensors {
+ public:
+  explicit Sensors(const Mission& mission) : m_(mission), read_(mission.sensors.size(), false) {}
+
+  /// The cases that lead away.
+  void add(const std::vector<Case>& cases) {
+    for (const Case& c : cases) {
+      if (c.transition != Transition::Stay) {
+        add(c.guard);
+      }
+    }
+  }
+
+  [[nodiscard]] std::vector<SensorId> all() const {
+    std::vector<SensorId> found;
+    for (uint32_t i = 0; i < read_.size(); ++i) {
+      if (read_[i]) {
+        found.push_back({i});
+      }
+    }
+    return found;
+  }
+
+ private:
+  void add(ExprId guard) {
+    std::vector<ExprId> open{guard};
+    while (!open.empty()) {
+      const ExprId root = open.back();
+      open.pop_back();
+      forEachIn(m_, root, [&](const Expr& e) {
+        if (e.op == Op::Sensor || e.op == Op::Age) {
+          read_[e.sensor.index] = true;
+        } else if (e.op == Op::Temporal) {
+          open.push_back(m_[e.temporal].operand);  // what is watched comes before: this ends
+        }
+      });
+    }
+  }
+
+  const Mission& m_;
+  std::vector<bool> read_;
+};
+
+/// Whether the mission ends by its clocks if the sensor reports nothing: none of its values is in
+/// range.
+bool endsWithout(const ProofContext& proof_context, SensorId sensor) {
+  Mission silent = proof_context.mission;
+  silent.sensors[sensor.index].lowest = 1;
+  silent.sensors[sensor.index].highest = 0;
+  const ProofContext without(silent, proof_context.platform);
+  return boundOf(without.withoutPowerCuts(), kLongestMission, Goal::Exit).by.has_value();
+}
+
+}  // namespace
+
+std::vector<SensorId> endDependsOn(const ProofContext& proof_context, StateId stays) {
+  const Mission& m = proof_context.mission;
+  Sensors everywhere(m);
+  everywhere.add(m.always);
+  for (const State& state : m.states) {
+    everywhere.add(state.cases);
+  }
+  std::vector<SensorId> found = everywhere.all();
+  if (found.size() > kMostTried) {
+    found.clear();
+  }
+  std::erase_if(found, [&](SensorId id) { return !endsWithout(proof_context, id); });
+  if (found.empty() && stays.valid()) {
+    Sensors here(m);
+    here.add(m[stays].cases);
+    found = here.all();
+  }
+  return found;
+}
+
+}  // namespace glider::ir::prove

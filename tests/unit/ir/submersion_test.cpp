@@ -1,0 +1,220 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// No random flight stays under water longer, or has a clock or depth beyond what is proved of a
+// single moment.
+
+#include "ir/prove/abstract/bounds_by_state.h"
+#include "ir/prove/abstract/surfacing.h"
+#include "ir/prove/encoding/any_moment.h"
+#include "ir/prove/falsification/random_flight.h"
+#include "ir/verify/verify.h"
+#include "tests/random_missions/random.h"
+#include "tests/unit/ir/missions.h"
+#include "tests/unit/ir/slocum.h"
+
+#include <fmt/format.h>
+
+namespace glider::ir::prove {
+namespace {
+
+constexpr double kLong = 50000;
+
+/// With profiles that dive, climb and surface, and a requirement that a test may replace.
+const std::string kDives = kHeader +
+                           "behaviour profile yo symbol \"\" () reads ()\n"
+                           "behaviour route way symbol \"\" () reads ()\n";
+
+std::string profileOf(random_missions::Random& random, bool up) {
+  if (up) {
+    return "begin entry do surface () end end ";
+  }
+  const auto depth = 5 + 5 * random.below(4);
+  const std::string down = fmt::format("descend ({}:length, 0.4:angle)", depth);
+  switch (random.below(3)) {
+    case 0:
+      return "begin entry do " + down + " end end ";
+    case 1:
+      return "begin entry do ascend (3:length, 0.4:angle) end case (le (sensor depth) 4:length) do " +
+             down + " end stay end ";
+    default:
+      return "begin entry do if (gt (sensor temp) 10:temperature) surface () else " + down +
+             " end end end ";
+  }
+}
+
+std::string timeOf(random_missions::Random& random, uint64_t most) {
+  return std::to_string(20 * (1 + random.below(most))) + ":time";
+}
+
+/// What leads out of a state that dives, or that climbs.
+std::string guardOf(random_missions::Random& random, bool up) {
+  const std::string clock = random.below(3) == 0 ? "statetime" : "resumetime";
+  switch (random.below(up ? 6 : 4)) {
+    case 0:
+      return "(and (gt (sensor temp) 3:temperature) (ge " + clock + " " + timeOf(random, 60) + "))";
+    case 1:
+      return "(lt (sensor depth) " + std::string(random.below(2) == 0 ? "1" : "1.3") + ":length)";
+    default:
+      return "(ge " + clock + " " + timeOf(random, up ? 100 : 30) + ")";
+  }
+}
+
+/// A ring of states of which some climb to the surface; some call another for a while, and `always`
+/// may interrupt.
+std::string randomDives(uint64_t seed) {
+  random_missions::Random random(seed);
+  const auto states = 2 + random.below(3);
+  const auto name = [&](uint64_t i) {
+    return std::string(1, static_cast<char>('a' + i % states));
+  };
+  std::string text = kDives;
+  if (random.below(4) == 0) {
+    text += "always case (gt (sensor depth) 12:length) call z ";
+  } else if (random.below(6) == 0) {
+    text += "always case (gt (sensor temp) 30:temperature) do descend (9:length, 0.4:angle) end stay ";
+  }
+  for (uint64_t i = 0; i < states; ++i) {
+    const bool up = i == 0 || random.below(3) == 0;
+    text += "state " + name(i) + " route way begin end profile yo " + profileOf(random, up);
+    if (random.below(5) == 0) {
+      text += "case (and (gt (sensor temp) 8:temperature) (lt statetime 900:time)) do descend (8:length, "
+              "0.4:angle) end stay ";
+    }
+    if (random.below(4) == 0) {
+      text += "case " + guardOf(random, false) + " call z ";
+    }
+    text += "case " + guardOf(random, up) + " goto " + name(i + 1) + " ";
+    if (random.below(2) == 0) {
+      text += "case (ge resumetime " + timeOf(random, 100) + ") goto " + name(i + random.below(2)) + " ";
+    }
+    text += "\n";
+  }
+  const bool up = random.below(2) == 0;
+  return text + "state z route way begin end profile yo " + profileOf(random, up) + "case " +
+         guardOf(random, up) + " return case (ge statetime " + timeOf(random, 60) + ") return\n";
+}
+
+Requirement surfacesEvery(double seconds) {
+  Requirement requirement;
+  requirement.kind = RequirementKind::SurfacesEvery;
+  requirement.seconds = seconds;
+  return requirement;
+}
+
+struct Tally {
+  size_t bounded = 0;
+  size_t near = 0;
+};
+
+/// Flies missions against their bounds.
+Tally flyAgainstBounds(uint64_t missions, bool power_cuts) {
+  Tally tally;
+  for (uint64_t seed = 1; seed <= missions; ++seed) {
+    const Mission mission = missionOf(randomDives(seed));
+    const ProofContext all(mission, slocum());
+    const ProofContext proof_context = power_cuts ? all : all.withoutPowerCuts();
+    const auto longest = longestSubmersion(proof_context, {}, kLong);
+    if (!longest) {
+      continue;
+    }
+    ++tally.bounded;
+    support::DiagnosticEngine diagnostics;
+    const MissionFacts facts = verify(mission, diagnostics);
+    const auto deeper = [&](double seconds, uint64_t flight) {
+      return flyAtRandom(proof_context, facts.stack_depth, surfacesEvery(seconds), flight, 2500)
+          .has_value();
+    };
+    for (uint64_t flight = 1; flight <= 6; ++flight) {
+      EXPECT_FALSE(deeper(*longest, flight)) << "mission " << seed << " in " << *longest << " s\n"
+                                             << randomDives(seed);
+    }
+    tally.near += deeper(*longest * 0.4, 1) || deeper(*longest * 0.4, 2) ? 1U : 0U;
+  }
+  return tally;
+}
+
+TEST(Submersion, NoRandomFlightIsLonger) {
+  const Tally tally = flyAgainstBounds(1500, false);
+  EXPECT_GT(tally.bounded, 200U);
+  EXPECT_GT(tally.near, 50U) << "the bounds are far off";
+}
+
+TEST(Submersion, NoRandomFlightWithPowerCutsIsLonger) {
+  const Tally tally = flyAgainstBounds(200, true);
+  EXPECT_GT(tally.bounded, 20U);
+}
+
+/// The route may command a depth too.
+TEST(Submersion, ARouteThatCommandsADepthIsNoClimb) {
+  const auto longest = [](const std::string& route) {
+    const Mission mission = missionOf(
+        kDives + "state a route way " + route +
+        "profile yo begin entry do surface () end end case (ge statetime 900:time) goto a\n");
+    return longestSubmersion(ProofContext(mission, slocum()).withoutPowerCuts(), {}, kLong);
+  };
+  EXPECT_TRUE(longest("begin end "));
+  EXPECT_FALSE(longest("begin entry do descend (9:length, 0.4:angle) end end "));
+  EXPECT_FALSE(longest("begin case (gt (sensor temp) 9:temperature) do descend (9:length, 0.4:angle) "
+                       "end stay end "));
+}
+
+/// Of all states: the greatest bound that is proved of each clock and of the depth holds in flight.
+TEST(AnyMomentOf, RandomFlightsIsWhatWasProved) {
+  size_t proved = 0;
+  for (uint64_t seed = 1; seed <= 60; ++seed) {
+    std::string text = randomDives(seed);
+    const char* conditions[] = {"(le (sensor depth) 25:length)",
+                                "(le resumetime 1500:time)",
+                                "(le statetime 1500:time)",
+                                "(or (le (sensor depth) 15:length) (ge missiontime 400:time))",
+                                "(ge (sub missiontime statetime) 0:time)",
+                                "(or (le (age depth) 60:time) (lt (sensor depth) 0:length))",
+                                "(ge statetime resumetime)"};
+    std::string promises;
+    for (const char* condition : conditions) {
+      promises += std::string("require always ") + condition + "\n";
+    }
+    const size_t at = std::min(text.find("always case"), text.find("state a"));
+    text.insert(at, promises);
+    const Mission mission = missionOf(text);
+    const ProofContext proof_context(mission, slocum());
+    const std::vector<StateBounds> bounds = stateBounds(proof_context, {});
+    AnyMoment moment(proof_context, bounds);
+    support::DiagnosticEngine diagnostics;
+    const MissionFacts facts = verify(mission, diagnostics);
+    std::vector<Requirement> kept;
+    Budget budget(100000000);
+    for (const Requirement& requirement : mission.requirements) {
+      if (moment.neverFalse(requirement.condition, 400000, budget)) {
+        kept.push_back(requirement);
+      }
+    }
+    proved += kept.size();
+    for (uint64_t flight = 1; flight <= 5 && !kept.empty(); ++flight) {
+      const auto run = flyAtRandom(proof_context, facts.stack_depth, kept, flight, 1500);
+      EXPECT_FALSE(run.has_value()) << "mission " << seed << " at " << (run ? run->when : 0) << "\n"
+                                    << text;
+    }
+  }
+  EXPECT_GT(proved, 150U);
+}
+
+TEST(Budget, IsSharedAndEnds) {
+  Budget budget(1000);
+  EXPECT_EQ(budget.allow(700), 700U);
+  budget.spend(600);
+  EXPECT_EQ(budget.allow(700), 400U);
+  budget.spend(600);
+  EXPECT_EQ(budget.allow(700), 0U);
+  EXPECT_TRUE(budget.isUsedUp());
+  EXPECT_FALSE(budget.isOver()) << "it has no time limit";
+  EXPECT_FALSE(budget.milliseconds().has_value());
+  const Budget late(1000, Budget::Clock::now());
+  EXPECT_TRUE(late.isUsedUp());
+  EXPECT_TRUE(late.isOver());
+  EXPECT_EQ(late.milliseconds(), 1U);
+}
+
+}  // namespace
+}  // namespace glider::ir::prove

@@ -99,8 +99,8 @@ ProofCache::ProofCache(const Checked& checked, const ir::prove::Options& how) {
     return;
   }
   folder_ = cacheFolder();
-  all_ = fmt::format("{}\n{} {} {} {}\n{}\n", program, how.effort, how.run_effort,
-                     how.total_effort, vehicle->size(), *vehicle) +
+  all_ = fmt::format("{}\n{} {} {} {}\n{}\n", program, how.effort, how.run_effort, how.total_effort,
+                     vehicle->size(), *vehicle) +
          ir::print(checked.mission());
 }
 

@@ -335,15 +335,17 @@ void addCheckCommand(CLI::App& app, int& status) {
                    "boards of the vehicle]")
       ->option_text("TARGET ...");
   command
-      ->add_option("--effort", options->check.effort,
-                   "Multiply the resource limits of proofs by N: 1 million steps of Z3 a question, 40 "
-                   "million all requirements of a mission [1]")
+      ->add_option(
+          "--effort", options->check.effort,
+          "Multiply the resource limits of proofs by N: 1 million steps of Z3 a question, 40 "
+          "million all requirements of a mission [1]")
       ->check(CLI::Range(1U, kMostEffort))
       ->option_text("N");
   command
-      ->add_option("--timeout", options->check.timeout_s,
-                   "Begin no question of a proof later than S seconds after the first; what is left "
-                   "is undecided [no limit in seconds]")
+      ->add_option(
+          "--timeout", options->check.timeout_s,
+          "Begin no question of a proof later than S seconds after the first; what is left "
+          "is undecided [no limit in seconds]")
       ->check(CLI::Range(0.001, kLongestTimeout_s))
       ->option_text("S");
   command

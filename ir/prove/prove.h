@@ -39,8 +39,8 @@ struct Options {
   unsigned effort = 400000;
   /// The same for a question about all traces.
   unsigned run_effort = 1000000;
-  /// The same for all requirements of a mission together, random flights and the rest included; what
-  /// it leaves is open. The checks of cases and commands may take a quarter of it on top.
+  /// The same for all requirements of a mission together, random flights and the rest included;
+  /// what it leaves is open. The checks of cases and commands may take a quarter of it on top.
   uint64_t total_effort = 40000000;
   /// A time limit on top, which depends on the machine: no question begins after it.
   std::optional<std::chrono::steady_clock::time_point> until;

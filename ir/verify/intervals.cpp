@@ -261,8 +261,7 @@ std::vector<Interval> intervalsOf(const Mission& mission) {
 
 std::vector<Interval> intervalsOf(const Mission& mission, const LeafRange& known) {
   std::vector<Interval> all(mission.exprs.size());
-  const Analysis analysis(mission, known,
-                          [&](uint32_t i) -> const Interval& { return all[i]; });
+  const Analysis analysis(mission, known, [&](uint32_t i) -> const Interval& { return all[i]; });
   for (uint32_t i = 0; i < mission.exprs.size(); ++i) {
     all[i] = analysis.at(i);
   }

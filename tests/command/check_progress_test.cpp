@@ -16,8 +16,8 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-/// Promises of a counter that Z3 proves one by one, in some seconds together: none follows from those
-/// before it.
+/// Promises of a counter that Z3 proves one by one, in some seconds together: none follows from
+/// those before it.
 std::string slowMission() {
   std::string text = "mission survey\nvar n : number = 0 in 0 .. 99\n";
   for (int most = 69; most >= 20; --most) {

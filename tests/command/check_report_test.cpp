@@ -59,7 +59,7 @@ TEST(CheckReport, SaysTheWayHome) {
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.out,
               HasSubstr("\nthe mission ends after at most 42 min 0 s; with "
-                        "power cuts of the SBC of up to 5 min 0 s, after at most 48 min 20 s\n"));
+                        "power cuts of the SBC of up to 5 min 0 s, after at most 46 min 40 s\n"));
   EXPECT_THAT(
       outcome.out,
       HasSubstr("\nif the SBC stops responding, hookbeh revokes control within 64 s (assuming "

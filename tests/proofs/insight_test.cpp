@@ -43,8 +43,8 @@ bool isSeen(const std::string& text) {
 
 std::string state(const std::string& name, const std::string& profile, const std::string& cases) {
   return "state " + name + "\nbegin\n  flightprofile " + profile +
-         "\n  sensors missiontime, statetime, resumetime, depth, temp, altitude\n  events\n" + cases +
-         "\nend\n";
+         "\n  sensors missiontime, statetime, resumetime, depth, temp, altitude\n  events\n" +
+         cases + "\nend\n";
 }
 
 const std::string kYo = "yo(5 m, 20 m, 26 deg, 26 deg)";
@@ -54,14 +54,16 @@ const std::string kYo = "yo(5 m, 20 m, 26 deg, 26 deg)";
 TEST(Clocks, AreBoundedByTheEnd) {
   const auto survey = [](const std::string& requirement) {
     return isSeen("mission m\nrequire " + requirement + "\nvar t : time = 0 s in 0 s .. 1 h\n" +
-                  state("a", kYo, "case missiontime >= 1 h exit\n"
-                                  "case missiontime >= 10 min do set t = 10 min end stay"));
+                  state("a", kYo,
+                        "case missiontime >= 1 h exit\n"
+                        "case missiontime >= 10 min do set t = 10 min end stay"));
   };
   EXPECT_TRUE(survey("always missiontime <= 65 min"));
   EXPECT_FALSE(survey("always missiontime <= 64 min")) << "the power may be cut until then";
   EXPECT_TRUE(survey("always missiontime + 1 s > missiontime"));
   EXPECT_TRUE(survey("always missiontime - statetime >= 0 s"));
-  EXPECT_FALSE(survey("always statetime - missiontime >= 0 s || depth < 0 m")) << "of the start only";
+  EXPECT_FALSE(survey("always statetime - missiontime >= 0 s || depth < 0 m"))
+      << "of the start only";
   EXPECT_TRUE(survey("always missiontime - t <= 66 min"));
   EXPECT_TRUE(survey("always resumetime <= 65 min && statetime <= 65 min"));
   EXPECT_TRUE(survey("surfaces every 65 min"));
@@ -70,7 +72,8 @@ TEST(Clocks, AreBoundedByTheEnd) {
 
 /// A state goes on waiting while another is current.
 TEST(Clocks, OfAStateThatWaitsGoOn) {
-  const std::string promise = "mission m\nrequire always statetime <= 2 h || missiontime > 1000 h\n";
+  const std::string promise =
+      "mission m\nrequire always statetime <= 2 h || missiontime > 1000 h\n";
   const std::string hot = state("hot", kYo, "case resumetime >= 90 min return");
   const std::string look = "case statetime >= 1 h exit";
   EXPECT_TRUE(isSeen(promise + state("look", kYo, look + "\ncase temp > 20 degC goto hot") +
@@ -102,14 +105,18 @@ TEST(Clocks, AgesAreOfReadingsAlsoWhereTheDepthIsTheTrueOne) {
 
 TEST(ByState, DepthAndTimeBelongTogether) {
   const std::string promise = "mission m\nrequire always depth <= 15 m || missiontime >= 1 h\n";
-  const std::string deep = state("deep", "yo(5 m, 40 m, 26 deg, 26 deg)", "case statetime >= 1 h exit");
+  const std::string deep =
+      state("deep", "yo(5 m, 40 m, 26 deg, 26 deg)", "case statetime >= 1 h exit");
   const std::string shallow = "yo(5 m, 10 m, 26 deg, 26 deg)";
   EXPECT_TRUE(isSeen(promise + state("a", shallow, "case missiontime >= 1 h goto deep") + deep));
-  EXPECT_FALSE(isSeen(promise + state("a", shallow, "case missiontime >= 59 min goto deep") + deep));
-  EXPECT_FALSE(isSeen(promise + state("a", shallow, "case missiontime >= 1 h goto deep\n"
-                                                    "case temp > 20 degC call dip") +
-                      deep +
-                      state("dip", "yo(5 m, 40 m, 26 deg, 26 deg)", "case statetime >= 1 h return")));
+  EXPECT_FALSE(
+      isSeen(promise + state("a", shallow, "case missiontime >= 59 min goto deep") + deep));
+  EXPECT_FALSE(
+      isSeen(promise +
+             state("a", shallow,
+                   "case missiontime >= 1 h goto deep\n"
+                   "case temp > 20 degC call dip") +
+             deep + state("dip", "yo(5 m, 40 m, 26 deg, 26 deg)", "case statetime >= 1 h return")));
   EXPECT_FALSE(isSeen(promise + "always\n  case temp > 20 degC goto deep\n" +
                       state("a", shallow, "case missiontime >= 1 h goto deep") + deep));
   EXPECT_FALSE(isSeen(promise +
@@ -121,12 +128,13 @@ TEST(ByState, DepthAndTimeBelongTogether) {
 }
 
 TEST(ByState, WhatWasProvedIsKnown) {
-  const std::string counts =
-      state("a", kYo, "case missiontime >= 1 h exit\n"
-                      "case n < 5 && temp > 20 degC do set n = n + 1 end stay");
+  const std::string counts = state("a", kYo,
+                                   "case missiontime >= 1 h exit\n"
+                                   "case n < 5 && temp > 20 degC do set n = n + 1 end stay");
   frontend::testing_support::FrontendRun run(
       "mission m\nrequire always n <= 6\nrequire always n <= 5\n"
-      "require always n <= 4\nvar n : number = 0 in 0 .. 9\n" + counts);
+      "require always n <= 4\nvar n : number = 0 in 0 .. 9\n" +
+      counts);
   const auto mission = run.compile();
   ASSERT_TRUE(mission.has_value()) << run.said();
   const ir::MissionFacts facts = ir::verify(*mission, run.diagnostics);
@@ -174,29 +182,31 @@ TEST(Surfacing, NeedsTheTimeToClimb) {
                                 "var top : length = 1 m in 0 m .. 30 m\n"
                                 "always\n  case temp > 20 degC do set top = 30 m end stay\n")));
   EXPECT_FALSE(isSeen(reporting("case !known(depth) return\n" + kReport)));
-  EXPECT_FALSE(isSeen(reporting(kReport, "case depth > 24 m goto deep") +
-                      state("deep", "yo(5 m, 300 m, 26 deg, 26 deg)",
-                            "case resumetime > 3 h call report")))
+  EXPECT_FALSE(
+      isSeen(reporting(kReport, "case depth > 24 m goto deep") +
+             state("deep", "yo(5 m, 300 m, 26 deg, 26 deg)", "case resumetime > 3 h call report")))
       << "from 305 m";
 }
 
 TEST(Surfacing, NothingElseMayCommandADepth) {
-  EXPECT_FALSE(isSeen(reporting("case temp > 20 degC do descend(20 m, 26 deg) end stay\n" + kReport)));
+  EXPECT_FALSE(
+      isSeen(reporting("case temp > 20 degC do descend(20 m, 26 deg) end stay\n" + kReport)));
   EXPECT_FALSE(isSeen(reporting(kReport, "", "4 h",
                                 "always\n  case temp > 20 degC do\n    if depth > 1 m then "
                                 "hover(20 m) end\n  end stay\n")));
   const auto profile = [](const std::string& body) {
-    return isSeen("mission m\nrequire surfaces every 4 h\nflightprofile up\nbegin\n" + body +
-                  "\nend\n" +
-                  state("survey", "yo(5 m, 25 m, 26 deg, 26 deg)", "case resumetime > 3 h call report") +
-                  state("report", "up", kReport));
+    return isSeen(
+        "mission m\nrequire surfaces every 4 h\nflightprofile up\nbegin\n" + body + "\nend\n" +
+        state("survey", "yo(5 m, 25 m, 26 deg, 26 deg)", "case resumetime > 3 h call report") +
+        state("report", "up", kReport));
   };
   EXPECT_TRUE(profile("  entry do surface() end"));
   EXPECT_FALSE(profile("  entry do ascend(3 m, 26 deg) end"));
   EXPECT_FALSE(profile("  entry do surface() if temp > 20 degC then hover(20 m) end end"));
   EXPECT_FALSE(profile("  entry do if known(temp) then surface() end end"));
-  EXPECT_FALSE(profile("  entry do surface() end\n  events\n"
-                       "    case temp > 20 degC do descend(9 m, 26 deg) end stay"));
+  EXPECT_FALSE(
+      profile("  entry do surface() end\n  events\n"
+              "    case temp > 20 degC do descend(9 m, 26 deg) end stay"));
 }
 
 TEST(Surfacing, MayBePutOffForEver) {
@@ -208,8 +218,9 @@ TEST(Surfacing, MayBePutOffForEver) {
   EXPECT_FALSE(isSeen(reporting(kReport, "case altitude < 4 m goto survey")));
   EXPECT_FALSE(isSeen(reporting(kReport, "", "4 h", "resume within 2 h\n"))) << "a power cut";
   EXPECT_FALSE(isSeen("mission m\nrequire surfaces every 4 h\n" +
-                      state("survey", kYo, "case temp > 30 degC call report\n"
-                                           "case missiontime >= 5 h exit") +
+                      state("survey", kYo,
+                            "case temp > 30 degC call report\n"
+                            "case missiontime >= 5 h exit") +
                       state("report", "surfaced", kReport)));
 }
 
@@ -238,8 +249,9 @@ std::string counting(int promises) {
     text += fmt::format("require always n <= {}\n", 30 - i);
   }
   return text + "var n : number = 0 in 0 .. 99\n" +
-         state("a", kYo, "case missiontime >= 1 h exit\n"
-                         "case n < 20 && temp > 20 degC do set n = n + 1 end stay");
+         state("a", kYo,
+               "case missiontime >= 1 h exit\n"
+               "case n < 20 && temp > 20 degC do set n = n + 1 end stay");
 }
 
 struct Judged {

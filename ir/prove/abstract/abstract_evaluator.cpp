@@ -166,9 +166,9 @@ Truths AbstractEvaluator::judge(const Expr& e, uint32_t index) const {
   return result;
 }
 
-/// `became` and `held` are true only on a tick that began with their operand true (B2, B5). Readings
-/// and mission time are the same from then on until the tick is over; the other clocks and the
-/// variables may have changed since.
+/// `became` and `held` are true only on a tick that began with their operand true (B2, B5).
+/// Readings and mission time are the same from then on until the tick is over; the other clocks and
+/// the variables may have changed since.
 Truths AbstractEvaluator::watched(const Temporal& temporal) const {
   Truths all;
   const bool same = !anyIn(proof_context_.mission, temporal.operand, [](const Expr& e) {

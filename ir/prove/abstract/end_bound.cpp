@@ -84,9 +84,9 @@ class Search {
     }
   }
 
-  /// A time that has been raised often is raised by a loop that only a condition of mission time can
-  /// end: it becomes the next time that a condition names, or endless if there is none. A later time
-  /// allows everything that an earlier one does.
+  /// A time that has been raised often is raised by a loop that only a condition of mission time
+  /// can end: it becomes the next time that a condition names, or endless if there is none. A later
+  /// time allows everything that an earlier one does.
   void raise(Latest& latest, double time) {
     constexpr unsigned kOften = 20;
     const auto next = thresholds().lower_bound(time);
@@ -216,7 +216,8 @@ class Search {
     } else {
       run_.enter(after.state, &c, clocks, values);
     }
-    work_ += run_.takeWork() + m_.variables.size() + 4 * after.stack.size();  // what it takes to keep
+    work_ +=
+        run_.takeWork() + m_.variables.size() + 4 * after.stack.size();  // what it takes to keep
     arrive(after, std::move(values), time);
   }
 
@@ -226,7 +227,7 @@ class Search {
   double latest_;
   Goal goal_;
   StateId stays_;
-  std::vector<double> left_by_;      ///< of each state
+  std::vector<double> left_by_;  ///< of each state
   std::map<Arrival, Latest> times_;
   std::optional<std::set<double>> thresholds_;
   std::vector<Arrival> pending_;

@@ -72,7 +72,8 @@ class Search {
       }
     }
     for (const Case& c : m_.always) {
-      always_leads_down_ = always_leads_down_ || (c.transition == Transition::Stay && tells(c.action));
+      always_leads_down_ =
+          always_leads_down_ || (c.transition == Transition::Stay && tells(c.action));
     }
   }
 
@@ -230,8 +231,7 @@ class Search {
     const Interval& all = proof_context_.sensors[proof_context_.depth->index];
     const double least = std::nextafter(world.surface_depth_m - world.depth_error_m, -kNever);
     const double lowest = std::max(all.lowest, least);
-    return Sight{*proof_context_.depth,
-                 {lowest, all.highest, all.empty || lowest > all.highest}};
+    return Sight{*proof_context_.depth, {lowest, all.highest, all.empty || lowest > all.highest}};
   }
 
   const ProofContext& proof_context_;

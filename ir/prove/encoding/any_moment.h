@@ -11,9 +11,9 @@
 namespace glider::ir::prove {
 
 /// Proofs that a condition is false at no moment of any trace, each from one question about a
-/// single moment: for any readings, any values of variables in their ranges, the clocks in order and
-/// the true depth within StateBounds. It needs no search over traces, so it costs the same for ten
-/// states and for thousands.
+/// single moment: for any readings, any values of variables in their ranges, the clocks in order
+/// and the true depth within StateBounds. It needs no search over traces, so it costs the same for
+/// ten states and for thousands.
 class AnyMoment {
  public:
   /// `proof_context` and `bounds` outlive this.

@@ -34,8 +34,8 @@ z3::expr allOf(const Unknowns& unknowns, z3::context& context) {
 }  // namespace
 
 bool ChcEncoder::run() {
-  const bool stacks =
-      calls(m_.always) || std::ranges::any_of(m_.states, [](const State& s) { return calls(s.cases); });
+  const bool stacks = calls(m_.always) ||
+                      std::ranges::any_of(m_.states, [](const State& s) { return calls(s.cases); });
   const size_t most = stacks ? kMostControls : kMostStates;
   begin();
   while (!pending_.empty() && reached_.size() <= most) {

@@ -19,7 +19,8 @@ enum class Answer : uint8_t { Yes, No, Unknown };
 class Question {
  public:
   Question(z3::context& context, unsigned effort);
-  /// The same out of a budget, which outlives this: a question that it does not cover has no answer.
+  /// The same out of a budget, which outlives this: a question that it does not cover has no
+  /// answer.
   Question(z3::context& context, Budget& budget, unsigned effort);
 
   void add(const z3::expr& holds) {

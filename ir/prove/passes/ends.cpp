@@ -32,7 +32,8 @@ std::string dependsOn(const ProofContext& proof_context, StateId stays) {
   for (const SensorId id : endDependsOn(proof_context, stays)) {
     names.push_back(fmt::format("`{}`", proof_context.mission[id].name));
   }
-  return names.empty() ? "" : fmt::format("; its end depends on readings of {}", fmt::join(names, ", "));
+  return names.empty() ? ""
+                       : fmt::format("; its end depends on readings of {}", fmt::join(names, ", "));
 }
 
 void tellEnd(Proof& proof, const EndBound& end) {

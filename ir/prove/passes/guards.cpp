@@ -50,9 +50,10 @@ class GuardCheck {
     reportBehaviours();
     if (proof_.options.report && unchecked_ > 0) {
       proof_.findings.lines.push_back(
-          {{}, fmt::format("whether they can fire was not checked for {} cases: all checks together "
-                           "reached their limit (--effort)",
-                           unchecked_)});
+          {{},
+           fmt::format("whether they can fire was not checked for {} cases: all checks together "
+                       "reached their limit (--effort)",
+                       unchecked_)});
     }
   }
 

@@ -33,6 +33,8 @@ using support::DiagnosticId;
 constexpr size_t kStoryEnds = 6;
 /// The upper bound of random ticks where the solver has no answer.
 constexpr size_t kRandomTicks = 120000;
+/// A question about all traces is not even written if more expressions than this matter to it.
+constexpr size_t kMostSearched = 30000;
 /// For a requirement without a time, s.
 constexpr double kLongFlight = 4 * 3600;
 
@@ -205,8 +207,7 @@ class RequirementCheck {
     RequirementVerdict verdict =
         requirement.geofences.empty() ? judgeRuns(requirement) : judgeAreas(requirement);
     // For Reach its trace is needed; what was cut short hangs on what was searched for before.
-    verdict.searched =
-        requirement.kind != RequirementKind::Reach && !proof_.searches.isUsedUp();
+    verdict.searched = requirement.kind != RequirementKind::Reach && !proof_.searches.isUsedUp();
     return verdict;
   }
 
@@ -372,6 +373,11 @@ class RequirementCheck {
     }
     z3::context context(config);
     const ConeOfInfluence relevance = relevanceOf(requirement, proof_context);
+    const auto size = static_cast<size_t>(std::ranges::count(relevance.expressions, true));
+    proof_.searches.spend(Budget::kCondition * size);
+    if (size > kMostSearched) {
+      return {Answer::Unknown, std::nullopt, "the mission is too large for a search", 0};
+    }
     try {
       const SafetyProperty watch = safetyPropertyFor(requirement, context, proof_context);
       RunsAnswer answer = askAboutRuns(context, proof_context, relevance, watch, effort);
@@ -498,7 +504,7 @@ class RequirementCheck {
   const Mission& m_;
   std::optional<Insight> insight_;  ///< with power cuts; none: not asked for yet
   std::optional<Insight> powered_;
-  double deepest_;  ///< of the mission, m
+  double deepest_;             ///< of the mission, m
   std::vector<bool> waiting_;  ///< by requirement: a search has to decide it
   bool fresh_ = false;         ///< something was proved since the first look
 };

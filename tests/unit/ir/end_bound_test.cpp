@@ -127,44 +127,50 @@ const std::string kAvoiding = stateText("b", "case (ge statetime 900:time) retur
 
 /// It may begin until the mission ends; after that the state that it returns to ends it at once.
 TEST(EndBound, AnAvoidanceMayRepeatUntilTheEnd) {
-  EXPECT_EQ(gapsBeyond(8100, kAvoid + stateText("a", "case (ge missiontime 7200:time) exit") +
-                                 kAvoiding),
-            3)
+  EXPECT_EQ(
+      gapsBeyond(8100, kAvoid + stateText("a", "case (ge missiontime 7200:time) exit") + kAvoiding),
+      3)
       << "called a gap after the end's time, and each lasts a gap longer";
-  EXPECT_NEAR(gapsBeyond(8100, kAvoid + stateText("a", "case (gt missiontime 7200:time) exit") +
-                                   kAvoiding),
-              3, 1e-9);
+  EXPECT_NEAR(
+      gapsBeyond(8100, kAvoid + stateText("a", "case (gt missiontime 7200:time) exit") + kAvoiding),
+      3, 1e-9);
 }
 
 TEST(EndBound, AnAvoidanceMayRepeatForEverIfTheEndIsNotAtOnce) {
   for (const char* end : {"(and (ge missiontime 7200:time) (ge resumetime 30:time))",
                           "(and (ge missiontime 7200:time) (gt (sensor depth) 1:length))",
                           "(and (ge missiontime 7200:time) (ge resumetime 20.5:time))"}) {
-    const double none = gapsBeyond(
-        0, kAvoid + stateText("a", std::string("case ") + end + " exit") + kAvoiding);
+    const double none =
+        gapsBeyond(0, kAvoid + stateText("a", std::string("case ") + end + " exit") + kAvoiding);
     EXPECT_TRUE(none != none) << end;
   }
-  const double first = gapsBeyond(0, kAvoid + stateText("a", "case (ge missiontime 7200:time) exit") +
-                                         stateText("b", "case (ge statetime 900:time) goto a"));
+  const double first =
+      gapsBeyond(0, kAvoid + stateText("a", "case (ge missiontime 7200:time) exit") +
+                        stateText("b", "case (ge statetime 900:time) goto a"));
   EXPECT_TRUE(first != first) << "after a goto `always` comes first";
-  const double stays = gapsBeyond(
-      0, kAvoid + stateText("a", "case (gt (sensor depth) 1:length) stay "
-                                 "case (ge missiontime 7200:time) exit") + kAvoiding);
+  const double stays = gapsBeyond(0, kAvoid +
+                                         stateText("a",
+                                                   "case (gt (sensor depth) 1:length) stay "
+                                                   "case (ge missiontime 7200:time) exit") +
+                                         kAvoiding);
   EXPECT_TRUE(stays != stays) << "a case before it may keep the state";
 }
 
 /// What ends a late stay at once does not end an early one.
 TEST(EndBound, EarlyAndLateArrivalsAreApart) {
-  EXPECT_EQ(gapsBeyond(1500, stateText("a", "case (ge missiontime 1000:time) goto b "
-                                            "case (gt (sensor depth) 5:length) goto b") +
-                                 stateText("b", "case (ge statetime 500:time) exit "
-                                                "case (lt missiontime 900:time) goto a")),
+  EXPECT_EQ(gapsBeyond(1500, stateText("a",
+                                       "case (ge missiontime 1000:time) goto b "
+                                       "case (gt (sensor depth) 5:length) goto b") +
+                                 stateText("b",
+                                           "case (ge statetime 500:time) exit "
+                                           "case (lt missiontime 900:time) goto a")),
             2);
-  const double early =
-      gapsBeyond(0, stateText("a", "case (ge statetime 1000:time) goto b "
-                                   "case (gt (sensor depth) 5:length) goto b") +
-                        stateText("b", "case (ge missiontime 1000:time) exit "
-                                       "case (lt missiontime 900:time) goto b"));
+  const double early = gapsBeyond(0, stateText("a",
+                                               "case (ge statetime 1000:time) goto b "
+                                               "case (gt (sensor depth) 5:length) goto b") +
+                                         stateText("b",
+                                                   "case (ge missiontime 1000:time) exit "
+                                                   "case (lt missiontime 900:time) goto b"));
   EXPECT_EQ(early, 52) << "1020 s and a gap more";
 }
 

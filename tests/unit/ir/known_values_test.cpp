@@ -6,15 +6,13 @@
 
 #include "ir/prove/abstract/depth_bound.h"
 #include "ir/prove/abstract/state_depths.h"
-#include "ir/prove/abstract/state_depths.h"
 #include "ir/prove/context/never_unknown.h"
 #include "ir/verify/whole_numbers.h"
 #include "tests/unit/ir/missions.h"
 #include "tests/unit/ir/slocum.h"
 
-#include <cmath>
-
 #include <algorithm>
+#include <cmath>
 
 namespace glider::ir::prove {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// No random flight stays under water longer, or has a clock or depth beyond what is proved of a
+// No random flight stays under water longer, or has a clock or depth beyond what is proved about a
 // single moment.
 
 #include "ir/prove/abstract/bounds_by_state.h"
@@ -35,7 +35,8 @@ std::string profileOf(random_missions::Random& random, bool up) {
     case 0:
       return "begin entry do " + down + " end end ";
     case 1:
-      return "begin entry do ascend (3:length, 0.4:angle) end case (le (sensor depth) 4:length) do " +
+      return "begin entry do ascend (3:length, 0.4:angle) end case (le (sensor depth) 4:length) "
+             "do " +
              down + " end stay end ";
     default:
       return "begin entry do if (gt (sensor temp) 10:temperature) surface () else " + down +
@@ -65,28 +66,30 @@ std::string guardOf(random_missions::Random& random, bool up) {
 std::string randomDives(uint64_t seed) {
   random_missions::Random random(seed);
   const auto states = 2 + random.below(3);
-  const auto name = [&](uint64_t i) {
-    return std::string(1, static_cast<char>('a' + i % states));
-  };
+  const auto name = [&](uint64_t i) { return std::string(1, static_cast<char>('a' + i % states)); };
   std::string text = kDives;
   if (random.below(4) == 0) {
     text += "always case (gt (sensor depth) 12:length) call z ";
   } else if (random.below(6) == 0) {
-    text += "always case (gt (sensor temp) 30:temperature) do descend (9:length, 0.4:angle) end stay ";
+    text +=
+        "always case (gt (sensor temp) 30:temperature) do descend (9:length, 0.4:angle) end stay ";
   }
   for (uint64_t i = 0; i < states; ++i) {
     const bool up = i == 0 || random.below(3) == 0;
     text += "state " + name(i) + " route way begin end profile yo " + profileOf(random, up);
     if (random.below(5) == 0) {
-      text += "case (and (gt (sensor temp) 8:temperature) (lt statetime 900:time)) do descend (8:length, "
-              "0.4:angle) end stay ";
+      text +=
+          "case (and (gt (sensor temp) 8:temperature) (lt statetime 900:time)) do descend "
+          "(8:length, "
+          "0.4:angle) end stay ";
     }
     if (random.below(4) == 0) {
       text += "case " + guardOf(random, false) + " call z ";
     }
     text += "case " + guardOf(random, up) + " goto " + name(i + 1) + " ";
     if (random.below(2) == 0) {
-      text += "case (ge resumetime " + timeOf(random, 100) + ") goto " + name(i + random.below(2)) + " ";
+      text += "case (ge resumetime " + timeOf(random, 100) + ") goto " + name(i + random.below(2)) +
+              " ";
     }
     text += "\n";
   }
@@ -155,11 +158,13 @@ TEST(Submersion, ARouteThatCommandsADepthIsNoClimb) {
   };
   EXPECT_TRUE(longest("begin end "));
   EXPECT_FALSE(longest("begin entry do descend (9:length, 0.4:angle) end end "));
-  EXPECT_FALSE(longest("begin case (gt (sensor temp) 9:temperature) do descend (9:length, 0.4:angle) "
-                       "end stay end "));
+  EXPECT_FALSE(
+      longest("begin case (gt (sensor temp) 9:temperature) do descend (9:length, 0.4:angle) "
+              "end stay end "));
 }
 
-/// Of all states: the greatest bound that is proved of each clock and of the depth holds in flight.
+/// Of all states: the greatest bound that is proved about each clock and of the depth holds in
+/// flight.
 TEST(AnyMomentOf, RandomFlightsIsWhatWasProved) {
   size_t proved = 0;
   for (uint64_t seed = 1; seed <= 60; ++seed) {

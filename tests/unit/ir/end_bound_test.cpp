@@ -137,9 +137,9 @@ TEST(EndBound, AnAvoidanceMayRepeatUntilTheEnd) {
 }
 
 TEST(EndBound, AnAvoidanceMayRepeatForEverIfTheEndIsNotAtOnce) {
-  for (const char* end : {"(and (ge missiontime 7200:time) (ge resumetime 30:time))",
-                          "(and (ge missiontime 7200:time) (gt (sensor depth) 1:length))",
-                          "(and (ge missiontime 7200:time) (ge resumetime 20.5:time))"}) {
+  for (const char* end :
+       {"(ge resumetime 30:time)", "(and (ge missiontime 7200:time) (gt (sensor depth) 1:length))",
+        "(ge resumetime 20.5:time)"}) {
     const double none =
         gapsBeyond(0, kAvoid + stateText("a", std::string("case ") + end + " exit") + kAvoiding);
     EXPECT_TRUE(none != none) << end;

@@ -14,7 +14,6 @@ namespace glider::ir::certify {
 namespace {
 
 constexpr double kRounding = 0x1p-53;
-constexpr double kTiny = 0x1p-1022;  ///< N3
 constexpr double kWholeEnd = 0x1p53;
 constexpr size_t kSmallTable = 64;
 

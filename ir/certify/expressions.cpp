@@ -103,9 +103,9 @@ Value Expressions::valueOf(uint32_t id, const Values& values, const Store& store
 Value Expressions::leaf(const Expr& e, const Store& store) {
   switch (groupOf(e.op)) {
     case OpGroup::Sensor:
-      return true_depth_ && isDepth(e.sensor) ? Number{depth_, "true"} : reading(e.sensor).value;
+      return true_depth_ && isDepth(e.sensor) ? Number{depth_, "true"} : readingOf(e.sensor).value;
     case OpGroup::Age:
-      return Number{reading(e.sensor).age, "true"};
+      return Number{readingOf(e.sensor).age, "true"};
     case OpGroup::Clock:
       return clock(opIn<ClockOp>(e.op), store);
     case OpGroup::Variable:
@@ -138,14 +138,14 @@ bool Expressions::isDepth(SensorId id) const {
 
 /// Step 2 and N11: a reading is in the sensor's range and no older than stale_after, or unknown. V7: that of
 /// the depth is near the vehicle's.
-const Expressions::Reading& Expressions::reading(SensorId id) {
+const Reading& Expressions::readingOf(SensorId id) {
   const auto [found, is_new] = readings_.try_emplace(id.index);
   if (!is_new) {
     return found->second;
   }
   const Sensor& s = setting_.mission[id];
   Reading& r = found->second;
-  r.value = anyNumber(readings(s), "true");
+  r.value = anyNumber(rangeOfReadings(s), "true");
   r.age = out_.fresh("Real");
   out_.require(operation("<=", {"0.0", r.age, time_}));
   out_.require(implication(r.value.known, operation("<=", {r.age, literal(s.stale_after_s)})));

@@ -23,6 +23,12 @@ struct Setting {
   const Facts& facts;
 };
 
+/// A sensor in a tick.
+struct Reading {
+  Number value;
+  Term age;
+};
+
 /// The expressions of one tick (README N, C; steps 1 and 2). The tick's readings, results of C functions
 /// and roundings are constants of the script: equal operations on equal terms have equal results.
 class Expressions {
@@ -39,17 +45,13 @@ class Expressions {
   /// Any number that the range allows, known only if `known` is true.
   Number anyNumber(const Range& range, const Term& known);
   [[nodiscard]] const Term& time() const { return time_; }
+  [[nodiscard]] const std::map<uint32_t, Reading>& readings() const { return readings_; }
 
  private:
   using Values = std::map<uint32_t, Value>;
-  struct Reading {
-    Number value;
-    Term age;
-  };
-
   Value valueOf(uint32_t id, const Values& values, const Store& store);
   Value leaf(const Expr& e, const Store& store);
-  const Reading& reading(SensorId id);
+  const Reading& readingOf(SensorId id);
   [[nodiscard]] bool isDepth(SensorId id) const;
   Value call(const Expr& e);
   Number clock(ClockOp op, const Store& store);

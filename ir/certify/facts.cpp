@@ -27,12 +27,22 @@ Range between(double lowest, double highest) {
   return {std::clamp(lowest, -kLargest, kLargest), std::clamp(highest, -kLargest, kLargest), !fits};
 }
 
+/// N3.
+double settle(double value) {
+  return std::fabs(value) <= kTiny ? 0 : value;
+}
+
+/// Of results that settle.
+Range results(double lowest, double highest) {
+  return between(settle(lowest), settle(highest));
+}
+
 Range anything() {
   return {-kLargest, kLargest, true};
 }
 
 Range hull(std::initializer_list<double> corners) {
-  return between(std::min(corners), std::max(corners));
+  return results(std::min(corners), std::max(corners));
 }
 
 Range quotient(const Range& a, const Range& b) {
@@ -46,9 +56,9 @@ Range quotient(const Range& a, const Range& b) {
 Range binary(BinaryOp op, const Range& a, const Range& b) {
   switch (op) {
     case BinaryOp::Add:
-      return between(a.lowest + b.lowest, a.highest + b.highest);
+      return results(a.lowest + b.lowest, a.highest + b.highest);
     case BinaryOp::Subtract:
-      return between(a.lowest - b.highest, a.highest - b.lowest);
+      return results(a.lowest - b.highest, a.highest - b.lowest);
     case BinaryOp::Multiply:
       return hull({a.lowest * b.lowest, a.lowest * b.highest, a.highest * b.lowest,
                    a.highest * b.highest});
@@ -106,7 +116,7 @@ Range rangeOf(const Mission& mission, const Expr& e, const Facts& facts) {
     case OpGroup::Constant:
       return {e.number, e.number};
     case OpGroup::Sensor:
-      return readings(mission[e.sensor]);
+      return rangeOfReadings(mission[e.sensor]);
     case OpGroup::Clock:
     case OpGroup::Age:
       return {0, kLastSecond};
@@ -241,7 +251,7 @@ double Range::magnitude() const {
   return std::max(std::fabs(lowest), std::fabs(highest));
 }
 
-Range readings(const Sensor& s) {
+Range rangeOfReadings(const Sensor& s) {
   if (s.encoding == Encoding::DegreesMinutes) {
     return hull({std::copysign(degrees(std::fabs(s.lowest)), s.lowest),
                  std::copysign(degrees(std::fabs(s.highest)), s.highest)});
@@ -253,12 +263,12 @@ Range windowRange(TemporalKind kind, const Range& of) {
   const double slack = kMeanSlack * of.magnitude();
   switch (kind) {
     case TemporalKind::Mean:
-      return between(of.lowest - slack, of.highest + slack);
+      return results(of.lowest - slack, of.highest + slack);
     case TemporalKind::Lowest:
     case TemporalKind::Highest:
       return of;
     case TemporalKind::Spread:
-      return between(0, of.highest - of.lowest);
+      return results(0, of.highest - of.lowest);
     case TemporalKind::Slope:
     case TemporalKind::Became:
     case TemporalKind::Held:

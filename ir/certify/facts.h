@@ -32,6 +32,8 @@ Facts factsOf(const Mission& mission);
 
 /// N1, N3: no known number is beyond these.
 inline constexpr double kLargest = 0x1.fffffffffffffp1023;
+/// N3: a result of this magnitude or less becomes 0.
+inline constexpr double kTiny = 0x1p-1022;
 /// Clocks and ages, s: docs/verification.md (Numbers) takes them as multiples of 2^-22 s without
 /// rounding, so they are below 2^31 s.
 inline constexpr double kLastSecond = 0x1p31;
@@ -40,6 +42,6 @@ inline constexpr double kLastSecond = 0x1p31;
 Range windowRange(TemporalKind kind, const Range& of);
 
 /// The readings of a sensor that step 2 makes known.
-Range readings(const Sensor& sensor);
+Range rangeOfReadings(const Sensor& sensor);
 
 }  // namespace glider::ir::certify

@@ -63,6 +63,7 @@ Step finished(const Setting& setting, SmtText& out, Tick& tick, std::vector<Outc
     }
   }
   step.leaves_range = tick.leavesRange();
+  step.readings = tick.expressions().readings();
   step.text = out.text();
   return step;
 }

@@ -6,6 +6,7 @@
 #include "ir/certify/certificate.h"
 #include "ir/certify/expressions.h"
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,6 +29,7 @@ struct Step {
   std::string text;   ///< declarations, definitions and assertions
   Term leaves_range;  ///< that some variable is given a value outside of its range
   std::vector<Ending> endings;
+  std::map<uint32_t, Reading> readings;  ///< of the sensors that the tick may read, by number
 };
 
 Step startOf(const Setting& setting);

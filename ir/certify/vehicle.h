@@ -24,7 +24,7 @@
 ///   vehicle above the top may sink to it, unless it is at the surface.
 /// - V5. A command with an unknown argument changes nothing, nor does one that steers.
 /// - V6. A profile or route in C may command anything, so only the present depth is known to be allowed.
-/// - V7. A known reading of the depth is within `depth_error_m` of it (Expressions::reading).
+/// - V7. A known reading of the depth is within `depth_error_m` of it (Expressions::readingOf).
 namespace glider::ir::certify {
 
 /// V1: a vehicle at the start.

@@ -4,7 +4,6 @@
 // The operations on numbers: N2 to N7, N12, N13.
 
 #include "ir/certify/expressions.h"
-
 #include "ir/core/ops.h"
 #include "support/check.h"
 
@@ -33,11 +32,13 @@ void Expressions::round(const Term& result, const Term& exact, bool whole) {
   const Term size = out_.real(absolute(exact));
   const Term slack =
       out_.real(operation("+", {operation("*", {literal(kRounding), size}), literal(kTiny)}));
-  out_.require(operation("<=", {operation("-", {exact, slack}), result, operation("+", {exact, slack})}));
+  out_.require(
+      operation("<=", {operation("-", {exact, slack}), result, operation("+", {exact, slack})}));
   out_.require(implication(operation(">=", {exact, "0.0"}), operation(">=", {result, "0.0"})));
   out_.require(implication(operation("<=", {exact, "0.0"}), operation("<=", {result, "0.0"})));
   if (whole) {
-    out_.require(implication(operation("<", {size, literal(kWholeEnd)}), operation("=", {result, exact})));
+    out_.require(
+        implication(operation("<", {size, literal(kWholeEnd)}), operation("=", {result, exact})));
   }
 }
 
@@ -60,14 +61,15 @@ Number Expressions::rounded(uint32_t id, const Term& exact, const Term& known) {
     if (range.overflows) {
       Number& result = found->second;
       result.known = out_.boolean(operation("<", {out_.real(absolute(term)), overflow()}));
-      out_.require(implication(result.known, operation("<=", {literal(-kLargest), result.value,
-                                                          literal(kLargest)})));
+      out_.require(implication(
+          result.known, operation("<=", {literal(-kLargest), result.value, literal(kLargest)})));
     }
   }
   return {found->second.value, out_.boolean(conjunction({known, found->second.known}))};
 }
 
-/// A result of which only the interval is known. It is known only if the operands are and `known` is true.
+/// A result of which only the interval is known. It is known only if the operands are and `known`
+/// is true.
 Number Expressions::approximated(uint32_t id, const std::vector<Number>& operands,
                                  const Term& known) {
   const Range& range = setting_.facts.ranges[id];

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-/// What a certificate of a proof says: an inductive invariant for each call configuration. Shared by
-/// the prover, which writes it, and by the rules that judge it.
+/// What a certificate of a proof says: an inductive invariant for each call configuration. Shared
+/// by the prover, which writes it, and by the rules that judge it.
 namespace glider::ir::certify {
 
 /// Every case of `always` may fire.
@@ -46,8 +46,10 @@ struct Name {
 ///   |resumed|                  of the current state
 ///   |var N|, |var N known|     a variable that has started, if it is a number
 ///   |var N true|, |var N false|  if it is a truth value; unknown if both are false
-///   |was i|, |since i|         `became` or `held` number i, of `always` or the current state: whether
-///                              its operand was true when it last advanced or started, and B3's time
+///   |was i|, |since i|         `became` or `held` number i, of `always` or the current state:
+///   whether
+///                              its operand was true when it last advanced or started, and B3's
+///                              time
 ///   |depth|, |deepest|, |climbing|, |climbing since|, |top|  the vehicle (vehicle.h)
 ///   |after seen|               of a requirement `never S after A`
 ///   |surfaced|                 of `surfaces every`: mission time when it was last at the surface

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// What every constant of a script is required to satisfy can be satisfied whatever the terms are: some of
-// them stand for paths that the tick does not take.
+// What every constant of a script is required to satisfy can be satisfied whatever the terms are:
+// some of them stand for paths that the tick does not take.
 
 #include "ir/certify/expressions.h"
 
@@ -22,7 +22,8 @@ std::set<uint32_t> partsOf(const Mission& mission, ExprId root) {
   std::set<uint32_t> parts;
   std::set<uint32_t> open{root.index};
   while (!open.empty()) {
-    const uint32_t id = open.extract(std::prev(open.end())).value();  // operands have smaller numbers
+    const uint32_t id =
+        open.extract(std::prev(open.end())).value();  // operands have smaller numbers
     parts.insert(id);
     const Expr& e = mission.exprs.at(id);
     for (uint32_t k = 0; k < operandCount(e); ++k) {
@@ -136,8 +137,8 @@ bool Expressions::isDepth(SensorId id) const {
   return depth != nullptr && s.symbol.empty() && s.id == depth->id;
 }
 
-/// Step 2 and N11: a reading is in the sensor's range and no older than stale_after, or unknown. V7: that of
-/// the depth is near the vehicle's.
+/// Step 2 and N11: a reading is in the sensor's range and no older than stale_after, or unknown.
+/// V7: that of the depth is near the vehicle's.
 const Reading& Expressions::readingOf(SensorId id) {
   const auto [found, is_new] = readings_.try_emplace(id.index);
   if (!is_new) {
@@ -151,9 +152,9 @@ const Reading& Expressions::readingOf(SensorId id) {
   out_.require(implication(r.value.known, operation("<=", {r.age, literal(s.stale_after_s)})));
   if (isDepth(id)) {
     const Term error = literal(setting_.platform.world.depth_error_m);
-    out_.require(implication(
-        r.value.known, operation("<=", {operation("-", {depth_, error}), r.value.value,
-                                    operation("+", {depth_, error})})));
+    out_.require(
+        implication(r.value.known, operation("<=", {operation("-", {depth_, error}), r.value.value,
+                                                    operation("+", {depth_, error})})));
   }
   return r;
 }
@@ -167,8 +168,8 @@ Value Expressions::call(const Expr& e) {
     found->second = any;
   } else if (is_new) {
     const Function& f = setting_.mission[e.use];
-    found->second = anyNumber(Range{std::max(f.lowest, -kLargest), std::min(f.highest, kLargest)},
-                              "true");
+    found->second =
+        anyNumber(Range{std::max(f.lowest, -kLargest), std::min(f.highest, kLargest)}, "true");
   }
   return found->second;
 }
@@ -183,8 +184,8 @@ Number Expressions::anyNumber(const Range& range, const Term& known) {
 /// N6.
 Number Expressions::select(const Truths& c, const Number& a, const Number& b) {
   return {out_.real(choice(c.is_true, a.value, b.value)),
-          out_.boolean(disjunction({conjunction({c.is_true, a.known}),
-                                    conjunction({c.is_false, b.known})}))};
+          out_.boolean(disjunction(
+              {conjunction({c.is_true, a.known}), conjunction({c.is_false, b.known})}))};
 }
 
 /// N10.

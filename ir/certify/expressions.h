@@ -29,8 +29,9 @@ struct Reading {
   Term age;
 };
 
-/// The expressions of one tick (README N, C; steps 1 and 2). The tick's readings, results of C functions
-/// and roundings are constants of the script: equal operations on equal terms have equal results.
+/// The expressions of one tick (README N, C; steps 1 and 2). The tick's readings, results of C
+/// functions and roundings are constants of the script: equal operations on equal terms have equal
+/// results.
 class Expressions {
  public:
   /// A tick at mission time `time`, with the vehicle at `depth`.

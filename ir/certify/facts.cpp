@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Rounding to nearest is monotone, and so is settling: the ends of an interval, computed as the machine
-// computes, bound what the machine gets for what lies between.
+// Rounding to nearest is monotone, and so is settling: the ends of an interval, computed as the
+// machine computes, bound what the machine gets for what lies between.
 
 #include "ir/certify/facts.h"
 
@@ -19,7 +19,8 @@ constexpr double kPi = 3.1415926536;  // rounded up
 /// More than runtime/numbers is ever wrong by, relative to the ends of a function's range.
 constexpr double kSlack = 1e-9;
 constexpr double kHalfEarth = 2.1e7;  ///< m; no distance on the sphere is greater
-/// More than the sums of a window's mean are ever wrong by, relative to its readings: at most 258 bins.
+/// More than the sums of a window's mean are ever wrong by, relative to its readings: at most 258
+/// bins.
 constexpr double kMeanSlack = 0x1p-40;
 
 Range between(double lowest, double highest) {
@@ -49,8 +50,8 @@ Range quotient(const Range& a, const Range& b) {
   if (b.lowest <= 0 && b.highest >= 0) {
     return anything();
   }
-  return hull({a.lowest / b.lowest, a.lowest / b.highest, a.highest / b.lowest,
-               a.highest / b.highest});
+  return hull(
+      {a.lowest / b.lowest, a.lowest / b.highest, a.highest / b.lowest, a.highest / b.highest});
 }
 
 Range binary(BinaryOp op, const Range& a, const Range& b) {
@@ -60,8 +61,8 @@ Range binary(BinaryOp op, const Range& a, const Range& b) {
     case BinaryOp::Subtract:
       return results(a.lowest - b.highest, a.highest - b.lowest);
     case BinaryOp::Multiply:
-      return hull({a.lowest * b.lowest, a.lowest * b.highest, a.highest * b.lowest,
-                   a.highest * b.highest});
+      return hull(
+          {a.lowest * b.lowest, a.lowest * b.highest, a.highest * b.lowest, a.highest * b.highest});
     case BinaryOp::Divide:
       return quotient(a, b);
     case BinaryOp::Min:
@@ -77,9 +78,9 @@ Range unary(UnaryOp op, const Range& a) {
     case UnaryOp::Negate:
       return {-a.highest, -a.lowest};
     case UnaryOp::Abs:
-      return {a.lowest <= 0 && a.highest >= 0 ? 0
-                                              : std::min(std::fabs(a.lowest), std::fabs(a.highest)),
-              a.magnitude()};
+      return {
+          a.lowest <= 0 && a.highest >= 0 ? 0 : std::min(std::fabs(a.lowest), std::fabs(a.highest)),
+          a.magnitude()};
     case UnaryOp::Sqrt:
       return {std::sqrt(std::max(a.lowest, 0.0)), std::sqrt(std::max(a.highest, 0.0)), true};
   }
@@ -152,8 +153,8 @@ Range rangeOf(const Mission& mission, const Expr& e, const Facts& facts) {
   return {};
 }
 
-/// Whether a known value is a whole number. A sum or product of whole numbers is one even when it is
-/// rounded: from 2^53 on, every double is.
+/// Whether a known value is a whole number. A sum or product of whole numbers is one even when it
+/// is rounded: from 2^53 on, every double is.
 bool isWhole(const Mission& mission, const Expr& e, const Facts& facts) {
   const auto of = [&](size_t i) { return facts.whole[e.operands.at(i).index]; };
   const auto whole = [](double x) { return std::floor(x) == x; };
@@ -216,8 +217,8 @@ std::vector<Assignment> assignmentsOf(const Mission& mission) {
   return all;
 }
 
-/// The greatest set of variables that only whole numbers are ever assigned to. A parameter is given at
-/// launch, and so may be any number.
+/// The greatest set of variables that only whole numbers are ever assigned to. A parameter is given
+/// at launch, and so may be any number.
 void findWhole(const Mission& mission, Facts& facts) {
   for (const Variable& v : mission.variables) {
     facts.whole_variable.push_back(v.kind != VariableKind::Parameter &&

@@ -57,8 +57,7 @@ class Certificate {
     Script script;
     if (from) {
       used.insert(*from);
-      body += fmt::format("(assert {})\n",
-                          applied(*from, symbols(invariants_[*from].at)));
+      body += fmt::format("(assert {})\n", applied(*from, symbols(invariants_[*from].at)));
     }
     const std::string in = from ? wordsOf(setting_.mission, invariants_[*from].at) : "the start";
     std::string checks;
@@ -70,6 +69,10 @@ class Certificate {
     }
     script.text = "(set-logic ALL)\n" + definitions(used) + body + checks;
     return script;
+  }
+
+  [[nodiscard]] bool isTerm(const Invariant& invariant) const {
+    return isOneTerm(invariant.formula, symbols(invariant.at));
   }
 
  private:
@@ -92,11 +95,11 @@ class Certificate {
     }
     obligations.push_back(
         {fmt::format("{}: the requirement is not violated", in), disjunction(violated)});
-    obligations.push_back({fmt::format("{}: variables stay in their declared ranges", in),
-                           step.leaves_range});
     obligations.push_back(
-        {fmt::format("{}: clocks stay in order, and the vehicle between the surface and its deepest",
-                     in),
+        {fmt::format("{}: variables stay in their declared ranges", in), step.leaves_range});
+    obligations.push_back(
+        {fmt::format(
+             "{}: clocks stay in order, and the vehicle between the surface and its deepest", in),
          disjunction(ill_formed)});
     return obligations;
   }
@@ -134,7 +137,7 @@ class Certificate {
         names += fmt::format("({} {})", name.text, name.truth ? "Bool" : "Real");
       }
       text += fmt::format("(define-fun {}invariant{} ({}) Bool {})\n", kOwnNames, number, names,
-                          isOneTerm(invariant.formula) ? invariant.formula : "false");
+                          isTerm(invariant) ? invariant.formula : "false");
     }
     return text;
   }
@@ -160,9 +163,9 @@ std::vector<Script> obligationsOf(const Mission& mission, const platforms::Platf
     const Configuration& at = invariants[i].at;
     if (!isOf(mission, at)) {
       scripts.push_back(refusal("the mission has such a configuration"));
-    } else if (!isOneTerm(invariants[i].formula)) {
-      scripts.push_back(refusal(
-          fmt::format("the invariant of {} is one term of SMT-LIB", wordsOf(mission, at))));
+    } else if (!certificate.isTerm(invariants[i])) {
+      scripts.push_back(
+          refusal(fmt::format("the invariant of {} is one term of SMT-LIB", wordsOf(mission, at))));
     } else {
       scripts.push_back(certificate.script(stepOf(setting, at, longest_gap_s), i));
     }

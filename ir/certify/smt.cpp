@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace glider::ir::certify {
@@ -63,6 +65,40 @@ Term joined(std::string_view op, const std::vector<Term>& terms, std::string_vie
     return Term(neutral);
   }
   return rest.size() == 1 ? rest.front() : operation(op, rest);
+}
+
+constexpr std::string_view kSpace = " \t\r\n";
+/// What formulas may contain beside names, numbers and the variables of `let`. Quantifiers,
+/// annotations and what cvc5 adds to SMT-LIB are not among them.
+constexpr auto kWords = std::to_array<std::string_view>(
+    {"true", "false",    "not", "and", "or",      "xor",    "=>",    "ite", "let",
+     "=",    "distinct", "<",   "<=",  ">",       ">=",     "+",     "-",   "*",
+     "/",    "abs",      "div", "mod", "to_real", "to_int", "is_int"});
+
+/// Text up to the end of the token that begins at `i`: a bracket, one space, a quoted symbol or a
+/// word.
+std::string_view tokenAt(std::string_view text, size_t i) {
+  if (text[i] == '(' || text[i] == ')' || kSpace.contains(text[i])) {
+    return text.substr(i, 1);
+  }
+  if (text[i] == '|') {
+    const size_t end = text.find('|', i + 1);
+    return text.substr(i, end == std::string_view::npos ? end : end + 1 - i);
+  }
+  const size_t end = text.find_first_of(" \t\r\n()|", i);
+  return text.substr(i, end == std::string_view::npos ? end : end - i);
+}
+
+/// A word of kWords, a number, or a variable of `let`: a letter, and then at most digits, `!` and
+/// `_`.
+bool isHarmless(std::string_view word) {
+  const std::string_view rest = word.substr(1);
+  const char first = word.front();
+  const bool letter = (first >= 'a' && first <= 'z') || (first >= 'A' && first <= 'Z');
+  const bool digit = first >= '0' && first <= '9';
+  return std::ranges::find(kWords, word) != kWords.end() ||
+         (letter && rest.find_first_not_of("0123456789!_") == std::string_view::npos) ||
+         (digit && rest.find_first_not_of("0123456789.") == std::string_view::npos);
 }
 
 }  // namespace
@@ -142,38 +178,30 @@ void SmtText::require(const Term& term) {
   }
 }
 
-bool isOneTerm(std::string_view formula) {
-  if (formula.find(kOwnNames) != std::string_view::npos ||
-      formula.find_first_of(";\"\\!") != std::string_view::npos) {
-    return false;
-  }
+bool isOneTerm(std::string_view formula, std::span<const std::string> names) {
   size_t open = 0;
-  size_t terms = 0;  // that have ended outside of all brackets
-  for (size_t i = 0; i < formula.size(); ++i) {
-    const char c = formula[i];
-    if (std::string_view(" \t\r\n").find(c) != std::string_view::npos) {
+  size_t ended = 0;  // terms outside of all brackets
+  for (size_t i = 0; i < formula.size();) {
+    const std::string_view token = tokenAt(formula, i);
+    i += token.size();
+    if (kSpace.contains(token.front())) {
       continue;
     }
-    if (c == '(') {
+    if (token == "(") {
       ++open;
       continue;
     }
-    if (c == ')') {
+    if (token == ")") {
       if (open == 0) {
         return false;
       }
       --open;
-    } else if (c == '|') {
-      i = formula.find('|', i + 1);
-      if (i == std::string_view::npos) {
-        return false;
-      }
-    } else {
-      i = std::min(formula.find_first_of(" \t\r\n()|", i), formula.size()) - 1;
+    } else if (std::ranges::find(names, token) == names.end() && !isHarmless(token)) {
+      return false;
     }
-    terms += open == 0 ? 1 : 0;
+    ended += open == 0 ? 1 : 0;
   }
-  return open == 0 && terms == 1;
+  return open == 0 && ended == 1;
 }
 
 }  // namespace glider::ir::certify

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -45,11 +46,12 @@ class SmtText {
   size_t next_ = 0;
 };
 
-/// Whether `formula` is one term that cannot end the command in which it stands or refer to a name of
-/// the rules: a certificate may come from anyone.
-bool isOneTerm(std::string_view formula);
+/// Whether `formula` is one term over `names` (quoted symbols) of truth, `let` and arithmetic: a
+/// certificate may come from anyone, and must not end the command in which it stands, refer to a
+/// name of the rules, or bring an assumption with it.
+bool isOneTerm(std::string_view formula, std::span<const std::string> names);
 
-/// How the names of the rules begin; no invariant may contain it.
+/// How the names of the rules begin.
 inline constexpr std::string_view kOwnNames = "glider.";
 
 }  // namespace glider::ir::certify

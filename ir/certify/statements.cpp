@@ -14,16 +14,16 @@ void Tick::initialise(VariableId id, Path& path) {
   assign(id, initial, expressions_.evaluate(initial, path.store), path);
 }
 
-/// The variable gets the value, even if that is unknown. That a known one is in the variable's range must be
-/// shown, unless its interval says so.
+/// The variable gets the value, even if that is unknown. That a known one is in the variable's
+/// range must be shown, unless its interval says so.
 void Tick::assign(VariableId id, ExprId expr, const Value& value, Path& path) {
   const Range& declared = setting_.facts.declared[id.index];
   const Range& range = setting_.facts.ranges[expr.index];
   const bool inside = declared.lowest <= range.lowest && range.highest <= declared.highest;
   if (const auto* n = std::get_if<Number>(&value); n != nullptr && !inside) {
-    const Term within = operation("<=", {literal(declared.lowest), n->value, literal(declared.highest)});
-    out_of_range_.push_back(
-        out_.boolean(conjunction({path.taken, n->known, negation(within)})));
+    const Term within =
+        operation("<=", {literal(declared.lowest), n->value, literal(declared.highest)});
+    out_of_range_.push_back(out_.boolean(conjunction({path.taken, n->known, negation(within)})));
   }
   path.store.variables.at(id.index) = value;
 }
@@ -69,8 +69,8 @@ void Tick::execute(const Statement& s, Path& path) {
       for (const ExprId argument : s.values) {
         arguments.push_back(expressions_.number(argument, path.store));
       }
-      path.store.vehicle = commanded(setting_, out_, path.store.vehicle, s.command, arguments,
-                                     expressions_.time());
+      path.store.vehicle =
+          commanded(setting_, out_, path.store.vehicle, s.command, arguments, expressions_.time());
       return;
     }
   }

@@ -11,8 +11,9 @@
 namespace glider::ir::certify {
 namespace {
 
-/// The meaning of each kind of requirement (docs/language.md, Requirements): whether a start or tick that ends
-/// so violates it. The monitors are those of before the tick, but `surfaced` counts the tick itself.
+/// The meaning of each kind of requirement (docs/language.md, Requirements): whether a start or
+/// tick that ends so violates it. The monitors are those of before the tick, but `surfaced` counts
+/// the tick itself.
 Term violation(const Setting& setting, Expressions& expressions, const Outcome& outcome,
                const Monitor& monitor) {
   const Requirement& r = setting.requirement;
@@ -24,7 +25,8 @@ Term violation(const Setting& setting, Expressions& expressions, const Outcome& 
     case RequirementKind::NeverAfter:
       return outcome.entered.valid() && outcome.entered == r.state ? monitor.after_seen : "false";
     case RequirementKind::SurfacesEvery:
-      return operation(">", {operation("-", {expressions.time(), monitor.surfaced}), literal(r.seconds)});
+      return operation(
+          ">", {operation("-", {expressions.time(), monitor.surfaced}), literal(r.seconds)});
     case RequirementKind::StackAtMost:
     case RequirementKind::Reach:
       break;
@@ -119,8 +121,8 @@ Step stepOf(const Setting& setting, const Configuration& at, double longest_gap_
   out.require(wellFormed(setting, at, before));
   requireRanges(setting, out, at, before.store);
   const Term time = out.fresh("Real");
-  out.require(operation("<=", {before.time, time,
-                           operation("+", {before.time, literal(longest_gap_s)})}));
+  out.require(
+      operation("<=", {before.time, time, operation("+", {before.time, literal(longest_gap_s)})}));
   Store store = before.store;
   store.vehicle = vehicleLater(setting, out, before.store.vehicle, before.time, time);
   if (setting.requirement.kind == RequirementKind::SurfacesEvery) {

@@ -33,8 +33,8 @@ struct Step {
 };
 
 Step startOf(const Setting& setting);
-/// The step from `at`, whose names are constants of the text. Everything is assumed to be well formed and
-/// variables to be in their declared ranges; nothing else is.
+/// The step from `at`, whose names are constants of the text. Everything is assumed to be well
+/// formed and variables to be in their declared ranges; nothing else is.
 Step stepOf(const Setting& setting, const Configuration& at, double longest_gap_s);
 
 /// "`home`, called by `look`": for the words of obligations.

@@ -50,7 +50,7 @@ std::vector<Outcome> Tick::start(Store store) {
   }
   updateTemporals(true, {}, Moment::Start, path.store);
   enter({0}, path);
-  end(path, "the start", Configuration{{0}, {}, kNoLimit, false}, {0});
+  end(path, "it", Configuration{{0}, {}, kNoLimit, false}, {0});
   return std::move(outcomes_);
 }
 
@@ -65,7 +65,7 @@ std::vector<Outcome> Tick::run(Store store) {
   }
   Configuration to = at_;
   to.just_returned = false;
-  end(path, fmt::format("a tick that stays in `{}`", setting_.mission[at_.state].name), to);
+  end(path, "a tick that leaves no state", to);
   return std::move(outcomes_);
 }
 
@@ -90,13 +90,13 @@ bool Tick::mayFire(ListKind list, uint32_t number) const {
     return true;
   }
   const StateId target = setting_.mission.always[number].target;
-  const bool in_use = target == at_.state || std::ranges::find(at_.stack, target,
-                                                               &Waiting::state) != at_.stack.end();
+  const bool in_use = target == at_.state ||
+                      std::ranges::find(at_.stack, target, &Waiting::state) != at_.stack.end();
   return number < at_.limit && !(target.valid() && in_use);
 }
 
-/// Step 4 for one list: the first case that may fire and whose guard is true. All guards read the values
-/// that the lists before have left. `path` becomes that of the ticks that try the next list.
+/// Step 4 for one list: the first case that may fire and whose guard is true. All guards read the
+/// values that the lists before have left. `path` becomes that of the ticks that try the next list.
 void Tick::tryList(ListKind list, Path& path) {
   const State& state = setting_.mission[at_.state];
   const bool activity = list == ListKind::Profile || list == ListKind::Route;
@@ -224,8 +224,7 @@ void Tick::startActivity(const Activity& activity, Path& path) {
 
 void Tick::end(const Path& path, std::string words, std::optional<Configuration> to,
                StateId entered) {
-  outcomes_.push_back(
-      {path.taken, std::move(words), std::move(to), false, entered, path.store});
+  outcomes_.push_back({path.taken, std::move(words), std::move(to), false, entered, path.store});
 }
 
 }  // namespace glider::ir::certify

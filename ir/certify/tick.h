@@ -66,7 +66,7 @@ class Tick {
 
   void updateTemporals(bool always, StateId state, Moment moment, Store& store);
   void updateGuard(uint32_t temporal, Moment moment, Store& store);
-  void updateWindow(uint32_t temporal, Store& store);
+  void updateWindow(uint32_t temporal, Moment moment, Store& store);
 
   const Setting& setting_;
   SmtText& out_;

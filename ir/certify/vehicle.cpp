@@ -62,8 +62,7 @@ Vehicle whereKnown(SmtText& out, const Term& known, const Vehicle& after, const 
 Vehicle vehicleAtStart(const Setting& setting, SmtText& out) {
   Vehicle v;
   v.depth = out.fresh("Real");
-  out.require(
-      operation("<=", {"0.0", v.depth, literal(setting.platform.world.start_depth_m)}));
+  out.require(operation("<=", {"0.0", v.depth, literal(setting.platform.world.start_depth_m)}));
   v.deepest = out.real(
       operation("+", {v.depth, literal(setting.platform.envelope.inflection_overshoot_m)}));
   return v;
@@ -74,18 +73,18 @@ Vehicle vehicleLater(const Setting& setting, SmtText& out, const Vehicle& before
   const platforms::EnvironmentModel& world = setting.platform.world;
   Vehicle after = before;
   after.depth = out.fresh("Real");
-  const Term way = out.real(operation("*", {literal(setting.platform.envelope.vertical_rate_m_s),
-                                        operation("-", {to, from})}));
+  const Term way = out.real(operation(
+      "*", {literal(setting.platform.envelope.vertical_rate_m_s), operation("-", {to, from})}));
   out.require(operation("<=", {"0.0", after.depth, before.deepest}));
   out.require(operation("<=", {operation("-", {before.depth, way}), after.depth,
-                           operation("+", {before.depth, way})}));
+                               operation("+", {before.depth, way})}));
   const Term climbed = out.real(operation("-", {to, before.since, literal(world.turn_s)}));
-  const Term reached = operation("-", {before.deepest, operation("*", {literal(world.slowest_climb_m_s),
-                                                               climbed})});
-  out.require(implication(
-      conjunction({before.climbing, operation(">=", {climbed, "0.0"})}),
-      disjunction({operation("<=", {after.depth, before.top}), operation("<=", {after.depth, "0.0"}),
-                   operation("<=", {after.depth, reached})})));
+  const Term reached =
+      operation("-", {before.deepest, operation("*", {literal(world.slowest_climb_m_s), climbed})});
+  out.require(implication(conjunction({before.climbing, operation(">=", {climbed, "0.0"})}),
+                          disjunction({operation("<=", {after.depth, before.top}),
+                                       operation("<=", {after.depth, "0.0"}),
+                                       operation("<=", {after.depth, reached})})));
   return after;
 }
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// What the interpreter does in a tick of a random mission is among what the rules allow: given what was before the
-// tick and its readings, a step may lead to what is after it. GLIDER_CONTAINMENT sets the number of
-// missions.
+// What the interpreter does in a tick of a random mission is among what the rules allow: given what
+// was before the tick and its readings, a step may lead to what is after it. GLIDER_CONTAINMENT
+// sets the number of missions.
 
 #include "ir/certify/step.h"
 #include "ir/core/ops.h"
@@ -261,10 +261,9 @@ class Containment {
       symbols.push_back(name.text);
     }
     Script& script = scripts_[before.at];
-    script.text += fmt::format("(push 1)\n(assert {})\n{}{}(check-sat)\n(pop 1)\n",
-                               equal(before.at, before, symbols),
-                               watcher.readings(found->second.readings),
-                               leadsTo(found->second, after));
+    script.text += fmt::format(
+        "(push 1)\n(assert {})\n{}{}(check-sat)\n(pop 1)\n", equal(before.at, before, symbols),
+        watcher.readings(found->second.readings), leadsTo(found->second, after));
     script.checks.push_back(fmt::format("tick {} in {}", tick, wordsOf(mission_, before.at)));
   }
 

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <gmock/gmock.h>
-
 #include <map>
 
 namespace glider::ir::certify {
@@ -57,11 +56,11 @@ end
 }
 
 Formulas surveyTimes() {
-  return {{"`look`", "(< |time| 3600.0)"},
-          {"`hot`, called by `look`",
-           "(and (< |entered 1| 3600.0) (< (- |time| |entered 1|) 600.0))"},
-          {"`look`, just returned to", "(< |time| 4500.0)"},
-          {"`home`", "(and (< |entered 0| 4800.0) (< (- |time| |entered 0|) 600.0))"}};
+  return {
+      {"`look`", "(< |time| 3600.0)"},
+      {"`hot`, called by `look`", "(and (< |entered 1| 3600.0) (< (- |time| |entered 1|) 600.0))"},
+      {"`look`, just returned to", "(< |time| 4500.0)"},
+      {"`home`", "(and (< |entered 0| 4800.0) (< (- |time| |entered 0|) 600.0))"}};
 }
 
 TEST(Invariants, OfAnEndAreAccepted) {
@@ -141,17 +140,18 @@ begin
   events
     case statetime >= 15 min exit
 end
-)", time));
+)",
+                                time));
   };
-  // `up` begins at most 3620 s after the surface, at 25 m or above; 120 s later the vehicle climbs at
-  // 0.05 m/s, so 460 s (and a tick) after the command it is above 2 m: 580 s + 20 s.
+  // `up` begins at most 3620 s after the surface, at 25 m or above; 120 s later the vehicle climbs
+  // at 0.05 m/s, so 460 s (and a tick) after the command it is above 2 m: 580 s + 20 s.
   const auto formula = [](const std::string& words) -> std::string {
-    return words == "`dive`"
-               ? "(and (= |entered 0| 0.0) (< |time| 3600.0) (<= |deepest| 25.0)"
-                 " (=> |climbing| (>= |top| 10.0)))"
-               : "(and |climbing| (<= |top| 0.0) (<= |deepest| 25.0) (= |climbing since| |entered 0|)"
-                 " (<= |entered 0| 3620.0) (or (= |surfaced| |time|)"
-                 " (< (- |time| |climbing since|) 580.0)))";
+    return words == "`dive`" ? "(and (= |entered 0| 0.0) (< |time| 3600.0) (<= |deepest| 25.0)"
+                               " (=> |climbing| (>= |top| 10.0)))"
+                             : "(and |climbing| (<= |top| 0.0) (<= |deepest| 25.0) (= |climbing "
+                               "since| |entered 0|)"
+                               " (<= |entered 0| 3620.0) (or (= |surfaced| |time|)"
+                               " (< (- |time| |climbing since|) 580.0)))";
   };
   EXPECT_THAT(judged(mission("4220 s"), formula), IsEmpty());
   EXPECT_THAT(judged(mission("4100 s"), formula), Not(IsEmpty()));
@@ -171,7 +171,8 @@ begin
     case missiontime >= 1 h exit
     case {} && became(depth > 15 m) do set dives = dives + 1 end stay
 end
-)", guard));
+)",
+                                guard));
   };
   const Formula nothing = [](const std::string&) { return "true"; };
   EXPECT_THAT(judged(mission("dives < 5"), nothing), IsEmpty());

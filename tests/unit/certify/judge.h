@@ -36,10 +36,10 @@ std::vector<Invariant> invariantsOf(const Mission& mission, const Formula& formu
 /// The obligations of the first requirement of `mission` that are refused.
 std::vector<std::string> judged(const Mission& mission, const Formula& formula);
 
-#define NEEDS_CVC5()                              \
-  if (!haveCvc5()) {                              \
-    GTEST_SKIP() << "cvc5 is not installed";      \
-  }                                               \
+#define NEEDS_CVC5()                         \
+  if (!haveCvc5()) {                         \
+    GTEST_SKIP() << "cvc5 is not installed"; \
+  }                                          \
   static_assert(true)
 
 }  // namespace glider::ir::certify

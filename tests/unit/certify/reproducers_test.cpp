@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Rules that an encoder has had wrong: the certificate that would be right under the wrong rule is refused. Each
-// has a twin that differs in that rule alone and is accepted.
+// Rules that an encoder has had wrong: the certificate that would be right under the wrong rule is
+// refused. Each has a twin that differs in that rule alone and is accepted.
 
 #include "tests/unit/certify/judge.h"
 #include "tests/unit/ir/slocum.h"
@@ -44,7 +44,8 @@ begin
   events
     case statetime >= limit exit
 end
-)", initial, kYo));
+)",
+                                initial, kYo));
   };
   const Formula formula = always(
       "(and |var limit known| (<= |var limit| 1200.0) (= |entered 0| 0.0)"
@@ -78,7 +79,8 @@ begin
   events
     case missiontime >= 30 min exit
 end
-)", kYo, again));
+)",
+                                kYo, again));
   };
   const Formula formula = inAB("true", "(and |var b.y known| (= |var b.y| 9.0))");
   EXPECT_THAT(judged(mission("y, x"), formula), Not(IsEmpty()));
@@ -99,7 +101,8 @@ begin
     case missiontime >= 1 min do {0} end stay
     case missiontime >= 1 h exit
 end
-)", in_state, in_always, kYo));
+)",
+                                in_state, in_always, kYo));
   };
   const Formula formula = always("(<= |deepest| 25.0)");
   const char* const fine = "descend(20 m, 26 deg)";
@@ -137,7 +140,8 @@ begin
   events
     case missiontime >= 30 min exit
 end
-)", kYo, least));
+)",
+                                kYo, least));
   };
   const Formula formula = inAB("(not |var hit true|)", "(not |var hit true|)");
   EXPECT_THAT(judged(mission("0 s"), formula), Not(IsEmpty()));
@@ -165,11 +169,14 @@ begin
   events
     case missiontime >= 30 min exit
 end
-)", kYo, from, most));
+)",
+                                kYo, from, most));
   };
   const auto formula = [](const char* from) {
     return inAB(fmt::format("(and |var n known| (>= |var n| {0}.0)"
-                            " (or (not |var counted true|) (> |var n| {0}.0)))", from), "");
+                            " (or (not |var counted true|) (> |var n| {0}.0)))",
+                            from),
+                "");
   };
   EXPECT_THAT(judged(mission("9007199254740992", "9007199254740994"), formula("9007199254740992")),
               Not(IsEmpty()));
@@ -192,7 +199,8 @@ begin
   events
     case missiontime >= 1 h exit
 end
-)", kYo, resume));
+)",
+                                kYo, resume));
   };
   const Formula formula = always("(< |time| 3600.0)");
   EXPECT_THAT(judged(mission("10 h"), formula), Not(IsEmpty()));

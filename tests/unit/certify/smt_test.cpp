@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "ir/certify/certificate.h"
 #include "ir/certify/smt.h"
+
+#include "ir/certify/certificate.h"
 #include "tests/unit/certify/judge.h"
 
 #include <gtest/gtest.h>
@@ -29,19 +30,39 @@ TEST(Literals, ReachToTheSmallestDoubles) {
   for (int i = 0; i < 2; ++i) {
     product = operation("*", {product, literal(0x1p537)});
   }
-  const std::string script = "(set-logic ALL)\n(assert (not (= 1.0 " + product + ")))\n(check-sat)\n";
+  const std::string script =
+      "(set-logic ALL)\n(assert (not (= 1.0 " + product + ")))\n(check-sat)\n";
   EXPECT_EQ(answersTo(script), std::vector<std::string>{"unsat"});
 }
 
-TEST(Formulas, AreOneTermThatCannotEndItsCommand) {
+TEST(Formulas, AreOneTermOverTheirNames) {
+  const std::vector<std::string> names{"|time|", "|was 0|", "|var a(b|"};
   for (const char* good : {"true", "|time|", " (and (<= |time| 3.0) (not |was 0|)) ",
-                           "(let ((x (+ |var a(b| 1.0))) (< x 2.0))", "(ite true false true)"}) {
-    EXPECT_TRUE(isOneTerm(good)) << good;
+                           "(let ((x (+ |var a(b| 1.0)) (a!1 true)) (and a!1 (< x 2.0)))",
+                           "(ite true false (=> true (is_int (/ 1 2))))"}) {
+    EXPECT_TRUE(isOneTerm(good, names)) << good;
   }
-  for (const char* bad : {"", "true true", "(and true", "true)", "true) (assert false", "|time",
-                          "true ; (", "(= \"a\" \"b\")", "(! true :named a)", "glider.c0",
-                          "(< glider.t1 3.0)", "(and |a\\| b)"}) {
-    EXPECT_FALSE(isOneTerm(bad)) << bad;
+  for (const char* bad : {"",
+                          " ",
+                          "true true",
+                          "(and true",
+                          "true)",
+                          "true) (assert false",
+                          "|time",
+                          "|depth|",
+                          "true ; (",
+                          "(= \"a\" \"b\")",
+                          "(! true :named a)",
+                          "glider.c0",
+                          "(< glider.t1 3.0)",
+                          "(and |a\\| b)",
+                          "(witness ((x Real)) (< x x))",
+                          "(|witness| ((x Real)) (< x x))",
+                          "(forall ((x Real)) true)",
+                          "(_ bv1 2)",
+                          "(as x Real)",
+                          "#b1"}) {
+    EXPECT_FALSE(isOneTerm(bad, names)) << bad;
   }
 }
 

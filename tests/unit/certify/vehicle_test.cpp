@@ -31,8 +31,8 @@ class VehicleRules : public testing::Test {
     return vehicleLater(setting_, out_, v, literal(from), literal(to));
   }
   bool can(const Term& term) {
-    const auto answers = answersTo("(set-logic ALL)\n" + out_.text() + "(assert " + term +
-                                   ")\n(check-sat)\n");
+    const auto answers =
+        answersTo("(set-logic ALL)\n" + out_.text() + "(assert " + term + ")\n(check-sat)\n");
     EXPECT_EQ(answers.size(), 1u);
     EXPECT_TRUE(answers.at(0) == "sat" || answers.at(0) == "unsat") << answers.at(0);
     return answers.at(0) == "sat";
@@ -114,8 +114,7 @@ TEST_F(VehicleRules, V4AClimbGoesOn) {
 TEST_F(VehicleRules, V5UnknownArgumentsAndSteering) {
   for (const Command command : {Command::Descend, Command::Ascend}) {
     const std::vector<Number> unknown{{"20.0", "true"}, {"0.4", "false"}};
-    const Vehicle v =
-        commanded(setting_, out_, climbing(10, 30, 50, 9), command, unknown, "100.0");
+    const Vehicle v = commanded(setting_, out_, climbing(10, 30, 50, 9), command, unknown, "100.0");
     EXPECT_TRUE(is(v.deepest, 30) && is(v.since, 50) && is(v.top, 9) && isTrue(v.climbing));
   }
   EXPECT_TRUE(is(after(at(10, 30), Command::Steer, 2).deepest, 30));

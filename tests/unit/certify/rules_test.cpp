@@ -277,5 +277,51 @@ TEST_F(Rules, B1ToB7BecameAndHeld) {
                          "(=> |was 1| (= |since 1| |time|))"));
 }
 
+TEST(Readings, D1DegreesAndMinutes) {
+  Sensor s;
+  s.encoding = Encoding::DegreesMinutes;
+  s.lowest = -9000;
+  s.highest = 7330;
+  EXPECT_EQ(rangeOfReadings(s).lowest, -90);
+  EXPECT_EQ(rangeOfReadings(s).highest, 73.5);
+  s.highest = 7399.5;
+  EXPECT_EQ(rangeOfReadings(s).highest, 74) << "60 minutes or more are unknown";
+  s.encoding = Encoding::Linear;
+  s.to_si = -0.1;
+  EXPECT_EQ(rangeOfReadings(s).highest, 900);
+}
+
+TEST_F(Rules, B6HeldIsFalseWhileItsOperandIs) {
+  const Steps steps(state("a",
+                          "case !held(temp > 30 degC, 60 s) && temp <= 30 degC exit\n"
+                          "case temp <= 30 degC goto a"));
+  EXPECT_TRUE(steps.can("`a`", "true", "exit", "true"));
+  EXPECT_FALSE(steps.can("`a`", "true", "goto", "true"));
+}
+
+TEST_F(Rules, N3N6N7N10WhatIsKnown) {
+  const std::string chosen = "(select (gt (sensor depth) 5:length) (sensor temp) 7:temperature)";
+  Mission mission = missionOf(
+      kHeader + "behaviour profile still symbol \"\" () reads ()\n" +
+      "behaviour route straight symbol \"\" () reads ()\ntable number (1, 5)\n" +
+      "state a route straight begin end profile still begin end\n" +
+      "case (and (le (sensor depth) 5:length) (not (known " + chosen + "))) exit\n" +
+      "case (and (known " + chosen + ") (not (known (sensor depth)))) exit\n" +
+      "case (and (gt (sensor depth) 5:length) (and (known " + chosen +
+      ") (not (known (sensor temp))))) exit\n" +
+      "case (gt (element 0 (div statetime 1:time)) 4) goto a\n" +
+      "case (and (lt statetime 0.5:time) (known (element 0 (sub (div statetime 1:time) 1)))) "
+      "exit\n" +
+      "let %90 = (sub (div statetime 1:time) 3)\n" +
+      "case (and (eq %90 0) (known (div 1 %90))) exit\n" +
+      "case (and (lt %90 0) (known (sqrt %90))) exit\n" +
+      "case (and (not (known (sensor temp))) (not (lt (sensor temp) 7:temperature))) exit\n");
+  mission.requirements.emplace_back().kind = RequirementKind::ExitWithin;
+  const Steps steps(std::move(mission));
+  EXPECT_FALSE(steps.can("`a`", "(= |entered 0| 0.0)", "exit", "true"));
+  EXPECT_TRUE(steps.must("`a`", "(and (= |entered 0| 0.0) (= |time| 0.0))", "goto",
+                         "(and (> |time| 0.999) (< |time| 1.001))"));
+}
+
 }  // namespace
 }  // namespace glider::ir::certify

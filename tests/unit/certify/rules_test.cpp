@@ -315,7 +315,8 @@ TEST_F(Rules, N3N6N7N10WhatIsKnown) {
       "let %90 = (sub (div statetime 1:time) 3)\n" +
       "case (and (eq %90 0) (known (div 1 %90))) exit\n" +
       "case (and (lt %90 0) (known (sqrt %90))) exit\n" +
-      "case (and (not (known (sensor temp))) (not (lt (sensor temp) 7:temperature))) exit\n");
+      "case (and (not (known (sensor temp))) (not (lt (sensor temp) 7:temperature))) exit\n" +
+      "case (and (not (known (sensor temp))) (not (lt 7:temperature (sensor temp)))) exit\n");
   mission.requirements.emplace_back().kind = RequirementKind::ExitWithin;
   const Steps steps(std::move(mission));
   EXPECT_FALSE(steps.can("`a`", "(= |entered 0| 0.0)", "exit", "true"));

@@ -25,6 +25,9 @@ std::vector<bool> usedSensors(const Mission& mission) {
       use(id);
     }
   }
+  if (mission.compass) {
+    use(mission.compass->variation);
+  }
   return used;
 }
 
@@ -47,6 +50,10 @@ void renumber(Mission& mission, const std::vector<uint32_t>& numbers) {
     for (SensorId& id : behaviour.reads) {
       id.index = numbers[id.index];
     }
+  }
+  if (mission.compass && mission.compass->variation.valid()) {
+    SensorId& variation = mission.compass->variation;
+    variation.index = numbers[variation.index];
   }
   renumberTable(mission.always_table, numbers);
   for (State& state : mission.states) {

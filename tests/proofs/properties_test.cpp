@@ -6,6 +6,7 @@
 
 #include "tests/proofs/properties.h"
 
+#include "ir/opt/optimise.h"
 #include "ir/prove/prove.h"
 #include "ir/verify/verify.h"
 #include "tests/unit/frontend/compile.h"
@@ -27,6 +28,7 @@ TEST_P(Properties, IsDecidedAsCommitted) {
   const ir::MissionFacts facts = ir::verify(*mission, run.diagnostics);
   const auto findings = ir::prove::prove(*mission, facts, slocum(), {}, run.diagnostics);
   ASSERT_EQ(findings.requirements.size(), 1U);
+  EXPECT_TRUE(ir::optimise(*mission).requirements.empty()) << "it is built too";
   EXPECT_EQ(ir::prove::word(findings.requirements[0].verdict), property.verdict) << run.said();
 }
 

@@ -4,6 +4,7 @@
 // What the passes must leave alone: calls that nothing reads, windows that differ in one thing,
 // sensors that something reads.
 
+#include "ir/core/validate.h"
 #include "ir/opt/drop_requirements.h"
 #include "ir/opt/optimise.h"
 #include "ir/opt/passes.h"
@@ -284,6 +285,27 @@ TEST(DropRequirements, TablesOfGuardsFollowTheirSensors) {
     ASSERT_TRUE(column.sensor.valid());
     EXPECT_EQ(m[column.sensor].name, "temp");
   }
+}
+
+TEST(DropRequirements, KeepsTheVariationOfTheCompass) {
+  Mission m = missionOf(
+      "glider_ir 1\nmission m platform slocum\n"
+      "sensor altitude: length vehicle m_altitude id 3 encoding linear to_si 1 lowest 0 highest "
+      "100 "
+      "stale_after 20\n"
+      "sensor variation: angle vehicle m_gps_mag_var id 4 encoding linear to_si 1 lowest -4 "
+      "highest "
+      "4 stale_after 20\n"
+      "compass variation variation\n"
+      "behaviour profile glide symbol gliderProfileGlide () reads ()\n"
+      "behaviour route drift symbol gliderRouteDrift () reads ()\n"
+      "require always (lt (sensor altitude) 90:length)\n" +
+      stateText("a", "case true exit"));
+  dropRequirements(m);
+  EXPECT_EQ(sensorsOf(m), Names{"variation"});
+  ASSERT_TRUE(m.compass.has_value());
+  EXPECT_EQ(m.compass->variation.index, 0U);
+  EXPECT_TRUE(validate(m).empty());
 }
 
 TEST(DropRequirements, WithoutRequirementsNothingGoes) {

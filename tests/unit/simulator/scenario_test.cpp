@@ -425,7 +425,10 @@ TEST(Skeleton, ThePrimaryWaypointIsNotKnownUnlessItsDistanceIsSet) {
 /// A folder of mission files, as the vehicle has them.
 class Folder {
  public:
-  Folder() : path_(fs::path(testing::TempDir()) / "autoexec_beside") {
+  /// Of its own: tests run beside each other.
+  Folder()
+      : path_(fs::path(testing::TempDir()) /
+              testing::UnitTest::GetInstance()->current_test_info()->name()) {
     fs::remove_all(path_);
     fs::create_directories(path_ / "missions/config");
     fs::create_directories(path_ / "config");

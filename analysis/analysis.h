@@ -4,15 +4,17 @@
 #pragma once
 
 #include "analysis/against/against_logs.h"
+#include "analysis/certificates/recheck.h"
 #include "analysis/closed_loop.h"
 #include "analysis/graph_of.h"
 #include "analysis/mission_budget.h"
 #include "analysis/replay.h"
+#include "analysis/trace_of_run.h"
 #include "analysis/way_home.h"
 
 /// Analyses of a mission beyond its errors, each a plain function of a compiled mission: its budget
 /// on each board (missionBudgets), how the vehicle comes home without the SBC (wayHomeLines), a
 /// simulated flight that violates a requirement (searchClosedLoop), the replay of a counterexample
-/// tick by tick (replayRun), what it would have done with the readings of a vehicle's data files
-/// (runAgainstLogs), and its graph (graphOf). Nothing here prints. Other folders include
-/// only this header.
+/// tick by tick (replayRun), a second check of the certificates of proofs (recheck), what it
+/// would have done with the readings of a vehicle's data files (runAgainstLogs), and its graph
+/// (graphOf). Nothing here prints. Other folders include only this header.

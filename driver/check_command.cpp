@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "driver/certificates/recheck.h"
+#include "driver/certificates/write.h"
 #include "driver/check_mission.h"
 #include "driver/commands.h"
 #include "driver/exit_code.h"
@@ -36,8 +38,10 @@ struct CommandOptions {
   Format format = Format::Text;
   std::string output = "-";
   CheckOptions check;
-  std::string traces;    ///< folder; empty: none
-  std::string skeleton;  ///< the vehicle's mission file; empty: none
+  std::string traces;        ///< folder; empty: none
+  std::string certificates;  ///< folder; empty: none
+  std::string recheck;       ///< folder of certificates; empty: none
+  std::string skeleton;      ///< the vehicle's mission file; empty: none
   AgainstOptions against;
 };
 
@@ -154,9 +158,9 @@ support::Result<void> put(const CommandOptions& options, const std::string& text
                                : support::writeFileAtomically(options.output, text);
 }
 
-/// Where the traces of a mission are written: a folder of its own if there are several missions.
-std::filesystem::path tracesOf(const CommandOptions& options, const std::string& mission) {
-  const std::filesystem::path folder = options.traces;
+/// Where the files of a mission are: in a folder of its own if there are several missions.
+std::filesystem::path folderOf(const CommandOptions& options, const std::filesystem::path& folder,
+                               const std::string& mission) {
   return options.missions.size() == 1 ? folder
                                       : folder / std::filesystem::path(mission).stem().string();
 }
@@ -166,7 +170,7 @@ int writeTraces(const CommandOptions& options, const CheckedFile& checked) {
   if (options.traces.empty() || checked.found.requirements.empty()) {
     return kFine;
   }
-  const auto folder = tracesOf(options, checked.found.path);
+  const auto folder = folderOf(options, options.traces, checked.found.path);
   const auto written = writeRuns(checked, folder);
   if (!written) {
     return reportFailure(written.error());
@@ -178,10 +182,35 @@ int writeTraces(const CommandOptions& options, const CheckedFile& checked) {
   return kFine;
 }
 
+/// Writes the certificates if the options ask for them.
+int writeProofs(const CommandOptions& options, const CheckedFile& checked) {
+  if (options.certificates.empty() || checked.found.requirements.empty()) {
+    return kFine;
+  }
+  const auto folder = folderOf(options, options.certificates, checked.found.path);
+  const auto written = writeCertificates(checked, folder);
+  if (!written) {
+    return reportFailure(written.error());
+  }
+  tell(fmt::format("{}: {} certificate{} written to {}\n", checked.found.path, *written,
+                   *written == 1 ? "" : "s", folder.string()));
+  return kFine;
+}
+
 /// Writes what the options ask for in addition to the findings; returns the exit code.
 int writeFiles(const CommandOptions& options, const VehicleLogs& logs, const CheckedFile& checked) {
   const auto drawn = drawAgainst(logs, options.against, checked);
-  return std::max(writeTraces(options, checked), drawn ? kFine : reportFailure(drawn.error()));
+  return std::max({writeTraces(options, checked), writeProofs(options, checked),
+                   drawn ? kFine : reportFailure(drawn.error())});
+}
+
+int recheck(const CommandOptions& options) {
+  int status = kFine;
+  for (const std::string& mission : options.missions) {
+    status =
+        std::max(status, recheckCertificates(mission, folderOf(options, options.recheck, mission)));
+  }
+  return status;
 }
 
 int checkForPeople(const CommandOptions& options) {
@@ -254,6 +283,10 @@ const std::string* overwritten(const CommandOptions& options) {
 }
 
 int check(CommandOptions& options) {
+  if (!options.recheck.empty()) {
+    return recheck(options);
+  }
+  options.check.evidence = !options.certificates.empty();
   if (!options.skeleton.empty()) {
     auto silence = analysis::silenceOf(options.skeleton, reportDiagnostics);
     if (!silence) {
@@ -309,6 +342,19 @@ void addAgainstOptions(CLI::App& command, AgainstOptions& options) {
       ->needs(picture);
 }
 
+void addCertificateOptions(CLI::App& command, CommandOptions& options) {
+  command
+      .add_option("--certificates", options.certificates,
+                  "Write a certificate for each requirement that is proved, for --recheck")
+      ->option_text("FOLDER");
+  command
+      .add_option("--recheck", options.recheck,
+                  "Only check the certificates in FOLDER: with the solver cvc5 and rules that are "
+                  "independent of the prover")
+      ->option_text("FOLDER")
+      ->excludes("--format", "-o", "--report", "--traces", "--certificates");
+}
+
 }  // namespace
 
 void addCheckCommand(CLI::App& app, int& status) {
@@ -362,6 +408,7 @@ void addCheckCommand(CLI::App& app, int& status) {
           "--traces", options->traces,
           "Write a counterexample for each violated requirement, for `glidercc sim --replay`")
       ->option_text("FOLDER");
+  addCertificateOptions(*command, *options);
   addAgainstOptions(*command, options->against);
   command->callback([options, &status] { status = check(*options); });
 }

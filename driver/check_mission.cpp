@@ -109,6 +109,7 @@ Result<void> tellProved(const compiler::Optimised* flown, CheckedFile& file) {
 Result<void> checkFurther(CheckedFile& file, const CheckOptions& options) {
   ir::prove::Options how;
   how.report = options.report;
+  how.evidence = options.evidence;
   how.effort *= options.effort;
   how.run_effort *= options.effort;
   how.total_effort *= options.effort;
@@ -117,7 +118,8 @@ Result<void> checkFurther(CheckedFile& file, const CheckOptions& options) {
                 std::chrono::milliseconds(static_cast<int64_t>(1000 * options.timeout_s));
   }
   compiler::Compilation& compilation = *file.compilation;
-  file.proved = proveWithCache(compilation, file.found.path, how, options.cache);
+  file.proved =
+      proveWithCache(compilation, file.found.path, how, options.cache && !options.evidence);
   if (!options.report) {
     return tellProved(nullptr, file);
   }

@@ -23,6 +23,7 @@ struct CheckOptions {
   unsigned effort = 1;                 ///< multiplies the resource limits of proofs
   double timeout_s = 0;                ///< of the proofs about a mission; 0: none
   bool cache = true;                   ///< use the verdicts of earlier checks, and store new ones
+  bool evidence = false;               ///< of each proof; the cache has none
 };
 
 /// A mission's file with all findings; `found` points into `compilation`, which is empty if the

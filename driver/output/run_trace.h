@@ -5,16 +5,10 @@
 
 #include "driver/check_mission.h"
 #include "support/result.h"
-#include "support/trace/trace.h"
 
 #include <filesystem>
 
 namespace glider::driver {
-
-/// A counterexample as the trace of a flight: a row for each tick, with the readings as the vehicle
-/// reports them and its true depth.
-support::Trace traceOfRun(const compiler::Checked& checked,
-                          const ir::prove::RequirementVerdict& verdict);
 
 /// Writes, for each requirement with a counterexample, `folder`/requirement-N/ (N from 1) with
 /// trace.json, trace.csv, events.csv and report.html, in one step as for a flight (FlightFolder).

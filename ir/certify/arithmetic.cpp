@@ -65,7 +65,15 @@ Number Expressions::rounded(uint32_t id, const Term& exact, const Term& known) {
           result.known, operation("<=", {literal(-kLargest), result.value, literal(kLargest)})));
     }
   }
-  return {found->second.value, out_.boolean(conjunction({known, found->second.known}))};
+  const Number result{found->second.value, out_.boolean(conjunction({known, found->second.known}))};
+  requireRange(result, range);
+  return result;
+}
+
+/// Rounding is monotone: the range was computed as the machine computes.
+void Expressions::requireRange(const Number& number, const Range& range) {
+  out_.require(implication(number.known, operation("<=", {literal(range.lowest), number.value,
+                                                          literal(range.highest)})));
 }
 
 /// A result of which only the interval is known. It is known only if the operands are and `known`

@@ -11,7 +11,7 @@
 #include <vector>
 
 /// What a certificate of a proof says: an inductive invariant for each call configuration. Shared
-/// by the prover, which writes it, and by the rules that judge it.
+/// by the prover, which writes it, and by the rules that check it.
 namespace glider::ir::certify {
 
 /// Every case of `always` may fire.

@@ -65,6 +65,7 @@ class Expressions {
   Number element(uint32_t id, const Number& n);
   Truths comparison(ComparisonOp op, const Number& a, const Number& b);
   Truths logic(LogicOp op, const Truths& a, const Truths& b);
+  void requireRange(const Number& number, const Range& range);
   Number rounded(uint32_t id, const Term& exact, const Term& known);
   Number approximated(uint32_t id, const std::vector<Number>& operands, const Term& known);
   void round(const Term& result, const Term& exact, bool whole);

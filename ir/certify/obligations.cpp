@@ -27,8 +27,8 @@ bool hasSuchProofs(const Requirement& r) {
     case RequirementKind::ExitWithin:
     case RequirementKind::NeverAfter:
     case RequirementKind::SurfacesEvery:
-      return true;
     case RequirementKind::StackAtMost:
+      return true;
     case RequirementKind::Reach:
       break;
   }
@@ -40,7 +40,7 @@ Script refusal(const std::string& words) {
   return {"(set-logic ALL)\n(assert true)\n(check-sat)\n", {words}};
 }
 
-/// The invariants of a certificate, and the scripts that judge them.
+/// The invariants of a certificate, and the scripts that check them.
 class Certificate {
  public:
   Certificate(const Setting& setting, std::span<const Invariant> invariants)

@@ -25,7 +25,7 @@ struct Script {
 /// the start satisfies the invariant of where it leads; that an invariant, time that passes and a
 /// tick imply the invariant of where the tick leads (a configuration that is not listed must be
 /// unreachable); and that no start and no tick violates the requirement. The kinds Always (without
-/// geofences), ExitWithin, NeverAfter and SurfacesEvery have such proofs.
+/// geofences), ExitWithin, NeverAfter, SurfacesEvery and StackAtMost have such proofs.
 std::vector<Script> obligationsOf(const Mission& mission, const platforms::Platform& platform,
                                   const Requirement& requirement,
                                   std::span<const Invariant> invariants, double longest_gap_s);

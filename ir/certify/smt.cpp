@@ -101,6 +101,13 @@ bool isHarmless(std::string_view word) {
          (digit && rest.find_first_not_of("0123456789.") == std::string_view::npos);
 }
 
+/// A symbol is the same with and without its bars.
+bool isNamed(std::string_view token, std::span<const std::string> names) {
+  return std::ranges::any_of(names, [&](const std::string& name) {
+    return token == name || token == std::string_view(name).substr(1, name.size() - 2);
+  });
+}
+
 }  // namespace
 
 Term literal(double value) {
@@ -196,7 +203,7 @@ bool isOneTerm(std::string_view formula, std::span<const std::string> names) {
         return false;
       }
       --open;
-    } else if (std::ranges::find(names, token) == names.end() && !isHarmless(token)) {
+    } else if (!isNamed(token, names) && !isHarmless(token)) {
       return false;
     }
     ended += open == 0 ? 1 : 0;

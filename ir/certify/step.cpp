@@ -28,6 +28,7 @@ Term violation(const Setting& setting, Expressions& expressions, const Outcome& 
       return operation(
           ">", {operation("-", {expressions.time(), monitor.surfaced}), literal(r.seconds)});
     case RequirementKind::StackAtMost:
+      return outcome.to && outcome.to->stack.size() > r.depth ? "true" : "false";
     case RequirementKind::Reach:
       break;
   }

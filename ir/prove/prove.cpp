@@ -21,6 +21,22 @@ const char* word(Verdict verdict) {
   return "";
 }
 
+const char* word(Method method) {
+  switch (method) {
+    case Method::Invariant:
+      return "invariant";
+    case Method::Bound:
+      return "bound";
+    case Method::Configurations:
+      return "configurations";
+    case Method::Run:
+      return "run";
+    case Method::Geometry:
+      return "geometry";
+  }
+  return "";
+}
+
 Findings prove(const Mission& mission, const MissionFacts& facts,
                const platforms::Platform& platform, const Options& options,
                support::DiagnosticEngine& diagnostics) {

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "ir/certify/certificate.h"
 #include "ir/core/mission.h"
 #include "ir/prove/falsification/counterexample.h"
 #include "ir/verify/structure.h"
@@ -52,6 +53,27 @@ struct Options {
   std::function<std::optional<CachedVerdict>(uint32_t)> cached;
   /// Called with the number of each requirement before it is checked; may be empty.
   std::function<void(uint32_t)> before_requirement = {};
+  /// Also give the evidence of each proof: RequirementVerdict::evidence. Not with `cached`.
+  bool evidence = false;
+};
+
+/// How a requirement was proved.
+enum class Method : uint8_t {
+  Invariant,       ///< Spacer found what holds after every tick
+  Bound,           ///< times or depths were added up
+  Configurations,  ///< from the call configurations alone
+  Run,             ///< a trace that satisfies it
+  Geometry         ///< of the mission's waypoints
+};
+
+/// "invariant", "bound", "configurations", "run", "geometry".
+const char* word(Method method);
+
+/// What the proof of a requirement rests on, in a form that can be checked again without the prover
+/// (ir/certify). Of a run and of geometry there are no invariants.
+struct Evidence {
+  Method method = Method::Invariant;
+  std::vector<certify::Invariant> invariants;
 };
 
 /// A line of the report.
@@ -64,11 +86,12 @@ struct ReportLine {
 struct RequirementVerdict {
   uint32_t requirement = 0;  ///< its number
   Verdict verdict = Verdict::Open;
-  std::optional<Counterexample> run;  ///< that violates it; for Reach, that satisfies it
-  std::string premise = {};           ///< what a proof assumes beyond the environment model
-  std::string reason = {};            ///< for an undecided one: why
-  bool searched = false;              ///< it took a search that may be long
-  bool cached = false;                ///< the verdict is from Options::cached
+  std::optional<Counterexample> run;      ///< that violates it; for Reach, that satisfies it
+  std::string premise = {};               ///< what a proof assumes beyond the environment model
+  std::string reason = {};                ///< for an undecided one: why
+  bool searched = false;                  ///< it took a search that may be long
+  bool cached = false;                    ///< the verdict is from Options::cached
+  std::optional<Evidence> evidence = {};  ///< with Options::evidence, of a proof that has one
 };
 
 struct Findings {

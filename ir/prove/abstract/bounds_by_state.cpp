@@ -20,6 +20,10 @@ bool calls(const std::vector<Case>& cases) {
 
 }  // namespace
 
+bool mayWait(const Mission& mission, StateId state) {
+  return calls(mission.always) || calls(mission[state].cases);
+}
+
 Cases neverPrevented(const Mission& mission) {
   Cases found;
   for (const Case& c : mission.always) {
@@ -39,7 +43,7 @@ Valuation anyValues(const Mission& mission) {
   return values;
 }
 
-std::vector<StateBounds> stateBounds(const ProofContext& proof_context, const EndBound& end) {
+std::vector<StateBounds> boundsOfStates(const ProofContext& proof_context, const EndBound& end) {
   const Mission& m = proof_context.mission;
   const std::vector<double> depths = deepestByState(proof_context);
   const std::vector<double> entries = earliestEntries(proof_context);
@@ -48,16 +52,21 @@ std::vector<StateBounds> stateBounds(const ProofContext& proof_context, const En
   std::vector<StateBounds> all;
   for (uint32_t i = 0; i < m.states.size(); ++i) {
     const double latest = end.by ? end.left_by[i] : kMost;
-    if ((end.by && latest == 0) || entries[i] > latest) {
-      continue;
-    }
     StateBounds bounds{entries[i], latest, latest, latest, depths[i]};
     bounds.resume_time = std::min(latest, stayOf(proof_context, m.states[i], always, values).by);
-    if (!calls(m.always) && !calls(m.states[i].cases)) {
+    if (!mayWait(m, {i})) {
       bounds.state_time = bounds.resume_time;
     }
     all.push_back(bounds);
   }
+  return all;
+}
+
+std::vector<StateBounds> stateBounds(const ProofContext& proof_context, const EndBound& end) {
+  std::vector<StateBounds> all = boundsOfStates(proof_context, end);
+  std::erase_if(all, [&](const StateBounds& one) {
+    return (end.by && one.latest == 0) || one.earliest > one.latest;
+  });
   return all;
 }
 

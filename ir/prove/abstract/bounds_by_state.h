@@ -12,13 +12,19 @@
 
 namespace glider::ir::prove {
 
-/// For each state that may become current. `end`: of `proof_context`.
+/// For each state. `end`: of `proof_context`.
 ///
 /// - A state is not current before earliestEntries, nor after EndBound::left_by.
 /// - It is left a certain time after it became current, whenever that was (stayOf): `resumetime`
 ///   does not exceed that. Nor does `statetime` if the state never waits for a return.
 /// - deepestByState bounds the depth.
+std::vector<StateBounds> boundsOfStates(const ProofContext& proof_context, const EndBound& end);
+/// The same for each state that may become current.
 std::vector<StateBounds> stateBounds(const ProofContext& proof_context, const EndBound& end);
+
+/// Whether a state may wait for a return. One that never does becomes current only when it is
+/// entered.
+bool mayWait(const Mission& mission, StateId state);
 
 /// The cases of `always` that may fire whatever has happened before, so that they certainly fire
 /// where they are true. Without a target no state keeps them from firing (L1). Case j of `always`

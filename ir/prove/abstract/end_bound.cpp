@@ -62,6 +62,17 @@ class Search {
     return {end_, left_by_, {}};
   }
 
+  /// After a bound was found.
+  std::vector<Stay> stays() {
+    std::vector<Stay> all;
+    for (const auto& [arrival, latest] : times_) {
+      Valuation held;
+      Leaving leaving = leavingFrom(arrival, latest.time, held);
+      all.push_back({arrival.control, std::move(held), std::move(leaving.parts)});
+    }
+    return all;
+  }
+
  private:
   /// A variable of a state that `control` does not hold starts again before it is read, so it may
   /// be anything here.
@@ -123,15 +134,20 @@ class Search {
     }
   }
 
+  /// `held`: the values that the variables may have until then.
+  Leaving leavingFrom(const Arrival& from, double since, Valuation& held) const {
+    held = from.values;
+    forgetWhatStaysChange(m_[from.control.state], held);
+    return leavingOf(proof_context_, m_[from.control.state], interrupting(from.control), held,
+                     {0, since});
+  }
+
   /// False if a trace may last longer than the given time.
   bool follow() {
     const Arrival from = std::move(pending_.back());
     pending_.pop_back();
-    const double since = times_.at(from).time;
-    Valuation held = from.values;
-    forgetWhatStaysChange(m_[from.control.state], held);
-    const Leaving leaving = leavingOf(proof_context_, m_[from.control.state],
-                                      interrupting(from.control), held, {0, since});
+    Valuation held;
+    const Leaving leaving = leavingFrom(from, times_.at(from).time, held);
     work_ += leaving.work;
     if (leaving.by > latest_) {
       stays_ = from.control.state;
@@ -239,6 +255,11 @@ class Search {
 
 EndBound boundOf(const ProofContext& proof_context, double latest, Goal goal) {
   return Search(proof_context, latest, goal).end();
+}
+
+std::vector<Stay> staysOf(const ProofContext& proof_context) {
+  Search search(proof_context, kLongestMission, Goal::Exit);
+  return search.end().by ? search.stays() : std::vector<Stay>();
 }
 
 const EndBound& Ending::bound() {

@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include "ir/prove/abstract/leaving.h"
+#include "ir/prove/context/control.h"
 #include "ir/prove/context/proof_context.h"
 
 #include <optional>
@@ -39,6 +41,18 @@ struct EndBound {
 /// stops at a chosen set of depths, where Spacer, which looks for an invariant over sums of times,
 /// gives up.
 EndBound boundOf(const ProofContext& proof_context, double latest, Goal goal);
+
+/// A state that has become current in a call configuration, with the values that the variables may
+/// have while it is.
+struct Stay {
+  Control control;
+  Valuation values;
+  std::vector<LeavingPart> parts;  ///< when it becomes current, and until when it is
+};
+
+/// What the bound of the mission's exit rests on: every stay of every trace is one of these. Empty
+/// if no bound up to kLongestMission is found.
+std::vector<Stay> staysOf(const ProofContext& proof_context);
 
 /// The time by which a mission has ended: one search, even if several callers ask.
 class Ending {

@@ -23,6 +23,13 @@ class HeldRanges {
     }
   }
 
+  /// The range of every variable.
+  std::vector<Interval> variables() {
+    run();
+    return std::move(held_);
+  }
+
+  /// The range of every expression.
   std::vector<Interval> run() {
     for (int round = 0;; ++round) {
       all_ = intervalsOf(m_, [&](const Expr& e) {
@@ -97,6 +104,10 @@ class HeldRanges {
 };
 
 }  // namespace
+
+std::vector<Interval> heldVariables(const Mission& mission) {
+  return HeldRanges(mission).variables();
+}
 
 std::vector<Interval> heldIntervals(const Mission& mission) {
   return HeldRanges(mission).run();

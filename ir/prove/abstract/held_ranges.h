@@ -14,5 +14,7 @@ namespace glider::ir::prove {
 /// a variable is that of its initial value, its arguments and the values that it is set to. This is
 /// often smaller than its declared range, and also bounds some variables without one.
 std::vector<Interval> heldIntervals(const Mission& mission);
+/// The same for every variable; empty for one that nothing sets.
+std::vector<Interval> heldVariables(const Mission& mission);
 
 }  // namespace glider::ir::prove

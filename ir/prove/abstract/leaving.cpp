@@ -53,6 +53,7 @@ class LeavingSearch {
         all.latest[i] = std::max(all.latest[i], found.latest[i]);
       }
       all.by = std::max(all.by, found.by);
+      all.parts.push_back({part, found.by, found.parts.front().at_once});
       all.interrupted = std::max(all.interrupted, found.interrupted);
       all.looks += found.looks;
       all.work += found.work;
@@ -67,10 +68,11 @@ class LeavingSearch {
  private:
   /// With these as all times.
   [[nodiscard]] Leaving none(double time) const {
-    return {time, std::vector<double>(own_.size(), time), time, 0, 0};
+    return {time, std::vector<double>(own_.size(), time), time};
   }
 
-  /// The parts that begin at the times which the guards name; too many are not worth it.
+  /// The parts that end at the times which the guards name; too many are not worth it. They meet,
+  /// so that they also cover the real numbers between two doubles (ir/prove/evidence).
   [[nodiscard]] std::vector<Arriving> split(const Arriving& arriving) const {
     constexpr size_t kMostParts = 9;
     std::vector<Arriving> parts;
@@ -78,7 +80,7 @@ class LeavingSearch {
     for (const double time : times_) {
       const bool within = time > from && time <= arriving.latest;
       if (within && std::isnormal(time) && times_.size() < kMostParts) {
-        parts.push_back({from, std::nextafter(time, 0)});
+        parts.push_back({from, time});
         from = time;
       }
     }
@@ -136,6 +138,7 @@ class LeavingSearch {
       latest = std::min(latest, found.by);
     }
     // The state's own cases, if they come first, leave nothing to those of `always`.
+    found.parts.push_back({arriving, found.by, at_once});
     found.interrupted = at_once && always_.own_first ? -1 : found.by;
     return found;
   }

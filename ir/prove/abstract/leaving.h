@@ -9,6 +9,20 @@
 
 namespace glider::ir::prove {
 
+/// When a state has become current, mission times, s.
+struct Arriving {
+  double earliest = 0;
+  double latest = 0;
+};
+
+/// For a part of the time of arrival, which is examined apart.
+struct LeavingPart {
+  Arriving arriving;
+  double by = 0;  ///< as Leaving::by
+  bool at_once =
+      false;  ///< one of the state's own cases leads away on the first tick that tries them
+};
+
 /// The latest times at which a state's own cases fire, by the clocks; mission times, s.
 struct Leaving {
   double by = 0;  ///< some case, of its own or of `always`, has led away; infinite: nothing is
@@ -16,14 +30,9 @@ struct Leaving {
   /// For each case: it does not fire on a later tick, because one before it has certainly led away.
   std::vector<double> latest;
   double interrupted = 0;  ///< no case of `always` fires on a later tick; negative: none ever does
-  size_t looks = 0;        ///< the number of moments examined
-  size_t work = 0;         ///< the number of expressions evaluated
-};
-
-/// When a state has become current, mission times, s.
-struct Arriving {
-  double earliest = 0;
-  double latest = 0;
+  std::vector<LeavingPart> parts = {};  ///< of the time of arrival, in order
+  size_t looks = 0;                     ///< the number of moments examined
+  size_t work = 0;                      ///< the number of expressions evaluated
 };
 
 /// A list of cases, or those of it that may fire.

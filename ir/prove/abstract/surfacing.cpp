@@ -99,6 +99,15 @@ class Search {
     return longest_;
   }
 
+  /// After a bound was found.
+  [[nodiscard]] std::vector<Submersion> submersions() const {
+    std::vector<Submersion> all;
+    for (uint32_t i = 0; i < count_; ++i) {
+      all.push_back({places_[entered(i)].longest, places_[resumed(i)].longest, climbOf(i)});
+    }
+    return all;
+  }
+
  private:
   // The places: each state as entered, each state as resumed, what each state returns to, and what
   // a state that `always` calls returns to.
@@ -255,6 +264,11 @@ class Search {
 std::optional<double> longestSubmersion(const ProofContext& proof_context, const EndBound& end,
                                         double limit) {
   return Search(proof_context, end, limit).run();
+}
+
+std::vector<Submersion> submersionsOf(const ProofContext& proof_context, const EndBound& end) {
+  Search search(proof_context, end, kLongestMission);
+  return search.run() ? search.submersions() : std::vector<Submersion>();
 }
 
 }  // namespace glider::ir::prove

@@ -5,7 +5,9 @@
 
 #include "ir/prove/abstract/end_bound.h"
 
+#include <limits>
 #include <optional>
+#include <vector>
 
 namespace glider::ir::prove {
 
@@ -29,5 +31,16 @@ namespace glider::ir::prove {
 /// `always` calls the state), and a case of `always` may fire in every state but its target.
 std::optional<double> longestSubmersion(const ProofContext& proof_context, const EndBound& end,
                                         double limit);
+
+/// How long a trace may have been without a tick at the surface when a state becomes current, s.
+struct Submersion {
+  double entered = -1;  ///< by goto or call; negative: it is not entered
+  double resumed = -1;  ///< by return
+  /// From this time after it became current on, every tick is at the surface; infinite if not.
+  double climb = std::numeric_limits<double>::infinity();
+};
+
+/// What longestSubmersion rests on, for each state; empty if it finds no bound.
+std::vector<Submersion> submersionsOf(const ProofContext& proof_context, const EndBound& end);
 
 }  // namespace glider::ir::prove

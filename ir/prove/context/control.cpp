@@ -37,4 +37,12 @@ Control Control::moved(ListKind list, uint32_t number, const Case& c) const {
   return after;
 }
 
+certify::Configuration configurationOf(const Control& control) {
+  certify::Configuration at{control.state, {}, control.limit, control.just_returned};
+  for (const Control::Waiting& waiting : control.stack) {
+    at.stack.push_back({waiting.state, waiting.limit});
+  }
+  return at;
+}
+
 }  // namespace glider::ir::prove

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "ir/certify/certificate.h"
 #include "ir/core/mission.h"
 
 #include <compare>
@@ -33,5 +34,8 @@ struct Control {
   /// The control after goto, call or return by case `number` of `list`, which is `c`.
   [[nodiscard]] Control moved(ListKind list, uint32_t number, const Case& c) const;
 };
+
+/// A control as certificates have it.
+certify::Configuration configurationOf(const Control& control);
 
 }  // namespace glider::ir::prove

@@ -58,6 +58,7 @@ class ChcEncoder {
   /// False if there are too many call stacks.
   bool run();
   [[nodiscard]] const std::vector<Rule>& rules() const { return rules_; }
+  [[nodiscard]] const Layout& layout() const { return layout_; }
 
  private:
   void begin();

@@ -3,7 +3,7 @@
 
 #include "ir/prove/encoding/horn.h"
 
-#include "ir/prove/encoding/chc_encoder.h"
+#include "ir/prove/encoding/horn_clauses.h"
 #include "ir/prove/encoding/run_of_rules.h"
 
 #include <fmt/format.h>
@@ -28,11 +28,19 @@ void configure(z3::context& context, z3::fixedpoint& engine) {
 class Engine {
  public:
   Engine(z3::context& context, const std::vector<Rule>& rules)
-      : context_(context), rules_(rules), engine_(context), bad_(bad(context)) {
+      : context_(context),
+        clauses_(context, rules),
+        engine_(context),
+        bad_(context.function("bad", 0, nullptr, context.bool_sort())) {
     configure(context, engine_);
     engine_.register_relation(bad_);
+    for (const auto& [place, relation] : clauses_.relations()) {
+      z3::func_decl registered = relation;
+      engine_.register_relation(registered);
+    }
     for (size_t i = 0; i < rules.size(); ++i) {
-      add(rules[i], i);
+      z3::expr clause = clauses_.clause(rules[i], bad_());
+      engine_.add_rule(clause, context_.str_symbol(fmt::format("{}{}", kPrefix, i).c_str()));
     }
   }
 
@@ -54,6 +62,18 @@ class Engine {
     return {numbers.rbegin(), numbers.rend()};
   }
 
+  /// After unsat: what holds at every place that a trace can come to, over these terms of its row.
+  z3::expr invariant(const Place& place, const std::vector<std::string>& names) {
+    z3::func_decl relation = clauses_.relations().at(place);
+    z3::expr_vector terms(context_);
+    for (unsigned i = 0; i < relation.arity(); ++i) {
+      terms.push_back(context_.constant(names.at(i).c_str(), relation.domain(i)));
+    }
+    constexpr int kEveryTrace = -1;
+    return engine_.get_cover_delta(kEveryTrace, relation).substitute(terms);
+  }
+
+  [[nodiscard]] const HornClauses& clauses() const { return clauses_; }
   uint64_t steps() { return stepsIn(engine_.statistics()); }
 
   std::string reason() { return engine_.reason_unknown(); }
@@ -61,63 +81,30 @@ class Engine {
  private:
   static constexpr std::string_view kPrefix = "rule";
 
-  static z3::func_decl bad(z3::context& context) {
-    return context.function("bad", 0, nullptr, context.bool_sort());
-  }
-
-  z3::func_decl relation(const Place& place, const std::vector<z3::expr>& row) {
-    const auto found = relations_.find(place);
-    if (found != relations_.end()) {
-      return found->second;
-    }
-    z3::sort_vector sorts(context_);
-    for (const z3::expr& term : row) {
-      sorts.push_back(term.get_sort());
-    }
-    const std::string name =
-        fmt::format("{}{}", place.side == Side::Due ? "due" : "done", relations_.size());
-    const z3::func_decl made = context_.function(name.c_str(), sorts, context_.bool_sort());
-    z3::func_decl registered = made;
-    engine_.register_relation(registered);
-    return relations_.emplace(place, made).first->second;
-  }
-
-  z3::expr apply(const Place& place, const std::vector<z3::expr>& row) {
-    z3::expr_vector arguments(context_);
-    for (const z3::expr& term : row) {
-      arguments.push_back(term);
-    }
-    return relation(place, row)(arguments);
-  }
-
-  void add(const Rule& rule, size_t number) {
-    z3::expr body = rule.condition;
-    if (rule.from) {
-      body = apply(*rule.from, rule.from_row) && body;
-    }
-    z3::expr clause = z3::implies(body, rule.to ? apply(*rule.to, rule.to_row) : bad_());
-    if (!rule.unknowns.empty()) {
-      z3::expr_vector bound(context_);
-      for (const z3::expr& unknown : rule.unknowns) {
-        bound.push_back(unknown);
-      }
-      clause = z3::forall(bound, clause);
-    }
-    engine_.add_rule(clause, context_.str_symbol(fmt::format("{}{}", kPrefix, number).c_str()));
-  }
-
   z3::context& context_;
-  const std::vector<Rule>& rules_;
+  HornClauses clauses_;
   z3::fixedpoint engine_;
   z3::func_decl bad_;
-  std::map<Place, z3::func_decl> relations_;
 };
+
+std::vector<certify::Invariant> invariantsOf(z3::context& context, Engine& engine,
+                                             const Layout& layout) {
+  std::vector<certify::Invariant> all;
+  for (const auto& [place, relation] : engine.clauses().relations()) {
+    if (place.side == Side::Done) {
+      const z3::expr holds = engine.invariant(place, layout.names(place.control)) &&
+                             layout.known(place.control, context);
+      all.push_back({configurationOf(place.control), holds.simplify().to_string()});
+    }
+  }
+  return all;
+}
 
 }  // namespace
 
 RunsAnswer askAboutRuns(z3::context& context, const ProofContext& proof_context,
                         const ConeOfInfluence& relevance, const SafetyProperty& watch,
-                        unsigned effort) {
+                        unsigned effort, bool keep_invariants) {
   ChcEncoder writer(context, proof_context, relevance, watch);
   if (!writer.run()) {
     return {Answer::Unknown, std::nullopt, "the mission has too many call stacks",
@@ -133,6 +120,9 @@ RunsAnswer askAboutRuns(z3::context& context, const ProofContext& proof_context,
   }
   if (result == z3::unsat) {
     answer.bad = Answer::No;
+    if (keep_invariants) {
+      answer.invariants = invariantsOf(context, engine, writer.layout());
+    }
     return answer;
   }
   answer.run = runOfRules(context, proof_context, writer.rules(), engine.trace(), effort);

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "ir/certify/certificate.h"
 #include "ir/prove/encoding/layout.h"
 #include "ir/prove/encoding/question.h"
 #include "ir/prove/encoding/run.h"
@@ -18,7 +19,7 @@ namespace glider::ir::prove {
 /// A safety property: what a question about all traces checks at each step. Every function receives
 /// the configuration with the memory that the question keeps in it.
 struct SafetyProperty {
-  std::vector<z3::sort> memory;
+  std::vector<MemoryTerm> memory;
   /// Sets the memory at the start; after time has passed; after a transition (Outcome) of a tick.
   std::function<void(Configuration& start)> begin;
   std::function<void(const Configuration& before, Configuration& after)> elapse;
@@ -40,6 +41,9 @@ struct RunsAnswer {
   std::optional<Run> run;        ///< after Yes
   std::string trouble;           ///< after Unknown: what was attempted
   uint64_t steps = 0;            ///< what it took, in Z3's own count
+  /// After No, with `keep_invariants`: what holds after each tick, for each call configuration.
+  /// Together they are inductive.
+  std::vector<certify::Invariant> invariants = {};
 };
 
 /// Asks Z3's Spacer about all traces of the mission, from the start on. The mission is a pushdown
@@ -48,6 +52,6 @@ struct RunsAnswer {
 /// longest gap between two ticks.
 RunsAnswer askAboutRuns(z3::context& context, const ProofContext& proof_context,
                         const ConeOfInfluence& relevance, const SafetyProperty& watch,
-                        unsigned effort);
+                        unsigned effort, bool keep_invariants = false);
 
 }  // namespace glider::ir::prove

@@ -3,9 +3,18 @@
 
 #include "ir/prove/encoding/layout.h"
 
+#include "ir/certify/names.h"
 #include "ir/core/ops.h"
 
 namespace glider::ir::prove {
+namespace {
+
+/// Z3 puts a symbol in bars where it must.
+std::string unquoted(const std::string& name) {
+  return name.substr(1, name.size() - 2);
+}
+
+}  // namespace
 
 bool Layout::keeps(const Control& control, uint32_t variable) const {
   const Variable& v = m_.variables[variable];
@@ -55,10 +64,58 @@ Configuration Layout::make(const Control& control, Unknowns& unknowns) const {
         Vehicle{unknowns.real("depth"), unknowns.real("deepest"), unknowns.truth("climbing"),
                 unknowns.real("climbing since"), unknowns.real("top")};
   }
-  for (const z3::sort& sort : memory_) {
-    result.memory.push_back(sort.is_bool() ? unknowns.truth("memory") : unknowns.real("memory"));
+  for (const MemoryTerm& term : memory_) {
+    result.memory.push_back(term.sort.is_bool() ? unknowns.truth("memory")
+                                                : unknowns.real("memory"));
   }
   return result;
+}
+
+std::vector<std::string> Layout::names(const Control& control) const {
+  std::vector<std::string> all{"time"};
+  for (size_t i = 0; relevance_.state_time && i <= control.stack.size(); ++i) {
+    all.push_back(unquoted(certify::enteredName(i)));
+  }
+  if (relevance_.resume_time) {
+    all.emplace_back("resumed");
+  }
+  for (uint32_t i = 0; i < m_.variables.size(); ++i) {
+    if (!relevance_.variables[i] || !keeps(control, i)) {
+      continue;
+    }
+    const Variable& variable = m_.variables[i];
+    const bool truth = variable.type.kind == TypeKind::Bool;
+    all.push_back(unquoted(certify::variableName(variable, truth ? " true" : "")));
+    if (truth || !proof_context_.known.variables[i]) {
+      all.push_back(unquoted(certify::variableName(variable, truth ? " false" : " known")));
+    }
+  }
+  for (uint32_t i = 0; i < m_.temporals.size(); ++i) {
+    if (watches(control, i)) {
+      all.push_back(unquoted(certify::temporalName("was", i)));
+      all.push_back(unquoted(certify::temporalName("since", i)));
+    }
+  }
+  if (relevance_.vehicle) {
+    all.insert(all.end(), {"depth", "deepest", "climbing", "climbing since", "top"});
+  }
+  for (const MemoryTerm& term : memory_) {
+    all.push_back(term.name);
+  }
+  return all;
+}
+
+z3::expr Layout::known(const Control& control, z3::context& context) const {
+  z3::expr all = context.bool_val(true);
+  for (uint32_t i = 0; i < m_.variables.size(); ++i) {
+    const Variable& variable = m_.variables[i];
+    if (relevance_.variables[i] && keeps(control, i) && proof_context_.known.variables[i] &&
+        variable.type.kind != TypeKind::Bool) {
+      const std::string name = unquoted(certify::variableName(variable, " known"));
+      all = all && context.bool_const(name.c_str());
+    }
+  }
+  return all;
 }
 
 std::vector<z3::expr> Layout::row(const Configuration& c) const {

@@ -5,17 +5,25 @@
 
 #include "ir/prove/encoding/tick.h"
 
+#include <string>
 #include <vector>
 
 namespace glider::ir::prove {
+
+/// What a question keeps for itself: its name in certificates (ir/certify/names.h), and its
+/// sort.
+struct MemoryTerm {
+  std::string name;
+  z3::sort sort;
+};
 
 /// The terms of a configuration as a row, for a predicate over configurations with the same
 /// control. The control and the cone of influence determine which terms they are.
 class Layout {
  public:
-  /// `memory`: the sorts of what the question keeps. All must outlive this.
+  /// All must outlive this.
   Layout(const ProofContext& proof_context, const ConeOfInfluence& relevance,
-         const std::vector<z3::sort>& memory)
+         const std::vector<MemoryTerm>& memory)
       : proof_context_(proof_context),
         m_(proof_context.mission),
         relevance_(relevance),
@@ -25,6 +33,10 @@ class Layout {
   Configuration make(const Control& control, Unknowns& unknowns) const;
   /// Its terms; those of `make` are unknowns, all different.
   [[nodiscard]] std::vector<z3::expr> row(const Configuration& configuration) const;
+  /// The names of these terms in certificates, in the same order.
+  [[nodiscard]] std::vector<std::string> names(const Control& control) const;
+  /// What the row leaves out because it always holds: variables that are never unknown.
+  [[nodiscard]] z3::expr known(const Control& control, z3::context& context) const;
 
  private:
   /// Whether a variable is kept with this control.
@@ -35,7 +47,7 @@ class Layout {
   const ProofContext& proof_context_;
   const Mission& m_;
   const ConeOfInfluence& relevance_;
-  const std::vector<z3::sort>& memory_;
+  const std::vector<MemoryTerm>& memory_;
 };
 
 }  // namespace glider::ir::prove

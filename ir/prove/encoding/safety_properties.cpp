@@ -48,7 +48,7 @@ SafetyProperty reaching(StateId state, z3::context& context) {
 /// The memory holds whether `after` has been entered.
 SafetyProperty neverAfter(StateId state, StateId after, z3::context& context) {
   SafetyProperty watch;
-  watch.memory = {context.bool_sort()};
+  watch.memory = {{"after seen", context.bool_sort()}};
   watch.begin = [after, &context](Configuration& start) {
     start.memory = {context.bool_val(after.index == 0)};
   };
@@ -67,7 +67,7 @@ SafetyProperty neverAfter(StateId state, StateId after, z3::context& context) {
 SafetyProperty surfacesEvery(double seconds, z3::context& context,
                              const ProofContext& proof_context) {
   SafetyProperty watch;
-  watch.memory = {context.real_sort()};
+  watch.memory = {{"surfaced", context.real_sort()}};
   const double surface = proof_context.platform.world.surface_depth_m;
   watch.begin = [&context](Configuration& start) { start.memory = {context.real_val(0)}; };
   watch.elapse = [surface, &context](const Configuration& before, Configuration& after) {

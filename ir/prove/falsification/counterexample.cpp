@@ -3,6 +3,7 @@
 
 #include "ir/prove/falsification/counterexample.h"
 
+#include "ir/prove/context/vehicle_clock.h"
 #include "ir/prove/falsification/run_recorder.h"
 
 #include <fmt/format.h>
@@ -21,12 +22,6 @@ namespace {
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr size_t kMostTicks = 200000;
 
-/// Rounds to a time that the vehicle's clock, a float of 4 bytes, can represent for three days.
-double onGrid(double time) {
-  constexpr double kSteps = 64;
-  return std::round(time * kSteps) / kSteps;
-}
-
 /// Rounded to the digits that a launch accepts.
 double shorter(double value, const Variable& parameter) {
   const double rounded = std::stod(fmt::format("{:.9g}", value));
@@ -36,7 +31,7 @@ double shorter(double value, const Variable& parameter) {
 /// `run` as a vehicle can fly it.
 Run rounded(Run run, const Mission& mission) {
   for (Step& step : run.steps) {
-    step.mission_time = onGrid(step.mission_time);
+    step.mission_time = onVehicleClock(step.mission_time);
   }
   size_t number = 0;
   for (const Variable& variable : mission.variables) {

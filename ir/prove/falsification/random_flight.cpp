@@ -3,6 +3,7 @@
 
 #include "ir/prove/falsification/random_flight.h"
 
+#include "ir/prove/context/vehicle_clock.h"
 #include "ir/prove/falsification/random_place.h"
 #include "ir/prove/falsification/random_vehicle.h"
 #include "ir/prove/falsification/run_recorder.h"
@@ -77,7 +78,8 @@ class RandomFlight {
     const double shortest = platform.world.tick_gap_s;
     const double longest = std::min(proof_context_.tick_gap_s, dark_left_s_);
     if (longest > shortest && dice_.chance(kPowerCut)) {
-      const double cut = dice_.chance(0.5) ? longest : dice_.within(shortest, longest);
+      const double cut =
+          dice_.chance(0.5) ? longest : onVehicleClock(dice_.within(shortest, longest));
       dark_left_s_ -= cut;
       return cut;
     }

@@ -170,7 +170,7 @@ class ChatteringCheck {
   const ProofContext& proof_context_;
   const Mission& m_;
   ConeOfInfluence relevance_;
-  std::vector<z3::sort> memory_;
+  std::vector<MemoryTerm> memory_;
   Layout layout_;
   Unknowns* unknowns_ = nullptr;
   const z3::expr* begin_ = nullptr;

@@ -11,6 +11,7 @@
 #include "ir/prove/encoding/cone_of_influence.h"
 #include "ir/prove/encoding/known_roughly.h"
 #include "ir/prove/encoding/safety_properties.h"
+#include "ir/prove/evidence/evidence.h"
 #include "ir/prove/falsification/random_flight.h"
 #include "ir/prove/geometry/geofences.h"
 #include "ir/prove/passes.h"
@@ -144,9 +145,29 @@ class RequirementCheck {
     for (RequirementVerdict& verdict : verdicts) {
       settle(verdict);
     }
+    if (proof_.options.evidence) {
+      addEvidence(verdicts);
+    }
   }
 
  private:
+  [[nodiscard]] Evidences& evidences() {
+    if (!evidences_) {
+      evidences_.emplace(proof_.proof_context, proof_.ending.bound());
+    }
+    return *evidences_;
+  }
+
+  /// Of the proofs that have none yet.
+  void addEvidence(std::vector<RequirementVerdict>& verdicts) {
+    for (RequirementVerdict& verdict : verdicts) {
+      if (verdict.verdict == Verdict::Proved && !verdict.evidence) {
+        verdict.evidence = evidences().seen(m_.requirements[verdict.requirement],
+                                            verdict.run.has_value(), waiting_[verdict.requirement]);
+      }
+    }
+  }
+
   /// A requirement left undecided may follow from one that was proved after it.
   void settle(RequirementVerdict& verdict) {
     const Requirement& requirement = m_.requirements[verdict.requirement];
@@ -327,7 +348,11 @@ class RequirementCheck {
   RequirementVerdict judgePromise(const Requirement& requirement) {
     Search found = search(requirement, insight().context());
     if (found.answer.bad == Answer::No) {
-      return {0, Verdict::Proved, std::nullopt};
+      RequirementVerdict proved{0, Verdict::Proved, std::nullopt};
+      if (proof_.options.evidence) {
+        proved.evidence = evidences().searched(requirement, std::move(found.answer.invariants));
+      }
+      return proved;
     }
     bool powered_proved = false;
     if (powerCutsMatter()) {
@@ -380,7 +405,8 @@ class RequirementCheck {
     }
     try {
       const SafetyProperty watch = safetyPropertyFor(requirement, context, proof_context);
-      RunsAnswer answer = askAboutRuns(context, proof_context, relevance, watch, effort);
+      RunsAnswer answer =
+          askAboutRuns(context, proof_context, relevance, watch, effort, proof_.options.evidence);
       proof_.searches.spend(answer.steps);
       if (answer.bad == Answer::Unknown && proof_.searches.isUsedUp()) {
         answer.trouble = limitReached();
@@ -504,9 +530,10 @@ class RequirementCheck {
   const Mission& m_;
   std::optional<Insight> insight_;  ///< with power cuts; none: not asked for yet
   std::optional<Insight> powered_;
-  double deepest_;             ///< of the mission, m
-  std::vector<bool> waiting_;  ///< by requirement: a search has to decide it
-  bool fresh_ = false;         ///< something was proved since the first look
+  double deepest_;                      ///< of the mission, m
+  std::optional<Evidences> evidences_;  ///< with Options::evidence
+  std::vector<bool> waiting_;           ///< by requirement: a search has to decide it
+  bool fresh_ = false;                  ///< something was proved since the first look
 };
 
 }  // namespace

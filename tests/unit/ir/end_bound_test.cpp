@@ -328,6 +328,26 @@ TEST(EndBound, NoRandomFlightWithPowerCutsIsLonger) {
   EXPECT_GT(bounded, 40U);
 }
 
+/// Otherwise its counterexample could not be replayed.
+TEST(RandomFlight, TicksAtTimesThatTheVehiclesClockCanShow) {
+  const Mission mission =
+      missionOf(kHeader + stateText("a", "case (ge missiontime 20000:time) exit"));
+  const ProofContext proof_context(mission, slocum());
+  Requirement requirement;
+  requirement.kind = RequirementKind::ExitWithin;
+  requirement.seconds = 3000;
+  size_t power_cuts = 0;
+  for (uint64_t seed = 1; seed <= 20; ++seed) {
+    const auto run = flyAtRandom(proof_context, 0, requirement, seed, 1000);
+    ASSERT_TRUE(run);
+    for (const ConcreteTick& tick : run->ticks) {
+      EXPECT_EQ(std::fmod(tick.mission_time, 1.0 / 64), 0) << "seed " << seed;
+      power_cuts += std::fmod(tick.mission_time, 4) != 0 ? 1U : 0U;
+    }
+  }
+  EXPECT_GT(power_cuts, 0U);
+}
+
 TEST(EndBound, AnUnknownConditionTakesNeitherBranch) {
   const auto text = [](const std::string& condition) {
     return "variable limit: time mission lowest 0 highest 72000 initial limit 36000:time "

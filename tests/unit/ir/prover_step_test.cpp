@@ -66,7 +66,7 @@ class StepQuestion {
   Answer ask(const Left& before, const Left& after, const Interpreter& interpreter) {
     z3::context context;
     Unknowns unknowns(context);
-    const std::vector<z3::sort> memory;
+    const std::vector<MemoryTerm> memory;
     Question question(context, 2000000);
     const Layout layout(proof_context_, relevance_, memory);
     const Configuration from = layout.make(controlOf(before.result), unknowns);
@@ -96,7 +96,7 @@ class StepQuestion {
   Answer askStart(const Left& after, const Interpreter& interpreter, bool other) {
     z3::context context;
     Unknowns unknowns(context);
-    const std::vector<z3::sort> memory;
+    const std::vector<MemoryTerm> memory;
     Question question(context, 2000000);
     const Layout layout(proof_context_, relevance_, memory);
     Configuration from = layout.make({{0}, {}, Control::kNoLimit, false}, unknowns);

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "compiler/compilation.h"
+#include "ir/certify/certificate.h"
+#include "ir/prove/prove.h"
+#include "support/result.h"
+#include "support/trace/trace.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace glider::analysis {
+
+/// The content of a certificate's file.
+struct Certificate {
+  std::string requirement;  ///< its text in the mission
+  std::string subject;      ///< the digest of the mission and the vehicle: subjectOf
+  ir::prove::Method method = ir::prove::Method::Invariant;
+  std::vector<ir::certify::Invariant> invariants;
+  std::optional<support::Trace> run;  ///< of the method Run
+};
+
+/// The digest of everything that a proof is about: the mission and the platform file.
+support::Result<std::string> subjectOf(const compiler::Checked& checked);
+
+/// Where the certificate of the requirement with that number (from 0) is in a folder.
+std::filesystem::path certificatePath(const std::filesystem::path& folder, uint32_t requirement);
+
+/// As JSON; docs/certificates.md describes it.
+std::string certificateToJson(const Certificate& certificate, const ir::Mission& mission);
+
+/// Reads what certificateToJson wrote; `name` is that of the file. GL9381, also if a state does not
+/// exist in `mission` or a configuration occurs twice.
+support::Result<Certificate> certificateFromJson(const std::string& text, const std::string& name,
+                                                 const ir::Mission& mission);
+
+}  // namespace glider::analysis

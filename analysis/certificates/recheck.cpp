@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "analysis/certificates/recheck.h"
+
+#include "analysis/replay.h"
+#include "flights/launch_choice.h"
+#include "flights/sbc_choice.h"
+#include "ir/certify/obligations.h"
+#include "support/program.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace glider::analysis {
+namespace {
+
+using support::Result;
+
+/// The resource limit of one question, in cvc5's own count, so that the answer does not depend on
+/// the machine.
+constexpr const char* kLimit = "--rlimit-per=5000000";
+
+/// What cvc5 answers to each question of a script.
+Result<std::vector<std::string>> answersTo(const std::string& script) {
+  const auto output =
+      support::runProgram({kSolver, "--lang=smt2", "--incremental", "--quiet", kLimit}, script);
+  if (!output) {
+    return std::unexpected(output.error());
+  }
+  std::istringstream in(output->text);
+  std::vector<std::string> answers;
+  for (std::string line; std::getline(in, line);) {
+    if (line != "sat" && line != "unsat" && line != "unknown") {
+      return support::fail(support::DiagnosticId::solverFailed, kSolver, line);
+    }
+    answers.push_back(line);
+  }
+  if (output->exit_code != 0) {
+    return support::fail(support::DiagnosticId::solverFailed, kSolver,
+                         fmt::format("exit code {}", output->exit_code));
+  }
+  return answers;
+}
+
+/// Empty if every obligation of the script is met.
+Result<std::string> check(const ir::certify::Script& script) {
+  const auto answers = answersTo(script.text);
+  if (!answers) {
+    return std::unexpected(answers.error());
+  }
+  if (answers->size() != script.obligations.size()) {
+    return support::fail(
+        support::DiagnosticId::solverFailed, kSolver,
+        fmt::format("{} answers to {} questions", answers->size(), script.obligations.size()));
+  }
+  for (size_t i = 0; i < answers->size(); ++i) {
+    if ((*answers)[i] != "unsat") {
+      return fmt::format("{}: {}", (*answers)[i] == "sat" ? "not so" : "not decided by cvc5",
+                         script.obligations[i]);
+    }
+  }
+  return std::string();
+}
+
+Result<Rechecked> recheckInvariants(const Certificate& certificate,
+                                    const compiler::Checked& checked,
+                                    const ir::Requirement& requirement) {
+  Rechecked result;
+  const double gap = ir::certify::longestGap(checked.mission(), checked.platform());
+  for (const ir::certify::Script& script : ir::certify::obligationsOf(
+           checked.mission(), checked.platform(), requirement, certificate.invariants, gap)) {
+    const auto wrong = check(script);
+    if (!wrong) {
+      return std::unexpected(wrong.error());
+    }
+    if (!wrong->empty()) {
+      result.reason = *wrong;
+      return result;
+    }
+    result.obligations += script.obligations.size();
+  }
+  result.accepted = true;
+  return result;
+}
+
+Result<Rechecked> recheckRun(const support::Trace& run, const compiler::Optimised& mission,
+                             uint32_t requirement) {
+  if (auto fits = checkTrace(run, "the certificate's run", *mission.checked); !fits) {
+    return Rechecked{false, 0, fits.error().message};
+  }
+  if (run.requirement != requirement) {
+    return Rechecked{false, 0, "its run is for another requirement"};
+  }
+  auto loaded = flights::loadHere(mission, {});
+  if (!loaded) {
+    return std::unexpected(loaded.error());
+  }
+  flights::LaunchChoice launch;
+  launch.settings = run.settings;
+  const auto parameters = flights::chooseParameters(loaded->mission(), launch);
+  if (!parameters) {
+    return std::unexpected(parameters.error());
+  }
+  const auto start = flights::startInProcess(
+      std::make_shared<const codegen::LoadedMission>(std::move(*loaded)), *parameters, false);
+  const auto sbc = start();
+  if (!sbc) {
+    return std::unexpected(sbc.error());
+  }
+  const auto replayed =
+      replayRun(run, *mission.checked, compiler::stateNames(mission.mission), *parameters, **sbc);
+  if (!replayed) {
+    return Rechecked{false, 0, replayed.error().message};
+  }
+  return replayed->broken ? Rechecked{true, replayed->ticks, {}}
+                          : Rechecked{false, 0, "its run does not do what is required"};
+}
+
+}  // namespace
+
+Result<Rechecked> recheck(const Certificate& certificate, const compiler::Optimised& mission,
+                          uint32_t requirement) {
+  const ir::Requirement& required = mission.checked->mission().requirements[requirement];
+  const auto subject = subjectOf(*mission.checked);
+  if (!subject) {
+    return std::unexpected(subject.error());
+  }
+  if (certificate.subject != *subject) {
+    return Rechecked{false, 0, "it is about another mission or another vehicle"};
+  }
+  const bool reach = required.kind == ir::RequirementKind::Reach;
+  if (reach != certificate.run.has_value()) {
+    return Rechecked{false, 0, "its method does not fit the requirement"};
+  }
+  if (certificate.run) {
+    return recheckRun(*certificate.run, mission, requirement);
+  }
+  if (!required.geofences.empty()) {
+    return Rechecked{false, 0, "proofs by geometry are not checked a second time"};
+  }
+  return recheckInvariants(certificate, *mission.checked, required);
+}
+
+}  // namespace glider::analysis

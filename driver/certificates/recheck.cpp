@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "driver/certificates/recheck.h"
+
+#include "analysis/analysis.h"
+#include "driver/compile_for_flight.h"
+#include "driver/exit_code.h"
+#include "driver/terminal.h"
+#include "support/files.h"
+
+#include <fmt/format.h>
+
+#include <string>
+
+namespace glider::driver {
+namespace {
+
+using support::Result;
+
+/// The line of one requirement, and whether its certificate is accepted.
+struct Line {
+  std::string text;
+  bool accepted = false;
+};
+
+Result<Line> rechecked(const compiler::Optimised& mission, uint32_t number,
+                       const std::filesystem::path& folder) {
+  const ir::Requirement& requirement = mission.checked->mission().requirements[number];
+  const std::string words(mission.checked->sources().text(requirement.range));
+  const auto path = analysis::certificatePath(folder, number);
+  if (!std::filesystem::exists(path)) {
+    return Line{fmt::format("no certificate: {}\n", words), false};
+  }
+  const auto text = support::readFile(path);
+  if (!text) {
+    return std::unexpected(text.error());
+  }
+  const auto certificate =
+      analysis::certificateFromJson(*text, path.string(), mission.checked->mission());
+  if (!certificate) {
+    return std::unexpected(certificate.error());
+  }
+  const auto found = analysis::recheck(*certificate, mission, number);
+  if (!found) {
+    return std::unexpected(found.error());
+  }
+  if (!found->accepted) {
+    return Line{fmt::format("refused: {}\n  {}\n", words, found->reason), false};
+  }
+  const std::string shown =
+      certificate->run
+          ? fmt::format("a run of {} ticks, replayed on the compiled mission", found->obligations)
+          : fmt::format("{} configuration{}, {} obligations met", certificate->invariants.size(),
+                        certificate->invariants.size() == 1 ? "" : "s", found->obligations);
+  return Line{fmt::format("accepted: {}\n  by {}: {}\n", words,
+                          ir::prove::word(certificate->method), shown),
+              true};
+}
+
+}  // namespace
+
+int recheckCertificates(const std::string& path, const std::filesystem::path& folder) {
+  int status = kFine;
+  const auto mission = compileForFlight(path, status);
+  if (status != kFine) {
+    return status;
+  }
+  const size_t all = mission->checked->mission().requirements.size();
+  size_t accepted = 0;
+  for (uint32_t i = 0; i < all; ++i) {
+    const auto line = rechecked(*mission, i, folder);
+    if (!line) {
+      return reportFailure(line.error());
+    }
+    accepted += line->accepted ? 1U : 0U;
+    if (const auto printed = printOut(line->text); !printed) {
+      return reportFailure(printed.error());
+    }
+  }
+  tell(fmt::format("{}: {} of {} certificates accepted, checked with {}\n", path, accepted, all,
+                   analysis::kSolver));
+  return accepted == all ? kFine : kMissionHasErrors;
+}
+
+}  // namespace glider::driver

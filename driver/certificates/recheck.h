@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace glider::driver {
+
+/// Checks the certificates of a mission's requirements in `folder`, and prints a line for each;
+/// returns the exit code: 1 if one is refused or missing.
+int recheckCertificates(const std::string& mission, const std::filesystem::path& folder);
+
+}  // namespace glider::driver

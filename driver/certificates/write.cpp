@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "driver/certificates/write.h"
+
+#include "analysis/analysis.h"
+#include "support/files.h"
+
+#include <string>
+#include <system_error>
+#include <utility>
+
+namespace glider::driver {
+namespace {
+
+analysis::Certificate certificateOf(const compiler::Checked& checked,
+                                    const ir::prove::RequirementVerdict& verdict,
+                                    std::string subject) {
+  const auto range = checked.mission().requirements[verdict.requirement].range;
+  analysis::Certificate certificate{std::string(checked.sources().text(range)), std::move(subject),
+                                    verdict.evidence->method, verdict.evidence->invariants,
+                                    std::nullopt};
+  if (verdict.evidence->method == ir::prove::Method::Run) {
+    certificate.run = analysis::traceOfRun(checked, verdict);
+  }
+  return certificate;
+}
+
+}  // namespace
+
+support::Result<size_t> writeCertificates(const CheckedFile& checked,
+                                          const std::filesystem::path& folder) {
+  const compiler::Checked& mission = *checked.compilation->checked;
+  auto subject = analysis::subjectOf(mission);
+  if (!subject) {
+    return std::unexpected(subject.error());
+  }
+  std::error_code trouble;
+  std::filesystem::create_directories(folder, trouble);  // reported when a file is written
+  size_t count = 0;
+  for (const ir::prove::RequirementVerdict& verdict : checked.proved.requirements) {
+    const auto path = analysis::certificatePath(folder, verdict.requirement);
+    if (!verdict.evidence) {
+      std::filesystem::remove(path, trouble);
+      continue;
+    }
+    const analysis::Certificate certificate = certificateOf(mission, verdict, *subject);
+    if (auto written = support::writeFileAtomically(
+            path, analysis::certificateToJson(certificate, mission.mission()));
+        !written) {
+      return std::unexpected(written.error());
+    }
+    ++count;
+  }
+  return count;
+}
+
+}  // namespace glider::driver

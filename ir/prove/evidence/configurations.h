@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "ir/prove/context/control.h"
+
+#include <optional>
+#include <vector>
+
+namespace glider::ir::prove {
+
+/// A configuration, and whether a state that a question asks about has been entered on the way.
+struct Seen {
+  Control control;
+  bool after = false;
+  auto operator<=>(const Seen&) const = default;
+};
+
+/// Every configuration that the live cases of the mission lead to, with whether `after` (invalid:
+/// no state) has been entered; none if there are more than `most`.
+std::optional<std::vector<Seen>> configurations(const Mission& mission, StateId after, size_t most);
+
+}  // namespace glider::ir::prove

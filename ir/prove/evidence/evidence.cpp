@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/prove/evidence/evidence.h"
+
+#include "ir/prove/evidence/configurations.h"
+#include "ir/prove/evidence/formula.h"
+
+#include <algorithm>
+#include <map>
+#include <string>
+
+namespace glider::ir::prove {
+namespace {
+
+/// A mission with more configurations gets no certificate: checking one takes some milliseconds.
+constexpr size_t kMostConfigurations = 5000;
+
+std::string both(const std::string& a, const std::string& b) {
+  FormulaParts parts;
+  parts.add(a);
+  parts.add(b);
+  return parts.all();
+}
+
+/// Whether the invariants of a proof of `from` speak only of what certificates for `to` have too.
+bool mayUse(RequirementKind from, RequirementKind to) {
+  const bool plain = from == RequirementKind::Always || from == RequirementKind::ExitWithin;
+  return plain || (from == to && from == RequirementKind::SurfacesEvery);
+}
+
+}  // namespace
+
+Evidence Evidences::searched(const Requirement& requirement, Invariants found) {
+  for (certify::Invariant& invariant : found) {
+    invariant.formula = both(known_.in(invariant.at), invariant.formula);
+  }
+  Evidence evidence{Method::Invariant, found};
+  addLearnt(requirement, evidence.invariants);
+  learnt_.emplace_back(requirement.kind, std::move(found));
+  return evidence;
+}
+
+/// A configuration that one of them does not list cannot be reached.
+void Evidences::addLearnt(const Requirement& requirement, Invariants& invariants) const {
+  for (const auto& [kind, learnt] : learnt_) {
+    if (!mayUse(kind, requirement.kind)) {
+      continue;
+    }
+    std::map<certify::Configuration, std::string> formulas;
+    for (const certify::Invariant& one : learnt) {
+      formulas.emplace(one.at, one.formula);
+    }
+    std::erase_if(invariants, [&](const auto& one) { return !formulas.contains(one.at); });
+    for (certify::Invariant& one : invariants) {
+      one.formula = both(one.formula, formulas.at(one.at));
+    }
+  }
+}
+
+std::optional<Evidences::Invariants> Evidences::everywhere(const Requirement& requirement) const {
+  const auto all = configurations(proof_context_.mission, {}, kMostConfigurations);
+  if (!all) {
+    return std::nullopt;
+  }
+  Invariants invariants;
+  for (const Seen& seen : *all) {
+    const certify::Configuration at = configurationOf(seen.control);
+    const bool surfaces = requirement.kind == RequirementKind::SurfacesEvery;
+    invariants.push_back(
+        {at, surfaces ? both(known_.in(at), known_.surfacedIn(at)) : known_.in(at)});
+  }
+  return invariants;
+}
+
+/// Where `after` may have been entered on the way, the invariant says nothing of it.
+std::optional<Evidences::Invariants> Evidences::neverAfter(const Requirement& requirement) const {
+  const auto all = configurations(proof_context_.mission, requirement.after, kMostConfigurations);
+  if (!all) {
+    return std::nullopt;
+  }
+  std::map<certify::Configuration, bool> entered;
+  for (const Seen& seen : *all) {
+    bool& after = entered[configurationOf(seen.control)];
+    after = after || seen.after;
+  }
+  Invariants invariants;
+  for (const auto& [at, after] : entered) {
+    invariants.push_back({at, after ? "true" : "(not |after seen|)"});
+  }
+  return invariants;
+}
+
+std::optional<Evidence> Evidences::seen(const Requirement& requirement, bool run,
+                                        bool learnt) const {
+  if (!requirement.geofences.empty()) {
+    return Evidence{Method::Geometry, {}};
+  }
+  if (requirement.kind == RequirementKind::Reach) {
+    return run ? std::optional(Evidence{Method::Run, {}}) : std::nullopt;
+  }
+  const bool configurations_only = requirement.kind == RequirementKind::NeverAfter ||
+                                   requirement.kind == RequirementKind::StackAtMost;
+  auto invariants = requirement.kind == RequirementKind::NeverAfter ? neverAfter(requirement)
+                                                                    : everywhere(requirement);
+  if (!invariants) {
+    return std::nullopt;
+  }
+  if (learnt) {
+    addLearnt(requirement, *invariants);
+  }
+  return Evidence{configurations_only ? Method::Configurations : Method::Bound,
+                  std::move(*invariants)};
+}
+
+}  // namespace glider::ir::prove

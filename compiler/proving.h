@@ -7,6 +7,7 @@
 #include "ir/prove/prove.h"
 
 #include <map>
+#include <string>
 
 namespace glider::compiler {
 
@@ -17,5 +18,8 @@ ir::prove::Findings prove(const Checked& checked, ir::prove::Options options,
 /// The cases that GL3101 or GL3103 reports as never firing, each with whether earlier cases hide
 /// it.
 std::map<ir::CasePlace, bool> casesThatNeverFire(const Checked& checked);
+
+/// The prover's questions for any solver (ir/prove/chc.h).
+std::string chcText(const Checked& checked);
 
 }  // namespace glider::compiler

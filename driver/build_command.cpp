@@ -4,6 +4,7 @@
 #include "codegen/codegen.h"
 #include "compiler/boards.h"
 #include "compiler/compilation.h"
+#include "compiler/proving.h"
 #include "compiler/user_code.h"
 #include "driver/commands.h"
 #include "driver/exit_code.h"
@@ -34,7 +35,12 @@ constexpr codegen::Product kSymbols{
     .note =
         "JSON for editors: the names of the mission and where they are used, even if the mission "
         "has errors"};
-constexpr const codegen::Product* kOfTheFrontEnd[] = {&kSyntaxTree, &kSymbols};
+/// The prover's questions.
+constexpr codegen::Product kChc{
+    .name = "chc",
+    .suffix = ".smt2",
+    .note = "the questions about its requirements, as constrained Horn clauses in SMT-LIB 2"};
+constexpr const codegen::Product* kOfTheFrontEnd[] = {&kSyntaxTree, &kSymbols, &kChc};
 
 struct BuildOptions {
   std::string mission;
@@ -186,6 +192,9 @@ support::Result<void> write(const codegen::Product& product, const BuildOptions&
                             const compiler::Compilation& compilation) {
   if (&product == &kSymbols) {
     return writeText(options, printSymbols(compilation, options.at));
+  }
+  if (&product == &kChc) {
+    return writeText(options, compiler::chcText(*compilation.checked));
   }
   const compiler::Optimised mission = optimise(options, compilation.checked);
   return &product == &kSyntaxTree ? writeText(options, printSyntaxTree(options, compilation))

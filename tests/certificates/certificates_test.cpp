@@ -4,6 +4,7 @@
 // What the second check refuses: certificates that are about something else, that have been
 // weakened, or that could change the question.
 
+#include "compiler/proving.h"
 #include "support/files.h"
 #include "support/program.h"
 #include "tests/certificates/issued.h"
@@ -11,8 +12,11 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <map>
+#include <z3++.h>
 
 namespace glider::tests {
 namespace {
@@ -275,6 +279,35 @@ TEST_F(Certificates, WithoutTheSolverNothingIsAccepted) {  // refused: GL9380
   ASSERT_FALSE(found);
   EXPECT_EQ(found.error().id, support::DiagnosticId::programNotStarted);
   EXPECT_TRUE(analysis::recheck(*certificate, *issued.mission, kDives));  // accepts: GL9380 GL9382
+}
+
+/// The questions themselves: another solver reads them, and Z3 answers them as the prover does.
+TEST_F(Certificates, TheQuestionsCanBeAskedOfAnySolver) {
+  const std::string text = compiler::chcText(*survey().mission->checked);
+  const auto read = support::runProgram({analysis::kSolver, "--lang=smt2", "--parse-only"}, text);
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->exit_code, 0) << read->text;
+  const std::map<std::string, z3::check_result> expected = {
+      {"require exit within 95 min", z3::sat},
+      {"require always dives <= 5", z3::sat},
+      {"require never look after home", z3::sat},
+      {"require reach hot", z3::unsat}};
+  size_t asked = 0;
+  for (size_t at = 0; at < text.size();) {
+    const size_t end = std::min(text.find("(reset)\n", at), text.size());
+    const std::string problem = text.substr(at, end - at);
+    at = end + 8;
+    const auto found = expected.find(problem.substr(2, problem.find('\n') - 2));
+    if (found != expected.end()) {
+      z3::context context;
+      z3::solver solver(context, "HORN");
+      solver.from_string(problem.c_str());
+      EXPECT_EQ(solver.check(), found->second) << found->first;
+      ++asked;
+    }
+  }
+  EXPECT_EQ(asked, expected.size());
+  EXPECT_TRUE(text.contains("; require stack <= 1: not a question about traces\n"));
 }
 
 TEST(Program, GivesWhatItWroteAndHowItEnded) {

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/prove/chc.h"
+
+#include "ir/prove/encoding/cone_of_influence.h"
+#include "ir/prove/encoding/horn_clauses.h"
+#include "ir/prove/encoding/safety_properties.h"
+
+#include <fmt/format.h>
+
+#include <vector>
+
+namespace glider::ir::prove {
+namespace {
+
+/// A relation, as SMT-LIB declares it.
+std::string declared(const z3::func_decl& relation) {
+  std::string sorts;
+  for (unsigned i = 0; i < relation.arity(); ++i) {
+    sorts += fmt::format("{}{}", i == 0 ? "" : " ", relation.domain(i).to_string());
+  }
+  return fmt::format("(declare-fun {} ({}) Bool)\n", relation.name().str(), sorts);
+}
+
+/// Empty if there are too many call stacks.
+std::string problem(const Requirement& requirement, const ProofContext& proof_context) {
+  z3::context context;
+  std::vector<ExprId> asked;
+  if (requirement.condition.valid()) {
+    asked.push_back(requirement.condition);
+  }
+  const ConeOfInfluence relevance =
+      relevanceFor(proof_context.mission, asked, reckonsWithDepth(requirement, proof_context));
+  const SafetyProperty property = safetyPropertyFor(requirement, context, proof_context);
+  ChcEncoder encoder(context, proof_context, relevance, property);
+  if (!encoder.run()) {
+    return "";
+  }
+  const HornClauses clauses(context, encoder.rules());
+  std::string text = "(set-logic HORN)\n";
+  for (const auto& [place, relation] : clauses.relations()) {
+    text += declared(relation);
+  }
+  for (const Rule& rule : encoder.rules()) {
+    text += fmt::format("(assert {})\n", clauses.clause(rule, context.bool_val(false)).to_string());
+  }
+  return text + "(check-sat)\n";
+}
+
+}  // namespace
+
+std::string chcText(const Mission& mission, const platforms::Platform& platform,
+                    const std::function<std::string_view(uint32_t)>& words) {
+  const ProofContext proof_context(mission, platform);
+  std::string text;
+  for (uint32_t i = 0; i < mission.requirements.size(); ++i) {
+    const Requirement& requirement = mission.requirements[i];
+    const bool of_traces =
+        requirement.kind != RequirementKind::StackAtMost && requirement.geofences.empty();
+    const std::string asked = of_traces ? problem(requirement, proof_context) : "";
+    text += fmt::format("{}; {}{}\n{}", i == 0 ? "" : "(reset)\n", words(i),
+                        !of_traces      ? ": not a question about traces"
+                        : asked.empty() ? ": too many call stacks"
+                                        : "",
+                        asked);
+  }
+  return text;
+}
+
+}  // namespace glider::ir::prove

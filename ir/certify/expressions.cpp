@@ -113,9 +113,21 @@ Value Expressions::leaf(const Expr& e, const Store& store) {
       return store.variables.at(e.variable.index);
     case OpGroup::Temporal:
       return store.temporals.at(e.temporal.index);
-    default:
-      return call(e);
+    case OpGroup::Call:
+    case OpGroup::Constant:
+    case OpGroup::Truth:
+    case OpGroup::Unary:
+    case OpGroup::Binary:
+    case OpGroup::Function:
+    case OpGroup::Clamp:
+    case OpGroup::Select:
+    case OpGroup::Element:
+    case OpGroup::Comparison:
+    case OpGroup::Known:
+    case OpGroup::Logic:
+      break;
   }
+  return call(e);
 }
 
 /// E7. Differences of clocks are exact (docs/verification.md, Numbers).

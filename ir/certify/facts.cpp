@@ -158,29 +158,34 @@ Range rangeOf(const Mission& mission, const Expr& e, const Facts& facts) {
 bool isWhole(const Mission& mission, const Expr& e, const Facts& facts) {
   const auto of = [&](size_t i) { return facts.whole[e.operands.at(i).index]; };
   const auto whole = [](double x) { return std::floor(x) == x; };
-  switch (e.op) {
-    case Op::Constant:
+  switch (groupOf(e.op)) {
+    case OpGroup::Constant:
       return whole(e.number);
-    case Op::Variable:
+    case OpGroup::Variable:
       return facts.whole_variable[e.variable.index];
-    case Op::Negate:
-    case Op::Abs:
-      return of(0);
-    case Op::Add:
-    case Op::Subtract:
-    case Op::Multiply:
-    case Op::Min:
-    case Op::Max:
-      return of(0) && of(1);
-    case Op::Clamp:
+    case OpGroup::Unary:
+      return e.op != Op::Sqrt && of(0);
+    case OpGroup::Binary:
+      return e.op != Op::Divide && of(0) && of(1);
+    case OpGroup::Clamp:
       return of(0) && of(1) && of(2);
-    case Op::Select:
+    case OpGroup::Select:
       return of(1) && of(2);
-    case Op::Element:
+    case OpGroup::Element:
       return std::ranges::all_of(mission[e.table].values, whole);
-    default:
-      return false;
+    case OpGroup::Truth:
+    case OpGroup::Sensor:
+    case OpGroup::Clock:
+    case OpGroup::Temporal:
+    case OpGroup::Age:
+    case OpGroup::Function:
+    case OpGroup::Call:
+    case OpGroup::Comparison:
+    case OpGroup::Known:
+    case OpGroup::Logic:
+      break;
   }
+  return false;
 }
 
 /// A variable and what it may be given.

@@ -63,6 +63,7 @@ struct Commands {
   bool hit_waypoint = false;  ///< a list of waypoints has reached one in this cycle
   bool hovering = false;      ///< drift_at_depth holds its depth
   bool at_once = false;       ///< an abort: no inflection may delay it
+  bool altimeter = false;     ///< a leg with a target altitude needs it, also if it is switched off
 
   std::vector<SampleOrder> samples;  ///< of the behaviours sample
 

@@ -126,7 +126,10 @@ void FlightController::readSensors(double now_s, const Ocean& ocean, const Vehic
   if (due(attitude_device_)) {
     readAttitude(declination, vehicle);
   }
-  if (due(altimeter_device_)) {
+  // The vehicle's log of comet's SPIRAL.MI: `c_alt_time` is 0 on dives to an altitude, -1
+  // elsewhere.
+  const bool altimeter_due = due(altimeter_device_);
+  if (altimeter_due || altimeter_needed_) {
     readAltimeter(ocean, vehicle);
   }
   if (due(battery_device_)) {
@@ -467,6 +470,7 @@ void FlightController::cycle(double now_s, const Ocean& ocean, Vehicle& vehicle,
   receive(line);
   const Situation s = situation(now_s);
   const Commands commands = decide(s);
+  altimeter_needed_ = commands.altimeter;
   noteInstruction();
   control(commands, s, vehicle);
   judgeEnd(s);

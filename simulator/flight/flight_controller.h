@@ -133,6 +133,7 @@ class FlightController {
   Device pressure_device_{"c_pressure_time"}, attitude_device_{"c_att_time"},
       altimeter_device_{"c_alt_time"}, gps_device_{"c_gps_on"}, battery_device_{"u_battery_time"},
       vacuum_device_{"u_vacuum_time"}, leak_device_{"c_leakdetect_time"};
+  bool altimeter_needed_ = false;  ///< by the leg of the last cycle
   SamplePeriods sample_periods_;
   hooks::Hull hull_;
   std::unique_ptr<LayeredControl> layers_;

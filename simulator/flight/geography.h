@@ -6,6 +6,7 @@
 #include "simulator/geography/local_frame.h"
 #include "simulator/geography/planar.h"
 
+#include <cstdint>
 #include <functional>
 
 namespace glider::simulator {

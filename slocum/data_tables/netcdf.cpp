@@ -70,6 +70,17 @@ class MemoryFile {
       run([&] { return nc_.put_vara_double(id_, variable, &start, &count, values.data()); }, name);
     }
   }
+  /// The library refuses to make a float of an infinity: they come as floats, as they are stored.
+  void putFloats(int variable, const std::vector<double>& values, const std::string& name) {
+    const size_t start = 0, count = values.size();
+    std::vector<float> floats;
+    for (const double value : values) {
+      floats.push_back(static_cast<float>(value));
+    }
+    if (count > 0) {
+      run([&] { return nc_.put_vara_float(id_, variable, &start, &count, floats.data()); }, name);
+    }
+  }
   /// The content of the finished file.
   std::string close() {
     NC_memio memory{};
@@ -207,9 +218,11 @@ support::Result<void> writeNetcdf(const Merged& merged, const std::filesystem::p
   putRows(out, merged, rows);
   for (size_t i = 0; i < sensors.size(); ++i) {
     const MergedColumn& column = merged.columns[i];
-    std::vector<double> values(merged.rows.size(), storageOf(column.sensor.width).fill);
+    const Storage storage = storageOf(column.sensor.width);
+    std::vector<double> values(merged.rows.size(), storage.fill);
     merged.forEachUpdateOf(i, [&](uint32_t row, double value) { values[row] = value; });
-    out.put(sensors[i], values, column.name);
+    storage.type == NC_FLOAT ? out.putFloats(sensors[i], values, column.name)
+                             : out.put(sensors[i], values, column.name);
   }
   const std::string content = out.close();
   if (!out.error().empty()) {

@@ -229,7 +229,7 @@ TEST(Command, TheStageToEmitIsOneByName) {
     const Outcome outcome =
         runShell("cd /tmp; $GLIDERCC build " + kFigure2 + " --emit " + stage + " -o /dev/null");
     EXPECT_EQ(outcome.status, 2) << stage;
-    EXPECT_THAT(outcome.err, HasSubstr("ast,symbols,ir,header,llvm,asm,obj,exe")) << stage;
+    EXPECT_THAT(outcome.err, HasSubstr("ast,symbols,chc,ir,header,llvm,asm,obj,exe")) << stage;
   }
 }
 

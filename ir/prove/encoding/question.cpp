@@ -105,6 +105,9 @@ class Description {
   std::string run() {
     const Mission& m = moment_.mission();
     for (const auto& [index, term] : moment_.readings()) {
+      if (m.compass && m.compass->variation == SensorId{index}) {
+        continue;  // the runtime's own: it makes headings true
+      }
       number(m.sensors[index].name, m.sensors[index].type, term);
     }
     for (const auto& [index, term] : moment_.numbers()) {

@@ -75,6 +75,7 @@ bool DepthLeg::over(const Situation& s, bool overridden) {
 void DepthLeg::command(Commands& commands) const {
   commands.point(pitch_.now());
   commands.pump(pump_cc_());
+  commands.altimeter = commands.altimeter || target_altitude_() >= 0;
 }
 
 }  // namespace glider::simulator

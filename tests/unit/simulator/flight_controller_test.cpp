@@ -254,6 +254,26 @@ TEST(FlightController, SensorsInSaysHowOftenEachDeviceIsRead) {
   EXPECT_TRUE(readingTimes(" b_arg: c_alt_time(sec) -1\n", echoes).empty());
 }
 
+/// As comet's log of SPIRAL.MI shows: the dive that it needs the altitude for turns at it.
+TEST(FlightController, ADiveToAnAltitudeSwitchesTheAltimeterOn) {
+  Controller c(kSurface + kYo +
+                   " b_arg: d_target_altitude(m) 4\nbehavior: sensors_in\n"
+                   " b_arg: c_alt_time(sec) -1\n",
+               22);
+  double deepest = 0;
+  size_t pings = 0, on_climbs = 0;
+  c.fly(400, [&] {
+    deepest = std::max(deepest, c.depth);
+    const bool fresh = c.controller.array().fresh(GLIDER_M_ALTITUDE);
+    pings += fresh ? 1U : 0U;
+    on_climbs += fresh && c.depth < deepest - 6 ? 1U : 0U;
+  });
+  EXPECT_GT(pings, 5U);
+  EXPECT_EQ(on_climbs, 0U) << "it is off where no altitude is asked for";
+  EXPECT_GT(deepest, 15);
+  EXPECT_LT(deepest, 21.5);
+}
+
 TEST(FlightController, ADepthRateIsOverTheTimeBetweenTwoReadings) {
   Controller c(kSurface + kYo + "behavior: sensors_in\n b_arg: c_pressure_time(sec) 20\n", 100);
   std::map<double, double> depths;

@@ -8,6 +8,7 @@
 #include "slocum/data_tables/summary.h"
 #include "tests/unit/slocum/data_bench.h"
 
+#include <limits>
 #include <netcdf.h>
 
 namespace glider::slocum {
@@ -216,6 +217,28 @@ TEST(DataTable, NetcdfHoldsTheSameTable) {
   EXPECT_EQ(attributeOf(file, "sci_water_temp", "computer"), "science");
   EXPECT_EQ(attributeOf(file, "", "segments"), "unit-2024-183-2-7");
   EXPECT_EQ(attributeOf(file, "", "source"), "a.dbd a.ebd");
+  nc_close(file);
+}
+
+/// Real logs have them: `m_time_til_wpt` of a vehicle that does not approach its waypoint.
+TEST(DataTable, NetcdfHoldsInfinities) {
+  Draft flight = flightDraft();
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  flight.sensors.push_back({"m_time_til_wpt", "s", 4, true});
+  for (size_t i = 0; i < flight.rows.size(); ++i) {
+    flight.rows[i].push_back({'*', i == 1 ? -kInfinity : kInfinity});
+  }
+  const TestFolder folder;
+  folder.write("a.dbd", write(flight));
+  SensorLists lists;
+  const LogFiles logs = readLogFiles({folder.path()}, lists);
+  const auto path = folder.path() / "out.nc";
+  const auto written = writeNetcdf(merge(logs.files, {}), path);
+  ASSERT_TRUE(written) << written.error().message;
+  int file = -1;
+  ASSERT_EQ(nc_open(path.c_str(), NC_NOWRITE, &file), NC_NOERR);
+  EXPECT_EQ(variableOf(file, "m_time_til_wpt", 3),
+            (std::vector<double>{kInfinity, -kInfinity, kInfinity}));
   nc_close(file);
 }
 

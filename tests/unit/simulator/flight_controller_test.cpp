@@ -212,7 +212,9 @@ TEST(FlightController, KnowsItsWaypoint) {
 /// The times of the cycles in which each of `sensors` is read during 100 s of a dive.
 std::map<uint16_t, std::vector<double>> readingTimes(const std::string& sensors_in,
                                                      const std::vector<uint16_t>& sensors) {
-  Controller c(kSurface + kYo + "behavior: sensors_in\n" + sensors_in, 30);
+  // A dive to an altitude would switch the altimeter on.
+  Controller c(
+      kSurface + kYo + " b_arg: d_target_altitude(m) -1\nbehavior: sensors_in\n" + sensors_in, 30);
   std::map<uint16_t, std::vector<double>> times;
   c.fly(100, [&] {
     for (const uint16_t sensor : sensors) {

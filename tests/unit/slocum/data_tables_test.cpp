@@ -226,7 +226,7 @@ TEST(DataTable, NetcdfHoldsInfinities) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   flight.sensors.push_back({"m_time_til_wpt", "s", 4, true});
   for (size_t i = 0; i < flight.rows.size(); ++i) {
-    flight.rows[i].push_back({'*', i == 1 ? -kInfinity : kInfinity});
+    flight.rows[i].push_back({'*', i == 2 ? -kInfinity : kInfinity});
   }
   const TestFolder folder;
   folder.write("a.dbd", write(flight));

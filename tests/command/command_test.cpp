@@ -256,7 +256,7 @@ TEST(Command, ATargetHasWhatABackEndMakesForIt) {
     EXPECT_EQ(outcome.out, "share\n") << stage;
     EXPECT_THAT(outcome.err,
                 HasSubstr(std::string("--emit: ") + stage +
-                          " cannot be made for target stock; it can be ast, symbols, ir, "
+                          " cannot be made for target stock; it can be ast, symbols, chc, ir, "
                           "header\n"))
         << stage;
   }

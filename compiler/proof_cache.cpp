@@ -5,8 +5,7 @@
 
 #include "codegen/digest.h"
 #include "compiler/build_id.h"
-#include "compiler/share.h"
-#include "ir/text/print.h"
+#include "compiler/proving.h"
 #include "support/files.h"
 
 #include <fmt/format.h>
@@ -93,15 +92,13 @@ void makeRoom(const std::filesystem::path& folder) {
 
 ProofCache::ProofCache(const Checked& checked, const ir::prove::Options& how) {
   const std::string program = buildId();
-  const auto vehicle =
-      support::readFile(shareDirectory() / "platforms" / (checked.mission().platform + ".toml"));
-  if (program.empty() || !vehicle) {
+  const auto subject = proofSubject(checked);
+  if (program.empty() || !subject) {
     return;
   }
   folder_ = cacheFolder();
-  all_ = fmt::format("{}\n{} {} {} {}\n{}\n", program, how.effort, how.run_effort, how.total_effort,
-                     vehicle->size(), *vehicle) +
-         ir::print(checked.mission());
+  all_ = fmt::format("{}\n{} {} {}\n{}", program, how.effort, how.run_effort, how.total_effort,
+                     *subject);
 }
 
 std::filesystem::path ProofCache::fileOf(uint32_t requirement) const {

@@ -3,7 +3,13 @@
 
 #include "compiler/proving.h"
 
+#include "compiler/share.h"
 #include "ir/prove/chc.h"
+#include "ir/text/print.h"
+#include "support/files.h"
+#include "support/one_line.h"
+
+#include <fmt/format.h>
 
 namespace glider::compiler {
 
@@ -21,10 +27,19 @@ std::map<ir::CasePlace, bool> casesThatNeverFire(const Checked& checked) {
                                        options);
 }
 
+support::Result<std::string> proofSubject(const Checked& checked) {
+  const auto vehicle =
+      support::readFile(shareDirectory() / "platforms" / (checked.mission().platform + ".toml"));
+  if (!vehicle) {
+    return std::unexpected(vehicle.error());
+  }
+  return fmt::format("{}\n{}\n{}", vehicle->size(), *vehicle, ir::print(checked.mission()));
+}
+
 std::string chcText(const Checked& checked) {
   const ir::Mission& mission = checked.mission();
   return ir::prove::chcText(mission, checked.platform(), [&](uint32_t number) {
-    return checked.sources().text(mission.requirements[number].range);
+    return support::onOneLine(checked.sources().text(mission.requirements[number].range));
   });
 }
 

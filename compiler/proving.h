@@ -5,6 +5,7 @@
 
 #include "compiler/compilation.h"
 #include "ir/prove/prove.h"
+#include "support/result.h"
 
 #include <map>
 #include <string>
@@ -18,6 +19,9 @@ ir::prove::Findings prove(const Checked& checked, ir::prove::Options options,
 /// The cases that GL3101 or GL3103 reports as never firing, each with whether earlier cases hide
 /// it.
 std::map<ir::CasePlace, bool> casesThatNeverFire(const Checked& checked);
+
+/// Everything that a proof is about: the mission and its platform file. As support::readFile.
+support::Result<std::string> proofSubject(const Checked& checked);
 
 /// The prover's questions for any solver (ir/prove/chc.h).
 std::string chcText(const Checked& checked);

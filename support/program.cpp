@@ -56,8 +56,16 @@ std::string contentOf(std::FILE* file) {
   ::_exit(127);
 }
 
-/// Forks and executes; returns the process, or -1 with errno set.
-pid_t spawn(const std::vector<std::string>& command, int input, int output) {
+int exitCodeOf(pid_t program) {
+  int status = 0;
+  while (::waitpid(program, &status, 0) < 0 && errno == EINTR) {
+  }
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+}  // namespace
+
+pid_t startProgram(const std::vector<std::string>& command, int input, int output) {
   std::vector<char*> arguments;
   for (const std::string& argument : command) {
     arguments.push_back(const_cast<char*>(argument.c_str()));  // exec does not write to them
@@ -85,20 +93,11 @@ pid_t spawn(const std::vector<std::string>& command, int input, int output) {
   return error != 0 ? -1 : pid;
 }
 
-int exitCodeOf(pid_t program) {
-  int status = 0;
-  while (::waitpid(program, &status, 0) < 0 && errno == EINTR) {
-  }
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-}
-
-}  // namespace
-
 Result<ProgramOutput> runProgram(const std::vector<std::string>& command, std::string_view input) {
   const Scratch in = scratchWith(input);
   const Scratch out = scratchWith("");
   const pid_t program =
-      in && out ? spawn(command, ::fileno(in.get()), ::fileno(out.get())) : pid_t{-1};
+      in && out ? startProgram(command, ::fileno(in.get()), ::fileno(out.get())) : pid_t{-1};
   if (program < 0) {
     return fail(DiagnosticId::programNotStarted, command.front(), std::strerror(errno));
   }

@@ -7,6 +7,7 @@
 
 #include <string>
 #include <string_view>
+#include <sys/types.h>
 #include <vector>
 
 namespace glider::support {
@@ -17,8 +18,13 @@ struct ProgramOutput {
   int exit_code = 0;  ///< 128 + the signal if one ended it
 };
 
-/// Runs `command` (the program, looked up in PATH, and its arguments) with `input` as its standard
-/// input until it ends; it ends with this process. GL9380 if it cannot be started.
+/// Starts `command` (the program, looked up in PATH, and its arguments) with these descriptors as
+/// its standard input and output; it ends with this process. Returns the process, or -1 with errno
+/// set.
+pid_t startProgram(const std::vector<std::string>& command, int input, int output);
+
+/// Starts `command` with `input` as its standard
+/// input until it ends. GL9380 if it cannot be started.
 Result<ProgramOutput> runProgram(const std::vector<std::string>& command, std::string_view input);
 
 }  // namespace glider::support

@@ -4,9 +4,7 @@
 #include "analysis/certificates/certificate_file.h"
 
 #include "codegen/digest.h"
-#include "compiler/share.h"
-#include "ir/text/print.h"
-#include "support/files.h"
+#include "compiler/proving.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -117,13 +115,9 @@ class Reader {
 }  // namespace
 
 Result<std::string> subjectOf(const compiler::Checked& checked) {
-  const auto vehicle = support::readFile(compiler::shareDirectory() / "platforms" /
-                                         (checked.mission().platform + ".toml"));
-  if (!vehicle) {
-    return std::unexpected(vehicle.error());
-  }
-  return codegen::digestOf(
-      fmt::format("{}\n{}\n{}", vehicle->size(), *vehicle, ir::print(checked.mission())));
+  const auto subject = compiler::proofSubject(checked);
+  return subject ? Result<std::string>(codegen::digestOf(*subject))
+                 : std::unexpected(subject.error());
 }
 
 std::filesystem::path certificatePath(const std::filesystem::path& folder, uint32_t requirement) {

@@ -4,10 +4,10 @@
 #include "simulator/ports/process_sbc_port.h"
 
 #include "simulator/faults/card_damage.h"
+#include "support/program.h"
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cerrno>
 #include <chrono>
 #include <cstring>
@@ -16,7 +16,6 @@
 #include <iterator>
 #include <poll.h>
 #include <signal.h>
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <utility>
@@ -31,48 +30,17 @@ double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Runs in the child between fork and exec: only calls that are safe there. `report` takes errno if
-/// exec fails.
-[[noreturn]] void becomeProgram(char* const* arguments, pid_t parent, int report) {
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (::getppid() == parent) {
-    const int nowhere = ::open("/dev/null", O_RDWR);
-    ::dup2(nowhere, STDIN_FILENO);
-    ::dup2(nowhere, STDOUT_FILENO);
-    ::execvp(arguments[0], arguments);
-  }
-  const int error = errno;
-  [[maybe_unused]] const ssize_t told = ::write(report, &error, sizeof error);
-  ::_exit(127);
-}
-
-/// Forks and executes; returns the process, or -1 with errno set.
-pid_t spawn(const std::vector<std::string>& command) {
-  std::vector<char*> arguments;
-  for (const std::string& argument : command) {
-    arguments.push_back(const_cast<char*>(argument.c_str()));  // exec does not write to them
-  }
-  arguments.push_back(nullptr);
-  std::array<int, 2> report{};
-  if (::pipe2(report.data(), O_CLOEXEC) != 0) {
+/// A program that reads and writes nothing but its serial line.
+pid_t startSilently(const std::vector<std::string>& command) {
+  const int nowhere = ::open("/dev/null", O_RDWR);
+  if (nowhere < 0) {
     return -1;
   }
-  const pid_t parent = ::getpid();
-  const pid_t pid = ::fork();
-  if (pid == 0) {
-    becomeProgram(arguments.data(), parent, report[1]);
-  }
-  int error = pid < 0 ? errno : 0;
-  ::close(report[1]);
-  ssize_t got = 0;
-  while (pid > 0 && (got = ::read(report[0], &error, sizeof error)) < 0 && errno == EINTR) {
-  }
-  ::close(report[0]);
-  if (pid > 0 && got > 0) {
-    ::waitpid(pid, nullptr, 0);
-  }
+  const pid_t program = support::startProgram(command, nowhere, nowhere);
+  const int error = errno;
+  ::close(nowhere);
   errno = error;
-  return error != 0 ? -1 : pid;
+  return program;
 }
 
 }  // namespace
@@ -95,7 +63,7 @@ support::Result<std::unique_ptr<ProcessSbcPort>> ProcessSbcPort::start(
   std::unique_ptr<ProcessSbcPort> port(
       new ProcessSbcPort(std::move(way), std::move(*pty), hang_secs));
   port->card_ = std::move(card);
-  port->pid_ = spawn(command);
+  port->pid_ = startSilently(command);
   if (port->pid_ < 0) {
     return support::fail(support::DiagnosticId::sbcNotStarted, command.front(),
                          std::strerror(errno));

@@ -310,6 +310,15 @@ TEST_F(Certificates, TheQuestionsCanBeAskedOfAnySolver) {
   EXPECT_TRUE(text.contains("; require stack <= 1: not a question about traces\n"));
 }
 
+/// Its second line would be read as a command.
+TEST_F(Certificates, AQuestionOfTwoLinesHasACommentOfOne) {
+  std::string text = kSurvey;
+  const std::string one = "require always dives <= 5";
+  text.replace(text.find(one), one.size(), "require always dives <= 5 &&\n  dives >= 0");
+  const std::string asked = compiler::chcText(*issue(text).mission->checked);
+  EXPECT_TRUE(asked.contains("\n; require always dives <= 5 && dives >= 0\n(set-logic HORN)\n"));
+}
+
 TEST(Program, GivesWhatItWroteAndHowItEnded) {
   const auto output = support::runProgram({"sh", "-c", "cat; exit 3"}, "a line\n");
   ASSERT_TRUE(output);

@@ -4,6 +4,7 @@
 #include "ir/prove/encoding/safety_properties.h"
 
 #include "ir/core/walk.h"
+#include "ir/prove/encoding/cone_of_influence.h"
 
 namespace glider::ir::prove {
 namespace {
@@ -129,6 +130,14 @@ SafetyProperty safetyPropertyFor(const Requirement& requirement, z3::context& co
       break;
   }
   return {};
+}
+
+ConeOfInfluence relevanceOf(const Requirement& requirement, const ProofContext& proof_context) {
+  std::vector<ExprId> asked;
+  if (requirement.condition.valid()) {
+    asked.push_back(requirement.condition);
+  }
+  return relevanceFor(proof_context.mission, asked, reckonsWithDepth(requirement, proof_context));
 }
 
 }  // namespace glider::ir::prove

@@ -15,4 +15,7 @@ SafetyProperty safetyPropertyFor(const Requirement& requirement, z3::context& co
 /// Whether the answer depends on the depth of the vehicle.
 bool reckonsWithDepth(const Requirement& requirement, const ProofContext& proof_context);
 
+/// The cone of influence of the question about a requirement.
+ConeOfInfluence relevanceOf(const Requirement& requirement, const ProofContext& proof_context);
+
 }  // namespace glider::ir::prove

@@ -16,7 +16,7 @@ class Exploration {
   Exploration(const Mission& mission, StateId after)
       : m_(mission), structure_(mission), after_(after) {}
 
-  std::optional<std::vector<Seen>> run(size_t most) {
+  std::optional<std::vector<Reached>> run(size_t most) {
     Control start;
     start.state = {0};
     reach({start, after_ == StateId{0}});
@@ -24,10 +24,10 @@ class Exploration {
       if (seen_.size() > most) {
         return std::nullopt;
       }
-      const Seen from = pending_.back();
+      const Reached from = pending_.back();
       pending_.pop_back();
       if (from.control.just_returned) {  // until the next tick
-        Seen later = from;
+        Reached later = from;
         later.control.just_returned = false;
         reach(later);
       }
@@ -35,11 +35,11 @@ class Exploration {
       follow(from, ListKind::State, m_[from.control.state].cases,
              structure_.moves[from.control.state.index].dead);
     }
-    return std::vector<Seen>(seen_.begin(), seen_.end());
+    return std::vector<Reached>(seen_.begin(), seen_.end());
   }
 
  private:
-  void follow(const Seen& from, ListKind list, const std::vector<Case>& cases,
+  void follow(const Reached& from, ListKind list, const std::vector<Case>& cases,
               const std::vector<Dead>& dead) {
     for (uint32_t i = 0; i < cases.size(); ++i) {
       const Case& c = cases[i];
@@ -54,7 +54,7 @@ class Exploration {
     }
   }
 
-  void reach(Seen seen) {
+  void reach(Reached seen) {
     if (seen_.insert(seen).second) {
       pending_.push_back(std::move(seen));
     }
@@ -63,14 +63,14 @@ class Exploration {
   const Mission& m_;
   Structure structure_;
   StateId after_;
-  std::set<Seen> seen_;
-  std::vector<Seen> pending_;
+  std::set<Reached> seen_;
+  std::vector<Reached> pending_;
 };
 
 }  // namespace
 
-std::optional<std::vector<Seen>> configurations(const Mission& mission, StateId after,
-                                                size_t most) {
+std::optional<std::vector<Reached>> configurations(const Mission& mission, StateId after,
+                                                   size_t most) {
   return Exploration(mission, after).run(most);
 }
 

@@ -11,14 +11,15 @@
 namespace glider::ir::prove {
 
 /// A configuration, and whether a state that a question asks about has been entered on the way.
-struct Seen {
+struct Reached {
   Control control;
   bool after = false;
-  auto operator<=>(const Seen&) const = default;
+  auto operator<=>(const Reached&) const = default;
 };
 
 /// Every configuration that the live cases of the mission lead to, with whether `after` (invalid:
 /// no state) has been entered; none if there are more than `most`.
-std::optional<std::vector<Seen>> configurations(const Mission& mission, StateId after, size_t most);
+std::optional<std::vector<Reached>> configurations(const Mission& mission, StateId after,
+                                                   size_t most);
 
 }  // namespace glider::ir::prove

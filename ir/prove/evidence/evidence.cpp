@@ -6,7 +6,6 @@
 #include "ir/prove/evidence/configurations.h"
 #include "ir/prove/evidence/formula.h"
 
-#include <algorithm>
 #include <map>
 #include <string>
 
@@ -64,8 +63,8 @@ std::optional<Evidences::Invariants> Evidences::everywhere(const Requirement& re
     return std::nullopt;
   }
   Invariants invariants;
-  for (const Seen& seen : *all) {
-    const certify::Configuration at = configurationOf(seen.control);
+  for (const Reached& reached : *all) {
+    const certify::Configuration at = configurationOf(reached.control);
     const bool surfaces = requirement.kind == RequirementKind::SurfacesEvery;
     invariants.push_back(
         {at, surfaces ? both(known_.in(at), known_.surfacedIn(at)) : known_.in(at)});
@@ -80,9 +79,9 @@ std::optional<Evidences::Invariants> Evidences::neverAfter(const Requirement& re
     return std::nullopt;
   }
   std::map<certify::Configuration, bool> entered;
-  for (const Seen& seen : *all) {
-    bool& after = entered[configurationOf(seen.control)];
-    after = after || seen.after;
+  for (const Reached& reached : *all) {
+    bool& after = entered[configurationOf(reached.control)];
+    after = after || reached.after;
   }
   Invariants invariants;
   for (const auto& [at, after] : entered) {

@@ -3,13 +3,10 @@
 
 #include "ir/prove/chc.h"
 
-#include "ir/prove/encoding/cone_of_influence.h"
 #include "ir/prove/encoding/horn_clauses.h"
 #include "ir/prove/encoding/safety_properties.h"
 
 #include <fmt/format.h>
-
-#include <vector>
 
 namespace glider::ir::prove {
 namespace {
@@ -26,12 +23,7 @@ std::string declared(const z3::func_decl& relation) {
 /// Empty if there are too many call stacks.
 std::string problem(const Requirement& requirement, const ProofContext& proof_context) {
   z3::context context;
-  std::vector<ExprId> asked;
-  if (requirement.condition.valid()) {
-    asked.push_back(requirement.condition);
-  }
-  const ConeOfInfluence relevance =
-      relevanceFor(proof_context.mission, asked, reckonsWithDepth(requirement, proof_context));
+  const ConeOfInfluence relevance = relevanceOf(requirement, proof_context);
   const SafetyProperty property = safetyPropertyFor(requirement, context, proof_context);
   ChcEncoder encoder(context, proof_context, relevance, property);
   if (!encoder.run()) {
@@ -51,7 +43,7 @@ std::string problem(const Requirement& requirement, const ProofContext& proof_co
 }  // namespace
 
 std::string chcText(const Mission& mission, const platforms::Platform& platform,
-                    const std::function<std::string_view(uint32_t)>& words) {
+                    const std::function<std::string(uint32_t)>& words) {
   const ProofContext proof_context(mission, platform);
   std::string text;
   for (uint32_t i = 0; i < mission.requirements.size(); ++i) {

@@ -418,15 +418,6 @@ class RequirementCheck {
     }
   }
 
-  [[nodiscard]] ConeOfInfluence relevanceOf(const Requirement& requirement,
-                                            const ProofContext& proof_context) const {
-    std::vector<ExprId> asked;
-    if (requirement.condition.valid()) {
-      asked.push_back(requirement.condition);
-    }
-    return relevanceFor(m_, asked, reckonsWithDepth(requirement, proof_context));
-  }
-
   /// Tries seeds 1, 2, …, until so many ticks are flown.
   std::optional<Counterexample> tryAtRandom(const Requirement& requirement,
                                             const ProofContext& proof_context) {

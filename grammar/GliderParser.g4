@@ -11,7 +11,7 @@ file : item* EOF ;
 item
   : missionLine | platformLine | importLine
   | constant | parameter | variable
-  | always | state | behaviour | external | requirement | resumption | declination
+  | always | state | behaviour | external | place | requirement | resumption | declination
   ;
 
 missionLine : MISSION anyName ;
@@ -64,15 +64,35 @@ reads : READS name (COMMA name)* ;
 resumption : RESUME WITHIN expr (COMMA NEVER AFTER RESTART)? ;
 declination : DECLINATION expr ;
 
+place : PLACE anyName ASSIGN expr ;
+
 requirement : REQUIRE promise ;
 promise
   : ALWAYS expr              # alwaysPromise
   | EXIT WITHIN expr         # exitPromise
   | STACK LE expr            # stackPromise
-  | REACH anyName            # reachPromise
-  | NEVER anyName AFTER anyName  # neverPromise
+  | CAN? REACH anyName       # reachPromise
   | SURFACES EVERY expr      # surfacesPromise
+  | scope? pattern (OR_WORD EXIT)?  # patternPromise
   ;
+scope
+  : (IN | OUTSIDE | BEFORE | AFTER) somewhere COLON
+  | FROM somewhere TO somewhere COLON
+  ;
+pattern
+  : VISIT route manner? WITHIN expr                              # visitPattern
+  | VISIT somewhere AT MOST expr TIMES_WORD                      # atMostPattern
+  | VISIT somewhere (AT LEAST | EXACTLY) expr TIMES_WORD WITHIN expr  # countPattern
+  | PATROL route manner? EVERY expr                              # patrolPattern
+  | NEVER somewhere ((BEFORE | AFTER) somewhere)?                # neverPattern
+  | (WHENEVER (AND_WORD ONLY WHEN)? | WHEN) somewhere THEN somewhere timing?  # reactionPattern
+  | HOLD somewhere UNTIL somewhere WITHIN expr                   # holdPattern
+  ;
+route : somewhere (COMMA somewhere)* | somewhere (THEN somewhere)+ ;
+manner : IN STRICT? ORDER | FAIRLY ;
+timing : WITHIN expr | FOR expr | NEXT TICK ;
+// A state, a place or a condition. A state may have the name of a unit.
+somewhere : expr | UNIT | COMPASS | MIN ;
 
 expr
   : primary                                        # primaryExpr
@@ -100,7 +120,9 @@ argument : expr (OF name)? ;
 
 name
   : NAME | IN | OF | WHERE | DONE | FUNCTION | SENSOR | READS | WITHIN | STACK | REACH | NEVER | AFTER | STALE
-  | SURFACES | RESUME | DECLINATION | RESTART
+  | SURFACES | RESUME | DECLINATION | RESTART | PLACE | CAN | VISIT | PATROL | STRICT | ORDER | FAIRLY | AT | MOST
+  | LEAST | EXACTLY | TIMES_WORD | BEFORE | WHENEVER | WHEN | ONLY | NEXT | TICK | FOR | HOLD | UNTIL | OUTSIDE
+  | FROM | TO
   ;
 // A unit's name may name a mission or a state; elsewhere the frontend says why not.
 anyName : name | UNIT | COMPASS | MIN ;

@@ -337,21 +337,85 @@ struct ReachPromise {
   Name state;
   bool operator==(const ReachPromise&) const = default;
 };
+/// In what order places are visited.
+enum class Manner : uint8_t { AnyOrder, Sequence, Order, StrictOrder, Fairly };
+/// Each place is a state, a `place` or a condition.
+struct VisitPromise {
+  std::vector<Expr> places;
+  Manner manner = Manner::AnyOrder;
+  Expr within;
+  bool operator==(const VisitPromise&) const = default;
+};
+struct PatrolPromise {
+  std::vector<Expr> places;
+  Manner manner = Manner::AnyOrder;
+  Expr every;
+  bool operator==(const PatrolPromise&) const = default;
+};
+enum class CountBound : uint8_t { AtMost, AtLeast, Exactly };
+struct CountPromise {
+  Expr place;
+  CountBound bound = CountBound::AtMost;
+  Expr times;
+  std::optional<Expr> within;  ///< not of AtMost
+  bool operator==(const CountPromise&) const = default;
+};
+enum class NeverWhen : uint8_t { Ever, Before, After };
 struct NeverPromise {
-  Name state;
-  Name after;
+  Expr place;
+  NeverWhen when = NeverWhen::Ever;
+  std::optional<Expr> event;  ///< of Before and After
   bool operator==(const NeverPromise&) const = default;
+};
+enum class Trigger : uint8_t {
+  Whenever,         ///< on each tick on which it is true
+  When,             ///< on the tick on which it becomes true
+  WheneverAndOnly,  ///< and only then
+};
+enum class Timing : uint8_t { AtOnce, Within, For, NextTick };
+struct ReactionPromise {
+  Trigger trigger = Trigger::Whenever;
+  Expr cause;
+  Expr response;
+  Timing timing = Timing::AtOnce;
+  std::optional<Expr> time;  ///< of Within and For
+  bool operator==(const ReactionPromise&) const = default;
+};
+struct HoldPromise {
+  Expr place;
+  Expr until;
+  Expr within;
+  bool operator==(const HoldPromise&) const = default;
+};
+enum class ScopeKind : uint8_t { In, Outside, Before, After, FromTo };
+/// When a promise is watched.
+struct PromiseScope {
+  ScopeKind kind = ScopeKind::In;
+  Expr place;
+  std::optional<Expr> to;  ///< of FromTo
+  bool operator==(const PromiseScope&) const = default;
 };
 struct SurfacesPromise {
   Expr every;
   bool operator==(const SurfacesPromise&) const = default;
 };
 struct Requirement {
-  std::variant<AlwaysPromise, ExitPromise, StackPromise, ReachPromise, NeverPromise,
-               SurfacesPromise>
+  std::variant<AlwaysPromise, ExitPromise, StackPromise, ReachPromise, SurfacesPromise,
+               VisitPromise, PatrolPromise, CountPromise, NeverPromise, ReactionPromise,
+               HoldPromise>
       node;
   Where where;
+  std::optional<PromiseScope> scope = {};  ///< from VisitPromise on
+  bool or_exit = false;                    ///< what is owed when the mission ends counts as met
   bool operator==(const Requirement&) const = default;
+};
+
+/// A name for a condition, for requirements.
+struct PlaceDeclaration {
+  Name name;
+  Expr condition;
+  Where where;
+  bool operator==(const PlaceDeclaration&) const = default;
 };
 
 /// The longest outage of the SBC after which the mission continues.
@@ -386,8 +450,8 @@ struct Import {
 };
 
 using Item = std::variant<MissionLine, PlatformLine, Import, Const, Param, Var, Always, State,
-                          Behaviour, ExternFunction, ExternBehaviour, ExternSensor, Requirement,
-                          Resumption, Declination>;
+                          Behaviour, ExternFunction, ExternBehaviour, ExternSensor,
+                          PlaceDeclaration, Requirement, Resumption, Declination>;
 
 /// A mission file or a library file.
 struct File {

@@ -102,8 +102,13 @@ class FilePrinter {
     line(fmt::format("extern sensor {}: {}{}{}", n.name.text, n.type.text, printRange(n.range),
                      stale));
   }
+  void write(const PlaceDeclaration& n) {
+    line("place " + n.name.text + " = " + print(n.condition));
+  }
   void write(const Requirement& n) {
-    std::visit([this](const auto& p) { line("require " + promise(p)); }, n.node);
+    const std::string scope = n.scope ? printed(*n.scope) : "";
+    const std::string end = n.or_exit ? " or exit" : "";
+    std::visit([&](const auto& p) { line("require " + scope + promise(p) + end); }, n.node);
   }
 
   void write(const Resumption& n) {
@@ -116,8 +121,46 @@ class FilePrinter {
   static std::string promise(const ExitPromise& p) { return "exit within " + print(p.within); }
   static std::string promise(const StackPromise& p) { return "stack <= " + print(p.depth); }
   static std::string promise(const ReachPromise& p) { return "reach " + p.state.text; }
+  static std::string promise(const VisitPromise& p) {
+    return "visit " + route(p.places, p.manner) + " within " + print(p.within);
+  }
+  static std::string promise(const PatrolPromise& p) {
+    return "patrol " + route(p.places, p.manner) + " every " + print(p.every);
+  }
+  static std::string route(const std::vector<Expr>& places, Manner manner) {
+    constexpr std::string_view kManners[] = {"", "", " in order", " in strict order", " fairly"};
+    std::string text;
+    for (const Expr& place : places) {
+      const std::string_view between = manner == Manner::Sequence ? " then " : ", ";
+      text += (text.empty() ? "" : std::string(between)) + print(place);
+    }
+    return text + std::string(kManners[static_cast<size_t>(manner)]);
+  }
+  static std::string promise(const CountPromise& p) {
+    constexpr std::string_view kBounds[] = {"at most", "at least", "exactly"};
+    return fmt::format("visit {} {} {} times{}", print(p.place),
+                       kBounds[static_cast<size_t>(p.bound)], print(p.times),
+                       p.within ? " within " + print(*p.within) : "");
+  }
   static std::string promise(const NeverPromise& p) {
-    return "never " + p.state.text + " after " + p.after.text;
+    const std::string_view when = p.when == NeverWhen::Before ? " before " : " after ";
+    return "never " + print(p.place) + (p.event ? std::string(when) + print(*p.event) : "");
+  }
+  static std::string promise(const ReactionPromise& p) {
+    constexpr std::string_view kTriggers[] = {"whenever", "when", "whenever and only when"};
+    constexpr std::string_view kTimings[] = {"", " within ", " for ", " next tick"};
+    return fmt::format("{} {} then {}{}{}", kTriggers[static_cast<size_t>(p.trigger)],
+                       print(p.cause), print(p.response), kTimings[static_cast<size_t>(p.timing)],
+                       p.time ? print(*p.time) : "");
+  }
+  static std::string promise(const HoldPromise& p) {
+    return fmt::format("hold {} until {} within {}", print(p.place), print(p.until),
+                       print(p.within));
+  }
+  static std::string printed(const PromiseScope& scope) {
+    constexpr std::string_view kWords[] = {"in", "outside", "before", "after", "from"};
+    return fmt::format("{} {}{}: ", kWords[static_cast<size_t>(scope.kind)], print(scope.place),
+                       scope.to ? " to " + print(*scope.to) : "");
   }
   static std::string promise(const SurfacesPromise& p) {
     return "surfaces every " + print(p.every);

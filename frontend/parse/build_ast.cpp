@@ -65,6 +65,8 @@ ast::Item AstBuilder::item(Parser::ItemContext* rule) {
       return state(static_cast<Parser::StateContext*>(child));
     case GliderParser::RuleBehaviour:
       return behaviour(static_cast<Parser::BehaviourContext*>(child));
+    case GliderParser::RulePlace:
+      return place(static_cast<Parser::PlaceContext*>(child));
     case GliderParser::RuleResumption:
       return resumption(static_cast<Parser::ResumptionContext*>(child));
     case GliderParser::RuleDeclination:
@@ -186,8 +188,8 @@ ast::Requirement AstBuilder::requirement(Parser::RequirementContext* rule) {
   if (auto* p = dynamic_cast<Parser::ReachPromiseContext*>(promise)) {
     return {ast::ReachPromise{name(p->anyName())}, where(rule)};
   }
-  if (auto* p = dynamic_cast<Parser::NeverPromiseContext*>(promise)) {
-    return {ast::NeverPromise{name(p->anyName(0)), name(p->anyName(1))}, where(rule)};
+  if (auto* p = dynamic_cast<Parser::PatternPromiseContext*>(promise)) {
+    return patternRequirement(p, where(rule));
   }
   auto* s = dynamic_cast<Parser::SurfacesPromiseContext*>(promise);
   CHECK(s != nullptr, "a requirement that the grammar lacks");

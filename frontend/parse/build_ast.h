@@ -38,6 +38,14 @@ class AstBuilder {
   ast::Behaviour behaviour(Parser::BehaviourContext* rule);
   ast::Item external(Parser::ExternalContext* rule);
   ast::Requirement requirement(Parser::RequirementContext* rule);
+  ast::PlaceDeclaration place(Parser::PlaceContext* rule);
+  ast::Requirement patternRequirement(Parser::PatternPromiseContext* rule, ast::Where where);
+  ast::ReactionPromise reaction(Parser::ReactionPatternContext* rule);
+  ast::CountPromise count(Parser::CountPatternContext* rule);
+  ast::NeverPromise never(Parser::NeverPatternContext* rule);
+  ast::PromiseScope scope(Parser::ScopeContext* rule);
+  ast::Expr somewhere(Parser::SomewhereContext* rule);
+  std::vector<ast::Expr> route(Parser::RouteContext* rule);
   ast::Resumption resumption(Parser::ResumptionContext* rule);
   ast::TypeName type(Parser::TypeContext* rule);
   std::optional<ast::Range> range(Parser::RangeContext* rule);

@@ -211,9 +211,13 @@ void ErrorStrategy::complainInRule(antlr4::Parser* parser, size_t rule, const Le
       return expected(last == GliderParser::LPAREN ? "a value or `)`" : "`,` or `)`", found);
     case GliderParser::RuleFormals:
       return expected(last == GliderParser::LPAREN ? "a name or `)`" : "`,` or `)`", found);
+    case GliderParser::RuleScope:
     case GliderParser::RulePromise:
-      return expected("`always`, `exit within`, `stack <=`, `reach`, `never` or `surfaces every`",
-                      found);
+    case GliderParser::RulePattern:
+      return expected(
+          "`always`, `exit within`, `stack <=`, `can reach`, `surfaces every`, `never`, `visit`, "
+          "`patrol`, `whenever`, `when` or `hold`",
+          found);
     case GliderParser::RuleDeclaration:
       if (last == GliderParser::EXTERN) {
         return expected("`function`, `flightprofile`, `flightroute` or `sensor`", found);
@@ -222,7 +226,7 @@ void ErrorStrategy::complainInRule(antlr4::Parser* parser, size_t rule, const Le
     case GliderParser::RuleFile:
     case GliderParser::RuleItem:
       if (!misspelled(found, {"mission", "platform", "import", "const", "param", "var", "always",
-                              "state", "flightprofile", "flightroute", "extern", "require",
+                              "state", "flightprofile", "flightroute", "extern", "require", "place",
                               "resume", "declination"})) {
         expected("`state` or another declaration", found);
       }

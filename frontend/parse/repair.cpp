@@ -117,6 +117,9 @@ class StructureRepair {
     }
     if (keyword) {
       structural(t);
+    } else if (!skipping && declaresPlace(t)) {
+      values_.keyword(t);
+      out_.push_back(t);
     } else if (!skipping) {
       if (t.type == GliderLexer::ASSIGN) {
         supplyKeyword();
@@ -124,6 +127,12 @@ class StructureRepair {
       ok_ = values_.take(t, peek(1)) && ok_;
       noteHeader(1);
     }
+  }
+
+  /// `place NAME = …`
+  [[nodiscard]] bool declaresPlace(const Lexeme& t) const {
+    return t.type == GliderLexer::PLACE && blocks_.empty() && isAnyName(peek(1).type) &&
+           oneOf(peek(2).type, {GliderLexer::ASSIGN, GliderLexer::EQ});
   }
 
   // --- misspelled keywords ---
@@ -191,7 +200,7 @@ class StructureRepair {
     const bool action = !blocks_.empty() && blocks_.back().kind != BlockKind::Members;
     const bool begins = endsValue(before) || oneOf(before, {GliderLexer::END, GliderLexer::DO,
                                                             GliderLexer::THEN, GliderLexer::ELSE});
-    if (!begins || (!action && !blocks_.empty())) {
+    if (!begins || before == GliderLexer::PLACE || (!action && !blocks_.empty())) {
       return;
     }
     const Lexeme name = out_.back();

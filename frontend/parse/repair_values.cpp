@@ -45,8 +45,8 @@ void ValueRepair::keyword(const Lexeme& found) {
     parentheses_.pop_back();
   }
   in_sensors_ = found.type == GliderLexer::SENSORS;
-  assignable_ = oneOf(found.type,
-                      {GliderLexer::CONST, GliderLexer::PARAM, GliderLexer::VAR, GliderLexer::SET});
+  assignable_ = oneOf(found.type, {GliderLexer::CONST, GliderLexer::PARAM, GliderLexer::VAR,
+                                   GliderLexer::SET, GliderLexer::PLACE});
 }
 
 bool ValueRepair::take(Lexeme t, const Lexeme& next) {
@@ -121,7 +121,7 @@ bool ValueRepair::countOperator(const Lexeme& t) {
   return true;
 }
 
-/// The first `=` after `const`, `param`, `var` and `set` assigns a value; every other was meant as
+/// The first `=` after `const`, `param`, `var`, `set` and `place` assigns a value; every other was meant as
 /// a comparison.
 Lexeme ValueRepair::equals(Lexeme t) {
   const bool gives = assignable_ && parentheses_.empty();

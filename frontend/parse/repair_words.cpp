@@ -107,6 +107,8 @@ std::vector<Lexeme> WordRepair::run(const std::vector<Lexeme>& lexemes) {
       openString(lexeme, out);
     } else if (partOfToken(lexeme, next, out)) {
       continue;
+    } else if (isOfPromise(lexeme, next)) {
+      out.push_back(lexeme);
     } else if (auto kept = one(lexeme)) {
       out.push_back(*kept);
     }
@@ -115,6 +117,12 @@ std::vector<Lexeme> WordRepair::run(const std::vector<Lexeme>& lexemes) {
     out.push_back(lexemes.back());
   }
   return out;
+}
+
+/// `and` of `whenever and only when`, `or` of `or exit`: words, not operators.
+bool WordRepair::isOfPromise(const Lexeme& lexeme, const Lexeme& next) {
+  return (lexeme.type == GliderLexer::AND_WORD && next.type == GliderLexer::ONLY) ||
+         (lexeme.type == GliderLexer::OR_WORD && next.type == GliderLexer::EXIT);
 }
 
 /// Tracks the open parentheses; a keyword closes them all, as in ValueRepair.

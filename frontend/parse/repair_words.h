@@ -23,6 +23,7 @@ class WordRepair {
 
  private:
   std::optional<Lexeme> one(const Lexeme& lexeme);
+  static bool isOfPromise(const Lexeme& lexeme, const Lexeme& next);
   std::optional<Lexeme> foreign(const Lexeme& lexeme);
   std::optional<Lexeme> semicolon(const Lexeme& lexeme);
   void followOpen(const Lexeme& lexeme, const std::vector<Lexeme>& out);

@@ -43,8 +43,8 @@ Terms termsOf(const Mission& mission, const Between& between) {
               {"|climbing|", v.climbing},
               {"|climbing since|", v.since},
               {"|top|", v.top},
-              {"|after seen|", between.monitor.after_seen},
-              {"|surfaced|", between.monitor.surfaced}};
+              {"|after seen|", between.remembered.after_seen},
+              {"|surfaced|", between.remembered.surfaced}};
   for (size_t k = 0; k < between.store.entered.size(); ++k) {
     terms[enteredName(k)] = between.store.entered[k];
   }
@@ -94,9 +94,9 @@ Between namedIn(const Setting& setting, const Configuration& at) {
   }
   named.store.vehicle = {"|depth|", "|deepest|", "|climbing|", "|climbing since|", "|top|"};
   if (setting.requirement.kind == RequirementKind::NeverAfter) {
-    named.monitor.after_seen = "|after seen|";
+    named.remembered.after_seen = "|after seen|";
   } else if (setting.requirement.kind == RequirementKind::SurfacesEvery) {
-    named.monitor.surfaced = "|surfaced|";
+    named.remembered.surfaced = "|surfaced|";
   }
   return named;
 }
@@ -118,7 +118,7 @@ Term wellFormed(const Setting& setting, const Configuration& at, const Between& 
   clocks.insert(clocks.end(), {store.resumed, between.time});
   std::vector<Term> all{operation("<=", clocks),
                         operation("<=", {"0.0", store.vehicle.depth, store.vehicle.deepest}),
-                        operation("<=", {"0.0", between.monitor.surfaced, between.time})};
+                        operation("<=", {"0.0", between.remembered.surfaced, between.time})};
   for (uint32_t i = 0; i < setting.mission.temporals.size(); ++i) {
     const Temporal& t = setting.mission.temporals[i];
     if (isRemembered(t, at.state)) {

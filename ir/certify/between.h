@@ -12,7 +12,7 @@
 namespace glider::ir::certify {
 
 /// What a requirement's monitor remembers.
-struct Monitor {
+struct Remembered {
   Term after_seen = "false";
   Term surfaced = "0.0";
 };
@@ -20,7 +20,7 @@ struct Monitor {
 struct Between {
   Store store;
   Term time = "0.0";
-  Monitor monitor;
+  Remembered remembered;
 };
 
 /// A store in which nothing has started.

@@ -43,6 +43,8 @@ class Expressions {
   Truths truth(ExprId id, const Store& store);
   /// The condition of a requirement: `depth` is the vehicle's true depth.
   Truths promise(ExprId id, const Store& store);
+  /// Whether `depth` is the vehicle's true depth, as in a requirement, or a reading.
+  void readTrueDepth(bool is) { true_depth_ = is; }
   /// Any number that the range allows, known only if `known` is true.
   Number anyNumber(const Range& range, const Term& known);
   [[nodiscard]] const Term& time() const { return time_; }

@@ -56,6 +56,9 @@ std::string temporalName(const char* what, uint32_t temporal) {
 }
 
 bool hasStarted(const Variable& v, const Configuration& at) {
+  if (v.kind == VariableKind::Momentary) {
+    return false;  // nothing of it is left between two ticks
+  }
   return !v.owner.valid() || v.owner == at.state ||
          std::ranges::find(at.stack, v.owner, &Waiting::state) != at.stack.end();
 }

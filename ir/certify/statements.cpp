@@ -6,6 +6,8 @@
 #include "ir/certify/tick.h"
 #include "support/check.h"
 
+#include <algorithm>
+
 namespace glider::ir::certify {
 
 /// E2, E8, S5: an initial value that is unknown makes the variable unknown.
@@ -75,6 +77,45 @@ void Tick::execute(const Statement& s, Path& path) {
     }
   }
   CHECK(false, "a statement without a meaning");
+}
+
+bool Tick::sees(const Observation& observation, const Outcome& outcome) const {
+  const Configuration& after = outcome.to ? *outcome.to : at_;  // a mission that ends stays put
+  switch (observation.kind) {
+    case ObservationKind::Entered:
+      return outcome.entered.valid() && outcome.entered == observation.state;
+    case ObservationKind::Inside:
+      return after.state == observation.state ||
+             std::ranges::find(after.stack, observation.state, &Waiting::state) !=
+                 after.stack.end();
+    case ObservationKind::Ended:
+      break;
+  }
+  return !outcome.to;
+}
+
+/// What a momentary variable was in the tick before is forgotten. The statements read the true
+/// depth, and what they set has no range.
+void Tick::observe(Outcome& outcome) {
+  const ir::Monitor& monitor = setting_.requirement.monitor;
+  if (!monitor.step.valid()) {
+    return;
+  }
+  for (uint32_t i = 0; i < setting_.mission.variables.size(); ++i) {
+    if (setting_.mission.variables[i].kind == VariableKind::Momentary) {
+      outcome.store.variables[i] = Truths();
+    }
+  }
+  for (const Observation& observation : monitor.observations) {
+    const bool seen = sees(observation, outcome);
+    outcome.store.variables.at(observation.variable.index) =
+        Truths{seen ? "true" : "false", seen ? "false" : "true"};
+  }
+  Path path{outcome.condition, std::move(outcome.store)};
+  expressions_.readTrueDepth(true);
+  run(monitor.step, path);
+  expressions_.readTrueDepth(false);
+  outcome.store = std::move(path.store);
 }
 
 }  // namespace glider::ir::certify

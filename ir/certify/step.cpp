@@ -15,7 +15,7 @@ namespace {
 /// tick that ends so violates it. The monitors are those of before the tick, but `surfaced` counts
 /// the tick itself.
 Term violation(const Setting& setting, Expressions& expressions, const Outcome& outcome,
-               const Monitor& monitor) {
+               const Remembered& remembered) {
   const Requirement& r = setting.requirement;
   switch (r.kind) {
     case RequirementKind::Always:
@@ -23,10 +23,11 @@ Term violation(const Setting& setting, Expressions& expressions, const Outcome& 
     case RequirementKind::ExitWithin:
       return operation(">", {expressions.time(), literal(r.seconds)});
     case RequirementKind::NeverAfter:
-      return outcome.entered.valid() && outcome.entered == r.state ? monitor.after_seen : "false";
+      return outcome.entered.valid() && outcome.entered == r.state ? remembered.after_seen
+                                                                   : "false";
     case RequirementKind::SurfacesEvery:
       return operation(
-          ">", {operation("-", {expressions.time(), monitor.surfaced}), literal(r.seconds)});
+          ">", {operation("-", {expressions.time(), remembered.surfaced}), literal(r.seconds)});
     case RequirementKind::StackAtMost:
       return outcome.to && outcome.to->stack.size() > r.depth ? "true" : "false";
     case RequirementKind::Reach:
@@ -36,21 +37,21 @@ Term violation(const Setting& setting, Expressions& expressions, const Outcome& 
 }
 
 /// What `never S after A` remembers after the outcome.
-Monitor monitorAfter(const Setting& setting, const Outcome& outcome, Monitor monitor) {
+Remembered rememberedAfter(const Setting& setting, const Outcome& outcome, Remembered remembered) {
   const bool seen = outcome.entered.valid() && outcome.entered == setting.requirement.after;
   if (setting.requirement.kind == RequirementKind::NeverAfter && seen) {
-    monitor.after_seen = "true";
+    remembered.after_seen = "true";
   }
-  return monitor;
+  return remembered;
 }
 
 Ending endingOf(const Setting& setting, SmtText& out, Tick& tick, Outcome outcome,
-                const Monitor& monitor) {
+                const Remembered& remembered) {
   Ending ending{outcome.condition, outcome.words, outcome.to, outcome.impossible, {}, "", "true"};
-  ending.violates = out.boolean(violation(setting, tick.expressions(), outcome, monitor));
+  ending.violates = out.boolean(violation(setting, tick.expressions(), outcome, remembered));
   if (outcome.to) {
     const Between after{outcome.store, tick.expressions().time(),
-                        monitorAfter(setting, outcome, monitor)};
+                        rememberedAfter(setting, outcome, remembered)};
     ending.values = valuesOf(setting, *outcome.to, after);
     ending.well_formed = out.boolean(wellFormed(setting, *outcome.to, after));
   }
@@ -58,11 +59,12 @@ Ending endingOf(const Setting& setting, SmtText& out, Tick& tick, Outcome outcom
 }
 
 Step finished(const Setting& setting, SmtText& out, Tick& tick, std::vector<Outcome> outcomes,
-              const Monitor& monitor) {
+              const Remembered& remembered) {
   Step step;
   for (Outcome& outcome : outcomes) {
     if (outcome.condition != "false") {
-      step.endings.push_back(endingOf(setting, out, tick, std::move(outcome), monitor));
+      tick.observe(outcome);
+      step.endings.push_back(endingOf(setting, out, tick, std::move(outcome), remembered));
     }
   }
   step.leaves_range = tick.leavesRange();
@@ -128,12 +130,12 @@ Step stepOf(const Setting& setting, const Configuration& at, double longest_gap_
   store.vehicle = vehicleLater(setting, out, before.store.vehicle, before.time, time);
   if (setting.requirement.kind == RequirementKind::SurfacesEvery) {
     const Term surface = literal(setting.platform.world.surface_depth_m);
-    before.monitor.surfaced = out.real(
-        choice(operation("<=", {store.vehicle.depth, surface}), time, before.monitor.surfaced));
+    before.remembered.surfaced = out.real(
+        choice(operation("<=", {store.vehicle.depth, surface}), time, before.remembered.surfaced));
   }
   Tick tick(setting, out, at, time, store.vehicle.depth);
   requireConditions(setting, out, tick, store);
-  return finished(setting, out, tick, tick.run(store), before.monitor);
+  return finished(setting, out, tick, tick.run(store), before.remembered);
 }
 
 std::string wordsOf(const Mission& mission, const Configuration& at) {

@@ -44,7 +44,8 @@ std::vector<Outcome> Tick::start(Store store) {
   path.store.entered = {expressions_.time()};
   path.store.resumed = expressions_.time();
   for (uint32_t i = 0; i < setting_.mission.variables.size(); ++i) {
-    if (setting_.mission.variables[i].kind == VariableKind::Mission) {
+    const VariableKind kind = setting_.mission.variables[i].kind;
+    if (kind == VariableKind::Mission || kind == VariableKind::Monitor) {
       initialise({i}, path);
     }
   }

@@ -36,6 +36,10 @@ class Tick {
   /// Steps 3 to 5, from what the tick before has left.
   std::vector<Outcome> run(Store store);
 
+  /// README, Monitors: what the requirement's monitor does at the end of a start or tick that ends
+  /// so.
+  void observe(Outcome& outcome);
+
   Expressions& expressions() { return expressions_; }
   /// That some assignment on a path that is taken leaves the range of its variable.
   [[nodiscard]] Term leavesRange() const { return disjunction(out_of_range_); }
@@ -63,6 +67,7 @@ class Tick {
   void assign(VariableId id, ExprId expr, const Value& value, Path& path);
   void run(BlockId block, Path& path);
   void execute(const Statement& s, Path& path);
+  [[nodiscard]] bool sees(const Observation& observation, const Outcome& outcome) const;
 
   void updateTemporals(bool always, StateId state, Moment moment, Store& store);
   void updateGuard(uint32_t temporal, Moment moment, Store& store);

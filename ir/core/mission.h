@@ -135,15 +135,23 @@ enum class VariableKind : uint8_t {
   Argument,   ///< a state's parameter, given by the transition that goes to or calls it
   State,      ///< starts when its state is entered by goto or call
   Profile,    ///< of a profile written in the language: as State
-  Route
+  Route,
+  Monitor,   ///< of a requirement's monitor: starts with the mission; it is not compiled
+  Momentary  ///< the same, but unknown at the end of each tick until the monitor sets it
 };
+
+/// Variables of these kinds come last in the vector.
+constexpr bool isOfMonitor(VariableKind kind) {
+  return kind == VariableKind::Monitor || kind == VariableKind::Momentary;
+}
 
 struct Variable {
   std::string name;  ///< unique: "upper", "leg.to", "search.profile.done"
   Type type;
   VariableKind kind = VariableKind::Mission;
-  StateId owner;   ///< of all kinds but Parameter and Mission
-  ExprId initial;  ///< of all kinds but Argument; a Parameter's is a Constant, True or False
+  StateId owner;   ///< of the kinds Argument to Route
+  ExprId initial;  ///< of all kinds but Argument and Momentary; a Parameter's is a Constant, True
+                   ///< or False
   double lowest = -kEndless;  ///< its value, when known, lies between these (SI units, degrees)
   double highest = kEndless;
   support::SourceRange range;
@@ -314,11 +322,42 @@ struct Geofence {
   bool operator==(const Geofence&) const = default;
 };
 
+/// What a tick did, as a monitor sees it.
+enum class ObservationKind : uint8_t {
+  Entered,  ///< the tick entered `state` by goto or call, or as the first state of the mission
+  Inside,   ///< `state` is current, or waits on the call stack
+  Ended     ///< the tick ended the mission
+};
+
+struct Observation {
+  VariableId variable;  ///< Momentary, a truth value: set at the end of each tick
+  ObservationKind kind = ObservationKind::Ended;
+  StateId state;  ///< of Entered and Inside
+};
+
+/// A way of violating a requirement.
+struct Violation {
+  ExprId condition;
+  std::string words;  ///< "`b` was not visited within 2 h"
+};
+
+/// Watches a flight for a requirement that one condition cannot express. It does not fly: at the
+/// end of the start and of each tick the observations are set, then `step` runs, then the
+/// requirement's condition is checked (ir/README.md, Monitors). It reads the true depth.
+struct Monitor {
+  std::vector<Observation> observations;
+  BlockId step;  ///< Set and If, of variables of the kinds Monitor and Momentary; invalid: none
+  std::vector<Violation> violations;  ///< the requirement's condition is that none is true
+  double horizon_s = 0;               ///< the longest time in it, s; 0: none
+  bool every_tick = false;            ///< it compares a tick with the one before
+};
+
 struct Requirement {
   RequirementKind kind = RequirementKind::Always;
   ExprId condition;  ///< of Always: reads no temporal and nothing that belongs to a state
   /// For Always: if not empty, the condition only requires that all of them are kept.
   std::vector<Geofence> geofences;
+  Monitor monitor;     ///< of Always
   double seconds = 0;  ///< positive
   uint32_t depth = 0;
   StateId state;

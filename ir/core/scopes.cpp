@@ -24,6 +24,7 @@ void join(Reads& reads, const Reads& operand) {
   reads.temporals_end = std::max(reads.temporals_end, operand.temporals_end);
   reads.moment |= operand.moment;
   reads.mission |= operand.mission;
+  reads.monitor |= operand.monitor;
 }
 
 }  // namespace
@@ -38,6 +39,7 @@ Reads readsOf(const Mission& mission, const Expr& e, const std::vector<Reads>& o
     readState(reads, v.owner);
     reads.variables_end = e.variable.index + 1;
     reads.mission = v.kind == VariableKind::Mission;
+    reads.monitor = isOfMonitor(v.kind);
   } else if (e.op == Op::Temporal) {
     readState(reads, mission[e.temporal].state);
     reads.temporals_end = e.temporal.index + 1;

@@ -15,6 +15,7 @@ struct Reads {
   uint32_t temporals_end = 0;  ///< the same of a temporal
   bool moment = false;         ///< a sensor, a clock or a C function
   bool mission = false;        ///< a variable of the mission that is not a parameter
+  bool monitor = false;        ///< a variable of a requirement's monitor
 };
 
 /// What an expression reads, given what its operands read: `operands` has an entry for each

@@ -23,7 +23,7 @@ constexpr Type kTime{TypeKind::Quantity, support::dimension::time};
 constexpr StateId kNoState;
 
 bool ownedByState(VariableKind kind) {
-  return kind != VariableKind::Parameter && kind != VariableKind::Mission;
+  return kind >= VariableKind::Argument && kind <= VariableKind::Route;
 }
 
 bool mayBeLogged(Op op) {
@@ -81,14 +81,15 @@ class CodeValidator {
   /// Whether code in `state` (kNoState: in `always`) may read what this expression reads.
   bool inScope(ExprId id, StateId state) const {
     const Reads& reads = reads_[id.index];
-    return !reads.two_states && (!reads.state.valid() || reads.state == state);
+    return !reads.two_states && (!reads.state.valid() || reads.state == state) &&
+           (!reads.monitor || in_monitor_);
   }
 
   /// Whether an expression's value is fixed when the mission is launched.
   bool launchTime(ExprId id) const {
     const Reads* reads = exists(id) ? &reads_[id.index] : nullptr;
     return reads != nullptr && !reads->state.valid() && !reads->moment && !reads->mission &&
-           reads->temporals_end == 0;
+           !reads->monitor && reads->temporals_end == 0;
   }
 
   static bool isArea(const Geofence& fence) {
@@ -98,6 +99,13 @@ class CodeValidator {
   }
 
   void requirement(const Requirement& r) {
+    in_monitor_ = true;
+    parts(r);
+    monitor(r);
+    in_monitor_ = false;
+  }
+
+  void parts(const Requirement& r) {
     const bool about_states =
         r.kind == RequirementKind::Reach || r.kind == RequirementKind::NeverAfter;
     const bool timed =
@@ -118,6 +126,37 @@ class CodeValidator {
         r.range, "a requirement about an unknown state");
   }
 
+  void monitor(const Requirement& r) {
+    const Monitor& monitor = r.monitor;
+    if (!monitor.step.valid()) {
+      require(monitor.observations.empty() && monitor.violations.empty(), r.range,
+              "a monitor without a step");
+      return;
+    }
+    require(r.kind == RequirementKind::Always && r.geofences.empty(), r.range,
+            "a requirement of another kind with a monitor");
+    require(std::isfinite(monitor.horizon_s) && monitor.horizon_s >= 0, r.range,
+            "a monitor with the horizon {}", monitor.horizon_s);
+    for (const Observation& o : monitor.observations) {
+      observation(o, r.range);
+    }
+    action(monitor.step, kNoState, r.range);
+    for (const Violation& violation : monitor.violations) {
+      expression(violation.condition, kNoState, kBool, r.range, "a violation");
+      require(exists(violation.condition) && reads_[violation.condition.index].temporals_end == 0,
+              r.range, "a violation observes something over time");
+    }
+  }
+
+  void observation(const Observation& o, SourceRange range) {
+    const bool there = o.variable.index < m_.variables.size();
+    require(there && m_[o.variable].kind == VariableKind::Momentary && m_[o.variable].type == kBool,
+            range, "an observation of something other than a momentary truth value");
+    const bool of_state = o.kind != ObservationKind::Ended;
+    require(of_state ? o.state.index < m_.states.size() : !o.state.valid(), range,
+            "an observation of an unknown state");
+  }
+
   /// Each `what` and `where` is a text, or a function that returns it.
   template <typename Text>
   void expression(ExprId id, StateId state, Type type, SourceRange range, const Text& what) {
@@ -135,16 +174,22 @@ class CodeValidator {
 
   void variables() {
     bool parameters = true;
+    bool monitors = false;
     for (uint32_t i = 0; i < m_.variables.size(); ++i) {
       const Variable& v = m_.variables[i];
-      const bool known = v.kind <= VariableKind::Route;
+      const bool known = v.kind <= VariableKind::Momentary;
       require(known && (ownedByState(v.kind) ? v.owner.index < m_.states.size() : !v.owner.valid()),
               v.range, "variable `{}` has no owner, or one too many", v.name);
       require(parameters || v.kind != VariableKind::Parameter, v.range,
               "parameter `{}` does not stand before the variables", v.name);
       parameters &= v.kind == VariableKind::Parameter;
-      if (v.kind == VariableKind::Argument) {
-        require(!v.initial.valid(), v.range, "argument `{}` has an initial value", v.name);
+      require(!monitors || isOfMonitor(v.kind), v.range,
+              "variable `{}` comes after those of monitors", v.name);
+      monitors |= isOfMonitor(v.kind);
+      require(v.kind != VariableKind::Momentary || v.type == kBool, v.range,
+              "momentary variable `{}` is not a truth value", v.name);
+      if (v.kind == VariableKind::Argument || v.kind == VariableKind::Momentary) {
+        require(!v.initial.valid(), v.range, "`{}` has an initial value", v.name);
       } else {
         initial(i, v);
       }
@@ -156,6 +201,8 @@ class CodeValidator {
 
   void initial(uint32_t number, const Variable& v) {
     const auto what = [&] { return fmt::format("the initial value of `{}`", v.name); };
+    require(!isOfMonitor(v.kind) || launchTime(v.initial), v.range, "{} is not fixed at launch",
+            what);
     expression(v.initial, v.owner, v.type, v.range, what);
     if (!exists(v.initial)) {
       return;
@@ -253,6 +300,10 @@ class CodeValidator {
   }
 
   void statement(const Statement& s, StateId state) {
+    require(!in_monitor_ || s.kind == StatementKind::Set || s.kind == StatementKind::If, s.range,
+            "a monitor does more than watch");
+    require(!in_monitor_ || !exists(s.value) || reads_[s.value.index].temporals_end == 0, s.range,
+            "a monitor observes something over time");
     switch (s.kind) {
       case StatementKind::Set:
         set(s, state);
@@ -278,8 +329,9 @@ class CodeValidator {
       return;
     }
     const Variable& v = m_[s.variable];
-    require(v.kind != VariableKind::Parameter && v.kind != VariableKind::Argument, s.range,
-            "`{}` cannot be set", v.name);
+    require(v.kind != VariableKind::Parameter && v.kind != VariableKind::Argument &&
+                isOfMonitor(v.kind) == in_monitor_,
+            s.range, "`{}` cannot be set", v.name);
     require(!v.owner.valid() || v.owner == state, s.range, "`{}` belongs to another state", v.name);
     expression(s.value, state, v.type, s.range,
                [&] { return fmt::format("what `{}` is set to", v.name); });
@@ -412,6 +464,7 @@ class CodeValidator {
   const std::vector<Reads> reads_;
   std::vector<uint32_t> block_uses_;
   std::vector<size_t> arguments_;  ///< how many each state owns
+  bool in_monitor_ = false;        ///< what is checked belongs to a requirement
 };
 
 }  // namespace

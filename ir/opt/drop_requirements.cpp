@@ -68,6 +68,7 @@ void dropRequirements(Mission& mission) {
     return;
   }
   mission.requirements.clear();
+  std::erase_if(mission.variables, [](const Variable& v) { return isOfMonitor(v.kind); });
   opt::compact(mission);
   const std::vector<bool> used = usedSensors(mission);
   std::vector<uint32_t> numbers(used.size());

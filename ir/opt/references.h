@@ -70,6 +70,13 @@ class References {
     }
     for (Requirement& requirement : mission.requirements) {
       name(requirement.condition);
+      name(requirement.monitor.step);
+      for (Observation& observation : requirement.monitor.observations) {
+        name(observation.state);
+      }
+      for (Violation& violation : requirement.monitor.violations) {
+        name(violation.condition);
+      }
       name(requirement.state);
       name(requirement.after);
     }

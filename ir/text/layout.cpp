@@ -36,7 +36,10 @@ std::vector<uint32_t> countUses(const Mission& mission) {
     count(t.along);
   }
   std::ranges::for_each(mission.conditions, count);
-  std::ranges::for_each(mission.requirements, count, &Requirement::condition);
+  for (const Requirement& r : mission.requirements) {
+    count(r.condition);
+    std::ranges::for_each(r.monitor.violations, count, &Violation::condition);
+  }
   for (const Block& block : mission.blocks) {
     for (const Statement& s : block.statements) {
       count(s.value);

@@ -103,8 +103,8 @@ void Printer::behaviour(const Behaviour& b) {
 }
 
 void Printer::variable(const Variable& v) {
-  constexpr std::string_view kKinds[] = {"parameter", "mission", "argument",
-                                         "state",     "profile", "route"};
+  constexpr std::string_view kKinds[] = {"parameter", "mission", "argument", "state",
+                                         "profile",   "route",   "monitor",  "momentary"};
   add("\nvariable {}: {} {}", nameText(v.name), typeText(v.type),
       kKinds[static_cast<size_t>(v.kind)]);
   if (v.owner.valid()) {
@@ -169,6 +169,7 @@ void Printer::state(const State& s) {
 void Printer::requirement(const Requirement& r) {
   switch (r.kind) {
     case RequirementKind::Always:
+      monitor(r.monitor);
       prepare({&r.condition, 1});
       line("require always ");
       use(r.condition);
@@ -185,6 +186,30 @@ void Printer::requirement(const Requirement& r) {
     case RequirementKind::SurfacesEvery:
       return line("require surfaces every {}", r.seconds);
   }
+}
+
+void Printer::monitor(const Monitor& monitor) {
+  constexpr std::string_view kKinds[] = {"entered", "inside", "ended"};
+  if (!monitor.step.valid()) {
+    return;
+  }
+  defineBlocks(monitor.step);
+  line("monitor {}horizon {}", monitor.every_tick ? "of every tick " : "", monitor.horizon_s);
+  ++indent_;
+  for (const Observation& o : monitor.observations) {
+    line("observe {} {}", nameText(m_[o.variable].name), kKinds[static_cast<size_t>(o.kind)]);
+    if (o.state.valid()) {
+      add(" {}", nameText(m_[o.state].name));
+    }
+  }
+  line("step ");
+  useBlock(monitor.step, "do");
+  for (const Violation& violation : monitor.violations) {
+    prepare({&violation.condition, 1});
+    line("violation {} ", nameText(violation.words));
+    use(violation.condition);
+  }
+  --indent_;
 }
 
 void Printer::geofences(const Requirement& r) {

@@ -56,6 +56,7 @@ class Printer {
   void temporal(const Temporal& temporal);
   void cases(const std::vector<Case>& cases);
   void geofences(const Requirement& r);
+  void monitor(const Monitor& monitor);
   void table(const GuardTable& table);
   void requirement(const Requirement& requirement);
   void entry(BlockId block);

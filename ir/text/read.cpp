@@ -71,6 +71,8 @@ class Reader {
       always();
     } else if (in_.accept("state")) {
       state();
+    } else if (in_.accept("monitor")) {
+      monitor();
     } else if (in_.peek().isWord("require")) {
       requirement();
     } else if (in_.accept("resume")) {
@@ -114,6 +116,7 @@ class Reader {
     if (in_.accept("always")) {
       r.kind = RequirementKind::Always;
       r.condition = code_.expression();
+      r.monitor = std::exchange(monitor_, {});
       geofences(r);
     } else if (in_.accept("exit")) {
       r.kind = RequirementKind::ExitWithin;
@@ -138,6 +141,54 @@ class Reader {
     }
     r.range = in_.since(begin);
     m_.requirements[number] = r;
+  }
+
+  /// What precedes a `require always`: its monitor.
+  void monitor() {
+    if (in_.accept("of")) {
+      in_.expect("every");
+      in_.expect("tick");
+      monitor_.every_tick = true;
+    }
+    in_.expect("horizon");
+    monitor_.horizon_s = in_.number(false);
+    const size_t requirement = m_.requirements.size();
+    while (in_.accept("observe")) {
+      observation(requirement);
+    }
+    in_.expect("step");
+    code_.entry(monitor_.step);
+    while (true) {
+      if (code_.definition()) {
+        continue;
+      }
+      if (!in_.accept("violation")) {
+        break;
+      }
+      std::string words = in_.name("the words of a violation");
+      monitor_.violations.push_back({code_.expression(), std::move(words)});
+    }
+    if (!in_.peek().isWord("require")) {
+      in_.failExpecting("`violation` or `require`");
+    }
+  }
+
+  void observation(size_t requirement) {
+    Observation o;
+    o.variable = code_.variableName();
+    if (in_.accept("ended")) {
+      monitor_.observations.push_back(o);
+      return;
+    }
+    o.kind = in_.accept("entered") ? ObservationKind::Entered : ObservationKind::Inside;
+    if (o.kind == ObservationKind::Inside) {
+      in_.expect("inside");
+    }
+    const size_t number = monitor_.observations.size();
+    code_.stateName([this, requirement, number](StateId id) {
+      m_.requirements[requirement].monitor.observations[number].state = id;
+    });
+    monitor_.observations.push_back(o);
   }
 
   void geofences(Requirement& r) {
@@ -214,8 +265,8 @@ class Reader {
   }
 
   void variable() {
-    constexpr std::string_view kKinds[] = {"parameter", "mission", "argument",
-                                           "state",     "profile", "route"};
+    constexpr std::string_view kKinds[] = {"parameter", "mission", "argument", "state",
+                                           "profile",   "route",   "monitor",  "momentary"};
     const Token name = in_.nameToken("the variable's name");
     const size_t number = m_.variables.size();
     variables_.define(name, number);
@@ -227,7 +278,9 @@ class Reader {
     const auto* kind =
         std::ranges::find_if(kKinds, [&](std::string_view word) { return in_.accept(word); });
     if (kind == std::end(kKinds)) {
-      in_.failExpecting("`parameter`, `mission`, `argument`, `state`, `profile` or `route`");
+      in_.failExpecting(
+          "`parameter`, `mission`, `argument`, `state`, `profile`, `route`, `monitor` or "
+          "`momentary`");
       return;
     }
     v.kind = static_cast<VariableKind>(kind - std::begin(kKinds));
@@ -371,6 +424,7 @@ class Reader {
   text::Names profiles_{in_, "profile"};
   text::Names routes_{in_, "route"};
   text::Names states_{in_, "state"};
+  Monitor monitor_;  ///< of the next requirement
   text::Names variables_{in_, "variable"};
   text::Names functions_{in_, "function"};
   text::CodeReader code_{in_, m_, sensors_, variables_};

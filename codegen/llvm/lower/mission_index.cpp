@@ -43,6 +43,8 @@ void indexVariables(const ir::Mission& mission, MissionIndex& index) {
         break;
       case ir::VariableKind::Mission:
       case ir::VariableKind::Argument:
+      case ir::VariableKind::Monitor:  // dropped with the requirements
+      case ir::VariableKind::Momentary:
         break;
     }
   }

@@ -59,6 +59,7 @@ class Declarations {
   void visit(const ast::ExternFunction& node) { declareExternal(node, scope_); }
   void visit(const ast::Always&) {}
   void visit(const ast::Import&) {}
+  void visit(const ast::PlaceDeclaration&) {}
   void visit(const ast::Requirement&) {}
   void visit(const ast::Resumption&) {}
   void visit(const ast::Declination&) {}

@@ -43,6 +43,9 @@ struct Judge {
   std::optional<Refused> operator()(const ast::Always& item) const {
     return Refused{"`always`", item.where};
   }
+  std::optional<Refused> operator()(const ast::PlaceDeclaration& item) const {
+    return Refused{"place `" + item.name.text + "`", item.name.where};
+  }
   std::optional<Refused> operator()(const ast::Requirement& item) const {
     return Refused{"a requirement", item.where};
   }

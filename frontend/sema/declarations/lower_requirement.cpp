@@ -3,8 +3,8 @@
 
 #include "frontend/sema/declarations/lower_requirement.h"
 
-#include "frontend/sema/expressions/evaluate.h"
 #include "frontend/sema/expressions/lower_expr.h"
+#include "frontend/sema/promises/lower_promise.h"
 #include "frontend/spelling.h"
 
 #include <fmt/format.h>
@@ -81,7 +81,7 @@ class RequirementLowering {
   bool lower(const ast::StackPromise& promise) {
     result_.kind = ir::RequirementKind::StackAtMost;
     const auto depth =
-        constant(promise.depth, quantity(support::dimension::number), "the depth of the stack");
+        promisedNumber(promise.depth, plainNumber(), "the depth of the stack", scope_);
     if (depth && !(*depth >= 0 && *depth <= kDeepest && std::floor(*depth) == *depth)) {
       scope_.report(DiagnosticId::stackNotWhole, promise.depth.where,
                     scope_.text(promise.depth.where));
@@ -96,33 +96,16 @@ class RequirementLowering {
     return state(promise.state, result_.state);
   }
 
-  bool lower(const ast::NeverPromise& promise) {
-    result_.kind = ir::RequirementKind::NeverAfter;
-    const bool first = state(promise.state, result_.state);
-    return state(promise.after, result_.after) && first;
+  /// A pattern.
+  template <typename Promise>
+  bool lower(const Promise& promise) {
+    return PromiseLowering(node_, scope_, result_).lower(promise);
   }
 
   bool seconds(const ast::Expr& expr, std::string_view what) {
-    const auto time =
-        constant(expr, quantity(support::dimension::time), fmt::format("the time of `{}`", what));
-    if (time && !(*time > 0)) {
-      scope_.report(DiagnosticId::requirementTime, expr.where, what, scope_.text(expr.where));
-      return false;
-    }
-    result_.seconds = time.value_or(0);
+    const auto time = promisedTime(expr, what, scope_);
+    result_.seconds = time ? time->seconds : 0;
     return time.has_value();
-  }
-
-  std::optional<double> constant(const ast::Expr& expr, const ir::Type& type,
-                                 const std::string& what) {
-    const size_t before = scope_.mission.exprs.size();
-    const auto id = ExprLowering(scope_).lowerAs(expr, type, what);
-    const auto value = id ? evaluate(scope_.mission, *id) : std::nullopt;
-    scope_.mission.exprs.resize(before);
-    if (id && !value) {
-      scope_.report(DiagnosticId::notConstant, expr.where, scope_.text(expr.where), what);
-    }
-    return value;
   }
 
   bool state(const ast::Name& name, ir::StateId& id) {
@@ -150,6 +133,7 @@ class RequirementLowering {
 }  // namespace
 
 void lowerRequirements(const ast::File& file, Scope& scope) {
+  declarePlaces(file, scope);
   for (const ast::Item& item : file.items) {
     if (const auto* node = std::get_if<ast::Requirement>(&item)) {
       if (auto requirement = RequirementLowering(*node, scope).run()) {

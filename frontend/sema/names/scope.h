@@ -194,6 +194,7 @@ class Scope {
   static constexpr size_t kMostOwnSensors = 64;
   std::map<std::string, OwnSensor, std::less<>> own_sensors;
   std::map<std::string, ir::StateId, std::less<>> states;
+  std::map<std::string, const ast::PlaceDeclaration*, std::less<>> places;
   std::vector<StateDeclaration> state_declarations;  ///< by StateId
   std::map<std::string, BehaviourDeclaration, std::less<>> behaviours;
 

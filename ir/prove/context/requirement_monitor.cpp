@@ -3,13 +3,19 @@
 
 #include "ir/prove/context/requirement_monitor.h"
 
+#include <algorithm>
+#include <limits>
 #include <span>
 
 namespace glider::ir {
 
 RequirementMonitor::RequirementMonitor(const Mission& mission, const Requirement& requirement,
                                        double surface_depth_m, std::optional<SensorId> depth)
-    : m_(mission), requirement_(requirement), surface_depth_m_(surface_depth_m), depth_(depth) {}
+    : m_(mission),
+      requirement_(requirement),
+      surface_depth_m_(surface_depth_m),
+      depth_(depth),
+      memory_(mission.variables.size(), std::numeric_limits<double>::quiet_NaN()) {}
 
 /// By goto or call, or as the first state of the mission.
 bool RequirementMonitor::enters(const TickResult& result, StateId state) const {
@@ -23,14 +29,81 @@ bool RequirementMonitor::enters(const TickResult& result, StateId state) const {
   return cases.at(result.moved->number).transition != Transition::Return;
 }
 
-bool RequirementMonitor::conditionIsFalse(const Interpreter& run, double true_depth) const {
+Value RequirementMonitor::valueOf(ExprId id, const Interpreter& run, double true_depth) const {
   const auto leaf = [&](const Expr& e, std::span<const double>) -> Value {
     if (e.op == Op::Sensor && depth_ && e.sensor == *depth_ && true_depth == true_depth) {
       return true_depth;
     }
+    if (e.op == Op::Variable && isOfMonitor(m_[e.variable].kind)) {
+      return asValue(memory_[e.variable.index], m_[e.variable].type);
+    }
     return run.evaluate({static_cast<uint32_t>(&e - m_.exprs.data())});
   };
-  return std::get<Truth>(evaluate(m_, requirement_.condition, leaf)) == Truth::False;
+  return evaluate(m_, id, leaf);
+}
+
+bool RequirementMonitor::conditionIsFalse(const Interpreter& run, double true_depth) const {
+  return std::get<Truth>(valueOf(requirement_.condition, run, true_depth)) == Truth::False;
+}
+
+bool RequirementMonitor::observed(const Observation& observation, const TickResult& result) const {
+  switch (observation.kind) {
+    case ObservationKind::Entered:
+      return enters(result, observation.state);
+    case ObservationKind::Inside:
+      return result.state == observation.state ||
+             std::ranges::find(result.stack, observation.state, &Frame::state) !=
+                 result.stack.end();
+    case ObservationKind::Ended:
+      break;
+  }
+  return result.finished;
+}
+
+/// The end of a tick, for the monitor (ir/README.md, Monitors).
+void RequirementMonitor::watch(const Interpreter& run, const TickResult& result,
+                               double true_depth) {
+  const Monitor& monitor = requirement_.monitor;
+  for (uint32_t i = 0; i < memory_.size(); ++i) {
+    const Variable& v = m_.variables[i];
+    if (v.kind == VariableKind::Momentary) {
+      memory_[i] = std::numeric_limits<double>::quiet_NaN();
+    } else if (v.kind == VariableKind::Monitor && !started_) {
+      memory_[i] = asNumber(valueOf(v.initial, run, true_depth));
+    }
+  }
+  for (const Observation& observation : monitor.observations) {
+    memory_[observation.variable.index] = observed(observation, result) ? 1 : 0;
+  }
+  execute(monitor.step, run, true_depth);
+  for (const Violation& violation : monitor.violations) {
+    if (words_.empty() &&
+        std::get<Truth>(valueOf(violation.condition, run, true_depth)) == Truth::True) {
+      words_ = violation.words;
+    }
+  }
+}
+
+/// S1 and S2, without notes.
+// NOLINTNEXTLINE(misc-no-recursion): as deep as the monitor's statements nest
+void RequirementMonitor::execute(BlockId block, const Interpreter& run, double true_depth) {
+  if (!block.valid()) {
+    return;
+  }
+  for (const Statement& s : m_[block].statements) {
+    const Value value = valueOf(s.value, run, true_depth);
+    if (s.kind == StatementKind::Set) {
+      const double number = asNumber(value);
+      double& held = memory_[s.variable.index];
+      held = number == number ? number : held;
+    } else if (s.kind == StatementKind::If) {
+      const Truth condition = std::get<Truth>(value);
+      execute(condition == Truth::True    ? s.then
+              : condition == Truth::False ? s.otherwise
+                                          : BlockId(),
+              run, true_depth);
+    }
+  }
 }
 
 void RequirementMonitor::tick(const Interpreter& run, double mission_time, const TickResult& result,
@@ -40,6 +113,9 @@ void RequirementMonitor::tick(const Interpreter& run, double mission_time, const
   }
   if (true_depth <= surface_depth_m_) {
     last_surface_ = mission_time;
+  }
+  if (requirement_.monitor.step.valid()) {
+    watch(run, result, true_depth);
   }
   bool hit = false;
   switch (requirement_.kind) {

@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace glider::ir {
 
@@ -27,9 +28,16 @@ class RequirementMonitor {
 
   /// When the requirement was violated (for Reach: satisfied); empty: not yet.
   [[nodiscard]] std::optional<double> when() const { return when_; }
+  /// How it was violated, as the requirement's monitor describes it; empty: it has none.
+  [[nodiscard]] const std::string& words() const { return words_; }
 
  private:
   [[nodiscard]] bool enters(const TickResult& result, StateId state) const;
+  /// As the requirement reads it: variables of its monitor, and the true depth.
+  [[nodiscard]] Value valueOf(ExprId id, const Interpreter& run, double true_depth) const;
+  [[nodiscard]] bool observed(const Observation& observation, const TickResult& result) const;
+  void watch(const Interpreter& run, const TickResult& result, double true_depth);
+  void execute(BlockId block, const Interpreter& run, double true_depth);
   [[nodiscard]] bool conditionIsFalse(const Interpreter& run, double true_depth) const;
 
   const Mission& m_;
@@ -41,6 +49,8 @@ class RequirementMonitor {
   StateId before_;
   bool after_seen_ = false;
   double last_surface_ = 0;
+  std::vector<double> memory_;  ///< of the monitor's variables, by variable; NaN: unknown
+  std::string words_;
   std::optional<double> when_;
 };
 

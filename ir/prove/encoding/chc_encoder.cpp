@@ -115,7 +115,9 @@ void ChcEncoder::begin() {
   if (watch_.begin) {
     watch_.begin(after);
   }
-  addBad(std::nullopt, {}, condition, std::nullopt, after, moment, unknowns);
+  Left left = leave(nullptr, std::move(after), moment);
+  addBad(std::nullopt, {}, condition, std::nullopt, left, moment, unknowns);
+  after = std::move(left.configuration);
   Rule rule{std::nullopt, Place{control, Side::Done},
             {},           layout_.row(after),
             condition,    {},
@@ -137,6 +139,10 @@ void ChcEncoder::elapse(const Control& control) {
                                    after.store.vehicle->depth, proof_context_.platform);
   }
   condition = condition && noticed(before, after, unknowns);
+  if (watch_.every_tick) {
+    condition = condition && after.mission_time - before.mission_time <=
+                                 realOf(context_, proof_context_.tick_gap_s);
+  }
   if (watch_.elapse) {
     watch_.elapse(before, after);
   }
@@ -235,19 +241,26 @@ z3::expr ChcEncoder::noticed(const Configuration& before, const Configuration& a
   return late <= before.mission_time || same;
 }
 
-/// The state that a tick leaves may be bad: it is checked with the tick's readings.
-void ChcEncoder::addBad(const std::optional<Place>& from, const std::vector<z3::expr>& row,
-                        const z3::expr& condition, const std::optional<Configuration>& before,
-                        const Configuration& left, const SymbolicState& readings,
-                        const Unknowns& unknowns) {
-  if (!watch_.bad_at_tick) {
-    return;
-  }
+ChcEncoder::Left ChcEncoder::leave(const Outcome* outcome, Configuration left,
+                                   const SymbolicState& readings) const {
   SymbolicState seen = readings;
   left.store.show(seen);
   seen.setClocks(left.mission_time, left.mission_time - left.entered.back(),
                  left.mission_time - left.resumed);
-  if (const auto bad = watch_.bad_at_tick(left, seen)) {
+  if (watch_.observe) {
+    watch_.observe(outcome, left, seen);
+  }
+  return {std::move(left), std::move(seen)};
+}
+
+/// The state that a tick leaves may be bad: it is checked with the tick's readings.
+void ChcEncoder::addBad(const std::optional<Place>& from, const std::vector<z3::expr>& row,
+                        const z3::expr& condition, const std::optional<Configuration>& before,
+                        Left& left, const SymbolicState& readings, const Unknowns& unknowns) {
+  if (!watch_.bad_at_tick) {
+    return;
+  }
+  if (const auto bad = watch_.bad_at_tick(left.configuration, left.moment)) {
     add({from,
          std::nullopt,
          row,
@@ -256,7 +269,7 @@ void ChcEncoder::addBad(const std::optional<Place>& from, const std::vector<z3::
          {},
          true,
          before,
-         left,
+         left.configuration,
          readings.readings()},
         unknowns);
   }
@@ -272,8 +285,8 @@ void ChcEncoder::tick(const Control& control) {
   const Place from{control, Side::Due};
   const std::vector<z3::expr> row = layout_.row(before);
   for (const Outcome& outcome : outcomes) {
-    addBad(from, row, outcome.condition, before, outcome.after ? *outcome.after : *outcome.left,
-           moment, unknowns);
+    Left left = leave(&outcome, outcome.after ? *outcome.after : *outcome.left, moment);
+    addBad(from, row, outcome.condition, before, left, moment, unknowns);
     if (watch_.bad_move) {
       if (const auto bad = watch_.bad_move(before, outcome)) {
         add({from,
@@ -292,7 +305,7 @@ void ChcEncoder::tick(const Control& control) {
     if (!outcome.after) {
       continue;
     }
-    Configuration after = *outcome.after;
+    Configuration after = std::move(left.configuration);
     if (watch_.move) {
       watch_.move(before, outcome, after);
     }

@@ -25,6 +25,11 @@ struct SafetyProperty {
   std::function<void(const Configuration& before, Configuration& after)> elapse;
   std::function<void(const Configuration& before, const Outcome& outcome, Configuration& after)>
       move;
+  /// What a monitor does at the end of a start or tick, in what that leaves: `outcome` is empty for
+  /// the start. It sets variables of `left`, as `moment` sees the tick.
+  std::function<void(const Outcome* outcome, Configuration& left, SymbolicState& moment)> observe;
+  /// Whether each tick of a trace is followed: otherwise a step may stand for several ticks.
+  bool every_tick = false;
   /// A condition that no tick may leave, including the start and the last tick: checked with its
   /// readings.
   std::function<std::optional<z3::expr>(const Configuration& left, SymbolicState& moment)>

@@ -18,7 +18,8 @@ std::string unquoted(const std::string& name) {
 
 bool Layout::keeps(const Control& control, uint32_t variable) const {
   const Variable& v = m_.variables[variable];
-  return relevance_.variables[variable] && (!v.owner.valid() || control.holds(v.owner));
+  return relevance_.variables[variable] && v.kind != VariableKind::Momentary &&
+         (!v.owner.valid() || control.holds(v.owner));
 }
 
 bool Layout::watches(const Control& control, uint32_t temporal) const {

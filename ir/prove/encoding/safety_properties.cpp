@@ -84,20 +84,71 @@ SafetyProperty surfacesEvery(double seconds, z3::context& context,
   return watch;
 }
 
-/// The condition is evaluated at a moment in which the depth reading is the true depth.
-z3::expr isFalse(ExprId condition, const Configuration& now, SymbolicState moment,
-                 const ProofContext& proof_context) {
+/// A requirement is evaluated at a moment in which the depth reading is the true depth.
+void showTrueDepth(const Configuration& now, SymbolicState& moment,
+                   const ProofContext& proof_context) {
   if (proof_context.depth && now.store.vehicle) {
     (void)moment.age(*proof_context.depth);  // of the reading, which may be unknown
     moment.setReading(*proof_context.depth,
                       NumberTerm{now.store.vehicle->depth, moment.context().bool_val(true), 0});
     moment.forget();
   }
+}
+
+z3::expr isFalse(ExprId condition, const Configuration& now, SymbolicState moment,
+                 const ProofContext& proof_context) {
+  showTrueDepth(now, moment, proof_context);
   return moment.truth(condition).is_false;
 }
 
-SafetyProperty always(ExprId condition, const ProofContext& proof_context) {
+bool observed(const Observation& observation, const Outcome* outcome, const Configuration& left) {
+  switch (observation.kind) {
+    case ObservationKind::Entered:
+      return outcome == nullptr ? left.control.state == observation.state
+                                : enters(*outcome, observation.state);
+    case ObservationKind::Inside:
+      return left.control.holds(observation.state);
+    case ObservationKind::Ended:
+      break;
+  }
+  return outcome != nullptr && !outcome->after;
+}
+
+/// What the monitor does, as in the interpreter (ir/README.md, Monitors).
+void observe(const Monitor& monitor, const Outcome* outcome, Configuration& left,
+             SymbolicState& moment, const ProofContext& proof_context,
+             const ConeOfInfluence& relevance) {
+  z3::context& context = moment.context();
+  for (auto& [index, truth] : left.store.truths) {
+    if (proof_context.mission.variables[index].kind == VariableKind::Momentary) {
+      truth = {context.bool_val(false), context.bool_val(false)};
+    }
+  }
+  for (const Observation& observation : monitor.observations) {
+    const auto found = left.store.truths.find(observation.variable.index);
+    if (found != left.store.truths.end()) {
+      const bool is = observed(observation, outcome, left);
+      found->second = {context.bool_val(is), context.bool_val(!is)};
+    }
+  }
+  SymbolicState seen = moment;
+  showTrueDepth(left, seen, proof_context);
+  left.store = SymbolicTick(proof_context, relevance, moment.unknowns())
+                   .execute(seen, monitor.step, std::move(left.store), left.mission_time);
+  left.store.show(moment);
+}
+
+SafetyProperty always(const Requirement& requirement, const ProofContext& proof_context,
+                      const ConeOfInfluence& relevance) {
   SafetyProperty watch;
+  const ExprId condition = requirement.condition;
+  if (requirement.monitor.step.valid()) {
+    watch.every_tick = requirement.monitor.every_tick;
+    watch.observe = [&requirement, &proof_context, &relevance](
+                        const Outcome* outcome, Configuration& left, SymbolicState& moment) {
+      observe(requirement.monitor, outcome, left, moment, proof_context, relevance);
+    };
+  }
   watch.bad_at_tick = [condition, &proof_context](const Configuration& left,
                                                   SymbolicState& moment) {
     return std::optional(isFalse(condition, left, moment, proof_context));
@@ -108,16 +159,25 @@ SafetyProperty always(ExprId condition, const ProofContext& proof_context) {
 }  // namespace
 
 bool reckonsWithDepth(const Requirement& requirement, const ProofContext& proof_context) {
-  return requirement.kind == RequirementKind::SurfacesEvery ||
-         (requirement.kind == RequirementKind::Always &&
-          readsDepth(requirement.condition, proof_context));
+  if (requirement.kind == RequirementKind::SurfacesEvery) {
+    return true;
+  }
+  if (requirement.kind != RequirementKind::Always) {
+    return false;
+  }
+  bool reads = readsDepth(requirement.condition, proof_context);
+  forEachStatement(proof_context.mission, requirement.monitor.step, [&](const Statement& s) {
+    reads = reads || readsDepth(s.value, proof_context);
+  });
+  return reads;
 }
 
 SafetyProperty safetyPropertyFor(const Requirement& requirement, z3::context& context,
-                                 const ProofContext& proof_context) {
+                                 const ProofContext& proof_context,
+                                 const ConeOfInfluence& relevance) {
   switch (requirement.kind) {
     case RequirementKind::Always:
-      return always(requirement.condition, proof_context);
+      return always(requirement, proof_context, relevance);
     case RequirementKind::ExitWithin:
       return exitWithin(requirement.seconds, context);
     case RequirementKind::Reach:

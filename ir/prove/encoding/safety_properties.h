@@ -8,9 +8,10 @@
 namespace glider::ir::prove {
 
 /// The safety property for a requirement: the trace that it forbids, or for Reach the trace that it
-/// requires. Not for StackAtMost, which follows from the structure.
+/// requires. Not for StackAtMost, which follows from the structure. All must outlive it.
 SafetyProperty safetyPropertyFor(const Requirement& requirement, z3::context& context,
-                                 const ProofContext& proof_context);
+                                 const ProofContext& proof_context,
+                                 const ConeOfInfluence& relevance);
 
 /// Whether the answer depends on the depth of the vehicle.
 bool reckonsWithDepth(const Requirement& requirement, const ProofContext& proof_context);

@@ -74,6 +74,8 @@ class SymbolicTick {
                            const SymbolicState& readings, Pace pace);
   /// The start of the mission: its variables, `always`, the first state.
   Configuration start(Configuration before, const SymbolicState& readings);
+  /// What the statements of a block leave of `store`.
+  Store execute(SymbolicState& moment, BlockId block, Store store, const z3::expr& now);
 
  private:
   struct Run;  // a tick in progress (tick.cpp)
@@ -86,7 +88,6 @@ class SymbolicTick {
   void pass(const SymbolicState& before, const Case& c, Store& store);
   void runActivity(Run& run, const Activity& activity, bool relevant);
 
-  Store execute(SymbolicState& moment, BlockId block, Store store, const z3::expr& now);
   Store executeOne(SymbolicState& moment, const Statement& statement, Store store,
                    const z3::expr& now);
   /// A rounded value stays within the interval of the exact one.

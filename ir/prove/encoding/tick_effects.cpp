@@ -199,7 +199,8 @@ Configuration SymbolicTick::start(Configuration before, const SymbolicState& rea
   moment.setClocks(before.mission_time, before.mission_time, before.mission_time);
   before.store.show(moment);
   for (uint32_t i = 0; i < m_.variables.size(); ++i) {
-    if (m_.variables[i].kind == VariableKind::Mission) {
+    const VariableKind kind = m_.variables[i].kind;
+    if (kind == VariableKind::Mission || kind == VariableKind::Monitor) {
       assign(moment, {i}, m_.variables[i].initial, before.store, true);
     }
   }

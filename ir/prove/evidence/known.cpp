@@ -53,6 +53,9 @@ std::string Known::ofStay(const Stay& stay, bool just_returned) const {
   FormulaParts parts;
   for (uint32_t i = 0; i < m_.variables.size(); ++i) {
     const Variable& variable = m_.variables[i];
+    if (isOfMonitor(variable.kind)) {
+      continue;  // nothing is known of it there
+    }
     if (!variable.owner.valid() || stay.control.holds(variable.owner)) {
       parts.holding(variable, stay.values[i]);
     }

@@ -36,6 +36,7 @@ struct Counterexample {
   std::vector<Event> story;  ///< the transitions
   std::string state;         ///< the current one when the requirement is violated
   std::string values;        ///< "depth = 21 m": the values that a condition of `always` read then
+  std::string words;         ///< how a requirement with a monitor is violated
   double when = 0;         ///< mission time at which the requirement is violated (Reach: satisfied)
   size_t requirement = 0;  ///< which one of the requirements that were checked
 };

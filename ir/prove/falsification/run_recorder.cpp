@@ -124,6 +124,9 @@ void RunRecorder::tell(const TickResult& result, double time) {
 
 /// The values that the condition of `always` read at that time.
 void RunRecorder::describeValues() {
+  if (requirements_[*hit_].monitor.step.valid()) {
+    return;  // its words say what happened
+  }
   std::vector<ExprId> open{requirements_[*hit_].condition};
   std::set<std::string> told;
   while (!open.empty()) {
@@ -151,6 +154,7 @@ void RunRecorder::describeValues() {
 Counterexample RunRecorder::take() {
   result_.requirement = *hit_;
   result_.when = *monitors_[*hit_].when();
+  result_.words = monitors_[*hit_].words();
   result_.state = m_[last_.state].name;
   describeValues();
   return std::move(result_);

@@ -24,7 +24,7 @@ std::string declared(const z3::func_decl& relation) {
 std::string problem(const Requirement& requirement, const ProofContext& proof_context) {
   z3::context context;
   const ConeOfInfluence relevance = relevanceOf(requirement, proof_context);
-  const SafetyProperty property = safetyPropertyFor(requirement, context, proof_context);
+  const SafetyProperty property = safetyPropertyFor(requirement, context, proof_context, relevance);
   ChcEncoder encoder(context, proof_context, relevance, property);
   if (!encoder.run()) {
     return "";

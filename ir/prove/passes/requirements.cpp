@@ -404,7 +404,8 @@ class RequirementCheck {
       return {Answer::Unknown, std::nullopt, "the mission is too large for a search", 0};
     }
     try {
-      const SafetyProperty watch = safetyPropertyFor(requirement, context, proof_context);
+      const SafetyProperty watch =
+          safetyPropertyFor(requirement, context, proof_context, relevance);
       RunsAnswer answer =
           askAboutRuns(context, proof_context, relevance, watch, effort, proof_.options.evidence);
       proof_.searches.spend(answer.steps);
@@ -422,7 +423,8 @@ class RequirementCheck {
   std::optional<Counterexample> tryAtRandom(const Requirement& requirement,
                                             const ProofContext& proof_context) {
     const double cycle = proof_.proof_context.platform.envelope.cycle_s;
-    const double span = requirement.seconds > 0 ? 2 * requirement.seconds : kLongFlight;
+    const double time = std::max(requirement.seconds, requirement.monitor.horizon_s);
+    const double span = time > 0 ? 2 * time : kLongFlight;
     const auto ticks = static_cast<size_t>(std::min(span / cycle + 2, 1.0 * kRandomTicks));
     const size_t flights = std::max<size_t>(1, kRandomTicks / ticks);
     const uint64_t tick = Budget::kTick + m_.exprs.size() / Budget::kExpressions;
@@ -498,6 +500,9 @@ class RequirementCheck {
   std::string howBroken(const Requirement& requirement, const Counterexample& run) const {
     switch (requirement.kind) {
       case RequirementKind::Always:
+        if (!run.words.empty()) {
+          return fmt::format("at {:.6g} s, in state `{}`, {}", run.when, run.state, run.words);
+        }
         return fmt::format("at {:.6g} s, in state `{}`{}{}", run.when, run.state,
                            run.values.empty() ? "" : ", ", run.values);
       case RequirementKind::ExitWithin:

@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "frontend/sema/promises/lower_promise.h"
+
+#include "frontend/sema/expressions/evaluate.h"
+#include "frontend/sema/expressions/lower_expr.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace glider::frontend {
+
+using support::DiagnosticId;
+
+void declarePlaces(const ast::File& file, Scope& scope) {
+  for (const ast::Item& item : file.items) {
+    const auto* node = std::get_if<ast::PlaceDeclaration>(&item);
+    if (node == nullptr || scope.refuseName(node->name, "a place") ||
+        scope.refuseSecond(node->name)) {
+      continue;
+    }
+    const auto [first, entered] = scope.places.emplace(node->name.text, node);
+    const auto state = scope.states.find(node->name.text);
+    const ast::Name* other = !entered ? &first->second->name
+                             : state != scope.states.end()
+                                 ? &scope.state_declarations[state->second.index].node->name
+                                 : nullptr;
+    if (other != nullptr) {
+      scope.report(DiagnosticId::duplicateName, node->name.where, node->name.text)
+          .note(other->where, "the first is here");
+    }
+  }
+}
+
+std::optional<double> promisedNumber(const ast::Expr& expr, const ir::Type& type,
+                                     const std::string& what, Scope& scope) {
+  const size_t before = scope.mission.exprs.size();
+  const auto id = ExprLowering(scope).lowerAs(expr, type, what);
+  const auto value = id ? evaluate(scope.mission, *id) : std::nullopt;
+  scope.mission.exprs.resize(before);
+  if (id && !value) {
+    scope.report(DiagnosticId::notConstant, expr.where, scope.text(expr.where), what);
+  }
+  return value;
+}
+
+std::optional<PromiseTime> promisedTime(const ast::Expr& expr, std::string_view word,
+                                        Scope& scope) {
+  const auto seconds = promisedNumber(expr, quantity(support::dimension::time),
+                                      fmt::format("the time of `{}`", word), scope);
+  if (seconds && !(*seconds > 0)) {
+    scope.report(DiagnosticId::requirementTime, expr.where, word, scope.text(expr.where));
+    return std::nullopt;
+  }
+  return seconds ? std::optional(PromiseTime{*seconds, scope.text(expr.where)}) : std::nullopt;
+}
+
+std::optional<std::vector<PromisedPlace>> PromiseLowering::places(
+    const std::vector<ast::Expr>& exprs) {
+  std::vector<PromisedPlace> places;
+  bool right = true;
+  for (const ast::Expr& expr : exprs) {
+    auto place = lowerPlace(expr, scope_);
+    right = right && place;
+    const bool again =
+        place && std::ranges::find(places, place->words, &PromisedPlace::words) != places.end();
+    if (again) {
+      scope_.report(DiagnosticId::placeRepeated, expr.where, scope_.text(expr.where));
+      right = false;
+    }
+    if (place) {
+      places.push_back(*std::move(place));
+    }
+  }
+  return right ? std::optional(std::move(places)) : std::nullopt;
+}
+
+bool PromiseLowering::finish(const std::function<void(Pattern&)>& write) {
+  std::optional<PlacedScope> scope;
+  if (node_.scope) {
+    auto place = lowerPlace(node_.scope->place, scope_);
+    auto to = node_.scope->to ? lowerPlace(*node_.scope->to, scope_) : std::nullopt;
+    if (!place || (node_.scope->to && !to)) {
+      return false;
+    }
+    scope = PlacedScope{node_.scope->kind, *std::move(place), std::move(to)};
+  }
+  MonitorBuilder monitor(scope_.mission,
+                         fmt::format("promise {}", scope_.mission.requirements.size() + 1),
+                         node_.where);
+  writeScoped(scope ? &*scope : nullptr, node_.or_exit, monitor, write);
+  monitor.finish(result_);
+  return true;
+}
+
+bool PromiseLowering::lower(const ast::VisitPromise& promise) {
+  const auto where = places(promise.places);
+  const auto within = promisedTime(promise.within, "within", scope_);
+  return where && within &&
+         finish([&](Pattern& pattern) { writeVisit(*where, promise.manner, *within, pattern); });
+}
+
+bool PromiseLowering::lower(const ast::PatrolPromise& promise) {
+  const auto where = places(promise.places);
+  const auto every = promisedTime(promise.every, "every", scope_);
+  return where && every &&
+         finish([&](Pattern& pattern) { writePatrol(*where, promise.manner, *every, pattern); });
+}
+
+bool PromiseLowering::lower(const ast::CountPromise& promise) {
+  constexpr double kMostVisits = 1e6;
+  const auto place = lowerPlace(promise.place, scope_);
+  const auto within = promise.within ? promisedTime(*promise.within, "within", scope_)
+                                     : std::optional(PromiseTime());
+  const auto times = promisedNumber(promise.times, plainNumber(), "the number of visits", scope_);
+  if (times && !(*times >= 1 && *times <= kMostVisits && std::floor(*times) == *times)) {
+    scope_.report(DiagnosticId::visitTimes, promise.times.where, scope_.text(promise.times.where));
+    return false;
+  }
+  return place && within && times && finish([&](Pattern& pattern) {
+           writeCount(*place, promise.bound, static_cast<uint32_t>(*times), *within, pattern);
+         });
+}
+
+ir::ExprId PromiseLowering::operation(ir::Op op, std::initializer_list<ir::ExprId> operands) {
+  ir::Expr expr;
+  expr.op = op;
+  expr.type = boolean();
+  expr.range = node_.where;
+  std::ranges::copy(operands, expr.operands.begin());
+  scope_.mission.exprs.push_back(expr);
+  return {static_cast<uint32_t>(scope_.mission.exprs.size() - 1)};
+}
+
+bool PromiseLowering::neverTrue(ir::ExprId condition) {
+  result_.kind = ir::RequirementKind::Always;
+  result_.condition = operation(ir::Op::Not, {condition});
+  return true;
+}
+
+bool PromiseLowering::lower(const ast::NeverPromise& promise) {
+  const auto place = lowerPlace(promise.place, scope_);
+  const auto event = promise.event ? lowerPlace(*promise.event, scope_) : std::nullopt;
+  if (!place || (promise.event && !event)) {
+    return false;
+  }
+  if (isPlain() && !event && !place->state.valid()) {
+    return neverTrue(place->condition);
+  }
+  if (isPlain() && promise.when == ast::NeverWhen::After && place->state.valid() &&
+      event->state.valid()) {
+    result_.kind = ir::RequirementKind::NeverAfter;
+    result_.state = place->state;
+    result_.after = event->state;
+    return true;
+  }
+  return finish([&](Pattern& pattern) {
+    writeNever(*place, promise.when, event ? &*event : nullptr, pattern);
+  });
+}
+
+bool PromiseLowering::lower(const ast::ReactionPromise& promise) {
+  const auto cause = lowerPlace(promise.cause, scope_);
+  const auto response = lowerPlace(promise.response, scope_);
+  const auto time =
+      promise.time ? promisedTime(*promise.time,
+                                  promise.timing == ast::Timing::For ? "for" : "within", scope_)
+                   : std::optional(PromiseTime());
+  const bool only = promise.trigger == ast::Trigger::WheneverAndOnly;
+  if (only && promise.time) {
+    scope_.report(DiagnosticId::onlyWhenTime, promise.time->where);
+    return false;
+  }
+  if (!cause || !response || !time) {
+    return false;
+  }
+  const bool states = cause->state.valid() || response->state.valid();
+  if (isPlain() && !states && promise.timing == ast::Timing::AtOnce &&
+      promise.trigger != ast::Trigger::When) {
+    const auto without = [&](ir::ExprId a, ir::ExprId b) {
+      return operation(ir::Op::And, {a, operation(ir::Op::Not, {b})});
+    };
+    const ir::ExprId wrong = without(cause->condition, response->condition);
+    return neverTrue(
+        only ? operation(ir::Op::Or, {wrong, without(response->condition, cause->condition)})
+             : wrong);
+  }
+  return finish(
+      [&](Pattern& pattern) { writeReaction(promise, *cause, *response, *time, pattern); });
+}
+
+bool PromiseLowering::lower(const ast::HoldPromise& promise) {
+  const auto place = lowerPlace(promise.place, scope_);
+  const auto until = lowerPlace(promise.until, scope_);
+  const auto within = promisedTime(promise.within, "within", scope_);
+  return place && until && within &&
+         finish([&](Pattern& pattern) { writeHold(*place, *until, *within, pattern); });
+}
+
+}  // namespace glider::frontend

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "frontend/ast/ast.h"
+#include "frontend/sema/names/scope.h"
+#include "frontend/sema/promises/pattern.h"
+
+#include <optional>
+#include <string_view>
+
+namespace glider::frontend {
+
+/// Enters the `place` declarations of a mission. Their conditions are checked where they are used.
+void declarePlaces(const ast::File& file, Scope& scope);
+
+/// The value of `expr`, which must be known when the mission is compiled; empty, and reported, if
+/// it is not. `what` names it: "the time of `within`".
+std::optional<double> promisedNumber(const ast::Expr& expr, const ir::Type& type,
+                                     const std::string& what, Scope& scope);
+/// A time above 0; `word` is what stands before it.
+std::optional<PromiseTime> promisedTime(const ast::Expr& expr, std::string_view word, Scope& scope);
+
+/// Lowers the patterns of requirements: to a requirement that has no monitor where one condition
+/// expresses it, otherwise to a monitor. Each returns false, and reports, if something is wrong.
+class PromiseLowering {
+ public:
+  PromiseLowering(const ast::Requirement& node, Scope& scope, ir::Requirement& result)
+      : node_(node), scope_(scope), result_(result) {}
+
+  bool lower(const ast::VisitPromise& promise);
+  bool lower(const ast::PatrolPromise& promise);
+  bool lower(const ast::CountPromise& promise);
+  bool lower(const ast::NeverPromise& promise);
+  bool lower(const ast::ReactionPromise& promise);
+  bool lower(const ast::HoldPromise& promise);
+
+ private:
+  std::optional<std::vector<PromisedPlace>> places(const std::vector<ast::Expr>& exprs);
+  bool finish(const std::function<void(Pattern&)>& write);
+  /// The requirement that this is never true.
+  bool neverTrue(ir::ExprId condition);
+  ir::ExprId operation(ir::Op op, std::initializer_list<ir::ExprId> operands);
+  /// Whether neither a scope nor an end concerns it.
+  [[nodiscard]] bool isPlain() const { return !node_.scope && !node_.or_exit; }
+
+  const ast::Requirement& node_;
+  Scope& scope_;
+  ir::Requirement& result_;
+};
+
+}  // namespace glider::frontend

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "frontend/sema/promises/places.h"
+
+#include "frontend/sema/expressions/lower_expr.h"
+
+#include <fmt/format.h>
+
+namespace glider::frontend {
+
+using support::DiagnosticId;
+
+std::optional<PromisedPlace> lowerPlace(const ast::Expr& expr, Scope& scope) {
+  PromisedPlace place;
+  place.words = fmt::format("`{}`", scope.text(expr.where));
+  const ast::Expr* condition = &expr;
+  if (const auto* use = std::get_if<ast::NameUse>(&expr.node)) {
+    if (const auto state = scope.states.find(use->name); state != scope.states.end()) {
+      place.state = state->second;
+      return place;
+    }
+    if (const auto named = scope.places.find(use->name); named != scope.places.end()) {
+      condition = &named->second->condition;
+    }
+  }
+  const size_t uses = scope.mission.uses.size();
+  const auto lowered = ExprLowering(scope).lowerCondition(*condition);
+  if (!lowered) {
+    return std::nullopt;
+  }
+  if (scope.mission.uses.size() > uses) {
+    const ir::FunctionUse& use = scope.mission.uses[uses];
+    scope.report(DiagnosticId::requirementCalls, use.range,
+                 scope.mission.functions[use.function.index].name);
+    return std::nullopt;
+  }
+  place.condition = *lowered;
+  return place;
+}
+
+ir::ExprId Sight::begins(const PromisedPlace& place) {
+  if (place.state.valid()) {
+    return visited(place);
+  }
+  const ir::VariableId before = monitor_.flag("before");
+  const ir::ExprId is = monitor_.isTrue(holds(place));
+  monitor_.atEnd([this_monitor = &monitor_, before, is] { this_monitor->set(before, is); });
+  return monitor_.both(is, monitor_.negation(monitor_.read(before)));
+}
+
+}  // namespace glider::frontend

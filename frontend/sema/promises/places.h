@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "frontend/ast/ast.h"
+#include "frontend/sema/names/scope.h"
+#include "frontend/sema/promises/monitor_builder.h"
+
+#include <optional>
+#include <string>
+
+namespace glider::frontend {
+
+/// What a promise is about: a state, or a condition that may have a name.
+struct PromisedPlace {
+  std::string words;     ///< as written, in backticks
+  ir::StateId state;     ///< invalid: a condition
+  ir::ExprId condition;  ///< invalid: a state
+};
+
+/// The place that `expr` names: a state, a `place`, or else a condition; empty, and reported, if it
+/// is none.
+std::optional<PromisedPlace> lowerPlace(const ast::Expr& expr, Scope& scope);
+
+/// How a promise sees its places, in one tick. With `on` they are only seen where that is true.
+class Sight {
+ public:
+  Sight(MonitorBuilder& monitor, ir::ExprId on) : monitor_(monitor), on_(on) {}
+
+  /// A state that is entered; a condition that is true.
+  ir::ExprId visited(const PromisedPlace& place) {
+    return gated(now(place, ir::ObservationKind::Entered));
+  }
+  /// A state that is entered; a condition that becomes true.
+  ir::ExprId begins(const PromisedPlace& place);
+  /// A state that is current or waits; a condition that is true.
+  ir::ExprId holds(const PromisedPlace& place) {
+    return gated(now(place, ir::ObservationKind::Inside));
+  }
+  /// The same where it is certainly false.
+  ir::ExprId fails(const PromisedPlace& place) {
+    return gated(monitor_.negation(now(place, ir::ObservationKind::Inside)));
+  }
+
+ private:
+  ir::ExprId now(const PromisedPlace& place, ir::ObservationKind kind) {
+    return place.state.valid() ? monitor_.observed(kind, place.state) : place.condition;
+  }
+  ir::ExprId gated(ir::ExprId seen) { return on_.valid() ? monitor_.both(on_, seen) : seen; }
+
+  MonitorBuilder& monitor_;
+  ir::ExprId on_;
+};
+
+}  // namespace glider::frontend
